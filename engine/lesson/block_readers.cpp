@@ -1,4 +1,4 @@
-// Front matter and the fenced blocks scene, touch and answer.
+// Front matter and the fenced blocks scene and touch.
 #include <algorithm>
 #include <optional>
 #include <utility>
@@ -129,7 +129,7 @@ void readMarks(const KeyValues& values, const Takes& takes, SceneSpec& scene) {
   }
   for (const auto& [key, angles] : {std::pair{"distance", false}, std::pair{"angle", true}}) {
     if (!takes(key)) continue;
-    std::erase_if(scene.measures, [&](const PlacesSpec& m) { return (m.atoms.size() > 2) == angles; });
+    std::erase_if(scene.measures, [angles = angles](const PlacesSpec& m) { return (m.atoms.size() > 2) == angles; });
     const std::vector<PlacesSpec>& wanted = values[key].measures;
     scene.measures.insert(scene.measures.end(), wanted.begin(), wanted.end());
   }
@@ -175,6 +175,9 @@ std::size_t readFrontMatter(Reading& reading, Lesson& lesson) {
     reading.error(lesson.language_place, trf("'{0}' is no language's code", lesson.language),
                   tr("write its two letters: en, de"));
   lesson.minutes = static_cast<int>(values["minutes"].number);
+  lesson.description = values["description"].text;
+  lesson.order = static_cast<int>(values["order"].number);
+  lesson.required = values["required"].text == "yes";
   lesson.goals = values["goals"].words;
   lesson.molecules = values["molecules"].words;
   lesson.molecule_places = values["molecules"].places;
@@ -201,9 +204,14 @@ SceneSpec readScene(Reading& reading, const MarkdownBlock& block, const SceneSpe
     scene.places.molecule = values["molecule"].place;
     const std::vector<std::string_view> known(lesson.molecules.begin(), lesson.molecules.end());
     if (!known.empty() && std::find(known.begin(), known.end(), scene.molecule.name) == known.end() &&
-        !reading.enough())
+        !reading.enough()) {
+      // '1hel.pdb' of an author who means the library's.
+      const std::string_view stem = std::string_view(scene.molecule.name).substr(0, scene.molecule.name.find('.'));
+      const bool meant = std::find(known.begin(), known.end(), stem) != known.end();
       reading.error(scene.places.molecule, trf("'{0}' is not among the lesson's molecules", scene.molecule.name),
-                    suggest(scene.molecule.name, known, tr("add it to the front matter or take one of")));
+                    meant ? trf("write '{0}'", stem)
+                          : suggest(scene.molecule.name, known, tr("add it to the front matter or take one of")));
+    }
   } else if (!before &&
              std::none_of(lines.begin(), lines.end(), [](const KeyLine& l) { return l.key == "molecule"; })) {
     reading.error(block.place, tr("the lesson's first scene needs the key 'molecule'"), tr("add a line 'molecule: …'"));
@@ -256,7 +264,7 @@ SceneSpec readScene(Reading& reading, const MarkdownBlock& block, const SceneSpe
   return scene;
 }
 
-TaskSpec readTouch(Reading& reading, const MarkdownBlock& block) {
+TaskSpec readTouch(Reading& reading, const MarkdownBlock& block, const Lesson& lesson) {
   const std::vector<KeyLine> lines = linesOf(reading, block.lines);
   TaskSpec task;
   task.place = block.place;
@@ -281,10 +289,11 @@ TaskSpec readTouch(Reading& reading, const MarkdownBlock& block) {
     std::vector<Problem> problems;
     task.values = readKeyValues(lines, keys, blockName(KeyBlock::Touch), block.place, problems, &ownersOf);
     const bool good = problems.empty();
-    if (good && kind->check) kind->check({std::string(kind->name), task.values, task.place}, problems);
+    if (good && kind->check) kind->check({std::string(kind->name), task.values, task.place, {}}, problems);
     // With errors too: the lesson cannot be used then, but more can be told of it.
     task.kind = kind->name;
     reading.add(std::move(problems));
+    task.goals = readGoals(reading, task.values["goal"], lesson);
     return task;
   }
 
@@ -308,50 +317,6 @@ TaskSpec readTouch(Reading& reading, const MarkdownBlock& block) {
     reading.error(block.place, tr("the touch block names no task"),
                   trf("add a line that starts with {0} and a colon", joined(kinds, tr(" or "))));
   return {};
-}
-
-AnswerSpec readAnswer(Reading& reading, const MarkdownBlock& block) {
-  const auto keys = pointersTo(keysOf(KeyBlock::Answer));
-  const KeyValues values =
-      readBlock(reading, linesOf(reading, block.lines), keys, blockName(KeyBlock::Answer), block.place);
-  AnswerSpec answer;
-  answer.right = AuthorsText(values["right"]);
-  answer.wrong = AuthorsText(values["wrong"]);
-  answer.model = values["model"].text;
-  const int given = values.has("number") + values.has("text") + values.has("free");
-  if (given != 1) {
-    reading.error(block.place,
-                  given == 0 ? tr("the answer block says nothing about what is right")
-                             : tr("the answer block asks for more than one thing"),
-                  tr("give one of 'number: …', 'text: …' and 'free: yes'"));
-  } else if (values.has("number")) {
-    answer.kind = AnswerSpec::Kind::Number;
-    const Value &number = values["number"], &tolerance = values["tolerance"];
-    answer.number = number.number;
-    answer.tolerance = tolerance.number;
-    if (!number.words.empty()) answer.unit = number.words[0];
-    if (values.has("tolerance") && number.words != tolerance.words)
-      reading.error(tolerance.place, tr("the tolerance and the number have different units"),
-                    answer.unit.empty() ? tr("write the tolerance without a unit")
-                                        : trf("write the tolerance in {0}", answer.unit));
-    else if (answer.tolerance < 0.0)
-      reading.error(tolerance.place, tr("the tolerance is below zero"), tr("write it without the minus sign"));
-    else if (!values.has("tolerance") && answer.number != std::round(answer.number))
-      reading.warning(number.place, tr("a number with decimals and no tolerance is met by hardly anybody"),
-                      tr("add a line 'tolerance: …' in the same unit"));
-  } else if (values.has("text")) {
-    answer.kind = AnswerSpec::Kind::Text;
-    answer.texts = values["text"].words;
-    if (answer.texts.empty())
-      reading.error(values["text"].place, tr("this question has no right answer"),
-                    tr("write the words that count as right"));
-  }
-  if (values.has("tolerance") && !values.has("number"))
-    reading.error(values["tolerance"].place, tr("'tolerance' goes with 'number'"), tr("take it out"));
-  if (values.has("model") && !values.has("free"))
-    reading.error(values["model"].place, tr("'model' goes with 'free'"),
-                  tr("take it out, or say it in 'right' and 'wrong'"));
-  return answer;
 }
 
 }  // namespace moltact::reading

@@ -29,11 +29,19 @@ std::vector<char> reached(const Lesson& lesson) {
   };
   for (std::size_t i = 0; i < lesson.steps.size(); ++i)
     if (!lesson.steps[i].aside) reach(i);
+  const auto followRules = [&](const Step& step) {
+    for (const Question& q : step.questions)
+      for (const WayRule& rule : q.rules)
+        for (const std::string& id : rule.steps)
+          if (const auto to = step_of.find(id); rule.then == WayRule::Then::GoTo && to != step_of.end())
+            reach(to->second);
+  };
   forEachText(lesson.introduction, follow);
   while (!todo.empty()) {
     const std::size_t i = todo.back();
     todo.pop_back();
     forEachText(lesson.steps[i], follow);
+    followRules(lesson.steps[i]);
   }
   return out;
 }

@@ -31,6 +31,9 @@ void moleculeList(const Lesson& lesson, Findings& findings);
 /// Asides that no step leads to; steps without a word.
 void steps(const Lesson& lesson, Findings& findings);
 
+/// Rules that never come true, or lead where nobody is going; steps that must be finished and have nothing to finish.
+void ways(const Lesson& lesson, Findings& findings);
+
 /// Links to files and pictures that are not in the lesson's folder, pictures that cannot be shown; links into other lessons whose step is not there.
 void files(const Lesson& lesson, const std::filesystem::path& lesson_file, Findings& findings);
 

@@ -14,6 +14,7 @@
 #include "engine/lesson/keys.h"
 #include "engine/lesson/selection.h"
 #include "engine/lesson/source_text.h"
+#include "engine/lesson/way_rules.h"
 #include "engine/molecule/molecule_key.h"
 
 namespace moltact {
@@ -149,10 +150,12 @@ struct TaskSpec {
   std::string kind;  ///< "reach"
   KeyValues values;  ///< every key of the kind and the common ones, fallbacks filled in
   Place place;
+  std::vector<std::size_t> goals;  ///< that it serves, as indices into those of the lesson
 };
 
 struct Choice {
   RichText text, feedback;
+  std::string tag;   ///< the misconception that it shows, for the report; may be empty
   std::string link;  ///< "#step-id" that the feedback's first link to a step leads to; may be empty
   bool right = false;
   Place place;
@@ -177,7 +180,10 @@ struct Question {
   std::optional<AnswerSpec> answer;
   bool prediction = false;  ///< "Prediction:": what is right is told when the step's tasks are done, and never scored
   bool in_order = false;    ///< its choices stay as they are written
-  Place place;
+  int attempts = 0;         ///< after so many wrong answers the right one is shown; 0: as many as need be
+  std::vector<WayRule> rules;      ///< what its answers do to the way
+  std::vector<std::size_t> goals;  ///< that it serves, as indices into those of the lesson
+  Place place, block_place;        ///< of its heading, and of its answer block (line 0: none)
 
   /// What is given is kept and neither right nor wrong.
   bool free() const { return answer && answer->kind == AnswerSpec::Kind::Free; }
@@ -195,9 +201,11 @@ struct Step {
   std::vector<Block> blocks;
   std::vector<TaskSpec> tasks;
   std::vector<Question> questions;
-  SceneSpec scene;            ///< what is on the stage in this step
-  bool states_scene = false;  ///< false: the scene of the step before it goes on
-  Place place;
+  SceneSpec scene;                 ///< what is on the stage in this step
+  bool states_scene = false;       ///< false: the scene of the step before it goes on
+  bool required = false;           ///< it must be finished before the student goes on
+  std::vector<std::size_t> goals;  ///< that its tasks and questions serve where they do not say it themselves
+  Place place, block_place;        ///< of its heading, and of its step block (line 0: none)
 };
 
 /// A word that the lesson explains.
@@ -211,7 +219,10 @@ struct GlossaryWord {
 struct Lesson {
   std::string file;
   std::string title, level, author, licence;
-  std::string language;  ///< "de": of the front matter; may be empty
+  std::string description;  ///< one line for the shelf; may be empty
+  int order = 0;            ///< the place on the shelf; 0: none
+  bool required = false;    ///< every step must be finished before the next, where it does not say otherwise
+  std::string language;     ///< "de": of the front matter; may be empty
   Place language_place;
   int minutes = 0;
   std::vector<std::string> goals, molecules;

@@ -136,6 +136,20 @@ std::optional<Arrow> findArrow(const RichText& text) {
   return {};
 }
 
+// A tag is a word or some: a sentence there was meant for the student.
+void checkTag(Reading& reading, Place place, const Choice& choice) {
+  constexpr std::size_t kLongest = 60;
+  if (choice.tag.empty())
+    reading.error(place, tr("nothing stands behind the second arrow"),
+                  tr("write the misconception's tag there, or take the arrow out"));
+  else if (characterCount(choice.tag) > kLongest)
+    reading.warning(place,
+                    tr("what stands behind the second arrow is a tag for the report, and students do not see it"),
+                    trf("make it shorter than {0} characters, or take the second arrow out", kLongest));
+  else if (choice.right)
+    reading.warning(place, tr("a right choice has the tag of a misconception"), tr("take the second arrow out"));
+}
+
 void trimEnd(RichText& text) {
   while (!text.empty()) {
     std::string& last = text.back().text;
@@ -214,6 +228,16 @@ std::vector<Choice> readChoices(Reading& reading, const MarkdownBlock& list) {
       choice.text.resize(arrow->run + 1);
       choice.text.back().text.resize(arrow->at);
       trimEnd(choice.text);
+      // Behind a second arrow stands what the report counts.
+      if (const auto second = findArrow(choice.feedback)) {
+        RichText tag(choice.feedback.begin() + static_cast<std::ptrdiff_t>(second->run), choice.feedback.end());
+        takeOffStart(tag, second->at + second->bytes);
+        choice.tag = stripped(plainText(tag));
+        choice.feedback.resize(second->run + 1);
+        choice.feedback.back().text.resize(second->at);
+        trimEnd(choice.feedback);
+        checkTag(reading, item.place, choice);
+      }
       for (const TextRun& run : choice.feedback)
         if (choice.link.empty() && run.link.starts_with('#') && !sceneLink(run.link) && !wordLink(run.link))
           choice.link = run.link;
@@ -242,7 +266,10 @@ void checkQuestion(Reading& reading, const Question& question) {
                     tr("keep one of the two"));
     return;
   }
-  if (question.choices.empty())
+  if (question.choices.empty() && question.block_place.line)
+    reading.error(question.block_place, tr("the answer block says nothing about what is right"),
+                  tr("give one of 'number: …', 'text: …' and 'free: yes'"));
+  else if (question.choices.empty())
     reading.error(question.place, tr("this question has nothing to answer"),
                   tr("add a list of choices '- [x] …' or an answer block"));
   else if (question.choices.size() == 1)

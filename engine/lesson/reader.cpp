@@ -62,6 +62,7 @@ class Walk {
         heading(block);
         return;
       case Kind::Code:
+        if (block.info == "step") return stepBlock(block);
         if (block.info == "scene") return scene(block);
         if (block.info == "touch") return touch(block);
         if (block.info == "answer") return answer(block);
@@ -134,6 +135,7 @@ class Walk {
     // What an aside puts on the stage is gone where the student has passed it over.
     if (step()) next.scene = next.aside || !lastMainStep() ? step()->scene : lastMainStep()->scene;
     if (!next.aside) last_main_ = lesson_.steps.size();
+    next.required = lesson_.required && !next.aside;
     lesson_.steps.push_back(std::move(next));
   }
 
@@ -196,6 +198,15 @@ class Walk {
     step()->states_scene = scene_stated_ = true;
   }
 
+  void stepBlock(const MarkdownBlock& block) {
+    if (outsideStep(block)) return;
+    if (step()->block_place.line) {
+      reading_.error(block.place, tr("a second step block in one step"), tr("put both into one block"));
+      return;
+    }
+    reading::readStep(reading_, block, lesson_, *step());
+  }
+
   void touch(const MarkdownBlock& block) {
     if (outsideStep(block)) return;
     if (!scene_stated_) {
@@ -203,7 +214,7 @@ class Walk {
       reading_.error(block.place, tr("a touch task without anything on the stage"), tr("put a scene block above it"));
       scene_stated_ = true;
     }
-    TaskSpec task = reading::readTouch(reading_, block);
+    TaskSpec task = reading::readTouch(reading_, block, lesson_);
     if (task.kind.empty()) return;
     step()->tasks.push_back(std::move(task));
     step()->blocks.push_back(TaskHere{step()->tasks.size() - 1});
@@ -214,15 +225,15 @@ class Walk {
       reading_.error(block.place, tr("an answer block without a question"), tr("put '### Question: …' above it"));
       return;
     }
-    if (step()->questions.back().answer) {
+    if (step()->questions.back().block_place.line) {
       reading_.error(block.place, tr("a second answer block in one question"), tr("take one of the two out"));
       return;
     }
-    step()->questions.back().answer = reading::readAnswer(reading_, block);
+    reading::readAnswer(reading_, block, lesson_, step()->questions.back());
   }
 
   void unknownFence(const MarkdownBlock& block) {
-    constexpr std::string_view kFences[] = {"scene", "touch", "answer"};
+    constexpr std::string_view kFences[] = {"step", "scene", "touch", "answer"};
     reading_.warning(block.place, trf("'{0}' is no block of a lesson and is shown as it stands", block.info),
                      suggest(block.info, kFences, tr("blocks")));
   }
@@ -282,6 +293,8 @@ LessonReading readLessonText(const std::string& name, std::string bytes) {
   const std::vector<Place> open_fences = reading::findOpenFences(source, body);
   if (tree) {
     const bool whole = Walk(reading, lesson).run(*tree);
+    if (whole && open_fences.empty()) reading::finishWays(reading, lesson);
+    if (open_fences.empty()) reading::findLineSlips(reading, body);
     if (whole && open_fences.empty()) reading::checkLinks(reading, lesson);
   } else {
     reading.errors.push_back(tree.problem());

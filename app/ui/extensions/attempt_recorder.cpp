@@ -255,11 +255,15 @@ void AttemptRecorder::tell(Application& app) {
   }
   if (!log_) return;
   if (const std::optional<Problem> fault = log_->takeFault())
-    app.messages.warning(trf(
-        "What you do is not being kept on the disk: {0}. Go on with the lesson: it is held in memory and written as "
-        "soon as that can be.",
-        fault->text()));
-  if (log_->takeRecovered()) app.messages.notice(tr("What you do is kept on the disk again, with all that waited."));
+    unkept_ = app.messages.ask(MessageKind::Warning,
+                               trf("What you do is not being kept on the disk: {0}. Go on with the lesson: it is held "
+                                   "in memory and written as "
+                                   "soon as that can be.",
+                                   fault->text()),
+                               {});
+  if (!log_->takeRecovered()) return;
+  app.messages.takeBack(unkept_);
+  app.messages.notice(tr("What you do is kept on the disk again, with all that waited."));
 }
 
 }  // namespace moltact

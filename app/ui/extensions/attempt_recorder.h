@@ -13,6 +13,7 @@
 
 #include "app/ui/application/extension.h"
 #include "app/ui/lesson/input_way_watch.h"
+#include "app/ui/widgets/messages.h"
 #include "engine/render/camera.h"
 #include "engine/results/attempt_log.h"
 #include "engine/results/session_watch.h"
@@ -76,6 +77,7 @@ class AttemptRecorder : public Extension {
   std::vector<Predicted> predictions_;  // made while there was no attempt
   std::vector<Turn> turns_;  // attempts of this run, by student, so that a turn goes on where the last one ended
   std::optional<AttemptLog> log_;
+  MessageId unkept_ = 0;           // the message that it is not kept on the disk, as long as that holds
   const void* session_ = nullptr;  // whose attempt it is
   std::filesystem::path lesson_;   // its file
   std::string hash_;

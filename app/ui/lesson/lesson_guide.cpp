@@ -79,7 +79,10 @@ void LessonGuide::back() {
   if (session_) session_->back();
 }
 
-bool LessonGuide::follow(const std::string& link) { return session_ && link.starts_with('#') && session_->goTo(link); }
+bool LessonGuide::follow(const std::string& link) {
+  if (!session_ || !link.starts_with('#')) return false;
+  return !session_->mayGoTo(link) || session_->goTo(link);
+}
 
 AnswerDrafts& LessonGuide::drafts() {
   const std::size_t step = session_ ? session_->stepIndex() : 0;
@@ -223,6 +226,8 @@ std::string viewText(const Camera& camera) {
 void LessonGuide::decorate(ViewScene& scene) const {
   if (!on_stage_) return;
   scene.highlighted = highlighted_;
+  // What a task asked for whose tries are used up.
+  if (const std::vector<std::uint32_t> shown = session_->shownAtoms(); !shown.empty()) scene.highlighted = shown;
   // They go with atoms that have moved.
   if (annotations_ && scene.molecule && scene.molecule != annotated_) {
     annotations_ = annotationsOf(session_->scene(), *scene.molecule);
