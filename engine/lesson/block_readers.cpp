@@ -7,6 +7,7 @@
 #include "engine/language/language_code.h"
 #include "engine/lesson/reading.h"
 #include "engine/lesson/scene_link.h"
+#include "engine/lesson/second_state.h"
 #include "engine/lesson/suggestion.h"
 #include "engine/lesson/tasks/registry.h"
 #include "engine/lesson/touch_keys.h"
@@ -65,26 +66,18 @@ void takeViews(Reading& reading, const KeyValues& values, SceneSpec& scene) {
 // "1ake", "1ake, superposed on chain A"; the names of the two states, and which of them the scene begins with.
 void takeSecondState(Reading& reading, const KeyValues& values, bool takes_state, const Lesson& lesson,
                      SceneSpec& scene) {
-  constexpr std::string_view kSuperposed = ", superposed on ";
   SecondState& then = scene.then;
   if (values.has("then")) {
     const Value& value = values["then"];
-    const std::string_view text = value.text;
-    const std::size_t comma = text.find(kSuperposed);
-    then = {};
-    then.molecule = std::string(stripped(text.substr(0, comma)));
+    Expected<SecondState> read = parseSecondState(value.text);
+    then = read ? *std::move(read) : SecondState{};
     scene.places.then = value.place;
-    if (then.molecule == "none") then.molecule.clear();
-    if (comma != std::string_view::npos) {
-      const Expected<Selection> atoms = parseSelection(stripped(text.substr(comma + kSuperposed.size())));
-      if (atoms)
-        then.superposed_on = *atoms;
-      else
-        reading.error(
-            {value.place.line, value.place.column + characterCount(text.substr(0, comma + kSuperposed.size())) +
-                                   atoms.problem().column - 1},
-            atoms.problem().message, atoms.problem().remedy);
-    }
+    if (!read)
+      reading.error({value.place.line, value.place.column + read.problem().column - 1}, read.problem().message,
+                    read.problem().remedy);
+    if (!then.molecule.empty() && !scene.molecule.reading.beside.empty())
+      reading.error(value.place, tr("a scene has a second structure or a molecule beside it, not both"),
+                    tr("take 'then' or 'beside' out"));
     const std::vector<std::string_view> known(lesson.molecules.begin(), lesson.molecules.end());
     if (!then.molecule.empty() && !known.empty() && !reading.enough() &&
         std::find(known.begin(), known.end(), then.molecule) == known.end())
@@ -114,6 +107,16 @@ void takeSecondState(Reading& reading, const KeyValues& values, bool takes_state
   }
 }
 
+// What stands below two molecules that are compared.
+void takeCaptions(Reading& reading, const Value& value, SceneSpec& scene) {
+  scene.captions = value.words;
+  if (scene.molecule.reading.beside.empty())
+    reading.error(value.place, tr("'captions' names two molecules, but the scene has one"),
+                  tr("add a line 'beside: …' with the second one"));
+  else if (scene.captions.size() != 2)
+    reading.error(value.place, tr("there are two molecules to name"), tr("write two names, as in 'wool, silk'"));
+}
+
 // What a scene names, points at and measures; "none" leaves nothing of what an earlier scene did.
 template <class Takes>
 void readMarks(const KeyValues& values, const Takes& takes, SceneSpec& scene) {
@@ -126,7 +129,7 @@ void readMarks(const KeyValues& values, const Takes& takes, SceneSpec& scene) {
   }
   for (const auto& [key, angles] : {std::pair{"distance", false}, std::pair{"angle", true}}) {
     if (!takes(key)) continue;
-    std::erase_if(scene.measures, [&](const PlacesSpec& m) { return (m.atoms.size() > 2) == angles; });
+    std::erase_if(scene.measures, [angles = angles](const PlacesSpec& m) { return (m.atoms.size() > 2) == angles; });
     const std::vector<PlacesSpec>& wanted = values[key].measures;
     scene.measures.insert(scene.measures.end(), wanted.begin(), wanted.end());
   }
@@ -220,6 +223,13 @@ SceneSpec readScene(Reading& reading, const MarkdownBlock& block, const SceneSpe
     if (takes(option.name)) readText(scene.molecule.reading, option, text);
     if (value.place.line > scene.places.reading.line) scene.places.reading = value.place;
   }
+  if (const std::string& beside = scene.molecule.reading.beside; !beside.empty() && values["beside"].place.line) {
+    const std::vector<std::string_view> known(lesson.molecules.begin(), lesson.molecules.end());
+    if (!known.empty() && std::find(known.begin(), known.end(), beside) == known.end() && !reading.enough())
+      reading.error(values["beside"].place, trf("'{0}' is not among the lesson's molecules", beside),
+                    suggest(beside, known, tr("add it to the front matter or take one of")));
+  }
+  if (takes("captions")) takeCaptions(reading, values["captions"], scene);
   for (const TouchProperty& property : touchProperties())
     if (takes(property.key)) setTouchValue(scene.touch, property, touchValueOf(property, values[property.key]));
   if (takes("show")) scene.show = values["show"].words;

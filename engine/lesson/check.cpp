@@ -13,6 +13,7 @@ LessonCheck checkLesson(const std::string& name, std::string bytes, const Molecu
     checks::steps(*lesson, found);
     checks::ways(*lesson, found);
     checks::files(*lesson, name, found);
+    checks::words(*lesson, name, found);
     checks::language(*lesson, name, found);
     checks::signs(bytes, found);
   }

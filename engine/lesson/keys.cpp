@@ -259,6 +259,9 @@ std::vector<KeySpec> sceneKeys() {
                   "molecule's middle, or through the middle of these atoms. What is cut away is felt as before. 'none' "
                   "closes what an earlier scene opened.",
        .words = {"none", "middle"}},
+      {.name = "captions",
+       .type = ValueType::TextList,
+       .meaning = "What stands below the two molecules of a scene with 'beside': 'wool, silk'. Left out, their names."},
       {.name = "then",
        .type = ValueType::Text,
        .meaning =

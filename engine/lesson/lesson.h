@@ -19,11 +19,15 @@
 
 namespace moltact {
 
+/// Where a stretch of text stands beside the line: "H~2~O", "10^-9^".
+enum class Script : std::uint8_t { None, Sub, Super };
+
 /// A stretch of text in one style.
 struct TextRun {
   std::string text;
   bool bold = false, italic = false, code = false;
-  std::string link = {};  ///< where it leads: "#step-id", a file or a web address; empty where it is no link
+  Script script = Script::None;
+  std::string link = {};  ///< where it leads: "#step-id", "#word:crease", a file or a web address; empty: it is no link
   Place place = {};
   Place link_place = {};  ///< where `link` is written
 };
@@ -58,7 +62,14 @@ struct Quote {
 };
 struct Image {
   std::string path, description;  ///< as written; relative to the lesson's folder
+  std::string caption = {};       ///< stands below it; may be empty
   Place place = {};               ///< of the "!["
+};
+/// Its first row holds the headings; each row has as many cells as `sides`.
+struct Table {
+  enum class Side : std::uint8_t { Left, Middle, Right };
+  std::vector<Side> sides;  ///< of the columns, to which their texts keep
+  std::vector<std::vector<RichText>> rows;
 };
 struct CodeText {
   std::string text;
@@ -71,8 +82,8 @@ struct QuestionHere {
   std::size_t index = 0;
 };
 
-using Block =
-    std::variant<Paragraph, Subheading, ListBlock, Tip, TeacherNote, Quote, Image, CodeText, TaskHere, QuestionHere>;
+using Block = std::variant<Paragraph, Subheading, ListBlock, Tip, TeacherNote, Quote, Image, Table, CodeText, TaskHere,
+                           QuestionHere>;
 
 /// Where the parts of a scene are written. Two scenes that say the same are the same, wherever they say it.
 struct ScenePlaces {
@@ -100,28 +111,29 @@ struct SecondState {
 
 /// The scene on the stage. It is complete: values that a scene block left out have been filled in.
 struct SceneSpec {
-  NamedMolecule molecule;            ///< its name in the library or beside the lesson, and how its file is read
-  TouchSetup touch;                  ///< what it is felt with
-  std::vector<std::string> show;     ///< names of the picture's parts
-  std::vector<StyleSpec> styles;     ///< how the atoms are drawn; empty: all as spheres
-  Selection hide;                    ///< atoms that are not drawn; may select nothing
-  Selection untouchable;             ///< atoms that are not felt; may select nothing
-  Selection remove;                  ///< atoms that are neither drawn nor felt; may select nothing
-  double near_A = 4.0;               ///< beside other styles: so near to the probe atoms are spheres
-  std::string colour = "element";    ///< what the atoms' colours tell: a scheme of engine/structure/colouring.h
-  std::vector<MarkSpec> labels;      ///< names over the picture; word "atom", "residue", "chain", or a name of its own
-  std::vector<MarkSpec> arrows;      ///< with their names
-  std::vector<MarkSpec> marks;       ///< atoms in own colours; the word is the colour, the name for the legend
-  Selection hydrogen_bonds;          ///< of which the hydrogen bonds are drawn; may select nothing
-  std::vector<PlacesSpec> measures;  ///< two places: a length; three: an angle; four: a torsion
-  bool paint_touched = false;        ///< atoms stay lightly painted once they have been touched
-  std::vector<std::string> panels;   ///< "touch", "methods", or "none"; empty: as the student has them
-  std::vector<std::string> locked;   ///< keys that the student cannot change, those of the front matter too
-  Selection highlight;               ///< may select nothing
-  ViewSpec view;                     ///< from where it is seen at first
-  std::vector<NamedView> views;      ///< those to come back to, in the author's order
-  bool cut = false;                  ///< the molecule is cut open
-  Selection cut_at;                  ///< the plane goes through the middle of these atoms; not given: of all
+  NamedMolecule molecule;             ///< its name in the library or beside the lesson, and how its file is read
+  TouchSetup touch;                   ///< what it is felt with
+  std::vector<std::string> show;      ///< names of the picture's parts
+  std::vector<StyleSpec> styles;      ///< how the atoms are drawn; empty: all as spheres
+  Selection hide;                     ///< atoms that are not drawn; may select nothing
+  Selection untouchable;              ///< atoms that are not felt; may select nothing
+  Selection remove;                   ///< atoms that are neither drawn nor felt; may select nothing
+  double near_A = 4.0;                ///< beside other styles: so near to the probe atoms are spheres
+  std::vector<std::string> captions;  ///< below a molecule and the one beside it; empty: their names
+  std::string colour = "element";     ///< what the atoms' colours tell: a scheme of engine/structure/colouring.h
+  std::vector<MarkSpec> labels;       ///< names over the picture; word "atom", "residue", "chain", or a name of its own
+  std::vector<MarkSpec> arrows;       ///< with their names
+  std::vector<MarkSpec> marks;        ///< atoms in own colours; the word is the colour, the name for the legend
+  Selection hydrogen_bonds;           ///< of which the hydrogen bonds are drawn; may select nothing
+  std::vector<PlacesSpec> measures;   ///< two places: a length; three: an angle; four: a torsion
+  bool paint_touched = false;         ///< atoms stay lightly painted once they have been touched
+  std::vector<std::string> panels;    ///< "touch", "methods", or "none"; empty: as the student has them
+  std::vector<std::string> locked;    ///< keys that the student cannot change, those of the front matter too
+  Selection highlight;                ///< may select nothing
+  ViewSpec view;                      ///< from where it is seen at first
+  std::vector<NamedView> views;       ///< those to come back to, in the author's order
+  bool cut = false;                   ///< the molecule is cut open
+  Selection cut_at;                   ///< the plane goes through the middle of these atoms; not given: of all
   SecondState then;
   Selection magnify;  ///< atoms that fill the room of the hand; may select nothing: the whole molecule lies in it
   ScenePlaces places;
@@ -196,6 +208,14 @@ struct Step {
   Place place, block_place;        ///< of its heading, and of its step block (line 0: none)
 };
 
+/// A word that the lesson explains.
+struct GlossaryWord {
+  std::string word;                 ///< as it is listed
+  std::vector<std::string> others;  ///< how it is written too: "creases"
+  RichText meaning;
+  Place place;
+};
+
 struct Lesson {
   std::string file;
   std::string title, level, author, licence;
@@ -211,6 +231,7 @@ struct Lesson {
   std::string ask;                     ///< "name" or "code" that the student is asked for; empty: neither
   std::vector<Block> introduction;     ///< what stands before the first step
   std::vector<Step> steps;             ///< at least one
+  std::vector<GlossaryWord> glossary;  ///< its own words; with those of the file beside it once linkWords() was called
 
   /// The index of a step by its id, or no value.
   std::optional<std::size_t> find(std::string_view id) const {
@@ -220,7 +241,10 @@ struct Lesson {
   }
 };
 
-/// The text of all runs without its styles.
+/// The text of all runs without its styles. Scripts are written with the signs that Unicode has for them ("H₂O"); where
+/// it has none, as people write them on a line ("K_d", "10^x").
 std::string plainText(const RichText& text);
+/// The letters of all runs alone: "H2O".
+std::string bareText(const RichText& text);
 
 }  // namespace moltact

@@ -5,6 +5,7 @@
 #include <unordered_set>
 
 #include "engine/language/catalogue.h"
+#include "engine/lesson/glossary.h"
 #include "engine/lesson/lesson_texts.h"
 #include "engine/lesson/reading.h"
 #include "engine/lesson/scene_link.h"
@@ -109,6 +110,19 @@ void readList(Reading& reading, const MarkdownBlock& list, int depth, ListBlock&
   }
 }
 
+Table readTable(const MarkdownBlock& block) {
+  Table table;
+  for (const MarkdownBlock& row : block.children) {
+    std::vector<RichText>& cells = table.rows.emplace_back();
+    for (const MarkdownBlock& cell : row.children) {
+      if (table.rows.size() == 1) table.sides.push_back(cell.side);
+      cells.push_back(cell.text);
+    }
+    cells.resize(table.sides.size());
+  }
+  return table;
+}
+
 struct Arrow {
   std::size_t run = 0, at = 0, bytes = 0;
 };
@@ -177,6 +191,9 @@ void readProse(Reading& reading, const MarkdownBlock& block, std::vector<Block>&
       blocks.push_back(std::move(code));
       break;
     }
+    case Kind::Table:
+      blocks.push_back(readTable(block));
+      break;
     case Kind::Html:
       // Comments are for authors; other markup would silently vanish.
       if (const std::string html = plainText(block.text); !html.starts_with("<!--"))
@@ -222,7 +239,8 @@ std::vector<Choice> readChoices(Reading& reading, const MarkdownBlock& list) {
         checkTag(reading, item.place, choice);
       }
       for (const TextRun& run : choice.feedback)
-        if (choice.link.empty() && run.link.starts_with('#') && !sceneLink(run.link)) choice.link = run.link;
+        if (choice.link.empty() && run.link.starts_with('#') && !sceneLink(run.link) && !wordLink(run.link))
+          choice.link = run.link;
     }
     if (plainText(choice.text).empty())
       reading.error(item.place, tr("an empty choice"), tr("write what can be chosen, then → and the feedback"));
@@ -292,6 +310,7 @@ void checkLinks(Reading& reading, const Lesson& lesson) {
         ofScene(run, *link, scene);
         continue;
       }
+      if (wordLink(run.link)) continue;
       const std::string_view id = std::string_view(run.link).substr(1);
       if (!known.contains(id))
         reading.error(run.link_place, trf("the link '{0}' leads to no step", run.link), suggest(id, ids, tr("steps")));

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "engine/language/catalogue.h"
+#include "engine/lesson/glossary.h"
 #include "engine/lesson/lesson_files.h"
 #include "engine/lesson/reading.h"
 #include "engine/lesson/suggestion.h"
@@ -35,6 +36,7 @@ class Walk {
     for (const BlockLine& tag : root.lines)
       if (!tag.text.starts_with("<!--") && tag.place.line != std::exchange(told, tag.place.line))
         reading_.warning(tag.place, tr("HTML is not shown"), tr("write it in Markdown"));
+    for (const Problem& slip : root.slips) reading_.warning({slip.line, slip.column}, slip.message, slip.remedy);
     if (lesson_.steps.empty()) {
       reading_.error(root.children.empty() ? Place{1, 1} : root.children.front().place, tr("the lesson has no steps"),
                      tr("start each step with a heading '## …'"));
@@ -51,6 +53,10 @@ class Walk {
   std::vector<Block>& blocks() { return step() ? step()->blocks : lesson_.introduction; }
 
   void take(const MarkdownBlock& block) {
+    if (in_glossary_ && !(block.kind == Kind::Heading && block.level <= 2)) {
+      reading::readWords(reading_, block, lesson_.glossary);
+      return;
+    }
     switch (block.kind) {
       case Kind::Heading:
         heading(block);
@@ -98,6 +104,8 @@ class Walk {
       return;
     }
     endQuestion();
+    in_glossary_ = block.level == 2 && isGlossaryHeading(title);
+    if (in_glossary_) return;
     if (block.level == 2) return startStep(block, title);
     if (question || prediction) return startQuestion(block, title, prediction ? kPrediction : kQuestion);
     blocks().push_back(Subheading{block.text});
@@ -112,7 +120,7 @@ class Walk {
     }
     Step next;
     // The id is that of the whole heading, so that links work on Git hosts too.
-    next.id = slug(title);
+    next.id = slug(bareText(block.text));
     next.aside = title.starts_with(kAside);
     next.title = next.aside ? stripped(std::string_view(title).substr(kAside.size())) : title;
     next.place = block.place;
@@ -232,7 +240,7 @@ class Walk {
 
   Reading& reading_;
   Lesson& lesson_;
-  bool in_question_ = false, scene_stated_ = false, too_many_ = false;
+  bool in_question_ = false, in_glossary_ = false, scene_stated_ = false, too_many_ = false;
   std::optional<std::size_t> last_main_;                                      // the last step that is no aside
   std::unordered_map<std::string, std::size_t> step_lines_, question_lines_;  // by id; the questions of this step
 };
@@ -256,12 +264,6 @@ std::optional<Problem> badBytes(const SourceText& source) {
 }
 
 }  // namespace
-
-std::string plainText(const RichText& text) {
-  std::string out;
-  for (const TextRun& run : text) out += run.text;
-  return out;
-}
 
 std::string slug(std::string_view heading) {
   std::string out;

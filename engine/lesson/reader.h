@@ -10,6 +10,7 @@
 //   ### Question: …                          with a task list ("- [x] right → feedback") or an ```answer block
 //   > [!TIP]                                 a hint
 //   > [!NOTE] Teacher: …                     for the teacher only
+//   ## Glossary                              words with their meanings (glossary.h), which is no step
 //
 // The keys of the blocks are in keys.h.
 #pragma once

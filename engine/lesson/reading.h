@@ -71,6 +71,9 @@ void checkQuestion(Reading& reading, const Question& question);
 /// Reads what is plain text, a list, a quote or a picture; `blocks` gets what is shown.
 void readProse(Reading& reading, const MarkdownBlock& block, std::vector<Block>& blocks);
 
+/// Reads a block of a glossary: its lists are words with their meanings, other text is passed over.
+void readWords(Reading& reading, const MarkdownBlock& block, std::vector<GlossaryWord>& words);
+
 /// Problems with links to steps that do not exist.
 void checkLinks(Reading& reading, const Lesson& lesson);
 

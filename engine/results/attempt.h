@@ -176,6 +176,13 @@ struct ViewChanged {
   Vec3 target_A{0.0};
   double distance_A = 50.0;
 };
+/// Where the atoms of a scene with two structures are on their way from the first to the second.
+struct StatesMoved {
+  std::string file;           ///< of the second structure, without folders
+  std::string superposed_on;  ///< the selection by which it lies on the first; empty: all that lead
+  double share = 0.0;         ///< 0 the first, 1 the second
+  friend bool operator==(const StatesMoved&, const StatesMoved&) = default;
+};
 struct HipSample {
   double t_s = 0.0;
   PointA hip, scp;
@@ -226,7 +233,7 @@ inline constexpr double kHeartbeat_s = 0.9;
 
 using AttemptFact = std::variant<StepEntered, Answered, HintOpened, TaskBegun, TaskDone, CurveKept, TouchBegan,
                                  TouchEnded, InputChanged, StageChanged, ViewChanged, HipChunk, LessonReread, Resumed,
-                                 ProgressMade, Predicted, SessionClosed, TouchSoFar, Heartbeat, WayTaken>;
+                                 ProgressMade, Predicted, SessionClosed, TouchSoFar, Heartbeat, StatesMoved, WayTaken>;
 
 struct AttemptEvent {
   double t_s = 0.0;

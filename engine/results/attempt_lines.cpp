@@ -196,6 +196,11 @@ struct FactWriter {
     out["by"] = nameOf(e.by);
   }
   void operator()(const Heartbeat&) {}
+  void operator()(const StatesMoved& e) {
+    out["file"] = e.file;
+    if (!e.superposed_on.empty()) out["superposed_on"] = e.superposed_on;
+    out["share"] = rounded(e.share);
+  }
   void operator()(const WayTaken& e) {
     out["step"] = e.step;
     out["question"] = e.question;
@@ -207,8 +212,8 @@ struct FactWriter {
 
 std::string_view kindOf(const AttemptFact& fact) {
   constexpr std::array<std::string_view, std::variant_size_v<AttemptFact>> kKinds{
-      "step", "answer", "hint",   "task",    "done",     "curve",      "touch", "released", "input", "stage",
-      "view", "trace",  "lesson", "resumed", "progress", "prediction", "left",  "touching", "still", "way"};
+      "step",  "answer", "hint",    "task",     "done",       "curve", "touch",    "released", "input", "stage", "view",
+      "trace", "lesson", "resumed", "progress", "prediction", "left",  "touching", "still",    "state", "way"};
   return kKinds[fact.index()];
 }
 
@@ -410,6 +415,7 @@ std::optional<AttemptFact> factOf(const std::string& kind, const Json& j) {
     return TouchSoFar{numberAt(j, "from"),   countAt(j, "crossings"), numberAt(j, "peak_N"),
                       numberAt(j, "mean_N"), numberAt(j, "path_A"),   way(j)};
   if (kind == "still") return Heartbeat{};
+  if (kind == "state") return StatesMoved{text(j, "file", true), text(j, "superposed_on", false), numberAt(j, "share")};
   if (kind == "way") {
     WayTaken w{
         text(j, "step", true), text(j, "question", true), text(j, "rule", true), text(j, "does", true) == "skip", {}};

@@ -103,6 +103,7 @@ inline std::vector<AttemptEvent> sampleEvents() {
       {9.5, SessionClosed{"2026-11-21T10:59:00Z"}},
       {9.5, Resumed{"2026-11-21T11:05:00Z", "0.1.0", "Omni", true}},
       {9.5, Heartbeat{}},
+      {9.6, StatesMoved{"1ake.pdb", "chain A", 0.375}},
   };
 }
 

@@ -1,7 +1,6 @@
 #include "app/ui/extensions/lesson_shelf.h"
 
 #include <algorithm>
-#include <array>
 #include <system_error>
 #include <tuple>
 
@@ -18,12 +17,6 @@ namespace moltact {
 namespace {
 
 namespace fs = std::filesystem;
-
-int levelRank(const std::string& level) {
-  static constexpr std::array<std::string_view, 3> kLevels{N_("beginner"), N_("intermediate"), N_("advanced")};
-  const auto known = std::find(kLevels.begin(), kLevels.end(), level);
-  return int(known - kLevels.begin());
-}
 
 void read(LessonCard& card) {
   card.read = true;

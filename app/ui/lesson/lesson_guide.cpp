@@ -7,6 +7,7 @@
 
 #include "app/ui/lesson/scene_marks.h"
 #include "engine/language/catalogue.h"
+#include "engine/lesson/glossary.h"
 #include "engine/lesson/lesson_molecules.h"
 #include "engine/lesson/lesson_region.h"
 #include "engine/lesson/reader.h"
@@ -49,6 +50,7 @@ ColourBy colourBy(const SceneSpec& scene) { return scene.colour == "chain" ? Col
 bool LessonGuide::open(const std::filesystem::path& file) {
   LessonReading reading = readLesson(file);
   if (!reading.lesson) return false;
+  linkWords(*reading.lesson, glossaryBeside(file, reading.lesson->language));
   session_ = std::make_unique<LessonSession>(std::make_shared<const Lesson>(*std::move(reading.lesson)));
   file_ = file;
   scene_changed_ = true;
@@ -62,6 +64,7 @@ void LessonGuide::replace(Lesson lesson) {
   const std::string step = session_->step().id;
   const bool seen = !scene_changed_ && session_->sceneNumber() == scene_seen_;
   const bool kept_drafts = drafts_opening_ == openings_;
+  linkWords(lesson, glossaryBeside(file_, lesson.language));
   session_->replaceLesson(std::make_shared<const Lesson>(std::move(lesson)));
   ++openings_;
   if (kept_drafts && session_->step().id == step) drafts_opening_ = openings_;
@@ -187,7 +190,10 @@ void faceView(Camera& camera, const Molecule& molecule, const ViewSpec& view, co
     return;
   }
   constexpr double kQuarter = 0.5 * std::numbers::pi;
-  if (view.side == "side")
+  // Two that stand beside each other are seen so.
+  if (view.side == "side" && molecule.beside_from > 0)
+    camera.lookFrom(0, 0);
+  else if (view.side == "side")
     camera.lookSideOn(molecule);
   else if (view.side == "back")
     camera.lookFrom(2 * kQuarter, 0);

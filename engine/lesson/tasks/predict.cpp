@@ -155,6 +155,9 @@ class Predict : public Task {
 
   std::string agreement() const { return percentText(curves_.agreement.value_or(0.0)); }
 
+  // A press is felt in all its depth.
+  bool tooLight() const override { return !slides_ && !curves_.drawing && on_place_; }
+
   std::string guidance() const override {
     const std::string name = name_.text(), goal = goal_.text();
     if (missed_) {

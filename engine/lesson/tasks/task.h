@@ -113,6 +113,8 @@ class Task {
   virtual std::vector<std::uint32_t> answerAtoms() const { return {}; }
   /// Of a task of several trials, as far as it may be told; else `of` is 0.
   virtual TaskTrials trials() const { return {}; }
+  /// It waits for a harder push than the hand gives now.
+  bool wantsHarderPush() const { return !done_ && tooLight(); }
   /// The changes of the scene that it asks for; none once done.
   TaskStage stage() const { return done_ ? TaskStage() : requestedStage(); }
 
@@ -148,6 +150,7 @@ class Task {
   virtual std::string afterwards() const { return {}; }
   /// A good answer while the task is under way: its word is offered, or its curve is of the right length and finite.
   virtual void onAnswer(const TaskAnswer&) {}
+  virtual bool tooLight() const { return false; }
   virtual std::vector<TaskButton> currentButtons() const { return {}; }
   virtual TaskStage requestedStage() const { return {}; }
   virtual std::optional<TaskSlider> currentSlider() const { return std::nullopt; }

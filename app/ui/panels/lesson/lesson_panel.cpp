@@ -12,6 +12,7 @@
 #include "app/ui/panels/lesson/lesson_ends.h"
 #include "app/ui/panels/lesson/lesson_keys.h"
 #include "app/ui/widgets/controls.h"
+#include "app/ui/widgets/rich_text.h"
 #include "app/ui/widgets/theme.h"
 #include "app/ui/widgets/widget_map.h"
 #include "engine/language/catalogue.h"
@@ -191,6 +192,7 @@ void drawLessonPanel(Application& app) {
     ImGui::SetScrollY(0.0f);
     app.panels.lesson_task = 0;
     app.panels.lesson_task_height = 0.0f;
+    app.panels.word = {};
   }
   app.panels.lesson_step = before;
   scrollByKeys();

@@ -35,9 +35,7 @@ bool drawChoice(const std::string& name, const Choice& choice, bool round, bool 
   const Palette& p = l.palette;
   const float width = ImGui::GetContentRegionAvail().x, pad = l.px(9), mark = l.px(8);
   const float text_w = width - 2 * pad - 2 * mark - l.px(10);
-  const std::string plain = plainText(choice.text), lines = wrapped(plain, text_w);
-  const ImVec2 size = ImGui::CalcTextSize(lines.c_str(), nullptr, false, text_w + 1);
-  const float height = std::max(size.y, 2 * mark) + 2 * pad;
+  const float height = std::max(richTextHeight(choice.text, text_w), 2 * mark) + 2 * pad;
   ImGui::PushID(name.c_str());
   const bool clicked = ImGui::InvisibleButton("choice", {width, height});
   ImGui::PopID();
@@ -63,9 +61,8 @@ bool drawChoice(const std::string& name, const Choice& choice, bool round, bool 
       draw->AddRect(a, b, colour, l.px(3), 0, l.px(1.6f));
     }
   }
-  draw->AddText(ImGui::GetFont(), ImGui::GetFontSize(), {low.x + pad + 2 * mark + l.px(10), low.y + pad}, p.text,
-                lines.c_str(), nullptr, text_w + 1);
-  recordItem(name, plain);
+  paintRichText(draw, {low.x + pad + 2 * mark + l.px(10), low.y + pad}, choice.text, p.text, text_w);
+  recordItem(name, plainText(choice.text));
   return clicked;
 }
 
