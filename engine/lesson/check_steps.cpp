@@ -29,11 +29,19 @@ std::vector<char> reached(const Lesson& lesson) {
   };
   for (std::size_t i = 0; i < lesson.steps.size(); ++i)
     if (!lesson.steps[i].aside) reach(i);
+  const auto followRules = [&](const Step& step) {
+    for (const Question& q : step.questions)
+      for (const WayRule& rule : q.rules)
+        for (const std::string& id : rule.steps)
+          if (const auto to = step_of.find(id); rule.then == WayRule::Then::GoTo && to != step_of.end())
+            reach(to->second);
+  };
   forEachText(lesson.introduction, follow);
   while (!todo.empty()) {
     const std::size_t i = todo.back();
     todo.pop_back();
     forEachText(lesson.steps[i], follow);
+    followRules(lesson.steps[i]);
   }
   return out;
 }
@@ -68,7 +76,7 @@ void predictsWithoutTouch(const Step& step, Findings& findings) {
 void markdownInKeys(const Step& step, Findings& findings) {
   const auto look = [&](const std::string& text, Place place) {
     if (!place.line) return;
-    for (const std::string_view sign : {"](", "**", "`"})
+    for (const std::string_view sign : {"](", "**", "`", "^"})
       if (const std::size_t at = text.find(sign); at != std::string::npos) {
         findings.warning(
             {place.line, place.column + characterCount(std::string_view(text).substr(0, at))},
@@ -80,6 +88,19 @@ void markdownInKeys(const Step& step, Findings& findings) {
   for (const TaskSpec& task : step.tasks)
     for (const char* key : {"say", "praise", "called", "arrival", "first"})
       if (task.values.has(key)) look(task.values[key].text, task.values[key].place);
+}
+
+/// "[the cleft](#zoom:residue 35)" is no link, for a blank ends its target.
+void brokenLinks(const Step& step, Findings& findings) {
+  forEachText(step, [&](const RichText& text) {
+    for (const TextRun& run : text) {
+      const std::size_t at = run.code ? std::string::npos : run.text.find("](#");
+      if (at != std::string::npos)
+        findings.error({run.place.line, run.place.column},
+                       tr("what is written here as a link is none, for its target has a blank in it"),
+                       tr("write the target in angle brackets: [the ligand](<#zoom:ligand>)"));
+    }
+  });
 }
 
 /// The second thing of 'same' is to differ from the scene.
@@ -107,6 +128,7 @@ void steps(const Lesson& lesson, Findings& findings) {
     comparesLocked(step, findings);
     predictsWithoutTouch(step, findings);
     markdownInKeys(step, findings);
+    brokenLinks(step, findings);
     samesAlike(step, findings);
     if (!saysSomething(step))
       findings.error(step.place, tr("this step says nothing to the student"), tr("write a sentence below its heading"));

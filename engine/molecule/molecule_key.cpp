@@ -31,6 +31,17 @@ constexpr std::array kOptions{
             "The name of a biological assembly that is built from the molecule's file, for example '1'; 'none' takes "
             "the coordinates as they stand in the file.",
         .option_help = "Build this biological assembly (1)"},
+    ReadingOption{
+        .name = "beside",
+        .member = &ReadOptions::beside,
+        .told = N_("beside {0}"),
+        .fallback = "none",
+        .meaning =
+            "A second molecule, by its name, that stands at the right of the first for comparison; both are touched. "
+            "Its "
+            "chains have a 2 behind their names: 'chain A2'. Where the two have the same residues it is turned as the "
+            "first is. 'none' leaves the first alone.",
+        .option_help = "Put this molecule beside it, for comparison"},
 };
 
 }  // namespace

@@ -67,6 +67,7 @@ class AttemptRecorder : public Extension {
   void add(AttemptFact fact) { add(AttemptEvent{now_s_, std::move(fact)}); }
   void add(AttemptEvent event);
   void lookAtStage(Application& app);
+  void lookAtStates(Application& app);
   void lookAtView(Application& app);
   void lookAtWay(Application& app);
   void endAttempt();
@@ -84,9 +85,10 @@ class AttemptRecorder : public Extension {
   TouchWatch touch_watch_;
   InputWayWatch input_;
   double now_s_ = 0.0;  // of use since log_ began
-  double view_told_s_ = -1.0;
+  double view_told_s_ = -1.0, states_told_s_ = -1.0;
   std::optional<InputChanged> way_;
   std::optional<StageChanged> stage_;
+  std::optional<StatesMoved> states_;
   std::optional<Camera> view_;
   std::size_t hints_ = 0;  // open in the last frame
   bool paused_ = false, mending_begun_ = false;

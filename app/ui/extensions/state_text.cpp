@@ -4,6 +4,7 @@
 #include "app/ui/extensions/task_stager.h"
 #include "app/ui/scene/contact_text.h"
 #include "engine/language/catalogue.h"
+#include "engine/lesson/glossary.h"
 #include "engine/platform/terminal.h"
 
 namespace moltact {
@@ -54,6 +55,11 @@ void StateText::afterPanels(Application& app) {
   if (const std::size_t at = session ? session->currentTask() : 0; session && at < session->step().tasks.size()) {
     const std::string sentence = session->task(at).sentence;
     if (!sentence.empty() && task_.update(sentence, sentence, 0, app.now_s())) write(sentence);
+  }
+  if (const PanelState::Word& open = app.panels.word; open.id != word_) {
+    word_ = open.id;
+    if (const GlossaryWord* word = session ? findWord(session->lesson(), word_) : nullptr)
+      write(trf("{0}: {1}", word->word, plainText(word->meaning)));
   }
   const Molecule* molecule = app.scene.stage().molecule.get();
   const Contact& contact = app.scene.log().latest().contact;

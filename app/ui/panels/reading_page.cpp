@@ -1,4 +1,4 @@
-// How the molecule's file is read: which model, with its waters, as which biological assembly. From the table of readings.
+// How the molecule's file is read: which model, with its waters, as which biological assembly, beside which other molecule. From the table of readings.
 #include <imgui.h>
 #include <imgui_stdlib.h>
 
@@ -19,6 +19,7 @@ namespace {
 const char* labelOf(const ReadingOption& option) {
   if (option.name == "model") return tr("Model");
   if (option.name == "waters") return tr("Water molecules of the file");
+  if (option.name == "beside") return tr("Molecule beside it");
   return tr("Biological assembly");
 }
 
@@ -41,11 +42,15 @@ void drawOption(const ReadingOption& option, const Molecule& molecule, ReadOptio
     return;
   }
   std::string& text = reading.*std::get<std::string ReadOptions::*>(option.member);
-  ImGui::InputTextWithHint(("##" + name).c_str(), tr("none: the coordinates as they stand in the file"), &text);
+  const bool beside = option.name == "beside";
+  ImGui::InputTextWithHint(
+      ("##" + name).c_str(),
+      beside ? tr("none: the molecule alone") : tr("none: the coordinates as they stand in the file"), &text);
   recordItem(name, text);
   const WithText quiet(look().palette.quiet);
-  ImGui::TextWrapped("%s",
-                     tr("Its name in the file, mostly 1. Copies of the chains are made as they are in the cell."));
+  ImGui::TextWrapped(
+      "%s", beside ? tr("For comparison: one of the library by its name, or a file in the same folder.")
+                   : tr("Its name in the file, mostly 1. Copies of the chains are made as they are in the cell."));
 }
 
 }  // namespace
@@ -54,7 +59,7 @@ void drawReadingPage(Application& app) {
   PanelState& panels = app.panels;
   const bool appears = panels.reading_page && !ImGui::IsPopupOpen("reading");
   if (appears) panels.reading = app.scene.molecule().reading;
-  if (!beginPage("reading", tr("Models, waters, assembly"), panels.reading_page, 520, 460)) return;
+  if (!beginPage("reading", tr("Models, waters, assembly"), panels.reading_page, 520, 560)) return;
   const Stage& stage = app.scene.stage();
   bool goes = false;
   if (stage) {
@@ -66,7 +71,8 @@ void drawReadingPage(Application& app) {
     }
     ImGui::EndChild();
     ReadOptions wanted = panels.reading;
-    wanted.assembly = wanted.assembly == "none" ? std::string() : std::string(trimmed(wanted.assembly));
+    for (std::string* text : {&wanted.assembly, &wanted.beside})
+      *text = *text == "none" ? std::string() : std::string(trimmed(*text));
     goes = button("reading/open", tr("Open it so"), ButtonLook::Primary, -1.0f, wanted != app.scene.molecule().reading);
     if (goes) panels.reading = wanted;
   }
