@@ -6,6 +6,7 @@
 #include <cstdlib>
 
 #include "app/ui/extensions/extensions.h"
+#include "app/ui/widgets/key_focus.h"
 #include "engine/device/pointer_hand.h"
 
 namespace moltact {
@@ -90,6 +91,7 @@ void LessonHand::follow(const HandPlan& plan, std::size_t task) {
     if (!act.method.empty()) useMethod(act.method);
     if (act.to && act.placed) {
       lift();
+      if (act.answer && act.answer->number) slideTo(task, *act.answer->number);
       // The whole slide is to be seen from the front, its first place above all.
       const Vec3 first = k + 1 < plan.size() && plan[k + 1].to ? plan[k + 1].to->A : act.to->A;
       Vec3 front = act.to->A - first;
@@ -178,6 +180,31 @@ void LessonHand::tell(std::size_t task, const TaskAnswer& answer) {
   }
   lift();
   d_.frames(3);
+}
+
+void LessonHand::slideTo(std::size_t task, double value) {
+  const std::optional<TaskSlider> asked = session().taskAt(task)->slider();
+  if (!asked) return;
+  const std::string name = "task/" + std::to_string(task) + "/slider";
+  if (mouse()) {
+    d_.point(name, (value - asked->least) / (asked->most - asked->least), 0.5);
+    d_.press();
+    d_.frames(2);
+    d_.release();
+    d_.frames(2);
+    return;
+  }
+  for (int stops = 0; stops < 200 && controlOfKeys() != name; ++stops) {
+    d_.tap("Tab");
+    d_.frames(2);
+  }
+  const int steps = static_cast<int>(std::lround((value - asked->value) / asked->step));
+  for (int k = 0; k < std::abs(steps); ++k) {
+    d_.tap(steps > 0 ? "Right" : "Left");
+    d_.frames(2);
+  }
+  d_.tap("Escape");  // the keys are the molecule's again
+  d_.frames(2);
 }
 
 void LessonHand::draw(const std::string& name, const std::vector<double>& curve, double most_N) {

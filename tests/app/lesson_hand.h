@@ -28,6 +28,8 @@ class LessonHand {
 
   void answerRightly(std::size_t question);
   void tell(std::size_t task, const TaskAnswer& answer);
+  /// Sets the slider of a task to the step nearest to this value.
+  void slideTo(std::size_t task, double value);
   void draw(const std::string& name, const std::vector<double>& curve, double most_N);
   void useMethod(const std::string& name);
 
