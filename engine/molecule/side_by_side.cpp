@@ -40,7 +40,7 @@ std::map<ResidueName, std::pair<std::string_view, Vec3>> leadingAtoms(const Mole
       if (const std::string_view name = m.atoms[i].nameText();
           (r.kind == ResidueKind::AminoAcid && name == "CA") || (r.kind == ResidueKind::Nucleotide && name == "P"))
         out.emplace(ResidueName{m.chains[r.chain].name, r.number, r.insertion},
-                    std::pair{r.name, m.atoms[i].position.A});
+                    std::pair{std::string_view(r.name), m.atoms[i].position.A});
   return out;
 }
 

@@ -136,7 +136,8 @@ TEST_CASE(
 TEST_CASE("in the place of a picture that cannot be shown stand its words and why") {
   OpenedText opened("Text.\n\n![A ring](ring.png)\n");
   opened.user->frames(4);
-  CHECK(opened.user->text("lesson/1") == "'ring.png' cannot be shown: there is no such file");
+  CHECK(opened.user->text("lesson/1") == "A ring");
+  CHECK(opened.user->text("lesson/1/fault") == "'ring.png' cannot be shown: there is no such file");
 }
 
 TEST_CASE("a table's cells stand in rows and columns within the panel, at 100 % and at 200 %") {

@@ -121,8 +121,8 @@ TEST_CASE("what lies outside the lesson's folder, and a hidden file, are refused
   const fs::path folder = scratch.path / "lessons";
   fs::create_directories(folder);
   writeFile(scratch.path / "out.xyzr", kThreeAtoms);
-  writeFile(scratch.path / "out.png", "png");
-  writeFile(folder / ".hidden.png", "png");
+  writeFile(scratch.path / "out.png", kRedPng);
+  writeFile(folder / ".hidden.png", kRedPng);
   for (const std::string& text : {lessonOn("../out.xyzr"), lessonOn((scratch.path / "out.xyzr").string()),
                                   lessonOn("argon", "![p](../out.png)"), lessonOn("argon", "![p](.hidden.png)")}) {
     writeFile(folder / "l.md", text);

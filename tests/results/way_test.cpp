@@ -154,7 +154,7 @@ TEST_CASE("the report tells the way that each took, with what led there") {
   CHECK(ways("Quick") == "1 (if right at first: skips 2) 3");
   CHECK(ways("Winding") == "1 (after 2 wrong: goes to a1) a1 1 2 3");
   CHECK(ways("Stuck") == "1 (after 2 wrong: goes to a1) a1 1");
-  CHECK(classPage(summary).find("a1 1 2 3") != std::string::npos);
+  CHECK(classPage(summary, {}, "").find("a1 1 2 3") != std::string::npos);
   CHECK(classCsv(summary).find("1 (after 2 wrong: goes to a1) a1 1 2 3") != std::string::npos);
 }
 
@@ -185,7 +185,7 @@ TEST_CASE("each goal counts its own tasks and questions, with what was done and 
       const GoalScore score = goalScore(lesson.lesson, p, g);
       CHECK(std::array{score.parts, score.done, score.answered, score.first_right} == wanted.at(p.person)[g]);
     }
-  const std::string page = classPage(summary);
+  const std::string page = classPage(summary, {}, "");
   CHECK(page.find("1. Feel it") != std::string::npos);
   CHECK(page.find("2. Say it") != std::string::npos);
 }
@@ -199,7 +199,7 @@ TEST_CASE("a tag that several wrong choices share is counted once a student and 
       met[tag].second += times;
     }
   CHECK(met == decltype(met){{"thinks no", {2, 5}}, {"thinks thus", {1, 1}}});
-  const std::string page = classPage(summary), table = classCsv(summary);
+  const std::string page = classPage(summary, {}, ""), table = classCsv(summary);
   CHECK(page.find("thinks no") != std::string::npos);
   CHECK(page.find("See below. →") == std::string::npos);
   CHECK(table.find("thinks no (2) | thinks thus") != std::string::npos);

@@ -26,7 +26,7 @@ bool namesMarks(const Application& app) {
 void drawColourLegend(Application& app, const Rectangle& view) {
   const bool by_chain = app.scene.colour_by == ColourBy::Chain;
   const Colouring* const scheme = app.scene.look.colouring.get();
-  const bool painted = app.extensions().touch_traces.painted();
+  const bool painted = app.extensions().touch_traces.painted() != nullptr;
   if (!app.settings.legend || !(app.settings.colour_blind_safe || by_chain || scheme || painted || namesMarks(app)) ||
       !app.scene.shown.has(ViewPart::Atoms))
     return;

@@ -129,7 +129,8 @@ struct BlockPainter {
     if (!shown || !shown->texture) {
       // Until it is read, and where it cannot be: what it shows, in words.
       text({TextRun{.text = image.description, .italic = true}}, l.palette.quiet);
-      if (shown && !shown->fault.empty()) text({TextRun{.text = shown->fault}}, l.palette.bad);
+      if (shown && !shown->fault.empty())
+        drawRichText((name + "/fault").c_str(), {TextRun{.text = shown->fault}}, l.palette.bad);
       return;
     }
     const float room = ImGui::GetContentRegionAvail().x;
