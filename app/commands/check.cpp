@@ -11,6 +11,7 @@
 #include "app/commands/source_excerpt.h"
 #include "app/commands/value_types.h"
 #include "engine/language/catalogue.h"
+#include "engine/lesson/glossary.h"
 #include "engine/lesson/lesson_files.h"
 #include "engine/lesson/lesson_molecules.h"
 #include "engine/lesson/scripted_learner/scripted_learner.h"
@@ -31,6 +32,7 @@ struct Checked {
   std::string file;
   std::string text;  ///< of the file; empty where it could not be read
   std::vector<Problem> errors, warnings;
+  bool words = false;  ///< it is a glossary and no lesson
 };
 
 // Has each touch task done by the scripted learner, and tells those that cannot be.
@@ -46,10 +48,11 @@ void playLesson(const fs::path& file, const Lesson& lesson, LessonMolecules& mol
       std::make_shared<const Lesson>(lesson), [&](const NamedMolecule& named) { return molecules.find(file, named); },
       tell);
   learner.demonstrate();
+  learner.doTasksLeft();
 }
 
 Checked checkFile(const fs::path& file, LessonMolecules& molecules, bool play) {
-  Checked out{file.string(), {}, {}, {}};
+  Checked out{file.string(), {}, {}, {}, false};
   auto bytes = readLessonFile(file);
   if (!bytes) {
     out.errors.push_back(bytes.problem());
@@ -64,11 +67,39 @@ Checked checkFile(const fs::path& file, LessonMolecules& molecules, bool play) {
   return out;
 }
 
+// The words beside lessons, each file once.
+void checkGlossaries(std::vector<Checked>& all) {
+  std::vector<fs::path> files;
+  std::error_code error;
+  for (const Checked& lesson : all) {
+    const fs::path folder = fs::path(lesson.file).has_parent_path() ? fs::path(lesson.file).parent_path() : ".";
+    if (lesson.text.empty() || !fs::is_directory(folder, error)) continue;
+    for (fs::directory_iterator it(folder, error), end; !error && it != end; it.increment(error))
+      if (isGlossaryFile(it->path()))
+        files.push_back(fs::path(lesson.file).has_parent_path() ? it->path() : it->path().filename());
+  }
+  std::sort(files.begin(), files.end());
+  files.erase(std::unique(files.begin(), files.end()), files.end());
+  for (const fs::path& file : files) {
+    Checked out{file.string(), {}, {}, {}, false};
+    if (Expected<std::string> bytes = readLessonFile(file)) {
+      Glossary words = readGlossary(out.file, *bytes);
+      out.errors = std::move(words.errors);
+      out.warnings = std::move(words.warnings);
+      out.text = *std::move(bytes);
+    } else {
+      out.errors.push_back(bytes.problem());
+    }
+    out.words = true;
+    all.push_back(std::move(out));
+  }
+}
+
 // Every lesson of a pack, told by their names in it.
 void checkPack(const std::string& path, LessonMolecules& molecules, bool play, std::vector<Checked>& all) {
   const Expected<LessonArgument> argument = LessonArgument::open(path);
   if (!argument) {
-    all.push_back({path, {}, {argument.problem()}, {}});
+    all.push_back({path, {}, {argument.problem()}, {}, false});
     return;
   }
   for (const fs::path& file : lessonsIn(argument->pack()->folder()).lessons) {
@@ -138,14 +169,16 @@ void run(const CheckArguments& arguments) {
       continue;
     }
     LessonFolder folder = lessonsIn(path);
-    if (folder.fault) all.push_back({path, {}, {*std::move(folder.fault)}, {}});
+    if (folder.fault) all.push_back({path, {}, {*std::move(folder.fault)}, {}, false});
     for (const fs::path& file : folder.lessons) all.push_back(checkFile(file, molecules, arguments.play));
-    passed_over.insert(passed_over.end(), folder.others.begin(), folder.others.end());
+    for (const fs::path& file : folder.others)
+      if (!isGlossaryFile(file)) passed_over.push_back(file);
   }
+  checkGlossaries(all);
 
   std::size_t errors = 0, warnings = 0, lessons = 0;
   for (const Checked& c : all) {
-    lessons += !c.text.empty();
+    lessons += !c.text.empty() && !c.words;
     errors += c.errors.size();
     warnings += c.warnings.size();
   }

@@ -12,14 +12,20 @@
 #include "app/commands/number_range.h"
 #include "app/commands/touch_options.h"
 #include "app/commands/value_types.h"
+#include "app/ui/lesson/lesson_guide.h"
 #include "app/ui/lesson/scene_marks.h"
 #include "engine/fonts/glyph_coverage.h"
 #include "engine/haptics/interactions.h"
+#include "engine/language/catalogue.h"
 #include "engine/lesson/keys.h"
 #include "engine/lesson/lesson_region.h"
 #include "engine/lesson/quantity.h"
+#include "engine/lesson/scene_link.h"
+#include "engine/lesson/second_state.h"
+#include "engine/molecule/catalogue.h"
 #include "engine/platform/offscreen_gl.h"
 #include "engine/platform/terminal.h"
+#include "engine/render/colour_legend.h"
 #include "engine/render/label_painter.h"
 #include "engine/render/molecule_model.h"
 #include "engine/render/renderer.h"
@@ -33,7 +39,9 @@ struct RenderArguments {
   MoleculeArgument molecule;
   std::string out, size = "1280x800", hip, show = "atoms,probe,force", theme = "dark", cut, zoom_to;
   LookOptions look;
-  std::string label, arrow, mark, distance, angle, hydrogen_bonds;
+  std::string label, arrow, mark, distance, angle, hydrogen_bonds, captions;
+  std::string view, highlight, magnify, then, state = "0%";
+  bool legend = false;
   TouchSetup touch;
   double azimuth_deg = 0, elevation_deg = 0, zoom = 1, stiffness_N_per_A = 1;
   int samples = 3, time = 0;
@@ -126,9 +134,51 @@ class SceneOptions {
   SceneOptions(const RenderArguments& arguments, const Molecule& molecule)
       : arguments_(arguments), molecule_(molecule) {}
 
-  /// Names, arrows, marks and measures.
-  SceneSpec marks() const {
+  /// The second structure of --then, and how far the molecule goes there.
+  SecondState second() const {
+    if (arguments_.then.empty()) {
+      if (arguments_.state != "0%")
+        throw CLI::ValidationError("--state", "there is one state only: name the other by --then");
+      return {};
+    }
+    Expected<SecondState> read = parseSecondState(arguments_.then);
+    if (!read) throw CLI::ValidationError("--then", read.problem().text());
     SceneSpec scene;
+    scene.then = *read;
+    listOf("then", read->superposed_on);
+    const std::optional<double> share = stateNamed(scene, arguments_.state);
+    if (!share)
+      throw CLI::ValidationError("--state",
+                                 "'" + arguments_.state + "' is no share of the way; write one from 0% to 100%");
+    read->share = *share;
+    return *std::move(read);
+  }
+
+  /// All else: view, names, arrows, marks and measures, and atoms that a scene selects.
+  SceneSpec scene() const {
+    SceneSpec scene;
+    scene.molecule = arguments_.molecule.named;
+    scene.touch = arguments_.touch;
+    if (!arguments_.view.empty()) {
+      scene.view = value("view", arguments_.view).view;
+      listOf("view", scene.view.facing);
+      listOf("view", scene.view.zoom);
+    }
+    const auto take = [&](std::string_view key, const std::string& text, Selection& atoms) {
+      if (text.empty()) return;
+      atoms = value(key, text).selection;
+      listOf(key, atoms);
+    };
+    take("highlight", arguments_.highlight, scene.highlight);
+    take("magnify", arguments_.magnify, scene.magnify);
+    take("remove", arguments_.look.left_out.remove, scene.remove);
+    if (!arguments_.captions.empty()) {
+      scene.captions = value("captions", arguments_.captions).words;
+      if (molecule_.beside_from == 0)
+        throw CLI::ValidationError("--captions", "there is one molecule only: name the other by --beside");
+      if (scene.captions.size() != 2)
+        throw CLI::ValidationError("--captions", "there are two molecules to name; write two, as in 'wool, silk'");
+    }
     scene.labels = marksOf("label", arguments_.label);
     scene.arrows = marksOf("arrow", arguments_.arrow);
     scene.marks = marksOf("mark", arguments_.mark);
@@ -172,6 +222,19 @@ class SceneOptions {
   const Molecule& molecule_;
 };
 
+// The molecule on its way to the second structure.
+Molecule between(const Molecule& molecule, const RenderArguments& arguments, const SecondState& then) {
+  ReadOptions reading = arguments.molecule.named.reading;
+  reading.beside.clear();
+  const Expected<Molecule> other = openMolecule(then.molecule, reading);
+  if (!other) throw CommandError{other.problem().text()};
+  SceneSpec scene;
+  scene.then = then;
+  const Expected<TwoStates> states = statesOf(scene, molecule, *other);
+  if (!states) throw CommandError{states.problem().text()};
+  return movedTo(molecule, states->at(then.share));
+}
+
 void render(const RenderArguments& arguments) {
   const auto [width, height] = sizeOf(arguments.size);
   ViewScene scene;
@@ -183,17 +246,31 @@ void render(const RenderArguments& arguments) {
   scene.theme = arguments.theme == "light" ? lightTheme() : darkTheme();
   scene.colour_by = arguments.look.colourBy(*scene.molecule);
   scene.probe_A = arguments.touch.probe_A;
+  const std::shared_ptr<const Molecule> read = scene.molecule;
+  const SceneOptions options(arguments, *read);
+  if (const SecondState then = options.second(); !then.molecule.empty())
+    scene.molecule = std::make_shared<const Molecule>(between(*scene.molecule, arguments, then));
+  const SceneSpec spec = options.scene();
+  const double aspect = double(width) / height;
+  const std::vector<std::uint32_t> removed = arguments.look.left_out.removed(*scene.molecule);
+  const auto comeClose = [&](const std::optional<Region>& part) {
+    if (part) scene.camera.fit(part->centre, part->radius_A, aspect);
+  };
   scene.camera.lookFrom(arguments.azimuth_deg * kRadian, arguments.elevation_deg * kRadian);
-  scene.camera.fit(*scene.molecule, double(width) / height, 0.08, 0.0,
-                   arguments.look.left_out.removed(*scene.molecule));
+  scene.camera.fit(*scene.molecule, aspect, 0.08, 0.0, removed);
+  if (!arguments.view.empty()) {
+    faceView(scene.camera, *scene.molecule, spec.view, spec);
+    scene.camera.fit(*scene.molecule, aspect, 0.08, 0.0, removed);
+  }
+  comeClose(magnifiedRegion(spec, *scene.molecule));
+  comeClose(zoomedRegion(spec.view, spec, *scene.molecule, arguments.touch.probe_A));
   if (!arguments.zoom_to.empty())
-    if (const auto part = regionAround(selectedAtoms("--zoom-to", arguments.zoom_to, *scene.molecule), *scene.molecule,
-                                       arguments.touch.probe_A))
-      scene.camera.fit(part->centre, part->radius_A, double(width) / height);
-  const SceneSpec marks = SceneOptions(arguments, *scene.molecule).marks();
+    comeClose(regionAround(selectedAtoms("--zoom-to", arguments.zoom_to, *scene.molecule), *scene.molecule,
+                           arguments.touch.probe_A));
+  if (spec.highlight.given()) scene.highlighted = spec.highlight.select(*scene.molecule);
   scene.look = looksOf(arguments, *scene.molecule, scene.camera);
-  scene.look.marks = marksOf(marks, *scene.molecule);
-  if (auto written = annotationsOf(marks, *scene.molecule)) scene.annotations.push_back(std::move(written));
+  scene.look.marks = marksOf(spec, *scene.molecule);
+  if (auto written = annotationsOf(spec, *scene.molecule)) scene.annotations.push_back(std::move(written));
   if (scene.hip) {
     scene.contact = push(scene.molecule, arguments, scene.camera, *scene.hip);
     scene.force_N = arguments.stiffness_N_per_A * glm::length(scene.contact.displacement_A);
@@ -209,11 +286,19 @@ void render(const RenderArguments& arguments) {
   if (const auto problem = (*renderer)->draw(scene, width, height, {.samples = arguments.samples}))
     throw CommandError{problem->text()};
   Picture picture = (*renderer)->readPixels();
+  const double unit_px = std::max(1.0, height / 800.0);
+  bool written = true;
   if (!scene.annotations.empty()) {
     const BallScene balls(scene.molecule->balls());
-    if (!paintLabels(picture, scene, &balls, std::max(1.0, height / 800.0)))
-      throw CommandError{"names cannot be written: no font in " + std::string(kInterFolder)};
+    written = paintLabels(picture, scene, &balls, unit_px);
   }
+  if (arguments.legend && written) {
+    std::vector<LegendEntry> entries = legendOf(*scene.molecule, scene.colour_by, scene.elements, scene.look);
+    if (!scene.highlighted.empty() && scene.shown.has(ViewPart::Target))
+      entries.push_back({scene.theme.target, tr("marked")});
+    written = paintLegend(picture, entries, scene.theme, unit_px);
+  }
+  if (!written) throw CommandError{"names cannot be written: no font in " + std::string(kInterFolder)};
   if (const auto problem = writePng(arguments.out, picture)) throw CommandError{problem->text()};
 }
 
@@ -235,11 +320,18 @@ void addRender(CLI::App& app) {
   command->add_option("--stiffness", a.stiffness_N_per_A, "Of the spring, in N per angstrom, for the arrow")
       ->check(numberFrom(0.0, 1e6))
       ->capture_default_str();
+  CLI::Option* const view =
+      command->add_option("--view", a.view,
+                          "Look from 'front', 'back', 'left', 'right', 'top', 'bottom' or 'side', at atoms ('facing "
+                          "residue 35'), or turned by "
+                          "angles ('turned 30 10 0'); behind a comma come close to atoms: 'front, zoom ligand'");
   command->add_option("--azimuth", a.azimuth_deg, "Look from so many degrees to the right")
       ->check(numberFrom(-360.0, 360.0))
+      ->excludes(view)
       ->capture_default_str();
   command->add_option("--elevation", a.elevation_deg, "Look from so many degrees above")
       ->check(numberFrom(-360.0, 360.0))
+      ->excludes(view)
       ->capture_default_str();
   command->add_option("--zoom", a.zoom, "Times nearer than the whole molecule")
       ->check(numberFrom(0.01, 1000.0))
@@ -255,6 +347,16 @@ void addRender(CLI::App& app) {
   command->add_option("--mark", a.mark, "Atoms in colours of their own: 'teal for residue 35, magenta for residue 52'");
   command->add_option("--distance", a.distance, "Lengths between the middles of selections: 'atom 3 - atom 9'");
   command->add_option("--angle", a.angle, "Angles between three selections, torsions between four");
+  command->add_option("--captions", a.captions, "What stands below the two molecules of --beside: 'wool, silk'");
+  command->add_option("--highlight", a.highlight, "Atoms in the colour of targets, as a selection");
+  command->add_option("--magnify", a.magnify,
+                      "Come close to atoms as a scene does that magnifies them, as a selection");
+  command->add_option(
+      "--then", a.then,
+      "A second structure of the molecule, to which --state leads its atoms: '1ake', '1ake, superposed on "
+      "chain A'");
+  command->add_option("--state", a.state, "How far the atoms are on their way to it: 40%")->capture_default_str();
+  command->add_flag("--legend", a.legend, "Write what the colours mean into the upper left corner");
   command->add_option("--hydrogen-bonds", a.hydrogen_bonds,
                       "Hydrogen bonds with an end in the selection, as dashed lines");
   command->add_option("--near", a.near_A, "Beside other styles, atoms so near to the probe are drawn as spheres (A)")

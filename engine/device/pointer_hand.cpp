@@ -9,6 +9,8 @@ namespace moltact {
 
 namespace {
 
+constexpr double kGlide_s = 0.04;  // of a hovering hand toward the pointer
+
 // The overloads here would hide it.
 using moltact::finite;
 bool finite(const glm::dvec2& v) { return std::isfinite(v.x) && std::isfinite(v.y); }
@@ -18,8 +20,12 @@ bool finite(const ViewRays& r) {
 }
 bool finite(const PointerInput& in) {
   return std::isfinite(in.dt_s) && std::isfinite(in.force_N) && std::isfinite(in.push_notches) &&
-         std::isfinite(in.N_per_A) && finite(in.keys) && finite(in.rays) && (!in.pointer_px || finite(*in.pointer_px));
+         std::isfinite(in.N_per_A) && finite(in.keys) && finite(in.hip.A) && finite(in.rays) &&
+         (!in.pointer_px || finite(*in.pointer_px));
 }
+
+// 1 in the open, less under force.
+double pace(const PointerInput& in) { return 1.0 / (1.0 + std::max(0.0, in.force_N) / PointerHand::kHalfPace_N); }
 
 }  // namespace
 
@@ -29,7 +35,6 @@ PointA PointerHand::lead(const PointerInput& in, const BallScene& scene, double 
   if (!finite(in) || !std::isfinite(probe_A)) return hip_;
   const double dt = std::clamp(in.dt_s, 0.0, 0.1);
   const ViewRays& rays = in.rays;
-  const double yielding = 1.0 / (1.0 + std::max(0.0, in.force_N) / kHalfGain_N);  // 1 in the open, less under force
 
   if (!placed_) {
     aim_ = in.pointer_px.value_or(glm::dvec2(0.5 * rays.width_px, 0.5 * rays.height_px));
@@ -40,24 +45,8 @@ PointA PointerHand::lead(const PointerInput& in, const BallScene& scene, double 
     placed_ = true;
   }
 
-  // Sideways: in the open the aim follows the pointer; under a press it moves by the pointer's way times the gain.
-  if (in.pointer_px) {
-    if (pressing_ && in.press)
-      aim_ += (*in.pointer_px - last_pointer_) * yielding;
-    else if (aim_follows_ || *in.pointer_px != last_pointer_) {
-      aim_ += (*in.pointer_px - aim_) * (1.0 - std::exp(-dt / 0.04));
-      aim_follows_ = true;
-    }
-    last_pointer_ = *in.pointer_px;
-  }
-  if (in.keys != glm::dvec2(0.0)) {
-    const double speed_px = 0.12 * rays.height_px * dt * (pressing_ ? yielding : 1.0);
-    aim_ += glm::dvec2(in.keys.x, -in.keys.y) * speed_px;
-    aim_follows_ = false;  // the keys lead until the pointer moves again
-  }
-  aim_ = glm::clamp(aim_, glm::dvec2(0.0), glm::dvec2(rays.width_px, rays.height_px));
-
-  sink(in, dt * (depth_ < 0.0 ? 2.0 : yielding) * kPressSpeed_A_per_s);
+  aim(in, dt);
+  sink(in, dt * (depth_ < 0.0 ? 2.0 : pace(in)) * kPressSpeed_A_per_s);
 
   const Vec3 along = rays.direction(aim_);
   const double far = glm::distance(rays.eye_A, 0.5 * (scene.low_A() + scene.high_A())) +
@@ -65,12 +54,45 @@ PointA PointerHand::lead(const PointerInput& in, const BallScene& scene, double 
   const Hit hit = sweep(scene, probe_A, rays.eye_A, rays.eye_A + along * far);
   const double forward = std::max(0.1, glm::dot(along, rays.forward));
   double way = plane_depth_ / forward;
-  if (hit.ball >= 0) {
+  const bool meets = hit.ball >= 0;
+  leapt_ = pressing_ && meets && way - hit.t * far > kLeap_A;
+  if (leapt_) depth_ = -kHover_A;
+  if (meets) {
     way = hit.t * far;
     plane_depth_ = way * forward;
   }
-  hip_ = {rays.eye_A + along * (way + (hit.ball >= 0 ? depth_ : -kHover_A))};
+  met_ = meets;
+  hip_ = {rays.eye_A + along * (way + (meets ? depth_ : -kHover_A))};
   return hip_;
+}
+
+// Sideways: to the pointer, or as the keys lead. A hand that still touches after it was let go is lifted where it is.
+void PointerHand::aim(const PointerInput& in, double dt_s) {
+  const ViewRays& rays = in.rays;
+  if (pressing_ && !in.press && in.touching) {
+    lift_left_s_ = kLift_s;
+    if (glm::dot(in.hip.A - rays.eye_A, rays.forward) > 0.0) aim_ = rays.pixel(in.hip.A);
+  }
+  lift_left_s_ = in.touching && !in.press ? lift_left_s_ - dt_s : 0.0;
+  const bool lifting = lift_left_s_ > 0.0;
+  if (in.pointer_px && !lifting) {
+    if (aim_follows_ || *in.pointer_px != last_pointer_) {
+      const glm::dvec2 way = *in.pointer_px - aim_;
+      const double far_px = glm::length(way),
+                   px_per_A = rays.height_px / (2.0 * rays.tan_half_fov * std::max(0.1, plane_depth_));
+      double part = 1.0 - std::exp(-dt_s / kGlide_s);
+      if (in.press) part = far_px > 0.0 ? std::min(1.0, kFastest_A_per_s * dt_s * px_per_A / far_px) : 1.0;
+      aim_ += way * part;
+      aim_follows_ = true;
+    }
+    last_pointer_ = *in.pointer_px;
+  }
+  if (in.keys != glm::dvec2(0.0)) {
+    const double speed_px = 0.12 * rays.height_px * dt_s * (pressing_ ? pace(in) : 1.0);
+    aim_ += glm::dvec2(in.keys.x, -in.keys.y) * speed_px;
+    aim_follows_ = false;  // the keys lead until the pointer moves again
+  }
+  aim_ = glm::clamp(aim_, glm::dvec2(0.0), glm::dvec2(rays.width_px, rays.height_px));
 }
 
 // Inward: a press sinks with time, more slowly the harder the surface pushes back, until it rests; notches act at once.

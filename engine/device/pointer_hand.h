@@ -1,8 +1,11 @@
 // A hand made from a mouse or a keyboard: the probe hovers over the surface under the pointer, a press pushes it in.
 // Pure logic on the window's thread, once a frame; MouseDevice carries the result smoothly to the haptic thread.
 //
-// The resistance is shown, not felt: the HIP goes under the surface while the probe stays on it, the push slows down,
-// and the pointer's gain falls as the force rises. A held press comes to rest at the depth where the spring gives
+// The probe stays under the pointer, as far as the surface lets it: the HIP lies on the line of sight through the
+// pointer, under the surface while the button is held. A pointer that is fast leads a pressed probe over the surface at
+// kFastest_A_per_s, not through what lies between, and a hand that is let go is lifted before it goes anywhere else, so
+// that no release strikes. The resistance is shown, not felt: the push slows down as the force rises, and so does a
+// probe that the arrow keys lead. A held press comes to rest at the depth where the spring gives
 // kRest_N; each notch makes that kNotch_N more or less, and the press keeps it. Met at a slant, the surface pushes back
 // less than the spring gives at that depth, never more. Units: angstrom, pixel, newton, second.
 #pragma once
@@ -22,6 +25,8 @@ struct PointerInput {
       pointer_px;             ///< the pointer's pixel in the view; none: it is elsewhere, or the keyboard leads
   glm::dvec2 keys{0.0};       ///< from the arrow keys: x right, y up, each -1, 0 or 1
   bool press = false;         ///< left button or space bar held
+  bool touching = false;      ///< the servo loop's last: the probe touches
+  PointA hip;                 ///< the servo loop's last
   double push_notches = 0.0;  ///< wheel notches or key presses: positive pushes deeper
   double force_N = 0.0;       ///< the force that the servo loop gave last
   double N_per_A = 1.0;       ///< the force that pushes back per angstrom of depth; 0 where none does
@@ -37,8 +42,12 @@ class PointerHand {
   static constexpr double kLightest_N = 0.05;  ///< the lightest press
   static constexpr double kLongestNotch_A =
       0.3;  ///< the most that one notch changes the depth, where the surface hardly pushes back
-  static constexpr double kDeepest_A = 3.0;   ///< the deepest press under the surface
-  static constexpr double kHalfGain_N = 1.0;  ///< at this force the pointer moves the probe half as far
+  static constexpr double kDeepest_A = 3.0;         ///< the deepest press under the surface
+  static constexpr double kHalfPace_N = 1.0;        ///< at this force a press sinks, and the keys lead, half as fast
+  static constexpr double kFastest_A_per_s = 40.0;  ///< of a pressed probe across the line of sight
+  /// To a surface that is nearer by more than this a press goes by no way: it begins anew there.
+  static constexpr double kLeap_A = 5.0;
+  static constexpr double kLift_s = 0.25;  ///< so long a hand that was let go may take to come free
 
   /// The HIP's next target. `probe_A` inflates the scene's balls. Non-finite input leaves the hand where it was.
   PointA lead(const PointerInput& input, const BallScene& scene, double probe_A);
@@ -46,18 +55,24 @@ class PointerHand {
   double depth_A() const {
     return depth_ > 0.0 ? depth_ : 0.0;
   }                                           ///< how far the press has gone under the surface; 0 when hovering
-  glm::dvec2 aim_px() const { return aim_; }  ///< the pixel the hand aims at; trails the pointer under force
+  glm::dvec2 aim_px() const { return aim_; }  ///< the pixel the hand aims at; trails a pointer that is fast
+  bool overSurface() const { return met_; }   ///< there is a surface under the pixel it aims at
+  /// In the last frame it went to a surface that hides the one before, and waits there: it went by no way.
+  bool leapt() const { return leapt_; }
   /// Forgets where the hand was: at a new scene.
   void reset();
 
  private:
+  void aim(const PointerInput& input, double dt_s);
   void sink(const PointerInput& input, double way_A);
 
   bool placed_ = false;
   bool pressing_ = false;
+  bool leapt_ = false, met_ = false;
   bool aim_follows_ = true;  // false while the keys lead
   glm::dvec2 aim_{0.0}, last_pointer_{0.0};
   double depth_ = 0.0;
+  double lift_left_s_ = 0.0;  // of a hand that was let go and may still touch
   double goal_N_ = kRest_N;   // where the press comes to rest
   double plane_depth_ = 0.0;  // along the view, where the surface was last met
   PointA hip_;

@@ -1,4 +1,4 @@
-// Front matter and the fenced blocks scene, touch and answer.
+// Front matter and the fenced blocks scene and touch.
 #include <algorithm>
 #include <optional>
 #include <utility>
@@ -8,6 +8,7 @@
 #include "engine/lesson/reading.h"
 #include "engine/lesson/reading_keys.h"
 #include "engine/lesson/scene_link.h"
+#include "engine/lesson/second_state.h"
 #include "engine/lesson/suggestion.h"
 #include "engine/lesson/tasks/registry.h"
 #include "engine/lesson/touch_keys.h"
@@ -66,26 +67,18 @@ void takeViews(Reading& reading, const KeyValues& values, SceneSpec& scene) {
 // "1ake", "1ake, superposed on chain A"; the names of the two states, and which of them the scene begins with.
 void takeSecondState(Reading& reading, const KeyValues& values, bool takes_state, const Lesson& lesson,
                      SceneSpec& scene) {
-  constexpr std::string_view kSuperposed = ", superposed on ";
   SecondState& then = scene.then;
   if (values.has("then")) {
     const Value& value = values["then"];
-    const std::string_view text = value.text;
-    const std::size_t comma = text.find(kSuperposed);
-    then = {};
-    then.molecule = std::string(stripped(text.substr(0, comma)));
+    Expected<SecondState> read = parseSecondState(value.text);
+    then = read ? *std::move(read) : SecondState{};
     scene.places.then = value.place;
-    if (then.molecule == "none") then.molecule.clear();
-    if (comma != std::string_view::npos) {
-      const Expected<Selection> atoms = parseSelection(stripped(text.substr(comma + kSuperposed.size())));
-      if (atoms)
-        then.superposed_on = *atoms;
-      else
-        reading.error(
-            {value.place.line, value.place.column + characterCount(text.substr(0, comma + kSuperposed.size())) +
-                                   atoms.problem().column - 1},
-            atoms.problem().message, atoms.problem().remedy);
-    }
+    if (!read)
+      reading.error({value.place.line, value.place.column + read.problem().column - 1}, read.problem().message,
+                    read.problem().remedy);
+    if (!then.molecule.empty() && !scene.molecule.reading.beside.empty())
+      reading.error(value.place, tr("a scene has a second structure or a molecule beside it, not both"),
+                    tr("take 'then' or 'beside' out"));
     const std::vector<std::string_view> known(lesson.molecules.begin(), lesson.molecules.end());
     if (!then.molecule.empty() && !known.empty() && !reading.enough() &&
         std::find(known.begin(), known.end(), then.molecule) == known.end())
@@ -115,6 +108,16 @@ void takeSecondState(Reading& reading, const KeyValues& values, bool takes_state
   }
 }
 
+// What stands below two molecules that are compared.
+void takeCaptions(Reading& reading, const Value& value, SceneSpec& scene) {
+  scene.captions = value.words;
+  if (scene.molecule.reading.beside.empty())
+    reading.error(value.place, tr("'captions' names two molecules, but the scene has one"),
+                  tr("add a line 'beside: …' with the second one"));
+  else if (scene.captions.size() != 2)
+    reading.error(value.place, tr("there are two molecules to name"), tr("write two names, as in 'wool, silk'"));
+}
+
 // What a scene names, points at and measures; "none" leaves nothing of what an earlier scene did.
 template <class Takes>
 void readMarks(const KeyValues& values, const Takes& takes, SceneSpec& scene) {
@@ -127,7 +130,7 @@ void readMarks(const KeyValues& values, const Takes& takes, SceneSpec& scene) {
   }
   for (const auto& [key, angles] : {std::pair{"distance", false}, std::pair{"angle", true}}) {
     if (!takes(key)) continue;
-    std::erase_if(scene.measures, [&](const PlacesSpec& m) { return (m.atoms.size() > 2) == angles; });
+    std::erase_if(scene.measures, [angles = angles](const PlacesSpec& m) { return (m.atoms.size() > 2) == angles; });
     const std::vector<PlacesSpec>& wanted = values[key].measures;
     scene.measures.insert(scene.measures.end(), wanted.begin(), wanted.end());
   }
@@ -173,6 +176,9 @@ std::size_t readFrontMatter(Reading& reading, Lesson& lesson) {
     reading.error(lesson.language_place, trf("'{0}' is no language's code", lesson.language),
                   tr("write its two letters: en, de"));
   lesson.minutes = static_cast<int>(values["minutes"].number);
+  lesson.description = values["description"].text;
+  lesson.order = static_cast<int>(values["order"].number);
+  lesson.required = values["required"].text == "yes";
   lesson.goals = values["goals"].words;
   lesson.molecules = values["molecules"].words;
   lesson.molecule_places = values["molecules"].places;
@@ -199,9 +205,14 @@ SceneSpec readScene(Reading& reading, const MarkdownBlock& block, const SceneSpe
     scene.places.molecule = values["molecule"].place;
     const std::vector<std::string_view> known(lesson.molecules.begin(), lesson.molecules.end());
     if (!known.empty() && std::find(known.begin(), known.end(), scene.molecule.name) == known.end() &&
-        !reading.enough())
+        !reading.enough()) {
+      // '1hel.pdb' of an author who means the library's.
+      const std::string_view stem = std::string_view(scene.molecule.name).substr(0, scene.molecule.name.find('.'));
+      const bool meant = std::find(known.begin(), known.end(), stem) != known.end();
       reading.error(scene.places.molecule, trf("'{0}' is not among the lesson's molecules", scene.molecule.name),
-                    suggest(scene.molecule.name, known, tr("add it to the front matter or take one of")));
+                    meant ? trf("write '{0}'", stem)
+                          : suggest(scene.molecule.name, known, tr("add it to the front matter or take one of")));
+    }
   } else if (!before &&
              std::none_of(lines.begin(), lines.end(), [](const KeyLine& l) { return l.key == "molecule"; })) {
     reading.error(block.place, tr("the lesson's first scene needs the key 'molecule'"), tr("add a line 'molecule: …'"));
@@ -211,6 +222,13 @@ SceneSpec readScene(Reading& reading, const MarkdownBlock& block, const SceneSpe
     if (takes(option.name)) readValue(scene.molecule.reading, option, value);
     if (value.place.line > scene.places.reading.line) scene.places.reading = value.place;
   }
+  if (const std::string& beside = scene.molecule.reading.beside; !beside.empty() && values["beside"].place.line) {
+    const std::vector<std::string_view> known(lesson.molecules.begin(), lesson.molecules.end());
+    if (!known.empty() && std::find(known.begin(), known.end(), beside) == known.end() && !reading.enough())
+      reading.error(values["beside"].place, trf("'{0}' is not among the lesson's molecules", beside),
+                    suggest(beside, known, tr("add it to the front matter or take one of")));
+  }
+  if (takes("captions")) takeCaptions(reading, values["captions"], scene);
   for (const TouchProperty& property : touchProperties())
     if (takes(property.key)) setTouchValue(scene.touch, property, touchValueOf(property, values[property.key]));
   if (takes("show")) scene.show = values["show"].words;
@@ -245,7 +263,7 @@ SceneSpec readScene(Reading& reading, const MarkdownBlock& block, const SceneSpe
   return scene;
 }
 
-TaskSpec readTouch(Reading& reading, const MarkdownBlock& block) {
+TaskSpec readTouch(Reading& reading, const MarkdownBlock& block, const Lesson& lesson) {
   const std::vector<KeyLine> lines = linesOf(reading, block.lines);
   TaskSpec task;
   task.place = block.place;
@@ -270,10 +288,11 @@ TaskSpec readTouch(Reading& reading, const MarkdownBlock& block) {
     std::vector<Problem> problems;
     task.values = readKeyValues(lines, keys, blockName(KeyBlock::Touch), block.place, problems, &ownersOf);
     const bool good = problems.empty();
-    if (good && kind->check) kind->check({std::string(kind->name), task.values, task.place}, problems);
+    if (good && kind->check) kind->check({std::string(kind->name), task.values, task.place, {}}, problems);
     // With errors too: the lesson cannot be used then, but more can be told of it.
     task.kind = kind->name;
     reading.add(std::move(problems));
+    task.goals = readGoals(reading, task.values["goal"], lesson);
     return task;
   }
 
@@ -297,50 +316,6 @@ TaskSpec readTouch(Reading& reading, const MarkdownBlock& block) {
     reading.error(block.place, tr("the touch block names no task"),
                   trf("add a line that starts with {0} and a colon", joined(kinds, tr(" or "))));
   return {};
-}
-
-AnswerSpec readAnswer(Reading& reading, const MarkdownBlock& block) {
-  const auto keys = pointersTo(keysOf(KeyBlock::Answer));
-  const KeyValues values =
-      readBlock(reading, linesOf(reading, block.lines), keys, blockName(KeyBlock::Answer), block.place);
-  AnswerSpec answer;
-  answer.right = AuthorsText(values["right"]);
-  answer.wrong = AuthorsText(values["wrong"]);
-  answer.model = values["model"].text;
-  const int given = values.has("number") + values.has("text") + values.has("free");
-  if (given != 1) {
-    reading.error(block.place,
-                  given == 0 ? tr("the answer block says nothing about what is right")
-                             : tr("the answer block asks for more than one thing"),
-                  tr("give one of 'number: …', 'text: …' and 'free: yes'"));
-  } else if (values.has("number")) {
-    answer.kind = AnswerSpec::Kind::Number;
-    const Value &number = values["number"], &tolerance = values["tolerance"];
-    answer.number = number.number;
-    answer.tolerance = tolerance.number;
-    if (!number.words.empty()) answer.unit = number.words[0];
-    if (values.has("tolerance") && number.words != tolerance.words)
-      reading.error(tolerance.place, tr("the tolerance and the number have different units"),
-                    answer.unit.empty() ? tr("write the tolerance without a unit")
-                                        : trf("write the tolerance in {0}", answer.unit));
-    else if (answer.tolerance < 0.0)
-      reading.error(tolerance.place, tr("the tolerance is below zero"), tr("write it without the minus sign"));
-    else if (!values.has("tolerance") && answer.number != std::round(answer.number))
-      reading.warning(number.place, tr("a number with decimals and no tolerance is met by hardly anybody"),
-                      tr("add a line 'tolerance: …' in the same unit"));
-  } else if (values.has("text")) {
-    answer.kind = AnswerSpec::Kind::Text;
-    answer.texts = values["text"].words;
-    if (answer.texts.empty())
-      reading.error(values["text"].place, tr("this question has no right answer"),
-                    tr("write the words that count as right"));
-  }
-  if (values.has("tolerance") && !values.has("number"))
-    reading.error(values["tolerance"].place, tr("'tolerance' goes with 'number'"), tr("take it out"));
-  if (values.has("model") && !values.has("free"))
-    reading.error(values["model"].place, tr("'model' goes with 'free'"),
-                  tr("take it out, or say it in 'right' and 'wrong'"));
-  return answer;
 }
 
 }  // namespace moltact::reading

@@ -11,7 +11,9 @@ LessonCheck checkLesson(const std::string& name, std::string bytes, const Molecu
     checks::molecules(*lesson, molecule, found);
     checks::moleculeList(*lesson, found);
     checks::steps(*lesson, found);
+    checks::ways(*lesson, found);
     checks::files(*lesson, name, found);
+    checks::words(*lesson, name, found);
     checks::language(*lesson, name, found);
     checks::signs(bytes, found);
   }

@@ -1,11 +1,14 @@
 // Links to files, and pictures.
 #include <algorithm>
 #include <map>
+#include <optional>
 #include <system_error>
 
 #include "engine/language/catalogue.h"
 #include "engine/lesson/checks.h"
+#include "engine/lesson/glossary.h"
 #include "engine/lesson/lesson_files.h"
+#include "engine/lesson/lesson_picture.h"
 #include "engine/lesson/lesson_texts.h"
 #include "engine/lesson/reader.h"
 #include "engine/lesson/suggestion.h"
@@ -57,7 +60,15 @@ class Files {
 
   void picture(const Image& image) {
     if (image.path.empty() || findings_.enough()) return;
-    if (const auto to = fileLink(lesson_file_, image.path)) isThere(What::Picture, image.path, to->file, image.place);
+    const auto to = fileLink(lesson_file_, image.path);
+    if (!to) {
+      findings_.error(image.place, trf("the picture '{0}' is not beside the lesson", image.path),
+                      tr("put the file beside the lesson and write its name"));
+    } else if (isThere(What::Picture, image.path, to->file, image.place)) {
+      if (const auto picture = readLessonPicture(to->file); !picture)
+        findings_.error(image.place, trf("'{0}' cannot be shown: {1}", image.path, picture.problem().message),
+                        picture.problem().remedy);
+    }
   }
 
  private:
@@ -107,6 +118,28 @@ class Files {
 };
 
 }  // namespace
+
+void words(const Lesson& lesson, const fs::path& lesson_file, Findings& findings) {
+  std::optional<Lesson> with_shared;  // only where a link asks for a word
+  forEachText(lesson, [&](const RichText& text) {
+    for (const TextRun& run : text) {
+      const std::optional<std::string> to = wordLink(run.link);
+      if (!to || findings.enough()) continue;
+      if (!with_shared) {
+        with_shared.emplace();
+        with_shared->glossary = lesson.glossary;
+        linkWords(*with_shared, glossaryBeside(lesson_file, lesson.language));
+      }
+      if (findWord(*with_shared, *to)) continue;
+      std::vector<std::string> ids;
+      for (const GlossaryWord& word : with_shared->glossary) ids.push_back(slug(word.word));
+      const std::vector<std::string_view> known(ids.begin(), ids.end());
+      findings.error(run.link_place, trf("the glossary has no word '{0}'", *to),
+                     known.empty() ? tr("write it below '## Glossary', or into the file glossary.md beside the lesson")
+                                   : suggest(*to, known, tr("words")));
+    }
+  });
+}
 
 void files(const Lesson& lesson, const fs::path& lesson_file, Findings& findings) {
   Files check(lesson_file, findings);

@@ -89,6 +89,7 @@ class Check {
     for (const Step& step : lesson_.steps) {
       if (step.scene.molecule.name == name) return step.scene.molecule;
       if (step.scene.then.molecule == name) return secondMolecule(step.scene);
+      if (step.scene.molecule.reading.beside == name) return besideMolecule(step.scene);
     }
     return name;
   }
@@ -152,7 +153,8 @@ void molecules(const Lesson& lesson, const MoleculeByName& molecule, Findings& f
 
 void moleculeList(const Lesson& lesson, Findings& findings) {
   std::unordered_set<std::string_view> used, listed;
-  for (const Step& s : lesson.steps) used.insert({s.scene.molecule.name, s.scene.then.molecule});
+  for (const Step& s : lesson.steps)
+    used.insert({s.scene.molecule.name, s.scene.then.molecule, s.scene.molecule.reading.beside});
   for (std::size_t i = 0; i < lesson.molecules.size(); ++i) {
     const std::string& name = lesson.molecules[i];
     if (!listed.insert(name).second)

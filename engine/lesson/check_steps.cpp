@@ -31,11 +31,19 @@ std::vector<char> reached(const Lesson& lesson) {
   };
   for (std::size_t i = 0; i < lesson.steps.size(); ++i)
     if (!lesson.steps[i].aside) reach(i);
+  const auto followRules = [&](const Step& step) {
+    for (const Question& q : step.questions)
+      for (const WayRule& rule : q.rules)
+        for (const std::string& id : rule.steps)
+          if (const auto to = step_of.find(id); rule.then == WayRule::Then::GoTo && to != step_of.end())
+            reach(to->second);
+  };
   forEachText(lesson.introduction, follow);
   while (!todo.empty()) {
     const std::size_t i = todo.back();
     todo.pop_back();
     forEachText(lesson.steps[i], follow);
+    followRules(lesson.steps[i]);
   }
   return out;
 }
@@ -70,7 +78,7 @@ void predictsWithoutTouch(const Step& step, Findings& findings) {
 void markdownInKeys(const Step& step, Findings& findings) {
   const auto look = [&](const std::string& text, Place place) {
     if (!place.line) return;
-    for (const std::string_view sign : {"](", "**", "`"})
+    for (const std::string_view sign : {"](", "**", "`", "^"})
       if (const std::size_t at = text.find(sign); at != std::string::npos) {
         findings.warning(
             {place.line, place.column + characterCount(std::string_view(text).substr(0, at))},
@@ -90,6 +98,19 @@ void markdownInKeys(const Step& step, Findings& findings) {
   }
 }
 
+/// "[the cleft](#zoom:residue 35)" is no link, for a blank ends its target.
+void brokenLinks(const Step& step, Findings& findings) {
+  forEachText(step, [&](const RichText& text) {
+    for (const TextRun& run : text) {
+      const std::size_t at = run.code ? std::string::npos : run.text.find("](#");
+      if (at != std::string::npos)
+        findings.error({run.place.line, run.place.column},
+                       tr("what is written here as a link is none, for its target has a blank in it"),
+                       tr("write the target in angle brackets: [the ligand](<#zoom:ligand>)"));
+    }
+  });
+}
+
 }  // namespace
 
 void steps(const Lesson& lesson, Findings& findings) {
@@ -101,6 +122,7 @@ void steps(const Lesson& lesson, Findings& findings) {
                      trf("link to it from another step: [{0}](#{1})", step.title, step.id));
     predictsWithoutTouch(step, findings);
     markdownInKeys(step, findings);
+    brokenLinks(step, findings);
     tasksInScene(step, findings);
     if (!saysSomething(step))
       findings.error(step.place, tr("this step says nothing to the student"), tr("write a sentence below its heading"));

@@ -31,8 +31,14 @@ void moleculeList(const Lesson& lesson, Findings& findings);
 /// Asides that no step leads to; steps without a word.
 void steps(const Lesson& lesson, Findings& findings);
 
-/// Links to files and pictures that are not in the lesson's folder; links into other lessons whose step is not there.
+/// Rules that never come true, or lead where nobody is going; steps that must be finished and have nothing to finish.
+void ways(const Lesson& lesson, Findings& findings);
+
+/// Links to files and pictures that are not in the lesson's folder, pictures that cannot be shown; links into other lessons whose step is not there.
 void files(const Lesson& lesson, const std::filesystem::path& lesson_file, Findings& findings);
+
+/// Links to words that neither the lesson nor the glossary beside it explains.
+void words(const Lesson& lesson, const std::filesystem::path& lesson_file, Findings& findings);
 
 /// A file's name that ends as if it named a language and does not; one that the front matter contradicts.
 void language(const Lesson& lesson, const std::filesystem::path& lesson_file, Findings& findings);

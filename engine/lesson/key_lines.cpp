@@ -20,8 +20,13 @@ Problem problemAt(Place place, std::string message, std::string remedy) {
 const KeySpec* find(std::span<const KeySpec* const> keys, std::string_view name) {
   for (const KeySpec* k : keys) {
     if (k->name == name && !k->named) return k;
-    const std::string_view start = k->name.substr(0, k->name.rfind(' ') + 1);
-    if (k->named && name.starts_with(start) && !stripped(name.substr(start.size())).empty()) return k;
+    if (!k->named) continue;
+    const std::size_t from = k->name.find_first_of("ABCDEFGHIJKLMNOPQRSTUVWXYZ");
+    const std::string_view start = k->name.substr(0, from),
+                           end = k->name.substr(std::min(k->name.find(' ', from), k->name.size()));
+    if (name.size() > start.size() + end.size() && name.starts_with(start) && name.ends_with(end) &&
+        !stripped(name.substr(start.size(), name.size() - start.size() - end.size())).empty())
+      return k;
   }
   return nullptr;
 }

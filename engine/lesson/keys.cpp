@@ -85,12 +85,48 @@ std::vector<KeySpec> frontMatterKeys() {
        .meaning = "What the student cannot change in menus and panels in the whole lesson, for studies: keys of the "
                   "scenes, or all of them.",
        .words = lockable()},
+      {.name = "description",
+       .type = ValueType::Text,
+       .meaning = "One line on what the lesson is about, shown on its card."},
+      {.name = "order",
+       .type = ValueType::Count,
+       .meaning = "The lesson's place among those on the shelf: 1 stands first. The card at the end of a lesson offers "
+                  "the one that follows. Lessons without it stand behind those with it.",
+       .least = 1,
+       .most = 1000},
+      {.name = "required",
+       .type = ValueType::Word,
+       .meaning = "Whether every step must be finished before the student goes on; a step may say otherwise in a block "
+                  "`step`.",
+       .fallback = "no",
+       .words = {"yes", "no"}},
       {.name = "ask",
        .type = ValueType::Word,
        .meaning = "What the student is asked for when the lesson is opened, and may leave out: a name, or a code that "
                   "you have given. It is kept with what is done, and the report lists by it.",
        .words = {"name", "code"}},
   };
+}
+
+const KeySpec& goalKey() {
+  static const KeySpec key{
+      .name = "goal",
+      .type = ValueType::Counts,
+      .meaning =
+          "Which of the lesson's goals it serves, by its number in the front matter, counted from 1; several "
+          "parted by commas. The report tells by goals what was done and answered rightly.",
+      .least = 1,
+      .most = 100};
+  return key;
+}
+
+std::vector<KeySpec> stepKeys() {
+  return {{.name = "required",
+           .type = ValueType::Word,
+           .meaning = "Whether its tasks must be done and its questions answered before the student goes on; left out, "
+                      "as the front matter says.",
+           .words = {"yes", "no"}},
+          goalKey()};
 }
 
 std::vector<KeySpec> sceneKeys() {
@@ -205,6 +241,9 @@ std::vector<KeySpec> sceneKeys() {
                   "molecule's middle, or through the middle of these atoms. What is cut away is felt as before. 'none' "
                   "closes what an earlier scene opened.",
        .words = {"none", "middle"}},
+      {.name = "captions",
+       .type = ValueType::TextList,
+       .meaning = "What stands below the two molecules of a scene with 'beside': 'wool, silk'. Left out, their names."},
       {.name = "then",
        .type = ValueType::Text,
        .meaning =
@@ -250,6 +289,7 @@ std::vector<KeySpec> touchKeys() {
        .type = ValueType::Text,
        .meaning = "What is said when the task is done.",
        .fallback = N_("Done.")},
+      goalKey(),
   };
 }
 
@@ -280,6 +320,23 @@ std::vector<KeySpec> answerKeys() {
        .type = ValueType::Text,
        .meaning = "What is said to a wrong answer.",
        .fallback = N_("Not yet. Try again.")},
+      {.name = "attempts",
+       .type = ValueType::Count,
+       .meaning = "How many tries there are: after the last wrong one the right answer is shown, and the student goes "
+                  "on. Left out, as many as need be.",
+       .least = 1,
+       .most = 20},
+      {.name = "after N wrong",
+       .type = ValueType::Way,
+       .meaning = "Where so many wrong answers lead: 'after 2 wrong: go to #aside-what-a-crease-is'.",
+       .named = true},
+      {.name = "if right",
+       .type = ValueType::Way,
+       .meaning = "Where a right answer leads, at whichever try: 'if right: skip #once-more'."},
+      {.name = "if right at first",
+       .type = ValueType::Way,
+       .meaning = "Where an answer that is right at the first try leads."},
+      goalKey(),
   };
 }
 
@@ -289,6 +346,8 @@ const char* blockName(KeyBlock block) {
   switch (block) {
     case KeyBlock::FrontMatter:
       return NC_("block", "front matter");
+    case KeyBlock::Step:
+      return NC_("block", "step");
     case KeyBlock::Scene:
       return NC_("block", "scene");
     case KeyBlock::Touch:
@@ -300,7 +359,7 @@ const char* blockName(KeyBlock block) {
 }
 
 const std::vector<KeySpec>& keysOf(KeyBlock block) {
-  static const std::vector<KeySpec> tables[] = {frontMatterKeys(), sceneKeys(), touchKeys(), answerKeys()};
+  static const std::vector<KeySpec> tables[] = {frontMatterKeys(), stepKeys(), sceneKeys(), touchKeys(), answerKeys()};
   return tables[static_cast<int>(block)];
 }
 

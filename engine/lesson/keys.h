@@ -20,9 +20,9 @@
 
 namespace moltact {
 
-enum class KeyBlock : std::uint8_t { FrontMatter, Scene, Touch, Answer };
+enum class KeyBlock : std::uint8_t { FrontMatter, Step, Scene, Touch, Answer };
 
-/// "front matter", "scene", "touch", "answer" in English; `trc("block", …)` where a message names it.
+/// "front matter", "step", "scene", "touch", "answer" in English; `trc("block", …)` where a message names it.
 const char* blockName(KeyBlock block);
 
 enum class ValueType : std::uint8_t {
@@ -41,6 +41,8 @@ enum class ValueType : std::uint8_t {
   Remarks,    ///< "- SELECTION -> text" lines, or one of them behind the colon
   Styles,     ///< "cartoon, surface 40% for chain A": styles of `words`, each with its opacity and its atoms
   Marks,  ///< `words` and names in double quotes, each for its atoms: 'residue for chain A, "the cleft" for residue 35'; or "none"
+  Counts,  ///< whole numbers, parted by commas
+  Way,     ///< "go to #a-step", "skip #a-step, #another": steps by their links or headings
   Places,  ///< `least` to `most` selections with " - " between them, several parted by commas; or "none"
 };
 
@@ -56,7 +58,8 @@ struct KeySpec {
   double least = 0.0;                     ///< smallest value (in the code's unit), for Count, Quantity and Range
   double most = std::numeric_limits<double>::max();
   std::vector<std::string_view> words = {};
-  bool named = false;  ///< the last word of `name` stands for a name that the author chooses: "view NAME"
+  /// The word in capitals in `name` stands for what the author chooses: "view NAME", "after N wrong".
+  bool named = false;
 };
 
 /// The keys of a block; for Touch those that every task kind has.
@@ -114,14 +117,17 @@ struct SelectionRemark {
 
 /// A value as read. Which members are filled follows from the key's type.
 struct Value {
-  Place place;                       ///< where the value stands; line 0 for a fallback
-  std::string text;                  ///< as written
-  double number = 0.0;               ///< Count, Number, Quantity (in the code's unit)
-  double low = 0.0, high = 0.0;      ///< Range (in the code's unit)
-  std::vector<std::string> words;    ///< Word (one), WordList, TextList, Target and Path where a word was given
-  std::vector<Place> places;         ///< of each of `words`, for WordList and TextList; of each of `path`
-  Selection selection;               ///< Selection and Target where atoms were given
-  std::vector<Selection> path = {};  ///< Path where atoms were given, in order
+  Place place;                     ///< where the value stands; line 0 for a fallback
+  std::string text;                ///< as written
+  double number = 0.0;             ///< Count, Number, Quantity (in the code's unit)
+  double low = 0.0, high = 0.0;    ///< Range (in the code's unit)
+  std::vector<std::string> words;  ///< Word (one), WordList, TextList, Target and Path where a word was given; the
+                                   ///< steps of a Way
+  std::vector<Place> places;  ///< of each of `words`, for WordList, TextList and Way; of each of `path`, of `counts`
+  std::vector<std::size_t> counts = {};  ///< Counts
+  bool skips = false;                    ///< of a Way: "skip", else "go to"
+  Selection selection;                   ///< Selection and Target where atoms were given
+  std::vector<Selection> path = {};      ///< Path where atoms were given, in order
   std::vector<StyleSpec> styles = {};
   ViewSpec view = {};
   std::vector<MarkSpec> marks = {};
@@ -138,6 +144,8 @@ class AuthorsText {
   AuthorsText() = default;
   explicit AuthorsText(const Value& value) : written_(value.text), own_(value.place.line != 0) {}
   std::string text() const;
+  /// Whether the author wrote it.
+  bool own() const { return own_; }
 
  private:
   std::string written_;

@@ -14,15 +14,20 @@
 #include "engine/lesson/keys.h"
 #include "engine/lesson/selection.h"
 #include "engine/lesson/source_text.h"
+#include "engine/lesson/way_rules.h"
 #include "engine/molecule/molecule_key.h"
 
 namespace moltact {
+
+/// Where a stretch of text stands beside the line: "H~2~O", "10^-9^".
+enum class Script : std::uint8_t { None, Sub, Super };
 
 /// A stretch of text in one style.
 struct TextRun {
   std::string text;
   bool bold = false, italic = false, code = false;
-  std::string link = {};  ///< where it leads: "#step-id", a file or a web address; empty where it is no link
+  Script script = Script::None;
+  std::string link = {};  ///< where it leads: "#step-id", "#word:crease", a file or a web address; empty: it is no link
   Place place = {};
   Place link_place = {};  ///< where `link` is written
 };
@@ -57,7 +62,14 @@ struct Quote {
 };
 struct Image {
   std::string path, description;  ///< as written; relative to the lesson's folder
+  std::string caption = {};       ///< stands below it; may be empty
   Place place = {};               ///< of the "!["
+};
+/// Its first row holds the headings; each row has as many cells as `sides`.
+struct Table {
+  enum class Side : std::uint8_t { Left, Middle, Right };
+  std::vector<Side> sides;  ///< of the columns, to which their texts keep
+  std::vector<std::vector<RichText>> rows;
 };
 struct CodeText {
   std::string text;
@@ -70,8 +82,8 @@ struct QuestionHere {
   std::size_t index = 0;
 };
 
-using Block =
-    std::variant<Paragraph, Subheading, ListBlock, Tip, TeacherNote, Quote, Image, CodeText, TaskHere, QuestionHere>;
+using Block = std::variant<Paragraph, Subheading, ListBlock, Tip, TeacherNote, Quote, Image, Table, CodeText, TaskHere,
+                           QuestionHere>;
 
 /// Where the parts of a scene are written. Two scenes that say the same are the same, wherever they say it.
 struct ScenePlaces {
@@ -99,28 +111,29 @@ struct SecondState {
 
 /// The scene on the stage. It is complete: values that a scene block left out have been filled in.
 struct SceneSpec {
-  NamedMolecule molecule;            ///< its name in the library or beside the lesson, and how its file is read
-  TouchSetup touch;                  ///< what it is felt with
-  std::vector<std::string> show;     ///< names of the picture's parts
-  std::vector<StyleSpec> styles;     ///< how the atoms are drawn; empty: all as spheres
-  Selection hide;                    ///< atoms that are not drawn; may select nothing
-  Selection untouchable;             ///< atoms that are not felt; may select nothing
-  Selection remove;                  ///< atoms that are neither drawn nor felt; may select nothing
-  double near_A = 4.0;               ///< beside other styles: so near to the probe atoms are spheres
-  std::string colour = "element";    ///< what the atoms' colours tell: a scheme of engine/structure/colouring.h
-  std::vector<MarkSpec> labels;      ///< names over the picture; word "atom", "residue", "chain", or a name of its own
-  std::vector<MarkSpec> arrows;      ///< with their names
-  std::vector<MarkSpec> marks;       ///< atoms in own colours; the word is the colour, the name for the legend
-  Selection hydrogen_bonds;          ///< of which the hydrogen bonds are drawn; may select nothing
-  std::vector<PlacesSpec> measures;  ///< two places: a length; three: an angle; four: a torsion
-  bool paint_touched = false;        ///< atoms stay lightly painted once they have been touched
-  std::vector<std::string> panels;   ///< "touch", "methods", or "none"; empty: as the student has them
-  std::vector<std::string> locked;   ///< keys that the student cannot change, those of the front matter too
-  Selection highlight;               ///< may select nothing
-  ViewSpec view;                     ///< from where it is seen at first
-  std::vector<NamedView> views;      ///< those to come back to, in the author's order
-  bool cut = false;                  ///< the molecule is cut open
-  Selection cut_at;                  ///< the plane goes through the middle of these atoms; not given: of all
+  NamedMolecule molecule;             ///< its name in the library or beside the lesson, and how its file is read
+  TouchSetup touch;                   ///< what it is felt with
+  std::vector<std::string> show;      ///< names of the picture's parts
+  std::vector<StyleSpec> styles;      ///< how the atoms are drawn; empty: all as spheres
+  Selection hide;                     ///< atoms that are not drawn; may select nothing
+  Selection untouchable;              ///< atoms that are not felt; may select nothing
+  Selection remove;                   ///< atoms that are neither drawn nor felt; may select nothing
+  double near_A = 4.0;                ///< beside other styles: so near to the probe atoms are spheres
+  std::vector<std::string> captions;  ///< below a molecule and the one beside it; empty: their names
+  std::string colour = "element";     ///< what the atoms' colours tell: a scheme of engine/structure/colouring.h
+  std::vector<MarkSpec> labels;       ///< names over the picture; word "atom", "residue", "chain", or a name of its own
+  std::vector<MarkSpec> arrows;       ///< with their names
+  std::vector<MarkSpec> marks;        ///< atoms in own colours; the word is the colour, the name for the legend
+  Selection hydrogen_bonds;           ///< of which the hydrogen bonds are drawn; may select nothing
+  std::vector<PlacesSpec> measures;   ///< two places: a length; three: an angle; four: a torsion
+  bool paint_touched = false;         ///< atoms stay lightly painted once they have been touched
+  std::vector<std::string> panels;    ///< "touch", "methods", or "none"; empty: as the student has them
+  std::vector<std::string> locked;    ///< keys that the student cannot change, those of the front matter too
+  Selection highlight;                ///< may select nothing
+  ViewSpec view;                      ///< from where it is seen at first
+  std::vector<NamedView> views;       ///< those to come back to, in the author's order
+  bool cut = false;                   ///< the molecule is cut open
+  Selection cut_at;                   ///< the plane goes through the middle of these atoms; not given: of all
   SecondState then;
   Selection magnify;  ///< atoms that fill the room of the hand; may select nothing: the whole molecule lies in it
   ScenePlaces places;
@@ -137,10 +150,12 @@ struct TaskSpec {
   std::string kind;  ///< "reach"
   KeyValues values;  ///< every key of the kind and the common ones, fallbacks filled in
   Place place;
+  std::vector<std::size_t> goals;  ///< that it serves, as indices into those of the lesson
 };
 
 struct Choice {
   RichText text, feedback;
+  std::string tag;   ///< the misconception that it shows, for the report; may be empty
   std::string link;  ///< "#step-id" that the feedback's first link to a step leads to; may be empty
   bool right = false;
   Place place;
@@ -165,7 +180,10 @@ struct Question {
   std::optional<AnswerSpec> answer;
   bool prediction = false;  ///< "Prediction:": what is right is told when the step's tasks are done, and never scored
   bool in_order = false;    ///< its choices stay as they are written
-  Place place;
+  int attempts = 0;         ///< after so many wrong answers the right one is shown; 0: as many as need be
+  std::vector<WayRule> rules;      ///< what its answers do to the way
+  std::vector<std::size_t> goals;  ///< that it serves, as indices into those of the lesson
+  Place place, block_place;        ///< of its heading, and of its answer block (line 0: none)
 
   /// What is given is kept and neither right nor wrong.
   bool free() const { return answer && answer->kind == AnswerSpec::Kind::Free; }
@@ -183,15 +201,28 @@ struct Step {
   std::vector<Block> blocks;
   std::vector<TaskSpec> tasks;
   std::vector<Question> questions;
-  SceneSpec scene;            ///< what is on the stage in this step
-  bool states_scene = false;  ///< false: the scene of the step before it goes on
+  SceneSpec scene;                 ///< what is on the stage in this step
+  bool states_scene = false;       ///< false: the scene of the step before it goes on
+  bool required = false;           ///< it must be finished before the student goes on
+  std::vector<std::size_t> goals;  ///< that its tasks and questions serve where they do not say it themselves
+  Place place, block_place;        ///< of its heading, and of its step block (line 0: none)
+};
+
+/// A word that the lesson explains.
+struct GlossaryWord {
+  std::string word;                 ///< as it is listed
+  std::vector<std::string> others;  ///< how it is written too: "creases"
+  RichText meaning;
   Place place;
 };
 
 struct Lesson {
   std::string file;
   std::string title, level, author, licence;
-  std::string language;  ///< "de": of the front matter; may be empty
+  std::string description;  ///< one line for the shelf; may be empty
+  int order = 0;            ///< the place on the shelf; 0: none
+  bool required = false;    ///< every step must be finished before the next, where it does not say otherwise
+  std::string language;     ///< "de": of the front matter; may be empty
   Place language_place;
   int minutes = 0;
   std::vector<std::string> goals, molecules;
@@ -200,6 +231,7 @@ struct Lesson {
   std::string ask;                     ///< "name" or "code" that the student is asked for; empty: neither
   std::vector<Block> introduction;     ///< what stands before the first step
   std::vector<Step> steps;             ///< at least one
+  std::vector<GlossaryWord> glossary;  ///< its own words; with those of the file beside it once linkWords() was called
 
   /// The index of a step by its id, or no value.
   std::optional<std::size_t> find(std::string_view id) const {
@@ -209,7 +241,10 @@ struct Lesson {
   }
 };
 
-/// The text of all runs without its styles.
+/// The text of all runs without its styles. Scripts are written with the signs that Unicode has for them ("H₂O"); where
+/// it has none, as people write them on a line ("K_d", "10^x").
 std::string plainText(const RichText& text);
+/// The letters of all runs alone: "H2O".
+std::string bareText(const RichText& text);
 
 }  // namespace moltact

@@ -55,6 +55,10 @@ std::optional<FileLink> fileLink(const fs::path& lesson_file, std::string_view l
 }
 
 Expected<std::string> readLessonFile(const fs::path& file) {
+  return readBesideLesson(file, kLargestLesson, tr("name a lesson, a file that ends in .md"));
+}
+
+Expected<std::string> readBesideLesson(const fs::path& file, std::size_t most_bytes, const std::string& what_it_is) {
   const auto fail = [&](std::string message, std::string remedy) {
     return Problem{file.string(), 0, 0, std::move(message), std::move(remedy)};
   };
@@ -62,11 +66,12 @@ Expected<std::string> readLessonFile(const fs::path& file) {
   const auto status = fs::status(file, error);
   if (status.type() == fs::file_type::not_found)
     return fail(tr("there is no such file"), tr("check its name and folder"));
-  if (!fs::is_regular_file(status)) return fail(tr("this is not a file"), tr("name a lesson, a file that ends in .md"));
+  if (!fs::is_regular_file(status)) return fail(tr("this is not a file"), what_it_is);
   std::ifstream in(file, std::ios::binary);
   if (!in) return fail(trf("the file cannot be opened: {0}", std::strerror(errno)), tr("check that you may read it"));
   // One byte more than is allowed is enough to know that the file is too large.
-  std::string bytes(kLargestLesson + 1, '\0');
+  const std::uintmax_t size = fs::file_size(file, error);
+  std::string bytes(error ? most_bytes + 1 : std::size_t(std::min<std::uintmax_t>(size, most_bytes)) + 1, '\0');
   in.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
   if (in.bad()) return fail(tr("the file cannot be read to its end"), tr("copy it again"));
   bytes.resize(static_cast<std::size_t>(in.gcount()));

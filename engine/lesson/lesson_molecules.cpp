@@ -52,7 +52,17 @@ Expected<fs::path> fileOf(const fs::path& lesson_file, const std::string& name) 
 Expected<MoleculeKey> lessonMolecule(const fs::path& lesson_file, const NamedMolecule& named) {
   Expected<fs::path> file = fileOf(lesson_file, named.name);
   if (!file) return file.problem();
-  return MoleculeKey{*std::move(file), named.reading};
+  MoleculeKey key{*std::move(file), named.reading};
+  if (!named.reading.beside.empty()) {
+    const Expected<fs::path> other = fileOf(lesson_file, named.reading.beside);
+    if (!other) return other.problem();
+    // A name of the library stays one; a file beside the lesson is found from elsewhere by its path alone.
+    std::error_code error;
+    const fs::path folder = lesson_file.has_parent_path() ? lesson_file.parent_path() : fs::path(".");
+    if (fs::equivalent(other->has_parent_path() ? other->parent_path() : fs::path("."), folder, error))
+      key.reading.beside = fs::absolute(*other, error).lexically_normal().string();
+  }
+  return key;
 }
 
 Expected<std::shared_ptr<const Molecule>> LessonMolecules::find(const fs::path& lesson_file,

@@ -1,6 +1,52 @@
 #include "engine/lesson/lesson_texts.h"
 
+#include <string_view>
+
+#include "engine/core/utf8.h"
+
 namespace moltact {
+namespace {
+
+struct Raised {
+  char32_t on_line, super, sub;  // 0: Unicode has none
+};
+constexpr Raised kRaised[] = {
+    {'0', U'⁰', U'₀'},  {'1', U'¹', U'₁'}, {'2', U'²', U'₂'}, {'3', U'³', U'₃'}, {'4', U'⁴', U'₄'}, {'5', U'⁵', U'₅'},
+    {'6', U'⁶', U'₆'},  {'7', U'⁷', U'₇'}, {'8', U'⁸', U'₈'}, {'9', U'⁹', U'₉'}, {'+', U'⁺', U'₊'}, {'-', U'⁻', U'₋'},
+    {U'−', U'⁻', U'₋'}, {'=', U'⁼', U'₌'}, {'(', U'⁽', U'₍'}, {')', U'⁾', U'₎'}, {'n', U'ⁿ', U'ₙ'}, {'i', U'ⁱ', 0}};
+
+/// "⁻⁹" of "−9"; empty where Unicode has not all of it.
+std::string raised(std::string_view text, Script script) {
+  std::string out;
+  for (const char32_t c : charactersOf(text)) {
+    char32_t sign = 0;
+    for (const Raised& r : kRaised)
+      if (r.on_line == c) sign = script == Script::Super ? r.super : r.sub;
+    if (!sign) return {};
+    out += utf8Of(sign);
+  }
+  return out;
+}
+
+}  // namespace
+
+std::string plainText(const RichText& text) {
+  std::string out;
+  for (const TextRun& run : text) {
+    const std::string signs = run.script == Script::None ? std::string() : raised(run.text, run.script);
+    if (run.script == Script::None || !signs.empty())
+      out += signs.empty() ? run.text : signs;
+    else
+      out += (run.script == Script::Super ? "^" : "_") + run.text;
+  }
+  return out;
+}
+
+std::string bareText(const RichText& text) {
+  std::string out;
+  for (const TextRun& run : text) out += run.text;
+  return out;
+}
 
 void forEachText(const std::vector<Block>& blocks, const std::function<void(const RichText&)>& visit) {
   const auto all = [&](const std::vector<RichText>& texts) {
@@ -14,6 +60,8 @@ void forEachText(const std::vector<Block>& blocks, const std::function<void(cons
     if (const auto* q = std::get_if<Quote>(&b)) all(q->paragraphs);
     if (const auto* l = std::get_if<ListBlock>(&b))
       for (const ListBlock::Item& i : l->items) visit(i.text);
+    if (const auto* t = std::get_if<Table>(&b))
+      for (const std::vector<RichText>& row : t->rows) all(row);
   }
 }
 
@@ -32,6 +80,7 @@ void forEachText(const Step& step, const std::function<void(const RichText&)>& v
 void forEachText(const Lesson& lesson, const std::function<void(const RichText&)>& visit) {
   forEachText(lesson.introduction, visit);
   for (const Step& step : lesson.steps) forEachText(step, visit);
+  for (const GlossaryWord& word : lesson.glossary) visit(word.meaning);
 }
 
 void forEachImage(const Lesson& lesson, const std::function<void(const Image&)>& visit) {

@@ -14,7 +14,7 @@ void forEachText(const std::vector<Block>& blocks, const std::function<void(cons
 /// Each text of a step: its blocks, then its questions with choices and feedback.
 void forEachText(const Step& step, const std::function<void(const RichText&)>& visit);
 
-/// Each text of the lesson: the introduction, then step by step.
+/// Each text of the lesson: the introduction, then step by step, then the meanings of its words.
 void forEachText(const Lesson& lesson, const std::function<void(const RichText&)>& visit);
 
 /// Each picture of the lesson.

@@ -4,9 +4,13 @@
 
 #include <charconv>
 #include <functional>
+#include <utility>
 
+#include "engine/core/text.h"
 #include "engine/core/utf8.h"
 #include "engine/language/catalogue.h"
+#include "engine/lesson/formula.h"
+#include "engine/lesson/letters.h"
 
 namespace moltact {
 namespace {
@@ -50,7 +54,8 @@ class Builder {
 
   Expected<MarkdownBlock> build() {
     MD_PARSER parser{};
-    parser.flags = MD_FLAG_TASKLISTS | MD_FLAG_PERMISSIVEURLAUTOLINKS | MD_FLAG_NOINDENTEDCODEBLOCKS;
+    parser.flags = MD_FLAG_TASKLISTS | MD_FLAG_PERMISSIVEURLAUTOLINKS | MD_FLAG_NOINDENTEDCODEBLOCKS | MD_FLAG_TABLES |
+                   MD_FLAG_LATEXMATHSPANS;
     parser.enter_block = [](MD_BLOCKTYPE type, void* detail, void* self) { return of(self).enter(type, detail); };
     parser.leave_block = [](MD_BLOCKTYPE type, void*, void* self) { return of(self).leave(type); };
     parser.enter_span = [](MD_SPANTYPE type, void* detail, void* self) { return of(self).span(type, detail, 1); };
@@ -93,6 +98,8 @@ class Builder {
 
   int enter(MD_BLOCKTYPE type, void* detail) {
     if (stack_.size() > kDeepestMarkdown) return kTooDeep;
+    tag_script_ = Script::None;
+    after_formula_ = false;
     switch (type) {
       case MD_BLOCK_QUOTE:
         push(Kind::Quote);
@@ -133,6 +140,21 @@ class Builder {
       case MD_BLOCK_P:
         push(Kind::Paragraph);
         break;
+      case MD_BLOCK_TABLE:
+        push(Kind::Table);
+        break;
+      case MD_BLOCK_TR:
+        push(Kind::Row);
+        break;
+      case MD_BLOCK_TH:
+      case MD_BLOCK_TD: {
+        push(Kind::Cell);
+        const MD_ALIGN align = static_cast<MD_BLOCK_TD_DETAIL*>(detail)->align;
+        stack_.back().side = align == MD_ALIGN_CENTER  ? Table::Side::Middle
+                             : align == MD_ALIGN_RIGHT ? Table::Side::Right
+                                                       : Table::Side::Left;
+        break;
+      }
       default:
         break;
     }
@@ -140,7 +162,8 @@ class Builder {
   }
 
   int leave(MD_BLOCKTYPE type) {
-    if (type == MD_BLOCK_DOC || stack_.size() < 2) return 0;
+    const bool no_block = type == MD_BLOCK_DOC || type == MD_BLOCK_THEAD || type == MD_BLOCK_TBODY;
+    if (no_block || stack_.size() < 2) return 0;
     MarkdownBlock done = std::move(stack_.back());
     stack_.pop_back();
     if (done.place.line == 0)
@@ -182,15 +205,56 @@ class Builder {
         if (step > 0 && images_ == 1) {
           // md4c does not say where the picture stands: it is the next that begins behind the text so far.
           const std::size_t at = source_.bytes().find("![", offset_);
-          stack_.back().images.push_back({attributeText(static_cast<MD_SPAN_IMG_DETAIL*>(detail)->src),
-                                          {},
-                                          source_.at(at == std::string_view::npos ? offset_ : at)});
+          const auto& image = *static_cast<MD_SPAN_IMG_DETAIL*>(detail);
+          stack_.back().images.push_back({.path = attributeText(image.src),
+                                          .description = {},
+                                          .caption = attributeText(image.title),
+                                          .place = source_.at(at == std::string_view::npos ? offset_ : at)});
         }
+        break;
+      case MD_SPAN_LATEXMATH:
+      case MD_SPAN_LATEXMATH_DISPLAY:
+        if (step > 0)
+          formula_.clear();
+        else
+          addFormula(type == MD_SPAN_LATEXMATH_DISPLAY);
         break;
       default:
         break;
     }
     return 0;
+  }
+
+  /// A formula on a line of its own is parted from the text round it.
+  void addFormula(bool own_line) {
+    MarkdownBlock& block = stack_.back();
+    // "$5 and then $6" are prices: a formula has no blank at either end.
+    if (!own_line && (formula_.empty() || formula_.front() == ' ' || formula_.back() == ' ')) {
+      if (images_ == 0)
+        addRun(block.text, {.text = "$" + formula_ + "$",
+                            .bold = bold_ > 0,
+                            .italic = italic_ > 0,
+                            .link = link_,
+                            .place = formula_place_});
+      return;
+    }
+    std::vector<Problem> faults;
+    RichText runs = formulaText(formula_, formula_place_, faults);
+    for (Problem& fault : faults) {
+      fault.file = source_.name();
+      stack_.front().slips.push_back(std::move(fault));
+    }
+    if (images_ > 0) {
+      if (!block.images.empty()) block.images.back().description += plainText(runs);
+      return;
+    }
+    if (own_line && !block.text.empty()) addRun(block.text, {.text = "\n", .place = formula_place_});
+    for (TextRun& run : runs) {
+      run.bold = bold_ > 0;
+      run.link = link_;
+      addRun(block.text, std::move(run));
+    }
+    after_formula_ = own_line;
   }
 
   /// At the end of a link: its runs learn where its target is written, "](target", or else that it stands in them.
@@ -210,8 +274,12 @@ class Builder {
     if (block.place.line == 0) block.place = place;
     if (block.kind == Kind::Code) {
       codeText(piece, place);
+    } else if (type == MD_TEXT_LATEXMATH) {
+      if (formula_.empty()) formula_place_ = place;
+      formula_ += piece;
     } else {
       std::string words;
+      bool plain = false;
       switch (type) {
         case MD_TEXT_BR:
           words = "\n";
@@ -227,28 +295,118 @@ class Builder {
           break;
         case MD_TEXT_HTML:
           if (block.kind != Kind::Html) {
-            stack_.front().lines.push_back({std::string(piece), place});
-            return 0;
+            if (!takeTag(piece)) {
+              stack_.front().lines.push_back({std::string(piece), place});
+              return 0;
+            }
+            if (tag_break_) words = "\n";
+            break;
           }
           [[fallthrough]];
         default:
           words = std::string(piece);
+          plain = type == MD_TEXT_NORMAL;
       }
+      if (std::exchange(after_formula_, false) && !words.empty()) words = words == " " ? "\n" : "\n" + words;
       if (images_ > 0) {
         if (!block.images.empty()) block.images.back().description += words;
         return 0;
       }
-      addRun(block.text, {std::move(words), bold_ > 0, italic_ > 0, code_ > 0, link_, place});
+      const TextRun run{.text = {},
+                        .bold = bold_ > 0,
+                        .italic = italic_ > 0,
+                        .code = code_ > 0,
+                        .script = tag_script_,
+                        .link = link_,
+                        .place = place};
+      if (plain && code_ == 0 && tag_script_ == Script::None)
+        addWithScripts(block.text, run, words, escaped(piece));
+      else if (!words.empty())
+        addRun(block.text, withText(run, std::move(words)));
     }
     // The bytes just handed on are behind us.
     if (inSource(piece.data())) offset_ += piece.size();
     return 0;
   }
 
+  /// <sub>, <sup> and <br>, which pages on the web have too; false for every other tag.
+  bool takeTag(std::string_view tag) {
+    const std::string name = lower(std::string(tag));
+    tag_break_ = name == "<br>" || name == "<br/>" || name == "<br />";
+    if (name == "<sub>")
+      tag_script_ = Script::Sub;
+    else if (name == "<sup>")
+      tag_script_ = Script::Super;
+    else if (name == "</sub>" || name == "</sup>")
+      tag_script_ = Script::None;
+    else
+      return tag_break_;
+    return true;
+  }
+
+  /// The piece begins with a sign that the author has taken its meaning from: "\~".
+  bool escaped(std::string_view piece) const {
+    const std::string_view all = source_.bytes();
+    if (!inSource(piece.data())) return false;
+    const auto at = static_cast<std::size_t>(piece.data() - all.data());
+    return at > 0 && all[at - 1] == '\\';
+  }
+
+  static TextRun withText(TextRun run, std::string words) {
+    run.text = std::move(words);
+    return run;
+  }
+
+  /// "H~2~O" and "10^-9^" taken apart: between two of a sign, without a blank. What stands in the line's middle ("~5 Å")
+  /// is no beginning of a subscript, which hangs on a letter or number.
+  void addWithScripts(RichText& text, const TextRun& run, std::string_view words, bool first_escaped) {
+    std::size_t done = 0;
+    const auto take = [&](std::size_t from, std::size_t to, Script script) {
+      if (from >= to) return;
+      TextRun part = withText(run, std::string(words.substr(from, to - from)));
+      part.script = script;
+      part.place.column += characterCount(words.substr(0, from));
+      addRun(text, std::move(part));
+    };
+    const auto hangs = [&](std::size_t at) {
+      const std::string_view before = at > 0         ? words.substr(0, at)
+                                      : text.empty() ? std::string_view()
+                                                     : text.back().text;
+      return !before.empty() && (endsInLetter(before) || before.back() == ')' || before.back() == ']');
+    };
+    for (std::size_t at = first_escaped ? 1 : 0; at < words.size(); ++at) {
+      const char sign = words[at];
+      if (sign != '~' && sign != '^') continue;
+      const std::size_t end = words.find_first_of("~^ \n", at + 1);
+      const bool closed = end != std::string_view::npos && words[end] == sign && end > at + 1;
+      if (closed && (sign == '^' || hangs(at))) {
+        take(done, at, Script::None);
+        take(at + 1, end, sign == '~' ? Script::Sub : Script::Super);
+        done = end + 1;
+        at = end;
+      } else if (!closed && hangs(at) && at + 1 < words.size() && isScriptStart(words.substr(at + 1), sign)) {
+        const std::size_t word_end = std::min(words.find_first_of(" \n,.;:)", at + 1), words.size());
+        stack_.front().slips.push_back({source_.name(), run.place.line,
+                                        run.place.column + characterCount(words.substr(0, at)),
+                                        sign == '^' ? tr("'^' begins no superscript here, for none ends it")
+                                                    : tr("'~' begins no subscript here, for none ends it"),
+                                        trf("close it: {0}", std::string(words.substr(at, word_end - at)) + sign)});
+      }
+    }
+    take(done, words.size(), Script::None);
+  }
+
+  /// What an open sign was most likely meant for: an exponent with or without its sign, or an index.
+  static bool isScriptStart(std::string_view text, char sign) {
+    if (sign == '^' && (text.starts_with("-") || text.starts_with("+") || text.starts_with("−"))) return true;
+    return text[0] >= '0' && text[0] <= '9';
+  }
+
   static void addRun(RichText& text, TextRun run) {
     if (!text.empty()) {
       TextRun& last = text.back();
-      if (last.bold == run.bold && last.italic == run.italic && last.code == run.code && last.link == run.link) {
+      if (last.bold == run.bold && last.italic == run.italic && last.code == run.code && last.script == run.script &&
+          last.link == run.link) {
         last.text += run.text;
         return;
       }
@@ -282,7 +440,11 @@ class Builder {
   std::size_t offset_;
   std::vector<MarkdownBlock> stack_;
   int bold_ = 0, italic_ = 0, code_ = 0, links_ = 0, images_ = 0;
-  std::string link_;
+  std::string link_, formula_;
+  Place formula_place_;
+  Script tag_script_ = Script::None;  // of the HTML tag that is open
+  bool tag_break_ = false;            // the tag that was taken last is a line break
+  bool after_formula_ = false;        // one on a line of its own: what follows begins another
   bool line_open_ = false, line_placed_ = false;
 };
 

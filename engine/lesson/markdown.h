@@ -12,16 +12,18 @@ namespace moltact {
 
 /// One block of the document. Which members are filled follows from its kind.
 struct MarkdownBlock {
-  enum class Kind : std::uint8_t { Root, Heading, Paragraph, Code, List, Item, Quote, Html, Rule };
+  enum class Kind : std::uint8_t { Root, Heading, Paragraph, Code, List, Item, Quote, Html, Rule, Table, Row, Cell };
   Kind kind = Kind::Root;
   Place place;                           ///< of its first text
   int level = 0;                         ///< Heading: 1 to 6
   bool ordered = false;                  ///< List
   int start = 1;                         ///< List, where ordered
   bool is_task = false, ticked = false;  ///< Item of a task list: "- [x]"
+  Table::Side side = Table::Side::Left;  ///< Cell
   std::string info;                      ///< Code: the word after the fence
   std::vector<BlockLine> lines;          ///< Code: its lines; Root: tags of HTML within the text, which are not in it
-  RichText text;                         ///< Heading, Paragraph, and an Item's own text; Html: as written
+  std::vector<Problem> slips;            ///< Root: what in the text was meant for a script or a formula and is none
+  RichText text;                         ///< Heading, Paragraph, Cell, and an Item's own text; Html: as written
   std::vector<Image> images;             ///< pictures in `text`
   std::vector<MarkdownBlock> children;
 };

@@ -5,6 +5,7 @@
 #include <unordered_set>
 
 #include "engine/language/catalogue.h"
+#include "engine/lesson/glossary.h"
 #include "engine/lesson/lesson_texts.h"
 #include "engine/lesson/reading.h"
 #include "engine/lesson/scene_link.h"
@@ -109,6 +110,19 @@ void readList(Reading& reading, const MarkdownBlock& list, int depth, ListBlock&
   }
 }
 
+Table readTable(const MarkdownBlock& block) {
+  Table table;
+  for (const MarkdownBlock& row : block.children) {
+    std::vector<RichText>& cells = table.rows.emplace_back();
+    for (const MarkdownBlock& cell : row.children) {
+      if (table.rows.size() == 1) table.sides.push_back(cell.side);
+      cells.push_back(cell.text);
+    }
+    cells.resize(table.sides.size());
+  }
+  return table;
+}
+
 struct Arrow {
   std::size_t run = 0, at = 0, bytes = 0;
 };
@@ -120,6 +134,20 @@ std::optional<Arrow> findArrow(const RichText& text) {
       if (const std::size_t at = text[i].text.find(sign); at != std::string::npos) return Arrow{i, at, sign.size()};
   }
   return {};
+}
+
+// A tag is a word or some: a sentence there was meant for the student.
+void checkTag(Reading& reading, Place place, const Choice& choice) {
+  constexpr std::size_t kLongest = 60;
+  if (choice.tag.empty())
+    reading.error(place, tr("nothing stands behind the second arrow"),
+                  tr("write the misconception's tag there, or take the arrow out"));
+  else if (characterCount(choice.tag) > kLongest)
+    reading.warning(place,
+                    tr("what stands behind the second arrow is a tag for the report, and students do not see it"),
+                    trf("make it shorter than {0} characters, or take the second arrow out", kLongest));
+  else if (choice.right)
+    reading.warning(place, tr("a right choice has the tag of a misconception"), tr("take the second arrow out"));
 }
 
 void trimEnd(RichText& text) {
@@ -163,6 +191,9 @@ void readProse(Reading& reading, const MarkdownBlock& block, std::vector<Block>&
       blocks.push_back(std::move(code));
       break;
     }
+    case Kind::Table:
+      blocks.push_back(readTable(block));
+      break;
     case Kind::Html:
       // Comments are for authors; other markup would silently vanish.
       if (const std::string html = plainText(block.text); !html.starts_with("<!--"))
@@ -197,8 +228,19 @@ std::vector<Choice> readChoices(Reading& reading, const MarkdownBlock& list) {
       choice.text.resize(arrow->run + 1);
       choice.text.back().text.resize(arrow->at);
       trimEnd(choice.text);
+      // Behind a second arrow stands what the report counts.
+      if (const auto second = findArrow(choice.feedback)) {
+        RichText tag(choice.feedback.begin() + static_cast<std::ptrdiff_t>(second->run), choice.feedback.end());
+        takeOffStart(tag, second->at + second->bytes);
+        choice.tag = stripped(plainText(tag));
+        choice.feedback.resize(second->run + 1);
+        choice.feedback.back().text.resize(second->at);
+        trimEnd(choice.feedback);
+        checkTag(reading, item.place, choice);
+      }
       for (const TextRun& run : choice.feedback)
-        if (choice.link.empty() && run.link.starts_with('#') && !sceneLink(run.link)) choice.link = run.link;
+        if (choice.link.empty() && run.link.starts_with('#') && !sceneLink(run.link) && !wordLink(run.link))
+          choice.link = run.link;
     }
     if (plainText(choice.text).empty())
       reading.error(item.place, tr("an empty choice"), tr("write what can be chosen, then → and the feedback"));
@@ -224,7 +266,10 @@ void checkQuestion(Reading& reading, const Question& question) {
                     tr("keep one of the two"));
     return;
   }
-  if (question.choices.empty())
+  if (question.choices.empty() && question.block_place.line)
+    reading.error(question.block_place, tr("the answer block says nothing about what is right"),
+                  tr("give one of 'number: …', 'text: …' and 'free: yes'"));
+  else if (question.choices.empty())
     reading.error(question.place, tr("this question has nothing to answer"),
                   tr("add a list of choices '- [x] …' or an answer block"));
   else if (question.choices.size() == 1)
@@ -265,6 +310,7 @@ void checkLinks(Reading& reading, const Lesson& lesson) {
         ofScene(run, *link, scene);
         continue;
       }
+      if (wordLink(run.link)) continue;
       const std::string_view id = std::string_view(run.link).substr(1);
       if (!known.contains(id))
         reading.error(run.link_place, trf("the link '{0}' leads to no step", run.link), suggest(id, ids, tr("steps")));

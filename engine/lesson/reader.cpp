@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "engine/language/catalogue.h"
+#include "engine/lesson/glossary.h"
 #include "engine/lesson/lesson_files.h"
 #include "engine/lesson/reading.h"
 #include "engine/lesson/suggestion.h"
@@ -35,6 +36,7 @@ class Walk {
     for (const BlockLine& tag : root.lines)
       if (!tag.text.starts_with("<!--") && tag.place.line != std::exchange(told, tag.place.line))
         reading_.warning(tag.place, tr("HTML is not shown"), tr("write it in Markdown"));
+    for (const Problem& slip : root.slips) reading_.warning({slip.line, slip.column}, slip.message, slip.remedy);
     if (lesson_.steps.empty()) {
       reading_.error(root.children.empty() ? Place{1, 1} : root.children.front().place, tr("the lesson has no steps"),
                      tr("start each step with a heading '## …'"));
@@ -51,11 +53,16 @@ class Walk {
   std::vector<Block>& blocks() { return step() ? step()->blocks : lesson_.introduction; }
 
   void take(const MarkdownBlock& block) {
+    if (in_glossary_ && !(block.kind == Kind::Heading && block.level <= 2)) {
+      reading::readWords(reading_, block, lesson_.glossary);
+      return;
+    }
     switch (block.kind) {
       case Kind::Heading:
         heading(block);
         return;
       case Kind::Code:
+        if (block.info == "step") return stepBlock(block);
         if (block.info == "scene") return scene(block);
         if (block.info == "touch") return touch(block);
         if (block.info == "answer") return answer(block);
@@ -97,6 +104,8 @@ class Walk {
       return;
     }
     endQuestion();
+    in_glossary_ = block.level == 2 && isGlossaryHeading(title);
+    if (in_glossary_) return;
     if (block.level == 2) return startStep(block, title);
     if (question || prediction) return startQuestion(block, title, prediction ? kPrediction : kQuestion);
     blocks().push_back(Subheading{block.text});
@@ -111,7 +120,7 @@ class Walk {
     }
     Step next;
     // The id is that of the whole heading, so that links work on Git hosts too.
-    next.id = slug(title);
+    next.id = slug(bareText(block.text));
     next.aside = title.starts_with(kAside);
     next.title = next.aside ? stripped(std::string_view(title).substr(kAside.size())) : title;
     next.place = block.place;
@@ -126,6 +135,7 @@ class Walk {
     // What an aside puts on the stage is gone where the student has passed it over.
     if (step()) next.scene = next.aside || !lastMainStep() ? step()->scene : lastMainStep()->scene;
     if (!next.aside) last_main_ = lesson_.steps.size();
+    next.required = lesson_.required && !next.aside;
     lesson_.steps.push_back(std::move(next));
   }
 
@@ -188,6 +198,15 @@ class Walk {
     step()->states_scene = scene_stated_ = true;
   }
 
+  void stepBlock(const MarkdownBlock& block) {
+    if (outsideStep(block)) return;
+    if (step()->block_place.line) {
+      reading_.error(block.place, tr("a second step block in one step"), tr("put both into one block"));
+      return;
+    }
+    reading::readStep(reading_, block, lesson_, *step());
+  }
+
   void touch(const MarkdownBlock& block) {
     if (outsideStep(block)) return;
     if (!scene_stated_) {
@@ -195,7 +214,7 @@ class Walk {
       reading_.error(block.place, tr("a touch task without anything on the stage"), tr("put a scene block above it"));
       scene_stated_ = true;
     }
-    TaskSpec task = reading::readTouch(reading_, block);
+    TaskSpec task = reading::readTouch(reading_, block, lesson_);
     if (task.kind.empty()) return;
     step()->tasks.push_back(std::move(task));
     step()->blocks.push_back(TaskHere{step()->tasks.size() - 1});
@@ -206,22 +225,22 @@ class Walk {
       reading_.error(block.place, tr("an answer block without a question"), tr("put '### Question: …' above it"));
       return;
     }
-    if (step()->questions.back().answer) {
+    if (step()->questions.back().block_place.line) {
       reading_.error(block.place, tr("a second answer block in one question"), tr("take one of the two out"));
       return;
     }
-    step()->questions.back().answer = reading::readAnswer(reading_, block);
+    reading::readAnswer(reading_, block, lesson_, step()->questions.back());
   }
 
   void unknownFence(const MarkdownBlock& block) {
-    constexpr std::string_view kFences[] = {"scene", "touch", "answer"};
+    constexpr std::string_view kFences[] = {"step", "scene", "touch", "answer"};
     reading_.warning(block.place, trf("'{0}' is no block of a lesson and is shown as it stands", block.info),
                      suggest(block.info, kFences, tr("blocks")));
   }
 
   Reading& reading_;
   Lesson& lesson_;
-  bool in_question_ = false, scene_stated_ = false, too_many_ = false;
+  bool in_question_ = false, in_glossary_ = false, scene_stated_ = false, too_many_ = false;
   std::optional<std::size_t> last_main_;                                      // the last step that is no aside
   std::unordered_map<std::string, std::size_t> step_lines_, question_lines_;  // by id; the questions of this step
 };
@@ -245,12 +264,6 @@ std::optional<Problem> badBytes(const SourceText& source) {
 }
 
 }  // namespace
-
-std::string plainText(const RichText& text) {
-  std::string out;
-  for (const TextRun& run : text) out += run.text;
-  return out;
-}
 
 std::string slug(std::string_view heading) {
   std::string out;
@@ -280,6 +293,8 @@ LessonReading readLessonText(const std::string& name, std::string bytes) {
   const std::vector<Place> open_fences = reading::findOpenFences(source, body);
   if (tree) {
     const bool whole = Walk(reading, lesson).run(*tree);
+    if (whole && open_fences.empty()) reading::finishWays(reading, lesson);
+    if (open_fences.empty()) reading::findLineSlips(reading, body);
     if (whole && open_fences.empty()) reading::checkLinks(reading, lesson);
   } else {
     reading.errors.push_back(tree.problem());

@@ -4,11 +4,13 @@
 //   front matter between two lines "---"     title, minutes, level, goals, molecules, author, licence
 //   ## heading                               a step; its slug is its id, and links lead to it: [look](#a-crease)
 //   ## Aside: heading                        a side path, which only links lead to: [look](#aside-heading)
+//   ```step                                  whether the step must be finished, and which goals it serves
 //   ```scene                                 what is on the stage
 //   ```touch                                 something to do by touch; its first key is a task kind (tasks/registry.h)
 //   ### Question: …                          with a task list ("- [x] right → feedback") or an ```answer block
 //   > [!TIP]                                 a hint
 //   > [!NOTE] Teacher: …                     for the teacher only
+//   ## Glossary                              words with their meanings (glossary.h), which is no step
 //
 // The keys of the blocks are in keys.h.
 #pragma once

@@ -40,14 +40,27 @@ std::size_t readFrontMatter(Reading& reading, Lesson& lesson);
 /// lesson.
 std::vector<Place> findOpenFences(const SourceText& source, std::size_t from);
 
+/// Problems with lines that are no heading or choice for want of a blank.
+void findLineSlips(Reading& reading, std::size_t from);
+
 /// Reads a scene block upon the scene of the step before (nullptr for the first).
 SceneSpec readScene(Reading& reading, const MarkdownBlock& block, const SceneSpec* before, const Lesson& lesson);
 
 /// Reads a touch block; no kind (an empty spec) where it names none, or two.
-TaskSpec readTouch(Reading& reading, const MarkdownBlock& block);
+TaskSpec readTouch(Reading& reading, const MarkdownBlock& block, const Lesson& lesson);
 
-/// Reads the answer block of a question.
-AnswerSpec readAnswer(Reading& reading, const MarkdownBlock& block);
+/// The goals that a value counts from 1, as indices; a problem for each that the lesson does not have.
+std::vector<std::size_t> readGoals(Reading& reading, const Value& value, const Lesson& lesson);
+
+/// Reads a step block into the step.
+void readStep(Reading& reading, const MarkdownBlock& block, const Lesson& lesson, Step& step);
+
+/// Reads the answer block of a question into it: what is right, where it says so, and what its answers do.
+void readAnswer(Reading& reading, const MarkdownBlock& block, const Lesson& lesson, Question& question);
+
+/// Once the lesson has been read: goals of steps go to their tasks and questions, and the steps that rules name become
+/// ids; problems with those that there are not.
+void finishWays(Reading& reading, Lesson& lesson);
 
 /// Reads the task list of a question.
 std::vector<Choice> readChoices(Reading& reading, const MarkdownBlock& list);
@@ -57,6 +70,9 @@ void checkQuestion(Reading& reading, const Question& question);
 
 /// Reads what is plain text, a list, a quote or a picture; `blocks` gets what is shown.
 void readProse(Reading& reading, const MarkdownBlock& block, std::vector<Block>& blocks);
+
+/// Reads a block of a glossary: its lists are words with their meanings, other text is passed over.
+void readWords(Reading& reading, const MarkdownBlock& block, std::vector<GlossaryWord>& words);
 
 /// Problems with links to steps that do not exist.
 void checkLinks(Reading& reading, const Lesson& lesson);

@@ -86,6 +86,11 @@ std::string valueOf(const KeySpec& key) {
       return "[selections](#selections) with ` - ` between them, several parted by commas; or `none`";
     case ValueType::Remarks:
       return "lines `- selection -> what is said`, each with a [selection](#selections)";
+    case ValueType::Counts:
+      return "whole numbers" + limits(key) + ", parted by commas";
+    case ValueType::Way:
+      return "`go to` and a step, or `skip` and one or more steps parted by commas: by their links (`#its-heading`) or "
+             "one by its heading";
     case ValueType::Styles:
       return someOf(key.words) +
              ", each with its opacity (`surface 40%`) and, behind `for`, a [selection](#selections) if it is not for "
@@ -163,6 +168,11 @@ std::string lessonReference() {
   std::ostringstream out;
   out << kHead << "\n## Front matter\n\nBetween two lines `---` at the start of the file.\n\n";
   table(out, keysOf(KeyBlock::FrontMatter));
+  out << "## Steps\n\nA fenced block `step` below a step's heading; most steps need none.\n\n";
+  table(out, keysOf(KeyBlock::Step));
+  out << "A step that is required shows *Finish this step first* in the place of *Next* until its tasks are done and "
+         "its questions answered (or their tries used up); links to later steps do not lead there before, links back "
+         "and to asides do.\n\n";
   out << "## Scenes\n\nA fenced block `scene` says what is on the stage in its step and those after it. A scene that "
          "names a molecule starts anew; one that "
          "does not keeps all that it does not say.\n\n";
@@ -180,6 +190,16 @@ std::string lessonReference() {
          "score "
          "it.\n\n";
   table(out, keysOf(KeyBlock::Answer));
+  out << R"(Behind a second arrow of a wrong choice (`- [ ] Two → Feel again. → pit taken for crease`) stands the tag of the misconception that it
+shows, which students do not see and the report counts.
+
+Below choices a block `answer` may hold `attempts`, `goal` and the conditions alone; what is right stands in the choices then.
+
+A condition leads back, or into an aside, once: it shows *Go on* under what is said to the answer, and *Next* leads there too; the
+question takes no answer before that. Leading forward, it lets *Next* pass over what stands between, and `skip` over the steps that it
+names; what is passed over does not count for the progress. No condition can hold a student for ever.
+
+)";
   units(out);
   selections(out);
   return out.str();

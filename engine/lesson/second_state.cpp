@@ -1,11 +1,38 @@
 #include "engine/lesson/second_state.h"
 
+#include <utility>
+
+#include "engine/core/utf8.h"
+#include "engine/lesson/source_text.h"
+
 namespace moltact {
 
 NamedMolecule secondMolecule(const SceneSpec& scene) {
   NamedMolecule out = scene.molecule;
   out.name = scene.then.molecule;
   return out;
+}
+
+NamedMolecule besideMolecule(const SceneSpec& scene) {
+  const ReadOptions& reading = scene.molecule.reading;
+  return {reading.beside, ReadOptions{.waters = reading.waters}};
+}
+
+Expected<SecondState> parseSecondState(std::string_view text) {
+  constexpr std::string_view kSuperposed = ", superposed on ";
+  const std::size_t comma = text.find(kSuperposed);
+  SecondState then;
+  then.molecule = std::string(stripped(text.substr(0, comma)));
+  if (then.molecule == "none") then.molecule.clear();
+  if (comma == std::string_view::npos) return then;
+  Expected<Selection> atoms = parseSelection(stripped(text.substr(comma + kSuperposed.size())));
+  if (!atoms) {
+    Problem problem = atoms.problem();
+    problem.column += characterCount(text.substr(0, comma + kSuperposed.size()));
+    return problem;
+  }
+  then.superposed_on = *std::move(atoms);
+  return then;
 }
 
 std::vector<std::uint32_t> superposedOn(const SceneSpec& scene, const Molecule& molecule) {

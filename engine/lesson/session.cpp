@@ -9,6 +9,7 @@
 #include "engine/core/content_hash.h"
 #include "engine/core/random.h"
 #include "engine/language/catalogue.h"
+#include "engine/language/quantity_text.h"
 #include "engine/lesson/quantity.h"
 #include "engine/lesson/scene_atoms.h"
 #include "engine/lesson/tasks/registry.h"
@@ -39,6 +40,16 @@ bool isRight(const AnswerSpec& answer, double number) {
   return std::abs(number - answer.number) <= slack;
 }
 
+// What is right, as one line.
+std::string rightAnswer(const Question& asked) {
+  std::string out;
+  for (const Choice& c : asked.choices)
+    if (c.right) out += (out.empty() ? "" : "; ") + plainText(c.text);
+  if (!asked.answer) return out;
+  if (asked.answer->kind == AnswerSpec::Kind::Text) return asked.answer->texts.front();
+  return numberText(asked.answer->number, plain()) + (asked.answer->unit.empty() ? "" : "\u00a0" + asked.answer->unit);
+}
+
 bool sameShape(const Step& a, const Step& b) {
   if (a.id != b.id || a.tasks.size() != b.tasks.size() || a.questions.size() != b.questions.size()) return false;
   for (std::size_t i = 0; i < a.tasks.size(); ++i)
@@ -61,6 +72,8 @@ LessonSession::LessonSession(std::shared_ptr<const Lesson> lesson) : lesson_(std
 }
 
 void LessonSession::enter(std::size_t step) {
+  if (step != step_)
+    for (QuestionStatus& q : state().questions) q.gone = true;
   // Another molecule is on its way: the tasks wait until it is there.
   if (step != step_ && lesson_->steps[step].scene.molecule != scene().molecule) molecule_ = nullptr;
   step_ = step;
@@ -96,23 +109,98 @@ void LessonSession::setOrderSeed(std::uint64_t seed, std::size_t sitting) {
 }
 
 std::size_t LessonSession::mainStepAfter(std::size_t step) const {
+  const std::vector<char> skipped = skippedSteps();
   do ++step;
-  while (step < lesson_->steps.size() && lesson_->steps[step].aside);
+  while (step < lesson_->steps.size() && (lesson_->steps[step].aside || skipped[step]));
   return step;
 }
 
+bool LessonSession::ruleHolds(std::size_t step, std::size_t question, std::size_t rule) const {
+  const QuestionStatus& status = states_[step].questions[question];
+  return lesson_->steps[step].questions[question].rules[rule].holds(status.attempts, status.answered_right);
+}
+
+// What a rule names, and all between a question and the step to which its answer leads forward.
+std::vector<char> LessonSession::skippedSteps() const {
+  std::vector<char> out(lesson_->steps.size(), 0);
+  for (std::size_t s = 0; s < lesson_->steps.size(); ++s)
+    for (std::size_t q = 0; q < lesson_->steps[s].questions.size(); ++q)
+      for (std::size_t r = 0; r < lesson_->steps[s].questions[q].rules.size(); ++r) {
+        const WayRule& rule = lesson_->steps[s].questions[q].rules[r];
+        if (!ruleHolds(s, q, r)) continue;
+        for (const std::string& id : rule.steps) {
+          const auto to = lesson_->find(id);
+          if (!to) continue;
+          if (rule.then == WayRule::Then::Skip)
+            out[*to] = 1;
+          else if (!lesson_->steps[*to].aside)
+            for (std::size_t between = s + 1; between < *to; ++between) out[between] = 1;
+        }
+      }
+  return out;
+}
+
+std::optional<std::size_t> LessonSession::leadsTo(std::size_t question) const {
+  const QuestionStatus& status = state().questions[question];
+  const std::vector<WayRule>& rules = step().questions[question].rules;
+  for (std::size_t r = 0; r < rules.size(); ++r) {
+    if (rules[r].then != WayRule::Then::GoTo || !ruleHolds(step_, question, r)) continue;
+    const auto to = rules[r].steps.empty() ? std::nullopt : lesson_->find(rules[r].steps[0]);
+    if (!to || *to == step_) continue;
+    const bool forward = *to > step_ && !lesson_->steps[*to].aside && !step().aside;
+    // Back and aside once: by the answer with which it came true, as long as the student has not gone.
+    const bool just_now = rules[r].when != WayRule::When::Wrong
+                              ? status.last_right
+                              : !status.answered_right && status.attempts == rules[r].wrong;
+    if (forward || (just_now && !status.gone)) return to;
+  }
+  return std::nullopt;
+}
+
+std::optional<std::size_t> LessonSession::leadsTo() const {
+  for (std::size_t q = 0; q < step().questions.size(); ++q)
+    if (const auto to = leadsTo(q)) return to;
+  return std::nullopt;
+}
+
+bool LessonSession::waits(std::size_t step) const {
+  return lesson_->steps[step].required && !lesson_->steps[step].aside && !stepDone(step) &&
+         !(step == step_ && leadsTo());
+}
+
+bool LessonSession::mayGoOn() const { return !waits(step_); }
+
+bool LessonSession::mayGoTo(std::string_view link) const {
+  if (link.starts_with('#')) link.remove_prefix(1);
+  const auto to = lesson_->find(link);
+  if (!to || lesson_->steps[*to].aside) return true;
+  const std::vector<char> skipped = skippedSteps();
+  for (std::size_t s = main_step_; s < *to; ++s)
+    if (!skipped[s] && waits(s)) return false;
+  return true;
+}
+
+bool LessonSession::hasNext() const {
+  return step().aside || leadsTo() || mainStepAfter(step_) < lesson_->steps.size();
+}
+
 void LessonSession::next() {
-  if (hasNext()) enter(step().aside ? main_step_ : mainStepAfter(step_));
+  if (!hasNext() || !mayGoOn()) return;
+  if (const auto to = leadsTo())
+    enter(*to);
+  else
+    enter(step().aside ? main_step_ : mainStepAfter(step_));
 }
 
 void LessonSession::back() {
   if (!hasBack()) return;
+  if (step().aside) return enter(main_step_);
+  // The first step is no aside, and nothing before it could let it be skipped.
+  const std::vector<char> skipped = skippedSteps();
   std::size_t before = step_;
-  // The first step is no aside.
-  if (!step().aside) do
-      --before;
-    while (lesson_->steps[before].aside);
-  enter(step().aside ? main_step_ : before);
+  do --before;
+  while (before > 0 && (lesson_->steps[before].aside || skipped[before]));
+  enter(before);
 }
 
 bool LessonSession::goTo(std::string_view link) {
@@ -142,8 +230,20 @@ void LessonSession::feed(const TouchSample& sample) {
 
 void LessonSession::keepIfDone(std::size_t task) {
   if (!tasks_[task]->done()) return;
-  state().tasks_done[task] = 1;
+  state().tasks_done[task] = tasks_[task]->solved() ? kSolved : kShown;
   state().finished[task] = tasks_[task];
+}
+
+std::vector<std::uint32_t> LessonSession::shownAtoms() const {
+  std::vector<std::uint32_t> out;
+  for (std::size_t k = 0; k < state().finished.size(); ++k)
+    if (const auto& task = state().finished[k]; task && !task->solved()) {
+      const std::vector<std::uint32_t> atoms = task->answerAtoms();
+      out.insert(out.end(), atoms.begin(), atoms.end());
+    }
+  std::sort(out.begin(), out.end());
+  out.erase(std::unique(out.begin(), out.end()), out.end());
+  return out;
 }
 
 const Task* LessonSession::taskAt(std::size_t index) const {
@@ -179,12 +279,14 @@ void LessonSession::feed(std::span<const TouchSample> samples) {
 
 TaskStatus LessonSession::task(std::size_t index) const {
   TaskStatus out;
-  out.done = state().tasks_done[index] != 0;
+  out.done = taskDone(step_, index);
+  out.solved = taskSolved(step_, index);
   out.current = !out.done && index == currentTask();
   out.say = step().tasks[index].values["say"].text;
   if (out.done) {
     out.progress = 1.0;
-    out.sentence = AuthorsText(step().tasks[index].values["praise"]).text();
+    out.sentence =
+        out.solved ? AuthorsText(step().tasks[index].values["praise"]).text() : tr("The tries are used up. Go on.");
     if (state().finished[index]) out.sentence = state().finished[index]->sentence();
   } else if (out.current && tasks_[index]) {
     out.progress = tasks_[index]->progress();
@@ -218,7 +320,16 @@ bool LessonSession::told(std::size_t question) const {
 }
 
 bool LessonSession::takesAnswer(std::size_t question) const {
-  return step().questions[question].prediction ? !told(question) : !this->question(question).answered_right;
+  if (step().questions[question].prediction) return !told(question);
+  const QuestionStatus& status = this->question(question);
+  const auto leads = leadsTo(question);
+  return !status.done() && !(leads && !status.gone && status.attempts > 0);
+}
+
+std::optional<int> LessonSession::triesLeft(std::size_t question) const {
+  const int limit = step().questions[question].attempts;
+  if (limit == 0) return std::nullopt;
+  return std::max(0, limit - this->question(question).attempts);
 }
 
 void LessonSession::record(std::size_t question, bool right) {
@@ -227,10 +338,13 @@ void LessonSession::record(std::size_t question, bool right) {
   status.last_right = right;
   status.answered_right = status.answered_right || right || step().questions[question].prediction;
   status.again.clear();
+  status.gone = false;
+  const int limit = step().questions[question].attempts;
+  status.shown = limit > 0 && !status.answered_right && status.attempts >= limit;
 }
 
 bool LessonSession::choose(std::size_t question, std::vector<std::size_t> choices) {
-  if (step().questions[question].prediction && !takesAnswer(question)) return false;
+  if (!takesAnswer(question)) return false;
   const std::vector<Choice>& there = step().questions[question].choices;
   std::sort(choices.begin(), choices.end());
   choices.erase(std::unique(choices.begin(), choices.end()), choices.end());
@@ -246,7 +360,8 @@ bool LessonSession::choose(std::size_t question, std::vector<std::size_t> choice
 bool LessonSession::write(std::size_t question, std::string text) {
   const auto& answer = step().questions[question].answer;
   if (!answer || stripped(text).empty()) return false;
-  if (step().questions[question].prediction && !takesAnswer(question)) return false;
+  // A free answer can be written anew.
+  if (!step().questions[question].free() && !takesAnswer(question)) return false;
   bool right = true;
   if (answer->kind == AnswerSpec::Kind::Number) {
     const auto number = numberIn(*answer, text);
@@ -276,37 +391,53 @@ std::vector<RichText> LessonSession::feedback(std::size_t question) const {
     if (!asked.answer->model.empty()) out.push_back({TextRun{.text = asked.answer->model}});
     return out;
   }
+  const auto say = [&](std::string text) { out.push_back({TextRun{.text = std::move(text)}}); };
   if (asked.answer) {
-    out.push_back({TextRun{.text = status.last_right ? asked.answer->right.text() : asked.answer->wrong.text()}});
-    return out;
+    // Where no try is left, nobody is asked to try again in the program's own words.
+    if (status.last_right)
+      say(asked.answer->right.text());
+    else if (!status.shown || asked.answer->wrong.own())
+      say(asked.answer->wrong.text());
   }
   for (const std::size_t i : status.chosen)
     if (!asked.choices[i].feedback.empty()) out.push_back(asked.choices[i].feedback);
-  if (!status.last_right && asked.rightChoices() > 1)
-    out.push_back({TextRun{.text = tr("Look again: more than one is right.")}});
+  if (status.shown) {
+    say(trf("That was the last try. Right is: {0}", rightAnswer(asked)));
+    for (const Choice& c : asked.choices)
+      if (c.right && !c.feedback.empty() && asked.rightChoices() == 1) out.push_back(c.feedback);
+    return out;
+  }
+  if (!status.last_right && asked.rightChoices() > 1) say(tr("Look again: more than one is right."));
+  if (const auto left = triesLeft(question); left && !status.answered_right)
+    say(trnf("{0} try is left.", "{0} tries are left.", static_cast<std::size_t>(*left), *left));
   return out;
 }
 
 bool LessonSession::stepDone(std::size_t step) const {
   const StepState& s = states_[step];
-  return std::all_of(s.tasks_done.begin(), s.tasks_done.end(), [](char d) { return d != 0; }) &&
-         std::all_of(s.questions.begin(), s.questions.end(), [](const QuestionStatus& q) { return q.answered_right; });
+  return std::all_of(s.tasks_done.begin(), s.tasks_done.end(), [](char d) { return d != kOpen; }) &&
+         std::all_of(s.questions.begin(), s.questions.end(), [](const QuestionStatus& q) { return q.done(); });
+}
+
+LessonSession::Parts LessonSession::parts() const {
+  Parts parts, steps;
+  const std::vector<char> skipped = skippedSteps();
+  for (std::size_t i = 0; i < states_.size(); ++i) {
+    if (lesson_->steps[i].aside || skipped[i]) continue;
+    const StepState& s = states_[i];
+    parts.of += s.tasks_done.size() + s.questions.size();
+    parts.done +=
+        s.tasks_done.size() - static_cast<std::size_t>(std::count(s.tasks_done.begin(), s.tasks_done.end(), kOpen));
+    for (const QuestionStatus& q : s.questions) parts.done += q.done();
+    steps.done += s.seen;
+    ++steps.of;
+  }
+  return parts.of ? parts : steps;
 }
 
 double LessonSession::progress() const {
-  std::size_t all = 0, done = 0, seen = 0;
-  std::size_t steps = 0;
-  for (std::size_t i = 0; i < states_.size(); ++i) {
-    if (lesson_->steps[i].aside) continue;
-    const StepState& s = states_[i];
-    all += s.tasks_done.size() + s.questions.size();
-    done += static_cast<std::size_t>(std::count(s.tasks_done.begin(), s.tasks_done.end(), 1));
-    for (const QuestionStatus& q : s.questions) done += q.answered_right;
-    seen += s.seen;
-    ++steps;
-  }
-  return all ? static_cast<double>(done) / static_cast<double>(all)
-             : static_cast<double>(seen) / static_cast<double>(steps);
+  const Parts p = parts();
+  return p.of ? static_cast<double>(p.done) / static_cast<double>(p.of) : 1.0;
 }
 
 bool LessonSession::finished() const { return progress() >= 1.0; }
@@ -318,7 +449,9 @@ void LessonSession::restore(const SessionMemory& memory) {
     StepState& s = states_[*index];
     s.seen = true;
     for (const std::size_t task : remembered.tasks_done)
-      if (task < s.tasks_done.size()) s.tasks_done[task] = 1;
+      if (task < s.tasks_done.size()) s.tasks_done[task] = kSolved;
+    for (const std::size_t task : remembered.tasks_shown)
+      if (task < s.tasks_done.size()) s.tasks_done[task] = kShown;
     const std::vector<Question>& questions = lesson_->steps[*index].questions;
     for (const auto& [id, status] : remembered.questions)
       for (std::size_t q = 0; q < questions.size(); ++q) {
@@ -326,6 +459,8 @@ void LessonSession::restore(const SessionMemory& memory) {
         s.questions[q] = status;
         if (questions[q].prediction || questions[q].free()) s.questions[q].answered_right = status.attempts > 0;
         std::erase_if(s.questions[q].chosen, [&](std::size_t c) { return c >= questions[q].choices.size(); });
+        const int limit = questions[q].attempts;
+        s.questions[q].shown = limit > 0 && !s.questions[q].answered_right && s.questions[q].attempts >= limit;
       }
   }
   goTo(memory.step);

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -17,7 +18,8 @@ namespace moltact {
 
 /// How a task stands.
 struct TaskStatus {
-  bool done = false;
+  bool done = false;  ///< solved, or its tries are used up
+  bool solved = false;
   bool current = false;   ///< the one that the student is at now; at most one in a step
   double progress = 0.0;  ///< 0 to 1
   std::string say;        ///< what the lesson asks for
@@ -32,13 +34,18 @@ struct QuestionStatus {
   std::string written;              ///< the text of the last attempt
   bool last_right = false;          ///< of the last attempt
   std::string again;                ///< why what was written since is no attempt, and what would be one; else empty
+  bool shown = false;               ///< the tries are used up: what is right stands there, and nothing is left to do
+  bool gone = false;                ///< the student has left the step since the last answer
+
+  bool done() const { return answered_right || shown; }
 };
 
 /// The work done in a lesson, by the ids of its steps and questions: a session is resumed from it.
 struct SessionMemory {
   struct StepMemory {
     std::string step;                                               ///< id
-    std::vector<std::size_t> tasks_done;                            ///< indices of tasks
+    std::vector<std::size_t> tasks_done;                            ///< indices of tasks that were solved
+    std::vector<std::size_t> tasks_shown;                           ///< of those whose tries were used up
     std::vector<std::pair<std::string, QuestionStatus>> questions;  ///< by the question's id
   };
   std::string step;  ///< id of the step to begin at
@@ -61,14 +68,31 @@ class LessonSession {
   const SceneSpec& scene() const { return step().scene; }
   std::size_t sceneNumber() const { return scene_number_; }
 
-  bool hasNext() const { return step().aside || mainStepAfter(step_) < lesson_->steps.size(); }
+  bool hasNext() const;
   bool hasBack() const { return step().aside || step_ > 0; }
-  /// Moves on or back, passing asides over; does nothing at the ends. From an aside both lead to the step from which
-  /// the student came to it. A student may always move on: `stepDone` says whether anything is left.
+  /// Moves on or back, passing over asides and what is skipped; does nothing at the ends. From an aside both lead to
+  /// the step from which the student came to it. Next goes where an answer leads (leadsTo), and does not leave a step
+  /// that must be finished first.
   void next();
   void back();
-  /// Follows a link "#step-id" (or the id alone). False, without moving, where there is no such step.
+  /// Goes to "#step-id" (or the id alone), whatever must be finished first: `mayGoTo` says that. False, without moving,
+  /// where there is no such step.
   bool goTo(std::string_view link);
+
+  /// Whether Next leads on: the step need not be finished, or is, or an answer leads away from it.
+  bool mayGoOn() const;
+  /// Whether a link leads there: no step before it, from where the student is, must be finished first. True where there
+  /// is no such step.
+  bool mayGoTo(std::string_view link) const;
+  /// The step to which an answer in this one leads: back or into an aside once, until the student has gone; forward
+  /// from then on.
+  std::optional<std::size_t> leadsTo() const;
+  /// The same for one question of the step.
+  std::optional<std::size_t> leadsTo(std::size_t question) const;
+  /// Whether an answer lets Next pass a step over. It does not count for the progress then.
+  bool skipped(std::size_t step) const { return skippedSteps()[step] != 0; }
+  /// Whether a rule of a question of any step has come true.
+  bool ruleHolds(std::size_t step, std::size_t question, std::size_t rule) const;
 
   /// The molecule on the stage, once it has been read: the tasks of the step need it to know their atoms. Null while
   /// there is none; tasks then wait. Keeps what has been done.
@@ -108,7 +132,8 @@ class LessonSession {
   /// attempt is taken up again, and whenever a step is entered anew. To be called before a task is begun.
   void setOrderSeed(std::uint64_t seed, std::size_t sitting = 0);
 
-  /// Whether a question of the current step takes an answer: until one was right, a prediction until it is told.
+  /// Whether a question of the current step takes an answer: until one was right or the tries are used up, a prediction
+  /// until it is told; not while an answer leads the student elsewhere first.
   bool takesAnswer(std::size_t question) const;
   /// Whether it may be said if the last attempt was right: there is one, and for a prediction all tasks of the step are
   /// done.
@@ -121,12 +146,17 @@ class LessonSession {
   /// without capitals and outer spaces. A text that is empty, or no number where one is asked for, is no attempt and
   /// gives false; QuestionStatus::again says why.
   bool write(std::size_t question, std::string text);
-  /// The feedback to the last attempt at a question: the feedback of each chosen choice, or of the answer block; to a
-  /// free answer the author's own. Empty where nothing is told yet.
+  /// How many tries a question of the current step leaves; no value where there is no limit.
+  std::optional<int> triesLeft(std::size_t question) const;
+  /// The feedback to the last attempt at a question: the feedback of each chosen choice, or of the answer block, and
+  /// where the tries are used up what is right; to a free answer the author's own. Empty where nothing is told yet.
   std::vector<RichText> feedback(std::size_t question) const;
 
   /// The same of any step, whether it is shown or not.
-  bool taskDone(std::size_t step, std::size_t task) const { return states_[step].tasks_done[task] != 0; }
+  bool taskDone(std::size_t step, std::size_t task) const { return states_[step].tasks_done[task] != kOpen; }
+  bool taskSolved(std::size_t step, std::size_t task) const { return states_[step].tasks_done[task] == kSolved; }
+  /// Atoms that show the answer to tasks of the current step whose tries were used up in this sitting, ascending.
+  std::vector<std::uint32_t> shownAtoms() const;
   const QuestionStatus& question(std::size_t step, std::size_t index) const { return states_[step].questions[index]; }
   /// Figures of a task that was done, of any step; empty where it was done before the session was taken up.
   std::vector<TaskFigure> figuresOf(std::size_t step, std::size_t task) const;
@@ -136,11 +166,16 @@ class LessonSession {
   /// indices that the lesson does not have are passed over.
   void restore(const SessionMemory& memory);
 
-  /// Every task of the step is done and every question answered rightly.
+  /// Every task of the step is done and every question answered rightly, or the tries are used up.
   bool stepDone() const { return stepDone(step_); }
   bool stepDone(std::size_t step) const;
-  /// Tasks and questions done, of all in the lesson, 0 to 1; the fraction of steps seen where it has none. Asides do
-  /// not count.
+  /// Tasks and questions done, of all on the way; steps seen where there are none. Neither asides count nor what is
+  /// skipped.
+  struct Parts {
+    std::size_t done = 0, of = 0;
+  };
+  Parts parts() const;
+  /// The same, 0 to 1.
   double progress() const;
   bool finished() const;
 
@@ -149,6 +184,7 @@ class LessonSession {
   void replaceLesson(std::shared_ptr<const Lesson> lesson);
 
  private:
+  static constexpr char kOpen = 0, kSolved = 1, kShown = 2;  // how a task stands
   struct StepState {
     explicit StepState(const Step& step);
     std::vector<char> tasks_done;
@@ -161,6 +197,8 @@ class LessonSession {
   StepState& state() { return states_[step_]; }
   const StepState& state() const { return states_[step_]; }
   std::size_t mainStepAfter(std::size_t step) const;  // the number of steps where there is none
+  std::vector<char> skippedSteps() const;
+  bool waits(std::size_t step) const;  // it must be finished first, and no answer leads away from it
   void keepIfDone(std::size_t task);
   void enter(std::size_t step);
   void makeTasks();

@@ -18,8 +18,26 @@ bool covered(const BallScene& scene, const Vec3& place, double probe_A, const st
   bool found = false;
   scene.visitNear(place, probe_A, [&](std::uint32_t i, const Ball& b) {
     const auto atom = static_cast<std::int32_t>(i);
-    if (atom == but[0] || atom == but[1] || atom == but[2]) return;
-    found = found || glm::distance(place, b.centre_A) < b.radius_A + probe_A - kOnBall_A;
+    if (atom == but[0] || atom == but[1] || atom == but[2]) return true;
+    found = glm::distance(place, b.centre_A) < b.radius_A + probe_A - kOnBall_A;
+    return !found;
+  });
+  return found;
+}
+
+// Whether one atom covers a whole crease. That is most of them where the probe is large: nothing of it is to be looked at
+// then.
+bool coveredByOne(const BallScene& scene, const SphereCircle& crease, double probe_A, std::uint32_t a,
+                  std::uint32_t b) {
+  bool found = false;
+  // Who covers the circle covers its middle.
+  scene.visitNear(crease.centre_A, probe_A, [&](std::uint32_t i, const Ball& ball) {
+    if (i == a || i == b) return true;
+    const Vec3 off = crease.centre_A - ball.centre_A;
+    const double along = glm::dot(off, crease.axis), aside = glm::length(off - crease.axis * along),
+                 farthest_A = std::hypot(along, aside + crease.radius_A);
+    found = farthest_A < ball.radius_A + probe_A - kOnBall_A;
+    return !found;
   });
   return found;
 }
@@ -30,7 +48,8 @@ Vec3 across(const Vec3& u) {
   return glm::normalize(glm::cross(u, other));
 }
 
-// Calls visit(a, b, crease) for each pair of these atoms whose grown spheres meet, a < b.
+// Calls visit(a, b, crease) for each pair of these atoms whose grown spheres meet where no single atom covers it all,
+// a < b.
 template <class Visit>
 void visitPairs(const BallScene& scene, std::span<const std::uint32_t> atoms, double probe_A, Visit&& visit) {
   std::vector<char> in(scene.size(), 0);
@@ -39,7 +58,8 @@ void visitPairs(const BallScene& scene, std::span<const std::uint32_t> atoms, do
     if (!scene.touchable(a)) continue;
     scene.visitNear(scene[a].centre_A, scene[a].radius_A + 2.0 * probe_A, [&](std::uint32_t b, const Ball&) {
       if (b <= a || !in[b]) return;
-      if (const auto crease = circleOf(inflated(scene[a], probe_A), inflated(scene[b], probe_A))) visit(a, b, *crease);
+      const auto crease = circleOf(inflated(scene[a], probe_A), inflated(scene[b], probe_A));
+      if (crease && !coveredByOne(scene, *crease, probe_A, a, b)) visit(a, b, *crease);
     });
   }
 }

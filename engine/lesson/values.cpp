@@ -71,7 +71,11 @@ Expected<Value> bounded(const KeySpec& key, std::string_view text, Value value, 
 
 Expected<Value> countValue(const KeySpec& key, std::string_view text, Value value) {
   const auto number = parseNumber(text);
-  if (!number) return number.problem();
+  if (!number) {
+    Problem p = number.problem();
+    if (p.remedy.empty()) p.remedy = tr("write a whole number and nothing else, as in '10'");
+    return p;
+  }
   if (*number != std::floor(*number)) return at(text, text, trf("'{0}' is not a whole number", text));
   value.number = *number;
   return bounded(key, text, std::move(value), *number, *number);
@@ -239,6 +243,25 @@ Expected<Value> viewValue(const KeySpec& key, std::string_view text, Value value
   return value;
 }
 
+// "go to STEP", "skip STEP", "skip #one, #another". A heading's words may hold commas; links do not.
+Expected<Value> wayValue(std::string_view text, Value value) {
+  constexpr std::string_view kGoTo = "go to ", kSkip = "skip ";
+  value.skips = text.starts_with(kSkip);
+  if (!value.skips && !text.starts_with(kGoTo))
+    return at(text, text, trf("'{0}' does not say where to go", text),
+              tr("write 'go to' or 'skip' and a step's heading, as in 'go to #aside-what-a-crease-is'"));
+  const std::string_view steps = stripped(text.substr(value.skips ? kSkip.size() : kGoTo.size()));
+  const auto parts = steps.starts_with('#') ? commaParts(steps) : std::vector<std::string_view>{steps};
+  for (const std::string_view part : parts) {
+    if (part.empty()) return at(text, part, tr("a step is missing"), tr("take out the comma"));
+    value.words.emplace_back(part);
+    value.places.push_back({0, at(text, part, {}).column});
+  }
+  if (!value.skips && parts.size() > 1)
+    return at(text, parts[1], tr("one can go to one step only"), tr("take the others out, or write 'skip'"));
+  return value;
+}
+
 }  // namespace
 
 std::optional<Problem> addRemark(Value& value, std::string_view line) {
@@ -307,6 +330,20 @@ Expected<Value> parseValue(const KeySpec& key, std::string_view text) {
     case ValueType::Remarks:
       if (auto problem = addRemark(value, text)) return *std::move(problem);
       return value;
+    case ValueType::Counts:
+      for (const std::string_view part : commaParts(text)) {
+        const auto one = countValue(key, part, {});
+        if (!one) {
+          Problem p = one.problem();
+          p.column = at(text, part, {}).column;
+          return p;
+        }
+        value.counts.push_back(static_cast<std::size_t>(one->number));
+        value.places.push_back({0, at(text, part, {}).column});
+      }
+      return value;
+    case ValueType::Way:
+      return wayValue(text, std::move(value));
     case ValueType::Styles:
       return stylesValue(key, text, std::move(value));
     case ValueType::Marks:

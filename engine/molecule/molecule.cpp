@@ -4,6 +4,7 @@
 
 #include "engine/language/catalogue.h"
 #include "engine/molecule/elements.h"
+#include "engine/molecule/residue_names.h"
 
 namespace moltact {
 
@@ -33,8 +34,12 @@ AtomWords Molecule::words(std::size_t index) const {
   AtomWords out;
   out.atom = atom.name[0] ? std::string(atom.name.data()) : std::string(element(atom.atomic_number).symbol);
   std::string name = residue.name.string();
-  // Amino acids are spoken of as Asp and Lys; other names are codes and keep their capitals.
-  if (residue.kind == ResidueKind::AminoAcid)
+  // Amino acids are spoken of as Asp and Lys; of other codes those that nobody knows by heart are said in words, and what
+  // has none keeps its capitals.
+  const bool may_be_base = name.size() > 1 || residue.kind == ResidueKind::Nucleotide;
+  if (const std::string plain = plainResidueName(name); may_be_base && !plain.empty())
+    name = plain;
+  else if (residue.kind == ResidueKind::AminoAcid)
     for (std::size_t i = 1; i < name.size(); ++i)
       name[i] = static_cast<char>(std::tolower(static_cast<unsigned char>(name[i])));
   out.residue =

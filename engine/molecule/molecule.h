@@ -89,6 +89,9 @@ struct Molecule {
   std::uint32_t waters_left_out = 0;      ///< water molecules in the file that are not among the atoms
   std::uint32_t alternates_left_out = 0;  ///< atoms at another alternate location than the one kept
   std::uint32_t models_in_file = 1;       ///< of which this is one
+  std::uint32_t beside_from =
+      0;                  ///< atoms from this one on are those of a second molecule (side_by_side.h); 0: of none
+  std::string beside_id;  ///< that one's short name
 
   /// The atoms as balls for a tracker, in the same order, radii not yet inflated.
   std::vector<Ball> balls() const;

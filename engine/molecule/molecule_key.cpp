@@ -50,6 +50,23 @@ constexpr std::array kOptions{
               return std::string(
                   tr("Its name in the file, mostly 1. Copies of the chains are made as they are in the cell."));
             }},
+    ReadingOption{
+        .name = "beside",
+        .member = &ReadOptions::beside,
+        .told = N_("beside {0}"),
+        .fallback = "none",
+        .meaning =
+            "A second molecule, by its name, that stands at the right of the first for comparison; both are touched. "
+            "Its "
+            "chains have a 2 behind their names: 'chain A2'. Where the two have the same residues it is turned as the "
+            "first is. 'none' leaves the first alone.",
+        .option_help = "Put this molecule beside it, for comparison",
+        .label = N_("Molecule beside it"),
+        .hint = N_("none: the molecule alone"),
+        .note =
+            [](const Molecule&) {
+              return std::string(tr("For comparison: one of the library by its name, or a file in the same folder."));
+            }},
 };
 
 }  // namespace

@@ -28,6 +28,7 @@ struct ReadOptions {
   bool waters = false;     ///< keep the water molecules (default: leave them out)
   std::string assembly{};  ///< name of a biological assembly to build ("1"); empty: the coordinates as they
                            ///< stand (default)
+  std::string beside{};    ///< name or file of a second molecule that stands beside it (side_by_side.h); empty: none
 
   friend auto operator<=>(const ReadOptions&, const ReadOptions&) = default;
 };

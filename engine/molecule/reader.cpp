@@ -7,6 +7,7 @@
 
 #include "engine/language/catalogue.h"
 #include "engine/molecule/parsed_structure.h"
+#include "engine/molecule/side_by_side.h"
 #include "engine/platform/read_file.h"
 
 // One line an ending of names: its reader is a function of this name in its own file. The catalogue, the window's file
@@ -145,6 +146,7 @@ Expected<Molecule> readMoleculeBytes(std::string bytes, const std::filesystem::p
 }
 
 Expected<Molecule> readMolecule(const std::filesystem::path& path, const ReadOptions& options) {
+  if (!options.beside.empty()) return readSideBySide(path, options);
   try {
     auto open = openFile(path, kMaxMoleculeBytes, tr(kTooLargeRemedy));
     if (!open) return open.problem();

@@ -19,9 +19,10 @@ enum class ViewPart : std::uint8_t { Atoms, Spheres, Circles, Points, Cones, Hip
 struct ViewPartInfo {
   ViewPart part;
   std::string_view name;  ///< as in `show: circles` of a lesson and `--show circles`
-  const char* label;      ///< "Creases (circles)", of menus and switches, in English: the lessons' word first
+  const char* label;      ///< "Creases", of menus and switches, in English: the lessons' word
   const char* sentence;   ///< what it is, for a tool tip and for `--help`, in English
   bool haptic;            ///< belongs to the group `haptic`
+  bool expert = false;    ///< how a method works rather than what is felt: offered to experts only
 
   /// The label in the language in use.
   const char* shownLabel() const;

@@ -9,6 +9,7 @@
 #include "engine/core/text.h"
 #include "engine/language/catalogue.h"
 #include "engine/lesson/check.h"
+#include "engine/lesson/glossary.h"
 #include "engine/lesson/lesson_files.h"
 #include "engine/lesson/lesson_molecules.h"
 #include "engine/lesson/lesson_texts.h"
@@ -86,7 +87,7 @@ class Gathering {
 
   void lesson(const fs::path& relative) {
     const fs::path file = top_ / relative, folder = relative.parent_path();
-    translations(relative);
+    sameFolder(relative);
     LessonCheck check = checkLesson(file.string(), files_.at(relative.generic_string()),
                                     [&](const NamedMolecule& named) { return molecules_.find(file, named); });
     out_.warnings.insert(out_.warnings.end(), check.warnings.begin(), check.warnings.end());
@@ -106,17 +107,19 @@ class Gathering {
       if (!image.path.empty()) beside(image.path, image.place);
     });
     for (const Step& step : check.lesson->steps)
-      for (const NamedMolecule& named : {step.scene.molecule, secondMolecule(step.scene)})
+      for (const NamedMolecule& named : {step.scene.molecule, secondMolecule(step.scene), besideMolecule(step.scene)})
         if (!named.name.empty()) molecule(file, folder, named, step.scene.places.molecule);
   }
 
-  void translations(const fs::path& relative) {
+  // Its translations, and the words that the lessons of its folder share.
+  void sameFolder(const fs::path& relative) {
     std::error_code error;
     std::vector<fs::path> same;
     const std::string id = lessonName(relative).id;
     const fs::path folder = (top_ / relative).has_parent_path() ? (top_ / relative).parent_path() : fs::path(".");
     for (fs::directory_iterator it(folder, error), end; !error && it != end; it.increment(error))
-      if (it->path().extension() == ".md" && lessonName(it->path()).id == id) same.push_back(it->path().filename());
+      if ((it->path().extension() == ".md" && lessonName(it->path()).id == id) || isGlossaryFile(it->path()))
+        same.push_back(it->path().filename());
     std::sort(same.begin(), same.end());
     for (const fs::path& name : same) take(relative.parent_path() / name, {(top_ / relative).string()});
   }

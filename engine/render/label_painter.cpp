@@ -1,70 +1,15 @@
 #include "engine/render/label_painter.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "engine/core/utf8.h"
 #include "engine/fonts/text_face.h"
+#include "engine/render/picture_painter.h"
 
 namespace moltact {
 namespace {
 
 constexpr double kLine_px = 17.0, kCorner_px = 6.0, kGround = 0.86;
-
-class Painter {
- public:
-  explicit Painter(Picture& picture) : picture_(picture) {}
-
-  void blend(int x, int y, const Colour& colour, double alpha) {
-    if (x < 0 || y < 0 || x >= picture_.width_px || y >= picture_.height_px) return;
-    std::uint8_t* at = picture_.rgb.data() + 3 * (std::size_t(y) * std::size_t(picture_.width_px) + std::size_t(x));
-    const auto a = float(std::clamp(alpha, 0.0, 1.0));
-    for (int k = 0; k < 3; ++k)
-      at[k] = std::uint8_t(std::lround(glm::mix(float(at[k]), 255.0f * std::clamp(colour[k], 0.0f, 1.0f), a)));
-  }
-
-  /// Pixels of a shape by its signed distance (negative inside), with soft edges.
-  template <class Distance>
-  void fill(glm::dvec2 low, glm::dvec2 high, const Colour& colour, double alpha, Distance&& distance) {
-    for (int y = int(std::floor(low.y)) - 1; y <= int(std::ceil(high.y)) + 1; ++y)
-      for (int x = int(std::floor(low.x)) - 1; x <= int(std::ceil(high.x)) + 1; ++x)
-        if (const double in = 0.5 - distance(glm::dvec2(x + 0.5, y + 0.5)); in > 0.0)
-          blend(x, y, colour, alpha * std::min(1.0, in));
-  }
-
-  void box(const PlacedLabel& l, double corner, const Colour& colour, double alpha) {
-    const glm::dvec2 middle = 0.5 * (l.low + l.high), half = 0.5 * (l.high - l.low) - corner;
-    fill(l.low, l.high, colour, alpha, [&](const glm::dvec2& p) {
-      const glm::dvec2 d = glm::abs(p - middle) - half;
-      return glm::length(glm::max(d, glm::dvec2(0.0))) + std::min(std::max(d.x, d.y), 0.0) - corner;
-    });
-  }
-
-  void line(const glm::dvec2& a, const glm::dvec2& b, double width, const Colour& colour, double alpha) {
-    const glm::dvec2 way = b - a;
-    const double length2 = glm::dot(way, way);
-    fill(glm::min(a, b) - width, glm::max(a, b) + width, colour, alpha, [&](const glm::dvec2& p) {
-      const double t = length2 > 0.0 ? std::clamp(glm::dot(p - a, way) / length2, 0.0, 1.0) : 0.0;
-      return glm::distance(p, a + way * t) - 0.5 * width;
-    });
-  }
-
-  void triangle(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c, const Colour& colour, double alpha) {
-    const glm::dvec2 corners[] = {a, b, c};
-    const double turn = (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x) < 0.0 ? -1.0 : 1.0;
-    fill(glm::min(a, glm::min(b, c)), glm::max(a, glm::max(b, c)), colour, alpha, [&](const glm::dvec2& p) {
-      double outside = -1e9;
-      for (int k = 0; k < 3; ++k) {
-        const glm::dvec2 &from = corners[k], way = corners[(k + 1) % 3] - from;
-        outside = std::max(outside, turn * ((p.x - from.x) * way.y - (p.y - from.y) * way.x) / glm::length(way));
-      }
-      return outside;
-    });
-  }
-
- private:
-  Picture& picture_;
-};
 
 }  // namespace
 
@@ -82,14 +27,14 @@ bool paintLabels(Picture& picture, const ViewScene& scene, const BallScene* ball
                          return glm::dvec2(width, height);
                        }};
   const LabelColours colours = labelColours(scene.theme);
-  Painter paint(picture);
+  PicturePainter paint(picture);
   for (const PlacedLabel& l : layOutLabels(scene, balls, room)) {
     if (const ArrowShape arrow = arrowOf(l, unit_px); arrow.drawn) {
       paint.line(arrow.from, arrow.neck, 4.4 * unit_px, colours.ground, 0.6 * l.strength);
       paint.line(arrow.from, arrow.neck, 2.0 * unit_px, colours.line, l.strength);
       paint.triangle(l.tip, arrow.left, arrow.right, colours.line, l.strength);
     }
-    paint.box(l, kCorner_px * unit_px, colours.ground, kGround * l.strength);
+    paint.box(l.low, l.high, kCorner_px * unit_px, colours.ground, kGround * l.strength);
     const glm::dvec2 at = l.low + labelPadding_px(unit_px);
     face.draw(charactersOf(l.text), at.x, at.y,
               [&](int x, int y, float coverage) { paint.blend(x, y, colours.text, double(coverage) * l.strength); });

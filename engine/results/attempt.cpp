@@ -1,5 +1,6 @@
 #include "engine/results/attempt.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 
@@ -23,24 +24,29 @@ std::string shownName(InputWay way) { return std::string(tr(nameOf(way))); }
 
 std::size_t LessonOutline::parts() const {
   std::size_t n = 0;
-  for (const StepOutline& s : steps) n += s.tasks.size() + s.questions.size();
+  for (const StepOutline& s : steps)
+    if (!s.aside) n += s.tasks.size() + s.questions.size();
   return n;
 }
 
 LessonOutline outlineOf(const Lesson& lesson, std::string hash) {
-  LessonOutline out{std::filesystem::path(lesson.file).filename().string(), lesson.title, std::move(hash), {}};
+  LessonOutline out{
+      std::filesystem::path(lesson.file).filename().string(), lesson.title, std::move(hash), {}, lesson.goals};
   for (const Step& step : lesson.steps) {
-    StepOutline& s = out.steps.emplace_back(StepOutline{step.id, step.title, {}, {}});
-    for (const TaskSpec& task : step.tasks) s.tasks.push_back({task.kind, task.values["say"].text});
+    StepOutline& s = out.steps.emplace_back(StepOutline{step.id, step.title, {}, {}, step.aside});
+    for (const TaskSpec& task : step.tasks) s.tasks.push_back({task.kind, task.values["say"].text, task.goals});
     for (const Question& question : step.questions) {
       QuestionOutline& q =
           s.questions.emplace_back(QuestionOutline{question.id, plainText(question.title), {}, {}, AnswerKind::Marked});
+      q.goals = question.goals;
       if (question.prediction) q.kind = AnswerKind::Prediction;
       if (question.free()) q.kind = AnswerKind::Free;
       for (std::size_t i = 0; i < question.choices.size(); ++i) {
         q.choices.push_back(plainText(question.choices[i].text));
         if (question.choices[i].right) q.right.push_back(i);
       }
+      if (std::any_of(question.choices.begin(), question.choices.end(), [](const Choice& c) { return !c.tag.empty(); }))
+        for (const Choice& c : question.choices) q.tags.push_back(c.tag);
     }
   }
   return out;

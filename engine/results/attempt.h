@@ -37,16 +37,20 @@ struct QuestionOutline {
   std::vector<std::string> choices;  ///< plain text; empty where an answer is written
   std::vector<std::size_t> right;    ///< indices of the right choices
   AnswerKind kind = AnswerKind::Marked;
+  std::vector<std::string> tags = {};   ///< the misconception that each choice shows; empty where none has one
+  std::vector<std::size_t> goals = {};  ///< of the lesson, counted from 0
 };
 
 struct TaskOutline {
   std::string kind, say;
+  std::vector<std::size_t> goals = {};  ///< of the lesson, counted from 0
 };
 
 struct StepOutline {
   std::string id, title;
   std::vector<TaskOutline> tasks;
   std::vector<QuestionOutline> questions;
+  bool aside = false;
 };
 
 /// The questions of a lesson, so that an attempt can be read without the lesson's file.
@@ -55,8 +59,9 @@ struct LessonOutline {
   std::string title;
   std::string hash;  ///< of the file's bytes, as contentHash() gives it
   std::vector<StepOutline> steps;
+  std::vector<std::string> goals = {};
 
-  /// Tasks and questions of all steps.
+  /// Tasks and questions of all steps but asides.
   std::size_t parts() const;
 };
 
@@ -113,6 +118,7 @@ struct TaskDone {
   double took_s = 0.0;  ///< since it was begun
   InputWay by = InputWay::Mouse;
   std::vector<LoggedFigure> figures;
+  bool solved = true;  ///< else its tries were used up
 };
 /// A force curve of a task that asks to draw it before it is felt: the drawn one or the felt one. Values at even
 /// distances from 0 to `to_A`, both ends included; NaN where nothing was felt.
@@ -170,6 +176,13 @@ struct ViewChanged {
   Vec3 target_A{0.0};
   double distance_A = 50.0;
 };
+/// Where the atoms of a scene with two structures are on their way from the first to the second.
+struct StatesMoved {
+  std::string file;           ///< of the second structure, without folders
+  std::string superposed_on;  ///< the selection by which it lies on the first; empty: all that lead
+  double share = 0.0;         ///< 0 the first, 1 the second
+  friend bool operator==(const StatesMoved&, const StatesMoved&) = default;
+};
 struct HipSample {
   double t_s = 0.0;
   PointA hip, scp;
@@ -184,6 +197,13 @@ struct HipChunk {
 };
 struct LessonReread {
   LessonOutline lesson;
+};
+/// An answer has changed the way through the lesson.
+struct WayTaken {
+  std::string step, question;      ///< ids
+  std::string rule;                ///< as the author wrote it: "after 2 wrong"
+  bool skips = false;              ///< else goes to
+  std::vector<std::string> steps;  ///< ids
 };
 /// The same attempt was taken up again after the program had been shut.
 struct Resumed {
@@ -213,7 +233,7 @@ inline constexpr double kHeartbeat_s = 0.9;
 
 using AttemptFact = std::variant<StepEntered, Answered, HintOpened, TaskBegun, TaskDone, CurveKept, TouchBegan,
                                  TouchEnded, InputChanged, StageChanged, ViewChanged, HipChunk, LessonReread, Resumed,
-                                 ProgressMade, Predicted, SessionClosed, TouchSoFar, Heartbeat>;
+                                 ProgressMade, Predicted, SessionClosed, TouchSoFar, Heartbeat, StatesMoved, WayTaken>;
 
 struct AttemptEvent {
   double t_s = 0.0;

@@ -30,17 +30,27 @@ Json written(const LessonOutline& lesson) {
   Json steps = Json::array();
   for (const StepOutline& s : lesson.steps) {
     Json step{{"id", s.id}, {"title", s.title}};
-    for (const TaskOutline& t : s.tasks) step["tasks"].push_back({{"kind", t.kind}, {"say", t.say}});
+    if (s.aside) step["aside"] = true;
+    for (const TaskOutline& t : s.tasks) {
+      Json task{{"kind", t.kind}, {"say", t.say}};
+      if (!t.goals.empty()) task["goals"] = t.goals;
+      step["tasks"].push_back(std::move(task));
+    }
     for (const QuestionOutline& q : s.questions) {
       Json question{{"id", q.id}, {"text", q.text}};
       if (!q.choices.empty()) question["choices"] = q.choices;
       if (!q.right.empty()) question["right"] = q.right;
+      if (!q.tags.empty()) question["tags"] = q.tags;
+      if (!q.goals.empty()) question["goals"] = q.goals;
       if (q.kind != AnswerKind::Marked) question["kind"] = kAnswerKinds[std::size_t(q.kind)];
       step["questions"].push_back(std::move(question));
     }
     steps.push_back(std::move(step));
   }
-  return {{"file", lesson.file}, {"title", lesson.title}, {"hash", lesson.hash}, {"steps", std::move(steps)}};
+  Json out{{"file", lesson.file}, {"title", lesson.title}, {"hash", lesson.hash}};
+  if (!lesson.goals.empty()) out["goals"] = lesson.goals;
+  out["steps"] = std::move(steps);
+  return out;
 }
 
 constexpr double kStraight_A = 0.002;               // a spring within rounding of SCP - HIP is not written down
@@ -72,6 +82,7 @@ struct FactWriter {
     out["by"] = nameOf(e.by);
     for (const LoggedFigure& f : e.figures)
       out["figures"].push_back({{"name", f.name}, {"value", std::isfinite(f.value) ? f.value : 0.0}, {"unit", f.unit}});
+    if (!e.solved) out["solved"] = false;
   }
   void operator()(const CurveKept& e) {
     out["step"] = e.step;
@@ -185,12 +196,24 @@ struct FactWriter {
     out["by"] = nameOf(e.by);
   }
   void operator()(const Heartbeat&) {}
+  void operator()(const StatesMoved& e) {
+    out["file"] = e.file;
+    if (!e.superposed_on.empty()) out["superposed_on"] = e.superposed_on;
+    out["share"] = rounded(e.share);
+  }
+  void operator()(const WayTaken& e) {
+    out["step"] = e.step;
+    out["question"] = e.question;
+    out["rule"] = e.rule;
+    out["does"] = e.skips ? "skip" : "go to";
+    out["steps"] = e.steps;
+  }
 };
 
 std::string_view kindOf(const AttemptFact& fact) {
   constexpr std::array<std::string_view, std::variant_size_v<AttemptFact>> kKinds{
-      "step", "answer", "hint",   "task",    "done",     "curve",      "touch", "released", "input", "stage",
-      "view", "trace",  "lesson", "resumed", "progress", "prediction", "left",  "touching", "still"};
+      "step",  "answer", "hint",    "task",     "done",       "curve", "touch",    "released", "input", "stage", "view",
+      "trace", "lesson", "resumed", "progress", "prediction", "left",  "touching", "still",    "state", "way"};
   return kKinds[fact.index()];
 }
 
@@ -208,16 +231,25 @@ InputWay way(const Json& from) {
 LessonOutline outline(const Json& from) {
   object(from, "lesson");
   LessonOutline out{text(from, "file", true), text(from, "title", true), text(from, "hash", false), {}};
+  for (const Json& goal : listOrNone(from, "goals", kMostSteps)) out.goals.push_back(text(goal, "goals"));
+  const auto goalsOf = [](const Json& of) {
+    std::vector<std::size_t> goals;
+    for (const Json& g : listOrNone(of, "goals", kMostSteps)) goals.push_back(count(g, "goals"));
+    return goals;
+  };
   for (const Json& step : list(from, "steps", kMostSteps)) {
     StepOutline& s = out.steps.emplace_back(
         StepOutline{text(object(step, "steps"), "id", true), text(step, "title", false), {}, {}});
+    s.aside = step.contains("aside") && flag(step, "aside");
     for (const Json& task : listOrNone(step, "tasks"))
-      s.tasks.push_back({text(object(task, "tasks"), "kind", true), text(task, "say", false)});
+      s.tasks.push_back({text(object(task, "tasks"), "kind", true), text(task, "say", false), goalsOf(task)});
     for (const Json& question : listOrNone(step, "questions")) {
       QuestionOutline& q = s.questions.emplace_back(QuestionOutline{
           text(object(question, "questions"), "id", true), text(question, "text", false), {}, {}, AnswerKind::Marked});
       for (const Json& choice : listOrNone(question, "choices")) q.choices.push_back(text(choice, "choices"));
       for (const Json& right : listOrNone(question, "right")) q.right.push_back(count(right, "right"));
+      for (const Json& tag : listOrNone(question, "tags")) q.tags.push_back(text(tag, "tags"));
+      q.goals = goalsOf(question);
       if (const std::string kind = text(question, "kind", false); !kind.empty()) {
         const auto known = std::find(kAnswerKinds.begin(), kAnswerKinds.end(), kind);
         if (known == kAnswerKinds.end()) throw LineError{trf("'{0}' is no kind of question", kind)};
@@ -330,6 +362,7 @@ std::optional<AttemptFact> factOf(const std::string& kind, const Json& j) {
     TaskDone d{text(j, "step", true), countAt(j, "task"), numberOr(j, "took_s", 0.0), way(j), {}};
     for (const Json& f : listOrNone(j, "figures", kMostFigures))
       d.figures.push_back({text(object(f, "figures"), "name", true), numberAt(f, "value"), text(f, "unit", false)});
+    if (j.contains("solved")) d.solved = flag(j, "solved");
     return d;
   }
   if (kind == "curve") {
@@ -385,6 +418,13 @@ std::optional<AttemptFact> factOf(const std::string& kind, const Json& j) {
     return TouchSoFar{numberAt(j, "from"),   countAt(j, "crossings"), numberAt(j, "peak_N"),
                       numberAt(j, "mean_N"), numberAt(j, "path_A"),   way(j)};
   if (kind == "still") return Heartbeat{};
+  if (kind == "state") return StatesMoved{text(j, "file", true), text(j, "superposed_on", false), numberAt(j, "share")};
+  if (kind == "way") {
+    WayTaken w{
+        text(j, "step", true), text(j, "question", true), text(j, "rule", true), text(j, "does", true) == "skip", {}};
+    for (const Json& s : list(j, "steps", kMostSteps)) w.steps.push_back(text(s, "steps"));
+    return w;
+  }
   if (kind == "left") return SessionClosed{text(j, "at", true)};
   return std::nullopt;
 }

@@ -45,10 +45,12 @@ constexpr std::array kRanges{
     AttemptRange{"task", 0.0, 1e6, true},
     AttemptRange{"chosen", 0.0, 1e6, true},
     AttemptRange{"right", 0.0, 1e6, true},
+    AttemptRange{"goals", 0.0, 1e6, true},
     AttemptRange{"done", 0.0, 1e6, true},
     AttemptRange{"of", 0.0, 1e6, true},
     AttemptRange{"crossings", 0.0, 1e10, true},
     AttemptRange{"atoms", -1.0, kMostAtoms, true},
+    AttemptRange{"share", 0.0, 1.0},
     // whatever a task measures
     AttemptRange{"value", -1e9, 1e9},
 };

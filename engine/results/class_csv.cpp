@@ -141,8 +141,15 @@ void head(std::string& out, const ClassSummary& summary) {
                            NC_("column", "mouse_percent"),
                            NC_("column", "keyboard_percent"),
                            NC_("column", "device"),
-                           NC_("column", "force_feedback")})
+                           NC_("column", "force_feedback"),
+                           NC_("column", "way"),
+                           NC_("column", "misconceptions")})
     row.text(trc("column", name));
+  for (const LessonSummary& lesson : summary.lessons)
+    for (std::size_t g = 0; g < lesson.lesson.goals.size(); ++g) {
+      row.text(trcf("column", "{0}#goal {1} done_percent", lesson.name, g + 1));
+      row.text(trcf("column", "{0}#goal {1} right_percent", lesson.name, g + 1));
+    }
   for (const LessonSummary& lesson : summary.lessons)
     for (const StepOutline& step : lesson.lesson.steps) {
       const std::string place = lesson.name + "#" + step.id;
@@ -199,6 +206,23 @@ void person(std::string& out, const ClassSummary& summary, const LessonSummary& 
   }
   row.text(p.device);
   row.text(yesOrNo(p.gives_force));
+  row.text(wayText(of.lesson, p));
+  std::string tags;
+  for (const auto& [tag, times] : p.misconceptions)
+    tags += (tags.empty() ? "" : " | ") + tag + (times > 1 ? " (" + std::to_string(times) + ")" : "");
+  row.text(tags);
+  for (const LessonSummary& lesson : summary.lessons)
+    for (std::size_t g = 0; g < lesson.lesson.goals.size(); ++g) {
+      const GoalScore score = &lesson == &of ? goalScore(lesson.lesson, p, g) : GoalScore{};
+      if (score.parts > 0)
+        row.value(100.0 * double(score.done) / double(score.parts), 1);
+      else
+        row.empty();
+      if (score.answered > 0)
+        row.value(100.0 * double(score.first_right) / double(score.answered), 1);
+      else
+        row.empty();
+    }
   for (const LessonSummary& lesson : summary.lessons)
     for (const StepOutline& step : lesson.lesson.steps) {
       const bool mine = &lesson == &of;

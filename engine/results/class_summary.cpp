@@ -48,7 +48,7 @@ class Counting {
     ++p_.attempts;
     p_.device = attempt.header.device;
     p_.gives_force = attempt.header.gives_force;
-    learnKinds(attempt.header.lesson);
+    learn(attempt.header.lesson);
     for (const AttemptEvent& event : attempt.events) {
       t_s_ = event.t_s;
       std::visit(*this, event.what);
@@ -63,6 +63,7 @@ class Counting {
 
   void operator()(const StepEntered& e) {
     leaveStep();
+    if (p_.steps_taken.empty() || p_.steps_taken.back() != e.step) p_.steps_taken.push_back(e.step);
     at_ = step_ = e.step;
     entered_s_ = t_s_;
   }
@@ -77,15 +78,23 @@ class Counting {
       a.first_right = e.right;
       a.by = e.by;
     }
+    const auto tags = tags_.find({e.step, e.question});
+    for (const std::size_t c : e.chosen)
+      if (tags != tags_.end() && c < tags->second.size() && !tags->second[c].empty())
+        ++p_.misconceptions[tags->second[c]];
     if (!a.right) ++a.tries;
     a.right = a.right || e.right;
   }
-  void operator()(const LessonReread& e) { learnKinds(e.lesson); }
+  void operator()(const LessonReread& e) { learn(e.lesson); }
+  void operator()(const WayTaken& e) { p_.rules.push_back(e); }
   void operator()(const HintOpened&) { ++p_.hints; }
   void operator()(const TaskBegun& e) { p_.tasks[{e.step, e.task}].begun = true; }
   void operator()(const TaskDone& e) {
     TaskScore& task = p_.tasks[{e.step, e.task}];
     if (task.done) return;
+    // Where the tries were used up it was begun and not solved.
+    task.begun = true;
+    if (!e.solved) return;
     task = {true, true, e.took_s, e.by, e.figures, std::move(task.drawn), std::move(task.felt)};
   }
   void operator()(const CurveKept& e) {
@@ -119,9 +128,12 @@ class Counting {
   void operator()(const auto&) {}
 
  private:
-  void learnKinds(const LessonOutline& lesson) {
+  void learn(const LessonOutline& lesson) {
     for (const StepOutline& s : lesson.steps)
-      for (const QuestionOutline& q : s.questions) kinds_[{s.id, q.id}] = q.kind;
+      for (const QuestionOutline& q : s.questions) {
+        kinds_[{s.id, q.id}] = q.kind;
+        tags_[{s.id, q.id}] = q.tags;
+      }
   }
   template <class TouchTold>
   void count(const TouchTold& e, double until_s) {
@@ -145,8 +157,9 @@ class Counting {
   }
 
   PersonScore& p_;
-  std::map<std::pair<std::string, std::string>, AnswerKind> kinds_;  // by step and question id
-  std::string step_, at_;                                            // the step whose time runs, and the one met last
+  std::map<std::pair<std::string, std::string>, AnswerKind> kinds_;               // by step and question id
+  std::map<std::pair<std::string, std::string>, std::vector<std::string>> tags_;  // of its choices
+  std::string step_, at_;  // the step whose time runs, and the one met last
   double t_s_ = 0.0, entered_s_ = 0.0;
   std::optional<TouchSoFar> open_;  // the touch whose end has not been met, and when it was told last
   double open_at_s_ = 0.0;
@@ -273,6 +286,57 @@ ClassSummary summarise(std::vector<Attempt> attempts, const NamesShown& shown_as
   std::sort(names.begin(), names.end());
   out.people = std::move(names);
   out.people.insert(out.people.end(), nobodies.begin(), nobodies.end());
+  return out;
+}
+
+GoalScore goalScore(const LessonOutline& lesson, const PersonScore& p, std::size_t goal) {
+  const auto serves = [&](const std::vector<std::size_t>& goals) {
+    return std::find(goals.begin(), goals.end(), goal) != goals.end();
+  };
+  GoalScore out;
+  for (const StepOutline& s : lesson.steps) {
+    for (std::size_t t = 0; t < s.tasks.size(); ++t) {
+      if (!serves(s.tasks[t].goals)) continue;
+      ++out.parts;
+      const auto task = p.tasks.find({s.id, t});
+      out.done += task != p.tasks.end() && task->second.done;
+    }
+    for (const QuestionOutline& q : s.questions) {
+      if (!serves(q.goals)) continue;
+      ++out.parts;
+      const auto answer = p.answers.find({s.id, q.id});
+      if (answer == p.answers.end()) continue;
+      const bool marked = q.kind == AnswerKind::Marked;
+      out.done += !marked || answer->second.right;
+      out.answered += marked;
+      out.first_right += marked && answer->second.first_right;
+    }
+  }
+  return out;
+}
+
+std::string wayText(const LessonOutline& lesson, const PersonScore& person) {
+  std::map<std::string, std::string> numbers;
+  std::size_t steps = 0, asides = 0;
+  for (const StepOutline& s : lesson.steps)
+    numbers[s.id] = s.aside ? "a" + std::to_string(++asides) : std::to_string(++steps);
+  const auto numberOf = [&](const std::string& id) {
+    const auto known = numbers.find(id);
+    return known == numbers.end() ? "?" : known->second;
+  };
+  std::string out;
+  std::set<std::string> told;
+  for (const std::string& id : person.steps_taken) {
+    out += (out.empty() ? "" : " ") + numberOf(id);
+    if (!told.insert(id).second) continue;
+    for (const WayTaken& rule : person.rules) {
+      if (rule.step != id) continue;
+      std::string to;
+      for (const std::string& s : rule.steps) to += (to.empty() ? "" : ", ") + numberOf(s);
+      // Translators: a condition as lesson files write it, and the numbers of the steps.
+      out += " (" + (rule.skips ? trf("{0}: skips {1}", rule.rule, to) : trf("{0}: goes to {1}", rule.rule, to)) + ")";
+    }
+  }
   return out;
 }
 

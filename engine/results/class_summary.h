@@ -55,6 +55,9 @@ struct PersonScore {
   std::map<std::pair<std::string, std::string>, AnswerScore> answers;  ///< by step and question id
   std::map<std::pair<std::string, std::size_t>, TaskScore> tasks;      ///< by step id and index
   std::vector<Predicted> predictions;
+  std::vector<std::string> steps_taken;               ///< ids of the steps in the order in which they were entered
+  std::vector<WayTaken> rules;                        ///< by which answers changed it
+  std::map<std::string, std::size_t> misconceptions;  ///< how often a choice with that tag was given
 
   double share() const { return of ? double(done) / double(of) : 0.0; }
   bool finished() const { return of > 0 && done >= of; }
@@ -64,6 +67,13 @@ struct PersonScore {
   /// The way that most of the touching was done with; of the answers where there was no touch; no value without either.
   std::optional<InputWay> way() const;
 };
+
+/// What a person, or several, did for one of the lesson's goals.
+struct GoalScore {
+  std::size_t parts = 0, done = 0;            ///< tasks, and questions of every kind
+  std::size_t answered = 0, first_right = 0;  ///< of the questions that are marked
+};
+GoalScore goalScore(const LessonOutline& lesson, const PersonScore& person, std::size_t goal);
 
 struct LessonSummary {
   /// The lesson's file; with its title where another of the class has the same file name.
@@ -94,6 +104,10 @@ ClassSummary summarise(std::vector<Attempt> attempts, const NamesShown& names = 
 /// first answers with the share of the person's other marked questions that were right at first (point-biserial). No
 /// value where fewer than five people answered it and others, or all did alike.
 std::optional<double> discrimination(const LessonSummary& lesson, const std::string& step, const std::string& question);
+
+/// The way a person took: steps by their numbers, side paths as a1, a2 …, and behind a step in brackets what an answer in
+/// it led to: "1 2 (after 2 wrong: a1) a1 2 3".
+std::string wayText(const LessonOutline& lesson, const PersonScore& person);
 
 /// "24 students, 2 lessons, 51 attempts".
 std::string summaryText(const ClassSummary& summary);

@@ -9,6 +9,7 @@
 
 #include "engine/language/catalogue.h"
 #include "engine/language/quantity_text.h"
+#include "engine/results/outcome_sections.h"
 #include "engine/results/page_parts.h"
 
 namespace moltact {
@@ -28,22 +29,6 @@ std::vector<double> sorted(const std::vector<const PersonScore*>& people, Value 
 
 void tile(std::string& out, const std::string& value, const std::string& what) {
   out += "<div class=\"tile\"><b>" + value + "</b><span>" + what + "</span></div>";
-}
-
-struct Column {
-  std::string title;  // may hold <br>
-  bool left = false;
-};
-
-std::string tableHead(std::initializer_list<Column> columns) {
-  std::string out = "<table><thead><tr>";
-  for (const Column& c : columns) out += std::string(c.left ? "<th class=\"left\">" : "<th>") + c.title + "</th>";
-  return out + "</tr></thead><tbody>";
-}
-
-// A heading and the start of a table below it.
-std::string section(const char* heading, std::initializer_list<Column> columns) {
-  return std::string("<h3>") + heading + "</h3><div class=\"card scroll\">" + tableHead(columns);
 }
 
 // A task's figure as it is shown: "mean force, N", and what a value of it is multiplied by. Attempts hold the names of
@@ -426,6 +411,7 @@ std::string lessonSection(const LessonSummary& lesson, bool first) {
                     "</p>";
   tiles(out, lesson);
   peopleTable(out, lesson);
+  out += goalSection(lesson) + misconceptionSection(lesson);
   byWay(out, lesson);
   questions(out, lesson);
   out += legend(lesson.people);
@@ -433,6 +419,7 @@ std::string lessonSection(const LessonSummary& lesson, bool first) {
   forces(out, lesson);
   tasks(out, lesson);
   predictions(out, lesson);
+  out += waySection(lesson);
   forResearch(out, lesson);
   return out;
 }

@@ -282,4 +282,14 @@ table{font-size:8pt}th{font-size:7.5pt}th,td{padding:2px 6px}.histograms{grid-te
 )css";
 }
 
+std::string tableHead(std::initializer_list<Column> columns) {
+  std::string out = "<table><thead><tr>";
+  for (const Column& c : columns) out += std::string(c.left ? "<th class=\"left\">" : "<th>") + c.title + "</th>";
+  return out + "</tr></thead><tbody>";
+}
+
+std::string section(const char* heading, std::initializer_list<Column> columns) {
+  return std::string("<h3>") + heading + "</h3><div class=\"card scroll\">" + tableHead(columns);
+}
+
 }  // namespace moltact::page

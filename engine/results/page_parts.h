@@ -2,6 +2,7 @@
 // is a pattern as well as a colour). Any thread but the haptic one.
 #pragma once
 
+#include <initializer_list>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -52,5 +53,14 @@ std::string bar(double share, bool right);
 /// Patterns that the fills refer to, once a page; and the page's style sheet.
 std::string patterns();
 std::string_view styleSheet();
+
+struct Column {
+  std::string title;  ///< may hold <br>
+  bool left = false;
+};
+/// The start of a table, to its body.
+std::string tableHead(std::initializer_list<Column> columns);
+/// A heading and the start of a table below it; it ends by "</tbody></table></div>".
+std::string section(const char* heading, std::initializer_list<Column> columns);
 
 }  // namespace moltact::page

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <fstream>
 #include <map>
-#include <set>
 
 #include "engine/results/attempt_lines.h"
 
@@ -103,18 +102,26 @@ std::vector<LessonProgress> readProgress(const fs::path& folder, const std::opti
 }
 
 SessionMemory memoryOf(const Attempt& attempt) {
-  std::map<std::string, std::pair<std::set<std::size_t>, std::map<std::string, QuestionStatus>>> steps;
+  struct Done {
+    std::map<std::size_t, bool> tasks;  // whether solved
+    std::map<std::string, QuestionStatus> questions;
+  };
+  std::map<std::string, Done> steps;
   SessionMemory out;
   for (const AttemptEvent& event : attempt.events) {
     if (const auto* e = std::get_if<StepEntered>(&event.what)) {
+      // Whoever goes elsewhere has left; to take an attempt up again in a step is not to leave it.
+      if (out.step != e->step)
+        for (auto& [id, q] : steps[out.step].questions) q.gone = true;
       out.step = e->step;
       steps[e->step];
     } else if (const auto* begun = std::get_if<TaskBegun>(&event.what)) {
-      steps[begun->step].first.erase(begun->task);  // begun again: not done any more
+      steps[begun->step].tasks.erase(begun->task);  // begun again: not done any more
     } else if (const auto* done = std::get_if<TaskDone>(&event.what)) {
-      steps[done->step].first.insert(done->task);
+      steps[done->step].tasks[done->task] = done->solved;
     } else if (const auto* answer = std::get_if<Answered>(&event.what)) {
-      QuestionStatus& q = steps[answer->step].second[answer->question];
+      QuestionStatus& q = steps[answer->step].questions[answer->question];
+      q.gone = false;
       q.attempts = answer->attempt;
       q.chosen = answer->chosen;
       q.written = answer->written;
@@ -122,8 +129,12 @@ SessionMemory memoryOf(const Attempt& attempt) {
       q.answered_right = q.answered_right || answer->right;
     }
   }
-  for (auto& [step, done] : steps)
-    out.steps.push_back({step, {done.first.begin(), done.first.end()}, {done.second.begin(), done.second.end()}});
+  for (auto& [step, done] : steps) {
+    if (step.empty()) continue;
+    SessionMemory::StepMemory& s =
+        out.steps.emplace_back(SessionMemory::StepMemory{step, {}, {}, {done.questions.begin(), done.questions.end()}});
+    for (const auto& [task, solved] : done.tasks) (solved ? s.tasks_done : s.tasks_shown).push_back(task);
+  }
   return out;
 }
 

@@ -13,6 +13,8 @@ void SessionWatch::resize(const Lesson& lesson) {
   for (std::size_t i = 0; i < seen_.size(); ++i) {
     seen_[i].tasks_done.assign(lesson.steps[i].tasks.size(), 0);
     seen_[i].attempts.assign(lesson.steps[i].questions.size(), 0);
+    seen_[i].rules.clear();
+    for (const Question& q : lesson.steps[i].questions) seen_[i].rules.emplace_back(q.rules.size(), 0);
   }
 }
 
@@ -22,7 +24,10 @@ void SessionWatch::begin(const LessonSession& session) {
   curves_.clear();
   for (std::size_t s = 0; s < seen_.size(); ++s) {
     for (std::size_t t = 0; t < seen_[s].tasks_done.size(); ++t) seen_[s].tasks_done[t] = session.taskDone(s, t);
-    for (std::size_t q = 0; q < seen_[s].attempts.size(); ++q) seen_[s].attempts[q] = session.question(s, q).attempts;
+    for (std::size_t q = 0; q < seen_[s].attempts.size(); ++q) {
+      seen_[s].attempts[q] = session.question(s, q).attempts;
+      for (std::size_t r = 0; r < seen_[s].rules[q].size(); ++r) seen_[s].rules[q][r] = session.ruleHolds(s, q, r);
+    }
   }
 }
 
@@ -39,13 +44,22 @@ std::vector<AttemptEvent> SessionWatch::look(const LessonSession& session, doubl
       if (status.attempts > seen_[s].attempts[q])
         out.push_back({t_s, Answered{step.id, step.questions[q].id, status.attempts, status.chosen, status.written,
                                      status.last_right, by}});
+      if (status.attempts == seen_[s].attempts[q]) continue;
       seen_[s].attempts[q] = status.attempts;
+      for (std::size_t r = 0; r < seen_[s].rules[q].size(); ++r) {
+        const WayRule& rule = step.questions[q].rules[r];
+        const bool holds = session.ruleHolds(s, q, r);
+        if (holds && !seen_[s].rules[q][r])
+          out.push_back(
+              {t_s, WayTaken{step.id, step.questions[q].id, rule.key(), rule.then == WayRule::Then::Skip, rule.steps}});
+        seen_[s].rules[q][r] = holds;
+      }
     }
     for (std::size_t t = 0; t < step.tasks.size(); ++t) {
       const bool done = session.taskDone(s, t);
       if (done && !seen_[s].tasks_done[t]) {
         const bool timed = s == step_ && t == task_;
-        TaskDone fact{step.id, t, timed ? t_s - task_begun_s_ : 0.0, by, {}};
+        TaskDone fact{step.id, t, timed ? t_s - task_begun_s_ : 0.0, by, {}, session.taskSolved(s, t)};
         for (const TaskFigure& f : session.figuresOf(s, t))
           fact.figures.push_back({std::string(f.name), f.value, std::string(f.unit)});
         out.push_back({t_s, std::move(fact)});
@@ -90,17 +104,8 @@ void SessionWatch::lookAtCurves(const LessonSession& session, double t_s, std::v
 }
 
 ProgressMade SessionWatch::progressOf(const LessonSession& session) {
-  ProgressMade out{session.step().id, 0, 0};
-  std::size_t steps_seen = 0;
-  const std::vector<Step>& steps = session.lesson().steps;
-  for (std::size_t s = 0; s < steps.size(); ++s) {
-    for (std::size_t t = 0; t < steps[s].tasks.size(); ++t) out.done += session.taskDone(s, t);
-    for (std::size_t q = 0; q < steps[s].questions.size(); ++q) out.done += session.question(s, q).answered_right;
-    out.of += steps[s].tasks.size() + steps[s].questions.size();
-    steps_seen += session.stepSeen(s);
-  }
-  if (out.of == 0) out.done = steps_seen, out.of = steps.size();
-  return out;
+  const LessonSession::Parts parts = session.parts();
+  return {session.step().id, parts.done, parts.of};
 }
 
 }  // namespace moltact

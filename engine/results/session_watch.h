@@ -24,6 +24,7 @@ class SessionWatch {
   struct StepSeen {
     std::vector<char> tasks_done;
     std::vector<int> attempts;
+    std::vector<std::vector<char>> rules;  // of each question, those that have come true
   };
   /// How far a task of the step has come with a curve.
   struct CurveSeen {

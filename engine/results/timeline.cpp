@@ -49,6 +49,7 @@ Timeline::Timeline(Attempt attempt) : header_(std::move(attempt.header)), length
     if (auto* chunk = std::get_if<HipChunk>(&e.what))
       samples_.insert(samples_.end(), chunk->samples.begin(), chunk->samples.end());
     if (auto* stage = std::get_if<StageChanged>(&e.what)) stages_.push_back({e.t_s, std::move(*stage)});
+    if (auto* states = std::get_if<StatesMoved>(&e.what)) states_.push_back({e.t_s, std::move(*states)});
     if (auto* view = std::get_if<ViewChanged>(&e.what)) views_.push_back({e.t_s, *view});
     if (auto* input = std::get_if<InputChanged>(&e.what)) inputs_.push_back({e.t_s, input->by});
     if (auto* step = std::get_if<StepEntered>(&e.what)) {
@@ -69,6 +70,7 @@ Timeline::Timeline(Attempt attempt) : header_(std::move(attempt.header)), length
   }
   sortByTime(samples_);
   sortByTime(stages_);
+  sortByTime(states_);
   sortByTime(views_);
   sortByTime(inputs_);
   sortByTime(marks_);
@@ -103,6 +105,17 @@ const StageChanged* Timeline::stage(double t_s) const {
   return found ? &found->fact : nullptr;
 }
 
+const StatesMoved* Timeline::states(double t_s) const {
+  const auto* staged = lastUpTo(stages_, t_s);
+  if (!staged) return nullptr;
+  const auto* found = lastUpTo(states_, t_s);
+  if (found && found->t_s >= staged->t_s) return &found->fact;
+  // Until the second structure had been read the atoms were where the first line of this stage has them.
+  const At<StatesMoved>* next = states_.empty() ? nullptr : found ? found + 1 : states_.data();
+  if (!next || next == states_.data() + states_.size() || lastUpTo(stages_, next->t_s) != staged) return nullptr;
+  return &next->fact;
+}
+
 const ViewChanged* Timeline::view(double t_s) const {
   const auto* found = lastUpTo(views_, t_s);
   return found ? &found->fact : nullptr;
@@ -116,6 +129,7 @@ double Timeline::nextAfter(double t_s) const {
     if (found != list.end()) next = std::min(next, found->t_s);
   };
   earlier(samples_);
+  earlier(states_);
   earlier(marks_);
   return next;
 }

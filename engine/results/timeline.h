@@ -34,6 +34,8 @@ class Timeline {
   std::optional<HipSample> hand(double t_s) const;
   /// The stage at that moment; null before the first molecule.
   const StageChanged* stage(double t_s) const;
+  /// Where the atoms were between two structures; null where there was one. Of the stage at that moment only.
+  const StatesMoved* states(double t_s) const;
   /// How it was looked at; null where that is not known.
   const ViewChanged* view(double t_s) const;
   /// When the hand moves or a mark comes next; the end where there is neither.
@@ -51,6 +53,7 @@ class Timeline {
   AttemptHeader header_;
   std::vector<HipSample> samples_;
   std::vector<At<StageChanged>> stages_;
+  std::vector<At<StatesMoved>> states_;
   std::vector<At<ViewChanged>> views_;
   std::vector<At<InputWay>> inputs_;
   std::vector<TimelineMark> marks_;

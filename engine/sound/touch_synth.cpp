@@ -8,9 +8,10 @@ namespace moltact {
 namespace {
 
 constexpr double kTurn = 2 * std::numbers::pi;
-constexpr double kKnockDecay_s = 0.030, kTickDecay_s = 0.008;
+constexpr double kKnockDecay_s = 0.030, kClickDecay_s = 0.008, kThudDecay_s = 0.060;
 constexpr int kRise_samples = kSamples_per_s * 2 / 1000;
-constexpr int kTickEvery_samples = kSamples_per_s / 25;  // faster ones would run into a buzz
+// Faster ones would run into a buzz.
+constexpr int kClickEvery_samples = kSamples_per_s / 25, kThudEvery_samples = kSamples_per_s / 8;
 constexpr double kInaudible = 1e-5;
 constexpr double kQuietest = 0.35, kLoudFrom_N = 2.0;  // of the tone without force; force from which it is loudest
 
@@ -20,6 +21,11 @@ double heard_N(double force_N) { return std::isfinite(force_N) ? std::clamp(forc
 double pull(double time_s) { return 1.0 - std::exp(-1.0 / (time_s * kSamples_per_s)); }
 
 const double kAttack = pull(0.008), kRelease = pull(0.030), kGlide = pull(0.025), kCross = pull(0.015);
+
+// The part of the way that a low-pass of one pole goes in a sample.
+double lowPass(double hertz) { return 1.0 - std::exp(-kTurn * hertz / kSamples_per_s); }
+
+const double kDull = lowPass(500.0), kBrightest = lowPass(3200.0), kLeastBright = lowPass(1200.0);
 
 double advance(double& phase, double hertz) {
   const double now = std::sin(kTurn * phase);
@@ -82,11 +88,32 @@ void TouchSynth::take(const TouchMoment& moment) noexcept {
     }
   } else if (was && !is) {
     knock_.strike(kRelease_Hz, 0.5 * kKnockLevel, kKnockDecay_s);
-  } else if (is && reachesNewAtom(felt_, moment) && since_tick_ >= kTickEvery_samples) {
-    tick_.strike(kTick_Hz, kTickLevel, kTickDecay_s);
-    since_tick_ = 0;
+  } else if (is && reachesNewAtom(felt_, moment) && since_click_ >= kClickEvery_samples) {
+    click_.strike(kClick_Hz, kClickLevel, kClickDecay_s);
+    since_click_ = 0;
+  }
+  if (moment.feature == Feature::Point && felt_.feature != Feature::Point && since_thud_ >= kThudEvery_samples) {
+    thud_.strike(kThud_Hz, kThudLevel, kThudDecay_s);
+    since_thud_ = 0;
   }
   felt_ = moment;
+}
+
+// Noise between two low-passes, of which the upper one opens with the speed.
+double TouchSynth::scrape() noexcept {
+  const double speed = felt_.feature == Feature::Free || !std::isfinite(felt_.slide_A_per_s)
+                           ? 0.0
+                           : std::clamp(felt_.slide_A_per_s / kFullScrape_A_per_s, 0.0, 1.0);
+  if (speed == 0.0 && scrape_ == 0.0) return 0.0;
+  noise_ ^= noise_ << 13;
+  noise_ ^= noise_ >> 17;
+  noise_ ^= noise_ << 5;
+  const double white = double(noise_) / 2147483648.0 - 1.0;
+  bright_ += (white - bright_) * (kLeastBright + (kBrightest - kLeastBright) * scrape_);
+  dull_ += (white - dull_) * kDull;
+  scrape_ += (speed - scrape_) * (speed > scrape_ ? kAttack : kRelease);
+  if (speed == 0.0 && scrape_ < kInaudible) scrape_ = 0.0;
+  return kScrapeLevel * scrape_ * std::clamp(2.0 * (bright_ - dull_), -1.0, 1.0);
 }
 
 void TouchSynth::render(std::span<float> out) noexcept {
@@ -96,8 +123,9 @@ void TouchSynth::render(std::span<float> out) noexcept {
   const double semitones = on ? kSemitones_per_N * force : semitones_;
   const std::array<double, 3> notes = on ? notesOf(felt_.feature) : note_;
   for (float& sample : out) {
-    double sum = knock_.next() + tick_.next();
-    since_tick_ = std::min(since_tick_ + 1, kSamples_per_s);
+    double sum = knock_.next() + click_.next() + thud_.next() + scrape();
+    since_click_ = std::min(since_click_ + 1, kSamples_per_s);
+    since_thud_ = std::min(since_thud_ + 1, kSamples_per_s);
     if (loudness_ > 0.0 || loudness > 0.0) {
       const double pitch = kLowestPitch_Hz * std::exp2(semitones_ / 12.0);
       for (std::size_t k = 0; k < kChord.size(); ++k) {
@@ -116,8 +144,9 @@ void TouchSynth::render(std::span<float> out) noexcept {
 }
 
 bool TouchSynth::silent() const noexcept {
-  return felt_.feature == Feature::Free && loudness_ == 0.0 && knock_.level == 0.0 && knock_.rising == 0 &&
-         tick_.level == 0.0 && tick_.rising == 0;
+  const auto quiet = [](const Blip& blip) { return blip.level == 0.0 && blip.rising == 0; };
+  return felt_.feature == Feature::Free && loudness_ == 0.0 && scrape_ == 0.0 && quiet(knock_) && quiet(click_) &&
+         quiet(thud_);
 }
 
 }  // namespace moltact

@@ -66,11 +66,11 @@ debian() {
 }
 
 # take_part FILE ENTRY TITLE CLASS DATE CHAINS LEFT_OUT RESIDUE_NAMES_LEFT_OUT [REMARK]
-# Of an entry: these chains without the named residues, with their helices and strands; with 350 for REMARK also the
-# assemblies of the header.
+# Of an entry: these chains without the named residues, with what they are and of which organism, with their helices and
+# strands; with 350 for REMARK also the assemblies of the header.
 take_part() {
   remark=${9:-none}
-  kept="ATOM, HETATM, TER, HELIX, SHEET, CONECT, CRYST1"
+  kept="COMPND, SOURCE, ATOM, HETATM, TER, HELIX, SHEET, CONECT, CRYST1"
   [ "$remark" = none ] || kept="$kept, REMARK $remark"
   {
     head_of "$2" "$kind" "$package" "$version" "$file" "$3" "$4" "$5" "$kept" "$7"
@@ -89,6 +89,18 @@ take_part() {
       function kept() { return index(chains, substr($0, 22, 1)) && !index(without, " " residue() " ") }
       substr($0, 1, 10) == remark { print; next }
       /^CRYST1/ { print; next }
+      # What the kept chains are, and of which organism.
+      /^(COMPND|SOURCE)/ && /MOL_ID:/ { molecule = $0; sub(/.*MOL_ID: */, "", molecule); molecule += 0 }
+      /^COMPND/ && / CHAIN:/ {
+        list = $0; sub(/.*CHAIN: */, "", list); gsub(/[ ;]/, "", list)
+        for (k = split(list, named, ","); k > 0; --k) if (index(chains, named[k])) ours[molecule] = 1
+      }
+      /^COMPND/ { compound[molecule] = compound[molecule] $0 "\n"; molecules = molecule; next }
+      /^SOURCE/ {
+        for (; told < molecules;) if (++told in ours) printf "%s", compound[told]
+        if (molecule in ours) print
+        next
+      }
       /^HELIX / { if (index(chains, substr($0, 20, 1))) print; next }
       /^SHEET / { if (index(chains, substr($0, 22, 1))) print; next }
       /^(ATOM  |HETATM)/ { if (kept()) { print today(); serial[substr($0, 7, 5) + 0] = 1 } next }
@@ -119,5 +131,5 @@ bio_pv 1ake.pdb
 take_part 1ake 1ake "ADENYLATE KINASE OF ESCHERICHIA COLI, SHUT ON AP5A" "TRANSFERASE(PHOSPHOTRANSFERASE)" "08-NOV-91" A \
   "CHAIN B, WATER, ALL OTHER RECORDS OF THE HEADER" "HOH"
 bio_pv 1rb8.pdb
-take_part 1rb8 1rb8 "CAPSID OF BACTERIOPHAGE PHIX174" "VIRUS/DNA" "03-NOV-03" FGJ \
+take_part 1rb8 1rb8 "CAPSID OF BACTERIOPHAGE ALPHA3 WITH PROTEIN J OF PHIX174" "VIRUS/DNA" "03-NOV-03" FGJ \
   "DNA, ALL OTHER RECORDS OF THE HEADER" "HOH" 350

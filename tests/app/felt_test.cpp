@@ -41,6 +41,7 @@ struct Felt {
     d.point("view", 0.45, 0.55);
     frames(20);
     d.app().settings.sound = true;
+    d.app().settings.sound_volume = 1.0;
     frames(1);  // at whose end the sound begins
     ticks.clear();
     frames(10);
@@ -165,7 +166,9 @@ TEST_CASE("sound, the attempt's samples and `moltact replay` have the force that
   std::vector<float> wanted(felt.ticks.size() * a_tick);
   for (std::size_t k = 0; k < felt.ticks.size(); ++k) {
     const ServoSample& s = felt.ticks[k];
-    synth.take({s.contact.feature, s.contact.atoms, glm::length(s.force.N)});
+    const bool slides = k > 0 && !s.placed && s.contact.touching() && felt.ticks[k - 1].contact.touching();
+    const double slide_A = slides ? glm::distance(s.contact.scp.A, felt.ticks[k - 1].contact.scp.A) : 0.0;
+    synth.take({s.contact.feature, s.contact.atoms, glm::length(s.force.N), 1000.0 * slide_A});
     synth.render(std::span(wanted).subspan(k * a_tick, a_tick));
   }
   double off = 0.0, loudest = 0.0;

@@ -168,7 +168,7 @@ TEST_CASE(
   d->tap("Alt+V");
   d->frames(3);
   REQUIRE(d->shows("menu/view/dark"));
-  for (int k = 0; k < 20 && controlOfKeys() != "menu/view/dark"; ++k) {
+  for (int k = 0; k < 40 && controlOfKeys() != "menu/view/dark"; ++k) {
     d->tap("Down");
     d->frames(2);
   }

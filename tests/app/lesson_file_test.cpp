@@ -9,6 +9,7 @@
 #include "app/ui/extensions/extensions.h"
 #include "engine/results/attempt_file.h"
 #include "tests/app/scripted_user_fixture.h"
+#include "tests/lesson/small_picture.h"
 
 using namespace moltact;
 
@@ -212,9 +213,10 @@ TEST_CASE(
   d->frames(kSeen_frames);
   CHECK(d->text("lesson/step") == "One");
   CHECK(d->text("lesson-problems") == "mine.md: 2 problems");
-  save(scratch / "ring.png", "");
+  save(scratch / "ring.png", kRedPng);
   d->frames(3 * 60);
   CHECK(d->text("lesson-problems") == "mine.md: 1 problem");
+  CHECK(d->text("lesson/1") == "Picture: A ring");
 }
 
 TEST_CASE("files dropped on the window are opened, molecules too") {

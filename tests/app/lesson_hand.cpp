@@ -6,6 +6,7 @@
 #include <cstdlib>
 
 #include "app/ui/extensions/extensions.h"
+#include "app/ui/widgets/key_focus.h"
 #include "engine/device/pointer_hand.h"
 
 namespace moltact {
@@ -13,8 +14,9 @@ namespace {
 
 constexpr int kAttempts = 24;  // in a row that bring a task no further
 constexpr double kOrbit_rad_per_px = 0.008, kOrbit_rad_per_s = 1.4;
-constexpr double kSeen = 0.5;    // a slide goes on while the surface looks at the student so much (cosine)
-constexpr double kSame_A = 0.1;  // sideways: nearer than this a plan only pushes deeper
+constexpr double kSeen = 0.5;     // a slide goes on while the surface looks at the student so much (cosine)
+constexpr double kAsItIs = 0.95;  // it need not be turned to look from so near to where one looks from (cosine)
+constexpr double kSame_A = 0.1;   // sideways: nearer than this a plan only pushes deeper
 
 // With MOLTACT_LESSON_PICTURES a picture of each task as it was done, for people to look at.
 void takePicture(ScriptedUser& d, const std::string& name) {
@@ -89,6 +91,7 @@ void LessonHand::follow(const HandPlan& plan, std::size_t task) {
     if (!act.method.empty()) useMethod(act.method);
     if (act.to && act.placed) {
       lift();
+      if (act.answer && act.answer->number) slideTo(task, *act.answer->number);
       // The whole slide is to be seen from the front, its first place above all.
       const Vec3 first = k + 1 < plan.size() && plan[k + 1].to ? plan[k + 1].to->A : act.to->A;
       Vec3 front = act.to->A - first;
@@ -113,10 +116,10 @@ void LessonHand::follow(const HandPlan& plan, std::size_t task) {
       } else {
         if (glm::dot(front, d_.app().scene.camera.back()) < kSeen) {
           // A ridge may stand before the place: it is looked at from where it is to be seen.
-          const std::optional<Vec3> from = openFrom(act.to->A, front);
-          if (from) {
+          const Vec3 from = openFrom(plan, k);
+          if (glm::dot(from, d_.app().scene.camera.back()) < kAsItIs) {
             lift();
-            face(*from);
+            face(from);
             pointAt(act.to->A);
             press();
           }
@@ -179,6 +182,31 @@ void LessonHand::tell(std::size_t task, const TaskAnswer& answer) {
   d_.frames(3);
 }
 
+void LessonHand::slideTo(std::size_t task, double value) {
+  const std::optional<TaskSlider> asked = session().taskAt(task)->slider();
+  if (!asked) return;
+  const std::string name = "task/" + std::to_string(task) + "/slider";
+  if (mouse()) {
+    d_.point(name, (value - asked->least) / (asked->most - asked->least), 0.5);
+    d_.press();
+    d_.frames(2);
+    d_.release();
+    d_.frames(2);
+    return;
+  }
+  for (int stops = 0; stops < 200 && controlOfKeys() != name; ++stops) {
+    d_.tap("Tab");
+    d_.frames(2);
+  }
+  const int steps = static_cast<int>(std::lround((value - asked->value) / asked->step));
+  for (int k = 0; k < std::abs(steps); ++k) {
+    d_.tap(steps > 0 ? "Right" : "Left");
+    d_.frames(2);
+  }
+  d_.tap("Escape");  // the keys are the molecule's again
+  d_.frames(2);
+}
+
 void LessonHand::draw(const std::string& name, const std::vector<double>& curve, double most_N) {
   const double last = double(curve.size() - 1);
   if (mouse()) {
@@ -232,22 +260,38 @@ Vec3 LessonHand::outward(const Vec3& place_A) const {
   return glm::length(sum) > 1e-6 ? glm::normalize(sum) : d_.app().scene.camera.back();
 }
 
-std::optional<Vec3> LessonHand::openFrom(const Vec3& place_A, const Vec3& front) const {
-  constexpr double kFar_A = 40.0, kStep_A = 0.5, kOther = 0.95;
+Vec3 LessonHand::openFrom(const HandPlan& plan, std::size_t k) const {
+  constexpr double kFar_A = 40.0, kStep_A = 0.5, kFront = 0.2;
+  constexpr int kDirections = 300;
+  constexpr std::size_t kAhead = 12;
   const double probe_A = d_.app().scene.servo_settings.probe_A;
-  const Vec3 now = d_.app().scene.camera.back();
-  for (const double share : {1.0, 0.75, 0.5, 0.25}) {
-    const Vec3 to = glm::normalize(share * front + (1.0 - share) * now);
-    bool open = glm::dot(to, now) < kOther;
-    for (double at_A = 1.0; at_A < kFar_A && open; at_A += kStep_A) {
+  const auto open = [&](const Vec3& place_A, const Vec3& to) {
+    bool is = true;
+    for (double at_A = 1.0; at_A < kFar_A && is; at_A += kStep_A) {
       const Vec3 here = place_A + at_A * to;
       d_.app().scene.stage().balls->visitNear(here, probe_A, [&](std::uint32_t, const Ball& b) {
-        open = open && glm::distance(here, b.centre_A) >= b.radius_A + probe_A;
+        is = is && glm::distance(here, b.centre_A) >= b.radius_A + probe_A;
       });
     }
-    if (open) return to;
+    return is;
+  };
+  std::vector<Vec3> places, fronts;
+  for (std::size_t n = k; n < plan.size() && n < k + kAhead && plan[n].to && !plan[n].placed; ++n) {
+    places.push_back(plan[n].to->A);
+    fronts.push_back(outward(plan[n].to->A));
   }
-  return std::nullopt;
+  Vec3 best = fronts.front();
+  double best_score = 0.0;
+  for (int d = 0; d < kDirections; ++d) {
+    // Evenly over the sphere, on a spiral.
+    const double z = 1.0 - (2.0 * d + 1.0) / kDirections, turn = 2.399963229728653 * d, r = std::sqrt(1.0 - z * z);
+    const Vec3 to(r * std::cos(turn), r * std::sin(turn), z);
+    std::size_t seen = 0;
+    while (seen < places.size() && glm::dot(fronts[seen], to) > kFront && open(places[seen], to)) ++seen;
+    const double score = double(seen) + glm::dot(fronts.front(), to);
+    if (seen > 0 && score > best_score) best_score = score, best = to;
+  }
+  return best;
 }
 
 void LessonHand::face(Vec3 direction) {

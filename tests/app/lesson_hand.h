@@ -2,7 +2,6 @@
 // mouse alone or with the keyboard alone, through the application's input queue. What it cannot do, no hand can.
 #pragma once
 
-#include <optional>
 #include <string>
 
 #include "app/ui/shell/scripted_user.h"
@@ -29,15 +28,16 @@ class LessonHand {
 
   void answerRightly(std::size_t question);
   void tell(std::size_t task, const TaskAnswer& answer);
+  /// Sets the slider of a task to the step nearest to this value.
+  void slideTo(std::size_t task, double value);
   void draw(const std::string& name, const std::vector<double>& curve, double most_N);
   void useMethod(const std::string& name);
 
   /// Where a place appears, as a share of the view's width and height.
   glm::dvec2 seen(const Vec3& place_A) const;
   Vec3 outward(const Vec3& place_A) const;
-  /// From where a place is to be seen: from its front, or as far round to it as nothing stands between; none where that
-  /// is not far from how it is looked at now (cosine 0.95).
-  std::optional<Vec3> openFrom(const Vec3& place_A, const Vec3& front) const;
+  /// The direction from which the plan's places are to be seen from the k-th on, as many in a row as can be.
+  Vec3 openFrom(const HandPlan& plan, std::size_t k) const;
   /// Turns the molecule until this direction looks at the student.
   void face(Vec3 direction);
   void pointAt(const Vec3& place_A);

@@ -60,8 +60,8 @@ TEST_CASE("play --demonstrate finishes the first lesson with status 0 and prints
     if (event["event"] == "task") CHECK(event["figures"].size() >= 5);
   }
   CHECK(steps == 5);
-  CHECK(tasks == 11);
-  CHECK(questions == 3);
+  CHECK(tasks == 10);
+  CHECK(questions == 5);
 }
 
 TEST_CASE("play --answers does the first step of the first lesson, tells what is left and ends with status 1") {

@@ -104,6 +104,71 @@ TEST_CASE("a lesson that was open goes on after the playback as if nothing had b
   CHECK(driver->app().lesson.session()->taskDone(0, 0));
 }
 
+TEST_CASE("an attempt keeps where the slider between two structures was, and its playback moves the atoms there") {
+  const ScratchFolder scratch;
+  const auto bend = [](double lifted_A) {
+    std::string out;
+    for (int k = 0; k < 6; ++k) {
+      char line[96];
+      std::snprintf(line, sizeof line, "ATOM  %5d  CA  GLY A%4d    %8.3f%8.3f%8.3f  1.00  0.00           C  \n", k + 1,
+                    k + 1, 3.0 * k, k % 2 ? 1.5 : 0.0,
+                    k == 5   ? lifted_A
+                    : k == 2 ? 2.0
+                             : 0.0);
+      out += line;
+    }
+    return out + "END\n";
+  };
+  writeFile(scratch.path / "open.pdb", bend(0.0));
+  writeFile(scratch.path / "shut.pdb", bend(4.0));
+  writeFile(scratch.path / "mine.md",
+            "---\ntitle: T\nminutes: 5\ngoals: G\nmolecules: open.pdb, shut.pdb\nauthor: A\nlicence: L\n---\n## One\n"
+            "```scene\nmolecule: open.pdb\nthen: shut.pdb, superposed on residue 1-5\n```\nText.\n");
+  const auto last_z = [](ScriptedUser& d) { return d.app().scene.seenMolecule()->atoms[5].position.A.z; };
+  fs::path file;
+  double first_z = 0.0;
+  {
+    const auto driver = startWith((scratch.path / "mine.md").string(), small(scratch.path));
+    Application& app = driver->app();
+    driver->frames(10);
+    REQUIRE(app.extensions().moving_states.there());
+    first_z = last_z(*driver);
+    app.extensions().moving_states.goTo(0.5);
+    driver->frames(240);
+    CHECK(last_z(*driver) == doctest::Approx(first_z + 2.0).epsilon(0.01));
+    REQUIRE(app.extensions().recorder.flush());
+    file = app.extensions().recorder.file();
+  }
+  REQUIRE(!file.empty());
+  const Expected<Attempt> attempt = readAttempt(file);
+  REQUIRE(bool(attempt));
+  double share = -1.0;
+  std::size_t lines = 0;
+  for (const AttemptEvent& e : attempt->events)
+    if (const auto* moved = std::get_if<StatesMoved>(&e.what)) {
+      CHECK(moved->file == "shut.pdb");
+      CHECK(moved->superposed_on == "residue 1-5");
+      CHECK(moved->share > share);
+      share = moved->share;
+      ++lines;
+    }
+  CHECK(share == 0.5);
+  CHECK(lines > 3);
+  const auto driver = startWith("1ubq", small());
+  driver->app().open(file);
+  driver->app().finishLoading();
+  driver->frames(5);
+  auto& playback = driver->app().extensions().playback;
+  playback.setRunning(false);
+  playback.seek(playback.timeline().length_s());
+  driver->app().finishLoading();
+  driver->frames(5);
+  CHECK(last_z(*driver) == doctest::Approx(first_z + 2.0).epsilon(0.01));
+  playback.seek(0.1);
+  driver->frames(5);
+  CHECK(last_z(*driver) == doctest::Approx(first_z).epsilon(0.01));
+}
+
 TEST_CASE("files that are no attempts, and a molecule that is not there, are told and leave the window as it was") {
   const ScratchFolder scratch;
   const auto driver = startWith(kLesson, small());

@@ -2,10 +2,14 @@
 #include <doctest/doctest.h>
 #include <sys/wait.h>
 
+#include <algorithm>
+#include <cstdio>
 #include <cstdlib>
 #include <filesystem>
 #include <string>
+#include <utility>
 
+#include "engine/lesson/keys.h"
 #include "engine/render/picture.h"
 
 using namespace moltact;
@@ -40,10 +44,29 @@ TEST_CASE("render ends with 1 for a missing molecule and 2 for wrong usage, and 
   const std::string benzene = "'" + kMolecules + "benzene.pdb' ";
   CHECK(run("no-such-file.pdb") == 1);
   CHECK_FALSE(std::filesystem::exists(kOut));
-  for (const char* wrong :
-       {"--size 5x", "--size 99999x2", "--hip 1,2", "--hip nan,0,0", "--show conez", "--probe -1", "--method magic",
-        "--zoom 0", "--label residues", "--label 'chain for chain Q'", "--mark orange", "--distance 'atom 1'",
-        "--angle 'atom 1 - atom 2'", "--arrow '\"x\"'", "--hydrogen-bonds 'ligand XYZ'"}) {
+  for (const char* wrong : {"--size 5x",
+                            "--size 99999x2",
+                            "--hip 1,2",
+                            "--hip nan,0,0",
+                            "--show conez",
+                            "--probe -1",
+                            "--method magic",
+                            "--zoom 0",
+                            "--label residues",
+                            "--label 'chain for chain Q'",
+                            "--mark orange",
+                            "--distance 'atom 1'",
+                            "--angle 'atom 1 - atom 2'",
+                            "--arrow '\"x\"'",
+                            "--hydrogen-bonds 'ligand XYZ'",
+                            "--view tpo",
+                            "--view 'facing residue 99'",
+                            "--view front --azimuth 20",
+                            "--highlight 'chain Q'",
+                            "--state 40%",
+                            "--captions 'a, b'",
+                            "--then 'benzene, superposed on chain Q'",
+                            "--then benzene --state ajar"}) {
     CAPTURE(wrong);
     CHECK(run(benzene + wrong) == 2);
     CHECK_FALSE(std::filesystem::exists(kOut));
@@ -72,5 +95,75 @@ TEST_CASE(
   REQUIRE(bool(alone));
   REQUIRE(bool(bonds));
   CHECK(alone->rgb != bonds->rgb);
+  std::filesystem::remove(kOut);
+}
+
+TEST_CASE("every key of a scene is an option of render, or has no meaning for a still picture") {
+  // Why there is none.
+  const std::pair<std::string_view, const char*> without[] = {
+      {"molecule", "it is the argument"},
+      {"force", "a picture pushes nothing; --show has the arrow"},
+      {"panels", "there are none in the picture"},
+      {"paint", "nothing has been touched before"},
+      {"view NAME", "a name is for links; --view takes what it says"},
+      {"states", "names for the slider"},
+      {"locked", "nobody could change it"}};
+  const std::string command = "'" MOLTACT_BINARY "' render --help";
+  std::string help;
+  FILE* const pipe = ::popen(command.c_str(), "r");
+  REQUIRE(pipe);
+  char buffer[4096];
+  while (const std::size_t n = std::fread(buffer, 1, sizeof buffer, pipe)) help.append(buffer, n);
+  REQUIRE(::pclose(pipe) == 0);
+  for (const KeySpec& key : keysOf(KeyBlock::Scene)) {
+    CAPTURE(std::string(key.name));
+    const bool excused =
+        std::any_of(std::begin(without), std::end(without), [&](const auto& w) { return w.first == key.name; });
+    const std::size_t at = help.find("--" + std::string(key.name));
+    const bool there = at != std::string::npos &&
+                       std::string_view(" ,\n[").find(help[at + 2 + key.name.size()]) != std::string_view::npos;
+    CHECK(there != excused);
+  }
+}
+
+TEST_CASE("a view says what the camera's angles say: right is 90 degrees, top 90 degrees above, turned both") {
+  const std::string benzene = "'" + kMolecules + "benzene.pdb' --size 200x160 ";
+  const auto picture = [&](const std::string& options) {
+    REQUIRE(run(benzene + options) == 0);
+    const auto read = readPng(kOut);
+    REQUIRE(bool(read));
+    return read->rgb;
+  };
+  const auto front = picture("");
+  CHECK(picture("--view front") == front);
+  CHECK(picture("--view right") == picture("--azimuth 90"));
+  CHECK(picture("--view top") == picture("--elevation 90"));
+  CHECK(picture("--view 'turned 30 20'") == picture("--azimuth 30 --elevation 20"));
+  CHECK(picture("--view 'front, zoom atom 0'") == picture("--zoom-to 'atom 0'"));
+  CHECK(picture("--view 'facing atom 6'") != front);
+}
+
+TEST_CASE("highlight, magnify, a molecule beside, a second structure and the legend each change the picture") {
+  const std::string argon = "'" + kMolecules + "argon-pair.pdb' --size 240x180 --show atoms,target ";
+  const auto picture = [&](const std::string& options) {
+    REQUIRE(run(argon + options) == 0);
+    const auto read = readPng(kOut);
+    REQUIRE(bool(read));
+    return read->rgb;
+  };
+  const auto bare = picture("");
+  for (const char* options : {"--highlight 'atom 0'", "--magnify 'atom 0'", "--beside benzene", "--legend"}) {
+    CAPTURE(options);
+    CHECK(picture(options) != bare);
+  }
+  CHECK(picture("--beside benzene") != picture("--beside benzene --captions 'one, other'"));
+  const std::string enzyme = "'" + kMolecules + "4ake.pdb' --size 240x180 --remove 'not chain A' --style cartoon ";
+  REQUIRE(run(enzyme) == 0);
+  const auto open = readPng(kOut);
+  REQUIRE(run(enzyme + "--then '1ake, superposed on residue 1-29 and chain A' --state 100%") == 0);
+  const auto shut = readPng(kOut);
+  REQUIRE(bool(open));
+  REQUIRE(bool(shut));
+  CHECK(open->rgb != shut->rgb);
   std::filesystem::remove(kOut);
 }

@@ -230,12 +230,12 @@ TEST_CASE(
   drag.hand_px = {100, 0};
   key.hand_keys = {0, 1};
   key.dt_s = 0.01;
-  controls.update(drag, camera, &balls, settings, false, 0.0, link.mouse());
+  controls.update(drag, camera, &balls, settings, {}, link.mouse());
   link.advance(0.5);
   // Of the pose in the molecule's space: first the device's own quarter, then 0.8 rad round the screen's upright axis.
   const Quat quarter = glm::quat_cast(settings.workspace.rotation);
   CHECK(glm::length(rotationBetween(glm::angleAxis(0.8, camera.up()) * quarter, link.newest().orientation)) < 1e-3);
-  for (int k = 0; k < 50; ++k) controls.update(key, camera, &balls, settings, false, 0.0, link.mouse());
+  for (int k = 0; k < 50; ++k) controls.update(key, camera, &balls, settings, {}, link.mouse());
   link.advance(0.5);
   const Quat both = glm::angleAxis(-0.7, camera.right()) * glm::angleAxis(0.8, camera.up()) * quarter;
   CHECK(glm::length(rotationBetween(both, link.newest().orientation)) < 1e-3);

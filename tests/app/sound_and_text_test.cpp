@@ -45,6 +45,72 @@ TEST_CASE("sound is off at first; switched on, 1 s without touch is silent and a
   CHECK(sound.heard().size() == end);
 }
 
+TEST_CASE(
+    "at the first touch who has no force-feedback device is asked once whether to hear it; the answer and the question "
+    "are remembered, and a cross is a no") {
+  const Scratch scratch;
+  for (const std::string answer : {"sound-yes", "sound-no", "dismiss"}) {
+    CAPTURE(answer);
+    ScriptedUser::Options options;
+    options.application.settings_file = scratch.folder / (answer + ".json");
+    const auto question = [](ScriptedUser& d) {
+      for (std::size_t k = 0; k < d.app().messages.all().size(); ++k)
+        if (contains(d.text("message/" + std::to_string(k)), "hear what you touch"))
+          return "message/" + std::to_string(k);
+      return std::string();
+    };
+    const auto touches = [](ScriptedUser& d) {
+      d.point("view");
+      d.frames(10);
+      d.press();
+      d.frames(90);
+      d.release();
+      d.frames(30);
+    };
+    {
+      auto d = startWith("1ubq", options);
+      d->point("view");
+      d->frames(60);
+      CHECK(question(*d).empty());
+      touches(*d);
+      REQUIRE_FALSE(question(*d).empty());
+      CHECK_FALSE(d->app().settings.sound);
+      REQUIRE(d->click(question(*d) + "/" + answer));
+      d->frames(3);
+      CHECK(question(*d).empty());
+      CHECK(d->app().settings.sound == (answer == "sound-yes"));
+      CHECK(d->app().settings.sound_volume < 0.5);
+      touches(*d);
+      CHECK(question(*d).empty());
+      CHECK((loudest(d->app().extensions().touch_sound.heard(), 0, ~std::size_t(0)) > 0.0) == (answer == "sound-yes"));
+    }
+    auto again = startWith("1ubq", options);
+    CHECK(again->app().settings.sound == (answer == "sound-yes"));
+    touches(*again);
+    CHECK(question(*again).empty());
+  }
+}
+
+TEST_CASE("a pushed probe that is dragged over the protein is heard to slide, half as loud at half the volume") {
+  const auto heardAt = [](double volume) {
+    auto d = startWith();
+    d->app().settings.sound = true;
+    d->app().settings.sound_volume = volume;
+    d->point("view");
+    d->frames(10);
+    d->press();
+    d->frames(60);
+    for (int k = 0; k < 60; ++k) d->point("view", 0.5 + 0.003 * k, 0.5);
+    return d->app().extensions().touch_sound.heard();
+  };
+  const std::vector<float> half = heardAt(0.5), whole = heardAt(1.0);
+  REQUIRE(half.size() == whole.size());
+  double off = 0.0;
+  for (std::size_t k = 0; k < half.size(); ++k) off = std::max(off, std::abs(double(2.0f * half[k] - whole[k])));
+  CHECK(off < 1e-6);
+  CHECK(loudest(whole, 0, whole.size()) > 0.1);
+}
+
 TEST_CASE("without a sound card sound that is switched on is told once, and once more when it is switched on again") {
   setenv("ALSOFT_DRIVERS", "none", 1);
   ScriptedUser::Options options;

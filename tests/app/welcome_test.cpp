@@ -25,7 +25,7 @@ TEST_CASE("the welcome page has a card with title, minutes and level for every l
   auto d = startAtWelcome();
   REQUIRE(d->shows("welcome/title"));
   CHECK(contains(d->text("welcome/lesson/first-touch"), "First touch"));
-  CHECK(contains(d->text("welcome/lesson/first-touch"), "8\u00a0min · beginner"));
+  CHECK(contains(d->text("welcome/lesson/first-touch"), "10\u00a0min · beginner"));
   for (const LibraryItem& l : lessons()) CHECK_FALSE(d->text("welcome/lesson/" + l.id).empty());
   for (const LibraryItem& m : library()) CHECK_FALSE(d->text("welcome/molecule/" + m.id).empty());
   CHECK_FALSE(d->shows("view"));
@@ -33,20 +33,23 @@ TEST_CASE("the welcome page has a card with title, minutes and level for every l
 }
 
 TEST_CASE(
-    "of lessons with one file name in several folders that of the first counts; all stand in the order of names") {
+    "of lessons with one file name in several folders that of the first counts; all stand by level, length and name, "
+    "the newcomer's first") {
   const std::filesystem::path top = std::filesystem::temp_directory_path() / "moltact-shared-lessons";
-  const auto put = [&](const char* file, const char* title) {
+  const auto put = [&](const char* file, const char* title, const char* more = "") {
     std::filesystem::create_directories((top / file).parent_path());
-    std::ofstream(top / file) << "---\ntitle: " << title << "\n---\n\n## A step\n\nText.\n";
+    std::ofstream(top / file) << "---\ntitle: " << title << "\n" << more << "---\n\n## A step\n\nText.\n";
   };
   put("school/enzymes/enzymes.md", "Enzymes");
   put("school/first-touch.md", "First touch at our school");
   put("program/first-touch.md", "First touch");
-  put("program/water.md", "Water");
+  put("program/water.md", "Water", "level: beginner\nminutes: 12\n");
+  put("program/ice.md", "Ice", "level: intermediate\nminutes: 3\n");
+  put("program/salt.md", "Salt", "minutes: 7\n");
   std::string listed;
   for (const LibraryItem& l : lessonsOf({top / "school", top / "absent", top / "program"}))
     listed += l.id + ": " + l.label + "; ";
-  CHECK(listed == "enzymes: Enzymes; first-touch: First touch at our school; water: Water; ");
+  CHECK(listed == "first-touch: First touch at our school; enzymes: Enzymes; salt: Salt; water: Water; ice: Ice; ");
   std::filesystem::remove_all(top);
 }
 

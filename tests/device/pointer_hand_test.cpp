@@ -66,20 +66,94 @@ TEST_CASE("at 1 N the press sinks half as fast") {
   CHECK(hand.depth_A() - before == doctest::Approx(0.5 * 1.2 * 30 * kFrame_s).epsilon(1e-6));
 }
 
-TEST_CASE("at 1 N the pointer moves the aim half as far as at 0 N") {
+TEST_CASE("pressed, the aim is at the pointer in the same frame, whatever the force; only a leap takes time") {
   const BallScene scene = oneBall();
-  for (const auto& [force_N, expected_px] : {std::pair{0.0, 20.0}, {1.0, 10.0}, {3.0, 5.0}}) {
+  // 40 A/s at 36.9 A from the eye, 600 px over a field of view of 2 x 0.3.
+  const double most_px = PointerHand::kFastest_A_per_s * kFrame_s * 600.0 / (2.0 * 0.3 * (40.0 - kReach_A));
+  for (const double force_N : {0.0, 1.0, 3.0}) {
     PointerHand hand;
     PointerInput in = atMiddle();
+    in.force_N = force_N;
     hand.lead(in, scene, kProbe_A);
     in.press = true;
     hand.lead(in, scene, kProbe_A);
+    for (int k = 0; k < 5; ++k) {
+      in.pointer_px = *in.pointer_px + glm::dvec2(8, -3);
+      hand.lead(in, scene, kProbe_A);
+      CHECK(glm::distance(hand.aim_px(), *in.pointer_px) < 1e-9);
+    }
     const glm::dvec2 before = hand.aim_px();
-    in.force_N = force_N;
-    in.pointer_px = *in.pointer_px + glm::dvec2(20, 0);
+    in.pointer_px = before + glm::dvec2(0, 30);
     hand.lead(in, scene, kProbe_A);
-    CHECK(hand.aim_px().x - before.x == doctest::Approx(expected_px));
-    CHECK(hand.aim_px().y == doctest::Approx(before.y));
+    // The surface is met a little farther off at the ball's flank.
+    CHECK(glm::distance(hand.aim_px(), before) == doctest::Approx(most_px).epsilon(0.05));
+    hand.lead(in, scene, kProbe_A);
+    CHECK(glm::distance(hand.aim_px(), *in.pointer_px) < 1e-9);
+  }
+}
+
+TEST_CASE("a hand that is let go while it touches is lifted where it is, and follows the pointer once it is free") {
+  const BallScene scene = oneBall();
+  PointerHand hand;
+  PointerInput in = atMiddle();
+  in.press = true;
+  for (int k = 0; k < 60; ++k) in.hip = hand.lead(in, scene, kProbe_A);
+  REQUIRE(hand.depth_A() > 0.0);
+  in.press = false;
+  in.touching = true;
+  in.pointer_px = glm::dvec2(420, 300);
+  for (int k = 0; k < 3; ++k) {
+    const PointA lifted = hand.lead(in, scene, kProbe_A);
+    CHECK(glm::length(glm::dvec2(lifted.A)) < 1e-9);
+    CHECK(height_A(lifted) == doctest::Approx(PointerHand::kHover_A));
+  }
+  in.touching = false;
+  for (int k = 0; k < 60; ++k) hand.lead(in, scene, kProbe_A);
+  CHECK(hand.aim_px().x == doctest::Approx(420).epsilon(1e-3));
+  // What never comes free does not hold the hand for longer than kLift_s.
+  in.press = true;
+  for (int k = 0; k < 60; ++k) in.hip = hand.lead(in, scene, kProbe_A);
+  in.press = false;
+  in.touching = true;
+  in.pointer_px = glm::dvec2(380, 300);
+  for (int k = 0; k < 60; ++k) hand.lead(in, scene, kProbe_A);
+  CHECK(hand.aim_px().x == doctest::Approx(380).epsilon(1e-3));
+}
+
+TEST_CASE(
+    "where a press comes to a surface 10 A nearer it waits before that one and sinks anew; back it goes by no leap") {
+  const BallScene scene({{Vec3(0.0), kRadius_A}, {Vec3(6.0, 0.0, 10.0), kRadius_A}});
+  PointerHand hand;
+  PointerInput in = atMiddle();
+  in.rays.tan_half_fov = 0.3;
+  in.press = true;
+  for (int k = 0; k < 60; ++k) hand.lead(in, scene, kProbe_A);
+  REQUIRE(hand.depth_A() > 0.3);
+  int leaps = 0;
+  double depth_there_A = 1.0;
+  for (int k = 0; k < 60; ++k) {
+    in.pointer_px = *in.pointer_px + glm::dvec2(3, 0);
+    const PointA hip = hand.lead(in, scene, kProbe_A);
+    if (!hand.leapt()) continue;
+    ++leaps;
+    depth_there_A = hand.depth_A();
+    CHECK(glm::distance(hip.A, Vec3(0.0)) >= kReach_A);
+    CHECK(glm::distance(hip.A, Vec3(6.0, 0.0, 10.0)) >= kReach_A);
+  }
+  CHECK(leaps == 1);
+  CHECK(depth_there_A == 0.0);
+  CHECK(hand.depth_A() > 0.3);
+  for (int k = 0; k < 60; ++k) {
+    in.pointer_px = *in.pointer_px - glm::dvec2(3, 0);
+    hand.lead(in, scene, kProbe_A);
+    CHECK_FALSE(hand.leapt());
+  }
+  // A hand that only hovers never leaps.
+  in.press = false;
+  for (int k = 0; k < 60; ++k) {
+    in.pointer_px = *in.pointer_px + glm::dvec2(3, 0);
+    hand.lead(in, scene, kProbe_A);
+    CHECK_FALSE(hand.leapt());
   }
 }
 
@@ -161,7 +235,7 @@ TEST_CASE("input that is not finite leaves the hand where it was") {
   PointerHand hand;
   const PointA before = hand.lead(atMiddle(), scene, kProbe_A);
   const double nan = std::numeric_limits<double>::quiet_NaN(), inf = std::numeric_limits<double>::infinity();
-  for (int which = 0; which < 7; ++which) {
+  for (int which = 0; which < 8; ++which) {
     PointerInput in = atMiddle();
     in.press = true;
     if (which == 0) in.force_N = nan;
@@ -171,6 +245,7 @@ TEST_CASE("input that is not finite leaves the hand where it was") {
     if (which == 4) in.keys.y = nan;
     if (which == 5) in.rays.eye_A.z = nan;
     if (which == 6) in.N_per_A = nan;
+    if (which == 7) in.hip.A.x = nan;
     CAPTURE(which);
     CHECK(hand.lead(in, scene, kProbe_A).A == before.A);
   }

@@ -1,5 +1,8 @@
 // Lessons, selections of atoms and files of answers.
 #include "engine/lesson/check.h"
+#include "engine/lesson/formula.h"
+#include "engine/lesson/glossary.h"
+#include "engine/lesson/lesson_picture.h"
 #include "engine/lesson/problem_list.h"
 #include "engine/lesson/reader.h"
 #include "engine/lesson/scripted_learner/answers_file.h"
@@ -24,6 +27,33 @@ void lesson(std::string_view bytes) {
   for (const Problem& p : check.errors) mustBe(!p.message.empty(), "a message");
   if (check.lesson)
     mustBe(!check.lesson->steps.empty() && check.lesson->steps.size() <= kMostLessonSteps, "1 to 1000 steps");
+}
+
+void glossary(std::string_view bytes) {
+  const Glossary words = readGlossary("/nowhere/glossary.md", std::string(bytes));
+  mustBe(words.words.size() <= kMostGlossaryWords, "no more words than are read");
+  Lesson lesson;
+  lesson.steps.emplace_back().blocks.push_back(Paragraph{{TextRun{.text = std::string(bytes.substr(0, 2000))}}});
+  const std::string before = bareText(std::get<Paragraph>(lesson.steps[0].blocks[0]).text);
+  linkWords(lesson, words);
+  const RichText& text = std::get<Paragraph>(lesson.steps[0].blocks[0]).text;
+  mustBe(bareText(text) == before, "the text as it was");
+  for (const TextRun& run : text)
+    if (const auto word = wordLink(run.link)) mustBe(findWord(lesson, *word) != nullptr, "a word to each link");
+}
+
+void lessonPicture(std::string_view bytes) {
+  const auto picture = readLessonPicture(bytes);
+  if (!picture) return mustBe(!picture.problem().message.empty(), "a message");
+  mustBe(picture->width_px > 0 && picture->width_px <= kLargestPicture_px && picture->height_px > 0 &&
+             picture->height_px <= kLargestPicture_px &&
+             picture->rgb.size() == std::size_t(3) * picture->width_px * picture->height_px,
+         "pixels as many as it says");
+}
+
+void formula(std::string_view bytes) {
+  std::vector<Problem> problems;
+  for (const TextRun& run : formulaText(bytes, {1, 1}, problems)) mustBe(!run.text.empty(), "no empty run");
 }
 
 void selection(std::string_view bytes) {

@@ -119,3 +119,27 @@ TEST_CASE(
   CHECK(passes(key, drug, along, {0, 1, 0}, false));
   CHECK_FALSE(passes(key, drug, along, {0, 1, 0}, true));
 }
+
+TEST_CASE(
+    "the three places of the wall are touched from the tunnel's side: a probe that rests on them takes the drug's "
+    "room, "
+    "always on Ile 84 and Ile 50, mostly on Val 82") {
+  const std::string line = lineSaying(
+      kDrug, "of: (residue 82 and name CG2) then (residue 84 and name CG2 CD1) then (residue 50 and name CB");
+  CAPTURE(line);
+  const ShippedScene with("1hpv"), empty("1hpv-empty");
+  const auto drug = with.select("ligand");
+  for (const auto& [place, share] :
+       {std::pair{"residue 82 and name CG2", 0.5}, std::pair{"residue 84 and name CG2 CD1", 0.99},
+        std::pair{"residue 50 and name CB CG2 CD1", 0.99}}) {
+    const std::string named = place;
+    CAPTURE(named);
+    const auto rests = empty.places(named, 1.4);
+    REQUIRE(rests.size() > 20);
+    const auto inside = std::count_if(rests.begin(), rests.end(), [&](const SurfacePlace& p) {
+      return std::any_of(drug.begin(), drug.end(),
+                         [&](std::uint32_t i) { return glm::distance(p.scp_A, with.balls[i].centre_A) < 4.0; });
+    });
+    CHECK(double(inside) > share * double(rests.size()));
+  }
+}

@@ -30,10 +30,10 @@ std::size_t touchable(const ShippedScene& scene, const std::string& text) {
 
 }  // namespace
 
-TEST_CASE("a-protein-reads-dna.md has 7 steps, a way down the groove, a search and trials in the dark") {
+TEST_CASE("a-protein-reads-dna.md has 8 steps, a way down the groove, a search and trials in the dark") {
   const Lesson lesson = shippedLesson(kLesson);
   checkCare(lesson);
-  CHECK(lesson.steps.size() == 7);
+  CHECK(lesson.steps.size() == 8);
   CHECK(tasksOf(lesson, "trace") == 1);
   CHECK(tasksOf(lesson, "find") == 1);
   CHECK(tasksOf(lesson, "same") == 1);
@@ -97,7 +97,8 @@ TEST_CASE(
 }
 
 TEST_CASE("15 letters have fewer forms than human DNA has places, 18 letters more: six fingers") {
-  CAPTURE(lineSaying(kLesson, "A text of 15 letters has 1 073 741 824 forms, one of 18 letters 68 719 476 736"));
+  CAPTURE(lineSaying(
+      kLesson, "A text of 15 letters has about 1 thousand million forms, one of 18 letters about 69 thousand million"));
   CAPTURE(lineSaying(kLesson, "With five, a text would be found by chance at about three places"));
   CHECK(std::pow(4.0, 15) == 1073741824.0);
   CHECK(std::pow(4.0, 18) == 68719476736.0);
@@ -138,4 +139,23 @@ TEST_CASE("the way down the groove is passed by a hand that slides, by none that
   CHECK_FALSE(done(way, true));
   CHECK_FALSE(done({way[2]}, false));
   CHECK_FALSE(done({way.rbegin(), way.rend()}, false));
+}
+
+TEST_CASE("finger 3 reads letters 2 to 4, GCG, finger 2 letters 5 to 7, TGG, finger 1 letters 8 to 10, GAC") {
+  CAPTURE(lineSaying(
+      kLesson, "Finger 3 reads letters 2 to 4 (GCG), finger 2 letters 5 to 7 (TGG), finger 1 letters 8 to 10 (GAC)"));
+  const ShippedScene complex("1a1f");
+  const std::string text = "GCGTGGGAC";
+  for (int letter = 2; letter <= 10; ++letter) {
+    CAPTURE(letter);
+    const std::string one = "chain B and residue " + std::to_string(letter);
+    CHECK(complex.select(one + " and name P and resname D" + text[std::size_t(letter - 2)]).size() == 1);
+  }
+  // Which finger holds the letters of this strand by the atoms of its side chains that come near their edges.
+  for (const auto& [finger, letters] : {std::pair{"residue 162-187", "2 4"}, std::pair{"residue 134-161", "6 7"},
+                                        std::pair{"residue 103-133", "8 9 10"}})
+    CHECK(complex
+              .select(std::string("chain A and sidechain and ") + finger +
+                      " and within 3.2 Å of (chain B and residue " + letters + " and name N7 O6 N6 N4)")
+              .size() >= 2);
 }

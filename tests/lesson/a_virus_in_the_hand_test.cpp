@@ -1,6 +1,8 @@
 // The shipped lesson on a virus: its axes, its sixty pieces and the places that are felt are so in the entry.
 #include <algorithm>
 #include <cmath>
+#include <fstream>
+#include <map>
 #include <numeric>
 
 #include "tests/lesson/shipped_lesson.h"
@@ -65,7 +67,11 @@ TEST_CASE(
   CHECK(alpha.size() == 60 * 635);
   CHECK(60 * 635 * 3 == 114300);
   CHECK(635 * 3 == 1905);
-  CHECK(114300.0 / 5386.0 > 20.0);
+  CAPTURE(lineSaying(kLesson, "about twenty times what such a virus has"));
+  CHECK(114300.0 / 5386.0 == doctest::Approx(20.0).epsilon(0.1));
+  // A page of a book has some 2000 letters.
+  CAPTURE(lineSaying(kLesson, "It has 5386 letters, three pages of a book"));
+  CHECK(std::ceil(5386.0 / 2000.0) == 3.0);
   CHECK(double(shell().atoms.size()) == doctest::Approx(300000.0).epsilon(0.01));
   double farthest = 0.0;
   for (const Vec3& p : alpha) farthest = std::max(farthest, glm::length(p));
@@ -73,18 +79,44 @@ TEST_CASE(
 }
 
 TEST_CASE(
+    "the shell is that of the phage alpha3 and its small protein J that of phiX174, as lesson, title and SOURCE say") {
+  CAPTURE(lineSaying(kLesson, "This is the shell of its close relative **α3**"));
+  CAPTURE(lineSaying(kLesson, "shell and spikes (F and G) of the phage α3 with the small protein J of φX174"));
+  std::ifstream in(MOLTACT_SOURCE_DIR "/molecules/1rb8.pdb");
+  std::string title, line;
+  std::map<char, std::string> molecule_of_chain;            // "1" for F
+  std::map<std::string, std::string> organism_of_molecule;  // "ENTEROBACTERIA PHAGE ALPHA3" for "1"
+  for (std::string number; std::getline(in, line);) {
+    if (line.rfind("TITLE ", 0) == 0) title = line;
+    const auto after = [&](const std::string& key) {
+      const auto at = line.find(key), end = line.find(';', at);
+      return line.substr(at + key.size(), end - at - key.size());
+    };
+    if (line.find("MOL_ID: ") != std::string::npos) number = after("MOL_ID: ");
+    if (line.rfind("COMPND", 0) == 0 && line.find(" CHAIN: ") != std::string::npos)
+      molecule_of_chain[after(" CHAIN: ").at(0)] = number;
+    if (line.find("ORGANISM_SCIENTIFIC: ") != std::string::npos)
+      organism_of_molecule[number] = after("ORGANISM_SCIENTIFIC: ");
+  }
+  CHECK(title.find("ALPHA3 WITH PROTEIN J OF PHIX174") != std::string::npos);
+  CHECK(organism_of_molecule[molecule_of_chain['F']] == "ENTEROBACTERIA PHAGE ALPHA3");
+  CHECK(organism_of_molecule[molecule_of_chain['G']] == "ENTEROBACTERIA PHAGE ALPHA3");
+  CHECK(organism_of_molecule[molecule_of_chain['J']] == "ENTEROBACTERIA PHAGE PHIX174");
+}
+
+TEST_CASE(
     "five knobs 72 degrees apart stand round the tip of a spike, three round a place of three, two across a border") {
   CAPTURE(lineSaying(kLesson,
                      "stand 10 Å from the five-fold axis, of Ser 188 (F) 4.3 Å from the three-fold, of Asp 80 (F) 7.4 "
                      "Å from the two-fold"));
-  CAPTURE(lineSaying(kLesson, "threonine 92, in the colour of targets"));
+  CAPTURE(lineSaying(kLesson, "threonine 92 (an amino acid; the number is its place in the chain)"));
   struct Place {
     const char* text;
     std::size_t count;
     double off_A;
   };
   for (const Place& place : {Place{"chain G G-2 G-3 G-4 G-5 and residue 92 and resname THR and name CA", 5, 9.8},
-                             Place{"chain F-5 F-6 F-33 and residue 188 and resname SER and name CA", 3, 4.3},
+                             Place{"chain F F-10 F-23 and residue 188 and resname SER and name CA", 3, 4.3},
                              Place{"chain F F-6 and residue 80 and resname ASP and name CA", 2, 7.4}}) {
     CAPTURE(place.text);
     const auto knobs = placesOf(place.text);
@@ -136,6 +168,6 @@ TEST_CASE("the middle is hollow at the tip of a spike and nearly closed where th
     return glm::dot(places.front(), axis) + 1.7 + 1.4 - stop_A(axis, 1.4);
   };
   CHECK(belowKnobs_A("chain G G-2 G-3 G-4 G-5 and residue 92 and name CA") > 40.0);
-  CHECK(belowKnobs_A("chain F-5 F-6 F-33 and residue 188 and name CA") < 10.0);
+  CHECK(belowKnobs_A("chain F F-10 F-23 and residue 188 and name CA") < 10.0);
   CHECK(belowKnobs_A("chain F F-6 and residue 80 and name CA") > 3.0);
 }

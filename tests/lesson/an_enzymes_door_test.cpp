@@ -47,10 +47,13 @@ double nearest_A(const ShippedScene& scene) {
 
 }  // namespace
 
-TEST_CASE("an-enzymes-door.md has 6 steps in the open and the shut form, two searches and trials in the dark") {
+TEST_CASE(
+    "an-enzymes-door.md has 7 steps in the open and the shut form and between the two, two searches and trials in the "
+    "dark") {
   const Lesson lesson = shippedLesson(kLesson);
   checkCare(lesson);
-  CHECK(lesson.steps.size() == 6);
+  CHECK(lesson.steps.size() == 7);
+  CHECK(lesson.steps.at(2).scene.then.molecule == "1ake");
   CHECK(tasksOf(lesson, "find") == 2);
   CHECK(tasksOf(lesson, "same") == 1);
 }
@@ -59,7 +62,7 @@ TEST_CASE(
     "of the sixteen nitrogens at least 15 are touched straight from outside in the open form, one at most in the shut "
     "one") {
   CAPTURE(lineSaying(kLesson, "At least fifteen of the sixteen can be touched straight from outside"));
-  CAPTURE(lineSaying(kLesson, "you come to one of the sixteen at most"));
+  CAPTURE(lineSaying(kLesson, "a probe comes to one of the sixteen at most"));
   CAPTURE(lineSaying(kLesson, "Take AP₅A out of the shut form, and still one of the sixteen nitrogens at most"));
   const ShippedScene open("4ake"), shut("1ake");
   CHECK(open.select(kSixteen).size() == 16);
@@ -140,6 +143,31 @@ TEST_CASE(
   const auto whole = superpose(*shut.molecule, *open.molecule, all);
   REQUIRE(whole);
   CHECK(whole->rmsd_A == doctest::Approx(7.1).epsilon(0.01));
+}
+
+TEST_CASE(
+    "the rim that is pressed is where the doors meet: each of its residues lies within 6 A of the other door and can "
+    "be "
+    "touched straight from outside; the enzyme is 59 A long open and 48 A shut") {
+  CAPTURE(lineSaying(kLesson, "press: residue 33 40 54 127 128 129 131 157"));
+  CAPTURE(lineSaying(kLesson, "The enzyme is some 50 Å to 60 Å long"));
+  const ShippedScene open("4ake"), shut("1ake");
+  for (const char* residue : {"33", "40", "54", "127", "128", "129", "131", "157"}) {
+    CAPTURE(residue);
+    const std::string rim = std::string("protein and residue ") + residue;
+    const std::string other = std::stoi(residue) < 60 ? "residue 122-159" : "residue 30-59";
+    CHECK_FALSE(shut.select(rim + " and within 6 Å of (protein and " + other + ")").empty());
+    CHECK(shut.openPlaces(rim, 1.4) > 0);
+  }
+  const auto length_A = [](const ShippedScene& s) {
+    double most = 0.0;
+    const auto all = alphaCarbons(s, 1, 214);
+    for (const Vec3& a : all)
+      for (const Vec3& b : all) most = std::max(most, glm::distance(a, b));
+    return most;
+  };
+  CHECK(length_A(open) == doctest::Approx(59.0).epsilon(0.01));
+  CHECK(length_A(shut) == doctest::Approx(48.0).epsilon(0.01));
 }
 
 TEST_CASE("AMP has the room of a ball of 4.4 A") {

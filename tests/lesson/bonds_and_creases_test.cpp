@@ -45,7 +45,8 @@ TEST_CASE("the turns hold for a probe of 1.4 A: for a point CA-CB turns the forc
 TEST_CASE(
     "a water-sized probe sinks in by 0.59 A between argon atoms and by 0.08 A at a C-C bond, a point by 0.73 A in the "
     "middle of the ring, which is shut to it") {
-  const std::string line = lineSaying("bonds-and-creases", "on all six carbons at once, 0.73 Å lower");
+  const std::string line = lineSaying(
+      "bonds-and-creases", "on all six carbons at once (the line at the bottom names some of them), 0.73 Å lower");
   CAPTURE(line);
   const double grown = 1.88 + 1.4, carbon = 1.70 + 1.4;
   CHECK(grown - std::sqrt(grown * grown - 1.88 * 1.88) == doctest::Approx(0.59).epsilon(0.01));
@@ -94,9 +95,11 @@ TEST_CASE(
 TEST_CASE(
     "with its hydrogen 1.01 A from the nitrogen the hydrogen bond of the helix is 1.90 A long, 0.82 A shorter than "
     "two neighbours, and neither as short as a bond nor as long as a contact") {
-  const std::string far = lineSaying("bonds-and-creases", "1.01 Å from the nitrogen and 1.90 Å from the oxygen"),
+  const std::string far = lineSaying("bonds-and-creases", "That hydrogen is 1.90 Å from the oxygen"),
+                    between = lineSaying("bonds-and-creases", "oxygen and nitrogen are 2.88 Å apart"),
                     overlap = lineSaying("bonds-and-creases", "2.72 Å - 1.90 Å = 0.82 Å");
   CAPTURE(far);
+  CAPTURE(between);
   CAPTURE(overlap);
   const ShippedScene helix("alpha-helix");
   const Vec3 n = helix.atom("residue 14 and name N").position.A;
@@ -117,4 +120,17 @@ TEST_CASE(
   CHECK(helix.openPlaces("residue 11 and name N", 1.4) > 10);
   CHECK(helix.openPlaces("residue 10 and name O", 1.4) > 100);
   CHECK(double(helix.places("residue 10 and name CB", 1.4).size()) / 3000 == doctest::Approx(0.37).epsilon(0.03));
+}
+
+TEST_CASE(
+    "the rule has gaps: at a bond of 2.05 A between two sulphurs the force turns by 37 degrees, between the oxygen and "
+    "the hydrogen of a hydrogen bond by 40, more than at bonds of light atoms, less than at contacts") {
+  const std::string line = lineSaying("bonds-and-creases", "the force turns by 37° at a bond between two sulphurs");
+  CAPTURE(line);
+  const auto turn_deg = [](double one_A, double other_A, double apart_A) {
+    const double a = one_A + 1.4, b = other_A + 1.4;
+    return std::acos((a * a + b * b - apart_A * apart_A) / (2 * a * b)) * 180 / std::numbers::pi;
+  };
+  CHECK(turn_deg(1.80, 1.80, 2.05) == doctest::Approx(37).epsilon(0.015));
+  CHECK(turn_deg(1.52, 1.20, 1.90) == doctest::Approx(40).epsilon(0.015));
 }

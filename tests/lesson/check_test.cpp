@@ -10,6 +10,7 @@
 #include "engine/lesson/lesson_files.h"
 #include "engine/lesson/lesson_molecules.h"
 #include "tests/lesson/small_molecules.h"
+#include "tests/lesson/small_picture.h"
 
 using namespace moltact;
 
@@ -179,7 +180,7 @@ TEST_CASE("front matter without its end is told, and the lesson behind it is sti
 
 TEST_CASE("links and pictures are looked up beside the lesson; web addresses are left alone") {
   const Folder folder;
-  folder.write("ring.png", "");
+  folder.write("ring.png", kRedPng);
   folder.write("sub/a b.txt", "");
   folder.write("other.md", kHead + kStep);
   const auto told = [&](const std::string& body) {

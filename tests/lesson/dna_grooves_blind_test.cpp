@@ -65,8 +65,8 @@ TEST_CASE(
 TEST_CASE(
     "from phosphorus to phosphorus it is 11.7 A across the minor groove of the model and 17.0 A across the major one, "
     "5.9 A and 11.2 A less two phosphates of 2.9 A") {
-  const std::string minor = lineSaying("dna-grooves-blind", "take up 5.8 Å of it: 5.9 Å are open"),
-                    both = lineSaying("dna-grooves-blind", "5.9 Å against 11.2 Å are open");
+  const std::string minor = lineSaying("dna-grooves-blind", "5.9 Å against 11.2 Å are open"),
+                    both = lineSaying("dna-grooves-blind", "about 6 Å are open there, in the major groove about 11 Å");
   CAPTURE(minor);
   CAPTURE(both);
   const ShippedScene dna("b-dna");
@@ -134,7 +134,7 @@ TEST_CASE(
 TEST_CASE(
     "the wall of the minor groove that is pressed with 3 A is met in the minor groove only, 9.5 A to 12.2 A from the "
     "axis; the atoms of a ridge do not count") {
-  const std::string line = lineSaying("dna-grooves-blind", "still more than 9.5 Å from the axis");
+  const std::string line = lineSaying("dna-grooves-blind", "it stays more than 9.5 Å away from it");
   CAPTURE(line);
   const Lesson lesson = shippedLesson("dna-grooves-blind");
   const TaskSpec& task = taskOf(lesson, "the-wider-finger-in-the-minor-groove", "press");
@@ -197,12 +197,28 @@ TEST_CASE("what counts as found on the floor of one groove lies in that groove, 
   }
 }
 
-TEST_CASE("before the wider finger is felt a prediction is written down, which nobody marks") {
+TEST_CASE(
+    "a ball of 5 A, as an alpha helix with its side chains, still touches N7, N6, O4 and C7 on the major floor; of the "
+    "minor floor even one of 2.5 A touches no atom") {
+  const std::string major = lineSaying("dna-grooves-blind", "a ball of 5 Å still touches the edges of the bases there"),
+                    note = lineSaying("dna-grooves-blind", "A ball of 5 Å still touches N7, N6, O4 and C7");
+  CAPTURE(major);
+  CAPTURE(note);
+  const ShippedScene dna("b-dna");
+  for (const char* name : {"N7", "N6", "O4", "C7"}) {
+    CAPTURE(name);
+    CHECK(dna.openPlaces(std::string("residue 5-8 and name ") + name, 5.0) > 0);
+  }
+  CHECK(dna.places(kMinorFloor, 2.5).empty());
+}
+
+TEST_CASE("before the wider finger is felt the student predicts, and neither choice but the major groove is right") {
   const Lesson lesson = shippedLesson("dna-grooves-blind");
   const auto at = lesson.find("a-wider-finger");
   REQUIRE(at);
   const auto& questions = lesson.steps[*at].questions;
   REQUIRE(questions.size() == 1);
-  REQUIRE(questions[0].answer);
-  CHECK(questions[0].answer->kind == AnswerSpec::Kind::Free);
+  CHECK(questions[0].prediction);
+  REQUIRE(questions[0].choices.size() == 3);
+  CHECK(questions[0].choices[0].right);
 }

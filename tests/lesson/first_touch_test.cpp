@@ -56,7 +56,7 @@ TEST_CASE(
     CHECK(read.warnings.empty());
     const Lesson& lesson = *read.lesson;
     CHECK(lesson.title == file.title);
-    CHECK(lesson.minutes == 8);
+    CHECK(lesson.minutes == 10);
     CHECK(lesson.goals.size() == 3);
     REQUIRE(lesson.steps.size() == 5);
     const char* expected[] = {"argon", "argon-pair", "argon-triangle", "alpha-helix", "1ubq"};
@@ -75,8 +75,8 @@ TEST_CASE(
         tips += std::holds_alternative<Tip>(b);
       }
     }
-    CHECK(questions == 3);
-    CHECK(notes == 1);
+    CHECK(questions == 5);
+    CHECK(notes == 2);
     CHECK(tips >= 6);
   }
 }

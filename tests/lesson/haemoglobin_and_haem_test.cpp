@@ -97,11 +97,11 @@ TEST_CASE(
 }
 
 TEST_CASE(
-    "haemoglobin-and-haem.md has 9 steps in the whole molecule and in two cut-open pockets, with a search in the "
+    "haemoglobin-and-haem.md has 10 steps in the whole molecule and in two cut-open pockets, with a search in the "
     "dark") {
   const Lesson lesson = shippedLesson("haemoglobin-and-haem");
   checkCare(lesson);
-  CHECK(lesson.steps.size() == 9);
+  CHECK(lesson.steps.size() == 10);
   CHECK(lesson.molecules.size() == 3);
   CHECK(tasksOf(lesson, "find") == 1);
 }
@@ -337,4 +337,68 @@ TEST_CASE(
   CHECK(right > 5);
   CHECK(right * 20 < seen);
   CHECK(nearest_A > 5.0);
+}
+
+TEST_CASE(
+    "in the beta chains histidine 146 leans on aspartate 94 at 2.8 A and 2.7 A, the end of the chain on lysine 40 of "
+    "an "
+    "alpha chain at 2.5 A, and arginine 141 of A on aspartate 126 of C; all that are slid over lie open to a water "
+    "molecule") {
+  const std::string praise = lineSaying("haemoglobin-and-haem", "from nitrogen to oxygen it is 2.8 Å"),
+                    note = lineSaying("haemoglobin-and-haem", "2.8 Å (chain B) and 2.7 Å (chain D) from Asp 94 OD1"),
+                    lysine = lineSaying("haemoglobin-and-haem", "besides 2.5 Å from Lys 40 of an alpha chain (C, A)"),
+                    alphas = lineSaying("haemoglobin-and-haem", "2.7 Å and 3.0 Å from Asp 126 of C");
+  CAPTURE(praise);
+  CAPTURE(note);
+  CAPTURE(lysine);
+  CAPTURE(alphas);
+  const ShippedScene whole("2hhb");
+  const auto nearest_A = [&](const std::string& one, const std::string& other) {
+    double least = 1e9;
+    for (const auto a : whole.select(one))
+      for (const auto b : whole.select(other))
+        least = std::min(least, glm::distance(whole.balls[a].centre_A, whole.balls[b].centre_A));
+    return least;
+  };
+  for (const auto& [chain, told_A] : {std::pair{"B", 2.8}, std::pair{"D", 2.7}}) {
+    const std::string c = std::string("chain ") + chain + " and protein and residue ";
+    CHECK(std::abs(whole.between(c + "146 and name NE2", c + "94 and name OD1") - told_A) < 0.05);
+    CHECK(whole.select(c + "147").empty());
+  }
+  CHECK(std::abs(nearest_A("chain B and protein and residue 146 and name O OXT", "chain C and residue 40 and name NZ") -
+                 2.5) < 0.05);
+  CHECK(std::abs(nearest_A("chain D and protein and residue 146 and name O OXT", "chain A and residue 40 and name NZ") -
+                 2.5) < 0.05);
+  const std::string arginine = "chain A and protein and residue 141 and name ",
+                    aspartate = "chain C and protein and residue 126 and name ";
+  CHECK(std::abs(nearest_A(arginine + "NH1", aspartate + "OD2") - 2.7) < 0.05);
+  CHECK(std::abs(nearest_A(arginine + "NH2", aspartate + "OD2") - 3.0) < 0.05);
+  for (const char* name :
+       {"146 and name ND1", "146 and name CE1", "146 and name NE2", "94 and name OD1", "94 and name OD2"})
+    CHECK(whole.openPlaces(std::string("chain B and protein and residue ") + name, 1.4) > 0);
+}
+
+TEST_CASE(
+    "with Hill's equation, n = 2.7 and half full at 3.5 kPa, 97 of 100 haems hold oxygen at 13 kPa and 18 at 2 kPa; "
+    "without cooperativity 79 and 36") {
+  const std::string line =
+      lineSaying("haemoglobin-and-haem", "97 of 100 haems hold oxygen, in a muscle at work (2 kPa) 18");
+  CAPTURE(line);
+  const auto full = [](double kPa, double n) { return 100.0 / (1.0 + std::pow(3.5 / kPa, n)); };
+  CHECK(std::round(full(13.0, 2.7)) == 97.0);
+  CHECK(std::round(full(2.0, 2.7)) == 18.0);
+  CHECK(std::round(full(13.0, 1.0)) == 79.0);
+  CHECK(std::round(full(2.0, 1.0)) == 36.0);
+  CHECK((97 - 18) - (79 - 36) == 36);
+}
+
+TEST_CASE("an alpha and a beta chain of different pairs touch: A and D have atoms within 4 A of one another") {
+  const std::string line =
+      lineSaying("haemoglobin-and-haem", "alpha chain A lies against beta chain D, of the other pair");
+  CAPTURE(line);
+  const ShippedScene whole("2hhb");
+  CHECK(whole.select("chain A and within 4 Å of (chain D)").size() > 30);
+  // The pair whose border is the larger one moves as a whole: A with B.
+  CHECK(whole.select("chain A and within 4 Å of (chain B)").size() >
+        whole.select("chain A and within 4 Å of (chain D)").size());
 }

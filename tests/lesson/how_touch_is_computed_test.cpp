@@ -1,7 +1,11 @@
 // The shipped lesson on methods: it reads without a problem, and the failures that it promises happen.
 #include <doctest/doctest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <fstream>
+#include <iterator>
 #include <set>
 
 #include "engine/haptics/methods.h"
@@ -55,13 +59,13 @@ const Step& stepOf(const Lesson& lesson, std::string_view id) {
 }  // namespace
 
 TEST_CASE(
-    "how-touch-is-computed.md reads without errors or warnings into 9 steps, each with a task and the methods panel") {
+    "how-touch-is-computed.md reads without errors or warnings into 8 steps, each with a task and the methods panel") {
   const LessonReading read = readLesson(kLesson);
   for (const Problem& p : read.errors) MESSAGE(p.text());
   for (const Problem& p : read.warnings) MESSAGE(p.text());
   REQUIRE(read.lesson);
   CHECK(read.warnings.empty());
-  CHECK(read.lesson->steps.size() == 9);
+  CHECK(read.lesson->steps.size() == 8);
   std::set<std::string> used, failures;
   for (const Step& s : read.lesson->steps) {
     CHECK_FALSE(s.tasks.empty());
@@ -120,6 +124,72 @@ TEST_CASE(
   CHECK(largestTurn("mesh320") == doctest::Approx(21).epsilon(0.04));
   CHECK(largestTurn("mesh5120") == doctest::Approx(5).epsilon(0.1));
   CHECK(largestTurn("exact") < 1);
+}
+
+TEST_CASE(
+    "neighbouring triangles of a sphere of 80, an icosahedron's faces halved once, lie at 18 to 22.5 degrees to each "
+    "other; of 320 at 7 to 11.5, of 5120 at 1.5 to 3") {
+  std::ifstream in(kLesson);
+  std::string text((std::istreambuf_iterator<char>(in)), {});
+  CHECK(text.find("Mesh 80 lie at 18 to 22 degrees to each other, of Mesh 320 at 7 to 11, of Mesh 5120 at 1.5 to 3") !=
+        std::string::npos);
+  CHECK(text.find("At an edge of Mesh 80 the force turns by about 20 degrees at once") != std::string::npos);
+  using Triangle = std::array<Vec3, 3>;
+  // The twelve corners of an icosahedron, and as faces all threes of them that are neighbours.
+  std::vector<Vec3> corners;
+  const double golden = (1 + std::sqrt(5.0)) / 2;
+  for (const double a : {1.0, -1.0})
+    for (const double b : {golden, -golden})
+      for (const Vec3& c : {Vec3(0, a, b), Vec3(a, b, 0), Vec3(b, 0, a)}) corners.push_back(glm::normalize(c));
+  std::vector<Triangle> faces;
+  const auto near = [&](std::size_t i, std::size_t j) { return glm::dot(corners[i], corners[j]) > 0.4; };
+  for (std::size_t i = 0; i < 12; ++i)
+    for (std::size_t j = i + 1; j < 12; ++j)
+      for (std::size_t k = j + 1; k < 12; ++k)
+        if (near(i, j) && near(j, k) && near(i, k)) faces.push_back({corners[i], corners[j], corners[k]});
+  REQUIRE(faces.size() == 20);
+  const auto normal = [](const Triangle& t) {
+    const Vec3 n = glm::normalize(glm::cross(t[1] - t[0], t[2] - t[0]));
+    return glm::dot(n, t[0]) < 0 ? -n : n;
+  };
+  const auto angles_deg = [&] {
+    double least = 180, most = 0;
+    for (std::size_t i = 0; i < faces.size(); ++i)
+      for (std::size_t j = i + 1; j < faces.size(); ++j) {
+        int shared = 0;
+        for (const Vec3& p : faces[i])
+          for (const Vec3& q : faces[j]) shared += glm::distance(p, q) < 1e-9;
+        if (shared != 2) continue;
+        const double angle = std::acos(std::min(1.0, glm::dot(normal(faces[i]), normal(faces[j])))) * 57.29578;
+        least = std::min(least, angle);
+        most = std::max(most, angle);
+      }
+    return std::pair(least, most);
+  };
+  for (int halved = 1; halved <= 4; ++halved) {
+    std::vector<Triangle> finer;
+    for (const auto& [a, b, c] : faces) {
+      const Vec3 ab = glm::normalize(a + b), bc = glm::normalize(b + c), ca = glm::normalize(c + a);
+      for (const Triangle& t : {Triangle{a, ab, ca}, Triangle{ab, b, bc}, Triangle{ca, bc, c}, Triangle{ab, bc, ca}})
+        finer.push_back(t);
+    }
+    faces = finer;
+    if (halved == 3) continue;
+    const auto [least, most] = angles_deg();
+    CAPTURE(faces.size());
+    CAPTURE(least);
+    CAPTURE(most);
+    const double low = halved == 1   ? 17.5
+                       : halved == 2 ? 6.5
+                                     : 1.45,
+                 high = halved == 1   ? 22.6
+                        : halved == 2 ? 11.6
+                                      : 3.0;
+    CHECK(least > low);
+    CHECK(least < low + 1);
+    CHECK(most < high);
+    CHECK(most > high - 1);
+  }
 }
 
 TEST_CASE(

@@ -33,22 +33,24 @@ double reach_A(const ShippedScene& s, const std::string& atoms) {
 }  // namespace
 
 TEST_CASE(
-    "left-or-right.md has 8 steps, six rounds to trace, two of them unseen, and six trials in the dark that must all "
-    "be right") {
+    "left-or-right.md has 8 steps, five rounds to trace, one of them unseen, two lengths to measure, and eight trials "
+    "in the dark of which seven must be right, 9 of 256 for a guesser") {
   const Lesson lesson = shippedLesson(kLesson);
   checkCare(lesson);
   CHECK(lesson.steps.size() == 8);
-  CHECK(tasksOf(lesson, "trace") == 6);
+  CHECK(tasksOf(lesson, "trace") == 5);
+  CHECK(tasksOf(lesson, "measure") == 2);
   REQUIRE(tasksOf(lesson, "same") == 1);
   int unseen = 0;
   const ShippedScene phe("phenylalanine-pair");
   for (const Step& s : lesson.steps) unseen += s.scene.hide.given() && s.scene.hide.select(*phe.molecule).size() == 46;
-  CHECK(unseen == 2);
-  const std::string chance = lineSaying(kLesson, "gets there once in 64 rounds");
+  CHECK(unseen == 1);
+  const std::string chance = lineSaying(kLesson, "in 9 of 256 rounds, 3.5 %");
   CAPTURE(chance);
-  for (const Step& s : lesson.steps)
-    for (const TaskSpec& t : s.tasks)
-      if (t.kind == "same") CHECK(t.values["trials"].number == t.values["right"].number);
+  const TaskSpec& same = taskOf(lesson, "two-powders-in-the-dark", "same");
+  CHECK(same.values["trials"].number == 8);
+  CHECK(same.values["right"].number == 7);
+  CHECK((8 + 1) / 256.0 == doctest::Approx(0.035).epsilon(0.01));
 }
 
 TEST_CASE(
@@ -101,9 +103,33 @@ TEST_CASE(
   }
 }
 
+TEST_CASE(
+    "from the tip of phenylalanine's ring to NH3+ it is up to 10.6 A in either form, and 8 A or more to be right") {
+  const std::string line = lineSaying(kLesson, "it is up to 10.6 Å in either form");
+  CAPTURE(line);
+  const Lesson lesson = shippedLesson(kLesson);
+  const ShippedScene s("phenylalanine-pair");
+  for (const char* chain : {"chain A", "chain B"}) {
+    double most_A = 0, least_A = 1e9;
+    for (const char* h : {"H1", "H2", "H3"}) {
+      const double centres_A = s.between(std::string(chain) + " and name HZ", std::string(chain) + " and name " + h);
+      most_A = std::max(most_A, centres_A + 2 * 1.20);
+      least_A = std::min(least_A, centres_A);
+    }
+    CHECK(most_A == doctest::Approx(10.6).epsilon(0.003));
+    CHECK(least_A > 7.8);
+  }
+  const auto at = lesson.find("what-the-tongue-feels");
+  REQUIRE(at);
+  for (const TaskSpec& t : lesson.steps[*at].tasks) {
+    CHECK(t.values["between"].low == 8);
+    CHECK(t.values["between"].high > 10.6);
+  }
+}
+
 TEST_CASE("of ubiquitin's 76 amino acids 70 are L and six, all glycines, have no side chain") {
-  const std::string told = lineSaying(kLesson, "all 70 amino acids of this protein"),
-                    asked = lineSaying(kLesson, "has 76 amino acids. Six of them, all glycines");
+  const std::string told = lineSaying(kLesson, "with 70 of the 76 amino acids of this protein"),
+                    asked = lineSaying(kLesson, "The other six, all glycines");
   CAPTURE(told);
   CAPTURE(asked);
   const ShippedScene s("1ubq");
@@ -149,20 +175,38 @@ TEST_CASE(
 }
 
 TEST_CASE(
-    "the rounds are passed by a hand that slides the right way round, by none that jabs the same atoms or goes the "
-    "other way") {
+    "the rounds are passed by a hand that slides the right way round, by none that jabs the same atoms, goes the other "
+    "way or leaves the side chain out") {
   const Lesson lesson = shippedLesson(kLesson);
   struct Round {
-    const char *step, *molecule, *chain, *side_chain;
+    const char *step, *molecule, *chain;
+    std::vector<const char*> way;                  // that passes
+    std::vector<std::vector<const char*>> astray;  // that do not
   };
-  for (const Round& r : {Round{"round-the-carbon", "alanine-pair", "chain A", "HB1"},
-                         Round{"its-mirror-image", "alanine-pair", "chain B", "HB1"},
-                         Round{"which-one-is-it", "phenylalanine-pair", "chain B", "CE1"}}) {
+  const std::vector<const char*> small{"OXT", "HB1", "HB3", "HB2", "H2", "H3", "O"},
+      ring{"OXT", "CD2", "CE1", "HZ", "CE1", "HB2", "H2"};
+  // The hand that goes to NH3+ first comes to the side chain too late; the one that leaves the ring out goes straight
+  // down the middle, over the alpha hydrogen.
+  const std::vector<std::vector<const char*>> small_astray{{"OXT", "H3", "H2", "HB2", "HB1"},
+                                                           {"OXT", "H3", "HB1", "H3"}},
+      ring_astray{{"OXT", "H2", "HA", "CE1"},
+                  {"OXT", "HA", "HB2", "H2"},
+                  {"OXT", "HB2", "H2"},
+                  {"O", "H3", "H2", "HB2", "CE1"}};
+  for (const Round& r : {Round{"round-the-carbon", "alanine-pair", "chain A", small, small_astray},
+                         Round{"its-mirror-image", "alanine-pair", "chain B", small, small_astray},
+                         Round{"a-side-chain-that-stands-out", "phenylalanine-pair", "chain A", ring, ring_astray},
+                         Round{"which-one-is-it", "phenylalanine-pair", "chain B", ring, ring_astray}}) {
     CAPTURE(r.step);
     const ShippedScene s(r.molecule);
     const TaskSpec& spec = taskOf(lesson, r.step, "trace");
     const auto named = [&](const char* name) { return std::string(r.chain) + " and name " + name; };
-    std::vector<std::string> round{named("OXT"), named(r.side_chain), named("HA"), named("H2")};
+    const auto all = [&](const std::vector<const char*>& names) {
+      std::vector<std::string> out;
+      for (const char* name : names) out.push_back(named(name));
+      return out;
+    };
+    const std::vector<std::string> round = all(r.way);
     // From the side of the hydrogen.
     const Vec3 out(s.atom(named("CA")).position.A.x > 0 ? 1 : -1, 0, 0);
     const auto passed = [&](const std::vector<std::string>& atoms, bool jabbing) {
@@ -172,6 +216,11 @@ TEST_CASE(
     CHECK_FALSE(passed(round, true));
     // A looker who clicks the middle of what he sees, and a hand that goes from COO- to NH3+ first.
     CHECK_FALSE(passed({named("HA"), named("CA")}, false));
-    CHECK_FALSE(passed({named("OXT"), named("H2"), named("HA"), named(r.side_chain)}, false));
+    for (const std::vector<const char*>& names : r.astray) {
+      std::string told;
+      for (const char* name : names) told += std::string(name) + " ";
+      CAPTURE(told);
+      CHECK_FALSE(passed(all(names), false));
+    }
   }
 }

@@ -167,3 +167,37 @@ TEST_CASE("mistakes in the second structure are told") {
         "l.md:12:7: only 0 atoms are in both structures; take two structures of one molecule, with the same chains and "
         "residue numbers");
 }
+
+TEST_CASE("a scene has a second molecule beside its own, with captions; the list of molecules must have it") {
+  const SceneSpec scene = sceneOf("beside: shut\ncaptions: open, closed\nwaters: yes\n");
+  CHECK(scene.molecule.reading.beside == "shut");
+  CHECK(scene.captions == std::vector<std::string>{"open", "closed"});
+  CHECK((besideMolecule(scene).name == "shut" && besideMolecule(scene).reading == ReadOptions{.waters = true}));
+  CHECK(sceneOf("beside: none\n").molecule.reading == ReadOptions());
+  // One that a later scene takes away again.
+  const LessonReading reading =
+      readLessonText("l.md", kHead +
+                                 "## A\n```scene\nmolecule: mix\nbeside: shut\n```\n## B\n```scene\nbeside: "
+                                 "none\n```\n## C\n```scene\nmolecule: mix\n```\n");
+  REQUIRE(reading.lesson);
+  CHECK(reading.lesson->steps[0].scene.molecule.reading.beside == "shut");
+  CHECK(reading.lesson->steps[1].scene.molecule.reading.beside.empty());
+  CHECK(reading.lesson->steps[2].scene.molecule.reading.beside.empty());
+}
+
+TEST_CASE("mistakes with two molecules are told at their lines") {
+  const auto scene = [](const std::string& keys) {
+    return errors("## S\n```scene\nmolecule: mix\n" + keys + "```\nText.\n");
+  };
+  CHECK(scene("beside: shut\n").empty());
+  CHECK(scene("beside: shot\n") ==
+        Texts{"l.md:12:9: 'shot' is not among the lesson's molecules; did you mean 'shut'?"});
+  CHECK(scene("captions: a, b\n") == Texts{"l.md:12:11: 'captions' names two molecules, but the scene has one; add a "
+                                           "line 'beside: …' with the second one"});
+  CHECK(scene("beside: shut\ncaptions: a\n") ==
+        Texts{"l.md:13:11: there are two molecules to name; write two names, as in 'wool, silk'"});
+  CHECK(
+      scene("beside: shut\nthen: shut\n") ==
+      Texts{
+          "l.md:13:7: a scene has a second structure or a molecule beside it, not both; take 'then' or 'beside' out"});
+}

@@ -3,6 +3,7 @@
 #include <array>
 #include <filesystem>
 
+#include "engine/lesson/lesson_files.h"
 #include "tests/lesson/shipped_lesson.h"
 
 using namespace moltact;
@@ -13,8 +14,7 @@ namespace {
 std::vector<std::string> shippedLessonNames() {
   std::vector<std::string> out;
   for (const auto& entry : std::filesystem::directory_iterator(MOLTACT_SOURCE_DIR "/lessons"))
-    if (entry.path().extension() == ".md" && entry.path().stem() != "README")
-      out.push_back(entry.path().stem().string());
+    if (looksLikeLesson(entry.path())) out.push_back(entry.path().stem().string());
   std::sort(out.begin(), out.end());
   return out;
 }

@@ -4,9 +4,13 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <initializer_list>
 #include <numeric>
 
+#include "engine/core/random.h"
+#include "engine/core/sphere_intersections.h"
 #include "engine/lesson/hand_plan.h"
 #include "engine/molecule/reader.h"
 
@@ -85,4 +89,57 @@ TEST_CASE("every face, crease and pit place of ubiquitin lies on its atoms' grow
     }
   }
   CHECK(open > 1000);
+}
+
+TEST_CASE(
+    "the pits and creases of 40 balls for probes of 1.4 to 20 A are those that trying every triple and pair gives") {
+  std::uint64_t seed = 20261124;
+  const auto fraction = [&] { return nextFraction(seed); };
+  std::vector<Ball> balls;
+  for (int k = 0; k < 40; ++k)
+    balls.push_back({{9.0 * fraction(), 9.0 * fraction(), 9.0 * fraction()}, 1.2 + 0.8 * fraction()});
+  const BallScene scene(balls);
+  for (const double probe_A : {1.4, 6.0, 10.0, 20.0}) {
+    CAPTURE(probe_A);
+    // How far a place lies off the nearest ball but those that hold it.
+    const auto clear_A = [&](const Vec3& place, std::initializer_list<std::size_t> but) {
+      double least = 1e9;
+      for (std::size_t i = 0; i < balls.size(); ++i)
+        if (std::find(but.begin(), but.end(), i) == but.end())
+          least = std::min(least, glm::distance(place, balls[i].centre_A) - balls[i].radius_A - probe_A);
+      return least;
+    };
+    std::size_t pits = 0;
+    const auto found = pitPlaces(scene, allOf(scene), probe_A);
+    const auto creases = creasePlaces(scene, allOf(scene), probe_A, 0.1);
+    std::size_t on_creases = 0;
+    for (std::size_t a = 0; a < balls.size(); ++a)
+      for (std::size_t b = a + 1; b < balls.size(); ++b) {
+        const auto circle = circleOf(inflated(balls[a], probe_A), inflated(balls[b], probe_A));
+        if (!circle) continue;
+        const Vec3 x = glm::normalize(glm::cross(circle->axis, Vec3(0.3, 0.5, 0.8))), y = glm::cross(circle->axis, x);
+        for (int k = 0; k < 60; ++k) {
+          const double turn = 2.0 * 3.14159265358979 * k / 60.0;
+          const Vec3 place = circle->centre_A + (x * std::cos(turn) + y * std::sin(turn)) * circle->radius_A;
+          // Nearer to its end than two places are apart, a stretch may have none.
+          if (clear_A(place, {a, b}) < 0.2) continue;
+          ++on_creases;
+          CHECK(std::any_of(creases.begin(), creases.end(), [&](const SurfacePlace& p) {
+            return p.atoms[0] == int(a) && p.atoms[1] == int(b) && glm::distance(p.scp_A, place) < 0.11;
+          }));
+        }
+        for (std::size_t c = b + 1; c < balls.size(); ++c)
+          if (const auto points =
+                  pointsOf(inflated(balls[a], probe_A), inflated(balls[b], probe_A), inflated(balls[c], probe_A)))
+            for (const Vec3& place : {(*points)[0], (*points)[1]}) {
+              if (clear_A(place, {a, b, c}) < 1e-6) continue;
+              ++pits;
+              CHECK(std::any_of(found.begin(), found.end(),
+                                [&](const SurfacePlace& p) { return glm::distance(p.scp_A, place) < 1e-6; }));
+            }
+      }
+    CHECK(found.size() == pits);
+    CHECK(pits > 10);
+    CHECK(on_creases > 50);
+  }
 }

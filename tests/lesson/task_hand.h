@@ -25,7 +25,7 @@ inline TaskSpec specOf(const std::string& kind, const Keys& keys, std::vector<Pr
   for (const auto& [k, v] : keys) lines.push_back({k, v, {}, {1, 1}, {}});
   std::vector<const KeySpec*> specs = pointersTo(found->keys);
   for (const KeySpec& k : keysOf(KeyBlock::Touch)) specs.push_back(&k);
-  TaskSpec spec{kind, readKeyValues(lines, specs, "touch", {}, problems), {}};
+  TaskSpec spec{kind, readKeyValues(lines, specs, "touch", {}, problems), {}, {}};
   if (problems.empty() && found->check) found->check(spec, problems);
   return spec;
 }

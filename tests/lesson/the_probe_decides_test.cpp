@@ -8,13 +8,22 @@ using namespace moltact;
 using namespace moltact::test;
 
 TEST_CASE(
-    "the-probe-decides.md has 7 steps, with probes of 0, 0.2, 0.4, 1.4 and 3.5 A, a prediction and trials in the "
-    "dark") {
+    "the-probe-decides.md has 7 steps, with probes of 0, 0.2, 0.4, 1.4 and 3.5 A, a prediction, a largest probe to be "
+    "found and eight trials in the dark of which seven must be right, 9 of 256 for a guesser") {
   const Lesson lesson = shippedLesson("the-probe-decides");
   checkCare(lesson);
   CHECK(lesson.steps.size() == 7);
   CHECK(tasksOf(lesson, "predict") == 1);
   CHECK(tasksOf(lesson, "same") == 1);
+  CHECK(tasksOf(lesson, "fit") == 1);
+  const std::string chance = lineSaying("the-probe-decides", "in 9 of 256 rounds, 3.5 %");
+  CAPTURE(chance);
+  for (const Step& s : lesson.steps)
+    for (const TaskSpec& t : s.tasks)
+      if (t.kind == "same") {
+        CHECK(t.values["trials"].number == 8);
+        CHECK(t.values["right"].number == 7);
+      }
   for (const double probe : {0.0, 0.2, 0.4, 1.4, 3.5}) {
     bool met = false;
     for (const Step& s : lesson.steps) met = met || s.scene.touch.probe_A == probe;
@@ -26,8 +35,15 @@ TEST_CASE(
     "the gap between three argon atoms closes at a probe of 0.29 A: below it a straight way leads through, above it a "
     "pit stops it") {
   const ShippedScene triangle("argon-triangle");
+  const std::string closes = lineSaying("the-probe-decides", "The gap closes at 0.29 Å. Its middle is 2.17 Å"),
+                    carbon = lineSaying("the-probe-decides",
+                                        "- [x] Smaller, for the gap shrinks with the balls → Yes: 0.26 Å");
+  CAPTURE(closes);
+  CAPTURE(carbon);
   const double gap_A = 3.76 / std::sqrt(3.0) - 1.88;
   CHECK(gap_A == doctest::Approx(0.29).epsilon(0.01));
+  CHECK(3.76 / std::sqrt(3.0) == doctest::Approx(2.17).epsilon(0.001));
+  CHECK(2 * 1.70 / std::sqrt(3.0) - 1.70 == doctest::Approx(0.26).epsilon(0.02));
   const auto all = triangle.select("all");
   CHECK(pitPlaces(triangle.balls, all, gap_A - 0.01).empty());
   CHECK(pitPlaces(triangle.balls, all, gap_A + 0.01).size() == 2);

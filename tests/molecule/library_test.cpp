@@ -91,7 +91,7 @@ TEST_CASE("2hhb has 4384 atoms of protein, four haems of 43 atoms and two phosph
   for (const Atom& atom : m.atoms)
     if (atom.atomic_number == 26) {
       CHECK(atom.radius_A == 2.44);
-      CHECK(m.describe(static_cast<std::size_t>(&atom - m.atoms.data())) == "FE of HEM 1 (chain A)");
+      CHECK(m.describe(static_cast<std::size_t>(&atom - m.atoms.data())) == "FE of haem 1 (chain A)");
       break;
     }
 }

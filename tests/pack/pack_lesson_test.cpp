@@ -5,9 +5,11 @@
 
 #include <filesystem>
 
+#include "engine/lesson/glossary.h"
 #include "engine/lesson/lesson_molecules.h"
 #include "engine/lesson/reader.h"
 #include "engine/pack/unpack.h"
+#include "tests/lesson/small_picture.h"
 #include "tests/pack/zip_maker.h"
 #include "tests/results/sample_attempt.h"
 
@@ -39,7 +41,7 @@ TEST_CASE("a lesson is packed with translation, molecule, picture, linked lesson
   writeFile(scratch.path / "notes.pdf", "pdf");
   fs::create_directories(scratch.path / "pictures");
   fs::create_directories(scratch.path / "next");
-  writeFile(scratch.path / "pictures/a ring.png", "png");
+  writeFile(scratch.path / "pictures/a ring.png", kRedPng);
   writeFile(scratch.path / "next/n.md", lessonOn("argon", "[back](../l.md) [mine](../mine.xyzr)"));
   const PackedLesson made = packLesson(scratch.path / "l.md");
   for (const Problem& p : made.errors) MESSAGE(p.text());
@@ -54,6 +56,31 @@ TEST_CASE("a lesson is packed with translation, molecule, picture, linked lesson
     CHECK(bytesOf(lesson.parent_path() / name) == bytesOf(scratch.path / name));
   CHECK(packedLesson(lesson, "de").filename() == "l.de.md");
   CHECK(packedLesson(lesson, "fr").filename() == "l.md");
+}
+
+TEST_CASE("the words that the lessons of a folder share go with a lesson, in every language, and are found again") {
+  const ScratchFolder scratch;
+  writeFile(scratch.path / "l.md", lessonOn("argon", "A [hole](#word:pit)."));
+  writeFile(scratch.path / "glossary.md", "- **pit**: Three.\n");
+  writeFile(scratch.path / "glossary.de.md", "- **Grube**: Drei.\n");
+  const PackedLesson made = packLesson(scratch.path / "l.md");
+  REQUIRE(made.pack);
+  CHECK(made.pack->files == Names{"glossary.de.md", "glossary.md", "l.md"});
+  const fs::path lesson = *unpack(*PackFile::ofBytes("l.moltact", made.pack->bytes), scratch.path / "packs");
+  CHECK(glossaryBeside(lesson, "").words.size() == 1);
+}
+
+TEST_CASE("the molecule beside a scene's own is packed as that one is") {
+  const ScratchFolder scratch;
+  writeFile(
+      scratch.path / "l.md",
+      kHead + "mine.xyzr, other.xyzr\n---\n## One\n```scene\nmolecule: mine.xyzr\nbeside: other.xyzr\n```\nText.\n");
+  writeFile(scratch.path / "mine.xyzr", kThreeAtoms);
+  writeFile(scratch.path / "other.xyzr", kThreeAtoms);
+  const PackedLesson made = packLesson(scratch.path / "l.md");
+  for (const Problem& p : made.errors) MESSAGE(p.text());
+  REQUIRE(made.pack);
+  CHECK(made.pack->files == Names{"l.md", "mine.xyzr", "other.xyzr"});
 }
 
 TEST_CASE("packing twice gives the same bytes, also when the files were written again at another time") {
@@ -94,8 +121,8 @@ TEST_CASE("what lies outside the lesson's folder, and a hidden file, are refused
   const fs::path folder = scratch.path / "lessons";
   fs::create_directories(folder);
   writeFile(scratch.path / "out.xyzr", kThreeAtoms);
-  writeFile(scratch.path / "out.png", "png");
-  writeFile(folder / ".hidden.png", "png");
+  writeFile(scratch.path / "out.png", kRedPng);
+  writeFile(folder / ".hidden.png", kRedPng);
   for (const std::string& text : {lessonOn("../out.xyzr"), lessonOn((scratch.path / "out.xyzr").string()),
                                   lessonOn("argon", "![p](../out.png)"), lessonOn("argon", "![p](.hidden.png)")}) {
     writeFile(folder / "l.md", text);
@@ -113,8 +140,8 @@ TEST_CASE("what lies outside the lesson's folder, and a hidden file, are refused
 TEST_CASE("a file that differs from another only in capitals is refused: on some computers they would be one") {
   const ScratchFolder scratch;
   writeFile(scratch.path / "l.md", lessonOn("argon", "![a](ring.png)\n\n![b](Ring.png)"));
-  writeFile(scratch.path / "ring.png", "1");
-  writeFile(scratch.path / "Ring.png", "2");
+  writeFile(scratch.path / "ring.png", kRedPng);
+  writeFile(scratch.path / "Ring.png", kRedPng);
   const PackedLesson made = packLesson(scratch.path / "l.md");
   REQUIRE(made.errors.size() == 1);
   CHECK(made.errors.front().message == "'Ring.png' and 'ring.png' would be one file on some computers");

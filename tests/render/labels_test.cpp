@@ -1,7 +1,10 @@
 // Names, arrows and measures in a picture: where they stand, that they neither overlap nor show through atoms, and the
 // lines that are drawn with them. Places come from the projection.
 #include <cmath>
+#include <cstdlib>
+#include <filesystem>
 
+#include "engine/render/colour_legend.h"
 #include "engine/render/label_painter.h"
 #include "engine/structure/colouring.h"
 #include "tests/render/stage.h"
@@ -248,4 +251,51 @@ TEST_CASE(
       CHECK(colourDistance(byte(theme.target), own.colour) > kApart);
     }
   }
+}
+
+// With letters, whose shapes another version of the font may round otherwise: as shapes_test.cpp allows, and 2.5 % of the
+// pixels.
+TEST_CASE("names, an arrow, a length, an angle, a hydrogen bond and a legend are written as they were approved") {
+  const auto file = std::filesystem::path(MOLTACT_SOURCE_DIR) / "tests/render/golden/names-and-measures.png";
+  Annotations a;
+  a.labels = {{.at = {Vec3(-5, 2, 0)}, .clear_A = 2, .text = "Glu 35"},
+              {.at = {Vec3(5, 3, 0)}, .clear_A = 2, .text = "the cleft", .arrow = true, .always = true}};
+  a.measures = {{{{Vec3(-5, -3, 2)}, {Vec3(0, -4, 2)}}, "5.1 Å"},
+                {{{Vec3(2, -5, 2)}, {Vec3(4, -1, 2)}, {Vec3(7, -4, 2)}}, "76°"}};
+  a.bonds = {{{Vec3(-5, 2, 2)}, {Vec3(5, 3, 2)}}};
+  ViewScene scene =
+      sceneWith(a, {atom(Vec3(-5, 2, 0), 1.7, 6), atom(Vec3(5, 3, 0), 1.55, 7), atom(Vec3(0, -3, -3), 1.52, 8)});
+  scene.theme = lightTheme();
+  scene.look.marks =
+      std::make_shared<const std::vector<OwnColour>>(std::vector<OwnColour>{{{2}, {0, 150, 150}, "acid"}});
+  Picture now = drawn(scene, 320, 240, {.samples = 2});
+  if (!paintLabels(now, scene, nullptr, 1.0)) {
+    MESSAGE("no font is installed: nothing could be written");
+    return;
+  }
+  REQUIRE(paintLegend(now, legendOf(*scene.molecule, ColourBy::Element, scene.elements, scene.look), scene.theme, 1.0));
+  if (std::getenv("MOLTACT_UPDATE_GOLDEN"))
+    if (const auto problem = writePng(file, now)) FAIL(problem->text());
+  const auto golden = readPng(file);
+  if (!golden) FAIL(golden.problem().text());
+  const Difference difference = compare(now, *golden, 24);
+  CHECK(difference.mean < 1.5);
+  CHECK(difference.pixels < 320 * 240 * 25 / 1000);
+}
+
+TEST_CASE("a legend has the marks with names first, then elements from the commonest on, at most nine") {
+  std::vector<Atom> atoms{atom(Vec3(0), 1, 8), atom(Vec3(3, 0, 0), 1, 6), atom(Vec3(6, 0, 0), 1, 6)};
+  AtomsLook look;
+  const auto names = [&] {
+    std::vector<std::string> out;
+    for (const LegendEntry& e : legendOf(*molecule(atoms), ColourBy::Element, ElementColours::Customary, look))
+      out.push_back(e.name);
+    return out;
+  };
+  CHECK(names() == std::vector<std::string>{"carbon", "oxygen"});
+  look.marks = std::make_shared<const std::vector<OwnColour>>(
+      std::vector<OwnColour>{{{0}, {0, 150, 150}, "acid"}, {{1}, {9, 9, 9}, ""}});
+  CHECK(names() == std::vector<std::string>{"acid", "carbon", "oxygen"});
+  for (int number = 9; number < 30; ++number) atoms.push_back(atom(Vec3(3.0 * number, 0, 0), 1, number));
+  CHECK(names().size() == 10);
 }

@@ -58,7 +58,7 @@ TEST_CASE("a memory of another version of the lesson is taken up as far as the l
   QuestionStatus status;
   status.attempts = 1;
   status.chosen = {0, 17};
-  session.restore({"gone", {{"gone", {0}, {}}, {"one", {1, 99}, {{"which", status}, {"what", status}}}}});
+  session.restore({"gone", {{"gone", {0}, {}, {}}, {"one", {1, 99}, {}, {{"which", status}, {"what", status}}}}});
   CHECK(session.stepIndex() == 0);
   CHECK(session.taskDone(0, 1));
   CHECK(session.question(0, 0).chosen == std::vector<std::size_t>{0});

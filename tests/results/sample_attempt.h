@@ -51,6 +51,10 @@ inline AttemptHeader sampleHeader() {
               "0123456789abcdef",
               {{"one", "One", {{"reach", "Touch it."}}, {{"which", "Which?", {"this", "that", "both"}, {1}}}},
                {"two", "Two", {}, {{"how-much", "How much?", {}, {}}}}}};
+  h.lesson.goals = {"Feel it", "Say it"};
+  h.lesson.steps[0].tasks[0].goals = {0, 1};
+  h.lesson.steps[0].questions[0].goals = {1};
+  h.lesson.steps[0].questions[0].tags = {"takes this for that", "", ""};
   return h;
 }
 
@@ -91,6 +95,7 @@ inline std::vector<AttemptEvent> sampleEvents() {
       {5.0, Answered{"one", "which", 2, {1}, "", true, InputWay::Mouse}},
       {5.0, ProgressMade{"one", 2, 3}},
       {6.0, LessonReread{sampleHeader().lesson}},
+      {6.5, WayTaken{"one", "which", "after 2 wrong", false, {"aside-why"}}},
       {7.0, Predicted{"Bo", "one", "What will you feel?", "a bump"}},
       {8.0, StepEntered{"two"}},
       {9.0, Answered{"two", "how-much", 1, {}, "2.5 Å", true, InputWay::Keyboard}},
@@ -98,6 +103,7 @@ inline std::vector<AttemptEvent> sampleEvents() {
       {9.5, SessionClosed{"2026-11-21T10:59:00Z"}},
       {9.5, Resumed{"2026-11-21T11:05:00Z", "0.1.0", "Omni", true}},
       {9.5, Heartbeat{}},
+      {9.6, StatesMoved{"1ake.pdb", "chain A", 0.375}},
   };
 }
 

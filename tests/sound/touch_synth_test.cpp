@@ -29,7 +29,7 @@ std::vector<float> sounding(TouchSynth& synth, double for_s) {
 }
 
 TouchMoment on(Feature feature, double force_N, std::array<std::int32_t, 3> atoms = {0, -1, -1}) {
-  return {feature, atoms, force_N};
+  return {feature, atoms, force_N, 0.0};
 }
 
 // Rising zero crossings, each placed between its two samples; the mean distance is the period.
@@ -132,19 +132,67 @@ TEST_CASE("contact knocks at 520 Hz and its end at 390 Hz") {
   CHECK(amplitudeAt(sounding(synth, 0.1), kRelease_Hz) > 0.01);
 }
 
-TEST_CASE("reaching a second atom ticks at 2200 Hz, letting the first go does not") {
+TEST_CASE("reaching a second atom clicks at 2200 Hz, letting the first go does not") {
   TouchSynth synth;
   synth.take(on(Feature::Sphere, 0.5, {7, -1, -1}));
   sounding(synth, 1.0);
-  CHECK(amplitudeAt(sounding(synth, 0.05), kTick_Hz) < 1e-4);
+  CHECK(amplitudeAt(sounding(synth, 0.05), kClick_Hz) < 1e-4);
   synth.take(on(Feature::Circle, 0.5, {7, 9, -1}));
-  CHECK(amplitudeAt(sounding(synth, 0.05), kTick_Hz) > 0.01);
+  CHECK(amplitudeAt(sounding(synth, 0.05), kClick_Hz) > 0.01);
   sounding(synth, 1.0);
   synth.take(on(Feature::Sphere, 0.5, {9, -1, -1}));
-  CHECK(amplitudeAt(sounding(synth, 0.05), kTick_Hz) < 5e-4);
+  CHECK(amplitudeAt(sounding(synth, 0.05), kClick_Hz) < 5e-4);
   sounding(synth, 1.0);
   synth.take(on(Feature::Sphere, 0.5, {3, -1, -1}));
-  CHECK(amplitudeAt(sounding(synth, 0.05), kTick_Hz) > 0.01);
+  CHECK(amplitudeAt(sounding(synth, 0.05), kClick_Hz) > 0.01);
+}
+
+TEST_CASE("a pit thuds at 110 Hz when the probe falls into it, and not while it lies there; a crease does not") {
+  TouchSynth synth;
+  synth.take(on(Feature::Sphere, 0.5, {1, -1, -1}));
+  sounding(synth, 1.0);
+  synth.take(on(Feature::Circle, 0.5, {1, 2, -1}));
+  CHECK(amplitudeAt(sounding(synth, 0.1), kThud_Hz) < 1e-3);
+  sounding(synth, 1.0);
+  synth.take(on(Feature::Point, 0.5, {1, 2, 3}));
+  CHECK(amplitudeAt(sounding(synth, 0.1), kThud_Hz) > 0.02);
+  sounding(synth, 1.0);
+  synth.take(on(Feature::Point, 0.6, {1, 2, 3}));
+  CHECK(amplitudeAt(sounding(synth, 0.1), kThud_Hz) < 1e-3);
+}
+
+TEST_CASE("a probe that slides scrapes: noise within its limit, louder the faster, none at rest, none in the open") {
+  // What is left of the sound when the tone, whose frequency is known, is taken out of it.
+  const auto scrapeOf = [](double slide_A_per_s, Feature feature) {
+    TouchSynth synth;
+    TouchMoment moment = on(feature, 0.0);
+    moment.slide_A_per_s = slide_A_per_s;
+    synth.take(moment);
+    sounding(synth, 0.5);
+    const std::vector<float> s = sounding(synth, 1.0);
+    double sine = 0, cosine = 0;
+    const auto turn = [](std::size_t k) { return 2 * std::numbers::pi * kLowestPitch_Hz * double(k) / kRate; };
+    for (std::size_t k = 0; k < s.size(); ++k) {
+      sine += 2.0 * double(s[k]) * std::sin(turn(k)) / double(s.size());
+      cosine += 2.0 * double(s[k]) * std::cos(turn(k)) / double(s.size());
+    }
+    double power = 0, most = 0;
+    for (std::size_t k = 0; k < s.size(); ++k) {
+      const double rest = double(s[k]) - sine * std::sin(turn(k)) - cosine * std::cos(turn(k));
+      power += rest * rest / double(s.size());
+      most = std::max(most, std::abs(rest));
+    }
+    CHECK(most <= kScrapeLevel + 1e-3);
+    return std::sqrt(power);
+  };
+  CHECK(scrapeOf(0.0, Feature::Sphere) < 1e-4);
+  const double slow = scrapeOf(3.0, Feature::Sphere), fast = scrapeOf(15.0, Feature::Sphere);
+  CHECK(slow > 0.001);
+  CHECK(fast > 3.0 * slow);
+  CHECK(scrapeOf(1e9, Feature::Sphere) ==
+        doctest::Approx(scrapeOf(kFullScrape_A_per_s, Feature::Sphere)).epsilon(0.01));
+  CHECK(scrapeOf(std::nan(""), Feature::Sphere) < 1e-4);
+  CHECK(scrapeOf(15.0, Feature::Free) == 0.0);
 }
 
 TEST_CASE(
@@ -163,9 +211,9 @@ TEST_CASE(
   const double tone = pitch_Hz(0.2);
   // A note rises no faster than its limit in the attack time; a blip in 2 ms: that is the most that a slope can change
   // by.
-  const double slopes = kNoteLevel / (0.008 * kRate) + (kKnockLevel + kTickLevel) / (0.002 * kRate);
+  const double slopes = kNoteLevel / (0.008 * kRate) + (kKnockLevel + kClickLevel) / (0.002 * kRate);
   const double bound = bend(kNoteLevel, tone) + bend(kNoteLevel, 1.5 * tone) + bend(kKnockLevel, kKnock_Hz) +
-                       bend(kTickLevel, kTick_Hz) + slopes;
+                       bend(kClickLevel, kClick_Hz) + slopes;
   CHECK(bound < 0.03);
   CHECK(sharpest(all) < bound);
 }
@@ -179,13 +227,14 @@ TEST_CASE("a second at random with 1000 changes stays below 0.99 and jumps by le
     for (int tick = 0; tick < 1000; ++tick) {
       const auto feature = Feature(random() % 4);
       const double force = std::array{0.0, 3.3, 1e9, -1.0, std::nan(""), double(INFINITY)}[random() % 6];
-      synth.take({feature, {std::int32_t(random() % 5), std::int32_t(random() % 5), -1}, force});
+      const double slide = std::array{0.0, 8.0, 1e9, -1.0, std::nan(""), double(INFINITY)}[random() % 6];
+      synth.take({feature, {std::int32_t(random() % 5), std::int32_t(random() % 5), -1}, force, slide});
       const auto part = sounding(synth, 0.001);
       all.insert(all.end(), part.begin(), part.end());
     }
     CHECK(std::all_of(all.begin(), all.end(), [](float x) { return std::isfinite(x); }));
     CHECK(peak(all) < 0.99);
-    // Three notes of 0.127 at up to 3143 Hz, the knock and the tick: 0.23 in all.
+    // Three notes of 0.127 at up to 3143 Hz, the knock, the click, the thud and the scrape: 0.26 in all.
     double jump = 0;
     for (std::size_t k = 1; k < all.size(); ++k) jump = std::max(jump, std::abs(double(all[k]) - double(all[k - 1])));
     CHECK(jump < 0.3);
@@ -196,7 +245,9 @@ TEST_CASE("blocks of 1, 37 and 480 samples give the same samples as one block of
   const auto run = [](std::size_t block) {
     TouchSynth synth;
     std::vector<float> out(4800);
-    synth.take(on(Feature::Point, 1.1, {1, 2, 3}));
+    TouchMoment slides = on(Feature::Point, 1.1, {1, 2, 3});
+    slides.slide_A_per_s = 12.0;
+    synth.take(slides);
     for (std::size_t at = 0; at < out.size(); at += block)
       synth.render(std::span(out).subspan(at, std::min(block, out.size() - at)));
     return out;

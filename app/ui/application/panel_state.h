@@ -39,9 +39,19 @@ struct PanelState : KeyFocus {
   float lesson_question_y = 0.0f;       ///< where the step's last unanswered question begins (unit: pixel); 0: none
   float lesson_text_end = 0.0f;         ///< of what is shown of the lesson's text (unit: pixel)
   bool lesson_more_below = false;       ///< some of the lesson's text lies below what is shown of it
-  float lesson_scroll = 0.0f;           ///< the lesson's text is to go on by so much (unit: pixel)
+  struct Word {
+    std::string below;  ///< the block of the lesson's text below which its meaning stands, as it is recorded
+    std::string id;     ///< as links write it
+    friend bool operator==(const Word&, const Word&) = default;
+  };
+  Word word;  ///< of the glossary, whose meaning is open; empty: none
+  struct LargePicture {
+    std::string path, description;  ///< as the lesson names it
+  };
+  LargePicture picture;        ///< of the lesson, on its page
+  float lesson_scroll = 0.0f;  ///< the lesson's text is to go on by so much (unit: pixel)
   bool open_page = false, controls_page = false, about_page = false, preferences_page = false, device_page = false,
-       turns_page = false, zoom_page = false, reading_page = false;
+       turns_page = false, zoom_page = false, reading_page = false, picture_page = false;
   ReadOptions reading;     ///< as it is chosen on the page for it
   std::string zoom_atoms;  ///< what was written last on the page that comes close to atoms
   bool open_adds = false;  ///< what is chosen on the page that opens files is put on the shelf

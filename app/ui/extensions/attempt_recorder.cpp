@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "app/ui/application/application.h"
+#include "app/ui/extensions/extensions.h"
 #include "engine/language/catalogue.h"
 #include "engine/platform/background.h"
 #include "engine/platform/read_file.h"
@@ -27,12 +28,18 @@ std::string deviceName(const Application& app) { return app.scene.servo().device
 // The stand-in led by mouse or keyboard, or a device in the hand.
 bool realDevice(Application& app) { return &app.scene.servo().device() != &app.scene.servo().mouse().info(); }
 
+// An attempt goes to other computers.
+ReadOptions withoutFolders(ReadOptions reading) {
+  reading.beside = std::filesystem::path(reading.beside).filename().string();
+  return reading;
+}
+
 StageChanged stageOf(const Application& app) {
   const TouchScene& scene = app.scene;
   const Molecule& molecule = *scene.stage().molecule;
   return {molecule.id,           scene.molecule().file.filename().string(),
           molecule.atoms.size(), scene.servo_settings.workspace,
-          scene.touch(),         scene.molecule().reading};
+          scene.touch(),         withoutFolders(scene.molecule().reading)};
 }
 
 }  // namespace
@@ -43,9 +50,10 @@ void AttemptRecorder::beginParts(Application& app) {
   session_watch_.begin(*app.lesson.session());
   touch_watch_ = TouchWatch();
   now_s_ = 0.0;
-  view_told_s_ = -1.0;
+  view_told_s_ = states_told_s_ = -1.0;
   way_.reset();
   stage_.reset();
+  states_.reset();
   view_.reset();
   hints_ = 0;
 }
@@ -192,6 +200,18 @@ void AttemptRecorder::lookAtStage(Application& app) {
   if (stage_ == is) return;
   add(is);
   stage_ = std::move(is);
+  states_.reset();
+}
+
+void AttemptRecorder::lookAtStates(Application& app) {
+  const MovingStates& moving = app.extensions().moving_states;
+  if (!moving.there()) return states_.reset();
+  StatesMoved is{moving.file().filename().string(), moving.then().superposed_on.text(), moving.share()};
+  // What does not move any more is told at once.
+  if (states_ == is || (moving.share() != moving.wanted() && now_s_ - states_told_s_ < kView_s)) return;
+  add(is);
+  states_ = std::move(is);
+  states_told_s_ = now_s_;
 }
 
 void AttemptRecorder::lookAtView(Application& app) {
@@ -209,6 +229,7 @@ void AttemptRecorder::afterPanels(Application& app) {
   if (!log_ || paused_ || session != session_) return;
   lookAtWay(app);
   lookAtStage(app);
+  lookAtStates(app);
   lookAtView(app);
   bool further = false;
   for (AttemptEvent& e : touch_watch_.take(now_s_)) add(std::move(e));
@@ -234,11 +255,15 @@ void AttemptRecorder::tell(Application& app) {
   }
   if (!log_) return;
   if (const std::optional<Problem> fault = log_->takeFault())
-    app.messages.warning(trf(
-        "What you do is not being kept on the disk: {0}. Go on with the lesson: it is held in memory and written as "
-        "soon as that can be.",
-        fault->text()));
-  if (log_->takeRecovered()) app.messages.notice(tr("What you do is kept on the disk again, with all that waited."));
+    unkept_ = app.messages.ask(MessageKind::Warning,
+                               trf("What you do is not being kept on the disk: {0}. Go on with the lesson: it is held "
+                                   "in memory and written as "
+                                   "soon as that can be.",
+                                   fault->text()),
+                               {});
+  if (!log_->takeRecovered()) return;
+  app.messages.takeBack(unkept_);
+  app.messages.notice(tr("What you do is kept on the disk again, with all that waited."));
 }
 
 }  // namespace moltact

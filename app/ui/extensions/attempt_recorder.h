@@ -13,6 +13,7 @@
 
 #include "app/ui/application/extension.h"
 #include "app/ui/lesson/input_way_watch.h"
+#include "app/ui/widgets/messages.h"
 #include "engine/render/camera.h"
 #include "engine/results/attempt_log.h"
 #include "engine/results/session_watch.h"
@@ -66,6 +67,7 @@ class AttemptRecorder : public Extension {
   void add(AttemptFact fact) { add(AttemptEvent{now_s_, std::move(fact)}); }
   void add(AttemptEvent event);
   void lookAtStage(Application& app);
+  void lookAtStates(Application& app);
   void lookAtView(Application& app);
   void lookAtWay(Application& app);
   void endAttempt();
@@ -75,6 +77,7 @@ class AttemptRecorder : public Extension {
   std::vector<Predicted> predictions_;  // made while there was no attempt
   std::vector<Turn> turns_;  // attempts of this run, by student, so that a turn goes on where the last one ended
   std::optional<AttemptLog> log_;
+  MessageId unkept_ = 0;           // the message that it is not kept on the disk, as long as that holds
   const void* session_ = nullptr;  // whose attempt it is
   std::filesystem::path lesson_;   // its file
   std::string hash_;
@@ -82,9 +85,10 @@ class AttemptRecorder : public Extension {
   TouchWatch touch_watch_;
   InputWayWatch input_;
   double now_s_ = 0.0;  // of use since log_ began
-  double view_told_s_ = -1.0;
+  double view_told_s_ = -1.0, states_told_s_ = -1.0;
   std::optional<InputChanged> way_;
   std::optional<StageChanged> stage_;
+  std::optional<StatesMoved> states_;
   std::optional<Camera> view_;
   std::size_t hints_ = 0;  // open in the last frame
   bool paused_ = false, mending_begun_ = false;

@@ -59,7 +59,7 @@ std::string ClassTurns::prompt(const LessonGuide& lesson) const {
     if (task.current && !task.say.empty()) return trf("“{0}” What will be felt?", task.say);
   }
   for (std::size_t k = 0; k < session->step().questions.size(); ++k)
-    if (!session->question(k).answered_right) return plainText(session->step().questions[k].title);
+    if (!session->question(k).done()) return plainText(session->step().questions[k].title);
   return tr("What will be felt next?");
 }
 

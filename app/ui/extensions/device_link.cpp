@@ -245,15 +245,17 @@ std::vector<const LimitWords*> DeviceLink::actingLimits() const {
   return out;
 }
 
-std::vector<std::string> DeviceLink::limitNotices(const Messages& messages) const {
+std::vector<std::string> DeviceLink::limitNotices(const Application& app) const {
   std::vector<std::string> out;
+  const bool gives_force = app.scene.servo().device().gives_force;
   for (const LimitWords* one : actingLimits()) {
+    if (!gives_force && (one->limit != Limit::LateLoop || !app.scene.controls.pressing())) continue;
     if (one->limit == Limit::Panic || (one->limit == Limit::SoftStart && soft_start_s_ < kLongStart_s)) continue;
     // The device knows better what is wrong; it is told once.
     const bool own_words = one->limit == Limit::DeviceFault && !told_.empty();
     if (!own_words)
       out.emplace_back(tr(one->sentence));
-    else if (!messages.tells(told_id_))
+    else if (!app.messages.tells(told_id_))
       out.push_back(told_);
   }
   return out;

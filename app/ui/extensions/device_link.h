@@ -65,8 +65,9 @@ class DeviceLink : public Extension {
   /// The limits that acted within the last kShowLimit_s, in whatever scene.
   std::vector<const LimitWords*> actingLimits() const;
   /// The part of them that is shown over the view: a soft start, which every touch begins with, only where it does not
-  /// end; the panic key has words of its own.
-  std::vector<std::string> limitNotices(const Messages& messages) const;
+  /// end; the panic key has words of its own. With a mouse, of which no motor needs care, only that the computer was
+  /// late, while the hand pushes: the force that is shown falls then.
+  std::vector<std::string> limitNotices(const Application& app) const;
   /// The fraction of the last thousand or so ticks in each class of kLate_us and beyond.
   const std::array<float, kLate_us.size() + 1>& lateness() const { return lateness_; }
 

@@ -10,6 +10,7 @@
 #include "app/ui/extensions/hand_model.h"
 #include "app/ui/extensions/hand_recorder.h"
 #include "app/ui/extensions/lesson_locks.h"
+#include "app/ui/extensions/lesson_pictures.h"
 #include "app/ui/extensions/lesson_shelf.h"
 #include "app/ui/extensions/lesson_watch.h"
 #include "app/ui/extensions/measuring.h"
@@ -43,6 +44,7 @@ struct Extensions final : ExtensionSet {
   SceneHistory history{scene_change};
   LessonShelf shelf{recorder};
   CardPictures card_pictures;
+  LessonPictures lesson_pictures;
   TaskStager task_stager;
   MovingStates moving_states;
   HandModel hand_model;
@@ -60,10 +62,10 @@ struct Extensions final : ExtensionSet {
   // The order of the calls. Locks come before the history, which then never sees what is locked change, and the history
   // before the scene change, whose glide it asks about; a name is asked for before the recorder begins; the device
   // comes before the hand recorder, which replaces the clutch and scale of the device by those of the recording.
-  std::array<Extension*, 20> all_{&settings_keeper, &lesson_watch,  &lesson_locks, &name_asker,    &recorder,
-                                  &turns,           &playback,      &history,      &scene_change,  &hand_model,
-                                  &shelf,           &card_pictures, &task_stager,  &moving_states, &state_text,
-                                  &touch_sound,     &measuring,     &touch_traces, &device,        &hand_recorder};
+  std::array<Extension*, 21> all_{
+      &settings_keeper, &lesson_watch, &lesson_locks, &name_asker,   &recorder,      &turns,         &playback,
+      &history,         &scene_change, &hand_model,   &shelf,        &card_pictures, &task_stager,   &moving_states,
+      &state_text,      &touch_sound,  &measuring,    &touch_traces, &device,        &hand_recorder, &lesson_pictures};
 };
 
 }  // namespace moltact

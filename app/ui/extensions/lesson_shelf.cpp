@@ -1,7 +1,6 @@
 #include "app/ui/extensions/lesson_shelf.h"
 
 #include <algorithm>
-#include <array>
 #include <system_error>
 #include <tuple>
 
@@ -19,12 +18,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-int levelRank(const std::string& level) {
-  static constexpr std::array<std::string_view, 3> kLevels{N_("beginner"), N_("intermediate"), N_("advanced")};
-  const auto known = std::find(kLevels.begin(), kLevels.end(), level);
-  return int(known - kLevels.begin());
-}
-
 void read(LessonCard& card) {
   card.read = true;
   LessonReading reading = readLesson(card.file);
@@ -35,6 +28,8 @@ void read(LessonCard& card) {
   const Lesson& lesson = *reading.lesson;
   card.title = lesson.title.empty() ? card.id : lesson.title;
   card.level = lesson.level;
+  card.description = lesson.description;
+  card.order = lesson.order;
   card.minutes = lesson.minutes;
   card.scene = lesson.steps.front().scene;
   if (Expected<MoleculeKey> key = moleculeOf(*card.scene, card.file)) card.molecule = *std::move(key);
@@ -113,6 +108,13 @@ bool LessonShelf::open(Application& app, FileKind kind, const fs::path& file) {
   return true;
 }
 
+const LessonCard* LessonShelf::after(const fs::path& file) const {
+  if (next_ < cards_.size()) return nullptr;
+  for (std::size_t k = 0; k + 1 < cards_.size(); ++k)
+    if (cards_[k].file == file && cards_[k + 1].fault.empty()) return &cards_[k + 1];
+  return nullptr;
+}
+
 const LessonCard* LessonShelf::latest() const {
   const LessonCard* best = nullptr;
   for (const LessonCard& c : cards_)
@@ -123,13 +125,17 @@ const LessonCard* LessonShelf::latest() const {
 void LessonShelf::afterPanels(Application& app) {
   const bool opened = app.panels.welcome && !open_, other_language = listed_in_ != language();
   open_ = app.panels.welcome;
-  if (opened || (open_ && other_language)) list(app);
-  if (!open_ || next_ >= cards_.size()) return;
+  const LessonSession* session = app.lesson.session();
+  const bool asked = !open_ && session && !session->hasNext() && session->finished();
+  if (opened || ((open_ || asked) && other_language)) list(app);
+  if ((!open_ && !asked) || next_ >= cards_.size()) return;
   read(cards_[next_++]);
   if (next_ < cards_.size()) return;
   std::stable_sort(cards_.begin(), cards_.end(), [](const LessonCard& a, const LessonCard& b) {
     const auto order = [](const LessonCard& c) {
-      return std::tuple(c.own, levelRank(c.level), c.id != kFirstLesson, c.own ? 0 : c.minutes, c.own ? c.title : c.id);
+      const bool placed = c.order > 0;
+      return std::tuple(c.own, !placed, c.order, placed || c.own ? 0 : levelRank(c.level), c.id != kFirstLesson,
+                        placed || c.own ? 0 : c.minutes, c.own ? c.title : c.id);
     };
     return order(a) < order(b);
   });

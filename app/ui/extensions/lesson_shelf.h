@@ -17,11 +17,13 @@ namespace moltact {
 
 struct LessonCard {
   std::filesystem::path file;
-  std::string id;     ///< the file's name without its ending and language
-  std::string title;  ///< the file's name until it has been read
-  std::string level;  ///< as the author wrote it; may be empty
-  int minutes = 0;    ///< 0: not given
-  bool own = false;   ///< the person's own
+  std::string id;           ///< the file's name without its ending and language
+  std::string title;        ///< the file's name until it has been read
+  std::string level;        ///< as the author wrote it; may be empty
+  std::string description;  ///< one line of the author's; may be empty
+  int order = 0;            ///< its place among the others, 0: none
+  int minutes = 0;          ///< 0: not given
+  bool own = false;         ///< the person's own
   bool read = false;
   std::string fault;                       ///< why it cannot be opened; empty when it can
   std::optional<SceneSpec> scene;          ///< of its first step
@@ -35,7 +37,8 @@ class LessonShelf : public Extension {
  public:
   explicit LessonShelf(AttemptRecorder& recorder) : recorder_(recorder) {}
 
-  /// The program's lessons, by level, then the person's own, by title; each in the language in use where it has it.
+  /// The program's lessons, then the person's own; of each first those to which their authors gave a place, in that
+  /// order, then the program's by level and the own by title. Each in the language in use where it has it.
   const std::vector<LessonCard>& cards() const { return cards_; }
   /// The lesson to go on with: the one touched last, where it was not finished. Null without one.
   const LessonCard* latest() const;
@@ -48,7 +51,10 @@ class LessonShelf : public Extension {
 
   /// A pack: put on the shelf and begun.
   bool open(Application& app, FileKind kind, const std::filesystem::path& file) override;
-  /// Reads the lessons again while the welcome page is open, starting when it is opened.
+  /// The lesson that stands after this file's; null where none does, or the shelf has not been read yet.
+  const LessonCard* after(const std::filesystem::path& file) const;
+  /// Reads the lessons again while the welcome page is open, starting when it is opened; once too when a lesson is
+  /// finished, whose card tells what comes next.
   void afterPanels(Application& app) override;
   bool live() const override { return next_ < cards_.size(); }
 

@@ -36,6 +36,7 @@ void MovingStates::forget() {
   molecule_.reset();
   begins_.reset();
   then_ = {};
+  file_.clear();
   share_ = wanted_ = 0.0;
 }
 
@@ -61,6 +62,7 @@ void MovingStates::sceneChanged(Application& app) {
     app.messages.error(key.problem().text());
     return;
   }
+  file_ = key->file;
   reading_ = inBackground(readStates, scene, molecule, *key);
   if (app.options().clock == ServoClock::Frames) take(app);
 }
@@ -89,6 +91,25 @@ void MovingStates::begin(Application& app) {
   if (!begins_ || begins_share_ != share_) begins_ = std::make_shared<const Molecule>(movedTo(*molecule_, places));
   begins_share_ = share_;
   app.lesson.beginFrom(begins_);
+}
+
+void MovingStates::show(Application& app, const MoleculeKey& other, const SecondState& then) {
+  const std::shared_ptr<const Molecule>& molecule = app.scene.stage().molecule;
+  const bool known = molecule == molecule_ && file_ == other.file && then_.superposed_on == then.superposed_on;
+  if (!known) {
+    forget();
+    then_ = then;
+    file_ = other.file;
+    molecule_ = molecule;
+    SceneSpec scene;
+    scene.then = then;
+    reading_ = inBackground(readStates, scene, molecule, other);
+    if (app.options().clock == ServoClock::Frames) take(app);
+    return;
+  }
+  if (!states_ || share_ == then.share) return;
+  share_ = wanted_ = then.share;
+  app.scene.placeAtoms(states_->at(share_));
 }
 
 void MovingStates::goTo(double share) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <filesystem>
 #include <future>
 #include <memory>
 #include <optional>
@@ -29,6 +30,13 @@ class MovingStates : public Extension {
   double share() const { return share_; }
   double wanted() const { return wanted_; }
   void goTo(double share);
+  /// What the scene's second structure is and how it lies on the first; without a molecule where there() is false.
+  const SecondState& then() const { return then_; }
+  /// The file of the second structure.
+  const std::filesystem::path& file() const { return file_; }
+  /// In a playback: the atoms of the molecule on the stage stand at this share of the way to another structure, once that
+  /// has been read.
+  void show(Application& app, const MoleculeKey& other, const SecondState& then);
   /// What the two are called.
   const std::string& name(int state) const { return names_[std::size_t(state)]; }
 
@@ -37,6 +45,7 @@ class MovingStates : public Extension {
   void take(Application& app);
   void begin(Application& app);
 
+  std::filesystem::path file_;                // of the second structure
   SecondState then_;                          // what states_ was made of, with
   std::shared_ptr<const Molecule> molecule_;  // the first state's
   std::future<Expected<TwoStates>> reading_;

@@ -4,6 +4,7 @@
 
 #include "app/ui/application/application.h"
 #include "app/ui/extensions/attempt_recorder.h"
+#include "app/ui/extensions/extensions.h"
 #include "app/ui/extensions/lesson_shelf.h"
 #include "app/ui/files/own_lessons.h"
 #include "engine/language/catalogue.h"
@@ -16,7 +17,11 @@ namespace {
 
 // An attempt names a molecule by its file without folders.
 NamedMolecule namedOf(const StageChanged& stage) { return {stage.file, stage.reading}; }
-NamedMolecule namedOf(const MoleculeKey& key) { return {key.file.filename().string(), key.reading}; }
+NamedMolecule namedOf(const MoleculeKey& key) {
+  NamedMolecule out{key.file.filename().string(), key.reading};
+  out.reading.beside = fs::path(out.reading.beside).filename().string();
+  return out;
+}
 
 }  // namespace
 
@@ -47,6 +52,7 @@ void Playback::open(Application& app, const fs::path& file) {
   file_ = file;
   shown_stage_ = {};
   missing_.clear();
+  second_ = {};
   shown_view_ = nullptr;
   follows_view = true;
   at_s_ = 0.0;
@@ -117,23 +123,49 @@ void Playback::stageFor(Application& app) {
   if (!stage || namedOf(*stage) == shown_stage_) return;
   shown_stage_ = namedOf(*stage);
   if (app.scene.stage() && namedOf(app.scene.molecule()) == shown_stage_) return;
+  ReadOptions reading = stage->reading;
+  // A name of the library stays one.
+  if (reading.beside.find('.') != std::string::npos)
+    if (const fs::path beside = fileOf(app, reading.beside); !beside.empty()) reading.beside = beside.string();
+  if (const fs::path file = fileOf(app, stage->file); !file.empty()) app.showMolecule({file, reading});
+}
+
+// The file that an attempt names without its folders: beside it, of the library or fetched, or beside its lesson; told
+// where it is not there.
+fs::path Playback::fileOf(Application& app, const std::string& name) {
   std::error_code error;
   for (const fs::path& folder : {file_.parent_path(), lessonsFolder()})
-    if (fs::is_regular_file(folder / stage->file, error))
-      return app.showMolecule({folder / stage->file, stage->reading});
+    if (fs::is_regular_file(folder / name, error)) return folder / name;
   // The library and what has been fetched are asked by the molecule's name: its file without its endings.
-  const std::string& name = stage->file;
-  const NamedMolecule id(name.substr(0, name.find('.')), stage->reading);
-  const Expected<MoleculeKey> found = findMoleculeKey(id, MoleculeFolders::ofThisComputer());
-  if (found) return app.showMolecule(*found);
-  if (missing_ == name) return;
+  const Expected<MoleculeKey> found =
+      findMoleculeKey(name.substr(0, name.find('.')), MoleculeFolders::ofThisComputer());
+  if (found) return found->file;
+  if (missing_ == name) return {};
   std::vector<fs::path> folders{lessonFolderOf(app.settings), packsFolderOf(app)};
   for (const fs::path& shared : sharedDataFolders()) folders.push_back(shared / "lessons");
-  const fs::path own = fileBesideLesson(timeline_->header().lesson.file, name, folders);
-  if (!own.empty()) return app.showMolecule({own, stage->reading});
+  fs::path own = fileBesideLesson(timeline_->header().lesson.file, name, folders);
+  if (!own.empty()) return own;
   missing_ = name;
   app.messages.warning(trf("The molecule of this attempt, {0}, is not on this computer: put it beside {1}.", name,
                            file_.filename().string()));
+  return {};
+}
+
+// The atoms where they were between two structures.
+void Playback::showStates(Application& app) {
+  const StageChanged* stage = timeline_->stage(at_s_);
+  const StatesMoved* states = timeline_->states(at_s_);
+  if (!states || !app.scene.stage() || namedOf(app.scene.molecule()) != namedOf(*stage) ||
+      app.scene.stage().molecule->atoms.size() != stage->atoms)
+    return;
+  if (second_.first != states->file) second_ = {states->file, fileOf(app, states->file)};
+  if (second_.second.empty()) return;
+  SecondState then;
+  then.molecule = states->file;
+  then.share = states->share;
+  if (!states->superposed_on.empty())
+    if (auto atoms = parseSelection(states->superposed_on)) then.superposed_on = *std::move(atoms);
+  app.extensions().moving_states.show(app, {second_.second, stage->reading}, then);
 }
 
 void Playback::showHand(Application& app) {
@@ -177,6 +209,7 @@ void Playback::beforeTicks(Application& app) {
     if (at_s_ >= timeline_->length_s()) running_ = false;
   }
   stageFor(app);
+  showStates(app);
   showHand(app);
   showView(app);
 }

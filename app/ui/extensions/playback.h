@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "app/ui/application/extension.h"
 #include "engine/render/camera.h"
@@ -53,15 +54,18 @@ class Playback : public Extension {
  private:
   AttemptRecorder& recorder_;  // rests meanwhile
   void stageFor(Application& app);
+  std::filesystem::path fileOf(Application& app, const std::string& name);
+  void showStates(Application& app);
   void showHand(Application& app);
   void showView(Application& app);
 
   std::optional<Timeline> timeline_;
-  std::filesystem::path file_;  // the attempt
-  MoleculeKey before_;          // on the stage before
-  Camera seen_before_;          // how that was looked at
-  NamedMolecule shown_stage_;   // asked for, by its file's name without folders
-  std::string missing_;         // the name of a molecule's file that was reported as missing
+  std::filesystem::path file_;                            // the attempt
+  MoleculeKey before_;                                    // on the stage before
+  Camera seen_before_;                                    // how that was looked at
+  NamedMolecule shown_stage_;                             // asked for, by its file's name without folders
+  std::pair<std::string, std::filesystem::path> second_;  // the second structure's file, as named and as found
+  std::string missing_;                                   // the name of a molecule's file that was reported as missing
   const ViewChanged* shown_view_ = nullptr;
   double at_s_ = 0.0;
   bool running_ = false;

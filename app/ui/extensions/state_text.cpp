@@ -4,6 +4,7 @@
 #include "app/ui/extensions/task_stager.h"
 #include "app/ui/scene/contact_text.h"
 #include "engine/language/catalogue.h"
+#include "engine/lesson/glossary.h"
 #include "engine/platform/terminal.h"
 
 namespace moltact {
@@ -55,11 +56,16 @@ void StateText::afterPanels(Application& app) {
     const std::string sentence = session->task(at).sentence;
     if (!sentence.empty() && task_.update(sentence, sentence, 0, app.now_s())) write(sentence);
   }
+  if (const PanelState::Word& open = app.panels.word; open.id != word_) {
+    word_ = open.id;
+    if (const GlossaryWord* word = session ? findWord(session->lesson(), word_) : nullptr)
+      write(trf("{0}: {1}", word->word, plainText(word->meaning)));
+  }
   const Molecule* molecule = app.scene.stage().molecule.get();
   const Contact& contact = app.scene.log().latest().contact;
   const bool force_on = app.scene.servo_settings.force_on;
   const double force_N = force_on ? app.scene.log().force_N() : 0.0;
-  const bool dark = dark_ = stager_.dark();
+  const bool dark = dark_ = stager_.dark() || app.scene.touchesUnseen();
   const std::string what = dark ? unnamedContactText(contact) : whatOf(molecule, contact);
   const std::string whole = dark ? what : contactText(molecule, contact, force_N, force_on);
   if (reading_.update(what, what, 0, app.now_s())) tells_contact_ = molecule && contact.touching();

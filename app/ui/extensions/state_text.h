@@ -40,6 +40,7 @@ class StateText : public Extension {
 
   StateLine reading_{StateLine::reading()}, speaking_{StateLine::speaking()}, task_{StateLine::speaking()};
   std::optional<AppendFile> file_;
+  std::string word_;  // whose meaning was told last
   bool to_terminal_ = false;
   bool tells_contact_ = false, dark_ = false;
   bool owing_ = false;  // a change has not been written yet

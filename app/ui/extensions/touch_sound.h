@@ -1,13 +1,16 @@
-// Sound for the touch: switched on at will, fed with every tick, silent where there is no sound card. On the frames'
+// Sound for the touch: fed with every tick, silent where there is no sound card. Who feels with a mouse or keys is asked
+// once, at the first touch, whether it is to be heard; it is quiet until the person wants it louder. On the frames'
 // clock nothing is played; what would have been heard is kept, for scripts and tests. It goes on while the screen is
 // dark: the force, the kind of place and the passing from one set of atoms to another are what a hand feels too, and no
 // atom is said by its name or element. Window's thread.
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "app/ui/application/extension.h"
+#include "app/ui/widgets/messages.h"
 #include "engine/sound/touch_synth.h"
 
 namespace moltact {
@@ -23,16 +26,24 @@ class TouchSound : public Extension {
   /// Sound is switched on and off; a missing sound card is reported once each time that sound is switched on.
   void afterPanels(Application& app) override;
 
+  /// The person's answer to the question; it is not asked again.
+  void answer(Application& app, bool on);
+
   /// The sound since it was switched on (frames' clock only, at kSamples_per_s).
   const std::vector<float>& heard() const { return heard_; }
 
  private:
   void take(const TouchMoment& moment);
+  void ask(Application& app);
+  void switchOnOff(Application& app);
 
   struct Playing;
   std::unique_ptr<Playing> playing_;
   bool on_ = false, told_ = false;
-  TouchSynth synth_;  // of the frames' clock
+  MessageId question_ = 0;
+  double felt_s_ = 0.0;         // of touch, before the question
+  std::optional<Vec3> last_A_;  // where the contact point was in the last tick
+  TouchSynth synth_;            // of the frames' clock
   std::vector<float> heard_;
 };
 

@@ -1,8 +1,11 @@
 #include "app/ui/files/library.h"
 
 #include <algorithm>
+#include <array>
+#include <charconv>
 #include <fstream>
 #include <optional>
+#include <tuple>
 #include <utility>
 
 #include "engine/language/catalogue.h"
@@ -25,18 +28,11 @@ std::vector<LibraryItem> readLibrary() {
   return items;
 }
 
-// The title in the front matter, without reading the whole lesson.
-std::string titleOf(const fs::path& file) {
-  constexpr int kFrontMatterLines = 30;
-  constexpr std::string_view kKey = "title:";
-  std::ifstream in(file);
-  std::string line;
-  for (int k = 0; k < kFrontMatterLines && std::getline(in, line); ++k) {
-    if (!line.starts_with(kKey)) continue;
-    const std::size_t from = line.find_first_not_of(" \t", kKey.size()), to = line.find_last_not_of(" \t\r");
-    if (from != std::string::npos) return line.substr(from, to + 1 - from);
-  }
-  return file.stem().string();
+// What stands behind a key at the line's beginning; empty for another line.
+std::string valueIn(const std::string& line, std::string_view key) {
+  if (!line.starts_with(key)) return {};
+  const std::size_t from = line.find_first_not_of(" \t", key.size()), to = line.find_last_not_of(" \t\r");
+  return from == std::string::npos ? std::string() : line.substr(from, to + 1 - from);
 }
 
 }  // namespace
@@ -53,11 +49,33 @@ std::vector<LibraryItem> lessonsOf(const std::vector<fs::path>& folders) {
     for (LibraryItem& item : lessonItems(folder))
       if (std::none_of(items.begin(), items.end(), [&](const LibraryItem& other) { return other.id == item.id; }))
         items.push_back(std::move(item));
-  std::stable_sort(items.begin(), items.end(), [](const LibraryItem& a, const LibraryItem& b) { return a.id < b.id; });
+  const auto order = [](const LibraryItem& l) {
+    return std::tuple(levelRank(l.level), l.id != kFirstLesson, l.minutes, l.id);
+  };
+  std::stable_sort(items.begin(), items.end(),
+                   [&](const LibraryItem& a, const LibraryItem& b) { return order(a) < order(b); });
   return items;
 }
 
-LibraryItem lessonItem(const fs::path& file) { return {lessonName(file).id, titleOf(file), file}; }
+// Without reading the whole lesson.
+LibraryItem lessonItem(const fs::path& file) {
+  constexpr int kFrontMatterLines = 30;
+  LibraryItem out{lessonName(file).id, file.stem().string(), file, "beginner"};
+  std::ifstream in(file);
+  std::string line;
+  for (int k = 0; k < kFrontMatterLines && std::getline(in, line) && (k == 0 || !line.starts_with("---")); ++k) {
+    if (const std::string title = valueIn(line, "title:"); !title.empty()) out.label = title;
+    if (const std::string level = valueIn(line, "level:"); !level.empty()) out.level = level;
+    if (const std::string minutes = valueIn(line, "minutes:"); !minutes.empty())
+      std::from_chars(minutes.data(), minutes.data() + minutes.size(), out.minutes);
+  }
+  return out;
+}
+
+int levelRank(std::string_view level) {
+  static constexpr std::array<std::string_view, 3> kLevels{"beginner", "intermediate", "advanced"};
+  return int(std::find(kLevels.begin(), kLevels.end(), level) - kLevels.begin());
+}
 
 const std::vector<LibraryItem>& library() {
   static std::vector<LibraryItem> items;

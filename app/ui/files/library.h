@@ -13,22 +13,27 @@ struct LibraryItem {
   std::string id;     ///< "1ubq"; of a lesson its name without the language
   std::string label;  ///< "Ubiquitin (1UBQ)"
   std::filesystem::path file;
+  std::string level = {};  ///< of a lesson, in English: "beginner"
+  int minutes = 0;         ///< of a lesson; 0: it says none
 };
+
+/// Where a level's lessons stand in a list: 0 first. The level in English.
+int levelRank(std::string_view level);
 
 /// The lesson that a newcomer begins with.
 inline constexpr std::string_view kFirstLesson = "first-touch";
 
 /// The molecules of the catalogue, their titles in the language in use; empty where the program's data are not found.
 const std::vector<LibraryItem>& library();
-/// The lessons of this computer, by name: those in `lessons` of sharedDataFolders(), and the program's; each once, in the
+/// The lessons of this computer, the easy and short ones first: those in `lessons` of sharedDataFolders(), and the program's; each once, in the
 /// language in use.
 const std::vector<LibraryItem>& lessons();
 /// The lessons in a folder, by name; each once, in the language in use. Empty where it cannot be read.
 std::vector<LibraryItem> lessonItems(const std::filesystem::path& folder);
-/// The lessons in several folders, by name. Of lessons with the same name that in the first folder counts: a newer
+/// The lessons in several folders, by level, the newcomer's first, then by length and name. Of lessons with the same name that in the first folder counts: a newer
 /// version, or one for this school.
 std::vector<LibraryItem> lessonsOf(const std::vector<std::filesystem::path>& folders);
-/// One lesson, its title as the front matter has it.
+/// One lesson, with what its front matter says at a glance.
 LibraryItem lessonItem(const std::filesystem::path& file);
 
 }  // namespace moltact

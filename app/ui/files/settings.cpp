@@ -108,6 +108,8 @@ LoadedSettings loadSettings(const fs::path& file) {
   if (const auto device = json.find("device"); device != json.end() && device->is_string())
     s.device = device->get<std::string>();
   readSwitch(json, "sound", s.sound);
+  readSwitch(json, "sound_asked", s.sound_asked);
+  readNumber(json, "sound_volume", s.sound_volume, 0.0, 1.0);
   readSwitch(json, "reduced_motion", s.reduced_motion);
   readSwitch(json, "large_state_text", s.large_state_text);
   if (const auto recent = json.find("recent"); recent != json.end() && recent->is_array())
@@ -136,6 +138,8 @@ nlohmann::json written(const Settings& s) {
           {"probe_look", probeLookName(s.probe_look)},
           {"device", s.device},
           {"sound", s.sound},
+          {"sound_asked", s.sound_asked},
+          {"sound_volume", s.sound_volume},
           {"reduced_motion", s.reduced_motion},
           {"large_state_text", s.large_state_text},
           {"recent", s.recent}};

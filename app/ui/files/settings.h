@@ -45,6 +45,8 @@ struct Settings {
   std::string device;  ///< the one that was chosen last, by its name; empty: none was
   ProbeLook probe_look = ProbeLook::Water;
   bool sound = false;             ///< touch is heard
+  bool sound_asked = false;       ///< the person has been asked whether it is to be
+  double sound_volume = 0.4;      ///< of that sound (0 to 1): quiet at first
   bool reduced_motion = false;    ///< another scene is there at once: the camera does not glide, nothing fades
   bool large_state_text = false;  ///< what is touched, in large type over the view
 

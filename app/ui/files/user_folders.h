@@ -12,7 +12,8 @@ std::filesystem::path settingsFile();
 std::filesystem::path ownLessonsFolder();
 /// $XDG_CACHE_HOME/moltact, or under ~/.cache: what can be made again; empty where there is no home.
 std::filesystem::path cacheFolder();
-/// ~/Pictures where there is one, else the home folder, else the current folder.
+/// Where the desktop keeps pictures (XDG_PICTURES_DIR of user-dirs.dirs: ~/Bilder on a German one), else ~/Pictures, the
+/// first that is there; else the home folder, and only without one the current folder.
 std::filesystem::path pictureFolder();
 
 }  // namespace moltact

@@ -7,6 +7,7 @@
 
 #include "app/ui/lesson/scene_marks.h"
 #include "engine/language/catalogue.h"
+#include "engine/lesson/glossary.h"
 #include "engine/lesson/lesson_molecules.h"
 #include "engine/lesson/lesson_region.h"
 #include "engine/lesson/reader.h"
@@ -49,6 +50,7 @@ ColourBy colourBy(const SceneSpec& scene) { return scene.colour == "chain" ? Col
 bool LessonGuide::open(const std::filesystem::path& file) {
   LessonReading reading = readLesson(file);
   if (!reading.lesson) return false;
+  linkWords(*reading.lesson, glossaryBeside(file, reading.lesson->language));
   session_ = std::make_unique<LessonSession>(std::make_shared<const Lesson>(*std::move(reading.lesson)));
   file_ = file;
   scene_changed_ = true;
@@ -62,6 +64,7 @@ void LessonGuide::replace(Lesson lesson) {
   const std::string step = session_->step().id;
   const bool seen = !scene_changed_ && session_->sceneNumber() == scene_seen_;
   const bool kept_drafts = drafts_opening_ == openings_;
+  linkWords(lesson, glossaryBeside(file_, lesson.language));
   session_->replaceLesson(std::make_shared<const Lesson>(std::move(lesson)));
   ++openings_;
   if (kept_drafts && session_->step().id == step) drafts_opening_ = openings_;
@@ -76,7 +79,10 @@ void LessonGuide::back() {
   if (session_) session_->back();
 }
 
-bool LessonGuide::follow(const std::string& link) { return session_ && link.starts_with('#') && session_->goTo(link); }
+bool LessonGuide::follow(const std::string& link) {
+  if (!session_ || !link.starts_with('#')) return false;
+  return !session_->mayGoTo(link) || session_->goTo(link);
+}
 
 AnswerDrafts& LessonGuide::drafts() {
   const std::size_t step = session_ ? session_->stepIndex() : 0;
@@ -184,7 +190,10 @@ void faceView(Camera& camera, const Molecule& molecule, const ViewSpec& view, co
     return;
   }
   constexpr double kQuarter = 0.5 * std::numbers::pi;
-  if (view.side == "side")
+  // Two that stand beside each other are seen so.
+  if (view.side == "side" && molecule.beside_from > 0)
+    camera.lookFrom(0, 0);
+  else if (view.side == "side")
     camera.lookSideOn(molecule);
   else if (view.side == "back")
     camera.lookFrom(2 * kQuarter, 0);
@@ -217,6 +226,8 @@ std::string viewText(const Camera& camera) {
 void LessonGuide::decorate(ViewScene& scene) const {
   if (!on_stage_) return;
   scene.highlighted = highlighted_;
+  // What a task asked for whose tries are used up.
+  if (const std::vector<std::uint32_t> shown = session_->shownAtoms(); !shown.empty()) scene.highlighted = shown;
   // They go with atoms that have moved.
   if (annotations_ && scene.molecule && scene.molecule != annotated_) {
     annotations_ = annotationsOf(session_->scene(), *scene.molecule);

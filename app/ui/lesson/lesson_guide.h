@@ -55,11 +55,12 @@ class LessonGuide {
   /// Grows each time a lesson is opened; 0 before the first.
   std::size_t openings() const { return openings_; }
 
-  bool canGoOn() const { return session_ && session_->hasNext(); }
+  bool canGoOn() const { return session_ && session_->hasNext() && session_->mayGoOn(); }
   bool canGoBack() const { return session_ && session_->hasBack(); }
   void next();
   void back();
-  /// Follows a link to a step ("#step-id"); false where there is no such step.
+  /// Follows a link to a step ("#step-id"); false where there is no such step. Stays where another step must be
+  /// finished first.
   bool follow(const std::string& link);
 
   /// For the step that is shown; empty when it has just been entered.

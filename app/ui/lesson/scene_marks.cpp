@@ -80,6 +80,32 @@ void addOwnLabel(const MarkSpec& spec, const Molecule& molecule, bool arrow, std
   labels.push_back({.at = middle.at, .clear_A = middle.reach_A, .text = spec.name, .arrow = arrow, .always = true});
 }
 
+// Below each of two molecules that stand beside each other: its caption, or its name.
+void addCaptions(const SceneSpec& scene, const Molecule& molecule, std::vector<Annotations::Label>& labels) {
+  if (molecule.beside_from == 0) return;
+  const std::size_t ends[] = {0, molecule.beside_from, molecule.atoms.size()};
+  Vec3 low[2], high[2];
+  for (int k = 0; k < 2; ++k) {
+    low[k] = Vec3(1e300);
+    high[k] = Vec3(-1e300);
+    for (std::size_t i = ends[k]; i < ends[k + 1]; ++i) {
+      const Atom& a = molecule.atoms[i];
+      low[k] = glm::min(low[k], a.position.A - a.radius_A);
+      high[k] = glm::max(high[k], a.position.A + a.radius_A);
+    }
+  }
+  const double bottom = std::min(low[0].y, low[1].y);
+  for (int k = 0; k < 2; ++k) {
+    const std::string name = scene.captions.size() == 2 ? scene.captions[std::size_t(k)]
+                             : k                        ? molecule.beside_id
+                                                        : molecule.id;
+    const Vec3 middle = 0.5 * (low[k] + high[k]);
+    if (!name.empty())
+      labels.push_back(
+          {.at = {Vec3(middle.x, bottom, middle.z)}, .clear_A = high[k].z - low[k].z, .text = name, .always = true});
+  }
+}
+
 }  // namespace
 
 std::string atomLabel(const Molecule& molecule, std::uint32_t atom) {
@@ -97,6 +123,7 @@ Annotations::Measure measureBetween(const Molecule& molecule, std::span<const st
 
 std::shared_ptr<const Annotations> annotationsOf(const SceneSpec& scene, const Molecule& molecule) {
   auto out = std::make_shared<Annotations>();
+  addCaptions(scene, molecule, out->labels);
   for (const MarkSpec& spec : scene.labels)
     spec.name.empty() ? addWordLabels(spec, molecule, out->labels) : addOwnLabel(spec, molecule, false, out->labels);
   for (const MarkSpec& spec : scene.arrows) addOwnLabel(spec, molecule, true, out->labels);

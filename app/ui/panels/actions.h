@@ -12,7 +12,8 @@ namespace moltact {
 
 class Application;
 
-enum class Menu { File, Edit, View, Lesson, Help };
+/// None: in no menu, offered with a message alone.
+enum class Menu { File, Edit, View, Lesson, Help, None };
 inline constexpr int kMenus = 5;
 /// "File", the English name of a menu; as it is shown; and the capital letter that opens it with Alt.
 const char* menuName(Menu menu);

@@ -1,5 +1,5 @@
-// What safety does to the force, over the lower edge of the view: that all force is stopped, and with a device that
-// gives force which limit acts.
+// What safety does to the force, over the lower edge of the view: that all force is stopped, and which limit acts; where
+// the force is only shown, the limits that take it away from under a hand that pushes.
 #include <algorithm>
 #include <string>
 
@@ -20,8 +20,8 @@ void drawLimitNotice(Application& app) {
   std::string text;
   if (stopped) {
     text = tr("All force is stopped. F9 allows it again.");
-  } else if (app.scene.servo().device().gives_force) {
-    for (const std::string& words : app.extensions().device.limitNotices(app.messages))
+  } else {
+    for (const std::string& words : app.extensions().device.limitNotices(app))
       text += (text.empty() ? "" : "\n") + words;
   }
   if (text.empty() || view.empty() || app.panels.welcome) return;

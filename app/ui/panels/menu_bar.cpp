@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
 
 #include "app/ui/application/application.h"
 #include "app/ui/extensions/extensions.h"
@@ -66,13 +67,16 @@ void shapesMenu(Application& app) {
   if (!beginSubmenu(app, "menu/view/shapes", tr("Shapes"), !app.panels.welcome && !app.lesson.locks("show"))) return;
   for (const ViewPartInfo& part : viewParts()) {
     const bool on = app.scene.shown.has(part.part);
+    if (part.expert && !on && !app.settings.expert) continue;
     if (item("menu/view/shapes/" + std::string(part.name), part.shownLabel(), nullptr, on))
       app.scene.shown.set(part.part, !on);
   }
   ImGui::EndMenu();
 }
 
+// With the shapes it begins the group of what is drawn.
 void styleMenu(Application& app) {
+  ImGui::Separator();
   if (!beginSubmenu(app, "menu/view/style", tr("Style"), !app.panels.welcome && !app.lesson.locks("show"))) return;
   for (const DrawStyleInfo& style : drawStyles()) {
     const std::vector<StyledAtoms> only{{.style = style.style}};
@@ -106,9 +110,12 @@ void sizeMenu(Application& app) {
 }
 
 void lessonList(Application& app) {
-  ImGui::Separator();
-  for (const LibraryItem& entry : lessons())
+  // A line parts the levels.
+  int level = -1;
+  for (const LibraryItem& entry : lessons()) {
+    if (levelRank(entry.level) != std::exchange(level, levelRank(entry.level))) ImGui::Separator();
     if (item("menu/lesson/" + entry.id, entry.label.c_str())) app.open(entry.file);
+  }
 }
 
 // What stands in a menu after one of its actions.
@@ -117,7 +124,7 @@ struct Inset {
   void (*draw)(Application&);
 };
 constexpr Inset kInsets[] = {{"open", libraryMenu},   {"open", recentMenu},        {"methods", styleMenu},
-                             {"methods", shapesMenu}, {"high-contrast", sizeMenu}, {"turns", lessonList},
+                             {"methods", shapesMenu}, {"high-contrast", sizeMenu}, {"report", lessonList},
                              {"reset", viewsMenu}};
 
 void drawMenu(Application& app, Menu menu) {

@@ -11,16 +11,19 @@
 namespace moltact {
 namespace {
 
-// Buttons in a row below the text; what cannot be done now is greyed.
-void drawActions(Application& app, const Message& message, const std::string& name) {
+// Buttons in a row below the text; what cannot be done now is greyed. The one that was pressed: it may take the message
+// back, so it runs once all are drawn.
+const Action* drawActions(Application& app, const Message& message, const std::string& name) {
+  const Action* pressed = nullptr;
   for (std::size_t k = 0; k < message.actions.size(); ++k) {
     const Action* action = findAction(message.actions[k]);
     if (!action) continue;
     if (k > 0) ImGui::SameLine(0, look().px(8));
     if (button((name + "/" + std::string(action->name)).c_str(), std::string(tr(action->label)).c_str(),
                ButtonLook::Plain, 0.0f, enabled(*action, app)))
-      action->run(app);
+      pressed = action;
   }
+  return pressed;
 }
 
 }  // namespace
@@ -35,6 +38,7 @@ void drawMessageStack(Application& app) {
   const float margin = l.px(12), width = std::min(room.size().x - 2 * margin, l.tx(560));
   float y = room.low.y + margin;
   std::optional<std::size_t> dismissed;
+  const Action* chosen = nullptr;
   for (std::size_t k = 0; k < app.messages.all().size(); ++k) {
     const Message& m = app.messages.all()[k];
     const Palette& p = l.palette;
@@ -64,7 +68,7 @@ void drawMessageStack(Application& app) {
     ImGui::PopTextWrapPos();
     if (!m.actions.empty()) {
       ImGui::SetCursorPos({pad, pad + std::max(text_h, l.tx(22)) + l.px(8)});
-      drawActions(app, m, name);
+      if (const Action* pressed = drawActions(app, m, name)) chosen = pressed;
     }
     ImGui::SetCursorPos({width - pad - l.px(24), pad - l.px(5)});
     if (iconButton((name + "/dismiss").c_str(), Icon::Close, tr("Dismiss"))) dismissed = k;
@@ -74,6 +78,7 @@ void drawMessageStack(Application& app) {
     y += height + l.px(8);
   }
   if (dismissed) app.messages.dismiss(*dismissed);
+  if (chosen) chosen->run(app);
 }
 
 }  // namespace moltact

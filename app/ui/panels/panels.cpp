@@ -29,6 +29,7 @@
   PAGE(DevicePage, device_page)           \
   PAGE(ZoomPage, zoom_page)               \
   PAGE(ReadingPage, reading_page)         \
+  PAGE(PicturePage, picture_page)         \
   PAGE(ControlsPage, controls_page)       \
   PAGE(AboutPage, about_page)
 

@@ -134,7 +134,8 @@ void drawPreferencesPage(Application& app) {
   part();
   sectionTitle(tr("More than the eye"));
   toggle("preferences/sound", tr("Sound of touch"), s.sound,
-         tr("Contact, crossing from atom to atom, and force as pitch."));
+         tr("Force as pitch; sliding scrapes, a crease clicks, a pit thuds."));
+  if (s.sound) slider("preferences/volume", tr("Volume"), s.sound_volume, 0.0, 1.0, 0.05, {Dimension::Share, {}});
   toggle("preferences/large-text", tr("What is touched in large type"), s.large_state_text);
   toggle("preferences/reduced-motion", tr("Less motion"), s.reduced_motion,
          tr("Another scene is there at once; the view does not glide or fade."));

@@ -1,4 +1,4 @@
-// How the molecule's file is read: which model, with its waters, as which biological assembly. From the table of readings.
+// How the molecule's file is read: which model, with its waters, as which biological assembly, beside which other molecule. From the table of readings.
 #include <imgui.h>
 #include <imgui_stdlib.h>
 
@@ -46,7 +46,7 @@ void drawReadingPage(Application& app) {
   PanelState& panels = app.panels;
   const bool appears = panels.reading_page && !ImGui::IsPopupOpen("reading");
   if (appears) panels.reading = app.scene.molecule().reading;
-  if (!beginPage("reading", tr("Models, waters, assembly"), panels.reading_page, 520, 460)) return;
+  if (!beginPage("reading", tr("Models, waters, assembly"), panels.reading_page, 520, 560)) return;
   const Stage& stage = app.scene.stage();
   bool goes = false;
   if (stage) {

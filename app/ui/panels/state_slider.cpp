@@ -17,7 +17,8 @@ namespace moltact {
 
 void drawStateSlider(Application& app, const Rectangle& view) {
   MovingStates& states = app.extensions().moving_states;
-  if (!states.there()) return;
+  // In a playback they go as they went.
+  if (!states.there() || app.extensions().playback.on()) return;
   const Look& l = look();
   // The button that resets the view stands in the corner beside it.
   const float room = view.size().x - l.px(120), pad = l.px(8), gap = l.px(8), high = l.tx(30);

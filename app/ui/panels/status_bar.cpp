@@ -96,7 +96,7 @@ void drawStatusBar(Application& app) {
                       app.scene.log().touching()                  ? tr("touching")
                       : now.contact.fault == Fault::StartedInside ? tr("inside")
                                                                   : tr("free"),
-                      app.extensions().task_stager.dark()
+                      app.extensions().task_stager.dark() || app.scene.touchesUnseen()
                           ? std::string()
                           : contactText(app.scene.stage().molecule.get(), now.contact, app.scene.log().shownForce_N()),
                       0, app.scene.log().touching() ? l.palette.accent : l.palette.faint});
@@ -111,11 +111,12 @@ void drawStatusBar(Application& app) {
   // Who compares methods wants the figures too.
   const bool expert = app.settings.expert || app.panels.methods;
   if (!dark && expert) segments.push_back(loopSegment(app));
-  if (app.scene.stage()) {
+  // Nor is what is not drawn named.
+  if (app.scene.stage() && !dark && !app.scene.drawsNothing()) {
     const Molecule& m = *app.scene.stage().molecule;
     segments.push_back(
         {"status/molecule", m.id.empty() ? app.scene.molecule().file.filename().string() : m.id, m.title, 1});
-    if (!app.scene.playing() && !dark && expert)
+    if (!app.scene.playing() && expert)
       segments.push_back(
           {"status/modelled",
            trf("{0} of {1} atoms modelled", grouped(now.memory_usage.atoms_modelled), grouped(m.atoms.size())),

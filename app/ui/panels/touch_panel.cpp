@@ -47,6 +47,7 @@ void drawPartSwitches(Application& app) {
     if (!part.haptic) continue;  // the others are in the View menu
     if (part.part == ViewPart::Facets && !feltFacets(app.scene.method())) continue;
     bool on = app.scene.shown.has(part.part);
+    if (part.expert && !on && !app.settings.expert) continue;
     if (toggle(("show/" + std::string(part.name)).c_str(), part.shownLabel(), on, tr(part.sentence)))
       app.scene.shown.set(part.part, on);
   }
@@ -89,8 +90,11 @@ void drawTouchPanel(Application& app) {
     if (!app.panels.methods && !app.lesson.locks("panels") &&
         button("compare", tr("Compare the methods …"), ButtonLook::Plain, -1.0f))
       app.panels.showMethods(true);
-    plot("plot/tick", app.scene.log().work(), app.scene.log().health().work_mean_us,
-         {.title = tr("Time for a tick"), .least_top = 2.0f, .shown_as = {Dimension::Time, {decimals(1), "µs"}, 1e-6}});
+    if (app.settings.expert || app.panels.methods)
+      plot("plot/tick", app.scene.log().work(), app.scene.log().health().work_mean_us,
+           {.title = tr("Time for a tick"),
+            .least_top = 2.0f,
+            .shown_as = {Dimension::Time, {decimals(1), "µs"}, 1e-6}});
   }
   ImGui::PopStyleVar();
   endPanel();

@@ -107,6 +107,33 @@ const char* hintText(bool has_pressed, bool left_handed, bool fingers) {
                      : tr("Hold the left button, or Space, to push against the molecule");
 }
 
+// A press that has come to rest tells how it goes on: until the person has done so once, and wherever a task waits for it.
+bool wantsPushHint(const Application& app) {
+  constexpr double kAtRest_s = 1.2;
+  const ViewControls& controls = app.scene.controls;
+  if (app.panels.fingers || app.scene.playing() || app.scene.servo().deviceLeads() || controls.pressed_s() < kAtRest_s)
+    return false;
+  const LessonSession* session = app.lesson.session();
+  const Task* task = session && !app.panels.welcome ? session->taskAt(session->currentTask()) : nullptr;
+  return !controls.hasPushed() || (task && task->wantsHarderPush());
+}
+
+// A press beside the molecule meets nothing: it is told where the eyes are.
+void emptyPlaceNotice(const Application& app, const Rectangle& view) {
+  constexpr double kSoon_s = 0.25;
+  const ViewControls& controls = app.scene.controls;
+  if (!controls.pressesNothing() || controls.pressed_s() < kSoon_s || app.scene.playing() ||
+      app.scene.servo().deviceLeads() || app.scene.log().touching())
+    return;
+  const Look& l = look();
+  const std::string text = tr("There is nothing under the pointer here. Point at the molecule and push.");
+  const float width = std::min(l.tx(260), view.size().x - l.px(28)), half = 0.5f * width + l.px(14);
+  const glm::vec2 at = view.low + glm::vec2(controls.aim_px());
+  const float x = std::clamp(at.x, view.low.x + half, std::max(view.low.x + half, view.high.x - half));
+  const float y = std::clamp(at.y + l.px(24), view.low.y + l.px(14), view.high.y - l.tx(110));
+  pill("view/nothing here", text, {x, y}, {0.5f, 0.0f}, width, l.palette.warn_soft, l.palette.text);
+}
+
 // What takes long is seen to go on: a bar that runs to and fro.
 void loadingSign(const Application& app, const Rectangle& view) {
   constexpr double kLong_s = 0.5, kRound_s = 1.6;
@@ -168,9 +195,10 @@ void drawViewOverlays(Application& app, const Rectangle& view) {
     // The line rests a moment before it tells something new; by then it may be the first touch.
     const StateText& state = app.extensions().state_text;
     above -= l.px(8) + pill("view/state",
-                            state.tellsContact() ? state.line(app.scene)
-                                                 : contactText(app.scene.stage().molecule.get(), now.contact,
-                                                               app.scene.log().shownForce_N()),
+                            state.tellsContact()        ? state.line(app.scene)
+                            : app.scene.touchesUnseen() ? unnamedContactText(now.contact)
+                                                        : contactText(app.scene.stage().molecule.get(), now.contact,
+                                                                      app.scene.log().shownForce_N()),
                             {view.low.x + margin, bottom}, {0, 1}, words, p.panel, p.text);
   } else if (const float hint = float(app.scene.controls.hintStrength());
              hint > 0.0f && measured.empty() && !app.scene.playing() && !app.scene.servo().deviceLeads()) {
@@ -178,6 +206,12 @@ void drawViewOverlays(Application& app, const Rectangle& view) {
                             hintText(app.scene.controls.hasPressed(), app.settings.left_handed, app.panels.fingers),
                             {view.low.x + margin, bottom}, {0, 1}, words, p.panel, p.quiet, hint);
   }
+  if (now.contact.touching() && wantsPushHint(app))
+    above -= l.px(8) + pill("view/push hint",
+                            tr("To push harder, keep it held and roll the wheel, move two fingers on the trackpad, or "
+                               "press +; − is lighter."),
+                            {view.low.x + margin, above}, {0, 1}, words, p.panel, p.text);
+  emptyPlaceNotice(app, view);
   if (!measured.empty()) pill("view/measuring", measured, {view.low.x + margin, above}, {0, 1}, words, p.panel, p.text);
 }
 

@@ -191,7 +191,7 @@ void drawViewPanel(Application& app) {
   recordRectangle("view", r.low, r.high);
   const ViewInput in = readInput(app, low, size);
   app.scene.controls.update(in, app.scene.camera, app.scene.stage().balls.get(), app.scene.servo_settings,
-                            app.scene.log().touching(), app.scene.log().force_N(), app.scene.servo().mouse());
+                            app.scene.log().latest(), app.scene.servo().mouse());
   if (app.scene.controls.pressing() && (ImGui::IsItemHovered() || ImGui::IsItemActive()))
     ImGui::SetMouseCursor(ImGuiMouseCursor_None);
 

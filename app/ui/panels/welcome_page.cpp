@@ -24,6 +24,7 @@ constexpr float kWidest = 1160.0f, kLessonWidth = 262.0f, kMoleculeWidth = 178.0
 
 struct CardText {
   std::string name, title, line, tip;
+  std::string about = {};  ///< two small lines of what it is about, where the section's cards have them
   float progress = -1.0f;  ///< negative: no bar
   bool done = false, bad = false;
 };
@@ -61,12 +62,14 @@ void drawProgress(ImDrawList* draw, const CardText& text, ImVec2 a, float width)
                         text.done ? p.good : p.accent, 0.5f * high);
 }
 
-bool drawCard(Grid& grid, const CardText& text, ImTextureID picture, float width) {
+bool drawCard(Grid& grid, const CardText& text, ImTextureID picture, float width, bool abouts = false) {
   const Look& l = look();
   const Palette& p = l.palette;
   const float pad = l.px(12), round = l.px(10), shot = std::round(width * 9.0f / 16.0f);
   const float line = ImGui::GetTextLineHeight(), small_line = l.font(Font::Small)->FontSize;
-  const float height = shot + pad + 2 * line + l.px(5) + small_line + (text.progress >= 0.0f ? l.px(14) : 0.0f) + pad;
+  const float about_h = abouts ? 2 * small_line + l.px(7) : 0.0f;
+  const float height =
+      shot + pad + 2 * line + l.px(5) + about_h + small_line + (text.progress >= 0.0f ? l.px(14) : 0.0f) + pad;
   ImGui::PushID(text.name.c_str());
   const bool clicked = ImGui::InvisibleButton("card", {width, height});
   ImGui::PopID();
@@ -94,6 +97,8 @@ bool drawCard(Grid& grid, const CardText& text, ImTextureID picture, float width
   y += 2 * line + l.px(5);
   {
     WithFont small(Font::Small);
+    if (abouts) draw->AddText({low.x + pad, y}, p.quiet, twoLines(text.about, width - 2 * pad).c_str());
+    y += about_h;
     const float mark = text.done ? l.px(20) : 0.0f;
     const std::string shown = elided(text.line, width - 2 * pad - mark);
     draw->AddText({low.x + pad, y}, text.bad ? p.bad : p.quiet, shown.c_str());
@@ -102,7 +107,7 @@ bool drawCard(Grid& grid, const CardText& text, ImTextureID picture, float width
   if (text.progress >= 0.0f) drawProgress(draw, text, {low.x + pad, high.y - pad - l.px(5)}, width - 2 * pad);
   const float edge = std::max(1.0f, std::round(l.scale));
   draw->AddRect(low, high, hovered || selected ? p.accent : p.line, round, 0, selected ? 2 * edge : edge);
-  recordItem(text.name, text.title + "\n" + text.line);
+  recordItem(text.name, text.title + "\n" + text.line + (text.about.empty() ? "" : "\n" + text.about));
   tip(text.tip.c_str());
   const bool entered = selected && grid.enter;
   ++grid.count;
@@ -145,6 +150,7 @@ CardText textOf(const LessonCard& card) {
     t.bad = true;
     return t;
   }
+  t.about = card.description;
   if (card.minutes > 0) t.line = quantityText(60.0 * card.minutes, Dimension::Time, {plain(), "min"});
   if (!card.level.empty()) t.line += (t.line.empty() ? "" : " · ") + std::string(tr(card.level.c_str()));
   t.progress = card.progress ? float(card.progress->share()) : 0.0f;
@@ -159,12 +165,14 @@ void drawLessons(Application& app, Grid& grid, bool own) {
   for (const LessonCard& c : e.shelf.cards())
     if (c.own == own) cards.push_back(&c);
   if (cards.empty()) return;
+  const bool abouts =
+      std::any_of(cards.begin(), cards.end(), [](const LessonCard* c) { return !c->description.empty(); });
   heading(own ? tr("Your lessons") : tr("Lessons"));
   const LessonCard* chosen = nullptr;
   rows(grid, cards.size(), kLessonWidth, [&](std::size_t k, float width) {
     const LessonCard& c = *cards[k];
     const ImTextureID picture = c.scene ? e.card_pictures.find({c.molecule, *c.scene}) : ImTextureID{};
-    if (drawCard(grid, textOf(c), picture, width)) chosen = &c;
+    if (drawCard(grid, textOf(c), picture, width, abouts)) chosen = &c;
   });
   if (chosen) e.shelf.begin(app, *chosen);
 }

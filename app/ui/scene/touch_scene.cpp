@@ -111,6 +111,18 @@ void TouchScene::beginAgainAt(PointA place) {
   handBegins(place);
 }
 
+bool TouchScene::touchesUnseen() const {
+  if (!look.hidden) return false;
+  const std::array<std::int32_t, 3>& atoms = log().latest().contact.atoms;
+  return std::any_of(atoms.begin(), atoms.end(), [&](std::int32_t a) {
+    return a >= 0 && std::binary_search(look.hidden->begin(), look.hidden->end(), std::uint32_t(a));
+  });
+}
+
+bool TouchScene::drawsNothing() const {
+  return look.hidden && stage_ && look.hidden->size() == stage_.molecule->atoms.size();
+}
+
 Camera TouchScene::cameraFor(const Facing& facing, const std::optional<Region>& part) const {
   Camera out = camera;
   out.orientation = glm::dquat(1, 0, 0, 0);

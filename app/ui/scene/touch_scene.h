@@ -131,6 +131,10 @@ class TouchScene {
   void play(const std::optional<ServoSample>& sample);
   bool playing() const { return played_.has_value(); }
 
+  /// An atom that the scene does not draw is touched: its name would tell what the hand is to find out.
+  bool touchesUnseen() const;
+  /// The scene draws no atom of its molecule.
+  bool drawsNothing() const;
   /// The next frame would look different by itself.
   bool live() const { return log_.touching() || controls.live() || hand_moved_ || atomsMove(); }
   /// Atoms are on a way that has not been drawn to its end.

@@ -26,7 +26,7 @@ ViewRays viewRays(const Camera& camera, glm::dvec2 size_px) {
 }
 
 void ViewControls::update(const ViewInput& in, Camera& camera, const BallScene* balls, const ServoSettings& settings,
-                          bool touching, double force_N, MouseDevice& mouse) {
+                          const ServoSample& felt, MouseDevice& mouse) {
   const Camera before = camera;
   const glm::dvec2 orbit = in.orbit_px * kOrbit_rad_per_px +
                            glm::dvec2(in.orbit_keys.x, -in.orbit_keys.y) * (kOrbitKeys_rad_per_s * in.dt_s);
@@ -41,7 +41,9 @@ void ViewControls::update(const ViewInput& in, Camera& camera, const BallScene* 
   if (in.release) let_go_ = true;
   if (!in.press) let_go_ = false;
   pressing_ = in.press && !let_go_ && balls;
+  pressed_s_ = pressing_ ? pressed_s_ + in.dt_s : 0.0;
   has_pressed_ = has_pressed_ || pressing_;
+  has_pushed_ = has_pushed_ || (pressing_ && in.push_notches != 0.0);
   if (has_pressed_ && has_turned_) hint_left_s_ -= in.dt_s;
   if (!balls) return;
 
@@ -64,8 +66,10 @@ void ViewControls::update(const ViewInput& in, Camera& camera, const BallScene* 
   first_aim_.reset();
   pointer.keys = in.probe_keys;
   pointer.press = pressing_;
+  pointer.touching = felt.contact.touching();
+  pointer.hip = felt.hip;
   pointer.push_notches = in.push_notches;
-  pointer.force_N = force_N;
+  pointer.force_N = glm::length(felt.force.N);
   pointer.N_per_A = settings.force_on
                         ? in.expected_N_per_mm.value_or(settings.stiffness_N_per_mm) / settings.workspace.A_per_mm
                         : 0.0;
@@ -73,8 +77,8 @@ void ViewControls::update(const ViewInput& in, Camera& camera, const BallScene* 
   const PointA before_lead = lead_;
   lead_ = hand_.lead(pointer, *balls, settings.probe_A);
   // A hovering hand goes over the molecule, not through what lies between two places of the pointer.
-  const bool hovering = !pressing_ && !touching;
-  if (hovering && glm::distance(lead_.A, before_lead.A) > kHoverStep_A)
+  const bool hovering = !pressing_ && !pointer.touching;
+  if (hand_.leapt() || (hovering && glm::distance(lead_.A, before_lead.A) > kHoverStep_A))
     mouse.place(settings.workspace.toDevice(lead_));
   else
     mouse.lead(settings.workspace.toDevice(lead_));
@@ -91,6 +95,7 @@ void ViewControls::begin(const Camera& camera, PointA before, const Workspace& w
   hand_.reset();
   first_aim_ = before;
   pressing_ = let_go_ = false;
+  pressed_s_ = 0.0;
   lead_ = {before.A + camera.back() * outside_A};
   mouse.place(workspace.toDevice(lead_));
   mouse.turn(orientation_ = kNoRotation);

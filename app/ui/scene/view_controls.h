@@ -32,10 +32,10 @@ ViewRays viewRays(const Camera& camera, glm::dvec2 size_px);
 
 class ViewControls {
  public:
-  /// One frame: turns the camera and leads the hand. `balls` may be null: only the camera moves. `touching` and
-  /// `force_N` are the servo loop's last.
+  /// One frame: turns the camera and leads the hand. `balls` may be null: only the camera moves. `felt` is the servo
+  /// loop's last tick.
   void update(const ViewInput& input, Camera& camera, const BallScene* balls, const ServoSettings& settings,
-              bool touching, double force_N, MouseDevice& mouse);
+              const ServoSample& felt, MouseDevice& mouse);
 
   /// The hand starts again, outside: at a new scene. It comes from `outside_A` in front of the place `before`, toward
   /// the viewer, and aims at that place until the pointer or the keys lead it.
@@ -46,12 +46,19 @@ class ViewControls {
 
   bool pressing() const { return pressing_; }
   double depth_A() const { return hand_.depth_A(); }
+  /// How long the press has lasted; 0 without one (unit: second).
+  double pressed_s() const { return pressed_s_; }
+  /// The press meets nothing: where the hand aims there is only empty space.
+  bool pressesNothing() const { return pressing_ && !hand_.overSurface(); }
+  glm::dvec2 aim_px() const { return hand_.aim_px(); }  ///< the pixel of the view that the hand aims at
   PointA lead() const { return lead_; }
   /// The view was turned, moved or zoomed in the last frame.
   bool cameraMoved() const { return camera_moved_; }
   /// Whether the person has found out how: the hint of controls fades once both are true.
   bool hasPressed() const { return has_pressed_; }
   bool hasTurned() const { return has_turned_; }
+  /// A press has been made harder or lighter.
+  bool hasPushed() const { return has_pushed_; }
   /// Opacity of the hint of controls: 1 until the person has found out how, then fading to 0.
   double hintStrength() const;
   /// The next frame would look different by itself.
@@ -62,8 +69,9 @@ class ViewControls {
   Quat orientation_ = kNoRotation;  // of the hand, from the device's axes
   PointA lead_;
   std::optional<PointA> first_aim_;  // of a scene of which no frame has been led
-  double hint_left_s_ = 2.0;
-  bool pressing_ = false, let_go_ = false, camera_moved_ = false, has_pressed_ = false, has_turned_ = false;
+  double hint_left_s_ = 2.0, pressed_s_ = 0.0;
+  bool pressing_ = false, let_go_ = false, camera_moved_ = false;
+  bool has_pressed_ = false, has_turned_ = false, has_pushed_ = false;
 };
 
 }  // namespace moltact

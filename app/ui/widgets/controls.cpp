@@ -233,13 +233,44 @@ void sectionTitle(const char* label) {
   ImGui::TextUnformatted(label);
 }
 
+namespace {
+
+// Where a tip covers none of its item's neighbours: beside the panel, or below or above a bar; where none has room, where
+// ImGui puts it.
+void placeBesidePanel(const char* text) {
+  const Look& l = look();
+  const ImVec2 words = ImGui::CalcTextSize(text, nullptr, false, l.tx(280)), all = ImGui::GetIO().DisplaySize;
+  const ImVec2 size{words.x + 2 * l.px(10), words.y + 2 * l.px(7)};
+  const ImVec2 low = ImGui::GetWindowPos(), item_low = ImGui::GetItemRectMin(), item_high = ImGui::GetItemRectMax();
+  const ImVec2 high{low.x + ImGui::GetWindowWidth(), low.y + ImGui::GetWindowHeight()};
+  const float gap = l.px(8);
+  const bool bar = high.y - low.y < 3 * (item_high.y - item_low.y);
+  const float x = std::clamp(item_low.x, 0.0f, std::max(0.0f, all.x - size.x));
+  const float y = std::clamp(item_low.y, 0.0f, std::max(0.0f, all.y - size.y));
+  if (bar && all.y - high.y >= size.y + gap)
+    ImGui::SetNextWindowPos({x, high.y + gap});
+  else if (bar && low.y >= size.y + gap)
+    ImGui::SetNextWindowPos({x, low.y - gap - size.y});
+  else if (!bar && all.x - high.x >= size.x + gap)
+    ImGui::SetNextWindowPos({high.x + gap, y});
+  else if (!bar && low.x >= size.x + gap)
+    ImGui::SetNextWindowPos({low.x - gap - size.x, y});
+}
+
+}  // namespace
+
 void tip(const char* text) {
   if (!text || !*text || !ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
   if (ImGui::GetCurrentContext() && ImGui::IsAnyMouseDown()) return;
+  placeBesidePanel(text);
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {look().px(10), look().px(7)});
   ImGui::BeginTooltip();
   ImGui::PushTextWrapPos(look().tx(280));
   ImGui::TextUnformatted(text);
+  recordRectangle(
+      "tip", glm::vec2(ImGui::GetWindowPos().x, ImGui::GetWindowPos().y),
+      glm::vec2(ImGui::GetWindowPos().x + ImGui::GetWindowWidth(), ImGui::GetWindowPos().y + ImGui::GetWindowHeight()),
+      text);
   ImGui::PopTextWrapPos();
   ImGui::EndTooltip();
   ImGui::PopStyleVar();

@@ -1,4 +1,5 @@
-// Short messages to the person, shown over the view until they are dismissed. Window's thread.
+// Short messages to the person, shown over the view. Notices and warnings go by themselves once there was time to read
+// them; errors, and messages that ask for something, stay until they are dismissed or no longer true. Window's thread.
 #pragma once
 
 #include <algorithm>
@@ -23,11 +24,12 @@ struct Message {
 
 class Messages {
  public:
-  static constexpr std::size_t kMost = 4;  ///< the oldest goes when there are more
-  static constexpr double kNotice_s = 6.0;
+  static constexpr std::size_t kMost = 4;                      ///< the oldest goes when there are more
+  static constexpr double kNotice_s = 6.0, kWarning_s = 14.0;  ///< the shortest time that they are shown
+  static constexpr double kRead_bytes_per_s = 14.0;            ///< how fast a text is read by who reads slowly
 
-  void notice(std::string text) { add({MessageKind::Notice, std::move(text), kNotice_s}); }
-  void warning(std::string text) { add({MessageKind::Warning, std::move(text)}); }
+  void notice(std::string text) { addForAWhile(MessageKind::Notice, std::move(text), kNotice_s); }
+  void warning(std::string text) { addForAWhile(MessageKind::Warning, std::move(text), kWarning_s); }
   /// Stays until dismissed or taken back, with actions at hand.
   MessageId ask(MessageKind kind, std::string text, std::vector<std::string_view> actions) {
     add({kind, std::move(text), -1.0, std::move(actions)});
@@ -59,6 +61,10 @@ class Messages {
   }
 
  private:
+  void addForAWhile(MessageKind kind, std::string text, double least_s) {
+    const double shown_s = std::max(least_s, double(text.size()) / kRead_bytes_per_s);
+    add({kind, std::move(text), shown_s});
+  }
   void add(Message message) {
     std::erase_if(all_, [&](const Message& m) { return m.text == message.text; });
     message.id = ++given_;

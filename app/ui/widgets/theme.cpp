@@ -154,6 +154,9 @@ constexpr ImWchar kText[] = {0x20, 0xFF, 0x100, 0x17F, 0x2010, 0x2044, 0};
 constexpr ImWchar kSigns[] = {0x370,  0x3FF,  0x2070, 0x209C, 0x2190, 0x21FF, 0x2200,
                               0x2265, 0x25A0, 0x25FF, 0x2713, 0x2717, 0};
 
+// What titles need of these: H₂O.
+constexpr ImWchar kScripts[] = {0x2070, 0x209C, 0};
+
 // What other texts hold is loaded by pages of 128 characters, when the first of a page is to be shown.
 constexpr unsigned kPage = 128;
 std::array<bool, 0x10000 / kPage> g_pages{};
@@ -162,7 +165,7 @@ bool g_pages_changed = false;
 // ImGui's ranges of the wanted pages, closed by 0, in front of them those that are always there.
 std::vector<ImWchar> withPages(const ImWchar* always) {
   std::vector<ImWchar> out;
-  for (; always && *always; ++always) out.push_back(*always);
+  for (; *always; ++always) out.push_back(*always);
   for (unsigned page = 0; page < g_pages.size(); ++page)
     if (g_pages[page]) {
       out.push_back(ImWchar(std::max(1u, page * kPage)));
@@ -196,10 +199,10 @@ std::string loadFonts(Look& l) {
   io.Fonts->FontBuilderIO = ImGuiFreeType::GetBuilderForFreeType();
   io.Fonts->FontBuilderFlags = ImGuiFreeTypeBuilderFlags_LightHinting;
   // ImGui reads the ranges when the atlas is built.
-  static std::vector<ImWchar> text, signs, pages;
+  static std::vector<ImWchar> text, signs, scripts;
   text = withPages(kText);
   signs = withPages(kSigns);
-  pages = withPages(nullptr);
+  scripts = withPages(kScripts);
   std::string missing;
   for (std::size_t k = 0; k < kFaces.size(); ++k) {
     const std::string file = std::string(kInterFolder) + kFaces[k].file;
@@ -214,8 +217,8 @@ std::string loadFonts(Look& l) {
     } else if (std::filesystem::exists(kDejaVu)) {
       ImFontConfig merge;
       merge.MergeMode = true;
-      const std::vector<ImWchar>& more = kFaces[k].signs ? signs : pages;
-      if (more.size() > 1) io.Fonts->AddFontFromFileTTF(kDejaVu, size * 0.95f, &merge, more.data());
+      const std::vector<ImWchar>& more = kFaces[k].signs ? signs : scripts;
+      io.Fonts->AddFontFromFileTTF(kDejaVu, size * 0.95f, &merge, more.data());
     }
     l.fonts[k] = font;
   }

@@ -358,12 +358,16 @@ class Performer {
     const LessonSession& session = learner_.session();
     if (act.kind == Kind::Next && !session.hasNext())
       tell(act, tr("this is the last step"), tr("take the line out"));
+    else if (act.kind == Kind::Next && !session.mayGoOn())
+      tell(act, tr("this step must be finished first"), tr("do its tasks and answer its questions before this line"));
     else if (act.kind == Kind::Back && !session.hasBack())
       tell(act, tr("this is the first step"), tr("take the line out"));
     else if (act.kind == Kind::Next)
       learner_.next();
     else if (act.kind == Kind::Back)
       learner_.back();
+    else if (!session.mayGoTo(act.word))
+      tell(act, tr("a step before that one must be finished first"), tr("finish it before this line"));
     else if (!learner_.goTo(act.word))
       tell(act, trf("the lesson has no step '{0}'", act.word), tr("write the id of a step's heading"));
     learner_.enterStep();

@@ -63,7 +63,8 @@ void ScriptedLearner::tick(PointA hip) {
 }
 
 void ScriptedLearner::tellDone(std::size_t task) {
-  LearnerEvent e = event(LearnerEvent::Kind::Task);
+  const bool solved = session_.task(task).solved;
+  LearnerEvent e = event(solved ? LearnerEvent::Kind::Task : LearnerEvent::Kind::GaveUp);
   e.index = task;
   e.place = session_.step().tasks[task].place;
   const TaskStatus status = session_.task(task);
@@ -185,7 +186,7 @@ void ScriptedLearner::answerRightly(std::size_t question) {
 
 void ScriptedLearner::next() { session_.next(); }
 void ScriptedLearner::back() { session_.back(); }
-bool ScriptedLearner::goTo(const std::string& step) { return session_.goTo(step); }
+bool ScriptedLearner::goTo(const std::string& step) { return session_.mayGoTo(step) && session_.goTo(step); }
 
 bool ScriptedLearner::demonstrate() {
   for (;;) {
@@ -193,9 +194,20 @@ bool ScriptedLearner::demonstrate() {
     // A task that cannot be done stands before those after it; the questions and the other steps can still be seen.
     while (session_.currentTask() < session_.step().tasks.size())
       if (!doTask()) break;
-    for (std::size_t q = 0; q < session_.step().questions.size(); ++q) answerRightly(q);
-    if (!session_.hasNext()) return session_.finished();
+    for (std::size_t q = 0; q < session_.step().questions.size(); ++q)
+      if (session_.takesAnswer(q)) answerRightly(q);
+    if (!session_.hasNext() || !session_.mayGoOn()) return session_.finished();
     next();
+  }
+}
+
+void ScriptedLearner::doTasksLeft() {
+  for (std::size_t s = 0; s < session_.lesson().steps.size(); ++s) {
+    if (session_.stepSeen(s) || session_.lesson().steps[s].tasks.empty()) continue;
+    session_.goTo(session_.lesson().steps[s].id);
+    enterStep();
+    while (session_.currentTask() < session_.step().tasks.size())
+      if (!doTask()) break;
   }
 }
 

@@ -63,11 +63,13 @@ class ScriptedLearner {
   void write(std::size_t question, const std::string& text);
   void next();
   void back();
-  /// False where there is no such step.
+  /// False where there is no such step, or another must be finished first.
   bool goTo(const std::string& step);
 
   /// Every task, question and step, from where the session is to the end. True when the lesson was finished.
   bool demonstrate();
+  /// The tasks of every step that has not been seen, whatever leads there: asides, and what right answers skip.
+  void doTasksLeft();
 
   /// Follows a plan; stops early where the task was done. The step must have been entered.
   void follow(const HandPlan& plan);

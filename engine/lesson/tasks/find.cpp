@@ -157,11 +157,15 @@ class Find : public Task {
           ' ' + trnf("{0} guess is left.", "{0} guesses are left.", static_cast<std::size_t>(now_.left), now_.left);
       return;
     }
+    if (missedLast()) return;
     ++now_.rounds;
     again();
     now_.said += ' ' + std::string(turns_ ? tr("That was the last guess: the molecule has been turned. Search anew.")
                                           : tr("That was the last guess: come from outside and search anew."));
   }
+
+  std::string solution() const override { return trf("It is marked in the view: {0}.", name_.text()); }
+  std::vector<std::uint32_t> answerAtoms() const override { return target_.atoms(); }
 
   // What the last touch was in place of the one that is asked for.
   std::string why() const {
@@ -283,6 +287,8 @@ TaskKind findKind() {
        .fallback = "3",
        .least = 1,
        .most = 100},
+      attemptsKey("How many searches there are, each with its guesses: after the last one the place is shown, and the "
+                  "student goes on. Left out, as many as need be."),
       {.name = "looks",
        .type = ValueType::Count,
        .meaning = "How often the student may look for a moment.",

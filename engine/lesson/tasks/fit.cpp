@@ -118,6 +118,7 @@ class Fit : public Task {
       finish();
       return;
     }
+    if (missedLast()) return;
     const std::string size = sizeText(value_A_);
     if (largest_)
       said_ = trf("A probe of {0} gets there, but a larger one does too. Make it larger.", size);
@@ -142,6 +143,7 @@ class Fit : public Task {
   }
 
   std::string afterwards() const override { return trf("The tracker finds {0} as the limit.", sizeText(limit_A())); }
+  std::string solution() const override { return afterwards(); }
 
   HandPlan demonstrate(const HandPlanInput& view) const override {
     HandPlan plan;
@@ -238,44 +240,47 @@ void checkLimit(const TaskSpec& spec, const Molecule& molecule, std::vector<Prob
 }  // namespace
 
 TaskKind fitKind() {
-  return {"fit",
-          "Find the largest probe that gets to a place or through a ring, or the smallest that is kept out.",
-          {{.name = "fit",
-            .type = ValueType::Selection,
-            .meaning = "The place: atoms of which one is to be touched, or those of the ring.",
-            .required = true},
-           {.name = "way",
-            .type = ValueType::Word,
-            .meaning = "Whether the probe is to touch the atoms or to get into the ring that they make.",
-            .fallback = "into",
-            .words = {"into", "through"}},
-           {.name = "want",
-            .type = ValueType::Word,
-            .meaning = "The largest probe that gets there, or the smallest that does not.",
-            .fallback = "largest",
-            .words = {"largest", "smallest"}},
-           {.name = "least",
-            .type = ValueType::Quantity,
-            .meaning = "The lower end of the slider, the probe's radius.",
-            .fallback = "0.2 Å",
-            .dimension = Dimension::Length,
-            .most = kLargestProbe_A},
-           {.name = "most",
-            .type = ValueType::Quantity,
-            .meaning = "The upper end of the slider.",
-            .fallback = "5 Å",
-            .dimension = Dimension::Length,
-            .most = kLargestProbe_A},
-           {.name = "within",
-            .type = ValueType::Quantity,
-            .meaning = "How far from the limit that the tracker finds still counts as right.",
-            .fallback = "0.2 Å",
-            .dimension = Dimension::Length,
-            .least = 0.05,
-            .most = 5.0}},
-          [](const TaskSpec& s, const Molecule& m) -> std::unique_ptr<Task> { return std::make_unique<Fit>(s, m); },
-          &checkFit,
-          &checkLimit};
+  return {
+      "fit",
+      "Find the largest probe that gets to a place or through a ring, or the smallest that is kept out.",
+      {{.name = "fit",
+        .type = ValueType::Selection,
+        .meaning = "The place: atoms of which one is to be touched, or those of the ring.",
+        .required = true},
+       {.name = "way",
+        .type = ValueType::Word,
+        .meaning = "Whether the probe is to touch the atoms or to get into the ring that they make.",
+        .fallback = "into",
+        .words = {"into", "through"}},
+       {.name = "want",
+        .type = ValueType::Word,
+        .meaning = "The largest probe that gets there, or the smallest that does not.",
+        .fallback = "largest",
+        .words = {"largest", "smallest"}},
+       {.name = "least",
+        .type = ValueType::Quantity,
+        .meaning = "The lower end of the slider, the probe's radius.",
+        .fallback = "0.2 Å",
+        .dimension = Dimension::Length,
+        .most = kLargestProbe_A},
+       {.name = "most",
+        .type = ValueType::Quantity,
+        .meaning = "The upper end of the slider.",
+        .fallback = "5 Å",
+        .dimension = Dimension::Length,
+        .most = kLargestProbe_A},
+       {.name = "within",
+        .type = ValueType::Quantity,
+        .meaning = "How far from the limit that the tracker finds still counts as right.",
+        .fallback = "0.2 Å",
+        .dimension = Dimension::Length,
+        .least = 0.05,
+        .most = 5.0},
+       attemptsKey("How often a probe may be called the one that is asked for: after the last wrong one the limit is "
+                   "shown, and the student goes on. Left out, as often as need be.")},
+      [](const TaskSpec& s, const Molecule& m) -> std::unique_ptr<Task> { return std::make_unique<Fit>(s, m); },
+      &checkFit,
+      &checkLimit};
 }
 
 }  // namespace moltact

@@ -65,6 +65,8 @@ class Hold : public Task {
     return plan;
   }
 
+  bool tooLight() const override { return state_ == State::TooLight; }
+
   State stateOf(const TouchSample& s) const {
     if (!s.contact.touching()) return State::Away;
     const bool here = feature_.empty() || feature_ == "anywhere" ? target_.touchedBy(s.contact)

@@ -69,6 +69,7 @@ class Measure : public Task {
     touch_.reset();
     const bool right = first_A_ ? marked.on_to : marked.on_from;
     if (!right) {
+      if (missedLast()) return;
       said_ = !marked.author_says.empty() ? marked.author_says
                                           : trf("That was not {0}. Touch it and mark again.", wanted().text());
       return;
@@ -84,6 +85,7 @@ class Measure : public Task {
       finish();
       return;
     }
+    if (missedLast()) return;
     said_ = distance_A_ > high_A_
                 ? trf("You measured {0}: that is farther than from one to the other. Mark both anew, where they are "
                       "nearer.",
@@ -109,6 +111,19 @@ class Measure : public Task {
     return first_A_ ? trf("The first place is marked. Now touch {0}.", name) : trf("Touch {0} and mark it.", name);
   }
 
+  std::string solution() const override {
+    if (high_A_ == std::numeric_limits<double>::infinity()) return tr("The places are marked in the view.");
+    return trf("It is {0} to {1} from one place to the other; they are marked in the view.",
+               quantityText(low_A_, Dimension::Length, decimals(1)),
+               quantityText(high_A_, Dimension::Length, decimals(1)));
+  }
+  std::vector<std::uint32_t> answerAtoms() const override {
+    std::vector<std::uint32_t> out = from_.atoms();
+    for (const std::uint32_t a : to_.atoms()) out.push_back(a);
+    std::sort(out.begin(), out.end());
+    out.erase(std::unique(out.begin(), out.end()), out.end());
+    return out;
+  }
   std::string afterwards() const override { return trf("You measured {0} from surface to surface.", lengthText()); }
 
   HandPlan demonstrate(const HandPlanInput& view) const override {
@@ -172,7 +187,9 @@ TaskKind measureKind() {
                    "any two touches of the places will do.",
         .dimension = Dimension::Length,
         .most = 1000.0},
-       WrongTouches::key()},
+       WrongTouches::key(),
+       attemptsKey("How many wrong marks and measures there may be: after the last one the answer is shown, and the "
+                   "student goes on. Left out, as many as need be.")},
       [](const TaskSpec& s, const Molecule& m) -> std::unique_ptr<Task> { return std::make_unique<Measure>(s, m); }};
 }
 

@@ -37,7 +37,7 @@ class Order : public Task {
       PointA middle;
       const std::vector<std::uint32_t> atoms = part.select(molecule);
       for (const std::uint32_t a : atoms) middle.A += molecule.atoms[a].position.A / double(atoms.size());
-      places_.push_back({AtomSet(part, molecule), middle});
+      places_.push_back({AtomSet(part, molecule), middle, TargetName(part)});
     }
     shuffle();
   }
@@ -58,6 +58,7 @@ class Order : public Task {
   struct Place {
     AtomSet atoms;
     PointA middle;
+    TargetName name;
   };
 
   void shuffle() {
@@ -141,6 +142,7 @@ class Order : public Task {
       finish();
       return;
     }
+    if (missedLast()) return;
     failed_ = true;
     ++rounds_;
     again();
@@ -158,6 +160,12 @@ class Order : public Task {
     return failed_ && at_ == 0
                ? trf("That was not the order. Feel the places again, they are numbered anew. {0}", touch)
                : touch;
+  }
+
+  std::string solution() const override {
+    std::string names;
+    for (const Place& p : places_) names += (names.empty() ? "" : ", ") + p.name.text();
+    return trf("The order is: {0}.", names);
   }
 
   HandPlan demonstrate(const HandPlanInput& view) const override {
@@ -279,7 +287,10 @@ TaskKind orderKind() {
         .type = ValueType::Word,
         .meaning = "Whether the force is shown in the dark, how great and whereto.",
         .fallback = "on",
-        .words = {"on", "off"}}},
+        .words = {"on", "off"}},
+       attemptsKey(
+           "How often the places may be put in order: after the last wrong order the right one is told, and the "
+           "student goes on. Left out, as often as need be.")},
       [](const TaskSpec& s, const Molecule& m) -> std::unique_ptr<Task> { return std::make_unique<Order>(s, m); },
       &checkOrder,
       &checkOrderedPlaces};

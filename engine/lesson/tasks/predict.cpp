@@ -148,11 +148,15 @@ class Predict : public Task {
       finish();
       return;
     }
+    if (missedLast()) return;
     curves_.drawing = missed_ = true;
     setProgress(0.0);
   }
 
   std::string agreement() const { return percentText(curves_.agreement.value_or(0.0)); }
+
+  // A press is felt in all its depth.
+  bool tooLight() const override { return !slides_ && !curves_.drawing && on_place_; }
 
   std::string guidance() const override {
     const std::string name = name_.text(), goal = goal_.text();
@@ -178,6 +182,9 @@ class Predict : public Task {
     return trf("Press in slowly and ease off again. {0} felt.", felt);
   }
 
+  std::string solution() const override {
+    return trf("The two curves agree by {0}; {1} were asked for.", agreement(), percentText(agree_));
+  }
   std::string afterwards() const override {
     return trf("Your curve and the one that you felt agree by {0}.", agreement());
   }
@@ -212,6 +219,12 @@ void checkPredict(const TaskSpec& spec, std::vector<Problem>& problems) {
                         deep.place.column,
                         tr("'deep' belongs to pressing in and 'along' to sliding"),
                         tr("take one of them out")});
+  if (spec.values.has("attempts") && !spec.values.has("agree"))
+    problems.push_back({{},
+                        spec.values["attempts"].place.line,
+                        spec.values["attempts"].place.column,
+                        tr("any prediction will do here, so none can be wrong"),
+                        tr("add a line 'agree: …', or take 'attempts' out")});
   if (along.selection.given() && !predict.selection.given())
     problems.push_back({{},
                         predict.place.line,
@@ -223,36 +236,39 @@ void checkPredict(const TaskSpec& spec, std::vector<Problem>& problems) {
 }  // namespace
 
 TaskKind predictKind() {
-  return {"predict",
-          "Draw the curve of the force first, then feel it.",
-          {{.name = "predict",
-            .type = ValueType::Target,
-            .meaning = "Where to press in, or where the way begins: atoms, or anywhere on the surface.",
-            .required = true,
-            .words = {"anywhere"}},
-           {.name = "along",
-            .type = ValueType::Selection,
-            .meaning = "The force is felt along the way to these atoms; without it against the depth of a press."},
-           {.name = "deep",
-            .type = ValueType::Quantity,
-            .meaning = "How deep the press goes.",
-            .fallback = "1 Å",
-            .dimension = Dimension::Length,
-            .least = 0.1,
-            .most = 3.0},
-           {.name = "most",
-            .type = ValueType::Quantity,
-            .meaning = "The upper end of the force axis.",
-            .fallback = "3.3 N",
-            .dimension = Dimension::Force,
-            .least = 0.1,
-            .most = 20.0},
-           {.name = "agree",
-            .type = ValueType::Count,
-            .meaning = "How far the areas under both curves must agree, in percent; without it any prediction will do.",
-            .most = 100}},
-          [](const TaskSpec& s, const Molecule& m) -> std::unique_ptr<Task> { return std::make_unique<Predict>(s, m); },
-          &checkPredict};
+  return {
+      "predict",
+      "Draw the curve of the force first, then feel it.",
+      {{.name = "predict",
+        .type = ValueType::Target,
+        .meaning = "Where to press in, or where the way begins: atoms, or anywhere on the surface.",
+        .required = true,
+        .words = {"anywhere"}},
+       {.name = "along",
+        .type = ValueType::Selection,
+        .meaning = "The force is felt along the way to these atoms; without it against the depth of a press."},
+       {.name = "deep",
+        .type = ValueType::Quantity,
+        .meaning = "How deep the press goes.",
+        .fallback = "1 Å",
+        .dimension = Dimension::Length,
+        .least = 0.1,
+        .most = 3.0},
+       {.name = "most",
+        .type = ValueType::Quantity,
+        .meaning = "The upper end of the force axis.",
+        .fallback = "3.3 N",
+        .dimension = Dimension::Force,
+        .least = 0.1,
+        .most = 20.0},
+       {.name = "agree",
+        .type = ValueType::Count,
+        .meaning = "How far the areas under both curves must agree, in percent; without it any prediction will do.",
+        .most = 100},
+       attemptsKey("Goes with 'agree': how many curves may be drawn, each before it is felt; after the last one the "
+                   "student goes on. Left out, as many as need be.")},
+      [](const TaskSpec& s, const Molecule& m) -> std::unique_ptr<Task> { return std::make_unique<Predict>(s, m); },
+      &checkPredict};
 }
 
 }  // namespace moltact

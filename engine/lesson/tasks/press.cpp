@@ -41,6 +41,8 @@ class Press : public Task {
     return plan;
   }
 
+  bool tooLight() const override { return here_ && force_N_ < until_N_; }
+
   std::string guidance() const override {
     if (here_) {
       if (force_N_ >= until_N_) return trf("That is {0}. Stay there a moment.", forceText(force_N_));

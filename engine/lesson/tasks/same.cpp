@@ -156,6 +156,7 @@ class Same : public Task {
       finish();
       return;
     }
+    if (missedLast()) return;
     failed_ = true;
     failed_right_ = right_;
     ++round_;
@@ -195,6 +196,7 @@ class Same : public Task {
   }
 
   std::string afterwards() const override { return trf("{0} of {1} right.", right_, trials_); }
+  std::string solution() const override { return trf("{0} of {1} right; {2} were needed.", right_, trials_, needed_); }
 
   void measure(std::vector<TaskFigure>& out) const override {
     const std::size_t answered = done() ? trials_ : trial_;
@@ -302,6 +304,9 @@ TaskKind sameKind() {
                   "another round begins, of other pairs.",
        .least = 1,
        .most = 100},
+      attemptsKey(
+          "How many rounds there are: after the last one the student goes on without having solved it. Left out, "
+          "as many as need be."),
       {.name = "for",
        .type = ValueType::Quantity,
        .meaning = "How long each thing is touched at least.",

@@ -68,6 +68,10 @@ std::vector<TaskFigure> Task::figures() const {
 }
 
 std::string Task::sentence() const {
+  if (given_up_) {
+    const std::string last = tr("That was the last try."), answer = solution();
+    return answer.empty() ? last : last + " " + answer;
+  }
   if (done_) {
     const std::string told = afterwards(), praise = praise_.text();
     return told.empty() ? praise : told + " " + praise;
@@ -80,7 +84,18 @@ void Task::reset() {
   progress_ = 0.0;
   time_s_ = contact_s_ = impulse_Ns_ = greatest_N_ = way_A_ = 0.0;
   last_scp_A_.reset();
-  done_ = started_ = inside_ = false;
+  done_ = given_up_ = started_ = inside_ = false;
+  missed_ = 0;
+}
+
+bool Task::missedLast() {
+  ++missed_;
+  if (tries_ > 0 && missed_ >= tries_) done_ = given_up_ = true;
+  return given_up_;
+}
+
+KeySpec attemptsKey(std::string_view meaning) {
+  return {.name = "attempts", .type = ValueType::Count, .meaning = meaning, .least = 1, .most = 20};
 }
 
 void Task::setProgress(double progress) { progress_ = std::clamp(progress, 0.0, 1.0); }

@@ -92,10 +92,13 @@ class Task {
   /// What the task draws at random follows from this; to be called before it is begun. The same number draws the same.
   virtual void drawBy(std::uint64_t seed) { (void)seed; }
 
+  /// Solved, or its tries are used up.
   bool done() const { return done_; }
+  bool solved() const { return done_ && !given_up_; }
   /// 0 to 1; 1 exactly when done.
   double progress() const { return done_ ? 1.0 : progress_; }
-  /// One sentence for the student: what is going on and what to do next. The author's praise when done.
+  /// One sentence for the student: what is going on and what to do next. The author's praise when solved, the answer
+  /// when the tries are used up.
   std::string sentence() const;
 
   /// The answers that the student can give now, in the order in which they are shown; none once done.
@@ -106,8 +109,12 @@ class Task {
   virtual const TaskCurves* curves() const { return nullptr; }
   /// Nothing for a task without a number to set, and once done.
   std::optional<TaskSlider> slider() const { return done_ ? std::nullopt : currentSlider(); }
+  /// Atoms that show the answer once the tries are used up, ascending; empty where atoms cannot.
+  virtual std::vector<std::uint32_t> answerAtoms() const { return {}; }
   /// Of a task of several trials, as far as it may be told; else `of` is 0.
   virtual TaskTrials trials() const { return {}; }
+  /// It waits for a harder push than the hand gives now.
+  bool wantsHarderPush() const { return !done_ && tooLight(); }
   /// The changes of the scene that it asks for; none once done.
   TaskStage stage() const { return done_ ? TaskStage() : requestedStage(); }
 
@@ -132,7 +139,8 @@ class Task {
   virtual void leaveOut(std::span<const std::uint32_t> /*untouchable*/) {}
 
  protected:
-  explicit Task(const TaskSpec& spec) : praise_(spec.values["praise"]) {}
+  explicit Task(const TaskSpec& spec)
+      : praise_(spec.values["praise"]), tries_(static_cast<int>(spec.values["attempts"].number)) {}
 
   /// One good tick; `dt_s` is the time since the last one, 0 for the first and after a gap.
   virtual void onSample(const TouchSample& sample, double dt_s) = 0;
@@ -142,14 +150,20 @@ class Task {
   virtual std::string afterwards() const { return {}; }
   /// A good answer while the task is under way: its word is offered, or its curve is of the right length and finite.
   virtual void onAnswer(const TaskAnswer&) {}
+  virtual bool tooLight() const { return false; }
   virtual std::vector<TaskButton> currentButtons() const { return {}; }
   virtual TaskStage requestedStage() const { return {}; }
   virtual std::optional<TaskSlider> currentSlider() const { return std::nullopt; }
   /// The kind's own figures.
   virtual void measure(std::vector<TaskFigure>&) const {}
 
+  /// The answer in a sentence, for who has used up the tries.
+  virtual std::string solution() const { return {}; }
+
   void setProgress(double progress);
   void finish() { done_ = true; }
+  /// A try was wrong. True where the author gives no more: the task is done then, and not solved.
+  bool missedLast();
 
  private:
   void measureTouch(const TouchSample& sample, double dt_s);
@@ -158,8 +172,12 @@ class Task {
   double progress_ = 0.0, last_time_s_ = 0.0;
   double time_s_ = 0.0, contact_s_ = 0.0, impulse_Ns_ = 0.0, greatest_N_ = 0.0, way_A_ = 0.0;
   std::optional<Vec3> last_scp_A_;
-  bool done_ = false, started_ = false, inside_ = false;
+  bool done_ = false, given_up_ = false, started_ = false, inside_ = false;
+  int tries_ = 0, missed_ = 0;  // how many there are (0: as many as need be); wrong ones so far
 };
+
+/// The key of kinds whose tries can be wrong; `meaning` says what a try is.
+KeySpec attemptsKey(std::string_view meaning);
 
 /// The atoms that a task is about.
 class AtomSet {

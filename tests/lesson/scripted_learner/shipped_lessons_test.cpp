@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <map>
 
+#include "engine/lesson/lesson_files.h"
 #include "engine/lesson/reader.h"
 #include "engine/lesson/scripted_learner/scripted_learner.h"
 #include "engine/molecule/catalogue.h"
@@ -28,7 +29,7 @@ Expected<std::shared_ptr<const Molecule>> shipped(const NamedMolecule& named) {
 std::vector<std::filesystem::path> lessons() {
   std::vector<std::filesystem::path> out;
   for (const auto& entry : std::filesystem::directory_iterator(MOLTACT_SOURCE_DIR "/lessons"))
-    if (entry.path().extension() == ".md" && entry.path().stem() != "README") out.push_back(entry.path());
+    if (looksLikeLesson(entry.path())) out.push_back(entry.path());
   std::sort(out.begin(), out.end());
   return out;
 }

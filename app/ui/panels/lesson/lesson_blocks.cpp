@@ -1,15 +1,60 @@
 #include "app/ui/panels/lesson/lesson_blocks.h"
 
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
 #include "app/ui/application/application.h"
+#include "app/ui/extensions/extensions.h"
 #include "app/ui/widgets/controls.h"
 #include "app/ui/widgets/key_names.h"
 #include "app/ui/widgets/rich_text.h"
 #include "app/ui/widgets/theme.h"
 #include "app/ui/widgets/widget_map.h"
 #include "engine/language/catalogue.h"
+#include "engine/lesson/glossary.h"
+#include "engine/lesson/lesson_files.h"
 
 namespace moltact {
 namespace {
+
+/// Draws `inner` with a margin on a ground whose height is known only afterwards; it is given the width that it has.
+template <class Inner>
+void onGround(ImU32 ground, const Inner& inner) {
+  const Look& l = look();
+  const ImVec2 low = ImGui::GetCursorScreenPos();
+  const float width = ImGui::GetContentRegionAvail().x, pad = l.px(12);
+  ImDrawList* draw = ImGui::GetWindowDrawList();
+  draw->ChannelsSplit(2);
+  draw->ChannelsSetCurrent(1);
+  ImGui::SetCursorScreenPos({low.x + pad, low.y + pad});
+  inner(low.x + pad, width - 2 * pad);
+  const float end = ImGui::GetCursorScreenPos().y + pad - ImGui::GetStyle().ItemSpacing.y;
+  draw->ChannelsSetCurrent(0);
+  draw->AddRectFilled(low, {low.x + width, end}, ground, l.px(8));
+  if (l.theme == ThemeChoice::HighContrast) draw->AddRect(low, {low.x + width, end}, l.palette.line, l.px(8));
+  draw->ChannelsMerge();
+  ImGui::SetCursorScreenPos({low.x, end});
+  ImGui::Dummy({width, l.px(2)});
+}
+
+/// The meaning of the word that was asked for. Returns a link that was clicked in it.
+std::string drawWord(Application& app, const std::string& name, const GlossaryWord& word) {
+  std::string link;
+  bool closed = false;
+  onGround(look().palette.accent_soft, [&](float x, float width) {
+    const float y = ImGui::GetCursorScreenPos().y, side = look().tx(30);
+    drawRichText((name + "/word").c_str(), {TextRun{.text = word.word, .bold = true}}, look().palette.text,
+                 width - side);
+    const ImVec2 below = ImGui::GetCursorScreenPos();
+    ImGui::SetCursorScreenPos({x + width - look().tx(26), y - look().px(6)});
+    closed = iconButton((name + "/close word").c_str(), Icon::Close, tr("Close the meaning"));
+    ImGui::SetCursorScreenPos({x, below.y - look().px(4)});
+    link = drawRichText((name + "/meaning").c_str(), word.meaning, look().palette.text, width);
+  });
+  if (closed) app.panels.word = {};
+  return link;
+}
 
 // Draws one block; each kind has its overload.
 struct BlockPainter {
@@ -57,25 +102,14 @@ struct BlockPainter {
     const std::string label = mine == app.panels.hints ? withKey(tr("Hint"), "H") : std::string(tr("Hint"));
     if (disclosure((name + "/hint").c_str(), label.c_str(), open)) app.panels.hints = open ? mine + 1 : mine;
     if (!open) return;
-    const ImVec2 low = ImGui::GetCursorScreenPos();
-    const float width = ImGui::GetContentRegionAvail().x, pad = l.px(12);
-    ImDrawList* draw = ImGui::GetWindowDrawList();
-    // The ground goes under text whose height is known only afterwards.
-    draw->ChannelsSplit(2);
-    draw->ChannelsSetCurrent(1);
-    ImGui::SetCursorScreenPos({low.x + pad, low.y + pad});
-    for (const RichText& p : tip.paragraphs) {
-      ImGui::SetCursorScreenPos({low.x + pad, ImGui::GetCursorScreenPos().y});
-      if (std::string clicked = drawRichText((name + "/hint text").c_str(), p, l.palette.text, width - 2 * pad);
-          !clicked.empty())
-        link = clicked;
-    }
-    const float end = ImGui::GetCursorScreenPos().y + pad - ImGui::GetStyle().ItemSpacing.y;
-    draw->ChannelsSetCurrent(0);
-    draw->AddRectFilled(low, {low.x + width, end}, l.palette.warn_soft, l.px(8));
-    draw->ChannelsMerge();
-    ImGui::SetCursorScreenPos({low.x, end});
-    ImGui::Dummy({width, l.px(2)});
+    onGround(l.palette.warn_soft, [&](float x, float width) {
+      for (const RichText& p : tip.paragraphs) {
+        ImGui::SetCursorScreenPos({x, ImGui::GetCursorScreenPos().y});
+        if (std::string clicked = drawRichText((name + "/hint text").c_str(), p, l.palette.text, width);
+            !clicked.empty())
+          link = std::move(clicked);
+      }
+    });
   }
 
   void operator()(const TeacherNote&) {}
@@ -88,10 +122,43 @@ struct BlockPainter {
         low, {low.x + l.px(3), ImGui::GetCursorScreenPos().y - ImGui::GetStyle().ItemSpacing.y}, l.palette.line);
   }
 
-  // Pictures belong to the page on a Git host; here the molecule itself is on the stage.
   void operator()(const Image& image) {
-    if (image.description.empty()) return;
-    text({TextRun{.text = image.description, .italic = true}}, look().palette.quiet);
+    const Look& l = look();
+    const std::optional<FileLink> file = fileLink(app.lesson.file(), image.path);
+    const LessonPictures::Shown* shown = file ? &app.extensions().lesson_pictures.find(file->file) : nullptr;
+    if (!shown || !shown->texture) {
+      // Until it is read, and where it cannot be: what it shows, in words.
+      text({TextRun{.text = image.description, .italic = true}}, l.palette.quiet);
+      if (shown && !shown->fault.empty())
+        drawRichText((name + "/fault").c_str(), {TextRun{.text = shown->fault}}, l.palette.bad);
+      return;
+    }
+    const float room = ImGui::GetContentRegionAvail().x;
+    const float width = std::min(room, l.px(float(shown->width_px)));
+    const ImVec2 size{width, std::round(width * float(shown->height_px) / float(shown->width_px))};
+    if (ImGui::InvisibleButton("picture", size)) {
+      app.panels.picture = {image.path, image.description};
+      app.panels.picture_page = true;
+    }
+    const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
+    ImGui::GetWindowDrawList()->AddImageRounded(shown->texture, low, high, {0, 0}, {1, 1}, IM_COL32_WHITE, l.px(6));
+    if (ImGui::IsItemHovered()) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
+    recordItem(name, trf("Picture: {0}", image.description));
+    tip(tr("Show it large"));
+    if (!image.caption.empty()) {
+      const WithFont small(Font::Small);
+      ImGui::PushTextWrapPos(0.0f);
+      const WithText quiet(l.palette.quiet);
+      ImGui::TextUnformatted(image.caption.c_str());
+      ImGui::PopTextWrapPos();
+      recordItem(name + "/caption", image.caption);
+    }
+  }
+
+  void operator()(const Table& table) {
+    if (std::string clicked = drawRichTable(name.c_str(), table, look().palette.text); !clicked.empty())
+      link = std::move(clicked);
+    ImGui::Spacing();
   }
 
   void operator()(const CodeText& code) {
@@ -118,6 +185,16 @@ std::string drawLessonBlocks(Application& app, const std::vector<Block>& blocks,
     ImGui::PushID(int(k));
     BlockPainter painter{app, prefix + "/" + std::to_string(k), hint, {}};
     std::visit(painter, blocks[k]);
+    PanelState::Word& open = app.panels.word;
+    if (open.below == painter.name)
+      if (const GlossaryWord* word = findWord(app.lesson.session()->lesson(), open.id))
+        if (std::string clicked = drawWord(app, painter.name, *word); !clicked.empty())
+          painter.link = std::move(clicked);
+    // A word's meaning opens below the block in which it was asked for; asked for again, it closes.
+    if (const auto id = wordLink(painter.link)) {
+      open = open == PanelState::Word{painter.name, *id} ? PanelState::Word{} : PanelState::Word{painter.name, *id};
+      painter.link.clear();
+    }
     ImGui::PopID();
     if (!painter.link.empty()) link = painter.link;
   }

@@ -35,7 +35,7 @@ void drawGoals(const LessonSession& session, const char* name, Icon mark, ImU32 
 }
 
 struct Done {
-  std::size_t tasks = 0, questions = 0, first_right = 0, steps = 0, asides = 0, steps_seen = 0;
+  std::size_t tasks = 0, questions = 0, first_right = 0, steps = 0, asides = 0, steps_seen = 0, skipped = 0;
   double touched_s = 0.0, way_A = 0.0;
 };
 
@@ -43,10 +43,11 @@ Done doneIn(const LessonSession& session) {
   Done out;
   const std::vector<Step>& steps = session.lesson().steps;
   for (std::size_t s = 0; s < steps.size(); ++s) {
-    out.steps += !steps[s].aside;
+    out.skipped += session.skipped(s) && !session.stepSeen(s);
+    out.steps += !steps[s].aside && (!session.skipped(s) || session.stepSeen(s));
     (steps[s].aside ? out.asides : out.steps_seen) += session.stepSeen(s);
     for (std::size_t t = 0; t < steps[s].tasks.size(); ++t) {
-      out.tasks += session.taskDone(s, t);
+      out.tasks += session.taskSolved(s, t);
       for (const TaskFigure& f : session.figuresOf(s, t)) {
         if (f.name == "contact time") out.touched_s += f.value;
         if (f.name == "way") out.way_A += f.value;
@@ -60,14 +61,6 @@ Done doneIn(const LessonSession& session) {
     }
   }
   return out;
-}
-
-// The lesson that stands after this one on the shelf; null where none does.
-const LessonCard* nextOnShelf(Application& app) {
-  const std::vector<LessonCard>& cards = app.extensions().shelf.cards();
-  for (std::size_t k = 0; k + 1 < cards.size(); ++k)
-    if (cards[k].file == app.lesson.file() && cards[k + 1].fault.empty()) return &cards[k + 1];
-  return nullptr;
 }
 
 }  // namespace
@@ -116,6 +109,11 @@ void drawLessonEnd(Application& app, const LessonSession& session) {
                          trnf("{0} side path", "{0} side paths", done.asides, done.asides))
                    : trf("{0} of {1} steps seen.", done.steps_seen, done.steps),
        l.palette.quiet);
+  if (done.skipped > 0)
+    line("lesson/end/skipped",
+         trnf("{0} step passed over, by your answers.", "{0} steps passed over, by your answers.", done.skipped,
+              done.skipped),
+         l.palette.quiet);
   ImGui::PopItemWidth();
   ImGui::EndGroup();
   const float end = ImGui::GetItemRectMax().y + pad;
@@ -123,8 +121,9 @@ void drawLessonEnd(Application& app, const LessonSession& session) {
   draw->AddRectFilled(low, {low.x + width, end}, l.palette.good_soft, l.px(8));
   draw->ChannelsMerge();
   ImGui::SetCursorScreenPos({low.x, end + l.px(8)});
-  if (const LessonCard* next = nextOnShelf(app)) {
+  if (const LessonCard* next = app.extensions().shelf.after(app.lesson.file())) {
     const LessonCard card = *next;
+    if (!card.description.empty()) line("lesson/end/next about", card.description, l.palette.quiet);
     if (button("lesson/end/next", elided(trf("Next lesson: {0}", card.title), width - l.px(28)).c_str(),
                ButtonLook::Primary, width))
       app.extensions().shelf.begin(app, card);

@@ -12,6 +12,7 @@
 #include "app/ui/panels/lesson/lesson_ends.h"
 #include "app/ui/panels/lesson/lesson_keys.h"
 #include "app/ui/widgets/controls.h"
+#include "app/ui/widgets/rich_text.h"
 #include "app/ui/widgets/theme.h"
 #include "app/ui/widgets/widget_map.h"
 #include "engine/language/catalogue.h"
@@ -27,7 +28,7 @@ void drawHead(Application& app, const LessonSession& session) {
   const std::vector<Step>& steps = session.lesson().steps;
   std::vector<std::size_t> way;
   for (std::size_t k = 0; k < steps.size(); ++k)
-    if (!steps[k].aside) way.push_back(k);
+    if (!steps[k].aside && (k == session.mainStepIndex() || !session.skipped(k))) way.push_back(k);
   const std::size_t at = session.mainStepIndex(), count = way.size();
   {
     WithFont small(Font::Small);
@@ -66,17 +67,20 @@ void drawHead(Application& app, const LessonSession& session) {
 void drawFoot(Application& app, const LessonSession& session) {
   const Look& l = look();
   const float width = ImGui::GetContentRegionAvail().x, gap = ImGui::GetStyle().ItemSpacing.x;
-  if (session.step().aside) {
+  if (session.step().aside && !session.leadsTo()) {
     if (button("lesson/next", tr("Back to the lesson"), ButtonLook::Primary, width)) app.lesson.next();
     return;
   }
   const float back_w = std::min(l.tx(96), 0.4f * width);
   if (button("lesson/back", tr("Back"), ButtonLook::Plain, back_w, session.hasBack())) app.lesson.back();
   ImGui::SameLine();
-  const bool last = !session.hasNext();
-  const char* label = last ? (session.finished() ? tr("Lesson done") : tr("Last step")) : tr("Next");
-  const ButtonLook kind = session.stepDone() ? ButtonLook::Primary : ButtonLook::Plain;
-  if (button("lesson/next", label, last ? ButtonLook::Plain : kind, width - back_w - gap, !last)) app.lesson.next();
+  const bool last = !session.hasNext(), waits = !session.mayGoOn();
+  const char* label = waits  ? tr("Finish this step first")
+                      : last ? (session.finished() ? tr("Lesson done") : tr("Last step"))
+                             : tr("Next");
+  const ButtonLook kind = session.stepDone() || session.leadsTo() ? ButtonLook::Primary : ButtonLook::Plain;
+  if (button("lesson/next", label, last || waits ? ButtonLook::Plain : kind, width - back_w - gap, !last && !waits))
+    app.lesson.next();
 }
 
 /// A link that changes what the scene shows. In the dark there is nothing to show.
@@ -188,6 +192,7 @@ void drawLessonPanel(Application& app) {
     ImGui::SetScrollY(0.0f);
     app.panels.lesson_task = 0;
     app.panels.lesson_task_height = 0.0f;
+    app.panels.word = {};
   }
   app.panels.lesson_step = before;
   scrollByKeys();
@@ -231,6 +236,8 @@ void drawLessonPanel(Application& app) {
   if (link.empty()) return;
   if (const auto in_scene = sceneLink(link))
     followInScene(app, *in_scene);
+  else if (!session->mayGoTo(link))
+    app.messages.notice(tr("Finish this step first: its tasks and questions come before what the link leads to."));
   else if (!app.lesson.follow(link))
     followOut(app, link);
 }

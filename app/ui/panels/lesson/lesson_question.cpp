@@ -35,9 +35,7 @@ bool drawChoice(const std::string& name, const Choice& choice, bool round, bool 
   const Palette& p = l.palette;
   const float width = ImGui::GetContentRegionAvail().x, pad = l.px(9), mark = l.px(8);
   const float text_w = width - 2 * pad - 2 * mark - l.px(10);
-  const std::string plain = plainText(choice.text), lines = wrapped(plain, text_w);
-  const ImVec2 size = ImGui::CalcTextSize(lines.c_str(), nullptr, false, text_w + 1);
-  const float height = std::max(size.y, 2 * mark) + 2 * pad;
+  const float height = std::max(richTextHeight(choice.text, text_w), 2 * mark) + 2 * pad;
   ImGui::PushID(name.c_str());
   const bool clicked = ImGui::InvisibleButton("choice", {width, height});
   ImGui::PopID();
@@ -63,9 +61,8 @@ bool drawChoice(const std::string& name, const Choice& choice, bool round, bool 
       draw->AddRect(a, b, colour, l.px(3), 0, l.px(1.6f));
     }
   }
-  draw->AddText(ImGui::GetFont(), ImGui::GetFontSize(), {low.x + pad + 2 * mark + l.px(10), low.y + pad}, p.text,
-                lines.c_str(), nullptr, text_w + 1);
-  recordItem(name, plain);
+  paintRichText(draw, {low.x + pad + 2 * mark + l.px(10), low.y + pad}, choice.text, p.text, text_w);
+  recordItem(name, plainText(choice.text));
   return clicked;
 }
 
@@ -74,7 +71,7 @@ bool digitPressed(std::size_t choice) { return choice < 9 && lessonKeyPressed(ch
 // The first question of the step that is not yet answered takes the number keys.
 bool takesKeys(const LessonSession& session, std::size_t index) {
   for (std::size_t k = 0; k < index; ++k)
-    if (!session.question(k).answered_right && !session.step().questions[k].choices.empty()) return false;
+    if (!session.question(k).done() && !session.step().questions[k].choices.empty()) return false;
   return session.takesAnswer(index);
 }
 
@@ -90,8 +87,8 @@ bool enterIsFree(const LessonSession& session) {
 // The first question with a field that is not yet answered takes the key that begins to write.
 bool takesWriting(const LessonSession& session, std::size_t index) {
   for (std::size_t k = 0; k < index; ++k)
-    if (!session.question(k).answered_right && session.step().questions[k].choices.empty()) return false;
-  return !session.question(index).answered_right;
+    if (!session.question(k).done() && session.step().questions[k].choices.empty()) return false;
+  return !session.question(index).done();
 }
 
 void drawChoices(LessonGuide& lesson, std::size_t index, const std::string& name) {
@@ -101,7 +98,7 @@ void drawChoices(LessonGuide& lesson, std::size_t index, const std::string& name
   std::vector<std::size_t>& ticked = lesson.drafts().ticked[index];
   const bool one = question.rightChoices() <= 1, keys = takesKeys(session, index), told = session.told(index),
              open = session.takesAnswer(index);
-  if (ticked.empty() && status.attempts > 0 && status.answered_right) ticked = status.chosen;
+  if (ticked.empty() && status.attempts > 0 && status.done()) ticked = status.chosen;
   if (!one)
     drawRichText((name + "/several").c_str(), {TextRun{.text = tr("More than one is right: tick them all.")}},
                  look().palette.quiet);
@@ -110,8 +107,8 @@ void drawChoices(LessonGuide& lesson, std::size_t index, const std::string& name
   for (std::size_t place = 0; place < order.size(); ++place) {
     const std::size_t k = order[place];
     const bool given = status.attempts > 0 && holds(status.chosen, k), right = question.choices[k].right;
-    // After a prediction has been told, what was right stands there too.
-    const bool marked = told && (given || (question.prediction && right));
+    // After a prediction has been told, or the last try, what was right stands there too.
+    const bool marked = told && (given || ((question.prediction || status.shown) && right));
     const bool is_ticked = one ? given : holds(ticked, k);
     const bool chosen = drawChoice(name + "/" + std::to_string(k), question.choices[k], one, is_ticked,
                                    !marked ? Mark::None
@@ -158,7 +155,7 @@ void drawField(LessonGuide& lesson, std::size_t index, const std::string& name) 
     const float unit_w = answer.unit.empty() ? 0.0f : ImGui::CalcTextSize(answer.unit.c_str()).x + gap;
     ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - unit_w - button_w - gap);
     const std::string what = tr("your answer");
-    const std::string hint = status.answered_right ? what : withKey(what, "A");
+    const std::string hint = status.done() ? what : withKey(what, "A");
     ImGui::PushStyleVar(ImGuiStyleVar_FramePadding,
                         {look().px(10), std::floor(0.5f * (look().tx(34) - ImGui::GetFontSize()))});
     const std::string before = written;
@@ -208,6 +205,18 @@ Said saidTo(const LessonSession& session, std::size_t index) {
   return out;
 }
 
+// Where the answer leads: Next goes there too.
+void drawGoOn(Application& app, std::size_t index, const std::string& name) {
+  const LessonSession& session = *app.lesson.session();
+  const auto to = session.leadsTo(index);
+  if (!to || session.leadsTo() != to) return;
+  const float width = ImGui::GetContentRegionAvail().x;
+  if (button((name + "/go on").c_str(),
+             elided(trf("Go on: {0}", session.lesson().steps[*to].title), width - look().px(28)).c_str(),
+             ButtonLook::Primary, width))
+    app.lesson.next();
+}
+
 }  // namespace
 
 std::string drawLessonQuestion(Application& app, std::size_t index) {
@@ -229,6 +238,11 @@ std::string drawLessonQuestion(Application& app, std::size_t index) {
   for (TextRun& run : title) run.bold = true;
   follow(drawRichText(name.c_str(), title, l.palette.text));
   for (const RichText& p : question.prompt) follow(drawRichText((name + "/prompt").c_str(), p, l.palette.text));
+  if (const auto tries = session.triesLeft(index); tries && session.question(index).attempts == 0)
+    drawRichText(
+        (name + "/tries").c_str(),
+        {TextRun{.text = trnf("You have {0} try.", "You have {0} tries.", static_cast<std::size_t>(*tries), *tries)}},
+        l.palette.quiet);
   const int attempts = session.question(index).attempts;
   const bool asked_again = !session.question(index).again.empty();
   if (question.choices.empty() && question.answer)
@@ -248,6 +262,7 @@ std::string drawLessonQuestion(Application& app, std::size_t index) {
     if (session.told(index))
       for (const std::size_t k : status.chosen)
         if (!question.choices[k].link.empty() && lessonKeyPressed('G')) link = question.choices[k].link;
+    drawGoOn(app, index, name);
     // What is said to an answer is not to be missed below the panel's edge.
     if ((status.attempts != attempts || asked_again == status.again.empty()) &&
         ImGui::GetCursorScreenPos().y > ImGui::GetWindowPos().y + ImGui::GetWindowHeight())

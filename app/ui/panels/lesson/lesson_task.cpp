@@ -94,12 +94,13 @@ void drawLessonTask(Application& app, std::size_t index) {
   }
   const ImVec2 low = ImGui::GetCursorScreenPos(), high{low.x + width, low.y + height};
   ImDrawList* draw = ImGui::GetWindowDrawList();
-  draw->AddRectFilled(low, high, status.done ? p.good_soft : status.current ? p.accent_soft : p.raised, l.px(8));
+  draw->AddRectFilled(low, high, status.solved ? p.good_soft : status.current ? p.accent_soft : p.raised, l.px(8));
 
   const ImVec2 centre{low.x + pad + mark, low.y + pad + mark};
   if (status.done) {
-    draw->AddCircleFilled(centre, mark, p.good, 32);
-    drawIcon(draw, Icon::Check, centre, l.px(15), p.panel);
+    // Where the tries are used up the task is done with, and not solved.
+    draw->AddCircleFilled(centre, mark, status.solved ? p.good : p.faint, 32);
+    drawIcon(draw, status.solved ? Icon::Check : Icon::Close, centre, l.px(15), p.panel);
   } else {
     draw->AddCircle(centre, mark - l.px(1), status.current ? p.accent : p.faint, 32, l.px(2));
     const float part = float(std::clamp(status.progress, 0.0, 1.0));
@@ -133,7 +134,8 @@ void drawLessonTask(Application& app, std::size_t index) {
     if (index > app.panels.lesson_task && !ImGui::IsItemVisible()) ImGui::SetScrollHereY(0.3f);
     app.panels.lesson_task = index;
   }
-  recordItem(name, (status.done      ? "done: "
+  recordItem(name, (status.solved    ? "done: "
+                    : status.done    ? "not solved: "
                     : status.current ? "current: "
                                      : "waiting: ") +
                        status.say + (next.empty() ? "" : "\n" + next));

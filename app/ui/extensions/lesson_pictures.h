@@ -1,0 +1,53 @@
+// The pictures of the lesson that is open, as textures: each is read when it is first to be shown, one at a time in the
+// background. Window's thread, with the GL context.
+#pragma once
+
+#include <imgui.h>
+
+#include <deque>
+#include <filesystem>
+#include <future>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "app/ui/application/extension.h"
+#include "engine/core/problem.h"
+#include "engine/lesson/lesson_picture.h"
+
+namespace moltact {
+
+class LessonPictures : public Extension {
+ public:
+  LessonPictures();
+  ~LessonPictures() override;
+
+  struct Shown {
+    ImTextureID texture{};            ///< its first row at the top; null until it has been read
+    int width_px = 0, height_px = 0;  ///< of the file
+    std::string fault;                ///< why it cannot be shown; empty where it can, or is not known yet
+  };
+  /// Asking for a file's picture has it read.
+  const Shown& find(const std::filesystem::path& file);
+
+  void afterPanels(Application& app) override;
+  /// Files may have changed with the lesson.
+  void lessonChanged(Application& app) override;
+  bool live() const override { return !queue_.empty() || job_.valid(); }
+
+ private:
+  struct Kept;
+  struct Job {
+    std::filesystem::path file;
+    std::optional<LessonPicture> picture;
+    int width_px = 0, height_px = 0;
+    std::string fault;
+  };
+
+  std::map<std::filesystem::path, std::unique_ptr<Kept>> kept_;
+  std::deque<std::filesystem::path> queue_;
+  std::future<Job> job_;
+};
+
+}  // namespace moltact

@@ -1,0 +1,44 @@
+// What the answers to questions do to the way, and what must be finished: rules that never come true, or lead where
+// nobody is going. No rules can hold a student for ever (way_rules.h), so there is nothing to tell of that.
+#include <algorithm>
+
+#include "engine/language/catalogue.h"
+#include "engine/lesson/checks.h"
+
+namespace moltact::checks {
+namespace {
+
+void ruleOf(const Lesson& lesson, std::size_t at, const Question& question, const WayRule& rule, Findings& findings) {
+  if (rule.when == WayRule::When::Wrong && question.attempts > 0 && rule.wrong > question.attempts)
+    findings.error(rule.place, trf("this never happens: after {0} tries the answer is shown", question.attempts),
+                   tr("write a smaller number of wrong answers, or more 'attempts'"));
+  for (std::size_t k = 0; k < rule.steps.size(); ++k) {
+    const auto to = lesson.find(rule.steps[k]);
+    if (!to || rule.then != WayRule::Then::Skip) continue;
+    if (lesson.steps[*to].aside)
+      findings.error(rule.step_places[k], tr("an aside is not on the way, so it cannot be skipped"),
+                     tr("name a step that Next leads to"));
+    else if (*to < at)
+      findings.warning(rule.step_places[k], tr("this step stands before the question, so students have passed it"),
+                       tr("name a later step"));
+  }
+}
+
+}  // namespace
+
+void ways(const Lesson& lesson, Findings& findings) {
+  for (std::size_t i = 0; i < lesson.steps.size(); ++i) {
+    const Step& step = lesson.steps[i];
+    for (const Question& question : step.questions)
+      for (const WayRule& rule : question.rules) ruleOf(lesson, i, question, rule, findings);
+    if (!step.block_place.line || !step.required) continue;
+    if (step.aside)
+      findings.error(step.block_place, tr("an aside cannot be required: from it students go back when they like"),
+                     tr("take 'required' out, or make it a step of the way: '## …'"));
+    else if (step.tasks.empty() && step.questions.empty())
+      findings.warning(step.block_place, tr("nothing in this step can be finished, so 'required' does nothing"),
+                       tr("add a task or a question, or take it out"));
+  }
+}
+
+}  // namespace moltact::checks

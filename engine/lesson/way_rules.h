@@ -1,0 +1,49 @@
+// Rules by which the answers to a question change the way through a lesson: "after 2 wrong: go to #aside-x",
+// "if right: skip #the-long-way". A rule that leads back, or into an aside, leads there once; one that leads forward, or
+// skips, holds from then on. So no rules can hold a student for ever (tests/lesson/way_rules_test.cpp). Plain data; any
+// thread but the haptic one.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "engine/lesson/source_text.h"
+
+namespace moltact {
+
+struct WayRule {
+  enum class When : std::uint8_t { Right, RightAtFirst, Wrong };
+  enum class Then : std::uint8_t { GoTo, Skip };
+  When when = When::Right;
+  int wrong = 0;  ///< for Wrong: after so many wrong answers
+  Then then = Then::GoTo;
+  std::vector<std::string> steps;  ///< ids once the lesson has been read, until then as written; one for GoTo
+  std::vector<Place> step_places;  ///< of each
+  Place place;                     ///< of the value
+
+  /// Whether it holds for a question with so many answers, of which the last may have been right.
+  bool holds(int attempts, bool answered_right) const {
+    const int wrong_ones = attempts - (answered_right ? 1 : 0);
+    switch (when) {
+      case When::Right:
+        return answered_right;
+      case When::RightAtFirst:
+        return answered_right && attempts == 1;
+      case When::Wrong:
+        break;
+    }
+    return wrong_ones >= wrong;
+  }
+  /// The key as an author writes it: "after 2 wrong".
+  std::string key() const;
+  friend bool operator==(const WayRule& a, const WayRule& b) {
+    return a.when == b.when && a.wrong == b.wrong && a.then == b.then && a.steps == b.steps;
+  }
+};
+
+/// "go to" and "skip".
+std::string_view wordOf(WayRule::Then then);
+
+}  // namespace moltact

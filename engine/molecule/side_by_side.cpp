@@ -1,0 +1,127 @@
+#include "engine/molecule/side_by_side.h"
+
+#include <algorithm>
+#include <gemmi/qcp.hpp>
+#include <map>
+#include <string>
+#include <system_error>
+#include <tuple>
+#include <utility>
+
+#include "engine/molecule/catalogue.h"
+#include "engine/molecule/reader.h"
+
+namespace moltact {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Box {
+  Vec3 low{1e300}, high{-1e300};
+  Vec3 middle() const { return 0.5 * (low + high); }
+};
+
+Box boxOf(const Molecule& molecule) {
+  Box box;
+  for (const Atom& a : molecule.atoms) {
+    box.low = glm::min(box.low, a.position.A - a.radius_A);
+    box.high = glm::max(box.high, a.position.A + a.radius_A);
+  }
+  return box;
+}
+
+using ResidueName = std::tuple<std::string_view, int, char>;  // chain, number, insertion code
+
+// Where each residue has the atom that stands for it.
+std::map<ResidueName, std::pair<std::string_view, Vec3>> leadingAtoms(const Molecule& m) {
+  std::map<ResidueName, std::pair<std::string_view, Vec3>> out;
+  for (const Residue& r : m.residues)
+    for (std::uint32_t i = r.first_atom; i < r.first_atom + r.atom_count; ++i)
+      if (const std::string_view name = m.atoms[i].nameText();
+          (r.kind == ResidueKind::AminoAcid && name == "CA") || (r.kind == ResidueKind::Nucleotide && name == "P"))
+        out.emplace(ResidueName{m.chains[r.chain].name, r.number, r.insertion},
+                    std::pair{std::string_view(r.name), m.atoms[i].position.A});
+  return out;
+}
+
+// Turns the second as the first is, where they are the same molecule for the most part.
+void turnAlike(const Molecule& first, Molecule& second) {
+  std::vector<gemmi::Position> here, there;
+  std::size_t common = 0;
+  const auto of_second = leadingAtoms(second);
+  for (const auto& [name, atom] : leadingAtoms(first)) {
+    const auto same = of_second.find(name);
+    if (same == of_second.end()) continue;
+    ++common;
+    if (same->second.first != atom.first) continue;
+    here.emplace_back(atom.second.x, atom.second.y, atom.second.z);
+    there.emplace_back(same->second.second.x, same->second.second.y, same->second.second.z);
+  }
+  if (here.size() < 3 || 2 * here.size() < common) return;
+  const gemmi::SupResult fit = gemmi::superpose_positions(here.data(), there.data(), here.size(), nullptr);
+  for (Atom& a : second.atoms) {
+    const gemmi::Vec3 to = fit.transform.apply(gemmi::Vec3(a.position.A.x, a.position.A.y, a.position.A.z));
+    if (const Vec3 place(to.x, to.y, to.z); finite(place)) a.position.A = place;
+  }
+}
+
+}  // namespace
+
+Molecule sideBySide(Molecule first, Molecule second) {
+  turnAlike(first, second);
+  const Box left = boxOf(first), right = boxOf(second);
+  Vec3 shift = left.middle() - right.middle();
+  shift.x = left.high.x + kBesideGap_A - right.low.x;
+  Molecule out = std::move(first);
+  const auto atoms = std::uint32_t(out.atoms.size()), residues = std::uint32_t(out.residues.size()),
+             chains = std::uint32_t(out.chains.size());
+  out.beside_from = atoms;
+  out.beside_id = second.id;
+  for (Atom& a : second.atoms) {
+    a.position.A += shift;
+    if (a.residue != kNoResidue) a.residue += residues;
+    out.atoms.push_back(a);
+  }
+  for (Residue& r : second.residues) {
+    r.chain += chains;
+    r.first_atom += atoms;
+    out.residues.push_back(std::move(r));
+  }
+  for (Chain& c : second.chains) {
+    c.name = std::string(c.name) + kBesideEnding;
+    c.first_residue += residues;
+    out.chains.push_back(std::move(c));
+  }
+  // Bonds and helices that one of the two files lists and the other does not are found for both.
+  if (out.listed_bonds.empty() || second.listed_bonds.empty()) {
+    out.listed_bonds.clear();
+  } else {
+    for (Bond& b : second.listed_bonds) out.listed_bonds.push_back({b.first + atoms, b.second + atoms, b.order});
+  }
+  out.has_recorded_structure = out.has_recorded_structure && second.has_recorded_structure;
+  out.warnings.insert(out.warnings.end(), second.warnings.begin(), second.warnings.end());
+  out.waters_left_out += second.waters_left_out;
+  out.alternates_left_out += second.alternates_left_out;
+  return out;
+}
+
+Expected<Molecule> readSideBySide(const fs::path& file, const ReadOptions& reading) {
+  ReadOptions alone = reading;
+  alone.beside.clear();
+  Expected<Molecule> first = readMolecule(file, alone);
+  if (!first) return first;
+  std::error_code error;
+  fs::path other = file.parent_path() / reading.beside;
+  if (!fs::is_regular_file(other, error)) {
+    MoleculeFolders folders = MoleculeFolders::ofThisComputer();
+    folders.beside = file.has_parent_path() ? file.parent_path() : fs::path(".");
+    Expected<fs::path> found = findMolecule(reading.beside, folders);
+    if (!found) return found.problem();
+    other = *std::move(found);
+  }
+  Expected<Molecule> second = readMolecule(other, ReadOptions{.waters = reading.waters});
+  if (!second) return second;
+  return sideBySide(*std::move(first), *std::move(second));
+}
+
+}  // namespace moltact

@@ -1,0 +1,27 @@
+// What the colours of a picture's atoms mean, for the window's legend and for one in a saved picture. Pure but for the
+// fonts' files; any thread.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "engine/render/picture.h"
+#include "engine/render/view_scene.h"
+
+namespace moltact {
+
+struct LegendEntry {
+  Colour colour;
+  std::string name;
+};
+
+/// The marks with names, then what the colours tell: of a scheme its legend, else chains in their order and elements from
+/// the commonest to the rarest; of these no more than can be read at once.
+std::vector<LegendEntry> legendOf(const Molecule& molecule, ColourBy by, ElementColours elements,
+                                  const AtomsLook& look);
+
+/// Writes it into the upper left corner of the scene's picture. `unit_px`: a pixel of 96 dpi. False where no font is
+/// installed.
+bool paintLegend(Picture& picture, const std::vector<LegendEntry>& entries, const Theme& theme, double unit_px);
+
+}  // namespace moltact

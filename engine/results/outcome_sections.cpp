@@ -1,0 +1,96 @@
+#include "engine/results/outcome_sections.h"
+
+#include <algorithm>
+#include <map>
+#include <utility>
+#include <vector>
+
+#include "engine/language/catalogue.h"
+#include "engine/results/page_parts.h"
+
+namespace moltact {
+
+using namespace page;
+
+std::string goalSection(const LessonSummary& lesson) {
+  std::string rows;
+  for (std::size_t g = 0; g < lesson.lesson.goals.size(); ++g) {
+    GoalScore all;
+    std::size_t reached = 0;
+    for (const PersonScore& p : lesson.people) {
+      const GoalScore one = goalScore(lesson.lesson, p, g);
+      all.parts += one.parts;
+      all.done += one.done;
+      all.answered += one.answered;
+      all.first_right += one.first_right;
+      reached += one.parts > 0 && one.done == one.parts;
+    }
+    if (all.parts == 0) continue;
+    const double share = double(all.done) / double(all.parts);
+    rows += "<tr><td class=\"left\">" + std::to_string(g + 1) + ". " + escaped(lesson.lesson.goals[g]) +
+            "</td><td class=\"left\"><div class=\"doneCell\">" + bar(share, true) + "<span>" + percent(share) +
+            "</span></div></td><td>" + (all.answered ? percent(double(all.first_right) / double(all.answered)) : "–") +
+            "</td><td>" + std::to_string(reached) + "</td></tr>";
+  }
+  if (rows.empty()) return {};
+  return section(tr("By goal"), {{tr("Goal"), true},
+                                 {tr("Done"), true},
+                                 {tr("Right at<br>first try")},
+                                 {tr("Students who<br>did all of it")}}) +
+         rows + "</tbody></table></div>";
+}
+
+std::string misconceptionSection(const LessonSummary& lesson) {
+  struct Met {
+    std::size_t people = 0, times = 0;
+  };
+  std::map<std::string, Met> met;
+  std::map<std::string, std::string> questions;  // in which a tag stands
+  for (const StepOutline& s : lesson.lesson.steps)
+    for (const QuestionOutline& q : s.questions)
+      for (std::size_t k = 0; k < q.tags.size(); ++k)
+        if (!q.tags[k].empty() && std::find(q.tags.begin(), q.tags.begin() + std::ptrdiff_t(k), q.tags[k]) ==
+                                      q.tags.begin() + std::ptrdiff_t(k)) {
+          met[q.tags[k]];
+          std::string& in = questions[q.tags[k]];
+          in += (in.empty() ? "" : "<br>") + escaped(q.text);
+        }
+  if (met.empty()) return {};
+  for (const PersonScore& p : lesson.people)
+    for (const auto& [tag, times] : p.misconceptions) {
+      ++met[tag].people;
+      met[tag].times += times;
+    }
+  std::vector<std::pair<std::string, Met>> rows(met.begin(), met.end());
+  std::stable_sort(rows.begin(), rows.end(),
+                   [](const auto& a, const auto& b) { return a.second.people > b.second.people; });
+  std::string out = section(
+      tr("Misconceptions"),
+      {{tr("What wrong answers show"), true}, {tr("Students"), true}, {tr("Times")}, {tr("In the questions"), true}});
+  for (const auto& [tag, m] : rows) {
+    const double share = double(m.people) / double(std::max<std::size_t>(1, lesson.people.size()));
+    out += "<tr><td class=\"left\">" + escaped(tag) + "</td><td class=\"left\"><div class=\"doneCell\">" +
+           bar(share, false) + "<span>" + trf("{0} of {1}", m.people, lesson.people.size()) + "</span></div></td><td>" +
+           std::to_string(m.times) + "</td><td class=\"left\">" + questions[tag] + "</td></tr>";
+  }
+  return out + "</tbody></table></div>";
+}
+
+std::string waySection(const LessonSummary& lesson) {
+  std::vector<std::string> straight;
+  for (const StepOutline& s : lesson.lesson.steps)
+    if (!s.aside) straight.push_back(s.id);
+  const bool any = std::any_of(lesson.people.begin(), lesson.people.end(), [&](const PersonScore& p) {
+    return !p.rules.empty() || p.steps_taken.size() > straight.size() ||
+           !std::equal(p.steps_taken.begin(), p.steps_taken.end(), straight.begin());
+  });
+  if (!any) return {};
+  std::string out =
+      section(tr("The way taken"), {{tr("Student")}, {tr("Steps by their numbers, side paths as a1, a2 …"), true}});
+  for (const PersonScore& p : lesson.people)
+    out += "<tr><td class=\"name\">" + escaped(p.person) + "</td><td class=\"left\">" +
+           escaped(wayText(lesson.lesson, p)) + "</td></tr>";
+  return out + "</tbody></table></div>";
+}
+
+}  // namespace moltact
