@@ -15,7 +15,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr double kPictureAgain_s = 2.0;  // a picture that was missing may have been put there
-constexpr int kLongest_px = 2048;  // every WebGL 2 has textures of this size
+constexpr int kLongest_px = 2048;        // every WebGL 2 has textures of this size
 
 GLuint textureFor(const LessonPicture& p) {
   GLuint texture = 0;
