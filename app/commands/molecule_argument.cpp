@@ -22,9 +22,21 @@ void MoleculeArgument::addTo(CLI::App& command) {
     else if (const auto* on = std::get_if<bool ReadOptions::*>(&option.member))
       command.add_flag(name, named.reading.**on, help);
     else
-      command.add_option_function<std::string>(
-          name, [this, &option](const std::string& text) { readText(named.reading, option, text); }, help);
+      textOption(command, name, option);
   }
+}
+
+void MoleculeArgument::textOption(CLI::App& command, const std::string& name, const ReadingOption& reading) {
+  std::string help(reading.option_help);
+  std::vector<std::string> words;
+  if (reading.words)
+    for (const OfferedWord& w : reading.words()) {
+      words.emplace_back(w.name);
+      help += "\n  " + words.back() + ": " + std::string(w.sentence);
+    }
+  CLI::Option* option = command.add_option_function<std::string>(
+      name, [this, &reading](const std::string& text) { readText(named.reading, reading, text); }, help);
+  if (reading.words) option->check(CLI::IsMember(words));
 }
 
 Molecule MoleculeArgument::load() const {

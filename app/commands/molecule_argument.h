@@ -11,10 +11,13 @@ namespace moltact {
 struct MoleculeArgument {
   NamedMolecule named;
 
-  /// Adds MOLECULE, --model, --waters and --assembly. The argument must outlive the parsing.
+  /// Adds MOLECULE and an option for each way of reading it: --model, --waters, --assembly. The argument must outlive the parsing.
   void addTo(CLI::App& command);
   /// Reads it. Throws CommandError with the problem's text.
   Molecule load() const;
+
+ private:
+  void textOption(CLI::App& command, const std::string& name, const ReadingOption& reading);
 };
 
 }  // namespace moltact

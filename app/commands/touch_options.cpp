@@ -14,7 +14,7 @@ void addTouchOptions(CLI::App& command, TouchSetup& touch) {
     std::string help(p.meaning);
     std::vector<std::string> words;
     if (p.words)
-      for (const TouchWord& w : p.words()) {
+      for (const OfferedWord& w : p.words()) {
         words.emplace_back(w.name);
         help += "\n  " + words.back() + ": " + std::string(w.sentence);
       }

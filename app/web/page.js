@@ -4,8 +4,11 @@
   "use strict";
   const byId = (id) => document.getElementById(id);
   const canvas = byId("view"), said = byId("said"), keyboard = byId("keyboard");
-  const german = (navigator.language || "").toLowerCase().startsWith("de");
-  const say = (english, deutsch) => { said.textContent = german ? deutsch : english; said.hidden = false; };
+  // The page's own sentences are given in each of these, in this order.
+  const kLanguages = ["en", "de"];
+  const spoken = Math.max(0, kLanguages.findIndex((code) => (navigator.language || "").toLowerCase().startsWith(code)));
+  const inLanguage = (...sentences) => sentences[spoken];
+  const say = (...sentences) => { said.textContent = inLanguage(...sentences); said.hidden = false; };
 
   // ---- what came with the page ------------------------------------------------------------------------------------
 
@@ -339,11 +342,11 @@
 
   // ---- what the address asks for: nothing leaves the page without a yes --------------------------------------------------
 
-  function agreed(english, deutsch) {
+  function agreed(...sentences) {
     const ask = byId("ask"), [yes, no] = ask.querySelectorAll("button");
-    ask.querySelector("p").textContent = german ? deutsch : english;
-    yes.textContent = german ? "Laden" : "Fetch it";
-    no.textContent = german ? "Nicht laden" : "Do not";
+    ask.querySelector("p").textContent = inLanguage(...sentences);
+    yes.textContent = inLanguage("Fetch it", "Laden");
+    no.textContent = inLanguage("Do not", "Nicht laden");
     return new Promise((done) => {
       yes.onclick = () => { ask.close(); done(true); };
       no.onclick = ask.oncancel = () => { ask.close(); done(false); };
@@ -419,7 +422,7 @@
     putFiles(made.FS, files);
     made.FS.mkdirTree(kHome);
     await Promise.all([keeper.load(made.FS), hid.begin()]);
-    document.documentElement.lang = german ? "de" : "en";
+    document.documentElement.lang = kLanguages[spoken];
     if (made.callMain([]) !== 0)
       return say("This browser offers no WebGL 2, which Moltact draws with. Another browser, or newer graphics drivers, may.",
                  "Dieser Browser bietet kein WebGL 2, mit dem Moltact zeichnet. Ein anderer oder neuere Treiber vielleicht.");

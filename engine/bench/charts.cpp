@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <array>
+#include <string_view>
 #include <utility>
+#include <vector>
 
 #include "engine/bench/chart_svg.h"
 #include "engine/core/text.h"
@@ -11,16 +13,15 @@
 namespace moltact::bench {
 namespace {
 
-// Any other family has the circle.
+// The families in the order of the table of methods, a mark each.
 Mark markOf(const MethodFamily& family) {
-  constexpr std::pair<std::string_view, Mark> kMarks[] = {{"Exact", Mark::Diamond},
-                                                          {"Paper", Mark::Disc},
-                                                          {"Mesh", Mark::Triangle},
-                                                          {"Grid", Mark::Square},
-                                                          {"Penalty", Mark::Cross}};
-  for (const auto& [name, mark] : kMarks)
-    if (name == family.name) return mark;
-  return Mark::Circle;
+  constexpr std::array kMarks{Mark::Diamond, Mark::Disc, Mark::Triangle, Mark::Square, Mark::Cross, Mark::Circle};
+  std::vector<std::string_view> before;
+  for (const Method& m : benchMethods()) {
+    if (m.family.name == family.name) break;
+    if (std::find(before.begin(), before.end(), m.family.name) == before.end()) before.push_back(m.family.name);
+  }
+  return kMarks[before.size() % kMarks.size()];
 }
 
 template <class Error, class Best>

@@ -1,4 +1,4 @@
-// The device drivers, and the devices that they find. A device is added with its own files and one line in drivers.cpp.
+// The device drivers, and the devices that they find. A device is added with its own files and a row in drivers.cpp.
 // Window's thread and commands; finding may take some tens of milliseconds.
 #pragma once
 

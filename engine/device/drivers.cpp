@@ -3,7 +3,7 @@
 #include "engine/device/driver.h"
 #include "engine/language/catalogue.h"
 
-// One line a driver, the default first and the mouse last: it is k<Name>Driver, in its own file.
+// One line a driver, the default first and the mouse last: it is k<Name>Driver, in the file of its kind.
 #ifdef __EMSCRIPTEN__  // a page reaches HID devices that the person shows it, and no library of a maker's
 #define MOLTACT_DRIVERS(X) \
   X(OpenLayout)            \

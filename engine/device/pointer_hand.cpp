@@ -53,16 +53,20 @@ PointA PointerHand::lead(const PointerInput& in, const BallScene& scene, double 
                      glm::distance(scene.low_A(), scene.high_A()) + 2.0 * probe_A + 1.0;
   const Hit hit = sweep(scene, probe_A, rays.eye_A, rays.eye_A + along * far);
   const double forward = std::max(0.1, glm::dot(along, rays.forward));
-  double way = plane_depth_ / forward;
-  const bool meets = hit.ball >= 0;
-  leapt_ = pressing_ && meets && way - hit.t * far > kLeap_A;
-  if (leapt_) depth_ = -kHover_A;
-  if (meets) {
-    way = hit.t * far;
+  const double before = plane_depth_ / forward;
+  double way = before, under = -kHover_A;
+  met_ = hit.ball >= 0;
+  // What lies far behind is no part of the surface that a press slides over: past the rim of that it goes on into the
+  // open, and what is far before it hides it.
+  const bool falls = met_ && pressing_ && hit.t * far - before > kLeap_A;
+  leapt_ = met_ && pressing_ && before - hit.t * far > kLeap_A;
+  if (leapt_ || falls) depth_ = -kHover_A;
+  if (met_) {
+    way = falls ? before + kFall_A_per_s * dt : hit.t * far;
+    under = depth_;
     plane_depth_ = way * forward;
   }
-  met_ = meets;
-  hip_ = {rays.eye_A + along * (way + (meets ? depth_ : -kHover_A))};
+  hip_ = {rays.eye_A + along * (way + under)};
   return hip_;
 }
 

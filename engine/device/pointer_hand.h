@@ -45,8 +45,9 @@ class PointerHand {
   static constexpr double kDeepest_A = 3.0;         ///< the deepest press under the surface
   static constexpr double kHalfPace_N = 1.0;        ///< at this force a press sinks, and the keys lead, half as fast
   static constexpr double kFastest_A_per_s = 40.0;  ///< of a pressed probe across the line of sight
-  /// To a surface that is nearer by more than this a press goes by no way: it begins anew there.
-  static constexpr double kLeap_A = 5.0;
+  /// To a surface that is nearer by more than this a press goes by no way, and to one that is farther by more it takes
+  /// its time: it begins anew there.
+  static constexpr double kLeap_A = 5.0, kFall_A_per_s = 20.0;
   static constexpr double kLift_s = 0.25;  ///< so long a hand that was let go may take to come free
 
   /// The HIP's next target. `probe_A` inflates the scene's balls. Non-finite input leaves the hand where it was.

@@ -45,6 +45,7 @@ class Interaction {
   /// has no probe passes it over.
   virtual void setProbe(double probe_A) noexcept = 0;
 
+  /// 0 for what has none.
   virtual double probe_A() const noexcept = 0;
 
   /// How many times as stiff as one spring it is, along its stiffest direction, as it answered last (1 or more): the

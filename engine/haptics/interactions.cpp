@@ -33,4 +33,10 @@ std::unique_ptr<Interaction> makeInteraction(const InteractionInput& input) {
   return kind ? kind->make(input) : nullptr;
 }
 
+TouchSetup referenceOf(TouchSetup felt) {
+  felt.interaction = kKinds.front().name;
+  felt.method = referenceMethod().name;
+  return felt;
+}
+
 }  // namespace moltact

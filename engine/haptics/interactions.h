@@ -1,4 +1,4 @@
-// What there is to feel a scene with. An interaction is added with its own files and one line in interactions.cpp.
+// What there is to feel a scene with. An interaction is added with its own files and a row in interactions.cpp.
 // Window's thread; making one may allocate. Units: angstrom.
 #pragma once
 
@@ -34,5 +34,9 @@ const InteractionKind* findInteractionKind(std::string_view name);
 
 /// Makes what the setup names; null where there is no such interaction or method.
 std::unique_ptr<Interaction> makeInteraction(const InteractionInput& input);
+
+/// What judges a method that is felt so: the probe by referenceMethod(), all else as it is felt, so that what changes
+/// the force of every method (a `WrappedInteraction`) is no error of the method's.
+TouchSetup referenceOf(TouchSetup felt);
 
 }  // namespace moltact

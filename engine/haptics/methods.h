@@ -1,4 +1,4 @@
-// The haptic methods there are. A method is added with its own files and one line in methods.cpp.
+// The haptic methods there are. A method is added with its own files and a row in methods.cpp.
 #pragma once
 
 #include <memory>

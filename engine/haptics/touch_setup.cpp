@@ -12,14 +12,14 @@
 namespace moltact {
 namespace {
 
-std::vector<TouchWord> methodWords() {
-  std::vector<TouchWord> out;
+std::vector<OfferedWord> methodWords() {
+  std::vector<OfferedWord> out;
   for (const Method& m : methods()) out.push_back({m.name, m.family.name, m.sentence});
   return out;
 }
 
-std::vector<TouchWord> interactionWords() {
-  std::vector<TouchWord> out;
+std::vector<OfferedWord> interactionWords() {
+  std::vector<OfferedWord> out;
   for (const InteractionKind& k : interactionKinds()) out.push_back({k.name, k.title, k.sentence});
   return out;
 }

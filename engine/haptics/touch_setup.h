@@ -12,6 +12,7 @@
 #include <variant>
 #include <vector>
 
+#include "engine/core/offered_word.h"
 #include "engine/haptics/contact.h"
 #include "engine/language/units.h"
 
@@ -27,19 +28,13 @@ struct TouchSetup {
   friend bool operator==(const TouchSetup&, const TouchSetup&) = default;
 };
 
+/// A text is one of its property's words, and never one that anybody may write: panel, keys and options offer these.
 using TouchMember = std::variant<double TouchSetup::*, bool TouchSetup::*, std::string TouchSetup::*>;
 /// Of the type that the member has.
 using TouchValue = std::variant<double, bool, std::string>;
 
 struct TouchRange {
   double least = 0.0, most = 0.0;  ///< in the code's unit
-};
-
-/// One word that a text property may be.
-struct TouchWord {
-  std::string_view name;      ///< in files: "exact"
-  std::string_view title;     ///< on the screen, N_
-  std::string_view sentence;  ///< what it is, N_
 };
 
 /// How the touch panel offers a property. One without a title has a chooser of its own there, or none.
@@ -65,7 +60,7 @@ struct TouchProperty {
   bool made_with = true;
   Dimension dimension = Dimension::None;     ///< of a number
   TouchRange in_scenes = {}, in_files = {};  ///< of a number: what an author may write; what an attempt or label holds
-  std::vector<TouchWord> (*words)() = nullptr;  ///< of a text: what it may be
+  std::vector<OfferedWord> (*words)() = nullptr;  ///< of a text, which needs them: what it may be
   TouchControl control = {};
   std::string_view fallback = {};  ///< the default as an author writes it
   std::string_view meaning = {};   ///< one sentence for authors

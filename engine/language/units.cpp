@@ -3,24 +3,26 @@
 #include <atomic>
 #include <utility>
 
+#include "engine/language/catalogue.h"
+
 namespace moltact {
 namespace {
 
 using D = Dimension;
 
 constexpr double kAvogadro_per_mol = 6.02214076e23;  // exact by the definition of the mole
-constexpr int kInLessons = kWritten | kNamed;
+constexpr int kInLessons = kWritten | kNamed, kChosen = kShowable | kInPreferences;
 
 // U+00C5 is the letter, U+212B the angstrom sign; keyboards and web pages give either. The first of a dimension that
 // counts 1 is the code's unit.
 constexpr Unit kUnits[] = {
-    {"Å", D::Length, 1.0, kInLessons | kShowable, 2},
+    {"Å", D::Length, 1.0, kInLessons | kChosen, 2},
     {"\xE2\x84\xAB", D::Length, 1.0, kWritten},
     {"A", D::Length, 1.0, kWritten},
-    {"nm", D::Length, 10.0, kInLessons | kShowable, 3},
-    {"pm", D::Length, 0.01, kWritten | kShowable, 0},
-    {"N", D::Force, 1.0, kInLessons | kShowable, 2},
-    {"mN", D::Force, 0.001, kInLessons | kShowable, 0},
+    {"nm", D::Length, 10.0, kInLessons | kChosen, 3},
+    {"pm", D::Length, 0.01, kWritten | kChosen, 0},
+    {"N", D::Force, 1.0, kInLessons | kChosen, 2},
+    {"mN", D::Force, 0.001, kInLessons | kChosen, 0},
     {"pN", D::Force, 1e-12, kProseOnly},
     {"s", D::Time, 1.0, kInLessons | kShowable, 1},
     {"ms", D::Time, 0.001, kWritten},
@@ -28,11 +30,11 @@ constexpr Unit kUnits[] = {
     {"h", D::Time, 3600.0, kProseOnly},
     {"µs", D::Time, 1e-6, kProseOnly},
     {"ns", D::Time, 1e-9, kProseOnly},
-    {"N/m", D::Stiffness, 0.001, kInLessons | kShowable, 0},
-    {"N/mm", D::Stiffness, 1.0, kInLessons | kShowable, 2},
-    {"mm", D::HandLength, 1.0, kShowable, 1},
+    {"N/m", D::Stiffness, 0.001, kInLessons | kChosen, 0},
+    {"N/mm", D::Stiffness, 1.0, kInLessons | kChosen, 2},
+    {"mm", D::HandLength, 1.0, kChosen, 1},
     {"µm", D::HandLength, 0.001, kProseOnly},
-    {"cm", D::HandLength, 10.0, kShowable, 2},
+    {"cm", D::HandLength, 10.0, kChosen, 2},
     {"m", D::HandLength, 1000.0, kProseOnly},
     {"°", D::Angle, 1.0, kShowable, 1},
     {"%", D::Share, 0.01, kShowable, 0},
@@ -57,6 +59,14 @@ constexpr Unit kUnits[] = {
 constexpr std::pair<Dimension, std::string_view> kOwnUnits[] = {
     {D::Length, "Å"}, {D::Force, "N"}, {D::Time, "s"},       {D::Stiffness, "N/mm"}, {D::HandLength, "mm"},
     {D::Angle, "°"},  {D::Share, "%"}, {D::Frequency, "Hz"}, {D::Energy, "mJ"},
+};
+
+// Of energies one is shown, that of the spring in the hand: no choice.
+constexpr OfferedDimension kOfferedDimensions[] = {
+    {D::Length, "length", N_("Lengths in the molecule")},
+    {D::HandLength, "hand-length", N_("Lengths at the hand")},
+    {D::Force, "force", N_("Forces")},
+    {D::Stiffness, "stiffness", N_("Stiffnesses")},
 };
 
 // One pointer a dimension, so that a thread that reads one while another sets them has the old one or the new one.
@@ -95,6 +105,15 @@ std::string_view codeUnit(Dimension dimension) {
   return {};
 }
 
+std::span<const OfferedDimension> offeredDimensions() { return kOfferedDimensions; }
+
+std::vector<std::string_view> offeredUnits(Dimension dimension) {
+  std::vector<std::string_view> out;
+  for (const Unit& u : kUnits)
+    if (u.dimension == dimension && u.use & kInPreferences) out.push_back(u.symbol);
+  return out;
+}
+
 std::vector<std::string_view> namedUnits(Dimension dimension) {
   std::vector<std::string_view> out;
   for (const Unit& u : kUnits)
@@ -111,6 +130,12 @@ bool UnitSet::choose(Dimension dimension, std::string_view symbol) {
   if (!unit || !(unit->use & kShowable)) return false;
   units_[std::size_t(dimension)] = unit;
   return true;
+}
+
+bool UnitSet::choose(std::string_view dimension_name, std::string_view symbol) {
+  for (const OfferedDimension& o : kOfferedDimensions)
+    if (o.name == dimension_name) return choose(o.dimension, symbol);
+  return false;
 }
 
 void setShownUnits(const UnitSet& units) noexcept {

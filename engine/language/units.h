@@ -28,10 +28,11 @@ enum class Dimension : std::uint8_t {
 inline constexpr std::size_t kDimensions = std::size_t(Dimension::Other) + 1;
 
 enum UnitUse : std::uint8_t {
-  kProseOnly = 0,  ///< only kept on one line with its number where it stands in prose
-  kWritten = 1,    ///< an author may write it in a lesson
-  kNamed = 2,      ///< messages and the authors' reference name it where a unit is missing
-  kShowable = 4    ///< a UnitSet may hold it
+  kProseOnly = 0,     ///< only kept on one line with its number where it stands in prose
+  kWritten = 1,       ///< an author may write it in a lesson
+  kNamed = 2,         ///< messages and the authors' reference name it where a unit is missing
+  kShowable = 4,      ///< a UnitSet may hold it
+  kInPreferences = 8  ///< Preferences offer it, where another of its dimension is offered too
 };
 
 struct Unit {
@@ -49,6 +50,18 @@ const Unit* unitNamed(std::string_view symbol, Dimension dimension);
 /// The unit of that symbol, whatever it measures; null where there is none.
 const Unit* unitNamed(std::string_view symbol);
 
+/// Under which a choice of its unit is kept and offered. A dimension that has one is a row in units.cpp.
+struct OfferedDimension {
+  Dimension dimension;
+  std::string_view name;  ///< in files: "length"
+  const char* title;      ///< on the screen, N_: "Lengths in the molecule"
+};
+
+/// Those that have two units or more which are kInPreferences, in the order in which they are offered.
+std::span<const OfferedDimension> offeredDimensions();
+/// Their symbols: "Å", "nm", "pm".
+std::vector<std::string_view> offeredUnits(Dimension dimension);
+
 /// The symbol of the unit in which the code counts: "Å", "N", "s", "N/mm". Empty for None, Share and Other.
 std::string_view codeUnit(Dimension dimension);
 
@@ -61,6 +74,8 @@ class UnitSet {
   UnitSet();
   /// False, and nothing is changed, where the dimension has no kShowable unit of that symbol.
   bool choose(Dimension dimension, std::string_view symbol);
+  /// The same by the dimension's name among offeredDimensions().
+  bool choose(std::string_view dimension_name, std::string_view symbol);
   /// Null for None and Other.
   const Unit* of(Dimension dimension) const { return units_[std::size_t(dimension)]; }
 

@@ -6,6 +6,7 @@
 #include "engine/language/catalogue.h"
 #include "engine/language/language_code.h"
 #include "engine/lesson/reading.h"
+#include "engine/lesson/reading_keys.h"
 #include "engine/lesson/scene_link.h"
 #include "engine/lesson/second_state.h"
 #include "engine/lesson/suggestion.h"
@@ -218,9 +219,7 @@ SceneSpec readScene(Reading& reading, const MarkdownBlock& block, const SceneSpe
   }
   for (const ReadingOption& option : readingOptions()) {
     const Value& value = values[option.name];
-    const bool counts = std::holds_alternative<int ReadOptions::*>(option.member);
-    const std::string text = counts ? std::to_string(static_cast<int>(value.number)) : value.text;
-    if (takes(option.name)) readText(scene.molecule.reading, option, text);
+    if (takes(option.name)) readValue(scene.molecule.reading, option, value);
     if (value.place.line > scene.places.reading.line) scene.places.reading = value.place;
   }
   if (const std::string& beside = scene.molecule.reading.beside; !beside.empty() && values["beside"].place.line) {

@@ -1,12 +1,14 @@
 // The way through a lesson: which steps a student can come to, and whether each has something to say.
 #include <algorithm>
+#include <span>
 #include <unordered_map>
+#include <utility>
 
 #include "engine/language/catalogue.h"
 #include "engine/lesson/checks.h"
 #include "engine/lesson/lesson_texts.h"
 #include "engine/lesson/source_text.h"
-#include "engine/lesson/touch_keys.h"
+#include "engine/lesson/tasks/registry.h"
 
 namespace moltact::checks {
 namespace {
@@ -53,14 +55,14 @@ bool saysSomething(const Step& step) {
   return any;
 }
 
-/// Methods can only be compared by a student who may switch between them.
-void comparesLocked(const Step& step, Findings& findings) {
-  if (!step.scene.locks("method")) return;
-  for (const TaskSpec& task : step.tasks)
-    if (const Value& methods = task.values["compare"];
-        task.kind == "compare" && !methods.words.empty() && methods.words[0] != "places")
-      findings.error(methods.place, tr("the student cannot switch methods here, for they are locked"),
-                     tr("take 'method' out of 'locked', or this task"));
+/// What a kind of task says of the scene that it is done in.
+void tasksInScene(const Step& step, Findings& findings) {
+  for (const TaskSpec& task : step.tasks) {
+    const TaskKind* kind = findTaskKind(task.kind);
+    std::vector<Problem> problems;
+    if (kind && kind->check_scene) kind->check_scene(task, step.scene, problems);
+    for (Problem& p : problems) findings.error({p.line, p.column}, std::move(p.message), std::move(p.remedy));
+  }
 }
 
 /// What is predicted is told once it has been touched.
@@ -85,9 +87,15 @@ void markdownInKeys(const Step& step, Findings& findings) {
         return;
       }
   };
-  for (const TaskSpec& task : step.tasks)
-    for (const char* key : {"say", "praise", "called", "arrival", "first"})
-      if (task.values.has(key)) look(task.values[key].text, task.values[key].place);
+  for (const TaskSpec& task : step.tasks) {
+    const auto lookAt = [&](std::span<const KeySpec> keys) {
+      for (const KeySpec& key : keys)
+        if (key.type == ValueType::Text && task.values.has(key.name))
+          look(task.values[key.name].text, task.values[key.name].place);
+    };
+    lookAt(keysOf(KeyBlock::Touch));
+    if (const TaskKind* kind = findTaskKind(task.kind)) lookAt(kind->keys);
+  }
 }
 
 /// "[the cleft](#zoom:residue 35)" is no link, for a blank ends its target.
@@ -103,19 +111,6 @@ void brokenLinks(const Step& step, Findings& findings) {
   });
 }
 
-/// The second thing of 'same' is to differ from the scene.
-void samesAlike(const Step& step, Findings& findings) {
-  for (const TaskSpec& task : step.tasks) {
-    if (task.kind != "same") continue;
-    for (const TouchProperty& p : touchProperties()) {
-      const Value& value = task.values[p.key];
-      if (value.place.line && touchValueOf(p, value) == touchValue(step.scene.touch, p))
-        findings.error(value.place, tr("the two things are the same: the scene has this value too"),
-                       tr("write another value, or change the scene's"));
-    }
-  }
-}
-
 }  // namespace
 
 void steps(const Lesson& lesson, Findings& findings) {
@@ -125,11 +120,10 @@ void steps(const Lesson& lesson, Findings& findings) {
     if (!can_reach[i])
       findings.error(step.place, tr("no link leads to this aside, so no student can come to it"),
                      trf("link to it from another step: [{0}](#{1})", step.title, step.id));
-    comparesLocked(step, findings);
     predictsWithoutTouch(step, findings);
     markdownInKeys(step, findings);
     brokenLinks(step, findings);
-    samesAlike(step, findings);
+    tasksInScene(step, findings);
     if (!saysSomething(step))
       findings.error(step.place, tr("this step says nothing to the student"), tr("write a sentence below its heading"));
   }

@@ -4,8 +4,8 @@
 #include <utility>
 
 #include "engine/language/catalogue.h"
+#include "engine/lesson/reading_keys.h"
 #include "engine/lesson/touch_keys.h"
-#include "engine/molecule/molecule_key.h"
 #include "engine/molecule/view_part.h"
 #include "engine/structure/colouring.h"
 
@@ -108,24 +108,6 @@ std::vector<KeySpec> frontMatterKeys() {
   };
 }
 
-// How the molecule's file is read.
-std::vector<KeySpec> readingKeys() {
-  std::vector<KeySpec> out;
-  for (const ReadingOption& option : readingOptions()) {
-    KeySpec& key =
-        out.emplace_back(KeySpec{.name = option.name, .meaning = option.meaning, .fallback = option.fallback});
-    if (std::holds_alternative<int ReadOptions::*>(option.member)) {
-      key.type = ValueType::Count;
-      key.least = 1;
-      key.most = kMostReadNumber;
-    } else if (std::holds_alternative<bool ReadOptions::*>(option.member)) {
-      key.type = ValueType::Word;
-      key.words = {"yes", "no"};
-    }
-  }
-  return out;
-}
-
 const KeySpec& goalKey() {
   static const KeySpec key{
       .name = "goal",
@@ -153,7 +135,7 @@ std::vector<KeySpec> sceneKeys() {
        .type = ValueType::Text,
        .meaning = "The molecule on the stage. A scene that names one starts anew; a scene that does not changes only "
                   "what it says."}};
-  for (KeySpec& key : readingKeys()) out.push_back(std::move(key));
+  for (const ReadingOption& option : readingOptions()) out.push_back(readingKey(option));
   for (KeySpec& key : touchSceneKeys()) out.push_back(std::move(key));
   const KeySpec others[]{
       {.name = "show",

@@ -34,6 +34,25 @@ const SelectionWord* findWord(const Token& token) {
   return nullptr;
 }
 
+/// What may follow a word, for the sentence that tells of one that is missing.
+std::string_view exampleFor(Takes takes) {
+  switch (takes) {
+    case Takes::Names:
+      return "A";
+    case Takes::OptionalNames:
+      return "HEM";
+    case Takes::Residues:
+      return "52";
+    case Takes::Indices:
+      return "0";
+    case Takes::Elements:
+      return "O";
+    case Takes::Nothing:
+      break;
+  }
+  return {};
+}
+
 bool isJoiner(const Token& token) {
   for (std::string_view j : kJoiners)
     if (token.is(j)) return true;
@@ -222,11 +241,8 @@ class Parser {
       advance();
     }
     if (count == 0 && word->takes != Takes::OptionalNames) {
-      constexpr std::string_view kExamples[] = {"", "name CA", "", "residue 52", "atom 0", "element O"};
       return fail(next_, trf("'{0}' needs something after it", word->word),
-                  trf("for example: {0}",
-                      (word->takes == Takes::Names ? std::string(word->word) + " A"
-                                                   : std::string(kExamples[static_cast<int>(word->takes)]))));
+                  trf("for example: {0}", std::string(word->word) + ' ' + std::string(exampleFor(word->takes))));
     }
     return std::make_shared<const Node>(std::move(node));
   }

@@ -14,7 +14,7 @@ KeySpec keyOf(const TouchProperty& property) {
   }
   key.type = ValueType::Word;
   if (property.words)
-    for (const TouchWord& w : property.words()) key.words.push_back(w.name);
+    for (const OfferedWord& w : property.words()) key.words.push_back(w.name);
   else
     key.words = {"on", "off"};
   return key;

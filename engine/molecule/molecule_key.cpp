@@ -1,13 +1,17 @@
 #include "engine/molecule/molecule_key.h"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <type_traits>
 
 #include "engine/language/catalogue.h"
+#include "engine/molecule/molecule.h"
 
 namespace moltact {
 namespace {
+
+int modelsIn(const Molecule& molecule) { return std::max(1, int(molecule.models_in_file)); }
 
 constexpr std::array kOptions{
     ReadingOption{.name = "model",
@@ -15,13 +19,21 @@ constexpr std::array kOptions{
                   .told = N_("model {0}"),
                   .fallback = "1",
                   .meaning = "Which model of the molecule's file is shown, counted from 1.",
-                  .option_help = "Which model of the file, from 1"},
+                  .option_help = "Which model of the file, from 1",
+                  .label = N_("Model"),
+                  .most = [](const Molecule& molecule) { return modelsIn(molecule); },
+                  .note =
+                      [](const Molecule& molecule) {
+                        const int most = modelsIn(molecule);
+                        return trnf("The file has {0} model.", "The file has {0} models.", most, most);
+                      }},
     ReadingOption{.name = "waters",
                   .member = &ReadOptions::waters,
                   .told = N_("with waters"),
                   .fallback = "no",
                   .meaning = "Whether the water molecules of the file are there too.",
-                  .option_help = "Keep the water molecules"},
+                  .option_help = "Keep the water molecules",
+                  .label = N_("Water molecules of the file")},
     ReadingOption{
         .name = "assembly",
         .member = &ReadOptions::assembly,
@@ -30,7 +42,14 @@ constexpr std::array kOptions{
         .meaning =
             "The name of a biological assembly that is built from the molecule's file, for example '1'; 'none' takes "
             "the coordinates as they stand in the file.",
-        .option_help = "Build this biological assembly (1)"},
+        .option_help = "Build this biological assembly (1)",
+        .label = N_("Biological assembly"),
+        .hint = N_("none: the coordinates as they stand in the file"),
+        .note =
+            [](const Molecule&) {
+              return std::string(
+                  tr("Its name in the file, mostly 1. Copies of the chains are made as they are in the cell."));
+            }},
     ReadingOption{
         .name = "beside",
         .member = &ReadOptions::beside,
@@ -41,7 +60,13 @@ constexpr std::array kOptions{
             "Its "
             "chains have a 2 behind their names: 'chain A2'. Where the two have the same residues it is turned as the "
             "first is. 'none' leaves the first alone.",
-        .option_help = "Put this molecule beside it, for comparison"},
+        .option_help = "Put this molecule beside it, for comparison",
+        .label = N_("Molecule beside it"),
+        .hint = N_("none: the molecule alone"),
+        .note =
+            [](const Molecule&) {
+              return std::string(tr("For comparison: one of the library by its name, or a file in the same folder."));
+            }},
 };
 
 }  // namespace
@@ -67,6 +92,9 @@ bool readText(ReadOptions& reading, const ReadingOption& option, std::string_vie
     if (text != "yes" && text != "no") return false;
     reading.** on = text == "yes";
   } else {
+    const std::vector<OfferedWord> words = option.words ? option.words() : std::vector<OfferedWord>();
+    if (option.words && std::none_of(words.begin(), words.end(), [&](const OfferedWord& w) { return w.name == text; }))
+      return false;
     reading.*std::get<std::string ReadOptions::*>(option.member) = text;
   }
   return true;

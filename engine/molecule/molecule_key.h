@@ -12,11 +12,17 @@
 #include <string_view>
 #include <utility>
 #include <variant>
+#include <vector>
+
+#include "engine/core/offered_word.h"
 
 namespace moltact {
 
+struct Molecule;
+
 /// How a molecule's file is read. A choice that is added here (a table of radii, say) gets a row in readingOptions(),
-/// from which keys of scenes, labels, attempts, hashes and the options of commands are made.
+/// from which keys of scenes, labels, attempts, hashes, the page of readings and the options of commands are made. What
+/// reads so is a reader, or the builder that all readers feed (parsed_structure.h).
 struct ReadOptions {
   int model = 1;           ///< which model, counted from 1 in the order of the file (default: the first)
   bool waters = false;     ///< keep the water molecules (default: leave them out)
@@ -34,6 +40,14 @@ struct ReadingOption {
   std::string_view fallback;     ///< the default as an author writes it: "1", "no", "none"
   std::string_view meaning;      ///< one sentence for authors
   std::string_view option_help;  ///< of the commands' option
+  const char* label;             ///< on the page of readings, N_
+  /// Of a text: what it may be, the default among them; null: any, as a name in the file is.
+  std::vector<OfferedWord> (*words)() = nullptr;
+  const char* hint = "";  ///< of a text that may be any, where it is empty, N_
+  /// Of a number: the greatest that this molecule's file has.
+  int (*most)(const Molecule& molecule) = nullptr;
+  /// A sentence below it on the page, in the language in use; null: none.
+  std::string (*note)(const Molecule& molecule) = nullptr;
 };
 
 /// A number is from 1 to this.
@@ -42,7 +56,7 @@ inline constexpr int kMostReadNumber = 100'000;
 /// All, in the order in which they are told.
 std::span<const ReadingOption> readingOptions();
 
-/// As text: "3"; "yes" or "no"; a text as it is.
+/// As text: "3"; "yes" or "no"; a text, which is one of its words where it has some.
 std::string textOf(const ReadOptions& reading, const ReadingOption& option);
 /// The same back, and the default from the option's `fallback`; false, and nothing changed, where the text is not
 /// sound.

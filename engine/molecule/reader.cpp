@@ -42,12 +42,6 @@ struct Format {
 constexpr Format kFormats[] = {MOLTACT_FORMATS(MOLTACT_ROW)};
 #undef MOLTACT_ROW
 
-std::string endingsText() {
-  std::string out;
-  for (const Format& format : kFormats) out += (out.empty() ? "" : " ") + std::string(format.extension);
-  return out;
-}
-
 constexpr const char* kTooLargeRemedy = N_("split it, or keep one model");
 
 /// The name without .gz.
@@ -118,7 +112,7 @@ Expected<Molecule> readText(TextSource& text, const std::filesystem::path& path,
   if (!read && trimmed(text.ahead()).empty()) return empty;
   if (!read)
     return Problem{file, 0, 0, tr("it is not a molecule in a format that is read here"),
-                   trf("those are {0}, each also with .gz", endingsText())};
+                   trf("those are {0}, each also with .gz", moleculeEndingsText())};
   Expected<Molecule> molecule = read(text, options);
   if (text.problem()) return *text.problem();
   if (!molecule && text.number() > 0 && text.blank()) return empty;

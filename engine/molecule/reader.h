@@ -2,15 +2,15 @@
 // Units: angstrom. A file that cannot be read gives a Problem with the file, the line where it is known, and a remedy;
 // nothing throws or hangs.
 //
-// Rules, the same for every format that names its atoms (PDB, mmCIF); a .xyzr file is balls, each with a radius of its
-// own, and is taken as it stands:
+// Rules, the same for every format that names its atoms; a .xyzr file is balls, each with a radius of its own, and is
+// taken as it stands:
 // * Atoms keep the order of the file; hydrogens are kept as present.
 // * Alternate locations: of the atoms of one residue with the same name the one with the highest occupancy is kept,
 //   the first on a tie. Where the alternatives are different residues (a point mutation), the residue with the
 //   highest mean occupancy is kept whole. Alternates are looked for among at most 100 000 atoms and 100 residues at a
 //   place.
 // * Water (HOH, WAT, H2O, DOD, TIP3, SOL) is left out unless asked for or unless the file holds nothing else.
-// * A radius comes from the table in elements.h; an unknown element gets the default and one warning.
+// * A radius is the file's own (PQR), else from elements.h; an unknown element gets the default and one warning.
 #pragma once
 
 #include <filesystem>

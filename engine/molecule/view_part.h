@@ -12,8 +12,8 @@
 namespace moltact {
 
 /// The parts of a picture that are switched one by one. A new part is a word here, a row of the table in view_part.cpp
-/// and a drawing in engine/render (`Renderer` for what stays with the molecule, glyphs.cpp for what moves with the
-/// hand).
+/// and a drawing in engine/render: `MoleculeLayer` for what stays with the molecule, haptic_shapes.cpp for what a method
+/// works with, glyphs.cpp for what else moves with the hand.
 enum class ViewPart : std::uint8_t { Atoms, Spheres, Circles, Points, Cones, Hip, Scp, Force, Probe, Target, Facets };
 
 struct ViewPartInfo {

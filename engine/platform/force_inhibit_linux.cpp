@@ -4,64 +4,16 @@
 
 #include <algorithm>
 #include <array>
-#include <atomic>
 #include <cerrno>
 #include <csignal>
 #include <cstdlib>
 #include <mutex>
 
 #include "engine/platform/force_inhibit.h"
+#include "engine/platform/force_inhibit_calls.h"
 
 namespace moltact {
 namespace {
-
-std::atomic<unsigned> inhibited{0};
-static_assert(std::atomic<unsigned>::is_always_lock_free, "a signal's handler sets it");
-
-// A slot is taken when `data` and then `act` are there, so that a handler sees both or none.
-struct Slot {
-  std::atomic<bool> taken{false};
-  std::atomic<void*> data{nullptr};
-  std::atomic<LastAct::Act> act{nullptr};
-  std::atomic<int> inside{0};  // handlers that are in it
-};
-std::array<Slot, LastAct::kMost> slots;
-
-bool doIt(Slot& slot) noexcept {
-  slot.inside.fetch_add(1);
-  const LastAct::Act act = slot.act.load();
-  const bool done = !act || act(slot.data.load());
-  slot.inside.fetch_sub(1);
-  return done;
-}
-
-void rest(long ns) noexcept {
-  const timespec time{0, ns};
-  nanosleep(&time, nullptr);
-}
-
-std::int64_t now_ns() noexcept {
-  timespec t{};
-  clock_gettime(CLOCK_MONOTONIC, &t);
-  return std::int64_t{t.tv_sec} * 1'000'000'000 + t.tv_nsec;
-}
-
-// Each act until it is done. A thread that was about to give a force when it was inhibited may still give it after
-// the act: so each act is done once more.
-void doActs() noexcept {
-  constexpr long kLook_ns = 200'000, kOvertaken_ns = 1'000'000;
-  std::array<bool, LastAct::kMost> done{};
-  const auto all = [&] {
-    bool every = true;
-    for (std::size_t k = 0; k < slots.size(); ++k) every = (done[k] = done[k] || doIt(slots[k])) && every;
-    return every;
-  };
-  if (std::none_of(slots.begin(), slots.end(), [](const Slot& p) { return p.act.load(); })) return;
-  for (const std::int64_t until_ns = now_ns() + kPatience_ms * std::int64_t{1'000'000}; !all() && now_ns() < until_ns;)
-    rest(kLook_ns);
-  rest(kOvertaken_ns);
-  for (Slot& slot : slots) doIt(slot);
-}
 
 // What ends a process: its own faults, whoever takes them otherwise; and what others send, where nobody takes it.
 constexpr std::array kFaults{SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGTRAP, SIGSYS};
@@ -83,7 +35,7 @@ void onEnd(int signal, siginfo_t* info, void*) noexcept {
 void onStop(int) noexcept {
   const int kept = errno;
   inhibitForce(InhibitReason::Stopped);
-  doActs();
+  platform::doLastActs();
   raise(SIGSTOP);
   permitForce(InhibitReason::Stopped);  // continued: the loop finds that it was stalled, and starts softly
   errno = kept;
@@ -102,7 +54,20 @@ void take(int signal, void (*handler)(int, siginfo_t*, void*), bool though_taken
   sigaction(signal, &action, nullptr);
 }
 
-void install() noexcept {
+}  // namespace
+
+void platform::rest_ns(std::int64_t time) noexcept {
+  const timespec wait{time / 1'000'000'000, time % 1'000'000'000};
+  nanosleep(&wait, nullptr);
+}
+
+std::int64_t platform::now_ns() noexcept {
+  timespec t{};
+  clock_gettime(CLOCK_MONOTONIC, &t);
+  return std::int64_t{t.tv_sec} * 1'000'000'000 + t.tv_nsec;
+}
+
+void platform::catchEndings() noexcept {
   static std::once_flag once;
   try {
     std::call_once(once, [] {
@@ -116,42 +81,6 @@ void install() noexcept {
     });
   } catch (...) {  // no lock could be had: then without
   }
-}
-
-}  // namespace
-
-bool forceInhibited() noexcept { return inhibited.load(std::memory_order_acquire) != 0; }
-void inhibitForce(InhibitReason why) noexcept { inhibited.fetch_or(static_cast<unsigned>(why)); }
-void permitForce(InhibitReason why) noexcept { inhibited.fetch_and(~static_cast<unsigned>(why)); }
-
-void endForce() noexcept {
-  const int kept = errno;
-  inhibitForce(InhibitReason::Dying);
-  doActs();
-  errno = kept;
-}
-
-bool LastAct::arm(Act act, void* data) noexcept {
-  disarm();
-  install();
-  for (int k = 0; k < kMost; ++k) {
-    Slot& slot = slots[std::size_t(k)];
-    if (slot.taken.exchange(true)) continue;
-    slot.data.store(data);
-    slot.act.store(act);
-    slot_ = k;
-    return true;
-  }
-  return false;
-}
-
-void LastAct::disarm() noexcept {
-  if (slot_ < 0) return;
-  Slot& slot = slots[std::size_t(slot_)];
-  slot.act.store(nullptr);
-  while (slot.inside.load() > 0) rest(100'000);  // a handler is at it
-  slot.taken.store(false);
-  slot_ = -1;
 }
 
 LastReport::~LastReport() {

@@ -1,33 +1,13 @@
 #include <windows.h>
 
-#include <array>
-#include <atomic>
 #include <cstdlib>
 #include <mutex>
 
 #include "engine/platform/force_inhibit.h"
+#include "engine/platform/force_inhibit_calls.h"
 
 namespace moltact {
 namespace {
-
-std::atomic<unsigned> inhibited{0};
-
-// A slot is taken when `data` and then `act` are there, so that whoever ends the process sees both or none.
-struct Slot {
-  std::atomic<bool> taken{false};
-  std::atomic<void*> data{nullptr};
-  std::atomic<LastAct::Act> act{nullptr};
-  std::atomic<int> inside{0};
-};
-std::array<Slot, LastAct::kMost> slots;
-
-bool doIt(Slot& slot) noexcept {
-  slot.inside.fetch_add(1);
-  const LastAct::Act act = slot.act.load();
-  const bool done = !act || act(slot.data.load());
-  slot.inside.fetch_sub(1);
-  return done;
-}
 
 // A crash on any thread; then the system goes on with it as without us.
 LONG WINAPI onCrash(EXCEPTION_POINTERS*) {
@@ -35,7 +15,14 @@ LONG WINAPI onCrash(EXCEPTION_POINTERS*) {
   return EXCEPTION_CONTINUE_SEARCH;
 }
 
-void install() noexcept {
+}  // namespace
+
+// The system's clock sleeps by milliseconds.
+void platform::rest_ns(std::int64_t time) noexcept { Sleep(DWORD((time + 999'999) / 1'000'000)); }
+
+std::int64_t platform::now_ns() noexcept { return std::int64_t(GetTickCount64()) * 1'000'000; }
+
+void platform::catchEndings() noexcept {
   static std::once_flag once;
   try {
     std::call_once(once, [] {
@@ -44,48 +31,6 @@ void install() noexcept {
     });
   } catch (...) {  // no lock could be had: then without
   }
-}
-
-}  // namespace
-
-bool forceInhibited() noexcept { return inhibited.load(std::memory_order_acquire) != 0; }
-void inhibitForce(InhibitReason why) noexcept { inhibited.fetch_or(static_cast<unsigned>(why)); }
-void permitForce(InhibitReason why) noexcept { inhibited.fetch_and(~static_cast<unsigned>(why)); }
-
-// Each act until it is done, and once more: a thread that was about to give a force may have given it after the act.
-void endForce() noexcept {
-  inhibitForce(InhibitReason::Dying);
-  std::array<bool, LastAct::kMost> done{};
-  const ULONGLONG until_ms = GetTickCount64() + kPatience_ms;
-  for (bool all = false; !all && GetTickCount64() < until_ms;) {
-    all = true;
-    for (std::size_t k = 0; k < slots.size(); ++k) all = (done[k] = done[k] || doIt(slots[k])) && all;
-    if (!all) Sleep(1);
-  }
-  for (Slot& slot : slots) doIt(slot);
-}
-
-bool LastAct::arm(Act act, void* data) noexcept {
-  disarm();
-  install();
-  for (int k = 0; k < kMost; ++k) {
-    Slot& slot = slots[std::size_t(k)];
-    if (slot.taken.exchange(true)) continue;
-    slot.data.store(data);
-    slot.act.store(act);
-    slot_ = k;
-    return true;
-  }
-  return false;
-}
-
-void LastAct::disarm() noexcept {
-  if (slot_ < 0) return;
-  Slot& slot = slots[std::size_t(slot_)];
-  slot.act.store(nullptr);
-  while (slot.inside.load() > 0) Sleep(0);
-  slot.taken.store(false);
-  slot_ = -1;
 }
 
 // A HID device of Windows is no file that takes a report as it is: there the device's own watchdog ends the force.

@@ -23,18 +23,4 @@ Expected<TemporaryFolder> TemporaryFolder::in(const std::filesystem::path& folde
                  tr("check that you may write there and that the disk has room")};
 }
 
-std::error_code replaceFolder(const std::filesystem::path& fresh, const std::filesystem::path& place,
-                              const std::filesystem::path& old) {
-  std::error_code error, ignored;
-  std::filesystem::rename(place, old, ignored);  // fails where there is none
-  std::filesystem::rename(fresh, place, error);
-  if (error) std::filesystem::rename(old, place, ignored);
-  return error;
-}
-
-TemporaryFolder::~TemporaryFolder() {
-  std::error_code ignored;
-  if (!path_.empty()) std::filesystem::remove_all(path_, ignored);
-}
-
 }  // namespace moltact

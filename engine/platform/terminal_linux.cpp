@@ -2,115 +2,35 @@
 #include <unistd.h>
 
 #include <cerrno>
-#include <streambuf>
 
-#include "engine/platform/terminal.h"
+#include "engine/platform/terminal_calls.h"
 
-namespace moltact {
+namespace moltact::platform {
 namespace {
 
-// Cleans on its way to the system. A code point that is not whole yet waits for the rest of it.
-class CleanBuffer : public std::streambuf {
- public:
-  explicit CleanBuffer(int handle) : handle_(handle) {}
-  ~CleanBuffer() override { send(true); }
-
-  bool send(bool all) {
-    std::size_t whole = waiting_.size();
-    for (std::size_t back = 1; !all && back <= 3 && back <= waiting_.size(); ++back)
-      if (firstCodePoint(std::string_view(waiting_).substr(waiting_.size() - back)).cut) whole = waiting_.size() - back;
-    const std::string clean = printable(std::string_view(waiting_).substr(0, whole));
-    waiting_.erase(0, whole);
-    return raw(clean);
-  }
-
-  bool raw(std::string_view bytes) {
-    while (!bytes.empty()) {
-      const ssize_t written = ::write(handle_, bytes.data(), bytes.size());
-      if (written < 0 && errno == EINTR) continue;
-      if (written <= 0) {
-        failed_ = true;
-        return false;
-      }
-      bytes.remove_prefix(std::size_t(written));
-    }
-    return true;
-  }
-
-  bool failed() const { return failed_; }
-
- protected:
-  int_type overflow(int_type c) override {
-    if (traits_type::eq_int_type(c, traits_type::eof())) return traits_type::not_eof(c);
-    waiting_ += traits_type::to_char_type(c);
-    return full() ? c : traits_type::eof();
-  }
-  std::streamsize xsputn(const char* text, std::streamsize size) override {
-    waiting_.append(text, std::size_t(size));
-    return full() ? size : 0;
-  }
-  int sync() override { return send(false) ? 0 : -1; }
-
- private:
-  bool full() { return waiting_.size() < kMost || send(false); }
-
-  static constexpr std::size_t kMost = 1 << 14;
-  int handle_;
-  std::string waiting_;
-  bool failed_ = false;
-};
-
-struct Streams {
-  CleanBuffer out_buffer{STDOUT_FILENO}, err_buffer{STDERR_FILENO};
-  std::ostream out{&out_buffer}, err{&err_buffer};
-  Streams() {
-    err.tie(&out);
-    err << std::unitbuf;
-  }
-};
-
-Streams& streams() {
-  static Streams both;
-  return both;
-}
+int handleOf(Output to) { return to == Output::Standard ? STDOUT_FILENO : STDERR_FILENO; }
 
 }  // namespace
 
-std::ostream& cleanOut() { return streams().out; }
-std::ostream& cleanErr() { return streams().err; }
-TerminalText out() { return TerminalText(cleanOut()); }
-TerminalText err() { return TerminalText(cleanErr()); }
+void prepare(Output) {}
 
-bool terminalWritten() {
-  streams().err_buffer.send(true);
-  return streams().out_buffer.send(true) && !streams().out_buffer.failed();
+std::size_t writeSome(Output to, std::string_view bytes) {
+  ssize_t written = ::write(handleOf(to), bytes.data(), bytes.size());
+  while (written < 0 && errno == EINTR) written = ::write(handleOf(to), bytes.data(), bytes.size());
+  return written > 0 ? std::size_t(written) : 0;
 }
 
-void showStatus(std::string_view line) {
-  if (!standardErrorIsTerminal()) return;
-  cleanErr().flush();
-  streams().err_buffer.raw("\r\033[K" + oneLine(line));
-}
+bool isTerminal(Output to) { return ::isatty(handleOf(to)) == 1; }
 
-bool standardErrorIsTerminal() { return ::isatty(STDERR_FILENO) == 1; }
-
-Typed typedLine(std::string& line, int wait_ms) {
-  static std::string typed;  // what came after the last line
-  std::size_t end = typed.find('\n');
-  if (end == std::string::npos) {
-    pollfd input{STDIN_FILENO, POLLIN, 0};
-    if (::poll(&input, 1, wait_ms) <= 0) return Typed::Nothing;
-    char some[256];
-    const ssize_t size = ::read(STDIN_FILENO, some, sizeof some);
-    if (size < 0 && (errno == EINTR || errno == EAGAIN)) return Typed::Nothing;
-    if (size <= 0) return Typed::End;
-    typed.append(some, std::size_t(size));
-    end = typed.find('\n');
-    if (end == std::string::npos) return Typed::Nothing;
-  }
-  line = typed.substr(0, end);
-  typed.erase(0, end + 1);
+Typed readSome(std::string& typed, int wait_ms) {
+  pollfd input{STDIN_FILENO, POLLIN, 0};
+  if (::poll(&input, 1, wait_ms) <= 0) return Typed::Nothing;
+  char some[256];
+  const ssize_t size = ::read(STDIN_FILENO, some, sizeof some);
+  if (size < 0 && (errno == EINTR || errno == EAGAIN)) return Typed::Nothing;
+  if (size <= 0) return Typed::End;
+  typed.append(some, std::size_t(size));
   return Typed::Line;
 }
 
-}  // namespace moltact
+}  // namespace moltact::platform

@@ -1,7 +1,35 @@
 // What is alike wherever files are written.
 #include "engine/platform/write_file.h"
 
+#include <utility>
+
+#include "engine/platform/draft_impl.h"
+
 namespace moltact {
+
+Draft::Draft(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
+Draft::Draft(Draft&&) noexcept = default;
+Draft& Draft::operator=(Draft&&) noexcept = default;
+Draft::~Draft() = default;
+
+std::optional<Problem> Draft::append(std::string_view bytes) {
+  constexpr std::size_t kMostWaiting = std::size_t{1} << 20;
+  impl_->waiting += bytes;
+  return impl_->waiting.size() < kMostWaiting ? std::nullopt : flush();
+}
+
+const std::filesystem::path& Draft::path() const { return impl_->draft; }
+
+std::optional<Problem> Draft::flush() {
+  if (auto problem = impl_->write(impl_->waiting)) return problem;
+  impl_->waiting.clear();
+  return std::nullopt;
+}
+
+std::optional<Problem> Draft::commit() {
+  if (auto problem = flush()) return problem;
+  return impl_->place();
+}
 
 std::optional<Problem> writeWhole(const std::filesystem::path& file, std::string_view bytes, IfThere there) {
   Expected<Draft> draft = Draft::begin(file, there);

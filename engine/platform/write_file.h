@@ -42,8 +42,9 @@ class Draft {
   /// Waits for the disk and puts the draft in the file's place. Once.
   std::optional<Problem> commit();
 
+  struct Impl;  ///< draft_impl.h, for each system's part
+
  private:
-  struct Impl;
   explicit Draft(std::unique_ptr<Impl> impl);
   std::unique_ptr<Impl> impl_;
 };

@@ -7,42 +7,46 @@
 #include <utility>
 
 #include "engine/platform/draft_calls_linux.h"
-#include "engine/platform/write_file.h"
+#include "engine/platform/draft_impl.h"
 
 namespace moltact {
 namespace fs = std::filesystem;
 using namespace platform;
 
-struct Draft::Impl {
-  fs::path named, file, draft;  // as the person named it, behind its links, and beside that
+namespace {
+
+struct SystemDraft final : Draft::Impl {
+  fs::path named, file;  // as the person named it, and behind its links; the draft is beside that
   int handle = -1;
   bool refuse = false, whole = true;  // a pipe or a device is written to as it is: no draft
-  std::string waiting;
 
-  ~Impl() {
+  ~SystemDraft() override {
     if (handle >= 0) ::close(handle);
     if (!draft.empty() && whole) ::unlink(draft.c_str());
   }
   Problem problem(int error) const { return writingProblem(named, error); }
-  std::optional<Problem> send() {
-    std::string_view bytes = waiting;
+  std::optional<Problem> write(std::string_view bytes) override {
     while (!bytes.empty()) {
       const ssize_t written = uninterrupted([&] { return ::write(handle, bytes.data(), bytes.size()); });
       if (written <= 0) return problem(written < 0 ? errno : ENOSPC);
       bytes.remove_prefix(std::size_t(written));
     }
-    waiting.clear();
+    return std::nullopt;
+  }
+  std::optional<Problem> place() override {
+    if (!whole) return std::nullopt;
+    if (syncData(handle) != 0) return problem(errno);
+    if (placeDraft(draft, file, refuse) != 0) return problem(errno);
+    draft.clear();
+    syncName(file);
     return std::nullopt;
   }
 };
 
-Draft::Draft(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
-Draft::Draft(Draft&&) noexcept = default;
-Draft& Draft::operator=(Draft&&) noexcept = default;
-Draft::~Draft() = default;
+}  // namespace
 
 Expected<Draft> Draft::begin(const fs::path& file, IfThere there) {
-  auto impl = std::make_unique<Impl>();
+  auto impl = std::make_unique<SystemDraft>();
   impl->named = file;
   impl->refuse = there == IfThere::Refuse;
   struct stat is {};
@@ -60,27 +64,6 @@ Expected<Draft> Draft::begin(const fs::path& file, IfThere there) {
   }
   if (impl->handle < 0) return impl->problem(errno);
   return Draft(std::move(impl));
-}
-
-std::optional<Problem> Draft::append(std::string_view bytes) {
-  constexpr std::size_t kMostWaiting = std::size_t{1} << 20;
-  impl_->waiting += bytes;
-  return impl_->waiting.size() < kMostWaiting ? std::nullopt : impl_->send();
-}
-
-const fs::path& Draft::path() const { return impl_->draft; }
-
-std::optional<Problem> Draft::flush() { return impl_->send(); }
-
-std::optional<Problem> Draft::commit() {
-  Impl& w = *impl_;
-  if (auto problem = w.send()) return problem;
-  if (!w.whole) return std::nullopt;
-  if (syncData(w.handle) != 0) return w.problem(errno);
-  if (placeDraft(w.draft, w.file, w.refuse) != 0) return w.problem(errno);
-  w.draft.clear();
-  syncName(w.file);
-  return std::nullopt;
 }
 
 void takeSizeLimitsAsErrors() { std::signal(SIGXFSZ, SIG_IGN); }

@@ -8,31 +8,42 @@
 #include <string>
 #include <utility>
 
+#include "engine/platform/draft_impl.h"
 #include "engine/platform/storage_web.h"
-#include "engine/platform/write_file.h"
 
 namespace moltact {
 namespace fs = std::filesystem;
 using namespace platform;
 
-struct Draft::Impl {
-  fs::path file, draft;
+namespace {
+
+struct SystemDraft final : Draft::Impl {
+  fs::path file;
   int handle = -1;
   bool refuse = false;
 
-  ~Impl() {
+  ~SystemDraft() override {
     if (handle >= 0) ::close(handle);
     if (!draft.empty()) ::unlink(draft.c_str());
   }
+  std::optional<Problem> write(std::string_view bytes) override {
+    if (::write(handle, bytes.data(), bytes.size()) == ssize_t(bytes.size())) return std::nullopt;
+    return storageProblem(file, errno);
+  }
+  std::optional<Problem> place() override {
+    struct stat is {};
+    if (refuse && ::stat(file.c_str(), &is) == 0) return storageProblem(file, EEXIST);
+    if (::rename(draft.c_str(), file.c_str()) != 0) return storageProblem(file, errno);
+    draft.clear();
+    storageChanged();
+    return std::nullopt;
+  }
 };
 
-Draft::Draft(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
-Draft::Draft(Draft&&) noexcept = default;
-Draft& Draft::operator=(Draft&&) noexcept = default;
-Draft::~Draft() = default;
+}  // namespace
 
 Expected<Draft> Draft::begin(const fs::path& file, IfThere there) {
-  auto impl = std::make_unique<Impl>();
+  auto impl = std::make_unique<SystemDraft>();
   impl->file = file;
   impl->refuse = there == IfThere::Refuse;
   struct stat is {};
@@ -48,25 +59,6 @@ Expected<Draft> Draft::begin(const fs::path& file, IfThere there) {
     return storageProblem(file, error);
   }
   return Draft(std::move(impl));
-}
-
-std::optional<Problem> Draft::append(std::string_view bytes) {
-  if (::write(impl_->handle, bytes.data(), bytes.size()) == ssize_t(bytes.size())) return std::nullopt;
-  return storageProblem(impl_->file, errno);
-}
-
-const fs::path& Draft::path() const { return impl_->draft; }
-
-std::optional<Problem> Draft::flush() { return std::nullopt; }
-
-std::optional<Problem> Draft::commit() {
-  Impl& w = *impl_;
-  struct stat is {};
-  if (w.refuse && ::stat(w.file.c_str(), &is) == 0) return storageProblem(w.file, EEXIST);
-  if (::rename(w.draft.c_str(), w.file.c_str()) != 0) return storageProblem(w.file, errno);
-  w.draft.clear();
-  storageChanged();
-  return std::nullopt;
 }
 
 void takeSizeLimitsAsErrors() {}

@@ -3,37 +3,39 @@
 #include <string>
 #include <utility>
 
-#include "engine/platform/write_file.h"
+#include "engine/platform/draft_impl.h"
 #include "engine/platform/writing_calls_windows.h"
 
 namespace moltact {
 namespace fs = std::filesystem;
 using namespace platform;
 
-struct Draft::Impl {
-  fs::path file, draft;
+namespace {
+
+struct SystemDraft final : Draft::Impl {
+  fs::path file;
   void* handle = nullptr;
   bool refuse = false;
-  std::string waiting;
 
-  ~Impl() {
+  ~SystemDraft() override {
     if (handle) CloseHandle(handle);
     if (!draft.empty()) DeleteFileW(draft.c_str());
   }
-  std::optional<Problem> send() {
-    if (!writeAtEnd(handle, waiting)) return writingProblem(file, GetLastError());
-    waiting.clear();
+  std::optional<Problem> write(std::string_view bytes) override {
+    if (!writeAtEnd(handle, bytes)) return writingProblem(file, GetLastError());
+    return std::nullopt;
+  }
+  std::optional<Problem> place() override {
+    if (!FlushFileBuffers(handle) || !placeDraft(draft, file, refuse)) return writingProblem(file, GetLastError());
+    draft.clear();
     return std::nullopt;
   }
 };
 
-Draft::Draft(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
-Draft::Draft(Draft&&) noexcept = default;
-Draft& Draft::operator=(Draft&&) noexcept = default;
-Draft::~Draft() = default;
+}  // namespace
 
 Expected<Draft> Draft::begin(const fs::path& file, IfThere there) {
-  auto impl = std::make_unique<Impl>();
+  auto impl = std::make_unique<SystemDraft>();
   impl->file = file;
   impl->refuse = there == IfThere::Refuse;
   const DWORD is = GetFileAttributesW(file.c_str());
@@ -46,25 +48,6 @@ Expected<Draft> Draft::begin(const fs::path& file, IfThere there) {
     return writingProblem(file, GetLastError());
   }
   return Draft(std::move(impl));
-}
-
-std::optional<Problem> Draft::append(std::string_view bytes) {
-  constexpr std::size_t kMostWaiting = std::size_t{1} << 20;
-  impl_->waiting += bytes;
-  return impl_->waiting.size() < kMostWaiting ? std::nullopt : impl_->send();
-}
-
-const fs::path& Draft::path() const { return impl_->draft; }
-
-std::optional<Problem> Draft::flush() { return impl_->send(); }
-
-std::optional<Problem> Draft::commit() {
-  Impl& w = *impl_;
-  if (auto problem = w.send()) return problem;
-  if (!FlushFileBuffers(w.handle) || !placeDraft(w.draft, w.file, w.refuse))
-    return writingProblem(w.file, GetLastError());
-  w.draft.clear();
-  return std::nullopt;
 }
 
 // Windows has no such limits but those of the disk.

@@ -149,7 +149,7 @@ void addStyles(const Molecule& molecule, const ExportOptions& options, const std
       continue;
     }
     SolventExcluded surface;
-    if (what.style == DrawStyle::Surface) {
+    if (infoOf(what.style).uses_probe) {
       surface = surfaceOf(molecule, shown, options.probe_A > 0.0 ? options.probe_A : kWaterProbe_A);
       for (std::size_t v = 0; v < surface.share.size(); ++v) surface.share[v] = 0.0f;  // one colour an atom
     }

@@ -39,7 +39,7 @@ bool hidden(const BallScene& balls, const Camera& camera, const Wanted& w) {
 bool hidesPlaces(const AtomsLook& look) {
   if (look.cut || look.hidden) return false;
   return look.styles.empty() || std::any_of(look.styles.begin(), look.styles.end(), [](const StyledAtoms& s) {
-           return (s.style == DrawStyle::Spheres || s.style == DrawStyle::Surface) && !s.atoms && s.opacity >= 1.0f;
+           return infoOf(s.style).hides_places && !s.atoms && s.opacity >= 1.0f;
          });
 }
 

@@ -73,7 +73,7 @@ bool MoleculeLayer::draw(const ViewScene& scene, const MoleculeModel* model, con
           .surface_probe_A = 0.0};
   key.look.spheres_near_A = 0.0;  // drawn with the glyphs
   for (const StyledAtoms& s : scene.look.styles)
-    if (s.style == DrawStyle::Surface) key.surface_probe_A = scene.probe_A;
+    if (infoOf(s.style).uses_probe) key.surface_probe_A = scene.probe_A;
   if (scene.shown.has(ViewPart::Target)) key.tinted = scene.highlighted;
   std::sort(key.tinted.begin(), key.tinted.end());
   redrawn_ = !(have_ && key == key_);

@@ -31,8 +31,8 @@ struct StyleShapes {
 /// atoms of the molecule.
 SolventExcluded surfaceOf(const Molecule& molecule, std::span<const std::uint8_t> shown, double probe_A);
 
-/// The shapes of those atoms in their colours (packColour). `surface` is surfaceOf() of the same atoms, for that style
-/// alone.
+/// The shapes of those atoms in their colours (packColour). `surface` is surfaceOf() of the same atoms where the
+/// style's DrawStyleInfo::uses_probe says so, else empty.
 StyleShapes shapesOf(DrawStyle style, const Molecule& molecule, std::span<const std::uint8_t> shown,
                      std::span<const std::uint32_t> colours, const SolventExcluded& surface);
 

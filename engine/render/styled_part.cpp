@@ -18,14 +18,14 @@ StyledPart::StyledPart(const StyledAtoms& what, const ViewScene& scene, const Mo
   if (hidden_)
     for (const std::uint32_t a : *hidden_)
       if (a < shown_.size()) shown_[a] = 0;
-  if (what.style == DrawStyle::Surface) surface_ = surfaceOf(*molecule_, shown_, probe_A_);
+  if (infoOf(what.style).uses_probe) surface_ = surfaceOf(*molecule_, shown_, probe_A_);
   findShapes(model);
 }
 
 bool StyledPart::fits(const StyledAtoms& what, const ViewScene& scene) const {
   return what.style == what_.style && what.atoms == what_.atoms && what.opacity == what_.opacity &&
          scene.look.hidden == hidden_ && scene.molecule == molecule_ &&
-         (what.style != DrawStyle::Surface || scene.probe_A == probe_A_);
+         (!infoOf(what.style).uses_probe || scene.probe_A == probe_A_);
 }
 
 void StyledPart::paint(const MoleculeModel& model) {

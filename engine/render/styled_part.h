@@ -43,7 +43,7 @@ class StyledPart {
   unsigned painted_ = 0;
   std::vector<std::uint8_t> shown_;
   std::vector<SmallBall> balls_;
-  SolventExcluded surface_;  // of a surface, whose owners are the atoms
+  SolventExcluded surface_;  // of a style that uses the probe; its owners are the atoms
   std::unique_ptr<GpuMesh> mesh_;
   std::optional<OcclusionVolume> occlusion_;
 };

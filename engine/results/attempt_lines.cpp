@@ -333,9 +333,12 @@ TouchSetup touch(const Json& from) {
 
 ReadOptions reading(const Json& from) {
   ReadOptions out;
-  for (const ReadingOption& option : readingOptions())
-    if (from.contains(option.name))
-      std::visit([&](const auto member) { take(out.*member, from, option.name); }, option.member);
+  for (const ReadingOption& option : readingOptions()) {
+    if (!from.contains(option.name)) continue;
+    ReadOptions told;
+    std::visit([&](const auto member) { take(told.*member, from, option.name); }, option.member);
+    readText(out, option, textOf(told, option));  // what there is not stays at its default
+  }
   return out;
 }
 

@@ -334,7 +334,10 @@ std::string wayText(const LessonOutline& lesson, const PersonScore& person) {
       std::string to;
       for (const std::string& s : rule.steps) to += (to.empty() ? "" : ", ") + numberOf(s);
       // Translators: a condition as lesson files write it, and the numbers of the steps.
-      out += " (" + (rule.skips ? trf("{0}: skips {1}", rule.rule, to) : trf("{0}: goes to {1}", rule.rule, to)) + ")";
+      const std::string said =
+          " (" + (rule.skips ? trf("{0}: skips {1}", rule.rule, to) : trf("{0}: goes to {1}", rule.rule, to)) + ")";
+      // Several attempts may have met it.
+      if (!out.ends_with(said)) out += said;
     }
   }
   return out;

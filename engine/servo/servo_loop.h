@@ -46,8 +46,8 @@ class ServoLoop {
 
   /// Hands over the next motion of that scene's spheres (engine/haptics/sphere_motion.h). It begins as soon as the one
   /// before has ended; when it has ended itself it stays until another comes. False, and nothing is handed over, while
-  /// the one before still waits to begin: try again a frame later. Never null. A frame of a scene that is not felt yet
-  /// waits for that scene.
+  /// the one before still waits to begin: try again a picture later. Never null. A motion in a scene that is not felt
+  /// yet waits for that scene.
   bool setMotion(std::shared_ptr<const SphereMotion> motion, std::uint32_t scene = 0);
 
   /// It is felt how the hand is turned: what turns on the device turns the hand, and not the view.
@@ -144,7 +144,7 @@ class ServoLoop {
   std::atomic<HandedInteraction*> pending_{nullptr};  // the next
   std::atomic<HandedInteraction*> retired_{nullptr};  // one that a tick has put down
   HandedInteraction* current_ = nullptr;              // the ticks'
-  // A frame that crosses, with its scene's number.
+  // A motion that crosses, with its scene's number.
   struct HandedMotion {
     std::shared_ptr<const SphereMotion> motion;
     std::uint32_t scene = 0;

@@ -5,7 +5,7 @@
 #include <sstream>
 #include <string>
 
-#include "molecules/generator/pdb_writer.h"
+#include "molecules/generator/made_molecules.h"
 
 int main(int argc, char** argv) {
   using namespace moltact::generator;
@@ -23,28 +23,7 @@ int main(int argc, char** argv) {
   };
   const std::string haemoglobin = contentOf("2hhb.pdb"), protease = contentOf("1hpv.pdb");
   if (haemoglobin.empty() || protease.empty()) return 1;
-  const std::pair<const char*, std::string> made[] = {
-      {"argon.pdb", makeArgon(1)},
-      {"argon-pair.pdb", makeArgon(2)},
-      {"argon-triangle.pdb", makeArgon(3)},
-      {"water.pdb", makeWater()},
-      {"benzene.pdb", makeBenzene()},
-      {"alanine-pair.pdb", makeAlaninePair()},
-      {"phenylalanine-pair.pdb", makePhenylalaninePair()},
-      {"stearic-oleic.pdb", makeStearicOleic()},
-      {"stearic-elaidic.pdb", makeStearicElaidic()},
-      {"straight-neighbours.pdb", makeStraightNeighbours()},
-      {"kinked-neighbours.pdb", makeKinkedNeighbours()},
-      {"alpha-helix.pdb", makeAlphaHelix()},
-      {"helix-pair.pdb", makeHelixPair()},
-      {"beta-strand.pdb", makeBetaStrand()},
-      {"b-dna.pdb", makeBDna()},
-      {"haem-alpha.pdb", makeHaemPocket(haemoglobin, 'A')},
-      {"haem-beta.pdb", makeHaemPocket(haemoglobin, 'B')},
-      {"1hpv-empty.pdb", makeEmptyProtease(protease)},
-      {"amprenavir.pdb", makeAmprenavir(protease)},
-  };
-  for (const auto& [name, text] : made) {
+  for (const auto& [name, text] : madeMolecules(haemoglobin, protease)) {
     const std::string path = std::string(argv[1]) + '/' + name;
     std::ofstream out(path, std::ios::binary);
     out << text;

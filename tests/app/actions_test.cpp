@@ -370,7 +370,7 @@ TEST_CASE("a kept preference of every kind comes back") {
   s.theme = ThemeChoice::HighContrast;
   s.colour_blind_safe = s.left_handed = true;
   s.decimal_sign = DecimalSign::Comma;
-  s.length_unit = "nm";
+  s.units = {{"length", "nm"}, {"force", "mN"}};
   s.language = "de";
   s.text_size = 1.3;
   s.legend = false;

@@ -11,25 +11,7 @@ namespace moltact {
 namespace {
 
 std::string lessonText() {
-  std::string text = R"(---
-title: Two ends
-minutes: 5
-goals:
-  - Tell a beginning
-  - Tell an end
-molecules:
-  - argon
-author: The Moltact authors
-licence: CC-BY-4.0
----
-
-## One step
-
-```scene
-molecule: argon
-```
-
-> [!TIP]
+  std::string body = R"(> [!TIP]
 > The first hint.
 
 > [!TIP]
@@ -42,8 +24,9 @@ say: Touch it.
 
 )";
   for (int k = 0; k < 40; ++k)
-    text += "A line of text that takes its room on the page, number " + std::to_string(k) + ".\n\n";
-  return text + "### Question: Which?\n\n1. [x] This → Yes.\n2. [ ] That → No.\n";
+    body += "A line of text that takes its room on the page, number " + std::to_string(k) + ".\n\n";
+  return argonLesson("Two ends", "  - Tell a beginning\n  - Tell an end\n",
+                     body + "### Question: Which?\n\n1. [x] This → Yes.\n2. [ ] That → No.\n");
 }
 
 struct Opened {

@@ -14,9 +14,10 @@ namespace {
 
 constexpr int kAttempts = 24;  // in a row that bring a task no further
 constexpr double kOrbit_rad_per_px = 0.008, kOrbit_rad_per_s = 1.4;
-constexpr double kSeen = 0.5;     // a slide goes on while the surface looks at the student so much (cosine)
-constexpr double kAsItIs = 0.95;  // it need not be turned to look from so near to where one looks from (cosine)
-constexpr double kSame_A = 0.1;   // sideways: nearer than this a plan only pushes deeper
+constexpr double kSeen = 0.5;       // a slide goes on while the surface looks at the student so much (cosine)
+constexpr double kAsItIs = 0.95;    // it need not be turned to look from so near to where one looks from (cosine)
+constexpr double kPastRim_A = 3.0;  // a hand that is so far from its place is on something else
+constexpr double kSame_A = 0.1;     // sideways: nearer than this a plan only pushes deeper
 
 // With MOLTACT_LESSON_PICTURES a picture of each task as it was done, for people to look at.
 void takePicture(ScriptedUser& d, const std::string& name) {
@@ -125,6 +126,13 @@ void LessonHand::follow(const HandPlan& plan, std::size_t task) {
           }
         }
         lead(act.to->A, task);
+        // Past a rim the pointer is on what lies behind: the place is looked at from straight before it.
+        if (goesOn(task) && glm::distance(d_.app().scene.controls.lead().A, act.to->A) > kPastRim_A) {
+          lift();
+          face(front);
+          pointAt(act.to->A);
+          press();
+        }
       }
     }
     for (int n = 0; n < int(act.wait_s * 60.0) + 1 && goesOn(task); ++n) d_.frames(1);

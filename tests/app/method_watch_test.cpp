@@ -57,7 +57,7 @@ TEST_CASE(
 TEST_CASE("the error against the exact SCP is the distance of the two, and 0 where the method is exact") {
   const Stage stage = oneBall();
   MethodWatch watch;
-  watch.begin(stage, 1.4);
+  watch.begin(stage, {});
   ServoSample s;
   s.probe_A = 1.4;
   s.has_interaction = true;
@@ -82,14 +82,14 @@ TEST_CASE("the error against the exact SCP is the distance of the two, and 0 whe
   CHECK(watch.find("penalty") == nullptr);
   // From (0, 0.25, 0.5) to (0, 0, 0.5): 26.6 degrees.
   CHECK(watch.greatestTurn_deg() == doctest::Approx(26.565).epsilon(1e-4));
-  watch.begin(stage, 1.4);
+  watch.begin(stage, {});
   CHECK(watch.tried().empty());
 }
 
 TEST_CASE("a hand that is placed anew takes the exact tracker with it") {
   const Stage stage = oneBall();
   MethodWatch watch;
-  watch.begin(stage, 1.4);
+  watch.begin(stage, {});
   const Method& m = *findMethod("paper");
   ServoSample s;
   s.probe_A = 1.4;

@@ -113,7 +113,6 @@ wait 20
 click lesson/next
 click lesson/next
 click lesson/next
-click lesson/next
 wait 20
 expect method/Paper on
 point view 0.5 0.54

@@ -203,11 +203,29 @@ TEST_CASE("a press that rests tells how to push harder, until that has been done
   CHECK_FALSE(d->shows("view/push hint"));
 }
 
+TEST_CASE("a press that slides is not told how to push harder: the words stood over its way") {
+  auto d = startWith("1ubq");
+  d->point("view", 0.4, 0.5);
+  d->press();
+  bool told = false;
+  moveBy(*d, {120.0, 0.0}, 120, [&] { told = told || d->shows("view/push hint"); });
+  CHECK_FALSE(told);
+  d->frames(90);
+  CHECK(d->shows("view/push hint"));
+}
+
 TEST_CASE("a task that wants more force than the hand gives tells how to push harder, every time that it does") {
   const Scratch scratch;
   auto d = startWith("");
   d->app().open(scratch.file("harder.md", R"(---
 title: Harder
+minutes: 1
+goals:
+  - Push
+molecules:
+  - argon-pair
+author: A test
+licence: MIT
 ---
 
 ## Push
@@ -222,6 +240,7 @@ probe: 1.4 Å
 ```touch
 press: anywhere
 until: 1.2 N
+say: Push.
 ```
 )"));
   d->app().finishLoading();

@@ -12,24 +12,7 @@
 namespace moltact {
 namespace {
 
-const std::string kLesson = R"(---
-title: Questions of every kind
-minutes: 5
-goals:
-  - See them
-molecules:
-  - argon
-author: The Moltact authors
-licence: CC-BY-4.0
----
-
-## One step
-
-```scene
-molecule: argon
-```
-
-### Prediction: Where?
+const std::string kLesson = argonLesson("Questions of every kind", "  - See them\n", R"(### Prediction: Where?
 
 - [ ] One → No.
 - [ ] Two → Not so.
@@ -54,7 +37,7 @@ tolerance: 0.02 Å
 free: yes
 model: Because.
 ```
-)";
+)");
 
 struct Opened {
   ScratchFolder scratch;

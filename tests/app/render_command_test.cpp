@@ -157,7 +157,7 @@ TEST_CASE("highlight, magnify, a molecule beside, a second structure and the leg
     CHECK(picture(options) != bare);
   }
   CHECK(picture("--beside benzene") != picture("--beside benzene --captions 'one, other'"));
-  const std::string enzyme = "'" + kMolecules + "4ake.pdb' --size 240x180 --remove 'not chain A' --style cartoon ";
+  const std::string enzyme = "'" + kMolecules + "4ake.pdb' --size 240x180 --style cartoon ";
   REQUIRE(run(enzyme) == 0);
   const auto open = readPng(kOut);
   REQUIRE(run(enzyme + "--then '1ake, superposed on residue 1-29 and chain A' --state 100%") == 0);

@@ -26,6 +26,14 @@ inline std::unique_ptr<ScriptedUser> startWith(const std::string& what = "1ubq",
   return driver;
 }
 
+/// A lesson of one step over argon, which goes on with `body`; `goals` are its list items, a line each.
+inline std::string argonLesson(const std::string& title, const std::string& goals, const std::string& body) {
+  return "---\ntitle: " + title + "\nminutes: 5\ngoals:\n" + goals +
+         "molecules:\n  - argon\nauthor: The Moltact authors\nlicence: CC-BY-4.0\n---\n\n"
+         "## One step\n\n```scene\nmolecule: argon\n```\n\n" +
+         body;
+}
+
 /// The lesson that a newcomer begins with, as it comes with the program.
 inline void openFirst(ScriptedUser& driver) {
   driver.app().open(std::string(MOLTACT_SOURCE_DIR) + "/lessons/first-touch.md");

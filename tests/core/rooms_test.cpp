@@ -149,6 +149,25 @@ TEST_CASE("no room includes from a room above it, nor from one that docs/archite
     for (const std::string& used : r.uses) CHECK_MESSAGE(really_used[r.name].contains(used), r.name, ": ", used);
 }
 
+TEST_CASE("the picture of docs/architecture.md shows every room of its table, in that order, and no other") {
+  static const std::regex title(R"(<g><title>([a-z_/]+)</title>)");
+  std::vector<std::string> of_page;
+  for (const Room& r : roomsOfPage()) of_page.push_back(r.name);
+  CHECK(quotedIn(textOf(kSource / "docs/pictures/architecture.svg"), title) == of_page);
+}
+
+TEST_CASE("above the bench, whatever judges a method is made by makeInteraction as what it feels is made") {
+  static const std::regex tracker(R"((?:referenceMethod\(\)\.|\bmethod(?:\(\))?(?:\.|->)|\bm\.)make\()");
+  std::size_t looked_at = 0;
+  for (const char* top : {"engine", "app"})
+    for (const std::string& file : sourcesIn(top)) {
+      if (file.starts_with("engine/haptics/") || file.starts_with("engine/bench/")) continue;
+      ++looked_at;
+      CHECK_MESSAGE(!std::regex_search(textOf(kSource / file), tracker), file);
+    }
+  CHECK(looked_at > 300);
+}
+
 TEST_CASE("a library of the engine links what its files include, directly or through what it links") {
   const std::vector<Room> rooms = roomsOfPage();
   const Libraries libraries;

@@ -20,7 +20,12 @@ TEST_CASE("every interaction has a name of its own, is made over a scene and say
     CHECK(findInteractionKind(kind.name) == &kind);
     const auto felt = kind.make({test::makeScene({{{0, 0, 0}, 1.6}})});
     REQUIRE(felt);
-    CHECK(felt->probe_A() == 1.4);
+    // What has no probe says 0 and passes another radius over.
+    const bool has_probe = felt->probe_A() != 0.0;
+    if (&kind == &interactionKinds().front()) CHECK(has_probe);
+    if (has_probe) CHECK(felt->probe_A() == 1.4);
+    felt->setProbe(2.0);
+    CHECK(felt->probe_A() == (has_probe ? 2.0 : 0.0));
     CHECK_FALSE(felt->respond({{Vec3(0, 0, 9)}, kNoRotation}).felt());
     CHECK(felt->respond({{Vec3(std::nan(""), 0, 0)}, kNoRotation}).contact.fault == Fault::NotFinite);
   }
@@ -49,6 +54,22 @@ TEST_CASE(
     }
     CHECK(touching > 500);
     CHECK(different == 0);
+  }
+}
+
+TEST_CASE("what judges a method is the reference method, with everything else as it is felt") {
+  for (const TouchProperty& p : touchProperties()) {
+    CAPTURE(std::string(p.key));
+    TouchSetup felt;
+    felt.method = "penalty";
+    felt.probe_A = 2.5;
+    felt.stiffness_N_per_mm = 0.25;
+    felt.force_on = false;
+    const TouchSetup reference = referenceOf(felt);
+    if (p.member == TouchMember(&TouchSetup::method))
+      CHECK(isReference(*findMethod(reference.method)));
+    else
+      CHECK(touchValue(reference, p) == touchValue(felt, p));
   }
 }
 

@@ -51,7 +51,7 @@ TEST_CASE(
     if (const auto* word = std::get_if<std::string>(&usual)) {
       REQUIRE(bool(p.words));
       int same = 0;
-      for (const TouchWord& w : p.words()) same += w.name == *word;
+      for (const OfferedWord& w : p.words()) same += w.name == *word;
       CHECK(same == 1);
       CHECK(isChoice(p) == (p.words().size() > 1));
     }

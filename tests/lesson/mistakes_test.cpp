@@ -4,10 +4,13 @@
 
 #include <algorithm>
 #include <map>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "engine/lesson/check.h"
+#include "engine/lesson/checks.h"
+#include "engine/lesson/tasks/registry.h"
 #include "tests/lesson/small_molecules.h"
 
 using namespace moltact;
@@ -296,4 +299,34 @@ TEST_CASE(
   int all = 0;
   for (const auto& [kind, counts] : told) all += counts.second;
   CHECK(all == 158);
+}
+
+TEST_CASE(
+    "every key of plain text, of all tasks and of each kind, tells of Markdown that would be shown with its signs") {
+  std::size_t keys = 0;
+  const auto told = [](std::string_view kind, std::string_view key) {
+    Lesson lesson;
+    Step& step = lesson.steps.emplace_back();
+    TaskSpec& task = step.tasks.emplace_back();
+    task.kind = kind;
+    Value value;
+    value.place = {.line = 7, .column = 6};
+    value.text = "Touch **it**.";
+    task.values.set(key, value);
+    checks::Findings findings;
+    checks::steps(lesson, findings);
+    REQUIRE(findings.warnings.size() == 1);
+    CHECK(findings.warnings[0].line == 7);
+    CHECK(findings.warnings[0].column == 12);
+  };
+  for (const TaskKind& kind : taskKinds())
+    for (const std::span<const KeySpec> of : {std::span<const KeySpec>(kind.keys), std::span(keysOf(KeyBlock::Touch))})
+      for (const KeySpec& key : of) {
+        CAPTURE(std::string(kind.name));
+        CAPTURE(std::string(key.name));
+        if (key.type != ValueType::Text) continue;
+        ++keys;
+        told(kind.name, key.name);
+      }
+  CHECK(keys >= 3 * taskKinds().size() + 3);
 }

@@ -79,7 +79,7 @@ TEST_CASE("faults of front matter are told: none, no end, missing and unknown ke
   CHECK(errors("---\ntitel: T\nminutes: soon\nlevel: expert\ngoals: G\nmolecules: mix\nauthor: A\nlicence: L\n---\n" +
                kStep) == Texts{"l.md:1:1: front matter needs the key 'title'; add a line 'title: …'",
                                "l.md:2:1: front matter has no key 'titel'; did you mean 'title'?",
-                               "l.md:3:10: 'soon' is not a number",
+                               "l.md:3:10: 'soon' is not a number; write a whole number and nothing else, as in '10'",
                                "l.md:4:8: 'level' cannot be 'expert'; known: beginner, intermediate, advanced"});
 }
 

@@ -4,6 +4,7 @@
 
 #include <random>
 
+#include "engine/lesson/selection_node.h"
 #include "tests/lesson/small_molecules.h"
 
 using namespace moltact;
@@ -97,6 +98,22 @@ TEST_CASE("a faulty selection is told with its column and what would mend it") {
   CHECK(told("within 5 Å ligand") == "18 'within' needs a distance and 'of'; write: within 5 Å of (resname HEM)");
   CHECK(told("name \"CA") == "6 a quotation mark without its partner; close the name with \"");
   CHECK(told(std::string(500, '(')) == "65 the selection is nested too deeply; use fewer brackets");
+}
+
+TEST_CASE("each word that needs something after it says so with an example that is itself a sound selection") {
+  std::size_t needing = 0;
+  for (const SelectionWord& word : selectionWords()) {
+    CAPTURE(std::string(word.word));
+    const auto alone = parseSelection(word.word);
+    const bool needs = word.takes != SelectionWord::Takes::Nothing && word.takes != SelectionWord::Takes::OptionalNames;
+    CHECK(bool(alone) != needs);
+    if (!needs || alone) continue;
+    ++needing;
+    const std::string remedy = alone.problem().remedy, lead = "for example: ";
+    REQUIRE(remedy.starts_with(lead + std::string(word.word) + ' '));
+    CHECK(bool(parseSelection(remedy.substr(lead.size()))));
+  }
+  CHECK(needing == 6);
 }
 
 TEST_CASE("an empty selection says at which column its first part without atoms stands, and what there is instead") {

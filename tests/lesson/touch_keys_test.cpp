@@ -5,8 +5,9 @@
 
 #include <algorithm>
 
+#include "engine/lesson/reading_keys.h"
 #include "engine/lesson/tasks/registry.h"
-#include "engine/molecule/molecule_key.h"
+#include "tests/molecule/other_reading.h"
 
 using namespace moltact;
 
@@ -58,9 +59,23 @@ TEST_CASE("every way of reading a molecule is a key of scenes whose fallback is 
     REQUIRE(key);
     CHECK(bool(parseValue(*key, key->fallback)));
     ReadOptions reading;
-    REQUIRE(readText(reading, option, std::holds_alternative<bool ReadOptions::*>(option.member) ? "yes" : "7"));
+    REQUIRE(readText(reading, option, test::otherThanDefault(option)));
     REQUIRE(reading != ReadOptions());
     CHECK(readText(reading, option, key->fallback));
     CHECK(reading == ReadOptions());
   }
+}
+
+TEST_CASE("a way of reading that is one of two words is a key that takes these and tells of a third") {
+  ReadingOption option = readingOptions().front();
+  option.member = &ReadOptions::assembly;
+  option.words = [] { return std::vector<OfferedWord>{{"bondi", "Bondi", ""}, {"alvarez", "Alvarez", ""}}; };
+  const KeySpec key = readingKey(option);
+  CHECK(key.type == ValueType::Word);
+  CHECK_FALSE(bool(parseValue(key, "7")));
+  const auto value = parseValue(key, "alvarez");
+  REQUIRE(value);
+  ReadOptions reading;
+  CHECK(readValue(reading, option, *value));
+  CHECK(reading.assembly == "alvarez");
 }

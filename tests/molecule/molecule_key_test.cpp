@@ -7,6 +7,7 @@
 
 #include "engine/molecule/catalogue.h"
 #include "tests/molecule/files.h"
+#include "tests/molecule/other_reading.h"
 
 using namespace moltact;
 using namespace moltact::test;
@@ -40,8 +41,8 @@ TEST_CASE(
     CHECK(names.insert(option.name).second);
     ReadOptions reading;
     CHECK(isDefault(reading, option));
-    const bool is_text = std::holds_alternative<std::string ReadOptions::*>(option.member);
-    REQUIRE(readText(reading, option, std::holds_alternative<bool ReadOptions::*>(option.member) ? "yes" : "7"));
+    const bool may_be_any = std::holds_alternative<std::string ReadOptions::*>(option.member) && !option.words;
+    REQUIRE(readText(reading, option, test::otherThanDefault(option)));
     CHECK_FALSE(isDefault(reading, option));
     for (const ReadingOption& o : readingOptions()) CHECK(isDefault(reading, o) == (&o != &option));
     CHECK(std::hash<MoleculeKey>()({"a", reading}) != std::hash<MoleculeKey>()({"a", {}}));
@@ -49,9 +50,23 @@ TEST_CASE(
     CHECK(labelledMolecule(moleculeLabels({"a", reading})) == NamedMolecule("a", reading));
     const ReadOptions before = reading;
     for (const char* unsound : {"", "0", "-1", "perhaps", "100001", "3 "})
-      if (!is_text) CHECK_FALSE(readText(reading, option, unsound));
+      if (!may_be_any) CHECK_FALSE(readText(reading, option, unsound));
     CHECK(reading == before);
   }
+}
+
+TEST_CASE("an option whose text is one of two words takes these and no third, and its default by its own word") {
+  ReadingOption option = readingOptions().front();
+  option.member = &ReadOptions::assembly;
+  option.fallback = "none";
+  option.words = [] { return std::vector<OfferedWord>{{"bondi", "Bondi", ""}, {"alvarez", "Alvarez", ""}}; };
+  ReadOptions reading;
+  CHECK(readText(reading, option, "alvarez"));
+  CHECK(textOf(reading, option) == "alvarez");
+  for (const char* unsound : {"Alvarez", "7", "", "alvarez "}) CHECK_FALSE(readText(reading, option, unsound));
+  CHECK(textOf(reading, option) == "alvarez");
+  CHECK(readText(reading, option, "none"));
+  CHECK(reading == ReadOptions());
 }
 
 TEST_CASE("a molecule of the library lasts by its id, another by its whole path, each with how it was read") {

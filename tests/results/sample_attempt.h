@@ -98,12 +98,12 @@ inline std::vector<AttemptEvent> sampleEvents() {
       {6.5, WayTaken{"one", "which", "after 2 wrong", false, {"aside-why"}}},
       {7.0, Predicted{"Bo", "one", "What will you feel?", "a bump"}},
       {8.0, StepEntered{"two"}},
+      {8.5, StatesMoved{"1ake.pdb", "chain A", 0.375}},
       {9.0, Answered{"two", "how-much", 1, {}, "2.5 Å", true, InputWay::Keyboard}},
       {9.0, ProgressMade{"two", 3, 3}},
       {9.5, SessionClosed{"2026-11-21T10:59:00Z"}},
       {9.5, Resumed{"2026-11-21T11:05:00Z", "0.1.0", "Omni", true}},
       {9.5, Heartbeat{}},
-      {9.6, StatesMoved{"1ake.pdb", "chain A", 0.375}},
   };
 }
 

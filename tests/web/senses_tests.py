@@ -198,12 +198,12 @@ class Senses(PageTest):
         browser.hold("ControlLeft", False, "Control")
         browser.until("document.getElementById('words').classList.contains('read')")
         chosen = browser.evaluate("getSelection().toString()")
-        for words in ("van der Waals radius", "Touch the argon atom.", "Next"):
+        for words in ("one atom of argon", "Touch the argon atom.", "Next"):
             self.assertIn(words, chosen)
         self.picture(browser, "text")
         # Three clicks select a paragraph; Ctrl+C copies it.
         box = browser.evaluate("""(() => { const p = [...document.querySelectorAll('#page p')]
-            .find((p) => p.textContent.includes('van der Waals'));
+            .find((p) => p.textContent.includes('one atom of argon'));
             p.scrollIntoView({block: "center"});
             const r = p.getBoundingClientRect();
             return [r.left + 30, r.top + 8]; })()""")
@@ -211,7 +211,7 @@ class Senses(PageTest):
             for kind in ("mousePressed", "mouseReleased"):
                 browser.call("Input.dispatchMouseEvent", type=kind, x=box[0], y=box[1], button="left", clickCount=count)
         paragraph = browser.evaluate("getSelection().toString().trim()")
-        self.assertIn("van der Waals radius", paragraph)
+        self.assertIn("one atom of argon", paragraph)
         self.assertNotIn("Touch the argon atom.", paragraph)
         browser.hold("KeyC", True, "c", kCtrl, commands=["copy"])
         browser.hold("KeyC", False, "c", kCtrl)

@@ -45,7 +45,7 @@ Application::~Application() { end(); }
 void Application::useLanguageAndUnits() {
   setDecimalSign(settings.decimal_sign);
   UnitSet shown;
-  shown.choose(Dimension::Length, settings.length_unit);
+  for (const auto& [dimension, unit] : settings.units) shown.choose(dimension, unit);
   setShownUnits(shown);
   if (spoken_ == settings.language) return;
   // What was asked for at the start holds until the person chooses another.

@@ -86,7 +86,7 @@ class Application {
   FileBrowser files;       ///< of the page that opens files
   FileDialog file_dialog;  ///< asks for a file to be written, or for a folder
 
-  /// Each by its name, for who includes app/ui/extensions/extensions.h.
+  /// Each by its name, for who includes app/ui/extensions/extensions.h; defined there, in the room above this one.
   Extensions& extensions();
   const Extensions& extensions() const;
   ViewPicture& picture() { return *picture_; }

@@ -14,8 +14,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double kLookAgain_s = 2.0;  // a picture that was missing may have been put there
-constexpr int kLongest_px = 2048;  // every WebGL 2 has textures of this size
+constexpr double kPictureAgain_s = 2.0;  // a picture that was missing may have been put there
+constexpr int kLongest_px = 2048;        // every WebGL 2 has textures of this size
 
 GLuint textureFor(const LessonPicture& p) {
   GLuint texture = 0;
@@ -82,7 +82,7 @@ void LessonPictures::afterPanels(Application& app) {
   }
   if (!job_.valid() && queue_.empty())
     for (auto& [file, kept] : kept_) {
-      if (kept->shown.fault.empty() || app.now_s() - kept->failed_s < kLookAgain_s) continue;
+      if (kept->shown.fault.empty() || app.now_s() - kept->failed_s < kPictureAgain_s) continue;
       kept->failed_s = app.now_s();
       std::error_code error;
       if (fs::exists(file, error)) queue_.push_back(file);

@@ -38,6 +38,11 @@ void readSwitch(const nlohmann::json& from, const char* key, bool& to) {
   if (const auto it = from.find(key); it != from.end() && it->is_boolean()) to = it->get<bool>();
 }
 
+// A unit that the dimension is not shown in counts as none chosen.
+void readUnit(const std::string& dimension, const nlohmann::json& unit, std::map<std::string, std::string>& to) {
+  if (unit.is_string() && UnitSet().choose(dimension, unit.get<std::string>())) to[dimension] = unit.get<std::string>();
+}
+
 }  // namespace
 
 std::string_view probeLookName(ProbeLook look) { return kProbeLooks[std::size_t(look)]; }
@@ -90,8 +95,12 @@ LoadedSettings loadSettings(const fs::path& file) {
   if (comma) s.decimal_sign = DecimalSign::Comma;
   if (const auto sign = json.find("decimal_sign"); sign != json.end() && sign->is_string())
     s.decimal_sign = decimalSignNamed(sign->get<std::string>()).value_or(s.decimal_sign);
-  if (const auto unit = json.find("length_unit"); unit != json.end() && unit->is_string())
-    if (UnitSet().choose(Dimension::Length, unit->get<std::string>())) s.length_unit = unit->get<std::string>();
+  // Before each dimension had a choice the file had one for lengths.
+  if (const auto chosen = json.find("units"); chosen != json.end() && chosen->is_object()) {
+    for (const auto& [name, unit] : chosen->items()) readUnit(name, unit, s.units);
+  } else if (const auto unit = json.find("length_unit"); unit != json.end()) {
+    readUnit("length", *unit, s.units);
+  }
   if (const auto folder = json.find("lesson_folder"); folder != json.end() && folder->is_string())
     s.lesson_folder = folder->get<std::string>();
   if (const auto look = json.find("probe_look"); look != json.end() && look->is_string())
@@ -124,7 +133,7 @@ nlohmann::json written(const Settings& s) {
           {"left_handed", s.left_handed},
           {"language", s.language},
           {"decimal_sign", kDecimalSigns[std::size_t(s.decimal_sign)]},
-          {"length_unit", s.length_unit},
+          {"units", s.units},
           {"lesson_folder", s.lesson_folder},
           {"probe_look", probeLookName(s.probe_look)},
           {"device", s.device},

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -35,7 +36,8 @@ struct Settings {
   bool left_handed = false;        ///< over the molecule the right button pushes and the left one turns
   std::string language;            ///< "de"; empty: the system's
   DecimalSign decimal_sign = DecimalSign::OfLanguage;  ///< of every number that is shown
-  std::string length_unit;          ///< "nm": lengths in the molecule are shown in it; empty: in the program's own
+  /// By the names of offeredDimensions(): "length" is shown in "nm"; one that is missing, in the program's own unit.
+  std::map<std::string, std::string> units;
   std::string lesson_folder;        ///< where the person's own lessons are; empty: ownLessonsFolder()
   std::vector<std::string> recent;  ///< files opened last, newest first, at most kRecent
   static constexpr std::size_t kRecent = 8;

@@ -1,5 +1,5 @@
-// The panels of the window. Each is one file here and one line in panels.cpp. A panel draws the application's state
-// with the controls of app/ui/widgets/controls.h and calls the application to change it.
+// The panels of the window: a file each, here or in panels/lesson, and a row in panels.cpp; the other files are parts of them.
+// A panel draws the application's state with the controls of app/ui/widgets/controls.h and calls it to change it.
 #pragma once
 
 #include <span>

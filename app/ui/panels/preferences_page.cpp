@@ -84,14 +84,20 @@ void drawNumbers(Settings& s) {
   std::size_t sign = std::size_t(s.decimal_sign);
   if (segments("preferences/numbers", kNumbers, sign)) s.decimal_sign = DecimalSign(sign);
   ImGui::Dummy({0, look().px(8)});
-  sectionTitle(tr("Lengths in the molecule"));
-  std::vector<std::string> symbols;
-  for (const Unit& unit : units())
-    if (unit.dimension == Dimension::Length && unit.use & kShowable) symbols.emplace_back(unit.symbol);
-  const std::string own(UnitSet().of(Dimension::Length)->symbol), &now = s.length_unit.empty() ? own : s.length_unit;
-  std::size_t chosen = std::size_t(std::find(symbols.begin(), symbols.end(), now) - symbols.begin());
-  if (segments("preferences/length-unit", symbols, chosen))
-    s.length_unit = symbols[chosen] == own ? "" : symbols[chosen];
+  for (const OfferedDimension& d : offeredDimensions()) {
+    sectionTitle(tr(d.title));
+    std::vector<std::string> symbols;
+    for (const std::string_view symbol : offeredUnits(d.dimension)) symbols.emplace_back(symbol);
+    const std::string name(d.name), own(UnitSet().of(d.dimension)->symbol);
+    const auto kept = s.units.find(name);
+    const std::string& now = kept == s.units.end() ? own : kept->second;
+    std::size_t chosen = std::size_t(std::find(symbols.begin(), symbols.end(), now) - symbols.begin());
+    if (!segments(("preferences/unit/" + name).c_str(), symbols, chosen)) continue;
+    if (symbols[chosen] == own)
+      s.units.erase(name);
+    else
+      s.units[name] = symbols[chosen];
+  }
   quietText(tr("The text of a lesson keeps the unit that its author wrote."));
 }
 

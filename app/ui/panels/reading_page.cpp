@@ -16,41 +16,28 @@
 namespace moltact {
 namespace {
 
-const char* labelOf(const ReadingOption& option) {
-  if (option.name == "model") return tr("Model");
-  if (option.name == "waters") return tr("Water molecules of the file");
-  if (option.name == "beside") return tr("Molecule beside it");
-  return tr("Biological assembly");
-}
-
 void drawOption(const ReadingOption& option, const Molecule& molecule, ReadOptions& reading) {
   const std::string name = "reading/" + std::string(option.name);
   if (const auto* on = std::get_if<bool ReadOptions::*>(&option.member)) {
-    toggle(name.c_str(), labelOf(option), reading.**on);
-    return;
+    toggle(name.c_str(), tr(option.label), reading.**on);
+  } else {
+    sectionTitle(tr(option.label));
+    ImGui::SetNextItemWidth(-1.0f);
+    if (const auto* number = std::get_if<int ReadOptions::*>(&option.member)) {
+      int& chosen = reading.**number;
+      ImGui::InputInt(("##" + name).c_str(), &chosen, 1, 10);
+      chosen = std::clamp(chosen, 1, option.most ? option.most(molecule) : kMostReadNumber);
+      recordItem(name, std::to_string(chosen));
+    } else if (std::string& text = reading.*std::get<std::string ReadOptions::*>(option.member); option.words) {
+      wordSegments(name.c_str(), option.words(), text);
+    } else {
+      ImGui::InputTextWithHint(("##" + name).c_str(), *option.hint ? tr(option.hint) : "", &text);
+      recordItem(name, text);
+    }
   }
-  sectionTitle(labelOf(option));
-  ImGui::SetNextItemWidth(-1.0f);
-  if (const auto* number = std::get_if<int ReadOptions::*>(&option.member)) {
-    int& chosen = reading.**number;
-    const int most = std::max(1, int(molecule.models_in_file));
-    ImGui::InputInt(("##" + name).c_str(), &chosen, 1, 10);
-    chosen = std::clamp(chosen, 1, most);
-    recordItem(name, std::to_string(chosen));
-    const WithText quiet(look().palette.quiet);
-    ImGui::TextWrapped("%s", trnf("The file has {0} model.", "The file has {0} models.", most, most).c_str());
-    return;
-  }
-  std::string& text = reading.*std::get<std::string ReadOptions::*>(option.member);
-  const bool beside = option.name == "beside";
-  ImGui::InputTextWithHint(
-      ("##" + name).c_str(),
-      beside ? tr("none: the molecule alone") : tr("none: the coordinates as they stand in the file"), &text);
-  recordItem(name, text);
+  if (!option.note) return;
   const WithText quiet(look().palette.quiet);
-  ImGui::TextWrapped(
-      "%s", beside ? tr("For comparison: one of the library by its name, or a file in the same folder.")
-                   : tr("Its name in the file, mostly 1. Copies of the chains are made as they are in the cell."));
+  ImGui::TextWrapped("%s", option.note(molecule).c_str());
 }
 
 }  // namespace
@@ -71,8 +58,9 @@ void drawReadingPage(Application& app) {
     }
     ImGui::EndChild();
     ReadOptions wanted = panels.reading;
-    for (std::string* text : {&wanted.assembly, &wanted.beside})
-      *text = *text == "none" ? std::string() : std::string(trimmed(*text));
+    for (const ReadingOption& option : readingOptions())
+      if (std::holds_alternative<std::string ReadOptions::*>(option.member))
+        readText(wanted, option, std::string(trimmed(textOf(wanted, option))));
     goes = button("reading/open", tr("Open it so"), ButtonLook::Primary, -1.0f, wanted != app.scene.molecule().reading);
     if (goes) panels.reading = wanted;
   }

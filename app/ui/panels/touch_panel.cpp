@@ -34,14 +34,8 @@ void drawTouchControls(Application& app, bool first) {
     } else if (const auto* on = std::get_if<bool TouchSetup::*>(&p.member)) {
       toggle(name.c_str(), title.c_str(), touch.**on, tip({}).c_str());
     } else {
-      std::string& word = touch.*std::get<std::string TouchSetup::*>(p.member);
-      const std::vector<TouchWord> words = p.words();
-      std::vector<std::string> titles;
-      for (const TouchWord& w : words) titles.emplace_back(w.title);
-      auto chosen = std::size_t(
-          std::find_if(words.begin(), words.end(), [&](const TouchWord& w) { return w.name == word; }) - words.begin());
       ImGui::TextUnformatted(title.c_str());
-      if (segments(name.c_str(), titles, chosen)) word = words[chosen].name;
+      wordSegments(name.c_str(), p.words(), touch.*std::get<std::string TouchSetup::*>(p.member));
     }
   }
   if (!(touch == app.scene.touch())) app.scene.setTouch(touch);

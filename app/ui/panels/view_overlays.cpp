@@ -111,7 +111,8 @@ const char* hintText(bool has_pressed, bool left_handed, bool fingers) {
 bool wantsPushHint(const Application& app) {
   constexpr double kAtRest_s = 1.2;
   const ViewControls& controls = app.scene.controls;
-  if (app.panels.fingers || app.scene.playing() || app.scene.servo().deviceLeads() || controls.pressed_s() < kAtRest_s)
+  if (app.panels.fingers || app.scene.playing() || app.scene.servo().deviceLeads() ||
+      controls.pressRested_s() < kAtRest_s)
     return false;
   const LessonSession* session = app.lesson.session();
   const Task* task = session && !app.panels.welcome ? session->taskAt(session->currentTask()) : nullptr;
@@ -122,7 +123,7 @@ bool wantsPushHint(const Application& app) {
 void emptyPlaceNotice(const Application& app, const Rectangle& view) {
   constexpr double kSoon_s = 0.25;
   const ViewControls& controls = app.scene.controls;
-  if (!controls.pressesNothing() || controls.pressed_s() < kSoon_s || app.scene.playing() ||
+  if (!controls.pressesNothing() || controls.pressRested_s() < kSoon_s || app.scene.playing() ||
       app.scene.servo().deviceLeads() || app.scene.log().touching())
     return;
   const Look& l = look();

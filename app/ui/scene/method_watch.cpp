@@ -45,9 +45,12 @@ double clearanceAt(const BallScene& resting, const ServoSample& s, const SphereM
 
 MethodWatch::MethodWatch() : turns_(std::size_t(TouchLog::kPlot_s / kTick_s) / TouchLog::kTicksAPoint) {}
 
-void MethodWatch::begin(const Stage& stage, double probe_A) {
+void MethodWatch::begin(const Stage& stage, const TouchSetup& felt) {
   balls_ = stage.balls;
-  exact_ = stage ? referenceMethod().make(stage.balls, probe_A) : nullptr;
+  reference_ = referenceOf(felt);
+  exact_ = stage ? makeInteraction({stage.balls, reference_}) : nullptr;
+  hand_ = {};
+  fraction_ = 0.0;
   motion_ = nullptr;
   latest_exact_ = {};
   left_behind_ticks_ = 0;
@@ -55,6 +58,16 @@ void MethodWatch::begin(const Stage& stage, double probe_A) {
   turns_ = PlotBuffer(turns_.capacity());
   pull_before_ = Vec3(0.0);
   turn_peak_deg_ = 0;
+}
+
+void MethodWatch::feelWith(const TouchSetup& felt) {
+  const TouchSetup reference = referenceOf(felt);
+  if (exact_ && !madeAlike(reference, reference_)) {
+    exact_ = makeInteraction({balls_, reference});
+    if (motion_ && exact_->setMotion(motion_.get())) exact_->advanceTo(fraction_);
+    leadToContact(*exact_, latest_exact_, hand_);
+  }
+  reference_ = reference;
 }
 
 const MethodRecord* MethodWatch::find(std::string_view method) const {
@@ -99,14 +112,16 @@ Contact MethodWatch::add(const ServoSample& s, const Method& method,
     exact_->setMotion(motion.get());
     motion_ = motion;
   }
-  if (motion_) exact_->advanceTo(s.fraction);
-  Contact exact = exact_->step(s.hip);
+  fraction_ = s.fraction;
+  if (motion_) exact_->advanceTo(fraction_);
+  hand_ = {s.hip, s.orientation};
+  Contact exact = exact_->respond(hand_).contact;
   // A method that has lost the surface lets the hand out on the far side; the exact SCP must not wait for it for ever.
   const bool alone = exact.touching() && !s.contact.touching() && clearanceAt(*balls_, s, motion_.get()) > 0.0;
   left_behind_ticks_ = alone ? left_behind_ticks_ + 1 : 0;
   if (left_behind_ticks_ > kLeftBehind_ticks) {
     exact_->reset();
-    exact = exact_->step(s.hip);
+    exact = exact_->respond(hand_).contact;
     left_behind_ticks_ = 0;
   }
   latest_exact_ = exact;

@@ -1,6 +1,6 @@
 // The cost and the accuracy of each method tried on this molecule: tick times, the turn of the force from tick to tick,
-// and the distance of its SCP from that of an exact tracker that is led by the same hand. The exact tracker runs here,
-// on the window's thread, over the ticks that the loop hands back. Units: microsecond, angstrom, degree.
+// and the distance of its SCP from that of an exact tracker that is led by the same hand, made as what is felt is made
+// (referenceOf, engine/haptics/interactions.h). The exact tracker runs here, on the window's thread, over the ticks that the loop hands back. Units: microsecond, angstrom, degree.
 #pragma once
 
 #include <array>
@@ -50,7 +50,10 @@ class MethodWatch {
 
   MethodWatch();
   /// A new scene: nothing has been tried.
-  void begin(const Stage& stage, double probe_A);
+  void begin(const Stage& stage, const TouchSetup& felt);
+  /// The same scene is felt otherwise from here on. Another method goes on beside the same exact tracker; what changes
+  /// the force of every method needs another, which is led to the contact there is.
+  void feelWith(const TouchSetup& felt);
   /// One tick that `method` made, in that motion of the spheres (null: they are at rest). Gives the exact tracker's
   /// contact for the same hand; free before begin(). What is felt as a body, and not as a point, is none of its ticks.
   Contact add(const ServoSample& sample, const Method& method,
@@ -73,7 +76,10 @@ class MethodWatch {
 
   std::shared_ptr<const BallScene> balls_;
   std::shared_ptr<const SphereMotion> motion_;  // outlives exact_, which reads it
-  std::unique_ptr<Tracker> exact_;
+  std::unique_ptr<Interaction> exact_;
+  TouchSetup reference_;   // what exact_ was made with
+  PoseA hand_{};           // at the last tick
+  double fraction_ = 0.0;  // of motion_, at the last tick
   Contact latest_exact_;
   std::size_t left_behind_ticks_ = 0;
   std::vector<MethodRecord> tried_;

@@ -46,19 +46,22 @@ Stage movedStage(const Stage& stage, std::vector<Ball> places) {
   return out;
 }
 
+void leadToContact(Interaction& made, const Contact& contact, const PoseA& hand) {
+  const Vec3 outward = contact.scp.A - hand.place.A;
+  const double depth = glm::length(outward);
+  if (!contact.touching() || !(depth > 0.0)) return;
+  // Another method's surface may lie a little higher: the hand comes in from as far out as it needs.
+  for (double out_A = kOutside_A; out_A < kFarthestOutside_A; out_A *= 1.5)
+    if (made.respond({{contact.scp.A + outward * (out_A / depth)}, hand.orientation}).contact.fault == Fault::None)
+      break;
+  made.respond(hand);
+}
+
 std::unique_ptr<Interaction> makeInteraction(const Stage& stage, const TouchSetup& touch, const Contact& contact,
                                              const PoseA& hand) {
   if (!stage) return nullptr;
   std::unique_ptr<Interaction> felt = makeInteraction({stage.balls, touch});
-  if (!felt) return nullptr;
-  const Vec3 outward = contact.scp.A - hand.place.A;
-  const double depth = glm::length(outward);
-  if (!contact.touching() || !(depth > 0.0)) return felt;
-  // Another method's surface may lie a little higher: the hand comes in from as far out as it needs.
-  for (double out_A = kOutside_A; out_A < kFarthestOutside_A; out_A *= 1.5)
-    if (felt->respond({{contact.scp.A + outward * (out_A / depth)}, hand.orientation}).contact.fault == Fault::None)
-      break;
-  felt->respond(hand);
+  if (felt) leadToContact(*felt, contact, hand);
   return felt;
 }
 

@@ -33,6 +33,9 @@ Stage withUntouchable(const Stage& stage, const std::vector<std::uint32_t>& atom
 /// The same stage with its balls at these places (as many), where they are felt and seen alike.
 Stage movedStage(const Stage& stage, std::vector<Ball> places);
 
+/// Leads an interaction to the contact where the hand is, if there is one, so that it does not begin inside.
+void leadToContact(Interaction& made, const Contact& contact, const PoseA& hand);
+
 /// The interaction for the stage, continuing with `contact` where the hand is if there is one, so that a change of
 /// method is not felt as letting go. Null without a stage, and where the setup names what there is not.
 std::unique_ptr<Interaction> makeInteraction(const Stage& stage, const TouchSetup& touch, const Contact& contact,

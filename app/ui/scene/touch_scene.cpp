@@ -40,7 +40,7 @@ void TouchScene::show(Stage next, const MoleculeKey& molecule, const Facing& fac
   molecule_ = molecule;
   servo_settings.workspace = stage_.workspace;
   log_.clear();
-  watch_.begin(stage_, servo_settings.probe_A);
+  watch_.begin(stage_, touch());
   resetView(facing);
   servo_.begin(handed(false), freshInteraction());
 }
@@ -239,6 +239,7 @@ void TouchScene::setTouch(const TouchSetup& wanted) {
   const bool alike = madeAlike(next, made_with_);
   servo_settings.take(next);
   made_with_ = std::move(next);
+  watch_.feelWith(touch());
   if (!alike) feelAnew();
 }
 
@@ -309,7 +310,7 @@ void TouchScene::placeAtoms(std::vector<Ball> at) {
   motion_.reset();
   seen_motion_ = 0;
   log_.clear();
-  watch_.begin(stage_, servo_settings.probe_A);
+  watch_.begin(stage_, touch());
   layBeforeHand(camera.target);
   handBegins(camera.target);
   servo_.begin(handed(false), freshInteraction());

@@ -12,6 +12,7 @@ constexpr double kPanKeys_px_per_s = 320.0;
 constexpr double kZoomNotch = 1.12;
 constexpr double kZoomKeysPerS = 2.2;
 constexpr double kHintFade_s = 0.6;
+constexpr double kStill_px = 0.5;      // an aim that moves by less in a frame rests
 constexpr double kHoverStep_A = 0.25;  // a hand that hovers farther in a frame is put there
 }  // namespace
 
@@ -41,7 +42,6 @@ void ViewControls::update(const ViewInput& in, Camera& camera, const BallScene* 
   if (in.release) let_go_ = true;
   if (!in.press) let_go_ = false;
   pressing_ = in.press && !let_go_ && balls;
-  pressed_s_ = pressing_ ? pressed_s_ + in.dt_s : 0.0;
   has_pressed_ = has_pressed_ || pressing_;
   has_pushed_ = has_pushed_ || (pressing_ && in.push_notches != 0.0);
   if (has_pressed_ && has_turned_) hint_left_s_ -= in.dt_s;
@@ -75,7 +75,10 @@ void ViewControls::update(const ViewInput& in, Camera& camera, const BallScene* 
                         : 0.0;
   pointer.dt_s = in.dt_s;
   const PointA before_lead = lead_;
+  const glm::dvec2 before_aim_px = hand_.aim_px();
   lead_ = hand_.lead(pointer, *balls, settings.probe_A);
+  press_rested_s_ =
+      pressing_ && glm::distance(hand_.aim_px(), before_aim_px) < kStill_px ? press_rested_s_ + in.dt_s : 0.0;
   // A hovering hand goes over the molecule, not through what lies between two places of the pointer.
   const bool hovering = !pressing_ && !pointer.touching;
   if (hand_.leapt() || (hovering && glm::distance(lead_.A, before_lead.A) > kHoverStep_A))
@@ -95,7 +98,7 @@ void ViewControls::begin(const Camera& camera, PointA before, const Workspace& w
   hand_.reset();
   first_aim_ = before;
   pressing_ = let_go_ = false;
-  pressed_s_ = 0.0;
+  press_rested_s_ = 0.0;
   lead_ = {before.A + camera.back() * outside_A};
   mouse.place(workspace.toDevice(lead_));
   mouse.turn(orientation_ = kNoRotation);

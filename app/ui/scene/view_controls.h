@@ -46,8 +46,8 @@ class ViewControls {
 
   bool pressing() const { return pressing_; }
   double depth_A() const { return hand_.depth_A(); }
-  /// How long the press has lasted; 0 without one (unit: second).
-  double pressed_s() const { return pressed_s_; }
+  /// How long the press has rested where it is; 0 without one, and while it slides (unit: second).
+  double pressRested_s() const { return press_rested_s_; }
   /// The press meets nothing: where the hand aims there is only empty space.
   bool pressesNothing() const { return pressing_ && !hand_.overSurface(); }
   glm::dvec2 aim_px() const { return hand_.aim_px(); }  ///< the pixel of the view that the hand aims at
@@ -69,7 +69,7 @@ class ViewControls {
   Quat orientation_ = kNoRotation;  // of the hand, from the device's axes
   PointA lead_;
   std::optional<PointA> first_aim_;  // of a scene of which no frame has been led
-  double hint_left_s_ = 2.0, pressed_s_ = 0.0;
+  double hint_left_s_ = 2.0, press_rested_s_ = 0.0;
   bool pressing_ = false, let_go_ = false, camera_moved_ = false;
   bool has_pressed_ = false, has_turned_ = false, has_pushed_ = false;
 };

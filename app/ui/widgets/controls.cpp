@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "app/ui/widgets/key_focus.h"
 #include "app/ui/widgets/theme.h"
@@ -183,6 +184,16 @@ bool segments(const char* name, std::span<const std::string> labels, std::size_t
   if (small) ImGui::PopFont();
   ImGui::PopID();
   return changed;
+}
+
+bool wordSegments(const char* name, std::span<const OfferedWord> words, std::string& word) {
+  std::vector<std::string> titles;
+  for (const OfferedWord& w : words) titles.emplace_back(w.title);
+  auto chosen = std::size_t(
+      std::find_if(words.begin(), words.end(), [&](const OfferedWord& w) { return w.name == word; }) - words.begin());
+  const bool other = segments(name, titles, chosen);
+  if (other) word = words[chosen].name;
+  return other;
 }
 
 bool disclosure(const char* name, const char* label, bool& open) {

@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "app/ui/widgets/layout.h"
+#include "engine/core/offered_word.h"
 #include "engine/language/quantity_text.h"
 
 namespace moltact {
@@ -57,6 +58,8 @@ bool slider(const char* name, const char* label, double& value, double least, do
 /// Choices side by side, named by their English labels (N_), which are shown in the language in use; the widget map has
 /// them in English. True when another was chosen.
 bool segments(const char* name, std::span<const std::string> labels, std::size_t& chosen);
+/// The same of the words of a choice, by their titles; `word` is the name of the one that is chosen.
+bool wordSegments(const char* name, std::span<const OfferedWord> words, std::string& word);
 /// A line that opens and closes what comes after it.
 bool disclosure(const char* name, const char* label, bool& open);
 /// A thin bar filled from 0 to 1.

@@ -18,8 +18,8 @@ void VirtualTouch::begin(std::shared_ptr<const Molecule> molecule, const SceneSp
     settings_.workspace = magnified(settings_.workspace, *region, DeviceSpecs{});
   scene_ = scene;
   stage_ = {};
-  exact_ = referenceMethod().make(balls_, scene.touch.probe_A);
   felt_ = nullptr;
+  exact_ = nullptr;
   feelWith(scene.touch);
   place({balls_->high_A() + Vec3(2.0 * scene.touch.probe_A + 5.0)});
 }
@@ -45,12 +45,12 @@ void VirtualTouch::feelWith(const TouchSetup& touch) {
     felt_ = std::move(made);
     ++settings_.discontinuities;
   }
+  const TouchSetup reference = referenceOf(touch);
+  if (!exact_ || !madeAlike(reference, referenceOf(touch_))) exact_ = makeInteraction({balls_, reference});
+  is_reference_ = madeAlike(touch, reference);
   touch_ = touch;
   settings_.take(touch);
   method_ = findMethod(touch.method)->name;
-  TouchSetup reference;
-  reference.method = referenceMethod().name;
-  is_reference_ = madeAlike(touch, reference);
 }
 
 void VirtualTouch::place(PointA hip) {
@@ -66,7 +66,8 @@ TouchSample VirtualTouch::tick(PointA hip) {
   ++ticks_;
   if (s.placed) exact_->reset();
   exact_->setProbe(s.probe_A);
-  TouchSample sample = touchSampleOf(s, method_, is_reference_ ? s.contact : exact_->step(s.hip));
+  TouchSample sample =
+      touchSampleOf(s, method_, is_reference_ ? s.contact : exact_->respond({s.hip, s.orientation}).contact);
   sample.time_s = time_s();  // of this clock, which goes on from scene to scene
   return sample;
 }

@@ -42,7 +42,7 @@ class VirtualTouch {
   std::shared_ptr<const Molecule> molecule_;
   std::shared_ptr<const BallScene> balls_;
   std::unique_ptr<Interaction> felt_;
-  std::unique_ptr<Tracker> exact_;
+  std::unique_ptr<Interaction> exact_;  // referenceOf() what is felt
   TouchSetup touch_;
   std::string_view method_;    // its name in the table of methods
   bool is_reference_ = false;  // what is felt is what exact_ would give

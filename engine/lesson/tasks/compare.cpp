@@ -184,6 +184,17 @@ void checkCompare(const TaskSpec& spec, std::vector<Problem>& problems) {
                         tr("write them parted by 'then': 'of: residue 4 then residue 9'")});
 }
 
+// Methods can only be compared by a student who may switch between them.
+void checkCompareScene(const TaskSpec& spec, const SceneSpec& scene, std::vector<Problem>& problems) {
+  const Value& compare = spec.values["compare"];
+  if (scene.locks("method") && !compare.words.empty() && !comparesPlaces(spec))
+    problems.push_back({{},
+                        compare.place.line,
+                        compare.place.column,
+                        tr("the student cannot switch methods here, for they are locked"),
+                        tr("take 'method' out of 'locked', or this task")});
+}
+
 }  // namespace
 
 TaskKind compareKind() {
@@ -206,7 +217,9 @@ TaskKind compareKind() {
             if (comparesPlaces(s)) return std::make_unique<ComparePlaces>(s, m);
             return std::make_unique<CompareMethods>(s);
           },
-          &checkCompare};
+          &checkCompare,
+          nullptr,
+          &checkCompareScene};
 }
 
 }  // namespace moltact

@@ -1,4 +1,5 @@
-// The kinds of touch task that there are. A kind is added with its own file and one line in registry.cpp.
+// The kinds of touch task that there are. A kind is added with its own file and one line in registry.cpp; what it asks of
+// keys, scene and molecule is checked by its own functions.
 #pragma once
 
 #include <memory>
@@ -19,6 +20,8 @@ struct TaskKind {
   void (*check)(const TaskSpec& spec, std::vector<Problem>& problems) = nullptr;
   /// The same for what its atoms in the step's molecule tell, beyond that each selection selects some; may be null.
   void (*check_molecule)(const TaskSpec& spec, const Molecule& molecule, std::vector<Problem>& problems) = nullptr;
+  /// The same for what does not go with the scene that it is done in; may be null.
+  void (*check_scene)(const TaskSpec& spec, const SceneSpec& scene, std::vector<Problem>& problems) = nullptr;
 };
 
 std::span<const TaskKind> taskKinds();

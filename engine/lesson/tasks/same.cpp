@@ -267,6 +267,19 @@ void checkPlaces(const TaskSpec& spec, const Molecule& molecule, std::vector<Pro
         {{}, other.place.line, other.place.column, tr("the two places are the same atoms"), tr("name other atoms")});
 }
 
+// The second thing is to differ from the scene.
+void checkSameScene(const TaskSpec& spec, const SceneSpec& scene, std::vector<Problem>& problems) {
+  for (const TouchProperty& p : touchProperties()) {
+    const Value& value = spec.values[p.key];
+    if (value.place.line && touchValueOf(p, value) == touchValue(scene.touch, p))
+      problems.push_back({{},
+                          value.place.line,
+                          value.place.column,
+                          tr("the two things are the same: the scene has this value too"),
+                          tr("write another value, or change the scene's")});
+  }
+}
+
 }  // namespace
 
 TaskKind sameKind() {
@@ -323,7 +336,8 @@ TaskKind sameKind() {
           std::move(keys),
           [](const TaskSpec& s, const Molecule& m) -> std::unique_ptr<Task> { return std::make_unique<Same>(s, m); },
           &checkSame,
-          &checkPlaces};
+          &checkPlaces,
+          &checkSameScene};
 }
 
 }  // namespace moltact

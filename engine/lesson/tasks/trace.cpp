@@ -1,4 +1,6 @@
-// trace: follow a way over the surface in contact: from atom to atom in order, or along the creases between atoms.
+// trace: follow a way over the surface in contact, from atom to atom in order; the kind's other form is trace_crease.cpp.
+#include "engine/lesson/tasks/trace.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -11,157 +13,17 @@
 namespace moltact {
 namespace {
 
-constexpr double kSpacing_A = 0.2;    // of the places along a crease
-constexpr double kBrush_A = 0.25;     // a contact covers so much of a crease to either side
 constexpr double kAhead_A = 5.0;      // round a bend the nearest place of a way may leap so far
 constexpr double kAheadShare = 0.25;  // but never over so much of the whole way
 // The front of a way moves on by no more than the hand has slid since it stood there, as seen from the surface, which
 // may be longer or shorter than the way between the centres; and the hand begins again so near to where it left it.
 constexpr double kWayShare = 2.0, kResume_A = 1.5;
-constexpr double kBrushed_A = 1.0;     // only what a slide of so much goes over is covered
-constexpr double kBrushedShare = 0.1;  // or of so much of the crease, where that is shorter
-constexpr double kStart_A = 1.0;       // so near to its end a way may be begun
-constexpr double kStartShare = 0.1;    // and within so much of the whole
+constexpr double kSlid_A = 1.0;      // only a slide of so much moves it on
+constexpr double kSlidShare = 0.1;   // or of so much of the way, where that is shorter
+constexpr double kStart_A = 1.0;     // so near to its end a way may be begun
+constexpr double kStartShare = 0.1;  // and within so much of the whole
 
-// What the two forms of the way have in common: how far the hand is off it, and how often it let go.
-class Trace : public Task {
- public:
-  explicit Trace(const TaskSpec& spec)
-      : Task(spec),
-        called_(spec.values["called"].text),
-        within_A_(spec.values["within"].number),
-        cover_(0.01 * spec.values["cover"].number),
-        limited_(spec.values.has("lifts")),
-        lifts_allowed_(static_cast<int>(spec.values["lifts"].number)) {}
-
-  void reset() override {
-    Task::reset();
-    forget();
-    slide_.restart();
-    lifts_ = 0;
-    over_A_s_ = on_s_ = greatest_A_ = 0.0;
-    state_ = State::Away;
-  }
-
- protected:
-  enum class State { Away, Elsewhere, On, Off, Lifted, Again };
-  enum class Begin { Start, EitherEnd, Anywhere };
-
-  struct Step {
-    double off_A = 0.0;  // of the contact point from the way
-    bool on = false;     // on the part of the way that is to be followed now
-  };
-
-  /// The stretch of surface that the hand slides over now.
-  Slide slide_;
-  /// The hand has been put down again since the tick before.
-  bool put_down_ = false;
-
-  /// Moves on along the way where the contact point is on it within the tolerance.
-  virtual Step follow(const Contact& contact, double probe_A, double within_A) = 0;
-  virtual bool begun() const = 0;
-  virtual double covered() const = 0;  // 0 to 1
-  virtual void forget() = 0;
-  virtual Begin begin() const = 0;
-  // What is to be touched first, where the author gave it no name.
-  virtual const char* unnamed() const { return tr("the way"); }
-
- private:
-  void onSample(const TouchSample& s, double dt_s) override {
-    put_down_ = slide_.tick(s.contact, dt_s);
-    if (!s.contact.touching()) {
-      away_s_ += dt_s;
-      if (away_s_ > kSlip_s && begun() && state_ != State::Lifted && state_ != State::Again) letGo();
-      return;
-    }
-    away_s_ = 0.0;
-    const Step step = follow(s.contact, s.probe_A, within_A_);
-    if (begun()) {
-      over_A_s_ += step.off_A * dt_s;
-      on_s_ += dt_s;
-      greatest_A_ = std::max(greatest_A_, step.off_A);
-      state_ = step.on ? State::On : State::Off;
-    } else if (state_ != State::Again) {
-      state_ = State::Elsewhere;
-    }
-    setProgress(covered() / cover_);
-    if (covered() >= cover_) finish();
-  }
-
-  void letGo() {
-    ++lifts_;
-    state_ = State::Lifted;
-    if (!limited_ || lifts_ <= lifts_allowed_) return;
-    forget();
-    lifts_ = 0;
-    over_A_s_ = on_s_ = greatest_A_ = 0.0;
-    setProgress(0.0);
-    state_ = State::Again;
-  }
-
-  std::string guidance() const override {
-    const std::string so_far = percentText(std::floor(100.0 * covered()) / 100.0);
-    switch (state_) {
-      case State::Away:
-        switch (begin()) {
-          case Begin::Start:
-            return trf("Touch the start of {0} to begin.", name());
-          case Begin::EitherEnd:
-            return trf("Touch either end of {0} to begin.", name());
-          case Begin::Anywhere:
-            return trf("Touch {0} to begin.", name());
-        }
-        break;
-      case State::Elsewhere:
-        switch (begin()) {
-          case Begin::Start:
-            return trf("You are on the surface. Slide to the start of {0} to begin.", name());
-          case Begin::EitherEnd:
-            return trf("You are on the surface. Slide to either end of {0} to begin.", name());
-          case Begin::Anywhere:
-            return trf("You are on the surface. Slide to {0} to begin.", name());
-        }
-        break;
-      case State::On:
-        return trf("Follow {0}: {1} of the way.", way(), so_far);
-      case State::Off:
-        return trf("You are off {0}. Go back to where you left it: {1} of the way.", way(), so_far);
-      case State::Lifted:
-        return trf("You let go. Touch {0} where you left it: {1} of the way.", way(), so_far);
-      case State::Again:
-        break;
-    }
-    switch (begin()) {
-      case Begin::Start:
-        return trf("You let go too often. Begin again at the start of {0}.", name());
-      case Begin::EitherEnd:
-        return trf("You let go too often. Begin again at either end of {0}.", name());
-      case Begin::Anywhere:
-        break;
-    }
-    return trf("You let go too often. Begin again at {0}.", name());
-  }
-
-  // As the author called it.
-  std::string name() const { return called_.empty() ? std::string(unnamed()) : called_; }
-  std::string way() const { return called_.empty() ? tr("the way") : called_; }
-
-  void measure(std::vector<TaskFigure>& out) const override {
-    out.push_back({N_("coverage"), 100.0 * covered(), "%"});
-    if (on_s_ > 0.0) out.push_back({N_("mean deviation"), over_A_s_ / on_s_, "Å"});
-    out.push_back({N_("greatest deviation"), greatest_A_, "Å"});
-    out.push_back({N_("lifts"), double(lifts_), ""});
-  }
-
-  std::string called_;
-  double within_A_ = 1.0, cover_ = 0.9;
-  bool limited_ = false;
-  int lifts_allowed_ = 0, lifts_ = 0;
-  double away_s_ = 0.0, over_A_s_ = 0.0, on_s_ = 0.0, greatest_A_ = 0.0;
-  State state_ = State::Away;
-};
-
-/// From atom to atom: the way is the line through their centres, seen from the surface.
+/// The way is the line through their centres, seen from the surface.
 class TraceAtoms : public Trace {
  public:
   TraceAtoms(const TaskSpec& spec, const Molecule& molecule)
@@ -239,7 +101,7 @@ class TraceAtoms : public Trace {
       slid_A_ = budget_A_ = 0.0;
     }
     // A press moves the contact point a little too: what is shorter than that is no slide.
-    if (slide_.way_A() >= std::min(kBrushed_A, kBrushedShare * length_A_))
+    if (slide_.way_A() >= std::min(kSlid_A, kSlidShare * length_A_))
       budget_A_ += kWayShare * (slide_.way_A() - std::exchange(slid_A_, slide_.way_A()));
     if (!resumed_) {
       // The way goes on where it was left: whoever is put down there, or slides back to it, has found it again.
@@ -330,115 +192,6 @@ class TraceAtoms : public Trace {
   bool either_ = false, begun_ = false, backward_ = false, resumed_ = false;
 };
 
-/// Along the creases between atoms, in any order.
-class TraceCrease : public Trace {
- public:
-  TraceCrease(const TaskSpec& spec, const Molecule& molecule)
-      : Trace(spec), scene_(std::make_shared<const BallScene>(molecule.balls())) {
-    atoms_ = spec.values["of"].selection.select(molecule);
-  }
-
-  void leaveOut(std::span<const std::uint32_t> untouchable) override {
-    const std::span<const Ball> balls = scene_->balls();
-    scene_ = std::make_shared<const BallScene>(std::vector<Ball>(balls.begin(), balls.end()), untouchable);
-  }
-
- private:
-  Step follow(const Contact& contact, double probe_A, double within_A) override {
-    if (probe_A != probe_A_) {
-      // The creases move with the surface.
-      std::vector<Ball> points;
-      for (const SurfacePlace& p : creasePlaces(*scene_, atoms_, probe_A, kSpacing_A)) points.push_back({p.scp_A, 0.0});
-      places_ = std::make_unique<const BallScene>(std::move(points));
-      probe_A_ = probe_A;
-      forget();
-    }
-    const double off_A = nearest(contact.scp.A);
-    // Between two of the places the crease is still there.
-    const double off = off_A < kSpacing_A ? std::max(0.0, off_A - 0.5 * kSpacing_A) : off_A;
-    if (off > within_A || put_down_) {
-      dropBrushed();
-      on_since_A_ = slide_.way_A();
-    }
-    if (off > within_A) return {off, false};
-    begun_ = true;
-    places_->visitCentresNear(contact.scp.A, off_A + kBrush_A, [&](std::uint32_t k, const Ball& p) {
-      if (passed_[k] || glm::distance(p.centre_A, contact.scp.A) > off_A + kBrush_A) return;
-      passed_[k] = kBrushed;
-      brushed_.push_back(k);
-    });
-    // A hand that is only put down here and there has not followed it.
-    if (slide_.way_A() - on_since_A_ < std::min(kBrushed_A, kBrushedShare * kSpacing_A * double(places_->size())))
-      return {off, true};
-    for (const std::uint32_t k : brushed_) passed_[k] = kPassed;
-    count_ += brushed_.size();
-    brushed_.clear();
-    return {off, true};
-  }
-
-  void dropBrushed() {
-    for (const std::uint32_t k : brushed_) passed_[k] = 0;
-    brushed_.clear();
-  }
-
-  // Along each stretch of crease; where the next place is far, the hand comes down anew.
-  HandPlan demonstrate(const HandPlanInput& view) const override {
-    constexpr double kNext_A = 0.8;
-    HandPlan plan;
-    const SurfacePlace* last = nullptr;
-    const double depth_A = depthFor(view, 0.4);
-    const std::vector<SurfacePlace> places = creasePlaces(view.balls, atoms_, view.probe_A, kSpacing_A);
-    for (const SurfacePlace& p : places) {
-      if (last && glm::distance(last->scp_A, p.scp_A) < kNext_A) {
-        plan.push_back({.to = PointA{p.scp_A - p.outward * depth_A}});
-      } else if (openFromOutside(view.balls, p, view.probe_A)) {
-        comeTo(plan, p, depth_A, 0.1);
-      } else {
-        continue;
-      }
-      last = &p;
-    }
-    return plan;
-  }
-
-  bool empty() const { return !places_ || places_->size() == 0; }
-
-  // How far the nearest place of the creases is, looked for in a growing box.
-  double nearest(const Vec3& scp) const {
-    const double far =
-        empty() ? 0.0 : glm::distance(places_->low_A(), places_->high_A()) + glm::distance(scp, places_->low_A()) + 1.0;
-    for (double reach_A = 0.5; !empty(); reach_A *= 2.0) {
-      double least = std::numeric_limits<double>::max();
-      places_->visitCentresNear(
-          scp, reach_A, [&](std::uint32_t, const Ball& p) { least = std::min(least, glm::distance(scp, p.centre_A)); });
-      if (least <= reach_A || reach_A > far) return least;
-    }
-    return 1e3;  // there is no crease
-  }
-
-  bool begun() const override { return begun_; }
-  double covered() const override { return empty() ? 0.0 : double(count_) / double(places_->size()); }
-  void forget() override {
-    passed_.assign(empty() ? 0 : places_->size(), 0);
-    brushed_.clear();
-    count_ = 0;
-    begun_ = false;
-  }
-  Begin begin() const override { return Begin::Anywhere; }
-  const char* unnamed() const override { return tr("the crease"); }
-
-  std::shared_ptr<const BallScene> scene_;
-  std::vector<std::uint32_t> atoms_;
-  std::unique_ptr<const BallScene> places_;  // a grid of points
-  static constexpr char kBrushed = 1, kPassed = 2;
-  std::vector<char> passed_;
-  std::vector<std::uint32_t> brushed_;  // by the slide that goes on, as long as it is too short
-  double on_since_A_ = 0.0;             // of the slide, when it came onto the crease
-  std::size_t count_ = 0;
-  double probe_A_ = -1.0;
-  bool begun_ = false;
-};
-
 void checkTrace(const TaskSpec& spec, std::vector<Problem>& problems) {
   const bool crease = !spec.values["trace"].words.empty();
   const Value &of = spec.values["of"], &trace = spec.values["trace"];
@@ -497,7 +250,7 @@ TaskKind traceKind() {
             .meaning = "How often the student may let go before the way begins again; without it as often as need be.",
             .most = 100}},
           [](const TaskSpec& s, const Molecule& m) -> std::unique_ptr<Task> {
-            if (!s.values["trace"].words.empty()) return std::make_unique<TraceCrease>(s, m);
+            if (!s.values["trace"].words.empty()) return makeTraceCrease(s, m);
             return std::make_unique<TraceAtoms>(s, m);
           },
           &checkTrace};

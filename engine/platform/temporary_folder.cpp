@@ -1,0 +1,20 @@
+// What is alike wherever folders are made.
+#include "engine/platform/temporary_folder.h"
+
+namespace moltact {
+
+std::error_code replaceFolder(const std::filesystem::path& fresh, const std::filesystem::path& place,
+                              const std::filesystem::path& old) {
+  std::error_code error, ignored;
+  std::filesystem::rename(place, old, ignored);  // fails where there is none
+  std::filesystem::rename(fresh, place, error);
+  if (error) std::filesystem::rename(old, place, ignored);
+  return error;
+}
+
+TemporaryFolder::~TemporaryFolder() {
+  std::error_code ignored;
+  if (!path_.empty()) std::filesystem::remove_all(path_, ignored);
+}
+
+}  // namespace moltact

@@ -1,0 +1,31 @@
+#include "molecules/generator/made_molecules.h"
+
+#include "molecules/generator/pdb_writer.h"
+
+namespace moltact::generator {
+
+std::vector<MadeMolecule> madeMolecules(const std::string& haemoglobin, const std::string& protease) {
+  return {
+      {"argon.pdb", makeArgon(1)},
+      {"argon-pair.pdb", makeArgon(2)},
+      {"argon-triangle.pdb", makeArgon(3)},
+      {"water.pdb", makeWater()},
+      {"benzene.pdb", makeBenzene()},
+      {"alanine-pair.pdb", makeAlaninePair()},
+      {"phenylalanine-pair.pdb", makePhenylalaninePair()},
+      {"stearic-oleic.pdb", makeStearicOleic()},
+      {"stearic-elaidic.pdb", makeStearicElaidic()},
+      {"straight-neighbours.pdb", makeStraightNeighbours()},
+      {"kinked-neighbours.pdb", makeKinkedNeighbours()},
+      {"alpha-helix.pdb", makeAlphaHelix()},
+      {"helix-pair.pdb", makeHelixPair()},
+      {"beta-strand.pdb", makeBetaStrand()},
+      {"b-dna.pdb", makeBDna()},
+      {"haem-alpha.pdb", makeHaemPocket(haemoglobin, 'A')},
+      {"haem-beta.pdb", makeHaemPocket(haemoglobin, 'B')},
+      {"1hpv-empty.pdb", makeEmptyProtease(protease)},
+      {"amprenavir.pdb", makeAmprenavir(protease)},
+  };
+}
+
+}  // namespace moltact::generator

@@ -1,0 +1,58 @@
+// docs/pages.md and the scripts that draw its pictures, held against the window's pages and against what is there.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cctype>
+#include <regex>
+#include <set>
+#include <string>
+
+#include "tests/core/source_tree.h"
+
+using moltact::test::kSource;
+using moltact::test::textOf;
+
+namespace {
+
+std::set<std::string> allOf(const std::string& text, const char* what) {
+  const std::regex pattern(what);
+  std::set<std::string> out;
+  for (std::sregex_iterator it(text.begin(), text.end(), pattern), end; it != end; ++it) out.insert((*it)[1]);
+  return out;
+}
+
+}  // namespace
+
+TEST_CASE("docs/pages.md has a picture of every page of the window, by the page's name, and each picture is there") {
+  const std::set<std::string> pictures = allOf(textOf(kSource / "docs/pages.md"), R"(\(pictures/([a-z0-9-]+)\.png\))");
+  CHECK(pictures.size() > 20);
+  for (const std::string& picture : pictures)
+    CHECK_MESSAGE(std::filesystem::exists(kSource / "docs/pictures" / (picture + ".png")), picture);
+  const std::set<std::string> pages =
+      allOf(textOf(kSource / "app/ui/panels/panels.cpp"), R"(PA(?:GE|NEL)\((\w+)Page[,)])");
+  CHECK(pages.size() >= 10);
+  for (const std::string& page : pages) {
+    std::string name = page;
+    std::transform(name.begin(), name.end(), name.begin(), [](unsigned char c) { return char(std::tolower(c)); });
+    // Pictures are called by what a reader looks for.
+    if (name == "controls") name = "keys";
+    if (name == "file") name = "save";
+    CHECK_MESSAGE(std::any_of(pictures.begin(), pictures.end(),
+                              [&](const std::string& p) { return p == name || p.starts_with(name + "-"); }),
+                  page, "Page has no picture ", name, " in docs/pages.md");
+  }
+}
+
+TEST_CASE("every picture of docs/pages.md but the class's report is drawn by a script of docs/pictures") {
+  std::string scripts;
+  for (const auto& entry : std::filesystem::directory_iterator(kSource / "docs/pictures"))
+    if (const auto ending = entry.path().extension(); ending == ".script" || ending == ".sh")
+      scripts += textOf(entry.path());
+  for (const std::string& picture : allOf(textOf(kSource / "docs/pages.md"), R"(\(pictures/([a-z0-9-]+)\.png\))")) {
+    // Those of the three themes are drawn by one script with THEME in their place.
+    const std::string themed = std::regex_replace(picture, std::regex("(light|dark|high-contrast)$"), "THEME");
+    CHECK_MESSAGE((scripts.find("/" + picture + ".png") != std::string::npos ||
+                   scripts.find("/" + themed + ".png") != std::string::npos),
+                  picture);
+  }
+}
