@@ -45,6 +45,8 @@ PointA PointerHand::lead(const PointerInput& in, const BallScene& scene, double 
     placed_ = true;
   }
 
+  // The view may have been magnified meanwhile: what is pressed lies where it lay.
+  if (pressing_) plane_depth_ = glm::dot(over_A_ - rays.eye_A, rays.forward);
   aim(in, dt);
   sink(in, dt * (depth_ < 0.0 ? 2.0 : pace(in)) * kPressSpeed_A_per_s);
 
@@ -66,7 +68,8 @@ PointA PointerHand::lead(const PointerInput& in, const BallScene& scene, double 
     under = depth_;
     plane_depth_ = way * forward;
   }
-  hip_ = {rays.eye_A + along * (way + under)};
+  over_A_ = rays.eye_A + along * way;
+  hip_ = {over_A_ + along * under};
   return hip_;
 }
 

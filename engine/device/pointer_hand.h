@@ -76,6 +76,7 @@ class PointerHand {
   double lift_left_s_ = 0.0;  // of a hand that was let go and may still touch
   double goal_N_ = kRest_N;   // where the press comes to rest
   double plane_depth_ = 0.0;  // along the view, where the surface was last met
+  Vec3 over_A_{0.0};          // where the aim met the surface last, or hovered
   PointA hip_;
 };
 
