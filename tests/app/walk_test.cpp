@@ -146,7 +146,7 @@ expect question/0/feedback Yes. It touches both
   const Camera camera = d->app().scene.camera;
   klass.save(klass.with("Here are two argon atoms", "Here, said anew, are two argon atoms"));
   runAll(*d, R"(
-wait 400
+wait 60
 expect message/0 Read again: first-touch.md
 point lesson/place
 expect lesson/place Step 2 of
