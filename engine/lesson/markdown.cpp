@@ -242,6 +242,8 @@ class Builder {
     RichText runs = formulaText(formula_, formula_place_, faults);
     for (Problem& fault : faults) {
       fault.file = source_.name();
+      // Over several lines its first character is the place.
+      if (formula_wraps_) fault.column = formula_place_.column;
       stack_.front().slips.push_back(std::move(fault));
     }
     if (images_ > 0) {
@@ -275,7 +277,8 @@ class Builder {
     if (block.kind == Kind::Code) {
       codeText(piece, place);
     } else if (type == MD_TEXT_LATEXMATH) {
-      if (formula_.empty()) formula_place_ = place;
+      if (formula_.empty()) formula_place_ = place, formula_wraps_ = false;
+      formula_wraps_ = formula_wraps_ || place.line != formula_place_.line;
       formula_ += piece;
     } else {
       std::string words;
@@ -442,6 +445,7 @@ class Builder {
   int bold_ = 0, italic_ = 0, code_ = 0, links_ = 0, images_ = 0;
   std::string link_, formula_;
   Place formula_place_;
+  bool formula_wraps_ = false;        // it goes over several lines
   Script tag_script_ = Script::None;  // of the HTML tag that is open
   bool tag_break_ = false;            // the tag that was taken last is a line break
   bool after_formula_ = false;        // one on a line of its own: what follows begins another
