@@ -13,6 +13,20 @@ FORBIDDEN = """
 Object.defineProperty(globalThis, "indexedDB", {value: {open() { throw new DOMException("not here", "SecurityError"); }}});
 """
 
+# From `full = true` on, what is written ends as it does where the disk is full: the change is aborted with
+# QuotaExceededError. (Storage.overrideQuotaForOrigin no longer reaches IndexedDB in Chromium 156.)
+FULL = """
+const put = IDBObjectStore.prototype.put;
+IDBObjectStore.prototype.put = function (...what) {
+  const change = this.transaction;
+  if (globalThis.full && !Object.hasOwn(change, "error")) {
+    Object.defineProperty(change, "error", {value: new DOMException("no room", "QuotaExceededError")});
+    queueMicrotask(() => change.abort());
+  }
+  return put.apply(this, what);
+};
+"""
+
 
 class Storage(PageTest):
     def goes_on_and_hands_in(self, browser, says):
@@ -48,9 +62,9 @@ class Storage(PageTest):
 
     def test_where_storage_is_full_it_is_said_once_and_the_lesson_goes_on_to_the_file_that_is_handed_in(self):
         with Served() as url:
-            browser = self.browser()
+            browser = self.browser(script=FULL)
             browser.open(url)
-            browser.call("Storage.overrideQuotaForOrigin", origin=url.rpartition("/")[0], quotaSize=1)
+            browser.evaluate("globalThis.full = true")
             browser.click("welcome/lesson/first-touch")
             browser.wait_for("task/0", "current")
             self.goes_on_and_hands_in(browser, "no room left")

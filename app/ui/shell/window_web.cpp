@@ -131,7 +131,8 @@ extern "C" {
 // One frame of so many pixels; bits: 1 the next one would look different, 2 text is being written.
 EMSCRIPTEN_KEEPALIVE int moltact_frame(int width, int height, double content_scale, double dt_s) {
   moltact::Application& app = page->app;
-  if (const std::string fault = moltact::takeStorageFault(); !fault.empty()) app.messages.error(fault);
+  if (const std::string fault = moltact::takeStorageFault(); !fault.empty())
+    app.messages.ask(moltact::MessageKind::Warning, fault, {});  // no error: those go when another scene opens
   page->shell.setLook(app.settings.theme, float(content_scale * app.settings.scale), float(app.settings.text_size));
   page->shell.frame(width, height, dt_s, [&] { app.frame(dt_s, {float(width), float(height)}); });
   moltact::feel();
