@@ -9,7 +9,7 @@ namespace {
 constexpr double kMoving_ms = 18.0;   // a molecule may take so long in a frame while the view turns
 constexpr double kSmooth_ms = 400.0;  // and so long, once, when it has come to rest
 constexpr int kRest_frames = 10;
-constexpr double kCoarsest = 0.5;
+constexpr double kCoarsest = 0.375;
 
 }  // namespace
 

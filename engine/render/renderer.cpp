@@ -327,6 +327,7 @@ std::optional<Problem> Renderer::draw(const ViewScene& scene, int width_px, int 
   p.last = scene;
   p.last_options = options;
   p.have_picture = true;
+  ++p.count.pictures;
   return std::nullopt;
 }
 

@@ -3,6 +3,7 @@
 // a large molecule costs no more than over a small one.
 #pragma once
 
+#include <cstdint>
 #include <memory>
 
 #include "engine/core/problem.h"
@@ -25,6 +26,7 @@ struct RenderOptions {
 struct RenderCount {
   std::size_t atoms = 0, atoms_drawn = 0;
   bool atoms_redrawn = false;  ///< false when the kept layer was used
+  std::uint64_t pictures = 0;  ///< drawn so far: the texture holds another one where this is another number
 };
 
 class Renderer {

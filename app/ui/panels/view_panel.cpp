@@ -14,6 +14,7 @@
 #include "app/ui/scene/contact_text.h"
 #include "app/ui/scene/view_picture.h"
 #include "app/ui/widgets/controls.h"
+#include "app/ui/widgets/damage.h"
 #include "app/ui/widgets/imgui_versions.h"
 #include "app/ui/widgets/key_focus.h"
 #include "app/ui/widgets/theme.h"
@@ -177,8 +178,10 @@ void savePicture(Application& app, glm::dvec2 size, std::filesystem::path file) 
 
 void drawViewPanel(Application& app) {
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
+  // The picture covers it all: a background below would cost as much as the picture where graphics are software.
   const bool shown =
-      beginPanel("view", app.layout().view, ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
+      beginPanel("view", app.layout().view,
+                 ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
   ImGui::PopStyleVar();
   if (!shown) return;
   const Rectangle& r = app.layout().view;
@@ -207,6 +210,7 @@ void drawViewPanel(Application& app) {
   const ViewScene scene = seenScene(app);
   picture.draw(scene, int(size.x), int(size.y),
                app.scene.controls.cameraMoved() || change.gliding() || app.scene.atomsMove(), look().scale);
+  pictureVersion(*ImGui::GetWindowDrawList(), picture.version());
   // GL's rows begin at the bottom.
   if (picture.texture()) ImGui::GetWindowDrawList()->AddImage(picture.texture(), low, high, {0, 1}, {1, 0});
   if (change.oldPicture() > 0 && picture.kept())

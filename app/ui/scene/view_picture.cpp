@@ -54,6 +54,7 @@ void ViewPicture::keepForFade() {
   if (kept_->resize(width_px_, height_px_)) {
     glBindFramebuffer(GL_DRAW_FRAMEBUFFER, kept_->framebuffer());
     renderer_->copyTo(0, 0);
+    ++fades_;
   } else {
     kept_.reset();
   }

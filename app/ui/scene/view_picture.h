@@ -5,6 +5,7 @@
 
 #include <imgui.h>
 
+#include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -33,6 +34,8 @@ class ViewPicture {
 
   /// Null until something has been drawn.
   ImTextureID texture() const;
+  /// Another number whenever texture() or kept() shows something else than before.
+  std::uint64_t version() const { return (renderer_ ? renderer_->count().pictures : 0) + fades_; }
   /// Keeps the picture as it is, to fade away over the ones that follow; does nothing before the first.
   void keepForFade();
   /// The picture kept last; null where none is.
@@ -56,6 +59,7 @@ class ViewPicture {
   int width_px_ = 0, height_px_ = 0;  // of the last picture as drawn
   std::string fault_text_;
   bool refused_ = false, held_ = false;
+  std::uint64_t fades_ = 0;
   Fineness fineness_;
   struct LabelKey {
     std::vector<std::shared_ptr<const Annotations>> annotations;

@@ -32,6 +32,7 @@ Expected<std::unique_ptr<ScriptedUser>> ScriptedUser::create(Options options) {
   d->gl_ = std::move(*gl);
   d->target_ = std::make_unique<Target>();
   d->shell_ = std::make_unique<Shell>();
+  d->shell_->framebufferKept(true);
   d->app_ = std::make_unique<Application>(d->options_.application, applicationParts());
   return {std::move(d)};
 }

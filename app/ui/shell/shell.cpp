@@ -7,7 +7,6 @@
 
 #include "app/ui/widgets/theme.h"
 #include "app/ui/widgets/widget_map.h"
-#include "engine/render/gl.h"
 
 namespace moltact {
 
@@ -35,6 +34,11 @@ void Shell::setLook(ThemeChoice theme, float scale, float text) {
   look_changed_ = true;
 }
 
+void Shell::framebufferKept(bool kept) {
+  kept_ = kept;
+  damage_.forget();
+}
+
 void Shell::frame(int width, int height, double dt_s, const std::function<void()>& panels, bool drawn) {
   if (look_changed_ || signsWanted()) {
     look_changed_ = false;
@@ -45,6 +49,7 @@ void Shell::frame(int width, int height, double dt_s, const std::function<void()
     ImGui_ImplOpenGL3_NewFrame();  // makes the device objects at the first frame, the font's picture with them
     if (another) ImGui_ImplOpenGL3_CreateFontsTexture();
     loaded_ = scale_ * text_;
+    damage_.forget();  // the same letters may stand elsewhere in the font's picture
   }
   ImGuiIO& io = ImGui::GetIO();
   io.DisplaySize = {float(width), float(height)};
@@ -57,12 +62,9 @@ void Shell::frame(int width, int height, double dt_s, const std::function<void()
   panels();
   ImGui::Render();
   if (!drawn) return;
-
-  const ImVec4 ground = ImGui::ColorConvertU32ToFloat4(look().palette.ground);
-  glViewport(0, 0, width, height);
-  glClearColor(ground.x, ground.y, ground.z, 1.0f);
-  glClear(GL_COLOR_BUFFER_BIT);
-  ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+  ImDrawData& data = *ImGui::GetDrawData();
+  if (!kept_) damage_.forget();
+  for (const Rectangle& area : damage_.since(data)) drawWithin(area, data, look().palette.ground);
 }
 
 }  // namespace moltact

@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "app/ui/files/settings.h"
+#include "app/ui/widgets/damage.h"
 #include "app/ui/widgets/input_queue.h"
 
 namespace moltact {
@@ -24,6 +25,9 @@ class Shell {
   /// A message about fonts that could not be loaded, given once; empty when all is well.
   const std::string& fault() const { return fault_text_; }
 
+  /// The bound framebuffer is the same one in every frame and holds what was drawn before: of the next frames only that
+  /// which differs is drawn. False where that is not known, as behind a window whose buffers are swapped.
+  void framebufferKept(bool kept);
   /// One frame: feeds the input, calls `panels`, and draws into the bound framebuffer where `drawn`.
   void frame(int width, int height, double dt_s, const std::function<void()>& panels, bool drawn = true);
 
@@ -33,6 +37,8 @@ class Shell {
   bool look_changed_ = true;
   float scale_ = 1.0f, text_ = 1.0f, loaded_ = 0.0f;  // loaded_: of the letters
   std::string fault_text_;
+  Damage damage_;
+  bool kept_ = false;
 };
 
 }  // namespace moltact

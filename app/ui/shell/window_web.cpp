@@ -98,6 +98,7 @@ bool makeContext() {
   emscripten_webgl_init_context_attributes(&wanted);
   wanted.majorVersion = 2;
   wanted.alpha = wanted.depth = wanted.antialias = false;
+  wanted.preserveDrawingBuffer = true;  // of a frame only that is drawn which differs from the one before
   const EMSCRIPTEN_WEBGL_CONTEXT_HANDLE made = emscripten_webgl_create_context("#view", &wanted);
   return made > 0 && emscripten_webgl_make_context_current(made) == EMSCRIPTEN_RESULT_SUCCESS;
 }
@@ -113,6 +114,7 @@ int runWindow(const WindowOptions& options) {
     copyText(text);
   };
   io.GetClipboardTextFn = [](void*) { return page->clipboard.c_str(); };
+  page->shell.framebufferKept(true);
   page->app.extensions().state_text.writeTo("-");
   page->app.panels.fingers = hasTouchScreen() != 0;
   if (options.file.empty())

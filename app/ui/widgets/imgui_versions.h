@@ -159,5 +159,6 @@ void mayLieUnderOthers();
 
 /// An OpenGL texture; 0: none.
 inline ImTextureID textureOf(unsigned gl_name) { return ImTextureID(std::intptr_t(gl_name)); }
+inline unsigned nameOf(ImTextureID texture) { return unsigned(std::intptr_t(texture)); }
 
 }  // namespace moltact
