@@ -123,13 +123,16 @@ std::string makeArgonShapes() {
 // waters out.
 std::string makeWaterAndArgon() {
   constexpr double kO_O = 2.976, kBow_deg = 57, kAside_A = 6.0;
+  constexpr double kTurned_deg = 28;  // so that a probe gets at the hydrogen bond from the left
   const double free_deg = 2 * kHalfAngle_deg - 90, bow = kBow_deg * std::numbers::pi / 180,
-               half = kHalfAngle_deg * std::numbers::pi / 180, free = free_deg * std::numbers::pi / 180;
+               half = kHalfAngle_deg * std::numbers::pi / 180, free = free_deg * std::numbers::pi / 180,
+               turned = kTurned_deg * std::numbers::pi / 180;
   const Vec3 giver(-kAside_A, kO_O / 2, 0), taker(-kAside_A, -kO_O / 2, 0);
-  // The plane of symmetry is x = -6; the giver's free hydrogen looks away from the front, the taker's two lean to it.
-  const Vec3 axis(0, -std::cos(bow), std::sin(bow));
+  // In the plane of symmetry the taker's hydrogens lean to one side, the giver's free one to the other (trans).
+  const Vec3 lean(std::sin(turned), 0, std::cos(turned)), across(std::cos(turned), 0, -std::sin(turned));
+  const Vec3 axis = Vec3(0, -std::cos(bow), 0) + std::sin(bow) * lean;
   const auto taken = [&](double side) {
-    return taker + kO_H * (std::cos(half) * axis + Vec3(side * std::sin(half), 0, 0));
+    return taker + kO_H * (std::cos(half) * axis + side * std::sin(half) * across);
   };
   return writePdb(
       "TWO WATERS JOINED BY A HYDROGEN BOND, AND TWO ARGON ATOMS",
@@ -138,7 +141,7 @@ std::string makeWaterAndArgon() {
        "THE TWO PAIRS STAND SIDE BY SIDE FOR COMPARISON", kMaker},
       {{"O", "WTR", "O", 'A', 1, giver, true},
        {"H1", "WTR", "H", 'A', 1, giver + Vec3(0, -kO_H, 0), true},
-       {"H2", "WTR", "H", 'A', 1, giver + kO_H * Vec3(0, std::sin(free), -std::cos(free)), true},
+       {"H2", "WTR", "H", 'A', 1, giver + kO_H * (Vec3(0, std::sin(free), 0) - std::cos(free) * lean), true},
        {"O", "WTR", "O", 'A', 2, taker, true},
        {"H1", "WTR", "H", 'A', 2, taken(-1), true},
        {"H2", "WTR", "H", 'A', 2, taken(1), true},

@@ -94,7 +94,7 @@ wait 20
 expect lesson/place Step 1 of
 expect lesson/more More below
 point task/0
-expect task/0 current: Touch the argon atom.
+expect task/0 current: Touch the rings.
 point view 0.5 0.5
 press
 wait 150
@@ -102,7 +102,9 @@ release
 expect task/0 done:
 click lesson/next
 wait 20
-expect lesson/place Step 2 of
+click lesson/next
+wait 20
+expect lesson/place Step 3 of
 click question/0/0
 wait 3
 expect question/0/feedback That is what you feel on a round face.
@@ -111,7 +113,7 @@ wait 3
 expect question/0/feedback Yes. It touches both
 key Alt+Left
 wait 3
-expect lesson/place Step 1 of
+expect lesson/place Step 2 of
 )",
          "walk");
 
@@ -149,7 +151,7 @@ expect question/0/feedback Yes. It touches both
 wait 60
 expect message/0 Read again: first-touch.md
 point lesson/place
-expect lesson/place Step 2 of
+expect lesson/place Step 3 of
 expect lesson/0 Here, said anew
 point question/0/feedback
 expect question/0/feedback Yes. It touches both
@@ -195,8 +197,8 @@ expect status/molecule benzene
   CHECK(cell(csv, "hints") == "1");
   CHECK(cell(csv, "finished") == "no");
   CHECK(std::stod(cell(csv, "peak_force_N")) > 0.05);
-  const Question& question = d->app().lesson.session()->lesson().steps[1].questions[0];
-  const std::string column = "first-touch.md#" + d->app().lesson.session()->lesson().steps[1].id + "/" + question.id;
+  const Question& question = d->app().lesson.session()->lesson().steps[2].questions[0];
+  const std::string column = "first-touch.md#" + d->app().lesson.session()->lesson().steps[2].id + "/" + question.id;
   CHECK(cell(csv, column + " first answer") == plainText(question.choices[0].text));
   CHECK(cell(csv, column + " tries") == "2");
   for (const std::string& part :
