@@ -6,6 +6,7 @@
 #include <cmath>
 #include <fstream>
 #include <iterator>
+#include <optional>
 #include <set>
 
 #include "engine/haptics/methods.h"
@@ -13,12 +14,19 @@
 #include "engine/lesson/reader.h"
 #include "engine/lesson/tasks/registry.h"
 #include "engine/molecule/reader.h"
+#include "tests/language/in_german.h"
 
 using namespace moltact;
 
 namespace {
 
 constexpr const char* kLesson = MOLTACT_SOURCE_DIR "/lessons/how-touch-is-computed.md";
+constexpr const char* kGermanLesson = MOLTACT_SOURCE_DIR "/lessons/how-touch-is-computed.de.md";
+
+std::string contentsOf(const char* file) {
+  std::ifstream in(file);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
 
 Expected<std::shared_ptr<const Molecule>> shipped(const NamedMolecule& named) {
   const std::string& name = named.name;
@@ -129,8 +137,7 @@ TEST_CASE(
 TEST_CASE(
     "neighbouring triangles of a sphere of 80, an icosahedron's faces halved once, lie at 18 to 22.5 degrees to each "
     "other; of 320 at 7 to 11.5, of 5120 at 1.5 to 3") {
-  std::ifstream in(kLesson);
-  std::string text((std::istreambuf_iterator<char>(in)), {});
+  const std::string text = contentsOf(kLesson);
   CHECK(text.find("Mesh 80 lie at 18 to 22 degrees to each other, of Mesh 320 at 7 to 11, of Mesh 5120 at 1.5 to 3") !=
         std::string::npos);
   CHECK(text.find("At an edge of Mesh 80 the force turns by about 20 degrees at once") != std::string::npos);
@@ -225,4 +232,32 @@ TEST_CASE("in the lesson's crease the grid of 0.8 A is off by 0.03 A, the one of
   CHECK(doneAlong(step, 0, "grid08", push));
   CHECK_FALSE(doneAlong(step, 0, "grid02", push));
   CHECK_FALSE(doneAlong(step, 0, "exact", push));
+}
+
+TEST_CASE("the lesson calls the methods and the plot of turns what the panel calls them, in English and in German") {
+  int named = 0;
+  for (const bool in_german : {false, true}) {
+    CAPTURE(in_german);
+    const char* file = in_german ? kGermanLesson : kLesson;
+    const LessonReading read = readLesson(file);
+    REQUIRE(read.lesson);
+    std::optional<InGerman> german;
+    if (in_german) german.emplace(MOLTACT_TRANSLATIONS);
+    const std::string text = contentsOf(file);
+    CHECK(text.find("*" + std::string(tr("Largest turn in a tick")) + "*") != std::string::npos);
+    for (const std::string_view name : {"exact", "paper", "mesh80", "grid08", "penalty"})
+      CHECK_MESSAGE(text.find(tr(findMethod(name)->family.name)) != std::string::npos, name);
+    for (const Step& step : read.lesson->steps)
+      for (const TaskSpec& task : step.tasks) {
+        // More than three would make no sentence.
+        if (task.kind != "compare" || task.values["compare"].words.size() > 3) continue;
+        for (const std::string& method : task.values["compare"].words) {
+          std::string title = methodTitle(method);
+          for (std::size_t at; (at = title.find("\u00a0")) != std::string::npos;) title.replace(at, 2, " ");
+          CHECK_MESSAGE(task.values["say"].text.find(title) != std::string::npos, title);
+          ++named;
+        }
+      }
+  }
+  CHECK(named == 16);
 }
