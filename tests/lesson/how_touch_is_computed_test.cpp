@@ -67,17 +67,21 @@ const Step& stepOf(const Lesson& lesson, std::string_view id) {
 }  // namespace
 
 TEST_CASE(
-    "how-touch-is-computed.md reads without errors or warnings into 8 steps, each with a task and the methods panel") {
+    "how-touch-is-computed.md reads without errors or warnings into 10 steps, each with a task and the methods panel, "
+    "which is shut and locked in the dark") {
   const LessonReading read = readLesson(kLesson);
   for (const Problem& p : read.errors) MESSAGE(p.text());
   for (const Problem& p : read.warnings) MESSAGE(p.text());
   REQUIRE(read.lesson);
   CHECK(read.warnings.empty());
-  CHECK(read.lesson->steps.size() == 8);
+  CHECK(read.lesson->steps.size() == 10);
   std::set<std::string> used, failures;
   for (const Step& s : read.lesson->steps) {
     CHECK_FALSE(s.tasks.empty());
-    CHECK(s.scene.panels == std::vector<std::string>{"methods"});
+    // The plots would tell which method it is.
+    const bool dark = s.tasks.empty() || s.tasks[0].kind == "same";
+    CHECK(s.scene.panels == std::vector<std::string>{dark ? "none" : "methods"});
+    if (dark) CHECK((s.scene.locks("panels") && s.scene.locks("method")));
     used.insert(s.scene.molecule.name);
     for (const TaskSpec& t : s.tasks)
       if (t.kind == "meet") failures.insert(t.values["meet"].words.at(0));
