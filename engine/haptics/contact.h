@@ -12,7 +12,12 @@
 namespace moltact {
 
 /// What the SCP lies on (the paper's Figure 4: case 1 sphere, case 2 circle, case 3 point).
-enum class Feature : std::uint8_t { Free, Sphere, Circle, Point };
+enum class Feature : std::uint8_t {
+  Free,
+  Sphere,
+  Circle,  ///< a re-entrant edge of the accessible surface, where two balls meet; students read "crease"
+  Point,   ///< a re-entrant vertex, where three meet; students read "pit"
+};
 
 /// Why a tick gives no force although the HIP may be inside the molecule.
 enum class Fault : std::uint8_t {

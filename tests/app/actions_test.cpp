@@ -255,7 +255,9 @@ TEST_CASE(
   const Picture chains = d->picture();
   d->click("menu/view");
   d->frames(3);
-  CHECK(d->click("menu/view/chains"));
+  CHECK(d->click("menu/view/colours"));
+  d->frames(3);
+  CHECK(d->click("menu/view/colours/element"));
   d->frames(10);
   CHECK_FALSE(d->shows("view/legend"));
   CHECK(difference(chains, d->picture()) > 0.1);

@@ -5,7 +5,9 @@
 
 #include "app/ui/extensions/extensions.h"
 #include "app/ui/files/library.h"
+#include "engine/language/catalogue.h"
 #include "engine/lesson/reader.h"
+#include "engine/platform/folders.h"
 #include "engine/results/attempt_lines.h"
 #include "tests/app/scripted_user_fixture.h"
 
@@ -120,6 +122,25 @@ TEST_CASE("pictures of cards are drawn once and found in the cache at the next s
   d->app().settings.colour_blind_safe = true;
   d->frames(60);
   CHECK(d->app().extensions().card_pictures.drawn() == 1);
+}
+
+TEST_CASE("in every language the title and the line of each shipped lesson are whole on its card at 1280x800") {
+  auto d = startAtWelcome();
+  for (const Language& language : languages(translationsFolder())) {
+    d->app().settings.language = language.code;
+    d->frames(60);
+    REQUIRE(moltact::language() == language.code);
+    CAPTURE(language.code);
+    std::size_t cards = 0;
+    for (const LessonCard& card : d->app().extensions().shelf.cards()) {
+      if (card.own) continue;
+      ++cards;
+      // What is cut is the rest of a text, from where its second line begins.
+      for (const std::string& cut : widgets().cut())
+        CHECK_MESSAGE((!card.title.ends_with(cut) && !card.description.ends_with(cut)), card.title << ": " << cut);
+    }
+    CHECK(cards == lessons().size());
+  }
 }
 
 TEST_CASE("lessons of one's own have cards, and one that cannot be read says why") {

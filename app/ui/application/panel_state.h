@@ -51,7 +51,7 @@ struct PanelState : KeyFocus {
   LargePicture picture;        ///< of the lesson, on its page
   float lesson_scroll = 0.0f;  ///< the lesson's text is to go on by so much (unit: pixel)
   bool open_page = false, controls_page = false, about_page = false, preferences_page = false, device_page = false,
-       turns_page = false, zoom_page = false, reading_page = false, picture_page = false;
+       turns_page = false, zoom_page = false, look_page = false, reading_page = false, picture_page = false;
   ReadOptions reading;     ///< as it is chosen on the page for it
   std::string zoom_atoms;  ///< what was written last on the page that comes close to atoms
   bool open_adds = false;  ///< what is chosen on the page that opens files is put on the shelf

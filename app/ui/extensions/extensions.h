@@ -16,6 +16,7 @@
 #include "app/ui/extensions/measuring.h"
 #include "app/ui/extensions/moving_states.h"
 #include "app/ui/extensions/name_asker.h"
+#include "app/ui/extensions/own_look.h"
 #include "app/ui/extensions/playback.h"
 #include "app/ui/extensions/scene_change.h"
 #include "app/ui/extensions/scene_history.h"
@@ -51,6 +52,7 @@ struct Extensions final : ExtensionSet {
   StateText state_text{task_stager};
   TouchSound touch_sound;
   Measuring measuring;
+  OwnLook own_look;
   TouchTraces touch_traces{task_stager};
   DeviceLink device{task_stager};
   HandRecorder hand_recorder{recorder, device};
@@ -62,10 +64,11 @@ struct Extensions final : ExtensionSet {
   // The order of the calls. Locks come before the history, which then never sees what is locked change, and the history
   // before the scene change, whose glide it asks about; a name is asked for before the recorder begins; the device
   // comes before the hand recorder, which replaces the clutch and scale of the device by those of the recording.
-  std::array<Extension*, 21> all_{
-      &settings_keeper, &lesson_watch, &lesson_locks, &name_asker,   &recorder,      &turns,         &playback,
-      &history,         &scene_change, &hand_model,   &shelf,        &card_pictures, &task_stager,   &moving_states,
-      &state_text,      &touch_sound,  &measuring,    &touch_traces, &device,        &hand_recorder, &lesson_pictures};
+  std::array<Extension*, 22> all_{&settings_keeper, &lesson_watch,  &lesson_locks, &name_asker,    &recorder,
+                                  &turns,           &playback,      &history,      &scene_change,  &hand_model,
+                                  &shelf,           &card_pictures, &task_stager,  &moving_states, &state_text,
+                                  &touch_sound,     &measuring,     &touch_traces, &device,        &hand_recorder,
+                                  &lesson_pictures, &own_look};
 };
 
 }  // namespace moltact

@@ -232,16 +232,13 @@ constexpr std::array kActions{
            .run = [](App& a) { switchCut(a); },
            .enabled = [](const App& a) { return hasStage(a) && !a.lesson.locks("show"); },
            .on = [](const App& a) { return a.scene.look.cut.has_value(); }},
-    Action{.name = "chains",
+    // Not where a lesson's scene stands: names and marks could answer what it asks for.
+    Action{.name = "look",
            .menu = Menu::View,
-           .label = N_("Colour by chain"),
-           .run =
-               [](App& a) {
-                 a.scene.look.colouring = nullptr;
-                 a.scene.colour_by = a.scene.colour_by == ColourBy::Chain ? ColourBy::Element : ColourBy::Chain;
-               },
-           .enabled = [](const App& a) { return hasStage(a) && !a.lesson.locks("show"); },
-           .on = [](const App& a) { return a.scene.colour_by == ColourBy::Chain; }},
+           .label = N_("How atoms are drawn …"),
+           .sentence = N_("Style, colours, names, marks and hydrogen bonds of the atoms that you name"),
+           .run = [](App& a) { a.panels.look_page = true; },
+           .enabled = [](const App& a) { return hasStage(a) && !a.lesson.onStage(); }},
     Action{.name = "legend",
            .menu = Menu::View,
            .label = N_("Legend of colours"),

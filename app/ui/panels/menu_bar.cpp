@@ -7,6 +7,7 @@
 #include "app/ui/application/application.h"
 #include "app/ui/extensions/extensions.h"
 #include "app/ui/files/library.h"
+#include "app/ui/lesson/lesson_guide.h"
 #include "app/ui/panels/actions.h"
 #include "app/ui/widgets/controls.h"
 #include "app/ui/widgets/imgui_versions.h"
@@ -16,6 +17,8 @@
 #include "engine/core/text.h"
 #include "engine/language/catalogue.h"
 #include "engine/language/quantity_text.h"
+#include "engine/render/molecule_model.h"
+#include "engine/structure/colouring.h"
 
 namespace moltact {
 namespace {
@@ -88,6 +91,24 @@ void styleMenu(Application& app) {
   ImGui::EndMenu();
 }
 
+void colourMenu(Application& app) {
+  if (!beginSubmenu(app, "menu/view/colours", tr("Colours"), app.scene.stage() && !app.lesson.locks("show"))) return;
+  const Colouring* const now = app.scene.look.colouring.get();
+  for (const ColouringScheme& scheme : colouringSchemes()) {
+    // In a lesson's scene charge, hydrophobicity and others could answer what it asks for.
+    const bool plain = scheme.name == "element" || scheme.name == "chain";
+    if (!plain && app.lesson.onStage()) continue;
+    SceneSpec asked;
+    asked.colour = scheme.name;
+    const bool on = now ? now->legend.title == scheme.shownLabel() : plain && colourBy(asked) == app.scene.colour_by;
+    if (item("menu/view/colours/" + std::string(scheme.name), scheme.shownLabel(), nullptr, on)) {
+      app.scene.colour_by = colourBy(asked);
+      app.scene.look.colouring = schemeColouring(*app.scene.stage().molecule, asked.colour);
+    }
+  }
+  ImGui::EndMenu();
+}
+
 // Those that the lesson's scene names.
 void viewsMenu(Application& app) {
   if (app.panels.welcome || !app.lesson.session() || app.lesson.session()->scene().views.empty()) return;
@@ -123,9 +144,9 @@ struct Inset {
   std::string_view after;
   void (*draw)(Application&);
 };
-constexpr Inset kInsets[] = {{"open", libraryMenu},   {"open", recentMenu},        {"methods", styleMenu},
-                             {"methods", shapesMenu}, {"high-contrast", sizeMenu}, {"report", lessonList},
-                             {"reset", viewsMenu}};
+constexpr Inset kInsets[] = {{"open", libraryMenu},   {"open", recentMenu},    {"methods", styleMenu},
+                             {"methods", colourMenu}, {"methods", shapesMenu}, {"high-contrast", sizeMenu},
+                             {"report", lessonList},  {"reset", viewsMenu}};
 
 void drawMenu(Application& app, Menu menu) {
   const std::string label(menuLabel(menu)), prefix = "menu/" + lower(menuName(menu));

@@ -28,6 +28,7 @@
   PAGE(PreferencesPage, preferences_page) \
   PAGE(DevicePage, device_page)           \
   PAGE(ZoomPage, zoom_page)               \
+  PAGE(LookPage, look_page)               \
   PAGE(ReadingPage, reading_page)         \
   PAGE(PicturePage, picture_page)         \
   PAGE(ControlsPage, controls_page)       \

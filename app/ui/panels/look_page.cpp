@@ -1,0 +1,62 @@
+// How the atoms are drawn, in the words of a lesson's scene: a field for each key, and what is wrong with it below.
+#include <imgui.h>
+#include <imgui_stdlib.h>
+
+#include <string>
+
+#include "app/ui/application/application.h"
+#include "app/ui/extensions/extensions.h"
+#include "app/ui/widgets/controls.h"
+#include "app/ui/widgets/key_focus.h"
+#include "app/ui/widgets/theme.h"
+#include "app/ui/widgets/widget_map.h"
+#include "engine/language/catalogue.h"
+
+namespace moltact {
+
+void drawLookPage(Application& app) {
+  PanelState& panels = app.panels;
+  const bool appears = panels.look_page && !ImGui::IsPopupOpen("look");
+  if (!beginPage("look", tr("How the atoms are drawn"), panels.look_page, 600, 620)) return;
+  OwnLook& own = app.extensions().own_look;
+  const Look& l = look();
+  ImGui::TextWrapped("%s", tr("In the words of a lesson's scene: what works here works there. Empty fields change "
+                              "nothing."));
+  ImGui::Spacing();
+  bool asked = false, faulty = false;
+  for (std::size_t k = 0; k < OwnLook::kKeys; ++k) {
+    const OwnLookKey& key = OwnLook::keys()[k];
+    const std::string id = "##" + std::string(key.key);
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextUnformatted(tr(key.label));
+    ImGui::SameLine(l.tx(206));
+    ImGui::SetNextItemWidth(-1.0f);
+    asked = ImGui::InputTextWithHint(id.c_str(), key.example, &own.values[k], ImGuiInputTextFlags_EnterReturnsTrue) ||
+            asked;
+    recordItem("look/" + std::string(key.key), own.values[k]);
+    if (appears && k == 0) writeInLastField(id.c_str());
+    std::string fault;
+    if (const auto problem = app.scene.stage() ? own.fault(k, *app.scene.stage().molecule) : std::nullopt)
+      fault = problem->text();
+    faulty = faulty || !fault.empty();
+    // Room for a line, so that nothing below moves while one writes.
+    const float y = ImGui::GetCursorPosY();
+    ImGui::SetCursorPosX(l.tx(206));
+    {
+      const WithText bad(l.palette.bad);
+      const WithFont small(Font::Small);
+      ImGui::TextWrapped("%s", fault.c_str());
+      recordItem("look/" + std::string(key.key) + "/fault", fault);
+    }
+    ImGui::SetCursorPosY(std::max(ImGui::GetCursorPosY(), y + 1.1f * ImGui::GetTextLineHeightWithSpacing()));
+  }
+  asked = button("look/show", tr("Show it so"), ButtonLook::Primary, -1.0f, !faulty) || asked;
+  if (asked && !faulty) {
+    own.show(app.scene);
+    panels.look_page = false;
+    ImGui::CloseCurrentPopup();
+  }
+  endPage();
+}
+
+}  // namespace moltact

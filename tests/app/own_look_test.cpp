@@ -1,0 +1,90 @@
+// A molecule of one's own, drawn as its owner wishes: the menus' colours, and the page that takes a scene's keys.
+#include "app/ui/extensions/extensions.h"
+#include "tests/app/scripted_user_fixture.h"
+
+namespace moltact {
+
+TEST_CASE(
+    "the page takes a scene's keys: a style, what is hidden, colours, marks, names and hydrogen bonds are drawn") {
+  auto d = startWith("1ubq");
+  Application& app = d->app();
+  d->click("menu/view");
+  d->frames(3);
+  REQUIRE(d->click("menu/view/look"));
+  d->frames(3);
+  OwnLook& own = app.extensions().own_look;
+  d->type("cartoon");  // the first field is written in at once
+  own.values = {own.values[0], "residue 1-4", "charge", "teal \"patch\" for residue 48", "residue for residue 48", "helix"};
+  d->frames(3);
+  for (const OwnLookKey& key : OwnLook::keys()) {
+    CHECK(d->shows("look/" + std::string(key.key)));
+    CHECK(d->text("look/" + std::string(key.key) + "/fault") == "");
+  }
+  REQUIRE(d->click("look/show"));
+  d->frames(10);
+  CHECK_FALSE(app.panels.look_page);
+  REQUIRE(app.scene.look.styles.size() == 1);
+  CHECK(app.scene.look.styles[0].style == DrawStyle::Cartoon);
+  REQUIRE(app.scene.look.hidden);
+  CHECK(app.scene.look.hidden->size() > 25);  // 1-4 are Met, Gln, Ile, Phe
+  CHECK(app.scene.look.colouring);
+  REQUIRE(app.scene.look.marks);
+  CHECK(app.scene.look.marks->at(0).name == "patch");
+  REQUIRE(own.drawn());
+  CHECK(own.drawn()->labels.size() == 1);
+  CHECK(own.drawn()->bonds.size() > 5);
+  // Another molecule has none of it.
+  app.open("benzene");
+  app.finishLoading();
+  d->frames(5);
+  CHECK(app.scene.look.styles.empty());
+  CHECK_FALSE(own.drawn());
+  CHECK(own.values[0].empty());
+}
+
+TEST_CASE("the page says what is wrong with a value, and shows nothing then") {
+  auto d = startWith("1ubq");
+  Application& app = d->app();
+  app.panels.look_page = true;
+  d->frames(3);
+  d->type("cartoons");
+  d->frames(3);
+  CHECK(contains(d->text("look/style/fault"), "cartoon"));
+  d->tap("Enter");
+  d->frames(3);
+  CHECK(app.panels.look_page);
+  CHECK(app.scene.look.styles.empty());
+  app.extensions().own_look.values = {"", "chain Q", "", "", "", ""};
+  d->frames(3);
+  CHECK(contains(d->text("look/hide/fault"), "Q"));
+}
+
+TEST_CASE("colours are chosen in the menu; in a lesson only those that tell nothing but elements and chains") {
+  auto d = startWith("1ubq");
+  d->frames(5);
+  d->click("menu/view");
+  d->frames(3);
+  CHECK(d->click("menu/view/colours"));
+  d->frames(3);
+  REQUIRE(d->click("menu/view/colours/hydrophobicity"));
+  d->frames(10);
+  REQUIRE(d->app().scene.look.colouring);
+  CHECK(d->shows("view/legend"));
+  CHECK(d->click("tool/undo"));
+  d->frames(5);
+  CHECK_FALSE(d->app().scene.look.colouring);
+  openFirst(*d);
+  d->app().finishLoading();
+  d->frames(5);
+  d->click("menu/view");
+  d->frames(3);
+  d->click("menu/view/look");
+  d->frames(3);
+  CHECK_FALSE(d->app().panels.look_page);
+  d->click("menu/view/colours");
+  d->frames(3);
+  CHECK(d->shows("menu/view/colours/chain"));
+  CHECK_FALSE(d->shows("menu/view/colours/charge"));
+}
+
+}  // namespace moltact
