@@ -119,9 +119,14 @@ HandPlan LessonHand::wrongPlan(std::size_t task) const {
     if (!rests) plan.push_back({.answer = TaskAnswer{.word = "here"}});
   } else if (spec.kind == "same" || spec.kind == "fit") {
     plan = session().taskAt(task)->demonstrate(input);
-    for (HandAct& act : plan) {
+    const double smaller_A = spec.kind == "fit" ? 4.0 * spec.values["within"].number : 0.0;
+    for (std::size_t k = 0; k < plan.size(); ++k) {
+      HandAct& act = plan[k];
+      // A smaller probe lies deeper.
+      if (act.to && !act.placed && k > 0 && plan[k - 1].to && act.to->A != plan[k - 1].to->A)
+        act.to->A += smaller_A * glm::normalize(act.to->A - plan[k - 1].to->A);
       if (!act.answer) continue;
-      if (act.answer->number) *act.answer->number -= 4.0 * spec.values["within"].number;
+      if (act.answer->number) *act.answer->number -= smaller_A;
       if (act.answer->word == "same" || act.answer->word == "different")
         act.answer->word = act.answer->word == "same" ? "different" : "same";
     }
