@@ -276,6 +276,8 @@ void LessonHand::answerWrongly(std::size_t q) {
   const bool several = asked.rightChoices() > 1;
   for (std::size_t k = 0; k < asked.choices.size(); ++k) {
     if (asked.choices[k].right) continue;
+    if (asked.attempts > 0 && session().question(q).attempts + 1 >= asked.attempts)
+      return;  // the last is the right one
     pick(q, k);
     if (several) handIn(q);
     told(plainText(asked.choices[k].text));
