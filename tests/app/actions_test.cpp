@@ -252,8 +252,13 @@ TEST_CASE(
   d->app().scene.look.hidden = nullptr;
   // A ribbon has one colour, which tells no element.
   d->app().scene.look.styles = {{.style = DrawStyle::Cartoon}};
+  d->app().scene.look.spheres_near_A = 0.0;
   d->frames(2);
   CHECK_FALSE(d->shows("view/legend"));
+  // Where atoms come out of it near the probe, these have their elements' colours.
+  d->app().scene.look.spheres_near_A = 4.0;
+  d->frames(2);
+  CHECK(contains(d->text("view/legend"), "oxygen"));
   d->app().scene.look.styles.clear();
   d->app().settings.colour_blind_safe = true;
   d->frames(2);
@@ -279,6 +284,8 @@ TEST_CASE(
   options.height = 768;
   options.content_scale = 2.0;
   auto d = startWith("2hhb", std::move(options));
+  d->app().messages = {};
+  d->frames(3);
   const Rectangle view = d->app().layout().view;
   CHECK_FALSE(d->shows("view/legend"));
   REQUIRE(d->text("view/legend/line") == "closed");
@@ -288,6 +295,7 @@ TEST_CASE(
   d->frames(3);
   CHECK(contains(d->text("view/legend"), "chain A, chain B"));
   const WidgetRecord* open = widgets().find("view/legend");
+  REQUIRE(open);
   CHECK(open->low.y >= widgets().find("view/legend/line")->high.y);
   CHECK(open->high.y <= view.high.y);
   CHECK(open->high.x <= view.high.x);
