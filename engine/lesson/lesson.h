@@ -114,7 +114,7 @@ struct SceneSpec {
   NamedMolecule molecule;             ///< its name in the library or beside the lesson, and how its file is read
   TouchSetup touch;                   ///< what it is felt with
   std::vector<std::string> show;      ///< names of the picture's parts
-  std::vector<StyleSpec> styles;      ///< how the atoms are drawn; empty: all as spheres
+  std::vector<StyleSpec> styles;      ///< how the atoms are drawn; empty: a protein as a cartoon, else all as spheres
   Selection hide;                     ///< atoms that are not drawn; may select nothing
   Selection untouchable;              ///< atoms that are not felt; may select nothing
   Selection remove;                   ///< atoms that are neither drawn nor felt; may select nothing

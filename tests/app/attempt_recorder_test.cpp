@@ -67,10 +67,10 @@ TEST_CASE("a lesson that is only looked at leaves no file; a touch, a hint and a
   CHECK(attempt.file.filename().string().starts_with("first-touch-20"));
   const auto steps = all<StepEntered>(attempt);
   REQUIRE(steps.size() == 2);
-  CHECK(steps[0]->step == "one-atom");
+  CHECK(steps[0]->step == "five-rings-felt-by-a-tip");
   const auto done = all<TaskDone>(attempt);
   REQUIRE(done.size() >= 1);
-  CHECK(done[0]->step == "one-atom");
+  CHECK(done[0]->step == "five-rings-felt-by-a-tip");
   CHECK(done[0]->by == InputWay::Mouse);
   const auto touches = all<TouchEnded>(attempt);
   REQUIRE(touches.size() >= 1);
