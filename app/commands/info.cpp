@@ -1,12 +1,12 @@
 // moltact info MOLECULE|LESSON|PACK: what it holds, as text or JSON.
 #include <algorithm>
-#include <cstdio>
 #include <memory>
 
 #include "app/commands/command.h"
 #include "app/commands/lesson_info.h"
 #include "app/commands/molecule_argument.h"
 #include "app/commands/print_json.h"
+#include "engine/language/quantity_text.h"
 #include "engine/molecule/summary.h"
 #include "engine/platform/terminal.h"
 
@@ -40,9 +40,9 @@ void printText(const Molecule& molecule, const MoleculeSummary& s) {
   out() << "chains    " << s.chains << (s.chains ? " (" + named(s.chain_names) + ")" : "") << '\n';
   out() << "elements  " << listed(s.elements) << '\n';
   out() << "ligands   " << listed(s.ligands) << '\n';
-  char text[80];
-  std::snprintf(text, sizeof text, "%.1f x %.1f x %.1f A", size.x, size.y, size.z);
-  out() << "size      " << text << '\n';
+  out() << "size      " << quantityNumber(size.x, Dimension::Length, decimals(1)) << " x "
+        << quantityNumber(size.y, Dimension::Length, decimals(1)) << " x "
+        << quantityText(size.z, Dimension::Length, decimals(1)) << '\n';
   for (const std::string& warning : molecule.warnings) out() << "note      " << warning << '\n';
 }
 

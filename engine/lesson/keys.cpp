@@ -94,6 +94,13 @@ std::vector<KeySpec> frontMatterKeys() {
                   "the one that follows. Lessons without it stand behind those with it.",
        .least = 1,
        .most = 1000},
+      {.name = "card",
+       .type = ValueType::Count,
+       .meaning =
+           "The step whose scene the picture of the lesson's card shows, counted from 1 without asides; without it "
+           "the first.",
+       .least = 1,
+       .most = 1000},
       {.name = "required",
        .type = ValueType::Word,
        .meaning = "Whether every step must be finished before the student goes on; a step may say otherwise in a block "
@@ -147,8 +154,9 @@ std::vector<KeySpec> sceneKeys() {
        .type = ValueType::Styles,
        .meaning =
            "How the atoms are drawn. Spheres are what is felt; a surface is drawn for the scene's probe. Several "
-           "are drawn together, as in 'surface 40% for protein, spheres for ligand'.",
-       .fallback = "spheres",
+           "are drawn together, as in 'surface 40% for protein, spheres for ligand'. Left out, a protein of 20 residues "
+           "or more is a cartoon, whose spheres appear near the probe, with what is bound, highlighted or marked as "
+           "spheres; all else is spheres.",
        .words = styleNames()},
       {.name = "hide",
        .type = ValueType::Target,

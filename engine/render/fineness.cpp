@@ -10,6 +10,7 @@ constexpr double kMoving_ms = 18.0;   // a molecule may take so long in a frame 
 constexpr double kSmooth_ms = 400.0;  // and so long, once, when it has come to rest
 constexpr int kRest_frames = 10;
 constexpr double kCoarsest = 0.375;
+constexpr double kFineLight = 0.5;  // from this scale on creases are darker; below none is seen
 
 }  // namespace
 
@@ -21,6 +22,7 @@ Fineness::Choice Fineness::choose(bool moving) {
   if (moving && whole_ms_ > kMoving_ms) {
     choice.scale = std::clamp(std::floor(8.0 * std::sqrt(kMoving_ms / whole_ms_)) / 8.0, kCoarsest, 1.0);
     choice.options.smooth_edges = choice.scale == 1.0;
+    choice.options.fine_light = choice.scale >= kFineLight;
   }
   const bool smooth = 4.0 * whole_ms_ < kSmooth_ms;
   if (!moving && smooth && (rested_frames_ >= kRest_frames || last_.options.samples == 2)) choice.options.samples = 2;

@@ -157,11 +157,13 @@ class Maker {
     }
   }
 
-  // The atoms that hold the probe, each in a ring.
+  // The atoms that hold the probe, each in a ring; what is to be felt unseen is not shown by a ring either.
   void touched(const MoleculeModel& model) {
     if (!touching_) return;
+    const std::vector<std::uint32_t>* hidden = scene_.look.hidden.get();
     for (const std::int32_t a : scene_.contact.atoms) {
       if (a < 0 || std::size_t(a) >= model.scene.size()) continue;
+      if (hidden && std::binary_search(hidden->begin(), hidden->end(), std::uint32_t(a))) continue;
       const Ball& b = model.scene[std::size_t(a)];
       const double ring = b.radius_A + 0.10;
       for (const Stroke& stroke : {Stroke{.colour = glm::vec3(0.0f), .alpha = 0.55f, .hidden = 0.3f, .width_px = 4.6f},

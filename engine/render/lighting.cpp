@@ -20,14 +20,18 @@ uniform vec4 u_cut;
 float fixed_open = -1.0, wide_filled = -1.0;
 bool cutAway(vec3 place) { return dot(u_cut.xyz, place) + u_cut.w > 0.0; }
 float openness(vec3 place, vec3 n) {
+#ifndef FINE_EVEN
   vec3 at = (u_to_field * vec4(place, 1.0)).xyz, way = mat3(u_to_field) * n;
   float fine = textureLod(u_fine, (at + way * kFineOut) * u_fine_scale, 0.0).r;
+  float creased = clamp((fine - kFineLeast) / (kFineMost - kFineLeast), 0.0, 1.0);
+#else
+  float creased = 0.35;  // of what is seen of a protein
+#endif
 #ifdef WIDE_GIVEN
   float wide = wide_filled;
 #else
   float wide = textureLod(u_wide, (at + way * kWideOut) * u_wide_scale, 0.0).r;
 #endif
-  float creased = clamp((fine - kFineLeast) / (kFineMost - kFineLeast), 0.0, 1.0);
   float enclosed = clamp((wide - kWideLeast) / (kWideMost - kWideLeast), 0.0, 1.0);
   return (1.0 - kFineShade * creased) * (1.0 - kWideShade * enclosed);
 }

@@ -33,6 +33,7 @@ struct Lighting {
   glm::vec4 cut{0.0f, 0.0f, 0.0f,
                 -1.0f};  ///< dot(xyz, place) + w > 0 is cut away, in the camera's axes (default: nothing)
   OcclusionVolume* occlusion = nullptr;  ///< of the molecule; null: everything lies open
+  bool fine = true;                      ///< with its fine level, which a ball looks up in every pixel
 };
 
 /// Sets the uniforms `Lighting` and `Projection` of a program that uses kLightingText; the program must be in use.
@@ -41,7 +42,8 @@ void setLighting(const GlProgram& program, const Projection& projection, const L
 /// GLSL: bool cutAway(vec3 place); vec3 lit(vec3 base, vec3 place, vec3 normal, float facing, float y_ndc) and what it needs; `base` is the squared
 /// colour, `place` in the camera's axes, `facing` the cosine between the normal and the way to the eye; where `fixed_open` is
 /// set to 0 or more it stands for the light from all sides. Software looks nothing up only where the text says so:
-/// "#define OPEN" before it leaves the occlusion out, "#define WIDE_GIVEN" takes its wide level from `wide_filled`.
+/// "#define OPEN" before it leaves the occlusion out, "#define WIDE_GIVEN" takes its wide level from `wide_filled`,
+/// "#define FINE_EVEN" puts the mean of the fine level in its place.
 extern const std::string kLightingText;
 
 }  // namespace moltact

@@ -19,7 +19,7 @@ class MoleculeLayer {
   struct Options {
     int samples = 1;          ///< along each pixel's edge
     float line_scale = 1.0f;  ///< multiplies the widths of lines, in pixels of the finished picture
-    bool outlines = true, cull = true;
+    bool outlines = true, cull = true, fine_light = true;
     friend bool operator==(const Options&, const Options&) = default;
   };
   /// What it draws with.

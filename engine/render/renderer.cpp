@@ -185,11 +185,13 @@ bool Renderer::Impl::drawScene(const ViewScene& scene, int width_px, int height_
   const int samples = std::clamp(options.samples, 1, 4);
   const Projection projection(scene.camera, width_px, height_px, depthRange(scene.camera, model.get()));
   const Projection inside(scene.camera, width_px * samples, height_px * samples, projection.depth);
-  const Lighting lighting =
+  Lighting lighting =
       lightingOf(scene, model.get(), model && !model->occlusion.empty() ? &occlusion : nullptr, projection.depth);
+  lighting.fine = options.fine_light;
   // A large picture is looked at whole: its lines grow with it.
   const float line_scale = options.line_scale * std::max(1.0f, float(height_px) / 800.0f);
-  if (!layer.draw(scene, model.get(), inside, lighting, {samples, line_scale, options.outlines, options.occlusion_cull},
+  if (!layer.draw(scene, model.get(), inside, lighting,
+                  {samples, line_scale, options.outlines, options.occlusion_cull, options.fine_light},
                   {resolve, balls, meshes, wires}))
     return false;
   count.atoms_redrawn = layer.redrawn();

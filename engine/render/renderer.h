@@ -16,6 +16,7 @@ struct RenderOptions {
   int samples = 1;  ///< samples along each pixel's edge, 1 to 4: 2 smooths the edges at 4 times the cost (default 1)
   bool smooth_edges = true;    ///< with one sample the edges are filtered (default on)
   bool outlines = true;        ///< dark rims round atoms that stand in front of others (default on)
+  bool fine_light = true;      ///< ambient occlusion varies within an atom; false: from atom to atom only (default on)
   float line_scale = 1.0f;     ///< multiplies line widths, for displays with small pixels (default 1)
   bool occlusion_cull = true;  ///< leave out atoms that are hidden by others; the picture is the same (default on)
 

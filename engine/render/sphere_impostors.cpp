@@ -104,11 +104,14 @@ Expected<SphereImpostors> SphereImpostors::build() {
   };
   auto solid = GlProgram::build("solid balls", kVertexText, solidText("WIDE_GIVEN"));
   if (!solid) return solid.problem();
+  auto even = GlProgram::build("balls in a hurry", kVertexText, solidText("FINE_EVEN\n#define WIDE_GIVEN"));
+  if (!even) return even.problem();
   auto open = GlProgram::build("balls in the open", kVertexText, solidText("OPEN"));
   if (!open) return open.problem();
   auto shell = GlProgram::build("bubbles", kVertexText, std::string(kRayText) + kShellText);
   if (!shell) return shell.problem();
   made.solid_ = *std::move(solid);
+  made.even_ = *std::move(even);
   made.open_ = *std::move(open);
   made.shell_ = *std::move(shell);
   if (made.stream_->bind()) {
@@ -127,7 +130,10 @@ void SphereImpostors::push(const DrawnSphere& s, std::uint32_t colour, std::uint
 
 void SphereImpostors::flush(Pass pass, float rim, const Projection& projection, const Lighting& lighting) {
   if (vertices_.empty()) return;
-  const GlProgram& program = pass == Pass::Shell ? shell_ : lighting.occlusion ? solid_ : open_;
+  const GlProgram& program = pass == Pass::Shell   ? shell_
+                             : !lighting.occlusion ? open_
+                             : lighting.fine       ? solid_
+                                                   : even_;
   glUseProgram(program.id());
   setLighting(program, projection, lighting);
   glUniform1f(program.uniform("u_rim"), rim);

@@ -52,7 +52,7 @@ class SphereImpostors {
   void push(const DrawnSphere& sphere, std::uint32_t colour, std::uint32_t wide);
   void flush(Pass pass, float rim, const Projection& projection, const Lighting& lighting);
 
-  GlProgram solid_, open_, shell_;  // lit among others; lit alone; bubbles
+  GlProgram solid_, even_, open_, shell_;  // lit among others, finely or not; lit alone; bubbles
   std::unique_ptr<GlStream> stream_;
   std::vector<Vertex> vertices_;
 };

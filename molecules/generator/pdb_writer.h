@@ -34,7 +34,12 @@ std::string makeStraightNeighbours();
 std::string makeKinkedNeighbours();
 std::string makeWater();
 std::string makeBenzene();
+std::string makePentacene();
 std::string makeArgon(int atoms);
+/// Chain A: one atom; B: two; C: three in a row; D: three in a triangle.
+std::string makeArgonShapes();
+/// Chain A: two waters with a hydrogen bond between them; chain B: two argon atoms.
+std::string makeWaterAndArgon();
 /// Chain A: the L form of the amino acid; chain B: its mirror image.
 std::string makeAlaninePair();
 std::string makePhenylalaninePair();

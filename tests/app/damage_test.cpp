@@ -53,7 +53,7 @@ struct Frames {
     ImGui::SetNextWindowPos({400, 300});
     ImGui::SetNextWindowSize({120, 90});
     ImGui::Begin("three", nullptr, ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoInputs);
-    pictureVersion(*ImGui::GetWindowDrawList(), version);
+    addPicture(*ImGui::GetWindowDrawList(), ImGui::GetIO().Fonts->TexID, {{410, 310}, {500, 380}}, version);
     ImGui::End();
     ImGui::Render();
     return damage.since(*ImGui::GetDrawData());

@@ -40,11 +40,11 @@ std::string withAnswers() { return " --answers '" + (kFolder / "answers.txt").st
 
 }  // namespace
 
-TEST_CASE("play --demonstrate finishes the first lesson with status 0 and prints its 5 steps; --json says the same") {
+TEST_CASE("play --demonstrate finishes the first lesson with status 0 and prints its 7 steps; --json says the same") {
   const Run text = play("'" + kLessons + "first-touch.md' --demonstrate");
   CHECK(text.status == 0);
-  CHECK(text.out.find("step 5 of 5: A protein (1ubq)") != std::string::npos);
-  CHECK(text.out.find("done: That is it. You have touched an atom.") != std::string::npos);
+  CHECK(text.out.find("step 7 of 7: A protein (1ubq)") != std::string::npos);
+  CHECK(text.out.find("done: That is it. You have touched a molecule.") != std::string::npos);
   CHECK(text.out.find("lesson finished after ") != std::string::npos);
   CHECK(text.err.empty());
   const Run json = play("'" + kLessons + "first-touch.md' --demonstrate --json");
@@ -59,18 +59,18 @@ TEST_CASE("play --demonstrate finishes the first lesson with status 0 and prints
     questions += event["event"] == "question";
     if (event["event"] == "task") CHECK(event["figures"].size() >= 5);
   }
-  CHECK(steps == 5);
-  CHECK(tasks == 10);
-  CHECK(questions == 5);
+  CHECK(steps == 7);
+  CHECK(tasks == 14);
+  CHECK(questions == 7);
 }
 
 TEST_CASE("play --answers does the first step of the first lesson, tells what is left and ends with status 1") {
-  const Run run =
-      play("'" + kLessons + "first-touch.md'" + withAnswers(), "touch element Ar\npress 0.9 N\nnext\nanswer 1: One\n");
+  const Run run = play("'" + kLessons + "first-touch.md'" + withAnswers(),
+                       "touch element C\npress 0.9 N\nlift\ndo\nnext\nanswer 1: One\n");
   CHECK(run.status == 1);
   CHECK(run.out.find("wrong: One") != std::string::npos);
   CHECK(run.err.find("left in: two-atoms-and-a-crease") != std::string::npos);
-  CHECK(run.err.find("one-atom") == std::string::npos);
+  CHECK(run.err.find("five-rings") == std::string::npos);
 }
 
 TEST_CASE("a fault in the answers ends with status 1 and its line; wrong usage with 2") {

@@ -205,4 +205,29 @@ TEST_CASE(
   CHECK(last() == open);
 }
 
+TEST_CASE(
+    "a lesson's protein is a cartoon where its scene does not say how it is drawn, with what is bound or highlighted "
+    "as "
+    "spheres; a small molecule, and a protein opened by itself, are spheres") {
+  Scratch scratch;
+  const auto opened = [&](const std::string& molecule, const std::string& more) {
+    const auto file =
+        scratch.file("drawn.md", "---\ntitle: Drawn\nminutes: 5\ngoals: G\nmolecules: " + molecule +
+                                     "\nauthor: A\nlicence: L\n---\n## One\n```scene\nmolecule: " + molecule + "\n" +
+                                     more + "```\nRead.\n");
+    auto d = startWith(file.string());
+    return d->app().scene.look.styles;
+  };
+  const std::vector<StyledAtoms> haemoglobin = opened("2hhb", "highlight: residue 58 and chain A\n");
+  REQUIRE(haemoglobin.size() == 2);
+  CHECK(haemoglobin[0].style == DrawStyle::Cartoon);
+  CHECK(haemoglobin[0].atoms->size() == 4384);  // those of the four chains
+  CHECK(haemoglobin[1].style == DrawStyle::Spheres);
+  CHECK(haemoglobin[1].atoms->size() == 4 * 43 + 2 + 10);  // haems, two phosphates' atoms, His 58
+  CHECK(opened("1ubq", "").size() == 1);
+  CHECK(opened("1ubq", "style: spheres\n") == std::vector<StyledAtoms>{StyledAtoms{}});
+  CHECK(opened("benzene", "").empty());
+  CHECK(startWith("1ubq")->app().scene.look.styles.empty());
+}
+
 }  // namespace moltact

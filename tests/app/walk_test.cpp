@@ -92,9 +92,9 @@ expect welcome/own/first-touch First touch
 click welcome/own/first-touch
 wait 20
 expect lesson/place Step 1 of
-expect lesson/more More below
+expect lesson/more Touch the rings.
 point task/0
-expect task/0 current: Touch the argon atom.
+expect task/0 current: Touch the rings.
 point view 0.5 0.5
 press
 wait 150
@@ -144,7 +144,7 @@ expect question/0/feedback Yes. It touches both
 
   // The author saves: the step, its answers and the view stay. An error keeps the last good version until it is mended.
   const Camera camera = d->app().scene.camera;
-  klass.save(klass.with("Here are two argon atoms", "Here, said anew, are two argon atoms"));
+  klass.save(klass.with("Here are two atoms of argon", "Here, said anew, are two atoms of argon"));
   runAll(*d, R"(
 wait 60
 expect message/0 Read again: first-touch.md

@@ -49,9 +49,9 @@ TEST_CASE("what is left out of a file is told for 6 s when it is opened by hand,
   CHECK_FALSE(d->shows("message/0"));
   openFirst(*d);
   d->frames(5);
-  for (int k = 0; k < 4; ++k) d->click("lesson/next");
+  for (int k = 0; k < 6; ++k) d->click("lesson/next");
   d->frames(3);
-  REQUIRE(contains(d->text("lesson/place"), "Step 5 of"));
+  REQUIRE(contains(d->text("lesson/place"), "Step 7 of"));
   CHECK_FALSE(d->shows("message/0"));
 }
 
@@ -98,23 +98,23 @@ TEST_CASE("the first lesson opens with its molecule, and Next and Back walk thro
   CHECK(contains(d->text("lesson/place"), "Step 1 of"));
 }
 
-TEST_CASE("pressing the atom of the first lesson completes its first task") {
+TEST_CASE("pressing the molecule of the first lesson completes its first task") {
   auto d = startWith("");
   openFirst(*d);
   d->frames(20);
-  CHECK(contains(d->text("task/0"), "current: Touch the argon atom.\n"));
-  CHECK(d->text("task/1") == "waiting: Push into it until it pushes back with 0.8 N.");
+  CHECK(contains(d->text("task/0"), "current: Touch the rings.\n"));
+  CHECK(d->text("task/1") == "waiting: Push into the rings until they push back with 0.8 N.");
   d->point("view");
   d->press();
   d->frames(120);
   CHECK(contains(d->text("task/0"), "done: "));
 }
 
-TEST_CASE("in all 5 steps of the first lesson every atom lies in the view, with room for the probe beside it") {
+TEST_CASE("in all 7 steps of the first lesson every atom lies in the view, with room for the probe beside it") {
   auto d = startWith("");
   openFirst(*d);
   d->frames(20);
-  for (int step = 1; step <= 5; ++step) {
+  for (int step = 1; step <= 7; ++step) {
     CAPTURE(step);
     const Camera& camera = d->app().scene.camera;
     const glm::vec2 size = d->app().layout().view.size();
@@ -126,7 +126,7 @@ TEST_CASE("in all 5 steps of the first lesson every atom lies in the view, with 
       outside += at.x < room || at.y < room || at.x > double(size.x) - room || at.y > double(size.y) - room;
     }
     CHECK(outside == 0);
-    if (step < 5) REQUIRE(d->click("lesson/next"));
+    if (step < 7) REQUIRE(d->click("lesson/next"));
     d->frames(3);
   }
 }
@@ -139,10 +139,10 @@ TEST_CASE("a step whose molecule is not open says so, and a button brings it bac
   d->app().open("benzene");
   d->frames(5);
   REQUIRE(d->app().scene.stage().molecule->atoms.size() == 12);
-  CHECK(contains(d->text("task/0"), "This step uses argon."));
+  CHECK(contains(d->text("task/0"), "This step uses pentacene."));
   CHECK(d->click("task/0/bring back"));
   d->frames(5);
-  CHECK(d->app().scene.stage().molecule->atoms.size() == 1);
+  CHECK(d->app().scene.stage().molecule->atoms.size() == 36);
   CHECK_FALSE(d->shows("task/0/bring back"));
   CHECK_FALSE(contains(d->text("task/0"), "This step uses"));
 }

@@ -6,15 +6,16 @@ using namespace moltact;
 using namespace moltact::test;
 
 TEST_CASE(
-    "bonds-and-creases.md, and the same in German, has 7 steps in 4 molecules, with crossings, creases to trace and a "
+    "bonds-and-creases.md, and the same in German, has 9 steps in 5 molecules, with crossings, creases to trace and a "
     "pit to rest in") {
   for (const char* file : {"bonds-and-creases", "bonds-and-creases.de"}) {
     CAPTURE(file);
     const Lesson lesson = shippedLesson(file);
     checkCare(lesson);
-    CHECK(lesson.steps.size() == 7);
-    CHECK(lesson.molecules.size() == 4);
-    CHECK(tasksOf(lesson, "cross") == 4);
+    CHECK(lesson.steps.size() == 9);
+    CHECK(lesson.molecules.size() == 5);
+    CHECK(tasksOf(lesson, "cross") == 6);
+    CHECK(tasksOf(lesson, "same") == 1);
     CHECK(tasksOf(lesson, "trace") == 2);
   }
 }
@@ -90,6 +91,63 @@ TEST_CASE(
   CHECK(settles(0.0, 0.1) == 24);
   CHECK(settles(0.0, 0.5) == 24);
   CHECK(settles(1.4, 0.35) == 0);
+}
+
+TEST_CASE(
+    "between two waters the hydrogen is 2.02 A from the other oxygen and overlaps it by 0.70 A: the force turns by 42 "
+    "degrees, by 19 at the bond, by 70 at the contact of the argon atoms beside them") {
+  const std::string apart = lineSaying("bonds-and-creases", "They are 2.02 Å (0.202 nm) apart"),
+                    overlap = lineSaying("bonds-and-creases", "their balls overlap by 0.70 Å"),
+                    turns = lineSaying("bonds-and-creases", "19° in the bond, 42° here, 70° in a contact"),
+                    bond = lineSaying("bonds-and-creases", "a bond, in which the balls overlap by 1.76 Å"),
+                    made = lineSaying("bonds-and-creases", "oxygens 2.976 Å apart, the lower molecule's axis at 57°");
+  CAPTURE(apart);
+  CAPTURE(overlap);
+  CAPTURE(turns);
+  CAPTURE(bond);
+  CAPTURE(made);
+  const ShippedScene s("water-and-argon");
+  const std::string giver = "chain A and residue 1 and name O", given = "chain A and residue 1 and name H1",
+                    taker = "chain A and residue 2 and name O";
+  CHECK(s.between(given, taker) == doctest::Approx(2.02).epsilon(0.002));
+  CHECK(1.52 + 1.20 - s.between(given, taker) == doctest::Approx(0.70).epsilon(0.005));
+  CHECK(1.52 + 1.20 - s.between(giver, given) == doctest::Approx(1.76).epsilon(0.005));
+  CHECK(s.turn_deg(given, taker, 1.4) == doctest::Approx(42).epsilon(0.015));
+  CHECK(s.turn_deg(giver, given, 1.4) == doctest::Approx(19).epsilon(0.02));
+  CHECK(s.turn_deg("chain B and residue 1", "chain B and residue 2", 1.4) == doctest::Approx(70).epsilon(0.007));
+  CHECK(s.between(giver, taker) == doctest::Approx(2.976).epsilon(0.0005));
+  const Vec3 o = s.atom(taker).position.A, line = o - s.atom(giver).position.A,
+             axis = 0.5 * (s.atom("residue 2 and name H1").position.A + s.atom("residue 2 and name H2").position.A) - o;
+  CHECK(std::acos(glm::dot(glm::normalize(axis), glm::normalize(line))) * 180 / std::numbers::pi ==
+        doctest::Approx(57).epsilon(0.005));
+  // Straight between the oxygens; the free hydrogen and those of the other water lean to opposite sides.
+  CHECK(s.between(giver, given) + s.between(given, taker) == doctest::Approx(s.between(giver, taker)).epsilon(1e-4));
+  const Vec3 free = s.atom("chain A and residue 1 and name H2").position.A - s.atom(giver).position.A;
+  const auto aside = [&](const Vec3& v) { return v - glm::normalize(line) * glm::dot(v, glm::normalize(line)); };
+  CHECK(glm::dot(aside(free), aside(axis)) < 0);
+}
+
+TEST_CASE(
+    "pressed in the middle of the view, where the lesson sends the hand in the dark, the probe comes to rest in the "
+    "crease of the hydrogen bond or in that of the argon atoms, and slides along it by 0.5 A to either side") {
+  const std::string line = lineSaying("bonds-and-creases", "both creases run from left to right through the middle");
+  CAPTURE(line);
+  const ShippedScene s("water-and-argon");
+  const auto balls = std::make_shared<const BallScene>(s.molecule->balls());
+  const struct {
+    double side;
+    std::int32_t one, other;
+  } pairs[] = {{-1, 1, 3}, {1, 6, 7}};
+  for (const auto& pair : pairs)
+    for (const double along_A : {-0.5, -0.25, 0.01, 0.25, 0.5}) {
+      CAPTURE(pair.side);
+      CAPTURE(along_A);
+      const auto exact = findMethod("exact")->make(balls, 1.4);
+      Contact contact;
+      for (double x = 11.0; x > 7.6; x -= 0.002) contact = exact->step({Vec3(pair.side * x, -0.02, along_A)});
+      CHECK(contact.feature == Feature::Circle);
+      CHECK(contact.atoms == std::array<std::int32_t, 3>{pair.one, pair.other, -1});
+    }
 }
 
 TEST_CASE(

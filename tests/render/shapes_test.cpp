@@ -43,6 +43,19 @@ int brightest(const Picture& with, const Picture& without, double x, double y, i
 
 }  // namespace
 
+TEST_CASE(
+    "atoms that are not drawn get no ring where they are touched: the picture is that of a contact with nothing") {
+  ViewScene scene = crease();
+  scene.shown = {ViewPart::Atoms, ViewPart::Probe, ViewPart::Force};
+  const Picture seen = drawn(scene, 500, 400);
+  scene.look.hidden = std::make_shared<const std::vector<std::uint32_t>>(std::vector<std::uint32_t>{0, 1});
+  const Picture unseen = drawn(scene, 500, 400);
+  scene.contact.atoms = {-1, -1, -1};
+  const Picture nothing = drawn(scene, 500, 400);
+  CHECK(unseen.rgb == nothing.rgb);
+  CHECK(seen.rgb != nothing.rgb);
+}
+
 TEST_CASE("the circle in use passes within 1 pixel of where its closed form is projected, all round") {
   ViewScene scene = crease();
   scene.shown = {};

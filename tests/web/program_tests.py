@@ -37,7 +37,7 @@ class Welcome(PageTest):
         with Served() as url:
             browser.open(url)
         browser.click("welcome/lesson/first-touch")
-        browser.wait_for("lesson/step", "One atom")
+        browser.wait_for("lesson/step", "Five rings, felt by a tip")
         asked = [url for url in browser.requests() if url.startswith("http")]
         self.assertEqual([url.rpartition("/")[2] for url in asked], ["moltact.html"])
         self.no_errors(browser)
@@ -49,7 +49,7 @@ class Welcome(PageTest):
         browser.click("welcome/lesson/first-touch")
         clicks += 1
         browser.wait_for("task/0", "current")
-        at = browser.place("view")  # the atom stands in the middle
+        at = browser.place("view")  # the molecule lies in the middle
         browser.mouse("mouseMoved", *at)
         browser.mouse("mousePressed", *at, button="left", buttons=1)
         clicks += 1
@@ -166,9 +166,9 @@ class Lesson(PageTest):
         self.open_lesson(browser)
         self.press(browser, until=("task/0", "done"))
         news = browser.evaluate("document.getElementById('news').textContent")
-        self.assertIn("touching: argon 1", news)
-        self.assertIn("step 1 of 5", news)
-        browser.until("document.getElementById('page').textContent.includes('van der Waals radius')")
+        self.assertIn("touching: ", news)
+        self.assertIn("step 1 of 7", news)
+        browser.until("document.getElementById('page').textContent.includes('You have touched a molecule')")
         # A screen reader's press of the button in the text.
         browser.evaluate("[...document.querySelectorAll('#page [role=button]')].find((b) => b.textContent === 'Next').click()")
         browser.wait_for("lesson/step", "Two atoms")

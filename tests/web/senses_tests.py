@@ -199,12 +199,12 @@ class Senses(PageTest):
         browser.hold("ControlLeft", False, "Control")
         browser.until("document.getElementById('words').classList.contains('read')")
         chosen = browser.evaluate("getSelection().toString()")
-        for words in ("one atom of argon", "Touch the argon atom.", "Next"):
+        for words in ("five researchers near Zurich", "Touch the rings.", "Next"):
             self.assertIn(words, chosen)
         self.picture(browser, "text")
         # Three clicks select a paragraph; Ctrl+C copies it.
         box = browser.evaluate("""(() => { const p = [...document.querySelectorAll('#page p')]
-            .find((p) => p.textContent.includes('one atom of argon'));
+            .find((p) => p.textContent.includes('five researchers near Zurich'));
             p.scrollIntoView({block: "center"});
             const r = p.getBoundingClientRect();
             return [r.left + 30, r.top + 8]; })()""")
@@ -212,8 +212,8 @@ class Senses(PageTest):
             for kind in ("mousePressed", "mouseReleased"):
                 browser.call("Input.dispatchMouseEvent", type=kind, x=box[0], y=box[1], button="left", clickCount=count)
         paragraph = browser.evaluate("getSelection().toString().trim()")
-        self.assertIn("one atom of argon", paragraph)
-        self.assertNotIn("Touch the argon atom.", paragraph)
+        self.assertIn("five researchers near Zurich", paragraph)
+        self.assertNotIn("Touch the rings.", paragraph)
         browser.hold("KeyC", True, "c", kCtrl, commands=["copy"])
         browser.hold("KeyC", False, "c", kCtrl)
         self.assertEqual(browser.evaluate("navigator.clipboard.readText()").strip(), paragraph)

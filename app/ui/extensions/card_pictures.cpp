@@ -38,7 +38,8 @@ std::uint64_t fnv1a(std::string_view bytes, std::uint64_t hash = 146959810393466
 
 std::string sceneKey(const CardSubject& subject) {
   const SceneSpec& s = subject.scene;
-  std::string styles;
+  // A lesson's protein is drawn otherwise than a molecule by itself.
+  std::string styles = s.molecule.name.empty() ? "alone," : "in a lesson,";
   for (const StyleSpec& style : s.styles)
     styles += std::string(nameOf(style.style)) + ' ' + std::to_string(style.opacity) + ' ' + style.atoms.text() + ',';
   for (const MarkSpec& mark : s.marks) styles += mark.word + ' ' + mark.atoms.text() + ',';

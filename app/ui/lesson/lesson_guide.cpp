@@ -31,12 +31,48 @@ PointA middleOf(const Molecule& molecule) {
 
 }  // namespace
 
+namespace {
+
+// A lesson's protein is a cartoon where the scene does not say how it is drawn: the fold is seen, and what is felt appears
+// near the probe. What is bound, highlighted or marked stays as spheres.
+std::vector<StyledAtoms> usualStyles(const SceneSpec& scene, const Molecule& molecule) {
+  constexpr std::ptrdiff_t kProtein_residues = 20;
+  const auto isAminoAcid = [](const Residue& r) { return r.kind == ResidueKind::AminoAcid; };
+  if (scene.molecule.name.empty() ||
+      std::count_if(molecule.residues.begin(), molecule.residues.end(), isAminoAcid) < kProtein_residues)
+    return {};
+  std::vector<bool> sphere(molecule.atoms.size());
+  std::vector<std::uint32_t> ribbons, spheres;
+  const auto take = [&](const Selection& atoms) {
+    if (atoms.given())
+      for (const std::uint32_t a : atoms.select(molecule)) sphere[a] = true;
+  };
+  take(scene.highlight);
+  for (const MarkSpec& mark : scene.marks) take(mark.atoms);
+  for (std::uint32_t a = 0; a < molecule.atoms.size(); ++a) {
+    const std::uint32_t residue = molecule.atoms[a].residue;
+    const ResidueKind kind = residue == kNoResidue ? ResidueKind::Other : molecule.residues[residue].kind;
+    const bool polymer = kind == ResidueKind::AminoAcid || kind == ResidueKind::Nucleotide;
+    if (polymer) ribbons.push_back(a);
+    if (!polymer || sphere[a]) spheres.push_back(a);
+  }
+  const auto listOf = [](std::vector<std::uint32_t> atoms) {
+    return std::make_shared<const std::vector<std::uint32_t>>(std::move(atoms));
+  };
+  std::vector<StyledAtoms> styles{{.style = DrawStyle::Cartoon, .atoms = listOf(std::move(ribbons))}};
+  if (!spheres.empty()) styles.push_back({.style = DrawStyle::Spheres, .atoms = listOf(std::move(spheres))});
+  return styles;
+}
+
+}  // namespace
+
 AtomsLook looksOf(const SceneSpec& scene, const Molecule& molecule) {
   const auto listOf = [&](const Selection& atoms) -> AtomList {
     return atoms.given() ? std::make_shared<const std::vector<std::uint32_t>>(atoms.select(molecule)) : nullptr;
   };
   AtomsLook looks;
   for (const StyleSpec& s : scene.styles) looks.styles.push_back({s.style, listOf(s.atoms), float(s.opacity)});
+  if (scene.styles.empty()) looks.styles = usualStyles(scene, molecule);
   if (std::vector<std::uint32_t> hidden = hiddenAtoms(scene, molecule); !hidden.empty())
     looks.hidden = std::make_shared<const std::vector<std::uint32_t>>(std::move(hidden));
   looks.spheres_near_A = scene.near_A;

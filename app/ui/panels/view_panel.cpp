@@ -210,9 +210,7 @@ void drawViewPanel(Application& app) {
   const ViewScene scene = seenScene(app);
   picture.draw(scene, int(size.x), int(size.y),
                app.scene.controls.cameraMoved() || change.gliding() || app.scene.atomsMove(), look().scale);
-  pictureVersion(*ImGui::GetWindowDrawList(), picture.version());
-  // GL's rows begin at the bottom.
-  if (picture.texture()) ImGui::GetWindowDrawList()->AddImage(picture.texture(), low, high, {0, 1}, {1, 0});
+  if (picture.texture()) addPicture(*ImGui::GetWindowDrawList(), picture.texture(), r, picture.version());
   if (change.oldPicture() > 0 && picture.kept())
     ImGui::GetWindowDrawList()->AddImage(picture.kept(), low, high, {0, 1}, {1, 0},
                                          faded(IM_COL32_WHITE, float(change.oldPicture())));

@@ -12,7 +12,7 @@
 namespace moltact {
 namespace {
 
-void drawsNothing(const ImDrawList*, const ImDrawCmd*) {}
+void withoutBlending(const ImDrawList*, const ImDrawCmd*) { glDisable(GL_BLEND); }
 
 class Hash {
  public:
@@ -109,7 +109,7 @@ std::vector<Rectangle> Damage::since(const ImDrawData& now) {
         bounds.high = glm::max(bounds.high, glm::vec2(v.pos.x, v.pos.y));
       }
       bounds = {glm::floor(bounds.low), glm::ceil(bounds.high)};
-      // What follows a picture's version is drawn anew where the version is another: it has the command's whole room.
+      // What follows the callback may be another picture: anywhere in the room that is left to the command.
       if (c.UserCallback) bounds = clip;
       commands.push_back({hash.value(), common(common(bounds, clip), whole)});
     }
@@ -127,9 +127,11 @@ std::vector<Rectangle> Damage::since(const ImDrawData& now) {
   return damaged;
 }
 
-void pictureVersion(ImDrawList& list, std::uint64_t version) {
-  // NOLINTNEXTLINE: never followed, only compared
-  list.AddCallback(drawsNothing, reinterpret_cast<void*>(std::uintptr_t(version)));
+void addPicture(ImDrawList& list, ImTextureID texture, const Rectangle& where, std::uint64_t version) {
+  // The data is never followed, only compared.
+  list.AddCallback(withoutBlending, reinterpret_cast<void*>(std::uintptr_t(version)));
+  list.AddImage(texture, {where.low.x, where.low.y}, {where.high.x, where.high.y}, {0, 1}, {1, 0});
+  list.AddCallback(ImDrawCallback_ResetRenderState, nullptr);
 }
 
 void drawWithin(const Rectangle& area, ImDrawData& data, ImU32 ground) {

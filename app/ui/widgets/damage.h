@@ -36,8 +36,9 @@ class Damage {
   float width_ = 0, height_ = 0;
 };
 
-/// For a texture whose pixels change while its name stays: what `list` draws next shows its picture `version`.
-void pictureVersion(ImDrawList& list, std::uint64_t version);
+/// Adds a picture without blending, its first row at the bottom. Its pixels may change while the texture's name stays:
+/// then `version` is another.
+void addPicture(ImDrawList& list, ImTextureID texture, const Rectangle& where, std::uint64_t version);
 
 /// Draws the part of `data` that lies in `area` into the bound framebuffer, on `ground`.
 void drawWithin(const Rectangle& area, ImDrawData& data, ImU32 ground);
