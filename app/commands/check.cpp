@@ -10,6 +10,7 @@
 #include "app/commands/print_json.h"
 #include "app/commands/source_excerpt.h"
 #include "app/commands/value_types.h"
+#include "engine/core/text.h"
 #include "engine/language/catalogue.h"
 #include "engine/lesson/glossary.h"
 #include "engine/lesson/lesson_files.h"
@@ -67,9 +68,14 @@ Checked checkFile(const fs::path& file, LessonMolecules& molecules, bool play) {
   return out;
 }
 
-// The words beside lessons, each file once.
-void checkGlossaries(std::vector<Checked>& all) {
-  std::vector<fs::path> files;
+// What a shell's "*.md" takes along: a text about the lessons, with nothing of a lesson in it.
+bool isReadme(const fs::path& file) {
+  std::error_code error;
+  return lower(lessonName(file).id) == "readme" && fs::exists(file, error) && !looksLikeLesson(file);
+}
+
+// The words beside lessons and in the files that were named, each file once.
+void checkGlossaries(std::vector<Checked>& all, std::vector<fs::path> files) {
   std::error_code error;
   for (const Checked& lesson : all) {
     const fs::path folder = fs::path(lesson.file).has_parent_path() ? fs::path(lesson.file).parent_path() : ".";
@@ -156,7 +162,7 @@ nlohmann::ordered_json jsonOf(const Checked& checked) {
 
 void run(const CheckArguments& arguments) {
   std::vector<Checked> all;
-  std::vector<fs::path> passed_over;
+  std::vector<fs::path> passed_over, glossaries;
   LessonMolecules molecules;
   for (const std::string& path : arguments.paths) {
     std::error_code error;
@@ -165,7 +171,12 @@ void run(const CheckArguments& arguments) {
       continue;
     }
     if (!fs::is_directory(path, error)) {
-      all.push_back(checkFile(path, molecules, arguments.play));
+      if (isGlossaryFile(path) && fs::exists(path, error))
+        glossaries.push_back(path);
+      else if (isReadme(path))
+        passed_over.push_back(path);
+      else
+        all.push_back(checkFile(path, molecules, arguments.play));
       continue;
     }
     LessonFolder folder = lessonsIn(path);
@@ -174,7 +185,7 @@ void run(const CheckArguments& arguments) {
     for (const fs::path& file : folder.others)
       if (!isGlossaryFile(file)) passed_over.push_back(file);
   }
-  checkGlossaries(all);
+  checkGlossaries(all, std::move(glossaries));
 
   std::size_t errors = 0, warnings = 0, lessons = 0;
   for (const Checked& c : all) {

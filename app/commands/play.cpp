@@ -53,7 +53,7 @@ void print(const Lesson& lesson, const LearnerEvent& e) {
       break;
     case Kind::Question:
       out() << "  question " << e.index + 1 << ": " << e.text << '\n';
-      out() << "    " << (e.right ? "right: " : "wrong: ") << e.answer << '\n';
+      out() << "    " << (!e.taken ? "not taken: " : e.right ? "right: " : "wrong: ") << e.answer << '\n';
       if (!e.note.empty()) out() << "    told: " << e.note << '\n';
       break;
     case Kind::Fault:
@@ -75,6 +75,7 @@ nlohmann::ordered_json jsonOf(const LearnerEvent& e) {
   if (e.kind == Kind::Question) {
     out["answer"] = e.answer;
     out["right"] = e.right;
+    if (!e.taken) out["taken"] = false;
   }
   if (!e.note.empty()) out["told"] = e.note;
   for (const TaskFigure& f : e.figures)

@@ -178,6 +178,8 @@ std::size_t readFrontMatter(Reading& reading, Lesson& lesson) {
   lesson.minutes = static_cast<int>(values["minutes"].number);
   lesson.description = values["description"].text;
   lesson.order = static_cast<int>(values["order"].number);
+  if (values.has("card")) lesson.card = static_cast<int>(values["card"].number);
+  lesson.card_place = values["card"].place;
   lesson.required = values["required"].text == "yes";
   lesson.goals = values["goals"].words;
   lesson.molecules = values["molecules"].words;

@@ -111,9 +111,26 @@ void brokenLinks(const Step& step, Findings& findings) {
   });
 }
 
+/// The card's picture is of a step that is there and has a scene.
+void cardPicture(const Lesson& lesson, Findings& findings) {
+  if (!lesson.card_place.line) return;
+  const auto count = std::count_if(lesson.steps.begin(), lesson.steps.end(), [](const Step& s) { return !s.aside; });
+  const auto step = lesson.cardStep();
+  if (!step)
+    findings.error(lesson.card_place,
+                   trnf("there is no step {0} for the card: the lesson has {1} step, without its asides",
+                        "there is no step {0} for the card: the lesson has {1} steps, without its asides",
+                        std::size_t(count), lesson.card, count),
+                   tr("write the number of a step, counted from 1, or take the line out"));
+  else if (lesson.steps[*step].scene.molecule.name.empty())
+    findings.error(lesson.card_place, trf("step {0} has no scene that the card could show", lesson.card),
+                   tr("write the number of a step with a scene"));
+}
+
 }  // namespace
 
 void steps(const Lesson& lesson, Findings& findings) {
+  cardPicture(lesson, findings);
   const std::vector<char> can_reach = reached(lesson);
   for (std::size_t i = 0; i < lesson.steps.size(); ++i) {
     const Step& step = lesson.steps[i];

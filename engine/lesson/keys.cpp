@@ -94,6 +94,13 @@ std::vector<KeySpec> frontMatterKeys() {
                   "the one that follows. Lessons without it stand behind those with it.",
        .least = 1,
        .most = 1000},
+      {.name = "card",
+       .type = ValueType::Count,
+       .meaning =
+           "The step whose scene the picture of the lesson's card shows, counted from 1 without asides; without it "
+           "the first.",
+       .least = 1,
+       .most = 1000},
       {.name = "required",
        .type = ValueType::Word,
        .meaning = "Whether every step must be finished before the student goes on; a step may say otherwise in a block "

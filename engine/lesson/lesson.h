@@ -221,6 +221,8 @@ struct Lesson {
   std::string title, level, author, licence;
   std::string description;  ///< one line for the shelf; may be empty
   int order = 0;            ///< the place on the shelf; 0: none
+  int card = 1;             ///< the step whose scene its card shows, counted from 1 without asides
+  Place card_place;         ///< line 0 where the author did not say it
   bool required = false;    ///< every step must be finished before the next, where it does not say otherwise
   std::string language;     ///< "de": of the front matter; may be empty
   Place language_place;
@@ -233,6 +235,14 @@ struct Lesson {
   std::vector<Step> steps;             ///< at least one
   std::vector<GlossaryWord> glossary;  ///< its own words; with those of the file beside it once linkWords() was called
 
+  /// The index of the step whose scene its card shows; no value where there is no such step.
+  std::optional<std::size_t> cardStep() const {
+    int number = 0;
+    for (std::size_t i = 0; i < steps.size(); ++i)
+      if (!steps[i].aside && ++number == card) return i;
+    return {};
+  }
+
   /// The index of a step by its id, or no value.
   std::optional<std::size_t> find(std::string_view id) const {
     for (std::size_t i = 0; i < steps.size(); ++i)
@@ -240,6 +250,9 @@ struct Lesson {
     return {};
   }
 };
+
+/// Whether its introduction or a step has one.
+bool hasTeacherNotes(const Lesson& lesson);
 
 /// The text of all runs without its styles. Scripts are written with the signs that Unicode has for them ("H₂O"); where
 /// it has none, as people write them on a line ("K_d", "10^x").

@@ -1,5 +1,6 @@
 #include "engine/lesson/lesson_texts.h"
 
+#include <algorithm>
 #include <string_view>
 
 #include "engine/core/utf8.h"
@@ -29,6 +30,15 @@ std::string raised(std::string_view text, Script script) {
 }
 
 }  // namespace
+
+bool hasTeacherNotes(const Lesson& lesson) {
+  const auto one = [](const std::vector<Block>& blocks) {
+    return std::any_of(blocks.begin(), blocks.end(),
+                       [](const Block& b) { return std::holds_alternative<TeacherNote>(b); });
+  };
+  return one(lesson.introduction) ||
+         std::any_of(lesson.steps.begin(), lesson.steps.end(), [&](const Step& s) { return one(s.blocks); });
+}
 
 std::string plainText(const RichText& text) {
   std::string out;

@@ -41,7 +41,10 @@ bool nearlyForTeachers(std::string_view text) {
   for (const std::string_view word : {"teacher", "note for teacher", "for teacher", "for the teacher", "to the teacher",
                                       "instructor", "lehrer", "lehrkr"})
     if (begin.starts_with(word)) return true;
-  return false;
+  // "Techer: …"
+  constexpr std::string_view kWords[] = {"teacher", "teachers"};
+  const std::size_t colon = begin.find(':');
+  return colon != std::string::npos && !nearest(stripped(std::string_view(begin).substr(0, colon)), kWords).empty();
 }
 
 void readQuote(Reading& reading, const MarkdownBlock& block, std::vector<Block>& blocks) {

@@ -104,11 +104,14 @@ class Walk {
       return;
     }
     endQuestion();
+    part_.reset();
     in_glossary_ = block.level == 2 && isGlossaryHeading(title);
     if (in_glossary_) return;
     if (block.level == 2) return startStep(block, title);
     if (question || prediction) return startQuestion(block, title, prediction ? kPrediction : kQuestion);
     blocks().push_back(Subheading{block.text});
+    // What was done above it may make it a step that was meant.
+    if (step() && (!step()->tasks.empty() || !step()->questions.empty())) part_ = Part{block.place, title};
   }
 
   void startStep(const MarkdownBlock& block, const std::string& title) {
@@ -216,6 +219,11 @@ class Walk {
     }
     TaskSpec task = reading::readTouch(reading_, block, lesson_);
     if (task.kind.empty()) return;
+    if (const auto part = std::exchange(part_, std::nullopt))
+      reading_.warning(part->place,
+                       tr("this heading begins no step, though a task stands below it and others above: students meet "
+                          "all of them in one step"),
+                       trf("write '## {0}', with two signs, if a step is to begin there", part->title));
     step()->tasks.push_back(std::move(task));
     step()->blocks.push_back(TaskHere{step()->tasks.size() - 1});
   }
@@ -241,6 +249,11 @@ class Walk {
   Reading& reading_;
   Lesson& lesson_;
   bool in_question_ = false, in_glossary_ = false, scene_stated_ = false, too_many_ = false;
+  struct Part {
+    Place place;
+    std::string title;
+  };
+  std::optional<Part> part_;  // the heading within a step below which no task has come, with others above it
   std::optional<std::size_t> last_main_;                                      // the last step that is no aside
   std::unordered_map<std::string, std::size_t> step_lines_, question_lines_;  // by id; the questions of this step
 };

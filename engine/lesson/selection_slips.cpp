@@ -97,14 +97,13 @@ std::string withBlanks(std::string_view numbers) {
   return out;
 }
 
-std::string otherLanguage(std::string_view word, std::string_view next) {
+std::string inOurLanguage(std::string_view word, std::string_view next) {
   const std::string small = lower(std::string(word));
   for (const Other& o : kOthers)
     if (o.theirs == small)
-      return didYouMean(o.takes && !next.empty() && next != "(" && next != ")"
-                            ? std::string(o.ours) + ' ' + withBlanks(next)
-                            : std::string(o.ours));
-  if (isNumber(word)) return didYouMean("residue " + withBlanks(word));
+      return o.takes && !next.empty() && next != "(" && next != ")" ? std::string(o.ours) + ' ' + withBlanks(next)
+                                                                    : std::string(o.ours);
+  if (isNumber(word)) return "residue " + withBlanks(word);
   // "Glu", "Glu 35", "Glu35", "GLU-35"
   std::string_view letters = word.substr(0, std::min<std::size_t>(3, word.size())),
                    number = word.substr(letters.size());
@@ -115,8 +114,13 @@ std::string otherLanguage(std::string_view word, std::string_view next) {
   if (!known) return {};
   if (lower(std::string(known->name)) == small) number = {};
   if (number.empty() && isNumber(next)) number = next;
-  if (isNumber(number)) return didYouMean("residue " + withBlanks(number));
-  return number.empty() ? didYouMean("resname " + std::string(known->code)) : std::string();
+  if (isNumber(number)) return "residue " + withBlanks(number);
+  return number.empty() ? "resname " + std::string(known->code) : std::string();
+}
+
+std::string otherLanguage(std::string_view word, std::string_view next) {
+  const std::string meant = inOurLanguage(word, next);
+  return meant.empty() ? std::string() : didYouMean(meant);
 }
 
 }  // namespace moltact

@@ -79,8 +79,13 @@ void LessonSession::enter(std::size_t step) {
   step_ = step;
   if (!lesson_->steps[step].aside) main_step_ = step;
   ++scene_number_;
-  state().seen = true;
+  meet(step);
   makeTasks();
+}
+
+void LessonSession::meet(std::size_t step) {
+  states_[step].seen = true;
+  if (std::find(met_.begin(), met_.end(), step) == met_.end()) met_.push_back(step);
 }
 
 void LessonSession::makeTasks() {
@@ -447,7 +452,7 @@ void LessonSession::restore(const SessionMemory& memory) {
     const auto index = lesson_->find(remembered.step);
     if (!index) continue;
     StepState& s = states_[*index];
-    s.seen = true;
+    meet(*index);
     for (const std::size_t task : remembered.tasks_done)
       if (task < s.tasks_done.size()) s.tasks_done[task] = kSolved;
     for (const std::size_t task : remembered.tasks_shown)
@@ -475,6 +480,8 @@ void LessonSession::replaceLesson(std::shared_ptr<const Lesson> lesson) {
     if (const auto before = old->find(s.id); before && sameShape(old->steps[*before], s))
       states_.back() = std::move(old_states[*before]);
   }
+  for (const std::size_t step : std::exchange(met_, {}))
+    if (const auto now = lesson_->find(old->steps[step].id); now && states_[*now].seen) met_.push_back(*now);
   const Step& was = old->steps[step_];
   const std::size_t now = lesson_->find(was.id).value_or(std::min(step_, lesson_->steps.size() - 1));
   if (lesson_->steps[now].scene.molecule != was.scene.molecule) molecule_ = nullptr;

@@ -48,8 +48,8 @@ struct SessionMemory {
     std::vector<std::size_t> tasks_shown;                           ///< of those whose tries were used up
     std::vector<std::pair<std::string, QuestionStatus>> questions;  ///< by the question's id
   };
-  std::string step;  ///< id of the step to begin at
-  std::vector<StepMemory> steps;
+  std::string step;               ///< id of the step to begin at
+  std::vector<StepMemory> steps;  ///< in the order in which they were first entered
 };
 
 class LessonSession {
@@ -161,6 +161,8 @@ class LessonSession {
   /// Figures of a task that was done, of any step; empty where it was done before the session was taken up.
   std::vector<TaskFigure> figuresOf(std::size_t step, std::size_t task) const;
   bool stepSeen(std::size_t step) const { return states_[step].seen; }
+  /// The steps that were entered, asides too, each once, in the order in which the student first met them.
+  const std::vector<std::size_t>& met() const { return met_; }
 
   /// Takes up what was done before, as far as the lesson still has it, and goes to the step where that ended. Ids and
   /// indices that the lesson does not have are passed over.
@@ -201,6 +203,7 @@ class LessonSession {
   bool waits(std::size_t step) const;  // it must be finished first, and no answer leads away from it
   void keepIfDone(std::size_t task);
   void enter(std::size_t step);
+  void meet(std::size_t step);
   void makeTasks();
   std::uint64_t drawSeed(std::size_t task) const;
   void record(std::size_t question, bool right);
@@ -209,6 +212,7 @@ class LessonSession {
   std::shared_ptr<const Molecule> molecule_;
   std::vector<StepState> states_;
   std::vector<std::shared_ptr<Task>> tasks_;  // of the current step; null while there is no molecule
+  std::vector<std::size_t> met_;
   std::size_t step_ = 0, scene_number_ = 0;
   std::size_t main_step_ = 0;  // the last one that is no aside
   std::uint64_t order_seed_ = 0;

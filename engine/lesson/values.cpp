@@ -4,6 +4,7 @@
 
 #include "engine/language/catalogue.h"
 #include "engine/lesson/keys.h"
+#include "engine/lesson/selection_slips.h"
 #include "engine/lesson/suggestion.h"
 #include "engine/lesson/value_parts.h"
 
@@ -182,6 +183,18 @@ Expected<Value> stylesValue(const KeySpec& key, std::string_view text, Value val
   return value;
 }
 
+// The atoms of a view that names them without the word in front, as a selection writes them: "residue 35 52" of "residue 35
+// 52" and of "resi 35+52". Empty where it is something else.
+std::string atomsMeant(const KeySpec& key, std::string_view text) {
+  const std::size_t blank = text.find(' ');
+  if (blank == std::string_view::npos || std::find(key.words.begin(), key.words.end(), text) != key.words.end())
+    return {};
+  for (const std::string& atoms :
+       {std::string(text), withBlanks(text), inOurLanguage(text.substr(0, blank), stripped(text.substr(blank)))})
+    if (!atoms.empty() && parseSelection(atoms)) return atoms;
+  return {};
+}
+
 // "front", "facing SELECTION", "turned 30 10 0", each perhaps with ", zoom SELECTION" behind it, or "zoom SELECTION" alone.
 // A comma within quotes belongs to a name.
 Expected<Value> viewValue(const KeySpec& key, std::string_view text, Value value) {
@@ -323,9 +336,8 @@ Expected<Value> parseValue(const KeySpec& key, std::string_view text) {
       return pathValue(key, text, std::move(value));
     case ValueType::View:
       // Atoms without the word in front of them.
-      if (std::find(key.words.begin(), key.words.end(), text) == key.words.end() &&
-          text.find(' ') != std::string_view::npos && parseSelection(text))
-        return at(text, text, trf("'{0}' cannot be '{1}'", key.name, text), trf("write 'facing {0}'", text));
+      if (const std::string atoms = atomsMeant(key, text); !atoms.empty())
+        return at(text, text, trf("'{0}' cannot be '{1}'", key.name, text), trf("write 'facing {0}'", atoms));
       return viewValue(key, text, std::move(value));
     case ValueType::Remarks:
       if (auto problem = addRemark(value, text)) return *std::move(problem);

@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "engine/core/utf8.h"
 #include "engine/fonts/text_face.h"
 #include "engine/language/catalogue.h"
 #include "engine/molecule/elements.h"
+#include "engine/render/cartoon.h"
 #include "engine/render/label_painter.h"
 #include "engine/render/molecule_model.h"
 #include "engine/render/picture_painter.h"
@@ -18,8 +20,34 @@ namespace {
 constexpr std::size_t kMostEntries = 9;  // a molecule of more has the first ones
 constexpr double kLine_px = 16.0, kGap_px = 5.0, kPadding_px = 10.0, kDot_px = 5.5, kMargin_px = 14.0;
 
+// How an atom is seen.
+enum Seen : std::uint8_t { kNot, kInRibbon, kItself };
+
+std::vector<std::uint8_t> seenAtoms(const Molecule& molecule, const AtomsLook& look) {
+  std::vector<std::uint8_t> out(molecule.atoms.size(), look.styles.empty() ? kItself : kNot);
+  std::vector<std::uint8_t> ribbon(molecule.atoms.size(), 0);
+  for (const Residue& r : molecule.residues)
+    if (inCartoon(r)) std::fill_n(ribbon.begin() + r.first_atom, r.atom_count, std::uint8_t{1});
+  for (const StyledAtoms& style : look.styles) {
+    const bool alone = style.style == DrawStyle::Cartoon && !(look.spheres_near_A > 0.0);
+    const auto see = [&](std::uint32_t a) {
+      out[a] = std::max<std::uint8_t>(out[a], alone && ribbon[a] ? kInRibbon : kItself);
+    };
+    if (!style.atoms)
+      for (std::uint32_t a = 0; a < out.size(); ++a) see(a);
+    else
+      for (const std::uint32_t a : *style.atoms)
+        if (a < out.size()) see(a);
+  }
+  if (look.hidden)
+    for (const std::uint32_t a : *look.hidden)
+      if (a < out.size()) out[a] = kNot;
+  return out;
+}
+
 // Chains in their order, then elements from the commonest to the rarest.
-std::vector<LegendEntry> entriesOf(const Molecule& molecule, ColourBy by, ElementColours elements) {
+std::vector<LegendEntry> entriesOf(const Molecule& molecule, ColourBy by, ElementColours elements,
+                                   const std::vector<std::uint8_t>& seen) {
   struct Counted {
     LegendEntry entry;
     std::size_t atoms = 0;
@@ -28,10 +56,12 @@ std::vector<LegendEntry> entriesOf(const Molecule& molecule, ColourBy by, Elemen
   std::vector<Counted> others;
   std::array<std::size_t, kElementCount + 1> of_element{};
   std::vector<std::size_t> of_chain(molecule.chains.size());
-  for (const Atom& a : molecule.atoms) {
+  for (std::size_t k = 0; k < molecule.atoms.size(); ++k) {
+    const Atom& a = molecule.atoms[k];
+    if (seen[k] == kNot) continue;
     if (const auto chain = by == ColourBy::Chain ? colouredChain(molecule, a) : std::nullopt)
       ++of_chain[*chain];
-    else
+    else if (seen[k] == kItself)
       ++of_element[std::min<std::size_t>(a.atomic_number, kElementCount)];
   }
   for (std::size_t k = 0; k < of_chain.size(); ++k)
@@ -56,7 +86,7 @@ std::vector<LegendEntry> legendOf(const Molecule& molecule, ColourBy by, Element
     for (const auto* list : {&look.colouring->legend.parts, &look.colouring->legend.entries})
       for (const Legend::Entry& e : *list) entries.push_back({colourOf(e.colour), e.name});
   } else {
-    entries = entriesOf(molecule, by, elements);
+    entries = entriesOf(molecule, by, shownColours(elements, molecule.atoms.size()), seenAtoms(molecule, look));
   }
   if (entries.size() > kMostEntries) entries.resize(kMostEntries);
   std::vector<LegendEntry> marks;
@@ -65,6 +95,21 @@ std::vector<LegendEntry> legendOf(const Molecule& molecule, ColourBy by, Element
       if (!mark.name.empty()) marks.push_back({colourOf(mark.colour), mark.name});
   entries.insert(entries.begin(), marks.begin(), marks.end());
   return entries;
+}
+
+const std::vector<LegendEntry>& LegendMemory::of(std::shared_ptr<const Molecule> molecule, ColourBy by,
+                                                 ElementColours elements, const AtomsLook& look) {
+  AtomsLook drawn = look;
+  drawn.cut.reset();  // moves often, and says nothing of colours
+  if (molecule != molecule_ || by != by_ || elements != elements_ || !(drawn == look_) || language() != language_) {
+    molecule_ = std::move(molecule);
+    by_ = by;
+    elements_ = elements;
+    look_ = std::move(drawn);
+    language_ = language();
+    entries_ = molecule_ ? legendOf(*molecule_, by, elements, look_) : std::vector<LegendEntry>();
+  }
+  return entries_;
 }
 
 bool paintLegend(Picture& picture, const std::vector<LegendEntry>& entries, const Theme& theme, double unit_px) {

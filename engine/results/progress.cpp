@@ -107,6 +107,7 @@ SessionMemory memoryOf(const Attempt& attempt) {
     std::map<std::string, QuestionStatus> questions;
   };
   std::map<std::string, Done> steps;
+  std::map<std::string, std::size_t> met;  // in which place each was first entered
   SessionMemory out;
   for (const AttemptEvent& event : attempt.events) {
     if (const auto* e = std::get_if<StepEntered>(&event.what)) {
@@ -115,6 +116,7 @@ SessionMemory memoryOf(const Attempt& attempt) {
         for (auto& [id, q] : steps[out.step].questions) q.gone = true;
       out.step = e->step;
       steps[e->step];
+      met.try_emplace(e->step, met.size());
     } else if (const auto* begun = std::get_if<TaskBegun>(&event.what)) {
       steps[begun->step].tasks.erase(begun->task);  // begun again: not done any more
     } else if (const auto* done = std::get_if<TaskDone>(&event.what)) {
@@ -135,6 +137,12 @@ SessionMemory memoryOf(const Attempt& attempt) {
         out.steps.emplace_back(SessionMemory::StepMemory{step, {}, {}, {done.questions.begin(), done.questions.end()}});
     for (const auto& [task, solved] : done.tasks) (solved ? s.tasks_done : s.tasks_shown).push_back(task);
   }
+  const auto place = [&](const SessionMemory::StepMemory& s) {
+    const auto found = met.find(s.step);
+    return found == met.end() ? met.size() : found->second;
+  };
+  std::stable_sort(out.steps.begin(), out.steps.end(),
+                   [&](const auto& a, const auto& b) { return place(a) < place(b); });
   return out;
 }
 

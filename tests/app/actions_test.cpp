@@ -232,15 +232,81 @@ TEST_CASE(
 }
 
 TEST_CASE(
-    "colours that are not the customary ones are named in the view, commonest element first, chains in their order") {
+    "where more than one element is drawn its colours are named in the view, commonest first, in the colours as they "
+    "are "
+    "drawn; of one element alone only in colours that are not the customary ones; an element that is hidden is not "
+    "named") {
   auto d = startWith("1ubq");
+  CHECK(d->text("view/legend") == "carbon, oxygen, nitrogen, sulfur");
+  // Calm as those of a large molecule: what the legend shows is what the picture shows.
+  const Molecule& m = *d->app().scene.stage().molecule;
+  const std::vector<LegendEntry> entries =
+      legendOf(m, ColourBy::Element, ElementColours::Customary, d->app().scene.look);
+  CHECK(entries.at(1).colour == elementColour(8, ElementColours::Calm));
+  std::vector<std::uint32_t> sulfurs;
+  for (std::uint32_t a = 0; a < m.atoms.size(); ++a)
+    if (m.atoms[a].atomic_number == 16) sulfurs.push_back(a);
+  d->app().scene.look.hidden = std::make_shared<const std::vector<std::uint32_t>>(sulfurs);
+  d->frames(2);
+  CHECK(d->text("view/legend") == "carbon, oxygen, nitrogen");
+  d->app().scene.look.hidden = nullptr;
+  // A ribbon has one colour, which tells no element.
+  d->app().scene.look.styles = {{.style = DrawStyle::Cartoon}};
+  d->app().scene.look.spheres_near_A = 0.0;
+  d->frames(2);
   CHECK_FALSE(d->shows("view/legend"));
+  // Where atoms come out of it near the probe, these have their elements' colours.
+  d->app().scene.look.spheres_near_A = 4.0;
+  d->frames(2);
+  CHECK(contains(d->text("view/legend"), "oxygen"));
+  d->app().scene.look.styles.clear();
   d->app().settings.colour_blind_safe = true;
   d->frames(2);
   CHECK(d->text("view/legend") == "carbon, oxygen, nitrogen, sulfur");
   d->app().settings.legend = false;
   d->frames(2);
   CHECK_FALSE(d->shows("view/legend"));
+  d->app().settings = {};
+  d->app().open("argon");
+  d->app().finishLoading();
+  d->frames(10);
+  CHECK_FALSE(d->shows("view/legend"));
+  d->app().settings.colour_blind_safe = true;
+  d->frames(2);
+  CHECK(d->text("view/legend") == "argon");
+}
+
+TEST_CASE(
+    "a legend that would take more than a third of the view's width or half of its height is a closed line; a click "
+    "opens it, and closes it again") {
+  ScriptedUser::Options options;
+  options.width = 1024;
+  options.height = 768;
+  options.content_scale = 2.0;
+  auto d = startWith("2hhb", std::move(options));
+  d->app().messages = {};
+  d->frames(3);
+  const Rectangle view = d->app().layout().view;
+  CHECK_FALSE(d->shows("view/legend"));
+  REQUIRE(d->text("view/legend/line") == "closed");
+  const WidgetRecord* line = widgets().find("view/legend/line");
+  CHECK(line->high.y - line->low.y < 0.1f * view.size().y);
+  CHECK(d->click("view/legend/line"));
+  d->frames(3);
+  CHECK(contains(d->text("view/legend"), "chain A, chain B"));
+  const WidgetRecord* open = widgets().find("view/legend");
+  REQUIRE(open);
+  CHECK(open->low.y >= widgets().find("view/legend/line")->high.y);
+  CHECK(open->high.y <= view.high.y);
+  CHECK(open->high.x <= view.high.x);
+  CHECK(d->click("view/legend/line"));
+  d->frames(3);
+  CHECK_FALSE(d->shows("view/legend"));
+  // A wide one needs no line.
+  d->app().settings.scale = 0.75;
+  d->frames(5);
+  CHECK(d->shows("view/legend"));
+  CHECK_FALSE(d->shows("view/legend/line"));
 }
 
 TEST_CASE(
@@ -259,11 +325,11 @@ TEST_CASE(
   d->frames(3);
   CHECK(d->click("menu/view/colours/element"));
   d->frames(10);
-  CHECK_FALSE(d->shows("view/legend"));
+  CHECK(d->text("view/legend") == "carbon, oxygen, nitrogen, sulfur, iron, phosphorus");
   CHECK(difference(chains, d->picture()) > 0.1);
   CHECK(d->click("tool/undo"));
   d->frames(10);
-  CHECK(d->shows("view/legend"));
+  CHECK(contains(d->text("view/legend"), "chain A"));
   CHECK(d->app().scene.colour_by == ColourBy::Chain);
 }
 

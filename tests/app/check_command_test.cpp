@@ -74,6 +74,26 @@ TEST_CASE("a folder with a good lesson, one with a warning and a README passes, 
         "./README.md: no lesson, passed over\n2 lessons checked: no errors, 1 warning\n");
 }
 
+TEST_CASE(
+    "of files that are named one by one, as a shell does for *.md, a glossary is checked as one and a README is passed "
+    "over; another file without anything of a lesson is told") {
+  const Folder folder;
+  folder.write("a.md", kGood);
+  folder.write("glossary.md", "- **pit**: Three atoms at once.\n");
+  folder.write("glossary.de.md", "- **Mulde**: Drei Atome zugleich.\n");
+  folder.write("README.md", "# Lessons\n");
+  const Run run = runMoltact(folder.path, "check *.md");
+  CHECK(run.status == 0);
+  CHECK(run.out == "README.md: no lesson, passed over\n1 lesson checked: no errors\n");
+  CHECK(runMoltact(folder.path, "check glossary.md").out == "0 lessons checked: no errors\n");
+  folder.write("glossary.md", "- **pit** Three atoms at once.\n");
+  const Run wrong = runMoltact(folder.path, "check glossary.md");
+  CHECK(wrong.status == 1);
+  CHECK(wrong.out.starts_with("glossary.md:1:"));
+  folder.write("notes.md", "# Notes\n");
+  CHECK(runMoltact(folder.path, "check notes.md").status == 1);
+}
+
 TEST_CASE("--json prints one document with place, severity, message and remedy of each problem, and exits with 1") {
   const Folder folder;
   folder.write("l.md",

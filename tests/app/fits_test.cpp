@@ -178,6 +178,31 @@ TEST_CASE("on every page at 100 % and 200 % of 1280x800, in every theme, every w
   }
 }
 
+TEST_CASE(
+    "on every page of 1024x768 at 200 % every widget lies inside its panel; in the lesson of most chains the legend is a "
+    "closed line that leaves the view's middle free, and the first task's card is in sight") {
+  ScriptedUser::Options options;
+  options.width = 1024;
+  options.height = 768;
+  options.content_scale = 2.0;
+  auto d = startWith("", options);
+  openFirst(*d);
+  d->frames(3);
+  checkAllPages(*d, {1024, 768});
+  d->app().open(std::string(MOLTACT_SOURCE_DIR) + "/lessons/haemoglobin-and-haem.md");
+  d->app().finishLoading();
+  d->frames(20);
+  CHECK(cutOff({1024, 768}) == "");
+  const Rectangle view = d->app().layout().view;
+  CHECK_FALSE(d->shows("view/legend"));
+  const WidgetRecord* line = widgets().find("view/legend/line");
+  REQUIRE(line);
+  const glm::vec2 size = line->high - line->low;
+  CHECK(size.x * size.y < 0.1f * view.size().x * view.size().y);
+  const glm::vec2 middle = 0.5f * (view.low + view.high);
+  CHECK_FALSE((line->low.x < middle.x && line->high.x > middle.x && line->low.y < middle.y && line->high.y > middle.y));
+}
+
 TEST_CASE("on every page of a small and of a large window at 150 % every widget lies inside its panel") {
   ScriptedUser::Options options;
   options.content_scale = 1.5;

@@ -43,11 +43,10 @@ struct Opened {
 
 TEST_CASE("two goals stand at the start, and at the end with what was done: 1 task, 1 of 1 answers, 1 of 1 steps") {
   Opened o;
-  CHECK_FALSE(o.driver->shows("lesson/goal/1"));
-  CHECK(o.driver->click("lesson/goals"));
-  o.driver->frames(3);
   CHECK(o.driver->text("lesson/goal/1") == "Tell an end");
   CHECK(o.driver->click("lesson/goals"));
+  o.driver->frames(3);
+  CHECK_FALSE(o.driver->shows("lesson/goal/1"));
   CHECK_FALSE(o.driver->shows("lesson/end"));
   o.driver->point("view");
   o.driver->press();
@@ -66,6 +65,67 @@ TEST_CASE("two goals stand at the start, and at the end with what was done: 1 ta
   CHECK(o.driver->click("lesson/end/more"));
   o.driver->frames(3);
   CHECK(o.driver->app().panels.welcome);
+}
+
+TEST_CASE(
+    "goals stand open at a lesson's start where the first task keeps in sight; nine of them in a window of 560 pixels "
+    "are closed and open by a click, and in a lesson that is gone on with they stay closed") {
+  const ScratchFolder scratch;
+  const auto open = [&](std::size_t goals, int height) {
+    std::string lines;
+    for (std::size_t k = 0; k < goals; ++k) lines += "  - Tell the thing of number " + std::to_string(k) + "\n";
+    writeFile(scratch.path / "goals.md",
+              argonLesson("Goals", lines, "Text.\n\n```touch\nreach: all\nsay: Touch it.\n```\n"));
+    ScriptedUser::Options options;
+    options.height = height;
+    return startWith((scratch.path / "goals.md").string(), std::move(options));
+  };
+  auto d = open(3, 800);
+  CHECK(d->shows("lesson/goal/2"));
+  CHECK(d->shows("task/0"));
+  // What a student has chosen stays so.
+  CHECK(d->click("lesson/goals"));
+  d->frames(5);
+  CHECK_FALSE(d->shows("lesson/goal/2"));
+  d.reset();  // one window at a time
+  d = open(9, 560);
+  CHECK_FALSE(d->shows("lesson/goal/0"));
+  CHECK(d->shows("task/0"));
+  CHECK(d->click("lesson/goals"));
+  d->frames(5);
+  CHECK(d->shows("lesson/goal/0"));
+  d.reset();
+  d = open(3, 800);
+  REQUIRE(d->shows("lesson/goal/2"));
+  SessionMemory memory{.step = "one-step",
+                       .steps = {{.step = "one-step", .tasks_done = {0}, .tasks_shown = {}, .questions = {}}}};
+  d->app().lesson.session()->restore(memory);
+  d->app().panels.lesson_goals.reset();
+  d->frames(5);
+  CHECK_FALSE(d->shows("lesson/goal/2"));
+}
+
+TEST_CASE(
+    "the closing card tells the way in the order in which the steps were met, with the side path, and what was passed "
+    "over where it would have come") {
+  const ScratchFolder scratch;
+  writeFile(
+      scratch.path / "way.md",
+      "---\ntitle: A way\nminutes: 5\ngoals: G\nmolecules: argon\nauthor: A\nlicence: L\n---\n"
+      "## First\n```scene\nmolecule: argon\n```\nSee [why](#aside-why).\n### Question: Which?\n1. [x] This → Yes.\n"
+      "2. [ ] That → No.\n```answer\nif right: skip #easier\n```\n"
+      "## Easier\nText.\n## Last\nText.\n## Aside: Why\nText.\n");
+  auto d = startWith((scratch.path / "way.md").string());
+  LessonSession& session = *d->app().lesson.session();
+  d->app().lesson.follow("#aside-why");
+  d->frames(3);
+  d->app().lesson.next();
+  session.choose(0, {0});
+  d->app().lesson.next();
+  d->frames(5);
+  CHECK(session.met() == std::vector<std::size_t>{0, 3, 2});
+  CHECK(d->text("lesson/end/order") == "First → side path: Why → (passed over: Easier) → Last");
+  CHECK(d->text("lesson/end/skipped") == "1 step passed over, by your answers.");
 }
 
 TEST_CASE("H opens the first hint, then the second, then closes both") {

@@ -1,4 +1,4 @@
-// A good lesson, and 158 mistakes that authors make in it, one at a time, by kinds: each is told at its line, with words
+// A good lesson, and 165 mistakes that authors make in it, one at a time, by kinds: each is told at its line, with words
 // that say what is wrong or what mends it.
 #include <doctest/doctest.h>
 
@@ -113,6 +113,8 @@ const std::vector<Mistake>& mistakes() {
       {"front matter", "CC-BY-4.0\n---", "CC-BY-4.0", "end", -9},
       {"front matter", "language: en", "language: en\nlocked: forse", "force", 1},
       {"front matter", "language: en", "language: en\nask: number", "name", 1},
+      {"front matter", "language: en", "language: en\ncard: 3", "2 steps", 1},
+      {"front matter", "language: en", "language: en\ncard: one", "whole", 1},
       {"front matter", "- Feel a crease", "Feel a crease", "key: value"},
       // Steps and headings.
       {"steps", "## First step", "# First step", "before the first step", 4},
@@ -122,6 +124,8 @@ const std::vector<Mistake>& mistakes() {
       {"steps", "## Second step", "##", "a step without a name"},
       {"steps", "## Second step\n\nMore text.\n", "### Second step\n\n```scene\nprobe: 2 Å\n```\n", "'## Second step'",
        2},
+      {"steps", "> [!NOTE]\n> Teacher: for you.\n",
+       "### Next part\n\n```touch\nreach: element N\nsay: Touch it.\n```\n", "'## Next part'"},
       {"steps", "More text.", "More text.\n\n## Aside: Nobody comes here\n\nText.", "no link", 2},
       {"steps", "wrong: No.\n```\n", "wrong: No.\n```\n\n## Last\n", "nothing", 3},
       // Links and pictures.
@@ -168,6 +172,8 @@ const std::vector<Mistake>& mistakes() {
       {"scenes", "probe: 1.4 Å", "hide: water and", ""},
       {"scenes", "view: side", "view: sied", "side"},
       {"scenes", "view: side", "view: residue 52", "facing residue 52"},
+      {"scenes", "view: side", "view: resi 52+53", "facing residue 52 53"},
+      {"scenes", "view: side", "view: residue 52+53", "facing residue 52 53"},
       {"scenes", "view: side", "view: facing residue 99", "99"},
       {"scenes", "show: atoms, probe", "show: atoms,, probe", "comma"},
       {"scenes", "show: atoms, probe", "show: atom, probe", "atoms"},
@@ -217,6 +223,7 @@ const std::vector<Mistake>& mistakes() {
       {"tasks", "hold: crease\nfor: 2 s\nforce: 0.2 N to 0.6 N", "compare: exact, mesh", ""},
       {"tasks", "hold: crease\nfor: 2 s\nforce: 0.2 N to 0.6 N", "trace: crease", "of"},
       {"tasks", "hold: crease\nfor: 2 s\nforce: 0.2 N to 0.6 N", "trace: atom 0 then", "then"},
+      {"tasks", "hold: crease\nfor: 2 s\nforce: 0.2 N to 0.6 N", "trace: atom 0 then atom 1\nattempts: 2", "lifts", 1},
       {"tasks", "hold: crease\nfor: 2 s\nforce: 0.2 N to 0.6 N", "press: crease", "until", -1},
       {"tasks", "hold: crease\nfor: 2 s\nforce: 0.2 N to 0.6 N", "feel: crease, spere", "sphere"},
       {"tasks", "hold: crease\nfor: 2 s\nforce: 0.2 N to 0.6 N", "find: atom 0\nguesses: 0", "smallest", 1},
@@ -251,6 +258,7 @@ const std::vector<Mistake>& mistakes() {
       // Notes and text.
       {"notes", "> Teacher: for you.", "> teacher: for you.", "Teacher:", -1},
       {"notes", "> Teacher: for you.", "> For the teacher: for you.", "Teacher:", -1},
+      {"notes", "> Teacher: for you.", "> Techer: for you.", "Teacher:", -1},
       {"notes", "[!TIP]", "[!HINT]", "TIP"},
       {"notes", "> [!TIP]\n> A hint.", "> [!TIP]", "empty"},
       {"notes", "More text.", "More <b>text</b>.", "HTML"},
@@ -269,7 +277,7 @@ Expected<std::shared_ptr<const Molecule>> onlyMix(const NamedMolecule& named) {
 }  // namespace
 
 TEST_CASE(
-    "of 158 mistakes in a good lesson, by six kinds, each is told at its line with words that lead to what mends it") {
+    "of 165 mistakes in a good lesson, by six kinds, each is told at its line with words that lead to what mends it") {
   const LessonCheck good = checkLesson("l.md", kGood, onlyMix);
   for (const Problem& p : good.errors) FAIL_CHECK(p.text());
   for (const Problem& p : good.warnings) FAIL_CHECK(p.text());
@@ -298,7 +306,7 @@ TEST_CASE(
   }
   int all = 0;
   for (const auto& [kind, counts] : told) all += counts.second;
-  CHECK(all == 158);
+  CHECK(all == 165);
 }
 
 TEST_CASE(

@@ -153,8 +153,10 @@ void Application::tellSteps() {
   const bool opened = told_opening_ != lesson.openings(), moved = told_step_ != lesson.session()->stepIndex();
   told_opening_ = lesson.openings();
   told_step_ = lesson.session()->stepIndex();
-  if (opened)
+  if (opened) {
+    panels.lesson_goals.reset();
     for (Extension* e : extensions_->all()) e->lessonChanged(*this);
+  }
   if (opened || moved)
     for (Extension* e : extensions_->all()) e->stepChanged(*this);
 }

@@ -3,12 +3,14 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "app/ui/widgets/key_focus.h"
 #include "engine/molecule/molecule_key.h"
+#include "engine/render/colour_legend.h"
 
 namespace moltact {
 
@@ -22,13 +24,17 @@ struct CardFocus {
 
 struct PanelState : KeyFocus {
   bool lesson = true, touch = true;
-  bool lesson_first = true;             ///< where only one side panel has room
-  bool touch_details = false;           ///< the touch panel's second half
-  bool methods = false;                 ///< in the touch panel's place, behind a tab
-  bool methods_first = false;           ///< which of the two is in front
-  bool set_by_lesson = false;           ///< the lesson's step set touch and methods, so that another sets them back
-  std::size_t hints = 0;                ///< so many of the current step's hints are open, the first ones
-  bool lesson_goals = false;            ///< the goals at the lesson's start are open
+  bool lesson_first = true;    ///< where only one side panel has room
+  bool touch_details = false;  ///< the touch panel's second half
+  bool methods = false;        ///< in the touch panel's place, behind a tab
+  bool methods_first = false;  ///< which of the two is in front
+  bool set_by_lesson = false;  ///< the lesson's step set touch and methods, so that another sets them back
+  std::size_t hints = 0;       ///< so many of the current step's hints are open, the first ones
+  bool teacher_notes = false;  ///< the lesson's notes for the teacher are shown; never to the next student
+  bool legend = false;         ///< the legend of colours is open where it is too large for the view
+  LegendMemory colours;        ///< what it says
+  /// Whether the goals at the lesson's start are open; no value: as there is room.
+  std::optional<bool> lesson_goals;
   bool lesson_problems = false;         ///< the list of what is wrong with the lesson's file
   float lesson_problems_height = 0.0f;  ///< of that list, as it was last drawn (unit: pixel)
   bool arrows_draw = false;             ///< in this frame the arrow keys lead a pen in the lesson and not the probe

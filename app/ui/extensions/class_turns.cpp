@@ -13,7 +13,7 @@ void ClassTurns::begin(Application& app, std::vector<std::string> names, double 
   turns_.begin(std::move(names), turn_s);
   predictions_ = 0;
   if (!on()) return;
-  app.panels.welcome = false;
+  app.panels.welcome = app.panels.teacher_notes = false;
   call();
 }
 

@@ -31,7 +31,7 @@ void read(LessonCard& card) {
   card.description = lesson.description;
   card.order = lesson.order;
   card.minutes = lesson.minutes;
-  card.scene = lesson.steps.front().scene;
+  card.scene = lesson.steps[lesson.cardStep().value_or(0)].scene;
   if (Expected<MoleculeKey> key = moleculeOf(*card.scene, card.file)) card.molecule = *std::move(key);
 }
 

@@ -52,6 +52,7 @@ void NameAsker::lessonChanged(Application& app) {
 
 void NameAsker::ask(Application& app, bool code) {
   recorder_.finish();
+  app.panels.teacher_notes = false;
   asking_ = true;
   code_ = code;
   draft = given_;

@@ -31,7 +31,7 @@ struct Settings {
   double touch_width = 288.0;      ///< unit: pixel at 96 dpi (220 to 600)
   bool depth_gauge = true;         ///< while touching, the view shows from the side how deep the hand is
   bool expert = false;             ///< figures of the touch loop and the tracker are shown
-  bool legend = true;              ///< colours that are not the customary ones are named in the view
+  bool legend = true;              ///< the colours of the atoms are named in the view
   bool colour_blind_safe = false;  ///< atoms in colours that every kind of colour vision tells apart
   bool left_handed = false;        ///< over the molecule the right button pushes and the left one turns
   std::string language;            ///< "de"; empty: the system's

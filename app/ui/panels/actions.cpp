@@ -23,6 +23,11 @@ using App = Application;
 
 bool hasStage(const App& a) { return bool(a.scene.stage()) && !a.panels.welcome; }
 bool inLesson(const App& a) { return a.lesson.session() && !a.panels.welcome; }
+// While students take turns the screen is theirs.
+bool mayTeacherNotes(const App& a) {
+  return inLesson(a) && !a.extensions().turns.on() && !a.extensions().name_asker.asking() &&
+         hasTeacherNotes(a.lesson.session()->lesson());
+}
 bool atWork(const App& a) { return !a.panels.welcome; }
 // Where a lesson locks its panels, a narrow window still shows the one or the other.
 bool mayTouchPanel(const App& a) { return atWork(a) && (a.panels.touch || !a.lesson.locks("panels")); }
@@ -243,11 +248,6 @@ constexpr std::array kActions{
            .menu = Menu::View,
            .label = N_("Legend of colours"),
            .run = [](App& a) { a.settings.legend = !a.settings.legend; },
-           .enabled =
-               [](const App& a) {
-                 return a.settings.colour_blind_safe || a.scene.colour_by == ColourBy::Chain ||
-                        a.scene.look.colouring || a.scene.look.marks;
-               },
            .on = [](const App& a) { return a.settings.legend; }},
     Action{.name = "reset",
            .menu = Menu::View,
@@ -368,6 +368,13 @@ constexpr std::array kActions{
            .run = [](App& a) { a.panels.turns_page = true; },
            .enabled = [](const App& a) { return !a.extensions().turns.on(); },
            .on = [](const App& a) { return a.extensions().turns.on(); }},
+    Action{.name = "teacher-notes",
+           .menu = Menu::Lesson,
+           .label = N_("Teacher's notes"),
+           .sentence = N_("The lesson's notes for the teacher, among its text, until another student begins"),
+           .run = [](App& a) { a.panels.teacher_notes = !a.panels.teacher_notes; },
+           .enabled = mayTeacherNotes,
+           .on = [](const App& a) { return a.panels.teacher_notes; }},
     Action{.name = "report",
            .menu = Menu::Lesson,
            .label = N_("Report on a class …"),

@@ -1,7 +1,9 @@
-// In the view's upper left corner where the colours of the atoms are not the customary ones: what each of them is.
+// In the view's upper left corner: what the colours of the atoms are. Where it would hide the molecule it is a closed line
+// that opens by a click.
 #include "engine/render/colour_legend.h"
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -16,36 +18,79 @@
 namespace moltact {
 namespace {
 
+constexpr float kWidthShare = 1.0f / 3.0f, kHeightShare = 0.5f;  // of the view: a larger one is closed at first
+
 bool namesMarks(const Application& app) {
   const auto& marks = app.scene.look.marks;
   return marks && std::any_of(marks->begin(), marks->end(), [](const OwnColour& m) { return !m.name.empty(); });
 }
 
-}  // namespace
-
-void drawColourLegend(Application& app, const Rectangle& view) {
-  const bool by_chain = app.scene.colour_by == ColourBy::Chain;
-  const Colouring* const scheme = app.scene.look.colouring.get();
+// Of one element alone, in its customary colour, there is nothing to tell.
+std::vector<LegendEntry> entriesOf(Application& app) {
+  const std::vector<LegendEntry>& of_atoms = app.panels.colours.of(app.scene.stage().molecule, app.scene.colour_by,
+                                                                   elementColoursOf(app.settings), app.scene.look);
   const bool painted = app.extensions().touch_traces.painted() != nullptr;
-  if (!app.settings.legend || !(app.settings.colour_blind_safe || by_chain || scheme || painted || namesMarks(app)) ||
-      !app.scene.shown.has(ViewPart::Atoms))
-    return;
-  const Look& l = look();
-  std::vector<LegendEntry> entries =
-      legendOf(*app.scene.stage().molecule, app.scene.colour_by, elementColoursOf(app.settings), app.scene.look);
-  if (painted) entries.push_back({l.viewTheme().touched, tr("touched")});
+  if (of_atoms.size() < 2 && !app.settings.colour_blind_safe && app.scene.colour_by != ColourBy::Chain &&
+      !app.scene.look.colouring && !painted && !namesMarks(app))
+    return {};
+  std::vector<LegendEntry> entries = of_atoms;
+  if (painted) entries.push_back({look().viewTheme().touched, tr("touched")});
   ViewScene marks;
   app.lesson.decorate(marks);
   if (!marks.highlighted.empty() && app.scene.shown.has(ViewPart::Target))
-    entries.push_back({l.viewTheme().target, tr("marked")});
+    entries.push_back({look().viewTheme().target, tr("marked")});
+  return entries;
+}
+
+// The line that stands for it while it is closed, and above it once it is open. Returns where it ends.
+float drawLine(Application& app, ImVec2 low) {
+  const Look& l = look();
+  const char* const label = tr("Colours");
+  const ImVec2 pad{l.px(10), l.px(6)};
+  const float side = l.px(12), size = ImGui::GetFontSize(), gap = l.px(6);
+  const ImVec2 whole{side + gap + ImGui::CalcTextSize(label).x + 2 * pad.x, size + 2 * pad.y};
+  ImGui::SetCursorScreenPos(low);
+  bool& open = app.panels.legend;
+  if (ImGui::InvisibleButton("legend", whole)) open = !open;
+  const bool hovered = ImGui::IsItemHovered();
+  recordItem("view/legend/line", open ? "open" : "closed");
+  tip(open ? tr("Close the legend") : tr("What the colours mean"));
+  ImDrawList* draw = ImGui::GetWindowDrawList();
+  draw->AddRectFilled(low, {low.x + whole.x, low.y + whole.y},
+                      faded(hovered ? l.palette.hovered : l.palette.panel, 0.88f), l.px(8));
+  drawIcon(draw, open ? Icon::ChevronDown : Icon::ChevronRight, {low.x + pad.x + 0.5f * side, low.y + 0.5f * whole.y},
+           side, l.palette.text);
+  draw->AddText({low.x + pad.x + side + gap, low.y + pad.y}, l.palette.text, label);
+  return low.y + whole.y;
+}
+
+}  // namespace
+
+void drawColourLegend(Application& app, const Rectangle& view, const Rectangle& kept_free) {
+  if (!app.settings.legend || !app.scene.shown.has(ViewPart::Atoms)) return;
+  std::vector<LegendEntry> entries = entriesOf(app);
+  if (entries.empty()) return;
+  const Look& l = look();
   WithFont small(Font::Small);
   const float line = ImGui::GetFontSize() + l.px(5), pad = l.px(10), dot = 0.36f * ImGui::GetFontSize(),
               indent = 2 * dot + l.px(8);
   float wide = 0.0f;
   for (const LegendEntry& e : entries) wide = std::max(wide, ImGui::CalcTextSize(e.name.c_str()).x);
-  const ImVec2 low{view.low.x + l.px(14), view.low.y + l.px(14)};
-  const ImVec2 high{low.x + indent + wide + 2 * pad, low.y + line * float(entries.size()) - l.px(5) + 2 * pad};
-  if (high.x > view.high.x - l.px(60) || high.y > view.high.y - l.px(80)) return;  // no room for it
+  const auto heightOf = [&](std::size_t lines) { return line * float(lines) - l.px(5) + 2 * pad; };
+  ImVec2 low{view.low.x + l.px(14), view.low.y + l.px(14)};
+  const float width = indent + wide + 2 * pad;
+  const bool large = width > kWidthShare * view.size().x || heightOf(entries.size()) > kHeightShare * view.size().y;
+  // What stands at the top of the view keeps its place.
+  if (!kept_free.empty() && low.x + std::min(width, l.tx(120)) > kept_free.low.x) low.y = kept_free.high.y + l.px(8);
+  if (large) {
+    low.y = drawLine(app, low) + l.px(4);
+    if (!app.panels.legend) return;
+  }
+  const float most_x = view.high.x - l.px(60), most_y = view.high.y - l.px(80);
+  const auto lines = std::size_t(std::max(0.0f, std::floor((most_y - low.y + l.px(5) - 2 * pad) / line)));
+  if (lines == 0 || low.x + indent + 2 * pad >= most_x) return;  // no room for it
+  if (entries.size() > lines) entries.resize(lines);
+  const ImVec2 high{std::min(low.x + width, most_x), low.y + heightOf(entries.size())};
   ImDrawList* draw = ImGui::GetWindowDrawList();
   draw->AddRectFilled(low, high, faded(l.palette.panel, 0.88f), l.px(8));
   std::string text;
@@ -54,7 +99,8 @@ void drawColourLegend(Application& app, const Rectangle& view) {
     const ImVec2 centre{low.x + pad + dot, y + 0.5f * ImGui::GetFontSize()};
     draw->AddCircleFilled(centre, dot, ImGui::ColorConvertFloat4ToU32({e.colour.x, e.colour.y, e.colour.z, 1.0f}), 24);
     draw->AddCircle(centre, dot, l.palette.quiet, 24, 1.0f);
-    draw->AddText({low.x + pad + indent, y}, l.palette.text, e.name.c_str());
+    const float x = low.x + pad + indent;
+    draw->AddText({x, y}, l.palette.text, elided(e.name, high.x - pad - x + 1.0f).c_str());
     text += (text.empty() ? "" : ", ") + e.name;
     y += line;
   }

@@ -15,14 +15,14 @@
 
 namespace moltact {
 
-void drawStateSlider(Application& app, const Rectangle& view) {
+Rectangle drawStateSlider(Application& app, const Rectangle& view) {
   MovingStates& states = app.extensions().moving_states;
   // In a playback they go as they went.
-  if (!states.there() || app.extensions().playback.on()) return;
+  if (!states.there() || app.extensions().playback.on()) return {};
   const Look& l = look();
   // The button that resets the view stands in the corner beside it.
   const float room = view.size().x - l.px(120), pad = l.px(8), gap = l.px(8), high = l.tx(30);
-  if (room < l.tx(140)) return;
+  if (room < l.tx(140)) return {};
   const auto widthOf = [&](int state) {
     return std::min(ImGui::CalcTextSize(states.name(state).c_str()).x + l.px(24), 0.32f * room);
   };
@@ -50,6 +50,7 @@ void drawStateSlider(Application& app, const Rectangle& view) {
   ImGui::GetWindowDrawList()->AddLine({x, b.y + l.px(1)}, {x, b.y + l.px(4)}, l.palette.accent, l.px(2));
   recordItem("view/states", quantityText(states.share(), Dimension::Share));
   end(1, low.x + pad + left + gap + track + gap, right);
+  return {{low.x, low.y}, {low.x + width, low.y + high + 2 * pad}};
 }
 
 }  // namespace moltact

@@ -178,9 +178,8 @@ void drawViewOverlays(Application& app, const Rectangle& view) {
            p.text);
     return;
   }
-  drawColourLegend(app, view);
+  drawColourLegend(app, view, drawStateSlider(app, view));
   drawDepthGauge(app, view);
-  drawStateSlider(app, view);
   if (now.contact.touching() && app.scene.shown.has(ViewPart::Force)) forceLabel(app, now, view);
   // Words stand left of the scale bar; in a narrow view they need all of it.
   const bool roomy = width > l.tx(320);

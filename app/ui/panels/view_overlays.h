@@ -25,13 +25,15 @@ std::string measuringText(const Application& app);
 
 void drawViewOverlays(Application& app, const Rectangle& view);
 
-/// The slider between a scene's two structures.
-void drawStateSlider(Application& app, const Rectangle& view);
+/// The slider between a scene's two structures. Returns where it stands; empty where there is none.
+Rectangle drawStateSlider(Application& app, const Rectangle& view);
 
 /// How deep the hand is pressed, seen from the side.
 void drawDepthGauge(Application& app, const Rectangle& view);
 
-/// The legend of the atoms' colours, where they are not the customary ones.
-void drawColourLegend(Application& app, const Rectangle& view);
+/// The legend of the atoms' colours, where there is more than one or they tell more than the elements.
+/// Where it would take more than a third of the view's width or half of its height it is closed at first. It stands
+/// below `kept_free`, where both would meet.
+void drawColourLegend(Application& app, const Rectangle& view, const Rectangle& kept_free);
 
 }  // namespace moltact

@@ -142,28 +142,38 @@ bool ScriptedLearner::doTask() {
   return false;
 }
 
-void ScriptedLearner::tellAnswer(std::size_t question, const std::string& answer, bool right) {
+void ScriptedLearner::tellAnswer(std::size_t question, const std::string& answer, bool right, int attempts_before) {
   LearnerEvent e = event(LearnerEvent::Kind::Question);
   e.index = question;
   e.place = session_.step().questions[question].place;
   e.text = plainText(session_.step().questions[question].title);
   e.answer = answer;
   e.right = right;
+  const QuestionStatus& status = session_.question(question);
+  e.taken = status.attempts > attempts_before;
+  if (!e.taken) {
+    e.note = !status.again.empty()            ? status.again
+             : session_.takesAnswer(question) ? tr("the answer is empty")
+                                              : tr("the question is answered and takes no other answer");
+    return watch_(e);
+  }
   for (const RichText& text : session_.feedback(question)) e.note += (e.note.empty() ? "" : " ") + plainText(text);
   watch_(e);
 }
 
 void ScriptedLearner::choose(std::size_t question, const std::vector<std::size_t>& choices) {
+  const int before = session_.question(question).attempts;
   const bool right = session_.choose(question, choices);
   std::string answer;
   for (const std::size_t k : choices)
     if (const auto& there = session_.step().questions[question].choices; k < there.size())
       answer += (answer.empty() ? "" : "; ") + plainText(there[k].text);
-  tellAnswer(question, answer, right);
+  tellAnswer(question, answer, right, before);
 }
 
 void ScriptedLearner::write(std::size_t question, const std::string& text) {
-  tellAnswer(question, text, session_.write(question, text));
+  const int before = session_.question(question).attempts;
+  tellAnswer(question, text, session_.write(question, text), before);
 }
 
 void ScriptedLearner::answerRightly(std::size_t question) {

@@ -29,7 +29,8 @@ struct LearnerEvent {
   std::string step;       ///< id of the step
   std::size_t index = 0;  ///< of the step in the lesson, or of the task or question in the step
   std::string text, note, answer;
-  bool right = false;               ///< of a question
+  bool right = false;  ///< of a question
+  bool taken = true;   ///< of a question: the answer counts; false: nothing came of it, and `note` says why
   std::vector<TaskFigure> figures;  ///< of a task
   Place place;                      ///< in the lesson's file
 };
@@ -82,7 +83,7 @@ class ScriptedLearner {
   void tick(PointA hip);
   bool timeIsUp() const;
   void tellDone(std::size_t task);
-  void tellAnswer(std::size_t question, const std::string& answer, bool right);
+  void tellAnswer(std::size_t question, const std::string& answer, bool right, int attempts_before);
   LearnerEvent event(LearnerEvent::Kind kind) const;
 
   LessonSession session_;

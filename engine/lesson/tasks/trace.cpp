@@ -178,6 +178,15 @@ class TraceAtoms : public Trace {
     return plan;
   }
 
+  std::vector<std::uint32_t> answerAtoms() const override {
+    std::vector<std::uint32_t> out;
+    for (const Stop& stop : stops_) out.insert(out.end(), stop.place.atoms.begin(), stop.place.atoms.end());
+    std::sort(out.begin(), out.end());
+    out.erase(std::unique(out.begin(), out.end()), out.end());
+    return out;
+  }
+  std::string solution() const override { return tr("The way is marked in the view."); }
+
   bool begun() const override { return begun_; }
   double covered() const override { return begun_ ? front_A_ / length_A_ : 0.0; }
   void forget() override {
@@ -207,6 +216,12 @@ void checkTrace(const TaskSpec& spec, std::vector<Problem>& problems) {
                         of.place.column,
                         tr("'of' belongs to 'trace: crease'"),
                         tr("take it out or write 'trace: crease'")});
+  if (const Value& attempts = spec.values["attempts"]; attempts.place.line && !spec.values.has("lifts"))
+    problems.push_back({{},
+                        attempts.place.line,
+                        attempts.place.column,
+                        tr("without 'lifts' there is no wrong try at a way"),
+                        tr("add a line 'lifts: …', or take 'attempts' out")});
   const Value& direction = spec.values["direction"];
   if (crease && direction.place.line)
     problems.push_back(
@@ -216,44 +231,47 @@ void checkTrace(const TaskSpec& spec, std::vector<Problem>& problems) {
 }  // namespace
 
 TaskKind traceKind() {
-  return {"trace",
-          "Follow a way over the surface without letting go.",
-          {{.name = "trace",
-            .type = ValueType::Path,
-            .meaning = "The way: one selection, whose atoms are followed in the order of the file; places parted by "
-                       "'then'; or 'crease'.",
-            .required = true,
-            .words = {"crease"}},
-           {.name = "of",
-            .type = ValueType::Selection,
-            .meaning = "For 'trace: crease': the atoms between which the creases lie."},
-           {.name = "within",
-            .type = ValueType::Quantity,
-            .meaning = "How far off the way the contact point may be.",
-            .fallback = "1 Å",
-            .dimension = Dimension::Length,
-            .least = 0.05,
-            .most = 50.0},
-           {.name = "cover",
-            .type = ValueType::Count,
-            .meaning = "How much of the way is to be followed, in percent.",
-            .fallback = "90",
-            .least = 1,
-            .most = 100},
-           {.name = "direction",
-            .type = ValueType::Word,
-            .meaning = "Whether the way may be begun at its end as well.",
-            .fallback = "forward",
-            .words = {"forward", "either"}},
-           {.name = "lifts",
-            .type = ValueType::Count,
-            .meaning = "How often the student may let go before the way begins again; without it as often as need be.",
-            .most = 100}},
-          [](const TaskSpec& s, const Molecule& m) -> std::unique_ptr<Task> {
-            if (!s.values["trace"].words.empty()) return makeTraceCrease(s, m);
-            return std::make_unique<TraceAtoms>(s, m);
-          },
-          &checkTrace};
+  return {
+      "trace",
+      "Follow a way over the surface without letting go.",
+      {{.name = "trace",
+        .type = ValueType::Path,
+        .meaning = "The way: one selection, whose atoms are followed in the order of the file; places parted by "
+                   "'then'; or 'crease'.",
+        .required = true,
+        .words = {"crease"}},
+       {.name = "of",
+        .type = ValueType::Selection,
+        .meaning = "For 'trace: crease': the atoms between which the creases lie."},
+       {.name = "within",
+        .type = ValueType::Quantity,
+        .meaning = "How far off the way the contact point may be.",
+        .fallback = "1 Å",
+        .dimension = Dimension::Length,
+        .least = 0.05,
+        .most = 50.0},
+       {.name = "cover",
+        .type = ValueType::Count,
+        .meaning = "How much of the way is to be followed, in percent.",
+        .fallback = "90",
+        .least = 1,
+        .most = 100},
+       {.name = "direction",
+        .type = ValueType::Word,
+        .meaning = "Whether the way may be begun at its end as well.",
+        .fallback = "forward",
+        .words = {"forward", "either"}},
+       {.name = "lifts",
+        .type = ValueType::Count,
+        .meaning = "How often the student may let go before the way begins again; without it as often as need be.",
+        .most = 100},
+       attemptsKey("Goes with 'lifts': how often the way may be begun; where the last time is let go of too often as "
+                   "well, the student goes on, and a way from atom to atom is marked. Left out, as often as need be.")},
+      [](const TaskSpec& s, const Molecule& m) -> std::unique_ptr<Task> {
+        if (!s.values["trace"].words.empty()) return makeTraceCrease(s, m);
+        return std::make_unique<TraceAtoms>(s, m);
+      },
+      &checkTrace};
 }
 
 }  // namespace moltact

@@ -49,6 +49,7 @@ void Trace::letGo() {
   ++lifts_;
   state_ = State::Lifted;
   if (!limited_ || lifts_ <= lifts_allowed_) return;
+  if (missedLast()) return;
   forget();
   lifts_ = 0;
   over_A_s_ = on_s_ = greatest_A_ = 0.0;

@@ -86,6 +86,25 @@ using Kind = LearnerEvent::Kind;
 
 }  // namespace
 
+TEST_CASE(
+    "an answer to a question that is answered, or one that is no number, is not taken: it is neither right nor wrong, "
+    "and "
+    "the reason is told") {
+  const std::string questions = step("") +
+                                "### Question: Which?\n\n- [x] This → Right so.\n- [ ] That → No.\n\n### Question: How "
+                                "many?\n\n```answer\nnumber: 3\ntolerance: 0\nright: Right so.\n```\n";
+  const Played played = play(questions, "answer 1: 1\nanswer 1: 2\nanswer 2: many\nanswer 2: 3\nanswer 2: 4\n");
+  std::string told;
+  for (const LearnerEvent& e : played.events)
+    if (e.kind == LearnerEvent::Kind::Question)
+      told += std::string(!e.taken ? "not taken" : e.right ? "right" : "wrong") + ": " + e.note + "\n";
+  CHECK(told ==
+        "right: Right so.\nnot taken: the question is answered and takes no other answer\nnot taken: 'many' is no "
+        "number. Write one, for example 12 or 0.5.\nright: Right so.\nnot taken: the question is answered and takes no "
+        "other answer\n");
+  CHECK(played.finished);
+}
+
 TEST_CASE("each kind of task is done on two balls by the student who follows its demonstration, in at most 30 s") {
   const std::vector<std::pair<std::string, std::string>> all{
       {"reach", "reach: atom 1"},

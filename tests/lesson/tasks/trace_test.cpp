@@ -100,6 +100,49 @@ TEST_CASE("with no lift allowed a lift of 0.35 s begins the way again and a hop 
   CHECK(t->done());
 }
 
+TEST_CASE(
+    "of two attempts with no lift allowed the second lift ends the trace unsolved, with the way's atoms as the answer; "
+    "a "
+    "way that is followed at the second try is solved; begun again there are two once more") {
+  const Keys keys{{"trace", "atom 0-3"}, {"lifts", "0"}, {"attempts", "2"}};
+  auto t = task("trace", keys);
+  Hand hand{*t};
+  hand.slide({0}, {0, 3, 0}, {2, 3, 0});
+  hand.away(0.35);
+  CHECK_FALSE(t->done());
+  CHECK(t->sentence() == "You let go too often. Begin again at the start of the way.");
+  hand.slide({0}, {0, 3, 0}, {2, 3, 0});
+  hand.away(0.35);
+  REQUIRE(t->done());
+  CHECK_FALSE(t->solved());
+  CHECK(t->progress() == 1.0);
+  CHECK(t->sentence() == "That was the last try. The way is marked in the view.");
+  CHECK(t->answerAtoms() == std::vector<std::uint32_t>{0, 1, 2, 3});
+  t->reset();
+  CHECK_FALSE(t->done());
+
+  auto second = task("trace", keys);
+  Hand other{*second};
+  other.slide({0}, {0, 3, 0}, {2, 3, 0});
+  other.away(0.35);
+  other.slide({0}, {0, 3, 0}, {3, 3, 0});
+  CHECK(second->solved());
+}
+
+TEST_CASE("round a crease a trace's last attempt ends it too; without 'lifts' there is no try that could be wrong") {
+  auto t = task("trace", {{"trace", "crease"}, {"of", "all"}, {"within", "0.3 Å"}, {"lifts", "0"}, {"attempts", "1"}},
+                pair());
+  Hand hand{*t};
+  round(hand, 0, 90);
+  hand.away(0.35);
+  CHECK(t->done());
+  CHECK_FALSE(t->solved());
+  CHECK(t->sentence() == "That was the last try.");
+  CHECK(problemOf("trace", {{"trace", "atom 0-3"}, {"attempts", "2"}}) ==
+        "without 'lifts' there is no wrong try at a way");
+  CHECK(problemOf("trace", {{"trace", "atom 0-3"}, {"attempts", "2"}, {"lifts", "1"}}) == "");
+}
+
 TEST_CASE("in either direction the way may begin at its end; forward it may not") {
   for (const char* direction : {"either", "forward"}) {
     auto t = task("trace", {{"trace", "atom 0 then atom 3"}, {"direction", direction}});

@@ -112,7 +112,24 @@ struct BlockPainter {
     });
   }
 
-  void operator()(const TeacherNote&) {}
+  void operator()(const TeacherNote& note) {
+    if (!app.panels.teacher_notes) return;
+    const Look& l = look();
+    onGround(l.palette.raised, [&](float x, float width) {
+      {
+        const WithFont small(Font::Small);
+        drawRichText((name + "/teacher").c_str(), {TextRun{.text = tr("For the teacher"), .bold = true}},
+                     l.palette.quiet, width);
+      }
+      for (std::size_t k = 0; k < note.paragraphs.size(); ++k) {
+        ImGui::SetCursorScreenPos({x, ImGui::GetCursorScreenPos().y});
+        const std::string part = name + "/note/" + std::to_string(k);
+        if (std::string clicked = drawRichText(part.c_str(), note.paragraphs[k], l.palette.text, width);
+            !clicked.empty())
+          link = std::move(clicked);
+      }
+    });
+  }
 
   void operator()(const Quote& quote) {
     const Look& l = look();

@@ -63,14 +63,51 @@ Done doneIn(const LessonSession& session) {
   return out;
 }
 
+// The steps by their titles in the order in which they were met; what was passed over stands where it would have come.
+RichText wayOf(const LessonSession& session) {
+  const std::vector<Step>& steps = session.lesson().steps;
+  std::vector<std::size_t> way = session.met();
+  for (std::size_t s = 0; s < steps.size(); ++s) {
+    if (!session.skipped(s) || session.stepSeen(s)) continue;
+    auto place = way.begin();
+    for (auto at = way.begin(); at != way.end(); ++at)
+      if (!steps[*at].aside && *at < s) place = std::next(at);
+    while (place != way.end() && steps[*place].aside) ++place;
+    way.insert(place, s);
+  }
+  RichText out;
+  for (const std::size_t s : way) {
+    if (!out.empty()) out.push_back({.text = " → "});
+    if (!session.stepSeen(s))
+      out.push_back({.text = trf("(passed over: {0})", steps[s].title), .italic = true});
+    else if (steps[s].aside)
+      out.push_back({.text = trf("side path: {0}", steps[s].title), .italic = true});
+    else
+      out.push_back({.text = steps[s].title});
+  }
+  return out;
+}
+
 }  // namespace
 
 void drawLessonGoals(Application& app, const LessonSession& session) {
   if (session.lesson().goals.empty()) return;
-  // Closed at first: the first task is to be in view.
-  disclosure("lesson/goals", tr("What you can do afterwards"), app.panels.lesson_goals);
-  if (app.panels.lesson_goals) drawGoals(session, "lesson/goal", Icon::None, look().palette.accent);
+  bool open = app.panels.lesson_goals.value_or(false);
+  if (disclosure("lesson/goals", tr("What you can do afterwards"), open)) app.panels.lesson_goals = open;
+  if (open) drawGoals(session, "lesson/goal", Icon::None, look().palette.accent);
   ImGui::Spacing();
+}
+
+void settleLessonGoals(Application& app, const LessonSession& session, float width, float text_height) {
+  PanelState& panels = app.panels;
+  if (panels.lesson_goals) return;
+  const bool begins = session.stepIndex() == 0 && session.met().size() == 1 && session.parts().done == 0;
+  float height = 0.0f;
+  for (const std::string& goal : session.lesson().goals)
+    height += richTextHeight({TextRun{.text = goal}}, width - look().px(22)) + ImGui::GetStyle().ItemSpacing.y;
+  const float work = panels.lesson_task_y > 0.0f ? panels.lesson_task_y : panels.lesson_question_y;
+  const bool seen = work > 0.0f && work <= panels.lesson_text_end;
+  panels.lesson_goals = begins && height <= 0.5f * text_height && (!seen || work + height <= panels.lesson_text_end);
 }
 
 void drawLessonEnd(Application& app, const LessonSession& session) {
@@ -109,6 +146,10 @@ void drawLessonEnd(Application& app, const LessonSession& session) {
                          trnf("{0} side path", "{0} side paths", done.asides, done.asides))
                    : trf("{0} of {1} steps seen.", done.steps_seen, done.steps),
        l.palette.quiet);
+  if (session.met().size() > 1) {
+    const WithFont small(Font::Small);
+    drawRichText("lesson/end/order", wayOf(session), l.palette.quiet, width - 2 * pad);
+  }
   if (done.skipped > 0)
     line("lesson/end/skipped",
          trnf("{0} step passed over, by your answers.", "{0} steps passed over, by your answers.", done.skipped,

@@ -212,7 +212,7 @@ void drawLessonPanel(Application& app) {
     link = other;
   drawLessonEnd(app, *session);
   ImGui::Dummy({0, l.px(10)});
-  const float hidden = ImGui::GetScrollMaxY() - ImGui::GetScrollY();
+  const float hidden = ImGui::GetScrollMaxY() - ImGui::GetScrollY(), text_width = ImGui::GetContentRegionAvail().x;
   const ImVec2 text_low = ImGui::GetWindowPos(), text_size = ImGui::GetWindowSize();
   ImGui::EndChild();
   const ImVec2 foot_at = ImGui::GetCursorScreenPos();
@@ -223,6 +223,7 @@ void drawLessonPanel(Application& app) {
   }
   app.panels.lesson_more_below = hidden >= l.px(24);
   app.panels.lesson_text_end = text_low.y + text_size.y;
+  settleLessonGoals(app, *session, text_width, text_size.y);
   const float edge = ImGui::GetCursorScreenPos().y - l.px(3);
   ImDrawList* draw = ImGui::GetWindowDrawList();
   draw->PushClipRectFullScreen();

@@ -1,0 +1,102 @@
+// The lesson's notes for the teacher: who sees them, and when they go.
+#include <algorithm>
+
+#include "app/ui/extensions/extensions.h"
+#include "app/ui/panels/actions.h"
+#include "app/ui/widgets/widget_map.h"
+#include "engine/lesson/lesson.h"
+#include "tests/app/scripted_user_fixture.h"
+#include "tests/results/sample_attempt.h"
+
+namespace moltact {
+namespace {
+
+const std::string kNote = "> [!NOTE]\n> Teacher: Let them push first.\n>\n> Most expect a [flat](#one-step) floor.\n";
+
+// The texts of the notes that are drawn.
+std::string notes() {
+  std::string out;
+  for (const auto& [name, record] : widgets().all())
+    if (name.ends_with("/note/0") || name.ends_with("/note/1") || name.ends_with("/teacher")) out += record.text + "|";
+  return out;
+}
+
+struct Opened {
+  ScratchFolder scratch;
+  std::unique_ptr<ScriptedUser> driver;
+  explicit Opened(const std::string& body) {
+    writeFile(scratch.path / "notes.md", argonLesson("Notes", "  - A goal\n", body));
+    ScriptedUser::Options options;
+    options.application.attempts_folder = scratch.path / "attempts";
+    driver = startWith((scratch.path / "notes.md").string(), std::move(options));
+  }
+  bool offered() const { return enabled(*findAction("teacher-notes"), driver->app()); }
+};
+
+}  // namespace
+
+TEST_CASE(
+    "a note for the teacher is not seen until the Lesson menu's Teacher's notes is chosen; it stands in a box among "
+    "the "
+    "text then, and is gone when it is chosen again") {
+  Opened o("Text.\n\n" + kNote + "\nMore.\n");
+  ScriptedUser& d = *o.driver;
+  CHECK(notes().empty());
+  const Picture without = d.picture();
+  d.click("menu/lesson");
+  d.frames(3);
+  CHECK(d.text("menu/lesson/teacher-notes").empty());
+  CHECK(d.click("menu/lesson/teacher-notes"));
+  d.frames(5);
+  CHECK(notes() == "Let them push first.|Most expect a flat floor.|For the teacher|");
+  CHECK(difference(without, d.picture()) > 0.005);
+  d.click("menu/lesson");
+  d.frames(3);
+  CHECK(d.text("menu/lesson/teacher-notes") == "on");
+  CHECK(d.click("menu/lesson/teacher-notes"));
+  d.frames(5);
+  CHECK(notes().empty());
+}
+
+TEST_CASE("a lesson without notes for the teacher, and the welcome page, offer no such view") {
+  Opened o("> [!TIP]\n> A hint.\n\n> [!NOTE]\n> A note for all.\n");
+  CHECK_FALSE(o.offered());
+  o.driver->app().panels.welcome = true;
+  CHECK_FALSE(o.offered());
+}
+
+TEST_CASE("the notes go when turns begin and when a student is asked for a name, and cannot be shown meanwhile") {
+  Opened o(kNote);
+  ScriptedUser& d = *o.driver;
+  REQUIRE(o.offered());
+  findAction("teacher-notes")->run(d.app());
+  d.frames(3);
+  REQUIRE_FALSE(notes().empty());
+  d.app().extensions().turns.begin(d.app(), {"Ana", "Bo"}, 60.0);
+  d.frames(3);
+  CHECK(notes().empty());
+  CHECK_FALSE(o.offered());
+  d.app().extensions().turns.end(d.app());
+  d.frames(3);
+  CHECK(notes().empty());
+  CHECK(o.offered());
+  findAction("teacher-notes")->run(d.app());
+  d.app().extensions().name_asker.ask(d.app(), false);
+  d.frames(3);
+  CHECK(notes().empty());
+  CHECK_FALSE(o.offered());
+  d.app().extensions().name_asker.give(d.app(), "Ana");
+  d.frames(3);
+  CHECK(notes().empty());
+  CHECK(o.offered());
+}
+
+TEST_CASE("the newcomer's lesson has notes for the teacher, none of which is seen at its start") {
+  auto d = startWith("");
+  openFirst(*d);
+  d->frames(5);
+  REQUIRE(hasTeacherNotes(d->app().lesson.session()->lesson()));
+  CHECK(notes().empty());
+}
+
+}  // namespace moltact
