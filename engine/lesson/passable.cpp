@@ -42,13 +42,14 @@ bool rests(const SurfacePlace& place, const std::vector<char>& in) {
 }  // namespace
 
 std::vector<SurfacePlace> comesTo(const BallScene& scene, std::span<const std::uint32_t> atoms, double probe_A,
-                                  bool first_only) {
+                                  bool first_only, const std::function<bool(const SurfacePlace&)>& wanted) {
   std::vector<SurfacePlace> out;
   std::vector<char> in(scene.size(), 0), near(scene.size(), 0);
   for (const std::uint32_t a : atoms) in[a] = near[a] = 1;
   const auto take = [&](const std::vector<SurfacePlace>& places) {
     for (const SurfacePlace& p : places)
-      if ((out.empty() || !first_only) && rests(p, in) && open(scene, p, probe_A)) out.push_back(p);
+      if ((out.empty() || !first_only) && rests(p, in) && (!wanted || wanted(p)) && open(scene, p, probe_A))
+        out.push_back(p);
   };
   take(facePlaces(scene, atoms, probe_A, kFaceDirections));
   if (!out.empty()) return out;

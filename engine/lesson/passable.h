@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <span>
 #include <vector>
@@ -14,9 +15,9 @@
 namespace moltact {
 
 /// The places where a probe rests on one of these atoms, alone or with its neighbours, and to which it comes from far
-/// outside in a straight line. With `first_only` at most one.
+/// outside in a straight line; where `wanted` is given, of those for which it says true. With `first_only` at most one.
 std::vector<SurfacePlace> comesTo(const BallScene& scene, std::span<const std::uint32_t> atoms, double probe_A,
-                                  bool first_only = false);
+                                  bool first_only = false, const std::function<bool(const SurfacePlace&)>& wanted = {});
 
 /// A ring of atoms, as far as a probe that goes through it sees it.
 struct AtomRing {

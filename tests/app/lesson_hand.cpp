@@ -49,6 +49,7 @@ bool LessonHand::finishLesson() {
     d_.frames(5);
     const std::string step = session().step().id;
     for (std::size_t t = 0; t < session().step().tasks.size(); ++t) {
+      if (errs_) doWrongly(t);
       const bool done = doTask(t);
       takePicture(d_, d_.app().lesson.file().stem().string() + "-" + std::to_string(session().stepIndex()) + "-" +
                           std::to_string(t) + (mouse() ? "-mouse" : "-keys"));
@@ -57,7 +58,10 @@ bool LessonHand::finishLesson() {
       failed_ += step + ", task " + std::to_string(t + 1) + ": " + session().task(t).sentence + '\n';
       break;
     }
-    for (std::size_t q = 0; q < session().step().questions.size(); ++q) answerRightly(q);
+    for (std::size_t q = 0; q < session().step().questions.size(); ++q) {
+      if (errs_) answerWrongly(q);
+      answerRightly(q);
+    }
     if (!session().hasNext()) return session().finished();
     if (mouse())
       d_.click("lesson/next");
@@ -69,16 +73,101 @@ bool LessonHand::finishLesson() {
 
 bool LessonHand::goesOn(std::size_t task) const { return session().currentTask() == task; }
 
+HandPlanInput LessonHand::planInput(int attempt) const {
+  return {.balls = *d_.app().scene.stage().balls,
+          .probe_A = d_.app().scene.servo_settings.probe_A,
+          .N_per_A = N_per_A(),
+          .hip = d_.app().scene.log().latest().hip,
+          .attempt = attempt};
+}
+
+double LessonHand::figure(std::size_t task, std::string_view name) const {
+  for (const TaskFigure& f : session().taskFigures(task))
+    if (f.name == name) return f.value;
+  return 0.0;
+}
+
+void LessonHand::expect(bool held, const std::string& what) {
+  if (held)
+    ++told_wrong_;
+  else
+    failed_ += session().step().id + ", " + what + '\n';
+}
+
+HandPlan LessonHand::wrongPlan(std::size_t task) const {
+  const TaskSpec& spec = session().step().tasks[task];
+  const HandPlanInput input = planInput(0);
+  HandPlan plan;
+  if (spec.kind == "find") {
+    const std::vector<std::uint32_t> target = spec.values["find"].selection.select(*session().molecule());
+    constexpr double kElsewhere_A = 4.0;
+    const auto elsewhere = [&](const SurfacePlace& p) {
+      return std::all_of(target.begin(), target.end(), [&](std::uint32_t a) {
+        return glm::distance(p.scp_A, input.balls[a].centre_A) > input.balls[a].radius_A + input.probe_A + kElsewhere_A;
+      });
+    };
+    // What lies round the place is near the middle of the view.
+    std::vector<std::uint32_t> round;
+    for (const std::uint32_t a : target)
+      input.balls.visitNear(input.balls[a].centre_A, 12.0, [&](std::uint32_t b, const Ball&) { round.push_back(b); });
+    std::sort(round.begin(), round.end());
+    round.erase(std::unique(round.begin(), round.end()), round.end());
+    const std::vector<SurfacePlace> places = openPlaces(input, round, Feature::Sphere, 1, elsewhere);
+    if (places.empty()) return plan;
+    const bool rests = spec.values["by"].text == "hold";
+    comeTo(plan, places.front(), depthFor(input, 0.3), rests ? 2.6 : 0.3);
+    if (!rests) plan.push_back({.answer = TaskAnswer{.word = "here"}});
+  } else if (spec.kind == "same" || spec.kind == "fit") {
+    plan = session().taskAt(task)->demonstrate(input);
+    const double smaller_A = spec.kind == "fit" ? 4.0 * spec.values["within"].number : 0.0;
+    for (std::size_t k = 0; k < plan.size(); ++k) {
+      HandAct& act = plan[k];
+      // A smaller probe lies deeper.
+      if (act.to && !act.placed && k > 0 && plan[k - 1].to && act.to->A != plan[k - 1].to->A)
+        act.to->A += smaller_A * glm::normalize(act.to->A - plan[k - 1].to->A);
+      if (!act.answer) continue;
+      if (act.answer->number) *act.answer->number -= smaller_A;
+      if (act.answer->word == "same" || act.answer->word == "different")
+        act.answer->word = act.answer->word == "same" ? "different" : "same";
+    }
+  } else if (spec.kind == "measure") {
+    const AtomSet other(spec.values["to"].selection, *session().molecule());
+    const std::vector<SurfacePlace> places = openPlaces(input, other.atoms(), Feature::Sphere, 1);
+    if (places.empty()) return plan;
+    comeTo(plan, places.front(), depthFor(input, 0.3), 0.3);
+    plan.push_back({.answer = TaskAnswer{.word = "mark"}});
+  }
+  return plan;
+}
+
+void LessonHand::doWrongly(std::size_t task) {
+  const TaskSpec& spec = session().step().tasks[task];
+  // A round of pairs forgives one; where it forgives none it would have to be felt twice.
+  const bool same = spec.kind == "same";
+  if (same && spec.values["right"].number + 1 > spec.values["trials"].number) return;
+  constexpr int kTries = 4;
+  for (int tries = 0; tries < kTries && goesOn(task); ++tries) {
+    const HandPlan plan = wrongPlan(task);
+    if (plan.empty()) return;
+    const std::string before = session().task(task).sentence;
+    follow(plan, task);
+    lift();
+    d_.frames(3);
+    if (!goesOn(task)) break;
+    const bool told = spec.kind == "measure" ? session().task(task).sentence != before
+                      : same                 ? figure(task, "trials") == 1.0 && figure(task, "right") == 0.0
+                                             : figure(task, "guesses") >= 1.0;
+    if (!told) continue;
+    expect(session().task(task).progress < 1.0, "task done wrongly");
+    return;
+  }
+  expect(false, "task " + std::to_string(task + 1) + " could not be done wrongly: " + session().task(task).sentence);
+}
+
 bool LessonHand::doTask(std::size_t task) {
   double best = -1.0;
   for (int attempt = 0, idle = 0; goesOn(task) && idle < kAttempts; ++attempt, ++idle) {
-    const Stage& stage = d_.app().scene.stage();
-    const HandPlan plan = session().taskAt(task)->demonstrate({.balls = *stage.balls,
-                                                               .probe_A = d_.app().scene.servo_settings.probe_A,
-                                                               .N_per_A = N_per_A(),
-                                                               .hip = d_.app().scene.log().latest().hip,
-                                                               .attempt = attempt});
-    follow(plan, task);
+    follow(session().taskAt(task)->demonstrate(planInput(attempt)), task);
     if (!goesOn(task)) return true;
     const double progress = session().task(task).progress;
     if (progress > best) best = progress, idle = -1;
@@ -140,33 +229,71 @@ void LessonHand::follow(const HandPlan& plan, std::size_t task) {
   }
 }
 
+void LessonHand::pick(std::size_t q, std::size_t choice) {
+  if (mouse()) {
+    d_.click("question/" + std::to_string(q) + "/" + std::to_string(choice));
+    return;
+  }
+  const std::vector<std::size_t> order = session().choiceOrder(q);
+  const auto place = std::find(order.begin(), order.end(), choice) - order.begin();
+  d_.tap(std::to_string(place + 1));
+}
+
+void LessonHand::handIn(std::size_t q) {
+  if (mouse())
+    d_.click("question/" + std::to_string(q) + "/check");
+  else
+    d_.tap(session().step().questions[q].free() ? "Ctrl+Enter" : "Enter");
+}
+
+void LessonHand::writeIn(std::size_t q, const std::string& text) {
+  if (mouse())
+    d_.click("question/" + std::to_string(q) + "/field");
+  else
+    d_.tap("A");
+  d_.frames(3);
+  if (session().question(q).attempts > 0) d_.tap("Ctrl+A");
+  d_.type(text);
+  handIn(q);
+}
+
+void LessonHand::answerWrongly(std::size_t q) {
+  const Question& asked = session().step().questions[q];
+  if (asked.prediction || asked.free() || session().question(q).done()) return;
+  const auto told = [&](const std::string& what) {
+    d_.frames(3);
+    const QuestionStatus& now = session().question(q);
+    expect(now.attempts > 0 && !now.last_right && !now.answered_right && session().told(q),
+           "question " + std::to_string(q + 1) + ": " + what + " is not told to be wrong");
+  };
+  if (asked.choices.empty()) {
+    const AnswerSpec& answer = *asked.answer;
+    char number[32];
+    std::snprintf(number, sizeof number, "%.6g", answer.number + 2.0 * answer.tolerance + 1.0);
+    writeIn(q, answer.kind == AnswerSpec::Kind::Number ? number : "nothing like it");
+    return told("another answer");
+  }
+  const bool several = asked.rightChoices() > 1;
+  for (std::size_t k = 0; k < asked.choices.size(); ++k) {
+    if (asked.choices[k].right) continue;
+    if (asked.attempts > 0 && session().question(q).attempts + 1 >= asked.attempts)
+      return;  // the last is the right one
+    pick(q, k);
+    if (several) handIn(q);
+    told(plainText(asked.choices[k].text));
+    if (several) pick(q, k);
+  }
+}
+
 void LessonHand::answerRightly(std::size_t q) {
   if (session().question(q).answered_right) return;
   const Question& asked = session().step().questions[q];
-  const std::string name = "question/" + std::to_string(q);
   if (asked.choices.empty()) {
-    if (mouse())
-      d_.click(name + "/field");
-    else
-      d_.tap("A");
-    d_.frames(3);
-    d_.type(unitText(*asked.answer));
-    if (mouse())
-      d_.click(name + "/check");
-    else
-      d_.tap(asked.answer->kind == AnswerSpec::Kind::Free ? "Ctrl+Enter" : "Enter");
+    writeIn(q, unitText(*asked.answer));
   } else {
-    for (std::size_t k = 0; k < asked.choices.size(); ++k) {
-      if (!asked.choices[k].right) continue;
-      if (mouse())
-        d_.click(name + "/" + std::to_string(k));
-      else
-        d_.tap(std::to_string(k + 1));
-    }
-    if (asked.rightChoices() > 1 && mouse())
-      d_.click(name + "/check");
-    else if (asked.rightChoices() > 1)
-      d_.tap("Enter");
+    for (std::size_t k = 0; k < asked.choices.size(); ++k)
+      if (asked.choices[k].right) pick(q, k);
+    if (asked.rightChoices() > 1) handIn(q);
   }
   d_.frames(3);
   if (!session().question(q).answered_right)

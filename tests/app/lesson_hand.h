@@ -1,5 +1,6 @@
 // A student at the window who knows where to go: carries out what each kind of task shows (Task::demonstrate) with the
-// mouse alone or with the keyboard alone, through the application's input queue. What it cannot do, no hand can.
+// mouse alone or with the keyboard alone, through the application's input queue. What it cannot do, no hand can. One who
+// errs gives every wrong choice and a wrong number first, and does wrongly what a task lets one do wrongly.
 #pragma once
 
 #include <string>
@@ -12,12 +13,16 @@ namespace moltact {
 class LessonHand {
  public:
   enum class By { Mouse, Keyboard };
-  LessonHand(ScriptedUser& driver, By by) : d_(driver), by_(by) {}
+  enum class First { Right, Wrong };
+  LessonHand(ScriptedUser& driver, By by, First first = First::Right)
+      : d_(driver), by_(by), errs_(first == First::Wrong) {}
 
   /// Does every task and answers every question of the lesson that is open. True when it was finished.
   bool finishLesson();
   /// What it could not do, one a line.
   const std::string& failed() const { return failed_; }
+  /// How many wrong answers and wrong acts were told to be so, and solved nothing.
+  int toldWrong() const { return told_wrong_; }
 
  private:
   bool mouse() const { return by_ == By::Mouse; }
@@ -27,6 +32,17 @@ class LessonHand {
   bool goesOn(std::size_t task) const;
 
   void answerRightly(std::size_t question);
+  void answerWrongly(std::size_t question);
+  /// What can be wrong in a task of this kind: a guess elsewhere, a first pair taken for its contrary, a probe that is
+  /// too small, the other end marked first. Nothing for kinds without such an act.
+  void doWrongly(std::size_t task);
+  HandPlan wrongPlan(std::size_t task) const;
+  HandPlanInput planInput(int attempt) const;
+  double figure(std::size_t task, std::string_view name) const;
+  void pick(std::size_t question, std::size_t choice);
+  void handIn(std::size_t question);
+  void writeIn(std::size_t question, const std::string& text);
+  void expect(bool held, const std::string& what);
   void tell(std::size_t task, const TaskAnswer& answer);
   /// Sets the slider of a task to the step nearest to this value.
   void slideTo(std::size_t task, double value);
@@ -52,6 +68,8 @@ class LessonHand {
 
   ScriptedUser& d_;
   By by_;
+  bool errs_ = false;
+  int told_wrong_ = 0;
   bool pressing_ = false;
   double pushed_N_ = 0.0;
   glm::ivec2 arrows_{0};

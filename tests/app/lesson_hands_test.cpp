@@ -1,4 +1,5 @@
-// Every shipped lesson in the window, on the frames' clock: once with the mouse alone and once with the keyboard alone.
+// Every shipped lesson in the window, on the frames' clock: once with the mouse alone, and once with the keyboard alone by a
+// student who errs first wherever one can.
 #include "tests/app/lesson_hand.h"
 #include "tests/app/scripted_user_fixture.h"
 
@@ -8,10 +9,12 @@ namespace {
 void walk(const std::string& lesson, LessonHand::By by) {
   CAPTURE(lesson);
   auto d = startWith(std::string(MOLTACT_SOURCE_DIR) + "/lessons/" + lesson);
-  LessonHand hand(*d, by);
+  const bool errs = by == LessonHand::By::Keyboard;
+  LessonHand hand(*d, by, errs ? LessonHand::First::Wrong : LessonHand::First::Right);
   CHECK(hand.finishLesson());
   CHECK(hand.failed() == "");
   CHECK(d->missing() == "");
+  if (errs) CHECK(hand.toldWrong() >= 4);
 }
 
 }  // namespace

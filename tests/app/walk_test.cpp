@@ -92,7 +92,7 @@ expect welcome/own/first-touch First touch
 click welcome/own/first-touch
 wait 20
 expect lesson/place Step 1 of
-expect lesson/more More below
+expect lesson/more Touch the rings.
 point task/0
 expect task/0 current: Touch the rings.
 point view 0.5 0.5

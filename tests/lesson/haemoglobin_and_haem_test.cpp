@@ -3,7 +3,9 @@
 #include <array>
 #include <tuple>
 
-#include "tests/lesson/shipped_lesson.h"
+#include "engine/lesson/passable.h"
+#include "engine/lesson/tasks/touch_limits.h"
+#include "tests/lesson/shipped_hand.h"
 
 using namespace moltact;
 using namespace moltact::test;
@@ -97,11 +99,15 @@ TEST_CASE(
 }
 
 TEST_CASE(
-    "haemoglobin-and-haem.md has 10 steps in the whole molecule and in two cut-open pockets, with a search in the "
-    "dark") {
+    "haemoglobin-and-haem.md has 8 steps and two asides in the whole molecule and in two cut-open pockets, with a "
+    "search "
+    "in the dark, and takes 25 minutes at most") {
   const Lesson lesson = shippedLesson("haemoglobin-and-haem");
   checkCare(lesson);
   CHECK(lesson.steps.size() == 10);
+  CHECK(std::count_if(lesson.steps.begin(), lesson.steps.end(), [](const Step& s) { return s.aside; }) == 2);
+  CHECK(lesson.minutes <= 25);
+  CHECK(tasksOf(lesson, "fit") == 1);
   CHECK(lesson.molecules.size() == 3);
   CHECK(tasksOf(lesson, "find") == 1);
 }
@@ -163,6 +169,18 @@ TEST_CASE(
   CHECK(fromAbove(beta, 0.9) >= 1);
   CHECK(fromAbove(beta, 1.0) == 0);
   CHECK(beta.places("element Fe", 1.4).empty());
+  // What the task finds: the limit on the side of the valine and the distal histidine.
+  const Lesson lesson = shippedLesson("haemoglobin-and-haem");
+  const TaskSpec& fit = taskOf(lesson, "a-smaller-visitor", "fit");
+  const TouchLimits above(fit, "fit", *beta.molecule);
+  const auto iron = beta.select(fit.values["fit"].selection.text());
+  const auto limit = largestProbe(fit.values["least"].number, fit.values["most"].number, [&](double probe_A) {
+    return !comesTo(beta.balls, iron, probe_A, true, [&](const SurfacePlace& p) {
+              return above.allow(p.scp_A, probe_A);
+            }).empty();
+  });
+  REQUIRE(limit);
+  CHECK(*limit == doctest::Approx(1.0).epsilon(0.05));
   // From below nothing of 1.4 A comes to the iron.
   CHECK(alpha.places("element Fe", 1.4).size() == fromAbove(alpha, 1.4));
 }

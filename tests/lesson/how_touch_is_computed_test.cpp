@@ -15,8 +15,10 @@
 #include "engine/lesson/tasks/registry.h"
 #include "engine/molecule/reader.h"
 #include "tests/language/in_german.h"
+#include "tests/lesson/shipped_lesson.h"
 
 using namespace moltact;
+using moltact::test::lineSaying;
 
 namespace {
 
@@ -67,17 +69,21 @@ const Step& stepOf(const Lesson& lesson, std::string_view id) {
 }  // namespace
 
 TEST_CASE(
-    "how-touch-is-computed.md reads without errors or warnings into 8 steps, each with a task and the methods panel") {
+    "how-touch-is-computed.md reads without errors or warnings into 10 steps, each with a task and the methods panel, "
+    "which is shut and locked in the dark") {
   const LessonReading read = readLesson(kLesson);
   for (const Problem& p : read.errors) MESSAGE(p.text());
   for (const Problem& p : read.warnings) MESSAGE(p.text());
   REQUIRE(read.lesson);
   CHECK(read.warnings.empty());
-  CHECK(read.lesson->steps.size() == 8);
+  CHECK(read.lesson->steps.size() == 10);
   std::set<std::string> used, failures;
   for (const Step& s : read.lesson->steps) {
     CHECK_FALSE(s.tasks.empty());
-    CHECK(s.scene.panels == std::vector<std::string>{"methods"});
+    // The plots would tell which method it is.
+    const bool dark = s.tasks.empty() || s.tasks[0].kind == "same";
+    CHECK(s.scene.panels == std::vector<std::string>{dark ? "none" : "methods"});
+    if (dark) CHECK((s.scene.locks("panels") && s.scene.locks("method")));
     used.insert(s.scene.molecule.name);
     for (const TaskSpec& t : s.tasks)
       if (t.kind == "meet") failures.insert(t.values["meet"].words.at(0));
@@ -128,6 +134,12 @@ TEST_CASE(
     }
     return most_deg;
   };
+  const std::string corner = lineSaying("how-touch-is-computed",
+                                        "at a corner by up to 42; with 5120 triangles by about 5 at most"),
+                    of320 = lineSaying("how-touch-is-computed",
+                                       "try Mesh 320, whose corners turn the force by up to 21 degrees");
+  CAPTURE(corner);
+  CAPTURE(of320);
   CHECK(largestTurn("mesh80") == doctest::Approx(42).epsilon(0.02));
   CHECK(largestTurn("mesh320") == doctest::Approx(21).epsilon(0.04));
   CHECK(largestTurn("mesh5120") == doctest::Approx(5).epsilon(0.1));
@@ -137,10 +149,13 @@ TEST_CASE(
 TEST_CASE(
     "neighbouring triangles of a sphere of 80, an icosahedron's faces halved once, lie at 18 to 22.5 degrees to each "
     "other; of 320 at 7 to 11.5, of 5120 at 1.5 to 3") {
-  const std::string text = contentsOf(kLesson);
-  CHECK(text.find("Mesh 80 lie at 18 to 22 degrees to each other, of Mesh 320 at 7 to 11, of Mesh 5120 at 1.5 to 3") !=
-        std::string::npos);
-  CHECK(text.find("At an edge of Mesh 80 the force turns by about 20 degrees at once") != std::string::npos);
+  const std::string
+      edge = lineSaying("how-touch-is-computed", "At an edge of Mesh 80 the force turns by about 20 degrees at once"),
+      neighbours =
+          lineSaying("how-touch-is-computed",
+                     "Mesh 80 lie at 18 to 22 degrees to each other, of Mesh 320 at 7 to 11, of Mesh 5120 at 1.5 to 3");
+  CAPTURE(edge);
+  CAPTURE(neighbours);
   using Triangle = std::array<Vec3, 3>;
   // The twelve corners of an icosahedron, and as faces all threes of them that are neighbours.
   std::vector<Vec3> corners;
@@ -225,6 +240,7 @@ TEST_CASE("in the lesson's crease the grid of 0.8 A is off by 0.03 A, the one of
   const LessonReading read = readLesson(kLesson);
   REQUIRE(read.lesson);
   const Step& step = stepOf(*read.lesson, "a-grid-rounds-the-crease");
+  CAPTURE(lineSaying("how-touch-is-computed", "until the contact point lies 0.03 Å or more off the true one"));
   CHECK(step.scene.touch.method == "grid08");
   // Radius of the circle where the grown spheres meet; the pair lies along x.
   const double circle_A = std::sqrt(std::pow(1.88 + 1.4, 2) - 1.88 * 1.88);

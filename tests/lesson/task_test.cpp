@@ -131,6 +131,23 @@ TEST_CASE("cross counts sphere 0, crease, sphere 1, but not a hop through the ai
   CHECK(t->done());
 }
 
+TEST_CASE("a press that comes down on atom 0 and glances off to atom 1 within 0.1 s has not slid across") {
+  for (const char* direction : {"forward", "either"}) {
+    auto t = task("cross", {{"cross", "atom 0"}, {"to", "atom 1"}, {"direction", direction}});
+    Hand hand{*t};
+    for (int press = 0; press < 5; ++press) {
+      hand.touch({0}, 0.06);
+      hand.touch({0, 1}, 0.02);
+      hand.touch({1}, 0.3);
+      hand.away(0.5);
+    }
+    CHECK_FALSE(t->done());
+    hand.touch({0}, 0.12);
+    hand.touch({1}, 0.05);
+    CHECK(t->done());
+  }
+}
+
 TEST_CASE("cross in either direction may begin on the second atom, and there and back is 2 times") {
   auto t = task("cross", {{"cross", "atom 0"}, {"to", "atom 1"}, {"direction", "either"}, {"times", "2"}});
   Hand hand{*t};

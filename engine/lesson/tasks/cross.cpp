@@ -24,7 +24,7 @@ class Cross : public Task {
 
   void reset() override {
     Task::reset();
-    away_s_ = 0.0;
+    away_s_ = from_s_ = 0.0;
     crossed_ = lifts_ = 0;
     on_from_ = lost_ = touching_ = false;
     said_.clear();
@@ -36,6 +36,7 @@ class Cross : public Task {
     if (!touching_) {
       // A hand that hops for an instant at the crease has not let go.
       away_s_ += dt_s;
+      if (away_s_ > kTouch_s) from_s_ = 0.0;
       if (on_from_ && away_s_ > kTouch_s) {
         on_from_ = false;
         lost_ = true;
@@ -48,13 +49,16 @@ class Cross : public Task {
     if (either_ && !on_from_ && to_.holds(s.contact)) {
       std::swap(from_, to_);
       std::swap(from_name_, to_name_);
+      from_s_ = 0.0;
     }
     const bool here = limits_.allow(s.contact, s.probe_A);
     const bool from = here && from_.holds(s.contact), to = here && to_.holds(s.contact);
+    // A press that comes down on one atom and glances off to the other has not slid across.
+    from_s_ = from ? from_s_ + dt_s : on_from_ ? from_s_ : 0.0;
     if (on_from_ && to && !from) {
       ++crossed_;
       on_from_ = false;
-    } else if (from) {
+    } else if (from && from_s_ >= kTouch_s) {
       on_from_ = true;
       lost_ = false;
     } else if (!here || (!from_.touchedBy(s.contact) && !to_.touchedBy(s.contact))) {
@@ -134,7 +138,7 @@ class Cross : public Task {
   TouchLimits limits_;
   WrongTouches wrong_;
   std::string said_;
-  double away_s_ = 0.0;
+  double away_s_ = 0.0, from_s_ = 0.0;  // off the surface; on the start without a break
   bool either_ = false, named_ = false;
   int times_ = 1, crossed_ = 0, lifts_ = 0;
   bool on_from_ = false, lost_ = false, touching_ = false;

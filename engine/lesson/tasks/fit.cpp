@@ -9,6 +9,7 @@
 #include "engine/language/quantity_text.h"
 #include "engine/lesson/passable.h"
 #include "engine/lesson/tasks/registry.h"
+#include "engine/lesson/tasks/touch_limits.h"
 
 namespace moltact {
 namespace {
@@ -23,12 +24,20 @@ const TouchProperty& probeProperty() {
   return touchProperties().front();
 }
 
+/// Where a probe of this radius comes to the atoms, on the side that counts.
+std::vector<SurfacePlace> waysTo(const BallScene& scene, std::span<const std::uint32_t> atoms,
+                                 const TouchLimits& limits, double probe_A, bool first_only = false) {
+  return comesTo(scene, atoms, probe_A, first_only,
+                 [&](const SurfacePlace& p) { return limits.allow(p.scp_A, probe_A); });
+}
+
 class Fit : public Task {
  public:
   Fit(const TaskSpec& spec, const Molecule& molecule)
       : Task(spec),
         target_(spec.values["fit"].selection, molecule),
         name_(spec, "fit"),
+        limits_(spec, "fit", molecule),
         scene_(std::make_shared<const BallScene>(molecule.balls())),
         through_(spec.values["way"].text == "through"),
         largest_(spec.values["want"].text == "largest"),
@@ -67,7 +76,7 @@ class Fit : public Task {
   bool grown(const TouchSample& s) const { return std::abs(s.probe_A - value_A_) <= kAlike_A; }
 
   bool reached(const TouchSample& s) const {
-    if (!through_) return target_.touchedBy(s.contact);
+    if (!through_) return target_.touchedBy(s.contact) && limits_.allow(s.contact, s.probe_A);
     if (!ring_ || s.contact.fault != Fault::None) return false;
     const Vec3 from = s.contact.scp.A - ring_->centre_A;
     const double height_A = glm::dot(from, ring_->axis);
@@ -97,7 +106,7 @@ class Fit : public Task {
     if (!limit_A_) {
       const std::vector<std::uint32_t> atoms = target_.atoms();
       limit_A_ = largestProbe(least_A_, most_A_, [&](double probe_A) {
-                   if (!through_) return !comesTo(*scene_, atoms, probe_A, true).empty();
+                   if (!through_) return !waysTo(*scene_, atoms, limits_, probe_A, true).empty();
                    return ring_ && wayThrough(*scene_, *ring_, probe_A);
                  }).value_or(least_A_);
     }
@@ -165,7 +174,8 @@ class Fit : public Task {
       plan.push_back({.to = PointA{way + ring_->axis * before_A}, .placed = true, .wait_s = 0.5});
       plan.push_back({.to = PointA{way - ring_->axis * (largest_ ? before_A : 0.0)}, .wait_s = 1.5});
     } else {
-      std::vector<SurfacePlace> places = comesTo(*scene_, target_.atoms(), largest_ ? wanted_A : limit_A() - step_A);
+      std::vector<SurfacePlace> places =
+          waysTo(*scene_, target_.atoms(), limits_, largest_ ? wanted_A : limit_A() - step_A);
       const auto place = placeFor(grown, places);
       if (!place) return plan;
       set({place->scp_A + place->outward * far});
@@ -182,6 +192,7 @@ class Fit : public Task {
 
   AtomSet target_;
   TargetName name_;
+  TouchLimits limits_;
   std::shared_ptr<const BallScene> scene_;
   std::optional<AtomRing> ring_;
   bool through_ = false, largest_ = true;
@@ -220,8 +231,19 @@ void checkLimit(const TaskSpec& spec, const Molecule& molecule, std::vector<Prob
                         tr("name more of its atoms, or write 'way: into'")});
     return;
   }
+  const TouchLimits limits(spec, "fit", molecule);
+  if (through && limits.given()) {
+    const Value& side = spec.values[spec.values.has("side") ? "side" : "region"];
+    problems.push_back({{},
+                        side.place.line,
+                        side.place.column,
+                        tr("a ring has no side: the probe goes through it"),
+                        tr("take the line out, or write 'way: into'")});
+    return;
+  }
   const auto fits = [&](double probe_A) {
-    return through ? wayThrough(scene, *ring, probe_A).has_value() : !comesTo(scene, atoms, probe_A, true).empty();
+    return through ? wayThrough(scene, *ring, probe_A).has_value()
+                   : !waysTo(scene, atoms, limits, probe_A, true).empty();
   };
   if (!fits(least_A))
     problems.push_back({{},
@@ -240,47 +262,49 @@ void checkLimit(const TaskSpec& spec, const Molecule& molecule, std::vector<Prob
 }  // namespace
 
 TaskKind fitKind() {
-  return {
-      "fit",
-      "Find the largest probe that gets to a place or through a ring, or the smallest that is kept out.",
-      {{.name = "fit",
-        .type = ValueType::Selection,
-        .meaning = "The place: atoms of which one is to be touched, or those of the ring.",
-        .required = true},
-       {.name = "way",
-        .type = ValueType::Word,
-        .meaning = "Whether the probe is to touch the atoms or to get into the ring that they make.",
-        .fallback = "into",
-        .words = {"into", "through"}},
-       {.name = "want",
-        .type = ValueType::Word,
-        .meaning = "The largest probe that gets there, or the smallest that does not.",
-        .fallback = "largest",
-        .words = {"largest", "smallest"}},
-       {.name = "least",
-        .type = ValueType::Quantity,
-        .meaning = "The lower end of the slider, the probe's radius.",
-        .fallback = "0.2 Å",
-        .dimension = Dimension::Length,
-        .most = kLargestProbe_A},
-       {.name = "most",
-        .type = ValueType::Quantity,
-        .meaning = "The upper end of the slider.",
-        .fallback = "5 Å",
-        .dimension = Dimension::Length,
-        .most = kLargestProbe_A},
-       {.name = "within",
-        .type = ValueType::Quantity,
-        .meaning = "How far from the limit that the tracker finds still counts as right.",
-        .fallback = "0.2 Å",
-        .dimension = Dimension::Length,
-        .least = 0.05,
-        .most = 5.0},
-       attemptsKey("How often a probe may be called the one that is asked for: after the last wrong one the limit is "
-                   "shown, and the student goes on. Left out, as often as need be.")},
-      [](const TaskSpec& s, const Molecule& m) -> std::unique_ptr<Task> { return std::make_unique<Fit>(s, m); },
-      &checkFit,
-      &checkLimit};
+  std::vector<KeySpec> keys{
+      {.name = "fit",
+       .type = ValueType::Selection,
+       .meaning = "The place: atoms of which one is to be touched, or those of the ring.",
+       .required = true},
+      {.name = "way",
+       .type = ValueType::Word,
+       .meaning = "Whether the probe is to touch the atoms or to get into the ring that they make.",
+       .fallback = "into",
+       .words = {"into", "through"}},
+      {.name = "want",
+       .type = ValueType::Word,
+       .meaning = "The largest probe that gets there, or the smallest that does not.",
+       .fallback = "largest",
+       .words = {"largest", "smallest"}},
+      {.name = "least",
+       .type = ValueType::Quantity,
+       .meaning = "The lower end of the slider, the probe's radius.",
+       .fallback = "0.2 Å",
+       .dimension = Dimension::Length,
+       .most = kLargestProbe_A},
+      {.name = "most",
+       .type = ValueType::Quantity,
+       .meaning = "The upper end of the slider.",
+       .fallback = "5 Å",
+       .dimension = Dimension::Length,
+       .most = kLargestProbe_A},
+      {.name = "within",
+       .type = ValueType::Quantity,
+       .meaning = "How far from the limit that the tracker finds still counts as right.",
+       .fallback = "0.2 Å",
+       .dimension = Dimension::Length,
+       .least = 0.05,
+       .most = 5.0},
+      attemptsKey("How often a probe may be called the one that is asked for: after the last wrong one the limit is "
+                  "shown, and the student goes on. Left out, as often as need be.")};
+  for (KeySpec& key : TouchLimits::keys()) keys.push_back(std::move(key));
+  return {"fit",
+          "Find the largest probe that gets to a place or through a ring, or the smallest that is kept out.",
+          std::move(keys),
+          [](const TaskSpec& s, const Molecule& m) -> std::unique_ptr<Task> { return std::make_unique<Fit>(s, m); },
+          &checkFit,
+          &checkLimit};
 }
 
 }  // namespace moltact

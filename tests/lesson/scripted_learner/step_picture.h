@@ -1,0 +1,106 @@
+// What a student sees of a step of a shipped lesson, and what a press at a place of the picture meets there.
+#pragma once
+
+#include <algorithm>
+#include <map>
+#include <numbers>
+#include <optional>
+
+#include "engine/haptics/sweep.h"
+#include "engine/lesson/lesson_region.h"
+#include "engine/lesson/scene_atoms.h"
+#include "engine/render/camera.h"
+#include "tests/lesson/shipped_lesson.h"
+
+namespace moltact::test {
+
+/// Read once for all steps.
+inline Expected<std::shared_ptr<const Molecule>> knownMolecule(const NamedMolecule& named) {
+  static std::map<NamedMolecule, std::shared_ptr<const Molecule>> read;
+  if (const auto known = read.find(named); known != read.end()) return known->second;
+  auto molecule = shippedMolecule(named);
+  if (!molecule) return molecule.problem();
+  return read[named] = *molecule;
+}
+
+struct StepPicture {
+  static constexpr int kSize_px = 800;
+
+  explicit StepPicture(const Step& step)
+      : scene(step.scene),
+        molecule(*knownMolecule(scene.molecule)),
+        balls(molecule->balls(), untouchableAtoms(scene, *molecule)),
+        part(zoomedRegion(scene.view, scene, *molecule, scene.touch.probe_A)) {
+    if (!part) part = magnifiedRegion(scene, *molecule);
+  }
+
+  /// As the step begins; or with the molecule turned, as in the dark.
+  const Camera& camera(const std::optional<Quat>& turned = std::nullopt) const {
+    if (camera_ && of_ == turned) return *camera_;
+    Camera c;
+    if (!part || !turned) c.fit(*molecule, 1.0);
+    if (turned)
+      c.orientation = *turned;
+    else
+      face(c);
+    if (part)
+      c.fit(part->centre, part->radius_A, 1.0);
+    else
+      c.fit(*molecule, 1.0, 0.08, 1.5 * scene.touch.probe_A);
+    of_ = turned;
+    return camera_.emplace(c);
+  }
+
+  Vec3 middle(std::span<const std::uint32_t> atoms) const {
+    Vec3 sum(0.0);
+    for (const std::uint32_t a : atoms) sum += molecule->atoms[a].position.A / double(atoms.size());
+    return sum;
+  }
+
+  /// Where the middle of these atoms appears as the step begins.
+  glm::dvec2 seen(std::span<const std::uint32_t> atoms) const {
+    const Vec3 at = camera().project({middle(atoms)}, kSize_px, kSize_px);
+    return {at.x, at.y};
+  }
+
+  Hit press(const Camera& c, glm::dvec2 at_px, double probe_A, Vec3& scp_A) const {
+    const Ray ray = c.rayThrough(at_px.x, at_px.y, kSize_px, kSize_px);
+    const Vec3 end = ray.origin.A + ray.direction * (2.0 * c.distance_A);
+    const Hit hit = sweep(balls, probe_A, ray.origin.A, end);
+    scp_A = ray.origin.A + (end - ray.origin.A) * hit.t;
+    return hit;
+  }
+
+  SceneSpec scene;
+  std::shared_ptr<const Molecule> molecule;
+  BallScene balls;
+  std::optional<Region> part;  // that fills the view
+
+ private:
+  void face(Camera& c) const {
+    constexpr double kQuarter = 0.5 * std::numbers::pi;
+    const ViewSpec& view = scene.view;
+    if (view.facing.given()) {
+      const auto atoms = presentAtoms(view.facing, scene, *molecule);
+      if (!atoms.empty()) c.face({middle(atoms)});
+    } else if (view.turned_deg) {
+      c.lookFrom((*view.turned_deg)[0] / 90.0 * kQuarter, (*view.turned_deg)[1] / 90.0 * kQuarter);
+      c.roll((*view.turned_deg)[2] / 90.0 * kQuarter);
+    } else if (view.side == "side" && molecule->beside_from == 0) {
+      c.lookSideOn(*molecule);
+    } else {
+      c.lookFrom(view.side == "back"    ? 2 * kQuarter
+                 : view.side == "left"  ? -kQuarter
+                 : view.side == "right" ? kQuarter
+                                        : 0.0,
+                 view.side == "top"      ? kQuarter
+                 : view.side == "bottom" ? -kQuarter
+                                         : 0.0);
+    }
+  }
+
+  mutable std::optional<Camera> camera_;
+  mutable std::optional<Quat> of_;
+};
+
+}  // namespace moltact::test
