@@ -4,7 +4,7 @@
 #   ./test.sh release asan tsan the builds of CMakePresets.json that are named
 #   ./test.sh package           the Debian package: made, judged, installed on a bare system, used, removed (tests/package)
 #   ./test.sh web               the browser edition in headless Chromium (tests/web)
-#   ./test.sh windows           the trackers for Windows, under Wine (tests/windows, docs/windows.md)
+#   ./test.sh windows           the build for Windows, under Wine (tests/windows, docs/windows.md)
 #   ./test.sh fuzz              every reader of files under libFuzzer, 20 s each (tests/fuzz)
 set -eu
 cd "$(dirname "$0")"
@@ -29,7 +29,7 @@ for preset in "${@:-release}"; do
   fi
   if [ "$preset" = windows ]; then
     install_missing .ci/packages-windows
-    build_preset windows moltact_trace
+    build_preset windows
     [ -x build/release/moltact ] || build_preset release moltact
     timeout 20m python3 tests/windows/run.py
     continue

@@ -36,6 +36,7 @@ function(source_library name target)
     add_library(${name} STATIC EXCLUDE_FROM_ALL ${library_SOURCES})
     set(scope PUBLIC)
     target_compile_options(${name} PRIVATE -w)
+    set_target_properties(${name} PROPERTIES UNITY_BUILD OFF)
   else()
     add_library(${name} INTERFACE)
     set(scope INTERFACE)
@@ -83,7 +84,7 @@ macro(provide_common)
   # Libraries that are headers alone but for one source that asks for their functions.
   file(CONFIGURE OUTPUT ${sources}/stb/stb.c CONTENT "#define STB_IMAGE_IMPLEMENTATION\n#include <stb_image.h>
 #define STB_IMAGE_WRITE_IMPLEMENTATION\n#include <stb_image_write.h>\n")
-  source_library(source_stb PkgConfig::STB FOLDER stb SOURCES stb.c INCLUDE ${headers}/stb)
+  source_library(source_stb PkgConfig::STB FOLDER stb SOURCES stb.c INCLUDE ${headers}/stb DEFINE STBI_WINDOWS_UTF8)
   file(CONFIGURE OUTPUT ${sources}/tinygltf/tinygltf.cpp CONTENT
     "#include <nlohmann/json.hpp>\n#define TINYGLTF_IMPLEMENTATION\n#include <tiny_gltf.h>\n")
   source_library(source_tinygltf PkgConfig::TINYGLTF FOLDER tinygltf SOURCES tinygltf.cpp

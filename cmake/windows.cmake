@@ -30,7 +30,7 @@ macro(provide_libraries)
   source_library(source_threads Threads::Threads LINK -pthread)
   source_library(source_cli11 CLI11::CLI11)
   windows_epoxy()
-  provide_libzip(8 "_CLOSE;_DUP;_FDOPEN;_FILENO;_SETMODE;_STRDUP;_STRICMP;_STRTOI64;_STRTOUI64;_UNLINK;SNPRINTF;STDBOOL_H;STRCASECMP;STRDUP;STRINGS_H;STRTOLL;STRTOULL;UNISTD_H"
+  provide_libzip(8 "_CLOSE;_DUP;_FDOPEN;_FILENO;_SETMODE;_STRDUP;_STRICMP;_STRTOI64;_STRTOUI64;_UNLINK;FSEEKO;FTELLO;SNPRINTF;STDBOOL_H;STRCASECMP;STRDUP;STRINGS_H;STRTOLL;STRTOULL;UNISTD_H"
     "_stdio|_unix|_mkstempm")
   target_link_libraries(source_zip PRIVATE advapi32)
   source_library(source_glfw PkgConfig::GLFW FOLDER glfw3 INCLUDE ${sources}/glfw3/include

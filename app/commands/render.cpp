@@ -14,7 +14,7 @@
 #include "app/commands/value_types.h"
 #include "app/ui/lesson/lesson_guide.h"
 #include "app/ui/lesson/scene_marks.h"
-#include "engine/fonts/glyph_coverage.h"
+#include "engine/fonts/font_files.h"
 #include "engine/haptics/interactions.h"
 #include "engine/language/catalogue.h"
 #include "engine/lesson/keys.h"
@@ -298,7 +298,7 @@ void render(const RenderArguments& arguments) {
       entries.push_back({scene.theme.target, tr("marked")});
     written = paintLegend(picture, entries, scene.theme, unit_px);
   }
-  if (!written) throw CommandError{"names cannot be written: no font in " + std::string(kInterFolder)};
+  if (!written) throw CommandError{"names cannot be written: there is no font " + interFile("Inter-Regular.otf").string()};
   if (const auto problem = writePng(arguments.out, picture)) throw CommandError{problem->text()};
 }
 

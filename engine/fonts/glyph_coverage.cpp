@@ -7,6 +7,8 @@
 #include <array>
 #include <string>
 
+#include "engine/fonts/font_files.h"
+
 namespace moltact {
 namespace {
 
@@ -44,7 +46,7 @@ GlyphCoverage::GlyphCoverage(std::span<const std::filesystem::path> fonts) {
   std::vector<char32_t> all;
   for (const std::filesystem::path& file : fonts) {
     FT_Face face = nullptr;
-    if (FT_New_Face(library, file.c_str(), 0, &face) != 0) continue;
+    if (FT_New_Face(library, file.string().c_str(), 0, &face) != 0) continue;
     FT_UInt glyph = 0;
     if (FT_Select_Charmap(face, FT_ENCODING_UNICODE) == 0)
       for (FT_ULong c = FT_Get_First_Char(face, &glyph); glyph != 0; c = FT_Get_Next_Char(face, c, &glyph))
@@ -61,7 +63,7 @@ GlyphCoverage::GlyphCoverage(std::span<const std::filesystem::path> fonts) {
 }
 
 const GlyphCoverage& GlyphCoverage::ofWindow() {
-  static const std::array<std::filesystem::path, 2> kFonts{kInterRegular, kDejaVu};
+  static const std::array<std::filesystem::path, 2> kFonts{interFile("Inter-Regular.otf"), dejaVuFile()};
   static const GlyphCoverage table(kFonts);
   return table;
 }

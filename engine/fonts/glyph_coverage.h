@@ -12,12 +12,6 @@
 
 namespace moltact {
 
-/// Where Debian's packages fonts-inter and fonts-dejavu-core put them: what all text is set in, and what stands in
-/// where that has no sign.
-inline constexpr const char* kInterFolder = "/usr/share/fonts/opentype/inter/";
-inline constexpr const char* kInterRegular = "/usr/share/fonts/opentype/inter/Inter-Regular.otf";
-inline constexpr const char* kDejaVu = "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf";
-
 enum class Writable {
   Yes,
   NoSign,       ///< no font has it

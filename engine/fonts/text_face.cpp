@@ -7,7 +7,7 @@
 #include <cmath>
 #include <vector>
 
-#include "engine/fonts/glyph_coverage.h"
+#include "engine/fonts/font_files.h"
 
 namespace moltact {
 struct TextFace::Fonts {
@@ -29,9 +29,9 @@ TextFace::TextFace(double line_px) : fonts_(std::make_unique<Fonts>()) {
     fonts_->library = nullptr;
     return;
   }
-  for (const char* file : {kInterRegular, kDejaVu}) {
+  for (const std::filesystem::path& file : {interFile("Inter-Regular.otf"), dejaVuFile()}) {
     FT_Face face = nullptr;
-    if (FT_New_Face(fonts_->library, file, 0, &face) != 0) continue;
+    if (FT_New_Face(fonts_->library, file.string().c_str(), 0, &face) != 0) continue;
     if (FT_Select_Charmap(face, FT_ENCODING_UNICODE) != 0 ||
         FT_Set_Pixel_Sizes(face, 0, FT_UInt(std::max(1.0, std::round(line_px / 1.21)))) != 0) {
       FT_Done_Face(face);

@@ -1,8 +1,6 @@
 #include "engine/platform/folders.h"
 
 #include <cstdlib>
-#include <sstream>
-#include <string>
 
 namespace moltact {
 namespace fs = std::filesystem;
@@ -32,10 +30,8 @@ fs::path homeFolder() {
 
 std::vector<fs::path> sharedDataFolders() {
   std::vector<fs::path> out;
-  const char* set = std::getenv("XDG_DATA_DIRS");
-  std::istringstream listed(set && *set ? set : "/usr/local/share:/usr/share");
-  for (std::string name; std::getline(listed, name, ':');) {
-    const fs::path folder = (fs::path(name) / "moltact").lexically_normal();
+  for (const fs::path& of_system : systemDataFolders()) {
+    const fs::path folder = (of_system / "moltact").lexically_normal();
     std::error_code error;
     if (folder.is_absolute() && !fs::equivalent(folder, homeFolder(), error)) out.push_back(folder);
   }

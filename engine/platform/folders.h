@@ -23,8 +23,12 @@ std::filesystem::path translationsFolder();
 /// where it is in neither.
 std::filesystem::path browserEdition();
 
-/// Where an administrator puts what everyone on this computer is to have: `moltact` in each folder of $XDG_DATA_DIRS
-/// (/usr/local/share and /usr/share where that is not set), the most important first. The program's own is not among
+/// The folders of $XDG_DATA_DIRS, in order, as they stand there; where that is not set, /usr/local/share and /usr/share,
+/// on Windows %ProgramData%.
+std::vector<std::filesystem::path> systemDataFolders();
+
+/// Where an administrator puts what everyone on this computer is to have: `moltact` in each of systemDataFolders(), the
+/// most important first. The program's own is not among
 /// them; they may not exist.
 std::vector<std::filesystem::path> sharedDataFolders();
 

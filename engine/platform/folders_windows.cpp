@@ -1,5 +1,7 @@
 #include <windows.h>
 
+#include <algorithm>
+#include <string>
 #include <string_view>
 #include <utility>
 
@@ -34,6 +36,18 @@ fs::path folderFromEnvironment(const char* name) {
   for (const auto& [there, here] : kNamedHere)
     if (folder.empty() && there == name) folder = variable(here);
   return folder.is_absolute() ? folder : fs::path();
+}
+
+std::vector<fs::path> systemDataFolders() {
+  std::wstring listed = variable(L"XDG_DATA_DIRS").native();
+  if (listed.empty()) listed = variable(L"ProgramData").native();
+  std::vector<fs::path> out;
+  for (std::wstring_view rest = listed; !rest.empty();) {
+    const std::size_t end = std::min(rest.find(L';'), rest.size());
+    out.emplace_back(rest.substr(0, end));
+    rest.remove_prefix(std::min(end + 1, rest.size()));
+  }
+  return out;
 }
 
 }  // namespace moltact

@@ -27,7 +27,7 @@ Expected<Picture> readPng(const std::filesystem::path& file) {
   Picture picture;
   int channels = 0;
   const std::unique_ptr<stbi_uc, void (*)(void*)> data(
-      stbi_load(file.c_str(), &picture.width_px, &picture.height_px, &channels, 3), stbi_image_free);
+      stbi_load(file.string().c_str(), &picture.width_px, &picture.height_px, &channels, 3), stbi_image_free);
   if (!data)
     return Problem{.file = file.string(),
                    .message = trf("cannot be read as a picture: {0}", stbi_failure_reason()),

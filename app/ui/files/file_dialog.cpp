@@ -1,9 +1,9 @@
 #include "app/ui/files/file_dialog.h"
 
-#include <cstdlib>
 #include <system_error>
 #include <utility>
 
+#include "app/ui/files/user_folders.h"
 #include "engine/platform/hand_over.h"
 
 namespace moltact {
@@ -22,9 +22,8 @@ void FileDialog::ask(FileQuestion question, const fs::path& folder) {
 
 fs::path FileDialog::answer() const {
   if (asksForFolder()) return browser.folder();
-  fs::path name = written;
-  if (name.empty() || !name.has_filename()) return {};
-  if (written.starts_with("~/") && std::getenv("HOME")) name = fs::path(std::getenv("HOME")) / written.substr(2);
+  fs::path name = typedPath(written);
+  if (written.empty() || !name.has_filename()) return {};
   if (!name.has_extension()) name += question_->ending;
   return name.is_relative() ? browser.folder() / name : name;
 }

@@ -61,4 +61,9 @@ std::filesystem::path pictureFolder() {
   return home.empty() ? std::filesystem::current_path(error) : home;
 }
 
+std::filesystem::path typedPath(const std::string& typed) {
+  const auto home = folderFromEnvironment("HOME");
+  return typed.starts_with("~/") && !home.empty() ? home / typed.substr(2) : std::filesystem::path(typed);
+}
+
 }  // namespace moltact

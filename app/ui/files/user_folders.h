@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 
 namespace moltact {
 
@@ -15,5 +16,8 @@ std::filesystem::path cacheFolder();
 /// Where the desktop keeps pictures (XDG_PICTURES_DIR of user-dirs.dirs: ~/Bilder on a German one), else ~/Pictures, the
 /// first that is there; else the home folder, and only without one the current folder.
 std::filesystem::path pictureFolder();
+
+/// A path as a person typed it: ~/ is the home folder.
+std::filesystem::path typedPath(const std::string& typed);
 
 }  // namespace moltact

@@ -14,6 +14,7 @@
 #include "app/ui/files/file_kinds.h"
 #include "app/ui/files/file_list.h"
 #include "app/ui/files/library.h"
+#include "app/ui/files/user_folders.h"
 #include "app/ui/widgets/controls.h"
 #include "app/ui/widgets/key_focus.h"
 #include "app/ui/widgets/theme.h"
@@ -89,8 +90,7 @@ void drawOpenPage(Application& app) {
   recordItem("open/path", b.typed);
   if (newly) writeInLastField("##path");
   if (entered && !b.typed.empty()) {
-    fs::path where = b.typed;
-    if (b.typed.starts_with("~/") && std::getenv("HOME")) where = fs::path(std::getenv("HOME")) / b.typed.substr(2);
+    fs::path where = typedPath(b.typed);
     if (where.is_relative()) where = b.folder() / where;
     std::error_code ignored;
     if (fs::is_directory(where, ignored)) {

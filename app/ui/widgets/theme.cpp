@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "engine/core/utf8.h"
+#include "engine/fonts/font_files.h"
 #include "engine/fonts/glyph_coverage.h"
 #include "engine/language/catalogue.h"
 
@@ -204,8 +205,9 @@ std::string loadFonts(Look& l) {
   signs = withPages(kSigns);
   scripts = withPages(kScripts);
   std::string missing;
+  const std::string deja_vu = dejaVuFile().string();
   for (std::size_t k = 0; k < kFaces.size(); ++k) {
-    const std::string file = std::string(kInterFolder) + kFaces[k].file;
+    const std::string file = interFile(kFaces[k].file).string();
     // ImGui's font size is the height of ascent and descent together; Inter's em is 1 / 1.21 of it.
     const float size = std::round(kFaces[k].size * 1.19f * l.scale * l.text);
     ImFont* font = nullptr;
@@ -214,11 +216,11 @@ std::string loadFonts(Look& l) {
       if (missing.empty())
         missing = trf("{0} is missing, so the text looks plain; install the package fonts-inter", file);
       font = io.Fonts->AddFontDefault();
-    } else if (std::filesystem::exists(kDejaVu)) {
+    } else if (std::filesystem::exists(deja_vu)) {
       ImFontConfig merge;
       merge.MergeMode = true;
       const std::vector<ImWchar>& more = kFaces[k].signs ? signs : scripts;
-      io.Fonts->AddFontFromFileTTF(kDejaVu, size * 0.95f, &merge, more.data());
+      io.Fonts->AddFontFromFileTTF(deja_vu.c_str(), size * 0.95f, &merge, more.data());
     }
     l.fonts[k] = font;
   }
