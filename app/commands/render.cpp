@@ -298,7 +298,8 @@ void render(const RenderArguments& arguments) {
       entries.push_back({scene.theme.target, tr("marked")});
     written = paintLegend(picture, entries, scene.theme, unit_px);
   }
-  if (!written) throw CommandError{"names cannot be written: there is no font " + interFile("Inter-Regular.otf").string()};
+  if (!written)
+    throw CommandError{"names cannot be written: there is no font " + interFile("Inter-Regular.otf").string()};
   if (const auto problem = writePng(arguments.out, picture)) throw CommandError{problem->text()};
 }
 

@@ -154,7 +154,8 @@ std::vector<KeySpec> sceneKeys() {
        .type = ValueType::Styles,
        .meaning =
            "How the atoms are drawn. Spheres are what is felt; a surface is drawn for the scene's probe. Several "
-           "are drawn together, as in 'surface 40% for protein, spheres for ligand'. Left out, a protein of 20 residues "
+           "are drawn together, as in 'surface 40% for protein, spheres for ligand'. Left out, a protein of 20 "
+           "residues "
            "or more is a cartoon, whose spheres appear near the probe, with what is bound, highlighted or marked as "
            "spheres; all else is spheres.",
        .words = styleNames()},

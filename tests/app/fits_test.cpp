@@ -179,7 +179,8 @@ TEST_CASE("on every page at 100 % and 200 % of 1280x800, in every theme, every w
 }
 
 TEST_CASE(
-    "on every page of 1024x768 at 200 % every widget lies inside its panel; in the lesson of most chains the legend is a "
+    "on every page of 1024x768 at 200 % every widget lies inside its panel; in the lesson of most chains the legend is "
+    "a "
     "closed line that leaves the view's middle free, and the first task's card is in sight") {
   ScriptedUser::Options options;
   options.width = 1024;

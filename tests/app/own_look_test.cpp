@@ -14,7 +14,8 @@ TEST_CASE(
   d->frames(3);
   OwnLook& own = app.extensions().own_look;
   d->type("cartoon");  // the first field is written in at once
-  own.values = {own.values[0], "residue 1-4", "charge", "teal \"patch\" for residue 48", "residue for residue 48", "helix"};
+  own.values = {own.values[0], "residue 1-4", "charge", "teal \"patch\" for residue 48", "residue for residue 48",
+                "helix"};
   d->frames(3);
   for (const OwnLookKey& key : OwnLook::keys()) {
     CHECK(d->shows("look/" + std::string(key.key)));

@@ -145,7 +145,7 @@ TEST_CASE(
   Fineness fineness;
   fineness.choose(true);
   fineness.took(1000.0);
-  CHECK(fineness.choose(true).scale == 0.5);
+  CHECK(fineness.choose(true).scale == 0.375);
   for (int k = 0; k < 30; ++k) {
     CHECK(fineness.choose(false).options.samples == 1);
     CHECK_FALSE(fineness.unfinished());

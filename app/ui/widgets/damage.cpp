@@ -129,7 +129,7 @@ std::vector<Rectangle> Damage::since(const ImDrawData& now) {
 
 void addPicture(ImDrawList& list, ImTextureID texture, const Rectangle& where, std::uint64_t version) {
   // The data is never followed, only compared.
-  list.AddCallback(withoutBlending, reinterpret_cast<void*>(std::uintptr_t(version)));
+  list.AddCallback(withoutBlending, std::bit_cast<void*>(std::uintptr_t(version)));
   list.AddImage(texture, {where.low.x, where.low.y}, {where.high.x, where.high.y}, {0, 1}, {1, 0});
   list.AddCallback(ImDrawCallback_ResetRenderState, nullptr);
 }
