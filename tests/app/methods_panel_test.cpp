@@ -113,6 +113,7 @@ wait 20
 click lesson/next
 click lesson/next
 click lesson/next
+click lesson/next
 wait 20
 expect method/Paper on
 point view 0.5 0.54
@@ -134,6 +135,7 @@ wait 60
 expect task/0 done
 release
 wait 2
+click lesson/next
 click lesson/next
 wait 20
 expect method/Grid on
