@@ -39,22 +39,6 @@ TEST_CASE(
   CHECK(taskOf(lesson, "in-the-dark", "find").values["by"].text == "hold");
   CHECK(tasksOf(lesson, "hold") == 1);
   CHECK(tasksOf(lesson, "trace") == 1);
-  CHECK(tasksOf(lesson, "fit") == 1);
-}
-
-TEST_CASE(
-    "the largest ball that comes straight to the oxygens of Asp 25 in the empty tunnel has 2.1 A, more than a carbon") {
-  const Lesson lesson = shippedLesson(kDrug);
-  const TaskSpec& fit = taskOf(lesson, "take-it-out", "fit");
-  CAPTURE(lineSaying(kDrug, "praise: A carbon has 1.7 Å"));
-  const ShippedScene without("1hpv-empty");
-  const auto ends = without.select(fit.values["fit"].selection.text());
-  CHECK(ends.size() == 4);
-  const auto limit = largestProbe(fit.values["least"].number, fit.values["most"].number,
-                                  [&](double probe_A) { return !comesTo(without.balls, ends, probe_A, true).empty(); });
-  REQUIRE(limit);
-  CHECK(*limit == doctest::Approx(2.1).epsilon(0.02));
-  CHECK(without.atom("chain A and residue 25 and name CB").radius_A == doctest::Approx(1.7));
 }
 
 TEST_CASE(
