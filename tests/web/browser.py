@@ -169,7 +169,8 @@ class Browser:
         """Of a widget, in the page's own pixels."""
         for _ in range(40):
             low_x, low_y, high_x, high_y, _, visible = self.wait_for(name)
-            if visible:
+            # Of a card at the edge only a part is seen.
+            if visible and 0 <= low_y + y * (high_y - low_y) < self.height * self.scale:
                 break
             # Scrolled out of sight: brought into it by the wheel.
             way = 120 if low_y > self.height / 2 * self.scale else -120
