@@ -26,7 +26,7 @@ expect() {
 
 expect 'moltact re' 'replay render report'
 expect 'moltact new' 'new-lesson'
-expect 'moltact render --th' '--theme'
+expect 'moltact render --them' '--theme'
 expect 'moltact render 1ubq --theme ' 'light dark'
 expect 'moltact render 1ubq --theme=d' 'dark'
 expect 'moltact render 1ubq --theme=' 'light dark'
