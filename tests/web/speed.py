@@ -101,6 +101,7 @@ def lessons():
                 browser.click("tool/welcome")
                 browser.wait_for(f"welcome/lesson/{lesson}")
                 browser.until("!JSON.parse(moltact.ccall('moltact_widgets','string',[],[]))['view/scale bar']")
+                browser.frames(10)  # the cards have found their places
             told(f"from the click to the picture of {lesson}", seconds, "s")
             told("  the processor's time for it", used, "s")
             welcome, opened = desktop("wait 60\n"), desktop(f"wait 60\nclick welcome/lesson/{lesson}\nwait 3\n")
