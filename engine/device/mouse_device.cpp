@@ -19,7 +19,9 @@ void MouseDevice::lead(PointMm target) noexcept {
 }
 
 void MouseDevice::place(PointMm target) noexcept {
+  if (!finite(target.mm)) return;
   ++sent_.discontinuities;
+  sent_.placed = target;
   lead(target);
 }
 
@@ -33,7 +35,7 @@ DevicePose MouseDevice::read(double dt_s) noexcept {
   const Lead& lead = lead_.read();
   if (lead.discontinuities != placed_) {
     placed_ = pose_.discontinuities = lead.discontinuities;
-    pose_.position = lead.target;
+    pose_.position = lead.placed;
     pose_.orientation = lead.orientation;
     return pose_;
   }

@@ -17,7 +17,8 @@ class MouseDevice final : public Device {
   /// The window's thread: sets the target of the hand. It glides there, with a time constant of kGlide_s and at most
   /// kFastest_mm_per_s. Non-finite places are ignored.
   void lead(PointMm target) noexcept;
-  /// The window's thread: the hand is there at once (a new scene), turned as it was.
+  /// The window's thread: the hand is there at once (a new scene), turned as it was. Where it is led on before the
+  /// haptic thread has read it, it is there first all the same, and glides on.
   void place(PointMm target) noexcept;
   /// The window's thread: how the hand is to be turned; it turns there as it glides, at most kFastest_rad_per_s. What
   /// is no rotation is ignored.
@@ -29,7 +30,7 @@ class MouseDevice final : public Device {
 
  private:
   struct Lead {
-    PointMm target;
+    PointMm placed, target;  // where the hand was put last, and where it is to go
     Quat orientation = kNoRotation;
     std::uint32_t discontinuities = 0;
   };

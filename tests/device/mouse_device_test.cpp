@@ -43,6 +43,15 @@ TEST_CASE("a placed hand is there at the next tick") {
   CHECK(mouse.read(kTick_s).discontinuities == 1);
 }
 
+TEST_CASE("a hand that is placed and led on before the next tick is first where it was placed") {
+  MouseDevice mouse;
+  mouse.place({{70, -20, 3}});
+  mouse.lead({{70, -20, 0}});
+  CHECK(mouse.read(kTick_s).position.mm == Vec3(70, -20, 3));
+  const double way_mm = 3.0 - mouse.read(kTick_s).position.mm.z;
+  CHECK(way_mm == doctest::Approx(3.0 * (1.0 - std::exp(-0.001 / 0.025))).epsilon(1e-9));
+}
+
 TEST_CASE("a lead that is not finite is ignored") {
   MouseDevice mouse;
   mouse.place({{1, 2, 3}});
