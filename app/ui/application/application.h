@@ -96,8 +96,10 @@ class Application {
   /// The camera as it was when the scene was opened.
   void resetView();
   /// The scene as if its molecule had just been opened; `before` a place, it is turned to the front and the hand begins
-  /// there; `turned`, the molecule is seen turned so (the screen's axes in its own).
-  void beginSceneAgain(std::optional<PointA> before = {}, const std::optional<Quat>& turned = {});
+  /// there; `turned`, the molecule is seen turned so (the screen's axes in its own). What of the `removed` atoms (ascending)
+  /// the scene does not take from the hand anyway is not felt until the next call.
+  void beginSceneAgain(std::optional<PointA> before = {}, const std::optional<Quat>& turned = {},
+                       const std::vector<std::uint32_t>& removed = {});
   /// The same as resetView because a person asked for it: it can be undone.
   void resetViewByHand();
   /// Goes to a view that a person asked for; it can be undone.

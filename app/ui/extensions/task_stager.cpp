@@ -14,7 +14,9 @@ void TaskStager::beforeTicks(Application& app) {
   const TaskStage wanted = session && app.lesson.onStage() && app.scene.stage() ? session->taskStage() : TaskStage();
   if (wanted == stage_) return;
   if (!session) {
+    const bool lacks = !stage_.removed.empty() && app.scene.stage();
     stage_ = wanted;
+    if (lacks) app.beginSceneAgain();
     return;
   }
   change(app, stage_.touch, wanted.touch);
@@ -23,7 +25,7 @@ void TaskStager::beforeTicks(Application& app) {
   const bool anew = !found && (wanted.presentation != stage_.presentation || wanted.turned != stage_.turned);
   stage_ = wanted;
   if (!anew) return;
-  app.beginSceneAgain(wanted.facing, wanted.turned);
+  app.beginSceneAgain(wanted.facing, wanted.turned, wanted.removed);
   app.scene.controls.letGo();
 }
 
