@@ -7,6 +7,7 @@
 #include "engine/language/catalogue.h"
 #include "engine/lesson/lesson_files.h"
 #include "engine/platform/background.h"
+#include "engine/platform/folders.h"
 
 namespace moltact {
 namespace {
@@ -51,6 +52,11 @@ void LessonWatch::watch(const fs::path& file) {
 void LessonWatch::lessonChanged(Application& app) {
   if (app.lesson.openings() == own_opening_ && app.lesson.file() == file_) return;
   watch(app.lesson.file());
+  // Where nothing can be done beside the picture, what comes with the program is taken as it is until it changes.
+  if (!threadsCanBeHad() && file_.parent_path() == lessonsFolder()) {
+    read_ = seen_;
+    return;
+  }
   begin();
 }
 
