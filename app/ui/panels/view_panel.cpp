@@ -154,7 +154,7 @@ ViewScene seenScene(const Application& app) {
   const TouchTraces& traces = app.extensions().touch_traces;
   scene.touched = traces.painted();
   scene.touched_now = traces.fresh();
-  for (const auto& written : {app.extensions().measuring.drawn(), app.extensions().own_look.drawn(), traces.trail()})
+  for (const auto& written : {app.extensions().measuring.drawn(), app.scene.look.annotations, traces.trail()})
     if (written) scene.annotations.push_back(written);
   return scene;
 }

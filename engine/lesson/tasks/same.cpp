@@ -265,14 +265,17 @@ void checkSame(const TaskSpec& spec, std::vector<Problem>& problems) {
                         tr("ask for no more than 'trials'")});
 }
 
-void checkPlaces(const TaskSpec& spec, const Molecule& molecule, std::vector<Problem>& problems) {
+void checkPlaces(const TaskSpec& spec, const Molecule& molecule, std::span<const std::uint32_t> untouchable,
+                 std::vector<Problem>& problems) {
   const Value &one = spec.values["same"], &other = spec.values["place"], &removed = spec.values["remove"];
-  const std::vector<std::uint32_t> atoms =
-      one.selection.given() ? one.selection.select(molecule) : std::vector<std::uint32_t>();
+  const std::vector<std::uint32_t> atoms = AtomSet(one.selection, molecule).atoms();
   if (removed.selection.given()) {
     const std::vector<std::uint32_t> gone = removed.selection.select(molecule);
-    if (one.selection.given() ? std::includes(gone.begin(), gone.end(), atoms.begin(), atoms.end())
-                              : gone.size() == molecule.atoms.size())
+    const auto among = [](std::span<const std::uint32_t> some, std::uint32_t a) {
+      return std::binary_search(some.begin(), some.end(), a);
+    };
+    if (!atoms.empty() && std::all_of(atoms.begin(), atoms.end(),
+                                      [&](std::uint32_t a) { return among(gone, a) || among(untouchable, a); }))
       problems.push_back({{},
                           removed.place.line,
                           removed.place.column,

@@ -163,16 +163,18 @@ TEST_CASE(
 }
 
 TEST_CASE("a second thing of which nothing is left to be felt is no task") {
-  const auto problemWithout = [](const Keys& keys) {
+  const auto problemWithout = [](const Keys& keys, std::vector<std::uint32_t> untouchable = {}) {
     std::vector<Problem> problems;
     const TaskSpec spec = specOf("same", keys, problems);
-    findTaskKind("same")->check_molecule(spec, mixedMolecule(), problems);
+    findTaskKind("same")->check_molecule(spec, mixedMolecule(), untouchable, problems);
     return problems.empty() ? std::string() : problems.front().message;
   };
   CHECK(problemWithout({{"same", "atom 3"}, {"remove", "atom 3-4"}}) ==
         "without these atoms nothing is left to be felt");
   CHECK(problemWithout({{"same", "anywhere"}, {"remove", "all"}}) == "without these atoms nothing is left to be felt");
   CHECK(problemWithout({{"same", "atom 2-3"}, {"remove", "atom 3-4"}}) == "");
+  CHECK(problemWithout({{"same", "atom 2-3"}, {"remove", "atom 3-4"}}, {2}) ==
+        "without these atoms nothing is left to be felt");
   CHECK(problemWithout({{"same", "anywhere"}, {"remove", "atom 3-4"}}) == "");
 }
 
