@@ -1,6 +1,7 @@
 // The shipped lesson on HIV protease, in the dark: the tunnel with the drug against the tunnel without it, as a hand feels
 // them that pushes where the student is told to.
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "engine/haptics/methods.h"
@@ -59,6 +60,26 @@ TEST_CASE(
       CHECK(counted.touchedBy(full));
       CHECK(counted.touchedBy(empty));
     }
+  // Pulled by 4 A up, up to the left, and to the left.
+  const std::string tip =
+      lineSaying("a-drug-in-its-tunnel", "as soon as you pull it up or to the left a wall holds it");
+  CAPTURE(tip);
+  const Ray ray = c.rayThrough(middle.x, middle.y, StepPicture::kSize_px, StepPicture::kSize_px);
+  for (const Vec3& on_screen : {Vec3(0, 1, 0), Vec3(-std::sqrt(0.5), std::sqrt(0.5), 0), Vec3(-1, 0, 0)}) {
+    const Vec3 way = c.orientation * on_screen;
+    const auto moved = [&](bool with) {
+      const auto exact = findMethod("exact")->make(scenes[with ? 0 : 1], kWaterProbe_A);
+      Contact contact;
+      Vec3 hand;
+      for (double a = c.distance_A - 30; !contact.touching() || glm::distance(contact.scp.A, hand) < 1.0; a += 0.01)
+        contact = exact->step({hand = ray.origin.A + ray.direction * a});
+      const Vec3 from = contact.scp.A;
+      for (double s = 0; s < 4.0; s += 0.01) contact = exact->step({hand + way * s});
+      return glm::dot(contact.scp.A - from, way);
+    };
+    CHECK(moved(false) < 1.2);
+    CHECK(moved(true) > 1.8);
+  }
   for (const char* rim : {"chain A and residue 48 and name O", "chain B and residue 8", "residue 29"})
     for (const std::uint32_t a : ShippedScene("1hpv").select(rim)) CHECK_FALSE(counted.has(std::int32_t(a)));
 }
