@@ -130,7 +130,7 @@ TEST_CASE("a window killed while it presses, and while it is read in, leaves a r
   const auto figures = [&] {
     REQUIRE(recorder.flush());
     fs::copy_file(recorder.file(), scratch.path / "killed", fs::copy_options::overwrite_existing);
-    const ClassSummary summary = summarise({*readAttempt(scratch.path / "killed", ReadDepth::NoTrace)});
+    const ClassSummary summary = summarise({*readAttempt(scratch.path / "killed", ReadDepth::NoHipSamples)});
     return summary.lessons.at(0).people.at(0);
   };
   const PersonScore first = figures();

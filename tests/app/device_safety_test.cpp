@@ -57,7 +57,7 @@ constexpr double kDeep_mm = 80.0;
 // Pulls to the molecule's +x with so many newtons at the scene's own spring.
 std::unique_ptr<Tracker> pull(ScriptedUser& d, double N) {
   const ServoSettings& s = d.app().scene.servo_settings;
-  return std::make_unique<PullTracker>(N / s.stiffness_N_per_mm * s.workspace.A_per_mm);
+  return std::make_unique<ConstantForceTracker>(N / s.stiffness_N_per_mm * s.workspace.A_per_mm);
 }
 
 // A method as the test says.

@@ -182,11 +182,7 @@ TEST_CASE(
     "on every page of 1024x768 at 200 % every widget lies inside its panel; in the lesson of most chains the legend is "
     "a "
     "closed line that leaves the view's middle free, and the first task's card is in sight") {
-  ScriptedUser::Options options;
-  options.width = 1024;
-  options.height = 768;
-  options.content_scale = 2.0;
-  auto d = startWith("", options);
+  auto d = startWith("", smallScreen());
   openFirst(*d);
   d->frames(3);
   checkAllPages(*d, {1024, 768});

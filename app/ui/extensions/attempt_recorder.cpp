@@ -92,7 +92,7 @@ void AttemptRecorder::resume(Application& app, const std::filesystem::path& less
                              const std::filesystem::path& attempt_file) {
   endAttempt();
   if (attempt_file.empty()) return app.open(lesson_file);
-  const Expected<Attempt> attempt = readAttempt(attempt_file, ReadDepth::NoTrace);
+  const Expected<Attempt> attempt = readAttempt(attempt_file, ReadDepth::NoHipSamples);
   app.open(lesson_file);
   if (app.lesson.file() != lesson_file || !app.lesson.session()) return;
   if (!attempt) {

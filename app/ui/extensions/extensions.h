@@ -23,8 +23,8 @@
 #include "app/ui/extensions/settings_keeper.h"
 #include "app/ui/extensions/state_text.h"
 #include "app/ui/extensions/task_stager.h"
+#include "app/ui/extensions/touch_paint.h"
 #include "app/ui/extensions/touch_sound.h"
-#include "app/ui/extensions/touch_traces.h"
 
 namespace moltact {
 
@@ -53,7 +53,7 @@ struct Extensions final : ExtensionSet {
   TouchSound touch_sound;
   Measuring measuring;
   OwnLook own_look;
-  TouchTraces touch_traces{task_stager};
+  TouchPaint touch_paint{task_stager};
   DeviceLink device{task_stager};
   HandRecorder hand_recorder{recorder, device};
 
@@ -67,7 +67,7 @@ struct Extensions final : ExtensionSet {
   std::array<Extension*, 22> all_{&settings_keeper, &lesson_watch,  &lesson_locks, &name_asker,    &recorder,
                                   &turns,           &playback,      &history,      &scene_change,  &hand_model,
                                   &shelf,           &card_pictures, &task_stager,  &moving_states, &state_text,
-                                  &touch_sound,     &measuring,     &touch_traces, &device,        &hand_recorder,
+                                  &touch_sound,     &measuring,     &touch_paint,  &device,        &hand_recorder,
                                   &lesson_pictures, &own_look};
 };
 

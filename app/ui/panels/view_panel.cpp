@@ -151,10 +151,10 @@ ViewScene seenScene(const Application& app) {
   scene.left_hand = app.settings.left_handed;
   scene.facets = feltFacets(app.scene.method());
   app.lesson.decorate(scene);
-  const TouchTraces& traces = app.extensions().touch_traces;
-  scene.touched = traces.painted();
-  scene.touched_now = traces.fresh();
-  for (const auto& written : {app.extensions().measuring.drawn(), app.extensions().own_look.drawn(), traces.trail()})
+  const TouchPaint& paint = app.extensions().touch_paint;
+  scene.touched = paint.painted();
+  scene.touched_now = paint.fresh();
+  for (const auto& written : {app.extensions().measuring.drawn(), app.extensions().own_look.drawn(), paint.trail()})
     if (written) scene.annotations.push_back(written);
   return scene;
 }

@@ -224,21 +224,15 @@ void checkLimit(const TaskSpec& spec, const Molecule& molecule, std::vector<Prob
   const bool through = spec.values["way"].text == "through";
   const auto ring = through ? ringOf(scene, atoms) : std::nullopt;
   if (through && !ring) {
-    problems.push_back({{},
-                        fit.place.line,
-                        fit.place.column,
-                        tr("three atoms at least make a ring to go through"),
-                        tr("name more of its atoms, or write 'way: into'")});
+    problems.push_back(problemAt(fit.place, tr("three atoms at least make a ring to go through"),
+                                 tr("name more of its atoms, or write 'way: into'")));
     return;
   }
   const TouchLimits limits(spec, "fit", molecule);
   if (through && limits.given()) {
     const Value& side = spec.values[spec.values.has("side") ? "side" : "region"];
-    problems.push_back({{},
-                        side.place.line,
-                        side.place.column,
-                        tr("a ring has no side: the probe goes through it"),
-                        tr("take the line out, or write 'way: into'")});
+    problems.push_back(problemAt(side.place, tr("a ring has no side: the probe goes through it"),
+                                 tr("take the line out, or write 'way: into'")));
     return;
   }
   const auto fits = [&](double probe_A) {
@@ -246,17 +240,13 @@ void checkLimit(const TaskSpec& spec, const Molecule& molecule, std::vector<Prob
                    : !waysTo(scene, atoms, limits, probe_A, true).empty();
   };
   if (!fits(least_A))
-    problems.push_back({{},
-                        fit.place.line,
-                        fit.place.column,
-                        trf("not even a probe of {0} gets there", quantityText(least_A, Dimension::Length)),
-                        tr("choose another place, or a smaller 'least'")});
+    problems.push_back(problemAt(fit.place,
+                                 trf("not even a probe of {0} gets there", quantityText(least_A, Dimension::Length)),
+                                 tr("choose another place, or a smaller 'least'")));
   else if (fits(most_A))
-    problems.push_back({{},
-                        fit.place.line,
-                        fit.place.column,
-                        trf("every probe up to {0} gets there", quantityText(most_A, Dimension::Length)),
-                        tr("choose another place, or a greater 'most'")});
+    problems.push_back(problemAt(fit.place,
+                                 trf("every probe up to {0} gets there", quantityText(most_A, Dimension::Length)),
+                                 tr("choose another place, or a greater 'most'")));
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
-// What a touch leaves in the picture: atoms lightly painted, where the scene asks for it, and after a task in the dark the
-// way that the probe took there. Window's thread.
+// What a touch leaves in the picture: atoms lightly painted, where the scene asks for it, and after a task in the dark
+// the way that the probe took there. Window's thread.
 #pragma once
 
 #include <memory>
@@ -13,9 +13,9 @@ namespace moltact {
 
 class TaskStager;
 
-class TouchTraces final : public Extension {
+class TouchPaint final : public Extension {
  public:
-  explicit TouchTraces(const TaskStager& stager) : stager_(stager) {}
+  explicit TouchPaint(const TaskStager& stager) : stager_(stager) {}
 
   /// Atoms that were touched before the probe left the surface last, and since; null: none.
   const AtomList& painted() const { return painted_; }

@@ -1,4 +1,4 @@
-#include "app/ui/extensions/touch_traces.h"
+#include "app/ui/extensions/touch_paint.h"
 
 #include "app/ui/application/application.h"
 #include "app/ui/extensions/task_stager.h"
@@ -16,11 +16,11 @@ AtomList listOf(const std::set<std::uint32_t>& atoms) {
 
 }  // namespace
 
-bool TouchTraces::paints(const Application& app) const {
+bool TouchPaint::paints(const Application& app) const {
   return app.lesson.session() && app.lesson.onStage() && app.lesson.session()->scene().paint_touched;
 }
 
-void TouchTraces::beforeTicks(Application& app) {
+void TouchPaint::beforeTicks(Application& app) {
   const bool dark = stager_.dark();
   if (dark && !dark_) {
     // Who has looked in between goes on where it was dark before.
@@ -44,7 +44,7 @@ void TouchTraces::beforeTicks(Application& app) {
   dark_ = dark;
 }
 
-void TouchTraces::ticks(Application& app, const FeltTicks& felt) {
+void TouchPaint::ticks(Application& app, const FeltTicks& felt) {
   const bool paints_now = paints(app);
   const std::size_t before = since_.size();
   bool touching = false;
@@ -68,7 +68,7 @@ void TouchTraces::ticks(Application& app, const FeltTicks& felt) {
   }
 }
 
-void TouchTraces::goOn(const PointA& place, bool anew) {
+void TouchPaint::goOn(const PointA& place, bool anew) {
   if (anew || way_.empty()) {
     way_.emplace_back();
   } else if (const std::vector<PointA>& piece = way_.back();
@@ -87,7 +87,7 @@ void TouchTraces::goOn(const PointA& place, bool anew) {
   spacing_A_ *= 2.0;
 }
 
-void TouchTraces::stepChanged(Application& app) {
+void TouchPaint::stepChanged(Application& app) {
   trail_ = nullptr;
   dark_ = false;
   if (paints(app)) return;
@@ -96,7 +96,7 @@ void TouchTraces::stepChanged(Application& app) {
   painted_ = fresh_ = nullptr;
 }
 
-void TouchTraces::sceneChanged(Application& app) {
+void TouchPaint::sceneChanged(Application& app) {
   if (app.scene.stage().molecule == molecule_) return;
   molecule_ = app.scene.stage().molecule;
   trail_ = nullptr;
