@@ -28,8 +28,10 @@
 
 namespace moltact {
 
+class Application;
+
 struct Extensions final : ExtensionSet {
-  Extensions() = default;
+  explicit Extensions(Application& app);
   Extensions(const Extensions&) = delete;  // all_ holds the places of the members
   Extensions& operator=(const Extensions&) = delete;
 
@@ -37,25 +39,25 @@ struct Extensions final : ExtensionSet {
   SettingsKeeper settings_keeper;
   LessonWatch lesson_watch;
   LessonLocks lesson_locks;
+  MovingStates moving_states;
   AttemptRecorder recorder;
-  ClassTurns turns{recorder};
-  Playback playback{recorder};
-  NameAsker name_asker{recorder, turns, playback};
+  ClassTurns turns;
+  Playback playback;
+  NameAsker name_asker;
   SceneChange scene_change;
-  SceneHistory history{scene_change};
-  LessonShelf shelf{recorder};
+  SceneHistory history;
+  LessonShelf shelf;
   CardPictures card_pictures;
   LessonPictures lesson_pictures;
   TaskStager task_stager;
-  MovingStates moving_states;
   HandModel hand_model;
-  StateText state_text{task_stager};
+  StateText state_text;
   TouchSound touch_sound;
   Measuring measuring;
   OwnLook own_look;
-  TouchPaint touch_paint{task_stager};
-  DeviceLink device{task_stager};
-  HandRecorder hand_recorder{recorder, device};
+  TouchPaint touch_paint;
+  DeviceLink device;
+  HandRecorder hand_recorder;
 
   float stripHeight() const override;
   std::span<Extension* const> all() const override { return all_; }

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "app/ui/application/application.h"
 #include "app/ui/lesson/lesson_guide.h"
 #include "app/ui/lesson/scene_marks.h"
 #include "engine/core/text.h"
@@ -94,9 +93,9 @@ void OwnLook::show(TouchScene& scene) {
   drawn_ = annotationsOf(spec, molecule);
 }
 
-void OwnLook::sceneChanged(Application& app) {
-  if (app.scene.stage().molecule == molecule_) return;
-  molecule_ = app.scene.stage().molecule;
+void OwnLook::sceneChanged() {
+  if (scene_.stage().molecule == molecule_) return;
+  molecule_ = scene_.stage().molecule;
   drawn_ = nullptr;
   values = {};
 }

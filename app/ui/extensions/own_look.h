@@ -23,6 +23,8 @@ struct OwnLookKey {
 
 class OwnLook final : public Extension {
  public:
+  explicit OwnLook(const TouchScene& scene) : scene_(scene) {}
+
   static std::span<const OwnLookKey> keys();
   static constexpr std::size_t kKeys = 6;
 
@@ -37,9 +39,10 @@ class OwnLook final : public Extension {
   /// Names and hydrogen bonds; null where none are wanted.
   const std::shared_ptr<const Annotations>& drawn() const { return drawn_; }
   /// What is written belongs to a molecule.
-  void sceneChanged(Application& app) override;
+  void sceneChanged() override;
 
  private:
+  const TouchScene& scene_;
   std::shared_ptr<const Annotations> drawn_;
   std::shared_ptr<const Molecule> molecule_;
 };

@@ -11,11 +11,13 @@
 
 namespace moltact {
 
+class LessonGuide;
 class TaskStager;
 
 class TouchPaint final : public Extension {
  public:
-  explicit TouchPaint(const TaskStager& stager) : stager_(stager) {}
+  TouchPaint(const TaskStager& stager, const TouchScene& scene, const LessonGuide& lesson)
+      : scene_(scene), lesson_(lesson), stager_(stager) {}
 
   /// Atoms that were touched before the probe left the surface last, and since; null: none.
   const AtomList& painted() const { return painted_; }
@@ -23,14 +25,16 @@ class TouchPaint final : public Extension {
   /// Null until it has been dark and is light again; of the task in which it was dark last.
   const std::shared_ptr<const Annotations>& trail() const { return trail_; }
 
-  void beforeTicks(Application& app) override;
-  void ticks(Application& app, const FeltTicks& felt) override;
-  void stepChanged(Application& app) override;
-  void sceneChanged(Application& app) override;
+  void beforeTicks() override;
+  void ticks(const FeltTicks& felt) override;
+  void stepChanged() override;
+  void sceneChanged() override;
 
  private:
+  const TouchScene& scene_;
+  const LessonGuide& lesson_;
   void goOn(const PointA& place, bool anew);
-  bool paints(const Application& app) const;
+  bool paints() const;
 
   const TaskStager& stager_;
   std::set<std::uint32_t> touched_, since_;

@@ -102,7 +102,7 @@ ViewInput readInput(Application& app, ImVec2 low, glm::dvec2 size) {
   in.press = active && ImGui::IsMouseDown(push) && !app.scene.playing() && !measuring;
   if (measuring && hovered && ImGui::IsMouseReleased(push) && app.scene.stage() &&
       io.MouseDragMaxDistanceSqr[push] < look().px(4) * look().px(4)) {
-    if (const auto atom = atomAt(app, {double(io.MousePos.x - low.x), double(io.MousePos.y - low.y)}, size))
+    if (const auto atom = atomAt(app.scene, {double(io.MousePos.x - low.x), double(io.MousePos.y - low.y)}, size))
       tool.take(*app.scene.stage().molecule, *atom);
     else
       tool.finish();
