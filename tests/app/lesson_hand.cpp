@@ -44,8 +44,22 @@ double LessonHand::N_per_A() const {
   return s.stiffness_N_per_mm / s.workspace.A_per_mm;
 }
 
+bool LessonHand::canBegin() {
+  std::string told;
+  for (const Message& m : d_.app().messages.all()) told += ": " + m.text;
+  if (!d_.app().lesson.session())
+    failed_ += "no lesson is open" + told + '\n';
+  else if (!d_.app().scene.stage())
+    failed_ += "nothing is on the stage" + told + '\n';
+  else
+    return true;
+  return false;
+}
+
 bool LessonHand::finishLesson() {
   for (;;) {
+    // Both could go with any step: a lesson that is not there, a molecule that cannot be read.
+    if (!canBegin()) return false;
     d_.frames(5);
     const std::string step = session().step().id;
     for (std::size_t t = 0; t < session().step().tasks.size(); ++t) {
