@@ -116,9 +116,9 @@ void SasMeshTracker::goToEdge(std::int32_t triangle, std::int32_t edge) noexcept
                 : back.corners[1] == to && back.corners[2] == from ? 1
                                                                    : 2;
   edge_from_ = mesh_->vertices()[std::size_t(from)];
-  const Vec3 edge = mesh_->vertices()[std::size_t(to)] - edge_from_;
-  edge_length_ = glm::length(edge);
-  edge_along_ = edge / edge_length_;
+  const Vec3 whole = mesh_->vertices()[std::size_t(to)] - edge_from_;
+  edge_length_ = glm::length(whole);
+  edge_along_ = whole / edge_length_;
 }
 
 // Its triangles in turn, and the normal that tells outside from inside where the corner itself is nearest (Baerentzen &
