@@ -5,6 +5,7 @@
 #include "app/ui/panels/actions.h"
 #include "app/ui/widgets/widget_map.h"
 #include "engine/lesson/lesson.h"
+#include "engine/lesson/reader.h"
 #include "tests/app/scripted_user_fixture.h"
 #include "tests/results/sample_attempt.h"
 
@@ -89,6 +90,28 @@ TEST_CASE("the notes go when turns begin and when a student is asked for a name,
   d.frames(3);
   CHECK(notes().empty());
   CHECK(o.offered());
+}
+
+TEST_CASE("the notes go when a lesson is opened, by whomever; they stay when its author saves it") {
+  Opened o(kNote);
+  ScriptedUser& d = *o.driver;
+  findAction("teacher-notes")->run(d.app());
+  d.frames(3);
+  REQUIRE_FALSE(notes().empty());
+  openFirst(d);
+  d.frames(5);
+  CHECK(notes().empty());
+  findAction("teacher-notes")->run(d.app());
+  const std::filesystem::path file = o.scratch.path / "notes.md";
+  d.app().open(file.string());
+  d.frames(3);
+  CHECK(notes().empty());
+  findAction("teacher-notes")->run(d.app());
+  LessonReading again = readLesson(file);
+  REQUIRE(again.lesson);
+  d.app().lesson.replace(*std::move(again.lesson));
+  d.frames(3);
+  CHECK_FALSE(notes().empty());
 }
 
 TEST_CASE("the newcomer's lesson has notes for the teacher, none of which is seen at its start") {

@@ -204,7 +204,6 @@ TEST_CASE(
   const auto feelAll = [&](Task& task, double seconds) {
     Hand hand{task, 0.0, 0.02};
     for (int k = 0; k < 4; ++k) {
-      TouchSample touch;
       for (int n = 0; n < static_cast<int>(seconds / 0.02); ++n)
         for (const std::int32_t a : any) hand.touch({a}, 0.02);
       hand.away(0.1);

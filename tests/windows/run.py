@@ -58,8 +58,7 @@ class UnderWine(unittest.TestCase):
                                        pass_fds=[writing], stderr=subprocess.DEVNULL)
         os.close(writing)
         number = os.read(reading, 16).decode().strip()
-        os.environ.setdefault("WINEPREFIX", str(cls.folder / "wine"))
-        os.environ.update(WINEDEBUG="-all", DISPLAY=f":{number}", MOLTACT_LANGUAGE="en")
+        os.environ.update(WINEPREFIX=str(cls.folder / "wine"), WINEDEBUG="-all", DISPLAY=f":{number}", MOLTACT_LANGUAGE="en")
         PICTURES.mkdir(exist_ok=True)
 
     @classmethod

@@ -93,7 +93,8 @@ void Application::openLesson(const std::filesystem::path& file) {
   messages.clearErrors();
   settings.remember(file);
   panels.lesson = panels.lesson_first = true;
-  panels.welcome = false;
+  panels.welcome = panels.teacher_notes = false;
+  panels.lesson_goals.reset();
   enterScene();
 }
 
@@ -153,10 +154,8 @@ void Application::tellSteps() {
   const bool opened = told_opening_ != lesson.openings(), moved = told_step_ != lesson.session()->stepIndex();
   told_opening_ = lesson.openings();
   told_step_ = lesson.session()->stepIndex();
-  if (opened) {
-    panels.lesson_goals.reset();
+  if (opened)
     for (Extension* e : extensions_->all()) e->lessonChanged();
-  }
   if (opened || moved)
     for (Extension* e : extensions_->all()) e->stepChanged();
 }

@@ -29,7 +29,7 @@ namespace {
 namespace fs = std::filesystem;
 
 // Raised when pictures of the same subject come out differently.
-constexpr std::string_view kDrawnAs = "4";
+constexpr std::string_view kDrawnAs = "5";
 constexpr std::size_t kMostKept = 400;
 constexpr std::size_t kLargestFile = std::size_t{1} << 30;  // unit: byte
 
@@ -47,7 +47,8 @@ std::string sceneKey(const CardSubject& subject) {
   for (const MarkSpec& mark : s.marks) styles += mark.word + ' ' + mark.atoms.text() + ',';
   return styles + s.hide.text() + '|' + s.untouchable.text() + '|' + s.remove.text() + '|' +
          readingText(subject.molecule.reading) + s.view.text + '|' + (s.cut ? 'c' + s.cut_at.text() : std::string()) +
-         '|' + s.highlight.text() + '|' + s.touch.method + '|' + std::to_string(s.touch.probe_A) + '|' + s.colour;
+         '|' + s.highlight.text() + '|' + s.touch.method + '|' + std::to_string(s.touch.probe_A) + '|' + s.colour +
+         '|' + std::to_string(s.near_A);
 }
 
 // Where a probe that comes in along a ray from the viewer's upper right meets the surface.

@@ -243,7 +243,7 @@ constexpr std::array kActions{
            .label = N_("How atoms are drawn …"),
            .sentence = N_("Style, colours, names, marks and hydrogen bonds of the atoms that you name"),
            .run = [](App& a) { a.panels.look_page = true; },
-           .enabled = [](const App& a) { return hasStage(a) && !a.lesson.onStage(); }},
+           .enabled = [](const App& a) { return hasStage(a) && !a.lesson.onStage() && !a.lesson.locks("show"); }},
     Action{.name = "legend",
            .menu = Menu::View,
            .label = N_("Legend of colours"),

@@ -154,7 +154,7 @@ ViewScene seenScene(const Application& app) {
   const TouchPaint& paint = app.extensions().touch_paint;
   scene.touched = paint.painted();
   scene.touched_now = paint.fresh();
-  for (const auto& written : {app.extensions().measuring.drawn(), app.extensions().own_look.drawn(), paint.trail()})
+  for (const auto& written : {app.extensions().measuring.drawn(), app.scene.look.annotations, paint.trail()})
     if (written) scene.annotations.push_back(written);
   return scene;
 }

@@ -48,6 +48,11 @@ class Fit : public Task {
     begin();
   }
 
+  void leaveOut(std::span<const std::uint32_t> untouchable) override {
+    const std::span<const Ball> balls = scene_->balls();
+    scene_ = std::make_shared<const BallScene>(std::vector<Ball>(balls.begin(), balls.end()), untouchable);
+  }
+
   void reset() override {
     Task::reset();
     guesses_ = 0;
@@ -214,10 +219,11 @@ void checkFit(const TaskSpec& spec, std::vector<Problem>& problems) {
                         tr("make 'most' greater than 'least'")});
 }
 
-void checkLimit(const TaskSpec& spec, const Molecule& molecule, std::vector<Problem>& problems) {
+void checkLimit(const TaskSpec& spec, const Molecule& molecule, std::span<const std::uint32_t> untouchable,
+                std::vector<Problem>& problems) {
   const Value& fit = spec.values["fit"];
   if (!fit.selection.given()) return;
-  const BallScene scene(molecule.balls());
+  const BallScene scene(molecule.balls(), untouchable);
   const std::vector<std::uint32_t> atoms = fit.selection.select(molecule);
   if (atoms.empty()) return;
   const double least_A = spec.values["least"].number, most_A = spec.values["most"].number;

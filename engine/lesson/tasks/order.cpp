@@ -210,7 +210,8 @@ void checkOrder(const TaskSpec& spec, std::vector<Problem>& problems) {
 }
 
 // What the atoms themselves tell: places that are the same, and sizes in the order that is written.
-void checkOrderedPlaces(const TaskSpec& spec, const Molecule& molecule, std::vector<Problem>& problems) {
+void checkOrderedPlaces(const TaskSpec& spec, const Molecule& molecule, std::span<const std::uint32_t> /*untouchable*/,
+                        std::vector<Problem>& problems) {
   const Value& order = spec.values["order"];
   std::vector<std::vector<std::uint32_t>> atoms;
   std::vector<double> radii_A;

@@ -247,7 +247,8 @@ void checkSame(const TaskSpec& spec, std::vector<Problem>& problems) {
         problemAt(right.place, tr("more right answers than there are trials"), tr("ask for no more than 'trials'")));
 }
 
-void checkPlaces(const TaskSpec& spec, const Molecule& molecule, std::vector<Problem>& problems) {
+void checkPlaces(const TaskSpec& spec, const Molecule& molecule, std::span<const std::uint32_t> /*untouchable*/,
+                 std::vector<Problem>& problems) {
   const Value &one = spec.values["same"], &other = spec.values["place"];
   if (!one.selection.given() || !other.selection.given()) return;
   const std::vector<std::uint32_t> atoms = one.selection.select(molecule);
