@@ -171,11 +171,9 @@ void checkCompare(const TaskSpec& spec, std::vector<Problem>& problems) {
     problems.push_back(
         problemAt(compare.place, tr("'places' stands alone"), tr("write a touch block of its own for the methods")));
   if (of.path.size() < 2)
-    problems.push_back({{},
-                        of.place.line ? of.place.line : compare.place.line,
-                        of.place.line ? of.place.column : compare.place.column,
-                        tr("at least two places are needed to compare"),
-                        tr("write them parted by 'then': 'of: residue 4 then residue 9'")});
+    problems.push_back(problemAt(of.place.line ? of.place : compare.place,
+                                 tr("at least two places are needed to compare"),
+                                 tr("write them parted by 'then': 'of: residue 4 then residue 9'")));
 }
 
 // Methods can only be compared by a student who may switch between them.

@@ -212,11 +212,9 @@ class Fit : public Task {
 void checkFit(const TaskSpec& spec, std::vector<Problem>& problems) {
   const Value &least = spec.values["least"], &most = spec.values["most"];
   if (least.number >= most.number)
-    problems.push_back({{},
-                        (most.place.line ? most : least).place.line,
-                        (most.place.line ? most : least).place.column,
-                        tr("the slider's ends leave no probe to choose"),
-                        tr("make 'most' greater than 'least'")});
+    problems.push_back(problemAt((most.place.line ? most : least).place,
+                                 tr("the slider's ends leave no probe to choose"),
+                                 tr("make 'most' greater than 'least'")));
 }
 
 void checkLimit(const TaskSpec& spec, const Molecule& molecule, std::span<const std::uint32_t> untouchable,
