@@ -33,7 +33,7 @@ class Interaction {
 
   /// The answer to a pose. Calls are not ticks: ServoStep::tick asks once a tick, but while the surface itself moves
   /// twice, first with the pose of the tick before, so as to tell the surface's work from the hand's; before a new
-  /// interaction is handed over, makeInteraction (app/ui/scene/stage.h) leads it to the contact by some poses in a row.
+  /// interaction is handed over, it may be led to the contact by some poses in a row.
   /// No time goes with a call. What an interaction remembers (where it sticks, how far it has slid) may depend on the
   /// paths between the poses and never on how often it is asked. A pose that is no number gives Fault::NotFinite.
   virtual Response respond(const PoseA& pose) noexcept = 0;

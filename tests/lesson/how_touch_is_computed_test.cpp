@@ -19,6 +19,7 @@
 
 using namespace moltact;
 using moltact::test::lineSaying;
+using moltact::test::linesSaying;
 
 namespace {
 
