@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "app/ui/application/application.h"
 #include "app/ui/lesson/lesson_guide.h"
 #include "app/ui/lesson/scene_marks.h"
 #include "engine/core/text.h"
@@ -110,8 +109,8 @@ void OwnLook::show(TouchScene& scene) {
   scene.look.annotations = annotationsOf(spec, *molecule);
 }
 
-void OwnLook::sceneChanged(Application& app) {
-  if (std::exchange(molecule_, app.scene.stage().molecule) != molecule_) values = {};
+void OwnLook::sceneChanged() {
+  if (std::exchange(molecule_, scene_.stage().molecule) != molecule_) values = {};
 }
 
 }  // namespace moltact

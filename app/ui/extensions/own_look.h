@@ -21,6 +21,8 @@ struct OwnLookKey {
 
 class OwnLook final : public Extension {
  public:
+  explicit OwnLook(const TouchScene& scene) : scene_(scene) {}
+
   static std::span<const OwnLookKey> keys();
   static constexpr std::size_t kKeys = 6;
 
@@ -33,9 +35,10 @@ class OwnLook final : public Extension {
   void show(TouchScene& scene);
 
   /// What is written belongs to a molecule.
-  void sceneChanged(Application& app) override;
+  void sceneChanged() override;
 
  private:
+  const TouchScene& scene_;
   std::shared_ptr<const Molecule> molecule_;
   // What the faults are of: selections are worked out when a value is another, not in each frame.
   std::shared_ptr<const Molecule> checked_molecule_;

@@ -154,7 +154,7 @@ constexpr std::array kActions{
            .sentence = N_("Undo the last change of method, probe, spring, parts shown, colours or view"),
            .icon = Icon::Undo,
            .tool = 3,
-           .run = [](App& a) { a.extensions().history.undo(a); },
+           .run = [](App& a) { a.extensions().history.undo(); },
            .enabled = [](const App& a) { return atWork(a) && a.extensions().history.canUndo(); }},
     Action{.name = "redo",
            .menu = Menu::Edit,
@@ -164,7 +164,7 @@ constexpr std::array kActions{
            .sentence = N_("Redo what was undone"),
            .icon = Icon::Redo,
            .tool = 3,
-           .run = [](App& a) { a.extensions().history.redo(a); },
+           .run = [](App& a) { a.extensions().history.redo(); },
            .enabled = [](const App& a) { return atWork(a) && a.extensions().history.canRedo(); }},
     Action{.name = "measure",
            .menu = Menu::Edit,
@@ -398,11 +398,11 @@ constexpr std::array kActions{
     Action{.name = "sound-yes",
            .menu = Menu::None,
            .label = N_("Yes, let me hear it"),
-           .run = [](App& a) { a.extensions().touch_sound.answer(a, true); }},
+           .run = [](App& a) { a.extensions().touch_sound.answer(true); }},
     Action{.name = "sound-no",
            .menu = Menu::None,
            .label = N_("No sound"),
-           .run = [](App& a) { a.extensions().touch_sound.answer(a, false); }},
+           .run = [](App& a) { a.extensions().touch_sound.answer(false); }},
 };
 
 }  // namespace

@@ -1,5 +1,5 @@
-// In the view's upper left corner: what the colours of the atoms are. Where it would hide the molecule it is a closed line
-// that opens by a click.
+// In the view's upper left corner: what the colours of the atoms are. Where it would hide the molecule it is a closed
+// line that opens by a click.
 #include "engine/render/colour_legend.h"
 
 #include <algorithm>
@@ -29,7 +29,7 @@ bool namesMarks(const Application& app) {
 std::vector<LegendEntry> entriesOf(Application& app) {
   const std::vector<LegendEntry>& of_atoms = app.panels.colours.of(app.scene.stage().molecule, app.scene.colour_by,
                                                                    elementColoursOf(app.settings), app.scene.look);
-  const bool painted = app.extensions().touch_traces.painted() != nullptr;
+  const bool painted = app.extensions().touch_paint.painted() != nullptr;
   if (of_atoms.size() < 2 && !app.settings.colour_blind_safe && app.scene.colour_by != ColourBy::Chain &&
       !app.scene.look.colouring && !painted && !namesMarks(app))
     return {};

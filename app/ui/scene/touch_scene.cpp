@@ -83,7 +83,7 @@ void TouchScene::stopForce(bool stopped) {
 bool TouchScene::tryForce(double force_N) {
   if (played_ || servo_settings.panic) return false;
   servo_.setSettings(handed(true));
-  servo_.tryInteraction(std::make_unique<PullTracker>(force_N / kTry_N_per_mm * Workspace().A_per_mm));
+  servo_.tryInteraction(std::make_unique<ConstantForceTracker>(force_N / kTry_N_per_mm * Workspace().A_per_mm));
   return true;
 }
 

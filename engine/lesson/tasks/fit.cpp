@@ -212,11 +212,9 @@ class Fit : public Task {
 void checkFit(const TaskSpec& spec, std::vector<Problem>& problems) {
   const Value &least = spec.values["least"], &most = spec.values["most"];
   if (least.number >= most.number)
-    problems.push_back({{},
-                        (most.place.line ? most : least).place.line,
-                        (most.place.line ? most : least).place.column,
-                        tr("the slider's ends leave no probe to choose"),
-                        tr("make 'most' greater than 'least'")});
+    problems.push_back(problemAt((most.place.line ? most : least).place,
+                                 tr("the slider's ends leave no probe to choose"),
+                                 tr("make 'most' greater than 'least'")));
 }
 
 void checkLimit(const TaskSpec& spec, const Molecule& molecule, std::span<const std::uint32_t> untouchable,
@@ -230,21 +228,15 @@ void checkLimit(const TaskSpec& spec, const Molecule& molecule, std::span<const 
   const bool through = spec.values["way"].text == "through";
   const auto ring = through ? ringOf(scene, atoms) : std::nullopt;
   if (through && !ring) {
-    problems.push_back({{},
-                        fit.place.line,
-                        fit.place.column,
-                        tr("three atoms at least make a ring to go through"),
-                        tr("name more of its atoms, or write 'way: into'")});
+    problems.push_back(problemAt(fit.place, tr("three atoms at least make a ring to go through"),
+                                 tr("name more of its atoms, or write 'way: into'")));
     return;
   }
   const TouchLimits limits(spec, "fit", molecule);
   if (through && limits.given()) {
     const Value& side = spec.values[spec.values.has("side") ? "side" : "region"];
-    problems.push_back({{},
-                        side.place.line,
-                        side.place.column,
-                        tr("a ring has no side: the probe goes through it"),
-                        tr("take the line out, or write 'way: into'")});
+    problems.push_back(problemAt(side.place, tr("a ring has no side: the probe goes through it"),
+                                 tr("take the line out, or write 'way: into'")));
     return;
   }
   const auto fits = [&](double probe_A) {
@@ -252,17 +244,13 @@ void checkLimit(const TaskSpec& spec, const Molecule& molecule, std::span<const 
                    : !waysTo(scene, atoms, limits, probe_A, true).empty();
   };
   if (!fits(least_A))
-    problems.push_back({{},
-                        fit.place.line,
-                        fit.place.column,
-                        trf("not even a probe of {0} gets there", quantityText(least_A, Dimension::Length)),
-                        tr("choose another place, or a smaller 'least'")});
+    problems.push_back(problemAt(fit.place,
+                                 trf("not even a probe of {0} gets there", quantityText(least_A, Dimension::Length)),
+                                 tr("choose another place, or a smaller 'least'")));
   else if (fits(most_A))
-    problems.push_back({{},
-                        fit.place.line,
-                        fit.place.column,
-                        trf("every probe up to {0} gets there", quantityText(most_A, Dimension::Length)),
-                        tr("choose another place, or a greater 'most'")});
+    problems.push_back(problemAt(fit.place,
+                                 trf("every probe up to {0} gets there", quantityText(most_A, Dimension::Length)),
+                                 tr("choose another place, or a greater 'most'")));
 }
 
 }  // namespace

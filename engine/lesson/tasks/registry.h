@@ -12,7 +12,7 @@
 namespace moltact {
 
 struct TaskKind {
-  std::string_view name;      ///< also the key that carries its target: "reach: element O"
+  std::string_view name;      ///< also the key that carries its target: "reach: element O"; no key of another kind
   std::string_view meaning;   ///< one sentence for authors
   std::vector<KeySpec> keys;  ///< its own keys, the one called `name` first
   std::unique_ptr<Task> (*make)(const TaskSpec& spec, const Molecule& molecule);
