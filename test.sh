@@ -22,7 +22,7 @@ for preset in "${@:-release}"; do
   if [ "$preset" = web ]; then
     install_missing .ci/packages-web
     build_preset web moltact_page
-    build_preset web moltact_trace
+    build_preset web moltact_hip_path
     [ -x build/release/moltact ] || build_preset release moltact
     timeout 45m python3 tests/web/run.py
     continue

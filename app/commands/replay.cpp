@@ -47,7 +47,8 @@ void append(std::string& row, const Vec3& v) {
   }
 }
 
-void writeTrace(const ReplayOptions& options, const std::vector<PointA>& path, const std::vector<Contact>& contacts) {
+void writeContacts(const ReplayOptions& options, const std::vector<PointA>& path,
+                   const std::vector<Contact>& contacts) {
   const auto checked = [](const std::optional<Problem>& problem) {
     if (problem) throw CommandError{problem->text()};
   };
@@ -139,7 +140,7 @@ void run(const ReplayOptions& options) {
     err() << "moltact: the HIP starts inside the molecule: no force for the first " << inside
           << " ticks, until it has been outside\n";
   if (refused) err() << "moltact: " << refused << " places were not finite or beyond 1e9 A: no force there\n";
-  if (!options.out.empty()) writeTrace(options, *path, contacts);
+  if (!options.out.empty()) writeContacts(options, *path, contacts);
   if (options.time) printDocument(timePath(input, *path, contacts));
 }
 
@@ -153,7 +154,9 @@ void addReplay(CLI::App& app) {
   command->add_option("--path", options->path, "CSV with the header x,y,z (angstrom), a row a tick")
       ->type_name(kFileType)
       ->required();
-  command->add_option("--out", options->out, "where to write the trace (CSV); may be left out with --time")
+  command
+      ->add_option("--out", options->out,
+                   "where to write each tick's HIP, SCP, force, feature and atoms (CSV); may be left out with --time")
       ->type_name(kFileType);
   options->left_out.addTo(*command);
   addTouchOptions(*command, options->touch);

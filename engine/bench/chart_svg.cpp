@@ -2,10 +2,10 @@
 
 #include <array>
 #include <cstdio>
-#include <numbers>
 
 #include "engine/bench/log_axis.h"
 #include "engine/core/svg.h"
+#include "engine/core/units.h"
 #include "engine/core/utf8.h"
 
 namespace moltact::bench {
@@ -125,7 +125,7 @@ void drawLabels(Svg& svg, const ChartPanel& panel, const LogAxis& x, const LogAx
     double least = 1e300;
     for (double away = 10; away <= 74; away += 16)
       for (int side = 0; side < 12; ++side) {
-        const double turn = 2 * std::numbers::pi * side / 12, cx = std::cos(turn), cy = -std::sin(turn);
+        const double turn = kTwoPi * side / 12, cx = std::cos(turn), cy = -std::sin(turn);
         const double mx = place.x + cx * (away + w / 2), my = place.y + cy * (away + h / 2);
         const Box b{mx - w / 2, my - h / 2, mx + w / 2, my + h / 2};
         double cost = 0.4 * (away - 10) + 0.02 * side;

@@ -21,7 +21,7 @@ Mark markOf(const MethodFamily& family) {
     if (m.family.name == family.name) break;
     if (std::find(before.begin(), before.end(), m.family.name) == before.end()) before.push_back(m.family.name);
   }
-  return kMarks[before.size() % kMarks.size()];
+  return kMarks.at(before.size());
 }
 
 template <class Error, class Best>

@@ -6,6 +6,8 @@
 #include <complex>
 #include <numbers>
 
+#include "engine/core/units.h"
+
 namespace moltact::bench {
 namespace {
 
@@ -26,7 +28,7 @@ double stepOf(const std::vector<double>& differences_ns) {
     std::size_t count = 0;
     for (const double d : differences_ns) {
       if (d <= 0 || d > kReach_ns) continue;
-      sum += std::polar(1.0, 2 * std::numbers::pi * d / step);
+      sum += std::polar(1.0, kTwoPi * d / step);
       ++count;
     }
     if (count == 0) return 1.0;
@@ -38,7 +40,7 @@ double stepOf(const std::vector<double>& differences_ns) {
     for (double finer = step; finer > 0.97 * step; finer *= 1.0 - 5e-5) {
       double real = 0;
       for (const double d : differences_ns)
-        if (d > 0 && d <= kReach_ns) real += std::cos(2 * std::numbers::pi * d / finer);
+        if (d > 0 && d <= kReach_ns) real += std::cos(kTwoPi * d / finer);
       if (real / double(count) > most) most = real / double(count), best = finer;
     }
     return best;

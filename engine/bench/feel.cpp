@@ -2,11 +2,11 @@
 
 #include <cmath>
 #include <memory>
-#include <numbers>
 #include <optional>
 
 #include "engine/bench/accuracy.h"
 #include "engine/core/sphere_intersections.h"
+#include "engine/core/units.h"
 #include "engine/haptics/ball_scene.h"
 
 namespace moltact::bench {
@@ -17,11 +17,11 @@ constexpr double kDepth_A = 0.6, kStep_A = 0.02;
 // A circle of places, once round, started after a straight way in from `outside`.
 FeelPath round(std::string name, scenes::Scene scene, Vec3 centre, Vec3 u, Vec3 w, double radius, Vec3 outside) {
   FeelPath path{std::move(name), std::move(scene), {}, {}};
-  const int ticks = static_cast<int>(2 * std::numbers::pi * radius / kStep_A);
+  const int ticks = static_cast<int>(kTwoPi * radius / kStep_A);
   const Vec3 first = centre + u * radius;
   for (int k = 0; k < 400; ++k) path.approach.push_back(outside + (first - outside) * (k / 400.0));
   for (int k = 0; k < ticks; ++k) {
-    const double t = 2 * std::numbers::pi * k / ticks;
+    const double t = kTwoPi * k / ticks;
     path.counted.push_back(centre + (u * std::cos(t) + w * std::sin(t)) * radius);
   }
   return path;

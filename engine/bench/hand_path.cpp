@@ -203,13 +203,13 @@ Expected<HandPath> readHandPath(const std::filesystem::path& file) {
   return out;
 }
 
-HandPath handPathOf(const ServoRecording& trace, std::string name, Interaction* felt) {
+HandPath handPathOf(const ServoRecording& recording, std::string name, Interaction* felt) {
   HandPath out;
   out.name = std::move(name);
-  out.labels = trace.labels;
-  if (!trace.ticks.empty()) out.probe_A = usableProbe_A(trace.ticks.front().settings.probe_A, kWaterProbe_A);
-  ServoStep step = trace.start.value_or(ServoStep());
-  for (const RecordedTick& tick : trace.ticks) {
+  out.labels = recording.labels;
+  if (!recording.ticks.empty()) out.probe_A = usableProbe_A(recording.ticks.front().settings.probe_A, kWaterProbe_A);
+  ServoStep step = recording.start.value_or(ServoStep());
+  for (const RecordedTick& tick : recording.ticks) {
     if (tick.other_device) step.setDevice(tick.device);
     const ServoSample sample = step.tick(tick.settings, felt, tick.pose, tick.time);
     const bool somewhere = usableHip(sample.hip.A);

@@ -52,7 +52,7 @@ Expected<HandPath> readHandPath(const std::filesystem::path& file);
 /// The HIP of each tick of a recording, from the first that is a place; one that is none (a device may tell anything)
 /// is where the tick before was. `felt`: as it was newly made for the recording (the clutch asks
 /// for the contact); with another or none the way is the same but where a clutch was held by the surface.
-HandPath handPathOf(const ServoRecording& trace, std::string name, Interaction* felt);
+HandPath handPathOf(const ServoRecording& recording, std::string name, Interaction* felt);
 
 /// As rows of numbers with labels, to 0.001 A, so that readHandPath reads the same back.
 std::string textOf(const HandPath& path);

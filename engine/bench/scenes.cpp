@@ -6,6 +6,8 @@
 #include <numbers>
 #include <utility>
 
+#include "engine/core/units.h"
+
 namespace moltact::scenes {
 namespace {
 
@@ -132,7 +134,7 @@ Scene ring(int n, double slack_A) {
   Scene s{"ring of " + std::to_string(n) + (slack_A < 0 ? ", closed" : ", open"), {}};
   const double radius = kC + s.probe_A + slack_A;
   for (int k = 0; k < n; ++k) {
-    const double t = 2 * std::numbers::pi * k / n;
+    const double t = kTwoPi * k / n;
     s.balls.push_back({{radius * std::cos(t), radius * std::sin(t), 0}, kC});
   }
   return s;

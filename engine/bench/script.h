@@ -2,10 +2,10 @@
 #pragma once
 
 #include <cmath>
-#include <numbers>
 #include <vector>
 
 #include "engine/bench/stability_scenes.h"
+#include "engine/core/units.h"
 
 namespace moltact::bench {
 
@@ -27,10 +27,10 @@ class Script {
   /// Along the circle centre + radius (u cos t + w sin t), from turn `from` to turn `to` (unit: whole turns).
   Script& arc(const Vec3& centre, const Vec3& u, const Vec3& w, double radius, double from, double to,
               double step_A = 0.008) {
-    const double angle = 2.0 * std::numbers::pi * (to - from);
+    const double angle = kTwoPi * (to - from);
     const int n = std::max(1, static_cast<int>(std::ceil(std::abs(angle) * radius / step_A)));
     for (int k = 1; k <= n; ++k) {
-      const double t = 2.0 * std::numbers::pi * from + angle * k / n;
+      const double t = kTwoPi * from + angle * k / n;
       ticks.push_back({centre + (u * std::cos(t) + w * std::sin(t)) * radius});
     }
     return *this;

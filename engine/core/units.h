@@ -6,11 +6,15 @@
 #include <cmath>
 #include <glm/glm.hpp>
 #include <glm/gtc/quaternion.hpp>
+#include <numbers>
 
 namespace moltact {
 
 using Vec3 = glm::dvec3;
 using Quat = glm::dquat;
+
+/// A full turn (unit: radian).
+inline constexpr double kTwoPi = 2.0 * std::numbers::pi;
 
 /// The identity rotation.
 inline constexpr Quat kNoRotation{1.0, 0.0, 0.0, 0.0};

@@ -75,8 +75,8 @@ struct DevicePose {
   bool connected = true;  ///< false: the device is gone
   bool fault = false;     ///< the device itself reports a fault, or is not calibrated: no force
   float motor_heat = 0;   ///< 0 cold to 1 as warm as its motors may be, where it reports this
-  /// The position's age when it is read plus the time that the answering force waits, as the driver measures both on its
-  /// own thread; comes on top of DeviceSpecs::delay_s.
+  /// The position's age when it is read plus the time that the answering force waits, as the driver measures both on
+  /// its own thread; comes on top of DeviceSpecs::delay_s.
   float age_s = 0;
   Quat orientation = kNoRotation;  ///< of what is in the hand, from the device's axes; none where it measures none
 };
@@ -124,9 +124,9 @@ class Device {
   virtual DeviceStatus status() { return {}; }
   /// The window's thread, each frame.
   virtual ViewMotion viewMotion() noexcept { return {}; }
-  /// The window's thread: whether turning on the device turns the hand from now on instead of the view. A device that
-  /// measures the hand's own orientation always turns the hand.
-  virtual void turnHand(bool) noexcept {}
+  /// The window's thread: whether a rotation on the device rotates the hand from now on instead of the view. A device
+  /// that measures the hand's own orientation always rotates the hand.
+  virtual void rotateHand(bool) noexcept {}
   /// The window's thread: the person now holds the device as status() asked for its calibration.
   virtual void calibrate() {}
 

@@ -11,20 +11,20 @@ constexpr double kSteep = 1e-3;          // of the displacement: what leads in b
 constexpr double kArithmetic = 0x1p-50;  // of a sum of a few products
 constexpr double kParallel = 1e-26;  // squared sine, or squared volume, under which normals hold in fewer dimensions
 
-// What a set leaves of the displacement, and how the way turns that it leads along: the acceleration at unit speed,
-// toward the holding sphere's or circle's centre.
+// What a set leaves of the displacement, and the curvature of the path that it leads along: the acceleration at
+// unit speed, toward the holding sphere's or circle's centre.
 struct Motion {
-  Vec3 left{0.0}, turns{0.0};
+  Vec3 left{0.0}, curvature{0.0};
   double far = INFINITY, bend = 0.0,
-         loose = 0.0;  // as nearCentre_A has them; far is infinite where the motion is not reckoned so
+         loose = 0.0;  // as nearCentre_A has them; far is infinite where the motion is not computed so
 };
 
 // Whether nothing but rounding is left of the displacement.
-bool isStill(const Vec3& left, double pull_A, std::span<const Touch> touches, double contact_A,
+bool isStill(const Vec3& left, double displacement_A, std::span<const Touch> touches, double contact_A,
              const std::array<int, 3>& by) {
   double still_A = 0.0;
   for (const int k : by)
-    if (k >= 0) still_A = std::max(still_A, stillUnder_A(touches[std::size_t(k)], contact_A, pull_A));
+    if (k >= 0) still_A = std::max(still_A, stillUnder_A(touches[std::size_t(k)], contact_A, displacement_A));
   return glm::dot(left, left) <= still_A * still_A;
 }
 
@@ -32,14 +32,14 @@ bool isStill(const Vec3& left, double pull_A, std::span<const Touch> touches, do
 class Trial {
  public:
   Trial(const Vec3& displacement, std::span<const Touch> touches, double contact_A, Admitted admitted)
-      : pull_(displacement),
+      : displacement_(displacement),
         touches_(touches),
         contact_(contact_A),
         length_(glm::length(displacement)),
         admitted_(admitted) {}
 
-  // Adds a touch to those that are tried, in the list's order, so that of equals the first comes first; where there is
-  // no room, one that does not hold makes it.
+  // Adds a touch to those that are tried, in the list's order, so that of equals the first comes first; where the
+  // list is full, one that does not hold goes.
   void add(int touch) {
     if (tried_count_ == kMostTried) {
       const auto holds = [&](int t) { return std::find(best_.by.begin(), best_.by.end(), t) != best_.by.end(); };
@@ -53,13 +53,14 @@ class Trial {
 
   ActiveSet best() {
     best_ = {};
-    motion_ = {pull_};
+    motion_ = {displacement_};
     passed_ = 0;
     least_ = INFINITY;
     const int n = tried_count_;
-    if (offer({-1, -1, -1}, 0, {pull_})) return best_;
+    if (offer({-1, -1, -1}, 0, {displacement_})) return best_;
     for (int a = 0; a < n; ++a) {
-      if (glm::dot(pull_, normal(a)) < 0.0 && offer({tried_[std::size_t(a)], -1, -1}, 1, alone(a))) return best_;
+      if (glm::dot(displacement_, normal(a)) < 0.0 && offer({tried_[std::size_t(a)], -1, -1}, 1, alone(a)))
+        return best_;
     }
     for (int a = 0; a < n; ++a)
       for (int b = a + 1; b < n; ++b)
@@ -96,14 +97,16 @@ class Trial {
   }
 
   // What one touch leaves of the displacement. On a sphere that is what it leaves of the displacement from its centre:
-  // of two spheres that nearly are one, with the HIP near both centres, only that tells which way the one leads into
+  // of two spheres that nearly are one, with the HIP near both centres, only that tells how the one leads into
   // the other.
   Motion alone(int a) const {
     const Touch& t = touch(a);
-    const Vec3 turns = t.normal * (-1.0 / t.radius);
-    if (admitted_.grazes || !std::isfinite(t.radius)) return {pull_ - glm::dot(pull_, t.normal) * t.normal, turns};
-    const Vec3 from_centre = pull_ + (t.radius + t.gap) * t.normal;
-    return {from_centre - glm::dot(from_centre, t.normal) * t.normal, turns, glm::length(from_centre), 1.0 / t.radius};
+    const Vec3 curvature = t.normal * (-1.0 / t.radius);
+    if (admitted_.grazes || !std::isfinite(t.radius))
+      return {displacement_ - glm::dot(displacement_, t.normal) * t.normal, curvature};
+    const Vec3 from_centre = displacement_ + (t.radius + t.gap) * t.normal;
+    return {from_centre - glm::dot(from_centre, t.normal) * t.normal, curvature, glm::length(from_centre),
+            1.0 / t.radius};
   }
 
   // The part of a motion that leads into a touch, over what is allowed: blocked from 1 on.
@@ -112,7 +115,7 @@ class Trial {
     if (into <= 0.0) return 0.0;
     double allowed = bound(m, t);
     if (into > kSteep * length_ || !admitted_.grazes || into <= allowed) return into / allowed;
-    allowed += glm::length(m.left) * grazing(t, contact_, 1.0 / t.radius + glm::dot(m.turns, t.normal));
+    allowed += glm::length(m.left) * grazing(t, contact_, 1.0 / t.radius + glm::dot(m.curvature, t.normal));
     return into / allowed;
   }
 
@@ -141,12 +144,12 @@ class Trial {
     const Motion by_a = alone(a), by_b = alone(b);
     if (-glm::dot(by_b.left, na) < -bound(by_b, touch(a)) || -glm::dot(by_a.left, nb) < -bound(by_a, touch(b)))
       return false;
-    // On both spheres: turns . n_a = -1 / R_a and turns . n_b = -1 / R_b.
+    // On both spheres: curvature . n_a = -1 / R_a and curvature . n_b = -1 / R_b.
     const double bend_a = 1.0 / touch(a).radius, bend_b = 1.0 / touch(b).radius;
-    const Vec3 turns = (na * (bend_b * cosine - bend_a) + nb * (bend_a * cosine - bend_b)) / sine2;
+    const Vec3 curvature = (na * (bend_b * cosine - bend_a) + nb * (bend_a * cosine - bend_b)) / sine2;
     const Motion& near = by_a.far <= by_b.far ? by_a : by_b;  // along the line both sums are the same
     return offer({tried_[std::size_t(a)], tried_[std::size_t(b)], -1}, 2,
-                 {line * (glm::dot(near.left, line) / sine2), turns, near.far, std::max(bend_a, bend_b),
+                 {line * (glm::dot(near.left, line) / sine2), curvature, near.far, std::max(bend_a, bend_b),
                   kArithmetic / std::sqrt(sine2)});
   }
 
@@ -159,13 +162,13 @@ class Trial {
     const auto bound = [&](int k) {
       return rounding_A(touch(k), contact_, length_, admitted_.grazes || !std::isfinite(touch(k).radius));
     };
-    if (side * glm::dot(pull_, bc) < -bound(a) || side * glm::dot(pull_, ca) < -bound(b) ||
-        side * glm::dot(pull_, ab) < -bound(c))
+    if (side * glm::dot(displacement_, bc) < -bound(a) || side * glm::dot(displacement_, ca) < -bound(b) ||
+        side * glm::dot(displacement_, ab) < -bound(c))
       return false;
     return offer({tried_[std::size_t(a)], tried_[std::size_t(b)], tried_[std::size_t(c)]}, 3, {});
   }
 
-  Vec3 pull_;
+  Vec3 displacement_;
   Motion motion_;
   std::span<const Touch> touches_;
   double contact_, length_, least_ = INFINITY;

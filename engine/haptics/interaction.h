@@ -33,9 +33,9 @@ class Interaction {
 
   /// The answer to a pose. Calls are not ticks: ServoStep::tick asks once a tick, but while the surface itself moves
   /// twice, first with the pose of the tick before, so as to tell the surface's work from the hand's; before a new
-  /// interaction is handed over, makeInteraction (app/ui/scene/stage.h) leads it to the contact by some poses in a row.
+  /// interaction is handed over, it may be led to the contact by some poses in a row.
   /// No time goes with a call. What an interaction remembers (where it sticks, how far it has slid) may depend on the
-  /// ways between the poses and never on how often it is asked. A pose that is no number gives Fault::NotFinite.
+  /// paths between the poses and never on how often it is asked. A pose that is no number gives Fault::NotFinite.
   virtual Response respond(const PoseA& pose) noexcept = 0;
 
   /// Forgets the contact, as at the start: what begins inside gives no force until it has been outside once.
@@ -62,7 +62,8 @@ class Interaction {
 
   virtual MemoryUsage memoryUsage() const noexcept = 0;
 
-  /// It is felt how the hand is turned: a body, not a point. Mouse, keys and devices that turn the view then turn it.
+  /// It is felt how the hand is oriented: a body, not a point. Mouse, keys and devices that rotate the view then rotate
+  /// it.
   virtual bool hasOrientation() const noexcept { return false; }
 };
 

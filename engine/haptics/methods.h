@@ -32,7 +32,7 @@ struct Method {
   double apart_A = 0.0;           ///< how far the places lie apart at which it has its surface; 0: it has no grid
   std::size_t most_balls = 0;     ///< it prepares the whole scene: the bench leaves it out of larger ones; 0: no limit
   bool one_probe = false;         ///< it feels only the probe that it was made for
-  bool shaded = false;            ///< its force leads another way than to the SCP (Contact::displacement_A)
+  bool shaded = false;            ///< its force has another direction than to the SCP (Contact::displacement_A)
   bool summed = false;            ///< its force is the sum of every ball's push; it has no SCP on the surface
   bool follows_motion = false;    ///< it goes with spheres that move (Interaction::setMotion)
   bool offered = true;            ///< to people; else it stands for comparison in the bench only

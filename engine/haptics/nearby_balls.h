@@ -48,7 +48,7 @@ class NearbyBalls {
   /// Balls, and cells and groups of balls, looked at since the counter was set back: what a tick has cost.
   std::uint64_t looked() const noexcept { return looked_; }
   void countFromZero() noexcept { looked_ = 0; }
-  /// The list stays in use: where the balls have grown by a little, the list is sure of as much less room round it.
+  /// The list stays in use: where the balls have grown by a little, the list is sure of as much less distance round it.
   void setProbe(double probe_A) noexcept {
     const double grown = probe_A - probe_;
     probe_ = probe_A;
@@ -62,8 +62,8 @@ class NearbyBalls {
     for (std::size_t k = 0; k < count_; ++k) list_[k].radius = ball(list_[k].index).radius;
   }
 
-  /// From now on the spheres are those of the motion, at its beginning; null: the scene's own. The motion has as many as
-  /// the scene, and stays until another is set.
+  /// From now on the spheres are those of the motion, at its beginning; null: the scene's own. The motion has as many
+  /// as the scene, and stays until another is set.
   void setMotion(const SphereMotion* motion) noexcept {
     // Where it goes on from the last one's end, what was far off has come nearer by no more than it moves.
     const bool goes_on = motion && motion_ && fraction_ == 1.0 && motion->continues(*motion_) && fits_ && !shrunk_;
@@ -78,8 +78,8 @@ class NearbyBalls {
   /// Whether that motion is in force; null: none. One that lies where another lay is another.
   bool has(const SphereMotion* motion) const noexcept { return (motion ? motion->serial() : 0) == motion_serial_; }
   double fraction() const noexcept { return fraction_; }
-  /// The spheres as they are at this fraction of the motion (0 to 1). The list stays: it holds all that come near during
-  /// the motion.
+  /// The spheres as they are at this fraction of the motion (0 to 1). The list stays: it holds all that come near
+  /// during the motion.
   void advanceTo(double fraction) noexcept {
     fraction_ = fraction;
     stale_ = motion_ != nullptr;
@@ -146,7 +146,7 @@ class NearbyBalls {
   double clearanceAt(const Vec3& place) const noexcept {
     return clearance(scene(), probe_, origin_ + place, motion_, fraction_);
   }
-  /// The first sphere on the straight way from one place to another; `contact_A` as FirstMet has it.
+  /// The first sphere on the straight path from one place to another; `contact_A` as FirstMet has it.
   Hit firstMet(const Vec3& from, const Vec3& to, double contact_A) const noexcept {
     return sweepFrom(scene(), probe_, origin_, from, to, contact_A, motion_, fraction_);
   }
@@ -184,7 +184,7 @@ class NearbyBalls {
       fits_ = gather(place, wanted);
       return;
     }
-    // A list that had to reach less serves while the place has room in it.
+    // A list that had to reach less serves while the place is within it.
     const bool shrunk = shrunk_ && reach_ > 0.0;
     if (shrunk && glm::distance(place, around_) <= 0.5 * reach_) return;
     double reach = shrunk ? std::min(wanted, 4.0 * reach_) : wanted;

@@ -59,15 +59,15 @@ Expected<std::unique_ptr<const SphereMotion>> SphereMotion::make(std::span<const
       return problem(trf("sphere {0} of a motion is at no place, or has no radius", i + 1),
                      trf("give finite coordinates within {0} and radii that are not negative",
                          quantityText(kFarthest_A, Dimension::Length, plain())));
-    const Vec3 way = to[i].centre_A - from[i].centre_A;
+    const Vec3 displacement = to[i].centre_A - from[i].centre_A;
     const double growth = to[i].radius_A - from[i].radius_A;
-    spheres[i] = {from[i], way, growth};
+    spheres[i] = {from[i], displacement, growth};
     most_A = std::max(most_A, spheres[i].moved_A());
-    // Rounding of a place on the way is far below the spare part.
+    // Rounding of a place on the path is far below the spare part.
     const double spare = 1e-12 * (glm::length(from[i].centre_A) + glm::length(to[i].centre_A));
-    bounds[i] = {from[i].centre_A + 0.5 * way,
-                 std::max(from[i].radius_A, to[i].radius_A) + 0.5 * glm::length(way) + spare};
-    if (way == Vec3(0.0) && growth == 0.0) bounds[i] = from[i];
+    bounds[i] = {from[i].centre_A + 0.5 * displacement,
+                 std::max(from[i].radius_A, to[i].radius_A) + 0.5 * glm::length(displacement) + spare};
+    if (displacement == Vec3(0.0) && growth == 0.0) bounds[i] = from[i];
   }
   return std::unique_ptr<const SphereMotion>(
       new SphereMotion(std::move(spheres), std::move(bounds), untouchable, ticks, most_A));

@@ -1,6 +1,7 @@
 // How spheres move from one snapshot (a frame of a trajectory) to the next: where each is at the beginning and at the
-// end; between them it moves and grows evenly. The grid is built over the balls in which the spheres stay during the whole motion, so that it serves every
-// tick of it. Built at a person's pace (14 000 spheres: about 2 ms, build/release/tracker_benchmark
+// end; between them it moves and grows evenly. The grid is built over the balls in which the spheres stay during the
+// whole motion, so that it serves every tick of it. Built at a person's pace (14 000 spheres: about 2 ms,
+// build/release/tracker_benchmark
 // --benchmark_filter=frame); immutable afterwards, so every thread may read it. Units: angstrom.
 #pragma once
 
@@ -41,10 +42,12 @@ class SphereMotion {
   /// A sphere's beginning and what it moves and grows by within the motion.
   struct Moving {
     Ball from;
-    Vec3 way_A{0.0};
+    Vec3 displacement_A{0.0};
     double growth_A = 0.0;
-    double moved_A() const { return glm::length(way_A) + std::abs(growth_A); }
-    Ball at(double fraction) const { return {from.centre_A + way_A * fraction, from.radius_A + growth_A * fraction}; }
+    double moved_A() const { return glm::length(displacement_A) + std::abs(growth_A); }
+    Ball at(double fraction) const {
+      return {from.centre_A + displacement_A * fraction, from.radius_A + growth_A * fraction};
+    }
   };
   const Moving& operator[](std::size_t i) const { return spheres_[i]; }
   /// All of them at a fraction (0 to 1) of the motion.

@@ -8,14 +8,14 @@
 namespace moltact {
 namespace {
 
-// The part [t0, t1] of the way from `from` along `way` that lies in the box; false when none does.
-bool clip(const Vec3& from, const Vec3& way, const Vec3& low, const Vec3& high, double& t0, double& t1) {
+// The part [t0, t1] of the path from `from` along `path` that lies in the box; false when none does.
+bool clip(const Vec3& from, const Vec3& path, const Vec3& low, const Vec3& high, double& t0, double& t1) {
   for (int k = 0; k < 3; ++k) {
-    if (way[k] == 0.0) {
+    if (path[k] == 0.0) {
       if (from[k] < low[k] || from[k] > high[k]) return false;
       continue;
     }
-    double a = (low[k] - from[k]) / way[k], b = (high[k] - from[k]) / way[k];
+    double a = (low[k] - from[k]) / path[k], b = (high[k] - from[k]) / path[k];
     if (a > b) std::swap(a, b);
     t0 = std::max(t0, a);
     t1 = std::min(t1, b);
@@ -32,20 +32,20 @@ Hit sweep(const BallScene& scene, double probe_A, const Vec3& from, const Vec3& 
 Hit sweepFrom(const BallScene& scene, double probe_A, const Vec3& origin, const Vec3& from, const Vec3& to,
               double contact_A, const SphereMotion* motion, double fraction) noexcept {
   constexpr double kSpare_A = 1e-6;  // more is looked at than rounding can hide
-  const Vec3 way = to - from;
+  const Vec3 path = to - from;
   double t0 = 0.0, t1 = 1.0;
   const Vec3 margin(probe_A + kSpare_A);
-  if (scene.size() == 0 || !clip(from, way, scene.low_A() - origin - margin, scene.high_A() - origin + margin, t0, t1))
+  if (scene.size() == 0 || !clip(from, path, scene.low_A() - origin - margin, scene.high_A() - origin + margin, t0, t1))
     return {};
-  const double whole = glm::length(way);
+  const double whole = glm::length(path);
   if (!(whole > 0.0)) return {};
-  const Vec3 along = way / whole;
+  const Vec3 along = path / whole;
 
-  // Lengths are counted from where the way enters the box: a start a million angstroms off costs no digits.
-  const Vec3 start = t0 > 0.0 ? from + way * t0 : from;
+  // Lengths are counted from where the path enters the box: a start a million angstroms off costs no digits.
+  const Vec3 start = t0 > 0.0 ? from + path * t0 : from;
   const double length = (t1 - t0) * whole;
   FirstMet first(start, along, length, contact_A);
-  // Piece by piece, so that only balls near the way are looked at; in a sparse scene, where that would be more pieces
+  // Piece by piece, so that only balls near the path are looked at; in a sparse scene, where that would be more pieces
   // than balls, all at once.
   const double piece = length > scene.cell_A() * (1.0 + 0.125 * double(scene.size())) ? length : scene.cell_A();
   for (double a = 0.0; a <= length; a += piece) {
@@ -63,7 +63,7 @@ Hit sweepFrom(const BallScene& scene, double probe_A, const Vec3& origin, const 
   return {first.ball(), std::min(1.0, t0 + first.at() / whole)};
 }
 
-double wayToBox(const BallScene& scene, double probe_A, const Vec3& place) noexcept {
+double distanceToBox(const BallScene& scene, double probe_A, const Vec3& place) noexcept {
   if (scene.size() == 0) return kFarthest_A;
   const Vec3 low = scene.low_A() - Vec3(probe_A), high = scene.high_A() + Vec3(probe_A);
   return glm::length(glm::max(glm::max(low - place, place - high), Vec3(0.0)));
@@ -71,7 +71,7 @@ double wayToBox(const BallScene& scene, double probe_A, const Vec3& place) noexc
 
 double clearance(const BallScene& scene, double probe_A, const Vec3& place, const SphereMotion* motion,
                  double fraction) noexcept {
-  const double looked = 0.5 * scene.cell_A(), to_box = wayToBox(scene, probe_A, place);
+  const double looked = 0.5 * scene.cell_A(), to_box = distanceToBox(scene, probe_A, place);
   if (to_box > looked) return to_box;
   double best = looked;
   scene.visitNear(place, probe_A + looked, [&](std::uint32_t i, const Ball& bound) {

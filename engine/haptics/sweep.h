@@ -15,20 +15,20 @@ class SphereMotion;
 
 struct Hit {
   std::int32_t ball = -1;  ///< -1: nothing is met
-  double t = 1.0;          ///< where on the way from `from` (0) to `to` (1)
+  double t = 1.0;          ///< where on the path from `from` (0) to `to` (1)
 };
 
 /// Finds the first ball on a straight path, among the balls passed to look() one after the other.
 class FirstMet {
  public:
   /// `along` is unit; balls farther than `length` are not met. A ball within `contact_A` of the start is touched: it is
-  /// met only where the way sinks by contact_A into it, so that a way along its surface is not stopped by rounding.
+  /// met only where the path sinks by contact_A into it, so that a path along its surface is not stopped by rounding.
   FirstMet(const Vec3& start, const Vec3& along, double length, double contact_A = 0.0)
       : start_(start), along_(along), best_(length), contact_(contact_A) {}
 
   void look(std::int32_t index, const Vec3& centre, double radius) {
     const Vec3 m = start_ - centre;
-    const double nearest = -glm::dot(m, along_);  // where the way comes nearest to the centre
+    const double nearest = -glm::dot(m, along_);  // where the path comes nearest to the centre
     if (nearest <= 0.0) return;                   // it leads away from this ball
     const Vec3 off = m + along_ * nearest;
     double chord2 = radius * radius - glm::dot(off, off);
@@ -61,7 +61,7 @@ class FirstMet {
   }
 
   std::int32_t ball() const { return ball_; }  ///< -1: none
-  double at() const { return best_; }          ///< the way to it (unit: angstrom)
+  double at() const { return best_; }          ///< the distance to it (unit: angstrom)
 
  private:
   Vec3 start_, along_;
@@ -76,7 +76,7 @@ inline void lessenGap(double& gap, const Vec3& from_centre, double radius) {
 }
 
 /// Moves a point from `from` to `to` among the scene's balls inflated by `probe_A`. A ball that the point is in or on
-/// already is met at t = 0 when the way leads into it and not at all when it leads out.
+/// already is met at t = 0 when the path leads into it and not at all when it leads out.
 Hit sweep(const BallScene& scene, double probe_A, const Vec3& from, const Vec3& to) noexcept;
 
 /// The same for places given from `origin`, so that far from the zero point no digits are lost, with FirstMet's
@@ -86,7 +86,7 @@ Hit sweepFrom(const BallScene& scene, double probe_A, const Vec3& origin, const 
               double contact_A, const SphereMotion* motion = nullptr, double fraction = 0.0) noexcept;
 
 /// The distance from `place` to the box round all inflated balls, 0 inside it.
-double wayToBox(const BallScene& scene, double probe_A, const Vec3& place) noexcept;
+double distanceToBox(const BallScene& scene, double probe_A, const Vec3& place) noexcept;
 
 /// A lower bound of the distance from `place` to the nearest inflated ball, exact when under one grid cell;
 /// negative or zero inside or on a ball. Motion and fraction as of sweepFrom().

@@ -1,6 +1,6 @@
 // The interface of every haptic method: the HIP goes in, the surface contact point (SCP) comes out. A tracker is felt
-// as a sphere at the hand, the probe: however the hand is turned, the force acts through the sphere's centre. `step`
-// runs on the haptic thread: it neither allocates nor locks, throws, logs or calls the system. Units: angstrom.
+// as a sphere at the hand, the probe: whatever the hand's orientation, the force acts through the sphere's centre.
+// `step` runs on the haptic thread: it neither allocates nor locks, throws, logs or calls the system. Units: angstrom.
 #pragma once
 
 #include "engine/haptics/interaction.h"

@@ -1,5 +1,6 @@
-// An interaction round another, for what changes the force whatever is felt: a friction, a limit in depth. It passes
-// everything on; a class that derives from it overrides what it changes. `respond` runs on the haptic thread.
+// An interaction round another, for what changes the force whatever method the probe is felt with: a friction, a limit in
+// depth. It passes everything on; a class that derives from it overrides what it changes. `respond` runs on the haptic
+// thread.
 #pragma once
 
 #include <memory>

@@ -65,7 +65,7 @@ class Check {
         }
         const TaskKind* kind = findTaskKind(task.kind);
         std::vector<Problem> problems;
-        if (kind && kind->check_molecule) kind->check_molecule(task, *molecule, problems);
+        if (kind && kind->check_molecule) kind->check_molecule(task, *molecule, untouchable, problems);
         for (Problem& p : problems) findings_.error({p.line, p.column}, std::move(p.message), std::move(p.remedy));
       }
     }

@@ -13,10 +13,6 @@ Place shifted(Place place, std::string_view line, std::string_view part) {
           place.column + characterCount(line.substr(0, static_cast<std::size_t>(part.data() - line.data())))};
 }
 
-Problem problemAt(Place place, std::string message, std::string remedy) {
-  return {{}, place.line, place.column, std::move(message), std::move(remedy)};
-}
-
 const KeySpec* find(std::span<const KeySpec* const> keys, std::string_view name) {
   for (const KeySpec* k : keys) {
     if (k->name == name && !k->named) return k;

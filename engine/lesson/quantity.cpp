@@ -52,7 +52,13 @@ std::string notAUnit(std::string_view symbol, Dimension dimension) {
       return trf("'{0}' is no unit of time", symbol);
     case Dimension::Stiffness:
       return trf("'{0}' is no unit of stiffness", symbol);
-    default:
+    case Dimension::None:
+    case Dimension::HandLength:
+    case Dimension::Angle:
+    case Dimension::Share:
+    case Dimension::Frequency:
+    case Dimension::Energy:
+    case Dimension::Other:
       break;
   }
   return trf("'{0}' is no unit", symbol);
@@ -100,7 +106,13 @@ const char* dimensionName(Dimension dimension) {
       return N_("a time");
     case Dimension::Stiffness:
       return N_("a stiffness");
-    default:
+    case Dimension::None:
+    case Dimension::HandLength:
+    case Dimension::Angle:
+    case Dimension::Share:
+    case Dimension::Frequency:
+    case Dimension::Energy:
+    case Dimension::Other:
       break;
   }
   return N_("a number");

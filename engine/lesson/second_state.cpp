@@ -4,6 +4,7 @@
 
 #include "engine/core/utf8.h"
 #include "engine/lesson/source_text.h"
+#include "engine/molecule/side_by_side.h"
 
 namespace moltact {
 
@@ -15,7 +16,7 @@ NamedMolecule secondMolecule(const SceneSpec& scene) {
 
 NamedMolecule besideMolecule(const SceneSpec& scene) {
   const ReadOptions& reading = scene.molecule.reading;
-  return {reading.beside, ReadOptions{.waters = reading.waters}};
+  return {reading.beside, besideReading(reading)};
 }
 
 Expected<SecondState> parseSecondState(std::string_view text) {
@@ -46,7 +47,10 @@ Expected<TwoStates> statesOf(const SceneSpec& scene, const Molecule& molecule, c
 
 Molecule movedTo(const Molecule& molecule, const std::vector<Ball>& places) {
   Molecule out = molecule;
-  for (std::size_t i = 0; i < out.atoms.size() && i < places.size(); ++i) out.atoms[i].position.A = places[i].centre_A;
+  for (std::size_t i = 0; i < out.atoms.size() && i < places.size(); ++i) {
+    out.atoms[i].position.A = places[i].centre_A;
+    out.atoms[i].radius_A = places[i].radius_A;
+  }
   return out;
 }
 

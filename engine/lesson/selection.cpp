@@ -114,8 +114,15 @@ Mask evaluate(const Node& node, const Molecule& m) {
       node.atom_class->mark(m, out);
       return out;
     }
-    default:
-      break;
+    case SelectionKind::All:
+    case SelectionKind::Chain:
+    case SelectionKind::Residue:
+    case SelectionKind::Resname:
+    case SelectionKind::Name:
+    case SelectionKind::Element:
+    case SelectionKind::AtomIndex:
+    case SelectionKind::Ligand:
+      break;  // told atom by atom
   }
   Mask out(m.atoms.size(), 0);
   for (std::size_t i = 0; i < out.size(); ++i) out[i] = matches(node, m, i);

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "engine/core/problem.h"
 #include "engine/core/utf8.h"
 
 namespace moltact {
@@ -15,6 +16,11 @@ namespace moltact {
 struct Place {
   std::size_t line = 0, column = 0;
 };
+
+/// What is wrong at a place of the file that is read; whoever knows the file's name adds it.
+inline Problem problemAt(const Place& place, std::string message, std::string remedy) {
+  return {{}, place.line, place.column, std::move(message), std::move(remedy)};
+}
 
 class SourceText {
  public:

@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <optional>
 
 #include "engine/core/saturated.h"
 #include "engine/core/sphere_intersections.h"
+#include "engine/core/units.h"
 #include "engine/haptics/sweep.h"
 
 namespace moltact {
@@ -25,8 +25,8 @@ bool covered(const BallScene& scene, const Vec3& place, double probe_A, const st
   return found;
 }
 
-// Whether one atom covers a whole crease. That is most of them where the probe is large: nothing of it is to be looked at
-// then.
+// Whether one atom covers a whole crease. That is most of them where the probe is large: nothing of it is to be looked
+// at then.
 bool coveredByOne(const BallScene& scene, const SphereCircle& crease, double probe_A, std::uint32_t a,
                   std::uint32_t b) {
   bool found = false;
@@ -90,10 +90,10 @@ std::vector<SurfacePlace> creasePlaces(const BallScene& scene, std::span<const s
   std::vector<SurfacePlace> out;
   visitPairs(scene, atoms, probe_A, [&](std::uint32_t a, std::uint32_t b, const SphereCircle& crease) {
     const Vec3 x = across(crease.axis), y = glm::cross(crease.axis, x);
-    const int count = std::clamp(
-        saturateToInteger<int>(std::ceil(2.0 * std::numbers::pi * crease.radius_A / spacing_A)), 12, kMostCreasePlaces);
+    const int count =
+        std::clamp(saturateToInteger<int>(std::ceil(kTwoPi * crease.radius_A / spacing_A)), 12, kMostCreasePlaces);
     for (int k = 0; k < count; ++k) {
-      const double turn = 2.0 * std::numbers::pi * k / count;
+      const double turn = kTwoPi * k / count;
       const Vec3 u = x * std::cos(turn) + y * std::sin(turn);
       SurfacePlace place{crease.centre_A + u * crease.radius_A,
                          u,

@@ -105,6 +105,14 @@ Molecule sideBySide(Molecule first, Molecule second) {
   return out;
 }
 
+ReadOptions besideReading(ReadOptions first) {
+  const ReadOptions usual;
+  first.model = usual.model;
+  first.assembly = usual.assembly;
+  first.beside = usual.beside;
+  return first;
+}
+
 Expected<Molecule> readSideBySide(const fs::path& file, const ReadOptions& reading) {
   ReadOptions alone = reading;
   alone.beside.clear();
@@ -119,7 +127,7 @@ Expected<Molecule> readSideBySide(const fs::path& file, const ReadOptions& readi
     if (!found) return found.problem();
     other = *std::move(found);
   }
-  Expected<Molecule> second = readMolecule(other, ReadOptions{.waters = reading.waters});
+  Expected<Molecule> second = readMolecule(other, besideReading(reading));
   if (!second) return second;
   return sideBySide(*std::move(first), *std::move(second));
 }

@@ -21,8 +21,11 @@ inline constexpr const char* kBesideEnding = "2";
 /// its file has it; its middle is at the first's height and depth.
 Molecule sideBySide(Molecule first, Molecule second);
 
+/// How the molecule beside is read: as the first is, but in its first model and as its coordinates stand.
+ReadOptions besideReading(ReadOptions first);
+
 /// Reads a molecule and the one that `reading.beside` names, which is looked for beside its file, in the library and among
-/// what was fetched; of the two the second is read with its waters as the first is, in its first model.
+/// what was fetched.
 Expected<Molecule> readSideBySide(const std::filesystem::path& file, const ReadOptions& reading);
 
 }  // namespace moltact

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <vector>
 
 #include "engine/core/sphere_intersections.h"
+#include "engine/core/units.h"
 #include "engine/render/sticks.h"
 #include "engine/structure/backbone.h"
 #include "engine/structure/secondary_structure.h"
@@ -86,7 +86,7 @@ class Ribbon {
     const double width = widthAt(i, t), thick = glm::mix(knots_[i].thickness, knots_[i + 1].thickness, t);
     const auto first = std::uint32_t(piece_.vertices.size());
     for (int c = 0; c < kCorners; ++c) {
-      const double angle = 2.0 * std::numbers::pi * c / kCorners, x = std::cos(angle), y = std::sin(angle);
+      const double angle = kTwoPi * c / kCorners, x = std::cos(angle), y = std::sin(angle);
       const Vec3 out = unit(side * (x / width) + up * (y / thick), up);
       piece_.vertices.push_back({glm::vec3(place + side * (x * width) + up * (y * thick) - piece_.origin_A),
                                  glm::vec3(out), knots_[coloured].colour});

@@ -33,6 +33,9 @@ Fineness::Choice Fineness::choose(bool moving) {
 }
 
 void Fineness::took(double ms) {
+  // How long a picture without the fine light takes does not say what one with it would take: the view would go to and
+  // fro between the two.
+  if (!last_.options.fine_light) return;
   const double whole = ms / (last_.options.samples == 2 ? 4.0 : last_.scale * last_.scale);
   whole_ms_ = whole_ms_ > 0 ? 0.7 * whole_ms_ + 0.3 * whole : whole;
 }

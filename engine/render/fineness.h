@@ -23,7 +23,7 @@ class Fineness {
 
  private:
   Choice last_;
-  double whole_ms_ = 0.0;  // what drawing the molecule at full size takes here; 0: not known yet
+  double whole_ms_ = 0.0;  // what drawing the molecule at full size with the fine light takes here; 0: not known yet
   int rested_frames_ = 0;
   bool unfinished_ = false;
 };

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "engine/core/sphere_intersections.h"
+#include "engine/core/units.h"
 #include "engine/gltf/gltf_file.h"
 #include "engine/render/contact_shadow.h"
 #include "engine/render/haptic_shapes.h"
@@ -78,7 +79,7 @@ class Maker {
                           .hidden = under ? 0.5f : 0.8f,
                           .width_px = float(under ? 3.8 : 1.8) + float(strength())});
       for (int i = 0; i <= kPieces; ++i) {
-        const double t = double(i) / kPieces, turn = 2 * std::numbers::pi * kTurns * t;
+        const double t = double(i) / kPieces, turn = kTwoPi * kTurns * t;
         const double wide = thick * std::min(1.0, 8.0 * std::min(t, 1.0 - t));
         out_.strokes.point(view(scene_.hip->A + way * t + wide * (std::cos(turn) * u + std::sin(turn) * v)));
       }
@@ -109,8 +110,8 @@ class Maker {
               scene_.camera, scp_, toEye(scp_), 2.1 * r, 48);
   }
 
-  // A ring round the probe that swells and warms with the force, and an arrow along it. Toward the eye an arrow would be
-  // a lump: there the ring tells it alone.
+  // A ring round the probe that swells and warms with the force, and an arrow along it. Toward the eye an arrow would
+  // be a lump: there the ring tells it alone.
   void force() {
     if (!touching_ || !(scene_.force_N > 0) || !std::isfinite(scene_.force_N)) return;
     const Colour warm = forceColour(scene_.theme, strength());

@@ -5,12 +5,12 @@
 
 #include "engine/core/saturated.h"
 #include "engine/core/sphere_intersections.h"
+#include "engine/core/units.h"
 #include "engine/haptics/mesh/sphere_mesh.h"
 
 namespace moltact {
 namespace {
 
-constexpr double kTwoPi = 2 * std::numbers::pi;
 constexpr std::size_t kFacetedAtoms = 6;  // whose triangles are drawn at most
 constexpr double kFacetsAtMost =
     700.0;  // triangles drawn of one atom, nearly: fine meshes show a patch round the contact

@@ -43,7 +43,7 @@ void setLighting(const GlProgram& program, const Projection& projection, const L
 /// colour, `place` in the camera's axes, `facing` the cosine between the normal and the way to the eye; where `fixed_open` is
 /// set to 0 or more it stands for the light from all sides. Software looks nothing up only where the text says so:
 /// "#define OPEN" before it leaves the occlusion out, "#define WIDE_GIVEN" takes its wide level from `wide_filled`,
-/// "#define FINE_EVEN" puts the mean of the fine level in its place.
+/// "#define FINE_EVEN", only with that, puts the mean of the fine level in its place.
 extern const std::string kLightingText;
 
 }  // namespace moltact

@@ -2,8 +2,8 @@
 
 #include <array>
 #include <cmath>
-#include <numbers>
 
+#include "engine/core/units.h"
 #include "engine/gltf/gltf_file.h"
 
 namespace moltact {
@@ -71,7 +71,7 @@ void SolidMesh::addCone(const glm::vec3& a, const glm::vec3& b, float radius_a, 
   for (int i = 0; i < kSides; ++i) {
     std::array<glm::vec3, 2> way;
     for (const int k : {0, 1}) {
-      const float t = 2 * std::numbers::pi_v<float> * float(i + k) / kSides;
+      const float t = float(kTwoPi) * float(i + k) / kSides;
       way[k] = std::cos(t) * u + std::sin(t) * v;
     }
     const glm::vec3 n0 = glm::normalize(way[0] + rise * axis), n1 = glm::normalize(way[1] + rise * axis);

@@ -1,9 +1,9 @@
 #include "engine/render/sticks.h"
 
 #include <cmath>
-#include <numbers>
 
 #include "engine/core/sphere_intersections.h"
+#include "engine/core/units.h"
 
 namespace moltact {
 
@@ -15,7 +15,7 @@ void addStick(MeshPiece& piece, const Vec3& a, const Vec3& b, double radius_A, s
   const auto first = std::uint32_t(piece.vertices.size());
   const auto count = std::uint32_t(sides);
   for (int k = 0; k < sides; ++k) {
-    const double t = 2.0 * std::numbers::pi * k / sides;
+    const double t = kTwoPi * k / sides;
     const Vec3 out = std::cos(t) * u + std::sin(t) * v;
     for (const Vec3& end : {a, b})
       piece.vertices.push_back({glm::vec3(end + out * radius_A - piece.origin_A), glm::vec3(out), colour});

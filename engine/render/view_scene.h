@@ -75,6 +75,7 @@ struct AtomsLook {
   std::optional<CutPlane> cut;
   std::shared_ptr<const std::vector<OwnColour>> marks;  ///< parts in colours of their own, over all others; null: none
   std::shared_ptr<const Colouring> colouring;           ///< null: as `colour_by` of the scene says
+  std::shared_ptr<const Annotations> annotations;  ///< names and hydrogen bonds that a person asked for; null: none
 
   /// Whether all that is felt is seen as it is felt: every atom a sphere.
   bool allSpheres() const {

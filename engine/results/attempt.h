@@ -160,7 +160,7 @@ struct InputChanged {
   bool gives_force = false;
   friend bool operator==(const InputChanged&, const InputChanged&) = default;
 };
-/// The stage, as far as playing the trace back needs it.
+/// The stage, as far as playing the attempt back needs it.
 struct StageChanged {
   std::string molecule;  ///< id
   std::string file;      ///< its name without folders
@@ -191,7 +191,7 @@ struct HipSample {
   Feature feature = Feature::Free;
   std::array<std::int32_t, 3> atoms{-1, -1, -1};
 };
-/// The way of the hand for up to kTraceChunk_s. A gap between two samples is a hand at rest.
+/// The path of the HIP for up to kHipChunk_s. A gap between two samples is a hand at rest.
 struct HipChunk {
   std::vector<HipSample> samples;
 };

@@ -67,9 +67,9 @@ bool beginsAsAttempt(const fs::path& file) {
   return bool(readHeaderLine(std::string_view(line).substr(0, line.find('\n'))));
 }
 
-// Earlier versions counted the times within a line (when a touch began, the samples of the trace) from when the attempt
+// Earlier versions counted the times within a line (when a touch began, the HIP samples) from when the attempt
 // was taken up again, and the line's own time from its beginning. Each can be told from the other: a touch began when
-// its `touch` line says, and a line of the trace has the time of its last sample.
+// its `touch` line says, and a `trace` line has the time of its last sample.
 class TimesWithin {
  public:
   void mend(AttemptEvent& event) {
@@ -156,7 +156,7 @@ Expected<Attempt> readAttempt(const fs::path& file, ReadDepth depth) {
       begun = true;
       continue;
     }
-    if (depth == ReadDepth::NoTrace && leadingKind(line) == "trace") continue;
+    if (depth == ReadDepth::NoHipSamples && leadingKind(line) == "trace") continue;
     Expected<std::optional<AttemptEvent>> event = readEventLine(line);
     if (!event) {
       if (last)
@@ -167,7 +167,7 @@ Expected<Attempt> readAttempt(const fs::path& file, ReadDepth depth) {
     }
     if (!*event) continue;
     if (const auto* again = std::get_if<LessonReread>(&(*event)->what)) out.header.lesson = again->lesson;
-    if (depth == ReadDepth::NoTrace &&
+    if (depth == ReadDepth::NoHipSamples &&
         (std::holds_alternative<ViewChanged>((*event)->what) || std::holds_alternative<HipChunk>((*event)->what)))
       continue;
     within.mend(**event);

@@ -28,14 +28,14 @@ std::size_t sittingsOf(const Attempt& attempt);
 
 enum class ReadDepth {
   All,
-  NoTrace,  ///< without the hand's way and the views, which are most of the file
+  NoHipSamples,  ///< without the HIP samples and the views, which are most of the file
 };
 
 /// A Problem where the file cannot be read or holds no attempt; damaged lines after the first are skipped and reported.
 Expected<Attempt> readAttempt(const std::filesystem::path& file, ReadDepth depth = ReadDepth::All);
 
-/// The .jsonl files in a folder, by name, and with `deep` in the folders within it, kDeepestAttempts deep; those that are
-/// named themselves. A Problem for what is not there.
+/// The .jsonl files in a folder, by name, and with `deep` in the folders within it, kDeepestAttempts deep; those that
+/// are named themselves. A Problem for what is not there.
 Expected<std::vector<std::filesystem::path>> attemptFiles(const std::filesystem::path& file_or_folder,
                                                           bool deep = false);
 inline constexpr int kDeepestAttempts = 8;

@@ -24,7 +24,7 @@ ClassFiles readClass(std::span<const std::filesystem::path> files_and_folders) {
       std::error_code error;
       const std::filesystem::path whole = std::filesystem::weakly_canonical(file, error);
       if (!met.insert(error ? file : whole).second) continue;
-      Expected<Attempt> attempt = readAttempt(file, ReadDepth::NoTrace);
+      Expected<Attempt> attempt = readAttempt(file, ReadDepth::NoHipSamples);
       if (!attempt) {
         out.passed_over.push_back(attempt.problem());
         continue;

@@ -14,7 +14,7 @@ namespace moltact::line_values {
 
 using Json = nlohmann::ordered_json;
 
-/// What a line lacks, in the language in use; caught where the whole line is read (attempt_lines.cpp).
+/// What a line lacks, in the language in use; caught where the whole line is read (read_attempt_lines.cpp).
 struct LineError {
   std::string what;
 };

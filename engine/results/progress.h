@@ -2,7 +2,7 @@
 //
 //   for (const LessonProgress& p : readProgress(attemptsFolder()))     // once, when the welcome page opens: cheap
 //     if (p.isOf(file, title)) card.show(p.share(), p.finished, p.step_title, p.began, p.attempts);
-//   Expected<Attempt> a = readAttempt(p.file, ReadDepth::NoTrace);     // the student wants to go on
+//   Expected<Attempt> a = readAttempt(p.file, ReadDepth::NoHipSamples);     // the student wants to go on
 //   if (a) session.restore(memoryOf(*a));                              // the step and what was done are as they were
 #pragma once
 

@@ -21,7 +21,7 @@ struct TimelineMark {
 
 class Timeline {
  public:
-  /// The attempt must have been read with its trace.
+  /// The attempt must have been read whole (ReadDepth::All).
   explicit Timeline(Attempt attempt);
 
   const AttemptHeader& header() const { return header_; }
@@ -29,7 +29,7 @@ class Timeline {
   /// In order of time.
   const std::vector<TimelineMark>& marks() const { return marks_; }
 
-  /// The hand at a moment, between two samples of the trace on the straight way from one to the other; no value before
+  /// The hand at a moment, between two HIP samples on the straight line from one to the other; no value before
   /// the first. The contact is the earlier sample's.
   std::optional<HipSample> hand(double t_s) const;
   /// The stage at that moment; null before the first molecule.

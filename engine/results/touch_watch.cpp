@@ -10,7 +10,7 @@ void TouchWatch::add(const TouchSample& sample, double t_s, InputWay by) {
       !finite(sample.force.N))
     return;
   follow(sample, t_s, by);
-  trace(sample, t_s);
+  keepHip(sample, t_s);
 }
 
 void TouchWatch::follow(const TouchSample& s, double t_s, InputWay by) {
@@ -59,7 +59,7 @@ void TouchWatch::end() {
   ready_.push_back({touch_.last_s, std::move(touch_.told)});
 }
 
-void TouchWatch::trace(const TouchSample& s, double t_s) {
+void TouchWatch::keepHip(const TouchSample& s, double t_s) {
   const Contact& c = s.contact;
   const HipSample now{t_s, s.hip, c.scp, s.force, c.displacement_A, c.feature, c.atoms};
   if (has_before_) {
@@ -72,23 +72,23 @@ void TouchWatch::trace(const TouchSample& s, double t_s) {
       resting_ = now;
       return;
     }
-    // Where the rest ended, so that the way from there is not drawn out over the whole rest.
-    if (std::exchange(rested_, false) && resting_.t_s > before_.t_s) trace_.push_back(resting_);
+    // Where the rest ended, so that the path from there is not drawn out over the whole rest.
+    if (std::exchange(rested_, false) && resting_.t_s > before_.t_s) hips_.push_back(resting_);
   }
-  trace_.push_back(now);
+  hips_.push_back(now);
   before_ = now;
   has_before_ = true;
 }
 
 void TouchWatch::breakOff() {
   if (touching_) end();
-  if (!trace_.empty()) ready_.push_back({trace_.back().t_s, HipChunk{std::exchange(trace_, {})}});
+  if (!hips_.empty()) ready_.push_back({hips_.back().t_s, HipChunk{std::exchange(hips_, {})}});
   has_before_ = rested_ = false;
 }
 
 std::vector<AttemptEvent> TouchWatch::take(double t_s) {
-  if (!trace_.empty() && t_s - trace_.front().t_s >= kTraceChunk_s)
-    ready_.push_back({trace_.back().t_s, HipChunk{std::exchange(trace_, {})}});
+  if (!hips_.empty() && t_s - hips_.front().t_s >= kHipChunk_s)
+    ready_.push_back({hips_.back().t_s, HipChunk{std::exchange(hips_, {})}});
   if (touching_ && touch_.last_s - touch_.told_s >= kHeartbeat_s) {
     const TouchEnded& now = touch_.told;
     ready_.push_back({touch_.last_s, TouchSoFar{now.from_s, now.crossings, now.peak_N, mean_N(), now.path_A, now.by}});

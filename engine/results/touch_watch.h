@@ -1,4 +1,5 @@
-// Turns servo samples into touches (what was held, how hard, how far) and the trace of the hand. Window's thread.
+// Turns servo samples into touches (what was held, how hard, how far) and the HIP samples of an attempt. Window's
+// thread.
 // Units: second of use, angstrom, newton.
 #pragma once
 
@@ -16,14 +17,14 @@ class TouchWatch {
   /// The stage or the attempt changes: a touch under way ends here.
   void breakOff();
 
-  /// The events that are complete since the last call: touches at once, the trace at least every kTraceChunk_s; and for
+  /// The events that are complete since the last call: touches at once, HIP samples at least every kHipChunk_s; and for
   /// a touch that goes on, every kHeartbeat_s, its figures so far.
   std::vector<AttemptEvent> take(double t_s);
 
-  static constexpr double kSample_s = 1.0 / 60.0;   ///< the trace has a sample at most so often
+  static constexpr double kSample_s = 1.0 / 60.0;   ///< samples are kept at most so often
   static constexpr double kChange_s = 1.0 / 250.0;  ///< but so often where the feature or the atoms change
   static constexpr double kStill_A = 0.002;         ///< a hand that has moved less gives none
-  static constexpr double kTraceChunk_s = 0.5;      ///< what a line of the trace holds at most
+  static constexpr double kHipChunk_s = 0.5;        ///< what a HipChunk holds at most
 
  private:
   struct Touch {
@@ -34,14 +35,14 @@ class TouchWatch {
     std::size_t ticks = 0;
   };
   void follow(const TouchSample& sample, double t_s, InputWay by);
-  void trace(const TouchSample& sample, double t_s);
+  void keepHip(const TouchSample& sample, double t_s);
   void end();
   double mean_N() const;
 
   bool touching_ = false;
   Touch touch_;
-  std::vector<HipSample> trace_;
-  HipSample before_;  // the last of the trace
+  std::vector<HipSample> hips_;
+  HipSample before_;  // the last that was kept
   bool has_before_ = false, rested_ = false;
   HipSample resting_;  // of a hand at rest, written when it moves again
   std::vector<AttemptEvent> ready_;

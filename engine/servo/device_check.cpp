@@ -15,7 +15,7 @@ namespace moltact {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-constexpr double kPull_N = 0.4, kWall_N_per_mm = 0.4, kMost_N = 2.0;
+constexpr double kTry_N = 0.4, kWall_N_per_mm = 0.4, kMost_N = 2.0;
 constexpr double kStill_mm = 0.5;        // a place at rest wanders by no more
 constexpr double kStaleFraction = 0.05;  // of the ticks: a computer that is busy with other things has some
 constexpr double kBack_s =
@@ -46,9 +46,8 @@ class Check {
     if (!ready()) stop_ = stopped() ? "broken off" : notReady();
     quiet("places at rest", [this] { still(); });
     if (!gives_) return out_;
-    part("gentle pull",
-         text("The device will pull to the right with %.1f N, slowly growing. Hold it lightly.", kPull_N),
-         [this] { pull(); });
+    part("gentle pull", text("The device will pull to the right with %.1f N, slowly growing. Hold it lightly.", kTry_N),
+         [this] { constantForce(); });
     part("stopped by the panic key", "It will pull again and be stopped in between.", [this] { panic(); });
     part("late, lost and doubled ticks",
          "It will pull while the program ticks badly: the force goes and comes back softly.", [this] { badTicks(); });
@@ -128,7 +127,7 @@ class Check {
     return true;
   }
   bool feltAgain() {
-    return watchUntil(kBack_s, [](const Seen& seen) { return seen.given.last_N > 0.5 * kPull_N; });
+    return watchUntil(kBack_s, [](const Seen& seen) { return seen.given.last_N > 0.5 * kTry_N; });
   }
 
   void feel(std::unique_ptr<Tracker> tracker) {
@@ -136,7 +135,7 @@ class Check {
     servo_.loop().setSettings(settings_);
     servo_.loop().setInteraction(std::move(tracker));
   }
-  void feelPull(double sign = 1.0) { feel(std::make_unique<PullTracker>(sign * kPull_N / kWall_N_per_mm)); }
+  void feelForce(double sign = 1.0) { feel(std::make_unique<ConstantForceTracker>(sign * kTry_N / kWall_N_per_mm)); }
 
   template <class Body>
   void quiet(const char* name, Body body) {
@@ -203,14 +202,14 @@ class Check {
                seen.ticks.size(), wandered, rest.c_str(), strange, stale, seen.latest_ms));
   }
 
-  void pull() {
-    feelPull();
+  void constantForce() {
+    feelForce();
     const Seen seen = watch(options_.part_s);
-    foundSound(seen.connected && seen.given.greatest_N > 0.5 * kPull_N, "it pulled");
+    foundSound(seen.connected && seen.given.greatest_N > 0.5 * kTry_N, "it pulled");
   }
 
   void panic() {
-    feelPull();
+    feelForce();
     watch(0.5 * options_.part_s);
     settings_.panic = true;
     servo_.loop().setSettings(settings_);
@@ -233,7 +232,7 @@ class Check {
     int ticks;
   };
   void suffer(std::initializer_list<Injected> faults) {
-    feelPull();
+    feelForce();
     std::size_t felt = 0, over = 0;
     for (const Injected& one : faults) {
       felt += feltAgain();
@@ -257,19 +256,19 @@ class Check {
   }
 
   void standingWindow() {
-    feelPull();
+    feelForce();
     feltAgain();
     const auto end = Clock::now() + std::chrono::duration<double>(options_.part_s);
     while (Clock::now() < end && !stopped())
       std::this_thread::sleep_for(kStep);  // nobody asks the device nor takes the ticks
     const Seen seen = watch(0.1);
-    foundSound(seen.given.last_N > 0.5 * kPull_N, text("the window stood for %.1f s", options_.part_s));
+    foundSound(seen.given.last_N > 0.5 * kTry_N, text("the window stood for %.1f s", options_.part_s));
   }
 
   void swaps() {
     std::vector<ServoSample> ticks;
     for (int k = 0; k < 6; ++k) {
-      feelPull(k % 2 ? -1.0 : 1.0);
+      feelForce(k % 2 ? -1.0 : 1.0);
       const Seen seen = watch(0.2 + 0.05 * k);
       ticks.insert(ticks.end(), seen.ticks.begin(), seen.ticks.end());
     }
@@ -299,7 +298,7 @@ class Check {
   }
 
   void unplug() {
-    feelPull();
+    feelForce();
     feltAgain();
     if (options_.tell) options_.tell("Pull the device's plug out now.");
     if (!waitForPlug(false)) return notDone("it was not unplugged");

@@ -13,14 +13,14 @@ class PlainTracker : public Tracker {
   MemoryUsage memoryUsage() const noexcept override { return {}; }
 };
 
-/// Pulls along x with a force that does not depend on the place: the spring is stretched by `stretch_A` wherever the
+/// A force along x that does not depend on the place: the spring is stretched by `stretch_A` wherever the
 /// hand is.
-class PullTracker final : public PlainTracker {
+class ConstantForceTracker final : public PlainTracker {
  public:
-  explicit PullTracker(double stretch_A) : stretch_A_(stretch_A) {}
+  explicit ConstantForceTracker(double stretch_A) : stretch_A_(stretch_A) {}
   Contact step(PointA hip) noexcept override {
     Contact out{.scp = {hip.A + Vec3(stretch_A_, 0, 0)}, .atoms = {0, -1, -1}, .feature = Feature::Sphere};
-    // The stored energy never changes: the work of the pull comes from nothing, and the safety stage says how much it is.
+    // The stored energy never changes: its work comes from nothing, and the safety stage says how much it is.
     stretchToScp(out, hip);
     out.normals[0] = Vec3(1, 0, 0);
     return out;

@@ -11,31 +11,31 @@ namespace moltact {
 class PlaybackDevice final : public Device {
  public:
   /// At the recording's end the hand stays where it is. Without a tick in it the hand rests at the origin.
-  explicit PlaybackDevice(ServoRecording recording) : trace_(std::move(recording)) {
-    if (!trace_.ticks.empty()) static_cast<DeviceSpecs&>(info_) = trace_.ticks.front().device;
+  explicit PlaybackDevice(ServoRecording recording) : recording_(std::move(recording)) {
+    if (!recording_.ticks.empty()) static_cast<DeviceSpecs&>(info_) = recording_.ticks.front().device;
     info_.gives_force = false;
     info_.name = N_("Recorded hand");
   }
 
   const DeviceInfo& info() const noexcept override { return info_; }
   DevicePose read(double) noexcept override {
-    if (trace_.ticks.empty()) return {};
+    if (recording_.ticks.empty()) return {};
     const std::size_t now = next_.load(std::memory_order_relaxed);
-    if (now + 1 < trace_.ticks.size())
+    if (now + 1 < recording_.ticks.size())
       next_.store(now + 1, std::memory_order_relaxed);
     else
       ended_.store(true, std::memory_order_relaxed);
-    return trace_.ticks[now].pose;
+    return recording_.ticks[now].pose;
   }
   void write(ForceN) noexcept override {}
 
   /// Any thread: the tick that is read next, what it was recorded with, and whether the last has been read.
   std::size_t at() const noexcept { return next_.load(std::memory_order_relaxed); }
-  const ServoRecording& recording() const noexcept { return trace_; }
-  bool ended() const noexcept { return trace_.ticks.empty() || ended_.load(std::memory_order_relaxed); }
+  const ServoRecording& recording() const noexcept { return recording_; }
+  bool ended() const noexcept { return recording_.ticks.empty() || ended_.load(std::memory_order_relaxed); }
 
  private:
-  ServoRecording trace_;
+  ServoRecording recording_;
   DeviceInfo info_;
   std::atomic<std::size_t> next_{0};
   std::atomic<bool> ended_{false};

@@ -73,21 +73,21 @@ bool SafetyStage::beginTick(const DevicePose& pose, const TickTime& time) noexce
   fault_ = fault_ || off;
   off_ = off;
 
-  moved_m_ = turned_rad_ = Vec3(0.0);
+  moved_m_ = rotation_rad_ = Vec3(0.0);
   if (known) {
     const auto beginAnew = [this] {
-      moved_m_ = turned_rad_ = Vec3(0.0);
+      moved_m_ = rotation_rad_ = Vec3(0.0);
       speed_.restart();
-      turning_.restart();
+      angular_speed_.restart();
     };
     if (!placed_ || back || pose.discontinuities != discontinuities_) {
       beginAnew();
     } else {
       moved_m_ = 1e-3 * (pose.position.mm - place_mm_);
-      turned_rad_ = rotationBetween(orientation_, pose.orientation);
+      rotation_rad_ = rotationBetween(orientation_, pose.orientation);
       const double in_s = std::max(kTick_s, unseen_s);
       if (glm::length(moved_m_) > safety::kJump_m_per_s * in_s ||
-          glm::length(turned_rad_) > safety::kJump_rad_per_s * in_s) {
+          glm::length(rotation_rad_) > safety::kJump_rad_per_s * in_s) {
         acted_.add(Limit::Jump);
         fault_ = forget = true;
         beginAnew();
@@ -98,7 +98,7 @@ bool SafetyStage::beginTick(const DevicePose& pose, const TickTime& time) noexce
     discontinuities_ = pose.discontinuities;
     placed_ = true;
     speed_.add(1e-3 * place_mm_, elapsed_s);
-    turning_.add(angle_rad_ += turned_rad_, elapsed_s);
+    angular_speed_.add(angle_rad_ += rotation_rad_, elapsed_s);
   }
   if (fault_) restart();
   return forget;
@@ -129,7 +129,7 @@ double SafetyStage::allowed_N(double most_N) const noexcept {
   return std::min(heat_.allowed_N(peak_N_, continuous_N_), usable(most_N));
 }
 
-// To what part of itself a wrench is cut: force and torque together, so that it leads the same way.
+// To what part of itself a wrench is cut: force and torque together, so that its direction stays.
 double SafetyStage::cutFraction(double force_N, double torque_N_mm, double most_N) const noexcept {
   double out = 1.0;
   if (force_N > most_N) out = most_N / force_N;
@@ -137,7 +137,7 @@ double SafetyStage::cutFraction(double force_N, double torque_N_mm, double most_
   return out;
 }
 
-// What springs hold whose pull is cut: cut to a share of itself, what grows with the stretch gives back that share of
+// What springs hold whose force is cut: cut to a share of itself, what grows with the stretch gives back that share of
 // the energy twice, but for the square of it.
 double SafetyStage::stored_J(const Springs& springs, double stiffness_N_per_mm, double most_N) const noexcept {
   const double part =
@@ -145,8 +145,8 @@ double SafetyStage::stored_J(const Springs& springs, double stiffness_N_per_mm, 
   return 1e-3 * stiffness_N_per_mm * springs.energy_mm2 * part * (2.0 - part);
 }
 
-// Above kSpeedFadeStart of the fastest speed the part of the force that drives the hand on falls, at that speed it is nothing.
-// What brakes the hand stays.
+// Above kSpeedFadeStart of the fastest speed the part of the force that drives the hand on falls, at that speed it is
+// nothing. What brakes the hand stays.
 Vec3 SafetyStage::slowed(Vec3 force) noexcept {
   const Vec3 speed = speed_.m_per_s();
   const double fast = glm::length(speed);
@@ -159,9 +159,9 @@ Vec3 SafetyStage::slowed(Vec3 force) noexcept {
   return force - speed * (part * driving / fast);
 }
 
-// The same of the torque and the turning.
-Vec3 SafetyStage::slowedTurning(Vec3 torque) noexcept {
-  const Vec3 speed = turning_.m_per_s();
+// The same of the torque and the rotation.
+Vec3 SafetyStage::slowedTorque(Vec3 torque) noexcept {
+  const Vec3 speed = angular_speed_.m_per_s();
   const double fast = glm::length(speed), slowing = safety::kSpeedFadeStart * safety::kFastest_rad_per_s;
   const double driving = fast > slowing ? glm::dot(torque, speed) / fast : 0.0;
   if (driving <= 0.0) return torque;
@@ -170,11 +170,12 @@ Vec3 SafetyStage::slowedTurning(Vec3 torque) noexcept {
   return torque - speed * (part * driving / fast);
 }
 
-Vec3 SafetyStage::brakedTurning(Vec3 torque) noexcept {
+Vec3 SafetyStage::brakedTorque(Vec3 torque) noexcept {
   if (!closes_loop_ || torque == Vec3(0.0)) return torque;
   // As much damping as at the end of a lever on which the greatest force is the greatest torque.
   const double lever_mm = peak_N_ > 0.0 ? peak_torque_N_mm_ / peak_N_ : 0.0;
-  const Vec3 braking = passivity_.braking_N_mm(turning_.m_per_s(), kTick_s, 1e-3 * max_damping_ * lever_mm * lever_mm);
+  const Vec3 braking =
+      passivity_.braking_N_mm(angular_speed_.m_per_s(), kTick_s, 1e-3 * max_damping_ * lever_mm * lever_mm);
   if (braking != Vec3(0.0)) acted_.add(Limit::Damping);
   torque += braking;
   const double size = glm::length(torque);
@@ -187,13 +188,13 @@ Vec3 SafetyStage::braked(Vec3 force, const Vec3& torque, const Springs& springs,
   const double most_N = allowed_N(wanted.most_N);
   double stored = gain_ * (stored_J(springs, wanted.stiffness_N_per_mm, most_N) -
                            stored_J(wanted.before.value_or(springs_), wanted.stiffness_N_per_mm, most_N));
-  // A torque that the device does not give is paid by the wrist all the same, which turns as it likes.
-  if (!drivesTorque()) stored += gain_ * 0.5e-3 * glm::dot(torque_N_mm_ + torque, turned_rad_);
-  const double way = glm::length(moved_m_);
+  // A torque that the device does not give is paid by the wrist all the same, which rotates as it likes.
+  if (!drivesTorque()) stored += gain_ * 0.5e-3 * glm::dot(torque_N_mm_ + torque, rotation_rad_);
+  const double distance_m = glm::length(moved_m_);
   // Half of the published friction, for it is not the same everywhere.
-  const double taken = dt_s_ > 0 ? way * (0.5 * friction_N_ + damping_ * way / dt_s_) : 0.0;
+  const double taken = dt_s_ > 0 ? distance_m * (0.5 * friction_N_ + damping_ * distance_m / dt_s_) : 0.0;
   const auto delay = static_cast<std::size_t>(std::lround((device_delay_s_ + delay_s_) / kTick_s));
-  passivity_.observe(moved_m_, turned_rad_, stored, taken, delay);
+  passivity_.observe(moved_m_, rotation_rad_, stored, taken, delay);
   if (passivity_.debt_J() > safety::kEnergyCut_J) {
     acted_.add(Limit::EnergyCut);
     passivity_.restart();
@@ -221,19 +222,19 @@ Wrench SafetyStage::output(const WantedWrench& wanted) noexcept {
   heat_.add(closes_loop_ ? glm::length(force_N_) : 0.0, elapsed_s_);
 
   Vec3 force = wanted.force_N, torque = wanted.torque_N_mm;
-  double size = glm::length(force), turns = glm::length(torque);
+  double size = glm::length(force), twist = glm::length(torque);
   Springs springs = wanted.springs;
-  if (!finite(force) || !std::isfinite(size) || !finite(torque) || !std::isfinite(turns) || !springs.finite() ||
+  if (!finite(force) || !std::isfinite(size) || !finite(torque) || !std::isfinite(twist) || !springs.finite() ||
       (wanted.before && !wanted.before->finite())) {
     acted_.add(Limit::NotFinite);
     fault_ = true;
     force = torque = Vec3(0.0);
-    size = turns = 0.0;
+    size = twist = 0.0;
     springs = {};
   }
 
   const double most_N = allowed_N(wanted.most_N);
-  if (const double part = cutFraction(size, turns, most_N); part < 1.0) {
+  if (const double part = cutFraction(size, twist, most_N); part < 1.0) {
     const bool warm = size > most_N && most_N < std::min(peak_N_, usable(wanted.most_N));
     acted_.add(warm ? Limit::Heat : Limit::Clamp);
     force *= part;
@@ -246,13 +247,13 @@ Wrench SafetyStage::output(const WantedWrench& wanted) noexcept {
     gain_ = std::min(1.0, gain_ + dt_s_ / safety::kSoftStart_s);
   force = braked(slowed(force), torque, springs, wanted);
   const Vec3 wrist_N_mm = torque;  // what it is to give where the device does not
-  torque = drivesTorque() && !fault_ ? brakedTurning(slowedTurning(torque)) : Vec3(0.0);
+  torque = drivesTorque() && !fault_ ? brakedTorque(slowedTorque(torque)) : Vec3(0.0);
   // Braking is a force like any other.
   if (const double most = allowed_N(wanted.most_N), braked_size = glm::length(force); braked_size > most)
     force *= most / braked_size;
 
   // What follows only takes away: braking too ends where no force is to be.
-  if (gain_ < 1.0 && (size > 0.0 || turns > 0.0)) acted_.add(Limit::SoftStart);
+  if (gain_ < 1.0 && (size > 0.0 || twist > 0.0)) acted_.add(Limit::SoftStart);
   force *= gain_;
   torque *= gain_;
   if (stale_s_ > safety::kStale_s) {

@@ -53,9 +53,9 @@ class SafetyStage {
   /// device was gone, or nothing was known of it for kContactLost_s; the interaction must be reset.
   bool beginTick(const DevicePose& pose, const TickTime& time) noexcept;
 
-  /// The stiffness to use for the one that is asked (unit: N/mm) of each of the springs that pull together
-  /// (Interaction::parallelSprings): bounded so that the loop is stable, and changed slowly; but where more of them come
-  /// to pull together than the bound allows, each is softer at once. Non-finite gives zero.
+  /// The stiffness to use for the one that is asked (unit: N/mm) of each of the springs that act together
+  /// (Interaction::parallelSprings): bounded so that the loop is stable, and changed slowly; but where more of them
+  /// come to act together than the bound allows, each is softer at once. Non-finite gives zero.
   double stiffness(double asked_N_per_mm, double parallel = 1.0) noexcept;
 
   /// Call last in a tick: the force and the torque to give. The torque is zero for a device that drives none. Always
@@ -80,9 +80,9 @@ class SafetyStage {
   double cutFraction(double force_N, double torque_N_mm, double most_N) const noexcept;
   double stored_J(const Springs& springs, double stiffness_N_per_mm, double most_N) const noexcept;
   Vec3 slowed(Vec3 force) noexcept;
-  Vec3 slowedTurning(Vec3 torque) noexcept;
+  Vec3 slowedTorque(Vec3 torque) noexcept;
   Vec3 braked(Vec3 force, const Vec3& torque, const Springs& springs, const WantedWrench& wanted) noexcept;
-  Vec3 brakedTurning(Vec3 torque) noexcept;
+  Vec3 brakedTorque(Vec3 torque) noexcept;
   bool drivesTorque() const noexcept { return peak_torque_N_mm_ > 0.0; }
   Vec3 slewed(const Vec3& from, const Vec3& to, double rise, double fall) noexcept;
 
@@ -93,11 +93,11 @@ class SafetyStage {
   bool closes_loop_ = false;
 
   // State of the hand.
-  HandSpeed speed_, turning_;  // of the place; of the angle, in rad/s
+  HandSpeed speed_, angular_speed_;  // of the place; of the angle, in rad/s
   Vec3 place_mm_{0.0}, moved_m_{0.0};
   Quat orientation_ = kNoRotation;
-  Vec3 angle_rad_{0.0}, turned_rad_{0.0};  // all the turning so far, and that of the last tick
-  bool placed_ = false;                    // place_mm_ holds a place
+  Vec3 angle_rad_{0.0}, rotation_rad_{0.0};  // the whole rotation so far, and that of the last tick
+  bool placed_ = false;                      // place_mm_ holds a place
   std::uint32_t discontinuities_ = 0;
   double stale_s_ = 0, delay_s_ = 0;
   double elapsed_s_ = kTick_s, dt_s_ = kTick_s;  // since the last tick; the same, but never more than a tick

@@ -34,7 +34,7 @@ void ServoLoop::end() noexcept {
 void ServoLoop::setDevice(std::unique_ptr<Device> device) {
   switch_.reset();
   chosen_ = std::move(device);
-  if (chosen_) chosen_->turnHand(has_orientation_);
+  if (chosen_) chosen_->rotateHand(has_orientation_);
 }
 
 void ServoLoop::record(bool on) {
@@ -45,7 +45,7 @@ void ServoLoop::record(bool on) {
 void ServoLoop::setInteraction(std::unique_ptr<Interaction> interaction, std::uint32_t scene) {
   collect();
   has_orientation_ = interaction && interaction->hasOrientation();
-  if (chosen_) chosen_->turnHand(has_orientation_);
+  if (chosen_) chosen_->rotateHand(has_orientation_);
   auto next = std::unique_ptr<HandedInteraction>(new HandedInteraction{
       std::move(interaction), scene});  // not made by make_unique, which clang before 16 cannot do with an aggregate
   delete pending_.exchange(next.release(), std::memory_order_acq_rel);

@@ -50,7 +50,7 @@ class ServoLoop {
   /// yet waits for that scene.
   bool setMotion(std::shared_ptr<const SphereMotion> motion, std::uint32_t scene = 0);
 
-  /// It is felt how the hand is turned: what turns on the device turns the hand, and not the view.
+  /// It is felt how the hand is oriented: a rotation on the device rotates the hand, and not the view.
   bool hasOrientation() const noexcept { return has_orientation_; }
 
   /// The chosen device, for its info() and status(); null where none is.

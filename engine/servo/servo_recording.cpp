@@ -33,7 +33,7 @@ constexpr std::uint8_t kSettings = 1, kFresh = 2, kConnected = 4, kOtherDevice =
 // What must be the same for the bits to be the same: the state's members and the compiler.
 std::string buildName() { return std::to_string(sizeof(ServoStep)) + ' ' + __VERSION__; }
 
-// Both ways at once, so that what is written and what is read cannot differ.
+// Both directions at once, so that what is written and what is read cannot differ.
 struct Putter {
   std::string& to;
   template <class T>
@@ -94,11 +94,11 @@ bool sameBits(const Vec3& a, const Vec3& b) {
 // tell anything; the loop takes them as they are.
 bool canBe(const ServoSettings& s) {
   const Workspace& w = s.workspace;
-  bool turns = true;
+  bool rotates = true;
   for (int k = 0; k < 3; ++k)
-    for (int i = 0; i < 3; ++i) turns = turns && std::abs(w.rotation[k][i]) <= 1.001;
+    for (int i = 0; i < 3; ++i) rotates = rotates && std::abs(w.rotation[k][i]) <= 1.001;
   const auto within = [](double x, double most) { return x >= 0.0 && x <= most; };
-  return turns && w.A_per_mm > 1e-6 && w.A_per_mm < 1e6 && finite(w.centre_A) && within(s.stiffness_N_per_mm, 1e6) &&
+  return rotates && w.A_per_mm > 1e-6 && w.A_per_mm < 1e6 && finite(w.centre_A) && within(s.stiffness_N_per_mm, 1e6) &&
          within(s.max_force_N, 1e6) && within(s.probe_A, 1e6);
 }
 

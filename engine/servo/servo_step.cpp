@@ -49,7 +49,7 @@ ServoSample ServoStep::tick(const ServoSettings& settings, Interaction* interact
   last_interaction_ = interaction;
   discontinuities_ = settings.discontinuities;
   hand_discontinuities_ = pose.discontinuities;
-  // At another scale the same way in gives another force.
+  // At another scale the same displacement gives another force.
   const bool rescaled = std::exchange(A_per_mm_, settings.workspace.A_per_mm) != settings.workspace.A_per_mm;
   if (changed || rescaled) safety_.restart();
   safety_.stop(settings.panic);

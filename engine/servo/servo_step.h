@@ -90,8 +90,8 @@ class ServoStep {
   }
 
   /// One tick. `interaction` may be null: no molecule, no force. It may change between ticks: a new one is not reset,
-  /// and the force starts softly. One motion of its spheres may follow another under the same interaction, and the force
-  /// goes on as it is: what the springs take up from moving spheres does not count as energy made by the loop.
+  /// and the force starts softly. One motion of its spheres may follow another under the same interaction, and the
+  /// force goes on as it is: what the springs take up from moving spheres does not count as energy made by the loop.
   ServoSample tick(const ServoSettings& settings, Interaction* interaction, const DevicePose& pose,
                    const TickTime& time = {}, const MotionPhase& phase = {}) noexcept;
 
@@ -122,7 +122,7 @@ class ServoStep {
   bool other_device_ = false, guarded_ = true;
   double A_per_mm_ = 0;
   Vec3 workspace_mm_;
-  Vec3 push_{0.0};  // the way of the surface's push in the last tick
+  Vec3 push_{0.0};  // the direction in which the surface pushed in the last tick
   Clutch clutch_;
   SafetyStage safety_;
 };

@@ -14,8 +14,9 @@ static_assert(sizeof(void*) != 8 ||  // other machines lay them out otherwise; t
                    sizeof(Clutch) == 88 && sizeof(SafetyStage) == 1416 && sizeof(ServoStep) == 1664),
               "a member more is to be named below, or a replay is not the same");
 
-// Every member of a step's state with its name and range; a friend of the classes whose members they are. `each` is
-// called as each(prefix, name, value, least, greatest).
+// Every member of a step's state with its name in files and range; a friend of the classes whose members they are. The
+// names stay as they are when a member's does not, so that older recordings begin where they did. `each` is called as
+// each(prefix, name, value, least, greatest).
 struct StepState {
   static constexpr double kAny =
       1e12;  // of any unit: what is far beyond every device, and whose squares are still numbers
@@ -74,10 +75,10 @@ struct StepState {
     each(p, "rise_N_per_s", s.rise_N_per_s_, 0.0, safety::kSlew_N_per_s),
         each(p, "closes_loop", s.closes_loop_, false, true);
     each(p, "peak_torque_N_mm", s.peak_torque_N_mm_, 0.0, kAny);
-    of(each, p + "speed.", s.speed_), of(each, p + "turning.", s.turning_);
+    of(each, p + "speed.", s.speed_), of(each, p + "turning.", s.angular_speed_);
     vector(each, p, "place_mm", s.place_mm_), vector(each, p, "moved_m", s.moved_m_);
     quaternion(each, p, "orientation", s.orientation_);
-    vector(each, p, "angle_rad", s.angle_rad_), vector(each, p, "turned_rad", s.turned_rad_, 4.0);
+    vector(each, p, "angle_rad", s.angle_rad_), vector(each, p, "turned_rad", s.rotation_rad_, 4.0);
     each(p, "placed", s.placed_, false, true),
         each(p, "discontinuities", s.discontinuities_, std::uint32_t{0}, ~std::uint32_t{0});
     each(p, "stale_s", s.stale_s_, 0.0, kAny), each(p, "delay_s", s.delay_s_, 0.0, safety::kContactLost_s);

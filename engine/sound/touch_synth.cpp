@@ -4,10 +4,11 @@
 #include <cmath>
 #include <numbers>
 
+#include "engine/core/units.h"
+
 namespace moltact {
 namespace {
 
-constexpr double kTurn = 2 * std::numbers::pi;
 constexpr double kKnockDecay_s = 0.030, kClickDecay_s = 0.008, kThudDecay_s = 0.060;
 constexpr int kRise_samples = kSamples_per_s * 2 / 1000;
 // Faster ones would run into a buzz.
@@ -23,12 +24,12 @@ double pull(double time_s) { return 1.0 - std::exp(-1.0 / (time_s * kSamples_per
 const double kAttack = pull(0.008), kRelease = pull(0.030), kGlide = pull(0.025), kCross = pull(0.015);
 
 // The part of the way that a low-pass of one pole goes in a sample.
-double lowPass(double hertz) { return 1.0 - std::exp(-kTurn * hertz / kSamples_per_s); }
+double lowPass(double hertz) { return 1.0 - std::exp(-kTwoPi * hertz / kSamples_per_s); }
 
 const double kDull = lowPass(500.0), kBrightest = lowPass(3200.0), kLeastBright = lowPass(1200.0);
 
 double advance(double& phase, double hertz) {
-  const double now = std::sin(kTurn * phase);
+  const double now = std::sin(kTwoPi * phase);
   phase += hertz / kSamples_per_s;
   phase -= std::floor(phase);
   return now;

@@ -331,6 +331,7 @@ Expected<const ColouringScheme*> findColouringScheme(std::string_view name) {
 Colouring colourMolecule(const Molecule& molecule, const ColouringScheme& scheme) {
   Colouring out;
   out.of_atom.assign(molecule.atoms.size(), kNothing);
+  out.scheme = scheme.name;
   out.legend.title = scheme.shownLabel();
   scheme.colour(molecule, out);
   return out;

@@ -32,6 +32,7 @@ struct Legend {
 };
 
 struct Colouring {
+  std::string_view scheme;    ///< the name of its ColouringScheme
   std::vector<Rgb8> of_atom;  ///< one for each of Molecule::atoms
   Legend legend;
 };

@@ -19,13 +19,13 @@ double surfaceBefore_A(const BallScene& balls, double probe_A, const Vec3& place
 }  // namespace
 
 Workspace beforeHand(const Workspace& scene, const BallScene& balls, double probe_A, PointA toward,
-                     const glm::dmat3& turn, const DeviceSpecs& device) {
+                     const glm::dmat3& rotation, const DeviceSpecs& device) {
   const double depth_mm =
       std::isfinite(device.workspace_mm.z) ? std::max(0.0, device.workspace_mm.z) : DeviceSpecs{}.workspace_mm.z;
   Workspace out = scene;
-  out.rotation = turn;
+  out.rotation = rotation;
   const double free_A = out.A_per_mm * std::min(kMostFree_mm, kFreeFraction * depth_mm);
-  out.centre_A = toward.A + turn[2] * (surfaceBefore_A(balls, probe_A, toward.A, turn[2]) + free_A);
+  out.centre_A = toward.A + rotation[2] * (surfaceBefore_A(balls, probe_A, toward.A, rotation[2]) + free_A);
   return out;
 }
 

@@ -24,11 +24,11 @@ inline Workspace fitWorkspace(const BallScene& scene) {
 /// the workspace lies free in front of the surface.
 inline constexpr double kFreeFraction = 0.2, kMostFree_mm = 20.0;  ///< this fraction of the workspace's depth, at most
 
-/// The same scale for a held hand, along the axes `turn`. `toward` lies straight behind the middle of the device's
-/// workspace. The surface that a probe meets first on its way there lies in front of it, kFreeFraction of the
+/// The same scale for a held hand, along the axes `rotation`. `toward` lies straight behind the middle of the device's
+/// workspace. The surface that a probe meets first on its path there lies in front of it, kFreeFraction of the
 /// workspace's depth from the middle. Where the probe meets nothing, `toward` itself lies there.
 Workspace beforeHand(const Workspace& scene, const BallScene& balls, double probe_A, PointA toward,
-                     const glm::dmat3& turn, const DeviceSpecs& device);
+                     const glm::dmat3& rotation, const DeviceSpecs& device);
 
 /// For a hand that is inside the molecule: moves the molecule back along the device's z-axis until the probe is
 /// kDrawnBack_mm before it.

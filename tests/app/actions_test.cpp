@@ -279,11 +279,7 @@ TEST_CASE(
 TEST_CASE(
     "a legend that would take more than a third of the view's width or half of its height is a closed line; a click "
     "opens it, and closes it again") {
-  ScriptedUser::Options options;
-  options.width = 1024;
-  options.height = 768;
-  options.content_scale = 2.0;
-  auto d = startWith("2hhb", std::move(options));
+  auto d = startWith("2hhb", smallScreen());
   d->app().messages = {};
   d->frames(3);
   const Rectangle view = d->app().layout().view;

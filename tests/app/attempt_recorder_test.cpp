@@ -103,7 +103,7 @@ TEST_CASE("a program that ends in the middle goes on where it was: same file, sa
   CHECK(progress[0].done >= 1);
 
   const auto driver = startWith("", keeping(scratch.path));
-  driver->app().extensions().recorder.resume(driver->app(), kLesson, progress[0].file);
+  driver->app().extensions().recorder.resume(kLesson, progress[0].file);
   driver->app().finishLoading();
   driver->frames(10);
   const LessonSession& session = *driver->app().lesson.session();
@@ -130,7 +130,7 @@ TEST_CASE("a window killed while it presses, and while it is read in, leaves a r
   const auto figures = [&] {
     REQUIRE(recorder.flush());
     fs::copy_file(recorder.file(), scratch.path / "killed", fs::copy_options::overwrite_existing);
-    const ClassSummary summary = summarise({*readAttempt(scratch.path / "killed", ReadDepth::NoTrace)});
+    const ClassSummary summary = summarise({*readAttempt(scratch.path / "killed", ReadDepth::NoHipSamples)});
     return summary.lessons.at(0).people.at(0);
   };
   const PersonScore first = figures();
@@ -178,17 +178,17 @@ TEST_CASE("two students in turn have an attempt each, and each goes on with what
   const ScratchFolder scratch;
   const auto driver = startWith(kLesson, keeping(scratch.path));
   AttemptRecorder& recorder = driver->app().extensions().recorder;
-  recorder.passTo(driver->app(), "Ana");
+  recorder.passTo("Ana");
   driver->frames(10);
   push(*driver);
   CHECK(driver->app().lesson.session()->taskDone(0, 0));
-  recorder.passTo(driver->app(), "Bo");
+  recorder.passTo("Bo");
   driver->frames(10);
   CHECK_FALSE(driver->app().lesson.session()->taskDone(0, 0));
   push(*driver);
   driver->app().lesson.next();
   driver->frames(5);
-  recorder.passTo(driver->app(), "Ana");
+  recorder.passTo("Ana");
   driver->frames(10);
   CHECK(driver->app().lesson.session()->taskDone(0, 0));
   CHECK(driver->app().lesson.session()->stepIndex() == 1);

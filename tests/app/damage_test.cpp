@@ -1,6 +1,7 @@
 // Damage tracking: what is drawn in parts is, pixel for pixel, what would have been drawn whole; and little is drawn.
 #include "app/ui/widgets/damage.h"
 
+#include <backends/imgui_impl_opengl3.h>
 #include <imgui.h>
 
 #include "app/ui/widgets/theme.h"
@@ -15,7 +16,10 @@ std::vector<std::uint8_t> drawnWhole(int width, int height) {
   GlTarget target;
   REQUIRE(target.resize(width, height));
   target.bind();
-  drawWithin({{0, 0}, {width, height}}, *ImGui::GetDrawData(), look().palette.ground);
+  const ImVec4 ground = ImGui::ColorConvertU32ToFloat4(look().palette.ground);
+  glClearColor(ground.x, ground.y, ground.z, 1.0f);
+  glClear(GL_COLOR_BUFFER_BIT);
+  ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
   std::vector<std::uint8_t> rows(std::size_t(width) * std::size_t(height) * 3), rgb;
   glPixelStorei(GL_PACK_ALIGNMENT, 1);
   glReadPixels(0, 0, width, height, GL_RGB, GL_UNSIGNED_BYTE, rows.data());

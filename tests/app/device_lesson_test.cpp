@@ -105,13 +105,13 @@ TEST_CASE("a device that was chosen is in use at the next start; the mouse that 
   {
     auto d = startWith("1ubq", keeping(file));
     CHECK(d->text("status/device") == "Mouse");
-    d->app().extensions().device.choose(d->app(), "simulated");
+    d->app().extensions().device.choose("simulated");
     d->frames(2);
   }
   {
     auto d = startWith("1ubq", keeping(file));
     CHECK(d->text("status/device") == "Simulated stylus");
-    d->app().extensions().device.choose(d->app(), "mouse");
+    d->app().extensions().device.choose("mouse");
     d->frames(2);
   }
   auto d = startWith("1ubq", keeping(file));
@@ -147,7 +147,7 @@ TEST_CASE(
   {
     auto d = startWith("1ubq", keeping(scratch.file("settings.json", R"({"device": "spacemouse"})")));
     CHECK_FALSE(d->app().extensions().device.awaited().empty());
-    d->app().extensions().device.choose(d->app(), "mouse");
+    d->app().extensions().device.choose("mouse");
     CHECK(d->app().extensions().device.awaited().empty());
     CHECK(d->app().settings.device == "mouse");
   }
@@ -192,7 +192,7 @@ TEST_CASE(
   auto d = startWith("1ubq", options);
   d->frames(10);
   // What there is on this computer was taken at the start: begin with nothing.
-  d->app().extensions().device.choose(d->app(), "mouse");
+  d->app().extensions().device.choose("mouse");
   d->app().settings.device.clear();
   bool there = false;
   d->app().extensions().device.lookBy([&] {

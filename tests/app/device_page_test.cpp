@@ -174,7 +174,7 @@ TEST_CASE("the gentle force of the device page pulls with 0.4 N for 4 s, and the
   d->click("device/simulated");
   d->frames(2);
   DeviceLink& link = d->app().extensions().device;
-  link.tryForce(d->app());
+  link.tryForce();
   double greatest = 0;
   for (int k = 0; k < 230; ++k) {
     d->frames(1);

@@ -57,7 +57,7 @@ constexpr double kDeep_mm = 80.0;
 // Pulls to the molecule's +x with so many newtons at the scene's own spring.
 std::unique_ptr<Tracker> pull(ScriptedUser& d, double N) {
   const ServoSettings& s = d.app().scene.servo_settings;
-  return std::make_unique<PullTracker>(N / s.stiffness_N_per_mm * s.workspace.A_per_mm);
+  return std::make_unique<ConstantForceTracker>(N / s.stiffness_N_per_mm * s.workspace.A_per_mm);
 }
 
 // A method as the test says.
@@ -96,7 +96,7 @@ TEST_CASE(
   d->app().scene.play(ServoSample());
   d->frames(3);
   d->click("device/try");
-  link.tryForce(d->app());
+  link.tryForce();
   CHECK(link.tryingLeft_s() == 0.0);
   d->frames(120);
   CHECK(stylus.given_N == Vec3(0));
@@ -122,7 +122,7 @@ TEST_CASE("a class takes turns while a force is tried: as the device changes han
   REQUIRE(d->click("device/try"));
   d->frames(60);
   CHECK(stylus.given_N.x == doctest::Approx(0.4));
-  d->app().extensions().turns.begin(d->app(), {"K1", "K2"}, 30.0);
+  d->app().extensions().turns.begin({"K1", "K2"}, 30.0);
   d->frames(4);
   CHECK(stylus.given_N == Vec3(0));
   d->frames(60 * 5);
@@ -139,11 +139,11 @@ TEST_CASE(
   };
   const std::vector<Case> cases{
       {"the scene", [](ScriptedUser&) {}},
-      {"a try", [](ScriptedUser& d) { d.app().extensions().device.tryForce(d.app()); }},
+      {"a try", [](ScriptedUser& d) { d.app().extensions().device.tryForce(); }},
       {"a recorded hand", [](ScriptedUser& d) { d.app().scene.play(ServoSample()); }},
       {"turns",
        [](ScriptedUser& d) {
-         d.app().extensions().turns.begin(d.app(), {"K1", "K2"}, 30.0);
+         d.app().extensions().turns.begin({"K1", "K2"}, 30.0);
        }},
       {"welcome", [](ScriptedUser& d) { d.app().panels.welcome = true; }},
       {"open page", [](ScriptedUser& d) { d.app().panels.open_page = true; }},

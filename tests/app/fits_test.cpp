@@ -66,7 +66,7 @@ const std::string& fileOf(std::string Files::*member) {
 }
 
 void beginTurns(ScriptedUser& d) {
-  d.app().extensions().turns.begin(d.app(), {"Ana with a long second name", "Bo", "Carla"}, 60.0);
+  d.app().extensions().turns.begin({"Ana with a long second name", "Bo", "Carla"}, 60.0);
   d.frames(3);
 }
 
@@ -83,10 +83,10 @@ const Page kStates[] = {
     {"legend", [](ScriptedUser& d) { d.app().settings.colour_blind_safe = true; }},
     {"all force stopped", [](ScriptedUser& d) { d.app().scene.servo_settings.panic = true; }},
     {"add a lesson", [](ScriptedUser& d) { d.app().panels.open_page = d.app().panels.open_adds = true; }},
-    {"name", [](ScriptedUser& d) { d.app().extensions().name_asker.ask(d.app(), false); }},
-    {"code", [](ScriptedUser& d) { d.app().extensions().name_asker.ask(d.app(), true); }},
+    {"name", [](ScriptedUser& d) { d.app().extensions().name_asker.ask(false); }},
+    {"code", [](ScriptedUser& d) { d.app().extensions().name_asker.ask(true); }},
     {"hand over", beginTurns},
-    {"turns strip", [](ScriptedUser& d) { beginTurns(d), d.app().extensions().turns.start(d.app()); }},
+    {"turns strip", [](ScriptedUser& d) { beginTurns(d), d.app().extensions().turns.start(); }},
     {"playback", [](ScriptedUser& d) { d.app().open(fileOf(&Files::attempt)); }},
     {"locks, touch",
      [](ScriptedUser& d) { d.app().open(fileOf(&Files::lesson)), d.app().panels.lesson_first = false; }},
@@ -119,8 +119,8 @@ void closeAll(ScriptedUser& d) {
   p.lesson_problems = false;
   p.showMethods(false);
   d.app().settings.colour_blind_safe = d.app().scene.servo_settings.panic = false;
-  if (d.app().extensions().turns.on()) d.app().extensions().turns.end(d.app());
-  d.app().extensions().playback.close(d.app(), false);
+  if (d.app().extensions().turns.on()) d.app().extensions().turns.end();
+  d.app().extensions().playback.close(false);
   openFirst(d);
   while (!d.app().messages.all().empty()) d.app().messages.dismiss(0);
   d.frames(2);
@@ -182,11 +182,7 @@ TEST_CASE(
     "on every page of 1024x768 at 200 % every widget lies inside its panel; in the lesson of most chains the legend is "
     "a "
     "closed line that leaves the view's middle free, and the first task's card is in sight") {
-  ScriptedUser::Options options;
-  options.width = 1024;
-  options.height = 768;
-  options.content_scale = 2.0;
-  auto d = startWith("", options);
+  auto d = startWith("", smallScreen());
   openFirst(*d);
   d->frames(3);
   checkAllPages(*d, {1024, 768});

@@ -17,7 +17,8 @@ class LessonHand {
   LessonHand(ScriptedUser& driver, By by, First first = First::Right)
       : d_(driver), by_(by), errs_(first == First::Wrong) {}
 
-  /// Does every task and answers every question of the lesson that is open. True when it was finished.
+  /// Does every task and answers every question of the lesson that is open. True when it was finished; false, with the
+  /// window's own words in failed(), where none is open.
   bool finishLesson();
   /// What it could not do, one a line.
   const std::string& failed() const { return failed_; }
@@ -26,6 +27,8 @@ class LessonHand {
 
  private:
   bool mouse() const { return by_ == By::Mouse; }
+  /// Whether a lesson is open and a molecule on the stage; else what the window said instead is told in failed().
+  bool canBegin();
   LessonSession& session() const;
   bool doTask(std::size_t task);
   void follow(const HandPlan& plan, std::size_t task);

@@ -19,6 +19,14 @@ void walk(const std::string& lesson, LessonHand::By by) {
 
 }  // namespace
 
+TEST_CASE("a hand at a lesson that did not open says so, in the window's words, and ends") {
+  auto d = startWith(std::string(MOLTACT_SOURCE_DIR) + "/lessons/no-such-lesson.md");
+  LessonHand hand(*d, LessonHand::By::Mouse);
+  CHECK_FALSE(hand.finishLesson());
+  CAPTURE(hand.failed());
+  CHECK(contains(hand.failed(), "no lesson is open"));
+}
+
 TEST_CASE("first-touch.md is finished with the mouse alone, and with the keyboard alone") {
   walk("first-touch.md", LessonHand::By::Mouse);
   walk("first-touch.md", LessonHand::By::Keyboard);

@@ -154,7 +154,7 @@ TEST_CASE("a lesson with every kind of task and question is finished with the ke
   d->frames(3);
   CHECK_FALSE(d->shows("view/dark"));
   // In the light the way is shown that the probe took, before the look and after it, to where it was let go.
-  const auto& trail = d->app().extensions().touch_traces.trail();
+  const auto& trail = d->app().extensions().touch_paint.trail();
   REQUIRE(trail);
   double length_A = 0.0;
   for (const std::vector<PointA>& piece : trail->trail)
@@ -163,7 +163,7 @@ TEST_CASE("a lesson with every kind of task and question is finished with the ke
 
   // A curve by the arrows, which then lead the probe again.
   goOn(*d, "predict");
-  CHECK_FALSE(d->app().extensions().touch_traces.trail());
+  CHECK_FALSE(d->app().extensions().touch_paint.trail());
   const PointA hand = d->app().scene.controls.lead();
   for (int k = 0; k < 10; ++k) d->tap("Up");
   d->hold("Right");

@@ -1,5 +1,5 @@
-// What a scene names, marks and measures in the window, what a student measures by clicks and by touch, and what a touch
-// leaves behind.
+// What a scene names, marks and measures in the window, what a student measures by clicks and by touch, and what a
+// touch leaves behind.
 #include "app/ui/extensions/extensions.h"
 #include "app/ui/lesson/scene_marks.h"
 #include "app/ui/panels/actions.h"
@@ -170,27 +170,27 @@ TEST_CASE("another molecule has no measures of the one before") {
 TEST_CASE("atoms that were touched stay painted once the probe has left them, until a step that does not ask for it") {
   const Scratch scratch;
   auto d = openLesson(scratch, kLesson);
-  const TouchTraces& traces = d->app().extensions().touch_traces;
-  CHECK_FALSE(traces.painted());
+  const TouchPaint& paint = d->app().extensions().touch_paint;
+  CHECK_FALSE(paint.painted());
   d->point("view");
   d->press();
   for (int k = 0; k < 200 && !d->app().scene.log().touching(); ++k) d->frames(1);
   REQUIRE(d->app().scene.log().touching());
   d->frames(2);
-  REQUIRE(traces.fresh());
+  REQUIRE(paint.fresh());
   const std::int32_t touched = d->app().scene.log().latest().contact.atoms[0];
-  CHECK(std::binary_search(traces.fresh()->begin(), traces.fresh()->end(), std::uint32_t(touched)));
+  CHECK(std::binary_search(paint.fresh()->begin(), paint.fresh()->end(), std::uint32_t(touched)));
   d->release();
   for (int k = 0; k < 200 && d->app().scene.log().touching(); ++k) d->frames(1);
   d->frames(5);
-  REQUIRE(traces.painted());
-  CHECK_FALSE(traces.fresh());
-  CHECK(std::binary_search(traces.painted()->begin(), traces.painted()->end(), std::uint32_t(touched)));
+  REQUIRE(paint.painted());
+  CHECK_FALSE(paint.fresh());
+  CHECK(std::binary_search(paint.painted()->begin(), paint.painted()->end(), std::uint32_t(touched)));
   CHECK(contains(d->text("view/legend"), "touched"));
-  CHECK(seenScene(d->app()).touched == traces.painted());
+  CHECK(seenScene(d->app()).touched == paint.painted());
   d->tap("Alt+Right");
   d->frames(20);
-  CHECK_FALSE(traces.painted());
+  CHECK_FALSE(paint.painted());
 }
 
 TEST_CASE(

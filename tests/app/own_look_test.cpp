@@ -1,6 +1,10 @@
 // A molecule of one's own, drawn as its owner wishes: the menus' colours, and the page that takes a scene's keys.
 #include "app/ui/extensions/extensions.h"
+#include "app/ui/panels/actions.h"
+#include "app/ui/panels/view_overlays.h"
+#include "engine/render/molecule_model.h"
 #include "tests/app/scripted_user_fixture.h"
+#include "tests/results/sample_attempt.h"
 
 namespace moltact {
 
@@ -31,16 +35,82 @@ TEST_CASE(
   CHECK(app.scene.look.colouring);
   REQUIRE(app.scene.look.marks);
   CHECK(app.scene.look.marks->at(0).name == "patch");
-  REQUIRE(own.drawn());
-  CHECK(own.drawn()->labels.size() == 1);
-  CHECK(own.drawn()->bonds.size() > 5);
+  REQUIRE(app.scene.look.annotations);
+  CHECK(app.scene.look.annotations->labels.size() == 1);
+  CHECK(app.scene.look.annotations->bonds.size() > 5);
   // Another molecule has none of it.
   app.open("benzene");
   app.finishLoading();
   d->frames(5);
   CHECK(app.scene.look.styles.empty());
-  CHECK_FALSE(own.drawn());
+  CHECK_FALSE(app.scene.look.annotations);
   CHECK(own.values[0].empty());
+}
+
+TEST_CASE("names alone are one change, which undo takes back; a lesson on the same molecule shows none of them") {
+  auto d = startWith("alpha-helix");
+  Application& app = d->app();
+  d->frames(5);
+  OwnLook& own = app.extensions().own_look;
+  own.values = {"", "", "", "", "residue for residue 3", ""};
+  own.show(app.scene);
+  d->frames(3);
+  REQUIRE(app.scene.look.annotations);
+  REQUIRE(d->click("tool/undo"));
+  d->frames(3);
+  CHECK_FALSE(app.scene.look.annotations);
+  CHECK(d->click("tool/redo"));
+  d->frames(3);
+  REQUIRE(app.scene.look.annotations);
+  const ScratchFolder scratch;
+  std::string lesson = argonLesson("Helix", "  - A goal\n", "Text.\n");
+  for (std::size_t at; (at = lesson.find("argon")) != std::string::npos;) lesson.replace(at, 5, "alpha-helix");
+  writeFile(scratch.path / "helix.md", lesson);
+  app.open((scratch.path / "helix.md").string());
+  app.finishLoading();
+  d->frames(5);
+  REQUIRE(app.lesson.onStage());
+  CHECK_FALSE(app.scene.look.annotations);
+  CHECK(seenScene(app).annotations.empty());
+}
+
+TEST_CASE(
+    "without a style or colours on the page the picture keeps those of the menus; what is hidden there is added") {
+  auto d = startWith("1ubq");
+  Application& app = d->app();
+  d->frames(5);
+  OwnLook& own = app.extensions().own_look;
+  app.scene.look.styles = {{.style = DrawStyle::Sticks}};
+  app.scene.look.colouring = schemeColouring(*app.scene.stage().molecule, "charge");
+  own.values = {"", "residue 1", "", "", "", ""};
+  own.show(app.scene);
+  REQUIRE(app.scene.look.styles.size() == 1);
+  CHECK(app.scene.look.styles[0].style == DrawStyle::Sticks);
+  REQUIRE(app.scene.look.colouring);
+  CHECK(app.scene.look.colouring->scheme == "charge");
+  CHECK(app.scene.look.hidden);
+  own.values = {"cartoon", "", "element", "", "", ""};
+  own.show(app.scene);
+  CHECK(app.scene.look.styles[0].style == DrawStyle::Cartoon);
+  CHECK_FALSE(app.scene.look.colouring);
+  CHECK_FALSE(app.scene.look.hidden);
+}
+
+TEST_CASE("where a lesson locks what is shown the page stays shut, with another molecule on the stage too") {
+  auto d = startWith("");
+  Application& app = d->app();
+  const ScratchFolder scratch;
+  std::string lesson = argonLesson("Locked", "  - A goal\n", "Text.\n");
+  lesson.replace(lesson.find("\n```\n"), 1, "\nlocked: show\n");
+  writeFile(scratch.path / "locked.md", lesson);
+  app.open((scratch.path / "locked.md").string());
+  app.finishLoading();
+  app.open("1ubq");
+  app.finishLoading();
+  d->frames(5);
+  REQUIRE_FALSE(app.lesson.onStage());
+  REQUIRE(app.lesson.locks("show"));
+  CHECK_FALSE(enabled(*findAction("look"), app));
 }
 
 TEST_CASE("the page says what is wrong with a value, and shows nothing then") {

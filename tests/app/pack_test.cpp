@@ -158,7 +158,7 @@ TEST_CASE("Add a lesson puts a pack on the shelf without opening it; of a lesson
   CHECK(contains(d->text("welcome/own/packed"), "A pack"));
 
   writeFile(h.teacher / "file.md", lessonText("A file"));
-  d->app().extensions().shelf.add(d->app(), h.teacher / "file.md");
+  d->app().extensions().shelf.add(h.teacher / "file.md");
   fs::remove_all(h.teacher);
   d->frames(60);
   CHECK(contains(d->text("welcome/own/file"), "A file"));
@@ -182,7 +182,7 @@ TEST_CASE("a damaged pack and a lesson with a fault are told and change nothing"
     CAPTURE(file);
     d->app().messages = {};
     if (file.extension() == ".md")
-      d->app().extensions().shelf.add(d->app(), file);
+      d->app().extensions().shelf.add(file);
     else
       d->app().open(file);
     d->frames(5);

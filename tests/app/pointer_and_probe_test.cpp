@@ -58,7 +58,7 @@ class StallingPull final : public PlainTracker {
   }
 
  private:
-  PullTracker pull_{1.0};
+  ConstantForceTracker pull_{1.0};
   int ticks_ = 0;
 };
 

@@ -20,9 +20,9 @@ bool told(ScriptedUser& d, const std::string& part) {
 std::filesystem::path recorded(const Scratch& scratch) {
   const std::filesystem::path file = scratch.folder / "hand.recording";
   auto d = startWith("1ubq");
-  d->app().extensions().device.choose(d->app(), "simulated");
+  d->app().extensions().device.choose("simulated");
   d->frames(10);
-  d->app().extensions().hand_recorder.record(d->app(), file);
+  d->app().extensions().hand_recorder.record(file);
   d->tap("Ctrl+D");
   d->frames(180);
   CHECK(contains(d->text("device/recording"), "s recorded in hand.recording"));
@@ -90,7 +90,7 @@ TEST_CASE(
   const std::filesystem::path file = recorded(scratch);
   const ServoRecording trace = *readServoRecording(file);
   auto d = startWith("1hel");
-  d->app().extensions().device.choose(d->app(), "simulated");
+  d->app().extensions().device.choose("simulated");
   d->frames(10);
   const double stiffness = d->app().scene.servo_settings.stiffness_N_per_mm;
   d->app().open(file);
@@ -198,7 +198,7 @@ TEST_CASE(
   d->frames(10);
   HandRecorder& recorder = d->app().extensions().hand_recorder;
   REQUIRE(recorder.playing());
-  d->app().extensions().device.choose(d->app(), "simulated");
+  d->app().extensions().device.choose("simulated");
   d->frames(3);
   CHECK_FALSE(recorder.playing());
   CHECK(d->text("status/device") == "Simulated stylus");
@@ -209,7 +209,7 @@ TEST_CASE(
   CHECK_FALSE(recorder.playing());
   CHECK(d->text("status/device") == "Simulated stylus");
 
-  recorder.record(d->app(), scratch.folder / "second.recording");
+  recorder.record(scratch.folder / "second.recording");
   d->frames(60);
   CHECK(recorder.recording());
   d->app().scene.useMethod("penalty");

@@ -43,7 +43,7 @@ TEST_CASE(
     const Camera away = app.scene.camera;
     REQUIRE(turn_rad(home, away) > 0.5);
     app.scene.beginAgain([](Camera&, const Molecule&) {});
-    app.extensions().scene_change.sceneChanged(app);
+    app.extensions().scene_change.sceneChanged();
     d->frames(1);
     if (reduced) {
       CHECK(turn_rad(app.scene.camera, home) < 1e-9);

@@ -26,6 +26,15 @@ inline std::unique_ptr<ScriptedUser> startWith(const std::string& what = "1ubq",
   return driver;
 }
 
+/// A screen of 1024x768 at 200 %: the least room that is asked of the window.
+inline ScriptedUser::Options smallScreen() {
+  ScriptedUser::Options options;
+  options.width = 1024;
+  options.height = 768;
+  options.content_scale = 2.0;
+  return options;
+}
+
 /// A lesson of one step over argon, which goes on with `body`; `goals` are its list items, a line each.
 inline std::string argonLesson(const std::string& title, const std::string& goals, const std::string& body) {
   return "---\ntitle: " + title + "\nminutes: 5\ngoals:\n" + goals +

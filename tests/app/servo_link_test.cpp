@@ -116,7 +116,7 @@ void play(const Loop& loop, Log& log) {
   settings.force_on = true;
   ticks(600);
   loop.record(true);
-  loop.feel(std::make_unique<PullTracker>(0.2));
+  loop.feel(std::make_unique<ConstantForceTracker>(0.2));
   ticks(900);
   loop.record(false);
   ++settings.discontinuities;

@@ -5,6 +5,7 @@
 #include "app/ui/panels/actions.h"
 #include "app/ui/widgets/widget_map.h"
 #include "engine/lesson/lesson.h"
+#include "engine/lesson/reader.h"
 #include "tests/app/scripted_user_fixture.h"
 #include "tests/results/sample_attempt.h"
 
@@ -72,23 +73,45 @@ TEST_CASE("the notes go when turns begin and when a student is asked for a name,
   findAction("teacher-notes")->run(d.app());
   d.frames(3);
   REQUIRE_FALSE(notes().empty());
-  d.app().extensions().turns.begin(d.app(), {"Ana", "Bo"}, 60.0);
+  d.app().extensions().turns.begin({"Ana", "Bo"}, 60.0);
   d.frames(3);
   CHECK(notes().empty());
   CHECK_FALSE(o.offered());
-  d.app().extensions().turns.end(d.app());
+  d.app().extensions().turns.end();
   d.frames(3);
   CHECK(notes().empty());
   CHECK(o.offered());
   findAction("teacher-notes")->run(d.app());
-  d.app().extensions().name_asker.ask(d.app(), false);
+  d.app().extensions().name_asker.ask(false);
   d.frames(3);
   CHECK(notes().empty());
   CHECK_FALSE(o.offered());
-  d.app().extensions().name_asker.give(d.app(), "Ana");
+  d.app().extensions().name_asker.give("Ana");
   d.frames(3);
   CHECK(notes().empty());
   CHECK(o.offered());
+}
+
+TEST_CASE("the notes go when a lesson is opened, by whomever; they stay when its author saves it") {
+  Opened o(kNote);
+  ScriptedUser& d = *o.driver;
+  findAction("teacher-notes")->run(d.app());
+  d.frames(3);
+  REQUIRE_FALSE(notes().empty());
+  openFirst(d);
+  d.frames(5);
+  CHECK(notes().empty());
+  findAction("teacher-notes")->run(d.app());
+  const std::filesystem::path file = o.scratch.path / "notes.md";
+  d.app().open(file.string());
+  d.frames(3);
+  CHECK(notes().empty());
+  findAction("teacher-notes")->run(d.app());
+  LessonReading again = readLesson(file);
+  REQUIRE(again.lesson);
+  d.app().lesson.replace(*std::move(again.lesson));
+  d.frames(3);
+  CHECK_FALSE(notes().empty());
 }
 
 TEST_CASE("the newcomer's lesson has notes for the teacher, none of which is seen at its start") {

@@ -215,18 +215,18 @@ TEST_CASE(
 TEST_CASE(
     "the way of a recording is the place that its workspace gives in each tick, and touched where the "
     "tracker touches") {
-  ServoRecording trace;
-  trace.labels = {{"molecule", "argon"}};
+  ServoRecording recording;
+  recording.labels = {{"molecule", "argon"}};
   for (int k = 0; k < 200; ++k) {
     RecordedTick tick;
     tick.settings.workspace.centre_A = {0, 0, 2};
     tick.settings.probe_A = 1.4;
     tick.pose.position = {{0.5, 0, 20 - 0.1 * k}};
     tick.pose.connected = true;
-    trace.ticks.push_back(tick);
+    recording.ticks.push_back(tick);
   }
   ExactTracker exact(oneBall(), 1.4);
-  const HandPath path = handPathOf(trace, "hand", &exact);
+  const HandPath path = handPathOf(recording, "hand", &exact);
   REQUIRE(path.places.size() == 200);
   for (std::size_t k = 0; k < 200; ++k) {
     CHECK(glm::distance(path.places[k], Vec3(0.125, 0, 2 + 0.25 * (20 - 0.1 * double(k)))) < 1e-9);

@@ -52,7 +52,7 @@ class CrashingTracker final : public PlainTracker {
   }
 
  private:
-  PullTracker pull_{40.0};
+  ConstantForceTracker pull_{40.0};
 };
 
 void tell(const std::string& line) { (void)!::write(STDOUT_FILENO, (line + '\n').c_str(), line.size() + 1); }

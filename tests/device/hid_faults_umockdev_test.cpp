@@ -45,7 +45,7 @@ class Loop {
   DeviceSwitch switch_;
   ServoStep step_;
   ServoSettings settings_;
-  PullTracker pull_;
+  ConstantForceTracker pull_;
   Vec3 last_{0.0};
   bool was_back_ = false;
 };

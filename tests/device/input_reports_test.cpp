@@ -91,8 +91,8 @@ TEST_CASE(
   Report stick(64);
   stick[0] = 1, stick[1] = stick[2] = 128, stick[3] = 255, stick[4] = 128,
   stick[5] = 8;  // the right stick to the right
-  mouse.turnHand(true);
-  pad.turnHand(true);
+  mouse.rotateHand(true);
+  pad.rotateHand(true);
   for (int k = 0; k < 100; ++k) {
     mouse.parseReport(Report{1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0xA2, 0xFE}, held);
     mouse.advance(0.01, held);
@@ -105,7 +105,7 @@ TEST_CASE(
   }
   CHECK(mouse.viewMotion().rotation == Vec3(0));
   CHECK(pad.viewMotion().rotation == Vec3(0));
-  mouse.turnHand(false);
+  mouse.rotateHand(false);
   mouse.advance(0.01, held);
   CHECK(mouse.viewMotion().rotation.y > 0.9);
 }

@@ -274,7 +274,7 @@ TEST_CASE(
   ServoStep step(info);
   ServoSettings settings;
   settings.workspace.A_per_mm = 1.0;
-  PullTracker pull(1.6);
+  ConstantForceTracker pull(1.6);
   DevicePose pose;
   std::array<std::uint8_t, 64> out{};
   const auto tick = [&](bool arrives) {

@@ -91,7 +91,7 @@ bool playAttempt(ScriptedUser& driver, const std::filesystem::path& file, Choice
     lookAt(driver);
     driver.frames(int(choices.pick(6)));
   }
-  if (choices.pick(2)) playback.close(app);
+  if (choices.pick(2)) playback.close();
   lookAt(driver);
   return true;
 }

@@ -101,7 +101,7 @@ TEST_CASE(
       {"engine/lesson/answer_reader.cpp", 2},
       {"engine/lesson/values.cpp", 1},
       {"engine/lesson/second_state.cpp", 1},  // a key in which it stands
-      {"engine/results/attempt_lines.cpp", 1},
+      {"engine/results/write_attempt_lines.cpp", 1},
       {"engine/lesson/block_readers.cpp", 1},                      // words of a scene's key
       {"engine/lesson/scripted_learner/scripted_learner.cpp", 1},  // an answer
       {"engine/device/hid/space_mouse.cpp", 1},                    // a maker's name

@@ -44,12 +44,9 @@ TEST_CASE(
 TEST_CASE(
     "with amprenavir no atom of either Asp 25 can be touched by a ball of 1.4 A, without it four of 16: the oxygens at "
     "their ends") {
-  const std::string none = lineSaying(kDrug, "- [x] No, not a single atom"),
-                    four = lineSaying(kDrug, "- [x] Four: the oxygens at their ends"),
-                    all = lineSaying(kDrug, "Of the 16 atoms of both Asp 25");
-  CAPTURE(none);
-  CAPTURE(four);
-  CAPTURE(all);
+  const std::string says = linesSaying(kDrug, {"- [x] No, not a single atom", "- [x] Four: the oxygens at their ends",
+                                               "Of the 16 atoms of both Asp 25"});
+  CAPTURE(says);
   const ShippedScene with("1hpv"), without("1hpv-empty");
   CHECK(with.select("residue 25").size() == 16);
   CHECK(touchable(with, "residue 25").empty());

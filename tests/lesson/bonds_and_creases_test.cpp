@@ -34,10 +34,9 @@ TEST_CASE(
 }
 
 TEST_CASE("the turns hold for a probe of 1.4 A: for a point CA-CB turns the force by 53 degrees, for 3 A argon by 45") {
-  const std::string point = lineSaying("bonds-and-creases", "between two carbons turns the force by 53°"),
-                    large = lineSaying("bonds-and-creases", "turns it by 45° only");
-  CAPTURE(point);
-  CAPTURE(large);
+  const std::string says =
+      linesSaying("bonds-and-creases", {"between two carbons turns the force by 53°", "turns it by 45° only"});
+  CAPTURE(says);
   CHECK(ShippedScene("alpha-helix").turn_deg("residue 10 and name CA", "residue 10 and name CB", 0.0) ==
         doctest::Approx(53).epsilon(0.01));
   CHECK(ShippedScene("argon-pair").turn_deg("atom 0", "atom 1", 3.0) == doctest::Approx(45).epsilon(0.01));
@@ -96,16 +95,12 @@ TEST_CASE(
 TEST_CASE(
     "between two waters the hydrogen is 2.02 A from the other oxygen and overlaps it by 0.70 A: the force turns by 42 "
     "degrees, by 19 at the bond, by 70 at the contact of the argon atoms beside them") {
-  const std::string apart = lineSaying("bonds-and-creases", "They are 2.02 Å (0.202 nm) apart"),
-                    overlap = lineSaying("bonds-and-creases", "their balls overlap by 0.70 Å"),
-                    turns = lineSaying("bonds-and-creases", "19° in the bond, 42° here, 70° in a contact"),
-                    bond = lineSaying("bonds-and-creases", "a bond, in which the balls overlap by 1.76 Å"),
-                    made = lineSaying("bonds-and-creases", "oxygens 2.976 Å apart, the lower molecule's axis at 57°");
-  CAPTURE(apart);
-  CAPTURE(overlap);
-  CAPTURE(turns);
-  CAPTURE(bond);
-  CAPTURE(made);
+  const std::string says =
+      linesSaying("bonds-and-creases",
+                  {"They are 2.02 Å (0.202 nm) apart", "their balls overlap by 0.70 Å",
+                   "19° in the bond, 42° here, 70° in a contact", "a bond, in which the balls overlap by 1.76 Å",
+                   "oxygens 2.976 Å apart, the lower molecule's axis at 57°"});
+  CAPTURE(says);
   const ShippedScene s("water-and-argon");
   const std::string giver = "chain A and residue 1 and name O", given = "chain A and residue 1 and name H1",
                     taker = "chain A and residue 2 and name O";
@@ -153,12 +148,10 @@ TEST_CASE(
 TEST_CASE(
     "with its hydrogen 1.01 A from the nitrogen the hydrogen bond of the helix is 1.90 A long, 0.82 A shorter than "
     "two neighbours, and neither as short as a bond nor as long as a contact") {
-  const std::string far = lineSaying("bonds-and-creases", "That hydrogen is 1.90 Å from the oxygen"),
-                    between = lineSaying("bonds-and-creases", "oxygen and nitrogen are 2.88 Å apart"),
-                    overlap = lineSaying("bonds-and-creases", "2.72 Å - 1.90 Å = 0.82 Å");
-  CAPTURE(far);
-  CAPTURE(between);
-  CAPTURE(overlap);
+  const std::string says = linesSaying(
+      "bonds-and-creases",
+      {"That hydrogen is 1.90 Å from the oxygen", "oxygen and nitrogen are 2.88 Å apart", "2.72 Å - 1.90 Å = 0.82 Å"});
+  CAPTURE(says);
   const ShippedScene helix("alpha-helix");
   const Vec3 n = helix.atom("residue 14 and name N").position.A;
   const Vec3 out = -glm::normalize(glm::normalize(helix.atom("residue 13 and name C").position.A - n) +

@@ -38,10 +38,9 @@ TEST_CASE(
 TEST_CASE(
     "from knob 6 to knob 17 the helix winds round 3.04 times, 3.6 amino acids a turn, and the four knobs lie within 45 "
     "degrees of one line") {
-  const std::string turns = lineSaying(kCoils, "goes on by 11 amino acids, and round three times"),
-                    note = lineSaying(kCoils, "on by 99.6° and 1.50 Å, so 3.61 make a turn of 5.4 Å");
-  CAPTURE(turns);
-  CAPTURE(note);
+  const std::string says = linesSaying(kCoils, {"goes on by 11 amino acids, and round three times",
+                                                "on by 99.6° and 1.50 Å, so 3.61 make a turn of 5.4 Å"});
+  CAPTURE(says);
   const ShippedScene s("alpha-helix");
   double wound_deg = 0;
   const auto angle = [&](const std::string& atom) {
@@ -63,12 +62,10 @@ TEST_CASE(
 TEST_CASE(
     "in front of the right-handed coil knob 6 stands right of knob 5, 1.5 A higher and 5.3 A away; chain B is its "
     "mirror image") {
-  const std::string climbs = lineSaying(kCoils, "In front, the chain climbs from left to right"),
-                    apart = lineSaying(kCoils, "lie 1.50 Å apart along the axis and 5.3 Å in all"),
-                    aside = lineSaying(kCoils, "1.5 Å higher or lower, and 4 to 5 Å to the side");
-  CAPTURE(climbs);
-  CAPTURE(aside);
-  CAPTURE(apart);
+  const std::string says = linesSaying(
+      kCoils, {"In front, the chain climbs from left to right", "lie 1.50 Å apart along the axis and 5.3 Å in all",
+               "1.5 Å higher or lower, and 4 to 5 Å to the side"});
+  CAPTURE(says);
   const ShippedScene s("helix-pair");
   const Vec3 five = placeOf(s, "chain A and " + cbOf(5)), six = placeOf(s, "chain A and " + cbOf(6));
   // Who looks from +x has -z at the right.
@@ -99,10 +96,9 @@ TEST_CASE("no ball of 0.5 A passes straight into the middle of the helix, wherev
 }
 
 TEST_CASE("of ubiquitin's helix the side chains of 25, 29, 32 and 33 lie open to water, of 23, 26 and 30 no atom") {
-  const std::string out = lineSaying(kCoils, "asparagine 25, lysine 29, aspartate 32 and lysine 33"),
-                    in = lineSaying(kCoils, "Isoleucine 23, valine 26 and isoleucine 30");
-  CAPTURE(out);
-  CAPTURE(in);
+  const std::string says = linesSaying(
+      kCoils, {"asparagine 25, lysine 29, aspartate 32 and lysine 33", "Isoleucine 23, valine 26 and isoleucine 30"});
+  CAPTURE(says);
   const ShippedScene s("1ubq");
   for (const auto& [residue, name] : {std::pair{25, "ASN"}, {29, "LYS"}, {32, "ASP"}, {33, "LYS"}})
     CHECK(s.openPlaces("residue " + std::to_string(residue) + " and resname " + name + " and sidechain", 1.4) > 300);
@@ -113,11 +109,9 @@ TEST_CASE("of ubiquitin's helix the side chains of 25, 29, 32 and 33 lie open to
 TEST_CASE(
     "the strand is 66 A long where the helix is 28 A, 6.9 A for two amino acids and 2.3 times the helix's 1.5 A; its "
     "side chains stand up and down in turn") {
-  const std::string lengths = lineSaying(kCoils, "The coil was 28 Å long, from the height of its first"),
-                    two = lineSaying(kCoils, "two of them take 6.9 Å"), ratio = lineSaying(kCoils, "number: 2.3");
-  CAPTURE(lengths);
-  CAPTURE(two);
-  CAPTURE(ratio);
+  const std::string says = linesSaying(
+      kCoils, {"The coil was 28 Å long, from the height of its first", "two of them take 6.9 Å", "number: 2.3"});
+  CAPTURE(says);
   const ShippedScene strand("beta-strand"), helix("alpha-helix");
   CHECK(strand.between(caOf(1), caOf(20)) == doctest::Approx(66).epsilon(0.01));
   CHECK(placeOf(helix, caOf(20)).z - placeOf(helix, caOf(1)).z == doctest::Approx(28.4).epsilon(0.01));
@@ -130,13 +124,11 @@ TEST_CASE(
 TEST_CASE(
     "on the three inner pieces of the fibril side chains 18, 20, 22 and 24 can be touched, 21 and 23 cannot, and of 19 "
     "one place in a hundred; from piece to piece it is 4.7 A") {
-  const std::string every = lineSaying(kCoils, "Every second one. Numbers 19, 21 and 23 lie on the other side"),
-                    note = lineSaying(
-                        kCoils, "On the three inner pieces a probe of 1.4 Å touches side chains 18, 20, 22 and 24"),
-                    apart = lineSaying(kCoils, "Five times the same knob, about 4.7 Å apart");
-  CAPTURE(every);
-  CAPTURE(note);
-  CAPTURE(apart);
+  const std::string says =
+      linesSaying(kCoils, {"Every second one. Numbers 19, 21 and 23 lie on the other side",
+                           "On the three inner pieces a probe of 1.4 Å touches side chains 18, 20, 22 and 24",
+                           "Five times the same knob, about 4.7 Å apart"});
+  CAPTURE(says);
   const ShippedScene s("2beg");
   for (const char* chain : {"B", "C", "D"}) {
     CAPTURE(chain);

@@ -65,10 +65,10 @@ TEST_CASE(
 TEST_CASE(
     "from phosphorus to phosphorus it is 11.7 A across the minor groove of the model and 17.0 A across the major one, "
     "5.9 A and 11.2 A less two phosphates of 2.9 A") {
-  const std::string minor = lineSaying("dna-grooves-blind", "5.9 Å against 11.2 Å are open"),
-                    both = lineSaying("dna-grooves-blind", "about 6 Å are open there, in the major groove about 11 Å");
-  CAPTURE(minor);
-  CAPTURE(both);
+  const std::string says =
+      linesSaying("dna-grooves-blind",
+                  {"5.9 Å against 11.2 Å are open", "about 6 Å are open there, in the major groove about 11 Å"});
+  CAPTURE(says);
   const ShippedScene dna("b-dna");
   // The narrowest and the widest way between the strands, which is where each groove is measured.
   double least = 1e9;
@@ -200,10 +200,9 @@ TEST_CASE("what counts as found on the floor of one groove lies in that groove, 
 TEST_CASE(
     "a ball of 5 A, as an alpha helix with its side chains, still touches N7, N6, O4 and C7 on the major floor; of the "
     "minor floor even one of 2.5 A touches no atom") {
-  const std::string major = lineSaying("dna-grooves-blind", "a ball of 5 Å still touches the edges of the bases there"),
-                    note = lineSaying("dna-grooves-blind", "A ball of 5 Å still touches N7, N6, O4 and C7");
-  CAPTURE(major);
-  CAPTURE(note);
+  const std::string says = linesSaying("dna-grooves-blind", {"a ball of 5 Å still touches the edges of the bases there",
+                                                             "A ball of 5 Å still touches N7, N6, O4 and C7"});
+  CAPTURE(says);
   const ShippedScene dna("b-dna");
   for (const char* name : {"N7", "N6", "O4", "C7"}) {
     CAPTURE(name);

@@ -95,12 +95,10 @@ TEST_CASE(
     "pentacene has five rings of 22 carbons and 14 hydrogens, 2.42 A apart; from the bond between two of them the "
     "probe "
     "sinks in by 0.25 A, and in the middle of each it rests in a pit") {
-  const std::string dents = lineSaying(kLesson, "Five shallow dents, one in each ring, 2.42 Å (0.242 nm) apart"),
-                    sinks = lineSaying(kLesson, "the probe sinks in by 0.25 Å"),
-                    bonds = lineSaying(kLesson, "the bond lengths of benzene (C-C 1.397 Å, C-H 1.084 Å");
-  CAPTURE(dents);
-  CAPTURE(sinks);
-  CAPTURE(bonds);
+  const std::string says =
+      linesSaying(kLesson, {"Five shallow dents, one in each ring, 2.42 Å (0.242 nm) apart",
+                            "the probe sinks in by 0.25 Å", "the bond lengths of benzene (C-C 1.397 Å, C-H 1.084 Å"});
+  CAPTURE(says);
   const ShippedScene s("pentacene");
   CHECK(s.select("element C").size() == 22);
   CHECK(s.select("element H").size() == 14);
@@ -122,14 +120,11 @@ TEST_CASE(
 }
 
 TEST_CASE("an oxygen is 1.52 A, argon 1.88 A; a push of 0.5 N is 5 thousand million times a force of 0.1 nN") {
-  const std::string oxygen = lineSaying(kLesson, "The oxygen's van der Waals radius is 1.52 Å"),
-                    argon = lineSaying(kLesson, "its radius is 1.88 Å (0.188 nm)"),
-                    probe = lineSaying(kLesson, "Your probe has a radius of 1.4 Å, about that of the oxygen atom"),
-                    force = lineSaying(kLesson, "a push of 0.5 N on the hand is 5 thousand million times as much");
-  CAPTURE(oxygen);
-  CAPTURE(argon);
-  CAPTURE(probe);
-  CAPTURE(force);
+  const std::string says =
+      linesSaying(kLesson, {"The oxygen's van der Waals radius is 1.52 Å", "its radius is 1.88 Å (0.188 nm)",
+                            "Your probe has a radius of 1.4 Å, about that of the oxygen atom",
+                            "a push of 0.5 N on the hand is 5 thousand million times as much"});
+  CAPTURE(says);
   const double oxygen_A = ShippedScene("water").atom("element O").radius_A;
   CHECK(oxygen_A == doctest::Approx(1.52));
   CHECK(kWater_A / oxygen_A > 0.9);
@@ -163,11 +158,10 @@ TEST_CASE(
     "of the four groups in the dark one has no crease, one has one, the row two, and the triangle three that meet in a "
     "pit; a straight press in the middle meets a face, a crease, a face and a pit, and a probe passes between any "
     "two") {
-  const std::string creases = lineSaying(kLesson, "The single atom has no crease, the pair has one, the row has two"),
-                    middles =
-                        lineSaying(kLesson, "In the middle of the row you are on a face, with a crease above and");
-  CAPTURE(creases);
-  CAPTURE(middles);
+  const std::string says =
+      linesSaying(kLesson, {"The single atom has no crease, the pair has one, the row has two",
+                            "In the middle of the row you are on a face, with a crease above and"});
+  CAPTURE(says);
   const ShippedScene s("argon-shapes");
   const Feature met[] = {Feature::Sphere, Feature::Circle, Feature::Sphere, Feature::Point};
   const int joined[] = {0, 1, 2, 3};
@@ -210,7 +204,6 @@ TEST_CASE(
   const auto feelAll = [&](Task& task, double seconds) {
     Hand hand{task, 0.0, 0.02};
     for (int k = 0; k < 4; ++k) {
-      TouchSample touch;
       for (int n = 0; n < static_cast<int>(seconds / 0.02); ++n)
         for (const std::int32_t a : any) hand.touch({a}, 0.02);
       hand.away(0.1);
@@ -283,10 +276,9 @@ TEST_CASE(
 }
 
 TEST_CASE("a turn of the helix has 3.6 amino acids; it has 20, more than five turns") {
-  const std::string turn = lineSaying(kLesson, "3.6 amino acids make one turn"),
-                    all = lineSaying(kLesson, "You have gone over 20 amino acids, more than five turns");
-  CAPTURE(turn);
-  CAPTURE(all);
+  const std::string says = linesSaying(
+      kLesson, {"3.6 amino acids make one turn", "You have gone over 20 amino acids, more than five turns"});
+  CAPTURE(says);
   const ShippedScene s("alpha-helix");
   double sum_deg = 0.0;
   for (int i = 1; i < 20; ++i) {
@@ -301,10 +293,9 @@ TEST_CASE("a turn of the helix has 3.6 amino acids; it has 20, more than five tu
 }
 
 TEST_CASE("ubiquitin has 76 amino acids, of which number 48 is a lysine") {
-  const std::string line = lineSaying(kLesson, "a protein of 76 amino acids"),
-                    lysine = lineSaying(kLesson, "The marked part is amino acid 48, a lysine");
-  CAPTURE(line);
-  CAPTURE(lysine);
+  const std::string says =
+      linesSaying(kLesson, {"a protein of 76 amino acids", "The marked part is amino acid 48, a lysine"});
+  CAPTURE(says);
   const ShippedScene s("1ubq");
   CHECK(s.select("name CA").size() == 76);
   CHECK(s.select("residue 48 and resname LYS").size() == 9);

@@ -188,12 +188,10 @@ TEST_CASE(
 TEST_CASE(
     "the irons of deoxyhaemoglobin lie, toward the proximal histidine, 0.43 A to 0.56 A out of the plane of the ring's "
     "24 atoms, and 0.33 A to 0.45 A out of that of its nitrogens: 0.40 A and 0.36 A in the mean of alpha and of beta") {
-  const std::string ring = lineSaying("haemoglobin-and-haem", "0.43 Å to 0.56 Å from the mean plane of the 24 atoms"),
-                    four = lineSaying("haemoglobin-and-haem", "0.33 Å to 0.45 Å from that of its four nitrogens"),
-                    means = lineSaying("haemoglobin-and-haem", "0.36 Å in the beta chains");
-  CAPTURE(ring);
-  CAPTURE(four);
-  CAPTURE(means);
+  const std::string says = linesSaying(
+      "haemoglobin-and-haem", {"0.43 Å to 0.56 Å from the mean plane of the 24 atoms",
+                               "0.33 Å to 0.45 Å from that of its four nitrogens", "0.36 Å in the beta chains"});
+  CAPTURE(says);
   const ShippedScene whole("2hhb");
   const std::string nitrogens = "\"N A\" \"N B\" \"N C\" \"N D\"";
   double alpha_A = 0.0, beta_A = 0.0, least_A = 1e9, most_A = 0.0;
@@ -284,10 +282,9 @@ TEST_CASE(
 TEST_CASE(
     "from nitrogen to nitrogen lysines 82 of the beta chains are 9.3 A apart, both are met straight from outside, and "
     "the two phosphates lie 3.6 A and 4.1 A from the beginnings of the beta chains") {
-  const std::string lysines = lineSaying("haemoglobin-and-haem", "it is 9.3 Å across the gap"),
-                    phosphates = lineSaying("haemoglobin-and-haem", "3.6 Å and 4.1 Å from the nitrogens");
-  CAPTURE(lysines);
-  CAPTURE(phosphates);
+  const std::string says =
+      linesSaying("haemoglobin-and-haem", {"it is 9.3 Å across the gap", "3.6 Å and 4.1 Å from the nitrogens"});
+  CAPTURE(says);
   const ShippedScene whole("2hhb");
   CHECK(whole.between("chain B and residue 82 and name NZ", "chain D and residue 82 and name NZ") ==
         doctest::Approx(9.3).epsilon(0.005));
@@ -362,14 +359,11 @@ TEST_CASE(
     "an "
     "alpha chain at 2.5 A, and arginine 141 of A on aspartate 126 of C; all that are slid over lie open to a water "
     "molecule") {
-  const std::string praise = lineSaying("haemoglobin-and-haem", "from nitrogen to oxygen it is 2.8 Å"),
-                    note = lineSaying("haemoglobin-and-haem", "2.8 Å (chain B) and 2.7 Å (chain D) from Asp 94 OD1"),
-                    lysine = lineSaying("haemoglobin-and-haem", "besides 2.5 Å from Lys 40 of an alpha chain (C, A)"),
-                    alphas = lineSaying("haemoglobin-and-haem", "2.7 Å and 3.0 Å from Asp 126 of C");
-  CAPTURE(praise);
-  CAPTURE(note);
-  CAPTURE(lysine);
-  CAPTURE(alphas);
+  const std::string says =
+      linesSaying("haemoglobin-and-haem",
+                  {"from nitrogen to oxygen it is 2.8 Å", "2.8 Å (chain B) and 2.7 Å (chain D) from Asp 94 OD1",
+                   "besides 2.5 Å from Lys 40 of an alpha chain (C, A)", "2.7 Å and 3.0 Å from Asp 126 of C"});
+  CAPTURE(says);
   const ShippedScene whole("2hhb");
   const auto nearest_A = [&](const std::string& one, const std::string& other) {
     double least = 1e9;

@@ -19,6 +19,7 @@
 
 using namespace moltact;
 using moltact::test::lineSaying;
+using moltact::test::linesSaying;
 
 namespace {
 
@@ -134,12 +135,10 @@ TEST_CASE(
     }
     return most_deg;
   };
-  const std::string corner = lineSaying("how-touch-is-computed",
-                                        "at a corner by up to 42; with 5120 triangles by about 5 at most"),
-                    of320 = lineSaying("how-touch-is-computed",
-                                       "try Mesh 320, whose corners turn the force by up to 21 degrees");
-  CAPTURE(corner);
-  CAPTURE(of320);
+  const std::string says =
+      linesSaying("how-touch-is-computed", {"at a corner by up to 42; with 5120 triangles by about 5 at most",
+                                            "try Mesh 320, whose corners turn the force by up to 21 degrees"});
+  CAPTURE(says);
   CHECK(largestTurn("mesh80") == doctest::Approx(42).epsilon(0.02));
   CHECK(largestTurn("mesh320") == doctest::Approx(21).epsilon(0.04));
   CHECK(largestTurn("mesh5120") == doctest::Approx(5).epsilon(0.1));

@@ -56,10 +56,9 @@ TEST_CASE(
 TEST_CASE(
     "chain A of both pairs goes CO, R, N with the clock and is L; chain B is its mirror image, to 0.001 A, and goes "
     "against it") {
-  const std::string with = lineSaying(kLesson, "- [x] As the hands of a clock"),
-                    against = lineSaying(kLesson, "- [x] Against the hands of a clock");
-  CAPTURE(with);
-  CAPTURE(against);
+  const std::string says =
+      linesSaying(kLesson, {"- [x] As the hands of a clock", "- [x] Against the hands of a clock"});
+  CAPTURE(says);
   for (const char* name : {"alanine-pair", "phenylalanine-pair"}) {
     CAPTURE(name);
     const ShippedScene s(name);
@@ -128,10 +127,9 @@ TEST_CASE(
 }
 
 TEST_CASE("of ubiquitin's 76 amino acids 70 are L and six, all glycines, have no side chain") {
-  const std::string told = lineSaying(kLesson, "with 70 of the 76 amino acids of this protein"),
-                    asked = lineSaying(kLesson, "The other six, all glycines");
-  CAPTURE(told);
-  CAPTURE(asked);
+  const std::string says =
+      linesSaying(kLesson, {"with 70 of the 76 amino acids of this protein", "The other six, all glycines"});
+  CAPTURE(says);
   const ShippedScene s("1ubq");
   CHECK(s.molecule->residues.size() == 76);
   int l = 0, none = 0;

@@ -264,6 +264,8 @@ TEST_CASE("every key has a meaning that ends in a full stop, and every fallback 
     all.insert(all.end(), keysOf(b).begin(), keysOf(b).end());
   for (const TaskKind& k : taskKinds()) {
     CHECK(k.keys.front().name == k.name);
+    // In a touch block the name of a kind begins a task.
+    for (const KeySpec& key : k.keys) CHECK((key.name == k.name || !findTaskKind(key.name)));
     all.insert(all.end(), k.keys.begin(), k.keys.end());
   }
   for (const KeySpec& k : all) {

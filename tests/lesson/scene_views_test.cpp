@@ -144,6 +144,10 @@ TEST_CASE("a second structure has names for both states and a place to begin; it
   CHECK(states->fit.fitted == 4);
   CHECK(glm::distance(states->second[4].centre_A, Vec3(15.2, 4, 0)) < 1e-9);
   CHECK(glm::distance(movedTo(bend(0.0), states->at(0.5)).atoms[4].position.A, Vec3(15.2, 2, 0)) < 1e-9);
+  // What swells under the hand is drawn so too.
+  std::vector<Ball> swollen = bend(0.0).balls();
+  swollen[4].radius_A = 2.25;
+  CHECK(movedTo(bend(0.0), swollen).atoms[4].radius_A == 2.25);
 }
 
 TEST_CASE("mistakes in the second structure are told") {

@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <fstream>
+#include <initializer_list>
 #include <memory>
 #include <numbers>
 #include <string>
@@ -62,6 +63,13 @@ inline std::string lineSaying(const std::string& lesson, const std::string& word
     if (line.find(words) != std::string::npos) return lesson + ".md:" + std::to_string(n);
   FAIL_CHECK(lesson << ".md does not say: " << words);
   return lesson + ".md";
+}
+
+/// The same for several words: "haemoglobin-and-haem.md:57, haemoglobin-and-haem.md:60".
+inline std::string linesSaying(const std::string& lesson, std::initializer_list<std::string> words) {
+  std::string out;
+  for (const std::string& w : words) out += (out.empty() ? "" : ", ") + lineSaying(lesson, w);
+  return out;
 }
 
 /// The share of a lesson's steps whose touch tasks are of this kind.

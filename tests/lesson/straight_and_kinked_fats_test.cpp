@@ -58,14 +58,10 @@ TEST_CASE(
 TEST_CASE(
     "from carbon 1 to 18 it is 21.6 A in stearic, 21.2 A in elaidic and 17.3 A in oleic acid, which alone is bent, by "
     "76 degrees") {
-  const std::string straight = lineSaying(kFats, "21.6 Å from the first to the last"),
-                    trans = lineSaying(kFats, "From end to end it is 21.2 Å"),
-                    cis = lineSaying(kFats, "it is 17.3 Å here and 21.6 Å in stearic acid"),
-                    bend = lineSaying(kFats, "which bends it by 76°");
-  CAPTURE(straight);
-  CAPTURE(trans);
-  CAPTURE(cis);
-  CAPTURE(bend);
+  const std::string says =
+      linesSaying(kFats, {"21.6 Å from the first to the last", "From end to end it is 21.2 Å",
+                          "it is 17.3 Å here and 21.6 Å in stearic acid", "which bends it by 76°"});
+  CAPTURE(says);
   const ShippedScene oleic("stearic-oleic"), elaidic("stearic-elaidic");
   CHECK(length_A(oleic, 'A') == doctest::Approx(21.6).epsilon(0.003));
   CHECK(length_A(oleic, 'B') == doctest::Approx(17.3).epsilon(0.003));
@@ -114,13 +110,11 @@ TEST_CASE("a chain of carbons at 112 degrees that lies flat and has a cis bond a
 TEST_CASE(
     "straight neighbours touch at nine carbons from top to bottom; beside oleic acid the gap is under 0.5 A to carbon "
     "9, 1.0 A at 10 and 10.8 A at 18") {
-  const std::string nine =
-                        lineSaying(kFats, "Every second carbon touches the other chain by its hydrogens: nine places"),
-                    far = lineSaying(kFats, "At the end they are more than 10 Å apart"),
-                    gaps = lineSaying(kFats, "less than 0.5 Å to carbon 9, 1.0 Å at carbon 10 and 10.8 Å at carbon 18");
-  CAPTURE(nine);
-  CAPTURE(far);
-  CAPTURE(gaps);
+  const std::string says =
+      linesSaying(kFats, {"Every second carbon touches the other chain by its hydrogens: nine places",
+                          "At the end they are more than 10 Å apart",
+                          "less than 0.5 Å to carbon 9, 1.0 Å at carbon 10 and 10.8 Å at carbon 18"});
+  CAPTURE(says);
   const ShippedScene straight("straight-neighbours"), kinked("kinked-neighbours");
   int touching = 0;
   for (int i = 1; i <= 18; ++i) touching += std::abs(gap_A(straight, i)) < 0.05;

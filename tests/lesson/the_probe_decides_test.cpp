@@ -35,11 +35,10 @@ TEST_CASE(
     "the gap between three argon atoms closes at a probe of 0.29 A: below it a straight way leads through, above it a "
     "pit stops it") {
   const ShippedScene triangle("argon-triangle");
-  const std::string closes = lineSaying("the-probe-decides", "The gap closes at 0.29 Å. Its middle is 2.17 Å"),
-                    carbon = lineSaying("the-probe-decides",
-                                        "- [x] Smaller, for the gap shrinks with the balls → Yes: 0.26 Å");
-  CAPTURE(closes);
-  CAPTURE(carbon);
+  const std::string says =
+      linesSaying("the-probe-decides", {"The gap closes at 0.29 Å. Its middle is 2.17 Å",
+                                        "- [x] Smaller, for the gap shrinks with the balls → Yes: 0.26 Å"});
+  CAPTURE(says);
   const double gap_A = 3.76 / std::sqrt(3.0) - 1.88;
   CHECK(gap_A == doctest::Approx(0.29).epsilon(0.01));
   CHECK(3.76 / std::sqrt(3.0) == doctest::Approx(2.17).epsilon(0.001));
@@ -57,12 +56,10 @@ TEST_CASE(
 TEST_CASE(
     "Gln 57 on the floor of lysozyme's cleft is met by balls of up to 3.05 A from outside and by none of 3.1 A and "
     "more; the two that cut are met by 1.4 A and by 3.5 A") {
-  const std::string floor = lineSaying("the-probe-decides", "From about 3.1 Å on, no ball comes down to it"),
-                    window = lineSaying("the-probe-decides", "narrow window, which closes at about 3.1 Å"),
-                    both = lineSaying("the-probe-decides", "A visitor of this size still comes to the two that cut");
-  CAPTURE(floor);
-  CAPTURE(window);
-  CAPTURE(both);
+  const std::string says = linesSaying("the-probe-decides", {"From about 3.1 Å on, no ball comes down to it",
+                                                             "narrow window, which closes at about 3.1 Å",
+                                                             "A visitor of this size still comes to the two that cut"});
+  CAPTURE(says);
   const ShippedScene lysozyme("1hel");
   CHECK(lysozyme.openPlaces("residue 57", 1.4) > 50);
   const auto many = [&](double probe_A) { return lysozyme.places("residue 57", probe_A, 200'000); };
@@ -103,10 +100,9 @@ TEST_CASE(
 }
 
 TEST_CASE("of lysozyme's 1001 atoms a probe of 1.4 A can rest on about 570 from outside, one of 3.5 A on about 330") {
-  const std::string small = lineSaying("the-probe-decides", "the probe of 1.4 Å can touch about 570"),
-                    large = lineSaying("the-probe-decides", "- [x] About 330");
-  CAPTURE(small);
-  CAPTURE(large);
+  const std::string says =
+      linesSaying("the-probe-decides", {"the probe of 1.4 Å can touch about 570", "- [x] About 330"});
+  CAPTURE(says);
   // Here those in closed hollows count as well, which no probe from outside comes to: a few more.
   const ShippedScene lysozyme("1hel");
   for (const auto& [probe, told] : {std::pair{1.4, 570}, std::pair{3.5, 330}}) {

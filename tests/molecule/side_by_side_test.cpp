@@ -55,6 +55,13 @@ TEST_CASE(
           doctest::Approx(glm::distance(ring.atoms[i].position.A, ring.atoms[0].position.A)));
 }
 
+TEST_CASE("the molecule beside is read as the first is, but for model, assembly and another beside it") {
+  CHECK((besideReading({.model = 3, .waters = true, .assembly = "1", .beside = "benzene"}) ==
+         ReadOptions{.waters = true}));
+  const std::size_t handed_on = 1;  // each option is handed on or is one of the three
+  CHECK(readingOptions().size() == handed_on + 3);
+}
+
 TEST_CASE("the second's chains have a 2 behind their names, and every atom leads to its own residue and chain") {
   const Molecule both = library("1ubq.pdb", {.beside = "1hel"});
   REQUIRE(both.chains.size() == 2);

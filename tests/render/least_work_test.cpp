@@ -1,5 +1,7 @@
 // Pictures cost no more than they must: what has not changed is kept, what is hidden is passed over, and a view that
 // turns on a slow machine is drawn coarser. The oracle is the same picture drawn anew, or whole.
+#include <set>
+
 #include "engine/bench/hip_paths.h"
 #include "engine/render/ball_blocks.h"
 #include "engine/render/fineness.h"
@@ -137,6 +139,22 @@ TEST_CASE(
     for (int k = 0; k < 9; ++k) CHECK(fineness.choose(false).scale == 1.0);
     CHECK(fineness.choose(false).options.samples == 2);
     CHECK_FALSE(fineness.unfinished());
+  }
+}
+
+TEST_CASE(
+    "a view that turns keeps its scale and its light where pictures without the fine light take 0.7 of the time") {
+  for (const double ms : {60.0, 76.0, 80.0, 100.0, 140.0}) {
+    Fineness fineness;
+    fineness.choose(true);
+    fineness.took(ms);
+    std::set<double> scales;
+    for (int k = 0; k < 60; ++k) {
+      const Fineness::Choice choice = fineness.choose(true);
+      fineness.took(ms * choice.scale * choice.scale * (choice.options.fine_light ? 1.0 : 0.7));
+      scales.insert(choice.scale);
+    }
+    CHECK(scales.size() == 1);
   }
 }
 

@@ -70,7 +70,7 @@ TEST_CASE(
     const Expected<Attempt> read = readAttempt(file);
     REQUIRE(bool(read));
     CHECK(read->events.size() == sampleEvents().size());
-    CHECK(readAttempt(file, ReadDepth::NoTrace)->events.size() == sampleEvents().size() - 2);
+    CHECK(readAttempt(file, ReadDepth::NoHipSamples)->events.size() == sampleEvents().size() - 2);
     const auto progress = readProgress(scratch.path);
     REQUIRE(progress.size() == 1);
     CHECK(progress[0].done == 3);
@@ -138,13 +138,13 @@ TEST_CASE("files that are no attempts are told and stay as they are, torn or not
   CHECK(mendAttempts(scratch.path / "none").empty());
 }
 
-TEST_CASE("line ends of another system, and reading without the trace") {
+TEST_CASE("line ends of another system, and reading without the HIP samples") {
   const ScratchFolder scratch;
   const fs::path file = scratch.path / "a.jsonl";
   std::string bytes;
   for (const char c : sampleFile()) bytes += c == '\n' ? "\r\n" : std::string(1, c);
   writeFile(file, bytes);
-  const Expected<Attempt> all = readAttempt(file), without = readAttempt(file, ReadDepth::NoTrace);
+  const Expected<Attempt> all = readAttempt(file), without = readAttempt(file, ReadDepth::NoHipSamples);
   REQUIRE((bool(all) && bool(without)));
   CHECK(all->problems.empty());
   CHECK(all->events.size() == sampleEvents().size());

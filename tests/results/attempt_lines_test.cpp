@@ -27,7 +27,7 @@ TEST_CASE("every one of the 20 kinds of event comes back from its line as it was
   CHECK(met == std::vector<bool>(21, true));
 }
 
-TEST_CASE("the trace keeps places to 0.001 A, forces, features and the atoms that held the probe") {
+TEST_CASE("HIP samples keep places to 0.001 A, forces, features and the atoms that held the probe") {
   const AttemptEvent event = sampleEvents()[7];
   const auto& wanted = std::get<HipChunk>(event.what).samples;
   const auto back = readEventLine(lineOf(event));

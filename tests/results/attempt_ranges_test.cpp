@@ -110,7 +110,7 @@ TEST_CASE("a class with an attempt of every such number has its report, which na
   }
   const auto file = scratch.path / "a.jsonl";
   writeFile(file, bytes);
-  Expected<Attempt> all = readAttempt(file), some = readAttempt(file, ReadDepth::NoTrace);
+  Expected<Attempt> all = readAttempt(file), some = readAttempt(file, ReadDepth::NoHipSamples);
   REQUIRE((bool(all) && bool(some)));
   CHECK(all->problems.size() == bad);
   CHECK(all->events.size() == sampleEvents().size());

@@ -39,7 +39,7 @@ struct Window {
 };
 
 PersonScore scoreOf(const fs::path& file) {
-  Expected<Attempt> attempt = readAttempt(file, ReadDepth::NoTrace);
+  Expected<Attempt> attempt = readAttempt(file, ReadDepth::NoHipSamples);
   REQUIRE(bool(attempt));
   CHECK(attempt->problems.empty());
   const ClassSummary summary = summarise({*std::move(attempt)});
@@ -80,7 +80,7 @@ TEST_CASE(
   }
   // Reading alone: 27 bytes each 0.9 s. (The way of the hand, which goes on moving here, is told in lines of its own.)
   std::size_t still = 0, touching = 0;
-  const Attempt attempt = *readAttempt(window.log.file(), ReadDepth::NoTrace);
+  const Attempt attempt = *readAttempt(window.log.file(), ReadDepth::NoHipSamples);
   for (const AttemptEvent& e : attempt.events) {
     still += std::holds_alternative<Heartbeat>(e.what);
     touching += std::holds_alternative<TouchSoFar>(e.what);

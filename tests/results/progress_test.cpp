@@ -38,7 +38,7 @@ TEST_CASE("a session that goes on after a shutdown has its step, tasks, answers 
 
   const ScratchFolder scratch;
   writeFile(scratch.path / "a.jsonl", file);
-  const Expected<Attempt> attempt = readAttempt(scratch.path / "a.jsonl", ReadDepth::NoTrace);
+  const Expected<Attempt> attempt = readAttempt(scratch.path / "a.jsonl", ReadDepth::NoHipSamples);
   REQUIRE(bool(attempt));
   LessonSession after(lesson);
   after.restore(memoryOf(*attempt));
@@ -65,13 +65,13 @@ TEST_CASE("a memory of another version of the lesson is taken up as far as the l
 }
 
 void writeAttempt(const fs::path& file, const std::string& lesson, const std::string& student, std::size_t done,
-                  int age_h, std::size_t trace_lines = 0) {
+                  int age_h, std::size_t hip_lines = 0) {
   AttemptHeader header = sampleHeader();
   header.lesson.file = lesson;
   header.student = student;
   std::string bytes =
       lineOf(header) + lineOf({1, ProgressMade{"one", 0, 3}}) + lineOf({2, ProgressMade{"two", done, 3}});
-  for (std::size_t k = 0; k < trace_lines; ++k) bytes += lineOf(sampleEvents()[7]);
+  for (std::size_t k = 0; k < hip_lines; ++k) bytes += lineOf(sampleEvents()[7]);
   writeFile(file, bytes + "{\"kind\":\"tr");
   fs::last_write_time(file, fs::file_time_type::clock::now() - std::chrono::hours(age_h));
 }
@@ -80,7 +80,7 @@ TEST_CASE(
     "progress of 3 lessons: the last attempt counts, a finished one is remembered, the newest lesson comes first") {
   const ScratchFolder scratch;
   writeAttempt(scratch.path / "a1.jsonl", "a.md", "Ana", 3, 30);
-  writeAttempt(scratch.path / "a2.jsonl", "a.md", "Bo", 1, 3, 5000);  // 1.5 MB of trace after the progress
+  writeAttempt(scratch.path / "a2.jsonl", "a.md", "Bo", 1, 3, 5000);  // 1.5 MB of HIP samples after the progress
   writeAttempt(scratch.path / "b.jsonl", "b.md", "Ana", 2, 1);
   writeFile(scratch.path / "c.jsonl", lineOf(sampleHeader()));
   fs::last_write_time(scratch.path / "c.jsonl", fs::file_time_type::clock::now() - std::chrono::hours(99));

@@ -319,7 +319,7 @@ TEST_CASE("a class of 24 attempts by 18 students, written by the real log, is co
   std::vector<Attempt> attempts;
   const auto files = attemptFiles(folder / "attempts");
   REQUIRE(bool(files));
-  for (const fs::path& file : *files) attempts.push_back(*readAttempt(file, ReadDepth::NoTrace));
+  for (const fs::path& file : *files) attempts.push_back(*readAttempt(file, ReadDepth::NoHipSamples));
   REQUIRE(attempts.size() == 24);
   const ClassSummary summary = summarise(attempts);
   CHECK(summary.people.size() == 18);

@@ -66,7 +66,7 @@ TEST_CASE("9.5 s with 7 marks: steps, a task, answers and a hint, each with its 
   CHECK(line.input(9.0) == InputWay::Mouse);
 }
 
-TEST_CASE("an attempt without a trace has no hand and no stage, and still its length") {
+TEST_CASE("an attempt without HIP samples has no hand and no stage, and still its length") {
   Attempt a;
   a.header = sampleHeader();
   a.events = {{4.0, SessionClosed{"2026-11-21T10:59:00Z"}}};

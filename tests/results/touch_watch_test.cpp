@@ -41,9 +41,9 @@ TEST_CASE("a slide of 2 A over atoms 3 and 4 in 1 s at 0.5 N is one touch with o
   CHECK(end.by == InputWay::Device);
 }
 
-TEST_CASE("the trace of 10 s on a circle stays within 60 samples a second, 0.5 s a line and 0.5 A of the way") {
+TEST_CASE("the HIP samples of 10 s on a circle stay within 60 samples a second, 0.5 s a line and 0.5 A of the way") {
   TouchWatch watch;
-  std::vector<HipSample> trace;
+  std::vector<HipSample> hips;
   double longest_s = 0.0;
   const auto way = [](double t) { return Vec3(5.0 * std::cos(t), 5.0 * std::sin(t), 0.0); };
   for (int k = 0; k <= 10'000; ++k) {
@@ -54,34 +54,34 @@ TEST_CASE("the trace of 10 s on a circle stays within 60 samples a second, 0.5 s
     for (const AttemptEvent& e : watch.take(k * 0.001)) {
       const auto& samples = std::get<HipChunk>(e.what).samples;
       longest_s = std::max(longest_s, samples.back().t_s - samples.front().t_s);
-      trace.insert(trace.end(), samples.begin(), samples.end());
+      hips.insert(hips.end(), samples.begin(), samples.end());
     }
   }
-  CHECK(longest_s <= TouchWatch::kTraceChunk_s + 0.017);
-  CHECK(trace.size() <= 600);
-  CHECK(trace.size() >= 500);
-  for (std::size_t k = 0; k < trace.size(); ++k) CHECK(glm::distance(trace[k].hip.A, way(trace[k].t_s)) < 1e-9);
+  CHECK(longest_s <= TouchWatch::kHipChunk_s + 0.017);
+  CHECK(hips.size() <= 600);
+  CHECK(hips.size() >= 500);
+  for (std::size_t k = 0; k < hips.size(); ++k) CHECK(glm::distance(hips[k].hip.A, way(hips[k].t_s)) < 1e-9);
 }
 
 TEST_CASE("a hand at rest for a minute gives 2 samples, one at each end of the rest") {
   TouchWatch watch;
-  std::vector<HipSample> trace;
+  std::vector<HipSample> hips;
   for (int k = 0; k <= 60'100; ++k) {
     TouchSample s;
     s.hip.A = s.contact.scp.A = {k > 60'000 ? (k - 60'000) * 0.01 : 0.0, 0, 0};
     watch.add(s, k * 0.001, InputWay::Mouse);
     if (k % 16 == 0)
       for (const AttemptEvent& e : watch.take(k * 0.001))
-        for (const HipSample& sample : std::get<HipChunk>(e.what).samples) trace.push_back(sample);
+        for (const HipSample& sample : std::get<HipChunk>(e.what).samples) hips.push_back(sample);
   }
   watch.breakOff();
   for (const AttemptEvent& e : watch.take(60.1))
-    for (const HipSample& sample : std::get<HipChunk>(e.what).samples) trace.push_back(sample);
-  REQUIRE(trace.size() >= 3);
-  CHECK(trace.size() < 12);
-  CHECK(trace[0].t_s == 0.0);
-  CHECK(trace[1].t_s == doctest::Approx(60.0).epsilon(0.001));
-  CHECK(trace[1].hip.A.x < 0.01);
+    for (const HipSample& sample : std::get<HipChunk>(e.what).samples) hips.push_back(sample);
+  REQUIRE(hips.size() >= 3);
+  CHECK(hips.size() < 12);
+  CHECK(hips[0].t_s == 0.0);
+  CHECK(hips[1].t_s == doctest::Approx(60.0).epsilon(0.001));
+  CHECK(hips[1].hip.A.x < 0.01);
 }
 
 TEST_CASE(

@@ -1,5 +1,5 @@
-// What a class has come to: by goal, by misconception, and by which way. Oracles: the sessions that were left, and counts
-// made by hand.
+// What a class has come to: by goal, by misconception, and by which way. Oracles: the sessions that were left, and
+// counts made by hand.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -56,7 +56,7 @@ struct Student {
   Attempt attempt() const {
     const ScratchFolder scratch;
     writeFile(scratch.path / "a.jsonl", file);
-    const Expected<Attempt> read = readAttempt(scratch.path / "a.jsonl", ReadDepth::NoTrace);
+    const Expected<Attempt> read = readAttempt(scratch.path / "a.jsonl", ReadDepth::NoHipSamples);
     REQUIRE(bool(read));
     CHECK(read->problems.empty());
     return *read;

@@ -1,5 +1,5 @@
 // A friction as an interaction round a tracker: Coulomb's, at the SCP. It stands here as the example of what changes the
-// force whatever method is felt, and as the test that the servo step bears it: its energy, its calls, its limits.
+// force whatever method the probe is felt with, and as the test that the servo step bears it: its energy, its calls, its limits.
 #include <doctest/doctest.h>
 
 #include <cmath>
@@ -40,7 +40,10 @@ class Friction final : public WrappedInteraction {
       out = remember({held}, inner().respond({{held}, pose.orientation}));
       if (!touching_) return held == pose.place.A ? out : remember(pose.place, inner().respond(pose));
     }
-    stretchToScp(out.contact, pose.place);
+    // Along the surface the displacement grows by the lag, whatever the method made of it; so does the energy stored.
+    const Vec3 lag = held - pose.place.A;
+    out.contact.energy_A2 += glm::dot(lag, out.contact.displacement_A) + 0.5 * glm::dot(lag, lag);
+    out.contact.displacement_A += lag;
     return out;
   }
   void reset() noexcept override {
@@ -161,4 +164,25 @@ TEST_CASE("asked five times for each pose of a walk over 20 atoms, the friction 
   CHECK(apart < 1e-5);
   // Over a single sphere it drags along it by 0.4 of what it presses with, and never more.
   CHECK(dragged == doctest::Approx(kCoefficient / std::sqrt(1.0 + kCoefficient * kCoefficient)).epsilon(1e-4));
+}
+
+TEST_CASE(
+    "without friction every offered method answers as by itself: its displacement, shaded or summed, and its energy") {
+  const scenes::Scene scene = scenes::cluster(20, 5);
+  for (const Method& method : methods()) {
+    const auto bare = method.make(test::makeScene(scene.balls), scene.probe_A);
+    Friction none(method.make(test::makeScene(scene.balls), scene.probe_A), 0.0);
+    double apart_A = 0.0, apart_A2 = 0.0;
+    int touching = 0;
+    for (const Vec3& place : scenes::walk(scene, 1000, 5)) {
+      const Contact a = bare->respond({{place}, kNoRotation}).contact, b = none.respond({{place}, kNoRotation}).contact;
+      touching += a.touching();
+      apart_A = std::max(apart_A, glm::distance(a.displacement_A, b.displacement_A));
+      apart_A2 = std::max(apart_A2, std::abs(a.energy_A2 - b.energy_A2));
+    }
+    CAPTURE(method.name);
+    CHECK(touching > 100);
+    CHECK(apart_A < 1e-9);
+    CHECK(apart_A2 < 1e-9);
+  }
 }

@@ -30,7 +30,7 @@ std::unique_ptr<Tracker> newTracker() {
 }
 
 std::filesystem::path scratch(const char* name) {
-  return std::filesystem::temp_directory_path() / ("moltact_trace_" + std::to_string(getpid()) + name);
+  return std::filesystem::temp_directory_path() / ("moltact_recording_" + std::to_string(getpid()) + name);
 }
 
 // 20 s of the simulated stylus with settings that change, a plug that is pulled, and a clock that is late now and then.

@@ -165,14 +165,14 @@ TEST_CASE("3000 recordings with a forged state and a right checksum are refused 
   for (int k = 0; k < 3000; ++k) {
     CAPTURE(k);
     std::ofstream(file, std::ios::binary) << forged(whole, changed(state, random));
-    const auto trace = readServoRecording(file);
-    if (!trace) {
-      CHECK_FALSE(trace.problem().remedy.empty());
+    const auto recording = readServoRecording(file);
+    if (!recording) {
+      CHECK_FALSE(recording.problem().remedy.empty());
       ++refused;
       continue;
     }
-    REQUIRE(trace->ticks.size() == 100);
-    CHECK(std::isfinite(replay(*trace, tracker.get()).greatest_difference_N));
+    REQUIRE(recording->ticks.size() == 100);
+    CHECK(std::isfinite(replay(*recording, tracker.get()).greatest_difference_N));
     ++replayed;
   }
   CHECK(refused > 1000);

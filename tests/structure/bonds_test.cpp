@@ -210,7 +210,7 @@ TEST_CASE("a backbone ends where three residues are missing, and goes on where o
   REQUIRE(parts.size() == 2);
   CHECK(parts[0].size() == 29);
   CHECK(parts[1].size() == 44);
-  const auto trace = proteinBackbone(moleculeOf(only_ca + "END\n"));
-  REQUIRE(trace.size() == 1);
-  CHECK(trace[0].size() == 76);
+  const auto backbone = proteinBackbone(moleculeOf(only_ca + "END\n"));
+  REQUIRE(backbone.size() == 1);
+  CHECK(backbone[0].size() == 76);
 }

@@ -34,8 +34,8 @@ class Browser:
         self.process = subprocess.Popen(
             [program, "--headless=new", "--remote-debugging-pipe", "--no-first-run", "--disable-background-networking",
              "--disable-component-update", "--disable-sync", "--no-default-browser-check", "--mute-audio",
-             "--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--ignore-gpu-blocklist",
-             "--disable-dev-shm-usage", *arguments,
+             # As Chromium goes by itself without a graphics card: WebGL in software, the page put together by the processor.
+             "--enable-unsafe-swiftshader", "--disable-dev-shm-usage", *arguments,
              f"--user-data-dir={self.profile}", f"--window-size={width},{height}"]
             + (["--no-sandbox"] if os.getuid() == 0 else []) + ["about:blank"],
             close_fds=False, preexec_fn=fds, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)

@@ -1,4 +1,4 @@
-"""The page as a student meets it: welcome, lessons by mouse and finger, reload, hand in, and the trackers' traces."""
+"""The page as a student meets it: welcome, lessons by mouse and finger, reload, hand in, and a hand over ubiquitin."""
 import csv
 import os
 import pathlib
@@ -7,8 +7,8 @@ import tempfile
 import time
 import unittest
 
+from hip_paths import hold_against_the_desktop
 from page import DESKTOP, MOST_BYTES, PAGE, PICTURES, ROOT, PageTest, Served
-from traces import hold_against_the_desktop
 
 
 class TheFile(PageTest):
@@ -175,6 +175,6 @@ class Lesson(PageTest):
 
 
 class Trackers(unittest.TestCase):
-    def test_a_hand_over_ubiquitin_gives_the_desktops_trace_to_1e_9_A_in_exact_and_paper(self):
+    def test_a_hand_over_ubiquitin_gives_the_desktops_contacts_to_1e_9_A_in_exact_and_paper(self):
         # emscripten 3.1.6 takes the fetch of Node.js for a browser's.
-        hold_against_the_desktop(self, ["node", "--no-experimental-fetch", PAGE.parent / "moltact_trace.js"])
+        hold_against_the_desktop(self, ["node", "--no-experimental-fetch", PAGE.parent / "moltact_hip_path.js"])

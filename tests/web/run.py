@@ -6,7 +6,7 @@ import sys
 import unittest
 
 HERE = pathlib.Path(__file__).resolve().parent
-sys.path[:0] = [str(HERE), str(HERE.parent / "trace")]
+sys.path[:0] = [str(HERE), str(HERE.parent / "hip_path")]
 
 if __name__ == "__main__":
     loader = unittest.TestLoader()

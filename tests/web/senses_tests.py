@@ -1,7 +1,5 @@
 """What hands and ears meet in the page: pens, fingers, vibration, sound, keys, and text to be copied."""
 import re
-import tempfile
-import pathlib
 
 from page import PAGE, PageTest
 
@@ -22,46 +20,6 @@ AudioNode.prototype.connect = function (to, ...more) {
 FEEL = """
 globalThis.felt = [];
 Object.defineProperty(Navigator.prototype, "vibrate", {value: (ms) => { felt.push(ms); return true; }});
-"""
-
-KEYBOARD_LESSON = """---
-title: By keys
-minutes: 3
-goals: Do it all by keys
-molecules: argon-pair
-author: The Moltact authors
-licence: CC-BY-4.0
----
-## Touch
-```scene
-molecule: argon-pair
-```
-```touch
-reach: all
-say: Touch an atom.
-```
-```touch
-press: anywhere
-until: 0.8 N
-say: Push with 0.8 N.
-```
-### Question: How many atoms are there?
-- [ ] One → Look again.
-- [x] Two → Yes.
-### Question: How far are the centres apart?
-```answer
-number: 3.76 Å
-tolerance: 0.1 Å
-```
-## Slide
-```touch
-cross: atom 0
-to: atom 1
-direction: either
-say: Slide from one atom to the other.
-```
-## The end
-Done.
 """
 
 
@@ -131,62 +89,6 @@ class Senses(PageTest):
         self.press(browser, notches=3, until=("task/0", "done"))
         browser.until("heard.peak > 0.001", 20)
         self.assertLessEqual(browser.evaluate("heard.peak"), 1.0)
-        self.no_errors(browser)
-
-    def next_by_keys(self, browser):
-        kAlt = 1
-        browser.hold("AltLeft", True, "Alt", kAlt)
-        browser.key("ArrowRight", modifiers=kAlt)
-        browser.hold("AltLeft", False, "Alt")
-        browser.frames(3)
-
-    def test_by_keys_alone_a_whole_lesson_is_gone_through(self):
-        browser = self.browser()
-        browser.open(PAGE.as_uri())
-        with tempfile.TemporaryDirectory() as folder:
-            lesson = pathlib.Path(folder) / "by-keys.md"
-            lesson.write_text(KEYBOARD_LESSON)
-            node = browser.call("DOM.querySelector", nodeId=browser.call("DOM.getDocument")["root"]["nodeId"],
-                                selector="#chooser")["nodeId"]
-            browser.call("DOM.setFileInputFiles", nodeId=node, files=[str(lesson)])
-            browser.wait_for("task/0", "current")
-        # From here on nothing but keys.
-        browser.hold("Space", True, " ")
-        browser.wait_for("task/0", "done")
-        for _ in range(3):
-            browser.key("NumpadAdd", "+")
-        browser.wait_for("task/1", "done")
-        browser.hold("Space", False, " ")
-        browser.frames(5)
-        # The choices stand in an order of their own for each student; the key is the place.
-        shown = sorted((w[1], w[4]) for n, w in browser.widgets().items() if n in ("question/0/0", "question/0/1"))
-        browser.type(str(1 + [text for _, text in shown].index("Two")))
-        browser.wait_for("question/0/feedback", "Yes.")
-        browser.type("a")
-        browser.frames(5)
-        browser.type("3.76")
-        browser.key("Enter")
-        browser.frames(5)
-        self.next_by_keys(browser)
-        browser.wait_for("lesson/step", "Slide")
-        browser.frames(20)
-        # The probe goes over the pair and back while it pushes.
-        for way in ("ArrowLeft", "ArrowRight", "ArrowLeft"):
-            browser.hold("Space", True, " ")
-            browser.frames(20)
-            browser.hold(way, True)
-            for _ in range(40):
-                browser.frames(5)
-                if "done" in (browser.text("task/0") or ""):
-                    break
-            browser.hold(way, False)
-            browser.hold("Space", False, " ")
-            if "done" in (browser.text("task/0") or ""):
-                break
-        browser.wait_for("task/0", "done", patience_s=5)
-        self.next_by_keys(browser)
-        browser.wait_for("lesson/step", "The end")
-        browser.until("document.getElementById('news').textContent.includes('step 3 of 3')")
         self.no_errors(browser)
 
     def test_text_is_shown_by_Ctrl_A_selected_by_the_mouse_and_copied_as_the_page_says_it(self):

@@ -12,8 +12,8 @@ import tempfile
 import time
 import unittest
 
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "trace"))
-from traces import DESKTOP, MOST_A, ROOT, hand, hold_against_the_desktop  # noqa: E402
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "hip_path"))
+from hip_paths import DESKTOP, MOST_A, ROOT, hand, hold_against_the_desktop  # noqa: E402
 
 BUILT = ROOT / "build" / "windows"
 PROGRAM = BUILT / "moltact" / "moltact.exe"
@@ -58,8 +58,7 @@ class UnderWine(unittest.TestCase):
                                        pass_fds=[writing], stderr=subprocess.DEVNULL)
         os.close(writing)
         number = os.read(reading, 16).decode().strip()
-        os.environ.setdefault("WINEPREFIX", str(cls.folder / "wine"))
-        os.environ.update(WINEDEBUG="-all", DISPLAY=f":{number}", MOLTACT_LANGUAGE="en")
+        os.environ.update(WINEPREFIX=str(cls.folder / "wine"), WINEDEBUG="-all", DISPLAY=f":{number}", MOLTACT_LANGUAGE="en")
         PICTURES.mkdir(exist_ok=True)
 
     @classmethod
@@ -80,8 +79,8 @@ class UnderWine(unittest.TestCase):
         self.assertEqual(done.returncode, status, done.stderr.decode(errors="replace"))
         return (done.stdout + done.stderr).decode()
 
-    def test_a_hand_over_ubiquitin_gives_the_desktops_trace_to_1e_9_A_in_exact_and_paper(self):
-        hold_against_the_desktop(self, [WINE, BUILT / "moltact_trace.exe"])
+    def test_a_hand_over_ubiquitin_gives_the_desktops_contacts_to_1e_9_A_in_exact_and_paper(self):
+        hold_against_the_desktop(self, [WINE, BUILT / "moltact_hip_path.exe"])
 
     def test_info_and_check_say_what_they_say_on_the_desktop(self):
         for command in (["info", "1ubq"], ["info", "1ubq", "--json"], ["info", "2hhb"], ["--help"], ["render", "--help"]):

@@ -25,7 +25,7 @@ Application::Application(ApplicationOptions given, ApplicationParts parts)
     : scene(given.clock),
       options_(std::move(given)),
       picture_(std::make_unique<ViewPicture>()),
-      extensions_(std::move(parts.extensions)),
+      extensions_(parts.extensions(*this)),
       keys_(parts.keys),
       panels_(parts.panels) {
   scene.shown = lesson.shownParts();
@@ -37,7 +37,7 @@ Application::Application(ApplicationOptions given, ApplicationParts parts)
   }
   useLanguageAndUnits();
   if (!fault.empty()) messages.warning(fault);
-  for (Extension* e : extensions_->all()) e->atStart(*this);
+  for (Extension* e : extensions_->all()) e->atStart();
 }
 
 Application::~Application() { end(); }
@@ -59,15 +59,15 @@ void Application::useLanguageAndUnits() {
 void Application::end() {
   if (std::exchange(ended_, true)) return;
   scene.servo().endForce();
-  for (Extension* e : extensions_->all()) e->atEnd(*this);
+  for (Extension* e : extensions_->all()) e->atEnd();
 }
 
 void Application::open(const std::filesystem::path& file) {
   // A name without an ending may be one of the library.
   const FileKind kind = fileKind(file).value_or(FileKind::Molecule);
-  for (Extension* e : extensions_->all()) e->beforeOpening(*this, kind);
+  for (Extension* e : extensions_->all()) e->beforeOpening(kind);
   for (Extension* e : extensions_->all())
-    if (e->open(*this, kind, file)) return;
+    if (e->open(kind, file)) return;
   if (kind == FileKind::Lesson) return openLesson(file);
   const Expected<std::filesystem::path> found = findMolecule(file.string(), MoleculeFolders::ofThisComputer());
   if (!found) {
@@ -86,14 +86,15 @@ void Application::openMolecule(const MoleculeKey& key) {
 
 void Application::openLesson(const std::filesystem::path& file) {
   if (!lesson.open(file)) {
-    for (Extension* e : extensions_->all()) e->lessonRefused(*this, file);
+    for (Extension* e : extensions_->all()) e->lessonRefused(file);
     panels.welcome = panels.welcome || !hasWork();
     return;
   }
   messages.clearErrors();
   settings.remember(file);
   panels.lesson = panels.lesson_first = true;
-  panels.welcome = false;
+  panels.welcome = panels.teacher_notes = false;
+  panels.lesson_goals.reset();
   enterScene();
 }
 
@@ -146,7 +147,7 @@ void Application::beginSceneAgain(std::optional<PointA> before, const std::optio
   else
     scene.beginAgain(facing());
   if (!before && !turned) cutOpen();
-  for (Extension* e : extensions_->all()) e->sceneChanged(*this);
+  for (Extension* e : extensions_->all()) e->sceneChanged();
 }
 
 void Application::tellSteps() {
@@ -154,12 +155,10 @@ void Application::tellSteps() {
   const bool opened = told_opening_ != lesson.openings(), moved = told_step_ != lesson.session()->stepIndex();
   told_opening_ = lesson.openings();
   told_step_ = lesson.session()->stepIndex();
-  if (opened) {
-    panels.lesson_goals.reset();
-    for (Extension* e : extensions_->all()) e->lessonChanged(*this);
-  }
+  if (opened)
+    for (Extension* e : extensions_->all()) e->lessonChanged();
   if (opened || moved)
-    for (Extension* e : extensions_->all()) e->stepChanged(*this);
+    for (Extension* e : extensions_->all()) e->stepChanged();
 }
 
 void Application::finishLoading() {
@@ -190,7 +189,7 @@ void Application::takeUp(Loaded loaded) {
   scene.setZoomed(lesson.zoomed());
   scene.show(withUntouchable(*loaded.stage, lesson.untouchable()), loaded.key, facing());
   cutOpen();
-  for (Extension* e : extensions_->all()) e->sceneChanged(*this);
+  for (Extension* e : extensions_->all()) e->sceneChanged();
 }
 
 TouchScene::Facing Application::facing() const {
@@ -210,7 +209,7 @@ void Application::showView(const ViewSpec& view) {
   const Camera seen = scene.camera;
   scene.camera = scene.cameraFor([&](Camera& camera, const Molecule& m) { faceView(camera, m, view, spec); },
                                  zoomedRegion(view, spec, molecule, scene.servo_settings.probe_A));
-  for (Extension* e : extensions_->all()) e->viewReset(*this, seen);
+  for (Extension* e : extensions_->all()) e->viewReset(seen);
 }
 
 void Application::zoomTo(std::span<const std::uint32_t> atoms) {
@@ -223,7 +222,7 @@ void Application::zoomTo(std::span<const std::uint32_t> atoms) {
   scene.camera.face(part->centre);
   const glm::vec2 view = layout_.view.size();
   scene.camera.fit(part->centre, part->radius_A, view.y > 0 ? double(view.x) / double(view.y) : 1.0);
-  for (Extension* e : extensions_->all()) e->viewReset(*this, seen);
+  for (Extension* e : extensions_->all()) e->viewReset(seen);
 }
 
 void Application::resetView() { scene.resetView(facing()); }
@@ -231,7 +230,7 @@ void Application::resetView() { scene.resetView(facing()); }
 void Application::resetViewByHand() {
   const Camera seen = scene.camera;
   resetView();
-  for (Extension* e : extensions_->all()) e->viewReset(*this, seen);
+  for (Extension* e : extensions_->all()) e->viewReset(seen);
 }
 
 void Application::askForPictureAs() {
@@ -276,19 +275,18 @@ void Application::layPanelsOut(glm::vec2 window_px) {
 }
 
 void Application::frame(double dt_s, glm::vec2 window_px) {
-  dt_s_ = dt_s;
-  now_s_ += dt_s;
+  time_ = {dt_s, time_.now_s + dt_s};
   if (std::optional<Loaded> loaded = loader_.take()) takeUp(std::move(*loaded));
   loading_s_ = loader_.busy() ? loading_s_ + dt_s : 0.0;
   const std::span<Extension* const> extensions = extensions_->all();
-  for (Extension* e : extensions) e->beforeTicks(*this);
+  for (Extension* e : extensions) e->beforeTicks();
   scene.rest(panels.welcome);
-  const FeltTicks felt = scene.advance(dt_s, now_s_, panels.methodsInFront());
+  const FeltTicks felt = scene.advance(dt_s, time_.now_s, panels.methodsInFront());
   // A recorded hand does nobody's task.
   if (!anyOf(extensions, &Extension::leadsHand))
     for (const FeltTick& t : felt.ticks) lesson.feed(t.sample, felt.method.name, t.exact);
   if (!felt.ticks.empty())
-    for (Extension* e : extensions) e->ticks(*this, felt);
+    for (Extension* e : extensions) e->ticks(felt);
   messages.age(dt_s);
 
   useLanguageAndUnits();
@@ -296,7 +294,7 @@ void Application::frame(double dt_s, glm::vec2 window_px) {
   layPanelsOut(window_px);
   panels_(*this);
   enterScene();
-  for (Extension* e : extensions) e->afterPanels(*this);
+  for (Extension* e : extensions) e->afterPanels();
 }
 
 bool Application::live() const {

@@ -10,7 +10,9 @@
 #include <utility>
 #include <vector>
 
+#include "app/ui/application/application_options.h"
 #include "app/ui/application/extension.h"
+#include "app/ui/application/opener.h"
 #include "app/ui/application/panel_state.h"
 #include "app/ui/files/file_browser.h"
 #include "app/ui/files/file_dialog.h"
@@ -27,26 +29,15 @@ class Application;
 struct Extensions;
 class ViewPicture;
 
-struct ApplicationOptions {
-  ServoClock clock = ServoClock::RealThread;
-  bool devices_unasked =
-      true;  ///< where nobody chose a device, one that is plugged in is taken at the start and offered later
-  std::string language;                   ///< at the start, in the place of the settings': "de"; empty: theirs
-  std::filesystem::path settings_file;    ///< empty: settings are neither read nor kept
-  std::filesystem::path attempts_folder;  ///< where attempts at lessons are kept; empty: nowhere
-  std::filesystem::path packs_folder;     ///< where lessons are put that come in a pack; empty: packsFolder()
-  std::filesystem::path cache_folder;     ///< for what can be made again; empty: nothing is kept
-  std::filesystem::path picture_folder;   ///< where "Save picture" puts pictures (default: the current folder)
-};
-
 /// The parts above the application: what it draws and what extends it.
 struct ApplicationParts {
-  std::unique_ptr<ExtensionSet> extensions;
+  /// Makes them for this application, whose parts they hold; called once, by its constructor.
+  std::unique_ptr<ExtensionSet> (*extensions)(Application&);
   void (*keys)(Application&);    ///< once a frame, before the layout: what the keys of the frame do
   void (*panels)(Application&);  ///< once a frame: draws all panels
 };
 
-class Application {
+class Application final : public Opener {
  public:
   Application(ApplicationOptions options, ApplicationParts parts);
   ~Application();
@@ -55,17 +46,13 @@ class Application {
   /// destructor does it too.
   void end();
 
-  /// Opens a file by its kind (files/file_kinds.h), or a molecule by its name in the library. A file that cannot be
-  /// opened gives a message and changes nothing.
-  void open(const std::filesystem::path& file);
+  void open(const std::filesystem::path& file) override;
   /// Opens a molecule's file as it is to be read, as open() does.
   void openMolecule(const MoleculeKey& key);
   /// Files were dropped on the window: the first is opened.
   void drop(const std::vector<std::filesystem::path>& dropped);
-  /// Puts a molecule on the stage as a lesson's step does: it is not among the files opened last.
-  void showMolecule(const MoleculeKey& key);
-  /// Something has been opened that the welcome page can be left for.
-  bool hasWork() const { return scene.stage() || lesson.session(); }
+  void showMolecule(const MoleculeKey& key) override;
+  bool hasWork() const override { return scene.stage() || lesson.session(); }
 
   /// One frame: takes up what the servo loop found, then draws all panels.
   void frame(double dt_s, glm::vec2 window_px);
@@ -74,7 +61,7 @@ class Application {
   bool live() const;
   /// Waits for a file that is being opened and shows it.
   void finishLoading();
-  bool loading() const { return loader_.busy(); }
+  bool loading() const override { return loader_.busy(); }
   /// How long a file has been read (unit: second); 0 while none is.
   double loadingFor_s() const { return loading_s_; }
 
@@ -93,11 +80,8 @@ class Application {
   const Layout& layout() const { return layout_; }
   const ApplicationOptions& options() const { return options_; }
 
-  /// The camera as it was when the scene was opened.
-  void resetView();
-  /// The scene as if its molecule had just been opened; `before` a place, it is turned to the front and the hand begins
-  /// there; `turned`, the molecule is seen turned so (the screen's axes in its own).
-  void beginSceneAgain(std::optional<PointA> before = {}, const std::optional<Quat>& turned = {});
+  void resetView() override;
+  void beginSceneAgain(std::optional<PointA> before = {}, const std::optional<Quat>& turned = {}) override;
   /// The same as resetView because a person asked for it: it can be undone.
   void resetViewByHand();
   /// Goes to a view that a person asked for; it can be undone.
@@ -113,8 +97,9 @@ class Application {
   void leave() { leaving_ = true; }
   bool leaving() const { return leaving_; }
 
-  double dt_s() const { return dt_s_; }
-  double now_s() const { return now_s_; }
+  const FrameTime& time() const { return time_; }
+  double dt_s() const { return time_.dt_s; }
+  double now_s() const { return time_.now_s; }
 
  private:
   TouchScene::Facing facing() const;
@@ -130,13 +115,14 @@ class Application {
 
   const ApplicationOptions options_;
   std::unique_ptr<ViewPicture> picture_;
+  Layout layout_;
+  FrameTime time_;
   std::unique_ptr<ExtensionSet> extensions_;
   void (*keys_)(Application&);
   void (*panels_)(Application&);
   Loader loader_;
-  Layout layout_;
   glm::vec2 window_px_{0.0f};
-  double dt_s_ = 0, now_s_ = 0, loading_s_ = 0;
+  double loading_s_ = 0;
   std::size_t told_opening_ = 0, told_step_ = 0;
   bool aspect_guessed_ = true;  // the view's shape is known once the first frame has been laid out
   bool step_scene_ = false;     // what is being read belongs to a lesson's step

@@ -1,7 +1,7 @@
 // The events of the window that an extension (a recorder, sound, a watcher of files) receives while the program runs.
-// Each extension is one class in its own file and one member of Extensions (app/ui/extensions/extensions.h), is given
-// the other extensions that it uses, and overrides the points that it needs. Panels reach it through app.extensions().
-// Window's thread.
+// Each extension is one class in its own file and one member of Extensions (app/ui/extensions/extensions.h). It is made
+// with the parts of the application that it uses (the scene, the settings, …) and the other extensions that it uses, and
+// overrides the points that it needs. Panels reach it through app.extensions(). Window's thread.
 //
 // A frame calls, in this order: beforeTicks, ticks, the panels, afterPanels. lessonChanged, stepChanged and
 // sceneChanged come in between, in this order, as soon as the thing has happened.
@@ -15,40 +15,44 @@
 
 namespace moltact {
 
-class Application;
+/// The window's clock, as the frame that is drawn has it (unit: second).
+struct FrameTime {
+  double dt_s = 0.0;   ///< since the frame before
+  double now_s = 0.0;  ///< since the program began
+};
 
 class Extension {
  public:
   virtual ~Extension() = default;
 
   /// The program begins: the settings have been read, nothing has been opened.
-  virtual void atStart(Application&) {}
+  virtual void atStart() {}
 
   /// A frame begins; what the hand felt since the last one has not been taken up.
-  virtual void beforeTicks(Application&) {}
+  virtual void beforeTicks() {}
   /// Every tick since the last frame, oldest first; not called where there is none.
-  virtual void ticks(Application&, const FeltTicks&) {}
+  virtual void ticks(const FeltTicks&) {}
   /// Every panel has been drawn, so every click and key of the frame has done its work. The GL context is current.
-  virtual void afterPanels(Application&) {}
+  virtual void afterPanels() {}
 
   /// A file of this kind is about to be opened; this is called on all extensions before one of them opens it.
-  virtual void beforeOpening(Application&, FileKind) {}
+  virtual void beforeOpening(FileKind) {}
   /// Opens it where files of this kind are this extension's own: true, whatever comes of it.
-  virtual bool open(Application&, FileKind, const std::filesystem::path&) { return false; }
+  virtual bool open(FileKind, const std::filesystem::path&) { return false; }
   /// A lesson was to be opened and could not be read.
-  virtual void lessonRefused(Application&, const std::filesystem::path&) {}
+  virtual void lessonRefused(const std::filesystem::path&) {}
 
   /// Another molecule is on the stage, or the same one was placed again: earlier contacts no longer count.
-  virtual void sceneChanged(Application&) {}
+  virtual void sceneChanged() {}
   /// Another lesson is open, or the same one was opened or read again.
-  virtual void lessonChanged(Application&) {}
+  virtual void lessonChanged() {}
   /// The lesson is at another step, or another lesson is at its first.
-  virtual void stepChanged(Application&) {}
+  virtual void stepChanged() {}
   /// A person asked for the camera as it was when the scene was opened; `seen` is how it was until now.
-  virtual void viewReset(Application&, const Camera& /*seen*/) {}
+  virtual void viewReset(const Camera& /*seen*/) {}
 
   /// The program ends; everything else still stands.
-  virtual void atEnd(Application&) {}
+  virtual void atEnd() {}
 
   /// Whether the next frame would look or sound different because of it: the window then does not sleep.
   virtual bool live() const { return false; }

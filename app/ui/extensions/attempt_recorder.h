@@ -2,7 +2,7 @@
 // It only watches; a failure to write is reported once in a message and the lesson goes on. Window's thread.
 //
 // A lesson that is opened begins a new attempt; resume() goes on with an old one:
-//   app.extensions().recorder.resume(app, lesson_file, progress.file);      // progress: engine/results/progress.h
+//   app.extensions().recorder.resume(lesson_file, progress.file);      // progress: engine/results/progress.h
 #pragma once
 
 #include <filesystem>
@@ -21,23 +21,41 @@
 
 namespace moltact {
 
+struct ApplicationOptions;
+class LessonGuide;
+class MovingStates;
+class Opener;
+struct PanelState;
+
 class AttemptRecorder : public Extension {
  public:
-  void beforeTicks(Application& app) override;
-  void ticks(Application& app, const FeltTicks& felt) override;
-  void afterPanels(Application& app) override;
-  void sceneChanged(Application& app) override;
-  void lessonChanged(Application& app) override;
-  void atEnd(Application& app) override;
+  AttemptRecorder(const MovingStates& moving_states, Opener& opener, TouchScene& scene, LessonGuide& lesson,
+                  Messages& messages, const PanelState& panels, const ApplicationOptions& options,
+                  const FrameTime& time)
+      : opener_(opener),
+        scene_(scene),
+        lesson_(lesson),
+        messages_(messages),
+        panels_(panels),
+        options_(options),
+        time_(time),
+        moving_states_(moving_states) {}
+
+  void beforeTicks() override;
+  void ticks(const FeltTicks& felt) override;
+  void afterPanels() override;
+  void sceneChanged() override;
+  void lessonChanged() override;
+  void atEnd() override;
 
   /// Opens the lesson where the attempt was left, with what was done; what comes goes into the same file. An attempt
   /// that cannot be read is reported, and the lesson starts from its beginning.
-  void resume(Application& app, const std::filesystem::path& lesson_file, const std::filesystem::path& attempt_file);
+  void resume(const std::filesystem::path& lesson_file, const std::filesystem::path& attempt_file);
 
   /// From here on another student (a name or code; empty: none is kept) works: the lesson starts from its beginning for
   /// him, in an attempt of his own, at the step that is shown; what he has done under this name since the program began
   /// is taken up.
-  void passTo(Application& app, const std::string& student);
+  void passTo(const std::string& student);
   const std::string& student() const { return student_; }
   /// Ends the attempt that goes on; of what is opened from here on no name is kept.
   void forgetStudent() {
@@ -58,28 +76,36 @@ class AttemptRecorder : public Extension {
   void pause(bool on);
 
  private:
+  Opener& opener_;
+  TouchScene& scene_;
+  LessonGuide& lesson_;
+  Messages& messages_;
+  const PanelState& panels_;
+  const ApplicationOptions& options_;
+  const FrameTime& time_;
+  const MovingStates& moving_states_;
   struct Turn {
     std::string student;
     std::filesystem::path lesson, file;
   };
-  void beginNew(Application& app);
-  void beginParts(Application& app);
+  void beginNew();
+  void beginParts();
   void add(AttemptFact fact) { add(AttemptEvent{now_s_, std::move(fact)}); }
   void add(AttemptEvent event);
-  void lookAtStage(Application& app);
-  void lookAtStates(Application& app);
-  void lookAtView(Application& app);
-  void lookAtWay(Application& app);
+  void lookAtStage();
+  void lookAtStates();
+  void lookAtView();
+  void lookAtWay();
   void endAttempt();
-  void tell(Application& app);
+  void tell();
 
   std::string student_;
   std::vector<Predicted> predictions_;  // made while there was no attempt
   std::vector<Turn> turns_;  // attempts of this run, by student, so that a turn goes on where the last one ended
   std::optional<AttemptLog> log_;
-  MessageId unkept_ = 0;           // the message that it is not kept on the disk, as long as that holds
-  const void* session_ = nullptr;  // whose attempt it is
-  std::filesystem::path lesson_;   // its file
+  MessageId unkept_ = 0;               // the message that it is not kept on the disk, as long as that holds
+  const void* session_ = nullptr;      // whose attempt it is
+  std::filesystem::path lesson_file_;  // its file
   std::string hash_;
   SessionWatch session_watch_;
   TouchWatch touch_watch_;

@@ -7,7 +7,9 @@
 #include <string_view>
 #include <system_error>
 
-#include "app/ui/application/application.h"
+#include "app/ui/application/application_options.h"
+#include "app/ui/files/settings.h"
+#include "app/ui/lesson/lesson_guide.h"
 #include "app/ui/widgets/imgui_versions.h"
 #include "app/ui/widgets/theme.h"
 #include "engine/haptics/ball_scene.h"
@@ -27,7 +29,7 @@ namespace {
 namespace fs = std::filesystem;
 
 // Raised when pictures of the same subject come out differently.
-constexpr std::string_view kDrawnAs = "4";
+constexpr std::string_view kDrawnAs = "5";
 constexpr std::size_t kMostKept = 400;
 constexpr std::size_t kLargestFile = std::size_t{1} << 30;  // unit: byte
 
@@ -45,7 +47,8 @@ std::string sceneKey(const CardSubject& subject) {
   for (const MarkSpec& mark : s.marks) styles += mark.word + ' ' + mark.atoms.text() + ',';
   return styles + s.hide.text() + '|' + s.untouchable.text() + '|' + s.remove.text() + '|' +
          readingText(subject.molecule.reading) + s.view.text + '|' + (s.cut ? 'c' + s.cut_at.text() : std::string()) +
-         '|' + s.highlight.text() + '|' + s.touch.method + '|' + std::to_string(s.touch.probe_A) + '|' + s.colour;
+         '|' + s.highlight.text() + '|' + s.touch.method + '|' + std::to_string(s.touch.probe_A) + '|' + s.colour +
+         '|' + std::to_string(s.near_A);
 }
 
 // Where a probe that comes in along a ray from the viewer's upper right meets the surface.
@@ -121,7 +124,8 @@ struct CardPictures::Card {
   }
 };
 
-CardPictures::CardPictures() = default;
+CardPictures::CardPictures(const Settings& settings, const ApplicationOptions& options)
+    : settings_(settings), options_(options) {}
 CardPictures::~CardPictures() = default;
 
 ImTextureID CardPictures::find(const CardSubject& subject) {
@@ -135,17 +139,15 @@ ImTextureID CardPictures::find(const CardSubject& subject) {
   return textureOf(at->second->texture);
 }
 
-void CardPictures::afterPanels(Application& app) {
-  const std::string now =
-      std::string(themeName(app.settings.theme)) + (app.settings.colour_blind_safe ? "|safe|" : "|");
+void CardPictures::afterPanels() {
+  const std::string now = std::string(themeName(settings_.theme)) + (settings_.colour_blind_safe ? "|safe|" : "|");
   if (now != look_) {
     look_ = now;
     queue_.clear();  // of the look before
     std::erase_if(cards_, [](const auto& c) { return c.second->texture == 0; });
   }
-  const bool wait = app.options().clock == ServoClock::Frames;  // the same in every run
-  if (job_.valid() && (wait || job_.wait_for(std::chrono::seconds(0)) == std::future_status::ready))
-    finish(app, job_.get());
+  const bool wait = options_.clock == ServoClock::Frames;  // the same in every run
+  if (job_.valid() && (wait || job_.wait_for(std::chrono::seconds(0)) == std::future_status::ready)) finish(job_.get());
   if (job_.valid()) return;
   if (queue_.empty()) {
     renderer_.reset();
@@ -153,34 +155,34 @@ void CardPictures::afterPanels(Application& app) {
   }
   auto [key, subject] = std::move(queue_.front());
   queue_.erase(queue_.begin());
-  job_ = inBackground([key = std::move(key), subject = std::move(subject), look = look_,
-                       folder = app.options().cache_folder]() mutable {
-    Job job{std::move(key), std::move(subject), {}, {}, {}};
-    const Expected<std::string> bytes = readFile(job.subject.molecule.file, kLargestFile, "");
-    if (!bytes) return job;
-    if (!folder.empty()) {
-      char name[40];
-      const std::uint64_t hash = fnv1a(*bytes, fnv1a(look + sceneKey(job.subject) + std::string(kDrawnAs)));
-      std::snprintf(name, sizeof name, "card-%016llx.png", static_cast<unsigned long long>(hash));
-      job.kept = folder / name;
-      std::error_code ignored;
-      if (fs::exists(job.kept, ignored))
-        if (Expected<Picture> picture = readPng(job.kept)) {
-          job.picture = *std::move(picture);
-          return job;
+  job_ = inBackground(
+      [key = std::move(key), subject = std::move(subject), look = look_, folder = options_.cache_folder]() mutable {
+        Job job{std::move(key), std::move(subject), {}, {}, {}};
+        const Expected<std::string> bytes = readFile(job.subject.molecule.file, kLargestFile, "");
+        if (!bytes) return job;
+        if (!folder.empty()) {
+          char name[40];
+          const std::uint64_t hash = fnv1a(*bytes, fnv1a(look + sceneKey(job.subject) + std::string(kDrawnAs)));
+          std::snprintf(name, sizeof name, "card-%016llx.png", static_cast<unsigned long long>(hash));
+          job.kept = folder / name;
+          std::error_code ignored;
+          if (fs::exists(job.kept, ignored))
+            if (Expected<Picture> picture = readPng(job.kept)) {
+              job.picture = *std::move(picture);
+              return job;
+            }
         }
-    }
-    try {
-      if (Expected<Molecule> molecule = readMolecule(job.subject.molecule))
-        job.scene = sceneOf(*std::move(molecule), job.subject.scene);
-    } catch (const std::exception&) {
-      // A card without a picture; opening the lesson tells why.
-    }
-    return job;
-  });
+        try {
+          if (Expected<Molecule> molecule = readMolecule(job.subject.molecule))
+            job.scene = sceneOf(*std::move(molecule), job.subject.scene);
+        } catch (const std::exception&) {
+          // A card without a picture; opening the lesson tells why.
+        }
+        return job;
+      });
 }
 
-void CardPictures::finish(Application& app, Job job) {
+void CardPictures::finish(Job job) {
   const auto at = cards_.find(job.key);
   if (at == cards_.end()) return;
   if (!job.picture && job.scene) {
@@ -190,7 +192,7 @@ void CardPictures::finish(Application& app, Job job) {
       renderer_ = std::move(*made);
     }
     job.scene->theme = look().viewTheme();
-    job.scene->elements = elementColoursOf(app.settings);
+    job.scene->elements = elementColoursOf(settings_);
     if (renderer_->draw(*job.scene, kWidth_px, kHeight_px, {.samples = 3})) return;
     job.picture = renderer_->readPixels();
     ++drawn_;

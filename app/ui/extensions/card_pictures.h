@@ -20,6 +20,9 @@
 
 namespace moltact {
 
+struct ApplicationOptions;
+struct Settings;
+
 class Renderer;
 
 /// The contents of a picture: a molecule as a lesson's scene turns and marks it.
@@ -30,7 +33,7 @@ struct CardSubject {
 
 class CardPictures : public Extension {
  public:
-  CardPictures();
+  CardPictures(const Settings& settings, const ApplicationOptions& options);
   ~CardPictures() override;
 
   static constexpr int kWidth_px = 512, kHeight_px = 288;
@@ -39,13 +42,15 @@ class CardPictures : public Extension {
   /// queue.
   ImTextureID find(const CardSubject& subject);
 
-  void afterPanels(Application& app) override;
+  void afterPanels() override;
   bool live() const override { return !queue_.empty() || job_.valid(); }
 
   /// Drawn since the start and not taken from the cache.
   std::size_t drawn() const { return drawn_; }
 
  private:
+  const Settings& settings_;
+  const ApplicationOptions& options_;
   // The background's result for a picture: found in the cache, or the molecule read for drawing.
   struct Job {
     std::string key;
@@ -56,7 +61,7 @@ class CardPictures : public Extension {
   };
   struct Card;
 
-  void finish(Application& app, Job job);
+  void finish(Job job);
 
   std::map<std::string, std::unique_ptr<Card>> cards_;  // by what was asked for in this look
   std::vector<std::pair<std::string, CardSubject>> queue_;

@@ -2,18 +2,18 @@
 
 #include <algorithm>
 
-#include "app/ui/application/application.h"
+#include "app/ui/application/panel_state.h"
 #include "app/ui/extensions/attempt_recorder.h"
 #include "engine/core/text.h"
 #include "engine/language/catalogue.h"
 
 namespace moltact {
 
-void ClassTurns::begin(Application& app, std::vector<std::string> names, double turn_s) {
+void ClassTurns::begin(std::vector<std::string> names, double turn_s) {
   turns_.begin(std::move(names), turn_s);
   predictions_ = 0;
   if (!on()) return;
-  app.panels.welcome = app.panels.teacher_notes = false;
+  panels_.welcome = panels_.teacher_notes = false;
   call();
 }
 
@@ -23,12 +23,12 @@ void ClassTurns::call() {
   recorder_.pause(true);
 }
 
-void ClassTurns::start(Application& app) {
+void ClassTurns::start() {
   if (turns_.state() != Turns::State::HandOver) return;
   turns_.start();
-  app.scene.play(std::nullopt);
+  scene_.play(std::nullopt);
   recorder_.pause(false);
-  recorder_.passTo(app, turns_.current());
+  recorder_.passTo(turns_.current());
 }
 
 void ClassTurns::passOn() {
@@ -36,19 +36,19 @@ void ClassTurns::passOn() {
   if (on()) call();
 }
 
-void ClassTurns::skip(Application& app) {
+void ClassTurns::skip() {
   turns_.leave(turns_.current());
   if (on())
     call();
   else
-    end(app);
+    end();
 }
 
-void ClassTurns::end(Application& app) {
+void ClassTurns::end() {
   turns_.end();
-  app.scene.play(std::nullopt);
+  scene_.play(std::nullopt);
   recorder_.pause(false);
-  recorder_.passTo(app, {});
+  recorder_.passTo({});
 }
 
 std::string ClassTurns::prompt(const LessonGuide& lesson) const {
@@ -63,21 +63,21 @@ std::string ClassTurns::prompt(const LessonGuide& lesson) const {
   return tr("What will be felt next?");
 }
 
-bool ClassTurns::predict(Application& app, const std::string& name, const std::string& text) {
+bool ClassTurns::predict(const std::string& name, const std::string& text) {
   const std::vector<std::string> waiting = turns_.waiting();
   const std::string said(trimmed(text));
   if (said.empty() || std::find(waiting.begin(), waiting.end(), name) == waiting.end()) return false;
-  const LessonSession* session = app.lesson.session();
-  recorder_.keepPrediction({name, session ? session->step().id : std::string(), prompt(app.lesson), said});
+  const LessonSession* session = lesson_.session();
+  recorder_.keepPrediction({name, session ? session->step().id : std::string(), prompt(lesson_), said});
   ++predictions_;
   return true;
 }
 
-void ClassTurns::beforeTicks(Application& app) {
+void ClassTurns::beforeTicks() {
   if (!on()) return;
-  if (turns_.tick(app.dt_s())) call();
+  if (turns_.tick(time_.dt_s)) call();
   // Nothing in anyone's hand: no force, no touch.
-  if (turns_.state() == Turns::State::HandOver) app.scene.play(ServoSample());
+  if (turns_.state() == Turns::State::HandOver) scene_.play(ServoSample());
 }
 
 }  // namespace moltact

@@ -4,8 +4,11 @@
 #include <cmath>
 #include <utility>
 
-#include "app/ui/application/application.h"
+#include "app/ui/application/application_options.h"
+#include "app/ui/application/panel_state.h"
 #include "app/ui/extensions/task_stager.h"
+#include "app/ui/files/settings.h"
+#include "app/ui/widgets/layout.h"
 #include "engine/language/catalogue.h"
 #include "engine/servo/safety_stage.h"
 #include "engine/workspace/scale.h"
@@ -22,20 +25,20 @@ constexpr std::uint32_t kClutchButton = 2;  // the stylus's second
 
 }  // namespace
 
-void DeviceLink::choose(Application& app, const std::string& name) {
-  if (const std::optional<Problem> problem = use(app, name)) {
-    app.messages.error(problem->text());
+void DeviceLink::choose(const std::string& name) {
+  if (const std::optional<Problem> problem = use(name)) {
+    messages_.error(problem->text());
     return;
   }
   awaited_.clear();
   awaited_title_.clear();
-  app.settings.device = name;
-  app.messages.takeBack(offer_id_);
+  settings_.device = name;
+  messages_.takeBack(offer_id_);
 }
 
-std::optional<Problem> DeviceLink::use(Application& app, const std::string& name, std::unique_ptr<Device> opened) {
-  stopTrying(app);
-  ServoLink& servo = app.scene.servo();
+std::optional<Problem> DeviceLink::use(const std::string& name, std::unique_ptr<Device> opened) {
+  stopTrying();
+  ServoLink& servo = scene_.servo();
   if (name == "mouse") {
     servo.setDevice(nullptr);
   } else {
@@ -45,151 +48,151 @@ std::optional<Problem> DeviceLink::use(Application& app, const std::string& name
     if (!device) return device.problem();
     servo.setDevice(std::move(*device));
   }
-  taken(app, name);
+  taken(name);
   // A hand that is held has an edge to its room, and a button to reach beyond it.
-  app.scene.servo_settings.clutch =
+  scene_.servo_settings.clutch =
       name == "mouse" ? ClutchSettings() : ClutchSettings{.buttons = kClutchButton, .at_edge = true};
-  app.scene.fitToDevice();
+  scene_.fitToDevice();
   return std::nullopt;
 }
 
-void DeviceLink::taken(Application& app, const std::string& name) {
+void DeviceLink::taken(const std::string& name) {
   chosen_ = name;
   status_ = DeviceStatus();
-  app.messages.takeBack(told_id_);
+  messages_.takeBack(told_id_);
   told_.clear();
   asked_s_ = -1.0;
 }
 
-void DeviceLink::lend(Application& app, std::unique_ptr<Device> device) {
-  stopTrying(app);
-  app.scene.servo().setDevice(std::move(device));
-  taken(app, kLent);
+void DeviceLink::lend(std::unique_ptr<Device> device) {
+  stopTrying();
+  scene_.servo().setDevice(std::move(device));
+  taken(kLent);
 }
 
-void DeviceLink::giveBack(Application& app, const std::string& before) {
-  if (!use(app, before)) return;
+void DeviceLink::giveBack(const std::string& before) {
+  if (!use(before)) return;
   // It has gone meanwhile.
-  use(app, "mouse");
+  use("mouse");
   awaited_ = awaited_title_ = before;
 }
 
-void DeviceLink::begin(Application& app) {
+void DeviceLink::begin() {
   begun_ = true;
-  const std::string& name = app.settings.device;
-  takes_default_ = name.empty() && app.options().devices_unasked;
+  const std::string& name = settings_.device;
+  takes_default_ = name.empty() && options_.devices_unasked;
   if (name.empty() || name == "mouse") return;
   const std::optional<FoundDevice> found = findDevice(name);
-  if (found && found->usable && !use(app, name)) return;
+  if (found && found->usable && !use(name)) return;
   // A name that no driver has any more is forgotten.
   if (!found && !findDevice(name.substr(0, name.find(':')))) return;
   awaited_ = name;
   awaited_title_ = found ? tr(found->title.c_str()) : name;
-  app.messages.notice(found && !found->why.empty()
-                          ? trf("{0} is not there ({1}). Until it is, the mouse leads.", awaited_title_, found->why)
-                          : trf("{0} is not there. Until it is, the mouse leads.", awaited_title_));
+  messages_.notice(found && !found->why.empty()
+                       ? trf("{0} is not there ({1}). Until it is, the mouse leads.", awaited_title_, found->why)
+                       : trf("{0} is not there. Until it is, the mouse leads.", awaited_title_));
 }
 
-double DeviceLink::lookEvery_s(const Application& app) const {
-  if (app.panels.device_page) return kLook_s;
-  return app.settings.device.empty() && app.options().devices_unasked ? kLookForOffer_s : 0.0;
+double DeviceLink::lookEvery_s() const {
+  if (panels_.device_page) return kLook_s;
+  return settings_.device.empty() && options_.devices_unasked ? kLookForOffer_s : 0.0;
 }
 
-void DeviceLink::look(Application& app) {
+void DeviceLink::look() {
   if (std::optional<std::vector<FoundDevice>> seen = lister_.take(); seen && !seen->empty()) {
     found_ = std::move(*seen);
-    offer(app);
+    offer();
   }
-  const double every_s = lookEvery_s(app);
-  if (every_s == 0.0 || (looked_s_ >= 0.0 && app.now_s() - looked_s_ < every_s)) return;
-  looked_s_ = app.now_s();
-  lister_.begin(app.scene.servo().clock() == ServoClock::Frames);
+  const double every_s = lookEvery_s();
+  if (every_s == 0.0 || (looked_s_ >= 0.0 && time_.now_s - looked_s_ < every_s)) return;
+  looked_s_ = time_.now_s;
+  lister_.begin(scene_.servo().clock() == ServoClock::Frames);
 }
 
 // The search is not the window's: a driver may take seconds to find that there is no device. A script waits, for its
 // clock is not the search's.
-void DeviceLink::await(Application& app) {
-  if (!search_ && !awaited_.empty() && app.now_s() - searched_s_ >= kLook_s)
+void DeviceLink::await() {
+  if (!search_ && !awaited_.empty() && time_.now_s - searched_s_ >= kLook_s)
     search_ = std::make_unique<PendingDeviceOpen>(awaited_);
-  if (!search_ || (!search_->done() && app.scene.servo().clock() == ServoClock::RealThread)) return;
+  if (!search_ || (!search_->done() && scene_.servo().clock() == ServoClock::RealThread)) return;
   auto device = search_->take();
   search_.reset();
-  searched_s_ = app.now_s();
-  if (!device || awaited_.empty() || use(app, awaited_, std::move(*device))) return;
+  searched_s_ = time_.now_s;
+  if (!device || awaited_.empty() || use(awaited_, std::move(*device))) return;
   awaited_.clear();
   awaited_title_.clear();
-  app.messages.notice(trf("{0} is there and leads.", tr(app.scene.servo().chosen()->info().name.c_str())));
+  messages_.notice(trf("{0} is there and leads.", tr(scene_.servo().chosen()->info().name.c_str())));
 }
 
 // At the start what is there is taken. Later nothing changes under the hand by itself.
-void DeviceLink::offer(Application& app) {
-  if (!app.settings.device.empty() || !app.options().devices_unasked) return;
+void DeviceLink::offer() {
+  if (!settings_.device.empty() || !options_.devices_unasked) return;
   if (std::exchange(takes_default_, false)) {
     const std::string name = defaultDevice(found_).name;
-    if (name != "mouse") use(app, name);
+    if (name != "mouse") use(name);
     return;
   }
-  if (app.scene.servo().chosen() && app.scene.servo().chosen()->info().gives_force) return;
+  if (scene_.servo().chosen() && scene_.servo().chosen()->info().gives_force) return;
   const auto best = std::find_if(found_.begin(), found_.end(), [](const FoundDevice& one) {
     return one.usable && one.auto_selectable && one.gives_force;
   });
   const std::string name = best == found_.end() ? "" : best->name;
   if (name == offered_) return;
   offered_ = name;
-  app.messages.takeBack(offer_id_);
+  messages_.takeBack(offer_id_);
   if (!name.empty())
-    offer_id_ = app.messages.ask(MessageKind::Notice,
-                                 trf("{0} is plugged in. Choose it on the device page to feel with it.", best->title),
-                                 {"device"});
+    offer_id_ =
+        messages_.ask(MessageKind::Notice,
+                      trf("{0} is plugged in. Choose it on the device page to feel with it.", best->title), {"device"});
 }
 
-void DeviceLink::tryForce(Application& app) {
-  if (app.scene.tryForce(kTry_N)) trying_s_ = kTry_s;
+void DeviceLink::tryForce() {
+  if (scene_.tryForce(kTry_N)) trying_s_ = kTry_s;
 }
 
-void DeviceLink::stopTrying(Application& app) {
+void DeviceLink::stopTrying() {
   trying_s_ = 0.0;
-  app.scene.endTry();
+  scene_.endTry();
 }
 
 // A cap or a stick that leads the view; not while a task keeps the screen dark.
-void DeviceLink::leadView(Application& app) {
-  Device* device = app.scene.servo().chosen();
-  if (!device || !app.scene.stage() || app.scene.servo().fallenBack() || stager_.dark()) return;
+void DeviceLink::leadView() {
+  Device* device = scene_.servo().chosen();
+  if (!device || !scene_.stage() || scene_.servo().fallenBack() || stager_.dark()) return;
   const ViewMotion wish = device->viewMotion();
-  const double dt = app.dt_s();
-  Camera& camera = app.scene.camera;
+  const double dt = time_.dt_s;
+  Camera& camera = scene_.camera;
   if (wish.rotation != Vec3(0.0)) {
     const Vec3 turn = wish.rotation * (kTurn_rad_per_s * dt);
     camera.orbit(turn.y, turn.x);
     camera.roll(turn.z);
   }
   if (wish.move != Vec3(0.0)) {
-    const int height = std::max(1, int(app.layout().view.size().y));
+    const int height = std::max(1, int(layout_.view.size().y));
     camera.pan(wish.move.x * kPan_heights_per_s * height * dt, -wish.move.y * kPan_heights_per_s * height * dt, height);
     camera.zoom(std::pow(kCloser_per_s, wish.move.z * dt));
   }
 }
 
-void DeviceLink::beforeTicks(Application& app) {
-  if (!begun_) begin(app);
-  look(app);
-  await(app);
-  leadView(app);
-  app.scene.followView();
-  if (chosen_ != "mouse") app.scene.servo_settings.clutch.buttons = stager_.takesSecondButton() ? 0 : kClutchButton;
-  for (double& left : limit_left_s_) left = std::max(0.0, left - app.dt_s());
+void DeviceLink::beforeTicks() {
+  if (!begun_) begin();
+  look();
+  await();
+  leadView();
+  scene_.followView();
+  if (chosen_ != "mouse") scene_.servo_settings.clutch.buttons = stager_.takesSecondButton() ? 0 : kClutchButton;
+  for (double& left : limit_left_s_) left = std::max(0.0, left - time_.dt_s);
   // The panic key, another scene and a hand that is played end a try by themselves.
-  trying_s_ = app.scene.trying() ? trying_s_ - app.dt_s() : 0.0;
-  if (trying_s_ <= 0.0) stopTrying(app);
-  ask(app);
+  trying_s_ = scene_.trying() ? trying_s_ - time_.dt_s : 0.0;
+  if (trying_s_ <= 0.0) stopTrying();
+  ask();
 }
 
 // The device's own words, for as long as they hold, with what to do about it at hand.
-void DeviceLink::ask(Application& app) {
-  Device* device = app.scene.servo().chosen();
-  if (!device || (asked_s_ >= 0.0 && app.now_s() - asked_s_ < kAsk_s)) return;
-  asked_s_ = app.now_s();
+void DeviceLink::ask() {
+  Device* device = scene_.servo().chosen();
+  if (!device || (asked_s_ >= 0.0 && time_.now_s - asked_s_ < kAsk_s)) return;
+  asked_s_ = time_.now_s;
   const DeviceStatus was = std::exchange(status_, device->status());
   const std::string name = tr(device->info().name.c_str());
   std::string now = status_.text;
@@ -198,16 +201,16 @@ void DeviceLink::ask(Application& app) {
   else if (!status_.ready)
     now = trf("{0} gives no force yet. {1}", name, now);
   if (now == told_) return;
-  app.messages.takeBack(told_id_);
+  messages_.takeBack(told_id_);
   told_ = now;
-  if (wantsCalibration(app.scene.servo()))
-    told_id_ = app.messages.ask(MessageKind::Warning, now, {"calibrate", "device"});
+  if (wantsCalibration(scene_.servo()))
+    told_id_ = messages_.ask(MessageKind::Warning, now, {"calibrate", "device"});
   else if (!now.empty())
-    told_id_ = app.messages.ask(MessageKind::Warning, now, {"device"});
+    told_id_ = messages_.ask(MessageKind::Warning, now, {"device"});
   if (!was.connected && status_.connected && status_.ready)
-    app.messages.notice(trf("{0} leads again.", name));
+    messages_.notice(trf("{0} leads again.", name));
   else if (!was.ready && status_.ready)
-    app.messages.notice(trf("{0} is ready.", name));
+    messages_.notice(trf("{0} is ready.", name));
 }
 
 bool DeviceLink::wantsCalibration(const ServoLink& servo) const {
@@ -226,9 +229,9 @@ void DeviceLink::watchTicks(const std::vector<ServoSample>& ticks) {
   }
 }
 
-void DeviceLink::afterPanels(Application& app) {
-  if (!app.panels.device_page) stopTrying(app);
-  watchTicks(app.scene.servo().everyTick());
+void DeviceLink::afterPanels() {
+  if (!panels_.device_page) stopTrying();
+  watchTicks(scene_.servo().everyTick());
 }
 
 DeviceLink::ScaleWords DeviceLink::scaleWords(const TouchScene& scene) const {
@@ -245,17 +248,17 @@ std::vector<const LimitWords*> DeviceLink::actingLimits() const {
   return out;
 }
 
-std::vector<std::string> DeviceLink::limitNotices(const Application& app) const {
+std::vector<std::string> DeviceLink::limitNotices() const {
   std::vector<std::string> out;
-  const bool gives_force = app.scene.servo().device().gives_force;
+  const bool gives_force = scene_.servo().device().gives_force;
   for (const LimitWords* one : actingLimits()) {
-    if (!gives_force && (one->limit != Limit::LateLoop || !app.scene.controls.pressing())) continue;
+    if (!gives_force && (one->limit != Limit::LateLoop || !scene_.controls.pressing())) continue;
     if (one->limit == Limit::Panic || (one->limit == Limit::SoftStart && soft_start_s_ < kLongStart_s)) continue;
     // The device knows better what is wrong; it is told once.
     const bool own_words = one->limit == Limit::DeviceFault && !told_.empty();
     if (!own_words)
       out.emplace_back(tr(one->sentence));
-    else if (!app.messages.tells(told_id_))
+    else if (!messages_.tells(told_id_))
       out.push_back(told_);
   }
   return out;

@@ -17,11 +17,24 @@
 
 namespace moltact {
 
+struct ApplicationOptions;
+struct Layout;
+struct PanelState;
+struct Settings;
 class TaskStager;
 
 class DeviceLink : public Extension {
  public:
-  explicit DeviceLink(const TaskStager& stager) : stager_(stager) {}
+  DeviceLink(const TaskStager& stager, TouchScene& scene, Settings& settings, Messages& messages, PanelState& panels,
+             const Layout& layout, const ApplicationOptions& options, const FrameTime& time)
+      : scene_(scene),
+        settings_(settings),
+        messages_(messages),
+        panels_(panels),
+        layout_(layout),
+        options_(options),
+        time_(time),
+        stager_(stager) {}
 
   static constexpr double kShowLimit_s = 1.0;  ///< a limit that acted is shown for so long
   static constexpr double kLongStart_s = 1.5;  ///< a soft start that lasts longer is shown over the view
@@ -38,18 +51,18 @@ class DeviceLink : public Extension {
   void lookBy(DeviceLister::Find find) { lister_ = DeviceLister(std::move(find)); }
   /// Opens it and takes it into use, now and at the next start; "mouse" goes back to the mouse alone. A device that
   /// cannot be opened gives a message and changes nothing.
-  void choose(Application& app, const std::string& name);
+  void choose(const std::string& name);
   const std::string& chosen() const { return chosen_; }
   /// A device that is none of those found leads until another is chosen, or until what led before gets it back. It is
   /// not remembered for the next start.
-  void lend(Application& app, std::unique_ptr<Device> device);
-  void giveBack(Application& app, const std::string& before);
+  void lend(std::unique_ptr<Device> device);
+  void giveBack(const std::string& before);
   /// The name of the device that was chosen earlier and is not there; empty: none is waited for.
   const std::string& awaited() const { return awaited_title_; }
   const DeviceStatus& status() const { return status_; }
 
   /// Pulls gently to the right for kTry_s, whatever is on the stage.
-  void tryForce(Application& app);
+  void tryForce();
   double tryingLeft_s() const { return trying_s_; }
 
   /// The length and the force in the molecule that a length and a newton at the hand stand for, and the reason. In a
@@ -67,26 +80,33 @@ class DeviceLink : public Extension {
   /// The part of them that is shown over the view: a soft start, which every touch begins with, only where it does not
   /// end; the panic key has words of its own. With a mouse, of which no motor needs care, only that the computer was
   /// late, while the hand pushes: the force that is shown falls then.
-  std::vector<std::string> limitNotices(const Application& app) const;
+  std::vector<std::string> limitNotices() const;
   /// The fraction of the last thousand or so ticks in each class of kLate_us and beyond.
   const std::array<float, kLate_us.size() + 1>& lateness() const { return lateness_; }
 
-  void beforeTicks(Application& app) override;
-  void afterPanels(Application& app) override;
+  void beforeTicks() override;
+  void afterPanels() override;
   bool live() const override { return chosen_ != "mouse" || trying_s_ > 0.0 || !awaited_.empty(); }
 
  private:
+  TouchScene& scene_;
+  Settings& settings_;
+  Messages& messages_;
+  PanelState& panels_;
+  const Layout& layout_;
+  const ApplicationOptions& options_;
+  const FrameTime& time_;
   const TaskStager& stager_;  // in the dark nothing may tell what is touched
-  std::optional<Problem> use(Application& app, const std::string& name, std::unique_ptr<Device> opened = nullptr);
-  void taken(Application& app, const std::string& name);
-  void begin(Application& app);
-  void look(Application& app);
-  double lookEvery_s(const Application& app) const;
-  void await(Application& app);
-  void offer(Application& app);
-  void leadView(Application& app);
-  void stopTrying(Application& app);
-  void ask(Application& app);
+  std::optional<Problem> use(const std::string& name, std::unique_ptr<Device> opened = nullptr);
+  void taken(const std::string& name);
+  void begin();
+  void look();
+  double lookEvery_s() const;
+  void await();
+  void offer();
+  void leadView();
+  void stopTrying();
+  void ask();
   void watchTicks(const std::vector<ServoSample>& ticks);
 
   std::vector<FoundDevice> found_;

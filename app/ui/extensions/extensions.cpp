@@ -7,6 +7,31 @@ namespace {
 constexpr float kPlayback = 88.0f, kTurn = 56.0f, kTurnAndPrediction = 136.0f;
 }
 
+Extensions::Extensions(Application& app)
+    : settings_keeper(app.settings, app.messages, app.options(), app.time()),
+      lesson_watch(app, app.scene, app.lesson, app.messages, app.options(), app.time()),
+      lesson_locks(app.scene, app.lesson, app.panels),
+      moving_states(app.scene, app.lesson, app.messages, app.options()),
+      recorder(moving_states, app, app.scene, app.lesson, app.messages, app.panels, app.options(), app.time()),
+      turns(recorder, app.scene, app.lesson, app.panels, app.time()),
+      playback(recorder, moving_states, app, app.scene, app.lesson, app.settings, app.messages, app.panels,
+               app.options(), app.time()),
+      name_asker(recorder, turns, playback, app, app.lesson, app.panels, app.options()),
+      scene_change(app.scene, app.settings, app.picture(), app.time()),
+      history(scene_change, app.scene),
+      shelf(recorder, app, app.lesson, app.settings, app.messages, app.panels, app.options()),
+      card_pictures(app.settings, app.options()),
+      lesson_pictures(app.options(), app.time()),
+      task_stager(app, app.scene, app.lesson, app.panels),
+      hand_model(app.settings, app.messages),
+      state_text(task_stager, app.scene, app.lesson, app.panels, app.time()),
+      touch_sound(app.scene, app.settings, app.messages, app.panels, app.options()),
+      measuring(app.scene),
+      own_look(app.scene),
+      touch_paint(task_stager, app.scene, app.lesson),
+      device(task_stager, app.scene, app.settings, app.messages, app.panels, app.layout(), app.options(), app.time()),
+      hand_recorder(recorder, device, app, app.scene, app.messages, app.panels, app.file_dialog, app.options()) {}
+
 float Extensions::stripHeight() const {
   if (playback.on()) return kPlayback;
   if (!turns.on()) return 0.0f;

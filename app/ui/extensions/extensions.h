@@ -23,13 +23,15 @@
 #include "app/ui/extensions/settings_keeper.h"
 #include "app/ui/extensions/state_text.h"
 #include "app/ui/extensions/task_stager.h"
+#include "app/ui/extensions/touch_paint.h"
 #include "app/ui/extensions/touch_sound.h"
-#include "app/ui/extensions/touch_traces.h"
 
 namespace moltact {
 
+class Application;
+
 struct Extensions final : ExtensionSet {
-  Extensions() = default;
+  explicit Extensions(Application& app);
   Extensions(const Extensions&) = delete;  // all_ holds the places of the members
   Extensions& operator=(const Extensions&) = delete;
 
@@ -37,25 +39,25 @@ struct Extensions final : ExtensionSet {
   SettingsKeeper settings_keeper;
   LessonWatch lesson_watch;
   LessonLocks lesson_locks;
+  MovingStates moving_states;
   AttemptRecorder recorder;
-  ClassTurns turns{recorder};
-  Playback playback{recorder};
-  NameAsker name_asker{recorder, turns, playback};
+  ClassTurns turns;
+  Playback playback;
+  NameAsker name_asker;
   SceneChange scene_change;
-  SceneHistory history{scene_change};
-  LessonShelf shelf{recorder};
+  SceneHistory history;
+  LessonShelf shelf;
   CardPictures card_pictures;
   LessonPictures lesson_pictures;
   TaskStager task_stager;
-  MovingStates moving_states;
   HandModel hand_model;
-  StateText state_text{task_stager};
+  StateText state_text;
   TouchSound touch_sound;
   Measuring measuring;
   OwnLook own_look;
-  TouchTraces touch_traces{task_stager};
-  DeviceLink device{task_stager};
-  HandRecorder hand_recorder{recorder, device};
+  TouchPaint touch_paint;
+  DeviceLink device;
+  HandRecorder hand_recorder;
 
   float stripHeight() const override;
   std::span<Extension* const> all() const override { return all_; }
@@ -67,7 +69,7 @@ struct Extensions final : ExtensionSet {
   std::array<Extension*, 22> all_{&settings_keeper, &lesson_watch,  &lesson_locks, &name_asker,    &recorder,
                                   &turns,           &playback,      &history,      &scene_change,  &hand_model,
                                   &shelf,           &card_pictures, &task_stager,  &moving_states, &state_text,
-                                  &touch_sound,     &measuring,     &touch_traces, &device,        &hand_recorder,
+                                  &touch_sound,     &measuring,     &touch_paint,  &device,        &hand_recorder,
                                   &lesson_pictures, &own_look};
 };
 

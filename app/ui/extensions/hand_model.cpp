@@ -1,20 +1,20 @@
 #include "app/ui/extensions/hand_model.h"
 
-#include "app/ui/application/application.h"
+#include "app/ui/widgets/messages.h"
 #include "engine/platform/folders.h"
 
 namespace moltact {
 
-void HandModel::beforeTicks(Application& app) {
-  if (app.settings.probe_look == look_) return;
-  look_ = app.settings.probe_look;
+void HandModel::beforeTicks() {
+  if (settings_.probe_look == look_) return;
+  look_ = settings_.probe_look;
   model_ = nullptr;
   if (look_ != ProbeLook::Stylus) return;
   Expected<SolidModel> read = readGltf(assetsFolder() / "models" / (std::string(probeLookName(look_)) + ".glb"));
   if (read)
     model_ = std::make_shared<const SolidModel>(*std::move(read));
   else
-    app.messages.error(read.problem().text());
+    messages_.error(read.problem().text());
 }
 
 }  // namespace moltact

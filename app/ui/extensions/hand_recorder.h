@@ -13,43 +13,62 @@
 
 namespace moltact {
 
+struct ApplicationOptions;
 class AttemptRecorder;
 class DeviceLink;
+class FileDialog;
+class Opener;
+struct PanelState;
 
 class HandRecorder : public Extension {
  public:
-  HandRecorder(AttemptRecorder& recorder, DeviceLink& device) : attempts_(recorder), link_(device) {}
+  HandRecorder(AttemptRecorder& recorder, DeviceLink& device, Opener& opener, TouchScene& scene, Messages& messages,
+               PanelState& panels, FileDialog& file_dialog, const ApplicationOptions& options)
+      : opener_(opener),
+        scene_(scene),
+        messages_(messages),
+        panels_(panels),
+        file_dialog_(file_dialog),
+        options_(options),
+        attempts_(recorder),
+        link_(device) {}
 
   /// Asks for a file, then records until stop(), or until another molecule or method is on the stage.
-  void askToRecord(Application& app);
-  void record(Application& app, const std::filesystem::path& file);
-  void stop(Application& app);
+  void askToRecord();
+  void record(const std::filesystem::path& file);
+  void stop();
   bool recording() const { return writer_.has_value(); }
   double recorded_s() const { return double(ticks_) * kTick_s; }
 
   /// Opens its molecule and leads the hand by it. A file that is no recording gives a message and changes nothing.
-  void play(Application& app, const std::filesystem::path& file);
+  void play(const std::filesystem::path& file);
   /// The device that led before leads again.
-  void endPlay(Application& app);
+  void endPlay();
   bool playing() const { return playing_; }
   double at_s() const;
   double length_s() const;
   std::string name() const { return file_.filename().string(); }
 
-  void beforeOpening(Application& app, FileKind kind) override;
-  bool open(Application& app, FileKind kind, const std::filesystem::path& file) override;
-  void beforeTicks(Application& app) override;
-  void afterPanels(Application& app) override;
-  void atEnd(Application& app) override;
+  void beforeOpening(FileKind kind) override;
+  bool open(FileKind kind, const std::filesystem::path& file) override;
+  void beforeTicks() override;
+  void afterPanels() override;
+  void atEnd() override;
   bool live() const override { return recording() || playing_ || waiting_; }
   bool leadsHand() const override { return playing_; }
 
  private:
+  Opener& opener_;
+  TouchScene& scene_;
+  Messages& messages_;
+  PanelState& panels_;
+  FileDialog& file_dialog_;
+  const ApplicationOptions& options_;
   AttemptRecorder& attempts_;  // rests while a recording plays
   DeviceLink& link_;           // gets the playing hand as a device
-  void drain(Application& app);
-  void begin(Application& app);
-  void lead(Application& app);
+  void drain();
+  void begin();
+  void lead();
   std::string label(const char* key) const;
 
   std::filesystem::path file_;  // the one that is written or played

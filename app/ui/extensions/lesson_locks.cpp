@@ -1,25 +1,26 @@
 #include "app/ui/extensions/lesson_locks.h"
 
-#include "app/ui/application/application.h"
+#include "app/ui/application/panel_state.h"
+#include "app/ui/lesson/lesson_guide.h"
 
 namespace moltact {
 
-void LessonLocks::afterPanels(Application& app) {
-  if (!app.lesson.session()) return;
-  const SceneSpec& spec = app.lesson.session()->scene();
+void LessonLocks::afterPanels() {
+  if (!lesson_.session()) return;
+  const SceneSpec& spec = lesson_.session()->scene();
   // A task may change the scene while it is under way.
-  const TaskStage stage = app.lesson.session()->taskStage();
+  const TaskStage stage = lesson_.session()->taskStage();
   const TouchSetup set = stage.touch.over(spec.touch);
-  TouchSetup touch = app.scene.touch();
+  TouchSetup touch = scene_.touch();
   for (const TouchProperty& property : touchProperties())
     if (spec.locks(property.key)) setTouchValue(touch, property, touchValue(set, property));
-  app.scene.setTouch(touch);
+  scene_.setTouch(touch);
   if (spec.locks("show")) {
-    app.scene.shown = app.lesson.shownParts();
-    app.scene.look = app.lesson.looks();
-    app.scene.colour_by = colourBy(spec);
+    scene_.shown = lesson_.shownParts();
+    scene_.look = lesson_.looks();
+    scene_.colour_by = colourBy(spec);
   }
-  if (spec.locks("panels")) app.panels.enforceLessonPanels(spec.panels);
+  if (spec.locks("panels")) panels_.enforceLessonPanels(spec.panels);
 }
 
 }  // namespace moltact

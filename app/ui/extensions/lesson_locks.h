@@ -6,9 +6,20 @@
 
 namespace moltact {
 
+class LessonGuide;
+struct PanelState;
+
 class LessonLocks : public Extension {
  public:
-  void afterPanels(Application& app) override;
+  LessonLocks(TouchScene& scene, const LessonGuide& lesson, PanelState& panels)
+      : scene_(scene), lesson_(lesson), panels_(panels) {}
+
+  void afterPanels() override;
+
+ private:
+  TouchScene& scene_;
+  const LessonGuide& lesson_;
+  PanelState& panels_;
 };
 
 }  // namespace moltact

@@ -3,7 +3,7 @@
 #include <chrono>
 #include <utility>
 
-#include "app/ui/application/application.h"
+#include "app/ui/application/application_options.h"
 #include "app/ui/widgets/imgui_versions.h"
 #include "engine/language/catalogue.h"
 #include "engine/platform/background.h"
@@ -49,7 +49,8 @@ struct LessonPictures::Kept {
   }
 };
 
-LessonPictures::LessonPictures() = default;
+LessonPictures::LessonPictures(const ApplicationOptions& options, const FrameTime& time)
+    : options_(options), time_(time) {}
 LessonPictures::~LessonPictures() = default;
 
 const LessonPictures::Shown& LessonPictures::find(const fs::path& file) {
@@ -61,19 +62,19 @@ const LessonPictures::Shown& LessonPictures::find(const fs::path& file) {
   return at->second->shown;
 }
 
-void LessonPictures::lessonChanged(Application&) {
+void LessonPictures::lessonChanged() {
   kept_.clear();
   queue_.clear();
 }
 
-void LessonPictures::afterPanels(Application& app) {
-  const bool wait = app.options().clock == ServoClock::Frames;  // the same in every run
+void LessonPictures::afterPanels() {
+  const bool wait = options_.clock == ServoClock::Frames;  // the same in every run
   if (job_.valid() && (wait || job_.wait_for(std::chrono::seconds(0)) == std::future_status::ready)) {
     Job done = job_.get();
     if (const auto at = kept_.find(done.file); at != kept_.end()) {
       Kept& kept = *at->second;
       kept.shown = {{}, done.width_px, done.height_px, std::move(done.fault)};
-      kept.failed_s = app.now_s();
+      kept.failed_s = time_.now_s;
       if (done.picture) {
         kept.texture = textureFor(*done.picture);
         kept.shown.texture = textureOf(kept.texture);
@@ -82,8 +83,8 @@ void LessonPictures::afterPanels(Application& app) {
   }
   if (!job_.valid() && queue_.empty())
     for (auto& [file, kept] : kept_) {
-      if (kept->shown.fault.empty() || app.now_s() - kept->failed_s < kPictureAgain_s) continue;
-      kept->failed_s = app.now_s();
+      if (kept->shown.fault.empty() || time_.now_s - kept->failed_s < kPictureAgain_s) continue;
+      kept->failed_s = time_.now_s;
       std::error_code error;
       if (fs::exists(file, error)) queue_.push_back(file);
     }

@@ -18,9 +18,11 @@
 
 namespace moltact {
 
+struct ApplicationOptions;
+
 class LessonPictures : public Extension {
  public:
-  LessonPictures();
+  LessonPictures(const ApplicationOptions& options, const FrameTime& time);
   ~LessonPictures() override;
 
   struct Shown {
@@ -31,12 +33,14 @@ class LessonPictures : public Extension {
   /// Asking for a file's picture has it read.
   const Shown& find(const std::filesystem::path& file);
 
-  void afterPanels(Application& app) override;
+  void afterPanels() override;
   /// Files may have changed with the lesson.
-  void lessonChanged(Application& app) override;
+  void lessonChanged() override;
   bool live() const override { return !queue_.empty() || job_.valid(); }
 
  private:
+  const ApplicationOptions& options_;
+  const FrameTime& time_;
   struct Kept;
   struct Job {
     std::filesystem::path file;

@@ -4,11 +4,15 @@
 #include <system_error>
 #include <tuple>
 
-#include "app/ui/application/application.h"
+#include "app/ui/application/application_options.h"
+#include "app/ui/application/opener.h"
+#include "app/ui/application/panel_state.h"
 #include "app/ui/extensions/attempt_recorder.h"
 #include "app/ui/files/library.h"
 #include "app/ui/files/own_lessons.h"
 #include "app/ui/files/user_folders.h"
+#include "app/ui/lesson/lesson_guide.h"
+#include "app/ui/widgets/messages.h"
 #include "engine/language/catalogue.h"
 #include "engine/lesson/reader.h"
 #include "engine/pack/unpack.h"
@@ -41,16 +45,16 @@ fs::path lessonFolderOf(const Settings& settings) {
   return settings.lesson_folder.empty() ? ownLessonsFolder() : fs::path(settings.lesson_folder);
 }
 
-fs::path packsFolderOf(const Application& app) {
-  return app.options().packs_folder.empty() ? packsFolder() : app.options().packs_folder;
+fs::path packsFolderOf(const ApplicationOptions& options) {
+  return options.packs_folder.empty() ? packsFolder() : options.packs_folder;
 }
 
-void LessonShelf::list(const Application& app) {
+void LessonShelf::list() {
   cards_.clear();
   next_ = 0;
   listed_in_ = language();
   std::vector<LessonProgress> progress;
-  if (!app.options().attempts_folder.empty()) progress = readProgress(app.options().attempts_folder);
+  if (!options_.attempts_folder.empty()) progress = readProgress(options_.attempts_folder);
   const auto cardOf = [&](const LibraryItem& item, bool own) {
     LessonCard card;
     card.file = item.file;
@@ -62,11 +66,11 @@ void LessonShelf::list(const Application& app) {
     return card;
   };
   for (const LibraryItem& item : lessons()) cards_.push_back(cardOf(item, false));
-  if (const fs::path own = lessonFolderOf(app.settings); !own.empty())
+  if (const fs::path own = lessonFolderOf(settings_); !own.empty())
     for (const LibraryItem& item : lessonItems(own)) cards_.push_back(cardOf(item, true));
-  for (const LibraryItem& item : packedLessons(packsFolderOf(app))) cards_.push_back(cardOf(item, true));
+  for (const LibraryItem& item : packedLessons(packsFolderOf(options_))) cards_.push_back(cardOf(item, true));
   // Opened from anywhere else: once something was done in it, and unless the same lesson is there already.
-  for (const LibraryItem& item : lessonsAmong(app.settings.recent)) {
+  for (const LibraryItem& item : lessonsAmong(settings_.recent)) {
     LessonCard card = cardOf(item, true);
     const bool there = std::any_of(cards_.begin(), cards_.end(), [&](const LessonCard& c) {
       return c.file.filename() == card.file.filename() && c.title == card.title;
@@ -75,36 +79,36 @@ void LessonShelf::list(const Application& app) {
   }
 }
 
-void LessonShelf::begin(Application& app, const LessonCard& card) {
+void LessonShelf::begin(const LessonCard& card) {
   const fs::path lesson = card.file, attempt = card.progress && card.progress->canResume() ? card.progress->file : "";
   if (attempt.empty())
-    app.open(lesson);
+    opener_.open(lesson);
   else
-    recorder_.resume(app, lesson, attempt);
+    recorder_.resume(lesson, attempt);
 }
 
-fs::path LessonShelf::add(Application& app, const fs::path& file) {
-  const Expected<fs::path> lesson = addLesson(file, packsFolderOf(app));
+fs::path LessonShelf::add(const fs::path& file) {
+  const Expected<fs::path> lesson = addLesson(file, packsFolderOf(options_));
   if (!lesson) {
-    app.messages.error(lesson.problem().text());
+    messages_.error(lesson.problem().text());
     return {};
   }
-  list(app);
-  app.messages.notice(trf("On the shelf: {0}", lessonItem(*lesson).label));
+  list();
+  messages_.notice(trf("On the shelf: {0}", lessonItem(*lesson).label));
   return *lesson;
 }
 
-bool LessonShelf::open(Application& app, FileKind kind, const fs::path& file) {
+bool LessonShelf::open(FileKind kind, const fs::path& file) {
   if (kind != FileKind::Pack) return false;
   recorder_.flush();  // the lesson may be the one that is open
-  const fs::path lesson = add(app, file);
+  const fs::path lesson = add(file);
   const auto card = std::find_if(cards_.begin(), cards_.end(), [&](const LessonCard& c) { return c.file == lesson; });
   if (card != cards_.end())
-    begin(app, LessonCard(*card));
+    begin(LessonCard(*card));
   else if (!lesson.empty())
-    app.open(lesson);
+    opener_.open(lesson);
   else
-    app.panels.welcome = app.panels.welcome || !app.hasWork();
+    panels_.welcome = panels_.welcome || !opener_.hasWork();
   return true;
 }
 
@@ -122,12 +126,12 @@ const LessonCard* LessonShelf::latest() const {
   return best;
 }
 
-void LessonShelf::afterPanels(Application& app) {
-  const bool opened = app.panels.welcome && !open_, other_language = listed_in_ != language();
-  open_ = app.panels.welcome;
-  const LessonSession* session = app.lesson.session();
+void LessonShelf::afterPanels() {
+  const bool opened = panels_.welcome && !open_, other_language = listed_in_ != language();
+  open_ = panels_.welcome;
+  const LessonSession* session = lesson_.session();
   const bool asked = !open_ && session && !session->hasNext() && session->finished();
-  if (opened || ((open_ || asked) && other_language)) list(app);
+  if (opened || ((open_ || asked) && other_language)) list();
   if ((!open_ && !asked) || next_ >= cards_.size()) return;
   read(cards_[next_++]);
   if (next_ < cards_.size()) return;

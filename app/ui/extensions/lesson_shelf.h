@@ -31,11 +31,24 @@ struct LessonCard {
   std::optional<LessonProgress> progress;  ///< none: never begun
 };
 
+struct ApplicationOptions;
 class AttemptRecorder;
+class LessonGuide;
+class Messages;
+class Opener;
+struct PanelState;
 
 class LessonShelf : public Extension {
  public:
-  explicit LessonShelf(AttemptRecorder& recorder) : recorder_(recorder) {}
+  LessonShelf(AttemptRecorder& recorder, Opener& opener, const LessonGuide& lesson, const Settings& settings,
+              Messages& messages, PanelState& panels, const ApplicationOptions& options)
+      : opener_(opener),
+        lesson_(lesson),
+        settings_(settings),
+        messages_(messages),
+        panels_(panels),
+        options_(options),
+        recorder_(recorder) {}
 
   /// The program's lessons, then the person's own; of each first those to which their authors gave a place, in that
   /// order, then the program's by level and the own by title. Each in the language in use where it has it.
@@ -44,22 +57,28 @@ class LessonShelf : public Extension {
   const LessonCard* latest() const;
 
   /// Opens a lesson where it was left, or at its beginning. One that asks for a name goes on when that is given.
-  void begin(Application& app, const LessonCard& card);
+  void begin(const LessonCard& card);
   /// Puts a pack, or a lesson file with all that it needs, on the shelf; tells what came of it. Empty where that cannot
   /// be.
-  std::filesystem::path add(Application& app, const std::filesystem::path& file);
+  std::filesystem::path add(const std::filesystem::path& file);
 
   /// A pack: put on the shelf and begun.
-  bool open(Application& app, FileKind kind, const std::filesystem::path& file) override;
+  bool open(FileKind kind, const std::filesystem::path& file) override;
   /// The lesson that stands after this file's; null where none does, or the shelf has not been read yet.
   const LessonCard* after(const std::filesystem::path& file) const;
   /// Reads the lessons again while the welcome page is open, starting when it is opened; once too when a lesson is
   /// finished, whose card tells what comes next.
-  void afterPanels(Application& app) override;
+  void afterPanels() override;
   bool live() const override { return next_ < cards_.size(); }
 
  private:
-  void list(const Application& app);
+  Opener& opener_;
+  const LessonGuide& lesson_;
+  const Settings& settings_;
+  Messages& messages_;
+  PanelState& panels_;
+  const ApplicationOptions& options_;
+  void list();
 
   AttemptRecorder& recorder_;
   std::vector<LessonCard> cards_;
@@ -71,6 +90,6 @@ class LessonShelf : public Extension {
 /// Where the person's own lessons are looked for: the folder of the settings, else ownLessonsFolder().
 std::filesystem::path lessonFolderOf(const Settings& settings);
 /// Where packs are unpacked: the folder of the options, else packsFolder().
-std::filesystem::path packsFolderOf(const Application& app);
+std::filesystem::path packsFolderOf(const ApplicationOptions& options);
 
 }  // namespace moltact

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <chrono>
 
-#include "app/ui/application/application.h"
+#include "app/ui/application/application_options.h"
+#include "app/ui/application/opener.h"
+#include "app/ui/widgets/messages.h"
 #include "engine/language/catalogue.h"
 #include "engine/lesson/lesson_files.h"
 #include "engine/platform/background.h"
@@ -48,13 +50,13 @@ void LessonWatch::watch(const fs::path& file) {
   errors_ = 0;
 }
 
-void LessonWatch::lessonChanged(Application& app) {
-  if (app.lesson.openings() == own_opening_ && app.lesson.file() == file_) return;
-  watch(app.lesson.file());
+void LessonWatch::lessonChanged() {
+  if (lesson_.openings() == own_opening_ && lesson_.file() == file_) return;
+  watch(lesson_.file());
   begin();
 }
 
-void LessonWatch::lessonRefused(Application&, const fs::path& file) {
+void LessonWatch::lessonRefused(const fs::path& file) {
   watch(file);
   // What is wrong with a file that a person has just chosen is told at once.
   const Expected<std::string> bytes = readLessonFile(file);
@@ -63,14 +65,14 @@ void LessonWatch::lessonRefused(Application&, const fs::path& file) {
   read_ = seen_;
 }
 
-void LessonWatch::beforeTicks(Application& app) {
-  if (running_.valid() && (app.options().clock == ServoClock::Frames ||
+void LessonWatch::beforeTicks() {
+  if (running_.valid() && (options_.clock == ServoClock::Frames ||
                            running_.wait_for(std::chrono::seconds(0)) == std::future_status::ready)) {
     LessonCheck check = running_.get();
-    if (checking_ == file_) takeUp(app, std::move(check));
+    if (checking_ == file_) takeUp(std::move(check));
   }
-  since_check_s_ += app.dt_s();
-  since_poll_s_ += app.dt_s();
+  since_check_s_ += time_.dt_s;
+  since_poll_s_ += time_.dt_s;
   if (file_.empty() || running_.valid() || since_poll_s_ < kPoll_s) return;
   since_poll_s_ = 0.0;
   poll();
@@ -112,8 +114,8 @@ void LessonWatch::begin() {
   running_ = inBackground(work);
 }
 
-void LessonWatch::takeUp(Application& app, LessonCheck check) {
-  const bool is_shown = shown(app.lesson), first = is_shown && bytes_.empty() && !changed_;
+void LessonWatch::takeUp(LessonCheck check) {
+  const bool is_shown = shown(lesson_), first = is_shown && bytes_.empty() && !changed_;
   if (first) {
     // The lesson that has just been opened: it is the text on the screen, whatever is wrong with it.
     bytes_ = pending_bytes_;
@@ -127,15 +129,15 @@ void LessonWatch::takeUp(Application& app, LessonCheck check) {
   if (!check.errors.empty() || !check.lesson) return;
   if (!is_shown) {
     // A copy: opening it makes this watch look at it anew.
-    app.open(fs::path(file_));
+    opener_.open(fs::path(file_));
     return;
   }
   if (!another) return;
   bytes_ = pending_bytes_;
-  app.lesson.replace(*std::move(check.lesson));
-  own_opening_ = app.lesson.openings();
-  app.scene.startSoftly();
-  app.messages.notice(trf("Read again: {0}", file_.filename().string()));
+  lesson_.replace(*std::move(check.lesson));
+  own_opening_ = lesson_.openings();
+  scene_.startSoftly();
+  messages_.notice(trf("Read again: {0}", file_.filename().string()));
 }
 
 void LessonWatch::list(const LessonCheck& check) {

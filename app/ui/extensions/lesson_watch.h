@@ -17,8 +17,16 @@
 
 namespace moltact {
 
+struct ApplicationOptions;
+class Messages;
+class Opener;
+
 class LessonWatch : public Extension {
  public:
+  LessonWatch(Opener& opener, TouchScene& scene, LessonGuide& lesson, Messages& messages,
+              const ApplicationOptions& options, const FrameTime& time)
+      : opener_(opener), scene_(scene), lesson_(lesson), messages_(messages), options_(options), time_(time) {}
+
   struct Fault {
     bool error = true;  ///< false: a warning
     Problem problem;
@@ -36,12 +44,18 @@ class LessonWatch : public Extension {
   bool shown(const LessonGuide& lesson) const;
 
   /// It is watched, and opened once it can be.
-  void lessonRefused(Application& app, const std::filesystem::path& file) override;
-  void beforeTicks(Application& app) override;
-  void lessonChanged(Application& app) override;
+  void lessonRefused(const std::filesystem::path& file) override;
+  void beforeTicks() override;
+  void lessonChanged() override;
   bool live() const override { return running_.valid(); }
 
  private:
+  Opener& opener_;
+  TouchScene& scene_;
+  LessonGuide& lesson_;
+  Messages& messages_;
+  const ApplicationOptions& options_;
+  const FrameTime& time_;
   /// How a file looks from outside; editors change at least one of these when they save.
   struct Look {
     std::filesystem::file_time_type written{};
@@ -54,7 +68,7 @@ class LessonWatch : public Extension {
   void watch(const std::filesystem::path& file);
   void poll();
   void begin();
-  void takeUp(Application& app, LessonCheck check);
+  void takeUp(LessonCheck check);
   void list(const LessonCheck& check);
 
   std::filesystem::path file_, checking_;

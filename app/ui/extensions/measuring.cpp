@@ -1,20 +1,19 @@
 #include "app/ui/extensions/measuring.h"
 
-#include "app/ui/application/application.h"
 #include "app/ui/lesson/scene_marks.h"
 #include "engine/haptics/sweep.h"
 #include "engine/language/catalogue.h"
 
 namespace moltact {
 
-std::optional<std::uint32_t> atomAt(const Application& app, glm::dvec2 px, glm::dvec2 view_px) {
-  const Stage& stage = app.scene.stage();
+std::optional<std::uint32_t> atomAt(const TouchScene& scene, glm::dvec2 px, glm::dvec2 view_px) {
+  const Stage& stage = scene.stage();
   if (!stage) return std::nullopt;
-  const ViewRays rays = viewRays(app.scene.camera, view_px);
+  const ViewRays rays = viewRays(scene.camera, view_px);
   const Vec3 along = rays.direction(px);
   const double far_A = glm::distance(rays.eye_A, stage.middle.A) + 2.0 * stage.reach_A;
   double from_A = 0.0;
-  if (const auto& cut = app.scene.look.cut) {  // what is cut away is not seen
+  if (const auto& cut = scene.look.cut) {  // what is cut away is not seen
     const double beyond_A = glm::dot(cut->normal, rays.eye_A) - cut->offset_A, toward = -glm::dot(cut->normal, along);
     if (beyond_A > 0.0 && toward <= 0.0) return std::nullopt;
     if (beyond_A > 0.0) from_A = beyond_A / toward;
@@ -66,9 +65,9 @@ void Measuring::write(const Molecule& molecule) {
   drawn_ = out->labels.empty() && out->measures.empty() ? nullptr : std::move(out);
 }
 
-void Measuring::sceneChanged(Application& app) {
-  if (app.scene.stage().molecule == molecule_) return;
-  molecule_ = app.scene.stage().molecule;
+void Measuring::sceneChanged() {
+  if (scene_.stage().molecule == molecule_) return;
+  molecule_ = scene_.stage().molecule;
   clear();
 }
 

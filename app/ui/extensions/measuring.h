@@ -13,10 +13,12 @@
 namespace moltact {
 
 /// The atom that is seen at a place of the view (unit: pixel from its upper left corner); none: beside the molecule.
-std::optional<std::uint32_t> atomAt(const Application& app, glm::dvec2 px, glm::dvec2 view_px);
+std::optional<std::uint32_t> atomAt(const TouchScene& scene, glm::dvec2 px, glm::dvec2 view_px);
 
 class Measuring final : public Extension {
  public:
+  explicit Measuring(const TouchScene& scene) : scene_(scene) {}
+
   /// While it is on, clicks in the view are places and do not push.
   bool on() const { return on_; }
   void switchOn(bool on);
@@ -34,9 +36,10 @@ class Measuring final : public Extension {
   const std::string& text() const { return text_; }
 
   /// Measures belong to a molecule.
-  void sceneChanged(Application& app) override;
+  void sceneChanged() override;
 
  private:
+  const TouchScene& scene_;
   void write(const Molecule& molecule);
 
   bool on_ = false;

@@ -6,7 +6,9 @@
 #include <exception>
 #include <utility>
 
-#include "app/ui/application/application.h"
+#include "app/ui/application/application_options.h"
+#include "app/ui/lesson/lesson_guide.h"
+#include "app/ui/widgets/messages.h"
 #include "engine/language/catalogue.h"
 #include "engine/lesson/lesson_molecules.h"
 #include "engine/molecule/reader.h"
@@ -40,61 +42,61 @@ void MovingStates::forget() {
   share_ = wanted_ = 0.0;
 }
 
-void MovingStates::sceneChanged(Application& app) {
-  const LessonSession* session = app.lesson.session();
-  if (!session || !app.lesson.onStage() || session->scene().then.molecule.empty()) return forget();
+void MovingStates::sceneChanged() {
+  const LessonSession* session = lesson_.session();
+  if (!session || !lesson_.onStage() || session->scene().then.molecule.empty()) return forget();
   const SceneSpec& scene = session->scene();
-  const std::shared_ptr<const Molecule>& molecule = app.scene.stage().molecule;
+  const std::shared_ptr<const Molecule>& molecule = scene_.stage().molecule;
   names_ = {stateName(scene, 0), stateName(scene, 1)};
   const bool known = states_ && molecule == molecule_ && then_.molecule == scene.then.molecule &&
                      then_.superposed_on == scene.then.superposed_on;
   then_ = scene.then;
   if (known) {
     // The scene has begun anew, with the atoms at rest in the first state.
-    begin(app);
+    begin();
     return;
   }
   forget();
   then_ = scene.then;
   molecule_ = molecule;
-  const Expected<MoleculeKey> key = lessonMolecule(app.lesson.file(), secondMolecule(scene));
+  const Expected<MoleculeKey> key = lessonMolecule(lesson_.file(), secondMolecule(scene));
   if (!key) {
-    app.messages.error(key.problem().text());
+    messages_.error(key.problem().text());
     return;
   }
   file_ = key->file;
   reading_ = inBackground(readStates, scene, molecule, *key);
-  if (app.options().clock == ServoClock::Frames) take(app);
+  if (options_.clock == ServoClock::Frames) take();
 }
 
-void MovingStates::take(Application& app) {
+void MovingStates::take() {
   Expected<TwoStates> states = reading_.get();
   if (!states) {
-    app.messages.error(states.problem().text());
+    messages_.error(states.problem().text());
     return;
   }
   states_ = std::make_shared<const TwoStates>(*std::move(states));
   double farthest_A = 0.0;
   for (std::size_t i = 0; i < states_->first.size(); ++i)
-    if (app.scene.stage().balls->touchable(i))
+    if (scene_.stage().balls->touchable(i))
       farthest_A = std::max(farthest_A, glm::distance(states_->first[i].centre_A, states_->second[i].centre_A));
   per_s_ = farthest_A > 0.0 ? std::min(1.0 / kLeast_s, kFastest_A_per_s / farthest_A) : 1.0 / kLeast_s;
-  begin(app);
+  begin();
 }
 
-void MovingStates::begin(Application& app) {
+void MovingStates::begin() {
   share_ = wanted_ = then_.share;
   if (share_ == 0.0) return;
   const std::vector<Ball> places = states_->at(share_);
-  app.scene.placeAtoms(places);
+  scene_.placeAtoms(places);
   // The same each time the scene begins again, so that its tasks stay.
   if (!begins_ || begins_share_ != share_) begins_ = std::make_shared<const Molecule>(movedTo(*molecule_, places));
   begins_share_ = share_;
-  app.lesson.beginFrom(begins_);
+  lesson_.beginFrom(begins_);
 }
 
-void MovingStates::show(Application& app, const MoleculeKey& other, const SecondState& then) {
-  const std::shared_ptr<const Molecule>& molecule = app.scene.stage().molecule;
+void MovingStates::show(const MoleculeKey& other, const SecondState& then) {
+  const std::shared_ptr<const Molecule>& molecule = scene_.stage().molecule;
   const bool known = molecule == molecule_ && file_ == other.file && then_.superposed_on == then.superposed_on;
   if (!known) {
     forget();
@@ -104,24 +106,24 @@ void MovingStates::show(Application& app, const MoleculeKey& other, const Second
     SceneSpec scene;
     scene.then = then;
     reading_ = inBackground(readStates, scene, molecule, other);
-    if (app.options().clock == ServoClock::Frames) take(app);
+    if (options_.clock == ServoClock::Frames) take();
     return;
   }
   if (!states_ || share_ == then.share) return;
   share_ = wanted_ = then.share;
-  app.scene.placeAtoms(states_->at(share_));
+  scene_.placeAtoms(states_->at(share_));
 }
 
 void MovingStates::goTo(double share) {
   if (std::isfinite(share)) wanted_ = std::clamp(share, 0.0, 1.0);
 }
 
-void MovingStates::beforeTicks(Application& app) {
-  if (reading_.valid() && reading_.wait_for(std::chrono::seconds(0)) == std::future_status::ready) take(app);
-  if (!states_ || share_ == wanted_ || app.scene.stage().molecule != molecule_) return;
+void MovingStates::beforeTicks() {
+  if (reading_.valid() && reading_.wait_for(std::chrono::seconds(0)) == std::future_status::ready) take();
+  if (!states_ || share_ == wanted_ || scene_.stage().molecule != molecule_) return;
   const double most = per_s_ * kMotion_ticks * kTick_s, next = share_ + std::clamp(wanted_ - share_, -most, most);
   // Until the motion before has begun there is no room for another.
-  if (app.scene.moveAtoms(states_->at(next), kMotion_ticks)) share_ = next;
+  if (scene_.moveAtoms(states_->at(next), kMotion_ticks)) share_ = next;
 }
 
 }  // namespace moltact

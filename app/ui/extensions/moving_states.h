@@ -14,14 +14,21 @@
 
 namespace moltact {
 
+struct ApplicationOptions;
+class LessonGuide;
+class Messages;
+
 class MovingStates : public Extension {
  public:
+  MovingStates(TouchScene& scene, LessonGuide& lesson, Messages& messages, const ApplicationOptions& options)
+      : scene_(scene), lesson_(lesson), messages_(messages), options_(options) {}
+
   /// No atom that can be felt moves faster, and the whole way takes at least so long.
   static constexpr double kFastest_A_per_s = 8.0, kLeast_s = 1.5;
 
-  void sceneChanged(Application& app) override;
-  void lessonChanged(Application& app) override { sceneChanged(app); }
-  void beforeTicks(Application& app) override;
+  void sceneChanged() override;
+  void lessonChanged() override { sceneChanged(); }
+  void beforeTicks() override;
   bool live() const override { return reading_.valid() || (states_ && share_ != wanted_); }
 
   /// Whether the scene has two states, and both have been read.
@@ -36,14 +43,18 @@ class MovingStates : public Extension {
   const std::filesystem::path& file() const { return file_; }
   /// In a playback: the atoms of the molecule on the stage stand at this share of the way to another structure, once that
   /// has been read.
-  void show(Application& app, const MoleculeKey& other, const SecondState& then);
+  void show(const MoleculeKey& other, const SecondState& then);
   /// What the two are called.
   const std::string& name(int state) const { return names_[std::size_t(state)]; }
 
  private:
+  TouchScene& scene_;
+  LessonGuide& lesson_;
+  Messages& messages_;
+  const ApplicationOptions& options_;
   void forget();
-  void take(Application& app);
-  void begin(Application& app);
+  void take();
+  void begin();
 
   std::filesystem::path file_;                // of the second structure
   SecondState then_;                          // what states_ was made of, with

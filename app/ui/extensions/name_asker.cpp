@@ -1,15 +1,16 @@
 #include "app/ui/extensions/name_asker.h"
 
-#include <optional>
 #include <utility>
 
-#include "app/ui/application/application.h"
+#include "app/ui/application/application_options.h"
+#include "app/ui/application/opener.h"
+#include "app/ui/application/panel_state.h"
 #include "app/ui/extensions/attempt_recorder.h"
 #include "app/ui/extensions/class_turns.h"
 #include "app/ui/extensions/playback.h"
+#include "app/ui/lesson/lesson_guide.h"
 #include "engine/core/printable.h"
 #include "engine/core/text.h"
-#include "engine/results/progress.h"
 
 namespace moltact {
 namespace {
@@ -25,57 +26,57 @@ std::string cleaned(const std::string& name) {
   return cut;
 }
 
-std::optional<LessonProgress> lastAttempt(const Application& app, const std::optional<std::string>& student = {}) {
-  const Lesson& lesson = app.lesson.session()->lesson();
-  for (LessonProgress& p : readProgress(app.options().attempts_folder, student))
-    if (p.isOf(app.lesson.file(), lesson.title)) return std::move(p);
+}  // namespace
+
+std::optional<LessonProgress> NameAsker::lastAttempt(const std::optional<std::string>& student) const {
+  const Lesson& lesson = lesson_.session()->lesson();
+  for (LessonProgress& p : readProgress(options_.attempts_folder, student))
+    if (p.isOf(lesson_.file(), lesson.title)) return std::move(p);
   return std::nullopt;
 }
 
-}  // namespace
-
 // Whatever else has paused the recorder and lets it go on: not before the answer.
-void NameAsker::beforeTicks(Application&) {
+void NameAsker::beforeTicks() {
   if (asking_) recorder_.pause(true);
 }
 
-void NameAsker::lessonChanged(Application& app) {
-  const bool same = session_ == app.lesson.session();  // read again
-  session_ = app.lesson.session();
+void NameAsker::lessonChanged() {
+  const bool same = session_ == lesson_.session();  // read again
+  session_ = lesson_.session();
   if (!same && std::exchange(asking_, false)) recorder_.pause(false);
-  if (same || giving_ || turns_.on() || playback_.on() || app.options().attempts_folder.empty()) return;
-  const Lesson& lesson = app.lesson.session()->lesson();
+  if (same || giving_ || turns_.on() || playback_.on() || options_.attempts_folder.empty()) return;
+  const Lesson& lesson = lesson_.session()->lesson();
   // A lesson that does not ask does not get a name that was given to another.
   if (!recorder_.student().empty() && recorder_.student() == given_) recorder_.forgetStudent();
-  if (!lesson.ask.empty()) ask(app, lesson.ask == "code");
+  if (!lesson.ask.empty()) ask(lesson.ask == "code");
 }
 
-void NameAsker::ask(Application& app, bool code) {
+void NameAsker::ask(bool code) {
   recorder_.finish();
-  app.panels.teacher_notes = false;
+  panels_.teacher_notes = false;
   asking_ = true;
   code_ = code;
   draft = given_;
   if (draft.empty())
-    if (const auto last = lastAttempt(app)) draft = last->student;
+    if (const auto last = lastAttempt()) draft = last->student;
   recorder_.pause(true);  // what comes before the answer is nobody's
 }
 
-void NameAsker::give(Application& app, const std::string& name) {
+void NameAsker::give(const std::string& name) {
   if (!asking_) return;
   asking_ = false;
   given_ = cleaned(name);
   recorder_.pause(false);
   giving_ = true;
-  const std::filesystem::path lesson = app.lesson.file();
-  const std::optional<LessonProgress> last = given_.empty() ? std::nullopt : lastAttempt(app, given_);
+  const std::filesystem::path lesson = lesson_.file();
+  const std::optional<LessonProgress> last = given_.empty() ? std::nullopt : lastAttempt(given_);
   if (last && last->canResume()) {
-    recorder_.resume(app, lesson, last->file);
+    recorder_.resume(lesson, last->file);
   } else if (!given_.empty()) {
-    recorder_.passTo(app, given_);
+    recorder_.passTo(given_);
   } else {
     recorder_.forgetStudent();
-    app.open(lesson);
+    opener_.open(lesson);
   }
   giving_ = false;
 }

@@ -1,8 +1,8 @@
 #include "app/ui/extensions/own_look.h"
 
 #include <algorithm>
+#include <utility>
 
-#include "app/ui/application/application.h"
 #include "app/ui/lesson/lesson_guide.h"
 #include "app/ui/lesson/scene_marks.h"
 #include "engine/core/text.h"
@@ -61,13 +61,9 @@ Expected<Value> read(std::size_t key, const std::string& text) {
   return parseValue(*spec, trimmed(text));
 }
 
-}  // namespace
-
-std::span<const OwnLookKey> OwnLook::keys() { return kOffered; }
-
-std::optional<Problem> OwnLook::fault(std::size_t key, const Molecule& molecule) const {
-  if (trimmed(values[key]).empty()) return std::nullopt;
-  const Expected<Value> value = read(key, values[key]);
+std::optional<Problem> faultOf(std::size_t key, const std::string& text, const Molecule& molecule) {
+  if (trimmed(text).empty()) return std::nullopt;
+  const Expected<Value> value = read(key, text);
   const auto told = [](Problem why) {
     why.line = why.column = 0;  // there is one line
     return why;
@@ -78,27 +74,43 @@ std::optional<Problem> OwnLook::fault(std::size_t key, const Molecule& molecule)
   return std::nullopt;
 }
 
-void OwnLook::show(TouchScene& scene) {
-  if (!scene.stage()) return;
-  const Molecule& molecule = *scene.stage().molecule;
-  SceneSpec spec;
-  spec.colour = usualColourBy(molecule) == ColourBy::Chain ? "chain" : "element";
-  for (std::size_t k = 0; k < values.size(); ++k) {
-    if (fault(k, molecule)) return;
-    if (!trimmed(values[k]).empty()) kTable[k].take(*read(k, values[k]), spec);
+}  // namespace
+
+std::span<const OwnLookKey> OwnLook::keys() { return kOffered; }
+
+const std::array<std::string, OwnLook::kKeys>& OwnLook::faults(const std::shared_ptr<const Molecule>& molecule) {
+  const bool another = std::exchange(checked_molecule_, molecule) != molecule;
+  for (std::size_t k = 0; k < kKeys; ++k) {
+    if (!another && checked_[k] == values[k]) continue;
+    checked_[k] = values[k];
+    const std::optional<Problem> problem = faultOf(k, values[k], *molecule);
+    faults_[k] = problem ? problem->text() : std::string();
   }
-  const std::optional<CutPlane> cut = scene.look.cut;
-  scene.look = looksOf(spec, molecule);
-  scene.look.cut = cut;
-  scene.colour_by = colourBy(spec);
-  drawn_ = annotationsOf(spec, molecule);
+  return faults_;
 }
 
-void OwnLook::sceneChanged(Application& app) {
-  if (app.scene.stage().molecule == molecule_) return;
-  molecule_ = app.scene.stage().molecule;
-  drawn_ = nullptr;
-  values = {};
+void OwnLook::show(TouchScene& scene) {
+  if (!scene.stage()) return;
+  const std::shared_ptr<const Molecule> molecule = scene.stage().molecule;
+  for (const std::string& fault : faults(molecule))
+    if (!fault.empty()) return;
+  SceneSpec spec;
+  spec.colour.clear();
+  for (std::size_t k = 0; k < kKeys; ++k)
+    if (!trimmed(values[k]).empty()) kTable[k].take(*read(k, values[k]), spec);
+  const AtomsLook written = looksOf(spec, *molecule);
+  if (!spec.styles.empty()) scene.look.styles = written.styles;
+  if (!spec.colour.empty()) {
+    scene.look.colouring = written.colouring;
+    scene.colour_by = colourBy(spec);
+  }
+  scene.look.hidden = written.hidden;
+  scene.look.marks = written.marks;
+  scene.look.annotations = annotationsOf(spec, *molecule);
+}
+
+void OwnLook::sceneChanged() {
+  if (std::exchange(molecule_, scene_.stage().molecule) != molecule_) values = {};
 }
 
 }  // namespace moltact

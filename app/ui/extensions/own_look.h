@@ -8,9 +8,7 @@
 #include <string>
 
 #include "app/ui/application/extension.h"
-#include "engine/core/problem.h"
 #include "engine/lesson/lesson.h"
-#include "engine/render/annotations.h"
 
 namespace moltact {
 
@@ -23,25 +21,28 @@ struct OwnLookKey {
 
 class OwnLook final : public Extension {
  public:
+  explicit OwnLook(const TouchScene& scene) : scene_(scene) {}
+
   static std::span<const OwnLookKey> keys();
   static constexpr std::size_t kKeys = 6;
 
-  /// As they stand on the page; those that are empty change nothing.
+  /// As they stand on the page. Without a style or colours the picture keeps those that it has.
   std::array<std::string, kKeys> values;
 
-  /// What is wrong with a value for this molecule; nothing where it can be shown.
-  std::optional<Problem> fault(std::size_t key, const Molecule& molecule) const;
+  /// What is wrong with each value for this molecule; empty where it can be shown.
+  const std::array<std::string, kKeys>& faults(const std::shared_ptr<const Molecule>& molecule);
   /// Shows all that is written; nothing where a value has a fault.
   void show(TouchScene& scene);
 
-  /// Names and hydrogen bonds; null where none are wanted.
-  const std::shared_ptr<const Annotations>& drawn() const { return drawn_; }
   /// What is written belongs to a molecule.
-  void sceneChanged(Application& app) override;
+  void sceneChanged() override;
 
  private:
-  std::shared_ptr<const Annotations> drawn_;
+  const TouchScene& scene_;
   std::shared_ptr<const Molecule> molecule_;
+  // What the faults are of: selections are worked out when a value is another, not in each frame.
+  std::shared_ptr<const Molecule> checked_molecule_;
+  std::array<std::string, kKeys> checked_, faults_;
 };
 
 }  // namespace moltact

@@ -2,11 +2,16 @@
 
 #include <algorithm>
 
-#include "app/ui/application/application.h"
+#include "app/ui/application/application_options.h"
+#include "app/ui/application/opener.h"
+#include "app/ui/application/panel_state.h"
 #include "app/ui/extensions/attempt_recorder.h"
-#include "app/ui/extensions/extensions.h"
 #include "app/ui/extensions/lesson_shelf.h"
+#include "app/ui/extensions/moving_states.h"
 #include "app/ui/files/own_lessons.h"
+#include "app/ui/files/settings.h"
+#include "app/ui/lesson/lesson_guide.h"
+#include "app/ui/widgets/messages.h"
 #include "engine/language/catalogue.h"
 #include "engine/molecule/catalogue.h"
 #include "engine/platform/folders.h"
@@ -25,28 +30,28 @@ NamedMolecule namedOf(const MoleculeKey& key) {
 
 }  // namespace
 
-void Playback::beforeOpening(Application& app, FileKind kind) {
-  if (kind != FileKind::Attempt) close(app, false);
+void Playback::beforeOpening(FileKind kind) {
+  if (kind != FileKind::Attempt) close(false);
 }
 
-bool Playback::open(Application& app, FileKind kind, const fs::path& file) {
+bool Playback::open(FileKind kind, const fs::path& file) {
   if (kind != FileKind::Attempt) return false;
-  open(app, file);
+  open(file);
   return true;
 }
 
-void Playback::open(Application& app, const fs::path& file) {
+void Playback::open(const fs::path& file) {
   Expected<Attempt> attempt = readAttempt(file);
   if (!attempt) {
-    app.messages.error(attempt.problem().text());
+    messages_.error(attempt.problem().text());
     return;
   }
   const std::size_t passed_over = attempt->problems.size();
   const std::string first_problem =
       passed_over ? trf("line {0}, {1}", attempt->problems.front().line, attempt->problems.front().message) : "";
   if (!on()) {
-    before_ = app.scene.molecule();
-    seen_before_ = app.scene.camera;
+    before_ = scene_.molecule();
+    seen_before_ = scene_.camera;
   }
   timeline_.emplace(*std::move(attempt));
   file_ = file;
@@ -58,32 +63,32 @@ void Playback::open(Application& app, const fs::path& file) {
   at_s_ = 0.0;
   running_ = true;
   recorder_.pause(true);
-  app.messages.clearErrors();
-  app.panels.welcome = false;
+  messages_.clearErrors();
+  panels_.welcome = false;
   if (passed_over)
-    app.messages.notice(trnf("{0} line of {1} could not be read and is left out. The first: {2}.",
-                             "{0} lines of {1} could not be read and are left out. The first: {2}.", passed_over,
-                             passed_over, file.filename().string(), first_problem));
+    messages_.notice(trnf("{0} line of {1} could not be read and is left out. The first: {2}.",
+                          "{0} lines of {1} could not be read and are left out. The first: {2}.", passed_over,
+                          passed_over, file.filename().string(), first_problem));
   if (!timeline_->stage(timeline_->length_s()))
-    app.messages.notice(tr("This attempt has no touches to show; its steps and answers are on the bar."));
+    messages_.notice(tr("This attempt has no touches to show; its steps and answers are on the bar."));
 }
 
-void Playback::close(Application& app, bool back) {
+void Playback::close(bool back) {
   if (!on()) return;
   timeline_.reset();
   running_ = false;
-  app.scene.play(std::nullopt);
+  scene_.play(std::nullopt);
   recorder_.pause(false);
   if (!back) return;
   // The view is where the attempt's last moment had it, which may be anywhere.
-  if (app.lesson.session())
-    app.lesson.askForScene();
-  else if (!before_.empty() && before_ != app.scene.molecule())
-    app.showMolecule(before_);
+  if (lesson_.session())
+    lesson_.askForScene();
+  else if (!before_.empty() && before_ != scene_.molecule())
+    opener_.showMolecule(before_);
   else if (!before_.empty())
-    app.scene.camera = seen_before_;
-  else if (app.scene.stage())
-    app.resetView();
+    scene_.camera = seen_before_;
+  else if (scene_.stage())
+    opener_.resetView();
 }
 
 void Playback::setRunning(bool run) {
@@ -118,21 +123,21 @@ std::string Playback::lastMark() const {
   return out;
 }
 
-void Playback::stageFor(Application& app) {
+void Playback::stageFor() {
   const StageChanged* stage = timeline_->stage(at_s_);
   if (!stage || namedOf(*stage) == shown_stage_) return;
   shown_stage_ = namedOf(*stage);
-  if (app.scene.stage() && namedOf(app.scene.molecule()) == shown_stage_) return;
+  if (scene_.stage() && namedOf(scene_.molecule()) == shown_stage_) return;
   ReadOptions reading = stage->reading;
   // A name of the library stays one.
   if (reading.beside.find('.') != std::string::npos)
-    if (const fs::path beside = fileOf(app, reading.beside); !beside.empty()) reading.beside = beside.string();
-  if (const fs::path file = fileOf(app, stage->file); !file.empty()) app.showMolecule({file, reading});
+    if (const fs::path beside = fileOf(reading.beside); !beside.empty()) reading.beside = beside.string();
+  if (const fs::path file = fileOf(stage->file); !file.empty()) opener_.showMolecule({file, reading});
 }
 
 // The file that an attempt names without its folders: beside it, of the library or fetched, or beside its lesson; told
 // where it is not there.
-fs::path Playback::fileOf(Application& app, const std::string& name) {
+fs::path Playback::fileOf(const std::string& name) {
   std::error_code error;
   for (const fs::path& folder : {file_.parent_path(), lessonsFolder()})
     if (fs::is_regular_file(folder / name, error)) return folder / name;
@@ -141,38 +146,38 @@ fs::path Playback::fileOf(Application& app, const std::string& name) {
       findMoleculeKey(name.substr(0, name.find('.')), MoleculeFolders::ofThisComputer());
   if (found) return found->file;
   if (missing_ == name) return {};
-  std::vector<fs::path> folders{lessonFolderOf(app.settings), packsFolderOf(app)};
+  std::vector<fs::path> folders{lessonFolderOf(settings_), packsFolderOf(options_)};
   for (const fs::path& shared : sharedDataFolders()) folders.push_back(shared / "lessons");
   fs::path own = fileBesideLesson(timeline_->header().lesson.file, name, folders);
   if (!own.empty()) return own;
   missing_ = name;
-  app.messages.warning(trf("The molecule of this attempt, {0}, is not on this computer: put it beside {1}.", name,
-                           file_.filename().string()));
+  messages_.warning(trf("The molecule of this attempt, {0}, is not on this computer: put it beside {1}.", name,
+                        file_.filename().string()));
   return {};
 }
 
 // The atoms where they were between two structures.
-void Playback::showStates(Application& app) {
+void Playback::showStates() {
   const StageChanged* stage = timeline_->stage(at_s_);
   const StatesMoved* states = timeline_->states(at_s_);
-  if (!states || !app.scene.stage() || namedOf(app.scene.molecule()) != namedOf(*stage) ||
-      app.scene.stage().molecule->atoms.size() != stage->atoms)
+  if (!states || !scene_.stage() || namedOf(scene_.molecule()) != namedOf(*stage) ||
+      scene_.stage().molecule->atoms.size() != stage->atoms)
     return;
-  if (second_.first != states->file) second_ = {states->file, fileOf(app, states->file)};
+  if (second_.first != states->file) second_ = {states->file, fileOf(states->file)};
   if (second_.second.empty()) return;
   SecondState then;
   then.molecule = states->file;
   then.share = states->share;
   if (!states->superposed_on.empty())
     if (auto atoms = parseSelection(states->superposed_on)) then.superposed_on = *std::move(atoms);
-  app.extensions().moving_states.show(app, {second_.second, stage->reading}, then);
+  moving_states_.show({second_.second, stage->reading}, then);
 }
 
-void Playback::showHand(Application& app) {
+void Playback::showHand() {
   ServoSample sample;
   const StageChanged* stage = timeline_->stage(at_s_);
-  const bool here = stage && app.scene.stage() && namedOf(app.scene.molecule()) == namedOf(*stage) &&
-                    app.scene.stage().molecule->atoms.size() == stage->atoms;
+  const bool here = stage && scene_.stage() && namedOf(scene_.molecule()) == namedOf(*stage) &&
+                    scene_.stage().molecule->atoms.size() == stage->atoms;
   if (const std::optional<HipSample> hand = here ? timeline_->hand(at_s_) : std::nullopt) {
     sample.has_interaction = true;
     sample.hip = hand->hip;
@@ -184,38 +189,38 @@ void Playback::showHand(Application& app) {
     sample.probe_A = stage->touch.probe_A;
     sample.time_s = at_s_;
   }
-  app.scene.play(sample);
+  scene_.play(sample);
 }
 
-void Playback::showView(Application& app) {
+void Playback::showView() {
   if (!follows_view) return;
   const ViewChanged* view = timeline_->view(at_s_);
   if (!view || view == shown_view_) return;
   shown_view_ = view;
   const auto& q = view->orientation;
-  app.scene.camera.orientation = glm::normalize(glm::dquat(q[0], q[1], q[2], q[3]));
-  app.scene.camera.target = {view->target_A};
-  app.scene.camera.distance_A = view->distance_A;
+  scene_.camera.orientation = glm::normalize(glm::dquat(q[0], q[1], q[2], q[3]));
+  scene_.camera.target = {view->target_A};
+  scene_.camera.distance_A = view->distance_A;
 }
 
-void Playback::beforeTicks(Application& app) {
+void Playback::beforeTicks() {
   if (!on()) return;
-  if (running_ && !app.loading()) {
+  if (running_ && !opener_.loading()) {
     if (skips_rests) {
       const double next_s = timeline_->nextAfter(at_s_);
       if (next_s - at_s_ > kRest_s) at_s_ = next_s - 0.5;
     }
-    at_s_ = std::min(at_s_ + app.dt_s() * speed, timeline_->length_s());
+    at_s_ = std::min(at_s_ + time_.dt_s * speed, timeline_->length_s());
     if (at_s_ >= timeline_->length_s()) running_ = false;
   }
-  stageFor(app);
-  showStates(app);
-  showHand(app);
-  showView(app);
+  stageFor();
+  showStates();
+  showHand();
+  showView();
 }
 
-void Playback::afterPanels(Application& app) {
-  if (on() && app.scene.controls.cameraMoved()) follows_view = false;
+void Playback::afterPanels() {
+  if (on() && scene_.controls.cameraMoved()) follows_view = false;
 }
 
 }  // namespace moltact

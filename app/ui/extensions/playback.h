@@ -13,16 +13,35 @@
 
 namespace moltact {
 
+struct ApplicationOptions;
 class AttemptRecorder;
+class LessonGuide;
+class Messages;
+class MovingStates;
+class Opener;
+struct PanelState;
+struct Settings;
 
 class Playback : public Extension {
  public:
-  explicit Playback(AttemptRecorder& recorder) : recorder_(recorder) {}
+  Playback(AttemptRecorder& recorder, MovingStates& moving_states, Opener& opener, TouchScene& scene,
+           LessonGuide& lesson, const Settings& settings, Messages& messages, PanelState& panels,
+           const ApplicationOptions& options, const FrameTime& time)
+      : opener_(opener),
+        scene_(scene),
+        lesson_(lesson),
+        settings_(settings),
+        messages_(messages),
+        panels_(panels),
+        options_(options),
+        time_(time),
+        moving_states_(moving_states),
+        recorder_(recorder) {}
 
   /// Begins to play a file; one that cannot be read gives a message and changes nothing.
-  void open(Application& app, const std::filesystem::path& file);
+  void open(const std::filesystem::path& file);
   /// Back to the lesson or molecule that was there before; with `back` false, something else is about to be opened.
-  void close(Application& app, bool back = true);
+  void close(bool back = true);
 
   bool on() const { return timeline_.has_value(); }
   /// While on() only.
@@ -42,22 +61,31 @@ class Playback : public Extension {
   bool follows_view = true;  ///< the view turns as it did; off once the person turns it
   bool skips_rests = true;   ///< passes over times when the hand lay still
 
-  void beforeOpening(Application& app, FileKind kind) override;
-  bool open(Application& app, FileKind kind, const std::filesystem::path& file) override;
-  void beforeTicks(Application& app) override;
-  void afterPanels(Application& app) override;
+  void beforeOpening(FileKind kind) override;
+  bool open(FileKind kind, const std::filesystem::path& file) override;
+  void beforeTicks() override;
+  void afterPanels() override;
   bool live() const override { return running(); }
   bool hidesLesson() const override { return on(); }
 
   static constexpr double kRest_s = 3.0;  ///< a longer rest is passed over
 
  private:
+  Opener& opener_;
+  TouchScene& scene_;
+  LessonGuide& lesson_;
+  const Settings& settings_;
+  Messages& messages_;
+  PanelState& panels_;
+  const ApplicationOptions& options_;
+  const FrameTime& time_;
+  MovingStates& moving_states_;
   AttemptRecorder& recorder_;  // rests meanwhile
-  void stageFor(Application& app);
-  std::filesystem::path fileOf(Application& app, const std::string& name);
-  void showStates(Application& app);
-  void showHand(Application& app);
-  void showView(Application& app);
+  void stageFor();
+  std::filesystem::path fileOf(const std::string& name);
+  void showStates();
+  void showHand();
+  void showView();
 
   std::optional<Timeline> timeline_;
   std::filesystem::path file_;                            // the attempt

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/ui/application/application.h"
+#include "app/ui/files/settings.h"
 #include "app/ui/scene/view_picture.h"
 
 namespace moltact {
@@ -16,42 +16,42 @@ Camera between(const Camera& a, const Camera& b, double t) {
   return c;
 }
 
-void SceneChange::sceneChanged(Application& app) {
+void SceneChange::sceneChanged() {
   glide_s_ = kGlide_s;
   fade_s_ = kFade_s;
-  if (app.settings.reduced_motion || !molecule_) return;
-  if (app.scene.stage().molecule != molecule_) {
-    app.picture().keepForFade();
+  if (settings_.reduced_motion || !molecule_) return;
+  if (scene_.stage().molecule != molecule_) {
+    picture_.keepForFade();
     fade_s_ = 0.0;
   } else {
-    glide(app, seen_);
+    glide(seen_);
   }
 }
 
-void SceneChange::glide(Application& app, const Camera& seen) {
-  if (app.settings.reduced_motion || seen == app.scene.camera) return;
+void SceneChange::glide(const Camera& seen) {
+  if (settings_.reduced_motion || seen == scene_.camera) return;
   from_ = seen;
-  to_ = app.scene.camera;
-  app.scene.camera = from_;
+  to_ = scene_.camera;
+  scene_.camera = from_;
   glide_s_ = 0.0;
 }
 
-void SceneChange::beforeTicks(Application& app) {
-  fade_s_ = std::min(kFade_s, fade_s_ + app.dt_s());
+void SceneChange::beforeTicks() {
+  fade_s_ = std::min(kFade_s, fade_s_ + time_.dt_s);
   if (!gliding()) return;
   // Who takes the camera has it.
-  if (app.scene.controls.cameraMoved()) {
+  if (scene_.controls.cameraMoved()) {
     glide_s_ = kGlide_s;
     return;
   }
-  glide_s_ = std::min(kGlide_s, glide_s_ + app.dt_s());
+  glide_s_ = std::min(kGlide_s, glide_s_ + time_.dt_s);
   const double t = glide_s_ / kGlide_s;
-  app.scene.camera = gliding() ? between(from_, to_, t * t * (3.0 - 2.0 * t)) : to_;
+  scene_.camera = gliding() ? between(from_, to_, t * t * (3.0 - 2.0 * t)) : to_;
 }
 
-void SceneChange::afterPanels(Application& app) {
-  seen_ = app.scene.camera;
-  molecule_ = app.scene.stage().molecule;
+void SceneChange::afterPanels() {
+  seen_ = scene_.camera;
+  molecule_ = scene_.stage().molecule;
 }
 
 }  // namespace moltact

@@ -9,6 +9,9 @@
 
 namespace moltact {
 
+struct Settings;
+class ViewPicture;
+
 struct Molecule;
 
 /// The camera a share `t` (0 to 1) of the way from `a` to `b`: the target moves straight, the turn takes the shorter
@@ -17,16 +20,19 @@ Camera between(const Camera& a, const Camera& b, double t);
 
 class SceneChange : public Extension {
  public:
+  SceneChange(TouchScene& scene, const Settings& settings, ViewPicture& picture, const FrameTime& time)
+      : scene_(scene), settings_(settings), picture_(picture), time_(time) {}
+
   static constexpr double kGlide_s = 0.6, kFade_s = 0.35;
 
-  void sceneChanged(Application& app) override;
-  void viewReset(Application& app, const Camera& seen) override { glide(app, seen); }
-  void beforeTicks(Application& app) override;
-  void afterPanels(Application& app) override;
+  void sceneChanged() override;
+  void viewReset(const Camera& seen) override { glide(seen); }
+  void beforeTicks() override;
+  void afterPanels() override;
   bool live() const override { return glide_s_ < kGlide_s || fade_s_ < kFade_s; }
 
   /// From the view that is seen to the scene's camera, which has been set. At once where the person prefers it so.
-  void glide(Application& app, const Camera& seen);
+  void glide(const Camera& seen);
   /// Where the camera is going; `now` where it rests.
   Camera bound(const Camera& now) const { return gliding() ? to_ : now; }
 
@@ -35,6 +41,10 @@ class SceneChange : public Extension {
   bool gliding() const { return glide_s_ < kGlide_s; }
 
  private:
+  TouchScene& scene_;
+  const Settings& settings_;
+  ViewPicture& picture_;
+  const FrameTime& time_;
   Camera seen_, from_, to_;
   std::shared_ptr<const Molecule> molecule_;  // of the frame before
   double glide_s_ = kGlide_s, fade_s_ = kFade_s;

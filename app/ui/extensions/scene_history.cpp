@@ -2,52 +2,51 @@
 
 #include <imgui.h>
 
-#include "app/ui/application/application.h"
 #include "app/ui/extensions/scene_change.h"
 
 namespace moltact {
 
-SceneHistory::Choices SceneHistory::choicesOf(const Application& app) {
-  return {app.scene.touch(), app.scene.magnifiedByHand(), app.scene.shown, app.scene.look, app.scene.colour_by};
+SceneHistory::Choices SceneHistory::choices() const {
+  return {scene_.touch(), scene_.magnifiedByHand(), scene_.shown, scene_.look, scene_.colour_by};
 }
 
-void SceneHistory::apply(Application& app, const Choices& c, const std::optional<Camera>& camera) {
-  app.scene.setTouch(c.touch);
-  app.scene.shown = c.shown;
-  app.scene.look = c.look;
-  app.scene.colour_by = c.colour_by;
-  const Camera seen = app.scene.camera;
-  app.scene.magnify(c.magnified);
+void SceneHistory::apply(const Choices& c, const std::optional<Camera>& camera) {
+  scene_.setTouch(c.touch);
+  scene_.shown = c.shown;
+  scene_.look = c.look;
+  scene_.colour_by = c.colour_by;
+  const Camera seen = scene_.camera;
+  scene_.magnify(c.magnified);
   if (camera) {
-    app.scene.camera = *camera;
-    change_.glide(app, seen);
+    scene_.camera = *camera;
+    change_.glide(seen);
   }
   current_ = c;
 }
 
-void SceneHistory::undo(Application& app) {
+void SceneHistory::undo() {
   if (done_.empty()) return;
   undone_.push_back(std::move(done_.back()));
   done_.pop_back();
-  apply(app, undone_.back().before, undone_.back().camera_before);
+  apply(undone_.back().before, undone_.back().camera_before);
 }
 
-void SceneHistory::redo(Application& app) {
+void SceneHistory::redo() {
   if (undone_.empty()) return;
   done_.push_back(std::move(undone_.back()));
   undone_.pop_back();
-  apply(app, done_.back().after, done_.back().camera_after);
+  apply(done_.back().after, done_.back().camera_after);
 }
 
 // Undo brings back the camera as it was, or where it was on its way to.
-void SceneHistory::viewReset(Application& app, const Camera& seen) {
+void SceneHistory::viewReset(const Camera& seen) {
   const Camera before = change_.bound(seen);
-  if (!(before == app.scene.camera)) view_ = {before, app.scene.camera};
+  if (!(before == scene_.camera)) view_ = {before, scene_.camera};
 }
 
-void SceneHistory::afterPanels(Application& app) {
+void SceneHistory::afterPanels() {
   if (ImGui::IsAnyMouseDown()) return;
-  Choices now = choicesOf(app);
+  Choices now = choices();
   if (!current_) current_ = now;
   const auto view = std::exchange(view_, std::nullopt);
   if (now == *current_ && !view) return;

@@ -15,21 +15,22 @@ class SceneChange;
 
 class SceneHistory : public Extension {
  public:
-  explicit SceneHistory(SceneChange& change) : change_(change) {}
+  SceneHistory(SceneChange& change, TouchScene& scene) : scene_(scene), change_(change) {}
 
   static constexpr std::size_t kMost = 100;  ///< the oldest changes are forgotten beyond this
 
   bool canUndo() const { return !done_.empty(); }
   bool canRedo() const { return !undone_.empty(); }
-  void undo(Application& app);
-  void redo(Application& app);
+  void undo();
+  void redo();
   /// Takes up a change once the mouse rests, so that a slider's whole drag is one.
-  void afterPanels(Application& app) override;
-  void sceneChanged(Application&) override { begin(); }
-  void stepChanged(Application&) override { begin(); }
-  void viewReset(Application& app, const Camera& seen) override;
+  void afterPanels() override;
+  void sceneChanged() override { begin(); }
+  void stepChanged() override { begin(); }
+  void viewReset(const Camera& seen) override;
 
  private:
+  TouchScene& scene_;
   SceneChange& change_;  // leads the camera to what is brought back
   struct Choices {
     TouchSetup touch;
@@ -45,8 +46,8 @@ class SceneHistory : public Extension {
   };
 
   void begin();
-  static Choices choicesOf(const Application& app);
-  void apply(Application& app, const Choices& choices, const std::optional<Camera>& camera);
+  Choices choices() const;
+  void apply(const Choices& choices, const std::optional<Camera>& camera);
 
   std::optional<Choices> current_;                 // none: what the scene has at the end of the frame
   std::optional<std::pair<Camera, Camera>> view_;  // before and after

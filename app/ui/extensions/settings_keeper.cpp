@@ -1,27 +1,28 @@
 #include "app/ui/extensions/settings_keeper.h"
 
-#include "app/ui/application/application.h"
+#include "app/ui/application/application_options.h"
+#include "app/ui/widgets/messages.h"
 
 namespace moltact {
 namespace {
 constexpr double kSaveAfter_s = 1.0;
 }
 
-void SettingsKeeper::atStart(Application& app) { kept_ = changing_ = app.settings; }
+void SettingsKeeper::atStart() { kept_ = changing_ = settings_; }
 
-void SettingsKeeper::afterPanels(Application& app) {
-  const std::filesystem::path& file = app.options().settings_file;
-  if (file.empty() || app.settings == kept_) return;
-  rested_s_ = app.settings == changing_ ? rested_s_ + app.dt_s() : 0.0;
-  changing_ = app.settings;
+void SettingsKeeper::afterPanels() {
+  const std::filesystem::path& file = options_.settings_file;
+  if (file.empty() || settings_ == kept_) return;
+  rested_s_ = settings_ == changing_ ? rested_s_ + time_.dt_s : 0.0;
+  changing_ = settings_;
   if (rested_s_ < kSaveAfter_s) return;
-  if (const std::string fault = saveSettings(app.settings, file, kept_); !fault.empty()) app.messages.warning(fault);
-  kept_ = app.settings;
+  if (const std::string fault = saveSettings(settings_, file, kept_); !fault.empty()) messages_.warning(fault);
+  kept_ = settings_;
 }
 
-void SettingsKeeper::atEnd(Application& app) {
-  const std::filesystem::path& file = app.options().settings_file;
-  if (!file.empty() && !(app.settings == kept_)) saveSettings(app.settings, file, kept_);
+void SettingsKeeper::atEnd() {
+  const std::filesystem::path& file = options_.settings_file;
+  if (!file.empty() && !(settings_ == kept_)) saveSettings(settings_, file, kept_);
 }
 
 }  // namespace moltact

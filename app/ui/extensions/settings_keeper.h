@@ -6,14 +6,24 @@
 
 namespace moltact {
 
+struct ApplicationOptions;
+class Messages;
+
 class SettingsKeeper : public Extension {
  public:
+  SettingsKeeper(Settings& settings, Messages& messages, const ApplicationOptions& options, const FrameTime& time)
+      : settings_(settings), messages_(messages), options_(options), time_(time) {}
+
   /// The settings are as they are in the file: from here on changes are kept.
-  void atStart(Application& app) override;
-  void afterPanels(Application& app) override;
-  void atEnd(Application& app) override;
+  void atStart() override;
+  void afterPanels() override;
+  void atEnd() override;
 
  private:
+  Settings& settings_;
+  Messages& messages_;
+  const ApplicationOptions& options_;
+  const FrameTime& time_;
   Settings kept_, changing_;
   double rested_s_ = 0;
 };

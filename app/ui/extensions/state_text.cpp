@@ -1,7 +1,8 @@
 #include "app/ui/extensions/state_text.h"
 
-#include "app/ui/application/application.h"
+#include "app/ui/application/panel_state.h"
 #include "app/ui/extensions/task_stager.h"
+#include "app/ui/lesson/lesson_guide.h"
 #include "app/ui/scene/contact_text.h"
 #include "engine/language/catalogue.h"
 #include "engine/lesson/glossary.h"
@@ -40,8 +41,8 @@ void StateText::write(const std::string& line) {
   if (file_) file_->append(oneLine(line) + '\n');  // a full disk loses a line and not the window
 }
 
-void StateText::stepChanged(Application& app) {
-  const LessonSession* session = app.lesson.session();
+void StateText::stepChanged() {
+  const LessonSession* session = lesson_.session();
   write(trf("step {0} of {1}: {2}", session->stepIndex() + 1, session->lesson().steps.size(), session->step().title));
 }
 
@@ -50,26 +51,26 @@ std::string StateText::line(const TouchScene& scene) const {
   return touchingText(reading_.text(), scene.log().shownForce_N(), scene.servo_settings.force_on);
 }
 
-void StateText::afterPanels(Application& app) {
-  const LessonSession* session = app.lesson.session();
+void StateText::afterPanels() {
+  const LessonSession* session = lesson_.session();
   if (const std::size_t at = session ? session->currentTask() : 0; session && at < session->step().tasks.size()) {
     const std::string sentence = session->task(at).sentence;
-    if (!sentence.empty() && task_.update(sentence, sentence, 0, app.now_s())) write(sentence);
+    if (!sentence.empty() && task_.update(sentence, sentence, 0, time_.now_s)) write(sentence);
   }
-  if (const PanelState::Word& open = app.panels.word; open.id != word_) {
+  if (const PanelState::Word& open = panels_.word; open.id != word_) {
     word_ = open.id;
     if (const GlossaryWord* word = session ? findWord(session->lesson(), word_) : nullptr)
       write(trf("{0}: {1}", word->word, plainText(word->meaning)));
   }
-  const Molecule* molecule = app.scene.stage().molecule.get();
-  const Contact& contact = app.scene.log().latest().contact;
-  const bool force_on = app.scene.servo_settings.force_on;
-  const double force_N = force_on ? app.scene.log().force_N() : 0.0;
-  const bool dark = dark_ = stager_.dark() || app.scene.touchesUnseen();
+  const Molecule* molecule = scene_.stage().molecule.get();
+  const Contact& contact = scene_.log().latest().contact;
+  const bool force_on = scene_.servo_settings.force_on;
+  const double force_N = force_on ? scene_.log().force_N() : 0.0;
+  const bool dark = dark_ = stager_.dark() || scene_.touchesUnseen();
   const std::string what = dark ? unnamedContactText(contact) : whatOf(molecule, contact);
   const std::string whole = dark ? what : contactText(molecule, contact, force_N, force_on);
-  if (reading_.update(what, what, 0, app.now_s())) tells_contact_ = molecule && contact.touching();
-  if (speaking_.update(what, whole, force_N, app.now_s())) write(whole);
+  if (reading_.update(what, what, 0, time_.now_s)) tells_contact_ = molecule && contact.touching();
+  if (speaking_.update(what, whole, force_N, time_.now_s)) write(whole);
   owing_ = reading_.owes(what) || ((to_terminal_ || file_) && speaking_.owes(what));
 }
 

@@ -14,19 +14,23 @@
 
 namespace moltact {
 
+class LessonGuide;
+struct PanelState;
 class TaskStager;
 class TouchScene;
 
 class StateText : public Extension {
  public:
-  explicit StateText(const TaskStager& stager) : stager_(stager) {}
+  StateText(const TaskStager& stager, const TouchScene& scene, const LessonGuide& lesson, const PanelState& panels,
+            const FrameTime& time)
+      : scene_(scene), lesson_(lesson), panels_(panels), time_(time), stager_(stager) {}
 
   /// From now on lines go to this file, which is emptied first, or to standard output for "-": the step, what its task
   /// asks for, what is touched. Returns what went wrong, or nothing.
   std::optional<Problem> writeTo(const std::filesystem::path& file);
 
-  void stepChanged(Application& app) override;
-  void afterPanels(Application& app) override;
+  void stepChanged() override;
+  void afterPanels() override;
   bool live() const override { return owing_; }
 
   /// The contact in words, updated at a pace that can be read, with the figure of the force that the window shows.
@@ -35,6 +39,10 @@ class StateText : public Extension {
   bool tellsContact() const { return tells_contact_; }
 
  private:
+  const TouchScene& scene_;
+  const LessonGuide& lesson_;
+  const PanelState& panels_;
+  const FrameTime& time_;
   const TaskStager& stager_;  // in the dark no atom is named
   void write(const std::string& line);
 

@@ -4,43 +4,45 @@
 #include <utility>
 #include <vector>
 
-#include "app/ui/application/application.h"
+#include "app/ui/application/opener.h"
+#include "app/ui/application/panel_state.h"
+#include "app/ui/lesson/lesson_guide.h"
 
 namespace moltact {
 
-void TaskStager::beforeTicks(Application& app) {
-  app.panels.arrows_draw = false;
-  const LessonSession* session = app.lesson.session();
-  const TaskStage wanted = session && app.lesson.onStage() && app.scene.stage() ? session->taskStage() : TaskStage();
+void TaskStager::beforeTicks() {
+  panels_.arrows_draw = false;
+  const LessonSession* session = lesson_.session();
+  const TaskStage wanted = session && lesson_.onStage() && scene_.stage() ? session->taskStage() : TaskStage();
   if (wanted == stage_) return;
   if (!session) {
     stage_ = wanted;
     return;
   }
-  change(app, stage_.touch, wanted.touch);
+  change(stage_.touch, wanted.touch);
   // What was found in the dark is seen where it lies: the light comes on and nothing else changes.
   const bool found = stage_.turned && wanted == TaskStage();
   const bool anew = !found && (wanted.presentation != stage_.presentation || wanted.turned != stage_.turned);
   stage_ = wanted;
   if (!anew) return;
-  app.beginSceneAgain(wanted.facing, wanted.turned);
-  app.scene.controls.letGo();
+  opener_.beginSceneAgain(wanted.facing, wanted.turned);
+  scene_.controls.letGo();
 }
 
-void TaskStager::stepChanged(Application& app) {
-  const LessonSession* session = app.lesson.session();
+void TaskStager::stepChanged() {
+  const LessonSession* session = lesson_.session();
   const TaskStage before = std::exchange(stage_, {});
-  if (session) change(app, before.touch, {});
+  if (session) change(before.touch, {});
 }
 
-void TaskStager::change(Application& app, const TouchChange& before, const TouchChange& now) {
-  TouchSetup touch = app.scene.touch();
-  now.replace(before, app.lesson.session()->scene().touch, touch);
-  app.scene.setTouch(touch);
+void TaskStager::change(const TouchChange& before, const TouchChange& now) {
+  TouchSetup touch = scene_.touch();
+  now.replace(before, lesson_.session()->scene().touch, touch);
+  scene_.setTouch(touch);
 }
 
-void TaskStager::ticks(Application& app, const FeltTicks& felt) {
-  LessonSession* session = app.lesson.session();
+void TaskStager::ticks(const FeltTicks& felt) {
+  LessonSession* session = lesson_.session();
   const Task* current = session ? session->taskAt(session->currentTask()) : nullptr;
   two_answers_ = current && current->buttons().size() > 1;
   for (const FeltTick& tick : felt.ticks) {

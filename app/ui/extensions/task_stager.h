@@ -9,12 +9,19 @@
 
 namespace moltact {
 
+class LessonGuide;
+class Opener;
+struct PanelState;
+
 class TaskStager final : public Extension {
  public:
-  void beforeTicks(Application& app) override;
-  void ticks(Application& app, const FeltTicks& felt) override;
+  TaskStager(Opener& opener, TouchScene& scene, LessonGuide& lesson, PanelState& panels)
+      : opener_(opener), scene_(scene), lesson_(lesson), panels_(panels) {}
+
+  void beforeTicks() override;
+  void ticks(const FeltTicks& felt) override;
   // The step's own scene, without what a task of another step, or of the lesson as it was before, asked for.
-  void stepChanged(Application& app) override;
+  void stepChanged() override;
 
   /// The molecule is not to be seen, and nothing on the screen may tell what it is that is touched.
   bool dark() const { return stage_.dark; }
@@ -26,7 +33,11 @@ class TaskStager final : public Extension {
   bool changesStiffness() const { return stage_.touch.has(&TouchSetup::stiffness_N_per_mm); }
 
  private:
-  static void change(Application& app, const TouchChange& before, const TouchChange& now);
+  Opener& opener_;
+  TouchScene& scene_;
+  LessonGuide& lesson_;
+  PanelState& panels_;
+  void change(const TouchChange& before, const TouchChange& now);
 
   TaskStage stage_;
   std::uint32_t buttons_ = 0;

@@ -2,7 +2,9 @@
 
 #include <atomic>
 
-#include "app/ui/application/application.h"
+#include "app/ui/application/application_options.h"
+#include "app/ui/application/panel_state.h"
+#include "app/ui/files/settings.h"
 #include "engine/core/sample_ring.h"
 #include "engine/language/catalogue.h"
 #include "engine/platform/audio_output.h"
@@ -33,7 +35,9 @@ struct TouchSound::Playing {
                      }};
 };
 
-TouchSound::TouchSound() = default;
+TouchSound::TouchSound(const TouchScene& scene, Settings& settings, Messages& messages, const PanelState& panels,
+                       const ApplicationOptions& options)
+    : scene_(scene), settings_(settings), messages_(messages), panels_(panels), options_(options) {}
 TouchSound::~TouchSound() = default;
 
 void TouchSound::take(const TouchMoment& moment) {
@@ -43,7 +47,7 @@ void TouchSound::take(const TouchMoment& moment) {
     synth_.take(moment);
 }
 
-void TouchSound::ticks(Application& app, const FeltTicks& felt) {
+void TouchSound::ticks(const FeltTicks& felt) {
   for (const FeltTick& tick : felt.ticks) {
     const ServoSample& s = tick.sample;
     if (s.contact.touching()) felt_s_ += kTick_s;
@@ -57,63 +61,63 @@ void TouchSound::ticks(Application& app, const FeltTicks& felt) {
     heard_.resize(heard_.size() + kATick);
     const std::span<float> fresh = std::span(heard_).last(kATick);
     synth_.render(fresh);
-    for (float& sample : fresh) sample *= float(app.settings.sound_volume);
+    for (float& sample : fresh) sample *= float(settings_.sound_volume);
   }
 }
 
 // Where no settings are kept nobody could be asked only once.
-void TouchSound::ask(Application& app) {
-  Settings& s = app.settings;
+void TouchSound::ask() {
+  Settings& s = settings_;
   if (s.sound) s.sound_asked = true;
-  if (question_ != 0 && (s.sound_asked || !app.messages.tells(question_))) {
-    app.messages.takeBack(question_);
+  if (question_ != 0 && (s.sound_asked || !messages_.tells(question_))) {
+    messages_.takeBack(question_);
     s.sound_asked = true;
   }
-  if (s.sound_asked || question_ != 0 || felt_s_ < kFelt_s || app.options().settings_file.empty() ||
-      app.panels.welcome || app.scene.servo().device().gives_force)
+  if (s.sound_asked || question_ != 0 || felt_s_ < kFelt_s || options_.settings_file.empty() || panels_.welcome ||
+      scene_.servo().device().gives_force)
     return;
-  question_ = app.messages.ask(
+  question_ = messages_.ask(
       MessageKind::Notice,
       tr("Do you want to hear what you touch? The harder you push, the higher the tone; sliding scrapes, a crease "
          "clicks, a pit thuds. It is quiet."),
       {"sound-yes", "sound-no"});
 }
 
-void TouchSound::answer(Application& app, bool on) {
-  app.settings.sound = on;
-  app.settings.sound_asked = true;
-  app.messages.takeBack(question_);
+void TouchSound::answer(bool on) {
+  settings_.sound = on;
+  settings_.sound_asked = true;
+  messages_.takeBack(question_);
 }
 
-void TouchSound::sceneChanged(Application&) {
+void TouchSound::sceneChanged() {
   last_A_.reset();
   if (on_) take({});
 }
 
-void TouchSound::afterPanels(Application& app) {
-  ask(app);
-  switchOnOff(app);
-  if (playing_) playing_->volume.store(float(app.settings.sound_volume), std::memory_order_relaxed);
+void TouchSound::afterPanels() {
+  ask();
+  switchOnOff();
+  if (playing_) playing_->volume.store(float(settings_.sound_volume), std::memory_order_relaxed);
 }
 
-void TouchSound::switchOnOff(Application& app) {
-  if (app.settings.sound && !on_) {
+void TouchSound::switchOnOff() {
+  if (settings_.sound && !on_) {
     on_ = true;
     told_ = false;
     heard_.clear();
     synth_ = {};
     last_A_.reset();
     // A card that was not there may have been plugged in since.
-    const bool play = app.options().clock != ServoClock::Frames;
+    const bool play = options_.clock != ServoClock::Frames;
     if (play && (!playing_ || playing_->output.state() == AudioOutput::State::Silent))
       playing_ = std::make_unique<Playing>();
-  } else if (!app.settings.sound && on_) {
+  } else if (!settings_.sound && on_) {
     take({});
     on_ = false;
   }
   if (!on_ || told_ || !playing_ || playing_->output.state() != AudioOutput::State::Silent) return;
   told_ = true;
-  app.messages.warning(playing_->output.fault());
+  messages_.warning(playing_->output.fault());
 }
 
 }  // namespace moltact

@@ -15,27 +15,37 @@
 
 namespace moltact {
 
+struct ApplicationOptions;
+struct PanelState;
+struct Settings;
+
 class TouchSound : public Extension {
  public:
-  TouchSound();
+  TouchSound(const TouchScene& scene, Settings& settings, Messages& messages, const PanelState& panels,
+             const ApplicationOptions& options);
   ~TouchSound() override;
 
-  void ticks(Application& app, const FeltTicks& felt) override;
+  void ticks(const FeltTicks& felt) override;
   /// The contact has ended.
-  void sceneChanged(Application& app) override;
+  void sceneChanged() override;
   /// Sound is switched on and off; a missing sound card is reported once each time that sound is switched on.
-  void afterPanels(Application& app) override;
+  void afterPanels() override;
 
   /// The person's answer to the question; it is not asked again.
-  void answer(Application& app, bool on);
+  void answer(bool on);
 
   /// The sound since it was switched on (frames' clock only, at kSamples_per_s).
   const std::vector<float>& heard() const { return heard_; }
 
  private:
+  const TouchScene& scene_;
+  Settings& settings_;
+  Messages& messages_;
+  const PanelState& panels_;
+  const ApplicationOptions& options_;
   void take(const TouchMoment& moment);
-  void ask(Application& app);
-  void switchOnOff(Application& app);
+  void ask();
+  void switchOnOff();
 
   struct Playing;
   std::unique_ptr<Playing> playing_;

@@ -29,10 +29,6 @@ PointA middleOf(const Molecule& molecule) {
   return middle;
 }
 
-}  // namespace
-
-namespace {
-
 // A lesson's protein is a cartoon where the scene does not say how it is drawn: the fold is seen, and what is felt appears
 // near the probe. What is bound, highlighted or marked stays as spheres.
 std::vector<StyledAtoms> usualStyles(const SceneSpec& scene, const Molecule& molecule) {
@@ -153,12 +149,8 @@ void LessonGuide::meet(std::shared_ptr<const Molecule> molecule, const MoleculeK
   untouchable_.clear();
   region_.reset();
   zoomed_.reset();
-  looks_ = {.styles = {},
-            .hidden = nullptr,
-            .spheres_near_A = SceneSpec().near_A,
-            .cut = std::nullopt,
-            .marks = nullptr,
-            .colouring = nullptr};
+  looks_ = {};
+  looks_.spheres_near_A = SceneSpec().near_A;
   annotations_ = nullptr;
   on_stage_ = false;
   if (!session_) return;

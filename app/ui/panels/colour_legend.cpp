@@ -1,5 +1,5 @@
-// In the view's upper left corner: what the colours of the atoms are. Where it would hide the molecule it is a closed line
-// that opens by a click.
+// In the view's upper left corner: what the colours of the atoms are. Where it would hide the molecule it is a closed
+// line that opens by a click.
 #include "engine/render/colour_legend.h"
 
 #include <algorithm>
@@ -29,7 +29,7 @@ bool namesMarks(const Application& app) {
 std::vector<LegendEntry> entriesOf(Application& app) {
   const std::vector<LegendEntry>& of_atoms = app.panels.colours.of(app.scene.stage().molecule, app.scene.colour_by,
                                                                    elementColoursOf(app.settings), app.scene.look);
-  const bool painted = app.extensions().touch_traces.painted() != nullptr;
+  const bool painted = app.extensions().touch_paint.painted() != nullptr;
   if (of_atoms.size() < 2 && !app.settings.colour_blind_safe && app.scene.colour_by != ColourBy::Chain &&
       !app.scene.look.colouring && !painted && !namesMarks(app))
     return {};
@@ -42,13 +42,17 @@ std::vector<LegendEntry> entriesOf(Application& app) {
   return entries;
 }
 
+ImVec2 sizeOfLine() {
+  const Look& l = look();
+  return {l.px(38) + ImGui::CalcTextSize(tr("Colours")).x, ImGui::GetFontSize() + l.px(12)};
+}
+
 // The line that stands for it while it is closed, and above it once it is open. Returns where it ends.
 float drawLine(Application& app, ImVec2 low) {
   const Look& l = look();
   const char* const label = tr("Colours");
-  const ImVec2 pad{l.px(10), l.px(6)};
-  const float side = l.px(12), size = ImGui::GetFontSize(), gap = l.px(6);
-  const ImVec2 whole{side + gap + ImGui::CalcTextSize(label).x + 2 * pad.x, size + 2 * pad.y};
+  const ImVec2 pad{l.px(10), l.px(6)}, whole = sizeOfLine();
+  const float side = l.px(12), gap = l.px(6);
   ImGui::SetCursorScreenPos(low);
   bool& open = app.panels.legend;
   if (ImGui::InvisibleButton("legend", whole)) open = !open;
@@ -81,7 +85,8 @@ void drawColourLegend(Application& app, const Rectangle& view, const Rectangle& 
   const float width = indent + wide + 2 * pad;
   const bool large = width > kWidthShare * view.size().x || heightOf(entries.size()) > kHeightShare * view.size().y;
   // What stands at the top of the view keeps its place.
-  if (!kept_free.empty() && low.x + std::min(width, l.tx(120)) > kept_free.low.x) low.y = kept_free.high.y + l.px(8);
+  const float stands = !large ? width : app.panels.legend ? std::max(width, sizeOfLine().x) : sizeOfLine().x;
+  if (!kept_free.empty() && low.x + stands > kept_free.low.x) low.y = kept_free.high.y + l.px(8);
   if (large) {
     low.y = drawLine(app, low) + l.px(4);
     if (!app.panels.legend) return;

@@ -41,7 +41,7 @@ void drawStop(Application& app, DeviceLink& link) {
   ImGui::Dummy({0, look().px(2)});
 }
 
-void drawUsable(Application& app, DeviceLink& link) {
+void drawUsable(DeviceLink& link) {
   sectionTitle(tr("Choose a device"));
   if (link.found().empty()) words("device/looking", tr("Looking …"), look().palette.quiet);
   for (const FoundDevice& one : link.found()) {
@@ -49,7 +49,7 @@ void drawUsable(Application& app, DeviceLink& link) {
     const std::string name = "device/" + one.name;
     if (button(name.c_str(), tr(one.title.c_str()), one.name == link.chosen() ? ButtonLook::Primary : ButtonLook::Plain,
                -1.0f))
-      link.choose(app, one.name);
+      link.choose(one.name);
     if (one.place.empty()) continue;
     WithFont small(Font::Small);
     words((name + "/place").c_str(), one.place, look().palette.quiet);
@@ -147,7 +147,7 @@ void drawLive(Application& app, DeviceLink& link) {
   const bool trying = link.tryingLeft_s() > 0.0;
   if (button("device/try", trying ? tr("Pulling to the right …") : tr("Try a gentle force"), ButtonLook::Plain, 0.0f,
              !trying && link.status().ready && !app.scene.playing() && !app.scene.servo_settings.panic))
-    link.tryForce(app);
+    link.tryForce();
   tip(app.scene.playing()
           ? tr("Not while a recorded hand is shown or the device changes hands.")
           : trf("Pulls to the right with {0} for four seconds, growing slowly. Hold the stylus lightly.",
@@ -182,19 +182,19 @@ void drawRecording(Application& app) {
   const auto seconds = [](double s) { return quantityText(s, Dimension::Time, decimals(1)); };
   if (recorder.recording()) {
     words("device/recording", trf("{0} recorded in {1}", seconds(recorder.recorded_s()), recorder.name()), p.text);
-    if (button("device/record", tr("Stop recording"), ButtonLook::Primary)) recorder.stop(app);
+    if (button("device/record", tr("Stop recording"), ButtonLook::Primary)) recorder.stop();
   } else if (recorder.playing()) {
     words("device/recording",
           trf("{0} of {1} of {2}. No force is given meanwhile.",
               quantityNumber(recorder.at_s(), Dimension::Time, decimals(1)), seconds(recorder.length_s()),
               recorder.name()),
           p.text);
-    if (button("device/record", tr("Stop playing"), ButtonLook::Primary)) recorder.endPlay(app);
+    if (button("device/record", tr("Stop playing"), ButtonLook::Primary)) recorder.endPlay();
   } else {
     const bool may = app.scene.stage() && !app.scene.playing() && !app.scene.trying();
     if (button("device/record", tr("Record …"), ButtonLook::Plain, 0.0f, may)) {
       app.panels.device_page = false;  // one page at a time
-      recorder.askToRecord(app);
+      recorder.askToRecord();
     }
     tip(tr("Every place and force, 1000 a second, as long as molecule and method stay."));
     ImGui::SameLine(0, look().px(8));
@@ -247,7 +247,7 @@ void drawDevicePage(Application& app) {
   drawStop(app, link);
   ImGui::BeginChild("list");
   const auto part = [] { ImGui::Dummy({0, look().px(8)}); };
-  drawUsable(app, link);
+  drawUsable(link);
   part();
   drawLive(app, link);
   part();

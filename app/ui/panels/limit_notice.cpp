@@ -21,8 +21,7 @@ void drawLimitNotice(Application& app) {
   if (stopped) {
     text = tr("All force is stopped. F9 allows it again.");
   } else {
-    for (const std::string& words : app.extensions().device.limitNotices(app))
-      text += (text.empty() ? "" : "\n") + words;
+    for (const std::string& words : app.extensions().device.limitNotices()) text += (text.empty() ? "" : "\n") + words;
   }
   if (text.empty() || view.empty() || app.panels.welcome) return;
 

@@ -20,10 +20,12 @@ void drawLookPage(Application& app) {
   if (!beginPage("look", tr("How the atoms are drawn"), panels.look_page, 600, 620)) return;
   OwnLook& own = app.extensions().own_look;
   const Look& l = look();
-  ImGui::TextWrapped("%s", tr("In the words of a lesson's scene: what works here works there. Empty fields change "
-                              "nothing."));
+  ImGui::TextWrapped("%s", tr("In the words of a lesson's scene: what works here works there. Without a style or "
+                              "colours here, the picture keeps those that it has."));
   ImGui::Spacing();
   bool asked = false, faulty = false;
+  const auto faults =
+      app.scene.stage() ? own.faults(app.scene.stage().molecule) : std::array<std::string, OwnLook::kKeys>{};
   for (std::size_t k = 0; k < OwnLook::kKeys; ++k) {
     const OwnLookKey& key = OwnLook::keys()[k];
     const std::string id = "##" + std::string(key.key);
@@ -35,9 +37,7 @@ void drawLookPage(Application& app) {
             asked;
     recordItem("look/" + std::string(key.key), own.values[k]);
     if (appears && k == 0) writeInLastField(id.c_str());
-    std::string fault;
-    if (const auto problem = app.scene.stage() ? own.fault(k, *app.scene.stage().molecule) : std::nullopt)
-      fault = problem->text();
+    const std::string& fault = faults[k];
     faulty = faulty || !fault.empty();
     // Room for a line, so that nothing below moves while one writes.
     const float y = ImGui::GetCursorPosY();

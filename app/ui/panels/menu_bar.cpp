@@ -100,7 +100,7 @@ void colourMenu(Application& app) {
     if (!plain && app.lesson.onStage()) continue;
     SceneSpec asked;
     asked.colour = scheme.name;
-    const bool on = now ? now->legend.title == scheme.shownLabel() : plain && colourBy(asked) == app.scene.colour_by;
+    const bool on = now ? now->scheme == scheme.name : plain && colourBy(asked) == app.scene.colour_by;
     if (item("menu/view/colours/" + std::string(scheme.name), scheme.shownLabel(), nullptr, on)) {
       app.scene.colour_by = colourBy(asked);
       app.scene.look.colouring = schemeColouring(*app.scene.stage().molecule, asked.colour);

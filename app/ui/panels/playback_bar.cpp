@@ -194,7 +194,7 @@ void drawPlaybackBar(Application& app) {
   }
   const bool close = button("playback/close", tr("Close"), ButtonLook::Plain, close_w);
   endPanel();
-  if (close) playback.close(app);
+  if (close) playback.close();
 }
 
 }  // namespace moltact

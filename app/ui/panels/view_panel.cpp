@@ -102,7 +102,7 @@ ViewInput readInput(Application& app, ImVec2 low, glm::dvec2 size) {
   in.press = active && ImGui::IsMouseDown(push) && !app.scene.playing() && !measuring;
   if (measuring && hovered && ImGui::IsMouseReleased(push) && app.scene.stage() &&
       io.MouseDragMaxDistanceSqr[push] < look().px(4) * look().px(4)) {
-    if (const auto atom = atomAt(app, {double(io.MousePos.x - low.x), double(io.MousePos.y - low.y)}, size))
+    if (const auto atom = atomAt(app.scene, {double(io.MousePos.x - low.x), double(io.MousePos.y - low.y)}, size))
       tool.take(*app.scene.stage().molecule, *atom);
     else
       tool.finish();
@@ -151,10 +151,10 @@ ViewScene seenScene(const Application& app) {
   scene.left_hand = app.settings.left_handed;
   scene.facets = feltFacets(app.scene.method());
   app.lesson.decorate(scene);
-  const TouchTraces& traces = app.extensions().touch_traces;
-  scene.touched = traces.painted();
-  scene.touched_now = traces.fresh();
-  for (const auto& written : {app.extensions().measuring.drawn(), app.extensions().own_look.drawn(), traces.trail()})
+  const TouchPaint& paint = app.extensions().touch_paint;
+  scene.touched = paint.painted();
+  scene.touched_now = paint.fresh();
+  for (const auto& written : {app.extensions().measuring.drawn(), app.scene.look.annotations, paint.trail()})
     if (written) scene.annotations.push_back(written);
   return scene;
 }

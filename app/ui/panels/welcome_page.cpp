@@ -174,7 +174,7 @@ void drawLessons(Application& app, Grid& grid, bool own) {
     const ImTextureID picture = c.scene ? e.card_pictures.find({c.molecule, *c.scene}) : ImTextureID{};
     if (drawCard(grid, textOf(c), picture, width, abouts)) chosen = &c;
   });
-  if (chosen) e.shelf.begin(app, *chosen);
+  if (chosen) e.shelf.begin(*chosen);
 }
 
 // The lesson that is open is set aside until its panel is opened again, or another lesson.
@@ -217,7 +217,7 @@ void drawNext(Application& app, float most) {
       if (app.hasWork())
         app.panels.welcome = false;
       else
-        app.extensions().shelf.begin(app, *latest);
+        app.extensions().shelf.begin(*latest);
     }
     if (most > look().px(560)) ImGui::SameLine();
   }

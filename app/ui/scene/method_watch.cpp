@@ -56,7 +56,7 @@ void MethodWatch::begin(const Stage& stage, const TouchSetup& felt) {
   left_behind_ticks_ = 0;
   tried_.clear();
   turns_ = PlotBuffer(turns_.capacity());
-  pull_before_ = Vec3(0.0);
+  displacement_before_ = Vec3(0.0);
   turn_peak_deg_ = 0;
 }
 
@@ -82,13 +82,14 @@ MethodRecord& MethodWatch::record(std::string_view method) {
 }
 
 void MethodWatch::noteTurn(const ServoSample& s) {
-  const Vec3& pull = s.contact.displacement_A;
-  const double length = glm::length(pull), before = glm::length(pull_before_);
+  const Vec3& displacement = s.contact.displacement_A;
+  const double length = glm::length(displacement), before = glm::length(displacement_before_);
   if (length > kPull_A && before > kPull_A) {
-    const double turn = std::atan2(glm::length(glm::cross(pull, pull_before_)), glm::dot(pull, pull_before_));
+    const double turn = std::atan2(glm::length(glm::cross(displacement, displacement_before_)),
+                                   glm::dot(displacement, displacement_before_));
     turn_peak_deg_ = std::max(turn_peak_deg_, float(turn * 180.0 / std::numbers::pi));
   }
-  pull_before_ = pull;
+  displacement_before_ = displacement;
   if (++in_point_ < TouchLog::kTicksAPoint) return;
   turns_.add(turn_peak_deg_);
   turn_peak_deg_ = 0;

@@ -84,7 +84,7 @@ class MethodWatch {
   std::size_t left_behind_ticks_ = 0;
   std::vector<MethodRecord> tried_;
   PlotBuffer turns_;
-  Vec3 pull_before_{0.0};
+  Vec3 displacement_before_{0.0};
   float turn_peak_deg_ = 0;
   std::size_t in_point_ = 0;
 };

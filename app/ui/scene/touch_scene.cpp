@@ -41,8 +41,10 @@ void TouchScene::show(Stage next, const MoleculeKey& molecule, const Facing& fac
   servo_settings.workspace = stage_.workspace;
   log_.clear();
   watch_.begin(stage_, touch());
+  // Made before the workspace is handed over: until then the molecule before it is felt, where it was.
+  std::unique_ptr<Interaction> felt = freshInteraction();
   resetView(facing);
-  servo_.begin(handed(false), freshInteraction());
+  servo_.begin(handed(false), std::move(felt));
 }
 
 std::unique_ptr<Interaction> TouchScene::freshInteraction() const {
@@ -81,7 +83,7 @@ void TouchScene::stopForce(bool stopped) {
 bool TouchScene::tryForce(double force_N) {
   if (played_ || servo_settings.panic) return false;
   servo_.setSettings(handed(true));
-  servo_.tryInteraction(std::make_unique<PullTracker>(force_N / kTry_N_per_mm * Workspace().A_per_mm));
+  servo_.tryInteraction(std::make_unique<ConstantForceTracker>(force_N / kTry_N_per_mm * Workspace().A_per_mm));
   return true;
 }
 
@@ -173,6 +175,7 @@ void TouchScene::magnify(bool on) {
   camera.distance_A /= closer;
   fitted_ = camera;
   by_hand_ = on;
+  servo_.setSettings(handed(trying()));
 }
 
 void TouchScene::fitToDevice() {
@@ -189,6 +192,7 @@ void TouchScene::followView() {
   ++servo_settings.discontinuities;
   // The mouse stays where it is in the molecule.
   if (!device_leads_) servo_.mouse().place(servo_settings.workspace.toDevice(controls.lead()));
+  servo_.setSettings(handed(trying()));
 }
 
 void TouchScene::layBeforeHand(PointA toward) {
@@ -311,9 +315,10 @@ void TouchScene::placeAtoms(std::vector<Ball> at) {
   seen_motion_ = 0;
   log_.clear();
   watch_.begin(stage_, touch());
+  std::unique_ptr<Interaction> felt = freshInteraction();
   layBeforeHand(camera.target);
   handBegins(camera.target);
-  servo_.begin(handed(false), freshInteraction());
+  servo_.begin(handed(false), std::move(felt));
 }
 
 // The picture goes with the newest tick, and costs at most half of the window's time: shapes that take long to make

@@ -100,8 +100,8 @@ void ViewControls::begin(const Camera& camera, PointA before, const Workspace& w
   pressing_ = let_go_ = false;
   press_rested_s_ = 0.0;
   lead_ = {before.A + camera.back() * outside_A};
-  mouse.place(workspace.toDevice(lead_));
   mouse.turn(orientation_ = kNoRotation);
+  mouse.place(workspace.toDevice(lead_));
 }
 
 }  // namespace moltact

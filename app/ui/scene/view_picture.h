@@ -34,7 +34,7 @@ class ViewPicture {
 
   /// Null until something has been drawn.
   ImTextureID texture() const;
-  /// Another number whenever texture() or kept() shows something else than before.
+  /// Another number whenever a picture was drawn or kept.
   std::uint64_t version() const { return (renderer_ ? renderer_->count().pictures : 0) + fades_; }
   /// Keeps the picture as it is, to fade away over the ones that follow; does nothing before the first.
   void keepForFade();

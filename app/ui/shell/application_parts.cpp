@@ -7,7 +7,8 @@
 namespace moltact {
 
 ApplicationParts applicationParts() {
-  return {std::make_unique<Extensions>(), [](Application& app) { runKeys(app); },
+  return {[](Application& app) -> std::unique_ptr<ExtensionSet> { return std::make_unique<Extensions>(app); },
+          [](Application& app) { runKeys(app); },
           [](Application& app) {
             for (const Panel& panel : allPanels()) panel.draw(app);
           }};

@@ -63,8 +63,9 @@ void Shell::frame(int width, int height, double dt_s, const std::function<void()
   ImGui::Render();
   if (!drawn) return;
   ImDrawData& data = *ImGui::GetDrawData();
-  if (!kept_) damage_.forget();
-  for (const Rectangle& area : damage_.since(data)) drawWithin(area, data, look().palette.ground);
+  const ImU32 ground = look().palette.ground;
+  if (!kept_) return drawWithin({{0, 0}, {float(width), float(height)}}, data, ground);
+  for (const Rectangle& area : damage_.since(data)) drawWithin(area, data, ground);
 }
 
 }  // namespace moltact

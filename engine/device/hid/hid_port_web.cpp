@@ -1,4 +1,4 @@
-// HID devices of a page: WebHID, where the browser has it. app/web/page.js keeps the devices that the person has shown the
+// HID devices of a page: WebHID, where the browser has it. app/web/devices.js keeps the devices that the person has shown the
 // page (Module.hid): opened, their descriptions read, what they report in a queue for each port. Ids of reports come
 // first in their bytes here, as in hidapi.
 #include <emscripten.h>

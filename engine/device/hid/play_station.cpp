@@ -53,7 +53,7 @@ void PlayStationProtocol::advance(double dt_s, DevicePose& pose) noexcept {
   if ((silent_s_ += dt_s) > rate_control::kSilence_s) push_ = turn_ = Vec3(0.0);
   rate_control::move(pose, push_, dt_s);
   view_motion_ = {};
-  if (turns_hand_)
+  if (rotates_hand_)
     rate_control::rotate(pose, turn_, dt_s);
   else
     view_motion_.rotation = rate_control::shaped(turn_);

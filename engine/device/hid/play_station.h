@@ -28,7 +28,7 @@ class PlayStationProtocol final : public PacketProtocol {
   bool parseReport(std::span<const std::uint8_t> report, DevicePose& pose) noexcept override;
   void advance(double dt_s, DevicePose& pose) noexcept override;
   ViewMotion viewMotion() const noexcept override { return view_motion_; }
-  void turnHand(bool on) noexcept override { turns_hand_ = on; }
+  void rotateHand(bool on) noexcept override { rotates_hand_ = on; }
   std::size_t encode(const Wrench& wrench, ReportBuffer out) noexcept override;
   std::size_t encodeFinalReport(ReportBuffer out) noexcept override;
 
@@ -37,7 +37,7 @@ class PlayStationProtocol final : public PacketProtocol {
   Vec3 push_{0.0}, turn_{0.0};
   ViewMotion view_motion_;
   double silent_s_ = 0;
-  bool by_usb_ = false, turns_hand_ = false;
+  bool by_usb_ = false, rotates_hand_ = false;
   int sent_step_ = -1;  // the step of rumble that was sent last; -1: none
 };
 

@@ -67,7 +67,7 @@ void SpaceMouseProtocol::advance(double dt_s, DevicePose& pose) noexcept {
   view_motion_ = {};
   // No hand pushes without turning a little, nor the other way round.
   const bool turns = glm::length(axes_.rotation) > glm::length(axes_.push);
-  if (turns && turns_hand_ && !leads_view_)
+  if (turns && rotates_hand_ && !leads_view_)
     rate_control::rotate(pose, axes_.rotation, dt_s);
   else if (turns)
     view_motion_.rotation = rate_control::shaped(axes_.rotation);

@@ -22,14 +22,14 @@ class SpaceMouseProtocol final : public PacketProtocol {
   bool parseReport(std::span<const std::uint8_t> report, DevicePose& pose) noexcept override;
   void advance(double dt_s, DevicePose& pose) noexcept override;
   ViewMotion viewMotion() const noexcept override { return view_motion_; }
-  void turnHand(bool on) noexcept override { turns_hand_ = on; }
+  void rotateHand(bool on) noexcept override { rotates_hand_ = on; }
   const SixAxes& axes() const { return axes_; }
 
  private:
   SixAxes axes_;
   ViewMotion view_motion_;
   std::uint32_t pressed_ = 0;
-  bool leads_view_ = false, turns_hand_ = false;
+  bool leads_view_ = false, rotates_hand_ = false;
   double silent_s_ = 0;
 };
 

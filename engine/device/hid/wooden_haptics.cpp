@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
+#include "engine/core/units.h"
 #include "engine/device/hid/hid_kind.h"
 #include "engine/device/packet/report_bytes.h"
 #include "engine/language/catalogue.h"
@@ -58,7 +58,7 @@ bool WoodenHapticsProtocol::parseReport(std::span<const std::uint8_t> report, De
   for (int k = 0; k < 3; ++k) {
     counts_[k] = int16At(report, 2 * std::size_t(k));
     const auto turned = static_cast<std::int16_t>(counts_[k] - upright_[k]);
-    angles_[k] = -kGear[k] * 2.0 * std::numbers::pi * turned / kCountsATurn;  // the bodies turn against their motors
+    angles_[k] = -kGear[k] * kTwoPi * turned / kCountsATurn;  // the bodies turn against their motors
   }
   pose.position = place(angles_);
   return true;

@@ -142,7 +142,7 @@ void PacketDevice::takeTurn(int wait_ms) noexcept {
     const double since_s = std::chrono::duration<double>(now - last_turn_).count();
     if (!own_thread_ && since_s > kSameFrame_s) state.wait_s = since_s;
     last_turn_ = now;
-    protocol_->turnHand(turns_hand_.load(std::memory_order_relaxed));
+    protocol_->rotateHand(rotates_hand_.load(std::memory_order_relaxed));
     protocol_->advance(std::min(0.05, since_s), state.pose);
     state_.write(state);
     view_motion_.write(protocol_->viewMotion());

@@ -1,10 +1,10 @@
 // A device that speaks in packets: HID, a serial line, a network. Its own thread waits for reports and hands the newest
 // place over; where no thread can be had (a page in a browser) each tick takes what has come, and the time from one
-// frame's ticks to the next one's counts as delay. It gives the newest force after each report, and no force when the haptic thread has not written for
-// kCommandTimeout_s. It reopens the device after it was unplugged. The last report that it writes gives no force,
-// whatever ends it: a read or a write that fails, an exception, the destructor, a signal. It measures its own part of
-// the delay: how old a place is when it is read, and how long a force waits for the thread. A PacketProtocol knows what
-// the reports mean, a PacketPort how they travel.
+// frame's ticks to the next one's counts as delay. It gives the newest force after each report, and no force when the
+// haptic thread has not written for kCommandTimeout_s. It reopens the device after it was unplugged. The last report
+// that it writes gives no force, whatever ends it: a read or a write that fails, an exception, the destructor, a
+// signal. It measures its own part of the delay: how old a place is when it is read, and how long a force waits for the
+// thread. A PacketProtocol knows what the reports mean, a PacketPort how they travel.
 #pragma once
 
 #include <atomic>
@@ -48,7 +48,7 @@ class PacketDevice final : public Device {
   DeviceStatus status() override;
   void calibrate() override { calibrate_.store(true, std::memory_order_release); }
   ViewMotion viewMotion() noexcept override { return view_motion_.read(); }
-  void turnHand(bool on) noexcept override { turns_hand_.store(on, std::memory_order_relaxed); }
+  void rotateHand(bool on) noexcept override { rotates_hand_.store(on, std::memory_order_relaxed); }
 
  private:
   using Clock = std::chrono::steady_clock;
@@ -95,7 +95,7 @@ class PacketDevice final : public Device {
   TripleBuffer<DeviceGuidance> guidance_;
   std::uint32_t last_read_ = 0;  // of the haptic thread: the count of the last place
   Command next_command_;         // of the haptic thread
-  std::atomic<bool> ends_{false}, gone_{false}, calibrate_{false}, turns_hand_{false};
+  std::atomic<bool> ends_{false}, gone_{false}, calibrate_{false}, rotates_hand_{false};
   std::thread thread_;
 };
 

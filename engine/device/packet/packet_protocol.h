@@ -23,7 +23,8 @@ struct DeviceGuidance {
 class PacketProtocol {
  public:
   virtual ~PacketProtocol() = default;
-  /// Asks the device for its description, when it is listed, opened or reopened. A Problem where it is not of this kind.
+  /// Asks the device for its description, when it is listed, opened or reopened. A Problem where it is not of this
+  /// kind.
   virtual std::optional<Problem> begin(PacketPort&, DeviceInfo&) { return std::nullopt; }
   /// After begin() returned a Problem: false where the device is of another kind altogether.
   virtual bool ofKind() const noexcept { return true; }
@@ -36,15 +37,15 @@ class PacketProtocol {
   virtual void advance(double /*dt_s*/, DevicePose&) noexcept {}
   /// The motion of the view that the newest reports ask for, for devices that lead it.
   virtual ViewMotion viewMotion() const noexcept { return {}; }
-  /// As Device::turnHand; called before each advance().
-  virtual void turnHand(bool) noexcept {}
-  /// Encodes the report that gives this force, and this torque where the device drives one (DeviceSpecs::dof_out 6). Its
-  /// id comes first. Returns its length; 0: nothing is to be written.
+  /// As Device::rotateHand; called before each advance().
+  virtual void rotateHand(bool) noexcept {}
+  /// Encodes the report that gives this force, and this torque where the device drives one (DeviceSpecs::dof_out 6).
+  /// Its id comes first. Returns its length; 0: nothing is to be written.
   virtual std::size_t encode(const Wrench&, ReportBuffer) noexcept { return 0; }
   /// Encodes the report that ends all force, with the motors off where they can be switched.
   virtual std::size_t encodeStop(ReportBuffer out) noexcept { return encode(Wrench{}, out); }
-  /// Encodes the last report that the device gets: no force. Unlike encodeStop() it returns a report even where the same
-  /// one was sent just before, for that one may not have arrived; 0 only where no force can have been given.
+  /// Encodes the last report that the device gets: no force. Unlike encodeStop() it returns a report even where the
+  /// same one was sent just before, for that one may not have arrived; 0 only where no force can have been given.
   virtual std::size_t encodeFinalReport(ReportBuffer out) noexcept { return encodeStop(out); }
 };
 

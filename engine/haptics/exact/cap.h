@@ -7,15 +7,16 @@
 
 namespace moltact {
 
-/// The unit directions x from the centre of sphere i with dot(way, x) > level lie in ball j: on sphere i the equation
-/// |c_i + R_i x - c_j|^2 < R_j^2 is linear in x. With level >= |way| none does, with level < -|way| all do.
+/// The unit directions x from the centre of sphere i with dot(offset, x) > level lie in ball j: on sphere i the
+/// equation |c_i + R_i x - c_j|^2 < R_j^2 is linear in x. With level >= |offset| none does, with level < -|offset| all
+/// do.
 struct Cap {
-  Vec3 way;      ///< from centre i to centre j
+  Vec3 offset;   ///< from centre i to centre j
   double level;  ///< (d^2 + R_i^2 - R_j^2) / (2 R_i)
 
   Cap(const NearBall& i, const NearBall& j)
-      : way(j.centre - i.centre),
-        level((glm::dot(way, way) + (i.radius - j.radius) * (i.radius + j.radius)) / (2.0 * i.radius)) {}
+      : offset(j.centre - i.centre),
+        level((glm::dot(offset, offset) + (i.radius - j.radius) * (i.radius + j.radius)) / (2.0 * i.radius)) {}
 };
 
 /// The power of a place in a ball, |p - c|^2 - R^2: under 0 inside (unit: square angstrom).
@@ -24,9 +25,9 @@ inline double powerOf(const Vec3& place, const NearBall& ball) {
   return glm::dot(m, m) - ball.radius * ball.radius;
 }
 
-/// True only where a place on sphere i with this power in ball j would have to turn by more than `angle` (unit: radian)
-/// before it meets that ball. Without a root: the power is 2 R_i d times the way of its cosine to the rim's, and a
-/// cosine changes by at most one a radian; d <= R_i + R_j where the two meet.
+/// True only where a place on sphere i with this power in ball j would have to rotate by more than `angle` (unit:
+/// radian) before it meets that ball. Without a root: the power is 2 R_i d times the difference between its cosine and
+/// the rim's, and a cosine changes by at most one a radian; d <= R_i + R_j where the two meet.
 inline bool farFrom(const NearBall& i, const NearBall& j, double power, double angle) {
   return power > 2.0 * i.radius * angle * (i.radius + j.radius);
 }

@@ -1,15 +1,15 @@
-// Where a point on a circular way enters a cap, in closed form. Haptic thread.
+// Where a point on a circular path enters a cap, in closed form. Haptic thread.
 // Along a great circle or an intersection circle the point's share in a cap's axis is f(t) = a cos t + b sin t
 // (t = 0 where the point is now); it is covered where f(t) > q. The point itself is not: a <= q. Units: radian.
 #pragma once
 
 #include <cmath>
-#include <numbers>
+
+#include "engine/core/units.h"
 
 namespace moltact {
 
 inline constexpr double kNever = 1e300;
-inline constexpr double kTwoPi = 2.0 * std::numbers::pi;
 
 /// The first t >= 0 at which f rises above q, or kNever.
 inline double entryAngle(double a, double b, double q) {
@@ -19,7 +19,7 @@ inline double entryAngle(double a, double b, double q) {
   return t >= 0.0 ? t : t + kTwoPi;
 }
 
-/// The way to a cap in either direction, from one pair of inverse functions: `forward` as entryAngle(a, b, q) and
+/// The angle to a cap in either direction, from one pair of inverse functions: `forward` as entryAngle(a, b, q) and
 /// `backward` as entryAngle(a, -b, q).
 struct Entries {
   double forward = kNever, backward = kNever;

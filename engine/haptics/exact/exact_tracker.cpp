@@ -16,7 +16,7 @@ namespace {
 // it. What is within 128 times as much of the SCP is touched (docs/exact-tracker.md, "What rounding may do").
 constexpr double kContact = 0x1p-43;
 
-// Every ball that comes within kLook_A of the SCP is looked at before a way goes on; a list of them serves until the
+// Every ball that comes within kLook_A of the SCP is looked at before a path goes on; a list of them serves until the
 // SCP has gone kMargin_A farther. Longer lists are dearer to gather, shorter ones are gathered more often.
 constexpr double kLook_A = 0.5, kMargin_A = 1.0;
 
@@ -100,7 +100,7 @@ Contact ExactTracker::lookRound(double x, double y, double z) noexcept {
   return contact(h);
 }
 
-// A tick in which the surface is on its way to another probe.
+// A tick in which the surface grows or shrinks to another probe.
 Contact ExactTracker::whileItSwells(const Vec3& hip) noexcept {
   near_.countFromZero();
   if (!std::exchange(swelled_, false)) swell();
@@ -136,7 +136,7 @@ void ExactTracker::flow(const Vec3& hip) noexcept {
     const double now_A = glm::distance(hip, scp_);
     ++idle;
     if (left_A - now_A > contact_A_) idle = 0, left_A = now_A;
-    // To and fro over a flat crease a way sinks into its two sides by turns: from now on both block it.
+    // To and fro over a flat crease a path sinks into its two sides alternately: from now on both block it.
     if (grazes && (small >= kMostGrazing || idle > kMostIdle)) {
       grazes = false;
       idle = 0;
@@ -167,14 +167,14 @@ void ExactTracker::holdHere() noexcept {
   feature_ = holders_[1] < 0 ? Feature::Sphere : holders_[2] < 0 ? Feature::Circle : Feature::Point;
 }
 
-// One piece of the way.
+// One piece of the path.
 ExactTracker::SlideResult ExactTracker::piece(const Vec3& hip, Admitted admitted) noexcept {
   if (feature_ == Feature::Free) return fly(hip);
   findTouching();
   const ActiveSet set = activeSet(hip - scp_, {touching_.data(), touching_count_}, contact_A_, admitted);
   may_sink_ |= int(touching_count_) > set.count;
   const auto by = [&](int k) { return touching_[std::size_t(set.by[std::size_t(k)])].ball; };
-  if (!set.found && admitted.skip > 0) {  // every way that rounding admits has been tried
+  if (!set.found && admitted.skip > 0) {  // every path that rounding admits has been tried
     holdHere();
     return SlideResult::Rests;
   }
@@ -209,9 +209,9 @@ int ExactTracker::thirdOf(const ActiveSet& set) const noexcept {
   return -1;
 }
 
-// A way under 1/16 of what counts as touching leads nowhere.
-ExactTracker::SlideResult ExactTracker::slideResult(double way_A) const noexcept {
-  return way_A > contact_A_ / 16.0 ? SlideResult::GoesOn : SlideResult::Stuck;
+// A path under 1/16 of what counts as touching leads nowhere.
+ExactTracker::SlideResult ExactTracker::slideResult(double moved_A) const noexcept {
+  return moved_A > contact_A_ / 16.0 ? SlideResult::GoesOn : SlideResult::Stuck;
 }
 
 void ExactTracker::findTouching() noexcept {
@@ -230,15 +230,15 @@ bool ExactTracker::outsideAll() noexcept {
   return outside;
 }
 
-// A lower bound of the way from a place to the nearest ball; negative or zero inside or on one.
+// A lower bound of the distance from a place to the nearest ball; negative or zero inside or on one.
 double ExactTracker::gapRound(const Vec3& place) noexcept {
   double least = kFarthest_A;
   const double known =
       near_.each(place, kLook_A, [&](const NearBall& b) { lessenGap(least, place - b.centre, b.radius); });
-  return least < known ? least : std::max(known, wayToBox(near_.scene(), near_.probe_A(), near_.origin() + place));
+  return least < known ? least : std::max(known, distanceToBox(near_.scene(), near_.probe_A(), near_.origin() + place));
 }
 
-// The first ball on a straight way. A short one meets only what is known to be near.
+// The first ball on a straight path. A short one meets only what is known to be near.
 Hit ExactTracker::firstMet(const Vec3& to) noexcept {
   const double length = glm::distance(scp_, to);
   if (!(length > 0.0)) return {};
@@ -252,7 +252,8 @@ Hit ExactTracker::firstMet(const Vec3& to) noexcept {
 }
 
 ExactTracker::SlideResult ExactTracker::fly(const Vec3& hip) noexcept {
-  // From free space a short way needs no search along it: a ball on it would be as near to its end as the way is long.
+  // From free space a short path needs no search along it: a ball on it would be as near to its end as the path is
+  // long.
   if (feature_ == Feature::Free) {
     const double gap = near_.knownInside(hip) ? 0.0 : gapRound(hip);
     if (gap > 0.0 && gap * gap > glm::dot(hip - scp_, hip - scp_)) {
@@ -286,48 +287,48 @@ ExactTracker::SlideResult ExactTracker::restOnSphere(std::int32_t ball, const Ve
   feature_ = Feature::Sphere;
   holdBy(ball);
   scp_ = on.centre + direction * on.radius;
-  // How far one may turn until a cap is met, the nearest cap apart: a cosine changes by at most one a radian.
+  // The angle to go until a cap is met, the nearest cap apart: a cosine changes by at most one a radian.
   patch_ = {.centre = direction};
-  double nearest_slack = 1.5, slack = 1.5;  // under a hemisphere: ways between its places stay in it
+  double nearest_slack = 1.5, slack = 1.5;  // under a hemisphere: paths between its places stay in it
   const double known = near_.each(scp_, kLook_A, [&](const NearBall& other) {
     if (other.index == ball || farFrom(on, other, powerOf(scp_, other), slack)) return;
     const Cap cap(on, other);
-    const double distance = glm::length(cap.way);
+    const double distance = glm::length(cap.offset);
     // A ball that stands out by less than rounding can tell stands for the same surface.
     if (cap.level >= distance || distance + other.radius - on.radius <= contact_A_) return;
-    const double gap = (cap.level - glm::dot(cap.way, direction)) / distance;
+    const double gap = (cap.level - glm::dot(cap.offset, direction)) / distance;
     if (gap >= slack) return;
     slack = std::max(gap, nearest_slack);
     if (gap >= nearest_slack) return;
     nearest_slack = gap;
-    patch_.axis = cap.way / distance;
+    patch_.axis = cap.offset / distance;
     patch_.rim = cap.level / distance;
   });
   slack = std::min(slack, known / on.radius);
-  // Under so small a turn the cosine has no digits left: the next tick looks again.
+  // Under so small an angle the cosine has no digits left: the next tick looks again.
   const auto cosine = [](double angle) { return angle > 1e-6 ? std::cos(angle) : 2.0; };
   patch_.cosine = cosine(slack);
   patch_.clear = cosine(std::min(slack, nearest_slack));
   return SlideResult::Rests;
 }
 
-// Case 1: the way on a sphere toward the place nearest to the HIP is a great circle.
+// Case 1: the path on a sphere toward the place nearest to the HIP is a great circle.
 ExactTracker::SlideResult ExactTracker::slideOnSphere(const Vec3& hip, std::int32_t ball,
                                                       std::int32_t toward) noexcept {
   const NearBall on = near_.ball(ball);
   const Vec3 c = on.centre, m = hip - c;
   const double r = on.radius, d = glm::length(m);
   const Vec3 x = glm::normalize(scp_ - c);
-  if (d <= contact_A_) return restOnSphere(ball, x);  // from the centre every way is as long
+  if (d <= contact_A_) return restOnSphere(ball, x);  // from the centre every path is equally long
   const Vec3 nearest = m / d;
-  Vec3 sideways = nearest - x * glm::dot(nearest, x);
-  const double sine = glm::length(sideways);
+  Vec3 tangent = nearest - x * glm::dot(nearest, x);
+  const double sine = glm::length(tangent);
   if (sine <= 1e-15)
     return restOnSphere(ball,
-                        glm::dot(nearest, x) > 0.0 ? nearest : x);  // straight behind the centre no way is shorter
-  sideways /= sine;
-  sideways = glm::normalize(sideways -
-                            x * glm::dot(sideways, x));  // nearly behind the centre the first difference has few digits
+                        glm::dot(nearest, x) > 0.0 ? nearest : x);  // straight behind the centre no path is shorter
+  tangent /= sine;
+  tangent = glm::normalize(tangent -
+                           x * glm::dot(tangent, x));  // nearly behind the centre the first difference has few digits
   const double arrives = std::atan2(sine, glm::dot(nearest, x));
 
   // A HIP that has come out of the ball is seen from where the ball no longer hides it: there the flight begins.
@@ -338,21 +339,21 @@ ExactTracker::SlideResult ExactTracker::slideOnSphere(const Vec3& hip, std::int3
     const double power = powerOf(scp_, other);
     if (other.index == ball || farFrom(on, other, power, end)) return;
     const Cap cap(on, other);
-    const double a = glm::dot(cap.way, x), b = glm::dot(cap.way, sideways);
-    // What is touched and does not hold is met where the way has sunk by contact_A_ into it.
+    const double a = glm::dot(cap.offset, x), b = glm::dot(cap.offset, tangent);
+    // What is touched and does not hold is met where the path has sunk by contact_A_ into it.
     const double sinks =
         power <= 2.0 * other.radius * contact_A_ && other.index != toward ? contact_A_ * other.radius / r : 0.0;
     const double t = entryAngle(a, b, std::max(cap.level, a) + sinks);
     if (t < end) end = t, meets = true;
   });
-  // Beyond what has been looked at the way is taken up anew.
+  // Beyond what has been looked at the path is begun anew.
   const bool cut = end * r > known;
   if (cut) end = known / r;
 
   if (!meets && !cut && end == arrives) return restOnSphere(ball, nearest);
   feature_ = Feature::Sphere;
   holdBy(ball);
-  scp_ = c + (x * std::cos(end) + sideways * std::sin(end)) * r;
+  scp_ = c + (x * std::cos(end) + tangent * std::sin(end)) * r;
   patch_.clear = patch_.cosine = 2.0;
   return slideResult(end * r);
 }
@@ -388,12 +389,12 @@ ExactTracker::Made ExactTracker::makeCircle(std::int32_t i, std::int32_t j) noex
   c.low = -kTwoPi;
   const double known = near_.each(scp_, kLook_A, [&](const NearBall& other) {
     if (other.index == i || other.index == j) return;
-    const Vec3 way = other.centre - c.centre;
-    const double a = glm::dot(way, c.axis_1), b = glm::dot(way, c.axis_2);
+    const Vec3 offset = other.centre - c.centre;
+    const double a = glm::dot(offset, c.axis_1), b = glm::dot(offset, c.axis_2);
     // It covers the angles whose a cos + b sin is greater than q.
-    double q = (glm::dot(way, way) + (c.radius - other.radius) * (c.radius + other.radius)) / (2.0 * c.radius);
+    double q = (glm::dot(offset, offset) + (c.radius - other.radius) * (c.radius + other.radius)) / (2.0 * c.radius);
     if (q >= 0.0 && q * q >= a * a + b * b) return;
-    // What is touched and does not hold is met where the way has sunk by contact_A_ into it; the power here is 2 (q -
+    // What is touched and does not hold is met where the path has sunk by contact_A_ into it; the power here is 2 (q -
     // a) c.radius.
     const double sinks = contact_A_ * other.radius / c.radius;
     if (q - a <= sinks) q = std::max(q, a) + sinks;
@@ -417,7 +418,7 @@ ExactTracker::Made ExactTracker::makeCircle(std::int32_t i, std::int32_t j) noex
   return Made::Yes;
 }
 
-// Case 2: the way along the circle of two spheres, the short way round to the place nearest to the HIP.
+// Case 2: the path along the circle of two spheres, the short way round to the place nearest to the HIP.
 ExactTracker::SlideResult ExactTracker::slideOnCircle(const Vec3& hip, std::int32_t i, std::int32_t j) noexcept {
   Circle& c = circle_;
   const bool same = feature_ == Feature::Circle && ((c.i == i && c.j == j) || (c.i == j && c.j == i));
@@ -434,30 +435,30 @@ ExactTracker::SlideResult ExactTracker::slideOnCircle(const Vec3& hip, std::int3
   const Vec3 m = hip - c.centre;
   const double along = glm::dot(m, c.axis), y1 = glm::dot(m, c.axis_1), y2 = glm::dot(m, c.axis_2);
   const double out = std::sqrt(y1 * y1 + y2 * y2);
-  const bool off_axis = out > contact_A_;  // from the axis every way is as long
-  double turn = 0.0;
+  const bool off_axis = out > contact_A_;  // from the axis every path is equally long
+  double rotation = 0.0;
   if (off_axis) {
-    turn = std::atan2(y2, y1) - c.angle;
-    turn -= kTwoPi * std::round(turn / kTwoPi);
+    rotation = std::atan2(y2, y1) - c.angle;
+    rotation -= kTwoPi * std::round(rotation / kTwoPi);
   }
-  const double way = std::abs(turn), sign = turn < 0.0 ? -1.0 : 1.0;
+  const double to_go = std::abs(rotation), sign = rotation < 0.0 ? -1.0 : 1.0;
 
-  // mu_i = (S to_j - along) / between and mu_j = (S to_i + along) / between, with S = 1 - out cos(turn left) / radius,
-  // are the balls' shares in holding the SCP; where one falls to nothing the SCP leaves that ball.
+  // mu_i = (S to_j - along) / between and mu_j = (S to_i + along) / between, with S = 1 - out cos(rotation to go) /
+  // radius, are the balls' shares in holding the SCP; where one falls to nothing the SCP leaves that ball.
   const auto released = [&](double to_other, double lean) {
-    const double now = 1.0 - out * std::cos(way) / c.radius;
+    const double now = 1.0 - out * std::cos(to_go) / c.radius;
     if (now * to_other - lean < 0.0) return 0.0;
-    if (to_other <= 0.0) return kNever;  // S falls on the way: this share grows
+    if (to_other <= 0.0) return kNever;  // S falls as the SCP goes on: this share grows
     const double cosine = (1.0 - lean / to_other) * c.radius / std::max(out, 1e-300);
     if (cosine >= 1.0) return kNever;
-    return std::max(0.0, way - std::acos(std::max(-1.0, cosine)));
+    return std::max(0.0, to_go - std::acos(std::max(-1.0, cosine)));
   };
   const double meets = std::max(0.0, sign > 0.0 ? c.high - c.angle : c.angle - c.low);
   const double end = std::min({released(c.to_j, along), released(c.to_i, -along), meets});
   holdBy(i, j);
-  if (way < meets && way <= end) {
+  if (to_go < meets && to_go <= end) {
     feature_ = Feature::Circle;
-    c.angle += turn;
+    c.angle += rotation;
     if (off_axis) {
       c.along_1 = y1 / out;
       c.along_2 = y2 / out;

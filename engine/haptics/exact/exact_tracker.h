@@ -1,6 +1,6 @@
 // The exact tracker: the god-object on the union of balls, with no error but rounding.
 //
-// The SCP s flows down |x - h|^2 toward the HIP h from its last place and stays outside every ball. Its way is made of
+// The SCP s flows down |x - h|^2 toward the HIP h from its last place and stays outside every ball. Its path is made of
 // pieces that are known in closed form: straight flight, great circles on spheres, arcs of intersection circles; so are
 // the places where one piece ends and the next begins (docs/exact-tracker.md). Nothing is kept but a list of the balls
 // near the SCP (nearby_balls.h).
@@ -98,7 +98,7 @@ class ExactTracker final : public Tracker {
   void forgetSurroundings() noexcept;
   double gapRound(const Vec3& place) noexcept;
   Hit firstMet(const Vec3& to) noexcept;
-  SlideResult slideResult(double way_A) const noexcept;
+  SlideResult slideResult(double moved_A) const noexcept;
   double contactAt(const Vec3& place) const noexcept;
   void holdBy(std::int32_t a, std::int32_t b = -1, std::int32_t c = -1) noexcept;
   void lookAtHolders() noexcept;
@@ -117,7 +117,7 @@ class ExactTracker final : public Tracker {
   // clear_gap_.
   Vec3 clear_from_{0.0};
   double clear_gap_ = 0.0, clear_fraction_ = 0.0;
-  bool swells_ = false;   // the surface is on its way to probe goal_A_
+  bool swells_ = false;   // the surface is growing or shrinking to probe goal_A_
   bool swelled_ = false;  // and has gone on since the last tick
   double goal_A_ = 0.0, step_A_ = 0.0;
   bool may_sink_ = false;  // it has passed balls that are touched and do not hold

@@ -1,5 +1,5 @@
 // The SCP among spheres that move (sphere_motion.h). Each tick the listed spheres go to their new places; then the SCP
-// is on its feature where that is now, if nothing else can have come in the way; otherwise it is brought out of what
+// is on its feature where that is now, if nothing else can have come between; otherwise it is brought out of what
 // has closed in on it, piece by piece, and flows as always. Part of ExactTracker; haptic thread.
 #include <algorithm>
 #include <array>
@@ -98,17 +98,17 @@ bool ExactTracker::followsQuickly(const Vec3& hip, double moved_A) noexcept {
       break;
     }
   }
-  // Every other sphere is farther off than the way there, and than it has come itself.
-  const double way = kArcOfChord * (glm::distance(scp_, place) + moved_A) + moved_A;
+  // Every other sphere is farther off than the place is, and than it has come itself.
+  const double distance_A = kArcOfChord * (glm::distance(scp_, place) + moved_A) + moved_A;
   const auto clear = [&] {
     const double come_A = std::abs(near_.fraction() - clear_fraction_) * near_.mostMoved_A();
-    return near_.covers(scp_, way) && clear_gap_ > way + come_A + glm::distance(scp_, clear_from_);
+    return near_.covers(scp_, distance_A) && clear_gap_ > distance_A + come_A + glm::distance(scp_, clear_from_);
   };
   if (!clear()) {
     clear_from_ = scp_;
     clear_fraction_ = near_.fraction();
     clear_gap_ = kFarthest_A;
-    const double known = near_.each(scp_, way, [&](const NearBall& b) {
+    const double known = near_.each(scp_, distance_A, [&](const NearBall& b) {
       if (b.index != holders_[0] && b.index != holders_[1] && b.index != holders_[2])
         lessenGap(clear_gap_, scp_ - b.centre, b.radius);
     });

@@ -105,8 +105,8 @@ ExactTracker::Freed ExactTracker::toFreePlace() noexcept {
     double best2 = std::pow(std::min(kSqueezed_A, known), 2);
     bool found = false;
     const auto offer = [&](const Vec3& p, std::int32_t a, std::int32_t b, std::int32_t c) {
-      const Vec3 way = p - was;
-      const double d2 = glm::dot(way, way);
+      const Vec3 moved = p - was;
+      const double d2 = glm::dot(moved, moved);
       if (!(d2 < best2) || inside(p)) return;
       best2 = d2;
       scp_ = p;

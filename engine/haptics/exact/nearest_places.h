@@ -17,11 +17,11 @@ inline bool nearestOnCircle(const NearBall& i, const NearBall& j, const Vec3& p,
   const double r2 = (i.radius - x) * (i.radius + x);
   if (!(r2 > 0.0)) return false;
   const Vec3 axis = between / d, centre = i.centre + axis * x;
-  Vec3 way = p - centre;
-  way -= axis * glm::dot(way, axis);
-  const double far = glm::length(way);
+  Vec3 radial = p - centre;
+  radial -= axis * glm::dot(radial, axis);
+  const double far = glm::length(radial);
   if (!(far > 0.0)) return false;
-  out = centre + way * (std::sqrt(r2) / far);
+  out = centre + radial * (std::sqrt(r2) / far);
   return true;
 }
 

@@ -1,5 +1,5 @@
 // The ticks that are most: the SCP stays on its feature, and what is known of the surroundings says that nothing is in
-// the way. Part of ExactTracker; haptic thread. Units: angstrom; radian.
+// the path. Part of ExactTracker; haptic thread. Units: angstrom; radian.
 #include <cmath>
 
 #include "engine/haptics/exact/entry_angle.h"
@@ -39,8 +39,8 @@ Contact ExactTracker::step(PointA hip) noexcept {
   if (feature_ == Feature::Free && armed_) {
     const Vec3& o = near_.origin();
     const double x = h.x - o.x, y = h.y - o.y, z = h.z - o.z;  // one by one: as a vector they would go through memory
-    const double way_x = x - free_from_.x, way_y = y - free_from_.y, way_z = z - free_from_.z;
-    if (way_x * way_x + way_y * way_y + way_z * way_z < free_gap2_) {
+    const double dx = x - free_from_.x, dy = y - free_from_.y, dz = z - free_from_.z;
+    if (dx * dx + dy * dy + dz * dz < free_gap2_) {
       scp_.x = x, scp_.y = y, scp_.z = z;
       return {.scp = hip};
     }
@@ -49,8 +49,8 @@ Contact ExactTracker::step(PointA hip) noexcept {
 }
 
 // A tick of contact, apart, so that the free ones need not save its registers: leads the SCP to the place on its
-// feature nearest to the HIP, and looks round, with nothing changed, where that may not be all. It needs not ask whether
-// spheres move or swell: then nothing is known of the surroundings (forgetSurroundings).
+// feature nearest to the HIP, and looks round, with nothing changed, where that may not be all. It needs not ask
+// whether spheres move or swell: then nothing is known of the surroundings (forgetSurroundings).
 Contact ExactTracker::stay(double x, double y, double z) noexcept {
   const Vec3 h(x, y, z);
   if (!usableHip(h)) return lookRound(x, y, z);
@@ -67,12 +67,12 @@ Contact ExactTracker::stay(double x, double y, double z) noexcept {
       const Vec3 to = m * (r / d);  // from the centre to the place on the sphere nearest to the HIP
       if (along < patch_.clear * d) {
         if (along < patch_.cosine * d) break;
-        // From the last place to the nearest cap's rim and on to this one is a longer way than from the one to the
+        // From the last place to the nearest cap's rim and on to this one is farther than from the one to the
         // other.
         const Vec3 from = scp_ - ball.centre, chord = to - from;
         const double rim = patch_.rim * r, gap = rim - glm::dot(to, patch_.axis),
-                     room = rim - glm::dot(from, patch_.axis) + gap;
-        if (gap <= 0.0 || room * room <= kArcOfChord2 * glm::dot(chord, chord)) break;
+                     by_rim = rim - glm::dot(from, patch_.axis) + gap;
+        if (gap <= 0.0 || by_rim * by_rim <= kArcOfChord2 * glm::dot(chord, chord)) break;
       }
       scp_ = ball.centre + to;
       return contactHeldBy(1, h);
@@ -84,13 +84,13 @@ Contact ExactTracker::stay(double x, double y, double z) noexcept {
       const double along = glm::dot(m, c.axis), y1 = glm::dot(m, c.axis_1), y2 = glm::dot(m, c.axis_2);
       const double out = std::sqrt(y1 * y1 + y2 * y2);
       if (out < 1e-6 * c.radius) break;
-      // Both balls must hold the SCP from the start of the way to its end: shares mu_i, mu_j >= 0
+      // Both balls must hold the SCP from the start of the path to its end: shares mu_i, mu_j >= 0
       // (docs/exact-tracker.md), here times the circle's radius, so that nothing is divided.
       const double start = c.radius - (y1 * c.along_1 + y2 * c.along_2), end = c.radius - out, lean = along * c.radius;
       const double slack_i = std::min(start * c.to_j, end * c.to_j) - lean,
                    slack_j = std::min(start * c.to_i, end * c.to_i) + lean;
       if (slack_i < 0.0 || slack_j < 0.0) break;
-      if (c.narrow) {  // between two ends less than half a turn apart the short way stays between them
+      if (c.narrow) {  // between two ends less than half a turn apart the short path stays between them
         if (c.low_1 * y2 - c.low_2 * y1 <= 0.0 || y1 * c.high_2 - y2 * c.high_1 <= 0.0) break;
       } else {
         double angle = std::atan2(y2, y1);

@@ -14,8 +14,8 @@ constexpr double kSettled_A = 0.025;  // a Newton step this short leaves an erro
                                       // grid's own: the last one of a tick
 constexpr double kFree =
     0.8;  // of the level's distance by the field: its slope is near 1, but for the rounding of creases
-constexpr int kMostFlights = 512;  // steps along one straight way
-constexpr int kMostTurns = 8;      // changes between flight and sliding in a tick
+constexpr int kMostFlights = 512;   // steps along one straight path
+constexpr int kMostIterations = 8;  // changes between flight and sliding in a tick
 
 }  // namespace
 
@@ -55,8 +55,8 @@ Contact GridTracker::step(PointA hip) noexcept {
     return {.scp = hip};
   }
   if (!touching_) {
-    const Vec3 way = h - free_from_;
-    if (free_gap_ > 0.0 && glm::dot(way, way) < free_gap_ * free_gap_) {
+    const Vec3 moved = h - free_from_;
+    if (free_gap_ > 0.0 && glm::dot(moved, moved) < free_gap_ * free_gap_) {
       scp_ = h;
       return {.scp = hip};
     }
@@ -64,7 +64,7 @@ Contact GridTracker::step(PointA hip) noexcept {
   const Vec3 rested = scp_;
   SlideResult result = SlideResult::Short;
   bool pressed = false;
-  for (int turn = 0; turn < kMostTurns; ++turn) {
+  for (int i = 0; i < kMostIterations; ++i) {
     if (touching_) {
       result = slide(h, pressed);
       pressed = false;
@@ -79,7 +79,7 @@ Contact GridTracker::step(PointA hip) noexcept {
   }
   if (result != SlideResult::Arrived && result != SlideResult::Rests) {
     ++cut_short_;
-    if (!pushOut()) scp_ = rested;  // a step on the way may have ended under a crease
+    if (!pushOut()) scp_ = rested;  // a step on the path may have ended under a crease
   }
   if (result == SlideResult::Arrived) return {.scp = hip};
   Contact out{.scp = {origin_ + scp_}, .feature = Feature::Sphere};
@@ -131,7 +131,7 @@ GridTracker::SlideResult GridTracker::fly(const Vec3& h) noexcept {
       scp_ = b;
       continue;
     }
-    if (here.value < probe_) return SlideResult::Meets;  // on the surface but for rounding, and the way leads in
+    if (here.value < probe_) return SlideResult::Meets;  // on the surface but for rounding, and the path leads in
     // The level lies between: halve, keeping the outer end.
     for (int halving = 0; halving < 40 && glm::distance(a, b) > kSurface_A; ++halving) {
       const Vec3 middle = 0.5 * (a + b);
@@ -178,10 +178,10 @@ GridTracker::SlideResult GridTracker::slide(const Vec3& h, bool pressed) noexcep
     }
     // Where the second derivatives leap between cells Newton's steps may swing about the place of rest:
     // shorter ones end that.
-    const double turned = glm::dot(along, last_along);
-    if (turned < 0.0 && glm::dot(along, along) > 0.25 * glm::dot(last_along, last_along))
+    const double cosine = glm::dot(along, last_along);
+    if (cosine < 0.0 && glm::dot(along, along) > 0.25 * glm::dot(last_along, last_along))
       longest *= 0.5;
-    else if (turned > 0.0)
+    else if (cosine > 0.0)
       longest = std::min(1.5 * longest, 0.75 * spacing);
     last_along = along;
     double far = glm::length(p);

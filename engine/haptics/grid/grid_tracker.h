@@ -8,8 +8,8 @@
 // waits, outside.
 //
 // Known failures, pinned by tests: a crease or pit is rounded over about a spacing, so the SCP floats above it and the
-// force turns there too gently; a gap narrower than about a spacing is closed or opened; a new brick makes a tick long.
-// Feature: Sphere with the nearest ball. Haptic thread; no allocation after construction. Units: angstrom.
+// force changes direction there too gently; a gap narrower than about a spacing is closed or opened; a new brick makes
+// a tick long. Feature: Sphere with the nearest ball. Haptic thread; no allocation after construction. Units: angstrom.
 #pragma once
 
 #include <memory>

@@ -13,9 +13,9 @@ namespace {
 constexpr double kMoved_A = 1e-12;  // a shorter piece leaves the SCP where it was
 constexpr double kRounding =
     8e-12;  // of the displacement: a motion that leads this little into a face, or less, is along it
-constexpr double kAlong = 1e-9;     // sine of the angle under which a way is along a face
-constexpr double kNearWay_A = 1.0;  // a longer piece looks the balls up along its way
-constexpr int kMostStuck = 32;      // round a corner of a mesh a way of no length passes its faces, eight at most
+constexpr double kAlong = 1e-9;      // sine of the angle under which a path is along a face
+constexpr double kNearPath_A = 1.0;  // a longer piece looks the balls up along its path
+constexpr int kMostStuck = 32;       // round a corner of a mesh pieces of no length pass its faces, eight at most
 constexpr double kSwelling_A =
     0.05;  // the surface moves by no more at once, so that the SCP stays on its side of a wall
 constexpr double kMostSwellings = 64.0;  // what moves farther than that in a tick moves in larger pieces
@@ -23,7 +23,7 @@ constexpr int kMostPushes = 256;
 constexpr double kSure = 1e-9;  // of a length: so far from a decision rounding has no say in it
 constexpr double kNearly = 1.0 - 1e-9;
 constexpr double kKept_A = 1.0;  // a list of near balls serves so far
-constexpr int kMostPlanes = 8;   // tried to part a mesh from the SCP's way
+constexpr int kMostPlanes = 8;   // tried to part a mesh from the SCP's path
 
 }  // namespace
 
@@ -99,13 +99,13 @@ Contact MeshTracker::step(PointA hip) noexcept {
   return true;
 }
 
-// Is no mesh but those that the SCP is on met on the straight way from it to `end`, as far as is known?
+// Is no mesh but those that the SCP is on met on the straight path from it to `end`, as far as is known?
 [[gnu::always_inline]] inline bool MeshTracker::isClear(const Vec3& end, double length) noexcept {
   const Vec3 from = end - clear_from_;
-  const double far2 = glm::dot(from, from), room = clear_gap_ - length;
-  if (room > 0.0 && far2 < kNearly * room * room) return true;
-  const double nearby_meshes_room = nearby_mesh_gap_ - length;
-  if (!(nearby_meshes_room > 0.0 && far2 < kNearly * nearby_meshes_room * nearby_meshes_room)) return false;
+  const double far2 = glm::dot(from, from), clear = clear_gap_ - length;
+  if (clear > 0.0 && far2 < kNearly * clear * clear) return true;
+  const double nearby_meshes_clear = nearby_mesh_gap_ - length;
+  if (!(nearby_meshes_clear > 0.0 && far2 < kNearly * nearby_meshes_clear * nearby_meshes_clear)) return false;
   for (int k = 0; k < nearby_mesh_count_; ++k) {
     NearbyMesh& other = nearby_meshes_[std::size_t(k)];
     const Vec3 m = end - other.ball.centre;
@@ -120,8 +120,8 @@ Contact MeshTracker::step(PointA hip) noexcept {
 // to the last bit; a tick that is nearer to a decision than kSure is left to flow().
 bool MeshTracker::holdsQuickly(const Vec3& h) noexcept {
   if (touch_count_ == 0) {
-    const Vec3 way = h - free_from_;
-    if (!(glm::dot(way, way) < free_gap_ * free_gap_)) return false;
+    const Vec3 moved = h - free_from_;
+    if (!(glm::dot(moved, moved) < free_gap_ * free_gap_)) return false;
     scp_ = h;
     return true;
   }
@@ -135,9 +135,9 @@ bool MeshTracker::holdsQuickly(const Vec3& h) noexcept {
       const SphereMesh::Face& f = face(t);
       const double height = heightOver(t, h);
       if (height >= -sure || glm::dot(displacement, f.normal) >= -sure) return false;
-      const Vec3 way = displacement - f.normal * height;
-      if (glm::dot(way, way) <= kMoved_A * kMoved_A) return true;
-      s += way;
+      const Vec3 path = displacement - f.normal * height;
+      if (glm::dot(path, path) <= kMoved_A * kMoved_A) return true;
+      s += path;
       break;
     }
     case 2: {
@@ -145,9 +145,9 @@ bool MeshTracker::holdsQuickly(const Vec3& h) noexcept {
       const double a = -glm::dot(displacement, face(touching_[0]).normal),
                    b = -glm::dot(displacement, face(touching_[1]).normal);
       if (a - b * seam_cosine_ <= sure || b - a * seam_cosine_ <= sure) return false;
-      const Vec3 way = seam_ * (glm::dot(displacement, seam_) / glm::dot(seam_, seam_));
-      if (glm::dot(way, way) <= kMoved_A * kMoved_A) return true;
-      s += way;
+      const Vec3 path = seam_ * (glm::dot(displacement, seam_) / glm::dot(seam_, seam_));
+      if (glm::dot(path, path) <= kMoved_A * kMoved_A) return true;
+      s += path;
       for (int k = 0; k < 2; ++k) {
         const Touch& t = touching_[std::size_t(k)];
         s -= face(t).normal * heightOver(t, s);
@@ -166,7 +166,7 @@ bool MeshTracker::holdsQuickly(const Vec3& h) noexcept {
   return true;
 }
 
-// Does a plane of the other's mesh, which is convex, part it from the whole way from the SCP to `end`? The plane that
+// Does a plane of the other's mesh, which is convex, part it from the whole path from the SCP to `end`? The plane that
 // did so last is tried first, then those about it.
 bool MeshTracker::staysAbove(NearbyMesh& other, const Vec3& end) const {
   if (other.face < 0) return false;
@@ -218,22 +218,22 @@ void MeshTracker::prepareQuickTicks() noexcept {
   holds_ = {glm::cross(n1, n2) * volume, glm::cross(n2, n0) * volume, seam_ * volume};
 }
 
-// The first mesh that the way from the SCP enters, before first.t.
-void MeshTracker::meet(const Vec3& way, Meeting& first) noexcept {
-  const double length = glm::length(way);
+// The first mesh that the path from the SCP enters, before first.t.
+void MeshTracker::meet(const Vec3& path, Meeting& first) noexcept {
+  const double length = glm::length(path);
   const double to_go = length * first.t;
-  if (isClear(scp_ + way * first.t, to_go)) return;
+  if (isClear(scp_ + path * first.t, to_go)) return;
   const auto look = [&](const NearBall& b) {
-    const SphereMesh::Entry entry = mesh_->enter((scp_ - b.centre) / b.radius, way / b.radius, first.t);
+    const SphereMesh::Entry entry = mesh_->enter((scp_ - b.centre) / b.radius, path / b.radius, first.t);
     if (entry.face >= 0) first = {entry.t, b, entry.face};
   };
-  if (options_.coherent && to_go <= kNearWay_A) {
+  if (options_.coherent && to_go <= kNearPath_A) {
     const std::array<NearbyMesh, kMostNearbyMeshes> before = nearby_meshes_;
     const int count_before = nearby_mesh_count_;
     std::array<double, kNearbyMeshes + 1> gaps;  // the nearest balls', ascending
     gaps.fill(1e300);
     nearby_mesh_count_ = 0;
-    const Vec3 end = scp_ + way * first.t;
+    const Vec3 end = scp_ + path * first.t;
     const double visited = nearby_.each(scp_, to_go, [&](const NearBall& b) {
       const Vec3 m = scp_ - b.centre;
       const double far = b.radius + to_go, d2 = glm::dot(m, m), beyond = b.radius + gaps[kNearbyMeshes];
@@ -264,7 +264,7 @@ void MeshTracker::meet(const Vec3& way, Meeting& first) noexcept {
     nearby_mesh_gap_ = std::min(gaps[kNearbyMeshes], visited);
     return;
   }
-  // A long way is looked at piece by piece, from where it enters the scene's box.
+  // A long path is looked at piece by piece, from where it enters the scene's box.
   const BallScene& scene = nearby_.scene();
   if (scene.size() == 0) return;
   const double probe = nearby_.probe_A();
@@ -272,16 +272,16 @@ void MeshTracker::meet(const Vec3& way, Meeting& first) noexcept {
              high = scene.high_A() + Vec3(probe) - nearby_.origin();
   double a = 0.0, z = first.t;
   for (int k = 0; k < 3; ++k) {
-    if (way[k] == 0.0) {
+    if (path[k] == 0.0) {
       if (scp_[k] < low[k] || scp_[k] > high[k]) return;
       continue;
     }
-    const double u = (low[k] - scp_[k]) / way[k], v = (high[k] - scp_[k]) / way[k];
+    const double u = (low[k] - scp_[k]) / path[k], v = (high[k] - scp_[k]) / path[k];
     a = std::max(a, std::min(u, v));
     z = std::min(z, std::max(u, v));
   }
   for (const double piece = scene.cell_A() / length; a <= z && a <= first.t; a += piece) {
-    const Vec3 p = scp_ + way * a, q = scp_ + way * std::min(a + piece, z);
+    const Vec3 p = scp_ + path * a, q = scp_ + path * std::min(a + piece, z);
     const Vec3 box_low = glm::min(p, q), box_high = glm::max(p, q);
     scene.visitNearBox(nearby_.origin() + box_low, nearby_.origin() + box_high, probe,
                        [&](std::uint32_t i, const Ball&) {
@@ -322,39 +322,39 @@ void MeshTracker::flow(const Vec3& h) noexcept {
                                         kRounding * glm::length(displacement), {.grazes = false});
     holding_ = blocked.by;
     hold_count_ = blocked.count;
-    Vec3 way(0.0);
+    Vec3 path(0.0);
     if (blocked.count == 0) {
-      way = displacement;
+      path = displacement;
     } else if (blocked.count == 1) {
       const Touch& t = touching_[std::size_t(blocked.by[0])];
-      way = displacement - normal(blocked.by[0]) * heightOver(t, h);  // ends in the face's plane whatever the rounding
+      path = displacement - normal(blocked.by[0]) * heightOver(t, h);  // ends in the face's plane whatever the rounding
     } else if (blocked.count == 2) {
       const Vec3 line = glm::cross(normal(blocked.by[0]), normal(blocked.by[1]));
-      way = line * (glm::dot(displacement, line) / glm::dot(line, line));
+      path = line * (glm::dot(displacement, line) / glm::dot(line, line));
     }
-    const double length = glm::length(way);
+    const double length = glm::length(path);
     if (length <= kMoved_A && blocked.count > 0) return;
 
-    // What ends this piece: an edge of a face that the way runs along, or another mesh.
+    // What ends this piece: an edge of a face that the path runs along, or another mesh.
     double end = 1.0;
     int over = -1;
     std::size_t edge = 0;
     for (int k = 0; k < touch_count_; ++k) {
       const Touch& t = touching_[std::size_t(k)];
       const SphereMesh::Face& f = face(t);
-      if (std::abs(glm::dot(f.normal, way)) > kAlong * length) continue;
+      if (std::abs(glm::dot(f.normal, path)) > kAlong * length) continue;
       const Vec3 x = scp_ - t.centre;
       for (std::size_t e = 0; e < 3; ++e) {
-        const double speed = glm::dot(f.out[e], way);
+        const double speed = glm::dot(f.out[e], path);
         if (!(speed > kAlong * length)) continue;
         const double at = std::max(0.0, (f.reach[e] * t.radius - glm::dot(f.out[e], x)) / speed);
         if (at < end) end = at, over = k, edge = e;
       }
     }
     Meeting first{end, {}, -1};
-    meet(way, first);
+    meet(path, first);
 
-    scp_ += way * first.t;
+    scp_ += path * first.t;
     const bool moved = first.t * length > kMoved_A;
     if (moved && blocked.count >= 2)  // along a seam rounding adds up: back to both planes
       for (int k = 0; k < blocked.count; ++k) {

@@ -15,18 +15,18 @@
 //   would do, and asks only whether anything else is near. A ball near by is separated from the SCP's path by its
 //   bounding sphere or by one plane of its mesh: the last plane that did so, or one close to it.
 //
-// `coherent = false` turns the remembering off: every tick asks the grid and the trees again, box by box, as published
+// `coherent = false` remembers nothing: every tick asks the grid and the trees again, box by box, as published
 // polygonal trackers do. The places found are the same to the last bit.
 //
-// Force shading: with `smooth` the displacement (Contact::displacement_A) keeps its length and is turned to a normal
+// Force shading: with `smooth` the displacement (Contact::displacement_A) keeps its length and is rotated to a normal
 // interpolated from the corners' normals (Ruspini, Kolarov & Khatib 1997), each weighted by its face's part in holding
 // the SCP. Corners on the sphere have the sphere's own normals, and the interpolation of such normals over a face is
 // the direction from the centre: no shading can do better.
 //
 // Known failures, pinned by tests: over an edge the SCP jumps by about twice the depth times the tangent of half the
-// angle between the faces, and the flat force turns by that angle; the SCP lies up to a sagitta under the true surface;
-// a gap between balls narrower than two sagittas is open. Feature and atoms: the balls that hold the SCP. Haptic
-// thread; no allocation after construction. Units: angstrom.
+// angle between the faces, and the flat force rotates by that angle; the SCP lies up to a sagitta under the true
+// surface; a gap between balls narrower than two sagittas is open. Feature and atoms: the balls that hold the SCP.
+// Haptic thread; no allocation after construction. Units: angstrom.
 #pragma once
 
 #include <array>
@@ -99,7 +99,7 @@ class MeshTracker final : public Tracker {
   bool staysAbove(NearbyMesh& other, const Vec3& end) const;
   void trackNearby(const Touch& t) noexcept;
   void flow(const Vec3& hip) noexcept;
-  void meet(const Vec3& way, Meeting& first) noexcept;
+  void meet(const Vec3& path, Meeting& first) noexcept;
   void removeSeparated() noexcept;
   bool pushOut() noexcept;
   bool carry() noexcept;

@@ -79,8 +79,8 @@ void SphereMesh::makeBands(int bands, int sectors) {
   vertices_.push_back({0, 0, 1});
   for (int b = 1; b < bands; ++b)
     for (int s = 0; s < sectors; ++s) {
-      const double theta = pi * b / bands, turn = 2 * pi * s / sectors;
-      vertices_.push_back({std::sin(theta) * std::cos(turn), std::sin(theta) * std::sin(turn), std::cos(theta)});
+      const double theta = pi * b / bands, azimuth = kTwoPi * s / sectors;
+      vertices_.push_back({std::sin(theta) * std::cos(azimuth), std::sin(theta) * std::sin(azimuth), std::cos(theta)});
     }
   const auto south = std::int32_t(vertices_.size());
   vertices_.push_back({0, 0, -1});
@@ -175,9 +175,9 @@ std::size_t SphereMesh::bytes() const {
          nodes_.capacity() * sizeof(Node) + (leaves_.capacity() + about_.capacity()) * sizeof(std::int32_t);
 }
 
-SphereMesh::Entry SphereMesh::enter(const Vec3& from, const Vec3& way, double before) const noexcept {
+SphereMesh::Entry SphereMesh::enter(const Vec3& from, const Vec3& path, double before) const noexcept {
   Entry best{before, -1};
-  const Vec3 per_way = 1.0 / way;  // infinite where the path is normal to an axis; the comparisons below allow that
+  const Vec3 per_path = 1.0 / path;  // infinite where the path is normal to an axis; the comparisons below allow that
   std::int32_t stack[32];
   int waiting = 0;
   stack[waiting++] = 0;
@@ -187,11 +187,11 @@ SphereMesh::Entry SphereMesh::enter(const Vec3& from, const Vec3& way, double be
     double t0 = 0.0, t1 = best.t;
     bool apart = false;
     for (int k = 0; k < 3; ++k) {
-      if (way[k] == 0.0) {
+      if (path[k] == 0.0) {
         apart = apart || from[k] < node.low[k] || from[k] > node.high[k];
         continue;
       }
-      const double a = (node.low[k] - from[k]) * per_way[k], b = (node.high[k] - from[k]) * per_way[k];
+      const double a = (node.low[k] - from[k]) * per_path[k], b = (node.high[k] - from[k]) * per_path[k];
       t0 = std::max(t0, std::min(a, b));
       t1 = std::min(t1, std::max(a, b));
     }
@@ -204,13 +204,13 @@ SphereMesh::Entry SphereMesh::enter(const Vec3& from, const Vec3& way, double be
     for (std::int32_t k = node.first; k < node.first + node.count; ++k) {
       const std::int32_t f = leaves_[std::size_t(k)];
       const Face& face = faces_[std::size_t(f)];
-      const double falls = -glm::dot(face.normal, way);
+      const double falls = -glm::dot(face.normal, path);
       if (!(falls > 0.0)) continue;
       const double above = glm::dot(face.normal, from) - face.height;
       if (above < -kSkin) continue;
       const double t = above <= kSkin ? 0.0 : above / falls;
       if (t >= best.t) continue;
-      const Vec3 x = from + way * t;
+      const Vec3 x = from + path * t;
       if (glm::dot(face.out[0], x) <= face.reach[0] + kEdge && glm::dot(face.out[1], x) <= face.reach[1] + kEdge &&
           glm::dot(face.out[2], x) <= face.reach[2] + kEdge)
         best = {t, f};

@@ -46,9 +46,9 @@ class SphereMesh {
     double t = 1.0;
     std::int32_t face = -1;
   };
-  /// The parameter t < `before` and the face at which the straight path from `from` to `from + way` first enters the
+  /// The parameter t < `before` and the face at which the straight path from `from` to `from + path` first enters the
   /// mesh; face -1 if it does not. A start on a face (within kSkin) enters at t = 0 when the path leads into it.
-  Entry enter(const Vec3& from, const Vec3& way, double before) const noexcept;
+  Entry enter(const Vec3& from, const Vec3& path, double before) const noexcept;
 
   /// The face that the ray from the centre in this direction (any length but zero) passes.
   std::int32_t faceToward(const Vec3& direction) const noexcept;

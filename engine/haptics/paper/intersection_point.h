@@ -21,7 +21,7 @@ std::optional<IntersectionPoints> intersectionPoints(const IntersectionCircle& c
 
 /// One plane of a point (equation 7), through the point and the axis of one of its circles.
 struct PointPlane {
-  Vec3 normal{0.0};                            ///< unit vector N, turned to the side of the volume
+  Vec3 normal{0.0};                            ///< unit vector N, oriented to the side of the volume
   std::array<std::int32_t, 2> circle{-1, -1};  ///< the circle to go to past this plane, by its two atoms
 };
 

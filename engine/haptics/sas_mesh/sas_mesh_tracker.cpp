@@ -11,9 +11,9 @@ namespace {
 
 constexpr double kCorner_A = 1e-9;  // so near a corner is on it
 constexpr double kMoved_A = 1e-12;
-constexpr double kInto = 1e-10;  // sine of the angle from which a way leads over a border and not along it
+constexpr double kInto = 1e-10;  // sine of the angle from which a path leads over a border and not along it
 constexpr int kMostStuck = 24;
-constexpr int kMostTurns = 8;  // changes between flight and sliding in a tick
+constexpr int kMostIterations = 8;  // changes between flight and sliding in a tick
 
 }  // namespace
 
@@ -47,14 +47,14 @@ Contact SasMeshTracker::step(PointA hip) noexcept {
     return {.scp = hip};
   }
   if (on_ == On::Nothing) {
-    const Vec3 way = h - free_from_;
-    if (free_gap_ > 0.0 && glm::dot(way, way) < free_gap_ * free_gap_) {
+    const Vec3 moved = h - free_from_;
+    if (free_gap_ > 0.0 && glm::dot(moved, moved) < free_gap_ * free_gap_) {
       scp_ = h;
       return {.scp = hip};
     }
   }
   SlideResult result = SlideResult::Short;
-  for (int turn = 0; turn < kMostTurns; ++turn) {
+  for (int i = 0; i < kMostIterations; ++i) {
     if (on_ != On::Nothing) {
       result = walk(h);
       if (result == SlideResult::Leaves) on_ = On::Nothing;
@@ -83,14 +83,14 @@ Vec3 SasMeshTracker::outward() const noexcept {
 }
 
 SasMeshTracker::SlideResult SasMeshTracker::fly(const Vec3& h) noexcept {
-  const Vec3 way = h - scp_;
-  const SurfaceMesh::Hit hit = mesh_->cast(scp_, way);
+  const Vec3 path = h - scp_;
+  const SurfaceMesh::Hit hit = mesh_->cast(scp_, path);
   if (hit.triangle < 0) {
     scp_ = free_from_ = h;
     free_gap_ = clearance(*scene_, probe_, origin_ + h) - margin_;
     return SlideResult::Arrived;
   }
-  scp_ += way * hit.t;
+  scp_ += path * hit.t;
   goToTriangle(hit.triangle);
   scp_ -= plane_.normal * (glm::dot(plane_.normal, scp_) - plane_.height);
   return SlideResult::Meets;
@@ -116,9 +116,9 @@ void SasMeshTracker::goToEdge(std::int32_t triangle, std::int32_t edge) noexcept
                 : back.corners[1] == to && back.corners[2] == from ? 1
                                                                    : 2;
   edge_from_ = mesh_->vertices()[std::size_t(from)];
-  const Vec3 way = mesh_->vertices()[std::size_t(to)] - edge_from_;
-  edge_length_ = glm::length(way);
-  edge_along_ = way / edge_length_;
+  const Vec3 whole = mesh_->vertices()[std::size_t(to)] - edge_from_;
+  edge_length_ = glm::length(whole);
+  edge_along_ = whole / edge_length_;
 }
 
 // Its triangles in turn, and the normal that tells outside from inside where the corner itself is nearest (Baerentzen &
@@ -177,9 +177,9 @@ SasMeshTracker::SlideResult SasMeshTracker::overTriangle(const Vec3& h, int& stu
     scp_ = foot;
     return SlideResult::Rests;
   }
-  const Vec3 way = foot - scp_;
-  stuck = t * glm::length(way) > kMoved_A ? 0 : stuck + 1;
-  scp_ += way * t;
+  const Vec3 path = foot - scp_;
+  stuck = t * glm::length(path) > kMoved_A ? 0 : stuck + 1;
+  scp_ += path * t;
   goToEdge(triangle_, over);
   const double along = glm::dot(scp_ - edge_from_, edge_along_);
   if (along <= kCorner_A)
@@ -191,7 +191,7 @@ SasMeshTracker::SlideResult SasMeshTracker::overTriangle(const Vec3& h, int& stu
   return SlideResult::Meets;
 }
 
-// Of the ways that lead on from a border, the one that goes down |x - h|^2 the most; whether the HIP is seen from
+// Of the directions that lead on from a border, the one that goes down |x - h|^2 the most; whether the HIP is seen from
 // outside is told by the side of what lies nearest to it.
 SasMeshTracker::SlideResult SasMeshTracker::alongEdge(const Vec3& h, int& stuck) noexcept {
   const Vec3 displacement = h - scp_;

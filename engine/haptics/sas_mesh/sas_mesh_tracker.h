@@ -7,7 +7,7 @@
 //
 // It works only for the probe that it was made for: another probe would need another mesh, so setProbe() changes
 // nothing. Known failures, pinned by tests: as for any triangles the SCP lags at a facet's edge and then jumps, and the
-// force turns by the angle between facets; a gap narrower than a cell of the mesh's grid may be closed, and a ball
+// force rotates by the angle between facets; a gap narrower than a cell of the mesh's grid may be closed, and a ball
 // smaller than one missed. Feature: Sphere with the triangle's ball. Haptic thread; no allocation after construction.
 // Units: angstrom.
 #pragma once

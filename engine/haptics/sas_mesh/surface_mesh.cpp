@@ -10,9 +10,9 @@
 namespace moltact {
 namespace {
 
-constexpr double kAside_A = 1e-9;  // a way so little beside a triangle meets it: no gap between two triangles
+constexpr double kAside_A = 1e-9;  // a path so little beside a triangle meets it: no gap between two triangles
 
-constexpr double kAlong = 1e-10;  // sine of the angle under which a way is along a border
+constexpr double kAlong = 1e-10;  // sine of the angle under which a path is along a border
 
 // The bits of a 21-bit number, two apart.
 std::uint64_t spread(std::uint64_t x) {
@@ -179,11 +179,11 @@ SurfaceMesh::Plane SurfaceMesh::plane(std::int32_t triangle) const noexcept {
   return out;
 }
 
-SurfaceMesh::Hit SurfaceMesh::cast(const Vec3& from, const Vec3& way) const noexcept {
+SurfaceMesh::Hit SurfaceMesh::cast(const Vec3& from, const Vec3& path) const noexcept {
   Hit best;
   if (nodes_.empty()) return best;
-  const Vec3 per_way = 1.0 / way;  // infinite where the path is normal to an axis; the comparisons below allow that
-  const double length = glm::length(way);
+  const Vec3 per_path = 1.0 / path;  // infinite where the path is normal to an axis; the comparisons below allow that
+  const double length = glm::length(path);
   std::int32_t stack[64];
   int waiting = 0;
   stack[waiting++] = 0;
@@ -194,11 +194,11 @@ SurfaceMesh::Hit SurfaceMesh::cast(const Vec3& from, const Vec3& way) const noex
     bool apart = false;
     for (int k = 0; k < 3; ++k) {
       const double low = node.box.low[std::size_t(k)], high = node.box.high[std::size_t(k)];
-      if (way[k] == 0.0) {
+      if (path[k] == 0.0) {
         apart = apart || from[k] < low || from[k] > high;
         continue;
       }
-      const double a = (low - from[k]) * per_way[k], b = (high - from[k]) * per_way[k];
+      const double a = (low - from[k]) * per_path[k], b = (high - from[k]) * per_path[k];
       t0 = std::max(t0, std::min(a, b));
       t1 = std::min(t1, std::max(a, b));
     }
@@ -210,19 +210,19 @@ SurfaceMesh::Hit SurfaceMesh::cast(const Vec3& from, const Vec3& way) const noex
     }
     for (std::int32_t k = node.first; k < node.first + node.count; ++k) {
       const Plane f = plane(k);
-      const double falls = -glm::dot(f.normal, way);
+      const double falls = -glm::dot(f.normal, path);
       if (!(falls > 1e-12 * length)) continue;
       const double above = glm::dot(f.normal, from) - f.height;
       if (above < -kSkin_A) continue;
       const double t = above <= kSkin_A ? 0.0 : above / falls;
       if (t > best.t || (t == best.t && best.triangle >= 0)) continue;
-      const Vec3 x = from + way * t;
+      const Vec3 x = from + path * t;
       bool within = true;
       for (std::size_t e = 0; e < 3; ++e) {
         const double beyond = glm::dot(f.out[e], x) - f.reach[e];
-        // A start on the triangle's border is under it only where the way does not lead out over that border.
+        // A start on the triangle's border is under it only where the path does not lead out over that border.
         within = within && beyond <= kAside_A &&
-                 (above > kSkin_A || beyond < -kAside_A || glm::dot(f.out[e], way) <= kAlong * length);
+                 (above > kSkin_A || beyond < -kAside_A || glm::dot(f.out[e], path) <= kAlong * length);
       }
       if (within) best = {t, k};
     }

@@ -54,9 +54,9 @@ class SurfaceMesh {
     double t = 1.0;
     std::int32_t triangle = -1;
   };
-  /// The first triangle that the straight path from `from` to `from + way` enters from outside; triangle -1 if there is
-  /// none.
-  Hit cast(const Vec3& from, const Vec3& way) const noexcept;
+  /// The first triangle that the straight path from `from` to `from + path` enters from outside; triangle -1 if there
+  /// is none.
+  Hit cast(const Vec3& from, const Vec3& path) const noexcept;
 
   static constexpr double kSkin_A = 1e-9;  ///< a place so near a plane is on it
 

@@ -103,7 +103,7 @@ struct Crossing {
 // A polygon's corner: the edge of the grid that it is round, which of the four places about it, and the vertex.
 struct Corner {
   std::uint64_t edge;
-  std::uint8_t place;  // twice the cell's turn; odd: the segment between that cell and the next
+  std::uint8_t place;  // twice the cell's number round the edge; odd: the segment between that cell and the next
   bool low_inside;
   std::int32_t vertex, ball;
 };
@@ -200,20 +200,20 @@ class Maker {
 
   bool isInside(int x, int y, int z) const { return inside_[std::size_t(x + kNodes * (y + kNodes * z))]; }
 
-  // Where the way along an edge from its end outside first enters a ball.
+  // Where an edge, from its end outside, first enters a ball.
   Crossing crossing(const Vec3& outside, const Vec3& inside) const {
-    const Vec3 way = inside - outside;
-    const double a = glm::dot(way, way);
+    const Vec3 edge = inside - outside;
+    const double a = glm::dot(edge, edge);
     Crossing out{inside, -1};
     double least = 1.0;
     for (std::size_t k = 0; k < near_.size(); ++k) {
       const Vec3 m = outside - near_[k].centre;
-      const double b = glm::dot(m, way), c = glm::dot(m, m) - near_[k].radius * near_[k].radius, root2 = b * b - a * c;
+      const double b = glm::dot(m, edge), c = glm::dot(m, m) - near_[k].radius * near_[k].radius, root2 = b * b - a * c;
       if (b >= 0.0 || root2 < 0.0) continue;
       const double t = std::max(0.0, c / (-b + std::sqrt(root2)));  // (-b - root) / a without its loss of digits
       if (t <= least) least = t, out.ball = int(k);
     }
-    out.place = outside + way * least;
+    out.place = outside + edge * least;
     return out;
   }
 
@@ -244,10 +244,10 @@ class Maker {
     for (int e = 0; e < 12; ++e) {
       if (s.of_edge[std::size_t(e)] < 0) continue;
       const int db = e % 4 & 1, dc = e % 4 >> 1;
-      // The cell lies at (-db, -dc) of the edge; in turn: (0, 0), (-1, 0), (-1, -1), (0, -1).
-      const int turn = dc ? (db ? 2 : 3) : (db ? 1 : 0);
+      // The cell lies at (-db, -dc) of the edge; in order round it: (0, 0), (-1, 0), (-1, -1), (0, -1).
+      const int round_edge = dc ? (db ? 2 : 3) : (db ? 1 : 0);
       const int ball = cross[std::size_t(e)].ball;
-      corners_.push_back({edgeKey(at, e), std::uint8_t(2 * turn), (mask >> lowCorner(e) & 1) != 0,
+      corners_.push_back({edgeKey(at, e), std::uint8_t(2 * round_edge), (mask >> lowCorner(e) & 1) != 0,
                           first_vertex + s.of_edge[std::size_t(e)], ball < 0 ? -1 : near_[std::size_t(ball)].index});
     }
     for (int axis = 0; axis < 3; ++axis)
@@ -274,7 +274,7 @@ class Maker {
       out_.vertices.push_back(placeOf(two, low + inset, high - inset));
       for (const int e : ends) {
         const int a = e / 4, db = e % 4 & 1, dc = e % 4 >> 1;
-        const int between = axis == (a + 1) % 3 ? (dc ? 2 : 0) : (db ? 1 : 3);  // that turn and the next
+        const int between = axis == (a + 1) % 3 ? (dc ? 2 : 0) : (db ? 1 : 3);  // that number and the next
         corners_.push_back(
             {edgeKey(at, e), std::uint8_t(2 * between + 1), (mask >> lowCorner(e) & 1) != 0, vertex, -1});
       }

@@ -163,36 +163,25 @@ void checkCompare(const TaskSpec& spec, std::vector<Problem>& problems) {
   const Value &compare = spec.values["compare"], &of = spec.values["of"];
   if (!comparesPlaces(spec)) {
     if (of.place.line)
-      problems.push_back({{},
-                          of.place.line,
-                          of.place.column,
-                          tr("'of' belongs to 'compare: places'"),
-                          tr("take it out or write 'compare: places'")});
+      problems.push_back(
+          problemAt(of.place, tr("'of' belongs to 'compare: places'"), tr("take it out or write 'compare: places'")));
     return;
   }
   if (compare.words.size() > 1)
-    problems.push_back({{},
-                        compare.place.line,
-                        compare.place.column,
-                        tr("'places' stands alone"),
-                        tr("write a touch block of its own for the methods")});
+    problems.push_back(
+        problemAt(compare.place, tr("'places' stands alone"), tr("write a touch block of its own for the methods")));
   if (of.path.size() < 2)
-    problems.push_back({{},
-                        of.place.line ? of.place.line : compare.place.line,
-                        of.place.line ? of.place.column : compare.place.column,
-                        tr("at least two places are needed to compare"),
-                        tr("write them parted by 'then': 'of: residue 4 then residue 9'")});
+    problems.push_back(problemAt(of.place.line ? of.place : compare.place,
+                                 tr("at least two places are needed to compare"),
+                                 tr("write them parted by 'then': 'of: residue 4 then residue 9'")));
 }
 
 // Methods can only be compared by a student who may switch between them.
 void checkCompareScene(const TaskSpec& spec, const SceneSpec& scene, std::vector<Problem>& problems) {
   const Value& compare = spec.values["compare"];
   if (scene.locks("method") && !compare.words.empty() && !comparesPlaces(spec))
-    problems.push_back({{},
-                        compare.place.line,
-                        compare.place.column,
-                        tr("the student cannot switch methods here, for they are locked"),
-                        tr("take 'method' out of 'locked', or this task")});
+    problems.push_back(problemAt(compare.place, tr("the student cannot switch methods here, for they are locked"),
+                                 tr("take 'method' out of 'locked', or this task")));
 }
 
 }  // namespace

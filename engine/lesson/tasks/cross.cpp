@@ -144,7 +144,8 @@ class Cross : public Task {
   bool on_from_ = false, lost_ = false, touching_ = false;
 };
 
-void checkSides(const TaskSpec& task, const Molecule& molecule, std::vector<Problem>& problems) {
+void checkSides(const TaskSpec& task, const Molecule& molecule, std::span<const std::uint32_t> /*untouchable*/,
+                std::vector<Problem>& problems) {
   const Value &from_value = task.values["cross"], &to_value = task.values["to"];
   if (!from_value.selection.given() || !to_value.selection.given()) return;
   const AtomSet from(from_value.selection, molecule), to(to_value.selection, molecule);

@@ -139,18 +139,12 @@ void checkFeel(const TaskSpec& spec, std::vector<Problem>& problems) {
   const Value& places = spec.values["feel"];
   const bool atoms = std::find(places.words.begin(), places.words.end(), "atoms") != places.words.end();
   if (atoms && places.words.size() > 1)
-    problems.push_back({{},
-                        places.place.line,
-                        places.place.column,
-                        tr("'atoms' stands alone"),
-                        tr("write a touch block of its own for sphere, crease and pit")});
+    problems.push_back(problemAt(places.place, tr("'atoms' stands alone"),
+                                 tr("write a touch block of its own for sphere, crease and pit")));
   const Value& count = spec.values["count"];
   if (!atoms && count.place.line)
-    problems.push_back({{},
-                        count.place.line,
-                        count.place.column,
-                        tr("'count' belongs to 'feel: atoms'"),
-                        tr("take it out or write 'feel: atoms'")});
+    problems.push_back(
+        problemAt(count.place, tr("'count' belongs to 'feel: atoms'"), tr("take it out or write 'feel: atoms'")));
 }
 
 }  // namespace

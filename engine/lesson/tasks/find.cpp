@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
 #include "engine/core/random.h"
+#include "engine/core/units.h"
 #include "engine/language/catalogue.h"
 #include "engine/lesson/tasks/registry.h"
 #include "engine/lesson/tasks/touch_limits.h"
@@ -74,8 +74,7 @@ class Find : public Task {
     if (!turns_) return;
     const double far = glm::length(outward_);
     for (int tries = 0; tries < 64; ++tries) {
-      const double u = nextFraction(state_), a = 2.0 * std::numbers::pi * nextFraction(state_),
-                   b = 2.0 * std::numbers::pi * nextFraction(state_);
+      const double u = nextFraction(state_), a = kTwoPi * nextFraction(state_), b = kTwoPi * nextFraction(state_);
       turned_ = Quat(std::sqrt(u) * std::cos(b), std::sqrt(1.0 - u) * std::sin(a), std::sqrt(1.0 - u) * std::cos(a),
                      std::sqrt(u) * std::sin(b));
       if (far < 1.0 || glm::dot(turned_ * Vec3(0, 0, 1), outward_) >= kFront * far) return;

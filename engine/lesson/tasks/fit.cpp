@@ -48,6 +48,11 @@ class Fit : public Task {
     begin();
   }
 
+  void leaveOut(std::span<const std::uint32_t> untouchable) override {
+    const std::span<const Ball> balls = scene_->balls();
+    scene_ = std::make_shared<const BallScene>(std::vector<Ball>(balls.begin(), balls.end()), untouchable);
+  }
+
   void reset() override {
     Task::reset();
     guesses_ = 0;
@@ -207,38 +212,31 @@ class Fit : public Task {
 void checkFit(const TaskSpec& spec, std::vector<Problem>& problems) {
   const Value &least = spec.values["least"], &most = spec.values["most"];
   if (least.number >= most.number)
-    problems.push_back({{},
-                        (most.place.line ? most : least).place.line,
-                        (most.place.line ? most : least).place.column,
-                        tr("the slider's ends leave no probe to choose"),
-                        tr("make 'most' greater than 'least'")});
+    problems.push_back(problemAt((most.place.line ? most : least).place,
+                                 tr("the slider's ends leave no probe to choose"),
+                                 tr("make 'most' greater than 'least'")));
 }
 
-void checkLimit(const TaskSpec& spec, const Molecule& molecule, std::vector<Problem>& problems) {
+void checkLimit(const TaskSpec& spec, const Molecule& molecule, std::span<const std::uint32_t> untouchable,
+                std::vector<Problem>& problems) {
   const Value& fit = spec.values["fit"];
   if (!fit.selection.given()) return;
-  const BallScene scene(molecule.balls());
+  const BallScene scene(molecule.balls(), untouchable);
   const std::vector<std::uint32_t> atoms = fit.selection.select(molecule);
   if (atoms.empty()) return;
   const double least_A = spec.values["least"].number, most_A = spec.values["most"].number;
   const bool through = spec.values["way"].text == "through";
   const auto ring = through ? ringOf(scene, atoms) : std::nullopt;
   if (through && !ring) {
-    problems.push_back({{},
-                        fit.place.line,
-                        fit.place.column,
-                        tr("three atoms at least make a ring to go through"),
-                        tr("name more of its atoms, or write 'way: into'")});
+    problems.push_back(problemAt(fit.place, tr("three atoms at least make a ring to go through"),
+                                 tr("name more of its atoms, or write 'way: into'")));
     return;
   }
   const TouchLimits limits(spec, "fit", molecule);
   if (through && limits.given()) {
     const Value& side = spec.values[spec.values.has("side") ? "side" : "region"];
-    problems.push_back({{},
-                        side.place.line,
-                        side.place.column,
-                        tr("a ring has no side: the probe goes through it"),
-                        tr("take the line out, or write 'way: into'")});
+    problems.push_back(problemAt(side.place, tr("a ring has no side: the probe goes through it"),
+                                 tr("take the line out, or write 'way: into'")));
     return;
   }
   const auto fits = [&](double probe_A) {
@@ -246,17 +244,13 @@ void checkLimit(const TaskSpec& spec, const Molecule& molecule, std::vector<Prob
                    : !waysTo(scene, atoms, limits, probe_A, true).empty();
   };
   if (!fits(least_A))
-    problems.push_back({{},
-                        fit.place.line,
-                        fit.place.column,
-                        trf("not even a probe of {0} gets there", quantityText(least_A, Dimension::Length)),
-                        tr("choose another place, or a smaller 'least'")});
+    problems.push_back(problemAt(fit.place,
+                                 trf("not even a probe of {0} gets there", quantityText(least_A, Dimension::Length)),
+                                 tr("choose another place, or a smaller 'least'")));
   else if (fits(most_A))
-    problems.push_back({{},
-                        fit.place.line,
-                        fit.place.column,
-                        trf("every probe up to {0} gets there", quantityText(most_A, Dimension::Length)),
-                        tr("choose another place, or a greater 'most'")});
+    problems.push_back(problemAt(fit.place,
+                                 trf("every probe up to {0} gets there", quantityText(most_A, Dimension::Length)),
+                                 tr("choose another place, or a greater 'most'")));
 }
 
 }  // namespace

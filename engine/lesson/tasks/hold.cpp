@@ -111,11 +111,8 @@ class Hold : public Task {
 void checkHold(const TaskSpec& spec, std::vector<Problem>& problems) {
   const Value &hold = spec.values["hold"], &of = spec.values["of"];
   if (of.place.line && hold.selection.given())
-    problems.push_back({{},
-                        of.place.line,
-                        of.place.column,
-                        tr("'of' belongs to a kind of place"),
-                        tr("take it out, or write 'hold: pit'")});
+    problems.push_back(
+        problemAt(of.place, tr("'of' belongs to a kind of place"), tr("take it out, or write 'hold: pit'")));
 }
 
 }  // namespace

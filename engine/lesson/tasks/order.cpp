@@ -202,21 +202,16 @@ void checkOrder(const TaskSpec& spec, std::vector<Problem>& problems) {
   const Value& order = spec.values["order"];
   const std::size_t n = order.path.size();
   if (n < 2)
-    problems.push_back({{},
-                        order.place.line,
-                        order.place.column,
-                        tr("at least two places are needed for an order"),
-                        tr("write them parted by 'then': 'order: residue 4 then residue 9'")});
+    problems.push_back(problemAt(order.place, tr("at least two places are needed for an order"),
+                                 tr("write them parted by 'then': 'order: residue 4 then residue 9'")));
   else if (n > kMostPlaces)
-    problems.push_back({{},
-                        order.place.line,
-                        order.place.column,
-                        trf("more than {0} places", kMostPlaces),
-                        tr("take some out: nobody keeps so many in mind")});
+    problems.push_back(problemAt(order.place, trf("more than {0} places", kMostPlaces),
+                                 tr("take some out: nobody keeps so many in mind")));
 }
 
 // What the atoms themselves tell: places that are the same, and sizes in the order that is written.
-void checkOrderedPlaces(const TaskSpec& spec, const Molecule& molecule, std::vector<Problem>& problems) {
+void checkOrderedPlaces(const TaskSpec& spec, const Molecule& molecule, std::span<const std::uint32_t> /*untouchable*/,
+                        std::vector<Problem>& problems) {
   const Value& order = spec.values["order"];
   std::vector<std::vector<std::uint32_t>> atoms;
   std::vector<double> radii_A;
@@ -228,28 +223,19 @@ void checkOrderedPlaces(const TaskSpec& spec, const Molecule& molecule, std::vec
     radii_A.push_back(sum / double(atoms.back().size()));
     for (std::size_t before = 0; before < k; ++before)
       if (atoms[before] == atoms[k])
-        problems.push_back({{},
-                            order.places[k].line,
-                            order.places[k].column,
-                            tr("two of the places are the same atoms"),
-                            tr("name another place")});
+        problems.push_back(
+            problemAt(order.places[k], tr("two of the places are the same atoms"), tr("name another place")));
   }
   const std::string& by = spec.values["by"].text;
   if (by != "size") return;
   const bool up = std::is_sorted(radii_A.begin(), radii_A.end()),
              down = std::is_sorted(radii_A.rbegin(), radii_A.rend());
   if (!up && !down)
-    problems.push_back({{},
-                        order.place.line,
-                        order.place.column,
-                        tr("the radii of the places' atoms neither grow nor fall in this order"),
-                        tr("write them from the smallest to the largest, or the other way round")});
+    problems.push_back(problemAt(order.place, tr("the radii of the places' atoms neither grow nor fall in this order"),
+                                 tr("write them from the smallest to the largest, or the other way round")));
   else if (up && down)
-    problems.push_back({{},
-                        order.place.line,
-                        order.place.column,
-                        tr("the atoms of all places are of one size"),
-                        tr("choose atoms of different elements")});
+    problems.push_back(problemAt(order.place, tr("the atoms of all places are of one size"),
+                                 tr("choose atoms of different elements")));
 }
 
 }  // namespace

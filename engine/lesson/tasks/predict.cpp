@@ -214,23 +214,14 @@ class Predict : public Task {
 void checkPredict(const TaskSpec& spec, std::vector<Problem>& problems) {
   const Value &along = spec.values["along"], &deep = spec.values["deep"], &predict = spec.values["predict"];
   if (along.selection.given() && deep.place.line)
-    problems.push_back({{},
-                        deep.place.line,
-                        deep.place.column,
-                        tr("'deep' belongs to pressing in and 'along' to sliding"),
-                        tr("take one of them out")});
+    problems.push_back(
+        problemAt(deep.place, tr("'deep' belongs to pressing in and 'along' to sliding"), tr("take one of them out")));
   if (spec.values.has("attempts") && !spec.values.has("agree"))
-    problems.push_back({{},
-                        spec.values["attempts"].place.line,
-                        spec.values["attempts"].place.column,
-                        tr("any prediction will do here, so none can be wrong"),
-                        tr("add a line 'agree: …', or take 'attempts' out")});
+    problems.push_back(problemAt(spec.values["attempts"].place, tr("any prediction will do here, so none can be wrong"),
+                                 tr("add a line 'agree: …', or take 'attempts' out")));
   if (along.selection.given() && !predict.selection.given())
-    problems.push_back({{},
-                        predict.place.line,
-                        predict.place.column,
-                        tr("the way has no start"),
-                        tr("name the atoms where it begins in 'predict'")});
+    problems.push_back(
+        problemAt(predict.place, tr("the way has no start"), tr("name the atoms where it begins in 'predict'")));
 }
 
 }  // namespace

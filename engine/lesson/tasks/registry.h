@@ -12,14 +12,16 @@
 namespace moltact {
 
 struct TaskKind {
-  std::string_view name;      ///< also the key that carries its target: "reach: element O"
+  std::string_view name;      ///< also the key that carries its target: "reach: element O"; no key of another kind
   std::string_view meaning;   ///< one sentence for authors
   std::vector<KeySpec> keys;  ///< its own keys, the one called `name` first
   std::unique_ptr<Task> (*make)(const TaskSpec& spec, const Molecule& molecule);
   /// Adds problems with keys that do not go together, as if from file ""; may be null.
   void (*check)(const TaskSpec& spec, std::vector<Problem>& problems) = nullptr;
-  /// The same for what its atoms in the step's molecule tell, beyond that each selection selects some; may be null.
-  void (*check_molecule)(const TaskSpec& spec, const Molecule& molecule, std::vector<Problem>& problems) = nullptr;
+  /// The same for what its atoms in the step's molecule tell, beyond that each selection selects some; `untouchable` as
+  /// for Task::leaveOut; may be null.
+  void (*check_molecule)(const TaskSpec& spec, const Molecule& molecule, std::span<const std::uint32_t> untouchable,
+                         std::vector<Problem>& problems) = nullptr;
   /// The same for what does not go with the scene that it is done in; may be null.
   void (*check_scene)(const TaskSpec& spec, const SceneSpec& scene, std::vector<Problem>& problems) = nullptr;
 };

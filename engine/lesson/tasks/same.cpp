@@ -231,40 +231,29 @@ void checkSame(const TaskSpec& spec, std::vector<Problem>& problems) {
     const Value& value = spec.values[key];
     if (!value.place.line) continue;
     if (++given > 1)
-      problems.push_back({{},
-                          value.place.line,
-                          value.place.column,
-                          tr("the two things differ in one respect only"),
-                          tr("take this line out, or the other")});
+      problems.push_back(problemAt(value.place, tr("the two things differ in one respect only"),
+                                   tr("take this line out, or the other")));
   }
   const Value &same = spec.values["same"], &right = spec.values["right"], &place = spec.values["place"];
   if (given == 0)
-    problems.push_back({{},
-                        same.place.line,
-                        same.place.column,
-                        tr("nothing says how the second thing differs from the scene"),
-                        trf("add a line that starts with {0} and a colon", joined(differences(), tr(" or ")))});
+    problems.push_back(
+        problemAt(same.place, tr("nothing says how the second thing differs from the scene"),
+                  trf("add a line that starts with {0} and a colon", joined(differences(), tr(" or ")))));
   if (place.place.line && !same.selection.given())
-    problems.push_back({{},
-                        same.place.line,
-                        same.place.column,
-                        tr("two places are to be felt, but only one is named"),
-                        tr("name the atoms of the first in 'same'")});
+    problems.push_back(problemAt(same.place, tr("two places are to be felt, but only one is named"),
+                                 tr("name the atoms of the first in 'same'")));
   if (right.place.line && right.number > spec.values["trials"].number)
-    problems.push_back({{},
-                        right.place.line,
-                        right.place.column,
-                        tr("more right answers than there are trials"),
-                        tr("ask for no more than 'trials'")});
+    problems.push_back(
+        problemAt(right.place, tr("more right answers than there are trials"), tr("ask for no more than 'trials'")));
 }
 
-void checkPlaces(const TaskSpec& spec, const Molecule& molecule, std::vector<Problem>& problems) {
+void checkPlaces(const TaskSpec& spec, const Molecule& molecule, std::span<const std::uint32_t> /*untouchable*/,
+                 std::vector<Problem>& problems) {
   const Value &one = spec.values["same"], &other = spec.values["place"];
   if (!one.selection.given() || !other.selection.given()) return;
   const std::vector<std::uint32_t> atoms = one.selection.select(molecule);
   if (!atoms.empty() && atoms == other.selection.select(molecule))
-    problems.push_back(
-        {{}, other.place.line, other.place.column, tr("the two places are the same atoms"), tr("name other atoms")});
+    problems.push_back(problemAt(other.place, tr("the two places are the same atoms"), tr("name other atoms")));
 }
 
 // The second thing is to differ from the scene.
@@ -272,11 +261,8 @@ void checkSameScene(const TaskSpec& spec, const SceneSpec& scene, std::vector<Pr
   for (const TouchProperty& p : touchProperties()) {
     const Value& value = spec.values[p.key];
     if (value.place.line && touchValueOf(p, value) == touchValue(scene.touch, p))
-      problems.push_back({{},
-                          value.place.line,
-                          value.place.column,
-                          tr("the two things are the same: the scene has this value too"),
-                          tr("write another value, or change the scene's")});
+      problems.push_back(problemAt(value.place, tr("the two things are the same: the scene has this value too"),
+                                   tr("write another value, or change the scene's")));
   }
 }
 

@@ -205,27 +205,17 @@ void checkTrace(const TaskSpec& spec, std::vector<Problem>& problems) {
   const bool crease = !spec.values["trace"].words.empty();
   const Value &of = spec.values["of"], &trace = spec.values["trace"];
   if (crease && !of.selection.given())
-    problems.push_back({{},
-                        trace.place.line,
-                        trace.place.column,
-                        tr("nothing says between which atoms the creases lie"),
-                        tr("add 'of'; for a small molecule 'of: all'")});
+    problems.push_back(problemAt(trace.place, tr("nothing says between which atoms the creases lie"),
+                                 tr("add 'of'; for a small molecule 'of: all'")));
   if (!crease && of.place.line)
-    problems.push_back({{},
-                        of.place.line,
-                        of.place.column,
-                        tr("'of' belongs to 'trace: crease'"),
-                        tr("take it out or write 'trace: crease'")});
+    problems.push_back(
+        problemAt(of.place, tr("'of' belongs to 'trace: crease'"), tr("take it out or write 'trace: crease'")));
   if (const Value& attempts = spec.values["attempts"]; attempts.place.line && !spec.values.has("lifts"))
-    problems.push_back({{},
-                        attempts.place.line,
-                        attempts.place.column,
-                        tr("without 'lifts' there is no wrong try at a way"),
-                        tr("add a line 'lifts: …', or take 'attempts' out")});
+    problems.push_back(problemAt(attempts.place, tr("without 'lifts' there is no wrong try at a way"),
+                                 tr("add a line 'lifts: …', or take 'attempts' out")));
   const Value& direction = spec.values["direction"];
   if (crease && direction.place.line)
-    problems.push_back(
-        {{}, direction.place.line, direction.place.column, tr("a crease has no direction"), tr("take the line out")});
+    problems.push_back(problemAt(direction.place, tr("a crease has no direction"), tr("take the line out")));
 }
 
 }  // namespace

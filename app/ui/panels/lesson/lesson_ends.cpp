@@ -167,7 +167,7 @@ void drawLessonEnd(Application& app, const LessonSession& session) {
     if (!card.description.empty()) line("lesson/end/next about", card.description, l.palette.quiet);
     if (button("lesson/end/next", elided(trf("Next lesson: {0}", card.title), width - l.px(28)).c_str(),
                ButtonLook::Primary, width))
-      app.extensions().shelf.begin(app, card);
+      app.extensions().shelf.begin(card);
   } else if (button("lesson/end/more", tr("More lessons"), ButtonLook::Primary, width)) {
     app.panels.welcome = true;
   }

@@ -45,9 +45,9 @@ void drawNameQuestion(Application& app) {
   endPage();
   // The lesson is opened anew, so it comes last. Who closes the page gives none.
   if (given)
-    asker.give(app, std::string(asker.draft));
+    asker.give(std::string(asker.draft));
   else if (without || !open)
-    asker.give(app, {});
+    asker.give({});
 }
 
 }  // namespace moltact

@@ -42,11 +42,11 @@ void drawHandOver(Application& app, ClassTurns& turns) {
   if (begun || absent || end) ImGui::CloseCurrentPopup();
   endPage();
   if (begun)
-    turns.start(app);
+    turns.start();
   else if (absent)
-    turns.skip(app);
+    turns.skip();
   else if (end)
-    turns.end(app);
+    turns.end();
 }
 
 void drawSetUp(Application& app, ClassTurns& turns) {
@@ -80,7 +80,7 @@ void drawSetUp(Application& app, ClassTurns& turns) {
     ImGui::CloseCurrentPopup();
   }
   endPage();
-  if (begun) turns.begin(app, names, 60.0 * draft.minutes);
+  if (begun) turns.begin(names, 60.0 * draft.minutes);
 }
 
 }  // namespace

@@ -30,7 +30,7 @@ void rowText(const char* name, const std::string& text, ImU32 colour) {
   ImGui::SetCursorPosY(y);
 }
 
-void drawTurn(Application& app, ClassTurns& turns, float whole) {
+void drawTurn(ClassTurns& turns, float whole) {
   const Look& l = look();
   const Turns& t = turns.turns();
   const float gap = ImGui::GetStyle().ItemSpacing.x, buttons = l.tx(96 + 84 + 74 + 66) + 3 * gap;
@@ -60,7 +60,7 @@ void drawTurn(Application& app, ClassTurns& turns, float whole) {
              l.tx(74)))
     turns.extend(60.0);
   ImGui::SameLine();
-  if (button("turns/end", tr("End"), ButtonLook::Plain, l.tx(66))) turns.end(app);
+  if (button("turns/end", tr("End"), ButtonLook::Plain, l.tx(66))) turns.end();
   tip(tr("Ends the turns; what everyone did is kept"));
 }
 
@@ -108,7 +108,7 @@ void drawPrediction(Application& app, ClassTurns& turns, float whole) {
   recordItem("turns/prediction", draft.prediction);
   ImGui::SameLine();
   keep = button("turns/keep", tr("Keep"), ButtonLook::Plain, keep_w) || keep;
-  if (!keep || !turns.predict(app, waiting[draft.who], draft.prediction)) return;
+  if (!keep || !turns.predict(waiting[draft.who], draft.prediction)) return;
   app.messages.notice(trf("Kept: what {0} predicts.", waiting[draft.who]));
   draft.prediction.clear();
   draft.who = (draft.who + 1) % waiting.size();
@@ -127,7 +127,7 @@ void drawTurnsStrip(Application& app) {
   if (!shown) return;
   const float whole = ImGui::GetContentRegionAvail().x;
   drawTime(turns.turns(), app.layout().strip);
-  drawTurn(app, turns, whole);
+  drawTurn(turns, whole);
   if (turns.on()) drawPrediction(app, turns, whole);
   endPanel();
 }

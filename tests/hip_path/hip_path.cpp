@@ -1,5 +1,5 @@
-// moltact_trace MOLECULE PATH METHOD: leads the HIP along PATH (three numbers a line, angstrom) and prints for each tick
-// whether there is contact, the SCP, the displacement and the atoms.
+// moltact_hip_path MOLECULE PATH METHOD: leads the HIP along PATH (three numbers a line, angstrom) and prints for each
+// tick whether there is contact, the SCP, the displacement and the atoms.
 #include <cstdio>
 #include <fstream>
 #include <memory>

@@ -1,4 +1,4 @@
-"""A hand over ubiquitin: the traces of another system's build held against the desktop's."""
+"""A hand over ubiquitin: the contacts of another system's build held against the desktop's."""
 import os
 import pathlib
 import random
@@ -22,19 +22,19 @@ def hand(lot):
 
 
 def hold_against_the_desktop(test, program):
-    """`program`: the command of moltact_trace there."""
+    """`program`: the command of moltact_hip_path there."""
     seed = random.randrange(1 << 30)
     print(f"seed {seed}")
     path = hand(random.Random(seed))
     with tempfile.TemporaryDirectory() as folder:
-        hips, table, trace = (pathlib.Path(folder) / n for n in ("hip.txt", "hip.csv", "trace.csv"))
+        hips, table, contacts = (pathlib.Path(folder) / n for n in ("hip.txt", "hip.csv", "contacts.csv"))
         hips.write_text("".join(f"{x!r} {y!r} {z!r}\n" for x, y, z in path))
         table.write_text("x,y,z\n" + "".join(f"{x!r},{y!r},{z!r}\n" for x, y, z in path))
         molecule = ROOT / "molecules" / "1ubq.pdb"
         for method in METHODS:
-            subprocess.run([DESKTOP, "replay", molecule, "--path", table, "--out", trace, "--method", method], check=True,
+            subprocess.run([DESKTOP, "replay", molecule, "--path", table, "--out", contacts, "--method", method], check=True,
                            capture_output=True)
-            desktop = [row.split(",") for row in trace.read_text().splitlines()[1:]]
+            desktop = [row.split(",") for row in contacts.read_text().splitlines()[1:]]
             out = subprocess.run([*program, molecule, hips, method], check=True, capture_output=True, text=True).stdout
             there = [row.split() for row in out.splitlines()]
             test.assertEqual(len(there), len(desktop))

@@ -1,5 +1,5 @@
-// What a touch leaves in the picture: atoms lightly painted, where the scene asks for it, and after a task in the dark the
-// way that the probe took there. Window's thread.
+// What a touch leaves in the picture: atoms lightly painted, where the scene asks for it, and after a task in the dark
+// the way that the probe took there. Window's thread.
 #pragma once
 
 #include <memory>
@@ -11,11 +11,13 @@
 
 namespace moltact {
 
+class LessonGuide;
 class TaskStager;
 
-class TouchTraces final : public Extension {
+class TouchPaint final : public Extension {
  public:
-  explicit TouchTraces(const TaskStager& stager) : stager_(stager) {}
+  TouchPaint(const TaskStager& stager, const TouchScene& scene, const LessonGuide& lesson)
+      : scene_(scene), lesson_(lesson), stager_(stager) {}
 
   /// Atoms that were touched before the probe left the surface last, and since; null: none.
   const AtomList& painted() const { return painted_; }
@@ -23,14 +25,16 @@ class TouchTraces final : public Extension {
   /// Null until it has been dark and is light again; of the task in which it was dark last.
   const std::shared_ptr<const Annotations>& trail() const { return trail_; }
 
-  void beforeTicks(Application& app) override;
-  void ticks(Application& app, const FeltTicks& felt) override;
-  void stepChanged(Application& app) override;
-  void sceneChanged(Application& app) override;
+  void beforeTicks() override;
+  void ticks(const FeltTicks& felt) override;
+  void stepChanged() override;
+  void sceneChanged() override;
 
  private:
+  const TouchScene& scene_;
+  const LessonGuide& lesson_;
   void goOn(const PointA& place, bool anew);
-  bool paints(const Application& app) const;
+  bool paints() const;
 
   const TaskStager& stager_;
   std::set<std::uint32_t> touched_, since_;

@@ -1,7 +1,7 @@
-#include "app/ui/extensions/touch_traces.h"
+#include "app/ui/extensions/touch_paint.h"
 
-#include "app/ui/application/application.h"
 #include "app/ui/extensions/task_stager.h"
+#include "app/ui/lesson/lesson_guide.h"
 
 namespace moltact {
 namespace {
@@ -16,15 +16,15 @@ AtomList listOf(const std::set<std::uint32_t>& atoms) {
 
 }  // namespace
 
-bool TouchTraces::paints(const Application& app) const {
-  return app.lesson.session() && app.lesson.onStage() && app.lesson.session()->scene().paint_touched;
+bool TouchPaint::paints() const {
+  return lesson_.session() && lesson_.onStage() && lesson_.session()->scene().paint_touched;
 }
 
-void TouchTraces::beforeTicks(Application& app) {
+void TouchPaint::beforeTicks() {
   const bool dark = stager_.dark();
   if (dark && !dark_) {
     // Who has looked in between goes on where it was dark before.
-    const std::size_t task = app.lesson.session() ? app.lesson.session()->currentTask() : 0;
+    const std::size_t task = lesson_.session() ? lesson_.session()->currentTask() : 0;
     if (trail_ && task == dark_task_) {
       way_ = trail_->trail;
     } else {
@@ -44,8 +44,8 @@ void TouchTraces::beforeTicks(Application& app) {
   dark_ = dark;
 }
 
-void TouchTraces::ticks(Application& app, const FeltTicks& felt) {
-  const bool paints_now = paints(app);
+void TouchPaint::ticks(const FeltTicks& felt) {
+  const bool paints_now = paints();
   const std::size_t before = since_.size();
   bool touching = false;
   for (const FeltTick& tick : felt.ticks) {
@@ -68,7 +68,7 @@ void TouchTraces::ticks(Application& app, const FeltTicks& felt) {
   }
 }
 
-void TouchTraces::goOn(const PointA& place, bool anew) {
+void TouchPaint::goOn(const PointA& place, bool anew) {
   if (anew || way_.empty()) {
     way_.emplace_back();
   } else if (const std::vector<PointA>& piece = way_.back();
@@ -87,18 +87,18 @@ void TouchTraces::goOn(const PointA& place, bool anew) {
   spacing_A_ *= 2.0;
 }
 
-void TouchTraces::stepChanged(Application& app) {
+void TouchPaint::stepChanged() {
   trail_ = nullptr;
   dark_ = false;
-  if (paints(app)) return;
+  if (paints()) return;
   touched_.clear();
   since_.clear();
   painted_ = fresh_ = nullptr;
 }
 
-void TouchTraces::sceneChanged(Application& app) {
-  if (app.scene.stage().molecule == molecule_) return;
-  molecule_ = app.scene.stage().molecule;
+void TouchPaint::sceneChanged() {
+  if (scene_.stage().molecule == molecule_) return;
+  molecule_ = scene_.stage().molecule;
   trail_ = nullptr;
   touched_.clear();
   since_.clear();
