@@ -15,10 +15,6 @@ namespace {
 using Node = SelectionNode;
 using Mask = std::vector<char>;
 
-const Residue* residueOf(const Molecule& m, const Atom& a) {
-  return a.residue < m.residues.size() ? &m.residues[a.residue] : nullptr;
-}
-
 bool contains(const std::vector<std::string>& names, std::string_view name) {
   return std::find(names.begin(), names.end(), name) != names.end();
 }
@@ -29,36 +25,22 @@ bool inRanges(const std::vector<NumberRange>& ranges, long number, char insertio
   return false;
 }
 
+// A residue of one of these chains.
+bool matches(const Node& node, const Residue& r, const Mask& chains) {
+  if (node.kind == SelectionKind::Chain) return r.chain < chains.size() && chains[r.chain];
+  if (node.kind == SelectionKind::Residue) return inRanges(node.numbers, r.number, r.insertion);
+  if (node.kind == SelectionKind::Resname) return contains(node.names, r.name);
+  return r.kind == ResidueKind::Ligand && (node.names.empty() || contains(node.names, r.name));
+}
+
+// What is said of single atoms.
 bool matches(const Node& node, const Molecule& m, std::size_t index) {
   const Atom& a = m.atoms[index];
-  const Residue* r = residueOf(m, a);
-  const auto isKind = [&](ResidueKind kind) { return r && r->kind == kind; };
-  switch (node.kind) {
-    case SelectionKind::All:
-      return true;
-    case SelectionKind::Chain:
-      return r && r->chain < m.chains.size() && contains(node.names, m.chains[r->chain].name);
-    case SelectionKind::Residue:
-      return r && inRanges(node.numbers, r->number, r->insertion);
-    case SelectionKind::Resname:
-      return r && contains(node.names, r->name);
-    case SelectionKind::Name:
-      return contains(node.names, a.nameText());
-    case SelectionKind::Element:
-      return std::find(node.elements.begin(), node.elements.end(), a.atomic_number) != node.elements.end();
-    case SelectionKind::AtomIndex:
-      return inRanges(node.numbers, static_cast<long>(index), ' ');
-    case SelectionKind::Ligand:
-      return isKind(ResidueKind::Ligand) && (node.names.empty() || contains(node.names, r->name));
-    case SelectionKind::Class:  // these are of whole masks: see evaluate()
-    case SelectionKind::Within:
-    case SelectionKind::BondedTo:
-    case SelectionKind::Not:
-    case SelectionKind::And:
-    case SelectionKind::Or:
-      break;
-  }
-  return false;
+  if (node.kind == SelectionKind::All) return true;
+  if (node.kind == SelectionKind::Name) return contains(node.names, a.nameText());
+  if (node.kind == SelectionKind::Element)
+    return std::find(node.elements.begin(), node.elements.end(), a.atomic_number) != node.elements.end();
+  return node.kind == SelectionKind::AtomIndex && inRanges(node.numbers, static_cast<long>(index), ' ');
 }
 
 Mask within(const Mask& near_what, double distance_A, const Molecule& m) {
@@ -90,6 +72,16 @@ Mask bondedTo(const Mask& what, const Molecule& m) {
   return out;
 }
 
+// Of a chain or a residue all atoms are selected or none: names are compared once for each.
+Mask ofResidues(const Node& node, const Molecule& m) {
+  Mask chains(m.chains.size(), 0), residues(m.residues.size(), 0), out(m.atoms.size(), 0);
+  for (std::size_t c = 0; c < chains.size(); ++c) chains[c] = contains(node.names, m.chains[c].name);
+  for (std::size_t k = 0; k < residues.size(); ++k) residues[k] = matches(node, m.residues[k], chains);
+  for (std::size_t i = 0; i < out.size(); ++i)
+    if (m.atoms[i].residue < residues.size()) out[i] = residues[m.atoms[i].residue];
+  return out;
+}
+
 Mask evaluate(const Node& node, const Molecule& m) {
   switch (node.kind) {
     case SelectionKind::And:
@@ -100,6 +92,11 @@ Mask evaluate(const Node& node, const Molecule& m) {
         left[i] = node.kind == SelectionKind::And ? (left[i] && right[i]) : (left[i] || right[i]);
       return left;
     }
+    case SelectionKind::Chain:
+    case SelectionKind::Residue:
+    case SelectionKind::Resname:
+    case SelectionKind::Ligand:
+      return ofResidues(node, m);
     case SelectionKind::Not: {
       Mask inner = evaluate(*node.left, m);
       for (char& c : inner) c = !c;
@@ -115,13 +112,9 @@ Mask evaluate(const Node& node, const Molecule& m) {
       return out;
     }
     case SelectionKind::All:
-    case SelectionKind::Chain:
-    case SelectionKind::Residue:
-    case SelectionKind::Resname:
     case SelectionKind::Name:
     case SelectionKind::Element:
     case SelectionKind::AtomIndex:
-    case SelectionKind::Ligand:
       break;  // told atom by atom
   }
   Mask out(m.atoms.size(), 0);

@@ -34,12 +34,15 @@ void fill(Filling& field, std::span<const Ball> balls, const Vec3& low, double v
     }
     const glm::ivec3 from = glm::max(glm::ivec3(glm::floor(c - r)), glm::ivec3(0));
     const glm::ivec3 to = glm::min(glm::ivec3(glm::ceil(c + r)), field.size - 1);
+    const double out2 = (r + 0.5) * (r + 0.5);
     for (int z = from.z; z <= to.z; ++z)
       for (int y = from.y; y <= to.y; ++y) {
         const double aside2 = (z - c.z) * (z - c.z) + (y - c.y) * (y - c.y);
-        if (aside2 > (r + 0.5) * (r + 0.5)) continue;
+        if (aside2 >= out2) continue;
         float* row = field.value.data() + field.at(0, y, z);
-        for (int x = from.x; x <= to.x; ++x) {
+        const double reach = std::sqrt(out2 - aside2);
+        const int last = std::min(to.x, int(std::floor(c.x + reach)));
+        for (int x = std::max(from.x, int(std::ceil(c.x - reach))); x <= last; ++x) {
           const double share = 0.5 + r - std::sqrt(aside2 + (x - c.x) * (x - c.x));
           if (share > double(row[x])) row[x] = float(std::min(share, 1.0));
         }
@@ -50,24 +53,34 @@ void fill(Filling& field, std::span<const Ball> balls, const Vec3& low, double v
 // Three running means in a row along each axis come close to a Gaussian.
 void blur(Filling& field, double sigma) {
   const int half = std::max(1, int(std::lround(sigma)));
-  std::vector<float> line;
-  const auto along = [&](int n, std::size_t stride, std::size_t begin) {
-    line.resize(std::size_t(n) + 1);
-    line[0] = 0.0f;
-    for (int i = 0; i < n; ++i) line[i + 1] = line[i] + field.value[begin + i * stride];
-    for (int i = 0; i < n; ++i)
-      field.value[begin + i * stride] =
-          (line[std::min(n, i + half + 1)] - line[std::max(0, i - half)]) / float(2 * half + 1);
+  const float share = 1.0f / float(2 * half + 1);
+  std::vector<float> sums;
+  // n neighbours of `width` values each, `stride` apart: neighbours are added, and as many at a time as lie side by side.
+  const auto along = [&](int n, std::size_t stride, std::size_t begin, int width) {
+    sums.resize((std::size_t(n) + 1) * width);
+    std::fill_n(sums.begin(), width, 0.0f);
+    for (int i = 0; i < n; ++i) {
+      const float *before = &sums[std::size_t(i) * width], *value = &field.value[begin + i * stride];
+      float* const sum = &sums[(std::size_t(i) + 1) * width];
+      for (int k = 0; k < width; ++k) sum[k] = before[k] + value[k];
+    }
+    for (int i = 0; i < n; ++i) {
+      const float *to = &sums[std::size_t(std::min(n, i + half + 1)) * width],
+                  *from = &sums[std::size_t(std::max(0, i - half)) * width];
+      float* const value = &field.value[begin + i * stride];
+      for (int k = 0; k < width; ++k) value[k] = (to[k] - from[k]) * share;
+    }
   };
-  for (int pass = 0; pass < 3; ++pass) {
-    for (int z = 0; z < field.size.z; ++z)
-      for (int y = 0; y < field.size.y; ++y) along(field.size.x, 1, field.at(0, y, z));
-    for (int z = 0; z < field.size.z; ++z)
-      for (int x = 0; x < field.size.x; ++x) along(field.size.y, field.size.x, field.at(x, 0, z));
-    for (int y = 0; y < field.size.y; ++y)
-      for (int x = 0; x < field.size.x; ++x)
-        along(field.size.z, std::size_t(field.size.x) * field.size.y, field.at(x, y, 0));
+  // The means along one axis are all taken while a plane lies in the cache.
+  constexpr int kMeans = 3;
+  const glm::ivec3 n = field.size;
+  for (int z = 0; z < n.z; ++z) {
+    for (int y = 0; y < n.y; ++y)
+      for (int k = 0; k < kMeans; ++k) along(n.x, 1, field.at(0, y, z), 1);
+    for (int k = 0; k < kMeans; ++k) along(n.y, std::size_t(n.x), field.at(0, 0, z), n.x);
   }
+  for (int y = 0; y < n.y; ++y)
+    for (int k = 0; k < kMeans; ++k) along(n.z, std::size_t(n.x) * n.y, field.at(0, y, 0), n.x);
 }
 
 OcclusionLevel levelOf(std::span<const Ball> balls, const Vec3& low, const Vec3& extent, double sigma_A,
@@ -82,7 +95,7 @@ OcclusionLevel levelOf(std::span<const Ball> balls, const Vec3& low, const Vec3&
   blur(field, 0.6 * sigma_A / voxel_A);
   OcclusionLevel level{field.size, voxel_A, std::vector<std::uint8_t>(field.value.size())};
   std::transform(field.value.begin(), field.value.end(), level.filled.begin(),
-                 [](float v) { return std::uint8_t(std::lround(std::clamp(v, 0.0f, 1.0f) * 255.0f)); });
+                 [](float v) { return std::uint8_t(std::clamp(v, 0.0f, 1.0f) * 255.0f + 0.5f); });
   return level;
 }
 
@@ -96,13 +109,14 @@ double OcclusionLevel::at(const Vec3& place) const {
   const Vec3 g = glm::clamp(place / voxel_A - 0.5, Vec3(0.0), Vec3(size - 1));
   const glm::ivec3 i = glm::min(glm::ivec3(glm::floor(g)), glm::max(size - 2, glm::ivec3(0)));
   const Vec3 f = g - Vec3(i);
-  double sum = 0;
-  for (int k = 0; k < 8; ++k) {
-    const glm::ivec3 step(k & 1, k >> 1 & 1, k >> 2), p = glm::min(i + step, size - 1);
-    sum += filled[(std::size_t(p.z) * size.y + p.y) * size.x + p.x] / 255.0 * (step.x ? f.x : 1 - f.x) *
-           (step.y ? f.y : 1 - f.y) * (step.z ? f.z : 1 - f.z);
-  }
-  return sum;
+  const glm::ivec3 next = glm::min(i + 1, size - 1);
+  // Along x, then between the two rows, then between the two planes.
+  const auto row = [&](int y, int z) {
+    const std::uint8_t* const at = filled.data() + (std::size_t(z) * size.y + y) * size.x;
+    return at[i.x] * (1.0 - f.x) + at[next.x] * f.x;
+  };
+  const auto plane = [&](int z) { return row(i.y, z) * (1.0 - f.y) + row(next.y, z) * f.y; };
+  return (plane(i.z) * (1.0 - f.z) + plane(next.z) * f.z) / 255.0;
 }
 
 glm::vec4 OcclusionField::wideRound(const Vec3& centre_A, double radius_A) const {

@@ -294,6 +294,41 @@ TEST_CASE("with the mouse alone a place is found in the dark and a pair is judge
   CHECK(session(*d).task(0).progress == doctest::Approx(0.5));
 }
 
+TEST_CASE("atoms that one of two things is without are not felt there, and are again when the task is left half done") {
+  Scratch scratch;
+  const std::string front = argonLesson("Gone", "  - Feel it\n", "");
+  std::string text = front.substr(0, front.find("## One step")) +
+                     "## Before\n\n```scene\nmolecule: argon-pair\n```\n\nThere.\n\n## Dark\n\n"
+                     "```touch\nsame: anywhere\nremove: atom 1\ntrials: 20\nfor: 0.2 s\nsay: Feel.\n```\n";
+  text.replace(text.find("  - argon\n"), 10, "  - argon-pair\n");
+  auto d = startWith(scratch.file("gone.md", text).string());
+  REQUIRE(session(*d).goTo("dark"));
+  d->frames(10);
+  const auto unfelt = [&] { return d->app().scene.stage().balls->untouchable(); };
+  int with = 0, without = 0;
+  for (int k = 0; k < 40 && (with < 3 || without < 3); ++k) {
+    const std::vector<std::uint32_t> removed = session(*d).taskStage().removed;
+    CHECK(unfelt() == removed);
+    (removed.empty() ? with : without) += 1;
+    d->hold("Space");
+    REQUIRE(waitUntil(*d, [&] { return !session(*d).taskAt(0)->buttons().empty(); }));
+    d->letGo("Space");
+    tell(*d, k % 2 == 0 ? "Enter" : "S");
+  }
+  CHECK(with >= 3);
+  CHECK(without >= 3);
+  for (int k = 0; k < 40 && unfelt().empty(); ++k) {
+    d->hold("Space");
+    waitUntil(*d, [&] { return !session(*d).taskAt(0)->buttons().empty(); });
+    d->letGo("Space");
+    tell(*d, session(*d).taskAt(0)->buttons().size() == 1 ? "Enter" : "S");
+  }
+  CHECK(unfelt() == std::vector<std::uint32_t>{1});
+  REQUIRE(session(*d).goTo("before"));
+  d->frames(10);
+  CHECK(unfelt().empty());
+}
+
 TEST_CASE("the scene is the lesson's again when a task that changed it is left half done") {
   auto d = startWith(kLesson);
   REQUIRE(session(*d).goTo("same-or-different"));

@@ -32,10 +32,13 @@ double nearest_A(const ShippedScene& s, const std::string& one, const std::strin
 }  // namespace
 
 TEST_CASE(
-    "a-drug-in-its-tunnel.md has 7 steps, a place to find in the dark, one to hold in the tunnel and a key to trace") {
+    "a-drug-in-its-tunnel.md has 8 steps, a place to find in the dark, a drug to miss in the dark, a place to hold in "
+    "the "
+    "tunnel and a key to trace") {
   const Lesson lesson = shippedLesson(kDrug);
   checkCare(lesson);
-  CHECK(lesson.steps.size() == 7);
+  CHECK(lesson.steps.size() == 8);
+  CHECK(taskOf(lesson, "in-or-out", "same").values["remove"].selection.text() == "ligand");
   CHECK(taskOf(lesson, "in-the-dark", "find").values["by"].text == "hold");
   CHECK(tasksOf(lesson, "hold") == 1);
   CHECK(tasksOf(lesson, "trace") == 1);

@@ -92,7 +92,7 @@ def lessons():
         before = used_s(browser)
         cards_drawn(browser)
         print(f"the pictures of the cards, once: {used_s(browser) - before:.1f} s of the processor's time", flush=True)
-        for lesson in ("first-touch", "dna-grooves-blind", LARGE):
+        for lesson in ("first-touch", "dna-grooves-blind", LARGE, "a-virus-in-the-hand"):
             seconds, used = [], []
             for _ in range(TIMES):
                 before = used_s(browser)

@@ -8,6 +8,7 @@
 #include "engine/language/catalogue.h"
 #include "engine/language/quantity_text.h"
 #include "engine/lesson/lesson_region.h"
+#include "engine/lesson/scene_atoms.h"
 #include "engine/molecule/catalogue.h"
 #include "engine/platform/use_language.h"
 #include "engine/render/molecule_model.h"
@@ -136,9 +137,11 @@ void Application::enterScene() {
   showMolecule(*molecule);
 }
 
-void Application::beginSceneAgain(std::optional<PointA> before, const std::optional<Quat>& turned) {
+void Application::beginSceneAgain(std::optional<PointA> before, const std::optional<Quat>& turned,
+                                  const std::vector<std::uint32_t>& removed) {
   // What is felt is made anew where other atoms are taken from the hand.
-  if (Stage felt = withUntouchable(scene.restingStage(), lesson.untouchable()); felt.balls != scene.stage().balls)
+  if (Stage felt = withUntouchable(scene.restingStage(), atomsOfEither(lesson.untouchable(), removed));
+      felt.balls != scene.stage().balls)
     scene.show(std::move(felt), scene.molecule(), facing());
   if (before)
     scene.beginAgainAt(*before);

@@ -1,8 +1,10 @@
 // What opens files and molecules, for those who need no more of the application. Window's thread.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <optional>
+#include <vector>
 
 #include "engine/core/units.h"
 #include "engine/molecule/molecule_key.h"
@@ -23,8 +25,10 @@ class Opener {
   /// The camera as it was when the scene was opened.
   virtual void resetView() = 0;
   /// The scene as if its molecule had just been opened; `before` a place, it is turned to the front and the hand begins
-  /// there; `turned`, the molecule is seen turned so (the screen's axes in its own).
-  virtual void beginSceneAgain(std::optional<PointA> before = {}, const std::optional<Quat>& turned = {}) = 0;
+  /// there; `turned`, the molecule is seen turned so (the screen's axes in its own). What of the `removed` atoms (ascending)
+  /// the scene does not take from the hand anyway is not felt until the next call.
+  virtual void beginSceneAgain(std::optional<PointA> before = {}, const std::optional<Quat>& turned = {},
+                               const std::vector<std::uint32_t>& removed = {}) = 0;
 
  protected:
   ~Opener() = default;

@@ -9,6 +9,7 @@
 #include "engine/language/catalogue.h"
 #include "engine/lesson/lesson_files.h"
 #include "engine/platform/background.h"
+#include "engine/platform/folders.h"
 
 namespace moltact {
 namespace {
@@ -53,6 +54,11 @@ void LessonWatch::watch(const fs::path& file) {
 void LessonWatch::lessonChanged() {
   if (lesson_.openings() == own_opening_ && lesson_.file() == file_) return;
   watch(lesson_.file());
+  // Where nothing can be done beside the picture, what comes with the program is taken as it is until it changes.
+  if (!threadsCanBeHad() && file_.parent_path() == lessonsFolder()) {
+    read_ = seen_;
+    return;
+  }
   begin();
 }
 

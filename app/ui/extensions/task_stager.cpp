@@ -16,7 +16,9 @@ void TaskStager::beforeTicks() {
   const TaskStage wanted = session && lesson_.onStage() && scene_.stage() ? session->taskStage() : TaskStage();
   if (wanted == stage_) return;
   if (!session) {
+    const bool lacks = !stage_.removed.empty() && scene_.stage();
     stage_ = wanted;
+    if (lacks) opener_.beginSceneAgain();
     return;
   }
   change(stage_.touch, wanted.touch);
@@ -25,7 +27,7 @@ void TaskStager::beforeTicks() {
   const bool anew = !found && (wanted.presentation != stage_.presentation || wanted.turned != stage_.turned);
   stage_ = wanted;
   if (!anew) return;
-  opener_.beginSceneAgain(wanted.facing, wanted.turned);
+  opener_.beginSceneAgain(wanted.facing, wanted.turned, wanted.removed);
   scene_.controls.letGo();
 }
 

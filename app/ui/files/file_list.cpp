@@ -10,10 +10,13 @@ namespace moltact {
 
 namespace fs = std::filesystem;
 
-bool fileRow(const std::string& name, Icon icon, const std::string& label) {
+bool fileRow(const std::string& name, Icon icon, const std::string& label, RowLabel shows) {
   const Look& l = look();
   ImGui::PushID(name.c_str());
-  const float width = ImGui::GetContentRegionAvail().x, high = l.tx(30);
+  const float width = ImGui::GetContentRegionAvail().x, room = width - l.px(40);
+  const bool wraps = shows == RowLabel::Whole;
+  const float text_high = ImGui::CalcTextSize(label.c_str(), nullptr, false, wraps ? room : -1.0f).y;
+  const float high = l.tx(30) + (wraps ? text_high - ImGui::GetFontSize() : 0.0f);
   const bool clicked = ImGui::InvisibleButton("row", {width, high});
   ImGui::PopID();
   const ImVec2 low = ImGui::GetItemRectMin(), end = ImGui::GetItemRectMax();
@@ -21,8 +24,9 @@ bool fileRow(const std::string& name, Icon icon, const std::string& label) {
   if (ImGui::IsItemHovered()) draw->AddRectFilled(low, end, l.palette.hovered, l.px(6));
   const float middle = 0.5f * (low.y + end.y);
   drawIcon(draw, icon, {low.x + l.px(16), middle}, l.px(14), icon == Icon::Folder ? l.palette.accent : l.palette.quiet);
-  const std::string shown = elided(label, width - l.px(40));
-  draw->AddText({low.x + l.px(34), middle - 0.5f * ImGui::GetFontSize()}, l.palette.text, shown.c_str());
+  const std::string shown = wraps ? label : elided(label, room);
+  draw->AddText(nullptr, 0.0f, {low.x + l.px(34), middle - 0.5f * (wraps ? text_high : ImGui::GetFontSize())},
+                l.palette.text, shown.c_str(), nullptr, wraps ? room : 0.0f);
   recordItem(name, label);
   return clicked;
 }

@@ -9,8 +9,13 @@
 
 namespace moltact {
 
-/// A row with a sign and a label, cut where it is too long; recorded as `name`. True when it was clicked.
-bool fileRow(const std::string& name, Icon icon, const std::string& label);
+enum class RowLabel {
+  Cut,    ///< on one line, cut where it is too long
+  Whole,  ///< on as many lines as it needs
+};
+
+/// A row with a sign and a label; recorded as `name`. True when it was clicked.
+bool fileRow(const std::string& name, Icon icon, const std::string& label, RowLabel shows = RowLabel::Cut);
 
 /// The browser's folder; folders that are clicked are looked into. Returns a file that was clicked, else an empty path.
 /// Rows are recorded as prefix/up and prefix/entry/<name>; `nothing` is said where there are none.

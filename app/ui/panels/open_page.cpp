@@ -45,10 +45,8 @@ void drawShelf(Application& app) {
   const auto offer = [&](const char* title, const char* prefix, const std::vector<LibraryItem>& entries) {
     if (entries.empty()) return;
     sectionTitle(title);
-    for (const LibraryItem& entry : entries) {
-      if (fileRow(prefix + entry.id, Icon::File, entry.label)) chooseFile(app, entry.file);
-      tip(entry.label.c_str());
-    }
+    for (const LibraryItem& entry : entries)
+      if (fileRow(prefix + entry.id, Icon::File, entry.label, RowLabel::Whole)) chooseFile(app, entry.file);
     ImGui::Dummy({0, look().px(6)});
   };
   offer(tr("Molecules"), "open/library/", library());

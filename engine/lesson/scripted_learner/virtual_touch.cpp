@@ -26,6 +26,12 @@ void VirtualTouch::begin(std::shared_ptr<const Molecule> molecule, const SceneSp
 
 void VirtualTouch::setStage(const TaskStage& stage) {
   if (stage == stage_) return;
+  if (stage.removed != stage_.removed) {
+    balls_ = std::make_shared<const BallScene>(molecule_->balls(),
+                                               atomsOfEither(untouchableAtoms(scene_, *molecule_), stage.removed));
+    felt_ = nullptr;
+    exact_ = nullptr;
+  }
   TouchSetup touch = touch_;
   stage.touch.replace(stage_.touch, scene_.touch, touch);
   feelWith(touch);

@@ -13,13 +13,14 @@
 namespace moltact {
 namespace {
 
-constexpr std::string_view kPlace = "place";
+constexpr std::string_view kPlace = "place", kRemove = "remove";
 
 // In one of these the second thing differs.
 std::vector<std::string_view> differences() {
   std::vector<std::string_view> out;
   for (const KeySpec& key : comparedTouchKeys()) out.push_back(key.name);
   out.push_back(kPlace);
+  out.push_back(kRemove);
   return out;
 }
 
@@ -40,7 +41,11 @@ class Same : public Task {
                                        : (3 * trials_ + 3) / 4;
     for (const TouchProperty& p : touchProperties())
       if (spec.values.has(p.key)) other_.touch.set(p, touchValueOf(p, spec.values[p.key]));
-    if (spec.values["same"].selection.given()) one_.facing = middle(spec.values["same"].selection, molecule);
+    // Where atoms are missing from one of the two, both are felt in the same place: it is seen as the scene says.
+    if (spec.values["remove"].selection.given())
+      other_.removed = spec.values["remove"].selection.select(molecule);
+    else if (spec.values["same"].selection.given())
+      one_.facing = middle(spec.values["same"].selection, molecule);
     other_.facing = by_place_ ? middle(spec.values["place"].selection, molecule) : one_.facing;
     draw();
   }
@@ -169,7 +174,9 @@ class Same : public Task {
   std::string guidance() const override {
     if (felt_s_ >= time_s_)
       return second_ ? tr("Were the two the same, or different?") : tr("Now go on to the second.");
-    if (beside_) return tr("You are beside the place. It lies in the middle of the view: let go, and push there.");
+    if (beside_)
+      return led() ? tr("You are beside the place. It lies in the middle of the view: let go, and push there.")
+                   : tr("You are beside the place: let go, and push elsewhere.");
     const std::size_t pair = trial_ + 1;
     if (touching_) {
       const std::string felt = timeText(felt_s_), wanted = timeText(time_s_);
@@ -247,11 +254,21 @@ void checkSame(const TaskSpec& spec, std::vector<Problem>& problems) {
         problemAt(right.place, tr("more right answers than there are trials"), tr("ask for no more than 'trials'")));
 }
 
-void checkPlaces(const TaskSpec& spec, const Molecule& molecule, std::span<const std::uint32_t> /*untouchable*/,
+void checkPlaces(const TaskSpec& spec, const Molecule& molecule, std::span<const std::uint32_t> untouchable,
                  std::vector<Problem>& problems) {
-  const Value &one = spec.values["same"], &other = spec.values["place"];
+  const Value &one = spec.values["same"], &other = spec.values["place"], &removed = spec.values["remove"];
+  const std::vector<std::uint32_t> atoms = AtomSet(one.selection, molecule).atoms();
+  if (removed.selection.given()) {
+    const std::vector<std::uint32_t> gone = removed.selection.select(molecule);
+    const auto among = [](std::span<const std::uint32_t> some, std::uint32_t a) {
+      return std::binary_search(some.begin(), some.end(), a);
+    };
+    if (!atoms.empty() && std::all_of(atoms.begin(), atoms.end(),
+                                      [&](std::uint32_t a) { return among(gone, a) || among(untouchable, a); }))
+      problems.push_back(problemAt(removed.place, tr("without these atoms nothing is left to be felt"),
+                                   tr("take out fewer, or name others in 'same'")));
+  }
   if (!one.selection.given() || !other.selection.given()) return;
-  const std::vector<std::uint32_t> atoms = one.selection.select(molecule);
   if (!atoms.empty() && atoms == other.selection.select(molecule))
     problems.push_back(problemAt(other.place, tr("the two places are the same atoms"), tr("name other atoms")));
 }
@@ -278,6 +295,9 @@ TaskKind sameKind() {
   for (KeySpec& key : comparedTouchKeys()) keys.push_back(std::move(key));
   const KeySpec others[]{
       {.name = kPlace, .type = ValueType::Selection, .meaning = "The second thing is these atoms."},
+      {.name = kRemove,
+       .type = ValueType::Selection,
+       .meaning = "The second thing is the scene without these atoms, which are not felt. The view stays the scene's."},
       {.name = "trials",
        .type = ValueType::Count,
        .meaning = "How many pairs are felt. Each is drawn for itself: it differs as often as not.",

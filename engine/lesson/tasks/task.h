@@ -49,8 +49,9 @@ struct TaskStage {
   bool dark = false;         ///< the molecule is not drawn and no atom is named: the way is found by touch alone
   bool force_meter = false;  ///< in the dark the force is shown
   TouchChange touch = {};    ///< felt with something else
-  std::optional<PointA> facing = {};  ///< a place to be turned to the front, in the middle of the view
-  std::optional<Quat> turned = {};    ///< the molecule is seen turned so: the screen's axes in its own
+  std::vector<std::uint32_t> removed = {};  ///< atoms that are not felt, besides those of the scene; ascending
+  std::optional<PointA> facing = {};        ///< a place to be turned to the front, in the middle of the view
+  std::optional<Quat> turned = {};          ///< the molecule is seen turned so: the screen's axes in its own
   int presentation = 0;  ///< another number, or another turn, begins a new presentation: the hand lets go and starts
                          ///< outside again, so that nothing but the touch shows whether something has changed
 

@@ -184,7 +184,9 @@ TEST_CASE(
   table.print();
 }
 
-TEST_CASE("a size that is set by chance is taken no more often than it is right, and none that has not been there") {
+TEST_CASE(
+    "a size that is set by chance is taken no more often than it is right, four in less than a quarter of the rounds, "
+    "and none that has not been there") {
   const std::vector<Found> found = tasksOfKind("fit");
   REQUIRE(found.size() >= 2);
   Passes table;
@@ -194,9 +196,13 @@ TEST_CASE("a size that is set by chance is taken no more often than it is right,
     const auto place = atomsOf(picture, f.spec(), {"fit"});
     const bool largest = f.spec().values["want"].text == "largest";
     const double least_A = f.spec().values["least"].number, most_A = f.spec().values["most"].number;
-    constexpr int kRounds = 8, kSizes = 4, kJabs = 6;
+    constexpr int kSizes = 4, kJabs = 6;
+    // Among few atoms a round is short.
+    const int rounds = picture.balls.size() < 100 ? 100 : 8;
     const double one = (f.spec().values["within"].number + 0.1) / (most_A - least_A + 0.1),
                  chance = 1.0 - std::pow(1.0 - one, kSizes);
+    // A slider of which four sizes often hold the right one asks for no skill.
+    CHECK(chance < 0.25);
     // The looker takes the size that is set at first, the guesser any, and neither tries it.
     Alone looker(f, kSeed), guesser(f, kSeed);
     looker.jab(picture, picture.camera(), picture.seen(place), 1.5);
@@ -208,7 +214,7 @@ TEST_CASE("a size that is set by chance is taken no more often than it is right,
     }
     CHECK_FALSE(guesser.done());
     int jabbed = 0;
-    for (int round = 0; round < kRounds; ++round) {
+    for (int round = 0; round < rounds; ++round) {
       Alone jabber(f, mixedSeed(kSeed, std::uint64_t(round)));
       for (int size = 0; size < kSizes && !jabber.done(); ++size) {
         const double steps = std::floor((most_A - least_A) / 0.1 * jabber.fraction());
@@ -222,8 +228,8 @@ TEST_CASE("a size that is set by chance is taken no more often than it is right,
       }
       jabbed += jabber.done();
     }
-    CHECK(double(jabbed) / kRounds <= chance + noise(chance, kRounds));
-    table.row(f, looker.done(), guesser.done(), double(jabbed) / kRounds, chance);
+    CHECK(double(jabbed) / rounds <= chance + noise(chance, rounds));
+    table.row(f, looker.done(), guesser.done(), double(jabbed) / rounds, chance);
   }
   table.print();
 }

@@ -187,6 +187,26 @@ TEST_CASE("a force of 15 N that no hand is given is given up after 20 s on the v
   CHECK(p.find(Kind::GaveUp)->note.starts_with("not done after 20\u00a0s of trying"));
 }
 
+TEST_CASE("an atom that a task takes out is not felt until it is put back") {
+  VirtualTouch touch;
+  touch.begin(*molecules({"pair"}), SceneSpec());
+  const auto felt = [&] {
+    touch.place({{-8.0, 0.0, 0.0}});
+    bool met = false;
+    for (double x = -8.0; x < -1.88; x += 0.02) met = touch.tick({{x, 0.0, 0.0}}).contact.touching();
+    return met;
+  };
+  CHECK(felt());
+  TaskStage without;
+  without.removed = {0};
+  touch.setStage(without);
+  CHECK(touch.balls().untouchable() == std::vector<std::uint32_t>{0});
+  CHECK_FALSE(felt());
+  touch.setStage({});
+  CHECK(touch.balls().untouchable().empty());
+  CHECK(felt());
+}
+
 TEST_CASE("a molecule that is not there is fault at its place in the lesson, and nothing hangs") {
   const Played p = demonstrate("## A\n```scene\nmolecule: pair\n```\n" + touch("reach: all") +
                                "## B\n```scene\nmolecule: cage\n```\n");

@@ -178,6 +178,50 @@ TEST_CASE(
   CHECK(seconds_felt < 38);
 }
 
+TEST_CASE(
+    "atoms that are taken out for the second thing are taken out for half of what is felt, and for nothing else") {
+  auto t = task("same", {{"same", "anywhere"}, {"remove", "atom 3-4"}, {"trials", "100"}, {"for", "0.2 s"}});
+  Hand hand{*t, 0.0, 0.01};
+  int without = 0;
+  for (int k = 0; k < 200; ++k) {
+    const std::vector<std::uint32_t> removed = t->stage().removed;
+    if (!removed.empty()) {
+      CHECK(removed == std::vector<std::uint32_t>{3, 4});
+      ++without;
+    }
+    hand.touch({0}, 0.21);
+    hand.away(0.01);
+    t->answer({k % 2 == 0 ? "next" : "same"});
+  }
+  CHECK(std::abs(without - 100) < 29);  // four standard deviations of 200 coins
+}
+
+TEST_CASE(
+    "where atoms are taken out the view stays the scene's, and who is beside the place is not sent to its middle") {
+  auto t = task("same", {{"same", "atom 0"}, {"remove", "atom 3-4"}, {"trials", "2"}, {"for", "0.2 s"}});
+  Hand hand{*t};
+  CHECK_FALSE(t->stage().facing);
+  hand.touch({2}, 1.0);
+  CHECK(t->buttons().empty());
+  CHECK(t->sentence() == "You are beside the place: let go, and push elsewhere.");
+}
+
+TEST_CASE("a second thing of which nothing is left to be felt is no task") {
+  const auto problemWithout = [](const Keys& keys, std::vector<std::uint32_t> untouchable = {}) {
+    std::vector<Problem> problems;
+    const TaskSpec spec = specOf("same", keys, problems);
+    findTaskKind("same")->check_molecule(spec, mixedMolecule(), untouchable, problems);
+    return problems.empty() ? std::string() : problems.front().message;
+  };
+  CHECK(problemWithout({{"same", "atom 3"}, {"remove", "atom 3-4"}}) ==
+        "without these atoms nothing is left to be felt");
+  CHECK(problemWithout({{"same", "anywhere"}, {"remove", "all"}}) == "without these atoms nothing is left to be felt");
+  CHECK(problemWithout({{"same", "atom 2-3"}, {"remove", "atom 3-4"}}) == "");
+  CHECK(problemWithout({{"same", "atom 2-3"}, {"remove", "atom 3-4"}}, {2}) ==
+        "without these atoms nothing is left to be felt");
+  CHECK(problemWithout({{"same", "anywhere"}, {"remove", "atom 3-4"}}) == "");
+}
+
 TEST_CASE("what differs must be named once") {
   CHECK(problemOf("same", {{"same", "anywhere"}}) == "nothing says how the second thing differs from the scene");
   CHECK(problemOf("same", {{"same", "anywhere"}, {"probe", "2 Å"}, {"method", "mesh80"}}) ==
