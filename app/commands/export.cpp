@@ -3,7 +3,9 @@
 #include "app/commands/look_options.h"
 #include "app/commands/molecule_argument.h"
 #include "app/commands/number_range.h"
+#include "app/commands/scene_options.h"
 #include "app/commands/value_types.h"
+#include "app/ui/lesson/scene_marks.h"
 #include "engine/haptics/tracker.h"
 #include "engine/platform/terminal.h"
 #include "engine/render/gltf_export.h"
@@ -15,6 +17,7 @@ struct ExportArguments {
   MoleculeArgument molecule;
   std::string out;
   LookOptions look;
+  SceneOptions says;
   ExportOptions options;
 };
 
@@ -22,8 +25,12 @@ void exportGltf(ExportArguments& a) {
   if (std::filesystem::path(a.out).extension() != ".glb")
     throw CLI::ValidationError(
         "OUT", "'" + a.out + "' does not end in .glb; the scene is written as binary glTF, as in 1ubq.glb");
-  const Molecule molecule = a.molecule.load();
+  const Molecule molecule = a.says.atState(a.molecule.load(), a.molecule);
+  const SceneSpec spec = a.says.scene(molecule);
   a.options.look = a.look.look(molecule);
+  a.options.look.marks = marksOf(spec, molecule);
+  if (spec.highlight.given()) a.options.highlighted = spec.highlight.select(molecule);
+  if (auto written = annotationsOf(spec, molecule)) a.options.annotations.push_back(std::move(written));
   // One molecule on a slide has the colours that chemists know.
   a.options.colour_by = a.look.colour.empty() ? ColourBy::Element : a.look.colourBy(molecule);
   const Expected<GltfScene> scene = exportMolecule(molecule, a.options);
@@ -47,6 +54,7 @@ void addExport(CLI::App& app) {
   a.molecule.addTo(*command);
   command->add_option("OUT", a.out, "The .glb file to write")->type_name(kFileType)->required();
   a.look.addTo(*command);
+  a.says.addMolecules(*command);
   command->add_flag("--print", a.options.print,
                     "In the place of the styles one closed surface, which a printer of models needs");
   command

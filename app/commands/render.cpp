@@ -10,6 +10,7 @@
 #include "app/commands/look_options.h"
 #include "app/commands/molecule_argument.h"
 #include "app/commands/number_range.h"
+#include "app/commands/scene_options.h"
 #include "app/commands/touch_options.h"
 #include "app/commands/value_types.h"
 #include "app/ui/lesson/lesson_guide.h"
@@ -17,12 +18,8 @@
 #include "engine/fonts/font_files.h"
 #include "engine/haptics/interactions.h"
 #include "engine/language/catalogue.h"
-#include "engine/lesson/keys.h"
 #include "engine/lesson/lesson_region.h"
 #include "engine/lesson/quantity.h"
-#include "engine/lesson/scene_link.h"
-#include "engine/lesson/second_state.h"
-#include "engine/molecule/catalogue.h"
 #include "engine/platform/offscreen_gl.h"
 #include "engine/platform/terminal.h"
 #include "engine/render/colour_legend.h"
@@ -39,12 +36,12 @@ struct RenderArguments {
   MoleculeArgument molecule;
   std::string out, size = "1280x800", hip, show = "atoms,probe,force", theme = "dark", cut, zoom_to;
   LookOptions look;
-  std::string label, arrow, mark, distance, angle, hydrogen_bonds, captions;
-  std::string view, highlight, magnify, then, state = "0%";
+  SceneOptions says;
   bool legend = false;
   TouchSetup touch;
   double azimuth_deg = 0, elevation_deg = 0, zoom = 1, stiffness_N_per_A = 1;
   int samples = 3, time = 0;
+  std::size_t most_single_atoms = kMostSingleAtoms;
   double near_A = 4.0;
   bool look_at_hip = false;
 };
@@ -128,113 +125,6 @@ AtomsLook looksOf(const RenderArguments& arguments, const Molecule& molecule, co
   return look;
 }
 
-// What a scene of a lesson would say, from options of the same names.
-class SceneOptions {
- public:
-  SceneOptions(const RenderArguments& arguments, const Molecule& molecule)
-      : arguments_(arguments), molecule_(molecule) {}
-
-  /// The second structure of --then, and how far the molecule goes there.
-  SecondState second() const {
-    if (arguments_.then.empty()) {
-      if (arguments_.state != "0%")
-        throw CLI::ValidationError("--state", "there is one state only: name the other by --then");
-      return {};
-    }
-    Expected<SecondState> read = parseSecondState(arguments_.then);
-    if (!read) throw CLI::ValidationError("--then", read.problem().text());
-    SceneSpec scene;
-    scene.then = *read;
-    listOf("then", read->superposed_on);
-    const std::optional<double> share = stateNamed(scene, arguments_.state);
-    if (!share)
-      throw CLI::ValidationError("--state",
-                                 "'" + arguments_.state + "' is no share of the way; write one from 0% to 100%");
-    read->share = *share;
-    return *std::move(read);
-  }
-
-  /// All else: view, names, arrows, marks and measures, and atoms that a scene selects.
-  SceneSpec scene() const {
-    SceneSpec scene;
-    scene.molecule = arguments_.molecule.named;
-    scene.touch = arguments_.touch;
-    if (!arguments_.view.empty()) {
-      scene.view = value("view", arguments_.view).view;
-      listOf("view", scene.view.facing);
-      listOf("view", scene.view.zoom);
-    }
-    const auto take = [&](std::string_view key, const std::string& text, Selection& atoms) {
-      if (text.empty()) return;
-      atoms = value(key, text).selection;
-      listOf(key, atoms);
-    };
-    take("highlight", arguments_.highlight, scene.highlight);
-    take("magnify", arguments_.magnify, scene.magnify);
-    take("remove", arguments_.look.left_out.remove, scene.remove);
-    if (!arguments_.captions.empty()) {
-      scene.captions = value("captions", arguments_.captions).words;
-      if (molecule_.beside_from == 0)
-        throw CLI::ValidationError("--captions", "there is one molecule only: name the other by --beside");
-      if (scene.captions.size() != 2)
-        throw CLI::ValidationError("--captions", "there are two molecules to name; write two, as in 'wool, silk'");
-    }
-    scene.labels = marksOf("label", arguments_.label);
-    scene.arrows = marksOf("arrow", arguments_.arrow);
-    scene.marks = marksOf("mark", arguments_.mark);
-    for (const auto& [key, text] :
-         {std::pair{"distance", &arguments_.distance}, std::pair{"angle", &arguments_.angle}}) {
-      if (text->empty()) continue;
-      for (PlacesSpec& measure : value(key, *text).measures) {
-        for (const Selection& place : measure.atoms) listOf(key, place);
-        scene.measures.push_back(std::move(measure));
-      }
-    }
-    if (!arguments_.hydrogen_bonds.empty()) {
-      scene.hydrogen_bonds = value("hydrogen-bonds", arguments_.hydrogen_bonds).selection;
-      listOf("hydrogen-bonds", scene.hydrogen_bonds);
-    }
-    return scene;
-  }
-
- private:
-  static Value value(std::string_view key, const std::string& text) {
-    const std::vector<KeySpec>& keys = keysOf(KeyBlock::Scene);
-    const auto spec = std::find_if(keys.begin(), keys.end(), [&](const KeySpec& k) { return k.name == key; });
-    Expected<Value> read = parseValue(*spec, text);
-    if (!read) throw CLI::ValidationError("--" + std::string(key), read.problem().text());
-    return *std::move(read);
-  }
-  AtomList listOf(std::string_view key, const Selection& atoms) const {
-    if (!atoms.given()) return nullptr;
-    auto selected = atoms.select(molecule_);
-    if (selected.empty()) throw CLI::ValidationError("--" + std::string(key), atoms.whyEmpty(molecule_).text());
-    return std::make_shared<const std::vector<std::uint32_t>>(std::move(selected));
-  }
-  std::vector<MarkSpec> marksOf(std::string_view key, const std::string& text) const {
-    if (text.empty()) return {};
-    std::vector<MarkSpec> marks = value(key, text).marks;
-    for (const MarkSpec& mark : marks) listOf(key, mark.atoms);
-    return marks;
-  }
-
-  const RenderArguments& arguments_;
-  const Molecule& molecule_;
-};
-
-// The molecule on its way to the second structure.
-Molecule between(const Molecule& molecule, const RenderArguments& arguments, const SecondState& then) {
-  ReadOptions reading = arguments.molecule.named.reading;
-  reading.beside.clear();
-  const Expected<Molecule> other = openMolecule(then.molecule, reading);
-  if (!other) throw CommandError{other.problem().text()};
-  SceneSpec scene;
-  scene.then = then;
-  const Expected<TwoStates> states = statesOf(scene, molecule, *other);
-  if (!states) throw CommandError{states.problem().text()};
-  return movedTo(molecule, states->at(then.share));
-}
-
 void render(const RenderArguments& arguments) {
   const auto [width, height] = sizeOf(arguments.size);
   ViewScene scene;
@@ -242,23 +132,24 @@ void render(const RenderArguments& arguments) {
   const auto shown = parseViewParts(arguments.show);
   if (!shown) throw CLI::ValidationError("--show", shown.problem().text());
   scene.shown = *shown;
-  scene.molecule = std::make_shared<const Molecule>(arguments.molecule.load());
+  scene.molecule =
+      std::make_shared<const Molecule>(arguments.says.atState(arguments.molecule.load(), arguments.molecule));
   scene.theme = arguments.theme == "light" ? lightTheme() : darkTheme();
   scene.colour_by = arguments.look.colourBy(*scene.molecule);
   scene.probe_A = arguments.touch.probe_A;
-  const std::shared_ptr<const Molecule> read = scene.molecule;
-  const SceneOptions options(arguments, *read);
-  if (const SecondState then = options.second(); !then.molecule.empty())
-    scene.molecule = std::make_shared<const Molecule>(between(*scene.molecule, arguments, then));
-  const SceneSpec spec = options.scene();
-  const double aspect = double(width) / height;
+  scene.most_single_atoms = arguments.most_single_atoms;
+  SceneSpec spec = arguments.says.scene(*scene.molecule);
+  spec.molecule = arguments.molecule.named;
+  spec.touch = arguments.touch;
   const std::vector<std::uint32_t> removed = arguments.look.left_out.removed(*scene.molecule);
+  if (!removed.empty()) spec.remove = *parseSelection(arguments.look.left_out.remove);
+  const double aspect = double(width) / height;
   const auto comeClose = [&](const std::optional<Region>& part) {
     if (part) scene.camera.fit(part->centre, part->radius_A, aspect);
   };
   scene.camera.lookFrom(arguments.azimuth_deg * kRadian, arguments.elevation_deg * kRadian);
   scene.camera.fit(*scene.molecule, aspect, 0.08, 0.0, removed);
-  if (!arguments.view.empty()) {
+  if (!arguments.says.view.empty()) {
     faceView(scene.camera, *scene.molecule, spec.view, spec);
     scene.camera.fit(*scene.molecule, aspect, 0.08, 0.0, removed);
   }
@@ -301,6 +192,8 @@ void render(const RenderArguments& arguments) {
   if (!written)
     throw CommandError{"names cannot be written: there is no font " + interFile("Inter-Regular.otf").string()};
   if (const auto problem = writePng(arguments.out, picture)) throw CommandError{problem->text()};
+  if (const std::string told = residueBallsNotice(scene.molecule->atoms.size(), scene.most_single_atoms); !told.empty())
+    err() << "moltact: " << trf("note: {0}", told) << '\n';
 }
 
 }  // namespace
@@ -321,11 +214,7 @@ void addRender(CLI::App& app) {
   command->add_option("--stiffness", a.stiffness_N_per_A, "Of the spring, in N per angstrom, for the arrow")
       ->check(numberFrom(0.0, 1e6))
       ->capture_default_str();
-  CLI::Option* const view =
-      command->add_option("--view", a.view,
-                          "Look from 'front', 'back', 'left', 'right', 'top', 'bottom' or 'side', at atoms ('facing "
-                          "residue 35'), or turned by "
-                          "angles ('turned 30 10 0'); behind a comma come close to atoms: 'front, zoom ligand'");
+  CLI::Option* const view = a.says.addPictures(*command);
   command->add_option("--azimuth", a.azimuth_deg, "Look from so many degrees to the right")
       ->check(numberFrom(-360.0, 360.0))
       ->excludes(view)
@@ -340,26 +229,8 @@ void addRender(CLI::App& app) {
   command->add_flag("--look-at-hip", a.look_at_hip, "Put the contact in the middle of the picture");
   command->add_option("--theme", a.theme, "Colours")->check(CLI::IsMember({"light", "dark"}))->capture_default_str();
   a.look.addTo(*command);
-  command->add_option(
-      "--label", a.label,
-      "Names over the picture: 'residue for ligand', '\"the cleft\" for residue 35 52'; the words are atom, "
-      "residue and chain");
-  command->add_option("--arrow", a.arrow, "Arrows with names: '\"iron\" for element Fe'");
-  command->add_option("--mark", a.mark, "Atoms in colours of their own: 'teal for residue 35, magenta for residue 52'");
-  command->add_option("--distance", a.distance, "Lengths between the middles of selections: 'atom 3 - atom 9'");
-  command->add_option("--angle", a.angle, "Angles between three selections, torsions between four");
-  command->add_option("--captions", a.captions, "What stands below the two molecules of --beside: 'wool, silk'");
-  command->add_option("--highlight", a.highlight, "Atoms in the colour of targets, as a selection");
-  command->add_option("--magnify", a.magnify,
-                      "Come close to atoms as a scene does that magnifies them, as a selection");
-  command->add_option(
-      "--then", a.then,
-      "A second structure of the molecule, to which --state leads its atoms: '1ake', '1ake, superposed on "
-      "chain A'");
-  command->add_option("--state", a.state, "How far the atoms are on their way to it: 40%")->capture_default_str();
+  a.says.addMolecules(*command);
   command->add_flag("--legend", a.legend, "Write what the colours mean into the upper left corner");
-  command->add_option("--hydrogen-bonds", a.hydrogen_bonds,
-                      "Hydrogen bonds with an end in the selection, as dashed lines");
   command->add_option("--near", a.near_A, "Beside other styles, atoms so near to the probe are drawn as spheres (A)")
       ->check(numberFrom(0.0, 20.0))
       ->capture_default_str();
@@ -369,6 +240,11 @@ void addRender(CLI::App& app) {
   command->add_option("--zoom-to", a.zoom_to, "Come close to atoms, as a selection");
   command->add_option("--samples", a.samples, "Samples along each pixel's edge")
       ->check(CLI::Range(1, 4))
+      ->capture_default_str();
+  command
+      ->add_option("--single-atoms", a.most_single_atoms,
+                   "Of a molecule of more atoms than this one ball is drawn for each residue")
+      ->check(CLI::Range(std::size_t(0), std::size_t(1'000'000'000)))
       ->capture_default_str();
   command->add_option("--time", a.time, "Also draws so many pictures and prints the times as JSON")
       ->check(CLI::Range(0, 10000));

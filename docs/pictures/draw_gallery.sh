@@ -3,6 +3,8 @@
 # docs/pictures/draw_gallery.sh [PROGRAM]
 set -eu
 program=${1:-build/release/moltact}
+trap 'rm -f capsid.cif' EXIT
+tests/benchmarks/made_capsid.py > capsid.cif
 sed -n 's/^    moltact //p' docs/gallery.md | while read -r line; do
   eval "\"$program\" $line"
 done

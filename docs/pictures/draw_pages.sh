@@ -24,6 +24,8 @@ sed "s|PICTURES|$PWD/$pictures|" $pictures/file_pages.script > "$work/files.scri
 full=$(realpath "$program")
 (cd "$work/my lessons" && "$full" --size 1280x800 --script "$work/files.script")
 
+"$program" --size 1280x800 --script $pictures/scene_pages.script
+
 "$program" --size 1280x800 --attempts "$work/attempts" --script $pictures/attempt.script
 cat > "$work/study.md" <<'LESSON'
 ---

@@ -35,11 +35,7 @@ class Lines {
     point(b);
   }
   void dashes(const Vec3& a, const Vec3& b) {
-    const double length = glm::distance(a, b);
-    if (!(length > 0.0)) return;
-    const Vec3 along = (b - a) / length;
-    for (double at = 0.0; at < length; at += kDash_A + kGap_A)
-      line(a + along * at, a + along * std::min(at + kDash_A, length));
+    for (const auto& [from, to] : dashesBetween({a}, {b})) line(from.A, to.A);
   }
   // From the way to `a` to the way to `c`, round `at`.
   void arc(const Vec3& a, const Vec3& at, const Vec3& c) {
@@ -65,6 +61,16 @@ class Lines {
 };
 
 }  // namespace
+
+std::vector<std::pair<PointA, PointA>> dashesBetween(PointA a, PointA b) {
+  std::vector<std::pair<PointA, PointA>> out;
+  const double length = glm::distance(a.A, b.A);
+  if (!(length > 0.0)) return out;
+  const Vec3 along = (b.A - a.A) / length;
+  for (double at = 0.0; at < length; at += kDash_A + kGap_A)
+    out.push_back({{a.A + along * at}, {a.A + along * std::min(at + kDash_A, length)}});
+  return out;
+}
 
 void addLines(const Annotations& annotations, const Camera& camera, const Theme& theme, Strokes& strokes) {
   Lines lines(camera, strokes);

@@ -33,6 +33,9 @@ struct Annotations {
   std::vector<std::vector<PointA>> trail;        ///< the way that a probe took, in pieces
 };
 
+/// The dashes of a line between two places.
+std::vector<std::pair<PointA, PointA>> dashesBetween(PointA a, PointA b);
+
 /// Adds the lines of it, in the camera's axes: measures with the arc of their angle, dashed bonds, the trail.
 void addLines(const Annotations& annotations, const Camera& camera, const Theme& theme, Strokes& strokes);
 

@@ -11,6 +11,7 @@
 #include "engine/language/catalogue.h"
 #include "engine/molecule/elements.h"
 #include "engine/render/molecule_model.h"
+#include "engine/render/sticks.h"
 #include "engine/render/style_shapes.h"
 
 namespace moltact {
@@ -159,6 +160,30 @@ void addStyles(const Molecule& molecule, const ExportOptions& options, const std
   }
 }
 
+// Bonds and measures go together by kind; a measure bears its value.
+void addAnnotations(const ExportOptions& options, const Vec3& middle_A, Materials& materials, GltfScene& scene) {
+  constexpr double kBond_A = 0.10, kMeasure_A = 0.07;
+  constexpr Colour kMeasure(0.16f, 0.18f, 0.22f);  // dark: slides are light
+  const double unit = kNm_per_A * options.units_per_nm;
+  const Theme theme = lightTheme();
+  const auto add = [&](MeshPiece& piece, PointA from, PointA to, double radius_A, const Colour& colour) {
+    for (const auto& [a, b] : dashesBetween(from, to)) addStick(piece, a.A, b.A, radius_A, packColour(colour), true);
+  };
+  MeshPiece bonds;
+  bonds.origin_A = middle_A;
+  for (const auto& written : options.annotations) {
+    for (const auto& [a, b] : written->bonds) add(bonds, a, b, kBond_A, theme.bond);
+    for (const Annotations::Measure& m : written->measures) {
+      MeshPiece measure;
+      measure.origin_A = middle_A;
+      for (std::size_t i = 0; i + 1 < m.places.size(); ++i)
+        add(measure, m.places[i], m.places[i + 1], kMeasure_A, kMeasure);
+      addPiece(measure, m.text, 1.0f, middle_A, unit, materials, scene);
+    }
+  }
+  addPiece(bonds, "hydrogen bonds", 1.0f, middle_A, unit, materials, scene);
+}
+
 void addPrintedSurface(const ExportOptions& options, const std::vector<Ball>& balls,
                        const std::vector<std::uint32_t>& atoms, double step_A, Materials& materials, GltfScene& scene) {
   const ClosedSurface surface = closedSurface(balls, step_A);
@@ -234,15 +259,25 @@ Expected<GltfScene> exportMolecule(const Molecule& molecule, const ExportOptions
                                 number(middle_A.z, "angstrom in the molecule's file")},
                  {"probe", number(options.probe_A, "angstrom")}};
   if (!molecule.title.empty()) scene.notes.push_back({"title", molecule.title});
+  std::shared_ptr<const std::vector<OwnColour>> marks = options.look.marks;
+  if (!options.highlighted.empty()) {
+    auto with = marks ? std::make_shared<std::vector<OwnColour>>(*marks) : std::make_shared<std::vector<OwnColour>>();
+    const std::uint32_t target = packColour(lightTheme().target);
+    with->push_back({.atoms = options.highlighted,
+                     .colour = {std::uint8_t(target), std::uint8_t(target >> 8), std::uint8_t(target >> 16)},
+                     .name = {}});
+    marks = std::move(with);
+  }
   const std::vector<std::uint32_t> colours = atomColours(molecule, {.elements = options.colours,
                                                                     .by = options.colour_by,
                                                                     .colouring = options.look.colouring,
-                                                                    .marks = options.look.marks,
+                                                                    .marks = marks,
                                                                     .touched = nullptr});
   Materials materials(scene, molecule, colours,
-                      !options.look.colouring && !options.look.marks && options.colour_by == ColourBy::Element);
+                      !options.look.colouring && !marks && options.colour_by == ColourBy::Element);
   if (!options.print) {
     addStyles(molecule, options, seen, middle_A, materials, scene);
+    addAnnotations(options, middle_A, materials, scene);
     return scene;
   }
   const double step_A = options.step_A > 0 ? options.step_A : usualStep_A(balls);

@@ -146,12 +146,12 @@ class Maker {
 
   // A ring round each of a few atoms; many are told by their colour and mark alone, for rings by the hundred hide
   // them and take longer to draw than all else.
-  void highlights(const BallScene& balls) {
+  void highlights(const MoleculeModel& model) {
     constexpr std::size_t kMostRings = 120;
     if (scene_.highlighted.size() > kMostRings) return;
     for (const std::uint32_t a : scene_.highlighted) {
-      if (a >= balls.size()) continue;
-      const Ball& b = balls[a];
+      if (a >= model.atoms()) continue;
+      const Ball b = model.atomBall(a);
       const double r = b.radius_A + 0.12;
       addCircle(out_.strokes, {.colour = scene_.theme.target, .alpha = 0.95f, .hidden = 0.22f, .width_px = 2.4f},
                 scene_.camera, silhouetteCentre(b.centre_A, r), toEye(b.centre_A), silhouetteRadius(b.centre_A, r));
@@ -163,9 +163,9 @@ class Maker {
     if (!touching_) return;
     const std::vector<std::uint32_t>* hidden = scene_.look.hidden.get();
     for (const std::int32_t a : scene_.contact.atoms) {
-      if (a < 0 || std::size_t(a) >= model.scene.size()) continue;
+      if (a < 0 || std::size_t(a) >= model.atoms()) continue;
       if (hidden && std::binary_search(hidden->begin(), hidden->end(), std::uint32_t(a))) continue;
-      const Ball& b = model.scene[std::size_t(a)];
+      const Ball b = model.atomBall(std::uint32_t(a));
       const double ring = b.radius_A + 0.10;
       for (const Stroke& stroke : {Stroke{.colour = glm::vec3(0.0f), .alpha = 0.55f, .hidden = 0.3f, .width_px = 4.6f},
                                    Stroke{.colour = kTouchedRing, .alpha = 1.0f, .hidden = 0.3f, .width_px = 2.2f}})
@@ -211,6 +211,14 @@ class Maker {
   Vec3 scp_{0.0}, outward_{0, 1, 0};
 };
 
+// An atom in the colour of the ball that stands for it.
+LooseSphere looseAtom(const ViewScene& scene, const MoleculeModel& model, std::uint32_t atom) {
+  const Ball b = model.atomBall(atom);
+  const std::uint32_t ball = model.ballOf(atom);
+  return {glm::vec3(scene.camera.toView({b.centre_A})), float(b.radius_A), model.colour[ball],
+          model.wide.empty() ? glm::vec4(0.0f) : model.wide[ball]};
+}
+
 }  // namespace
 
 void Glyphs::clear() {
@@ -241,28 +249,25 @@ void Glyphs::addTo(PixelBoxBuilder& box) const {
 }
 
 void addNearSpheres(const ViewScene& scene, const MoleculeModel& model, std::vector<LooseSphere>& spheres) {
-  if (!scene.hip || !(scene.look.spheres_near_A > 0) || scene.look.allSpheres() || !scene.shown.has(ViewPart::Atoms))
-    return;
+  if (!scene.hip || !(scene.look.spheres_near_A > 0) || !scene.shown.has(ViewPart::Atoms)) return;
+  if (scene.look.allSpheres() && !model.byResidue()) return;
   constexpr std::size_t kMost = 400;
   const PointA place = scene.contact.touching() ? scene.contact.scp : *scene.hip;
   const std::vector<std::uint32_t>* hidden = scene.look.hidden.get();
-  for (const std::uint32_t a : nearestAtoms(model.scene, place, scene.probe_A, scene.look.spheres_near_A, kMost)) {
+  for (const std::uint32_t a : nearestAtoms(model, place, scene.probe_A, scene.look.spheres_near_A, kMost)) {
     if (hidden && std::binary_search(hidden->begin(), hidden->end(), a)) continue;
-    const Ball& b = model.scene[a];
-    spheres.push_back({glm::vec3(scene.camera.toView({b.centre_A})), float(b.radius_A), model.colour[a],
-                       model.wide.empty() ? glm::vec4(0.0f) : model.wide[a]});
+    spheres.push_back(looseAtom(scene, model, a));
   }
 }
 
 void addTouchedSpheres(const ViewScene& scene, const MoleculeModel& model, std::vector<LooseSphere>& spheres) {
   if (!scene.touched_now || !scene.look.allSpheres() || !scene.shown.has(ViewPart::Atoms)) return;
   for (const std::uint32_t a : *scene.touched_now) {
-    if (a >= model.scene.size()) continue;
-    const Ball& b = model.scene[a];
-    // A little before the atom that is there already.
-    spheres.push_back({glm::vec3(scene.camera.toView({b.centre_A})), float(b.radius_A * 1.004),
-                       paintedColour(model.colour[a], scene.theme.touched),
-                       model.wide.empty() ? glm::vec4(0.0f) : model.wide[a]});
+    if (a >= model.atoms()) continue;
+    LooseSphere sphere = looseAtom(scene, model, a);
+    sphere.radius *= 1.004f;  // a little before the atom that is there already
+    sphere.colour = paintedColour(sphere.colour, scene.theme.touched);
+    spheres.push_back(sphere);
   }
 }
 
@@ -270,7 +275,7 @@ void addGlyphs(const ViewScene& scene, const MoleculeModel* model, Glyphs& glyph
   Maker make(scene, glyphs);
   if (scene.shown.has(ViewPart::Target)) {
     make.targets();
-    if (model) make.highlights(model->scene);
+    if (model) make.highlights(*model);
   }
   if (!make.hasHip()) return;
   if (model && scene.shown.has(ViewPart::Atoms)) make.touched(*model);

@@ -25,15 +25,14 @@ class Drawer {
   Drawer(const ViewScene& scene, const MoleculeModel& model, Strokes& strokes, std::vector<LooseSphere>& dots)
       : scene_(scene), model_(model), strokes_(strokes), dots_(dots) {
     for (const std::int32_t a : scene.contact.atoms)
-      if (scene.contact.touching() && a >= 0 && std::size_t(a) < model.scene.size())
-        in_use_.push_back(std::uint32_t(a));
+      if (scene.contact.touching() && a >= 0 && std::size_t(a) < model.atoms()) in_use_.push_back(std::uint32_t(a));
     focus_ = scene.contact.touching() ? scene.contact.scp.A : scene.hip ? scene.hip->A : scene.camera.target.A;
     if (scene.haptic_atoms.empty()) {
-      if (scene.hip) atoms_ = nearestAtoms(model.scene, {focus_}, scene.probe_A, 2.5, scene.haptic_atoms_at_most);
+      if (scene.hip) atoms_ = nearestAtoms(model, {focus_}, scene.probe_A, 2.5, scene.haptic_atoms_at_most);
       fading_ = true;
     } else {
       atoms_ = scene.haptic_atoms;
-      std::erase_if(atoms_, [&](std::uint32_t a) { return a >= model.scene.size(); });
+      std::erase_if(atoms_, [&](std::uint32_t a) { return a >= model.atoms(); });
     }
     for (const std::uint32_t a : in_use_)
       if (std::find(atoms_.begin(), atoms_.end(), a) == atoms_.end()) atoms_.push_back(a);
@@ -77,7 +76,7 @@ class Drawer {
   void facets(const SphereMesh& mesh) {
     // The atoms in contact, then the nearest: the fewer, the cheaper and the easier to read.
     std::vector<std::uint32_t> near = in_use_;
-    for (const std::uint32_t a : nearestAtoms(model_.scene, {focus_}, scene_.probe_A, 2.0, kFacetedAtoms))
+    for (const std::uint32_t a : nearestAtoms(model_, {focus_}, scene_.probe_A, 2.0, kFacetedAtoms))
       if (near.size() < kFacetedAtoms && !isInUse(a)) near.push_back(a);
     const double share = std::min(1.0, kFacetsAtMost / double(mesh.faces().size()));
     for (const std::uint32_t a : near) {
@@ -167,7 +166,7 @@ class Drawer {
 
  private:
   Ball inflated(std::uint32_t a) const {
-    const Ball& b = model_.scene[a];
+    const Ball b = model_.atomBall(a);
     return {b.centre_A, b.radius_A + scene_.probe_A};
   }
   bool isInUse(std::uint32_t a) const { return std::find(in_use_.begin(), in_use_.end(), a) != in_use_.end(); }
@@ -185,9 +184,9 @@ class Drawer {
   void gatherNeighbours(std::uint32_t a, More... more) {
     const Ball b = inflated(a);
     neighbours_.clear();
-    model_.scene.visitNear(b.centre_A, b.radius_A + scene_.probe_A, [&](std::uint32_t i, const Ball& n) {
+    model_.visitAtomsNear(b.centre_A, b.radius_A + scene_.probe_A, [&](std::uint32_t i, const Ball& n) {
       if (i == a || ((i == more) || ...)) return;
-      if (n.centre_A == b.centre_A && n.radius_A <= model_.scene[a].radius_A) return;  // a duplicate covers nothing
+      if (n.centre_A == b.centre_A && n.radius_A <= model_.atomBall(a).radius_A) return;  // a duplicate covers nothing
       if (glm::length(n.centre_A - b.centre_A) < b.radius_A + n.radius_A + scene_.probe_A)
         neighbours_.push_back(inflated(i));
     });

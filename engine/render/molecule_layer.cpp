@@ -30,7 +30,7 @@ void MoleculeLayer::drawPart(StyledPart& part, const ViewScene& scene, const Mol
                              const Projection& inside, const Lighting& lighting, const Options& options,
                              Passes& passes) {
   const float opacity = part.what().opacity;
-  if (part.what().style == DrawStyle::Spheres) {
+  if (part.modelsBalls()) {
     const float rim = options.outlines && opacity >= 1.0f ? rimOf(options.samples, inside) : 0.0f;
     // Where something is cut away, what it hid comes in sight.
     cull_.run(model.scene, model.blocks, scene.camera, inside, rim, options.cull && !scene.look.cut && opacity >= 1.0f,
@@ -56,6 +56,7 @@ void MoleculeLayer::drawPart(StyledPart& part, const ViewScene& scene, const Mol
 bool MoleculeLayer::draw(const ViewScene& scene, const MoleculeModel* model, const Projection& inside,
                          const Lighting& lighting, const Options& options, Passes passes) {
   Key key{.molecule = scene.molecule,
+          .most_single_atoms = scene.most_single_atoms,
           .elements = scene.elements,
           .colour_by = scene.colour_by,
           .camera = scene.camera,
@@ -73,9 +74,10 @@ bool MoleculeLayer::draw(const ViewScene& scene, const MoleculeModel* model, con
           .surface_probe_A = 0.0};
   key.look.spheres_near_A = 0.0;  // drawn with the glyphs
   for (const StyledAtoms& s : scene.look.styles)
-    if (infoOf(s.style).uses_probe) key.surface_probe_A = scene.probe_A;
+    if (infoOf(s.style).uses_probe && !(model && model->byResidue())) key.surface_probe_A = scene.probe_A;
   if (scene.shown.has(ViewPart::Target)) key.tinted = scene.highlighted;
   std::sort(key.tinted.begin(), key.tinted.end());
+  if (model) key.tinted = model->ballsOf(std::move(key.tinted));
   redrawn_ = !(have_ && key == key_);
   if (!redrawn_) return true;
   have_ = false;

@@ -48,6 +48,7 @@ class MoleculeLayer {
   // All that the picture depends on.
   struct Key {
     std::shared_ptr<const Molecule> molecule;
+    std::size_t most_single_atoms = 0;
     ElementColours elements = ElementColours::Customary;
     ColourBy colour_by = ColourBy::Element;
     Camera camera;

@@ -35,22 +35,56 @@ std::shared_ptr<const Colouring> schemeColouring(const Molecule& molecule, std::
   return scheme ? std::make_shared<const Colouring>(colourMolecule(molecule, **scheme)) : nullptr;
 }
 
-MoleculeModel::MoleculeModel(std::shared_ptr<const Molecule> m)
-    : molecule(std::move(m)), scene(molecule->balls()), blocks(scene.balls()) {
+MoleculeModel::MoleculeModel(std::shared_ptr<const Molecule> m, std::size_t most)
+    : molecule(std::move(m)), most_single(most), scene(std::vector<Ball>{}) {
+  if (molecule->atoms.size() > most_single) {
+    ResidueBalls residues = residueBalls(*molecule);
+    first_atom = std::move(residues.first_atom);
+    beyond_A = residues.beyond_A;
+    scene = BallScene(std::move(residues.balls));
+  } else {
+    scene = BallScene(molecule->balls());
+  }
+  blocks = BallBlocks(scene.balls());
   paint({});
   middle_A = 0.5 * (scene.low_A() + scene.high_A());
   for (const Ball& b : scene.balls()) reach_A = std::max(reach_A, glm::length(b.centre_A - middle_A) + b.radius_A);
+  reach_A += beyond_A;
+}
+
+std::uint32_t MoleculeModel::ballOf(std::uint32_t atom) const {
+  if (!byResidue()) return atom;
+  return std::uint32_t(std::upper_bound(first_atom.begin(), first_atom.end(), atom) - first_atom.begin()) - 1;
+}
+
+std::vector<std::uint32_t> MoleculeModel::ballsOf(std::vector<std::uint32_t> of) const {
+  if (!byResidue()) return of;
+  std::erase_if(of, [&](std::uint32_t a) { return a >= atoms(); });
+  for (std::uint32_t& a : of) a = ballOf(a);
+  of.erase(std::unique(of.begin(), of.end()), of.end());
+  return of;
+}
+
+std::vector<std::uint8_t> MoleculeModel::shownBalls(std::vector<std::uint8_t> shown) const {
+  if (!byResidue()) return shown;
+  std::vector<std::uint8_t> out(scene.size());
+  for (std::size_t ball = 0; ball < out.size(); ++ball)
+    out[ball] = std::any_of(shown.begin() + first_atom[ball], shown.begin() + first_atom[ball + 1],
+                            [](std::uint8_t s) { return s != 0; });
+  return out;
 }
 
 void MoleculeModel::shade(std::shared_ptr<const std::vector<std::uint32_t>> hidden_atoms) {
   hidden = std::move(hidden_atoms);
   std::vector<Ball> seen;
-  std::size_t next = 0;
-  for (std::uint32_t i = 0; hidden && i < scene.size(); ++i)
-    if (next < hidden->size() && (*hidden)[next] == i)
-      ++next;
-    else
-      seen.push_back(scene[i]);
+  if (hidden) {
+    std::vector<std::uint8_t> shown(atoms(), 1);
+    for (const std::uint32_t a : *hidden)
+      if (a < shown.size()) shown[a] = 0;
+    shown = shownBalls(std::move(shown));
+    for (std::uint32_t i = 0; i < scene.size(); ++i)
+      if (shown[i]) seen.push_back(scene[i]);
+  }
   occlusion = occlusionField(hidden ? std::span<const Ball>(seen) : scene.balls());
   wide.clear();
   if (occlusion.empty()) return;
@@ -87,12 +121,23 @@ void MoleculeModel::paint(AtomPaint with) {
   AtomPaint shown = paint_used;
   shown.elements = shownColours(shown.elements, molecule->atoms.size());
   colour = atomColours(*molecule, shown);
+  if (!byResidue()) return;
+  // A residue has the mean of its atoms' colours.
+  for (std::size_t ball = 0; ball < scene.size(); ++ball) {
+    const std::uint32_t begin = first_atom[ball], end = first_atom[ball + 1];
+    glm::vec3 sum(0.0f);
+    for (std::uint32_t a = begin; a < end; ++a)
+      sum += glm::vec3(colour[a] & 255u, colour[a] >> 8 & 255u, colour[a] >> 16 & 255u);
+    colour[ball] = packColour(sum / (255.0f * float(end - begin)));
+  }
+  colour.resize(scene.size());
+  colour.shrink_to_fit();
 }
 
-std::vector<std::uint32_t> nearestAtoms(const BallScene& scene, PointA place, double probe_A, double gap_A,
+std::vector<std::uint32_t> nearestAtoms(const MoleculeModel& model, PointA place, double probe_A, double gap_A,
                                         std::size_t most) {
   std::vector<std::pair<double, std::uint32_t>> found;
-  scene.visitNear(place.A, probe_A + gap_A, [&](std::uint32_t i, const Ball& b) {
+  model.visitAtomsNear(place.A, probe_A + gap_A, [&](std::uint32_t i, const Ball& b) {
     const double gap = glm::length(b.centre_A - place.A) - b.radius_A - probe_A;
     if (gap <= gap_A) found.emplace_back(gap, i);
   });

@@ -1,4 +1,5 @@
-// The renderer's data of a molecule between pictures: balls, colours, ambient occlusion, and a grid to find neighbours.
+// The renderer's data of a molecule between pictures: the balls that it draws, colours, ambient occlusion, and a grid to
+// find neighbours. A ball is an atom, or beyond so many atoms a residue (engine/render/residue_balls.h).
 // Made once for a molecule; only its colours change. Units: angstrom.
 #pragma once
 
@@ -13,6 +14,7 @@
 #include "engine/render/ambient_occlusion.h"
 #include "engine/render/atom_style.h"
 #include "engine/render/ball_blocks.h"
+#include "engine/render/residue_balls.h"
 #include "engine/structure/colouring.h"
 
 namespace moltact {
@@ -42,27 +44,51 @@ struct AtomPaint {
 std::vector<std::uint32_t> atomColours(const Molecule& molecule, const AtomPaint& paint);
 
 struct MoleculeModel {
-  explicit MoleculeModel(std::shared_ptr<const Molecule> molecule);
+  /// A molecule of more than `most_single` atoms is drawn by its residues.
+  explicit MoleculeModel(std::shared_ptr<const Molecule> molecule, std::size_t most_single = kMostSingleAtoms);
   /// The light among the atoms without those hidden (ascending; null: none is).
   void shade(std::shared_ptr<const std::vector<std::uint32_t>> hidden_atoms);
   /// Colours the atoms.
   void paint(AtomPaint with);
 
+  /// Whether a ball stands for a residue.
+  bool byResidue() const { return !first_atom.empty(); }
+  std::size_t atoms() const { return molecule->atoms.size(); }
+  /// An atom's own ball. `atom` in range.
+  Ball atomBall(std::uint32_t atom) const { return {molecule->atoms[atom].position.A, molecule->atoms[atom].radius_A}; }
+  /// The ball that stands for an atom. `atom` in range.
+  std::uint32_t ballOf(std::uint32_t atom) const;
+  /// The balls of which some atom is among these, ascending as they are.
+  std::vector<std::uint32_t> ballsOf(std::vector<std::uint32_t> atoms) const;
+  /// Of each ball whether some of its atoms is shown, from the same of each atom.
+  std::vector<std::uint8_t> shownBalls(std::vector<std::uint8_t> atoms) const;
+  /// Calls visit(atom, ball) for every atom that comes within margin_A of the place, and for some others.
+  template <class Visit>
+  void visitAtomsNear(const Vec3& place_A, double margin_A, Visit&& visit) const {
+    if (!byResidue()) return scene.visitNear(place_A, margin_A, visit);
+    scene.visitNear(place_A, margin_A + beyond_A, [&](std::uint32_t ball, const Ball&) {
+      for (std::uint32_t a = first_atom[ball]; a < first_atom[ball + 1]; ++a) visit(a, atomBall(a));
+    });
+  }
+
   std::shared_ptr<const Molecule> molecule;
   std::shared_ptr<const std::vector<std::uint32_t>> hidden;  ///< as it is shaded
   AtomPaint paint_used;
   unsigned painted = 0;  ///< grows with every painting
-  BallScene scene;
-  BallBlocks blocks;                  ///< of the scene's balls
-  std::vector<std::uint32_t> colour;  ///< bytes red, green, blue, 255 from the lowest
+  std::size_t most_single;
+  std::vector<std::uint32_t> first_atom;  ///< ResidueBalls::first_atom; empty where each atom is a ball
+  double beyond_A = 0.0;                  ///< no atom reaches farther out of its ball
+  BallScene scene;                        ///< of the balls
+  BallBlocks blocks;                      ///< of the scene's balls
+  std::vector<std::uint32_t> colour;      ///< of each ball: bytes red, green, blue, 255 from the lowest
   OcclusionField occlusion;
   std::vector<glm::vec4> wide;  ///< OcclusionField::wideRound of each ball; empty where the field has none
   Vec3 middle_A{0.0};
-  double reach_A = 0.0;  ///< all balls lie within this of the middle
+  double reach_A = 0.0;  ///< all balls and atoms lie within this of the middle
 };
 
 /// Up to `most` atoms whose inflated spheres come nearest to a place, nearest first, none farther than `gap_A` from it.
-std::vector<std::uint32_t> nearestAtoms(const BallScene& scene, PointA place, double probe_A, double gap_A,
+std::vector<std::uint32_t> nearestAtoms(const MoleculeModel& model, PointA place, double probe_A, double gap_A,
                                         std::size_t most);
 
 /// A packed colour with the light paint of what was touched.

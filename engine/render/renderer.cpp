@@ -293,10 +293,11 @@ std::optional<Problem> Renderer::draw(const ViewScene& scene, int width_px, int 
       return Problem{
           .file = {}, .message = tr("the graphics context is lost"), .remedy = tr("start the program again")};
   const CallersState state;
-  const bool other = !p.model || p.model->molecule != scene.molecule;
+  const bool other = !p.model || p.model->molecule != scene.molecule || p.model->most_single != scene.most_single_atoms;
   if (other)
-    p.model =
-        scene.molecule && !scene.molecule->atoms.empty() ? std::make_unique<MoleculeModel>(scene.molecule) : nullptr;
+    p.model = scene.molecule && !scene.molecule->atoms.empty()
+                  ? std::make_unique<MoleculeModel>(scene.molecule, scene.most_single_atoms)
+                  : nullptr;
   if (p.model && (other || p.model->hidden != scene.look.hidden)) {
     p.model->shade(scene.look.hidden);
     p.occlusion.upload(p.model->occlusion);

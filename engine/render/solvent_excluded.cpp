@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
+#include <utility>
 
 #include "engine/core/sphere_intersections.h"
 #include "engine/haptics/ball_scene.h"
@@ -13,6 +15,10 @@ namespace {
 constexpr double kFinest_A = 0.5, kMostNodes = 200;
 constexpr double kBlend_A = 0.15;  // over which colours pass into each other
 constexpr std::uint32_t kNone = 0xFFFFFFFFu;
+constexpr double kPi = std::numbers::pi;
+
+// From 0 to 2 pi.
+double angle(double t) { return t - 2.0 * kPi * std::floor(t / (2.0 * kPi)); }
 
 class Grid {
  public:
@@ -104,13 +110,67 @@ class Grid {
     return (-b + std::sqrt(std::max(0.0, b * b - a * c))) / a;
   }
 
+  // The way to the circle in which two grown spheres meet: to those arcs of it that no third one holds, and so to the
+  // places where three meet, in which the probe rests in pits and in crevices narrower than the grid.
+  void spreadCircle(std::uint32_t first, std::uint32_t second, double reach) {
+    const auto circle = circleOf(inflated(balls_[first], probe_), inflated(balls_[second], probe_));
+    if (!circle) return;
+    const Vec3 u = anyNormal(circle->axis), v = glm::cross(circle->axis, u);
+    const double radius = circle->radius_A;
+    held_.clear();
+    bool all_held = false;
+    scene_.visitNear(circle->centre_A, radius + probe_, [&](std::uint32_t k, const Ball& third) {
+      if (k == first || k == second) return true;
+      // How far the circle's place at the angle t lies outside, squared: z + x cos t + y sin t.
+      const Vec3 to = circle->centre_A - third.centre_A;
+      const double x = 2.0 * radius * glm::dot(to, u), y = 2.0 * radius * glm::dot(to, v), h = std::hypot(x, y),
+                   z = glm::dot(to, to) + radius * radius - std::pow(third.radius_A + probe_, 2.0);
+      all_held = z < -h - 1e-9;
+      if (!all_held && std::abs(z) < h) {
+        const double half = std::acos(z / h), begin = angle(std::atan2(y, x) + kPi - half);
+        held_.push_back({begin, begin + 2.0 * half});
+      }
+      return !all_held;
+    });
+    if (all_held) return;
+    std::sort(held_.begin(), held_.end());
+    // What is held goes round at most once and may reach over the circle's begin.
+    double end = 0.0;
+    for (const auto& [from, to] : held_) end = std::max(end, to - 2.0 * kPi);
+    for (const auto& [from, to] : held_) {
+      if (from > end) spreadArc(*circle, u, v, end, from, reach);
+      end = std::max(end, to);
+    }
+    if (end < 2.0 * kPi) spreadArc(*circle, u, v, end, 2.0 * kPi, reach);
+  }
+
+  void spreadArc(const SphereCircle& circle, const Vec3& u, const Vec3& v, double begin, double end, double reach) {
+    constexpr double kPiece_A = 1.0;
+    const auto way_at = [&](double t) { return std::cos(t) * u + std::sin(t) * v; };
+    const int pieces = std::max(1, int(std::ceil((end - begin) * circle.radius_A / kPiece_A)));
+    const double half = 0.5 * (end - begin) / pieces, least_along = std::cos(std::min(half, kPi));
+    for (int k = 0; k < pieces; ++k) {
+      const double at_middle = begin + (2 * k + 1) * half;
+      const Vec3 middle = way_at(at_middle), across = glm::cross(circle.axis, middle), low = way_at(at_middle - half),
+                 high = way_at(at_middle + half);
+      nodesWithin(circle.centre_A + circle.radius_A * middle, reach + half * circle.radius_A, [&](const glm::ivec3& i) {
+        const Vec3 from = place(i) - circle.centre_A, flat = from - circle.axis * glm::dot(from, circle.axis);
+        const double n = glm::length(flat);
+        const bool beside = n > 1e-9 && glm::dot(flat, middle) >= n * least_along;
+        const Vec3 nearest = beside ? flat / n : glm::dot(flat, across) > 0.0 ? high : low;
+        const Vec3 d = from - circle.radius_A * nearest;
+        float& least = level_[at(i)];
+        least = std::min(least, float(glm::dot(d, d)));
+      });
+    }
+  }
+
   void findDistances() {
     const std::vector<float> out = std::move(level_);
     level_.assign(out.size(), std::numeric_limits<float>::max());
     // Inside: how far the nearest crossing lies. Only nodes a little deeper than the probe's radius need it.
     const double reach = probe_ + 1.8 * step_;
-    // Of a crossing on a grown sphere the sphere itself is the nearest where its nearest place is close to the crossing;
-    // where spheres meet, a place on their circle is.
+    // Of a crossing on a grown sphere the sphere itself is the nearest where its nearest place is close to the crossing.
     const auto spread = [&](const Vec3& s, std::uint32_t ball) {
       const Vec3 centre = balls_[ball].centre_A;
       const double radius = balls_[ball].radius_A + probe_;
@@ -124,29 +184,6 @@ class Grid {
         }
         float& least = level_[at(i)];
         least = std::min(least, float(way2));
-      });
-    };
-    const auto spreadCircles = [&](const Vec3& s, std::uint32_t ball) {
-      scene_.visitNear(s, probe_ + step_, [&](std::uint32_t j, const Ball& other) {
-        if (j == ball || glm::length(s - other.centre_A) > other.radius_A + probe_ + step_) return;
-        const auto circle = circleOf({balls_[ball].centre_A, balls_[ball].radius_A + probe_},
-                                     {other.centre_A, other.radius_A + probe_});
-        if (!circle) return;
-        const Vec3 from = s - circle->centre_A, flat = from - circle->axis * glm::dot(from, circle->axis);
-        const double n = glm::length(flat);
-        if (!(n > 1e-6)) return;
-        const Vec3 q = circle->centre_A + flat * (circle->radius_A / n);
-        bool covered = false;
-        scene_.visitNear(q, probe_, [&](std::uint32_t k, const Ball& third) {
-          covered = k != ball && k != j && glm::length(q - third.centre_A) < third.radius_A + probe_ - 1e-6;
-          return !covered;
-        });
-        if (covered) return;
-        nodesWithin(q, reach, [&](const glm::ivec3& i) {
-          const Vec3 d = place(i) - q;
-          float& least = level_[at(i)];
-          least = std::min(least, float(glm::dot(d, d)));
-        });
       });
     };
     for (int z = 1; z + 1 < size_.z; ++z)
@@ -171,9 +208,12 @@ class Grid {
             }
             const Vec3 s = p + std::clamp(t, 0.0, 1.0) * (place(j) - p);
             spread(s, ball);
-            spreadCircles(s, ball);
           }
         }
+    for (std::uint32_t a = 0; a < balls_.size(); ++a)
+      scene_.visitNear(balls_[a].centre_A, balls_[a].radius_A + 2.0 * probe_, [&](std::uint32_t b, const Ball&) {
+        if (b > a) spreadCircle(a, b, reach);
+      });
     // Positive where a probe can be: from the distance to its middle's nearest place.
     for (std::size_t k = 0; k < level_.size(); ++k) {
       const bool far = level_[k] == std::numeric_limits<float>::max();
@@ -261,6 +301,7 @@ class Grid {
   glm::ivec3 size_{1};
   std::vector<float> level_;  // distance out of the grown balls; then of the surface, positive outside
   std::vector<std::uint32_t> grown_, cell_vertex_;
+  std::vector<std::pair<double, double>> held_;  // angles of a circle, from and to
 };
 
 }  // namespace

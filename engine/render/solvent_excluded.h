@@ -4,7 +4,7 @@
 //
 // Method: a distance field. The surface on which the probe's middle moves (the spheres grown by the probe) is found
 // where it crosses the edges of a grid, by the sphere's own equation; the surface lies a probe's radius inside it, so
-// each node takes the distance to the nearest place of it, on a sphere or on a circle in which two spheres meet, and where
+// each node takes the distance to the nearest place of it, on a sphere or on an arc in which two spheres meet, and where
 // that equals the probe's radius the triangles run (surface nets, Gibson 1998). Pure functions; any thread but
 // the haptic one. Units: angstrom.
 #pragma once

@@ -23,7 +23,10 @@ class StyledPart {
   /// Takes up the model's colours where they have changed.
   void paint(const MoleculeModel& model);
 
-  /// Of each atom, whether it is drawn.
+  /// Whether it is the model's own balls, whatever the style: of a molecule that is drawn by its residues there are no
+  /// others.
+  bool modelsBalls() const { return models_balls_; }
+  /// Of each of the model's balls, whether it is drawn.
   std::span<const std::uint8_t> shown() const { return shown_; }
   const StyledAtoms& what() const { return what_; }
   /// Null where the style has no triangles.
@@ -37,8 +40,10 @@ class StyledPart {
   void findShapes(const MoleculeModel& model);
 
   StyledAtoms what_;
+  bool models_balls_ = false;
   AtomList hidden_;
   std::shared_ptr<const Molecule> molecule_;
+  std::size_t most_single_atoms_ = 0;
   double probe_A_ = 0.0;
   unsigned painted_ = 0;
   std::vector<std::uint8_t> shown_;

@@ -15,6 +15,7 @@
 #include "engine/render/annotations.h"
 #include "engine/render/atom_style.h"
 #include "engine/render/camera.h"
+#include "engine/render/residue_balls.h"
 #include "engine/structure/colouring.h"
 
 namespace moltact {
@@ -91,6 +92,7 @@ struct ViewScene {
   ElementColours elements = ElementColours::Customary;
   ColourBy colour_by = ColourBy::Element;
   AtomsLook look;
+  std::size_t most_single_atoms = kMostSingleAtoms;  ///< of more than these, residues are drawn in the atoms' place
   bool blank = false;  ///< the dark screen of a task done by touch alone: nothing is drawn (default off)
 
   std::optional<PointA> hip;  ///< no probe is drawn without it

@@ -2,11 +2,15 @@
 #include <doctest/doctest.h>
 #include <sys/wait.h>
 
+#include <algorithm>
+#include <cstdio>
 #include <cstdlib>
 #include <filesystem>
 #include <string>
+#include <utility>
 
 #include "engine/gltf/gltf_file.h"
+#include "engine/lesson/keys.h"
 
 using namespace moltact;
 
@@ -44,4 +48,86 @@ TEST_CASE(
   CHECK(run("no-such-molecule" + out) == 1);
   CHECK(run("1ubq --print --step 0.01" + out) == 1);
   CHECK_FALSE(std::filesystem::exists(kOut));
+}
+
+TEST_CASE(
+    "what a scene marks, measures and moves is in an exported model too: benzene marked has two colours more, a "
+    "distance of 2.8 A six dashes more, and a second state other places") {
+  const std::string out = " '" + kOut.string() + "'";
+  const auto exported = [&](const std::string& arguments) {
+    REQUIRE(run(arguments + out) == 0);
+    auto model = readGltf(kOut);
+    REQUIRE(bool(model));
+    return *std::move(model);
+  };
+  const auto coloured = [](const SolidModel& model, glm::vec3 colour) {
+    return std::count_if(model.corners.begin(), model.corners.end(),
+                         [&](const SolidModel::Corner& c) { return glm::distance(c.colour, colour) < 0.01f; });
+  };
+  const SolidModel bare = exported("benzene");
+  const SolidModel marked = exported("benzene --mark 'red for atom 0' --highlight 'atom 1'");
+  CHECK(marked.corners.size() == bare.corners.size());
+  const glm::vec3 target(1.0f, 90.0f / 255.0f, 0.0f);
+  CHECK(coloured(bare, target) == 0);
+  CHECK(coloured(marked, target) == 3 * 1280);
+  CHECK(exported("benzene --distance 'atom 0 - atom 3'").corners.size() > bare.corners.size() + 6 * 3 * 10);
+  CHECK(exported("benzene --angle 'atom 0 - atom 1 - atom 2'").corners.size() > bare.corners.size() + 6 * 3 * 10);
+  const std::size_t without = exported("alpha-helix --style cartoon").corners.size();
+  CHECK(exported("alpha-helix --style cartoon --hydrogen-bonds backbone").corners.size() > without + 1000);
+  // The lid turns: it is as wide as before in another direction.
+  const std::string lid = "4ake --style cartoon --hide 'not (chain A and residue 122-159)' --then 1ake --state ";
+  const SolidModel first = exported(lid + "0%"), second = exported(lid + "100%");
+  CHECK(first.corners.size() == second.corners.size());
+  CHECK(glm::distance(first.high - first.low, second.high - second.low) > 0.2f);
+  const SolidModel two = exported("benzene --beside water");
+  CHECK(two.corners.size() == bare.corners.size() + 3 * 3 * 1280);
+  for (const std::string wrong : {"--mark orange", "--state 40%", "--then benzene --state ajar", "--distance 'atom 1'",
+                                  "--hydrogen-bonds 'ligand XYZ'", "--highlight 'chain Q'"}) {
+    CAPTURE(wrong);
+    CHECK(run("benzene" + out + " " + wrong) == 2);
+    CHECK_FALSE(std::filesystem::exists(kOut));
+  }
+}
+
+TEST_CASE("every key of a scene is an option of export, or has no meaning for a model that is turned by hand") {
+  // Why there is none.
+  const std::pair<std::string_view, const char*> without[] = {
+      {"molecule", "it is the argument"},
+      {"method", "a model is not felt"},
+      {"force", "a model is not felt"},
+      {"stiffness", "a model is not felt"},
+      {"show", "the probe, its force and the haptic surface are of the hand"},
+      {"near", "there is no probe in it"},
+      {"panels", "there are none"},
+      {"label", "the file holds no letters; the nodes of atoms bear their names"},
+      {"arrow", "the file holds no letters"},
+      {"captions", "the file holds no letters"},
+      {"paint", "nothing has been touched before"},
+      {"view", "whoever opens the model turns it"},
+      {"view NAME", "whoever opens the model turns it"},
+      {"magnify", "whoever opens the model comes close"},
+      {"cut", "a picture is cut pixel by pixel, the triangles stay whole"},
+      {"states", "names for the slider"},
+      {"locked", "nobody could change it"}};
+  const std::string command = "'" MOLTACT_BINARY "' export --help";
+  std::string help;
+  FILE* const pipe = ::popen(command.c_str(), "r");
+  REQUIRE(pipe);
+  char buffer[4096];
+  while (const std::size_t n = std::fread(buffer, 1, sizeof buffer, pipe)) help.append(buffer, n);
+  REQUIRE(::pclose(pipe) == 0);
+  for (const KeySpec& key : keysOf(KeyBlock::Scene)) {
+    CAPTURE(std::string(key.name));
+    const bool excused =
+        std::any_of(std::begin(without), std::end(without), [&](const auto& w) { return w.first == key.name; });
+    const std::size_t at = help.find("--" + std::string(key.name));
+    const bool there = at != std::string::npos &&
+                       std::string_view(" ,\n[").find(help[at + 2 + key.name.size()]) != std::string_view::npos;
+    CHECK(there != excused);
+  }
+  for (const auto& [name, why] : without) {
+    CAPTURE(std::string(name));
+    CHECK(std::any_of(keysOf(KeyBlock::Scene).begin(), keysOf(KeyBlock::Scene).end(),
+                      [&](const KeySpec& key) { return key.name == name; }));
+  }
 }

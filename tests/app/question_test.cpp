@@ -87,7 +87,7 @@ TEST_CASE(
   fresh.setOrderSeed(orderSeed(attempt->header));
   CHECK(fresh.choiceOrder(0) == order);
 
-  recorder.resume(o.driver->app(), o.scratch.path / "q.md", files->front());
+  recorder.resume(o.scratch.path / "q.md", files->front());
   o.driver->frames(20);
   CHECK(shownOrder(4) == order);
   CHECK(o.session().question(0).chosen == std::vector<std::size_t>{order[1]});

@@ -111,4 +111,46 @@ TEST_CASE("another molecule fades in over 0.35 s: the first frame is mostly the 
   CHECK(glm::distance(at(first, x, y), at(old, x, y)) < 0.35f * glm::distance(at(old, x, y), at(last, x, y)));
 }
 
+TEST_CASE(
+    "a scene is fitted to the view that its own panels leave, whichever the scene before it had: going on or back, "
+    "resetting the view changes nothing") {
+  const std::string head =
+      "---\ntitle: Panels\nminutes: 5\ngoals:\n  - g\nmolecules:\n  - 1ubq\n  - benzene\nauthor: T\nlicence: "
+      "CC0-1.0\n---\n\n";
+  const auto step = [](const std::string& name, const std::string& molecule, const std::string& panels) {
+    return "## " + name + "\n\n```scene\nmolecule: " + molecule + "\npanels: " + panels + "\n```\n\nText.\n\n";
+  };
+  Scratch scratch;
+  auto d = startWith(scratch
+                         .file("panels.md", head + step("One", "1ubq", "touch") + step("Two", "1ubq", "none") +
+                                                step("Three", "1ubq", "touch") + step("Four", "benzene", "none") +
+                                                step("Five", "1ubq", "touch"))
+                         .string());
+  Application& app = d->app();
+  const auto fitted = [&] {
+    app.finishLoading();
+    d->frames(5);
+    const Camera seen = app.scene.camera;
+    app.resetView();
+    CHECK(app.scene.camera.distance_A == doctest::Approx(seen.distance_A));
+    CHECK(glm::distance(app.scene.camera.target.A, seen.target.A) < 1e-9);
+    return seen.distance_A;
+  };
+  const double narrow = fitted();
+  app.lesson.next();
+  d->frames(1);
+  CHECK(fitted() < narrow);  // the view is wider than high: the molecule fills it sooner
+  for (int k = 0; k < 3; ++k) {
+    app.lesson.next();
+    d->frames(1);
+    fitted();
+  }
+  CHECK(fitted() == doctest::Approx(narrow));
+  for (int k = 0; k < 4; ++k) {
+    app.lesson.back();
+    d->frames(1);
+    fitted();
+  }
+}
+
 }  // namespace moltact

@@ -2,6 +2,7 @@
 #include <doctest/doctest.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstring>
 #include <fstream>
 #include <random>
@@ -155,6 +156,61 @@ TEST_CASE(
   for (std::uint32_t a = 0; a < helix.atoms.size(); ++a) all.push_back(a);
   both.look.hidden = list(all);
   CHECK(exportMolecule(helix, both).problem().text() == "all atoms are hidden; show some of them");
+}
+
+TEST_CASE(
+    "a hydrogen bond of 2.9 A is saved as six dashes of 0.32 A with gaps of 0.22 A between its atoms, a measure bears "
+    "its "
+    "value, and what is highlighted has the colour of targets; none of the lines is printed") {
+  const Scratch scratch;
+  const Molecule water = library("water.pdb");
+  Annotations written;
+  written.bonds = {{{Vec3(0, 0, 0)}, {Vec3(2.9, 0, 0)}}};
+  written.measures = {{.places = {{Vec3(0, 5, 0)}, {Vec3(1.0, 5, 0)}}, .text = "1.00 A"}};
+  ExportOptions options{.annotations = {std::make_shared<const Annotations>(written)}, .highlighted = {0}};
+  const GltfScene scene = exported(water, options);
+  const auto named = [&](std::string_view name) -> const GltfMesh& {
+    const auto node =
+        std::find_if(scene.nodes.begin(), scene.nodes.end(), [&](const GltfNode& n) { return n.name == name; });
+    REQUIRE(node != scene.nodes.end());
+    return scene.meshes[node->mesh];
+  };
+  Vec3 low(1e9), high(-1e9);
+  for (const Atom& a : water.atoms) {
+    low = glm::min(low, a.position.A - a.radius_A);
+    high = glm::max(high, a.position.A + a.radius_A);
+  }
+  const Vec3 middle = 0.5 * (low + high);
+  const GltfMesh& bond = named("hydrogen bonds");
+  double least = 1e9, most = -1e9;
+  for (const glm::vec3& p : bond.places) {
+    const double x = 10.0 * double(p.x) + middle.x;
+    least = std::min(least, x);
+    most = std::max(most, x);
+  }
+  CHECK(least == doctest::Approx(0.0).epsilon(1e-4));
+  CHECK(most == doctest::Approx(2.9).epsilon(1e-4));
+  std::vector<double> begins;
+  for (const GltfPart& part : bond.parts)
+    for (const std::uint32_t i : part.indices) {
+      const double x = 10.0 * double(bond.places[i].x) + middle.x;
+      if (std::none_of(begins.begin(), begins.end(), [&](double b) { return std::abs(b - x) < 0.01; }))
+        begins.push_back(x);
+    }
+  std::sort(begins.begin(), begins.end());
+  REQUIRE(begins.size() == 12);
+  for (std::size_t k = 0; k < 6; ++k) {
+    CHECK(begins[2 * k] == doctest::Approx(0.54 * double(k)).epsilon(1e-3));
+    CHECK(begins[2 * k + 1] == doctest::Approx(std::min(2.9, 0.54 * double(k) + 0.32)).epsilon(1e-3));
+  }
+  CHECK(named("1.00 A").places.size() > 20);
+  const std::uint32_t orange = 0x005AFFu;
+  std::size_t targets = 0;
+  for (const GltfMaterial& m : scene.materials)
+    targets += glm::distance(m.colour, glm::vec3(orange & 255u, orange >> 8 & 255u, orange >> 16) / 255.0f) < 0.005f;
+  CHECK(targets == 1);
+  options.print = true;
+  for (const GltfNode& node : exported(water, options).nodes) CHECK(node.name != "hydrogen bonds");
 }
 
 TEST_CASE("no atoms, too fine a surface, a folder that is not there: each is told with its remedy") {

@@ -120,6 +120,7 @@ void Application::enterScene() {
   scene.shown = lesson.shownParts();
   scene.colour_by = colourBy(*spec);
   panels.applyLessonPanels(spec->panels);
+  measureView();
   if (scene.stage()) lesson.meet(scene.stage().molecule, scene.molecule());
   scene.look = lesson.looks();
   const Expected<MoleculeKey> molecule = lesson.molecule();
@@ -175,6 +176,8 @@ void Application::takeUp(Loaded loaded) {
     return;
   }
   messages.clearErrors();
+  if (const std::string told = residueBallsNotice(loaded.stage->molecule->atoms.size()); !told.empty())
+    messages.notice(told);
   // A lesson's author knows what the file leaves out.
   if (!from_step) {
     for (const std::string& warning : loaded.stage->molecule->warnings) messages.notice(warning);
@@ -182,6 +185,7 @@ void Application::takeUp(Loaded loaded) {
     scene.colour_by = usualColourBy(*loaded.stage->molecule);
   }
   panels.welcome = false;
+  measureView();
   lesson.meet(loaded.stage->molecule, loaded.key);
   scene.look = lesson.looks();
   scene.setRegion(lesson.region());
@@ -240,20 +244,32 @@ void Application::askForPictureAs() {
                   options_.picture_folder);
 }
 
-void Application::layPanelsOut(glm::vec2 window_px) {
-  layout_ = layOut({.window = window_px,
-                    .scale = look().scale * look().text,
-                    .lesson = panels.lesson && lesson.session() && !anyOf(extensions_->all(), &Extension::hidesLesson),
-                    .touch = panels.touch,
-                    .page = panels.welcome,
-                    .lesson_width = float(settings.lesson_width),
-                    .touch_width = float(settings.touch_width),
-                    .strip_height = extensions_->stripHeight(),
-                    .below_share = panels.below_share},
-                   panels.lesson_first);
-  if (panels.welcome) return;
-  const glm::vec2 view = layout_.view.size();
+Layout Application::layoutNow() const {
+  return layOut({.window = window_px_,
+                 .scale = look().scale * look().text,
+                 .lesson = panels.lesson && lesson.session() && !anyOf(extensions_->all(), &Extension::hidesLesson),
+                 .touch = panels.touch,
+                 .page = panels.welcome,
+                 .lesson_width = float(settings.lesson_width),
+                 .touch_width = float(settings.touch_width),
+                 .strip_height = extensions_->stripHeight(),
+                 .below_share = panels.below_share},
+                panels.lesson_first);
+}
+
+// A scene that is entered in the middle of a frame opens and closes panels, which are laid out in the next one: it is fitted
+// to the view that it will have then.
+void Application::measureView() {
+  if (!(window_px_.x > 0.0f)) return;
+  const glm::vec2 view = layoutNow().view.size();
   scene.setViewAspect(view.y > 0 ? double(view.x) / double(view.y) : 1.0);
+}
+
+void Application::layPanelsOut(glm::vec2 window_px) {
+  window_px_ = window_px;
+  layout_ = layoutNow();
+  if (panels.welcome) return;
+  measureView();
   // The first picture of a scene is fitted to the view as it really is.
   if (aspect_guessed_ && scene.stage()) {
     aspect_guessed_ = false;

@@ -110,6 +110,8 @@ class Application final : public Opener {
   void enterScene();  // of the lesson's step, where that has changed
   void tellSteps();
   void useLanguageAndUnits();  // those of the settings, and their decimal sign
+  Layout layoutNow() const;    // with the panels that are open now
+  void measureView();
   void layPanelsOut(glm::vec2 window_px);
 
   const ApplicationOptions options_;
@@ -120,6 +122,7 @@ class Application final : public Opener {
   void (*keys_)(Application&);
   void (*panels_)(Application&);
   Loader loader_;
+  glm::vec2 window_px_{0.0f};
   double loading_s_ = 0;
   std::size_t told_opening_ = 0, told_step_ = 0;
   bool aspect_guessed_ = true;  // the view's shape is known once the first frame has been laid out

@@ -10,6 +10,7 @@
 #include "app/ui/extensions/extensions.h"
 #include "app/ui/panels/lesson/class_report.h"
 #include "app/ui/panels/lesson/hand_in.h"
+#include "app/ui/panels/view_overlays.h"
 #include "app/ui/widgets/key_focus.h"
 #include "app/ui/widgets/key_names.h"
 #include "engine/language/catalogue.h"
@@ -72,9 +73,14 @@ void copyView(App& app) {
 
 void saveGltf(App& app, const std::filesystem::path& file) {
   if (!app.scene.stage()) return;
-  const Expected<GltfScene> scene = exportMolecule(
-      *app.scene.seenMolecule(),
-      {.look = app.scene.look, .colours = elementColoursOf(app.settings), .colour_by = app.scene.colour_by});
+  const ViewScene seen = seenScene(app);
+  const Expected<GltfScene> scene =
+      exportMolecule(*seen.molecule,
+                     {.look = seen.look,
+                      .annotations = seen.annotations,
+                      .highlighted = seen.shown.has(ViewPart::Target) ? seen.highlighted : std::vector<std::uint32_t>(),
+                      .colours = seen.elements,
+                      .colour_by = seen.colour_by});
   if (!scene) return app.messages.error(scene.problem().text());
   if (const auto problem = writeGlb(file, *scene)) return app.messages.error(problem->text());
   handOver(file);

@@ -1,4 +1,6 @@
 #include "engine/lesson/tasks/sensitivity.h"
+#include "engine/molecule/catalogue.h"
+#include "engine/molecule/side_by_side.h"
 #include "tests/lesson/task_hand.h"
 
 using namespace moltact;
@@ -132,6 +134,48 @@ TEST_CASE("two places are turned to the front, each its own, and only a touch of
   CHECK(t->sentence() == "You are beside the place. It lies in the middle of the view: let go, and push there.");
   hand.touch({other ? 4 : 0}, 0.21);
   CHECK(t->buttons().size() == 1);
+}
+
+TEST_CASE(
+    "two molecules beside each other are compared by their chains: of each pair either is turned to the front, only a "
+    "touch "
+    "of that one counts, and who tells twice the first from both is done") {
+  const auto read = [](const char* name) { return *openMolecule(name); };
+  const Molecule both = sideBySide(read("alpha-helix"), read("beta-strand"));
+  REQUIRE(both.beside_from > 0);
+  const std::int32_t of_first = 3, of_second = std::int32_t(both.beside_from) + 3;
+  double first_ends_A = -1e9;
+  for (std::size_t i = 0; i < both.beside_from; ++i) first_ends_A = std::max(first_ends_A, both.atoms[i].position.A.x);
+  int pairs_that_differ = 0, seconds_felt = 0;
+  for (std::uint64_t by = 0; by < 12; ++by) {
+    auto t = task("same", {{"same", "chain A"}, {"place", "chain A2"}, {"trials", "2"}, {"for", "0.2 s"}}, both);
+    t->drawBy(by);
+    Hand hand{*t};
+    for (int pair = 0; pair < 2; ++pair) {
+      bool second[2] = {};
+      for (int k = 0; k < 2; ++k) {
+        REQUIRE(t->stage().dark);
+        REQUIRE(t->stage().facing);
+        second[k] = t->stage().facing->A.x > first_ends_A;
+        hand.away(0.01);
+        hand.touch({second[k] ? of_first : of_second}, 0.5);
+        CHECK(t->buttons().empty());
+        hand.away(0.01);
+        hand.touch({second[k] ? of_second : of_first}, 0.21);
+        CHECK_FALSE(t->buttons().empty());
+        if (k == 0) t->answer({"next"});
+      }
+      seconds_felt += second[0] + second[1];
+      pairs_that_differ += second[0] != second[1];
+      t->answer({second[0] != second[1] ? "different" : "same"});
+    }
+    CHECK(t->done());
+    CHECK(figure(*t, "false alarms") == 0.0);
+  }
+  CHECK(pairs_that_differ > 4);
+  CHECK(pairs_that_differ < 20);
+  CHECK(seconds_felt > 10);
+  CHECK(seconds_felt < 38);
 }
 
 TEST_CASE(

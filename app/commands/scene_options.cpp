@@ -1,0 +1,135 @@
+#include "app/commands/scene_options.h"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "app/commands/command.h"
+#include "engine/lesson/keys.h"
+#include "engine/lesson/scene_link.h"
+#include "engine/lesson/second_state.h"
+#include "engine/molecule/catalogue.h"
+#include "engine/structure/superposition.h"
+
+namespace moltact {
+namespace {
+
+Value valueOf(std::string_view key, const std::string& text) {
+  const std::vector<KeySpec>& keys = keysOf(KeyBlock::Scene);
+  const auto spec = std::find_if(keys.begin(), keys.end(), [&](const KeySpec& k) { return k.name == key; });
+  Expected<Value> read = parseValue(*spec, text);
+  if (!read) throw CLI::ValidationError("--" + std::string(key), read.problem().text());
+  return *std::move(read);
+}
+
+void mustSelect(std::string_view key, const Selection& atoms, const Molecule& molecule) {
+  if (atoms.given() && atoms.select(molecule).empty())
+    throw CLI::ValidationError("--" + std::string(key), atoms.whyEmpty(molecule).text());
+}
+
+std::vector<MarkSpec> marksOf(std::string_view key, const std::string& text, const Molecule& molecule) {
+  if (text.empty()) return {};
+  std::vector<MarkSpec> marks = valueOf(key, text).marks;
+  for (const MarkSpec& mark : marks) mustSelect(key, mark.atoms, molecule);
+  return marks;
+}
+
+// The structure of --then, and how far the molecule goes there.
+SecondState secondOf(const SceneOptions& options, const Molecule& molecule) {
+  if (options.then.empty()) {
+    if (options.state != "0%")
+      throw CLI::ValidationError("--state", "there is one state only: name the other by --then");
+    return {};
+  }
+  Expected<SecondState> read = parseSecondState(options.then);
+  if (!read) throw CLI::ValidationError("--then", read.problem().text());
+  mustSelect("then", read->superposed_on, molecule);
+  SceneSpec scene;
+  scene.then = *read;
+  const std::optional<double> share = stateNamed(scene, options.state);
+  if (!share)
+    throw CLI::ValidationError("--state", "'" + options.state + "' is no share of the way; write one from 0% to 100%");
+  read->share = *share;
+  return *std::move(read);
+}
+
+}  // namespace
+
+void SceneOptions::addMolecules(CLI::App& command) {
+  command.add_option("--mark", mark, "Atoms in colours of their own: 'teal for residue 35, magenta for residue 52'");
+  command.add_option("--distance", distance, "Lengths between the middles of selections: 'atom 3 - atom 9'");
+  command.add_option("--angle", angle, "Angles between three selections, torsions between four");
+  command.add_option("--highlight", highlight, "Atoms in the colour of targets, as a selection");
+  command.add_option("--hydrogen-bonds", hydrogen_bonds,
+                     "Hydrogen bonds with an end in the selection, as dashed lines");
+  command.add_option(
+      "--then", then,
+      "A second structure of the molecule, to which --state leads its atoms: '1ake', '1ake, superposed on "
+      "chain A'");
+  command.add_option("--state", state, "How far the atoms are on their way to it: 40%")->capture_default_str();
+}
+
+CLI::Option* SceneOptions::addPictures(CLI::App& command) {
+  command.add_option(
+      "--label", label,
+      "Names over the picture: 'residue for ligand', '\"the cleft\" for residue 35 52'; the words are atom, "
+      "residue and chain");
+  command.add_option("--arrow", arrow, "Arrows with names: '\"iron\" for element Fe'");
+  command.add_option("--captions", captions, "What stands below the two molecules of --beside: 'wool, silk'");
+  command.add_option("--magnify", magnify, "Come close to atoms as a scene does that magnifies them, as a selection");
+  return command.add_option("--view", view,
+                            "Look from 'front', 'back', 'left', 'right', 'top', 'bottom' or 'side', at atoms ('facing "
+                            "residue 35'), or turned by "
+                            "angles ('turned 30 10 0'); behind a comma come close to atoms: 'front, zoom ligand'");
+}
+
+Molecule SceneOptions::atState(Molecule molecule, const MoleculeArgument& read) const {
+  SceneSpec scene;
+  scene.then = secondOf(*this, molecule);
+  if (scene.then.molecule.empty()) return molecule;
+  ReadOptions reading = read.named.reading;
+  reading.beside.clear();
+  const Expected<Molecule> other = openMolecule(scene.then.molecule, reading);
+  if (!other) throw CommandError{other.problem().text()};
+  const Expected<TwoStates> states = statesOf(scene, molecule, *other);
+  if (!states) throw CommandError{states.problem().text()};
+  return movedTo(molecule, states->at(scene.then.share));
+}
+
+SceneSpec SceneOptions::scene(const Molecule& molecule) const {
+  SceneSpec scene;
+  if (!view.empty()) {
+    scene.view = valueOf("view", view).view;
+    mustSelect("view", scene.view.facing, molecule);
+    mustSelect("view", scene.view.zoom, molecule);
+  }
+  const auto take = [&](std::string_view key, const std::string& text, Selection& atoms) {
+    if (text.empty()) return;
+    atoms = valueOf(key, text).selection;
+    mustSelect(key, atoms, molecule);
+  };
+  take("highlight", highlight, scene.highlight);
+  take("magnify", magnify, scene.magnify);
+  take("hydrogen-bonds", hydrogen_bonds, scene.hydrogen_bonds);
+  if (!captions.empty()) {
+    scene.captions = valueOf("captions", captions).words;
+    if (molecule.beside_from == 0)
+      throw CLI::ValidationError("--captions", "there is one molecule only: name the other by --beside");
+    if (scene.captions.size() != 2)
+      throw CLI::ValidationError("--captions", "there are two molecules to name; write two, as in 'wool, silk'");
+  }
+  scene.labels = marksOf("label", label, molecule);
+  scene.arrows = marksOf("arrow", arrow, molecule);
+  scene.marks = marksOf("mark", mark, molecule);
+  for (const auto& [key, text] : {std::pair{"distance", &distance}, std::pair{"angle", &angle}}) {
+    if (text->empty()) continue;
+    for (PlacesSpec& measure : valueOf(key, *text).measures) {
+      for (const Selection& place : measure.atoms) mustSelect(key, place, molecule);
+      scene.measures.push_back(std::move(measure));
+    }
+  }
+  return scene;
+}
+
+}  // namespace moltact

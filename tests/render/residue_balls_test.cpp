@@ -1,0 +1,214 @@
+// A molecule of very many atoms is drawn by its residues: where their balls lie comes from closed forms, and what the
+// picture must be from a molecule that has those balls for atoms.
+#include "engine/render/residue_balls.h"
+
+#include <cmath>
+#include <random>
+
+#include "engine/molecule/catalogue.h"
+#include "engine/render/molecule_model.h"
+#include "tests/render/stage.h"
+
+using namespace moltact;
+using namespace moltact::test;
+
+namespace {
+
+AtomList list(std::vector<std::uint32_t> atoms) {
+  return std::make_shared<const std::vector<std::uint32_t>>(std::move(atoms));
+}
+
+std::shared_ptr<const Molecule> haemoglobin() {
+  static const auto read = std::make_shared<const Molecule>(*openMolecule("2hhb", {}));
+  return read;
+}
+
+// What is no amino acid: it is coloured by its elements, of which a ball has the mean.
+AtomList others(const Molecule& m) {
+  std::vector<std::uint32_t> out;
+  for (std::uint32_t a = 0; a < m.atoms.size(); ++a)
+    if (!colouredChain(m, m.atoms[a])) out.push_back(a);
+  return list(std::move(out));
+}
+
+// The residue balls as atoms of their own, each in its residue.
+std::shared_ptr<const Molecule> coarse(const Molecule& fine) {
+  const ResidueBalls balls = residueBalls(fine);
+  Molecule out = fine;
+  out.atoms.clear();
+  for (std::size_t k = 0; k < balls.balls.size(); ++k) {
+    Atom a = fine.atoms[balls.first_atom[k]];
+    a.position.A = balls.balls[k].centre_A;
+    a.radius_A = balls.balls[k].radius_A;
+    out.atoms.push_back(a);
+  }
+  return std::make_shared<const Molecule>(std::move(out));
+}
+
+ViewScene byResidue() {
+  ViewScene scene;
+  scene.molecule = haemoglobin();
+  scene.camera.fit(*scene.molecule, 1.5);
+  scene.shown = {ViewPart::Atoms};
+  scene.colour_by = ColourBy::Chain;
+  scene.most_single_atoms = 1000;
+  return scene;
+}
+
+}  // namespace
+
+TEST_CASE(
+    "a residue's ball lies in the middle of its atoms with their second moment: of one atom it is the atom, of two of "
+    "1.7 A that lie 2 A apart it has the radius sqrt(1.7^2 + 5/3)") {
+  Molecule m;
+  m.chains.push_back({});
+  m.residues.resize(2);
+  for (const auto& [x, residue] : {std::pair{0.0, 0u}, {2.0, 0u}, {9.0, 1u}}) {
+    Atom a = atom(Vec3(x, 1, 2), 1.7, 6);
+    a.residue = residue;
+    m.atoms.push_back(a);
+  }
+  const ResidueBalls balls = residueBalls(m);
+  REQUIRE(balls.balls.size() == 2);
+  CHECK(balls.first_atom == std::vector<std::uint32_t>{0, 2, 3});
+  CHECK(balls.balls[0].centre_A == Vec3(1, 1, 2));
+  CHECK(balls.balls[0].radius_A == doctest::Approx(std::sqrt(1.7 * 1.7 + 5.0 / 3.0)));
+  CHECK(balls.balls[1].centre_A == Vec3(9, 1, 2));
+  CHECK(balls.balls[1].radius_A == doctest::Approx(1.7));
+  CHECK(balls.beyond_A == doctest::Approx(1.0 + 1.7 - std::sqrt(1.7 * 1.7 + 5.0 / 3.0)));
+}
+
+TEST_CASE(
+    "every atom of haemoglobin has one ball, that of its residue; atoms of no residue go by eights at most, one "
+    "residue "
+    "of 100 atoms by 32, and none lies farther than 12 A from the first") {
+  const Molecule& m = *haemoglobin();
+  const ResidueBalls balls = residueBalls(m);
+  REQUIRE(balls.first_atom.size() == balls.balls.size() + 1);
+  CHECK(balls.first_atom.front() == 0);
+  CHECK(balls.first_atom.back() == m.atoms.size());
+  std::size_t in_parts = 0;  // haems have 43 atoms
+  for (std::size_t k = 0; k < balls.balls.size(); ++k) {
+    const std::uint32_t first = balls.first_atom[k];
+    CHECK(balls.first_atom[k + 1] - first <= 32);
+    for (std::uint32_t a = first; a < balls.first_atom[k + 1]; ++a) {
+      CHECK(m.atoms[a].residue == m.atoms[first].residue);
+      CHECK(glm::distance(m.atoms[a].position.A, m.atoms[first].position.A) <= 12.0);
+      CHECK(glm::distance(m.atoms[a].position.A, balls.balls[k].centre_A) + m.atoms[a].radius_A <=
+            balls.balls[k].radius_A + balls.beyond_A + 1e-9);
+    }
+    in_parts += k > 0 && m.atoms[first].residue == m.atoms[balls.first_atom[k - 1]].residue;
+  }
+  CHECK(balls.balls.size() == m.residues.size() + in_parts);
+  for (const std::uint32_t residue : {kNoResidue, 0u}) {
+    Molecule row;
+    row.residues.resize(1);
+    for (int k = 0; k < 100; ++k) {
+      Atom a = atom(Vec3(0.1 * k, 0, 0), 1.5, 6);
+      a.residue = residue;
+      row.atoms.push_back(a);
+    }
+    const std::size_t most = residue == kNoResidue ? 8 : 32;
+    CHECK(residueBalls(row).balls.size() == (100 + most - 1) / most);
+    for (int k = 0; k < 100; ++k) row.atoms[k].position.A.x = 20.0 * k;
+    CHECK(residueBalls(row).balls.size() == 100);
+  }
+}
+
+TEST_CASE(
+    "above the number of atoms that a scene names, its picture is that of a molecule whose atoms are the residues' "
+    "balls; "
+    "at that number each atom is drawn") {
+  ViewScene scene = byResidue();
+  scene.theme.fade = 0.0f;  // which goes by how far the atoms reach
+  scene.look.hidden = others(*scene.molecule);
+  const Picture coarser = drawn(scene, 300, 200);
+  CHECK(renderer().count().atoms == residueBalls(*scene.molecule).balls.size());
+  CHECK(renderer().count().atoms < 700);
+  ViewScene oracle = scene;
+  oracle.molecule = coarse(*scene.molecule);
+  oracle.most_single_atoms = kMostSingleAtoms;
+  oracle.look.hidden = others(*oracle.molecule);
+  CHECK(compare(coarser, drawn(oracle, 300, 200), 3).pixels < 20);
+  scene.most_single_atoms = scene.molecule->atoms.size();
+  CHECK(compare(coarser, drawn(scene, 300, 200), 3).pixels > 3000);
+  CHECK(renderer().count().atoms == scene.molecule->atoms.size());
+}
+
+TEST_CASE("a molecule drawn by its residues looks the same in every style, also when the probe's radius changes") {
+  ViewScene scene = byResidue();
+  const Picture spheres = drawn(scene, 300, 200);
+  for (const DrawStyleInfo& style : drawStyles()) {
+    CAPTURE(std::string(style.name));
+    scene.look.styles = {{style.style, nullptr, 1.0f}};
+    CHECK(compare(spheres, drawn(scene, 300, 200), 0).pixels == 0);
+    scene.probe_A += 0.1;
+    CHECK(compare(spheres, drawn(scene, 300, 200), 0).pixels == 0);
+  }
+}
+
+TEST_CASE(
+    "drawn by residues, a residue is gone once all its atoms are hidden and not before, and shows a mark on any of "
+    "them") {
+  ViewScene scene = byResidue();
+  const Picture all = drawn(scene, 300, 200);
+  // The residue nearest to the eye.
+  const ResidueBalls balls = residueBalls(*scene.molecule);
+  std::size_t nearest = 0;
+  for (std::size_t k = 0; k < balls.balls.size(); ++k)
+    if (scene.camera.toView({balls.balls[k].centre_A}).z > scene.camera.toView({balls.balls[nearest].centre_A}).z)
+      nearest = k;
+  std::vector<std::uint32_t> atoms;
+  for (std::uint32_t a = balls.first_atom[nearest]; a < balls.first_atom[nearest + 1]; ++a) atoms.push_back(a);
+  REQUIRE(atoms.size() > 2);
+  scene.look.hidden = list(std::vector(atoms.begin(), atoms.end() - 1));
+  CHECK(compare(all, drawn(scene, 300, 200), 0).pixels == 0);
+  scene.look.hidden = list(atoms);
+  CHECK(compare(all, drawn(scene, 300, 200), 12).pixels > 20);
+  scene.look.hidden = nullptr;
+  scene.shown = {ViewPart::Atoms, ViewPart::Target};
+  scene.highlighted = {atoms[1]};
+  const Picture marked = drawn(scene, 300, 200);
+  CHECK(compare(all, marked, 30).pixels > 20);
+}
+
+TEST_CASE("the atoms nearest to a place are the same whether a molecule is drawn by its atoms or by its residues") {
+  const unsigned seed = 20;
+  CAPTURE(seed);
+  std::mt19937 random(seed);
+  const MoleculeModel fine(haemoglobin()), coarser(haemoglobin(), 0);
+  CHECK_FALSE(fine.byResidue());
+  REQUIRE(coarser.byResidue());
+  std::size_t found = 0;
+  for (int k = 0; k < 300; ++k) {
+    Vec3 place;
+    for (int i = 0; i < 3; ++i)
+      place[i] = std::uniform_real_distribution(fine.scene.low_A()[i], fine.scene.high_A()[i])(random);
+    const auto expected = nearestAtoms(fine, {place}, 1.4, 3.0, 12);
+    CHECK(nearestAtoms(coarser, {place}, 1.4, 3.0, 12) == expected);
+    found += expected.size();
+  }
+  CHECK(found > 500);
+  for (std::uint32_t a = 0; a < fine.atoms(); ++a) {
+    const std::uint32_t ball = coarser.ballOf(a);
+    CHECK((coarser.first_atom[ball] <= a && a < coarser.first_atom[ball + 1]));
+  }
+}
+
+TEST_CASE("near a probe the atoms themselves are drawn beside the residues' balls") {
+  ViewScene scene = byResidue();
+  scene.look.spheres_near_A = 0.0;
+  scene.hip = PointA{haemoglobin()->atoms[500].position.A + scene.camera.back() * 4.0};
+  scene.camera.fit(*scene.hip, 14.0, 1.5);
+  const Picture without = drawn(scene, 300, 200);
+  scene.look.spheres_near_A = 6.0;
+  CHECK(compare(without, drawn(scene, 300, 200), 12).pixels > 100);
+  CHECK_FALSE(renderer().count().atoms_redrawn);
+}
+
+TEST_CASE("that a molecule is drawn by its residues is told from the first atom on that is too many") {
+  CHECK(residueBallsNotice(kMostSingleAtoms).empty());
+  const std::string told = residueBallsNotice(16'289'280);
+  CHECK(told.find("16289280") != std::string::npos);
+  CHECK(told.find("one ball for each residue") != std::string::npos);
+}
