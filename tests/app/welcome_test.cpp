@@ -27,7 +27,7 @@ TEST_CASE("the welcome page has a card with title, minutes and level for every l
   auto d = startAtWelcome();
   REQUIRE(d->shows("welcome/title"));
   CHECK(contains(d->text("welcome/lesson/first-touch"), "First touch"));
-  CHECK(contains(d->text("welcome/lesson/first-touch"), "15\u00a0min · beginner"));
+  CHECK(contains(d->text("welcome/lesson/first-touch"), "20\u00a0min · beginner"));
   for (const LibraryItem& l : lessons()) CHECK_FALSE(d->text("welcome/lesson/" + l.id).empty());
   for (const LibraryItem& m : library()) CHECK_FALSE(d->text("welcome/molecule/" + m.id).empty());
   CHECK_FALSE(d->shows("view"));
