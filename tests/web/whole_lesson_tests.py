@@ -131,7 +131,7 @@ class Mouse(Hand):
         self.browser.click(self.shown_choice(words)[1])
 
     def into_field(self):
-        self.browser.click("question/1/answer")
+        self.browser.click("question/1/field")
 
     def confirm(self):
         self.browser.click("question/1/check")
@@ -171,7 +171,7 @@ class Fingers(Hand):
         self.browser.tap(self.shown_choice(words)[1])
 
     def into_field(self):
-        self.browser.tap("question/1/answer")
+        self.browser.tap("question/1/field")
 
     def confirm(self):
         self.browser.tap("question/1/check")
