@@ -187,10 +187,9 @@ void drawViewPanel(Application& app) {
   const Rectangle& r = app.layout().view;
   const glm::dvec2 size = r.size();
   const ImVec2 low{r.low.x, r.low.y}, high{r.high.x, r.high.y};
-  ImGui::InvisibleButton(
+  buttonUnderOthers(
       "view", {r.size().x, r.size().y},
       ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight | ImGuiButtonFlags_MouseButtonMiddle);
-  mayLieUnderOthers();
   recordRectangle("view", r.low, r.high);
   const ViewInput in = readInput(app, low, size);
   app.scene.controls.update(in, app.scene.camera, app.scene.stage().balls.get(), app.scene.servo_settings,

@@ -121,7 +121,14 @@ ItemForKeys lastItemForKeys() {
   return {!(flags & (ImGuiItemFlags_Disabled | ImGuiItemFlags_NoNav)), bool(flags & ImGuiItemFlags_Inputable)};
 }
 
-// SetNextItemAllowOverlap (1.89.7) would tell of the mouse one frame late, and a hand would press where it was before.
-void mayLieUnderOthers() { ImGui::SetItemAllowOverlap(); }
+// SetNextItemAllowOverlap (1.89.7) would tell of the mouse one frame late, and a hand would press where it was before. From
+// 1.89 on the first item that a click meets owns the mouse's button.
+void buttonUnderOthers(const char* id, ImVec2 size, ImGuiButtonFlags flags) {
+#if IMGUI_VERSION_NUM >= 18940
+  flags |= ImGuiButtonFlags_NoSetKeyOwner;
+#endif
+  ImGui::InvisibleButton(id, size, flags);
+  ImGui::SetItemAllowOverlap();
+}
 
 }  // namespace moltact

@@ -154,8 +154,8 @@ struct ItemForKeys {
 };
 ItemForKeys lastItemForKeys();
 
-/// After an item that others, drawn later, may lie on, which then have the mouse.
-void mayLieUnderOthers();
+/// An invisible button on which others, drawn later, may lie, which then have the mouse.
+void buttonUnderOthers(const char* id, ImVec2 size, ImGuiButtonFlags flags);
 
 /// An OpenGL texture; 0: none.
 inline ImTextureID textureOf(unsigned gl_name) { return ImTextureID(std::intptr_t(gl_name)); }
