@@ -42,16 +42,21 @@ std::string unitsFor(Dimension dimension) {
   return out;
 }
 
-std::string notAUnit(std::string_view symbol, Dimension dimension) {
+// What authors are told of a dimension, in English.
+struct DimensionWords {
+  const char *name, *no_unit;
+};
+
+DimensionWords wordsOf(Dimension dimension) {
   switch (dimension) {
     case Dimension::Length:
-      return trf("'{0}' is no unit of length", symbol);
+      return {N_("a length"), N_("'{0}' is no unit of length")};
     case Dimension::Force:
-      return trf("'{0}' is no unit of force", symbol);
+      return {N_("a force"), N_("'{0}' is no unit of force")};
     case Dimension::Time:
-      return trf("'{0}' is no unit of time", symbol);
+      return {N_("a time"), N_("'{0}' is no unit of time")};
     case Dimension::Stiffness:
-      return trf("'{0}' is no unit of stiffness", symbol);
+      return {N_("a stiffness"), N_("'{0}' is no unit of stiffness")};
     case Dimension::None:
     case Dimension::HandLength:
     case Dimension::Angle:
@@ -61,7 +66,7 @@ std::string notAUnit(std::string_view symbol, Dimension dimension) {
     case Dimension::Other:
       break;
   }
-  return trf("'{0}' is no unit", symbol);
+  return {N_("a number"), N_("'{0}' is no unit")};
 }
 
 /// What is set before a unit and in it where a text was typed elsewhere: blanks that do not break, and the ring of the
@@ -91,32 +96,12 @@ Expected<double> factorOf(std::string_view whole, std::size_t number_at, std::si
                          tr(dimensionName(u.dimension)), tr(dimensionName(dimension)), wanted));
   }
   const std::size_t at = static_cast<std::size_t>(written.data() - whole.data());
-  return problemAt(whole, at, notAUnit(symbol, dimension), trf("write {0}", wanted));
+  return problemAt(whole, at, trf(wordsOf(dimension).no_unit, symbol), trf("write {0}", wanted));
 }
 
 }  // namespace
 
-const char* dimensionName(Dimension dimension) {
-  switch (dimension) {
-    case Dimension::Length:
-      return N_("a length");
-    case Dimension::Force:
-      return N_("a force");
-    case Dimension::Time:
-      return N_("a time");
-    case Dimension::Stiffness:
-      return N_("a stiffness");
-    case Dimension::None:
-    case Dimension::HandLength:
-    case Dimension::Angle:
-    case Dimension::Share:
-    case Dimension::Frequency:
-    case Dimension::Energy:
-    case Dimension::Other:
-      break;
-  }
-  return N_("a number");
-}
+const char* dimensionName(Dimension dimension) { return wordsOf(dimension).name; }
 
 Expected<double> parseQuantity(std::string_view text, Dimension dimension) {
   const std::size_t from = static_cast<std::size_t>(stripped(text).data() - text.data());

@@ -3,14 +3,13 @@
 #include <sys/wait.h>
 
 #include <algorithm>
-#include <cstdio>
 #include <cstdlib>
 #include <filesystem>
+#include <map>
 #include <string>
-#include <utility>
 
 #include "engine/gltf/gltf_file.h"
-#include "engine/lesson/keys.h"
+#include "tests/app/scene_keys_in_help.h"
 
 using namespace moltact;
 
@@ -91,7 +90,7 @@ TEST_CASE(
 
 TEST_CASE("every key of a scene is an option of export, or has no meaning for a model that is turned by hand") {
   // Why there is none.
-  const std::pair<std::string_view, const char*> without[] = {
+  const std::map<std::string_view, const char*> without{
       {"molecule", "it is the argument"},
       {"method", "a model is not felt"},
       {"force", "a model is not felt"},
@@ -109,25 +108,5 @@ TEST_CASE("every key of a scene is an option of export, or has no meaning for a 
       {"cut", "a picture is cut pixel by pixel, the triangles stay whole"},
       {"states", "names for the slider"},
       {"locked", "nobody could change it"}};
-  const std::string command = "'" MOLTACT_BINARY "' export --help";
-  std::string help;
-  FILE* const pipe = ::popen(command.c_str(), "r");
-  REQUIRE(pipe);
-  char buffer[4096];
-  while (const std::size_t n = std::fread(buffer, 1, sizeof buffer, pipe)) help.append(buffer, n);
-  REQUIRE(::pclose(pipe) == 0);
-  for (const KeySpec& key : keysOf(KeyBlock::Scene)) {
-    CAPTURE(std::string(key.name));
-    const bool excused =
-        std::any_of(std::begin(without), std::end(without), [&](const auto& w) { return w.first == key.name; });
-    const std::size_t at = help.find("--" + std::string(key.name));
-    const bool there = at != std::string::npos &&
-                       std::string_view(" ,\n[").find(help[at + 2 + key.name.size()]) != std::string_view::npos;
-    CHECK(there != excused);
-  }
-  for (const auto& [name, why] : without) {
-    CAPTURE(std::string(name));
-    CHECK(std::any_of(keysOf(KeyBlock::Scene).begin(), keysOf(KeyBlock::Scene).end(),
-                      [&](const KeySpec& key) { return key.name == name; }));
-  }
+  test::checkSceneKeysInHelp("export", without);
 }

@@ -2,15 +2,13 @@
 #include <doctest/doctest.h>
 #include <sys/wait.h>
 
-#include <algorithm>
-#include <cstdio>
 #include <cstdlib>
 #include <filesystem>
+#include <map>
 #include <string>
-#include <utility>
 
-#include "engine/lesson/keys.h"
 #include "engine/render/picture.h"
+#include "tests/app/scene_keys_in_help.h"
 
 using namespace moltact;
 
@@ -100,30 +98,14 @@ TEST_CASE(
 
 TEST_CASE("every key of a scene is an option of render, or has no meaning for a still picture") {
   // Why there is none.
-  const std::pair<std::string_view, const char*> without[] = {
-      {"molecule", "it is the argument"},
-      {"force", "a picture pushes nothing; --show has the arrow"},
-      {"panels", "there are none in the picture"},
-      {"paint", "nothing has been touched before"},
-      {"view NAME", "a name is for links; --view takes what it says"},
-      {"states", "names for the slider"},
-      {"locked", "nobody could change it"}};
-  const std::string command = "'" MOLTACT_BINARY "' render --help";
-  std::string help;
-  FILE* const pipe = ::popen(command.c_str(), "r");
-  REQUIRE(pipe);
-  char buffer[4096];
-  while (const std::size_t n = std::fread(buffer, 1, sizeof buffer, pipe)) help.append(buffer, n);
-  REQUIRE(::pclose(pipe) == 0);
-  for (const KeySpec& key : keysOf(KeyBlock::Scene)) {
-    CAPTURE(std::string(key.name));
-    const bool excused =
-        std::any_of(std::begin(without), std::end(without), [&](const auto& w) { return w.first == key.name; });
-    const std::size_t at = help.find("--" + std::string(key.name));
-    const bool there = at != std::string::npos &&
-                       std::string_view(" ,\n[").find(help[at + 2 + key.name.size()]) != std::string_view::npos;
-    CHECK(there != excused);
-  }
+  const std::map<std::string_view, const char*> without{{"molecule", "it is the argument"},
+                                                        {"force", "a picture pushes nothing; --show has the arrow"},
+                                                        {"panels", "there are none in the picture"},
+                                                        {"paint", "nothing has been touched before"},
+                                                        {"view NAME", "a name is for links; --view takes what it says"},
+                                                        {"states", "names for the slider"},
+                                                        {"locked", "nobody could change it"}};
+  test::checkSceneKeysInHelp("render", without);
 }
 
 TEST_CASE("a view says what the camera's angles say: right is 90 degrees, top 90 degrees above, turned both") {
