@@ -24,6 +24,8 @@ function(windows_epoxy)
     SOURCES src/dispatch_common.c src/dispatch_wgl.c made/gl_generated_dispatch.c made/wgl_generated_dispatch.c
     LINK opengl32 gdi32)
   target_include_directories(source_epoxy PRIVATE ${sources}/libepoxy/src)
+  # It is no DLL here: engine/platform/offscreen_gl_windows.cpp has the system call it.
+  target_compile_definitions(source_epoxy PRIVATE DllMain=epoxy_on_thread)
 endfunction()
 
 macro(provide_libraries)

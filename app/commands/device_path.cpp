@@ -29,7 +29,8 @@ std::unique_ptr<Interaction> feltOf(const ServoRecording& recording) {
   if (!key || recording.ticks.empty()) return nullptr;
   const auto molecule = readMolecule(*key);
   if (!molecule) return nullptr;
-  return makeInteraction({std::make_shared<const BallScene>(molecule->balls()), touchOf(recording)});
+  const RecordedScene scene = recordedScene(recording.labels, molecule->balls());
+  return makeInteraction({scene.balls, touchOf(recording), scene.body});
 }
 
 void run(const PathOptions& options) {

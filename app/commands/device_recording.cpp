@@ -241,12 +241,14 @@ void replayHand(const std::string& file) {
   };
   known("a method", touch.method, findMethod(touch.method));
   known("an interaction", touch.interaction, findInteractionKind(touch.interaction));
-  const auto scene = sceneOf({labelledMolecule(recording->labels)});
-  if (!label("balls").empty() && label("balls") != fingerprint(*scene))
+  const RecordedScene scene =
+      recordedScene(recording->labels, MoleculeArgument{labelledMolecule(recording->labels)}.load().balls());
+  if (!label("balls").empty() && label("balls") != fingerprint(*scene.balls))
     fail("the molecule \"" + label("molecule") + "\" is not the one any more that it was recorded on",
          "put the old file back, or record it anew");
 
-  const auto felt = makeInteraction({scene, touch});
+  const auto felt = makeInteraction({scene.balls, touch, scene.body});
+  if (!felt) fail("it was recorded with a body in the hand, and does not say which", "record it anew");
   const ReplayResult result = replay(*recording, felt.get());
   char text[200];
   if (result.moving)
@@ -254,13 +256,14 @@ void replayHand(const std::string& file) {
              " ticks, and how is not recorded: such forces cannot be given again",
          "record a hand on a molecule that stands");
   if (result.first_difference) {
-    std::snprintf(text, sizeof text, "%llu ticks: the forces differ from tick %llu on, by at most %.3g N%s",
+    std::snprintf(text, sizeof text,
+                  "%llu ticks: the forces differ from tick %llu on, by at most %.3g N and %.3g N mm%s",
                   static_cast<unsigned long long>(result.ticks),
                   static_cast<unsigned long long>(*result.first_difference), result.greatest_difference_N,
-                  recording->start ? "" : "; another build made the recording");
+                  result.greatest_difference_N_mm, recording->start ? "" : "; another build made the recording");
     fail(text + (recording->torn.empty() ? std::string() : "; " + recording->torn), "");
   }
-  out() << result.ticks << " ticks: the same forces to the last bit\n";
+  out() << result.ticks << " ticks: the same forces and torques to the last bit\n";
   if (!recording->torn.empty()) fail(recording->torn, "");
 }
 

@@ -20,6 +20,7 @@
 #include "engine/language/catalogue.h"
 #include "engine/lesson/lesson_region.h"
 #include "engine/lesson/quantity.h"
+#include "engine/lesson/scene_atoms.h"
 #include "engine/platform/offscreen_gl.h"
 #include "engine/platform/terminal.h"
 #include "engine/render/colour_legend.h"
@@ -67,12 +68,17 @@ std::optional<PointA> hipOf(const std::string& text) {
 }
 
 // The hand comes from outside along the line of sight, as a person at this picture would push.
-Contact push(const std::shared_ptr<const Molecule>& molecule, const RenderArguments& arguments, const Camera& camera,
-             PointA hip) {
-  const auto scene = std::make_shared<const BallScene>(molecule->balls(), arguments.look.left_out.notFelt(*molecule));
-  const auto felt = makeInteraction({scene, arguments.touch});
+Contact push(const std::shared_ptr<const Molecule>& molecule, const RenderArguments& arguments,
+             const std::shared_ptr<const HeldBody>& body, const Camera& camera, PointA hip) {
+  std::vector<std::uint32_t> not_felt = arguments.look.left_out.notFelt(*molecule);
+  if (body) not_felt = atomsOfEither(not_felt, body->atoms);
+  const auto scene = std::make_shared<const BallScene>(molecule->balls(), not_felt);
+  TouchSetup touch = arguments.touch;
+  if (body) touch.interaction = bodyInteraction().name;
+  const auto felt = makeInteraction({scene, touch, body});
   const Vec3 from_hip = camera.back();
-  const double reach = glm::length(scene->high_A() - scene->low_A()) + 2 * arguments.touch.probe_A + 1;
+  const double held_A = body ? body->reach_A : touch.probe_A;
+  const double reach = glm::length(scene->high_A() - scene->low_A()) + 2 * held_A + 1;
   const double step = std::max(0.02, reach / 200000);
   const long ticks = std::lround(std::ceil(reach / step));
   Contact contact;
@@ -161,9 +167,17 @@ void render(const RenderArguments& arguments) {
   if (spec.highlight.given()) scene.highlighted = spec.highlight.select(*scene.molecule);
   scene.look = looksOf(arguments, *scene.molecule, scene.camera);
   scene.look.marks = marksOf(spec, *scene.molecule);
+  if (const std::vector<std::uint32_t> held = heldAtoms(spec, *scene.molecule); !held.empty()) {
+    scene.body = heldBody(scene.molecule->balls(), held);
+    if (!scene.body)
+      throw CLI::ValidationError("--hold", "it holds " + std::to_string(held.size()) + " atoms; the most are " +
+                                               std::to_string(kMostHeldAtoms));
+    scene.look.hidden = std::make_shared<const std::vector<std::uint32_t>>(
+        scene.look.hidden ? atomsOfEither(*scene.look.hidden, held) : held);
+  }
   if (auto written = annotationsOf(spec, *scene.molecule)) scene.annotations.push_back(std::move(written));
   if (scene.hip) {
-    scene.contact = push(scene.molecule, arguments, scene.camera, *scene.hip);
+    scene.contact = push(scene.molecule, arguments, scene.body, scene.camera, *scene.hip);
     scene.force_N = arguments.stiffness_N_per_A * glm::length(scene.contact.displacement_A);
     if (arguments.look_at_hip) scene.camera.target = scene.contact.scp;
   }

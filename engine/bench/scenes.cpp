@@ -11,7 +11,7 @@
 namespace moltact::scenes {
 namespace {
 
-constexpr double kC = 1.7, kN = 1.55, kO = 1.52, kH = 1.1;
+constexpr double kC = 1.7, kO = 1.52, kH = 1.1;
 
 // The signed distance to the nearest surface and the way out of it.
 struct Near {

@@ -33,8 +33,8 @@ std::unique_ptr<Tracker> make(std::shared_ptr<const BallScene> scene, double pro
 }
 
 constexpr std::array kFloor{
-    Method{"exact-0.001", "exact with a probe 0.001 A smaller", &make<1>, "Exact", "probe 0.001 Å smaller"},
-    Method{"exact-0.02", "exact with a probe 0.02 A smaller", &make<20>, "Exact", "probe 0.02 Å smaller"},
+    Method{"exact-0.001", "exact with a probe 0.001 A smaller", &make<1>, {"Exact", {}}, "probe 0.001 Å smaller"},
+    Method{"exact-0.02", "exact with a probe 0.02 A smaller", &make<20>, {"Exact", {}}, "probe 0.02 Å smaller"},
 };
 
 }  // namespace

@@ -31,8 +31,8 @@ double pace(const PointerInput& in) { return 1.0 / (1.0 + std::max(0.0, in.force
 
 void PointerHand::reset() { *this = PointerHand(); }
 
-PointA PointerHand::lead(const PointerInput& in, const BallScene& scene, double probe_A) {
-  if (!finite(in) || !std::isfinite(probe_A)) return hip_;
+PointA PointerHand::lead(const PointerInput& in, const BallScene& scene, const HandShape& held) {
+  if (!finite(in) || !std::isfinite(held.probe_A) || !rotates(held.orientation)) return hip_;
   const double dt = std::clamp(in.dt_s, 0.0, 0.1);
   const ViewRays& rays = in.rays;
 
@@ -52,8 +52,8 @@ PointA PointerHand::lead(const PointerInput& in, const BallScene& scene, double 
 
   const Vec3 along = rays.direction(aim_);
   const double far = glm::distance(rays.eye_A, 0.5 * (scene.low_A() + scene.high_A())) +
-                     glm::distance(scene.low_A(), scene.high_A()) + 2.0 * probe_A + 1.0;
-  const Hit hit = sweep(scene, probe_A, rays.eye_A, rays.eye_A + along * far);
+                     glm::distance(scene.low_A(), scene.high_A()) + 2.0 * held.reach_A() + 1.0;
+  const Hit hit = sweep(scene, held, rays.eye_A, rays.eye_A + along * far);
   const double forward = std::max(0.1, glm::dot(along, rays.forward));
   const double before = plane_depth_ / forward;
   double way = before, under = -kHover_A;

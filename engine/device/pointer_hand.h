@@ -1,4 +1,5 @@
-// A hand made from a mouse or a keyboard: the probe hovers over the surface under the pointer, a press pushes it in.
+// A hand made from a mouse or a keyboard: what it holds, the probe or a body, hovers over the surface under the pointer, a
+// press pushes it in.
 // Pure logic on the window's thread, once a frame; MouseDevice carries the result smoothly to the haptic thread.
 //
 // The probe stays under the pointer, as far as the surface lets it: the HIP lies on the line of sight through the
@@ -14,7 +15,7 @@
 
 #include "engine/core/units.h"
 #include "engine/device/view_rays.h"
-#include "engine/haptics/ball_scene.h"
+#include "engine/haptics/body/held_body.h"
 
 namespace moltact {
 
@@ -50,8 +51,8 @@ class PointerHand {
   static constexpr double kLeap_A = 5.0, kFall_A_per_s = 20.0;
   static constexpr double kLift_s = 0.25;  ///< so long a hand that was let go may take to come free
 
-  /// The HIP's next target. `probe_A` inflates the scene's balls. Non-finite input leaves the hand where it was.
-  PointA lead(const PointerInput& input, const BallScene& scene, double probe_A);
+  /// The HIP's next target for what is held. Non-finite input leaves the hand where it was.
+  PointA lead(const PointerInput& input, const BallScene& scene, const HandShape& held);
 
   double depth_A() const {
     return depth_ > 0.0 ? depth_ : 0.0;

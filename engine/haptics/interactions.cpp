@@ -1,7 +1,9 @@
 #include "engine/haptics/interactions.h"
 
+#include <algorithm>
 #include <array>
 
+#include "engine/haptics/body/rigid_body.h"
 #include "engine/haptics/methods.h"
 #include "engine/language/catalogue.h"
 
@@ -13,9 +15,16 @@ std::unique_ptr<Interaction> makeProbe(const InteractionInput& input) {
   return method ? method->make(input.balls, input.touch.probe_A) : nullptr;
 }
 
+std::unique_ptr<Interaction> makeBody(const InteractionInput& input) {
+  const Method* method = findMethod(input.touch.method);
+  return method && input.body ? std::make_unique<RigidBody>(input.body, *method, input.balls) : nullptr;
+}
+
 constexpr std::array kKinds{
     InteractionKind{"probe", N_("Probe"), N_("a sphere at the hand, which a haptic method keeps outside every atom"),
                     &makeProbe},
+    InteractionKind{"body", N_("Rigid body"), N_("atoms that follow the hand, each kept outside by a haptic method"),
+                    &makeBody, true},
 };
 
 }  // namespace
@@ -26,6 +35,10 @@ const InteractionKind* findInteractionKind(std::string_view name) {
   for (const InteractionKind& k : kKinds)
     if (k.name == name) return &k;
   return nullptr;
+}
+
+const InteractionKind& bodyInteraction() {
+  return *std::find_if(kKinds.begin(), kKinds.end(), [](const InteractionKind& k) { return k.holds_body; });
 }
 
 std::unique_ptr<Interaction> makeInteraction(const InteractionInput& input) {

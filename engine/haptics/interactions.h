@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "engine/haptics/ball_scene.h"
+#include "engine/haptics/body/held_body.h"
 #include "engine/haptics/interaction.h"
 #include "engine/haptics/touch_setup.h"
 
@@ -16,14 +17,16 @@ namespace moltact {
 struct InteractionInput {
   std::shared_ptr<const BallScene> balls;
   TouchSetup touch = {};
+  std::shared_ptr<const HeldBody> body = nullptr;  ///< what a kind that holds one is made with; else passed over
 };
 
 struct InteractionKind {
   std::string_view name;      ///< "probe"
   std::string_view title;     ///< on the screen: "Probe"
   std::string_view sentence;  ///< what it is
-  /// Null where the setup names a method that there is not.
+  /// Null where the setup names a method that there is not, and where there is no body for one that holds it.
   std::unique_ptr<Interaction> (*make)(const InteractionInput& input);
+  bool holds_body = false;  ///< a scene chooses it by what it hands over, so that nobody is offered it
 };
 
 /// All, the one that a scene has unless it chooses another first.
@@ -32,7 +35,10 @@ std::span<const InteractionKind> interactionKinds();
 /// The one of that name, or nullptr.
 const InteractionKind* findInteractionKind(std::string_view name);
 
-/// Makes what the setup names; null where there is no such interaction or method.
+/// The kind that a scene with a body in the hand is felt with.
+const InteractionKind& bodyInteraction();
+
+/// Makes what the setup names; null where there is no such interaction or method, or no body for one that holds it.
 std::unique_ptr<Interaction> makeInteraction(const InteractionInput& input);
 
 /// What judges a method that is felt so: the probe by referenceMethod(), all else as it is felt, so that what changes

@@ -20,7 +20,8 @@ std::vector<OfferedWord> methodWords() {
 
 std::vector<OfferedWord> interactionWords() {
   std::vector<OfferedWord> out;
-  for (const InteractionKind& k : interactionKinds()) out.push_back({k.name, k.title, k.sentence});
+  for (const InteractionKind& k : interactionKinds())
+    if (!k.holds_body) out.push_back({k.name, k.title, k.sentence});
   return out;
 }
 

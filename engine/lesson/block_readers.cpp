@@ -3,6 +3,7 @@
 #include <optional>
 #include <utility>
 
+#include "engine/haptics/interactions.h"
 #include "engine/language/catalogue.h"
 #include "engine/language/language_code.h"
 #include "engine/lesson/reading.h"
@@ -130,7 +131,8 @@ void readMarks(const KeyValues& values, const Takes& takes, SceneSpec& scene) {
   }
   for (const auto& [key, angles] : {std::pair{"distance", false}, std::pair{"angle", true}}) {
     if (!takes(key)) continue;
-    std::erase_if(scene.measures, [angles = angles](const PlacesSpec& m) { return (m.atoms.size() > 2) == angles; });
+    std::erase_if(scene.measures,
+                  [of_angles = angles](const PlacesSpec& m) { return (m.atoms.size() > 2) == of_angles; });
     const std::vector<PlacesSpec>& wanted = values[key].measures;
     scene.measures.insert(scene.measures.end(), wanted.begin(), wanted.end());
   }
@@ -243,6 +245,9 @@ SceneSpec readScene(Reading& reading, const MarkdownBlock& block, const SceneSpe
   takeAtoms("hide", scene.hide, scene.places.hide);
   takeAtoms("untouchable", scene.untouchable, scene.places.untouchable);
   takeAtoms("remove", scene.remove, scene.places.remove);
+  takeAtoms("hold", scene.hold, scene.places.hold);
+  if (takes("hold"))
+    scene.touch.interaction = scene.hold.given() ? bodyInteraction().name : interactionKinds().front().name;
   if (takes("near")) scene.near_A = values["near"].number;
   if (takes("colour")) scene.colour = values["colour"].words[0];
   readMarks(values, takes, scene);

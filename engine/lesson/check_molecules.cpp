@@ -5,6 +5,7 @@
 #include <tuple>
 #include <unordered_set>
 
+#include "engine/haptics/body/held_body.h"
 #include "engine/language/catalogue.h"
 #include "engine/lesson/checks.h"
 #include "engine/lesson/lesson_texts.h"
@@ -43,6 +44,8 @@ class Check {
         selects(step.scene.hide, places.hide, *molecule);
         selects(step.scene.untouchable, places.untouchable, *molecule);
         selects(step.scene.remove, places.remove, *molecule);
+        selects(step.scene.hold, places.hold, *molecule);
+        holds(step.scene, *molecule);
         selects(step.scene.hydrogen_bonds, places.hydrogen_bonds, *molecule);
         for (const auto* list : {&step.scene.labels, &step.scene.arrows, &step.scene.marks})
           for (const MarkSpec& mark : *list) selects(mark.atoms, mark.place, *molecule);
@@ -81,6 +84,18 @@ class Check {
     if (scene.then.superposed_on.given()) selects(scene.then.superposed_on, place, molecule);
     if (const auto states = statesOf(scene, molecule, *other); !states)
       findings_.error(place, states.problem().message, states.problem().remedy);
+  }
+
+  /// The hand holds no more than it can, and something is left to be felt.
+  void holds(const SceneSpec& scene, const Molecule& molecule) {
+    const std::vector<std::uint32_t> held = heldAtoms(scene, molecule);
+    if (held.size() > kMostHeldAtoms)
+      findings_.error(scene.places.hold,
+                      trf("{0} atoms are more than a hand can hold; {1} are the most", held.size(), kMostHeldAtoms),
+                      tr("name fewer: a ligand, a side chain"));
+    if (!held.empty() && untouchableAtoms(scene, molecule).size() == molecule.atoms.size())
+      findings_.error(scene.places.hold, tr("the hand holds all there is, and nothing is left to feel"),
+                      tr("name fewer atoms"));
   }
 
   /// A molecule of the front matter's list, read as the first scene with it does: no reading is made for the list

@@ -173,6 +173,13 @@ std::vector<KeySpec> sceneKeys() {
        .meaning = "Atoms that are taken out of the molecule: neither drawn nor felt, and the view does not count them. "
                   "'none' brings back what an earlier scene took out.",
        .words = {"none"}},
+      {.name = "hold",
+       .type = ValueType::Target,
+       .meaning =
+           "Atoms that the hand holds as one rigid body, in the place of the probe: a ligand, brought to its "
+           "pocket. They are taken out of the molecule. Touch tasks are done with the probe, and none can stand in "
+           "such a step. 'none' puts them back.",
+       .words = {"none"}},
       {.name = "near",
        .type = ValueType::Quantity,
        .meaning = "Where another style hides the spheres: atoms as near to the probe are drawn as spheres too.",

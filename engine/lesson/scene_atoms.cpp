@@ -26,11 +26,17 @@ std::vector<std::uint32_t> presentAtoms(const Selection& atoms, const SceneSpec&
 }
 
 std::vector<std::uint32_t> hiddenAtoms(const SceneSpec& scene, const Molecule& molecule) {
-  return atomsOfEither(selected(scene.hide, molecule), selected(scene.remove, molecule));
+  return atomsOfEither(atomsOfEither(selected(scene.hide, molecule), selected(scene.remove, molecule)),
+                       heldAtoms(scene, molecule));
 }
 
 std::vector<std::uint32_t> untouchableAtoms(const SceneSpec& scene, const Molecule& molecule) {
-  return atomsOfEither(selected(scene.untouchable, molecule), selected(scene.remove, molecule));
+  return atomsOfEither(atomsOfEither(selected(scene.untouchable, molecule), selected(scene.remove, molecule)),
+                       heldAtoms(scene, molecule));
+}
+
+std::vector<std::uint32_t> heldAtoms(const SceneSpec& scene, const Molecule& molecule) {
+  return selected(scene.hold, molecule);
 }
 
 }  // namespace moltact

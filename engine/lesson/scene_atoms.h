@@ -9,11 +9,14 @@
 
 namespace moltact {
 
-/// Atoms that are not drawn: those of `hide` and `remove`, ascending.
+/// Atoms that are not drawn where the molecule is: those of `hide`, `remove` and `hold`, ascending.
 std::vector<std::uint32_t> hiddenAtoms(const SceneSpec& scene, const Molecule& molecule);
 
-/// Atoms that nothing feels: those of `untouchable` and `remove`, ascending.
+/// Atoms that nothing feels: those of `untouchable`, `remove` and `hold`, ascending.
 std::vector<std::uint32_t> untouchableAtoms(const SceneSpec& scene, const Molecule& molecule);
+
+/// Atoms that the hand holds, ascending.
+std::vector<std::uint32_t> heldAtoms(const SceneSpec& scene, const Molecule& molecule);
 
 /// Those of a selection that the scene has not taken out by `remove`, ascending.
 std::vector<std::uint32_t> presentAtoms(const Selection& atoms, const SceneSpec& scene, const Molecule& molecule);

@@ -8,6 +8,15 @@
 #include "engine/language/catalogue.h"
 #include "engine/platform/offscreen_gl.h"
 
+// libepoxy keeps its functions for each thread, and makes room for them where the system tells a DLL of a thread
+// (cmake/windows.cmake gives its DllMain this name). In a program of one file the system tells it so.
+extern "C" BOOL WINAPI epoxy_on_thread(HINSTANCE, DWORD, LPVOID);
+extern "C" {
+using OnThread = BOOL(WINAPI*)(HINSTANCE, DWORD, LPVOID);
+extern const OnThread epoxy_thread_callback;
+__attribute__((section(".CRT$XLF"), used)) const OnThread epoxy_thread_callback = &epoxy_on_thread;
+}
+
 namespace moltact {
 namespace {
 

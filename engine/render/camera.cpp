@@ -88,9 +88,9 @@ void Camera::lookSideOn(const Molecule& molecule) {
 }
 
 void Camera::face(PointA place) {
-  constexpr double kNearest_A = 0.1;
+  constexpr double kSamePlace_A = 0.1;
   const Vec3 way = place.A - target.A;
-  if (glm::length(way) > kNearest_A) lookFrom(std::atan2(way.x, way.z), std::atan2(way.y, std::hypot(way.x, way.z)));
+  if (glm::length(way) > kSamePlace_A) lookFrom(std::atan2(way.x, way.z), std::atan2(way.y, std::hypot(way.x, way.z)));
 }
 
 void Camera::fit(const Molecule& molecule, double aspect, double margin, double grown_A,

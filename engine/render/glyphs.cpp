@@ -29,7 +29,7 @@ class Maker {
 
   void shadow() {
     out_.shadow_centre = view(scp_);
-    out_.shadow_radius = float(std::max(scene_.probe_A, 0.12));
+    out_.shadow_radius = float(std::max(held().reach_A(), 0.12));
   }
 
   // The oxygen sits in the middle of the sphere that is felt; the hydrogens point away from the surface, spread in
@@ -54,6 +54,23 @@ class Maker {
     for (const double sign : {-1.0, 1.0})
       solid(scp_ + kWaterBond_A * (std::cos(half) * outward_ + sign * std::sin(half) * side), 0.44, Colour(0.97f),
             0.35f);
+  }
+
+  // What the hand holds in the probe's place: the molecule's own atoms where the springs would have them, carbon in the
+  // probe's colour, which no atom of a molecule has. What lies behind others shows through them.
+  void body(const MoleculeModel& model) {
+    const glm::dmat3 axes = glm::mat3_cast(scene_.body_orientation);
+    for (std::size_t i = 0; i < scene_.body->atoms.size(); ++i) {
+      const std::uint32_t atom = scene_.body->atoms[i];
+      if (atom >= model.atoms()) continue;
+      constexpr std::uint32_t kGhost = 0x4Cu << 24;
+      const bool carbon = scene_.molecule->atoms[atom].atomic_number == 6;
+      const std::uint32_t colour = carbon ? packColour(scene_.theme.probe) : model.colour[model.ballOf(atom)];
+      const glm::vec3 centre = view(scp_ + axes * scene_.body->balls[i].centre_A);
+      const auto radius = float(model.atomBall(atom).radius_A);
+      out_.solid.push_back({centre, radius, colour});
+      out_.ghost.push_back({centre, radius, (colour & 0xFFFFFFu) | kGhost});
+    }
   }
 
   void hip() {
@@ -115,7 +132,7 @@ class Maker {
   void force() {
     if (!touching_ || !(scene_.force_N > 0) || !std::isfinite(scene_.force_N)) return;
     const Colour warm = forceColour(scene_.theme, strength());
-    const double round = silhouetteRadius(scp_, scene_.probe_A) + sized(0.06, 4.0) + sized(0.3, 9.0) * strength();
+    const double round = silhouetteRadius(scp_, held().reach_A()) + sized(0.06, 4.0) + sized(0.3, 9.0) * strength();
     for (const Stroke& stroke :
          {Stroke{.colour = glm::vec3(0.0f), .alpha = 0.35f, .hidden = 0.5f, .width_px = float(4.0 + 5.0 * strength())},
           Stroke{.colour = warm, .alpha = 1.0f, .hidden = 0.6f, .width_px = float(2.0 + 5.0 * strength())}})
@@ -174,6 +191,9 @@ class Maker {
     }
   }
 
+  HandShape held() const {
+    return scene_.body ? HandShape(*scene_.body, scene_.body_orientation) : HandShape(scene_.probe_A);
+  }
   bool hasHip() const { return scene_.hip.has_value(); }
   // Of the force, 0 to 1.
   double strength() const {
@@ -253,8 +273,9 @@ void addNearSpheres(const ViewScene& scene, const MoleculeModel& model, std::vec
   if (scene.look.allSpheres() && !model.byResidue()) return;
   constexpr std::size_t kMost = 400;
   const PointA place = scene.contact.touching() ? scene.contact.scp : *scene.hip;
+  const double held_A = scene.body ? scene.body->reach_A : scene.probe_A;
   const std::vector<std::uint32_t>* hidden = scene.look.hidden.get();
-  for (const std::uint32_t a : nearestAtoms(model, place, scene.probe_A, scene.look.spheres_near_A, kMost)) {
+  for (const std::uint32_t a : nearestAtoms(model, place, held_A, scene.look.spheres_near_A, kMost)) {
     if (hidden && std::binary_search(hidden->begin(), hidden->end(), a)) continue;
     spheres.push_back(looseAtom(scene, model, a));
   }
@@ -279,7 +300,9 @@ void addGlyphs(const ViewScene& scene, const MoleculeModel* model, Glyphs& glyph
   }
   if (!make.hasHip()) return;
   if (model && scene.shown.has(ViewPart::Atoms)) make.touched(*model);
-  if (scene.shown.has(ViewPart::Probe)) make.probe(), make.hand();
+  if (scene.shown.has(ViewPart::Probe) && !scene.body) make.probe();
+  if (scene.shown.has(ViewPart::Probe) && scene.body && model) make.body(*model);
+  if (scene.shown.has(ViewPart::Probe)) make.hand();
   if (model && scene.shown.has(ViewPart::Probe)) make.shadow();
   if (scene.shown.has(ViewPart::Hip)) make.hip();
   if (scene.shown.has(ViewPart::Scp)) make.scp();

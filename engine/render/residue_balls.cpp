@@ -10,7 +10,7 @@ namespace moltact {
 namespace {
 
 constexpr std::uint32_t kMostOfResidue = 32, kMostOfNone = 8;
-constexpr double kFarthest_A = 12.0;
+constexpr double kSplitBeyond_A = 12.0;
 
 // The balls have mean square radii of 3/5 of their radius squared.
 Ball ballOf(const Molecule& molecule, std::uint32_t begin, std::uint32_t end) {
@@ -37,7 +37,7 @@ ResidueBalls residueBalls(const Molecule& molecule) {
     const Atom& first = molecule.atoms[begin];
     const std::uint32_t most = first.residue == kNoResidue ? kMostOfNone : kMostOfResidue;
     for (end = begin + 1; end < atoms && end - begin < most && molecule.atoms[end].residue == first.residue; ++end)
-      if (glm::distance(molecule.atoms[end].position.A, first.position.A) > kFarthest_A) break;
+      if (glm::distance(molecule.atoms[end].position.A, first.position.A) > kSplitBeyond_A) break;
     const Ball ball = ballOf(molecule, begin, end);
     for (std::uint32_t a = begin; a < end; ++a)
       out.beyond_A = std::max(out.beyond_A, glm::distance(molecule.atoms[a].position.A, ball.centre_A) +

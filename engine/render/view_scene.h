@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "engine/core/units.h"
+#include "engine/haptics/body/held_body.h"
 #include "engine/haptics/tracker.h"
 #include "engine/molecule/draw_style.h"
 #include "engine/molecule/molecule.h"
@@ -100,6 +101,8 @@ struct ViewScene {
   double force_N = 0.0;       ///< length of the force, along the contact's displacement
   double strongest_N = 3.0;   ///< the force that is drawn as the strongest (default 3 N)
   double probe_A = kWaterProbe_A;
+  std::shared_ptr<const HeldBody> body;  ///< drawn in the probe's place, its middle at the SCP; null: the probe
+  Quat body_orientation = kNoRotation;
   bool water = true;  ///< a probe as large as a water molecule is drawn as one; false: as a ball (default true)
   std::shared_ptr<const SolidModel>
       hand;                    ///< stands with its origin at the HIP, its +y toward the person's hand; may be null

@@ -3,6 +3,7 @@
 #include <zlib.h>
 
 #include <bit>
+#include <charconv>
 #include <cmath>
 #include <cstdio>
 #include <type_traits>
@@ -20,9 +21,10 @@ static_assert(sizeof(ServoSettings) == 152 && sizeof(DevicePose) == 80 && sizeof
                   sizeof(TickTime) == 16,
               "a field more is to be recorded below, or a replay is not the same");
 
-// The third version's ticks have no orientation and its devices no torque; the second's begin from no state either.
-constexpr std::string_view kMagic = "MOLTRAC4", kPlacesMagic = "MOLTRAC3", kStatelessMagic = "MOLTRAC2",
-                           kOldMagic = "MOLTRAC1";
+// The fourth version's ticks have no torque, the third's no orientation and its devices no torque; the second's begin from
+// no state either.
+constexpr std::string_view kMagic = "MOLTRAC5", kForcesMagic = "MOLTRAC4", kPlacesMagic = "MOLTRAC3",
+                           kStatelessMagic = "MOLTRAC2", kOldMagic = "MOLTRAC1";
 constexpr std::string_view kBlockMagic = "BLK1";
 constexpr std::uint32_t kTicksInBlock = 256;
 constexpr std::size_t kLeastTickBytes = 81;  // a tick without settings and device
@@ -58,6 +60,42 @@ struct Getter {
     at += sizeof value;
   }
 };
+
+// "0-3,7": ascending numbers, those that follow one another as a range.
+std::string rangesText(const std::vector<std::uint32_t>& numbers) {
+  std::string out;
+  for (std::size_t i = 0; i < numbers.size();) {
+    std::size_t last = i;
+    while (last + 1 < numbers.size() && numbers[last + 1] == numbers[last] + 1) ++last;
+    out += (out.empty() ? "" : ",") + std::to_string(numbers[i]);
+    if (last > i) out += '-' + std::to_string(numbers[last]);
+    i = last + 1;
+  }
+  return out;
+}
+
+// Empty where the text is none of these, or names a number that is not under `end`.
+std::vector<std::uint32_t> rangesOf(std::string_view text, std::size_t end) {
+  std::vector<std::uint32_t> out;
+  const char* at = text.data();
+  const char* const stop = at + text.size();
+  const auto number = [&](std::uint32_t& value) {
+    const auto read = std::from_chars(at, stop, value);
+    if (read.ec != std::errc()) return false;
+    at = read.ptr;
+    return true;
+  };
+  while (at != stop) {
+    std::uint32_t first = 0;
+    if (!number(first)) return {};
+    std::uint32_t last = first;
+    if (at != stop && *at == '-' && (++at, !number(last))) return {};
+    if (last < first || last >= end || (!out.empty() && first <= out.back())) return {};
+    for (std::uint32_t i = first; i <= last; ++i) out.push_back(i);
+    if (at != stop && *at++ != ',') return {};
+  }
+  return out;
+}
 
 template <class Each, class V>
 void eachOf(Each& each, V& v) {
@@ -115,8 +153,15 @@ void orientationFields(Each& each, Q& q) {
   each(q.w), each(q.x), each(q.y), each(q.z);
 }
 
-// `places_only`: as the third version wrote it.
-bool readTick(Getter& get, ServoSettings& settings, RecordedTick& tick, bool places_only) {
+// A tick with an orientation has the torque too, where its device gives one.
+bool drivesTorque(const DeviceSpecs& device) { return device.dof_out >= 6; }
+
+// What a version of the file holds.
+struct Version {
+  bool orientations = true, torques = true;
+};
+
+bool readTick(Getter& get, ServoSettings& settings, RecordedTick& tick, const Version& version) {
   std::uint8_t flags = 0, on = 0, panic = 0, gives = 0, at_edge = 0;
   get(flags);
   if (flags & kSettings) {
@@ -130,13 +175,14 @@ bool readTick(Getter& get, ServoSettings& settings, RecordedTick& tick, bool pla
   tick.other_device = flags & kOtherDevice;
   if (tick.other_device) {
     figuresFields(get, tick.device);
-    if (!places_only) get(tick.device.max_torque_N_mm);
+    if (version.orientations) get(tick.device.max_torque_N_mm);
     get(gives);
     tick.device.gives_force = gives;
     get.ok = get.ok && gives <= 1;
   }
   tickFields(get, tick);
-  if (!places_only && flags & kOriented) orientationFields(get, tick.pose.orientation);
+  if (version.orientations && flags & kOriented) orientationFields(get, tick.pose.orientation);
+  if (version.torques && flags & kOriented && drivesTorque(tick.device)) eachOf(get, tick.torque_N_mm);
   tick.pose.fresh = flags & kFresh;
   tick.pose.connected = flags & kConnected;
   tick.pose.fault = flags & kFaultFlag;
@@ -176,7 +222,7 @@ std::optional<Problem> ServoRecordingWriter::add(const RecordedTick& tick) {
                tr("begin another one")};
   const bool other_settings = ticks_in_block_ == 0 || bytesOf(*last_) != bytesOf(tick.settings);
   const DevicePose& pose = tick.pose;
-  const bool oriented = pose.orientation != kNoRotation;
+  const bool oriented = pose.orientation != kNoRotation || tick.torque_N_mm != Vec3(0.0);
   Putter put{block_};
   put(std::uint8_t((other_settings ? kSettings : 0) | (pose.fresh ? kFresh : 0) | (pose.connected ? kConnected : 0) |
                    (pose.fault ? kFaultFlag : 0) | (tick.other_device ? kOtherDevice : 0) |
@@ -184,12 +230,14 @@ std::optional<Problem> ServoRecordingWriter::add(const RecordedTick& tick) {
                    (tick.spheres_moved ? kSpheresMoved : 0)));
   if (other_settings) block_ += bytesOf(tick.settings);
   if (tick.other_device) {
+    device_ = tick.device;
     figuresFields(put, tick.device);
     put(tick.device.max_torque_N_mm);
     put(std::uint8_t(tick.device.gives_force));
   }
   tickFields(put, tick);
   if (oriented) orientationFields(put, pose.orientation);
+  if (oriented && drivesTorque(device_)) eachOf(put, tick.torque_N_mm);
   last_ = tick.settings;
   return ++ticks_in_block_ == kTicksInBlock ? writeBlock() : std::nullopt;
 }
@@ -225,8 +273,12 @@ Expected<ServoRecording> readServoRecording(const std::filesystem::path& file) {
     return Problem{file.string(), 0, 0, tr("this recording is of an earlier version, whose ticks hold less"),
                    tr("record it anew")};
   const bool stateless = std::string_view(*bytes).starts_with(kStatelessMagic);
-  const bool places_only = stateless || std::string_view(*bytes).starts_with(kPlacesMagic);
-  if (bytes->size() < fixed || !(places_only || std::string_view(*bytes).starts_with(kMagic))) return none;
+  Version version;
+  version.orientations = !stateless && !std::string_view(*bytes).starts_with(kPlacesMagic);
+  version.torques = std::string_view(*bytes).starts_with(kMagic);
+  if (bytes->size() < fixed ||
+      (version.orientations && !version.torques && !std::string_view(*bytes).starts_with(kForcesMagic)))
+    return none;
   Getter get{data + kMagic.size(), data + bytes->size()};
   std::uint32_t text_size = 0, build_size = 0, state_size = 0, crc = 0;
   get(text_size), get(build_size), get(state_size);
@@ -239,6 +291,7 @@ Expected<ServoRecording> readServoRecording(const std::filesystem::path& file) {
     return Problem{file.string(), 0, 0, tr("the recording's first lines are damaged"), tr("record it anew")};
 
   ServoRecording recording;
+  recording.torques = version.torques;
   const std::string_view text(data + fixed, text_size);
   for (std::size_t at = 0; at < text.size();) {
     const std::size_t end = std::min(text.find('\n', at), text.size()), equals = text.find('=', at);
@@ -247,7 +300,7 @@ Expected<ServoRecording> readServoRecording(const std::filesystem::path& file) {
           std::string(text.substr(equals + 1, end - equals - 1));
     at = end + 1;
   }
-  if (!places_only && std::string_view(data + fixed + text_size, build_size) == buildName()) {
+  if (version.orientations && std::string_view(data + fixed + text_size, build_size) == buildName()) {
     auto state = stepFromText({data + fixed + text_size + build_size, state_size});
     if (!state) return Problem{file.string(), 0, 0, state.problem().message, state.problem().remedy};
     recording.start = *std::move(state);
@@ -277,7 +330,7 @@ Expected<ServoRecording> readServoRecording(const std::filesystem::path& file) {
     std::vector<RecordedTick> ticks(good ? count : 0);
     for (RecordedTick& tick : ticks) {
       tick.device = device;
-      good = good && readTick(inside, settings, tick, places_only);
+      good = good && readTick(inside, settings, tick, version);
       device = tick.device;
     }
     if (good && ticks.size() > kMostRecordedTicks - recording.ticks.size()) {
@@ -293,6 +346,25 @@ Expected<ServoRecording> readServoRecording(const std::filesystem::path& file) {
   return recording;
 }
 
+std::map<std::string, std::string> sceneLabels(const BallScene& scene, const HeldBody* body) {
+  std::map<std::string, std::string> labels{{"balls", fingerprint(scene)}};
+  if (scene.hasUntouchable()) labels["untouchable"] = rangesText(scene.untouchable());
+  if (body) labels["held"] = rangesText(body->atoms);
+  return labels;
+}
+
+RecordedScene recordedScene(const std::map<std::string, std::string>& labels, std::vector<Ball> balls) {
+  const auto listed = [&](const char* key) {
+    const auto found = labels.find(key);
+    return found == labels.end() ? std::vector<std::uint32_t>() : rangesOf(found->second, balls.size());
+  };
+  RecordedScene out;
+  out.body = heldBody(balls, listed("held"));
+  const std::vector<std::uint32_t> untouchable = listed("untouchable");
+  out.balls = std::make_shared<const BallScene>(std::move(balls), untouchable);
+  return out;
+}
+
 TouchSetup touchOf(const ServoRecording& recording) {
   TouchSetup out = labelledTouch(recording.labels);
   recording.ticks.front().settings.giveTo(out);
@@ -304,10 +376,14 @@ ReplayResult replay(const ServoRecording& recording, Interaction* interaction) {
   ReplayResult out;
   for (const RecordedTick& tick : recording.ticks) {
     if (tick.other_device) step.setDevice(tick.device);
-    const ForceN force = step.tick(tick.settings, interaction, tick.pose, tick.time).force;
-    if (!sameBits(force.N, tick.force.N)) {
+    const ServoSample now = step.tick(tick.settings, interaction, tick.pose, tick.time);
+    const bool same_torque = !recording.torques || sameBits(now.torque_N_mm, tick.torque_N_mm);
+    if (!sameBits(now.force.N, tick.force.N) || !same_torque) {
       if (!out.first_difference) out.first_difference = out.ticks;
-      out.greatest_difference_N = std::max(out.greatest_difference_N, glm::distance(force.N, tick.force.N));
+      out.greatest_difference_N = std::max(out.greatest_difference_N, glm::distance(now.force.N, tick.force.N));
+      if (!same_torque)
+        out.greatest_difference_N_mm =
+            std::max(out.greatest_difference_N_mm, glm::distance(now.torque_N_mm, tick.torque_N_mm));
     }
     ++out.ticks;
     out.moving += tick.spheres_moved;

@@ -1,4 +1,4 @@
-// A recording of the servo loop's ticks: each tick's inputs and its force, and the state from which the first began, so
+// A recording of the servo loop's ticks: each tick's inputs, its force and torque, and the state from which the first began, so
 // that a replay on the same build with the same scene gives the same forces to the last bit. Nothing in memory is a
 // copy of the file's bytes: values are read by name, type and range. docs/devices.md describes the file. Not for the
 // haptic thread, except RecordedTick. Units: millimetre, newton, second.
@@ -13,6 +13,7 @@
 
 #include "engine/core/problem.h"
 #include "engine/haptics/ball_scene.h"
+#include "engine/haptics/body/held_body.h"
 #include "engine/platform/append_file.h"
 #include "engine/servo/servo_step.h"
 
@@ -26,6 +27,7 @@ struct RecordedTick {
   DeviceSpecs device;         ///< of the device that leads
   bool other_device = false;  ///< another device than in the last tick leads
   ForceN force;
+  Vec3 torque_N_mm{0.0};  ///< zero where the device drives none, and in files of earlier versions
   // Results, for watching a recording grow; the file holds only the first and the last of these.
   bool fallen_back = false;  ///< the fallback led because the chosen device was gone
   bool touching = false;
@@ -38,7 +40,8 @@ struct ServoRecording {
   std::map<std::string, std::string> labels;  ///< the recorder's description: "molecule", "method", "device"
   std::optional<ServoStep> start;  ///< none where another build or version made the file; then the forces may differ
   std::vector<RecordedTick> ticks;
-  std::string torn;  ///< the reason why the rest could not be read; empty: the file is complete
+  bool torques = true;  ///< false: of an earlier version, which did not keep them
+  std::string torn;     ///< the reason why the rest could not be read; empty: the file is complete
 };
 
 /// Longer ones are neither written nor read (66 minutes and 40 s; a tick takes 416 bytes of memory).
@@ -69,6 +72,7 @@ class ServoRecordingWriter {
   std::uint64_t kept_ = 0;
   std::optional<Problem> broken_;
   std::optional<ServoSettings> last_;
+  DeviceSpecs device_;  // that leads, as far as it has been written
 };
 
 /// Reads a recording. A file that is no recording gives a Problem, and so do labels or a state that are invalid. A file
@@ -81,13 +85,25 @@ TouchSetup touchOf(const ServoRecording& recording);
 struct ReplayResult {
   std::uint64_t ticks = 0;
   std::uint64_t moving = 0;  ///< those whose spheres moved during the recording and are at rest here
-  /// The first tick whose force differs from the recorded one in any bit.
+  /// The first tick whose force or torque differs from the recorded one in any bit.
   std::optional<std::uint64_t> first_difference;
-  double greatest_difference_N = 0;
+  double greatest_difference_N = 0, greatest_difference_N_mm = 0;
 };
 
-/// Steps the recorded ticks with an interaction made as for the recording (null: none), and compares the forces.
+/// Steps the recorded ticks with an interaction made as for the recording (null: none), and compares forces and torques.
 ReplayResult replay(const ServoRecording& recording, Interaction* interaction);
+
+/// What a recording's labels say of its scene: "balls", a fingerprint that shows whether the molecule has changed since;
+/// "untouchable" and "held", the balls (counted from 0) that are not felt and that the hand holds, where there are such.
+std::map<std::string, std::string> sceneLabels(const BallScene& scene, const HeldBody* body);
+
+struct RecordedScene {
+  std::shared_ptr<const BallScene> balls;
+  std::shared_ptr<const HeldBody> body;  ///< null: the probe
+};
+
+/// The scene of these labels, of its molecule's balls. Labels that name others than there are name none.
+RecordedScene recordedScene(const std::map<std::string, std::string>& labels, std::vector<Ball> balls);
 
 /// The number of balls and all their values in one number (FNV-1a): a recording's label "balls", which shows whether
 /// its molecule has changed since.

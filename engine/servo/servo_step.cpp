@@ -88,7 +88,7 @@ bool ServoStep::moveSurface(const ServoSettings& settings, Interaction& interact
     const double now = interaction.probe_A(), most = kProbeSlew_A_per_s * kTick_s;
     if (goal != now) {
       interaction.setProbe(changed ? goal : now + std::clamp(goal - now, -most, most));
-      moved = true;
+      moved = now > 0.0 || interaction.probe_A() > 0.0;  // a body has none
     }
   }
   const std::uint64_t serial = phase.motion ? phase.motion->serial() : 0;

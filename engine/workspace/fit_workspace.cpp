@@ -7,32 +7,32 @@
 namespace moltact {
 namespace {
 
-// How far before `place` (against `back`, unit: angstrom) a probe from outside meets the surface first; negative:
+// How far before `place` (against `back`, unit: angstrom) what is held meets the surface first from outside; negative:
 // behind it. Nothing is met: 0.
-double surfaceBefore_A(const BallScene& balls, double probe_A, const Vec3& place, const Vec3& back) {
-  const double far = glm::distance(balls.low_A(), balls.high_A()) + 2.0 * probe_A + 1.0 +
+double surfaceBefore_A(const BallScene& balls, const HandShape& held, const Vec3& place, const Vec3& back) {
+  const double far = glm::distance(balls.low_A(), balls.high_A()) + 2.0 * held.reach_A() + 1.0 +
                      glm::distance(place, 0.5 * (balls.low_A() + balls.high_A()));
-  const Hit hit = sweep(balls, probe_A, place + back * far, place - back * far);
+  const Hit hit = sweep(balls, held, place + back * far, place - back * far);
   return hit.ball >= 0 ? far * (1.0 - 2.0 * hit.t) : 0.0;
 }
 
 }  // namespace
 
-Workspace beforeHand(const Workspace& scene, const BallScene& balls, double probe_A, PointA toward,
+Workspace beforeHand(const Workspace& scene, const BallScene& balls, const HandShape& held, PointA toward,
                      const glm::dmat3& rotation, const DeviceSpecs& device) {
   const double depth_mm =
       std::isfinite(device.workspace_mm.z) ? std::max(0.0, device.workspace_mm.z) : DeviceSpecs{}.workspace_mm.z;
   Workspace out = scene;
   out.rotation = rotation;
   const double free_A = out.A_per_mm * std::min(kMostFree_mm, kFreeFraction * depth_mm);
-  out.centre_A = toward.A + rotation[2] * (surfaceBefore_A(balls, probe_A, toward.A, rotation[2]) + free_A);
+  out.centre_A = toward.A + rotation[2] * (surfaceBefore_A(balls, held, toward.A, rotation[2]) + free_A);
   return out;
 }
 
-Workspace drawnBack(const Workspace& now, const BallScene& balls, double probe_A, PointMm hand) {
+Workspace drawnBack(const Workspace& now, const BallScene& balls, const HandShape& held, PointMm hand) {
   Workspace out = now;
   const double before_A =
-      surfaceBefore_A(balls, probe_A, now.toMolecule(hand).A, now.rotation[2]) + kDrawnBack_mm * now.A_per_mm;
+      surfaceBefore_A(balls, held, now.toMolecule(hand).A, now.rotation[2]) + kDrawnBack_mm * now.A_per_mm;
   out.centre_A += now.rotation[2] * std::max(0.0, before_A);
   return out;
 }

@@ -6,6 +6,7 @@
 #include "engine/core/units.h"
 #include "engine/device/device.h"
 #include "engine/haptics/ball_scene.h"
+#include "engine/haptics/body/held_body.h"
 
 namespace moltact {
 
@@ -25,14 +26,14 @@ inline Workspace fitWorkspace(const BallScene& scene) {
 inline constexpr double kFreeFraction = 0.2, kMostFree_mm = 20.0;  ///< this fraction of the workspace's depth, at most
 
 /// The same scale for a held hand, along the axes `rotation`. `toward` lies straight behind the middle of the device's
-/// workspace. The surface that a probe meets first on its path there lies in front of it, kFreeFraction of the
-/// workspace's depth from the middle. Where the probe meets nothing, `toward` itself lies there.
-Workspace beforeHand(const Workspace& scene, const BallScene& balls, double probe_A, PointA toward,
+/// workspace. The surface that what is in the hand meets first on its path there lies in front of it,
+/// kFreeFraction of the workspace's depth from the middle. Where it meets nothing, `toward` itself lies there.
+Workspace beforeHand(const Workspace& scene, const BallScene& balls, const HandShape& held, PointA toward,
                      const glm::dmat3& rotation, const DeviceSpecs& device);
 
-/// For a hand that is inside the molecule: moves the molecule back along the device's z-axis until the probe is
-/// kDrawnBack_mm before it.
-Workspace drawnBack(const Workspace& now, const BallScene& balls, double probe_A, PointMm hand);
+/// For a hand that is inside the molecule: moves the molecule back along the device's z-axis until what is in the hand
+/// is kDrawnBack_mm before it.
+Workspace drawnBack(const Workspace& now, const BallScene& balls, const HandShape& held, PointMm hand);
 
 inline constexpr double kDrawnBack_mm = 5.0;
 

@@ -126,7 +126,7 @@ TEST_CASE(
       interrupted("device record omni 1ubq --seconds 600 --out '" + file.string() + "'", standIn(log), "Recording");
   CHECK(record.status == 0);
   CHECK(contains(contents(log), " N at most, 0 N at the stop"));
-  CHECK(contains(moltact("device replay '" + file.string() + "'").out, "the same forces to the last bit"));
+  CHECK(contains(moltact("device replay '" + file.string() + "'").out, "the same forces and torques to the last bit"));
   fs::remove(log);
   fs::remove(file);
 }

@@ -29,7 +29,7 @@ TEST_CASE("a hand of 1 s recorded on ubiquitin replays to the last bit") {
   CHECK(contains(record.out, "1000 ticks (1.00 s) in a.recording"));
   const Run replay = place.run("device replay a.recording");
   CHECK_MESSAGE(replay.status == 0, replay.err);
-  CHECK(contains(replay.out, "1000 ticks: the same forces to the last bit"));
+  CHECK(contains(replay.out, "1000 ticks: the same forces and torques to the last bit"));
 }
 
 TEST_CASE(
@@ -94,7 +94,7 @@ TEST_CASE(
   fs::resize_file(file, fs::file_size(file) / 2);
   const Run half = place.run("device replay a.recording");
   CHECK(half.status == 1);
-  CHECK(contains(half.out, " ticks: the same forces to the last bit"));
+  CHECK(contains(half.out, " ticks: the same forces and torques to the last bit"));
   CHECK(contains(half.err, "a.recording: the recording breaks off after 0."));
   fs::resize_file(file, headBytes(contents(file)));
   const Run empty = place.run("device replay a.recording");
@@ -135,7 +135,7 @@ TEST_CASE("a recording of an hour ends when the file cannot grow any more, says 
   CHECK(contains(full.err, " s) are kept in the file"));
   const Run replay = place.run("device replay a.recording");
   CHECK(replay.status == 0);
-  CHECK(contains(replay.out, " ticks: the same forces to the last bit"));
+  CHECK(contains(replay.out, " ticks: the same forces and torques to the last bit"));
 }
 
 TEST_CASE("a device that is silent for the whole recording: it is told for how long, and the recording fails") {

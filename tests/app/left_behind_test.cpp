@@ -93,7 +93,9 @@ TEST_CASE(
 
 TEST_CASE("a body whose one end presses on a ball while its middle is in the open is not let go") {
   Touched t;
-  t.scene.servo().setInteraction(std::make_unique<test::RigidPair>(t.scene.stage().balls, kWaterProbe_A));
+  const double radius_A = kWaterProbe_A + kBodyOverlap_A;
+  t.scene.servo().setInteraction(std::make_unique<test::WatchedBody>(
+      t.scene.stage().balls, std::vector<Ball>{{{1.5, 0, 0}, radius_A}, {{-1.5, 0, 0}, radius_A}}));
   t.hold({4.8, 0, 0});
   REQUIRE_FALSE(t.scene.log().touching());
   const std::uint32_t placed = t.now().discontinuities;

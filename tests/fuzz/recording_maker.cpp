@@ -138,7 +138,7 @@ void changeTick(RecordedTick& tick, Choices& choices) {
       tick.pose.connected = !tick.pose.connected;
       break;
     case 6:
-      tick.force.N = oddPlace(tick.force.N, choices);
+      (choices.pick(2) ? tick.force.N : tick.torque_N_mm) = oddPlace(tick.force.N, choices);
       break;
     default:
       tick.pose.fresh = !tick.pose.fresh;
@@ -171,7 +171,7 @@ RecordingParts partsOf(const std::string& recording) {
 }
 
 std::string RecordingParts::file() const {
-  std::string out = "MOLTRAC4";
+  std::string out = "MOLTRAC5";
   number(out, std::uint32_t(labels.size())), number(out, std::uint32_t(build.size())),
       number(out, std::uint32_t(state.size()));
   out += labels + build + state;

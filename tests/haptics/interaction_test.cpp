@@ -18,7 +18,8 @@ TEST_CASE("every interaction has a name of its own, is made over a scene and say
     CHECK_FALSE(kind.title.empty());
     CHECK_FALSE(kind.sentence.empty());
     CHECK(findInteractionKind(kind.name) == &kind);
-    const auto felt = kind.make({test::makeScene({{{0, 0, 0}, 1.6}})});
+    const auto balls = test::makeScene({{{0, 0, 0}, 1.6}});
+    const auto felt = kind.make({balls, {}, heldBody(balls->balls(), std::vector<std::uint32_t>{0})});
     REQUIRE(felt);
     // What has no probe says 0 and passes another radius over.
     const bool has_probe = felt->probe_A() != 0.0;
@@ -82,5 +83,7 @@ TEST_CASE("what there is not is not made: neither an interaction nor a method of
   touch = {};
   touch.interaction = "none";
   CHECK_FALSE(makeInteraction({balls, touch}));
+  touch.interaction = bodyInteraction().name;
+  CHECK_FALSE(makeInteraction({balls, touch}));  // no body
   CHECK(findInteractionKind("none") == nullptr);
 }

@@ -80,15 +80,18 @@ void FaultWorld::newTracker() {
   const auto all = methods();
   const Method& method =
       random.uniform(0, 1) < 0.6 ? all.front() : all[std::size_t(random.uniform(0, double(all.size())) * 0.999)];
-  pair_ = nullptr;
+  body_ = nullptr;
   frames_.clear();
   follows_ = true;
   summed_ = false;
   if (seed_ % 5 == 4) {  // a rigid body, not a point
-    auto pair = std::make_unique<RigidPair>(makeScene(scene_.balls), settings.probe_A);
-    pair_ = pair.get();
-    tracker_ = std::move(pair);
-    method_ = "rigid pair";
+    std::vector<Ball> atoms;
+    for (int k = int(random.uniform(2, 7)); k > 0; --k)
+      atoms.push_back({random.direction() * WatchedBody::kArm_A, settings.probe_A + kBodyOverlap_A});
+    auto body = std::make_unique<WatchedBody>(makeScene(scene_.balls), std::move(atoms));
+    body_ = body.get();
+    tracker_ = std::move(body);
+    method_ = "rigid body";
     return;
   }
   tracker_ = method.make(makeScene(scene_.balls), settings.probe_A);
@@ -106,7 +109,7 @@ void FaultWorld::approach() {
     const double radius = ball.radius_A + settings.probe_A;
     if (aside2 < radius * radius) far_A = std::max(far_A, along + std::sqrt(radius * radius - aside2));
   }
-  if (pair_) far_A += RigidPair::kArm_A;
+  if (body_) far_A += 2.0 * WatchedBody::kArm_A;
   const Vec3 away = settings.workspace.toDevice({out * (far_A + 1.0)}).mm;
   lead(away, 150);
   lead(settings.workspace.toDevice({out * (far_A - depth_A)}).mm, 250);
@@ -138,7 +141,7 @@ void FaultWorld::tick(const TickInput& how) {
   const ServoSample sample = step_.tick(settings, bad ? bad.get() : tracker_.get(), pose, how.time, phase);
   ++out_.ticks;
   out_.contact += sample.contact.touching();
-  out_.turned += !bad && pair_ && sample.contact.touching();
+  out_.turned += !bad && body_ && sample.contact.touching();
   cuts_ += sample.limits.has(Limit::EnergyCut);
   judge(sample, how);
   command_ = sample.force;
@@ -147,8 +150,8 @@ void FaultWorld::tick(const TickInput& how) {
   // Without the sensor's steps.
   const PointA place = settings.workspace.toMolecule(model_.position());
   stretch_mm_ = sample.contact.touching() ? glm::distance(sample.contact.scp.A, place.A) / A_per_mm : 0.0;
-  potential_mm2_ = pair_ && sample.contact.touching()
-                       ? pair_->potential_A2(place, pose.orientation) / (A_per_mm * A_per_mm)
+  potential_mm2_ = body_ && sample.contact.touching()
+                       ? body_->potential_A2(place, pose.orientation) / (A_per_mm * A_per_mm)
                    : summed_ && sample.contact.touching() ? pushes_A2(place) / (A_per_mm * A_per_mm)
                                                           : 0.5 * stretch_mm_ * stretch_mm_;
   const bool cut = sample.limits.has(Limit::Clamp) || sample.limits.has(Limit::Heat);
@@ -234,7 +237,7 @@ void FaultWorld::restAfter() {
   const bool faster = fastest[1] > std::max(fastest[0], kRest_m_per_s),
              grown = energy[1] > energy[0] + (known ? kRounding_J : kMade_J) + stiffened_J;
   // Of a body that is pressed beyond the greatest force it is not known what its springs store together.
-  if (pair_ && !known) {
+  if (body_ && !known) {
     out_.body_cuts += cuts_ > 0;
     return judge_.expectAny();
   }

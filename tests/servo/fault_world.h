@@ -94,7 +94,7 @@ class FaultWorld {
   double fraction_ = 1.0;                                    // of it
   bool follows_ = true;                                      // tracker_ goes with the spheres
   bool summed_ = false;                                      // it stores in a spring for each ball
-  RigidPair* pair_ = nullptr;                                // of tracker_, where it is one
+  WatchedBody* body_ = nullptr;                              // of tracker_, where it is one
   Quat orientation_ = kNoRotation;
   Vec3 axis_ = glm::normalize(Vec3(0.3, 0.8, 0.5));
   std::string_view method_;

@@ -15,6 +15,7 @@
 #include "engine/bench/scenes.h"
 #include "engine/device/mouse_device.h"
 #include "engine/device/simulated_device.h"
+#include "engine/haptics/interactions.h"
 #include "engine/haptics/methods.h"
 #include "engine/servo/device_switch.h"
 #include "engine/servo/playback_device.h"
@@ -56,7 +57,7 @@ std::vector<RecordedTick> record(const std::filesystem::path& file) {
     pose.age_s = 1e-6f * float(k % 1000);
     const ServoSample s = step.tick(settings, tracker.get(), pose, time);
     devices.write({s.force});
-    ticks.push_back({settings, pose, time, devices.info(), devices.other(), s.force});
+    ticks.push_back({settings, pose, time, devices.info(), devices.other(), s.force, s.torque_N_mm});
     ticks.back().fallen_back = devices.fallenBack();
     CHECK_FALSE(writer->add(ticks.back()));
   }
@@ -253,7 +254,7 @@ TEST_CASE("a recording of the version before, which knew places alone, is read a
   CHECK_FALSE(writer->finish());
   // Ticks without an orientation and another device are the same in both.
   std::string bytes = bytesOf(file);
-  REQUIRE(bytes.starts_with("MOLTRAC4"));
+  REQUIRE(bytes.starts_with("MOLTRAC5"));
   bytes[7] = '3';
   std::uint32_t head = 20;
   for (std::size_t at = 8; at < 20; at += 4) {
@@ -285,4 +286,69 @@ TEST_CASE("a full disk is told in the first tick that it does not take, not at t
   CHECK(writer->add({}));
   CHECK(writer->finish());
   CHECK(writer->kept() == 0);
+}
+
+TEST_CASE(
+    "a rigid body's recording keeps its pose and torque, and what it says of the scene gives the body back: the replay "
+    "gives both to the last bit, and tells a torque that differs") {
+  const std::vector<Ball> balls{{{0, 0, 0}, 3.0}, {{10, 0, 0}, 1.6}, {{12, 0, 0}, 1.6}, {{12, 2, 0}, 1.6}};
+  const std::vector<std::uint32_t> held{1, 2, 3};
+  const auto scene = std::make_shared<const BallScene>(balls, held);
+  const auto body = heldBody(balls, held);
+  TouchSetup touch;
+  touch.interaction = bodyInteraction().name;
+  const auto felt = makeInteraction({scene, touch, body});
+  DeviceSpecs device = shownForceFigures();
+  device.dof_in = device.dof_out = 6;
+  device.gives_force = true;
+  device.max_torque_N_mm = 400.0;
+  ServoStep step(device);
+  const auto file = scratch("body");
+  auto writer = ServoRecordingWriter::create(file, true);
+  REQUIRE(writer);
+  auto labels = sceneLabels(*scene, body.get());
+  labels.merge(touchLabels(touch));
+  CHECK_FALSE(writer->begin(labels, step));
+  ServoSettings settings;
+  double most_N_mm = 0.0;
+  Vec3 last(0.0);
+  for (int k = 0; k < 3000; ++k) {
+    DevicePose pose{.position = {Vec3(std::max(14.0, 40.0 - 0.02 * k), 0, 0)},
+                    .orientation = glm::angleAxis(2e-4 * k, glm::normalize(Vec3(1, 2, 3)))};
+    const ServoSample s = step.tick(settings, felt.get(), pose);
+    most_N_mm = std::max(most_N_mm, glm::length(s.torque_N_mm));
+    last = s.torque_N_mm;
+    CHECK_FALSE(writer->add({settings, pose, {}, device, k == 0, s.force, s.torque_N_mm}));
+  }
+  CHECK_FALSE(writer->finish());
+  CHECK(most_N_mm > 0.5);
+  Expected<ServoRecording> read = readServoRecording(file);
+  REQUIRE(read);
+  CHECK(read->labels.at("held") == "1-3");
+  CHECK(read->labels.at("untouchable") == "1-3");
+  CHECK(read->ticks.back().torque_N_mm == last);
+  const RecordedScene again = recordedScene(read->labels, balls);
+  REQUIRE(again.body);
+  CHECK(again.body->atoms == held);
+  CHECK(fingerprint(*again.balls) == fingerprint(*scene));
+  const auto replayed = [&] { return replay(*read, makeInteraction({again.balls, touchOf(*read), again.body}).get()); };
+  CHECK_FALSE(replayed().first_difference);
+  read->ticks[2500].torque_N_mm.x += 0.25;
+  CHECK(replayed().first_difference == 2500);
+  CHECK(replayed().greatest_difference_N == 0.0);
+  CHECK(replayed().greatest_difference_N_mm == doctest::Approx(0.25));
+  read->torques = false;  // as of a file of the version before
+  CHECK_FALSE(replayed().first_difference);
+  std::filesystem::remove(file);
+}
+
+TEST_CASE("labels that list balls which there are not, or are no list, name none") {
+  const std::vector<Ball> balls(9, Ball{{0, 0, 0}, 1.0});
+  for (const char* text : {"9", "0-9", "3-2", "2,2", "1-", "x", "1,,2", "-1", "4294967296", "1 2"}) {
+    CAPTURE(text);
+    const RecordedScene scene = recordedScene({{"held", text}, {"untouchable", text}}, balls);
+    CHECK_FALSE(scene.body);
+    CHECK_FALSE(scene.balls->hasUntouchable());
+  }
+  CHECK(recordedScene({{"held", "0,2-4,8"}}, balls).body->atoms == std::vector<std::uint32_t>{0, 2, 3, 4, 8});
 }

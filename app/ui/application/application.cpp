@@ -140,7 +140,7 @@ void Application::enterScene() {
 void Application::beginSceneAgain(std::optional<PointA> before, const std::optional<Quat>& turned,
                                   const std::vector<std::uint32_t>& removed) {
   // What is felt is made anew where other atoms are taken from the hand.
-  if (Stage felt = withUntouchable(scene.restingStage(), atomsOfEither(lesson.untouchable(), removed));
+  if (Stage felt = withUntouchable(scene.restingStage(), atomsOfEither(lesson.untouchable(), removed), lesson.held());
       felt.balls != scene.stage().balls)
     scene.show(std::move(felt), scene.molecule(), facing());
   if (before)
@@ -190,7 +190,7 @@ void Application::takeUp(Loaded loaded) {
   scene.look = lesson.looks();
   scene.setRegion(lesson.region());
   scene.setZoomed(lesson.zoomed());
-  scene.show(withUntouchable(*loaded.stage, lesson.untouchable()), loaded.key, facing());
+  scene.show(withUntouchable(*loaded.stage, lesson.untouchable(), lesson.held()), loaded.key, facing());
   cutOpen();
   for (Extension* e : extensions_->all()) e->sceneChanged();
 }

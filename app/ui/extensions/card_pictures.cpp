@@ -45,7 +45,7 @@ std::string sceneKey(const CardSubject& subject) {
   for (const StyleSpec& style : s.styles)
     styles += std::string(nameOf(style.style)) + ' ' + std::to_string(style.opacity) + ' ' + style.atoms.text() + ',';
   for (const MarkSpec& mark : s.marks) styles += mark.word + ' ' + mark.atoms.text() + ',';
-  return styles + s.hide.text() + '|' + s.untouchable.text() + '|' + s.remove.text() + '|' +
+  return styles + s.hide.text() + '|' + s.untouchable.text() + '|' + s.remove.text() + '|' + s.hold.text() + '|' +
          readingText(subject.molecule.reading) + s.view.text + '|' + (s.cut ? 'c' + s.cut_at.text() : std::string()) +
          '|' + s.highlight.text() + '|' + s.touch.method + '|' + std::to_string(s.touch.probe_A) + '|' + s.colour +
          '|' + std::to_string(s.near_A);
@@ -87,7 +87,8 @@ ViewScene sceneOf(Molecule read, const SceneSpec& spec) {
   if (const auto part = zoomedRegion(spec.view, spec, *scene.molecule, spec.touch.probe_A))
     scene.camera.fit(part->centre, part->radius_A, aspect);
   scene.look.cut = cutOf(spec, *scene.molecule, scene.camera);
-  scene.hip = restingPlace(balls, scene.camera, spec.touch.probe_A);
+  if (spec.hold.given()) scene.body = heldBody(scene.molecule->balls(), heldAtoms(spec, *scene.molecule));
+  scene.hip = restingPlace(balls, scene.camera, scene.body ? scene.body->reach_A : spec.touch.probe_A);
   return scene;
 }
 
@@ -153,33 +154,33 @@ void CardPictures::afterPanels() {
     renderer_.reset();
     return;
   }
-  auto [key, subject] = std::move(queue_.front());
+  auto next = std::move(queue_.front());
   queue_.erase(queue_.begin());
-  job_ = inBackground(
-      [key = std::move(key), subject = std::move(subject), look = look_, folder = options_.cache_folder]() mutable {
-        Job job{std::move(key), std::move(subject), {}, {}, {}};
-        const Expected<std::string> bytes = readFile(job.subject.molecule.file, kLargestFile, "");
-        if (!bytes) return job;
-        if (!folder.empty()) {
-          char name[40];
-          const std::uint64_t hash = fnv1a(*bytes, fnv1a(look + sceneKey(job.subject) + std::string(kDrawnAs)));
-          std::snprintf(name, sizeof name, "card-%016llx.png", static_cast<unsigned long long>(hash));
-          job.kept = folder / name;
-          std::error_code ignored;
-          if (fs::exists(job.kept, ignored))
-            if (Expected<Picture> picture = readPng(job.kept)) {
-              job.picture = *std::move(picture);
-              return job;
-            }
+  job_ = inBackground([key = std::move(next.first), subject = std::move(next.second), look = look_,
+                       folder = options_.cache_folder]() mutable {
+    Job job{std::move(key), std::move(subject), {}, {}, {}};
+    const Expected<std::string> bytes = readFile(job.subject.molecule.file, kLargestFile, "");
+    if (!bytes) return job;
+    if (!folder.empty()) {
+      char name[40];
+      const std::uint64_t hash = fnv1a(*bytes, fnv1a(look + sceneKey(job.subject) + std::string(kDrawnAs)));
+      std::snprintf(name, sizeof name, "card-%016llx.png", static_cast<unsigned long long>(hash));
+      job.kept = folder / name;
+      std::error_code ignored;
+      if (fs::exists(job.kept, ignored))
+        if (Expected<Picture> picture = readPng(job.kept)) {
+          job.picture = *std::move(picture);
+          return job;
         }
-        try {
-          if (Expected<Molecule> molecule = readMolecule(job.subject.molecule))
-            job.scene = sceneOf(*std::move(molecule), job.subject.scene);
-        } catch (const std::exception&) {
-          // A card without a picture; opening the lesson tells why.
-        }
-        return job;
-      });
+    }
+    try {
+      if (Expected<Molecule> molecule = readMolecule(job.subject.molecule))
+        job.scene = sceneOf(*std::move(molecule), job.subject.scene);
+    } catch (const std::exception&) {
+      // A card without a picture; opening the lesson tells why.
+    }
+    return job;
+  });
 }
 
 void CardPictures::finish(Job job) {

@@ -45,7 +45,7 @@ void HandRecorder::drain() {
     if (problem) return;
     if (ticks_ == 0) {
       auto labels = moleculeLabels(lastingName(scene_.molecule(), MoleculeFolders::ofThisComputer()));
-      labels["balls"] = fingerprint(*scene_.stage().balls);
+      labels.merge(sceneLabels(*scene_.stage().balls, scene_.stage().body.get()));
       labels.merge(touchLabels(scene_.touch()));
       labels["device"] = servo.device().name;
       problem = writer_->begin(labels, start);

@@ -147,6 +147,7 @@ Expected<MoleculeKey> moleculeOf(const SceneSpec& scene, const std::filesystem::
 void LessonGuide::meet(std::shared_ptr<const Molecule> molecule, const MoleculeKey& key) {
   highlighted_.clear();
   untouchable_.clear();
+  held_.clear();
   region_.reset();
   zoomed_.reset();
   looks_ = {};
@@ -159,6 +160,7 @@ void LessonGuide::meet(std::shared_ptr<const Molecule> molecule, const MoleculeK
   if (on_stage_ && session_->scene().highlight.given()) highlighted_ = session_->scene().highlight.select(*molecule);
   if (on_stage_) looks_ = looksOf(session_->scene(), *molecule);
   if (on_stage_) untouchable_ = untouchableAtoms(session_->scene(), *molecule);
+  if (on_stage_) held_ = heldAtoms(session_->scene(), *molecule);
   if (on_stage_) annotations_ = annotationsOf(session_->scene(), *molecule);
   annotated_ = molecule;
   if (on_stage_) region_ = magnifiedRegion(session_->scene(), *molecule);

@@ -92,6 +92,8 @@ class LessonGuide {
   void cutFor(const Camera& camera, const Molecule& molecule);
   /// The atoms that the step takes from the hand, ascending.
   const std::vector<std::uint32_t>& untouchable() const { return untouchable_; }
+  /// Those that the hand holds, ascending.
+  const std::vector<std::uint32_t>& held() const { return held_; }
   /// The part of the molecule that the step magnifies.
   const std::optional<Region>& region() const { return region_; }
   /// What the step's view comes close to; nothing where it shows the whole.
@@ -108,7 +110,7 @@ class LessonGuide {
   std::size_t openings_ = 0, drafts_opening_ = 0, drafts_step_ = 0;
   std::size_t scene_seen_ = 0;
   bool scene_changed_ = false, on_stage_ = false;
-  std::vector<std::uint32_t> highlighted_, untouchable_;
+  std::vector<std::uint32_t> highlighted_, untouchable_, held_;
   std::optional<Region> region_, zoomed_;
   AtomsLook looks_;
   mutable std::shared_ptr<const Annotations> annotations_;  // of the molecule that was drawn last

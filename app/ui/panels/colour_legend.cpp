@@ -34,6 +34,7 @@ std::vector<LegendEntry> entriesOf(Application& app) {
       !app.scene.look.colouring && !painted && !namesMarks(app))
     return {};
   std::vector<LegendEntry> entries = of_atoms;
+  if (app.scene.stage().body) entries.push_back({look().viewTheme().probe, tr("carbon in your hand")});
   if (painted) entries.push_back({look().viewTheme().touched, tr("touched")});
   ViewScene marks;
   app.lesson.decorate(marks);

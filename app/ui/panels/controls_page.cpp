@@ -16,6 +16,7 @@ namespace {
 struct Row {
   const char *what, *mouse, *keys;
   const char* left_handed = nullptr;  // with a left-handed mouse; null: the same
+  bool of_body = false;               // told where the hand holds one
 };
 // What is no command but a movement.
 constexpr std::array kRows{
@@ -24,6 +25,8 @@ constexpr std::array kRows{
     Row{N_("Push harder, softer"), N_("wheel while pushing"), N_("+   −")},
     Row{N_("Let go"), N_("release"), N_("Esc")},
     Row{N_("Turn the molecule"), N_("drag right button"), N_("Ctrl + arrows"), N_("drag left button")},
+    Row{N_("Turn what you hold"), N_("Ctrl, drag right button"), N_("Ctrl + Shift + arrows"),
+        N_("Ctrl, drag left button"), true},
     Row{N_("Move the view"), N_("drag middle button"), N_("Shift + arrows")},
     Row{N_("Closer, farther"), N_("wheel"), N_("Page Up, Page Down")},
     Row{N_("Answer a question"), N_("click"), N_("1 to 9, then Enter for several")},
@@ -68,6 +71,7 @@ void drawMovements(const Application& app) {
   ImGui::TableNextRow();
   for (const char* text : {tr("Over the molecule"), tr("Mouse"), tr("Keyboard")}) head(text);
   for (const Row& row : kRows) {
+    if (row.of_body && !app.scene.stage().body) continue;
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
     {

@@ -96,10 +96,13 @@ void forceLabel(const Application& app, const ServoSample& now, const Rectangle&
   recordRectangle("view/force", {x, y}, {x + extent.x, y + extent.y}, text);
 }
 
-const char* hintText(bool has_pressed, bool left_handed, bool fingers) {
+const char* hintText(bool has_pressed, bool left_handed, bool fingers, bool body) {
   if (fingers)
     return has_pressed ? tr("Two fingers turn the molecule and magnify it")
                        : tr("Put a finger on the molecule to push against it");
+  if (has_pressed && body)
+    return left_handed ? tr("Drag with the left button to turn the molecule, with Ctrl to turn what you hold")
+                       : tr("Drag with the right button to turn the molecule, with Ctrl to turn what you hold");
   if (has_pressed)
     return left_handed ? tr("Drag with the left button to turn the molecule, wheel to come closer")
                        : tr("Drag with the right button to turn the molecule, wheel to come closer");
@@ -203,7 +206,8 @@ void drawViewOverlays(Application& app, const Rectangle& view) {
   } else if (const float hint = float(app.scene.controls.hintStrength());
              hint > 0.0f && measured.empty() && !app.scene.playing() && !app.scene.servo().deviceLeads()) {
     above -= l.px(8) + pill("view/hint",
-                            hintText(app.scene.controls.hasPressed(), app.settings.left_handed, app.panels.fingers),
+                            hintText(app.scene.controls.hasPressed(), app.settings.left_handed, app.panels.fingers,
+                                     app.scene.stage().body != nullptr),
                             {view.low.x + margin, bottom}, {0, 1}, words, p.panel, p.quiet, hint);
   }
   if (now.contact.touching() && wantsPushHint(app))

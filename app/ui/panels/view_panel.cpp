@@ -145,6 +145,10 @@ ViewScene seenScene(const Application& app) {
         app.scene.camera.pixel_A(app.scene.camera.distance_A, std::max(1, int(app.layout().view.size().y))) *
         look().px(kArrow_px_per_N);
     scene.probe_A = now.probe_A;
+    if (app.scene.servo().hasOrientation()) {
+      scene.body = app.scene.stage().body;
+      scene.body_orientation = now.orientation;
+    }
   }
   scene.water = app.settings.probe_look != ProbeLook::Ball;
   scene.hand = app.extensions().hand_model.model();
@@ -193,7 +197,7 @@ void drawViewPanel(Application& app) {
   recordRectangle("view", r.low, r.high);
   const ViewInput in = readInput(app, low, size);
   app.scene.controls.update(in, app.scene.camera, app.scene.stage().balls.get(), app.scene.servo_settings,
-                            app.scene.log().latest(), app.scene.servo().mouse());
+                            app.scene.log().latest(), app.scene.servo().mouse(), app.scene.stage().body.get());
   if (app.scene.controls.pressing() && (ImGui::IsItemHovered() || ImGui::IsItemActive()))
     ImGui::SetMouseCursor(ImGuiMouseCursor_None);
 

@@ -13,8 +13,10 @@ namespace {
 // mesh lies inside the spheres, a coarse grid may lie outside (unit: angstrom).
 constexpr double kOutside_A = 1e-3, kFarthestOutside_A = 2.0;
 
-Stage stageOf(std::shared_ptr<const Molecule> molecule, std::span<const std::uint32_t> untouchable) {
+Stage stageOf(std::shared_ptr<const Molecule> molecule, std::span<const std::uint32_t> untouchable,
+              std::span<const std::uint32_t> held) {
   Stage stage;
+  if (!held.empty()) stage.body = heldBody(molecule->balls(), held);
   stage.balls = std::make_shared<const BallScene>(molecule->balls(), untouchable);
   const BallScene& balls = *stage.balls;
   std::size_t felt = 0;
@@ -23,7 +25,8 @@ Stage stageOf(std::shared_ptr<const Molecule> molecule, std::span<const std::uin
     if (felt == 0 || balls.touchable(i)) stage.middle.A += balls[i].centre_A / double(felt == 0 ? balls.size() : felt);
   stage.molecule = std::move(molecule);
   stage.workspace = fitWorkspace(balls);
-  stage.reach_A = 0.5 * glm::distance(balls.low_A(), balls.high_A()) + kLargestProbe_A;
+  stage.reach_A = 0.5 * glm::distance(balls.low_A(), balls.high_A()) +
+                  std::max(kLargestProbe_A, stage.body ? stage.body->reach_A : 0.0);
   return stage;
 }
 
@@ -33,11 +36,18 @@ Expected<Stage> makeStage(Molecule molecule, const std::filesystem::path& file) 
   if (molecule.atoms.empty())
     return Problem{file.string(), 0, 0, tr("there are no atoms to touch"),
                    tr("open a structure file with coordinates")};
-  return stageOf(std::make_shared<const Molecule>(std::move(molecule)), {});
+  return stageOf(std::make_shared<const Molecule>(std::move(molecule)), {}, {});
 }
 
-Stage withUntouchable(const Stage& stage, const std::vector<std::uint32_t>& atoms) {
-  return stage && stage.balls->untouchable() != atoms ? stageOf(stage.molecule, atoms) : stage;
+Stage withUntouchable(const Stage& stage, const std::vector<std::uint32_t>& atoms,
+                      const std::vector<std::uint32_t>& held) {
+  if (!stage) return stage;
+  const std::vector<std::uint32_t> holds = stage.body ? stage.body->atoms : std::vector<std::uint32_t>();
+  return stage.balls->untouchable() == atoms && holds == held ? stage : stageOf(stage.molecule, atoms, held);
+}
+
+HandShape handShape(const Stage& stage, double probe_A, const Quat& orientation) {
+  return stage.body ? HandShape(*stage.body, orientation) : HandShape(probe_A);
 }
 
 Stage movedStage(const Stage& stage, std::vector<Ball> places) {
@@ -57,10 +67,10 @@ void leadToContact(Interaction& made, const Contact& contact, const PoseA& hand)
   made.respond(hand);
 }
 
-std::unique_ptr<Interaction> makeInteraction(const Stage& stage, const TouchSetup& touch, const Contact& contact,
-                                             const PoseA& hand) {
+std::unique_ptr<Interaction> interactionAt(const Stage& stage, const TouchSetup& touch, const Contact& contact,
+                                           const PoseA& hand) {
   if (!stage) return nullptr;
-  std::unique_ptr<Interaction> felt = makeInteraction({stage.balls, touch});
+  std::unique_ptr<Interaction> felt = makeInteraction({stage.balls, touch, stage.body});
   if (felt) leadToContact(*felt, contact, hand);
   return felt;
 }

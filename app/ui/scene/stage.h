@@ -17,6 +17,7 @@ namespace moltact {
 struct Stage {
   std::shared_ptr<const Molecule> molecule;
   std::shared_ptr<const BallScene> balls;
+  std::shared_ptr<const HeldBody> body;  ///< what the hand holds; null: the probe
   Workspace workspace;
   PointA middle;         ///< of the centres of the atoms that can be felt, before which the probe waits
   double reach_A = 0.0;  ///< from the middle, farther than any surface for any probe offered
@@ -27,8 +28,9 @@ struct Stage {
 /// Puts a molecule on the stage. One without atoms gives a problem that names `file`.
 Expected<Stage> makeStage(Molecule molecule, const std::filesystem::path& file);
 
-/// The stage with these atoms (ascending) taken from the hand, and no others.
-Stage withUntouchable(const Stage& stage, const std::vector<std::uint32_t>& atoms);
+/// The stage with these atoms (ascending) not to be felt, and those held as a body, and no others.
+Stage withUntouchable(const Stage& stage, const std::vector<std::uint32_t>& atoms,
+                      const std::vector<std::uint32_t>& held);
 
 /// The same stage with its balls at these places (as many), where they are felt and seen alike.
 Stage movedStage(const Stage& stage, std::vector<Ball> places);
@@ -36,9 +38,12 @@ Stage movedStage(const Stage& stage, std::vector<Ball> places);
 /// Leads an interaction to the contact where the hand is, if there is one, so that it does not begin inside.
 void leadToContact(Interaction& made, const Contact& contact, const PoseA& hand);
 
+/// What the hand holds where it is oriented so: the probe of this radius, or the stage's body.
+HandShape handShape(const Stage& stage, double probe_A, const Quat& orientation);
+
 /// The interaction for the stage, continuing with `contact` where the hand is if there is one, so that a change of
 /// method is not felt as letting go. Null without a stage, and where the setup names what there is not.
-std::unique_ptr<Interaction> makeInteraction(const Stage& stage, const TouchSetup& touch, const Contact& contact,
-                                             const PoseA& hand);
+std::unique_ptr<Interaction> interactionAt(const Stage& stage, const TouchSetup& touch, const Contact& contact,
+                                           const PoseA& hand);
 
 }  // namespace moltact

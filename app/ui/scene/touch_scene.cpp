@@ -11,7 +11,8 @@ namespace moltact {
 namespace {
 
 constexpr double kLeftBehind_s = 0.4;  // contact without cause for so long is let go
-constexpr double kProbeRoom = 2.0;     // so many radii of the probe are seen round the molecule
+constexpr double kProbeRoom = 2.0;     // so many radii of the probe are seen round the molecule,
+constexpr double kBodyRoom = 0.5;      // or so much of a body's reach
 constexpr double kTurned = 1e-9;       // a view that has turned or moved by less has not
 constexpr double kSettle_s = 0.5;      // in which a device that was just chosen tells where its hand is
 constexpr double kByHand_A = 3.5;      // the radius of what is magnified round the probe
@@ -38,6 +39,8 @@ void TouchScene::show(Stage next, const MoleculeKey& molecule, const Facing& fac
   motion_.reset();
   seen_motion_ = 0;
   molecule_ = molecule;
+  if (findInteractionKind(made_with_.interaction)->holds_body != (stage_.body != nullptr))
+    made_with_.interaction = stage_.body ? bodyInteraction().name : interactionKinds().front().name;
   servo_settings.workspace = stage_.workspace;
   log_.clear();
   watch_.begin(stage_, touch());
@@ -48,7 +51,7 @@ void TouchScene::show(Stage next, const MoleculeKey& molecule, const Facing& fac
 }
 
 std::unique_ptr<Interaction> TouchScene::freshInteraction() const {
-  return played_ ? nullptr : makeInteraction(stage_, touch(), Contact{}, PoseA{});
+  return played_ ? nullptr : interactionAt(stage_, touch(), Contact{}, PoseA{});
 }
 
 void TouchScene::play(const std::optional<ServoSample>& sample) {
@@ -136,7 +139,8 @@ Camera TouchScene::cameraFor(const Facing& facing, const std::optional<Region>& 
     std::set_intersection(look.hidden->begin(), look.hidden->end(), unfelt.begin(), unfelt.end(),
                           std::back_inserter(removed));
   }
-  const auto fit = [&] { out.fit(*stage_.molecule, view_aspect_, 0.08, kProbeRoom * servo_settings.probe_A, removed); };
+  const double room_A = stage_.body ? kBodyRoom * stage_.body->reach_A : kProbeRoom * servo_settings.probe_A;
+  const auto fit = [&] { out.fit(*stage_.molecule, view_aspect_, 0.08, room_A, removed); };
   fit();
   facing(out, *stage_.molecule);
   // Another side of the molecule may be wider.
@@ -203,7 +207,8 @@ void TouchScene::layBeforeHand(PointA toward) {
   }
   device_leads_ = servo_.deviceLeads();
   if (device_leads_)
-    fitted = beforeHand(fitted, *stage_.balls, servo_settings.probe_A, toward, axes(camera), servo_.device());
+    fitted = beforeHand(fitted, *stage_.balls, handShape(stage_, servo_settings.probe_A, glm::quat_cast(axes(camera))),
+                        toward, axes(camera), servo_.device());
   servo_settings.workspace = fitted;
   fitted_ = camera;
   fit_left_s_ = kSettle_s;
@@ -216,7 +221,8 @@ void TouchScene::drawBack(double dt_s) {
   if (!device_leads_ || recorded_ || fit_left_s_ <= 0.0 || now.discontinuities != servo_settings.discontinuities ||
       now.contact.fault != Fault::StartedInside)
     return;
-  servo_settings.workspace = drawnBack(servo_settings.workspace, *stage_.balls, now.probe_A, now.hand);
+  servo_settings.workspace =
+      drawnBack(servo_settings.workspace, *stage_.balls, handShape(stage_, now.probe_A, now.orientation), now.hand);
   ++servo_settings.discontinuities;
 }
 
@@ -239,7 +245,9 @@ TouchSetup TouchScene::touch() const {
 void TouchScene::setTouch(const TouchSetup& wanted) {
   TouchSetup next = wanted;
   if (!findMethod(next.method)) next.method = made_with_.method;
-  if (!findInteractionKind(next.interaction)) next.interaction = made_with_.interaction;
+  // A body is held where the stage has one, and there nothing else is.
+  const InteractionKind* kind = findInteractionKind(next.interaction);
+  if (!kind || kind->holds_body != (stage_.body != nullptr)) next.interaction = made_with_.interaction;
   const bool alike = madeAlike(next, made_with_);
   servo_settings.take(next);
   made_with_ = std::move(next);
@@ -258,7 +266,7 @@ void TouchScene::feelAnew() {
   // Each method goes on from the true contact, so that none inherits what another got wrong.
   const Contact& contact = watch_.exact().touching() ? watch_.exact() : log_.latest().contact;
   if (!played_)
-    servo_.setInteraction(makeInteraction(stage_, touch(), contact, {log_.latest().hip, log_.latest().orientation}));
+    servo_.setInteraction(interactionAt(stage_, touch(), contact, {log_.latest().hip, log_.latest().orientation}));
 }
 
 void TouchScene::leadBy(const ServoSettings* recorded) {

@@ -27,7 +27,7 @@ ViewRays viewRays(const Camera& camera, glm::dvec2 size_px) {
 }
 
 void ViewControls::update(const ViewInput& in, Camera& camera, const BallScene* balls, const ServoSettings& settings,
-                          const ServoSample& felt, MouseDevice& mouse) {
+                          const ServoSample& felt, MouseDevice& mouse, const HeldBody* body) {
   const Camera before = camera;
   const glm::dvec2 orbit = in.orbit_px * kOrbit_rad_per_px +
                            glm::dvec2(in.orbit_keys.x, -in.orbit_keys.y) * (kOrbitKeys_rad_per_s * in.dt_s);
@@ -76,7 +76,9 @@ void ViewControls::update(const ViewInput& in, Camera& camera, const BallScene* 
   pointer.dt_s = in.dt_s;
   const PointA before_lead = lead_;
   const glm::dvec2 before_aim_px = hand_.aim_px();
-  lead_ = hand_.lead(pointer, *balls, settings.probe_A);
+  lead_ = hand_.lead(pointer, *balls,
+                     body ? HandShape(*body, settings.workspace.toMolecule({}, orientation_).orientation)
+                          : HandShape(settings.probe_A));
   press_rested_s_ =
       pressing_ && glm::distance(hand_.aim_px(), before_aim_px) < kStill_px ? press_rested_s_ + in.dt_s : 0.0;
   // A hovering hand goes over the molecule, not through what lies between two places of the pointer.

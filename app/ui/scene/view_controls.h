@@ -33,9 +33,9 @@ ViewRays viewRays(const Camera& camera, glm::dvec2 size_px);
 class ViewControls {
  public:
   /// One frame: turns the camera and leads the hand. `balls` may be null: only the camera moves. `felt` is the servo
-  /// loop's last tick.
+  /// loop's last tick. `body`: what the hand holds; null: the probe.
   void update(const ViewInput& input, Camera& camera, const BallScene* balls, const ServoSettings& settings,
-              const ServoSample& felt, MouseDevice& mouse);
+              const ServoSample& felt, MouseDevice& mouse, const HeldBody* body = nullptr);
 
   /// The hand starts again, outside: at a new scene. It comes from `outside_A` in front of the place `before`, toward
   /// the viewer, and aims at that place until the pointer or the keys lead it.

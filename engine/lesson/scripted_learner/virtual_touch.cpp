@@ -9,6 +9,7 @@ namespace moltact {
 
 void VirtualTouch::begin(std::shared_ptr<const Molecule> molecule, const SceneSpec& scene) {
   const std::vector<std::uint32_t> untouchable = untouchableAtoms(scene, *molecule);
+  body_ = scene.hold.given() ? heldBody(molecule->balls(), heldAtoms(scene, *molecule)) : nullptr;
   if (molecule != molecule_ || balls_->untouchable() != untouchable) {
     molecule_ = std::move(molecule);
     balls_ = std::make_shared<const BallScene>(molecule_->balls(), untouchable);
@@ -46,7 +47,7 @@ void VirtualTouch::useMethod(std::string_view name) {
 
 void VirtualTouch::feelWith(const TouchSetup& touch) {
   if (!felt_ || !madeAlike(touch, touch_)) {
-    std::unique_ptr<Interaction> made = makeInteraction({balls_, touch});
+    std::unique_ptr<Interaction> made = makeInteraction({balls_, touch, body_});
     if (!made) return;
     felt_ = std::move(made);
     ++settings_.discontinuities;

@@ -41,6 +41,7 @@ class VirtualTouch {
 
   std::shared_ptr<const Molecule> molecule_;
   std::shared_ptr<const BallScene> balls_;
+  std::shared_ptr<const HeldBody> body_;  // what the hand holds; null: the probe
   std::unique_ptr<Interaction> felt_;
   std::unique_ptr<Interaction> exact_;  // referenceOf() what is felt
   TouchSetup touch_;

@@ -1,0 +1,47 @@
+// What the hand holds, for whoever asks where it meets a scene: the probe's ball, or a rigid body, which is atoms that a
+// scene hands to the student. Built on the window's thread, then never changed. Units: angstrom.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "engine/core/units.h"
+#include "engine/haptics/sweep.h"
+
+namespace moltact {
+
+/// A body's atoms may come so much nearer to those of the scene than their radii say: hydrogen bonds do, and MolProbity
+/// counts as a clash only what overlaps by 0.4 A or more.
+inline constexpr double kBodyOverlap_A = 0.4;
+/// A body of more atoms is refused: each is a contact of its own in every tick.
+inline constexpr std::size_t kMostHeldAtoms = 200;
+
+/// Atoms that move as one with the hand's pose.
+struct HeldBody {
+  std::vector<std::uint32_t> atoms;  ///< which of the molecule's they are, ascending
+  std::vector<Ball> balls;  ///< one for each, from the middle in the molecule's axes; their radii as they are felt
+  PointA middle;            ///< of their centres, in the molecule
+  double reach_A = 0.0;     ///< no surface of it lies farther from the middle
+};
+
+/// The body of these of a scene's balls (ascending). Null where there are none of them, or more than kMostHeldAtoms.
+std::shared_ptr<const HeldBody> heldBody(std::span<const Ball> scene, std::span<const std::uint32_t> atoms);
+
+/// The probe, or a body as it is oriented now.
+struct HandShape {
+  double probe_A = 0.0;
+  const HeldBody* body = nullptr;  ///< null: the probe
+  Quat orientation = kNoRotation;  ///< of a body
+
+  HandShape(double of_probe_A) : probe_A(of_probe_A) {}  // a radius is a probe
+  HandShape(const HeldBody& held, const Quat& oriented) : body(&held), orientation(oriented) {}
+
+  double reach_A() const { return body ? body->reach_A : probe_A; }
+};
+
+/// Where what is in the hand first meets a ball of the scene, when its middle goes from `from` to `to`.
+Hit sweep(const BallScene& scene, const HandShape& hand, const Vec3& from, const Vec3& to) noexcept;
+
+}  // namespace moltact
