@@ -170,8 +170,8 @@ void render(const RenderArguments& arguments) {
   if (const std::vector<std::uint32_t> held = heldAtoms(spec, *scene.molecule); !held.empty()) {
     scene.body = heldBody(scene.molecule->balls(), held);
     if (!scene.body)
-      throw CLI::ValidationError("--hold", "it holds " + std::to_string(held.size()) + " atoms; the most are " +
-                                               std::to_string(kMostHeldAtoms));
+      throw CLI::ValidationError("--in-hand", "it holds " + std::to_string(held.size()) + " atoms; the most are " +
+                                                  std::to_string(kMostHeldAtoms));
     scene.look.hidden = std::make_shared<const std::vector<std::uint32_t>>(
         scene.look.hidden ? atomsOfEither(*scene.look.hidden, held) : held);
   }

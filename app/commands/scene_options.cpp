@@ -79,7 +79,7 @@ CLI::Option* SceneOptions::addPictures(CLI::App& command) {
   command.add_option("--captions", captions, "What stands below the two molecules of --beside: 'wool, silk'");
   command.add_option("--magnify", magnify, "Come close to atoms as a scene does that magnifies them, as a selection");
   command.add_option(
-      "--hold", hold,
+      "--in-hand", in_hand,
       "Atoms that the hand holds as one rigid body, as a selection: 'ligand'; --hip is where its middle is");
   return command.add_option("--view", view,
                             "Look from 'front', 'back', 'left', 'right', 'top', 'bottom' or 'side', at atoms ('facing "
@@ -115,7 +115,7 @@ SceneSpec SceneOptions::scene(const Molecule& molecule) const {
   take("highlight", highlight, scene.highlight);
   take("magnify", magnify, scene.magnify);
   take("hydrogen-bonds", hydrogen_bonds, scene.hydrogen_bonds);
-  take("hold", hold, scene.hold);
+  take("in-hand", in_hand, scene.in_hand);
   if (!captions.empty()) {
     scene.captions = valueOf("captions", captions).words;
     if (molecule.beside_from == 0)

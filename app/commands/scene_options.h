@@ -12,12 +12,12 @@ namespace moltact {
 
 struct SceneOptions {
   std::string mark, highlight, distance, angle, hydrogen_bonds, then, state = "0%";
-  std::string label, arrow, captions, view, magnify, hold;
+  std::string label, arrow, captions, view, magnify, in_hand;
 
   /// Adds what is of the molecule itself, wherever it is seen from: --mark, --highlight, --distance, --angle,
   /// --hydrogen-bonds, --then and --state. It must outlive the parsing, as for addPictures().
   void addMolecules(CLI::App& command);
-  /// Adds what only a picture has: --label, --arrow, --captions, --magnify and --hold; and --view, which is returned.
+  /// Adds what only a picture has: --label, --arrow, --captions, --magnify and --in-hand; and --view, which is returned.
   CLI::Option* addPictures(CLI::App& command);
 
   /// The molecule on its way to the structure of --then, which is read as the first was. Throws CLI::ValidationError with

@@ -245,9 +245,9 @@ SceneSpec readScene(Reading& reading, const MarkdownBlock& block, const SceneSpe
   takeAtoms("hide", scene.hide, scene.places.hide);
   takeAtoms("untouchable", scene.untouchable, scene.places.untouchable);
   takeAtoms("remove", scene.remove, scene.places.remove);
-  takeAtoms("hold", scene.hold, scene.places.hold);
-  if (takes("hold"))
-    scene.touch.interaction = scene.hold.given() ? bodyInteraction().name : interactionKinds().front().name;
+  takeAtoms("in-hand", scene.in_hand, scene.places.in_hand);
+  if (takes("in-hand"))
+    scene.touch.interaction = scene.in_hand.given() ? bodyInteraction().name : interactionKinds().front().name;
   if (takes("near")) scene.near_A = values["near"].number;
   if (takes("colour")) scene.colour = values["colour"].words[0];
   readMarks(values, takes, scene);

@@ -44,7 +44,7 @@ class Check {
         selects(step.scene.hide, places.hide, *molecule);
         selects(step.scene.untouchable, places.untouchable, *molecule);
         selects(step.scene.remove, places.remove, *molecule);
-        selects(step.scene.hold, places.hold, *molecule);
+        selects(step.scene.in_hand, places.in_hand, *molecule);
         holds(step.scene, *molecule);
         selects(step.scene.hydrogen_bonds, places.hydrogen_bonds, *molecule);
         for (const auto* list : {&step.scene.labels, &step.scene.arrows, &step.scene.marks})
@@ -90,11 +90,11 @@ class Check {
   void holds(const SceneSpec& scene, const Molecule& molecule) {
     const std::vector<std::uint32_t> held = heldAtoms(scene, molecule);
     if (held.size() > kMostHeldAtoms)
-      findings_.error(scene.places.hold,
+      findings_.error(scene.places.in_hand,
                       trf("{0} atoms are more than a hand can hold; {1} are the most", held.size(), kMostHeldAtoms),
                       tr("name fewer: a ligand, a side chain"));
     if (!held.empty() && untouchableAtoms(scene, molecule).size() == molecule.atoms.size())
-      findings_.error(scene.places.hold, tr("the hand holds all there is, and nothing is left to feel"),
+      findings_.error(scene.places.in_hand, tr("the hand holds all there is, and nothing is left to feel"),
                       tr("name fewer atoms"));
   }
 

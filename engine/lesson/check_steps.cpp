@@ -61,9 +61,9 @@ void tasksInScene(const Step& step, Findings& findings) {
     const TaskKind* kind = findTaskKind(task.kind);
     std::vector<Problem> problems;
     if (kind && kind->check_scene) kind->check_scene(task, step.scene, problems);
-    if (step.scene.hold.given())
+    if (step.scene.in_hand.given())
       findings.error(task.place, tr("a touch task is done with the probe, and here the hand holds a body"),
-                     tr("write 'hold: none' in this step's scene, or put the task into another step"));
+                     tr("write 'in-hand: none' in this step's scene, or put the task into another step"));
     for (Problem& p : problems) findings.error({p.line, p.column}, std::move(p.message), std::move(p.remedy));
   }
 }

@@ -173,7 +173,7 @@ std::vector<KeySpec> sceneKeys() {
        .meaning = "Atoms that are taken out of the molecule: neither drawn nor felt, and the view does not count them. "
                   "'none' brings back what an earlier scene took out.",
        .words = {"none"}},
-      {.name = "hold",
+      {.name = "in-hand",
        .type = ValueType::Target,
        .meaning =
            "Atoms that the hand holds as one rigid body, in the place of the probe: a ligand, brought to its "

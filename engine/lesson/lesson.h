@@ -87,7 +87,7 @@ using Block = std::variant<Paragraph, Subheading, ListBlock, Tip, TeacherNote, Q
 
 /// Where the parts of a scene are written. Two scenes that say the same are the same, wherever they say it.
 struct ScenePlaces {
-  Place scene, molecule, highlight, magnify, hide, untouchable, remove, hold, cut, then, hydrogen_bonds;
+  Place scene, molecule, highlight, magnify, hide, untouchable, remove, in_hand, cut, then, hydrogen_bonds;
   Place reading;  ///< of what was said last about how the molecule is read; line 0 where nothing was
 
   friend bool operator==(const ScenePlaces&, const ScenePlaces&) { return true; }
@@ -118,7 +118,7 @@ struct SceneSpec {
   Selection hide;                     ///< atoms that are not drawn; may select nothing
   Selection untouchable;              ///< atoms that are not felt; may select nothing
   Selection remove;                   ///< atoms that are neither drawn nor felt; may select nothing
-  Selection hold;                     ///< atoms that the hand holds as a rigid body; may select nothing
+  Selection in_hand;                  ///< atoms that the hand holds as a rigid body; may select nothing
   double near_A = 4.0;                ///< beside other styles: so near to the probe atoms are spheres
   std::vector<std::string> captions;  ///< below a molecule and the one beside it; empty: their names
   std::string colour = "element";     ///< what the atoms' colours tell: a scheme of engine/structure/colouring.h

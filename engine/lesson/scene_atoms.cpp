@@ -36,7 +36,7 @@ std::vector<std::uint32_t> untouchableAtoms(const SceneSpec& scene, const Molecu
 }
 
 std::vector<std::uint32_t> heldAtoms(const SceneSpec& scene, const Molecule& molecule) {
-  return selected(scene.hold, molecule);
+  return selected(scene.in_hand, molecule);
 }
 
 }  // namespace moltact

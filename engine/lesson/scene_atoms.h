@@ -9,10 +9,10 @@
 
 namespace moltact {
 
-/// Atoms that are not drawn where the molecule is: those of `hide`, `remove` and `hold`, ascending.
+/// Atoms that are not drawn where the molecule is: those of `hide`, `remove` and `in-hand`, ascending.
 std::vector<std::uint32_t> hiddenAtoms(const SceneSpec& scene, const Molecule& molecule);
 
-/// Atoms that nothing feels: those of `untouchable`, `remove` and `hold`, ascending.
+/// Atoms that nothing feels: those of `untouchable`, `remove` and `in-hand`, ascending.
 std::vector<std::uint32_t> untouchableAtoms(const SceneSpec& scene, const Molecule& molecule);
 
 /// Atoms that the hand holds, ascending.

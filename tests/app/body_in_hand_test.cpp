@@ -1,4 +1,4 @@
-// A scene's `hold`: its atoms leave the molecule for the hand, which leads and turns them as one body.
+// A scene's `in-hand`: its atoms leave the molecule for the hand, which leads and turns them as one body.
 #include "tests/app/scripted_user_fixture.h"
 
 namespace moltact {
@@ -14,8 +14,8 @@ TEST_CASE(
     "body, and the next step puts them back for the probe") {
   Scratch scratch;
   const auto file = scratch.file("mine.md", kHead +
-                                                "## One\n```scene\nmolecule: 1hpv\nhold: ligand\n```\nText.\n"
-                                                "## Two\n```scene\nhold: none\n```\nText.\n");
+                                                "## One\n```scene\nmolecule: 1hpv\nin-hand: ligand\n```\nText.\n"
+                                                "## Two\n```scene\nin-hand: none\n```\nText.\n");
   auto d = startWith(file.string());
   TouchScene& scene = d->app().scene;
   REQUIRE(scene.stage().body);

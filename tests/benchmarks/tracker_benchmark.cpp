@@ -12,6 +12,7 @@
 
 #include "engine/bench/hip_paths.h"
 #include "engine/bench/scenes.h"
+#include "engine/haptics/body/rigid_body.h"
 #include "engine/haptics/exact/exact_tracker.h"
 #include "engine/haptics/methods.h"
 #include "engine/haptics/sphere_motion.h"
@@ -87,6 +88,42 @@ void servoTicks(benchmark::State& state) {
     }
   }
   state.counters["touching"] = double(touching) / double(state.iterations());
+}
+
+// A rigid body of as many atoms, 1.5 A apart in a rod as a drug's are, dragged over 3000 balls and turned meanwhile.
+void body(benchmark::State& state) {
+  std::vector<Ball> rod;
+  std::vector<std::uint32_t> all;
+  scenes::Random random(11);
+  for (int k = 0; k < int(state.range(0)); ++k) {
+    rod.push_back({Vec3(0.35 * k, 0, 0) + 1.2 * random.direction(), 1.7});
+    all.push_back(std::uint32_t(k));
+  }
+  const auto held = heldBody(rod, all);
+  static std::map<std::int64_t, std::vector<Vec3>> made;
+  std::vector<Vec3>& hips = made[state.range(0)];
+  if (hips.empty()) hips = bench::slidingPath(scene(3'000), 0.5 * held->reach_A, 0.6, kTicks, 2);
+  RigidBody felt(held, methods().front(), scene(3'000));
+  std::size_t k = 0, touching = 0;
+  double springs = 0.0;
+  const auto begin = [&] {
+    felt.reset();
+    felt.respond({{Vec3(1e4)}});
+  };
+  begin();
+  for (auto _ : state) {
+    const Quat turned = glm::angleAxis(2e-4 * double(k), Vec3(0, 0, 1));
+    touching += felt.respond({{hips[k]}, turned}).contact.touching();
+    springs += felt.parallelSprings();
+    if (++k == hips.size()) {
+      state.PauseTiming();
+      begin();
+      k = 0;
+      state.ResumeTiming();
+    }
+  }
+  state.counters["touching"] = double(touching) / double(state.iterations());
+  state.counters["springs"] = springs / double(state.iterations());
 }
 
 void ready(benchmark::State& state) {
@@ -225,6 +262,7 @@ int main(int argc, char** argv) {
     worst(s, bench::proteinLike(14'000, 1), 20.0);
   })->Unit(benchmark::kMillisecond);
   benchmark::RegisterBenchmark("servo/contact", servoTicks)->Arg(3'000);
+  benchmark::RegisterBenchmark("body/contact", body)->Arg(1)->Arg(35)->Arg(std::int64_t(kMostHeldAtoms));
   benchmark::RegisterBenchmark("ready", ready)->Arg(3'000)->Arg(14'000)->Arg(1'000'000)->Unit(benchmark::kMillisecond);
   benchmark::Initialize(&argc, argv);
   if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;

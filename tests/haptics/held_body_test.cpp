@@ -30,7 +30,7 @@ Quat anyRotation(std::mt19937& random) {
 
 }  // namespace
 
-TEST_CASE("a body is its atoms round their middle, each 0.4 A smaller; more than 200, or none, are no body") {
+TEST_CASE("a body is its atoms round their middle, each 0.5 A smaller; more than 200, or none, are no body") {
   const auto body = heldBody(kBalls, kHeld);
   REQUIRE(body);
   CHECK(body->atoms == kHeld);
@@ -38,10 +38,10 @@ TEST_CASE("a body is its atoms round their middle, each 0.4 A smaller; more than
   Vec3 sum(0.0);
   for (const Ball& b : body->balls) {
     sum += b.centre_A;
-    CHECK(b.radius_A == doctest::Approx(1.2));
+    CHECK(b.radius_A == doctest::Approx(1.1));
   }
   CHECK(glm::length(sum) < 1e-12);
-  CHECK(body->reach_A == doctest::Approx(glm::length(Vec3(4.0 / 3, 2.0 / 3, 0)) + 1.2));
+  CHECK(body->reach_A == doctest::Approx(glm::length(Vec3(4.0 / 3, 2.0 / 3, 0)) + 1.1));
   CHECK_FALSE(heldBody(kBalls, Atoms{}));
   CHECK_FALSE(heldBody(kBalls, Atoms{7}));
   std::vector<Ball> many(201, Ball{{0, 0, 0}, 1.0});
@@ -126,7 +126,8 @@ TEST_CASE(
   CHECK(at(9.0).contact.fault == Fault::None);
   const Response back = at(5.0);
   CHECK(back.contact.fault == Fault::None);
-  CHECK(back.contact.displacement_A.x == doctest::Approx(4.2 - std::hypot(5.0 - 4.0 / 3, 2.0 / 3)).epsilon(0.02));
+  CHECK(back.contact.displacement_A.x ==
+        doctest::Approx(3.0 + kFelt_A - std::hypot(5.0 - 4.0 / 3, 2.0 / 3)).epsilon(0.02));
   felt.reset();
   CHECK_FALSE(at(5.0).felt());
   CHECK(felt.respond({{Vec3(9, 0, 0)}, Quat(0, 0, 0, 0)}).contact.fault == Fault::NotFinite);
@@ -176,7 +177,7 @@ TEST_CASE("a body goes with spheres that move where its method does: a ball that
   REQUIRE(motion);
   // Turned round, so that the bent end points away and the first atom touches with its middle on the axis.
   const auto pull_A = [&](RigidBody& felt) {
-    return felt.respond({{Vec3(4.2 + 4.0 / 3, 2.0 / 3, 0)}, kNoRotation}).contact.displacement_A.x;
+    return felt.respond({{Vec3(3.0 + kFelt_A + 4.0 / 3, 2.0 / 3, 0)}, kNoRotation}).contact.displacement_A.x;
   };
   for (const Method& method : methods()) {
     CAPTURE(std::string(method.name));

@@ -1,6 +1,10 @@
 // The shipped lesson on HIV protease: what can be touched with the drug in the tunnel, and without.
 #include <algorithm>
+#include <array>
+#include <map>
+#include <random>
 
+#include "engine/haptics/body/held_body.h"
 #include "engine/lesson/passable.h"
 #include "tests/lesson/shipped_hand.h"
 
@@ -32,12 +36,12 @@ double nearest_A(const ShippedScene& s, const std::string& one, const std::strin
 }  // namespace
 
 TEST_CASE(
-    "a-drug-in-its-tunnel.md has 8 steps, a place to find in the dark, a drug to miss in the dark, a place to hold in "
+    "a-drug-in-its-tunnel.md has 9 steps, a place to find in the dark, a drug to miss in the dark, a place to hold in "
     "the "
     "tunnel and a key to trace") {
   const Lesson lesson = shippedLesson(kDrug);
   checkCare(lesson);
-  CHECK(lesson.steps.size() == 8);
+  CHECK(lesson.steps.size() == 9);
   CHECK(taskOf(lesson, "in-or-out", "same").values["remove"].selection.text() == "ligand");
   CHECK(taskOf(lesson, "in-the-dark", "find").values["by"].text == "hold");
   CHECK(tasksOf(lesson, "hold") == 1);
@@ -98,6 +102,78 @@ TEST_CASE(
   CHECK(nearest_A(s, "residue 50", "ligand") == doctest::Approx(3.4).epsilon(0.015));
   CHECK(nearest_A(s, "residue 82", "ligand") == doctest::Approx(3.9).epsilon(0.015));
   CHECK(nearest_A(s, "residue 84", "ligand") == doctest::Approx(3.6).epsilon(0.015));
+}
+
+TEST_CASE(
+    "held as a body 0.5 A smaller, amprenavir touches nothing in its own place, where O3 and OD1 of Asp 25 overlap by "
+    "0.46 "
+    "A; 400 000 small moves and turns from there lead it no farther than 2 A, seed 1") {
+  const std::string says =
+      linesSaying(kDrug, {"all 35 atoms of the medicine", "is felt 0.5 Å smaller", "by up to 0.46 Å",
+                          "400 000 small moves and turns, came no further than 2 Å"});
+  CAPTURE(says);
+  const ShippedScene s("1hpv");
+  const std::vector<Ball> balls = s.molecule->balls();
+  const std::vector<std::uint32_t> held = s.select("ligand");
+  CHECK(held.size() == 35);
+  const auto body = heldBody(balls, held);
+  REQUIRE(body);
+  const BallScene protein(balls, held);
+  double most_A = 0.0;
+  std::string pair;
+  for (const std::uint32_t a : held)
+    protein.visitNear(balls[a].centre_A, balls[a].radius_A, [&](std::uint32_t b, const Ball& ball) {
+      const double over = ball.radius_A + balls[a].radius_A - glm::distance(ball.centre_A, balls[a].centre_A);
+      if (over <= most_A) return;
+      most_A = over;
+      pair = std::string(s.molecule->atoms[a].nameText()) + ' ' + std::string(s.molecule->atoms[b].nameText());
+    });
+  CHECK(most_A == doctest::Approx(0.46).epsilon(0.01));
+  CHECK(pair == "O3 OD1");
+  const auto fits = [&](const Vec3& place, const Quat& turned) {
+    bool free = true;
+    for (const Ball& b : body->balls) {
+      const Vec3 centre = place + turned * b.centre_A;
+      protein.visitNear(centre, b.radius_A, [&](std::uint32_t, const Ball& o) {
+        return free = glm::distance(centre, o.centre_A) >= o.radius_A + b.radius_A;
+      });
+      if (!free) return false;
+    }
+    return true;
+  };
+  REQUIRE(fits(body->middle.A, kNoRotation));
+  // From poses that it has reached, by chance; each of four pieces of a move must be free.
+  struct Reached {
+    Vec3 place;
+    Quat turned;
+  };
+  std::vector<Reached> reached{{body->middle.A, kNoRotation}};
+  std::map<std::array<long, 6>, int> in_cell;
+  std::mt19937 random(1);
+  std::normal_distribution<double> any;
+  double farthest_A = 0.0;
+  for (int n = 0; n < 400'000; ++n) {
+    const Reached from = reached[random() % reached.size()];
+    const double step_A = random() % 2 ? 0.09 : 0.3;
+    const Vec3 move = Vec3(any(random), any(random), any(random)) * step_A;
+    const Vec3 turn = Vec3(any(random), any(random), any(random)) * (0.2 * step_A);
+    Reached to = from;
+    bool free = true;
+    for (int k = 1; k <= 4 && free; ++k) {
+      to.place = from.place + move * (k / 4.0);
+      to.turned = glm::normalize(glm::angleAxis(glm::length(turn) * k / 4.0, glm::normalize(turn)) * from.turned);
+      free = fits(to.place, to.turned);
+    }
+    if (!free) continue;
+    const Vec3 d = (to.place - body->middle.A) / 0.3, a = rotationBetween(kNoRotation, to.turned) / 0.15;
+    std::array<long, 6> cell{};
+    for (int k = 0; k < 3; ++k) cell[std::size_t(k)] = std::lround(d[k]), cell[std::size_t(k + 3)] = std::lround(a[k]);
+    if (++in_cell[cell] > 2) continue;
+    reached.push_back(to);
+    farthest_A = std::max(farthest_A, glm::distance(to.place, body->middle.A));
+  }
+  CHECK(reached.size() > 300);
+  CHECK(farthest_A < 2.05);
 }
 
 TEST_CASE(

@@ -35,13 +35,13 @@ inline Lesson shippedLesson(const std::string& name) {
   return *read.lesson;
 }
 
-/// What every shipped lesson owes a student: a task and a question or a hint in each step, feedback to every choice,
-/// and selections that select atoms.
+/// What every shipped lesson owes a student: a task, or a body in the hand, and a hint in each step, feedback to every
+/// choice, and selections that select atoms.
 inline void checkCare(const Lesson& lesson) {
   for (const Problem& p : checkAgainstMolecules(lesson, shippedMolecule)) FAIL_CHECK(p.text());
   for (const Step& step : lesson.steps) {
     CAPTURE(step.title);
-    CHECK_FALSE(step.tasks.empty());
+    CHECK(step.tasks.empty() == step.scene.in_hand.given());
     bool tip = false;
     for (const Block& b : step.blocks) tip = tip || std::holds_alternative<Tip>(b);
     CHECK(tip);

@@ -113,7 +113,7 @@ void compareScenes(const SceneSpec& a, const SceneSpec& b) {
   for (std::size_t k = 0; k < std::min(a.views.size(), b.views.size()); ++k) CHECK(b.views[k].view == a.views[k].view);
   CHECK(b.hide == a.hide);
   CHECK(b.untouchable == a.untouchable);
-  CHECK(b.hold == a.hold);
+  CHECK(b.in_hand == a.in_hand);
   CHECK(b.remove == a.remove);
   CHECK(b.cut == a.cut);
   CHECK(b.cut_at == a.cut_at);

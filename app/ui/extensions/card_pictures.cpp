@@ -45,7 +45,7 @@ std::string sceneKey(const CardSubject& subject) {
   for (const StyleSpec& style : s.styles)
     styles += std::string(nameOf(style.style)) + ' ' + std::to_string(style.opacity) + ' ' + style.atoms.text() + ',';
   for (const MarkSpec& mark : s.marks) styles += mark.word + ' ' + mark.atoms.text() + ',';
-  return styles + s.hide.text() + '|' + s.untouchable.text() + '|' + s.remove.text() + '|' + s.hold.text() + '|' +
+  return styles + s.hide.text() + '|' + s.untouchable.text() + '|' + s.remove.text() + '|' + s.in_hand.text() + '|' +
          readingText(subject.molecule.reading) + s.view.text + '|' + (s.cut ? 'c' + s.cut_at.text() : std::string()) +
          '|' + s.highlight.text() + '|' + s.touch.method + '|' + std::to_string(s.touch.probe_A) + '|' + s.colour +
          '|' + std::to_string(s.near_A);
@@ -87,7 +87,7 @@ ViewScene sceneOf(Molecule read, const SceneSpec& spec) {
   if (const auto part = zoomedRegion(spec.view, spec, *scene.molecule, spec.touch.probe_A))
     scene.camera.fit(part->centre, part->radius_A, aspect);
   scene.look.cut = cutOf(spec, *scene.molecule, scene.camera);
-  if (spec.hold.given()) scene.body = heldBody(scene.molecule->balls(), heldAtoms(spec, *scene.molecule));
+  if (spec.in_hand.given()) scene.body = heldBody(scene.molecule->balls(), heldAtoms(spec, *scene.molecule));
   scene.hip = restingPlace(balls, scene.camera, scene.body ? scene.body->reach_A : spec.touch.probe_A);
   return scene;
 }

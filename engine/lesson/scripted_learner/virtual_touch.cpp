@@ -9,7 +9,7 @@ namespace moltact {
 
 void VirtualTouch::begin(std::shared_ptr<const Molecule> molecule, const SceneSpec& scene) {
   const std::vector<std::uint32_t> untouchable = untouchableAtoms(scene, *molecule);
-  body_ = scene.hold.given() ? heldBody(molecule->balls(), heldAtoms(scene, *molecule)) : nullptr;
+  body_ = scene.in_hand.given() ? heldBody(molecule->balls(), heldAtoms(scene, *molecule)) : nullptr;
   if (molecule != molecule_ || balls_->untouchable() != untouchable) {
     molecule_ = std::move(molecule);
     balls_ = std::make_shared<const BallScene>(molecule_->balls(), untouchable);
