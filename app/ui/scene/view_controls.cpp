@@ -73,6 +73,9 @@ void ViewControls::update(const ViewInput& in, Camera& camera, const BallScene* 
   pointer.N_per_A = settings.force_on
                         ? in.expected_N_per_mm.value_or(settings.stiffness_N_per_mm) / settings.workspace.A_per_mm
                         : 0.0;
+  // The springs of a body's atoms push together: as hard as so many of one atom would, whose displacement D stores D^2/2.
+  if (const Contact& c = felt.contact; body && c.energy_A2 > 0.0)
+    pointer.N_per_A *= std::max(1.0, 0.5 * glm::dot(c.displacement_A, c.displacement_A) / c.energy_A2);
   pointer.dt_s = in.dt_s;
   const PointA before_lead = lead_;
   const glm::dvec2 before_aim_px = hand_.aim_px();
