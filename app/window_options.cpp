@@ -30,9 +30,11 @@ void addWindowArguments(CLI::App& app, WindowArguments& into) {
 }
 
 int runWindowArguments(const WindowArguments& a) {
-  if (a.screenshot.empty() && a.script.empty())
+  if (a.screenshot.empty() && a.script.empty()) {
+    hideOwnTerminal();
     return runWindow(
         {.file = a.file, .frame_stats = a.frame_stats, .language = a.language, .state_text = a.state_text});
+  }
   OffscreenOptions options{.file = a.file,
                            .screenshot = a.screenshot,
                            .script = a.script,

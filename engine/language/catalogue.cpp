@@ -68,7 +68,7 @@ Expected<const Catalogue*> catalogueOf(std::string_view code, const fs::path& fo
 }
 
 std::string codeOfLocale(std::string_view locale) {
-  const std::string_view code = locale.substr(0, locale.find_first_of("_.@"));
+  const std::string_view code = locale.substr(0, locale.find_first_of("-_.@"));
   return code == "C" || code == "POSIX" ? "en" : std::string(code);
 }
 
@@ -153,10 +153,11 @@ std::string language() {
   return c ? c->code : "en";
 }
 
-std::vector<std::string> systemLanguages() {
+std::vector<std::string> systemLanguages(const std::string& otherwise) {
   std::string locale;
   for (const char* name : {"LC_ALL", "LC_MESSAGES", "LANG"})
     if (const char* value = std::getenv(name); locale.empty() && value) locale = value;
+  if (locale.empty()) locale = otherwise;
   std::vector<std::string> out;
   if (locale.empty()) return out;
   const std::string own = codeOfLocale(locale);
@@ -172,9 +173,9 @@ std::vector<std::string> systemLanguages() {
   return out;
 }
 
-std::string systemLanguage(const fs::path& folder) {
+std::string systemLanguage(const fs::path& folder, const std::string& otherwise) {
   std::error_code error;
-  for (const std::string& code : systemLanguages())
+  for (const std::string& code : systemLanguages(otherwise))
     if (code == "en" || (soundCode(code) && fs::exists(folder / (code + ".mo"), error))) return code;
   return "en";
 }

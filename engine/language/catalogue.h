@@ -89,10 +89,10 @@ std::string language();
 
 /// The codes that the environment asks for, most wanted first, as gettext reads it: $LANGUAGE ("de:fr"), which counts
 /// only where a locale is set, then the first of $LC_ALL, $LC_MESSAGES and $LANG that is not empty ("de_AT.UTF-8" is
-/// "de"). "C" and "POSIX" are "en".
-std::vector<std::string> systemLanguages();
+/// "de"). "C" and "POSIX" are "en". Where none is set it is `otherwise`, a locale too ("de-DE").
+std::vector<std::string> systemLanguages(const std::string& otherwise = {});
 
 /// The first of the system's languages that the folder has; "en" where it has none of them.
-std::string systemLanguage(const std::filesystem::path& folder);
+std::string systemLanguage(const std::filesystem::path& folder, const std::string& otherwise = {});
 
 }  // namespace moltact

@@ -77,6 +77,10 @@ void showStatus(std::string_view line);
 /// True when standard error goes to a terminal and not to a file or a pipe.
 bool standardErrorIsTerminal();
 
+/// Hides the terminal's window where the system opened one for this program alone, as Windows does for one that is
+/// started from the desktop.
+void hideOwnTerminal();
+
 enum class Typed {
   Nothing,  ///< yet
   Line,

@@ -5,6 +5,8 @@
 
 #include "engine/platform/terminal_calls.h"
 
+void moltact::hideOwnTerminal() {}
+
 namespace moltact::platform {
 namespace {
 

@@ -12,6 +12,7 @@ TerminalText err() { return TerminalText(cleanErr()); }
 bool terminalWritten() { return true; }
 void showStatus(std::string_view) {}
 bool standardErrorIsTerminal() { return false; }
+void hideOwnTerminal() {}
 Typed typedLine(std::string&, int) { return Typed::End; }
 
 }  // namespace moltact

@@ -2,6 +2,11 @@
 
 #include "engine/platform/terminal_calls.h"
 
+void moltact::hideOwnTerminal() {
+  DWORD processes[2];
+  if (GetConsoleProcessList(processes, 2) == 1) ShowWindow(GetConsoleWindow(), SW_HIDE);
+}
+
 namespace moltact::platform {
 namespace {
 

@@ -15,7 +15,7 @@ std::string languageOfEnvironment() {
 std::optional<Problem> useLanguage(const std::string& wanted) {
   const std::filesystem::path folder = translationsFolder();
   const std::string asked = wanted.empty() ? languageOfEnvironment() : wanted;
-  return setLanguage(asked.empty() ? systemLanguage(folder) : asked, folder);
+  return setLanguage(asked.empty() ? systemLanguage(folder, systemLocale()) : asked, folder);
 }
 
 }  // namespace moltact

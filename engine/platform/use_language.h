@@ -8,6 +8,9 @@
 
 namespace moltact {
 
+/// The locale that a person has chosen in the system's own settings, "de-DE"; empty where those are the environment's.
+std::string systemLocale();
+
 /// $MOLTACT_LANGUAGE; empty where it is not set.
 std::string languageOfEnvironment();
 

@@ -118,7 +118,10 @@ TEST_CASE("the system's languages are read as gettext reads them") {
   const Variables as_before;
   CHECK(systemLanguages().empty());
   CHECK(systemLanguage(kFolder) == "en");
+  CHECK(systemLanguages("de-DE") == std::vector<std::string>{"de"});  // of a system whose settings say it
+  CHECK(systemLanguage(kFolder, "qq-QQ") == "qq");
   ::setenv("LANG", "qq_QQ.UTF-8", 1);
+  CHECK(systemLanguages("de-DE") == std::vector<std::string>{"qq"});
   CHECK(systemLanguages() == std::vector<std::string>{"qq"});
   CHECK(systemLanguage(kFolder) == "qq");
   ::setenv("LANGUAGE", "fr:qq_XX:en", 1);

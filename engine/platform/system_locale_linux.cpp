@@ -1,0 +1,3 @@
+#include "engine/platform/use_language.h"
+
+std::string moltact::systemLocale() { return {}; }
