@@ -73,8 +73,7 @@ Contact push(const std::shared_ptr<const Molecule>& molecule, const RenderArgume
   std::vector<std::uint32_t> not_felt = arguments.look.left_out.notFelt(*molecule);
   if (body) not_felt = atomsOfEither(not_felt, body->atoms);
   const auto scene = std::make_shared<const BallScene>(molecule->balls(), not_felt);
-  TouchSetup touch = arguments.touch;
-  if (body) touch.interaction = bodyInteraction().name;
+  const TouchSetup touch = settled(arguments.touch, body != nullptr);
   const auto felt = makeInteraction({scene, touch, body});
   const Vec3 from_hip = camera.back();
   const double held_A = body ? body->reach_A : touch.probe_A;
@@ -147,8 +146,9 @@ void render(const RenderArguments& arguments) {
   SceneSpec spec = arguments.says.scene(*scene.molecule);
   spec.molecule = arguments.molecule.named;
   spec.touch = arguments.touch;
-  const std::vector<std::uint32_t> removed = arguments.look.left_out.removed(*scene.molecule);
+  std::vector<std::uint32_t> removed = arguments.look.left_out.removed(*scene.molecule);
   if (!removed.empty()) spec.remove = *parseSelection(arguments.look.left_out.remove);
+  removed = atomsOfEither(removed, heldAtoms(spec, *scene.molecule));
   const double aspect = double(width) / height;
   const auto comeClose = [&](const std::optional<Region>& part) {
     if (part) scene.camera.fit(part->centre, part->radius_A, aspect);

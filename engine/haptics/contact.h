@@ -37,7 +37,7 @@ struct Contact {
   Feature feature = Feature::Free;
   Fault fault = Fault::None;
   Vec3 displacement_A{0.0};  ///< of the spring that is felt, from the HIP: the force over the stiffness. SCP - HIP, but
-                             ///< where a method shades the force; zero without contact
+                             ///< where a method shades the force or several springs pull; zero without contact
   double energy_A2 =
       0.0;  ///< stored, over the stiffness: |displacement|^2 / 2 of a single spring; zero without contact
   std::array<Vec3, 3> normals{Vec3(0.0), Vec3(0.0), Vec3(0.0)};  ///< of the surfaces that hold the SCP, one for each of

@@ -10,14 +10,21 @@
 namespace moltact {
 namespace {
 
+// A sphere that feels the scene: the probe, or an atom of a body. What changes the force of either goes round it here.
+std::unique_ptr<Interaction> makeSphere(const InteractionInput& input, const Method& method, double radius_A) {
+  return method.make(input.balls, radius_A);
+}
+
 std::unique_ptr<Interaction> makeProbe(const InteractionInput& input) {
   const Method* method = findMethod(input.touch.method);
-  return method ? method->make(input.balls, input.touch.probe_A) : nullptr;
+  return method ? makeSphere(input, *method, input.touch.probe_A) : nullptr;
 }
 
 std::unique_ptr<Interaction> makeBody(const InteractionInput& input) {
   const Method* method = findMethod(input.touch.method);
-  return method && input.body ? std::make_unique<RigidBody>(input.body, *method, input.balls) : nullptr;
+  if (!method || !input.body) return nullptr;
+  const auto make = [&](double radius_A) { return makeSphere(input, *method, radius_A); };
+  return std::make_unique<RigidBody>(input.body, make, input.balls->bytes());
 }
 
 constexpr std::array kKinds{
@@ -37,8 +44,13 @@ const InteractionKind* findInteractionKind(std::string_view name) {
   return nullptr;
 }
 
-const InteractionKind& bodyInteraction() {
-  return *std::find_if(kKinds.begin(), kKinds.end(), [](const InteractionKind& k) { return k.holds_body; });
+TouchSetup settled(TouchSetup wanted, bool body) {
+  const InteractionKind* kind = findInteractionKind(wanted.interaction);
+  if (kind && kind->holds_body == body) return wanted;
+  const auto first =
+      std::find_if(kKinds.begin(), kKinds.end(), [&](const InteractionKind& k) { return k.holds_body == body; });
+  wanted.interaction = first->name;
+  return wanted;
 }
 
 std::unique_ptr<Interaction> makeInteraction(const InteractionInput& input) {

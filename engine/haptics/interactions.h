@@ -35,8 +35,9 @@ std::span<const InteractionKind> interactionKinds();
 /// The one of that name, or nullptr.
 const InteractionKind* findInteractionKind(std::string_view name);
 
-/// The kind that a scene with a body in the hand is felt with.
-const InteractionKind& bodyInteraction();
+/// The same with a kind of interaction that goes with what the hand holds: as wanted where that holds a body and there
+/// is one, or neither; else the first that does.
+TouchSetup settled(TouchSetup wanted, bool body);
 
 /// Makes what the setup names; null where there is no such interaction or method, or no body for one that holds it.
 std::unique_ptr<Interaction> makeInteraction(const InteractionInput& input);

@@ -28,7 +28,8 @@ struct TouchSetup {
   friend bool operator==(const TouchSetup&, const TouchSetup&) = default;
 };
 
-/// A text is one of its property's words, and never one that anybody may write: panel, keys and options offer these.
+/// A text is one of its property's words, and never one that anybody may write: panel, keys and options offer these. Only
+/// the interaction of a body is none that is offered: a scene has it by its key `in-hand`.
 using TouchMember = std::variant<double TouchSetup::*, bool TouchSetup::*, std::string TouchSetup::*>;
 /// Of the type that the member has.
 using TouchValue = std::variant<double, bool, std::string>;

@@ -222,7 +222,7 @@ std::optional<Problem> ServoRecordingWriter::add(const RecordedTick& tick) {
                tr("begin another one")};
   const bool other_settings = ticks_in_block_ == 0 || bytesOf(*last_) != bytesOf(tick.settings);
   const DevicePose& pose = tick.pose;
-  const bool oriented = pose.orientation != kNoRotation || tick.torque_N_mm != Vec3(0.0);
+  const bool oriented = pose.orientation != kNoRotation || !sameBits(tick.torque_N_mm, Vec3(0.0));
   Putter put{block_};
   put(std::uint8_t((other_settings ? kSettings : 0) | (pose.fresh ? kFresh : 0) | (pose.connected ? kConnected : 0) |
                    (pose.fault ? kFaultFlag : 0) | (tick.other_device ? kOtherDevice : 0) |

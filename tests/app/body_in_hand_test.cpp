@@ -1,4 +1,5 @@
 // A scene's `in-hand`: its atoms leave the molecule for the hand, which leads and turns them as one body.
+#include "tests/app/command_place.h"
 #include "tests/app/scripted_user_fixture.h"
 
 namespace moltact {
@@ -92,6 +93,22 @@ TEST_CASE(
     d->letGo("Ctrl");
   }
   CHECK(several >= 2);
+}
+
+TEST_CASE("a lesson that has the hand hold 1516 atoms, or none that there are, is told of and touched with the probe") {
+  Scratch scratch;
+  for (const char* atoms : {"protein", "resname ZZZ"}) {
+    CAPTURE(atoms);
+    const auto file =
+        scratch.file("mine.md", kHead + "## One\n```scene\nmolecule: 1hpv\nin-hand: " + atoms + "\n```\nText.\n");
+    auto d = startWith(file.string());
+    CHECK_FALSE(d->app().scene.stage().body);
+    CHECK(d->app().scene.touch().interaction == "probe");
+    CHECK((d->text("messages/text").find("1516 atoms are more than a hand can hold; 200 are the most") !=
+           std::string::npos) == (atoms[0] == 'p'));
+    const Run play = CommandPlace().run("play '" + file.string() + "'");
+    CHECK(play.status <= 1);
+  }
 }
 
 }  // namespace moltact

@@ -103,7 +103,7 @@ void body(benchmark::State& state) {
   static std::map<std::int64_t, std::vector<Vec3>> made;
   std::vector<Vec3>& hips = made[state.range(0)];
   if (hips.empty()) hips = bench::slidingPath(scene(3'000), 0.5 * held->reach_A, 0.6, kTicks, 2);
-  RigidBody felt(held, methods().front(), scene(3'000));
+  RigidBody felt(held, [](double radius_A) { return methods().front().make(scene(3'000), radius_A); });
   std::size_t k = 0, touching = 0;
   double springs = 0.0;
   const auto begin = [&] {

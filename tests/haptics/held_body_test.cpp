@@ -7,6 +7,7 @@
 #include "engine/haptics/body/rigid_body.h"
 #include "engine/haptics/interactions.h"
 #include "engine/haptics/sphere_motion.h"
+#include "engine/haptics/wrapped_interaction.h"
 #include "tests/haptics/walk.h"
 
 using namespace moltact;
@@ -22,6 +23,10 @@ const std::vector<Ball> kBalls{{{0, 0, 0}, 3.0}, {{10, 0, 0}, 1.6}, {{12, 0, 0},
 const Atoms kHeld{1, 2, 3};
 
 std::shared_ptr<const BallScene> scene() { return std::make_shared<const BallScene>(kBalls, kHeld); }
+
+RigidBody::MakeSphere spheres(const Method& method, std::shared_ptr<const BallScene> balls) {
+  return [&method, balls = std::move(balls)](double radius_A) { return method.make(balls, radius_A); };
+}
 
 Quat anyRotation(std::mt19937& random) {
   std::normal_distribution<double> any;
@@ -59,7 +64,7 @@ TEST_CASE("a body of one atom is a probe of its radius in each method, over 1500
   const auto body = heldBody(atom, Atoms{0});
   for (const Method& method : methods()) {
     CAPTURE(std::string(method.name));
-    RigidBody felt(body, method, balls);
+    RigidBody felt(body, spheres(method, balls));
     const auto tracker = method.make(balls, body->balls[0].radius_A);
     int touching = 0, different = 0;
     for (const Vec3& place : scenes::walk(cluster, 1500, 7)) {
@@ -79,7 +84,7 @@ TEST_CASE("force, torque and energy of three atoms on one ball are their springs
   std::mt19937 random(20261123);
   CAPTURE("seed 20261123");
   const auto body = heldBody(kBalls, kHeld);
-  RigidBody felt(body, referenceMethod(), scene());
+  RigidBody felt(body, spheres(referenceMethod(), scene()));
   std::uniform_real_distribution<double> unit(-1.0, 1.0);
   int pressed[4] = {};
   double worst = 0.0;
@@ -118,7 +123,7 @@ TEST_CASE("force, torque and energy of three atoms on one ball are their springs
 TEST_CASE(
     "a body that begins with one atom inside is felt only once all of it is outside at once, and what is no pose "
     "gives no force") {
-  RigidBody felt(heldBody(kBalls, kHeld), referenceMethod(), scene());
+  RigidBody felt(heldBody(kBalls, kHeld), spheres(referenceMethod(), scene()));
   const auto at = [&](double x) { return felt.respond({{Vec3(x, 0, 0)}, kNoRotation}); };
   CHECK(at(5.0).contact.fault == Fault::StartedInside);  // its first atom is 1.3 A to the left of its middle
   CHECK_FALSE(at(5.0).felt());
@@ -181,12 +186,54 @@ TEST_CASE("a body goes with spheres that move where its method does: a ball that
   };
   for (const Method& method : methods()) {
     CAPTURE(std::string(method.name));
-    RigidBody felt(heldBody(kBalls, kHeld), method, scene());
+    RigidBody felt(heldBody(kBalls, kHeld), spheres(method, scene()));
     felt.respond({{Vec3(20, 0, 0)}, kNoRotation});
     pull_A(felt);
     CHECK(felt.setMotion(motion->get()) == method.follows_motion);
     if (!isReference(method)) continue;
     felt.advanceTo(1.0);
     CHECK(pull_A(felt) == doctest::Approx(0.5).epsilon(1e-6));
+  }
+}
+
+// Doubles the pull of a sphere: what a friction or a limit in depth is to a body.
+class Doubled final : public WrappedInteraction {
+ public:
+  using WrappedInteraction::WrappedInteraction;
+  Response respond(const PoseA& pose) noexcept override {
+    Response out = inner().respond(pose);
+    out.contact.displacement_A *= 2.0;
+    out.contact.energy_A2 *= 2.0;
+    return out;
+  }
+};
+
+TEST_CASE("what is put round each sphere of a body is felt in its force, torque and energy: all twice as much") {
+  const auto balls = scene();
+  const auto plain = spheres(referenceMethod(), balls);
+  RigidBody one(heldBody(kBalls, kHeld), plain);
+  RigidBody two(heldBody(kBalls, kHeld), [&](double radius_A) { return std::make_unique<Doubled>(plain(radius_A)); });
+  for (const double x : {9.0, 5.0, 4.8}) {
+    const PoseA pose{{Vec3(x, 0.3, 0)}, kNoRotation};
+    const Response a = one.respond(pose), b = two.respond(pose);
+    CHECK(b.contact.displacement_A == 2.0 * a.contact.displacement_A);
+    CHECK(b.torque_A2 == 2.0 * a.torque_A2);
+    CHECK(b.contact.energy_A2 == 2.0 * a.contact.energy_A2);
+    CHECK((glm::length(a.torque_A2) > 0.1) == (x < 9.0));
+  }
+}
+
+TEST_CASE("memory that all spheres of a body share is counted once, and so are the atoms that they model") {
+  const scenes::Scene cluster = scenes::cluster(200, 5);
+  const auto balls = test::makeScene(cluster.balls);
+  const auto body = heldBody(kBalls, kHeld);
+  TouchSetup touch = settled({}, true);
+  const auto felt = makeInteraction({balls, touch, body});
+  felt->respond({{Vec3(1e3)}, kNoRotation});
+  const std::size_t one = referenceMethod().make(balls, 1.1)->memoryUsage().bytes;
+  CHECK(felt->memoryUsage().bytes < balls->bytes() + 3 * (one - balls->bytes()) + 1000);
+  for (double x = 40.0; x > 0.0; x -= 0.1) {
+    felt->respond({{Vec3(x, 0, 0)}, kNoRotation});
+    CHECK(felt->memoryUsage().atoms_modelled <= 200);
   }
 }

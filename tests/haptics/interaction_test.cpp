@@ -83,7 +83,24 @@ TEST_CASE("what there is not is not made: neither an interaction nor a method of
   touch = {};
   touch.interaction = "none";
   CHECK_FALSE(makeInteraction({balls, touch}));
-  touch.interaction = bodyInteraction().name;
+  touch = settled(touch, true);
   CHECK_FALSE(makeInteraction({balls, touch}));  // no body
   CHECK(findInteractionKind("none") == nullptr);
+}
+
+TEST_CASE(
+    "a setup is settled to what the hand holds: a body's interaction with a body, a probe's without, else as wanted") {
+  TouchSetup wanted;
+  wanted.method = "penalty";
+  wanted.probe_A = 2.5;
+  for (const bool body : {false, true})
+    for (const char* interaction : {"probe", "body", "none"}) {
+      wanted.interaction = interaction;
+      const TouchSetup now = settled(wanted, body);
+      CHECK(findInteractionKind(now.interaction)->holds_body == body);
+      TouchSetup otherwise = now;
+      otherwise.interaction = interaction;
+      CHECK(otherwise == wanted);
+    }
+  CHECK(settled(TouchSetup{}, false) == TouchSetup{});
 }

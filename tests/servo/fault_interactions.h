@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "engine/haptics/body/rigid_body.h"
+#include "engine/haptics/methods.h"
 #include "engine/haptics/wrapped_interaction.h"
 #include "tests/haptics/without_memory.h"
 
@@ -33,7 +34,9 @@ class WatchedBody final : public WrappedInteraction {
   static constexpr double kArm_A = 1.5;
 
   WatchedBody(const std::shared_ptr<const BallScene>& scene, std::vector<Ball> balls)
-      : WrappedInteraction(std::make_unique<RigidBody>(bodyOf(balls), methods().front(), scene)), body_(bodyOf(balls)) {
+      : WrappedInteraction(std::make_unique<RigidBody>(
+            bodyOf(balls), [&](double radius_A) { return methods().front().make(scene, radius_A); })),
+        body_(bodyOf(balls)) {
     for (const Ball& b : body_->balls) atoms_.push_back({b.centre_A, methods().front().make(scene, b.radius_A)});
   }
   Response respond(const PoseA& pose) noexcept override {

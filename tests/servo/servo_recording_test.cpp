@@ -295,8 +295,7 @@ TEST_CASE(
   const std::vector<std::uint32_t> held{1, 2, 3};
   const auto scene = std::make_shared<const BallScene>(balls, held);
   const auto body = heldBody(balls, held);
-  TouchSetup touch;
-  touch.interaction = bodyInteraction().name;
+  const TouchSetup touch = settled({}, true);
   const auto felt = makeInteraction({scene, touch, body});
   DeviceSpecs device = shownForceFigures();
   device.dof_in = device.dof_out = 6;

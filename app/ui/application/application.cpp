@@ -150,7 +150,15 @@ void Application::beginSceneAgain(std::optional<PointA> before, const std::optio
   else
     scene.beginAgain(facing());
   if (!before && !turned) cutOpen();
+  tellUnheld();
   for (Extension* e : extensions_->all()) e->sceneChanged();
+}
+
+// A lesson that nobody checked may ask for more than a hand can hold.
+void Application::tellUnheld() {
+  if (scene.stage().body || lesson.held().empty()) return;
+  messages.warning(
+      trf("{0} atoms are more than a hand can hold; {1} are the most", lesson.held().size(), kMostHeldAtoms));
 }
 
 void Application::tellSteps() {
@@ -192,6 +200,7 @@ void Application::takeUp(Loaded loaded) {
   scene.setZoomed(lesson.zoomed());
   scene.show(withUntouchable(*loaded.stage, lesson.untouchable(), lesson.held()), loaded.key, facing());
   cutOpen();
+  tellUnheld();
   for (Extension* e : extensions_->all()) e->sceneChanged();
 }
 

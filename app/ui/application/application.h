@@ -109,6 +109,7 @@ class Application final : public Opener {
   void cutOpen();     // as the lesson's step asks for
   void enterScene();  // of the lesson's step, where that has changed
   void tellSteps();
+  void tellUnheld();
   void useLanguageAndUnits();  // those of the settings, and their decimal sign
   Layout layoutNow() const;    // with the panels that are open now
   void measureView();

@@ -70,8 +70,8 @@ PointA restingPlace(const BallScene& balls, const Camera& camera, double probe_A
 ViewScene sceneOf(Molecule read, const SceneSpec& spec) {
   ViewScene scene;
   const BallScene balls(read.balls(), untouchableAtoms(spec, read));
-  const std::vector<std::uint32_t> removed =
-      spec.remove.given() ? spec.remove.select(read) : std::vector<std::uint32_t>();
+  const std::vector<std::uint32_t> removed = atomsOfEither(
+      spec.remove.given() ? spec.remove.select(read) : std::vector<std::uint32_t>(), heldAtoms(spec, read));
   scene.molecule = std::make_shared<const Molecule>(std::move(read));
   scene.shown = {ViewPart::Atoms, ViewPart::Target, ViewPart::Probe, ViewPart::Facets};
   scene.probe_A = spec.touch.probe_A;

@@ -121,7 +121,10 @@ std::string HandRecorder::label(const char* key) const {
 
 void HandRecorder::begin() {
   panels_.welcome = false;
-  if (const std::string balls = label("balls"); !balls.empty() && balls != fingerprint(*scene_.stage().balls))
+  const auto labels = sceneLabels(*scene_.stage().balls, scene_.stage().body.get());
+  const bool same = label("held") == (labels.contains("held") ? labels.at("held") : "") &&
+                    (label("balls").empty() || label("balls") == labels.at("balls"));
+  if (!same)
     messages_.warning(tr(
         "What is on the stage is not what the hand was recorded on: it goes as it went, and may meet something else."));
   scene_.endTry();

@@ -17,7 +17,8 @@ namespace moltact {
 
 void drawDepthGauge(Application& app, const Rectangle& view) {
   const ServoSample& now = app.scene.log().latest();
-  const double depth_A = glm::length(now.contact.displacement_A);
+  const bool body = app.scene.stage().body != nullptr;  // its springs' mean, not their sum
+  const double depth_A = body ? glm::distance(now.contact.scp.A, now.hip.A) : glm::length(now.contact.displacement_A);
   if (!app.settings.depth_gauge || !app.scene.shown.has(ViewPart::Hip) || !now.contact.touching() || !(depth_A > 0.0) ||
       !std::isfinite(depth_A))
     return;

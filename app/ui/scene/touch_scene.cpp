@@ -29,6 +29,15 @@ bool sameView(const Camera& a, const Camera& b) {
   return off <= kTurned;
 }
 
+// Nothing that the hand holds, where it is, is inside a ball.
+bool inTheOpen(const Stage& stage, const ServoSample& now, const SphereMotion* motion) {
+  if (!stage.body) return clearanceAt(*stage.balls, now, motion) > 0.0;
+  const BallScene& balls = motion ? motion->sweptBalls() : *stage.balls;
+  return std::all_of(stage.body->balls.begin(), stage.body->balls.end(), [&](const Ball& b) {
+    return clearance(balls, b.radius_A, now.hip.A + now.orientation * b.centre_A, motion, now.fraction) > 0.0;
+  });
+}
+
 }  // namespace
 
 TouchScene::TouchScene(ServoClock clock) : servo_(clock) {}
@@ -39,8 +48,8 @@ void TouchScene::show(Stage next, const MoleculeKey& molecule, const Facing& fac
   motion_.reset();
   seen_motion_ = 0;
   molecule_ = molecule;
-  if (findInteractionKind(made_with_.interaction)->holds_body != (stage_.body != nullptr))
-    made_with_.interaction = stage_.body ? bodyInteraction().name : interactionKinds().front().name;
+  made_with_.interaction = wanted_interaction_;
+  made_with_ = settled(made_with_, stage_.body != nullptr);
   servo_settings.workspace = stage_.workspace;
   log_.clear();
   watch_.begin(stage_, touch());
@@ -206,9 +215,13 @@ void TouchScene::layBeforeHand(PointA toward) {
     fitted.centre_A = toward.A;
   }
   device_leads_ = servo_.deviceLeads();
-  if (device_leads_)
-    fitted = beforeHand(fitted, *stage_.balls, handShape(stage_, servo_settings.probe_A, glm::quat_cast(axes(camera))),
-                        toward, axes(camera), servo_.device());
+  if (device_leads_) {
+    // As the hand is held now, along the axes of this view.
+    const Quat held = glm::quat_cast(axes(camera)) * glm::conjugate(glm::quat_cast(servo_settings.workspace.rotation)) *
+                      log_.latest().orientation;
+    fitted = beforeHand(fitted, *stage_.balls, handShape(stage_, servo_settings.probe_A, held), toward, axes(camera),
+                        servo_.device());
+  }
   servo_settings.workspace = fitted;
   fitted_ = camera;
   fit_left_s_ = kSettle_s;
@@ -245,9 +258,9 @@ TouchSetup TouchScene::touch() const {
 void TouchScene::setTouch(const TouchSetup& wanted) {
   TouchSetup next = wanted;
   if (!findMethod(next.method)) next.method = made_with_.method;
-  // A body is held where the stage has one, and there nothing else is.
-  const InteractionKind* kind = findInteractionKind(next.interaction);
-  if (!kind || kind->holds_body != (stage_.body != nullptr)) next.interaction = made_with_.interaction;
+  if (!findInteractionKind(next.interaction)) next.interaction = made_with_.interaction;
+  wanted_interaction_ = next.interaction;
+  next = settled(std::move(next), stage_.body != nullptr);
   const bool alike = madeAlike(next, made_with_);
   servo_settings.take(next);
   made_with_ = std::move(next);
@@ -378,9 +391,7 @@ FeltTicks TouchScene::advance(double dt_s, double now_s, bool timed) {
 
 void TouchScene::watchLeftBehind(double dt_s) {
   const ServoSample& now = log_.latest();
-  // A body may touch with its rim while its middle is in the open: of it this says nothing.
-  const bool free = stage_ && log_.touching() && !servo_.hasOrientation() &&
-                    clearanceAt(*stage_.balls, now, servo_.motionOf(now).get()) > 0.0;
+  const bool free = stage_ && log_.touching() && inTheOpen(stage_, now, servo_.motionOf(now).get());
   log_.countLeftBehind(free && !controls.pressing(), dt_s);
   if (log_.leftBehind_s() <= kLeftBehind_s) return;
   ++servo_settings.discontinuities;

@@ -160,6 +160,7 @@ class TouchScene {
   MoleculeKey molecule_;
   ServoLink servo_;
   TouchSetup made_with_;  // what the servo loop does itself of it is in servo_settings only
+  std::string wanted_interaction_ = made_with_.interaction;  // which the stage may not bear yet, or no more
   TouchLog log_;
   MethodWatch watch_;
   std::vector<FeltTick> felt_;

@@ -45,7 +45,8 @@ void VirtualTouch::useMethod(std::string_view name) {
   feelWith(touch);
 }
 
-void VirtualTouch::feelWith(const TouchSetup& touch) {
+void VirtualTouch::feelWith(const TouchSetup& wanted) {
+  const TouchSetup touch = settled(wanted, body_ != nullptr);
   if (!felt_ || !madeAlike(touch, touch_)) {
     std::unique_ptr<Interaction> made = makeInteraction({balls_, touch, body_});
     if (!made) return;
