@@ -6,6 +6,7 @@
 #include "engine/bench/scenes.h"
 #include "engine/haptics/body/rigid_body.h"
 #include "engine/haptics/interactions.h"
+#include "engine/haptics/methods.h"
 #include "engine/haptics/sphere_motion.h"
 #include "engine/haptics/wrapped_interaction.h"
 #include "tests/haptics/walk.h"

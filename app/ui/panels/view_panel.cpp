@@ -94,7 +94,7 @@ ViewInput readInput(Application& app, ImVec2 low, glm::dvec2 size) {
   in.size_px = size;
   in.dt_s = app.dt_s();
   const bool active = ImGui::IsItemActive(), hovered = ImGui::IsItemHovered();
-  const int push = app.settings.left_handed ? 1 : 0, turn = 1 - push;
+  const int push = app.settings.left_handed && !app.panels.fingers ? 1 : 0, turn = 1 - push;
   const bool panning = active && (ImGui::IsMouseDown(2) || (ImGui::IsMouseDown(turn) && io.KeyShift));
   const bool turning = active && !panning && ImGui::IsMouseDown(turn);
   Measuring& tool = app.extensions().measuring;
@@ -107,7 +107,9 @@ ViewInput readInput(Application& app, ImVec2 low, glm::dvec2 size) {
     else
       tool.finish();
   }
-  const glm::dvec2 drag(io.MouseDelta.x, io.MouseDelta.y);
+  // The way to the place where the button went down is none of the drag's.
+  const bool begins = ImGui::IsMouseClicked(turn) || ImGui::IsMouseClicked(2);
+  const glm::dvec2 drag = begins ? glm::dvec2(0.0) : glm::dvec2(io.MouseDelta.x, io.MouseDelta.y);
   if (panning) in.pan_px = drag;
   if (turning) (io.KeyCtrl && app.scene.servo().hasOrientation() ? in.hand_px : in.orbit_px) = drag;
   if ((hovered || in.press) && !panning && !turning && ImGui::IsMousePosValid())

@@ -20,7 +20,9 @@
 #include "app/ui/shell/frame_stats.h"
 #include "app/ui/shell/glfw_keys.h"
 #include "app/ui/shell/keyboard_layout.h"
+#include "app/ui/shell/pointers.h"
 #include "app/ui/shell/shell.h"
+#include "app/ui/shell/touch_screen.h"
 #include "engine/language/catalogue.h"
 #include "engine/pack/unpack.h"
 #include "engine/platform/folders.h"
@@ -32,13 +34,15 @@
 namespace moltact {
 namespace {
 
-constexpr double kIdle_s = 0.2;    // between two frames while nothing moves: plots and figures go on
-constexpr int kSettle_frames = 3;  // drawn after the last event, until hovers and popups have come to rest
+constexpr double kIdle_s = 0.2;     // between two frames while nothing moves: plots and figures go on
+constexpr double kFinger_s = 0.05;  // the same while a finger is down, which may come to rest for long
+constexpr int kSettle_frames = 3;   // drawn after the last event, until hovers and popups have come to rest
 
 // What the callbacks reach through the window's pointer.
 struct Link {
   Shell& shell;
   Application& app;
+  Pointers pointers{app, shell.input()};
   int settle = kSettle_frames;
 };
 
@@ -62,13 +66,15 @@ std::string_view layoutInUse(ImGuiKey place) {
   return name ? name : "";
 }
 
+// An X server moves the mouse along with the first finger, in and out of the window too: while one is down no mouse is
+// listened to.
 void connect(GLFWwindow* window) {
   glfwSetCursorPosCallback(window, [](GLFWwindow* w, double x, double y) {
     const glm::dvec2 px = pixelsPerUnit(w);
-    linkOf(w).shell.input().pointer(x * px.x, y * px.y);
+    if (!linkOf(w).pointers.anyFinger()) linkOf(w).pointers.mouse({x * px.x, y * px.y});
   });
   glfwSetCursorEnterCallback(window, [](GLFWwindow* w, int entered) {
-    if (!entered) linkOf(w).shell.input().pointerLeft();
+    if (!entered && !linkOf(w).pointers.anyFinger()) linkOf(w).shell.input().pointerLeft();
   });
   glfwSetMouseButtonCallback(window, [](GLFWwindow* w, int button, int action, int) {
     linkOf(w).shell.input().button(button, action == GLFW_PRESS);
@@ -86,6 +92,18 @@ void connect(GLFWwindow* window) {
   glfwSetDropCallback(window, [](GLFWwindow* w, int count, const char** paths) {
     linkOf(w).app.drop({paths, paths + std::max(0, count)});
   });
+}
+
+void hear(Link& link, const FingerEvent& finger, double now_s) {
+  link.settle = kSettle_frames;
+  switch (finger.kind) {
+    case FingerEvent::Kind::Down:
+      return link.pointers.fingerDown(finger.id, finger.place_px, now_s);
+    case FingerEvent::Kind::Move:
+      return link.pointers.fingerMove(finger.id, finger.place_px);
+    case FingerEvent::Kind::Up:
+      return link.pointers.fingerUp(finger.id);
+  }
 }
 
 class Cursors {
@@ -233,6 +251,7 @@ int runWindow(const WindowOptions& options) {
     const AtExit at_exit(app);
     Link link{shell, app};
     Cursors cursors;
+    TouchScreen touch_screen(window);
     glfwSetWindowUserPointer(window, &link);
     connect(window);
     ImGuiIO& io = ImGui::GetIO();
@@ -257,10 +276,13 @@ int runWindow(const WindowOptions& options) {
       if (busy)
         glfwPollEvents();
       else
-        glfwWaitEventsTimeout(kIdle_s);
+        touch_screen.waitForEvents(link.pointers.anyFinger() ? kFinger_s : kIdle_s);
+      const Clock::time_point now = Clock::now();
+      const double now_s = std::chrono::duration<double>(now.time_since_epoch()).count();
+      for (const FingerEvent& finger : touch_screen.take()) hear(link, finger, now_s);
+      link.pointers.advance(now_s);
       if (link.settle > 0) --link.settle;
 
-      const Clock::time_point now = Clock::now();
       const double dt_s = std::chrono::duration<double>(now - before).count();
       before = now;
       full_screen.show(window, app.panels.full_screen);

@@ -15,14 +15,12 @@
 #include "app/ui/application/application.h"
 #include "app/ui/extensions/extensions.h"
 #include "app/ui/files/user_folders.h"
-#include "app/ui/panels/push_pads.h"
-#include "app/ui/panels/splitters.h"
 #include "app/ui/shell/application_parts.h"
 #include "app/ui/shell/keyboard_layout.h"
 #include "app/ui/shell/page_keys.h"
+#include "app/ui/shell/pointers.h"
 #include "app/ui/shell/shell.h"
 #include "app/ui/shell/window.h"
-#include "app/ui/widgets/fingers.h"
 #include "app/ui/widgets/widget_map.h"
 #include "engine/core/utf8.h"
 #include "engine/language/catalogue.h"
@@ -43,7 +41,7 @@ namespace {
 struct Page {
   Shell shell;
   Application app;
-  Fingers fingers{shell.input()};
+  Pointers pointers{app, shell.input()};
   std::string clipboard, words;
   std::map<ImGuiKey, std::string> layout;  // what keys write, as far as the person has pressed them
   std::array<std::int32_t, 3> touched{-1, -1, -1};
@@ -71,26 +69,6 @@ void feel() {
   page->touched = now;
   constexpr int kShort_ms = 12;
   if (contact.touching() && page->app.scene.controls.pressing()) vibrate(kShort_ms);
-}
-
-bool within(glm::dvec2 at, const Rectangle& r) {
-  return at.x >= double(r.low.x) && at.x < double(r.high.x) && at.y >= double(r.low.y) && at.y < double(r.high.y);
-}
-
-// On the molecule's picture, a pad in it or a panel's edge, and no page or menu over it.
-Fingers::On fingerOn(glm::dvec2 at) {
-  const Application& app = page->app;
-  if (app.panels.welcome || ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel))
-    return Fingers::On::Panel;
-  const auto& all = widgets().all();
-  const auto on = [&](const char* name) {
-    const auto pad = all.find(name);
-    return pad != all.end() && within(at, {pad->second.low, pad->second.high});
-  };
-  for (const char* edge : kPanelEdges)
-    if (on(edge)) return Fingers::On::Edge;
-  if (!within(at, app.layout().view)) return Fingers::On::Panel;
-  return on(kHarderPad) ? Fingers::On::Harder : on(kLighterPad) ? Fingers::On::Lighter : Fingers::On::View;
 }
 
 bool makeContext() {
@@ -144,10 +122,7 @@ EMSCRIPTEN_KEEPALIVE int moltact_frame(int width, int height, double content_sca
   return (app.live() || !page->shell.input().empty() ? 1 : 0) | (ImGui::GetIO().WantTextInput ? 2 : 0);
 }
 
-EMSCRIPTEN_KEEPALIVE void moltact_pointer(double x, double y) {
-  page->app.panels.fingers = false;
-  page->shell.input().pointer(x, y);
-}
+EMSCRIPTEN_KEEPALIVE void moltact_pointer(double x, double y) { page->pointers.mouse({x, y}); }
 EMSCRIPTEN_KEEPALIVE void moltact_pointer_left() { page->shell.input().pointerLeft(); }
 EMSCRIPTEN_KEEPALIVE void moltact_button(int button, int down) { page->shell.input().button(button, down != 0); }
 EMSCRIPTEN_KEEPALIVE void moltact_wheel(double x, double y) { page->shell.input().wheel(x, y); }
@@ -176,13 +151,13 @@ EMSCRIPTEN_KEEPALIVE void moltact_clipboard(const char* utf8) { page->clipboard 
 
 // Fingers: place in pixels, time in seconds.
 EMSCRIPTEN_KEEPALIVE void moltact_finger_down(int id, double x, double y, double now_s) {
-  const moltact::Fingers::On on = moltact::fingerOn({x, y});
-  page->app.panels.fingers = true;
-  page->fingers.down(id, {x, y}, on, now_s, double(ImGui::GetFontSize()));
+  page->pointers.fingerDown(id, {x, y}, now_s);
 }
-EMSCRIPTEN_KEEPALIVE void moltact_finger_move(int id, double x, double y, double) { page->fingers.move(id, {x, y}); }
-EMSCRIPTEN_KEEPALIVE void moltact_finger_up(int id, double) { page->fingers.up(id); }
-EMSCRIPTEN_KEEPALIVE void moltact_fingers(double now_s) { page->fingers.advance(now_s); }
+EMSCRIPTEN_KEEPALIVE void moltact_finger_move(int id, double x, double y, double) {
+  page->pointers.fingerMove(id, {x, y});
+}
+EMSCRIPTEN_KEEPALIVE void moltact_finger_up(int id, double) { page->pointers.fingerUp(id); }
+EMSCRIPTEN_KEEPALIVE void moltact_fingers(double now_s) { page->pointers.advance(now_s); }
 
 // A pen's pressure, 0 to 1, while it pushes on the view: the force at which the push comes to rest.
 EMSCRIPTEN_KEEPALIVE void moltact_pen(double pressure) {

@@ -31,6 +31,8 @@ class Fingers {
   void up(int id);
   /// Once a frame.
   void advance(double now_s);
+  /// On the screen, whatever it does there.
+  bool any() const { return pad_ || !fingers_.empty(); }
 
   static constexpr double kStill_lines = 0.6;  ///< a finger that moves less stays where it is
   static constexpr double kLong_s = 0.5;       ///< so long a finger rests until it tells what lies there
