@@ -106,7 +106,7 @@ TEST_CASE("a lesson that has the hand hold 1516 atoms, or none that there are, i
     CHECK(d->app().scene.touch().interaction == "probe");
     CHECK((d->text("messages/text").find("1516 atoms are more than a hand can hold; 200 are the most") !=
            std::string::npos) == (atoms[0] == 'p'));
-    const Run play = CommandPlace().run("play '" + file.string() + "'");
+    const test::Run play = test::CommandPlace().run("play '" + file.string() + "'");
     CHECK(play.status <= 1);
   }
 }
