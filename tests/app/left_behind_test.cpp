@@ -6,7 +6,6 @@
 
 #include "app/ui/scene/touch_scene.h"
 #include "engine/haptics/sphere_motion.h"
-#include "tests/servo/fault_interactions.h"
 
 namespace moltact {
 namespace {
@@ -14,14 +13,22 @@ namespace {
 constexpr double kFrame_s = 1.0 / 60.0;
 
 struct Touched {
-  Touched() : scene(ServoClock::Frames) {
+  /// The hand holds a body of atoms there that are felt as large as a water molecule; none: the probe.
+  explicit Touched(const std::vector<Vec3>& held = {}) : scene(ServoClock::Frames) {
     Molecule molecule;
     Atom atom;
     atom.radius_A = 1.6;
     molecule.atoms.push_back(atom);
+    std::vector<std::uint32_t> atoms;
+    for (const Vec3& place : held) {
+      atom.position.A = place;
+      atom.radius_A = kWaterProbe_A + kBodyOverlap_A;
+      atoms.push_back(std::uint32_t(molecule.atoms.size()));
+      molecule.atoms.push_back(atom);
+    }
     auto made = makeStage(std::move(molecule), "ball.pdb");
     REQUIRE(made);
-    scene.show(*std::move(made), {"ball.pdb"}, [](Camera&, const Molecule&) {});
+    scene.show(withUntouchable(*made, atoms, atoms), {"ball.pdb"}, [](Camera&, const Molecule&) {});
   }
   /// A second and a half of frames with the hand there.
   void hold(Vec3 place_A, double s = 1.5) {
@@ -92,18 +99,29 @@ TEST_CASE(
 }
 
 TEST_CASE("a body whose one end presses on a ball while its middle is in the open is not let go") {
-  Touched t;
-  const double radius_A = kWaterProbe_A + kBodyOverlap_A;
-  t.scene.servo().setInteraction(std::make_unique<test::WatchedBody>(
-      t.scene.stage().balls, std::vector<Ball>{{{1.5, 0, 0}, radius_A}, {{-1.5, 0, 0}, radius_A}}));
+  Touched t({{1.5, 0, 0}, {-1.5, 0, 0}});
   t.hold({4.8, 0, 0});
   REQUIRE_FALSE(t.scene.log().touching());
   const std::uint32_t placed = t.now().discontinuities;
-  t.hold({4.0, 0, 0});  // an end 1.5 A nearer: 0.5 A inside the inflated ball of 3 A
+  t.hold({4.0, 0, 0});  // an end 1.5 A nearer: 0.5 A inside the ball of 1.6 A that its 1.4 A are felt by
   CHECK(t.scene.log().touching());
   CHECK(glm::length(t.now().contact.displacement_A) == doctest::Approx(0.5).epsilon(0.01));
   CHECK(t.now().discontinuities == placed);
   CHECK(t.scene.watch().tried().empty());  // and no method's error is told of it
+}
+
+TEST_CASE(
+    "a body that was led straight through a ball, and whose atoms wait on its far side, is let go once it is outside") {
+  Touched t({{0, 0, 1.5}, {0, 0, -1.5}});
+  t.hold({0, 0, 8});
+  REQUIRE_FALSE(t.scene.log().touching());
+  t.hold({0, 0, 1}, 0.3);
+  t.hold({0, 0, -2}, 1.0);  // one of its atoms is still inside
+  CHECK(t.scene.log().touching());
+  t.hold({0, 0, -6}, 0.3);
+  CHECK(t.scene.log().touching());
+  t.hold({0, 0, -6}, 1.0);
+  CHECK_FALSE(t.scene.log().touching());
 }
 
 }  // namespace moltact
