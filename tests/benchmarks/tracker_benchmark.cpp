@@ -40,6 +40,16 @@ const std::vector<Vec3>& path(std::size_t count, bool contact) {
   return one;
 }
 
+// The path's next place; behind the last it begins anew, which is not timed.
+template <class Begin>
+void next(benchmark::State& state, std::size_t& k, std::size_t places, const Begin& begin) {
+  if (++k < places) return;
+  state.PauseTiming();
+  begin();
+  k = 0;
+  state.ResumeTiming();
+}
+
 void ticks(benchmark::State& state, const Method* method, bool contact) {
   const auto count = static_cast<std::size_t>(state.range(0));
   const std::vector<Vec3>& hips = path(count, contact);
@@ -48,13 +58,10 @@ void ticks(benchmark::State& state, const Method* method, bool contact) {
   std::size_t k = 0, touching = 0;
   for (auto _ : state) {
     touching += tracker->step({hips[k]}).touching();
-    if (++k == hips.size()) {  // back to the start by way of the outside, as at first
-      state.PauseTiming();
+    next(state, k, hips.size(), [&] {  // by way of the outside, as at first
       tracker->reset();
       tracker->step({Vec3(1e4)});
-      k = 0;
-      state.ResumeTiming();
-    }
+    });
   }
   state.counters["touching"] = double(touching) / double(state.iterations());
   state.counters["atoms_modelled"] = double(tracker->memoryUsage().atoms_modelled);
@@ -80,12 +87,7 @@ void servoTicks(benchmark::State& state) {
   for (auto _ : state) {
     touching +=
         step->tick(settings, tracker.get(), {.position = settings.workspace.toDevice({hips[k]})}).contact.touching();
-    if (++k == hips.size()) {
-      state.PauseTiming();
-      begin();
-      k = 0;
-      state.ResumeTiming();
-    }
+    next(state, k, hips.size(), begin);
   }
   state.counters["touching"] = double(touching) / double(state.iterations());
 }
@@ -115,12 +117,7 @@ void body(benchmark::State& state) {
     const Quat turned = glm::angleAxis(2e-4 * double(k), Vec3(0, 0, 1));
     touching += felt.respond({{hips[k]}, turned}).contact.touching();
     springs += felt.parallelSprings();
-    if (++k == hips.size()) {
-      state.PauseTiming();
-      begin();
-      k = 0;
-      state.ResumeTiming();
-    }
+    next(state, k, hips.size(), begin);
   }
   state.counters["touching"] = double(touching) / double(state.iterations());
   state.counters["springs"] = springs / double(state.iterations());

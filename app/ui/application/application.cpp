@@ -158,7 +158,10 @@ void Application::beginSceneAgain(std::optional<PointA> before, const std::optio
 void Application::tellUnheld() {
   if (scene.stage().body || lesson.held().empty()) return;
   messages.warning(
-      trf("{0} atoms are more than a hand can hold; {1} are the most", lesson.held().size(), kMostHeldAtoms));
+      Problem{lesson.file().string(), lesson.session()->scene().places.in_hand.line, 0,
+              trf("{0} atoms are more than a hand can hold; {1} are the most", lesson.held().size(), kMostHeldAtoms),
+              tr("name fewer: a ligand, a side chain")}
+          .text());
 }
 
 void Application::tellSteps() {
