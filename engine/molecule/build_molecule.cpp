@@ -1,4 +1,4 @@
-// From the atoms of a file to a molecule: the rules of reader.h, the same for PDB and mmCIF.
+// From the atoms of a file to a molecule: the rules of reader.h, the same for every format that names its atoms.
 #include <algorithm>
 #include <cmath>
 #include <functional>

@@ -99,7 +99,8 @@ class TouchScene {
   void setViewAspect(double aspect) { view_aspect_ = aspect; }
 
   /// The atoms go evenly to these places (a ball for each) in so many ticks, while they are touched; the picture follows.
-  /// False while an earlier motion waits to begin, or where the places are none: ask again a frame later.
+  /// False while an earlier motion waits to begin, or where the places are none: ask again a frame later; and without a
+  /// stage, while a hand is played or a force is tried.
   bool moveAtoms(const std::vector<Ball>& to, int ticks);
   /// The atoms are there at once, and what is felt begins anew.
   void placeAtoms(std::vector<Ball> at);
