@@ -92,10 +92,11 @@ class Check {
     if (!view.facing.given() || findings_.enough()) return;
     if (!nearlyAllPresent(presentAtoms(view.facing, scene, molecule), scene, molecule)) return;
     if (!undirected_.insert({view.facing_place.line, view.facing_place.column}).second) return;
-    findings_.warning(view.facing_place,
-                      tr("nearly all atoms that the scene has left cannot be in front of the others; the molecule is seen "
-                         "along its thinnest axis"),
-                      tr("name the atoms that are to be in front, or write 'turned' and angles"));
+    findings_.warning(
+        view.facing_place,
+        tr("nearly all atoms that the scene has left cannot be in front of the others; the molecule is seen "
+           "along its thinnest axis"),
+        tr("name the atoms that are to be in front, or write 'turned' and angles"));
   }
 
   /// The hand holds no more than it can, and something is left to be felt.
@@ -169,7 +170,7 @@ class Check {
   const MoleculeByName& by_name_;
   Findings& findings_;
   std::map<std::pair<std::string, std::string>, Expected<std::shared_ptr<const Molecule>>> found_;  // by name, reading
-  std::set<std::pair<std::size_t, std::size_t>> undirected_;  // places of 'facing' that were warned of
+  std::set<std::pair<std::size_t, std::size_t>> undirected_;          // places of 'facing' that were warned of
   std::set<std::tuple<std::string, std::size_t, std::size_t>> told_;  // what was looked up at which place
 };
 

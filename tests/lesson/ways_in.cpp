@@ -63,8 +63,7 @@ std::vector<Vec3> WaysIn::freeRests(std::uint32_t atom, const std::vector<std::u
   const Ball& own = grown_[atom];
   std::vector<const Ball*> near;
   for (const std::uint32_t i : nearest)
-    if (glm::distance(grown_[i].centre_A, own.centre_A) < grown_[i].radius_A + own.radius_A)
-      near.push_back(&grown_[i]);
+    if (glm::distance(grown_[i].centre_A, own.centre_A) < grown_[i].radius_A + own.radius_A) near.push_back(&grown_[i]);
   std::vector<Vec3> out;
   for (const Vec3& d : restDirections()) {
     const Vec3 place = own.centre_A + d * own.radius_A;

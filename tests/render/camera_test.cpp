@@ -123,7 +123,8 @@ TEST_CASE("fitting a long molecule keeps every ball in the picture and leaves no
 }
 
 TEST_CASE(
-    "a flat molecule of 12 A x 8 A x 1 A, in 50 random poses, is seen along its thinnest axis from the side of that axis's "
+    "a flat molecule of 12 A x 8 A x 1 A, in 50 random poses, is seen along its thinnest axis from the side of that "
+    "axis's "
     "largest component, seed 5; two places leave the camera as it is") {
   std::mt19937 random(5);
   std::normal_distribution<double> any;
