@@ -1,0 +1,25 @@
+// How long the lesson takes: what its author states, and what follows from its text and tasks.
+#include <cmath>
+
+#include "engine/language/catalogue.h"
+#include "engine/language/quantity_text.h"
+#include "engine/lesson/checks.h"
+#include "engine/lesson/minutes.h"
+
+namespace moltact::checks {
+
+void minutes(const Lesson& lesson, Findings& findings) {
+  const LessonMinutes worked_out = minutesOf(lesson);
+  const std::string core = numberText(worked_out.core, decimals(0));
+  if (lesson.minutes > 0 && std::abs(lesson.minutes - worked_out.core) > kMinutesOff * worked_out.core)
+    findings.warning(lesson.minutes_place,
+                     trf("the lesson says {0} minutes, but its core takes about {1}", lesson.minutes, core),
+                     trf("write {0}, or take the line out: the minutes are then worked out", core));
+  if (worked_out.core > kMostCoreMinutes)
+    findings.warning(lesson.minutes_place.line ? lesson.minutes_place : Place{1, 1},
+                     trf("the core of the lesson takes about {0} minutes, more than {1}", core,
+                         numberText(kMostCoreMinutes, decimals(0))),
+                     tr("shorten it, or mark steps as extra with 'extra: yes' in a step block"));
+}
+
+}  // namespace moltact::checks
