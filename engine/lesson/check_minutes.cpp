@@ -1,4 +1,5 @@
 // How long the lesson takes: what its author states, and what follows from its text and tasks.
+#include <algorithm>
 #include <cmath>
 
 #include "engine/language/catalogue.h"
@@ -10,8 +11,10 @@ namespace moltact::checks {
 
 void minutes(const Lesson& lesson, Findings& findings) {
   const LessonMinutes worked_out = minutesOf(lesson);
-  const std::string core = numberText(worked_out.core, decimals(0));
-  if (lesson.minutes > 0 && std::abs(lesson.minutes - worked_out.core) > kMinutesOff * worked_out.core)
+  const std::string core = numberText(std::max(1.0, worked_out.core), decimals(0));
+  // A card shows whole minutes, so that short lessons may be half a minute off.
+  const double off = std::abs(lesson.minutes - std::max(1.0, worked_out.core));
+  if (lesson.minutes > 0 && off > std::max(0.5, kMinutesOff * worked_out.core))
     findings.warning(lesson.minutes_place,
                      trf("the lesson says {0} minutes, but its core takes about {1}", lesson.minutes, core),
                      trf("write {0}, or take the line out: the minutes are then worked out", core));

@@ -4,6 +4,9 @@
 #include <cmath>
 #include <string>
 
+#include "engine/core/utf8.h"
+#include "engine/lesson/letters.h"
+
 namespace moltact {
 namespace {
 
@@ -36,21 +39,15 @@ double countOf(const TaskSpec& task, std::string_view key) {
   return std::max(1.0, std::max(in(key), in(task.kind)));
 }
 
-bool startsWord(char c) {
-  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || (c & 0x80);
-}
-
 /// Words of a text: what blanks part and a letter or a digit stands in.
 std::size_t wordsIn(std::string_view text) {
   std::size_t words = 0;
   bool in_word = false;
-  for (const char c : text) {
-    const bool blank = c == ' ' || c == '\n' || c == '\t';
-    if (blank) in_word = false;
-    if (!in_word && !blank && startsWord(c)) {
-      in_word = true;
-      ++words;
-    }
+  for (const char32_t c : charactersOf(text)) {
+    const bool blank = c == ' ' || c == '\n' || c == '\t' || c == U'\u00a0';
+    const bool counts = isLetter(c);
+    if (counts && !in_word) ++words;
+    in_word = !blank && (in_word || counts);
   }
   return words;
 }
@@ -79,11 +76,14 @@ std::size_t wordsIn(const std::vector<Block>& blocks) {
   return words;
 }
 
-/// The question, its choices, and the feedback that a right answer gets.
+/// The question, its choices, and the feedback that a right answer gets, or the author's own answer.
 std::size_t wordsIn(const Question& question) {
   std::size_t words = wordsIn(question.title) + wordsIn(question.prompt);
   for (const Choice& c : question.choices) words += wordsIn(c.text) + (c.right ? wordsIn(c.feedback) : 0);
-  if (question.answer) words += wordsIn(question.answer->right.text()) + wordsIn(question.answer->model);
+  if (question.answer) {
+    if (question.answer->right.own()) words += wordsIn(question.answer->right.text());
+    words += wordsIn(question.answer->model);
+  }
   return words;
 }
 
@@ -97,7 +97,7 @@ double stepTime_s(const Step& step) {
   return time_s;
 }
 
-int whole(double minutes) { return std::max(1, static_cast<int>(std::ceil(minutes - 1e-9))); }
+int whole(double minutes) { return std::max(1, static_cast<int>(std::lround(minutes))); }
 
 }  // namespace
 
