@@ -247,7 +247,7 @@ std::vector<KeySpec> sceneKeys() {
        .meaning =
            "From where the molecule is seen at first; 'side' is the front, but a long molecule whose end would "
            "look at the student lies "
-           "across; 'facing' turns these atoms to the front; 'turned' turns the molecule by angles to the right, "
+           "across; 'facing' turns these atoms to the front, or shows the molecule along its thinnest axis where they are nearly all that there is; 'turned' turns the molecule by angles to the right, "
            "above and round the line of sight; 'zoom' comes close to atoms.",
        .fallback = "side",
        .words = viewWords()},

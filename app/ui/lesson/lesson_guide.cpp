@@ -209,7 +209,13 @@ std::optional<CutPlane> cutOf(const SceneSpec& scene, const Molecule& molecule, 
 void faceView(Camera& camera, const Molecule& molecule, const ViewSpec& view, const SceneSpec& scene) {
   if (view.facing.given()) {
     const std::vector<std::uint32_t> atoms = presentAtoms(view.facing, scene, molecule);
-    if (!atoms.empty()) camera.face(middleOf(atoms, molecule));
+    if (nearlyAllPresent(atoms, scene, molecule)) {
+      std::vector<Vec3> places_A;
+      for (const std::uint32_t a : atoms) places_A.push_back(molecule.atoms[a].position.A);
+      camera.lookAlongThinnest(places_A);
+    } else if (!atoms.empty()) {
+      camera.face(middleOf(atoms, molecule));
+    }
     return;
   }
   if (view.turned_deg) {
