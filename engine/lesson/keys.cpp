@@ -54,8 +54,8 @@ std::vector<KeySpec> frontMatterKeys() {
        .required = true},
       {.name = "minutes",
        .type = ValueType::Count,
-       .meaning = "How many minutes a student needs.",
-       .required = true,
+       .meaning = "How many minutes the core takes a student. Left out, they are worked out from the lesson, by the "
+                  "[table below](#minutes).",
        .least = 1,
        .most = 600},
       {.name = "level",
@@ -132,6 +132,13 @@ std::vector<KeySpec> stepKeys() {
            .type = ValueType::Word,
            .meaning = "Whether its tasks must be done and its questions answered before the student goes on; left out, "
                       "as the front matter says.",
+           .words = {"yes", "no"}},
+          {.name = "extra",
+           .type = ValueType::Word,
+           .meaning = "Whether the step lies beside the core, as an aside does. `Next` passes over it, and it counts "
+                      "neither for the progress nor for goals. The step before it offers it, and so does the lesson's "
+                      "end. The block stands above the step's scene.",
+           .fallback = "no",
            .words = {"yes", "no"}},
           goalKey()};
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <cstdio>
+#include <optional>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -151,6 +152,12 @@ void head(std::string& out, const ClassSummary& summary) {
       row.text(trcf("column", "{0}#goal {1} right_percent", lesson.name, g + 1));
     }
   for (const LessonSummary& lesson : summary.lessons)
+    if (asksTwice(lesson.lesson)) {
+      row.text(trcf("column", "{0}#d_prime before", lesson.name));
+      row.text(trcf("column", "{0}#d_prime after", lesson.name));
+      row.text(trcf("column", "{0}#d_prime gain", lesson.name));
+    }
+  for (const LessonSummary& lesson : summary.lessons)
     for (const StepOutline& step : lesson.lesson.steps) {
       const std::string place = lesson.name + "#" + step.id;
       row.text(trcf("column", "{0} minutes", place));
@@ -222,6 +229,15 @@ void person(std::string& out, const ClassSummary& summary, const LessonSummary& 
         row.value(100.0 * double(score.first_right) / double(score.answered), 1);
       else
         row.empty();
+    }
+  for (const LessonSummary& lesson : summary.lessons)
+    if (asksTwice(lesson.lesson)) {
+      const SensitivityPair pair = &lesson == &of ? sensitivityPair(lesson.lesson, p) : SensitivityPair{};
+      for (const std::optional<double>& value : {pair.before, pair.after, pair.gain()})
+        if (value)
+          row.value(*value, 3);
+        else
+          row.empty();
     }
   for (const LessonSummary& lesson : summary.lessons)
     for (const StepOutline& step : lesson.lesson.steps) {

@@ -9,6 +9,7 @@
 #include "engine/core/content_hash.h"
 #include "engine/core/random.h"
 #include "engine/language/catalogue.h"
+#include "engine/lesson/tasks/sensitivity.h"
 
 namespace moltact {
 namespace {
@@ -91,11 +92,19 @@ class Counting {
   void operator()(const TaskBegun& e) { p_.tasks[{e.step, e.task}].begun = true; }
   void operator()(const TaskDone& e) {
     TaskScore& task = p_.tasks[{e.step, e.task}];
+    if (task.first_figures.empty()) task.first_figures = e.figures;
     if (task.done) return;
     // Where the tries were used up it was begun and not solved.
     task.begun = true;
     if (!e.solved) return;
-    task = {true, true, e.took_s, e.by, e.figures, std::move(task.drawn), std::move(task.felt)};
+    task = {true,
+            true,
+            e.took_s,
+            e.by,
+            e.figures,
+            std::move(task.drawn),
+            std::move(task.felt),
+            std::move(task.first_figures)};
   }
   void operator()(const CurveKept& e) {
     TaskScore& task = p_.tasks[{e.step, e.task}];
@@ -295,6 +304,7 @@ GoalScore goalScore(const LessonOutline& lesson, const PersonScore& p, std::size
   };
   GoalScore out;
   for (const StepOutline& s : lesson.steps) {
+    if (s.aside) continue;  // nobody owes it
     for (std::size_t t = 0; t < s.tasks.size(); ++t) {
       if (!serves(s.tasks[t].goals)) continue;
       ++out.parts;
@@ -312,6 +322,24 @@ GoalScore goalScore(const LessonOutline& lesson, const PersonScore& p, std::size
       out.first_right += marked && answer->second.first_right;
     }
   }
+  return out;
+}
+
+bool asksTwice(const LessonOutline& lesson) {
+  return std::any_of(lesson.steps.begin(), lesson.steps.end(), [](const StepOutline& s) {
+    return std::any_of(s.tasks.begin(), s.tasks.end(), [](const TaskOutline& t) { return t.asked == "after"; });
+  });
+}
+
+SensitivityPair sensitivityPair(const LessonOutline& lesson, const PersonScore& person) {
+  SensitivityPair out;
+  for (const StepOutline& s : lesson.steps)
+    for (std::size_t t = 0; t < s.tasks.size(); ++t) {
+      const auto task = person.tasks.find({s.id, t});
+      if (s.tasks[t].asked.empty() || task == person.tasks.end()) continue;
+      for (const LoggedFigure& f : task->second.first_figures)
+        if (f.name == kFirstRoundSensitivity) (s.tasks[t].asked == "before" ? out.before : out.after) = f.value;
+    }
   return out;
 }
 

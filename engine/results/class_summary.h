@@ -34,7 +34,8 @@ struct TaskScore {
   double took_s = 0.0;
   InputWay by = InputWay::Mouse;
   std::vector<LoggedFigure> figures;
-  std::optional<CurveKept> drawn, felt;  ///< the first curve drawn, and the last felt
+  std::optional<CurveKept> drawn, felt;     ///< the first curve drawn, and the last felt
+  std::vector<LoggedFigure> first_figures;  ///< of the first time that it came to its end, solved or not
 };
 
 /// One person at one lesson.
@@ -74,6 +75,16 @@ struct GoalScore {
   std::size_t answered = 0, first_right = 0;  ///< of the questions that are marked
 };
 GoalScore goalScore(const LessonOutline& lesson, const PersonScore& person, std::size_t goal);
+
+/// The sensitivity d' in the first round of a task that a lesson asks before and after its explanation.
+struct SensitivityPair {
+  std::optional<double> before, after;  ///< no value where the task has not been done
+  /// No value unless both are known.
+  std::optional<double> gain() const { return before && after ? std::optional(*after - *before) : std::nullopt; }
+};
+SensitivityPair sensitivityPair(const LessonOutline& lesson, const PersonScore& person);
+/// Whether the lesson has a task that it asks before and after.
+bool asksTwice(const LessonOutline& lesson);
 
 struct LessonSummary {
   /// The lesson's file; with its title where another of the class has the same file name.

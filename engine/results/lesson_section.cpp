@@ -411,7 +411,7 @@ std::string lessonSection(const LessonSummary& lesson, bool first) {
                     "</p>";
   tiles(out, lesson);
   peopleTable(out, lesson);
-  out += goalSection(lesson) + misconceptionSection(lesson);
+  out += goalSection(lesson) + gainSection(lesson) + misconceptionSection(lesson);
   byWay(out, lesson);
   questions(out, lesson);
   out += legend(lesson.people);

@@ -38,7 +38,8 @@ LessonOutline outline(const Json& from) {
         StepOutline{text(object(step, "steps"), "id", true), text(step, "title", false), {}, {}});
     s.aside = step.contains("aside") && flag(step, "aside");
     for (const Json& task : listOrNone(step, "tasks"))
-      s.tasks.push_back({text(object(task, "tasks"), "kind", true), text(task, "say", false), goalsOf(task)});
+      s.tasks.push_back({text(object(task, "tasks"), "kind", true), text(task, "say", false), goalsOf(task),
+                         text(task, "asked", false)});
     for (const Json& question : listOrNone(step, "questions")) {
       QuestionOutline& q = s.questions.emplace_back(QuestionOutline{
           text(object(question, "questions"), "id", true), text(question, "text", false), {}, {}, AnswerKind::Marked});

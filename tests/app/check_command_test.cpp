@@ -44,7 +44,7 @@ Run runMoltact(const fs::path& folder, const std::string& arguments) {
 }
 
 const std::string kGood =
-    "---\ntitle: T\nminutes: 5\ngoals: G\nmolecules: argon\nauthor: A\nlicence: L\n---\n"
+    "---\ntitle: T\nminutes: 1\ngoals: G\nmolecules: argon\nauthor: A\nlicence: L\n---\n"
     "## One\n```scene\nmolecule: argon\n```\nText.\n";
 
 }  // namespace

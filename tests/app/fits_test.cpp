@@ -45,7 +45,7 @@ struct Files {
 
   Files() {
     const std::string head = "---\ntitle: " + kLongTitle +
-                             "\nminutes: 5\ngoals: G\nmolecules: 1ubq\nauthor: "
+                             "\nminutes: 1\ngoals: G\nmolecules: 1ubq\nauthor: "
                              "A\nlicence: L\nlocked: all\n---\n";
     const std::string text =
         "## One\n```scene\nmolecule: 1ubq\ncolour: chain\n```\nSee [more](#aside-more).\n## Aside: More\nText.\n## "
@@ -186,7 +186,7 @@ TEST_CASE(
   openFirst(*d);
   d->frames(3);
   checkAllPages(*d, {1024, 768});
-  d->app().open(std::string(MOLTACT_SOURCE_DIR) + "/lessons/haemoglobin-and-haem.md");
+  d->app().open(std::string(MOLTACT_SOURCE_DIR) + "/lessons/four-chains-as-one.md");
   d->app().finishLoading();
   d->frames(20);
   CHECK(cutOff({1024, 768}) == "");

@@ -86,7 +86,7 @@ TEST_CASE("the shelf has one card for a lesson in two languages, in the language
   Scratch scratch;
   const auto text = [](const char* title) {
     return std::string("---\ntitle: ") + title +
-           "\nminutes: 5\ngoals: G\nmolecules: argon\nauthor: A\nlicence: L\n---\n## One\n```scene\nmolecule: "
+           "\nminutes: 1\ngoals: G\nmolecules: argon\nauthor: A\nlicence: L\n---\n## One\n```scene\nmolecule: "
            "argon\n```\nText.\n";
   };
   scratch.file("mine.md", text("Mine"));

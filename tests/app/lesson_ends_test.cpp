@@ -111,7 +111,7 @@ TEST_CASE(
   const ScratchFolder scratch;
   writeFile(
       scratch.path / "way.md",
-      "---\ntitle: A way\nminutes: 5\ngoals: G\nmolecules: argon\nauthor: A\nlicence: L\n---\n"
+      "---\ntitle: A way\nminutes: 1\ngoals: G\nmolecules: argon\nauthor: A\nlicence: L\n---\n"
       "## First\n```scene\nmolecule: argon\n```\nSee [why](#aside-why).\n### Question: Which?\n1. [x] This → Yes.\n"
       "2. [ ] That → No.\n```answer\nif right: skip #easier\n```\n"
       "## Easier\nText.\n## Last\nText.\n## Aside: Why\nText.\n");

@@ -92,7 +92,7 @@ TEST_CASE("a lesson's step opens the panel with its method, and another lesson c
 TEST_CASE("the key of methods does not switch, for a frame either, what a lesson has locked") {
   const Scratch scratch;
   const auto file = scratch.file("locked.md",
-                                 "---\ntitle: T\nminutes: 5\ngoals: G\nmolecules: argon\nauthor: A\nlicence: L\n---\n"
+                                 "---\ntitle: T\nminutes: 1\ngoals: G\nmolecules: argon\nauthor: A\nlicence: L\n---\n"
                                  "## One\n```scene\nmolecule: argon\npanels: methods\nlocked: method\n```\nText.\n");
   auto d = startWith(file.string());
   const auto family = d->app().scene.method();

@@ -14,7 +14,7 @@ using test::contents;
 using test::Run;
 
 const std::string kLesson =
-    "---\ntitle: Haem\nminutes: 5\ngoals: G\nmolecules: mine.xyzr\nauthor: A. Teacher\nlicence: CC-BY-4.0\nask: "
+    "---\ntitle: Haem\nminutes: 1\ngoals: G\nmolecules: mine.xyzr\nauthor: A. Teacher\nlicence: CC-BY-4.0\nask: "
     "code\n---\n## One\n```scene\nmolecule: mine.xyzr\n```\n```touch\nreach: all\nsay: Touch it.\n```\n"
     "### Question: Q?\n- [x] yes → Right.\n- [ ] no → No.\n";
 

@@ -37,7 +37,7 @@ inline ScriptedUser::Options smallScreen() {
 
 /// A lesson of one step over argon, which goes on with `body`; `goals` are its list items, a line each.
 inline std::string argonLesson(const std::string& title, const std::string& goals, const std::string& body) {
-  return "---\ntitle: " + title + "\nminutes: 5\ngoals:\n" + goals +
+  return "---\ntitle: " + title + "\nminutes: 1\ngoals:\n" + goals +
          "molecules:\n  - argon\nauthor: The Moltact authors\nlicence: CC-BY-4.0\n---\n\n"
          "## One step\n\n```scene\nmolecule: argon\n```\n\n" +
          body;

@@ -10,7 +10,7 @@ namespace moltact {
 namespace {
 
 constexpr const char* kHead =
-    "---\ntitle: Ways\nminutes: 5\ngoals:\n  - Go\nmolecules:\n  - argon\nauthor: A\nlicence: L\n---\n\n";
+    "---\ntitle: Ways\nminutes: 1\ngoals:\n  - Go\nmolecules:\n  - argon\nauthor: A\nlicence: L\n---\n\n";
 
 struct Opened {
   ScratchFolder scratch;
@@ -85,7 +85,7 @@ TEST_CASE(
   }
   CHECK(cards[0].id == "first-touch");
   REQUIRE(d->app().extensions().shelf.after(cards[0].file));
-  CHECK(d->app().extensions().shelf.after(cards[0].file)->id == "bonds-and-creases");
+  CHECK(d->app().extensions().shelf.after(cards[0].file)->id == "bond-or-contact");
   CHECK(contains(d->text("welcome/lesson/first-touch"), cards[0].description));
 }
 

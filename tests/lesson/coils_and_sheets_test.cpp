@@ -38,8 +38,9 @@ TEST_CASE(
 TEST_CASE(
     "from knob 6 to knob 17 the helix winds round 3.04 times, 3.6 amino acids a turn, and the four knobs lie within 45 "
     "degrees of one line") {
-  const std::string says = linesSaying(kCoils, {"goes on by 11 amino acids, and round three times",
-                                                "on by 99.6° and 1.50 Å, so 3.61 make a turn of 5.4 Å"});
+  const std::string says =
+      linesSaying(kCoils, {"goes on by 11 amino acids and has wound round three times: 3.6 amino acids make one turn",
+                           "on by 99.6° and 1.50 Å, so 3.61 make a turn of 5.4 Å"});
   CAPTURE(says);
   const ShippedScene s("alpha-helix");
   double wound_deg = 0;
@@ -109,8 +110,8 @@ TEST_CASE("of ubiquitin's helix the side chains of 25, 29, 32 and 33 lie open to
 TEST_CASE(
     "the strand is 66 A long where the helix is 28 A, 6.9 A for two amino acids and 2.3 times the helix's 1.5 A; its "
     "side chains stand up and down in turn") {
-  const std::string says = linesSaying(
-      kCoils, {"The coil was 28 Å long, from the height of its first", "two of them take 6.9 Å", "number: 2.3"});
+  const std::string says = linesSaying(kCoils, {"The coil was 28 Å long, from the height of its first",
+                                                "each amino acid takes 1.5 Å, in the strand 3.45 Å", "Yes, 2.3 times"});
   CAPTURE(says);
   const ShippedScene strand("beta-strand"), helix("alpha-helix");
   CHECK(strand.between(caOf(1), caOf(20)) == doctest::Approx(66).epsilon(0.01));

@@ -12,7 +12,7 @@ using namespace moltact;
 
 namespace {
 
-const std::string kHead = "---\ntitle: T\nminutes: 5\ngoals: G\nmolecules: mix\nauthor: A\nlicence: L\n---\n";
+const std::string kHead = "---\ntitle: T\nminutes: 1\ngoals: G\nmolecules: mix\nauthor: A\nlicence: L\n---\n";
 
 using Atoms = std::vector<std::uint32_t>;
 

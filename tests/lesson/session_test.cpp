@@ -9,7 +9,7 @@ using namespace moltact;
 
 namespace {
 
-const std::string kHead = "---\ntitle: T\nminutes: 5\ngoals: G\nmolecules: mix, water\nauthor: A\nlicence: L\n---\n";
+const std::string kHead = "---\ntitle: T\nminutes: 1\ngoals: G\nmolecules: mix, water\nauthor: A\nlicence: L\n---\n";
 const std::string kBody =
     "## A\n```scene\nmolecule: mix\n```\n```touch\nreach: atom 0\nsay: S\npraise: P.\n```\n```touch\nreach: atom "
     "1\nsay: Then this.\n```\n"

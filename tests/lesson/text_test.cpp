@@ -19,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const std::string kHead = "---\ntitle: T\nminutes: 5\ngoals: G\nmolecules: mix\nauthor: A\nlicence: L\n---\n";
+const std::string kHead = "---\ntitle: T\nminutes: 1\ngoals: G\nmolecules: mix\nauthor: A\nlicence: L\n---\n";
 const std::string kStep = "## One step\n```scene\nmolecule: mix\n```\n";  // lines 9 to 12
 
 Lesson lessonOf(const std::string& text) {

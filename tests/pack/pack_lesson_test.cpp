@@ -18,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const std::string kHead = "---\ntitle: T\nminutes: 5\ngoals: G\nauthor: A\nlicence: L\nmolecules: ";
+const std::string kHead = "---\ntitle: T\nminutes: 1\ngoals: G\nauthor: A\nlicence: L\nmolecules: ";
 
 std::string lessonOn(const std::string& molecule, const std::string& text = "") {
   return kHead + molecule + "\n---\n## One\n```scene\nmolecule: " + molecule + "\n```\n" + text + "\n\nText.\n";

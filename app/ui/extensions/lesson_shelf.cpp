@@ -14,6 +14,7 @@
 #include "app/ui/lesson/lesson_guide.h"
 #include "app/ui/widgets/messages.h"
 #include "engine/language/catalogue.h"
+#include "engine/lesson/minutes.h"
 #include "engine/lesson/reader.h"
 #include "engine/pack/unpack.h"
 
@@ -34,7 +35,7 @@ void read(LessonCard& card) {
   card.level = lesson.level;
   card.description = lesson.description;
   card.order = lesson.order;
-  card.minutes = lesson.minutes;
+  card.minutes = shownMinutes(lesson).core;
   card.scene = lesson.steps[lesson.cardStep().value_or(0)].scene;
   if (Expected<MoleculeKey> key = moleculeOf(*card.scene, card.file)) card.molecule = *std::move(key);
 }

@@ -22,7 +22,7 @@ struct LessonCard {
   std::string level;        ///< as the author wrote it; may be empty
   std::string description;  ///< one line of the author's; may be empty
   int order = 0;            ///< its place among the others, 0: none
-  int minutes = 0;          ///< 0: not given
+  int minutes = 0;          ///< of its core; 0 until it has been read
   bool own = false;         ///< the person's own
   bool read = false;
   std::string fault;                       ///< why it cannot be opened; empty when it can

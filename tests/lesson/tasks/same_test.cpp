@@ -110,6 +110,60 @@ TEST_CASE("who answers 5 of 8 rightly feels another round of other pairs, and so
   CHECK(first != second);
 }
 
+TEST_CASE(
+    "a task that is asked before is one round of 8 pairs, done whatever the answers were, and tells nothing; its d' is "
+    "that of hits and false alarms by the log-linear correction") {
+  Keys keys = kProbes;
+  keys.emplace_back("asked", "before");
+  keys.emplace_back("praise", "Kept.");
+  auto t = task("same", keys);
+  Hand hand{*t};
+  int differ = 0, alike = 0;
+  for (int k = 0; k < 8; ++k) {
+    CHECK_FALSE(t->done());
+    const Pair p = feelPair(*t, hand, [](bool d) { return !d; });
+    (p.differ ? differ : alike) += 1;
+    CHECK(t->trials().right.empty());
+  }
+  CHECK((t->done() && t->solved()));
+  CHECK(t->sentence() == "Kept.");
+  // All wrong: no hit, and every pair that was alike a false alarm.
+  const double expected = normalQuantile(0.5 / (differ + 1.0)) - normalQuantile((alike + 0.5) / (alike + 1.0));
+  CHECK(figure(*t, "d' in the first round") == doctest::Approx(expected).epsilon(1e-12));
+  if (differ == 4) CHECK(expected == doctest::Approx(-2.5631031).epsilon(1e-7));  // -2 z(0.9)
+}
+
+TEST_CASE("of a task that is asked after, the first round counts, however many there are") {
+  Keys keys = kProbes;
+  keys.emplace_back("asked", "after");
+  auto t = task("same", keys);
+  Hand hand{*t};
+  int differ = 0;
+  for (int k = 0; k < 8; ++k) differ += feelPair(*t, hand, [](bool d) { return !d; }).differ;
+  CHECK_FALSE(t->done());
+  for (int k = 0; k < 8; ++k) feelPair(*t, hand, [](bool d) { return d; });
+  REQUIRE(t->done());
+  const int alike = 8 - differ;
+  CHECK(figure(*t, "d' in the first round") ==
+        doctest::Approx(normalQuantile(0.5 / (differ + 1.0)) - normalQuantile((alike + 0.5) / (alike + 1.0))));
+  CHECK(figure(*t, "d'") > 2.0);
+}
+
+TEST_CASE("with a number of the author's, the pairs asked after are others than those asked before") {
+  std::vector<std::string> orders;
+  for (const char* asked : {"before", "after"}) {
+    Keys keys = kProbes;
+    keys.emplace_back("asked", asked);
+    keys.emplace_back("seed", "5");
+    auto t = task("same", keys);
+    t->drawBy(3);
+    Hand hand{*t};
+    orders.emplace_back();
+    for (int k = 0; k < 8; ++k) orders.back() += feelPair(*t, hand, [](bool d) { return d; }).order;
+  }
+  CHECK(orders[0] != orders[1]);
+}
+
 TEST_CASE("each answer is judged at once, unless the author says no") {
   for (const bool tell : {true, false}) {
     Keys keys = kProbes;

@@ -10,6 +10,7 @@
 #include "app/ui/extensions/extensions.h"
 #include "app/ui/panels/lesson/lesson_blocks.h"
 #include "app/ui/panels/lesson/lesson_ends.h"
+#include "app/ui/panels/lesson/lesson_extras.h"
 #include "app/ui/panels/lesson/lesson_keys.h"
 #include "app/ui/widgets/controls.h"
 #include "app/ui/widgets/rich_text.h"
@@ -34,7 +35,9 @@ void drawHead(Application& app, const LessonSession& session) {
     WithFont small(Font::Small);
     WithText quiet(l.palette.quiet);
     const auto number = std::find(way.begin(), way.end(), at) - way.begin() + 1;
-    const std::string place = session.step().aside ? std::string(tr("Aside")) : trf("Step {0} of {1}", number, count);
+    const std::string place = session.step().extra   ? std::string(tr("Extra step"))
+                              : session.step().aside ? std::string(tr("Aside"))
+                                                     : trf("Step {0} of {1}", number, count);
     const float place_w = ImGui::CalcTextSize(place.c_str()).x, width = ImGui::GetContentRegionAvail().x;
     ImGui::TextUnformatted(elided(session.lesson().title, width - place_w - l.px(12)).c_str());
     recordItem("lesson/title", session.lesson().title);
@@ -210,7 +213,9 @@ void drawLessonPanel(Application& app) {
   if (before == 0) link = drawLessonBlocks(app, session->lesson().introduction, "lesson/intro", 0);
   if (const std::string other = drawLessonBlocks(app, session->step().blocks, "lesson", introduced); !other.empty())
     link = other;
+  if (const std::string extra = drawExtrasOffered(*session); !extra.empty()) link = extra;
   drawLessonEnd(app, *session);
+  if (const std::string extra = drawExtrasLeft(*session); !extra.empty()) link = extra;
   ImGui::Dummy({0, l.px(10)});
   const float hidden = ImGui::GetScrollMaxY() - ImGui::GetScrollY(), text_width = ImGui::GetContentRegionAvail().x;
   const ImVec2 text_low = ImGui::GetWindowPos(), text_size = ImGui::GetWindowSize();
