@@ -129,8 +129,7 @@ const LessonCard* LessonShelf::latest() const {
 void LessonShelf::afterPanels() {
   const bool opened = panels_.welcome && !open_, other_language = listed_in_ != language();
   open_ = panels_.welcome;
-  const LessonSession* session = lesson_.session();
-  const bool asked = !open_ && session && !session->hasNext() && session->finished();
+  const bool asked = !open_ && lesson_.closing();
   if (opened || ((open_ || asked) && other_language)) list();
   if ((!open_ && !asked) || next_ >= cards_.size()) return;
   read(cards_[next_++]);

@@ -55,8 +55,12 @@ class LessonGuide {
   /// Grows each time a lesson is opened; 0 before the first.
   std::size_t openings() const { return openings_; }
 
-  bool canGoOn() const { return session_ && session_->hasNext() && session_->mayGoOn(); }
-  bool canGoBack() const { return session_ && session_->hasBack(); }
+  bool canGoOn() const { return session_ && (atLastStep() ? !closing_ : session_->hasNext() && session_->mayGoOn()); }
+  bool canGoBack() const { return session_ && (closing() || session_->hasBack()); }
+  /// The step after which the lesson's closing page comes.
+  bool atLastStep() const { return session_ && !session_->hasNext() && !session_->step().aside; }
+  /// The closing page stands in the place of the last step's text; the step's scene stays.
+  bool closing() const { return closing_ && atLastStep(); }
   void next();
   void back();
   /// Follows a link to a step ("#step-id"); false where there is no such step. Stays where another step must be
@@ -109,7 +113,7 @@ class LessonGuide {
   AnswerDrafts drafts_;
   std::size_t openings_ = 0, drafts_opening_ = 0, drafts_step_ = 0;
   std::size_t scene_seen_ = 0;
-  bool scene_changed_ = false, on_stage_ = false;
+  bool scene_changed_ = false, on_stage_ = false, closing_ = false;
   std::vector<std::uint32_t> highlighted_, untouchable_, held_;
   std::optional<Region> region_, zoomed_;
   AtomsLook looks_;

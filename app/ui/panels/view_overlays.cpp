@@ -197,12 +197,13 @@ void drawViewOverlays(Application& app, const Rectangle& view) {
     const WithFont font(app.settings.large_state_text ? Font::Heading : Font::Body);
     // The line rests a moment before it tells something new; by then it may be the first touch.
     const StateText& state = app.extensions().state_text;
-    above -= l.px(8) + pill("view/state",
-                            state.tellsContact()        ? state.line(app.scene)
-                            : app.scene.touchesUnseen() ? unnamedContactText(now.contact)
-                                                        : contactText(app.scene.stage().molecule.get(), now.contact,
-                                                                      app.scene.log().shownForce_N()),
-                            {view.low.x + margin, bottom}, {0, 1}, words, p.panel, p.text);
+    above -=
+        l.px(8) + pill("view/state",
+                       state.tellsContact() ? state.line(app.scene)
+                       : !app.extensions().unseen.names(now.contact)
+                           ? unnamedContactText(now.contact)
+                           : contactText(app.scene.stage().molecule.get(), now.contact, app.scene.log().shownForce_N()),
+                       {view.low.x + margin, bottom}, {0, 1}, words, p.panel, p.text);
   } else if (const float hint = float(app.scene.controls.hintStrength());
              hint > 0.0f && measured.empty() && !app.scene.playing() && !app.scene.servo().deviceLeads()) {
     above -= l.px(8) + pill("view/hint",

@@ -200,7 +200,7 @@ class Find : public Task {
   }
 
   TaskStage requestedStage() const override {
-    TaskStage stage{.dark = !now_.lit, .force_meter = meter_, .presentation = presentation_};
+    TaskStage stage{.dark = !now_.lit, .unnamed = !now_.lit, .force_meter = meter_, .presentation = presentation_};
     if (turns_) stage.turned = turned_;
     return stage;
   }

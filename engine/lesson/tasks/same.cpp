@@ -129,7 +129,7 @@ class Same : public Task {
 
   TaskStage requestedStage() const override {
     TaskStage stage = showsOther() ? other_ : one_;
-    stage.dark = true;
+    stage.dark = stage.unnamed = true;
     stage.force_meter = meter_;
     stage.presentation = presentation_ + 1;
     return stage;
