@@ -50,7 +50,7 @@ class StateText : public Extension {
   std::optional<AppendFile> file_;
   std::string word_;  // whose meaning was told last
   bool to_terminal_ = false;
-  bool tells_contact_ = false, unnamed_ = false;
+  bool tells_contact_ = false, tells_unnamed_ = false;
   bool owing_ = false;  // a change has not been written yet
 };
 

@@ -23,7 +23,7 @@ void Unseen::beforeTicks() {
 }
 
 void Unseen::stepChanged() {
-  dark_ = is_revealed_ = false;
+  dark_ = false;
   veil_s_ = kFade_s;
   hidden_ = revealed_ = nullptr;
 }
@@ -43,24 +43,28 @@ bool Unseen::dependsOnUnseen() const {
 
 // A scene that draws nothing is shown, and unseen again where a task of it is begun anew.
 void Unseen::followScene() {
-  if (!lesson_.session() || !lesson_.onStage() || !scene_.stage()) return;
-  const AtomList& hidden = lesson_.looks().hidden;
+  const LessonSession* session = lesson_.session();
+  if (!session || !lesson_.onStage() || !scene_.stage() || session->step().tasks.empty()) return;
+  const AtomList hidden = lesson_.looks().hidden;
   const bool depends = dependsOnUnseen();
-  if (!depends && hidden && scene_.look.hidden == hidden && scene_.drawsNothing() &&
-      !lesson_.session()->step().tasks.empty()) {
+  if (!depends && hidden && hidden->size() == scene_.stage().molecule->atoms.size()) {
     // What the hand does not feel either stays away.
     const std::vector<std::uint32_t> unfelt = scene_.stage().balls->untouchable();
     std::vector<std::uint32_t> still;
     std::set_intersection(hidden->begin(), hidden->end(), unfelt.begin(), unfelt.end(), std::back_inserter(still));
+    if (still.size() == hidden->size()) return;
     hidden_ = hidden;
     revealed_ = still.empty() ? nullptr : std::make_shared<const std::vector<std::uint32_t>>(std::move(still));
-    is_revealed_ = true;
     show(false);
-    scene_.look.hidden = revealed_;
-  } else if (depends && is_revealed_ && scene_.look.hidden == revealed_) {
-    scene_.look.hidden = hidden_;
-    is_revealed_ = false;
+    hide(hidden_, revealed_);
+  } else if (depends && hidden_ && hidden == revealed_) {
+    hide(revealed_, std::exchange(hidden_, nullptr));
   }
+}
+
+void Unseen::hide(const AtomList& before, const AtomList& now) {
+  lesson_.hide(now);
+  if (scene_.look.hidden == before) scene_.look.hidden = now;
 }
 
 void Unseen::show(bool dark_before) {

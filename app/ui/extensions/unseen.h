@@ -22,7 +22,7 @@ class Unseen final : public Extension {
  public:
   static constexpr double kFade_s = 1.0;
 
-  Unseen(const TaskStager& stager, TouchScene& scene, const LessonGuide& lesson, const Settings& settings,
+  Unseen(const TaskStager& stager, TouchScene& scene, LessonGuide& lesson, const Settings& settings,
          ViewPicture& picture, const FrameTime& time)
       : stager_(stager), scene_(scene), lesson_(lesson), settings_(settings), picture_(picture), time_(time) {}
 
@@ -53,16 +53,17 @@ class Unseen final : public Extension {
   bool dependsOnUnseen() const;
   void show(bool dark_before);
   void followScene();
+  void hide(const AtomList& before, const AtomList& now);
 
   const TaskStager& stager_;
   TouchScene& scene_;
-  const LessonGuide& lesson_;
+  LessonGuide& lesson_;
   const Settings& settings_;
   ViewPicture& picture_;
   const FrameTime& time_;
-  AtomList hidden_, revealed_;  // what the scene hides, and what stays hidden of it once it is shown
+  AtomList hidden_, revealed_;  // what the scene hides, where it is shown; and what stays hidden of it
   double veil_s_ = kFade_s;
-  bool unseen_ = false, dark_ = false, dark_veil_ = false, is_revealed_ = false;
+  bool unseen_ = false, dark_ = false, dark_veil_ = false;
 };
 
 }  // namespace moltact

@@ -92,6 +92,8 @@ class LessonGuide {
   bool locks(std::string_view key) const { return session_ && session_->scene().locks(key); }
   /// How the step draws the atoms; as spheres without one.
   const AtomsLook& looks() const { return looks_; }
+  /// Hides others of its atoms until the molecule is met again.
+  void hide(AtomList atoms) { looks_.hidden = std::move(atoms); }
   /// Cuts them open as the step asks for, once the camera looks at them as it does.
   void cutFor(const Camera& camera, const Molecule& molecule);
   /// The atoms that the step takes from the hand, ascending.

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "app/ui/application/application.h"
@@ -29,14 +30,17 @@ struct Item {
   bool task = false;
 };
 
-/// What counts for the lesson: in steps on the way, in their order.
+/// What counts for the lesson: in steps on the way, in the order of the text.
 std::vector<Item> itemsOf(const LessonSession& session) {
   std::vector<Item> out;
   const std::vector<Step>& steps = session.lesson().steps;
   for (std::size_t s = 0; s < steps.size(); ++s) {
     if (steps[s].aside || session.skipped(s)) continue;
-    for (std::size_t k = 0; k < steps[s].tasks.size(); ++k) out.push_back({s, k, true});
-    for (std::size_t k = 0; k < steps[s].questions.size(); ++k) out.push_back({s, k, false});
+    for (const Block& block : steps[s].blocks)
+      if (const auto* task = std::get_if<TaskHere>(&block))
+        out.push_back({s, task->index, true});
+      else if (const auto* question = std::get_if<QuestionHere>(&block))
+        out.push_back({s, question->index, false});
   }
   return out;
 }
