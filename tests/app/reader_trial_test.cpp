@@ -292,27 +292,22 @@ TEST_CASE("in the light the same reader tells a crease from a face by its words 
   d->frames(10);
   const Reader reader(*d, true);
   Words face, crease;
-  const auto touch = [&](double y, Words& words) {
-    d->point("view", 0.5, y);
+  // Lines through the pair along and across it meet both.
+  for (int k = 0; k < 40 && (face.empty() || crease.empty()); ++k) {
+    Words words;
+    const double at = 0.2 + 0.6 * (k / 2) / 20.0;
+    d->point("view", k % 2 ? at : 0.5, k % 2 ? 0.5 : at);
+    d->frames(10);
     const std::size_t from = reader.heardSoFar();
     d->press();
-    for (int k = 0; k < 60; ++k) {
+    for (int frame = 0; frame < 60; ++frame) {
       d->frames(1);
-      if (k > 30) reader.look(words);
+      if (frame > 30) reader.look(words);
     }
     reader.listen(words, from);
-    const Feature feature = d->app().scene.log().latest().contact.feature;
+    const Feature found = d->app().scene.log().latest().contact.feature;
     d->release();
     d->frames(30);
-    return feature;
-  };
-  // Along a line through the pair there are both.
-  Feature found = Feature::Free;
-  for (int k = 0; k < 30 && (face.empty() || crease.empty()); ++k) {
-    Words words;
-    const bool across = k % 2;
-    d->point("view", across ? 0.3 + 0.4 * k / 30.0 : 0.5, across ? 0.5 : 0.3 + 0.4 * k / 30.0);
-    found = touch(0.3 + 0.4 * k / 30.0, words);
     if (found == Feature::Sphere) face = words;
     if (found == Feature::Circle) crease = words;
   }
