@@ -11,6 +11,7 @@
 #include "app/ui/panels/method_chooser.h"
 #include "app/ui/panels/push_pads.h"
 #include "app/ui/panels/view_overlays.h"
+#include "app/ui/scene/body_place.h"
 #include "app/ui/scene/contact_text.h"
 #include "app/ui/scene/view_picture.h"
 #include "app/ui/widgets/controls.h"
@@ -150,6 +151,7 @@ ViewScene seenScene(const Application& app) {
     if (app.scene.servo().hasOrientation()) {
       scene.body = app.scene.stage().body;
       scene.body_orientation = now.orientation;
+      scene.body_stopped = bodyPlace(app.scene.stage(), now, app.scene.servo().motionOf(now).get()).stopped;
     }
   }
   scene.water = app.settings.probe_look != ProbeLook::Ball;
