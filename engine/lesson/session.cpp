@@ -40,16 +40,6 @@ bool isRight(const AnswerSpec& answer, double number) {
   return std::abs(number - answer.number) <= slack;
 }
 
-// What is right, as one line.
-std::string rightAnswer(const Question& asked) {
-  std::string out;
-  for (const Choice& c : asked.choices)
-    if (c.right) out += (out.empty() ? "" : "; ") + plainText(c.text);
-  if (!asked.answer) return out;
-  if (asked.answer->kind == AnswerSpec::Kind::Text) return asked.answer->texts.front();
-  return numberText(asked.answer->number, plain()) + (asked.answer->unit.empty() ? "" : "\u00a0" + asked.answer->unit);
-}
-
 bool sameShape(const Step& a, const Step& b) {
   if (a.id != b.id || a.tasks.size() != b.tasks.size() || a.questions.size() != b.questions.size()) return false;
   for (std::size_t i = 0; i < a.tasks.size(); ++i)
@@ -62,6 +52,15 @@ bool sameShape(const Step& a, const Step& b) {
 }
 
 }  // namespace
+
+std::string rightAnswer(const Question& asked) {
+  std::string out;
+  for (const Choice& c : asked.choices)
+    if (c.right) out += (out.empty() ? "" : "; ") + plainText(c.text);
+  if (!asked.answer) return out;
+  if (asked.answer->kind == AnswerSpec::Kind::Text) return asked.answer->texts.front();
+  return numberText(asked.answer->number, plain()) + (asked.answer->unit.empty() ? "" : "\u00a0" + asked.answer->unit);
+}
 
 LessonSession::StepState::StepState(const Step& step)
     : tasks_done(step.tasks.size(), 0), finished(step.tasks.size()), questions(step.questions.size()) {}

@@ -52,6 +52,9 @@ struct SessionMemory {
   std::vector<StepMemory> steps;  ///< in the order in which they were first entered
 };
 
+/// What is right, as one line; empty for a free answer.
+std::string rightAnswer(const Question& asked);
+
 class LessonSession {
  public:
   /// Starts at the first step. `lesson` must not be null and has at least one step.

@@ -16,6 +16,8 @@ namespace {
 // Bright on a dark edge: seen on atoms of every colour, in every theme.
 const Colour kTouchedRing{1.0f, 0.94f, 0.62f};
 
+constexpr double kGlow_A = 0.25;  // round an atom of a body that is stopped
+
 class Maker {
  public:
   Maker(const ViewScene& scene, Glyphs& out) : scene_(scene), out_(out) {
@@ -65,9 +67,14 @@ class Maker {
       if (atom >= model.atoms()) continue;
       constexpr std::uint32_t kGhost = 0x4Cu << 24;
       const bool carbon = scene_.molecule->atoms[atom].atomic_number == 6;
-      const std::uint32_t colour = carbon ? packColour(scene_.theme.probe) : model.colour[model.ballOf(atom)];
-      const glm::vec3 centre = view(scp_ + axes * scene_.body->balls[i].centre_A);
+      const bool stopped = std::binary_search(scene_.body_stopped.begin(), scene_.body_stopped.end(), std::uint32_t(i));
+      const std::uint32_t colour = stopped  ? packColour(forceColour(scene_.theme, 1.0))
+                                   : carbon ? packColour(scene_.theme.probe)
+                                            : model.colour[model.ballOf(atom)];
+      const Vec3 place = scp_ + axes * scene_.body->balls[i].centre_A;
+      const glm::vec3 centre = view(place);
       const auto radius = float(model.atomBall(atom).radius_A);
+      if (stopped) shell(place, double(radius) + kGlow_A, forceColour(scene_.theme, 1.0), 0.45f);
       out_.solid.push_back({centre, radius, colour});
       out_.ghost.push_back({centre, radius, (colour & 0xFFFFFFu) | kGhost});
     }
@@ -132,11 +139,12 @@ class Maker {
   void force() {
     if (!touching_ || !(scene_.force_N > 0) || !std::isfinite(scene_.force_N)) return;
     const Colour warm = forceColour(scene_.theme, strength());
-    const double round = silhouetteRadius(scp_, held().reach_A()) + sized(0.06, 4.0) + sized(0.3, 9.0) * strength();
+    // Round the probe; a body tells its stops by its atoms.
+    const double round = silhouetteRadius(scp_, scene_.probe_A) + sized(0.06, 4.0) + sized(0.3, 9.0) * strength();
     for (const Stroke& stroke :
          {Stroke{.colour = glm::vec3(0.0f), .alpha = 0.35f, .hidden = 0.5f, .width_px = float(4.0 + 5.0 * strength())},
           Stroke{.colour = warm, .alpha = 1.0f, .hidden = 0.6f, .width_px = float(2.0 + 5.0 * strength())}})
-      addCircle(out_.strokes, stroke, scene_.camera, scp_, toEye(scp_), round);
+      if (!scene_.body) addCircle(out_.strokes, stroke, scene_.camera, scp_, toEye(scp_), round);
     constexpr double kTowardEye = 0.87;  // within 30 degrees
     if (std::abs(glm::dot(outward_, toEye(scp_))) > kTowardEye) return;
     const double thick = sized(0.13, 2.4), head = 4.2 * thick;
@@ -169,6 +177,11 @@ class Maker {
     for (const std::uint32_t a : scene_.highlighted) {
       if (a >= model.atoms()) continue;
       const Ball b = model.atomBall(a);
+      // What the hand holds is not there: its place is, as a ghost.
+      if (scene_.body && std::binary_search(scene_.body->atoms.begin(), scene_.body->atoms.end(), a)) {
+        shell(b.centre_A, b.radius_A, scene_.theme.target, 0.30f);
+        continue;
+      }
       const double r = b.radius_A + 0.12;
       addCircle(out_.strokes, {.colour = scene_.theme.target, .alpha = 0.95f, .hidden = 0.22f, .width_px = 2.4f},
                 scene_.camera, silhouetteCentre(b.centre_A, r), toEye(b.centre_A), silhouetteRadius(b.centre_A, r));

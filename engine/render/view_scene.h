@@ -103,6 +103,7 @@ struct ViewScene {
   double probe_A = kWaterProbe_A;
   std::shared_ptr<const HeldBody> body;  ///< drawn in the probe's place, its middle at the SCP; null: the probe
   Quat body_orientation = kNoRotation;
+  std::vector<std::uint32_t> body_stopped;  ///< atoms of the body, by their numbers in it, that glow: others stop them
   bool water = true;  ///< a probe as large as a water molecule is drawn as one; false: as a ball (default true)
   std::shared_ptr<const SolidModel>
       hand;                    ///< stands with its origin at the HIP, its +y toward the person's hand; may be null

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "app/ui/widgets/key_focus.h"
+#include "app/ui/widgets/seen_parts.h"
 #include "engine/molecule/molecule_key.h"
 #include "engine/render/colour_legend.h"
 
@@ -44,7 +45,16 @@ struct PanelState : KeyFocus {
   float lesson_task_y = 0.0f;           ///< where the current task's own words end (unit: pixel); 0: none
   float lesson_question_y = 0.0f;       ///< where the step's last unanswered question begins (unit: pixel); 0: none
   float lesson_text_end = 0.0f;         ///< of what is shown of the lesson's text (unit: pixel)
-  bool lesson_more_below = false;       ///< some of the lesson's text lies below what is shown of it
+  SeenParts lesson_seen;                ///< of the step: what the student has had the time to see
+  std::size_t lesson_done = 0;          ///< its tasks and questions done when it was last drawn
+  double lesson_done_s = -1.0;          ///< when one was done last, by the frames' clock
+  struct LessonPart {
+    bool task = false;  ///< a task, else a question
+    std::size_t index = 0;
+  };
+  std::optional<LessonPart> lesson_wanted;  ///< of the step, to be scrolled into sight
+  bool lesson_closed = false;               ///< the closing page stood in the lesson panel in the last frame
+  bool lesson_more_below = false;           ///< some of the lesson's text lies below what is shown of it
   struct Word {
     std::string below;  ///< the block of the lesson's text below which its meaning stands, as it is recorded
     std::string id;     ///< as links write it

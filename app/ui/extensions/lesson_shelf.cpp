@@ -115,8 +115,11 @@ bool LessonShelf::open(FileKind kind, const fs::path& file) {
 
 const LessonCard* LessonShelf::after(const fs::path& file) const {
   if (next_ < cards_.size()) return nullptr;
+  // The same file may have been opened by another of its names.
+  std::error_code error;
   for (std::size_t k = 0; k + 1 < cards_.size(); ++k)
-    if (cards_[k].file == file && cards_[k + 1].fault.empty()) return &cards_[k + 1];
+    if (cards_[k + 1].fault.empty() && (cards_[k].file == file || fs::equivalent(cards_[k].file, file, error)))
+      return &cards_[k + 1];
   return nullptr;
 }
 
@@ -130,8 +133,7 @@ const LessonCard* LessonShelf::latest() const {
 void LessonShelf::afterPanels() {
   const bool opened = panels_.welcome && !open_, other_language = listed_in_ != language();
   open_ = panels_.welcome;
-  const LessonSession* session = lesson_.session();
-  const bool asked = !open_ && session && !session->hasNext() && session->finished();
+  const bool asked = !open_ && lesson_.closing();
   if (opened || ((open_ || asked) && other_language)) list();
   if ((!open_ && !asked) || next_ >= cards_.size()) return;
   read(cards_[next_++]);

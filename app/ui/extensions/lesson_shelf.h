@@ -66,8 +66,8 @@ class LessonShelf : public Extension {
   bool open(FileKind kind, const std::filesystem::path& file) override;
   /// The lesson that stands after this file's; null where none does, or the shelf has not been read yet.
   const LessonCard* after(const std::filesystem::path& file) const;
-  /// Reads the lessons again while the welcome page is open, starting when it is opened; once too when a lesson is
-  /// finished, whose card tells what comes next.
+  /// Reads the lessons again while the welcome page is open, starting when it is opened; once too for the closing
+  /// page of a lesson, which tells what comes next.
   void afterPanels() override;
   bool live() const override { return next_ < cards_.size(); }
 

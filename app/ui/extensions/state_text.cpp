@@ -1,7 +1,7 @@
 #include "app/ui/extensions/state_text.h"
 
 #include "app/ui/application/panel_state.h"
-#include "app/ui/extensions/task_stager.h"
+#include "app/ui/extensions/unseen.h"
 #include "app/ui/lesson/lesson_guide.h"
 #include "app/ui/scene/contact_text.h"
 #include "engine/language/catalogue.h"
@@ -47,7 +47,7 @@ void StateText::stepChanged() {
 }
 
 std::string StateText::line(const TouchScene& scene) const {
-  if (!tells_contact_ || dark_) return reading_.text();
+  if (!tells_contact_ || tells_unnamed_) return reading_.text();
   return touchingText(reading_.text(), scene.log().shownForce_N(), scene.servo_settings.force_on);
 }
 
@@ -66,10 +66,13 @@ void StateText::afterPanels() {
   const Contact& contact = scene_.log().latest().contact;
   const bool force_on = scene_.servo_settings.force_on;
   const double force_N = force_on ? scene_.log().force_N() : 0.0;
-  const bool dark = dark_ = stager_.dark() || scene_.touchesUnseen();
-  const std::string what = dark ? unnamedContactText(contact) : whatOf(molecule, contact);
-  const std::string whole = dark ? what : contactText(molecule, contact, force_N, force_on);
-  if (reading_.update(what, what, 0, time_.now_s)) tells_contact_ = molecule && contact.touching();
+  const bool unnamed = !unseen_.names(contact);
+  const std::string what = unnamed ? unseen_.unnamedText(true) : whatOf(molecule, contact);
+  const std::string whole = unnamed ? unseen_.unnamedText(false) : contactText(molecule, contact, force_N, force_on);
+  if (reading_.update(what, what, 0, time_.now_s)) {
+    tells_contact_ = molecule && contact.touching();
+    tells_unnamed_ = unnamed;
+  }
   if (speaking_.update(what, whole, force_N, time_.now_s)) write(whole);
   owing_ = reading_.owes(what) || ((to_terminal_ || file_) && speaking_.owes(what));
 }

@@ -16,14 +16,14 @@ namespace moltact {
 
 class LessonGuide;
 struct PanelState;
-class TaskStager;
 class TouchScene;
+class Unseen;
 
 class StateText : public Extension {
  public:
-  StateText(const TaskStager& stager, const TouchScene& scene, const LessonGuide& lesson, const PanelState& panels,
+  StateText(const Unseen& unseen, const TouchScene& scene, const LessonGuide& lesson, const PanelState& panels,
             const FrameTime& time)
-      : scene_(scene), lesson_(lesson), panels_(panels), time_(time), stager_(stager) {}
+      : scene_(scene), lesson_(lesson), panels_(panels), time_(time), unseen_(unseen) {}
 
   /// From now on lines go to this file, which is emptied first, or to standard output for "-": the step, what its task
   /// asks for, what is touched. Returns what went wrong, or nothing.
@@ -43,14 +43,14 @@ class StateText : public Extension {
   const LessonGuide& lesson_;
   const PanelState& panels_;
   const FrameTime& time_;
-  const TaskStager& stager_;  // in the dark no atom is named
+  const Unseen& unseen_;
   void write(const std::string& line);
 
   StateLine reading_{StateLine::reading()}, speaking_{StateLine::speaking()}, task_{StateLine::speaking()};
   std::optional<AppendFile> file_;
   std::string word_;  // whose meaning was told last
   bool to_terminal_ = false;
-  bool tells_contact_ = false, dark_ = false;
+  bool tells_contact_ = false, tells_unnamed_ = false;
   bool owing_ = false;  // a change has not been written yet
 };
 

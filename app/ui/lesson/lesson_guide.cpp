@@ -86,6 +86,7 @@ bool LessonGuide::open(const std::filesystem::path& file) {
   session_ = std::make_unique<LessonSession>(std::make_shared<const Lesson>(*std::move(reading.lesson)));
   file_ = file;
   scene_changed_ = true;
+  closing_ = false;
   ++openings_;
   return true;
 }
@@ -104,16 +105,25 @@ void LessonGuide::replace(Lesson lesson) {
 }
 
 void LessonGuide::next() {
-  if (session_) session_->next();
+  if (atLastStep())
+    closing_ = true;
+  else if (session_)
+    session_->next();
 }
 
 void LessonGuide::back() {
-  if (session_) session_->back();
+  if (closing())
+    closing_ = false;
+  else if (session_)
+    session_->back();
 }
 
 bool LessonGuide::follow(const std::string& link) {
   if (!session_ || !link.starts_with('#')) return false;
-  return !session_->mayGoTo(link) || session_->goTo(link);
+  if (!session_->mayGoTo(link)) return true;
+  if (!session_->goTo(link)) return false;
+  closing_ = false;
+  return true;
 }
 
 AnswerDrafts& LessonGuide::drafts() {

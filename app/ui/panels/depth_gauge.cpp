@@ -17,10 +17,10 @@ namespace moltact {
 
 void drawDepthGauge(Application& app, const Rectangle& view) {
   const ServoSample& now = app.scene.log().latest();
-  const bool body = app.scene.stage().body != nullptr;  // its springs' mean, not their sum
-  const double depth_A = body ? glm::distance(now.contact.scp.A, now.hip.A) : glm::length(now.contact.displacement_A);
-  if (!app.settings.depth_gauge || !app.scene.shown.has(ViewPart::Hip) || !now.contact.touching() || !(depth_A > 0.0) ||
-      !std::isfinite(depth_A))
+  const double depth_A = glm::length(now.contact.displacement_A);
+  // A body rests on many places at once and has no one depth under a surface.
+  if (!app.settings.depth_gauge || app.scene.stage().body || !app.scene.shown.has(ViewPart::Hip) ||
+      !now.contact.touching() || !(depth_A > 0.0) || !std::isfinite(depth_A))
     return;
   const Look& l = look();
   const ImVec2 size{l.px(92), l.px(124)};

@@ -6,6 +6,7 @@
 
 #include "app/ui/application/application.h"
 #include "app/ui/extensions/extensions.h"
+#include "app/ui/scene/body_place.h"
 #include "app/ui/scene/contact_text.h"
 #include "app/ui/widgets/controls.h"
 #include "app/ui/widgets/key_names.h"
@@ -122,6 +123,23 @@ bool wantsPushHint(const Application& app) {
   return !controls.hasPushed() || (task && task->wantsHarderPush());
 }
 
+// Where the scene marks the place of what the hand holds: how much of it is back.
+std::string inPlaceText(const Application& app) {
+  const TouchScene& scene = app.scene;
+  const LessonSession* session = app.lesson.session();
+  if (!session || !app.lesson.onStage() || !scene.stage().body || !session->scene().highlight.given()) return {};
+  const std::vector<std::uint32_t> marked = session->scene().highlight.select(*scene.stage().molecule);
+  const std::vector<std::uint32_t>& held = scene.stage().body->atoms;
+  if (!std::includes(marked.begin(), marked.end(), held.begin(), held.end())) return {};
+  const BodyPlace place =
+      bodyPlace(scene.stage(), scene.log().latest(), scene.servo().motionOf(scene.log().latest()).get());
+  const std::string within = quantityText(kInPlace_A, Dimension::Length, decimals(0));
+  std::string text = trf("{0} of {1} atoms in place, to {2}", place.in_place, place.atoms, within);
+  if (!place.stopped.empty())
+    text += "; " + trnf("{0} is stopped", "{0} are stopped", place.stopped.size(), place.stopped.size());
+  return text;
+}
+
 // A press beside the molecule meets nothing: it is told where the eyes are.
 void emptyPlaceNotice(const Application& app, const Rectangle& view) {
   constexpr double kSoon_s = 0.25;
@@ -197,12 +215,13 @@ void drawViewOverlays(Application& app, const Rectangle& view) {
     const WithFont font(app.settings.large_state_text ? Font::Heading : Font::Body);
     // The line rests a moment before it tells something new; by then it may be the first touch.
     const StateText& state = app.extensions().state_text;
-    above -= l.px(8) + pill("view/state",
-                            state.tellsContact()        ? state.line(app.scene)
-                            : app.scene.touchesUnseen() ? unnamedContactText(now.contact)
-                                                        : contactText(app.scene.stage().molecule.get(), now.contact,
-                                                                      app.scene.log().shownForce_N()),
-                            {view.low.x + margin, bottom}, {0, 1}, words, p.panel, p.text);
+    above -=
+        l.px(8) + pill("view/state",
+                       state.tellsContact() ? state.line(app.scene)
+                       : !app.extensions().unseen.names(now.contact)
+                           ? unnamedContactText(now.contact)
+                           : contactText(app.scene.stage().molecule.get(), now.contact, app.scene.log().shownForce_N()),
+                       {view.low.x + margin, bottom}, {0, 1}, words, p.panel, p.text);
   } else if (const float hint = float(app.scene.controls.hintStrength());
              hint > 0.0f && measured.empty() && !app.scene.playing() && !app.scene.servo().deviceLeads()) {
     above -= l.px(8) + pill("view/hint",
@@ -216,6 +235,8 @@ void drawViewOverlays(Application& app, const Rectangle& view) {
                                "press +; − is lighter."),
                             {view.low.x + margin, above}, {0, 1}, words, p.panel, p.text);
   emptyPlaceNotice(app, view);
+  if (const std::string text = inPlaceText(app); !text.empty())
+    above -= l.px(8) + pill("view/in place", text, {view.low.x + margin, above}, {0, 1}, words, p.accent_soft, p.text);
   if (!measured.empty()) pill("view/measuring", measured, {view.low.x + margin, above}, {0, 1}, words, p.panel, p.text);
 }
 

@@ -11,6 +11,7 @@
 #include "app/ui/panels/method_chooser.h"
 #include "app/ui/panels/push_pads.h"
 #include "app/ui/panels/view_overlays.h"
+#include "app/ui/scene/body_place.h"
 #include "app/ui/scene/contact_text.h"
 #include "app/ui/scene/view_picture.h"
 #include "app/ui/widgets/controls.h"
@@ -133,7 +134,7 @@ ViewScene seenScene(const Application& app) {
   const ServoSample& now = app.scene.log().latest();
   scene.molecule = app.scene.seenMolecule();
   scene.camera = app.scene.camera;
-  scene.shown = app.scene.shown;
+  scene.shown = app.extensions().unseen.shownParts();
   scene.theme = look().viewTheme();
   scene.elements = elementColoursOf(app.settings);
   scene.colour_by = app.scene.colour_by;
@@ -150,6 +151,7 @@ ViewScene seenScene(const Application& app) {
     if (app.scene.servo().hasOrientation()) {
       scene.body = app.scene.stage().body;
       scene.body_orientation = now.orientation;
+      scene.body_stopped = bodyPlace(app.scene.stage(), now, app.scene.servo().motionOf(now).get()).stopped;
     }
   }
   scene.water = app.settings.probe_look != ProbeLook::Ball;
@@ -221,6 +223,13 @@ void drawViewPanel(Application& app) {
                                          faded(IM_COL32_WHITE, float(change.oldPicture())));
   if (std::optional<std::filesystem::path> file = app.takePictureRequest()) savePicture(app, size, std::move(*file));
   drawViewLabels(app, scene, r);
+  if (const Unseen& unseen = app.extensions().unseen; unseen.veil() > 0.0) {
+    if (unseen.veilIsDark())
+      drawDarkVeil(r, float(unseen.veil()));
+    else if (picture.kept())
+      ImGui::GetWindowDrawList()->AddImage(picture.kept(), low, high, {0, 1}, {1, 0},
+                                           faded(IM_COL32_WHITE, float(unseen.veil())));
+  }
   drawViewOverlays(app, r);
   drawPushPads(app, r);
   endPanel();

@@ -66,17 +66,7 @@ std::string touchingText(const std::string& touched, double force_N, bool force_
 
 std::string unnamedContactText(const Contact& contact) {
   if (contact.fault == Fault::StartedInside) return tr("You are inside the molecule. Draw back until you are outside.");
-  switch (contact.feature) {
-    case Feature::Free:
-      break;
-    case Feature::Sphere:
-      return tr("touching the round face of an atom");
-    case Feature::Circle:
-      return tr("touching a crease between two atoms");
-    case Feature::Point:
-      return tr("touching a pit between three atoms");
-  }
-  return tr("not touching");
+  return contact.touching() ? tr("touching") : tr("not touching");
 }
 
 std::string pushText(const Vec3& direction) {

@@ -16,7 +16,7 @@ std::string contactText(const Molecule* molecule, const Contact& contact, double
 /// The sentence of a contact from the words for what is touched.
 std::string touchingText(const std::string& touched, double force_N, bool force_on = true);
 
-/// The same without naming an atom, for a screen that is dark: "touching a crease between two atoms".
+/// That there is contact and nothing more, where what is touched is the question: "touching", "not touching".
 std::string unnamedContactText(const Contact& contact);
 
 /// The direction of the surface's push on the hand as the view shows it, from a unit vector in the camera's axes (x

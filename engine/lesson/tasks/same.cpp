@@ -13,6 +13,7 @@
 namespace moltact {
 namespace {
 
+constexpr double kNear_A = 2.0;  // from the surface of the place's atoms, as the probe's centre sees it
 constexpr std::string_view kPlace = "place", kRemove = "remove";
 
 // In one of these the second thing differs.
@@ -42,6 +43,10 @@ class Same : public Task {
     if (before_) tell_ = false;
     // The second asking has other pairs than the first, also where the author says by what they are drawn.
     if (fixed_ && asked_ && !before_) ++seed_;
+    for (const auto& [key, balls] : {std::pair(std::string_view("same"), &here_balls_), {kPlace, &there_balls_}})
+      if (spec.values[key].selection.given())
+        for (const std::uint32_t a : spec.values[key].selection.select(molecule))
+          balls->push_back({molecule.atoms[a].position.A, molecule.atoms[a].radius_A});
     needed_ = spec.values.has("right") ? std::min(trials_, static_cast<std::size_t>(spec.values["right"].number))
                                        : (3 * trials_ + 3) / 4;
     for (const TouchProperty& p : touchProperties())
@@ -112,10 +117,19 @@ class Same : public Task {
   }
 
   void onSample(const TouchSample& s, double dt_s) override {
-    const AtomSet& wanted = by_place_ && showsOther() ? there_ : here_;
+    const bool there = by_place_ && showsOther();
     touching_ = s.contact.touching();
-    beside_ = touching_ && !wanted.touchedBy(s.contact);
+    beside_ = touching_ && !(there ? there_ : here_).touchedBy(s.contact) &&
+              !near(there ? there_balls_ : here_balls_, s.contact.scp.A, s.probe_A);
     if (touching_ && !beside_) felt_s_ = std::min(time_s_, felt_s_ + dt_s);
+  }
+
+  // Which atoms hold the probe may depend on what is to be told apart, and "beside the place" would say it: whatever is
+  // close to the place counts.
+  static bool near(const std::vector<Ball>& balls, const Vec3& scp_A, double probe_A) {
+    return std::any_of(balls.begin(), balls.end(), [&](const Ball& b) {
+      return glm::distance(scp_A, b.centre_A) - b.radius_A - probe_A <= kNear_A;
+    });
   }
 
   HandPlan demonstrate(const HandPlanInput& view) const override {
@@ -135,7 +149,7 @@ class Same : public Task {
 
   TaskStage requestedStage() const override {
     TaskStage stage = showsOther() ? other_ : one_;
-    stage.dark = true;
+    stage.dark = stage.unnamed = true;
     stage.force_meter = meter_;
     stage.presentation = presentation_ + 1;
     return stage;
@@ -234,6 +248,7 @@ class Same : public Task {
   }
 
   AtomSet here_, there_;
+  std::vector<Ball> here_balls_, there_balls_;  // of them, where they are named
   std::size_t trials_ = 8, needed_ = 6, trial_ = 0, right_ = 0, failed_right_ = 0;
   bool fixed_ = false;  // the author has said by what the orders are drawn
   std::uint64_t seed_ = 0, drawn_ = 0;

@@ -46,7 +46,8 @@ struct TaskButton {
 /// The changes of the scene that a task asks for while it is under way. Values that are not given stay as the lesson's
 /// scene has them.
 struct TaskStage {
-  bool dark = false;         ///< the molecule is not drawn and no atom is named: the way is found by touch alone
+  bool dark = false;         ///< the molecule is not drawn: the way is found by touch alone
+  bool unnamed = false;      ///< what is touched is the question: nothing says its atoms or how many hold the probe
   bool force_meter = false;  ///< in the dark the force is shown
   TouchChange touch = {};    ///< felt with something else
   std::vector<std::uint32_t> removed = {};  ///< atoms that are not felt, besides those of the scene; ascending

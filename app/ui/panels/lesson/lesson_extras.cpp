@@ -44,10 +44,9 @@ std::string drawExtrasOffered(const LessonSession& session) {
 }
 
 std::string drawExtrasLeft(const LessonSession& session) {
-  if (session.hasNext() || session.step().aside || !session.finished()) return {};
   const std::vector<Step>& steps = session.lesson().steps;
   std::vector<std::size_t> left;
-  for (std::size_t s = 0; s < session.stepIndex(); ++s)
+  for (std::size_t s = 0; s < steps.size(); ++s)
     if (steps[s].extra && !session.stepSeen(s)) left.push_back(s);
   return drawOffers(session, "lesson/extras left", tr("Steps that you have not seen yet:"), left);
 }

@@ -10,7 +10,7 @@ class LessonSession;
 
 /// "More on this:" and a link to each, below the text of a step of the core. Gives the link that was clicked, or nothing.
 std::string drawExtrasOffered(const LessonSession& session);
-/// Below the last step of the core once the core is done, those of earlier steps that were not seen.
+/// On the closing page, those that were not seen. Gives the link that was clicked, or nothing.
 std::string drawExtrasLeft(const LessonSession& session);
 
 }  // namespace moltact

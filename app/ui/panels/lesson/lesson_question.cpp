@@ -66,10 +66,20 @@ bool drawChoice(const std::string& name, const Choice& choice, bool round, bool 
   return clicked;
 }
 
-bool digitPressed(std::size_t choice) { return choice < 9 && lessonKeyPressed(char('1' + choice)); }
+// The question and each of its choices have been in view.
+bool wasRead(const Application& app, const Question& question, const std::string& name) {
+  bool read = wasSeen(app, name);
+  for (std::size_t k = 0; k < question.choices.size(); ++k) read = read && wasSeen(app, name + "/" + std::to_string(k));
+  return read;
+}
 
-// The first question of the step that is not yet answered takes the number keys.
+// The first question of the step that is not yet answered takes the number keys, unless the current task waits for them.
 bool takesKeys(const LessonSession& session, std::size_t index) {
+  if (const Task* task = session.taskAt(session.currentTask())) {
+    const std::vector<TaskButton> offered = task->buttons();
+    if (std::any_of(offered.begin(), offered.end(), [](const TaskButton& b) { return b.key >= '1' && b.key <= '9'; }))
+      return false;
+  }
   for (std::size_t k = 0; k < index; ++k)
     if (!session.question(k).done() && !session.step().questions[k].choices.empty()) return false;
   return session.takesAnswer(index);
@@ -91,7 +101,9 @@ bool takesWriting(const LessonSession& session, std::size_t index) {
   return !session.question(index).done();
 }
 
-void drawChoices(LessonGuide& lesson, std::size_t index, const std::string& name) {
+// `asked_y`: where the question begins.
+void drawChoices(Application& app, std::size_t index, const std::string& name, float asked_y) {
+  LessonGuide& lesson = app.lesson;
   LessonSession& session = *lesson.session();
   const Question& question = session.step().questions[index];
   const QuestionStatus& status = session.question(index);
@@ -104,18 +116,25 @@ void drawChoices(LessonGuide& lesson, std::size_t index, const std::string& name
                  look().palette.quiet);
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {look().px(8), look().px(6)});
   const std::vector<std::size_t> order = session.choiceOrder(index);
+  const bool read = wasRead(app, question, name);
+  const auto keyPart = [&](const std::string& part) {
+    return KeyPart{part, ImGui::GetItemRectMin().y, ImGui::GetItemRectMax().y, read, asked_y};
+  };
   for (std::size_t place = 0; place < order.size(); ++place) {
     const std::size_t k = order[place];
     const bool given = status.attempts > 0 && holds(status.chosen, k), right = question.choices[k].right;
     // After a prediction has been told, or the last try, what was right stands there too.
     const bool marked = told && (given || ((question.prediction || status.shown) && right));
     const bool is_ticked = one ? given : holds(ticked, k);
-    const bool chosen = drawChoice(name + "/" + std::to_string(k), question.choices[k], one, is_ticked,
-                                   !marked ? Mark::None
-                                   : right ? Mark::Right
-                                           : Mark::Wrong) ||
-                        (keys && digitPressed(place));
-    if (!chosen || !open) continue;
+    const std::string choice = name + "/" + std::to_string(k);
+    const bool clicked = drawChoice(choice, question.choices[k], one, is_ticked,
+                                    !marked ? Mark::None
+                                    : right ? Mark::Right
+                                            : Mark::Wrong);
+    const KeyPart part = keyPart(choice);
+    noteSeen(app, part);
+    const bool by_key = keys && place < 9 && lessonKeyActs(app, char('1' + place), part);
+    if (!(clicked || by_key) || !open) continue;
     if (one)
       session.choose(index, {k});
     else if (holds(ticked, k))
@@ -124,17 +143,18 @@ void drawChoices(LessonGuide& lesson, std::size_t index, const std::string& name
       ticked.push_back(k);
   }
   ImGui::PopStyleVar();
-  const bool entered = keys && !ticked.empty() && enterIsFree(session) && lessonKeyPressed('\n');
-  if (!one && open &&
-      (button((name + "/check").c_str(), withKey(tr("Check"), "Enter").c_str(), ButtonLook::Primary, look().tx(132),
-              !ticked.empty()) ||
-       entered)) {
-    std::sort(ticked.begin(), ticked.end());
-    session.choose(index, ticked);
-  }
+  if (one || !open) return;
+  const bool checked = button((name + "/check").c_str(), withKey(tr("Check"), "Enter").c_str(), ButtonLook::Primary,
+                              look().tx(132), !ticked.empty());
+  const bool entered =
+      keys && !ticked.empty() && enterIsFree(session) && lessonKeyActs(app, '\n', keyPart(name + "/check"));
+  if (!checked && !entered) return;
+  std::sort(ticked.begin(), ticked.end());
+  session.choose(index, ticked);
 }
 
-void drawField(LessonGuide& lesson, std::size_t index, const std::string& name) {
+void drawField(Application& app, std::size_t index, const std::string& name, float asked_y) {
+  LessonGuide& lesson = app.lesson;
   LessonSession& session = *lesson.session();
   const Question& question = session.step().questions[index];
   const AnswerSpec& answer = *question.answer;
@@ -144,11 +164,15 @@ void drawField(LessonGuide& lesson, std::size_t index, const std::string& name) 
   const bool free = question.free();
   const float button_w = look().tx(84), gap = ImGui::GetStyle().ItemSpacing.x;
   bool handed_in = false;
-  const bool begins = takesWriting(session, index) && lessonKeyPressed('A');
+  const auto begins = [&] {
+    const KeyPart field{name + "/field", ImGui::GetItemRectMin().y, ImGui::GetItemRectMax().y, wasSeen(app, name),
+                        asked_y};
+    return takesWriting(session, index) && lessonKeyActs(app, 'A', field);
+  };
   if (free) {
     handed_in = inputWrapped("##answer", written, {-1, look().tx(84)}, ImGuiInputTextFlags_EnterReturnsTrue);
     recordItem(name + "/field", written);
-    if (begins) writeInLastField("##answer");
+    if (begins()) writeInLastField("##answer");
     tip(tr("A begins to write, Ctrl and Enter keeps it"));
     handed_in = button((name + "/check").c_str(), tr("Keep"), ButtonLook::Plain, button_w) || handed_in;
   } else {
@@ -162,7 +186,7 @@ void drawField(LessonGuide& lesson, std::size_t index, const std::string& name) 
     handed_in = ImGui::InputTextWithHint("##answer", hint.c_str(), &written, ImGuiInputTextFlags_EnterReturnsTrue);
     keepOnEscape(written, before);
     recordItem(name + "/field", written);
-    if (begins) writeInLastField("##answer");
+    if (begins()) writeInLastField("##answer");
     if (!answer.unit.empty()) {
       // Beside the field, so that a number without it means what it should.
       ImGui::SameLine();
@@ -236,8 +260,14 @@ std::string drawLessonQuestion(Application& app, std::size_t index) {
     drawRichText((name + "/before").c_str(), {TextRun{.text = tr("Before you touch, predict:")}}, l.palette.quiet);
   RichText title = question.title;
   for (TextRun& run : title) run.bold = true;
+  const float asked_y = ImGui::GetCursorScreenPos().y;
+  if (const auto& wanted = app.panels.lesson_wanted; wanted && !wanted->task && wanted->index == index) {
+    ImGui::SetScrollHereY(0.2f);
+    app.panels.lesson_wanted.reset();
+  }
   follow(drawRichText(name.c_str(), title, l.palette.text));
   for (const RichText& p : question.prompt) follow(drawRichText((name + "/prompt").c_str(), p, l.palette.text));
+  noteSeen(app, {name, asked_y, ImGui::GetCursorScreenPos().y});
   if (const auto tries = session.triesLeft(index); tries && session.question(index).attempts == 0)
     drawRichText(
         (name + "/tries").c_str(),
@@ -246,12 +276,13 @@ std::string drawLessonQuestion(Application& app, std::size_t index) {
   const int attempts = session.question(index).attempts;
   const bool asked_again = !session.question(index).again.empty();
   if (question.choices.empty() && question.answer)
-    drawField(app.lesson, index, name);
+    drawField(app, index, name, asked_y);
   else
-    drawChoices(app.lesson, index, name);
+    drawChoices(app, index, name, asked_y);
   const QuestionStatus& status = session.question(index);
   const Said said = saidTo(session, index);
   if (!said.lines.empty()) {
+    const float said_y = ImGui::GetCursorScreenPos().y;
     for (std::size_t k = 0; k < said.lines.size(); ++k) {
       const ImVec2 from = ImGui::GetCursorScreenPos();
       follow(drawRichText((name + "/feedback").c_str(), said.lines[k], said.colour));
@@ -261,7 +292,9 @@ std::string drawLessonQuestion(Application& app, std::size_t index) {
     }
     if (session.told(index))
       for (const std::size_t k : status.chosen)
-        if (!question.choices[k].link.empty() && lessonKeyPressed('G')) link = question.choices[k].link;
+        if (!question.choices[k].link.empty() &&
+            lessonKeyActs(app, 'G', {name + "/feedback", said_y, ImGui::GetCursorScreenPos().y}))
+          link = question.choices[k].link;
     drawGoOn(app, index, name);
     // What is said to an answer is not to be missed below the panel's edge.
     if ((status.attempts != attempts || asked_again == status.again.empty()) &&

@@ -129,6 +129,10 @@ void drawLessonTask(Application& app, std::size_t index) {
   if (status.current) app.panels.lesson_task_y = at.y + say_h;
   ImGui::SetCursorScreenPos(low);
   ImGui::Dummy({width, height});
+  if (const auto& wanted = app.panels.lesson_wanted; wanted && wanted->task && wanted->index == index) {
+    ImGui::SetScrollHereY(0.3f);
+    app.panels.lesson_wanted.reset();
+  }
   // The task whose turn has come is brought into sight, but a step begins at its top.
   if (status.current && app.panels.lesson_task != index) {
     if (index > app.panels.lesson_task && !ImGui::IsItemVisible()) ImGui::SetScrollHereY(0.3f);
@@ -149,7 +153,7 @@ void drawLessonTask(Application& app, std::size_t index) {
   if (away && !app.loading() &&
       (button((name + "/bring back").c_str(), withKey(trf("Bring {0} back", molecule), "Enter").c_str(),
               ButtonLook::Primary, width) ||
-       lessonKeyPressed('\n')))
+       lessonKeyOnItem(app, '\n', name + "/bring back")))
     app.lesson.askForScene();
 }
 
