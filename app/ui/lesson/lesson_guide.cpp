@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdio>
 #include <numbers>
+#include <set>
 
 #include "app/ui/lesson/scene_marks.h"
 #include "engine/language/catalogue.h"
@@ -12,6 +13,7 @@
 #include "engine/lesson/lesson_region.h"
 #include "engine/lesson/reader.h"
 #include "engine/lesson/scene_atoms.h"
+#include "engine/render/cartoon.h"
 #include "engine/render/molecule_model.h"
 
 namespace moltact {
@@ -60,6 +62,40 @@ std::vector<StyledAtoms> usualStyles(const SceneSpec& scene, const Molecule& mol
   return styles;
 }
 
+// A ribbon shows no single atoms. What a scene highlights in it, and marks of a few residues, are drawn as the spheres that
+// the hand feels, so that a ring or a colour has something in it.
+void showMarkedInRibbons(const SceneSpec& scene, const Molecule& molecule, std::vector<StyledAtoms>& styles) {
+  constexpr std::size_t kFew_residues = 8;
+  std::vector<bool> in_ribbon(molecule.atoms.size()), itself(molecule.atoms.size());
+  std::size_t ribbon_residues = 0;
+  for (const StyledAtoms& s : styles) {
+    const bool ribbons = s.style == DrawStyle::Cartoon;
+    const auto take = [&](std::uint32_t a) {
+      const std::uint32_t r = molecule.atoms[a].residue;
+      (ribbons && r != kNoResidue && inCartoon(molecule.residues[r]) ? in_ribbon : itself)[a] = true;
+    };
+    if (s.atoms)
+      for (const std::uint32_t a : *s.atoms) take(a);
+    else
+      for (std::uint32_t a = 0; a < molecule.atoms.size(); ++a) take(a);
+  }
+  for (const Residue& r : molecule.residues) ribbon_residues += r.atom_count > 0 && in_ribbon[r.first_atom];
+  if (ribbon_residues == 0) return;
+  std::set<std::uint32_t> shown;
+  const auto show = [&](const Selection& selection, std::size_t most_residues) {
+    if (!selection.given()) return;
+    std::set<std::uint32_t> atoms, residues;
+    for (const std::uint32_t a : selection.select(molecule))
+      if (in_ribbon[a] && !itself[a]) atoms.insert(a), residues.insert(molecule.atoms[a].residue);
+    if (residues.size() <= most_residues) shown.insert(atoms.begin(), atoms.end());
+  };
+  show(scene.highlight, ribbon_residues / 3);  // of more the ribbon itself, in the colour of targets, says enough
+  for (const MarkSpec& mark : scene.marks) show(mark.atoms, kFew_residues);
+  if (shown.empty()) return;
+  styles.push_back({.style = DrawStyle::Spheres,
+                    .atoms = std::make_shared<const std::vector<std::uint32_t>>(shown.begin(), shown.end())});
+}
+
 }  // namespace
 
 AtomsLook looksOf(const SceneSpec& scene, const Molecule& molecule) {
@@ -69,6 +105,7 @@ AtomsLook looksOf(const SceneSpec& scene, const Molecule& molecule) {
   AtomsLook looks;
   for (const StyleSpec& s : scene.styles) looks.styles.push_back({s.style, listOf(s.atoms), float(s.opacity)});
   if (scene.styles.empty()) looks.styles = usualStyles(scene, molecule);
+  showMarkedInRibbons(scene, molecule, looks.styles);
   if (std::vector<std::uint32_t> hidden = hiddenAtoms(scene, molecule); !hidden.empty())
     looks.hidden = std::make_shared<const std::vector<std::uint32_t>>(std::move(hidden));
   looks.spheres_near_A = scene.near_A;

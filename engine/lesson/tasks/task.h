@@ -247,6 +247,8 @@ class TargetName {
   /// `called`: the key with which the author may name it.
   TargetName(const TaskSpec& spec, std::string_view key, std::string_view called = "called");
   explicit TargetName(Selection selection) : selection_(std::move(selection)) {}
+  /// Atoms of one residue are called by it: "Ile 50 (chain A)".
+  TargetName(Selection selection, const Molecule& molecule);
   std::string text() const;
 
  private:
