@@ -156,7 +156,7 @@ class Maker {
   void headOn(bool toward, const Colour& warm) {
     const Vec3 eye = toEye(scp_), right = scene_.camera.right(), up = glm::cross(eye, right);
     const Vec3 at = scp_ + eye * (held().reach_A() + 0.3);
-    const double r = std::max(sized(0.25, 9.0), 0.3 * scene_.force_N * scene_.arrow_A_per_N);
+    const double r = std::max(sized(0.3, 13.0), 0.4 * scene_.force_N * scene_.arrow_A_per_N);
     const auto draw = [&](const auto& lines) {
       for (const Stroke& stroke : {Stroke{.colour = glm::vec3(0.0f), .alpha = 0.55f, .hidden = 0.55f, .width_px = 5.0f},
                                    Stroke{.colour = warm, .alpha = 1.0f, .hidden = 1.0f, .width_px = 2.6f}})

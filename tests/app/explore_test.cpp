@@ -139,6 +139,28 @@ TEST_CASE("the shelf has the order of the Lesson menu before the first lesson is
   CHECK(shelf() == menu);
 }
 
+TEST_CASE(
+    "an English lesson in a German window says 'Atom 0' in German sentences, and what its author wrote in English "
+    "ones") {
+  Scratch scratch;
+  const std::string text = argonLesson(
+      "Spike", "  - G\n", "```touch\nreach: atom 0\ncalled: the red spike\nsay: Touch the red spike.\n```\n");
+  scratch.file("spike.de.md", text);
+  for (const char* language : {"en", "de"}) {
+    auto d = startWith("");
+    d->app().settings.language = language;
+    d->frames(3);
+    d->app().open(scratch.file("spike.md", text));
+    d->app().finishLoading();
+    d->frames(20);
+    const TaskStatus status = d->app().lesson.session()->task(0);
+    CAPTURE(status.sentence);
+    CHECK(status.say == "Touch the red spike.");
+    CHECK(contains(status.sentence, "the red spike") == (std::string(language) == "en"));
+    CHECK(contains(status.sentence, "Sonde") == (std::string(language) == "de"));
+  }
+}
+
 TEST_CASE("a lesson for beginners shows no figures of a task that is done, one for the advanced does") {
   Scratch scratch;
   for (const char* level : {"beginner", "advanced"}) {

@@ -9,6 +9,7 @@
 #include "app/ui/lesson/scene_marks.h"
 #include "engine/language/catalogue.h"
 #include "engine/lesson/glossary.h"
+#include "engine/lesson/lesson_files.h"
 #include "engine/lesson/lesson_molecules.h"
 #include "engine/lesson/lesson_region.h"
 #include "engine/lesson/reader.h"
@@ -60,6 +61,33 @@ std::vector<StyledAtoms> usualStyles(const SceneSpec& scene, const Molecule& mol
   std::vector<StyledAtoms> styles{{.style = DrawStyle::Cartoon, .atoms = listOf(std::move(ribbons))}};
   if (!spheres.empty()) styles.push_back({.style = DrawStyle::Spheres, .atoms = listOf(std::move(spheres))});
   return styles;
+}
+
+// The language of a lesson: as its front matter says it, or its file's name; English where a file names none beside its
+// translations. Empty where nothing says it.
+std::string languageOf(const Lesson& lesson, const std::filesystem::path& file) {
+  if (!lesson.language.empty()) return lesson.language;
+  const LessonName name = lessonName(file);
+  if (!name.language.empty()) return name.language;
+  std::error_code error;
+  for (const auto& beside : std::filesystem::directory_iterator(file.parent_path(), error))
+    if (const LessonName other = lessonName(beside.path());
+        beside.path().extension() == ".md" && other.id == name.id && !other.language.empty())
+      return "en";
+  return {};
+}
+
+// A sentence of the program has no words of an author who writes another language: targets are called by the program.
+void keepSentencesWhole(Lesson& lesson, const std::filesystem::path& file) {
+  const std::string its = languageOf(lesson, file);
+  if (its.empty() || its == language()) return;
+  for (Step& step : lesson.steps)
+    for (TaskSpec& task : step.tasks) {
+      KeyValues kept;
+      for (const auto& [key, value] : task.values)
+        if (key != "called" && key != "arrival") kept.set(key, value);
+      task.values = std::move(kept);
+    }
 }
 
 // A ribbon shows no single atoms. What a scene highlights in it, and marks of a few residues, are drawn as the spheres that
@@ -120,6 +148,7 @@ bool LessonGuide::open(const std::filesystem::path& file) {
   LessonReading reading = readLesson(file);
   if (!reading.lesson) return false;
   linkWords(*reading.lesson, glossaryBeside(file, reading.lesson->language));
+  keepSentencesWhole(*reading.lesson, file);
   session_ = std::make_unique<LessonSession>(std::make_shared<const Lesson>(*std::move(reading.lesson)));
   file_ = file;
   scene_changed_ = true;
@@ -134,6 +163,7 @@ void LessonGuide::replace(Lesson lesson) {
   const bool seen = !scene_changed_ && session_->sceneNumber() == scene_seen_;
   const bool kept_drafts = drafts_opening_ == openings_;
   linkWords(lesson, glossaryBeside(file_, lesson.language));
+  keepSentencesWhole(lesson, file_);
   session_->replaceLesson(std::make_shared<const Lesson>(std::move(lesson)));
   ++openings_;
   if (kept_drafts && session_->step().id == step) drafts_opening_ = openings_;
