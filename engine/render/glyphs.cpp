@@ -135,7 +135,7 @@ class Maker {
   }
 
   // A ring round the probe that swells and warms with the force, and an arrow along it. Toward the eye an arrow would
-  // be a lump: there the ring tells it alone.
+  // be a lump: there a sign stands for it.
   void force() {
     if (!touching_ || !(scene_.force_N > 0) || !std::isfinite(scene_.force_N)) return;
     const Colour warm = forceColour(scene_.theme, strength());
@@ -146,7 +146,10 @@ class Maker {
           Stroke{.colour = warm, .alpha = 1.0f, .hidden = 0.6f, .width_px = float(2.0 + 5.0 * strength())}})
       if (!scene_.body) addCircle(out_.strokes, stroke, scene_.camera, scp_, toEye(scp_), round);
     constexpr double kTowardEye = 0.87;  // within 30 degrees
-    if (std::abs(glm::dot(outward_, toEye(scp_))) > kTowardEye) return;
+    if (const double toward = glm::dot(outward_, toEye(scp_)); std::abs(toward) > kTowardEye) {
+      headOn(toward > 0.0, warm);
+      return;
+    }
     const double thick = sized(0.13, 2.4), head = 4.2 * thick;
     const double length = std::max(scene_.force_N * scene_.arrow_A_per_N, 0.3 * head);
     const Vec3 tip = scp_ + outward_ * (length + head);
@@ -154,6 +157,31 @@ class Maker {
     const std::uint32_t colour = packColour(warm);
     out_.cones.push_back({view(scp_), view(neck), float(thick), float(thick), colour});
     out_.cones.push_back({view(neck), view(tip), float(2.3 * thick), 0.0f, colour});
+  }
+
+  // A vector that points at the viewer or away, as drawings write it: a ring with a dot, the arrow's tip, or with a cross, its
+  // feathers. It lies before the probe and grows with the force as the arrow does.
+  void headOn(bool toward, const Colour& warm) {
+    const Vec3 eye = toEye(scp_), right = scene_.camera.right(), up = glm::cross(eye, right);
+    const Vec3 at = scp_ + eye * (held().reach_A() + 0.3);
+    const double r = std::max(sized(0.3, 13.0), 0.4 * scene_.force_N * scene_.arrow_A_per_N);
+    const auto draw = [&](const auto& lines) {
+      for (const Stroke& stroke : {Stroke{.colour = glm::vec3(0.0f), .alpha = 0.55f, .hidden = 0.55f, .width_px = 5.0f},
+                                   Stroke{.colour = warm, .alpha = 1.0f, .hidden = 1.0f, .width_px = 2.6f}})
+        lines(stroke);
+    };
+    draw([&](const Stroke& s) { addCircle(out_.strokes, s, scene_.camera, at, eye, r, 48); });
+    if (toward) {
+      solid(at, 0.3 * r, warm, 1.0f);
+      return;
+    }
+    for (const double side : {-1.0, 1.0})
+      draw([&](const Stroke& s) {
+        const Vec3 arm = r * std::numbers::sqrt2 * 0.5 * (right + side * up);
+        out_.strokes.begin(s);
+        out_.strokes.point(view(at - arm));
+        out_.strokes.point(view(at + arm));
+      });
   }
 
   void targets() {
@@ -192,7 +220,7 @@ class Maker {
   void touched(const MoleculeModel& model) {
     if (!touching_) return;
     const std::vector<std::uint32_t>* hidden = scene_.look.hidden.get();
-    for (const std::int32_t a : scene_.contact.atoms) {
+    for (const std::int32_t a : scene_.named_atoms.value_or(scene_.contact.atoms)) {
       if (a < 0 || std::size_t(a) >= model.atoms()) continue;
       if (hidden && std::binary_search(hidden->begin(), hidden->end(), std::uint32_t(a))) continue;
       const Ball b = model.atomBall(std::uint32_t(a));

@@ -2,6 +2,7 @@
 // thread fills and hands to the renderer. Units: angstrom, newton.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -117,6 +118,9 @@ struct ViewScene {
       facets;  ///< what the method in use feels for a ball of radius 1; null: no triangles
 
   std::vector<std::shared_ptr<const Annotations>> annotations;  ///< written into the picture; none is null
+  std::optional<std::array<std::int32_t, 3>> named_atoms =
+      {};                          ///< that words name as touched now, and rings with them;
+                                   ///< none: those of the contact
   AtomList touched_now = nullptr;  ///< lightly painted too, without the molecule being drawn again; null: none
   AtomList touched = nullptr;      ///< atoms that are lightly painted; null: none
 

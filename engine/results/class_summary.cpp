@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <deque>
 #include <set>
 #include <utility>
 
@@ -10,6 +11,7 @@
 #include "engine/core/random.h"
 #include "engine/language/catalogue.h"
 #include "engine/lesson/tasks/sensitivity.h"
+#include "engine/results/lesson_language.h"
 
 namespace moltact {
 namespace {
@@ -38,6 +40,43 @@ std::string codeOf(const std::string& word, const std::string& name, const std::
   do code += kSigns[nextRandom(state) % kSigns.size()];
   while (code.size() < 7 || taken.contains(code));
   return code;
+}
+
+using ByLesson = std::map<std::pair<std::string, std::string>, std::vector<const Attempt*>>;  // by file and title
+
+// A lesson is one in every language: its attempts are counted in the terms of the language that most of them were made in.
+// Gives the copies that had to be made for that, to which the lists then point.
+std::deque<Attempt> uniteLanguages(ByLesson& by_lesson, std::map<const Attempt*, std::string>& person) {
+  std::deque<Attempt> copies;
+  const auto inTerms = [&](const LessonOutline& target, const Attempt* a) {
+    const Attempt* copy = &copies.emplace_back(inTermsOf(target, *a));
+    person[copy] = person[a];
+    return copy;
+  };
+  for (auto one = by_lesson.begin(); one != by_lesson.end();) {
+    const auto other = std::find_if(by_lesson.begin(), by_lesson.end(), [&](const auto& l) {
+      return l.first.first != one->first.first && l.second.size() >= one->second.size() &&
+             sameLesson(l.second.back()->header.lesson, one->second.back()->header.lesson);
+    });
+    if (other == by_lesson.end()) {
+      ++one;
+      continue;
+    }
+    const LessonOutline target = other->second.back()->header.lesson;
+    for (const Attempt* a : one->second) other->second.push_back(inTerms(target, a));
+    std::stable_sort(other->second.begin(), other->second.end(),
+                     [](const Attempt* a, const Attempt* b) { return a->header.began < b->header.began; });
+    one = by_lesson.erase(one);
+  }
+  // An attempt may have changed its language on the way.
+  for (auto& [of, attempts] : by_lesson)
+    for (const Attempt*& a : attempts)
+      if (std::any_of(a->events.begin(), a->events.end(), [&, file = of.first](const AttemptEvent& e) {
+            const auto* reread = std::get_if<LessonReread>(&e.what);
+            return reread && reread->lesson.file != file;
+          }))
+        a = inTerms(a->header.lesson, a);
+  return copies;
 }
 
 // Adds one attempt's events to what its person has done.
@@ -254,12 +293,13 @@ ClassSummary summarise(std::vector<Attempt> attempts, const NamesShown& shown_as
     return codes[key] = shown;
   };
 
-  std::map<std::pair<std::string, std::string>, std::vector<const Attempt*>> by_lesson;
+  ByLesson by_lesson;
   std::map<const Attempt*, std::string> person;
   for (std::size_t k = 0; k < attempts.size(); ++k) {
     by_lesson[{attempts[k].header.lesson.file, attempts[k].header.lesson.title}].push_back(&attempts[k]);
     person[&attempts[k]] = personOf(attempts[k], k);
   }
+  const std::deque<Attempt> translated = uniteLanguages(by_lesson, person);
   for (const auto& [of, of_lesson] : by_lesson) {
     const auto same_file = std::count_if(by_lesson.begin(), by_lesson.end(),
                                          [&, file = of.first](const auto& l) { return l.first.first == file; });

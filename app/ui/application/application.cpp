@@ -240,6 +240,19 @@ void Application::zoomTo(std::span<const std::uint32_t> atoms) {
   for (Extension* e : extensions_->all()) e->viewReset(seen);
 }
 
+void Application::comeCloseTo(PointA place) {
+  constexpr double kAround_A = 7.0;
+  if (!scene.stage()) return;
+  const glm::vec2 view = layout_.view.size();
+  const Camera seen = scene.camera;
+  scene.camera.fit(place, kAround_A, view.y > 0 ? double(view.x) / double(view.y) : 1.0);
+  if (scene.camera.distance_A >= seen.distance_A) {
+    scene.camera = seen;  // it is close already
+    return;
+  }
+  for (Extension* e : extensions_->all()) e->viewReset(seen);
+}
+
 void Application::resetView() { scene.resetView(facing()); }
 
 void Application::resetViewByHand() {

@@ -32,6 +32,7 @@ struct PanelState : KeyFocus {
   bool set_by_lesson = false;  ///< the lesson's step set touch and methods, so that another sets them back
   std::size_t hints = 0;       ///< so many of the current step's hints are open, the first ones
   bool teacher_notes = false;  ///< the lesson's notes for the teacher are shown; never to the next student
+  float messages_end = 0.0f;   ///< where the messages over the view ended in the last frame (unit: pixel); 0: none
   bool legend = false;         ///< the legend of colours is open where it is too large for the view
   LegendMemory colours;        ///< what it says
   /// Whether the goals at the lesson's start are open; no value: as there is room.

@@ -61,6 +61,9 @@ void LessonShelf::list() {
     card.file = item.file;
     card.id = item.id;
     card.title = item.label;
+    card.level = item.level;
+    card.order = item.order;
+    card.minutes = item.minutes;
     card.own = own;
     for (const LessonProgress& p : progress)
       if (p.isOf(item.file, item.label)) card.progress = p;
@@ -78,6 +81,18 @@ void LessonShelf::list() {
     });
     if (card.progress && !there) cards_.push_back(std::move(card));
   }
+  sort();
+}
+
+// What decides the order stands at the head of each file, so that it is the same before the lessons are read and after.
+void LessonShelf::sort() {
+  std::stable_sort(cards_.begin(), cards_.end(), [](const LessonCard& a, const LessonCard& b) {
+    if (a.own != b.own) return b.own;
+    const auto item = [](const LessonCard& c) {
+      return LibraryItem{c.own ? c.title : c.id, c.title, c.file, c.own ? "" : c.level, c.own ? 0 : c.minutes, c.order};
+    };
+    return standsBefore(item(a), item(b));
+  });
 }
 
 void LessonShelf::begin(const LessonCard& card) {
@@ -137,15 +152,6 @@ void LessonShelf::afterPanels() {
   if (opened || ((open_ || asked) && other_language)) list();
   if ((!open_ && !asked) || next_ >= cards_.size()) return;
   read(cards_[next_++]);
-  if (next_ < cards_.size()) return;
-  std::stable_sort(cards_.begin(), cards_.end(), [](const LessonCard& a, const LessonCard& b) {
-    const auto order = [](const LessonCard& c) {
-      const bool placed = c.order > 0;
-      return std::tuple(c.own, !placed, c.order, placed || c.own ? 0 : levelRank(c.level), c.id != kFirstLesson,
-                        placed || c.own ? 0 : c.minutes, c.own ? c.title : c.id);
-    };
-    return order(a) < order(b);
-  });
 }
 
 }  // namespace moltact

@@ -79,6 +79,7 @@ class LessonShelf : public Extension {
   PanelState& panels_;
   const ApplicationOptions& options_;
   void list();
+  void sort();
 
   AttemptRecorder& recorder_;
   std::vector<LessonCard> cards_;

@@ -43,7 +43,9 @@ void StateText::write(const std::string& line) {
 
 void StateText::stepChanged() {
   const LessonSession* session = lesson_.session();
-  write(trf("step {0} of {1}: {2}", session->stepIndex() + 1, session->lesson().steps.size(), session->step().title));
+  const LessonSession::StepPlace place = session->place();
+  write(session->step().aside ? trf("aside: {0}", session->step().title)
+                              : trf("step {0} of {1}: {2}", place.number, place.of, session->step().title));
 }
 
 std::string StateText::line(const TouchScene& scene) const {
@@ -73,6 +75,7 @@ void StateText::afterPanels() {
     tells_contact_ = molecule && contact.touching();
     tells_unnamed_ = unnamed;
   }
+  if (reading_.text() == what) named_atoms_ = contact.atoms;
   if (speaking_.update(what, whole, force_N, time_.now_s)) write(whole);
   owing_ = reading_.owes(what) || ((to_terminal_ || file_) && speaking_.owes(what));
 }

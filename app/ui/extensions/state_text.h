@@ -3,6 +3,8 @@
 // what works with each of them (Orca or BRLTTY in a terminal, `moltact --state-text - | spd-say -e`). Window's thread.
 #pragma once
 
+#include <array>
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -37,6 +39,10 @@ class StateText : public Extension {
   std::string line(const TouchScene& scene) const;
   /// line() tells of a contact, and not that there is none or why.
   bool tellsContact() const { return tells_contact_; }
+  /// The atoms that line() names; none where it names none.
+  std::optional<std::array<std::int32_t, 3>> namedAtoms() const {
+    return tells_contact_ && !tells_unnamed_ ? std::optional(named_atoms_) : std::nullopt;
+  }
 
  private:
   const TouchScene& scene_;
@@ -51,6 +57,7 @@ class StateText : public Extension {
   std::string word_;  // whose meaning was told last
   bool to_terminal_ = false;
   bool tells_contact_ = false, tells_unnamed_ = false;
+  std::array<std::int32_t, 3> named_atoms_{-1, -1, -1};
   bool owing_ = false;  // a change has not been written yet
 };
 

@@ -39,9 +39,11 @@ class TaskStager final : public Extension {
   TouchScene& scene_;
   LessonGuide& lesson_;
   PanelState& panels_;
+  void comeClose(const std::optional<PointA>& place);
   void change(const TouchChange& before, const TouchChange& now);
 
   TaskStage stage_;
+  std::optional<PointA> came_close_;
   std::uint32_t buttons_ = 0;
   bool two_answers_ = false;
 };

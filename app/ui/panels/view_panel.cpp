@@ -108,6 +108,14 @@ ViewInput readInput(Application& app, ImVec2 low, glm::dvec2 size) {
     else
       tool.finish();
   }
+  // Two clicks on an atom bring the camera close to it.
+  if (!measuring && !app.extensions().task_stager.dark() && hovered && app.scene.stage() && !app.scene.playing() &&
+      ImGui::IsMouseReleased(push) && io.MouseClickedLastCount[push] == 2 &&
+      io.MouseDragMaxDistanceSqr[push] < look().px(4) * look().px(4))
+    if (const auto atom = atomAt(app.scene, {double(io.MousePos.x - low.x), double(io.MousePos.y - low.y)}, size)) {
+      const std::uint32_t only[] = {*atom};
+      app.zoomTo(only);
+    }
   // The way to the place where the button went down is none of the drag's.
   const bool begins = ImGui::IsMouseClicked(turn) || ImGui::IsMouseClicked(2);
   const glm::dvec2 drag = begins ? glm::dvec2(0.0) : glm::dvec2(io.MouseDelta.x, io.MouseDelta.y);
@@ -143,6 +151,7 @@ ViewScene seenScene(const Application& app) {
   if (app.scene.stage() && now.has_interaction) {
     scene.hip = now.hip;
     scene.contact = now.contact;
+    if (now.contact.touching()) scene.named_atoms = app.extensions().state_text.namedAtoms();
     scene.force_N = app.scene.log().force_N();
     scene.arrow_A_per_N =
         app.scene.camera.pixel_A(app.scene.camera.distance_A, std::max(1, int(app.layout().view.size().y))) *

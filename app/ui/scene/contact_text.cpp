@@ -8,8 +8,6 @@
 #include "engine/molecule/elements.h"
 
 namespace moltact {
-namespace {
-
 // "carbon CA of Ala 3", "nitrogen N of Gly 4 (chain B)", "zinc 201", "argon atom 2"; without its owner: "carbon CA".
 std::string atomText(const Molecule& molecule, std::size_t index, bool with_owner) {
   const Atom& atom = molecule.atoms[index];
@@ -23,8 +21,6 @@ std::string atomText(const Molecule& molecule, std::size_t index, bool with_owne
   if (molecule.chains.size() == 1 || words.chain.empty()) return trcf("an atom", "{0} of {1}", whole, words.residue);
   return trf("{0} of {1} (chain {2})", whole, words.residue, words.chain);
 }
-
-}  // namespace
 
 std::string touchedText(const Molecule& molecule, const Contact& contact) {
   std::vector<std::size_t> atoms;

@@ -13,6 +13,8 @@ namespace moltact {
 /// no force is given in place of how much.
 std::string contactText(const Molecule* molecule, const Contact& contact, double force_N, bool force_on = true);
 
+/// What an atom is called: "carbon CA of Ala 3", "zinc 201"; without its owner "carbon CA".
+std::string atomText(const Molecule& molecule, std::size_t index, bool with_owner);
 /// The sentence of a contact from the words for what is touched.
 std::string touchingText(const std::string& touched, double force_N, bool force_on = true);
 

@@ -29,12 +29,28 @@ bool holds(const std::vector<std::size_t>& list, std::size_t value) {
 // How a choice stands: what is said of it is not to be seen before it may be.
 enum class Mark { None, Right, Wrong };
 
-// One choice: a card with a mark. True when it was chosen.
+const char* wordOf(Mark told) { return told == Mark::Right ? tr("right") : tr("wrong"); }
+
+// What is right has a tick in a disc, what is wrong a cross in a square: the sign says it without its colour.
+void drawVerdict(ImDrawList* draw, Mark told, ImVec2 centre, float half) {
+  const Palette& p = look().palette;
+  if (told == Mark::Right)
+    draw->AddCircleFilled(centre, half, p.good, 28);
+  else
+    draw->AddRectFilled({centre.x - half + 1, centre.y - half + 1}, {centre.x + half - 1, centre.y + half - 1}, p.bad,
+                        look().px(2));
+  drawIcon(draw, told == Mark::Right ? Icon::Check : Icon::Close, centre, 1.5f * half, p.panel);
+}
+
+// One choice: a card with a mark, and once it is told whether it is right, a sign and a word. True when it was chosen.
 bool drawChoice(const std::string& name, const Choice& choice, bool round, bool ticked, Mark told) {
   const Look& l = look();
   const Palette& p = l.palette;
   const float width = ImGui::GetContentRegionAvail().x, pad = l.px(9), mark = l.px(8);
-  const float text_w = width - 2 * pad - 2 * mark - l.px(10);
+  ImFont* const small = l.font(Font::Small);
+  const float word_w =
+      told == Mark::None ? 0.0f : small->CalcTextSizeA(small->FontSize, 1e9f, 0, wordOf(told)).x + l.px(10);
+  const float text_w = width - 2 * pad - 2 * mark - l.px(10) - word_w;
   const float height = std::max(richTextHeight(choice.text, text_w), 2 * mark) + 2 * pad;
   ImGui::PushID(name.c_str());
   const bool clicked = ImGui::InvisibleButton("choice", {width, height});
@@ -49,7 +65,12 @@ bool drawChoice(const std::string& name, const Choice& choice, bool round, bool 
   if (l.theme == ThemeChoice::HighContrast) draw->AddRect(low, high, p.line, l.px(7), 0, std::max(1.0f, l.scale));
   const ImVec2 centre{low.x + pad + mark, low.y + pad + mark + l.px(1)};
   const ImU32 colour = told == Mark::Right ? p.good : told == Mark::Wrong ? p.bad : ticked ? p.accent : p.faint;
-  if (round) {
+  if (told != Mark::None) {
+    drawVerdict(draw, told, centre, mark);
+    const ImVec2 at{high.x - pad - word_w + l.px(10), low.y + pad + 0.5f * (ImGui::GetFontSize() - small->FontSize)};
+    draw->AddText(small, small->FontSize, at, colour, wordOf(told));
+    recordRectangle(name + "/verdict", {at.x, at.y}, {high.x - pad, at.y + small->FontSize}, wordOf(told));
+  } else if (round) {
     draw->AddCircle(centre, mark - 1, colour, 28, l.px(1.6f));
     if (ticked) draw->AddCircleFilled(centre, mark - l.px(4), colour, 28);
   } else {
@@ -205,6 +226,8 @@ void drawField(Application& app, std::size_t index, const std::string& name, flo
 struct Said {
   std::vector<RichText> lines;
   ImU32 colour;
+  Mark verdict = Mark::None;
+  bool own_words = false;  // the program's, where the author wrote none
 };
 
 Said saidTo(const LessonSession& session, std::size_t index) {
@@ -215,18 +238,35 @@ Said saidTo(const LessonSession& session, std::size_t index) {
   if (!status.again.empty()) return {{line(status.again)}, p.text};
   if (status.attempts == 0) return {{}, p.text};
   if (!session.told(index)) return {{line(tr("Kept. Now touch, and see whether it is so."))}, p.text};
-  Said out{session.feedback(index), status.last_right ? p.good : p.bad};
+  Said out{session.feedback(index), status.last_right ? p.good : p.bad, status.last_right ? Mark::Right : Mark::Wrong};
   if (question.free()) {
     out.colour = p.text;
+    out.verdict = Mark::None;
     out.lines.insert(out.lines.begin(),
                      line(out.lines.empty() ? tr("Kept with your results.")
                                             : tr("Kept with your results. Compare it with this answer:")));
   } else if (out.lines.empty()) {
+    out.own_words = true;
     out.lines.push_back(line(status.last_right     ? tr("Right.")
                              : question.prediction ? tr("It is otherwise.")
                                                    : tr("Not yet. Try again.")));
   }
   return out;
+}
+
+// Of a field, which has no card to carry it: the sign, and the word where the author wrote what is said. What is said
+// follows in the next line, or beside the sign where that is the program's own sentence.
+void drawFieldVerdict(const std::string& name, const Said& said) {
+  const Look& l = look();
+  const ImVec2 low = ImGui::GetCursorScreenPos();
+  const float half = l.px(8), height = std::max(2 * half, ImGui::GetTextLineHeight());
+  drawVerdict(ImGui::GetWindowDrawList(), said.verdict, {low.x + half, low.y + 0.5f * height}, half);
+  ImGui::Dummy({2 * half, height});
+  recordItem(name + "/verdict", wordOf(said.verdict));
+  ImGui::SameLine();
+  if (said.own_words) return;
+  WithText colour(said.colour);
+  ImGui::TextUnformatted(wordOf(said.verdict));
 }
 
 // Where the answer leads: Next goes there too.
@@ -283,6 +323,7 @@ std::string drawLessonQuestion(Application& app, std::size_t index) {
   const Said said = saidTo(session, index);
   if (!said.lines.empty()) {
     const float said_y = ImGui::GetCursorScreenPos().y;
+    if (said.verdict != Mark::None && question.choices.empty()) drawFieldVerdict(name, said);
     for (std::size_t k = 0; k < said.lines.size(); ++k) {
       const ImVec2 from = ImGui::GetCursorScreenPos();
       follow(drawRichText((name + "/feedback").c_str(), said.lines[k], said.colour));

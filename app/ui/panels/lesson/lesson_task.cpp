@@ -4,6 +4,7 @@
 #include <string>
 
 #include "app/ui/application/application.h"
+#include "app/ui/files/library.h"
 #include "app/ui/panels/lesson/lesson_blocks.h"
 #include "app/ui/panels/lesson/lesson_keys.h"
 #include "app/ui/panels/lesson/lesson_task_parts.h"
@@ -17,6 +18,12 @@
 
 namespace moltact {
 namespace {
+
+// Figures are for those who work with them: not in a lesson for beginners, unless the details of the touch panel are open.
+bool showsFigures(const Application& app) {
+  const std::string& level = app.lesson.session()->lesson().level;
+  return (!level.empty() && levelRank(level) > 0) || app.panels.touch_details;
+}
 
 // What the task's own kind has measured, in one quiet line; time and force are for the teacher's report.
 void drawFigures(const std::string& name, const Task& task) {
@@ -148,7 +155,7 @@ void drawLessonTask(Application& app, std::size_t index) {
     if (const auto asked = task->slider(); asked && status.current) drawTaskSlider(app, index, *asked);
     if (status.current) drawTaskButtons(app, index, *task);
     if (task->curves() && (status.current || status.done)) drawTaskCurve(app, index, *task->curves(), status.current);
-    if (status.done) drawFigures(name, *task);
+    if (status.done && showsFigures(app)) drawFigures(name, *task);
   }
   if (away && !app.loading() &&
       (button((name + "/bring back").c_str(), withKey(trf("Bring {0} back", molecule), "Enter").c_str(),
