@@ -1,7 +1,8 @@
 #include "engine/results/class_page.h"
 
-#include <algorithm>
 #include <map>
+#include <string_view>
+#include <vector>
 
 #include "engine/language/catalogue.h"
 #include "engine/results/lesson_section.h"
@@ -18,12 +19,19 @@ void whoFinishedWhat(std::string& out, const ClassSummary& summary) {
   for (const LessonSummary& lesson : summary.lessons)
     out += "<th class=\"left\">" + escaped(lesson.lesson.title) + "</th>";
   out += "</tr></thead><tbody>";
+  std::map<std::string_view, std::vector<const PersonScore*>> scores;  // of each person, by lesson
+  for (std::size_t k = 0; k < summary.lessons.size(); ++k)
+    for (const PersonScore& p : summary.lessons[k].people) {
+      auto& of_person = scores[p.person];
+      of_person.resize(summary.lessons.size());
+      of_person[k] = &p;
+    }
   for (const std::string& person : summary.people) {
     out += "<tr><td class=\"name\">" + escaped(person) + "</td>";
-    for (const LessonSummary& lesson : summary.lessons) {
-      const auto p = std::find_if(lesson.people.begin(), lesson.people.end(),
-                                  [&](const PersonScore& s) { return s.person == person; });
-      if (p == lesson.people.end())
+    auto& of_person = scores[person];
+    of_person.resize(summary.lessons.size());
+    for (const PersonScore* p : of_person) {
+      if (!p)
         out += std::string("<td class=\"left quiet\">") + tr("not begun") + "</td>";
       else
         out += "<td class=\"left\"><div class=\"doneCell\">" + bar(p->share(), true) + "<span>" + percent(p->share()) +

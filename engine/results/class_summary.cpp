@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdio>
 #include <set>
+#include <tuple>
 #include <utility>
 
 #include "engine/core/content_hash.h"
@@ -165,12 +166,6 @@ class Counting {
   double open_at_s_ = 0.0;
 };
 
-std::size_t distinctHashes(const std::vector<const Attempt*>& attempts) {
-  std::set<std::string> hashes;
-  for (const Attempt* a : attempts) hashes.insert(a->header.lesson.hash);
-  return hashes.size();
-}
-
 }  // namespace
 
 std::size_t PersonScore::answered() const {
@@ -217,76 +212,104 @@ std::optional<double> discrimination(const LessonSummary& lesson, const std::str
   return xy / std::sqrt(xx * yy);
 }
 
-ClassSummary summarise(std::vector<Attempt> attempts, const NamesShown& shown_as) {
-  const bool anonymous = shown_as.anonymous || !shown_as.code_word.empty();
-  std::stable_sort(attempts.begin(), attempts.end(),
-                   [](const Attempt& a, const Attempt& b) { return a.header.began < b.header.began; });
-  ClassSummary out;
-  out.attempts = attempts.size();
-
-  // Codes go by who began first, not by name.
-  std::map<std::string, std::string> codes;
-  std::vector<std::string> names, nobodies;
-  std::set<std::string> taken;
-  const auto personOf = [&](const Attempt& a, std::size_t index) {
-    const bool named = !a.header.student.empty();
-    const std::string key = named ? "n" + a.header.student : "f" + std::to_string(index);
-    const auto known = codes.find(key);
-    if (known != codes.end()) return known->second;
-    std::string code = "S" + std::string(codes.size() < 9 ? "0" : "") + std::to_string(codes.size() + 1);
-    if (!shown_as.code_word.empty()) code = codeOf(shown_as.code_word, key, taken);
-    taken.insert(code);
-    std::string shown = anonymous ? code : named ? a.header.student : nameless(a.header.began);
-    // Two without a name in the same minute are two.
-    for (int more = 2; !named && !anonymous && std::find(nobodies.begin(), nobodies.end(), shown) != nobodies.end();
-         ++more)
-      shown = nameless(a.header.began) + " #" + std::to_string(more);
-    (named || anonymous ? names : nobodies).push_back(shown);
-    return codes[key] = shown;
+struct ClassCount::Impl {
+  struct OfLesson {
+    LessonOutline newest;
+    std::set<std::string> hashes;
+    std::map<std::string, PersonScore> people;
   };
 
-  std::map<std::pair<std::string, std::string>, std::vector<const Attempt*>> by_lesson;
-  std::map<const Attempt*, std::string> person;
-  for (std::size_t k = 0; k < attempts.size(); ++k) {
-    by_lesson[{attempts[k].header.lesson.file, attempts[k].header.lesson.title}].push_back(&attempts[k]);
-    person[&attempts[k]] = personOf(attempts[k], k);
-  }
-  for (const auto& [of, of_lesson] : by_lesson) {
-    const auto same_file = std::count_if(by_lesson.begin(), by_lesson.end(),
-                                         [&, file = of.first](const auto& l) { return l.first.first == file; });
-    LessonSummary lesson{same_file > 1 ? of.first + " (" + of.second + ")" : of.first,
-                         of_lesson.back()->header.lesson,
-                         distinctHashes(of_lesson),
-                         {}};
-    std::map<std::string, PersonScore> people;
-    for (const Attempt* a : of_lesson) {
-      PersonScore& p = people[person[a]];
-      if (p.attempts == 0) {
-        p.person = person[a];
-        p.named = !a->header.student.empty();
-        p.began = a->header.began;
-      }
-      Counting(p).add(*a);
+  NamesShown shown_as;
+  ClassSummary out;
+  std::map<std::pair<std::string, std::string>, OfLesson> lessons;  // by file and title
+  // Codes go by who began first, not by name.
+  std::map<std::string, std::string> codes;
+  std::map<std::string, std::size_t> times;  // how often a text stood for somebody without a name
+  std::vector<std::string> names, nobodies;
+  std::set<std::string> taken;
+
+  bool anonymous() const { return shown_as.anonymous || !shown_as.code_word.empty(); }
+
+  std::string personOf(const AttemptHeader& header) {
+    const bool named = !header.student.empty();
+    const std::string key = named ? "n" + header.student : "f" + std::to_string(out.attempts);
+    const auto known = codes.find(key);
+    if (known != codes.end()) return known->second;
+    std::string shown;
+    if (anonymous()) {
+      shown = "S" + std::string(codes.size() < 9 ? "0" : "") + std::to_string(codes.size() + 1);
+      if (!shown_as.code_word.empty()) shown = codeOf(shown_as.code_word, key, taken);
+      taken.insert(shown);
+    } else if (named) {
+      shown = header.student;
+    } else {
+      // Two without a name in the same minute are two.
+      shown = nameless(header.began);
+      if (const std::size_t before = times[shown]++) shown += " #" + std::to_string(before + 1);
     }
-    for (auto& [name, score] : people) {
-      if (anonymous)
+    (named || anonymous() ? names : nobodies).push_back(shown);
+    return codes[key] = shown;
+  }
+};
+
+ClassCount::ClassCount(NamesShown names) : impl_(std::make_unique<Impl>()) { impl_->shown_as = std::move(names); }
+ClassCount::~ClassCount() = default;
+
+void ClassCount::add(const Attempt& attempt) {
+  const AttemptHeader& header = attempt.header;
+  const std::string person = impl_->personOf(header);
+  ++impl_->out.attempts;
+  impl_->out.nameless += header.student.empty();
+  Impl::OfLesson& lesson = impl_->lessons[{header.lesson.file, header.lesson.title}];
+  lesson.newest = header.lesson;
+  lesson.hashes.insert(header.lesson.hash);
+  PersonScore& score = lesson.people[person];
+  if (score.attempts == 0) {
+    score.person = person;
+    score.named = !header.student.empty();
+    score.began = header.began;
+  }
+  Counting(score).add(attempt);
+}
+
+ClassSummary ClassCount::finish() {
+  ClassSummary& out = impl_->out;
+  std::map<std::string, std::size_t> titles;  // of the lessons with this file name
+  for (const auto& [of, lesson] : impl_->lessons) ++titles[of.first];
+  for (auto& [of, counted] : impl_->lessons) {
+    LessonSummary lesson{titles[of.first] > 1 ? of.first + " (" + of.second + ")" : of.first,
+                         std::move(counted.newest),
+                         counted.hashes.size(),
+                         {}};
+    lesson.people.reserve(counted.people.size());
+    for (auto& [name, score] : counted.people) {
+      if (impl_->anonymous())
         for (Predicted& prediction : score.predictions) {
-          const auto code = codes.find("n" + prediction.student);
-          prediction.student = code == codes.end() ? tr("(another)") : code->second;
+          const auto code = impl_->codes.find("n" + prediction.student);
+          prediction.student = code == impl_->codes.end() ? tr("(another)") : code->second;
         }
       lesson.people.push_back(std::move(score));
     }
+    counted.people.clear();
     std::stable_sort(lesson.people.begin(), lesson.people.end(),
                      [](const PersonScore& a, const PersonScore& b) { return a.named > b.named; });
     out.lessons.push_back(std::move(lesson));
   }
   std::sort(out.lessons.begin(), out.lessons.end(), [](const LessonSummary& a, const LessonSummary& b) {
-    return std::pair(a.lesson.title, a.lesson.file) < std::pair(b.lesson.title, b.lesson.file);
+    return std::tie(a.lesson.title, a.lesson.file) < std::tie(b.lesson.title, b.lesson.file);
   });
-  std::sort(names.begin(), names.end());
-  out.people = std::move(names);
-  out.people.insert(out.people.end(), nobodies.begin(), nobodies.end());
-  return out;
+  std::sort(impl_->names.begin(), impl_->names.end());
+  out.people = std::move(impl_->names);
+  out.people.insert(out.people.end(), impl_->nobodies.begin(), impl_->nobodies.end());
+  return std::move(out);
+}
+
+ClassSummary summarise(std::vector<Attempt> attempts, const NamesShown& names) {
+  std::stable_sort(attempts.begin(), attempts.end(),
+                   [](const Attempt& a, const Attempt& b) { return a.header.began < b.header.began; });
+  ClassCount count(names);
+  for (const Attempt& attempt : attempts) count.add(attempt);
+  return count.finish();
 }
 
 GoalScore goalScore(const LessonOutline& lesson, const PersonScore& p, std::size_t goal) {
@@ -344,10 +367,14 @@ std::string wayText(const LessonOutline& lesson, const PersonScore& person) {
 }
 
 std::string summaryText(const ClassSummary& summary) {
-  const std::size_t people = summary.people.size(), lessons = summary.lessons.size();
-  return trf("{0}, {1}, {2}", trnf("{0} student", "{0} students", people, people),
-             trnf("{0} lesson", "{0} lessons", lessons, lessons),
-             trnf("{0} attempt", "{0} attempts", summary.attempts, summary.attempts));
+  // How many students made the attempts without a name, nobody knows. With codes in the place of names each is listed.
+  const std::size_t people = summary.people.size() - summary.nameless, lessons = summary.lessons.size();
+  const std::string of_lessons = trnf("{0} lesson", "{0} lessons", lessons, lessons),
+                    attempts = trnf("{0} attempt", "{0} attempts", summary.attempts, summary.attempts);
+  if (people == 0) return trf("{0}, {1}, all without a name", of_lessons, attempts);
+  const std::string all =
+      trf("{0}, {1}, {2}", trnf("{0} student", "{0} students", people, people), of_lessons, attempts);
+  return summary.nameless ? trf("{0}, {1} of them without a name", all, summary.nameless) : all;
 }
 
 }  // namespace moltact

@@ -6,6 +6,7 @@
 
 #include <array>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -84,9 +85,9 @@ struct LessonSummary {
 };
 
 struct ClassSummary {
-  std::vector<LessonSummary> lessons;  ///< by title
-  std::vector<std::string> people;     ///< named ones first, then those without a name
-  std::size_t attempts = 0;
+  std::vector<LessonSummary> lessons;      ///< by title
+  std::vector<std::string> people;         ///< named ones first, then an entry for each attempt without a name
+  std::size_t attempts = 0, nameless = 0;  ///< all attempts; those without a name, whose students cannot be counted
 };
 
 struct NamesShown {
@@ -97,7 +98,26 @@ struct NamesShown {
   std::string code_word = {};
 };
 
-/// Attempts in any order. Lessons are told apart by file name and title.
+/// Counts one attempt after another and keeps only the scores, so that a large class needs little memory. Lessons differ
+/// by file name and title.
+class ClassCount {
+ public:
+  explicit ClassCount(NamesShown names = {});
+  ~ClassCount();
+  ClassCount(const ClassCount&) = delete;
+  ClassCount& operator=(const ClassCount&) = delete;
+
+  /// In the order in which the attempts began.
+  void add(const Attempt& attempt);
+  /// Once, after the last.
+  ClassSummary finish();
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+/// The same of attempts in any order.
 ClassSummary summarise(std::vector<Attempt> attempts, const NamesShown& names = {});
 
 /// How well a question tells those who do well in the rest of the lesson from those who do not: the correlation of its
@@ -109,7 +129,7 @@ std::optional<double> discrimination(const LessonSummary& lesson, const std::str
 /// it led to: "1 2 (after 2 wrong: a1) a1 2 3".
 std::string wayText(const LessonOutline& lesson, const PersonScore& person);
 
-/// "24 students, 2 lessons, 51 attempts".
+/// "24 students, 2 lessons, 51 attempts"; with "3 of them without a name" where that is so.
 std::string summaryText(const ClassSummary& summary);
 
 }  // namespace moltact

@@ -7,6 +7,7 @@
 #include "app/ui/application/application.h"
 #include "app/ui/extensions/extensions.h"
 #include "app/ui/scene/contact_text.h"
+#include "app/ui/scene/view_picture.h"
 #include "app/ui/widgets/controls.h"
 #include "app/ui/widgets/key_names.h"
 #include "app/ui/widgets/theme.h"
@@ -155,6 +156,16 @@ void loadingSign(const Application& app, const Rectangle& view) {
   draw->AddRectFilled({x, y}, {x + knob, y + high}, l.palette.accent, 0.5f * high);
 }
 
+// The picture shows the former style meanwhile.
+void surfaceSign(Application& app, const Rectangle& view, float width) {
+  const std::optional<float> share = app.picture().surfaceProgress();
+  if (!share) return;
+  const Look& l = look();
+  pill("view/surface", trf("The surface is computed: {0} %", int(100.0f * *share)),
+       {0.5f * (view.low.x + view.high.x), view.low.y + l.px(12)}, {0.5f, 0.0f}, width - l.px(84), l.palette.panel,
+       l.palette.text);
+}
+
 }  // namespace
 
 void drawViewOverlays(Application& app, const Rectangle& view) {
@@ -183,6 +194,7 @@ void drawViewOverlays(Application& app, const Rectangle& view) {
   }
   drawColourLegend(app, view, drawStateSlider(app, view));
   drawDepthGauge(app, view);
+  surfaceSign(app, view, width);
   if (now.contact.touching() && app.scene.shown.has(ViewPart::Force)) forceLabel(app, now, view);
   // Words stand left of the scale bar; in a narrow view they need all of it.
   const bool roomy = width > l.tx(320);
