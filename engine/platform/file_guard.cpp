@@ -3,6 +3,7 @@
 #include <atomic>
 #include <mutex>
 #include <system_error>
+#include <unordered_set>
 
 #include "engine/language/catalogue.h"
 
@@ -13,12 +14,14 @@ namespace fs = std::filesystem;
 
 std::atomic<bool> guarded{false};
 std::mutex mutex;
-std::vector<fs::path> inputs, outputs_written;
+// Names as they were given: a path takes ten times their memory, and inputs may be a hundred thousand.
+using Names = std::unordered_set<fs::path::string_type>;
+Names inputs, outputs_written;
 
-void note(std::vector<fs::path>& files, const fs::path& file) {
+void note(Names& files, const fs::path& file) {
   if (!guarded.load()) return;
   const std::lock_guard lock(mutex);
-  files.push_back(file);
+  files.insert(file.native());
 }
 
 // The name behind all links, also where the last one leads to a file that does not exist.
@@ -40,11 +43,11 @@ bool isOrdinaryOrMissing(const fs::path& file) {
   return !fs::exists(status) || fs::is_regular_file(status);
 }
 
-bool among(const std::vector<fs::path>& files, const fs::path& file) {
+bool among(const Names& files, const fs::path& file) {
   std::error_code error;
   const bool exists = fs::exists(file, error);
-  for (const fs::path& other : files) {
-    // A file that exists is compared by the system alone: inputs may be a hundred thousand.
+  for (const fs::path::string_type& other : files) {
+    // A file that exists is compared by the system alone, which is quick.
     if (exists ? fs::equivalent(file, other, error) : sameFile(file, other)) return true;
   }
   return false;

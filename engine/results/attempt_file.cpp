@@ -183,8 +183,7 @@ std::string attemptBegan(const fs::path& file) {
   std::string line;
   if (!open || !std::getline(open->in, line)) return {};
   if (line.ends_with('\r')) line.pop_back();
-  const Expected<AttemptHeader> header = readHeaderLine(line);
-  return header ? header->began : std::string();
+  return beganOf(line);
 }
 
 Expected<std::vector<fs::path>> attemptFiles(const fs::path& named, bool deep) {

@@ -72,11 +72,16 @@ void howCounted(std::string& out) {
 
 std::string classPage(const ClassSummary& summary, const std::vector<Problem>& passed_over, const std::string& made) {
   const std::string title = tr("Class report");
+  std::size_t scores = 0;
+  for (const LessonSummary& lesson : summary.lessons) scores += lesson.people.size();
   std::string out = "<!DOCTYPE html>\n<html lang=\"" + escaped(language()) +
                     "\"><head><meta charset=\"utf-8\"><meta name=\"viewport\" "
                     "content=\"width=device-width, initial-scale=1\">"
                     "<meta name=\"generator\" content=\"Moltact\"><title>" +
                     title + "</title><style>";
+  // A page of a large class is never copied to grow; what is not filled takes no memory.
+  constexpr std::size_t kMostOfScore = 4096;
+  out.reserve(out.size() + kMostOfScore * scores);
   out += styleSheet();
   const std::string counted = trf("{0}. Made {1} with Moltact.", summaryText(summary), escaped(made));
   out += "</style></head><body>" + patterns() + "<main><h1>" + title + "</h1><p class=\"quiet\">" + counted + "</p>";
@@ -84,12 +89,13 @@ std::string classPage(const ClassSummary& summary, const std::vector<Problem>& p
   if (summary.lessons.size() > 1) whoFinishedWhat(out, summary);
   bool first = summary.lessons.size() <= 1;
   for (const LessonSummary& lesson : summary.lessons) {
-    out += lessonSection(lesson, first);
+    lessonSection(out, lesson, first);
     first = false;
   }
   passedOver(out, passed_over);
   howCounted(out);
-  return out + "</main></body></html>\n";
+  out += "</main></body></html>\n";
+  return out;
 }
 
 }  // namespace moltact

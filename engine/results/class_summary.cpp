@@ -101,9 +101,9 @@ class Counting {
   void operator()(const CurveKept& e) {
     TaskScore& task = p_.tasks[{e.step, e.task}];
     if (e.felt)
-      task.felt = e;
+      task.felt = std::make_shared<const CurveKept>(e);
     else if (!task.drawn)
-      task.drawn = e;
+      task.drawn = std::make_shared<const CurveKept>(e);
   }
   void operator()(const TouchBegan&) { endOpenTouch(); }
   void operator()(const TouchSoFar& e) {

@@ -35,7 +35,8 @@ struct TaskScore {
   double took_s = 0.0;
   InputWay by = InputWay::Mouse;
   std::vector<LoggedFigure> figures;
-  std::optional<CurveKept> drawn, felt;  ///< the first curve drawn, and the last felt
+  /// The first curve drawn, and the last felt; null where there is none, as in most tasks of a hundred thousand attempts.
+  std::shared_ptr<const CurveKept> drawn, felt;
 };
 
 /// One person at one lesson.
