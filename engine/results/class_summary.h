@@ -6,6 +6,7 @@
 
 #include <array>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -34,8 +35,9 @@ struct TaskScore {
   double took_s = 0.0;
   InputWay by = InputWay::Mouse;
   std::vector<LoggedFigure> figures;
-  std::optional<CurveKept> drawn, felt;     ///< the first curve drawn, and the last felt
-  std::vector<LoggedFigure> first_figures;  ///< of the first time that it came to its end, solved or not
+  /// The first curve drawn, and the last felt; null where there is none, as in most tasks of a hundred thousand attempts.
+  std::shared_ptr<const CurveKept> drawn, felt;
+  std::optional<double> first_sensitivity;  ///< d' of the first round of a task that is asked before and after
 };
 
 /// One person at one lesson.
@@ -95,9 +97,9 @@ struct LessonSummary {
 };
 
 struct ClassSummary {
-  std::vector<LessonSummary> lessons;  ///< by title
-  std::vector<std::string> people;     ///< named ones first, then those without a name
-  std::size_t attempts = 0;
+  std::vector<LessonSummary> lessons;      ///< by title
+  std::vector<std::string> people;         ///< named ones first, then an entry for each attempt without a name
+  std::size_t attempts = 0, nameless = 0;  ///< all attempts; those without a name, whose students cannot be counted
 };
 
 struct NamesShown {
@@ -108,7 +110,26 @@ struct NamesShown {
   std::string code_word = {};
 };
 
-/// Attempts in any order. Lessons are told apart by file name and title.
+/// Counts one attempt after another and keeps only the scores, so that a large class needs little memory. Lessons differ
+/// by file name and title.
+class ClassCount {
+ public:
+  explicit ClassCount(NamesShown names = {});
+  ~ClassCount();
+  ClassCount(const ClassCount&) = delete;
+  ClassCount& operator=(const ClassCount&) = delete;
+
+  /// In the order in which the attempts began.
+  void add(const Attempt& attempt);
+  /// Once, after the last.
+  ClassSummary finish();
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+/// The same of attempts in any order.
 ClassSummary summarise(std::vector<Attempt> attempts, const NamesShown& names = {});
 
 /// How well a question tells those who do well in the rest of the lesson from those who do not: the correlation of its
@@ -120,7 +141,7 @@ std::optional<double> discrimination(const LessonSummary& lesson, const std::str
 /// it led to: "1 2 (after 2 wrong: a1) a1 2 3".
 std::string wayText(const LessonOutline& lesson, const PersonScore& person);
 
-/// "24 students, 2 lessons, 51 attempts".
+/// "24 students, 2 lessons, 51 attempts"; with "3 of them without a name" where that is so.
 std::string summaryText(const ClassSummary& summary);
 
 }  // namespace moltact

@@ -124,6 +124,24 @@ TEST_CASE("check, info and play take a pack as they take a lesson, and leave not
   CHECK(fs::is_empty(place.folder / "tmp"));
 }
 
+TEST_CASE("a folder that a killed program left is removed by the next check, info or play; one in use stays") {
+  const Place place;
+  REQUIRE(place.run("pack haem.md").status == 0);
+  fs::create_directory(place.folder / "tmp");
+  const fs::path left = place.folder / "tmp/moltact-pack-left", used = place.folder / "tmp/moltact-pack-used";
+  // util-linux's flock holds the other folder as a running program does.
+  const std::string before = "export TMPDIR='" + (place.folder / "tmp").string() + "'; flock '" + used.string() + "'";
+  for (const char* command : {"check haem.moltact", "info haem.moltact", "play haem.moltact --demonstrate"}) {
+    CAPTURE(command);
+    for (const fs::path& folder : {left, used}) fs::create_directories(folder / "deep");
+    CHECK(place.run(command, before).status == 0);
+    CHECK_FALSE(fs::exists(left));
+    CHECK(fs::exists(used / "deep"));
+    fs::remove_all(used);
+    CHECK(fs::is_empty(place.folder / "tmp"));
+  }
+}
+
 TEST_CASE("a fault in a packed lesson is told at its place in the pack; a broken pack with its remedy") {
   const Place place;
   REQUIRE(place.run("pack haem.md").status == 0);

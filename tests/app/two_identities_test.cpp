@@ -99,10 +99,10 @@ TEST_CASE(
   d.reset();  // what is kept is whole
 
   const std::array named{attempts};
-  ClassFiles files = readClass(named);
-  CHECK(files.passed_over.empty());
-  REQUIRE(files.attempts.size() == 2);
-  const ClassSummary summary = summarise(std::move(files.attempts));
+  const ClassReading reading = readClass(named);
+  CHECK(reading.passed_over.empty());
+  const ClassSummary& summary = reading.summary;
+  REQUIRE(summary.attempts == 2);
   CHECK(summary.people == std::vector<std::string>{"Ana", "Bo"});
   REQUIRE(summary.lessons.size() == 1);
   REQUIRE(summary.lessons[0].people.size() == 2);

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "engine/language/units.h"
+#include "engine/results/attempt_lines.h"
 #include "engine/results/class_csv.h"
 #include "engine/results/class_page.h"
 #include "tests/results/sample_attempt.h"
@@ -198,6 +199,27 @@ TEST_CASE("every figure of a task has its column, empty for who did not do it") 
     CHECK(std::stod(cell(rows, 1, column)) == doctest::Approx(f.value).epsilon(0.001));
     CHECK(cell(rows, 2, column).empty());
   }
+}
+
+TEST_CASE("4 attempts without a name are 4 attempts and no students; beside 1 named one they are told apart") {
+  std::vector<Attempt> attempts(4, sampleAttempt());
+  for (std::size_t k = 0; k < attempts.size(); ++k) {
+    attempts[k].header.student.clear();
+    attempts[k].header.lesson.file = "lesson-" + std::to_string(k) + ".md";
+  }
+  CHECK(summaryText(summarise(attempts)) == "4 lessons, 4 attempts, all without a name");
+  CHECK(summaryText(summarise(attempts, {.anonymous = true})) == "4 lessons, 4 attempts, all without a name");
+  attempts.push_back(sampleAttempt());
+  CHECK(summaryText(summarise(attempts)) == "1 student, 5 lessons, 5 attempts, 4 of them without a name");
+  CHECK(summaryText(summarise({sampleAttempt()})) == "1 student, 1 lesson, 1 attempt");
+}
+
+TEST_CASE("an attempt's beginning is read from its first line alone, whatever else the line holds") {
+  CHECK(beganOf(R"({"kind":"attempt","began":"2026-11-21T10:58:14Z","lesson":)") == "2026-11-21T10:58:14Z");
+  CHECK(beganOf(R"({"lesson":{"began":"x"},"student":"\"began\":\"y\"", "began" : "z"})") == "z");
+  CHECK(beganOf(R"({"began":7})").empty());
+  CHECK(beganOf("[\"began\",\"x\"]").empty());
+  CHECK(beganOf("").empty());
 }
 
 TEST_CASE("two lessons of one file name and different titles stay two, with columns of their own") {

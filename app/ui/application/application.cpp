@@ -25,7 +25,7 @@ bool anyOf(std::span<Extension* const> all, bool (Extension::*says)() const) {
 Application::Application(ApplicationOptions given, ApplicationParts parts)
     : scene(given.clock),
       options_(std::move(given)),
-      picture_(std::make_unique<ViewPicture>()),
+      picture_(std::make_unique<ViewPicture>(options_.clock == ServoClock::Frames)),
       extensions_(parts.extensions(*this)),
       keys_(parts.keys),
       panels_(parts.panels) {

@@ -9,6 +9,7 @@
 #include "app/ui/panels/push_pads.h"
 #include "app/ui/scene/body_place.h"
 #include "app/ui/scene/contact_text.h"
+#include "app/ui/scene/view_picture.h"
 #include "app/ui/widgets/controls.h"
 #include "app/ui/widgets/key_names.h"
 #include "app/ui/widgets/rich_text.h"
@@ -246,6 +247,16 @@ Rectangle belowMessages(const Application& app, Rectangle view) {
   return view;
 }
 
+// The picture shows the former style meanwhile.
+void surfaceSign(Application& app, ViewRoom& room, float width) {
+  const std::optional<float> share = app.picture().surfaceProgress();
+  if (!share) return;
+  const Look& l = look();
+  drawPill(room, "view/surface", trf("The surface is computed: {0} %", int(100.0f * *share)),
+           {0.5f * (room.view.low.x + room.view.high.x), room.view.low.y + l.px(12)}, {0.5f, 0.0f}, width - l.px(84),
+           l.palette.panel, l.palette.text);
+}
+
 }  // namespace
 
 bool ViewRoom::isFree(const Rectangle& place) const {
@@ -287,6 +298,7 @@ void drawViewOverlays(Application& app, const Rectangle& whole_view) {
     room.slider = slider;
   }
   if (const Rectangle pads = pushPadsPlace(app, whole_view); !pads.empty()) room.take(pads);
+  surfaceSign(app, room, width);
   // Words stand left of the scale bar; in a narrow view they need all of it.
   const bool roomy = width > l.tx(320);
   if (roomy) scaleBar(app, room);
