@@ -241,7 +241,10 @@ std::vector<KeySpec> sceneKeys() {
        .meaning = "Whether atoms stay lightly painted once they have been touched.",
        .fallback = "none",
        .words = {"touched", "none"}},
-      {.name = "highlight", .type = ValueType::Selection, .meaning = "Atoms that are drawn in the colour of targets."},
+      {.name = "highlight",
+       .type = ValueType::Selection,
+       .meaning = "Atoms that are drawn in the colour of targets. Of atoms in the hand, the place that they were taken "
+                  "from: as a ghost, with a line that counts how many are back in place."},
       {.name = "view",
        .type = ValueType::View,
        .meaning = "From where the molecule is seen at first; 'side' is the front, but a long molecule whose end would "
