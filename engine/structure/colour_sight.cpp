@@ -15,11 +15,14 @@ using Triple = std::array<double, 3>;
 
 // G. M. Machado, M. M. Oliveira, L. A. F. Fernandes, "A physiologically-based model for simulation of color vision
 // deficiency", IEEE Trans. Vis. Comput. Graph. 15 (2009) 1291-1298: severity 1, in linear RGB. The first is normal sight.
-constexpr std::array<std::array<Triple, 3>, 4> kSights = {{
+// Models of tritanopia differ most: the last is the half-plane for blue and green of H. Brettel, F. Viénot and J. D. Mollon,
+// J. Opt. Soc. Am. A 14 (1997) 2647-2655.
+constexpr std::array<std::array<Triple, 3>, 5> kSights = {{
     {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}},
     {{{0.152286, 1.052583, -0.204868}, {0.114503, 0.786281, 0.099216}, {-0.003882, -0.048116, 1.051998}}},
     {{{0.367322, 0.860646, -0.227968}, {0.280085, 0.672501, 0.047413}, {-0.011820, 0.042940, 0.968881}}},
     {{{1.255528, -0.076749, -0.178779}, {-0.078411, 0.930809, 0.147602}, {0.004733, 0.691367, 0.303900}}},
+    {{{1.01277, 0.13548, -0.14826}, {-0.01243, 0.86812, 0.14431}, {0.07589, 0.80500, 0.11911}}},
 }};
 
 // A colour's L*, a* and b* for each kind of sight.

@@ -10,7 +10,8 @@
 namespace moltact {
 
 /// The smallest CIEDE2000 distance between two colours among normal sight, protanopia, deuteranopia and tritanopia. The
-/// three are simulated by the matrices of Machado, Oliveira and Fernandes (2009) for the whole loss of one cone.
+/// three are simulated by the matrices of Machado, Oliveira and Fernandes (2009) for the whole loss of one cone, tritanopia
+/// also by Brettel, Viénot and Mollon (1997).
 double leastSeenDistance(const Rgb8& a, const Rgb8& b);
 
 /// Two colours of marks, or of a mark and a target, that are at least so far apart are easy to tell in a picture.

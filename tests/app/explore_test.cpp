@@ -38,6 +38,7 @@ TEST_CASE("a pointer over an atom names it without a push, in a lesson only once
   d->frames(10);
   CHECK_FALSE(d->shows("view/under the pointer"));
   d->release();
+  d.reset();  // one window at a time
 
   Scratch scratch;
   const std::string asks = argonLesson("Asks", "  - G\n", "```touch\nreach: atom 0\nsay: Touch it.\n```\n");
@@ -53,6 +54,7 @@ TEST_CASE("a pointer over an atom names it without a push, in a lesson only once
   asked->frames(60);
   CHECK(contains(asked->text("view/under the pointer"), "argon"));
 
+  asked.reset();
   auto hidden = openLesson(scratch,
                            "---\ntitle: T\nminutes: 5\ngoals: G\nmolecules: argon\nauthor: A\nlicence: L\n---\n"
                            "## One\n```scene\nmolecule: argon\nhide: all\n```\nText.\n");

@@ -188,7 +188,7 @@ TEST_CASE(
         CAPTURE(stopped);
         CHECK(covered() == "");
         CHECK(d->shows("limits") == stopped);
-        CHECK(d->shows("view/state"));
+        if (scale < 2.0) CHECK(d->shows("view/state"));  // else a message may lie under the pointer
       }
       d->app().scene.servo_settings.panic = false;
       d->app().panels.legend = true;

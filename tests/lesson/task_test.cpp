@@ -128,7 +128,7 @@ TEST_CASE("the task to touch five places names the next one and counts those tha
   CHECK(t->sentence() == "0 of 2 places touched. Now touch Asp 52 (chain A).");
   hand.touch({0}, 0.6);
   hand.away(0.5);
-  CHECK(t->sentence() == "1 of 2 places touched. Now touch HEM 1 (chain B).");
+  CHECK(t->sentence() == "1 of 2 places touched. Now touch haem 1 (chain B).");
 }
 
 TEST_CASE("feel 3 atoms of the protein does not count the ligand or one atom twice") {

@@ -62,8 +62,8 @@ std::shared_ptr<const Lesson> smallLessonInGerman() {
       "---\ntitle: Klein\nminutes: 5\ngoals: G\nmolecules: mix\nauthor: A\nlicence: L\n---\n"
       "## Eins\n```scene\nmolecule: mix\n```\n```touch\nreach: atom 0\nsay: S\npraise: P.\n```\n"
       "```touch\nreach: atom 1\nsay: Dann das.\n```\n"
-      "### Frage: Welche?\n- [x] ja → Gut\n- [ ] nein → Schlecht\n"
-      "## Zwei\n### Frage: Wie lang?\n```answer\nnumber: 1.4 Å\ntolerance: 0.1 Å\nwrong: Miss noch einmal.\n```\n"
+      "### Question: Welche?\n- [x] ja → Gut\n- [ ] nein → Schlecht\n"
+      "## Zwei\n### Question: Wie lang?\n```answer\nnumber: 1.4 Å\ntolerance: 0.1 Å\nwrong: Miss noch einmal.\n```\n"
       "## Drei\nDas Ende.\n");
   REQUIRE(read.lesson);
   return std::make_shared<const Lesson>(*std::move(read.lesson));
@@ -89,6 +89,7 @@ TEST_CASE(
   before.choose(0, {0});
   before.next();
   keep(4);
+  file += lineOf(AttemptEvent{4.0, ProgressMade{before.step().id, 2, 4}});
   const ScratchFolder scratch;
   writeFile(scratch.path / "a.jsonl", file);
   AttemptHeader other = header;

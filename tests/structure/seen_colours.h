@@ -1,6 +1,5 @@
-// How far apart two colours look to each kind of colour vision. It shares nothing with engine/structure/colour_sight.cpp:
-// sight is simulated by Brettel, Viénot and Mollon (1997) for tritanopia and Viénot, Brettel and Mollon (1999) for protanopia
-// and deuteranopia, there by Machado, Oliveira and Fernandes (2009).
+// How far apart two colours look to each kind of colour vision, with code of its own. Sight is simulated by Brettel, Viénot and Mollon (1997) for tritanopia and Viénot, Brettel and Mollon (1999) for protanopia
+// and deuteranopia; engine/structure/colour_sight.cpp goes by Machado, Oliveira and Fernandes (2009) first.
 #pragma once
 
 #include <algorithm>

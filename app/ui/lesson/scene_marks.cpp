@@ -117,9 +117,11 @@ Rgb8 colour8(const Colour& colour) {
   return out;
 }
 
-// The colours of the atoms that are drawn and have no mark; none of a gradient, whose colours are too many.
+// The colours of the atoms that are drawn and have no mark; none of a gradient, or of so many chains that their colours
+// repeat: no shade keeps apart from them all.
 std::vector<Rgb8> coloursBeside(const SceneSpec& scene, const Molecule& molecule, const std::vector<OwnColour>& marks) {
   constexpr std::size_t kMost = 24;
+  if (scene.colour == "chain" && molecule.chains.size() > kChainColours) return {};
   std::vector<bool> without(molecule.atoms.size(), true);
   for (const OwnColour& mark : marks)
     for (const std::uint32_t a : mark.atoms) without[a] = false;

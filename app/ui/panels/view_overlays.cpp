@@ -38,6 +38,7 @@ ImVec2 pillSize(const std::string& lines, float width) {
 }
 
 // A line of text on a rounded ground, wrapped at `width`, whose place is then taken; returns its height.
+// What has no room in the view is left out.
 float drawPill(ViewRoom& room, const char* name, const std::string& text, ImVec2 anchor, ImVec2 pivot, float width,
                ImU32 ground, ImU32 colour, float alpha = 1.0f) {
   const Look& l = look();
@@ -47,6 +48,7 @@ float drawPill(ViewRoom& room, const char* name, const std::string& text, ImVec2
   const ImVec2 whole{size.x + 2 * pad.x, size.y + 2 * pad.y};
   const ImVec2 low{std::round(anchor.x - pivot.x * whole.x), std::round(anchor.y - pivot.y * whole.y)};
   const ImVec2 high{low.x + whole.x, low.y + whole.y};
+  if (low.y < room.view.low.y) return -l.px(8);
   ImDrawList* draw = ImGui::GetWindowDrawList();
   draw->AddRectFilled(low, high, faded(ground, 0.88f * alpha), l.px(8));
   draw->AddText(ImGui::GetFont(), ImGui::GetFontSize(), {low.x + pad.x, low.y + pad.y}, faded(colour, alpha),
@@ -241,6 +243,19 @@ void loadingSign(const Application& app, ViewRoom& room) {
   draw->AddRectFilled({x, y}, {x + knob, y + high}, l.palette.accent, 0.5f * high);
 }
 
+void drawReset(Application& app, ViewRoom& room) {
+  const Look& l = look();
+  const float side = l.px(30);
+  const ImVec2 low{room.view.high.x - l.px(42), room.view.low.y + l.px(12)};
+  const Rectangle place{{low.x, low.y}, {low.x + side, low.y + side}};
+  if (!room.isFree(place)) return;
+  room.take(place);
+  ImGui::GetWindowDrawList()->AddRectFilled(low, {low.x + side, low.y + side}, faded(l.palette.panel, 0.75f), l.px(6));
+  ImGui::SetCursorScreenPos(low);
+  if (iconButton("view/reset", Icon::Fit, (tr("Reset view") + (" (" + keysText("Home") + ")")).c_str()))
+    app.resetViewByHand();
+}
+
 // Messages lie over the upper edge of the view: what is drawn in it begins below them.
 Rectangle belowMessages(const Application& app, Rectangle view) {
   view.low.y = std::clamp(app.panels.messages_end, view.low.y, std::max(view.low.y, view.high.y - 1.0f));
@@ -272,18 +287,6 @@ void drawViewOverlays(Application& app, const Rectangle& whole_view) {
   if (width < l.px(120)) return;
   const ServoSample& now = app.scene.log().latest();
   const auto pill = [&](const auto&... what) { return drawPill(room, what...); };
-
-  const ImVec2 corner{view.high.x - l.px(42), view.low.y + l.px(12)};
-  const float side = l.px(30);
-  if (app.scene.stage()) {
-    ImGui::GetWindowDrawList()->AddRectFilled(corner, {corner.x + side, corner.y + side}, faded(p.panel, 0.75f),
-                                              l.px(6));
-    room.take({{corner.x, corner.y}, {corner.x + side, corner.y + side}});
-  }
-  ImGui::SetCursorScreenPos(corner);
-  if (app.scene.stage() &&
-      iconButton("view/reset", Icon::Fit, (tr("Reset view") + (" (" + keysText("Home") + ")")).c_str()))
-    app.resetViewByHand();
 
   loadingSign(app, room);
   if (!app.scene.stage()) {
@@ -326,6 +329,11 @@ void drawViewOverlays(Application& app, const Rectangle& whole_view) {
                                      app.scene.stage().body != nullptr),
                             ImVec2(view.low.x + margin, bottom), ImVec2(0, 1), words, p.panel, p.quiet, hint);
   }
+  if (const std::string limits = limitText(app); !limits.empty()) {
+    const bool stopped = app.scene.servo_settings.panic;
+    above -= l.px(8) + pill("limits", limits, ImVec2(view.low.x + margin, above), ImVec2(0, 1), words,
+                            stopped ? p.bad_soft : p.warn_soft, p.text);
+  }
   if (now.contact.touching() && wantsPushHint(app))
     above -= l.px(8) + pill("view/push hint",
                             tr("To push harder, keep it held and roll the wheel, move two fingers on the trackpad, or "
@@ -337,12 +345,8 @@ void drawViewOverlays(Application& app, const Rectangle& whole_view) {
   if (!measured.empty())
     above -= l.px(8) +
              pill("view/measuring", measured, ImVec2(view.low.x + margin, above), ImVec2(0, 1), words, p.panel, p.text);
-  if (const std::string limits = limitText(app); !limits.empty()) {
-    const bool stopped = app.scene.servo_settings.panic;
-    above -= l.px(8) + pill("limits", limits, ImVec2(view.low.x + margin, above), ImVec2(0, 1), words,
-                            stopped ? p.bad_soft : p.warn_soft, p.text);
-  }
   room.words_top = above;
+  drawReset(app, room);
   drawColourLegend(app, room);
   drawDepthGauge(app, room, roomy ? view.high.y - l.px(64) : above);
   if (now.contact.touching() && app.scene.shown.has(ViewPart::Force)) forceLabel(app, now, room);
