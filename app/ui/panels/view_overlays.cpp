@@ -161,7 +161,7 @@ void surfaceSign(Application& app, const Rectangle& view, float width) {
   const std::optional<float> share = app.picture().surfaceProgress();
   if (!share) return;
   const Look& l = look();
-  pill("view/surface", trf("The surface is computed: {0} %", int(100.0f * *share)),
+  pill("view/surface", trf("The surface is being computed: {0} %", int(100.0f * *share)),
        {0.5f * (view.low.x + view.high.x), view.low.y + l.px(12)}, {0.5f, 0.0f}, width - l.px(84), l.palette.panel,
        l.palette.text);
 }
