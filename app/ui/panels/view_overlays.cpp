@@ -267,15 +267,9 @@ void surfaceSign(Application& app, ViewRoom& room, float width) {
   const std::optional<float> share = app.picture().surfaceProgress();
   if (!share) return;
   const Look& l = look();
-<<<<<<< HEAD
-  drawPill(room, "view/surface", trf("The surface is computed: {0} %", int(100.0f * *share)),
+  drawPill(room, "view/surface", trf("The surface is being computed: {0} %", int(100.0f * *share)),
            {0.5f * (room.view.low.x + room.view.high.x), room.view.low.y + l.px(12)}, {0.5f, 0.0f}, width - l.px(84),
            l.palette.panel, l.palette.text);
-=======
-  pill("view/surface", trf("The surface is being computed: {0} %", int(100.0f * *share)),
-       {0.5f * (view.low.x + view.high.x), view.low.y + l.px(12)}, {0.5f, 0.0f}, width - l.px(84), l.palette.panel,
-       l.palette.text);
->>>>>>> 3f33e55c04caf814bbea6451423a86c0beb78c48
 }
 
 }  // namespace
