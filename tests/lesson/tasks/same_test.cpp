@@ -183,7 +183,7 @@ TEST_CASE("two places are turned to the front, each its own, and only a touch of
   REQUIRE(t->stage().facing);
   const bool other = t->stage().facing->A.x == 10.0;
   CHECK((other || t->stage().facing->A.x == 0.0));
-  hand.touch({other ? 0 : 4}, 1.0);
+  hand.touch({other ? 0 : 4}, 1.0, 0.5, {other ? 0.0 : 10.0, 0, 0});
   CHECK(t->buttons().empty());
   CHECK(t->sentence() == "You are beside the place. It lies in the middle of the view: let go, and push there.");
   hand.touch({other ? 4 : 0}, 0.21);
@@ -255,7 +255,7 @@ TEST_CASE(
   auto t = task("same", {{"same", "atom 0"}, {"remove", "atom 3-4"}, {"trials", "2"}, {"for", "0.2 s"}});
   Hand hand{*t};
   CHECK_FALSE(t->stage().facing);
-  hand.touch({2}, 1.0);
+  hand.touch({2}, 1.0, 0.5, {20, 20, 0});
   CHECK(t->buttons().empty());
   CHECK(t->sentence() == "You are beside the place: let go, and push elsewhere.");
 }
