@@ -77,8 +77,8 @@ TEST_CASE(
   d->frames(5);
   for (int k = 0; k < 600 && (k < 60 || d->app().extensions().shelf.live()); ++k) d->frames(1);
   const std::vector<LessonCard>& cards = d->app().extensions().shelf.cards();
-  REQUIRE(cards.size() >= 14);
-  for (int k = 0; k < 14; ++k) {
+  REQUIRE(cards.size() >= 16);
+  for (int k = 0; k < 16; ++k) {
     CAPTURE(cards[std::size_t(k)].title);
     CHECK(cards[std::size_t(k)].order == k + 1);
     CHECK_FALSE(cards[std::size_t(k)].description.empty());
