@@ -194,7 +194,9 @@ void emptyPlaceNotice(const Application& app, ViewRoom& room) {
 
 // Nothing is asked now that the name of an atom would answer: no lesson, or a step in which all is done.
 bool mayNameAtoms(const Application& app) {
-  if (app.extensions().task_stager.dark() || app.scene.playing() || app.extensions().playback.on()) return false;
+  if (app.extensions().task_stager.dark() || app.extensions().unseen.all() || app.scene.playing() ||
+      app.extensions().playback.on())
+    return false;
   return !app.lesson.session() || !app.lesson.onStage() || app.lesson.session()->stepDone();
 }
 
