@@ -156,7 +156,7 @@ expect question/0/feedback Yes. It touches both
 )",
          "reload");
   CHECK(d->app().scene.camera == camera);
-  klass.save(klass.with("feel: crease", "feel: creese"));
+  klass.save(klass.with("feel: pit", "feel: pitt"));
   runAll(*d, R"(
 wait 60
 expect lesson-problems first-touch.md: 1 problem. You see the last good version
@@ -164,7 +164,7 @@ point lesson/0
 expect lesson/0 Here, said anew
 click lesson-problems/show
 wait 3
-expect lesson-problem/0 crease
+expect lesson-problem/0 pit
 )",
          "reload with an error");
   klass.save(klass.text);

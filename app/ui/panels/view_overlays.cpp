@@ -186,9 +186,12 @@ void emptyPlaceNotice(const Application& app, ViewRoom& room) {
   const float x = std::clamp(at.x, view.low.x + half, std::max(view.low.x + half, view.high.x - half));
   for (const float low : {at.y + l.px(24), at.y - l.px(24) - size.y, view.low.y + l.px(14)}) {
     const float y = std::clamp(low, view.low.y + l.px(14), std::max(view.low.y + l.px(14), view.high.y - size.y));
-    if (!room.isFree({{x - 0.5f * size.x, y}, {x + 0.5f * size.x, y + size.y}})) continue;
-    drawPill(room, "view/nothing here", text, {x, y}, {0.5f, 0.0f}, width, l.palette.warn_soft, l.palette.text);
-    return;
+    for (const float aside : {0.0f, 0.6f * size.x, -0.6f * size.x}) {
+      const float middle = std::clamp(x + aside, view.low.x + half, std::max(view.low.x + half, view.high.x - half));
+      if (!room.isFree({{middle - 0.5f * size.x, y}, {middle + 0.5f * size.x, y + size.y}})) continue;
+      drawPill(room, "view/nothing here", text, {middle, y}, {0.5f, 0.0f}, width, l.palette.warn_soft, l.palette.text);
+      return;
+    }
   }
 }
 

@@ -4,10 +4,12 @@
 
 #include <string_view>
 
+#include "engine/language/catalogue.h"
+
 namespace moltact {
 
 /// The name of the figure that holds d' of a task's first round. Attempts hold it in English.
-inline constexpr std::string_view kFirstRoundSensitivity = "d' in the first round";
+inline constexpr std::string_view kFirstRoundSensitivity = N_("d' in the first round");
 
 /// The z of which a standard normal value is smaller with probability p; p within 0 to 1, both excluded (else clamped
 /// to 1e-12 from the ends).

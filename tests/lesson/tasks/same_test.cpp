@@ -212,7 +212,8 @@ TEST_CASE(
         REQUIRE(t->stage().facing);
         second[k] = t->stage().facing->A.x > first_ends_A;
         hand.away(0.01);
-        hand.touch({second[k] ? of_first : of_second}, 0.5);
+        const std::int32_t wrong = second[k] ? of_first : of_second;
+        hand.touch({wrong}, 0.5, 0.5, both.atoms[std::size_t(wrong)].position.A);
         CHECK(t->buttons().empty());
         hand.away(0.01);
         hand.touch({second[k] ? of_second : of_first}, 0.21);
