@@ -187,7 +187,7 @@ expect status/molecule benzene
   CHECK_FALSE(d->shows("lesson-problems"));
 
   REQUIRE(d->app().extensions().recorder.flush());
-  CHECK(contains(klass.report(), "1 student, 1 lesson, 1 attempt"));
+  CHECK(contains(klass.report(), "1 lesson, 1 attempt, all without a name"));
   const std::string csv = bytesOf(klass.scratch.path / "class.csv"), html = bytesOf(klass.scratch.path / "class.html");
   CHECK(cell(csv, "lesson_file") == "first-touch.md");
   CHECK(cell(csv, "answered") == "1");

@@ -51,7 +51,7 @@ TEST_CASE("what is left out of a file is told for 6 s when it is opened by hand,
   d->frames(5);
   REQUIRE(d->app().lesson.follow("#a-protein"));
   d->frames(20);
-  REQUIRE(d->app().lesson.session()->step().scene->molecule.name == "1ubq");
+  REQUIRE(d->app().lesson.session()->step().title == "A protein");
   CHECK_FALSE(d->shows("message/0"));
 }
 
