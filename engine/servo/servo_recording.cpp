@@ -263,7 +263,7 @@ std::optional<Problem> ServoRecordingWriter::finish() {
 }
 
 Expected<ServoRecording> readServoRecording(const std::filesystem::path& file) {
-  const auto bytes = readFile(file, kMostBytes, tr("a recording is 81 bytes a tick: is this one?"));
+  const auto bytes = readFile(file, kMostBytes, tr("a recording has 81 bytes per tick: is this file one?"));
   if (!bytes) return bytes.problem();
   const char* data = bytes->data();
   const Problem none{file.string(), 0, 0, tr("this is no recording of a device"),
@@ -271,7 +271,7 @@ Expected<ServoRecording> readServoRecording(const std::filesystem::path& file) {
   const std::size_t fixed = kMagic.size() + 12;
   if (std::string_view(*bytes).starts_with(kOldMagic))
     return Problem{file.string(), 0, 0, tr("this recording is of an earlier version, whose ticks hold less"),
-                   tr("record it anew")};
+                   tr("record it again")};
   const bool stateless = std::string_view(*bytes).starts_with(kStatelessMagic);
   Version version;
   version.orientations = !stateless && !std::string_view(*bytes).starts_with(kPlacesMagic);
@@ -284,11 +284,11 @@ Expected<ServoRecording> readServoRecording(const std::filesystem::path& file) {
   get(text_size), get(build_size), get(state_size);
   const std::size_t head = fixed + std::size_t(text_size) + build_size + state_size;
   if (head + 4 > bytes->size())
-    return Problem{file.string(), 0, 0, tr("the recording breaks off in its first lines"), tr("record it anew")};
+    return Problem{file.string(), 0, 0, tr("the recording breaks off in its first lines"), tr("record it again")};
   get.at = data + head;
   get(crc);
   if (crc != crc32(0, reinterpret_cast<const Bytef*>(data), uInt(head)))
-    return Problem{file.string(), 0, 0, tr("the recording's first lines are damaged"), tr("record it anew")};
+    return Problem{file.string(), 0, 0, tr("the recording's first lines are damaged"), tr("record it again")};
 
   ServoRecording recording;
   recording.torques = version.torques;
@@ -319,7 +319,7 @@ Expected<ServoRecording> readServoRecording(const std::filesystem::path& file) {
     if (block) get.at += kBlockMagic.size();
     get(count), get(size), get(block_crc);
     if (!get.ok || static_cast<std::size_t>(get.end - get.at) < size) {
-      torn(N_("the recording breaks off after {0}; what is before that is kept"));
+      torn(N_("the recording is truncated after {0}; the part before that is kept"));
       break;
     }
     Getter inside{get.at, get.at + size};
@@ -334,11 +334,11 @@ Expected<ServoRecording> readServoRecording(const std::filesystem::path& file) {
       device = tick.device;
     }
     if (good && ticks.size() > kMostRecordedTicks - recording.ticks.size()) {
-      torn(N_("the recording goes on for longer than is read after {0}; what is before that is kept"));
+      torn(N_("the recording exceeds the maximum length after {0}; the part before that is kept"));
       break;
     }
     if (!good || inside.at != inside.end) {
-      torn(N_("the recording is damaged after {0}; what is before that is kept"));
+      torn(N_("the recording is damaged after {0}; the part before that is kept"));
       break;
     }
     recording.ticks.insert(recording.ticks.end(), ticks.begin(), ticks.end());

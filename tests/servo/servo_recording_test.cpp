@@ -121,7 +121,7 @@ TEST_CASE("a recording cut at any of 200 places keeps its whole blocks and says 
       continue;
     }
     CHECK(recording->ticks.size() % 256 == 0);
-    CHECK((recording->torn.empty() || recording->torn.find("breaks off after ") != std::string::npos));
+    CHECK((recording->torn.empty() || recording->torn.find("is truncated after ") != std::string::npos));
   }
   std::filesystem::remove(file);
 }
