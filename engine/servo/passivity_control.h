@@ -22,7 +22,9 @@ class PassivityControl {
   }
 
   /// Observes the last interval: the displacement, the rotation, the rise of the springs' stored energy, and the energy
-  /// that the device itself took. `delay_ticks`: how much later than it was written a force is felt.
+  /// that the device itself took. `delay_ticks`: how much later than it was written a force is felt;
+  /// more than 7 count as 7, for the history is 8 ticks long. A longer delay is met by the stiffness bound, which falls
+  /// with it, and from 20 ms on by the force that fades over stale positions.
   void observe(const Vec3& moved_m, const Vec3& turned_rad, double stored_J, double taken_J,
                std::size_t delay_ticks) noexcept {
     const std::size_t back = std::min(delay_ticks, given_.size() - 1);
