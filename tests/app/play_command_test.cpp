@@ -40,7 +40,9 @@ std::string withAnswers() { return " --answers '" + (kFolder / "answers.txt").st
 
 }  // namespace
 
-TEST_CASE("play --demonstrate finishes the first lesson with status 0 and prints the 5 steps of its core; --json says the same") {
+TEST_CASE(
+    "play --demonstrate finishes the first lesson with status 0 and prints the 5 steps of its core; --json says the "
+    "same") {
   const Run text = play("'" + kLessons + "first-touch.md' --demonstrate");
   CHECK(text.status == 0);
   CHECK(text.out.find("step 5 of 5: A molecule that you cannot see") != std::string::npos);
