@@ -52,7 +52,7 @@ void playLesson(const fs::path& file, const Lesson& lesson, LessonMolecules& mol
       std::make_shared<const Lesson>(lesson), [&](const NamedMolecule& named) { return molecules.find(file, named); },
       tell);
   learner.demonstrate();
-  learner.doTasksLeft();
+  learner.demonstrateStepsLeft();
 }
 
 Checked checkFile(const fs::path& file, LessonMolecules& molecules, bool play) {
