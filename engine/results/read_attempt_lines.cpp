@@ -321,7 +321,7 @@ Expected<std::optional<AttemptEvent>> readEventLine(std::string_view line) {
                      0,
                      0,
                      trf("{0} lines are missing here: the disk took none while they came",
-                         static_cast<long long>(std::clamp(numberAt(j, "lines"), 0.0, 1e15))),
+                         static_cast<long long>(numberAt(j, "lines"))),
                      tr("what the report says of the time between is not complete")};
     const double t_s = numberAt(j, "t");
     std::optional<AttemptFact> fact = factOf(text(j, "kind", true), j);

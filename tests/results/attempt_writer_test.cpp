@@ -165,6 +165,7 @@ TEST_CASE(
   const Expected<Attempt> attempt = readAttempt(blocked / "attempts" / "a.jsonl");
   REQUIRE(attempt);
   REQUIRE(attempt->problems.size() == 1);
+  CAPTURE(attempt->problems[0].text());
   const int kept = int(attempt->events.size()) - 1, missing = std::atoi(attempt->problems[0].message.c_str());
   CHECK(kept >= 31);
   CHECK(missing > 0);
