@@ -140,6 +140,12 @@ bool canBe(const ServoSettings& s) {
          within(s.max_force_N, 1e6) && within(s.probe_A, 1e6);
 }
 
+// The loop gives finite forces only, within the limits of canBe().
+bool canBeGiven(const Vec3& force) {
+  constexpr double kMost = 1e6;
+  return std::abs(force.x) <= kMost && std::abs(force.y) <= kMost && std::abs(force.z) <= kMost;
+}
+
 std::string bytesOf(const ServoSettings& settings) {
   std::string out;
   Putter put{out};
@@ -189,7 +195,7 @@ bool readTick(Getter& get, ServoSettings& settings, RecordedTick& tick, const Ve
   tick.fallen_back = flags & kFallenBack;
   tick.spheres_moved = flags & kSpheresMoved;
   tick.settings = settings;
-  return get.ok;
+  return get.ok && canBeGiven(tick.force.N) && canBeGiven(tick.torque_N_mm);
 }
 
 }  // namespace
