@@ -1,10 +1,13 @@
 // What goes wrong with a HID device, through the real libhidapi: it is unplugged under the hand, its reports are
 // garbage or too short, it cannot be read. Runs under umockdev-wrapper. The hand is then judged at the end of the whole
 // loop.
+#include <cmath>
+#include <memory>
 #include <utility>
 
 #include "engine/bench/scenes.h"
 #include "engine/device/mouse_device.h"
+#include "engine/haptics/interactions.h"
 #include "engine/servo/device_switch.h"
 #include "engine/servo/plain_trackers.h"
 #include "tests/device/hid_testbed.h"
@@ -19,12 +22,13 @@ namespace {
 // the little stiffness that is left on a slow machine.
 class Loop {
  public:
-  explicit Loop(Device& device) : device_(device), switch_(mouse_, &device), pull_(40.0) {
+  explicit Loop(Device& device, Interaction* felt = nullptr)
+      : device_(device), switch_(mouse_, &device), pull_(40.0), felt_(felt ? felt : &pull_) {
     settings_.workspace.A_per_mm = 1.0;
   }
 
   ServoSample tick() {
-    const ServoSample sample = step_.tick(settings_, &pull_, switch_.read(kTick_s, step_));
+    const ServoSample sample = step_.tick(settings_, felt_, switch_.read(kTick_s, step_));
     switch_.write({sample.force});
     if (std::exchange(was_back_, switch_.fallenBack()) != switch_.fallenBack())
       last_ = Vec3(0.0);  // another one is given force
@@ -46,6 +50,7 @@ class Loop {
   ServoStep step_;
   ServoSettings settings_;
   ConstantForceTracker pull_;
+  Interaction* felt_;
   Vec3 last_{0.0};
   bool was_back_ = false;
 };
@@ -165,6 +170,53 @@ TEST_CASE(
   CHECK(sample.force.N == Vec3(0));
   CHECK(sample.limits.has(Limit::StalePlace));
   CHECK(glm::length(feel(bed, loop).force.N) >= 0.3);
+}
+
+TEST_CASE(
+    "a body of three balls in the hand, pressed into another ball: with 400 random reports between sound ones, and "
+    "unplugged in contact, force and torque stay finite and limited, and plugged in again it begins softly; seed 26") {
+  HidTestbed bed;
+  bed.plug(kWoodenHaptics);
+  const auto device = opened("woodenhaptics");
+  holdUpright(bed, *device);
+  // The hand begins 220 mm behind the middle and 40 mm below it, and goes to and fro through the last ball.
+  std::vector<Ball> balls{{{0, 0, 0}, 1.6}, {{2, 0, 0}, 1.6}, {{0, 2, 0}, 1.6}, {{0, -140, -45}, 60.0}};
+  const std::uint32_t held[] = {0, 1, 2};
+  InteractionInput input;
+  input.balls = std::make_shared<const BallScene>(balls, held);
+  input.body = heldBody(balls, held);
+  input.touch = settled({}, true);
+  const std::unique_ptr<Interaction> body = makeInteraction(input);
+  REQUIRE(body);
+  REQUIRE(body->hasOrientation());
+  Loop loop(*device, body.get());
+  scenes::Random random(26);
+  int felt = 0, garbled = 0;
+  for (int k = 0; k < 1200; ++k) {
+    // Motor counts of a hand that goes to and fro through the surface.
+    const bool sound = k % 150 < 100;
+    Bytes report(std::size_t(random.uniform(1, 65)));
+    for (auto& byte : report) byte = std::uint8_t(random.uniform(0, 256));
+    bed.send(sound ? counts(k % 5, -int(3000 - 3000 * std::cos(0.004 * k)), 0) : report);
+    bed.written();
+    const ServoSample sample = loop.tick();
+    CHECK(finite(sample.torque_N_mm));
+    garbled += !sound;
+    felt += glm::length(sample.force.N) > 0.05;
+  }
+  CHECK(garbled == 400);
+  CHECK(felt > 20);
+  bed.unplug();
+  waitFor([&] { return (loop.tick(), loop.fallenBack()); });
+  CHECK(loop.fallenBack());
+  bed.plug(kWoodenHaptics);
+  waitFor([&] { return device->status().connected; });
+  holdUpright(bed, *device);
+  bed.send(counts(0, 0, 0));
+  ServoSample sample;
+  waitFor([&] { return (sample = loop.tick(), !loop.fallenBack()); });
+  CHECK_FALSE(loop.fallenBack());
+  CHECK(glm::length(sample.force.N) < 0.05);
 }
 
 TEST_CASE(

@@ -1,0 +1,84 @@
+// The atoms of a scene with two structures move under a hand that presses, wherever the slider is led meanwhile.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/ui/extensions/extensions.h"
+#include "engine/bench/scenes.h"
+#include "engine/haptics/sweep.h"
+#include "tests/app/scripted_user_fixture.h"
+#include "tests/results/sample_attempt.h"
+
+namespace moltact {
+
+namespace {
+
+// Adenylate kinase, open and shut, its probe a water.
+std::string doorLesson(const ScratchFolder& scratch) {
+  const auto file = scratch.path / "door.md";
+  writeFile(file,
+            "---\ntitle: T\nminutes: 1\ngoals: G\nmolecules: 4ake, 1ake\nauthor: A\nlicence: L\n---\n## One\n"
+            "```scene\nmolecule: 4ake\nprobe: 1.4 Å\n"
+            "then: 1ake, superposed on residue 1-29 60-121 160-214\n```\nText.\n");
+  return file.string();
+}
+
+}  // namespace
+
+TEST_CASE(
+    "a mouse presses anywhere on adenylate kinase while the slider jumps 40 times between open and shut: in 1 200 "
+    "frames "
+    "the contact is never over 1e-6 A inside a ball as it is at that tick, the force is finite and at most 3.3 N, and "
+    "back at its beginning every ball is where it was read; seed 26") {
+  const ScratchFolder scratch;
+  const auto d = startWith(doorLesson(scratch));
+  Application& app = d->app();
+  d->frames(10);
+  MovingStates& states = app.extensions().moving_states;
+  REQUIRE(states.there());
+  scenes::Random random(26);
+  int touching = 0, moving = 0;
+  double deepest_A = 0.0, greatest_N = 0.0;
+  for (int round = 0; round < 40; ++round) {
+    CAPTURE(round);
+    states.goTo(round % 5 == 0 ? double(round % 2) : random.uniform(0, 1));
+    d->point("view", random.uniform(0.35, 0.65), random.uniform(0.3, 0.7));
+    d->press();
+    for (int frame = 0; frame < 30; ++frame) {
+      if (frame % 10 == 5) states.goTo(random.uniform(0, 1));
+      if (frame == 15) d->point("view", random.uniform(0.35, 0.65), random.uniform(0.3, 0.7));
+      d->frames(1);
+      const ServoSample& now = app.scene.log().latest();
+      REQUIRE(finite(now.force.N));
+      greatest_N = std::max(greatest_N, glm::length(now.force.N));
+      const auto motion = app.scene.servo().motionOf(now);
+      moving += motion && now.fraction < 1.0;
+      if (!now.contact.touching()) continue;
+      ++touching;
+      const BallScene& balls = motion ? motion->sweptBalls() : *app.scene.stage().balls;
+      const double clear_A = clearance(balls, app.scene.touch().probe_A, now.contact.scp.A, motion.get(), now.fraction);
+      deepest_A = std::max(deepest_A, -clear_A);
+    }
+    d->release();
+    d->frames(3);
+  }
+  MESSAGE("touching in ", touching, " frames, atoms on their way in ", moving, ", greatest force ", greatest_N, " N");
+  CHECK(touching > 300);
+  CHECK(moving > 300);
+  CHECK(deepest_A <= 1e-6);
+  CHECK(greatest_N <= 3.3);
+  // Back where it was, the molecule is the one that was read.
+  states.goTo(0.0);
+  d->frames(300);
+  REQUIRE(states.share() == 0.0);
+  const auto balls = app.scene.stage().balls->balls();
+  const auto& atoms = app.scene.restingStage().molecule->atoms;
+  REQUIRE(balls.size() == atoms.size());
+  double farthest_A = 0.0;
+  for (std::size_t k = 0; k < atoms.size(); ++k)
+    farthest_A = std::max(farthest_A, glm::distance(balls[k].centre_A, atoms[k].position.A));
+  CHECK(farthest_A < 1e-9);
+}
+
+}  // namespace moltact
