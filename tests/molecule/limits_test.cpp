@@ -30,6 +30,13 @@ void* taken(std::size_t bytes) {
 }  // namespace
 
 void* operator new(std::size_t bytes) { return taken(bytes); }
+void* operator new(std::size_t bytes, const std::nothrow_t&) noexcept {
+  try {
+    return taken(bytes);
+  } catch (const std::bad_alloc&) {
+    return nullptr;
+  }
+}
 void operator delete(void* at) noexcept {
   if (at) held -= malloc_usable_size(at);
   std::free(at);
