@@ -99,16 +99,16 @@ TEST_CASE(
         std::this_thread::sleep_for(std::chrono::milliseconds(1));
       };
       std::string said;
-      for (int k = 0; k < 5'000 && said.empty() && !child.over(); ++k) send(), said = child.line(0);
+      for (int k = 0; k < 60'000 && said.empty() && !child.over(); ++k) send(), said = child.line(0);
       REQUIRE(said == "pressing");
       place = end.later;
-      for (int k = 0; k < 5'000 && !(reports.last() > 0.0); ++k) send();
+      for (int k = 0; k < 60'000 && !(reports.last() > 0.0); ++k) send();
       REQUIRE(reports.last() > 0.0);
       if (std::string(one.way) == "wait")
         child.send(one.signal);
       else
         child.go();
-      for (int k = 0; k < 5'000 && !child.over(); ++k) send();
+      for (int k = 0; k < 60'000 && !child.over(); ++k) send();
       CHECK((one.signal ? child.killedBy(one.signal) : child.exitedWith(7)));
       reports.take(bed.written());
       CHECK(reports.rest() == 0);
