@@ -66,7 +66,7 @@ void LessonHand::face(Vec3 direction) {
   for (int turns = 0; turns < 12; ++turns) {
     const Vec3 v = glm::normalize(glm::conjugate(d_.app().scene.camera.orientation) * direction);
     if (v.z > 0.995) return;
-    const double right = -std::atan2(v.x, v.z), down = std::asin(v.y);
+    const double right = -std::atan2(v.x, v.z), down = std::asin(std::clamp(v.y, -1.0, 1.0));
     if (mouse()) {
       // Few people drag farther than a third of the view at once.
       const auto px = [](double rad) { return std::clamp(rad / kOrbit_rad_per_px, -200.0, 200.0); };
