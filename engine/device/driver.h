@@ -16,7 +16,7 @@ namespace moltact {
 
 /// One device that a driver has found.
 struct FoundDevice {
-  std::string name = {};   ///< as in `moltact device check NAME`: the driver's, with ":2" and so on from the second on
+  std::string name = {};   ///< as in `moltact device check NAME`: the driver's, with ":2" and so on from the second on, or with an address
   std::string title = {};  ///< the device's own title, or a name of ours in English; pass it through `tr` to show it
   std::string place = {};  ///< the port or path, in the driver's words; may be empty
   bool usable = false;
@@ -30,6 +30,9 @@ struct DeviceDriver {
   std::string_view sentence;  ///< its purpose
   /// Lists the devices of this driver. A driver that cannot look at all returns one entry that says why.
   std::vector<FoundDevice> (*find)();
+  /// Lists the device at an address that a person names (NAME:ADDRESS), with the address in FoundDevice::place; null where the driver
+  /// takes no address. It may wait for the device for about a second.
+  std::vector<FoundDevice> (*find_at)(std::string_view address) = nullptr;
   Expected<std::unique_ptr<Device>> (*open)(const FoundDevice& device);
 };
 

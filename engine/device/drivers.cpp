@@ -15,6 +15,7 @@
   X(Omni)                  \
   X(WoodenHaptics)         \
   X(OpenLayout)            \
+  X(OpenTcp)               \
   X(SpaceMouse)            \
   X(DualShock4)            \
   X(DualSense)             \
@@ -62,9 +63,16 @@ std::vector<FoundDevice> findDevices() {
 }
 
 std::optional<FoundDevice> findDevice(std::string_view name) {
-  if (const DeviceDriver* driver = driverOf(name))
-    for (FoundDevice& one : findWith(*driver))
-      if (one.name == name) return std::move(one);
+  const DeviceDriver* const driver = driverOf(name);
+  if (!driver) return std::nullopt;
+  if (const std::size_t colon = name.find(':'); driver->find_at && colon != std::string_view::npos) {
+    std::vector<FoundDevice> one = driver->find_at(name.substr(colon + 1));
+    if (one.empty()) return std::nullopt;
+    one.front().name = name;
+    return std::move(one.front());
+  }
+  for (FoundDevice& one : findWith(*driver))
+    if (one.name == name) return std::move(one);
   return std::nullopt;
 }
 
