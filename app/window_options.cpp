@@ -3,6 +3,7 @@
 #include <cstdio>
 
 #include "app/commands/language_option.h"
+#include "app/commands/outputs.h"
 #include "app/commands/value_types.h"
 #include "engine/platform/terminal.h"
 
@@ -30,6 +31,12 @@ void addWindowArguments(CLI::App& app, WindowArguments& into) {
 }
 
 int runWindowArguments(const WindowArguments& a) {
+  {
+    const FileGuard named;
+    noteRead(a.file);
+    noteRead(a.script);
+    checkOutputs({{"--screenshot", a.screenshot}, {"--state-text", a.state_text == "-" ? "" : a.state_text}});
+  }
   if (a.screenshot.empty() && a.script.empty()) {
     hideOwnTerminal();
     return runWindow(

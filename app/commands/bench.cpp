@@ -6,6 +6,7 @@
 
 #include "app/commands/command.h"
 #include "app/commands/device_path.h"
+#include "app/commands/outputs.h"
 #include "app/commands/value_types.h"
 #include "engine/bench/charts.h"
 #include "engine/bench/cold_cache_ticks.h"
@@ -136,7 +137,14 @@ std::vector<TableScene> structures() {
 }
 
 // Told before anything is measured: a quarter of an hour is too long to learn that a folder cannot be written.
-void checkOutputs(const BenchArguments& arguments) {
+void tryOutputs(const BenchArguments& arguments) {
+  for (const std::string& file : arguments.recordings) noteRead(file);
+  checkOutputs({{"--json", arguments.json}, {"--markdown", arguments.markdown}});
+  if (!arguments.svg.empty() && !arguments.docs.empty() &&
+      sameFile(arguments.svg, fs::path(arguments.docs) / "pictures"))
+    throw CommandError{Problem{arguments.svg, 0, 0, trf("{0} and {1} would write the same charts", "--svg", "--docs"),
+                               tr("leave --svg out")}
+                           .text()};
   if (!arguments.docs.empty()) checkPages(arguments.docs);
   for (const std::string& file : {arguments.json, arguments.markdown})
     if (!file.empty()) tryWriting(file);
@@ -315,7 +323,7 @@ void updatePages(const fs::path& folder, const Report& report) {
 
 void run(const BenchArguments& arguments) {
   const auto methods = chosen(arguments.methods, arguments.quick);
-  checkOutputs(arguments);
+  tryOutputs(arguments);
   const bool all = arguments.part == "all";
   const auto begin = std::chrono::steady_clock::now();
   Report report;

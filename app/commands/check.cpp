@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <memory>
+#include <optional>
 
 #include "app/commands/command.h"
 #include "app/commands/lesson_argument.h"
@@ -15,6 +16,7 @@
 #include "engine/lesson/glossary.h"
 #include "engine/lesson/lesson_files.h"
 #include "engine/lesson/lesson_molecules.h"
+#include "engine/lesson/minutes.h"
 #include "engine/lesson/scripted_learner/scripted_learner.h"
 #include "engine/lesson/source_text.h"
 #include "engine/platform/terminal.h"
@@ -33,7 +35,8 @@ struct Checked {
   std::string file;
   std::string text;  ///< of the file; empty where it could not be read
   std::vector<Problem> errors, warnings;
-  bool words = false;  ///< it is a glossary and no lesson
+  bool words = false;                        ///< it is a glossary and no lesson
+  std::optional<ShownMinutes> minutes = {};  ///< of a lesson that can be used
 };
 
 // Has each touch task done by the scripted learner, and tells those that cannot be.
@@ -63,6 +66,7 @@ Checked checkFile(const fs::path& file, LessonMolecules& molecules, bool play) {
   LessonCheck check =
       checkLesson(out.file, *std::move(bytes), [&](const NamedMolecule& named) { return molecules.find(file, named); });
   if (play && check.lesson && check.errors.empty()) playLesson(file, *check.lesson, molecules, check.errors);
+  if (check.lesson) out.minutes = shownMinutes(*check.lesson);
   out.errors = std::move(check.errors);
   out.warnings = std::move(check.warnings);
   return out;
@@ -144,6 +148,9 @@ void printText(const Checked& checked) {
           << '\n';
     if (p.line) out() << Lines{sourceExcerpt(source.line(p.line), p.column)};
   }
+  if (const auto& minutes = checked.minutes)
+    out() << trf("{0}: {1} min for the core, {2} min with all steps", checked.file, minutes->core, minutes->all)
+          << '\n';
 }
 
 nlohmann::ordered_json jsonOf(const Checked& checked) {
@@ -197,9 +204,13 @@ void run(const CheckArguments& arguments) {
     nlohmann::ordered_json document = {{"problems", nlohmann::ordered_json::array()},
                                        {"lessons", lessons},
                                        {"errors", errors},
-                                       {"warnings", warnings}};
-    for (const Checked& c : all)
+                                       {"warnings", warnings},
+                                       {"minutes", nlohmann::ordered_json::array()}};
+    for (const Checked& c : all) {
       for (auto& problem : jsonOf(c)) document["problems"].push_back(std::move(problem));
+      if (c.minutes)
+        document["minutes"].push_back({{"file", c.file}, {"core", c.minutes->core}, {"all", c.minutes->all}});
+    }
     printDocument(document);
   } else {
     for (const Checked& c : all) printText(c);

@@ -1,6 +1,7 @@
 #include "app/commands/command.h"
 
 #include "app/commands/language_option.h"
+#include "engine/platform/file_guard.h"
 
 // One line a command, in the order of `moltact --help`: its function is add<Name>(CLI::App&), in its own file.
 #define MOLTACT_COMMANDS(X) \
@@ -31,7 +32,10 @@ void addAllCommands(CLI::App& app) {
 #define MOLTACT_ADD(Name) add##Name(app);
   MOLTACT_COMMANDS(MOLTACT_ADD)
 #undef MOLTACT_ADD
-  for (CLI::App* command : app.get_subcommands({})) addLanguageOption(*command);
+  for (CLI::App* command : app.get_subcommands({})) {
+    addLanguageOption(*command);
+    command->preparse_callback([](std::size_t) { static const FileGuard inputs_stay; });
+  }
 }
 
 }  // namespace moltact

@@ -8,6 +8,7 @@
 #include "app/commands/command.h"
 #include "app/commands/molecule_argument.h"
 #include "app/commands/number_range.h"
+#include "app/commands/outputs.h"
 #include "app/commands/touch_options.h"
 #include "app/commands/value_types.h"
 #include "engine/device/driver.h"
@@ -207,6 +208,7 @@ ServoRecordingWriter openedFile(const RecordOptions& options) {
 
 void recordHand(const RecordOptions& options) {
   const auto scene = sceneOf(options.molecule);
+  checkOutputs({{"--out", options.file}});
   auto device = openDevice(options.device);
   if (!device) throw CommandError{device.problem().text()};
   const DeviceInfo info = (*device)->info();

@@ -3,6 +3,7 @@
 #include "app/commands/look_options.h"
 #include "app/commands/molecule_argument.h"
 #include "app/commands/number_range.h"
+#include "app/commands/outputs.h"
 #include "app/commands/scene_options.h"
 #include "app/commands/value_types.h"
 #include "app/ui/lesson/scene_marks.h"
@@ -26,6 +27,7 @@ void exportGltf(ExportArguments& a) {
     throw CLI::ValidationError(
         "OUT", "'" + a.out + "' does not end in .glb; the scene is written as binary glTF, as in 1ubq.glb");
   const Molecule molecule = a.says.atState(a.molecule.load(), a.molecule);
+  checkOutputs({{"OUT", a.out}});
   const SceneSpec spec = a.says.scene(molecule);
   a.options.look = a.look.look(molecule);
   a.options.look.marks = marksOf(spec, molecule);

@@ -10,6 +10,7 @@
 #include "app/commands/print_json.h"
 #include "engine/core/text.h"
 #include "engine/lesson/lesson_files.h"
+#include "engine/lesson/minutes.h"
 #include "engine/lesson/reader.h"
 #include "engine/platform/terminal.h"
 
@@ -53,14 +54,14 @@ void printLessonInfo(const std::string& name, bool json) {
   const Lesson& lesson = *reading.lesson;
   std::size_t tasks = 0, questions = 0;
   for (const Step& s : lesson.steps) tasks += s.tasks.size(), questions += s.questions.size();
+  const ShownMinutes minutes = shownMinutes(lesson);
   const std::vector<std::string> languages = languagesOf(argument->file());
   if (json) {
-    nlohmann::ordered_json document = {{"title", lesson.title},        {"author", lesson.author},
-                                       {"licence", lesson.licence},    {"level", lesson.level},
-                                       {"minutes", lesson.minutes},    {"languages", languages},
-                                       {"steps", lesson.steps.size()}, {"tasks", tasks},
-                                       {"questions", questions},       {"molecules", lesson.molecules},
-                                       {"asks_for", lesson.ask}};
+    nlohmann::ordered_json document = {
+        {"title", lesson.title},  {"author", lesson.author},       {"licence", lesson.licence},
+        {"level", lesson.level},  {"minutes", minutes.core},       {"minutes_all", minutes.all},
+        {"languages", languages}, {"steps", lesson.steps.size()},  {"tasks", tasks},
+        {"questions", questions}, {"molecules", lesson.molecules}, {"asks_for", lesson.ask}};
     if (const PackForNow* pack = argument->pack()) {
       document["lesson"] = pack->pack().lesson();
       document["files"] = nlohmann::ordered_json::array();
@@ -73,7 +74,7 @@ void printLessonInfo(const std::string& name, bool json) {
   out() << "author     " << lesson.author << '\n';
   out() << "licence    " << lesson.licence << '\n';
   out() << "level      " << lesson.level << '\n';
-  out() << "minutes    " << lesson.minutes << '\n';
+  out() << "minutes    " << minutes.core << " for the core, " << minutes.all << " with all steps\n";
   out() << "languages  " << joined(languages) << '\n';
   out() << "steps      " << lesson.steps.size() << " (" << tasks << " tasks, " << questions << " questions)\n";
   out() << "molecules  " << joined(lesson.molecules) << '\n';

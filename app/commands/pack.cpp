@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "app/commands/command.h"
+#include "app/commands/outputs.h"
 #include "app/commands/value_types.h"
 #include "engine/core/text.h"
 #include "engine/language/catalogue.h"
@@ -51,6 +52,7 @@ void run(const PackArguments& arguments) {
   const bool html = arguments.html || !arguments.page.empty();
   fs::path out_file = arguments.out;
   if (out_file.empty()) out_file = fs::path(lesson).replace_extension(html ? ".html" : kPackEnding);
+  checkOutputs({{"--out", out_file}});
   const std::string bytes = html ? page(arguments, lesson, packed.pack->bytes) : packed.pack->bytes;
   if (const auto problem = writeWhole(out_file, bytes)) throw CommandError{problem->text()};
   out() << out_file.string() << " is written (" << sizeText(bytes.size()) << "):\n";

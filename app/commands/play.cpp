@@ -1,4 +1,5 @@
 // `moltact play`: a scripted learner goes through a lesson, without a window and on a virtual clock.
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 
@@ -17,6 +18,15 @@
 
 namespace moltact {
 namespace {
+
+// "step 2 of 5" of the core; what lies beside it has no number.
+std::string placeOf(const Lesson& lesson, std::size_t step) {
+  if (lesson.steps[step].aside) return lesson.steps[step].extra ? "extra step" : "aside";
+  const auto core = [](const Step& s) { return !s.aside; };
+  const auto begin = lesson.steps.begin();
+  return "step " + std::to_string(std::count_if(begin, begin + std::ptrdiff_t(step) + 1, core)) + " of " +
+         std::to_string(std::count_if(begin, lesson.steps.end(), core));
+}
 
 struct PlayOptions {
   std::string lesson, answers;
@@ -43,7 +53,7 @@ void print(const Lesson& lesson, const LearnerEvent& e) {
   using Kind = LearnerEvent::Kind;
   switch (e.kind) {
     case Kind::Step:
-      out() << "step " << e.index + 1 << " of " << lesson.steps.size() << ": " << e.text << " (" << e.note << ")\n";
+      out() << placeOf(lesson, e.index) << ": " << e.text << " (" << e.note << ")\n";
       break;
     case Kind::Task:
     case Kind::GaveUp:

@@ -10,6 +10,7 @@
 #include "app/commands/look_options.h"
 #include "app/commands/molecule_argument.h"
 #include "app/commands/number_range.h"
+#include "app/commands/outputs.h"
 #include "app/commands/scene_options.h"
 #include "app/commands/touch_options.h"
 #include "app/commands/value_types.h"
@@ -139,6 +140,7 @@ void render(const RenderArguments& arguments) {
   scene.shown = *shown;
   scene.molecule =
       std::make_shared<const Molecule>(arguments.says.atState(arguments.molecule.load(), arguments.molecule));
+  checkOutputs({{"--out", arguments.out}});
   scene.theme = arguments.theme == "light" ? lightTheme() : darkTheme();
   scene.colour_by = arguments.look.colourBy(*scene.molecule);
   scene.probe_A = arguments.touch.probe_A;

@@ -9,6 +9,7 @@
 #include "app/commands/hip_path_file.h"
 #include "app/commands/molecule_argument.h"
 #include "app/commands/number_range.h"
+#include "app/commands/outputs.h"
 #include "app/commands/print_json.h"
 #include "app/commands/touch_options.h"
 #include "app/commands/value_types.h"
@@ -125,6 +126,7 @@ void run(const ReplayOptions& options) {
   const Molecule molecule = options.molecule.load();
   const auto path = readHipPath(options.path);
   if (!path) throw CommandError{path.problem().text()};
+  checkOutputs({{"--out", options.out}});
   const InteractionInput input{std::make_shared<const BallScene>(molecule.balls(), options.left_out.notFelt(molecule)),
                                options.touch};
   const auto felt = makeInteraction(input);

@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "app/commands/command.h"
+#include "app/commands/outputs.h"
 #include "app/commands/value_types.h"
 #include "engine/language/catalogue.h"
 #include "engine/platform/terminal.h"
@@ -26,17 +27,18 @@ void write(const std::string& file, const std::string& bytes) {
 
 void run(const Arguments& arguments) {
   const std::vector<std::filesystem::path> named(arguments.results.begin(), arguments.results.end());
-  ClassFiles files = readClass(named);
-  for (const Problem& p : files.passed_over) err() << "moltact: " << trf("passed over: {0}", p.text()) << '\n';
-  if (files.attempts.empty()) throw CommandError{tr("there are no attempts to report on in what was named")};
-  const ClassSummary summary =
-      summarise(std::move(files.attempts),
-                {.anonymous = arguments.anonymous || !arguments.code_word.empty(), .code_word = arguments.code_word});
+  const ClassReading reading = readClass(
+      named, {.anonymous = arguments.anonymous || !arguments.code_word.empty(), .code_word = arguments.code_word});
+  for (const Problem& p : reading.passed_over) err() << "moltact: " << trf("passed over: {0}", p.text()) << '\n';
+  const ClassSummary& summary = reading.summary;
+  if (summary.attempts == 0) throw CommandError{tr("there are no attempts to report on in what was named")};
+  checkOutputs({{"--csv", arguments.csv}, {"--html", arguments.html}, {"--gradebook", arguments.gradebook}});
   if (!arguments.gradebook.empty()) write(arguments.gradebook, gradebookCsv(summary));
   if (!arguments.csv.empty()) write(arguments.csv, classCsv(summary));
   if (!arguments.html.empty()) {
     const std::string now = utcText(std::chrono::system_clock::now());
-    write(arguments.html, classPage(summary, files.passed_over, now.substr(0, 10) + " " + now.substr(11, 5) + " UTC"));
+    write(arguments.html,
+          classPage(summary, reading.passed_over, now.substr(0, 10) + " " + now.substr(11, 5) + " UTC"));
   }
   out() << summaryText(summary) << '\n';
 }

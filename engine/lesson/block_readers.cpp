@@ -178,6 +178,7 @@ std::size_t readFrontMatter(Reading& reading, Lesson& lesson) {
     reading.error(lesson.language_place, trf("'{0}' is no language's code", lesson.language),
                   tr("write its two letters: en, de"));
   lesson.minutes = static_cast<int>(values["minutes"].number);
+  lesson.minutes_place = values["minutes"].place;
   lesson.description = values["description"].text;
   lesson.order = static_cast<int>(values["order"].number);
   if (values.has("card")) lesson.card = static_cast<int>(values["card"].number);

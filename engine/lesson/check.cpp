@@ -12,6 +12,8 @@ LessonCheck checkLesson(const std::string& name, std::string bytes, const Molecu
     checks::moleculeList(*lesson, found);
     checks::steps(*lesson, found);
     checks::ways(*lesson, found);
+    checks::minutes(*lesson, found);
+    checks::askedTwice(*lesson, found);
     checks::files(*lesson, name, found);
     checks::words(*lesson, name, found);
     checks::language(*lesson, name, found);

@@ -65,13 +65,22 @@ class Files {
       findings_.error(image.place, trf("the picture '{0}' is not beside the lesson", image.path),
                       tr("put the file beside the lesson and write its name"));
     } else if (isThere(What::Picture, image.path, to->file, image.place)) {
-      if (const auto picture = readLessonPicture(to->file); !picture)
-        findings_.error(image.place, trf("'{0}' cannot be shown: {1}", image.path, picture.problem().message),
-                        picture.problem().remedy);
+      if (const auto& fault = faultOf(to->file))
+        findings_.error(image.place, trf("'{0}' cannot be shown: {1}", image.path, fault->message), fault->remedy);
     }
   }
 
  private:
+  /// Each file is decoded once, however often and by whichever name it is shown.
+  const std::optional<Problem>& faultOf(const fs::path& file) {
+    std::error_code error;
+    const fs::path whole = fs::weakly_canonical(file, error);
+    const auto [at, is_new] = faults_of_.try_emplace(error ? file : whole);
+    if (is_new)
+      if (const auto picture = readLessonPicture(file); !picture) at->second = picture.problem();
+    return at->second;
+  }
+
   enum class What { Link, Picture };
 
   bool isThere(What what, std::string_view written, const fs::path& file, Place place) {
@@ -114,6 +123,7 @@ class Files {
   const fs::path& lesson_file_;
   Findings& findings_;
   std::map<fs::path, std::vector<std::string>> names_in_;  // folders that were looked into
+  std::map<fs::path, std::optional<Problem>> faults_of_;   // pictures that were decoded
   std::map<fs::path, std::vector<std::string>> steps_of_;  // lessons that were read, their steps' ids
 };
 

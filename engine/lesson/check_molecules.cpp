@@ -34,6 +34,7 @@ class Check {
         selects(step.scene.highlight, places.highlight, *molecule);
         const auto sees = [&](const ViewSpec& view) {
           selects(view.facing, view.facing_place, *molecule);
+          hasDirection(view, step.scene, *molecule);
           selects(view.zoom, view.zoom_place, *molecule);
         };
         sees(step.scene.view);
@@ -84,6 +85,18 @@ class Check {
     if (scene.then.superposed_on.given()) selects(scene.then.superposed_on, place, molecule);
     if (const auto states = statesOf(scene, molecule, *other); !states)
       findings_.error(place, states.problem().message, states.problem().remedy);
+  }
+
+  /// What is turned to the front is not all that there is.
+  void hasDirection(const ViewSpec& view, const SceneSpec& scene, const Molecule& molecule) {
+    if (!view.facing.given() || findings_.enough()) return;
+    if (!nearlyAllPresent(presentAtoms(view.facing, scene, molecule), scene, molecule)) return;
+    if (!undirected_.insert({view.facing_place.line, view.facing_place.column}).second) return;
+    findings_.warning(
+        view.facing_place,
+        tr("nearly all atoms that the scene has left cannot be in front of the others; the molecule is seen "
+           "along its thinnest axis"),
+        tr("name the atoms that are to be in front, or write 'turned' and angles"));
   }
 
   /// The hand holds no more than it can, and something is left to be felt.
@@ -157,6 +170,7 @@ class Check {
   const MoleculeByName& by_name_;
   Findings& findings_;
   std::map<std::pair<std::string, std::string>, Expected<std::shared_ptr<const Molecule>>> found_;  // by name, reading
+  std::set<std::pair<std::size_t, std::size_t>> undirected_;          // places of 'facing' that were warned of
   std::set<std::tuple<std::string, std::size_t, std::size_t>> told_;  // what was looked up at which place
 };
 

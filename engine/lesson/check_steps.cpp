@@ -13,7 +13,8 @@
 namespace moltact::checks {
 namespace {
 
-/// The steps that a student can come to: every main step by Next, an aside by a link from a step that can be reached.
+/// The steps that a student can come to: every main step by Next, an extra step by its offer, another aside by a link
+/// from a step that can be reached.
 std::vector<char> reached(const Lesson& lesson) {
   std::vector<char> out(lesson.steps.size(), 0);
   std::vector<std::size_t> todo;
@@ -30,7 +31,7 @@ std::vector<char> reached(const Lesson& lesson) {
           reach(step->second);
   };
   for (std::size_t i = 0; i < lesson.steps.size(); ++i)
-    if (!lesson.steps[i].aside) reach(i);
+    if (!lesson.steps[i].aside || lesson.steps[i].extra) reach(i);
   const auto followRules = [&](const Step& step) {
     for (const Question& q : step.questions)
       for (const WayRule& rule : q.rules)

@@ -34,6 +34,12 @@ void steps(const Lesson& lesson, Findings& findings);
 /// Rules that never come true, or lead where nobody is going; steps that must be finished and have nothing to finish.
 void ways(const Lesson& lesson, Findings& findings);
 
+/// Minutes that the author states and that do not follow from the lesson; a core that takes too long.
+void minutes(const Lesson& lesson, Findings& findings);
+
+/// A task that is asked before and after: both are there, in the core, and ask the same.
+void askedTwice(const Lesson& lesson, Findings& findings);
+
 /// Links to files and pictures that are not in the lesson's folder, pictures that cannot be shown; links into other lessons whose step is not there.
 void files(const Lesson& lesson, const std::filesystem::path& lesson_file, Findings& findings);
 

@@ -54,8 +54,8 @@ std::vector<KeySpec> frontMatterKeys() {
        .required = true},
       {.name = "minutes",
        .type = ValueType::Count,
-       .meaning = "How many minutes a student needs.",
-       .required = true,
+       .meaning = "How many minutes the core takes a student. Left out, they are worked out from the lesson, by the "
+                  "[table below](#minutes).",
        .least = 1,
        .most = 600},
       {.name = "level",
@@ -132,6 +132,13 @@ std::vector<KeySpec> stepKeys() {
            .type = ValueType::Word,
            .meaning = "Whether its tasks must be done and its questions answered before the student goes on; left out, "
                       "as the front matter says.",
+           .words = {"yes", "no"}},
+          {.name = "extra",
+           .type = ValueType::Word,
+           .meaning = "Whether the step lies beside the core, as an aside does. `Next` passes over it, and it counts "
+                      "neither for the progress nor for goals. The step before it offers it, and so does the lesson's "
+                      "end. The block stands above the step's scene.",
+           .fallback = "no",
            .words = {"yes", "no"}},
           goalKey()};
 }
@@ -234,14 +241,17 @@ std::vector<KeySpec> sceneKeys() {
        .meaning = "Whether atoms stay lightly painted once they have been touched.",
        .fallback = "none",
        .words = {"touched", "none"}},
-      {.name = "highlight", .type = ValueType::Selection, .meaning = "Atoms that are drawn in the colour of targets."},
+      {.name = "highlight",
+       .type = ValueType::Selection,
+       .meaning = "Atoms that are drawn in the colour of targets. Of atoms in the hand, the place that they were taken "
+                  "from: as a ghost, with a line that counts how many are back in place."},
       {.name = "view",
        .type = ValueType::View,
-       .meaning =
-           "From where the molecule is seen at first; 'side' is the front, but a long molecule whose end would "
-           "look at the student lies "
-           "across; 'facing' turns these atoms to the front; 'turned' turns the molecule by angles to the right, "
-           "above and round the line of sight; 'zoom' comes close to atoms.",
+       .meaning = "From where the molecule is seen at first; 'side' is the front, but a long molecule whose end would "
+                  "look at the student lies "
+                  "across; 'facing' turns these atoms to the front, or shows the molecule along its thinnest axis "
+                  "where they are nearly all that there is; 'turned' turns the molecule by angles to the right, "
+                  "above and round the line of sight; 'zoom' comes close to atoms.",
        .fallback = "side",
        .words = viewWords()},
       {.name = "view NAME",

@@ -198,7 +198,8 @@ struct Question {
 struct Step {
   std::string id;      ///< slug of its heading, unique in the lesson
   std::string title;   ///< without the "Aside:" of a side path
-  bool aside = false;  ///< a side path: Next passes over it, only links lead to it, and its Next leads back
+  bool aside = false;  ///< a side path: Next passes over it, a link or an offer leads to it, and its Next leads back
+  bool extra = false;  ///< an aside that is offered below the step before it and at the lesson's end
   std::vector<Block> blocks;
   std::vector<TaskSpec> tasks;
   std::vector<Question> questions;
@@ -227,7 +228,8 @@ struct Lesson {
   bool required = false;    ///< every step must be finished before the next, where it does not say otherwise
   std::string language;     ///< "de": of the front matter; may be empty
   Place language_place;
-  int minutes = 0;
+  int minutes = 0;  ///< that its core takes, as the author states it; 0: as minutes.h works it out
+  Place minutes_place;
   std::vector<std::string> goals, molecules;
   std::vector<Place> molecule_places;  ///< of each of `molecules`
   std::vector<std::string> locked;     ///< in every scene
@@ -242,6 +244,14 @@ struct Lesson {
     for (std::size_t i = 0; i < steps.size(); ++i)
       if (!steps[i].aside && ++number == card) return i;
     return {};
+  }
+
+  /// The extra steps that a step of the core offers: those between it and the next step of the core.
+  std::vector<std::size_t> extrasOf(std::size_t step) const {
+    std::vector<std::size_t> out;
+    for (std::size_t i = step + 1; i < steps.size() && steps[i].aside; ++i)
+      if (steps[i].extra) out.push_back(i);
+    return out;
   }
 
   /// The index of a step by its id, or no value.

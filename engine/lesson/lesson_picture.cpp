@@ -7,6 +7,7 @@
 
 #include "engine/language/catalogue.h"
 #include "engine/lesson/lesson_files.h"
+#include "engine/lesson/png_inflation.h"
 
 namespace moltact {
 namespace {
@@ -29,6 +30,12 @@ Expected<LessonPicture> readLessonPicture(std::string_view bytes) {
   if (stbi_info_from_memory(data, size, &width, &height, &channels) && std::max(width, height) > kLargestPicture_px)
     return fault(trf("a picture of {0} x {1} pixels; {2} a side are the most", width, height, kLargestPicture_px),
                  tr("save it smaller"));
+  // Then what the data inflate to: the reader below would keep all of it.
+  const PngRows rows = bytes.starts_with(kPng) ? inflatedRows(bytes) : PngRows::Fit;
+  if (rows == PngRows::TooMany)
+    return fault(trf("the file holds more data than a picture of {0} x {1} pixels has", width, height),
+                 tr("save it again as a PNG or JPEG file"));
+  if (rows == PngRows::Damaged) return fault(tr("this picture is damaged"), tr("save it again as a PNG or JPEG file"));
   const std::unique_ptr<stbi_uc, void (*)(void*)> rgba(stbi_load_from_memory(data, size, &width, &height, &channels, 4),
                                                        stbi_image_free);
   if (!rgba || width < 1 || height < 1)

@@ -8,8 +8,7 @@
 namespace moltact {
 namespace {
 
-constexpr std::string_view kRest = R"(minutes: 5
-level: beginner
+constexpr std::string_view kRest = R"(level: beginner
 goals:
   - Touch a molecule and feel where its atoms are
   - (write here what a student can do or tell afterwards, one line each)

@@ -137,6 +137,7 @@ class Walk {
     question_lines_.clear();
     // What an aside puts on the stage is gone where the student has passed it over.
     if (step()) next.scene = next.aside || !lastMainStep() ? step()->scene : lastMainStep()->scene;
+    main_before_ = last_main_;
     if (!next.aside) last_main_ = lesson_.steps.size();
     next.required = lesson_.required && !next.aside;
     lesson_.steps.push_back(std::move(next));
@@ -208,6 +209,24 @@ class Walk {
       return;
     }
     reading::readStep(reading_, block, lesson_, *step());
+    if (step()->extra) makeExtra(block.place);
+  }
+
+  /// What an extra step puts on the stage is gone in the next step of the core, as it is after an aside.
+  void makeExtra(Place place) {
+    if (lesson_.steps.size() == 1) {
+      reading_.error(place, tr("the first step cannot be an extra step"),
+                     tr("start with a step that every student sees"));
+      return;
+    }
+    if (step()->states_scene)
+      reading_.error(place, tr("an extra step has its step block below its scene"),
+                     tr("put the step block above the scene block"));
+    step()->required = false;
+    if (step()->aside) return;
+    step()->aside = true;
+    last_main_ = main_before_;
+    if (!step()->states_scene) step()->scene = lesson_.steps[lesson_.steps.size() - 2].scene;
   }
 
   void touch(const MarkdownBlock& block) {
@@ -254,7 +273,7 @@ class Walk {
     std::string title;
   };
   std::optional<Part> part_;  // the heading within a step below which no task has come, with others above it
-  std::optional<std::size_t> last_main_;                                      // the last step that is no aside
+  std::optional<std::size_t> last_main_, main_before_;  // the last step that is no aside; that of the step before
   std::unordered_map<std::string, std::size_t> step_lines_, question_lines_;  // by id; the questions of this step
 };
 

@@ -3,6 +3,7 @@
 #include <sstream>
 
 #include "engine/lesson/keys.h"
+#include "engine/lesson/minutes.h"
 #include "engine/lesson/selection_node.h"
 #include "engine/lesson/suggestion.h"
 #include "engine/lesson/tasks/registry.h"
@@ -132,6 +133,25 @@ void tasks(std::ostream& out) {
   }
 }
 
+void minutes(std::ostream& out) {
+  out << "## Minutes\n\nThe program works out how long a lesson takes. A student reads " << number(kWordsAMinute)
+      << " words a minute: the text, what tasks and questions say, all choices and the feedback to the right one; not "
+         "hints, teacher's notes and the glossary. A question takes "
+      << number(kQuestion_s) << " s more, a free answer " << number(kFreeAnswer_s)
+      << " s. A task takes the time of its kind, and the time for which `for` asks the hand to stay.\n\n"
+         "| kind | time |\n| --- | --- |\n";
+  for (const TaskTime& t : taskTimes()) {
+    out << "| `" << t.kind << "` | ";
+    if (t.base_s > 0.0) out << number(t.base_s) << " s" << (t.each_s > 0.0 ? " and " : "");
+    if (t.each_s > 0.0) out << number(t.each_s) << " s for each " << t.each_what;
+    out << " |\n";
+  }
+  out << "\n`moltact info` and `moltact check` show the minutes of the core and of all steps. `check` warns where the "
+         "front matter states minutes that differ from those of the core by more than "
+      << number(100.0 * kMinutesOff) << " %, and where the core takes more than " << number(kMostCoreMinutes)
+      << " minutes.\n\n";
+}
+
 void units(std::ostream& out) {
   out << "## Quantities\n\nA quantity is a number and its unit: `4 Å`, `0.3 N`. A number without its unit is an error. "
          "The decimal sign is a "
@@ -200,6 +220,7 @@ question takes no answer before that. Leading forward, it lets *Next* pass over 
 names; what is passed over does not count for the progress. No condition can hold a student for ever.
 
 )";
+  minutes(out);
   units(out);
   selections(out);
   return out.str();

@@ -25,6 +25,11 @@ std::vector<std::uint32_t> presentAtoms(const Selection& atoms, const SceneSpec&
   return out;
 }
 
+bool nearlyAllPresent(const std::vector<std::uint32_t>& present, const SceneSpec& scene, const Molecule& molecule) {
+  const std::size_t left = molecule.atoms.size() - selected(scene.remove, molecule).size();
+  return !present.empty() && present.size() * 10 >= left * 9;
+}
+
 std::vector<std::uint32_t> hiddenAtoms(const SceneSpec& scene, const Molecule& molecule) {
   return atomsOfEither(atomsOfEither(selected(scene.hide, molecule), selected(scene.remove, molecule)),
                        heldAtoms(scene, molecule));

@@ -40,16 +40,6 @@ bool isRight(const AnswerSpec& answer, double number) {
   return std::abs(number - answer.number) <= slack;
 }
 
-// What is right, as one line.
-std::string rightAnswer(const Question& asked) {
-  std::string out;
-  for (const Choice& c : asked.choices)
-    if (c.right) out += (out.empty() ? "" : "; ") + plainText(c.text);
-  if (!asked.answer) return out;
-  if (asked.answer->kind == AnswerSpec::Kind::Text) return asked.answer->texts.front();
-  return numberText(asked.answer->number, plain()) + (asked.answer->unit.empty() ? "" : "\u00a0" + asked.answer->unit);
-}
-
 bool sameShape(const Step& a, const Step& b) {
   if (a.id != b.id || a.tasks.size() != b.tasks.size() || a.questions.size() != b.questions.size()) return false;
   for (std::size_t i = 0; i < a.tasks.size(); ++i)
@@ -62,6 +52,15 @@ bool sameShape(const Step& a, const Step& b) {
 }
 
 }  // namespace
+
+std::string rightAnswer(const Question& asked) {
+  std::string out;
+  for (const Choice& c : asked.choices)
+    if (c.right) out += (out.empty() ? "" : "; ") + plainText(c.text);
+  if (!asked.answer) return out;
+  if (asked.answer->kind == AnswerSpec::Kind::Text) return asked.answer->texts.front();
+  return numberText(asked.answer->number, plain()) + (asked.answer->unit.empty() ? "" : "\u00a0" + asked.answer->unit);
+}
 
 LessonSession::StepState::StepState(const Step& step)
     : tasks_done(step.tasks.size(), 0), finished(step.tasks.size()), questions(step.questions.size()) {}
@@ -90,6 +89,8 @@ void LessonSession::meet(std::size_t step) {
 
 void LessonSession::makeTasks() {
   tasks_.clear();
+  slide_.restart();
+  slid_.clear();
   const std::vector<std::uint32_t> untouchable =
       molecule_ ? untouchableAtoms(scene(), *molecule_) : std::vector<std::uint32_t>();
   for (const TaskSpec& spec : step().tasks) {
@@ -215,6 +216,17 @@ bool LessonSession::goTo(std::string_view link) {
   return found.has_value();
 }
 
+LessonSession::StepPlace LessonSession::place() const {
+  const std::vector<char> skipped = skippedSteps();
+  StepPlace out{0, 0};
+  for (std::size_t s = 0; s < lesson_->steps.size(); ++s) {
+    if (lesson_->steps[s].aside || (skipped[s] && s != main_step_)) continue;
+    ++out.of;
+    if (s == main_step_) out.number = out.of;
+  }
+  return out;
+}
+
 void LessonSession::setMolecule(std::shared_ptr<const Molecule> molecule) {
   if (molecule == molecule_) return;
   molecule_ = std::move(molecule);
@@ -227,10 +239,28 @@ std::size_t LessonSession::currentTask() const {
 }
 
 void LessonSession::feed(const TouchSample& sample) {
-  const std::size_t i = currentTask();
+  std::size_t i = currentTask();
   if (i >= tasks_.size() || !tasks_[i]) return;
+  keepSlide(sample);
   tasks_[i]->feed(sample);
   keepIfDone(i);
+  // One slide may fulfil several tasks: the next one begins where the slide did.
+  for (std::size_t next = currentTask(); next != i && next < tasks_.size() && tasks_[next]; next = currentTask()) {
+    i = next;
+    if (!tasks_[i]->takesUpSlide() || tasks_[i]->stage() != TaskStage()) return;
+    for (const TouchSample& s : slid_) tasks_[i]->feed(s);
+    keepIfDone(i);
+  }
+}
+
+void LessonSession::keepSlide(const TouchSample& sample) {
+  constexpr double kBetween_s = 0.008;
+  constexpr std::size_t kMost = 4000;
+  const double dt_s = slid_.empty() ? 0.0 : std::max(0.0, sample.time_s - slid_.back().time_s);
+  if (!slid_.empty() && dt_s < kBetween_s && sample.contact.feature == slid_.back().contact.feature) return;
+  if (slide_.tick(sample.contact, dt_s)) slid_.clear();
+  if (slid_.size() >= kMost) slid_.erase(slid_.begin(), slid_.begin() + kMost / 2);
+  if (sample.contact.touching() || !slid_.empty()) slid_.push_back(sample);
 }
 
 void LessonSession::keepIfDone(std::size_t task) {
@@ -246,6 +276,10 @@ std::vector<std::uint32_t> LessonSession::shownAtoms() const {
       const std::vector<std::uint32_t> atoms = task->answerAtoms();
       out.insert(out.end(), atoms.begin(), atoms.end());
     }
+  if (const Task* now = taskAt(currentTask()); now && !now->done()) {
+    const std::vector<std::uint32_t> atoms = now->exampleAtoms();
+    out.insert(out.end(), atoms.begin(), atoms.end());
+  }
   std::sort(out.begin(), out.end());
   out.erase(std::unique(out.begin(), out.end()), out.end());
   return out;

@@ -52,6 +52,9 @@ struct SessionMemory {
   std::vector<StepMemory> steps;  ///< in the order in which they were first entered
 };
 
+/// What is right, as one line; empty for a free answer.
+std::string rightAnswer(const Question& asked);
+
 class LessonSession {
  public:
   /// Starts at the first step. `lesson` must not be null and has at least one step.
@@ -62,6 +65,12 @@ class LessonSession {
   const Step& step() const { return lesson_->steps[step_]; }
   /// The same, but in an aside the step that it belongs to: the last one that is no aside.
   std::size_t mainStepIndex() const { return main_step_; }
+
+  /// Where mainStepIndex() stands on the way, counted from 1: asides do not count, nor what is skipped.
+  struct StepPlace {
+    std::size_t number = 1, of = 1;
+  };
+  StepPlace place() const;
 
   /// The scene on the stage now. `sceneNumber` grows whenever it may have changed, so the screen can compare it
   /// cheaply.
@@ -155,7 +164,8 @@ class LessonSession {
   /// The same of any step, whether it is shown or not.
   bool taskDone(std::size_t step, std::size_t task) const { return states_[step].tasks_done[task] != kOpen; }
   bool taskSolved(std::size_t step, std::size_t task) const { return states_[step].tasks_done[task] == kSolved; }
-  /// Atoms that show the answer to tasks of the current step whose tries were used up in this sitting, ascending.
+  /// Atoms that show the answer to tasks of the current step whose tries were used up in this sitting, and examples of
+  /// what the current task asks for once it has been tried for long; ascending.
   std::vector<std::uint32_t> shownAtoms() const;
   const QuestionStatus& question(std::size_t step, std::size_t index) const { return states_[step].questions[index]; }
   /// Figures of a task that was done, of any step; empty where it was done before the session was taken up.
@@ -202,6 +212,7 @@ class LessonSession {
   std::vector<char> skippedSteps() const;
   bool waits(std::size_t step) const;  // it must be finished first, and no answer leads away from it
   void keepIfDone(std::size_t task);
+  void keepSlide(const TouchSample& sample);
   void enter(std::size_t step);
   void meet(std::size_t step);
   void makeTasks();
@@ -212,6 +223,8 @@ class LessonSession {
   std::shared_ptr<const Molecule> molecule_;
   std::vector<StepState> states_;
   std::vector<std::shared_ptr<Task>> tasks_;  // of the current step; null while there is no molecule
+  Slide slide_;                               // that the hand is at, whichever task it belongs to,
+  std::vector<TouchSample> slid_;             // and its samples, thinned
   std::vector<std::size_t> met_;
   std::size_t step_ = 0, scene_number_ = 0;
   std::size_t main_step_ = 0;  // the last one that is no aside

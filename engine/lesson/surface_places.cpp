@@ -90,15 +90,19 @@ std::vector<SurfacePlace> creasePlaces(const BallScene& scene, std::span<const s
   std::vector<SurfacePlace> out;
   visitPairs(scene, atoms, probe_A, [&](std::uint32_t a, std::uint32_t b, const SphereCircle& crease) {
     const Vec3 x = across(crease.axis), y = glm::cross(crease.axis, x);
+    // Where one atom lies deep in the other, as hydrogen does, the circle is not between their middles: a push along its
+    // radius slides off, one between the outward directions of both is held.
+    const bool beside = glm::dot(crease.centre_A - scene[a].centre_A, crease.centre_A - scene[b].centre_A) > 0.0;
     const int count =
         std::clamp(saturateToInteger<int>(std::ceil(kTwoPi * crease.radius_A / spacing_A)), 12, kMostCreasePlaces);
     for (int k = 0; k < count; ++k) {
       const double turn = kTwoPi * k / count;
-      const Vec3 u = x * std::cos(turn) + y * std::sin(turn);
-      SurfacePlace place{crease.centre_A + u * crease.radius_A,
-                         u,
-                         {static_cast<std::int32_t>(a), static_cast<std::int32_t>(b), -1},
-                         Feature::Circle};
+      const Vec3 u = x * std::cos(turn) + y * std::sin(turn), at = crease.centre_A + u * crease.radius_A;
+      SurfacePlace place{
+          at,
+          beside ? glm::normalize(glm::normalize(at - scene[a].centre_A) + glm::normalize(at - scene[b].centre_A)) : u,
+          {static_cast<std::int32_t>(a), static_cast<std::int32_t>(b), -1},
+          Feature::Circle};
       if (!covered(scene, place.scp_A, probe_A, place.atoms)) out.push_back(place);
     }
   });

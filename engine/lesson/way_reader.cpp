@@ -63,6 +63,7 @@ void readStep(Reading& reading, const MarkdownBlock& block, const Lesson& lesson
   reading.add(std::move(problems));
   step.block_place = block.place;
   if (values.has("required")) step.required = values["required"].text == "yes";
+  step.extra = values["extra"].text == "yes";
   step.goals = readGoals(reading, values["goal"], lesson);
 }
 

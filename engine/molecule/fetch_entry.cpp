@@ -4,6 +4,7 @@
 #include "engine/molecule/pdb_id.h"
 #include "engine/molecule/reader.h"
 #include "engine/platform/download.h"
+#include "engine/platform/file_guard.h"
 #include "engine/platform/write_file.h"
 
 namespace moltact {
@@ -44,6 +45,9 @@ Expected<FetchedEntry> fetchEntry(const std::string& text, const fs::path& folde
   if (folder.empty())
     return Problem{"", 0, 0, tr("there is no home folder to keep the entry in"), tr("set HOME or XDG_DATA_HOME")};
   const fs::path file = folder / (id + ".cif.gz");
+  if (constexpr std::string_view kLocal = "file://";
+      mirror.starts_with(kLocal) && sameFile(mirror.substr(kLocal.size()), file))
+    return Problem{mirror, 0, 0, tr("the entry would be copied onto itself"), tr("name another file with --url")};
   std::error_code error;
   if (!again && fs::exists(file, error))
     if (auto there = readMolecule(file)) return FetchedEntry{file, there->atoms.size(), true};
@@ -55,7 +59,7 @@ Expected<FetchedEntry> fetchEntry(const std::string& text, const fs::path& folde
     problem.remedy = trf("{0}, or set XDG_DATA_HOME to another folder", problem.remedy);
     return problem;
   };
-  Expected<Draft> draft = Draft::begin(file);
+  Expected<Draft> draft = Draft::begin(file, IfThere::Renew);
   if (!draft) return unwritten(draft.problem());
   const std::string url = mirror.empty() ? entryUrl(id) : mirror;
   std::optional<Problem> problem;

@@ -28,6 +28,10 @@ std::vector<std::string> operatorNames(std::string_view list) {
   return out;
 }
 
+constexpr std::size_t kMostProducts = 4 * kMostCopies;
+
+std::vector<ParsedOperator> tooMany() { return std::vector<ParsedOperator>(kMostCopies + 1); }
+
 }  // namespace
 
 bool parseInteger(std::string_view word, int& value) {
@@ -37,6 +41,7 @@ bool parseInteger(std::string_view word, int& value) {
 
 std::vector<ParsedOperator> operatorsOf(std::string_view expression, const MmcifOperators& known) {
   std::vector<ParsedOperator> out;
+  std::size_t made = 0;  // in all brackets: a million copies in each of many brackets would take for ever
   bool first = true;
   while (!expression.empty()) {
     std::string_view list = expression;
@@ -54,15 +59,15 @@ std::vector<ParsedOperator> operatorsOf(std::string_view expression, const Mmcif
     if (first) {
       out = std::move(bracket);
     } else {
+      if (out.size() * bracket.size() > kMostCopies) return tooMany();
       std::vector<ParsedOperator> product;
-      for (const ParsedOperator& p : out) {
-        if (product.size() > kMostCopies) break;  // too many, which is told of the whole
-        for (const ParsedOperator& q : bracket) {
-          if (product.size() > kMostCopies) break;
+      product.reserve(out.size() * bracket.size());
+      for (const ParsedOperator& p : out)
+        for (const ParsedOperator& q : bracket)
           product.push_back({p.rotation * q.rotation, p.rotation * q.shift_A + p.shift_A});
-        }
-      }
       out = std::move(product);
+      made += out.size();
+      if (made > kMostProducts) return tooMany();
     }
     first = false;
     if (out.empty()) break;  // nothing times anything

@@ -20,7 +20,8 @@ using MmcifOperators = std::unordered_map<std::string, ParsedOperator>;
 bool parseInteger(std::string_view word, int& value);
 
 /// The operators of an expression such as "1", "1,2", "(1-60)" or "(1-60)(61-88)", where the last bracket acts first.
-/// Ids that are not known are passed over; a product of more than kMostCopies breaks off just above that.
+/// Ids that are not known are passed over. Of an expression with more than kMostCopies in all, or with too many brackets,
+/// the result has kMostCopies + 1 operators and means nothing.
 std::vector<ParsedOperator> operatorsOf(std::string_view expression, const MmcifOperators& known);
 
 }  // namespace moltact

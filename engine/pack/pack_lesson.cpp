@@ -73,6 +73,10 @@ class Gathering {
     std::error_code ignored;
     if (fs::is_directory(top_ / relative, ignored))
       return error(at, trf("'{0}' cannot be packed: it is a folder", name), tr("name a file in it"));
+    // The lesson itself the author has named; of the rest nobody may know where a link leads.
+    if (relative != first_.filename() && !isWithin(top_ / relative, top_.empty() ? fs::path(".") : top_))
+      return error(at, trf("'{0}' cannot be packed: it is a link to a file outside of the lesson's folder", name),
+                   tr("put a copy of the file in the place of the link"));
     Expected<std::string> bytes = readFile(top_ / relative, kMostUnpacked, tr("pack smaller molecules"));
     if (!bytes) return out_.errors.push_back(bytes.problem());
     whole_ += bytes->size();

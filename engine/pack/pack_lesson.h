@@ -25,7 +25,8 @@ struct PackedLesson {
 
 /// Packed are: the lesson; it in other languages beside it; the lessons and other files that it leads to; its pictures;
 /// its molecules, from the lesson's folder or downloaded from the PDB. Those of the library come with every Moltact and
-/// are named only. Every lesson is checked first. What lies outside the lesson's folder is refused.
+/// are named only. Every lesson is checked first. What lies outside the
+/// lesson's folder is refused, also where a link leads there.
 PackedLesson packLesson(const std::filesystem::path& lesson_file);
 
 }  // namespace moltact

@@ -1,7 +1,6 @@
 #include "engine/pack/unpack.h"
 
 #include <algorithm>
-#include <chrono>
 #include <system_error>
 #include <utility>
 #include <vector>
@@ -18,7 +17,6 @@ namespace fs = std::filesystem;
 
 // Hidden: the shelf passes over it.
 constexpr const char* kUnderWay = ".unpacking-";
-constexpr std::chrono::hours kForgotten{24};
 
 Problem folderProblem(const fs::path& folder, const std::error_code& error) {
   return {folder.string(), 0, 0, trf("the folder cannot be made: {0}", error.message()),
@@ -39,17 +37,6 @@ std::optional<Problem> writeFiles(const PackFile& pack, const fs::path& folder) 
   return std::nullopt;
 }
 
-// What programs left that were killed while they unpacked.
-void sweep(const fs::path& packs) {
-  std::error_code error, ignored;
-  std::vector<fs::path> forgotten;
-  for (fs::directory_iterator it(packs, error), end; !error && it != end; it.increment(error))
-    if (it->path().filename().string().starts_with(kUnderWay) &&
-        fs::last_write_time(it->path(), ignored) < fs::file_time_type::clock::now() - kForgotten)
-      forgotten.push_back(it->path());
-  for (const fs::path& folder : forgotten) fs::remove_all(folder, ignored);
-}
-
 }  // namespace
 
 fs::path packsFolder() {
@@ -64,7 +51,7 @@ Expected<fs::path> unpack(const PackFile& pack, const fs::path& packs) {
   std::error_code error;
   fs::create_directories(packs, error);
   if (error) return folderProblem(packs, error);
-  sweep(packs);
+  sweepTemporaryFolders(packs, kUnderWay);  // what programs left that were killed while they unpacked
   Expected<TemporaryFolder> made = TemporaryFolder::in(packs, kUnderWay);
   if (!made) return made.problem();
   // One folder within the other, so that what was there before can go with it.
@@ -94,10 +81,13 @@ Expected<PackForNow> PackForNow::open(const fs::path& pack_file) {
   std::error_code error;
   const fs::path temporary = fs::temp_directory_path(error);
   if (error) return folderProblem(temporary, error);
-  Expected<TemporaryFolder> folder = TemporaryFolder::in(temporary, "moltact-pack-");
+  constexpr std::string_view kPrefix = "moltact-pack-";
+  sweepTemporaryFolders(temporary, kPrefix);
+  Expected<TemporaryFolder> folder = TemporaryFolder::in(temporary, kPrefix);
   if (!folder) return folder.problem();
+  auto at_signal = std::make_unique<RemovedAtSignal>(folder->path());
   if (auto fault = writeFiles(*pack, folder->path())) return *std::move(fault);
-  return PackForNow(*std::move(pack), *std::move(folder));
+  return PackForNow(*std::move(pack), *std::move(folder), std::move(at_signal));
 }
 
 std::string PackForNow::shown(std::string text) const {

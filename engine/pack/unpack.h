@@ -3,10 +3,12 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <string>
 
 #include "engine/core/problem.h"
 #include "engine/pack/pack_file.h"
+#include "engine/platform/removed_at_signal.h"
 #include "engine/platform/temporary_folder.h"
 
 namespace moltact {
@@ -21,7 +23,8 @@ Expected<std::filesystem::path> unpack(const PackFile& pack, const std::filesyst
 /// The lesson of a pack in the language, where the pack has it in several.
 std::filesystem::path packedLesson(const std::filesystem::path& lesson_file, std::string_view language);
 
-/// A pack in a folder that goes with this.
+/// A pack in a folder of the temporary ones, which goes with this; also where a signal ends the program. What a program
+/// left that was killed is removed when the next pack is opened. For commands; one at a time.
 class PackForNow {
  public:
   static Expected<PackForNow> open(const std::filesystem::path& pack_file);
@@ -33,9 +36,11 @@ class PackForNow {
   std::string shown(std::string text) const;
 
  private:
-  PackForNow(PackFile pack, TemporaryFolder folder) : pack_(std::move(pack)), folder_(std::move(folder)) {}
+  PackForNow(PackFile pack, TemporaryFolder folder, std::unique_ptr<RemovedAtSignal> at_signal)
+      : pack_(std::move(pack)), folder_(std::move(folder)), at_signal_(std::move(at_signal)) {}
   PackFile pack_;
   TemporaryFolder folder_;
+  std::unique_ptr<RemovedAtSignal> at_signal_;
 };
 
 }  // namespace moltact

@@ -3,7 +3,17 @@
 
 #include <utility>
 
+#include "engine/platform/file_guard.h"
+
 namespace moltact {
+
+Expected<AppendFile> AppendFile::open(const std::filesystem::path& path, Begin begin) {
+  if (begin == Begin::Replace)
+    if (auto problem = whyNotWritten(path)) return *std::move(problem);
+  Expected<AppendFile> file = openInSystem(path, begin);
+  if (file && begin != Begin::Continue) noteWritten(path);
+  return file;
+}
 
 AppendFile::AppendFile(AppendFile&& other) noexcept
     : path_(std::move(other.path_)),

@@ -20,7 +20,8 @@ class AppendFile {
   };
 
   /// Opens for appending and locks the file against other programs of this kind. A Problem that a person can act on
-  /// where that is impossible, or another program has the file open.
+  /// where that is impossible, or another program has the file open, or it would replace what the command that runs has
+  /// read or written (file_guard.h).
   static Expected<AppendFile> open(const std::filesystem::path& path, Begin begin);
 
   AppendFile(AppendFile&& other) noexcept;
@@ -40,6 +41,7 @@ class AppendFile {
 
  private:
   AppendFile(std::filesystem::path path, int handle) : path_(std::move(path)), handle_(handle) {}
+  static Expected<AppendFile> openInSystem(const std::filesystem::path& path, Begin begin);
 
   std::filesystem::path path_;
   int handle_ = -1;

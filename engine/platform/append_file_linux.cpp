@@ -12,7 +12,7 @@ namespace moltact {
 
 using namespace platform;
 
-Expected<AppendFile> AppendFile::open(const std::filesystem::path& path, Begin begin) {
+Expected<AppendFile> AppendFile::openInSystem(const std::filesystem::path& path, Begin begin) {
   constexpr int kFlags = O_WRONLY | O_APPEND | O_CLOEXEC;
   struct stat there {};
   // What is no ordinary file (a pipe, a device) is written to as it is.

@@ -14,7 +14,7 @@ namespace moltact {
 
 using namespace platform;
 
-Expected<AppendFile> AppendFile::open(const std::filesystem::path& path, Begin begin) {
+Expected<AppendFile> AppendFile::openInSystem(const std::filesystem::path& path, Begin begin) {
   AppendFile file(path, -1);
   const int how = begin == Begin::New ? O_CREAT | O_EXCL : begin == Begin::Replace ? O_CREAT : 0;
   file.handle_ = ::open(path.c_str(), O_WRONLY | O_APPEND | how, 0666);

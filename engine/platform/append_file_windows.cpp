@@ -12,7 +12,7 @@ namespace {
 HANDLE handleOf(int number) { return LongToHandle(number); }
 }  // namespace
 
-Expected<AppendFile> AppendFile::open(const std::filesystem::path& path, Begin begin) {
+Expected<AppendFile> AppendFile::openInSystem(const std::filesystem::path& path, Begin begin) {
   AppendFile file(path, -1);
   if (begin == Begin::Replace) {
     // Whether another program writes what is to be replaced.

@@ -11,6 +11,9 @@ struct Draft::Impl {
   std::filesystem::path draft;
   std::string waiting;  // bytes that were appended and not written yet
 
+  /// A Problem where a folder or a permission is missing, or with `refuse` where the file is there.
+  static Expected<std::unique_ptr<Impl>> begin(const std::filesystem::path& file, bool refuse);
+
   virtual ~Impl() = default;
   /// Writes behind what is there.
   virtual std::optional<Problem> write(std::string_view bytes) = 0;

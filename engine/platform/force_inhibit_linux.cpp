@@ -73,6 +73,7 @@ void platform::catchEndings() noexcept {
     std::call_once(once, [] {
       for (const int signal : kFaults) take(signal, onEnd, true);
       for (const int signal : kSent) take(signal, onEnd, false);
+      for (int signal = SIGRTMIN; signal <= SIGRTMAX; ++signal) take(signal, onEnd, false);
       for (const int signal : kStops)
         take(
             signal, [](int s, siginfo_t*, void*) { onStop(s); }, false);

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "engine/language/catalogue.h"
+#include "engine/platform/file_guard.h"
 
 namespace moltact {
 
@@ -16,6 +17,7 @@ Expected<OpenFile> openFile(const std::filesystem::path& path, std::size_t most_
   if (std::filesystem::is_directory(status)) return Problem{file, 0, 0, tr("it is a folder"), tr("name a file in it")};
   if (!std::filesystem::is_regular_file(status))
     return Problem{file, 0, 0, tr("it is not an ordinary file"), tr("copy the data into one")};
+  noteRead(path);  // also where it turns out to be too large: it is an input all the same
   const auto size = std::filesystem::file_size(path, error);
   if (error)
     return Problem{file, 0, 0, trf("its size cannot be told: {0}", error.message()),

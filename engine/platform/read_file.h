@@ -16,7 +16,7 @@ struct OpenFile {
   std::size_t size = 0;  ///< when it was opened (unit: byte)
 };
 
-/// Opens the file. A Problem where it is missing, a folder, no ordinary file (a pipe or a device could give bytes
+/// Opens the file, an input of the command that runs (file_guard.h). A Problem where it is missing, a folder, no ordinary file (a pipe or a device could give bytes
 /// without end, or none for ever), larger than `most_bytes` (`too_large_remedy` says what to do then), or may not be
 /// read.
 Expected<OpenFile> openFile(const std::filesystem::path& file, std::size_t most_bytes,

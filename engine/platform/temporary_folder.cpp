@@ -12,9 +12,4 @@ std::error_code replaceFolder(const std::filesystem::path& fresh, const std::fil
   return error;
 }
 
-TemporaryFolder::~TemporaryFolder() {
-  std::error_code ignored;
-  if (!path_.empty()) std::filesystem::remove_all(path_, ignored);
-}
-
 }  // namespace moltact

@@ -3,6 +3,7 @@
 #include <chrono>
 #include <string>
 #include <system_error>
+#include <vector>
 
 #include "engine/language/catalogue.h"
 #include "engine/platform/temporary_folder.h"
@@ -21,6 +22,23 @@ Expected<TemporaryFolder> TemporaryFolder::in(const std::filesystem::path& folde
   }
   return Problem{folder.string(), 0, 0, trf("no folder can be made in it: {0}", error.message()),
                  tr("check that you may write there and that the disk has room")};
+}
+
+TemporaryFolder::~TemporaryFolder() {
+  std::error_code ignored;
+  if (!path_.empty()) std::filesystem::remove_all(path_, ignored);
+}
+
+void sweepTemporaryFolders(const std::filesystem::path& folder, std::string_view prefix) {
+  constexpr std::chrono::hours kForgotten{24};
+  std::error_code error, ignored;
+  std::vector<std::filesystem::path> forgotten;
+  for (std::filesystem::directory_iterator it(folder, error), end; !error && it != end; it.increment(error))
+    if (it->path().filename().string().starts_with(prefix) &&
+        std::filesystem::last_write_time(it->path(), ignored) <
+            std::filesystem::file_time_type::clock::now() - kForgotten)
+      forgotten.push_back(it->path());
+  for (const std::filesystem::path& path : forgotten) std::filesystem::remove_all(path, ignored);
 }
 
 }  // namespace moltact

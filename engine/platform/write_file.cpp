@@ -4,16 +4,29 @@
 #include <utility>
 
 #include "engine/platform/draft_impl.h"
+#include "engine/platform/file_guard.h"
 
 namespace moltact {
 
-Draft::Draft(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
+Draft::Draft(std::unique_ptr<Impl> impl, std::filesystem::path file) : impl_(std::move(impl)), file_(std::move(file)) {}
 Draft::Draft(Draft&&) noexcept = default;
 Draft& Draft::operator=(Draft&&) noexcept = default;
 Draft::~Draft() = default;
 
+Expected<Draft> Draft::begin(const std::filesystem::path& file, IfThere there) {
+  if (there == IfThere::Replace)
+    if (auto problem = whyNotWritten(file)) return *std::move(problem);
+  Expected<std::unique_ptr<Impl>> impl = Impl::begin(file, there == IfThere::Refuse);
+  if (!impl) return impl.problem();
+  return Draft(*std::move(impl), file);
+}
+
 std::optional<Problem> Draft::append(std::string_view bytes) {
   constexpr std::size_t kMostWaiting = std::size_t{1} << 20;
+  if (bytes.size() >= kMostWaiting) {
+    if (auto problem = flush()) return problem;
+    return impl_->write(bytes);  // without a copy of it all
+  }
   impl_->waiting += bytes;
   return impl_->waiting.size() < kMostWaiting ? std::nullopt : flush();
 }
@@ -28,7 +41,9 @@ std::optional<Problem> Draft::flush() {
 
 std::optional<Problem> Draft::commit() {
   if (auto problem = flush()) return problem;
-  return impl_->place();
+  auto problem = impl_->place();
+  if (!problem) noteWritten(file_);
+  return problem;
 }
 
 std::optional<Problem> writeWhole(const std::filesystem::path& file, std::string_view bytes, IfThere there) {

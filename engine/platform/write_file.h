@@ -15,8 +15,9 @@
 namespace moltact {
 
 enum class IfThere {
-  Replace,
-  Refuse,  ///< a Problem; what is there stays
+  Replace,  ///< a Problem where the command that runs has read or written it (file_guard.h)
+  Renew,    ///< replaced although it has been read, for that is the purpose
+  Refuse,   ///< a Problem; what is there stays
 };
 
 /// Writes the file; its folder must exist. A link is followed; a target that is no ordinary file (a pipe, a device) is
@@ -45,8 +46,9 @@ class Draft {
   struct Impl;  ///< draft_impl.h, for each system's part
 
  private:
-  explicit Draft(std::unique_ptr<Impl> impl);
+  Draft(std::unique_ptr<Impl> impl, std::filesystem::path file);
   std::unique_ptr<Impl> impl_;
+  std::filesystem::path file_;  // as it was named
 };
 
 /// From this call on a limit on the size of files (`ulimit -f`) is an error like a full disk, and does not end the

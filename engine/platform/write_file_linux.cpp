@@ -45,10 +45,10 @@ struct SystemDraft final : Draft::Impl {
 
 }  // namespace
 
-Expected<Draft> Draft::begin(const fs::path& file, IfThere there) {
+Expected<std::unique_ptr<Draft::Impl>> Draft::Impl::begin(const fs::path& file, bool refuse) {
   auto impl = std::make_unique<SystemDraft>();
   impl->named = file;
-  impl->refuse = there == IfThere::Refuse;
+  impl->refuse = refuse;
   struct stat is {};
   const bool exists = ::stat(file.c_str(), &is) == 0;
   if (exists && S_ISDIR(is.st_mode)) return impl->problem(EISDIR);
@@ -63,7 +63,7 @@ Expected<Draft> Draft::begin(const fs::path& file, IfThere there) {
     if (impl->handle < 0) impl->draft.clear();
   }
   if (impl->handle < 0) return impl->problem(errno);
-  return Draft(std::move(impl));
+  return std::unique_ptr<Impl>(std::move(impl));
 }
 
 void takeSizeLimitsAsErrors() { std::signal(SIGXFSZ, SIG_IGN); }

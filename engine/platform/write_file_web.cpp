@@ -42,10 +42,10 @@ struct SystemDraft final : Draft::Impl {
 
 }  // namespace
 
-Expected<Draft> Draft::begin(const fs::path& file, IfThere there) {
+Expected<std::unique_ptr<Draft::Impl>> Draft::Impl::begin(const fs::path& file, bool refuse) {
   auto impl = std::make_unique<SystemDraft>();
   impl->file = file;
-  impl->refuse = there == IfThere::Refuse;
+  impl->refuse = refuse;
   struct stat is {};
   const bool exists = ::stat(file.c_str(), &is) == 0;
   if (exists && S_ISDIR(is.st_mode)) return storageProblem(file, EISDIR);
@@ -58,7 +58,7 @@ Expected<Draft> Draft::begin(const fs::path& file, IfThere there) {
     impl->draft.clear();
     return storageProblem(file, error);
   }
-  return Draft(std::move(impl));
+  return std::unique_ptr<Impl>(std::move(impl));
 }
 
 void takeSizeLimitsAsErrors() {}

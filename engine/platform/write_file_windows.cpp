@@ -34,10 +34,10 @@ struct SystemDraft final : Draft::Impl {
 
 }  // namespace
 
-Expected<Draft> Draft::begin(const fs::path& file, IfThere there) {
+Expected<std::unique_ptr<Draft::Impl>> Draft::Impl::begin(const fs::path& file, bool refuse) {
   auto impl = std::make_unique<SystemDraft>();
   impl->file = file;
-  impl->refuse = there == IfThere::Refuse;
+  impl->refuse = refuse;
   const DWORD is = GetFileAttributesW(file.c_str());
   const bool exists = is != INVALID_FILE_ATTRIBUTES;
   if (exists && is & FILE_ATTRIBUTE_DIRECTORY) return writingProblem(file, ERROR_DIRECTORY);
@@ -47,7 +47,7 @@ Expected<Draft> Draft::begin(const fs::path& file, IfThere there) {
     impl->draft.clear();
     return writingProblem(file, GetLastError());
   }
-  return Draft(std::move(impl));
+  return std::unique_ptr<Impl>(std::move(impl));
 }
 
 // Windows has no such limits but those of the disk.

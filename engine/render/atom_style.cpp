@@ -64,6 +64,8 @@ constexpr std::array kChains{rgb(68, 119, 170),  rgb(34, 136, 51),  rgb(170, 51,
 
 }  // namespace
 
+static_assert(kChains.size() == kChainColours);
+
 // Paler than the scheme, as element colours of large molecules are.
 Colour chainColour(std::uint32_t chain) { return glm::mix(kChains[chain % kChains.size()], Colour(1.0f), 0.25f); }
 

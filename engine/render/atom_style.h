@@ -39,5 +39,7 @@ ElementColours shownColours(ElementColours wanted, std::size_t atoms);
 /// The colour of a molecule's chain, counted from 0: seven that every kind of colour vision tells apart, then again
 /// from the first.
 Colour chainColour(std::uint32_t chain);
+/// After so many chains their colours begin again.
+inline constexpr std::size_t kChainColours = 7;
 
 }  // namespace moltact

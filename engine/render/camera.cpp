@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <vector>
 
 #include "engine/molecule/molecule.h"
 
@@ -19,6 +20,20 @@ Vec3 longestAxis(const glm::dmat3& spread) {
     axis = glm::normalize(next);
   }
   return axis;
+}
+
+// How places are spread about their middle.
+glm::dmat3 spreadOf(std::span<const Vec3> places_A) {
+  Vec3 middle(0.0);
+  for (const Vec3& p : places_A) middle += p / double(places_A.size());
+  glm::dmat3 spread(0.0);
+  for (const Vec3& p : places_A) spread += glm::outerProduct(p - middle, p - middle);
+  return spread;
+}
+
+// The spread without its share along an axis that was found.
+glm::dmat3 withoutAxis(const glm::dmat3& spread, const Vec3& axis) {
+  return spread - glm::dot(axis, spread * axis) * glm::outerProduct(axis, axis);
 }
 }  // namespace
 
@@ -70,13 +85,12 @@ void Camera::lookSideOn(const Molecule& molecule) {
   constexpr double kLong = 1.3;   // so many times as far spread along the longest axis as across it
   constexpr double kEndOn = 0.7;  // of the axis toward the eye
   if (molecule.atoms.size() < 2) return;
-  Vec3 middle(0.0);
-  for (const Atom& a : molecule.atoms) middle += a.position.A / double(molecule.atoms.size());
-  glm::dmat3 spread(0.0);
-  for (const Atom& a : molecule.atoms) spread += glm::outerProduct(a.position.A - middle, a.position.A - middle);
+  std::vector<Vec3> places_A;
+  for (const Atom& a : molecule.atoms) places_A.push_back(a.position.A);
+  const glm::dmat3 spread = spreadOf(places_A);
   const Vec3 axis = longestAxis(spread);
   const double along = glm::dot(axis, spread * axis);
-  const glm::dmat3 rest = spread - along * glm::outerProduct(axis, axis);
+  const glm::dmat3 rest = withoutAxis(spread, axis);
   const Vec3 second = longestAxis(rest);
   if (along < kLong * kLong * glm::dot(second, rest * second)) return;
   Vec3 seen = glm::conjugate(orientation) * axis;
@@ -85,6 +99,19 @@ void Camera::lookSideOn(const Molecule& molecule) {
   const Vec3 to(1, 0, 0);
   const glm::dquat turn = glm::normalize(glm::dquat(1.0 + glm::dot(seen, to), glm::cross(seen, to)));
   orientation = glm::normalize(orientation * glm::conjugate(turn));
+}
+
+void Camera::lookAlongThinnest(std::span<const Vec3> places_A) {
+  if (places_A.size() < 3) return;
+  const glm::dmat3 spread = spreadOf(places_A);
+  const Vec3 longest = longestAxis(spread);
+  Vec3 thinnest = glm::cross(longest, longestAxis(withoutAxis(spread, longest)));
+  if (!(glm::length(thinnest) > 1e-6)) return;
+  thinnest = glm::normalize(thinnest);
+  const Vec3 size = glm::abs(thinnest);
+  const double largest = size.z >= size.x && size.z >= size.y ? thinnest.z : size.y >= size.x ? thinnest.y : thinnest.x;
+  if (largest < 0.0) thinnest = -thinnest;
+  lookFrom(std::atan2(thinnest.x, thinnest.z), std::asin(std::clamp(thinnest.y, -1.0, 1.0)));
 }
 
 void Camera::face(PointA place) {

@@ -73,6 +73,10 @@ struct Camera {
   /// Turns so that the place lies between the eye and the target; places within 0.1 A of the target can be turned
   /// nowhere.
   void face(PointA place);
+  /// Looks along the axis along which these places are least spread, so that the picture shows their longest and their
+  /// second longest extent. Of the two ends of that axis the eye is at the one toward which its largest component points
+  /// in the positive direction. Fewer than three places leave the orientation as it is.
+  void lookAlongThinnest(std::span<const Vec3> places_A);
   /// Moves the target to the middle of the atoms and back until all of them, whole, fit into a picture of this shape;
   /// `margin` is the free share of the picture's half height (default 0.08), and every atom counts as `grown_A` larger
   /// than it is (default 0). The orientation stays.

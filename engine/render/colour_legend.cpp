@@ -45,7 +45,8 @@ std::vector<std::uint8_t> seenAtoms(const Molecule& molecule, const AtomsLook& l
   return out;
 }
 
-// Chains in their order, then elements from the commonest to the rarest.
+// Chains in their order, then elements from the commonest to the rarest. Where there are more chains than colours, or more
+// than a legend has lines, no colour names a chain, and only the elements are listed.
 std::vector<LegendEntry> entriesOf(const Molecule& molecule, ColourBy by, ElementColours elements,
                                    const std::vector<std::uint8_t>& seen) {
   struct Counted {
@@ -64,7 +65,8 @@ std::vector<LegendEntry> entriesOf(const Molecule& molecule, ColourBy by, Elemen
     else if (seen[k] == kItself)
       ++of_element[std::min<std::size_t>(a.atomic_number, kElementCount)];
   }
-  for (std::size_t k = 0; k < of_chain.size(); ++k)
+  const auto chains = std::size_t(std::count_if(of_chain.begin(), of_chain.end(), [](std::size_t n) { return n > 0; }));
+  for (std::size_t k = 0; k < of_chain.size() && chains <= std::min(kMostEntries, kChainColours); ++k)
     if (of_chain[k]) out.push_back({chainColour(std::uint32_t(k)), trf("chain {0}", molecule.chains[k].name.string())});
   for (std::size_t k = 0; k < of_element.size(); ++k)
     if (of_element[k])
@@ -72,6 +74,22 @@ std::vector<LegendEntry> entriesOf(const Molecule& molecule, ColourBy by, Elemen
           {{elementColour(std::uint8_t(k), elements), std::string(tr(element(int(k)).name))}, of_element[k]});
   std::stable_sort(others.begin(), others.end(), [](const Counted& a, const Counted& b) { return a.atoms > b.atoms; });
   for (Counted& c : others) out.push_back(std::move(c.entry));
+  return out;
+}
+
+// What shares a colour shares a line: a legend that showed a colour twice would say nothing of it.
+std::vector<LegendEntry> eachColourOnce(const std::vector<LegendEntry>& entries) {
+  constexpr float kSame = 0.5f / 255.0f;
+  std::vector<LegendEntry> out;
+  for (const LegendEntry& e : entries) {
+    const auto same = std::find_if(out.begin(), out.end(), [&](const LegendEntry& o) {
+      return glm::all(glm::lessThan(glm::abs(o.colour - e.colour), glm::vec3(kSame)));
+    });
+    if (same == out.end())
+      out.push_back(e);
+    else if (same->name != e.name)
+      same->name += (same->name.empty() || e.name.empty() ? "" : ", ") + e.name;
+  }
   return out;
 }
 
@@ -94,7 +112,7 @@ std::vector<LegendEntry> legendOf(const Molecule& molecule, ColourBy by, Element
     for (const OwnColour& mark : *look.marks)
       if (!mark.name.empty()) marks.push_back({colourOf(mark.colour), mark.name});
   entries.insert(entries.begin(), marks.begin(), marks.end());
-  return entries;
+  return eachColourOnce(entries);
 }
 
 const std::vector<LegendEntry>& LegendMemory::of(std::shared_ptr<const Molecule> molecule, ColourBy by,

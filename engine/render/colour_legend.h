@@ -17,8 +17,9 @@ struct LegendEntry {
 };
 
 /// The marks with names, then what the colours tell: of a scheme its legend, else chains in their order and elements from
-/// the commonest to the rarest; of these no more than can be read at once. Atoms that are not drawn have no part in it;
-/// a ribbon tells chains, and elements only where the atoms under the probe come out of it.
+/// the commonest to the rarest; of these no more than can be read at once. Chains whose colours repeat are left out, and
+/// no colour has two lines. Atoms that are not drawn have no part in it; a ribbon tells chains, and elements only where
+/// the atoms under the probe come out of it.
 std::vector<LegendEntry> legendOf(const Molecule& molecule, ColourBy by, ElementColours elements,
                                   const AtomsLook& look);
 

@@ -16,6 +16,8 @@ namespace {
 // Bright on a dark edge: seen on atoms of every colour, in every theme.
 const Colour kTouchedRing{1.0f, 0.94f, 0.62f};
 
+constexpr double kGlow_A = 0.25;  // round an atom of a body that is stopped
+
 class Maker {
  public:
   Maker(const ViewScene& scene, Glyphs& out) : scene_(scene), out_(out) {
@@ -65,9 +67,14 @@ class Maker {
       if (atom >= model.atoms()) continue;
       constexpr std::uint32_t kGhost = 0x4Cu << 24;
       const bool carbon = scene_.molecule->atoms[atom].atomic_number == 6;
-      const std::uint32_t colour = carbon ? packColour(scene_.theme.probe) : model.colour[model.ballOf(atom)];
-      const glm::vec3 centre = view(scp_ + axes * scene_.body->balls[i].centre_A);
+      const bool stopped = std::binary_search(scene_.body_stopped.begin(), scene_.body_stopped.end(), std::uint32_t(i));
+      const std::uint32_t colour = stopped  ? packColour(forceColour(scene_.theme, 1.0))
+                                   : carbon ? packColour(scene_.theme.probe)
+                                            : model.colour[model.ballOf(atom)];
+      const Vec3 place = scp_ + axes * scene_.body->balls[i].centre_A;
+      const glm::vec3 centre = view(place);
       const auto radius = float(model.atomBall(atom).radius_A);
+      if (stopped) shell(place, double(radius) + kGlow_A, forceColour(scene_.theme, 1.0), 0.45f);
       out_.solid.push_back({centre, radius, colour});
       out_.ghost.push_back({centre, radius, (colour & 0xFFFFFFu) | kGhost});
     }
@@ -128,17 +135,21 @@ class Maker {
   }
 
   // A ring round the probe that swells and warms with the force, and an arrow along it. Toward the eye an arrow would
-  // be a lump: there the ring tells it alone.
+  // be a lump: there a sign stands for it.
   void force() {
     if (!touching_ || !(scene_.force_N > 0) || !std::isfinite(scene_.force_N)) return;
     const Colour warm = forceColour(scene_.theme, strength());
-    const double round = silhouetteRadius(scp_, held().reach_A()) + sized(0.06, 4.0) + sized(0.3, 9.0) * strength();
+    // Round the probe; a body tells its stops by its atoms.
+    const double round = silhouetteRadius(scp_, scene_.probe_A) + sized(0.06, 4.0) + sized(0.3, 9.0) * strength();
     for (const Stroke& stroke :
          {Stroke{.colour = glm::vec3(0.0f), .alpha = 0.35f, .hidden = 0.5f, .width_px = float(4.0 + 5.0 * strength())},
           Stroke{.colour = warm, .alpha = 1.0f, .hidden = 0.6f, .width_px = float(2.0 + 5.0 * strength())}})
-      addCircle(out_.strokes, stroke, scene_.camera, scp_, toEye(scp_), round);
+      if (!scene_.body) addCircle(out_.strokes, stroke, scene_.camera, scp_, toEye(scp_), round);
     constexpr double kTowardEye = 0.87;  // within 30 degrees
-    if (std::abs(glm::dot(outward_, toEye(scp_))) > kTowardEye) return;
+    if (const double toward = glm::dot(outward_, toEye(scp_)); std::abs(toward) > kTowardEye) {
+      headOn(toward > 0.0, warm);
+      return;
+    }
     const double thick = sized(0.13, 2.4), head = 4.2 * thick;
     const double length = std::max(scene_.force_N * scene_.arrow_A_per_N, 0.3 * head);
     const Vec3 tip = scp_ + outward_ * (length + head);
@@ -146,6 +157,31 @@ class Maker {
     const std::uint32_t colour = packColour(warm);
     out_.cones.push_back({view(scp_), view(neck), float(thick), float(thick), colour});
     out_.cones.push_back({view(neck), view(tip), float(2.3 * thick), 0.0f, colour});
+  }
+
+  // A vector that points at the viewer or away, as drawings write it: a ring with a dot, the arrow's tip, or with a cross, its
+  // feathers. It lies before the probe and grows with the force as the arrow does.
+  void headOn(bool toward, const Colour& warm) {
+    const Vec3 eye = toEye(scp_), right = scene_.camera.right(), up = glm::cross(eye, right);
+    const Vec3 at = scp_ + eye * (held().reach_A() + 0.3);
+    const double r = std::max(sized(0.3, 13.0), 0.4 * scene_.force_N * scene_.arrow_A_per_N);
+    const auto draw = [&](const auto& lines) {
+      for (const Stroke& stroke : {Stroke{.colour = glm::vec3(0.0f), .alpha = 0.55f, .hidden = 0.55f, .width_px = 5.0f},
+                                   Stroke{.colour = warm, .alpha = 1.0f, .hidden = 1.0f, .width_px = 2.6f}})
+        lines(stroke);
+    };
+    draw([&](const Stroke& s) { addCircle(out_.strokes, s, scene_.camera, at, eye, r, 48); });
+    if (toward) {
+      solid(at, 0.3 * r, warm, 1.0f);
+      return;
+    }
+    for (const double side : {-1.0, 1.0})
+      draw([&](const Stroke& s) {
+        const Vec3 arm = r * std::numbers::sqrt2 * 0.5 * (right + side * up);
+        out_.strokes.begin(s);
+        out_.strokes.point(view(at - arm));
+        out_.strokes.point(view(at + arm));
+      });
   }
 
   void targets() {
@@ -169,6 +205,11 @@ class Maker {
     for (const std::uint32_t a : scene_.highlighted) {
       if (a >= model.atoms()) continue;
       const Ball b = model.atomBall(a);
+      // What the hand holds is not there: its place is, as a ghost.
+      if (scene_.body && std::binary_search(scene_.body->atoms.begin(), scene_.body->atoms.end(), a)) {
+        shell(b.centre_A, b.radius_A, scene_.theme.target, 0.30f);
+        continue;
+      }
       const double r = b.radius_A + 0.12;
       addCircle(out_.strokes, {.colour = scene_.theme.target, .alpha = 0.95f, .hidden = 0.22f, .width_px = 2.4f},
                 scene_.camera, silhouetteCentre(b.centre_A, r), toEye(b.centre_A), silhouetteRadius(b.centre_A, r));
@@ -179,7 +220,7 @@ class Maker {
   void touched(const MoleculeModel& model) {
     if (!touching_) return;
     const std::vector<std::uint32_t>* hidden = scene_.look.hidden.get();
-    for (const std::int32_t a : scene_.contact.atoms) {
+    for (const std::int32_t a : scene_.named_atoms.value_or(scene_.contact.atoms)) {
       if (a < 0 || std::size_t(a) >= model.atoms()) continue;
       if (hidden && std::binary_search(hidden->begin(), hidden->end(), std::uint32_t(a))) continue;
       const Ball b = model.atomBall(std::uint32_t(a));

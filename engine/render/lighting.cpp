@@ -17,6 +17,7 @@ uniform mat4 u_to_field;   // from the camera's axes to angstroms from the field
 uniform vec3 u_fine_scale, u_wide_scale;
 uniform sampler3D u_fine, u_wide;
 uniform vec4 u_cut;
+#define CAP_SHADE 0.62
 float fixed_open = -1.0, wide_filled = -1.0;
 bool cutAway(vec3 place) { return dot(u_cut.xyz, place) + u_cut.w > 0.0; }
 float openness(vec3 place, vec3 n) {

@@ -21,7 +21,8 @@ void main() {
 }
 )";
 
-// Seen from inside, where something is cut open, a wall is darker.
+// Seen from inside a wall is darker. Where something is cut open, its inside is flat and darker, as if the cut were filled: a
+// wall that is seen from behind there has nothing but the solid before it.
 const char* const kFragmentText = R"(
 in vec3 v_place, v_normal;
 in vec4 v_colour;
@@ -36,6 +37,10 @@ void main() {
   if (facing < 0.0) {
     n = -n;
     facing = -facing;
+    if (!gl_FrontFacing && dot(u_cut.xyz, u_cut.xyz) > 0.0) {
+      o_colour = vec4(v_colour.rgb * CAP_SHADE, u_opacity);
+      return;
+    }
     if (!gl_FrontFacing) base *= 0.45;
   }
   float y = clamp(v_place.y / (-v_place.z * u_tan.y), -1.0, 1.0);

@@ -12,15 +12,38 @@ float rimOf(int samples, const Projection& inside) {
 
 }  // namespace
 
-// Parts that fit stay; a new one is made.
-void MoleculeLayer::findParts(const ViewScene& scene, const MoleculeModel& model) {
+// Parts that fit stay; a new one is made. While a surface is computed all parts stay as they are; where there are none
+// of this molecule, spheres stand in for the surface.
+void MoleculeLayer::findParts(const ViewScene& scene, const MoleculeModel& model, bool wait) {
   std::vector<StyledAtoms> wanted = scene.look.styles;
   if (wanted.empty()) wanted.emplace_back();
+  const auto partFor = [&](const StyledAtoms& what) {
+    return std::find_if(parts_.begin(), parts_.end(), [&](const auto& p) { return p && p->fits(what, scene); });
+  };
+  std::vector<std::unique_ptr<StyledPart>> made(wanted.size());
+  bool missing = false;
+  surfaces_.beginPicture();
+  for (std::size_t k = 0; !wait && k < wanted.size(); ++k) {
+    if (!StyledPart::hasSurface(wanted[k], model) || partFor(wanted[k]) != parts_.end()) continue;
+    if (auto surface = surfaces_.take(wanted[k], scene, model))
+      made[k] = std::make_unique<StyledPart>(wanted[k], scene, model, std::move(surface->surface),
+                                             std::move(surface->molecule), surface->probe_A);
+    else
+      missing = true;
+  }
+  surfaces_.endPicture();
+  if (missing && !parts_.empty() && parts_.front()->isOf(model)) {
+    for (const auto& part : parts_) part->paint(model);
+    return;
+  }
   std::vector<std::unique_ptr<StyledPart>> parts;
-  for (const StyledAtoms& what : wanted) {
-    const auto at =
-        std::find_if(parts_.begin(), parts_.end(), [&](const auto& p) { return p && p->fits(what, scene); });
-    parts.push_back(at != parts_.end() ? std::move(*at) : std::make_unique<StyledPart>(what, scene, model));
+  for (std::size_t k = 0; k < wanted.size(); ++k) {
+    const auto at = partFor(wanted[k]);
+    StyledAtoms what = wanted[k];
+    if (at == parts_.end() && !made[k] && !wait && StyledPart::hasSurface(what, model)) what.style = DrawStyle::Spheres;
+    parts.push_back(made[k]              ? std::move(made[k])
+                    : at != parts_.end() ? std::move(*at)
+                                         : std::make_unique<StyledPart>(what, scene, model));
     parts.back()->paint(model);
   }
   parts_ = std::move(parts);
@@ -78,15 +101,18 @@ bool MoleculeLayer::draw(const ViewScene& scene, const MoleculeModel* model, con
   if (scene.shown.has(ViewPart::Target)) key.tinted = scene.highlighted;
   std::sort(key.tinted.begin(), key.tinted.end());
   if (model) key.tinted = model->ballsOf(std::move(key.tinted));
-  redrawn_ = !(have_ && key == key_);
+  redrawn_ = !(have_ && key == key_) || surfaces_.ready();
   if (!redrawn_) return true;
   have_ = false;
   if (!target_.resize(inside.width_px, inside.height_px)) return false;
   key_ = std::move(key);
-  if (model && key_.atoms)
-    findParts(scene, *model);
-  else
+  if (model && key_.atoms) {
+    findParts(scene, *model, options.wait_for_surfaces);
+  } else {
     parts_.clear();
+    surfaces_.beginPicture();
+    surfaces_.endPicture();
+  }
   target_.bind();
   glDepthMask(GL_TRUE);
   glClear(GL_DEPTH_BUFFER_BIT);

@@ -4,12 +4,14 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "engine/render/mesh_pass.h"
 #include "engine/render/resolve.h"
 #include "engine/render/sphere_impostors.h"
 #include "engine/render/styled_part.h"
+#include "engine/render/surface_jobs.h"
 #include "engine/render/view_scene.h"
 
 namespace moltact {
@@ -20,6 +22,7 @@ class MoleculeLayer {
     int samples = 1;          ///< along each pixel's edge
     float line_scale = 1.0f;  ///< multiplies the widths of lines, in pixels of the finished picture
     bool outlines = true, cull = true, fine_light = true;
+    bool wait_for_surfaces = true;  ///< else the former style stays until they are computed
     friend bool operator==(const Options&, const Options&) = default;
   };
   /// What it draws with.
@@ -40,6 +43,10 @@ class MoleculeLayer {
   const GlTarget& target() const { return target_; }
   /// Holds the depth of what is opaque, as large as target().
   const GlTarget& opaque() const { return faint_ ? opaque_ : target_; }
+  /// Of the surfaces that are computed beside the window; no value where there is none to wait for.
+  std::optional<float> surfaceProgress() const { return surfaces_.progress(); }
+  /// Whether the next call will draw because a surface is there.
+  bool surfaceReady() const { return surfaces_.ready(); }
   /// Whether the last call drew.
   bool redrawn() const { return redrawn_; }
   std::size_t atomsDrawn() const { return atoms_drawn_; }
@@ -64,13 +71,14 @@ class MoleculeLayer {
     bool operator==(const Key&) const = default;
   };
 
-  void findParts(const ViewScene& scene, const MoleculeModel& model);
+  void findParts(const ViewScene& scene, const MoleculeModel& model, bool wait);
   void drawPart(StyledPart& part, const ViewScene& scene, const MoleculeModel& model, const Projection& inside,
                 const Lighting& lighting, const Options& options, Passes& passes);
 
   GlTarget target_, opaque_;
   SphereCull cull_;
   std::vector<std::unique_ptr<StyledPart>> parts_;
+  SurfaceJobs surfaces_;
   std::vector<LooseSphere> small_;
   Strokes strokes_;
   Key key_;

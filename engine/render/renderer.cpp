@@ -191,10 +191,12 @@ bool Renderer::Impl::drawScene(const ViewScene& scene, int width_px, int height_
   // A large picture is looked at whole: its lines grow with it.
   const float line_scale = options.line_scale * std::max(1.0f, float(height_px) / 800.0f);
   if (!layer.draw(scene, model.get(), inside, lighting,
-                  {samples, line_scale, options.outlines, options.occlusion_cull, options.fine_light},
+                  {samples, line_scale, options.outlines, options.occlusion_cull, options.fine_light,
+                   options.wait_for_surfaces},
                   {resolve, balls, meshes, wires}))
     return false;
   count.atoms_redrawn = layer.redrawn();
+  count.surface_progress = layer.surfaceProgress();
   count.atoms_drawn = layer.atomsDrawn();
   // Where the molecule stays, only what glyphs cover or have covered changes.
   const PixelBox whole{0, 0, width_px, height_px};
@@ -283,8 +285,9 @@ std::optional<Problem> Renderer::draw(const ViewScene& scene, int width_px, int 
   };
   if (width_px < 1 || height_px < 1 || width_px > 16384 || height_px > 16384) return tooLarge();
   if (p.have_picture && p.picture.width() == width_px && p.picture.height() == height_px && p.last_options == options &&
-      sameView(p.last, scene)) {
+      sameView(p.last, scene) && !p.layer.surfaceReady()) {
     p.count.atoms_redrawn = false;
+    p.count.surface_progress = p.layer.surfaceProgress();
     return std::nullopt;
   }
   // Errors that others left behind are not this picture's; a lost context would report for ever.

@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 
 #include "engine/core/problem.h"
 #include "engine/render/picture.h"
@@ -14,11 +15,12 @@ namespace moltact {
 
 struct RenderOptions {
   int samples = 1;  ///< samples along each pixel's edge, 1 to 4: 2 smooths the edges at 4 times the cost (default 1)
-  bool smooth_edges = true;    ///< with one sample the edges are filtered (default on)
-  bool outlines = true;        ///< dark rims round atoms that stand in front of others (default on)
-  bool fine_light = true;      ///< ambient occlusion varies within an atom; false: from atom to atom only (default on)
-  float line_scale = 1.0f;     ///< multiplies line widths, for displays with small pixels (default 1)
-  bool occlusion_cull = true;  ///< leave out atoms that are hidden by others; the picture is the same (default on)
+  bool smooth_edges = true;  ///< with one sample the edges are filtered (default on)
+  bool outlines = true;      ///< dark rims round atoms that stand in front of others (default on)
+  bool fine_light = true;    ///< ambient occlusion varies within an atom; false: from atom to atom only (default on)
+  float line_scale = 1.0f;   ///< multiplies line widths, for displays with small pixels (default 1)
+  bool wait_for_surfaces = true;  ///< false: a surface is computed beside, and the former style stays meanwhile
+  bool occlusion_cull = true;     ///< leave out atoms that are hidden by others; the picture is the same (default on)
 
   friend bool operator==(const RenderOptions&, const RenderOptions&) = default;
 };
@@ -26,8 +28,9 @@ struct RenderOptions {
 /// The cost and the contents of the last picture.
 struct RenderCount {
   std::size_t atoms = 0, atoms_drawn = 0;
-  bool atoms_redrawn = false;  ///< false when the kept layer was used
-  std::uint64_t pictures = 0;  ///< drawn so far: the texture holds another one where this is another number
+  bool atoms_redrawn = false;             ///< false when the kept layer was used
+  std::optional<float> surface_progress;  ///< of a surface that is computed beside, 0 to 1
+  std::uint64_t pictures = 0;             ///< drawn so far: the texture holds another one where this is another number
 };
 
 class Renderer {

@@ -12,17 +12,21 @@
 namespace moltact {
 namespace {
 
-constexpr double kFinest_A = 0.5, kMostNodes = 200;
-constexpr double kBlend_A = 0.15;  // over which colours pass into each other
+constexpr double kFinest_A = 0.5, kMostNodes = 200, kMostNodesInBalls = 1.2e9;
+constexpr double kLargeProbe_A = 3.0;  // beyond it thousands of balls lie near each other, and most are buried
+constexpr double kBlend_A = 0.15;      // over which colours pass into each other
 constexpr std::uint32_t kNone = 0xFFFFFFFFu;
 constexpr double kPi = std::numbers::pi;
 
 // From 0 to 2 pi.
 double angle(double t) { return t - 2.0 * kPi * std::floor(t / (2.0 * kPi)); }
 
+struct Cancelled {};
+
 class Grid {
  public:
-  Grid(const BallScene& scene, double probe_A) : scene_(scene), balls_(scene.balls()), probe_(probe_A) {
+  Grid(const BallScene& scene, double probe_A, SurfaceProgress* progress)
+      : scene_(scene), balls_(scene.balls()), probe_(probe_A), progress_(progress) {
     const std::span<const Ball> balls = balls_;
     Vec3 low = balls[0].centre_A, high = low;
     for (const Ball& b : balls) {
@@ -30,7 +34,10 @@ class Grid {
       high = glm::max(high, b.centre_A + b.radius_A);
     }
     const Vec3 extent = high - low + 2.0 * probe_A;
-    step_ = std::max(kFinest_A, std::max({extent.x, extent.y, extent.z}) / (kMostNodes - 6));
+    double in_balls_A3 = 0.0;
+    for (const Ball& b : balls) in_balls_A3 += std::pow(2.0 * (b.radius_A + probe_A), 3.0);
+    step_ = std::max({kFinest_A, std::max({extent.x, extent.y, extent.z}) / (kMostNodes - 6),
+                      std::cbrt(in_balls_A3 / kMostNodesInBalls)});
     low_ = low - probe_A - 2.0 * step_;
     size_ = glm::ivec3(glm::ceil((extent + 4.0 * step_) / step_)) + 1;
     level_.assign(std::size_t(size_.x) * size_.y * size_.z, std::numeric_limits<float>::max());
@@ -43,14 +50,17 @@ class Grid {
     made.step_A = step_;
     made.piece.origin_A = low_ + 0.5 * step_ * Vec3(size_);
     cell_vertex_.assign(level_.size(), kNone);
-    for (int z = 0; z + 1 < size_.z; ++z)
+    for (int z = 0; z + 1 < size_.z; ++z) {
+      report(0.85, 0.95, z, size_.z);
       for (int y = 0; y + 1 < size_.y; ++y)
         for (int x = 0; x + 1 < size_.x; ++x) addVertex({x, y, z}, made.piece);
+    }
     for (int z = 1; z + 1 < size_.z; ++z)
       for (int y = 1; y + 1 < size_.y; ++y)
         for (int x = 1; x + 1 < size_.x; ++x) addFaces({x, y, z}, made.piece);
     made.owner.reserve(made.piece.vertices.size());
     for (const MeshPiece::Vertex& v : made.piece.vertices) {
+      report(0.95, 1.0, made.owner.size(), made.piece.vertices.size());
       const Vec3 p = made.piece.origin_A + Vec3(v.place);
       double least = std::numeric_limits<double>::max(), next = least;
       std::uint32_t owner = 0, second = 0;
@@ -77,6 +87,14 @@ class Grid {
   std::size_t at(const glm::ivec3& i) const { return (std::size_t(i.z) * size_.y + i.y) * size_.x + i.x; }
   Vec3 place(const glm::ivec3& i) const { return low_ + step_ * Vec3(i); }
 
+  // That `done` of `all` parts are made of what takes the work from one share of it to another.
+  void report(double from, double to, std::size_t done, std::size_t all) const {
+    if (!progress_) return;
+    if (progress_->cancelled.load(std::memory_order_relaxed)) throw Cancelled{};
+    progress_->share.store(float(from + (to - from) * double(done) / double(std::max<std::size_t>(1, all))),
+                           std::memory_order_relaxed);
+  }
+
   template <class Visit>
   void nodesWithin(const Vec3& centre, double reach, Visit&& visit) {
     const glm::ivec3 from = glm::max(glm::ivec3(glm::ceil((centre - reach - low_) / step_)), glm::ivec3(0));
@@ -86,10 +104,25 @@ class Grid {
         for (int x = from.x; x <= to.x; ++x) visit(glm::ivec3(x, y, z));
   }
 
+  // The nodes within `around` of a cone with its tip at a place and `reach` long, and some others; some more than once.
+  // `bend`: half of its opening.
+  template <class Visit>
+  void nodesInCone(const Vec3& tip, const Vec3& axis, double bend, double around, double reach, Visit&& visit) {
+    constexpr double kWidest = 1.0;
+    if (!(bend < kWidest)) return nodesWithin(tip, reach + around, visit);
+    const auto width = [&](double t) { return std::min(t * std::tan(bend), reach * std::sin(bend)) + around; };
+    for (double t = 0.0; t <= reach;) {
+      const double on = step_ + 0.5 * (width(t) - around);
+      nodesWithin(tip + t * axis, std::hypot(width(t + on), on), visit);
+      t += on;
+    }
+  }
+
   // Which ball grown by the probe holds a node deepest.
   void findGrown() {
     grown_.assign(level_.size(), kNone);
     for (std::uint32_t b = 0; b < balls_.size(); ++b) {
+      report(0.0, 0.3, b, balls_.size());
       const double reach = balls_[b].radius_A + probe_;
       nodesWithin(balls_[b].centre_A, reach + step_, [&](const glm::ivec3& i) {
         const auto out = float(glm::length(place(i) - balls_[b].centre_A) - reach);
@@ -128,32 +161,77 @@ class Grid {
       all_held = z < -h - 1e-9;
       if (!all_held && std::abs(z) < h) {
         const double half = std::acos(z / h), begin = angle(std::atan2(y, x) + kPi - half);
-        held_.push_back({begin, begin + 2.0 * half});
+        held_.push_back({begin, begin + 2.0 * half, k});
       }
       return !all_held;
     });
     if (all_held) return;
     std::sort(held_.begin(), held_.end());
     // What is held goes round at most once and may reach over the circle's begin.
+    const Arcs arcs{*circle, u, v, first, second};
     double end = 0.0;
-    for (const auto& [from, to] : held_) end = std::max(end, to - 2.0 * kPi);
-    for (const auto& [from, to] : held_) {
-      if (from > end) spreadArc(*circle, u, v, end, from, reach);
-      end = std::max(end, to);
+    std::uint32_t last = kNone;  // what holds the circle up to there
+    for (const Held& h : held_)
+      if (h.to - 2.0 * kPi > end) {
+        end = h.to - 2.0 * kPi;
+        last = h.by;
+      }
+    for (const Held& h : held_) {
+      if (h.from > end) {
+        spreadArc(arcs, end, h.from, reach);
+        if (last != kNone) spreadCorner(arcs, end, last, reach);
+        spreadCorner(arcs, h.from, h.by, reach);
+      }
+      if (h.to > end) {
+        end = h.to;
+        last = h.by;
+      }
     }
-    if (end < 2.0 * kPi) spreadArc(*circle, u, v, end, 2.0 * kPi, reach);
+    if (end < 2.0 * kPi) {
+      spreadArc(arcs, end, 2.0 * kPi, reach);
+      if (last != kNone) spreadCorner(arcs, end, last, reach);
+    }
   }
 
-  void spreadArc(const SphereCircle& circle, const Vec3& u, const Vec3& v, double begin, double end, double reach) {
+  // The circle of two grown spheres; `u` is where its angle is 0.
+  struct Arcs {
+    const SphereCircle& circle;
+    Vec3 u, v;
+    std::uint32_t first, second;
+    Vec3 way(double t) const { return std::cos(t) * u + std::sin(t) * v; }
+    Vec3 at(double t) const { return circle.centre_A + circle.radius_A * way(t); }
+  };
+  Vec3 inward(const Vec3& p, std::uint32_t ball) const { return glm::normalize(balls_[ball].centre_A - p); }
+
+  // A place of the surface is the nearest one for nodes inside alone, between the directions to the spheres' middles.
+  void spreadCorner(const Arcs& arcs, double t, std::uint32_t third, double reach) {
+    const Vec3 tip = arcs.at(t);
+    const Vec3 to[] = {inward(tip, arcs.first), inward(tip, arcs.second), inward(tip, third)};
+    const Vec3 sum = to[0] + to[1] + to[2];
+    const Vec3 axis = glm::length(sum) > 1e-6 ? glm::normalize(sum) : to[0];
+    double least = 1.0;
+    for (const Vec3& d : to) least = std::min(least, glm::dot(axis, d));
+    nodesInCone(tip, axis, std::acos(std::clamp(least, -1.0, 1.0)), step_, reach, [&](const glm::ivec3& i) {
+      const Vec3 d = place(i) - tip;
+      float& level = level_[at(i)];
+      level = std::min(level, float(glm::dot(d, d)));
+    });
+  }
+
+  void spreadArc(const Arcs& arcs, double begin, double end, double reach) {
     constexpr double kPiece_A = 1.0;
-    const auto way_at = [&](double t) { return std::cos(t) * u + std::sin(t) * v; };
+    const SphereCircle& circle = arcs.circle;
     const int pieces = std::max(1, int(std::ceil((end - begin) * circle.radius_A / kPiece_A)));
     const double half = 0.5 * (end - begin) / pieces, least_along = std::cos(std::min(half, kPi));
     for (int k = 0; k < pieces; ++k) {
       const double at_middle = begin + (2 * k + 1) * half;
-      const Vec3 middle = way_at(at_middle), across = glm::cross(circle.axis, middle), low = way_at(at_middle - half),
-                 high = way_at(at_middle + half);
-      nodesWithin(circle.centre_A + circle.radius_A * middle, reach + half * circle.radius_A, [&](const glm::ivec3& i) {
+      const Vec3 middle = arcs.way(at_middle), across = glm::cross(circle.axis, middle),
+                 low = arcs.way(at_middle - half), high = arcs.way(at_middle + half);
+      const Vec3 tip = arcs.at(at_middle), to_first = inward(tip, arcs.first), to_second = inward(tip, arcs.second);
+      const Vec3 sum = to_first + to_second;
+      const Vec3 axis = glm::length(sum) > 1e-6 ? glm::normalize(sum) : to_first;
+      const double bend = std::acos(std::clamp(glm::dot(axis, to_first), -1.0, 1.0)) + half;
+      nodesInCone(tip, axis, bend, half * circle.radius_A + step_, reach, [&](const glm::ivec3& i) {
         const Vec3 from = place(i) - circle.centre_A, flat = from - circle.axis * glm::dot(from, circle.axis);
         const double n = glm::length(flat);
         const bool beside = n > 1e-9 && glm::dot(flat, middle) >= n * least_along;
@@ -174,7 +252,10 @@ class Grid {
     const auto spread = [&](const Vec3& s, std::uint32_t ball) {
       const Vec3 centre = balls_[ball].centre_A;
       const double radius = balls_[ball].radius_A + probe_;
-      nodesWithin(s, reach, [&](const glm::ivec3& i) {
+      // Of nodes whose nearest place of the sphere is round the crossing; others have nearer crossings, arcs or corners.
+      const Vec3 in = glm::normalize(centre - s);
+      const double outside = 1.8 * step_;
+      nodesInCone(s - outside * in, in, 0.0, 1.5 * step_, outside + std::min(reach, radius), [&](const glm::ivec3& i) {
         const Vec3 p = place(i), d = p - s, outward = p - centre;
         double way2 = glm::dot(d, d);
         if (const double n = glm::length(outward); n > 1e-6) {
@@ -186,7 +267,9 @@ class Grid {
         least = std::min(least, float(way2));
       });
     };
-    for (int z = 1; z + 1 < size_.z; ++z)
+    std::vector<std::uint8_t> exposed(balls_.size(), probe_ <= kLargeProbe_A);
+    for (int z = 1; z + 1 < size_.z; ++z) {
+      report(0.3, 0.6, std::size_t(z), std::size_t(size_.z));
       for (int y = 1; y + 1 < size_.y; ++y)
         for (int x = 1; x + 1 < size_.x; ++x) {
           const glm::ivec3 i(x, y, z);
@@ -208,20 +291,55 @@ class Grid {
             }
             const Vec3 s = p + std::clamp(t, 0.0, 1.0) * (place(j) - p);
             spread(s, ball);
+            for (const std::uint32_t b : {ball, grown_[at(i)], grown_[at(j)]})
+              if (b != kNone) exposed[b] = 1;
           }
         }
-    for (std::uint32_t a = 0; a < balls_.size(); ++a)
+    }
+    for (std::uint32_t a = 0; a < balls_.size(); ++a) {
+      report(0.6, 0.82, a, balls_.size());
+      if (!exposed[a]) continue;
       scene_.visitNear(balls_[a].centre_A, balls_[a].radius_A + 2.0 * probe_, [&](std::uint32_t b, const Ball&) {
-        if (b > a) spreadCircle(a, b, reach);
+        if (b > a && exposed[b]) spreadCircle(a, b, reach);
       });
+    }
+    fillWays();
     // Positive where a probe can be: from the distance to its middle's nearest place.
     for (std::size_t k = 0; k < level_.size(); ++k) {
-      const bool far = level_[k] == std::numeric_limits<float>::max();
-      const float way = far ? float(probe_ + 1.8 * step_) : std::sqrt(level_[k]);
+      const bool far = !(double(level_[k]) < reach);
+      const float way = far ? float(reach) : level_[k];
       level_[k] = out[k] > 0 ? float(probe_) + (far ? float(step_) : way) : float(probe_) - way;
     }
     grown_.clear();
     grown_.shrink_to_fit();
+  }
+
+  // From squares to distances. A node that no crossing, arc or corner has reached takes a neighbour's and the way to it,
+  // so that it is no hole where the surface is finer than the grid.
+  void fillWays() {
+    std::vector<std::uint8_t> reached(level_.size());
+    for (std::size_t k = 0; k < level_.size(); ++k) {
+      reached[k] = level_[k] < std::numeric_limits<float>::max();
+      level_[k] = std::sqrt(level_[k]);
+    }
+    const auto relax = [&](int side) {
+      const auto from = [&](int size) { return side > 0 ? 1 : size - 2; };
+      for (int z = from(size_.z); z >= 1 && z + 1 < size_.z; z += side) {
+        report(0.82, 0.85, std::size_t(z), std::size_t(size_.z));
+        for (int y = from(size_.y); y >= 1 && y + 1 < size_.y; y += side)
+          for (int x = from(size_.x); x >= 1 && x + 1 < size_.x; x += side) {
+            if (reached[at({x, y, z})]) continue;
+            float& way = level_[at({x, y, z})];
+            for (int k = 0; k < 13; ++k) {  // the neighbours that come before it
+              const glm::ivec3 d(k % 3 - 1, k / 3 % 3 - 1, k / 9 - 1);
+              const float by = float(step_ * std::sqrt(double(d.x * d.x + d.y * d.y + d.z * d.z)));
+              way = std::min(way, level_[at(glm::ivec3(x, y, z) + side * d)] + by);
+            }
+          }
+      }
+    };
+    relax(1);
+    relax(-1);
   }
 
   double levelAt(const Vec3& p) const {
@@ -297,19 +415,27 @@ class Grid {
   const BallScene& scene_;
   std::span<const Ball> balls_;
   double probe_, step_ = kFinest_A;
+  SurfaceProgress* progress_;
   Vec3 low_{0.0};
   glm::ivec3 size_{1};
   std::vector<float> level_;  // distance out of the grown balls; then of the surface, positive outside
   std::vector<std::uint32_t> grown_, cell_vertex_;
-  std::vector<std::pair<double, double>> held_;  // angles of a circle, from and to
+  struct Held {
+    double from, to;  // angles of a circle
+    std::uint32_t by;
+    auto operator<=>(const Held&) const = default;
+  };
+  std::vector<Held> held_;
 };
 
 }  // namespace
 
-SolventExcluded solventExcluded(std::span<const Ball> balls, double probe_A) {
+SolventExcluded solventExcluded(std::span<const Ball> balls, double probe_A, SurfaceProgress* progress) try {
   if (balls.empty() || !(probe_A > 0)) return {};
   const BallScene scene(std::vector<Ball>(balls.begin(), balls.end()));
-  return Grid(scene, probe_A).triangles();
+  return Grid(scene, probe_A, progress).triangles();
+} catch (const Cancelled&) {
+  return {};
 }
 
 }  // namespace moltact

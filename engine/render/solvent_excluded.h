@@ -9,6 +9,7 @@
 // the haptic one. Units: angstrom.
 #pragma once
 
+#include <atomic>
 #include <span>
 
 #include "engine/core/ball.h"
@@ -25,7 +26,14 @@ struct SolventExcluded {
   double step_A = 0.0;  ///< of the grid
 };
 
-/// `probe_A` must be positive. The grid's step is 0.5 A, coarser where an axis would have more than 200 nodes.
-SolventExcluded solventExcluded(std::span<const Ball> balls, double probe_A);
+/// How far a surface is, for the thread that waits for it, which may also end the work.
+struct SurfaceProgress {
+  std::atomic<float> share{0.0f};      ///< of the work, 0 to 1
+  std::atomic<bool> cancelled{false};  ///< nobody wants it any more
+};
+
+/// `probe_A` must be positive. The grid's step is 0.5 A; coarser where an axis would have more than 200 nodes, or where the
+/// grown balls would hold more than 1.2 thousand million nodes together. Empty where it was cancelled.
+SolventExcluded solventExcluded(std::span<const Ball> balls, double probe_A, SurfaceProgress* progress = nullptr);
 
 }  // namespace moltact

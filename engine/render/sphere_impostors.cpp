@@ -56,6 +56,7 @@ const char* const kSolidText = R"(
 void main() {
   vec3 n;
   float facing, leave, depth = entry(n, facing, leave);
+  bool capped = false;
   // A ball that the plane goes through has no rim.
   if (facing == 0.0 && dot(u_cut.xyz, v_sphere.xyz) + u_cut.w > -v_sphere.w) discard;
   if (cutAway(v_ray * depth)) {
@@ -63,12 +64,15 @@ void main() {
     if (!(at > depth && at < leave)) discard;
     depth = at;
     n = u_cut.xyz;
-    facing = 1.0;
-    fixed_open = 0.75;
+    capped = true;
   }
   writeDepth(depth);
   wide_filled = v_wide.w + dot(v_wide.xyz, n);
   vec3 base = v_colour.rgb * v_colour.rgb;
+  if (capped) {  // flat and darker, so that the face of the cut is told from what is round
+    o_colour = vec4(v_colour.rgb * CAP_SHADE, v_colour.a);
+    return;
+  }
   bool marked = v_colour.a > 0.994 && v_colour.a < 0.998;
   if (marked) base *= 1.0 - 0.87 * smoothstep(0.64, 0.68, facing) * (1.0 - smoothstep(0.84, 0.87, facing));
   o_colour = vec4(lit(base, v_ray * depth, n, facing, v_y), marked ? 1.0 : v_colour.a);

@@ -33,7 +33,8 @@ void append(MeshPiece& to, const MeshPiece& from) {
 
 }  // namespace
 
-SolventExcluded surfaceOf(const Molecule& molecule, std::span<const std::uint8_t> shown, double probe_A) {
+SolventExcluded surfaceOf(const Molecule& molecule, std::span<const std::uint8_t> shown, double probe_A,
+                          SurfaceProgress* progress) {
   std::vector<Ball> balls;
   std::vector<std::uint32_t> atoms;
   for (std::uint32_t a = 0; a < shown.size(); ++a)
@@ -41,7 +42,7 @@ SolventExcluded surfaceOf(const Molecule& molecule, std::span<const std::uint8_t
       balls.push_back({molecule.atoms[a].position.A, molecule.atoms[a].radius_A});
       atoms.push_back(a);
     }
-  SolventExcluded surface = solventExcluded(balls, std::max(probe_A, kLeastProbe_A));
+  SolventExcluded surface = solventExcluded(balls, std::max(probe_A, kLeastProbe_A), progress);
   for (auto* of : {&surface.owner, &surface.second})
     for (std::uint32_t& o : *of) o = atoms[o];
   return surface;

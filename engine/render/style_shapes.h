@@ -29,7 +29,8 @@ struct StyleShapes {
 
 /// The surface that a probe of this radius (at least 0.2) can reach of the atoms for which `shown` says so; its owners are
 /// atoms of the molecule.
-SolventExcluded surfaceOf(const Molecule& molecule, std::span<const std::uint8_t> shown, double probe_A);
+SolventExcluded surfaceOf(const Molecule& molecule, std::span<const std::uint8_t> shown, double probe_A,
+                          SurfaceProgress* progress = nullptr);
 
 /// The shapes of those atoms in their colours (packColour). `surface` is surfaceOf() of the same atoms where the
 /// style's DrawStyleInfo::uses_probe says so, else empty.

@@ -6,23 +6,40 @@
 namespace moltact {
 
 StyledPart::StyledPart(const StyledAtoms& what, const ViewScene& scene, const MoleculeModel& model)
+    : StyledPart(what, scene, model,
+                 hasSurface(what, model)
+                     ? surfaceOf(*scene.molecule, shownOf(what, scene.look.hidden, model), scene.probe_A)
+                     : SolventExcluded{},
+                 scene.molecule, scene.probe_A) {}
+
+StyledPart::StyledPart(const StyledAtoms& what, const ViewScene& scene, const MoleculeModel& model,
+                       SolventExcluded surface, std::shared_ptr<const Molecule> molecule, double probe_A)
     : what_(what),
       models_balls_(what.style == DrawStyle::Spheres || model.byResidue()),
       hidden_(scene.look.hidden),
-      molecule_(scene.molecule),
+      molecule_(std::move(molecule)),
       most_single_atoms_(scene.most_single_atoms),
-      probe_A_(scene.probe_A),
-      painted_(model.painted) {
-  shown_.assign(model.atoms(), what.atoms ? 0 : 1);
+      probe_A_(probe_A),
+      painted_(model.painted),
+      shown_(shownOf(what, scene.look.hidden, model)),
+      surface_(std::move(surface)) {
+  findShapes(model);
+}
+
+bool StyledPart::hasSurface(const StyledAtoms& what, const MoleculeModel& model) {
+  return what.style != DrawStyle::Spheres && !model.byResidue() && infoOf(what.style).uses_probe;
+}
+
+std::vector<std::uint8_t> StyledPart::shownOf(const StyledAtoms& what, const AtomList& hidden,
+                                              const MoleculeModel& model) {
+  std::vector<std::uint8_t> shown(model.atoms(), what.atoms ? 0 : 1);
   if (what.atoms)
     for (const std::uint32_t a : *what.atoms)
-      if (a < shown_.size()) shown_[a] = 1;
-  if (hidden_)
-    for (const std::uint32_t a : *hidden_)
-      if (a < shown_.size()) shown_[a] = 0;
-  shown_ = model.shownBalls(std::move(shown_));
-  if (!models_balls_ && infoOf(what.style).uses_probe) surface_ = surfaceOf(*molecule_, shown_, probe_A_);
-  findShapes(model);
+      if (a < shown.size()) shown[a] = 1;
+  if (hidden)
+    for (const std::uint32_t a : *hidden)
+      if (a < shown.size()) shown[a] = 0;
+  return model.shownBalls(std::move(shown));
 }
 
 bool StyledPart::fits(const StyledAtoms& what, const ViewScene& scene) const {

@@ -17,9 +17,22 @@ namespace moltact {
 class StyledPart {
  public:
   StyledPart(const StyledAtoms& what, const ViewScene& scene, const MoleculeModel& model);
+  /// The same with a surface that has been computed already, of this molecule and this probe.
+  StyledPart(const StyledAtoms& what, const ViewScene& scene, const MoleculeModel& model, SolventExcluded surface,
+             std::shared_ptr<const Molecule> molecule, double probe_A);
+
+  /// Whether it draws a surface, which takes long to compute.
+  static bool hasSurface(const StyledAtoms& what, const MoleculeModel& model);
+  /// Of each of the model's balls, whether the style draws it.
+  static std::vector<std::uint8_t> shownOf(const StyledAtoms& what, const AtomList& hidden, const MoleculeModel& model);
 
   /// Whether this is what the scene wants, but perhaps in other colours.
   bool fits(const StyledAtoms& what, const ViewScene& scene) const;
+  /// Whether its atoms are the model's, though perhaps in other places.
+  bool isOf(const MoleculeModel& model) const {
+    return molecule_->id == model.molecule->id && molecule_->atoms.size() == model.molecule->atoms.size() &&
+           most_single_atoms_ == model.most_single;
+  }
   /// Takes up the model's colours where they have changed.
   void paint(const MoleculeModel& model);
 

@@ -2,6 +2,7 @@
 // thread fills and hands to the renderer. Units: angstrom, newton.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -103,6 +104,7 @@ struct ViewScene {
   double probe_A = kWaterProbe_A;
   std::shared_ptr<const HeldBody> body;  ///< drawn in the probe's place, its middle at the SCP; null: the probe
   Quat body_orientation = kNoRotation;
+  std::vector<std::uint32_t> body_stopped;  ///< atoms of the body, by their numbers in it, that glow: others stop them
   bool water = true;  ///< a probe as large as a water molecule is drawn as one; false: as a ball (default true)
   std::shared_ptr<const SolidModel>
       hand;                    ///< stands with its origin at the HIP, its +y toward the person's hand; may be null
@@ -116,6 +118,9 @@ struct ViewScene {
       facets;  ///< what the method in use feels for a ball of radius 1; null: no triangles
 
   std::vector<std::shared_ptr<const Annotations>> annotations;  ///< written into the picture; none is null
+  std::optional<std::array<std::int32_t, 3>> named_atoms =
+      {};                          ///< that words name as touched now, and rings with them;
+                                   ///< none: those of the contact
   AtomList touched_now = nullptr;  ///< lightly painted too, without the molecule being drawn again; null: none
   AtomList touched = nullptr;      ///< atoms that are lightly painted; null: none
 

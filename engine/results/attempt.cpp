@@ -34,7 +34,8 @@ LessonOutline outlineOf(const Lesson& lesson, std::string hash) {
       std::filesystem::path(lesson.file).filename().string(), lesson.title, std::move(hash), {}, lesson.goals};
   for (const Step& step : lesson.steps) {
     StepOutline& s = out.steps.emplace_back(StepOutline{step.id, step.title, {}, {}, step.aside});
-    for (const TaskSpec& task : step.tasks) s.tasks.push_back({task.kind, task.values["say"].text, task.goals});
+    for (const TaskSpec& task : step.tasks)
+      s.tasks.push_back({task.kind, task.values["say"].text, task.goals, task.values["asked"].text});
     for (const Question& question : step.questions) {
       QuestionOutline& q =
           s.questions.emplace_back(QuestionOutline{question.id, plainText(question.title), {}, {}, AnswerKind::Marked});

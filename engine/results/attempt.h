@@ -44,13 +44,14 @@ struct QuestionOutline {
 struct TaskOutline {
   std::string kind, say;
   std::vector<std::size_t> goals = {};  ///< of the lesson, counted from 0
+  std::string asked = {};               ///< "before" or "after" for a task that is asked twice; else empty
 };
 
 struct StepOutline {
   std::string id, title;
   std::vector<TaskOutline> tasks;
   std::vector<QuestionOutline> questions;
-  bool aside = false;
+  bool aside = false;  ///< beside the core: asides and extra steps
 };
 
 /// The questions of a lesson, so that an attempt can be read without the lesson's file.

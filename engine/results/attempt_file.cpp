@@ -178,6 +178,14 @@ Expected<Attempt> readAttempt(const fs::path& file, ReadDepth depth) {
   return out;
 }
 
+std::string attemptBegan(const fs::path& file) {
+  auto open = openFile(file, kLargestAttempt, {});
+  std::string line;
+  if (!open || !std::getline(open->in, line)) return {};
+  if (line.ends_with('\r')) line.pop_back();
+  return beganOf(line);
+}
+
 Expected<std::vector<fs::path>> attemptFiles(const fs::path& named, bool deep) {
   std::error_code error;
   if (!fs::is_directory(named, error)) {

@@ -34,6 +34,9 @@ enum class ReadDepth {
 /// A Problem where the file cannot be read or holds no attempt; damaged lines after the first are skipped and reported.
 Expected<Attempt> readAttempt(const std::filesystem::path& file, ReadDepth depth = ReadDepth::All);
 
+/// When the attempt began, from its first line alone; empty where the file holds no attempt.
+std::string attemptBegan(const std::filesystem::path& file);
+
 /// The .jsonl files in a folder, by name, and with `deep` in the folders within it, kDeepestAttempts deep; those that
 /// are named themselves. A Problem for what is not there.
 Expected<std::vector<std::filesystem::path>> attemptFiles(const std::filesystem::path& file_or_folder,

@@ -26,6 +26,8 @@ bool mayBeginAttempt(std::string_view line);
 std::string_view leadingKind(std::string_view line);
 
 /// The first line of a file. A Problem (without file and line) where it is none. Unknown keys are passed over.
+/// When the attempt of this first line began, without reading the rest of the line; empty where it does not say.
+std::string beganOf(std::string_view line);
 Expected<AttemptHeader> readHeaderLine(std::string_view line);
 
 /// Any other line; no value for a kind that is not known (of a newer format). A Problem (without file and line) where

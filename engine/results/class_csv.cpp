@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cstdint>
 #include <cstdio>
+#include <map>
+#include <optional>
+#include <span>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -98,22 +101,36 @@ std::string answerText(const QuestionOutline& question, const AnswerScore& answe
   return out;
 }
 
-// Names and units of what anybody's task measured, in the order in which they are met first.
-std::vector<std::pair<std::string, std::string>> figuresOf(const LessonSummary& lesson, const std::string& step,
-                                                           std::size_t task) {
-  std::vector<std::pair<std::string, std::string>> out;
-  for (const PersonScore& p : lesson.people) {
-    const auto found = p.tasks.find({step, task});
-    if (found == p.tasks.end()) continue;
-    for (const LoggedFigure& f : found->second.figures)
-      if (std::find(out.begin(), out.end(), std::pair(f.name, f.unit)) == out.end()) out.emplace_back(f.name, f.unit);
-  }
+// Names and units of what anybody's task measured, in the order in which they are met first; by step and task.
+using TaskFigures = std::map<std::pair<std::string, std::size_t>, std::vector<std::pair<std::string, std::string>>>;
+
+TaskFigures figuresOf(const LessonSummary& lesson) {
+  TaskFigures out;
+  for (const PersonScore& p : lesson.people)
+    for (const auto& [task, score] : p.tasks) {
+      auto& figures = out[task];
+      for (const LoggedFigure& f : score.figures)
+        if (std::find(figures.begin(), figures.end(), std::pair(f.name, f.unit)) == figures.end())
+          figures.emplace_back(f.name, f.unit);
+    }
   return out;
 }
 
+std::span<const std::pair<std::string, std::string>> figuresAt(const TaskFigures& figures, const std::string& step,
+                                                               std::size_t task) {
+  const auto found = figures.find({step, task});
+  return found == figures.end() ? std::span<const std::pair<std::string, std::string>>() : found->second;
+}
+
+// A lesson, and the columns of its tasks' figures.
+struct Columns {
+  const LessonSummary* lesson = nullptr;
+  TaskFigures figures;
+};
+
 const char* yesOrNo(bool yes) { return yes ? trc("cell", "yes") : trc("cell", "no"); }
 
-void head(std::string& out, const ClassSummary& summary) {
+void head(std::string& out, const ClassSummary& summary, std::span<const Columns> columns) {
   Row row(out);
   for (const char* name : {NC_("column", "student"),
                            NC_("column", "lesson"),
@@ -151,8 +168,14 @@ void head(std::string& out, const ClassSummary& summary) {
       row.text(trcf("column", "{0}#goal {1} right_percent", lesson.name, g + 1));
     }
   for (const LessonSummary& lesson : summary.lessons)
-    for (const StepOutline& step : lesson.lesson.steps) {
-      const std::string place = lesson.name + "#" + step.id;
+    if (asksTwice(lesson.lesson)) {
+      row.text(trcf("column", "{0}#d_prime before", lesson.name));
+      row.text(trcf("column", "{0}#d_prime after", lesson.name));
+      row.text(trcf("column", "{0}#d_prime gain", lesson.name));
+    }
+  for (const Columns& of : columns)
+    for (const StepOutline& step : of.lesson->lesson.steps) {
+      const std::string place = of.lesson->name + "#" + step.id;
       row.text(trcf("column", "{0} minutes", place));
       for (const QuestionOutline& q : step.questions) {
         row.text(trcf("column", "{0} first answer", place + "/" + q.id));
@@ -163,14 +186,15 @@ void head(std::string& out, const ClassSummary& summary) {
         row.text(trcf("column", "{0}/task {1} solved", place, t + 1));
         row.text(trcf("column", "{0}/task {1} s", place, t + 1));
         row.text(trcf("column", "{0}/task {1} input", place, t + 1));
-        for (const auto& [name, unit] : figuresOf(lesson, step.id, t))
+        for (const auto& [name, unit] : figuresAt(of.figures, step.id, t))
           row.text(trcf("column", "{0}/task {1} {2}", place, t + 1,
                         tr(name.c_str()) + (unit.empty() ? std::string() : " " + unit)));
       }
     }
 }
 
-void person(std::string& out, const ClassSummary& summary, const LessonSummary& of, const PersonScore& p) {
+void person(std::string& out, const ClassSummary& summary, std::span<const Columns> columns, const LessonSummary& of,
+            const PersonScore& p) {
   Row row(out);
   std::size_t questions = 0;
   for (const StepOutline& s : of.lesson.steps)
@@ -224,8 +248,17 @@ void person(std::string& out, const ClassSummary& summary, const LessonSummary& 
         row.empty();
     }
   for (const LessonSummary& lesson : summary.lessons)
-    for (const StepOutline& step : lesson.lesson.steps) {
-      const bool mine = &lesson == &of;
+    if (asksTwice(lesson.lesson)) {
+      const SensitivityPair pair = &lesson == &of ? sensitivityPair(lesson.lesson, p) : SensitivityPair{};
+      for (const std::optional<double>& value : {pair.before, pair.after, pair.gain()})
+        if (value)
+          row.value(*value, 3);
+        else
+          row.empty();
+    }
+  for (const Columns& one : columns)
+    for (const StepOutline& step : one.lesson->lesson.steps) {
+      const bool mine = one.lesson == &of;
       const auto time = p.step_s.find(step.id);
       if (mine && time != p.step_s.end())
         row.value(time->second / 60.0, 2);
@@ -254,7 +287,7 @@ void person(std::string& out, const ClassSummary& summary, const LessonSummary& 
           row.value(task->second.took_s, 1), row.text(shownName(task->second.by));
         else
           row.empty(), row.empty();
-        for (const auto& [name, unit] : figuresOf(lesson, step.id, t)) {
+        for (const auto& [name, unit] : figuresAt(one.figures, step.id, t)) {
           const LoggedFigure* found = nullptr;
           if (done)
             for (const LoggedFigure& f : task->second.figures)
@@ -284,17 +317,20 @@ std::string gradebookCsv(const ClassSummary& summary) {
       row.text(trcf("column", "{0}: right at first try, of 100", title));
     }
   }
+  std::map<std::string_view, std::vector<const PersonScore*>> scores;  // of each named person, by lesson
+  for (std::size_t k = 0; k < summary.lessons.size(); ++k)
+    for (const PersonScore& p : summary.lessons[k].people) {
+      if (!p.named) continue;
+      auto& of_person = scores[p.person];
+      of_person.resize(summary.lessons.size());
+      of_person[k] = &p;
+    }
   for (const std::string& name : summary.people) {
-    const auto scoreIn = [&](const LessonSummary& lesson) -> const PersonScore* {
-      for (const PersonScore& p : lesson.people)
-        if (p.person == name && p.named) return &p;
-      return nullptr;
-    };
-    if (std::none_of(summary.lessons.begin(), summary.lessons.end(), scoreIn)) continue;
+    const auto of_person = scores.find(name);
+    if (of_person == scores.end()) continue;
     Row row(out);
     row.text(name);
-    for (const LessonSummary& lesson : summary.lessons) {
-      const PersonScore* p = scoreIn(lesson);
+    for (const PersonScore* p : of_person->second) {
       if (p)
         row.value(100.0 * p->share(), 1);
       else
@@ -310,9 +346,11 @@ std::string gradebookCsv(const ClassSummary& summary) {
 
 std::string classCsv(const ClassSummary& summary) {
   std::string out = "\xEF\xBB\xBF";
-  head(out, summary);
+  std::vector<Columns> columns;
+  for (const LessonSummary& lesson : summary.lessons) columns.push_back({&lesson, figuresOf(lesson)});
+  head(out, summary, columns);
   for (const LessonSummary& lesson : summary.lessons)
-    for (const PersonScore& p : lesson.people) person(out, summary, lesson, p);
+    for (const PersonScore& p : lesson.people) person(out, summary, columns, lesson, p);
   return out;
 }
 

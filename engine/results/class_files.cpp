@@ -1,38 +1,71 @@
 #include "engine/results/class_files.h"
 
-#include <set>
+#include <algorithm>
 #include <system_error>
+#include <unordered_set>
 #include <utility>
 
 #include "engine/language/catalogue.h"
 
 namespace moltact {
+namespace {
 
-ClassFiles readClass(std::span<const std::filesystem::path> files_and_folders) {
-  ClassFiles out;
-  std::set<std::filesystem::path> met;
-  for (const std::filesystem::path& named : files_and_folders) {
-    const Expected<std::vector<std::filesystem::path>> files = attemptFiles(named, true);
+namespace fs = std::filesystem;
+
+// A file's name takes a tenth of the memory of a path.
+struct Begun {
+  fs::path::string_type file;
+  std::string began;  // empty where the file is no attempt
+};
+
+// What is named, each file once, with when it began.
+std::vector<Begun> attemptsIn(std::span<const fs::path> files_and_folders, std::vector<Problem>& passed_over) {
+  std::vector<Begun> out;
+  std::unordered_set<fs::path::string_type> met;
+  for (const fs::path& named : files_and_folders) {
+    const Expected<std::vector<fs::path>> files = attemptFiles(named, true);
     if (!files) {
-      out.passed_over.push_back(files.problem());
+      passed_over.push_back(files.problem());
       continue;
     }
     if (files->empty())
-      out.passed_over.push_back({named.string(), 0, 0, tr("there are no .jsonl files in this folder"),
-                                 tr("name the folder that holds the attempts")});
-    for (const std::filesystem::path& file : *files) {
+      passed_over.push_back({named.string(), 0, 0, tr("there are no .jsonl files in this folder"),
+                             tr("name the folder that holds the attempts")});
+    for (const fs::path& file : *files) {
       std::error_code error;
-      const std::filesystem::path whole = std::filesystem::weakly_canonical(file, error);
-      if (!met.insert(error ? file : whole).second) continue;
-      Expected<Attempt> attempt = readAttempt(file, ReadDepth::NoHipSamples);
-      if (!attempt) {
-        out.passed_over.push_back(attempt.problem());
-        continue;
-      }
-      out.passed_over.insert(out.passed_over.end(), attempt->problems.begin(), attempt->problems.end());
-      out.attempts.push_back(*std::move(attempt));
+      const fs::path whole = fs::weakly_canonical(file, error);
+      if (met.insert((error ? file : whole).native()).second) out.push_back({file.native(), attemptBegan(file)});
     }
   }
+  return out;
+}
+
+}  // namespace
+
+ClassReading readClass(std::span<const fs::path> files_and_folders, const NamesShown& names) {
+  ClassReading out;
+  const std::vector<Begun> files = attemptsIn(files_and_folders, out.passed_over);
+  // Counted in the order in which they began; what is passed over is listed in the order of the files.
+  std::vector<std::size_t> order(files.size());
+  for (std::size_t k = 0; k < order.size(); ++k) order[k] = k;
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return files[a].began < files[b].began; });
+  ClassCount count(names);
+  std::vector<std::pair<std::size_t, std::vector<Problem>>> passed_over;
+  for (const std::size_t k : order) {
+    Expected<Attempt> attempt = readAttempt(files[k].file, ReadDepth::NoHipSamples);
+    if (!attempt)
+      passed_over.push_back({k, {attempt.problem()}});
+    else {
+      count.add(*attempt);
+      if (!attempt->problems.empty()) passed_over.emplace_back(k, std::move(attempt->problems));
+    }
+  }
+  std::sort(passed_over.begin(), passed_over.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+  for (auto& [file, problems] : passed_over)
+    out.passed_over.insert(out.passed_over.end(), std::make_move_iterator(problems.begin()),
+                           std::make_move_iterator(problems.end()));
+  out.summary = count.finish();
   return out;
 }
 

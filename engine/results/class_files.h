@@ -7,16 +7,16 @@
 #include <vector>
 
 #include "engine/core/problem.h"
-#include "engine/results/attempt_file.h"
+#include "engine/results/class_summary.h"
 
 namespace moltact {
 
-struct ClassFiles {
-  std::vector<Attempt> attempts;
+struct ClassReading {
+  ClassSummary summary;
   std::vector<Problem> passed_over;  ///< files and lines that could not be read
 };
 
-/// Every attempt in what is named; a file that is met twice counts once.
-ClassFiles readClass(std::span<const std::filesystem::path> files_and_folders);
+/// Counts every attempt in what is named; a file that is met twice counts once. Only one attempt is in memory at a time.
+ClassReading readClass(std::span<const std::filesystem::path> files_and_folders, const NamesShown& names = {});
 
 }  // namespace moltact

@@ -1,7 +1,8 @@
 #include "engine/results/class_page.h"
 
-#include <algorithm>
 #include <map>
+#include <string_view>
+#include <vector>
 
 #include "engine/language/catalogue.h"
 #include "engine/results/lesson_section.h"
@@ -18,12 +19,19 @@ void whoFinishedWhat(std::string& out, const ClassSummary& summary) {
   for (const LessonSummary& lesson : summary.lessons)
     out += "<th class=\"left\">" + escaped(lesson.lesson.title) + "</th>";
   out += "</tr></thead><tbody>";
+  std::map<std::string_view, std::vector<const PersonScore*>> scores;  // of each person, by lesson
+  for (std::size_t k = 0; k < summary.lessons.size(); ++k)
+    for (const PersonScore& p : summary.lessons[k].people) {
+      auto& of_person = scores[p.person];
+      of_person.resize(summary.lessons.size());
+      of_person[k] = &p;
+    }
   for (const std::string& person : summary.people) {
     out += "<tr><td class=\"name\">" + escaped(person) + "</td>";
-    for (const LessonSummary& lesson : summary.lessons) {
-      const auto p = std::find_if(lesson.people.begin(), lesson.people.end(),
-                                  [&](const PersonScore& s) { return s.person == person; });
-      if (p == lesson.people.end())
+    auto& of_person = scores[person];
+    of_person.resize(summary.lessons.size());
+    for (const PersonScore* p : of_person) {
+      if (!p)
         out += std::string("<td class=\"left quiet\">") + tr("not begun") + "</td>";
       else
         out += "<td class=\"left\"><div class=\"doneCell\">" + bar(p->share(), true) + "<span>" + percent(p->share()) +
@@ -64,11 +72,16 @@ void howCounted(std::string& out) {
 
 std::string classPage(const ClassSummary& summary, const std::vector<Problem>& passed_over, const std::string& made) {
   const std::string title = tr("Class report");
+  std::size_t scores = 0;
+  for (const LessonSummary& lesson : summary.lessons) scores += lesson.people.size();
   std::string out = "<!DOCTYPE html>\n<html lang=\"" + escaped(language()) +
                     "\"><head><meta charset=\"utf-8\"><meta name=\"viewport\" "
                     "content=\"width=device-width, initial-scale=1\">"
                     "<meta name=\"generator\" content=\"Moltact\"><title>" +
                     title + "</title><style>";
+  // A page of a large class is never copied to grow; what is not filled takes no memory.
+  constexpr std::size_t kMostOfScore = 4096;
+  out.reserve(out.size() + kMostOfScore * scores);
   out += styleSheet();
   const std::string counted = trf("{0}. Made {1} with Moltact.", summaryText(summary), escaped(made));
   out += "</style></head><body>" + patterns() + "<main><h1>" + title + "</h1><p class=\"quiet\">" + counted + "</p>";
@@ -76,12 +89,13 @@ std::string classPage(const ClassSummary& summary, const std::vector<Problem>& p
   if (summary.lessons.size() > 1) whoFinishedWhat(out, summary);
   bool first = summary.lessons.size() <= 1;
   for (const LessonSummary& lesson : summary.lessons) {
-    out += lessonSection(lesson, first);
+    lessonSection(out, lesson, first);
     first = false;
   }
   passedOver(out, passed_over);
   howCounted(out);
-  return out + "</main></body></html>\n";
+  out += "</main></body></html>\n";
+  return out;
 }
 
 }  // namespace moltact

@@ -3,12 +3,16 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <optional>
 #include <set>
+#include <tuple>
 #include <utility>
 
 #include "engine/core/content_hash.h"
 #include "engine/core/random.h"
 #include "engine/language/catalogue.h"
+#include "engine/lesson/tasks/sensitivity.h"
+#include "engine/results/lesson_language.h"
 
 namespace moltact {
 namespace {
@@ -91,18 +95,21 @@ class Counting {
   void operator()(const TaskBegun& e) { p_.tasks[{e.step, e.task}].begun = true; }
   void operator()(const TaskDone& e) {
     TaskScore& task = p_.tasks[{e.step, e.task}];
+    if (!task.first_sensitivity)
+      for (const LoggedFigure& f : e.figures)
+        if (f.name == kFirstRoundSensitivity) task.first_sensitivity = f.value;
     if (task.done) return;
     // Where the tries were used up it was begun and not solved.
     task.begun = true;
     if (!e.solved) return;
-    task = {true, true, e.took_s, e.by, e.figures, std::move(task.drawn), std::move(task.felt)};
+    task = {true, true, e.took_s, e.by, e.figures, std::move(task.drawn), std::move(task.felt), task.first_sensitivity};
   }
   void operator()(const CurveKept& e) {
     TaskScore& task = p_.tasks[{e.step, e.task}];
     if (e.felt)
-      task.felt = e;
+      task.felt = std::make_shared<const CurveKept>(e);
     else if (!task.drawn)
-      task.drawn = e;
+      task.drawn = std::make_shared<const CurveKept>(e);
   }
   void operator()(const TouchBegan&) { endOpenTouch(); }
   void operator()(const TouchSoFar& e) {
@@ -165,12 +172,6 @@ class Counting {
   double open_at_s_ = 0.0;
 };
 
-std::size_t distinctHashes(const std::vector<const Attempt*>& attempts) {
-  std::set<std::string> hashes;
-  for (const Attempt* a : attempts) hashes.insert(a->header.lesson.hash);
-  return hashes.size();
-}
-
 }  // namespace
 
 std::size_t PersonScore::answered() const {
@@ -217,76 +218,134 @@ std::optional<double> discrimination(const LessonSummary& lesson, const std::str
   return xy / std::sqrt(xx * yy);
 }
 
-ClassSummary summarise(std::vector<Attempt> attempts, const NamesShown& shown_as) {
-  const bool anonymous = shown_as.anonymous || !shown_as.code_word.empty();
-  std::stable_sort(attempts.begin(), attempts.end(),
-                   [](const Attempt& a, const Attempt& b) { return a.header.began < b.header.began; });
-  ClassSummary out;
-  out.attempts = attempts.size();
-
-  // Codes go by who began first, not by name.
-  std::map<std::string, std::string> codes;
-  std::vector<std::string> names, nobodies;
-  std::set<std::string> taken;
-  const auto personOf = [&](const Attempt& a, std::size_t index) {
-    const bool named = !a.header.student.empty();
-    const std::string key = named ? "n" + a.header.student : "f" + std::to_string(index);
-    const auto known = codes.find(key);
-    if (known != codes.end()) return known->second;
-    std::string code = "S" + std::string(codes.size() < 9 ? "0" : "") + std::to_string(codes.size() + 1);
-    if (!shown_as.code_word.empty()) code = codeOf(shown_as.code_word, key, taken);
-    taken.insert(code);
-    std::string shown = anonymous ? code : named ? a.header.student : nameless(a.header.began);
-    // Two without a name in the same minute are two.
-    for (int more = 2; !named && !anonymous && std::find(nobodies.begin(), nobodies.end(), shown) != nobodies.end();
-         ++more)
-      shown = nameless(a.header.began) + " #" + std::to_string(more);
-    (named || anonymous ? names : nobodies).push_back(shown);
-    return codes[key] = shown;
+struct ClassCount::Impl {
+  struct OfLesson {
+    LessonOutline newest;
+    std::set<std::string> hashes;
+    std::map<std::string, PersonScore> people;
   };
 
-  std::map<std::pair<std::string, std::string>, std::vector<const Attempt*>> by_lesson;
-  std::map<const Attempt*, std::string> person;
-  for (std::size_t k = 0; k < attempts.size(); ++k) {
-    by_lesson[{attempts[k].header.lesson.file, attempts[k].header.lesson.title}].push_back(&attempts[k]);
-    person[&attempts[k]] = personOf(attempts[k], k);
+  NamesShown shown_as;
+  ClassSummary out;
+  std::map<std::pair<std::string, std::string>, OfLesson> lessons;  // by file and title
+  // Codes go by who began first, not by name.
+  std::map<std::string, std::string> codes;
+  std::map<std::string, std::size_t> times;  // how often a text stood for somebody without a name
+  std::vector<std::string> names, nobodies;
+  std::set<std::string> taken;
+  std::map<std::pair<std::string, std::string>, std::pair<std::string, std::string>> counted_as;  // lessons, likewise
+
+  // A lesson is one lesson in every language: all its attempts are counted in the terms of the first that was added.
+  std::pair<std::string, std::string> lessonOf(const LessonOutline& lesson) {
+    const std::pair own(lesson.file, lesson.title);
+    const auto [known, is_new] = counted_as.try_emplace(own, own);
+    if (!is_new) return known->second;
+    for (const auto& [other, counted] : lessons)
+      if (other.first != lesson.file && sameLesson(counted.newest, lesson)) known->second = other;
+    return known->second;
   }
-  for (const auto& [of, of_lesson] : by_lesson) {
-    const auto same_file = std::count_if(by_lesson.begin(), by_lesson.end(),
-                                         [&, file = of.first](const auto& l) { return l.first.first == file; });
-    LessonSummary lesson{same_file > 1 ? of.first + " (" + of.second + ")" : of.first,
-                         of_lesson.back()->header.lesson,
-                         distinctHashes(of_lesson),
-                         {}};
-    std::map<std::string, PersonScore> people;
-    for (const Attempt* a : of_lesson) {
-      PersonScore& p = people[person[a]];
-      if (p.attempts == 0) {
-        p.person = person[a];
-        p.named = !a->header.student.empty();
-        p.began = a->header.began;
-      }
-      Counting(p).add(*a);
+
+  bool anonymous() const { return shown_as.anonymous || !shown_as.code_word.empty(); }
+
+  std::string personOf(const AttemptHeader& header) {
+    const bool named = !header.student.empty();
+    const std::string key = named ? "n" + header.student : "f" + std::to_string(out.attempts);
+    const auto known = codes.find(key);
+    if (known != codes.end()) return known->second;
+    std::string shown;
+    if (anonymous()) {
+      shown = "S" + std::string(codes.size() < 9 ? "0" : "") + std::to_string(codes.size() + 1);
+      if (!shown_as.code_word.empty()) shown = codeOf(shown_as.code_word, key, taken);
+      taken.insert(shown);
+    } else if (named) {
+      shown = header.student;
+    } else {
+      // Two without a name in the same minute are two.
+      shown = nameless(header.began);
+      if (const std::size_t before = times[shown]++) shown += " #" + std::to_string(before + 1);
     }
-    for (auto& [name, score] : people) {
-      if (anonymous)
+    (named || anonymous() ? names : nobodies).push_back(shown);
+    return codes[key] = shown;
+  }
+};
+
+ClassCount::ClassCount(NamesShown names) : impl_(std::make_unique<Impl>()) { impl_->shown_as = std::move(names); }
+ClassCount::~ClassCount() = default;
+
+void ClassCount::add(const Attempt& given) {
+  const LessonOutline& lesson_given = given.header.lesson;
+  std::pair<std::string, std::string> of = impl_->lessonOf(lesson_given);
+  const LessonOutline* target = &lesson_given;
+  if (of.first != lesson_given.file) {
+    target = &impl_->lessons[of].newest;
+    // Another version of the lesson may have other steps than its translation has.
+    if (!sameLesson(*target, lesson_given)) {
+      target = &lesson_given;
+      of = {lesson_given.file, lesson_given.title};
+    }
+  }
+  const bool other_language =
+      target != &lesson_given || std::any_of(given.events.begin(), given.events.end(), [&](const AttemptEvent& e) {
+        const auto* reread = std::get_if<LessonReread>(&e.what);
+        return reread && reread->lesson.file != lesson_given.file;
+      });
+  std::optional<Attempt> translated;
+  if (other_language) translated = inTermsOf(*target, given);
+  const Attempt& attempt = translated ? *translated : given;
+  const AttemptHeader& header = attempt.header;
+  const std::string person = impl_->personOf(header);
+  ++impl_->out.attempts;
+  impl_->out.nameless += header.student.empty();
+  Impl::OfLesson& lesson = impl_->lessons[of];
+  lesson.newest = header.lesson;
+  lesson.hashes.insert(lesson_given.hash);
+  PersonScore& score = lesson.people[person];
+  if (score.attempts == 0) {
+    score.person = person;
+    score.named = !header.student.empty();
+    score.began = header.began;
+  }
+  Counting(score).add(attempt);
+}
+
+ClassSummary ClassCount::finish() {
+  ClassSummary& out = impl_->out;
+  std::map<std::string, std::size_t> titles;  // of the lessons with this file name
+  for (const auto& [of, lesson] : impl_->lessons) ++titles[of.first];
+  for (auto& [of, counted] : impl_->lessons) {
+    LessonSummary lesson{titles[of.first] > 1 ? of.first + " (" + of.second + ")" : of.first,
+                         std::move(counted.newest),
+                         counted.hashes.size(),
+                         {}};
+    lesson.people.reserve(counted.people.size());
+    for (auto& [name, score] : counted.people) {
+      if (impl_->anonymous())
         for (Predicted& prediction : score.predictions) {
-          const auto code = codes.find("n" + prediction.student);
-          prediction.student = code == codes.end() ? tr("(another)") : code->second;
+          const auto code = impl_->codes.find("n" + prediction.student);
+          prediction.student = code == impl_->codes.end() ? tr("(another)") : code->second;
         }
       lesson.people.push_back(std::move(score));
     }
+    counted.people.clear();
     std::stable_sort(lesson.people.begin(), lesson.people.end(),
                      [](const PersonScore& a, const PersonScore& b) { return a.named > b.named; });
     out.lessons.push_back(std::move(lesson));
   }
   std::sort(out.lessons.begin(), out.lessons.end(), [](const LessonSummary& a, const LessonSummary& b) {
-    return std::pair(a.lesson.title, a.lesson.file) < std::pair(b.lesson.title, b.lesson.file);
+    return std::tie(a.lesson.title, a.lesson.file) < std::tie(b.lesson.title, b.lesson.file);
   });
-  std::sort(names.begin(), names.end());
-  out.people = std::move(names);
-  out.people.insert(out.people.end(), nobodies.begin(), nobodies.end());
-  return out;
+  std::sort(impl_->names.begin(), impl_->names.end());
+  out.people = std::move(impl_->names);
+  out.people.insert(out.people.end(), impl_->nobodies.begin(), impl_->nobodies.end());
+  return std::move(out);
+}
+
+ClassSummary summarise(std::vector<Attempt> attempts, const NamesShown& names) {
+  std::stable_sort(attempts.begin(), attempts.end(),
+                   [](const Attempt& a, const Attempt& b) { return a.header.began < b.header.began; });
+  ClassCount count(names);
+  for (const Attempt& attempt : attempts) count.add(attempt);
+  return count.finish();
 }
 
 GoalScore goalScore(const LessonOutline& lesson, const PersonScore& p, std::size_t goal) {
@@ -295,6 +354,7 @@ GoalScore goalScore(const LessonOutline& lesson, const PersonScore& p, std::size
   };
   GoalScore out;
   for (const StepOutline& s : lesson.steps) {
+    if (s.aside) continue;  // nobody owes it
     for (std::size_t t = 0; t < s.tasks.size(); ++t) {
       if (!serves(s.tasks[t].goals)) continue;
       ++out.parts;
@@ -312,6 +372,23 @@ GoalScore goalScore(const LessonOutline& lesson, const PersonScore& p, std::size
       out.first_right += marked && answer->second.first_right;
     }
   }
+  return out;
+}
+
+bool asksTwice(const LessonOutline& lesson) {
+  return std::any_of(lesson.steps.begin(), lesson.steps.end(), [](const StepOutline& s) {
+    return std::any_of(s.tasks.begin(), s.tasks.end(), [](const TaskOutline& t) { return t.asked == "after"; });
+  });
+}
+
+SensitivityPair sensitivityPair(const LessonOutline& lesson, const PersonScore& person) {
+  SensitivityPair out;
+  for (const StepOutline& s : lesson.steps)
+    for (std::size_t t = 0; t < s.tasks.size(); ++t) {
+      const auto task = person.tasks.find({s.id, t});
+      if (s.tasks[t].asked.empty() || task == person.tasks.end()) continue;
+      (s.tasks[t].asked == "before" ? out.before : out.after) = task->second.first_sensitivity;
+    }
   return out;
 }
 
@@ -344,10 +421,14 @@ std::string wayText(const LessonOutline& lesson, const PersonScore& person) {
 }
 
 std::string summaryText(const ClassSummary& summary) {
-  const std::size_t people = summary.people.size(), lessons = summary.lessons.size();
-  return trf("{0}, {1}, {2}", trnf("{0} student", "{0} students", people, people),
-             trnf("{0} lesson", "{0} lessons", lessons, lessons),
-             trnf("{0} attempt", "{0} attempts", summary.attempts, summary.attempts));
+  // How many students made the attempts without a name, nobody knows. With codes in the place of names each is listed.
+  const std::size_t people = summary.people.size() - summary.nameless, lessons = summary.lessons.size();
+  const std::string of_lessons = trnf("{0} lesson", "{0} lessons", lessons, lessons),
+                    attempts = trnf("{0} attempt", "{0} attempts", summary.attempts, summary.attempts);
+  if (people == 0) return trf("{0}, {1}, all without a name", of_lessons, attempts);
+  const std::string all =
+      trf("{0}, {1}, {2}", trnf("{0} student", "{0} students", people, people), of_lessons, attempts);
+  return summary.nameless ? trf("{0}, {1} of them without a name", all, summary.nameless) : all;
 }
 
 }  // namespace moltact

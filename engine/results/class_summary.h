@@ -6,6 +6,7 @@
 
 #include <array>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -34,7 +35,9 @@ struct TaskScore {
   double took_s = 0.0;
   InputWay by = InputWay::Mouse;
   std::vector<LoggedFigure> figures;
-  std::optional<CurveKept> drawn, felt;  ///< the first curve drawn, and the last felt
+  /// The first curve drawn, and the last felt; null where there is none, as in most tasks of a hundred thousand attempts.
+  std::shared_ptr<const CurveKept> drawn, felt;
+  std::optional<double> first_sensitivity;  ///< d' of the first round of a task that is asked before and after
 };
 
 /// One person at one lesson.
@@ -75,6 +78,16 @@ struct GoalScore {
 };
 GoalScore goalScore(const LessonOutline& lesson, const PersonScore& person, std::size_t goal);
 
+/// The sensitivity d' in the first round of a task that a lesson asks before and after its explanation.
+struct SensitivityPair {
+  std::optional<double> before, after;  ///< no value where the task has not been done
+  /// No value unless both are known.
+  std::optional<double> gain() const { return before && after ? std::optional(*after - *before) : std::nullopt; }
+};
+SensitivityPair sensitivityPair(const LessonOutline& lesson, const PersonScore& person);
+/// Whether the lesson has a task that it asks before and after.
+bool asksTwice(const LessonOutline& lesson);
+
 struct LessonSummary {
   /// The lesson's file; with its title where another of the class has the same file name.
   std::string name;
@@ -84,9 +97,9 @@ struct LessonSummary {
 };
 
 struct ClassSummary {
-  std::vector<LessonSummary> lessons;  ///< by title
-  std::vector<std::string> people;     ///< named ones first, then those without a name
-  std::size_t attempts = 0;
+  std::vector<LessonSummary> lessons;      ///< by title
+  std::vector<std::string> people;         ///< named ones first, then an entry for each attempt without a name
+  std::size_t attempts = 0, nameless = 0;  ///< all attempts; those without a name, whose students cannot be counted
 };
 
 struct NamesShown {
@@ -97,7 +110,26 @@ struct NamesShown {
   std::string code_word = {};
 };
 
-/// Attempts in any order. Lessons are told apart by file name and title.
+/// Counts one attempt after another and keeps only the scores, so that a large class needs little memory. Lessons differ
+/// by file name and title.
+class ClassCount {
+ public:
+  explicit ClassCount(NamesShown names = {});
+  ~ClassCount();
+  ClassCount(const ClassCount&) = delete;
+  ClassCount& operator=(const ClassCount&) = delete;
+
+  /// In the order in which the attempts began.
+  void add(const Attempt& attempt);
+  /// Once, after the last.
+  ClassSummary finish();
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+/// The same of attempts in any order.
 ClassSummary summarise(std::vector<Attempt> attempts, const NamesShown& names = {});
 
 /// How well a question tells those who do well in the rest of the lesson from those who do not: the correlation of its
@@ -109,7 +141,7 @@ std::optional<double> discrimination(const LessonSummary& lesson, const std::str
 /// it led to: "1 2 (after 2 wrong: a1) a1 2 3".
 std::string wayText(const LessonOutline& lesson, const PersonScore& person);
 
-/// "24 students, 2 lessons, 51 attempts".
+/// "24 students, 2 lessons, 51 attempts"; with "3 of them without a name" where that is so.
 std::string summaryText(const ClassSummary& summary);
 
 }  // namespace moltact

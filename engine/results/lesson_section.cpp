@@ -310,7 +310,7 @@ std::string taskCurves(const LessonSummary& lesson, const StepOutline& step, std
   std::string figures;
   for (const PersonScore& p : lesson.people)
     if (const auto score = p.tasks.find({step.id, task}); score != p.tasks.end() && score->second.drawn)
-      figures += curves(p.person, *score->second.drawn, score->second.felt);
+      figures += curves(p.person, *score->second.drawn, score->second.felt.get());
   if (figures.empty()) return {};
   return std::string("<p class=\"quiet small\">") + tr("Force as first drawn (dashed) and as felt in the end (line).") +
          "</p><div class=\"curves\">" + figures + "</div>";
@@ -402,16 +402,16 @@ void predictions(std::string& out, const LessonSummary& lesson) {
 
 }  // namespace
 
-std::string lessonSection(const LessonSummary& lesson, bool first) {
-  std::string out = "<h2" + std::string(first ? " class=\"first\"" : "") + ">" + escaped(lesson.lesson.title) +
-                    "</h2><p class=\"quiet small\">" +
-                    (lesson.versions > 1 ? trf("{0}, in {1} versions: questions and tasks are those of the last",
-                                               escaped(lesson.lesson.file), lesson.versions)
-                                         : escaped(lesson.lesson.file)) +
-                    "</p>";
+void lessonSection(std::string& out, const LessonSummary& lesson, bool first) {
+  out += "<h2" + std::string(first ? " class=\"first\"" : "") + ">" + escaped(lesson.lesson.title) +
+         "</h2><p class=\"quiet small\">" +
+         (lesson.versions > 1 ? trf("{0}, in {1} versions: questions and tasks are those of the last",
+                                    escaped(lesson.lesson.file), lesson.versions)
+                              : escaped(lesson.lesson.file)) +
+         "</p>";
   tiles(out, lesson);
   peopleTable(out, lesson);
-  out += goalSection(lesson) + misconceptionSection(lesson);
+  out += goalSection(lesson) + gainSection(lesson) + misconceptionSection(lesson);
   byWay(out, lesson);
   questions(out, lesson);
   out += legend(lesson.people);
@@ -421,7 +421,6 @@ std::string lessonSection(const LessonSummary& lesson, bool first) {
   predictions(out, lesson);
   out += waySection(lesson);
   forResearch(out, lesson);
-  return out;
 }
 
 }  // namespace moltact

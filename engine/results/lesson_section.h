@@ -7,7 +7,7 @@
 
 namespace moltact {
 
-/// `first`: it does not begin a new sheet of paper.
-std::string lessonSection(const LessonSummary& lesson, bool first);
+/// Appends it. `first`: it does not begin a new sheet of paper.
+void lessonSection(std::string& out, const LessonSummary& lesson, bool first);
 
 }  // namespace moltact

@@ -1,7 +1,9 @@
 #include "engine/results/outcome_sections.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -11,6 +13,24 @@
 namespace moltact {
 
 using namespace page;
+
+namespace {
+
+double mean(const std::vector<double>& values) {
+  double sum = 0.0;
+  for (const double v : values) sum += v;
+  return sum / double(values.size());
+}
+
+// Of two values or more.
+double standardError(const std::vector<double>& values) {
+  const double middle = mean(values), n = double(values.size());
+  double squares = 0.0;
+  for (const double v : values) squares += (v - middle) * (v - middle);
+  return std::sqrt(squares / (n - 1.0) / n);
+}
+
+}  // namespace
 
 std::string goalSection(const LessonSummary& lesson) {
   std::string rows;
@@ -74,6 +94,34 @@ std::string misconceptionSection(const LessonSummary& lesson) {
            std::to_string(m.times) + "</td><td class=\"left\">" + questions[tag] + "</td></tr>";
   }
   return out + "</tbody></table></div>";
+}
+
+std::string gainSection(const LessonSummary& lesson) {
+  if (!asksTwice(lesson.lesson)) return {};
+  const auto shown = [](const std::optional<double>& value) { return value ? number(*value, 2) : std::string("–"); };
+  std::string rows;
+  std::vector<double> before, after, gains;
+  for (const PersonScore& p : lesson.people) {
+    const SensitivityPair pair = sensitivityPair(lesson.lesson, p);
+    if (!pair.before && !pair.after) continue;
+    rows += "<tr><td class=\"name\">" + escaped(p.person) + "</td><td>" + shown(pair.before) + "</td><td>" +
+            shown(pair.after) + "</td><td>" + shown(pair.gain()) + "</td></tr>";
+    if (!pair.gain()) continue;
+    before.push_back(*pair.before);
+    after.push_back(*pair.after);
+    gains.push_back(*pair.gain());
+  }
+  if (rows.empty()) return {};
+  if (!gains.empty())
+    rows += "<tr><td class=\"name\"><b>" + trf("Mean of {0}", gains.size()) + "</b></td><td>" +
+            number(mean(before), 2) + "</td><td>" + number(mean(after), 2) + "</td><td><b>" + number(mean(gains), 2) +
+            (gains.size() > 1 ? " ± " + number(standardError(gains), 2) : std::string()) + "</b></td></tr>";
+  return section(tr("Told apart in the dark, before and after"),
+                 {{tr("Student")}, {tr("d′ before")}, {tr("d′ after")}, {tr("Gain")}}) +
+         rows + "</tbody></table><p class=\"quiet small\">" +
+         tr("0 is guessing; 1 tells apart a little, 2 well. Of each asking the first round counts. Behind ± stands the "
+            "standard error of the mean.") +
+         "</p></div>";
 }
 
 std::string waySection(const LessonSummary& lesson) {

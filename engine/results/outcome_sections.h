@@ -14,6 +14,10 @@ std::string goalSection(const LessonSummary& lesson);
 /// What wrong choices have in common, as the author tagged them.
 std::string misconceptionSection(const LessonSummary& lesson);
 
+/// How well each student told two things apart in the dark before and after the explanation, and the gain of the class;
+/// only of a lesson that asks a task twice.
+std::string gainSection(const LessonSummary& lesson);
+
 /// Where each student went; only where somebody left the straight way.
 std::string waySection(const LessonSummary& lesson);
 

@@ -198,7 +198,7 @@ std::string linePath(const std::vector<double>& values, double most, double left
 
 }  // namespace
 
-std::string curves(const std::string& title, const CurveKept& drawn, const std::optional<CurveKept>& felt) {
+std::string curves(const std::string& title, const CurveKept& drawn, const CurveKept* felt) {
   constexpr double kLeft = 24, kTop = 6, kWide = 166, kHigh = 84;
   const double most = drawn.most_N > 0.0 ? drawn.most_N : 1.0;
   constexpr std::string_view kAxis = "class=\"axis\"";

@@ -45,7 +45,7 @@ std::string stripScale(double most, const std::string& unit);
 double roundAbove(double value);
 
 /// A force curve as it was drawn before it was felt, and as it was felt where that is known.
-std::string curves(const std::string& title, const CurveKept& drawn, const std::optional<CurveKept>& felt);
+std::string curves(const std::string& title, const CurveKept& drawn, const CurveKept* felt);
 
 /// A bar filled from 0 to 1; `right` is a full fill, else hatched.
 std::string bar(double share, bool right);

@@ -4,7 +4,9 @@
 #include <fstream>
 #include <map>
 
+#include "engine/lesson/lesson_files.h"
 #include "engine/results/attempt_lines.h"
+#include "engine/results/lesson_language.h"
 
 namespace moltact {
 namespace fs = std::filesystem;
@@ -64,19 +66,39 @@ std::string titleOf(const LessonOutline& lesson, const std::string& step) {
 
 }  // namespace
 
+bool LessonProgress::isOf(const fs::path& lesson_file, const std::string& its_title) const {
+  const std::string name_of_file = lesson_file.filename().string();
+  bool same_file = false;
+  for (const auto& [name, its] : names) {
+    if (name != name_of_file) continue;
+    if (its == its_title) return true;
+    same_file = true;
+  }
+  return !same_file && lessonName(file).id == lessonName(lesson).id;
+}
+
 std::vector<LessonProgress> readProgress(const fs::path& folder, const std::optional<std::string>& student) {
   std::error_code error;
   if (folder.empty() || !fs::is_directory(folder, error)) return {};
   const Expected<std::vector<fs::path>> files = attemptFiles(folder);
   if (!files) return {};
-  std::map<std::pair<std::string, std::string>, LessonProgress> by_lesson;  // by file name and title
+  std::vector<std::pair<LessonOutline, LessonProgress>> by_lesson;  // with the outline of one of its attempts
   for (const fs::path& file : *files) {
     const std::optional<Ends> ends = readEnds(file);
     if (!ends || (student && ends->header.student != *student)) continue;
     const fs::file_time_type touched = fs::last_write_time(file, error);
     if (error) continue;
     const AttemptHeader& h = ends->header;
-    LessonProgress& p = by_lesson[{h.lesson.file, h.lesson.title}];
+    auto at = std::find_if(by_lesson.begin(), by_lesson.end(), [&](const auto& one) {
+      const std::pair name(h.lesson.file, h.lesson.title);
+      const auto& names = one.second.names;
+      return std::find(names.begin(), names.end(), name) != names.end() || sameLesson(one.first, h.lesson);
+    });
+    if (at == by_lesson.end()) at = by_lesson.insert(at, {h.lesson, {}});
+    LessonProgress& p = at->second;
+    if (const std::pair name(h.lesson.file, h.lesson.title);
+        std::find(p.names.begin(), p.names.end(), name) == p.names.end())
+      p.names.push_back(name);
     const bool newest = p.attempts == 0 || touched >= p.touched;
     const std::size_t of = ends->known ? ends->last.of : std::max<std::size_t>(1, h.lesson.parts());
     const bool finished = ends->known && of > 0 && ends->last.done >= of;
@@ -95,7 +117,7 @@ std::vector<LessonProgress> readProgress(const fs::path& folder, const std::opti
     p.of = of;
   }
   std::vector<LessonProgress> out;
-  for (auto& [name, progress] : by_lesson) out.push_back(std::move(progress));
+  for (auto& [outline, progress] : by_lesson) out.push_back(std::move(progress));
   std::sort(out.begin(), out.end(),
             [](const LessonProgress& a, const LessonProgress& b) { return a.touched > b.touched; });
   return out;

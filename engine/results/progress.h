@@ -28,17 +28,17 @@ struct LessonProgress {
   std::size_t done = 0, of = 0;             ///< tasks and questions of the last attempt
   bool finished = false;                    ///< some attempt was finished, not necessarily the last
   std::size_t attempts = 0;
+  std::vector<std::pair<std::string, std::string>> names;  ///< file and title of all attempts, each once
 
-  /// Whether it is progress in this lesson. Lessons of the same file name in different folders differ in their titles.
-  bool isOf(const std::filesystem::path& lesson_file, const std::string& its_title) const {
-    return lesson == lesson_file.filename().string() && title == its_title;
-  }
+  /// Whether it is progress in this lesson, in whichever language: the name of its file without the language says it.
+  /// Lessons of the same file name in different folders differ in their titles.
+  bool isOf(const std::filesystem::path& lesson_file, const std::string& its_title) const;
   double share() const { return of ? double(done) / double(of) : 0.0; }
   /// The last attempt was begun and not finished: it can be taken up again.
   bool canResume() const { return done < of; }
 };
 
-/// One entry a lesson (a file's name and a title) that was ever begun, the last one touched first. Reads the two ends
+/// One entry a lesson (sameLesson) that was ever begun, the last one touched first. Reads the two ends
 /// of each file only, so that hundreds of attempts take no longer than a frame or two. A file that is no attempt is
 /// skipped. `student`: only attempts under this name (no value: all).
 std::vector<LessonProgress> readProgress(const std::filesystem::path& folder,

@@ -38,7 +38,8 @@ LessonOutline outline(const Json& from) {
         StepOutline{text(object(step, "steps"), "id", true), text(step, "title", false), {}, {}});
     s.aside = step.contains("aside") && flag(step, "aside");
     for (const Json& task : listOrNone(step, "tasks"))
-      s.tasks.push_back({text(object(task, "tasks"), "kind", true), text(task, "say", false), goalsOf(task)});
+      s.tasks.push_back({text(object(task, "tasks"), "kind", true), text(task, "say", false), goalsOf(task),
+                         text(task, "asked", false)});
     for (const Json& question : listOrNone(step, "questions")) {
       QuestionOutline& q = s.questions.emplace_back(QuestionOutline{
           text(object(question, "questions"), "id", true), text(question, "text", false), {}, {}, AnswerKind::Marked});
@@ -253,6 +254,42 @@ bool mayBeginAttempt(std::string_view line) {
     if (c != ' ' && c != '\t' && c != '\r') dense += c;
   if (dense.starts_with(kHeaderBegins) || line.empty()) return true;
   return end == std::string_view::npos && !dense.empty() && kHeaderBegins.starts_with(dense);
+}
+
+namespace {
+
+// Ends the reading at the value of "began" in the outermost object.
+class BeganReader : public nlohmann::json_sax<Json> {
+ public:
+  std::string began;
+  bool null() override { return wanted_ = false, true; }
+  bool boolean(bool) override { return wanted_ = false, true; }
+  bool number_integer(number_integer_t) override { return wanted_ = false, true; }
+  bool number_unsigned(number_unsigned_t) override { return wanted_ = false, true; }
+  bool number_float(number_float_t, const string_t&) override { return wanted_ = false, true; }
+  bool binary(binary_t&) override { return true; }
+  bool string(string_t& value) override {
+    if (wanted_) began = value;
+    return !wanted_;
+  }
+  bool start_object(std::size_t) override { return ++depth_, wanted_ = false, true; }
+  bool end_object() override { return --depth_, true; }
+  bool start_array(std::size_t) override { return ++depth_, wanted_ = false, true; }
+  bool end_array() override { return --depth_, true; }
+  bool key(string_t& name) override { return wanted_ = depth_ == 1 && name == "began", true; }
+  bool parse_error(std::size_t, const std::string&, const nlohmann::detail::exception&) override { return false; }
+
+ private:
+  int depth_ = 0;
+  bool wanted_ = false;
+};
+
+}  // namespace
+
+std::string beganOf(std::string_view line) {
+  BeganReader reader;
+  Json::sax_parse(line.begin(), line.end(), &reader);
+  return reader.began;
 }
 
 Expected<AttemptHeader> readHeaderLine(std::string_view line) {

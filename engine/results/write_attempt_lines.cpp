@@ -29,6 +29,7 @@ Json written(const LessonOutline& lesson) {
     for (const TaskOutline& t : s.tasks) {
       Json task{{"kind", t.kind}, {"say", t.say}};
       if (!t.goals.empty()) task["goals"] = t.goals;
+      if (!t.asked.empty()) task["asked"] = t.asked;
       step["tasks"].push_back(std::move(task));
     }
     for (const QuestionOutline& q : s.questions) {

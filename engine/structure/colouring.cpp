@@ -108,7 +108,7 @@ void byChain(const Molecule& m, Colouring& out) {
     legend.met(rank_of[r->chain], c.name.empty() ? tr("without a chain") : trf("chain {0}", c.name.string()),
                out.of_atom[i]);
   }
-  legend.write(out.legend);
+  if (known.size() <= std::size(kChains)) legend.write(out.legend);  // a colour of several chains names none
 }
 
 // R. J. Fletterick's Shapely models as RasMol has them, where two of them are too near or an orange, moved.

@@ -79,5 +79,8 @@ std::span<const NamedColour> namedColours();
 /// How far apart two colours look: the distance in the space CIE L*a*b* (1976) under the white of D65. Less than 10 is
 /// hard to tell across a picture.
 double colourDistance(const Rgb8& a, const Rgb8& b);
+/// The channels of sRGB without its gamma, 0 to 1, and such a colour in that space: L*, a*, b*.
+std::array<double, 3> linearRgb(const Rgb8& colour);
+std::array<double, 3> labOfLinear(const std::array<double, 3>& rgb);
 
 }  // namespace moltact

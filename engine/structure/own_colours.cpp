@@ -21,8 +21,14 @@ double linear(std::uint8_t channel) {
   return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4);
 }
 
-std::array<double, 3> lab(const Rgb8& colour) {
-  const double r = linear(colour[0]), g = linear(colour[1]), b = linear(colour[2]);
+}  // namespace
+
+std::array<double, 3> linearRgb(const Rgb8& colour) {
+  return {linear(colour[0]), linear(colour[1]), linear(colour[2])};
+}
+
+std::array<double, 3> labOfLinear(const std::array<double, 3>& rgb) {
+  const auto [r, g, b] = rgb;
   const double white[3] = {0.95047, 1.0, 1.08883};
   const double xyz[3] = {0.4124564 * r + 0.3575761 * g + 0.1804375 * b, 0.2126729 * r + 0.7151522 * g + 0.0721750 * b,
                          0.0193339 * r + 0.1191920 * g + 0.9503041 * b};
@@ -33,8 +39,6 @@ std::array<double, 3> lab(const Rgb8& colour) {
   }
   return {116.0 * f[1] - 16.0, 500.0 * (f[0] - f[1]), 200.0 * (f[1] - f[2])};
 }
-
-}  // namespace
 
 std::span<const NamedColour> namedColours() { return kOwnColours; }
 
@@ -60,7 +64,7 @@ Expected<Rgb8> parseColour(std::string_view text) {
 }
 
 double colourDistance(const Rgb8& a, const Rgb8& b) {
-  const auto x = lab(a), y = lab(b);
+  const auto x = labOfLinear(linearRgb(a)), y = labOfLinear(linearRgb(b));
   return std::hypot(x[0] - y[0], x[1] - y[1], x[2] - y[2]);
 }
 

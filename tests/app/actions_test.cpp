@@ -348,7 +348,7 @@ TEST_CASE(
   Scratch scratch;
   const auto file =
       scratch.file("mine.md",
-                   "---\ntitle: Mine\nminutes: 5\ngoals: G\nmolecules: 1ubq\nauthor: A\nlicence: L\n---\n"
+                   "---\ntitle: Mine\nminutes: 1\ngoals: G\nmolecules: 1ubq\nauthor: A\nlicence: L\n---\n"
                    "## One\n```scene\nmolecule: 1ubq\nstyle: surface 50% for residue 1-40, spheres for residue 41-76\n"
                    "hide: residue 5\nlocked: show\n```\nText.\n");
   d.reset();  // one window at a time
@@ -369,7 +369,7 @@ TEST_CASE("a lesson's scene colours by chain until another scene says otherwise,
   Scratch scratch;
   const auto file =
       scratch.file("mine.md",
-                   "---\ntitle: Mine\nminutes: 5\ngoals: G\nmolecules: 1ubq, argon\nauthor: A\nlicence: L\n---\n"
+                   "---\ntitle: Mine\nminutes: 1\ngoals: G\nmolecules: 1ubq, argon\nauthor: A\nlicence: L\n---\n"
                    "## One\n```scene\nmolecule: 1ubq\ncolour: chain\nlocked: show\n```\nText.\n## Two\nText.\n## "
                    "Three\n```scene\nmolecule: argon\n```\nText.\n");
   auto d = startWith(file.string());

@@ -5,7 +5,7 @@
 namespace moltact {
 namespace {
 
-const std::string kHead = "---\ntitle: Mine\nminutes: 5\ngoals: G\nmolecules: 1hpv\nauthor: A\nlicence: L\n---\n";
+const std::string kHead = "---\ntitle: Mine\nminutes: 1\ngoals: G\nmolecules: 1hpv\nauthor: A\nlicence: L\n---\n";
 
 }  // namespace
 

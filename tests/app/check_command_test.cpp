@@ -44,7 +44,7 @@ Run runMoltact(const fs::path& folder, const std::string& arguments) {
 }
 
 const std::string kGood =
-    "---\ntitle: T\nminutes: 5\ngoals: G\nmolecules: argon\nauthor: A\nlicence: L\n---\n"
+    "---\ntitle: T\nminutes: 1\ngoals: G\nmolecules: argon\nauthor: A\nlicence: L\n---\n"
     "## One\n```scene\nmolecule: argon\n```\nText.\n";
 
 }  // namespace
@@ -69,8 +69,10 @@ TEST_CASE("a folder with a good lesson, one with a warning and a README passes, 
   const Run run = runMoltact(folder.path, "check .");
   CHECK(run.status == 0);
   CHECK(run.out ==
+        "./a.md: 1 min for the core, 1 min with all steps\n"
         "./b.md:14:4: warning: 'scenes' is no block of a lesson and is shown as it stands; did you mean "
         "'scene'?\n```scenes\n   ^\n"
+        "./b.md: 1 min for the core, 1 min with all steps\n"
         "./README.md: no lesson, passed over\n2 lessons checked: no errors, 1 warning\n");
 }
 
@@ -84,7 +86,9 @@ TEST_CASE(
   folder.write("README.md", "# Lessons\n");
   const Run run = runMoltact(folder.path, "check *.md");
   CHECK(run.status == 0);
-  CHECK(run.out == "README.md: no lesson, passed over\n1 lesson checked: no errors\n");
+  CHECK(run.out ==
+        "a.md: 1 min for the core, 1 min with all steps\n"
+        "README.md: no lesson, passed over\n1 lesson checked: no errors\n");
   CHECK(runMoltact(folder.path, "check glossary.md").out == "0 lessons checked: no errors\n");
   folder.write("glossary.md", "- **pit** Three atoms at once.\n");
   const Run wrong = runMoltact(folder.path, "check glossary.md");
@@ -150,7 +154,8 @@ TEST_CASE("a new lesson is written once, passes the check, and is not overwritte
   const Run made = runMoltact(folder.path, "new-lesson 'Haem pockets' --folder mine");
   CHECK(made.status == 0);
   CHECK(made.out.starts_with("mine/haem-pockets.md is written."));
-  CHECK(runMoltact(folder.path, "check mine").out == "1 lesson checked: no errors\n");
+  CHECK(runMoltact(folder.path, "check mine").out ==
+        "mine/haem-pockets.md: 2 min for the core, 2 min with all steps\n1 lesson checked: no errors\n");
   folder.write("mine/haem-pockets.md", "my work");
   const Run again = runMoltact(folder.path, "new-lesson haem-pockets --folder mine");
   CHECK(again.status == 1);

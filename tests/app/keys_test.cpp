@@ -188,7 +188,7 @@ TEST_CASE("a link in the lesson's text is followed by keys") {
   Scratch scratch;
   const auto file =
       scratch.file("mine.md",
-                   "---\ntitle: Mine\nminutes: 5\ngoals: G\nmolecules: argon\nauthor: A\nlicence: L\n---\n"
+                   "---\ntitle: Mine\nminutes: 1\ngoals: G\nmolecules: argon\nauthor: A\nlicence: L\n---\n"
                    "## One\n```scene\nmolecule: argon\n```\nSee [the second](#two) step.\n## Two\nText.\n");
   auto d = startWith(file.string());
   d->tap("Tab");  // the goals

@@ -86,7 +86,7 @@ TEST_CASE("the shelf has one card for a lesson in two languages, in the language
   Scratch scratch;
   const auto text = [](const char* title) {
     return std::string("---\ntitle: ") + title +
-           "\nminutes: 5\ngoals: G\nmolecules: argon\nauthor: A\nlicence: L\n---\n## One\n```scene\nmolecule: "
+           "\nminutes: 1\ngoals: G\nmolecules: argon\nauthor: A\nlicence: L\n---\n## One\n```scene\nmolecule: "
            "argon\n```\nText.\n";
   };
   scratch.file("mine.md", text("Mine"));
@@ -99,7 +99,7 @@ TEST_CASE("the shelf has one card for a lesson in two languages, in the language
   CHECK(d->text("welcome/own/mine.de").empty());
   d->app().settings.language = "de";
   d->frames(60);
-  CHECK(d->text("welcome/own/mine").starts_with("Meine\n5\u00a0min"));
+  CHECK(d->text("welcome/own/mine").starts_with("Meine\n1\u00a0min"));
 }
 
 TEST_CASE("signs of another script are loaded when they are first to be shown, and no others") {

@@ -31,7 +31,7 @@ void save(const fs::path& file, const std::string& text) {
   fs::last_write_time(file, fs::file_time_type::clock::now() + std::chrono::seconds(++saves));
 }
 
-const std::string kHead = "---\ntitle: Mine\nminutes: 5\ngoals: G\nmolecules: argon\nauthor: A\nlicence: L\n---\n";
+const std::string kHead = "---\ntitle: Mine\nminutes: 1\ngoals: G\nmolecules: argon\nauthor: A\nlicence: L\n---\n";
 const std::string kOne = "## One\n```scene\nmolecule: argon\n```\nText.\n";
 const std::string kTwo = "## Two\nHere.\n### Question: How many?\n- [x] One → Yes.\n- [ ] Two → No.\n";
 
@@ -232,7 +232,7 @@ TEST_CASE("what a lesson locks stays as it is set, whatever changes it") {
   AuthorFolder scratch;
   const fs::path file = scratch / "study.md";
   save(file,
-       "---\ntitle: Study\nminutes: 5\ngoals: G\nmolecules: argon\nauthor: A\nlicence: L\nlocked: method\n---\n"
+       "---\ntitle: Study\nminutes: 1\ngoals: G\nmolecules: argon\nauthor: A\nlicence: L\nlocked: method\n---\n"
        "## One\n```scene\nmolecule: argon\nprobe: 2 Å\nforce: off\npanels: none\nlocked: force, probe, stiffness, "
        "show, panels\n```\nText.\n"
        "## Two\n```scene\nmolecule: argon\n```\nText.\n");
@@ -291,7 +291,7 @@ TEST_CASE("two steps with the same molecule, one with its waters, are two scenes
   AuthorFolder scratch;
   const fs::path file = scratch / "wet.md";
   save(file,
-       "---\ntitle: Wet\nminutes: 5\ngoals: G\nmolecules: 1ubq\nauthor: A\nlicence: L\n---\n"
+       "---\ntitle: Wet\nminutes: 1\ngoals: G\nmolecules: 1ubq\nauthor: A\nlicence: L\n---\n"
        "## Dry\n```scene\nmolecule: 1ubq\n```\nText.\n## Wet\n```scene\nwaters: yes\n```\n"
        "```touch\nreach: water\nsay: S\n```\n");
   auto d = startWith(file.string());

@@ -8,6 +8,7 @@
 #include "app/ui/extensions/extensions.h"
 #include "app/ui/widgets/key_focus.h"
 #include "engine/device/pointer_hand.h"
+#include "tests/app/scripted_user_fixture.h"
 
 namespace moltact {
 namespace {
@@ -237,7 +238,10 @@ void LessonHand::follow(const HandPlan& plan, std::size_t task) {
         }
       }
     }
-    for (int n = 0; n < int(act.wait_s * 60.0) + 1 && goesOn(task); ++n) d_.frames(1);
+    for (int n = 0; n < int(act.wait_s * 60.0) + 1 && goesOn(task); ++n) {
+      d_.frames(1);
+      if (watch) watch();
+    }
     if (act.answer && goesOn(task)) tell(task, *act.answer);
   }
 }
@@ -249,21 +253,31 @@ void LessonHand::pick(std::size_t q, std::size_t choice) {
   }
   const std::vector<std::size_t> order = session().choiceOrder(q);
   const auto place = std::find(order.begin(), order.end(), choice) - order.begin();
+  readQuestion(d_, q);
+  lookAt(d_, "question/" + std::to_string(q) + "/" + std::to_string(choice));
   d_.tap(std::to_string(place + 1));
 }
 
 void LessonHand::handIn(std::size_t q) {
-  if (mouse())
-    d_.click("question/" + std::to_string(q) + "/check");
-  else
-    d_.tap(session().step().questions[q].free() ? "Ctrl+Enter" : "Enter");
+  const std::string check = "question/" + std::to_string(q) + "/check";
+  if (mouse()) {
+    d_.click(check);
+    return;
+  }
+  const bool chosen = !session().step().questions[q].choices.empty();
+  if (chosen) lookAt(d_, check);
+  d_.tap(session().step().questions[q].free() ? "Ctrl+Enter" : "Enter");
 }
 
 void LessonHand::writeIn(std::size_t q, const std::string& text) {
-  if (mouse())
-    d_.click("question/" + std::to_string(q) + "/field");
-  else
+  const std::string name = "question/" + std::to_string(q);
+  if (mouse()) {
+    d_.click(name + "/field");
+  } else {
+    lookAt(d_, name);
+    lookAt(d_, name + "/field");
     d_.tap("A");
+  }
   d_.frames(3);
   if (session().question(q).attempts > 0) d_.tap("Ctrl+A");
   d_.type(text);
@@ -320,6 +334,7 @@ void LessonHand::tell(std::size_t task, const TaskAnswer& answer) {
   if (mouse()) lift();
   for (const TaskButton& b : session().taskAt(task)->buttons()) {
     if (b.word != answer.word) continue;
+    if (!mouse()) lookAt(d_, name + "/" + std::string(b.word));
     if (mouse())
       d_.click(name + "/" + std::string(b.word));
     else
@@ -374,6 +389,7 @@ void LessonHand::draw(const std::string& name, const std::vector<double>& curve,
     for (; pen > curve[k] / most_N + 0.5 * kStep; pen -= kStep) d_.tap("Down");
     d_.tap("Right");
   }
+  lookAt(d_, name + "/hand in");
   d_.tap("Enter");
 }
 

@@ -3,6 +3,7 @@
 // errs gives every wrong choice and a wrong number first, and does wrongly what a task lets one do wrongly.
 #pragma once
 
+#include <functional>
 #include <string>
 
 #include "app/ui/shell/scripted_user.h"
@@ -22,6 +23,16 @@ class LessonHand {
   bool finishLesson();
   /// What it could not do, one a line.
   const std::string& failed() const { return failed_; }
+  /// Does what a plan for the task says, as far as the task goes on.
+  void follow(const HandPlan& plan, std::size_t task);
+  /// What a plan is made for: the scene as the hand meets it now.
+  HandPlanInput planInput(int attempt) const;
+  /// What can be done wrongly in a task of this kind; empty where there is no such act.
+  HandPlan wrongPlan(std::size_t task) const;
+  /// Lets go of the surface.
+  void lift();
+  /// Called after each frame in which the hand rests at a place or is led over the surface.
+  std::function<void()> watch;
   /// How many wrong answers and wrong acts were told to be so, and solved nothing.
   int toldWrong() const { return told_wrong_; }
 
@@ -31,7 +42,6 @@ class LessonHand {
   bool canBegin();
   LessonSession& session() const;
   bool doTask(std::size_t task);
-  void follow(const HandPlan& plan, std::size_t task);
   bool goesOn(std::size_t task) const;
 
   void answerRightly(std::size_t question);
@@ -39,8 +49,6 @@ class LessonHand {
   /// What can be wrong in a task of this kind: a guess elsewhere, a first pair taken for its contrary, a probe that is
   /// too small, the other end marked first. Nothing for kinds without such an act.
   void doWrongly(std::size_t task);
-  HandPlan wrongPlan(std::size_t task) const;
-  HandPlanInput planInput(int attempt) const;
   double figure(std::size_t task, std::string_view name) const;
   void pick(std::size_t question, std::size_t choice);
   void handIn(std::size_t question);
@@ -61,7 +69,6 @@ class LessonHand {
   void face(Vec3 direction);
   void pointAt(const Vec3& place_A);
   void press();
-  void lift();
   /// Pushes harder or lighter until the spring would give so much.
   void push(double force_N);
   /// Leads the hand sideways, pressing or not, until it appears where the place does.

@@ -141,6 +141,7 @@ void LessonHand::lead(const Vec3& place_A, std::size_t task) {
       holdArrows({sign(way.x), sign(-way.y)});
       d_.frames(1);
     }
+    if (watch) watch();
   }
   holdArrows({0, 0});
 }

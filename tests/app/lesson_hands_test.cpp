@@ -31,9 +31,13 @@ TEST_CASE("first-touch.md is finished with the mouse alone, and with the keyboar
   walk("first-touch.md", LessonHand::By::Mouse);
   walk("first-touch.md", LessonHand::By::Keyboard);
 }
-TEST_CASE("bonds-and-creases.md is finished with the mouse alone, and with the keyboard alone") {
-  walk("bonds-and-creases.md", LessonHand::By::Mouse);
-  walk("bonds-and-creases.md", LessonHand::By::Keyboard);
+TEST_CASE("bond-or-contact.md is finished with the mouse alone, and with the keyboard alone") {
+  walk("bond-or-contact.md", LessonHand::By::Mouse);
+  walk("bond-or-contact.md", LessonHand::By::Keyboard);
+}
+TEST_CASE("hydrogen-bonds.md is finished with the mouse alone, and with the keyboard alone") {
+  walk("hydrogen-bonds.md", LessonHand::By::Mouse);
+  walk("hydrogen-bonds.md", LessonHand::By::Keyboard);
 }
 TEST_CASE("the-probe-decides.md is finished with the mouse alone, and with the keyboard alone") {
   walk("the-probe-decides.md", LessonHand::By::Mouse);
@@ -47,9 +51,13 @@ TEST_CASE("how-touch-is-computed.md is finished with the mouse alone, and with t
   walk("how-touch-is-computed.md", LessonHand::By::Mouse);
   walk("how-touch-is-computed.md", LessonHand::By::Keyboard);
 }
-TEST_CASE("haemoglobin-and-haem.md is finished with the mouse alone, and with the keyboard alone") {
-  walk("haemoglobin-and-haem.md", LessonHand::By::Mouse);
-  walk("haemoglobin-and-haem.md", LessonHand::By::Keyboard);
+TEST_CASE("the-haem-in-its-pocket.md is finished with the mouse alone, and with the keyboard alone") {
+  walk("the-haem-in-its-pocket.md", LessonHand::By::Mouse);
+  walk("the-haem-in-its-pocket.md", LessonHand::By::Keyboard);
+}
+TEST_CASE("four-chains-as-one.md is finished with the mouse alone, and with the keyboard alone") {
+  walk("four-chains-as-one.md", LessonHand::By::Mouse);
+  walk("four-chains-as-one.md", LessonHand::By::Keyboard);
 }
 TEST_CASE("left-or-right.md is finished with the mouse alone, and with the keyboard alone") {
   walk("left-or-right.md", LessonHand::By::Mouse);

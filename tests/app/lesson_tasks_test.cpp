@@ -41,6 +41,7 @@ void goOn(ScriptedUser& d, const char* id) {
 
 /// Finds the task's button under the key and tells it.
 void tell(ScriptedUser& d, const char* key) {
+  d.frames(36);  // it has been in view for a moment, and nothing was done just before
   d.tap(key);
   d.frames(2);
 }
@@ -61,15 +62,21 @@ TEST_CASE("a lesson with every kind of task and question is finished with the ke
   d->tap("plus");
   CHECK(waitUntil(*d, taskDone(*d, 1)));
   d->letGo("Space");
+  readQuestion(*d, 0);
   d->tap("1");
   CHECK(session(*d).question(0).attempts == 1);
   CHECK_FALSE(session(*d).question(0).answered_right);
+  readQuestion(*d, 0);
   d->tap("2");
   CHECK(session(*d).question(0).answered_right);
+  readQuestion(*d, 1);
   d->tap("1");
   d->tap("2");
+  lookAt(*d, "question/1/check");
   d->tap("Enter");
   CHECK(session(*d).question(1).answered_right);
+  lookAt(*d, "question/2");
+  lookAt(*d, "question/2/field");
   d->tap("A");
   d->frames(3);
   d->type("3.8");
@@ -132,9 +139,11 @@ TEST_CASE("a lesson with every kind of task and question is finished with the ke
   CHECK(d->app().extensions().task_stager.dark());
   CHECK(d->shows("view/dark"));
   CHECK(d->text("view/state") == "not touching");
+  d->frames(36);
   d->tap("L");
   d->frames(3);
   CHECK_FALSE(d->shows("view/dark"));
+  d->frames(36);
   d->tap("L");
   d->frames(3);
   CHECK(d->shows("view/dark"));

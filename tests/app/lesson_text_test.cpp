@@ -13,7 +13,7 @@ namespace moltact {
 namespace {
 
 const std::string kHead =
-    "---\ntitle: T\nminutes: 5\ngoals: G\nmolecules: argon\nauthor: A\nlicence: L\n---\n## One\n```scene\nmolecule: "
+    "---\ntitle: T\nminutes: 1\ngoals: G\nmolecules: argon\nauthor: A\nlicence: L\n---\n## One\n```scene\nmolecule: "
     "argon\n```\n";
 
 struct OpenedText {

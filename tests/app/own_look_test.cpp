@@ -28,8 +28,12 @@ TEST_CASE(
   REQUIRE(d->click("look/show"));
   d->frames(10);
   CHECK_FALSE(app.panels.look_page);
-  REQUIRE(app.scene.look.styles.size() == 1);
+  // The ribbon, and lysine 48 with its 9 atoms as spheres: in a ribbon a mark would be a spot.
+  REQUIRE(app.scene.look.styles.size() == 2);
   CHECK(app.scene.look.styles[0].style == DrawStyle::Cartoon);
+  CHECK(app.scene.look.styles[1].style == DrawStyle::Spheres);
+  REQUIRE(app.scene.look.styles[1].atoms);
+  CHECK(app.scene.look.styles[1].atoms->size() == 9);
   REQUIRE(app.scene.look.hidden);
   CHECK(app.scene.look.hidden->size() > 25);  // 1-4 are Met, Gln, Ile, Phe
   CHECK(app.scene.look.colouring);

@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 
 std::string lessonText(const std::string& title, const std::string& front = "") {
   return "---\ntitle: " + title + "\n" + front +
-         "minutes: 5\ngoals: G\nmolecules: mine.xyzr\nauthor: A\nlicence: L\n---\n"
+         "minutes: 1\ngoals: G\nmolecules: mine.xyzr\nauthor: A\nlicence: L\n---\n"
          "## One\n```scene\nmolecule: mine.xyzr\n```\n### Question: Q?\n- [x] yes → Right.\n- [ ] no → No.\n\n"
          "## Two\nText.\n\n### Question: R?\n- [x] yes → Right.\n- [ ] no → No.\n";
 }

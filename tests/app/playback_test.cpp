@@ -123,7 +123,7 @@ TEST_CASE("an attempt keeps where the slider between two structures was, and its
   writeFile(scratch.path / "shut.pdb", bend(4.0));
   writeFile(
       scratch.path / "mine.md",
-      "---\ntitle: T\nminutes: 5\ngoals: G\nmolecules: open.pdb, shut.pdb\nauthor: A\nlicence: L\n---\n## One\n"
+      "---\ntitle: T\nminutes: 1\ngoals: G\nmolecules: open.pdb, shut.pdb\nauthor: A\nlicence: L\n---\n## One\n"
       "```scene\nmolecule: open.pdb\nthen: shut.pdb, superposed on residue 1-5\n```\nText.\n\n> [!TIP]\n> Look.\n");
   const auto last_z = [](ScriptedUser& d) { return d.app().scene.seenMolecule()->atoms[5].position.A.z; };
   fs::path file;

@@ -76,6 +76,7 @@ TEST_CASE(
   AttemptRecorder& recorder = o.driver->app().extensions().recorder;
   const auto order = shownOrder(4);
   CHECK(order == o.session().choiceOrder(0));
+  readQuestion(*o.driver, 0);
   o.driver->tap("2");
   CHECK(o.session().question(0).chosen == std::vector<std::size_t>{order[1]});
   REQUIRE(recorder.flush());

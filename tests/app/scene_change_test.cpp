@@ -115,7 +115,7 @@ TEST_CASE(
     "a scene is fitted to the view that its own panels leave, whichever the scene before it had: going on or back, "
     "resetting the view changes nothing") {
   const std::string head =
-      "---\ntitle: Panels\nminutes: 5\ngoals:\n  - g\nmolecules:\n  - 1ubq\n  - benzene\nauthor: T\nlicence: "
+      "---\ntitle: Panels\nminutes: 1\ngoals:\n  - g\nmolecules:\n  - 1ubq\n  - benzene\nauthor: T\nlicence: "
       "CC0-1.0\n---\n\n";
   const auto step = [](const std::string& name, const std::string& molecule, const std::string& panels) {
     return "## " + name + "\n\n```scene\nmolecule: " + molecule + "\npanels: " + panels + "\n```\n\nText.\n\n";

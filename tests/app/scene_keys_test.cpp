@@ -8,7 +8,7 @@
 namespace moltact {
 namespace {
 
-const std::string kHead = "---\ntitle: Mine\nminutes: 5\ngoals: G\nmolecules: 1ubq\nauthor: A\nlicence: L\n---\n";
+const std::string kHead = "---\ntitle: Mine\nminutes: 1\ngoals: G\nmolecules: 1ubq\nauthor: A\nlicence: L\n---\n";
 
 // A bend of ten residues; in the other state the last three have turned away.
 std::string bend(double lifted_A) {
@@ -162,7 +162,7 @@ TEST_CASE(
   scratch.file("shut.pdb", bend(6.0));
   const auto file = scratch.file(
       "mine.md",
-      "---\ntitle: Mine\nminutes: 5\ngoals: G\nmolecules: open.pdb, shut.pdb\nauthor: A\nlicence: L\n---\n"
+      "---\ntitle: Mine\nminutes: 1\ngoals: G\nmolecules: open.pdb, shut.pdb\nauthor: A\nlicence: L\n---\n"
       "## One\n```scene\nmolecule: open.pdb\nthen: shut.pdb, superposed on residue 1-7\nstates: open, shut\n```\n"
       "[half](#state:50%)\n## Two\n```scene\nstate: shut\n```\nText.\n## Three\n```scene\nmolecule: "
       "open.pdb\n```\nText.\n");
@@ -212,7 +212,7 @@ TEST_CASE(
   Scratch scratch;
   const auto opened = [&](const std::string& molecule, const std::string& more) {
     const auto file =
-        scratch.file("drawn.md", "---\ntitle: Drawn\nminutes: 5\ngoals: G\nmolecules: " + molecule +
+        scratch.file("drawn.md", "---\ntitle: Drawn\nminutes: 1\ngoals: G\nmolecules: " + molecule +
                                      "\nauthor: A\nlicence: L\n---\n## One\n```scene\nmolecule: " + molecule + "\n" +
                                      more + "```\nRead.\n");
     auto d = startWith(file.string());

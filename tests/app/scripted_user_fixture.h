@@ -37,7 +37,7 @@ inline ScriptedUser::Options smallScreen() {
 
 /// A lesson of one step over argon, which goes on with `body`; `goals` are its list items, a line each.
 inline std::string argonLesson(const std::string& title, const std::string& goals, const std::string& body) {
-  return "---\ntitle: " + title + "\nminutes: 5\ngoals:\n" + goals +
+  return "---\ntitle: " + title + "\nminutes: 1\ngoals:\n" + goals +
          "molecules:\n  - argon\nauthor: The Moltact authors\nlicence: CC-BY-4.0\n---\n\n"
          "## One step\n\n```scene\nmolecule: argon\n```\n\n" +
          body;
@@ -61,6 +61,25 @@ struct Scratch {
 };
 
 inline bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+/// Scrolls the lesson's text by the keys until the widget is wholly in view, and looks at it for 0.6 s.
+inline void lookAt(ScriptedUser& driver, const std::string& widget) {
+  for (int k = 0; k < 40; ++k) {
+    const WidgetRecord* r = widgets().find(widget);
+    if (!r || (r->low.y >= r->clip_low.y - 1.0f && r->high.y <= r->clip_high.y + 1.0f)) break;
+    driver.tap(r->low.y < r->clip_low.y ? "Ctrl+PageUp" : "Ctrl+PageDown");
+    driver.frames(2);
+  }
+  driver.frames(36);
+}
+
+/// The same for a question and each of its choices.
+inline void readQuestion(ScriptedUser& driver, std::size_t question) {
+  const std::string name = "question/" + std::to_string(question);
+  lookAt(driver, name);
+  for (std::size_t k = 0; widgets().find(name + "/" + std::to_string(k)); ++k)
+    lookAt(driver, name + "/" + std::to_string(k));
+}
 
 /// The share of pixels that differ between two pictures of the same size.
 inline double difference(const Picture& a, const Picture& b) {

@@ -20,7 +20,7 @@ constexpr std::size_t kChoices = 8, kPairs = 8;  // alike by chance: 1 in 40 320
 std::string lessonText() {
   std::string choices = "- [x] Choice 0 → Yes.\n";
   for (std::size_t k = 1; k < kChoices; ++k) choices += "- [ ] Choice " + std::to_string(k) + " → No.\n";
-  return "---\ntitle: Twice\nminutes: 5\ngoals: G\nmolecules: argon\nauthor: A\nlicence: L\nask: name\n---\n"
+  return "---\ntitle: Twice\nminutes: 1\ngoals: G\nmolecules: argon\nauthor: A\nlicence: L\nask: name\n---\n"
          "## One\n```scene\nmolecule: argon\n```\n### Question: Which?\n\n" +
          choices + "\n## Two\n```touch\nsame: anywhere\nprobe: 3 Å\ntrials: " + std::to_string(kPairs) +
          "\nfor: 0.1 s\nsay: Are they the same?\n```\n";
@@ -99,10 +99,10 @@ TEST_CASE(
   d.reset();  // what is kept is whole
 
   const std::array named{attempts};
-  ClassFiles files = readClass(named);
-  CHECK(files.passed_over.empty());
-  REQUIRE(files.attempts.size() == 2);
-  const ClassSummary summary = summarise(std::move(files.attempts));
+  const ClassReading reading = readClass(named);
+  CHECK(reading.passed_over.empty());
+  const ClassSummary& summary = reading.summary;
+  REQUIRE(summary.attempts == 2);
   CHECK(summary.people == std::vector<std::string>{"Ana", "Bo"});
   REQUIRE(summary.lessons.size() == 1);
   REQUIRE(summary.lessons[0].people.size() == 2);

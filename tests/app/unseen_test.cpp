@@ -9,9 +9,11 @@ namespace moltact {
 namespace {
 
 std::string lessonWith(const std::string& hide) {
-  return "---\ntitle: Unseen\nminutes: 5\ngoals: G\nmolecules: benzene\nauthor: A\nlicence: L\n---\n"
+  return "---\ntitle: Unseen\nminutes: 1\ngoals: G\nmolecules: benzene\nauthor: A\nlicence: L\n---\n"
          "## One\n```scene\nmolecule: benzene\n" +
-         hide + "```\n```touch\nreach: all\nsay: Touch it.\n```\n";
+         hide +
+         "```\n```touch\nreach: all\nsay: Touch it.\n```\n### Question: What is it?\n1. [x] A ring → Yes.\n"
+         "2. [ ] A rod → No.\n";
 }
 
 // What the window says while the hand rests on the molecule.

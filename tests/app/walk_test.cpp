@@ -156,7 +156,7 @@ expect question/0/feedback Yes. It touches both
 )",
          "reload");
   CHECK(d->app().scene.camera == camera);
-  klass.save(klass.with("feel: crease", "feel: creese"));
+  klass.save(klass.with("feel: pit", "feel: pitt"));
   runAll(*d, R"(
 wait 60
 expect lesson-problems first-touch.md: 1 problem. You see the last good version
@@ -164,7 +164,7 @@ point lesson/0
 expect lesson/0 Here, said anew
 click lesson-problems/show
 wait 3
-expect lesson-problem/0 crease
+expect lesson-problem/0 pit
 )",
          "reload with an error");
   klass.save(klass.text);
@@ -187,7 +187,7 @@ expect status/molecule benzene
   CHECK_FALSE(d->shows("lesson-problems"));
 
   REQUIRE(d->app().extensions().recorder.flush());
-  CHECK(contains(klass.report(), "1 student, 1 lesson, 1 attempt"));
+  CHECK(contains(klass.report(), "1 lesson, 1 attempt, all without a name"));
   const std::string csv = bytesOf(klass.scratch.path / "class.csv"), html = bytesOf(klass.scratch.path / "class.html");
   CHECK(cell(csv, "lesson_file") == "first-touch.md");
   CHECK(cell(csv, "answered") == "1");

@@ -10,7 +10,7 @@ namespace moltact {
 namespace {
 
 constexpr const char* kHead =
-    "---\ntitle: Ways\nminutes: 5\ngoals:\n  - Go\nmolecules:\n  - argon\nauthor: A\nlicence: L\n---\n\n";
+    "---\ntitle: Ways\nminutes: 1\ngoals:\n  - Go\nmolecules:\n  - argon\nauthor: A\nlicence: L\n---\n\n";
 
 struct Opened {
   ScratchFolder scratch;
@@ -77,15 +77,15 @@ TEST_CASE(
   d->frames(5);
   for (int k = 0; k < 600 && (k < 60 || d->app().extensions().shelf.live()); ++k) d->frames(1);
   const std::vector<LessonCard>& cards = d->app().extensions().shelf.cards();
-  REQUIRE(cards.size() >= 14);
-  for (int k = 0; k < 14; ++k) {
+  REQUIRE(cards.size() >= 16);
+  for (int k = 0; k < 16; ++k) {
     CAPTURE(cards[std::size_t(k)].title);
     CHECK(cards[std::size_t(k)].order == k + 1);
     CHECK_FALSE(cards[std::size_t(k)].description.empty());
   }
   CHECK(cards[0].id == "first-touch");
   REQUIRE(d->app().extensions().shelf.after(cards[0].file));
-  CHECK(d->app().extensions().shelf.after(cards[0].file)->id == "bonds-and-creases");
+  CHECK(d->app().extensions().shelf.after(cards[0].file)->id == "bond-or-contact");
   CHECK(contains(d->text("welcome/lesson/first-touch"), cards[0].description));
 }
 

@@ -49,9 +49,9 @@ TEST_CASE("what is left out of a file is told for 6 s when it is opened by hand,
   CHECK_FALSE(d->shows("message/0"));
   openFirst(*d);
   d->frames(5);
-  for (int k = 0; k < 6; ++k) d->click("lesson/next");
-  d->frames(3);
-  REQUIRE(contains(d->text("lesson/place"), "Step 7 of"));
+  REQUIRE(d->app().lesson.follow("#a-protein"));
+  d->frames(20);
+  REQUIRE(d->app().lesson.session()->step().title == "A protein");
   CHECK_FALSE(d->shows("message/0"));
 }
 
@@ -114,8 +114,12 @@ TEST_CASE("in all 7 steps of the first lesson every atom lies in the view, with 
   auto d = startWith("");
   openFirst(*d);
   d->frames(20);
-  for (int step = 1; step <= 7; ++step) {
-    CAPTURE(step);
+  const std::vector<Step> steps = d->app().lesson.session()->lesson().steps;
+  REQUIRE(steps.size() == 7);
+  for (const Step& step : steps) {
+    CAPTURE(step.title);
+    REQUIRE(d->app().lesson.follow('#' + step.id));
+    d->frames(20);
     const Camera& camera = d->app().scene.camera;
     const glm::vec2 size = d->app().layout().view.size();
     const double probe_A = d->app().scene.servo_settings.probe_A;
@@ -126,8 +130,6 @@ TEST_CASE("in all 7 steps of the first lesson every atom lies in the view, with 
       outside += at.x < room || at.y < room || at.x > double(size.x) - room || at.y > double(size.y) - room;
     }
     CHECK(outside == 0);
-    if (step < 7) REQUIRE(d->click("lesson/next"));
-    d->frames(3);
   }
 }
 

@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <cctype>
 #include <filesystem>
+#include <fstream>
 #include <map>
+#include <regex>
 #include <set>
 #include <sstream>
 #include <string>
@@ -324,6 +326,132 @@ TEST_CASE("every camelCase name that a page has in backticks, and every kConstan
     }
   }
   CHECK(named > 100);
+}
+
+namespace {
+
+// The files of the tree, but what is built and what git keeps.
+std::vector<fs::path> filesOfTree() {
+  std::vector<fs::path> out;
+  for (fs::recursive_directory_iterator it(kSource), end; it != end; ++it) {
+    const std::string name = it->path().filename().string();
+    if (it->is_directory() && it.depth() == 0 && (name == "build" || name == ".git" || name == "shared"))
+      it.disable_recursion_pending();
+    else if (it->is_regular_file() && name != ".git")
+      out.push_back(it->path());
+  }
+  return out;
+}
+
+// As a page's headings become anchors: small letters, a stroke for each blank, no punctuation.
+std::string anchorOf(std::string_view heading) {
+  std::string out;
+  for (const char c : heading)
+    if (c == ' ')
+      out += '-';
+    else if (isWordPart(c) || c == '-' || static_cast<unsigned char>(c) >= 0x80)
+      out += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return out;
+}
+
+std::set<std::string> anchorsOf(const fs::path& page) {
+  std::set<std::string> out;
+  std::istringstream lines(textOf(page));
+  for (std::string line; std::getline(lines, line);)
+    if (line.starts_with('#'))
+      out.insert(anchorOf(std::string_view(line).substr(std::min(line.find_first_not_of("# "), line.size()))));
+  return out;
+}
+
+}  // namespace
+
+TEST_CASE("no file of the tree holds the marks of a merge that was left half done") {
+  std::size_t looked = 0;
+  for (const fs::path& file : filesOfTree()) {
+    std::ifstream in(file, std::ios::binary);
+    std::size_t number = 0;
+    for (std::string line; std::getline(in, line);) {
+      ++number;
+      for (const char sign : {'<', '>', '|'}) {
+        const std::string mark(7, sign);
+        CHECK_MESSAGE(!(line == mark || line.starts_with(mark + ' ')), fs::relative(file, kSource).generic_string(),
+                      ":", number, " is a mark of a merge");
+      }
+    }
+    ++looked;
+  }
+  CHECK(looked > 500);
+}
+
+TEST_CASE("every place that a page or a comment names as FILE:LINE is there") {
+  const std::regex place(R"(([A-Za-z0-9_./-]+\.[a-z]+):([0-9]+))");
+  std::map<std::string, std::vector<std::size_t>> lines;  // of each file's name, behind its last "/"
+  for (const fs::path& file : filesOfTree())
+    if (const std::string ending = file.extension().string(); ending == ".cpp" || ending == ".h" || ending == ".md") {
+      const std::string text = textOf(file);
+      lines[file.filename().string()].push_back(std::size_t(std::count(text.begin(), text.end(), '\n')) + 1);
+    }
+  for (const auto& [where, text] : project().texts)
+    for (std::sregex_iterator it(text.begin(), text.end(), place), end; it != end; ++it) {
+      const fs::path file = (*it)[1].str();
+      // Files of the reader's own stand in examples: only those of the tree are looked at.
+      const auto known = lines.find(file.filename().string());
+      if (known == lines.end()) continue;
+      const std::size_t longest = *std::max_element(known->second.begin(), known->second.end());
+      CHECK_MESSAGE(std::stoul((*it)[2]) <= longest, where, ":", lineOf(text, std::size_t(it->position())), " names ",
+                    it->str(), ", which has fewer lines");
+    }
+}
+
+TEST_CASE("every path of the tree that a page has in backticks is there, and every file and heading that it links to") {
+  const std::set<std::string> tops{"app",       "engine", "tests",   "docs",  "lessons",
+                                   "molecules", "assets", "package", "cmake", ".ci"};
+  const std::regex code("`([A-Za-z0-9_.-]+(/[A-Za-z0-9_.-]+)*/?)`"), link(R"(\]\(<?([^)>\s]+)>?\))");
+  std::size_t paths = 0, links = 0;
+  std::vector<std::string> pages;
+  for (const auto& [where, text] : project().texts)
+    if (where.ends_with(".md")) pages.push_back(where);
+  for (const char* more : {"lessons/README.md", "molecules/README.md", "CHANGELOG.md"}) pages.push_back(more);
+  for (const std::string& where : pages) {
+    const std::string text = textOf(kSource / where);
+    for (std::sregex_iterator it(text.begin(), text.end(), code), end; it != end; ++it) {
+      const std::string named = (*it)[1];
+      const std::size_t slash = named.find('/');
+      const bool placeholder =
+          std::any_of(named.begin(), named.end(), [](char c) { return std::isupper(static_cast<unsigned char>(c)); }) &&
+          named.find("README") == std::string::npos && named.find("CMake") == std::string::npos;
+      if (slash == std::string::npos || placeholder || !tops.contains(named.substr(0, slash))) continue;
+      ++paths;
+      // A target's name, a class's file without its ending.
+      const bool there =
+          fs::exists(kSource / named) || fs::exists(kSource / (named + ".h")) || fs::exists(kSource / (named + ".cpp"));
+      CHECK_MESSAGE(there, where, ":", lineOf(text, std::size_t(it->position())), " names ", named,
+                    ", which is not there");
+    }
+    bool block = false;
+    std::istringstream lines(text);
+    std::size_t number = 0;
+    for (std::string line; std::getline(lines, line);) {
+      ++number;
+      if (line.starts_with("```")) block = !block;
+      if (block || line.starts_with("    ")) continue;
+      // What stands in backticks is an example.
+      line = std::regex_replace(line, std::regex("`[^`]*`"), "x");
+      for (std::sregex_iterator it(line.begin(), line.end(), link), end; it != end; ++it) {
+        const std::string to = (*it)[1];
+        if (to.find(':') != std::string::npos) continue;
+        ++links;
+        const std::size_t sign = to.find('#');
+        const fs::path file = sign == 0 ? kSource / where : (kSource / where).parent_path() / to.substr(0, sign);
+        CHECK_MESSAGE(fs::exists(file), where, ":", number, " links to ", to, ", which is not there");
+        if (sign != std::string::npos && file.extension() == ".md" && fs::exists(file))
+          CHECK_MESSAGE(anchorsOf(file).contains(to.substr(sign + 1)), where, ":", number, " links to ", to,
+                        ", and no heading is so");
+      }
+    }
+  }
+  CHECK(paths > 50);
+  CHECK(links > 100);
 }
 
 TEST_CASE(

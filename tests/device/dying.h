@@ -103,7 +103,7 @@ struct WayToDie {
   const char* way;  ///< of dying_hand; "wait": by the signal
   int signal;       ///< that it is sent, or dies of; 0: it exits with status 7
 };
-inline constexpr WayToDie kWaysToDie[] = {
+inline const WayToDie kWaysToDie[] = {
     {"wait", SIGINT},
     {"wait", SIGTERM},
     {"wait", SIGHUP},
@@ -120,6 +120,10 @@ inline constexpr WayToDie kWaysToDie[] = {
     {"wait", SIGABRT},
     {"wait", SIGTRAP},
     {"wait", SIGSYS},
+    {"wait", SIGRTMIN},
+    {"wait", SIGRTMIN + 1},
+    {"wait", (SIGRTMIN + SIGRTMAX) / 2},
+    {"wait", SIGRTMAX},
     {"segv", SIGSEGV},
     {"abort", SIGABRT},
     {"terminate", SIGABRT},

@@ -104,6 +104,40 @@ TEST_CASE(
 }
 
 TEST_CASE(
+    "Omni: a process that crashes, is killed or exits while no frame can be begun, in 6 ways: the output is off before "
+    "it ends, and stays off") {
+  const StandInProcess omni;
+  const fs::path fails = omni.folder / "frames fail";
+  setenv("STAND_IN_FRAMES_FAIL", fails.c_str(), 1);
+  const WayToDie ways[] = {{"segv", SIGSEGV}, {"tick", SIGABRT}, {"segv elsewhere", SIGSEGV},
+                           {"exit", 0},       {"wait", SIGTERM}, {"wait", SIGRTMIN}};
+  for (const bool at_once : {false, true}) {
+    for (const WayToDie& one : ways) {
+      CAPTURE(std::string(one.way));
+      CAPTURE(at_once);
+      fs::remove(omni.forces);
+      fs::remove(fails);
+      Dying child("omni", one.way);
+      REQUIRE(child.line(20'000) == "pressing");
+      std::ofstream(fails).put('1');
+      // Long after the first frame that fails, or in the very moment.
+      for (int k = 0; !at_once && k < 2'000 && readForces(omni.forces, 0).last_N > 0.0; ++k)
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+      if (std::string(one.way) == "wait")
+        child.send(one.signal);
+      else
+        child.go();
+      for (int k = 0; k < 20'000 && !child.over(); ++k) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+      CHECK((one.signal ? child.killedBy(one.signal) : child.exitedWith(7)));
+      const ForceLog log = readForces(omni.forces, child.at_ns());
+      CHECK(log.greatest_N > 0.3);
+      CHECK(log.last_N == 0.0);
+    }
+  }
+  unsetenv("STAND_IN_FRAMES_FAIL");
+}
+
+TEST_CASE(
     "Omni: a device that is closed, and a program that is left, under 2 N or more: the force goes by no more than 1 N "
     "a tick, and the last is none") {
   const StandInProcess omni;

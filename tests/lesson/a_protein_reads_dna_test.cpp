@@ -16,18 +16,6 @@ namespace {
 const std::string kLesson = "a-protein-reads-dna";
 const char* const kTwelve = "(residue 2 4 6 7 8 and name N7 O6) or (residue 9 and name N7 N6)";
 
-/// How many of these atoms a water molecule touches that comes straight from outside.
-std::size_t touchable(const ShippedScene& scene, const std::string& text) {
-  std::size_t n = 0;
-  for (const std::uint32_t atom : scene.select(text)) {
-    const std::uint32_t one[] = {atom};
-    const auto places = facePlaces(scene.balls, one, 1.4, 3000);
-    n += std::any_of(places.begin(), places.end(),
-                     [&](const SurfacePlace& p) { return openFromOutside(scene.balls, p, 1.4); });
-  }
-  return n;
-}
-
 }  // namespace
 
 TEST_CASE("a-protein-reads-dna.md has 8 steps, a way down the groove, a search and trials in the dark") {
@@ -37,15 +25,6 @@ TEST_CASE("a-protein-reads-dna.md has 8 steps, a way down the groove, a search a
   CHECK(tasksOf(lesson, "trace") == 1);
   CHECK(tasksOf(lesson, "find") == 1);
   CHECK(tasksOf(lesson, "same") == 1);
-}
-
-TEST_CASE("the twelve atoms of six letters in the wide groove are all bare without the protein, and none with it") {
-  CAPTURE(lineSaying(kLesson, "12 of 12 on the bare DNA, 0 of 12 in the complex"));
-  CAPTURE(lineSaying(kLesson, "- [x] None →"));
-  const ShippedScene bare("1a1f-dna"), complex("1a1f");
-  CHECK(bare.select(kTwelve).size() == 12);
-  CHECK(touchable(bare, kTwelve) == 12);
-  CHECK(touchable(complex, kTwelve) == 0);
 }
 
 TEST_CASE("the DNA without protein is that of the complex, atom by atom") {

@@ -159,15 +159,28 @@ TEST_CASE("there are 12 spikes, 20 places of three and 30 of two") {
   for (const auto& t : twos) CHECK(t.size() == 2);
 }
 
-TEST_CASE("the middle is hollow at the tip of a spike and nearly closed where three meet; between two lies a valley") {
-  CAPTURE(lineSaying(kLesson, "Here the middle is nearly closed, there a channel leads down"));
+TEST_CASE(
+    "on the three-fold axis a ball of 1.4 A comes 10 A below its rest on the knobs and a point goes through the shell; "
+    "at "
+    "the tip of a spike the ball comes more than 40 A below; between two pieces lies a valley") {
+  CAPTURE(lineSaying(kLesson, "Between the three serines it sinks in about 10 Å, and then it is shut"));
+  CAPTURE(lineSaying(kLesson, "a channel between them, more than 40 Å deep"));
+  CAPTURE(lineSaying(kLesson, "how deep does it let you in before it stops you"));
   CAPTURE(lineSaying(kLesson, "They look at each other across a valley"));
-  const auto belowKnobs_A = [](const std::string& knobs) {
-    const auto places = placesOf(knobs);
-    const Vec3 axis = axisOf(places);
-    return glm::dot(places.front(), axis) + 1.7 + 1.4 - stop_A(axis, 1.4);
+  // Below the middle of a ball that rests on the top of the outermost knob.
+  const auto depth_A = [](const std::string& knobs) {
+    const Vec3 axis = axisOf(placesOf(knobs));
+    double top_A = 0.0;
+    for (const auto i : parseSelection(knobs)->select(shell()))
+      top_A = std::max(top_A, glm::dot(shell().atoms[i].position.A, axis) + shell().atoms[i].radius_A + 1.4);
+    return top_A - stop_A(axis, 1.4);
   };
-  CHECK(belowKnobs_A("chain G G-2 G-3 G-4 G-5 and residue 92 and name CA") > 40.0);
-  CHECK(belowKnobs_A("chain F F-10 F-23 and residue 188 and name CA") < 10.0);
-  CHECK(belowKnobs_A("chain F F-6 and residue 80 and name CA") > 3.0);
+  const std::string three = "chain F F-10 F-23 and residue 188";
+  CHECK(depth_A("chain G G-2 G-3 G-4 G-5 and residue 92") > 40.0);
+  CHECK(depth_A(three) == doctest::Approx(10.0).epsilon(0.06));
+  CHECK(depth_A("chain F F-6 and residue 80") > 3.0);
+  // The shell's inner face lies farther in than 100 A.
+  const Vec3 axis = axisOf(placesOf(three));
+  CHECK(stop_A(axis, 0.0) < 100.0);
+  CHECK(stop_A(axis, 1.4) == doctest::Approx(132.7).epsilon(0.005));
 }

@@ -15,18 +15,6 @@ namespace {
 const std::string kLesson = "an-enzymes-door";
 const char* const kSixteen = "(residue 13 and name NZ) or (residue 36 88 123 156 167 and name NE NH1 NH2)";
 
-/// How many of these atoms a water molecule touches that comes straight from outside.
-std::size_t touchable(const Molecule& molecule, const BallScene& balls, const std::string& text) {
-  std::size_t n = 0;
-  for (const std::uint32_t atom : parseSelection(text)->select(molecule)) {
-    const std::uint32_t one[] = {atom};
-    const auto places = facePlaces(balls, one, 1.4, 2000);
-    n += std::any_of(places.begin(), places.end(),
-                     [&](const SurfacePlace& p) { return openFromOutside(balls, p, 1.4); });
-  }
-  return n;
-}
-
 Vec3 alphaCarbon(const ShippedScene& scene, int residue) {
   return scene.atom("protein and name CA and residue " + std::to_string(residue)).position.A;
 }
@@ -56,30 +44,6 @@ TEST_CASE(
   CHECK(lesson.steps.at(2).scene.then.molecule == "1ake");
   CHECK(tasksOf(lesson, "find") == 2);
   CHECK(tasksOf(lesson, "same") == 1);
-}
-
-TEST_CASE(
-    "of the sixteen nitrogens at least 15 are touched straight from outside in the open form, one at most in the shut "
-    "one") {
-  CAPTURE(lineSaying(kLesson, "At least fifteen of the sixteen can be touched straight from outside"));
-  CAPTURE(lineSaying(kLesson, "a probe comes to one of the sixteen at most"));
-  CAPTURE(lineSaying(kLesson, "Take AP₅A out of the shut form, and still one of the sixteen nitrogens at most"));
-  const ShippedScene open("4ake"), shut("1ake");
-  CHECK(open.select(kSixteen).size() == 16);
-  CHECK(touchable(*open.molecule, open.balls, kSixteen) >= 15);
-  CHECK(touchable(*shut.molecule, shut.balls, kSixteen) <= 1);
-  std::vector<Ball> protein;
-  for (const auto i : shut.select("protein")) protein.push_back(shut.balls[i]);
-  CHECK(touchable(*shut.molecule, BallScene(std::move(protein)), kSixteen) <= 1);
-}
-
-TEST_CASE("of the 57 atoms of the trapped AP5A two are touched straight from outside, both of one adenine") {
-  CAPTURE(lineSaying(kLesson, "AP₅A has 57 atoms"));
-  CAPTURE(lineSaying(kLesson, "There are only two atoms of it"));
-  const ShippedScene shut("1ake");
-  CHECK(shut.select("ligand").size() == 57);
-  CHECK(touchable(*shut.molecule, shut.balls, "ligand") == 2);
-  CHECK(touchable(*shut.molecule, shut.balls, "ligand and name C2A N1A") == 2);
 }
 
 TEST_CASE(

@@ -19,7 +19,7 @@ namespace {
 namespace fs = std::filesystem;
 
 // Eight lines of front matter; the body starts on line 9.
-const std::string kHead = "---\ntitle: T\nminutes: 5\ngoals: G\nmolecules: mix\nauthor: A\nlicence: L\n---\n";
+const std::string kHead = "---\ntitle: T\nminutes: 1\ngoals: G\nmolecules: mix\nauthor: A\nlicence: L\n---\n";
 const std::string kStep = "## One step\n```scene\nmolecule: mix\n```\nText.\n";  // lines 9 to 13
 
 Expected<std::shared_ptr<const Molecule>> onlyMix(const NamedMolecule& named) {
@@ -106,7 +106,7 @@ TEST_CASE(
 }
 
 TEST_CASE("an unknown key, a bare number, an empty selection and an unused molecule are told in one go") {
-  CHECK(errors("---\ntitle: T\nminutes: 5\ngoals: G\nmolecules: mix, water\nauthor: A\nlicence: L\nlisense: M\n---\n" +
+  CHECK(errors("---\ntitle: T\nminutes: 1\ngoals: G\nmolecules: mix, water\nauthor: A\nlicence: L\nlisense: M\n---\n" +
                kStep + "```touch\nreach: ligand BTX\nnear: 4\nsay: S\n```\n") ==
         Texts{"l.md:5:17: there is no molecule 'water'; choose another",
               "l.md:5:17: no scene uses 'water'; take it out, or add a scene with 'molecule: water'",
@@ -172,7 +172,7 @@ TEST_CASE("fenced blocks and comments without an end are told where they begin, 
 }
 
 TEST_CASE("front matter without its end is told, and the lesson behind it is still checked") {
-  CHECK(errors("---\ntitle: T\nminutes: 5\ngoals: G\nmolecules: mix\nauthor: A\nlicence: L\n\nHello: there.\n\n" +
+  CHECK(errors("---\ntitle: T\nminutes: 1\ngoals: G\nmolecules: mix\nauthor: A\nlicence: L\n\nHello: there.\n\n" +
                kStep + "```touch\nreach: all\nsay: S\nnear: 4\n```\n") ==
         Texts{"l.md:1:1: the front matter has no end; close it with a line '---'",
               "l.md:19:7: '4' needs a unit: Å or nm"});

@@ -51,14 +51,15 @@ constexpr const char* kMajorFloor = "residue 5-8 and name N6 O4 N7";
 }  // namespace
 
 TEST_CASE(
-    "dna-grooves-blind.md has 7 steps, a way to cross and one to trace, trials in the dark and two places to find in "
-    "the dark") {
+    "dna-grooves-blind.md has 5 steps and 3 extra ones, a way to cross and one to trace, trials in the dark before and "
+    "after, and two places to find in the dark") {
   const Lesson lesson = shippedLesson("dna-grooves-blind");
   checkCare(lesson);
-  CHECK(lesson.steps.size() == 7);
+  CHECK(lesson.steps.size() == 8);
+  CHECK(std::count_if(lesson.steps.begin(), lesson.steps.end(), [](const Step& s) { return s.extra; }) == 3);
   CHECK(tasksOf(lesson, "trace") == 1);
   CHECK(tasksOf(lesson, "cross") == 1);
-  CHECK(tasksOf(lesson, "same") == 1);
+  CHECK(tasksOf(lesson, "same") == 2);
   CHECK(tasksOf(lesson, "find") == 2);
 }
 

@@ -81,7 +81,7 @@ TEST_CASE("a key of another task, a misspelt one and a time for a length are tol
   // Whose a key is does not hang on what the message says.
   const LessonReading read = readLessonText(
       "l.md",
-      "---\ntitle: T\nminutes: 5\ngoals: g\nmolecules: water\nauthor: a\nlicence: l\n---\n## A\n```scene\nmolecule: "
+      "---\ntitle: T\nminutes: 1\ngoals: g\nmolecules: water\nauthor: a\nlicence: l\n---\n## A\n```scene\nmolecule: "
       "water\n```\n```touch\nreach: element O\nuntil: 1 N\nsay: S\n```\n");
   REQUIRE(read.errors.size() == 1);
   CHECK(read.errors[0].message == "der Block touch kennt „until“ nicht");
@@ -91,7 +91,7 @@ TEST_CASE("a key of another task, a misspelt one and a time for a length are tol
 TEST_CASE(
     "an answer that is wrong is told in German where the author wrote nothing, and in the author's words where so") {
   const std::string head =
-      "---\ntitle: T\nminutes: 5\ngoals: g\nmolecules: water\nauthor: a\nlicence: l\n---\n## A\n```scene\nmolecule: "
+      "---\ntitle: T\nminutes: 1\ngoals: g\nmolecules: water\nauthor: a\nlicence: l\n---\n## A\n```scene\nmolecule: "
       "water\n```\n### Question: N?\n```answer\nnumber: 2\n";
   for (const bool own : {false, true}) {
     const LessonReading read = readLessonText("l.md", head + (own ? "wrong: Not yet. Try again.\n```\n" : "```\n"));

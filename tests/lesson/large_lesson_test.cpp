@@ -18,7 +18,7 @@ using namespace moltact;
 namespace {
 
 const std::string kHead =
-    "---\ntitle: Large\nlevel: beginner\nminutes: 5\ngoals:\n  - all of it\nmolecules: one\nauthor: A "
+    "---\ntitle: Large\nlevel: beginner\nminutes: 1\ngoals:\n  - all of it\nmolecules: one\nauthor: A "
     "teacher\nlicence: CC0-1.0\n---\n\n## One\n\n```scene\nmolecule: one\n```\n\n";
 
 std::string number(std::size_t n) {
@@ -105,7 +105,7 @@ TEST_CASE(
     CHECK(told(r.check) <= kMostLessonProblems + 1);
     CHECK(r.asked <= int(kMostLessonProblems) + 1);
   }
-  std::string molecules = "---\ntitle: Large\nlevel: beginner\nminutes: 5\ngoals:\n  - all of it\nmolecules:\n";
+  std::string molecules = "---\ntitle: Large\nlevel: beginner\nminutes: 1\ngoals:\n  - all of it\nmolecules:\n";
   for (std::size_t n = 0; molecules.size() < 900'000; ++n) molecules += "  - m" + number(n) + "\n";
   CHECK(told(checked(molecules + kHead.substr(kHead.find("---\n\n"))).check) <= kMostLessonProblems + 1);
 }

@@ -33,14 +33,14 @@ double reach_A(const ShippedScene& s, const std::string& atoms) {
 }  // namespace
 
 TEST_CASE(
-    "left-or-right.md has 8 steps, five rounds to trace, one of them unseen, two lengths to measure, and eight trials "
-    "in the dark of which seven must be right, 9 of 256 for a guesser") {
+    "left-or-right.md has 6 steps and 3 extra ones, five rounds to trace, one of them unseen, two lengths to measure, "
+    "and eight trials in the dark, before and after, of which seven must be right, 9 of 256 for a guesser") {
   const Lesson lesson = shippedLesson(kLesson);
   checkCare(lesson);
-  CHECK(lesson.steps.size() == 8);
+  CHECK(lesson.steps.size() == 9);
   CHECK(tasksOf(lesson, "trace") == 5);
   CHECK(tasksOf(lesson, "measure") == 2);
-  REQUIRE(tasksOf(lesson, "same") == 1);
+  REQUIRE(tasksOf(lesson, "same") == 2);
   int unseen = 0;
   const ShippedScene phe("phenylalanine-pair");
   for (const Step& s : lesson.steps) unseen += s.scene.hide.given() && s.scene.hide.select(*phe.molecule).size() == 46;

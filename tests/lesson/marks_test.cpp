@@ -32,7 +32,7 @@ Problem bad(std::string_view key, std::string_view text) {
 }
 
 std::string lesson(const std::string& first, const std::string& second) {
-  return "---\ntitle: T\nminutes: 5\ngoals: g\nmolecules: m\nauthor: A\nlicence: CC0\n---\n\n## "
+  return "---\ntitle: T\nminutes: 1\ngoals: g\nmolecules: m\nauthor: A\nlicence: CC0\n---\n\n## "
          "One\n\n```scene\nmolecule: "
          "m\n" +
          first + "```\n\nText.\n\n## Two\n\n```scene\n" + second + "```\n\nText.\n";

@@ -19,7 +19,7 @@ namespace {
 
 const std::string kGood = R"(---
 title: A lesson
-minutes: 10
+minutes: 2
 level: beginner
 language: en
 goals:
@@ -96,11 +96,11 @@ const std::vector<Mistake>& mistakes() {
       {"front matter", "title: A lesson", "title A lesson", "key: value"},
       {"front matter", "title: A lesson", "title:", "title"},
       {"front matter", "title: A lesson", "title: A lesson\ntitle: Another", "twice", 1},
-      {"front matter", "minutes: 10", "minutes: ten", "ten"},
-      {"front matter", "minutes: 10", "minutes: 10 min", "min"},
-      {"front matter", "minutes: 10", "minutes: 0", "smallest"},
-      {"front matter", "minutes: 10", "minutes: 10.5", "whole"},
-      {"front matter", "minutes: 10", "minutes: 5000", "largest"},
+      {"front matter", "minutes: 2", "minutes: ten", "ten"},
+      {"front matter", "minutes: 2", "minutes: 10 min", "min"},
+      {"front matter", "minutes: 2", "minutes: 0", "smallest"},
+      {"front matter", "minutes: 2", "minutes: 10.5", "whole"},
+      {"front matter", "minutes: 2", "minutes: 5000", "largest"},
       {"front matter", "level: beginner", "level: beginer", "beginner"},
       {"front matter", "level: beginner", "level: easy", "beginner"},
       {"front matter", "language: en", "language: english", "letters"},

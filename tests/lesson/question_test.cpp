@@ -15,7 +15,7 @@ using namespace moltact;
 
 namespace {
 
-const std::string kHead = "---\ntitle: T\nminutes: 5\ngoals: G\nmolecules: mix\nauthor: A\nlicence: L\n---\n";
+const std::string kHead = "---\ntitle: T\nminutes: 1\ngoals: G\nmolecules: mix\nauthor: A\nlicence: L\n---\n";
 const std::string kScene = "## A\n```scene\nmolecule: mix\n```\n";
 const std::string kTouch = "```touch\nreach: atom 0\nsay: S\npraise: P.\n```\n";
 const std::string kPrediction =

@@ -13,7 +13,7 @@ using namespace moltact;
 namespace {
 
 // Eight lines of front matter; the body starts on line 9.
-const std::string kHead = "---\ntitle: T\nminutes: 5\ngoals: G\nmolecules: mix, water\nauthor: A\nlicence: L\n---\n";
+const std::string kHead = "---\ntitle: T\nminutes: 1\ngoals: G\nmolecules: mix, water\nauthor: A\nlicence: L\n---\n";
 const std::string kStep = "## One step\n```scene\nmolecule: mix\n```\n";  // lines 9 to 12
 
 std::vector<std::string> texts(const std::vector<Problem>& problems) {
@@ -187,7 +187,7 @@ TEST_CASE("what a scene magnifies goes on until a scene says otherwise, 'none' o
 TEST_CASE(
     "a scene locks what it and the front matter name; the next molecule's scene only what the front matter names") {
   const std::string head =
-      "---\ntitle: T\nminutes: 5\ngoals: G\nmolecules: mix, water\nauthor: A\nlicence: L\nlocked: method\n---\n";
+      "---\ntitle: T\nminutes: 1\ngoals: G\nmolecules: mix, water\nauthor: A\nlicence: L\nlocked: method\n---\n";
   const LessonReading read = readLessonText(
       "l.md",
       head +

@@ -12,7 +12,7 @@ using namespace moltact;
 
 namespace {
 
-const std::string kHead = "---\ntitle: T\nminutes: 5\ngoals: G\nmolecules: mix\nauthor: A\nlicence: L\n---\n";
+const std::string kHead = "---\ntitle: T\nminutes: 1\ngoals: G\nmolecules: mix\nauthor: A\nlicence: L\n---\n";
 
 using Atoms = std::vector<std::uint32_t>;
 
@@ -54,4 +54,28 @@ TEST_CASE("a task on atoms of which none can be touched is told at its place; on
             "atoms, or change the scene's 'untouchable' or 'remove'"});
   CHECK(errors(scene + "```touch\nreach: name FE or name CA\nsay: Touch it.\n```\n").empty());
   CHECK(errors("## S\n```scene\nmolecule: mix\nremove: residue 999\n```\nText.\n").size() == 1);
+}
+
+TEST_CASE("a view that faces 9 of 10 atoms that are left, or all, is warned of at its place; one that faces 8 is not") {
+  const auto warnings = [](const std::string& keys) {
+    const auto mix = [](const NamedMolecule&) -> Expected<std::shared_ptr<const Molecule>> {
+      return std::make_shared<const Molecule>(mixedMolecule());
+    };
+    std::vector<std::string> out;
+    for (const Problem& p :
+         checkLesson("l.md", kHead + "## S\n```scene\nmolecule: mix\n" + keys + "```\nText.\n", mix).warnings)
+      out.push_back(p.text());
+    return out;
+  };
+  const Molecule mix = mixedMolecule();
+  REQUIRE(mix.atoms.size() == 10);
+  const std::vector<std::string> told{
+      "l.md:12:14: nearly all atoms that the scene has left cannot be in front of the others; the molecule is seen "
+      "along its "
+      "thinnest axis; name the atoms that are to be in front, or write 'turned' and angles"};
+  CHECK(warnings("view: facing all\n") == told);
+  CHECK(warnings("view: facing not element Zn\n") == told);
+  CHECK(warnings("view: facing element Zn\n").empty());
+  CHECK(warnings("view: facing ligand\n").empty());
+  CHECK(warnings("view: facing not ligand\nremove: ligand\n") == told);
 }

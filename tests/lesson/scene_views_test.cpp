@@ -13,7 +13,7 @@ using namespace moltact;
 
 namespace {
 
-const std::string kHead = "---\ntitle: T\nminutes: 5\ngoals: G\nmolecules: mix, shut\nauthor: A\nlicence: L\n---\n";
+const std::string kHead = "---\ntitle: T\nminutes: 1\ngoals: G\nmolecules: mix, shut\nauthor: A\nlicence: L\n---\n";
 
 // A bend of five residues; shut, the last has moved by 4 A.
 Molecule bend(double last_y) {
@@ -163,7 +163,7 @@ TEST_CASE("mistakes in the second structure are told") {
   CHECK(scene("then: shut\nstate: ajar\n").size() == 1);
   CHECK(scene("then: shut\nstate: 140%\n").size() == 1);
   CHECK(scene("state: 40%\n").size() == 1);
-  const std::string other = "---\ntitle: T\nminutes: 5\ngoals: G\nmolecules: mix, other\nauthor: A\nlicence: L\n---\n";
+  const std::string other = "---\ntitle: T\nminutes: 1\ngoals: G\nmolecules: mix, other\nauthor: A\nlicence: L\n---\n";
   const LessonCheck apart =
       checkLesson("l.md", other + "## S\n```scene\nmolecule: mix\nthen: other\n```\nText.\n", molecules);
   REQUIRE(apart.errors.size() == 1);

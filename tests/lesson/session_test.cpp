@@ -9,7 +9,7 @@ using namespace moltact;
 
 namespace {
 
-const std::string kHead = "---\ntitle: T\nminutes: 5\ngoals: G\nmolecules: mix, water\nauthor: A\nlicence: L\n---\n";
+const std::string kHead = "---\ntitle: T\nminutes: 1\ngoals: G\nmolecules: mix, water\nauthor: A\nlicence: L\n---\n";
 const std::string kBody =
     "## A\n```scene\nmolecule: mix\n```\n```touch\nreach: atom 0\nsay: S\npraise: P.\n```\n```touch\nreach: atom "
     "1\nsay: Then this.\n```\n"
@@ -224,4 +224,44 @@ TEST_CASE(
   CHECK(turnedFor(1, 1, 0) != first);
   CHECK(turnedFor(1, 0, 1) != first);
   CHECK(turnedFor(1, 0, 2) != turnedFor(1, 0, 1));
+}
+
+TEST_CASE("one slide from atom 0 over the crease to atom 1 fulfils a task to feel the crease and one to cross it") {
+  const auto two = lesson(
+      "## A\n```scene\nmolecule: mix\n```\n```touch\nfeel: crease\nsay: S\n```\n"
+      "```touch\ncross: atom 0\nto: atom 1\nsay: T\n```\n");
+  const auto slide = [&](LessonSession& s, double gap_s) {
+    s.setMolecule(std::make_shared<const Molecule>(mixedMolecule()));
+    double time_s = 0.0;
+    const auto rest = [&](std::initializer_list<std::int32_t> atoms, double for_s) {
+      for (int i = 0; i < int(for_s * 1000.0); ++i) {
+        TouchSample sample;
+        sample.time_s = time_s += 0.001;
+        sample.contact.feature = static_cast<Feature>(atoms.size());
+        std::copy(atoms.begin(), atoms.end(), sample.contact.atoms.begin());
+        s.feed(sample);
+      }
+    };
+    rest({0}, 0.3);
+    rest({}, gap_s);
+    rest({0, 1}, 0.3);
+    CHECK(s.task(0).done);
+    rest({1}, 0.3);
+  };
+  LessonSession slid(two), lifted(two);
+  slide(slid, 0.0);
+  CHECK(slid.task(1).done);
+  // A hand that let go on the way has not slid.
+  slide(lifted, 0.5);
+  CHECK_FALSE(lifted.task(1).done);
+}
+
+TEST_CASE(
+    "of four steps one of which is an aside the third that counts is step 3 of 3, and in the aside step 1 stays") {
+  LessonSession s(lesson("## A\n```scene\nmolecule: mix\n```\n[x](#aside-x)\n## Aside: X\nT\n## B\nT\n## C\nT\n"));
+  CHECK(s.place().of == 3);
+  REQUIRE(s.goTo("#aside-x"));
+  CHECK(s.place().number == 1);
+  REQUIRE(s.goTo("#c"));
+  CHECK(s.place().number == 3);
 }

@@ -54,7 +54,7 @@ inline void checkCare(const Lesson& lesson) {
   }
 }
 
-/// The line of a shipped lesson that has these words, "haemoglobin-and-haem.md:57"; fails where none has, so that what a
+/// The line of a shipped lesson that has these words, "the-haem-in-its-pocket.md:57"; fails where none has, so that what a
 /// test computes is what the lesson says.
 inline std::string lineSaying(const std::string& lesson, const std::string& words) {
   std::ifstream in(std::string(MOLTACT_SOURCE_DIR "/lessons/") + lesson + ".md");
@@ -65,7 +65,7 @@ inline std::string lineSaying(const std::string& lesson, const std::string& word
   return lesson + ".md";
 }
 
-/// The same for several words: "haemoglobin-and-haem.md:57, haemoglobin-and-haem.md:60".
+/// The same for several words: "the-haem-in-its-pocket.md:57, the-haem-in-its-pocket.md:60".
 inline std::string linesSaying(const std::string& lesson, std::initializer_list<std::string> words) {
   std::string out;
   for (const std::string& w : words) out += (out.empty() ? "" : ", ") + lineSaying(lesson, w);

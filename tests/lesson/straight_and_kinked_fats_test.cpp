@@ -74,7 +74,7 @@ TEST_CASE(
 TEST_CASE(
     "on its carbons stearic acid has 35 hydrogens, oleic and elaidic acid 33; those at the double bond lie on one side "
     "in oleic and on two in elaidic acid") {
-  const std::string line = lineSaying(kFats, "35 on the carbons of the one against 33 of the other");
+  const std::string line = lineSaying(kFats, "35 hydrogens on the carbons of the one against 33 of the other");
   CAPTURE(line);
   const ShippedScene oleic("stearic-oleic"), elaidic("stearic-elaidic");
   CHECK(oleic.select("chain A and element H and not name HO2").size() == 35);

@@ -37,6 +37,21 @@ TEST_CASE("the crease of two balls of 1.88 A that touch is a circle of 2.688 A, 
   }
 }
 
+TEST_CASE("a push into the crease of an atom that lies deep in another, as hydrogen in oxygen, is held by both") {
+  // The hand's push must be a sum of pushes against both atoms with shares above 0.
+  const BallScene scene({{{0, 0, 0}, 1.52}, {{0.96, 0, 0}, 1.1}});
+  const auto places = creasePlaces(scene, allOf(scene), 1.0, 0.2);
+  REQUIRE(places.size() >= 12);
+  for (const SurfacePlace& p : places) {
+    const Vec3 a = glm::normalize(p.scp_A - scene[0].centre_A), b = glm::normalize(p.scp_A - scene[1].centre_A);
+    const double ab = glm::dot(a, b), ua = glm::dot(p.outward, a), ub = glm::dot(p.outward, b);
+    const double share_a = (ua - ab * ub) / (1 - ab * ab), share_b = (ub - ab * ua) / (1 - ab * ab);
+    CHECK(share_a > 0.1);
+    CHECK(share_b > 0.1);
+    CHECK(glm::length(share_a * a + share_b * b - p.outward) < 1e-9);
+  }
+}
+
 TEST_CASE("three balls of 1.88 A that touch one another have two pits 2.456 A above and below their plane") {
   const double h = 3.76 / std::sqrt(3.0);
   const BallScene scene({{{h, 0, 0}, 1.88}, {{-h / 2, 1.88, 0}, 1.88}, {{-h / 2, -1.88, 0}, 1.88}});

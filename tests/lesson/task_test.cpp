@@ -93,6 +93,44 @@ TEST_CASE("feel sphere, crease, pit takes the three in any order and names what 
   CHECK(t->done());
 }
 
+TEST_CASE(
+    "who presses 5 times without a pit is told how one is found, and at the 9th press three atoms of one are shown") {
+  // Three balls of 1.7 A whose centres are 3.4 A apart: a probe of 1.4 A rests on all three, 2.40 A above their plane.
+  MoleculeByHand b;
+  const double side = 3.4;
+  b.atom("A", 18, {0, 0, 0}).atom("B", 18, {side, 0, 0}).atom("C", 18, {0.5 * side, std::sqrt(0.75) * side, 0});
+  auto t = task("feel", {{"feel", "pit"}}, b.molecule);
+  Hand hand{*t};
+  const Vec3 beside{0, 0, 3.1};
+  std::string told;
+  for (int press = 1; press <= 9; ++press) {
+    CAPTURE(press);
+    hand.touch({0}, 0.2, 0.5, beside);
+    CHECK(t->stage().close_to.has_value() == (press >= 5));
+    CHECK(t->exampleAtoms().empty() == (press < 9));
+    told = t->sentence();
+    CHECK(((told.find("dent between three balls") != std::string::npos) == (press >= 5 && press < 9)));
+    hand.away(0.5);
+  }
+  CHECK(t->exampleAtoms() == std::vector<std::uint32_t>{0, 1, 2});
+  CHECK(told.find("marked") != std::string::npos);
+  CHECK_FALSE(t->done());
+  hand.touch({0, 1, 2}, 0.2);
+  CHECK(t->done());
+  CHECK(t->stage() == TaskStage());
+}
+
+TEST_CASE("the task to touch five places names the next one and counts those that were touched") {
+  auto t = task("compare", {{"compare", "places"},
+                            {"of", "(chain A and residue 52 and name N) then (chain B and residue 1)"},
+                            {"for", "0.5 s"}});
+  Hand hand{*t};
+  CHECK(t->sentence() == "0 of 2 places touched. Now touch Asp 52 (chain A).");
+  hand.touch({0}, 0.6);
+  hand.away(0.5);
+  CHECK(t->sentence() == "1 of 2 places touched. Now touch haem 1 (chain B).");
+}
+
 TEST_CASE("feel 3 atoms of the protein does not count the ligand or one atom twice") {
   auto t = task("feel", {{"feel", "atoms"}, {"count", "3"}, {"of", "protein"}});
   Hand hand{*t};

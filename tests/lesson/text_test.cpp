@@ -1,6 +1,7 @@
 // What a lesson's text can hold besides words: scripts, formulas, tables, pictures and words of a glossary.
 #include <doctest/doctest.h>
 #include <unistd.h>
+#include <zlib.h>
 
 #include <filesystem>
 #include <fstream>
@@ -9,6 +10,7 @@
 #include "engine/lesson/formula.h"
 #include "engine/lesson/glossary.h"
 #include "engine/lesson/lesson_picture.h"
+#include "engine/lesson/png_inflation.h"
 #include "engine/lesson/reader.h"
 #include "tests/lesson/small_molecules.h"
 #include "tests/lesson/small_picture.h"
@@ -19,7 +21,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const std::string kHead = "---\ntitle: T\nminutes: 5\ngoals: G\nmolecules: mix\nauthor: A\nlicence: L\n---\n";
+const std::string kHead = "---\ntitle: T\nminutes: 1\ngoals: G\nmolecules: mix\nauthor: A\nlicence: L\n---\n";
 const std::string kStep = "## One step\n```scene\nmolecule: mix\n```\n";  // lines 9 to 12
 
 Lesson lessonOf(const std::string& text) {
@@ -206,6 +208,48 @@ TEST_CASE(
         "a picture of 8193 x 1 pixels; 4096 a side are the most");
   const std::string large = kRedPng + std::string(kLargestPictureFile, 'x');
   CHECK(readLessonPicture(std::string_view(large)).problem().message == "a picture of more than 8 MiB");
+}
+
+TEST_CASE(
+    "a PNG of 10 x 10 pixels whose 100 kB inflate to 100 MB is refused unread; one with 60 bytes too many is shown") {
+  // Chunks and their checks are written by hand here, the rows packed by zlib.
+  const auto png = [](int side, std::size_t row_bytes) {
+    const auto four = [](std::uint32_t v) { return std::string{char(v >> 24), char(v >> 16), char(v >> 8), char(v)}; };
+    const auto chunk = [&](const std::string& kind, const std::string& data) {
+      const std::string all = kind + data;
+      const auto sum = crc32(0, reinterpret_cast<const Bytef*>(all.data()), uInt(all.size()));
+      return four(std::uint32_t(data.size())) + all + four(std::uint32_t(sum));
+    };
+    const std::string rows(row_bytes, '\0');
+    std::string packed(compressBound(uLong(rows.size())), '\0');
+    uLongf size = packed.size();
+    REQUIRE(compress(reinterpret_cast<Bytef*>(packed.data()), &size, reinterpret_cast<const Bytef*>(rows.data()),
+                     uLong(rows.size())) == Z_OK);
+    packed.resize(size);
+    return "\x89PNG\r\n\x1A\n" +
+           chunk("IHDR", four(std::uint32_t(side)) + four(std::uint32_t(side)) + std::string("\x08\x02\0\0\0", 5)) +
+           chunk("IDAT", packed.substr(0, size / 2)) + chunk("IDAT", packed.substr(size / 2)) + chunk("IEND", "");
+  };
+  const std::size_t need = 10 * (1 + 3 * 10);
+  CHECK(readLessonPicture(std::string_view(png(10, need))));
+  CHECK(readLessonPicture(std::string_view(png(10, need + 60))));
+  CHECK(inflatedRows(png(10, need - 1)) == PngRows::Fit);  // too few: the reader of pictures finds that
+  const std::string bomb = png(10, 100'000'000);
+  CHECK(bomb.size() < 150'000);
+  CHECK(inflatedRows(bomb) == PngRows::TooMany);
+  CHECK(readLessonPicture(std::string_view(bomb)).problem().message ==
+        "the file holds more data than a picture of 10 x 10 pixels has");
+  std::string broken = png(10, need);
+  broken[60] ^= 0x55;
+  CHECK_FALSE(readLessonPicture(std::string_view(broken)));
+  // Every cut and every changed byte ends.
+  const std::string whole = png(10, need);
+  for (std::size_t k = 8; k < whole.size(); ++k) {
+    (void)inflatedRows(std::string_view(whole).substr(0, k));
+    std::string changed = whole;
+    changed[k] = char(0xFF);
+    (void)inflatedRows(changed);
+  }
 }
 
 TEST_CASE("halving keeps the mean: a board of black and white fields of a pixel is grey at half its size") {

@@ -18,7 +18,7 @@ using namespace moltact;
 namespace {
 
 const std::string kHead =
-    "---\ntitle: T\nminutes: 5\ngoals:\n- One\n- Two\nmolecules: mix\nauthor: A\nlicence: L\n---\n";
+    "---\ntitle: T\nminutes: 1\ngoals:\n- One\n- Two\nmolecules: mix\nauthor: A\nlicence: L\n---\n";
 const std::string kScene = "```scene\nmolecule: mix\n```\n";
 const std::string kChoices = "### Question: Q?\n- [ ] no → Look [again](#aside-why).\n- [x] yes → So it is.\n";
 

@@ -8,6 +8,7 @@
 #include <cstdlib>
 #include <new>
 
+#include "engine/molecule/mmcif_operators.h"
 #include "engine/molecule/text_source.h"
 #include "tests/molecule/files.h"
 
@@ -197,4 +198,18 @@ TEST_CASE("a line without an end, a text of CIF without an end and a gzip of gzi
   CHECK_FALSE(problemOf(gzipped(gzipped("0 0 0 1\n")), "x.xyzr.gz").empty());
   CHECK(readMoleculeBytes(gzipped("0 0 0 1\n") + gzipped("2 0 0 1\n") + std::string(100, '\0'), "x.xyzr.gz")
             ->atoms.size() == 2);
+}
+
+TEST_CASE(
+    "an operator expression of 2000 brackets ends at once: doubled it has too many copies, of one each it has one") {
+  const MmcifOperators two{{"1", {}}, {"2", {}}};
+  std::string doubled, single, wide = "(1-2)";
+  for (int k = 0; k < 2000; ++k) doubled += "(1-2)", single += "(1)";
+  CHECK(operatorsOf(doubled, two).size() == kMostCopies + 1);
+  CHECK(operatorsOf(single, two).size() == 1);
+  CHECK(operatorsOf("(1-2)(1,2)(1-2)", two).size() == 8);
+  // Half a million copies in each of 2000 brackets.
+  for (int k = 1; k < 19; ++k) wide += "(1-2)";
+  CHECK(operatorsOf(wide + single, two).size() == kMostCopies + 1);
+  CHECK(operatorsOf("(1-2)(7)(1-2)", two).empty());  // 7 is not known: nothing times anything
 }

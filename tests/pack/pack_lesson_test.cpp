@@ -18,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const std::string kHead = "---\ntitle: T\nminutes: 5\ngoals: G\nauthor: A\nlicence: L\nmolecules: ";
+const std::string kHead = "---\ntitle: T\nminutes: 1\ngoals: G\nauthor: A\nlicence: L\nmolecules: ";
 
 std::string lessonOn(const std::string& molecule, const std::string& text = "") {
   return kHead + molecule + "\n---\n## One\n```scene\nmolecule: " + molecule + "\n```\n" + text + "\n\nText.\n";
@@ -29,6 +29,38 @@ const std::string kThreeAtoms = "0 0 0 1.5\n3 0 0 1.5\n0 3 0 1.5\n";
 using Names = std::vector<std::string>;
 
 }  // namespace
+
+TEST_CASE("links that lead out of the lesson's folder are refused at their place, those within it are packed") {
+  const ScratchFolder scratch;
+  fs::create_directory(scratch.path / "l");
+  writeFile(scratch.path / "secret.txt", "of nobody's business");
+  writeFile(scratch.path / "l" / "l.md", lessonOn("mine.xyzr", "[notes](notes.txt) [same](inside.txt)"));
+  writeFile(scratch.path / "l" / "mine.xyzr", kThreeAtoms);
+  writeFile(scratch.path / "l" / "real.txt", "mine");
+  fs::create_symlink("real.txt", scratch.path / "l" / "inside.txt");
+  fs::create_symlink("../secret.txt", scratch.path / "l" / "notes.txt");
+  const PackedLesson packed = packLesson(scratch.path / "l" / "l.md");
+  CHECK_FALSE(packed.pack);
+  REQUIRE(packed.errors.size() == 1);
+  CHECK(packed.errors[0].line == 13);
+  CHECK(packed.errors[0].message ==
+        "'notes.txt' cannot be packed: it is a link to a file outside of the lesson's folder");
+  CHECK(packed.errors[0].remedy == "put a copy of the file in the place of the link");
+  // The molecule and the translation are looked at as well.
+  fs::remove(scratch.path / "l" / "notes.txt");
+  writeFile(scratch.path / "l" / "notes.txt", "mine too");
+  for (const char* name : {"mine.xyzr", "l.de.md"}) {
+    const fs::path outside = scratch.path / name, there = scratch.path / "l" / name;
+    writeFile(outside, std::string(name) == "l.de.md" ? lessonOn("mine.xyzr") : kThreeAtoms);
+    fs::remove(there);
+    fs::create_symlink(outside, there);
+    CAPTURE(name);
+    CHECK_FALSE(packLesson(scratch.path / "l" / "l.md").pack);
+    fs::remove(there);
+    fs::copy_file(outside, there);
+    CHECK(packLesson(scratch.path / "l" / "l.md").pack);
+  }
+}
 
 TEST_CASE("a lesson is packed with translation, molecule, picture, linked lesson and file, not with the library's") {
   const ScratchFolder scratch;

@@ -61,7 +61,7 @@ inline std::string zipOf(const std::vector<ZipEntry>& entries) {
 
 inline const std::string kManifest = "{\"format\": 1, \"lesson\": \"l.md\"}";
 inline const std::string kSmallLesson =
-    "---\ntitle: Small\nminutes: 5\ngoals: G\nmolecules: argon\nauthor: A\nlicence: L\n---\n"
+    "---\ntitle: Small\nminutes: 1\ngoals: G\nmolecules: argon\nauthor: A\nlicence: L\n---\n"
     "## One\n```scene\nmolecule: argon\n```\nText.\n";
 
 /// A good pack, and these entries besides.

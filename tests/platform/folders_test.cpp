@@ -2,12 +2,18 @@
 #include "engine/platform/folders.h"
 
 #include <doctest/doctest.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
+#include <csignal>
 #include <cstdlib>
 #include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
+
+#include "engine/platform/removed_at_signal.h"
+#include "engine/platform/temporary_folder.h"
 
 using namespace moltact;
 namespace fs = std::filesystem;
@@ -50,4 +56,43 @@ TEST_CASE("the program's own data are not among the shared ones, though they lie
       dirs("XDG_DATA_DIRS", (share.string() + ":/srv").c_str());
   CHECK(sharedDataFolders() == std::vector<fs::path>{"/srv/moltact"});
   fs::remove_all(share);
+}
+
+TEST_CASE("a program that SIGINT, SIGTERM or SIGHUP ends removes its temporary folder and ends by that signal") {
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+    CAPTURE(signal);
+    int ready[2];
+    REQUIRE(::pipe(ready) == 0);
+    const std::filesystem::path place =
+        std::filesystem::temp_directory_path() / ("moltact-signal-" + std::to_string(::getpid()));
+    std::filesystem::create_directories(place);
+    const pid_t child = ::fork();
+    if (child == 0) {
+      for (const int number : {SIGINT, SIGTERM, SIGHUP}) std::signal(number, SIG_DFL);  // as a command begins
+      auto folder = moltact::TemporaryFolder::in(place, "own-");
+      const moltact::RemovedAtSignal removed(folder->path());
+      std::filesystem::create_directories(folder->path() / "deep");
+      (void)!::write(ready[1], "r", 1);
+      for (;;) ::pause();
+    }
+    char sign = 0;
+    REQUIRE(::read(ready[0], &sign, 1) == 1);
+    CHECK_FALSE(std::filesystem::is_empty(place));
+    // In use it is swept by nobody.
+    moltact::sweepTemporaryFolders(place, "own-");
+    CHECK_FALSE(std::filesystem::is_empty(place));
+    ::kill(child, signal);
+    int status = 0;
+    REQUIRE(::waitpid(child, &status, 0) == child);
+    CHECK(WIFSIGNALED(status));
+    CHECK(WTERMSIG(status) == signal);
+    CHECK(std::filesystem::is_empty(place));
+    // What is left by a killed one is.
+    std::filesystem::create_directories(place / "own-left" / "deep");
+    moltact::sweepTemporaryFolders(place, "own-");
+    CHECK(std::filesystem::is_empty(place));
+    std::filesystem::remove_all(place);
+    ::close(ready[0]);
+    ::close(ready[1]);
+  }
 }

@@ -121,3 +121,33 @@ TEST_CASE("fitting a long molecule keeps every ball in the picture and leaves no
     CHECK(largest == doctest::Approx(0.92).epsilon(1e-6));
   }
 }
+
+TEST_CASE(
+    "a flat molecule of 12 A x 8 A x 1 A, in 50 random poses, is seen along its thinnest axis from the side of that "
+    "axis's "
+    "largest component, seed 5; two places leave the camera as it is") {
+  std::mt19937 random(5);
+  std::normal_distribution<double> any;
+  std::vector<Vec3> flat;
+  for (int x = -6; x <= 6; ++x)
+    for (int y = -4; y <= 4; ++y)
+      for (const double z : {-0.5, 0.5}) flat.emplace_back(x, y, z);
+  for (int pose = 0; pose < 50; ++pose) {
+    CAPTURE(pose);
+    const glm::dquat turn = glm::normalize(glm::dquat(any(random), any(random), any(random), any(random)));
+    const Vec3 shift(100.0 * any(random), any(random), -30.0);
+    std::vector<Vec3> placed;
+    for (const Vec3& p : flat) placed.push_back(shift + turn * p);
+    Camera camera;
+    camera.lookAlongThinnest(placed);
+    Vec3 normal = turn * Vec3(0, 0, 1);
+    int largest = 0;
+    for (int k = 1; k < 3; ++k)
+      if (std::abs(normal[k]) > std::abs(normal[largest])) largest = k;
+    if (normal[largest] < 0.0) normal = -normal;
+    CHECK(glm::dot(camera.back(), normal) == doctest::Approx(1.0).epsilon(1e-6));
+  }
+  Camera camera;
+  camera.lookAlongThinnest(std::vector<Vec3>{Vec3(0.0), Vec3(1, 2, 3)});
+  CHECK(camera.orientation == Camera().orientation);
+}

@@ -172,3 +172,46 @@ TEST_CASE(
   }
   CHECK(deepest > -0.06);
 }
+
+TEST_CASE(
+    "the surface of one atom is its sphere to 0.05 A for a probe of 20 A, and of two atoms its neck is the probe's") {
+  const std::vector<Ball> one{{Vec3(0.0), 1.7}};
+  const SolventExcluded alone = solventExcluded(one, 20.0);
+  REQUIRE(alone.piece.vertices.size() > 50);
+  CHECK(alone.step_A == 0.5);
+  for (const MeshPiece::Vertex& v : alone.piece.vertices)
+    CHECK(std::abs(glm::length(alone.piece.origin_A + Vec3(v.place)) - 1.7) < 0.05);
+  CHECK(closed(alone.piece));
+  // Two atoms 6 A apart: in the middle the probe of 20 A stands off the axis by R sin a and reaches in by its radius.
+  const std::vector<Ball> two{{Vec3(-3, 0, 0), 1.7}, {Vec3(3, 0, 0), 1.7}};
+  const SolventExcluded pair = solventExcluded(two, 20.0);
+  const double neck_A = std::sqrt(21.7 * 21.7 - 9.0) - 20.0;
+  std::size_t at_neck = 0;
+  for (const MeshPiece::Vertex& v : pair.piece.vertices) {
+    const Vec3 p = pair.piece.origin_A + Vec3(v.place);
+    if (std::abs(p.x) > 0.3) continue;
+    ++at_neck;
+    CHECK(std::hypot(p.y, p.z) == doctest::Approx(neck_A).epsilon(0.03));
+  }
+  CHECK(at_neck >= 6);
+}
+
+TEST_CASE("a surface that nobody wants any more is empty; of one that is wanted the share grows to 1") {
+  const std::vector<Ball> balls{{Vec3(0.0), 1.7}, {Vec3(3, 0, 0), 1.5}};
+  SurfaceProgress progress;
+  CHECK_FALSE(solventExcluded(balls, 1.4, &progress).piece.vertices.empty());
+  CHECK(progress.share > 0.95f);
+  progress.cancelled = true;
+  CHECK(solventExcluded(balls, 1.4, &progress).piece.vertices.empty());
+}
+
+TEST_CASE("where grown balls would hold too many nodes together the grid is coarser: 8000 balls, probe 20 A") {
+  std::vector<Ball> balls;
+  for (int x = 0; x < 20; ++x)
+    for (int y = 0; y < 20; ++y)
+      for (int z = 0; z < 20; ++z) balls.push_back({2.0 * Vec3(x, y, z), 1.7});
+  SurfaceProgress progress;
+  const SolventExcluded made = solventExcluded(balls, 20.0, &progress);
+  CHECK(made.step_A == doctest::Approx(std::cbrt(8000.0 * std::pow(2 * 21.7, 3.0) / 1.2e9)));
+  CHECK(closed(made.piece));
+}

@@ -243,18 +243,25 @@ TEST_CASE("twice the force makes the arrow's shaft twice as long, outward from t
   CHECK(glm::length(shaft(1)) == doctest::Approx(2.0).epsilon(1e-5));
 }
 
-TEST_CASE("an arrow within 30 degrees of the line to the eye is not drawn; the ring round the probe tells the force") {
+TEST_CASE(
+    "in place of an arrow within 30 degrees of the line to the eye stands a ring with a dot, or a cross where it "
+    "points away") {
   ViewScene scene = crease();
   scene.shown = {ViewPart::Force};
   scene.force_N = 1.0;
-  for (const double degrees : {10.0, 50.0}) {
+  for (const double degrees : {10.0, 50.0, 170.0}) {
     scene.camera.lookFrom(0.0, (90.0 - degrees) * 3.14159265358979 / 180);  // the force points up
     scene.camera.target = scene.contact.scp;
     Glyphs glyphs;
     addGlyphs(scene, nullptr, glyphs);
     CAPTURE(degrees);
-    CHECK(glyphs.cones.size() == (degrees < 30 ? 0 : 2));
-    CHECK(glyphs.strokes.lines().size() == 2);
+    CHECK(glyphs.cones.size() == (degrees == 50 ? 2 : 0));
+    // Two strokes a line: the ring round the probe; the sign's ring; its cross.
+    CHECK(glyphs.strokes.lines().size() == (degrees < 30 ? 4 : degrees == 50 ? 2 : 8));
+    CHECK(glyphs.solid.size() == (degrees < 30 ? 1 : 0));
+    // The sign lies nearer to the eye than the probe does (z grows toward the eye).
+    for (const LooseSphere& dot : glyphs.solid)
+      CHECK(double(dot.centre.z) > scene.camera.toView(scene.contact.scp).z + scene.probe_A);
   }
 }
 

@@ -160,3 +160,32 @@ TEST_CASE(
   CHECK(after < 0.8 * before);
   CHECK(compare(hard, soft, 0).pixels < 240 * 200 / 20);
 }
+
+TEST_CASE(
+    "a surface that is computed beside the window shows the former style meanwhile, and then what waiting shows") {
+  ViewScene scene = twoInLine();
+  scene.camera.orbit(0.4, 0.2);
+  const Picture spheres = drawn(scene, 200, 160, kPlain);
+  scene.look.styles = {{.style = DrawStyle::Surface}};
+  scene.probe_A = 1.4;
+  const Picture waited = drawn(scene, 200, 160, kPlain);
+  CHECK(compare(spheres, waited, 8).pixels > 100);
+  renderer().invalidate();
+  Molecule other = *scene.molecule;  // nothing of another is kept
+  other.id = "other";
+  scene.molecule = std::make_shared<const Molecule>(std::move(other));
+  RenderOptions beside = kPlain;
+  beside.wait_for_surfaces = false;
+  const Picture first = drawn(scene, 200, 160, beside);
+  // The thread may have been quick; else there are spheres.
+  if (renderer().count().surface_progress) CHECK(compare(first, spheres, 8).pixels == 0);
+  Picture last = first;
+  while (renderer().count().surface_progress) last = drawn(scene, 200, 160, beside);
+  CHECK(compare(last, waited, 0).pixels == 0);
+  // Another probe: the surface that is there stays until the other is.
+  scene.probe_A = 3.0;
+  const Picture kept = drawn(scene, 200, 160, beside);
+  if (renderer().count().surface_progress) CHECK(compare(kept, waited, 0).pixels == 0);
+  while (renderer().count().surface_progress) last = drawn(scene, 200, 160, beside);
+  CHECK(compare(last, drawn(scene, 200, 160, kPlain), 0).pixels == 0);
+}

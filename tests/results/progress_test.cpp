@@ -3,6 +3,8 @@
 
 #include <doctest/doctest.h>
 
+#include "engine/results/class_summary.h"
+#include "engine/results/lesson_language.h"
 #include "engine/results/session_watch.h"
 #include "tests/results/sample_attempt.h"
 #include "tests/results/small_lesson.h"
@@ -51,6 +53,74 @@ TEST_CASE("a session that goes on after a shutdown has its step, tasks, answers 
   CHECK_FALSE(after.question(0).answered_right);
   CHECK(after.question(0).written == "9 Å");
   CHECK(after.progress() == before.progress());
+}
+
+// The small lesson in German: other headings, the same tasks and questions.
+std::shared_ptr<const Lesson> smallLessonInGerman() {
+  LessonReading read = readLessonText(
+      "lessons/small.de.md",
+      "---\ntitle: Klein\nminutes: 5\ngoals: G\nmolecules: mix\nauthor: A\nlicence: L\n---\n"
+      "## Eins\n```scene\nmolecule: mix\n```\n```touch\nreach: atom 0\nsay: S\npraise: P.\n```\n"
+      "```touch\nreach: atom 1\nsay: Dann das.\n```\n"
+      "### Question: Welche?\n- [x] ja → Gut\n- [ ] nein → Schlecht\n"
+      "## Zwei\n### Question: Wie lang?\n```answer\nnumber: 1.4 Å\ntolerance: 0.1 Å\nwrong: Miss noch einmal.\n```\n"
+      "## Drei\nDas Ende.\n");
+  REQUIRE(read.lesson);
+  return std::make_shared<const Lesson>(*std::move(read.lesson));
+}
+
+TEST_CASE(
+    "what was done in a lesson in English is done in German too: one entry of two attempts, a task and an answer") {
+  const auto english = smallLesson(), german = smallLessonInGerman();
+  LessonSession before(english);
+  before.setMolecule(std::make_shared<const Molecule>(mixedMolecule()));
+  SessionWatch watch;
+  watch.begin(before);
+  AttemptHeader header;
+  header.began = "2026-11-21T10:58:14Z";
+  header.lesson = outlineOf(*english, "0");
+  std::string file = lineOf(header);
+  const auto keep = [&](double t) {
+    for (const AttemptEvent& e : watch.look(before, t, InputWay::Mouse)) file += lineOf(e);
+  };
+  keep(0);
+  touchFor150ms(before, 0, 1.0);
+  keep(2);
+  before.choose(0, {0});
+  before.next();
+  keep(4);
+  file += lineOf(AttemptEvent{4.0, ProgressMade{before.step().id, 2, 4}});
+  const ScratchFolder scratch;
+  writeFile(scratch.path / "a.jsonl", file);
+  AttemptHeader other = header;
+  other.lesson = outlineOf(*german, "1");
+  writeFile(scratch.path / "b.jsonl", lineOf(other));
+  fs::last_write_time(scratch.path / "b.jsonl", fs::last_write_time(scratch.path / "a.jsonl") - std::chrono::hours(1));
+
+  const std::vector<LessonProgress> progress = readProgress(scratch.path);
+  REQUIRE(progress.size() == 1);
+  CHECK(progress[0].attempts == 2);
+  CHECK(progress[0].done == 2);
+  CHECK(progress[0].isOf("lessons/small.md", "Small"));
+  CHECK(progress[0].isOf("lessons/small.de.md", "Klein"));
+  CHECK_FALSE(progress[0].isOf("lessons/other.de.md", "Klein"));
+  // Another lesson that happens to have the same file name.
+  CHECK_FALSE(progress[0].isOf("lessons/small.md", "Large"));
+
+  const Expected<Attempt> attempt = readAttempt(progress[0].file, ReadDepth::NoHipSamples);
+  REQUIRE(bool(attempt));
+  LessonSession after(german);
+  after.restore(memoryOf(inTermsOf(outlineOf(*german, "1"), *attempt)));
+  CHECK(after.step().id == "zwei");
+  CHECK(after.taskDone(0, 0));
+  CHECK(after.question(0, 0).answered_right);
+  // Without the same tasks it is another lesson.
+  LessonOutline shorter = outlineOf(*german, "1");
+  shorter.steps[0].tasks.pop_back();
+  CHECK_FALSE(sameLesson(shorter, header.lesson));
+
+  const ClassSummary summary = summarise({*attempt, *readAttempt(scratch.path / "b.jsonl", ReadDepth::NoHipSamples)});
+  CHECK(summary.lessons.size() == 1);
 }
 
 TEST_CASE("a memory of another version of the lesson is taken up as far as the lesson still has it") {

@@ -1,11 +1,13 @@
 // Oracles: sums over a class made by hand, a CSV reader that shares nothing with the writer, and the page's own text.
 #include <doctest/doctest.h>
 
+#include <cmath>
 #include <cstdlib>
 #include <regex>
 #include <set>
 
 #include "engine/language/units.h"
+#include "engine/results/attempt_lines.h"
 #include "engine/results/class_csv.h"
 #include "engine/results/class_page.h"
 #include "tests/results/sample_attempt.h"
@@ -61,6 +63,95 @@ Attempt sampleAttempt() {
   return a;
 }
 
+/// An attempt at a lesson that asks a task before and after, with d' in the first round of each; NaN: not done.
+Attempt askedTwice(const std::string& student, double before, double after, const std::string& file = "twice.md") {
+  Attempt a;
+  a.header.began = "2026-11-21T10:58:14Z";
+  a.header.student = student;
+  a.header.lesson = {file,
+                     "Twice",
+                     "0123456789abcdef",
+                     {{"one", "One", {{"same", "Feel."}}, {}}, {"two", "Two", {{"same", "Feel."}}, {}}}};
+  a.header.lesson.steps[0].tasks[0].asked = "before";
+  a.header.lesson.steps[1].tasks[0].asked = "after";
+  const auto done = [&](const char* step, double d, double t_s, bool solved) {
+    if (std::isnan(d)) return;
+    a.events.push_back(
+        {t_s, TaskDone{step, 0, 1.0, InputWay::Mouse, {{"d'", 9.0, ""}, {"d' in the first round", d, ""}}, solved}});
+  };
+  done("one", before, 1.0, true);
+  done("two", after, 2.0, false);       // its tries were used up: the first round counts all the same
+  done("two", after + 1.0, 3.0, true);  // begun again and solved: it counts no more
+  return a;
+}
+
+TEST_CASE(
+    "the gain in d' is after less before, of each student and in the mean of those who did both, in page and table") {
+  // Of 4 pairs that differed 2 hits, of 4 alike 2 false alarms: guessing. Then 4 hits and no false alarm: 2 z(0.9).
+  const double guessing = 0.0, perfect = 2.0 * 1.2815515655446004;
+  const std::vector<Attempt> attempts{askedTwice("A", guessing, perfect), askedTwice("B", guessing, guessing),
+                                      askedTwice("C", perfect, std::nan(""))};
+  const ClassSummary summary = summarise(attempts);
+  REQUIRE(summary.lessons.size() == 1);
+  const LessonSummary& lesson = summary.lessons[0];
+  CHECK(asksTwice(lesson.lesson));
+  const auto of = [&](std::size_t k) { return sensitivityPair(lesson.lesson, lesson.people[k]); };
+  CHECK(*of(0).gain() == doctest::Approx(2.5631031310892007).epsilon(1e-12));
+  CHECK(*of(1).gain() == 0.0);
+  CHECK(of(2).before);
+  CHECK_FALSE(of(2).gain());
+  const auto rows = readCsv(classCsv(summary));
+  CHECK(cell(rows, 1, "twice.md#d_prime before") == "0.000");
+  CHECK(cell(rows, 1, "twice.md#d_prime after") == "2.563");
+  CHECK(cell(rows, 1, "twice.md#d_prime gain") == "2.563");
+  CHECK(cell(rows, 3, "twice.md#d_prime after") == "");
+  CHECK(cell(rows, 3, "twice.md#d_prime gain") == "");
+  // The mean of 2.563 and 0 is 1.28; both are 1.28 from it, so the standard deviation is 1.81 and its error 1.28.
+  const std::string page = classPage(summary, {}, "now");
+  CHECK(page.find("1.28 ± 1.28") != std::string::npos);
+  CHECK(page.find("Mean of 2") != std::string::npos);
+  CHECK(classPage(summarise({sampleAttempt()}), {}, "now").find("Told apart in the dark") == std::string::npos);
+}
+
+TEST_CASE("a task says in an attempt's file whether it is asked before or after") {
+  const Attempt a = askedTwice("A", 0.0, 1.0);
+  const Expected<AttemptHeader> read = readHeaderLine(lineOf(a.header));
+  REQUIRE(read);
+  CHECK(read->lesson.steps[0].tasks[0].asked == "before");
+  CHECK(read->lesson.steps[1].tasks[0].asked == "after");
+  CHECK(lineOf(sampleHeader()).find("asked") == std::string::npos);
+}
+
+TEST_CASE("attempts at a lesson that was parted into two are read and reported as that lesson, beside the new ones") {
+  // Its first line as the program wrote it when the lesson was one.
+  const std::string line =
+      R"({"kind":"attempt","format":1,"program":"0.1.0","began":"2026-11-01T08:00:00Z","student":"A","device":"Mouse",)"
+      R"("gives_force":false,"lesson":{"file":"haemoglobin-and-haem.md","title":"Haemoglobin and haem","hash":"0011223344556677",)"
+      R"("goals":["Find the chains"],"steps":[{"id":"four-chains","title":"Four chains","tasks":[{"kind":"cross","say":"Slide.",)"
+      R"("goals":[0]}]},{"id":"the-first-one-is-the-hardest","title":"The first one is the hardest","questions":[{"id":"how-many-more",)"
+      R"("text":"How many more?"}]},{"id":"aside-what-acid-does","title":"What acid does","aside":true}]}})"
+      "\n";
+  const Expected<AttemptHeader> header = readHeaderLine(line);
+  REQUIRE(header);
+  Attempt old;
+  old.header = *header;
+  old.events.push_back({1.0, TaskDone{"four-chains", 0, 1.0, InputWay::Mouse, {}, true}});
+  old.events.push_back({2.0, Answered{"the-first-one-is-the-hardest", "how-many-more", 1, {}, "36", true}});
+  Attempt now = old;
+  now.header.lesson.file = "four-chains-as-one.md";
+  now.header.lesson.title = "Four chains that work as one";
+  now.header.lesson.steps.resize(1);
+  now.events.resize(1);
+  const ClassSummary summary = summarise({old, now});
+  REQUIRE(summary.lessons.size() == 2);
+  const LessonSummary& parted = summary.lessons[1];
+  CHECK(parted.lesson.title == "Haemoglobin and haem");
+  REQUIRE(parted.people.size() == 1);
+  CHECK(parted.people[0].answered() == 1);
+  CHECK(goalScore(parted.lesson, parted.people[0], 0).done == 1);
+  CHECK(classPage(summary, {}, "now").find("How many more?") != std::string::npos);
+}
+
 TEST_CASE("one student's attempt of 9.5 s gives its figures, cell by cell") {
   const ClassSummary summary = summarise({sampleAttempt()});
   const auto rows = readCsv(classCsv(summary));
@@ -108,6 +199,27 @@ TEST_CASE("every figure of a task has its column, empty for who did not do it") 
     CHECK(std::stod(cell(rows, 1, column)) == doctest::Approx(f.value).epsilon(0.001));
     CHECK(cell(rows, 2, column).empty());
   }
+}
+
+TEST_CASE("4 attempts without a name are 4 attempts and no students; beside 1 named one they are told apart") {
+  std::vector<Attempt> attempts(4, sampleAttempt());
+  for (std::size_t k = 0; k < attempts.size(); ++k) {
+    attempts[k].header.student.clear();
+    attempts[k].header.lesson.file = "lesson-" + std::to_string(k) + ".md";
+  }
+  CHECK(summaryText(summarise(attempts)) == "4 lessons, 4 attempts, all without a name");
+  CHECK(summaryText(summarise(attempts, {.anonymous = true})) == "4 lessons, 4 attempts, all without a name");
+  attempts.push_back(sampleAttempt());
+  CHECK(summaryText(summarise(attempts)) == "1 student, 5 lessons, 5 attempts, 4 of them without a name");
+  CHECK(summaryText(summarise({sampleAttempt()})) == "1 student, 1 lesson, 1 attempt");
+}
+
+TEST_CASE("an attempt's beginning is read from its first line alone, whatever else the line holds") {
+  CHECK(beganOf(R"({"kind":"attempt","began":"2026-11-21T10:58:14Z","lesson":)") == "2026-11-21T10:58:14Z");
+  CHECK(beganOf(R"({"lesson":{"began":"x"},"student":"\"began\":\"y\"", "began" : "z"})") == "z");
+  CHECK(beganOf(R"({"began":7})").empty());
+  CHECK(beganOf("[\"began\",\"x\"]").empty());
+  CHECK(beganOf("").empty());
 }
 
 TEST_CASE("two lessons of one file name and different titles stay two, with columns of their own") {

@@ -69,7 +69,7 @@ TEST_CASE("a way through a lesson of 3 steps gives each of its events once, at t
 TEST_CASE("a force curve is told as it is handed in, before anything is felt, and the felt one when both are known") {
   LessonReading read =
       readLessonText("p.md",
-                     "---\ntitle: P\nminutes: 5\ngoals: G\nmolecules: mix\nauthor: A\nlicence: L\n---\n"
+                     "---\ntitle: P\nminutes: 1\ngoals: G\nmolecules: mix\nauthor: A\nlicence: L\n---\n"
                      "## One\n```scene\nmolecule: mix\n```\n```touch\npredict: anywhere\ndeep: 0.5 Å\nmost: 2 "
                      "N\nagree: 90\nsay: S\n```\n");
   REQUIRE(read.lesson);

@@ -14,7 +14,7 @@ namespace moltact {
 inline std::shared_ptr<const Lesson> smallLesson() {
   LessonReading read = readLessonText(
       "lessons/small.md",
-      "---\ntitle: Small\nminutes: 5\ngoals: G\nmolecules: mix\nauthor: A\nlicence: L\n---\n"
+      "---\ntitle: Small\nminutes: 1\ngoals: G\nmolecules: mix\nauthor: A\nlicence: L\n---\n"
       "## One\n```scene\nmolecule: mix\n```\n```touch\nreach: atom 0\nsay: S\npraise: P.\n```\n"
       "```touch\nreach: atom 1\nsay: Then this.\n```\n"
       "### Question: Which?\n- [x] yes → Good\n- [ ] no → Bad\n"

@@ -17,7 +17,7 @@ namespace {
 std::shared_ptr<const Lesson> branchingLesson() {
   LessonReading read = readLessonText(
       "lessons/ways.md",
-      "---\ntitle: Ways\nminutes: 5\ngoals:\n- Feel it\n- Say it\nmolecules: mix\nauthor: A\nlicence: L\n---\n"
+      "---\ntitle: Ways\nminutes: 1\ngoals:\n- Feel it\n- Say it\nmolecules: mix\nauthor: A\nlicence: L\n---\n"
       "## One\n```step\ngoal: 2\n```\n```scene\nmolecule: mix\n```\n"
       "### Question: Which?\n- [x] yes → Good.\n- [ ] no → See below. → thinks no\n- [ ] never → No. → thinks no\n"
       "```answer\nattempts: 3\nafter 2 wrong: go to Why\nif right at first: skip #two\n```\n"

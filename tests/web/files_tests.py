@@ -155,6 +155,43 @@ class LessonPage(FilesTest):
         self.assertEqual(others, [])
         self.no_errors(browser)
 
+    # Every sign that a pack's name may hold and that means something in HTML, in a script or in an address.
+    HOSTILE = ["a & b &lt;img src=x&gt; &quot;", "'onload='hit=1' x='", "';hit=1;'", "${hit=1}`${hit=1}`", "%3Cscript%3Ehit=1",
+               "=1+1", "-- --! ]] }}", "ünï 名前 𝔘"]
+
+    def hostile_page(self, name, edition):
+        folder = self.folder()
+        title = "</script><img src=x onerror=hit=1><script>hit=1</script>"
+        (folder / f"{name}.md").write_text(LESSON.replace("title: Three spheres", f"title: '{title}'"))
+        (folder / "mine.xyzr").write_text(SPHERES)
+        self.desktop("pack", f"{name}.md", "--html", "--page", edition, folder=folder)
+        return folder / f"{name}.html"
+
+    def test_names_and_titles_with_signs_of_html_stay_text_in_the_page(self):
+        """In a bare page, which shows what stands in it whatever the program does."""
+        edition = self.folder() / "bare.html"
+        edition.write_text("<!DOCTYPE html><meta charset=utf-8><body><!--a lesson comes here--><p id=end>end</p></body>")
+        browser = self.browser()
+        for name in self.HOSTILE:
+            with self.subTest(name=name):
+                browser.go(self.hostile_page(name, edition).as_uri())
+                browser.until("document.getElementById('end')")
+                self.assertEqual(browser.evaluate("document.getElementById('pack-bytes').dataset.name"), name + ".moltact")
+                self.assertEqual(browser.evaluate("document.querySelectorAll('script, img, [onload], [onerror]').length"), 1)
+                self.assertEqual(browser.evaluate("typeof hit"), "undefined")
+                self.assertEqual(browser.evaluate("atob(document.getElementById('pack-bytes').textContent).slice(0, 2)"), "PK")
+
+    def test_names_and_titles_with_signs_of_html_open_as_lessons(self):
+        for name in self.HOSTILE:
+            with self.subTest(name=name):
+                browser = self.browser()
+                browser.go(self.hostile_page(name, PAGE).as_uri())
+                browser.until("globalThis.moltact && moltact.page.frames > 1")
+                browser.wait_for("lesson/step", "The first step")
+                self.assertEqual(browser.evaluate("typeof hit"), "undefined")
+                self.no_errors(browser)
+                browser.close()
+
     def test_a_page_that_is_no_browser_edition_is_refused_by_name(self):
         folder = self.lesson()
         (folder / "other.html").write_text("<html></html>")

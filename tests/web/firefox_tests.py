@@ -15,7 +15,7 @@ class InFirefox(PageTest):
     def test_the_page_opens_from_a_file_with_all_lessons(self):
         browser = self.firefox()
         took_s = browser.open(PAGE.as_uri())
-        for lesson in ("first-touch", "bonds-and-creases", "dna-grooves-blind"):
+        for lesson in ("first-touch", "bond-or-contact", "dna-grooves-blind"):
             browser.wait_for(f"welcome/lesson/{lesson}")
         self.picture(browser, "firefox-welcome")
         print(f"Firefox: welcome page after {took_s:.1f} s")

@@ -23,7 +23,7 @@ class Welcome(PageTest):
     def test_opens_from_a_file_with_all_lessons_and_asks_no_server_for_anything(self):
         browser = self.browser()
         took_s = browser.open(PAGE.as_uri())
-        for lesson in ("first-touch", "bonds-and-creases", "dna-grooves-blind"):
+        for lesson in ("first-touch", "bond-or-contact", "dna-grooves-blind"):
             browser.wait_for(f"welcome/lesson/{lesson}")
         browser.frames(10)
         self.picture(browser, "welcome")

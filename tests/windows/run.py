@@ -85,7 +85,7 @@ class UnderWine(unittest.TestCase):
     def test_info_and_check_say_what_they_say_on_the_desktop(self):
         for command in (["info", "1ubq"], ["info", "1ubq", "--json"], ["info", "2hhb"], ["--help"], ["render", "--help"]):
             self.assertEqual(self.moltact(*command), self.desktop(*command))
-        lessons = [ROOT / "lessons" / name for name in ("first-touch.md", "first-touch.de.md", "bonds-and-creases.md")]
+        lessons = [ROOT / "lessons" / name for name in ("first-touch.md", "first-touch.de.md", "bond-or-contact.md")]
         self.assertEqual(self.moltact("check", *map(there, lessons)), self.desktop("check", *lessons))
 
     def test_what_is_wrong_is_said_and_given_as_the_status(self):

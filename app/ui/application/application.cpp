@@ -25,7 +25,7 @@ bool anyOf(std::span<Extension* const> all, bool (Extension::*says)() const) {
 Application::Application(ApplicationOptions given, ApplicationParts parts)
     : scene(given.clock),
       options_(std::move(given)),
-      picture_(std::make_unique<ViewPicture>()),
+      picture_(std::make_unique<ViewPicture>(options_.clock == ServoClock::Frames)),
       extensions_(parts.extensions(*this)),
       keys_(parts.keys),
       panels_(parts.panels) {
@@ -237,6 +237,19 @@ void Application::zoomTo(std::span<const std::uint32_t> atoms) {
   scene.camera.face(part->centre);
   const glm::vec2 view = layout_.view.size();
   scene.camera.fit(part->centre, part->radius_A, view.y > 0 ? double(view.x) / double(view.y) : 1.0);
+  for (Extension* e : extensions_->all()) e->viewReset(seen);
+}
+
+void Application::comeCloseTo(PointA place) {
+  constexpr double kAround_A = 7.0;
+  if (!scene.stage()) return;
+  const glm::vec2 view = layout_.view.size();
+  const Camera seen = scene.camera;
+  scene.camera.fit(place, kAround_A, view.y > 0 ? double(view.x) / double(view.y) : 1.0);
+  if (scene.camera.distance_A >= seen.distance_A) {
+    scene.camera = seen;  // it is close already
+    return;
+  }
   for (Extension* e : extensions_->all()) e->viewReset(seen);
 }
 

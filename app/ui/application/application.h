@@ -81,6 +81,7 @@ class Application final : public Opener {
   const ApplicationOptions& options() const { return options_; }
 
   void resetView() override;
+  void comeCloseTo(PointA place) override;
   void beginSceneAgain(std::optional<PointA> before = {}, const std::optional<Quat>& turned = {},
                        const std::vector<std::uint32_t>& removed = {}) override;
   /// The same as resetView because a person asked for it: it can be undone.

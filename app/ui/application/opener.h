@@ -24,6 +24,8 @@ class Opener {
 
   /// The camera as it was when the scene was opened.
   virtual void resetView() = 0;
+  /// Brings the camera close to a place, from the side from which it looks; a person can undo it.
+  virtual void comeCloseTo(PointA place) = 0;
   /// The scene as if its molecule had just been opened; `before` a place, it is turned to the front and the hand begins
   /// there; `turned`, the molecule is seen turned so (the screen's axes in its own). What of the `removed` atoms (ascending)
   /// the scene does not take from the hand anyway is not felt until the next call.

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "app/ui/widgets/key_focus.h"
+#include "app/ui/widgets/seen_parts.h"
 #include "engine/molecule/molecule_key.h"
 #include "engine/render/colour_legend.h"
 
@@ -31,6 +32,7 @@ struct PanelState : KeyFocus {
   bool set_by_lesson = false;  ///< the lesson's step set touch and methods, so that another sets them back
   std::size_t hints = 0;       ///< so many of the current step's hints are open, the first ones
   bool teacher_notes = false;  ///< the lesson's notes for the teacher are shown; never to the next student
+  float messages_end = 0.0f;   ///< where the messages over the view ended in the last frame (unit: pixel); 0: none
   bool legend = false;         ///< the legend of colours is open where it is too large for the view
   LegendMemory colours;        ///< what it says
   /// Whether the goals at the lesson's start are open; no value: as there is room.
@@ -44,7 +46,16 @@ struct PanelState : KeyFocus {
   float lesson_task_y = 0.0f;           ///< where the current task's own words end (unit: pixel); 0: none
   float lesson_question_y = 0.0f;       ///< where the step's last unanswered question begins (unit: pixel); 0: none
   float lesson_text_end = 0.0f;         ///< of what is shown of the lesson's text (unit: pixel)
-  bool lesson_more_below = false;       ///< some of the lesson's text lies below what is shown of it
+  SeenParts lesson_seen;                ///< of the step: what the student has had the time to see
+  std::size_t lesson_done = 0;          ///< its tasks and questions done when it was last drawn
+  double lesson_done_s = -1.0;          ///< when one was done last, by the frames' clock
+  struct LessonPart {
+    bool task = false;  ///< a task, else a question
+    std::size_t index = 0;
+  };
+  std::optional<LessonPart> lesson_wanted;  ///< of the step, to be scrolled into sight
+  bool lesson_closed = false;               ///< the closing page stood in the lesson panel in the last frame
+  bool lesson_more_below = false;           ///< some of the lesson's text lies below what is shown of it
   struct Word {
     std::string below;  ///< the block of the lesson's text below which its meaning stands, as it is recorded
     std::string id;     ///< as links write it

@@ -14,6 +14,7 @@
 #include "engine/language/catalogue.h"
 #include "engine/platform/background.h"
 #include "engine/platform/read_file.h"
+#include "engine/results/lesson_language.h"
 #include "engine/results/progress.h"
 
 namespace moltact {
@@ -101,7 +102,7 @@ void AttemptRecorder::resume(const std::filesystem::path& lesson_file, const std
     return;
   }
   if (paused_) return;  // whose work it is will be asked first
-  lesson_.session()->restore(memoryOf(*attempt));
+  lesson_.session()->restore(memoryOf(inTermsOf(outlineOf(lesson_.session()->lesson(), hash_), *attempt)));
   lesson_.session()->setOrderSeed(orderSeed(attempt->header), sittingsOf(*attempt));
   if (!log_) return;
   student_ = attempt->header.student;

@@ -23,12 +23,13 @@ Extensions::Extensions(Application& app)
       card_pictures(app.settings, app.options()),
       lesson_pictures(app.options(), app.time()),
       task_stager(app, app.scene, app.lesson, app.panels),
+      unseen(task_stager, app.scene, app.lesson, app.settings, app.picture(), app.time()),
       hand_model(app.settings, app.messages),
-      state_text(task_stager, app.scene, app.lesson, app.panels, app.time()),
-      touch_sound(app.scene, app.settings, app.messages, app.panels, app.options()),
+      state_text(unseen, app.scene, app.lesson, app.panels, app.time()),
+      touch_sound(unseen, app.scene, app.settings, app.messages, app.panels, app.options()),
       measuring(app.scene),
       own_look(app.scene),
-      touch_paint(task_stager, app.scene, app.lesson),
+      touch_paint(unseen, app.scene, app.lesson),
       device(task_stager, app.scene, app.settings, app.messages, app.panels, app.layout(), app.options(), app.time()),
       hand_recorder(recorder, device, app, app.scene, app.messages, app.panels, app.file_dialog, app.options()) {}
 

@@ -25,6 +25,7 @@
 #include "app/ui/extensions/task_stager.h"
 #include "app/ui/extensions/touch_paint.h"
 #include "app/ui/extensions/touch_sound.h"
+#include "app/ui/extensions/unseen.h"
 
 namespace moltact {
 
@@ -50,6 +51,7 @@ struct Extensions final : ExtensionSet {
   CardPictures card_pictures;
   LessonPictures lesson_pictures;
   TaskStager task_stager;
+  Unseen unseen;
   HandModel hand_model;
   StateText state_text;
   TouchSound touch_sound;
@@ -66,11 +68,11 @@ struct Extensions final : ExtensionSet {
   // The order of the calls. Locks come before the history, which then never sees what is locked change, and the history
   // before the scene change, whose glide it asks about; a name is asked for before the recorder begins; the device
   // comes before the hand recorder, which replaces the clutch and scale of the device by those of the recording.
-  std::array<Extension*, 22> all_{&settings_keeper, &lesson_watch,  &lesson_locks, &name_asker,    &recorder,
-                                  &turns,           &playback,      &history,      &scene_change,  &hand_model,
-                                  &shelf,           &card_pictures, &task_stager,  &moving_states, &state_text,
-                                  &touch_sound,     &measuring,     &touch_paint,  &device,        &hand_recorder,
-                                  &lesson_pictures, &own_look};
+  std::array<Extension*, 23> all_{&settings_keeper, &lesson_watch,    &lesson_locks, &name_asker,   &recorder,
+                                  &turns,           &playback,        &history,      &scene_change, &hand_model,
+                                  &shelf,           &card_pictures,   &task_stager,  &unseen,       &moving_states,
+                                  &state_text,      &touch_sound,     &measuring,    &touch_paint,  &device,
+                                  &hand_recorder,   &lesson_pictures, &own_look};
 };
 
 }  // namespace moltact

@@ -54,10 +54,11 @@ LessonPictures::LessonPictures(const ApplicationOptions& options, const FrameTim
 LessonPictures::~LessonPictures() = default;
 
 const LessonPictures::Shown& LessonPictures::find(const fs::path& file) {
-  auto [at, is_new] = kept_.try_emplace(file);
+  const fs::path plain = file.lexically_normal();  // "a.png" and "./a.png" are decoded once
+  auto [at, is_new] = kept_.try_emplace(plain);
   if (is_new) {
     at->second = std::make_unique<Kept>();
-    queue_.push_back(file);
+    queue_.push_back(plain);
   }
   return at->second->shown;
 }

@@ -14,6 +14,7 @@
 #include "app/ui/lesson/lesson_guide.h"
 #include "app/ui/widgets/messages.h"
 #include "engine/language/catalogue.h"
+#include "engine/lesson/minutes.h"
 #include "engine/lesson/reader.h"
 #include "engine/pack/unpack.h"
 
@@ -34,7 +35,7 @@ void read(LessonCard& card) {
   card.level = lesson.level;
   card.description = lesson.description;
   card.order = lesson.order;
-  card.minutes = lesson.minutes;
+  card.minutes = shownMinutes(lesson).core;
   card.scene = lesson.steps[lesson.cardStep().value_or(0)].scene;
   if (Expected<MoleculeKey> key = moleculeOf(*card.scene, card.file)) card.molecule = *std::move(key);
 }
@@ -60,6 +61,9 @@ void LessonShelf::list() {
     card.file = item.file;
     card.id = item.id;
     card.title = item.label;
+    card.level = item.level;
+    card.order = item.order;
+    card.minutes = item.minutes;
     card.own = own;
     for (const LessonProgress& p : progress)
       if (p.isOf(item.file, item.label)) card.progress = p;
@@ -77,6 +81,18 @@ void LessonShelf::list() {
     });
     if (card.progress && !there) cards_.push_back(std::move(card));
   }
+  sort();
+}
+
+// What decides the order stands at the head of each file, so that it is the same before the lessons are read and after.
+void LessonShelf::sort() {
+  std::stable_sort(cards_.begin(), cards_.end(), [](const LessonCard& a, const LessonCard& b) {
+    if (a.own != b.own) return b.own;
+    const auto item = [](const LessonCard& c) {
+      return LibraryItem{c.own ? c.title : c.id, c.title, c.file, c.own ? "" : c.level, c.own ? 0 : c.minutes, c.order};
+    };
+    return standsBefore(item(a), item(b));
+  });
 }
 
 void LessonShelf::begin(const LessonCard& card) {
@@ -114,8 +130,11 @@ bool LessonShelf::open(FileKind kind, const fs::path& file) {
 
 const LessonCard* LessonShelf::after(const fs::path& file) const {
   if (next_ < cards_.size()) return nullptr;
+  // The same file may have been opened by another of its names.
+  std::error_code error;
   for (std::size_t k = 0; k + 1 < cards_.size(); ++k)
-    if (cards_[k].file == file && cards_[k + 1].fault.empty()) return &cards_[k + 1];
+    if (cards_[k + 1].fault.empty() && (cards_[k].file == file || fs::equivalent(cards_[k].file, file, error)))
+      return &cards_[k + 1];
   return nullptr;
 }
 
@@ -129,20 +148,10 @@ const LessonCard* LessonShelf::latest() const {
 void LessonShelf::afterPanels() {
   const bool opened = panels_.welcome && !open_, other_language = listed_in_ != language();
   open_ = panels_.welcome;
-  const LessonSession* session = lesson_.session();
-  const bool asked = !open_ && session && !session->hasNext() && session->finished();
+  const bool asked = !open_ && lesson_.closing();
   if (opened || ((open_ || asked) && other_language)) list();
   if ((!open_ && !asked) || next_ >= cards_.size()) return;
   read(cards_[next_++]);
-  if (next_ < cards_.size()) return;
-  std::stable_sort(cards_.begin(), cards_.end(), [](const LessonCard& a, const LessonCard& b) {
-    const auto order = [](const LessonCard& c) {
-      const bool placed = c.order > 0;
-      return std::tuple(c.own, !placed, c.order, placed || c.own ? 0 : levelRank(c.level), c.id != kFirstLesson,
-                        placed || c.own ? 0 : c.minutes, c.own ? c.title : c.id);
-    };
-    return order(a) < order(b);
-  });
 }
 
 }  // namespace moltact

@@ -22,7 +22,7 @@ struct LessonCard {
   std::string level;        ///< as the author wrote it; may be empty
   std::string description;  ///< one line of the author's; may be empty
   int order = 0;            ///< its place among the others, 0: none
-  int minutes = 0;          ///< 0: not given
+  int minutes = 0;          ///< of its core; 0 until it has been read
   bool own = false;         ///< the person's own
   bool read = false;
   std::string fault;                       ///< why it cannot be opened; empty when it can
@@ -66,8 +66,8 @@ class LessonShelf : public Extension {
   bool open(FileKind kind, const std::filesystem::path& file) override;
   /// The lesson that stands after this file's; null where none does, or the shelf has not been read yet.
   const LessonCard* after(const std::filesystem::path& file) const;
-  /// Reads the lessons again while the welcome page is open, starting when it is opened; once too when a lesson is
-  /// finished, whose card tells what comes next.
+  /// Reads the lessons again while the welcome page is open, starting when it is opened; once too for the closing
+  /// page of a lesson, which tells what comes next.
   void afterPanels() override;
   bool live() const override { return next_ < cards_.size(); }
 
@@ -79,6 +79,7 @@ class LessonShelf : public Extension {
   PanelState& panels_;
   const ApplicationOptions& options_;
   void list();
+  void sort();
 
   AttemptRecorder& recorder_;
   std::vector<LessonCard> cards_;

@@ -1,7 +1,7 @@
 #include "app/ui/extensions/state_text.h"
 
 #include "app/ui/application/panel_state.h"
-#include "app/ui/extensions/task_stager.h"
+#include "app/ui/extensions/unseen.h"
 #include "app/ui/lesson/lesson_guide.h"
 #include "app/ui/scene/contact_text.h"
 #include "engine/language/catalogue.h"
@@ -43,11 +43,13 @@ void StateText::write(const std::string& line) {
 
 void StateText::stepChanged() {
   const LessonSession* session = lesson_.session();
-  write(trf("step {0} of {1}: {2}", session->stepIndex() + 1, session->lesson().steps.size(), session->step().title));
+  const LessonSession::StepPlace place = session->place();
+  write(session->step().aside ? trf("aside: {0}", session->step().title)
+                              : trf("step {0} of {1}: {2}", place.number, place.of, session->step().title));
 }
 
 std::string StateText::line(const TouchScene& scene) const {
-  if (!tells_contact_ || dark_) return reading_.text();
+  if (!tells_contact_ || tells_unnamed_) return reading_.text();
   return touchingText(reading_.text(), scene.log().shownForce_N(), scene.servo_settings.force_on);
 }
 
@@ -66,10 +68,14 @@ void StateText::afterPanels() {
   const Contact& contact = scene_.log().latest().contact;
   const bool force_on = scene_.servo_settings.force_on;
   const double force_N = force_on ? scene_.log().force_N() : 0.0;
-  const bool dark = dark_ = stager_.dark() || scene_.touchesUnseen();
-  const std::string what = dark ? unnamedContactText(contact) : whatOf(molecule, contact);
-  const std::string whole = dark ? what : contactText(molecule, contact, force_N, force_on);
-  if (reading_.update(what, what, 0, time_.now_s)) tells_contact_ = molecule && contact.touching();
+  const bool unnamed = !unseen_.names(contact);
+  const std::string what = unnamed ? unseen_.unnamedText(true) : whatOf(molecule, contact);
+  const std::string whole = unnamed ? unseen_.unnamedText(false) : contactText(molecule, contact, force_N, force_on);
+  if (reading_.update(what, what, 0, time_.now_s)) {
+    tells_contact_ = molecule && contact.touching();
+    tells_unnamed_ = unnamed;
+  }
+  if (reading_.text() == what) named_atoms_ = contact.atoms;
   if (speaking_.update(what, whole, force_N, time_.now_s)) write(whole);
   owing_ = reading_.owes(what) || ((to_terminal_ || file_) && speaking_.owes(what));
 }

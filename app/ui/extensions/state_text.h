@@ -3,6 +3,8 @@
 // what works with each of them (Orca or BRLTTY in a terminal, `moltact --state-text - | spd-say -e`). Window's thread.
 #pragma once
 
+#include <array>
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -16,14 +18,14 @@ namespace moltact {
 
 class LessonGuide;
 struct PanelState;
-class TaskStager;
 class TouchScene;
+class Unseen;
 
 class StateText : public Extension {
  public:
-  StateText(const TaskStager& stager, const TouchScene& scene, const LessonGuide& lesson, const PanelState& panels,
+  StateText(const Unseen& unseen, const TouchScene& scene, const LessonGuide& lesson, const PanelState& panels,
             const FrameTime& time)
-      : scene_(scene), lesson_(lesson), panels_(panels), time_(time), stager_(stager) {}
+      : scene_(scene), lesson_(lesson), panels_(panels), time_(time), unseen_(unseen) {}
 
   /// From now on lines go to this file, which is emptied first, or to standard output for "-": the step, what its task
   /// asks for, what is touched. Returns what went wrong, or nothing.
@@ -37,20 +39,25 @@ class StateText : public Extension {
   std::string line(const TouchScene& scene) const;
   /// line() tells of a contact, and not that there is none or why.
   bool tellsContact() const { return tells_contact_; }
+  /// The atoms that line() names; none where it names none.
+  std::optional<std::array<std::int32_t, 3>> namedAtoms() const {
+    return tells_contact_ && !tells_unnamed_ ? std::optional(named_atoms_) : std::nullopt;
+  }
 
  private:
   const TouchScene& scene_;
   const LessonGuide& lesson_;
   const PanelState& panels_;
   const FrameTime& time_;
-  const TaskStager& stager_;  // in the dark no atom is named
+  const Unseen& unseen_;
   void write(const std::string& line);
 
   StateLine reading_{StateLine::reading()}, speaking_{StateLine::speaking()}, task_{StateLine::speaking()};
   std::optional<AppendFile> file_;
   std::string word_;  // whose meaning was told last
   bool to_terminal_ = false;
-  bool tells_contact_ = false, dark_ = false;
+  bool tells_contact_ = false, tells_unnamed_ = false;
+  std::array<std::int32_t, 3> named_atoms_{-1, -1, -1};
   bool owing_ = false;  // a change has not been written yet
 };
 

@@ -13,7 +13,8 @@ namespace moltact {
 void TaskStager::beforeTicks() {
   panels_.arrows_draw = false;
   const LessonSession* session = lesson_.session();
-  const TaskStage wanted = session && lesson_.onStage() && scene_.stage() ? session->taskStage() : TaskStage();
+  TaskStage wanted = session && lesson_.onStage() && scene_.stage() ? session->taskStage() : TaskStage();
+  comeClose(std::exchange(wanted.close_to, std::nullopt));
   if (wanted == stage_) return;
   if (!session) {
     const bool lacks = !stage_.removed.empty() && scene_.stage();
@@ -29,6 +30,13 @@ void TaskStager::beforeTicks() {
   if (!anew) return;
   opener_.beginSceneAgain(wanted.facing, wanted.turned, wanted.removed);
   scene_.controls.letGo();
+}
+
+// Not under a hand that presses: the place would move away from it.
+void TaskStager::comeClose(const std::optional<PointA>& place) {
+  if (place == came_close_ || (place && scene_.controls.pressing())) return;
+  came_close_ = place;
+  if (place) opener_.comeCloseTo(*place);
 }
 
 void TaskStager::stepChanged() {

@@ -23,8 +23,10 @@ class TaskStager final : public Extension {
   // The step's own scene, without what a task of another step, or of the lesson as it was before, asked for.
   void stepChanged() override;
 
-  /// The molecule is not to be seen, and nothing on the screen may tell what it is that is touched.
+  /// The molecule is not to be seen.
   bool dark() const { return stage_.dark; }
+  /// The task asks what is touched.
+  bool asksWhat() const { return stage_.unnamed; }
   /// In the dark, whether the force is shown.
   bool showsForce() const { return stage_.force_meter; }
   /// The current task has two answers, and a device's second button gives the second: it is no clutch meanwhile.
@@ -37,9 +39,11 @@ class TaskStager final : public Extension {
   TouchScene& scene_;
   LessonGuide& lesson_;
   PanelState& panels_;
+  void comeClose(const std::optional<PointA>& place);
   void change(const TouchChange& before, const TouchChange& now);
 
   TaskStage stage_;
+  std::optional<PointA> came_close_;
   std::uint32_t buttons_ = 0;
   bool two_answers_ = false;
 };

@@ -1,6 +1,6 @@
 #include "app/ui/extensions/touch_paint.h"
 
-#include "app/ui/extensions/task_stager.h"
+#include "app/ui/extensions/unseen.h"
 #include "app/ui/lesson/lesson_guide.h"
 
 namespace moltact {
@@ -21,7 +21,7 @@ bool TouchPaint::paints() const {
 }
 
 void TouchPaint::beforeTicks() {
-  const bool dark = stager_.dark();
+  const bool dark = unseen_.all();
   if (dark && !dark_) {
     // Who has looked in between goes on where it was dark before.
     const std::size_t task = lesson_.session() ? lesson_.session()->currentTask() : 0;
@@ -85,6 +85,11 @@ void TouchPaint::goOn(const PointA& place, bool anew) {
     points_ += kept;
   }
   spacing_A_ *= 2.0;
+  // A hand that was only ever put down leaves nothing to be thinned out: its first places go.
+  while (points_ > kMostPoints / 2 && way_.size() > 1) {
+    points_ -= way_.front().size();
+    way_.erase(way_.begin());
+  }
 }
 
 void TouchPaint::stepChanged() {

@@ -1,5 +1,5 @@
-// What a touch leaves in the picture: atoms lightly painted, where the scene asks for it, and after a task in the dark
-// the way that the probe took there. Window's thread.
+// What a touch leaves in the picture: atoms lightly painted, where the scene asks for it, and after the
+// molecule was felt unseen the way that the probe took. Window's thread.
 #pragma once
 
 #include <memory>
@@ -12,17 +12,17 @@
 namespace moltact {
 
 class LessonGuide;
-class TaskStager;
+class Unseen;
 
 class TouchPaint final : public Extension {
  public:
-  TouchPaint(const TaskStager& stager, const TouchScene& scene, const LessonGuide& lesson)
-      : scene_(scene), lesson_(lesson), stager_(stager) {}
+  TouchPaint(const Unseen& unseen, const TouchScene& scene, const LessonGuide& lesson)
+      : scene_(scene), lesson_(lesson), unseen_(unseen) {}
 
   /// Atoms that were touched before the probe left the surface last, and since; null: none.
   const AtomList& painted() const { return painted_; }
   const AtomList& fresh() const { return fresh_; }
-  /// Null until it has been dark and is light again; of the task in which it was dark last.
+  /// The way of the probe while the molecule was unseen last; null until it is seen again.
   const std::shared_ptr<const Annotations>& trail() const { return trail_; }
 
   void beforeTicks() override;
@@ -36,7 +36,7 @@ class TouchPaint final : public Extension {
   void goOn(const PointA& place, bool anew);
   bool paints() const;
 
-  const TaskStager& stager_;
+  const Unseen& unseen_;
   std::set<std::uint32_t> touched_, since_;
   AtomList painted_, fresh_;
   std::shared_ptr<const Annotations> trail_;

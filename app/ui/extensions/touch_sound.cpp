@@ -4,6 +4,7 @@
 
 #include "app/ui/application/application_options.h"
 #include "app/ui/application/panel_state.h"
+#include "app/ui/extensions/unseen.h"
 #include "app/ui/files/settings.h"
 #include "engine/core/sample_ring.h"
 #include "engine/language/catalogue.h"
@@ -35,9 +36,9 @@ struct TouchSound::Playing {
                      }};
 };
 
-TouchSound::TouchSound(const TouchScene& scene, Settings& settings, Messages& messages, const PanelState& panels,
-                       const ApplicationOptions& options)
-    : scene_(scene), settings_(settings), messages_(messages), panels_(panels), options_(options) {}
+TouchSound::TouchSound(const Unseen& unseen, const TouchScene& scene, Settings& settings, Messages& messages,
+                       const PanelState& panels, const ApplicationOptions& options)
+    : unseen_(unseen), scene_(scene), settings_(settings), messages_(messages), panels_(panels), options_(options) {}
 TouchSound::~TouchSound() = default;
 
 void TouchSound::take(const TouchMoment& moment) {
@@ -55,7 +56,7 @@ void TouchSound::ticks(const FeltTicks& felt) {
     const bool slides = last_A_ && s.contact.touching() && !s.placed;
     const double slide_A_per_s = slides ? glm::distance(*last_A_, s.contact.scp.A) / kTick_s : 0.0;
     last_A_ = s.contact.touching() ? std::optional(s.contact.scp.A) : std::nullopt;
-    take({s.contact.feature, s.contact.atoms, glm::length(s.force.N), slide_A_per_s});
+    take(unseen_.heard(s, slide_A_per_s));
     if (playing_) continue;
     constexpr std::size_t kATick = kSamples_per_s / 1000;
     heard_.resize(heard_.size() + kATick);

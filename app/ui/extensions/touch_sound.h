@@ -1,8 +1,7 @@
 // Sound for the touch: fed with every tick, silent where there is no sound card. Who feels with a mouse or keys is asked
 // once, at the first touch, whether it is to be heard; it is quiet until the person wants it louder. On the frames'
-// clock nothing is played; what would have been heard is kept, for scripts and tests. It goes on while the screen is
-// dark: the force, the kind of place and the passing from one set of atoms to another are what a hand feels too, and no
-// atom is said by its name or element. Window's thread.
+// clock nothing is played; what would have been heard is kept, for scripts and tests. Where a task asks what is touched it
+// goes on with the force and the speed alone (unseen.h). Window's thread.
 #pragma once
 
 #include <memory>
@@ -18,11 +17,12 @@ namespace moltact {
 struct ApplicationOptions;
 struct PanelState;
 struct Settings;
+class Unseen;
 
 class TouchSound : public Extension {
  public:
-  TouchSound(const TouchScene& scene, Settings& settings, Messages& messages, const PanelState& panels,
-             const ApplicationOptions& options);
+  TouchSound(const Unseen& unseen, const TouchScene& scene, Settings& settings, Messages& messages,
+             const PanelState& panels, const ApplicationOptions& options);
   ~TouchSound() override;
 
   void ticks(const FeltTicks& felt) override;
@@ -38,6 +38,7 @@ class TouchSound : public Extension {
   const std::vector<float>& heard() const { return heard_; }
 
  private:
+  const Unseen& unseen_;
   const TouchScene& scene_;
   Settings& settings_;
   Messages& messages_;

@@ -49,12 +49,17 @@ std::vector<LibraryItem> lessonsOf(const std::vector<fs::path>& folders) {
     for (LibraryItem& item : lessonItems(folder))
       if (std::none_of(items.begin(), items.end(), [&](const LibraryItem& other) { return other.id == item.id; }))
         items.push_back(std::move(item));
-  const auto order = [](const LibraryItem& l) {
-    return std::tuple(levelRank(l.level), l.id != kFirstLesson, l.minutes, l.id);
-  };
-  std::stable_sort(items.begin(), items.end(),
-                   [&](const LibraryItem& a, const LibraryItem& b) { return order(a) < order(b); });
+  std::stable_sort(items.begin(), items.end(), standsBefore);
   return items;
+}
+
+bool standsBefore(const LibraryItem& a, const LibraryItem& b) {
+  const auto order = [](const LibraryItem& l) {
+    const bool placed = l.order > 0;
+    return std::tuple(!placed, l.order, placed ? 0 : levelRank(l.level), l.id != kFirstLesson, placed ? 0 : l.minutes,
+                      std::string_view(l.id));
+  };
+  return order(a) < order(b);
 }
 
 // Without reading the whole lesson.
@@ -68,6 +73,8 @@ LibraryItem lessonItem(const fs::path& file) {
     if (const std::string level = valueIn(line, "level:"); !level.empty()) out.level = level;
     if (const std::string minutes = valueIn(line, "minutes:"); !minutes.empty())
       std::from_chars(minutes.data(), minutes.data() + minutes.size(), out.minutes);
+    if (const std::string order = valueIn(line, "order:"); !order.empty())
+      std::from_chars(order.data(), order.data() + order.size(), out.order);
   }
   return out;
 }

@@ -15,7 +15,12 @@ struct LibraryItem {
   std::filesystem::path file;
   std::string level = {};  ///< of a lesson, in English: "beginner"
   int minutes = 0;         ///< of a lesson; 0: it says none
+  int order = 0;           ///< of a lesson: its place among the others; 0: it says none
 };
+
+/// How two lessons stand to each other wherever lessons are listed: those to which their authors gave a place, in that
+/// order, then by level, the newcomer's first, by length and name.
+bool standsBefore(const LibraryItem& a, const LibraryItem& b);
 
 /// Where a level's lessons stand in a list: 0 first. The level in English.
 int levelRank(std::string_view level);
@@ -25,12 +30,12 @@ inline constexpr std::string_view kFirstLesson = "first-touch";
 
 /// The molecules of the catalogue, their titles in the language in use; empty where the program's data are not found.
 const std::vector<LibraryItem>& library();
-/// The lessons of this computer, the easy and short ones first: those in `lessons` of sharedDataFolders(), and the program's; each once, in the
+/// The lessons of this computer in the order of standsBefore(): those in `lessons` of sharedDataFolders(), and the program's; each once, in the
 /// language in use.
 const std::vector<LibraryItem>& lessons();
 /// The lessons in a folder, by name; each once, in the language in use. Empty where it cannot be read.
 std::vector<LibraryItem> lessonItems(const std::filesystem::path& folder);
-/// The lessons in several folders, by level, the newcomer's first, then by length and name. Of lessons with the same name that in the first folder counts: a newer
+/// The lessons in several folders in the order of standsBefore(). Of lessons with the same name that in the first folder counts: a newer
 /// version, or one for this school.
 std::vector<LibraryItem> lessonsOf(const std::vector<std::filesystem::path>& folders);
 /// One lesson, with what its front matter says at a glance.

@@ -4,14 +4,17 @@
 #include <cmath>
 #include <cstdio>
 #include <numbers>
+#include <set>
 
 #include "app/ui/lesson/scene_marks.h"
 #include "engine/language/catalogue.h"
 #include "engine/lesson/glossary.h"
+#include "engine/lesson/lesson_files.h"
 #include "engine/lesson/lesson_molecules.h"
 #include "engine/lesson/lesson_region.h"
 #include "engine/lesson/reader.h"
 #include "engine/lesson/scene_atoms.h"
+#include "engine/render/cartoon.h"
 #include "engine/render/molecule_model.h"
 
 namespace moltact {
@@ -60,6 +63,67 @@ std::vector<StyledAtoms> usualStyles(const SceneSpec& scene, const Molecule& mol
   return styles;
 }
 
+// The language of a lesson: as its front matter says it, or its file's name; English where a file names none beside its
+// translations. Empty where nothing says it.
+std::string languageOf(const Lesson& lesson, const std::filesystem::path& file) {
+  if (!lesson.language.empty()) return lesson.language;
+  const LessonName name = lessonName(file);
+  if (!name.language.empty()) return name.language;
+  std::error_code error;
+  for (const auto& beside : std::filesystem::directory_iterator(file.parent_path(), error))
+    if (const LessonName other = lessonName(beside.path());
+        beside.path().extension() == ".md" && other.id == name.id && !other.language.empty())
+      return "en";
+  return {};
+}
+
+// A sentence of the program has no words of an author who writes another language: targets are called by the program.
+void keepSentencesWhole(Lesson& lesson, const std::filesystem::path& file) {
+  const std::string its = languageOf(lesson, file);
+  if (its.empty() || its == language()) return;
+  for (Step& step : lesson.steps)
+    for (TaskSpec& task : step.tasks) {
+      KeyValues kept;
+      for (const auto& [key, value] : task.values)
+        if (key != "called" && key != "arrival") kept.set(key, value);
+      task.values = std::move(kept);
+    }
+}
+
+// A ribbon shows no single atoms. What a scene highlights in it, and marks of a few residues, are drawn as the spheres that
+// the hand feels, so that a ring or a colour has something in it.
+void showMarkedInRibbons(const SceneSpec& scene, const Molecule& molecule, std::vector<StyledAtoms>& styles) {
+  constexpr std::size_t kFew_residues = 8;
+  std::vector<bool> in_ribbon(molecule.atoms.size()), itself(molecule.atoms.size());
+  std::size_t ribbon_residues = 0;
+  for (const StyledAtoms& s : styles) {
+    const bool ribbons = s.style == DrawStyle::Cartoon;
+    const auto take = [&](std::uint32_t a) {
+      const std::uint32_t r = molecule.atoms[a].residue;
+      (ribbons && r != kNoResidue && inCartoon(molecule.residues[r]) ? in_ribbon : itself)[a] = true;
+    };
+    if (s.atoms)
+      for (const std::uint32_t a : *s.atoms) take(a);
+    else
+      for (std::uint32_t a = 0; a < molecule.atoms.size(); ++a) take(a);
+  }
+  for (const Residue& r : molecule.residues) ribbon_residues += r.atom_count > 0 && in_ribbon[r.first_atom];
+  if (ribbon_residues == 0) return;
+  std::set<std::uint32_t> shown;
+  const auto show = [&](const Selection& selection, std::size_t most_residues) {
+    if (!selection.given()) return;
+    std::set<std::uint32_t> atoms, residues;
+    for (const std::uint32_t a : selection.select(molecule))
+      if (in_ribbon[a] && !itself[a]) atoms.insert(a), residues.insert(molecule.atoms[a].residue);
+    if (residues.size() <= most_residues) shown.insert(atoms.begin(), atoms.end());
+  };
+  show(scene.highlight, ribbon_residues / 3);  // of more the ribbon itself, in the colour of targets, says enough
+  for (const MarkSpec& mark : scene.marks) show(mark.atoms, kFew_residues);
+  if (shown.empty()) return;
+  styles.push_back({.style = DrawStyle::Spheres,
+                    .atoms = std::make_shared<const std::vector<std::uint32_t>>(shown.begin(), shown.end())});
+}
+
 }  // namespace
 
 AtomsLook looksOf(const SceneSpec& scene, const Molecule& molecule) {
@@ -69,6 +133,7 @@ AtomsLook looksOf(const SceneSpec& scene, const Molecule& molecule) {
   AtomsLook looks;
   for (const StyleSpec& s : scene.styles) looks.styles.push_back({s.style, listOf(s.atoms), float(s.opacity)});
   if (scene.styles.empty()) looks.styles = usualStyles(scene, molecule);
+  showMarkedInRibbons(scene, molecule, looks.styles);
   if (std::vector<std::uint32_t> hidden = hiddenAtoms(scene, molecule); !hidden.empty())
     looks.hidden = std::make_shared<const std::vector<std::uint32_t>>(std::move(hidden));
   looks.spheres_near_A = scene.near_A;
@@ -83,9 +148,11 @@ bool LessonGuide::open(const std::filesystem::path& file) {
   LessonReading reading = readLesson(file);
   if (!reading.lesson) return false;
   linkWords(*reading.lesson, glossaryBeside(file, reading.lesson->language));
+  keepSentencesWhole(*reading.lesson, file);
   session_ = std::make_unique<LessonSession>(std::make_shared<const Lesson>(*std::move(reading.lesson)));
   file_ = file;
   scene_changed_ = true;
+  closing_ = false;
   ++openings_;
   return true;
 }
@@ -97,6 +164,7 @@ void LessonGuide::replace(Lesson lesson) {
   const bool seen = !scene_changed_ && session_->sceneNumber() == scene_seen_;
   const bool kept_drafts = drafts_opening_ == openings_;
   linkWords(lesson, glossaryBeside(file_, lesson.language));
+  keepSentencesWhole(lesson, file_);
   session_->replaceLesson(std::make_shared<const Lesson>(std::move(lesson)));
   ++openings_;
   if (kept_drafts && session_->step().id == step) drafts_opening_ = openings_;
@@ -104,16 +172,25 @@ void LessonGuide::replace(Lesson lesson) {
 }
 
 void LessonGuide::next() {
-  if (session_) session_->next();
+  if (atLastStep())
+    closing_ = true;
+  else if (session_)
+    session_->next();
 }
 
 void LessonGuide::back() {
-  if (session_) session_->back();
+  if (closing())
+    closing_ = false;
+  else if (session_)
+    session_->back();
 }
 
 bool LessonGuide::follow(const std::string& link) {
   if (!session_ || !link.starts_with('#')) return false;
-  return !session_->mayGoTo(link) || session_->goTo(link);
+  if (!session_->mayGoTo(link)) return true;
+  if (!session_->goTo(link)) return false;
+  closing_ = false;
+  return true;
 }
 
 AnswerDrafts& LessonGuide::drafts() {
@@ -209,7 +286,13 @@ std::optional<CutPlane> cutOf(const SceneSpec& scene, const Molecule& molecule, 
 void faceView(Camera& camera, const Molecule& molecule, const ViewSpec& view, const SceneSpec& scene) {
   if (view.facing.given()) {
     const std::vector<std::uint32_t> atoms = presentAtoms(view.facing, scene, molecule);
-    if (!atoms.empty()) camera.face(middleOf(atoms, molecule));
+    if (nearlyAllPresent(atoms, scene, molecule)) {
+      std::vector<Vec3> places_A;
+      for (const std::uint32_t a : atoms) places_A.push_back(molecule.atoms[a].position.A);
+      camera.lookAlongThinnest(places_A);
+    } else if (!atoms.empty()) {
+      camera.face(middleOf(atoms, molecule));
+    }
     return;
   }
   if (view.turned_deg) {
@@ -258,6 +341,9 @@ void LessonGuide::decorate(ViewScene& scene) const {
   scene.highlighted = highlighted_;
   // What a task asked for whose tries are used up.
   if (const std::vector<std::uint32_t> shown = session_->shownAtoms(); !shown.empty()) scene.highlighted = shown;
+  if (looks_.hidden)
+    std::erase_if(scene.highlighted,
+                  [&](std::uint32_t a) { return std::binary_search(looks_.hidden->begin(), looks_.hidden->end(), a); });
   // They go with atoms that have moved.
   if (annotations_ && scene.molecule && scene.molecule != annotated_) {
     annotations_ = annotationsOf(session_->scene(), *scene.molecule);

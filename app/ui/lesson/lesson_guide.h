@@ -55,8 +55,12 @@ class LessonGuide {
   /// Grows each time a lesson is opened; 0 before the first.
   std::size_t openings() const { return openings_; }
 
-  bool canGoOn() const { return session_ && session_->hasNext() && session_->mayGoOn(); }
-  bool canGoBack() const { return session_ && session_->hasBack(); }
+  bool canGoOn() const { return session_ && (atLastStep() ? !closing_ : session_->hasNext() && session_->mayGoOn()); }
+  bool canGoBack() const { return session_ && (closing() || session_->hasBack()); }
+  /// The step after which the lesson's closing page comes.
+  bool atLastStep() const { return session_ && !session_->hasNext() && !session_->step().aside; }
+  /// The closing page stands in the place of the last step's text; the step's scene stays.
+  bool closing() const { return closing_ && atLastStep(); }
   void next();
   void back();
   /// Follows a link to a step ("#step-id"); false where there is no such step. Stays where another step must be
@@ -88,6 +92,8 @@ class LessonGuide {
   bool locks(std::string_view key) const { return session_ && session_->scene().locks(key); }
   /// How the step draws the atoms; as spheres without one.
   const AtomsLook& looks() const { return looks_; }
+  /// Hides others of its atoms until the molecule is met again.
+  void hide(AtomList atoms) { looks_.hidden = std::move(atoms); }
   /// Cuts them open as the step asks for, once the camera looks at them as it does.
   void cutFor(const Camera& camera, const Molecule& molecule);
   /// The atoms that the step takes from the hand, ascending.
@@ -109,7 +115,7 @@ class LessonGuide {
   AnswerDrafts drafts_;
   std::size_t openings_ = 0, drafts_opening_ = 0, drafts_step_ = 0;
   std::size_t scene_seen_ = 0;
-  bool scene_changed_ = false, on_stage_ = false;
+  bool scene_changed_ = false, on_stage_ = false, closing_ = false;
   std::vector<std::uint32_t> highlighted_, untouchable_, held_;
   std::optional<Region> region_, zoomed_;
   AtomsLook looks_;

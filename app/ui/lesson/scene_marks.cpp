@@ -1,10 +1,15 @@
 #include "app/ui/lesson/scene_marks.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
+#include <set>
 
 #include "engine/language/catalogue.h"
+#include "engine/lesson/scene_atoms.h"
+#include "engine/render/molecule_model.h"
 #include "engine/structure/bonds.h"
+#include "engine/structure/colour_sight.h"
 #include "engine/structure/hydrogen_bonds.h"
 #include "engine/structure/measure.h"
 
@@ -106,6 +111,34 @@ void addCaptions(const SceneSpec& scene, const Molecule& molecule, std::vector<A
   }
 }
 
+Rgb8 colour8(const Colour& colour) {
+  Rgb8 out;
+  for (int k = 0; k < 3; ++k) out[std::size_t(k)] = static_cast<std::uint8_t>(std::lround(255.0f * colour[k]));
+  return out;
+}
+
+// The colours of the atoms that are drawn and have no mark; none of a gradient, or of so many chains that their colours
+// repeat: no shade keeps apart from them all.
+std::vector<Rgb8> coloursBeside(const SceneSpec& scene, const Molecule& molecule, const std::vector<OwnColour>& marks) {
+  constexpr std::size_t kMost = 24;
+  if (scene.colour == "chain" && molecule.chains.size() > kChainColours) return {};
+  std::vector<bool> without(molecule.atoms.size(), true);
+  for (const OwnColour& mark : marks)
+    for (const std::uint32_t a : mark.atoms) without[a] = false;
+  for (const std::uint32_t a : hiddenAtoms(scene, molecule)) without[a] = false;
+  AtomPaint paint;
+  paint.elements = shownColours(ElementColours::Customary, molecule.atoms.size());
+  if (scene.colour == "chain") paint.by = ColourBy::Chain;
+  paint.colouring = schemeColouring(molecule, scene.colour);
+  const std::vector<std::uint32_t> packed = atomColours(molecule, paint);
+  std::set<Rgb8> found;
+  for (std::size_t a = 0; a < packed.size() && found.size() <= kMost; ++a)
+    if (without[a])
+      found.insert({std::uint8_t(packed[a]), std::uint8_t(packed[a] >> 8), std::uint8_t(packed[a] >> 16)});
+  if (found.size() > kMost) return {};
+  return {found.begin(), found.end()};
+}
+
 }  // namespace
 
 std::string atomLabel(const Molecule& molecule, std::uint32_t atom) {
@@ -156,15 +189,21 @@ std::shared_ptr<const std::vector<OwnColour>> marksOf(const SceneSpec& scene, co
   const auto taken = [&](std::string_view colour) {
     return std::any_of(scene.marks.begin(), scene.marks.end(), [&](const MarkSpec& m) { return m.word == colour; });
   };
+  std::vector<Rgb8> colours;
   for (const MarkSpec& spec : scene.marks) {
     std::string_view colour = spec.word;
     if (colour.empty()) {
       while (next + 1 < std::size(kMarkColours) && taken(kMarkColours[next])) ++next;
       colour = kMarkColours[next++ % std::size(kMarkColours)];
     }
-    if (const Expected<Rgb8> rgb = parseColour(colour))
+    if (const Expected<Rgb8> rgb = parseColour(colour)) {
       out->push_back({.atoms = atomsOf(spec.atoms, molecule), .colour = *rgb, .name = spec.name});
+      colours.push_back(*rgb);
+    }
   }
+  const Rgb8 targets[] = {colour8(darkTheme().target), colour8(lightTheme().target)};
+  colours = shadesApart(colours, targets, coloursBeside(scene, molecule, *out));
+  for (std::size_t k = 0; k < colours.size(); ++k) (*out)[k].colour = colours[k];
   return out;
 }
 

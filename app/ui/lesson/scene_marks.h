@@ -15,7 +15,7 @@ namespace moltact {
 std::shared_ptr<const Annotations> annotationsOf(const SceneSpec& scene, const Molecule& molecule);
 
 /// The atoms of its marks with their colours and names; null where it has none. A mark without a colour gets the next one
-/// that no other has.
+/// that no other has; each is a shade of its colour that every kind of sight tells from the others (shadesApart).
 std::shared_ptr<const std::vector<OwnColour>> marksOf(const SceneSpec& scene, const Molecule& molecule);
 
 /// The name of an atom, its residue or its chain over the picture: "CA", "Glu 35", "chain A".

@@ -450,9 +450,8 @@ void runShortcuts(Application& app) {
     if ((page || io.WantTextInput) && !action.while_writing) continue;
     if ((keysPressed(action.shortcut) || keysPressed(action.also)) && enabled(action, app)) action.run(app);
   }
-  // Escape first lets go of the molecule; only with a free hand does it lead away from it, and never out of a lesson.
-  const bool hand_busy = app.scene.controls.pressing() || ImGui::IsAnyMouseDown() || ImGui::IsKeyDown(ImGuiKey_Space);
-  if (!page && !io.WantTextInput && !hand_busy && (app.panels.welcome || !app.lesson.session()) &&
+  // Escape closes what is open. It leads back from the welcome page, and never away from a molecule or a lesson.
+  if (!page && !io.WantTextInput && !ImGui::IsAnyMouseDown() && app.panels.welcome && app.hasWork() &&
       keysPressed("Escape"))
     findAction("welcome")->run(app);
 }

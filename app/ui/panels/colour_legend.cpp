@@ -71,7 +71,8 @@ float drawLine(Application& app, ImVec2 low) {
 
 }  // namespace
 
-void drawColourLegend(Application& app, const Rectangle& view, const Rectangle& kept_free) {
+void drawColourLegend(Application& app, ViewRoom& room) {
+  const Rectangle &view = room.view, &kept_free = room.slider;
   if (!app.settings.legend || !app.scene.shown.has(ViewPart::Atoms)) return;
   std::vector<LegendEntry> entries = entriesOf(app);
   if (entries.empty()) return;
@@ -88,15 +89,20 @@ void drawColourLegend(Application& app, const Rectangle& view, const Rectangle& 
   // What stands at the top of the view keeps its place.
   const float stands = !large ? width : app.panels.legend ? std::max(width, sizeOfLine().x) : sizeOfLine().x;
   if (!kept_free.empty() && low.x + stands > kept_free.low.x) low.y = kept_free.high.y + l.px(8);
+  const float most_x = view.high.x - l.px(60), most_y = std::min(view.high.y - l.px(80), room.words_top);
   if (large) {
+    const Rectangle closed{{low.x, low.y}, {low.x + sizeOfLine().x, low.y + sizeOfLine().y}};
+    if (closed.high.y > room.words_top || !room.isFree(closed)) return;
+    room.take(closed);
     low.y = drawLine(app, low) + l.px(4);
     if (!app.panels.legend) return;
   }
-  const float most_x = view.high.x - l.px(60), most_y = view.high.y - l.px(80);
   const auto lines = std::size_t(std::max(0.0f, std::floor((most_y - low.y + l.px(5) - 2 * pad) / line)));
   if (lines == 0 || low.x + indent + 2 * pad >= most_x) return;  // no room for it
   if (entries.size() > lines) entries.resize(lines);
   const ImVec2 high{std::min(low.x + width, most_x), low.y + heightOf(entries.size())};
+  if (!room.isFree({{low.x, low.y}, {high.x, high.y}})) return;
+  room.take({{low.x, low.y}, {high.x, high.y}});
   ImDrawList* draw = ImGui::GetWindowDrawList();
   draw->AddRectFilled(low, high, faded(l.palette.panel, 0.88f), l.px(8));
   std::string text;

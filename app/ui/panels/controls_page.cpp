@@ -29,6 +29,8 @@ constexpr std::array kRows{
         N_("Ctrl, drag left button"), true},
     Row{N_("Move the view"), N_("drag middle button"), N_("Shift + arrows")},
     Row{N_("Closer, farther"), N_("wheel"), N_("Page Up, Page Down")},
+    Row{N_("Close to an atom"), N_("click twice"), N_("Ctrl + F")},
+    Row{N_("Name of an atom"), N_("point at it"), ""},
     Row{N_("Answer a question"), N_("click"), N_("1 to 9, then Enter for several")},
     Row{N_("Write an answer"), N_("click the field"), N_("A, then Enter")},
     Row{N_("Buttons of a task"), N_("click"), N_("Enter, or the letter on it")},
@@ -42,7 +44,7 @@ constexpr std::array kRows{
     Row{N_("Back to the molecule"), N_("click"), N_("Esc")},
     Row{N_("Menus"), N_("click"), N_("F10 or Alt, or Alt + {0}")},
     Row{N_("Open a file"), N_("drop it on the window"), N_("Ctrl + O")},
-    Row{N_("Leave the molecule"), N_("house in the tool bar"), N_("Esc with a free hand")},
+    Row{N_("Leave the molecule"), N_("house in the tool bar"), N_("Ctrl + H")},
 };
 
 void head(const char* text) {

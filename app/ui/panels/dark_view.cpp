@@ -73,14 +73,6 @@ void drawDirection(const Vec3& direction, ImVec2 middle, float radius) {
   }
 }
 
-// Whereto the force that is felt leads, in the camera's axes; nothing where no force is given.
-Vec3 pushOf(const Application& app) {
-  const ServoSample& now = app.scene.log().latest();
-  const Vec3& way = now.contact.displacement_A;
-  if (!app.scene.log().touching() || app.scene.log().force_N() <= 0.0 || !(glm::length(way) > 1e-6)) return Vec3(0.0);
-  return glm::conjugate(app.scene.camera.orientation) * glm::normalize(way);
-}
-
 }  // namespace
 
 void drawDarkView(Application& app, const Rectangle& view) {
@@ -94,7 +86,7 @@ void drawDarkView(Application& app, const Rectangle& view) {
               radius = std::min(l.px(78), 0.25f * std::min(view.size().x, view.size().y));
   float below = middle.y;
   if (app.extensions().task_stager.showsForce()) {
-    const Vec3 push = pushOf(app);
+    const Vec3 push = app.scene.pushInView();
     drawMeter(log.force_N(), app.scene.servo_settings.max_force_N, middle, radius);
     drawDirection(push, middle, 0.72f * radius);
     below += radius + l.px(22);
@@ -108,6 +100,11 @@ void drawDarkView(Application& app, const Rectangle& view) {
                            : log.touching()   ? tr("Slide with the mouse or the arrow keys; wheel, + and − push")
                                               : tr("Hold the left button, or Space, to push");
   centred("view/hint", l.font(Font::Small), hint, {middle.x, view.high.y - l.px(26)}, width, kQuiet);
+}
+
+void drawDarkVeil(const Rectangle& view, float strength) {
+  ImGui::GetWindowDrawList()->AddRectFilled({view.low.x, view.low.y}, {view.high.x, view.high.y},
+                                            faded(kGround, strength));
 }
 
 bool drawnDark(Application& app) {

@@ -15,18 +15,20 @@
 
 namespace moltact {
 
-void drawDepthGauge(Application& app, const Rectangle& view) {
+void drawDepthGauge(Application& app, ViewRoom& room, float bottom_px) {
+  const Rectangle& view = room.view;
   const ServoSample& now = app.scene.log().latest();
-  const bool body = app.scene.stage().body != nullptr;  // its springs' mean, not their sum
-  const double depth_A = body ? glm::distance(now.contact.scp.A, now.hip.A) : glm::length(now.contact.displacement_A);
-  if (!app.settings.depth_gauge || !app.scene.shown.has(ViewPart::Hip) || !now.contact.touching() || !(depth_A > 0.0) ||
-      !std::isfinite(depth_A))
+  const double depth_A = glm::length(now.contact.displacement_A);
+  // A body rests on many places at once and has no one depth under a surface.
+  if (!app.settings.depth_gauge || app.scene.stage().body || !app.scene.shown.has(ViewPart::Hip) ||
+      !now.contact.touching() || !(depth_A > 0.0) || !std::isfinite(depth_A))
     return;
   const Look& l = look();
   const ImVec2 size{l.px(92), l.px(124)};
-  const ImVec2 low{view.high.x - size.x - l.px(18), view.high.y - size.y - l.px(64)},
-      high{low.x + size.x, low.y + size.y};
-  if (low.x < view.low.x + l.px(220) || low.y < view.low.y + l.px(80)) return;  // no room for it
+  const ImVec2 low{view.high.x - size.x - l.px(18), bottom_px - size.y}, high{low.x + size.x, low.y + size.y};
+  const Rectangle place{{low.x, low.y}, {high.x, high.y}};
+  if (low.x < view.low.x + l.px(220) || low.y < view.low.y + l.px(56) || !room.isFree(place)) return;
+  room.take(place);
   const Theme theme = l.viewTheme();
   const auto packed = [](const Colour& c) { return ImGui::ColorConvertFloat4ToU32({c.x, c.y, c.z, 1.0f}); };
   const double strongest_N = std::max(0.1, app.scene.servo_settings.max_force_N);
@@ -35,9 +37,9 @@ void drawDepthGauge(Application& app, const Rectangle& view) {
   draw->AddRectFilled(low, high, faded(l.palette.panel, 0.85f), l.px(8));
 
   // The probe as large as it is beside the depth; both smaller where they do not fit.
-  const float room = size.y - l.px(44), middle = 0.5f * (low.x + high.x);
+  const float inside = size.y - l.px(44), middle = 0.5f * (low.x + high.x);
   const double whole_A = 2.0 * now.probe_A + std::max(depth_A, 2.0);
-  const float px_per_A = std::min(saturateToFloat(room / whole_A), l.px(16));
+  const float px_per_A = std::min(saturateToFloat(inside / whole_A), l.px(16));
   const float radius = std::max(l.px(3), saturateToFloat(now.probe_A) * px_per_A),
               top = low.y + l.px(8) + 2.0f * radius;
   const float hand = top - radius + std::min(saturateToFloat(depth_A) * px_per_A, high.y - l.px(30) - top + radius);

@@ -1,4 +1,4 @@
-// What safety does to the force, over the lower edge of the view: that all force is stopped, and which limit acts; where
+// What safety does to the force: that all force is stopped, and which limit acts; where
 // the force is only shown, the limits that take it away from under a hand that pushes.
 #include <algorithm>
 #include <string>
@@ -6,30 +6,37 @@
 #include "app/ui/application/application.h"
 #include "app/ui/extensions/device_link.h"
 #include "app/ui/extensions/extensions.h"
+#include "app/ui/panels/view_overlays.h"
 #include "app/ui/widgets/controls.h"
+#include "app/ui/widgets/rich_text.h"
 #include "app/ui/widgets/theme.h"
 #include "app/ui/widgets/widget_map.h"
 #include "engine/language/catalogue.h"
 
 namespace moltact {
 
+std::string limitText(const Application& app) {
+  if (app.panels.device_page) return {};  // which tells them itself
+  if (app.scene.servo_settings.panic) return tr("All force is stopped. F9 allows it again.");
+  std::string text;
+  for (const std::string& words : app.extensions().device.limitNotices()) text += (text.empty() ? "" : "\n") + words;
+  return text;
+}
+
+// Over a view that is dark or empty; else the lines at the view's lower edge have it (view_overlays.cpp).
 void drawLimitNotice(Application& app) {
-  if (app.panels.device_page) return;  // which tells them itself
   const Rectangle& view = app.layout().view;
   const bool stopped = app.scene.servo_settings.panic;
-  std::string text;
-  if (stopped) {
-    text = tr("All force is stopped. F9 allows it again.");
-  } else {
-    for (const std::string& words : app.extensions().device.limitNotices()) text += (text.empty() ? "" : "\n") + words;
-  }
-  if (text.empty() || view.empty() || app.panels.welcome) return;
+  const std::string text = limitText(app);
+  if (text.empty() || view.empty() || app.panels.welcome || (app.scene.stage() && !app.extensions().task_stager.dark()))
+    return;
 
   const Look& l = look();
   const Palette& p = l.palette;
   const float pad = l.px(12), most = std::min(view.size().x - l.px(28), l.tx(460));
   if (most < l.px(120)) return;
-  const ImVec2 words = ImGui::CalcTextSize(text.c_str(), nullptr, false, most - 2 * pad);
+  const std::string lines = wrapped(text, most - 2 * pad);
+  const ImVec2 words = ImGui::CalcTextSize(lines.c_str(), nullptr, false, most - 2 * pad);
   const float width = words.x + 2 * pad, height = words.y + 2 * l.px(8), bottom = view.high.y - l.px(56);
   ImGui::SetNextWindowPos({std::round(0.5f * (view.low.x + view.high.x - width)), std::round(bottom - height)});
   ImGui::SetNextWindowSize({width, height});
@@ -42,7 +49,7 @@ void drawLimitNotice(Application& app) {
                ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
                    ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoInputs);
   ImGui::PushTextWrapPos(pad + words.x + 1);
-  ImGui::TextUnformatted(text.c_str());
+  ImGui::TextUnformatted(lines.c_str());
   recordItem("limits", text);
   ImGui::PopTextWrapPos();
   ImGui::End();

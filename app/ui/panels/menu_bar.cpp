@@ -77,16 +77,39 @@ void shapesMenu(Application& app) {
   ImGui::EndMenu();
 }
 
+constexpr float kSeeThrough = 0.55f;
+
+bool showsWhatIsBound(const std::vector<StyledAtoms>& styles) {
+  return styles.size() == 2 && styles[0].style == DrawStyle::Surface && styles[1].style == DrawStyle::BallAndStick;
+}
+
+// All atoms in one style. A surface hides what is bound in it: there the ligands are drawn as balls and sticks, and the
+// surface of all else lets them be seen.
+std::vector<StyledAtoms> stylesOf(DrawStyle style, const Molecule* molecule) {
+  std::vector<std::uint32_t> bound, others;
+  if (style == DrawStyle::Surface && molecule)
+    for (std::uint32_t a = 0; a < molecule->atoms.size(); ++a) {
+      const std::uint32_t r = molecule->atoms[a].residue;
+      (r != kNoResidue && molecule->residues[r].kind == ResidueKind::Ligand ? bound : others).push_back(a);
+    }
+  if (bound.empty() || others.empty()) return {{.style = style}};
+  const auto listOf = [](std::vector<std::uint32_t> atoms) {
+    return std::make_shared<const std::vector<std::uint32_t>>(std::move(atoms));
+  };
+  return {{.style = style, .atoms = listOf(std::move(others)), .opacity = kSeeThrough},
+          {.style = DrawStyle::BallAndStick, .atoms = listOf(std::move(bound))}};
+}
+
 // With the shapes it begins the group of what is drawn.
 void styleMenu(Application& app) {
   ImGui::Separator();
   if (!beginSubmenu(app, "menu/view/style", tr("Style"), !app.panels.welcome && !app.lesson.locks("show"))) return;
   for (const DrawStyleInfo& style : drawStyles()) {
-    const std::vector<StyledAtoms> only{{.style = style.style}};
-    const bool on =
-        app.scene.look.styles == only || (app.scene.look.styles.empty() && style.style == DrawStyle::Spheres);
+    const std::vector<StyledAtoms>& now = app.scene.look.styles;
+    const bool on = now.empty() ? style.style == DrawStyle::Spheres
+                                : now[0].style == style.style && (now.size() == 1 || showsWhatIsBound(now));
     if (item("menu/view/style/" + std::string(style.name), style.shownLabel(), nullptr, on))
-      app.scene.look.styles = only;
+      app.scene.look.styles = stylesOf(style.style, app.scene.stage().molecule.get());
   }
   ImGui::EndMenu();
 }
@@ -132,11 +155,9 @@ void sizeMenu(Application& app) {
 
 void lessonList(Application& app) {
   // A line parts the levels.
-  int level = -1;
-  for (const LibraryItem& entry : lessons()) {
-    if (levelRank(entry.level) != std::exchange(level, levelRank(entry.level))) ImGui::Separator();
+  ImGui::Separator();
+  for (const LibraryItem& entry : lessons())
     if (item("menu/lesson/" + entry.id, entry.label.c_str())) app.open(entry.file);
-  }
 }
 
 // What stands in a menu after one of its actions.

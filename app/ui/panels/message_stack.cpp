@@ -4,6 +4,7 @@
 #include "app/ui/application/application.h"
 #include "app/ui/panels/actions.h"
 #include "app/ui/widgets/controls.h"
+#include "app/ui/widgets/rich_text.h"
 #include "app/ui/widgets/theme.h"
 #include "app/ui/widgets/widget_map.h"
 #include "engine/language/catalogue.h"
@@ -31,11 +32,13 @@ const Action* drawActions(Application& app, const Message& message, const std::s
 void drawMessageStack(Application& app) {
   const Look& l = look();
   const Rectangle& view = app.layout().view;
+  app.panels.messages_end = 0.0f;
   if (app.messages.all().empty()) return;
   const Rectangle room = view.size().x > l.px(260) ? view
                                                    : Rectangle{{0, app.layout().menu.high.y},
                                                                {app.layout().menu.high.x, app.layout().status.low.y}};
   const float margin = l.px(12), width = std::min(room.size().x - 2 * margin, l.tx(560));
+  constexpr float kMost = 0.45f;  // of the room's height
   float y = room.low.y + margin;
   std::optional<std::size_t> dismissed;
   const Action* chosen = nullptr;
@@ -47,10 +50,12 @@ void drawMessageStack(Application& app) {
                                                           : p.good_soft;
     const ImU32 edge = m.kind == MessageKind::Error ? p.bad : m.kind == MessageKind::Warning ? p.warn : p.good;
     const float pad = l.px(12), text_w = width - 2 * pad - l.px(40);
-    const float text_h = ImGui::CalcTextSize(m.text.c_str(), nullptr, false, text_w).y;
+    const std::string lines = wrapped(m.text, text_w);
+    const float text_h = ImGui::CalcTextSize(lines.c_str(), nullptr, false, text_w).y;
     const float actions_h = m.actions.empty() ? 0.0f : l.px(8) + l.tx(34);
     const float height = std::min(std::max(text_h, l.tx(22)) + actions_h + 2 * pad, room.high.y - y - margin);
-    if (height < l.px(30)) break;
+    // What lies below them in the view needs room too: later messages wait until there is some.
+    if (height < l.px(30) || (k > 0 && y + height - room.low.y > kMost * room.size().y)) break;
     const std::string name = "message/" + std::to_string(k);
     ImGui::SetNextWindowPos({0.5f * (room.low.x + room.high.x - width), y});
     ImGui::SetNextWindowSize({width, height});
@@ -63,7 +68,7 @@ void drawMessageStack(Application& app) {
                  ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
                      ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoNavFocus);
     ImGui::PushTextWrapPos(pad + text_w);
-    ImGui::TextUnformatted(m.text.c_str());
+    ImGui::TextUnformatted(lines.c_str());
     recordItem(name, m.text);
     ImGui::PopTextWrapPos();
     if (!m.actions.empty()) {
@@ -77,6 +82,7 @@ void drawMessageStack(Application& app) {
     ImGui::PopStyleColor(2);
     y += height + l.px(8);
   }
+  app.panels.messages_end = y;
   if (dismissed) app.messages.dismiss(*dismissed);
   if (chosen) chosen->run(app);
 }

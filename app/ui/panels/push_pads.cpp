@@ -30,14 +30,21 @@ void drawPad(const char* name, ImVec2 low, float size, bool harder) {
 
 }  // namespace
 
-void drawPushPads(Application& app, const Rectangle& view) {
-  if (!app.panels.fingers || !app.scene.stage() || app.scene.playing() || app.scene.servo().deviceLeads()) return;
+Rectangle pushPadsPlace(const Application& app, const Rectangle& view) {
+  if (!app.panels.fingers || !app.scene.stage() || app.scene.playing() || app.scene.servo().deviceLeads()) return {};
   const Look& l = look();
   const float size = l.px(kSize), gap = l.px(kGap), margin = l.px(14);
-  if (view.size().x < 3 * size || view.size().y < 2 * size + 5 * gap) return;
+  if (view.size().x < 3 * size || view.size().y < 2 * size + 5 * gap) return {};
   const float x = view.high.x - margin - size, y = 0.5f * (view.low.y + view.high.y) - size - 0.5f * gap;
-  drawPad(kHarderPad, {x, y}, size, true);
-  drawPad(kLighterPad, {x, y + size + gap}, size, false);
+  return {{x, y}, {x + size, y + 2 * size + gap}};
+}
+
+void drawPushPads(Application& app, const Rectangle& view) {
+  const Rectangle place = pushPadsPlace(app, view);
+  if (place.empty()) return;
+  const float size = look().px(kSize);
+  drawPad(kHarderPad, {place.low.x, place.low.y}, size, true);
+  drawPad(kLighterPad, {place.low.x, place.high.y - size}, size, false);
 }
 
 }  // namespace moltact

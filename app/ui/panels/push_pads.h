@@ -8,6 +8,8 @@ namespace moltact {
 
 class Application;
 
+/// Where they stand; empty where they are not shown.
+Rectangle pushPadsPlace(const Application& app, const Rectangle& view);
 void drawPushPads(Application& app, const Rectangle& view);
 
 inline constexpr const char* kHarderPad = "view/harder";  ///< as the widgets' map names them

@@ -91,12 +91,13 @@ void drawStatusBar(Application& app) {
   draw->PopClipRect();
 
   const ServoSample& now = app.scene.log().latest();
+  const Unseen& unseen = app.extensions().unseen;
   std::vector<Segment> segments;
   segments.push_back({"status/contact",
                       app.scene.log().touching()                  ? tr("touching")
                       : now.contact.fault == Fault::StartedInside ? tr("inside")
                                                                   : tr("free"),
-                      app.extensions().task_stager.dark() || app.scene.touchesUnseen()
+                      !unseen.names(now.contact)
                           ? std::string()
                           : contactText(app.scene.stage().molecule.get(), now.contact, app.scene.log().shownForce_N()),
                       0, app.scene.log().touching() ? l.palette.accent : l.palette.faint});
@@ -106,13 +107,12 @@ void drawStatusBar(Application& app) {
                           : tr("No force-feedback device is connected; the mouse or keyboard stands in for it."),
                       2});
   if (std::optional<Segment> scale = scaleSegment(app)) segments.push_back(*scale);
-  // How long ticks take, and of how many atoms, would tell in the dark what is touched.
-  const bool dark = app.extensions().task_stager.dark();
+  // How long ticks take, and of how many atoms, would tell what is touched.
   // Who compares methods wants the figures too.
   const bool expert = app.settings.expert || app.panels.methods;
-  if (!dark && expert) segments.push_back(loopSegment(app));
+  if (!unseen.all() && expert) segments.push_back(loopSegment(app));
   // Nor is what is not drawn named.
-  if (app.scene.stage() && !dark && !app.scene.drawsNothing()) {
+  if (app.scene.stage() && !unseen.all() && !app.scene.drawsNothing()) {
     const Molecule& m = *app.scene.stage().molecule;
     segments.push_back(
         {"status/molecule", m.id.empty() ? app.scene.molecule().file.filename().string() : m.id, m.title, 1});

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "app/ui/application/application.h"
+#include "app/ui/extensions/extensions.h"
 #include "app/ui/panels/dark_view.h"
 #include "app/ui/panels/method_chooser.h"
 #include "app/ui/panels/while_locked.h"
@@ -91,7 +92,7 @@ void drawTouchPanel(Application& app) {
     if (!app.panels.methods && !app.lesson.locks("panels") &&
         button("compare", tr("Compare the methods …"), ButtonLook::Plain, -1.0f))
       app.panels.showMethods(true);
-    if (app.settings.expert || app.panels.methods)
+    if (!app.extensions().unseen.all() && (app.settings.expert || app.panels.methods))
       plot("plot/tick", app.scene.log().work(), app.scene.log().health().work_mean_us,
            {.title = tr("Time for a tick"),
             .least_top = 2.0f,

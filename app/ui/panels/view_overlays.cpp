@@ -6,9 +6,13 @@
 
 #include "app/ui/application/application.h"
 #include "app/ui/extensions/extensions.h"
+#include "app/ui/panels/push_pads.h"
+#include "app/ui/scene/body_place.h"
 #include "app/ui/scene/contact_text.h"
+#include "app/ui/scene/view_picture.h"
 #include "app/ui/widgets/controls.h"
 #include "app/ui/widgets/key_names.h"
+#include "app/ui/widgets/rich_text.h"
 #include "app/ui/widgets/theme.h"
 #include "app/ui/widgets/widget_map.h"
 #include "engine/core/saturated.h"
@@ -20,27 +24,45 @@ namespace {
 
 constexpr float kBeside_px = 40;  // at 96 dpi: the label keeps so far from the marks at the contact
 
-// A line of text on a rounded ground, wrapped at `width`; returns its height.
-float pill(const char* name, const std::string& text, ImVec2 anchor, ImVec2 pivot, float width, ImU32 ground,
-           ImU32 colour, float alpha = 1.0f) {
+// Half a pixel of two that meet covers nothing.
+bool overlap(const Rectangle& a, const Rectangle& b) {
+  constexpr float kNone = 0.5f;
+  return a.low.x < b.high.x - kNone && b.low.x < a.high.x - kNone && a.low.y < b.high.y - kNone &&
+         b.low.y < a.high.y - kNone;
+}
+
+ImVec2 pillSize(const std::string& lines, float width) {
+  const Look& l = look();
+  const ImVec2 size = ImGui::CalcTextSize(lines.c_str(), nullptr, false, width - 2 * l.px(12));
+  return {size.x + 2 * l.px(12), size.y + 2 * l.px(7)};
+}
+
+// A line of text on a rounded ground, wrapped at `width`, whose place is then taken; returns its height.
+// What has no room in the view is left out.
+float drawPill(ViewRoom& room, const char* name, const std::string& text, ImVec2 anchor, ImVec2 pivot, float width,
+               ImU32 ground, ImU32 colour, float alpha = 1.0f) {
   const Look& l = look();
   const ImVec2 pad{l.px(12), l.px(7)};
-  const ImVec2 size = ImGui::CalcTextSize(text.c_str(), nullptr, false, width - 2 * pad.x);
+  const std::string lines = wrapped(text, width - 2 * pad.x);
+  const ImVec2 size = ImGui::CalcTextSize(lines.c_str(), nullptr, false, width - 2 * pad.x);
   const ImVec2 whole{size.x + 2 * pad.x, size.y + 2 * pad.y};
   const ImVec2 low{std::round(anchor.x - pivot.x * whole.x), std::round(anchor.y - pivot.y * whole.y)};
   const ImVec2 high{low.x + whole.x, low.y + whole.y};
+  if (low.y < room.view.low.y) return -l.px(8);
   ImDrawList* draw = ImGui::GetWindowDrawList();
   draw->AddRectFilled(low, high, faded(ground, 0.88f * alpha), l.px(8));
   draw->AddText(ImGui::GetFont(), ImGui::GetFontSize(), {low.x + pad.x, low.y + pad.y}, faded(colour, alpha),
-                text.c_str(), nullptr, size.x + 1);
+                lines.c_str(), nullptr, size.x + 1);
   recordRectangle(name, {low.x, low.y}, {high.x, high.y}, text);
+  room.take({{low.x, low.y}, {high.x, high.y}});
   return whole.y;
 }
 
 // A length of 1, 2 or 5 times a power of ten that takes 50 to 125 pixels at 96 dpi, at the target's depth.
-void scaleBar(const Application& app, const Rectangle& view) {
+void scaleBar(const Application& app, ViewRoom& room) {
+  const Rectangle& view = room.view;
   const Look& l = look();
-  const double pixel_A = app.scene.camera.pixel_A(app.scene.camera.distance_A, int(view.size().y));
+  const double pixel_A = app.scene.camera.pixel_A(app.scene.camera.distance_A, int(room.whole.size().y));
   if (!(pixel_A > 0.0) || !std::isfinite(pixel_A)) return;
   const double most_A = pixel_A * double(l.px(125));
   double length_A = std::pow(10.0, std::floor(std::log10(most_A)));
@@ -65,16 +87,19 @@ void scaleBar(const Application& app, const Rectangle& view) {
   draw->AddLine({x1, y - tick}, {x1, y + tick}, colour, thick);
   draw->AddText(small, small->FontSize, {middle - 0.5f * size.x, y - tick - size.y}, colour, text.c_str());
   recordRectangle("view/scale bar", {x0, y - tick - size.y}, {x1, y + tick}, text);
+  room.take({{middle - half - pad, y - tick - size.y - 0.5f * pad}, {middle + half + pad, y + tick + pad}});
 }
 
-// The force in newtons, a little beyond the arrow's head; beside the contact where the arrow points at the viewer.
-void forceLabel(const Application& app, const ServoSample& now, const Rectangle& view) {
+// The force in newtons, a little beyond the arrow's head; beside the contact where the arrow points at the viewer. Where
+// something stands there already it goes to the other sides of the contact; the line below tells the force too.
+void forceLabel(const Application& app, const ServoSample& now, ViewRoom& room) {
+  const Rectangle& view = room.view;
   const double force_N = app.scene.log().force_N();
   const Vec3& lift = now.contact.displacement_A;
   const double depth_A = glm::length(lift);
   if (!(force_N >= 0.05) || !(depth_A > 0.0)) return;
   const Look& l = look();
-  const glm::vec2 size = view.size();
+  const glm::vec2 size = room.whole.size();
   const double pixel_A = app.scene.camera.pixel_A(app.scene.camera.distance_A, std::max(1, int(size.y)));
   const double arrow_A = pixel_A * double(l.px(kArrow_px_per_N) * saturateToFloat(force_N) + l.px(26));
   const Vec3 foot = app.scene.camera.project(now.contact.scp, int(size.x), int(size.y));
@@ -82,18 +107,23 @@ void forceLabel(const Application& app, const ServoSample& now, const Rectangle&
   const std::string text = quantityText(app.scene.log().shownForce_N(), Dimension::Force, decimals(1));
   ImFont* font = l.font(Font::Small);
   const ImVec2 extent = font->CalcTextSizeA(font->FontSize, 1e9f, 0, text.c_str());
-  if (std::hypot(at.x - foot.x, at.y - foot.y) < double(l.px(kBeside_px)))
-    at = foot + Vec3(double(l.px(kBeside_px) + 0.5f * extent.x), 0.0, 0.0);
-  const float x = std::clamp(view.low.x + saturateToFloat(at.x) - 0.5f * extent.x, view.low.x + l.px(6),
-                             view.high.x - extent.x - l.px(6));
-  const float y = std::clamp(view.low.y + saturateToFloat(at.y) - 0.5f * extent.y, view.low.y + l.px(6),
-                             view.high.y - extent.y - l.px(6));
+  const Vec3 aside(double(l.px(kBeside_px) + 0.5f * extent.x), 0.0, 0.0), upward(0.0, double(l.px(kBeside_px)), 0.0);
+  if (std::hypot(at.x - foot.x, at.y - foot.y) < double(l.px(kBeside_px))) at = foot + aside;
   const ImVec2 pad{l.px(5), l.px(2)};
-  ImDrawList* draw = ImGui::GetWindowDrawList();
-  draw->AddRectFilled({x - pad.x, y - pad.y}, {x + extent.x + pad.x, y + extent.y + pad.y},
-                      faded(l.palette.panel, 0.85f), l.px(5));
-  draw->AddText(font, font->FontSize, {x, y}, l.palette.text, text.c_str());
-  recordRectangle("view/force", {x, y}, {x + extent.x, y + extent.y}, text);
+  for (const Vec3& place : {at, foot + aside, foot - aside, foot - upward, foot + upward}) {
+    const float x = std::clamp(room.whole.low.x + saturateToFloat(place.x) - 0.5f * extent.x, view.low.x + l.px(6),
+                               view.high.x - extent.x - l.px(6));
+    const float y = std::clamp(room.whole.low.y + saturateToFloat(place.y) - 0.5f * extent.y, view.low.y + l.px(6),
+                               view.high.y - extent.y - l.px(6));
+    const Rectangle ground{{x - pad.x, y - pad.y}, {x + extent.x + pad.x, y + extent.y + pad.y}};
+    if (!room.isFree(ground)) continue;
+    ImDrawList* draw = ImGui::GetWindowDrawList();
+    draw->AddRectFilled({ground.low.x, ground.low.y}, {ground.high.x, ground.high.y}, faded(l.palette.panel, 0.85f),
+                        l.px(5));
+    draw->AddText(font, font->FontSize, {x, y}, l.palette.text, text.c_str());
+    recordRectangle("view/force", {x, y}, {x + extent.x, y + extent.y}, text);
+    return;
+  }
 }
 
 const char* hintText(bool has_pressed, bool left_handed, bool fingers, bool body) {
@@ -122,32 +152,95 @@ bool wantsPushHint(const Application& app) {
   return !controls.hasPushed() || (task && task->wantsHarderPush());
 }
 
-// A press beside the molecule meets nothing: it is told where the eyes are.
-void emptyPlaceNotice(const Application& app, const Rectangle& view) {
+// Where the scene marks the place of what the hand holds: how much of it is back.
+std::string inPlaceText(const Application& app) {
+  const TouchScene& scene = app.scene;
+  const LessonSession* session = app.lesson.session();
+  if (!session || !app.lesson.onStage() || !scene.stage().body || !session->scene().highlight.given()) return {};
+  const std::vector<std::uint32_t> marked = session->scene().highlight.select(*scene.stage().molecule);
+  const std::vector<std::uint32_t>& held = scene.stage().body->atoms;
+  if (!std::includes(marked.begin(), marked.end(), held.begin(), held.end())) return {};
+  const BodyPlace place =
+      bodyPlace(scene.stage(), scene.log().latest(), scene.servo().motionOf(scene.log().latest()).get());
+  const std::string within = quantityText(kInPlace_A, Dimension::Length, decimals(0));
+  std::string text = trf("{0} of {1} atoms in place, to {2}", place.in_place, place.atoms, within);
+  if (!place.stopped.empty())
+    text += "; " + trnf("{0} is stopped", "{0} are stopped", place.stopped.size(), place.stopped.size());
+  return text;
+}
+
+// A press beside the molecule meets nothing: it is told where the eyes are, or above the pointer where the place below
+// it is taken.
+void emptyPlaceNotice(const Application& app, ViewRoom& room) {
   constexpr double kSoon_s = 0.25;
   const ViewControls& controls = app.scene.controls;
   if (!controls.pressesNothing() || controls.pressRested_s() < kSoon_s || app.scene.playing() ||
       app.scene.servo().deviceLeads() || app.scene.log().touching())
     return;
   const Look& l = look();
+  const Rectangle& view = room.view;
   const std::string text = tr("There is nothing under the pointer here. Point at the molecule and push.");
-  const float width = std::min(l.tx(260), view.size().x - l.px(28)), half = 0.5f * width + l.px(14);
-  const glm::vec2 at = view.low + glm::vec2(controls.aim_px());
+  const float width = std::min(l.tx(260), view.size().x - l.px(28)), half = 0.5f * width;
+  const ImVec2 size = pillSize(wrapped(text, width - 2 * l.px(12)), width);
+  const glm::vec2 at = room.whole.low + glm::vec2(controls.aim_px());
   const float x = std::clamp(at.x, view.low.x + half, std::max(view.low.x + half, view.high.x - half));
-  const float y = std::clamp(at.y + l.px(24), view.low.y + l.px(14), view.high.y - l.tx(110));
-  pill("view/nothing here", text, {x, y}, {0.5f, 0.0f}, width, l.palette.warn_soft, l.palette.text);
+  for (const float low : {at.y + l.px(24), at.y - l.px(24) - size.y, view.low.y + l.px(14)}) {
+    const float y = std::clamp(low, view.low.y + l.px(14), std::max(view.low.y + l.px(14), view.high.y - size.y));
+    for (const float aside : {0.0f, 0.6f * size.x, -0.6f * size.x}) {
+      const float middle = std::clamp(x + aside, view.low.x + half, std::max(view.low.x + half, view.high.x - half));
+      if (!room.isFree({{middle - 0.5f * size.x, y}, {middle + 0.5f * size.x, y + size.y}})) continue;
+      drawPill(room, "view/nothing here", text, {middle, y}, {0.5f, 0.0f}, width, l.palette.warn_soft, l.palette.text);
+      return;
+    }
+  }
+}
+
+// Nothing is asked now that the name of an atom would answer: no lesson, or a step in which all is done.
+bool mayNameAtoms(const Application& app) {
+  if (app.extensions().task_stager.dark() || app.extensions().unseen.all() || app.scene.playing() ||
+      app.extensions().playback.on())
+    return false;
+  return !app.lesson.session() || !app.lesson.onStage() || app.lesson.session()->stepDone();
+}
+
+// The name of the atom under a pointer that does not push.
+void hoveredAtom(const Application& app, ViewRoom& room) {
+  const ImGuiIO& io = ImGui::GetIO();
+  if (!mayNameAtoms(app) || app.panels.fingers || app.scene.controls.pressing() || ImGui::IsAnyMouseDown() ||
+      app.scene.log().touching() || !ImGui::IsMousePosValid() || !ImGui::IsWindowHovered() || ImGui::IsAnyItemActive())
+    return;
+  const glm::dvec2 at(double(io.MousePos.x - room.whole.low.x), double(io.MousePos.y - room.whole.low.y));
+  const glm::dvec2 size(room.whole.size());
+  if (at.x < 0 || at.y < 0 || at.x >= size.x || at.y >= size.y) return;
+  const auto atom = atomAt(app.scene, at, size);
+  const AtomList& hidden = app.scene.look.hidden;
+  if (!atom || (hidden && std::binary_search(hidden->begin(), hidden->end(), *atom))) return;
+  const Look& l = look();
+  const WithFont small(Font::Small);
+  const std::string text = atomText(*app.scene.stage().molecule, *atom, true);
+  const float width = std::min(l.tx(280), room.view.size().x - l.px(28));
+  const ImVec2 extent = pillSize(wrapped(text, width - 2 * l.px(12)), width);
+  const float x =
+      std::clamp(io.MousePos.x + l.px(14), room.view.low.x, std::max(room.view.low.x, room.view.high.x - extent.x));
+  for (const float y : {io.MousePos.y - l.px(12) - extent.y, io.MousePos.y + l.px(20)}) {
+    if (y < room.view.low.y || y + extent.y > room.view.high.y || !room.isFree({{x, y}, {x + extent.x, y + extent.y}}))
+      continue;
+    drawPill(room, "view/under the pointer", text, {x, y}, {0.0f, 0.0f}, width, l.palette.panel, l.palette.text);
+    return;
+  }
 }
 
 // What takes long is seen to go on: a bar that runs to and fro.
-void loadingSign(const Application& app, const Rectangle& view) {
+void loadingSign(const Application& app, ViewRoom& room) {
+  const Rectangle& view = room.view;
   constexpr double kLong_s = 0.5, kRound_s = 1.6;
   if (app.loadingFor_s() < kLong_s) return;
   const Look& l = look();
   const float width = std::min(l.tx(260), 0.8f * view.size().x), high = l.px(5),
               x0 = 0.5f * (view.low.x + view.high.x - width);
   const float y = 0.5f * (view.low.y + view.high.y);
-  pill("view/loading", tr("Opening …"), {x0 + 0.5f * width, y - l.px(10)}, {0.5f, 1.0f}, width, l.palette.panel,
-       l.palette.text);
+  drawPill(room, "view/loading", tr("Opening …"), {x0 + 0.5f * width, y - l.px(10)}, {0.5f, 1.0f}, width,
+           l.palette.panel, l.palette.text);
   const double turn = std::fmod(app.now_s(), kRound_s) / kRound_s, part = turn < 0.5 ? 2.0 * turn : 2.0 - 2.0 * turn;
   const float knob = 0.3f * width, x = x0 + float(part) * (width - knob);
   ImDrawList* draw = ImGui::GetWindowDrawList();
@@ -155,68 +248,115 @@ void loadingSign(const Application& app, const Rectangle& view) {
   draw->AddRectFilled({x, y}, {x + knob, y + high}, l.palette.accent, 0.5f * high);
 }
 
+void drawReset(Application& app, ViewRoom& room) {
+  const Look& l = look();
+  const float side = l.px(30);
+  const ImVec2 low{room.view.high.x - l.px(42), room.view.low.y + l.px(12)};
+  const Rectangle place{{low.x, low.y}, {low.x + side, low.y + side}};
+  if (!room.isFree(place)) return;
+  room.take(place);
+  ImGui::GetWindowDrawList()->AddRectFilled(low, {low.x + side, low.y + side}, faded(l.palette.panel, 0.75f), l.px(6));
+  ImGui::SetCursorScreenPos(low);
+  if (iconButton("view/reset", Icon::Fit, (tr("Reset view") + (" (" + keysText("Home") + ")")).c_str()))
+    app.resetViewByHand();
+}
+
+// Messages lie over the upper edge of the view: what is drawn in it begins below them.
+Rectangle belowMessages(const Application& app, Rectangle view) {
+  view.low.y = std::clamp(app.panels.messages_end, view.low.y, std::max(view.low.y, view.high.y - 1.0f));
+  return view;
+}
+
+// The picture shows the former style meanwhile.
+void surfaceSign(Application& app, ViewRoom& room, float width) {
+  const std::optional<float> share = app.picture().surfaceProgress();
+  if (!share) return;
+  const Look& l = look();
+  drawPill(room, "view/surface", trf("The surface is being computed: {0} %", int(100.0f * *share)),
+           {0.5f * (room.view.low.x + room.view.high.x), room.view.low.y + l.px(12)}, {0.5f, 0.0f}, width - l.px(84),
+           l.palette.panel, l.palette.text);
+}
+
 }  // namespace
 
-void drawViewOverlays(Application& app, const Rectangle& view) {
+bool ViewRoom::isFree(const Rectangle& place) const {
+  return std::none_of(taken_.begin(), taken_.end(), [&](const Rectangle& t) { return overlap(t, place); });
+}
+
+void drawViewOverlays(Application& app, const Rectangle& whole_view) {
   const Look& l = look();
   const Palette& p = l.palette;
+  ViewRoom room{whole_view, belowMessages(app, whole_view)};
+  const Rectangle& view = room.view;
   const float margin = l.px(14), width = view.size().x - 2 * margin;
   if (width < l.px(120)) return;
   const ServoSample& now = app.scene.log().latest();
+  const auto pill = [&](const auto&... what) { return drawPill(room, what...); };
 
-  const ImVec2 corner{view.high.x - l.px(42), view.low.y + l.px(12)};
-  if (app.scene.stage())
-    ImGui::GetWindowDrawList()->AddRectFilled(corner, {corner.x + l.px(30), corner.y + l.px(30)}, faded(p.panel, 0.75f),
-                                              l.px(6));
-  ImGui::SetCursorScreenPos(corner);
-  if (app.scene.stage() &&
-      iconButton("view/reset", Icon::Fit, (tr("Reset view") + (" (" + keysText("Home") + ")")).c_str()))
-    app.resetViewByHand();
-
-  loadingSign(app, view);
+  loadingSign(app, room);
   if (!app.scene.stage()) {
     if (!app.loading())
       pill("view/empty", tr("Open a molecule or a lesson: File, Open, or drop a file here."),
-           {0.5f * (view.low.x + view.high.x), 0.5f * (view.low.y + view.high.y)}, {0.5f, 0.5f}, width, p.panel,
-           p.text);
+           ImVec2(0.5f * (view.low.x + view.high.x), 0.5f * (view.low.y + view.high.y)), ImVec2(0.5f, 0.5f), width,
+           p.panel, p.text);
     return;
   }
-  drawColourLegend(app, view, drawStateSlider(app, view));
-  drawDepthGauge(app, view);
-  if (now.contact.touching() && app.scene.shown.has(ViewPart::Force)) forceLabel(app, now, view);
+  if (const Rectangle slider = drawStateSlider(app, view); !slider.empty()) {
+    room.take(slider);
+    room.slider = slider;
+  }
+  if (const Rectangle pads = pushPadsPlace(app, whole_view); !pads.empty()) room.take(pads);
+  surfaceSign(app, room, width);
   // Words stand left of the scale bar; in a narrow view they need all of it.
   const bool roomy = width > l.tx(320);
-  if (roomy) scaleBar(app, view);
+  if (roomy) scaleBar(app, room);
   const float bottom = view.high.y - margin, words = roomy ? width - l.tx(150) : width;
   const std::string measured = measuringText(app);
   float above = bottom;  // where the next pill ends
   if (now.contact.fault == Fault::StartedInside) {
     above -= l.px(8) + pill("view/state", contactText(app.scene.stage().molecule.get(), now.contact, 0.0),
-                            {view.low.x + margin, bottom}, {0, 1}, words, p.warn_soft, p.warn);
+                            ImVec2(view.low.x + margin, bottom), ImVec2(0, 1), words, p.warn_soft, p.warn);
   } else if (now.contact.touching()) {
     const WithFont font(app.settings.large_state_text ? Font::Heading : Font::Body);
     // The line rests a moment before it tells something new; by then it may be the first touch.
     const StateText& state = app.extensions().state_text;
-    above -= l.px(8) + pill("view/state",
-                            state.tellsContact()        ? state.line(app.scene)
-                            : app.scene.touchesUnseen() ? unnamedContactText(now.contact)
-                                                        : contactText(app.scene.stage().molecule.get(), now.contact,
-                                                                      app.scene.log().shownForce_N()),
-                            {view.low.x + margin, bottom}, {0, 1}, words, p.panel, p.text);
+    above -=
+        l.px(8) + pill("view/state",
+                       state.tellsContact() ? state.line(app.scene)
+                       : !app.extensions().unseen.names(now.contact)
+                           ? unnamedContactText(now.contact)
+                           : contactText(app.scene.stage().molecule.get(), now.contact, app.scene.log().shownForce_N()),
+                       ImVec2(view.low.x + margin, bottom), ImVec2(0, 1), words, p.panel, p.text);
   } else if (const float hint = float(app.scene.controls.hintStrength());
              hint > 0.0f && measured.empty() && !app.scene.playing() && !app.scene.servo().deviceLeads()) {
     above -= l.px(8) + pill("view/hint",
                             hintText(app.scene.controls.hasPressed(), app.settings.left_handed, app.panels.fingers,
                                      app.scene.stage().body != nullptr),
-                            {view.low.x + margin, bottom}, {0, 1}, words, p.panel, p.quiet, hint);
+                            ImVec2(view.low.x + margin, bottom), ImVec2(0, 1), words, p.panel, p.quiet, hint);
+  }
+  if (const std::string limits = limitText(app); !limits.empty()) {
+    const bool stopped = app.scene.servo_settings.panic;
+    above -= l.px(8) + pill("limits", limits, ImVec2(view.low.x + margin, above), ImVec2(0, 1), words,
+                            stopped ? p.bad_soft : p.warn_soft, p.text);
   }
   if (now.contact.touching() && wantsPushHint(app))
     above -= l.px(8) + pill("view/push hint",
                             tr("To push harder, keep it held and roll the wheel, move two fingers on the trackpad, or "
                                "press +; − is lighter."),
-                            {view.low.x + margin, above}, {0, 1}, words, p.panel, p.text);
-  emptyPlaceNotice(app, view);
-  if (!measured.empty()) pill("view/measuring", measured, {view.low.x + margin, above}, {0, 1}, words, p.panel, p.text);
+                            ImVec2(view.low.x + margin, above), ImVec2(0, 1), words, p.panel, p.text);
+  if (const std::string text = inPlaceText(app); !text.empty())
+    above -= l.px(8) + pill("view/in place", text, ImVec2(view.low.x + margin, above), ImVec2(0, 1), words,
+                            p.accent_soft, p.text);
+  if (!measured.empty())
+    above -= l.px(8) +
+             pill("view/measuring", measured, ImVec2(view.low.x + margin, above), ImVec2(0, 1), words, p.panel, p.text);
+  room.words_top = above;
+  drawReset(app, room);
+  drawColourLegend(app, room);
+  drawDepthGauge(app, room, roomy ? view.high.y - l.px(64) : above);
+  if (now.contact.touching() && app.scene.shown.has(ViewPart::Force)) forceLabel(app, now, room);
+  emptyPlaceNotice(app, room);
+  hoveredAtom(app, room);
 }
 
 }  // namespace moltact

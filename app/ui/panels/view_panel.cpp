@@ -11,6 +11,7 @@
 #include "app/ui/panels/method_chooser.h"
 #include "app/ui/panels/push_pads.h"
 #include "app/ui/panels/view_overlays.h"
+#include "app/ui/scene/body_place.h"
 #include "app/ui/scene/contact_text.h"
 #include "app/ui/scene/view_picture.h"
 #include "app/ui/widgets/controls.h"
@@ -107,6 +108,14 @@ ViewInput readInput(Application& app, ImVec2 low, glm::dvec2 size) {
     else
       tool.finish();
   }
+  // Two clicks on an atom bring the camera close to it.
+  if (!measuring && !app.extensions().task_stager.dark() && hovered && app.scene.stage() && !app.scene.playing() &&
+      ImGui::IsMouseReleased(push) && io.MouseClickedLastCount[push] == 2 &&
+      io.MouseDragMaxDistanceSqr[push] < look().px(4) * look().px(4))
+    if (const auto atom = atomAt(app.scene, {double(io.MousePos.x - low.x), double(io.MousePos.y - low.y)}, size)) {
+      const std::uint32_t only[] = {*atom};
+      app.zoomTo(only);
+    }
   // The way to the place where the button went down is none of the drag's.
   const bool begins = ImGui::IsMouseClicked(turn) || ImGui::IsMouseClicked(2);
   const glm::dvec2 drag = begins ? glm::dvec2(0.0) : glm::dvec2(io.MouseDelta.x, io.MouseDelta.y);
@@ -133,7 +142,7 @@ ViewScene seenScene(const Application& app) {
   const ServoSample& now = app.scene.log().latest();
   scene.molecule = app.scene.seenMolecule();
   scene.camera = app.scene.camera;
-  scene.shown = app.scene.shown;
+  scene.shown = app.extensions().unseen.shownParts();
   scene.theme = look().viewTheme();
   scene.elements = elementColoursOf(app.settings);
   scene.colour_by = app.scene.colour_by;
@@ -142,6 +151,7 @@ ViewScene seenScene(const Application& app) {
   if (app.scene.stage() && now.has_interaction) {
     scene.hip = now.hip;
     scene.contact = now.contact;
+    if (now.contact.touching()) scene.named_atoms = app.extensions().state_text.namedAtoms();
     scene.force_N = app.scene.log().force_N();
     scene.arrow_A_per_N =
         app.scene.camera.pixel_A(app.scene.camera.distance_A, std::max(1, int(app.layout().view.size().y))) *
@@ -150,6 +160,7 @@ ViewScene seenScene(const Application& app) {
     if (app.scene.servo().hasOrientation()) {
       scene.body = app.scene.stage().body;
       scene.body_orientation = now.orientation;
+      scene.body_stopped = bodyPlace(app.scene.stage(), now, app.scene.servo().motionOf(now).get()).stopped;
     }
   }
   scene.water = app.settings.probe_look != ProbeLook::Ball;
@@ -221,6 +232,13 @@ void drawViewPanel(Application& app) {
                                          faded(IM_COL32_WHITE, float(change.oldPicture())));
   if (std::optional<std::filesystem::path> file = app.takePictureRequest()) savePicture(app, size, std::move(*file));
   drawViewLabels(app, scene, r);
+  if (const Unseen& unseen = app.extensions().unseen; unseen.veil() > 0.0) {
+    if (unseen.veilIsDark())
+      drawDarkVeil(r, float(unseen.veil()));
+    else if (picture.kept())
+      ImGui::GetWindowDrawList()->AddImage(picture.kept(), low, high, {0, 1}, {1, 0},
+                                           faded(IM_COL32_WHITE, float(unseen.veil())));
+  }
   drawViewOverlays(app, r);
   drawPushPads(app, r);
   endPanel();

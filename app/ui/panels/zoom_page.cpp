@@ -14,6 +14,7 @@
 #include "engine/core/text.h"
 #include "engine/language/catalogue.h"
 #include "engine/lesson/selection.h"
+#include "engine/molecule/elements.h"
 
 namespace moltact {
 namespace {
@@ -32,6 +33,16 @@ std::vector<std::string> ligandsOf(const Molecule& molecule) {
   return out;
 }
 
+// A selection's words for the name of an element, as a student writes it in the language in use or in English ("iron",
+// "Eisen"); empty where it is none.
+std::string elementNamed(std::string_view written) {
+  const std::string name = lower(std::string(written));
+  for (int k = 1; k <= kElementCount; ++k)
+    if (const Element& e = element(k); name == lower(std::string(e.name)) || name == lower(std::string(tr(e.name))))
+      return "element " + std::string(e.symbol);
+  return {};
+}
+
 }  // namespace
 
 void drawZoomPage(Application& app) {
@@ -39,8 +50,10 @@ void drawZoomPage(Application& app) {
   const bool appears = panels.zoom_page && !ImGui::IsPopupOpen("zoom");
   if (!beginPage("zoom", tr("Come close to atoms"), panels.zoom_page, 520, 400)) return;
   const Stage& stage = app.scene.stage();
-  ImGui::TextWrapped("%s",
-                     tr("Name them as a lesson does: residue 35 52, chain A, ligand, within 5\u00a0Å of (ligand)."));
+  ImGui::TextWrapped(
+      "%s",
+      tr("Name an element, as iron, or atoms as a lesson does: residue 35 52, chain A, ligand, within 5\u00a0Å of "
+         "(ligand)."));
   ImGui::Spacing();
   ImGui::SetNextItemWidth(-1.0f);
   bool asked = ImGui::InputText("##atoms", &panels.zoom_atoms, ImGuiInputTextFlags_EnterReturnsTrue);
@@ -49,7 +62,8 @@ void drawZoomPage(Application& app) {
   std::string fault;
   std::vector<std::uint32_t> atoms;
   if (const std::string_view written = trimmed(panels.zoom_atoms); stage && !written.empty()) {
-    const Expected<Selection> selection = parseSelection(written);
+    const std::string by_name = elementNamed(written);
+    const Expected<Selection> selection = parseSelection(by_name.empty() ? std::string(written) : by_name);
     if (selection) atoms = selection->select(*stage.molecule);
     if (atoms.empty()) {
       Problem why = selection ? selection->whyEmpty(*stage.molecule) : selection.problem();

@@ -8,8 +8,6 @@
 #include "engine/molecule/elements.h"
 
 namespace moltact {
-namespace {
-
 // "carbon CA of Ala 3", "nitrogen N of Gly 4 (chain B)", "zinc 201", "argon atom 2"; without its owner: "carbon CA".
 std::string atomText(const Molecule& molecule, std::size_t index, bool with_owner) {
   const Atom& atom = molecule.atoms[index];
@@ -23,8 +21,6 @@ std::string atomText(const Molecule& molecule, std::size_t index, bool with_owne
   if (molecule.chains.size() == 1 || words.chain.empty()) return trcf("an atom", "{0} of {1}", whole, words.residue);
   return trf("{0} of {1} (chain {2})", whole, words.residue, words.chain);
 }
-
-}  // namespace
 
 std::string touchedText(const Molecule& molecule, const Contact& contact) {
   std::vector<std::size_t> atoms;
@@ -66,17 +62,7 @@ std::string touchingText(const std::string& touched, double force_N, bool force_
 
 std::string unnamedContactText(const Contact& contact) {
   if (contact.fault == Fault::StartedInside) return tr("You are inside the molecule. Draw back until you are outside.");
-  switch (contact.feature) {
-    case Feature::Free:
-      break;
-    case Feature::Sphere:
-      return tr("touching the round face of an atom");
-    case Feature::Circle:
-      return tr("touching a crease between two atoms");
-    case Feature::Point:
-      return tr("touching a pit between three atoms");
-  }
-  return tr("not touching");
+  return contact.touching() ? tr("touching") : tr("not touching");
 }
 
 std::string pushText(const Vec3& direction) {

@@ -13,10 +13,12 @@ namespace moltact {
 /// no force is given in place of how much.
 std::string contactText(const Molecule* molecule, const Contact& contact, double force_N, bool force_on = true);
 
+/// What an atom is called: "carbon CA of Ala 3", "zinc 201"; without its owner "carbon CA".
+std::string atomText(const Molecule& molecule, std::size_t index, bool with_owner);
 /// The sentence of a contact from the words for what is touched.
 std::string touchingText(const std::string& touched, double force_N, bool force_on = true);
 
-/// The same without naming an atom, for a screen that is dark: "touching a crease between two atoms".
+/// That there is contact and nothing more, where what is touched is the question: "touching", "not touching".
 std::string unnamedContactText(const Contact& contact);
 
 /// The direction of the surface's push on the hand as the view shows it, from a unit vector in the camera's axes (x

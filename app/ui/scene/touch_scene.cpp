@@ -125,12 +125,17 @@ void TouchScene::beginAgainAt(PointA place) {
   handBegins(place);
 }
 
-bool TouchScene::touchesUnseen() const {
+bool TouchScene::touchesUnseen(const Contact& contact) const {
   if (!look.hidden) return false;
-  const std::array<std::int32_t, 3>& atoms = log().latest().contact.atoms;
-  return std::any_of(atoms.begin(), atoms.end(), [&](std::int32_t a) {
+  return std::any_of(contact.atoms.begin(), contact.atoms.end(), [&](std::int32_t a) {
     return a >= 0 && std::binary_search(look.hidden->begin(), look.hidden->end(), std::uint32_t(a));
   });
+}
+
+Vec3 TouchScene::pushInView() const {
+  const Vec3& way = log_.latest().contact.displacement_A;
+  if (!log_.touching() || log_.force_N() <= 0.0 || !(glm::length(way) > 1e-6)) return Vec3(0.0);
+  return glm::conjugate(camera.orientation) * glm::normalize(way);
 }
 
 bool TouchScene::drawsNothing() const {

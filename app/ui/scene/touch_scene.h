@@ -133,7 +133,9 @@ class TouchScene {
   bool playing() const { return played_.has_value(); }
 
   /// An atom that the scene does not draw is touched: its name would tell what the hand is to find out.
-  bool touchesUnseen() const;
+  bool touchesUnseen(const Contact& contact) const;
+  /// Whereto the surface pushes the hand, as a unit vector in the camera's axes; 0 where no force is given.
+  Vec3 pushInView() const;
   /// The scene draws no atom of its molecule.
   bool drawsNothing() const;
   /// The next frame would look different by itself.

@@ -12,7 +12,7 @@
 
 namespace moltact {
 
-ViewPicture::ViewPicture() = default;
+ViewPicture::ViewPicture(bool wait) : wait_(wait) {}
 ViewPicture::~ViewPicture() = default;
 
 bool ViewPicture::ready() {
@@ -31,6 +31,7 @@ void ViewPicture::draw(const ViewScene& scene, int width_px, int height_px, bool
   const Fineness::Choice choice = fineness_.choose(moving);
   if (held_ || width_px < 1 || height_px < 1 || !ready()) return;
   RenderOptions options = choice.options;
+  options.wait_for_surfaces = wait_;
   options.line_scale = line_scale * float(choice.scale);
   using Clock = std::chrono::steady_clock;
   const Clock::time_point begun = Clock::now();
@@ -77,6 +78,7 @@ Picture ViewPicture::take(const ViewScene& scene, int width_px, int height_px, f
   constexpr int kSamples = 3;
   if (!ready()) return {};
   RenderOptions options;
+  options.wait_for_surfaces = wait_;
   options.line_scale = line_scale;
   for (options.samples = kSamples; options.samples > 0; --options.samples)  // as fine as the driver has room for
     if (!renderer_->draw(scene, width_px, height_px, options)) return renderer_->readPixels();

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "engine/render/fineness.h"
@@ -22,7 +23,8 @@ class GlTarget;
 
 class ViewPicture {
  public:
-  ViewPicture();
+  /// With `wait` each picture has its surfaces, however long they take: every run draws the same.
+  explicit ViewPicture(bool wait);
   ~ViewPicture();
 
   /// Draws the scene where it differs from the last one. `moving`: the view turns, so that speed counts more than
@@ -41,7 +43,11 @@ class ViewPicture {
   /// The picture kept last; null where none is.
   ImTextureID kept() const;
   /// The picture shown is coarser than it will be once the view has rested.
-  bool unfinished() const { return fineness_.unfinished(); }
+  bool unfinished() const { return fineness_.unfinished() || surfaceProgress(); }
+  /// How far a surface is that is computed beside the window, 0 to 1; no value where none is.
+  std::optional<float> surfaceProgress() const {
+    return renderer_ ? renderer_->count().surface_progress : std::nullopt;
+  }
   /// A picture to be kept, drawn as finely as pictures are; empty where the scene cannot be drawn.
   Picture take(const ViewScene& scene, int width_px, int height_px, float line_scale);
   /// Where the names and measures of the scene stand, worked out when something has changed. `line_px`: the height of the
@@ -58,6 +64,7 @@ class ViewPicture {
   std::unique_ptr<GlTarget> kept_;
   int width_px_ = 0, height_px_ = 0;  // of the last picture as drawn
   std::string fault_text_;
+  const bool wait_;
   bool refused_ = false, held_ = false;
   std::uint64_t fades_ = 0;
   Fineness fineness_;

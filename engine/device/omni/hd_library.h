@@ -104,6 +104,12 @@ inline bool endsConnection(std::uint32_t code) noexcept { return errorWeight(cod
 /// True where the device has cut a force.
 inline bool cutsForce(std::uint32_t code) noexcept { return code > kWarmMotors && code <= kForceError; }
 
+/// True where an error that comes with a frame's begin, write or end means that the frame's force may not have reached
+/// the device. Only a warning about warm motors or a force that the driver cut leaves the frame valid.
+inline bool failsFrame(std::uint32_t code) noexcept {
+  return code != kNoError && !(code >= kWarmMotors && code <= kExceededVelocity);
+}
+
 struct Library {
   Handle (*initDevice)(const char*);
   void (*disableDevice)(Handle);

@@ -6,6 +6,7 @@
 
 #include "engine/device/omni/omni_connection.h"
 #include "engine/language/catalogue.h"
+#include "engine/platform/background.h"
 
 namespace moltact {
 namespace {
@@ -109,9 +110,10 @@ void OmniDevice::unschedule() {
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
   const bool last_frame_came = ended_.exchange(true, std::memory_order_acq_rel);
   guard_.stop();
-  if (!last_frame_came) hd::switchForce(hd_, false);
+  const bool none_given = last_frame_came && none_given_.load(std::memory_order_acquire);
+  if (!none_given) guard_.switchOff();
   hd_.stopScheduler();
-  if (!last_frame_came) give(Vec3(0.0));  // no callback runs any more
+  if (!none_given) giveNone();  // no callback runs any more
   hd_.unschedule(scheduled_);
   last_act_.disarm();
   drainErrors(hd_);
@@ -124,7 +126,7 @@ void OmniDevice::stopClock() {
 }
 
 void OmniDevice::revive() {
-  revival_ = std::async(std::launch::async, [this]() -> Expected<OmniSession> {
+  revival_ = inBackground([this]() -> Expected<OmniSession> {
     unschedule();
     closeOmni(hd_, session_);
     return openOmni(hd_);
@@ -165,39 +167,58 @@ hd::CallbackCode OmniDevice::frame() noexcept {
   guard_.frame();
   const bool ends = ends_.load(std::memory_order_acquire);
   if (own_.broken)
-    give(Vec3(0.0)), drain();
+    giveNone();
   else
     tickFrame(ends);
-  if (!ends) return hd::kContinue;
+  // A last frame that the driver did not take is tried again, for as long as unschedule() waits.
+  if (!ends || (!own_.broken && !none_given_.load(std::memory_order_acquire))) return hd::kContinue;
   ended_.store(true, std::memory_order_release);
   return hd::kDone;
 }
 
-// A whole frame; what is given of a force is written at its end.
-void OmniDevice::give(const Vec3& force_N) noexcept {
-  const hd::Handle device = handle_.load(std::memory_order_relaxed);
+// Writes the force and ends the frame, which failed where its begin has failed. True where the device or its clock is
+// lost. A frame that fails leaves the force of an earlier one on the motors: the output is switched off in this tick.
+bool OmniDevice::endFrame(const Vec3& force_N, bool failed) noexcept {
   const double force[3] = {force_N.x, force_N.y, force_N.z};
-  hd_.beginFrame(device);
   hd_.setDoublev(hd::kCurrentForce, force);
-  hd_.endFrame(device);
-  none_given_.store(force_N == Vec3(0.0), std::memory_order_release);
+  hd_.endFrame(handle_.load(std::memory_order_relaxed));
+  const Drained after = drain();
+  if (failed || after.fails_frame) {
+    guard_.switchOff();
+  } else {
+    none_given_.store(force_N == Vec3(0.0), std::memory_order_release);
+    if (!own_.broken) guard_.written();
+  }
+  return after.lost;
 }
 
-// True where the errors say that the device or its clock is lost.
-bool OmniDevice::drain() noexcept {
-  return note(drainErrors(hd_, [this](std::uint32_t code) {
+// A whole frame without force.
+void OmniDevice::giveNone() noexcept {
+  drain();
+  hd_.beginFrame(handle_.load(std::memory_order_relaxed));
+  endFrame(Vec3(0.0), drain().fails_frame);
+}
+
+OmniDevice::Drained OmniDevice::drain() noexcept {
+  Drained out;
+  out.lost = note(drainErrors(hd_, [&](std::uint32_t code) {
+    out.fails_frame = out.fails_frame || hd::failsFrame(code);
     if (code == hd::kWarmMotors)
       own_.warm_ticks = kWarmTicks;
     else if (hd::cutsForce(code))
       own_.fault_ticks = kFaultTicks;
   }));
+  return out;
 }
 
 void OmniDevice::tickFrame(bool ends) noexcept {
   look(own_.frames++ % kLookTicks == 0);  // before the frame begins, as the interface asks
 
-  const hd::Handle device = handle_.load(std::memory_order_relaxed);
-  hd_.beginFrame(device);
+  bool broken = drain().lost;  // errors of the calls before are none of this frame's
+  hd_.beginFrame(handle_.load(std::memory_order_relaxed));
+  const Drained begun = drain();
+  own_.begin_failed = begun.fails_frame;
+  if (begun.fails_frame) guard_.switchOff();
   double position[3] = {}, transform[16] = {};
   int buttons = 0;
   hd_.getDoublev(hd::kPosition, position);
@@ -209,11 +230,15 @@ void OmniDevice::tickFrame(bool ends) noexcept {
     in_inkwell_.store(!out_of_inkwell, std::memory_order_relaxed);
   }
   // Asked before the force is written: what is wrong by now ends it in this frame.
-  bool broken = drain();
+  broken = drain().lost || begun.lost || broken;
   DevicePose& pose = own_.pose;
-  pose.position.mm = Vec3(position[0], position[1], position[2]) - workspace_middle_mm_;
-  pose.orientation = hd::orientationOf(transform, pose.orientation);
-  pose.buttons = std::uint32_t(buttons);
+  pose.fresh = !begun.fails_frame;
+  pose.age_s = pose.fresh ? 0.0f : pose.age_s + 0.001f;
+  if (pose.fresh) {
+    pose.position.mm = Vec3(position[0], position[1], position[2]) - workspace_middle_mm_;
+    pose.orientation = hd::orientationOf(transform, pose.orientation);
+    pose.buttons = std::uint32_t(buttons);
+  }
   pose.connected = !gone_.load(std::memory_order_relaxed);
   const double heat = motor_heat_.load(std::memory_order_relaxed);
   pose.motor_heat = own_.warm_ticks > 0 ? 1.0f : float(std::max(0.0, heat));
@@ -230,19 +255,15 @@ void OmniDevice::tickFrame(bool ends) noexcept {
     target->onDeviceTick();
     frame_thread_.store(std::thread::id(), std::memory_order_release);
   }
-  if (forceInhibited()) own_.force_N = Vec3(0.0);
-  const double force[3] = {own_.force_N.x, own_.force_N.y, own_.force_N.z};
-  hd_.setDoublev(hd::kCurrentForce, force);
-  hd_.endFrame(device);
-  none_given_.store(own_.force_N == Vec3(0.0), std::memory_order_release);
-  broken = drain() || broken;
+  // Off, whatever is asked: the output may be switched on again only over a frame without force.
+  if (forceInhibited() || guard_.cut()) own_.force_N = Vec3(0.0);
+  broken = endFrame(own_.force_N, begun.fails_frame) || broken;
   if (!broken) return;
   // This very tick, for there may be no other; where the driver takes one frame a tick and no more, the output is off
   // all the same. And no force again in each frame that still comes.
   own_.broken = true;
-  hd::switchForce(hd_, false);
-  give(Vec3(0.0));
-  drain();
+  guard_.switchOff();
+  giveNone();
 }
 
 // In a signal's handler.
@@ -253,12 +274,9 @@ bool OmniDevice::lastAct(void* data) noexcept {
     // The tick itself was broken off, in a frame that this thread has open: what is interrupted is our own, which holds
     // no lock of the driver's, so the frame can be ended here.
     self.frame_thread_.store(std::thread::id(), std::memory_order_release);
-    const double none[3] = {};
-    self.hd_.setDoublev(hd::kCurrentForce, none);
-    self.hd_.endFrame(self.handle_.load(std::memory_order_relaxed));
-    self.none_given_.store(true, std::memory_order_release);
+    self.endFrame(Vec3(0.0), self.own_.begin_failed);
   }
-  return self.none_given_.load(std::memory_order_acquire) || self.guard_.cut();
+  return self.none_given_.load(std::memory_order_acquire) || self.guard_.off();
 }
 
 void OmniDevice::look(bool now) noexcept {

@@ -2,8 +2,8 @@
 // scheduler is the servo loop's clock: read() and write() run inside its callback, between the frame's begin and end.
 // While that clock is stalled, a read from elsewhere returns the last position as stale, and after 100 of them a device
 // that is gone. A device that is lost, or whose clock is stalled, is reopened on a thread of its own. Its last frames
-// give no force, whatever ends them: an error, the end of the clock, a signal. Where no frame comes, a guard switches
-// the output off (omni_guard.h). Units: millimetre, newton; the device's axes are the program's.
+// give no force, whatever ends them: an error, the end of the clock, a signal. Where no frame comes, or frames fail, a
+// guard switches the output off (omni_guard.h). Units: millimetre, newton; the device's axes are the program's.
 #pragma once
 
 #include <atomic>
@@ -67,8 +67,14 @@ class OmniDevice final : public Device {
   static hd::CallbackCode callback(void* self);
   hd::CallbackCode frame() noexcept;
   void tickFrame(bool ends) noexcept;
-  void give(const Vec3& force_N) noexcept;
-  bool drain() noexcept;
+  void giveNone() noexcept;
+  /// What the errors of the driver's stack say.
+  struct Drained {
+    bool lost = false;         ///< the device or its clock is lost
+    bool fails_frame = false;  ///< a frame that they came with was not written
+  };
+  Drained drain() noexcept;
+  bool endFrame(const Vec3& force_N, bool failed) noexcept;
   static bool lastAct(void* self) noexcept;
   void begin() noexcept;
   void look(bool now) noexcept;
@@ -95,7 +101,8 @@ class OmniDevice final : public Device {
     DevicePose pose;
     Vec3 force_N{0.0};
     int frames = 0, fault_ticks = 0, warm_ticks = 0, resetting_ticks = 0;
-    bool broken = false;  // the device is lost: only frames without force, until the window puts it away
+    bool begin_failed = false;  // of the open frame
+    bool broken = false;        // the device is lost: only frames without force, until the window puts it away
   } own_;
 
   // From the callback to the loop's own clock.
@@ -114,7 +121,7 @@ class OmniDevice final : public Device {
   std::string why_not_;  // the last revival failed
   std::chrono::steady_clock::time_point shown_until_{}, try_again_{};
 
-  std::atomic<bool> none_given_{true};  // by the newest frame
+  std::atomic<bool> none_given_{true};  // by the newest frame that the driver took without error
   OmniGuard guard_;
   LastAct last_act_;  // last, so that it ends first
 };

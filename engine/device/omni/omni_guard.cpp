@@ -15,7 +15,7 @@ constexpr std::int64_t kMs_ns = 1'000'000;
 void OmniGuard::start() {
   stop();
   last_ns_.store(now_ns_());
-  cut_.store(false);
+  clean_frames_.store(0);  // an output that is off stays off until two frames without force have been written
   ends_.store(false);
   thread_ = std::thread([this] { run(); });
 }
@@ -25,9 +25,13 @@ void OmniGuard::stop() {
   if (thread_.joinable()) thread_.join();
 }
 
-void OmniGuard::frame() noexcept {
-  last_ns_.store(now_ns_(), std::memory_order_release);
-  frames_.fetch_add(1, std::memory_order_release);
+void OmniGuard::frame() noexcept { last_ns_.store(now_ns_(), std::memory_order_release); }
+
+void OmniGuard::switchOff() noexcept {
+  failures_.fetch_add(1);
+  cut_.store(true, std::memory_order_release);
+  clean_frames_.store(0);
+  hd::switchForce(hd_, false);
 }
 
 void OmniGuard::run() noexcept {
@@ -38,18 +42,23 @@ void OmniGuard::run() noexcept {
 }
 
 void OmniGuard::look() noexcept {
-  const std::uint32_t frames = frames_.load(std::memory_order_acquire);
+  const std::uint32_t failures = failures_.load();
   // In this order: a guard that is itself held up in between finds a newer frame, not an older one.
   const std::int64_t now_ns = now_ns_(), silent_ns = now_ns - last_ns_.load(std::memory_order_acquire);
   const bool stalled = silent_ns > kMs_ns * (forceInhibited() ? kStalledInhibited_ms : kStalled_ms);
   if (!cut_.load() && stalled) {
     hd::switchForce(hd_, false);
-    frames_at_cut_ = frames;
     cut_.store(true, std::memory_order_release);
-  } else if (cut_.load() && !stalled && frames - frames_at_cut_ >= 2) {
-    // Two frames have known that it is off, and have written no force.
+    clean_frames_.store(0);
+  } else if (cut_.load() && !stalled && clean_frames_.load(std::memory_order_acquire) >= 2) {
+    // At least one whole frame began after the output was off; it wrote no force, and the driver took it.
     hd::switchForce(hd_, true);
     cut_.store(false, std::memory_order_release);
+    // A frame that failed meanwhile has switched the output off before this thread switched it on.
+    if (failures_.load() != failures) {
+      cut_.store(true, std::memory_order_release);
+      hd::switchForce(hd_, false);
+    }
   }
 }
 

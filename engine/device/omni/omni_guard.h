@@ -1,6 +1,7 @@
 // Ends the force of an Omni where its callback cannot. Its own thread wakes 250 times a second and checks whether
 // frames come. It switches the driver's force output off when none has come for kStalled_ms, and on again, with a soft
-// start, when they do. While all force is inhibited (platform/force_inhibit.h) it waits for kStalledInhibited_ms only.
+// start, when they do. The callback switches the output off where a frame fails; the guard's thread switches it on again
+// after two frames without error. While all force is inhibited (platform/force_inhibit.h) it waits for kStalledInhibited_ms only.
 #pragma once
 
 #include <atomic>
@@ -27,8 +28,15 @@ class OmniGuard {
   void stop();
   /// The callback: a frame begins.
   void frame() noexcept;
+  /// The callback: the driver has taken the frame without error.
+  void written() noexcept { clean_frames_.fetch_add(1, std::memory_order_acq_rel); }
+  /// Switches the output off until two frames have been written without error. The callback, its signal handler, or any
+  /// thread while no callback runs.
+  void switchOff() noexcept;
   /// Any thread: the output is off, or was on for less than two frames, so that only no force is to be written.
   bool cut() const noexcept { return cut_.load(std::memory_order_acquire); }
+  /// Any thread: the motors are off whatever force was written last. Never true where the library has no hdDisable.
+  bool off() const noexcept { return cut() && hd_.disable; }
 
  private:
   void run() noexcept;
@@ -37,9 +45,9 @@ class OmniGuard {
   const hd::Library& hd_;
   std::int64_t (*const now_ns_)() noexcept;
   std::atomic<std::int64_t> last_ns_{0};
-  std::atomic<std::uint32_t> frames_{0};
+  std::atomic<std::uint32_t> clean_frames_{0};  // since the output was switched off
+  std::atomic<std::uint32_t> failures_{0};      // calls of switchOff()
   std::atomic<bool> cut_{false}, ends_{false};
-  std::uint32_t frames_at_cut_ = 0;  // the thread's
   std::thread thread_;
 };
 

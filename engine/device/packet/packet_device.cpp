@@ -75,7 +75,7 @@ int PacketDevice::receive(State& state, int wait_ms) {
       ++state.count;
       state.received = Clock::now();
     }
-    size = port_->read(in, 0);
+    if (k + 1 < kMostReports) size = port_->read(in, 0);  // what is read is parsed
   }
   if (calibrate_.exchange(false, std::memory_order_acq_rel) && protocol_->calibrate()) ++state.pose.discontinuities;
   const DeviceGuidance guidance = protocol_->guidance();

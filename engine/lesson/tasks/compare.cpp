@@ -79,7 +79,8 @@ class CompareMethods : public Task {
 class ComparePlaces : public Task {
  public:
   ComparePlaces(const TaskSpec& spec, const Molecule& molecule) : Task(spec), time_s_(spec.values["for"].number) {
-    for (const Selection& part : spec.values["of"].path) places_.push_back({AtomSet(part, molecule), TargetName(part)});
+    for (const Selection& part : spec.values["of"].path)
+      places_.push_back({AtomSet(part, molecule), TargetName(part, molecule)});
   }
 
   void reset() override {
@@ -127,11 +128,17 @@ class ComparePlaces : public Task {
   std::string guidance() const override {
     if (here_ && here_->felt_s < time_s_)
       return trf("Keep touching {0}: {1} of {2}.", here_->name.text(), timeText(here_->felt_s), timeText(time_s_));
+    std::size_t felt = 0;
+    const Place* missing = nullptr;
     for (const Place& p : places_)
-      if (p.felt_s < time_s_)
-        return touching_ && !here_ ? trf("You are on the surface. Slide on to find {0}.", p.name.text())
-                                   : trf("Now touch {0}.", p.name.text());
-    return {};
+      if (p.felt_s >= time_s_)
+        ++felt;
+      else if (!missing)
+        missing = &p;
+    if (!missing) return {};
+    return touching_ && !here_
+               ? trf("{0} of {1} places touched. Slide on to find {2}.", felt, places_.size(), missing->name.text())
+               : trf("{0} of {1} places touched. Now touch {2}.", felt, places_.size(), missing->name.text());
   }
 
   void measure(std::vector<TaskFigure>& out) const override {

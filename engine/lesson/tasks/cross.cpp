@@ -22,6 +22,8 @@ class Cross : public Task {
         named_(spec.values.has("called") || spec.values.has("arrival")),
         times_(static_cast<int>(spec.values["times"].number)) {}
 
+  bool takesUpSlide() const override { return true; }
+
   void reset() override {
     Task::reset();
     away_s_ = from_s_ = 0.0;

@@ -1,17 +1,62 @@
 // feel: visit kinds of place (sphere, crease, pit), or a number of different atoms.
 #include <algorithm>
+#include <utility>
 
+#include "engine/haptics/ball_scene.h"
 #include "engine/language/catalogue.h"
+#include "engine/lesson/surface_places.h"
 #include "engine/lesson/tasks/registry.h"
 
 namespace moltact {
 namespace {
 
+// Who has pressed so often, or been on the surface for so long, without finding a place gets a hint, and the view comes
+// close; later examples are marked.
+constexpr int kHint_presses = 4, kExamples_presses = 8;
+constexpr double kHint_s = 15.0, kExamples_s = 30.0;
+
+// Atoms of up to three places of this kind near a contact point, which a probe reaches from outside; none for the face of
+// an atom, which is everywhere.
+std::vector<std::uint32_t> examplesNear(const std::vector<Ball>& balls, const AtomSet& where, std::string_view kind,
+                                        const Vec3& near_A, double probe_A) {
+  constexpr double kAround_A = 16.0, kLooked_A = 9.0, kApart_A = 3.0;
+  constexpr std::size_t kMost = 3;
+  std::vector<Ball> round;
+  std::vector<std::uint32_t> index, among;
+  for (std::uint32_t a = 0; a < balls.size(); ++a) {
+    const double far_A = glm::distance(balls[a].centre_A, near_A);
+    if (far_A > kAround_A) continue;
+    if (far_A < kLooked_A && where.has(std::int32_t(a))) among.push_back(std::uint32_t(round.size()));
+    index.push_back(a);
+    round.push_back(balls[a]);
+  }
+  const BallScene scene(std::move(round));
+  std::vector<SurfacePlace> places = kind == "pit"      ? pitPlaces(scene, among, probe_A)
+                                     : kind == "crease" ? creasePlaces(scene, among, probe_A, 1.0)
+                                                        : std::vector<SurfacePlace>();
+  std::sort(places.begin(), places.end(), [&](const SurfacePlace& a, const SurfacePlace& b) {
+    return glm::distance(a.scp_A, near_A) < glm::distance(b.scp_A, near_A);
+  });
+  std::vector<Vec3> taken;
+  std::vector<std::uint32_t> out;
+  for (const SurfacePlace& place : places) {
+    const bool beside = std::any_of(taken.begin(), taken.end(),
+                                    [&](const Vec3& t) { return glm::distance(t, place.scp_A) < kApart_A; });
+    if (taken.size() == kMost || beside || !openFromOutside(scene, place, probe_A)) continue;
+    taken.push_back(place.scp_A);
+    for (const std::int32_t a : place.atoms)
+      if (a >= 0) out.push_back(index[std::size_t(a)]);
+  }
+  std::sort(out.begin(), out.end());
+  out.erase(std::unique(out.begin(), out.end()), out.end());
+  return out;
+}
+
 /// Each kind of place once, in any order.
 class FeelPlaces : public Task {
  public:
   FeelPlaces(const TaskSpec& spec, const Molecule& molecule)
-      : Task(spec), where_(spec.values["of"].selection, molecule) {
+      : Task(spec), where_(spec.values["of"].selection, molecule), balls_(molecule.balls()) {
     for (const std::string& word : spec.values["feel"].words)
       if (std::none_of(places_.begin(), places_.end(), [&](const Wanted& w) { return w.word == word; }))
         places_.push_back({word, PlaceKind(word, where_, molecule), {}});
@@ -21,7 +66,15 @@ class FeelPlaces : public Task {
     Task::reset();
     for (Wanted& w : places_) w.watch.restart();
     on_wanted_ = touching_ = false;
+    beginSearch();
   }
+
+  void leaveOut(std::span<const std::uint32_t> untouchable) override {
+    for (const std::uint32_t a : untouchable)
+      if (a < balls_.size()) balls_[a].centre_A = Vec3(1e9);  // so far away that no place is made by it
+  }
+
+  std::vector<std::uint32_t> exampleAtoms() const override { return examples_; }
 
  private:
   struct Wanted {
@@ -31,10 +84,37 @@ class FeelPlaces : public Task {
     bool felt() const { return watch.elapsed_s() >= kTouch_s; }
   };
 
+  void beginSearch() {
+    presses_ = 0;
+    searched_s_ = away_s_ = 0.0;
+    close_to_.reset();
+    examples_.clear();
+  }
+
+  // How long the search for the first place that is missing has lasted, and what helps.
+  void search(const TouchSample& s, double dt_s) {
+    if (!touching_) {
+      away_s_ += dt_s;
+      return;
+    }
+    if (std::exchange(away_s_, 0.0) > kSlip_s || presses_ == 0) ++presses_;
+    searched_s_ += dt_s;
+    if (!close_to_ && (presses_ > kHint_presses || searched_s_ >= kHint_s)) close_to_ = s.contact.scp;
+    if (!examples_.empty() || !(presses_ > kExamples_presses || searched_s_ >= kExamples_s)) return;
+    for (const Wanted& w : places_)
+      if (!w.felt()) {
+        examples_ = examplesNear(balls_, where_, w.word, s.contact.scp.A, s.probe_A);
+        return;
+      }
+  }
+
+  TaskStage requestedStage() const override { return {.close_to = close_to_}; }
+
   void onSample(const TouchSample& s, double dt_s) override {
     touching_ = s.contact.touching();
     on_wanted_ = false;
     std::size_t felt = 0;
+    const std::size_t felt_before = felt_;
     for (Wanted& w : places_) {
       const bool here = w.kind.at(s.contact, where_, s.probe_A);
       if (!w.felt()) {
@@ -43,6 +123,11 @@ class FeelPlaces : public Task {
       }
       felt += w.felt();
     }
+    felt_ = felt;
+    if (felt_ != felt_before)
+      beginSearch();
+    else
+      search(s, dt_s);
     setProgress(static_cast<double>(felt) / static_cast<double>(places_.size()));
     if (felt == places_.size()) finish();
   }
@@ -58,15 +143,32 @@ class FeelPlaces : public Task {
 
   std::string guidance() const override {
     if (on_wanted_) return tr("You have it. Stay there a moment.");
+    if (!examples_.empty()) return tr("Some such places are marked near your hand. Push into the middle of one.");
     std::string missing;
+    for (const Wanted& w : places_)
+      if (close_to_ && !w.felt()) return howToFind(w.word);
     for (const Wanted& w : places_)
       if (!w.felt()) missing = missing.empty() ? placeName(w.word) : trf("{0} and {1}", missing, placeName(w.word));
     if (touching_) return trf("Slide over the surface until you feel {0}.", missing);
     return trf("Touch the surface, then slide until you feel {0}.", missing);
   }
 
+  static const char* howToFind(std::string_view word) {
+    if (word == "pit")
+      return tr("A pit is a dent between three balls. Push into the middle of one: there the probe does not slide.");
+    if (word == "crease")
+      return tr("A crease is where two balls meet. Push beside that line: the probe slides into it.");
+    return tr("A round face is the part of a ball that stands out most. Push lightly on its middle.");
+  }
+
   AtomSet where_;
   std::vector<Wanted> places_;
+  std::vector<Ball> balls_;
+  std::vector<std::uint32_t> examples_;
+  std::optional<PointA> close_to_;
+  std::size_t felt_ = 0;
+  int presses_ = 0;                         // of the search for what is missing
+  double searched_s_ = 0.0, away_s_ = 0.0;  // on the surface; off it since the last press
   bool touching_ = false, on_wanted_ = false;
 };
 

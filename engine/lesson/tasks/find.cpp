@@ -55,17 +55,15 @@ class Find : public Task {
   }
 
  private:
-  enum class Heat { None, Warmer, Colder };
-
   struct Now {
-    double off_A = 0.0, told_A = -1.0, first_off_A = -1.0, still_s = 0.0;
+    double off_A = 0.0, first_off_A = -1.0, still_s = 0.0;
     Vec3 resting_A{0.0};
+    double told_A = -1.0;  // of the wrong guess before, in this search
     int guesses = 0, looks = 0, rounds = 1;
     int left = 0;             // guesses of this round
     std::string said;         // to the last guess
     std::string author_says;  // to what is touched
     bool touching = false, felt = false, right = false, lit = false, told_here = false;
-    Heat heat = Heat::None;
   };
 
   // Any turn is as likely as any other (Shoemake 1992), of those that let the place look to the person.
@@ -88,7 +86,6 @@ class Find : public Task {
     now_.touching = now_.felt = now_.right = now_.told_here = false;
     now_.still_s = 0.0;
     now_.told_A = -1.0;
-    now_.heat = Heat::None;
     now_.author_says.clear();
   }
 
@@ -104,11 +101,6 @@ class Find : public Task {
     now_.off_A = distance(s.contact.scp.A, s.probe_A);
     now_.right = (target_.touchedBy(s.contact) || now_.off_A <= within_A_) && limits_.allow(s.contact, s.probe_A);
     now_.author_says = now_.right ? std::string() : wrong_.about(s.contact);
-    if (now_.told_A < 0.0) now_.told_A = now_.off_A;
-    if (std::abs(now_.off_A - now_.told_A) >= kWarmer_A) {
-      now_.heat = now_.off_A < now_.told_A ? Heat::Warmer : Heat::Colder;
-      now_.told_A = now_.off_A;
-    }
     if (glm::distance(s.contact.scp.A, now_.resting_A) > kStill_A) {
       now_.resting_A = s.contact.scp.A;
       now_.still_s = 0.0;
@@ -150,7 +142,8 @@ class Find : public Task {
       finish();
       return;
     }
-    now_.said = why();
+    now_.said = withHeat(why());
+    now_.told_A = now_.off_A;
     if (--now_.left > 0) {
       now_.said +=
           ' ' + trnf("{0} guess is left.", "{0} guesses are left.", static_cast<std::size_t>(now_.left), now_.left);
@@ -200,7 +193,7 @@ class Find : public Task {
   }
 
   TaskStage requestedStage() const override {
-    TaskStage stage{.dark = !now_.lit, .force_meter = meter_, .presentation = presentation_};
+    TaskStage stage{.dark = !now_.lit, .unnamed = !now_.lit, .force_meter = meter_, .presentation = presentation_};
     if (turns_) stage.turned = turned_;
     return stage;
   }
@@ -210,17 +203,19 @@ class Find : public Task {
     if (now_.lit)
       return turns_ ? trf("Look what lies round {0}. In the dark the molecule will be turned anew.", name)
                     : trf("Look where {0} is. The search goes on when it is dark again.", name);
-    if (!now_.said.empty()) return withHeat(now_.said);
+    if (!now_.said.empty()) return now_.said;
     if (!now_.touching && now_.felt && !by_holding_)
-      return withHeat(trf("Say whether it was there, or feel on to find {0}.", name));
+      return trf("Say whether it was there, or feel on to find {0}.", name);
     if (!now_.touching) return trf("Push until you touch the surface, then feel your way to {0}.", name);
-    return withHeat(by_holding_ ? trf("Slide to {0}, then rest there for {1}.", name, timeText(kStill_s))
-                                : trf("Slide to {0}, then say that it is here.", name));
+    return by_holding_ ? trf("Slide to {0}, then rest there for {1}.", name, timeText(kStill_s))
+                       : trf("Slide to {0}, then say that it is here.", name);
   }
 
+  // How a wrong guess compares with the one before it. A hand that slides is not told: whoever only followed the words
+  // would find the place.
   std::string withHeat(std::string sentence) const {
-    if (!warmer_ || now_.heat == Heat::None) return sentence;
-    return sentence + " " + (now_.heat == Heat::Warmer ? tr("Warmer.") : tr("Colder."));
+    if (!warmer_ || now_.told_A < 0.0 || std::abs(now_.off_A - now_.told_A) < kWarmer_A) return sentence;
+    return sentence + " " + (now_.off_A < now_.told_A ? tr("Warmer.") : tr("Colder."));
   }
 
   void measure(std::vector<TaskFigure>& out) const override {
@@ -265,7 +260,7 @@ TaskKind findKind() {
        .words = {"here", "hold"}},
       {.name = "hints",
        .type = ValueType::Word,
-       .meaning = "Whether the program says 'warmer' and 'colder'.",
+       .meaning = "Whether a wrong guess is said to be warmer or colder than the one before.",
        .fallback = "none",
        .words = {"none", "warmer"}},
       {.name = "meter",

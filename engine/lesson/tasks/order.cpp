@@ -111,7 +111,7 @@ class Order : public Task {
 
   TaskStage requestedStage() const override {
     if (places_.empty()) return {};
-    TaskStage stage{.dark = dark_, .force_meter = meter_, .presentation = presentation_};
+    TaskStage stage{.dark = dark_, .unnamed = true, .force_meter = meter_, .presentation = presentation_};
     stage.facing = shownPlace(at_).middle;
     return stage;
   }

@@ -13,6 +13,7 @@
 namespace moltact {
 namespace {
 
+constexpr double kNear_A = 2.0;  // from the surface of the place's atoms, as the probe's centre sees it
 constexpr std::string_view kPlace = "place", kRemove = "remove";
 
 // In one of these the second thing differs.
@@ -36,7 +37,16 @@ class Same : public Task {
         time_s_(spec.values["for"].number),
         tell_(spec.values["tell"].text == "yes"),
         meter_(spec.values["meter"].text == "on"),
+        before_(spec.values["asked"].text == "before"),
+        asked_(!spec.values["asked"].text.empty()),
         by_place_(spec.values["place"].selection.given()) {
+    if (before_) tell_ = false;
+    // The second asking has other pairs than the first, also where the author says by what they are drawn.
+    if (fixed_ && asked_ && !before_) ++seed_;
+    for (const auto& [key, balls] : {std::pair(std::string_view("same"), &here_balls_), {kPlace, &there_balls_}})
+      if (spec.values[key].selection.given())
+        for (const std::uint32_t a : spec.values[key].selection.select(molecule))
+          balls->push_back({molecule.atoms[a].position.A, molecule.atoms[a].radius_A});
     needed_ = spec.values.has("right") ? std::min(trials_, static_cast<std::size_t>(spec.values["right"].number))
                                        : (3 * trials_ + 3) / 4;
     for (const TouchProperty& p : touchProperties())
@@ -61,6 +71,7 @@ class Same : public Task {
   void reset() override {
     Task::reset();
     round_ = 0;
+    first_round_.reset();
     presentation_ += 2;
     answered_ = failed_ = false;
     begin();
@@ -106,10 +117,19 @@ class Same : public Task {
   }
 
   void onSample(const TouchSample& s, double dt_s) override {
-    const AtomSet& wanted = by_place_ && showsOther() ? there_ : here_;
+    const bool there = by_place_ && showsOther();
     touching_ = s.contact.touching();
-    beside_ = touching_ && !wanted.touchedBy(s.contact);
+    beside_ = touching_ && !(there ? there_ : here_).touchedBy(s.contact) &&
+              !near(there ? there_balls_ : here_balls_, s.contact.scp.A, s.probe_A);
     if (touching_ && !beside_) felt_s_ = std::min(time_s_, felt_s_ + dt_s);
+  }
+
+  // Which atoms hold the probe may depend on what is to be told apart, and "beside the place" would say it: whatever is
+  // close to the place counts.
+  static bool near(const std::vector<Ball>& balls, const Vec3& scp_A, double probe_A) {
+    return std::any_of(balls.begin(), balls.end(), [&](const Ball& b) {
+      return glm::distance(scp_A, b.centre_A) - b.radius_A - probe_A <= kNear_A;
+    });
   }
 
   HandPlan demonstrate(const HandPlanInput& view) const override {
@@ -129,7 +149,7 @@ class Same : public Task {
 
   TaskStage requestedStage() const override {
     TaskStage stage = showsOther() ? other_ : one_;
-    stage.dark = true;
+    stage.dark = stage.unnamed = true;
     stage.force_meter = meter_;
     stage.presentation = presentation_ + 1;
     return stage;
@@ -157,7 +177,9 @@ class Same : public Task {
     setProgress(double(++trial_) / double(trials_));
     if (trial_ < trials_) return;
     --trial_;
-    if (right_ >= needed_) {
+    if (round_ == 0) first_round_ = sensitivityNow(trials_);
+    // The first asking is a measurement: one round, whatever the answers were.
+    if (before_ || right_ >= needed_) {
       finish();
       return;
     }
@@ -202,28 +224,39 @@ class Same : public Task {
     return last_differed_ ? tr("No, they were different.") : tr("No, they were the same.");
   }
 
-  std::string afterwards() const override { return trf("{0} of {1} right.", right_, trials_); }
+  std::string afterwards() const override {
+    return before_ ? std::string() : trf("{0} of {1} right.", right_, trials_);
+  }
   std::string solution() const override { return trf("{0} of {1} right; {2} were needed.", right_, trials_, needed_); }
 
   void measure(std::vector<TaskFigure>& out) const override {
     const std::size_t answered = done() ? trials_ : trial_;
-    int differed = 0;
-    for (std::size_t k = 0; k < answered; ++k) differed += order_[k].differ;
-    const int alike = static_cast<int>(answered) - differed;
     out.push_back({N_("trials"), double(answered), ""});
     out.push_back({N_("right"), double(right_), ""});
     out.push_back({N_("hits"), double(hits_), ""});
     out.push_back({N_("false alarms"), double(alarms_), ""});
-    if (answered > 0) out.push_back({"d'", sensitivity(hits_, differed, alarms_, alike), ""});
+    if (answered > 0) out.push_back({"d'", sensitivityNow(answered), ""});
+    if (asked_ && first_round_) out.push_back({kFirstRoundSensitivity, *first_round_, ""});
     out.push_back({N_("rounds"), double(round_ + 1), ""});
   }
 
+  // Of the pairs of this round that were answered.
+  double sensitivityNow(std::size_t answered) const {
+    int differed = 0;
+    for (std::size_t k = 0; k < answered; ++k) differed += order_[k].differ;
+    return sensitivity(hits_, differed, alarms_, static_cast<int>(answered) - differed);
+  }
+
   AtomSet here_, there_;
+  std::vector<Ball> here_balls_, there_balls_;  // of them, where they are named
   std::size_t trials_ = 8, needed_ = 6, trial_ = 0, right_ = 0, failed_right_ = 0;
   bool fixed_ = false;  // the author has said by what the orders are drawn
   std::uint64_t seed_ = 0, drawn_ = 0;
   double time_s_ = 1.0, felt_s_ = 0.0;
-  bool tell_ = true, meter_ = true, by_place_ = false;
+  bool tell_ = true, meter_ = true;
+  bool before_ = false, asked_ = false;  // asked before the explanation; asked before and after it
+  bool by_place_ = false;
+  std::optional<double> first_round_;  // d' of the first round, once it is over
   TaskStage one_, other_;
   std::vector<Trial> order_;
   std::vector<bool> judged_;  // of this round, until it begins those of the one before
@@ -246,6 +279,12 @@ void checkSame(const TaskSpec& spec, std::vector<Problem>& problems) {
     problems.push_back(
         problemAt(same.place, tr("nothing says how the second thing differs from the scene"),
                   trf("add a line that starts with {0} and a colon", joined(differences(), tr(" or ")))));
+  if (spec.values["asked"].text == "before")
+    for (const std::string_view key : {"right", "attempts", "tell"})
+      if (const Value& value = spec.values[key]; value.place.line)
+        problems.push_back(problemAt(
+            value.place, trf("'{0}' plays no part in a task that is asked before: it is one round, not judged", key),
+            tr("take this line out")));
   if (place.place.line && !same.selection.given())
     problems.push_back(problemAt(same.place, tr("two places are to be felt, but only one is named"),
                                  tr("name the atoms of the first in 'same'")));
@@ -331,6 +370,12 @@ TaskKind sameKind() {
                   "there is to feel.",
        .fallback = "on",
        .words = {"on", "off"}},
+      {.name = "asked",
+       .type = ValueType::Word,
+       .meaning = "For a lesson that measures itself: it asks the same task in two steps, `before` and `after` its "
+                  "explanation, each time with other pairs. Before is one round, whose answers are not judged. The "
+                  "report gives the gain in d' from the first round of each.",
+       .words = {"before", "after"}},
       {.name = "seed",
        .type = ValueType::Count,
        .meaning = "For studies: all students and attempts get the pairs that this number draws; without it each gets "

@@ -2,7 +2,14 @@
 // thread.
 #pragma once
 
+#include <string_view>
+
+#include "engine/language/catalogue.h"
+
 namespace moltact {
+
+/// The name of the figure that holds d' of a task's first round. Attempts hold it in English.
+inline constexpr std::string_view kFirstRoundSensitivity = N_("d' in the first round");
 
 /// The z of which a standard normal value is smaller with probability p; p within 0 to 1, both excluded (else clamped
 /// to 1e-12 from the ends).

@@ -215,6 +215,17 @@ TargetName::TargetName(const TaskSpec& spec, std::string_view key, std::string_v
   if (const Value& target = spec.values[key]; !target.words.empty()) word_ = target.words[0];
 }
 
+TargetName::TargetName(Selection selection, const Molecule& molecule) : selection_(std::move(selection)) {
+  const std::vector<std::uint32_t> atoms = selection_.select(molecule);
+  if (atoms.empty() || molecule.atoms[atoms[0]].residue == kNoResidue) return;
+  const auto elsewhere = [&](std::uint32_t a) { return molecule.atoms[a].residue != molecule.atoms[atoms[0]].residue; };
+  if (std::any_of(atoms.begin(), atoms.end(), elsewhere)) return;
+  const AtomWords words = molecule.words(atoms[0]);
+  if (words.residue.empty()) return;
+  const bool one_chain = molecule.chains.size() == 1 || words.chain.empty();
+  called_ = one_chain ? words.residue : trf("{0} (chain {1})", words.residue, words.chain);
+}
+
 std::string TargetName::text() const {
   if (!called_.empty()) return called_;
   return selection_.given() ? selection_.noun() : placeName(word_);

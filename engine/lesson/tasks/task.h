@@ -46,11 +46,13 @@ struct TaskButton {
 /// The changes of the scene that a task asks for while it is under way. Values that are not given stay as the lesson's
 /// scene has them.
 struct TaskStage {
-  bool dark = false;         ///< the molecule is not drawn and no atom is named: the way is found by touch alone
+  bool dark = false;         ///< the molecule is not drawn: the way is found by touch alone
+  bool unnamed = false;      ///< what is touched is the question: nothing says its atoms or how many hold the probe
   bool force_meter = false;  ///< in the dark the force is shown
   TouchChange touch = {};    ///< felt with something else
   std::vector<std::uint32_t> removed = {};  ///< atoms that are not felt, besides those of the scene; ascending
   std::optional<PointA> facing = {};        ///< a place to be turned to the front, in the middle of the view
+  std::optional<PointA> close_to = {};      ///< a place that the view comes close to, once no hand presses
   std::optional<Quat> turned = {};          ///< the molecule is seen turned so: the screen's axes in its own
   int presentation = 0;  ///< another number, or another turn, begins a new presentation: the hand lets go and starts
                          ///< outside again, so that nothing but the touch shows whether something has changed
@@ -112,6 +114,10 @@ class Task {
   std::optional<TaskSlider> slider() const { return done_ ? std::nullopt : currentSlider(); }
   /// Atoms that show the answer once the tries are used up, ascending; empty where atoms cannot.
   virtual std::vector<std::uint32_t> answerAtoms() const { return {}; }
+  /// Atoms that show places of the kind that is asked for, to a student who has tried for long; empty before that.
+  virtual std::vector<std::uint32_t> exampleAtoms() const { return {}; }
+  /// It looks at the way of the hand, and takes up the part that was gone before its turn came, since the surface was met.
+  virtual bool takesUpSlide() const { return false; }
   /// Of a task of several trials, as far as it may be told; else `of` is 0.
   virtual TaskTrials trials() const { return {}; }
   /// It waits for a harder push than the hand gives now.
@@ -247,6 +253,8 @@ class TargetName {
   /// `called`: the key with which the author may name it.
   TargetName(const TaskSpec& spec, std::string_view key, std::string_view called = "called");
   explicit TargetName(Selection selection) : selection_(std::move(selection)) {}
+  /// Atoms of one residue are called by it: "Ile 50 (chain A)".
+  TargetName(Selection selection, const Molecule& molecule);
   std::string text() const;
 
  private:

@@ -15,6 +15,7 @@ class Trace : public Task {
   explicit Trace(const TaskSpec& spec);
 
   void reset() override;
+  bool takesUpSlide() const override { return true; }
 
  protected:
   enum class State { Away, Elsewhere, On, Off, Lifted, Again };

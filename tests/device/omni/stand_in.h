@@ -67,6 +67,9 @@ struct StandIn {
   bool forcesOn() const { return call<bool()>("standInForcesOn")(); }
   double driven() const { return call<double()>("standInDriven")(); }
   void errorAtEnd(std::uint32_t code) const { call<void(std::uint32_t)>("standInErrorAtEnd")(code); }
+  void failBegins(int frames, std::uint32_t code) const {
+    call<void(int, std::uint32_t)>("standInFailBegins")(frames, code);
+  }
   std::uint32_t updates() const { return call<std::uint32_t()>("standInUpdates")(); }
   SharedLibrary* library = nullptr;
 };

@@ -6,7 +6,7 @@
 // for the calibration style STAND_IN_STYLE if that is set, has the middle of its room STAND_IN_ROOM_Z mm before its
 // hand's, and writes how the device was closed. Into the file STAND_IN_FORCES it writes each force that it is given, in
 // N, and "off" and "on" for its output, each in one line behind the monotonic time in ns: they are there however the
-// process ends.
+// process ends. While the file STAND_IN_FRAMES_FAIL exists, no frame can be begun.
 #include <fcntl.h>
 #include <time.h>
 #include <unistd.h>
@@ -39,7 +39,8 @@ struct State {
   bool attached = true, initialised = false, in_frame = false, forces_on = false, running = false, manual = true,
        licensed = true;
   bool framed = false, ticks = false;  // a frame was in this tick; a tick is under way
-  std::uint32_t error_at_end = hd::kNoError;
+  std::uint32_t error_at_end = hd::kNoError, error_at_begin = hd::kNoError;
+  int begins_to_fail = 0;
   std::uint32_t calibration = hd::kCalibrated, style = hd::kInkwell, updates = 0;
   bool docked = false;
   int buttons = 0, inits = 0, init_ms = 0, updates_needed = 1;
@@ -190,6 +191,12 @@ void hdMakeCurrentDevice(hd::Handle device) {
 }
 void hdBeginFrame(hd::Handle) {
   const Lock lock(state().mutex);
+  static const char* const fails = std::getenv("STAND_IN_FRAMES_FAIL");
+  if (fails && ::access(fails, F_OK) == 0) return push(hd::kIllegalBegin);
+  if (state().begins_to_fail > 0) {
+    --state().begins_to_fail;
+    return push(state().error_at_begin);
+  }
   if (state().in_frame) push(hd::kIllegalBegin);
   if (state().ticks && std::exchange(state().framed, true)) return push(hd::kFrameError);
   state().in_frame = true;
@@ -383,6 +390,7 @@ void standInReset(bool manual) {
   s.room_middle_mm = Vec3(0.0);
   s.framed = s.ticks = false;
   s.error_at_end = hd::kNoError;
+  s.begins_to_fail = 0;
   s.biggest_N = 0;
   s.at_stop_N = -1;
   std::fill(s.force, s.force + 3, 0.0);
@@ -458,6 +466,12 @@ bool standInForcesOn() {
 void standInErrorAtEnd(std::uint32_t code) {
   const Lock lock(state().mutex);
   state().error_at_end = code;
+}
+// Each of the next frames leaves this error when it is begun, and is not open.
+void standInFailBegins(int frames, std::uint32_t code) {
+  const Lock lock(state().mutex);
+  state().begins_to_fail = frames;
+  state().error_at_begin = code;
 }
 double standInForceAtStop() {
   const Lock lock(state().mutex);

@@ -16,7 +16,9 @@ constexpr unsigned kSeed = 20261122;
 
 TEST_CASE(
     "whoever answers 'same' by a coin, always alike, or so that half differ, passes a round as often as coins do") {
-  const std::vector<Found> found = tasksOfKind("same");
+  std::vector<Found> found = tasksOfKind("same");
+  // What is asked before is a measurement: one round, which nobody passes or fails.
+  std::erase_if(found, [](const Found& f) { return f.spec().values["asked"].text == "before"; });
   REQUIRE(found.size() >= 8);
   std::mt19937 random(kSeed);
   CAPTURE(kSeed);

@@ -16,7 +16,7 @@ using namespace moltact;
 namespace {
 
 const std::string kHead =
-    "---\ntitle: T\nminutes: 5\ngoals: G\nmolecules: pair, cage, ring, well\nauthor: A\nlicence: L\n---\n";
+    "---\ntitle: T\nminutes: 1\ngoals: G\nmolecules: pair, cage, ring, well\nauthor: A\nlicence: L\n---\n";
 
 std::shared_ptr<const Lesson> lesson(const std::string& body) {
   LessonReading read = readLessonText("l.md", kHead + body);

@@ -82,7 +82,13 @@ struct StepPicture {
     const ViewSpec& view = scene.view;
     if (view.facing.given()) {
       const auto atoms = presentAtoms(view.facing, scene, *molecule);
-      if (!atoms.empty()) c.face({middle(atoms)});
+      if (nearlyAllPresent(atoms, scene, *molecule)) {
+        std::vector<Vec3> places_A;
+        for (const std::uint32_t a : atoms) places_A.push_back(molecule->atoms[a].position.A);
+        c.lookAlongThinnest(places_A);
+      } else if (!atoms.empty()) {
+        c.face({middle(atoms)});
+      }
     } else if (view.turned_deg) {
       c.lookFrom((*view.turned_deg)[0] / 90.0 * kQuarter, (*view.turned_deg)[1] / 90.0 * kQuarter);
       c.roll((*view.turned_deg)[2] / 90.0 * kQuarter);

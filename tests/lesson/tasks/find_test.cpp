@@ -54,18 +54,23 @@ TEST_CASE("told by resting: 1.9 s in one place says nothing, 2.0 s says here onc
   CHECK(t->done());
 }
 
-TEST_CASE("warmer and colder are said at a change of 1 A and only where the author asks") {
+TEST_CASE(
+    "a wrong guess is warmer or colder than the one before by 1 A, where the author asks; a hand that slides is told "
+    "nothing") {
   for (const bool asked : {true, false}) {
-    auto t = task("find", {{"find", "atom 0"}, {"hints", asked ? "warmer" : "none"}});
+    auto t = task("find", {{"find", "atom 0"}, {"hints", asked ? "warmer" : "none"}, {"guesses", "9"}});
     Hand hand{*t};
-    hand.touch({4}, 0.1, 0.5, {0, 9, 0});
-    CHECK(t->sentence() == "Slide to atom 0, then say that it is here.");
-    hand.touch({4}, 0.1, 0.5, {0, 7.9, 0});
-    CHECK(t->sentence().ends_with(asked ? "here. Warmer." : "here."));
-    hand.touch({4}, 0.1, 0.5, {0, 8.5, 0});
-    CHECK(t->sentence().ends_with(asked ? "here. Warmer." : "here."));
-    hand.touch({4}, 0.1, 0.5, {0, 9.0, 0});
-    CHECK(t->sentence().ends_with(asked ? "here. Colder." : "here."));
+    const auto guessAt = [&](double y_A) {
+      hand.touch({4}, 0.1, 0.5, {0, y_A, 0});
+      CHECK(t->sentence() == "Slide to atom 0, then say that it is here.");
+      t->answer({"here"});
+      return t->sentence();
+    };
+    const auto tells = [](const std::string& said, const char* word) { return said.find(word) != std::string::npos; };
+    CHECK_FALSE((tells(guessAt(9.0), "Warmer") || tells(t->sentence(), "Colder")));
+    CHECK(tells(guessAt(7.9), "Warmer.") == asked);
+    CHECK_FALSE(tells(guessAt(8.5), "Colder."));
+    CHECK(tells(guessAt(9.6), "Colder.") == asked);
   }
 }
 

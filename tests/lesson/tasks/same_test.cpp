@@ -110,6 +110,60 @@ TEST_CASE("who answers 5 of 8 rightly feels another round of other pairs, and so
   CHECK(first != second);
 }
 
+TEST_CASE(
+    "a task that is asked before is one round of 8 pairs, done whatever the answers were, and tells nothing; its d' is "
+    "that of hits and false alarms by the log-linear correction") {
+  Keys keys = kProbes;
+  keys.emplace_back("asked", "before");
+  keys.emplace_back("praise", "Kept.");
+  auto t = task("same", keys);
+  Hand hand{*t};
+  int differ = 0, alike = 0;
+  for (int k = 0; k < 8; ++k) {
+    CHECK_FALSE(t->done());
+    const Pair p = feelPair(*t, hand, [](bool d) { return !d; });
+    (p.differ ? differ : alike) += 1;
+    CHECK(t->trials().right.empty());
+  }
+  CHECK((t->done() && t->solved()));
+  CHECK(t->sentence() == "Kept.");
+  // All wrong: no hit, and every pair that was alike a false alarm.
+  const double expected = normalQuantile(0.5 / (differ + 1.0)) - normalQuantile((alike + 0.5) / (alike + 1.0));
+  CHECK(figure(*t, "d' in the first round") == doctest::Approx(expected).epsilon(1e-12));
+  if (differ == 4) CHECK(expected == doctest::Approx(-2.5631031).epsilon(1e-7));  // -2 z(0.9)
+}
+
+TEST_CASE("of a task that is asked after, the first round counts, however many there are") {
+  Keys keys = kProbes;
+  keys.emplace_back("asked", "after");
+  auto t = task("same", keys);
+  Hand hand{*t};
+  int differ = 0;
+  for (int k = 0; k < 8; ++k) differ += feelPair(*t, hand, [](bool d) { return !d; }).differ;
+  CHECK_FALSE(t->done());
+  for (int k = 0; k < 8; ++k) feelPair(*t, hand, [](bool d) { return d; });
+  REQUIRE(t->done());
+  const int alike = 8 - differ;
+  CHECK(figure(*t, "d' in the first round") ==
+        doctest::Approx(normalQuantile(0.5 / (differ + 1.0)) - normalQuantile((alike + 0.5) / (alike + 1.0))));
+  CHECK(figure(*t, "d'") > 2.0);
+}
+
+TEST_CASE("with a number of the author's, the pairs asked after are others than those asked before") {
+  std::vector<std::string> orders;
+  for (const char* asked : {"before", "after"}) {
+    Keys keys = kProbes;
+    keys.emplace_back("asked", asked);
+    keys.emplace_back("seed", "5");
+    auto t = task("same", keys);
+    t->drawBy(3);
+    Hand hand{*t};
+    orders.emplace_back();
+    for (int k = 0; k < 8; ++k) orders.back() += feelPair(*t, hand, [](bool d) { return d; }).order;
+  }
+  CHECK(orders[0] != orders[1]);
+}
+
 TEST_CASE("each answer is judged at once, unless the author says no") {
   for (const bool tell : {true, false}) {
     Keys keys = kProbes;
@@ -129,7 +183,7 @@ TEST_CASE("two places are turned to the front, each its own, and only a touch of
   REQUIRE(t->stage().facing);
   const bool other = t->stage().facing->A.x == 10.0;
   CHECK((other || t->stage().facing->A.x == 0.0));
-  hand.touch({other ? 0 : 4}, 1.0);
+  hand.touch({other ? 0 : 4}, 1.0, 0.5, {other ? 0.0 : 10.0, 0, 0});
   CHECK(t->buttons().empty());
   CHECK(t->sentence() == "You are beside the place. It lies in the middle of the view: let go, and push there.");
   hand.touch({other ? 4 : 0}, 0.21);
@@ -158,7 +212,8 @@ TEST_CASE(
         REQUIRE(t->stage().facing);
         second[k] = t->stage().facing->A.x > first_ends_A;
         hand.away(0.01);
-        hand.touch({second[k] ? of_first : of_second}, 0.5);
+        const std::int32_t wrong = second[k] ? of_first : of_second;
+        hand.touch({wrong}, 0.5, 0.5, both.atoms[std::size_t(wrong)].position.A);
         CHECK(t->buttons().empty());
         hand.away(0.01);
         hand.touch({second[k] ? of_second : of_first}, 0.21);
@@ -201,7 +256,7 @@ TEST_CASE(
   auto t = task("same", {{"same", "atom 0"}, {"remove", "atom 3-4"}, {"trials", "2"}, {"for", "0.2 s"}});
   Hand hand{*t};
   CHECK_FALSE(t->stage().facing);
-  hand.touch({2}, 1.0);
+  hand.touch({2}, 1.0, 0.5, {20, 20, 0});
   CHECK(t->buttons().empty());
   CHECK(t->sentence() == "You are beside the place: let go, and push elsewhere.");
 }

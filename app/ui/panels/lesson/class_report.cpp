@@ -17,14 +17,14 @@ namespace {
 
 void writeReport(Application& app, const std::filesystem::path& folder) {
   const std::array named{folder};
-  ClassFiles files = readClass(named);
-  if (files.attempts.empty())
+  const ClassReading reading = readClass(named);
+  const ClassSummary& summary = reading.summary;
+  if (summary.attempts == 0)
     return app.messages.error(trf("There are no results of students in {0}.", folder.string()));
-  const ClassSummary summary = summarise(std::move(files.attempts));
   const std::string now = utcText(std::chrono::system_clock::now());
   const std::filesystem::path page = folder / "class.html", table = folder / "class.csv";
   const std::string made = now.substr(0, 10) + " " + now.substr(11, 5) + " UTC";
-  if (const auto problem = writeWhole(page, classPage(summary, files.passed_over, made)))
+  if (const auto problem = writeWhole(page, classPage(summary, reading.passed_over, made)))
     return app.messages.error(problem->text());
   if (const auto problem = writeWhole(table, classCsv(summary))) return app.messages.error(problem->text());
   handOver(page);

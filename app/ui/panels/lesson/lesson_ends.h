@@ -1,6 +1,8 @@
-// What stands at the two ends of a lesson: its goals before the first step, and the card that closes it. Window's
+// What stands at the two ends of a lesson: its goals before the first step, and the page that closes it. Window's
 // thread.
 #pragma once
+
+#include <string>
 
 namespace moltact {
 
@@ -13,7 +15,11 @@ void drawLessonGoals(Application& app, const LessonSession& session);
 /// sight. `width`, `text_height`: of the lesson's text (unit: pixel). After the text was drawn once.
 void settleLessonGoals(Application& app, const LessonSession& session, float width, float text_height);
 
-/// Below the last step, once all is done: the goals, what was done and felt, the way taken, and what comes next.
-void drawLessonEnd(Application& app, const LessonSession& session);
+/// The page after the last step, however much was done: the goals with what is reached of them, what is left with a
+/// button to each, the student's predictions beside what was felt, the way taken, and what comes next.
+/// Gives the link that was clicked, or nothing.
+std::string drawLessonClosing(Application& app, const LessonSession& session);
+/// Its foot: back, and the lesson that comes next.
+void drawClosingFoot(Application& app);
 
 }  // namespace moltact

@@ -1,8 +1,12 @@
 #include "app/ui/panels/lesson/lesson_keys.h"
 
+#include <utility>
+
+#include "app/ui/application/application.h"
 #include "app/ui/widgets/imgui_versions.h"
 #include "app/ui/widgets/key_focus.h"
 #include "app/ui/widgets/key_names.h"
+#include "app/ui/widgets/theme.h"
 
 namespace moltact {
 namespace {
@@ -21,6 +25,40 @@ bool lessonKeyPressed(char key) {
   // Where Tab has led the keys to a control, Enter presses that one.
   if (key == '\n') return !keysLeadControls() && (takeKey(ImGuiKey_Enter) || takeKey(ImGuiKey_KeypadEnter));
   return takeKey(keyOf(key));
+}
+
+void noteSeen(Application& app, const KeyPart& part) {
+  const float top = ImGui::GetWindowPos().y;
+  app.panels.lesson_seen.note(part.name, {part.low, part.high}, {top, top + ImGui::GetWindowHeight()},
+                              ImGui::GetFrameCount(), app.now_s());
+}
+
+bool wasSeen(const Application& app, std::string_view name) { return app.panels.lesson_seen.ever(name); }
+
+bool lessonKeyActs(Application& app, char key, const KeyPart& part) {
+  noteSeen(app, part);
+  PanelState& panels = app.panels;
+  if (!lessonKeyPressed(key)) return false;
+  if (panels.lesson_done_s >= 0.0 && app.now_s() - panels.lesson_done_s < kAfterDone_s) return false;
+  if (part.read && panels.lesson_seen.now(part.name, app.now_s())) return true;
+  const float top = ImGui::GetWindowPos().y, high = ImGui::GetWindowHeight(), margin = look().px(12);
+  const bool whole = part.with >= 0.0f && part.high - part.with <= high - 2 * margin;
+  const float from = whole ? part.with : part.low;
+  if (from < top || part.high > top + high) panels.lesson_scroll = from - top - margin;
+  return false;
+}
+
+bool lessonKeyOnItem(Application& app, char key, std::string name) {
+  return lessonKeyActs(app, key, {std::move(name), ImGui::GetItemRectMin().y, ImGui::GetItemRectMax().y});
+}
+
+void watchDone(Application& app) {
+  const LessonSession& session = *app.lesson.session();
+  std::size_t done = 0;
+  for (std::size_t k = 0; k < session.step().tasks.size(); ++k) done += session.taskDone(session.stepIndex(), k);
+  for (std::size_t k = 0; k < session.step().questions.size(); ++k) done += session.question(k).done();
+  if (done > app.panels.lesson_done) app.panels.lesson_done_s = app.now_s();
+  app.panels.lesson_done = done;
 }
 
 void scrollByKeys() {

@@ -10,6 +10,7 @@
 #include "app/ui/extensions/extensions.h"
 #include "app/ui/panels/lesson/lesson_blocks.h"
 #include "app/ui/panels/lesson/lesson_ends.h"
+#include "app/ui/panels/lesson/lesson_extras.h"
 #include "app/ui/panels/lesson/lesson_keys.h"
 #include "app/ui/widgets/controls.h"
 #include "app/ui/widgets/rich_text.h"
@@ -34,7 +35,9 @@ void drawHead(Application& app, const LessonSession& session) {
     WithFont small(Font::Small);
     WithText quiet(l.palette.quiet);
     const auto number = std::find(way.begin(), way.end(), at) - way.begin() + 1;
-    const std::string place = session.step().aside ? std::string(tr("Aside")) : trf("Step {0} of {1}", number, count);
+    const std::string place = session.step().extra   ? std::string(tr("Extra step"))
+                              : session.step().aside ? std::string(tr("Aside"))
+                                                     : trf("Step {0} of {1}", number, count);
     const float place_w = ImGui::CalcTextSize(place.c_str()).x, width = ImGui::GetContentRegionAvail().x;
     ImGui::TextUnformatted(elided(session.lesson().title, width - place_w - l.px(12)).c_str());
     recordItem("lesson/title", session.lesson().title);
@@ -74,13 +77,10 @@ void drawFoot(Application& app, const LessonSession& session) {
   const float back_w = std::min(l.tx(96), 0.4f * width);
   if (button("lesson/back", tr("Back"), ButtonLook::Plain, back_w, session.hasBack())) app.lesson.back();
   ImGui::SameLine();
-  const bool last = !session.hasNext(), waits = !session.mayGoOn();
-  const char* label = waits  ? tr("Finish this step first")
-                      : last ? (session.finished() ? tr("Lesson done") : tr("Last step"))
-                             : tr("Next");
+  const bool last = app.lesson.atLastStep(), waits = !last && !session.mayGoOn();
+  const char* label = waits ? tr("Finish this step first") : last ? tr("To the end") : tr("Next");
   const ButtonLook kind = session.stepDone() || session.leadsTo() ? ButtonLook::Primary : ButtonLook::Plain;
-  if (button("lesson/next", label, last || waits ? ButtonLook::Plain : kind, width - back_w - gap, !last && !waits))
-    app.lesson.next();
+  if (button("lesson/next", label, waits ? ButtonLook::Plain : kind, width - back_w - gap, !waits)) app.lesson.next();
 }
 
 /// A link that changes what the scene shows. In the dark there is nothing to show.
@@ -161,6 +161,27 @@ void drawMoreBelow(Application& app, const Below& below, const std::string& line
   recordRectangle("lesson/more", {x, y}, {x + wide, y + high}, below.text);
 }
 
+/// The step's head and text with its tasks and questions; the link that was clicked, or an empty text.
+std::string drawStep(Application& app, LessonSession& session) {
+  const bool first = session.stepIndex() == 0;
+  const std::size_t introduced = first ? hintsIn(session.lesson().introduction) : 0;
+  const std::size_t hints = introduced + hintsIn(session.step().blocks);
+  // One after the other; behind the last one they close again.
+  if (lessonKeyPressed('H')) app.panels.hints = app.panels.hints < hints ? app.panels.hints + 1 : 0;
+  drawHead(app, session);
+  ImGui::Spacing();
+  std::string link;
+  watchDone(app);
+  app.panels.lesson_question_y = app.panels.lesson_task_y = 0.0f;
+  if (first) drawLessonGoals(app, session);
+  if (first) link = drawLessonBlocks(app, session.lesson().introduction, "lesson/intro", 0);
+  if (const std::string other = drawLessonBlocks(app, session.step().blocks, "lesson", introduced); !other.empty())
+    link = other;
+  watchDone(app);
+  if (const std::string extra = drawExtrasOffered(session); !extra.empty()) link = extra;
+  return link;
+}
+
 /// A link that leads to no step: to another lesson, or out of the program.
 void followOut(Application& app, const std::string& link) {
   const std::optional<FileLink> file = fileLink(app.lesson.file(), link);
@@ -183,34 +204,26 @@ void drawLessonPanel(Application& app) {
   const float foot = l.tx(34) + l.px(12);
   const std::size_t before = session->stepIndex();
   const bool more_below = app.panels.lesson_more_below;
+  const bool closing = app.lesson.closing();
   // By where things stood in the last frame.
-  const Below below = standsBelow(app, *session, app.panels.lesson_text_end);
+  const Below below =
+      closing ? Below{.text = tr("More below")} : standsBelow(app, *session, app.panels.lesson_text_end);
   const std::string below_lines = linesBelow(below, ImGui::GetContentRegionAvail().x);
   const float below_height = more_below ? heightBelow(below_lines) : 0.0f;
   ImGui::BeginChild("text", {0, -foot - below_height});
-  if (app.panels.lesson_step != before) {
+  if (app.panels.lesson_step != before || app.panels.lesson_closed != closing) {
     ImGui::SetScrollY(0.0f);
     app.panels.lesson_task = 0;
     app.panels.lesson_task_height = 0.0f;
     app.panels.word = {};
+    app.panels.lesson_seen.clear();
   }
   app.panels.lesson_step = before;
+  app.panels.lesson_closed = closing;
   scrollByKeys();
   if (app.panels.lesson_scroll != 0.0f)
     ImGui::SetScrollY(ImGui::GetScrollY() + std::exchange(app.panels.lesson_scroll, 0.0f));
-  const std::size_t introduced = before == 0 ? hintsIn(session->lesson().introduction) : 0;
-  const std::size_t hints = introduced + hintsIn(session->step().blocks);
-  // One after the other; behind the last one they close again.
-  if (lessonKeyPressed('H')) app.panels.hints = app.panels.hints < hints ? app.panels.hints + 1 : 0;
-  drawHead(app, *session);
-  ImGui::Spacing();
-  std::string link;
-  app.panels.lesson_question_y = app.panels.lesson_task_y = 0.0f;
-  if (before == 0) drawLessonGoals(app, *session);
-  if (before == 0) link = drawLessonBlocks(app, session->lesson().introduction, "lesson/intro", 0);
-  if (const std::string other = drawLessonBlocks(app, session->step().blocks, "lesson", introduced); !other.empty())
-    link = other;
-  drawLessonEnd(app, *session);
+  const std::string link = closing ? drawLessonClosing(app, *session) : drawStep(app, *session);
   ImGui::Dummy({0, l.px(10)});
   const float hidden = ImGui::GetScrollMaxY() - ImGui::GetScrollY(), text_width = ImGui::GetContentRegionAvail().x;
   const ImVec2 text_low = ImGui::GetWindowPos(), text_size = ImGui::GetWindowSize();
@@ -231,7 +244,10 @@ void drawLessonPanel(Application& app) {
                 std::max(1.0f, l.scale));
   draw->PopClipRect();
   ImGui::SetCursorPosY(ImGui::GetCursorPosY() + l.px(4));
-  drawFoot(app, *session);
+  if (closing)
+    drawClosingFoot(app);
+  else
+    drawFoot(app, *session);
   endPanel();
   // Another lesson may take this one's place, so it comes last.
   if (link.empty()) return;

@@ -29,12 +29,28 @@ bool holds(const std::vector<std::size_t>& list, std::size_t value) {
 // How a choice stands: what is said of it is not to be seen before it may be.
 enum class Mark { None, Right, Wrong };
 
-// One choice: a card with a mark. True when it was chosen.
+const char* wordOf(Mark told) { return told == Mark::Right ? tr("right") : tr("wrong"); }
+
+// What is right has a tick in a disc, what is wrong a cross in a square: the sign says it without its colour.
+void drawVerdict(ImDrawList* draw, Mark told, ImVec2 centre, float half) {
+  const Palette& p = look().palette;
+  if (told == Mark::Right)
+    draw->AddCircleFilled(centre, half, p.good, 28);
+  else
+    draw->AddRectFilled({centre.x - half + 1, centre.y - half + 1}, {centre.x + half - 1, centre.y + half - 1}, p.bad,
+                        look().px(2));
+  drawIcon(draw, told == Mark::Right ? Icon::Check : Icon::Close, centre, 1.5f * half, p.panel);
+}
+
+// One choice: a card with a mark, and once it is told whether it is right, a sign and a word. True when it was chosen.
 bool drawChoice(const std::string& name, const Choice& choice, bool round, bool ticked, Mark told) {
   const Look& l = look();
   const Palette& p = l.palette;
   const float width = ImGui::GetContentRegionAvail().x, pad = l.px(9), mark = l.px(8);
-  const float text_w = width - 2 * pad - 2 * mark - l.px(10);
+  ImFont* const small = l.font(Font::Small);
+  const float word_w =
+      told == Mark::None ? 0.0f : small->CalcTextSizeA(small->FontSize, 1e9f, 0, wordOf(told)).x + l.px(10);
+  const float text_w = width - 2 * pad - 2 * mark - l.px(10) - word_w;
   const float height = std::max(richTextHeight(choice.text, text_w), 2 * mark) + 2 * pad;
   ImGui::PushID(name.c_str());
   const bool clicked = ImGui::InvisibleButton("choice", {width, height});
@@ -49,7 +65,12 @@ bool drawChoice(const std::string& name, const Choice& choice, bool round, bool 
   if (l.theme == ThemeChoice::HighContrast) draw->AddRect(low, high, p.line, l.px(7), 0, std::max(1.0f, l.scale));
   const ImVec2 centre{low.x + pad + mark, low.y + pad + mark + l.px(1)};
   const ImU32 colour = told == Mark::Right ? p.good : told == Mark::Wrong ? p.bad : ticked ? p.accent : p.faint;
-  if (round) {
+  if (told != Mark::None) {
+    drawVerdict(draw, told, centre, mark);
+    const ImVec2 at{high.x - pad - word_w + l.px(10), low.y + pad + 0.5f * (ImGui::GetFontSize() - small->FontSize)};
+    draw->AddText(small, small->FontSize, at, colour, wordOf(told));
+    recordRectangle(name + "/verdict", {at.x, at.y}, {high.x - pad, at.y + small->FontSize}, wordOf(told));
+  } else if (round) {
     draw->AddCircle(centre, mark - 1, colour, 28, l.px(1.6f));
     if (ticked) draw->AddCircleFilled(centre, mark - l.px(4), colour, 28);
   } else {
@@ -66,10 +87,20 @@ bool drawChoice(const std::string& name, const Choice& choice, bool round, bool 
   return clicked;
 }
 
-bool digitPressed(std::size_t choice) { return choice < 9 && lessonKeyPressed(char('1' + choice)); }
+// The question and each of its choices have been in view.
+bool wasRead(const Application& app, const Question& question, const std::string& name) {
+  bool read = wasSeen(app, name);
+  for (std::size_t k = 0; k < question.choices.size(); ++k) read = read && wasSeen(app, name + "/" + std::to_string(k));
+  return read;
+}
 
-// The first question of the step that is not yet answered takes the number keys.
+// The first question of the step that is not yet answered takes the number keys, unless the current task waits for them.
 bool takesKeys(const LessonSession& session, std::size_t index) {
+  if (const Task* task = session.taskAt(session.currentTask())) {
+    const std::vector<TaskButton> offered = task->buttons();
+    if (std::any_of(offered.begin(), offered.end(), [](const TaskButton& b) { return b.key >= '1' && b.key <= '9'; }))
+      return false;
+  }
   for (std::size_t k = 0; k < index; ++k)
     if (!session.question(k).done() && !session.step().questions[k].choices.empty()) return false;
   return session.takesAnswer(index);
@@ -91,7 +122,9 @@ bool takesWriting(const LessonSession& session, std::size_t index) {
   return !session.question(index).done();
 }
 
-void drawChoices(LessonGuide& lesson, std::size_t index, const std::string& name) {
+// `asked_y`: where the question begins.
+void drawChoices(Application& app, std::size_t index, const std::string& name, float asked_y) {
+  LessonGuide& lesson = app.lesson;
   LessonSession& session = *lesson.session();
   const Question& question = session.step().questions[index];
   const QuestionStatus& status = session.question(index);
@@ -104,18 +137,25 @@ void drawChoices(LessonGuide& lesson, std::size_t index, const std::string& name
                  look().palette.quiet);
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {look().px(8), look().px(6)});
   const std::vector<std::size_t> order = session.choiceOrder(index);
+  const bool read = wasRead(app, question, name);
+  const auto keyPart = [&](const std::string& part) {
+    return KeyPart{part, ImGui::GetItemRectMin().y, ImGui::GetItemRectMax().y, read, asked_y};
+  };
   for (std::size_t place = 0; place < order.size(); ++place) {
     const std::size_t k = order[place];
     const bool given = status.attempts > 0 && holds(status.chosen, k), right = question.choices[k].right;
     // After a prediction has been told, or the last try, what was right stands there too.
     const bool marked = told && (given || ((question.prediction || status.shown) && right));
     const bool is_ticked = one ? given : holds(ticked, k);
-    const bool chosen = drawChoice(name + "/" + std::to_string(k), question.choices[k], one, is_ticked,
-                                   !marked ? Mark::None
-                                   : right ? Mark::Right
-                                           : Mark::Wrong) ||
-                        (keys && digitPressed(place));
-    if (!chosen || !open) continue;
+    const std::string choice = name + "/" + std::to_string(k);
+    const bool clicked = drawChoice(choice, question.choices[k], one, is_ticked,
+                                    !marked ? Mark::None
+                                    : right ? Mark::Right
+                                            : Mark::Wrong);
+    const KeyPart part = keyPart(choice);
+    noteSeen(app, part);
+    const bool by_key = keys && place < 9 && lessonKeyActs(app, char('1' + place), part);
+    if (!(clicked || by_key) || !open) continue;
     if (one)
       session.choose(index, {k});
     else if (holds(ticked, k))
@@ -124,17 +164,18 @@ void drawChoices(LessonGuide& lesson, std::size_t index, const std::string& name
       ticked.push_back(k);
   }
   ImGui::PopStyleVar();
-  const bool entered = keys && !ticked.empty() && enterIsFree(session) && lessonKeyPressed('\n');
-  if (!one && open &&
-      (button((name + "/check").c_str(), withKey(tr("Check"), "Enter").c_str(), ButtonLook::Primary, look().tx(132),
-              !ticked.empty()) ||
-       entered)) {
-    std::sort(ticked.begin(), ticked.end());
-    session.choose(index, ticked);
-  }
+  if (one || !open) return;
+  const bool checked = button((name + "/check").c_str(), withKey(tr("Check"), "Enter").c_str(), ButtonLook::Primary,
+                              look().tx(132), !ticked.empty());
+  const bool entered =
+      keys && !ticked.empty() && enterIsFree(session) && lessonKeyActs(app, '\n', keyPart(name + "/check"));
+  if (!checked && !entered) return;
+  std::sort(ticked.begin(), ticked.end());
+  session.choose(index, ticked);
 }
 
-void drawField(LessonGuide& lesson, std::size_t index, const std::string& name) {
+void drawField(Application& app, std::size_t index, const std::string& name, float asked_y) {
+  LessonGuide& lesson = app.lesson;
   LessonSession& session = *lesson.session();
   const Question& question = session.step().questions[index];
   const AnswerSpec& answer = *question.answer;
@@ -144,11 +185,15 @@ void drawField(LessonGuide& lesson, std::size_t index, const std::string& name) 
   const bool free = question.free();
   const float button_w = look().tx(84), gap = ImGui::GetStyle().ItemSpacing.x;
   bool handed_in = false;
-  const bool begins = takesWriting(session, index) && lessonKeyPressed('A');
+  const auto begins = [&] {
+    const KeyPart field{name + "/field", ImGui::GetItemRectMin().y, ImGui::GetItemRectMax().y, wasSeen(app, name),
+                        asked_y};
+    return takesWriting(session, index) && lessonKeyActs(app, 'A', field);
+  };
   if (free) {
     handed_in = inputWrapped("##answer", written, {-1, look().tx(84)}, ImGuiInputTextFlags_EnterReturnsTrue);
     recordItem(name + "/field", written);
-    if (begins) writeInLastField("##answer");
+    if (begins()) writeInLastField("##answer");
     tip(tr("A begins to write, Ctrl and Enter keeps it"));
     handed_in = button((name + "/check").c_str(), tr("Keep"), ButtonLook::Plain, button_w) || handed_in;
   } else {
@@ -162,7 +207,7 @@ void drawField(LessonGuide& lesson, std::size_t index, const std::string& name) 
     handed_in = ImGui::InputTextWithHint("##answer", hint.c_str(), &written, ImGuiInputTextFlags_EnterReturnsTrue);
     keepOnEscape(written, before);
     recordItem(name + "/field", written);
-    if (begins) writeInLastField("##answer");
+    if (begins()) writeInLastField("##answer");
     if (!answer.unit.empty()) {
       // Beside the field, so that a number without it means what it should.
       ImGui::SameLine();
@@ -181,6 +226,8 @@ void drawField(LessonGuide& lesson, std::size_t index, const std::string& name) 
 struct Said {
   std::vector<RichText> lines;
   ImU32 colour;
+  Mark verdict = Mark::None;
+  bool own_words = false;  // the program's, where the author wrote none
 };
 
 Said saidTo(const LessonSession& session, std::size_t index) {
@@ -191,18 +238,35 @@ Said saidTo(const LessonSession& session, std::size_t index) {
   if (!status.again.empty()) return {{line(status.again)}, p.text};
   if (status.attempts == 0) return {{}, p.text};
   if (!session.told(index)) return {{line(tr("Kept. Now touch, and see whether it is so."))}, p.text};
-  Said out{session.feedback(index), status.last_right ? p.good : p.bad};
+  Said out{session.feedback(index), status.last_right ? p.good : p.bad, status.last_right ? Mark::Right : Mark::Wrong};
   if (question.free()) {
     out.colour = p.text;
+    out.verdict = Mark::None;
     out.lines.insert(out.lines.begin(),
                      line(out.lines.empty() ? tr("Kept with your results.")
                                             : tr("Kept with your results. Compare it with this answer:")));
   } else if (out.lines.empty()) {
+    out.own_words = true;
     out.lines.push_back(line(status.last_right     ? tr("Right.")
                              : question.prediction ? tr("It is otherwise.")
                                                    : tr("Not yet. Try again.")));
   }
   return out;
+}
+
+// Of a field, which has no card to carry it: the sign, and the word where the author wrote what is said. What is said
+// follows in the next line, or beside the sign where that is the program's own sentence.
+void drawFieldVerdict(const std::string& name, const Said& said) {
+  const Look& l = look();
+  const ImVec2 low = ImGui::GetCursorScreenPos();
+  const float half = l.px(8), height = std::max(2 * half, ImGui::GetTextLineHeight());
+  drawVerdict(ImGui::GetWindowDrawList(), said.verdict, {low.x + half, low.y + 0.5f * height}, half);
+  ImGui::Dummy({2 * half, height});
+  recordItem(name + "/verdict", wordOf(said.verdict));
+  ImGui::SameLine();
+  if (said.own_words) return;
+  WithText colour(said.colour);
+  ImGui::TextUnformatted(wordOf(said.verdict));
 }
 
 // Where the answer leads: Next goes there too.
@@ -236,8 +300,14 @@ std::string drawLessonQuestion(Application& app, std::size_t index) {
     drawRichText((name + "/before").c_str(), {TextRun{.text = tr("Before you touch, predict:")}}, l.palette.quiet);
   RichText title = question.title;
   for (TextRun& run : title) run.bold = true;
+  const float asked_y = ImGui::GetCursorScreenPos().y;
+  if (const auto& wanted = app.panels.lesson_wanted; wanted && !wanted->task && wanted->index == index) {
+    ImGui::SetScrollHereY(0.2f);
+    app.panels.lesson_wanted.reset();
+  }
   follow(drawRichText(name.c_str(), title, l.palette.text));
   for (const RichText& p : question.prompt) follow(drawRichText((name + "/prompt").c_str(), p, l.palette.text));
+  noteSeen(app, {name, asked_y, ImGui::GetCursorScreenPos().y});
   if (const auto tries = session.triesLeft(index); tries && session.question(index).attempts == 0)
     drawRichText(
         (name + "/tries").c_str(),
@@ -246,12 +316,14 @@ std::string drawLessonQuestion(Application& app, std::size_t index) {
   const int attempts = session.question(index).attempts;
   const bool asked_again = !session.question(index).again.empty();
   if (question.choices.empty() && question.answer)
-    drawField(app.lesson, index, name);
+    drawField(app, index, name, asked_y);
   else
-    drawChoices(app.lesson, index, name);
+    drawChoices(app, index, name, asked_y);
   const QuestionStatus& status = session.question(index);
   const Said said = saidTo(session, index);
   if (!said.lines.empty()) {
+    const float said_y = ImGui::GetCursorScreenPos().y;
+    if (said.verdict != Mark::None && question.choices.empty()) drawFieldVerdict(name, said);
     for (std::size_t k = 0; k < said.lines.size(); ++k) {
       const ImVec2 from = ImGui::GetCursorScreenPos();
       follow(drawRichText((name + "/feedback").c_str(), said.lines[k], said.colour));
@@ -261,7 +333,9 @@ std::string drawLessonQuestion(Application& app, std::size_t index) {
     }
     if (session.told(index))
       for (const std::size_t k : status.chosen)
-        if (!question.choices[k].link.empty() && lessonKeyPressed('G')) link = question.choices[k].link;
+        if (!question.choices[k].link.empty() &&
+            lessonKeyActs(app, 'G', {name + "/feedback", said_y, ImGui::GetCursorScreenPos().y}))
+          link = question.choices[k].link;
     drawGoOn(app, index, name);
     // What is said to an answer is not to be missed below the panel's edge.
     if ((status.attempts != attempts || asked_again == status.again.empty()) &&

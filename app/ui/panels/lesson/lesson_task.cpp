@@ -4,6 +4,7 @@
 #include <string>
 
 #include "app/ui/application/application.h"
+#include "app/ui/files/library.h"
 #include "app/ui/panels/lesson/lesson_blocks.h"
 #include "app/ui/panels/lesson/lesson_keys.h"
 #include "app/ui/panels/lesson/lesson_task_parts.h"
@@ -17,6 +18,12 @@
 
 namespace moltact {
 namespace {
+
+// Figures are for those who work with them: not in a lesson for beginners, unless the details of the touch panel are open.
+bool showsFigures(const Application& app) {
+  const std::string& level = app.lesson.session()->lesson().level;
+  return (!level.empty() && levelRank(level) > 0) || app.panels.touch_details;
+}
 
 // What the task's own kind has measured, in one quiet line; time and force are for the teacher's report.
 void drawFigures(const std::string& name, const Task& task) {
@@ -129,6 +136,10 @@ void drawLessonTask(Application& app, std::size_t index) {
   if (status.current) app.panels.lesson_task_y = at.y + say_h;
   ImGui::SetCursorScreenPos(low);
   ImGui::Dummy({width, height});
+  if (const auto& wanted = app.panels.lesson_wanted; wanted && wanted->task && wanted->index == index) {
+    ImGui::SetScrollHereY(0.3f);
+    app.panels.lesson_wanted.reset();
+  }
   // The task whose turn has come is brought into sight, but a step begins at its top.
   if (status.current && app.panels.lesson_task != index) {
     if (index > app.panels.lesson_task && !ImGui::IsItemVisible()) ImGui::SetScrollHereY(0.3f);
@@ -144,12 +155,12 @@ void drawLessonTask(Application& app, std::size_t index) {
     if (const auto asked = task->slider(); asked && status.current) drawTaskSlider(app, index, *asked);
     if (status.current) drawTaskButtons(app, index, *task);
     if (task->curves() && (status.current || status.done)) drawTaskCurve(app, index, *task->curves(), status.current);
-    if (status.done) drawFigures(name, *task);
+    if (status.done && showsFigures(app)) drawFigures(name, *task);
   }
   if (away && !app.loading() &&
       (button((name + "/bring back").c_str(), withKey(trf("Bring {0} back", molecule), "Enter").c_str(),
               ButtonLook::Primary, width) ||
-       lessonKeyPressed('\n')))
+       lessonKeyOnItem(app, '\n', name + "/bring back")))
     app.lesson.askForScene();
 }
 

@@ -34,7 +34,7 @@ bool drawTaskButtons(Application& app, std::size_t index, const Task& task) {
     const std::string name = "task/" + std::to_string(index) + "/" + std::string(offered[k].word);
     if (button(name.c_str(), labels[k].c_str(), first ? ButtonLook::Primary : ButtonLook::Plain,
                beside ? each : room) ||
-        lessonKeyPressed(offered[k].key))
+        lessonKeyOnItem(app, offered[k].key, name))
       told = offered[k].word;
   }
   if (told.empty()) return false;

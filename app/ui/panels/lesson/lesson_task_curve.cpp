@@ -198,7 +198,7 @@ void drawTaskCurve(Application& app, std::size_t index, const TaskCurves& curves
   const float wipe_w = l.tx(70), gap = ImGui::GetStyle().ItemSpacing.x;
   if ((button((name + "/hand in").c_str(), withKey(tr("This is what I expect"), "Enter").c_str(), ButtonLook::Primary,
               width - wipe_w - gap, any) ||
-       lessonKeyPressed('\n')) &&
+       lessonKeyOnItem(app, '\n', name + "/hand in")) &&
       any) {
     draft.values = whole(draft.values);
     app.lesson.session()->answerTask({{}, draft.values});

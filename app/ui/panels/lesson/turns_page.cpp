@@ -70,7 +70,7 @@ void drawSetUp(Application& app, ClassTurns& turns) {
     ImGui::TextWrapped("%s", tr("No lesson is open: turns are timed, but nothing is kept."));
   } else {
     WithText quiet(l.palette.quiet);
-    ImGui::TextWrapped("%s", tr("The names stay on this computer, with what was done (docs/results.md)."));
+    ImGui::TextWrapped("%s", tr("The names stay on this computer, with what was done."));
   }
   const std::vector<std::string> names = Turns::namesIn(draft.names);
   const std::string label = names.empty() ? tr("Begin") : trf("Begin with {0}", elided(names.front(), l.tx(200)));

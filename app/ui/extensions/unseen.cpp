@@ -1,0 +1,108 @@
+#include "app/ui/extensions/unseen.h"
+
+#include <algorithm>
+#include <iterator>
+#include <utility>
+#include <vector>
+
+#include "app/ui/extensions/task_stager.h"
+#include "app/ui/files/settings.h"
+#include "app/ui/lesson/lesson_guide.h"
+#include "app/ui/scene/contact_text.h"
+#include "app/ui/scene/view_picture.h"
+#include "engine/language/quantity_text.h"
+
+namespace moltact {
+
+void Unseen::beforeTicks() {
+  veil_s_ = std::min(kFade_s, veil_s_ + time_.dt_s);
+  followScene();
+  const bool dark = stager_.dark();
+  if (std::exchange(dark_, dark) && !dark) show(true);
+  unseen_ = dark || (lesson_.session() && lesson_.onStage() && scene_.drawsNothing());
+}
+
+void Unseen::stepChanged() {
+  dark_ = false;
+  veil_s_ = kFade_s;
+  hidden_ = revealed_ = nullptr;
+}
+
+// A picture is the answer to questions that were asked about what was felt without it. What is right or wrong in neither
+// a prediction nor a free answer does not hang on it.
+bool Unseen::dependsOnUnseen() const {
+  const LessonSession& session = *lesson_.session();
+  for (std::size_t k = 0; k < session.step().tasks.size(); ++k)
+    if (!session.taskDone(session.stepIndex(), k)) return true;
+  for (std::size_t k = 0; k < session.step().questions.size(); ++k) {
+    const Question& asked = session.step().questions[k];
+    if (!asked.prediction && !asked.free() && !session.question(k).done()) return true;
+  }
+  return false;
+}
+
+// A scene that draws nothing is shown, and unseen again where a task of it is begun anew.
+void Unseen::followScene() {
+  const LessonSession* session = lesson_.session();
+  if (!session || !lesson_.onStage() || !scene_.stage() || session->step().tasks.empty()) return;
+  const AtomList hidden = lesson_.looks().hidden;
+  const bool depends = dependsOnUnseen();
+  if (!depends && hidden && hidden->size() == scene_.stage().molecule->atoms.size()) {
+    // What the hand does not feel either stays away.
+    const std::vector<std::uint32_t> unfelt = scene_.stage().balls->untouchable();
+    std::vector<std::uint32_t> still;
+    std::set_intersection(hidden->begin(), hidden->end(), unfelt.begin(), unfelt.end(), std::back_inserter(still));
+    if (still.size() == hidden->size()) return;
+    hidden_ = hidden;
+    revealed_ = still.empty() ? nullptr : std::make_shared<const std::vector<std::uint32_t>>(std::move(still));
+    show(false);
+    hide(hidden_, revealed_);
+  } else if (depends && hidden_ && hidden == revealed_) {
+    hide(revealed_, std::exchange(hidden_, nullptr));
+  }
+}
+
+void Unseen::hide(const AtomList& before, const AtomList& now) {
+  lesson_.hide(now);
+  if (scene_.look.hidden == before) scene_.look.hidden = now;
+}
+
+void Unseen::show(bool dark_before) {
+  if (settings_.reduced_motion) return;
+  dark_veil_ = dark_before;
+  if (!dark_before) picture_.keepForFade();
+  veil_s_ = 0.0;
+}
+
+bool Unseen::names(const Contact& contact) const {
+  return !stager_.dark() && !stager_.asksWhat() && !scene_.touchesUnseen(contact);
+}
+
+std::string Unseen::unnamedText(bool spoken) const {
+  const ServoSample& now = scene_.log().latest();
+  std::string out = unnamedContactText(now.contact);
+  const Vec3 push = scene_.pushInView();
+  const bool shows_force = stager_.dark() ? stager_.showsForce() : scene_.shown.has(ViewPart::Force);
+  if (!now.contact.touching() || !shows_force || push == Vec3(0.0)) return out;
+  if (!spoken) out += ", " + quantityText(scene_.log().shownForce_N(), Dimension::Force, decimals(1));
+  return out + ", " + pushText(push);
+}
+
+TouchMoment Unseen::heard(const ServoSample& sample, double slide_A_per_s) const {
+  const double force_N = glm::length(sample.force.N);
+  if (names(sample.contact)) return {sample.contact.feature, sample.contact.atoms, force_N, slide_A_per_s};
+  // As one atom sounds, always the same one.
+  if (sample.contact.touching()) return {Feature::Sphere, {0, -1, -1}, force_N, slide_A_per_s};
+  return {Feature::Free, {-1, -1, -1}, force_N, slide_A_per_s};
+}
+
+ViewPartSet Unseen::shownParts() const {
+  ViewPartSet out = scene_.shown;
+  if (names(scene_.log().latest().contact)) return out;
+  for (const ViewPart part :
+       {ViewPart::Spheres, ViewPart::Circles, ViewPart::Points, ViewPart::Cones, ViewPart::Facets})
+    out.set(part, false);
+  return out;
+}
+
+}  // namespace moltact

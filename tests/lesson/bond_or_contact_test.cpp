@@ -1,0 +1,152 @@
+// The shipped lesson on bonds and contacts: what it says of turns, depths and distances follows from the molecules' coordinates.
+#include <algorithm>
+#include <memory>
+
+#include "engine/haptics/methods.h"
+#include "tests/lesson/shipped_hand.h"
+
+using namespace moltact;
+using namespace moltact::test;
+
+TEST_CASE(
+    "bond-or-contact.md, and the same in German, has 6 steps and one extra step in 5 molecules, with a way round the "
+    "ring, a pit to rest in, and a bond told from a contact in the dark") {
+  for (const char* file : {"bond-or-contact", "bond-or-contact.de"}) {
+    CAPTURE(file);
+    const Lesson lesson = shippedLesson(file);
+    checkCare(lesson);
+    CHECK(lesson.steps.size() == 7);
+    CHECK(std::count_if(lesson.steps.begin(), lesson.steps.end(), [](const Step& s) { return s.extra; }) == 1);
+    CHECK(lesson.molecules.size() == 5);
+    CHECK(tasksOf(lesson, "same") == 1);
+    CHECK(tasksOf(lesson, "trace") == 1);
+  }
+}
+
+TEST_CASE(
+    "the force turns by 70 degrees between argon atoms, 19 at O-H, 26 at C-C of benzene, 57 between its hydrogens, 28 "
+    "at CA-CB") {
+  CHECK(ShippedScene("argon-pair").turn_deg("atom 0", "atom 1", 1.4) == doctest::Approx(70).epsilon(0.007));
+  CHECK(ShippedScene("water").turn_deg("atom 0", "atom 1", 1.4) == doctest::Approx(19).epsilon(0.02));
+  const ShippedScene benzene("benzene");
+  CHECK(benzene.turn_deg("atom 0", "atom 1", 1.4) == doctest::Approx(26).epsilon(0.01));
+  CHECK(benzene.turn_deg("atom 0", "atom 6", 1.4) == doctest::Approx(19.5).epsilon(0.01));
+  CHECK(benzene.turn_deg("atom 6", "atom 7", 1.4) == doctest::Approx(57).epsilon(0.01));
+  CHECK(ShippedScene("alpha-helix").turn_deg("residue 10 and name CA", "residue 10 and name CB", 1.4) ==
+        doctest::Approx(28).epsilon(0.02));
+}
+
+TEST_CASE("two hydrogens that just touch turn the force by 55 degrees") {
+  const std::string touching = lineSaying("hydrogen-bonds", "Two that only lie side by side turn the force by 55°"),
+                    model = lineSaying("bond-or-contact", "If it turns by 55° or more, they only lie side by side");
+  CAPTURE(touching);
+  CAPTURE(model);
+  CHECK(2.0 * std::asin(1.20 / (1.20 + 1.4)) * 180 / std::numbers::pi == doctest::Approx(55).epsilon(0.002));
+}
+
+TEST_CASE("the turns hold for a probe of 1.4 A: for a point CA-CB turns the force by 53 degrees, for 3 A argon by 45") {
+  const std::string says =
+      linesSaying("bond-or-contact", {"between two carbons turns the force by 53°", "turns it by 45° only"});
+  CAPTURE(says);
+  CHECK(ShippedScene("alpha-helix").turn_deg("residue 10 and name CA", "residue 10 and name CB", 0.0) ==
+        doctest::Approx(53).epsilon(0.01));
+  CHECK(ShippedScene("argon-pair").turn_deg("atom 0", "atom 1", 3.0) == doctest::Approx(45).epsilon(0.01));
+}
+
+TEST_CASE(
+    "a water-sized probe sinks in by 0.59 A between argon atoms and by 0.08 A at a C-C bond, a point by 0.73 A in the "
+    "middle of the ring, which is shut to it") {
+  const std::string line = lineSaying(
+      "bond-or-contact", "on all six carbons at once (the line at the bottom names some of them), 0.73 Å lower");
+  CAPTURE(line);
+  const double grown = 1.88 + 1.4, carbon = 1.70 + 1.4;
+  CHECK(grown - std::sqrt(grown * grown - 1.88 * 1.88) == doctest::Approx(0.59).epsilon(0.01));
+  CHECK(carbon - std::sqrt(carbon * carbon - 0.6985 * 0.6985) == doctest::Approx(0.08).epsilon(0.02));
+  CHECK(1.70 - std::sqrt(1.70 * 1.70 - 1.397 * 1.397) == doctest::Approx(0.73).epsilon(0.01));
+  // The middle of the ring is closed to a probe of any size.
+  const ShippedScene benzene("benzene");
+  for (int k = 0; k < 6; ++k)
+    CHECK(glm::length(benzene.molecule->atoms[static_cast<std::size_t>(k)].position.A) < 1.70);
+  // Every pit of carbons is the one in the middle, where all six hold the point.
+  const auto pits = pitPlaces(benzene.balls, benzene.select("element C"), 0.0);
+  CHECK(pits.size() >= 2);
+  for (const SurfacePlace& p : pits) {
+    CHECK(std::hypot(p.scp_A.x, p.scp_A.y) < 0.01);
+    for (int k = 0; k < 6; ++k)
+      CHECK(glm::distance(p.scp_A, benzene.balls[static_cast<std::size_t>(k)].centre_A) ==
+            doctest::Approx(1.70).epsilon(0.003));
+  }
+}
+
+TEST_CASE(
+    "pushed 0.55 A deep beside the middle of the ring, by up to 0.5 A to any side, the lesson's point settles in the "
+    "pit; a water-sized probe did so within 0.1 A only") {
+  const ShippedScene benzene("benzene");
+  const auto balls = std::make_shared<const BallScene>(benzene.molecule->balls());
+  const auto settles = [&](double probe_A, double aside_A) {
+    const double pit_A = std::sqrt((1.70 + probe_A) * (1.70 + probe_A) - 1.397 * 1.397);
+    int in_pit = 0;
+    for (int k = 0; k < 24; ++k) {
+      const auto exact = findMethod("exact")->make(balls, probe_A);
+      // Off the lines of symmetry: the file's coordinates are rounded to 0.001 A, and so wide is the crease between two
+      // pits that lie there.
+      const double angle = 2 * std::numbers::pi * (k + 0.3) / 24;
+      Contact contact;
+      for (double z = pit_A + 2.0; z > pit_A - 0.55; z -= 0.002)
+        contact = exact->step({Vec3(aside_A * std::cos(angle), aside_A * std::sin(angle), z)});
+      in_pit += contact.feature == Feature::Point;
+    }
+    return in_pit;
+  };
+  CHECK(settles(0.0, 0.1) == 24);
+  CHECK(settles(0.0, 0.5) == 24);
+  CHECK(settles(1.4, 0.35) == 0);
+}
+
+TEST_CASE(
+    "in the helix the peptide bond is 1.33 A, the hydrogen bond 2.88 A, and a water-sized probe reaches both ends of "
+    "either") {
+  const ShippedScene helix("alpha-helix");
+  CHECK(helix.between("residue 10 and name C", "residue 11 and name N") == doctest::Approx(1.33).epsilon(0.002));
+  CHECK(helix.between("residue 10 and name O", "residue 14 and name N") == doctest::Approx(2.88).epsilon(0.003));
+  const std::string share = lineSaying("bond-or-contact", "chain's carbon it is 36 %");
+  CAPTURE(share);
+  CHECK(helix.openPlaces("residue 10 and name C", 1.4) > 10);
+  CHECK(helix.openPlaces("residue 11 and name N", 1.4) > 10);
+  CHECK(helix.openPlaces("residue 10 and name O", 1.4) > 100);
+  CHECK(double(helix.places("residue 10 and name CB", 1.4).size()) / 3000 == doctest::Approx(0.364).epsilon(0.015));
+}
+
+TEST_CASE(
+    "pressed where the lesson sends the hand in the dark, the probe lies in the crease of the water's bond or in that "
+    "of the argon atoms; the bond turns the force by 19 degrees and the contact by 70") {
+  const Lesson lesson = shippedLesson("bond-or-contact");
+  const TaskSpec& same = taskOf(lesson, "bond-or-contact-eyes-closed", "same");
+  const ShippedScene s("water-and-argon");
+  const auto bond = s.select(same.values["same"].selection.text()),
+             contact = s.select(same.values["place"].selection.text());
+  REQUIRE(bond.size() == 2);
+  REQUIRE(contact.size() == 2);
+  const auto turn_deg = [&](const std::vector<std::uint32_t>& pair) {
+    const Ball a = s.balls[pair[0]], b = s.balls[pair[1]];
+    const double one = a.radius_A + 1.4, other = b.radius_A + 1.4, apart = glm::distance(a.centre_A, b.centre_A);
+    return std::acos((one * one + other * other - apart * apart) / (2 * one * other)) * 180 / std::numbers::pi;
+  };
+  CHECK(turn_deg(bond) == doctest::Approx(19).epsilon(0.02));
+  CHECK(turn_deg(contact) == doctest::Approx(70).epsilon(0.007));
+  // Each is open from the side to which the task turns it: away from the middle between the two pairs.
+  for (const auto& pair : {bond, contact}) {
+    const Vec3 middle = 0.5 * (s.balls[pair[0]].centre_A + s.balls[pair[1]].centre_A);
+    const double side = middle.x < 0 ? -1.0 : 1.0;
+    int in_crease = 0;
+    for (const double along_A : {-0.3, 0.01, 0.3})
+      for (double up_A = -0.6; up_A <= 0.6; up_A += 0.01) {
+        const auto exact = findMethod("exact")->make(std::make_shared<const BallScene>(s.molecule->balls()), 1.4);
+        Contact felt;
+        for (double x = 11.0; x > 7.6; x -= 0.02) felt = exact->step({Vec3(side * x, middle.y + up_A, along_A)});
+        in_crease += felt.feature == Feature::Circle && felt.atoms[0] == std::int32_t(std::min(pair[0], pair[1])) &&
+                     felt.atoms[1] == std::int32_t(std::max(pair[0], pair[1]));
+      }
+    CHECK(in_crease > 0);
+  }
+}
