@@ -167,7 +167,7 @@ class Lesson(PageTest):
         self.press(browser, until=("task/0", "done"))
         news = browser.evaluate("document.getElementById('news').textContent")
         self.assertIn("touching: ", news)
-        self.assertIn("step 1 of 7", news)
+        self.assertIn("step 1 of 5", news)
         browser.until("document.getElementById('page').textContent.includes('You have touched a molecule')")
         # A screen reader's press of the button in the text.
         browser.evaluate("[...document.querySelectorAll('#page [role=button]')].find((b) => b.textContent === 'Next').click()")

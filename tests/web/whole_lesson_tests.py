@@ -2,6 +2,7 @@
 digits, by fingers alone but for those."""
 import pathlib
 import tempfile
+import time
 
 from page import PAGE, PageTest
 
@@ -60,6 +61,11 @@ class Hand:
         shown = sorted((w[1], n, w[4]) for n, w in self.browser.widgets().items() if n in ("question/0/0", "question/0/1"))
         return next((place, name) for place, (_, name, text) in enumerate(shown) if text == words)
 
+    def write(self, text):
+        self.into_field()
+        self.browser.frames(5)
+        self.browser.type(text)
+
     def over(self, steps=40):
         """Places over the pair of atoms and back, left to right, as shares of the view's width."""
         there = [0.42 + 0.16 * k / steps for k in range(steps + 1)]
@@ -81,8 +87,17 @@ class Keys(Hand):
     def choose(self, words):
         self.browser.type(str(1 + self.shown_choice(words)[0]))
 
-    def into_field(self):
-        self.browser.type("a")
+    def write(self, text):
+        # For half a second after something was completed no key answers the next thing; a question that is not yet in view is
+        # scrolled into it first.
+        for _ in range(10):
+            self.browser.type("a")
+            self.browser.frames(5)
+            self.browser.type(text)
+            self.browser.frames(5)
+            if self.browser.text("question/1/field") == text:
+                return
+            time.sleep(0.3)
 
     def confirm(self):
         self.browser.key("Enter")
@@ -209,9 +224,7 @@ class WholeLesson(PageTest):
         browser.wait_for("question/0/feedback", "Look again.")
         hand.choose("Two")
         browser.wait_for("question/0/feedback", "Yes.")
-        hand.into_field()
-        browser.frames(5)
-        browser.type("3.76")
+        hand.write("3.76")
         hand.confirm()
         browser.wait_for("question/1/feedback", "Right")
         hand.next()

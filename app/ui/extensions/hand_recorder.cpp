@@ -156,8 +156,8 @@ void HandRecorder::endPlay() {
   if (leads) link_.giveBack(before_);
 }
 
-double HandRecorder::at_s() const { return playing_ ? double(device_->at()) * kTick_s : 0.0; }
-double HandRecorder::length_s() const { return playing_ ? double(device_->recording().ticks.size()) * kTick_s : 0.0; }
+double HandRecorder::at_s() const { return playing() ? double(device_->at()) * kTick_s : 0.0; }
+double HandRecorder::length_s() const { return playing() ? double(device_->recording().ticks.size()) * kTick_s : 0.0; }
 
 void HandRecorder::beforeTicks() {
   if (waiting_ && !opener_.loading() && scene_.stage()) begin();

@@ -54,6 +54,8 @@ void drawUsable(DeviceLink& link) {
     WithFont small(Font::Small);
     words((name + "/place").c_str(), one.place, look().palette.quiet);
   }
+  if (!link.opening().empty())
+    words("device/opening", trf("{0} is being opened …", link.opening()), look().palette.quiet);
   if (devicesAreAskedFor() && button("device/ask", tr("Show this page a device …"), ButtonLook::Plain, -1.0f))
     askForDevice();
 }

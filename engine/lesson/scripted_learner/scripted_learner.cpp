@@ -200,25 +200,27 @@ bool ScriptedLearner::goTo(const std::string& step) { return session_.mayGoTo(st
 
 bool ScriptedLearner::demonstrate() {
   for (;;) {
-    enterStep();
-    // A task that cannot be done stands before those after it; the questions and the other steps can still be seen.
-    while (session_.currentTask() < session_.step().tasks.size())
-      if (!doTask()) break;
-    for (std::size_t q = 0; q < session_.step().questions.size(); ++q)
-      if (session_.takesAnswer(q)) answerRightly(q);
+    demonstrateStep();
     if (!session_.hasNext() || !session_.mayGoOn()) return session_.finished();
     next();
   }
 }
 
-void ScriptedLearner::doTasksLeft() {
+void ScriptedLearner::demonstrateStepsLeft() {
   for (std::size_t s = 0; s < session_.lesson().steps.size(); ++s) {
-    if (session_.stepSeen(s) || session_.lesson().steps[s].tasks.empty()) continue;
+    if (session_.stepSeen(s)) continue;
     session_.goTo(session_.lesson().steps[s].id);
-    enterStep();
-    while (session_.currentTask() < session_.step().tasks.size())
-      if (!doTask()) break;
+    demonstrateStep();
   }
+}
+
+void ScriptedLearner::demonstrateStep() {
+  enterStep();
+  // A task that cannot be done stands before those after it; the questions and the other steps can still be seen.
+  while (session_.currentTask() < session_.step().tasks.size())
+    if (!doTask()) break;
+  for (std::size_t q = 0; q < session_.step().questions.size(); ++q)
+    if (session_.takesAnswer(q)) answerRightly(q);
 }
 
 }  // namespace moltact

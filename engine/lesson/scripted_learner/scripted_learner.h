@@ -69,8 +69,9 @@ class ScriptedLearner {
 
   /// Every task, question and step, from where the session is to the end. True when the lesson was finished.
   bool demonstrate();
-  /// The tasks of every step that has not been seen, whatever leads there: asides, and what right answers skip.
-  void doTasksLeft();
+  /// The tasks and questions of every step not yet seen, whatever leads there: asides, extra steps, and what right
+  /// answers skip.
+  void demonstrateStepsLeft();
 
   /// Follows a plan; stops early where the task was done. The step must have been entered.
   void follow(const HandPlan& plan);
@@ -80,6 +81,7 @@ class ScriptedLearner {
   void tell(const TaskAnswer& answer);
 
  private:
+  void demonstrateStep();
   void tick(PointA hip);
   bool timeIsUp() const;
   void tellDone(std::size_t task);

@@ -53,6 +53,8 @@ TEST_CASE(
       if (e.kind == LearnerEvent::Kind::Question) CHECK(e.right);
     });
     CHECK(learner.demonstrate());
+    learner.demonstrateStepsLeft();
+    for (std::size_t s = 0; s < lesson->steps.size(); ++s) CHECK(learner.session().stepSeen(s));
     CHECK(learner.time_s() <= 60.0 * shownMinutes(*lesson).all);
   }
 }
