@@ -66,10 +66,9 @@ std::optional<FoundDevice> findDevice(std::string_view name) {
   const DeviceDriver* const driver = driverOf(name);
   if (!driver) return std::nullopt;
   if (const std::size_t colon = name.find(':'); driver->find_at && colon != std::string_view::npos) {
-    std::vector<FoundDevice> one = driver->find_at(name.substr(colon + 1));
-    if (one.empty()) return std::nullopt;
-    one.front().name = name;
-    return std::move(one.front());
+    FoundDevice one = driver->find_at(name.substr(colon + 1));
+    one.name = name;
+    return one;
   }
   for (FoundDevice& one : findWith(*driver))
     if (one.name == name) return std::move(one);

@@ -1,4 +1,4 @@
-// The part of tcp.h that is alike on every system: addresses.
+// The part of tcp.h that is the same on every system: addresses.
 #include "engine/platform/tcp.h"
 
 #include <charconv>
@@ -12,10 +12,13 @@ std::string TcpAddress::text() const {
   return host.find(':') == std::string::npos ? host + ':' + number : '[' + host + "]:" + number;
 }
 
+bool TcpAddress::loopback() const { return host.starts_with("127.") || host == "::1"; }
+
 Expected<TcpAddress> parseTcpAddress(std::string_view text) {
   const auto refuse = [&] {
-    return Problem{"", 0, 0, trf("\"{0}\" is not a network address", text),
-                   tr("write PORT or HOST:PORT with a numeric host, for example 7010, 192.168.1.20:7010 or [::1]:7010")};
+    return Problem{
+        "", 0, 0, trf("\"{0}\" is not a network address", text),
+        tr("write PORT or HOST:PORT with a numeric host, for example 7010, 192.168.1.20:7010 or [::1]:7010")};
   };
   TcpAddress out;
   std::string_view port = text;

@@ -18,8 +18,10 @@ struct TcpAddress {
   std::string host = "127.0.0.1";
   std::uint16_t port = 0;
 
-  /// "7010", "192.168.1.20:7010" or "[::1]:7010".
+  /// "127.0.0.1:7010", "192.168.1.20:7010" or "[::1]:7010".
   std::string text() const;
+  /// Whether it is on this computer: 127.x.x.x or ::1. What is sent anywhere else crosses a network.
+  bool loopback() const;
 };
 
 /// Parses PORT, HOST:PORT or [IPv6]:PORT. The host is a numeric address or `localhost`; without one it is 127.0.0.1. Names of
@@ -29,20 +31,24 @@ Expected<TcpAddress> parseTcpAddress(std::string_view text);
 /// One connection. One thread at a time uses it.
 class TcpConnection {
  public:
-  /// The peer must take what is written within this time, else the connection counts as gone.
+  /// The peer must accept written bytes within this time. Otherwise the connection counts as gone.
   static constexpr int kMaxWriteWait_ms = 20;
 
-  /// Connects within `timeout_ms`. A Problem names the address and the system's reason.
+  /// The system's send buffer. It is small, so that a peer that stops reading is noticed and does not later receive
+  /// old reports.
+  static constexpr int kSendBuffer_bytes = 4096;
+
+  /// Connects within `timeout_ms`. A Problem contains the address and the system's reason.
   static Expected<std::unique_ptr<TcpConnection>> connect(const TcpAddress& address, int timeout_ms);
   virtual ~TcpConnection() = default;
 
-  /// Reads what has come into `into`. Returns the number of bytes; 0: none came within `wait_ms`; -1: the connection is
+  /// Reads received bytes into `into`. Returns their number; 0: none arrived within `wait_ms`; -1: the connection is
   /// gone.
   virtual int read(std::span<std::uint8_t> into, int wait_ms) = 0;
   /// Writes all of `bytes`. False: the connection is gone.
   virtual bool write(std::span<const std::uint8_t> bytes) = 0;
-  /// Keeps up to kMaxLastBytes that are sent when the process dies and nobody else can write any more
-  /// (platform/force_inhibit.h). False: they could not be kept.
+  /// Stores up to kMaxLastBytes, which are sent when the process dies and no thread can write any more
+  /// (platform/force_inhibit.h). False: they could not be stored.
   virtual bool lastBytes(std::span<const std::uint8_t> bytes) = 0;
   static constexpr std::size_t kMaxLastBytes = 128;
 };

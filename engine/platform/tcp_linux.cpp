@@ -31,6 +31,15 @@ bool waitFor(int socket, short events, int wait_ms) {
   }
 }
 
+// A port of the range for outgoing connections where nothing listens can be connected to itself.
+bool connectedToItself(int socket) {
+  sockaddr_storage own{}, peer{};
+  socklen_t own_size = sizeof own, peer_size = sizeof peer;
+  return ::getsockname(socket, reinterpret_cast<sockaddr*>(&own), &own_size) == 0 &&
+         ::getpeername(socket, reinterpret_cast<sockaddr*>(&peer), &peer_size) == 0 && own_size == peer_size &&
+         std::memcmp(&own, &peer, own_size) == 0;
+}
+
 class Connection final : public TcpConnection {
  public:
   explicit Connection(int socket) : socket_(socket) {}
@@ -65,7 +74,8 @@ class Connection final : public TcpConnection {
     last_size_ = bytes.size();
     std::copy(bytes.begin(), bytes.end(), last_);
     return act_.arm(
-        [](void* self) noexcept {  // in a signal handler: send() is safe there
+        [](void*
+               self) noexcept {  // in a signal handler, where send() is safe; a full buffer means a peer that stopped reading
           const Connection& me = *static_cast<const Connection*>(self);
           (void)!::send(me.socket_, me.last_, me.last_size_, MSG_NOSIGNAL | MSG_DONTWAIT);
           return true;
@@ -77,7 +87,7 @@ class Connection final : public TcpConnection {
   const int socket_;
   std::uint8_t last_[kMaxLastBytes] = {};
   std::size_t last_size_ = 0;
-  LastAct act_;  // declared last, so that it ends first
+  LastAct act_;  // the last member, so that its destructor runs first
 };
 
 }  // namespace
@@ -95,6 +105,8 @@ Expected<std::unique_ptr<TcpConnection>> TcpConnection::connect(const TcpAddress
   if (const int error = ::getaddrinfo(address.host.c_str(), port.c_str(), &hints, &found))
     return refuse(::gai_strerror(error));
   const int socket = ::socket(found->ai_family, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0);
+  const int buffer = kSendBuffer_bytes;
+  if (socket >= 0) ::setsockopt(socket, SOL_SOCKET, SO_SNDBUF, &buffer, sizeof buffer);
   int error = socket < 0 ? errno : 0;
   if (!error && ::connect(socket, found->ai_addr, found->ai_addrlen) != 0) {
     error = errno;
@@ -107,6 +119,7 @@ Expected<std::unique_ptr<TcpConnection>> TcpConnection::connect(const TcpAddress
     }
   }
   ::freeaddrinfo(found);
+  if (!error && connectedToItself(socket)) error = ECONNREFUSED;
   if (error) {
     if (socket >= 0) ::close(socket);
     return refuse(std::strerror(error));

@@ -2,6 +2,7 @@
 #include <ws2tcpip.h>
 
 #include <algorithm>
+#include <cstring>
 #include <system_error>
 
 #include "engine/language/catalogue.h"
@@ -19,9 +20,26 @@ bool started() {
   return ok;
 }
 
-bool waitFor(SOCKET socket, short events, int wait_ms) {
-  WSAPOLLFD one{socket, events, 0};
-  return WSAPoll(&one, 1, wait_ms) > 0;
+enum class Wait { Readable, Writable };
+
+// select(), because WSAPoll() does not report a failed connection on every version of Windows.
+bool waitFor(SOCKET socket, Wait what, int wait_ms) {
+  fd_set one, failed;
+  FD_ZERO(&one);
+  FD_SET(socket, &one);
+  failed = one;
+  const timeval time{wait_ms / 1000, wait_ms % 1000 * 1000};
+  const bool reads = what == Wait::Readable;
+  return ::select(0, reads ? &one : nullptr, reads ? nullptr : &one, &failed, &time) > 0;
+}
+
+// A port of the range for outgoing connections where nothing listens can be connected to itself.
+bool connectedToItself(SOCKET socket) {
+  sockaddr_storage own{}, peer{};
+  int own_size = sizeof own, peer_size = sizeof peer;
+  return ::getsockname(socket, reinterpret_cast<sockaddr*>(&own), &own_size) == 0 &&
+         ::getpeername(socket, reinterpret_cast<sockaddr*>(&peer), &peer_size) == 0 && own_size == peer_size &&
+         std::memcmp(&own, &peer, std::size_t(own_size)) == 0;
 }
 
 class Connection final : public TcpConnection {
@@ -33,7 +51,7 @@ class Connection final : public TcpConnection {
   }
 
   int read(std::span<std::uint8_t> into, int wait_ms) override {
-    if (!waitFor(socket_, POLLRDNORM, wait_ms)) return 0;
+    if (!waitFor(socket_, Wait::Readable, wait_ms)) return 0;
     const int size = ::recv(socket_, reinterpret_cast<char*>(into.data()), int(into.size()), 0);
     if (size > 0) return size;
     return size < 0 && WSAGetLastError() == WSAEWOULDBLOCK ? 0 : -1;
@@ -46,7 +64,7 @@ class Connection final : public TcpConnection {
         bytes = bytes.subspan(std::size_t(size));
         continue;
       }
-      if (WSAGetLastError() != WSAEWOULDBLOCK || !waitFor(socket_, POLLWRNORM, kMaxWriteWait_ms)) return false;
+      if (WSAGetLastError() != WSAEWOULDBLOCK || !waitFor(socket_, Wait::Writable, kMaxWriteWait_ms)) return false;
     }
     return true;
   }
@@ -69,7 +87,7 @@ class Connection final : public TcpConnection {
   const SOCKET socket_;
   std::uint8_t last_[kMaxLastBytes] = {};
   int last_size_ = 0;
-  LastAct act_;  // declared last, so that it ends first
+  LastAct act_;  // the last member, so that its destructor runs first
 };
 
 }  // namespace
@@ -86,22 +104,26 @@ Expected<std::unique_ptr<TcpConnection>> TcpConnection::connect(const TcpAddress
   hints.ai_socktype = SOCK_STREAM;
   addrinfo* found = nullptr;
   const std::string port = std::to_string(address.port);
-  if (const int error = ::getaddrinfo(address.host.c_str(), port.c_str(), &hints, &found)) return refuse(reasonOf(error));
+  if (const int error = ::getaddrinfo(address.host.c_str(), port.c_str(), &hints, &found))
+    return refuse(reasonOf(error));
   const SOCKET socket = ::socket(found->ai_family, SOCK_STREAM, IPPROTO_TCP);
   int error = socket == INVALID_SOCKET ? WSAGetLastError() : 0;
   u_long on = 1;
+  const int buffer = kSendBuffer_bytes;
+  if (!error) ::setsockopt(socket, SOL_SOCKET, SO_SNDBUF, reinterpret_cast<const char*>(&buffer), sizeof buffer);
   if (!error) ::ioctlsocket(socket, FIONBIO, &on);
   if (!error && ::connect(socket, found->ai_addr, int(found->ai_addrlen)) != 0) {
     error = WSAGetLastError();
     if (error == WSAEWOULDBLOCK) {
       int size = sizeof error;
-      if (!waitFor(socket, POLLWRNORM, timeout_ms))
+      if (!waitFor(socket, Wait::Writable, timeout_ms))
         error = WSAETIMEDOUT;
       else
         ::getsockopt(socket, SOL_SOCKET, SO_ERROR, reinterpret_cast<char*>(&error), &size);
     }
   }
   ::freeaddrinfo(found);
+  if (!error && connectedToItself(socket)) error = WSAECONNREFUSED;
   if (error) {
     if (socket != INVALID_SOCKET) ::closesocket(socket);
     return refuse(reasonOf(error));

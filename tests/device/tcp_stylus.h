@@ -1,5 +1,5 @@
 // A stylus that listens on a port of the loopback address and speaks the open layout over TCP (docs/device-protocol.md), with the
-// reference firmware behind it. A thread of its own serves one host after the other. Linux.
+// reference firmware behind it. Its own thread serves one host after the other. Linux.
 #pragma once
 
 #include <doctest/doctest.h>
@@ -10,7 +10,7 @@
 
 #include <atomic>
 #include <chrono>
-#include <mutex>
+#include <span>
 #include <string>
 #include <thread>
 #include <vector>
@@ -23,7 +23,7 @@ namespace moltact::test {
 
 class TcpStylus {
  public:
-  /// What the stylus sends in the place of a whole place report.
+  /// What the stylus sends instead of a complete position report.
   enum class Sends { Places, Nothing, EmptyReport, LongReport, HalfReport };
 
   TcpStylus() {
@@ -51,8 +51,8 @@ class TcpStylus {
   std::uint16_t port() const { return port_; }
 
   std::atomic<Sends> sends{Sends::Places};
-  std::atomic<bool> describes{true};   ///< answers the request of its description
-  std::atomic<bool> hangs_up{false};   ///< closes the connection
+  std::atomic<bool> describes{true};  ///< answers the request of its description
+  std::atomic<bool> hangs_up{false};  ///< closes the connection
   std::atomic<double> x_mm{0.0};
   /// How many hosts have connected, how many force reports have come, the newest force in mN summed over the axes (0 where the
   /// motors are off), the greatest, and when one with force came last (monotonic clock).
@@ -96,12 +96,13 @@ class TcpStylus {
   void take(int host, const std::vector<std::uint8_t>& report) {
     if (report.size() == 1 && report[0] == 3 && describes) {
       const auto description = firmware_.description();
-      send(host, {description.begin(), description.end()});
+      send(host, description);
     }
     if (report.size() != 11 || report[0] != 2) return;
     firmware_.take(report);
     const std::span<const std::uint8_t> bytes(report);
-    const int mN = report[9] ? std::abs(int16At(bytes, 3)) + std::abs(int16At(bytes, 5)) + std::abs(int16At(bytes, 7)) : 0;
+    const int mN =
+        report[9] ? std::abs(int16At(bytes, 3)) + std::abs(int16At(bytes, 5)) + std::abs(int16At(bytes, 7)) : 0;
     last_mN = mN;
     greatest_mN = std::max(greatest_mN.load(), mN);
     if (mN > 0) forced_ns = monotonic_ns();
@@ -109,19 +110,25 @@ class TcpStylus {
   }
 
   bool sendPlace(int host) {
-    const auto place = firmware_.tick({x_mm, 0, 0});
+    const auto place = firmware_.tick({x_mm.load(), 0, 0});
     switch (sends.load()) {
-      case Sends::Places: return send(host, {place.begin(), place.end()});
-      case Sends::Nothing: return true;
-      case Sends::EmptyReport: return raw(host, {0});
-      case Sends::LongReport: return raw(host, {200, 1, 2, 3});
-      case Sends::HalfReport: return sends.exchange(Sends::Nothing) == Sends::HalfReport && raw(host, {25, 1, 0, 0});
+      case Sends::Places:
+        return send(host, place);
+      case Sends::Nothing:
+        return true;
+      case Sends::EmptyReport:
+        return raw(host, {0});
+      case Sends::LongReport:
+        return raw(host, {200, 1, 2, 3});
+      case Sends::HalfReport:
+        return sends.exchange(Sends::Nothing) == Sends::HalfReport && raw(host, {25, 1, 0, 0});
     }
     return false;
   }
-  static bool send(int host, std::vector<std::uint8_t> report) {
-    report.insert(report.begin(), static_cast<std::uint8_t>(report.size()));
-    return raw(host, report);
+  static bool send(int host, std::span<const std::uint8_t> report) {
+    std::vector<std::uint8_t> message{static_cast<std::uint8_t>(report.size())};
+    message.insert(message.end(), report.begin(), report.end());
+    return raw(host, message);
   }
   static bool raw(int host, const std::vector<std::uint8_t>& bytes) {
     return ::send(host, bytes.data(), bytes.size(), MSG_NOSIGNAL) == ssize_t(bytes.size());

@@ -10,28 +10,25 @@ namespace {
 
 constexpr const char* kTitle = N_("Device of the open layout, over a network");
 
-std::vector<FoundDevice> findAt(std::string_view text) {
-  FoundDevice one{.title = kTitle, .place = std::string(text), .gives_force = true};
-  const auto refuse = [&](const Problem& problem) {
-    one.why = problem.text();
-    return std::vector{one};
-  };
+FoundDevice findAt(std::string_view text) {
+  FoundDevice out{.title = kTitle, .place = std::string(text), .gives_force = true};
   const auto address = parseTcpAddress(text);
-  if (!address) return refuse(address.problem());
-  one.place = address->text();
-  const auto port = openTcpPort(*address);
-  if (!port) return refuse(port.problem());
-  DeviceInfo info;
-  if (const auto problem = OpenLayoutProtocol().begin(**port, info)) return refuse(*problem);
-  one.gives_force = info.gives_force;
-  one.usable = true;
-  return {one};
+  if (!address) {
+    out.why = address.problem().text();
+    return out;
+  }
+  out.place = address->text();
+  out.usable = true;
+  if (!address->loopback())
+    out.note =
+        trf("Positions and forces cross the network to {0} unencrypted. Use a network that you trust.", out.place);
+  return out;
 }
 
-// Nothing is looked for: a network address is always named.
+// Nothing is searched for: a person gives the address.
 std::vector<FoundDevice> find() {
   return {{.title = kTitle,
-           .why = tr("name its address: open-tcp:PORT on this computer, open-tcp:HOST:PORT on another"),
+           .why = tr("give its address: open-tcp:PORT on this computer, open-tcp:HOST:PORT on another"),
            .gives_force = true}};
 }
 
@@ -58,6 +55,7 @@ const DeviceDriver kOpenTcpDriver{
     .sentence = N_("A device or a program that speaks the reports of docs/device-protocol.md over TCP."),
     .find = find,
     .find_at = findAt,
+    .address_example = "127.0.0.1:7010",
     .open = open,
 };
 
