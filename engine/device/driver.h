@@ -42,6 +42,9 @@ struct DeviceDriver {
 /// Every driver. The default device is the first one found that is usable and `auto_selectable`; the mouse comes last.
 std::span<const DeviceDriver> deviceDrivers();
 
+/// The driver of a device's name, "omni" or "omni:2"; null where none has that name.
+const DeviceDriver* findDriver(std::string_view name);
+
 /// The devices that all drivers find, in the drivers' order.
 std::vector<FoundDevice> findDevices();
 

@@ -94,7 +94,7 @@ class Connection final : public TcpConnection {
 
 Expected<std::unique_ptr<TcpConnection>> TcpConnection::connect(const TcpAddress& address, int timeout_ms) {
   const auto refuse = [&](const std::string& reason) {
-    return Problem{"", 0, 0, trf("{0} cannot be connected to: {1}", address.text(), reason),
+    return Problem{"", 0, 0, trf("there is no connection to {0}: {1}", address.text(), reason),
                    tr("start the program or device that listens there, and check the address")};
   };
   addrinfo hints{};

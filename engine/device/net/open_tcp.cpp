@@ -9,6 +9,7 @@ namespace moltact {
 namespace {
 
 constexpr const char* kTitle = N_("Device of the open layout, over a network");
+constexpr const char* kLost = N_("{0}: the connection is lost. The program tries to connect again.");
 
 FoundDevice findAt(std::string_view text) {
   FoundDevice out{.title = kTitle, .place = std::string(text), .gives_force = true};
@@ -44,7 +45,7 @@ Expected<std::unique_ptr<Device>> open(const FoundDevice& found) {
     if (auto problem = accept(**port)) return *problem;
     return port;
   };
-  return PacketDevice::open(opener, std::make_unique<OpenLayoutProtocol>(), std::move(known));
+  return PacketDevice::open(opener, std::make_unique<OpenLayoutProtocol>(), std::move(known), true, kLost);
 }
 
 }  // namespace
