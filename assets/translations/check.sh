@@ -5,7 +5,7 @@
 # check.sh FOLDER checks the languages and the file `complete` of that folder instead.
 set -uo pipefail
 own=$(cd "$(dirname "$0")" && pwd)
-cd "${1:-$own}"
+cd "${1:-$own}" || exit 1
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 status=0

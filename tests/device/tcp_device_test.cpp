@@ -147,7 +147,7 @@ TEST_CASE(
   for (int k = 0; k < 200; ++k) CHECK_FALSE(TcpConnection::connect(address, 1000));
 }
 
-TEST_CASE("a listener that never describes itself is refused after a second") {
+TEST_CASE("a listener that never describes itself is refused after half a second") {
   TcpStylus stylus;
   stylus.describes = false;
   const auto device = openDevice(stylus.device());

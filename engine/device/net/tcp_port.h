@@ -9,11 +9,12 @@
 
 namespace moltact {
 
-/// Times of a port, in milliseconds.
+/// Times of a port, in milliseconds. Connecting and describing are short, because closing a device that is just being
+/// reopened waits for them.
 namespace tcp_port {
-inline constexpr int kConnect_ms = 1000;      ///< for the connection to be made
-inline constexpr int kDescription_ms = 1000;  ///< for the answer to a request of the description
-inline constexpr int kSilence_ms = 2000;      ///< without a report for so long the device counts as gone
+inline constexpr int kConnect_ms = 500;      ///< to make the connection
+inline constexpr int kDescription_ms = 500;  ///< to answer a request of the description
+inline constexpr int kSilence_ms = 2000;     ///< after this time without a report the device counts as gone
 }  // namespace tcp_port
 
 /// Connects. A Problem with the reason.
