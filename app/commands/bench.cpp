@@ -269,9 +269,9 @@ HandOnMolecule handFrom(const fs::path& file, const std::string& otherwise) {
   HandOnMolecule hand;
   hand.molecule = otherwise.empty() ? path->label("molecule") : otherwise;
   if (hand.molecule.empty())
-    throw CommandError{Problem{file.string(), 0, 0, tr("it does not say on which molecule this hand went"),
-                               tr("name one with --molecule")}
-                           .text()};
+    throw CommandError{
+        Problem{file.string(), 0, 0, tr("it does not name the molecule of this hand"), tr("name one with --molecule")}
+            .text()};
   const auto molecule = openMolecule(hand.molecule);
   if (!molecule) throw CommandError{molecule.problem().text()};
   hand.scene = std::make_shared<const BallScene>(molecule->balls());

@@ -65,11 +65,11 @@ Expected<bench::HandPath> openHandPath(const std::filesystem::path& file) {
   const auto recording = readServoRecording(file);
   if (!recording) return recording.problem();
   if (recording->ticks.empty())
-    return Problem{file.string(), 0, 0, tr("the recording holds no ticks"), tr("record it anew")};
+    return Problem{file.string(), 0, 0, tr("the recording holds no ticks"), tr("record it again")};
   if (!recording->torn.empty()) err() << "moltact: " << recording->torn << "; the hand's way ends there\n";
   auto path = bench::handPathOf(*recording, file.stem().string(), feltOf(*recording).get());
   if (path.places.empty())
-    return Problem{file.string(), 0, 0, tr("the hand is nowhere in this recording"), tr("record it anew")};
+    return Problem{file.string(), 0, 0, tr("the hand is nowhere in this recording"), tr("record it again")};
   return path;
 }
 

@@ -233,14 +233,14 @@ void replayHand(const std::string& file) {
     throw CommandError{Problem{file, 0, 0, what, remedy}.text()};
   };
   if (recording->ticks.empty())
-    fail(recording->torn.empty() ? "the recording holds no ticks" : recording->torn, "record it anew");
+    fail(recording->torn.empty() ? "the recording holds no ticks" : recording->torn, "record it again");
   const auto label = [&](const char* key) {
     return recording->labels.contains(key) ? recording->labels.at(key) : std::string();
   };
   const TouchSetup touch = touchOf(*recording);
   const auto known = [&](const char* what, const std::string& name, bool is) {
     if (!is)
-      fail("it was recorded with " + std::string(what) + " \"" + name + "\" that is not known here", "record it anew");
+      fail("it was recorded with " + std::string(what) + " \"" + name + "\" that is not known here", "record it again");
   };
   known("a method", touch.method, findMethod(touch.method));
   known("an interaction", touch.interaction, findInteractionKind(touch.interaction));
@@ -248,10 +248,10 @@ void replayHand(const std::string& file) {
       recordedScene(recording->labels, MoleculeArgument{labelledMolecule(recording->labels)}.load().balls());
   if (!label("balls").empty() && label("balls") != fingerprint(*scene.balls))
     fail("the molecule \"" + label("molecule") + "\" is not the one any more that it was recorded on",
-         "put the old file back, or record it anew");
+         "put the old file back, or record it again");
 
   const auto felt = makeInteraction({scene.balls, touch, scene.body});
-  if (!felt) fail("it was recorded with a body in the hand, and does not say which", "record it anew");
+  if (!felt) fail("it was recorded with a body in the hand, and does not say which", "record it again");
   const ReplayResult result = replay(*recording, felt.get());
   char text[200];
   if (result.moving)

@@ -64,7 +64,7 @@ std::optional<Problem> AttemptWriter::Impl::open() {
       }
   } else {
     if (folder.empty())
-      return Problem{{}, 0, 0, tr("this computer tells no folder to keep results in"), tr("set HOME or XDG_DATA_HOME")};
+      return Problem{{}, 0, 0, tr("this computer names no folder for results"), tr("set HOME or XDG_DATA_HOME")};
     std::error_code error;
     fs::create_directories(folder, error);
     if (error)

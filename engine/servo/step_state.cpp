@@ -186,7 +186,7 @@ std::string stateText(const ServoStep& step) {
 }
 
 Expected<ServoStep> stepFromText(std::string_view text) {
-  const auto problem = [](std::string what) { return Problem{"", 0, 0, std::move(what), tr("record it anew")}; };
+  const auto problem = [](std::string what) { return Problem{"", 0, 0, std::move(what), tr("record it again")}; };
   Reader reader;
   while (!text.empty()) {
     const std::size_t end = std::min(text.find('\n'), text.size()), equals = text.find('=');

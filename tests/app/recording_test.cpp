@@ -184,7 +184,7 @@ TEST_CASE("a recording whose molecule has changed since says so, and is played a
   auto d = startWith("1ubq");
   d->app().open(other);
   d->frames(3);
-  CHECK(told(*d, "is not what the hand was recorded on"));
+  CHECK(told(*d, "is not the one of this recording"));
   CHECK(d->app().extensions().hand_recorder.playing());
 }
 

@@ -1,6 +1,8 @@
 // The stream of a device over TCP: any bytes in pieces of any size give the same reports as a plain parse of the whole,
 // and the open layout makes finite positions of them.
+#include <algorithm>
 #include <array>
+#include <utility>
 #include <vector>
 
 #include "engine/device/hid/open_layout.h"
@@ -64,8 +66,11 @@ void reportStream(std::string_view bytes) {
   mustBe(got == wanted && broken == wanted_broken, "the same reports in pieces");
   OpenLayoutProtocol protocol;
   DeviceInfo info;
-  if (!got.empty() && !protocol.begin(*std::make_unique<Describes>(got.front()), info))
-    mustBe(finite(info.workspace_mm) && info.resolution_mm > 0.0, "a room and a step");
+  if (!got.empty()) {
+    Describes port(got.front());
+    if (!protocol.begin(port, info))
+      mustBe(finite(info.workspace_mm) && info.resolution_mm > 0.0, "a workspace and a step");
+  }
   DevicePose pose;
   for (const Report& report : got) {
     protocol.parseReport(report, pose);

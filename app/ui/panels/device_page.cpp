@@ -235,7 +235,7 @@ void drawRecording(Application& app) {
       app.panels.device_page = false;  // one page at a time
       recorder.askToRecord();
     }
-    tip(tr("Every place and force, 1000 a second, as long as molecule and method stay."));
+    tip(tr("Every position and force, 1000 per second, until the molecule or the method changes."));
     ImGui::SameLine(0, look().px(8));
     if (button("device/play", tr("Play one …"))) app.panels.device_page = false, app.panels.open_page = true;
     tip(tr("Leads the hand on its molecule as it was recorded. No force is given meanwhile."));
