@@ -73,9 +73,9 @@ class Connection final : public TcpConnection {
     if (bytes.size() > sizeof last_) return false;
     last_size_ = bytes.size();
     std::copy(bytes.begin(), bytes.end(), last_);
+    // In a signal handler, where send() is safe. A full buffer means a peer that no longer reads.
     return act_.arm(
-        [](void*
-               self) noexcept {  // in a signal handler, where send() is safe; a full buffer means a peer that stopped reading
+        [](void* self) noexcept {
           const Connection& me = *static_cast<const Connection*>(self);
           (void)!::send(me.socket_, me.last_, me.last_size_, MSG_NOSIGNAL | MSG_DONTWAIT);
           return true;

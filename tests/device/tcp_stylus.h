@@ -77,19 +77,30 @@ class TcpStylus {
     auto next = std::chrono::steady_clock::now();
     while (!ends_ && !hangs_up.exchange(false)) {
       next += std::chrono::milliseconds(1);
-      if (!sendPlace(host)) return;
+      if (!sendPlace(host)) return takeRest(host, in);
       do {
         pollfd one{host, POLLIN, 0};
         if (::poll(&one, 1, 1) <= 0) continue;
         std::uint8_t bytes[512];
         const ssize_t size = ::recv(host, bytes, sizeof bytes, 0);
         if (size <= 0) return;
-        in.insert(in.end(), bytes, bytes + size);
-        while (!in.empty() && in.size() > in[0]) {
-          take(host, {in.begin() + 1, in.begin() + 1 + in[0]});
-          in.erase(in.begin(), in.begin() + 1 + in[0]);
-        }
+        takeAll(host, in, {bytes, std::size_t(size)});
       } while (std::chrono::steady_clock::now() < next);
+    }
+  }
+
+  // A host that is gone may have sent reports before.
+  void takeRest(int host, std::vector<std::uint8_t>& in) {
+    std::uint8_t bytes[512];
+    for (ssize_t size; (size = ::recv(host, bytes, sizeof bytes, MSG_DONTWAIT)) > 0;)
+      takeAll(host, in, {bytes, std::size_t(size)});
+  }
+
+  void takeAll(int host, std::vector<std::uint8_t>& in, std::span<const std::uint8_t> bytes) {
+    in.insert(in.end(), bytes.begin(), bytes.end());
+    while (!in.empty() && in.size() > in[0]) {
+      take(host, {in.begin() + 1, in.begin() + 1 + in[0]});
+      in.erase(in.begin(), in.begin() + 1 + in[0]);
     }
   }
 
