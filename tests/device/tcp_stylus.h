@@ -51,8 +51,9 @@ class TcpStylus {
   std::uint16_t port() const { return port_; }
 
   std::atomic<Sends> sends{Sends::Places};
-  std::atomic<bool> describes{true};  ///< answers the request of its description
-  std::atomic<bool> hangs_up{false};  ///< closes the connection
+  std::atomic<bool> describes{true};   ///< answers the request of its description
+  std::atomic<bool> hangs_up{false};   ///< closes the connection
+  std::atomic<bool> connected{false};  ///< a host is being served; without one the motors are off
   std::atomic<double> x_mm{0.0};
   /// How many hosts have connected, how many force reports have come, the newest force in mN summed over the axes (0 where the
   /// motors are off), the greatest, and when one with force came last (monotonic clock).
@@ -67,8 +68,10 @@ class TcpStylus {
       const int host = ::accept4(listener_, nullptr, nullptr, SOCK_CLOEXEC);
       if (host < 0) continue;
       ++hosts;
+      connected = true;
       serve(host);
       ::close(host);
+      connected = false;
     }
   }
 
