@@ -5,6 +5,7 @@
 #include "app/commands/language_option.h"
 #include "app/commands/outputs.h"
 #include "app/commands/value_types.h"
+#include "engine/device/driver.h"
 #include "engine/platform/terminal.h"
 
 namespace moltact {
@@ -16,6 +17,9 @@ void addWindowArguments(CLI::App& app, WindowArguments& into) {
   app.add_option("file", into.file, "A molecule, a lesson (.md) or a pack (.moltact) to open in the window")
       ->type_name(kMoleculeType);
   addLanguageOption(app, into.language);
+  app.add_option("--device", into.device,
+                 "The device that leads: a name that `moltact devices` lists, or a driver with an address, such as "
+                 "open-tcp:127.0.0.1:7010. The device chosen last stays stored");
   app.add_option(
          "--state-text", into.state_text,
          "Also write contacts and the lesson's instructions as lines of text to this file, or to the terminal for -; "
@@ -37,10 +41,19 @@ int runWindowArguments(const WindowArguments& a) {
     noteRead(a.script);
     checkOutputs({{"--screenshot", a.screenshot}, {"--state-text", a.state_text == "-" ? "" : a.state_text}});
   }
+  if (!a.device.empty() && !findDriver(a.device)) {
+    std::string names;
+    for (const DeviceDriver& driver : deviceDrivers()) names += (names.empty() ? "" : ", ") + std::string(driver.name);
+    err() << "moltact: --device " << oneLine(a.device) << ": no driver has this name; these exist: " << names << '\n';
+    return 2;
+  }
   if (a.screenshot.empty() && a.script.empty()) {
     hideOwnTerminal();
-    return runWindow(
-        {.file = a.file, .frame_stats = a.frame_stats, .language = a.language, .state_text = a.state_text});
+    return runWindow({.file = a.file,
+                      .frame_stats = a.frame_stats,
+                      .language = a.language,
+                      .device = a.device,
+                      .state_text = a.state_text});
   }
   OffscreenOptions options{.file = a.file,
                            .screenshot = a.screenshot,
@@ -48,6 +61,7 @@ int runWindowArguments(const WindowArguments& a) {
                            .content_scale = a.scale,
                            .frame_stats = a.frame_stats,
                            .language = a.language,
+                           .device = a.device,
                            .state_text = a.state_text,
                            .attempts = a.attempts};
   if (!(a.scale >= kLeastScale && a.scale <= kMostScale)) {  // false for what is not a number, too

@@ -9,7 +9,7 @@
 namespace moltact {
 
 struct WindowArguments {
-  std::string file, language, state_text, screenshot, script, size, attempts;
+  std::string file, language, device, state_text, screenshot, script, size, attempts;
   double scale = 1.0;
   bool frame_stats = false;
 };

@@ -89,6 +89,7 @@ void check(const Options& options) {
   const InterruptWatch interrupt;
   auto device = opened(options.name);
   const bool gives_force = device->info().gives_force;
+  if (const auto found = findDevice(options.name); found && !found->note.empty()) out() << found->note << '\n';
   describe(device->info());
   DeviceCheckOptions how;
   if (options.yes)
@@ -125,7 +126,10 @@ void addDevice(CLI::App& app) {
 
   CLI::App* checks = command->add_subcommand(
       "check", "Test a device in your hand: its positions, its force, and every way in which the force must end");
-  checks->add_option("NAME", options->name, "A name that `moltact devices` lists")->required();
+  checks
+      ->add_option("NAME", options->name,
+                   "A name that `moltact devices` lists, or a driver with an address, such as open-tcp:7010")
+      ->required();
   checks->add_flag("--yes", options->yes, "Do not ask before the device moves");
   checks->add_option("--seconds", options->seconds, "Duration of each part")
       ->check(numberFrom(0.2, 600.0))

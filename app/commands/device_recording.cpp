@@ -220,6 +220,7 @@ void recordHand(const RecordOptions& options) {
   servo.loop().setSettings(settings);
   servo.setDevice(std::move(*device));
   servo.record(true);
+  if (const auto found = findDevice(options.device); found && !found->note.empty()) out() << found->note << '\n';
   out() << scaleSentence(settings.workspace, steadyStiffness_N_per_mm(settings.stiffness_N_per_mm, info)) << '\n';
   out().flush();
   recorder.run(servo, std::move(felt));
@@ -274,7 +275,10 @@ void replayHand(const std::string& file) {
 void addDeviceRecording(CLI::App& device) {
   const auto options = std::make_shared<RecordOptions>();
   CLI::App* records = device.add_subcommand("record", "Record a hand on a molecule: every position and every force");
-  records->add_option("NAME", options->device, "A name that `moltact devices` lists")->required();
+  records
+      ->add_option("NAME", options->device,
+                   "A name that `moltact devices` lists, or a driver with an address, such as open-tcp:7010")
+      ->required();
   options->molecule.addTo(*records);
   records->add_option("--out", options->file, "The file to write")->type_name(kFileType)->required();
   records->add_flag("--overwrite", options->overwrite, "Replace an existing file");

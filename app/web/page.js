@@ -4,11 +4,9 @@
   "use strict";
   const byId = (id) => document.getElementById(id);
   const canvas = byId("view"), said = byId("said"), keyboard = byId("keyboard");
-  // The page's own sentences are given in each of these, in this order.
-  const kLanguages = ["en", "de"];
-  const spoken = Math.max(0, kLanguages.findIndex((code) => (navigator.language || "").toLowerCase().startsWith(code)));
-  const inLanguage = (...sentences) => sentences[spoken];
-  const say = (...sentences) => { said.textContent = inLanguage(...sentences); said.hidden = false; };
+  const spoken = moltactLanguage(navigator.language);
+  const sentence = (key, ...pieces) => moltactSentence(spoken, key, ...pieces);
+  const say = (key, ...pieces) => { said.textContent = sentence(key, ...pieces); said.hidden = false; };
 
   // ---- what came with the page ------------------------------------------------------------------------------------
 
@@ -342,11 +340,11 @@
 
   // ---- what the address asks for: nothing leaves the page without a yes --------------------------------------------------
 
-  function agreed(...sentences) {
+  function agreed(key, ...pieces) {
     const ask = byId("ask"), [yes, no] = ask.querySelectorAll("button");
-    ask.querySelector("p").textContent = inLanguage(...sentences);
-    yes.textContent = inLanguage("Fetch it", "Laden");
-    no.textContent = inLanguage("Do not", "Nicht laden");
+    ask.querySelector("p").textContent = sentence(key, ...pieces);
+    yes.textContent = sentence("fetch");
+    no.textContent = sentence("do not fetch");
     return new Promise((done) => {
       yes.onclick = () => { ask.close(); done(true); };
       no.onclick = ask.oncancel = () => { ask.close(); done(false); };
@@ -371,8 +369,7 @@
       if (!/\.(md|moltact)$/i.test(name)) name += ".md";
     }
     if (!url) return;
-    if (!await agreed(`This page is asked to fetch ${name} from ${url.host}. That server then sees that you do so.`,
-                      `Diese Seite soll ${name} von ${url.host} laden. Jener Server erfährt dann, dass du das tust.`)) return;
+    if (!await agreed("asked to fetch", name, url.host)) return;
     try {
       const reply = await fetch(url, {credentials: "omit", referrerPolicy: "no-referrer"});
       if (!reply.ok) throw new Error(reply.status + " " + reply.statusText);
@@ -410,22 +407,20 @@
   // ---- the start -----------------------------------------------------------------------------------------------------------
 
   if (typeof WebAssembly !== "object" || typeof DecompressionStream !== "function")
-    return say("This browser is too old for Moltact: it needs one of 2023 or later.",
-               "Dieser Browser ist zu alt für Moltact: nötig ist einer von 2023 oder später.");
+    return say("too old");
   const hid = moltactDevices(stir);
   try {
     const [bytes, files] = await Promise.all([unpacked("program-bytes"), unpacked("file-bytes")]);
     const made = await createMoltact({
       canvas, page, keeper, hid, wasmBinary: bytes, noInitialRun: true, print: news, printErr: (line) => console.warn(line),
-      onAbort: (why) => say("Moltact has stopped: " + why, "Moltact wurde beendet: " + why),
+      onAbort: (why) => say("stopped", why),
     });
     putFiles(made.FS, files);
     made.FS.mkdirTree(kHome);
     await Promise.all([keeper.load(made.FS), hid.begin()]);
-    document.documentElement.lang = kLanguages[spoken];
+    document.documentElement.lang = spoken;
     if (made.callMain([]) !== 0)
-      return say("This browser offers no WebGL 2, which Moltact draws with. Another browser, or newer graphics drivers, may.",
-                 "Dieser Browser bietet kein WebGL 2, mit dem Moltact zeichnet. Ein anderer oder neuere Treiber vielleicht.");
+      return say("no WebGL");
     program = made;
     if (keeper.early) program._moltact_storage_fault(0);
     globalThis.moltact = program;  // for whoever looks into the page
@@ -438,6 +433,6 @@
     if (!await takeAlong()) asked();
   } catch (error) {
     console.error(error);
-    say("Moltact could not start: " + error, "Moltact konnte nicht starten: " + error);
+    say("not started", error);
   }
 })();

@@ -1,22 +1,42 @@
 #!/usr/bin/env bash
-# Fails where a language lacks a text, has one that nobody has looked at since the English changed, or has other
-# placeholders than the English; and where moltact.pot is not what the sources say. Lists each.
+# Reports how much of each language is translated. Fails where a language that the file `complete` lists lacks a sentence
+# or has one that nobody has reviewed since the English changed (fuzzy), where any language has other placeholders or plural
+# forms than the English, and where moltact.pot differs from the sources. Lists each fault.
+# check.sh FOLDER checks the languages and the file `complete` of that folder instead.
 set -uo pipefail
-cd "$(dirname "$0")"
+own=$(cd "$(dirname "$0")" && pwd)
+cd "${1:-$own}" || exit 1
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
 status=0
-./update.sh --check || status=1
+"$own/update.sh" --check || status=1
+
+# Prints the number of sentences that a file has.
+count() { grep -cE '^msgid ' "$1" | awk '{ print ($1 > 0 ? $1 - 1 : 0) }'; }  # the first is the header
+
+msgattrib --no-obsolete --no-wrap --output-file="$work/all" "$own/moltact.pot" || exit 1
+all=$(count "$work/all")
+complete=" $(grep -v '^#' complete | tr -s '[:space:]' ' ') "
+for code in $complete; do
+  [ -e "$code.po" ] || { echo "complete: there is no $code.po"; status=1; }
+done
 for po in *.po; do
+  [ -e "$po" ] || continue
+  code=${po%.po}
   msgfmt --check --output-file=/dev/null "$po" || status=1
-  # What the sources say and the file does not have at all is untranslated too.
-  msgmerge --quiet --no-fuzzy-matching --output-file=- "$po" moltact.pot |
-    msgattrib --no-obsolete --no-wrap --untranslated - | grep -E '^msg(ctxt|id|id_plural) ' | grep -v '^msgid ""$' |
-    sed "s/^/$po: no text: /" >"${TMPDIR:-/tmp}/moltact-untranslated.$$"
+  # A sentence of the sources that the file does not contain at all is untranslated too.
+  msgmerge --quiet --no-fuzzy-matching --output-file="$work/merged" "$po" "$own/moltact.pot" || { status=1; continue; }
+  msgattrib --no-obsolete --no-wrap --translated --no-fuzzy --force-po --output-file="$work/translated" "$work/merged"
+  translated=$(count "$work/translated")
+  echo "$code: $translated of $all sentences, $((100 * translated / all)) %"
+  [[ $complete == *" $code "* ]] || continue
+  msgattrib --no-obsolete --no-wrap --untranslated "$work/merged" | grep -E '^msg(ctxt|id|id_plural) ' | grep -v '^msgid ""$' |
+    sed "s/^/$po: no text: /" >"$work/faults"
   msgattrib --no-obsolete --no-wrap --only-fuzzy "$po" | grep -E '^msgid ' | grep -v '^msgid ""$' |
-    sed "s/^/$po: to be looked at anew (fuzzy): /" >>"${TMPDIR:-/tmp}/moltact-untranslated.$$"
-  if [ -s "${TMPDIR:-/tmp}/moltact-untranslated.$$" ]; then
-    cat "${TMPDIR:-/tmp}/moltact-untranslated.$$"
+    sed "s/^/$po: to be reviewed (fuzzy): /" >>"$work/faults"
+  if [ -s "$work/faults" ]; then
+    cat "$work/faults"
     status=1
   fi
-  rm -f "${TMPDIR:-/tmp}/moltact-untranslated.$$"
 done
 exit $status

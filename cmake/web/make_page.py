@@ -49,6 +49,7 @@ def main():
         "FILES": packed(struct.pack("<I", len(head)) + head + run),
         "LOADER": in_script((build / "moltact.js").read_text()),
         "DEVICES": in_script((here / "devices.js").read_text()),
+        "SENTENCES": in_script((here / "sentences.js").read_text()),
         "PAGE": in_script((here / "page.js").read_text()),
     }
     text = (here / "page.html").read_text()

@@ -15,6 +15,7 @@
   X(Omni)                  \
   X(WoodenHaptics)         \
   X(OpenLayout)            \
+  X(OpenTcp)               \
   X(SpaceMouse)            \
   X(DualShock4)            \
   X(DualSense)             \
@@ -46,13 +47,13 @@ std::vector<FoundDevice> findWith(const DeviceDriver& driver) {
   return some;
 }
 
-const DeviceDriver* driverOf(std::string_view name) {
+}  // namespace
+
+const DeviceDriver* findDriver(std::string_view name) {
   for (const DeviceDriver& driver : deviceDrivers())
     if (driver.name == name.substr(0, name.find(':'))) return &driver;
   return nullptr;
 }
-
-}  // namespace
 
 std::vector<FoundDevice> findDevices() {
   std::vector<FoundDevice> all;
@@ -62,9 +63,15 @@ std::vector<FoundDevice> findDevices() {
 }
 
 std::optional<FoundDevice> findDevice(std::string_view name) {
-  if (const DeviceDriver* driver = driverOf(name))
-    for (FoundDevice& one : findWith(*driver))
-      if (one.name == name) return std::move(one);
+  const DeviceDriver* const driver = findDriver(name);
+  if (!driver) return std::nullopt;
+  if (const std::size_t colon = name.find(':'); driver->find_at && colon != std::string_view::npos) {
+    FoundDevice one = driver->find_at(name.substr(colon + 1));
+    one.name = name;
+    return one;
+  }
+  for (FoundDevice& one : findWith(*driver))
+    if (one.name == name) return std::move(one);
   return std::nullopt;
 }
 
@@ -77,7 +84,7 @@ const FoundDevice& defaultDevice(const std::vector<FoundDevice>& found) {
 Expected<std::unique_ptr<Device>> openDevice(std::string_view name) {
   if (const std::optional<FoundDevice> one = findDevice(name)) {
     if (!one->usable) return Problem{"", 0, 0, trf("{0} cannot be used", tr(one->title.c_str())), one->why};
-    return driverOf(name)->open(*one);
+    return findDriver(name)->open(*one);
   }
   std::string names;
   for (const FoundDevice& one : findDevices()) names += (names.empty() ? "" : ", ") + one.name;

@@ -132,16 +132,15 @@ std::vector<Language> languages(const fs::path& folder) {
 std::optional<Problem> setLanguage(std::string_view code, const fs::path& folder) {
   const Catalogue* next = nullptr;
   if (code != "en") {
-    if (!soundCode(code))
-      return Problem{{}, 0, 0, trf("'{0}' is no language's code", code), tr("write it as en or de")};
-    const auto catalogue = catalogueOf(code, folder);
-    if (!catalogue) {
-      Problem p = catalogue.problem();
+    const auto refuse = [&](Problem p) {
       std::string known;
       for (const Language& l : languages(folder)) known += (known.empty() ? "" : ", ") + l.code;
       p.remedy = trf("there are texts in {0}", known);
       return p;
-    }
+    };
+    if (!soundCode(code)) return refuse({{}, 0, 0, trf("'{0}' is no language's code", code), {}});
+    const auto catalogue = catalogueOf(code, folder);
+    if (!catalogue) return refuse(catalogue.problem());
     next = *catalogue;
   }
   g_in_use.store(next, std::memory_order_release);

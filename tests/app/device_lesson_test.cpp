@@ -8,6 +8,7 @@
 #include "app/ui/extensions/device_link.h"
 #include "app/ui/extensions/extensions.h"
 #include "tests/app/scripted_user_fixture.h"
+#include "tests/device/tcp_stylus.h"
 
 namespace moltact {
 namespace {
@@ -245,6 +246,70 @@ TEST_CASE("a look that takes as long as it likes stops no frame") {
     d->frames(1);
   }
   CHECK(d->shows("device/mouse"));
+}
+
+TEST_CASE(
+    "an address on the device page: one without a port is refused with a reason, one on another computer is marked as "
+    "unencrypted, and the stylus of this computer leads, also at the next start") {
+  test::TcpStylus there;
+  const Scratch scratch;
+  const auto file = scratch.folder / "settings.json";
+  const std::string number = std::to_string(there.port());
+  {
+    auto d = startWith("1ubq", keeping(file));
+    d->tap("Ctrl+D");
+    d->frames(3);
+    const auto write = [&](const std::string& text) {
+      REQUIRE(d->click("device/open-tcp/address"));
+      d->tap("Ctrl+A");
+      d->type(text);
+      d->frames(2);
+      CHECK(d->text("device/open-tcp/address") == text);
+    };
+    write("127.0.0.1:");
+    CHECK(contains(d->text("device/open-tcp/note"), "is not a network address"));
+    write("192.168.1.20:7010");
+    CHECK(contains(d->text("device/open-tcp/note"), "unencrypted"));
+    write(number);
+    CHECK_FALSE(d->shows("device/open-tcp/note"));
+    REQUIRE(d->click("device/open-tcp/connect"));
+    d->frames(3);
+    CHECK(d->text("device/name") == "Device of the open layout, over a network");
+    CHECK(d->app().settings.device == "open-tcp:" + number);
+    CHECK(there.hosts == 1);  // opening connects once
+  }
+  {
+    auto d = startWith("1ubq", keeping(file));
+    d->frames(3);
+    CHECK(d->text("status/device") == "Device of the open layout, over a network");
+    CHECK(there.hosts == 2);
+    d->app().extensions().device.choose("mouse");
+    d->frames(2);
+  }
+  {
+    auto d = startWith("1ubq", keeping(file));
+    d->tap("Ctrl+D");
+    d->frames(3);
+    CHECK(d->text("status/device") == "Mouse");
+    CHECK(d->text("device/open-tcp/address") == number);
+  }
+  // Named at the start it leads, and what was chosen stays chosen.
+  auto options = keeping(file);
+  options.application.device = "open-tcp:" + number;
+  auto d = startWith("1ubq", options);
+  d->frames(3);
+  CHECK(d->text("status/device") == "Device of the open layout, over a network");
+  CHECK(d->app().settings.device == "mouse");
+}
+
+TEST_CASE("a device at an address where nothing listens gives a message with the address, and the mouse leads") {
+  std::string gone;
+  { gone = test::TcpStylus().device(); }
+  auto d = startWith();
+  d->app().extensions().device.choose(gone);
+  d->frames(3);
+  CHECK(told(*d, "there is no connection to 127.0.0.1:" + gone.substr(gone.find(':') + 1)));
+  CHECK(d->text("status/device") == "Mouse");
 }
 
 }  // namespace moltact

@@ -1,4 +1,4 @@
-// A dying_hand (dying_hand.cpp) as a child of the test: started, waited for, killed. Linux.
+// A program as a child of the test, most often a dying_hand (dying_hand.cpp): started, waited for, killed. Linux.
 #pragma once
 
 #include <doctest/doctest.h>
@@ -12,6 +12,7 @@
 #include <cstdint>
 #include <cstdlib>
 #include <string>
+#include <vector>
 
 #include "engine/platform/realtime.h"
 
@@ -19,9 +20,10 @@ extern char** environ;
 
 namespace moltact::test {
 
-class Dying {
+/// A program as a child of the test.
+class Child {
  public:
-  Dying(const std::string& device, const std::string& way) {
+  explicit Child(std::vector<std::string> arguments) {
     int ends[2], in[2];
     REQUIRE(::pipe2(ends, O_CLOEXEC) == 0);
     REQUIRE(::pipe2(in, O_CLOEXEC) == 0);
@@ -36,9 +38,10 @@ class Dying {
     sigset_t all;
     sigfillset(&all);
     posix_spawnattr_setsigdefault(&attributes, &all);
-    std::string program = MOLTACT_DYING_HAND, name = device, how = way;
-    char* arguments[] = {program.data(), name.data(), how.data(), nullptr};
-    REQUIRE(::posix_spawn(&pid_, program.c_str(), &actions, &attributes, arguments, environ) == 0);
+    std::vector<char*> pointers;
+    for (std::string& one : arguments) pointers.push_back(one.data());
+    pointers.push_back(nullptr);
+    REQUIRE(::posix_spawn(&pid_, pointers[0], &actions, &attributes, pointers.data(), environ) == 0);
     posix_spawn_file_actions_destroy(&actions);
     posix_spawnattr_destroy(&attributes);
     ::close(ends[1]);
@@ -46,13 +49,13 @@ class Dying {
     out_ = ends[0];
     in_ = in[1];
   }
-  ~Dying() {
+  ~Child() {
     ::close(out_);
     ::close(in_);
     if (pid_ > 0) ::kill(pid_, SIGKILL), ::waitpid(pid_, nullptr, 0);
   }
-  Dying(const Dying&) = delete;
-  Dying& operator=(const Dying&) = delete;
+  Child(const Child&) = delete;
+  Child& operator=(const Child&) = delete;
 
   /// The next line that it wrote, if there is one within `wait_ms`; empty otherwise.
   std::string line(int wait_ms) {
@@ -96,6 +99,12 @@ class Dying {
   int out_ = -1, in_ = -1, status_ = 0;
   std::int64_t at_ns_ = 0;
   std::string text_;
+};
+
+/// A dying_hand (dying_hand.cpp).
+class Dying : public Child {
+ public:
+  Dying(const std::string& device, const std::string& way) : Child({MOLTACT_DYING_HAND, device, way}) {}
 };
 
 /// A way to end, and how the process is seen to have ended.

@@ -200,6 +200,12 @@ const Row kRows[] = {
        return std::unique_ptr<Bench>(new HidBench(std::make_unique<OpenLayoutProtocol>(), DeviceInfo(),
                                                   of(firmware.tick({})), openForce, of(firmware.description())));
      }},
+    {"open-tcp", true,  // the same protocol; what its own port does is in tcp_device_test.cpp
+     [] {
+       OpenFirmware firmware;
+       return std::unique_ptr<Bench>(new HidBench(std::make_unique<OpenLayoutProtocol>(), DeviceInfo(),
+                                                  of(firmware.tick({})), openForce, of(firmware.description())));
+     }},
     {"gamepad", true,
      [] {
        Report state(64, 128);

@@ -31,6 +31,7 @@ constexpr Target kTargets[] = {
     {"settings", settings},
     {"translations", translations},
     {"pack", pack},
+    {"report-stream", reportStream},
 };
 
 }  // namespace

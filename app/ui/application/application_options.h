@@ -12,7 +12,8 @@ struct ApplicationOptions {
   ServoClock clock = ServoClock::RealThread;
   bool devices_unasked =
       true;  ///< where nobody chose a device, one that is plugged in is taken at the start and offered later
-  std::string language{};                   ///< at the start, in the place of the settings': "de"; empty: theirs
+  std::string language{};  ///< at the start, in the place of the settings': "de"; empty: theirs
+  std::string device{};    ///< leads at the start instead of the settings' one, which stays stored; empty: theirs
   std::filesystem::path settings_file{};    ///< empty: settings are neither read nor kept
   std::filesystem::path attempts_folder{};  ///< where attempts at lessons are kept; empty: nowhere
   std::filesystem::path packs_folder{};     ///< where lessons are put that come in a pack; empty: packsFolder()

@@ -27,7 +27,20 @@ constexpr std::uint32_t kClutchButton = 2;  // the stylus's second
 
 std::string DeviceLink::titleOf(const std::string& name) const {
   const auto one = std::find_if(found_.begin(), found_.end(), [&](const FoundDevice& f) { return f.name == name; });
-  return one == found_.end() ? name : tr(one->title.c_str());
+  if (one != found_.end()) return tr(one->title.c_str());
+  const DeviceDriver* const driver = findDriver(name);
+  return driver && driver->find_at ? tr(driver->find_at("").title.c_str()) : name;
+}
+
+bool DeviceLink::nobodyChose() const { return settings_.device.empty() && options_.device.empty(); }
+
+std::string& DeviceLink::address(const DeviceDriver& driver) {
+  const std::string own = std::string(driver.name) + ':';
+  const auto [entry, is_new] = addresses_.try_emplace(std::string(driver.name));
+  if (!is_new) return entry->second;
+  for (const std::string* used : {&chosen_, &awaited_, &settings_.device_address})
+    if (entry->second.empty() && used->starts_with(own)) entry->second = used->substr(own.size());
+  return entry->second;
 }
 
 void DeviceLink::await(const std::string& name, const std::string& title) {
@@ -76,6 +89,7 @@ void DeviceLink::finishOpening() {
   } else {
     use(name, *std::move(result.device));
     hardware_ = result.hardware;
+    if (result.found && !result.found->note.empty()) messages_.notice(result.found->note);
   }
   settled(opened_for_);
 }
@@ -86,6 +100,8 @@ void DeviceLink::settled(const Wish& wish) {
   await("", "");
   if (wish.purpose != For::Choice) return;
   settings_.device = wish.name;
+  if (const DeviceDriver* driver = findDriver(wish.name); driver && driver->find_at)
+    settings_.device_address = wish.name;
   messages_.takeBack(offer_id_);
 }
 
@@ -96,16 +112,14 @@ void DeviceLink::failed(const Wish& wish, const PendingDeviceOpen::Opened& resul
       return;
     case For::Start: {
       // A name that no driver has any more is forgotten.
-      const std::string driver = wish.name.substr(0, wish.name.find(':'));
-      const auto& drivers = deviceDrivers();
-      if (!result.found &&
-          std::none_of(drivers.begin(), drivers.end(), [&](const DeviceDriver& one) { return one.name == driver; }))
-        return;
+      const DeviceDriver* const driver = findDriver(wish.name);
+      if (!result.found && !driver) return;
       await(wish.name, result.found ? tr(result.found->title.c_str()) : wish.name);
-      messages_.notice(
-          result.found && !result.found->why.empty()
-              ? trf("{0} is not there ({1}). Until it is, the mouse leads.", awaited_title_, result.found->why)
-              : trf("{0} is not there. Until it is, the mouse leads.", awaited_title_));
+      // Only opening shows whether something listens at an address.
+      std::string why = result.found ? result.found->why : "";
+      if (why.empty() && driver && driver->find_at) why = result.device.problem().message;
+      messages_.notice(!why.empty() ? trf("{0} is not there ({1}). Until it is, the mouse leads.", awaited_title_, why)
+                                    : trf("{0} is not there. Until it is, the mouse leads.", awaited_title_));
       return;
     }
     case For::GiveBack:
@@ -155,14 +169,14 @@ void DeviceLink::giveBack(const std::string& before) {
 
 void DeviceLink::begin() {
   begun_ = true;
-  const std::string& name = settings_.device;
+  const std::string& name = options_.device.empty() ? settings_.device : options_.device;
   takes_default_ = name.empty() && options_.devices_unasked;
   if (!name.empty() && name != "mouse" && !wish_) wish(name, For::Start);
 }
 
 double DeviceLink::lookEvery_s() const {
   if (panels_.device_page) return kLook_s;
-  return settings_.device.empty() && options_.devices_unasked ? kLookForOffer_s : 0.0;
+  return nobodyChose() && options_.devices_unasked ? kLookForOffer_s : 0.0;
 }
 
 void DeviceLink::look() {
@@ -178,7 +192,7 @@ void DeviceLink::look() {
 
 // At the start what is there is taken. Later nothing changes under the hand by itself.
 void DeviceLink::offer() {
-  if (!settings_.device.empty() || !options_.devices_unasked) return;
+  if (!nobodyChose() || !options_.devices_unasked) return;
   if (std::exchange(takes_default_, false)) {
     const std::string name = defaultDevice(found_).name;
     if (name != "mouse") wish(name, For::Default);

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <array>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -56,6 +57,8 @@ class DeviceLink : public Extension {
   /// The title of the device that is being opened because it was chosen; empty: none is.
   const std::string& opening() const { return opening_title_; }
   const std::string& chosen() const { return chosen_; }
+  /// The address that the person writes for a driver that takes one; at first the one that was used last.
+  std::string& address(const DeviceDriver& driver);
   /// A device that is none of those found leads until another is chosen, or until what led before gets it back. It is
   /// not remembered for the next start.
   void lend(std::unique_ptr<Device> device);
@@ -114,6 +117,7 @@ class DeviceLink : public Extension {
   void use(const std::string& name, std::unique_ptr<Device> device);
   void taken(const std::string& name);
   std::string titleOf(const std::string& name) const;
+  bool nobodyChose() const;
   void await(const std::string& name, const std::string& title);
   void begin();
   void look();
@@ -127,8 +131,9 @@ class DeviceLink : public Extension {
   std::vector<FoundDevice> found_;
   std::string chosen_ = "mouse";
   std::string awaited_, awaited_title_;
-  std::optional<Wish> wish_;                    // to be opened next
-  std::unique_ptr<PendingDeviceOpen> opening_;  // one at a time, so that no hardware is opened twice
+  std::map<std::string, std::string> addresses_;  // by the driver's name
+  std::optional<Wish> wish_;                      // to be opened next
+  std::unique_ptr<PendingDeviceOpen> opening_;    // one at a time, so that no hardware is opened twice
   Wish opened_for_;
   bool unwanted_ = false;  // what is being opened is closed again at once
   std::string opening_title_;

@@ -107,6 +107,8 @@ LoadedSettings loadSettings(const fs::path& file) {
     s.probe_look = probeLookNamed(look->get<std::string>()).value_or(s.probe_look);
   if (const auto device = json.find("device"); device != json.end() && device->is_string())
     s.device = device->get<std::string>();
+  if (const auto address = json.find("device_address"); address != json.end() && address->is_string())
+    s.device_address = address->get<std::string>();
   readSwitch(json, "sound", s.sound);
   readSwitch(json, "sound_asked", s.sound_asked);
   readNumber(json, "sound_volume", s.sound_volume, 0.0, 1.0);
@@ -137,6 +139,7 @@ nlohmann::json written(const Settings& s) {
           {"lesson_folder", s.lesson_folder},
           {"probe_look", probeLookName(s.probe_look)},
           {"device", s.device},
+          {"device_address", s.device_address},
           {"sound", s.sound},
           {"sound_asked", s.sound_asked},
           {"sound_volume", s.sound_volume},

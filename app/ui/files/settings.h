@@ -42,7 +42,8 @@ struct Settings {
   std::vector<std::string> recent;  ///< files opened last, newest first, at most kRecent
   static constexpr std::size_t kRecent = 8;
 
-  std::string device;  ///< the one that was chosen last, by its name; empty: none was
+  std::string device;          ///< the one that was chosen last, by its name; empty: none was
+  std::string device_address;  ///< the last device with an address, by its name: "open-tcp:127.0.0.1:7010"
   ProbeLook probe_look = ProbeLook::Water;
   bool sound = false;             ///< touch is heard
   bool sound_asked = false;       ///< the person has been asked whether it is to be

@@ -1,5 +1,8 @@
 // View > Device: which devices there are, the one in use live, its calibration, a gentle force to try it with, the
 // limits in force, how punctual the loop is, and what its scale means.
+#include <imgui.h>
+#include <imgui_stdlib.h>
+
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -60,12 +63,46 @@ void drawUsable(DeviceLink& link) {
     askForDevice();
 }
 
+// A field for each driver that takes an address.
+void drawAddresses(DeviceLink& link) {
+  const Look& l = look();
+  for (const DeviceDriver& driver : deviceDrivers()) {
+    if (!driver.find_at) continue;
+    const std::string name = "device/" + std::string(driver.name), field = "##" + name;
+    std::string& typed = link.address(driver);
+    const FoundDevice there = driver.find_at(typed);
+    const std::string device = std::string(driver.name) + ':' + typed;
+    ImGui::Dummy({0, l.px(2)});
+    words((name + "/title").c_str(), tr(there.title.c_str()), l.palette.text);
+    const char* const connect = tr("Connect");
+    const float width = ImGui::CalcTextSize(connect).x + 2.0f * ImGui::GetStyle().FramePadding.x + l.px(24);
+    ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - width - l.px(8));
+    bool asked = ImGui::InputTextWithHint(field.c_str(), std::string(driver.address_example).c_str(), &typed,
+                                          ImGuiInputTextFlags_EnterReturnsTrue);
+    recordItem(name + "/address", typed);
+    ImGui::SameLine(0, l.px(8));
+    asked = button((name + "/connect").c_str(), connect,
+                   device == link.chosen() ? ButtonLook::Primary : ButtonLook::Plain, -1.0f, there.usable) ||
+            asked;
+    if (asked && there.usable) link.choose(device);
+    const std::string& below = there.usable ? there.note : there.why;
+    if (typed.empty() || below.empty()) continue;
+    const WithFont small(Font::Small);
+    words((name + "/note").c_str(), below, l.palette.warn);
+  }
+}
+
+// Those that the page cannot offer otherwise.
+bool listedUnusable(const FoundDevice& one) {
+  const DeviceDriver* const driver = findDriver(one.name);
+  return !one.usable && !(driver && driver->find_at);
+}
+
 void drawUnusable(const DeviceLink& link) {
-  if (std::none_of(link.found().begin(), link.found().end(), [](const FoundDevice& one) { return !one.usable; }))
-    return;
+  if (std::none_of(link.found().begin(), link.found().end(), listedUnusable)) return;
   sectionTitle(tr("Not to be used now"));
   for (const FoundDevice& one : link.found()) {
-    if (one.usable) continue;
+    if (!listedUnusable(one)) continue;
     const std::string name = "device/" + one.name;
     words(name.c_str(), tr(one.title.c_str()), look().palette.text);
     WithFont small(Font::Small);
@@ -250,6 +287,7 @@ void drawDevicePage(Application& app) {
   ImGui::BeginChild("list");
   const auto part = [] { ImGui::Dummy({0, look().px(8)}); };
   drawUsable(link);
+  drawAddresses(link);
   part();
   drawLive(app, link);
   part();

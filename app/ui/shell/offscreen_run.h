@@ -13,6 +13,7 @@ struct OffscreenOptions {
   double content_scale = 1.0;
   bool frame_stats = false;        ///< tell the frame times on stdout
   std::string language;            ///< as in ApplicationOptions
+  std::string device;              ///< as in ApplicationOptions
   std::string state_text;          ///< as in WindowOptions
   std::filesystem::path attempts;  ///< where what is done in a lesson is kept; empty: nowhere
 };

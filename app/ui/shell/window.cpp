@@ -242,6 +242,7 @@ int runWindow(const WindowOptions& options) {
     const InterruptWatch interrupt;  // outlives the device
     Shell shell;
     Application app({.language = options.language,
+                     .device = options.device,
                      .settings_file = settingsFile(),
                      .attempts_folder = attemptsFolder(),
                      .packs_folder = packsFolder(),

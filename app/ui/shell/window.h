@@ -10,6 +10,7 @@ struct WindowOptions {
   std::filesystem::path file;  ///< opened at the start; empty: the welcome page
   bool frame_stats = false;    ///< tell the frame times at the end
   std::string language;        ///< as in ApplicationOptions
+  std::string device;          ///< as in ApplicationOptions
   std::string state_text;      ///< the state in words goes to this file, or to the terminal for "-"; empty: nowhere
 };
 

@@ -18,9 +18,12 @@ constexpr double kSameFrame_s = 0.002;  // without a thread: ticks this close be
 
 }  // namespace
 
+const char* const PacketDevice::kUnplugged = N_("{0} is unplugged: plug it in again.");
+
 Expected<std::unique_ptr<Device>> PacketDevice::open(Opener opener, std::unique_ptr<PacketProtocol> protocol,
-                                                     DeviceInfo known, bool own_thread) {
+                                                     DeviceInfo known, bool own_thread, const char* lost) {
   std::unique_ptr<PacketDevice> device(new PacketDevice(std::move(known), own_thread));
+  device->lost_ = lost;
   device->opener_ = std::move(opener);
   device->protocol_ = std::move(protocol);
   if (auto problem = device->openPort()) return *problem;
@@ -196,7 +199,7 @@ DeviceStatus PacketDevice::status() {
   status.connected = !gone_.load();
   if (!status.connected) {
     status.ready = false;
-    status.text = trf("{0} is unplugged: plug it in again.", tr(info().name.c_str()));
+    status.text = trf(lost_, tr(info().name.c_str()));
   } else if (const DeviceGuidance guidance = guidance_.read(); guidance.text) {
     status.ready = false;
     status.text = tr(guidance.text);

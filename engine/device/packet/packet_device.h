@@ -36,8 +36,11 @@ class PacketDevice final : public Device {
 
   /// Opens the device. `known` is its description as far as it is known beforehand; the protocol completes it. `opener`
   /// is kept and called again after the device was unplugged. Without `own_thread` the ticks do the device's work.
+  /// `lost` is the sentence with the device's name for the time while it is away.
   static Expected<std::unique_ptr<Device>> open(Opener opener, std::unique_ptr<PacketProtocol> protocol,
-                                                DeviceInfo known, bool own_thread = threadsCanBeHad());
+                                                DeviceInfo known, bool own_thread = threadsCanBeHad(),
+                                                const char* lost = kUnplugged);
+  static const char* const kUnplugged;
   ~PacketDevice() override;
 
   const DeviceInfo& info() const noexcept override { return info_.get(); }
@@ -82,6 +85,7 @@ class PacketDevice final : public Device {
   DeviceInfo known_;
   VersionedDeviceInfo info_;
   const bool own_thread_;
+  const char* lost_ = kUnplugged;
   std::unique_ptr<PacketPort> port_;
   // The device's own thread only, or without one the ticks'.
   Command newest_command_;

@@ -1,0 +1,33 @@
+// The page's own sentences, which appear before the program has loaded or beside it, by language. English is complete;
+// what another language lacks is shown in English. {0} and {1} are replaced.
+const kPageSentences = {
+  en: {
+    "fetch": "Fetch it",
+    "do not fetch": "Do not",
+    "asked to fetch": "This page is asked to fetch {0} from {1}. That server then sees that you do so.",
+    "too old": "This browser is too old for Moltact: it needs one of 2023 or later.",
+    "stopped": "Moltact has stopped: {0}",
+    "no WebGL": "This browser offers no WebGL 2, which Moltact draws with. Another browser, or newer graphics drivers, may.",
+    "not started": "Moltact could not start: {0}",
+  },
+  de: {
+    "fetch": "Laden",
+    "do not fetch": "Nicht laden",
+    "asked to fetch": "Diese Seite soll {0} von {1} laden. Jener Server erfährt dann, dass du das tust.",
+    "too old": "Dieser Browser ist zu alt für Moltact: nötig ist einer von 2023 oder später.",
+    "stopped": "Moltact wurde beendet: {0}",
+    "no WebGL": "Dieser Browser bietet kein WebGL 2, mit dem Moltact zeichnet. Ein anderer oder neuere Treiber vielleicht.",
+    "not started": "Moltact konnte nicht starten: {0}",
+  },
+};
+
+/// The language of the table for a browser's, such as "de-AT"; English where the table has none.
+function moltactLanguage(locale, table = kPageSentences) {
+  const code = (locale || "").toLowerCase().split("-")[0];
+  return Object.hasOwn(table, code) ? code : "en";
+}
+
+function moltactSentence(language, key, ...pieces) {
+  const text = kPageSentences[language][key] ?? kPageSentences.en[key];
+  return text.replace(/\{(\d)\}/g, (_, k) => String(pieces[k]));
+}
