@@ -1,12 +1,15 @@
 #include <fcntl.h>
+#include <linux/sockios.h>
 #include <netdb.h>
 #include <netinet/in.h>
 #include <netinet/tcp.h>
 #include <poll.h>
+#include <sys/ioctl.h>
 #include <sys/socket.h>
 #include <unistd.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cerrno>
 #include <chrono>
 #include <cstring>
@@ -73,11 +76,20 @@ class Connection final : public TcpConnection {
     if (bytes.size() > sizeof last_) return false;
     last_size_ = bytes.size();
     std::copy(bytes.begin(), bytes.end(), last_);
-    // In a signal handler, where send() is safe. A full buffer means a peer that no longer reads.
+    // In a signal handler, where send() and ioctl() are safe. The act is tried again, for as long as endForce() waits,
+    // until the report has left: the buffer is full until the peer's system has acknowledged some ten reports, and what
+    // has not left when the process ends is lost.
     return act_.arm(
         [](void* self) noexcept {
-          const Connection& me = *static_cast<const Connection*>(self);
-          (void)!::send(me.socket_, me.last_, me.last_size_, MSG_NOSIGNAL | MSG_DONTWAIT);
+          Connection& me = *static_cast<Connection*>(self);
+          if (!me.last_written_.exchange(true) &&
+              ::send(me.socket_, me.last_, me.last_size_, MSG_NOSIGNAL | MSG_DONTWAIT) < 0) {
+            me.last_written_ = false;
+            return errno != EAGAIN && errno != EINTR;
+          }
+          int unsent_bytes = 0;
+          if (::ioctl(me.socket_, SIOCOUTQNSD, &unsent_bytes) == 0 && unsent_bytes > 0) return false;
+          me.last_written_ = false;
           return true;
         },
         this);
@@ -87,6 +99,7 @@ class Connection final : public TcpConnection {
   const int socket_;
   std::uint8_t last_[kMaxLastBytes] = {};
   std::size_t last_size_ = 0;
+  std::atomic<bool> last_written_{false};
   LastAct act_;  // the last member, so that its destructor runs first
 };
 

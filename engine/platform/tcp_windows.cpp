@@ -77,8 +77,8 @@ class Connection final : public TcpConnection {
     return act_.arm(
         [](void* self) noexcept {  // the socket does not block
           const Connection& me = *static_cast<const Connection*>(self);
-          ::send(me.socket_, reinterpret_cast<const char*>(me.last_), me.last_size_, 0);
-          return true;
+          return ::send(me.socket_, reinterpret_cast<const char*>(me.last_), me.last_size_, 0) != SOCKET_ERROR ||
+                 ::WSAGetLastError() != WSAEWOULDBLOCK;
         },
         this);
   }

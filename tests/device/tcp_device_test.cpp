@@ -188,10 +188,8 @@ TEST_CASE(
 
 TEST_CASE(
     "TCP: a process that gives force ends in 30 ways, by signals, crashes, exits and exceptions: the connection ends, "
-    "and "
-    "in at least 27 the last report has no force") {
+    "and the last report has no force") {
   double worst_ms = 0;
-  int last_reports = 0;
   for (const WayToDie& one : kWaysToDie) {
     CAPTURE(std::string(one.way));
     CAPTURE(one.signal);
@@ -206,15 +204,12 @@ TEST_CASE(
     CHECK(comes([&] { return child.over(); }));
     CHECK((one.signal ? child.killedBy(one.signal) : child.exitedWith(7)));
     CHECK(comes([&] { return !stylus.connected; }));
-    last_reports += stylus.last_mN == 0;
+    CHECK(stylus.last_mN == 0);
     CHECK(stylus.greatest_mN > 0);
     const double forced_ms = 1e-6 * double(stylus.forced_ns - child.at_ns());
     if (std::string(one.way) != "stack") worst_ms = std::max(worst_ms, forced_ms);  // filling it takes time
   }
-  // About 1 end in 300 was seen without the last report. The end of the connection then switches the motors off.
-  CHECK(last_reports >= 27);
-  MESSAGE(std::size(kWaysToDie) << " ways, " << last_reports << " with a last report without force, at most "
-                                << worst_ms << " ms until the last report with force came");
+  MESSAGE(std::size(kWaysToDie) << " ways, at most " << worst_ms << " ms until the last report with force came");
 }
 
 #ifdef MOLTACT_PYTHON
