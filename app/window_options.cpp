@@ -18,8 +18,8 @@ void addWindowArguments(CLI::App& app, WindowArguments& into) {
   addLanguageOption(app, into.language);
   app.add_option(
          "--state-text", into.state_text,
-         "Also write what is touched, and what the lesson asks for, as lines of text to this file, or to the terminal "
-         "for -; to hear them: moltact --state-text - | spd-say -e")
+         "Also write contacts and the lesson's instructions as lines of text to this file, or to the terminal for -; "
+         "for speech: moltact --state-text - | spd-say -e")
       ->type_name(kFileType);
   // For the makers of the program and its documentation: not in the help.
   app.add_option("--screenshot", into.screenshot)->group("");

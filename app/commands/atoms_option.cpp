@@ -16,8 +16,8 @@ std::vector<std::uint32_t> selectedAtoms(const char* option, const std::string& 
 
 void LeftOutAtoms::addTo(CLI::App& command) {
   command.add_option("--untouchable", untouchable,
-                     "Atoms that are not felt, as a selection: 'ligand'; the probe passes through them");
-  command.add_option("--remove", remove, "Atoms that are taken out, as a selection: neither felt nor drawn");
+                     "Selection of atoms that are not felt: 'ligand'; the probe passes through them");
+  command.add_option("--remove", remove, "Selection of atoms that are removed: neither felt nor drawn");
 }
 
 std::vector<std::uint32_t> LeftOutAtoms::notFelt(const Molecule& molecule) const {

@@ -269,9 +269,9 @@ HandOnMolecule handFrom(const fs::path& file, const std::string& otherwise) {
   HandOnMolecule hand;
   hand.molecule = otherwise.empty() ? path->label("molecule") : otherwise;
   if (hand.molecule.empty())
-    throw CommandError{Problem{file.string(), 0, 0, tr("it does not say on which molecule this hand went"),
-                               tr("name one with --molecule")}
-                           .text()};
+    throw CommandError{
+        Problem{file.string(), 0, 0, tr("it does not name the molecule of this hand"), tr("name one with --molecule")}
+            .text()};
   const auto molecule = openMolecule(hand.molecule);
   if (!molecule) throw CommandError{molecule.problem().text()};
   hand.scene = std::make_shared<const BallScene>(molecule->balls());
@@ -361,25 +361,27 @@ void addBench(CLI::App& app) {
   command->add_option("part", arguments->part, "tables, chart, feel, hands, stability or all")
       ->capture_default_str()
       ->check(CLI::IsMember({"tables", "chart", "feel", "hands", "stability", "all"}));
-  command->add_flag("--quick", arguments->quick, "A minute instead of a quarter of an hour; the figures are rougher");
-  command->add_option("--methods", arguments->methods, "Only these, with commas between (exact is always there)")
+  command->add_flag("--quick", arguments->quick, "Take a minute instead of a quarter of an hour, with rougher figures");
+  command
+      ->add_option("--methods", arguments->methods,
+                   "Measure only these methods, separated by commas (exact is always included)")
       ->delimiter(',');
   command
       ->add_option(
           "--recording", arguments->recordings,
-          "Recorded hands instead of those that come with the program, with the part hands alone: a .recording, "
-          "or rows of numbers (docs/hands.md)")
+          "Use these recorded hands instead of the shipped ones, for the part hands only: a .recording, or rows of "
+          "numbers (docs/hands.md)")
       ->type_name(kFileType);
   command
       ->add_option("--molecule", arguments->recording_molecule,
-                   "The molecule that these hands go over, where the file does not say")
+                   "The molecule of these hands, if the file does not name it")
       ->type_name(kMoleculeType);
-  command->add_option("--seed", arguments->seed, "Of the scenes and motions")->capture_default_str();
+  command->add_option("--seed", arguments->seed, "Random seed of the scenes and motions")->capture_default_str();
   command->add_option("--json", arguments->json, "Write all tables to this file")->type_name(kFileType);
   command->add_option("--csv", arguments->csv, "Write each table to a file in this folder")->type_name(kFolderType);
   command->add_option("--svg", arguments->svg, "Write the charts to this folder")->type_name(kFolderType);
   command->add_option("--markdown", arguments->markdown, "Write all tables to this page")->type_name(kFileType);
-  command->add_option("--docs", arguments->docs, "Renew the tables and charts of the pages in this folder")
+  command->add_option("--docs", arguments->docs, "Regenerate the tables and charts of the pages in this folder")
       ->type_name(kFolderType);
   command->callback([arguments] {
     // Other hands are nobody's pages.

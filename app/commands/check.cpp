@@ -227,15 +227,12 @@ void run(const CheckArguments& arguments) {
 
 void addCheck(CLI::App& app) {
   auto arguments = std::make_shared<CheckArguments>();
-  CLI::App* command =
-      app.add_subcommand("check", "Check lessons: tell every error at its place, and what would mend it");
-  command
-      ->add_option("paths", arguments->paths,
-                   "Lessons (.md), packs (.moltact), or folders in which lessons are looked for")
+  CLI::App* command = app.add_subcommand("check", "Check lessons: list every error with its location and a remedy");
+  command->add_option("paths", arguments->paths, "Lessons (.md), packs (.moltact), or folders to search for lessons")
       ->type_name(kFilesOrFoldersType)
       ->required();
   command->add_flag("--play", arguments->play,
-                    "Also have each touch task done by a scripted hand, and tell those that cannot be done");
+                    "Also let a scripted hand do each touch task, and report tasks that cannot be done");
   command->add_flag("--json", arguments->json, "Print one JSON document, for editors");
   command->callback([arguments] { run(*arguments); });
 }

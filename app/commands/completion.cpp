@@ -127,7 +127,7 @@ complete -F _moltact moltact
 }  // namespace
 
 void addCompletion(CLI::App& app) {
-  CLI::App* command = app.add_subcommand("completion", "Print what completes this program's command line in bash");
+  CLI::App* command = app.add_subcommand("completion", "Print the bash completion of this program");
   command->group("");  // for who makes a package; not in the help
   command->callback([command] { out() << Lines{bashScript(programOf(*command))}; });
 }

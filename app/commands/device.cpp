@@ -124,10 +124,10 @@ void addDevice(CLI::App& app) {
   auto options = std::make_shared<Options>();
 
   CLI::App* checks = command->add_subcommand(
-      "check", "Try a device in your hand: its places, its force, and every way in which that must end");
-  checks->add_option("NAME", options->name, "as `moltact devices` lists it")->required();
-  checks->add_flag("--yes", options->yes, "do not ask before the device moves");
-  checks->add_option("--seconds", options->seconds, "how long each part lasts")
+      "check", "Test a device in your hand: its positions, its force, and every way in which the force must end");
+  checks->add_option("NAME", options->name, "A name that `moltact devices` lists")->required();
+  checks->add_flag("--yes", options->yes, "Do not ask before the device moves");
+  checks->add_option("--seconds", options->seconds, "Duration of each part")
       ->check(numberFrom(0.2, 600.0))
       ->capture_default_str();
   checks->callback([options] { check(*options); });

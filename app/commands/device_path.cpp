@@ -65,24 +65,24 @@ Expected<bench::HandPath> openHandPath(const std::filesystem::path& file) {
   const auto recording = readServoRecording(file);
   if (!recording) return recording.problem();
   if (recording->ticks.empty())
-    return Problem{file.string(), 0, 0, tr("the recording holds no ticks"), tr("record it anew")};
+    return Problem{file.string(), 0, 0, tr("the recording holds no ticks"), tr("record it again")};
   if (!recording->torn.empty()) err() << "moltact: " << recording->torn << "; the hand's way ends there\n";
   auto path = bench::handPathOf(*recording, file.stem().string(), feltOf(*recording).get());
   if (path.places.empty())
-    return Problem{file.string(), 0, 0, tr("the hand is nowhere in this recording"), tr("record it anew")};
+    return Problem{file.string(), 0, 0, tr("the hand is nowhere in this recording"), tr("record it again")};
   return path;
 }
 
 void addDevicePath(CLI::App& device) {
   const auto options = std::make_shared<PathOptions>();
   CLI::App* command = device.add_subcommand(
-      "path", "Write the way of a recorded hand as rows of numbers: x y z (angstrom), a row a tick");
-  command->add_option("FILE", options->file, "a recording")->type_name(kFileType)->required();
-  command->add_option("--out", options->out, "the file to write")->type_name(kFileType)->required();
-  command->add_option("--label", options->labels, "KEY=VALUE, told in the file's head; may be given several times");
+      "path", "Write the path of a recorded hand as rows of numbers: x y z (angstrom), one row per tick");
+  command->add_option("FILE", options->file, "A recording")->type_name(kFileType)->required();
+  command->add_option("--out", options->out, "The file to write")->type_name(kFileType)->required();
+  command->add_option("--label", options->labels, "KEY=VALUE, written to the file's header; may be repeated");
   command
       ->add_option("--touching", options->before_touch_s,
-                   "only from so many seconds before the first touch to the last")
+                   "Write only the part from this many seconds before the first touch to the last")
       ->check(numberFrom(0.0, 3600.0));
   command->callback([options] { run(*options); });
 }

@@ -232,14 +232,14 @@ void replayHand(const std::string& file) {
     throw CommandError{Problem{file, 0, 0, what, remedy}.text()};
   };
   if (recording->ticks.empty())
-    fail(recording->torn.empty() ? "the recording holds no ticks" : recording->torn, "record it anew");
+    fail(recording->torn.empty() ? "the recording holds no ticks" : recording->torn, "record it again");
   const auto label = [&](const char* key) {
     return recording->labels.contains(key) ? recording->labels.at(key) : std::string();
   };
   const TouchSetup touch = touchOf(*recording);
   const auto known = [&](const char* what, const std::string& name, bool is) {
     if (!is)
-      fail("it was recorded with " + std::string(what) + " \"" + name + "\" that is not known here", "record it anew");
+      fail("it was recorded with " + std::string(what) + " \"" + name + "\" that is not known here", "record it again");
   };
   known("a method", touch.method, findMethod(touch.method));
   known("an interaction", touch.interaction, findInteractionKind(touch.interaction));
@@ -247,10 +247,10 @@ void replayHand(const std::string& file) {
       recordedScene(recording->labels, MoleculeArgument{labelledMolecule(recording->labels)}.load().balls());
   if (!label("balls").empty() && label("balls") != fingerprint(*scene.balls))
     fail("the molecule \"" + label("molecule") + "\" is not the one any more that it was recorded on",
-         "put the old file back, or record it anew");
+         "put the old file back, or record it again");
 
   const auto felt = makeInteraction({scene.balls, touch, scene.body});
-  if (!felt) fail("it was recorded with a body in the hand, and does not say which", "record it anew");
+  if (!felt) fail("it was recorded with a body in the hand, and does not say which", "record it again");
   const ReplayResult result = replay(*recording, felt.get());
   char text[200];
   if (result.moving)
@@ -273,23 +273,24 @@ void replayHand(const std::string& file) {
 
 void addDeviceRecording(CLI::App& device) {
   const auto options = std::make_shared<RecordOptions>();
-  CLI::App* records = device.add_subcommand("record", "Record a hand on a molecule: every place and every force");
-  records->add_option("NAME", options->device, "as `moltact devices` lists it")->required();
+  CLI::App* records = device.add_subcommand("record", "Record a hand on a molecule: every position and every force");
+  records->add_option("NAME", options->device, "A name that `moltact devices` lists")->required();
   options->molecule.addTo(*records);
-  records->add_option("--out", options->file, "the file to write")->type_name(kFileType)->required();
-  records->add_flag("--overwrite", options->overwrite, "replace the file if it is there already");
+  records->add_option("--out", options->file, "The file to write")->type_name(kFileType)->required();
+  records->add_flag("--overwrite", options->overwrite, "Replace an existing file");
   addTouchOptions(*records, options->touch);
-  records->add_option("--seconds", options->seconds, "how long; a replay takes 1.3 GB of memory for an hour")
+  records
+      ->add_option("--seconds", options->seconds, "Length of the recording; a replay needs 1.3 GB of memory per hour")
       ->check(numberFrom(0.1, 3600.0))
       ->capture_default_str();
-  records->add_option("--wait", options->wait_s, "how many seconds to wait until the device is ready")
+  records->add_option("--wait", options->wait_s, "Wait up to this many seconds until the device is ready")
       ->check(numberFrom(0.0, 3600.0))
       ->capture_default_str();
   records->callback([options] { recordHand(*options); });
 
   const auto file = std::make_shared<std::string>();
-  CLI::App* replays = device.add_subcommand("replay", "Step a recording again and compare the forces to the last bit");
-  replays->add_option("FILE", *file, "a recording")->type_name(kFileType)->required();
+  CLI::App* replays = device.add_subcommand("replay", "Recompute a recording and compare the forces to the last bit");
+  replays->add_option("FILE", *file, "A recording")->type_name(kFileType)->required();
   replays->callback([file] { replayHand(*file); });
 }
 

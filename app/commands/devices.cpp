@@ -38,7 +38,7 @@ void printText(const std::vector<FoundDevice>& found) {
 }  // namespace
 
 void addDevices(CLI::App& app) {
-  CLI::App* command = app.add_subcommand("devices", "List the haptic devices there are, and why one cannot be used");
+  CLI::App* command = app.add_subcommand("devices", "List haptic devices, and why one cannot be used");
   auto json = std::make_shared<bool>(false);
   command->add_flag("--json", *json, "Print JSON");
   command->callback([json] {

@@ -50,7 +50,7 @@ void exportGltf(ExportArguments& a) {
 
 void addExport(CLI::App& app) {
   auto* command =
-      app.add_subcommand("export", "Save a molecule as a glTF file (.glb) for slides, web pages and printing");
+      app.add_subcommand("export", "Export a molecule as a glTF file (.glb) for slides, web pages and printing");
   const auto arguments = std::make_shared<ExportArguments>();
   ExportArguments& a = *arguments;
   a.molecule.addTo(*command);
@@ -58,22 +58,22 @@ void addExport(CLI::App& app) {
   a.look.addTo(*command);
   a.says.addMolecules(*command);
   command->add_flag("--print", a.options.print,
-                    "In the place of the styles one closed surface, which a printer of models needs");
+                    "Export one closed surface instead of the styles, as 3-D printing requires");
   command
-      ->add_option(
-          "--probe", a.options.probe_A,
-          "Inflate spheres, and the surface for printing, by this radius in angstroms; 1.4 gives what a water molecule "
-          "feels. The style 'surface' is the one that such a probe can reach")
+      ->add_option("--probe", a.options.probe_A,
+                   "Inflate spheres, and the surface for printing, by this radius in angstroms; 1.4 is that of a water "
+                   "molecule. "
+                   "The style 'surface' is the surface that such a probe can reach")
       ->check(numberFrom(0.0, kLargestProbe_A))
       ->capture_default_str();
   command
       ->add_option("--step", a.options.step_A,
-                   "Fineness of the surface for printing in angstroms; 0 goes by the molecule's size")
+                   "Resolution of the surface for printing in angstroms; 0 chooses it by the molecule's size")
       ->check(numberFrom(0.0, 10.0))
       ->capture_default_str();
   command
       ->add_option("--units-per-nm", a.options.units_per_nm,
-                   "Units of the file for a nanometre; 0.01 makes a nanometre 1 cm where a unit is read as 1 m")
+                   "Units of the file per nanometre; with 0.01 a nanometre is 1 cm if a unit is 1 m")
       ->check(numberFrom(1e-6, 1e6))
       ->capture_default_str();
   command->callback([arguments] { exportGltf(*arguments); });

@@ -31,9 +31,9 @@ void addFetch(CLI::App& app) {
   auto arguments = std::make_shared<FetchArguments>();
   CLI::App* command = app.add_subcommand("fetch", "Download an entry of the Protein Data Bank (needs the internet)");
   command->add_option("id", arguments->id, "The entry's id, such as 5ADH or pdb_00005adh")->required();
-  command->add_flag("--again", arguments->again, "Download even where the file is here already");
+  command->add_flag("--again", arguments->again, "Download even if the file exists already");
   command->add_option("--url", arguments->url,
-                      "Take the file from this address instead: a mirror (https, http or file)");
+                      "Download the file from this address instead: a mirror (https, http or file)");
   command->callback([arguments] { run(*arguments); });
 }
 

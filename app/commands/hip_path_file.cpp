@@ -47,7 +47,7 @@ Expected<std::vector<PointA>> readHipPath(const std::filesystem::path& file) {
     if (line_number == 1) {
       if (withoutBlanks(line) != kHeader)
         return Problem{name, 1, 1, tr("the first line is not the header x,y,z"),
-                       tr("write x,y,z in the first line, then a row a tick")};
+                       tr("write x,y,z in the first line, then one row per tick")};
       continue;
     }
     if (line.empty()) continue;
@@ -81,7 +81,8 @@ Expected<std::vector<PointA>> readHipPath(const std::filesystem::path& file) {
     path.push_back(place);
   }
   if (path.empty())
-    return Problem{name, 0, 0, tr("there is no row in this file"), tr("write the header x,y,z and then a row a tick")};
+    return Problem{name, 0, 0, tr("there is no row in this file"),
+                   tr("write the header x,y,z and then one row per tick")};
   return path;
 }
 

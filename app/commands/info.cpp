@@ -83,8 +83,7 @@ void addInfo(CLI::App& app) {
   auto arguments = std::make_shared<InfoArguments>();
   CLI::App* command = app.add_subcommand(
       "info",
-      "Say what a molecule holds (atoms, residues, chains, elements, ligands, size), or a lesson (.md) "
-      "or a pack (.moltact)");
+      "Describe a molecule (atoms, residues, chains, elements, ligands, size), a lesson (.md) or a pack (.moltact)");
   arguments->molecule.addTo(*command);
   command->add_flag("--json", arguments->json, "Print JSON");
   command->callback([arguments] { run(*arguments); });

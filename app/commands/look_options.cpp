@@ -33,15 +33,15 @@ std::vector<StyleSpec> stylesOf(const std::string& text) {
 
 void LookOptions::addTo(CLI::App& command) {
   std::string styles =
-      "How the atoms are drawn, as the key 'style' of a scene says it: 'surface 40% for chain A, spheres for ligand'; "
+      "Style of the atoms, in the syntax of the key 'style' of a scene: 'surface 40% for chain A, spheres for ligand'; "
       "the styles are:";
   for (const DrawStyleInfo& s : drawStyles()) styles += "\n" + std::string(s.name) + ": " + std::string(s.sentence);
   command.add_option("--style", style, styles)->capture_default_str();
-  command.add_option("--hide", hide, "Atoms that are not drawn, as a selection: 'water', 'chain B'");
+  command.add_option("--hide", hide, "Selection of atoms that are not drawn: 'water', 'chain B'");
   left_out.addTo(command);
   command
       .add_option("--colour", colour,
-                  "What the atoms' colours tell; left out, the chain where the molecule has several, else the element")
+                  "Colouring of the atoms; by default by chain if the molecule has several chains, else by element")
       ->check(CLI::IsMember(schemeNames()));
 }
 

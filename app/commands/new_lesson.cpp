@@ -64,9 +64,12 @@ void run(const NewLessonArguments& arguments) {
 void addNewLesson(CLI::App& app) {
   auto arguments = std::make_shared<NewLessonArguments>();
   CLI::App* command = app.add_subcommand("new-lesson", "Write a small working lesson to start from");
-  command->add_option("name", arguments->name, "Its name, such as 'Haem pockets'; the file becomes haem-pockets.md")
+  command
+      ->add_option("name", arguments->name, "Name of the lesson, such as 'Haem pockets'; the file is haem-pockets.md")
       ->required();
-  command->add_option("--folder", arguments->folder, "Where to put it")->type_name(kFolderType)->capture_default_str();
+  command->add_option("--folder", arguments->folder, "Folder for the new file")
+      ->type_name(kFolderType)
+      ->capture_default_str();
   command->callback([arguments] { run(*arguments); });
 }
 

@@ -66,16 +66,16 @@ void run(const PackArguments& arguments) {
 void addPack(CLI::App& app) {
   auto arguments = std::make_shared<PackArguments>();
   CLI::App* command = app.add_subcommand(
-      "pack", "Pack a lesson with its translations, molecules and pictures into one file to hand out (.moltact)");
+      "pack", "Pack a lesson with its translations, molecules and pictures into one file (.moltact)");
   command->add_option("lesson", arguments->lesson, "The lesson (.md); it is checked first")
       ->type_name(kFileType)
       ->required();
-  command->add_option("-o,--out", arguments->out, "Where to write it (default: beside the lesson, LESSON.moltact)")
+  command->add_option("-o,--out", arguments->out, "Output file (default: LESSON.moltact beside the lesson)")
       ->type_name(kFileType);
-  command->add_flag("--html", arguments->html, "Write a page with the program inside, LESSON.html, for any browser");
+  command->add_flag("--html", arguments->html, "Write a page that contains the program, LESSON.html, for any browser");
   command
       ->add_option("--page", arguments->page,
-                   "The browser edition to write it with (default: the moltact.html that was built or installed)")
+                   "The browser edition to use (default: the moltact.html that was built or installed)")
       ->type_name(kFileType);
   command->callback([arguments] { run(*arguments); });
 }

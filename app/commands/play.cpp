@@ -180,21 +180,21 @@ void run(const PlayOptions& options) {
 }  // namespace
 
 void addPlay(CLI::App& app) {
-  CLI::App* command = app.add_subcommand("play", "Let a scripted learner go through a lesson, without a window");
+  CLI::App* command = app.add_subcommand("play", "Run a scripted learner through a lesson, without a window");
   auto options = std::make_shared<PlayOptions>();
-  command->add_option("lesson", options->lesson, "the lesson's file, or a pack")->type_name(kFileType)->required();
+  command->add_option("lesson", options->lesson, "The lesson's file, or a pack")->type_name(kFileType)->required();
   CLI::Option* answers =
       command
           ->add_option(
               "--answers", options->answers,
-              "what to do, one act a line:\n  do, touch PLACE, press FORCE [on PLACE], slide PLACE, wait TIME, lift,\n"
+              "File of acts, one per line:\n  do, touch PLACE, press FORCE [on PLACE], slide PLACE, wait TIME, lift,\n"
               "  method NAME, say WORD, draw FORCE, FORCE, …, answer QUESTION: ANSWER, next, back, go STEP")
           ->type_name(kFileType);
   CLI::Option* demonstrate =
-      command->add_flag("--demonstrate", options->demonstrate, "do every task and answer every question rightly");
+      command->add_flag("--demonstrate", options->demonstrate, "Do every task and answer every question correctly");
   answers->excludes(demonstrate);
-  command->add_flag("--json", options->json, "print what happened as JSON");
-  command->add_option("--seconds", options->task_s, "how long a task is tried on the virtual clock")
+  command->add_flag("--json", options->json, "Print the events as JSON");
+  command->add_option("--seconds", options->task_s, "Time limit of a task on the virtual clock")
       ->check(numberFrom(1.0, 36000.0))
       ->capture_default_str();
   command->callback([options] {

@@ -218,54 +218,60 @@ void render(const RenderArguments& arguments) {
 }  // namespace
 
 void addRender(CLI::App& app) {
-  auto* command = app.add_subcommand("render", "Draw a molecule, and a probe pushed against it, into a PNG file");
+  auto* command = app.add_subcommand("render", "Draw a molecule with a probe pushed against it into a PNG file");
   const auto arguments = std::make_shared<RenderArguments>();
   RenderArguments& a = *arguments;
   a.molecule.addTo(*command);
   command->add_option("--out", a.out, "The PNG file to write")->type_name(kFileType)->required();
   command->add_option("--size", a.size, "Width x height in pixels")->capture_default_str();
   addProbeOption(*command, a.touch);
-  command->add_option("--hip", a.hip, "Where the hand is: x,y,z in angstroms; it comes there along the line of sight");
-  std::string shapes = "What is drawn, parted by commas; the groups are haptic, all and none:";
+  command->add_option("--hip", a.hip,
+                      "Position of the hand: x,y,z in angstroms; the hand approaches it along the line of sight");
+  std::string shapes = "Parts of the picture, separated by commas; the groups are haptic, all and none:";
   for (const ViewPartInfo& s : viewParts()) shapes += "\n" + std::string(s.name) + ": " + std::string(s.sentence);
   command->add_option("--show", a.show, shapes)->capture_default_str();
   addTouchOptions(*command, a.touch);
-  command->add_option("--stiffness", a.stiffness_N_per_A, "Of the spring, in N per angstrom, for the arrow")
+  command->add_option("--stiffness", a.stiffness_N_per_A, "Stiffness of the spring, in N per angstrom, for the arrow")
       ->check(numberFrom(0.0, 1e6))
       ->capture_default_str();
   CLI::Option* const view = a.says.addPictures(*command);
-  command->add_option("--azimuth", a.azimuth_deg, "Look from so many degrees to the right")
+  command->add_option("--azimuth", a.azimuth_deg, "Turn the viewpoint by this many degrees to the right")
       ->check(numberFrom(-360.0, 360.0))
       ->excludes(view)
       ->capture_default_str();
-  command->add_option("--elevation", a.elevation_deg, "Look from so many degrees above")
+  command->add_option("--elevation", a.elevation_deg, "Raise the viewpoint by this many degrees")
       ->check(numberFrom(-360.0, 360.0))
       ->excludes(view)
       ->capture_default_str();
-  command->add_option("--zoom", a.zoom, "Times nearer than the whole molecule")
+  command->add_option("--zoom", a.zoom, "Magnification relative to a view of the whole molecule")
       ->check(numberFrom(0.01, 1000.0))
       ->capture_default_str();
-  command->add_flag("--look-at-hip", a.look_at_hip, "Put the contact in the middle of the picture");
-  command->add_option("--theme", a.theme, "Colours")->check(CLI::IsMember({"light", "dark"}))->capture_default_str();
+  command->add_flag("--look-at-hip", a.look_at_hip, "Centre the picture on the contact");
+  command->add_option("--theme", a.theme, "Colour theme of the picture")
+      ->check(CLI::IsMember({"light", "dark"}))
+      ->capture_default_str();
   a.look.addTo(*command);
   a.says.addMolecules(*command);
-  command->add_flag("--legend", a.legend, "Write what the colours mean into the upper left corner");
-  command->add_option("--near", a.near_A, "Beside other styles, atoms so near to the probe are drawn as spheres (A)")
+  command->add_flag("--legend", a.legend, "Draw a legend of the colours in the upper left corner");
+  command
+      ->add_option("--near", a.near_A,
+                   "With other styles, also draw atoms within this distance of the probe as spheres (A)")
       ->check(numberFrom(0.0, 20.0))
       ->capture_default_str();
-  command->add_option("--cut", a.cut,
-                      "Cut the molecule open by a plane that faces the viewer: 'middle' through its middle, so many "
-                      "angstroms before it (3), or through the middle of atoms, as a selection");
-  command->add_option("--zoom-to", a.zoom_to, "Come close to atoms, as a selection");
-  command->add_option("--samples", a.samples, "Samples along each pixel's edge")
+  command->add_option(
+      "--cut", a.cut,
+      "Cut the molecule open by a plane that faces the viewer: through its centre ('middle'), this many "
+      "angstroms in front of it (3), or through the centre of a selection");
+  command->add_option("--zoom-to", a.zoom_to, "Zoom in on a selection of atoms");
+  command->add_option("--samples", a.samples, "Samples per pixel along each axis")
       ->check(CLI::Range(1, 4))
       ->capture_default_str();
   command
       ->add_option("--single-atoms", a.most_single_atoms,
-                   "Of a molecule of more atoms than this one ball is drawn for each residue")
+                   "Draw one ball per residue if the molecule has more atoms than this")
       ->check(CLI::Range(std::size_t(0), std::size_t(1'000'000'000)))
       ->capture_default_str();
-  command->add_option("--time", a.time, "Also draws so many pictures and prints the times as JSON")
+  command->add_option("--time", a.time, "Also draw this many pictures and print the times as JSON")
       ->check(CLI::Range(0, 10000));
   command->callback([arguments] { render(*arguments); });
 }

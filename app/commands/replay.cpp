@@ -154,25 +154,24 @@ void run(const ReplayOptions& options) {
 
 void addReplay(CLI::App& app) {
   CLI::App* command =
-      app.add_subcommand("replay", "Lead the HIP along a recorded path and write what a hand would feel");
+      app.add_subcommand("replay", "Move the HIP along a recorded path and write the contacts and forces");
   auto options = std::make_shared<ReplayOptions>();
   options->molecule.addTo(*command);
-  command->add_option("--path", options->path, "CSV with the header x,y,z (angstrom), a row a tick")
+  command->add_option("--path", options->path, "CSV with the header x,y,z (angstrom), one row per tick")
       ->type_name(kFileType)
       ->required();
   command
       ->add_option("--out", options->out,
-                   "where to write each tick's HIP, SCP, force, feature and atoms (CSV); may be left out with --time")
+                   "Write each tick's HIP, SCP, force, feature and atoms to this file (CSV); optional with --time")
       ->type_name(kFileType);
   options->left_out.addTo(*command);
   addTouchOptions(*command, options->touch);
   addProbeOption(*command, options->touch);
-  command
-      ->add_option("--stiffness", options->stiffness_N_per_A, "force for each angstrom of the spring that is felt (N)")
+  command->add_option("--stiffness", options->stiffness_N_per_A, "Stiffness of the spring, in N per angstrom")
       ->check(numberFrom(0.0, 1e6))
       ->capture_default_str();
   command->add_flag("--time", options->time,
-                    "print how long the ticks took, as JSON (ns): each tick's least of three passes");
+                    "Print the time of the ticks as JSON (ns): the minimum of three passes for each tick");
   command->callback([options] {
     if (options->out.empty() && !options->time) throw CLI::RequiredError("--out (or --time)");
     run(*options);

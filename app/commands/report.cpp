@@ -51,23 +51,24 @@ void addReport(CLI::App& app) {
   auto arguments = std::make_shared<Arguments>();
   command
       ->add_option("results", arguments->results,
-                   "attempts (.jsonl files) or folders of them, with the folders in them")
+                   "Attempts (.jsonl files), or folders of attempts, including their subfolders")
       ->type_name(kFilesOrFoldersType)
       ->required();
-  command->add_option("--csv", arguments->csv, "where to write the table: a row for each student and lesson")
+  command->add_option("--csv", arguments->csv, "Write the table to this file: a row for each student and lesson")
       ->type_name(kFileType);
   command
-      ->add_option("--html", arguments->html, "where to write the page: charts, light, dark and print, works offline")
+      ->add_option("--html", arguments->html,
+                   "Write the page to this file: charts, light, dark and print, works offline")
       ->type_name(kFileType);
   command
       ->add_option(
           "--gradebook", arguments->gradebook,
-          "where to write marks for a learning platform: a row for each named student, a column for each lesson")
+          "Write marks for a learning platform to this file: a row for each named student, a column for each lesson")
       ->type_name(kFileType);
-  command->add_flag("--anonymous", arguments->anonymous, "write S01, S02 ... in the place of names");
+  command->add_flag("--anonymous", arguments->anonymous, "Replace names by S01, S02 ...");
   command
       ->add_option("--code-word", arguments->code_word,
-                   "write codes in the place of names that follow from name and WORD: the same in every report with it")
+                   "Replace names by codes computed from the name and WORD, the same in every report with that WORD")
       ->type_name("WORD");
   command->callback([arguments] {
     if (arguments->csv.empty() && arguments->html.empty() && arguments->gradebook.empty())

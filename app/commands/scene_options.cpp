@@ -57,34 +57,34 @@ SecondState secondOf(const SceneOptions& options, const Molecule& molecule) {
 }  // namespace
 
 void SceneOptions::addMolecules(CLI::App& command) {
-  command.add_option("--mark", mark, "Atoms in colours of their own: 'teal for residue 35, magenta for residue 52'");
-  command.add_option("--distance", distance, "Lengths between the middles of selections: 'atom 3 - atom 9'");
-  command.add_option("--angle", angle, "Angles between three selections, torsions between four");
-  command.add_option("--highlight", highlight, "Atoms in the colour of targets, as a selection");
+  command.add_option("--mark", mark, "Colours of selections: 'teal for residue 35, magenta for residue 52'");
+  command.add_option("--distance", distance, "Distances between the centres of selections: 'atom 3 - atom 9'");
+  command.add_option("--angle", angle, "Angles between three selections, or torsions between four");
+  command.add_option("--highlight", highlight, "Selection of atoms in the colour of targets");
   command.add_option("--hydrogen-bonds", hydrogen_bonds,
                      "Hydrogen bonds with an end in the selection, as dashed lines");
   command.add_option(
       "--then", then,
-      "A second structure of the molecule, to which --state leads its atoms: '1ake', '1ake, superposed on "
+      "A second structure of the molecule, toward which --state moves its atoms: '1ake', '1ake, superposed on "
       "chain A'");
-  command.add_option("--state", state, "How far the atoms are on their way to it: 40%")->capture_default_str();
+  command.add_option("--state", state, "Position of the atoms between both structures: 40%")->capture_default_str();
 }
 
 CLI::Option* SceneOptions::addPictures(CLI::App& command) {
   command.add_option(
       "--label", label,
-      "Names over the picture: 'residue for ligand', '\"the cleft\" for residue 35 52'; the words are atom, "
+      "Names in the picture: 'residue for ligand', '\"the cleft\" for residue 35 52'; the keywords are atom, "
       "residue and chain");
   command.add_option("--arrow", arrow, "Arrows with names: '\"iron\" for element Fe'");
-  command.add_option("--captions", captions, "What stands below the two molecules of --beside: 'wool, silk'");
-  command.add_option("--magnify", magnify, "Come close to atoms as a scene does that magnifies them, as a selection");
+  command.add_option("--captions", captions, "Captions below the two molecules of --beside: 'wool, silk'");
+  command.add_option("--magnify", magnify, "Zoom in on a selection as a scene with the key 'magnify' does");
   command.add_option(
       "--in-hand", in_hand,
-      "Atoms that the hand holds as one rigid body, as a selection: 'ligand'; --hip is where its middle is");
-  return command.add_option("--view", view,
-                            "Look from 'front', 'back', 'left', 'right', 'top', 'bottom' or 'side', at atoms ('facing "
-                            "residue 35'), or turned by "
-                            "angles ('turned 30 10 0'); behind a comma come close to atoms: 'front, zoom ligand'");
+      "Selection of atoms that the hand holds as one rigid body: 'ligand'; --hip is the position of its centre");
+  return command.add_option(
+      "--view", view,
+      "Viewpoint: 'front', 'back', 'left', 'right', 'top', 'bottom' or 'side', toward atoms ('facing residue 35'), "
+      "or by angles ('turned 30 10 0'); after a comma, zoom in on atoms: 'front, zoom ligand'");
 }
 
 Molecule SceneOptions::atState(Molecule molecule, const MoleculeArgument& read) const {

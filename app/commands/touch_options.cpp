@@ -31,7 +31,7 @@ void addTouchOptions(CLI::App& command, TouchSetup& touch) {
 }
 
 void addProbeOption(CLI::App& command, TouchSetup& touch) {
-  command.add_option("--probe", touch.probe_A, "the probe's radius, added to every atom's (angstrom)")
+  command.add_option("--probe", touch.probe_A, "Radius of the probe, added to every atom's radius (angstrom)")
       ->check(numberFrom(0.0, kLargestProbe_A))
       ->capture_default_str();
 }

@@ -82,7 +82,7 @@ std::vector<ColdCacheTimes> timeColdCache(std::span<const Method* const> methods
 ReportTable coldCacheTable(const std::vector<ColdCacheTimes>& cool, const std::vector<TickTimes>& hot,
                            std::size_t spheres) {
   ReportTable t{"cool",
-                "One tick as a hand meets it, in contact on " + readable(double(spheres)) + " spheres",
+                "One tick per millisecond, in contact on " + readable(double(spheres)) + " spheres",
                 {{"method", "method"},
                  {"row_mean_ns", "in a row: mean (ns)"},
                  {"sleeping_p50_ns", "each ms: p50 (ns)"},
@@ -108,10 +108,10 @@ ReportTable coldCacheTable(const std::vector<ColdCacheTimes>& cool, const std::v
                       ratio(c.thrashed_ns.p50, exact ? exact->thrashed_ns.p50 : 0), 100 * c.touching});
   }
   t.note = "Each ms: " + readable(cool.empty() ? 0 : double(cool.front().sleeping_ns.count)) +
-           " ticks of each method, one a millisecond, the thread asleep between. Caches lost: " +
-           readable(cool.empty() ? 0 : double(cool.front().thrashed_ns.count)) + " ticks, each after " +
-           readable(double(kThrashed_bytes >> 20)) +
-           " MiB of other memory have been read and written. The clock steps by " + readable(clockStep_ns()) + " ns.";
+           " ticks of each method, one per millisecond, with the thread asleep in between. Caches lost: " +
+           readable(cool.empty() ? 0 : double(cool.front().thrashed_ns.count)) +
+           " ticks, each after reading and writing " + readable(double(kThrashed_bytes >> 20)) +
+           " MiB of other memory. The clock has a step of " + readable(clockStep_ns()) + " ns.";
   return t;
 }
 

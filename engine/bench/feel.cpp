@@ -80,19 +80,20 @@ std::vector<Feel> measureFeel(const std::vector<const Method*>& methods) {
 }
 
 ReportTable feelTable(const std::vector<Feel>& rows) {
-  ReportTable t{"feel",
-                "What a fingertip would notice: change of the force from tick to tick",
-                {{"path", "path"},
-                 {"method", "method"},
-                 {"turn_p50_deg", "turn, median (deg)"},
-                 {"turn_p99_deg", "turn, p99 (deg)"},
-                 {"turn_max_deg", "turn, max (deg)"},
-                 {"change_p99_A", "change, p99 (A)"},
-                 {"change_max_A", "change, max (A)"},
-                 {"lost_percent", "contact lost (%)"}},
-                {},
-                "Times the stiffness of the spring, the change is the step of the force. A true sphere turns "
-                "the force evenly."};
+  ReportTable t{
+      "feel",
+      "Perceptible change of the force from tick to tick",
+      {{"path", "path"},
+       {"method", "method"},
+       {"turn_p50_deg", "turn, median (deg)"},
+       {"turn_p99_deg", "turn, p99 (deg)"},
+       {"turn_max_deg", "turn, max (deg)"},
+       {"change_p99_A", "change, p99 (A)"},
+       {"change_max_A", "change, max (A)"},
+       {"lost_percent", "contact lost (%)"}},
+      {},
+      "The step of the force is the change times the stiffness of the spring. On a true sphere the force turns "
+      "uniformly."};
   for (const Feel& f : rows)
     t.rows.push_back({f.path, std::string(f.method->name), f.turn_deg.p50, f.turn_deg.p99, f.turn_deg.max,
                       f.change_A.p99, f.change_A.max, 100 * f.lost});

@@ -113,9 +113,9 @@ ReportTable feltTable(std::string name, std::string title, const std::vector<Fel
     t.rows.push_back(std::move(row));
   }
   t.note =
-      "Against exact in the same tick, of the ticks in which exact touches. Percent of ticks, but steps: "
-      "times in a second of touch that the force "
-      "steps, by more than that share of itself beyond what exact's does within two ticks. Place off: over " +
+      "Compared with exact in the same tick, over the ticks in which exact touches. Shares are percent of ticks. "
+      "Steps are counted per second of touch, if they exceed those of exact within two ticks by more than this share "
+      "of the force. Place off: over " +
       constant(kPlaceFelt_A) + " A.";
   return t;
 }
@@ -135,7 +135,7 @@ std::string feltSentences(const std::vector<FeltErrors>& rows) {
     }
     std::string out = std::string("* ") + what + ": ";
     out += no.empty() ? "no method is below the threshold throughout" : "cannot be felt with " + listed(no);
-    if (!at_times.empty()) out += "; at times with " + listed(at_times);
+    if (!at_times.empty()) out += "; sometimes with " + listed(at_times);
     if (!yes.empty()) out += "; often with " + listed(yes);
     return out + ".\n";
   };
@@ -143,17 +143,17 @@ std::string feltSentences(const std::vector<FeltErrors>& rows) {
              "A wrong direction, in the dark", [](const FeltErrors& f) { return f.direction_blind; }, kNeverFraction,
              kOftenFraction, " % of ticks", 100) +
          sorted(
-             "A wrong direction, beside the picture", [](const FeltErrors& f) { return f.direction_seen; },
-             kNeverFraction, kOftenFraction, " % of ticks", 100) +
+             "A wrong direction, with a picture", [](const FeltErrors& f) { return f.direction_seen; }, kNeverFraction,
+             kOftenFraction, " % of ticks", 100) +
          sorted(
              "A wrong size, by 10 %", [](const FeltErrors& f) { return f.size_wide; }, kNeverFraction, kOftenFraction,
              " % of ticks", 100) +
          sorted(
-             "A step of 10 %", [](const FeltErrors& f) { return f.steps_wide; }, kNeverSteps_per_s, 1.0, " a second",
+             "A step of 10 %", [](const FeltErrors& f) { return f.steps_wide; }, kNeverSteps_per_s, 1.0, " per second",
              1) +
-         "\nCannot: in at most " + constant(100 * kNeverFraction) + " % of ticks, or at most " +
-         constant(kNeverSteps_per_s) + " times a second; often: in more than " + constant(100 * kOftenFraction) +
-         " % of ticks, or more than once a second.\n";
+         "\n*Cannot* means in at most " + constant(100 * kNeverFraction) + " % of ticks, or at most " +
+         constant(kNeverSteps_per_s) + " times per second. *Often* means in more than " +
+         constant(100 * kOftenFraction) + " % of ticks, or more than once per second.\n";
 }
 
 }  // namespace moltact::bench

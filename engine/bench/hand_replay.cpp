@@ -80,7 +80,9 @@ ReportTable handsFeltTable(const std::vector<HandReplay>& hands) {
     ns[m] = ticks > 0 ? ns[m] / ticks : 0;
   }
   ReportTable t = feltTable("hands_felt", "Every method along the recorded hands", all, ns);
-  t.note += " Median and p99 are means of the recordings', by ticks. The time is of all ticks, free ones too.";
+  t.note +=
+      " Median and p99 are means over the recordings, weighted by ticks. The time covers all ticks, including free "
+      "ones.";
   return t;
 }
 

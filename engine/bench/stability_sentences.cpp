@@ -61,17 +61,18 @@ std::string stabilitySentences(const std::vector<StabilityResult>& results, cons
   for (const Sums& s : all) {
     if (!ofReference(s)) continue;
     out += "* " + quoted(s.method) + " is off in " + readable(s.off_percent()) +
-           " % of the ticks in contact, on the mean over scenes, and has " +
+           " % of the ticks in contact, averaged over scenes, and has " +
            count(s.tunnelled + s.jumps + s.broken, " event", " events") + " in " + readable(double(runs)) +
-           " runs; it makes at most " + readable(1e6 * s.energy_J) + " uJ.";
+           " runs. It creates at most " + readable(1e6 * s.energy_J) + " uJ.";
     const auto most = std::max_element(s.off_in.begin(), s.off_in.end(),
                                        [](const auto& a, const auto& b) { return a.second < b.second; });
     if (s.off_sum > 0 && most != s.off_in.end())
-      out += " Of what is off " + readable(100.0 * most->second / s.off_sum) + " % comes from \"" + most->first + "\".";
+      out += " The scene \"" + most->first + "\" contributes " + readable(100.0 * most->second / s.off_sum) +
+             " % of this share.";
     out += '\n';
   }
 
-  // The others, by how true they are.
+  // The other methods, the most accurate first.
   std::vector<const Sums*> others;
   for (const Sums& s : all)
     if (!ofReference(s)) others.push_back(&s);
@@ -101,19 +102,19 @@ std::string stabilitySentences(const std::vector<StabilityResult>& results, cons
     jitter += s.with_jitter;
     if (s.jitter_mm > most_jitter) most_jitter = s.jitter_mm, shakiest = &s;
   }
-  const std::string of_runs = " of " + readable(double(runs)) + " runs";
-  out +=
-      "* Share of ticks that are off, in percent, on the mean over scenes, the truest first: " + listed(order) + ".\n";
-  out += "* The HIP tunnels, in so many" + of_runs + ": " + listed(tunnels) + ".\n";
-  out += "* The force jumps, in so many" + of_runs + ": " + listed(jumps) + ". Never: " + listed(quiet) + ".\n";
-  out += "* Energy comes out of nothing, over " + constant(1e6 * limits.energy_J) +
-         " uJ a closed path: " + listed(energy) + ".\n";
-  out += "* " + (broken ? count(broken, " answer was", " answers were") + " no number."
-                        : std::string("No answer was no number."));
+  const std::string in_runs = "* Number of runs, of " + readable(double(runs)) + ", in which the ";
+  out += "* Share of ticks that are off, in percent, averaged over scenes, the most accurate first: " + listed(order) +
+         ".\n";
+  out += in_runs + "HIP tunnels: " + listed(tunnels) + ".\n";
+  out += in_runs + "force jumps: " + listed(jumps) + ". Never: " + listed(quiet) + ".\n";
+  out += "* Methods that create more than " + constant(1e6 * limits.energy_J) +
+         " uJ on a closed path: " + listed(energy) + ".\n";
+  out += "* " + (broken ? count(broken, " answer was", " answers were") + " not a number."
+                        : std::string("Every answer was a number."));
   if (shakiest)
-    out += " What shook most when it was held was " + quoted(shakiest->method) + ", by " + readable(most_jitter) +
-           " mm, where a step of the sensor is " + constant(limits.jitter_mm) + "; " +
-           (jitter ? "in " + count(jitter, " run", " runs") + " it was more." : "in no run it was more.");
+    out += " The strongest vibration of the held device was " + readable(most_jitter) + " mm, with " +
+           quoted(shakiest->method) + ". It exceeded one step of the sensor, " + constant(limits.jitter_mm) +
+           " mm, in " + (jitter ? count(jitter, " run.", " runs.") : std::string("no run."));
   return out + '\n';
 }
 

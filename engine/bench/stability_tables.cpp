@@ -107,13 +107,13 @@ ReportTable fidelityMatrix(const std::vector<StabilityCell>& cells, const Stabil
   return matrix(
       cells,
       {"fidelity_matrix",
-       "How true: ticks in contact whose SCP is off (%)",
+       "Accuracy: ticks in contact whose SCP is off (%)",
        {},
        {},
-       "Off: more than " + constant(limits.place_A) + " A from the right place. Mean of " + std::to_string(draws) +
-           " draws ± half the 95 % interval of that mean. The columns exact-0.001 and exact-0.02 "
-           "are exact with a probe smaller "
-           "by so many angstroms: what they miss no method can be blamed for."},
+       "Off: more than " + constant(limits.place_A) + " A from the reference SCP. Each value is the mean of " +
+           std::to_string(draws) +
+           " draws ± half the 95 % interval of that mean. The columns exact-0.001 and exact-0.02 are exact with a "
+           "probe that is smaller by that many angstroms; they show the noise floor."},
       [](const StabilityCell& c) { return withInterval(c.off_percent); });
 }
 
@@ -121,18 +121,18 @@ ReportTable stabilityMatrix(const std::vector<StabilityCell>& cells, const Stabi
   const std::size_t draws = cells.empty() ? 0 : cells.front().draws;
   return matrix(cells,
                 {"stability_matrix",
-                 "How stable: events, and in how many draws",
+                 "Stability: events, and in how many draws",
                  {},
                  {},
                  "In brackets: in how many of " + std::to_string(draws) +
-                     " draws. T times tunnelled and J force jumps of over " + constant(limits.step_over_N) +
-                     " N more than the true surface's, in 10 000 ticks of contact; E mean energy made over the "
-                     "closed path (uJ; counted as an event over " +
-                     constant(1e6 * limits.energy_J) + "); R greatest shaking of the held device, where over " +
+                     " draws. T: tunnelling, and J: force jumps of over " + constant(limits.step_over_N) +
+                     " N more than the true surface's, per 10 000 ticks of contact. E: mean energy created over the "
+                     "closed path (uJ; an event if over " +
+                     constant(1e6 * limits.energy_J) + "). R: greatest vibration of the held device, if over " +
                      constant(limits.jitter_mm) +
-                     " mm (mm); N answers that are no number, in 10 000 ticks of contact; . none, which with 95 % "
-                     "confidence is a chance of under " +
-                     brief(draws ? 100 * (1 - std::pow(0.05, 1.0 / double(draws))) : 100) + " % a draw."},
+                     " mm (mm). N: answers that are not a number, per 10 000 ticks of contact. A dot: no event, which "
+                     "with 95 % confidence is a probability of under " +
+                     brief(draws ? 100 * (1 - std::pow(0.05, 1.0 / double(draws))) : 100) + " % per draw."},
                 &events);
 }
 
@@ -152,11 +152,9 @@ ReportTable stabilitySummary(const std::vector<StabilityResult>& results, const 
                  {"energy_J", "most energy (J)"},
                  {"unsound", "runs with an event (%)"}},
                 {},
-                "Shares are of ticks in contact; \"off\" is the mean over scenes with the 95 % interval over "
-                "draws, sunk, lost and held on "
-                "nothing are parts of it. Tunnelled and jumps: times in 10 000 ticks of contact. A run is "
-                "one scene in one draw; "
-                "events are those of the table above."};
+                "Shares are of ticks in contact. \"off\" is the mean over scenes with the 95 % interval over draws; "
+                "sunk, contact lost and held on nothing are subsets of it. Tunnelled and jumps: per 10 000 ticks of "
+                "contact. A run is one scene in one draw; events are those of the table above."};
   const auto cells = stabilityCells(results, limits);
   for (const Method* m : inOrder<const Method*>(results, [](const StabilityResult& r) { return r.method; })) {
     double contact = 0, sunk = 0, lost = 0, stuck = 0, deep = 0, tunnelled = 0, jumps = 0, jitter = 0, energy = 0;
@@ -194,10 +192,10 @@ ReportTable deviceTable(const LoopSettings& loop) {
       {{std::string("mass, damping"), n(1e3 * d.mass_kg) + " g, " + n(d.damping_N_s_per_m) + " N s/m"},
        {std::string("friction"), n(d.friction_N) + " N tanh(speed / " + n(1e3 * d.friction_speed_m_per_s) + " mm/s)"},
        {std::string("sensor"), "steps of " + n(d.resolution_mm) + " mm"},
-       {std::string("loop"), n(1e-3 / d.tick_s) + " kHz, command held through a tick, late by ticks: " +
-                                 n(d.delay_ticks) + ", cut to " + n(d.max_force_N) + " N"},
+       {std::string("loop"), n(1e-3 / d.tick_s) + " kHz, command held during a tick, delay in ticks: " +
+                                 n(d.delay_ticks) + ", clamped to " + n(d.max_force_N) + " N"},
        {std::string("hand"), "a spring of " + n(loop.hand.stiffness_N_per_m) + " N/m with " +
-                                 n(loop.hand.damping_N_s_per_m) + " N s/m to the place it is led to"},
+                                 n(loop.hand.damping_N_s_per_m) + " N s/m to its target position"},
        {std::string("spring between HIP and SCP"),
         n(loop.stiffness_N_per_mm) + " N/mm at " + n(loop.workspace.A_per_mm) + " A/mm"}},
       ""};

@@ -214,13 +214,13 @@ ReportTable stiffnessTable(const std::vector<Stiffness>& rows) {
     t.rows.back()[3 + std::size_t(std::find(methods.begin(), methods.end(), r.method) - methods.begin())] = shown(r);
   }
   t.note = "Median over " + std::to_string(directions) +
-           " directions of the device, in brackets the least. 0: it never comes to rest in contact.";
+           " directions of the device, with the minimum in brackets. 0: the device never comes to rest in contact.";
   return t;
 }
 
 ReportTable stiffnessSetupsTable() {
   ReportTable t{"stiffness_setups",
-                "What presses, and with what device",
+                "How the device is pressed",
                 {{"setup", "set-up"},
                  {"friction_N", "friction (N)"},
                  {"pressed", "pressed by"},
@@ -229,10 +229,10 @@ ReportTable stiffnessSetupsTable() {
                 {},
                 ""};
   for (const StiffnessSetup& s : stiffnessSetups()) {
-    const std::string by = s.push_N > 0 ? constant(s.push_N) + " N and no hand"
+    const std::string by = s.push_N > 0 ? constant(s.push_N) + " N, without a hand"
                                         : "a hand of " + constant(s.hand.stiffness_N_per_m) + " N/m and " +
-                                              constant(s.hand.damping_N_s_per_m) + " N s/m, led " + constant(kIn_A) +
-                                              " A under the surface";
+                                              constant(s.hand.damping_N_s_per_m) + " N s/m, with its target " +
+                                              constant(kIn_A) + " A under the surface";
     t.rows.push_back({s.name, s.device.friction_N, by, 1e3 * s.strike_N_s, 1e-3 * s.ticks});
   }
   return t;
@@ -278,19 +278,18 @@ std::string stiffnessSentences(const std::vector<Stiffness>& rows) {
       above.push_back(what + ": " + readable(ratio.mean) + " ± " + readable(ratio.half_width));
     if (*std::max_element(r.limit_N_per_mm.begin(), r.limit_N_per_mm.end()) == 0) never.push_back(what);
   }
-  std::string out = "* With " + rows.front().setup + " a plain wall pressed straight along an axis holds " +
-                    readable(straight) + " N/mm; along other directions " + readable(wall_low) + " to " +
-                    readable(wall_high) + ". The direction alone does that: the sensor's steps lie along its axes.\n";
+  std::string out = "* With " + rows.front().setup + ", the limit of a plain wall pressed straight along an axis is " +
+                    readable(straight) + " N/mm; along other directions it is " + readable(wall_low) + " to " +
+                    readable(wall_high) + ". Only the direction differs: the sensor's steps lie along its axes.\n";
   if (exact_rows)
-    out += "* `exact` holds " + readable(exact_ratio / double(exact_rows)) +
-           " times the wall's along the same directions, on the mean over places and set-ups.\n";
+    out += "* The limit of `exact` is " + readable(exact_ratio / double(exact_rows)) +
+           " times the wall's along the same directions, averaged over places and set-ups.\n";
   out +=
-      "* Above the plain wall's along the same directions, by more than the 95 % interval of the mean ratio "
+      "* Limits above the plain wall's along the same directions, by more than the 95 % interval of the mean ratio "
       "and the search's step of 3 %: " +
-      (above.empty() ? "none of " + readable(double(compared)) + " limits"
-                     : listed(above) + ", which this page does not explain") +
-      ". A median in the table that is larger is within that.\n";
-  out += "* At rest nowhere: " + listed(never) + ".";
+      (above.empty() ? "none of " + readable(double(compared)) : listed(above) + ", which this page does not explain") +
+      ". Larger medians in the table are within that uncertainty.\n";
+  out += "* Never at rest: " + listed(never) + ".";
   return out + '\n';
 }
 

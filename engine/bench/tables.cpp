@@ -112,10 +112,11 @@ ReportTable tickTable(const std::vector<SceneTimes>& times) {
                 {},
                 ""};
   const double step = clockStep_ns();
-  t.note = "Means are over whole strokes and stand; the rest is tick by tick, and the clock's readings step by " +
-           readable(step) + " ns, so that a single tick is known to within that (±). The clock's own cost, " +
+  t.note = "Means are over whole strokes. The other figures are from single ticks. The clock has a step of " +
+           readable(step) + " ns, so a single tick is known to within that (±). The clock's own cost, " +
            readable(clockCost_ns()) +
-           " ns, is taken off single ticks. Strokes in which the operating system took the processor away are dropped.";
+           " ns, is subtracted from single ticks. Strokes in which the operating system preempted the thread are "
+           "dropped.";
   for (const SceneTimes& scene : times)
     for (const bool contact : {false, true}) {
       const auto& rows = contact ? scene.contact : scene.free;
@@ -131,7 +132,7 @@ ReportTable tickTable(const std::vector<SceneTimes>& times) {
 
 ReportTable readyTable(const std::vector<SceneTimes>& times) {
   ReportTable t{"ready",
-                "Until the scene can be touched, and memory",
+                "Preparation time and memory",
                 {{"scene", "scene"},
                  {"spheres", "spheres"},
                  {"method", "method"},
@@ -144,9 +145,8 @@ ReportTable readyTable(const std::vector<SceneTimes>& times) {
                  {"atoms_modelled", "atoms modelled"},
                  {"modelled_percent", "modelled of loaded (%)"}},
                 {},
-                "Memory is what the method holds after the strokes in contact, beyond the list of atoms; "
-                "atoms modelled are those for "
-                "which it holds more than centre and radius."};
+                "Memory is that of the method after the strokes in contact, without the list of atoms. Atoms modelled "
+                "are those for which it stores more than centre and radius."};
   for (const SceneTimes& scene : times) {
     const TickTimes* exact = rowOf(scene.contact, referenceMethod().name);
     for (const TickTimes& row : scene.contact) {
@@ -163,7 +163,7 @@ ReportTable readyTable(const std::vector<SceneTimes>& times) {
 
 ReportTable besidePaperTable(const std::vector<SceneTimes>& times) {
   ReportTable t{"beside_paper",
-                "Beside the paper's Tables 1 and 2 (ns a tick; the paper's on hardware of 2008)",
+                "Comparison with the paper's Tables 1 and 2 (ns per tick; the paper's on hardware of 2008)",
                 {{"paper_row", "paper's row"},
                  {"scene", "scene here"},
                  {"spheres", "spheres"},
@@ -171,7 +171,7 @@ ReportTable besidePaperTable(const std::vector<SceneTimes>& times) {
                  {"paper_polygons_ns", "paper: polygons"},
                  {"paper_spheres_ns", "paper: spheres"}},
                 {},
-                "The column heads of the paper's tables say Hz; the figures are seconds a haptic frame, "
+                "The column heads of the paper's tables say Hz. The figures are seconds per haptic frame, "
                 "given here in nanoseconds."};
   const std::array<std::string_view, 4> shown{referenceMethod().name, "paper", "mesh960", "sasmesh05"};
   for (const std::string_view name : shown)

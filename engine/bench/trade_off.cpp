@@ -52,8 +52,8 @@ ReportTable tradeOffTable(const std::vector<TradeOff>& points, const TradeOffOpt
                 readable(double(options.plan.strokes)) + " strokes of " + readable(double(options.plan.ticks)) +
                     " ticks over a protein-like cluster of " + readable(double(options.spheres)) +
                     " spheres, the HIP " + readable(options.plan.depth_A) + " A deep, " + readable(kStrokeStep_A) +
-                    " A a tick, the probe " + readable(options.probe_A) +
-                    " A. Errors are against exact; those of exact are against the brute-force oracle."};
+                    " A per tick, the probe " + readable(options.probe_A) +
+                    " A. Errors are relative to exact; those of exact are relative to the brute-force oracle."};
   for (const TradeOff& p : points) {
     const Accuracy& a = p.accuracy;
     const std::string best = p.best_scp && p.best_direction ? "place, direction"

@@ -25,15 +25,15 @@ std::string tradeOffSentences(const std::vector<TradeOff>& points) {
     if (!isReference(*p.method)) others.push_back(p);
   std::sort(others.begin(), others.end(), [](const TradeOff& a, const TradeOff& b) { return a.tick_ns < b.tick_ns; });
 
-  std::string out = "* Exactness: `exact` is off by at most " + readable(exact->accuracy.scp_A.max) +
-                    " A, against the oracle. The others are off, in the root mean square:";
+  std::string out = "* Accuracy: the error of `exact` against the oracle is at most " +
+                    readable(exact->accuracy.scp_A.max) + " A. The rms errors of the others are:";
   std::vector<TradeOff> by_error = others;
   std::sort(by_error.begin(), by_error.end(),
             [](const TradeOff& a, const TradeOff& b) { return a.accuracy.scp_A.rms < b.accuracy.scp_A.rms; });
   for (std::size_t k = 0; k < by_error.size(); ++k)
     out += (k ? ", " : " ") + quoted(by_error[k].method) + " " + readable(by_error[k].accuracy.scp_A.rms) + " A and " +
            readable(by_error[k].accuracy.direction_deg.rms) + " degrees";
-  out += ".\n* Time of a tick in contact, of `exact`'s " + readable(exact->tick_ns) + " ns:";
+  out += ".\n* Time of a tick in contact, relative to `exact`'s " + readable(exact->tick_ns) + " ns:";
   for (std::size_t k = 0; k < others.size(); ++k)
     out += (k ? ", " : " ") + quoted(others[k].method) + " " + readable(others[k].tick_ns / exact->tick_ns) + " times";
   std::vector<std::string> faster;
@@ -41,7 +41,7 @@ std::string tradeOffSentences(const std::vector<TradeOff>& points) {
     if (p.tick_ns < exact->tick_ns)
       faster.push_back(quoted(p.method) + " (" + readable(p.tick_ns / exact->tick_ns) + " times its time, off by " +
                        readable(p.accuracy.scp_A.rms) + " A)");
-  out += ".\n* Faster than `exact`: " + listed(faster) + ".\n* Memory after these strokes, of `exact`'s " +
+  out += ".\n* Faster than `exact`: " + listed(faster) + ".\n* Memory after these strokes, relative to `exact`'s " +
          bytes(exact->memory_usage.bytes) + ":";
   for (std::size_t k = 0; k < others.size(); ++k)
     out += (k ? ", " : " ") + quoted(others[k].method) + " " +
@@ -53,15 +53,14 @@ std::string coldCacheSentences(const std::vector<ColdCacheTimes>& cool) {
   const auto exact =
       std::find_if(cool.begin(), cool.end(), [](const ColdCacheTimes& c) { return isReference(*c.method); });
   if (exact == cool.end() || exact->sleeping_ns.count == 0) return "";
-  std::string out = "A hand meets `exact` at " + readable(exact->sleeping_ns.p50) +
-                    " ns a tick, once a millisecond, and at " + readable(1e-3 * exact->thrashed_ns.p50) +
-                    " us where other work has emptied the caches: " + readable(1e-4 * exact->thrashed_ns.p50) +
-                    " % of the millisecond.";
+  std::string out = "With one tick per millisecond, a tick of `exact` takes " + readable(exact->sleeping_ns.p50) +
+                    " ns. After other work has emptied the caches it takes " + readable(1e-3 * exact->thrashed_ns.p50) +
+                    " us, " + readable(1e-4 * exact->thrashed_ns.p50) + " % of the millisecond.";
   const auto slowest = std::max_element(cool.begin(), cool.end(), [](const ColdCacheTimes& a, const ColdCacheTimes& b) {
     return a.thrashed_ns.p50 < b.thrashed_ns.p50;
   });
   if (slowest != exact)
-    out += " The slowest of the others then, " + quoted(slowest->method) + ", takes " +
+    out += " The slowest other method, " + quoted(slowest->method) + ", then takes " +
            readable(1e-3 * slowest->thrashed_ns.p50) + " us.";
   return out + "\n";
 }
@@ -87,20 +86,21 @@ std::string sizeSentences(const std::vector<SceneTimes>& times) {
   if (most != least) {
     const double few = referenceIn(least->contact)->mean_ns, many = referenceIn(most->contact)->mean_ns;
     out += "* Scale: from " + readable(double(least->spheres)) + " to " + readable(double(most->spheres)) +
-           " spheres `exact`'s tick in contact goes from " + readable(few) + " to " + readable(many) + " ns (" +
-           readable(many / few) + " times), its memory a sphere from " +
+           " spheres, `exact`'s tick in contact changes from " + readable(few) + " to " + readable(many) + " ns (" +
+           readable(many / few) + " times), its memory per sphere from " +
            readable(double(referenceIn(least->contact)->memory_usage.bytes) / double(least->spheres)) + " to " +
            readable(double(referenceIn(most->contact)->memory_usage.bytes) / double(most->spheres)) + " bytes.\n";
   }
   if (!prepared) return out;
   const TickTimes* exact = referenceIn(prepared->contact);
   const auto ready = [&](const TickTimes& t) { return prepared->scene_s + t.make_s + t.first_touch_s; };
-  out += "* Preparation on " + readable(double(prepared->spheres)) + " spheres: `exact` can be touched after " +
-         seconds(ready(*exact)) + ", with " + bytes(exact->memory_usage.bytes) + " in the end";
+  out += "* Preparation on " + readable(double(prepared->spheres)) + " spheres: `exact` is ready after " +
+         seconds(ready(*exact)) + ", with " + bytes(exact->memory_usage.bytes) + " after the strokes";
   for (const TickTimes& t : prepared->contact)
     if (t.method->most_balls > 0)
-      out += "; " + quoted(t.method) + ", which prepares the whole scene for one probe, after " + seconds(ready(t)) +
-             " (" + readable(ready(t) / ready(*exact)) + " times), with " + bytes(t.memory_usage.bytes) + " (" +
+      out += "; " + quoted(t.method) + ", which preprocesses the whole scene for one probe, after " +
+             seconds(ready(t)) + " (" + readable(ready(t) / ready(*exact)) + " times), with " +
+             bytes(t.memory_usage.bytes) + " (" +
              readable(double(t.memory_usage.bytes) / double(exact->memory_usage.bytes)) + " times)";
   return out + ".\n";
 }

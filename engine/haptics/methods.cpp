@@ -103,7 +103,7 @@ constexpr std::array kTable{
            .shaded = true,
            .follows_motion = true},
     Method{.name = "mesh960-tree",
-           .sentence = N_("the same on 960 triangles, the trees asked anew in every tick"),
+           .sentence = N_("the same on 960 triangles, with a full tree search in every tick"),
            .make = &makeMesh<960, false, false>,
            .family = kMesh,
            .grade = "960",

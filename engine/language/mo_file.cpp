@@ -41,7 +41,7 @@ std::string_view headerLine(std::string_view header, std::string_view name) {
   return {};
 }
 
-Problem broken(std::string message) { return {{}, 0, 0, std::move(message), tr("make it anew with msgfmt")}; }
+Problem broken(std::string message) { return {{}, 0, 0, std::move(message), tr("compile it again with msgfmt")}; }
 
 }  // namespace
 

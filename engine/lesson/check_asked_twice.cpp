@@ -38,7 +38,7 @@ void askedTwice(const Lesson& lesson, Findings& findings) {
       if (asked.empty()) continue;
       const Place place = task.values["asked"].place;
       if (step.aside)
-        findings.error(place, tr("a task that is asked before and after stands beside the core"),
+        findings.error(place, tr("a task that is asked before and after is outside the core"),
                        tr("put it into a step that every student sees"));
       std::vector<Found>& list = asked == "before" ? before : after;
       if (!list.empty())

@@ -74,7 +74,7 @@ void predictsWithoutTouch(const Step& step, Findings& findings) {
   if (!step.tasks.empty()) return;
   for (const Question& q : step.questions)
     if (q.prediction)
-      findings.warning(q.place, tr("a prediction in a step without a touch task is told at once"),
+      findings.warning(q.place, tr("a prediction in a step without a touch task gets its feedback at once"),
                        tr("add the touch that shows what is right, or write '### Question: …'"));
 }
 
@@ -84,10 +84,9 @@ void markdownInKeys(const Step& step, Findings& findings) {
     if (!place.line) return;
     for (const std::string_view sign : {"](", "**", "`", "^"})
       if (const std::size_t at = text.find(sign); at != std::string::npos) {
-        findings.warning(
-            {place.line, place.column + characterCount(std::string_view(text).substr(0, at))},
-            trf("'{0}' is shown as it stands: this key holds plain text, and no link in it leads anywhere", sign),
-            tr("write it in the step's text, or take the signs out"));
+        findings.warning({place.line, place.column + characterCount(std::string_view(text).substr(0, at))},
+                         trf("'{0}' is shown unchanged: this key contains plain text, and its links do not work", sign),
+                         tr("write it in the step's text, or take the signs out"));
         return;
       }
   };
@@ -109,7 +108,7 @@ void brokenLinks(const Step& step, Findings& findings) {
       const std::size_t at = run.code ? std::string::npos : run.text.find("](#");
       if (at != std::string::npos)
         findings.error({run.place.line, run.place.column},
-                       tr("what is written here as a link is none, for its target has a blank in it"),
+                       tr("this is not a link, because its target contains a blank"),
                        tr("write the target in angle brackets: [the ligand](<#zoom:ligand>)"));
     }
   });

@@ -26,7 +26,7 @@ inline void orderProblems(std::vector<Problem>& problems) {
   if (!enoughProblems(problems)) return;
   problems.resize(kMostLessonProblems);
   Problem last = problems.back();
-  last.message = tr("there are more, which are not told");
+  last.message = tr("there are more, which are not listed");
   last.remedy = tr("mend these first");
   problems.push_back(std::move(last));
 }

@@ -143,11 +143,10 @@ std::optional<Arrow> findArrow(const RichText& text) {
 void checkTag(Reading& reading, Place place, const Choice& choice) {
   constexpr std::size_t kLongest = 60;
   if (choice.tag.empty())
-    reading.error(place, tr("nothing stands behind the second arrow"),
+    reading.error(place, tr("no text follows the second arrow"),
                   tr("write the misconception's tag there, or take the arrow out"));
   else if (characterCount(choice.tag) > kLongest)
-    reading.warning(place,
-                    tr("what stands behind the second arrow is a tag for the report, and students do not see it"),
+    reading.warning(place, tr("the text after the second arrow is a tag for the report, which students do not see"),
                     trf("make it shorter than {0} characters, or take the second arrow out", kLongest));
   else if (choice.right)
     reading.warning(place, tr("a right choice has the tag of a misconception"), tr("take the second arrow out"));
@@ -261,7 +260,7 @@ std::vector<Choice> readChoices(Reading& reading, const MarkdownBlock& list) {
 
 void checkQuestion(Reading& reading, const Question& question) {
   if (question.prediction && question.free())
-    reading.error(question.place, tr("a prediction that is a free answer, which nothing is told about"),
+    reading.error(question.place, tr("a prediction with a free answer, which has no feedback"),
                   tr("write '### Question: …', or give it choices"));
   if (question.answer) {
     if (!question.choices.empty())
@@ -270,7 +269,7 @@ void checkQuestion(Reading& reading, const Question& question) {
     return;
   }
   if (question.choices.empty() && question.block_place.line)
-    reading.error(question.block_place, tr("the answer block says nothing about what is right"),
+    reading.error(question.block_place, tr("the answer block does not define the right answer"),
                   tr("give one of 'number: …', 'text: …' and 'free: yes'"));
   else if (question.choices.empty())
     reading.error(question.place, tr("this question has nothing to answer"),

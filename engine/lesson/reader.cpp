@@ -261,7 +261,7 @@ class Walk {
 
   void unknownFence(const MarkdownBlock& block) {
     constexpr std::string_view kFences[] = {"step", "scene", "touch", "answer"};
-    reading_.warning(block.place, trf("'{0}' is no block of a lesson and is shown as it stands", block.info),
+    reading_.warning(block.place, trf("'{0}' is not a block of a lesson and is shown unchanged", block.info),
                      suggest(block.info, kFences, tr("blocks")));
   }
 

@@ -43,10 +43,10 @@ struct QuestionStatus {
 /// The work done in a lesson, by the ids of its steps and questions: a session is resumed from it.
 struct SessionMemory {
   struct StepMemory {
-    std::string step;                                               ///< id
-    std::vector<std::size_t> tasks_done;                            ///< indices of tasks that were solved
-    std::vector<std::size_t> tasks_shown;                           ///< of those whose tries were used up
-    std::vector<std::pair<std::string, QuestionStatus>> questions;  ///< by the question's id
+    std::string step{};                                               ///< id
+    std::vector<std::size_t> tasks_done{};                            ///< indices of tasks that were solved
+    std::vector<std::size_t> tasks_shown{};                           ///< of those whose tries were used up
+    std::vector<std::pair<std::string, QuestionStatus>> questions{};  ///< by the question's id
   };
   std::string step;               ///< id of the step to begin at
   std::vector<StepMemory> steps;  ///< in the order in which they were first entered

@@ -289,7 +289,7 @@ std::optional<Problem> addRemark(Value& value, std::string_view line) {
     value.remarks.push_back({read->selection, std::string(text), {0, at(line, atoms, {}).column}});
     return std::nullopt;
   }
-  return at(line, line, tr("no '->' parts the atoms from what is said to their touch"),
+  return at(line, line, tr("no '->' separates the atoms from the feedback to their touch"),
             tr("write it as 'residue 35 -> That is the other acid.'"));
 }
 

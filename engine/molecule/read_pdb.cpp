@@ -1,5 +1,8 @@
-// Reads PDB files line by line. Atoms are read here, so that a number that is none is told and nothing but the molecule
-// grows; gemmi reads the records that name, describe and copy them.
+// Reads PDB files line by line. Atoms are read here, so that a message names the line and the column of a number that is
+// none, and nothing but the molecule takes memory; gemmi reads the records that name, describe and copy them. gemmi alone
+// takes 0.14 s and 166 MB for a million atoms, this reader 0.26 s and 54 MB (build/release/reading_benchmark); it refuses
+// the files of before 1996, whose columns 73 to 80 hold the entry's name and line numbers. Of every file of the library
+// both read the same atoms (tests/molecule/gemmi_agrees_test.cpp).
 #include <algorithm>
 #include <cctype>
 #include <cmath>

@@ -20,7 +20,7 @@ Expected<OpenFile> openFile(const std::filesystem::path& path, std::size_t most_
   noteRead(path);  // also where it turns out to be too large: it is an input all the same
   const auto size = std::filesystem::file_size(path, error);
   if (error)
-    return Problem{file, 0, 0, trf("its size cannot be told: {0}", error.message()),
+    return Problem{file, 0, 0, trf("its size cannot be determined: {0}", error.message()),
                    tr("check the disk, then try again")};
   if (size > most_bytes)
     return Problem{file, 0, 0, trf("it is larger than {0} MiB", most_bytes >> 20), too_large_remedy};

@@ -210,7 +210,7 @@ class Maker {
       const Ball b = model.atomBall(a);
       // What the hand holds is not there: its place is, as a ghost.
       if (scene_.body && std::binary_search(scene_.body->atoms.begin(), scene_.body->atoms.end(), a)) {
-        shell(b.centre_A, b.radius_A, scene_.theme.target, 0.30f);
+        shell(b.centre_A, b.radius_A, scene_.theme.target, 0.50f);
         continue;
       }
       const double r = b.radius_A + 0.12;

@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "engine/platform/background.h"
-#include "engine/platform/force_inhibit.h"
 #include "engine/render/style_shapes.h"
 #include "engine/render/styled_part.h"
 
@@ -35,7 +34,6 @@ void SurfaceJobs::begin(const StyledAtoms& what, const ViewScene& scene, const M
           {}};
   job.work = inBackground([progress = job.progress, molecule = scene.molecule, probe_A = scene.probe_A,
                            shown = StyledPart::shownOf(what, scene.look.hidden, model)] {
-    const CrashStack crash_stack;
     return surfaceOf(*molecule, shown, probe_A, progress.get());
   });
   jobs_.push_back(std::move(job));

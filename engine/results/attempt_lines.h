@@ -15,6 +15,8 @@ namespace moltact {
 /// One line with its line end. Bytes that are no UTF-8 are replaced, numbers that are not finite become 0.
 std::string lineOf(const AttemptHeader& header);
 std::string lineOf(const AttemptEvent& event);
+/// The mark that so many lines are missing at this place, for which there was neither disk nor memory.
+std::string gapLine(std::size_t lines);
 
 /// How every first line begins, but for the blanks that another program may have put between.
 inline constexpr std::string_view kHeaderBegins = R"({"kind":"attempt")";
@@ -31,7 +33,7 @@ std::string beganOf(std::string_view line);
 Expected<AttemptHeader> readHeaderLine(std::string_view line);
 
 /// Any other line; no value for a kind that is not known (of a newer format). A Problem (without file and line) where
-/// it is no JSON object, or where a key that its kind needs is missing or of another type.
+/// it is no JSON object or the mark of a gap, or where a key that its kind needs is missing or of another type.
 Expected<std::optional<AttemptEvent>> readEventLine(std::string_view line);
 
 /// Longer lines are refused (unit: byte).

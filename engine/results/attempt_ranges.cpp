@@ -49,6 +49,7 @@ constexpr std::array kRanges{
     AttemptRange{"done", 0.0, 1e6, true},
     AttemptRange{"of", 0.0, 1e6, true},
     AttemptRange{"crossings", 0.0, 1e10, true},
+    AttemptRange{"lines", 1.0, 1e15, true},
     AttemptRange{"atoms", -1.0, kMostAtoms, true},
     AttemptRange{"share", 0.0, 1.0},
     // whatever a task measures

@@ -11,6 +11,7 @@
 #include "engine/platform/append_file.h"
 #include "engine/platform/background.h"
 #include "engine/results/attempt_file.h"
+#include "engine/results/attempt_lines.h"
 
 namespace moltact {
 namespace fs = std::filesystem;
@@ -24,7 +25,8 @@ struct AttemptWriter::Impl {
   // Shared, under `lock`:
   std::mutex lock;
   std::condition_variable woken, rested;
-  std::string waiting;  // whole lines
+  std::string waiting;      // whole lines
+  std::size_t dropped = 0;  // lines since the last that waits
   fs::path opened;
   std::optional<Problem> fault;
   bool recovered = false, stop = false;
@@ -62,7 +64,7 @@ std::optional<Problem> AttemptWriter::Impl::open() {
       }
   } else {
     if (folder.empty())
-      return Problem{{}, 0, 0, tr("this computer tells no folder to keep results in"), tr("set HOME or XDG_DATA_HOME")};
+      return Problem{{}, 0, 0, tr("this computer names no folder for results"), tr("set HOME or XDG_DATA_HOME")};
     std::error_code error;
     fs::create_directories(folder, error);
     if (error)
@@ -184,8 +186,14 @@ AttemptWriter::~AttemptWriter() {
 void AttemptWriter::append(std::string line) {
   {
     const std::lock_guard held(impl_->lock);
-    if (impl_->waiting.size() + line.size() > kMostWaiting) return;
-    impl_->waiting += line;
+    std::string mark;
+    if (impl_->dropped > 0) mark = gapLine(impl_->dropped);
+    if (impl_->waiting.size() + mark.size() + line.size() > kMostWaiting) {
+      ++impl_->dropped;
+      return;
+    }
+    impl_->dropped = 0;
+    impl_->waiting += mark + line;
   }
   impl_->nudge();
 }

@@ -62,7 +62,8 @@ void howCounted(std::string& out) {
         tr("Forces are those of the probe on the hand, a choice of scale made for the hand; without a force-feedback "
            "device they are the ones that such a device would have given. A mouse and a stylus press differently: "
            "compare forces and paths within one way of input only."),
-        tr("The path is the way of the probe over the surface, in ångström. Mean forces are over the time of touch."),
+        tr("The path is the distance that the probe covers on the surface, in ångström. Mean forces are over the time "
+           "of touch."),
         tr("In the charts a line is the median, a box the middle half of the values.")})
     out += std::string("<li>") + sentence + "</li>";
   out += "</ul>";

@@ -151,11 +151,11 @@ void peopleTable(std::string& out, const LessonSummary& lesson) {
 
 // How hard and how far each touched: no mark, and for comparing ways of touching.
 void forResearch(std::string& out, const LessonSummary& lesson) {
-  out += section(tr("For research: forces and ways"), {{tr("Student")},
-                                                       {trf("Touch,<br>{0}", unitText(Dimension::Time))},
-                                                       {trf("Peak,<br>{0}", unitText(Dimension::Force))},
-                                                       {trf("Mean,<br>{0}", unitText(Dimension::Force))},
-                                                       {trf("Path,<br>{0}", unitText(Dimension::Length))}});
+  out += section(tr("For research: forces and paths"), {{tr("Student")},
+                                                        {trf("Touch,<br>{0}", unitText(Dimension::Time))},
+                                                        {trf("Peak,<br>{0}", unitText(Dimension::Force))},
+                                                        {trf("Mean,<br>{0}", unitText(Dimension::Force))},
+                                                        {trf("Path,<br>{0}", unitText(Dimension::Length))}});
   for (const PersonScore& p : lesson.people)
     out += "<tr><td class=\"name\">" + escaped(p.person) + "</td><td>" +
            quantityNumber(p.touch_s, Dimension::Time, decimals(0)) + "</td><td>" +
@@ -205,7 +205,7 @@ void question(std::string& out, const LessonSummary& lesson, const StepOutline& 
   out += "<div class=\"card\"><div class=\"head\"><b>" + escaped(q.text) + "</b><span>" +
          (!answered ? tr("not answered yet")
           : marked  ? trf("{0} right at first try", percent(double(first_right) / double(answered)))
-                    : trf("{0} expected what is so; not scored", percent(double(first_right) / double(answered)))) +
+                   : trf("{0} predicted this correctly; not scored", percent(double(first_right) / double(answered)))) +
          "</span></div><div class=\"quiet small\">" +
          (marked ? trf("{0}. Answered by {1} of {2}; right in the end: {3}.", escaped(step.title), answered,
                        lesson.people.size(), right)

@@ -316,6 +316,13 @@ Expected<std::optional<AttemptEvent>> readEventLine(std::string_view line) {
   const Json j = parsed(line);
   if (!j.is_object()) return noObject();
   try {
+    if (text(j, "kind", true) == "gap")
+      return Problem{{},
+                     0,
+                     0,
+                     trf("{0} lines are missing here: the disk took none while they came",
+                         static_cast<long long>(numberAt(j, "lines"))),
+                     tr("what the report says of the time between is not complete")};
     const double t_s = numberAt(j, "t");
     std::optional<AttemptFact> fact = factOf(text(j, "kind", true), j);
     if (!fact) return std::optional<AttemptEvent>();

@@ -218,6 +218,8 @@ std::string lineOf(const AttemptHeader& header) {
                  {"lesson", written(header.lesson)}});
 }
 
+std::string gapLine(std::size_t lines) { return closed({{"kind", "gap"}, {"lines", lines}}); }
+
 std::string lineOf(const AttemptEvent& event) {
   Json out{{"kind", kFactKinds[event.what.index()]}, {"t", rounded(event.t_s)}};
   std::visit(FactWriter{out}, event.what);

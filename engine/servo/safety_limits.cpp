@@ -11,7 +11,7 @@ std::span<const LimitWords> limitWords() {
       {Limit::Heat, N_("Heat"), N_("The motors are warm: the force is cut until they have cooled.")},
       {Limit::Slew, N_("Slew"), N_("The force changes less fast than the method asks.")},
       {Limit::SoftStart, N_("Soft start"), N_("The force grows slowly from nothing.")},
-      {Limit::StalePlace, N_("Stale place"), N_("The device has told no new place: the force falls to nothing.")},
+      {Limit::StalePlace, N_("Stale place"), N_("The device has reported no new position: the force falls to zero.")},
       {Limit::LateLoop, N_("Late loop"), N_("The computer was late: no force, then a soft start.")},
       {Limit::Jump, N_("Jump"), N_("The place leapt as no hand can: the contact is forgotten.")},
       {Limit::Speed, N_("Speed"), N_("The hand is fast: the force no longer drives it on.")},

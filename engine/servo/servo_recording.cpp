@@ -140,6 +140,12 @@ bool canBe(const ServoSettings& s) {
          within(s.max_force_N, 1e6) && within(s.probe_A, 1e6);
 }
 
+// The loop gives finite forces only, within the limits of canBe().
+bool canBeGiven(const Vec3& force) {
+  constexpr double kMost = 1e6;
+  return std::abs(force.x) <= kMost && std::abs(force.y) <= kMost && std::abs(force.z) <= kMost;
+}
+
 std::string bytesOf(const ServoSettings& settings) {
   std::string out;
   Putter put{out};
@@ -189,7 +195,7 @@ bool readTick(Getter& get, ServoSettings& settings, RecordedTick& tick, const Ve
   tick.fallen_back = flags & kFallenBack;
   tick.spheres_moved = flags & kSpheresMoved;
   tick.settings = settings;
-  return get.ok;
+  return get.ok && canBeGiven(tick.force.N) && canBeGiven(tick.torque_N_mm);
 }
 
 }  // namespace
@@ -263,7 +269,7 @@ std::optional<Problem> ServoRecordingWriter::finish() {
 }
 
 Expected<ServoRecording> readServoRecording(const std::filesystem::path& file) {
-  const auto bytes = readFile(file, kMostBytes, tr("a recording is 81 bytes a tick: is this one?"));
+  const auto bytes = readFile(file, kMostBytes, tr("a recording has 81 bytes per tick: is this file one?"));
   if (!bytes) return bytes.problem();
   const char* data = bytes->data();
   const Problem none{file.string(), 0, 0, tr("this is no recording of a device"),
@@ -271,7 +277,7 @@ Expected<ServoRecording> readServoRecording(const std::filesystem::path& file) {
   const std::size_t fixed = kMagic.size() + 12;
   if (std::string_view(*bytes).starts_with(kOldMagic))
     return Problem{file.string(), 0, 0, tr("this recording is of an earlier version, whose ticks hold less"),
-                   tr("record it anew")};
+                   tr("record it again")};
   const bool stateless = std::string_view(*bytes).starts_with(kStatelessMagic);
   Version version;
   version.orientations = !stateless && !std::string_view(*bytes).starts_with(kPlacesMagic);
@@ -284,11 +290,11 @@ Expected<ServoRecording> readServoRecording(const std::filesystem::path& file) {
   get(text_size), get(build_size), get(state_size);
   const std::size_t head = fixed + std::size_t(text_size) + build_size + state_size;
   if (head + 4 > bytes->size())
-    return Problem{file.string(), 0, 0, tr("the recording breaks off in its first lines"), tr("record it anew")};
+    return Problem{file.string(), 0, 0, tr("the recording breaks off in its first lines"), tr("record it again")};
   get.at = data + head;
   get(crc);
   if (crc != crc32(0, reinterpret_cast<const Bytef*>(data), uInt(head)))
-    return Problem{file.string(), 0, 0, tr("the recording's first lines are damaged"), tr("record it anew")};
+    return Problem{file.string(), 0, 0, tr("the recording's first lines are damaged"), tr("record it again")};
 
   ServoRecording recording;
   recording.torques = version.torques;
@@ -319,7 +325,7 @@ Expected<ServoRecording> readServoRecording(const std::filesystem::path& file) {
     if (block) get.at += kBlockMagic.size();
     get(count), get(size), get(block_crc);
     if (!get.ok || static_cast<std::size_t>(get.end - get.at) < size) {
-      torn(N_("the recording breaks off after {0}; what is before that is kept"));
+      torn(N_("the recording is truncated after {0}; the part before that is kept"));
       break;
     }
     Getter inside{get.at, get.at + size};
@@ -334,11 +340,11 @@ Expected<ServoRecording> readServoRecording(const std::filesystem::path& file) {
       device = tick.device;
     }
     if (good && ticks.size() > kMostRecordedTicks - recording.ticks.size()) {
-      torn(N_("the recording goes on for longer than is read after {0}; what is before that is kept"));
+      torn(N_("the recording exceeds the maximum length after {0}; the part before that is kept"));
       break;
     }
     if (!good || inside.at != inside.end) {
-      torn(N_("the recording is damaged after {0}; what is before that is kept"));
+      torn(N_("the recording is damaged after {0}; the part before that is kept"));
       break;
     }
     recording.ticks.insert(recording.ticks.end(), ticks.begin(), ticks.end());

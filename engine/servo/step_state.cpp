@@ -4,14 +4,15 @@
 #include <cmath>
 #include <map>
 #include <type_traits>
+#include <utility>
 
 #include "engine/language/catalogue.h"
 
 namespace moltact {
 
 static_assert(sizeof(void*) != 8 ||  // other machines lay them out otherwise; the names are the same
-                  (sizeof(HandSpeed) == 312 && sizeof(PassivityControl) == 400 && sizeof(ThermalModel) == 16 &&
-                   sizeof(Clutch) == 88 && sizeof(SafetyStage) == 1464 && sizeof(ServoStep) == 1712),
+                  (sizeof(HandSpeed) == 312 && sizeof(PassivityControl) == 12304 && sizeof(ThermalModel) == 16 &&
+                   sizeof(Clutch) == 88 && sizeof(SafetyStage) == 13368 && sizeof(ServoStep) == 13616),
               "a member more is to be named below, or a replay is not the same");
 
 // Every member of a step's state with its name in files and range; a friend of the classes whose members they are. The
@@ -46,11 +47,28 @@ struct StepState {
 
   template <class Each>
   static void of(Each& each, const std::string& p, PassivityControl& s) {
-    for (std::size_t k = 0; k < s.given_.size(); ++k) {
-      vector(each, p, "given_N." + std::to_string(k), s.given_[k]);
-      vector(each, p, "given_N_mm." + std::to_string(k), s.torques_[k]);
+    each(p, "debt_J", s.debt_J_, 0.0, kAny);
+    // A history of kOlder ticks, as a ring, which older recordings hold.
+    constexpr std::size_t kOlder = 8;
+    const std::size_t size = s.given_.size();
+    if (each.holds(p + "next", false)) {
+      std::size_t next = 0;
+      each(p, "next", next, std::size_t{0}, kOlder - 1);
+      for (std::size_t k = 0; k < kOlder; ++k) {
+        const std::size_t at = size - 1 - (next + kOlder - 1 - k) % kOlder;
+        vector(each, p, "given_N." + std::to_string(k), s.given_[at]);
+        vector(each, p, "given_N_mm." + std::to_string(k), s.torques_[at]);
+      }
+      return;
     }
-    each(p, "next", s.next_, std::size_t{0}, s.given_.size() - 1), each(p, "debt_J", s.debt_J_, 0.0, kAny);
+    // The newest first; what is zero is left out.
+    for (std::size_t ago = 0; ago < size; ++ago) {
+      const std::size_t at = (s.next_ + size - 1 - ago) % size;
+      for (auto [name, v] : {std::pair("given_ago_N.", &s.given_[at]), std::pair("given_ago_N_mm.", &s.torques_[at])}) {
+        const std::string full = name + std::to_string(ago);
+        if (each.holds(p + full + ".x", *v != Vec3(0.0))) vector(each, p, full, *v);
+      }
+    }
   }
 
   template <class Each>
@@ -90,11 +108,14 @@ struct StepState {
     each(p, "stretch_mm", stored.springs.stretch_mm, 0.0, kAny);
     each(p, "torque_mm2", stored.springs.torque_mm2, 0.0, kAny);
     each(p, "energy_mm2", stored.springs.energy_mm2, -kAny, kAny);
-    each(p, "field", stored.field, false, true);
-    each(p, "field_energy_N_mm", stored.field_energy_N_mm, -kAny, kAny);
-    each(p, "field_stiffness_N_per_mm", stored.field_stiffness_N_per_mm, 0.0, kAny);
-    each(p, "wanted_N", stored.force_N, 0.0, kAny), each(p, "wanted_N_mm", stored.torque_N_mm, 0.0, kAny);
-    each(p, "field_share", s.field_share_, 0.0, 1.0);
+    // Recordings from before fields have none of these.
+    if (each.holds(p + "field", stored.field || s.field_share_ != 1.0)) {
+      each(p, "field", stored.field, false, true);
+      each(p, "field_energy_N_mm", stored.field_energy_N_mm, -kAny, kAny);
+      each(p, "field_stiffness_N_per_mm", stored.field_stiffness_N_per_mm, 0.0, kAny);
+      each(p, "wanted_N", stored.force_N, 0.0, kAny), each(p, "wanted_N_mm", stored.torque_N_mm, 0.0, kAny);
+      each(p, "field_share", s.field_share_, 0.0, 1.0);
+    }
     each(p, "fault", s.fault_, false, true), each(p, "stopped", s.stopped_, false, true);
     vector(each, p, "force_N", s.force_N_), vector(each, p, "torque_N_mm", s.torque_N_mm_);
     // The limits that acted in the last tick are set again in the next.
@@ -118,6 +139,8 @@ namespace {
 struct Writer {
   std::string out{};
 
+  static bool holds(const std::string&, bool worth_saying) { return worth_saying; }
+
   template <class T>
   void operator()(const std::string& prefix, const std::string& name, T& value, T, T) {
     char text[64];
@@ -135,6 +158,8 @@ struct Writer {
 struct Reader {
   std::map<std::string, std::string_view, std::less<>> values;
   std::string wrong{};  // of the first value that is
+
+  bool holds(const std::string& name, bool) const { return values.contains(name); }
 
   template <class T>
   void operator()(const std::string& prefix, const std::string& name, T& value, T least, T greatest) {
@@ -171,7 +196,7 @@ std::string stateText(const ServoStep& step) {
 }
 
 Expected<ServoStep> stepFromText(std::string_view text) {
-  const auto problem = [](std::string what) { return Problem{"", 0, 0, std::move(what), tr("record it anew")}; };
+  const auto problem = [](std::string what) { return Problem{"", 0, 0, std::move(what), tr("record it again")}; };
   Reader reader;
   while (!text.empty()) {
     const std::size_t end = std::min(text.find('\n'), text.size()), equals = text.find('=');

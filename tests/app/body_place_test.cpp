@@ -80,6 +80,9 @@ TEST_CASE("how many atoms are in place is told where the scene marks the place o
     CHECK_FALSE(d->shows("view/in place"));
   }
   auto d = drugInHand("highlight: ligand\n", scratch);
+  ViewScene marks;
+  d->app().lesson.decorate(marks);
+  CHECK(marks.highlighted.size() == 35);  // its place is drawn
   d->point("view", 0.1, 0.1);
   d->frames(20);
   CHECK(d->text("view/in place") == "0 of 35 atoms in place, to 1\u00A0Å");

@@ -70,7 +70,7 @@ TEST_CASE("a folder with a good lesson, one with a warning and a README passes, 
   CHECK(run.status == 0);
   CHECK(run.out ==
         "./a.md: 1 min for the core, 1 min with all steps\n"
-        "./b.md:14:4: warning: 'scenes' is no block of a lesson and is shown as it stands; did you mean "
+        "./b.md:14:4: warning: 'scenes' is not a block of a lesson and is shown unchanged; did you mean "
         "'scene'?\n```scenes\n   ^\n"
         "./b.md: 1 min for the core, 1 min with all steps\n"
         "./README.md: no lesson, passed over\n2 lessons checked: no errors, 1 warning\n");

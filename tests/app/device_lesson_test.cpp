@@ -148,6 +148,7 @@ TEST_CASE(
     auto d = startWith("1ubq", keeping(scratch.file("settings.json", R"({"device": "spacemouse"})")));
     CHECK_FALSE(d->app().extensions().device.awaited().empty());
     d->app().extensions().device.choose("mouse");
+    d->frames(1);
     CHECK(d->app().extensions().device.awaited().empty());
     CHECK(d->app().settings.device == "mouse");
   }
@@ -193,6 +194,7 @@ TEST_CASE(
   d->frames(10);
   // What there is on this computer was taken at the start: begin with nothing.
   d->app().extensions().device.choose("mouse");
+  d->frames(1);
   d->app().settings.device.clear();
   bool there = false;
   d->app().extensions().device.lookBy([&] {

@@ -95,12 +95,12 @@ TEST_CASE(
   const Run half = place.run("device replay a.recording");
   CHECK(half.status == 1);
   CHECK(contains(half.out, " ticks: the same forces and torques to the last bit"));
-  CHECK(contains(half.err, "a.recording: the recording breaks off after 0."));
+  CHECK(contains(half.err, "a.recording: the recording is truncated after 0."));
   fs::resize_file(file, headBytes(contents(file)));
   const Run empty = place.run("device replay a.recording");
   CHECK(empty.status == 1);
   CHECK(empty.out.empty());
-  CHECK(contains(empty.err, "a.recording: the recording holds no ticks; record it anew"));
+  CHECK(contains(empty.err, "a.recording: the recording holds no ticks; record it again"));
   std::ofstream(file) << "no recording";
   const Run text = place.run("device replay a.recording");
   CHECK(text.status == 1);

@@ -84,7 +84,7 @@ TEST_CASE("a lesson with a fault is not packed, its notes are told, and a file t
   place.write("note.md", kLesson + "\n```scenes\n```\n");
   run = place.run("pack note.md");
   CHECK(run.status == 0);
-  CHECK(has(run.err, "note: note.md:22:4: 'scenes' is no block"));
+  CHECK(has(run.err, "note: note.md:22:4: 'scenes' is not a block"));
 
   CHECK(has(place.run("pack mine.xyzr").err, "is no lesson; name a file that ends in .md"));
   CHECK(place.run("pack gone.md").status == 1);

@@ -184,7 +184,7 @@ TEST_CASE("a recording whose molecule has changed since says so, and is played a
   auto d = startWith("1ubq");
   d->app().open(other);
   d->frames(3);
-  CHECK(told(*d, "is not what the hand was recorded on"));
+  CHECK(told(*d, "is not the one of this recording"));
   CHECK(d->app().extensions().hand_recorder.playing());
 }
 
@@ -216,6 +216,41 @@ TEST_CASE(
   d->frames(3);
   CHECK_FALSE(recorder.recording());
   CHECK(readServoRecording(scratch.folder / "second.recording")->ticks.size() > 900);
+}
+
+TEST_CASE(
+    "another device that is clicked on the open device page while a recording plays: the hand that plays lives until "
+    "the frame has been drawn, then the other device leads") {
+  const Scratch scratch;
+  const std::filesystem::path file = recorded(scratch);
+  auto d = startWith("1ubq");
+  HandRecorder& recorder = d->app().extensions().hand_recorder;
+  const auto playOnPage = [&] {
+    d->app().open(file);
+    d->frames(10);
+    REQUIRE(recorder.playing());
+    d->tap("Ctrl+D");
+    d->frames(3);
+    REQUIRE_FALSE(d->text("device/recording").empty());  // the page draws it, in view or below
+  };
+  playOnPage();
+  // What a click does within its frame: the page goes on to draw the hand that plays.
+  const Device* const plays = d->app().scene.servo().chosen();
+  d->app().extensions().device.choose("simulated");
+  CHECK(d->app().scene.servo().chosen() == plays);
+  CHECK(recorder.playing());
+  CHECK(recorder.length_s() > 0.0);
+  d->frames(1);
+  CHECK(d->app().scene.servo().chosen() != plays);
+  CHECK_FALSE(recorder.playing());
+  CHECK(recorder.at_s() == 0.0);
+  // The click itself.
+  d->tap("Escape");
+  playOnPage();
+  REQUIRE(d->click("device/mouse"));
+  d->frames(3);
+  CHECK_FALSE(recorder.playing());
+  CHECK(d->text("status/device") == "Mouse");
 }
 
 }  // namespace moltact

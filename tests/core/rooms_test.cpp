@@ -226,3 +226,10 @@ TEST_CASE("sources that are compiled together have no constant and no type of th
   CHECK(files > 150);
   CHECK(names > 200);
 }
+
+TEST_CASE("work beside the window begins in background.h alone, whose threads have a signal stack") {
+  for (const char* folder : {"engine", "app"})
+    for (const std::string& file : sourcesIn(folder))
+      if (file != "engine/platform/background.h")
+        CHECK_MESSAGE(textOf(kSource / file).find("std::async(") == std::string::npos, file);
+}

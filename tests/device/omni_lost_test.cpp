@@ -4,6 +4,7 @@
 #include <doctest/doctest.h>
 
 #include "engine/device/driver.h"
+#include "engine/device/pending_device_open.h"
 #include "engine/servo/servo_thread.h"
 #include "tests/device/omni/stand_in.h"
 
@@ -279,4 +280,17 @@ TEST_CASE("in the haptic thread, by the stand-in's own clock of 1 kHz, it leads 
   servo.setDevice(nullptr);
   CHECK_FALSE(OmniDevice::taken());
   CHECK(omni.call<double()>("standInForceAtStop")() == 0.0);
+}
+
+TEST_CASE("an Omni that this process has open is not opened again under its name: the driver is asked once") {
+  const StandIn omni;
+  PendingDeviceOpen first("omni", "");
+  PendingDeviceOpen::Opened one = first.take();
+  REQUIRE(one.device);
+  CHECK_FALSE(one.in_use);
+  CHECK(one.hardware == "omni serial number 42");
+  PendingDeviceOpen second("omni", one.hardware);
+  const PendingDeviceOpen::Opened again = second.take();
+  CHECK(again.in_use);
+  CHECK(omni.inits() == 1);
 }

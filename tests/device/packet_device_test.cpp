@@ -323,3 +323,18 @@ TEST_CASE(
   CHECK(force_mN() == 0);
   CHECK(wire->last()[9] == 0);
 }
+
+TEST_CASE("of 130 reports that wait, each is parsed by the third tick: a place that only the 65th brings is not lost") {
+  test::OpenFirmware firmware;
+  const auto wire = std::make_shared<Wire>();
+  wire->feature = of(firmware.description());
+  auto opened = PacketDevice::open(over(wire), std::make_unique<OpenLayoutProtocol>(), DeviceInfo(), false);
+  REQUIRE(opened);
+  Device& device = **opened;
+  for (int k = 1; k <= 64; ++k) wire->send({1, 2, 3});  // short: no place
+  wire->send(of(firmware.tick({10, 0, 0})));
+  for (int k = 66; k <= 130; ++k) wire->send({1, 2, 3});
+  for (int tick = 0; tick < 3; ++tick) device.read(0.001);
+  CHECK(device.read(0.001).position.mm == Vec3(10, 0, 0));
+  CHECK(wire->to_host.empty());
+}

@@ -225,6 +225,21 @@ TEST_CASE("what is put round each sphere of a body is felt in its force, torque 
   }
 }
 
+TEST_CASE("an orientation of length 1 + 4e-4 turns a body as the one of length 1 does: levers do not grow with it") {
+  RigidBody exact(heldBody(kBalls, kHeld), spheres(referenceMethod(), scene()));
+  RigidBody longer(heldBody(kBalls, kHeld), spheres(referenceMethod(), scene()));
+  const Quat turned = glm::angleAxis(0.7, glm::normalize(Vec3(1, 2, 3)));
+  int felt = 0;
+  for (double x = 9.0; x > 4.5; x -= 0.05) {
+    const Response a = exact.respond({{Vec3(x, 0.3, 0)}, turned});
+    const Response b = longer.respond({{Vec3(x, 0.3, 0)}, turned * (1.0 + 4e-4)});
+    CHECK(glm::length(a.contact.displacement_A - b.contact.displacement_A) < 1e-9);
+    CHECK(glm::length(a.torque_A2 - b.torque_A2) < 1e-9);
+    felt += a.felt();
+  }
+  CHECK(felt > 10);
+}
+
 TEST_CASE("memory that all spheres of a body share is counted once, and so are the atoms that they model") {
   const scenes::Scene cluster = scenes::cluster(200, 5);
   const auto balls = test::makeScene(cluster.balls);

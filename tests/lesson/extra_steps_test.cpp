@@ -86,5 +86,5 @@ TEST_CASE("of a task that is asked before, the same task is asked after, in the 
   CHECK(only("## A\n" + scene + task("before", "2 Å") + "## B\n```scene\nprobe: 1 Å\n```\n" + task("after", "2 Å")) ==
         differs);
   CHECK(only("## A\n" + scene + task("before", "2 Å") + "## B\n```step\nextra: yes\n```\n" + task("after", "2 Å")) ==
-        "a task that is asked before and after stands beside the core");
+        "a task that is asked before and after is outside the core");
 }

@@ -61,7 +61,7 @@ TEST_CASE("a lesson of 90 000 dead links, to steps or to files, tells 500 of the
     const Result r = checked(filled(
         kHead, [&](std::size_t n) { return std::string("[a](") + to + number(n) + ")" + (n % 100 ? "" : "\n\n"); }));
     REQUIRE(r.check.errors.size() == kMostLessonProblems + 1);
-    CHECK(r.check.errors.back().message == "there are more, which are not told");
+    CHECK(r.check.errors.back().message == "there are more, which are not listed");
     CHECK(r.check.errors.back().line == r.check.errors[kMostLessonProblems - 1].line);
   }
 }

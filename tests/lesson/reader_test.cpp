@@ -120,7 +120,7 @@ TEST_CASE("an unknown fence is a warning and is shown; bytes that are not UTF-8 
   const LessonReading read = readLessonText("l.md", kHead + kStep + "```scenes\nx\n```\n");
   CHECK(read.lesson);
   CHECK(texts(read.warnings) ==
-        Texts{"l.md:13:4: 'scenes' is no block of a lesson and is shown as it stands; did you mean 'scene'?"});
+        Texts{"l.md:13:4: 'scenes' is not a block of a lesson and is shown unchanged; did you mean 'scene'?"});
   CHECK(errors(kHead + "## Å \xFF") == Texts{"l.md:9:6: this is not UTF-8 text; save the file in the encoding UTF-8"});
   CHECK(errors("") == Texts{"l.md:1:1: the file is empty; start from the text of another lesson"});
 }

@@ -143,6 +143,39 @@ TEST_CASE("a folder that cannot be made or written is told, and what waited is w
   CHECK(nowhere.takeFault().has_value());
 }
 
+TEST_CASE(
+    "80 lines of 1 MiB while the disk takes none: 31 or more are kept in order, the next line that finds room has a "
+    "mark "
+    "before it, and what is kept and what the mark counts are 80 together") {
+  const ScratchFolder scratch;
+  const fs::path blocked = scratch.path / "file";
+  writeFile(blocked, "no folder");
+  AttemptWriter writer = AttemptWriter::startNew(blocked / "attempts", "a");
+  writer.append(lineOf(sampleHeader()));
+  REQUIRE_FALSE(writer.flush());
+  for (int k = 0; k < 80; ++k) {
+    std::string line = hint(k);
+    line.insert(line.size() - 1, std::size_t{1} << 20, ' ');
+    writer.append(std::move(line));
+  }
+  fs::remove(blocked);
+  REQUIRE(writer.flush());
+  writer.append(hint(1000));
+  REQUIRE(writer.flush());
+  const Expected<Attempt> attempt = readAttempt(blocked / "attempts" / "a.jsonl");
+  REQUIRE(attempt);
+  REQUIRE(attempt->problems.size() == 1);
+  CAPTURE(attempt->problems[0].text());
+  const int kept = int(attempt->events.size()) - 1, missing = std::atoi(attempt->problems[0].message.c_str());
+  CHECK(kept >= 31);
+  CHECK(missing > 0);
+  CHECK(kept + missing == 80);
+  CHECK(attempt->problems[0].message.find("lines are missing here") != std::string::npos);
+  CHECK(attempt->problems[0].line == std::size_t(kept) + 2);
+  for (int k = 0; k < kept; ++k) CHECK(attempt->events[std::size_t(k)].t_s == double(k));
+  CHECK(attempt->events.back().t_s == 1000.0);
+}
+
 TEST_CASE("names that are taken get -2 and -3, and 2 programs never write the same file") {
   const ScratchFolder scratch;
   std::vector<AttemptWriter> writers;

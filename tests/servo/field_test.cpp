@@ -10,6 +10,7 @@
 #include "engine/haptics/methods.h"
 #include "engine/servo/plain_trackers.h"
 #include "engine/servo/servo_loop.h"
+#include "engine/servo/step_state.h"
 #include "tests/haptics/fields.h"
 #include "tests/haptics/walk.h"
 
@@ -349,4 +350,31 @@ TEST_CASE(
   CHECK(hand.loop.reactions().count == 0);
   hand.rest(1);
   CHECK(hand.loop.reactions().count == 1);
+}
+
+TEST_CASE(
+    "a step that is written as text in a field and read again goes on with the same forces to the last bit, at any of "
+    "16 ticks") {
+  DeviceSpecs info = phantomOmniFigures();
+  info.gives_force = true;
+  const auto well = wellRound({0, 0, 0}, nullptr, {.depth_N_A = 0.25});
+  ServoSettings settings;
+  settings.workspace.A_per_mm = 0.25;
+  ServoStep step(info);
+  const auto tick = [&](ServoStep& one, int k) {
+    return one.tick(settings, well.get(), {.position = {{0, 0, 15.0 + 3.0 * std::cos(0.05 * k)}}}).force.N;
+  };
+  for (int k = 0; k < 1500; ++k) {
+    tick(step, k);
+    if (k % 50 != 49 || k < 700) continue;
+    const std::string text = stateText(step);
+    CHECK(text.find("safety.field_energy_N_mm=") != std::string::npos);
+    Expected<ServoStep> read = stepFromText(text);
+    REQUIRE(bool(read));
+    // Neither remembers the interaction, so that both begin as softly.
+    ServoStep copy = step;
+    copy.forgetInteraction();
+    for (int n = 1; n < 40; ++n) REQUIRE(tick(copy, k + n) == tick(*read, k + n));
+  }
+  CHECK(stateText(ServoStep(info)).find("field") == std::string::npos);
 }

@@ -121,7 +121,7 @@ TEST_CASE("a recording cut at any of 200 places keeps its whole blocks and says 
       continue;
     }
     CHECK(recording->ticks.size() % 256 == 0);
-    CHECK((recording->torn.empty() || recording->torn.find("breaks off after ") != std::string::npos));
+    CHECK((recording->torn.empty() || recording->torn.find("is truncated after ") != std::string::npos));
   }
   std::filesystem::remove(file);
 }
@@ -143,6 +143,120 @@ TEST_CASE(
     else
       CHECK_FALSE(recording.problem().message.empty());
   }
+  std::filesystem::remove(file);
+}
+
+TEST_CASE(
+    "3000 recordings with hostile figures and right checksums: each is refused, cut before the figure, or its "
+    "forces are finite, its replay differs by a finite force, and the hand that it plays gives finite forces; seed "
+    "26") {
+  const auto file = scratch("hostile");
+  {
+    MouseDevice mouse;
+    SimulatedDevice stylus;
+    DeviceSwitch devices(mouse, &stylus);
+    ServoStep step;
+    const auto tracker = newTracker();
+    ServoSettings settings;
+    auto writer = ServoRecordingWriter::create(file, true);
+    REQUIRE(writer);
+    CHECK_FALSE(writer->begin({{"molecule", "cluster 20"}, {"method", "exact"}}, step));
+    for (int k = 0; k < 300; ++k) {
+      if (k == 100) settings.stiffness_N_per_mm = 0.3;
+      if (k == 200) stylus.plug(false);
+      const TickTime time{.dt_s = 0.001, .delay_s = 1e-5};
+      const DevicePose pose = devices.read(kTick_s, step);
+      const ServoSample s = step.tick(settings, tracker.get(), pose, time);
+      devices.write({s.force});
+      CHECK_FALSE(writer->add({settings, pose, time, devices.info(), devices.other(), s.force, s.torque_N_mm}));
+    }
+    CHECK_FALSE(writer->finish());
+  }
+  const std::string whole = bytesOf(file);
+  const auto numberAt = [&](const std::string& bytes, std::size_t at) {
+    std::uint32_t out = 0;
+    std::memcpy(&out, bytes.data() + at, 4);
+    return std::size_t(out);
+  };
+  const auto sealed = [](std::string& bytes, std::size_t at, std::size_t from, std::size_t size) {
+    const auto crc = std::uint32_t(crc32(0, reinterpret_cast<const Bytef*>(bytes.data() + from), uInt(size)));
+    std::memcpy(bytes.data() + at, &crc, 4);
+  };
+  // The head, which ends with its checksum; then blocks: magic, ticks, size, checksum, contents.
+  const std::size_t state_from = 20 + numberAt(whole, 8) + numberAt(whole, 12), head = state_from + numberAt(whole, 16);
+  struct Block {
+    std::size_t crc, from, size;
+  };
+  std::vector<Block> blocks;
+  const std::size_t magic = std::string_view("BLK1").size();
+  for (std::size_t at = head + 4; at + magic + 12 <= whole.size();) {
+    const std::size_t size = numberAt(whole, at + magic + 4);
+    blocks.push_back({at + magic + 8, at + magic + 12, size});
+    at += magic + 12 + size;
+  }
+  REQUIRE(blocks.size() == 2);
+  REQUIRE(blocks.back().from + blocks.back().size == whole.size());
+  const double hostile[] = {std::nan(""), INFINITY, -INFINITY, 1e308, -1e308, 1e-308, -1.0, 1e9, -1e9, 1e30, 0.0};
+  const char* const hostile_text[] = {"nan",    "inf", "-inf", "1e308", "-1e308", "-1", "99999999999999999999",
+                                      "1e-320", ""};
+  scenes::Random random(26);
+  int refused = 0, cut = 0, read = 0;
+  for (int round = 0; round < 3000; ++round) {
+    CAPTURE(round);
+    std::string bytes = whole;
+    if (round % 6 == 0) {  // a number of the state in which the first tick began
+      std::vector<std::size_t> numbers;
+      for (std::size_t at = state_from; at < head; ++at)
+        if (bytes[at] == '=' || bytes[at] == ' ') numbers.push_back(at + 1);
+      REQUIRE(numbers.size() > 20);
+      const std::size_t from = numbers[std::size_t(random.uniform(0, double(numbers.size())))];
+      const std::size_t to = std::min(bytes.find_first_of(" \n", from), head);
+      const std::string text = hostile_text[std::size_t(random.uniform(0, std::size(hostile_text)))];
+      bytes.replace(from, to - from, text);
+      const auto size = std::uint32_t(numberAt(whole, 16) + text.size() - (to - from));
+      std::memcpy(bytes.data() + 16, &size, 4);
+      sealed(bytes, state_from + size, 0, state_from + size);
+    } else {
+      const Block block = blocks[std::size_t(random.uniform(0, 2))];
+      const double value = hostile[std::size_t(random.uniform(0, std::size(hostile)))];
+      const auto narrow = float(std::clamp(value, -3e38, 3e38));
+      const std::size_t bytes_of = round % 3 == 0 ? 4 : 8;
+      const std::size_t at = block.from + std::size_t(random.uniform(0, double(block.size - bytes_of)));
+      std::memcpy(bytes.data() + at, bytes_of == 4 ? static_cast<const void*>(&narrow) : &value, bytes_of);
+      sealed(bytes, block.crc, block.from, block.size);
+    }
+    write(file, bytes);
+    const auto recording = readServoRecording(file);
+    if (!recording) {
+      ++refused;
+      CHECK_FALSE(recording.problem().message.empty());
+      continue;
+    }
+    ++(recording->torn.empty() ? read : cut);
+    for (const RecordedTick& t : recording->ticks) {
+      REQUIRE(finite(t.force.N));  // a place may be anything, for so may a device's
+      REQUIRE(finite(t.torque_N_mm));
+      REQUIRE(std::isfinite(t.settings.stiffness_N_per_mm));
+    }
+    const auto tracker = newTracker();
+    const ReplayResult again = replay(*recording, tracker.get());
+    CHECK(std::isfinite(again.greatest_difference_N));
+    CHECK(std::isfinite(again.greatest_difference_N_mm));
+    // Played in the window: the recording leads, and whatever it says, its figures bound the force.
+    const double most_N = recording->ticks.empty() ? 0.0 : recording->ticks.front().device.max_force_N;
+    PlaybackDevice device(*recording);
+    ServoStep step;
+    const ServoSettings settings;
+    while (!device.ended()) {
+      const ServoSample s = step.tick(settings, tracker.get(), device.read(kTick_s), {});
+      REQUIRE(finite(s.force.N));
+      REQUIRE(glm::length(s.force.N) <= std::max(most_N, 0.0) + 10.0);
+    }
+  }
+  MESSAGE("refused ", refused, ", cut ", cut, ", read ", read);
+  CHECK(refused > 100);
+  CHECK(cut > 300);
+  CHECK(read > 300);
   std::filesystem::remove(file);
 }
 

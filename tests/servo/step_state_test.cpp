@@ -7,6 +7,7 @@
 #include <zlib.h>
 
 #include <cmath>
+#include <cstdlib>
 #include <fstream>
 #include <random>
 
@@ -134,7 +135,7 @@ TEST_CASE(
   const auto said = [](const Expected<ServoStep>& read) {
     return read ? std::string("nothing") : read.problem().message;
   };
-  for (const char* name : {"safety.speed.next", "safety.speed.count", "safety.passivity.next"})
+  for (const char* name : {"safety.speed.next", "safety.speed.count"})
     CHECK(said(with(name, "10")) ==
           "the state that the recording begins from has a " + std::string(name) + " that cannot be");
   for (const char* value : {"2", "-1", "", "true"}) CHECK_FALSE(with("safety.placed", value));
@@ -145,6 +146,43 @@ TEST_CASE(
   CHECK(said(stepFromText(whole.substr(whole.find('\n') + 1))) ==
         "the state that the recording begins from does not say tick");
   CHECK(said(stepFromText("tick")) == "the state that the recording begins from holds a line without a value");
+}
+
+TEST_CASE(
+    "a state of an older recording, whose forces of the last 8 ticks are a ring, is read in the order in which they "
+    "were given; a place beyond the ring is refused") {
+  const std::string whole = stateText(ServoStep());
+  const auto older = [&](int next) {
+    std::string text = whole + "safety.passivity.next=" + std::to_string(next) + '\n';
+    for (int k = 0; k < 8; ++k)
+      for (const char* axis : {"x", "y", "z"}) {
+        const std::string at = std::to_string(k) + '.' + axis + '=';
+        text += "safety.passivity.given_N." + at + (*axis == 'x' ? std::to_string(k + 1) : "0") + "p+0\n";
+        text += "safety.passivity.given_N_mm." + at + (*axis == 'y' ? std::to_string(k + 1) : "0") + "p+0\n";
+      }
+    return stepFromText(text);
+  };
+  for (int next = 0; next < 8; ++next) {
+    CAPTURE(next);
+    const auto step = older(next);
+    REQUIRE(step);
+    const std::string text = stateText(*step);
+    for (int ago = 0; ago < 8; ++ago) {
+      // Sample k was written at place k: the newest lies just before the next place.
+      const double value = (next - 1 - ago + 16) % 8 + 1;
+      const std::string names[] = {"safety.passivity.given_ago_N." + std::to_string(ago) + ".x=",
+                                   "safety.passivity.given_ago_N_mm." + std::to_string(ago) + ".y="};
+      for (const std::string& name : names) {
+        const std::size_t at = text.find(name);
+        REQUIRE(at != std::string::npos);
+        CHECK(std::strtod(("0x" + text.substr(at + name.size(), text.find('\n', at) - at - name.size())).c_str(),
+                          nullptr) == value);
+      }
+    }
+    CHECK(text.find("given_ago_N.8.") == std::string::npos);
+    CHECK(stateText(*stepFromText(text)) == text);
+  }
+  CHECK_FALSE(older(8));
 }
 
 TEST_CASE("3000 recordings with a forged state and a right checksum are refused or replayed with finite forces") {

@@ -25,39 +25,111 @@ constexpr std::uint32_t kClutchButton = 2;  // the stylus's second
 
 }  // namespace
 
-void DeviceLink::choose(const std::string& name) {
-  if (const std::optional<Problem> problem = use(name)) {
-    messages_.error(problem->text());
+std::string DeviceLink::titleOf(const std::string& name) const {
+  const auto one = std::find_if(found_.begin(), found_.end(), [&](const FoundDevice& f) { return f.name == name; });
+  return one == found_.end() ? name : tr(one->title.c_str());
+}
+
+void DeviceLink::await(const std::string& name, const std::string& title) {
+  awaited_ = name;
+  awaited_title_ = title;
+}
+
+void DeviceLink::choose(const std::string& name) { wish(name, For::Choice); }
+
+void DeviceLink::wish(const std::string& name, For purpose) {
+  wish_ = Wish{name, purpose};
+  unwanted_ = opening_ != nullptr;
+  opening_title_ = purpose == For::Choice && name != "mouse" && name != chosen_ ? titleOf(name) : "";
+}
+
+// Between two frames. A script waits, for its clock is not the driver's.
+void DeviceLink::openWished() {
+  const bool waits = scene_.servo().clock() == ServoClock::Frames;
+  if (opening_ && (waits || opening_->done())) finishOpening();
+  if (opening_) return;
+  if (!wish_ && !awaited_.empty() && time_.now_s - searched_s_ >= kLook_s) wish_ = Wish{awaited_, For::Awaited};
+  if (!wish_) return;
+  opened_for_ = *std::exchange(wish_, std::nullopt);
+  const std::string& name = opened_for_.name;
+  if (name == "mouse" || name == chosen_) {
+    opening_title_.clear();
+    if (name == "mouse") use(name, nullptr);
+    settled(opened_for_);
     return;
   }
-  awaited_.clear();
-  awaited_title_.clear();
-  settings_.device = name;
+  unwanted_ = false;
+  opening_ = std::make_unique<PendingDeviceOpen>(name, hardware_);
+  if (waits) finishOpening();
+}
+
+void DeviceLink::finishOpening() {
+  PendingDeviceOpen::Opened result = opening_->take();
+  opening_.reset();
+  if (opened_for_.purpose == For::Awaited) searched_s_ = time_.now_s;
+  if (std::exchange(unwanted_, false)) return;
+  opening_title_.clear();
+  if (!result.in_use && !result.device) return failed(opened_for_, result);
+  const std::string& name = opened_for_.name;
+  if (result.in_use) {
+    chosen_ = name;  // the list has another name for it now
+  } else {
+    use(name, *std::move(result.device));
+    hardware_ = result.hardware;
+  }
+  settled(opened_for_);
+}
+
+void DeviceLink::settled(const Wish& wish) {
+  if (wish.purpose == For::Awaited)
+    messages_.notice(trf("{0} is there and leads.", tr(scene_.servo().chosen()->info().name.c_str())));
+  await("", "");
+  if (wish.purpose != For::Choice) return;
+  settings_.device = wish.name;
   messages_.takeBack(offer_id_);
 }
 
-std::optional<Problem> DeviceLink::use(const std::string& name, std::unique_ptr<Device> opened) {
-  stopTrying();
-  ServoLink& servo = scene_.servo();
-  if (name == "mouse") {
-    servo.setDevice(nullptr);
-  } else {
-    // The old one goes first: it may be the same.
-    if (name == chosen_) return std::nullopt;
-    Expected<std::unique_ptr<Device>> device = opened ? std::move(opened) : openDevice(name);
-    if (!device) return device.problem();
-    servo.setDevice(std::move(*device));
+void DeviceLink::failed(const Wish& wish, const PendingDeviceOpen::Opened& result) {
+  switch (wish.purpose) {
+    case For::Choice:
+      messages_.error(result.device.problem().text());
+      return;
+    case For::Start: {
+      // A name that no driver has any more is forgotten.
+      const std::string driver = wish.name.substr(0, wish.name.find(':'));
+      const auto& drivers = deviceDrivers();
+      if (!result.found &&
+          std::none_of(drivers.begin(), drivers.end(), [&](const DeviceDriver& one) { return one.name == driver; }))
+        return;
+      await(wish.name, result.found ? tr(result.found->title.c_str()) : wish.name);
+      messages_.notice(
+          result.found && !result.found->why.empty()
+              ? trf("{0} is not there ({1}). Until it is, the mouse leads.", awaited_title_, result.found->why)
+              : trf("{0} is not there. Until it is, the mouse leads.", awaited_title_));
+      return;
+    }
+    case For::GiveBack:
+      await(wish.name, titleOf(wish.name));
+      return;
+    case For::Default:
+    case For::Awaited:
+      return;
   }
+}
+
+void DeviceLink::use(const std::string& name, std::unique_ptr<Device> device) {
+  stopTrying();
+  scene_.servo().setDevice(std::move(device));
   taken(name);
   // A hand that is held has an edge to its room, and a button to reach beyond it.
   scene_.servo_settings.clutch =
       name == "mouse" ? ClutchSettings() : ClutchSettings{.buttons = kClutchButton, .at_edge = true};
   scene_.fitToDevice();
-  return std::nullopt;
 }
 
 void DeviceLink::taken(const std::string& name) {
   chosen_ = name;
+  hardware_.clear();
   status_ = DeviceStatus();
   messages_.takeBack(told_id_);
   told_.clear();
@@ -66,31 +138,26 @@ void DeviceLink::taken(const std::string& name) {
 
 void DeviceLink::lend(std::unique_ptr<Device> device) {
   stopTrying();
+  wish_.reset();
+  unwanted_ = opening_ != nullptr;
+  opening_title_.clear();
   scene_.servo().setDevice(std::move(device));
   taken(kLent);
 }
 
+// The mouse leads until the device is open again. The caller no longer looks at the device that it lent.
 void DeviceLink::giveBack(const std::string& before) {
-  if (!use(before)) return;
-  // It has gone meanwhile.
-  use("mouse");
-  awaited_ = awaited_title_ = before;
+  use("mouse", nullptr);
+  if (before == "mouse" || before == kLent) return;
+  wish(before, For::GiveBack);
+  if (scene_.servo().clock() == ServoClock::Frames) openWished();
 }
 
 void DeviceLink::begin() {
   begun_ = true;
   const std::string& name = settings_.device;
   takes_default_ = name.empty() && options_.devices_unasked;
-  if (name.empty() || name == "mouse") return;
-  const std::optional<FoundDevice> found = findDevice(name);
-  if (found && found->usable && !use(name)) return;
-  // A name that no driver has any more is forgotten.
-  if (!found && !findDevice(name.substr(0, name.find(':')))) return;
-  awaited_ = name;
-  awaited_title_ = found ? tr(found->title.c_str()) : name;
-  messages_.notice(found && !found->why.empty()
-                       ? trf("{0} is not there ({1}). Until it is, the mouse leads.", awaited_title_, found->why)
-                       : trf("{0} is not there. Until it is, the mouse leads.", awaited_title_));
+  if (!name.empty() && name != "mouse" && !wish_) wish(name, For::Start);
 }
 
 double DeviceLink::lookEvery_s() const {
@@ -109,27 +176,12 @@ void DeviceLink::look() {
   lister_.begin(scene_.servo().clock() == ServoClock::Frames);
 }
 
-// The search is not the window's: a driver may take seconds to find that there is no device. A script waits, for its
-// clock is not the search's.
-void DeviceLink::await() {
-  if (!search_ && !awaited_.empty() && time_.now_s - searched_s_ >= kLook_s)
-    search_ = std::make_unique<PendingDeviceOpen>(awaited_);
-  if (!search_ || (!search_->done() && scene_.servo().clock() == ServoClock::RealThread)) return;
-  auto device = search_->take();
-  search_.reset();
-  searched_s_ = time_.now_s;
-  if (!device || awaited_.empty() || use(awaited_, std::move(*device))) return;
-  awaited_.clear();
-  awaited_title_.clear();
-  messages_.notice(trf("{0} is there and leads.", tr(scene_.servo().chosen()->info().name.c_str())));
-}
-
 // At the start what is there is taken. Later nothing changes under the hand by itself.
 void DeviceLink::offer() {
   if (!settings_.device.empty() || !options_.devices_unasked) return;
   if (std::exchange(takes_default_, false)) {
     const std::string name = defaultDevice(found_).name;
-    if (name != "mouse") use(name);
+    if (name != "mouse") wish(name, For::Default);
     return;
   }
   if (scene_.servo().chosen() && scene_.servo().chosen()->info().gives_force) return;
@@ -177,7 +229,7 @@ void DeviceLink::leadView() {
 void DeviceLink::beforeTicks() {
   if (!begun_) begin();
   look();
-  await();
+  openWished();
   leadView();
   scene_.followView();
   if (chosen_ != "mouse") scene_.servo_settings.clutch.buttons = stager_.takesSecondButton() ? 0 : kClutchButton;

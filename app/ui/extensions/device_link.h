@@ -49,9 +49,12 @@ class DeviceLink : public Extension {
   static constexpr double kLook_s = 2.0, kLookForOffer_s = 5.0;
   /// Looks by `find` from now on.
   void lookBy(DeviceLister::Find find) { lister_ = DeviceLister(std::move(find)); }
-  /// Opens it and takes it into use, now and at the next start; "mouse" goes back to the mouse alone. A device that
+  /// Takes it into use, now and at the next start, as soon as it has been opened beside the window, and never within the
+  /// frame that asks: what is drawn may show the device that goes. "mouse" goes back to the mouse alone. A device that
   /// cannot be opened gives a message and changes nothing.
   void choose(const std::string& name);
+  /// The title of the device that is being opened because it was chosen; empty: none is.
+  const std::string& opening() const { return opening_title_; }
   const std::string& chosen() const { return chosen_; }
   /// A device that is none of those found leads until another is chosen, or until what led before gets it back. It is
   /// not remembered for the next start.
@@ -86,7 +89,7 @@ class DeviceLink : public Extension {
 
   void beforeTicks() override;
   void afterPanels() override;
-  bool live() const override { return chosen_ != "mouse" || trying_s_ > 0.0 || !awaited_.empty(); }
+  bool live() const override { return chosen_ != "mouse" || trying_s_ > 0.0 || !awaited_.empty() || wish_ || opening_; }
 
  private:
   TouchScene& scene_;
@@ -97,12 +100,24 @@ class DeviceLink : public Extension {
   const ApplicationOptions& options_;
   const FrameTime& time_;
   const TaskStager& stager_;  // in the dark nothing may tell what is touched
-  std::optional<Problem> use(const std::string& name, std::unique_ptr<Device> opened = nullptr);
+  /// Why a device is opened.
+  enum class For { Choice, Start, Default, GiveBack, Awaited };
+  struct Wish {
+    std::string name;
+    For purpose = For::Choice;
+  };
+  void wish(const std::string& name, For purpose);
+  void openWished();
+  void finishOpening();
+  void settled(const Wish& wish);
+  void failed(const Wish& wish, const PendingDeviceOpen::Opened& result);
+  void use(const std::string& name, std::unique_ptr<Device> device);
   void taken(const std::string& name);
+  std::string titleOf(const std::string& name) const;
+  void await(const std::string& name, const std::string& title);
   void begin();
   void look();
   double lookEvery_s() const;
-  void await();
   void offer();
   void leadView();
   void stopTrying();
@@ -112,7 +127,12 @@ class DeviceLink : public Extension {
   std::vector<FoundDevice> found_;
   std::string chosen_ = "mouse";
   std::string awaited_, awaited_title_;
-  std::unique_ptr<PendingDeviceOpen> search_;  // for the awaited one
+  std::optional<Wish> wish_;                    // to be opened next
+  std::unique_ptr<PendingDeviceOpen> opening_;  // one at a time, so that no hardware is opened twice
+  Wish opened_for_;
+  bool unwanted_ = false;  // what is being opened is closed again at once
+  std::string opening_title_;
+  PendingDeviceOpen::Hardware hardware_;  // of the device in use
   double searched_s_ = 0.0;
   DeviceLister lister_;
   bool begun_ = false, takes_default_ = false;

@@ -55,7 +55,7 @@ void HandRecorder::drain() {
   });
   if (!problem && servo.lostOfRecording())
     problem = Problem{file_.string(), 0, 0, tr("the window stood too long and ticks are missing from here on"),
-                      tr("end other programs, and record anew")};
+                      tr("end other programs, and record again")};
   if (!problem) return;
   messages_.error(problem->text());
   writer_.reset();
@@ -92,7 +92,7 @@ void HandRecorder::play(const fs::path& file) {
   Expected<ServoRecording> recording = readServoRecording(file);
   if (!recording) return messages_.error(recording.problem().text());
   if (recording->ticks.empty())
-    return messages_.error(trf("{0}: there are no ticks in this recording. Record it anew.", file.string()));
+    return messages_.error(trf("{0}: there are no ticks in this recording. Record it again.", file.string()));
   if (!recording->torn.empty()) messages_.warning(recording->torn);
   stop();
   endPlay();
@@ -107,9 +107,9 @@ void HandRecorder::play(const fs::path& file) {
     waiting_.reset();
     messages_.error(trf("The molecule of this recording, {0}, is not on this computer.", molecule));
   } else if (!found) {
-    messages_.warning(
-        trf("The molecule of this recording, {0}, is not on this computer: the hand is led on what is on the stage.",
-            molecule));
+    messages_.warning(trf(
+        "The molecule of this recording, {0}, is not on this computer. The recording is played on the open molecule.",
+        molecule));
   }
 }
 
@@ -125,8 +125,9 @@ void HandRecorder::begin() {
   const bool same = label("held") == (labels.contains("held") ? labels.at("held") : "") &&
                     (label("balls").empty() || label("balls") == labels.at("balls"));
   if (!same)
-    messages_.warning(tr(
-        "What is on the stage is not what the hand was recorded on: it goes as it went, and may meet something else."));
+    messages_.warning(
+        tr("The open molecule is not the one of this recording. The hand repeats its recorded path and may touch other "
+           "atoms."));
   scene_.endTry();
   scene_.setTouch(labelledTouch(waiting_->labels, scene_.touch()));
   before_ = link_.chosen();
@@ -156,8 +157,8 @@ void HandRecorder::endPlay() {
   if (leads) link_.giveBack(before_);
 }
 
-double HandRecorder::at_s() const { return playing_ ? double(device_->at()) * kTick_s : 0.0; }
-double HandRecorder::length_s() const { return playing_ ? double(device_->recording().ticks.size()) * kTick_s : 0.0; }
+double HandRecorder::at_s() const { return playing() ? double(device_->at()) * kTick_s : 0.0; }
+double HandRecorder::length_s() const { return playing() ? double(device_->recording().ticks.size()) * kTick_s : 0.0; }
 
 void HandRecorder::beforeTicks() {
   if (waiting_ && !opener_.loading() && scene_.stage()) begin();

@@ -44,7 +44,7 @@ class HandRecorder : public Extension {
   void play(const std::filesystem::path& file);
   /// The device that led before leads again.
   void endPlay();
-  bool playing() const { return playing_; }
+  bool playing() const { return playing_ && scene_.servo().chosen() == device_; }
   double at_s() const;
   double length_s() const;
   std::string name() const { return file_.filename().string(); }

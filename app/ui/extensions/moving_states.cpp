@@ -1,7 +1,6 @@
 #include "app/ui/extensions/moving_states.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <exception>
 #include <utility>
@@ -12,7 +11,6 @@
 #include "engine/language/catalogue.h"
 #include "engine/lesson/lesson_molecules.h"
 #include "engine/molecule/reader.h"
-#include "engine/platform/background.h"
 
 namespace moltact {
 namespace {
@@ -33,7 +31,7 @@ Expected<TwoStates> readStates(const SceneSpec& scene, const std::shared_ptr<con
 }  // namespace
 
 void MovingStates::forget() {
-  reading_ = {};
+  reading_.drop();
   states_.reset();
   molecule_.reset();
   begins_.reset();
@@ -65,12 +63,11 @@ void MovingStates::sceneChanged() {
     return;
   }
   file_ = key->file;
-  reading_ = inBackground(readStates, scene, molecule, *key);
-  if (options_.clock == ServoClock::Frames) take();
+  reading_.begin(inBackground(readStates, scene, molecule, *key));
+  if (options_.clock == ServoClock::Frames) take(*reading_.wait());
 }
 
-void MovingStates::take() {
-  Expected<TwoStates> states = reading_.get();
+void MovingStates::take(Expected<TwoStates> states) {
   if (!states) {
     messages_.error(states.problem().text());
     return;
@@ -105,8 +102,8 @@ void MovingStates::show(const MoleculeKey& other, const SecondState& then) {
     molecule_ = molecule;
     SceneSpec scene;
     scene.then = then;
-    reading_ = inBackground(readStates, scene, molecule, other);
-    if (options_.clock == ServoClock::Frames) take();
+    reading_.begin(inBackground(readStates, scene, molecule, other));
+    if (options_.clock == ServoClock::Frames) take(*reading_.wait());
     return;
   }
   if (!states_ || share_ == then.share) return;
@@ -119,7 +116,7 @@ void MovingStates::goTo(double share) {
 }
 
 void MovingStates::beforeTicks() {
-  if (reading_.valid() && reading_.wait_for(std::chrono::seconds(0)) == std::future_status::ready) take();
+  if (std::optional<Expected<TwoStates>> read = reading_.take()) take(*std::move(read));
   if (!states_ || share_ == wanted_ || scene_.stage().molecule != molecule_) return;
   const double most = per_s_ * kMotion_ticks * kTick_s, next = share_ + std::clamp(wanted_ - share_, -most, most);
   // Until the motion before has begun there is no room for another.

@@ -4,13 +4,13 @@
 
 #include <array>
 #include <filesystem>
-#include <future>
 #include <memory>
 #include <optional>
 #include <string>
 
 #include "app/ui/application/extension.h"
 #include "engine/lesson/second_state.h"
+#include "engine/platform/background.h"
 
 namespace moltact {
 
@@ -29,7 +29,7 @@ class MovingStates : public Extension {
   void sceneChanged() override;
   void lessonChanged() override { sceneChanged(); }
   void beforeTicks() override;
-  bool live() const override { return reading_.valid() || (states_ && share_ != wanted_); }
+  bool live() const override { return reading_.busy() || (states_ && share_ != wanted_); }
 
   /// Whether the scene has two states, and both have been read.
   bool there() const { return states_ != nullptr; }
@@ -53,13 +53,13 @@ class MovingStates : public Extension {
   Messages& messages_;
   const ApplicationOptions& options_;
   void forget();
-  void take();
+  void take(Expected<TwoStates> states);
   void begin();
 
   std::filesystem::path file_;                // of the second structure
   SecondState then_;                          // what states_ was made of, with
   std::shared_ptr<const Molecule> molecule_;  // the first state's
-  std::future<Expected<TwoStates>> reading_;
+  NewestWork<Expected<TwoStates>> reading_;
   std::shared_ptr<const TwoStates> states_;
   std::shared_ptr<const Molecule> begins_;  // with its atoms where a scene began that does not begin in the first state
   double begins_share_ = 0.0;

@@ -341,9 +341,12 @@ void LessonGuide::decorate(ViewScene& scene) const {
   scene.highlighted = highlighted_;
   // What a task asked for whose tries are used up.
   if (const std::vector<std::uint32_t> shown = session_->shownAtoms(); !shown.empty()) scene.highlighted = shown;
+  // No mark shows what is hidden. Of the atoms in the hand, which are hidden at their place, the mark is that place.
   if (looks_.hidden)
-    std::erase_if(scene.highlighted,
-                  [&](std::uint32_t a) { return std::binary_search(looks_.hidden->begin(), looks_.hidden->end(), a); });
+    std::erase_if(scene.highlighted, [&](std::uint32_t a) {
+      return std::binary_search(looks_.hidden->begin(), looks_.hidden->end(), a) &&
+             !std::binary_search(held_.begin(), held_.end(), a);
+    });
   // They go with atoms that have moved.
   if (annotations_ && scene.molecule && scene.molecule != annotated_) {
     annotations_ = annotationsOf(session_->scene(), *scene.molecule);

@@ -54,6 +54,8 @@ void drawUsable(DeviceLink& link) {
     WithFont small(Font::Small);
     words((name + "/place").c_str(), one.place, look().palette.quiet);
   }
+  if (!link.opening().empty())
+    words("device/opening", trf("{0} is being opened …", link.opening()), look().palette.quiet);
   if (devicesAreAskedFor() && button("device/ask", tr("Show this page a device …"), ButtonLook::Plain, -1.0f))
     askForDevice();
 }
@@ -196,7 +198,7 @@ void drawRecording(Application& app) {
       app.panels.device_page = false;  // one page at a time
       recorder.askToRecord();
     }
-    tip(tr("Every place and force, 1000 a second, as long as molecule and method stay."));
+    tip(tr("Every position and force, 1000 per second, until the molecule or the method changes."));
     ImGui::SameLine(0, look().px(8));
     if (button("device/play", tr("Play one …"))) app.panels.device_page = false, app.panels.open_page = true;
     tip(tr("Leads the hand on its molecule as it was recorded. No force is given meanwhile."));

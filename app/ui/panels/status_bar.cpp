@@ -36,10 +36,9 @@ Segment loopSegment(const Application& app) {
   if (app.scene.servo().clock() == ServoClock::Frames)
     return {"status/loop", trf("{0}, virtual clock", quantityText(1000.0, Dimension::Frequency)), "", 3, p.good};
   if (app.scene.servo().clock() == ServoClock::Page)
-    return {
-        "status/loop", trf("{0}, with the picture", quantityText(1000.0, Dimension::Frequency)),
-        tr("In a browser the touch loop goes with the picture: each frame brings as many ticks as time has passed."), 3,
-        p.good};
+    return {"status/loop", trf("{0}, with the picture", quantityText(1000.0, Dimension::Frequency)),
+            tr("In a browser the touch loop runs with the picture: each frame runs one tick per elapsed millisecond."),
+            3, p.good};
   const LoopHealth& h = app.scene.log().health();
   const RealtimeStatus status = app.scene.servo().realtime();
   const char* kind = status == RealtimeStatus::Realtime   ? tr("real-time")

@@ -4,11 +4,11 @@
 
 #include <filesystem>
 #include <functional>
-#include <future>
 #include <optional>
 
 #include "app/ui/scene/stage.h"
 #include "engine/molecule/molecule_key.h"
+#include "engine/platform/background.h"
 
 namespace moltact {
 
@@ -25,17 +25,16 @@ class Loader {
 
   /// Begins to read; what was being read before is no longer wanted.
   void begin(const MoleculeKey& key);
-  bool busy() const { return wanted_.valid(); }
+  bool busy() const { return newest_.busy(); }
 
   /// The molecule once it has been read, given once; nothing while it is being read.
-  std::optional<Loaded> take();
+  std::optional<Loaded> take() { return newest_.take(); }
   /// The same, waiting for it.
-  std::optional<Loaded> wait();
+  std::optional<Loaded> wait() { return newest_.wait(); }
 
  private:
   Read read_;
-  std::future<Loaded> wanted_;
-  std::vector<std::future<Loaded>> unwanted_;  // a future waits in its destructor, so they end on their own first
+  NewestWork<Loaded> newest_;
 };
 
 /// Reads a molecule and puts it on a stage. Any thread.

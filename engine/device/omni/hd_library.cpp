@@ -110,7 +110,7 @@ ErrorWords errorWords(std::uint32_t code) {
       return {tr("The device's connection is not set up."),
               tr("Run the maker's setup program, Touch_Setup or Geomagic_Touch_Setup.")};
     case kTimerError:
-      return {tr("The driver found no clock that is fast enough."), tr("Install the maker's driver anew.")};
+      return {tr("The driver found no clock that is fast enough."), tr("Reinstall the manufacturer's driver.")};
     case kInvalidLicense:
       return {tr("OpenHaptics has no valid licence."), tr("Install the licence that came with it."), true};
     case kBadHandle:
@@ -124,7 +124,7 @@ ErrorWords errorWords(std::uint32_t code) {
       if (errorWeight(code) == 1)
         return {text,
                 tr("The program has asked it wrongly: nothing is to be done at the device; please report the number.")};
-      return {text, tr("Plug the device in again; if that does not help, start the program anew.")};
+      return {text, tr("Plug the device in again; if that does not help, restart the program.")};
     }
   }
 }

@@ -42,7 +42,7 @@ Response RigidBody::respond(const PoseA& pose) noexcept {
     out.contact.fault = Fault::NotFinite;
     return out;
   }
-  const glm::dmat3 axes = glm::mat3_cast(pose.orientation);
+  const glm::dmat3 axes = glm::mat3_cast(glm::normalize(pose.orientation));  // a device's is of length 1 to 1e-3 only
   double springs = 0.0, farthest_A2 = -1.0, arms_A2 = 0.0, pulls_A2 = 0.0;
   bool inside = false;
   for (std::size_t i = 0; i < spheres_.size(); ++i) {

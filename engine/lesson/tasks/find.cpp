@@ -152,8 +152,8 @@ class Find : public Task {
     if (missedLast()) return;
     ++now_.rounds;
     again();
-    now_.said += ' ' + std::string(turns_ ? tr("That was the last guess: the molecule has been turned. Search anew.")
-                                          : tr("That was the last guess: come from outside and search anew."));
+    now_.said += ' ' + std::string(turns_ ? tr("That was the last guess: the molecule has been turned. Search again.")
+                                          : tr("That was the last guess: come from outside and search again."));
   }
 
   std::string solution() const override { return trf("It is marked in the view: {0}.", name_.text()); }

@@ -206,7 +206,7 @@ void checkOrder(const TaskSpec& spec, std::vector<Problem>& problems) {
                                  tr("write them parted by 'then': 'order: residue 4 then residue 9'")));
   else if (n > kMostPlaces)
     problems.push_back(problemAt(order.place, trf("more than {0} places", kMostPlaces),
-                                 tr("take some out: nobody keeps so many in mind")));
+                                 tr("remove some: students cannot remember so many")));
 }
 
 // What the atoms themselves tell: places that are the same, and sizes in the order that is written.

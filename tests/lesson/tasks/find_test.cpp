@@ -87,7 +87,7 @@ TEST_CASE(
     t->answer({"here"});
     CHECK(t->sentence().starts_with("That is not atom 0: it lies elsewhere."));
   }
-  CHECK(t->sentence().ends_with("That was the last guess: the molecule has been turned. Search anew."));
+  CHECK(t->sentence().ends_with("That was the last guess: the molecule has been turned. Search again."));
   CHECK_FALSE(offers(*t, "here"));
   stages.push_back(t->stage());
   for (int k = 0; k < 2; ++k) {

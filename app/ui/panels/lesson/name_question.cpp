@@ -31,8 +31,8 @@ void drawNameQuestion(Application& app) {
   if (appears) writeInLastField("##name");
   {
     WithText quiet(l.palette.quiet);
-    ImGui::TextWrapped("%s", tr("It is kept on this computer with what you do, and your teacher's report lists by it. "
-                                "Who has worked under it before goes on there."));
+    ImGui::TextWrapped("%s", tr("It is stored on this computer with your work, and your teacher's report lists it. If "
+                                "you have used it here before, you continue where you left off."));
   }
   ImGui::Dummy({0, l.px(8)});
   const float whole = ImGui::GetContentRegionAvail().x, gap = ImGui::GetStyle().ItemSpacing.x, side = l.tx(180);
