@@ -235,7 +235,7 @@ TEST_CASE("an orientation of length 1 + 4e-4 turns a body as the one of length 1
     const Response b = longer.respond({{Vec3(x, 0.3, 0)}, turned * (1.0 + 4e-4)});
     CHECK(glm::length(a.contact.displacement_A - b.contact.displacement_A) < 1e-9);
     CHECK(glm::length(a.torque_A2 - b.torque_A2) < 1e-9);
-    felt += a.felt();
+    felt += a.acts();
   }
   CHECK(felt > 10);
 }
