@@ -69,8 +69,8 @@ std::optional<PointA> hipOf(const std::string& text) {
 }
 
 // The hand comes from outside along the line of sight, as a person at this picture would push.
-Contact push(const std::shared_ptr<const Molecule>& molecule, const RenderArguments& arguments,
-             const std::shared_ptr<const HeldBody>& body, const Camera& camera, PointA hip) {
+Response push(const std::shared_ptr<const Molecule>& molecule, const RenderArguments& arguments,
+              const std::shared_ptr<const HeldBody>& body, const Camera& camera, PointA hip) {
   std::vector<std::uint32_t> not_felt = arguments.look.left_out.notFelt(*molecule);
   if (body) not_felt = atomsOfEither(not_felt, body->atoms);
   const auto scene = std::make_shared<const BallScene>(molecule->balls(), not_felt);
@@ -81,9 +81,9 @@ Contact push(const std::shared_ptr<const Molecule>& molecule, const RenderArgume
   const double reach = glm::length(scene->high_A() - scene->low_A()) + 2 * held_A + 1;
   const double step = std::max(0.02, reach / 200000);
   const long ticks = std::lround(std::ceil(reach / step));
-  Contact contact;
-  for (long i = ticks; i >= 0; --i) contact = felt->respond({{hip.A + from_hip * (step * double(i))}}).contact;
-  return contact;
+  Response answer;
+  for (long i = ticks; i >= 0; --i) answer = felt->respond({{hip.A + from_hip * (step * double(i))}});
+  return answer;
 }
 
 void printTimes(Renderer& renderer, const ViewScene& scene, int width, int height, const RenderArguments& arguments) {
@@ -179,8 +179,11 @@ void render(const RenderArguments& arguments) {
   }
   if (auto written = annotationsOf(spec, *scene.molecule)) scene.annotations.push_back(std::move(written));
   if (scene.hip) {
-    scene.contact = push(scene.molecule, arguments, scene.body, scene.camera, *scene.hip);
-    scene.force_N = arguments.stiffness_N_per_A * glm::length(scene.contact.displacement_A);
+    const Response answer = push(scene.molecule, arguments, scene.body, scene.camera, *scene.hip);
+    const Vec3 force_N = answer.total(arguments.stiffness_N_per_A).force_N;
+    scene.contact = answer.contact;
+    scene.force_N = glm::length(force_N);
+    if (answer.field) scene.field_direction = force_N;
     if (arguments.look_at_hip) scene.camera.target = scene.contact.scp;
   }
   scene.camera.zoom(arguments.zoom);

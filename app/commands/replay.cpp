@@ -48,8 +48,8 @@ void append(std::string& row, const Vec3& v) {
   }
 }
 
-void writeContacts(const ReplayOptions& options, const std::vector<PointA>& path,
-                   const std::vector<Contact>& contacts) {
+void writeContacts(const ReplayOptions& options, const std::vector<PointA>& path, const std::vector<Contact>& contacts,
+                   const std::vector<Vec3>& forces_N) {
   const auto checked = [](const std::optional<Problem>& problem) {
     if (problem) throw CommandError{problem->text()};
   };
@@ -64,7 +64,7 @@ void writeContacts(const ReplayOptions& options, const std::vector<PointA>& path
     append(row, path[k].A);
     row += c.touching() ? ",1" : ",0";
     append(row, c.scp.A);
-    append(row, options.stiffness_N_per_A * c.displacement_A);
+    append(row, forces_N[k]);
     row += ',';
     row += nameOf(c.feature);
     for (const std::int32_t atom : c.atoms) row += ',' + std::to_string(atom);
@@ -132,9 +132,13 @@ void run(const ReplayOptions& options) {
   const auto felt = makeInteraction(input);
   std::vector<Contact> contacts;
   contacts.reserve(path->size());
+  std::vector<Vec3> forces_N;
+  forces_N.reserve(path->size());
   std::size_t inside = 0, refused = 0;
   for (const PointA& hip : *path) {
-    contacts.push_back(felt->respond({hip}).contact);
+    const Response answer = felt->respond({hip});
+    contacts.push_back(answer.contact);
+    forces_N.push_back(answer.total(options.stiffness_N_per_A).force_N);
     inside += contacts.back().fault == Fault::StartedInside;
     refused += contacts.back().fault == Fault::NotFinite;
   }
@@ -142,7 +146,7 @@ void run(const ReplayOptions& options) {
     err() << "moltact: the HIP starts inside the molecule: no force for the first " << inside
           << " ticks, until it has been outside\n";
   if (refused) err() << "moltact: " << refused << " places were not finite or beyond 1e9 A: no force there\n";
-  if (!options.out.empty()) writeContacts(options, *path, contacts);
+  if (!options.out.empty()) writeContacts(options, *path, contacts, forces_N);
   if (options.time) printDocument(timePath(input, *path, contacts));
 }
 

@@ -11,14 +11,20 @@ namespace moltact {
 
 template <class T>
 class TripleBuffer {
-  static_assert(std::is_trivially_copyable_v<T>, "a value is handed over whole, byte for byte");
-
  public:
   explicit TripleBuffer(const T& first = T{}) { slots_.fill(first); }
 
   /// Writer's thread only. No allocation, no waiting.
   void write(const T& value) noexcept {
+    static_assert(std::is_trivially_copyable_v<T>, "a value is handed over whole, byte for byte");
     slots_[back_] = value;
+    publish();
+  }
+
+  /// Writer's thread only: the value that publish() hands over, to be filled in place. What it held before is some
+  /// older value.
+  T& back() noexcept { return slots_[back_]; }
+  void publish() noexcept {
     back_ = middle_.exchange(static_cast<std::uint8_t>(back_ | kFresh), std::memory_order_acq_rel) & kIndex;
   }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "engine/haptics/sweep.h"
 
@@ -20,12 +21,25 @@ bool finite(const ViewRays& r) {
 }
 bool finite(const PointerInput& in) {
   return std::isfinite(in.dt_s) && std::isfinite(in.force_N) && std::isfinite(in.push_notches) &&
-         std::isfinite(in.N_per_A) && finite(in.keys) && finite(in.hip.A) && finite(in.rays) &&
+         std::isfinite(in.N_per_A) && finite(in.pull_N) && std::isfinite(in.well_N_A) &&
+         std::isfinite(in.pull_N_per_A) && finite(in.keys) && finite(in.hip.A) && finite(in.rays) &&
          (!in.pointer_px || finite(*in.pointer_px));
+}
+
+// The hand is in a well that can be felt.
+bool wellLeads(const PointerInput& in) {
+  return in.press && in.field && in.well_N_A < 0.0 &&
+         glm::length(in.pull_N) + in.pull_N_per_A * PointerHand::kWellReach_A >= PointerHand::kWell_N;
 }
 
 // 1 in the open, less under force.
 double pace(const PointerInput& in) { return 1.0 / (1.0 + std::max(0.0, in.force_N) / PointerHand::kHalfPace_N); }
+
+// So far from the eye everything lies.
+double farBehind_A(const ViewRays& rays, const BallScene& scene, const HandShape& held) {
+  return glm::distance(rays.eye_A, 0.5 * (scene.low_A() + scene.high_A())) +
+         glm::distance(scene.low_A(), scene.high_A()) + 2.0 * held.reach_A() + 1.0;
+}
 
 }  // namespace
 
@@ -45,14 +59,17 @@ PointA PointerHand::lead(const PointerInput& in, const BallScene& scene, const H
     placed_ = true;
   }
 
+  in_well_ = pressing_ && wellLeads(in);
+  if (in_well_) {
+    followWell(in, dt);
+    return meetSurface(in, scene, held);
+  }
   // The view may have been magnified meanwhile: what is pressed lies where it lay.
   if (pressing_) plane_depth_ = glm::dot(over_A_ - rays.eye_A, rays.forward);
   aim(in, dt);
-  sink(in, dt * (depth_ < 0.0 ? 2.0 : pace(in)) * kPressSpeed_A_per_s);
-
   const Vec3 along = rays.direction(aim_);
-  const double far = glm::distance(rays.eye_A, 0.5 * (scene.low_A() + scene.high_A())) +
-                     glm::distance(scene.low_A(), scene.high_A()) + 2.0 * held.reach_A() + 1.0;
+  sink(in, dt * (depth_ < 0.0 ? 2.0 : pace(in)) * kPressSpeed_A_per_s, in.field ? -glm::dot(in.pull_N, along) : 0.0);
+  const double far = farBehind_A(rays, scene, held);
   const Hit hit = sweep(scene, held, rays.eye_A, rays.eye_A + along * far);
   const double forward = std::max(0.1, glm::dot(along, rays.forward));
   const double before = plane_depth_ / forward;
@@ -70,6 +87,43 @@ PointA PointerHand::lead(const PointerInput& in, const BallScene& scene, const H
   }
   over_A_ = rays.eye_A + along * way;
   hip_ = {over_A_ + along * under};
+  return hip_;
+}
+
+// Down the energy by a part of what is left: the stiffness bounds the way to where the force would be none, so that the
+// hand does not pass it. The target stays near the hand, which glides after it.
+void PointerHand::followWell(const PointerInput& in, double dt_s) {
+  constexpr double kLag_A = 0.5;
+  const ViewRays& rays = in.rays;
+  const double pull_N = glm::length(in.pull_N), longest_A = kLongestLead_A * 60.0 * dt_s;
+  if (pull_N > 0.0) {
+    const double left_A = pull_N / std::max(in.pull_N_per_A, 1e-9);
+    hip_.A += in.pull_N * (std::min(left_A * std::min(1.0, dt_s / kSettle_s), longest_A) / pull_N);
+  }
+  const double depth_A = std::max(0.1, glm::dot(hip_.A - rays.eye_A, rays.forward));
+  const double A_per_px = 2.0 * rays.tan_half_fov * depth_A / rays.height_px;
+  glm::dvec2 carried_px(0.0);
+  if (in.pointer_px) carried_px = *in.pointer_px - std::exchange(last_pointer_, *in.pointer_px);
+  carried_px += glm::dvec2(in.keys.x, -in.keys.y) * (0.12 * rays.height_px * dt_s * pace(in));
+  const Vec3 carried = (rays.right * carried_px.x - rays.up * carried_px.y) * A_per_px;
+  const double most_A = kFastest_A_per_s * dt_s, way_A = glm::length(carried);
+  hip_.A += way_A > most_A ? carried * (most_A / way_A) : carried;
+  if (const Vec3 ahead = hip_.A - in.hip.A; glm::length(ahead) > kLag_A)
+    hip_.A = in.hip.A + ahead * (kLag_A / glm::length(ahead));
+}
+
+// A hand that a well has led: the press goes on from there once the well leads no more.
+PointA PointerHand::meetSurface(const PointerInput& in, const BallScene& scene, const HandShape& held) {
+  const ViewRays& rays = in.rays;
+  if (glm::dot(hip_.A - rays.eye_A, rays.forward) > 0.1) aim_ = rays.pixel(hip_.A);
+  const Vec3 along = rays.direction(aim_);
+  const double far = farBehind_A(rays, scene, held), distance_A = glm::distance(rays.eye_A, hip_.A);
+  const Hit hit = sweep(scene, held, rays.eye_A, rays.eye_A + along * far);
+  met_ = hit.ball >= 0;
+  leapt_ = false;
+  depth_ = met_ ? distance_A - hit.t * far : -kHover_A;
+  over_A_ = hip_.A - along * depth_;
+  plane_depth_ = glm::dot(over_A_ - rays.eye_A, rays.forward);
   return hip_;
 }
 
@@ -103,7 +157,8 @@ void PointerHand::aim(const PointerInput& in, double dt_s) {
 }
 
 // Inward: a press sinks with time, more slowly the harder the surface pushes back, until it rests; notches act at once.
-void PointerHand::sink(const PointerInput& in, double way_A) {
+// In a field it also stops, and gives way, where more than the press's own force opposes it.
+void PointerHand::sink(const PointerInput& in, double way_A, double opposing_N) {
   if (!in.press) {
     depth_ = -kHover_A;
     goal_N_ = kRest_N;
@@ -112,7 +167,11 @@ void PointerHand::sink(const PointerInput& in, double way_A) {
     const double before_N = goal_N_;
     goal_N_ = std::clamp(goal_N_ + in.push_notches * kNotch_N, kLightest_N, std::max(kRest_N, deepest_N));
     const double goal_A = std::min(goal_N_ / N_per_A, kDeepest_A);
-    depth_ = std::min(goal_A, depth_ + way_A + std::max(0.0, (goal_N_ - before_N) / N_per_A));
+    const double sunk_A = depth_ + way_A + std::max(0.0, (goal_N_ - before_N) / N_per_A);
+    if (opposing_N > goal_N_)
+      depth_ -= std::min((opposing_N - goal_N_) / std::max(in.pull_N_per_A, 1e-9) * 0.2, kLongestLead_A);
+    else
+      depth_ = std::min(goal_A, sunk_A);
   }
   pressing_ = in.press;
 }

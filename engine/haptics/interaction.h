@@ -1,11 +1,16 @@
-// The interface of everything that can be felt: the hand's position and orientation go in; a force, a torque and the
-// stored energy come out. A scene chooses one (interactions.h); the servo step and the safety stage do not know which.
+// The interface of everything that can be felt: the hand's position and orientation go in; a force, a torque, the
+// potential energy and the stiffness come out. A scene chooses one (interactions.h); the servo step and the safety
+// stage do not know which.
 // `respond` runs on the haptic thread: no lock, allocation, exception, log or call of the system. Units: angstrom, in
-// the molecule's space.
+// the molecule's space; forces in newtons of the hand (felt_force.h).
 #pragma once
+
+#include <optional>
+#include <span>
 
 #include "engine/core/units.h"
 #include "engine/haptics/contact.h"
+#include "engine/haptics/felt_force.h"
 
 namespace moltact {
 
@@ -17,14 +22,43 @@ struct MemoryUsage {
   std::size_t bytes = 0;           ///< all memory of the method beyond the list of balls itself (unit: byte)
 };
 
-/// The answer to a pose, over the stiffness of the springs that give it.
+/// The answer to a pose. It has two sources. The contact's springs are given over their stiffness, which the slider
+/// "Stiffness" and the safety stage choose. A field (attraction, charge, a well of energy) gives newtons, which no
+/// slider for the springs changes.
 struct Response {
-  Contact contact;  ///< its `displacement_A` is the force, its `energy_A2` all that is stored; the rest is what there
-                    ///< is to show of a contact, and may be empty
-  Vec3 torque_A2{0.0};  ///< round the pose's place, in the molecule's axes; zero for what is felt as a point
+  Contact contact;  ///< its `displacement_A` is the springs' force, its `energy_A2` all that they store; the rest is
+                    ///< what there is to show of a contact, and may be empty
+  Vec3 torque_A2{0.0};  ///< of the springs, round the pose's place, in the molecule's axes; zero for a point
+  /// How many times as stiff as one spring the springs are together, along the stiffest direction (1 or more): several
+  /// balls that push at once, several places where a body is held. The loop's stability depends on all of them.
+  double springs = 1.0;
+  double rotational_A2 = 0.0;  ///< the same round the stiffest axis: no small rotation is opposed by more
+  std::optional<FeltForce> field = std::nullopt;  ///< what acts besides the contact; none where nothing does
 
-  /// Something is felt, so that springs pull.
-  bool felt() const { return contact.touching() || contact.displacement_A != Vec3(0.0) || torque_A2 != Vec3(0.0); }
+  bool springsPull() const {
+    return contact.touching() || contact.displacement_A != Vec3(0.0) || torque_A2 != Vec3(0.0);
+  }
+  /// Springs or a field pull, however weakly.
+  bool acts() const { return springsPull() || field; }
+
+  /// Both sources together, with springs of that stiffness and the field scaled by a share. The stiffness is the sum
+  /// of both bounds.
+  FeltForce total(double spring_N_per_A, double field_share = 1.0) const {
+    FeltForce out{contact.displacement_A * spring_N_per_A, torque_A2 * spring_N_per_A,
+                  contact.energy_A2 * spring_N_per_A};
+    if (field) {
+      out.force_N += field_share * field->force_N;
+      out.torque_N_A += field_share * field->torque_N_A;
+      out.energy_N_A += field_share * field->energy_N_A;
+      out.stiffness_N_per_A = field_share * field->stiffness_N_per_A;
+      out.rotational_stiffness_N_A = field_share * field->rotational_stiffness_N_A;
+    }
+    if (springsPull()) {
+      out.stiffness_N_per_A += springs * spring_N_per_A;
+      out.rotational_stiffness_N_A += rotational_A2 * spring_N_per_A;
+    }
+    return out;
+  }
 };
 
 class Interaction {
@@ -48,10 +82,14 @@ class Interaction {
   /// 0 for what has none.
   virtual double probe_A() const noexcept = 0;
 
-  /// How many times as stiff as one spring it is, along its stiffest direction, as it answered last (1 or more): the
-  /// springs that pull together. The stiffness of each is bounded by it, for the loop's stability depends on all of
-  /// them: several balls that push at once, several places where a body is held.
-  virtual double parallelSprings() const noexcept { return 1.0; }
+  /// The reactions on the scene's atoms to the last response: their sum is the opposite of the force of
+  /// `last.total(spring_N_per_A, field_share)`. An atom may come more than once.
+  /// `out` has room for greatestReactionCount(); the number of those written is returned. Haptic thread, as `respond`.
+  /// Without an override the force of the contact is shared among the atoms that hold the SCP.
+  virtual std::size_t reactions(const Response& last, double spring_N_per_A, double field_share,
+                                std::span<AtomForce> out) const noexcept;
+  /// The same for every state of the interaction, so that the room is made beforehand.
+  virtual std::size_t greatestReactionCount() const noexcept { return 3; }
 
   /// Spheres that move: from now on they are the motion's, at its beginning; null: those that it was made with. The
   /// motion has as many and stays until another is set; the one in force changes nothing. False, with nothing changed,
@@ -66,5 +104,9 @@ class Interaction {
   /// it.
   virtual bool hasOrientation() const noexcept { return false; }
 };
+
+/// The force of a contact's springs, shared among the atoms that hold the SCP by pushes along their normals; what no
+/// such push explains (friction, shading) is shared in the same proportion. At most three are written.
+std::size_t contactReactions(const Contact& contact, double spring_N_per_A, std::span<AtomForce> out) noexcept;
 
 }  // namespace moltact

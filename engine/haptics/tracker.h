@@ -13,7 +13,7 @@ class Tracker : public Interaction {
   /// the SCP is carried along with a surface that setProbe() or advanceTo() moves.
   virtual Contact step(PointA hip) noexcept = 0;
 
-  Response respond(const PoseA& pose) noexcept final { return {.contact = step(pose.place)}; }
+  Response respond(const PoseA& pose) noexcept override { return {.contact = step(pose.place)}; }
 };
 
 }  // namespace moltact

@@ -19,7 +19,12 @@ class WrappedInteraction : public Interaction {
   void reset() noexcept override { inner_->reset(); }
   void setProbe(double probe_A) noexcept override { inner_->setProbe(probe_A); }
   double probe_A() const noexcept override { return inner_->probe_A(); }
-  double parallelSprings() const noexcept override { return inner_->parallelSprings(); }
+  /// `last` is this wrapper's own answer: where it changes more than the force of a point's contact it overrides this.
+  std::size_t reactions(const Response& last, double spring_N_per_A, double field_share,
+                        std::span<AtomForce> out) const noexcept override {
+    return inner_->reactions(last, spring_N_per_A, field_share, out);
+  }
+  std::size_t greatestReactionCount() const noexcept override { return inner_->greatestReactionCount(); }
   bool setMotion(const SphereMotion* motion) noexcept override { return inner_->setMotion(motion); }
   void advanceTo(double fraction) noexcept override { inner_->advanceTo(fraction); }
   MemoryUsage memoryUsage() const noexcept override { return inner_->memoryUsage(); }

@@ -13,10 +13,14 @@ struct TouchSample {
   PointA hip;            ///< where the hand is (unit: angstrom)
   Contact contact;       ///< what the tracker gave for it
   ForceN force;          ///< on the hand, in the device's space (unit: newton)
+  bool field = false;    ///< a field's force is felt, in contact or without
   double probe_A = 1.4;  ///< the probe's radius at that tick (unit: angstrom)
   std::string_view method =
       {};         ///< name of the haptic method in use; from the table of methods, so it outlives the sample
   Contact exact;  ///< what the exact tracker gives for the same hand, where the method in use is compared with it
+
+  /// A force is felt; `contact.touching()` says that a surface is touched.
+  bool felt() const { return contact.touching() || field; }
 };
 
 /// The same from a tick of the servo loop (ServoSample of engine/servo, which stands above this room).
@@ -26,6 +30,7 @@ TouchSample touchSampleOf(const ServoTick& tick, std::string_view method = {}, c
           .hip = tick.hip,
           .contact = tick.contact,
           .force = tick.force,
+          .field = tick.field && tick.felt(),
           .probe_A = tick.probe_A,
           .method = method,
           .exact = exact};

@@ -27,6 +27,9 @@ class Maker {
     const Vec3& way = scene.contact.displacement_A;
     const double length = glm::length(way);
     outward_ = touching_ && length > 1e-9 ? way / length : scene.camera.up();
+    if (touching_) along_force_ = outward_;
+    if (const double field = glm::length(scene.field_direction); field > 0.0)
+      along_force_ = scene.field_direction / field;
   }
 
   void shadow() {
@@ -137,7 +140,7 @@ class Maker {
   // A ring round the probe that swells and warms with the force, and an arrow along it. Toward the eye an arrow would
   // be a lump: there a sign stands for it.
   void force() {
-    if (!touching_ || !(scene_.force_N > 0) || !std::isfinite(scene_.force_N)) return;
+    if (along_force_ == Vec3(0.0) || !(scene_.force_N > 0) || !std::isfinite(scene_.force_N)) return;
     const Colour warm = forceColour(scene_.theme, strength());
     // Round the probe; a body tells its stops by its atoms.
     const double round = silhouetteRadius(scp_, scene_.probe_A) + sized(0.06, 4.0) + sized(0.3, 9.0) * strength();
@@ -146,14 +149,14 @@ class Maker {
           Stroke{.colour = warm, .alpha = 1.0f, .hidden = 0.6f, .width_px = float(2.0 + 5.0 * strength())}})
       if (!scene_.body) addCircle(out_.strokes, stroke, scene_.camera, scp_, toEye(scp_), round);
     constexpr double kTowardEye = 0.87;  // within 30 degrees
-    if (const double toward = glm::dot(outward_, toEye(scp_)); std::abs(toward) > kTowardEye) {
+    if (const double toward = glm::dot(along_force_, toEye(scp_)); std::abs(toward) > kTowardEye) {
       headOn(toward > 0.0, warm);
       return;
     }
     const double thick = sized(0.13, 2.4), head = 4.2 * thick;
     const double length = std::max(scene_.force_N * scene_.arrow_A_per_N, 0.3 * head);
-    const Vec3 tip = scp_ + outward_ * (length + head);
-    const Vec3 neck = scp_ + outward_ * length;
+    const Vec3 tip = scp_ + along_force_ * (length + head);
+    const Vec3 neck = scp_ + along_force_ * length;
     const std::uint32_t colour = packColour(warm);
     out_.cones.push_back({view(scp_), view(neck), float(thick), float(thick), colour});
     out_.cones.push_back({view(neck), view(tip), float(2.3 * thick), 0.0f, colour});
@@ -270,6 +273,7 @@ class Maker {
   Glyphs& out_;
   bool touching_ = false;
   Vec3 scp_{0.0}, outward_{0, 1, 0};
+  Vec3 along_force_{0.0};  // zero: no force is felt
 };
 
 // An atom in the colour of the ball that stands for it.

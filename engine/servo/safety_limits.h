@@ -34,6 +34,7 @@ inline constexpr double kStillHand_m_per_s = 0.005;
 inline constexpr double kStillHand_rad_per_s = 0.1;  ///< the same for its rotation
 /// Energy made and not absorbed: half of the energy that 3.3 N store at 0.5 N/mm.
 inline constexpr double kEnergyCut_J = 0.005;
+inline constexpr double kFieldShare = 0.5;  ///< fraction of the stiffness bound that a field may take from the contact
 inline constexpr double kHardest_N_per_mm = 5.0;  ///< the stiffest spring, whatever is asked
 
 }  // namespace safety

@@ -9,6 +9,19 @@ namespace {
 // A device's figure as far as it can be used: what is no number or negative counts as 0.
 double usable(double figure) { return std::isfinite(figure) ? std::max(0.0, figure) : 0.0; }
 
+// The mean of min(1, 1 / load) over an interval in which the load goes evenly from one end to the other, weighted with
+// the load: the share of the energy that a cut force gives back. For a spring, whose load grows with the stretch, this
+// is the closed form.
+double meanShare(double from, double to) {
+  const double low = std::min(from, to), high = std::max(from, to);
+  if (high <= 1.0) return 1.0;
+  if (low >= 1.0) return 2.0 / (low + high);
+  return ((1.0 - low) * (1.0 + low) + 2.0 * (high - 1.0)) / ((high - low) * (high + low));
+}
+
+// How many times the greatest that is allowed; none needs none.
+double loadOf(double wanted, double greatest) { return wanted > 0.0 ? wanted / greatest : 0.0; }
+
 // Ours, or what keeps clear of the device's own limit; one that is none counts as none.
 double within(double ours, double of_device) {
   return of_device > 0.0 ? std::min(ours, safety::kVendorLimitMargin * of_device) : ours;
@@ -31,8 +44,9 @@ void SafetyStage::setDevice(const DeviceSpecs& device) noexcept {
   rise_N_per_s_ = within(safety::kSlew_N_per_s, device.slew_limit_N_per_s);
   // Its motors give nothing yet. The heat stays: the device may be the one that was just gone, and its motors warm.
   force_N_ = torque_N_mm_ = Vec3(0.0);
-  springs_ = {};
+  stored_ = {};
   stiffness_ = 0.0;
+  field_share_ = 1.0;
   passivity_.restart();
   placed_ = false;
   restart();
@@ -113,15 +127,43 @@ double SafetyStage::stiffnessBound_N_per_mm() const noexcept {
   return std::min({1e-3 * safety::kStiffnessMargin * bound, max_stiffness_, safety::kHardest_N_per_mm});
 }
 
-double SafetyStage::stiffness(double asked_N_per_mm, double parallel) noexcept {
+// The contact keeps the rest, so that its wall stays a wall in a stiff field.
+double SafetyStage::greatestField_N_per_mm() const noexcept { return safety::kFieldShare * stiffnessBound_N_per_mm(); }
+
+// As stiff as the end of a lever on which the greatest force is the greatest torque.
+double SafetyStage::rotationalBound_N_mm() const noexcept {
+  const double lever_mm = peak_N_ > 0.0 ? peak_torque_N_mm_ / peak_N_ : 0.0;
+  return stiffnessBound_N_per_mm() * lever_mm * lever_mm;
+}
+
+// What the loop bears of each spring, where a field acts or a torque is driven; chooses the field's share.
+double SafetyStage::sharedBound_N_per_mm(const LocalStiffness& felt) noexcept {
+  double bound = stiffnessBound_N_per_mm();
+  const double rotational = drivesTorque() ? rotationalBound_N_mm() : 0.0;
+  const double most = safety::kFieldShare * bound, most_rotational = safety::kFieldShare * rotational;
+  if (!(felt.field_N_per_mm <= most)) field_share_ = usable(most / felt.field_N_per_mm);
+  if (drivesTorque() && !(felt.field_rotational_N_mm <= most_rotational))
+    field_share_ = std::min(field_share_, usable(most_rotational / felt.field_rotational_N_mm));
+  if (field_share_ < 1.0) acted_.add(Limit::Stiffness);
+  bound = usable((bound - field_share_ * felt.field_N_per_mm) / std::max(1.0, felt.springs));
+  if (!drivesTorque()) return bound;
+  const double left = usable(rotational - field_share_ * felt.field_rotational_N_mm);
+  return bound * felt.rotational_mm2 <= left ? bound : usable(left / felt.rotational_mm2);
+}
+
+double SafetyStage::stiffness(double asked_N_per_mm, const LocalStiffness& felt) noexcept {
   const double asked = std::isfinite(asked_N_per_mm) ? std::clamp(asked_N_per_mm, 0.0, safety::kHardest_N_per_mm) : 0.0;
-  const bool share = closes_loop_ && !(parallel <= 1.0);
-  const double bound = share ? usable(stiffnessBound_N_per_mm() / parallel) : stiffnessBound_N_per_mm();
+  field_share_ = 1.0;
+  const bool more = closes_loop_ && (felt.field || (drivesTorque() && felt.rotational_mm2 != 0.0));
+  const bool shared = more || (closes_loop_ && !(felt.springs <= 1.0));
+  const double bound = more     ? sharedBound_N_per_mm(felt)
+                       : shared ? usable(stiffnessBound_N_per_mm() / felt.springs)
+                                : stiffnessBound_N_per_mm();
   if (asked > bound) acted_.add(Limit::Stiffness);
   const double goal = std::min(asked, bound), most = safety::kStiffening_N_per_mm_s * dt_s_;
   // Without contact, and while no force is given, nobody feels it change.
-  stiffness_ = springs_.none() || gain_ == 0.0 ? goal : stiffness_ + std::clamp(goal - stiffness_, -most, most);
-  if (share) stiffness_ = std::min(stiffness_, bound);
+  stiffness_ = stored_.springs.none() || gain_ == 0.0 ? goal : stiffness_ + std::clamp(goal - stiffness_, -most, most);
+  if (shared) stiffness_ = std::min(stiffness_, bound);
   return stiffness_;
 }
 
@@ -143,6 +185,21 @@ double SafetyStage::stored_J(const Springs& springs, double stiffness_N_per_mm, 
   const double part =
       cutFraction(stiffness_N_per_mm * springs.stretch_mm, stiffness_N_per_mm * springs.torque_mm2, most_N);
   return 1e-3 * stiffness_N_per_mm * springs.energy_mm2 * part * (2.0 - part);
+}
+
+// How far the store rose from one state to the next where a field takes part in it. Only the energies and forces at
+// both ends are known: between them the force is taken to change evenly. Of the force that is given, a cut share gives
+// back a cut share of the energy.
+double SafetyStage::fieldRise_J(const Stored& from, const Stored& to, double stiffness_N_per_mm,
+                                double most_N) const noexcept {
+  const auto load = [&](const Stored& s) {
+    const double force = loadOf(s.force_N, most_N);
+    return drivesTorque() ? std::max(force, loadOf(s.torque_N_mm, peak_torque_N_mm_)) : force;
+  };
+  const auto softened = [&](const Stored& s) { return loadOf(s.field_stiffness_N_per_mm, greatestField_N_per_mm()); };
+  const double springs_N_mm = stiffness_N_per_mm * (to.springs.energy_mm2 - from.springs.energy_mm2);
+  const double field_N_mm = meanShare(softened(from), softened(to)) * (to.field_energy_N_mm - from.field_energy_N_mm);
+  return 1e-3 * meanShare(load(from), load(to)) * (springs_N_mm + field_N_mm);
 }
 
 // Above kSpeedFadeStart of the fastest speed the part of the force that drives the hand on falls, at that speed it is
@@ -182,12 +239,19 @@ Vec3 SafetyStage::brakedTorque(Vec3 torque) noexcept {
   return size > peak_torque_N_mm_ ? torque * (peak_torque_N_mm_ / size) : torque;
 }
 
-Vec3 SafetyStage::braked(Vec3 force, const Vec3& torque, const Springs& springs, const WantedWrench& wanted) noexcept {
+Vec3 SafetyStage::braked(Vec3 force, const Vec3& torque, const WantedWrench& wanted, bool begins) noexcept {
   if (!closes_loop_) return force;
   // Both stores with what holds now: a gain, a clamp or a surface that changes is no motion of the hand.
   const double most_N = allowed_N(wanted.most_N);
-  double stored = gain_ * (stored_J(springs, wanted.stiffness_N_per_mm, most_N) -
-                           stored_J(wanted.before.value_or(springs_), wanted.stiffness_N_per_mm, most_N));
+  const Stored &from = wanted.before ? *wanted.before : stored_, &to = wanted.stored;
+  double stored = 0.0;
+  if (from.field || to.field) {
+    // The zero of a field's energy is arbitrary: nothing rises in the tick in which the force begins.
+    if (!begins) stored = gain_ * fieldRise_J(from, to, wanted.stiffness_N_per_mm, most_N);
+  } else if (!fault_) {
+    stored = gain_ * (stored_J(to.springs, wanted.stiffness_N_per_mm, most_N) -
+                      stored_J(from.springs, wanted.stiffness_N_per_mm, most_N));
+  }
   // A torque that the device does not give is paid by the wrist all the same, which rotates as it likes.
   if (!drivesTorque()) stored += gain_ * 0.5e-3 * glm::dot(torque_N_mm_ + torque, rotation_rad_);
   const double distance_m = glm::length(moved_m_);
@@ -223,14 +287,14 @@ Wrench SafetyStage::output(const WantedWrench& wanted) noexcept {
 
   Vec3 force = wanted.force_N, torque = wanted.torque_N_mm;
   double size = glm::length(force), twist = glm::length(torque);
-  Springs springs = wanted.springs;
-  if (!finite(force) || !std::isfinite(size) || !finite(torque) || !std::isfinite(twist) || !springs.finite() ||
+  bool sound = true;
+  if (!finite(force) || !std::isfinite(size) || !finite(torque) || !std::isfinite(twist) || !wanted.stored.finite() ||
       (wanted.before && !wanted.before->finite())) {
     acted_.add(Limit::NotFinite);
     fault_ = true;
     force = torque = Vec3(0.0);
     size = twist = 0.0;
-    springs = {};
+    sound = false;
   }
 
   const double most_N = allowed_N(wanted.most_N);
@@ -241,11 +305,12 @@ Wrench SafetyStage::output(const WantedWrench& wanted) noexcept {
     torque *= part;
   }
 
+  const bool begins = gain_ == 0.0 || fault_;
   if (!wanted.on || fault_)
     restart();
   else
     gain_ = std::min(1.0, gain_ + dt_s_ / safety::kSoftStart_s);
-  force = braked(slowed(force), torque, springs, wanted);
+  force = braked(slowed(force), torque, wanted, begins);
   const Vec3 wrist_N_mm = torque;  // what it is to give where the device does not
   torque = drivesTorque() && !fault_ ? brakedTorque(slowedTorque(torque)) : Vec3(0.0);
   // Braking is a force like any other.
@@ -274,7 +339,10 @@ Wrench SafetyStage::output(const WantedWrench& wanted) noexcept {
     if (drivesTorque())
       torque = slewed(torque_N_mm_, torque, N_mm_per_N * rise_N_per_s_, N_mm_per_N * safety::kSlew_N_per_s);
   }
-  springs_ = springs;
+  if (sound)
+    stored_ = wanted.stored;
+  else
+    stored_ = {};
   force_N_ = force;
   torque_N_mm_ = drivesTorque() ? torque : wrist_N_mm;
   passivity_.give(force, torque);

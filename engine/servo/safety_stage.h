@@ -4,7 +4,6 @@
 #pragma once
 
 #include <cmath>
-#include <optional>
 
 #include "engine/device/device.h"
 #include "engine/servo/hand_speed.h"
@@ -30,14 +29,37 @@ struct Springs {
   bool finite() const { return std::isfinite(stretch_mm) && std::isfinite(torque_mm2) && std::isfinite(energy_mm2); }
 };
 
+/// What holds the energy that is felt: springs of one stiffness, and a field that no stiffness scales.
+struct Stored {
+  Springs springs{};
+  bool field = false;                       ///< a field acts; else the members below are not used
+  double field_energy_N_mm = 0.0;           ///< its potential energy
+  double field_stiffness_N_per_mm = 0.0;    ///< no small step of the hand is opposed by more
+  double force_N = 0.0, torque_N_mm = 0.0;  ///< the size of what springs and field gave together, before every limit
+
+  bool finite() const {
+    return springs.finite() && std::isfinite(field_energy_N_mm) && std::isfinite(field_stiffness_N_per_mm) &&
+           std::isfinite(force_N) && std::isfinite(torque_N_mm);
+  }
+};
+
+/// The stiffness of what is felt at the last pose, with springs and field apart.
+struct LocalStiffness {
+  double springs = 1.0;         ///< so many springs act together along the stiffest direction
+  double rotational_mm2 = 0.0;  ///< of the springs round the stiffest axis, over the stiffness of one
+  bool field = false;           ///< a field acts; else the members below are not used
+  double field_N_per_mm = 0.0;  ///< of the field along its stiffest direction
+  double field_rotational_N_mm = 0.0;
+};
+
 /// The force and torque that an interaction wants the hand to feel.
 struct WantedWrench {
   Vec3 force_N{0.0};
   Vec3 torque_N_mm{0.0};  ///< about the hand's position
-  Springs springs{};      ///< the springs that give both
-  /// Where the surface itself moved: the springs with the hand still at its last position. This separates the energy
+  Stored stored{};        ///< behind both
+  /// Where the surface itself moved: the same with the hand still at its last position. This separates the energy
   /// that the surface's motion stores from the energy that the hand's motion stores.
-  std::optional<Springs> before{};
+  const Stored* before = nullptr;
   double stiffness_N_per_mm = 0.0;  ///< of the springs that give it
   double most_N = 3.3;              ///< the greatest force that the program allows
   bool on = true;                   ///< false: no force is wanted, and the next begins softly
@@ -53,10 +75,14 @@ class SafetyStage {
   /// device was gone, or nothing was known of it for kContactLost_s; the interaction must be reset.
   bool beginTick(const DevicePose& pose, const TickTime& time) noexcept;
 
-  /// The stiffness to use for the one that is asked (unit: N/mm) of each of the springs that act together
-  /// (Interaction::parallelSprings): bounded so that the loop is stable, and changed slowly; but where more of them
-  /// come to act together than the bound allows, each is softer at once. Non-finite gives zero.
-  double stiffness(double asked_N_per_mm, double parallel = 1.0) noexcept;
+  /// The stiffness to use for the one that is asked (unit: N/mm) of each of the springs that act together: bounded so
+  /// that the loop is stable with all of them and the field, and changed slowly; but where more come to act together
+  /// than the bound allows, each is softer at once. Non-finite gives zero.
+  double stiffness(double asked_N_per_mm, const LocalStiffness& felt = {}) noexcept;
+  double stiffnessInForce_N_per_mm() const noexcept { return stiffness_; }  ///< as stiffness() gave it last
+  /// The share of the field's force and torque that the loop bears, 0 to 1, after stiffness(): a field that is stiffer
+  /// than kFieldShare of the bound is scaled down.
+  double fieldShare() const noexcept { return field_share_; }
 
   /// Call last in a tick: the force and the torque to give. The torque is zero for a device that drives none. Always
   /// finite and within the device's greatest; zero in a tick with a fault. The stage does not know what is felt: power
@@ -79,9 +105,13 @@ class SafetyStage {
   double allowed_N(double most_N) const noexcept;
   double cutFraction(double force_N, double torque_N_mm, double most_N) const noexcept;
   double stored_J(const Springs& springs, double stiffness_N_per_mm, double most_N) const noexcept;
+  double fieldRise_J(const Stored& from, const Stored& to, double stiffness_N_per_mm, double most_N) const noexcept;
+  double sharedBound_N_per_mm(const LocalStiffness& felt) noexcept;
+  double greatestField_N_per_mm() const noexcept;
+  double rotationalBound_N_mm() const noexcept;
   Vec3 slowed(Vec3 force) noexcept;
   Vec3 slowedTorque(Vec3 torque) noexcept;
-  Vec3 braked(Vec3 force, const Vec3& torque, const Springs& springs, const WantedWrench& wanted) noexcept;
+  Vec3 braked(Vec3 force, const Vec3& torque, const WantedWrench& wanted, bool begins) noexcept;
   Vec3 brakedTorque(Vec3 torque) noexcept;
   bool drivesTorque() const noexcept { return peak_torque_N_mm_ > 0.0; }
   Vec3 slewed(const Vec3& from, const Vec3& to, double rise, double fall) noexcept;
@@ -106,8 +136,8 @@ class SafetyStage {
   // Output.
   ThermalModel heat_;
   PassivityControl passivity_;
-  double gain_ = 0, stiffness_ = 0;
-  Springs springs_;
+  double gain_ = 0, stiffness_ = 0, field_share_ = 1;
+  Stored stored_;
   bool fault_ = false, stopped_ = false;
   Vec3 force_N_{0.0}, torque_N_mm_{0.0};  // the torque as wanted where the device drives none
   LimitFlags acted_;

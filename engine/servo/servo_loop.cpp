@@ -46,8 +46,15 @@ void ServoLoop::setInteraction(std::unique_ptr<Interaction> interaction, std::ui
   collect();
   has_orientation_ = interaction && interaction->hasOrientation();
   if (chosen_) chosen_->rotateHand(has_orientation_);
-  auto next = std::unique_ptr<HandedInteraction>(new HandedInteraction{
-      std::move(interaction), scene});  // not made by make_unique, which clang before 16 cannot do with an aggregate
+  reactions_ = nullptr;
+  if (interaction) {
+    Reactions room;
+    room.room.resize(interaction->greatestReactionCount());
+    reactions_ = std::make_shared<TripleBuffer<Reactions>>(room);
+  }
+  auto next = std::unique_ptr<HandedInteraction>(
+      new HandedInteraction{std::move(interaction), scene,
+                            reactions_});  // not made by make_unique, which clang before 16 cannot do with an aggregate
   delete pending_.exchange(next.release(), std::memory_order_acq_rel);
 }
 
@@ -127,7 +134,11 @@ void ServoLoop::tick(std::int64_t began_ns, std::optional<std::int64_t> due_ns, 
   const ServoSettings settings = watchedSettings(time_.dt_s);
   const DevicePose pose = switch_->read(kTick_s, step_);
   const MotionPhase phase = nextMotion();
-  ServoSample sample = step_.tick(settings, current_ ? current_->interaction.get() : nullptr, pose, time_, phase);
+  TripleBuffer<Reactions>* const reactions =
+      current_ && wants_reactions_.load(std::memory_order_relaxed) ? current_->reactions.get() : nullptr;
+  ServoSample sample = step_.tick(settings, current_ ? current_->interaction.get() : nullptr, pose, time_, phase,
+                                  reactions ? &reactions->back() : nullptr);
+  if (reactions) reactions->publish();
   putDownMotion();
   const TickTime time_was = time_;
   sample.scene = current_ ? current_->scene : 0;

@@ -79,6 +79,12 @@ class ServoLoop {
   /// Whether the newest tick gave the chosen device any force.
   bool gives() const noexcept { return gives_.load(std::memory_order_acquire); }
 
+  /// While true, each tick also works out the reactions on the atoms of the scene, for whoever moves these.
+  void wantReactions(bool on) noexcept { wants_reactions_.store(on, std::memory_order_relaxed); }
+  /// Those of the newest tick with the newest interaction that was handed over; none before that tick. The reference
+  /// holds until the next call, or the next interaction.
+  const Reactions& reactions() noexcept { return reactions_ ? reactions_->read() : no_reactions_; }
+
   /// The newest tick.
   const ServoSample& latest() noexcept { return latest_.read(); }
   /// Calls take(sample) for every tick since the last call, oldest first (the last 4 s at most). Call it each frame: it
@@ -140,6 +146,7 @@ class ServoLoop {
   struct HandedInteraction {
     std::unique_ptr<Interaction> interaction;
     std::uint32_t scene = 0;
+    std::shared_ptr<TripleBuffer<Reactions>> reactions;  // null without an interaction
   };
   std::atomic<HandedInteraction*> pending_{nullptr};  // the next
   std::atomic<HandedInteraction*> retired_{nullptr};  // one that a tick has put down
@@ -167,6 +174,9 @@ class ServoLoop {
   std::atomic<bool> ramp_down_force_{false};
   bool ramp_down_for_good_ = false, has_orientation_ = false;  // the owner's
   std::atomic<bool> gives_{false};
+  std::atomic<bool> wants_reactions_{false};
+  std::shared_ptr<TripleBuffer<Reactions>> reactions_;  // the owner's end of the newest interaction's
+  Reactions no_reactions_;
   // A tick's own, taken by whoever ticks.
   std::atomic_flag ticking_ = ATOMIC_FLAG_INIT;
   ServoStep step_;

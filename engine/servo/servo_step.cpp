@@ -14,17 +14,43 @@ Wrench unguarded(const WantedWrench& wanted) {
   return {{size > wanted.most_N ? wanted.force_N * (wanted.most_N / size) : wanted.force_N}, wanted.torque_N_mm};
 }
 
-// What an answer stretches and stores, in the device's space.
+// What the contact's springs of an answer stretch and store, in the device's space.
 Springs springsOf(const Response& response, double A_per_mm) {
   return {.stretch_mm = glm::length(response.contact.displacement_A) / A_per_mm,
           .torque_mm2 = glm::length(response.torque_A2) / (A_per_mm * A_per_mm),
           .energy_mm2 = response.contact.energy_A2 / (A_per_mm * A_per_mm)};
 }
 
+// The force and torque of an answer in the device's space, with springs of that stiffness and so much of the field.
+struct Pull {
+  Vec3 force_N{0.0}, torque_N_mm{0.0};
+};
+Pull pullOf(const Response& response, const Workspace& workspace, double stiffness_N_per_mm, double field_share) {
+  Pull out{workspace.spring(response.contact.displacement_A, stiffness_N_per_mm).N,
+           workspace.torque_N_mm(response.torque_A2, stiffness_N_per_mm)};
+  if (response.field) {
+    const DeviceForce field = inDevice(*response.field, workspace);
+    out.force_N += field_share * field.force_N;
+    out.torque_N_mm += field_share * field.torque_N_mm;
+  }
+  return out;
+}
+
+void store(const Response& response, const Workspace& workspace, const Pull& pull, Stored& out) {
+  out.springs = springsOf(response, workspace.A_per_mm);
+  if (!response.field) return;
+  const DeviceForce field = inDevice(*response.field, workspace);
+  out.field = true;
+  out.field_energy_N_mm = field.energy_N_mm;
+  out.field_stiffness_N_per_mm = field.stiffness_N_per_mm;
+  out.force_N = glm::length(pull.force_N);
+  out.torque_N_mm = glm::length(pull.torque_N_mm);
+}
+
 }  // namespace
 
 ServoSample ServoStep::tick(const ServoSettings& settings, Interaction* interaction, const DevicePose& pose,
-                            const TickTime& time, const MotionPhase& phase) noexcept {
+                            const TickTime& time, const MotionPhase& phase, Reactions* reactions) noexcept {
   ServoSample out;
   out.tick = tick_++;
   out.time_s = double(out.tick) * kTick_s;
@@ -55,18 +81,28 @@ ServoSample ServoStep::tick(const ServoSettings& settings, Interaction* interact
   safety_.stop(settings.panic);
 
   WantedWrench wanted{.on = false};
+  Stored before;
+  if (reactions) reactions->tick = out.tick, reactions->count = 0;
   push_ = Vec3(0.0);
   if (interaction) {
     // First the surface moves under a hand at rest, then the hand: what the springs take up in the first of these
     // is the surface's work, and none that the hand or the loop does.
     const bool carried = moveSurface(settings, *interaction, phase, changed) && !changed && !rescaled;
-    const Springs before = carried ? springsOf(interaction->respond(last_at_), settings.workspace.A_per_mm) : Springs{};
+    if (carried) askBefore(settings.workspace, *interaction, before);
     out.probe_A = interaction->probe_A();
     const Response response = interaction->respond(at);
     out.contact = response.contact;
     out.memory_usage = interaction->memoryUsage();
-    wanted = feel(settings, response, interaction->parallelSprings());
-    if (carried) wanted.before = before;
+    feel(settings, response, wanted);
+    const double k = wanted.stiffness_N_per_mm, share = safety_.fieldShare();
+    if (carried) wanted.before = &before;
+    out.torque_A2 = response.torque_A2;
+    out.springs = response.springs;
+    out.spring_N_per_A = k / settings.workspace.A_per_mm;
+    out.field_share = share;
+    if (response.field) out.field = response.field;
+    if (reactions && wanted.on && response.acts())
+      reactions->count = interaction->reactions(response, k / settings.workspace.A_per_mm, share, reactions->room);
     last_at_ = at;
     if (phase.motion) out.motion = phase.motion->serial(), out.fraction = phase.fraction;
   }
@@ -101,18 +137,40 @@ bool ServoStep::moveSurface(const ServoSettings& settings, Interaction& interact
   return moved;
 }
 
-WantedWrench ServoStep::feel(const ServoSettings& settings, const Response& response, double parallel) noexcept {
+// What holds the energy once the surface has moved, with the hand still where it was. The stiffness of this tick is not
+// chosen yet: sizes are of the last one's, as those of the last tick's store.
+void ServoStep::askBefore(const Workspace& workspace, Interaction& interaction, Stored& before) noexcept {
+  const Response moved = interaction.respond(last_at_);
+  const Pull pull = pullOf(moved, workspace, safety_.stiffnessInForce_N_per_mm(), safety_.fieldShare());
+  store(moved, workspace, pull, before);
+}
+
+void ServoStep::feel(const ServoSettings& settings, const Response& response, WantedWrench& wanted) noexcept {
   const Contact& contact = response.contact;
-  WantedWrench wanted{.most_N = settings.max_force_N,
-                      .on = settings.force_on && !clutch_.held() && contact.fault == Fault::None};
-  if (!response.felt()) return wanted;
-  wanted.stiffness_N_per_mm =
-      guarded_ ? safety_.stiffness(settings.stiffness_N_per_mm, parallel) : settings.stiffness_N_per_mm;
-  wanted.force_N = settings.workspace.spring(contact.displacement_A, wanted.stiffness_N_per_mm).N;
-  wanted.torque_N_mm = settings.workspace.torque_N_mm(response.torque_A2, wanted.stiffness_N_per_mm);
+  const Workspace& workspace = settings.workspace;
+  wanted.most_N = settings.max_force_N;
+  wanted.on = settings.force_on && !clutch_.held() && contact.fault == Fault::None;
+  if (!response.acts()) return;
+  wanted.stiffness_N_per_mm = settings.stiffness_N_per_mm;
+  double field_share = 1.0;
+  if (guarded_) {
+    LocalStiffness felt{.springs = response.springs};
+    if (response.rotational_A2 != 0.0)
+      felt.rotational_mm2 = response.rotational_A2 / (workspace.A_per_mm * workspace.A_per_mm);
+    if (response.field) {
+      felt.field = true;
+      const DeviceForce field = inDevice(*response.field, workspace);
+      felt.field_N_per_mm = field.stiffness_N_per_mm;
+      felt.field_rotational_N_mm = field.rotational_stiffness_N_mm;
+    }
+    wanted.stiffness_N_per_mm = safety_.stiffness(settings.stiffness_N_per_mm, felt);
+    field_share = safety_.fieldShare();
+  }
+  const Pull pull = pullOf(response, workspace, wanted.stiffness_N_per_mm, field_share);
+  wanted.force_N = pull.force_N;
+  wanted.torque_N_mm = pull.torque_N_mm;
   if (const double size = glm::length(wanted.force_N); size > 0.0 && std::isfinite(size)) push_ = wanted.force_N / size;
-  wanted.springs = springsOf(response, settings.workspace.A_per_mm);
-  return wanted;
+  store(response, workspace, pull, wanted.stored);
 }
 
 }  // namespace moltact

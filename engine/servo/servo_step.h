@@ -3,6 +3,9 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
 
 #include "engine/core/units.h"
 #include "engine/device/device.h"
@@ -50,6 +53,9 @@ struct MotionPhase {
 
 inline constexpr double kProbeSlew_A_per_s = 8.0;  ///< how fast the surface may swell under the finger
 
+/// The least force of a field that counts as felt; a hand notices forces of some hundredths of a newton.
+inline constexpr double kLeastFelt_N = 0.02;
+
 /// The complete result of one tick, for the screen, the lesson and the log.
 struct ServoSample {
   std::uint64_t tick = 0;
@@ -58,11 +64,16 @@ struct ServoSample {
   PointA hip;                      ///< that position in the molecule's space
   Quat orientation = kNoRotation;  ///< of what is in the hand, in the molecule's space
   Contact contact;
-  ForceN force;              ///< as given to the device, after every limit
-  Vec3 torque_N_mm{0.0};     ///< the same; none for a device that drives none
-  LimitFlags limits;         ///< those that changed the force of this tick
-  double probe_A = 0;        ///< in force at this tick
-  MemoryUsage memory_usage;  ///< of the interaction
+  Vec3 torque_A2{0.0};                            ///< of the springs, as in Response
+  double springs = 1.0;                           ///< as in Response
+  double spring_N_per_A = 0.0;                    ///< the stiffness of each spring that is in force
+  double field_share = 1.0;                       ///< of the field, that is in force
+  std::optional<FeltForce> field = std::nullopt;  ///< as the interaction gave it
+  ForceN force;                                   ///< as given to the device, after every limit
+  Vec3 torque_N_mm{0.0};                          ///< the same; none for a device that drives none
+  LimitFlags limits;                              ///< those that changed the force of this tick
+  double probe_A = 0;                             ///< in force at this tick
+  MemoryUsage memory_usage;                       ///< of the interaction
   std::uint32_t buttons = 0;
   float work_us = 0;  ///< how long the tick took (0 on a virtual clock)
   float late_us = 0;  ///< how long after its due time it began (0 on a virtual clock)
@@ -75,6 +86,28 @@ struct ServoSample {
   std::uint32_t discontinuities = 0;  ///< of the settings in force at this tick
   /// The contact was forgotten before this tick: hand or scene were placed elsewhere, or the hand was lost.
   bool placed = false;
+
+  /// Contact and field together, before every limit but those on the stiffness, in the molecule's space.
+  FeltForce wanted() const {
+    return Response{.contact = contact, .torque_A2 = torque_A2, .springs = springs, .field = field}.total(
+        spring_N_per_A, field_share);
+  }
+  /// Where the force leads, in the molecule's space; its length has no meaning. Zero without a force.
+  Vec3 forceDirection() const { return field ? wanted().force_N : contact.displacement_A; }
+  /// Where the force is shown to act.
+  PointA forcePlace() const { return contact.touching() ? contact.scp : hip; }
+  /// A force is there for the hand to notice, of a contact or of a field. `contact.touching()` says that a surface is
+  /// touched.
+  bool felt() const { return contact.touching() || (field && glm::length(force.N) >= kLeastFelt_N); }
+};
+
+/// The reactions on the scene's atoms in one tick (unit: newton of the hand, in the molecule's axes): their sum is the
+/// opposite of ServoSample::wanted's force. None in a tick in which the hand is to feel no force.
+struct Reactions {
+  std::uint64_t tick = 0;
+  std::size_t count = 0;
+  std::vector<AtomForce> room;  ///< made beforehand, for as many as the interaction ever gives
+  std::span<const AtomForce> forces() const { return std::span(room).first(count); }
 };
 
 class ServoStep {
@@ -92,8 +125,9 @@ class ServoStep {
   /// One tick. `interaction` may be null: no molecule, no force. It may change between ticks: a new one is not reset,
   /// and the force starts softly. One motion of its spheres may follow another under the same interaction, and the
   /// force goes on as it is: what the springs take up from moving spheres does not count as energy made by the loop.
+  /// `reactions`, where it is given, is filled; its room must hold Interaction::greatestReactionCount().
   ServoSample tick(const ServoSettings& settings, Interaction* interaction, const DevicePose& pose,
-                   const TickTime& time = {}, const MotionPhase& phase = {}) noexcept;
+                   const TickTime& time = {}, const MotionPhase& phase = {}, Reactions* reactions = nullptr) noexcept;
 
   /// Forgets the last interaction: the next one counts as new.
   void forgetInteraction() noexcept { last_interaction_ = nullptr; }
@@ -110,7 +144,8 @@ class ServoStep {
   friend struct StepState;  // step_state.cpp, which keeps it
   bool moveSurface(const ServoSettings& settings, Interaction& interaction, const MotionPhase& phase,
                    bool changed) noexcept;
-  WantedWrench feel(const ServoSettings& settings, const Response& response, double parallel) noexcept;
+  void askBefore(const Workspace& workspace, Interaction& interaction, Stored& before) noexcept;
+  void feel(const ServoSettings& settings, const Response& response, WantedWrench& wanted) noexcept;
 
   std::uint64_t tick_ = 0;
   const Interaction* last_interaction_ = nullptr;

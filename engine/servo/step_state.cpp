@@ -12,7 +12,7 @@ namespace moltact {
 
 static_assert(sizeof(void*) != 8 ||  // other machines lay them out otherwise; the names are the same
                   (sizeof(HandSpeed) == 312 && sizeof(PassivityControl) == 12304 && sizeof(ThermalModel) == 16 &&
-                   sizeof(Clutch) == 88 && sizeof(SafetyStage) == 13320 && sizeof(ServoStep) == 13568),
+                   sizeof(Clutch) == 88 && sizeof(SafetyStage) == 13368 && sizeof(ServoStep) == 13616),
               "a member more is to be named below, or a replay is not the same");
 
 // Every member of a step's state with its name in files and range; a friend of the classes whose members they are. The
@@ -104,8 +104,18 @@ struct StepState {
     each(p, "off", s.off_, false, true);
     of(each, p + "heat.", s.heat_), of(each, p + "passivity.", s.passivity_);
     each(p, "gain", s.gain_, 0.0, 1.0), each(p, "stiffness", s.stiffness_, 0.0, safety::kHardest_N_per_mm);
-    each(p, "stretch_mm", s.springs_.stretch_mm, 0.0, kAny), each(p, "torque_mm2", s.springs_.torque_mm2, 0.0, kAny);
-    each(p, "energy_mm2", s.springs_.energy_mm2, -kAny, kAny);
+    Stored& stored = s.stored_;
+    each(p, "stretch_mm", stored.springs.stretch_mm, 0.0, kAny);
+    each(p, "torque_mm2", stored.springs.torque_mm2, 0.0, kAny);
+    each(p, "energy_mm2", stored.springs.energy_mm2, -kAny, kAny);
+    // Recordings from before fields have none of these.
+    if (each.holds(p + "field", stored.field || s.field_share_ != 1.0)) {
+      each(p, "field", stored.field, false, true);
+      each(p, "field_energy_N_mm", stored.field_energy_N_mm, -kAny, kAny);
+      each(p, "field_stiffness_N_per_mm", stored.field_stiffness_N_per_mm, 0.0, kAny);
+      each(p, "wanted_N", stored.force_N, 0.0, kAny), each(p, "wanted_N_mm", stored.torque_N_mm, 0.0, kAny);
+      each(p, "field_share", s.field_share_, 0.0, 1.0);
+    }
     each(p, "fault", s.fault_, false, true), each(p, "stopped", s.stopped_, false, true);
     vector(each, p, "force_N", s.force_N_), vector(each, p, "torque_N_mm", s.torque_N_mm_);
     // The limits that acted in the last tick are set again in the next.

@@ -13,6 +13,7 @@
 #include "engine/render/glyphs.h"
 #include "engine/results/attempt_file.h"
 #include "tests/app/scripted_user_fixture.h"
+#include "tests/haptics/fields.h"
 
 namespace moltact {
 namespace {
@@ -235,6 +236,46 @@ TEST_CASE("sound, the attempt's samples and `moltact replay` have the force that
   }
   CHECK(touched > 100);
   CHECK(wrong == 0);
+}
+
+TEST_CASE(
+    "a field is felt without touching: arrow, its label, the line of the state and the status bar tell 0.4 N toward "
+    "the "
+    "atom, and nothing says that anything is touched; a press rests in its well within 0.05 A") {
+  Scratch scratch;
+  ScriptedUser::Options options;
+  options.application.attempts_folder = scratch.folder / "attempts";
+  const auto driver = startWith(MOLTACT_SOURCE_DIR "/tests/app/keyboard_lesson.md", options);
+  ScriptedUser& d = *driver;
+  d.point("view", 0.5, 0.5);
+  d.frames(40);
+  // A harmonic well whose middle lies 0.5 A to the right of the hovering hand, 1.5 N A deep: 0.8 N/A pull with 0.4 N.
+  const Vec3 hand = d.app().scene.log().latest().hip.A;
+  const Vec3 middle = hand + 0.5 * d.app().scene.camera.right();
+  auto well = std::make_unique<test::Harmonic>(std::make_unique<test::OpenSpace>(), test::HarmonicPair{0.8},
+                                               std::vector<test::Harmonic::Atom>{{0, middle}});
+  well->offset_N_A = -1.5;
+  d.app().scene.servo().setInteraction(std::move(well));
+  d.frames(120);
+  const ServoSample& now = d.app().scene.log().latest();
+  REQUIRE_FALSE(now.contact.touching());
+  CHECK(now.felt());
+  CHECK(glm::length(now.force.N) == doctest::Approx(0.4).epsilon(0.02));
+  ViewScene scene = seenScene(d.app());
+  CHECK(angle(scene.field_direction, middle - hand) < 1e-3);
+  scene.shown = {ViewPart::Force};
+  Glyphs glyphs;
+  addGlyphs(scene, nullptr, glyphs);
+  REQUIRE(glyphs.cones.size() >= 1);
+  CHECK((glyphs.cones[0].b - glyphs.cones[0].a).x > 0.0f);
+  CHECK(d.text("view/force") == "0.4\u00a0N");
+  CHECK(d.text("view/state") == "not touching, a force of 0.4\u00a0N");
+  CHECK(d.text("status/contact") == "a force is felt");
+  CHECK(glm::distance(d.app().scene.pushInView(), Vec3(1, 0, 0)) < 1e-3);
+  d.press();
+  d.frames(150);
+  CHECK(glm::distance(now.hip.A, middle) < 0.05);
+  CHECK_FALSE(now.contact.touching());
 }
 
 }  // namespace moltact

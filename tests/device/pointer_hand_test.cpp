@@ -5,6 +5,10 @@
 
 #include <cmath>
 #include <limits>
+#include <memory>
+
+#include "engine/device/mouse_device.h"
+#include "tests/haptics/fields.h"
 
 namespace moltact {
 namespace {
@@ -278,6 +282,109 @@ TEST_CASE("beside the molecule the probe stays at the depth where the surface wa
   for (int k = 0; k < 120; ++k) hip = hand.lead(in, scene, kProbe_A);
   CHECK(glm::length(hip.A) > kReach_A);
   CHECK(std::abs(hip.A.z) < kReach_A + 1.0);
+}
+
+namespace {
+
+// A mouse's hand in a field, through the mouse's glide, felt tick by tick at its place; 16 ticks a frame.
+struct InMouseHand {
+  BallScene scene = oneBall();
+  PointerHand hand;
+  MouseDevice mouse;
+  Workspace workspace;
+  PointerInput in = atMiddle();
+  std::unique_ptr<Interaction> felt;
+  Vec3 place_A{0.0};
+
+  explicit InMouseHand(std::unique_ptr<Interaction> field) : felt(std::move(field)) {
+    in.dt_s = 0.016;
+    const PointA first = hand.lead(in, scene, kProbe_A);
+    mouse.place(workspace.toDevice(first));
+  }
+  void frames(int n) {
+    for (int k = 0; k < n; ++k) {
+      for (int t = 0; t < 16; ++t) place_A = workspace.toMolecule(mouse.read(1e-3).position).A;
+      const Response answer = felt->respond({{place_A}});
+      const FeltForce pull = answer.total(2.0);
+      in.hip = {place_A};
+      in.field = answer.field.has_value();
+      in.pull_N = pull.force_N;
+      in.pull_N_per_A = pull.stiffness_N_per_A;
+      in.well_N_A = answer.field ? answer.field->energy_N_A : 0.0;
+      in.force_N = glm::length(pull.force_N);
+      in.N_per_A = 2.0;
+      mouse.lead(workspace.toDevice(hand.lead(in, scene, kProbe_A)));
+    }
+  }
+};
+
+// Two like charges, in N A of the hand.
+struct Repelling {
+  double at_1_A_N = 6.5;
+  test::PairEnergy at(double r) const { return {at_1_A_N / r, -at_1_A_N / (r * r), 2.0 * at_1_A_N / (r * r * r)}; }
+};
+
+}  // namespace
+
+TEST_CASE(
+    "a press in a well of energy rests at its middle within 0.02 A after 2 s, 0.4 A beside the line of sight and "
+    "before "
+    "the surface, never passes it by more than 0.05 A, and stays for 10 s") {
+  const Vec3 middle(0.4, -0.2, 3.9);
+  auto well = std::make_unique<test::Harmonic>(std::make_unique<test::OpenSpace>(), test::HarmonicPair{1.2},
+                                               std::vector<test::Harmonic::Atom>{{0, middle}});
+  well->offset_N_A = -1.5;
+  InMouseHand student(std::move(well));
+  student.frames(30);
+  const Vec3 hovering = student.place_A;
+  CHECK(glm::distance(hovering, middle) > 0.6);
+  student.in.press = true;
+  double beyond_A = 0.0;
+  const Vec3 way = glm::normalize(middle - hovering);
+  for (int k = 0; k < 125; ++k) {
+    student.frames(1);
+    beyond_A = std::max(beyond_A, glm::dot(student.place_A - middle, way));
+  }
+  CHECK(student.hand.inWell());
+  CHECK(glm::distance(student.place_A, middle) < 0.02);
+  CHECK(beyond_A < 0.05);
+  for (int k = 0; k < 625; ++k) {
+    student.frames(1);
+    CHECK(glm::distance(student.place_A, middle) < 0.02);
+  }
+  // The pointer carries it out: the force then leads back, and let go it hovers under the pointer again.
+  for (int k = 0; k < 40; ++k) {
+    student.in.pointer_px = *student.in.pointer_px + glm::dvec2(6, 0);
+    student.frames(1);
+  }
+  CHECK(student.place_A.x > middle.x + 0.5);
+  student.in.press = false;
+  student.frames(200);
+  CHECK_FALSE(student.hand.inWell());
+}
+
+TEST_CASE("a press toward an atom with the well of Lennard and Jones rests where its energy is least, 3.8 A from it") {
+  InMouseHand student(std::make_unique<test::LennardJones>(std::make_unique<test::OpenSpace>(),
+                                                           test::LennardJonesPair{.depth_N_A = 0.5, .rest_A = 3.8},
+                                                           std::vector<test::LennardJones::Atom>{{0, Vec3(0.0)}}));
+  student.in.press = true;
+  student.frames(200);
+  CHECK(glm::length(student.place_A) == doctest::Approx(3.8).epsilon(0.005));
+}
+
+TEST_CASE("a press against a charge that repels goes in until 0.6 N oppose it; a notch more makes that 0.8 N") {
+  InMouseHand student(std::make_unique<test::InField<Repelling>>(
+      std::make_unique<test::OpenSpace>(), Repelling(), std::vector<test::InField<Repelling>::Atom>{{0, Vec3(0.0)}}));
+  student.frames(30);
+  CHECK(glm::length(student.place_A) > 3.4);
+  student.in.press = true;
+  student.frames(300);
+  CHECK(student.in.force_N == doctest::Approx(0.6).epsilon(0.05));
+  student.in.push_notches = 1.0;
+  student.frames(1);
+  student.in.push_notches = 0.0;
+  student.frames(300);
+  CHECK(student.in.force_N == doctest::Approx(0.8).epsilon(0.05));
 }
 
 }  // namespace moltact

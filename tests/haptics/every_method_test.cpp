@@ -9,6 +9,7 @@
 #include <string>
 
 #include "engine/bench/scenes.h"
+#include "engine/haptics/body/rigid_body.h"
 #include "engine/haptics/methods.h"
 #include "engine/haptics/touch_setup.h"
 #include "tests/haptics/walk.h"
@@ -46,6 +47,27 @@ TEST_CASE("no method allocates in 3000 ticks of walking, jumping out and changin
     }
     CHECK(allocations == before);
     CHECK(touching > 1000);
+  }
+}
+
+TEST_CASE("neither an answer nor its reactions allocate, over 2000 poses: each method, and a body of six atoms") {
+  const scenes::Scene scene = scenes::cluster(50, 3);
+  const auto balls = makeScene(scene.balls);
+  const std::vector<Ball> atoms{{{0, 0, 0}, 1.7},   {{1.5, 0, 0}, 1.7}, {{3, 0, 0}, 1.7},
+                                {{4.5, 0, 0}, 1.7}, {{6, 0, 0}, 1.7},   {{7.5, 0, 0}, 1.7}};
+  const std::vector<std::uint32_t> all{0, 1, 2, 3, 4, 5};
+  std::vector<std::unique_ptr<Interaction>> made;
+  for (const Method& method : benchMethods()) made.push_back(method.make(balls, scene.probe_A));
+  made.push_back(std::make_unique<RigidBody>(heldBody(atoms, all),
+                                             [&](double radius_A) { return referenceMethod().make(balls, radius_A); }));
+  const scenes::Path path = scenes::jumps(scene, 2000, 8);
+  for (const auto& felt : made) {
+    std::vector<AtomForce> room(felt->greatestReactionCount());
+    std::size_t count = 0;
+    const long before = allocations;
+    for (const Vec3& place : path) count += felt->reactions(felt->respond({{place}}), 2.0, 1.0, room);
+    CHECK(allocations == before);
+    CHECK(count > 200);
   }
 }
 

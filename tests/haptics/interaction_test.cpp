@@ -27,7 +27,7 @@ TEST_CASE("every interaction has a name of its own, is made over a scene and say
     if (has_probe) CHECK(felt->probe_A() == 1.4);
     felt->setProbe(2.0);
     CHECK(felt->probe_A() == (has_probe ? 2.0 : 0.0));
-    CHECK_FALSE(felt->respond({{Vec3(0, 0, 9)}, kNoRotation}).felt());
+    CHECK_FALSE(felt->respond({{Vec3(0, 0, 9)}, kNoRotation}).acts());
     CHECK(felt->respond({{Vec3(std::nan(""), 0, 0)}, kNoRotation}).contact.fault == Fault::NotFinite);
   }
 }

@@ -32,7 +32,11 @@ std::unique_ptr<Tracker> penalty(const std::vector<Ball>& balls) {
 class ToldAsOne final : public WrappedInteraction {
  public:
   using WrappedInteraction::WrappedInteraction;
-  double parallelSprings() const noexcept override { return 1.0; }
+  Response respond(const PoseA& pose) noexcept override {
+    Response out = inner().respond(pose);
+    out.springs = 1.0;
+    return out;
+  }
 };
 
 struct Pressed {
@@ -72,7 +76,7 @@ Pressed press(Interaction& felt, const DeviceParameters& device, const HandParam
     const double stretch_mm = glm::length(sample.contact.displacement_A) / settings.workspace.A_per_mm;
     if (stretch_mm > 0.0 && !sample.limits.has(Limit::Clamp) && !sample.limits.has(Limit::Damping))
       out.spring_N_per_mm = glm::length(sample.force.N) / stretch_mm;
-    out.parallel = felt.parallelSprings();
+    out.parallel = sample.springs;
   }
   return out;
 }

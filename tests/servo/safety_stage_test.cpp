@@ -74,7 +74,8 @@ TEST_CASE("not a number: NaN and infinite forces give none in the very tick, and
     CAPTURE(bad);
     SafetyStage stage = ready();
     REQUIRE(after(stage, 10, push(3)) == doctest::Approx(3.0));
-    const ForceN force = tick(stage, {.force_N = {bad, 0, 0}, .springs = {.stretch_mm = bad, .energy_mm2 = bad}});
+    const ForceN force =
+        tick(stage, {.force_N = {bad, 0, 0}, .stored = {.springs = {.stretch_mm = bad, .energy_mm2 = bad}}});
     if (bad == 1e200) continue;  // a number, though its square is none: what comes is bounded all the same
     CHECK(stage.acted().has(Limit::NotFinite));
     CHECK(glm::length(force.N) == 0.0);
@@ -263,7 +264,7 @@ TEST_CASE(
   CHECK(stage.stiffness(2.0) == doctest::Approx(0.5 * 2.2 / 1.5));
   CHECK(stage.acted().has(Limit::Stiffness));
   stage.output({.force_N = {0, 0, 1},
-                .springs = {.stretch_mm = 1.4, .energy_mm2 = 0.98},
+                .stored = {.springs = {.stretch_mm = 1.4, .energy_mm2 = 0.98}},
                 .stiffness_N_per_mm = 0.733});  // now it is felt
   stage.beginTick({}, {.delay_s = 0.002});
   CHECK(stage.stiffnessBound_N_per_mm() == doctest::Approx(0.5 * 2.2 / 3.5));
@@ -313,21 +314,22 @@ TEST_CASE(
   SafetyStage stage = ready();
   const auto felt = [&](double stiffness) {
     stage.beginTick({}, {});
-    stage.output(
-        {.force_N = {0, 0, 1}, .springs = {.stretch_mm = 2.0, .energy_mm2 = 2.0}, .stiffness_N_per_mm = stiffness});
+    stage.output({.force_N = {0, 0, 1},
+                  .stored = {.springs = {.stretch_mm = 2.0, .energy_mm2 = 2.0}},
+                  .stiffness_N_per_mm = stiffness});
     stage.beginTick({}, {});
   };
-  CHECK(stage.stiffness(0.5, 1.0) == 0.5);
+  CHECK(stage.stiffness(0.5, {.springs = 1.0}) == 0.5);
   felt(0.5);
-  CHECK(stage.stiffness(0.5, 1.4) == 0.5);  // 0.7 N/mm together
+  CHECK(stage.stiffness(0.5, {.springs = 1.4}) == 0.5);  // 0.7 N/mm together
   CHECK_FALSE(stage.acted().has(Limit::Stiffness));
-  CHECK(stage.stiffness(0.5, 4.0) == doctest::Approx(bound / 4));
+  CHECK(stage.stiffness(0.5, {.springs = 4.0}) == doctest::Approx(bound / 4));
   CHECK(stage.acted().has(Limit::Stiffness));
   felt(bound / 4);
-  CHECK(stage.stiffness(0.5, 1.0) == doctest::Approx(bound / 4 + 0.001));
-  CHECK(stage.stiffness(0.5, std::nan("")) == 0.0);
+  CHECK(stage.stiffness(0.5, {.springs = 1.0}) == doctest::Approx(bound / 4 + 0.001));
+  CHECK(stage.stiffness(0.5, {.springs = std::nan("")}) == 0.0);
   SafetyStage mouse = ready(DeviceInfo{shownForceFigures()});
-  CHECK(mouse.stiffness(0.5, 40.0) == 0.5);
+  CHECK(mouse.stiffness(0.5, {.springs = 40.0}) == 0.5);
 }
 
 TEST_CASE(
@@ -393,7 +395,7 @@ TEST_CASE(
       asked = {0, 0, 0.5 * stretch_mm};
       last = tick(stage,
                   {.force_N = asked,
-                   .springs = {.stretch_mm = stretch_mm, .energy_mm2 = 0.5 * stretch_mm * stretch_mm},
+                   .stored = {.springs = {.stretch_mm = stretch_mm, .energy_mm2 = 0.5 * stretch_mm * stretch_mm}},
                    .stiffness_N_per_mm = 0.5},
                   {.position = {{0, 0, z_mm}}})
                  .N;
@@ -419,7 +421,7 @@ TEST_CASE("damping: with 0.5 N allowed, push and braking together are never more
     const ForceN force =
         stage
             .output({.force_N = {0, 0, out * stretch_mm},
-                     .springs = {.stretch_mm = stretch_mm, .energy_mm2 = 0.5 * stretch_mm * stretch_mm},
+                     .stored = {.springs = {.stretch_mm = stretch_mm, .energy_mm2 = 0.5 * stretch_mm * stretch_mm}},
                      .stiffness_N_per_mm = 0.2,
                      .most_N = 0.5})
             .force;

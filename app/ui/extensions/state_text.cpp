@@ -12,8 +12,9 @@ namespace moltact {
 namespace {
 
 // What is touched, or why nothing is, without the force that trembles.
-std::string whatOf(const Molecule* molecule, const Contact& contact) {
-  return molecule && contact.touching() ? touchedText(*molecule, contact) : contactText(molecule, contact, 0);
+std::string whatOf(const Molecule* molecule, const ServoSample& now) {
+  if (molecule && now.contact.touching()) return touchedText(*molecule, now.contact);
+  return now.felt() ? unnamedContactText(now.contact, true) : contactText(molecule, now.contact, 0);
 }
 
 }  // namespace
@@ -65,12 +66,13 @@ void StateText::afterPanels() {
       write(trf("{0}: {1}", word->word, plainText(word->meaning)));
   }
   const Molecule* molecule = scene_.stage().molecule.get();
-  const Contact& contact = scene_.log().latest().contact;
+  const ServoSample& now = scene_.log().latest();
+  const Contact& contact = now.contact;
   const bool force_on = scene_.servo_settings.force_on;
   const double force_N = force_on ? scene_.log().force_N() : 0.0;
   const bool unnamed = !unseen_.names(contact);
-  const std::string what = unnamed ? unseen_.unnamedText(true) : whatOf(molecule, contact);
-  const std::string whole = unnamed ? unseen_.unnamedText(false) : contactText(molecule, contact, force_N, force_on);
+  const std::string what = unnamed ? unseen_.unnamedText(true) : whatOf(molecule, now);
+  const std::string whole = unnamed ? unseen_.unnamedText(false) : feltText(molecule, now, force_N, force_on);
   if (reading_.update(what, what, 0, time_.now_s)) {
     tells_contact_ = molecule && contact.touching();
     tells_unnamed_ = unnamed;

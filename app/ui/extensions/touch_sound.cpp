@@ -51,7 +51,7 @@ void TouchSound::take(const TouchMoment& moment) {
 void TouchSound::ticks(const FeltTicks& felt) {
   for (const FeltTick& tick : felt.ticks) {
     const ServoSample& s = tick.sample;
-    if (s.contact.touching()) felt_s_ += kTick_s;
+    if (s.felt()) felt_s_ += kTick_s;
     if (!on_) continue;
     const bool slides = last_A_ && s.contact.touching() && !s.placed;
     const double slide_A_per_s = slides ? glm::distance(*last_A_, s.contact.scp.A) / kTick_s : 0.0;

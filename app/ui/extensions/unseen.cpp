@@ -80,10 +80,10 @@ bool Unseen::names(const Contact& contact) const {
 
 std::string Unseen::unnamedText(bool spoken) const {
   const ServoSample& now = scene_.log().latest();
-  std::string out = unnamedContactText(now.contact);
+  std::string out = unnamedContactText(now.contact, now.felt());
   const Vec3 push = scene_.pushInView();
   const bool shows_force = stager_.dark() ? stager_.showsForce() : scene_.shown.has(ViewPart::Force);
-  if (!now.contact.touching() || !shows_force || push == Vec3(0.0)) return out;
+  if (!now.felt() || !shows_force || push == Vec3(0.0)) return out;
   if (!spoken) out += ", " + quantityText(scene_.log().shownForce_N(), Dimension::Force, decimals(1));
   return out + ", " + pushText(push);
 }

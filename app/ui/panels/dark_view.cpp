@@ -93,8 +93,8 @@ void drawDarkView(Application& app, const Rectangle& view) {
     if (push != Vec3(0.0))
       centred("view/push", l.font(Font::Body), pushText(push), {middle.x, below + l.px(38)}, width, kQuiet);
   }
-  centred("view/state", l.font(Font::Body), unnamedContactText(log.latest().contact), {middle.x, below + l.px(14)},
-          width, log.touching() ? kBright : kQuiet);
+  centred("view/state", l.font(Font::Body), unnamedContactText(log.latest().contact, log.felt()),
+          {middle.x, below + l.px(14)}, width, log.felt() ? kBright : kQuiet);
   const std::string hint = app.panels.fingers ? (log.touching() ? tr("Slide with the finger; + and − push")
                                                                 : tr("Put a finger here to push"))
                            : log.touching()   ? tr("Slide with the mouse or the arrow keys; wheel, + and − push")

@@ -94,12 +94,13 @@ void drawStatusBar(Application& app) {
   std::vector<Segment> segments;
   segments.push_back({"status/contact",
                       app.scene.log().touching()                  ? tr("touching")
+                      : app.scene.log().felt()                    ? tr("a force is felt")
                       : now.contact.fault == Fault::StartedInside ? tr("inside")
                                                                   : tr("free"),
                       !unseen.names(now.contact)
                           ? std::string()
-                          : contactText(app.scene.stage().molecule.get(), now.contact, app.scene.log().shownForce_N()),
-                      0, app.scene.log().touching() ? l.palette.accent : l.palette.faint});
+                          : feltText(app.scene.stage().molecule.get(), now, app.scene.log().shownForce_N()),
+                      0, app.scene.log().felt() ? l.palette.accent : l.palette.faint});
   segments.push_back({"status/device", tr(app.scene.servo().device().name.c_str()),
                       app.scene.servo().device().gives_force
                           ? ""

@@ -82,7 +82,12 @@ void drawTouchPanel(Application& app) {
     const double energy_J = servo.force_on ? springEnergy_J(app.scene.log().latest().contact.energy_A2,
                                                             servo.stiffness_N_per_mm, servo.workspace.A_per_mm)
                                            : 0.0;
-    const std::string energy = trf("Energy in the spring: {0}", quantityText(energy_J, Dimension::Energy));
+    const ServoSample& now = app.scene.log().latest();
+    const double field_J =
+        servo.force_on && now.field ? 1e-3 * now.field_share * inDevice(*now.field, servo.workspace).energy_N_mm : 0.0;
+    const std::string energy =
+        now.field ? trf("Energy of spring and field: {0}", quantityText(energy_J + field_J, Dimension::Energy))
+                  : trf("Energy in the spring: {0}", quantityText(energy_J, Dimension::Energy));
     ImGui::PushTextWrapPos(0.0f);
     ImGui::TextUnformatted(energy.c_str());
     ImGui::PopTextWrapPos();

@@ -95,15 +95,15 @@ void scaleBar(const Application& app, ViewRoom& room) {
 void forceLabel(const Application& app, const ServoSample& now, ViewRoom& room) {
   const Rectangle& view = room.view;
   const double force_N = app.scene.log().force_N();
-  const Vec3& lift = now.contact.displacement_A;
+  const Vec3 lift = now.forceDirection();
   const double depth_A = glm::length(lift);
   if (!(force_N >= 0.05) || !(depth_A > 0.0)) return;
   const Look& l = look();
   const glm::vec2 size = room.whole.size();
   const double pixel_A = app.scene.camera.pixel_A(app.scene.camera.distance_A, std::max(1, int(size.y)));
   const double arrow_A = pixel_A * double(l.px(kArrow_px_per_N) * saturateToFloat(force_N) + l.px(26));
-  const Vec3 foot = app.scene.camera.project(now.contact.scp, int(size.x), int(size.y));
-  Vec3 at = app.scene.camera.project({now.contact.scp.A + lift * (arrow_A / depth_A)}, int(size.x), int(size.y));
+  const Vec3 foot = app.scene.camera.project(now.forcePlace(), int(size.x), int(size.y));
+  Vec3 at = app.scene.camera.project({now.forcePlace().A + lift * (arrow_A / depth_A)}, int(size.x), int(size.y));
   const std::string text = quantityText(app.scene.log().shownForce_N(), Dimension::Force, decimals(1));
   ImFont* font = l.font(Font::Small);
   const ImVec2 extent = font->CalcTextSizeA(font->FontSize, 1e9f, 0, text.c_str());
@@ -175,7 +175,7 @@ void emptyPlaceNotice(const Application& app, ViewRoom& room) {
   constexpr double kSoon_s = 0.25;
   const ViewControls& controls = app.scene.controls;
   if (!controls.pressesNothing() || controls.pressRested_s() < kSoon_s || app.scene.playing() ||
-      app.scene.servo().deviceLeads() || app.scene.log().touching())
+      app.scene.servo().deviceLeads() || app.scene.log().felt())
     return;
   const Look& l = look();
   const Rectangle& view = room.view;
@@ -316,17 +316,16 @@ void drawViewOverlays(Application& app, const Rectangle& whole_view) {
   if (now.contact.fault == Fault::StartedInside) {
     above -= l.px(8) + pill("view/state", contactText(app.scene.stage().molecule.get(), now.contact, 0.0),
                             ImVec2(view.low.x + margin, bottom), ImVec2(0, 1), words, p.warn_soft, p.warn);
-  } else if (now.contact.touching()) {
+  } else if (now.felt()) {
     const WithFont font(app.settings.large_state_text ? Font::Heading : Font::Body);
     // The line rests a moment before it tells something new; by then it may be the first touch.
     const StateText& state = app.extensions().state_text;
-    above -=
-        l.px(8) + pill("view/state",
-                       state.tellsContact() ? state.line(app.scene)
-                       : !app.extensions().unseen.names(now.contact)
-                           ? unnamedContactText(now.contact)
-                           : contactText(app.scene.stage().molecule.get(), now.contact, app.scene.log().shownForce_N()),
-                       ImVec2(view.low.x + margin, bottom), ImVec2(0, 1), words, p.panel, p.text);
+    above -= l.px(8) + pill("view/state",
+                            state.tellsContact() ? state.line(app.scene)
+                            : !app.extensions().unseen.names(now.contact)
+                                ? unnamedContactText(now.contact, true)
+                                : feltText(app.scene.stage().molecule.get(), now, app.scene.log().shownForce_N()),
+                            ImVec2(view.low.x + margin, bottom), ImVec2(0, 1), words, p.panel, p.text);
   } else if (const float hint = float(app.scene.controls.hintStrength());
              hint > 0.0f && measured.empty() && !app.scene.playing() && !app.scene.servo().deviceLeads()) {
     above -= l.px(8) + pill("view/hint",
@@ -354,7 +353,7 @@ void drawViewOverlays(Application& app, const Rectangle& whole_view) {
   drawReset(app, room);
   drawColourLegend(app, room);
   drawDepthGauge(app, room, roomy ? view.high.y - l.px(64) : above);
-  if (now.contact.touching() && app.scene.shown.has(ViewPart::Force)) forceLabel(app, now, room);
+  if (now.felt() && app.scene.shown.has(ViewPart::Force)) forceLabel(app, now, room);
   emptyPlaceNotice(app, room);
   hoveredAtom(app, room);
 }

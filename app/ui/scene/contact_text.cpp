@@ -55,14 +55,20 @@ std::string contactText(const Molecule* molecule, const Contact& contact, double
   return touchingText(touchedText(*molecule, contact), force_N, force_on);
 }
 
+std::string feltText(const Molecule* molecule, const ServoSample& now, double force_N, bool force_on) {
+  if (!molecule || now.contact.touching() || !now.felt()) return contactText(molecule, now.contact, force_N, force_on);
+  return trf("not touching, a force of {0}", quantityText(force_N, Dimension::Force, decimals(1)));
+}
+
 std::string touchingText(const std::string& touched, double force_N, bool force_on) {
   return force_on ? trf("touching: {0}, {1}", touched, quantityText(force_N, Dimension::Force, decimals(1)))
                   : trf("touching: {0}, force is off", touched);
 }
 
-std::string unnamedContactText(const Contact& contact) {
+std::string unnamedContactText(const Contact& contact, bool felt) {
   if (contact.fault == Fault::StartedInside) return tr("You are inside the molecule. Draw back until you are outside.");
-  return contact.touching() ? tr("touching") : tr("not touching");
+  if (contact.touching()) return tr("touching");
+  return felt ? tr("a force is felt") : tr("not touching");
 }
 
 std::string pushText(const Vec3& direction) {

@@ -37,6 +37,8 @@ class TouchLog {
   /// The force as every figure of the window says it at once: in tenths of a newton, changed at a pace that can be read.
   double shownForce_N() const { return shown_N_; }
   bool touching() const { return latest_.contact.touching(); }
+  /// A force is felt, of a contact or of a field.
+  bool felt() const { return latest_.felt(); }
   double greatest_N() const;  ///< over the plotted time
 
   /// For how long there has been contact although the HIP has been outside every ball; the caller says whether it is.

@@ -133,8 +133,8 @@ bool TouchScene::touchesUnseen(const Contact& contact) const {
 }
 
 Vec3 TouchScene::pushInView() const {
-  const Vec3& way = log_.latest().contact.displacement_A;
-  if (!log_.touching() || log_.force_N() <= 0.0 || !(glm::length(way) > 1e-6)) return Vec3(0.0);
+  const Vec3 way = log_.latest().forceDirection();
+  if (!log_.felt() || log_.force_N() <= 0.0 || !(glm::length(way) > 1e-6)) return Vec3(0.0);
   return glm::conjugate(camera.orientation) * glm::normalize(way);
 }
 

@@ -139,7 +139,7 @@ class TouchScene {
   /// The scene draws no atom of its molecule.
   bool drawsNothing() const;
   /// The next frame would look different by itself.
-  bool live() const { return log_.touching() || controls.live() || hand_moved_ || atomsMove(); }
+  bool live() const { return log_.felt() || controls.live() || hand_moved_ || atomsMove(); }
   /// Atoms are on a way that has not been drawn to its end.
   bool atomsMove() const { return motion_ && !(seen_motion_ == motion_->serial() && seen_fraction_ == 1.0); }
 

@@ -76,6 +76,13 @@ void ViewControls::update(const ViewInput& in, Camera& camera, const BallScene* 
   // The springs of a body's atoms push together: as hard as so many of one atom would, whose displacement D stores D^2/2.
   if (const Contact& c = felt.contact; body && c.energy_A2 > 0.0)
     pointer.N_per_A *= std::max(1.0, 0.5 * glm::dot(c.displacement_A, c.displacement_A) / c.energy_A2);
+  if (felt.field && settings.force_on) {
+    const FeltForce pull = felt.wanted();
+    pointer.field = true;
+    pointer.pull_N = pull.force_N;
+    pointer.pull_N_per_A = pull.stiffness_N_per_A;
+    pointer.well_N_A = felt.field->energy_N_A;
+  }
   pointer.dt_s = in.dt_s;
   const PointA before_lead = lead_;
   const glm::dvec2 before_aim_px = hand_.aim_px();

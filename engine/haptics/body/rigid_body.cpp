@@ -1,19 +1,40 @@
 #include "engine/haptics/body/rigid_body.h"
 
 #include <algorithm>
+#include <cmath>
+#include <new>
 #include <utility>
 
 namespace moltact {
+namespace {
+
+// A field that acts on one of the spheres acts on the body at that lever.
+void addField(const FeltForce& field, const Vec3& lever_A, Response& out) {
+  FeltForce& sum = out.field ? *out.field : out.field.emplace();
+  const double arm_A = glm::length(lever_A);
+  sum.force_N += field.force_N;
+  sum.torque_N_A += field.torque_N_A + glm::cross(lever_A, field.force_N);
+  sum.energy_N_A += field.energy_N_A;
+  sum.stiffness_N_per_A += field.stiffness_N_per_A;
+  sum.rotational_stiffness_N_A +=
+      field.rotational_stiffness_N_A + arm_A * (field.stiffness_N_per_A * arm_A + glm::length(field.force_N));
+}
+
+}  // namespace
 
 RigidBody::RigidBody(std::shared_ptr<const HeldBody> body, const MakeSphere& make, std::size_t shared_bytes)
     : body_(std::move(body)), shared_bytes_(shared_bytes) {
   spheres_.reserve(body_->balls.size());
-  for (const Ball& ball : body_->balls) spheres_.push_back(make(ball.radius_A));
+  for (const Ball& ball : body_->balls) {
+    spheres_.push_back(make(ball.radius_A));
+    greatest_reaction_count_ += spheres_.back()->greatestReactionCount();
+  }
+  answers_.resize(spheres_.size());
 }
 
 Response RigidBody::respond(const PoseA& pose) noexcept {
   Response out;
-  springs_ = 1.0;
+  held_ = 0;
   const bool place = finite(pose.place.A);
   if (place) out.contact.scp = pose.place;
   // Before any of its atoms has gone on.
@@ -22,21 +43,31 @@ Response RigidBody::respond(const PoseA& pose) noexcept {
     return out;
   }
   const glm::dmat3 axes = glm::mat3_cast(glm::normalize(pose.orientation));  // a device's is of length 1 to 1e-3 only
-  double springs = 0.0, farthest_A2 = -1.0;
+  double springs = 0.0, farthest_A2 = -1.0, arms_A2 = 0.0, pulls_A2 = 0.0;
   bool inside = false;
   for (std::size_t i = 0; i < spheres_.size(); ++i) {
     const Vec3 lever = axes * body_->balls[i].centre_A;
-    const Response felt = spheres_[i]->respond({{pose.place.A + lever}, pose.orientation});
+    // Made where it is kept: an answer is too large to be copied for each sphere.
+    Held& next = answers_[held_];
+    const Response& felt = *::new (static_cast<void*>(&next.answer))
+                               Response(spheres_[i]->respond({{pose.place.A + lever}, pose.orientation}));
     const Contact& c = felt.contact;
     inside = c.fault == Fault::StartedInside;
     if (inside) break;
-    if (!felt.felt()) continue;
-    springs += spheres_[i]->parallelSprings();
+    if (!felt.acts()) continue;
+    next.sphere = i;
+    ++held_;
+    springs += felt.springs;
     out.contact.displacement_A += c.displacement_A;
     out.contact.energy_A2 += c.energy_A2;
     out.torque_A2 += felt.torque_A2 + glm::cross(lever, c.displacement_A);
-    if (const double far_A2 = glm::dot(c.displacement_A, c.displacement_A); far_A2 > farthest_A2) {
-      farthest_A2 = far_A2;
+    const double arm_A2 = glm::dot(lever, lever), pull_A2 = glm::dot(c.displacement_A, c.displacement_A);
+    out.rotational_A2 += felt.rotational_A2 + felt.springs * arm_A2;
+    arms_A2 += arm_A2;
+    pulls_A2 += pull_A2;
+    if (felt.field) addField(*felt.field, lever, out);
+    if (pull_A2 > farthest_A2) {
+      farthest_A2 = pull_A2;
       out.contact.atoms = c.atoms;
       out.contact.feature = c.feature;
       out.contact.normals = c.normals;
@@ -45,11 +76,22 @@ Response RigidBody::respond(const PoseA& pose) noexcept {
   if (inside) {
     // Its other atoms begin anew too, so that it is felt from nothing once it is outside.
     reset();
+    held_ = 0;
     return {.contact = {.scp = pose.place, .fault = Fault::StartedInside}};
   }
-  springs_ = std::max(1.0, springs);
-  out.contact.scp.A += out.contact.displacement_A / springs_;
+  out.springs = std::max(1.0, springs);
+  // Beside the springs at the levers' ends: the forces that a rotation leads round with the levers (Cauchy-Schwarz).
+  out.rotational_A2 += std::sqrt(arms_A2 * pulls_A2);
+  out.contact.scp.A += out.contact.displacement_A / out.springs;
   return out;
+}
+
+std::size_t RigidBody::reactions(const Response&, double spring_N_per_A, double field_share,
+                                 std::span<AtomForce> out) const noexcept {
+  std::size_t count = 0;
+  for (const Held& h : std::span(answers_).first(held_))
+    count += spheres_[h.sphere]->reactions(h.answer, spring_N_per_A, field_share, out.subspan(count));
+  return count;
 }
 
 void RigidBody::reset() noexcept {

@@ -34,7 +34,9 @@ class RigidBody final : public Interaction {
   void reset() noexcept override;
   void setProbe(double) noexcept override {}
   double probe_A() const noexcept override { return 0.0; }
-  double parallelSprings() const noexcept override { return springs_; }
+  std::size_t reactions(const Response& last, double spring_N_per_A, double field_share,
+                        std::span<AtomForce> out) const noexcept override;
+  std::size_t greatestReactionCount() const noexcept override { return greatest_reaction_count_; }
   bool setMotion(const SphereMotion* motion) noexcept override;
   void advanceTo(double fraction) noexcept override;
   MemoryUsage memoryUsage() const noexcept override;
@@ -44,7 +46,14 @@ class RigidBody final : public Interaction {
   std::shared_ptr<const HeldBody> body_;
   std::vector<std::unique_ptr<Interaction>> spheres_;  // one for each ball of the body
   std::size_t shared_bytes_;
-  double springs_ = 1.0;
+  // The spheres that were felt at the last pose, with their answers: the first held_ of as many as there are spheres.
+  struct Held {
+    Response answer;
+    std::size_t sphere = 0;
+  };
+  std::vector<Held> answers_;
+  std::size_t held_ = 0;
+  std::size_t greatest_reaction_count_ = 0;
 };
 
 }  // namespace moltact

@@ -93,9 +93,15 @@ Contact PenaltyTracker::step(PointA hip) noexcept {
   return out;
 }
 
+Response PenaltyTracker::respond(const PoseA& pose) noexcept {
+  Response out{.contact = step(pose.place)};
+  if (out.contact.touching()) out.springs = stiffestDirection();
+  return out;
+}
+
 // The greatest eigenvalue of the sum of n n^T over the directions of the pushes, by Smith's closed form (1961). Along a
 // ball's radius its spring is as stiff as any; across it, it pushes outward the more, which is no stiffness.
-double PenaltyTracker::parallelSprings() const noexcept {
+double PenaltyTracker::stiffestDirection() const noexcept {
   const double mean = (squares_.x + squares_.y + squares_.z) / 3.0;
   const Vec3 d = squares_ - mean;
   const double p = std::sqrt((glm::dot(d, d) + 2.0 * glm::dot(products_, products_)) / 6.0);

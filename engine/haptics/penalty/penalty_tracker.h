@@ -5,7 +5,7 @@
 //
 // Known failures, pinned by tests: where balls overlap the pushes add up (a crease feels too stiff, and the SCP's path
 // has a kink there but no jump; a device that cannot bear so stiff a surface gets softer springs,
-// Interaction::parallelSprings); past a centre the push leads out on the far side, so that a HIP pressed deep enough or
+// Response::springs); past a centre the push leads out on the far side, so that a HIP pressed deep enough or
 // moved fast enough passes through; deep inside a molecule pushes from all sides cancel. A HIP on a centre gets no push
 // from that ball: no direction is better than another. Feature: Sphere, Circle or Point for one, two, three or more
 // balls that push; `atoms` are the three that push most. Haptic thread; no allocation after construction. Units:
@@ -22,15 +22,17 @@ class PenaltyTracker final : public Tracker {
   PenaltyTracker(std::shared_ptr<const BallScene> scene, double probe_A);
 
   Contact step(PointA hip) noexcept override;
+  Response respond(const PoseA& pose) noexcept override;
   void reset() noexcept override;
   void setProbe(double probe_A) noexcept override;
   bool setMotion(const SphereMotion* motion) noexcept override;
   void advanceTo(double fraction) noexcept override;
   double probe_A() const noexcept override { return nearby_.probe_A(); }
-  double parallelSprings() const noexcept override;  // worked out when it is asked for
   MemoryUsage memoryUsage() const noexcept override;
 
  private:
+  double stiffestDirection() const noexcept;
+
   NearbyBalls nearby_;
   Vec3 last_{0.0};                 // the last SCP, for the answer to a non-finite HIP
   bool has_been_outside_ = false;  // has the HIP been outside since the start?

@@ -28,14 +28,17 @@ void Task::feed(const TouchSample& sample) {
 
 void Task::measureTouch(const TouchSample& sample, double dt_s) {
   time_s_ += dt_s;
+  if (sample.felt()) {
+    const double force_N = glm::length(sample.force.N);
+    felt_s_ += dt_s;
+    impulse_Ns_ += force_N * dt_s;
+    greatest_N_ = std::max(greatest_N_, force_N);
+  }
   if (!sample.contact.touching()) {
     last_scp_A_.reset();
     return;
   }
-  const double force_N = glm::length(sample.force.N);
   contact_s_ += dt_s;
-  impulse_Ns_ += force_N * dt_s;
-  greatest_N_ = std::max(greatest_N_, force_N);
   if (last_scp_A_ && dt_s > 0.0) way_A_ += glm::distance(*last_scp_A_, sample.contact.scp.A);
   last_scp_A_ = sample.contact.scp.A;
 }
@@ -60,7 +63,7 @@ void Task::answer(const TaskAnswer& given) {
 
 std::vector<TaskFigure> Task::figures() const {
   std::vector<TaskFigure> out{{N_("time"), time_s_, "s"}, {N_("contact time"), contact_s_, "s"}};
-  if (contact_s_ > 0.0) out.push_back({N_("mean force"), impulse_Ns_ / contact_s_, "N"});
+  if (felt_s_ > 0.0) out.push_back({N_("mean force"), impulse_Ns_ / felt_s_, "N"});
   out.push_back({N_("greatest force"), greatest_N_, "N"});
   out.push_back({N_("way"), way_A_, "Å"});
   measure(out);
@@ -82,7 +85,7 @@ std::string Task::sentence() const {
 
 void Task::reset() {
   progress_ = 0.0;
-  time_s_ = contact_s_ = impulse_Ns_ = greatest_N_ = way_A_ = 0.0;
+  time_s_ = contact_s_ = felt_s_ = impulse_Ns_ = greatest_N_ = way_A_ = 0.0;
   last_scp_A_.reset();
   done_ = given_up_ = started_ = inside_ = false;
   missed_ = 0;

@@ -177,7 +177,7 @@ class Task {
 
   AuthorsText praise_;
   double progress_ = 0.0, last_time_s_ = 0.0;
-  double time_s_ = 0.0, contact_s_ = 0.0, impulse_Ns_ = 0.0, greatest_N_ = 0.0, way_A_ = 0.0;
+  double time_s_ = 0.0, contact_s_ = 0.0, felt_s_ = 0.0, impulse_Ns_ = 0.0, greatest_N_ = 0.0, way_A_ = 0.0;
   std::optional<Vec3> last_scp_A_;
   bool done_ = false, given_up_ = false, started_ = false, inside_ = false;
   int tries_ = 0, missed_ = 0;  // how many there are (0: as many as need be); wrong ones so far

@@ -1,0 +1,50 @@
+// The force that a hand feels as a physical quantity, whatever gives it. Units: newtons of the hand and angstroms of
+// the molecule, in the molecule's axes. A device needs the same in its own millimetres: `inDevice` is the only
+// conversion. Plain data, every thread.
+#pragma once
+
+#include <cstdint>
+
+#include "engine/core/units.h"
+
+namespace moltact {
+
+/// Force and torque with the energy and the stiffness behind them. An energy in N A divided by the scale (A/mm) is an
+/// energy in N mm, so that force is the negative gradient of energy in either space.
+struct FeltForce {
+  Vec3 force_N{0.0};
+  Vec3 torque_N_A{0.0};     ///< round the pose's place
+  double energy_N_A = 0.0;  ///< potential energy; zero where nothing acts, negative in a well
+  /// No small step is opposed by more for each angstrom: the greatest curvature of the energy, at least 0.
+  double stiffness_N_per_A = 0.0;
+  /// No small rotation is opposed by more for each radian.
+  double rotational_stiffness_N_A = 0.0;
+
+  friend bool operator==(const FeltForce&, const FeltForce&) = default;
+};
+
+/// The force on one atom of the scene, in the molecule's axes: the reaction to what the hand feels of it.
+struct AtomForce {
+  std::int32_t atom = -1;
+  Vec3 force_N{0.0};
+};
+
+/// The same as FeltForce in the device's space: newton and millimetre, in the device's axes.
+struct DeviceForce {
+  Vec3 force_N{0.0};
+  Vec3 torque_N_mm{0.0};
+  double energy_N_mm = 0.0;
+  double stiffness_N_per_mm = 0.0;
+  double rotational_stiffness_N_mm = 0.0;
+};
+
+inline DeviceForce inDevice(const FeltForce& felt, const Workspace& workspace) {
+  const double A_per_mm = workspace.A_per_mm;
+  return {.force_N = glm::transpose(workspace.rotation) * felt.force_N,
+          .torque_N_mm = glm::transpose(workspace.rotation) * felt.torque_N_A / A_per_mm,
+          .energy_N_mm = felt.energy_N_A / A_per_mm,
+          .stiffness_N_per_mm = felt.stiffness_N_per_A * A_per_mm,
+          .rotational_stiffness_N_mm = felt.rotational_stiffness_N_A / A_per_mm};
+}
+
+}  // namespace moltact

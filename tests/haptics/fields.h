@@ -1,0 +1,96 @@
+// Fields for tests: wells of energy round atoms, beside whatever else an interaction gives. Forces, energies and
+// stiffness are closed forms. Units: angstrom, newton of the hand.
+#pragma once
+
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include "engine/haptics/wrapped_interaction.h"
+#include "tests/haptics/without_memory.h"
+
+namespace moltact::test {
+
+/// One pair of hand and atom, by the distance: the energy, its slope and its curvature.
+struct PairEnergy {
+  double energy_N_A, slope_N, curvature_N_per_A;
+};
+
+/// A spring without a surface: an energy of k r^2 / 2.
+struct HarmonicPair {
+  double k_N_per_A = 1.0;
+  PairEnergy at(double r) const { return {0.5 * k_N_per_A * r * r, k_N_per_A * r, k_N_per_A}; }
+};
+
+/// Lennard and Jones: least at `rest_A`, where it is -depth.
+struct LennardJonesPair {
+  double depth_N_A = 0.2, rest_A = 3.8;
+  PairEnergy at(double r) const {
+    const double q6 = std::pow(rest_A / r, 6), q12 = q6 * q6;
+    return {depth_N_A * (q12 - 2.0 * q6), -12.0 * depth_N_A / r * (q12 - q6),
+            12.0 * depth_N_A / (r * r) * (13.0 * q12 - 7.0 * q6)};
+  }
+};
+
+/// Nothing to touch.
+class OpenSpace final : public WithoutMemory<Tracker> {
+ public:
+  Contact step(PointA hip) noexcept override { return {.scp = hip}; }
+};
+
+/// A field of pairs with some atoms of the scene, felt beside `inner`.
+template <class Pair>
+class InField final : public WrappedInteraction {
+ public:
+  struct Atom {
+    std::int32_t atom;
+    Vec3 place_A;
+  };
+  double offset_N_A = 0.0;  ///< added to the energy everywhere
+  double driving = 1.0;     ///< the force grows by this factor wherever it drives the hand on: dishonest above 1
+
+  InField(std::unique_ptr<Interaction> inner, Pair pair, std::vector<Atom> atoms)
+      : WrappedInteraction(std::move(inner)), pair_(pair), atoms_(std::move(atoms)), forces_(atoms_.size()) {}
+
+  Response respond(const PoseA& pose) noexcept override {
+    Response out = inner().respond(pose);
+    if (!finite(pose.place.A)) return out;
+    FeltForce& sum = out.field.emplace();
+    sum.energy_N_A = offset_N_A;
+    for (std::size_t k = 0; k < atoms_.size(); ++k) {
+      const Vec3 from = pose.place.A - atoms_[k].place_A;
+      const double r = glm::length(from);
+      const PairEnergy pair = pair_.at(r);
+      forces_[k] = r > 0.0 ? from * (-pair.slope_N / r) : Vec3(0.0);
+      sum.force_N += forces_[k];
+      sum.energy_N_A += pair.energy_N_A;
+      const double across = r > 0.0 ? pair.slope_N / r : pair.curvature_N_per_A;
+      sum.stiffness_N_per_A += std::max({0.0, pair.curvature_N_per_A, across});
+    }
+    if (pose.place.A != last_A_)
+      drives_ = glm::dot(sum.force_N, pose.place.A - std::exchange(last_A_, pose.place.A)) > 0;
+    if (drives_) sum.force_N *= driving;
+    return out;
+  }
+  std::size_t reactions(const Response& last, double spring_N_per_A, double field_share,
+                        std::span<AtomForce> out) const noexcept override {
+    std::size_t count = inner().reactions(last, spring_N_per_A, field_share, out);
+    for (std::size_t k = 0; k < atoms_.size(); ++k) out[count++] = {atoms_[k].atom, -field_share * forces_[k]};
+    return count;
+  }
+  std::size_t greatestReactionCount() const noexcept override {
+    return inner().greatestReactionCount() + atoms_.size();
+  }
+
+ private:
+  Pair pair_;
+  std::vector<Atom> atoms_;
+  std::vector<Vec3> forces_;  // of each atom on the hand, at the last pose
+  Vec3 last_A_{0.0};
+  bool drives_ = false;
+};
+
+using LennardJones = InField<LennardJonesPair>;
+using Harmonic = InField<HarmonicPair>;
+
+}  // namespace moltact::test
