@@ -102,7 +102,7 @@ struct ViewScene {
   double force_N = 0.0;       ///< length of the force, along the contact's displacement or `field_direction`
   /// Where a field acts: the direction of its force and the contact's together, of any length. Zero: no field acts.
   Vec3 field_direction{0.0};
-  double strongest_N = 3.0;   ///< the force that is drawn as the strongest (default 3 N)
+  double strongest_N = 3.0;  ///< the force that is drawn as the strongest (default 3 N)
   double probe_A = kWaterProbe_A;
   std::shared_ptr<const HeldBody> body;  ///< drawn in the probe's place, its middle at the SCP; null: the probe
   Quat body_orientation = kNoRotation;

@@ -103,7 +103,8 @@ const std::vector<std::pair<std::string, std::string>> kNotRun = {
 // What opens the window.
 bool opensWindow(const std::string& arguments) {
   return arguments.empty() || (arguments.find(' ') == std::string::npos && arguments.find('.') != std::string::npos) ||
-         arguments == "2hhb" || arguments.starts_with("--language") || arguments.starts_with("-d ");
+         arguments == "2hhb" || arguments.starts_with("--language") || arguments.starts_with("--device ") ||
+         arguments.starts_with("-d ");
 }
 
 struct PagePlace : CommandPlace {

@@ -183,9 +183,9 @@ TEST_CASE("the page on stability names the limits that are used: 0.05 A, 0.05 N,
     std::snprintf(digits, sizeof digits, "%g", value);
     return std::string(digits);
   };
-  says("more than " + n(limits.place_A) + " A from the right one");
-  says("steps by " + n(limits.step_over_N) + " N more");
-  says("more than " + n(1e6 * limits.energy_J) + " uJ over a closed path");
+  says("more than " + n(limits.place_A) + " A from the reference");
+  says("by " + n(limits.step_over_N) + " N more than");
+  says("over a closed path the method returns over " + n(1e6 * limits.energy_J) + " uJ more");
   says("one step of its sensor, " + n(limits.jitter_mm) + " mm");
   // A spring pressed 1 A deep holds 2400 uJ.
   const LoopSettings loop;
