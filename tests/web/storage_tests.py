@@ -87,7 +87,7 @@ class Storage(PageTest):
         browser = self.browser(profile=os.path.join(profile, "one"))
         self.leave_at_second_step(browser)
         browser.call("Page.navigate", url="about:blank")  # the tab goes elsewhere: the page hides for good
-        time.sleep(0.5)
+        time.sleep(2.0)  # the browser ends in order, but a busy machine needs a moment to write
         browser.close()
         again = self.browser(profile=os.path.join(profile, "one"))
         self.goes_on_at_second_step(again)
