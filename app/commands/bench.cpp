@@ -128,7 +128,7 @@ std::vector<TableScene> structures() {
     if (!findMolecule(id, folders)) return;
     const auto molecule = openMolecule(id);
     if (!molecule) return;
-    out.push_back({molecule->id, molecule->atoms.size(), [balls = molecule->balls()] { return balls; }, paper});
+    out.push_back({molecule->id, molecule->atoms.size(), [balls = molecule->balls.copy()] { return balls; }, paper});
   };
   add("1ubq", "");
   add("2hhb", "");
@@ -274,7 +274,7 @@ HandOnMolecule handFrom(const fs::path& file, const std::string& otherwise) {
             .text()};
   const auto molecule = openMolecule(hand.molecule);
   if (!molecule) throw CommandError{molecule.problem().text()};
-  hand.scene = std::make_shared<const BallScene>(molecule->balls());
+  hand.scene = std::make_shared<const BallScene>(molecule->balls);
   if (!path->label("balls").empty() && path->label("balls") != fingerprint(*hand.scene))
     err() << "moltact: " << file.string() << " was recorded on other balls than " << hand.molecule << " has here\n";
   hand.path = laidOn(*path, *hand.scene, Workspace().A_per_mm);

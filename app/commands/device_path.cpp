@@ -29,7 +29,7 @@ std::unique_ptr<Interaction> feltOf(const ServoRecording& recording) {
   if (!key || recording.ticks.empty()) return nullptr;
   const auto molecule = readMolecule(*key);
   if (!molecule) return nullptr;
-  const RecordedScene scene = recordedScene(recording.labels, molecule->balls());
+  const RecordedScene scene = recordedScene(recording.labels, molecule->balls);
   return makeInteraction({scene.balls, touchOf(recording), scene.body});
 }
 

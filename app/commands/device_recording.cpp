@@ -44,7 +44,7 @@ struct RecordOptions {
 };
 
 std::shared_ptr<const BallScene> sceneOf(const MoleculeArgument& molecule) {
-  return std::make_shared<const BallScene>(molecule.load().balls());
+  return std::make_shared<const BallScene>(molecule.load().balls);
 }
 
 // The molecule before the hand, seen along its z-axis.
@@ -245,7 +245,7 @@ void replayHand(const std::string& file) {
   known("a method", touch.method, findMethod(touch.method));
   known("an interaction", touch.interaction, findInteractionKind(touch.interaction));
   const RecordedScene scene =
-      recordedScene(recording->labels, MoleculeArgument{labelledMolecule(recording->labels)}.load().balls());
+      recordedScene(recording->labels, MoleculeArgument{labelledMolecule(recording->labels)}.load().balls);
   if (!label("balls").empty() && label("balls") != fingerprint(*scene.balls))
     fail("the molecule \"" + label("molecule") + "\" is not the one any more that it was recorded on",
          "put the old file back, or record it again");

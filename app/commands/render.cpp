@@ -73,7 +73,7 @@ Response push(const std::shared_ptr<const Molecule>& molecule, const RenderArgum
               const std::shared_ptr<const HeldBody>& body, const Camera& camera, PointA hip) {
   std::vector<std::uint32_t> not_felt = arguments.look.left_out.notFelt(*molecule);
   if (body) not_felt = atomsOfEither(not_felt, body->atoms);
-  const auto scene = std::make_shared<const BallScene>(molecule->balls(), not_felt);
+  const auto scene = std::make_shared<const BallScene>(molecule->balls, not_felt);
   const TouchSetup touch = settled(arguments.touch, body != nullptr);
   const auto felt = makeInteraction({scene, touch, body});
   const Vec3 from_hip = camera.back();
@@ -125,7 +125,7 @@ AtomsLook looksOf(const RenderArguments& arguments, const Molecule& molecule, co
   } else {
     through = Vec3(0.0);
     const std::vector<std::uint32_t> atoms = selectedAtoms("--cut", arguments.cut, molecule);
-    for (const std::uint32_t a : atoms) through += molecule.atoms[a].position.A / double(atoms.size());
+    for (const std::uint32_t a : atoms) through += molecule.balls[a].centre_A / double(atoms.size());
   }
   look.cut = CutPlane{camera.back(), glm::dot(camera.back(), through) + before_A};
   return look;
@@ -170,7 +170,7 @@ void render(const RenderArguments& arguments) {
   scene.look = looksOf(arguments, *scene.molecule, scene.camera);
   scene.look.marks = marksOf(spec, *scene.molecule);
   if (const std::vector<std::uint32_t> held = heldAtoms(spec, *scene.molecule); !held.empty()) {
-    scene.body = heldBody(scene.molecule->balls(), held);
+    scene.body = heldBody(scene.molecule->balls, held);
     if (!scene.body)
       throw CLI::ValidationError("--in-hand", "it holds " + std::to_string(held.size()) + " atoms; the most are " +
                                                   std::to_string(kMostHeldAtoms));
@@ -199,7 +199,7 @@ void render(const RenderArguments& arguments) {
   const double unit_px = std::max(1.0, height / 800.0);
   bool written = true;
   if (!scene.annotations.empty()) {
-    const BallScene balls(scene.molecule->balls());
+    const BallScene balls(scene.molecule->balls);
     written = paintLabels(picture, scene, &balls, unit_px);
   }
   if (arguments.legend && written) {

@@ -97,7 +97,7 @@ Molecule SceneOptions::atState(Molecule molecule, const MoleculeArgument& read) 
   if (!other) throw CommandError{other.problem().text()};
   const Expected<TwoStates> states = statesOf(scene, molecule, *other);
   if (!states) throw CommandError{states.problem().text()};
-  return movedTo(molecule, states->at(scene.then.share));
+  return molecule.movedTo(states->at(scene.then.share));
 }
 
 SceneSpec SceneOptions::scene(const Molecule& molecule) const {

@@ -10,10 +10,10 @@
 
 namespace moltact {
 
-BallScene::BallScene(std::vector<Ball> balls, Duplicates duplicates)
+BallScene::BallScene(SharedArray<Ball> balls, Duplicates duplicates)
     : BallScene(std::move(balls), std::span<const std::uint32_t>{}, duplicates) {}
 
-BallScene::BallScene(std::vector<Ball> balls, std::span<const std::uint32_t> untouchable, Duplicates duplicates)
+BallScene::BallScene(SharedArray<Ball> balls, std::span<const std::uint32_t> untouchable, Duplicates duplicates)
     : balls_(std::move(balls)) {
   std::size_t felt = balls_.size();
   for (const std::uint32_t i : untouchable) {

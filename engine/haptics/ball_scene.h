@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "engine/core/ball.h"
+#include "engine/core/shared_array.h"
 
 namespace moltact {
 
@@ -24,13 +25,13 @@ class BallScene {
 
   /// Centres must be finite and within 1e9 A of the origin, radii finite and not negative (asserted; readers check
   /// files).
-  explicit BallScene(std::vector<Ball> balls, Duplicates duplicates = Duplicates::KeepFirst);
+  explicit BallScene(SharedArray<Ball> balls, Duplicates duplicates = Duplicates::KeepFirst);
   /// The same without the balls of these indices (in any order; beyond the last they are ignored): they keep their
   /// indices and places, but no visit finds them and the box does not count them, so that nothing feels them.
-  BallScene(std::vector<Ball> balls, std::span<const std::uint32_t> untouchable,
+  BallScene(SharedArray<Ball> balls, std::span<const std::uint32_t> untouchable,
             Duplicates duplicates = Duplicates::KeepFirst);
 
-  std::span<const Ball> balls() const { return balls_; }
+  const SharedArray<Ball>& balls() const { return balls_; }
   const Ball& operator[](std::size_t i) const { return balls_[i]; }
   std::size_t size() const { return balls_.size(); }
   /// Whether a ball is there to be felt. `i` in range.
@@ -195,7 +196,7 @@ class BallScene {
 
   void makeTree(std::uint32_t begin, std::uint32_t end);
 
-  std::vector<Ball> balls_;
+  SharedArray<Ball> balls_;
   std::vector<std::uint8_t> untouchable_;  // of each ball; empty: none is
   std::vector<Sorted> sorted_;             // by cell, the cells along x, then y, then z: neighbours lie near in memory;
   std::uint32_t large_from_ = 0;      // from here on the few balls much larger than the rest, tested at every visit

@@ -45,15 +45,6 @@ Expected<TwoStates> statesOf(const SceneSpec& scene, const Molecule& molecule, c
   return twoStates(molecule, other, superposedOn(scene, molecule));
 }
 
-Molecule movedTo(const Molecule& molecule, const std::vector<Ball>& places) {
-  Molecule out = molecule;
-  for (std::size_t i = 0; i < out.atoms.size() && i < places.size(); ++i) {
-    out.atoms[i].position.A = places[i].centre_A;
-    out.atoms[i].radius_A = places[i].radius_A;
-  }
-  return out;
-}
-
 std::string stateName(const SceneSpec& scene, int state) {
   const SecondState& then = scene.then;
   if (then.states.size() == 2) return then.states[std::size_t(state)];

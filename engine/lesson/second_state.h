@@ -27,9 +27,6 @@ std::vector<std::uint32_t> superposedOn(const SceneSpec& scene, const Molecule& 
 /// Both states of the scene's molecule, of which `other` is the second. A Problem where they do not go together.
 Expected<TwoStates> statesOf(const SceneSpec& scene, const Molecule& molecule, const Molecule& other);
 
-/// The molecule with its atoms at these places (as many as it has).
-Molecule movedTo(const Molecule& molecule, const std::vector<Ball>& places);
-
 /// What the states are called: 0 the first, 1 the second.
 std::string stateName(const SceneSpec& scene, int state);
 

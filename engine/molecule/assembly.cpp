@@ -94,7 +94,7 @@ struct ChainParts {
 class Assembler {
  public:
   Assembler(GrowingMolecule& grown, const ParsedAssembly& assembly, const std::string& file)
-      : grown_(grown), m_(grown.molecule), assembly_(assembly), file_(file) {}
+      : grown_(grown), m_(grown.arrays), assembly_(assembly), file_(file) {}
 
   std::optional<Problem> run() {
     if (auto problem = gather()) return problem;
@@ -180,7 +180,7 @@ class Assembler {
       Places places(copies);
       for (const std::uint32_t r : chain.residues)
         for (std::uint32_t k = 0; k < m_.residues[r].atom_count; ++k) {
-          const Vec3& from = m_.atoms[m_.residues[r].first_atom + k].position.A;
+          const Vec3& from = m_.balls[m_.residues[r].first_atom + k].centre_A;
           places.clear();
           for (const auto& use : chain.uses) {
             const auto& operators = assembly_.parts[use.part].operators;
@@ -209,7 +209,7 @@ class Assembler {
                      tr("read it without one")};
     // The copies are like what they are copied from.
     if (own_bytes_ + grown_.bytes() / m_.atoms.size() * kept_ > kMostBytes) return tooMuchMemory();
-    GrowingMolecule out;
+    GrowingMolecule out(false, grown_.hasCharges());
     out.expect(kept_);
     std::vector<std::uint32_t> residues;
     std::vector<char> named(chains_.size());
@@ -252,16 +252,16 @@ class Assembler {
         label = chain.label.empty() ? std::string() : chain.label + suffix;
         if (auto problem = out.full(file_, 0)) return problem;
       }
-      Atom atom = m_.atoms[residue.first_atom + k];
+      PlacedAtom atom = grown_.at(residue.first_atom + k);
       atom.position.A = carried(op, atom.position.A);
-      out.add(atom, {residue.name, name, label, residue.number, residue.insertion, residue.recorded},
+      out.add(atom, grown_.charge_e(residue.first_atom + k), {residue.name, name, label, residue.number, residue.insertion, residue.recorded},
               grown_.hetero_of[r]);
     }
     return std::nullopt;
   }
 
   GrowingMolecule& grown_;
-  const Molecule& m_;
+  const MoleculeArrays& m_;
   const ParsedAssembly& assembly_;
   const std::string& file_;
   std::vector<ChainParts> chains_;

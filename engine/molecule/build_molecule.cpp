@@ -22,26 +22,30 @@ std::string countedAtoms(std::size_t n) { return trnf("{0} atom", "{0} atoms", n
 
 /// Leaves out water; returns how many molecules that were. A file of nothing but water keeps it.
 std::size_t dropWaters(GrowingMolecule& grown) {
-  const Molecule& m = grown.molecule;
+  const MoleculeArrays& m = grown.arrays;
   const auto water = [](const Residue& r) { return r.kind == ResidueKind::Water; };
   const auto waters = static_cast<std::size_t>(std::count_if(m.residues.begin(), m.residues.end(), water));
   if (waters == 0 || waters == m.residues.size()) return 0;
   // Removing waters can make two runs of one residue adjacent: all runs are merged again, in place.
-  Molecule old = std::move(grown.molecule);
-  GrowingMolecule out(grown.namesLabelChains());
-  out.molecule.atoms = std::move(old.atoms);
-  std::vector<Atom>& atoms = out.molecule.atoms;
+  MoleculeArrays old = std::move(grown.arrays);
+  GrowingMolecule out(grown.namesLabelChains(), grown.hasCharges());
+  MoleculeArrays& arrays = out.arrays;
+  arrays.atoms = std::move(old.atoms);
+  arrays.balls = std::move(old.balls);
+  arrays.charges_e = std::move(old.charges_e);
   std::size_t kept = 0;
   for (std::size_t i = 0; i < old.residues.size(); ++i) {
     const Residue& r = old.residues[i];
     if (water(r)) continue;
     for (std::uint32_t k = 0; k < r.atom_count; ++k) {
-      const Atom atom = atoms[r.first_atom + k];
-      out.put(kept++, atom, {r.name, old.chains[r.chain].name, grown.labelChain(i), r.number, r.insertion},
-              grown.hetero_of[i]);
+      const PlacedAtom atom = out.at(r.first_atom + k);
+      out.put(kept++, atom, out.charge_e(r.first_atom + k),
+              {r.name, old.chains[r.chain].name, grown.labelChain(i), r.number, r.insertion}, grown.hetero_of[i]);
     }
   }
-  atoms.resize(kept);
+  arrays.atoms.resize(kept);
+  arrays.balls.resize(kept);
+  if (out.hasCharges()) arrays.charges_e.resize(kept);
   out.close();
   grown = std::move(out);
   return waters;
@@ -49,15 +53,15 @@ std::size_t dropWaters(GrowingMolecule& grown) {
 
 }  // namespace
 
-MoleculeBuilder::MoleculeBuilder(const TextSource& text, const ReadOptions& options)
-    : options_(options), text_(text), file_(text.file()), out_(!options.assembly.empty()) {}
+MoleculeBuilder::MoleculeBuilder(const TextSource& text, const ReadOptions& options, bool has_charges)
+    : options_(options), text_(text), file_(text.file()), out_(!options.assembly.empty(), has_charges) {}
 
 // How long the lines are is known after some of them. What is kept of the atoms grows into one room that is large
 // enough for all, for while a list moves to a larger room both are held.
 void MoleculeBuilder::expectMore() {
   constexpr std::size_t kTelling = 10'000;
   if (atoms_++ == 0) before_ = text_.givenBytes();
-  const std::vector<Atom>& kept = out_.molecule.atoms;
+  const std::vector<Atom>& kept = out_.arrays.atoms;
   if (atoms_ != kTelling && (atoms_ < kTelling || kept.size() + waiting_.size() < kept.capacity())) return;
   const double share = double(text_.expectedBytes() - std::min(before_, text_.expectedBytes())) /
                        double(text_.givenBytes() - before_ + 1);
@@ -110,12 +114,13 @@ std::optional<Problem> MoleculeBuilder::add(const ParsedAtom& from) {
   }
   // A residue has a few alternatives; a place with more is none, and is not looked through for each of its atoms.
   constexpr std::size_t kMostAlternatives = 100;
-  Atom& atom = waits.atom;
+  PlacedAtom& atom = waits.atom;
   atom.position.A = from.position_A;
   atom.atomic_number = static_cast<std::uint8_t>(std::clamp(from.atomic_number, 0, kElementCount));
   atom.radius_A = from.radius_A >= 0.0 ? from.radius_A : element(atom.atomic_number).radius_A;
   atom.b_factor_A2 = saturateToFloat(from.b_factor_A2);
   std::copy_n(from.name.data(), std::min(from.name.size(), atom.name.size() - 1), atom.name.data());
+  waits.charge_e = saturateToFloat(from.charge_e);
   waits.name = std::hash<std::string_view>()(from.name);
   waits.occupancy = from.occupancy;
   waits.unknown = from.radius_A >= 0.0 ? -1 : unknownElement(from);
@@ -169,7 +174,7 @@ void MoleculeBuilder::endPlace() {
   dropAlternates();
   for (const Waiting& w : waiting_) {
     const std::string& residue = residues_[w.residue];
-    out_.add(w.atom, {residue, chain_, label_chain_, number_, insertion_}, w.hetero);
+    out_.add(w.atom, w.charge_e, {residue, chain_, label_chain_, number_, insertion_}, w.hetero);
     if (w.unknown >= 0) {
       Unknown& unknown = unknown_[static_cast<std::size_t>(w.unknown)];
       ++(isWaterName(residue) ? unknown.in_water : unknown.elsewhere);
@@ -180,8 +185,7 @@ void MoleculeBuilder::endPlace() {
 }
 
 /// One sentence for each element without a published radius, and for each that is not known.
-void MoleculeBuilder::warnOfElements(std::vector<std::string>& warnings) const {
-  const bool waters = out_.molecule.waters_left_out == 0;
+void MoleculeBuilder::warnOfElements(bool waters, std::vector<std::string>& warnings) const {
   constexpr std::size_t kMostNamed = 50;
   std::size_t named = 0, rest = 0;
   std::map<std::string_view, std::size_t> counts;
@@ -208,41 +212,44 @@ void MoleculeBuilder::warnOfElements(std::vector<std::string>& warnings) const {
 Expected<Molecule> MoleculeBuilder::finish(ParsedHeader head) {
   endPlace();
   out_.close();
-  Molecule& out = out_.molecule;
-  if (out.atoms.empty())
+  if (out_.arrays.atoms.empty())
     return Problem{
         file_, 0, 0,
         head.models > 1 ? trf("the file holds no atoms in model {0}", options_.model) : tr("the file holds no atoms"),
         tr("take a coordinate file from the PDB (www.rcsb.org)")};
-  if (!options_.waters) {
-    const std::size_t waters = dropWaters(out_);
-    out.waters_left_out = static_cast<std::uint32_t>(waters);
-  }
-  std::vector<std::string> warnings;
-  warnOfElements(warnings);
-  const std::uint32_t waters = out.waters_left_out;
-  if (std::string told = markElements(out, head.elements); !told.empty()) head.warnings.push_back(std::move(told));
-  const bool recorded = std::any_of(out.residues.begin(), out.residues.end(),
-                                    [](const Residue& r) { return r.recorded.kind != SecondaryStructure::Coil; });
+  const std::size_t waters = options_.waters ? 0 : dropWaters(out_);
+  std::vector<std::string> of_elements;
+  warnOfElements(waters == 0, of_elements);
+  if (std::string missing = markElements(out_.arrays, head.elements); !missing.empty())
+    head.warnings.push_back(std::move(missing));
+  Molecule out;
+  out.has_recorded_structure =
+      std::any_of(out_.arrays.residues.begin(), out_.arrays.residues.end(),
+                  [](const Residue& r) { return r.recorded.kind != SecondaryStructure::Coil; });
   if (!options_.assembly.empty())
     if (auto problem = applyAssembly(out_, head.assemblies, options_.assembly, file_)) return *problem;
-  out.has_recorded_structure = recorded;
   out.id = std::move(head.id);
   out.title = std::move(head.title);
   out.models_in_file = static_cast<std::uint32_t>(head.models);
   out.alternates_left_out = static_cast<std::uint32_t>(alternates_left_out_);
-  out.waters_left_out = waters;
+  out.waters_left_out = static_cast<std::uint32_t>(waters);
+  std::vector<std::string> warnings;
   if (head.models > 1)
-    out.warnings.push_back(trf("The file has {0} models; this is model {1}.", head.models, options_.model));
+    warnings.push_back(trf("The file has {0} models; this is model {1}.", head.models, options_.model));
   if (alternates_left_out_)
-    out.warnings.push_back(trnf("{0} atom at a less occupied alternate location left out.",
-                                "{0} atoms at a less occupied alternate location left out.", alternates_left_out_,
-                                alternates_left_out_));
-  if (waters)
-    out.warnings.push_back(trnf("{0} water molecule left out.", "{0} water molecules left out.", waters, waters));
-  out.warnings.insert(out.warnings.end(), head.warnings.begin(), head.warnings.end());
-  out.warnings.insert(out.warnings.end(), warnings.begin(), warnings.end());
-  return std::move(out);
+    warnings.push_back(trnf("{0} atom at a less occupied alternate location left out.",
+                            "{0} atoms at a less occupied alternate location left out.", alternates_left_out_,
+                            alternates_left_out_));
+  if (waters) warnings.push_back(trnf("{0} water molecule left out.", "{0} water molecules left out.", waters, waters));
+  warnings.insert(warnings.end(), head.warnings.begin(), head.warnings.end());
+  warnings.insert(warnings.end(), of_elements.begin(), of_elements.end());
+  out.warnings = std::move(warnings);
+  out.atoms = std::move(out_.arrays.atoms);
+  out.balls = std::move(out_.arrays.balls);
+  out.charges_e = std::move(out_.arrays.charges_e);
+  out.residues = std::move(out_.arrays.residues);
+  out.chains = std::move(out_.arrays.chains);
+  return out;
 }
 
 }  // namespace moltact

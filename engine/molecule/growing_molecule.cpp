@@ -29,10 +29,15 @@ Problem tooManyAtoms(const std::string& file, std::size_t line) {
           tr("split the file, or keep one model")};
 }
 
-void GrowingMolecule::expect(std::size_t atoms) { molecule.atoms.reserve(std::min(atoms, kMaxMoleculeAtoms)); }
+void GrowingMolecule::expect(std::size_t atoms) {
+  const std::size_t room = std::min(atoms, kMaxMoleculeAtoms);
+  arrays.atoms.reserve(room);
+  arrays.balls.reserve(room);
+  if (has_charges_) arrays.charges_e.reserve(room);
+}
 
 std::optional<Problem> GrowingMolecule::full(const std::string& file, std::size_t line) const {
-  if (molecule.atoms.size() >= kMaxMoleculeAtoms) return tooManyAtoms(file, line);
+  if (arrays.atoms.size() >= kMaxMoleculeAtoms) return tooManyAtoms(file, line);
   if (bytes() > kMaxMoleculeAtoms * kMoleculeBytesAnAtom)
     return Problem{file, line, 0, tr("its residues and chains take more than 3 GB of memory"),
                    tr("split the file, or keep one model")};
@@ -40,8 +45,8 @@ std::optional<Problem> GrowingMolecule::full(const std::string& file, std::size_
 }
 
 std::size_t GrowingMolecule::bytes() const {
-  const Molecule& m = molecule;
-  return m.atoms.size() * sizeof(Atom) + m.residues.size() * sizeof(Residue) + m.chains.size() * sizeof(Chain) +
+  const MoleculeArrays& m = arrays;
+  return m.atoms.size() * (sizeof(Atom) + sizeof(Ball)) + m.charges_e.size() * sizeof(float) + m.residues.size() * sizeof(Residue) + m.chains.size() * sizeof(Chain) +
          label_of_.size() * sizeof(std::uint32_t) + labels_.size() * sizeof(ShortText) + hetero_of.size() / 8 +
          text_bytes_;
 }
@@ -52,8 +57,8 @@ std::string_view GrowingMolecule::labelChain(std::size_t residue) const {
   return {reinterpret_cast<const char*>(&label_of_[residue]), sizeof(std::uint32_t)};
 }
 
-void GrowingMolecule::put(std::size_t at, const Atom& atom, const Place& place, bool hetero) {
-  Molecule& m = molecule;
+void GrowingMolecule::put(std::size_t at, const PlacedAtom& atom, float charge_e, const Place& place, bool hetero) {
+  MoleculeArrays& m = arrays;
   const std::size_t expected = m.atoms.capacity();
   const bool same_chain = !m.chains.empty() && m.chains.back().name == place.chain;
   const bool same_label = label_chain_ == place.label_chain;
@@ -96,17 +101,22 @@ void GrowingMolecule::put(std::size_t at, const Atom& atom, const Place& place, 
   }
   if (at == m.atoms.size()) {
     makeRoom(m.atoms, m.atoms.size(), m.atoms.size());
+    makeRoom(m.balls, m.atoms.size(), m.atoms.size());
     m.atoms.emplace_back();
+    m.balls.emplace_back();
+    if (has_charges_) m.charges_e.emplace_back();
   }
   m.atoms[at] = atom;
+  m.balls[at] = atom.ball();
+  if (has_charges_) m.charges_e[at] = charge_e;
   m.atoms[at].residue = static_cast<std::uint32_t>(m.residues.size() - 1);
   ++m.residues.back().atom_count;
 }
 
 void GrowingMolecule::close() {
-  if (molecule.residues.empty()) return;
-  Residue& last = molecule.residues.back();
-  last.kind = residueKind(last, molecule.atoms, hetero_of.back());
+  if (arrays.residues.empty()) return;
+  Residue& last = arrays.residues.back();
+  last.kind = residueKind(last, arrays.atoms, hetero_of.back());
 }
 
 }  // namespace moltact

@@ -25,7 +25,7 @@ struct WhereHash {
 
 }  // namespace
 
-std::string markElements(Molecule& molecule, const std::vector<ParsedElement>& elements) {
+std::string markElements(MoleculeArrays& molecule, const std::vector<ParsedElement>& elements) {
   if (elements.empty()) return {};
   std::unordered_map<Where, std::uint32_t, WhereHash> at;
   for (std::uint32_t r = 0; r < molecule.residues.size(); ++r) {

@@ -1,6 +1,8 @@
 #include "engine/molecule/molecule.h"
 
+#include <cassert>
 #include <cctype>
+#include <utility>
 
 #include "engine/language/catalogue.h"
 #include "engine/molecule/elements.h"
@@ -8,10 +10,28 @@
 
 namespace moltact {
 
-std::vector<Ball> Molecule::balls() const {
-  std::vector<Ball> out;
+PlacedAtom Molecule::at(std::size_t atom) const { return {{atoms[atom]}, {balls[atom].centre_A}, balls[atom].radius_A}; }
+
+std::vector<PlacedAtom> Molecule::placedAtoms() const {
+  std::vector<PlacedAtom> out;
   out.reserve(atoms.size());
-  for (const Atom& atom : atoms) out.push_back({atom.position.A, atom.radius_A});
+  for (std::size_t i = 0; i < atoms.size(); ++i) out.push_back(at(i));
+  return out;
+}
+
+void Molecule::setAtoms(const std::vector<PlacedAtom>& placed) {
+  std::vector<Atom> kinds(placed.begin(), placed.end());
+  std::vector<Ball> places;
+  places.reserve(placed.size());
+  for (const PlacedAtom& atom : placed) places.push_back(atom.ball());
+  atoms = std::move(kinds);
+  balls = std::move(places);
+}
+
+Molecule Molecule::movedTo(SharedArray<Ball> coordinates) const {
+  assert(coordinates.size() == atoms.size());
+  Molecule out = *this;
+  out.balls = std::move(coordinates);
   return out;
 }
 

@@ -1,6 +1,7 @@
-// A molecule as it was read: atoms with places and van der Waals radii, grouped in residues and chains.
-// Immutable after reading; shared between threads as `std::shared_ptr<const Molecule>`.
-// Units: angstrom. Atoms are counted from 0 in file order as kept.
+// A molecule: its topology (elements, names, residues, chains, bonds, charges) and, in one array beside it, its
+// coordinates. All arrays are immutable and shared: a molecule whose atoms have moved is a copy with another array of
+// coordinates, and nothing else is copied. Any thread may read it. Units: angstrom, elementary charge. Atoms are counted
+// from 0 in file order as kept.
 #pragma once
 
 #include <array>
@@ -10,6 +11,7 @@
 #include <vector>
 
 #include "engine/core/ball.h"
+#include "engine/core/shared_array.h"
 #include "engine/core/short_text.h"
 #include "engine/core/units.h"
 
@@ -17,16 +19,22 @@ namespace moltact {
 
 inline constexpr std::uint32_t kNoResidue = 0xFFFFFFFFu;
 
-/// One atom.
+/// What does not change when an atom moves.
 struct Atom {
-  PointA position;                     ///< centre
-  double radius_A = 0.0;               ///< van der Waals radius (unit: angstrom)
   std::uint32_t residue = kNoResidue;  ///< index into Molecule::residues, or kNoResidue (an .xyzr file has none)
   float b_factor_A2 = 0.0f;            ///< isotropic displacement as the file has it (unit: square angstrom); 0: none
   std::uint8_t atomic_number = 0;      ///< 1 = H, 6 = C, …; 0 = not known
   std::array<char, 6> name{};          ///< the atom's name in its residue ("CA", "O5'"), zero-terminated
 
   std::string_view nameText() const { return name.data(); }
+};
+
+/// An atom with its coordinates.
+struct PlacedAtom : Atom {
+  PointA position;        ///< centre
+  double radius_A = 0.0;  ///< van der Waals radius
+
+  Ball ball() const { return {position.A, radius_A}; }
 };
 
 enum class ResidueKind : std::uint8_t { AminoAcid, Nucleotide, Water, Ligand, Ion, Other };
@@ -79,22 +87,32 @@ struct AtomWords {
 struct Molecule {
   std::string id;     ///< short name for the screen: "1UBQ", "benzene"
   std::string title;  ///< one line on what it is; may be empty
-  std::vector<Atom> atoms;
-  std::vector<Residue> residues;
-  std::vector<Chain> chains;
-  std::vector<Bond> listed_bonds;  ///< of a file that lists them all (SDF, MOL), ascending; engine/structure/bonds.h
-                                   ///< finds those of every molecule
-  bool has_recorded_structure = false;    ///< the file says which residues are helices and strands
-  std::vector<std::string> warnings;      ///< what the reader left out, replaced or guessed, one sentence each
-  std::uint32_t waters_left_out = 0;      ///< water molecules in the file that are not among the atoms
+  SharedArray<Atom> atoms;
+  SharedArray<Ball> balls;     ///< the coordinates: centre and van der Waals radius of each atom, not inflated
+  SharedArray<float> charges_e;  ///< partial charge of each atom as the file has it; empty: the file has none
+  SharedArray<Residue> residues;
+  SharedArray<Chain> chains;
+  SharedArray<Bond> listed_bonds;       ///< of a file that lists them all (SDF, MOL), ascending; engine/structure/bonds.h
+                                        ///< finds those of every molecule
+  bool has_recorded_structure = false;  ///< the file says which residues are helices and strands
+  SharedArray<std::string> warnings;    ///< what the reader left out, replaced or guessed, one sentence each
+  std::uint32_t waters_left_out = 0;    ///< water molecules in the file that are not among the atoms
   std::uint32_t alternates_left_out = 0;  ///< atoms at another alternate location than the one kept
   std::uint32_t models_in_file = 1;       ///< of which this is one
   std::uint32_t beside_from =
       0;                  ///< atoms from this one on are those of a second molecule (side_by_side.h); 0: of none
   std::string beside_id;  ///< that one's short name
 
-  /// The atoms as balls for a tracker, in the same order, radii not yet inflated.
-  std::vector<Ball> balls() const;
+  /// An atom with its coordinates. `atom` must be in range.
+  PlacedAtom at(std::size_t atom) const;
+  /// All atoms with their coordinates, copied.
+  std::vector<PlacedAtom> placedAtoms() const;
+  /// Replaces the atoms and their coordinates.
+  void setAtoms(const std::vector<PlacedAtom>& placed);
+  /// The same molecule with other coordinates, one for each atom.
+  Molecule movedTo(SharedArray<Ball> coordinates) const;
+  /// Whether both are the same molecule, perhaps at other coordinates.
+  bool sameTopology(const Molecule& other) const { return atoms.sharesWith(other.atoms); }
 
   /// "O of Asp 52 (chain A)", as the screen and the log say it. `atom` must be in range.
   std::string describe(std::size_t atom) const;

@@ -28,6 +28,7 @@ struct ParsedAtom {
   double occupancy = 1.0;
   double b_factor_A2 = 0.0;
   double radius_A = -1.0;  ///< as the file has it; below zero: the element's
+  double charge_e = 0.0;   ///< partial charge, of a format that has charges
   std::size_t line = 0;    ///< in the file, from 1; 0 where not known
   int number = 0;          ///< residue number
   int atomic_number = 0;
@@ -72,6 +73,15 @@ struct ParsedHeader {
   int models = 1;  ///< in the file
 };
 
+/// The arrays of a molecule while a reader appends to them.
+struct MoleculeArrays {
+  std::vector<Atom> atoms;
+  std::vector<Ball> balls;       ///< of each atom
+  std::vector<float> charges_e;  ///< of each atom; empty: the format has none
+  std::vector<Residue> residues;
+  std::vector<Chain> chains;
+};
+
 /// A molecule that grows: residues and chains are runs of atoms, in the order in which these come.
 class GrowingMolecule {
  public:
@@ -84,13 +94,22 @@ class GrowingMolecule {
   };
   /// `names_label_chains`: their names are needed later, for an assembly; otherwise it is only kept which residues have
   /// the same.
-  explicit GrowingMolecule(bool names_label_chains = false) : names_label_chains_(names_label_chains) {}
+  /// `has_charges`: the atoms bring partial charges.
+  explicit GrowingMolecule(bool names_label_chains = false, bool has_charges = false)
+      : names_label_chains_(names_label_chains), has_charges_(has_charges) {}
   /// Makes room for about so many atoms.
   void expect(std::size_t atoms);
   /// The next atom; what follows in the same residue and chain belongs to one.
-  void add(const Atom& atom, const Place& place, bool hetero) { put(molecule.atoms.size(), atom, place, hetero); }
+  void add(const PlacedAtom& atom, float charge_e, const Place& place, bool hetero) {
+    put(arrays.atoms.size(), atom, charge_e, place, hetero);
+  }
   /// The same, where the atom takes the place of one that is in the list already, in the order of the list.
-  void put(std::size_t at, const Atom& atom, const Place& place, bool hetero);
+  void put(std::size_t at, const PlacedAtom& atom, float charge_e, const Place& place, bool hetero);
+  /// The atom and its charge (0 without charges). `atom` in range.
+  PlacedAtom at(std::size_t atom) const {
+    return {{arrays.atoms[atom]}, {arrays.balls[atom].centre_A}, arrays.balls[atom].radius_A};
+  }
+  float charge_e(std::size_t atom) const { return has_charges_ ? arrays.charges_e[atom] : 0.0f; }
   /// A Problem where the next atom would be one too many, or too much for the memory that a molecule may take.
   std::optional<Problem> full(const std::string& file, std::size_t line) const;
   /// The memory that it takes (unit: byte).
@@ -100,12 +119,13 @@ class GrowingMolecule {
   /// The label_chain of a residue; without names a text that is the same for the same one.
   std::string_view labelChain(std::size_t residue) const;
   bool namesLabelChains() const { return names_label_chains_; }
+  bool hasCharges() const { return has_charges_; }
 
-  Molecule molecule;
+  MoleculeArrays arrays;
   std::vector<bool> hetero_of;  ///< of each residue
 
  private:
-  bool names_label_chains_;
+  bool names_label_chains_, has_charges_;
   std::string label_chain_;  // of the last residue
   std::vector<std::uint32_t>
       label_of_;  // of each residue: index into labels_ from 1, or without names a hash; 0: none. Empty: all have none
@@ -117,14 +137,16 @@ class GrowingMolecule {
 class MoleculeBuilder {
  public:
   /// `text`, which must outlive it, gives the file's name, and by its length how many atoms to expect.
-  MoleculeBuilder(const TextSource& text, const ReadOptions& options);
+  /// `has_charges`: the format has a partial charge for each atom.
+  MoleculeBuilder(const TextSource& text, const ReadOptions& options, bool has_charges = false);
   std::optional<Problem> add(const ParsedAtom& atom);
   Expected<Molecule> finish(ParsedHeader head);
 
  private:
   // Facts of an atom beyond those that become part of the molecule, kept while its place is not complete.
   struct Waiting {
-    Atom atom;
+    PlacedAtom atom;
+    float charge_e = 0.0f;
     std::uint64_t name = 0;  // of the whole name
     double occupancy = 1.0;
     std::uint32_t residue = 0;  // index into residues_
@@ -137,7 +159,7 @@ class MoleculeBuilder {
   void dropAlternates();
   void keepLikeliest();
   std::int32_t unknownElement(const ParsedAtom& atom);
-  void warnOfElements(std::vector<std::string>& warnings) const;
+  void warnOfElements(bool waters_kept, std::vector<std::string>& warnings) const;
 
   const ReadOptions& options_;
   const TextSource& text_;
@@ -161,7 +183,7 @@ class MoleculeBuilder {
 
 /// Marks the residues of the elements; a residue of a helix and of a strand belongs to the helix. One sentence where some
 /// name residues that are not there, nothing otherwise.
-std::string markElements(Molecule& molecule, const std::vector<ParsedElement>& elements);
+std::string markElements(MoleculeArrays& molecule, const std::vector<ParsedElement>& elements);
 
 /// Puts the assembly `name` in the place of the molecule. Copies of a chain are named, …
 std::optional<Problem> applyAssembly(GrowingMolecule& molecule, const std::vector<ParsedAssembly>& assemblies,

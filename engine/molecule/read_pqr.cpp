@@ -1,5 +1,5 @@
 // Reads PQR, as PDB2PQR and APBS have it: lines of a PDB file with blanks between the words, and the atom's charge and
-// radius in the place of occupancy and B factor. The radius is taken; the charge is read and left, for nothing uses it.
+// radius in the place of occupancy and B factor.
 #include <charconv>
 #include <cmath>
 
@@ -60,6 +60,7 @@ std::optional<Problem> addPqrAtom(MoleculeBuilder& builder, std::string_view lin
                        quantityText(kMaxCoordinate_A, Dimension::Length, plain())),
                    tr("correct or remove the line")};
   atom.position_A = {value[0], value[1], value[2]};
+  atom.charge_e = value[3];
   atom.radius_A = value[4];
   atom.name = words[1].text;
   atom.residue = words[2].text;
@@ -85,7 +86,7 @@ std::optional<Problem> addPqrAtom(MoleculeBuilder& builder, std::string_view lin
 
 Expected<Molecule> readPqr(TextSource& text, const ReadOptions& options) {
   if (!options.assembly.empty()) return noAssembly(text.file());
-  MoleculeBuilder builder(text, options);
+  MoleculeBuilder builder(text, options, true);
   ParsedHeader head;
   head.models = 0;
   bool in_model = false, any = false;

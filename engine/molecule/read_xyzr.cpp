@@ -33,8 +33,8 @@ Expected<Molecule> readXyzr(TextSource& text, const ReadOptions& options) {
   constexpr const char* kColumn[4] = {"x", "y", "z", "r"};
   if (options.model != 1) return noSuchModel(file, options.model, 1);
   if (!options.assembly.empty()) return noAssembly(file);
-  Molecule out;
-  out.atoms.reserve(std::min(kMaxMoleculeAtoms, text.expectedBytes() / kBytesABall));
+  std::vector<Ball> balls;
+  balls.reserve(std::min(kMaxMoleculeAtoms, text.expectedBytes() / kBytesABall));
   std::size_t first_extra = 0;
   for (std::string_view line; text.next(line);) {
     const std::size_t line_number = text.number();
@@ -69,17 +69,16 @@ Expected<Molecule> readXyzr(TextSource& text, const ReadOptions& options) {
       return Problem{file, line_number, static_cast<std::size_t>(at - start) + 1,
                      trf("expected 4 numbers, found {0}", count), tr(kFormatRemedy)};
     if (count == 4) {
-      if (out.atoms.size() >= kMaxMoleculeAtoms) return tooManyAtoms(file, line_number);
-      Atom atom;
-      atom.position.A = {value[0], value[1], value[2]};
-      atom.radius_A = value[3];
-      out.atoms.push_back(atom);
+      if (balls.size() >= kMaxMoleculeAtoms) return tooManyAtoms(file, line_number);
+      balls.push_back({{value[0], value[1], value[2]}, value[3]});
     }
   }
-  if (out.atoms.empty()) return Problem{file, 0, 0, tr("the file holds no atoms"), tr(kFormatRemedy)};
+  if (balls.empty()) return Problem{file, 0, 0, tr("the file holds no atoms"), tr(kFormatRemedy)};
+  Molecule out;
+  out.atoms = std::vector<Atom>(balls.size());
+  out.balls = std::move(balls);
   if (first_extra)
-    out.warnings.push_back(
-        trf("What follows the fourth number of a line was passed over (first on line {0}).", first_extra));
+    out.warnings = {trf("What follows the fourth number of a line was passed over (first on line {0}).", first_extra)};
   return out;
 }
 

@@ -23,9 +23,9 @@ struct Box {
 
 Box boxOf(const Molecule& molecule) {
   Box box;
-  for (const Atom& a : molecule.atoms) {
-    box.low = glm::min(box.low, a.position.A - a.radius_A);
-    box.high = glm::max(box.high, a.position.A + a.radius_A);
+  for (const Ball& a : molecule.balls) {
+    box.low = glm::min(box.low, a.centre_A - a.radius_A);
+    box.high = glm::max(box.high, a.centre_A + a.radius_A);
   }
   return box;
 }
@@ -40,7 +40,7 @@ std::map<ResidueName, std::pair<std::string_view, Vec3>> leadingAtoms(const Mole
       if (const std::string_view name = m.atoms[i].nameText();
           (r.kind == ResidueKind::AminoAcid && name == "CA") || (r.kind == ResidueKind::Nucleotide && name == "P"))
         out.emplace(ResidueName{m.chains[r.chain].name, r.number, r.insertion},
-                    std::pair{std::string_view(r.name), m.atoms[i].position.A});
+                    std::pair{std::string_view(r.name), m.balls[i].centre_A});
   return out;
 }
 
@@ -59,10 +59,22 @@ void turnAlike(const Molecule& first, Molecule& second) {
   }
   if (here.size() < 3 || 2 * here.size() < common) return;
   const gemmi::SupResult fit = gemmi::superpose_positions(here.data(), there.data(), here.size(), nullptr);
-  for (Atom& a : second.atoms) {
-    const gemmi::Vec3 to = fit.transform.apply(gemmi::Vec3(a.position.A.x, a.position.A.y, a.position.A.z));
-    if (const Vec3 place(to.x, to.y, to.z); finite(place)) a.position.A = place;
+  std::vector<Ball> turned = second.balls.copy();
+  for (Ball& b : turned) {
+    const gemmi::Vec3 to = fit.transform.apply(gemmi::Vec3(b.centre_A.x, b.centre_A.y, b.centre_A.z));
+    if (const Vec3 place(to.x, to.y, to.z); finite(place)) b.centre_A = place;
   }
+  second.balls = std::move(turned);
+}
+
+// The first array, then the second with each element mapped.
+template <class T, class Map>
+std::vector<T> joined(const SharedArray<T>& first, const SharedArray<T>& second, Map&& mapped) {
+  std::vector<T> out;
+  out.reserve(first.size() + second.size());
+  out.insert(out.end(), first.begin(), first.end());
+  for (const T& item : second) out.push_back(mapped(item));
+  return out;
 }
 
 }  // namespace
@@ -72,34 +84,45 @@ Molecule sideBySide(Molecule first, Molecule second) {
   const Box left = boxOf(first), right = boxOf(second);
   Vec3 shift = left.middle() - right.middle();
   shift.x = left.high.x + kBesideGap_A - right.low.x;
-  Molecule out = std::move(first);
-  const auto atoms = std::uint32_t(out.atoms.size()), residues = std::uint32_t(out.residues.size()),
-             chains = std::uint32_t(out.chains.size());
+  Molecule out = first;
+  const auto atoms = std::uint32_t(first.atoms.size()), residues = std::uint32_t(first.residues.size()),
+             chains = std::uint32_t(first.chains.size());
   out.beside_from = atoms;
   out.beside_id = second.id;
-  for (Atom& a : second.atoms) {
-    a.position.A += shift;
+  out.atoms = joined(first.atoms, second.atoms, [&](Atom a) {
     if (a.residue != kNoResidue) a.residue += residues;
-    out.atoms.push_back(a);
+    return a;
+  });
+  out.balls = joined(first.balls, second.balls, [&](Ball b) {
+    b.centre_A += shift;
+    return b;
+  });
+  // A charge of 0 stands for those of a file without charges.
+  if (!first.charges_e.empty() || !second.charges_e.empty()) {
+    const auto chargesOf = [](const Molecule& m) {
+      return m.charges_e.empty() ? SharedArray<float>(std::vector<float>(m.atoms.size())) : m.charges_e;
+    };
+    out.charges_e = joined(chargesOf(first), chargesOf(second), [](float c) { return c; });
   }
-  for (Residue& r : second.residues) {
+  out.residues = joined(first.residues, second.residues, [&](Residue r) {
     r.chain += chains;
     r.first_atom += atoms;
-    out.residues.push_back(std::move(r));
-  }
-  for (Chain& c : second.chains) {
+    return r;
+  });
+  out.chains = joined(first.chains, second.chains, [&](Chain c) {
     c.name = std::string(c.name) + kBesideEnding;
     c.first_residue += residues;
-    out.chains.push_back(std::move(c));
-  }
+    return c;
+  });
   // Bonds and helices that one of the two files lists and the other does not are found for both.
-  if (out.listed_bonds.empty() || second.listed_bonds.empty()) {
-    out.listed_bonds.clear();
-  } else {
-    for (Bond& b : second.listed_bonds) out.listed_bonds.push_back({b.first + atoms, b.second + atoms, b.order});
-  }
+  if (first.listed_bonds.empty() || second.listed_bonds.empty())
+    out.listed_bonds = {};
+  else
+    out.listed_bonds = joined(first.listed_bonds, second.listed_bonds, [&](Bond b) {
+      return Bond{b.first + atoms, b.second + atoms, b.order};
+    });
   out.has_recorded_structure = out.has_recorded_structure && second.has_recorded_structure;
-  out.warnings.insert(out.warnings.end(), second.warnings.begin(), second.warnings.end());
+  out.warnings = joined(first.warnings, second.warnings, [](const std::string& w) { return w; });
   out.waters_left_out += second.waters_left_out;
   out.alternates_left_out += second.alternates_left_out;
   return out;

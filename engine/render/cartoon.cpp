@@ -127,7 +127,7 @@ class Cartoon {
  public:
   Cartoon(const Molecule& molecule, std::span<const std::uint8_t> drawn, std::span<const std::uint32_t> colours)
       : molecule_(molecule), drawn_(drawn), colours_(colours) {
-    for (const Atom& a : molecule.atoms) piece_.origin_A += a.position.A / double(molecule.atoms.size());
+    for (const Ball& a : molecule.balls) piece_.origin_A += a.centre_A / double(molecule.atoms.size());
   }
 
   MeshPiece build() {
@@ -141,7 +141,7 @@ class Cartoon {
   }
 
  private:
-  Vec3 at(std::uint32_t atom) const { return molecule_.atoms[atom].position.A; }
+  Vec3 at(std::uint32_t atom) const { return molecule_.balls[atom].centre_A; }
 
   void protein(const ProteinStretch& stretch, const MoleculeStructure& structure,
                const std::vector<std::uint8_t>& ends) {

@@ -80,7 +80,7 @@ class Balls {
     scene_.nodes.push_back({.name = molecule_.describe(atom),
                             .mesh = mesh->second,
                             .parent = groupOf(atom),
-                            .place = glm::vec3((molecule_.atoms[atom].position.A - middle_) * unit_),
+                            .place = glm::vec3((molecule_.balls[atom].centre_A - middle_) * unit_),
                             .scale = float(radius_A * unit_)});
   }
 
@@ -146,7 +146,7 @@ void addStyles(const Molecule& molecule, const ExportOptions& options, const std
     if (std::find(shown.begin(), shown.end(), 1) == shown.end()) continue;
     if (what.style == DrawStyle::Spheres) {
       for (std::uint32_t a = 0; a < shown.size(); ++a)
-        if (shown[a]) balls.add(a, molecule.atoms[a].radius_A + options.probe_A, what.opacity);
+        if (shown[a]) balls.add(a, molecule.balls[a].radius_A + options.probe_A, what.opacity);
       continue;
     }
     SolventExcluded surface;
@@ -241,7 +241,7 @@ Expected<GltfScene> exportMolecule(const Molecule& molecule, const ExportOptions
   std::vector<std::uint32_t> atoms;
   for (std::uint32_t a = 0; a < seen.size(); ++a) {
     if (!seen[a]) continue;
-    balls.push_back({molecule.atoms[a].position.A, molecule.atoms[a].radius_A + options.probe_A});
+    balls.push_back({molecule.balls[a].centre_A, molecule.balls[a].radius_A + options.probe_A});
     atoms.push_back(a);
   }
   if (balls.empty())

@@ -43,7 +43,7 @@ MoleculeModel::MoleculeModel(std::shared_ptr<const Molecule> m, std::size_t most
     beyond_A = residues.beyond_A;
     scene = BallScene(std::move(residues.balls));
   } else {
-    scene = BallScene(molecule->balls());
+    scene = BallScene(molecule->balls);
   }
   blocks = BallBlocks(scene.balls());
   paint({});

@@ -55,7 +55,7 @@ struct MoleculeModel {
   bool byResidue() const { return !first_atom.empty(); }
   std::size_t atoms() const { return molecule->atoms.size(); }
   /// An atom's own ball. `atom` in range.
-  Ball atomBall(std::uint32_t atom) const { return {molecule->atoms[atom].position.A, molecule->atoms[atom].radius_A}; }
+  Ball atomBall(std::uint32_t atom) const { return molecule->balls[atom]; }
   /// The ball that stands for an atom. `atom` in range.
   std::uint32_t ballOf(std::uint32_t atom) const;
   /// The balls of which some atom is among these, ascending as they are.

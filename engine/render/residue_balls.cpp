@@ -16,11 +16,11 @@ constexpr double kSplitBeyond_A = 12.0;
 Ball ballOf(const Molecule& molecule, std::uint32_t begin, std::uint32_t end) {
   const double each = 1.0 / double(end - begin);
   Ball out;
-  for (std::uint32_t a = begin; a < end; ++a) out.centre_A += molecule.atoms[a].position.A * each;
+  for (std::uint32_t a = begin; a < end; ++a) out.centre_A += molecule.balls[a].centre_A * each;
   double square = 0.0;
   for (std::uint32_t a = begin; a < end; ++a) {
-    const Vec3 off = molecule.atoms[a].position.A - out.centre_A;
-    square += each * (molecule.atoms[a].radius_A * molecule.atoms[a].radius_A + glm::dot(off, off) * 5.0 / 3.0);
+    const Vec3 off = molecule.balls[a].centre_A - out.centre_A;
+    square += each * (molecule.balls[a].radius_A * molecule.balls[a].radius_A + glm::dot(off, off) * 5.0 / 3.0);
   }
   out.radius_A = std::sqrt(square);
   return out;
@@ -37,11 +37,11 @@ ResidueBalls residueBalls(const Molecule& molecule) {
     const Atom& first = molecule.atoms[begin];
     const std::uint32_t most = first.residue == kNoResidue ? kMostOfNone : kMostOfResidue;
     for (end = begin + 1; end < atoms && end - begin < most && molecule.atoms[end].residue == first.residue; ++end)
-      if (glm::distance(molecule.atoms[end].position.A, first.position.A) > kSplitBeyond_A) break;
+      if (glm::distance(molecule.balls[end].centre_A, molecule.balls[begin].centre_A) > kSplitBeyond_A) break;
     const Ball ball = ballOf(molecule, begin, end);
     for (std::uint32_t a = begin; a < end; ++a)
-      out.beyond_A = std::max(out.beyond_A, glm::distance(molecule.atoms[a].position.A, ball.centre_A) +
-                                                molecule.atoms[a].radius_A - ball.radius_A);
+      out.beyond_A = std::max(out.beyond_A, glm::distance(molecule.balls[a].centre_A, ball.centre_A) +
+                                                molecule.balls[a].radius_A - ball.radius_A);
     out.first_atom.push_back(begin);
     out.balls.push_back(ball);
   }

@@ -39,7 +39,7 @@ SolventExcluded surfaceOf(const Molecule& molecule, std::span<const std::uint8_t
   std::vector<std::uint32_t> atoms;
   for (std::uint32_t a = 0; a < shown.size(); ++a)
     if (shown[a]) {
-      balls.push_back({molecule.atoms[a].position.A, molecule.atoms[a].radius_A});
+      balls.push_back(molecule.balls[a]);
       atoms.push_back(a);
     }
   SolventExcluded surface = solventExcluded(balls, std::max(probe_A, kLeastProbe_A), progress);
@@ -56,9 +56,9 @@ StyleShapes shapesOf(DrawStyle style, const Molecule& m, std::span<const std::ui
     append(piece, sticks(m, findBonds(m), atoms, colours, stick_A));
     for (std::uint32_t a = 0; a < atoms.size(); ++a)
       if (atoms[a]) {
-        const double radius = std::max(ball_A, ball_share * m.atoms[a].radius_A);
+        const double radius = std::max(ball_A, ball_share * m.balls[a].radius_A);
         out.balls.push_back({a, float(radius)});
-        out.shading.push_back({m.atoms[a].position.A, std::max(radius, 0.5)});
+        out.shading.push_back({m.balls[a].centre_A, std::max(radius, 0.5)});
       }
   };
   switch (style) {

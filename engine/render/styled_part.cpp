@@ -62,7 +62,7 @@ void StyledPart::findShapes(const MoleculeModel& model) {
   if (shapes.shading.empty()) return;
   const OcclusionField field = occlusionField(shapes.shading);
   occlusion_.emplace().upload(field);
-  for (SmallBall& b : balls_) b.wide = field.wideRound(molecule_->atoms[b.atom].position.A, b.radius_A);
+  for (SmallBall& b : balls_) b.wide = field.wideRound(molecule_->balls[b.atom].centre_A, b.radius_A);
 }
 
 }  // namespace moltact

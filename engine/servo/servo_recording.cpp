@@ -359,7 +359,7 @@ std::map<std::string, std::string> sceneLabels(const BallScene& scene, const Hel
   return labels;
 }
 
-RecordedScene recordedScene(const std::map<std::string, std::string>& labels, std::vector<Ball> balls) {
+RecordedScene recordedScene(const std::map<std::string, std::string>& labels, SharedArray<Ball> balls) {
   const auto listed = [&](const char* key) {
     const auto found = labels.find(key);
     return found == labels.end() ? std::vector<std::uint32_t>() : rangesOf(found->second, balls.size());

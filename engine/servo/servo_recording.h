@@ -103,7 +103,7 @@ struct RecordedScene {
 };
 
 /// The scene of these labels, of its molecule's balls. Labels that name others than there are name none.
-RecordedScene recordedScene(const std::map<std::string, std::string>& labels, std::vector<Ball> balls);
+RecordedScene recordedScene(const std::map<std::string, std::string>& labels, SharedArray<Ball> balls);
 
 /// The number of balls and all their values in one number (FNV-1a): a recording's label "balls", which shows whether
 /// its molecule has changed since.

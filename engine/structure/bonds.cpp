@@ -33,7 +33,7 @@ class BondFinder {
 
  private:
   double distance(std::uint32_t a, std::uint32_t b) const {
-    return glm::distance(m_.atoms[a].position.A, m_.atoms[b].position.A);
+    return glm::distance(m_.balls[a].centre_A, m_.balls[b].centre_A);
   }
   void add(std::uint32_t a, std::uint32_t b, BondOrder order) {
     const auto [first, second] = std::minmax(a, b);
@@ -76,20 +76,21 @@ class BondFinder {
     std::vector<Ball> balls;
     balls.reserve(m_.atoms.size());
     double largest = 0.0;
-    for (const Atom& a : m_.atoms) {
-      const double radius = gemmi::covalent_radius(elementOf(a));
+    for (std::size_t i = 0; i < m_.atoms.size(); ++i) {
+      const double radius = gemmi::covalent_radius(elementOf(m_.atoms[i]));
       largest = std::max(largest, radius);
-      balls.push_back({a.position.A, radius});
+      balls.push_back({m_.balls[i].centre_A, radius});
     }
     const BallScene grid(std::move(balls), BallScene::Duplicates::VisitEach);
     std::vector<std::uint32_t> nearest;  // of each hydrogen its partner; made where there is one
     std::vector<double> how_near;
     for (std::uint32_t i = 0; i < m_.atoms.size(); ++i) {
       const Atom& a = m_.atoms[i];
+      const Vec3 here_A = grid[i].centre_A;
       const double radius = grid[i].radius_A;
-      grid.visitCentresNear(a.position.A, radius + largest + kTolerance_A, [&](std::uint32_t j, const Ball& ball) {
+      grid.visitCentresNear(here_A, radius + largest + kTolerance_A, [&](std::uint32_t j, const Ball& ball) {
         if (j <= i) return;
-        const double apart = glm::distance(ball.centre_A, a.position.A);
+        const double apart = glm::distance(ball.centre_A, here_A);
         if (apart > radius + ball.radius_A + kTolerance_A || apart < kLeastApart_A) return;
         const Atom& b = m_.atoms[j];
         const bool same_residue = a.residue == b.residue;
@@ -130,7 +131,7 @@ class BondFinder {
 }  // namespace
 
 std::vector<Bond> findBonds(const Molecule& molecule) {
-  return molecule.listed_bonds.empty() ? BondFinder(molecule).run() : molecule.listed_bonds;
+  return molecule.listed_bonds.empty() ? BondFinder(molecule).run() : molecule.listed_bonds.copy();
 }
 
 BondTable::BondTable(std::size_t atoms, std::span<const Bond> bonds) : begin_(atoms + 1, 0) {

@@ -94,9 +94,9 @@ Role roleOf(const Molecule& m, const BondTable& bonds, std::uint32_t index) {
 
 /// Whether every angle at `at` between `to` and what `at` is bonded to is 90 degrees or more.
 bool open(const Molecule& m, const BondTable& bonds, std::uint32_t at, std::uint32_t to) {
-  const Vec3 here = m.atoms[at].position.A, way = m.atoms[to].position.A - here;
+  const Vec3 here = m.balls[at].centre_A, way = m.balls[to].centre_A - here;
   for (const std::uint32_t n : bonds.neighbours(at))
-    if (m.atoms[n].atomic_number != kHydrogen && glm::dot(m.atoms[n].position.A - here, way) > 0.0) return false;
+    if (m.atoms[n].atomic_number != kHydrogen && glm::dot(m.balls[n].centre_A - here, way) > 0.0) return false;
   return true;
 }
 
@@ -112,7 +112,7 @@ std::vector<HydrogenBond> findHydrogenBonds(const Molecule& m, const BondTable& 
     if (!role.gives && !role.takes) continue;
     polar.push_back(i);
     roles.push_back(role);
-    places.push_back({m.atoms[i].position.A, 0.0});
+    places.push_back({m.balls[i].centre_A, 0.0});
   }
   const BallScene grid(std::move(places), BallScene::Duplicates::VisitEach);
   std::vector<HydrogenBond> out;

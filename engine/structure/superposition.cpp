@@ -99,7 +99,7 @@ Expected<Superposition> superpose(const Molecule& one, const Molecule& other,
   const auto collect = [&](bool all) {
     for (const auto& [i, j] : pairs) {
       if (!all && !leads(one, i)) continue;
-      const Vec3 &p = one.atoms[i].position.A, &q = other.atoms[j].position.A;
+      const Vec3 &p = one.balls[i].centre_A, &q = other.balls[j].centre_A;
       here.emplace_back(p.x, p.y, p.z);
       there.emplace_back(q.x, q.y, q.z);
     }
@@ -151,13 +151,13 @@ Expected<TwoStates> twoStates(const Molecule& one, const Molecule& other, std::s
   TwoStates out;
   out.fit = *fit;
   out.matched = pairs.size();
-  out.first = one.balls();
+  out.first = one.balls.copy();
   out.second = out.first;
   std::vector<char> matched(one.atoms.size(), 0);
   std::vector<Vec3> way(one.residues.size(), Vec3(0.0));
   std::vector<double> count(one.residues.size(), 0.0);
   for (const auto& [i, j] : pairs) {
-    out.second[i].centre_A = out.fit(other.atoms[j].position.A);
+    out.second[i].centre_A = out.fit(other.balls[j].centre_A);
     matched[i] = 1;
     const std::uint32_t r = one.atoms[i].residue;
     way[r] += out.second[i].centre_A - out.first[i].centre_A;

@@ -49,7 +49,7 @@ const ServoSample& now(ScriptedUser& d) { return d.app().scene.log().latest(); }
 // The gap between the probe and the nearest ball (unit: angstrom), ball by ball.
 double gap_A(ScriptedUser& d) {
   double least = 1e9;
-  for (const Ball& b : d.app().scene.stage().molecule->balls())
+  for (const Ball& b : d.app().scene.stage().molecule->balls)
     least = std::min(least, glm::distance(b.centre_A, now(d).hip.A) - b.radius_A - now(d).probe_A);
   return least;
 }
@@ -190,7 +190,7 @@ TEST_CASE(
 TEST_CASE("a place that a task turns to the front lies before the hand, which begins outside") {
   auto d = startWith("1ubq");
   Held& stylus = hold(*d);
-  const PointA place = d->app().scene.stage().molecule->atoms[300].position;
+  const PointA place = PointA{d->app().scene.stage().molecule->balls[300].centre_A};
   d->app().beginSceneAgain(place);
   d->frames(60);
   CHECK(now(*d).contact.fault == Fault::None);

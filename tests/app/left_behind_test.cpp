@@ -15,17 +15,19 @@ constexpr double kFrame_s = 1.0 / 60.0;
 struct Touched {
   /// The hand holds a body of atoms there that are felt as large as a water molecule; none: the probe.
   explicit Touched(const std::vector<Vec3>& held = {}) : scene(ServoClock::Frames) {
-    Molecule molecule;
-    Atom atom;
+    std::vector<PlacedAtom> placed;
+    PlacedAtom atom;
     atom.radius_A = 1.6;
-    molecule.atoms.push_back(atom);
+    placed.push_back(atom);
     std::vector<std::uint32_t> atoms;
     for (const Vec3& place : held) {
       atom.position.A = place;
       atom.radius_A = kWaterProbe_A + kBodyOverlap_A;
-      atoms.push_back(std::uint32_t(molecule.atoms.size()));
-      molecule.atoms.push_back(atom);
+      atoms.push_back(std::uint32_t(placed.size()));
+      placed.push_back(atom);
     }
+    Molecule molecule;
+    molecule.setAtoms(placed);
     auto made = makeStage(std::move(molecule), "ball.pdb");
     REQUIRE(made);
     scene.show(withUntouchable(*made, atoms, atoms), {"ball.pdb"}, [](Camera&, const Molecule&) {});

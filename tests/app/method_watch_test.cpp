@@ -11,9 +11,9 @@ namespace {
 
 Stage oneBall() {
   Molecule molecule;
-  Atom atom;
+  PlacedAtom atom;
   atom.radius_A = 1.6;
-  molecule.atoms.push_back(atom);
+  molecule.setAtoms({atom});
   auto made = makeStage(std::move(molecule), "ball.pdb");
   REQUIRE(made);
   return *std::move(made);

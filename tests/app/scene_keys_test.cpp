@@ -82,7 +82,7 @@ TEST_CASE(
   REQUIRE(app.scene.look.cut);
   Vec3 middle(0.0);
   const auto atoms = parseSelection("residue 30")->select(molecule);
-  for (const auto a : atoms) middle += molecule.atoms[a].position.A / double(atoms.size());
+  for (const auto a : atoms) middle += molecule.balls[a].centre_A / double(atoms.size());
   CHECK(glm::distance(app.scene.look.cut->normal, app.scene.camera.back()) < 1e-9);
   CHECK(app.scene.look.cut->offset_A == doctest::Approx(glm::dot(app.scene.camera.back(), middle)));
   const Camera home = app.scene.camera;
@@ -94,7 +94,7 @@ TEST_CASE(
   d->frames(3);
   Vec3 lysine(0.0);
   const auto of_48 = parseSelection("residue 48")->select(molecule);
-  for (const auto a : of_48) lysine += molecule.atoms[a].position.A / double(of_48.size());
+  for (const auto a : of_48) lysine += molecule.balls[a].centre_A / double(of_48.size());
   CHECK(glm::distance(app.scene.camera.target.A, lysine) < 1e-6);
   CHECK(d->click("tool/undo"));
   d->frames(3);
@@ -168,8 +168,8 @@ TEST_CASE(
       "open.pdb\n```\nText.\n");
   auto d = startWith(file.string());
   Application& app = d->app();
-  const auto last = [&] { return app.scene.seenMolecule()->atoms[9].position.A; };
-  const Vec3 open = app.scene.stage().molecule->atoms[9].position.A;
+  const auto last = [&] { return app.scene.seenMolecule()->balls[9].centre_A; };
+  const Vec3 open = app.scene.stage().molecule->balls[9].centre_A;
   REQUIRE(d->shows("view/states"));
   CHECK(glm::distance(last(), open) == 0.0);
   d->point("view");
@@ -195,7 +195,7 @@ TEST_CASE(
   CHECK(d->text("view/states") == "100\u00a0%");
   const BallScene& balls = *app.scene.stage().balls;
   for (std::size_t i = 0; i < balls.size(); ++i)
-    CHECK(glm::distance(balls[i].centre_A, app.scene.seenMolecule()->atoms[i].position.A) == 0.0);
+    CHECK(glm::distance(balls[i].centre_A, app.scene.seenMolecule()->balls[i].centre_A) == 0.0);
   app.lesson.next();
   d->frames(5);
   CHECK(glm::distance(last(), open + Vec3(0, 0, 6)) < 1e-3);  // it begins there

@@ -30,14 +30,16 @@ ViewScene sceneOf(std::size_t atoms) {
   static std::map<std::size_t, std::shared_ptr<const Molecule>> made;
   auto& one = made[atoms];
   if (!one) {
-    Molecule molecule;
+    std::vector<PlacedAtom> placed;
     for (const Ball& b : bench::proteinLike(atoms, 1)) {
-      Atom a;
+      PlacedAtom a;
       a.position.A = b.centre_A;
       a.radius_A = b.radius_A;
-      a.atomic_number = std::uint8_t(6 + molecule.atoms.size() % 3);
-      molecule.atoms.push_back(a);
+      a.atomic_number = std::uint8_t(6 + placed.size() % 3);
+      placed.push_back(a);
     }
+    Molecule molecule;
+    molecule.setAtoms(placed);
     one = std::make_shared<const Molecule>(std::move(molecule));
   }
   ViewScene scene;

@@ -33,7 +33,7 @@ void writePdb(const Molecule& molecule, std::size_t atoms, const std::filesystem
   std::ofstream out(file);
   for (std::size_t i = 0; i < atoms; ++i) {
     const std::size_t copy = i / molecule.atoms.size();
-    const Atom& a = molecule.atoms[i % molecule.atoms.size()];
+    const PlacedAtom a = molecule.at(i % molecule.atoms.size());
     const Residue& r = molecule.residues[a.residue];
     const Vec3 p = shifted(a.position.A, copy);
     char line[96];
@@ -55,7 +55,7 @@ void writeMmcif(const Molecule& molecule, std::size_t atoms, const std::filesyst
     out << "_atom_site." << tag << '\n';
   for (std::size_t i = 0; i < atoms; ++i) {
     const std::size_t copy = i / molecule.atoms.size();
-    const Atom& a = molecule.atoms[i % molecule.atoms.size()];
+    const PlacedAtom a = molecule.at(i % molecule.atoms.size());
     const Residue& r = molecule.residues[a.residue];
     const Vec3 p = shifted(a.position.A, copy);
     char line[160];

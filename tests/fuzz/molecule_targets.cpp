@@ -18,7 +18,7 @@ namespace {
 
 void soundly(const Molecule& m) {
   mustBe(!m.atoms.empty() && m.atoms.size() <= kMaxMoleculeAtoms, "some atoms");
-  for (const Atom& atom : m.atoms) {
+  for (const PlacedAtom& atom : m.placedAtoms()) {
     for (int k = 0; k < 3; ++k) mustBe(std::abs(atom.position.A[k]) <= kMaxCoordinate_A, "a place within 1e9 A");
     mustBe(atom.radius_A >= 0 && atom.radius_A <= kMaxCoordinate_A, "a radius");
     mustBe(atom.name.back() == 0, "a name with an end");
@@ -109,7 +109,7 @@ void structure(std::string_view bytes) {
       next = e.last_residue + 1;
     }
   }
-  for (const double area : accessibleAreas_A2(m.balls())) mustBe(std::isfinite(area) && area >= 0.0, "an area");
+  for (const double area : accessibleAreas_A2(m.balls)) mustBe(std::isfinite(area) && area >= 0.0, "an area");
   for (const ColouringScheme& scheme : colouringSchemes())
     mustBe(colourMolecule(m, scheme).of_atom.size() == m.atoms.size(), "a colour of every atom");
   if (const auto states = twoStates(m, m))

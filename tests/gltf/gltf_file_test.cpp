@@ -59,9 +59,9 @@ TEST_CASE("water as balls reads back as 3 x 1280 triangles, 0.3152 nm wide in x,
   const SolidModel model = writtenAndRead(scratch.folder / "water.glb", exported(water, {}));
   CHECK(model.corners.size() == 3 * 3 * 1280);
   Vec3 low(1e9), high(-1e9);
-  for (const Atom& a : water.atoms) {
-    low = glm::min(low, a.position.A - a.radius_A);
-    high = glm::max(high, a.position.A + a.radius_A);
+  for (const Ball& a : water.balls) {
+    low = glm::min(low, a.centre_A - a.radius_A);
+    high = glm::max(high, a.centre_A + a.radius_A);
   }
   for (int k = 0; k < 3; ++k) {
     // The corners lie on the ball, but none exactly at its side: 1 part in 200 of a radius of 0.17 nm.
@@ -87,9 +87,9 @@ TEST_CASE(
   const ExportOptions options{.print = true, .probe_A = 1.4, .step_A = 0.25};
   const SolidModel model = writtenAndRead(scratch.folder / "benzene.glb", exported(benzene, options));
   Vec3 low(1e9), high(-1e9);
-  for (const Atom& a : benzene.atoms) {
-    low = glm::min(low, a.position.A - a.radius_A - 1.4);
-    high = glm::max(high, a.position.A + a.radius_A + 1.4);
+  for (const Ball& a : benzene.balls) {
+    low = glm::min(low, a.centre_A - a.radius_A - 1.4);
+    high = glm::max(high, a.centre_A + a.radius_A + 1.4);
   }
   for (int k = 0; k < 3; ++k) {
     CHECK(double(model.high[k]) <= 0.05 * (high[k] - low[k]) + 1e-6);
@@ -176,9 +176,9 @@ TEST_CASE(
     return scene.meshes[node->mesh];
   };
   Vec3 low(1e9), high(-1e9);
-  for (const Atom& a : water.atoms) {
-    low = glm::min(low, a.position.A - a.radius_A);
-    high = glm::max(high, a.position.A + a.radius_A);
+  for (const Ball& a : water.balls) {
+    low = glm::min(low, a.centre_A - a.radius_A);
+    high = glm::max(high, a.centre_A + a.radius_A);
   }
   const Vec3 middle = 0.5 * (low + high);
   const GltfMesh& bond = named("hydrogen bonds");

@@ -19,7 +19,7 @@ double nearest_A(const ShippedScene& s, const std::string& one, const std::strin
   double least = 1e9;
   for (const std::uint32_t a : s.select(one))
     for (const std::uint32_t b : s.select(other))
-      least = std::min(least, glm::distance(s.molecule->atoms[a].position.A, s.molecule->atoms[b].position.A));
+      least = std::min(least, glm::distance(s.molecule->balls[a].centre_A, s.molecule->balls[b].centre_A));
   return least;
 }
 
@@ -44,7 +44,7 @@ TEST_CASE("the empty tunnel and the drug are atoms of 1hpv in their places, and 
   for (std::size_t i = 0; i < whole.molecule->atoms.size(); ++i) {
     const std::size_t protein = empty.molecule->atoms.size();
     const Atom& part = i < protein ? empty.molecule->atoms[i] : drug.molecule->atoms[i - protein];
-    CHECK(whole.molecule->atoms[i].position.A == part.position.A);
+    CHECK(whole.molecule->balls[i].centre_A == part.position.A);
   }
 }
 
@@ -81,7 +81,7 @@ TEST_CASE(
                           "400 000 small moves and turns, came no further than 2 Å"});
   CAPTURE(says);
   const ShippedScene s("1hpv");
-  const std::vector<Ball> balls = s.molecule->balls();
+  const std::vector<Ball> balls = s.molecule->balls;
   const std::vector<std::uint32_t> held = s.select("ligand");
   CHECK(held.size() == 35);
   const auto body = heldBody(balls, held);

@@ -115,7 +115,7 @@ TEST_CASE(
   CAPTURE(lineSaying(kLesson, "called: the bottom of the hollow in the middle"));
   auto molecule = readMolecule(MOLTACT_SOURCE_DIR "/molecules/2por.pdb", {.assembly = "1"});
   REQUIRE(molecule);
-  const BallScene balls(molecule->balls());
+  const BallScene balls(molecule->balls);
   CHECK(balls.size() == 3 * 2222);
   double narrowest_A = 1e9;
   for (double z = 0.0; z < 50.0; z += 0.05)

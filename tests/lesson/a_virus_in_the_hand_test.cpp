@@ -25,7 +25,7 @@ const Molecule& shell() {
 
 std::vector<Vec3> placesOf(const std::string& text) {
   std::vector<Vec3> out;
-  for (const auto i : parseSelection(text)->select(shell())) out.push_back(shell().atoms[i].position.A);
+  for (const auto i : parseSelection(text)->select(shell())) out.push_back(shell().balls[i].centre_A);
   return out;
 }
 
@@ -39,8 +39,8 @@ double offAxis_A(const Vec3& place, const Vec3& axis) { return glm::length(place
 /// How high over the middle a ball on this axis is stopped that comes from outside.
 double stop_A(const Vec3& axis, double ball_A) {
   double highest = 0.0;
-  for (const Atom& a : shell().atoms) {
-    const double off = offAxis_A(a.position.A, axis), grown = a.radius_A + ball_A, up = glm::dot(a.position.A, axis);
+  for (const Ball& a : shell().balls) {
+    const double off = offAxis_A(a.centre_A, axis), grown = a.radius_A + ball_A, up = glm::dot(a.centre_A, axis);
     if (off < grown) highest = std::max(highest, up + std::sqrt(grown * grown - off * off));
   }
   return highest;
@@ -172,7 +172,7 @@ TEST_CASE(
     const Vec3 axis = axisOf(placesOf(knobs));
     double top_A = 0.0;
     for (const auto i : parseSelection(knobs)->select(shell()))
-      top_A = std::max(top_A, glm::dot(shell().atoms[i].position.A, axis) + shell().atoms[i].radius_A + 1.4);
+      top_A = std::max(top_A, glm::dot(shell().balls[i].centre_A, axis) + shell().balls[i].radius_A + 1.4);
     return top_A - stop_A(axis, 1.4);
   };
   const std::string three = "chain F F-10 F-23 and residue 188";

@@ -66,7 +66,7 @@ TEST_CASE(
   // The middle of the ring is closed to a probe of any size.
   const ShippedScene benzene("benzene");
   for (int k = 0; k < 6; ++k)
-    CHECK(glm::length(benzene.molecule->atoms[static_cast<std::size_t>(k)].position.A) < 1.70);
+    CHECK(glm::length(benzene.molecule->balls[static_cast<std::size_t>(k)].centre_A) < 1.70);
   // Every pit of carbons is the one in the middle, where all six hold the point.
   const auto pits = pitPlaces(benzene.balls, benzene.select("element C"), 0.0);
   CHECK(pits.size() >= 2);
@@ -82,7 +82,7 @@ TEST_CASE(
     "pushed 0.55 A deep beside the middle of the ring, by up to 0.5 A to any side, the lesson's point settles in the "
     "pit; a water-sized probe did so within 0.1 A only") {
   const ShippedScene benzene("benzene");
-  const auto balls = std::make_shared<const BallScene>(benzene.molecule->balls());
+  const auto balls = std::make_shared<const BallScene>(benzene.molecule->balls);
   const auto settles = [&](double probe_A, double aside_A) {
     const double pit_A = std::sqrt((1.70 + probe_A) * (1.70 + probe_A) - 1.397 * 1.397);
     int in_pit = 0;
@@ -141,7 +141,7 @@ TEST_CASE(
     int in_crease = 0;
     for (const double along_A : {-0.3, 0.01, 0.3})
       for (double up_A = -0.6; up_A <= 0.6; up_A += 0.01) {
-        const auto exact = findMethod("exact")->make(std::make_shared<const BallScene>(s.molecule->balls()), 1.4);
+        const auto exact = findMethod("exact")->make(std::make_shared<const BallScene>(s.molecule->balls), 1.4);
         Contact felt;
         for (double x = 11.0; x > 7.6; x -= 0.02) felt = exact->step({Vec3(side * x, middle.y + up_A, along_A)});
         in_crease += felt.feature == Feature::Circle && felt.atoms[0] == std::int32_t(std::min(pair[0], pair[1])) &&

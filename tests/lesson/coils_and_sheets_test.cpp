@@ -77,7 +77,7 @@ TEST_CASE(
   const auto a = s.select("chain A"), b = s.select("chain B");
   REQUIRE(a.size() == b.size());
   for (std::size_t k = 0; k < a.size(); ++k)
-    CHECK(glm::distance(s.molecule->atoms[a[k]].position.A * Vec3(-1, 1, 1), s.molecule->atoms[b[k]].position.A) <
+    CHECK(glm::distance(s.molecule->balls[a[k]].centre_A * Vec3(-1, 1, 1), s.molecule->balls[b[k]].centre_A) <
           0.001);
 }
 
@@ -90,7 +90,7 @@ TEST_CASE("no ball of 0.5 A passes straight into the middle of the helix, wherev
       if (std::hypot(x, y) > 1) continue;
       double room_A = 1e9;
       for (double z = -22; z <= 0; z += 0.05)
-        for (const Ball& b : s.molecule->balls())
+        for (const Ball& b : s.molecule->balls)
           room_A = std::min(room_A, glm::distance(Vec3(x, y, z), b.centre_A) - b.radius_A);
       CHECK(room_A < 0.5);
     }

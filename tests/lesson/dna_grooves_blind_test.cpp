@@ -111,7 +111,7 @@ TEST_CASE(
 TEST_CASE("the phosphates stand 73 degrees to either side of the middle of the minor groove") {
   const ShippedScene dna("b-dna");
   for (const std::uint32_t i : dna.select("name P"))
-    CHECK(std::abs(offMinorGroove_deg(dna.molecule->atoms[i].position.A)) == doctest::Approx(73).epsilon(0.01));
+    CHECK(std::abs(offMinorGroove_deg(dna.molecule->balls[i].centre_A)) == doctest::Approx(73).epsilon(0.01));
 }
 
 TEST_CASE(

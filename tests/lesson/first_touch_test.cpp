@@ -25,7 +25,7 @@ int openDirections(const BallScene& balls, std::uint32_t atom, double probe_A) {
 
 /// What holds a probe that is pushed so deep from outside along a straight way (unit: angstrom).
 Contact pushed(const ShippedScene& s, Vec3 from_A, Vec3 to_A) {
-  const auto exact = findMethod("exact")->make(std::make_shared<const BallScene>(s.molecule->balls()), kWater_A);
+  const auto exact = findMethod("exact")->make(std::make_shared<const BallScene>(s.molecule->balls), kWater_A);
   Contact contact;
   const int ticks = static_cast<int>(glm::distance(from_A, to_A) / 0.002);
   for (int k = 0; k <= ticks; ++k) contact = exact->step({from_A + (to_A - from_A) * (double(k) / ticks)});
@@ -35,7 +35,7 @@ Contact pushed(const ShippedScene& s, Vec3 from_A, Vec3 to_A) {
 Vec3 middleOf(const ShippedScene& s, const std::string& text) {
   Vec3 sum(0.0);
   const auto atoms = s.select(text);
-  for (const std::uint32_t a : atoms) sum += s.molecule->atoms[a].position.A / double(atoms.size());
+  for (const std::uint32_t a : atoms) sum += s.molecule->balls[a].centre_A / double(atoms.size());
   return sum;
 }
 
@@ -109,7 +109,7 @@ TEST_CASE(
     const std::string of = "atom " + std::to_string(4 * ring) + "-" + std::to_string(4 * ring + 5);
     const Vec3 middle = middleOf(s, of);
     for (const std::uint32_t a : s.select(of))
-      CHECK(glm::distance(s.molecule->atoms[a].position.A, middle) == doctest::Approx(1.397).epsilon(0.001));
+      CHECK(glm::distance(s.molecule->balls[a].centre_A, middle) == doctest::Approx(1.397).epsilon(0.001));
     CHECK(pushed(s, middle + Vec3(0.01, 0.02, 6), middle + Vec3(0.01, 0.02, 2)).feature == Feature::Point);
     if (ring == 4) break;
     const Vec3 next = middleOf(s, "atom " + std::to_string(4 * ring + 4) + "-" + std::to_string(4 * ring + 9));
@@ -174,7 +174,7 @@ TEST_CASE(
     for (std::size_t a = 0; a < atoms.size(); ++a)
       for (std::size_t b = a + 1; b < atoms.size(); ++b) {
         const double apart_A =
-            glm::distance(s.molecule->atoms[atoms[a]].position.A, s.molecule->atoms[atoms[b]].position.A);
+            glm::distance(s.molecule->balls[atoms[a]].centre_A, s.molecule->balls[atoms[b]].centre_A);
         pairs += apart_A < 2 * (1.88 + kWater_A);
         if (apart_A < 4) CHECK(apart_A == doctest::Approx(3.76).epsilon(0.001));
       }
@@ -184,7 +184,7 @@ TEST_CASE(
     for (const std::uint32_t a : atoms)
       for (std::size_t b = 0; b < s.molecule->atoms.size(); ++b)
         if (std::find(atoms.begin(), atoms.end(), b) == atoms.end())
-          CHECK(glm::distance(s.molecule->atoms[a].position.A, s.molecule->atoms[b].position.A) >
+          CHECK(glm::distance(s.molecule->balls[a].centre_A, s.molecule->balls[b].centre_A) >
                 2 * (1.88 + kWater_A));
   }
 }
@@ -261,7 +261,7 @@ TEST_CASE(
   // Level on the screen, over the middle: in the molecule's plane that crosses the row.
   const TaskSpec& spec = taskOf(lesson, "a-molecule-that-you-cannot-see", "trace");
   const auto task = makeTask(spec, *s.molecule);
-  const auto exact = findMethod("exact")->make(std::make_shared<const BallScene>(s.molecule->balls()), kWater_A);
+  const auto exact = findMethod("exact")->make(std::make_shared<const BallScene>(s.molecule->balls), kWater_A);
   double time_s = 0.0;
   for (double way_A = -8.0; way_A <= 8.0; way_A += 0.005) {
     TouchSample sample;

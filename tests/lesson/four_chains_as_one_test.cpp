@@ -62,7 +62,7 @@ TEST_CASE(
     for (const char* chain : {"B", "D"})
       d = std::min(d,
                    glm::distance(
-                       whole.molecule->atoms[i].position.A,
+                       whole.molecule->balls[i].centre_A,
                        whole.atom(std::string("chain ") + chain + " and protein and residue 1 and name N").position.A));
     least_A.push_back(d);
   }

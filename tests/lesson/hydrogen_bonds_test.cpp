@@ -56,7 +56,7 @@ TEST_CASE(
   const std::string line = lineSaying("hydrogen-bonds", "both creases run from left to right near the middle");
   CAPTURE(line);
   const ShippedScene s("water-and-argon");
-  const auto balls = std::make_shared<const BallScene>(s.molecule->balls());
+  const auto balls = std::make_shared<const BallScene>(s.molecule->balls);
   const struct {
     double side;
     std::int32_t one, other;

@@ -26,7 +26,7 @@ double reach_A(const ShippedScene& s, const std::string& atoms) {
   const Vec3 ca = s.atom("chain A and name CA").position.A;
   double most = 0;
   for (const std::uint32_t a : s.select(atoms))
-    most = std::max(most, glm::distance(s.molecule->atoms[a].position.A, ca) + s.molecule->atoms[a].radius_A);
+    most = std::max(most, glm::distance(s.molecule->balls[a].centre_A, ca) + s.molecule->balls[a].radius_A);
   return most;
 }
 
@@ -155,9 +155,9 @@ TEST_CASE(
   const Vec3 h =
       -glm::normalize(glm::normalize(at("N") - ca) + glm::normalize(at("C") - ca) + glm::normalize(at("CB") - ca));
   Vec3 low(1e9), high(-1e9);
-  for (const Atom& a : s.molecule->atoms) {
-    low = glm::min(low, a.position.A);
-    high = glm::max(high, a.position.A);
+  for (const Ball& a : s.molecule->balls) {
+    low = glm::min(low, a.centre_A);
+    high = glm::max(high, a.centre_A);
   }
   const Vec3 seen_from = glm::normalize(s.atom("residue 6 and name NZ").position.A - 0.5 * (low + high));
   CHECK(glm::dot(h, seen_from) > 0.99);

@@ -69,7 +69,7 @@ TEST_CASE("within agrees with a loop over all pairs of 400 random atoms") {
   MoleculeByHand b;
   for (int i = 0; i < 400; ++i)
     b.atom("C", i % 10 == 0 ? 8 : 6, {coordinate(random), coordinate(random), coordinate(random)});
-  const auto& all = b.molecule.atoms;
+  const auto all = b.atoms;
   for (const double d : {0.0, 1.0, 5.0, 100.0}) {
     Atoms expected;
     for (std::uint32_t i = 0; i < all.size(); ++i)
@@ -78,7 +78,7 @@ TEST_CASE("within agrees with a loop over all pairs of 400 random atoms") {
           expected.push_back(i);
           break;
         }
-    CHECK(parseSelection("within " + std::to_string(d) + " Å of element O")->select(b.molecule) == expected);
+    CHECK(parseSelection("within " + std::to_string(d) + " Å of element O")->select(b.molecule()) == expected);
   }
 }
 

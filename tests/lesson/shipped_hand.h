@@ -23,7 +23,7 @@ inline const TaskSpec& taskOf(const Lesson& lesson, const std::string& step, std
 
 /// Where a probe rests on the atom most nearly on the side to which `out` points; straight above it where none can.
 inline Vec3 restingOn(const ShippedScene& s, const std::string& atom, Vec3 out, double probe_A) {
-  const Atom& a = s.atom(atom);
+  const PlacedAtom a = s.atom(atom);
   Vec3 best = a.position.A + out * (a.radius_A + probe_A);
   double most = -2;
   for (const SurfacePlace& p : s.places(atom, probe_A, 600))

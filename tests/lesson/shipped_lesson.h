@@ -81,16 +81,16 @@ inline int tasksOf(const Lesson& lesson, std::string_view kind) {
 }
 
 struct ShippedScene {
-  explicit ShippedScene(const std::string& name) : molecule(*shippedMolecule(name)), balls(molecule->balls()) {}
+  explicit ShippedScene(const std::string& name) : molecule(*shippedMolecule(name)), balls(molecule->balls) {}
   std::vector<std::uint32_t> select(const std::string& text) const {
     const auto selection = parseSelection(text);
     REQUIRE(selection);
     return selection->select(*molecule);
   }
-  const Atom& atom(const std::string& text) const {
+  PlacedAtom atom(const std::string& text) const {
     const auto found = select(text);
     REQUIRE_MESSAGE(found.size() == 1, text);
-    return molecule->atoms[found[0]];
+    return molecule->at(found[0]);
   }
   double between(const std::string& a, const std::string& b) const {
     return glm::distance(atom(a).position.A, atom(b).position.A);

@@ -10,28 +10,39 @@ namespace moltact {
 
 /// Builds up residues and atoms one after the other; a new chain or residue starts where its name or number changes.
 struct MoleculeByHand {
-  Molecule molecule;
+  Molecule made;
+  std::vector<PlacedAtom> atoms;
+  std::vector<Residue> residues;
+  std::vector<Chain> chains;
+
+  Molecule molecule() const {
+    Molecule out = made;
+    out.setAtoms(atoms);
+    out.residues = residues;
+    out.chains = chains;
+    return out;
+  }
 
   MoleculeByHand& residue(std::string chain, std::string name, int number, ResidueKind kind, char insertion = ' ') {
-    if (molecule.chains.empty() || molecule.chains.back().name != chain)
-      molecule.chains.push_back({std::move(chain), static_cast<std::uint32_t>(molecule.residues.size()), 0});
-    ++molecule.chains.back().residue_count;
-    molecule.residues.push_back({std::move(name), number, insertion,
-                                 static_cast<std::uint32_t>(molecule.chains.size() - 1),
-                                 static_cast<std::uint32_t>(molecule.atoms.size()), 0, kind});
+    if (chains.empty() || chains.back().name != chain)
+      chains.push_back({std::move(chain), static_cast<std::uint32_t>(residues.size()), 0});
+    ++chains.back().residue_count;
+    residues.push_back({std::move(name), number, insertion,
+                                 static_cast<std::uint32_t>(chains.size() - 1),
+                                 static_cast<std::uint32_t>(atoms.size()), 0, kind});
     return *this;
   }
   MoleculeByHand& atom(std::string_view name, int atomic_number, Vec3 place, double radius_A = 1.7) {
-    Atom a;
+    PlacedAtom a;
     a.position = {place};
     a.radius_A = radius_A;
     a.atomic_number = static_cast<std::uint8_t>(atomic_number);
     std::copy_n(name.begin(), std::min<std::size_t>(name.size(), 5), a.name.begin());
-    if (!molecule.residues.empty()) {
-      a.residue = static_cast<std::uint32_t>(molecule.residues.size() - 1);
-      ++molecule.residues.back().atom_count;
+    if (!residues.empty()) {
+      a.residue = static_cast<std::uint32_t>(residues.size() - 1);
+      ++residues.back().atom_count;
     }
-    molecule.atoms.push_back(a);
+    atoms.push_back(a);
     return *this;
   }
 };
@@ -40,7 +51,7 @@ struct MoleculeByHand {
 /// 6, NA at x = 7), water (O at x = 30), ZN (at x = 40).
 inline Molecule mixedMolecule() {
   MoleculeByHand b;
-  b.molecule.id = "mix";
+  b.made.id = "mix";
   b.residue("A", "ASP", 52, ResidueKind::AminoAcid)
       .atom("N", 7, {0, 0, 0})
       .atom("CA", 6, {1, 0, 0})
@@ -51,7 +62,7 @@ inline Molecule mixedMolecule() {
   b.residue("B", "HEM", 1, ResidueKind::Ligand).atom("FE", 26, {6, 0, 0}).atom("NA", 7, {7, 0, 0});
   b.residue("B", "HOH", 2, ResidueKind::Water).atom("O", 8, {30, 0, 0});
   b.residue("B", "ZN", 3, ResidueKind::Ion).atom("ZN", 30, {40, 0, 0});
-  return b.molecule;
+  return b.molecule();
 }
 
 }  // namespace moltact

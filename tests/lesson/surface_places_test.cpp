@@ -84,7 +84,7 @@ TEST_CASE(
 TEST_CASE("every face, crease and pit place of ubiquitin lies on its atoms' grown spheres and in no other") {
   const auto molecule = readMolecule(MOLTACT_SOURCE_DIR "/molecules/1ubq.pdb");
   REQUIRE(molecule);
-  const BallScene scene(molecule->balls());
+  const BallScene scene(molecule->balls);
   const double probe_A = 1.4;
   int open = 0;
   for (const auto& places :

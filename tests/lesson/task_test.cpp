@@ -99,7 +99,7 @@ TEST_CASE(
   MoleculeByHand b;
   const double side = 3.4;
   b.atom("A", 18, {0, 0, 0}).atom("B", 18, {side, 0, 0}).atom("C", 18, {0.5 * side, std::sqrt(0.75) * side, 0});
-  auto t = task("feel", {{"feel", "pit"}}, b.molecule);
+  auto t = task("feel", {{"feel", "pit"}}, b.molecule());
   Hand hand{*t};
   const Vec3 beside{0, 0, 3.1};
   std::string told;
@@ -221,8 +221,8 @@ TEST_CASE("the one crease between start and end is found among more than 400 roo
   MoleculeByHand b;
   for (int k = 0; k < 60; ++k) b.atom("C", 6, {4.0 * k, 0, 0});
   b.atom("O", 8, {122, 3.5, 0});
-  auto t = task("cross", {{"cross", "element C"}, {"to", "element O"}}, b.molecule);
-  const BallScene balls(b.molecule.balls());
+  auto t = task("cross", {{"cross", "element C"}, {"to", "element O"}}, b.molecule());
+  const BallScene balls(b.molecule().balls);
   CHECK_FALSE(t->demonstrate({.balls = balls}).empty());
 }
 

@@ -37,17 +37,17 @@ bool ballComesToIron(const ShippedScene& whole, const std::string& chain, double
   enum : char { Free, Shut, Filled };
   std::vector<char> cells(std::size_t(kCells) * kCells * kCells, Free);
   const auto shut = [&](double radius_A, std::vector<char>& out) {
-    for (const Atom& a : whole.molecule->atoms) {
+    for (const Ball& a : whole.molecule->balls) {
       const double grown = a.radius_A + radius_A;
       int low[3], high[3];
       for (int k = 0; k < 3; ++k) {
-        low[k] = std::max(0, int(std::ceil((a.position.A[k] - grown - corner[k]) / kCell_A)));
-        high[k] = std::min(kCells - 1, int(std::floor((a.position.A[k] + grown - corner[k]) / kCell_A)));
+        low[k] = std::max(0, int(std::ceil((a.centre_A[k] - grown - corner[k]) / kCell_A)));
+        high[k] = std::min(kCells - 1, int(std::floor((a.centre_A[k] + grown - corner[k]) / kCell_A)));
       }
       for (int x = low[0]; x <= high[0]; ++x)
         for (int y = low[1]; y <= high[1]; ++y)
           for (int z = low[2]; z <= high[2]; ++z)
-            if (glm::distance(corner + Vec3(x, y, z) * kCell_A, a.position.A) < grown) out[index(x, y, z)] = Shut;
+            if (glm::distance(corner + Vec3(x, y, z) * kCell_A, a.centre_A) < grown) out[index(x, y, z)] = Shut;
     }
   };
   shut(ball_A, cells);
@@ -133,7 +133,7 @@ TEST_CASE(
     double nearest_A = 1e9;
     for (const auto w : parseSelection("water")->select(*molecule))
       nearest_A =
-          std::min(nearest_A, glm::distance(molecule->atoms[iron[0]].position.A, molecule->atoms[w].position.A));
+          std::min(nearest_A, glm::distance(molecule->balls[iron[0]].centre_A, molecule->balls[w].centre_A));
     CAPTURE(chain);
     CHECK((nearest_A >= least_A && nearest_A <= most_A));
   }
@@ -186,13 +186,13 @@ TEST_CASE(
       const auto core = whole.select(c + "resname HEM and (name " + names + ")");
       REQUIRE(core.size() == count);
       Vec3 middle(0.0);
-      for (const auto i : core) middle += whole.molecule->atoms[i].position.A / double(count);
+      for (const auto i : core) middle += whole.molecule->balls[i].centre_A / double(count);
       // From the normal of the four nitrogens down to the least squares.
       Vec3 normal = glm::normalize(glm::cross(at("N A") - at("N C"), at("N B") - at("N D")));
       for (int k = 0; k < 500; ++k) {
         Vec3 pull(0.0);
         for (const auto i : core) {
-          const Vec3 q = whole.molecule->atoms[i].position.A - middle;
+          const Vec3 q = whole.molecule->balls[i].centre_A - middle;
           pull += q * glm::dot(q, normal);
         }
         normal = glm::normalize(normal - 0.002 * pull);
@@ -271,9 +271,9 @@ TEST_CASE(
   CHECK_FALSE(step.scene.highlight.given());
   const ShippedScene whole("2hhb");
   Vec3 middle(0.0), ahead(0.0);
-  for (const Atom& a : whole.molecule->atoms) middle += a.position.A / double(whole.molecule->atoms.size());
+  for (const Ball& a : whole.molecule->balls) middle += a.centre_A / double(whole.molecule->atoms.size());
   const auto faced = step.scene.view.facing.select(*whole.molecule);
-  for (const auto i : faced) ahead += whole.molecule->atoms[i].position.A / double(faced.size());
+  for (const auto i : faced) ahead += whole.molecule->balls[i].centre_A / double(faced.size());
   const Vec3 to_eye = glm::normalize(ahead - middle);
   const auto target = whole.select(task.values["find"].selection.text());
   const double within_A = task.values["within"].number;

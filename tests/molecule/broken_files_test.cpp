@@ -26,7 +26,7 @@ bool readsSoundly(std::string bytes, const std::string& name, const ReadOptions&
   }
   CHECK_FALSE(molecule->atoms.empty());
   bool sound = true;
-  for (const Atom& atom : molecule->atoms) {
+  for (const PlacedAtom& atom : molecule->placedAtoms()) {
     for (int k = 0; k < 3; ++k) sound &= std::abs(atom.position.A[k]) <= kMaxCoordinate_A;
     sound &= atom.radius_A >= 0 && std::isfinite(atom.radius_A);
     sound &= atom.name.back() == 0 && (atom.residue == kNoResidue || atom.residue < molecule->residues.size());
@@ -130,7 +130,7 @@ TEST_CASE(
   const auto notes = [](const std::string& text) {
     const auto read = readMoleculeBytes(text, "x.pdb");
     REQUIRE(read);
-    std::vector<std::string> out = read->warnings;
+    std::vector<std::string> out = read->warnings.copy();
     std::erase_if(out, [](const std::string& w) { return w.find("models; this is model") != std::string::npos; });
     return out;
   };
@@ -183,7 +183,7 @@ TEST_CASE("of 30 000 mmCIF models the first, the last and one whose rows are par
     REQUIRE(read);
     CHECK(read->models_in_file == 30'000);
     REQUIRE(read->atoms.size() == atoms);
-    CHECK(read->atoms[0].position.A.x == model);
+    CHECK(read->balls[0].centre_A.x == model);
   }
 }
 

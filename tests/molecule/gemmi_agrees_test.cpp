@@ -59,7 +59,7 @@ Atoms byOurs(const Molecule& molecule) {
     for (std::uint32_t r = chain.first_residue; r < chain.first_residue + chain.residue_count; ++r) {
       const Residue& residue = molecule.residues[r];
       for (std::uint32_t a = residue.first_atom; a < residue.first_atom + residue.atom_count; ++a) {
-        const Atom& atom = molecule.atoms[a];
+        const PlacedAtom atom = molecule.at(a);
         const AtomName name{std::string(std::string_view(chain.name)), residue.number, residue.insertion,
                             std::string(std::string_view(residue.name)), std::string(atom.nameText())};
         CHECK(out.emplace(name, AtomSeen{atom.position.A, atom.atomic_number, atom.b_factor_A2, 0.0}).second);

@@ -149,7 +149,7 @@ TEST_CASE(
     REQUIRE(all->chains[std::size_t(3 * copy)].name == "A" + suffix);
     REQUIRE(all->chains[std::size_t(3 * copy + 2)].name == "C" + suffix);
     const double a = 6.283185307 * (copy / kUp + 1) / kRound;
-    const Vec3 from = one->atoms[5].position.A, at = all->atoms[std::size_t(copy) * kAsymmetric + 5].position.A;
+    const Vec3 from = one->balls[5].centre_A, at = all->balls[std::size_t(copy) * kAsymmetric + 5].centre_A;
     const double z = from.z + 1000.0 * (kRound + 1 + copy % kUp);
     REQUIRE(glm::distance(at, Vec3(std::cos(a) * from.x - std::sin(a) * from.y,
                                    std::sin(a) * from.x + std::cos(a) * from.y, z)) < 1e-4);

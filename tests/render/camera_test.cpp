@@ -72,14 +72,17 @@ TEST_CASE("zooming by 2 halves the distance, stops at 0.5 A, and ignores what is
 TEST_CASE(
     "a row of atoms toward the eye is turned to lie across the picture; one that lies aside, and a ring, stay as they "
     "are") {
-  Molecule row, ring;
+  std::vector<PlacedAtom> in_row, in_ring;
   for (int k = 0; k < 10; ++k) {
-    Atom a;
+    PlacedAtom a;
     a.position.A = {100.0 + 0.2 * k, -50.0 + 0.3 * k, 1.5 * k};
-    row.atoms.push_back(a);
+    in_row.push_back(a);
     a.position.A = {3.0 * std::cos(0.2 * k * std::numbers::pi), 0.0, 3.0 * std::sin(0.2 * k * std::numbers::pi)};
-    ring.atoms.push_back(a);
+    in_ring.push_back(a);
   }
+  Molecule row, ring;
+  row.setAtoms(in_row);
+  ring.setAtoms(in_ring);
   Camera camera;
   camera.lookSideOn(row);
   CHECK(std::abs(glm::dot(camera.right(), glm::normalize(Vec3(0.2, 0.3, 1.5)))) == doctest::Approx(1.0));
@@ -98,20 +101,22 @@ TEST_CASE(
 TEST_CASE("fitting a long molecule keeps every ball in the picture and leaves no more than the margin, seed 3") {
   std::mt19937 random(3);
   std::uniform_real_distribution<double> u(-1, 1);
-  Molecule molecule;
+  std::vector<PlacedAtom> atoms;
   for (int i = 0; i < 300; ++i) {
-    Atom a;
+    PlacedAtom a;
     a.position.A = Vec3(1e5 + 60 * u(random), 5 * u(random), 20 * u(random));
     a.radius_A = 1.7;
-    molecule.atoms.push_back(a);
+    atoms.push_back(a);
   }
+  Molecule molecule;
+  molecule.setAtoms(atoms);
   for (int view = 0; view < 20; ++view) {
     Camera camera;
     camera.orbit(3 * u(random), 3 * u(random));
     camera.fit(molecule, 1.6, 0.08);
     double largest = 0;
-    for (const Atom& a : molecule.atoms) {
-      const Vec3 v = camera.toView(a.position);
+    for (const Ball& a : molecule.balls) {
+      const Vec3 v = camera.toView(PointA{a.centre_A});
       // The tangent plane through the eye that touches the ball on its outer side.
       for (const auto& [side, tan] :
            {std::pair{std::abs(v.x), camera.tanHalfX(1600, 1000)}, std::pair{std::abs(v.y), camera.tanHalfY()}})

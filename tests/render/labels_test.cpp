@@ -18,7 +18,7 @@ namespace {
 const LabelRoom kRoom{400, 300, 1.0,
                       [](const std::string& text) { return glm::dvec2(8.0 * double(text.size()), 16.0); }};
 
-ViewScene sceneWith(Annotations annotations, std::vector<Atom> atoms = {atom(Vec3(0), 2.0, 6)}) {
+ViewScene sceneWith(Annotations annotations, std::vector<PlacedAtom> atoms = {atom(Vec3(0), 2.0, 6)}) {
   ViewScene scene;
   scene.molecule = molecule(std::move(atoms));
   scene.camera = frontCamera(40);
@@ -84,7 +84,7 @@ TEST_CASE("of 300 names at random places none overlaps another or leaves the pic
 TEST_CASE(
     "what an atom hides is not named; an author's own name for it is faint, and at full strength from the other side") {
   const std::vector<Atom> two{atom(Vec3(0, 0, 6), 3.0, 6), atom(Vec3(0, 0, -6), 1.5, 7)};
-  const BallScene balls(molecule(two)->balls());
+  const BallScene balls(molecule(two)->balls);
   for (const bool own : {false, true}) {
     ViewScene scene =
         sceneWith(named({{.at = {Vec3(0, 0, -6)}, .clear_A = 1.5, .text = "behind", .always = own}}), two);
@@ -284,7 +284,7 @@ TEST_CASE("names, an arrow, a length, an angle, a hydrogen bond and a legend are
 }
 
 TEST_CASE("a legend has the marks with names first, then elements from the commonest on, at most nine") {
-  std::vector<Atom> atoms{atom(Vec3(0), 1, 8), atom(Vec3(3, 0, 0), 1, 6), atom(Vec3(6, 0, 0), 1, 6)};
+  std::vector<PlacedAtom> atoms{atom(Vec3(0), 1, 8), atom(Vec3(3, 0, 0), 1, 6), atom(Vec3(6, 0, 0), 1, 6)};
   AtomsLook look;
   const auto names = [&] {
     std::vector<std::string> out;

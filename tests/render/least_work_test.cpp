@@ -54,7 +54,7 @@ TEST_CASE(
 
 TEST_CASE("edges are smooth wherever a molecule is: beside it the filter finds nothing to do") {
   // The same picture with a ball in each corner, so that all of it is filtered, has the same pixels in the middle.
-  std::vector<Atom> atoms{atom(Vec3(0), 2.0, 8), atom(Vec3(2.5, 1, 0), 1.6, 7)};
+  std::vector<PlacedAtom> atoms{atom(Vec3(0), 2.0, 8), atom(Vec3(2.5, 1, 0), 1.6, 7)};
   ViewScene scene;
   scene.shown = {ViewPart::Atoms};
   scene.camera = frontCamera(40);

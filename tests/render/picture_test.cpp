@@ -14,7 +14,7 @@ namespace {
 
 const RenderOptions kPlain{.smooth_edges = false, .outlines = false};
 
-ViewScene atomsOnly(std::vector<Atom> atoms, double distance_A) {
+ViewScene atomsOnly(std::vector<PlacedAtom> atoms, double distance_A) {
   ViewScene scene;
   scene.molecule = molecule(std::move(atoms));
   scene.camera = frontCamera(distance_A);
@@ -25,7 +25,7 @@ ViewScene atomsOnly(std::vector<Atom> atoms, double distance_A) {
 std::vector<Atom> crowd(Vec3 where_A, unsigned seed, int count) {
   std::mt19937 random(seed);
   std::uniform_real_distribution<double> u(-12, 12);
-  std::vector<Atom> atoms;
+  std::vector<PlacedAtom> atoms;
   for (int i = 0; i < count; ++i) {
     // Quarters of an angstrom are exact in double precision at any place within 1e9 A.
     const Vec3 p = glm::round(4.0 * Vec3(u(random), u(random), u(random))) / 4.0;

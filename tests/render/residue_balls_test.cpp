@@ -35,13 +35,14 @@ AtomList others(const Molecule& m) {
 std::shared_ptr<const Molecule> coarse(const Molecule& fine) {
   const ResidueBalls balls = residueBalls(fine);
   Molecule out = fine;
-  out.atoms.clear();
+  std::vector<PlacedAtom> atoms;
   for (std::size_t k = 0; k < balls.balls.size(); ++k) {
-    Atom a = fine.atoms[balls.first_atom[k]];
+    PlacedAtom a = fine.at(balls.first_atom[k]);
     a.position.A = balls.balls[k].centre_A;
     a.radius_A = balls.balls[k].radius_A;
-    out.atoms.push_back(a);
+    atoms.push_back(a);
   }
+  out.setAtoms(atoms);
   return std::make_shared<const Molecule>(std::move(out));
 }
 
@@ -61,13 +62,15 @@ TEST_CASE(
     "a residue's ball lies in the middle of its atoms with their second moment: of one atom it is the atom, of two of "
     "1.7 A that lie 2 A apart it has the radius sqrt(1.7^2 + 5/3)") {
   Molecule m;
-  m.chains.push_back({});
-  m.residues.resize(2);
+  m.chains = {Chain{}};
+  m.residues = std::vector<Residue>(2);
+  std::vector<PlacedAtom> atoms;
   for (const auto& [x, residue] : {std::pair{0.0, 0u}, {2.0, 0u}, {9.0, 1u}}) {
-    Atom a = atom(Vec3(x, 1, 2), 1.7, 6);
+    PlacedAtom a = atom(Vec3(x, 1, 2), 1.7, 6);
     a.residue = residue;
-    m.atoms.push_back(a);
+    atoms.push_back(a);
   }
+  m.setAtoms(atoms);
   const ResidueBalls balls = residueBalls(m);
   REQUIRE(balls.balls.size() == 2);
   CHECK(balls.first_atom == std::vector<std::uint32_t>{0, 2, 3});
@@ -93,8 +96,8 @@ TEST_CASE(
     CHECK(balls.first_atom[k + 1] - first <= 32);
     for (std::uint32_t a = first; a < balls.first_atom[k + 1]; ++a) {
       CHECK(m.atoms[a].residue == m.atoms[first].residue);
-      CHECK(glm::distance(m.atoms[a].position.A, m.atoms[first].position.A) <= 12.0);
-      CHECK(glm::distance(m.atoms[a].position.A, balls.balls[k].centre_A) + m.atoms[a].radius_A <=
+      CHECK(glm::distance(m.balls[a].centre_A, m.balls[first].centre_A) <= 12.0);
+      CHECK(glm::distance(m.balls[a].centre_A, balls.balls[k].centre_A) + m.balls[a].radius_A <=
             balls.balls[k].radius_A + balls.beyond_A + 1e-9);
     }
     in_parts += k > 0 && m.atoms[first].residue == m.atoms[balls.first_atom[k - 1]].residue;
@@ -102,15 +105,18 @@ TEST_CASE(
   CHECK(balls.balls.size() == m.residues.size() + in_parts);
   for (const std::uint32_t residue : {kNoResidue, 0u}) {
     Molecule row;
-    row.residues.resize(1);
+    row.residues = std::vector<Residue>(1);
+    std::vector<PlacedAtom> atoms;
     for (int k = 0; k < 100; ++k) {
-      Atom a = atom(Vec3(0.1 * k, 0, 0), 1.5, 6);
+      PlacedAtom a = atom(Vec3(0.1 * k, 0, 0), 1.5, 6);
       a.residue = residue;
-      row.atoms.push_back(a);
+      atoms.push_back(a);
     }
+    row.setAtoms(atoms);
     const std::size_t most = residue == kNoResidue ? 8 : 32;
     CHECK(residueBalls(row).balls.size() == (100 + most - 1) / most);
-    for (int k = 0; k < 100; ++k) row.atoms[k].position.A.x = 20.0 * k;
+    for (int k = 0; k < 100; ++k) atoms[std::size_t(k)].position.A.x = 20.0 * k;
+    row.setAtoms(atoms);
     CHECK(residueBalls(row).balls.size() == 100);
   }
 }
@@ -198,7 +204,7 @@ TEST_CASE("the atoms nearest to a place are the same whether a molecule is drawn
 TEST_CASE("near a probe the atoms themselves are drawn beside the residues' balls") {
   ViewScene scene = byResidue();
   scene.look.spheres_near_A = 0.0;
-  scene.hip = PointA{haemoglobin()->atoms[500].position.A + scene.camera.back() * 4.0};
+  scene.hip = PointA{haemoglobin()->balls[500].centre_A + scene.camera.back() * 4.0};
   scene.camera.fit(*scene.hip, 14.0, 1.5);
   const Picture without = drawn(scene, 300, 200);
   scene.look.spheres_near_A = 6.0;

@@ -14,14 +14,14 @@ Renderer& renderer() {
   return **made;
 }
 
-std::shared_ptr<const Molecule> molecule(std::vector<Atom> atoms) {
+std::shared_ptr<const Molecule> molecule(const std::vector<PlacedAtom>& atoms) {
   Molecule m;
-  m.atoms = std::move(atoms);
+  m.setAtoms(atoms);
   return std::make_shared<const Molecule>(std::move(m));
 }
 
-Atom atom(Vec3 place_A, double radius_A, int atomic_number) {
-  Atom a;
+PlacedAtom atom(Vec3 place_A, double radius_A, int atomic_number) {
+  PlacedAtom a;
   a.position.A = place_A;
   a.radius_A = radius_A;
   a.atomic_number = std::uint8_t(atomic_number);

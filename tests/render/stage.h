@@ -13,8 +13,8 @@ namespace moltact::test {
 /// The renderer of this program. Without EGL the test that asks for it fails with the reason.
 Renderer& renderer();
 
-std::shared_ptr<const Molecule> molecule(std::vector<Atom> atoms);
-Atom atom(Vec3 place_A, double radius_A, int atomic_number);
+std::shared_ptr<const Molecule> molecule(const std::vector<PlacedAtom>& atoms);
+PlacedAtom atom(Vec3 place_A, double radius_A, int atomic_number);
 
 /// A camera at (0, 0, distance) that looks at the origin.
 Camera frontCamera(double distance_A);

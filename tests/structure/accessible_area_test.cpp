@@ -63,7 +63,7 @@ TEST_CASE("ubiquitin and lysozyme have the areas that FreeSASA gives, to half a 
   const std::pair<const char*, double> known[] = {{"1ubq.pdb", 4870.62}, {"1hel.pdb", 6713.58}};
   for (const auto& [file, total_A2] : known) {
     const Molecule m = libraryMolecule(file);
-    const auto areas = accessibleAreas_A2(m.balls());
+    const auto areas = accessibleAreas_A2(m.balls);
     CHECK(std::accumulate(areas.begin(), areas.end(), 0.0) == doctest::Approx(total_A2).epsilon(0.005));
   }
 }
@@ -78,7 +78,7 @@ TEST_CASE("each residue of ubiquitin has FreeSASA's area, to 1.5 % or 1 A2") {
                                0.11,  66.05,  91.21, 41.50, 113.01, 6.62,   117.88, 132.27, 103.20, 18.82,  56.21,
                                0.30,  84.17,  6.50,  36.82, 81.76,  113.42, 116.97, 207.13, 73.87,  145.82};
   const Molecule m = libraryMolecule("1ubq.pdb");
-  const auto areas = accessibleAreas_A2(m.balls());
+  const auto areas = accessibleAreas_A2(m.balls);
   REQUIRE(m.residues.size() == 76);
   for (std::size_t r = 0; r < 76; ++r) {
     double sum = 0.0;
@@ -92,7 +92,7 @@ TEST_CASE("30 atoms of ubiquitin have the area that 100 000 random points each f
   const unsigned seed = 20;
   CAPTURE(seed);
   std::mt19937_64 random(seed);
-  const auto balls = libraryMolecule("1ubq.pdb").balls();
+  const auto balls = libraryMolecule("1ubq.pdb").balls.copy();
   const auto areas = accessibleAreas_A2(balls);
   const auto touched = accessibleBalls(balls);
   constexpr int kPoints = 100'000;

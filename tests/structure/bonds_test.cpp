@@ -46,7 +46,7 @@ TEST_CASE("in ubiquitin and lysozyme, refined well, the bonds are all pairs of h
     Pairs near;
     for (std::uint32_t i = 0; i < m.atoms.size(); ++i)
       for (std::uint32_t j = i + 1; j < m.atoms.size(); ++j)
-        if (glm::distance(m.atoms[i].position.A, m.atoms[j].position.A) < 2.13) near.emplace(i, j);
+        if (glm::distance(m.balls[i].centre_A, m.balls[j].centre_A) < 2.13) near.emplace(i, j);
     CHECK(pairsOf(findBonds(m)) == near);
   }
 }
@@ -192,7 +192,7 @@ TEST_CASE("ubiquitin's backbone is one stretch of 76, haemoglobin's four of 141 
   CHECK(dna.atoms[strands[0][0].guide()].nameText() == "O5'");
   for (std::size_t i = 0; i < 12; ++i) {
     // The ends of two bases that are paired lie as far apart as their middle hydrogen bond is long.
-    const auto at = [&](std::uint32_t atom) { return dna.atoms[atom].position.A; };
+    const auto at = [&](std::uint32_t atom) { return dna.balls[atom].centre_A; };
     CHECK(glm::distance(at(strands[0][i].base), at(strands[1][11 - i].base)) == doctest::Approx(2.9).epsilon(0.1));
   }
 }

@@ -15,7 +15,7 @@ namespace {
 PointA at(double x, double y, double z) { return {Vec3(x, y, z)}; }
 
 PointA named(const Molecule& m, int residue, const char* name) {
-  for (const Atom& a : m.atoms)
+  for (const PlacedAtom& a : m.placedAtoms())
     if (m.residues[a.residue].number == residue && a.nameText() == name) return a.position;
   FAIL("no such atom");
   return {};

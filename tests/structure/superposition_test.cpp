@@ -44,9 +44,11 @@ double leastRmsd_A(const std::vector<Vec3>& a, const std::vector<Vec3>& b) {
   return std::sqrt(std::max(0.0, (squares - 2.0 * largest) / double(a.size())));
 }
 
-Molecule moved(Molecule m, const Superposition& by) {
-  for (Atom& a : m.atoms) a.position.A = by(a.position.A);
-  return m;
+template <class By>
+Molecule moved(const Molecule& m, By&& by) {
+  std::vector<Ball> balls = m.balls.copy();
+  for (Ball& b : balls) b.centre_A = by(b.centre_A);
+  return m.movedTo(std::move(balls));
 }
 
 Superposition someTurn() {
@@ -64,7 +66,7 @@ TEST_CASE("a protein that was turned by 2.1 rad and shifted by 33 A comes back, 
   CHECK(fit->fitted == 76);
   CHECK(fit->rmsd_A < 1e-4);
   for (std::size_t i = 0; i < m.atoms.size(); ++i)
-    CHECK(glm::distance((*fit)(other.atoms[i].position.A), m.atoms[i].position.A) < 1e-6);
+    CHECK(glm::distance((*fit)(other.balls[i].centre_A), m.balls[i].centre_A) < 1e-6);
 }
 
 TEST_CASE(
@@ -74,8 +76,10 @@ TEST_CASE(
   std::mt19937_64 random(seed);
   std::normal_distribution<double> noise(0.0, 0.8);
   const Molecule m = libraryMolecule("1ubq.pdb");
-  Molecule noisy = moved(m, someTurn());
-  for (Atom& a : noisy.atoms) a.position.A += Vec3(noise(random), noise(random), noise(random));
+  const Molecule noisy = moved(moved(m, someTurn()), [&](const Vec3& p) {
+    const double x = noise(random), y = noise(random);
+    return p + Vec3(x, y, noise(random));
+  });
   Molecule alpha = libraryMolecule("2hhb.pdb"), beta = alpha;
   const auto keepChain = [](Molecule& whole, const char* chain) {
     std::string text;
@@ -95,8 +99,8 @@ TEST_CASE(
     double squares = 0.0;
     for (const auto& [i, j] : pairs) {
       if (one->atoms[i].nameText() != "CA") continue;
-      here.push_back(one->atoms[i].position.A);
-      there.push_back(other->atoms[j].position.A);
+      here.push_back(one->balls[i].centre_A);
+      there.push_back(other->balls[j].centre_A);
       const Vec3 apart = (*fit)(there.back()) - here.back();
       squares += glm::dot(apart, apart);
     }
@@ -116,8 +120,10 @@ TEST_CASE("between two states each ball goes straight; an atom that the other la
         line.substr(22, 4) != "  76")
       text += line + "\n";
   Molecule other = moleculeOf(text + "END\n");
-  for (Atom& a : other.atoms)
-    if (other.residues[a.residue].number == 48) a.position.A += Vec3(0, 3, 0);
+  std::vector<Ball> shifted = other.balls.copy();
+  for (std::size_t i = 0; i < shifted.size(); ++i)
+    if (other.residues[other.atoms[i].residue].number == 48) shifted[i].centre_A += Vec3(0, 3, 0);
+  other.balls = std::move(shifted);
   other = moved(other, someTurn());
   const auto states = twoStates(m, other);
   REQUIRE(states);

@@ -69,7 +69,7 @@ PointA restingPlace(const BallScene& balls, const Camera& camera, double probe_A
 // The scene as a lesson turns and marks it, with the probe at the surface.
 ViewScene sceneOf(Molecule read, const SceneSpec& spec) {
   ViewScene scene;
-  const BallScene balls(read.balls(), untouchableAtoms(spec, read));
+  const BallScene balls(read.balls, untouchableAtoms(spec, read));
   const std::vector<std::uint32_t> removed = atomsOfEither(
       spec.remove.given() ? spec.remove.select(read) : std::vector<std::uint32_t>(), heldAtoms(spec, read));
   scene.molecule = std::make_shared<const Molecule>(std::move(read));
@@ -87,7 +87,7 @@ ViewScene sceneOf(Molecule read, const SceneSpec& spec) {
   if (const auto part = zoomedRegion(spec.view, spec, *scene.molecule, spec.touch.probe_A))
     scene.camera.fit(part->centre, part->radius_A, aspect);
   scene.look.cut = cutOf(spec, *scene.molecule, scene.camera);
-  if (spec.in_hand.given()) scene.body = heldBody(scene.molecule->balls(), heldAtoms(spec, *scene.molecule));
+  if (spec.in_hand.given()) scene.body = heldBody(scene.molecule->balls, heldAtoms(spec, *scene.molecule));
   scene.hip = restingPlace(balls, scene.camera, scene.body ? scene.body->reach_A : spec.touch.probe_A);
   return scene;
 }

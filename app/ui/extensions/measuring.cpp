@@ -53,7 +53,7 @@ void Measuring::write(const Molecule& molecule) {
   auto out = std::make_shared<Annotations>();
   for (const std::vector<std::uint32_t>& atoms : measures_) out->measures.push_back(measureBetween(molecule, atoms));
   if (atoms_.size() == 1) {
-    const Atom& a = molecule.atoms[atoms_[0]];
+    const PlacedAtom a = molecule.at(atoms_[0]);
     out->labels.push_back(
         {.at = a.position, .clear_A = a.radius_A, .text = atomLabel(molecule, atoms_[0]), .always = true});
     text_ = molecule.describe(atoms_[0]);

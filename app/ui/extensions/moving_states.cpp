@@ -87,7 +87,7 @@ void MovingStates::begin() {
   const std::vector<Ball> places = states_->at(share_);
   scene_.placeAtoms(places);
   // The same each time the scene begins again, so that its tasks stay.
-  if (!begins_ || begins_share_ != share_) begins_ = std::make_shared<const Molecule>(movedTo(*molecule_, places));
+  if (!begins_ || begins_share_ != share_) begins_ = std::make_shared<const Molecule>(molecule_->movedTo(places));
   begins_share_ = share_;
   lesson_.beginFrom(begins_);
 }

@@ -34,10 +34,10 @@ struct Middle {
 
 Middle middleOf(const Molecule& molecule, std::span<const std::uint32_t> atoms) {
   Middle middle;
-  for (const std::uint32_t i : atoms) middle.at.A += molecule.atoms[i].position.A / double(atoms.size());
+  for (const std::uint32_t i : atoms) middle.at.A += molecule.balls[i].centre_A / double(atoms.size());
   for (const std::uint32_t i : atoms)
     middle.reach_A =
-        std::max(middle.reach_A, glm::distance(molecule.atoms[i].position.A, middle.at.A) + molecule.atoms[i].radius_A);
+        std::max(middle.reach_A, glm::distance(molecule.balls[i].centre_A, middle.at.A) + molecule.balls[i].radius_A);
   return middle;
 }
 
@@ -53,7 +53,7 @@ void addWordLabels(const MarkSpec& spec, const Molecule& molecule, std::vector<A
   std::map<std::uint32_t, std::vector<std::uint32_t>> groups;  // atoms by residue or chain
   for (const std::uint32_t i : atoms) {
     if (labels.size() >= kMostLabels) return;
-    const Atom& a = molecule.atoms[i];
+    const PlacedAtom a = molecule.at(i);
     if (spec.word == "atom" || a.residue == kNoResidue)
       labels.push_back({.at = a.position, .clear_A = a.radius_A, .text = atomLabel(molecule, i)});
     else
@@ -72,7 +72,7 @@ void addWordLabels(const MarkSpec& spec, const Molecule& molecule, std::vector<A
     }
     const std::uint32_t anchor = residueAnchor(molecule, members);
     const AtomWords words = molecule.words(anchor);
-    labels.push_back({.at = molecule.atoms[anchor].position,
+    labels.push_back({.at = PointA{molecule.balls[anchor].centre_A},
                       .clear_A = middleOf(molecule, members).reach_A,
                       .text = words.residue.empty() ? words.atom : words.residue});
   }
@@ -94,9 +94,9 @@ void addCaptions(const SceneSpec& scene, const Molecule& molecule, std::vector<A
     low[k] = Vec3(1e300);
     high[k] = Vec3(-1e300);
     for (std::size_t i = ends[k]; i < ends[k + 1]; ++i) {
-      const Atom& a = molecule.atoms[i];
-      low[k] = glm::min(low[k], a.position.A - a.radius_A);
-      high[k] = glm::max(high[k], a.position.A + a.radius_A);
+      const Ball& b = molecule.balls[i];
+      low[k] = glm::min(low[k], b.centre_A - b.radius_A);
+      high[k] = glm::max(high[k], b.centre_A + b.radius_A);
     }
   }
   const double bottom = std::min(low[0].y, low[1].y);
@@ -149,7 +149,7 @@ std::string atomLabel(const Molecule& molecule, std::uint32_t atom) {
 
 Annotations::Measure measureBetween(const Molecule& molecule, std::span<const std::uint32_t> atoms) {
   Annotations::Measure measure;
-  for (const std::uint32_t i : atoms) measure.places.push_back(molecule.atoms[i].position);
+  for (const std::uint32_t i : atoms) measure.places.push_back(PointA{molecule.balls[i].centre_A});
   measure.text = measureText(measure.places);
   return measure;
 }
@@ -176,7 +176,7 @@ std::shared_ptr<const Annotations> annotationsOf(const SceneSpec& scene, const M
     const BondTable bonds(molecule.atoms.size(), findBonds(molecule));
     for (const HydrogenBond& b : findHydrogenBonds(molecule, bonds))
       if (among(b.donor) || among(b.acceptor))
-        out->bonds.emplace_back(molecule.atoms[b.donor].position, molecule.atoms[b.acceptor].position);
+        out->bonds.emplace_back(PointA{molecule.balls[b.donor].centre_A}, PointA{molecule.balls[b.acceptor].centre_A});
   }
   if (out->labels.empty() && out->measures.empty() && out->bonds.empty()) return nullptr;
   return out;

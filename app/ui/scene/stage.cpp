@@ -16,8 +16,8 @@ constexpr double kOutside_A = 1e-3, kFarthestOutside_A = 2.0;
 Stage stageOf(std::shared_ptr<const Molecule> molecule, std::span<const std::uint32_t> untouchable,
               std::span<const std::uint32_t> held) {
   Stage stage;
-  if (!held.empty()) stage.body = heldBody(molecule->balls(), held);
-  stage.balls = std::make_shared<const BallScene>(molecule->balls(), untouchable);
+  if (!held.empty()) stage.body = heldBody(molecule->balls, held);
+  stage.balls = std::make_shared<const BallScene>(molecule->balls, untouchable);
   const BallScene& balls = *stage.balls;
   std::size_t felt = 0;
   for (std::size_t i = 0; i < balls.size(); ++i) felt += balls.touchable(i);

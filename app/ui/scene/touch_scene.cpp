@@ -335,7 +335,7 @@ bool TouchScene::moveAtoms(const std::vector<Ball>& to, int ticks) {
 
 void TouchScene::placeAtoms(std::vector<Ball> at) {
   if (!stage_) return;
-  seen_ = std::make_shared<const Molecule>(movedTo(*stage_.molecule, at));
+  seen_ = std::make_shared<const Molecule>(stage_.molecule->movedTo(at));
   stage_ = movedStage(resting_stage_, std::move(at));
   motion_.reset();
   seen_motion_ = 0;
@@ -360,7 +360,7 @@ void TouchScene::followMotion(double dt_s) {
   seen_fraction_ = now.fraction;
   since_seen_s_ = 0.0;
   std::vector<Ball> balls = motion->at(now.fraction);
-  seen_ = std::make_shared<const Molecule>(movedTo(*stage_.molecule, balls));
+  seen_ = std::make_shared<const Molecule>(stage_.molecule->movedTo(balls));
   stage_ = movedStage(stage_, std::move(balls));
 }
 

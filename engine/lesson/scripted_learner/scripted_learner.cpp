@@ -46,7 +46,7 @@ bool ScriptedLearner::enterStep() {
   if (scene.then.share > 0.0)
     if (const auto other = by_name_(secondMolecule(scene)))
       if (const auto states = statesOf(scene, *begins, **other))
-        begins = std::make_shared<const Molecule>(movedTo(*begins, states->at(scene.then.share)));
+        begins = std::make_shared<const Molecule>(begins->movedTo(states->at(scene.then.share)));
   session_.setMolecule(begins);
   touch_.begin(begins, scene);
   touch_.setStage(session_.taskStage());

@@ -9,10 +9,10 @@ namespace moltact {
 
 void VirtualTouch::begin(std::shared_ptr<const Molecule> molecule, const SceneSpec& scene) {
   const std::vector<std::uint32_t> untouchable = untouchableAtoms(scene, *molecule);
-  body_ = scene.in_hand.given() ? heldBody(molecule->balls(), heldAtoms(scene, *molecule)) : nullptr;
+  body_ = scene.in_hand.given() ? heldBody(molecule->balls, heldAtoms(scene, *molecule)) : nullptr;
   if (molecule != molecule_ || balls_->untouchable() != untouchable) {
     molecule_ = std::move(molecule);
-    balls_ = std::make_shared<const BallScene>(molecule_->balls(), untouchable);
+    balls_ = std::make_shared<const BallScene>(molecule_->balls, untouchable);
   }
   settings_.workspace = fitWorkspace(*balls_);
   if (const auto region = magnifiedRegion(scene, *molecule_))
@@ -28,7 +28,7 @@ void VirtualTouch::begin(std::shared_ptr<const Molecule> molecule, const SceneSp
 void VirtualTouch::setStage(const TaskStage& stage) {
   if (stage == stage_) return;
   if (stage.removed != stage_.removed) {
-    balls_ = std::make_shared<const BallScene>(molecule_->balls(),
+    balls_ = std::make_shared<const BallScene>(molecule_->balls,
                                                atomsOfEither(untouchableAtoms(scene_, *molecule_), stage.removed));
     felt_ = nullptr;
     exact_ = nullptr;

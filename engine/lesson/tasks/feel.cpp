@@ -56,7 +56,7 @@ std::vector<std::uint32_t> examplesNear(const std::vector<Ball>& balls, const At
 class FeelPlaces : public Task {
  public:
   FeelPlaces(const TaskSpec& spec, const Molecule& molecule)
-      : Task(spec), where_(spec.values["of"].selection, molecule), balls_(molecule.balls()) {
+      : Task(spec), where_(spec.values["of"].selection, molecule), balls_(molecule.balls.copy()) {
     for (const std::string& word : spec.values["feel"].words)
       if (std::none_of(places_.begin(), places_.end(), [&](const Wanted& w) { return w.word == word; }))
         places_.push_back({word, PlaceKind(word, where_, molecule), {}});

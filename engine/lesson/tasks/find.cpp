@@ -35,9 +35,9 @@ class Find : public Task {
         guesses_(static_cast<int>(spec.values["guesses"].number)),
         looks_(static_cast<int>(spec.values["looks"].number)) {
     for (const std::uint32_t i : spec.values["find"].selection.select(molecule))
-      balls_.push_back({molecule.atoms[i].position.A, molecule.atoms[i].radius_A});
+      balls_.push_back(molecule.balls[i]);
     Vec3 middle(0.0), target(0.0);
-    for (const Atom& a : molecule.atoms) middle += a.position.A / double(molecule.atoms.size());
+    for (const Ball& a : molecule.balls) middle += a.centre_A / double(molecule.atoms.size());
     for (const Ball& b : balls_) target += b.centre_A / double(balls_.size());
     outward_ = target - middle;
     turn();

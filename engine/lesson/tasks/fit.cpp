@@ -38,7 +38,7 @@ class Fit : public Task {
         target_(spec.values["fit"].selection, molecule),
         name_(spec, "fit"),
         limits_(spec, "fit", molecule),
-        scene_(std::make_shared<const BallScene>(molecule.balls())),
+        scene_(std::make_shared<const BallScene>(molecule.balls)),
         through_(spec.values["way"].text == "through"),
         largest_(spec.values["want"].text == "largest"),
         least_A_(spec.values["least"].number),
@@ -221,7 +221,7 @@ void checkLimit(const TaskSpec& spec, const Molecule& molecule, std::span<const 
                 std::vector<Problem>& problems) {
   const Value& fit = spec.values["fit"];
   if (!fit.selection.given()) return;
-  const BallScene scene(molecule.balls(), untouchable);
+  const BallScene scene(molecule.balls, untouchable);
   const std::vector<std::uint32_t> atoms = fit.selection.select(molecule);
   if (atoms.empty()) return;
   const double least_A = spec.values["least"].number, most_A = spec.values["most"].number;

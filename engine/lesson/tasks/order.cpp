@@ -36,7 +36,7 @@ class Order : public Task {
       if (places_.size() == kMostPlaces) break;
       PointA middle;
       const std::vector<std::uint32_t> atoms = part.select(molecule);
-      for (const std::uint32_t a : atoms) middle.A += molecule.atoms[a].position.A / double(atoms.size());
+      for (const std::uint32_t a : atoms) middle.A += molecule.balls[a].centre_A / double(atoms.size());
       places_.push_back({AtomSet(part, molecule), middle, TargetName(part)});
     }
     shuffle();
@@ -219,7 +219,7 @@ void checkOrderedPlaces(const TaskSpec& spec, const Molecule& molecule, std::spa
     atoms.push_back(order.path[k].select(molecule));
     if (atoms.back().empty()) return;  // told elsewhere
     double sum = 0.0;
-    for (const std::uint32_t a : atoms.back()) sum += molecule.atoms[a].radius_A;
+    for (const std::uint32_t a : atoms.back()) sum += molecule.balls[a].radius_A;
     radii_A.push_back(sum / double(atoms.back().size()));
     for (std::size_t before = 0; before < k; ++before)
       if (atoms[before] == atoms[k])

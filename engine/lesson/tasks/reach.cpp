@@ -21,7 +21,7 @@ class Reach : public Task {
     if (!spec.values.has("near")) return;
     near_A_ = spec.values["near"].number;
     for (const std::uint32_t i : spec.values["reach"].selection.select(molecule))
-      centres_.push_back(molecule.atoms[i].position.A);
+      centres_.push_back(molecule.balls[i].centre_A);
   }
 
   void reset() override {

@@ -46,7 +46,7 @@ class Same : public Task {
     for (const auto& [key, balls] : {std::pair(std::string_view("same"), &here_balls_), {kPlace, &there_balls_}})
       if (spec.values[key].selection.given())
         for (const std::uint32_t a : spec.values[key].selection.select(molecule))
-          balls->push_back({molecule.atoms[a].position.A, molecule.atoms[a].radius_A});
+          balls->push_back(molecule.balls[a]);
     needed_ = spec.values.has("right") ? std::min(trials_, static_cast<std::size_t>(spec.values["right"].number))
                                        : (3 * trials_ + 3) / 4;
     for (const TouchProperty& p : touchProperties())
@@ -88,7 +88,7 @@ class Same : public Task {
     const std::vector<std::uint32_t> atoms = selection.select(molecule);
     if (atoms.empty()) return std::nullopt;
     PointA sum;
-    for (const std::uint32_t a : atoms) sum.A += molecule.atoms[a].position.A / double(atoms.size());
+    for (const std::uint32_t a : atoms) sum.A += molecule.balls[a].centre_A / double(atoms.size());
     return sum;
   }
 

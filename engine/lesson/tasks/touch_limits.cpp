@@ -10,7 +10,7 @@ std::optional<Vec3> middleOf(const Selection& selection, const Molecule& molecul
   const std::vector<std::uint32_t> atoms = selection.select(molecule);
   if (atoms.empty()) return std::nullopt;
   Vec3 middle(0.0);
-  for (const std::uint32_t a : atoms) middle += molecule.atoms[a].position.A / double(atoms.size());
+  for (const std::uint32_t a : atoms) middle += molecule.balls[a].centre_A / double(atoms.size());
   return middle;
 }
 
@@ -25,7 +25,7 @@ TouchLimits::TouchLimits(const TaskSpec& spec, std::string_view target, const Mo
     region_ = Reach{*centre, 0.0};
     for (const std::uint32_t a : round.select(molecule))
       region_->radius_A = std::max(region_->radius_A,
-                                   glm::distance(molecule.atoms[a].position.A, *centre) + molecule.atoms[a].radius_A);
+                                   glm::distance(molecule.balls[a].centre_A, *centre) + molecule.balls[a].radius_A);
   }
 }
 

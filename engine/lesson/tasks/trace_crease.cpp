@@ -17,7 +17,7 @@ constexpr double kBrushedShare = 0.1;  // or of so much of the crease, where tha
 class TraceCrease : public Trace {
  public:
   TraceCrease(const TaskSpec& spec, const Molecule& molecule)
-      : Trace(spec), scene_(std::make_shared<const BallScene>(molecule.balls())) {
+      : Trace(spec), scene_(std::make_shared<const BallScene>(molecule.balls)) {
     atoms_ = spec.values["of"].selection.select(molecule);
   }
 

@@ -41,7 +41,7 @@ Expected<std::shared_ptr<const Molecule>> molecules(const NamedMolecule& named) 
     if (name == "well") b.atom("O", 8, {0, 0, -1.0}, 1.0).atom("U", 92, {0, 0, -4.0}, 3.5);
   } else
     return Problem{{}, 0, 0, "there is no molecule '" + name + "'", {}};
-  return std::make_shared<const Molecule>(b.molecule);
+  return std::make_shared<const Molecule>(b.molecule());
 }
 
 struct Played {

@@ -29,7 +29,7 @@ struct StepPicture {
   explicit StepPicture(const Step& step)
       : scene(step.scene),
         molecule(*knownMolecule(scene.molecule)),
-        balls(molecule->balls(), untouchableAtoms(scene, *molecule)),
+        balls(molecule->balls, untouchableAtoms(scene, *molecule)),
         part(zoomedRegion(scene.view, scene, *molecule, scene.touch.probe_A)) {
     if (!part) part = magnifiedRegion(scene, *molecule);
   }
@@ -53,7 +53,7 @@ struct StepPicture {
 
   Vec3 middle(std::span<const std::uint32_t> atoms) const {
     Vec3 sum(0.0);
-    for (const std::uint32_t a : atoms) sum += molecule->atoms[a].position.A / double(atoms.size());
+    for (const std::uint32_t a : atoms) sum += molecule->balls[a].centre_A / double(atoms.size());
     return sum;
   }
 
@@ -84,7 +84,7 @@ struct StepPicture {
       const auto atoms = presentAtoms(view.facing, scene, *molecule);
       if (nearlyAllPresent(atoms, scene, *molecule)) {
         std::vector<Vec3> places_A;
-        for (const std::uint32_t a : atoms) places_A.push_back(molecule->atoms[a].position.A);
+        for (const std::uint32_t a : atoms) places_A.push_back(molecule->balls[a].centre_A);
         c.lookAlongThinnest(places_A);
       } else if (!atoms.empty()) {
         c.face({middle(atoms)});

@@ -24,8 +24,8 @@ TEST_CASE(
   const Molecule& molecule = *picture.molecule;
   const AtomSet counted(spec.values["same"].selection, molecule), drug(spec.values["remove"].selection, molecule);
   const auto balls = [&](bool with) {
-    return with ? std::make_shared<const BallScene>(molecule.balls())
-                : std::make_shared<const BallScene>(molecule.balls(), drug.atoms());
+    return with ? std::make_shared<const BallScene>(molecule.balls)
+                : std::make_shared<const BallScene>(molecule.balls, drug.atoms());
   };
   const std::shared_ptr<const BallScene> scenes[] = {balls(true), balls(false)};
   const Camera& c = picture.camera();

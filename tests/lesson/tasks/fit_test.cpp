@@ -12,7 +12,7 @@ constexpr double kCage_A = 3.0, kRadius_A = 1.7;
 // Atom 0 of 1 A in the middle of six of 1.7 A, 3 A away along the axes.
 Molecule cage() {
   MoleculeByHand b;
-  b.molecule.id = "cage";
+  b.made.id = "cage";
   b.residue("A", "CAG", 1, ResidueKind::Ligand).atom("C", 6, Vec3(0.0), 1.0);
   for (int axis = 0; axis < 3; ++axis)
     for (const double sign : {-1.0, 1.0}) {
@@ -20,7 +20,7 @@ Molecule cage() {
       at[axis] = sign * kCage_A;
       b.atom("X", 6, at, kRadius_A);
     }
-  return b.molecule;
+  return b.molecule();
 }
 
 const Keys kKeys{{"fit", "name C"}, {"least", "0.2 Å"}, {"most", "4 Å"}, {"attempts", "1"}};

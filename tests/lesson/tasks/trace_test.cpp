@@ -12,7 +12,7 @@ namespace {
 Molecule pair() {
   MoleculeByHand b;
   b.atom("AR", 18, {-1.88, 0, 0}, 1.88).atom("AR", 18, {1.88, 0, 0}, 1.88);
-  return b.molecule;
+  return b.molecule();
 }
 
 constexpr double kCrease_A = 2.68775;  // sqrt((1.88 + 1.4)^2 - 1.88^2)
@@ -172,7 +172,7 @@ TEST_CASE(
     for (const double by : {-2.0, 0.0, 2.0}) b.atom("C", 6, {x + by, 0, 0});
   auto t =
       task("trace", {{"trace", "atom 0-2 then atom 3-5 then atom 6-8"}, {"within", "0.5 Å"}, {"direction", "either"}},
-           b.molecule);
+           b.molecule());
   Hand hand{*t};
   // The near side of the last place is all that the hand comes to; the far side of the first is where it begins.
   hand.touch({2}, 0.05, 0.5, {2.0, 3.1, 0});
@@ -187,7 +187,7 @@ TEST_CASE("touching the last of the places does not finish a way whose middle wa
   MoleculeByHand b;
   for (const double x : {0.0, 20.0, 40.0})
     for (const double by : {-1.0, 1.0}) b.atom("C", 6, {x + by, 0, 0});
-  auto t = task("trace", {{"trace", "atom 0-1 then atom 2-3 then atom 4-5"}}, b.molecule);
+  auto t = task("trace", {{"trace", "atom 0-1 then atom 2-3 then atom 4-5"}}, b.molecule());
   Hand hand{*t};
   hand.touch({0}, 0.1, 0.5, {0, 3.1, 0});
   hand.away(0.5);
