@@ -99,7 +99,7 @@
           const files = change.objectStore("files");
           for (const path of fresh) files.put(this.FS.readFile(path), path);
           for (const path of gone) files.delete(path);
-          change.commit();  // a page that is closed next waits for no request; its transaction would be aborted
+          if (document.hidden) change.commit();  // the page may end before the requests do, which would abort them
           change.oncomplete = () => { this.known = marks; this.failing = false; done(); };
           change.onabort = () => { this.failed(change.error); done(); };
         } catch (error) {
