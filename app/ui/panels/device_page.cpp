@@ -162,7 +162,7 @@ void drawLive(Application& app, DeviceLink& link) {
   sectionTitle(tr("In use"));
   words("device/name", tr(info.name.c_str()), p.text);
   if (!link.awaited().empty())
-    words("device/awaited", trf("{0} leads as soon as it is plugged in.", link.awaited()), p.warn);
+    words("device/awaited", trf("{0} leads as soon as it can be reached.", link.awaited()), p.warn);
   if (!link.status().text.empty()) words("device/status", link.status().text, p.warn);
   if (link.wantsCalibration(servo) && button("device/calibrate", tr("Calibrate"))) servo.chosen()->calibrate();
   // What is no place in any device's reach has no number here: one of 300 digits would push the rest off the page.
