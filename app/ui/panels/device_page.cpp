@@ -5,7 +5,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <string>
+#include <utility>
 
 #include "app/ui/application/application.h"
 #include "app/ui/extensions/device_link.h"
@@ -77,8 +79,10 @@ void drawAddresses(DeviceLink& link) {
     const char* const connect = tr("Connect");
     const float width = ImGui::CalcTextSize(connect).x + 2.0f * ImGui::GetStyle().FramePadding.x + l.px(24);
     ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - width - l.px(8));
+    std::optional<FieldAsHighAsButton> high(std::in_place);
     bool asked = ImGui::InputTextWithHint(field.c_str(), std::string(driver.address_example).c_str(), &typed,
                                           ImGuiInputTextFlags_EnterReturnsTrue);
+    high.reset();
     recordItem(name + "/address", typed);
     ImGui::SameLine(0, l.px(8));
     asked = button((name + "/connect").c_str(), connect,
