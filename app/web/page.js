@@ -38,9 +38,9 @@
 
   // ---- what is kept: the files under the person's folder, in IndexedDB -----------------------------------------------
 
-  const kHome = "/home/web_user", kSoon_ms = 250;
+  const kHome = "/home/web_user", kSoon_ms = 250, kLast = "moltact/last";
   const keeper = {
-    base: null, known: new Map(), timer: 0, failing: false, FS: null,
+    base: null, known: new Map(), timer: 0, failing: false, FS: null, changes: 0, left: 0,
 
     ask(request) {
       return new Promise((done, failed) => {
@@ -64,6 +64,32 @@
       } catch (error) {
         this.failed(error);
       }
+      this.take();
+    },
+
+    // A browser may end a page that is hidden before a change of the database is done. Therefore what changed last also
+    // stands in localStorage, which is written within the call, until the database has it.
+    leave(fresh, gone) {
+      const text = (bytes) => { let out = ""; for (const b of bytes) out += String.fromCharCode(b); return btoa(out); };
+      try {
+        const files = fresh.map((path) => [path, text(this.FS.readFile(path))]);
+        localStorage.setItem(kLast, JSON.stringify({ files, gone }));
+        this.left = this.changes;
+      } catch (error) {
+        // No localStorage, or too much for it: the database alone has it.
+      }
+    },
+
+    take() {
+      try {
+        const last = JSON.parse(localStorage.getItem(kLast) || "null");
+        if (!last) return;
+        for (const [path, text] of last.files) put(this.FS, path, Uint8Array.from(atob(text), (c) => c.charCodeAt(0)));
+        for (const path of last.gone) if (this.FS.analyzePath(path).exists) this.FS.unlink(path);
+        this.changed();
+      } catch (error) {
+        console.warn("what was kept last cannot be read: " + error);
+      }
     },
 
     mark(name) {
@@ -85,7 +111,8 @@
       if (!this.timer) this.timer = setTimeout(() => this.save(), kSoon_ms);
     },
 
-    save() {
+    // `last`: the page may end after this call.
+    save(last = false) {
       clearTimeout(this.timer);
       this.timer = 0;
       if (!this.base) return Promise.resolve();
@@ -93,20 +120,30 @@
       const fresh = [...marks].filter(([path, mark]) => this.known.get(path) !== mark).map(([path]) => path);
       const gone = [...this.known.keys()].filter((path) => !marks.has(path));
       if (!fresh.length && !gone.length) return Promise.resolve();
+      const number = ++this.changes;
+      if (last) this.leave(fresh, gone);
       return new Promise((done) => {
         try {
           const change = this.base.transaction("files", "readwrite");
           const files = change.objectStore("files");
           for (const path of fresh) files.put(this.FS.readFile(path), path);
           for (const path of gone) files.delete(path);
-          change.commit();  // a page that is closed next waits for no request; its transaction would be aborted
-          change.oncomplete = () => { this.known = marks; this.failing = false; done(); };
+          change.oncomplete = () => {
+            this.known = marks;
+            this.failing = false;
+            if (number >= this.left) this.drop();
+            done();
+          };
           change.onabort = () => { this.failed(change.error); done(); };
         } catch (error) {
           this.failed(error);
           done();
         }
       });
+    },
+
+    drop() {
+      try { localStorage.removeItem(kLast); } catch (error) { /* there is none */ }
     },
 
     failed(error) {
@@ -293,9 +330,9 @@
     addEventListener("blur", () => { stir(); program._moltact_focus_lost(); });
     document.addEventListener("visibilitychange", () => {
       stir();
-      if (document.hidden) { program._moltact_focus_lost(); keeper.save(); }
+      if (document.hidden) { program._moltact_focus_lost(); keeper.save(true); }
     });
-    addEventListener("pagehide", () => keeper.save());
+    addEventListener("pagehide", () => keeper.save(true));
     document.addEventListener("fullscreenchange", () => program._moltact_full_screen(document.fullscreenElement ? 1 : 0));
   }
 

@@ -66,11 +66,10 @@ class LessonSession {
   /// The same, but in an aside the step that it belongs to: the last one that is no aside.
   std::size_t mainStepIndex() const { return main_step_; }
 
-  /// Where mainStepIndex() stands on the way, counted from 1: asides do not count, nor what is skipped.
-  struct StepPlace {
-    std::size_t number = 1, of = 1;
-  };
-  StepPlace place() const;
+  /// The steps that count, in order: asides do not, nor what is skipped; mainStepIndex() is always among them.
+  std::vector<std::size_t> way() const;
+  /// The number, from 1, that students read for a step of way().
+  std::size_t numberOf(std::size_t step) const;
 
   /// The scene on the stage now. `sceneNumber` grows whenever it may have changed, so the screen can compare it
   /// cheaply.

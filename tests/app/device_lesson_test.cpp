@@ -131,7 +131,7 @@ TEST_CASE(
   CHECK(told(*d, "Until it is, the mouse leads."));
   d->tap("Ctrl+D");
   d->frames(3);
-  CHECK(d->text("device/awaited") == "Phantom Omni or Touch leads as soon as it is plugged in.");
+  CHECK(d->text("device/awaited") == "Phantom Omni or Touch leads as soon as it can be reached.");
   d->tap("Escape");
   lib.name(MOLTACT_STAND_IN_LIBHD);
   d->frames(150);

@@ -259,9 +259,9 @@ TEST_CASE("one slide from atom 0 over the crease to atom 1 fulfils a task to fee
 TEST_CASE(
     "of four steps one of which is an aside the third that counts is step 3 of 3, and in the aside step 1 stays") {
   LessonSession s(lesson("## A\n```scene\nmolecule: mix\n```\n[x](#aside-x)\n## Aside: X\nT\n## B\nT\n## C\nT\n"));
-  CHECK(s.place().of == 3);
+  CHECK(s.way().size() == 3);
   REQUIRE(s.goTo("#aside-x"));
-  CHECK(s.place().number == 1);
+  CHECK(s.numberOf(s.mainStepIndex()) == 1);
   REQUIRE(s.goTo("#c"));
-  CHECK(s.place().number == 3);
+  CHECK(s.numberOf(s.mainStepIndex()) == 3);
 }

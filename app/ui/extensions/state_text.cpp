@@ -44,9 +44,9 @@ void StateText::write(const std::string& line) {
 
 void StateText::stepChanged() {
   const LessonSession* session = lesson_.session();
-  const LessonSession::StepPlace place = session->place();
   write(session->step().aside ? trf("aside: {0}", session->step().title)
-                              : trf("step {0} of {1}: {2}", place.number, place.of, session->step().title));
+                              : trf("step {0} of {1}: {2}", session->numberOf(session->mainStepIndex()),
+                                    session->way().size(), session->step().title));
 }
 
 std::string StateText::line(const TouchScene& scene) const {

@@ -5,7 +5,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <string>
+#include <utility>
 
 #include "app/ui/application/application.h"
 #include "app/ui/extensions/device_link.h"
@@ -77,8 +79,10 @@ void drawAddresses(DeviceLink& link) {
     const char* const connect = tr("Connect");
     const float width = ImGui::CalcTextSize(connect).x + 2.0f * ImGui::GetStyle().FramePadding.x + l.px(24);
     ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - width - l.px(8));
+    std::optional<FieldAsHighAsButton> high(std::in_place);
     bool asked = ImGui::InputTextWithHint(field.c_str(), std::string(driver.address_example).c_str(), &typed,
                                           ImGuiInputTextFlags_EnterReturnsTrue);
+    high.reset();
     recordItem(name + "/address", typed);
     ImGui::SameLine(0, l.px(8));
     asked = button((name + "/connect").c_str(), connect,
@@ -162,7 +166,7 @@ void drawLive(Application& app, DeviceLink& link) {
   sectionTitle(tr("In use"));
   words("device/name", tr(info.name.c_str()), p.text);
   if (!link.awaited().empty())
-    words("device/awaited", trf("{0} leads as soon as it is plugged in.", link.awaited()), p.warn);
+    words("device/awaited", trf("{0} leads as soon as it can be reached.", link.awaited()), p.warn);
   if (!link.status().text.empty()) words("device/status", link.status().text, p.warn);
   if (link.wantsCalibration(servo) && button("device/calibrate", tr("Calibrate"))) servo.chosen()->calibrate();
   // What is no place in any device's reach has no number here: one of 300 digits would push the rest off the page.

@@ -17,7 +17,16 @@ namespace {
 ImVec2 operator+(ImVec2 a, ImVec2 b) { return {a.x + b.x, a.y + b.y}; }
 void drawText(ImVec2 at, ImU32 colour, const char* text) { ImGui::GetWindowDrawList()->AddText(at, colour, text); }
 
+float buttonHeight() { return look().tx(34); }
+
 }  // namespace
+
+FieldAsHighAsButton::FieldAsHighAsButton() {
+  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding,
+                      {look().px(10), std::floor(0.5f * (buttonHeight() - ImGui::GetFontSize()))});
+}
+
+FieldAsHighAsButton::~FieldAsHighAsButton() { ImGui::PopStyleVar(); }
 
 bool button(const char* name, const char* label, ButtonLook kind, float width, bool enabled) {
   const Palette& p = look().palette;
@@ -34,7 +43,7 @@ bool button(const char* name, const char* label, ButtonLook kind, float width, b
   ImGui::PushStyleColor(ImGuiCol_Text, text);
   ImGui::BeginDisabled(!enabled);
   ImGui::PushID(name);
-  const float high = look().tx(34);
+  const float high = buttonHeight();
   if (kind == ButtonLook::Primary) ImGui::PushFont(look().font(Font::Strong));
   // A label that fills its button stands in the middle and has less air on either side; ImGui would cut its end.
   const ImVec2 air = ImGui::GetStyle().FramePadding;

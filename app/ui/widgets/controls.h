@@ -40,6 +40,14 @@ enum class Icon {
 /// A button as wide as its label, or `width` pixels (negative: the rest of the line). True when it was clicked.
 bool button(const char* name, const char* label, ButtonLook look = ButtonLook::Plain, float width = 0.0f,
             bool enabled = true);
+/// While it lives, a text field is as high as a button(), beside which it stands.
+class FieldAsHighAsButton {
+ public:
+  FieldAsHighAsButton();
+  ~FieldAsHighAsButton();
+  FieldAsHighAsButton(const FieldAsHighAsButton&) = delete;
+  FieldAsHighAsButton& operator=(const FieldAsHighAsButton&) = delete;
+};
 /// A square button with a drawn sign. `tip` is shown while the pointer rests on it; `on` draws it as switched on.
 bool iconButton(const char* name, Icon icon, const char* tip, bool on = false, bool enabled = true);
 /// A switch with its label on the left of the line and the knob on the right. True when it was changed.

@@ -55,13 +55,6 @@ const std::vector<std::size_t>& goalsOf(const LessonSession& session, const Item
   return item.task ? step.tasks[item.index].goals : step.questions[item.index].goals;
 }
 
-/// As students count the steps: asides and what is skipped have no number.
-std::size_t numberOf(const LessonSession& session, std::size_t step) {
-  std::size_t number = 1;
-  for (std::size_t s = 0; s < step; ++s) number += !session.lesson().steps[s].aside && !session.skipped(s);
-  return number;
-}
-
 /// A mark in the place of a list's bullet; the text after it stands beside it.
 void mark(Icon icon, ImU32 colour) {
   const Look& l = look();
@@ -147,7 +140,7 @@ bool drawLeft(Application& app, const LessonSession& session, const std::vector<
     const Item& item = left[k];
     if (by_steps && k > 0 && left[k - 1].step == item.step) continue;
     const std::string title = session.lesson().steps[item.step].title;
-    const std::string place = trf("Step {0}: {1}", numberOf(session, item.step), title);
+    const std::string place = trf("Step {0}: {1}", session.numberOf(item.step), title);
     const auto of_step = std::size_t(
         std::count_if(left.begin(), left.end(), [&](const Item& other) { return other.step == item.step; }));
     const std::string name = "lesson/end/left/" + std::to_string(k);

@@ -26,18 +26,14 @@ namespace {
 void drawHead(Application& app, const LessonSession& session) {
   const Look& l = look();
   // Asides lie beside the way: they neither count nor have a bar.
-  const std::vector<Step>& steps = session.lesson().steps;
-  std::vector<std::size_t> way;
-  for (std::size_t k = 0; k < steps.size(); ++k)
-    if (!steps[k].aside && (k == session.mainStepIndex() || !session.skipped(k))) way.push_back(k);
+  const std::vector<std::size_t> way = session.way();
   const std::size_t at = session.mainStepIndex(), count = way.size();
   {
     WithFont small(Font::Small);
     WithText quiet(l.palette.quiet);
-    const auto number = std::find(way.begin(), way.end(), at) - way.begin() + 1;
     const std::string place = session.step().extra   ? std::string(tr("Extra step"))
                               : session.step().aside ? std::string(tr("Aside"))
-                                                     : trf("Step {0} of {1}", number, count);
+                                                     : trf("Step {0} of {1}", session.numberOf(at), count);
     const float place_w = ImGui::CalcTextSize(place.c_str()).x, width = ImGui::GetContentRegionAvail().x;
     ImGui::TextUnformatted(elided(session.lesson().title, width - place_w - l.px(12)).c_str());
     recordItem("lesson/title", session.lesson().title);

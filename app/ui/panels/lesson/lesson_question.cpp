@@ -3,8 +3,9 @@
 #include <imgui_stdlib.h>
 
 #include <algorithm>
-#include <cmath>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "app/ui/application/application.h"
@@ -201,8 +202,7 @@ void drawField(Application& app, std::size_t index, const std::string& name, flo
     ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - unit_w - button_w - gap);
     const std::string what = tr("your answer");
     const std::string hint = status.done() ? what : withKey(what, "A");
-    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding,
-                        {look().px(10), std::floor(0.5f * (look().tx(34) - ImGui::GetFontSize()))});
+    std::optional<FieldAsHighAsButton> high(std::in_place);
     const std::string before = written;
     handed_in = ImGui::InputTextWithHint("##answer", hint.c_str(), &written, ImGuiInputTextFlags_EnterReturnsTrue);
     keepOnEscape(written, before);
@@ -214,7 +214,7 @@ void drawField(Application& app, std::size_t index, const std::string& name, flo
       ImGui::AlignTextToFramePadding();
       ImGui::TextUnformatted(answer.unit.c_str());
     }
-    ImGui::PopStyleVar();
+    high.reset();
     ImGui::SameLine();
     handed_in = button((name + "/check").c_str(), tr("Check"), ButtonLook::Primary, button_w) || handed_in;
   }

@@ -4,8 +4,9 @@
 #include <imgui_stdlib.h>
 
 #include <algorithm>
-#include <cmath>
+#include <optional>
 #include <string>
+#include <utility>
 
 #include "app/ui/application/application.h"
 #include "app/ui/extensions/extensions.h"
@@ -89,7 +90,7 @@ void drawPrediction(Application& app, ClassTurns& turns, float whole) {
     tip(asked.c_str());
   }
   const float name_w = std::min(l.tx(150), 0.3f * whole), keep_w = l.tx(72);
-  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {l.px(10), std::floor(0.5f * (l.tx(34) - ImGui::GetFontSize()))});
+  std::optional<FieldAsHighAsButton> high(std::in_place);
   ImGui::SetNextItemWidth(name_w);
   const bool open = ImGui::BeginCombo("##who", elided(waiting[draft.who], name_w - l.tx(44)).c_str());
   if (!open) recordItem("turns/who", waiting[draft.who]);
@@ -104,7 +105,7 @@ void drawPrediction(Application& app, ClassTurns& turns, float whole) {
   ImGui::SetNextItemWidth(whole - name_w - keep_w - 2 * gap);
   bool keep = ImGui::InputTextWithHint("##prediction", tr("your prediction"), &draft.prediction,
                                        ImGuiInputTextFlags_EnterReturnsTrue);
-  ImGui::PopStyleVar();
+  high.reset();
   recordItem("turns/prediction", draft.prediction);
   ImGui::SameLine();
   keep = button("turns/keep", tr("Keep"), ButtonLook::Plain, keep_w) || keep;
