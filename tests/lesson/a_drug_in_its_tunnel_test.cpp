@@ -43,8 +43,8 @@ TEST_CASE("the empty tunnel and the drug are atoms of 1hpv in their places, and 
   REQUIRE(whole.molecule->atoms.size() == empty.molecule->atoms.size() + drug.molecule->atoms.size());
   for (std::size_t i = 0; i < whole.molecule->atoms.size(); ++i) {
     const std::size_t protein = empty.molecule->atoms.size();
-    const Atom& part = i < protein ? empty.molecule->atoms[i] : drug.molecule->atoms[i - protein];
-    CHECK(whole.molecule->balls[i].centre_A == part.position.A);
+    const Ball& part = i < protein ? empty.molecule->balls[i] : drug.molecule->balls[i - protein];
+    CHECK(whole.molecule->balls[i].centre_A == part.centre_A);
   }
 }
 
@@ -81,7 +81,7 @@ TEST_CASE(
                           "400 000 small moves and turns, came no further than 2 Å"});
   CAPTURE(says);
   const ShippedScene s("1hpv");
-  const std::vector<Ball> balls = s.molecule->balls;
+  const SharedArray<Ball>& balls = s.molecule->balls;
   const std::vector<std::uint32_t> held = s.select("ligand");
   CHECK(held.size() == 35);
   const auto body = heldBody(balls, held);

@@ -284,7 +284,7 @@ TEST_CASE("of the helix's 21 oxygens sixteen hold on to a nitrogen of the next t
   int held = 0;
   for (const std::uint32_t o : s.select("element O"))
     for (const std::uint32_t n : s.select("element N")) {
-      const Atom &oxygen = s.molecule->atoms[o], &nitrogen = s.molecule->atoms[n];
+      const PlacedAtom oxygen = s.molecule->at(o), nitrogen = s.molecule->at(n);
       // The fourth nitrogen on is 2.88 A away, the third 3.14 A and far off the line of C=O; nearer ones are neighbours.
       held += nitrogen.residue >= oxygen.residue + 3 && glm::distance(oxygen.position.A, nitrogen.position.A) < 3.0;
     }

@@ -67,7 +67,7 @@ TEST_CASE(
     const auto l = s.select("chain A"), d = s.select("chain B");
     REQUIRE(l.size() == d.size());
     for (std::size_t k = 0; k < l.size(); ++k) {
-      const Atom &a = s.molecule->atoms[l[k]], &b = s.molecule->atoms[d[k]];
+      const PlacedAtom a = s.molecule->at(l[k]), b = s.molecule->at(d[k]);
       CHECK(a.name == b.name);
       CHECK(glm::distance(a.position.A * Vec3(-1, 1, 1), b.position.A) < 0.001);
     }

@@ -26,7 +26,7 @@ Molecule bend(double last_y) {
                : k % 2 ? 1.0
                        : 0.0,
                k == 2 ? 1.5 : 0.0});
-  return b.molecule;
+  return b.molecule();
 }
 
 Expected<std::shared_ptr<const Molecule>> molecules(const NamedMolecule& named) {
@@ -145,7 +145,7 @@ TEST_CASE("a second structure has names for both states and a place to begin; it
   CHECK(glm::distance(states->second[4].centre_A, Vec3(15.2, 4, 0)) < 1e-9);
   CHECK(glm::distance(bend(0.0).movedTo(states->at(0.5)).balls[4].centre_A, Vec3(15.2, 2, 0)) < 1e-9);
   // What swells under the hand is drawn so too.
-  std::vector<Ball> swollen = bend(0.0).balls();
+  std::vector<Ball> swollen = bend(0.0).balls.copy();
   swollen[4].radius_A = 2.25;
   CHECK(bend(0.0).movedTo(swollen).balls[4].radius_A == 2.25);
 }

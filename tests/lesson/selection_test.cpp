@@ -73,7 +73,7 @@ TEST_CASE("within agrees with a loop over all pairs of 400 random atoms") {
   for (const double d : {0.0, 1.0, 5.0, 100.0}) {
     Atoms expected;
     for (std::uint32_t i = 0; i < all.size(); ++i)
-      for (const Atom& o : all)
+      for (const PlacedAtom& o : all)
         if (o.atomic_number == 8 && glm::distance(o.position.A, all[i].position.A) <= d) {
           expected.push_back(i);
           break;

@@ -31,7 +31,7 @@ double gap_A(const ShippedScene& s, int i) {
   double least = 1e9;
   for (const std::uint32_t b : s.select("chain B and name C" + n + " H" + n + "1 H" + n + "2 H" + n + "3"))
     for (const std::uint32_t a : s.select("chain A")) {
-      const Atom &one = s.molecule->atoms[a], &other = s.molecule->atoms[b];
+      const PlacedAtom one = s.molecule->at(a), other = s.molecule->at(b);
       least = std::min(least, glm::distance(one.position.A, other.position.A) - one.radius_A - other.radius_A);
     }
   return least;

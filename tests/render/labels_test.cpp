@@ -83,7 +83,7 @@ TEST_CASE("of 300 names at random places none overlaps another or leaves the pic
 
 TEST_CASE(
     "what an atom hides is not named; an author's own name for it is faint, and at full strength from the other side") {
-  const std::vector<Atom> two{atom(Vec3(0, 0, 6), 3.0, 6), atom(Vec3(0, 0, -6), 1.5, 7)};
+  const std::vector<PlacedAtom> two{atom(Vec3(0, 0, 6), 3.0, 6), atom(Vec3(0, 0, -6), 1.5, 7)};
   const BallScene balls(molecule(two)->balls);
   for (const bool own : {false, true}) {
     ViewScene scene =

@@ -13,7 +13,7 @@ using namespace moltact::test;
 namespace {
 
 std::shared_ptr<const Molecule> protein(std::size_t atoms, unsigned seed) {
-  std::vector<Atom> out;
+  std::vector<PlacedAtom> out;
   for (const Ball& b : bench::proteinLike(atoms, seed))
     out.push_back(atom(b.centre_A, b.radius_A, 6 + int(out.size() % 3)));
   return molecule(std::move(out));

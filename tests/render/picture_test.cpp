@@ -22,7 +22,7 @@ ViewScene atomsOnly(std::vector<PlacedAtom> atoms, double distance_A) {
   return scene;
 }
 
-std::vector<Atom> crowd(Vec3 where_A, unsigned seed, int count) {
+std::vector<PlacedAtom> crowd(Vec3 where_A, unsigned seed, int count) {
   std::mt19937 random(seed);
   std::uniform_real_distribution<double> u(-12, 12);
   std::vector<PlacedAtom> atoms;

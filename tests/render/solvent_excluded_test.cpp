@@ -107,7 +107,7 @@ bool inside(const MeshPiece& piece, const Vec3& p) {
   return crossings % 2 == 1;
 }
 
-std::vector<Ball> ubiquitin() { return openMolecule("1ubq")->balls; }
+std::vector<Ball> ubiquitin() { return openMolecule("1ubq")->balls.copy(); }
 
 }  // namespace
 

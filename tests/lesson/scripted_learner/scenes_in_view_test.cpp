@@ -27,7 +27,7 @@ TEST_CASE(
       const auto inView = [&](const Selection& of, bool beside_probe) {
         bool inside = false, bare = false;
         for (const std::uint32_t a : presentAtoms(of, picture.scene, *picture.molecule)) {
-          const Atom& atom = picture.molecule->atoms[a];
+          const PlacedAtom atom = picture.molecule->at(a);
           const Vec3 at = camera.project(atom.position, StepPicture::kSize_px, StepPicture::kSize_px);
           inside = inside ||
                    (at.z > 0.0 && at.x > 0 && at.y > 0 && at.x < StepPicture::kSize_px && at.y < StepPicture::kSize_px);

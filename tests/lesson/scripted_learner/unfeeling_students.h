@@ -191,7 +191,7 @@ struct Alone {
 
   /// Somewhere on the picture of these atoms.
   glm::dvec2 somewhere(const StepPicture& picture, const Camera& camera, std::span<const std::uint32_t> atoms) {
-    const Atom& a = picture.molecule->atoms[atoms[std::size_t(fraction() * double(atoms.size()))]];
+    const PlacedAtom a = picture.molecule->at(atoms[std::size_t(fraction() * double(atoms.size()))]);
     const Vec3 at = camera.project(a.position, StepPicture::kSize_px, StepPicture::kSize_px);
     const double reach_px = a.radius_A / camera.pixel_A(std::abs(at.z), StepPicture::kSize_px);
     return glm::dvec2(at.x, at.y) + reach_px * glm::dvec2(2.0 * fraction() - 1.0, 2.0 * fraction() - 1.0);
