@@ -26,11 +26,13 @@ void Molecule::setAtoms(const std::vector<PlacedAtom>& placed) {
   for (const PlacedAtom& atom : placed) places.push_back(atom.ball());
   atoms = std::move(kinds);
   balls = std::move(places);
+  balls_as_read = {};
 }
 
 Molecule Molecule::movedTo(SharedArray<Ball> coordinates) const {
   assert(coordinates.size() == atoms.size());
   Molecule out = *this;
+  out.balls_as_read = ballsAsRead();
   out.balls = std::move(coordinates);
   return out;
 }

@@ -89,6 +89,7 @@ struct Molecule {
   std::string title;  ///< one line on what it is; may be empty
   SharedArray<Atom> atoms;
   SharedArray<Ball> balls;     ///< the coordinates: centre and van der Waals radius of each atom, not inflated
+  SharedArray<Ball> balls_as_read;  ///< the coordinates of the file where movedTo() has replaced them, else empty
   SharedArray<float> charges_e;  ///< partial charge of each atom as the file has it; empty: the file has none
   SharedArray<Residue> residues;
   SharedArray<Chain> chains;
@@ -111,6 +112,8 @@ struct Molecule {
   void setAtoms(const std::vector<PlacedAtom>& placed);
   /// The same molecule with other coordinates, one for each atom.
   Molecule movedTo(SharedArray<Ball> coordinates) const;
+  /// The coordinates of the file. Bonds and secondary structure are found among these, and no motion changes them.
+  const SharedArray<Ball>& ballsAsRead() const { return balls_as_read.empty() ? balls : balls_as_read; }
   /// Whether both are the same molecule, perhaps at other coordinates.
   bool sameTopology(const Molecule& other) const { return atoms.sharesWith(other.atoms); }
 

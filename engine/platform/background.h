@@ -52,6 +52,8 @@ class NewestWork {
     std::erase_if(unwanted_, ready);
   }
   bool busy() const { return wanted_.valid(); }
+  /// Whether take() would give a result.
+  bool done() const { return wanted_.valid() && ready(wanted_); }
   /// The result once it is there, given once.
   std::optional<Result> take() {
     if (!wanted_.valid() || !ready(wanted_)) return std::nullopt;

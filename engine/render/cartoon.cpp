@@ -130,8 +130,7 @@ class Cartoon {
     for (const Ball& a : molecule.balls) piece_.origin_A += a.centre_A / double(molecule.atoms.size());
   }
 
-  MeshPiece build() {
-    const MoleculeStructure structure = secondaryStructure(molecule_);
+  MeshPiece build(const MoleculeStructure& structure) {
     std::vector<std::uint8_t> ends(molecule_.residues.size(), 0);
     for (const StructureElement& e : structure.elements)
       if (e.kind == SecondaryStructure::Strand) ends[e.last_residue] = 1;
@@ -213,8 +212,8 @@ class Cartoon {
 }  // namespace
 
 MeshPiece cartoon(const Molecule& molecule, std::span<const std::uint8_t> drawn,
-                  std::span<const std::uint32_t> colours) {
-  return Cartoon(molecule, drawn, colours).build();
+                  std::span<const std::uint32_t> colours, const MoleculeStructure& structure) {
+  return Cartoon(molecule, drawn, colours).build(structure);
 }
 
 bool inCartoon(const Residue& residue) {

@@ -135,6 +135,7 @@ void addStyles(const Molecule& molecule, const ExportOptions& options, const std
   if (styles.empty()) styles.emplace_back();
   std::vector<std::uint32_t> colours(molecule.atoms.size());
   for (std::uint32_t a = 0; a < colours.size(); ++a) colours[a] = materials.colourOf(a);
+  FoundStructure found;
   for (const StyledAtoms& what : styles) {
     std::vector<std::uint8_t> shown = seen;
     if (what.atoms) {
@@ -154,7 +155,7 @@ void addStyles(const Molecule& molecule, const ExportOptions& options, const std
       surface = surfaceOf(molecule, shown, options.probe_A > 0.0 ? options.probe_A : kWaterProbe_A);
       for (std::size_t v = 0; v < surface.share.size(); ++v) surface.share[v] = 0.0f;  // one colour an atom
     }
-    const StyleShapes shapes = shapesOf(what.style, molecule, shown, colours, surface);
+    const StyleShapes shapes = shapesOf(what.style, molecule, shown, colours, surface, found);
     addPiece(shapes.piece, std::string(nameOf(what.style)), what.opacity, middle_A, unit, materials, scene);
     for (const SmallBall& b : shapes.balls) balls.add(b.atom, double(b.radius_A), what.opacity);
   }

@@ -281,7 +281,7 @@ LooseSphere looseAtom(const ViewScene& scene, const MoleculeModel& model, std::u
   const Ball b = model.atomBall(atom);
   const std::uint32_t ball = model.ballOf(atom);
   return {glm::vec3(scene.camera.toView({b.centre_A})), float(b.radius_A), model.colour[ball],
-          model.wide.empty() ? glm::vec4(0.0f) : model.wide[ball]};
+          model.light.wide.empty() ? glm::vec4(0.0f) : model.light.wide[ball]};
 }
 
 }  // namespace

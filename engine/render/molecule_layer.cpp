@@ -56,7 +56,7 @@ void MoleculeLayer::drawPart(StyledPart& part, const ViewScene& scene, const Mol
   if (part.modelsBalls()) {
     const float rim = options.outlines && opacity >= 1.0f ? rimOf(options.samples, inside) : 0.0f;
     // Where something is cut away, what it hid comes in sight.
-    cull_.run(model.scene, model.blocks, scene.camera, inside, rim, options.cull && !scene.look.cut && opacity >= 1.0f,
+    cull_.run(model.balls, model.blocks, scene.camera, inside, rim, options.cull && !scene.look.cut && opacity >= 1.0f,
               part.shown());
     atoms_drawn_ += cull_.atomsDrawn();
     passes.balls.drawMolecule(model, cull_.drawn(), key_.tinted, packColour(key_.tint), rim, opacity, inside, lighting);
@@ -69,7 +69,7 @@ void MoleculeLayer::drawPart(StyledPart& part, const ViewScene& scene, const Mol
   for (const SmallBall& b : part.balls()) {
     const bool marked = std::binary_search(key_.tinted.begin(), key_.tinted.end(), b.atom);
     const std::uint32_t colour = marked ? packColour(key_.tint) : model.colour[b.atom];
-    small_.push_back({glm::vec3(scene.camera.toView({model.scene[b.atom].centre_A})), b.radius_A,
+    small_.push_back({glm::vec3(scene.camera.toView({model.balls[b.atom].centre_A})), b.radius_A,
                       (colour & 0x00FFFFFFu) | (packColour({}, opacity) & 0xFF000000u), b.wide});
   }
   passes.balls.drawLoose(small_, opacity < 1.0f ? SphereImpostors::Pass::Faint : SphereImpostors::Pass::Solid, inside,
@@ -80,6 +80,7 @@ bool MoleculeLayer::draw(const ViewScene& scene, const MoleculeModel* model, con
                          const Lighting& lighting, const Options& options, Passes passes) {
   Key key{.molecule = scene.molecule,
           .most_single_atoms = scene.most_single_atoms,
+          .lit = model ? model->lit : 0,
           .elements = scene.elements,
           .colour_by = scene.colour_by,
           .camera = scene.camera,

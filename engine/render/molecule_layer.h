@@ -56,6 +56,7 @@ class MoleculeLayer {
   struct Key {
     std::shared_ptr<const Molecule> molecule;
     std::size_t most_single_atoms = 0;
+    unsigned lit = 0;  // MoleculeModel::lit
     ElementColours elements = ElementColours::Customary;
     ColourBy colour_by = ColourBy::Element;
     Camera camera;

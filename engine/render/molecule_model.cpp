@@ -35,21 +35,52 @@ std::shared_ptr<const Colouring> schemeColouring(const Molecule& molecule, std::
   return scheme ? std::make_shared<const Colouring>(colourMolecule(molecule, **scheme)) : nullptr;
 }
 
+MoleculeLight lightAmong(const SharedArray<Ball>& balls, const std::vector<std::uint8_t>& shown) {
+  std::vector<Ball> seen;
+  for (std::size_t i = 0; i < shown.size(); ++i)
+    if (shown[i]) seen.push_back(balls[i]);
+  MoleculeLight out{occlusionField(shown.empty() ? std::span<const Ball>(balls) : seen), {}};
+  if (out.field.empty()) return out;
+  out.wide.reserve(balls.size());
+  for (const Ball& b : balls) out.wide.push_back(out.field.wideRound(b.centre_A, b.radius_A));
+  return out;
+}
+
 MoleculeModel::MoleculeModel(std::shared_ptr<const Molecule> m, std::size_t most)
-    : molecule(std::move(m)), most_single(most), scene(std::vector<Ball>{}) {
+    : molecule(std::move(m)), most_single(most), found(std::make_shared<FoundStructure>()) {
   if (molecule->atoms.size() > most_single) {
     ResidueBalls residues = residueBalls(*molecule);
     first_atom = std::move(residues.first_atom);
     beyond_A = residues.beyond_A;
-    scene = BallScene(std::move(residues.balls));
+    balls = std::move(residues.balls);
   } else {
-    scene = BallScene(molecule->balls);
+    balls = molecule->balls;
   }
-  blocks = BallBlocks(scene.balls());
+  blocks = BallBlocks(balls);
   paint({});
-  middle_A = 0.5 * (scene.low_A() + scene.high_A());
-  for (const Ball& b : scene.balls()) reach_A = std::max(reach_A, glm::length(b.centre_A - middle_A) + b.radius_A);
+  measure();
+}
+
+void MoleculeModel::measure() {
+  Vec3 low(0.0), high(0.0);
+  if (!balls.empty()) low = high = balls[0].centre_A;
+  for (const Ball& b : balls) {
+    low = glm::min(low, b.centre_A);
+    high = glm::max(high, b.centre_A);
+  }
+  middle_A = 0.5 * (low + high);
+  reach_A = 0.0;
+  for (const Ball& b : balls) reach_A = std::max(reach_A, glm::distance(b.centre_A, middle_A) + b.radius_A);
   reach_A += beyond_A;
+}
+
+bool MoleculeModel::moveTo(const std::shared_ptr<const Molecule>& moved) {
+  if (byResidue() || !moved || !moved->sameTopology(*molecule)) return false;
+  molecule = moved;
+  balls = moved->balls;
+  blocks.refit(balls);
+  measure();
+  return true;
 }
 
 std::uint32_t MoleculeModel::ballOf(std::uint32_t atom) const {
@@ -67,29 +98,24 @@ std::vector<std::uint32_t> MoleculeModel::ballsOf(std::vector<std::uint32_t> of)
 
 std::vector<std::uint8_t> MoleculeModel::shownBalls(std::vector<std::uint8_t> shown) const {
   if (!byResidue()) return shown;
-  std::vector<std::uint8_t> out(scene.size());
+  std::vector<std::uint8_t> out(balls.size());
   for (std::size_t ball = 0; ball < out.size(); ++ball)
     out[ball] = std::any_of(shown.begin() + first_atom[ball], shown.begin() + first_atom[ball + 1],
                             [](std::uint8_t s) { return s != 0; });
   return out;
 }
 
-void MoleculeModel::shade(std::shared_ptr<const std::vector<std::uint32_t>> hidden_atoms) {
-  hidden = std::move(hidden_atoms);
-  std::vector<Ball> seen;
-  if (hidden) {
-    std::vector<std::uint8_t> shown(atoms(), 1);
-    for (const std::uint32_t a : *hidden)
-      if (a < shown.size()) shown[a] = 0;
-    shown = shownBalls(std::move(shown));
-    for (std::uint32_t i = 0; i < scene.size(); ++i)
-      if (shown[i]) seen.push_back(scene[i]);
-  }
-  occlusion = occlusionField(hidden ? std::span<const Ball>(seen) : scene.balls());
-  wide.clear();
-  if (occlusion.empty()) return;
-  wide.reserve(scene.size());
-  for (const Ball& b : scene.balls()) wide.push_back(occlusion.wideRound(b.centre_A, b.radius_A));
+std::vector<std::uint8_t> MoleculeModel::shownWithout(const AtomList& hidden_atoms) const {
+  if (!hidden_atoms) return {};
+  std::vector<std::uint8_t> shown(atoms(), 1);
+  for (const std::uint32_t a : *hidden_atoms)
+    if (a < shown.size()) shown[a] = 0;
+  return shownBalls(std::move(shown));
+}
+
+void MoleculeModel::lightBy(MoleculeLight found_light) {
+  light = std::move(found_light);
+  ++lit;
 }
 
 std::vector<std::uint32_t> atomColours(const Molecule& molecule, const AtomPaint& use) {
@@ -123,14 +149,14 @@ void MoleculeModel::paint(AtomPaint with) {
   colour = atomColours(*molecule, shown);
   if (!byResidue()) return;
   // A residue has the mean of its atoms' colours.
-  for (std::size_t ball = 0; ball < scene.size(); ++ball) {
+  for (std::size_t ball = 0; ball < balls.size(); ++ball) {
     const std::uint32_t begin = first_atom[ball], end = first_atom[ball + 1];
     glm::vec3 sum(0.0f);
     for (std::uint32_t a = begin; a < end; ++a)
       sum += glm::vec3(colour[a] & 255u, colour[a] >> 8 & 255u, colour[a] >> 16 & 255u);
     colour[ball] = packColour(sum / (255.0f * float(end - begin)));
   }
-  colour.resize(scene.size());
+  colour.resize(balls.size());
   colour.shrink_to_fit();
 }
 

@@ -1,6 +1,6 @@
-// The renderer's data of a molecule between pictures: the balls that it draws, colours, ambient occlusion, and a grid to
+// The renderer's data of a molecule between pictures: the balls that it draws, colours, ambient occlusion, and blocks to
 // find neighbours. A ball is an atom, or beyond so many atoms a residue (engine/render/residue_balls.h).
-// Made once for a molecule; only its colours change. Units: angstrom.
+// Made once for a molecule; its colours, its light and its coordinates change. Units: angstrom.
 #pragma once
 
 #include <cstdint>
@@ -9,13 +9,14 @@
 #include <string_view>
 #include <vector>
 
-#include "engine/haptics/ball_scene.h"
+#include "engine/core/shared_array.h"
 #include "engine/molecule/molecule.h"
 #include "engine/render/ambient_occlusion.h"
 #include "engine/render/atom_style.h"
 #include "engine/render/ball_blocks.h"
 #include "engine/render/residue_balls.h"
 #include "engine/structure/colouring.h"
+#include "engine/structure/found_structure.h"
 
 namespace moltact {
 
@@ -43,11 +44,26 @@ struct AtomPaint {
 /// The colour of each atom (packColour).
 std::vector<std::uint32_t> atomColours(const Molecule& molecule, const AtomPaint& paint);
 
+/// The light among balls.
+struct MoleculeLight {
+  OcclusionField field;
+  std::vector<glm::vec4> wide;  ///< OcclusionField::wideRound of each ball; empty where the field has none
+};
+
+/// The light among those balls for which `shown` says so (empty: all). Pure function; any thread but the haptic one.
+MoleculeLight lightAmong(const SharedArray<Ball>& balls, const std::vector<std::uint8_t>& shown);
+
 struct MoleculeModel {
   /// A molecule of more than `most_single` atoms is drawn by its residues.
   explicit MoleculeModel(std::shared_ptr<const Molecule> molecule, std::size_t most_single = kMostSingleAtoms);
-  /// The light among the atoms without those hidden (ascending; null: none is).
-  void shade(std::shared_ptr<const std::vector<std::uint32_t>> hidden_atoms);
+  /// Takes other coordinates of the same molecule, in a time that follows the number of atoms: colours, blocks, bonds and
+  /// secondary structure stay, and so does the light until lightBy(). False, and unchanged, where the molecule
+  /// is another one or is drawn by its residues.
+  bool moveTo(const std::shared_ptr<const Molecule>& moved);
+  /// Takes the light among its balls, as lightAmong(balls, shownWithout(hidden)) finds it.
+  void lightBy(MoleculeLight found_light);
+  /// Of each ball whether some of its atoms is not among those hidden (ascending; null: none is); empty: all are shown.
+  std::vector<std::uint8_t> shownWithout(const AtomList& hidden_atoms) const;
   /// Colours the atoms.
   void paint(AtomPaint with);
 
@@ -65,26 +81,30 @@ struct MoleculeModel {
   /// Calls visit(atom, ball) for every atom that comes within margin_A of the place, and for some others.
   template <class Visit>
   void visitAtomsNear(const Vec3& place_A, double margin_A, Visit&& visit) const {
-    if (!byResidue()) return scene.visitNear(place_A, margin_A, visit);
-    scene.visitNear(place_A, margin_A + beyond_A, [&](std::uint32_t ball, const Ball&) {
+    if (!byResidue()) return blocks.visitNear(balls, place_A, margin_A, visit);
+    blocks.visitNear(balls, place_A, margin_A + beyond_A, [&](std::uint32_t ball, const Ball&) {
       for (std::uint32_t a = first_atom[ball]; a < first_atom[ball + 1]; ++a) visit(a, atomBall(a));
     });
   }
 
   std::shared_ptr<const Molecule> molecule;
-  std::shared_ptr<const std::vector<std::uint32_t>> hidden;  ///< as it is shaded
+  AtomList hidden;  ///< as it is lit: those of the light
   AtomPaint paint_used;
   unsigned painted = 0;  ///< grows with every painting
+  unsigned lit = 0;      ///< grows with every light
   std::size_t most_single;
   std::vector<std::uint32_t> first_atom;  ///< ResidueBalls::first_atom; empty where each atom is a ball
   double beyond_A = 0.0;                  ///< no atom reaches farther out of its ball
-  BallScene scene;                        ///< of the balls
-  BallBlocks blocks;                      ///< of the scene's balls
+  SharedArray<Ball> balls;                ///< the molecule's own, or one for each residue
+  BallBlocks blocks;                      ///< of the balls
   std::vector<std::uint32_t> colour;      ///< of each ball: bytes red, green, blue, 255 from the lowest
-  OcclusionField occlusion;
-  std::vector<glm::vec4> wide;  ///< OcclusionField::wideRound of each ball; empty where the field has none
+  MoleculeLight light;
+  std::shared_ptr<FoundStructure> found;  ///< of the molecule, for its styles; never null
   Vec3 middle_A{0.0};
   double reach_A = 0.0;  ///< all balls and atoms lie within this of the middle
+
+ private:
+  void measure();
 };
 
 /// Up to `most` atoms whose inflated spheres come nearest to a place, nearest first, none farther than `gap_A` from it.

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "engine/language/catalogue.h"
+#include "engine/platform/background.h"
 #include "engine/render/contact_shadow.h"
 #include "engine/render/edge_filter.h"
 #include "engine/render/glyphs.h"
@@ -115,6 +116,8 @@ struct Renderer::Impl {
   PixelBox glyph_box;  // where the last picture has glyphs
   std::unique_ptr<MoleculeModel> model;
   OcclusionVolume occlusion;
+  NewestWork<MoleculeLight> light;  // while atoms move it is found beside
+  bool light_is_old = false;        // the atoms have moved since it was begun
   Glyphs glyphs;
   std::vector<LooseSphere> dots, near;  // of the haptic shapes; the atoms round the probe
   ViewScene last;
@@ -126,11 +129,32 @@ struct Renderer::Impl {
     layer.forget();
     have_picture = false;
   }
+  void findLight(const ViewScene& scene, bool at_once, bool moved);
   void smoothEdges(const PixelBox& changed, bool all, const ViewScene& scene, const Projection& projection);
   const GlTarget& shown() const { return filtered ? smooth : picture; }
   bool drawScene(const ViewScene& scene, int width_px, int height_px, const RenderOptions& options);
   void drawGlyphs(const GlTarget& on, const Projection& projection, const Lighting& lighting, float line_scale);
 };
+
+// At once for another molecule; where the atoms only move, beside, and the last one stays meanwhile.
+void Renderer::Impl::findLight(const ViewScene& scene, bool at_once, bool moved) {
+  light_is_old = light_is_old || moved;
+  if (!model || at_once) {
+    light.drop();
+    light_is_old = false;
+    if (!model) return;
+    model->hidden = scene.look.hidden;
+    model->lightBy(lightAmong(model->balls, model->shownWithout(model->hidden)));
+    occlusion.upload(model->light.field);
+  } else if (std::optional<MoleculeLight> found = light.take()) {
+    model->lightBy(*std::move(found));
+    occlusion.upload(model->light.field);
+  }
+  if (light_is_old && !light.busy()) {
+    light.begin(inBackground(lightAmong, model->balls, model->shownWithout(model->hidden)));
+    light_is_old = false;
+  }
+}
 
 Renderer::Renderer() = default;
 Renderer::~Renderer() = default;
@@ -186,7 +210,7 @@ bool Renderer::Impl::drawScene(const ViewScene& scene, int width_px, int height_
   const Projection projection(scene.camera, width_px, height_px, depthRange(scene.camera, model.get()));
   const Projection inside(scene.camera, width_px * samples, height_px * samples, projection.depth);
   Lighting lighting =
-      lightingOf(scene, model.get(), model && !model->occlusion.empty() ? &occlusion : nullptr, projection.depth);
+      lightingOf(scene, model.get(), model && !model->light.field.empty() ? &occlusion : nullptr, projection.depth);
   lighting.fine = options.fine_light;
   // A large picture is looked at whole: its lines grow with it.
   const float line_scale = options.line_scale * std::max(1.0f, float(height_px) / 800.0f);
@@ -197,6 +221,7 @@ bool Renderer::Impl::drawScene(const ViewScene& scene, int width_px, int height_
     return false;
   count.atoms_redrawn = layer.redrawn();
   count.surface_progress = layer.surfaceProgress();
+  count.light_pending = light.busy();
   count.atoms_drawn = layer.atomsDrawn();
   // Where the molecule stays, only what glyphs cover or have covered changes.
   const PixelBox whole{0, 0, width_px, height_px};
@@ -285,9 +310,10 @@ std::optional<Problem> Renderer::draw(const ViewScene& scene, int width_px, int 
   };
   if (width_px < 1 || height_px < 1 || width_px > 16384 || height_px > 16384) return tooLarge();
   if (p.have_picture && p.picture.width() == width_px && p.picture.height() == height_px && p.last_options == options &&
-      sameView(p.last, scene) && !p.layer.surfaceReady()) {
+      sameView(p.last, scene) && !p.layer.surfaceReady() && !p.light.done()) {
     p.count.atoms_redrawn = false;
     p.count.surface_progress = p.layer.surfaceProgress();
+    p.count.light_pending = p.light.busy();
     return std::nullopt;
   }
   // Errors that others left behind are not this picture's; a lost context would report for ever.
@@ -296,15 +322,14 @@ std::optional<Problem> Renderer::draw(const ViewScene& scene, int width_px, int 
       return Problem{
           .file = {}, .message = tr("the graphics context is lost"), .remedy = tr("start the program again")};
   const CallersState state;
-  const bool other = !p.model || p.model->molecule != scene.molecule || p.model->most_single != scene.most_single_atoms;
+  const bool alike = p.model && p.model->most_single == scene.most_single_atoms;
+  const bool moved = alike && p.model->molecule != scene.molecule && p.model->moveTo(scene.molecule);
+  const bool other = !alike || p.model->molecule != scene.molecule;
   if (other)
     p.model = scene.molecule && !scene.molecule->atoms.empty()
                   ? std::make_unique<MoleculeModel>(scene.molecule, scene.most_single_atoms)
                   : nullptr;
-  if (p.model && (other || p.model->hidden != scene.look.hidden)) {
-    p.model->shade(scene.look.hidden);
-    p.occlusion.upload(p.model->occlusion);
-  }
+  p.findLight(scene, other || p.model->hidden != scene.look.hidden || (moved && options.wait_for_surfaces), moved);
   if (p.model) {
     AtomPaint paint{.elements = scene.elements,
                     .by = scene.colour_by,
@@ -314,7 +339,7 @@ std::optional<Problem> Renderer::draw(const ViewScene& scene, int width_px, int 
                     .touched_colour = scene.theme.touched};
     if (paint != p.model->paint_used) p.model->paint(std::move(paint));
   }
-  p.count.atoms = p.model ? p.model->scene.size() : 0;
+  p.count.atoms = p.model ? p.model->balls.size() : 0;
   if (scene.blank) {
     if (!p.picture.resize(width_px, height_px)) return tooLarge();
     p.filtered = false;

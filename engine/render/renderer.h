@@ -19,7 +19,8 @@ struct RenderOptions {
   bool outlines = true;      ///< dark rims round atoms that stand in front of others (default on)
   bool fine_light = true;    ///< ambient occlusion varies within an atom; false: from atom to atom only (default on)
   float line_scale = 1.0f;   ///< multiplies line widths, for displays with small pixels (default 1)
-  bool wait_for_surfaces = true;  ///< false: a surface is computed beside, and the former style stays meanwhile
+  /// False: surfaces, and the light of atoms that move, are computed beside; the former ones stay meanwhile.
+  bool wait_for_surfaces = true;
   bool occlusion_cull = true;     ///< leave out atoms that are hidden by others; the picture is the same (default on)
 
   friend bool operator==(const RenderOptions&, const RenderOptions&) = default;
@@ -30,6 +31,7 @@ struct RenderCount {
   std::size_t atoms = 0, atoms_drawn = 0;
   bool atoms_redrawn = false;             ///< false when the kept layer was used
   std::optional<float> surface_progress;  ///< of a surface that is computed beside, 0 to 1
+  bool light_pending = false;             ///< light is computed beside, for the next picture
   std::uint64_t pictures = 0;             ///< drawn so far: the texture holds another one where this is another number
 };
 

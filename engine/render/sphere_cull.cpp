@@ -37,7 +37,7 @@ bool projectSphere(const Projection& projection, const glm::vec3& centre, float 
   return true;
 }
 
-void SphereCull::run(const BallScene& scene, const BallBlocks& blocks, const Camera& camera,
+void SphereCull::run(std::span<const Ball> balls, const BallBlocks& blocks, const Camera& camera,
                      const Projection& projection, float rim, bool occlusion, std::span<const std::uint8_t> shown) {
   seen_.clear();
   drawn_.clear();
@@ -50,14 +50,14 @@ void SphereCull::run(const BallScene& scene, const BallBlocks& blocks, const Cam
   };
   const auto project = [&](std::uint32_t i, DrawnSphere& sphere) {
     if (!shown.empty() && !shown[i]) return false;
-    const Ball& b = scene[i];
+    const Ball& b = balls[i];
     if (!projectSphere(projection, toView(b.centre_A), float(b.radius_A), sphere, rim)) return false;
     sphere.index = i;
     return true;
   };
   DrawnSphere sphere;
   if (!occlusion) {
-    for (std::uint32_t i = 0; i < scene.size(); ++i)
+    for (std::uint32_t i = 0; i < balls.size(); ++i)
       if (project(i, sphere)) seen_.push_back(sphere);
     sortSeen();
     for (const auto& [depth, k] : order_) drawn_.push_back(seen_[k]);
@@ -66,7 +66,7 @@ void SphereCull::run(const BallScene& scene, const BallBlocks& blocks, const Cam
   }
 
   const std::vector<Near> near = blocksAhead(blocks, projection, rim, toView);
-  makeCells(scene, blocks, near, projection);
+  makeCells(balls, blocks, near, projection);
   for (const Near& n : near) {
     if (n.boxed && hidden(n.image)) continue;
     // The nearest ball of a block first, so that it may hide the others.
@@ -126,11 +126,11 @@ std::vector<SphereCull::Near> SphereCull::blocksAhead(const BallBlocks& blocks, 
 }
 
 // About eight cells across a ball: finer costs more than the drawing that it saves.
-void SphereCull::makeCells(const BallScene& scene, const BallBlocks& blocks, std::span<const Near> near,
+void SphereCull::makeCells(std::span<const Ball> balls, const BallBlocks& blocks, std::span<const Near> near,
                            const Projection& projection) {
   double wide = 0;
   for (const Near& n : near) {
-    const Ball& one = scene[blocks.of(blocks.blocks()[n.image.index]).front()];
+    const Ball& one = balls[blocks.of(blocks.blocks()[n.image.index]).front()];
     wide += one.radius_A / std::max(double(-n.image.centre.z), projection.depth.near_A);
   }
   const double mean_px = near.empty() ? 0 : wide / double(near.size()) / tan_x_ * projection.width_px;

@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "engine/haptics/ball_scene.h"
+#include "engine/core/ball.h"
 #include "engine/render/ball_blocks.h"
 #include "engine/render/projection.h"
 
@@ -32,8 +32,8 @@ class SphereCull {
   /// covered by nearer balls, decided on a coarse grid of cells, so the picture is the same without it. `occlusion`
   /// false keeps every ball whole.
   /// `shown`, if not empty, says of each ball whether it is there at all.
-  /// `blocks` are those of the scene's balls.
-  void run(const BallScene& scene, const BallBlocks& blocks, const Camera& camera, const Projection& projection,
+  /// `blocks` are those of those balls.
+  void run(std::span<const Ball> balls, const BallBlocks& blocks, const Camera& camera, const Projection& projection,
            float rim, bool occlusion, std::span<const std::uint8_t> shown = {});
 
   const std::vector<DrawnSphere>& drawn() const { return drawn_; }
@@ -51,7 +51,7 @@ class SphereCull {
   template <class ToView>
   std::vector<Near> blocksAhead(const BallBlocks& blocks, const Projection& projection, float rim,
                                 ToView&& toView) const;
-  void makeCells(const BallScene& scene, const BallBlocks& blocks, std::span<const Near> near,
+  void makeCells(std::span<const Ball> balls, const BallBlocks& blocks, std::span<const Near> near,
                  const Projection& projection);
   void sortSeen();
   Span inSight(const DrawnSphere& sphere, int row) const;

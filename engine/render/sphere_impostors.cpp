@@ -161,7 +161,7 @@ void SphereImpostors::drawMolecule(const MoleculeModel& model, std::span<const D
   for (const DrawnSphere& s : spheres) {
     const bool is_tinted = std::binary_search(tinted.begin(), tinted.end(), s.index);
     push(s, is_tinted ? marked : (model.colour[s.index] & 0x00FFFFFFu) | alpha,
-         model.wide.empty() ? 0u : packWide(model.wide[s.index], to_camera));
+         model.light.wide.empty() ? 0u : packWide(model.light.wide[s.index], to_camera));
   }
   flush(opacity < 1.0f ? Pass::Faint : Pass::Solid, rim, projection, lighting);
 }

@@ -5,7 +5,6 @@
 #include "engine/render/cartoon.h"
 #include "engine/render/molecule_model.h"
 #include "engine/render/sticks.h"
-#include "engine/structure/bonds.h"
 
 namespace moltact {
 namespace {
@@ -49,11 +48,12 @@ SolventExcluded surfaceOf(const Molecule& molecule, std::span<const std::uint8_t
 }
 
 StyleShapes shapesOf(DrawStyle style, const Molecule& m, std::span<const std::uint8_t> shown,
-                     std::span<const std::uint32_t> colours, const SolventExcluded& surface) {
+                     std::span<const std::uint32_t> colours, const SolventExcluded& surface,
+                     FoundStructure& found) {
   StyleShapes out;
   MeshPiece& piece = out.piece;
   const auto addBonds = [&](std::span<const std::uint8_t> atoms, double stick_A, double ball_A, double ball_share) {
-    append(piece, sticks(m, findBonds(m), atoms, colours, stick_A));
+    append(piece, sticks(m, found.bonds(m), atoms, colours, stick_A));
     for (std::uint32_t a = 0; a < atoms.size(); ++a)
       if (atoms[a]) {
         const double radius = std::max(ball_A, ball_share * m.balls[a].radius_A);
@@ -74,7 +74,7 @@ StyleShapes shapesOf(DrawStyle style, const Molecule& m, std::span<const std::ui
       addBonds(shown, kLine_A, kLine_A, 0.0);
       break;
     case DrawStyle::Cartoon: {
-      piece = cartoon(m, shown, colours);
+      piece = cartoon(m, shown, colours, found.secondary(m));
       for (std::size_t v = 0; v < piece.vertices.size(); v += 14)
         out.shading.push_back({piece.origin_A + Vec3(piece.vertices[v].place), 0.7});
       std::vector<std::uint8_t> others(shown.begin(), shown.end());

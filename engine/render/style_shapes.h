@@ -11,6 +11,7 @@
 #include "engine/molecule/molecule.h"
 #include "engine/render/mesh_piece.h"
 #include "engine/render/solvent_excluded.h"
+#include "engine/structure/found_structure.h"
 
 namespace moltact {
 
@@ -35,6 +36,6 @@ SolventExcluded surfaceOf(const Molecule& molecule, std::span<const std::uint8_t
 /// The shapes of those atoms in their colours (packColour). `surface` is surfaceOf() of the same atoms where the
 /// style's DrawStyleInfo::uses_probe says so, else empty.
 StyleShapes shapesOf(DrawStyle style, const Molecule& molecule, std::span<const std::uint8_t> shown,
-                     std::span<const std::uint32_t> colours, const SolventExcluded& surface);
+                     std::span<const std::uint32_t> colours, const SolventExcluded& surface, FoundStructure& found);
 
 }  // namespace moltact

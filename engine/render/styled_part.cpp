@@ -56,7 +56,7 @@ void StyledPart::paint(const MoleculeModel& model) {
 
 void StyledPart::findShapes(const MoleculeModel& model) {
   if (models_balls_) return;
-  StyleShapes shapes = shapesOf(what_.style, *molecule_, shown_, model.colour, surface_);
+  StyleShapes shapes = shapesOf(what_.style, *molecule_, shown_, model.colour, surface_, *model.found);
   balls_ = std::move(shapes.balls);
   mesh_ = std::make_unique<GpuMesh>(shapes.piece);
   if (shapes.shading.empty()) return;

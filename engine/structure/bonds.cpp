@@ -33,7 +33,7 @@ class BondFinder {
 
  private:
   double distance(std::uint32_t a, std::uint32_t b) const {
-    return glm::distance(m_.balls[a].centre_A, m_.balls[b].centre_A);
+    return glm::distance(m_.ballsAsRead()[a].centre_A, m_.ballsAsRead()[b].centre_A);
   }
   void add(std::uint32_t a, std::uint32_t b, BondOrder order) {
     const auto [first, second] = std::minmax(a, b);
@@ -79,7 +79,7 @@ class BondFinder {
     for (std::size_t i = 0; i < m_.atoms.size(); ++i) {
       const double radius = gemmi::covalent_radius(elementOf(m_.atoms[i]));
       largest = std::max(largest, radius);
-      balls.push_back({m_.balls[i].centre_A, radius});
+      balls.push_back({m_.ballsAsRead()[i].centre_A, radius});
     }
     const BallScene grid(std::move(balls), BallScene::Duplicates::VisitEach);
     std::vector<std::uint32_t> nearest;  // of each hydrogen its partner; made where there is one

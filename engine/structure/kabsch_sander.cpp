@@ -28,7 +28,7 @@ struct Peptide {
 std::vector<Peptide> peptides(const Molecule& m) {
   std::vector<Peptide> out;
   std::size_t run = 0;
-  const auto at = [&](std::uint32_t atom) { return m.balls[atom].centre_A; };
+  const auto at = [&](std::uint32_t atom) { return m.ballsAsRead()[atom].centre_A; };
   for (const ProteinStretch& stretch : proteinBackbone(m)) {
     ++run;
     for (const AminoAcidAtoms& a : stretch) {

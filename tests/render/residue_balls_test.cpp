@@ -189,7 +189,7 @@ TEST_CASE("the atoms nearest to a place are the same whether a molecule is drawn
   for (int k = 0; k < 300; ++k) {
     Vec3 place;
     for (int i = 0; i < 3; ++i)
-      place[i] = std::uniform_real_distribution(fine.scene.low_A()[i], fine.scene.high_A()[i])(random);
+      place[i] = fine.middle_A[i] + std::uniform_real_distribution(-fine.reach_A, fine.reach_A)(random);
     const auto expected = nearestAtoms(fine, {place}, 1.4, 3.0, 12);
     CHECK(nearestAtoms(coarser, {place}, 1.4, 3.0, 12) == expected);
     found += expected.size();

@@ -330,8 +330,8 @@ TEST_CASE("each atom that holds the probe has a bright ring on a dark one; witho
   for (std::size_t k = 0; k < 4; ++k) {
     const Strokes::Line& ring = glyphs.strokes.lines()[k];
     for (std::size_t i = ring.begin; i < ring.end; ++i) {
-      const double from = glm::length(scene.camera.fromView(Vec3(glyphs.strokes[i])).A - model.scene[k / 2].centre_A);
-      CHECK(from == doctest::Approx(model.scene[k / 2].radius_A + 0.10).epsilon(1e-4));
+      const double from = glm::length(scene.camera.fromView(Vec3(glyphs.strokes[i])).A - model.balls[k / 2].centre_A);
+      CHECK(from == doctest::Approx(model.balls[k / 2].radius_A + 0.10).epsilon(1e-4));
     }
     CHECK((glm::length(ring.stroke.colour) > 1.0f) == (k % 2 == 1));
   }
