@@ -254,8 +254,8 @@ class Assembler {
       }
       PlacedAtom atom = grown_.at(residue.first_atom + k);
       atom.position.A = carried(op, atom.position.A);
-      out.add(atom, grown_.charge_e(residue.first_atom + k), {residue.name, name, label, residue.number, residue.insertion, residue.recorded},
-              grown_.hetero_of[r]);
+      out.add(atom, grown_.charge_e(residue.first_atom + k),
+              {residue.name, name, label, residue.number, residue.insertion, residue.recorded}, grown_.hetero_of[r]);
     }
     return std::nullopt;
   }

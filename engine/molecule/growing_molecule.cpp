@@ -46,7 +46,8 @@ std::optional<Problem> GrowingMolecule::full(const std::string& file, std::size_
 
 std::size_t GrowingMolecule::bytes() const {
   const MoleculeArrays& m = arrays;
-  return m.atoms.size() * (sizeof(Atom) + sizeof(Ball)) + m.charges_e.size() * sizeof(float) + m.residues.size() * sizeof(Residue) + m.chains.size() * sizeof(Chain) +
+  return m.atoms.size() * (sizeof(Atom) + sizeof(Ball)) + m.charges_e.size() * sizeof(float) +
+         m.residues.size() * sizeof(Residue) + m.chains.size() * sizeof(Chain) +
          label_of_.size() * sizeof(std::uint32_t) + labels_.size() * sizeof(ShortText) + hetero_of.size() / 8 +
          text_bytes_;
 }

@@ -10,7 +10,9 @@
 
 namespace moltact {
 
-PlacedAtom Molecule::at(std::size_t atom) const { return {{atoms[atom]}, {balls[atom].centre_A}, balls[atom].radius_A}; }
+PlacedAtom Molecule::at(std::size_t atom) const {
+  return {{atoms[atom]}, {balls[atom].centre_A}, balls[atom].radius_A};
+}
 
 std::vector<PlacedAtom> Molecule::placedAtoms() const {
   std::vector<PlacedAtom> out;

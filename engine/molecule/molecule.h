@@ -88,16 +88,16 @@ struct Molecule {
   std::string id;     ///< short name for the screen: "1UBQ", "benzene"
   std::string title;  ///< one line on what it is; may be empty
   SharedArray<Atom> atoms;
-  SharedArray<Ball> balls;     ///< the coordinates: centre and van der Waals radius of each atom, not inflated
+  SharedArray<Ball> balls;          ///< the coordinates: centre and van der Waals radius of each atom, not inflated
   SharedArray<Ball> balls_as_read;  ///< the coordinates of the file where movedTo() has replaced them, else empty
-  SharedArray<float> charges_e;  ///< partial charge of each atom as the file has it; empty: the file has none
+  SharedArray<float> charges_e;     ///< partial charge of each atom as the file has it; empty: the file has none
   SharedArray<Residue> residues;
   SharedArray<Chain> chains;
-  SharedArray<Bond> listed_bonds;       ///< of a file that lists them all (SDF, MOL), ascending; engine/structure/bonds.h
-                                        ///< finds those of every molecule
-  bool has_recorded_structure = false;  ///< the file says which residues are helices and strands
-  SharedArray<std::string> warnings;    ///< what the reader left out, replaced or guessed, one sentence each
-  std::uint32_t waters_left_out = 0;    ///< water molecules in the file that are not among the atoms
+  SharedArray<Bond> listed_bonds;  ///< of a file that lists them all (SDF, MOL), ascending; engine/structure/bonds.h
+                                   ///< finds those of every molecule
+  bool has_recorded_structure = false;    ///< the file says which residues are helices and strands
+  SharedArray<std::string> warnings;      ///< what the reader left out, replaced or guessed, one sentence each
+  std::uint32_t waters_left_out = 0;      ///< water molecules in the file that are not among the atoms
   std::uint32_t alternates_left_out = 0;  ///< atoms at another alternate location than the one kept
   std::uint32_t models_in_file = 1;       ///< of which this is one
   std::uint32_t beside_from =

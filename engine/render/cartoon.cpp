@@ -211,8 +211,8 @@ class Cartoon {
 
 }  // namespace
 
-MeshPiece cartoon(const Molecule& molecule, std::span<const std::uint8_t> drawn,
-                  std::span<const std::uint32_t> colours, const MoleculeStructure& structure) {
+MeshPiece cartoon(const Molecule& molecule, std::span<const std::uint8_t> drawn, std::span<const std::uint32_t> colours,
+                  const MoleculeStructure& structure) {
   return Cartoon(molecule, drawn, colours).build(structure);
 }
 

@@ -17,8 +17,8 @@ inline constexpr double kHelixWidth_A = 1.35, kStrandWidth_A = 1.1, kArrowWidth_
 
 /// `structure` is the secondary structure of the molecule. `drawn[a]` says which atoms belong to the picture: a residue is
 /// drawn where its CA (or the nucleotide's phosphorus) is. Each residue has the colour (packColour) of that atom. A chain that ends, has a gap or is not drawn further is closed.
-MeshPiece cartoon(const Molecule& molecule, std::span<const std::uint8_t> drawn,
-                  std::span<const std::uint32_t> colours, const MoleculeStructure& structure);
+MeshPiece cartoon(const Molecule& molecule, std::span<const std::uint8_t> drawn, std::span<const std::uint32_t> colours,
+                  const MoleculeStructure& structure);
 
 /// Whether a residue is part of the ribbons: what is not is shown in another way.
 bool inCartoon(const Residue& residue);

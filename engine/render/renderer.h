@@ -21,7 +21,7 @@ struct RenderOptions {
   float line_scale = 1.0f;   ///< multiplies line widths, for displays with small pixels (default 1)
   /// False: surfaces, and the light of atoms that move, are computed beside; the former ones stay meanwhile.
   bool wait_for_surfaces = true;
-  bool occlusion_cull = true;     ///< leave out atoms that are hidden by others; the picture is the same (default on)
+  bool occlusion_cull = true;  ///< leave out atoms that are hidden by others; the picture is the same (default on)
 
   friend bool operator==(const RenderOptions&, const RenderOptions&) = default;
 };

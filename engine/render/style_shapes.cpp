@@ -48,8 +48,7 @@ SolventExcluded surfaceOf(const Molecule& molecule, std::span<const std::uint8_t
 }
 
 StyleShapes shapesOf(DrawStyle style, const Molecule& m, std::span<const std::uint8_t> shown,
-                     std::span<const std::uint32_t> colours, const SolventExcluded& surface,
-                     FoundStructure& found) {
+                     std::span<const std::uint32_t> colours, const SolventExcluded& surface, FoundStructure& found) {
   StyleShapes out;
   MeshPiece& piece = out.piece;
   const auto addBonds = [&](std::span<const std::uint8_t> atoms, double stick_A, double ball_A, double ball_share) {

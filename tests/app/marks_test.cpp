@@ -65,8 +65,8 @@ std::string written(ScriptedUser& d) {
 
 void clickAtom(ScriptedUser& d, std::uint32_t atom) {
   const auto size = d.app().layout().view.size();
-  const Vec3 px =
-      d.app().scene.camera.project(PointA{d.app().scene.stage().molecule->balls[atom].centre_A}, int(size.x), int(size.y));
+  const Vec3 px = d.app().scene.camera.project(PointA{d.app().scene.stage().molecule->balls[atom].centre_A},
+                                               int(size.x), int(size.y));
   d.point("view", px.x / double(size.x), px.y / double(size.y));
   d.press();
   d.frames(2);

@@ -65,8 +65,7 @@ TEST_CASE(
   CHECK(1.70 - std::sqrt(1.70 * 1.70 - 1.397 * 1.397) == doctest::Approx(0.73).epsilon(0.01));
   // The middle of the ring is closed to a probe of any size.
   const ShippedScene benzene("benzene");
-  for (int k = 0; k < 6; ++k)
-    CHECK(glm::length(benzene.molecule->balls[static_cast<std::size_t>(k)].centre_A) < 1.70);
+  for (int k = 0; k < 6; ++k) CHECK(glm::length(benzene.molecule->balls[static_cast<std::size_t>(k)].centre_A) < 1.70);
   // Every pit of carbons is the one in the middle, where all six hold the point.
   const auto pits = pitPlaces(benzene.balls, benzene.select("element C"), 0.0);
   CHECK(pits.size() >= 2);

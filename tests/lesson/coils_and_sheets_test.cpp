@@ -77,8 +77,7 @@ TEST_CASE(
   const auto a = s.select("chain A"), b = s.select("chain B");
   REQUIRE(a.size() == b.size());
   for (std::size_t k = 0; k < a.size(); ++k)
-    CHECK(glm::distance(s.molecule->balls[a[k]].centre_A * Vec3(-1, 1, 1), s.molecule->balls[b[k]].centre_A) <
-          0.001);
+    CHECK(glm::distance(s.molecule->balls[a[k]].centre_A * Vec3(-1, 1, 1), s.molecule->balls[b[k]].centre_A) < 0.001);
 }
 
 TEST_CASE("no ball of 0.5 A passes straight into the middle of the helix, wherever within 1 A of the axis it begins") {

@@ -184,8 +184,7 @@ TEST_CASE(
     for (const std::uint32_t a : atoms)
       for (std::size_t b = 0; b < s.molecule->atoms.size(); ++b)
         if (std::find(atoms.begin(), atoms.end(), b) == atoms.end())
-          CHECK(glm::distance(s.molecule->balls[a].centre_A, s.molecule->balls[b].centre_A) >
-                2 * (1.88 + kWater_A));
+          CHECK(glm::distance(s.molecule->balls[a].centre_A, s.molecule->balls[b].centre_A) > 2 * (1.88 + kWater_A));
   }
 }
 

@@ -27,9 +27,8 @@ struct MoleculeByHand {
     if (chains.empty() || chains.back().name != chain)
       chains.push_back({std::move(chain), static_cast<std::uint32_t>(residues.size()), 0});
     ++chains.back().residue_count;
-    residues.push_back({std::move(name), number, insertion,
-                                 static_cast<std::uint32_t>(chains.size() - 1),
-                                 static_cast<std::uint32_t>(atoms.size()), 0, kind});
+    residues.push_back({std::move(name), number, insertion, static_cast<std::uint32_t>(chains.size() - 1),
+                        static_cast<std::uint32_t>(atoms.size()), 0, kind});
     return *this;
   }
   MoleculeByHand& atom(std::string_view name, int atomic_number, Vec3 place, double radius_A = 1.7) {

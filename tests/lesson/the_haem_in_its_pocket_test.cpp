@@ -132,8 +132,7 @@ TEST_CASE(
     REQUIRE(iron.size() == 1);
     double nearest_A = 1e9;
     for (const auto w : parseSelection("water")->select(*molecule))
-      nearest_A =
-          std::min(nearest_A, glm::distance(molecule->balls[iron[0]].centre_A, molecule->balls[w].centre_A));
+      nearest_A = std::min(nearest_A, glm::distance(molecule->balls[iron[0]].centre_A, molecule->balls[w].centre_A));
     CAPTURE(chain);
     CHECK((nearest_A >= least_A && nearest_A <= most_A));
   }

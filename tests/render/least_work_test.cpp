@@ -1,10 +1,12 @@
 // Pictures cost no more than they must: what has not changed is kept, what is hidden is passed over, and a view that
 // turns on a slow machine is drawn coarser. The oracle is the same picture drawn anew, or whole.
+#include <random>
 #include <set>
 
 #include "engine/bench/hip_paths.h"
 #include "engine/render/ball_blocks.h"
 #include "engine/render/fineness.h"
+#include "engine/render/molecule_model.h"
 #include "tests/render/stage.h"
 
 using namespace moltact;
@@ -87,6 +89,64 @@ TEST_CASE("blocks hold every ball once, at most 48 each, and none reaches out of
     CHECK(std::all_of(times.begin(), times.end(), [](int t) { return t == 1; }));
   }
   CHECK(BallBlocks(std::vector<Ball>()).blocks().empty());
+}
+
+TEST_CASE(
+    "blocks refitted to balls that moved by up to 3 A find the same near 200 places as a look at each of 5000; seed "
+    "9") {
+  std::vector<Ball> balls = bench::proteinLike(5000, 9);
+  BallBlocks blocks(balls);
+  std::mt19937 random(9);
+  std::uniform_real_distribution<double> by_A(-3.0, 3.0);
+  for (Ball& b : balls) b.centre_A += Vec3(by_A(random), by_A(random), by_A(random));
+  blocks.refit(balls);
+  for (int k = 0; k < 200; ++k) {
+    const Vec3 place = balls[random() % balls.size()].centre_A + Vec3(by_A(random), by_A(random), by_A(random));
+    std::set<std::uint32_t> found, expected;
+    blocks.visitNear(balls, place, 2.0, [&](std::uint32_t i, const Ball&) { CHECK(found.insert(i).second); });
+    for (std::uint32_t i = 0; i < balls.size(); ++i)
+      if (glm::distance(balls[i].centre_A, place) <= balls[i].radius_A + 2.0) expected.insert(i);
+    CHECK(found == expected);
+  }
+}
+
+TEST_CASE("a picture's data that are moved are those made anew at the new places, and nothing is painted again") {
+  const auto one = protein(3000, 4);
+  std::vector<Ball> places = one->balls.copy();
+  for (Ball& b : places) b.centre_A = Vec3(b.centre_A.y, 1.5 * b.centre_A.x, b.centre_A.z) + Vec3(2, 0, 0);
+  const auto two = std::make_shared<const Molecule>(one->movedTo(places));
+  MoleculeModel moved(one);
+  const unsigned painted = moved.painted;
+  REQUIRE(moved.moveTo(two));
+  const MoleculeModel made(two);
+  CHECK(moved.painted == painted);
+  CHECK(moved.colour == made.colour);
+  CHECK(moved.middle_A == made.middle_A);
+  CHECK(moved.reach_A == made.reach_A);
+  CHECK(moved.balls.sharesWith(two->balls));
+  for (std::size_t i = 0; i < places.size(); i += 100)
+    CHECK(nearestAtoms(moved, {places[i].centre_A}, 1.4, 2.0, 9) ==
+          nearestAtoms(made, {places[i].centre_A}, 1.4, 2.0, 9));
+  CHECK_FALSE(moved.moveTo(protein(3000, 4)));
+  CHECK(moved.molecule == two);
+}
+
+TEST_CASE("the light of atoms that move is found beside, and the picture is then that which waits for it") {
+  ViewScene scene;
+  const auto one = protein(1500, 3);
+  std::vector<Ball> places = one->balls.copy();
+  for (Ball& b : places) b.centre_A.x *= 1.3;
+  scene.molecule = one;
+  scene.camera = frontCamera(90);
+  drawn(scene, 240, 200);
+  scene.molecule = std::make_shared<const Molecule>(one->movedTo(places));
+  RenderOptions beside;
+  beside.wait_for_surfaces = false;
+  Picture last = drawn(scene, 240, 200, beside);
+  for (int k = 0; k < 100'000 && renderer().count().light_pending; ++k) last = drawn(scene, 240, 200, beside);
+  CHECK_FALSE(renderer().count().light_pending);
+  const Picture waited = drawn(scene, 240, 200);
+  CHECK(compare(last, waited, 0).pixels == 0);
 }
 
 TEST_CASE(

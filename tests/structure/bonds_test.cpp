@@ -6,6 +6,7 @@
 
 #include "engine/structure/backbone.h"
 #include "engine/structure/hydrogen_bonds.h"
+#include "engine/structure/secondary_structure.h"
 #include "tests/structure/library.h"
 
 using namespace moltact;
@@ -145,6 +146,23 @@ TEST_CASE("an ideal helix of 20 alanines has 16 hydrogen bonds, each from N to t
     forward += m.residues[m.atoms[h.donor].residue].number - m.residues[m.atoms[h.acceptor].residue].number == 4;
   }
   CHECK(forward == 16);
+}
+
+TEST_CASE("a molecule whose atoms are moved keeps its bonds and helices, and shares all but its coordinates") {
+  const Molecule m = libraryMolecule("alpha-helix.pdb");
+  std::vector<Ball> apart = m.balls.copy();
+  for (Ball& b : apart) b.centre_A *= 3.0;  // by distance no bond would be found
+  const Molecule moved = m.movedTo(apart), again = moved.movedTo(m.balls);
+  CHECK(moved.sameTopology(m));
+  CHECK(moved.residues.sharesWith(m.residues));
+  CHECK(moved.ballsAsRead().sharesWith(m.balls));
+  CHECK(again.ballsAsRead().sharesWith(m.balls));
+  CHECK(moved.balls[5].centre_A == 3.0 * m.balls[5].centre_A);
+  CHECK(!findBonds(m).empty());
+  CHECK(findBonds(moved) == findBonds(m));
+  CHECK(secondaryStructure(moved).elements == secondaryStructure(m).elements);
+  CHECK(secondaryStructure(m).elements.size() == 1);
+  CHECK_FALSE(libraryMolecule("alpha-helix.pdb").sameTopology(m));
 }
 
 TEST_CASE("B-DNA of 8 G-C and 4 A-T pairs has their 32 hydrogen bonds between its strands") {

@@ -43,7 +43,9 @@ class ViewPicture {
   /// The picture kept last; null where none is.
   ImTextureID kept() const;
   /// The picture shown is coarser than it will be once the view has rested.
-  bool unfinished() const { return fineness_.unfinished() || surfaceProgress() || (renderer_ && renderer_->count().light_pending); }
+  bool unfinished() const {
+    return fineness_.unfinished() || surfaceProgress() || (renderer_ && renderer_->count().light_pending);
+  }
   /// How far a surface is that is computed beside the window, 0 to 1; no value where none is.
   std::optional<float> surfaceProgress() const {
     return renderer_ ? renderer_->count().surface_progress : std::nullopt;

@@ -34,8 +34,7 @@ class Find : public Task {
         turns_(spec.values["turn"].text == "random"),
         guesses_(static_cast<int>(spec.values["guesses"].number)),
         looks_(static_cast<int>(spec.values["looks"].number)) {
-    for (const std::uint32_t i : spec.values["find"].selection.select(molecule))
-      balls_.push_back(molecule.balls[i]);
+    for (const std::uint32_t i : spec.values["find"].selection.select(molecule)) balls_.push_back(molecule.balls[i]);
     Vec3 middle(0.0), target(0.0);
     for (const Ball& a : molecule.balls) middle += a.centre_A / double(molecule.atoms.size());
     for (const Ball& b : balls_) target += b.centre_A / double(balls_.size());

@@ -45,8 +45,7 @@ class Same : public Task {
     if (fixed_ && asked_ && !before_) ++seed_;
     for (const auto& [key, balls] : {std::pair(std::string_view("same"), &here_balls_), {kPlace, &there_balls_}})
       if (spec.values[key].selection.given())
-        for (const std::uint32_t a : spec.values[key].selection.select(molecule))
-          balls->push_back(molecule.balls[a]);
+        for (const std::uint32_t a : spec.values[key].selection.select(molecule)) balls->push_back(molecule.balls[a]);
     needed_ = spec.values.has("right") ? std::min(trials_, static_cast<std::size_t>(spec.values["right"].number))
                                        : (3 * trials_ + 3) / 4;
     for (const TouchProperty& p : touchProperties())

@@ -181,8 +181,7 @@ bool Slide::tick(const Contact& contact, double dt_s) {
 PlaceKind::PlaceKind(std::string_view word, const AtomSet& atoms, const Molecule& molecule) : word_(word) {
   constexpr std::size_t kMost = 200;
   if (word_ != "pit" || atoms.count() > kMost) return;
-  for (const std::uint32_t a : atoms.atoms())
-    balls_.push_back(molecule.balls[a]);
+  for (const std::uint32_t a : atoms.atoms()) balls_.push_back(molecule.balls[a]);
 }
 
 bool PlaceKind::at(const Contact& contact, const AtomSet& atoms, double probe_A) const {
@@ -198,16 +197,15 @@ std::vector<PathPlace> pathPlaces(const std::vector<Selection>& path, const Mole
   for (const Selection& part : path) {
     const std::vector<std::uint32_t> atoms = part.select(molecule);
     if (path.size() == 1) {
-      for (const std::uint32_t a : atoms)
-        out.push_back({molecule.balls[a].centre_A, molecule.balls[a].radius_A, {a}});
+      for (const std::uint32_t a : atoms) out.push_back({molecule.balls[a].centre_A, molecule.balls[a].radius_A, {a}});
       return out;
     }
     if (atoms.empty()) continue;
     PathPlace place{Vec3(0.0), 0.0, atoms};
     for (const std::uint32_t a : atoms) place.centre_A += molecule.balls[a].centre_A / double(atoms.size());
     for (const std::uint32_t a : atoms)
-      place.reach_A = std::max(
-          place.reach_A, glm::distance(place.centre_A, molecule.balls[a].centre_A) + molecule.balls[a].radius_A);
+      place.reach_A = std::max(place.reach_A,
+                               glm::distance(place.centre_A, molecule.balls[a].centre_A) + molecule.balls[a].radius_A);
     out.push_back(std::move(place));
   }
   return out;

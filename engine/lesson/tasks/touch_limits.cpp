@@ -24,8 +24,8 @@ TouchLimits::TouchLimits(const TaskSpec& spec, std::string_view target, const Mo
   if (const auto centre = middleOf(round, molecule)) {
     region_ = Reach{*centre, 0.0};
     for (const std::uint32_t a : round.select(molecule))
-      region_->radius_A = std::max(region_->radius_A,
-                                   glm::distance(molecule.balls[a].centre_A, *centre) + molecule.balls[a].radius_A);
+      region_->radius_A =
+          std::max(region_->radius_A, glm::distance(molecule.balls[a].centre_A, *centre) + molecule.balls[a].radius_A);
   }
 }
 
