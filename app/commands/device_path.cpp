@@ -12,6 +12,7 @@
 #include "engine/molecule/reader.h"
 #include "engine/platform/terminal.h"
 #include "engine/platform/write_file.h"
+#include "engine/structure/atom_charges.h"
 
 namespace moltact {
 namespace {
@@ -30,7 +31,8 @@ std::unique_ptr<Interaction> feltOf(const ServoRecording& recording) {
   const auto molecule = readMolecule(*key);
   if (!molecule) return nullptr;
   const RecordedScene scene = recordedScene(recording.labels, molecule->balls);
-  return makeInteraction({scene.balls, touchOf(recording), scene.body});
+  const TouchSetup touch = touchOf(recording);
+  return makeInteraction({scene.balls, touch, scene.body, chemistryFor(touch, *molecule)});
 }
 
 void run(const PathOptions& options) {

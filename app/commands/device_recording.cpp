@@ -21,6 +21,7 @@
 #include "engine/platform/terminal.h"
 #include "engine/servo/servo_recording.h"
 #include "engine/servo/servo_thread.h"
+#include "engine/structure/atom_charges.h"
 #include "engine/workspace/fit_workspace.h"
 #include "engine/workspace/scale.h"
 
@@ -42,10 +43,6 @@ struct RecordOptions {
   double seconds = 10.0, wait_s = 60.0;
   bool overwrite = false;
 };
-
-std::shared_ptr<const BallScene> sceneOf(const MoleculeArgument& molecule) {
-  return std::make_shared<const BallScene>(molecule.load().balls);
-}
 
 // The molecule before the hand, seen along its z-axis.
 ServoSettings settingsFor(const BallScene& scene, const TouchSetup& touch, const DeviceSpecs& device) {
@@ -207,14 +204,15 @@ ServoRecordingWriter openedFile(const RecordOptions& options) {
 }
 
 void recordHand(const RecordOptions& options) {
-  const auto scene = sceneOf(options.molecule);
+  const Molecule molecule = options.molecule.load();
+  const auto scene = std::make_shared<const BallScene>(molecule.balls);
   checkOutputs({{"--out", options.file}});
   auto device = openDevice(options.device);
   if (!device) throw CommandError{device.problem().text()};
   const DeviceInfo info = (*device)->info();
   const ServoSettings settings = settingsFor(*scene, options.touch, info);
   Recorder recorder(options, openedFile(options), labelsOf(options, *scene, info.name));
-  auto felt = makeInteraction({scene, options.touch});
+  auto felt = makeInteraction({scene, options.touch, nullptr, chemistryFor(options.touch, molecule)});
   MouseDevice mouse;
   ServoThread servo(mouse);
   servo.loop().setSettings(settings);
@@ -244,13 +242,13 @@ void replayHand(const std::string& file) {
   };
   known("a method", touch.method, findMethod(touch.method));
   known("an interaction", touch.interaction, findInteractionKind(touch.interaction));
-  const RecordedScene scene =
-      recordedScene(recording->labels, MoleculeArgument{labelledMolecule(recording->labels)}.load().balls);
+  const Molecule molecule = MoleculeArgument{labelledMolecule(recording->labels)}.load();
+  const RecordedScene scene = recordedScene(recording->labels, molecule.balls);
   if (!label("balls").empty() && label("balls") != fingerprint(*scene.balls))
     fail("the molecule \"" + label("molecule") + "\" is not the one any more that it was recorded on",
          "put the old file back, or record it again");
 
-  const auto felt = makeInteraction({scene.balls, touch, scene.body});
+  const auto felt = makeInteraction({scene.balls, touch, scene.body, chemistryFor(touch, molecule)});
   if (!felt) fail("it was recorded with a body in the hand, and does not say which", "record it again");
   const ReplayResult result = replay(*recording, felt.get());
   char text[200];

@@ -1,6 +1,8 @@
 // moltact info MOLECULE|LESSON|PACK: what it holds, as text or JSON.
 #include <algorithm>
+#include <cmath>
 #include <memory>
+#include <numeric>
 
 #include "app/commands/command.h"
 #include "app/commands/lesson_info.h"
@@ -32,6 +34,11 @@ std::string named(const std::vector<std::string>& chains) {
   return chains.size() > kMost ? out + " ..." : out;
 }
 
+double netCharge_e(const Molecule& molecule) {
+  const double sum = std::accumulate(molecule.charges_e.begin(), molecule.charges_e.end(), 0.0);
+  return std::round(1e4 * sum) / 1e4;  // files give four decimals
+}
+
 void printText(const Molecule& molecule, const MoleculeSummary& s) {
   const Vec3 size = s.high_A - s.low_A;
   out() << molecule.id << (molecule.title.empty() ? "" : ": " + molecule.title) << '\n';
@@ -43,13 +50,15 @@ void printText(const Molecule& molecule, const MoleculeSummary& s) {
   out() << "size      " << quantityNumber(size.x, Dimension::Length, decimals(1)) << " x "
         << quantityNumber(size.y, Dimension::Length, decimals(1)) << " x "
         << quantityText(size.z, Dimension::Length, decimals(1)) << '\n';
+  if (!molecule.charges_e.empty())
+    out() << "charge    " << quantityNumber(netCharge_e(molecule), Dimension::None, decimals(3)) << " e\n";
   for (const std::string& warning : molecule.warnings) out() << "note      " << warning << '\n';
 }
 
 std::vector<double> list(Vec3 v) { return {v.x, v.y, v.z}; }
 
 void printJson(const Molecule& molecule, const MoleculeSummary& s) {
-  const nlohmann::ordered_json json = {
+  nlohmann::ordered_json json = {
       {"id", molecule.id},
       {"title", molecule.title},
       {"atoms", s.atoms},
@@ -67,6 +76,7 @@ void printJson(const Molecule& molecule, const MoleculeSummary& s) {
       {"high_A", list(s.high_A)},
       {"warnings", molecule.warnings},
   };
+  if (!molecule.charges_e.empty()) json["charge_e"] = netCharge_e(molecule);
   printDocument(json);
 }
 

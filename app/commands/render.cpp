@@ -28,6 +28,7 @@
 #include "engine/render/label_painter.h"
 #include "engine/render/molecule_model.h"
 #include "engine/render/renderer.h"
+#include "engine/structure/atom_charges.h"
 
 namespace moltact {
 namespace {
@@ -75,7 +76,7 @@ Response push(const std::shared_ptr<const Molecule>& molecule, const RenderArgum
   if (body) not_felt = atomsOfEither(not_felt, body->atoms);
   const auto scene = std::make_shared<const BallScene>(molecule->balls, not_felt);
   const TouchSetup touch = settled(arguments.touch, body != nullptr);
-  const auto felt = makeInteraction({scene, touch, body});
+  const auto felt = makeInteraction({scene, touch, body, chemistryFor(touch, *molecule)});
   const Vec3 from_hip = camera.back();
   const double held_A = body ? body->reach_A : touch.probe_A;
   const double reach = glm::length(scene->high_A() - scene->low_A()) + 2 * held_A + 1;

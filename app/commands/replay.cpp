@@ -17,6 +17,7 @@
 #include "engine/haptics/interactions.h"
 #include "engine/platform/terminal.h"
 #include "engine/platform/write_file.h"
+#include "engine/structure/atom_charges.h"
 
 namespace moltact {
 namespace {
@@ -128,7 +129,7 @@ void run(const ReplayOptions& options) {
   if (!path) throw CommandError{path.problem().text()};
   checkOutputs({{"--out", options.out}});
   const InteractionInput input{std::make_shared<const BallScene>(molecule.balls, options.left_out.notFelt(molecule)),
-                               options.touch};
+                               options.touch, nullptr, chemistryFor(options.touch, molecule)};
   const auto felt = makeInteraction(input);
   std::vector<Contact> contacts;
   contacts.reserve(path->size());

@@ -6,6 +6,7 @@
 #include <span>
 #include <string_view>
 
+#include "engine/haptics/atom_chemistry.h"
 #include "engine/haptics/ball_scene.h"
 #include "engine/haptics/body/held_body.h"
 #include "engine/haptics/interaction.h"
@@ -18,6 +19,8 @@ struct InteractionInput {
   std::shared_ptr<const BallScene> balls;
   TouchSetup touch = {};
   std::shared_ptr<const HeldBody> body = nullptr;  ///< what a kind that holds one is made with; else passed over
+  /// Of each ball, for a kind that needs it (engine/structure/atom_charges.h makes it); else null.
+  std::shared_ptr<const AtomChemistry> chemistry = nullptr;
 };
 
 struct InteractionKind {
@@ -26,7 +29,8 @@ struct InteractionKind {
   std::string_view sentence;  ///< what it is
   /// Null where the setup names a method that there is not, and where there is no body for one that holds it.
   std::unique_ptr<Interaction> (*make)(const InteractionInput& input);
-  bool holds_body = false;  ///< a scene chooses it by what it hands over, so that nobody is offered it
+  bool holds_body = false;       ///< a scene chooses it by what it hands over, so that nobody is offered it
+  bool needs_chemistry = false;  ///< `make` reads InteractionInput::chemistry
 };
 
 /// All, the one that a scene has unless it chooses another first.

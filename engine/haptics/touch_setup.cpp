@@ -5,6 +5,7 @@
 #include <charconv>
 #include <type_traits>
 
+#include "engine/haptics/atom_chemistry.h"
 #include "engine/haptics/interactions.h"
 #include "engine/haptics/methods.h"
 #include "engine/language/catalogue.h"
@@ -22,6 +23,12 @@ std::vector<OfferedWord> interactionWords() {
   std::vector<OfferedWord> out;
   for (const InteractionKind& k : interactionKinds())
     if (!k.holds_body) out.push_back({k.name, k.title, k.sentence});
+  return out;
+}
+
+std::vector<OfferedWord> chargeWords() {
+  std::vector<OfferedWord> out;
+  for (const ChargeSource& s : chargeSources()) out.push_back({s.name, s.name, s.sentence});
   return out;
 }
 
@@ -84,6 +91,14 @@ constexpr std::array kProperties{
                   .fallback = "probe",
                   .meaning = "What the hand feels the molecule with.",
                   .compared = "The second thing is felt with this in the hand."},
+    TouchProperty{.member = &TouchSetup::charges,
+                  .key = "charges",
+                  .field = "charges",
+                  .label = "charges",
+                  .words = &chargeWords,
+                  .fallback = "none",
+                  .meaning = "Where the charges of the atoms come from: 'file' from a PQR file, 'formal' from the "
+                             "residues at pH 7. Interactions with electrostatic forces use them; contact does not."},
 };
 
 std::string textOf(const TouchValue& value) {

@@ -24,6 +24,7 @@ struct TouchSetup {
   std::string method = "exact";       ///< as in findMethod (methods.h)
   bool force_on = true;               ///< false: contact is followed, but no force is given
   std::string interaction = "probe";  ///< as in findInteractionKind (interactions.h)
+  std::string charges = "none";       ///< as in chargeSources (atom_chemistry.h)
 
   friend bool operator==(const TouchSetup&, const TouchSetup&) = default;
 };

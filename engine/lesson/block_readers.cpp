@@ -236,6 +236,7 @@ SceneSpec readScene(Reading& reading, const MarkdownBlock& block, const SceneSpe
   if (takes("captions")) takeCaptions(reading, values["captions"], scene);
   for (const TouchProperty& property : touchProperties())
     if (takes(property.key)) setTouchValue(scene.touch, property, touchValueOf(property, values[property.key]));
+  if (takes("charges")) scene.places.charges = values["charges"].place;
   if (takes("show")) scene.show = values["show"].words;
   if (takes("style")) scene.styles = values["style"].styles;
   const auto takeAtoms = [&](std::string_view key, Selection& atoms, Place& place) {

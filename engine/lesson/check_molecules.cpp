@@ -5,6 +5,7 @@
 #include <tuple>
 #include <unordered_set>
 
+#include "engine/haptics/atom_chemistry.h"
 #include "engine/haptics/body/held_body.h"
 #include "engine/language/catalogue.h"
 #include "engine/lesson/checks.h"
@@ -47,6 +48,7 @@ class Check {
         selects(step.scene.remove, places.remove, *molecule);
         selects(step.scene.in_hand, places.in_hand, *molecule);
         holds(step.scene, *molecule);
+        hasCharges(step.scene, *molecule);
         selects(step.scene.hydrogen_bonds, places.hydrogen_bonds, *molecule);
         for (const auto* list : {&step.scene.labels, &step.scene.arrows, &step.scene.marks})
           for (const MarkSpec& mark : *list) selects(mark.atoms, mark.place, *molecule);
@@ -109,6 +111,13 @@ class Check {
     if (!held.empty() && untouchableAtoms(scene, molecule).size() == molecule.atoms.size())
       findings_.error(scene.places.in_hand, tr("the hand holds all there is, and nothing is left to feel"),
                       tr("name fewer atoms"));
+  }
+
+  /// The file has the charges that the scene takes from it.
+  void hasCharges(const SceneSpec& scene, const Molecule& molecule) {
+    if (scene.touch.charges != kFileCharges || !molecule.charges_e.empty() || findings_.enough()) return;
+    findings_.error(scene.places.charges, trf("the file of '{0}' has no partial charges", scene.molecule.name),
+                    tr("write 'charges: formal', or give the molecule as a PQR file"));
   }
 
   /// A molecule of the front matter's list, read as the first scene with it does: no reading is made for the list

@@ -87,7 +87,7 @@ using Block = std::variant<Paragraph, Subheading, ListBlock, Tip, TeacherNote, Q
 
 /// Where the parts of a scene are written. Two scenes that say the same are the same, wherever they say it.
 struct ScenePlaces {
-  Place scene, molecule, highlight, magnify, hide, untouchable, remove, in_hand, cut, then, hydrogen_bonds;
+  Place scene, molecule, highlight, magnify, hide, untouchable, remove, in_hand, charges, cut, then, hydrogen_bonds;
   Place reading;  ///< of what was said last about how the molecule is read; line 0 where nothing was
 
   friend bool operator==(const ScenePlaces&, const ScenePlaces&) { return true; }

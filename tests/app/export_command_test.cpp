@@ -94,6 +94,7 @@ TEST_CASE("every key of a scene is an option of export, or has no meaning for a 
       {"molecule", "it is the argument"},
       {"method", "a model is not felt"},
       {"force", "a model is not felt"},
+      {"charges", "a model is not felt"},
       {"stiffness", "a model is not felt"},
       {"show", "the probe, its force and the haptic surface are of the hand"},
       {"near", "there is no probe in it"},

@@ -56,6 +56,18 @@ TEST_CASE("a task on atoms of which none can be touched is told at its place; on
   CHECK(errors("## S\n```scene\nmolecule: mix\nremove: residue 999\n```\nText.\n").size() == 1);
 }
 
+TEST_CASE("'charges: file' on a molecule whose file has no charges is an error at its place; 'formal' is not") {
+  const auto scene = [](const std::string& source) {
+    return "## S\n```scene\nmolecule: mix\ncharges: " + source + "\n```\nText.\n";
+  };
+  CHECK(errors(scene("file")) ==
+        std::vector<std::string>{"l.md:12:10: the file of 'mix' has no partial charges; write 'charges: formal', or "
+                                 "give the molecule as a PQR file"});
+  CHECK(errors(scene("formal")).empty());
+  CHECK(errors(scene("none")).empty());
+  CHECK(errors(scene("guess")).size() == 1);
+}
+
 TEST_CASE("a view that faces 9 of 10 atoms that are left, or all, is warned of at its place; one that faces 8 is not") {
   const auto warnings = [](const std::string& keys) {
     const auto mix = [](const NamedMolecule&) -> Expected<std::shared_ptr<const Molecule>> {

@@ -124,7 +124,7 @@ TEST_CASE("what is wrong in a MOL or SDF file is told at its place") {
   CHECK(read(kEthyne + "\n\n\n\n\n", "x.sdf").models_in_file == 1);
 }
 
-TEST_CASE("PQR gives each atom the radius of the file; the chain may be left out") {
+TEST_CASE("PQR gives each atom the radius and the charge of the file; the chain may be left out") {
   const Molecule m = read(
       "REMARK own\nATOM      1  N   ALA A   1       1.000   2.000   3.000 -0.3000 1.8240\n"
       "ATOM      2  HB1 ALA A   1       2.000   2.000   3.000  0.1000 0.0000\n"
@@ -133,6 +133,7 @@ TEST_CASE("PQR gives each atom the radius of the file; the chain may be left out
   CHECK(places(m) == "N 1.000 2.000 3.000|HB1 2.000 2.000 3.000|NA 9.000 2.000 3.000");
   CHECK(m.balls[0].radius_A == 1.824);
   CHECK(m.balls[1].radius_A == 0.0);
+  CHECK(m.charges_e == SharedArray<float>{-0.3F, 0.1F, 1.0F});
   CHECK(m.atoms[0].atomic_number == 7);
   CHECK(m.atoms[1].atomic_number == 1);
   CHECK(m.atoms[2].atomic_number == 11);

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "engine/language/catalogue.h"
+#include "engine/structure/atom_charges.h"
 #include "engine/workspace/fit_workspace.h"
 
 namespace moltact {
@@ -70,7 +71,8 @@ void leadToContact(Interaction& made, const Contact& contact, const PoseA& hand)
 std::unique_ptr<Interaction> interactionAt(const Stage& stage, const TouchSetup& touch, const Contact& contact,
                                            const PoseA& hand) {
   if (!stage) return nullptr;
-  std::unique_ptr<Interaction> felt = makeInteraction({stage.balls, touch, stage.body});
+  std::unique_ptr<Interaction> felt =
+      makeInteraction({stage.balls, touch, stage.body, chemistryFor(touch, *stage.molecule)});
   if (felt) leadToContact(*felt, contact, hand);
   return felt;
 }

@@ -2,6 +2,7 @@
 
 #include "engine/lesson/lesson_region.h"
 #include "engine/lesson/scene_atoms.h"
+#include "engine/structure/atom_charges.h"
 #include "engine/workspace/fit_workspace.h"
 #include "engine/workspace/scale.h"
 
@@ -48,7 +49,7 @@ void VirtualTouch::useMethod(std::string_view name) {
 void VirtualTouch::feelWith(const TouchSetup& wanted) {
   const TouchSetup touch = settled(wanted, body_ != nullptr);
   if (!felt_ || !madeAlike(touch, touch_)) {
-    std::unique_ptr<Interaction> made = makeInteraction({balls_, touch, body_});
+    std::unique_ptr<Interaction> made = makeInteraction({balls_, touch, body_, chemistryFor(touch, *molecule_)});
     if (!made) return;
     felt_ = std::move(made);
     ++settings_.discontinuities;
