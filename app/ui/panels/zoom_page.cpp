@@ -83,7 +83,6 @@ void drawZoomPage(Application& app) {
   std::string chosen;
   if (stage) {
     const std::vector<std::string> offered = ligandsOf(*stage.molecule);
-    ImGui::BeginChild("offered");
     ImGui::Spacing();
     if (!offered.empty()) sectionTitle(tr("In this molecule"));
     float room = 0.0f;
@@ -93,7 +92,6 @@ void drawZoomPage(Application& app) {
       if (button(("zoom/" + one).c_str(), one.c_str(), ButtonLook::Plain, width)) chosen = one;
       room = (room > width ? room : ImGui::GetContentRegionAvail().x) - width - ImGui::GetStyle().ItemSpacing.x;
     }
-    ImGui::EndChild();
   }
   if (!chosen.empty()) panels.zoom_atoms = chosen;
   const bool goes = asked && !atoms.empty();
