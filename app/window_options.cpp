@@ -10,7 +10,7 @@
 
 namespace moltact {
 namespace {
-constexpr double kLeastScale = 0.5, kMostScale = 8.0;  // of the monitor
+constexpr double kMinScale = 0.5, kMaxScale = 8.0;  // of the monitor
 }
 
 void addWindowArguments(CLI::App& app, WindowArguments& into) {
@@ -64,7 +64,7 @@ int runWindowArguments(const WindowArguments& a) {
                            .device = a.device,
                            .state_text = a.state_text,
                            .attempts = a.attempts};
-  if (!(a.scale >= kLeastScale && a.scale <= kMostScale)) {  // false for what is not a number, too
+  if (!(a.scale >= kMinScale && a.scale <= kMaxScale)) {  // false for what is not a number, too
     err() << "moltact: --content-scale " << a.scale << " is out of range; give 0.5 to 8\n";
     return 2;
   }

@@ -128,7 +128,8 @@ std::vector<TableScene> structures() {
     if (!findMolecule(id, folders)) return;
     const auto molecule = openMolecule(id);
     if (!molecule) return;
-    out.push_back({molecule->id, molecule->atoms.size(), [balls = molecule->balls.copy()] { return balls; }, paper});
+    out.push_back(
+        {molecule->id, molecule->atoms.size(), [spheres = molecule->spheres.copy()] { return spheres; }, paper});
   };
   add("1ubq", "");
   add("2hhb", "");
@@ -164,7 +165,7 @@ StrokePlan plan(const BenchArguments& arguments) {
 void addCool(const BenchArguments& arguments, const std::vector<const Method*>& methods,
              const std::vector<SceneTimes>& times, Report& report) {
   const auto scene =
-      std::make_shared<const BallScene>(proteinLike(kChartSpheres, static_cast<unsigned>(arguments.seed)));
+      std::make_shared<const SphereGrid>(proteinLike(kChartSpheres, static_cast<unsigned>(arguments.seed)));
   StrokePlan strokes = plan(arguments);
   strokes.strokes = 4;
   const ColdCachePlan ticks = arguments.quick ? ColdCachePlan{100, 24} : ColdCachePlan{1000, 200};
@@ -248,7 +249,7 @@ void addFeel(const BenchArguments& arguments, const std::vector<const Method*>& 
   const ProgressBar bar("feel");
   bar(0, "");
   report.tables.push_back(feelTable(measureFeel(methods)));
-  const auto scene = std::make_shared<const BallScene>(proteinLike(13'751, static_cast<unsigned>(arguments.seed)));
+  const auto scene = std::make_shared<const SphereGrid>(proteinLike(13'751, static_cast<unsigned>(arguments.seed)));
   StrokePlan strokes = plan(arguments);
   strokes.strokes /= 2;
   const auto made = contactStrokes(scene, kWaterProbe_A, strokes);
@@ -274,10 +275,10 @@ HandOnMolecule handFrom(const fs::path& file, const std::string& otherwise) {
             .text()};
   const auto molecule = openMolecule(hand.molecule);
   if (!molecule) throw CommandError{molecule.problem().text()};
-  hand.scene = std::make_shared<const BallScene>(molecule->balls);
+  hand.scene = std::make_shared<const SphereGrid>(molecule->spheres);
   if (!path->label("balls").empty() && path->label("balls") != fingerprint(*hand.scene))
     err() << "moltact: " << file.string() << " was recorded on other balls than " << hand.molecule << " has here\n";
-  hand.path = laidOn(*path, *hand.scene, Workspace().A_per_mm);
+  hand.path = mappedTo(*path, *hand.scene, Workspace().A_per_mm);
   return hand;
 }
 

@@ -30,9 +30,9 @@ std::unique_ptr<Interaction> feltOf(const ServoRecording& recording) {
   if (!key || recording.ticks.empty()) return nullptr;
   const auto molecule = readMolecule(*key);
   if (!molecule) return nullptr;
-  const RecordedScene scene = recordedScene(recording.labels, molecule->balls);
+  const RecordedScene scene = recordedScene(recording.labels, molecule->spheres);
   const TouchSetup touch = touchOf(recording);
-  return makeInteraction({scene.balls, touch, scene.body, chemistryFor(touch, *molecule)});
+  return makeInteraction({scene.spheres, touch, scene.body, chemistryFor(touch, *molecule)});
 }
 
 void run(const PathOptions& options) {

@@ -45,16 +45,16 @@ struct RecordOptions {
 };
 
 // The molecule before the hand, seen along its z-axis.
-ServoSettings settingsFor(const BallScene& scene, const TouchSetup& touch, const DeviceSpecs& device) {
+ServoSettings settingsFor(const SphereGrid& scene, const TouchSetup& touch, const DeviceSpecs& device) {
   ServoSettings settings;
   settings.take(touch);
   settings.workspace.A_per_mm = kRecordedRoom_A_per_mm;
-  settings.workspace = beforeHand(settings.workspace, scene, settings.probe_A, {0.5 * (scene.low_A() + scene.high_A())},
-                                  glm::dmat3(1.0), device);
+  settings.workspace = fitToDevice(settings.workspace, scene, settings.probe_A,
+                                   {0.5 * (scene.low_A() + scene.high_A())}, glm::dmat3(1.0), device);
   return settings;
 }
 
-Labels labelsOf(const RecordOptions& options, const BallScene& scene, const std::string& device) {
+Labels labelsOf(const RecordOptions& options, const SphereGrid& scene, const std::string& device) {
   const MoleculeFolders folders = MoleculeFolders::ofThisComputer();
   const Expected<MoleculeKey> key = findMoleculeKey(options.molecule.named, folders);
   if (!key) throw CommandError{key.problem().text()};
@@ -70,7 +70,8 @@ class DeviceWatch {
  public:
   void add(const RecordedTick& tick) {
     gone_ += tick.fallen_back;
-    for (std::size_t k = 0; k < std::size(kTold); ++k) acted_[k] += !tick.fallen_back && tick.limits.has(kTold[k]);
+    for (std::size_t k = 0; k < std::size(kReported); ++k)
+      acted_[k] += !tick.fallen_back && tick.limits.has(kReported[k]);
     led_ = led_ || (tick.pose.fresh && !tick.pose.fault && !tick.fallen_back);
     touching_ += tick.touching;
   }
@@ -86,17 +87,17 @@ class DeviceWatch {
       if (ticks) out.append(time).append(words) += '\n';
     };
     line(gone_, "The device was gone, and the mouse stood in for it.");
-    for (std::size_t k = 0; k < std::size(kTold); ++k)
+    for (std::size_t k = 0; k < std::size(kReported); ++k)
       for (const LimitWords& words : limitWords())
-        if (words.limit == kTold[k]) line(acted_[k], words.sentence);
+        if (words.limit == kReported[k]) line(acted_[k], words.sentence);
     return out;
   }
 
  private:
-  static constexpr Limit kTold[] = {Limit::StalePlace, Limit::DeviceFault, Limit::NotFinite,
-                                    Limit::LateLoop,   Limit::Jump,        Limit::EnergyCut};
+  static constexpr Limit kReported[] = {Limit::StalePlace, Limit::DeviceFault, Limit::NotFinite,
+                                        Limit::LateLoop,   Limit::Jump,        Limit::EnergyCut};
   bool led_ = false;
-  std::size_t gone_ = 0, touching_ = 0, acted_[std::size(kTold)] = {};
+  std::size_t gone_ = 0, touching_ = 0, acted_[std::size(kReported)] = {};
 };
 
 // One recording from the first tick to the last.
@@ -205,7 +206,7 @@ ServoRecordingWriter openedFile(const RecordOptions& options) {
 
 void recordHand(const RecordOptions& options) {
   const Molecule molecule = options.molecule.load();
-  const auto scene = std::make_shared<const BallScene>(molecule.balls);
+  const auto scene = std::make_shared<const SphereGrid>(molecule.spheres);
   checkOutputs({{"--out", options.file}});
   auto device = openDevice(options.device);
   if (!device) throw CommandError{device.problem().text()};
@@ -243,12 +244,12 @@ void replayHand(const std::string& file) {
   known("a method", touch.method, findMethod(touch.method));
   known("an interaction", touch.interaction, findInteractionKind(touch.interaction));
   const Molecule molecule = MoleculeArgument{labelledMolecule(recording->labels)}.load();
-  const RecordedScene scene = recordedScene(recording->labels, molecule.balls);
-  if (!label("balls").empty() && label("balls") != fingerprint(*scene.balls))
+  const RecordedScene scene = recordedScene(recording->labels, molecule.spheres);
+  if (!label("balls").empty() && label("balls") != fingerprint(*scene.spheres))
     fail("the molecule \"" + label("molecule") + "\" is not the one any more that it was recorded on",
          "put the old file back, or record it again");
 
-  const auto felt = makeInteraction({scene.balls, touch, scene.body, chemistryFor(touch, molecule)});
+  const auto felt = makeInteraction({scene.spheres, touch, scene.body, chemistryFor(touch, molecule)});
   if (!felt) fail("it was recorded with a body in the hand, and does not say which", "record it again");
   const ReplayResult result = replay(*recording, felt.get());
   char text[200];

@@ -18,7 +18,7 @@ constexpr std::string_view kHeader = "x,y,z";
 
 constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";  // some spreadsheets begin a CSV file with it
 constexpr std::size_t kMaxBytes = std::size_t{1} << 30;
-constexpr std::size_t kMostPlaces = 25'000'000;  // seven hours of ticks
+constexpr std::size_t kMaxPlaces = 25'000'000;  // seven hours of ticks
 
 bool isBlank(char c) { return c == ' ' || c == '\t'; }
 
@@ -76,7 +76,7 @@ Expected<std::vector<PointA>> readHipPath(const std::filesystem::path& file) {
     if (next != stop)
       return Problem{name, line_number, column(next), tr("there is more than x,y,z in this row"),
                      tr("remove what follows the third number")};
-    if (path.size() == kMostPlaces)
+    if (path.size() == kMaxPlaces)
       return Problem{name, line_number, 1, tr("more than 25 million rows"), tr("split it into shorter paths")};
     path.push_back(place);
   }

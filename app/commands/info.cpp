@@ -27,11 +27,11 @@ std::string listed(const std::map<std::string, std::size_t>& counts) {
 }
 
 std::string named(const std::vector<std::string>& chains) {
-  constexpr std::size_t kMost = 40;
+  constexpr std::size_t kMax = 40;
   std::string out;
-  for (std::size_t i = 0; i < std::min(kMost, chains.size()); ++i)
+  for (std::size_t i = 0; i < std::min(kMax, chains.size()); ++i)
     out += (i ? " " : "") + (chains[i].empty() ? "(no name)" : chains[i]);
-  return chains.size() > kMost ? out + " ..." : out;
+  return chains.size() > kMax ? out + " ..." : out;
 }
 
 double netCharge_e(const Molecule& molecule) {

@@ -18,7 +18,7 @@ void MoleculeArgument::addTo(CLI::App& command) {
     if (const auto* number = std::get_if<int ReadOptions::*>(&option.member))
       command.add_option(name, named.reading.**number, help)
           ->capture_default_str()
-          ->check(CLI::Range(1, kMostReadNumber));
+          ->check(CLI::Range(1, kMaxReadNumber));
     else if (const auto* on = std::get_if<bool ReadOptions::*>(&option.member))
       command.add_flag(name, named.reading.**on, help);
     else

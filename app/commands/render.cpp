@@ -44,7 +44,7 @@ struct RenderArguments {
   TouchSetup touch;
   double azimuth_deg = 0, elevation_deg = 0, zoom = 1, stiffness_N_per_A = 1;
   int samples = 3, time = 0;
-  std::size_t most_single_atoms = kMostSingleAtoms;
+  std::size_t most_single_atoms = kMaxSingleAtoms;
   double near_A = 4.0;
   bool look_at_hip = false;
 };
@@ -74,8 +74,8 @@ Response push(const std::shared_ptr<const Molecule>& molecule, const RenderArgum
               const std::shared_ptr<const HeldBody>& body, const Camera& camera, PointA hip) {
   std::vector<std::uint32_t> not_felt = arguments.look.left_out.notFelt(*molecule);
   if (body) not_felt = atomsOfEither(not_felt, body->atoms);
-  const auto scene = std::make_shared<const BallScene>(molecule->balls, not_felt);
-  const TouchSetup touch = settled(arguments.touch, body != nullptr);
+  const auto scene = std::make_shared<const SphereGrid>(molecule->spheres, not_felt);
+  const TouchSetup touch = resolveInteraction(arguments.touch, body != nullptr);
   const auto felt = makeInteraction({scene, touch, body, chemistryFor(touch, *molecule)});
   const Vec3 from_hip = camera.back();
   const double held_A = body ? body->reach_A : touch.probe_A;
@@ -126,7 +126,7 @@ AtomsLook looksOf(const RenderArguments& arguments, const Molecule& molecule, co
   } else {
     through = Vec3(0.0);
     const std::vector<std::uint32_t> atoms = selectedAtoms("--cut", arguments.cut, molecule);
-    for (const std::uint32_t a : atoms) through += molecule.balls[a].centre_A / double(atoms.size());
+    for (const std::uint32_t a : atoms) through += molecule.spheres[a].centre_A / double(atoms.size());
   }
   look.cut = CutPlane{camera.back(), glm::dot(camera.back(), through) + before_A};
   return look;
@@ -171,10 +171,10 @@ void render(const RenderArguments& arguments) {
   scene.look = looksOf(arguments, *scene.molecule, scene.camera);
   scene.look.marks = marksOf(spec, *scene.molecule);
   if (const std::vector<std::uint32_t> held = heldAtoms(spec, *scene.molecule); !held.empty()) {
-    scene.body = heldBody(scene.molecule->balls, held);
+    scene.body = heldBody(scene.molecule->spheres, held);
     if (!scene.body)
       throw CLI::ValidationError("--in-hand", "it holds " + std::to_string(held.size()) + " atoms; the most are " +
-                                                  std::to_string(kMostHeldAtoms));
+                                                  std::to_string(kMaxHeldAtoms));
     scene.look.hidden = std::make_shared<const std::vector<std::uint32_t>>(
         scene.look.hidden ? atomsOfEither(*scene.look.hidden, held) : held);
   }
@@ -200,8 +200,8 @@ void render(const RenderArguments& arguments) {
   const double unit_px = std::max(1.0, height / 800.0);
   bool written = true;
   if (!scene.annotations.empty()) {
-    const BallScene balls(scene.molecule->balls);
-    written = paintLabels(picture, scene, &balls, unit_px);
+    const SphereGrid spheres(scene.molecule->spheres);
+    written = paintLabels(picture, scene, &spheres, unit_px);
   }
   if (arguments.legend && written) {
     std::vector<LegendEntry> entries = legendOf(*scene.molecule, scene.colour_by, scene.elements, scene.look);
@@ -212,7 +212,8 @@ void render(const RenderArguments& arguments) {
   if (!written)
     throw CommandError{"names cannot be written: there is no font " + interFile("Inter-Regular.otf").string()};
   if (const auto problem = writePng(arguments.out, picture)) throw CommandError{problem->text()};
-  if (const std::string told = residueBallsNotice(scene.molecule->atoms.size(), scene.most_single_atoms); !told.empty())
+  if (const std::string told = residueSpheresNotice(scene.molecule->atoms.size(), scene.most_single_atoms);
+      !told.empty())
     err() << "moltact: " << trf("note: {0}", told) << '\n';
 }
 

@@ -128,7 +128,7 @@ void run(const ReplayOptions& options) {
   const auto path = readHipPath(options.path);
   if (!path) throw CommandError{path.problem().text()};
   checkOutputs({{"--out", options.out}});
-  const InteractionInput input{std::make_shared<const BallScene>(molecule.balls, options.left_out.notFelt(molecule)),
+  const InteractionInput input{std::make_shared<const SphereGrid>(molecule.spheres, options.left_out.notFelt(molecule)),
                                options.touch, nullptr, chemistryFor(options.touch, molecule)};
   const auto felt = makeInteraction(input);
   std::vector<Contact> contacts;

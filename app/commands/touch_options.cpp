@@ -9,7 +9,7 @@ namespace moltact {
 
 void addTouchOptions(CLI::App& command, TouchSetup& touch) {
   for (const TouchProperty& p : touchProperties()) {
-    if (!p.made_with || !isChoice(p)) continue;
+    if (!p.requires_rebuild || !isChoice(p)) continue;
     const std::string name = "--" + std::string(p.key);
     std::string help(p.meaning);
     std::vector<std::string> words;

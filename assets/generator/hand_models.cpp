@@ -43,14 +43,14 @@ GltfScene makeStylus() {
   scene.materials = {
       {"tip", {0.30f, 0.33f, 0.38f}}, {"ring", {0.06f, 0.55f, 0.52f}}, {"barrel", {0.86f, 0.88f, 0.91f}}};
   GltfMesh mesh{.name = "stylus", .places = {}, .normals = {}, .parts = {}};
-  constexpr float kBall_mm = 1.2f;
+  constexpr float kSphere_mm = 1.2f;
   constexpr int kArc = 6;
   const auto arc = [&](int k) {
     const float t = 0.5f * std::numbers::pi_v<float> * float(k) / kArc;
-    return Outline{kBall_mm * (1 - std::cos(t)), kBall_mm * std::sin(t)};
+    return Outline{kSphere_mm * (1 - std::cos(t)), kSphere_mm * std::sin(t)};
   };
   for (int k = 0; k < kArc; ++k) addBand(mesh, arc(k), arc(k + 1), kTip);
-  addBand(mesh, {kBall_mm, kBall_mm}, {24, 4.6f}, kTip);
+  addBand(mesh, {kSphere_mm, kSphere_mm}, {24, 4.6f}, kTip);
   addBand(mesh, {24, 4.6f}, {24.6f, 5.4f}, kRing);
   addBand(mesh, {24.6f, 5.4f}, {29, 5.4f}, kRing);
   addBand(mesh, {29, 5.4f}, {29.6f, 5.0f}, kRing);

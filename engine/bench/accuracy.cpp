@@ -30,12 +30,13 @@ struct Errors {
   }
 };
 
-// The balls that any place within `reach` of the path could touch.
-std::vector<Ball> ballsNear(const BallScene& scene, double probe_A, const Vec3* path, std::size_t count, double reach) {
+// The spheres that any place within `reach` of the path could touch.
+std::vector<Sphere> spheresNear(const SphereGrid& scene, double probe_A, const Vec3* path, std::size_t count,
+                                double reach) {
   Vec3 low(1e300), high(-1e300);
   for (std::size_t k = 0; k < count; ++k) low = glm::min(low, path[k]), high = glm::max(high, path[k]);
-  std::vector<Ball> out;
-  scene.visitNearBox(low, high, reach + probe_A, [&](auto, const Ball& b) {
+  std::vector<Sphere> out;
+  scene.visitNearBox(low, high, reach + probe_A, [&](auto, const Sphere& b) {
     if (glm::distance(b.centre_A, glm::clamp(b.centre_A, low, high)) <= b.radius_A + probe_A + reach) out.push_back(b);
   });
   return out;
@@ -47,7 +48,7 @@ double angle_deg(const Vec3& a, const Vec3& b) {
   return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b)) * 180.0 / std::numbers::pi;
 }
 
-Accuracy accuracyOf(const Method& method, const std::shared_ptr<const BallScene>& scene, double probe_A,
+Accuracy accuracyOf(const Method& method, const std::shared_ptr<const SphereGrid>& scene, double probe_A,
                     const std::vector<Stroke>& strokes) {
   ExactTracker exact(scene, probe_A);
   const auto tracker = method.make(scene, probe_A);
@@ -64,7 +65,7 @@ Accuracy accuracyOf(const Method& method, const std::shared_ptr<const BallScene>
   return std::move(errors).result();
 }
 
-Accuracy exactAgainstOracle(const std::shared_ptr<const BallScene>& scene, double probe_A,
+Accuracy exactAgainstOracle(const std::shared_ptr<const SphereGrid>& scene, double probe_A,
                             const std::vector<Stroke>& strokes, std::size_t piece) {
   ExactTracker exact(scene, probe_A);
   Errors errors;
@@ -76,7 +77,7 @@ Accuracy exactAgainstOracle(const std::shared_ptr<const BallScene>& scene, doubl
     Contact c = exact.step({stroke.counted[0]});
     // An SCP lags the HIP by no more than a few angstroms on these strokes; the oracle must see what lies
     // between.
-    oracle::Oracle oracle(ballsNear(*scene, probe_A, stroke.counted.data(), count, 3.0), probe_A);
+    oracle::Oracle oracle(spheresNear(*scene, probe_A, stroke.counted.data(), count, 3.0), probe_A);
     oracle.place(c.scp.A);
     for (std::size_t k = 1; k < count; ++k) {
       c = exact.step({stroke.counted[k]});

@@ -22,12 +22,12 @@ struct Accuracy {
 double angle_deg(const Vec3& a, const Vec3& b);
 
 /// Against exact.
-Accuracy accuracyOf(const Method& method, const std::shared_ptr<const BallScene>& scene, double probe_A,
+Accuracy accuracyOf(const Method& method, const std::shared_ptr<const SphereGrid>& scene, double probe_A,
                     const std::vector<Stroke>& strokes);
 
 /// The errors of exact against the oracle, on every piece of `piece` ticks out of each stroke: the oracle sees only the
-/// balls near the piece, and begins at exact's SCP. Ticks in which the oracle accepts two outcomes are left out.
-Accuracy exactAgainstOracle(const std::shared_ptr<const BallScene>& scene, double probe_A,
+/// spheres near the piece, and begins at exact's SCP. Ticks in which the oracle accepts two outcomes are left out.
+Accuracy exactAgainstOracle(const std::shared_ptr<const SphereGrid>& scene, double probe_A,
                             const std::vector<Stroke>& strokes, std::size_t piece);
 
 }  // namespace moltact::bench

@@ -32,7 +32,7 @@ struct Walker {
 }  // namespace
 
 std::vector<ColdCacheTimes> timeColdCache(std::span<const Method* const> methods,
-                                          const std::shared_ptr<const BallScene>& scene, double probe_A,
+                                          const std::shared_ptr<const SphereGrid>& scene, double probe_A,
                                           const std::vector<Stroke>& strokes, const ColdCachePlan& plan,
                                           const Progress& progress) {
   const double clock_ns = clockCost_ns();

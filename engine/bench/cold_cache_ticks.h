@@ -26,7 +26,7 @@ inline constexpr std::size_t kThrashed_bytes = std::size_t(64) << 20;
 
 /// The strokes must have as many counted ticks as the plan asks for, over all.
 std::vector<ColdCacheTimes> timeColdCache(std::span<const Method* const> methods,
-                                          const std::shared_ptr<const BallScene>& scene, double probe_A,
+                                          const std::shared_ptr<const SphereGrid>& scene, double probe_A,
                                           const std::vector<Stroke>& strokes, const ColdCachePlan& plan,
                                           const Progress& progress);
 

@@ -7,7 +7,7 @@
 #include "engine/bench/accuracy.h"
 #include "engine/core/sphere_intersections.h"
 #include "engine/core/units.h"
-#include "engine/haptics/ball_scene.h"
+#include "engine/haptics/sphere_grid.h"
 
 namespace moltact::bench {
 namespace {
@@ -31,19 +31,20 @@ FeelPath round(std::string name, scenes::Scene scene, Vec3 centre, Vec3 u, Vec3 
 
 std::vector<FeelPath> feelPaths() {
   std::vector<FeelPath> out;
-  const scenes::Scene one = scenes::oneBall();
-  const double R = one.balls[0].radius_A + one.probe_A;
+  const scenes::Scene one = scenes::oneSphere();
+  const double R = one.spheres[0].radius_A + one.probe_A;
   // A plane in no relation to any mesh's own axes.
   const Vec3 u = glm::normalize(Vec3(0.8, 0.5, -0.33)), w = glm::normalize(glm::cross(u, Vec3(0.2, 0.9, 0.4)));
   out.push_back(round("one sphere", one, Vec3(0), u, w, R - kDepth_A, u * (R + 0.5)));
 
   const scenes::Scene bond = scenes::bond();
-  const SphereCircle crease = *circleOf(inflated(bond.balls[0], bond.probe_A), inflated(bond.balls[1], bond.probe_A));
+  const SphereCircle crease =
+      *circleOf(inflated(bond.spheres[0], bond.probe_A), inflated(bond.spheres[1], bond.probe_A));
   out.push_back(round("crease", bond, crease.centre_A, Vec3(0, 1, 0), Vec3(0, 0, 1), crease.radius_A - kDepth_A,
                       crease.centre_A + Vec3(0, crease.radius_A + 0.5, 0)));
 
   const scenes::Scene pit = scenes::pit();
-  const double p = pit.balls[0].radius_A + pit.probe_A, side = pit.balls[1].centre_A.x;
+  const double p = pit.spheres[0].radius_A + pit.probe_A, side = pit.spheres[1].centre_A.x;
   const Vec3 middle(side / 2, side * std::sqrt(3.0) / 6, 0);
   const double height = std::sqrt(p * p - side * side / 3);
   // Wide enough to climb out of the point onto circles and spheres and back.
@@ -55,7 +56,7 @@ std::vector<FeelPath> feelPaths() {
 std::vector<Feel> measureFeel(const std::vector<const Method*>& methods) {
   std::vector<Feel> out;
   for (const FeelPath& path : feelPaths()) {
-    const auto scene = std::make_shared<const BallScene>(path.scene.balls);
+    const auto scene = std::make_shared<const SphereGrid>(path.scene.spheres);
     for (const Method* method : methods) {
       const auto tracker = method->make(scene, path.scene.probe_A);
       for (const Vec3& h : path.approach) tracker->step({h});

@@ -17,7 +17,7 @@ constexpr double kNeverSteps_per_s = 0.1;
 
 }  // namespace
 
-FeltErrors feltOn(const std::string& where, const Method& method, const std::shared_ptr<const BallScene>& scene,
+FeltErrors feltOn(const std::string& where, const Method& method, const std::shared_ptr<const SphereGrid>& scene,
                   double probe_A, const std::vector<Stroke>& strokes, const LoopSettings& loop) {
   FeltErrors out;
   out.where = where;
@@ -44,7 +44,7 @@ FeltErrors feltOn(const std::string& where, const Method& method, const std::sha
       off += glm::distance(c.touching() ? c.scp.A : h, e.scp.A) > kPlaceFelt_A;
       const double true_N = glm::length(right.back());
       if (c.touching()) direction.push_back(angle_deg(felt.back(), right.back()));
-      const double differs = std::abs(glm::length(felt.back()) - true_N) / std::max(true_N, kLeastForce_N);
+      const double differs = std::abs(glm::length(felt.back()) - true_N) / std::max(true_N, kMinForce_N);
       size += differs > kForceWeber;
       size_wide += differs > kForceWeberWide;
     }
@@ -53,7 +53,7 @@ FeltErrors feltOn(const std::string& where, const Method& method, const std::sha
       double true_step = 0;
       for (std::size_t j = std::max<std::size_t>(k, 3) - 2; j <= std::min(k + 2, felt.size() - 1); ++j)
         true_step = std::max(true_step, glm::distance(right[j], right[j - 1]));
-      const double least = std::max({glm::length(felt[k]), glm::length(felt[k - 1]), kLeastForce_N});
+      const double least = std::max({glm::length(felt[k]), glm::length(felt[k - 1]), kMinForce_N});
       const double step = (glm::distance(felt[k], felt[k - 1]) - true_step) / least;
       steps += step > kForceWeber;
       steps_wide += step > kForceWeberWide;

@@ -15,7 +15,7 @@
 namespace moltact::bench {
 
 /// Smaller forces have larger thresholds: relative errors are taken of a force of at least this.
-inline constexpr double kLeastForce_N = 0.3;
+inline constexpr double kMinForce_N = 0.3;
 
 /// Errors over the ticks in which exact touches. Fractions are 0 to 1.
 struct FeltErrors {
@@ -33,7 +33,7 @@ struct FeltErrors {
 };
 
 /// The errors of one method along strokes; both trackers are reset at each stroke.
-FeltErrors feltOn(const std::string& where, const Method& method, const std::shared_ptr<const BallScene>& scene,
+FeltErrors feltOn(const std::string& where, const Method& method, const std::shared_ptr<const SphereGrid>& scene,
                   double probe_A, const std::vector<Stroke>& strokes, const LoopSettings& loop = {});
 
 /// Combines the errors of several places, weighted by their ticks.

@@ -17,8 +17,8 @@ namespace {
 
 constexpr std::size_t kMaxBytes = std::size_t{1} << 30;
 constexpr double kTick_s = 0.001;
-constexpr std::size_t kMostTicks = 25'000'000;  // seven hours; of rows as well
-constexpr std::size_t kLongestLine = 64 << 10, kMostLabels = 1000;
+constexpr std::size_t kMaxTicks = 25'000'000;  // seven hours; of rows as well
+constexpr std::size_t kLongestLine = 64 << 10, kMaxLabels = 1000;
 constexpr std::array<std::string_view, 7> kColumns{"t", "x", "y", "z", "fx", "fy", "fz"};
 constexpr std::string_view kBlanks = " \t,;";
 
@@ -120,7 +120,7 @@ Expected<HandPath> readHandPath(const std::filesystem::path& file) {
         continue;
       const std::string key(trimmed(said.substr(0, colon))), value(trimmed(said.substr(colon + 1)));
       out.labels[key] = value;
-      if (out.labels.size() > kMostLabels)
+      if (out.labels.size() > kMaxLabels)
         return Problem{name, line_number, 1, "there are more than 1000 labels", "leave some out"};
       if (key == "columns" && !(columns = columnsNamed(words(value))))
         return Problem{name, line_number, 1, "these columns do not name x, y and z once each",
@@ -156,7 +156,7 @@ Expected<HandPath> readHandPath(const std::filesystem::path& file) {
                        "write a number, with a point before its fraction"};
       row.value[std::size_t((*columns)[k])] = *value;
     }
-    if (rows.size() == kMostTicks)
+    if (rows.size() == kMaxTicks)
       return Problem{name, line_number, 1, "there are more than 25 million rows", "split it into shorter ways"};
     rows.push_back(row);
   }
@@ -191,7 +191,7 @@ Expected<HandPath> readHandPath(const std::filesystem::path& file) {
       return Problem{name, rows[k].line, 1, "the time does not go on from the row before",
                      "put the rows in order, each with a later time"};
   }
-  if (!(time_s.back() - time_s.front() < double(kMostTicks) * kTick_s))
+  if (!(time_s.back() - time_s.front() < double(kMaxTicks) * kTick_s))
     return Problem{name, 0, 0, "it lasts longer than 25 000 s, which is 25 million ticks",
                    "say \"# time_unit: ms\" where the times are milliseconds, or split it into shorter ways"};
   for (const Row& row : rows)
@@ -236,7 +236,7 @@ std::string textOf(const HandPath& path) {
   return out;
 }
 
-HandPath laidOn(const HandPath& path, const BallScene& scene, double A_per_mm) {
+HandPath mappedTo(const HandPath& path, const SphereGrid& scene, double A_per_mm) {
   if (path.on_molecule) return path;
   Vec3 low(1e300), high(-1e300);
   const bool some = std::find(path.touched.begin(), path.touched.end(), true) != path.touched.end();

@@ -23,8 +23,8 @@
 #include <vector>
 
 #include "engine/core/problem.h"
-#include "engine/haptics/ball_scene.h"
 #include "engine/haptics/interaction.h"
+#include "engine/haptics/sphere_grid.h"
 #include "engine/servo/servo_recording.h"
 
 namespace moltact::bench {
@@ -60,6 +60,6 @@ std::string textOf(const HandPath& path);
 /// Lays a device's way on a molecule at `A_per_mm`: the middle of the part that touched something (of all,
 /// where the file does not say) comes to lie on the surface in front of the molecule's middle, +z; the axes
 /// stay. Places on a molecule stay as they are.
-HandPath laidOn(const HandPath& path, const BallScene& scene, double A_per_mm);
+HandPath mappedTo(const HandPath& path, const SphereGrid& scene, double A_per_mm);
 
 }  // namespace moltact::bench

@@ -15,7 +15,7 @@ namespace moltact::bench {
 struct HandOnMolecule {
   HandPath path;
   std::string molecule;
-  std::shared_ptr<const BallScene> scene;
+  std::shared_ptr<const SphereGrid> scene;
 };
 
 struct HandReplay {

@@ -18,17 +18,17 @@ Vec3 randomDirection(std::mt19937_64& random) {
   return glm::normalize(Vec3(normal(random), normal(random), normal(random)));
 }
 
-Vec3 middle(const BallScene& scene) { return 0.5 * (scene.low_A() + scene.high_A()); }
+Vec3 middle(const SphereGrid& scene) { return 0.5 * (scene.low_A() + scene.high_A()); }
 
 }  // namespace
 
-std::vector<Ball> proteinLike(std::size_t count, unsigned seed) {
+std::vector<Sphere> proteinLike(std::size_t count, unsigned seed) {
   std::mt19937_64 random(seed);
   std::uniform_real_distribution<double> shift(-0.9, 0.9), radius(1.5, 1.9);
   const double spacing = std::cbrt(1.0 / 0.06);
   const double reach = std::cbrt(double(count) / 0.06 * 3.0 / (4.0 * std::numbers::pi));
   const int n = static_cast<int>(std::ceil(reach / spacing)) + 1;
-  std::vector<std::pair<double, Ball>> all;
+  std::vector<std::pair<double, Sphere>> all;
   for (int x = -n; x <= n; ++x)
     for (int y = -n; y <= n; ++y)
       for (int z = -n; z <= n; ++z) {
@@ -37,12 +37,12 @@ std::vector<Ball> proteinLike(std::size_t count, unsigned seed) {
       }
   std::nth_element(all.begin(), all.begin() + std::ptrdiff_t(count) - 1, all.end(),
                    [](const auto& a, const auto& b) { return a.first < b.first; });
-  std::vector<Ball> balls(count);
-  for (std::size_t i = 0; i < count; ++i) balls[i] = all[i].second;
-  return balls;
+  std::vector<Sphere> spheres(count);
+  for (std::size_t i = 0; i < count; ++i) spheres[i] = all[i].second;
+  return spheres;
 }
 
-std::vector<Vec3> slidingPath(const std::shared_ptr<const BallScene>& scene, double probe_A, double depth_A,
+std::vector<Vec3> slidingPath(const std::shared_ptr<const SphereGrid>& scene, double probe_A, double depth_A,
                               std::size_t ticks, unsigned seed) {
   std::mt19937_64 random(seed);
   ExactTracker guide(scene, probe_A);
@@ -72,7 +72,7 @@ std::vector<Vec3> slidingPath(const std::shared_ptr<const BallScene>& scene, dou
   return path;
 }
 
-std::vector<Vec3> freePath(const std::shared_ptr<const BallScene>& scene, double probe_A, std::size_t ticks,
+std::vector<Vec3> freePath(const std::shared_ptr<const SphereGrid>& scene, double probe_A, std::size_t ticks,
                            unsigned seed) {
   std::mt19937_64 random(seed);
   const Vec3 centre = middle(*scene);

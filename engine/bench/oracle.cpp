@@ -10,7 +10,7 @@ namespace {
 
 using Real = long double;
 
-// Lengths in angstrom. A path may sink kSink into a ball before it counts as entering; a ball within kTouch
+// Lengths in angstrom. A path may sink kSink into a sphere before it counts as entering; a sphere within kTouch
 // is touched.
 constexpr Real kSink = 1e-14L;
 constexpr Real kTouch = 1e-12L;
@@ -93,7 +93,7 @@ Real lastGood(Real from, Real to, Good&& good) {
 }
 
 struct Held {
-  std::array<int, 3> ball{-1, -1, -1};
+  std::array<int, 3> sphere{-1, -1, -1};
   int count = 0;
 };
 
@@ -104,10 +104,10 @@ struct Candidate {
 
 }  // namespace
 
-Oracle::Oracle(std::vector<Ball> balls, double probe_A, bool perturbed) : flows_(perturbed ? 5 : 1) {
+Oracle::Oracle(std::vector<Sphere> spheres, double probe_A, bool perturbed) : flows_(perturbed ? 5 : 1) {
   // Relative to the first centre, so that a scene a million angstroms away loses no digits.
-  if (!balls.empty()) origin_ = wide(balls[0].centre_A);
-  for (const Ball& b : balls) {
+  if (!spheres.empty()) origin_ = wide(spheres[0].centre_A);
+  for (const Sphere& b : spheres) {
     if (b.radius_A + probe_A <= 0) continue;  // no interior
     centres_.push_back(wide(b.centre_A) - origin_);
     radii_.push_back(Real(b.radius_A) + Real(probe_A));
@@ -117,7 +117,7 @@ Oracle::Oracle(std::vector<Ball> balls, double probe_A, bool perturbed) : flows_
 void Oracle::reset() { been_outside_ = false; }
 
 Oracle::Flow Oracle::flow(PointL s, PointL hip) const {
-  const int balls = int(centres_.size());
+  const int spheres = int(centres_.size());
   const auto gap = [&](int k, PointL x) { return length(x - centres_[k]) - radii_[k]; };
   const auto normal = [&](int k, PointL x) { return unit(x - centres_[k]); };
   int idle = 0;
@@ -127,7 +127,7 @@ Oracle::Flow Oracle::flow(PointL s, PointL hip) const {
     if (left <= 1e-15L) return {hip, true, true};
 
     std::vector<int> touched;
-    for (int k = 0; k < balls; ++k)
+    for (int k = 0; k < spheres; ++k)
       if (gap(k, s) <= kTouch) touched.push_back(k);
 
     // The downhill direction is the projection of d on {v : v.n_k >= 0}: try every set of up to three
@@ -157,8 +157,8 @@ Oracle::Flow Oracle::flow(PointL s, PointL hip) const {
     if (std::any_of(candidates.begin(), candidates.end(), [](const Candidate& c) { return length(c.v) <= kRest; }))
       return {s, false, true};
 
-    // Where several sets are possible (a holder about to let go, two balls with one tangent plane), the right
-    // one is the one that can be followed: the others enter a ball or pull at once.
+    // Where several sets are possible (a holder about to let go, two spheres with one tangent plane), the right
+    // one is the one that can be followed: the others enter a sphere or pull at once.
     Real best = -1;
     PointL next = s;
     for (const Candidate& c : candidates) {
@@ -169,9 +169,9 @@ Oracle::Flow Oracle::flow(PointL s, PointL hip) const {
         way.centre = s;
         way.end = left;
       } else {
-        way.centre = centres_[held.ball[0]];
+        way.centre = centres_[held.sphere[0]];
         if (held.count == 2) {  // the circle's centre is the foot of s on the line of centres
-          const PointL axis = unit(centres_[held.ball[1]] - way.centre);
+          const PointL axis = unit(centres_[held.sphere[1]] - way.centre);
           way.centre = way.centre + axis * dot(s - way.centre, axis);
         }
         way.radius = length(s - way.centre);
@@ -187,17 +187,17 @@ Oracle::Flow Oracle::flow(PointL s, PointL hip) const {
         const auto pushes = [&](Real t) {
           const PointL x = way.place(t);
           std::array<PointL, 3> n;
-          for (int j = 0; j < held.count; ++j) n[j] = normal(held.ball[j], x);
+          for (int j = 0; j < held.count; ++j) n[j] = normal(held.sphere[j], x);
           const auto parts = split(hip - x, n, held.count);
           return parts && parts->a[k] <= 0;
         };
         if (pushes(stop)) continue;
         stop = pushes(0) ? lastGood(0, stop, pushes) : 0;
       }
-      // The first ball entered. Over at most half a turn the distance to a centre has at most one extremum
+      // The first sphere entered. Over at most half a turn the distance to a centre has at most one extremum
       // inside.
-      for (int k = 0; k < balls && stop > 0; ++k) {
-        if (std::find(held.ball.begin(), held.ball.end(), k) != held.ball.end()) continue;
+      for (int k = 0; k < spheres && stop > 0; ++k) {
+        if (std::find(held.sphere.begin(), held.sphere.end(), k) != held.sphere.end()) continue;
         const Real start = gap(k, s);
         if (start > stop) continue;
         const Real level = std::min(start, Real(0)) - kSink;
@@ -216,7 +216,7 @@ Oracle::Flow Oracle::flow(PointL s, PointL hip) const {
     s = next;
     // Back onto the surfaces that the stop's rounding and kSink left it under.
     for (int pass = 0; pass < 4; ++pass)
-      for (int k = 0; k < balls; ++k)
+      for (int k = 0; k < spheres; ++k)
         if (const Real g = gap(k, s); g < 0 && g > -kTouch) s = s - normal(k, s) * g;
     idle = best < 1e-15L ? idle + 1 : 0;
     if (idle > 8) return {s, false, false};
@@ -279,16 +279,16 @@ void Oracle::place(Vec3 scp) {
   been_outside_ = true;
 }
 
-double deepest(const std::vector<Ball>& balls, double probe_A, Vec3 p) {
+double deepest(const std::vector<Sphere>& spheres, double probe_A, Vec3 p) {
   Real most = -std::numeric_limits<Real>::infinity();
-  for (const Ball& b : balls)
+  for (const Sphere& b : spheres)
     most = std::max(most, Real(b.radius_A) + Real(probe_A) - length(wide(p) - wide(b.centre_A)));
   return double(most);
 }
 
-bool atRest(const std::vector<Ball>& balls, double probe_A, Vec3 scp, Vec3 hip, double tolerance_A) {
+bool atRest(const std::vector<Sphere>& spheres, double probe_A, Vec3 scp, Vec3 hip, double tolerance_A) {
   std::vector<PointL> n;
-  for (const Ball& b : balls) {
+  for (const Sphere& b : spheres) {
     const PointL out = wide(scp) - wide(b.centre_A);
     const Real r = length(out);
     if (r > 0 && std::abs(r - (Real(b.radius_A) + Real(probe_A))) <= tolerance_A) n.push_back(out * (1 / r));

@@ -1,8 +1,8 @@
-// A brute-force god-object on a union of balls, by which the trackers are judged in tests and benches; slow on purpose.
-// The ideal SCP s flows along the steepest descent of |x - h|^2 from its last place, staying outside every ball (ball i
+// A brute-force god-object on a union of spheres, by which the trackers are judged in tests and benches; slow on purpose.
+// The ideal SCP s flows along the steepest descent of |x - h|^2 from its last place, staying outside every sphere (sphere i
 // has radius R_i = radius + probe), until it rests or reaches the HIP h. It differs from a tracker in this: long double
-// throughout; every ball examined in a loop; no neighbour lists; no closed form for the place where a path enters a
-// ball (sign changes are bracketed and bisected); the balls that hold the point found by trying every set of up to
+// throughout; every sphere examined in a loop; no neighbour lists; no closed form for the place where a path enters a
+// sphere (sign changes are bracketed and bisected); the spheres that hold the point found by trying every set of up to
 // three touching ones; and four perturbed copies whose HIPs are 1e-9 A away, which show whether the answer is
 // ill-conditioned. Units: angstrom.
 #pragma once
@@ -11,7 +11,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "engine/core/ball.h"
+#include "engine/core/sphere.h"
 
 namespace moltact::oracle {
 
@@ -25,7 +25,7 @@ struct PointL {
 class Oracle {
  public:
   /// Without perturbed copies it is faster, and each answer counts as decided.
-  Oracle(std::vector<Ball> balls, double probe_A, bool perturbed = true);
+  Oracle(std::vector<Sphere> spheres, double probe_A, bool perturbed = true);
 
   struct Answer {
     bool contact = false;
@@ -40,7 +40,7 @@ class Oracle {
   /// One tick for a finite HIP.
   Answer step(Vec3 hip);
 
-  /// Goes on from another tracker's SCP (pushed out of the balls first where rounding left it inside).
+  /// Goes on from another tracker's SCP (pushed out of the spheres first where rounding left it inside).
   void place(Vec3 scp);
 
   /// As at the start.
@@ -62,11 +62,11 @@ class Oracle {
   std::array<PointL, 5> s_;  // the true one first, then the perturbed copies
 };
 
-/// The greatest penetration of p into any ball, in long double; negative outside; -infinity without balls.
-double deepest(const std::vector<Ball>& balls, double probe_A, Vec3 p);
+/// The greatest penetration of p into any sphere, in long double; negative outside; -infinity without spheres.
+double deepest(const std::vector<Sphere>& spheres, double probe_A, Vec3 p);
 
-/// Whether scp is at rest for that hip: |h - s + sum mu_k n_k| <= tolerance_A for some mu_k >= 0 over the balls whose
+/// Whether scp is at rest for that hip: |h - s + sum mu_k n_k| <= tolerance_A for some mu_k >= 0 over the spheres whose
 /// surface is within tolerance_A of scp (the Karush-Kuhn-Tucker condition; n_k outward unit normals).
-bool atRest(const std::vector<Ball>& balls, double probe_A, Vec3 scp, Vec3 hip, double tolerance_A);
+bool atRest(const std::vector<Sphere>& spheres, double probe_A, Vec3 scp, Vec3 hip, double tolerance_A);
 
 }  // namespace moltact::oracle

@@ -5,7 +5,7 @@
 // nothing is stored, whatever the method is. The energy given to the device by then, sum(F . dx) with F the force on
 // the device, may only fall from one release to a later one if the object is passive; the greatest rise is energy made
 // from nothing. Between releases nothing is judged: an apparent gain there may be stored energy that only the method
-// knows, such as the sum over all balls of a penalty.
+// knows, such as the sum over all spheres of a penalty.
 #pragma once
 
 #include <algorithm>

@@ -22,7 +22,7 @@ double madeAlong(Tracker& tracker, const scenes::Scene& scene, const scenes::Pat
     touching = c.touching();
     return springForce(loop, c, std::numeric_limits<double>::infinity()).N;
   };
-  const auto outside = [&](const Vec3& hip) { return oracle::deepest(scene.balls, scene.probe_A, hip) <= 0; };
+  const auto outside = [&](const Vec3& hip) { return oracle::deepest(scene.spheres, scene.probe_A, hip) <= 0; };
   bool touching = false;
   Vec3 here = path.front(), force = forceAt(here, touching);
   if (!touching && outside(here)) observer.release();
@@ -48,7 +48,7 @@ double madeAlong(Tracker& tracker, const scenes::Scene& scene, const scenes::Pat
 double madeOverClosedPath(const std::function<std::unique_ptr<Tracker>()>& make, const scenes::Scene& scene,
                           const scenes::Path& path, const LoopSettings& loop) {
   if (path.empty()) return 0;
-  ExactTracker guide(std::make_shared<const BallScene>(scene.balls), scene.probe_A);
+  ExactTracker guide(std::make_shared<const SphereGrid>(scene.spheres), scene.probe_A);
   scenes::Path surface;
   surface.reserve(path.size());
   for (const Vec3& h : path) surface.push_back(guide.step({h}).scp.A);

@@ -12,7 +12,7 @@
 namespace moltact::bench {
 
 /// The most energy that the method gives back over a part of the path that begins and ends released: outside
-/// every ball, with neither contact nor force. The work is summed tick by tick with the uncut force of the
+/// every sphere, with neither contact nor force. The work is summed tick by tick with the uncut force of the
 /// spring, by the trapezoidal rule, so that no sampling is in it; where the force jumps within a tick the
 /// lesser of both sides counts. A path that is never released makes 0.
 double madeAlong(Tracker& tracker, const scenes::Scene& scene, const scenes::Path& path, const LoopSettings& loop);

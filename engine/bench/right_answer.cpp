@@ -4,9 +4,9 @@ namespace moltact::bench {
 
 RightAnswer::RightAnswer(const scenes::Scene& scene, bool by_oracle) : scene_(scene) {
   if (by_oracle)
-    oracle_.emplace(scene.balls, scene.probe_A);
+    oracle_.emplace(scene.spheres, scene.probe_A);
   else
-    exact_.emplace(std::make_shared<const BallScene>(scene.balls), scene.probe_A);
+    exact_.emplace(std::make_shared<const SphereGrid>(scene.spheres), scene.probe_A);
 }
 
 RightAnswer::Answer RightAnswer::step(const Vec3& hip, const Contact& given) {
@@ -32,16 +32,16 @@ void RightAnswer::setProbe(double probe_A) {
     exact_->setProbe(probe_A);
     return;
   }
-  oracle_.emplace(scene_.balls, probe_A);
+  oracle_.emplace(scene_.spheres, probe_A);
   moved_ = true;
 }
 
 void RightAnswer::swap(const scenes::Scene& scene) {
   scene_ = scene;
   if (exact_)
-    exact_.emplace(std::make_shared<const BallScene>(scene.balls), scene.probe_A);
+    exact_.emplace(std::make_shared<const SphereGrid>(scene.spheres), scene.probe_A);
   else
-    oracle_.emplace(scene.balls, scene.probe_A);
+    oracle_.emplace(scene.spheres, scene.probe_A);
   moved_ = false;
 }
 

@@ -45,7 +45,7 @@ class Judge {
       return;
     }
     if (c.touching()) {
-      const double deep = oracle::deepest(now.balls, now.probe_A, c.scp.A);
+      const double deep = oracle::deepest(now.spheres, now.probe_A, c.scp.A);
       out_.penetration_A = std::max(out_.penetration_A, deep);
       out_.sunk += deep > limits_.place_A;
     }
@@ -54,7 +54,7 @@ class Judge {
       const double held_away = glm::distance(right_place, hip);
       ++out_.contact_ticks;
       out_.off += glm::distance(place, right_place) > limits_.place_A;
-      const bool inside = !c.touching() && oracle::deepest(now.balls, now.probe_A, hip) > 0;
+      const bool inside = !c.touching() && oracle::deepest(now.spheres, now.probe_A, hip) > 0;
       const bool behind = right.touching && !c.touching() && !inside && held_away > kBehind_A;
       out_.tunnelled += behind && !behind_;
       behind_ = behind;
@@ -111,7 +111,7 @@ StabilityResult runScene(const StabilityScene& scene, const Method& method, cons
   LoopSettings loop = settings;
   loop.workspace.centre_A = middleOf(scene.scene);
   scenes::Scene now = scene.scene;
-  auto tracker = method.make(std::make_shared<const BallScene>(now.balls), now.probe_A);
+  auto tracker = method.make(std::make_shared<const SphereGrid>(now.spheres), now.probe_A);
   RightAnswer right(now, isReference(method));
   Judge judge(scene, method, loop, limits);
   ClosedLoop device(loop, {scene.script.front().place_A});
@@ -126,7 +126,7 @@ StabilityResult runScene(const StabilityScene& scene, const Method& method, cons
     }
     if (t.swap && scene.second) {
       now = *scene.second;
-      tracker = method.make(std::make_shared<const BallScene>(now.balls), now.probe_A);
+      tracker = method.make(std::make_shared<const SphereGrid>(now.spheres), now.probe_A);
       right.swap(now);
       judge.cut();
     }
@@ -150,7 +150,7 @@ StabilityResult runScene(const StabilityScene& scene, const Method& method, cons
   StabilityResult out = judge.result(scene.hand && scene.held_ticks ? held_mm : std::vector<Vec3>{});
   if (scene.energy) {
     out.energy_J = madeOverClosedPath(
-        [&] { return method.make(std::make_shared<const BallScene>(scene.scene.balls), scene.scene.probe_A); },
+        [&] { return method.make(std::make_shared<const SphereGrid>(scene.scene.spheres), scene.scene.probe_A); },
         scene.scene, judge.path(), loop);
     out.loop_energy_J = device.made_J();
     out.sampling_J = device.samplingBound_J();

@@ -20,7 +20,7 @@ struct Near {
 };
 Near nearest(const Scene& scene, Vec3 p) {
   Near n;
-  for (const Ball& b : scene.balls) {
+  for (const Sphere& b : scene.spheres) {
     const Vec3 from = p - b.centre_A;
     const double r = glm::length(from);
     if (r - b.radius_A - scene.probe_A >= n.gap) continue;
@@ -37,7 +37,7 @@ struct Box {
 };
 Box boxOf(const Scene& scene) {
   Box box;
-  for (const Ball& b : scene.balls) {
+  for (const Sphere& b : scene.spheres) {
     const Vec3 r(b.radius_A + scene.probe_A);
     box.low = glm::min(box.low, b.centre_A - r);
     box.high = glm::max(box.high, b.centre_A + r);
@@ -62,7 +62,7 @@ Vec3 Random::direction() {
   }
 }
 
-Scene oneBall() { return {"one ball", {{{0, 0, 0}, kC}}}; }
+Scene oneSphere() { return {"one ball", {{{0, 0, 0}, kC}}}; }
 
 Scene bond() { return {"bond", {{{0, 0, 0}, kC}, {{1.23, 0, 0}, kO}}}; }
 
@@ -79,7 +79,7 @@ Scene tetrahedron() {
 Scene cube() {
   Scene s{"cube", {}};
   const double h = 1.57 / 2;
-  for (int k = 0; k < 8; ++k) s.balls.push_back({{k & 1 ? h : -h, k & 2 ? h : -h, k & 4 ? h : -h}, kC});
+  for (int k = 0; k < 8; ++k) s.spheres.push_back({{k & 1 ? h : -h, k & 2 ? h : -h, k & 4 ? h : -h}, kC});
   return s;
 }
 
@@ -93,7 +93,7 @@ Scene shell() {
       for (int signs = 0; signs < 8; ++signs) {
         if (kind.x == 0 && (signs & 1)) continue;
         const Vec3 v{signs & 1 ? -kind.x : kind.x, signs & 2 ? -kind.y : kind.y, signs & 4 ? -kind.z : kind.z};
-        s.balls.push_back({Vec3(v[turn], v[(turn + 1) % 3], v[(turn + 2) % 3]) * scale, kC});
+        s.spheres.push_back({Vec3(v[turn], v[(turn + 1) % 3], v[(turn + 2) % 3]) * scale, kC});
       }
   return s;
 }
@@ -104,7 +104,7 @@ Scene cluster(int n, std::uint64_t seed) {
   const double edge = std::cbrt(n * 10.0);  // 10 cubic angstroms an atom
   for (int k = 0; k < n; ++k) {
     const double x = random.uniform(0, edge), y = random.uniform(0, edge), z = random.uniform(0, edge);
-    s.balls.push_back({{x, y, z}, random.uniform(1.1, 2.0)});
+    s.spheres.push_back({{x, y, z}, random.uniform(1.1, 2.0)});
   }
   return s;
 }
@@ -115,7 +115,7 @@ Scene simpleCubic(int n) {
   const double a = 2 * (kC + s.probe_A) / std::sqrt(3.0);
   for (int z = 0; z < n; ++z)
     for (int y = 0; y < n; ++y)
-      for (int x = 0; x < n; ++x) s.balls.push_back({{x * a, y * a, z * a}, kC});
+      for (int x = 0; x < n; ++x) s.spheres.push_back({{x * a, y * a, z * a}, kC});
   return s;
 }
 
@@ -126,7 +126,7 @@ Scene faceCentred(int n) {
   for (int z = 0; z < 2 * n; ++z)
     for (int y = 0; y < 2 * n; ++y)
       for (int x = 0; x < 2 * n; ++x)
-        if ((x + y + z) % 2 == 0) s.balls.push_back({{x * h, y * h, z * h}, kC});
+        if ((x + y + z) % 2 == 0) s.spheres.push_back({{x * h, y * h, z * h}, kC});
   return s;
 }
 
@@ -135,7 +135,7 @@ Scene ring(int n, double slack_A) {
   const double radius = kC + s.probe_A + slack_A;
   for (int k = 0; k < n; ++k) {
     const double t = kTwoPi * k / n;
-    s.balls.push_back({{radius * std::cos(t), radius * std::sin(t), 0}, kC});
+    s.spheres.push_back({{radius * std::cos(t), radius * std::sin(t), 0}, kC});
   }
   return s;
 }
@@ -161,18 +161,18 @@ Scene nested() {
 Scene duplicates() {
   Scene s = pit();
   s.name = "duplicates";
-  s.balls.insert(s.balls.end(), {s.balls[0], s.balls[1], s.balls[2], s.balls[1]});
+  s.spheres.insert(s.spheres.end(), {s.spheres[0], s.spheres[1], s.spheres[2], s.spheres[1]});
   return s;
 }
 
 Scene shifted(Scene scene, Vec3 by, const std::string& how) {
-  for (Ball& b : scene.balls) b.centre_A += by;
+  for (Sphere& b : scene.spheres) b.centre_A += by;
   scene.name += " " + how;
   return scene;
 }
 
 std::vector<Scene> all(std::uint64_t seed) {
-  std::vector<Scene> out{oneBall(),
+  std::vector<Scene> out{oneSphere(),
                          bond(),
                          pit(),
                          tetrahedron(),

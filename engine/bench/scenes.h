@@ -6,13 +6,13 @@
 #include <string>
 #include <vector>
 
-#include "engine/core/ball.h"
+#include "engine/core/sphere.h"
 
 namespace moltact::scenes {
 
 struct Scene {
   std::string name;
-  std::vector<Ball> balls;
+  std::vector<Sphere> spheres;
   double probe_A = 1.4;
 };
 
@@ -27,7 +27,7 @@ class Random {
   std::uint64_t state_;
 };
 
-Scene oneBall();      ///< carbon, at the origin
+Scene oneSphere();    ///< carbon, at the origin
 Scene bond();         ///< C and O 1.23 apart: a crease
 Scene pit();          ///< three carbons 2.5 apart: with the probe a pit on either side
 Scene tetrahedron();  ///< methane-like: C and four H at 1.09
@@ -36,22 +36,22 @@ Scene shell();        ///< fullerene-like: 60 C on a truncated icosahedron of ed
 Scene cluster(int n,
               std::uint64_t seed);  ///< n random atoms of radii 1.1 to 2 in a cube, as dense as an organic crystal
 
-/// n x n x n balls of one size: on the simple cubic lattice eight inflated surfaces meet in the middle of each cell, on
+/// n x n x n spheres of one size: on the simple cubic lattice eight inflated surfaces meet in the middle of each cell, on
 /// the face-centred lattice six (octahedral hole) and four (tetrahedral hole).
 Scene simpleCubic(int n);
 Scene faceCentred(int n);
 
-/// n balls of radius 1.7 on a circle in the plane z = 0; the largest ball that passes its hole has the radius
+/// n spheres of radius 1.7 on a circle in the plane z = 0; the largest sphere that passes its hole has the radius
 /// probe + slack_A.
 Scene ring(int n, double slack_A);
 
-/// Two inflated balls whose surfaces touch in the one point (R, 0, 0); that overlap by `overlap_A`; that touch, with a
-/// third ball across the seam.
+/// Two inflated spheres whose surfaces touch in the one point (R, 0, 0); that overlap by `overlap_A`; that touch, with a
+/// third sphere across the seam.
 Scene touching();
 Scene barelyOverlapping(double overlap_A = 1e-9);
 Scene touchingAcross();
 
-Scene nested();      ///< a ball inside another, one touching it from inside, and a neighbour
+Scene nested();      ///< a sphere inside another, one touching it from inside, and a neighbour
 Scene duplicates();  ///< the pit with each atom twice and one three times (alternate locations)
 
 Scene shifted(Scene scene, Vec3 by, const std::string& how);

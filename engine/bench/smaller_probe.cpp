@@ -10,7 +10,7 @@ namespace {
 
 class SmallerProbe final : public Tracker {
  public:
-  SmallerProbe(std::shared_ptr<const BallScene> scene, double probe_A, double less_A)
+  SmallerProbe(std::shared_ptr<const SphereGrid> scene, double probe_A, double less_A)
       : exact_(std::move(scene), std::max(0.0, probe_A - less_A)), less_A_(less_A), probe_A_(probe_A) {}
 
   Contact step(PointA hip) noexcept override { return exact_.step(hip); }
@@ -28,7 +28,7 @@ class SmallerProbe final : public Tracker {
 };
 
 template <int thousandths_A>
-std::unique_ptr<Tracker> make(std::shared_ptr<const BallScene> scene, double probe_A) {
+std::unique_ptr<Tracker> make(std::shared_ptr<const SphereGrid> scene, double probe_A) {
   return std::make_unique<SmallerProbe>(std::move(scene), probe_A, 0.001 * thousandths_A);
 }
 

@@ -12,10 +12,10 @@ namespace {
 constexpr std::size_t kHeld = 500;
 const Vec3 kX(1, 0, 0), kY(0, 1, 0), kZ(0, 0, 1);
 
-double grownRadius(const scenes::Scene& s, std::size_t k) { return s.balls[k].radius_A + s.probe_A; }
+double grownRadius(const scenes::Scene& s, std::size_t k) { return s.spheres[k].radius_A + s.probe_A; }
 
 SphereCircle creaseOf(const scenes::Scene& bond) {
-  return *circleOf(inflated(bond.balls[0], bond.probe_A), inflated(bond.balls[1], bond.probe_A));
+  return *circleOf(inflated(bond.spheres[0], bond.probe_A), inflated(bond.spheres[1], bond.probe_A));
 }
 
 // A pressed walk over the surface, then held still.
@@ -49,7 +49,7 @@ std::vector<StabilityScene> creases() {
 
 StabilityScene pit() {
   const scenes::Scene scene = scenes::pit();
-  const double side = scene.balls[1].centre_A.x, R = grownRadius(scene, 0);
+  const double side = scene.spheres[1].centre_A.x, R = grownRadius(scene, 0);
   const Vec3 bottom(side / 2, side * std::sqrt(3.0) / 6, std::sqrt(R * R - side * side / 3));
   StabilityScene out{"pit of three", "Does the SCP rest in the point and leave it over the right circle?", scene};
   out.script = Script(bottom + kZ * 1.2)
@@ -97,10 +97,10 @@ StabilityScene tunnel() {
   scenes::Scene scene{"tunnel", {}};
   for (int k = 0; k < 10; ++k) {
     const scenes::Scene one = scenes::ring(12, 0.05);
-    for (Ball b : one.balls) {
+    for (Sphere b : one.spheres) {
       const double turn = k % 2 ? std::numbers::pi / 12 : 0.0, c = std::cos(turn), s = std::sin(turn);
       b.centre_A = {c * b.centre_A.x - s * b.centre_A.y, s * b.centre_A.x + c * b.centre_A.y, -1.0 * k};
-      scene.balls.push_back(b);
+      scene.spheres.push_back(b);
     }
   }
   StabilityScene out{"tunnel that just fits",
@@ -115,7 +115,7 @@ StabilityScene tunnel() {
 }
 
 StabilityScene graze() {
-  const scenes::Scene scene = scenes::oneBall();
+  const scenes::Scene scene = scenes::oneSphere();
   const double R = grownRadius(scene, 0);
   StabilityScene out{"thin graze", "Is a touch of 0.02 A felt, and let go of cleanly?", scene};
   Script script(Vec3(-2.0, R - 0.02, 0.01));
@@ -131,7 +131,7 @@ StabilityScene passes(std::uint64_t seed) {
   scenes::Random random(seed);
   Script script(Vec3(60, 0, 0));
   Vec3 low(1e300), high(-1e300);
-  for (const Ball& b : scene.balls) low = glm::min(low, b.centre_A), high = glm::max(high, b.centre_A);
+  for (const Sphere& b : scene.spheres) low = glm::min(low, b.centre_A), high = glm::max(high, b.centre_A);
   for (int pass = 0; pass < 40; ++pass) {
     const double step = 0.05 * std::pow(240.0, random.uniform(0, 1));
     const Vec3 way = random.direction(), aim = 0.5 * (low + high) + random.direction() * random.uniform(0, 3);
@@ -162,7 +162,7 @@ StabilityScene onCentre() {
   Script script(Vec3(0, 4, 0));
   script.to({0, 0, 0}, 0.02)
       .hold(20)
-      .to({scene.balls[1].centre_A.x, 0, 0}, 0.02)
+      .to({scene.spheres[1].centre_A.x, 0, 0}, 0.02)
       .hold(20)
       .to({x, 0, 0}, 0.02)
       .to({x, 4, 0}, 0.02);
@@ -289,9 +289,9 @@ StabilityScene turned(StabilityScene scene, std::uint64_t seed) {
     const Vec3 p = place - middle;
     place = middle + x * p.x + y * p.y + z * p.z;
   };
-  for (Ball& b : scene.scene.balls) turn(b.centre_A);
+  for (Sphere& b : scene.scene.spheres) turn(b.centre_A);
   if (scene.second)
-    for (Ball& b : scene.second->balls) turn(b.centre_A);
+    for (Sphere& b : scene.second->spheres) turn(b.centre_A);
   for (StabilityTick& t : scene.script) turn(t.place_A);
   return scene;
 }
@@ -305,7 +305,7 @@ std::vector<StabilityScene> drawnScenes(std::uint64_t seed, std::size_t draw) {
 
 Vec3 middleOf(const scenes::Scene& scene) {
   Vec3 low(1e300), high(-1e300);
-  for (const Ball& b : scene.balls) low = glm::min(low, b.centre_A), high = glm::max(high, b.centre_A);
+  for (const Sphere& b : scene.spheres) low = glm::min(low, b.centre_A), high = glm::max(high, b.centre_A);
   return 0.5 * (low + high);
 }
 

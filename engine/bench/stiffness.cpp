@@ -17,10 +17,10 @@ constexpr double kRest_m_per_s = 0.006;
 constexpr double kOut_A = 0.8, kIn_A = 1.0;
 constexpr double kCreep_A = 0.002;
 constexpr double kHeld_A = 0.75;  // deeper it is not the surface that holds the device but the hand
-constexpr double kLeast_N_per_mm = 0.02, kMost_N_per_mm = 20;
+constexpr double kMin_N_per_mm = 0.02, kMax_N_per_mm = 20;
 constexpr double kToldApart = 1.03;  // what two limits must differ by: the search's last step
 
-double inflated(const scenes::Scene& s, std::size_t k) { return s.balls[k].radius_A + s.probe_A; }
+double inflated(const scenes::Scene& s, std::size_t k) { return s.spheres[k].radius_A + s.probe_A; }
 
 // A turn of the device in which its axis `device` lies along `scene`.
 glm::dmat3 turnTo(const Vec3& device, const Vec3& scene) {
@@ -41,30 +41,31 @@ std::string fixed(double value) {
 
 std::vector<StiffnessPlace> stiffnessPlaces() {
   std::vector<StiffnessPlace> out;
-  const scenes::Scene one = scenes::oneBall();
+  const scenes::Scene one = scenes::oneSphere();
   out.push_back({"one sphere", one, Vec3(0, 0, inflated(one, 0)), Vec3(0, 0, 1), false});
 
   const scenes::Scene bond = scenes::bond();
-  const double a = inflated(bond, 0), b = inflated(bond, 1), d = bond.balls[1].centre_A.x;
+  const double a = inflated(bond, 0), b = inflated(bond, 1), d = bond.spheres[1].centre_A.x;
   const double x = (d * d - b * b + a * a) / (2 * d);
   out.push_back({"crease", bond, Vec3(x, 0, std::sqrt(a * a - x * x)), Vec3(0, 0, 1), false});
 
   const scenes::Scene pit = scenes::pit();
-  const double side = pit.balls[1].centre_A.x, R = inflated(pit, 0);
+  const double side = pit.spheres[1].centre_A.x, R = inflated(pit, 0);
   out.push_back({"pit of three", pit, Vec3(side / 2, side * std::sqrt(3.0) / 6, std::sqrt(R * R - side * side / 3)),
                  Vec3(0, 0, 1)});
 
   const scenes::Scene cube = scenes::cube();
   const double edge = 1.57, r = inflated(cube, 0);
   Vec3 low(1e300), high(-1e300);
-  for (const Ball& ball : cube.balls) low = glm::min(low, ball.centre_A), high = glm::max(high, ball.centre_A);
+  for (const Sphere& sphere : cube.spheres)
+    low = glm::min(low, sphere.centre_A), high = glm::max(high, sphere.centre_A);
   const Vec3 middle = 0.5 * (low + high);
   out.push_back(
       {"pit of four", cube, middle + Vec3(0, 0, edge / 2 + std::sqrt(r * r - edge * edge / 2)), Vec3(0, 0, 1)});
 
   // The probe sticks where it touches all six: the ring's spheres meet the axis there.
   const scenes::Scene ring = scenes::ring(6, -0.05);
-  const double circle = glm::length(ring.balls[0].centre_A), rr = inflated(ring, 0);
+  const double circle = glm::length(ring.spheres[0].centre_A), rr = inflated(ring, 0);
   out.push_back(
       {"hole too narrow", ring, Vec3(0, 0, std::sqrt(std::max(0.0, rr * rr - circle * circle))), Vec3(0, 0, 1)});
   return out;
@@ -121,12 +122,12 @@ double stiffestStable(const std::function<std::unique_ptr<Tracker>()>& make, con
   constexpr double kStep = 1.15;
   double stable = setup.begin_N_per_mm;
   if (rests(stable)) {
-    while (stable < kMost_N_per_mm && rests(stable * kStep)) stable *= kStep;
-    if (stable >= kMost_N_per_mm) return kMost_N_per_mm;
+    while (stable < kMax_N_per_mm && rests(stable * kStep)) stable *= kStep;
+    if (stable >= kMax_N_per_mm) return kMax_N_per_mm;
   } else {
     do {
       stable /= kStep;
-      if (stable < kLeast_N_per_mm) return 0;
+      if (stable < kMin_N_per_mm) return 0;
     } while (!rests(stable));
   }
   for (double unstable = stable * kStep; unstable / stable > 1.03;) {
@@ -171,9 +172,9 @@ std::vector<Stiffness> measureStiffness(const StiffnessOptions& options, const P
         const std::size_t row = k / directions.size(), d = k % directions.size(), s = named(setups, out[row].setup);
         if (!out[row].method) return;
         const StiffnessPlace& place = places[named(places, out[row].place)];
-        const auto balls = std::make_shared<const BallScene>(place.scene.balls);
+        const auto spheres = std::make_shared<const SphereGrid>(place.scene.spheres);
         const double at_wall = wall[s][d];
-        const double limit = stiffestStable([&] { return out[row].method->make(balls, place.scene.probe_A); },
+        const double limit = stiffestStable([&] { return out[row].method->make(spheres, place.scene.probe_A); },
                                             place.surface, place.out, turnTo(directions[d], place.out), setups[s]);
         out[row].limit_N_per_mm[d] = limit;
         out[row].of_wall[d] = at_wall > 0 ? limit / at_wall : 0;
@@ -259,7 +260,7 @@ ReportTable stiffnessFigures(const std::vector<Stiffness>& rows) {
 std::string stiffnessSentences(const std::vector<Stiffness>& rows) {
   // Along one direction two limits count as different when they differ by more than the search's last step.
   std::vector<std::string> above, never;
-  double wall_low = kMost_N_per_mm, wall_high = 0, straight = 0, exact_ratio = 0;
+  double wall_low = kMax_N_per_mm, wall_high = 0, straight = 0, exact_ratio = 0;
   std::size_t compared = 0, exact_rows = 0;
   for (const Stiffness& r : rows) {
     if (!r.method) {

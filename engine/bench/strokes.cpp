@@ -10,7 +10,7 @@
 
 namespace moltact::bench {
 
-std::vector<Stroke> contactStrokes(const std::shared_ptr<const BallScene>& scene, double probe_A,
+std::vector<Stroke> contactStrokes(const std::shared_ptr<const SphereGrid>& scene, double probe_A,
                                    const StrokePlan& plan) {
   scenes::Random random(plan.seed);
   ExactTracker guide(scene, probe_A);
@@ -44,7 +44,8 @@ std::vector<Stroke> contactStrokes(const std::shared_ptr<const BallScene>& scene
   return out;
 }
 
-std::vector<Stroke> freeStrokes(const std::shared_ptr<const BallScene>& scene, double probe_A, const StrokePlan& plan) {
+std::vector<Stroke> freeStrokes(const std::shared_ptr<const SphereGrid>& scene, double probe_A,
+                                const StrokePlan& plan) {
   const std::vector<Vec3> path = freePath(scene, probe_A, plan.strokes * plan.ticks, static_cast<unsigned>(plan.seed));
   std::vector<Stroke> out(plan.strokes);
   for (std::size_t k = 0; k < plan.strokes; ++k) {

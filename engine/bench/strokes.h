@@ -4,7 +4,7 @@
 #include <memory>
 #include <vector>
 
-#include "engine/haptics/ball_scene.h"
+#include "engine/haptics/sphere_grid.h"
 
 namespace moltact::bench {
 
@@ -25,10 +25,10 @@ struct StrokePlan {
 
 /// Strokes in contact: in from a random side, then sliding 0.02 A a tick, every counted tick in contact with
 /// the surface.
-std::vector<Stroke> contactStrokes(const std::shared_ptr<const BallScene>& scene, double probe_A,
+std::vector<Stroke> contactStrokes(const std::shared_ptr<const SphereGrid>& scene, double probe_A,
                                    const StrokePlan& plan);
 
 /// Strokes in free space close to the surface (see freePath), 0.02 A a tick.
-std::vector<Stroke> freeStrokes(const std::shared_ptr<const BallScene>& scene, double probe_A, const StrokePlan& plan);
+std::vector<Stroke> freeStrokes(const std::shared_ptr<const SphereGrid>& scene, double probe_A, const StrokePlan& plan);
 
 }  // namespace moltact::bench

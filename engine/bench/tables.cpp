@@ -41,7 +41,7 @@ std::vector<TableScene> madeScenes(bool quick, std::uint64_t seed) {
   std::vector<TableScene> out;
   const auto random = [&](std::size_t n, const char* paper) {
     out.push_back({std::to_string(n) + " random spheres", n,
-                   [=] { return scenes::cluster(static_cast<int>(n), seed).balls; }, paper});
+                   [=] { return scenes::cluster(static_cast<int>(n), seed).spheres; }, paper});
   };
   const auto protein = [&](std::size_t n, const char* name, const char* paper) {
     out.push_back({name, n, [=] { return proteinLike(n, static_cast<unsigned>(seed)); }, paper});
@@ -60,11 +60,11 @@ std::vector<TableScene> madeScenes(bool quick, std::uint64_t seed) {
   return out;
 }
 
-std::vector<const Method*> methodsForSize(const std::vector<const Method*>& methods, std::size_t balls,
+std::vector<const Method*> methodsForSize(const std::vector<const Method*>& methods, std::size_t spheres,
                                           std::size_t least_prepared) {
   std::vector<const Method*> out;
   for (const Method* m : methods)
-    if (m->most_balls == 0 || (balls <= m->most_balls && balls >= least_prepared)) out.push_back(m);
+    if (m->most_spheres == 0 || (spheres <= m->most_spheres && spheres >= least_prepared)) out.push_back(m);
   return out;
 }
 
@@ -76,12 +76,12 @@ std::vector<SceneTimes> measureTables(const std::vector<TableScene>& scenes, con
       if (progress) progress((double(k) + part) / double(scenes.size()), scenes[k].name);
     };
     at(0);
-    const std::vector<Ball> balls = scenes[k].balls();
-    SceneTimes one{scenes[k].name, scenes[k].paper_name, balls.size(), scenePreparation_s(balls), {}, {}};
-    const auto scene = std::make_shared<const BallScene>(balls);
+    const std::vector<Sphere> spheres = scenes[k].spheres();
+    SceneTimes one{scenes[k].name, scenes[k].paper_name, spheres.size(), scenePreparation_s(spheres), {}, {}};
+    const auto scene = std::make_shared<const SphereGrid>(spheres);
     const auto contact = contactStrokes(scene, options.probe_A, options.plan);
     at(0.3);
-    const std::vector<const Method*> methods = methodsForSize(options.methods, balls.size(), options.least_prepared);
+    const std::vector<const Method*> methods = methodsForSize(options.methods, spheres.size(), options.least_prepared);
     one.contact = timeMethods(methods, scene, options.probe_A, contact, options.budget_s);
     at(0.7);
     const auto free = freeStrokes(scene, options.probe_A, options.plan);

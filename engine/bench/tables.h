@@ -20,7 +20,7 @@ struct PaperFigures {
 struct TableScene {
   std::string name;         ///< "Test 1: 50 random spheres"
   std::size_t spheres = 0;  ///< expected number, for the order and the progress bar
-  std::function<std::vector<Ball>()> balls;
+  std::function<std::vector<Sphere>()> spheres;
   std::string paper_name;  ///< the row of the paper that it stands beside; may be empty
 };
 
@@ -36,7 +36,7 @@ struct TableOptions {
   double probe_A = kWaterProbe_A;
   StrokePlan plan;
   double budget_s = 0.5;           ///< of counted time a method, scene and motion
-  std::size_t least_prepared = 0;  ///< methods that prepare a whole scene are left out of scenes of fewer balls
+  std::size_t least_prepared = 0;  ///< methods that prepare a whole scene are left out of scenes of fewer spheres
 };
 
 struct SceneTimes {
@@ -47,9 +47,9 @@ struct SceneTimes {
   std::vector<TickTimes> free, contact;  ///< a row a method made for this size, in the order of the options
 };
 
-/// The methods that are made for scenes of so many balls (Method::most_balls); methods that prepare a whole scene only
-/// from `least_prepared` balls on.
-std::vector<const Method*> methodsForSize(const std::vector<const Method*>& methods, std::size_t balls,
+/// The methods that are made for scenes of so many spheres (Method::most_spheres); methods that prepare a whole scene only
+/// from `least_prepared` spheres on.
+std::vector<const Method*> methodsForSize(const std::vector<const Method*>& methods, std::size_t spheres,
                                           std::size_t least_prepared = 0);
 
 std::vector<SceneTimes> measureTables(const std::vector<TableScene>& scenes, const TableOptions& options,

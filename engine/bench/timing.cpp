@@ -67,7 +67,7 @@ double clockCost_ns() {
 }
 
 std::vector<TickTimes> timeMethods(std::span<const Method* const> methods,
-                                   const std::shared_ptr<const BallScene>& scene, double probe_A,
+                                   const std::shared_ptr<const SphereGrid>& scene, double probe_A,
                                    const std::vector<Stroke>& strokes, double budget_s) {
   const double clock_ns = clockCost_ns();
   const Vec3 outside = scene->high_A() + Vec3(scene->largestRadius_A() + probe_A + 10.0);
@@ -112,12 +112,12 @@ std::vector<TickTimes> timeMethods(std::span<const Method* const> methods,
   return out;
 }
 
-double scenePreparation_s(const std::vector<Ball>& balls) {
+double scenePreparation_s(const std::vector<Sphere>& spheres) {
   double least = 1e9, sum = 0;
   for (int k = 0; k < 3 && sum < 1; ++k) {
-    std::vector<Ball> copy = balls;
+    std::vector<Sphere> copy = spheres;
     const auto begin = Clock::now();
-    const BallScene scene(std::move(copy));
+    const SphereGrid scene(std::move(copy));
     const double took = 1e-9 * ns(begin, Clock::now());
     least = std::min(least, took);
     sum += took;

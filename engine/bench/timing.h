@@ -39,10 +39,10 @@ struct TickTimes {
 /// Times the methods on the strokes. A method that has used `budget_s` of counted time drops out of later
 /// rounds, but not before two strokes.
 std::vector<TickTimes> timeMethods(std::span<const Method* const> methods,
-                                   const std::shared_ptr<const BallScene>& scene, double probe_A,
+                                   const std::shared_ptr<const SphereGrid>& scene, double probe_A,
                                    const std::vector<Stroke>& strokes, double budget_s);
 
-/// The time to prepare a scene from its balls, the least of up to three runs (unit: second).
-double scenePreparation_s(const std::vector<Ball>& balls);
+/// The time to prepare a scene from its spheres, the least of up to three runs (unit: second).
+double scenePreparation_s(const std::vector<Sphere>& spheres);
 
 }  // namespace moltact::bench

@@ -10,7 +10,7 @@ std::vector<TradeOff> measureTradeOffs(const TradeOffOptions& options, const Pro
   };
   at(0, "preparing the strokes");
   const auto scene =
-      std::make_shared<const BallScene>(proteinLike(options.spheres, static_cast<unsigned>(options.seed)));
+      std::make_shared<const SphereGrid>(proteinLike(options.spheres, static_cast<unsigned>(options.seed)));
   const auto strokes = contactStrokes(scene, options.probe_A, options.plan);
   at(0.1, "timing");
   std::vector<TradeOff> out;

@@ -78,7 +78,7 @@ std::string sizeSentences(const std::vector<SceneTimes>& times) {
     if (!least || s.spheres < least->spheres) least = &s;
     if (!most || s.spheres > most->spheres) most = &s;
     const bool any =
-        std::any_of(s.contact.begin(), s.contact.end(), [](const TickTimes& t) { return t.method->most_balls > 0; });
+        std::any_of(s.contact.begin(), s.contact.end(), [](const TickTimes& t) { return t.method->most_spheres > 0; });
     if (any && (!prepared || s.spheres > prepared->spheres)) prepared = &s;
   }
   if (!least) return "";
@@ -97,7 +97,7 @@ std::string sizeSentences(const std::vector<SceneTimes>& times) {
   out += "* Preparation on " + readable(double(prepared->spheres)) + " spheres: `exact` is ready after " +
          seconds(ready(*exact)) + ", with " + bytes(exact->memory_usage.bytes) + " after the strokes";
   for (const TickTimes& t : prepared->contact)
-    if (t.method->most_balls > 0)
+    if (t.method->most_spheres > 0)
       out += "; " + quoted(t.method) + ", which preprocesses the whole scene for one probe, after " +
              seconds(ready(t)) + " (" + readable(ready(t) / ready(*exact)) + " times), with " +
              bytes(t.memory_usage.bytes) + " (" +

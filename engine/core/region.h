@@ -5,7 +5,7 @@
 
 namespace moltact {
 
-/// A ball in the molecule's space.
+/// A sphere in the molecule's space.
 struct Region {
   PointA centre;
   double radius_A = 0.0;

@@ -20,9 +20,9 @@ requires(std::is_integral_v<To>&& std::is_floating_point_v<From>) constexpr To s
 
 /// The float nearest to `value`, or the greatest or least float where it lies beyond; 0 for NaN.
 constexpr float saturateToFloat(double value) {
-  constexpr double kMost = double(std::numeric_limits<float>::max());
+  constexpr double kMax = double(std::numeric_limits<float>::max());
   if (!(value == value)) return 0.0f;
-  return static_cast<float>(value > kMost ? kMost : value < -kMost ? -kMost : value);
+  return static_cast<float>(value > kMax ? kMax : value < -kMax ? -kMax : value);
 }
 
 }  // namespace moltact

@@ -7,20 +7,20 @@
 #include <cmath>
 #include <optional>
 
-#include "engine/core/ball.h"
+#include "engine/core/sphere.h"
 
 namespace moltact {
 
 struct SphereCircle {
-  Vec3 centre_A{0.0}, axis{0, 0, 1};  ///< the axis has length 1 and points from the first ball to the second
+  Vec3 centre_A{0.0}, axis{0, 0, 1};  ///< the axis has length 1 and points from the first sphere to the second
   double radius_A = 0.0;
 };
 
-/// A ball inflated by a probe.
-inline Ball inflated(const Ball& ball, double probe_A) { return {ball.centre_A, ball.radius_A + probe_A}; }
+/// A sphere inflated by a probe.
+inline Sphere inflated(const Sphere& sphere, double probe_A) { return {sphere.centre_A, sphere.radius_A + probe_A}; }
 
-/// The circle in which the surfaces of two balls meet; nothing when they are apart, nested or concentric.
-inline std::optional<SphereCircle> circleOf(const Ball& a, const Ball& b) {
+/// The circle in which the surfaces of two spheres meet; nothing when they are apart, nested or concentric.
+inline std::optional<SphereCircle> circleOf(const Sphere& a, const Sphere& b) {
   const Vec3 between = b.centre_A - a.centre_A;
   const double d = glm::length(between), R = a.radius_A, r = b.radius_A;
   if (!(d > 0.0) || !(d < R + r) || !(d > std::abs(R - r))) return std::nullopt;
@@ -31,8 +31,8 @@ inline std::optional<SphereCircle> circleOf(const Ball& a, const Ball& b) {
   return SphereCircle{a.centre_A + axis * ((d * d - r * r + R * R) / (2.0 * d)), axis, std::sqrt(factors) / (2.0 * d)};
 }
 
-/// The two places where the surfaces of three balls meet; nothing where there are none.
-inline std::optional<std::array<Vec3, 2>> pointsOf(const Ball& a, const Ball& b, const Ball& c) {
+/// The two places where the surfaces of three spheres meet; nothing where there are none.
+inline std::optional<std::array<Vec3, 2>> pointsOf(const Sphere& a, const Sphere& b, const Sphere& c) {
   const auto circle = circleOf(a, b);
   if (!circle) return std::nullopt;
   const Vec3 to_c = c.centre_A - circle->centre_A;

@@ -36,7 +36,7 @@ bool wellLeads(const PointerInput& in) {
 double pace(const PointerInput& in) { return 1.0 / (1.0 + std::max(0.0, in.force_N) / PointerHand::kHalfPace_N); }
 
 // So far from the eye everything lies.
-double farBehind_A(const ViewRays& rays, const BallScene& scene, const HandShape& held) {
+double farBehind_A(const ViewRays& rays, const SphereGrid& scene, const HandShape& held) {
   return glm::distance(rays.eye_A, 0.5 * (scene.low_A() + scene.high_A())) +
          glm::distance(scene.low_A(), scene.high_A()) + 2.0 * held.reach_A() + 1.0;
 }
@@ -45,7 +45,7 @@ double farBehind_A(const ViewRays& rays, const BallScene& scene, const HandShape
 
 void PointerHand::reset() { *this = PointerHand(); }
 
-PointA PointerHand::lead(const PointerInput& in, const BallScene& scene, const HandShape& held) {
+PointA PointerHand::lead(const PointerInput& in, const SphereGrid& scene, const HandShape& held) {
   if (!finite(in) || !std::isfinite(held.probe_A) || !rotates(held.orientation)) return hip_;
   const double dt = std::clamp(in.dt_s, 0.0, 0.1);
   const ViewRays& rays = in.rays;
@@ -74,7 +74,7 @@ PointA PointerHand::lead(const PointerInput& in, const BallScene& scene, const H
   const double forward = std::max(0.1, glm::dot(along, rays.forward));
   const double before = plane_depth_ / forward;
   double way = before, under = -kHover_A;
-  met_ = hit.ball >= 0;
+  met_ = hit.sphere >= 0;
   // What lies far behind is no part of the surface that a press slides over: past the rim of that it goes on into the
   // open, and what is far before it hides it.
   const bool falls = met_ && pressing_ && hit.t * far - before > kLeap_A;
@@ -113,13 +113,13 @@ void PointerHand::followWell(const PointerInput& in, double dt_s) {
 }
 
 // A hand that a well has led: the press goes on from there once the well leads no more.
-PointA PointerHand::meetSurface(const PointerInput& in, const BallScene& scene, const HandShape& held) {
+PointA PointerHand::meetSurface(const PointerInput& in, const SphereGrid& scene, const HandShape& held) {
   const ViewRays& rays = in.rays;
   if (glm::dot(hip_.A - rays.eye_A, rays.forward) > 0.1) aim_ = rays.pixel(hip_.A);
   const Vec3 along = rays.direction(aim_);
   const double far = farBehind_A(rays, scene, held), distance_A = glm::distance(rays.eye_A, hip_.A);
   const Hit hit = sweep(scene, held, rays.eye_A, rays.eye_A + along * far);
-  met_ = hit.ball >= 0;
+  met_ = hit.sphere >= 0;
   leapt_ = false;
   depth_ = met_ ? distance_A - hit.t * far : -kHover_A;
   over_A_ = hip_.A - along * depth_;

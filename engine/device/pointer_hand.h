@@ -64,7 +64,7 @@ class PointerHand {
   static constexpr double kLift_s = 0.25;         ///< so long a hand that was let go may take to come free
 
   /// The HIP's next target for what is held. Non-finite input leaves the hand where it was.
-  PointA lead(const PointerInput& input, const BallScene& scene, const HandShape& held);
+  PointA lead(const PointerInput& input, const SphereGrid& scene, const HandShape& held);
 
   double depth_A() const {
     return depth_ > 0.0 ? depth_ : 0.0;
@@ -82,7 +82,7 @@ class PointerHand {
   void aim(const PointerInput& input, double dt_s);
   void sink(const PointerInput& input, double way_A, double opposing_N);
   void followWell(const PointerInput& input, double dt_s);
-  PointA meetSurface(const PointerInput& input, const BallScene& scene, const HandShape& held);
+  PointA meetSurface(const PointerInput& input, const SphereGrid& scene, const HandShape& held);
 
   bool placed_ = false;
   bool pressing_ = false;

@@ -13,7 +13,7 @@ namespace moltact {
 namespace {
 
 // The window draws characters as they come, by 16 bits.
-constexpr char32_t kMost = 0xFFFF;
+constexpr char32_t kMax = 0xFFFF;
 
 // Hebrew to Arabic extended, the scripts of India, Thai and Lao, Tibetan, Burmese, Khmer, Mongolian, presentation
 // forms.
@@ -71,7 +71,7 @@ const GlyphCoverage& GlyphCoverage::ofWindow() {
 Writable GlyphCoverage::writable(char32_t c) const {
   if (ranges_.empty() || unseen(c)) return Writable::Yes;
   if (within(kNeedLayout, c)) return Writable::NeedsLayout;
-  return c <= kMost && within(ranges_, c) ? Writable::Yes : Writable::NoSign;
+  return c <= kMax && within(ranges_, c) ? Writable::Yes : Writable::NoSign;
 }
 
 }  // namespace moltact

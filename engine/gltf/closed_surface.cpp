@@ -15,9 +15,9 @@ struct Box {
   Vec3 low{0.0}, high{0.0};
 };
 
-Box boxOf(std::span<const Ball> balls) {
+Box boxOf(std::span<const Sphere> spheres) {
   Box box{Vec3(std::numeric_limits<double>::max()), Vec3(std::numeric_limits<double>::lowest())};
-  for (const Ball& b : balls)
+  for (const Sphere& b : spheres)
     if (b.radius_A > 0) {
       box.low = glm::min(box.low, b.centre_A - b.radius_A);
       box.high = glm::max(box.high, b.centre_A + b.radius_A);
@@ -28,8 +28,8 @@ Box boxOf(std::span<const Ball> balls) {
 
 class Cutter {
  public:
-  Cutter(std::span<const Ball> balls, double step_A) : balls_(balls), step_(step_A) {
-    const Box box = boxOf(balls);
+  Cutter(std::span<const Sphere> spheres, double step_A) : spheres_(spheres), step_(step_A) {
+    const Box box = boxOf(spheres);
     out_.middle_A = 0.5 * (box.low + box.high);
     // Two cells of room, so that the surface closes within the grid.
     const Vec3 cells = glm::ceil((box.high - box.low) / step_) + 4.0;
@@ -64,22 +64,22 @@ class Cutter {
   std::size_t index(const glm::ivec3& p) const { return (std::size_t(p.z) * size_.y + p.y) * size_.x + p.x; }
   Vec3 place(const glm::ivec3& p) const { return low_ + step_ * Vec3(p); }
 
-  // The signed distance from the nearest ball's surface at each point of the grid that is near one.
+  // The signed distance from the nearest sphere's surface at each point of the grid that is near one.
   void measure() {
     const std::size_t n = std::size_t(size_.x) * size_.y * size_.z;
     distance_.assign(n, std::numeric_limits<float>::max());
     owner_.assign(n, kNobody);
-    for (std::uint32_t b = 0; b < balls_.size(); ++b) {
-      const Ball& ball = balls_[b];
-      if (!(ball.radius_A > 0)) continue;
-      const double reach = ball.radius_A + 2 * step_;
-      const auto from = glm::max(glm::ivec3(glm::ceil((ball.centre_A - reach - low_) / step_)), glm::ivec3(0));
-      const auto to = glm::min(glm::ivec3(glm::floor((ball.centre_A + reach - low_) / step_)), size_ - 1);
+    for (std::uint32_t b = 0; b < spheres_.size(); ++b) {
+      const Sphere& sphere = spheres_[b];
+      if (!(sphere.radius_A > 0)) continue;
+      const double reach = sphere.radius_A + 2 * step_;
+      const auto from = glm::max(glm::ivec3(glm::ceil((sphere.centre_A - reach - low_) / step_)), glm::ivec3(0));
+      const auto to = glm::min(glm::ivec3(glm::floor((sphere.centre_A + reach - low_) / step_)), size_ - 1);
       glm::ivec3 p;
       for (p.z = from.z; p.z <= to.z; ++p.z)
         for (p.y = from.y; p.y <= to.y; ++p.y)
           for (p.x = from.x; p.x <= to.x; ++p.x) {
-            const auto d = float(glm::distance(place(p), ball.centre_A) - ball.radius_A);
+            const auto d = float(glm::distance(place(p), sphere.centre_A) - sphere.radius_A);
             if (const std::size_t i = index(p); d < distance_[i]) {
               distance_[i] = d;
               owner_[i] = b;
@@ -109,13 +109,13 @@ class Cutter {
     // Never on a point itself, where corners of several edges would fall together.
     const double t = std::clamp(da / (da - db), 0.01, 0.99);
     const Vec3 p = glm::mix(pa, pb, t);
-    const auto off = [&](std::uint32_t ball) {
-      return std::abs(glm::distance(p, balls_[ball].centre_A) - balls_[ball].radius_A);
+    const auto off = [&](std::uint32_t sphere) {
+      return std::abs(glm::distance(p, spheres_[sphere].centre_A) - spheres_[sphere].radius_A);
     };
     const std::uint32_t one = owner_[ia], other = owner_[ib];
     const std::uint32_t on = other == kNobody || (one != kNobody && off(one) <= off(other)) ? one : other;
     out_.places.push_back(glm::vec3(p - out_.middle_A));
-    out_.normals.push_back(glm::vec3(glm::normalize(p - balls_[on].centre_A)));
+    out_.normals.push_back(glm::vec3(glm::normalize(p - spheres_[on].centre_A)));
     corner_owner_.push_back(on);
     return it->second;
   }
@@ -125,8 +125,8 @@ class Cutter {
     out_.triangles.insert(out_.triangles.end(), {a, b, c});
     const Vec3 middle = out_.middle_A + Vec3(out_.places[a] + out_.places[b] + out_.places[c]) / 3.0;
     const auto depth = [&](std::uint32_t corner) {
-      const Ball& ball = balls_[corner_owner_[corner]];
-      return glm::distance(middle, ball.centre_A) - ball.radius_A;
+      const Sphere& sphere = spheres_[corner_owner_[corner]];
+      return glm::distance(middle, sphere.centre_A) - sphere.radius_A;
     };
     std::uint32_t best = a;
     for (const std::uint32_t k : {b, c})
@@ -159,7 +159,7 @@ class Cutter {
     }
   }
 
-  std::span<const Ball> balls_;
+  std::span<const Sphere> spheres_;
   double step_;
   Vec3 low_{0.0};
   glm::ivec3 size_{0};
@@ -171,18 +171,18 @@ class Cutter {
 
 }  // namespace
 
-double usualStep_A(std::span<const Ball> balls) {
-  const Box box = boxOf(balls);
+double usualStep_A(std::span<const Sphere> spheres) {
+  const Box box = boxOf(spheres);
   const Vec3 size = box.high - box.low;
   return std::max(0.15, std::max({size.x, size.y, size.z}) / 100.0);
 }
 
-double cellCount(std::span<const Ball> balls, double step_A) {
-  const Box box = boxOf(balls);
+double cellCount(std::span<const Sphere> spheres, double step_A) {
+  const Box box = boxOf(spheres);
   const Vec3 cells = glm::ceil((box.high - box.low) / step_A) + 4.0;
   return cells.x * cells.y * cells.z;
 }
 
-ClosedSurface closedSurface(std::span<const Ball> balls, double step_A) { return Cutter(balls, step_A).cut(); }
+ClosedSurface closedSurface(std::span<const Sphere> spheres, double step_A) { return Cutter(spheres, step_A).cut(); }
 
 }  // namespace moltact

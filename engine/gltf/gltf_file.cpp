@@ -19,8 +19,8 @@
 namespace moltact {
 namespace {
 
-constexpr std::size_t kMostNodes = 10000, kDeepest = 64;
-constexpr std::uintmax_t kMostBytes = 64u << 20;
+constexpr std::size_t kMaxNodes = 10000, kDeepest = 64;
+constexpr std::uintmax_t kMaxBytes = 64u << 20;
 
 float toLinear(float s) { return s <= 0.04045f ? s / 12.92f : std::pow((s + 0.055f) / 1.055f, 2.4f); }
 float toScreen(float l) { return l <= 0.0031308f ? l * 12.92f : 1.055f * std::pow(l, 1 / 2.4f) - 0.055f; }
@@ -66,7 +66,7 @@ class Reader {
   }
 
   void visit(int index, const glm::mat4& parent, std::size_t depth) {
-    if (++visited_ > kMostNodes || depth > kDeepest) throw Broken{tr("the model has nodes within nodes without end")};
+    if (++visited_ > kMaxNodes || depth > kDeepest) throw Broken{tr("the model has nodes within nodes without end")};
     const tinygltf::Node& node = at(model_.nodes, index, N_("the model names a node that it does not hold"));
     const glm::mat4 place = parent * placeOf(node);
     if (node.mesh >= 0)
@@ -129,8 +129,8 @@ class Reader {
     if (places.type != TINYGLTF_COMPONENT_TYPE_FLOAT || (normals.data && normals.type != TINYGLTF_COMPONENT_TYPE_FLOAT))
       throw Broken{tr("the model holds numbers of the wrong kind")};
     const std::size_t count = (indices.data ? indices.count : places.count) / 3 * 3;
-    if (out_.corners.size() + count > 3 * kMostModelTriangles)
-      throw Broken{trf("the model has more than {0} triangles", kMostModelTriangles)};
+    if (out_.corners.size() + count > 3 * kMaxModelTriangles)
+      throw Broken{trf("the model has more than {0} triangles", kMaxModelTriangles)};
     glm::vec3 colour(1.0f);
     if (p.material >= 0) {
       const auto& factor = at(model_.materials, p.material, N_("the model names a material that it does not hold"))
@@ -298,7 +298,7 @@ Expected<SolidModel> readGltf(const std::filesystem::path& file) {
   std::ifstream in(file, std::ios::binary);
   std::array<char, 4> magic{};
   if (error || !in) return problem(tr("the model cannot be read"), tr("check its name, and whether you may read it"));
-  if (bytes > kMostBytes) return problem(tr("the model is larger than 64 MB"), tr("give a simpler model"));
+  if (bytes > kMaxBytes) return problem(tr("the model is larger than 64 MB"), tr("give a simpler model"));
   in.read(magic.data(), 4);
   tinygltf::TinyGLTF loader;
   loader.SetImageLoader(&passOver, nullptr);

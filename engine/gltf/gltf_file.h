@@ -25,7 +25,7 @@ struct SolidModel {
 };
 
 /// A model may have so many triangles at most, so that it is drawn without a graphics card.
-inline constexpr std::size_t kMostModelTriangles = 50000;
+inline constexpr std::size_t kMaxModelTriangles = 50000;
 
 /// Reads the default scene of a .glb or .gltf file: triangles, transforms and base colours; textures, animations and
 /// cameras are passed over. Corners without a normal get their triangle's. A file that cannot be read, breaks the

@@ -6,7 +6,7 @@
 namespace moltact {
 namespace {
 
-constexpr int kMostTried = 6;            // touches among which every set of up to three is tried
+constexpr int kMaxTried = 6;             // touches among which every set of up to three is tried
 constexpr double kSteep = 1e-3;          // of the displacement: what leads in by more does not graze
 constexpr double kArithmetic = 0x1p-50;  // of a sum of a few products
 constexpr double kParallel = 1e-26;  // squared sine, or squared volume, under which normals hold in fewer dimensions
@@ -41,7 +41,7 @@ class Trial {
   // Adds a touch to those that are tried, in the list's order, so that of equals the first comes first; where the
   // list is full, one that does not hold goes.
   void add(int touch) {
-    if (tried_count_ == kMostTried) {
+    if (tried_count_ == kMaxTried) {
       const auto holds = [&](int t) { return std::find(best_.by.begin(), best_.by.end(), t) != best_.by.end(); };
       (void)std::remove(tried_.begin(), tried_.end(), *std::find_if_not(tried_.begin(), tried_.end(), holds));
       --tried_count_;
@@ -174,7 +174,7 @@ class Trial {
   double contact_, length_, least_ = INFINITY;
   Admitted admitted_;
   int passed_ = 0, tried_count_ = 0;
-  std::array<int, kMostTried> tried_{};
+  std::array<int, kMaxTried> tried_{};
   ActiveSet best_;
 };
 
@@ -215,7 +215,7 @@ ActiveSet activeSet(const Vec3& displacement, std::span<const Touch> touches, do
   Trial trial(displacement, touches, contact_A, admitted);
   // Each round adds the touch that the best motion so far leads into most, as non-negative least squares do (Lawson &
   // Hanson 1974): what is left of the displacement grows shorter, and no set comes twice.
-  for (int round = 0; round < 4 * kMostTried; ++round) {
+  for (int round = 0; round < 4 * kMaxTried; ++round) {
     set = trial.best();
     const int worst = trial.mostViolated();
     if (worst < 0 || trial.tries(worst)) break;

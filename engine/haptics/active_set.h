@@ -1,7 +1,7 @@
-// Which of the balls that the SCP touches hold it back: the active set of the projection of the displacement on the
+// Which of the spheres that the SCP touches hold it back: the active set of the projection of the displacement on the
 // cone of allowed motions. Haptic thread; no allocation. Units: angstrom.
 //
-// The direction steepest down |x - h|^2 that enters no touching ball is the projection v of d = h - s on {v : v.n_k >=
+// The direction steepest down |x - h|^2 that enters no touching sphere is the projection v of d = h - s on {v : v.n_k >=
 // 0}, n_k the outward normals; by Caratheodory's theorem at most three normals are active in space.
 // docs/exact-tracker.md derives these bounds on rounding.
 #pragma once
@@ -18,10 +18,10 @@ namespace moltact {
 
 /// A surface that a place touches.
 struct Touch {
-  Vec3 normal;        ///< unit but for rounding, outward
-  double radius;      ///< of curvature; infinite for a plane (unit: angstrom)
-  double gap;         ///< from the surface to the place: negative where it has sunk (unit: angstrom)
-  std::int32_t ball;  ///< or whatever else the surface belongs to
+  Vec3 normal;          ///< unit but for rounding, outward
+  double radius;        ///< of curvature; infinite for a plane (unit: angstrom)
+  double gap;           ///< from the surface to the place: negative where it has sunk (unit: angstrom)
+  std::int32_t sphere;  ///< or whatever else the surface belongs to
 };
 
 /// What is left of rounding's share for a place that has sunk: all of it to contact_A, nothing from three times that.

@@ -10,7 +10,7 @@
 
 namespace moltact {
 
-/// One entry for each ball of the scene, in the order of the balls.
+/// One entry for each sphere of the scene, in the order of the spheres.
 struct AtomChemistry {
   std::vector<std::uint8_t> atomic_numbers;  ///< 0: unknown
   std::vector<std::uint16_t> types;          ///< index into type_names

@@ -1,6 +1,6 @@
 // What a tick found where something is touched. Plain data, every thread. Units: angstrom. Words as in Stocks & Laycock
 // 2008: HIP, the haptic interface point, is where the hand is; SCP, the surface contact point, is the HIP's proxy,
-// which stays outside every ball.
+// which stays outside every sphere.
 #pragma once
 
 #include <array>
@@ -15,7 +15,7 @@ namespace moltact {
 enum class Feature : std::uint8_t {
   Free,
   Sphere,
-  Circle,  ///< a re-entrant edge of the accessible surface, where two balls meet; students read "crease"
+  Circle,  ///< a re-entrant edge of the accessible surface, where two spheres meet; students read "crease"
   Point,   ///< a re-entrant vertex, where three meet; students read "pit"
 };
 

@@ -19,7 +19,7 @@ class SphereMotion;
 /// The memory that a method keeps for the places it has been: "model no more than a scene needs", in numbers.
 struct MemoryUsage {
   std::size_t atoms_modelled = 0;  ///< atoms for which anything beyond centre and radius is held now
-  std::size_t bytes = 0;           ///< all memory of the method beyond the list of balls itself (unit: byte)
+  std::size_t bytes = 0;           ///< all memory of the method beyond the list of spheres itself (unit: byte)
 };
 
 /// The answer to a pose. It has two sources. The contact's springs are given over their stiffness, which the slider
@@ -30,7 +30,7 @@ struct Response {
                     ///< what there is to show of a contact, and may be empty
   Vec3 torque_A2{0.0};  ///< of the springs, round the pose's place, in the molecule's axes; zero for a point
   /// How many times as stiff as one spring the springs are together, along the stiffest direction (1 or more): several
-  /// balls that push at once, several places where a body is held. The loop's stability depends on all of them.
+  /// spheres that push at once, several places where a body is held. The loop's stability depends on all of them.
   double springs = 1.0;
   double rotational_A2 = 0.0;  ///< the same round the stiffest axis: no small rotation is opposed by more
   std::optional<FeltForce> field = std::nullopt;  ///< what acts besides the contact; none where nothing does
@@ -75,7 +75,7 @@ class Interaction {
   /// Forgets the contact, as at the start: what begins inside gives no force until it has been outside once.
   virtual void reset() noexcept = 0;
 
-  /// Inflates every ball by `probe_A` (0 to kLargestProbe_A, clamped; non-finite is ignored), also while touching. What
+  /// Inflates every sphere by `probe_A` (0 to kLargestProbe_A, clamped; non-finite is ignored), also while touching. What
   /// has no probe passes it over.
   virtual void setProbe(double probe_A) noexcept = 0;
 

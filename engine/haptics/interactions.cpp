@@ -12,7 +12,7 @@ namespace {
 
 // A sphere that feels the scene: the probe, or an atom of a body. What changes the force of either goes round it here.
 std::unique_ptr<Interaction> makeSphere(const InteractionInput& input, const Method& method, double radius_A) {
-  return method.make(input.balls, radius_A);
+  return method.make(input.spheres, radius_A);
 }
 
 std::unique_ptr<Interaction> makeProbe(const InteractionInput& input) {
@@ -24,7 +24,7 @@ std::unique_ptr<Interaction> makeBody(const InteractionInput& input) {
   const Method* method = findMethod(input.touch.method);
   if (!method || !input.body) return nullptr;
   const auto make = [&](double radius_A) { return makeSphere(input, *method, radius_A); };
-  return std::make_unique<RigidBody>(input.body, make, input.balls->bytes());
+  return std::make_unique<RigidBody>(input.body, make, input.spheres->bytes());
 }
 
 constexpr std::array kKinds{
@@ -44,7 +44,7 @@ const InteractionKind* findInteractionKind(std::string_view name) {
   return nullptr;
 }
 
-TouchSetup settled(TouchSetup wanted, bool body) {
+TouchSetup resolveInteraction(TouchSetup wanted, bool body) {
   const InteractionKind* kind = findInteractionKind(wanted.interaction);
   if (kind && kind->holds_body == body) return wanted;
   const auto first =

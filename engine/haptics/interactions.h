@@ -7,19 +7,19 @@
 #include <string_view>
 
 #include "engine/haptics/atom_chemistry.h"
-#include "engine/haptics/ball_scene.h"
 #include "engine/haptics/body/held_body.h"
 #include "engine/haptics/interaction.h"
+#include "engine/haptics/sphere_grid.h"
 #include "engine/haptics/touch_setup.h"
 
 namespace moltact {
 
 /// What an interaction is made from.
 struct InteractionInput {
-  std::shared_ptr<const BallScene> balls;
+  std::shared_ptr<const SphereGrid> spheres;
   TouchSetup touch = {};
   std::shared_ptr<const HeldBody> body = nullptr;  ///< what a kind that holds one is made with; else passed over
-  /// Of each ball, for a kind that needs it (engine/structure/atom_charges.h makes it); else null.
+  /// Of each sphere, for a kind that needs it (engine/structure/atom_charges.h makes it); else null.
   std::shared_ptr<const AtomChemistry> chemistry = nullptr;
 };
 
@@ -41,7 +41,7 @@ const InteractionKind* findInteractionKind(std::string_view name);
 
 /// The same with a kind of interaction that goes with what the hand holds: as wanted where that holds a body and there
 /// is one, or neither; else the first that does.
-TouchSetup settled(TouchSetup wanted, bool body);
+TouchSetup resolveInteraction(TouchSetup wanted, bool body);
 
 /// Makes what the setup names; null where there is no such interaction or method, or no body for one that holds it.
 std::unique_ptr<Interaction> makeInteraction(const InteractionInput& input);

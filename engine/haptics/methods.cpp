@@ -17,26 +17,26 @@ namespace moltact {
 namespace {
 
 template <class T>
-std::unique_ptr<Tracker> make(std::shared_ptr<const BallScene> scene, double probe_A) {
+std::unique_ptr<Tracker> make(std::shared_ptr<const SphereGrid> scene, double probe_A) {
   return std::make_unique<T>(std::move(scene), probe_A);
 }
 
 template <int triangles, bool smooth = false, bool coherent = true>
-std::unique_ptr<Tracker> makeMesh(std::shared_ptr<const BallScene> scene, double probe_A) {
+std::unique_ptr<Tracker> makeMesh(std::shared_ptr<const SphereGrid> scene, double probe_A) {
   return std::make_unique<MeshTracker>(std::move(scene), probe_A, MeshTracker::Options{triangles, smooth, coherent});
 }
 
 template <int tenths_A, bool prepared = false>
-std::unique_ptr<Tracker> makeGrid(std::shared_ptr<const BallScene> scene, double probe_A) {
+std::unique_ptr<Tracker> makeGrid(std::shared_ptr<const SphereGrid> scene, double probe_A) {
   return std::make_unique<GridTracker>(std::move(scene), probe_A, 0.1 * tenths_A, prepared);
 }
 
 template <int hundredths_A>
-std::unique_ptr<Tracker> makeSasMesh(std::shared_ptr<const BallScene> scene, double probe_A) {
+std::unique_ptr<Tracker> makeSasMesh(std::shared_ptr<const SphereGrid> scene, double probe_A) {
   return std::make_unique<SasMeshTracker>(std::move(scene), probe_A, 0.01 * hundredths_A);
 }
 
-constexpr std::size_t kMostPrepared = 20'000;  // balls whose whole surface is modelled in seconds and some 100 MB
+constexpr std::size_t kMaxPrepared = 20'000;  // spheres whose whole surface is modelled in seconds and some 100 MB
 
 constexpr MethodFamily kExact{N_("Exact"), N_("Follows the spheres themselves, without error.")},
     kPaper{N_("Paper"), N_("The steps of Stocks and Laycock, 2008, as they were published.")},
@@ -114,17 +114,17 @@ constexpr std::array kTable{
            .sentence = N_("a signed-distance grid, smoothly interpolated, 0.2 A apart"),
            .make = &makeGrid<2>,
            .family = kGrid,
-           .apart_A = 0.2},
+           .grid_spacing_A = 0.2},
     Method{.name = "grid04",
            .sentence = N_("a signed-distance grid, smoothly interpolated, 0.4 A apart"),
            .make = &makeGrid<4>,
            .family = kGrid,
-           .apart_A = 0.4},
+           .grid_spacing_A = 0.4},
     Method{.name = "grid08",
            .sentence = N_("a signed-distance grid, smoothly interpolated, 0.8 A apart"),
            .make = &makeGrid<8>,
            .family = kGrid,
-           .apart_A = 0.8},
+           .grid_spacing_A = 0.8},
     Method{.name = "penalty",
            .sentence = N_("the sum of each ball's push, without a proxy"),
            .make = &make<PenaltyTracker>,
@@ -136,31 +136,31 @@ constexpr std::array kTable{
            .make = &makeGrid<2, true>,
            .family = kGrid,
            .variant = N_("Ready"),
-           .apart_A = 0.2,
-           .most_balls = kMostPrepared,
+           .grid_spacing_A = 0.2,
+           .most_spheres = kMaxPrepared,
            .offered = false},
     Method{.name = "grid04-ready",
            .sentence = N_("the grid 0.4 A apart, made beforehand wherever the surface is"),
            .make = &makeGrid<4, true>,
            .family = kGrid,
            .variant = N_("Ready"),
-           .apart_A = 0.4,
-           .most_balls = kMostPrepared,
+           .grid_spacing_A = 0.4,
+           .most_spheres = kMaxPrepared,
            .offered = false},
     Method{.name = "sasmesh05",
            .sentence = N_("a god-object on one manifold mesh of the surface, made beforehand on a grid 0.5 A apart"),
            .make = &makeSasMesh<50>,
            .family = kSurfaceMesh,
-           .apart_A = 0.5,
-           .most_balls = kMostPrepared,
+           .grid_spacing_A = 0.5,
+           .most_spheres = kMaxPrepared,
            .one_probe = true,
            .offered = false},
     Method{.name = "sasmesh025",
            .sentence = N_("a god-object on one manifold mesh of the surface, made beforehand on a grid 0.25 A apart"),
            .make = &makeSasMesh<25>,
            .family = kSurfaceMesh,
-           .apart_A = 0.25,
-           .most_balls = kMostPrepared,
+           .grid_spacing_A = 0.25,
+           .most_spheres = kMaxPrepared,
            .one_probe = true,
            .offered = false},
 };
@@ -218,7 +218,7 @@ std::string_view motionSentence(const Method& method) {
 }
 
 std::string gradeText(const Method& method) {
-  if (method.apart_A > 0.0) return quantityText(method.apart_A, Dimension::Length, plain());
+  if (method.grid_spacing_A > 0.0) return quantityText(method.grid_spacing_A, Dimension::Length, plain());
   return method.grade.empty() ? std::string() : std::string(tr(method.grade));
 }
 

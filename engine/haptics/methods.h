@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "engine/haptics/ball_scene.h"
+#include "engine/haptics/sphere_grid.h"
 #include "engine/haptics/tracker.h"
 
 namespace moltact {
@@ -23,17 +23,18 @@ struct MethodFamily {
 struct Method {
   std::string_view name;      ///< as in `--method exact`
   std::string_view sentence;  ///< what it is, for the screen and `--help`
-  std::unique_ptr<Tracker> (*make)(std::shared_ptr<const BallScene> scene, double probe_A);
+  std::unique_ptr<Tracker> (*make)(std::shared_ptr<const SphereGrid> scene, double probe_A);
   MethodFamily family{};
-  std::string_view grade = {};    ///< how finely: "960"; empty where a family is one method, or where apart_A says it
+  std::string_view grade =
+      {};  ///< how finely: "960"; empty where a family is one method, or where grid_spacing_A says it
   std::string_view variant = {};  ///< tells methods of the same grade apart: "Smooth"; may be empty
   bool plain_variant = false;     ///< its title leaves the variant out: "Mesh 960" means this one
-  int triangles = 0;              ///< a ball's, for a method that feels triangles; else 0
-  double apart_A = 0.0;           ///< how far the places lie apart at which it has its surface; 0: it has no grid
-  std::size_t most_balls = 0;     ///< it prepares the whole scene: the bench leaves it out of larger ones; 0: no limit
+  int triangles = 0;              ///< a sphere's, for a method that feels triangles; else 0
+  double grid_spacing_A = 0.0;    ///< how far the places lie apart at which it has its surface; 0: it has no grid
+  std::size_t most_spheres = 0;   ///< it prepares the whole scene: the bench leaves it out of larger ones; 0: no limit
   bool one_probe = false;         ///< it feels only the probe that it was made for
   bool shaded = false;            ///< its force has another direction than to the SCP (Contact::displacement_A)
-  bool summed = false;            ///< its force is the sum of every ball's push; it has no SCP on the surface
+  bool summed = false;            ///< its force is the sum of every sphere's push; it has no SCP on the surface
   bool follows_motion = false;    ///< it goes with spheres that move (Interaction::setMotion)
   bool offered = true;            ///< to people; else it stands for comparison in the bench only
   bool reference = false;         ///< the others are judged by it; exactly one is
@@ -42,7 +43,7 @@ struct Method {
 /// The methods that the window, the lessons and every command offer, the default first. Each bears any scene and probe.
 std::span<const Method> methods();
 
-/// These, then the ones that stand for comparison only, with what methods() does not allow: see most_balls and
+/// These, then the ones that stand for comparison only, with what methods() does not allow: see most_spheres and
 /// one_probe.
 std::span<const Method> benchMethods();
 
@@ -59,7 +60,7 @@ const Method* findBenchMethod(std::string_view name);
 /// The names of methods(), in the same order.
 std::vector<std::string_view> methodNames();
 
-/// The triangles that a method of methods() feels for a ball of radius 1; null for a method without.
+/// The triangles that a method of methods() feels for a sphere of radius 1; null for a method without.
 std::shared_ptr<const SphereMesh> feltFacets(std::string_view method);
 
 /// What a person is told of a method while the spheres of the scene move (N_); empty where it goes with them.

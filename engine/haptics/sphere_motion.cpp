@@ -11,7 +11,7 @@
 namespace moltact {
 namespace {
 
-bool usable(const Ball& b) {
+bool usable(const Sphere& b) {
   return finite(b.centre_A) && glm::length(b.centre_A) <= kFarthest_A && std::isfinite(b.radius_A) &&
          b.radius_A >= 0.0 && b.radius_A <= kFarthest_A;
 }
@@ -24,35 +24,35 @@ std::uint64_t nextSerial() {
 
 }  // namespace
 
-SphereMotion::SphereMotion(std::vector<Moving> spheres, std::vector<Ball> bounds,
+SphereMotion::SphereMotion(std::vector<Moving> spheres, std::vector<Sphere> bounds,
                            std::span<const std::uint32_t> untouchable, int ticks, double most_moved_A)
     : spheres_(std::move(spheres)),
-      bounds_(std::move(bounds), untouchable, BallScene::Duplicates::VisitEach),
+      bounds_(std::move(bounds), untouchable, SphereGrid::Duplicates::VisitEach),
       ticks_(ticks),
       most_moved_(most_moved_A),
       serial_(nextSerial()) {}
 
-Expected<std::unique_ptr<const SphereMotion>> SphereMotion::after(const SphereMotion& before, std::span<const Ball> to,
-                                                                  int ticks) {
+Expected<std::unique_ptr<const SphereMotion>> SphereMotion::after(const SphereMotion& before,
+                                                                  std::span<const Sphere> to, int ticks) {
   auto made = make(before.at(1.0), to, ticks, before.bounds_.untouchable());
   // Not yet shared with anybody, so it may still be changed.
   if (made) const_cast<SphereMotion&>(**made).continues_ = before.serial_;
   return made;
 }
 
-Expected<std::unique_ptr<const SphereMotion>> SphereMotion::make(std::span<const Ball> from, std::span<const Ball> to,
-                                                                 int ticks,
+Expected<std::unique_ptr<const SphereMotion>> SphereMotion::make(std::span<const Sphere> from,
+                                                                 std::span<const Sphere> to, int ticks,
                                                                  std::span<const std::uint32_t> untouchable) {
   const auto problem = [](std::string what, std::string remedy) {
     return Problem{"", 0, 0, std::move(what), std::move(remedy)};
   };
-  if (ticks < 1 || ticks > kMostTicks)
-    return problem(trf("a motion of spheres cannot take {0} ticks", ticks), trf("give it 1 to {0}", kMostTicks));
+  if (ticks < 1 || ticks > kMaxTicks)
+    return problem(trf("a motion of spheres cannot take {0} ticks", ticks), trf("give it 1 to {0}", kMaxTicks));
   if (from.size() != to.size())
     return problem(trf("a motion begins with {0} spheres and ends with {1}", from.size(), to.size()),
                    tr("give as many places as there are spheres"));
   std::vector<Moving> spheres(from.size());
-  std::vector<Ball> bounds(from.size());
+  std::vector<Sphere> bounds(from.size());
   double most_A = 0.0;
   for (std::size_t i = 0; i < from.size(); ++i) {
     if (!usable(from[i]) || !usable(to[i]))
@@ -73,8 +73,8 @@ Expected<std::unique_ptr<const SphereMotion>> SphereMotion::make(std::span<const
       new SphereMotion(std::move(spheres), std::move(bounds), untouchable, ticks, most_A));
 }
 
-std::vector<Ball> SphereMotion::at(double fraction) const {
-  std::vector<Ball> out(spheres_.size());
+std::vector<Sphere> SphereMotion::at(double fraction) const {
+  std::vector<Sphere> out(spheres_.size());
   std::transform(spheres_.begin(), spheres_.end(), out.begin(), [&](const Moving& s) { return s.at(fraction); });
   return out;
 }

@@ -25,11 +25,11 @@ bool clip(const Vec3& from, const Vec3& path, const Vec3& low, const Vec3& high,
 
 }  // namespace
 
-Hit sweep(const BallScene& scene, double probe_A, const Vec3& from, const Vec3& to) noexcept {
+Hit sweep(const SphereGrid& scene, double probe_A, const Vec3& from, const Vec3& to) noexcept {
   return sweepFrom(scene, probe_A, Vec3(0.0), from, to, 0.0);
 }
 
-Hit sweepFrom(const BallScene& scene, double probe_A, const Vec3& origin, const Vec3& from, const Vec3& to,
+Hit sweepFrom(const SphereGrid& scene, double probe_A, const Vec3& origin, const Vec3& from, const Vec3& to,
               double contact_A, const SphereMotion* motion, double fraction) noexcept {
   constexpr double kSpare_A = 1e-6;  // more is looked at than rounding can hide
   const Vec3 path = to - from;
@@ -45,37 +45,37 @@ Hit sweepFrom(const BallScene& scene, double probe_A, const Vec3& origin, const 
   const Vec3 start = t0 > 0.0 ? from + path * t0 : from;
   const double length = (t1 - t0) * whole;
   FirstMet first(start, along, length, contact_A);
-  // Piece by piece, so that only balls near the path are looked at; in a sparse scene, where that would be more pieces
-  // than balls, all at once.
+  // Piece by piece, so that only spheres near the path are looked at; in a sparse scene, where that would be more pieces
+  // than spheres, all at once.
   const double piece = length > scene.cell_A() * (1.0 + 0.125 * double(scene.size())) ? length : scene.cell_A();
   for (double a = 0.0; a <= length; a += piece) {
     const Vec3 p = start + along * a, q = start + along * std::min(a + piece, length);
     scene.visitNearBox(
         origin + glm::min(p, q), origin + glm::max(p, q), probe_A + kSpare_A,
         [&](const Vec3& centre, double radius) { return first.mayMeet(centre - origin, radius + probe_A + kSpare_A); },
-        [&](std::uint32_t i, const Ball& bound) {
-          const Ball b = motion ? (*motion)[i].at(fraction) : bound;
+        [&](std::uint32_t i, const Sphere& bound) {
+          const Sphere b = motion ? (*motion)[i].at(fraction) : bound;
           first.look(static_cast<std::int32_t>(i), b.centre_A - origin, b.radius_A + probe_A);
         });
-    if (piece == length || (first.ball() >= 0 && first.at() <= a + piece)) break;
+    if (piece == length || (first.sphere() >= 0 && first.at() <= a + piece)) break;
   }
-  if (first.ball() < 0) return {};
-  return {first.ball(), std::min(1.0, t0 + first.at() / whole)};
+  if (first.sphere() < 0) return {};
+  return {first.sphere(), std::min(1.0, t0 + first.at() / whole)};
 }
 
-double distanceToBox(const BallScene& scene, double probe_A, const Vec3& place) noexcept {
+double distanceToBox(const SphereGrid& scene, double probe_A, const Vec3& place) noexcept {
   if (scene.size() == 0) return kFarthest_A;
   const Vec3 low = scene.low_A() - Vec3(probe_A), high = scene.high_A() + Vec3(probe_A);
   return glm::length(glm::max(glm::max(low - place, place - high), Vec3(0.0)));
 }
 
-double clearance(const BallScene& scene, double probe_A, const Vec3& place, const SphereMotion* motion,
+double clearance(const SphereGrid& scene, double probe_A, const Vec3& place, const SphereMotion* motion,
                  double fraction) noexcept {
   const double looked = 0.5 * scene.cell_A(), to_box = distanceToBox(scene, probe_A, place);
   if (to_box > looked) return to_box;
   double best = looked;
-  scene.visitNear(place, probe_A + looked, [&](std::uint32_t i, const Ball& bound) {
-    const Ball b = motion ? (*motion)[i].at(fraction) : bound;
+  scene.visitNear(place, probe_A + looked, [&](std::uint32_t i, const Sphere& bound) {
+    const Sphere b = motion ? (*motion)[i].at(fraction) : bound;
     lessenGap(best, place - b.centre_A, b.radius_A + probe_A);
   });
   return best;

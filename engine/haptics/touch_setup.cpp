@@ -37,7 +37,7 @@ constexpr std::array kProperties{
                   .key = "probe",
                   .field = "probe_A",
                   .in_old_files = true,
-                  .made_with = false,
+                  .requires_rebuild = false,
                   .dimension = Dimension::Length,
                   .in_scenes = {0.0, kLargestProbe_A},
                   .in_files = {0.0, kLargestProbe_A},
@@ -54,7 +54,7 @@ constexpr std::array kProperties{
                   .key = "stiffness",
                   .field = "stiffness_N_per_mm",
                   .in_old_files = true,
-                  .made_with = false,
+                  .requires_rebuild = false,
                   .dimension = Dimension::Stiffness,
                   .in_scenes = {0.01, 5.0},
                   .in_files = {0.0, 1000.0},
@@ -78,7 +78,7 @@ constexpr std::array kProperties{
                   .key = "force",
                   .field = "force_on",
                   .in_old_files = true,
-                  .made_with = false,
+                  .requires_rebuild = false,
                   .control = {.title = N_("Force on"), .tip = N_("Off: contact is followed, but no force is given.")},
                   .fallback = "on",
                   .meaning = "Whether the hand feels the force."},
@@ -141,9 +141,10 @@ void setTouchValue(TouchSetup& setup, const TouchProperty& property, const Touch
 
 bool isChoice(const TouchProperty& property) { return !property.words || property.words().size() > 1; }
 
-bool madeAlike(const TouchSetup& a, const TouchSetup& b) {
-  return std::all_of(std::begin(kProperties), std::end(kProperties),
-                     [&](const TouchProperty& p) { return !p.made_with || touchValue(a, p) == touchValue(b, p); });
+bool sameConstruction(const TouchSetup& a, const TouchSetup& b) {
+  return std::all_of(std::begin(kProperties), std::end(kProperties), [&](const TouchProperty& p) {
+    return !p.requires_rebuild || touchValue(a, p) == touchValue(b, p);
+  });
 }
 
 std::map<std::string, std::string> touchLabels(const TouchSetup& setup) {

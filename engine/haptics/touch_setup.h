@@ -59,7 +59,7 @@ struct TouchProperty {
   /// The interaction is made with it, so that another value needs another interaction, which begins softly. False where
   /// the servo loop itself follows it while it changes: ServoSettings::take and giveTo then hold it, and so does each
   /// tick of a recording (which needs no label).
-  bool made_with = true;
+  bool requires_rebuild = true;
   Dimension dimension = Dimension::None;     ///< of a number
   TouchRange in_scenes = {}, in_files = {};  ///< of a number: what an author may write; what an attempt or label holds
   std::vector<OfferedWord> (*words)() = nullptr;  ///< of a text, which needs them: what it may be
@@ -79,7 +79,7 @@ void setTouchValue(TouchSetup& setup, const TouchProperty& property, const Touch
 bool isChoice(const TouchProperty& property);
 
 /// An interaction made for the one does for the other.
-bool madeAlike(const TouchSetup& a, const TouchSetup& b);
+bool sameConstruction(const TouchSetup& a, const TouchSetup& b);
 
 /// The labels of a recording, and back; what stands in no label stays as in `otherwise`. A number that is not sound,
 /// and a label that is missing, give the default; a missing one that every recording has gives an empty word.

@@ -55,7 +55,7 @@ Expected<const Catalogue*> catalogueOf(std::string_view code, const fs::path& fo
   const auto size = fs::file_size(file, error);
   std::ifstream in(file, std::ios::binary);
   if (error || !in) return Problem{file.string(), 0, 0, trf("there are no texts in the language '{0}'", code), {}};
-  if (size > kMostCatalogueBytes)
+  if (size > kMaxCatalogueBytes)
     return Problem{file.string(), 0, 0, tr("it is larger than a catalogue of translations may be (4 MB)"), {}};
   auto texts = MoFile::parse(std::string(std::istreambuf_iterator<char>(in), {}));
   if (!texts) {
@@ -102,9 +102,9 @@ const char* trn(const char* one, const char* many, unsigned long n) noexcept {
   return n == 1 ? one : many;
 }
 
-std::string filled(const char* sentence, const char* english, std::span<const Piece> pieces) {
+std::string filled(const char* sentence, const char* english, std::span<const FormatArg> pieces) {
   fmt::dynamic_format_arg_store<fmt::format_context> arguments;
-  for (const Piece& p : pieces) arguments.push_back(std::string_view(p.text()));
+  for (const FormatArg& p : pieces) arguments.push_back(std::string_view(p.text()));
   for (const char* text : {sentence, english}) try {
       return fmt::vformat(text, arguments);
     } catch (const fmt::format_error&) {

@@ -34,13 +34,13 @@ const char* trn(const char* one, const char* many, unsigned long n) noexcept;
 
 /// The value for a placeholder: text or a whole number. A number with a fraction or a unit is a quantityText
 /// (engine/language/quantity_text.h).
-class Piece {
+class FormatArg {
  public:
-  Piece(std::string text) : text_(std::move(text)) {}
-  Piece(std::string_view text) : text_(text) {}
-  Piece(const char* text) : text_(text ? text : "") {}
+  FormatArg(std::string text) : text_(std::move(text)) {}
+  FormatArg(std::string_view text) : text_(text) {}
+  FormatArg(const char* text) : text_(text ? text : "") {}
   template <std::integral T>
-  requires(!std::same_as<T, bool> && !std::same_as<T, char>) Piece(T number) : text_(std::to_string(number)) {}
+  requires(!std::same_as<T, bool> && !std::same_as<T, char>) FormatArg(T number) : text_(std::to_string(number)) {}
   const std::string& text() const { return text_; }
 
  private:
@@ -49,25 +49,25 @@ class Piece {
 
 /// `sentence` with {0}, {1} … replaced by the pieces (libfmt's rules; "{{" is a brace). Where it is faulty, `english`
 /// is filled instead; where that is faulty too, it comes back as it stands.
-std::string filled(const char* sentence, const char* english, std::span<const Piece> pieces);
+std::string filled(const char* sentence, const char* english, std::span<const FormatArg> pieces);
 
 /// A sentence with numbered placeholders, so that a translator can put them in another order: trf("{0} of {1}", a, b).
 template <class... A>
 std::string trf(const char* english, A&&... pieces) {
-  const Piece list[]{Piece(std::forward<A>(pieces))...};
+  const FormatArg list[]{FormatArg(std::forward<A>(pieces))...};
   return filled(tr(english), english, list);
 }
 
 template <class... A>
 std::string trcf(const char* context, const char* english, A&&... pieces) {
-  const Piece list[]{Piece(std::forward<A>(pieces))...};
+  const FormatArg list[]{FormatArg(std::forward<A>(pieces))...};
   return filled(trc(context, english), english, list);
 }
 
 /// As trf, in the form that goes with `n`; `n` is no placeholder itself: trnf("{0} atom", "{0} atoms", n, n).
 template <class... A>
 std::string trnf(const char* one, const char* many, unsigned long n, A&&... pieces) {
-  const Piece list[]{Piece(std::forward<A>(pieces))...};
+  const FormatArg list[]{FormatArg(std::forward<A>(pieces))...};
   return filled(trn(one, many, n), n == 1 ? one : many, list);
 }
 

@@ -49,7 +49,7 @@ Expected<MoFile> MoFile::parse(std::string given) {
   MoFile out;
   out.bytes_ = std::move(given);
   const std::string_view bytes = out.bytes_;
-  if (bytes.size() > kMostCatalogueBytes)
+  if (bytes.size() > kMaxCatalogueBytes)
     return broken(tr("it is larger than a catalogue of translations may be (4 MB)"));
   if (bytes.size() < kHeader) return broken(tr("it is no catalogue of translations"));
   const auto magic = numberAt<std::uint32_t>(bytes.data());

@@ -14,7 +14,7 @@
 namespace moltact {
 
 /// Limit on a catalogue (unit: byte); the program's own is a tenth of it.
-inline constexpr std::size_t kMostCatalogueBytes = 4 << 20;
+inline constexpr std::size_t kMaxCatalogueBytes = 4 << 20;
 
 class MoFile {
  public:

@@ -4,9 +4,9 @@
 
 namespace moltact {
 namespace {
-constexpr std::size_t kMostNodes = 200;   // Arabic, the longest in use, has 42
-constexpr int kMostDepth = 40;            // of parentheses and choices within each other
-constexpr unsigned long kMostForms = 16;  // Arabic has 6
+constexpr std::size_t kMaxNodes = 200;   // Arabic, the longest in use, has 42
+constexpr int kMaxDepth = 40;            // of parentheses and choices within each other
+constexpr unsigned long kMaxForms = 16;  // Arabic has 6
 }  // namespace
 
 // Recursive descent in C's order of precedence. A reader that has failed reads no further.
@@ -28,7 +28,7 @@ struct PluralRule::Reader {
   }
 
   std::uint16_t add(Node node) {
-    if (nodes.size() >= kMostNodes) failed = true;
+    if (nodes.size() >= kMaxNodes) failed = true;
     if (failed) return 0;
     nodes.push_back(node);
     return std::uint16_t(nodes.size() - 1);
@@ -45,7 +45,7 @@ struct PluralRule::Reader {
   }
 
   std::uint16_t primary() {
-    if (failed || ++depth > kMostDepth) {
+    if (failed || ++depth > kMaxDepth) {
       failed = true;
       return 0;
     }
@@ -114,7 +114,7 @@ struct PluralRule::Reader {
   }
 
   std::uint16_t choice() {
-    if (failed || ++depth > kMostDepth) {
+    if (failed || ++depth > kMaxDepth) {
       failed = true;
       return 0;
     }
@@ -138,7 +138,7 @@ std::optional<PluralRule> PluralRule::parse(std::string_view text) {
   Reader reader{text, out.nodes_};
   if (!reader.take("nplurals") || !reader.take("=")) return std::nullopt;
   out.forms_ = reader.number();
-  if (reader.failed || out.forms_ < 1 || out.forms_ > kMostForms) return std::nullopt;
+  if (reader.failed || out.forms_ < 1 || out.forms_ > kMaxForms) return std::nullopt;
   if (!reader.take(";") || !reader.take("plural") || !reader.take("=")) return std::nullopt;
   reader.choice();
   reader.take(";");
@@ -150,7 +150,7 @@ std::optional<PluralRule> PluralRule::parse(std::string_view text) {
 unsigned long PluralRule::form(unsigned long n) const noexcept {
   // Operands stand before what uses them, so one pass computes all; nothing in a rule has side effects, and a division
   // by zero on the way that is not chosen harms nobody.
-  std::array<unsigned long, kMostNodes> value{};
+  std::array<unsigned long, kMaxNodes> value{};
   for (std::size_t k = 0; k < nodes_.size(); ++k) {
     const Node& node = nodes_[k];
     const unsigned long a = value[node.a], b = value[node.b], c = value[node.c];

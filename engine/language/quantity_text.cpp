@@ -13,14 +13,14 @@ namespace moltact {
 namespace {
 
 constexpr const char* kNoBreakSpace = "\u00a0";
-constexpr int kMostDecimals = 12;
+constexpr int kMaxDecimals = 12;
 
 std::atomic<DecimalSign> g_sign{DecimalSign::OfLanguage};
 
 bool digit(char c) { return c >= '0' && c <= '9'; }
 
 std::string decimalsOf(double value, int count) {
-  return fmt::format("{:.{}f}", value, std::clamp(count, 0, kMostDecimals));
+  return fmt::format("{:.{}f}", value, std::clamp(count, 0, kMaxDecimals));
 }
 
 std::string significantOf(double value, int count) {

@@ -248,7 +248,7 @@ SceneSpec readScene(Reading& reading, const MarkdownBlock& block, const SceneSpe
   takeAtoms("untouchable", scene.untouchable, scene.places.untouchable);
   takeAtoms("remove", scene.remove, scene.places.remove);
   takeAtoms("in-hand", scene.in_hand, scene.places.in_hand);
-  scene.touch = settled(scene.touch, scene.in_hand.given());
+  scene.touch = resolveInteraction(scene.touch, scene.in_hand.given());
   if (takes("near")) scene.near_A = values["near"].number;
   if (takes("colour")) scene.colour = values["colour"].words[0];
   readMarks(values, takes, scene);

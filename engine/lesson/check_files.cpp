@@ -18,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t kMostNames = 300;  // of a folder, that a missing name is compared with
+constexpr std::size_t kMaxNames = 300;  // of a folder, that a missing name is compared with
 
 /// "did you mean 'ring.png'?" from the files that are there.
 std::string nearestFile(const fs::path& missing, std::map<fs::path, std::vector<std::string>>& names_in) {
@@ -27,7 +27,7 @@ std::string nearestFile(const fs::path& missing, std::map<fs::path, std::vector<
   std::vector<std::string>& names = at->second;
   std::error_code error;
   if (is_new)
-    for (fs::directory_iterator it(folder, error), end; !error && it != end && names.size() < kMostNames;
+    for (fs::directory_iterator it(folder, error), end; !error && it != end && names.size() < kMaxNames;
          it.increment(error))
       names.push_back(it->path().filename().string());
   std::sort(names.begin(), names.end());

@@ -13,7 +13,7 @@
 namespace moltact::checks {
 namespace {
 
-constexpr std::size_t kMostSigns = 5;  // told of a line
+constexpr std::size_t kMaxSigns = 5;  // told of a line
 
 // "'ж' (U+0436)"
 std::string signName(char32_t c, std::string_view bytes) {
@@ -55,7 +55,7 @@ void signs(std::string_view text, Findings& findings) {
       if (w == Writable::Yes) continue;
       if (column == 0) column = at;
       std::vector<char32_t>& into = w == Writable::NoSign ? absent : turned;
-      if (into.size() < kMostSigns && std::find(into.begin(), into.end(), c) == into.end()) into.push_back(c);
+      if (into.size() < kMaxSigns && std::find(into.begin(), into.end(), c) == into.end()) into.push_back(c);
     }
     const auto listed = [](const std::vector<char32_t>& signs) {
       std::string out;

@@ -18,10 +18,10 @@ void minutes(const Lesson& lesson, Findings& findings) {
     findings.warning(lesson.minutes_place,
                      trf("the lesson says {0} minutes, but its core takes about {1}", lesson.minutes, core),
                      trf("write {0}, or take the line out: the minutes are then worked out", core));
-  if (worked_out.core > kMostCoreMinutes)
+  if (worked_out.core > kMaxCoreMinutes)
     findings.warning(lesson.minutes_place.line ? lesson.minutes_place : Place{1, 1},
                      trf("the core of the lesson takes about {0} minutes, more than {1}", core,
-                         numberText(kMostCoreMinutes, decimals(0))),
+                         numberText(kMaxCoreMinutes, decimals(0))),
                      tr("shorten it, or mark steps as extra with 'extra: yes' in a step block"));
 }
 

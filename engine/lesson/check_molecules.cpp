@@ -104,9 +104,9 @@ class Check {
   /// The hand holds no more than it can, and something is left to be felt.
   void holds(const SceneSpec& scene, const Molecule& molecule) {
     const std::vector<std::uint32_t> held = heldAtoms(scene, molecule);
-    if (held.size() > kMostHeldAtoms)
+    if (held.size() > kMaxHeldAtoms)
       findings_.error(scene.places.in_hand,
-                      trf("{0} atoms are more than a hand can hold; {1} are the most", held.size(), kMostHeldAtoms),
+                      trf("{0} atoms are more than a hand can hold; {1} are the most", held.size(), kMaxHeldAtoms),
                       tr("name fewer: a ligand, a side chain"));
     if (!held.empty() && untouchableAtoms(scene, molecule).size() == molecule.atoms.size())
       findings_.error(scene.places.in_hand, tr("the hand holds all there is, and nothing is left to feel"),

@@ -42,8 +42,8 @@ void readWord(Reading& reading, const MarkdownBlock& item, std::vector<GlossaryW
   RichText text = item.text;
   for (const MarkdownBlock& child : item.children)
     if (text.empty()) text = child.text;
-  if (words.size() == kMostGlossaryWords) {
-    reading.error(item.place, trf("a glossary of more than {0} words", kMostGlossaryWords), tr("take some out"));
+  if (words.size() == kMaxGlossaryWords) {
+    reading.error(item.place, trf("a glossary of more than {0} words", kMaxGlossaryWords), tr("take some out"));
     return;
   }
   auto [head, meaning] = partedAtColon(text);

@@ -26,7 +26,7 @@ struct Glossary {
 };
 
 /// More words of one file are refused.
-inline constexpr std::size_t kMostGlossaryWords = 2000;
+inline constexpr std::size_t kMaxGlossaryWords = 2000;
 
 /// Reads the text of such a file; `name` is its name as messages give it.
 Glossary readGlossary(const std::string& name, std::string bytes);

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/haptics/ball_scene.h"
+#include "engine/haptics/sphere_grid.h"
 #include "engine/haptics/tracker.h"
 #include "engine/lesson/surface_places.h"
 #include "engine/lesson/tasks/task_answer.h"
@@ -31,7 +31,7 @@ using HandPlan = std::vector<HandAct>;
 
 /// The input from which a plan is made.
 struct HandPlanInput {
-  const BallScene& balls;
+  const SphereGrid& spheres;
   double probe_A = kWaterProbe_A;
   double N_per_A = 1.0;  ///< the spring's force for a HIP so deep under the surface
   PointA hip{};
@@ -39,7 +39,7 @@ struct HandPlanInput {
 };
 
 /// The atoms of the scene, 0 to n - 1.
-std::vector<std::uint32_t> everyAtom(const BallScene& balls);
+std::vector<std::uint32_t> everyAtom(const SphereGrid& spheres);
 
 /// Places of this kind that these atoms alone make and a probe reaches straight from outside, the roomiest first and no
 /// two within 0.5 A. `at_most` of them; where `wanted` is given, of those for which it says true.

@@ -20,10 +20,10 @@ std::optional<Region> zoomedRegion(const ViewSpec& view, const SceneSpec& scene,
 std::optional<Region> regionAround(std::span<const std::uint32_t> atoms, const Molecule& molecule, double grown_A) {
   if (atoms.empty()) return {};
   Region region;
-  for (const std::uint32_t a : atoms) region.centre.A += molecule.balls[a].centre_A / double(atoms.size());
+  for (const std::uint32_t a : atoms) region.centre.A += molecule.spheres[a].centre_A / double(atoms.size());
   for (const std::uint32_t a : atoms) {
     const double out_A =
-        glm::distance(molecule.balls[a].centre_A, region.centre.A) + molecule.balls[a].radius_A + grown_A;
+        glm::distance(molecule.spheres[a].centre_A, region.centre.A) + molecule.spheres[a].radius_A + grown_A;
     region.radius_A = std::max(region.radius_A, out_A);
   }
   return region;

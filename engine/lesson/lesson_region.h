@@ -11,11 +11,11 @@
 
 namespace moltact {
 
-/// A ball round the atoms that the scene magnifies, as large as they are felt with its probe; nothing where it
+/// A sphere round the atoms that the scene magnifies, as large as they are felt with its probe; nothing where it
 /// magnifies none.
 std::optional<Region> magnifiedRegion(const SceneSpec& scene, const Molecule& molecule);
 
-/// A ball round these atoms, each as much larger as `grown_A`; nothing for none.
+/// A sphere round these atoms, each as much larger as `grown_A`; nothing for none.
 std::optional<Region> regionAround(std::span<const std::uint32_t> atoms, const Molecule& molecule, double grown_A);
 
 /// What a view of the scene comes close to, with room for a probe; nothing where it shows the whole.

@@ -9,7 +9,7 @@
 namespace moltact::values {
 namespace {
 
-constexpr std::size_t kMostItems = 200, kLongestName = 80;
+constexpr std::size_t kMaxItems = 200, kLongestName = 80;
 
 // WORD, "NAME" or both, then "for SELECTION".
 Expected<MarkSpec> markOf(const KeySpec& key, std::string_view text, std::string_view part) {
@@ -59,7 +59,7 @@ Expected<Value> marksValue(const KeySpec& key, std::string_view text, Value valu
     if (part == "none") return at(text, part, tr("'none' stands alone"), tr("take it out, or the others"));
     Expected<MarkSpec> mark = markOf(key, text, part);
     if (!mark) return mark.problem();
-    if (value.marks.size() == kMostItems) return at(text, part, tr("more than 200 of them"), tr("take some out"));
+    if (value.marks.size() == kMaxItems) return at(text, part, tr("more than 200 of them"), tr("take some out"));
     value.marks.push_back(*std::move(mark));
   }
   return value;
@@ -86,7 +86,7 @@ Expected<Value> placesValue(const KeySpec& key, std::string_view text, Value val
                                        tr("write three for an angle, four for a torsion, with ' - ' between them"))
                                   : at(text, part, trf("'{0}' is between two places", key.name),
                                        tr("write two with ' - ' between them"));
-    if (value.measures.size() == kMostItems) return at(text, part, tr("more than 200 of them"), tr("take some out"));
+    if (value.measures.size() == kMaxItems) return at(text, part, tr("more than 200 of them"), tr("take some out"));
     value.measures.push_back(std::move(spec));
   }
   return value;

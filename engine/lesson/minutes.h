@@ -12,7 +12,7 @@ namespace moltact {
 inline constexpr double kWordsAMinute = 130.0;
 inline constexpr double kQuestion_s = 35.0;     ///< to think and to choose, beside the reading
 inline constexpr double kFreeAnswer_s = 150.0;  ///< to write two or three sentences
-inline constexpr double kMostCoreMinutes = 20.0;
+inline constexpr double kMaxCoreMinutes = 20.0;
 /// The share by which an author's minutes may differ from those worked out.
 inline constexpr double kMinutesOff = 0.2;
 

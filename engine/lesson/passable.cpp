@@ -21,7 +21,7 @@ Vec3 spiral(int k, int of) {
   return {r * std::cos(turn), r * std::sin(turn), z};
 }
 
-bool open(const BallScene& scene, const SurfacePlace& place, double probe_A) {
+bool open(const SphereGrid& scene, const SurfacePlace& place, double probe_A) {
   if (openFromOutside(scene, place, probe_A)) return true;
   const double far = glm::distance(scene.low_A(), scene.high_A()) + 2.0 * probe_A + 1.0;
   for (int k = 0; k < kWays; ++k) {
@@ -29,7 +29,7 @@ bool open(const BallScene& scene, const SurfacePlace& place, double probe_A) {
     const bool away = std::all_of(place.atoms.begin(), place.atoms.end(), [&](std::int32_t a) {
       return a < 0 || glm::dot(glm::normalize(place.scp_A - scene[static_cast<std::size_t>(a)].centre_A), way) >= kAway;
     });
-    if (away && sweep(scene, probe_A, place.scp_A + way * far, place.scp_A + way * kLift_A).ball < 0) return true;
+    if (away && sweep(scene, probe_A, place.scp_A + way * far, place.scp_A + way * kLift_A).sphere < 0) return true;
   }
   return false;
 }
@@ -41,7 +41,7 @@ bool rests(const SurfacePlace& place, const std::vector<char>& in) {
 
 }  // namespace
 
-std::vector<SurfacePlace> comesTo(const BallScene& scene, std::span<const std::uint32_t> atoms, double probe_A,
+std::vector<SurfacePlace> comesTo(const SphereGrid& scene, std::span<const std::uint32_t> atoms, double probe_A,
                                   bool first_only, const std::function<bool(const SurfacePlace&)>& wanted) {
   std::vector<SurfacePlace> out;
   std::vector<char> in(scene.size(), 0), near(scene.size(), 0);
@@ -56,7 +56,7 @@ std::vector<SurfacePlace> comesTo(const BallScene& scene, std::span<const std::u
   // At its limit a probe touches the place and its neighbours at once: in creases and pits, which have closed forms.
   for (const std::uint32_t a : atoms)
     scene.visitNear(scene[a].centre_A, scene[a].radius_A + 2.0 * probe_A,
-                    [&](std::uint32_t b, const Ball&) { near[b] = 1; });
+                    [&](std::uint32_t b, const Sphere&) { near[b] = 1; });
   std::vector<std::uint32_t> around;
   for (std::uint32_t a = 0; a < near.size(); ++a)
     if (near[a]) around.push_back(a);
@@ -65,7 +65,7 @@ std::vector<SurfacePlace> comesTo(const BallScene& scene, std::span<const std::u
   return out;
 }
 
-std::optional<AtomRing> ringOf(const BallScene& scene, std::span<const std::uint32_t> atoms) {
+std::optional<AtomRing> ringOf(const SphereGrid& scene, std::span<const std::uint32_t> atoms) {
   if (atoms.size() < 3) return std::nullopt;
   AtomRing ring;
   for (const std::uint32_t a : atoms) ring.centre_A += scene[a].centre_A / double(atoms.size());
@@ -85,7 +85,7 @@ std::optional<AtomRing> ringOf(const BallScene& scene, std::span<const std::uint
   return ring;
 }
 
-std::optional<Vec3> wayThrough(const BallScene& scene, const AtomRing& ring, double probe_A) {
+std::optional<Vec3> wayThrough(const SphereGrid& scene, const AtomRing& ring, double probe_A) {
   const Vec3 x = glm::normalize(glm::cross(ring.axis, std::abs(ring.axis.x) < 0.7 ? Vec3(1, 0, 0) : Vec3(0, 1, 0))),
              y = glm::cross(ring.axis, x);
   const double before_A = ring.radius_A + probe_A + 2.0;
@@ -102,10 +102,10 @@ std::optional<Vec3> wayThrough(const BallScene& scene, const AtomRing& ring, dou
       const Vec3 at = ring.centre_A + (x * double(i) + y * double(j)) * step_A;
       const Vec3 from = at + ring.axis * before_A, to = at - ring.axis * before_A;
       bool inside = false;
-      scene.visitNear(from, probe_A, [&](std::uint32_t, const Ball& b) {
+      scene.visitNear(from, probe_A, [&](std::uint32_t, const Sphere& b) {
         inside = inside || glm::distance(from, b.centre_A) < b.radius_A + probe_A;
       });
-      if (inside || sweep(scene, probe_A, from, to).ball >= 0) continue;
+      if (inside || sweep(scene, probe_A, from, to).sphere >= 0) continue;
       best = at;
       most = off_A;
     }

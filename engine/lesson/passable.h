@@ -9,14 +9,14 @@
 #include <vector>
 
 #include "engine/core/units.h"
-#include "engine/haptics/ball_scene.h"
+#include "engine/haptics/sphere_grid.h"
 #include "engine/lesson/surface_places.h"
 
 namespace moltact {
 
 /// The places where a probe rests on one of these atoms, alone or with its neighbours, and to which it comes from far
 /// outside in a straight line; where `wanted` is given, of those for which it says true. With `first_only` at most one.
-std::vector<SurfacePlace> comesTo(const BallScene& scene, std::span<const std::uint32_t> atoms, double probe_A,
+std::vector<SurfacePlace> comesTo(const SphereGrid& scene, std::span<const std::uint32_t> atoms, double probe_A,
                                   bool first_only = false, const std::function<bool(const SurfacePlace&)>& wanted = {});
 
 /// A ring of atoms, as far as a probe that goes through it sees it.
@@ -25,11 +25,11 @@ struct AtomRing {
   double radius_A = 0.0;              ///< from the centre to the farthest of the atoms' centres
 };
 /// Nothing for fewer than three atoms.
-std::optional<AtomRing> ringOf(const BallScene& scene, std::span<const std::uint32_t> atoms);
+std::optional<AtomRing> ringOf(const SphereGrid& scene, std::span<const std::uint32_t> atoms);
 
 /// A line along the ring's axis on which a probe goes through it without meeting an atom, by the place where it crosses
 /// the ring's plane; the widest that was found. Nothing where none is free.
-std::optional<Vec3> wayThrough(const BallScene& scene, const AtomRing& ring, double probe_A);
+std::optional<Vec3> wayThrough(const SphereGrid& scene, const AtomRing& ring, double probe_A);
 
 /// The largest probe for which `fits` says true, from `least_A` to `most_A`, to 0.01: where it says true of the
 /// largest, that. Nothing where it says true of none. A smaller probe must fit wherever a larger one does.

@@ -13,10 +13,10 @@
 namespace moltact {
 
 /// The problems of one lesson and one kind, errors or warnings; a last one says that there are more.
-inline constexpr std::size_t kMostLessonProblems = 500;
+inline constexpr std::size_t kMaxLessonProblems = 500;
 
 /// Whether another problem would not be reported any more, so that neither it nor its remedy need be sought.
-inline bool enoughProblems(const std::vector<Problem>& problems) { return problems.size() > kMostLessonProblems; }
+inline bool enoughProblems(const std::vector<Problem>& problems) { return problems.size() > kMaxLessonProblems; }
 
 /// Brings them into the order of the file, and cuts what is too many.
 inline void orderProblems(std::vector<Problem>& problems) {
@@ -24,7 +24,7 @@ inline void orderProblems(std::vector<Problem>& problems) {
     return a.line != b.line ? a.line < b.line : a.column < b.column;
   });
   if (!enoughProblems(problems)) return;
-  problems.resize(kMostLessonProblems);
+  problems.resize(kMaxLessonProblems);
   Problem last = problems.back();
   last.message = tr("there are more, which are not listed");
   last.remedy = tr("mend these first");

@@ -115,9 +115,9 @@ class Walk {
   }
 
   void startStep(const MarkdownBlock& block, const std::string& title) {
-    if (lesson_.steps.size() == kMostLessonSteps) {
+    if (lesson_.steps.size() == kMaxLessonSteps) {
       too_many_ = true;
-      reading_.error(block.place, trf("a lesson of more than {0} steps", kMostLessonSteps),
+      reading_.error(block.place, trf("a lesson of more than {0} steps", kMaxLessonSteps),
                      tr("split it into several lessons"));
       return;
     }

@@ -46,6 +46,6 @@ inline constexpr std::size_t kLargestLesson = std::size_t{1} << 20;
 inline constexpr std::size_t kLongestLessonLine = 20000;
 
 /// A lesson with more steps is not read on.
-inline constexpr std::size_t kMostLessonSteps = 1000;
+inline constexpr std::size_t kMaxLessonSteps = 1000;
 
 }  // namespace moltact

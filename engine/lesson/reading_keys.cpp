@@ -10,7 +10,7 @@ KeySpec readingKey(const ReadingOption& option) {
   if (std::holds_alternative<int ReadOptions::*>(option.member)) {
     key.type = ValueType::Count;
     key.least = 1;
-    key.most = kMostReadNumber;
+    key.most = kMaxReadNumber;
   } else if (std::holds_alternative<bool ReadOptions::*>(option.member)) {
     key.type = ValueType::Word;
     key.words = {"yes", "no"};

@@ -148,7 +148,7 @@ void minutes(std::ostream& out) {
   }
   out << "\n`moltact info` and `moltact check` show the minutes of the core and of all steps. `check` warns where the "
          "front matter states minutes that differ from those of the core by more than "
-      << number(100.0 * kMinutesOff) << " %, and where the core takes more than " << number(kMostCoreMinutes)
+      << number(100.0 * kMinutesOff) << " %, and where the core takes more than " << number(kMaxCoreMinutes)
       << " minutes.\n\n";
 }
 

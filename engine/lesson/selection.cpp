@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "engine/haptics/ball_scene.h"
+#include "engine/haptics/sphere_grid.h"
 #include "engine/language/catalogue.h"
 #include "engine/lesson/selection_node.h"
 #include "engine/molecule/elements.h"
@@ -44,18 +44,18 @@ bool matches(const Node& node, const Molecule& m, std::size_t index) {
 }
 
 Mask within(const Mask& near_what, double distance_A, const Molecule& m) {
-  std::vector<Ball> centres;
+  std::vector<Sphere> centres;
   for (std::size_t i = 0; i < m.atoms.size(); ++i)
-    if (near_what[i]) centres.push_back({m.balls[i].centre_A, 0.0});
+    if (near_what[i]) centres.push_back({m.spheres[i].centre_A, 0.0});
   Mask out(m.atoms.size(), 0);
   if (centres.empty()) return out;
-  const BallScene grid(std::move(centres));
+  const SphereGrid grid(std::move(centres));
   const double squared = distance_A * distance_A;
   for (std::size_t i = 0; i < m.atoms.size(); ++i) {
     out[i] = near_what[i];
     if (out[i]) continue;
-    const Vec3 p = m.balls[i].centre_A;
-    grid.visitNear(p, distance_A, [&](std::uint32_t, const Ball& b) {
+    const Vec3 p = m.spheres[i].centre_A;
+    grid.visitNear(p, distance_A, [&](std::uint32_t, const Sphere& b) {
       const Vec3 d = b.centre_A - p;
       if (glm::dot(d, d) <= squared) out[i] = 1;
     });

@@ -56,7 +56,7 @@ void ofPolymer(const Molecule& m, Mask& mask) {
 }
 
 void accessible(const Molecule& m, Mask& mask) {
-  const std::vector<bool> touched = accessibleBalls(m.balls);
+  const std::vector<bool> touched = accessibleSpheres(m.spheres);
   for (std::size_t i = 0; i < mask.size(); ++i) mask[i] = touched[i];
 }
 

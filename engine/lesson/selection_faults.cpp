@@ -44,12 +44,12 @@ Node only(const Node& node, std::size_t k) {
 }
 
 std::string listed(const std::set<std::string>& names) {
-  constexpr std::size_t kMost = 12;
+  constexpr std::size_t kMax = 12;
   if (names.empty()) return trc("an empty list", "none");
   std::string out;
   std::size_t n = 0;
   for (const std::string& name : names) {
-    if (n == kMost) return out + ", …";
+    if (n == kMax) return out + ", …";
     out += (n++ ? ", " : "") + name;
   }
   return out;

@@ -131,7 +131,7 @@ class Parser {
   NodePtr readOr(int depth) {
     NodePtr left = readAnd(depth);
     while (left && next_.is("or")) {
-      if (++joined_ > kMostJoined)
+      if (++joined_ > kMaxJoined)
         return fail(next_, tr("the selection is too long"), tr("use ranges or several names: residue 10-20 25"));
       advance();
       NodePtr right = readAnd(depth);
@@ -144,7 +144,7 @@ class Parser {
   NodePtr readAnd(int depth) {
     NodePtr left = readNot(depth);
     while (left && next_.is("and")) {
-      if (++joined_ > kMostJoined)
+      if (++joined_ > kMaxJoined)
         return fail(next_, tr("the selection is too long"), tr("join fewer parts with 'and'"));
       advance();
       NodePtr right = readNot(depth);
@@ -298,7 +298,7 @@ class Parser {
   }
 
   // A chain of `or` makes a tree as deep as it is long, and evaluation follows it.
-  static constexpr int kMostJoined = 500;
+  static constexpr int kMaxJoined = 500;
 
   std::string_view text_;
   std::size_t at_ = 0;

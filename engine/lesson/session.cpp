@@ -142,11 +142,11 @@ void LessonSession::feed(const TouchSample& sample) {
 
 void LessonSession::keepSlide(const TouchSample& sample) {
   constexpr double kBetween_s = 0.008;
-  constexpr std::size_t kMost = 4000;
+  constexpr std::size_t kMax = 4000;
   const double dt_s = slid_.empty() ? 0.0 : std::max(0.0, sample.time_s - slid_.back().time_s);
   if (!slid_.empty() && dt_s < kBetween_s && sample.contact.feature == slid_.back().contact.feature) return;
   if (slide_.tick(sample.contact, dt_s)) slid_.clear();
-  if (slid_.size() >= kMost) slid_.erase(slid_.begin(), slid_.begin() + kMost / 2);
+  if (slid_.size() >= kMax) slid_.erase(slid_.begin(), slid_.begin() + kMax / 2);
   if (sample.contact.touching() || !slid_.empty()) slid_.push_back(sample);
 }
 

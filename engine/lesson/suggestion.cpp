@@ -65,9 +65,9 @@ std::string suggest(std::string_view word, std::span<const std::string_view> kno
   if (known.empty()) return {};
   if (const std::string_view near = nearest(word, known); !near.empty()) return didYouMean(near);
   std::string out = std::string(list_name) + ": ";
-  constexpr std::size_t kMostListed = 100;
-  for (std::size_t i = 0; i < std::min(known.size(), kMostListed); ++i) out += (i ? ", " : "") + std::string(known[i]);
-  if (known.size() > kMostListed) out += ", …";
+  constexpr std::size_t kMaxListed = 100;
+  for (std::size_t i = 0; i < std::min(known.size(), kMaxListed); ++i) out += (i ? ", " : "") + std::string(known[i]);
+  if (known.size() > kMaxListed) out += ", …";
   return out;
 }
 

@@ -12,14 +12,14 @@
 namespace moltact {
 namespace {
 
-constexpr double kOnBall_A = 1e-7;  // rounding of a place that is computed to lie on a ball
+constexpr double kOnSphere_A = 1e-7;  // rounding of a place that is computed to lie on a sphere
 
-bool covered(const BallScene& scene, const Vec3& place, double probe_A, const std::array<std::int32_t, 3>& but) {
+bool covered(const SphereGrid& scene, const Vec3& place, double probe_A, const std::array<std::int32_t, 3>& but) {
   bool found = false;
-  scene.visitNear(place, probe_A, [&](std::uint32_t i, const Ball& b) {
+  scene.visitNear(place, probe_A, [&](std::uint32_t i, const Sphere& b) {
     const auto atom = static_cast<std::int32_t>(i);
     if (atom == but[0] || atom == but[1] || atom == but[2]) return true;
-    found = glm::distance(place, b.centre_A) < b.radius_A + probe_A - kOnBall_A;
+    found = glm::distance(place, b.centre_A) < b.radius_A + probe_A - kOnSphere_A;
     return !found;
   });
   return found;
@@ -27,16 +27,16 @@ bool covered(const BallScene& scene, const Vec3& place, double probe_A, const st
 
 // Whether one atom covers a whole crease. That is most of them where the probe is large: nothing of it is to be looked
 // at then.
-bool coveredByOne(const BallScene& scene, const SphereCircle& crease, double probe_A, std::uint32_t a,
+bool coveredByOne(const SphereGrid& scene, const SphereCircle& crease, double probe_A, std::uint32_t a,
                   std::uint32_t b) {
   bool found = false;
   // Who covers the circle covers its middle.
-  scene.visitNear(crease.centre_A, probe_A, [&](std::uint32_t i, const Ball& ball) {
+  scene.visitNear(crease.centre_A, probe_A, [&](std::uint32_t i, const Sphere& sphere) {
     if (i == a || i == b) return true;
-    const Vec3 off = crease.centre_A - ball.centre_A;
+    const Vec3 off = crease.centre_A - sphere.centre_A;
     const double along = glm::dot(off, crease.axis), aside = glm::length(off - crease.axis * along),
                  farthest_A = std::hypot(along, aside + crease.radius_A);
-    found = farthest_A < ball.radius_A + probe_A - kOnBall_A;
+    found = farthest_A < sphere.radius_A + probe_A - kOnSphere_A;
     return !found;
   });
   return found;
@@ -51,12 +51,12 @@ Vec3 across(const Vec3& u) {
 // Calls visit(a, b, crease) for each pair of these atoms whose grown spheres meet where no single atom covers it all,
 // a < b.
 template <class Visit>
-void visitPairs(const BallScene& scene, std::span<const std::uint32_t> atoms, double probe_A, Visit&& visit) {
+void visitPairs(const SphereGrid& scene, std::span<const std::uint32_t> atoms, double probe_A, Visit&& visit) {
   std::vector<char> in(scene.size(), 0);
   for (const std::uint32_t a : atoms) in[a] = scene.touchable(a);
   for (const std::uint32_t a : atoms) {
     if (!scene.touchable(a)) continue;
-    scene.visitNear(scene[a].centre_A, scene[a].radius_A + 2.0 * probe_A, [&](std::uint32_t b, const Ball&) {
+    scene.visitNear(scene[a].centre_A, scene[a].radius_A + 2.0 * probe_A, [&](std::uint32_t b, const Sphere&) {
       if (b <= a || !in[b]) return;
       const auto crease = circleOf(inflated(scene[a], probe_A), inflated(scene[b], probe_A));
       if (crease && !coveredByOne(scene, *crease, probe_A, a, b)) visit(a, b, *crease);
@@ -66,7 +66,7 @@ void visitPairs(const BallScene& scene, std::span<const std::uint32_t> atoms, do
 
 }  // namespace
 
-std::vector<SurfacePlace> facePlaces(const BallScene& scene, std::span<const std::uint32_t> atoms, double probe_A,
+std::vector<SurfacePlace> facePlaces(const SphereGrid& scene, std::span<const std::uint32_t> atoms, double probe_A,
                                      int directions) {
   std::vector<SurfacePlace> out;
   for (const std::uint32_t a : atoms) {
@@ -85,7 +85,7 @@ std::vector<SurfacePlace> facePlaces(const BallScene& scene, std::span<const std
   return out;
 }
 
-std::vector<SurfacePlace> creasePlaces(const BallScene& scene, std::span<const std::uint32_t> atoms, double probe_A,
+std::vector<SurfacePlace> creasePlaces(const SphereGrid& scene, std::span<const std::uint32_t> atoms, double probe_A,
                                        double spacing_A) {
   std::vector<SurfacePlace> out;
   visitPairs(scene, atoms, probe_A, [&](std::uint32_t a, std::uint32_t b, const SphereCircle& crease) {
@@ -94,7 +94,7 @@ std::vector<SurfacePlace> creasePlaces(const BallScene& scene, std::span<const s
     // radius slides off, one between the outward directions of both is held.
     const bool beside = glm::dot(crease.centre_A - scene[a].centre_A, crease.centre_A - scene[b].centre_A) > 0.0;
     const int count =
-        std::clamp(saturateToInteger<int>(std::ceil(kTwoPi * crease.radius_A / spacing_A)), 12, kMostCreasePlaces);
+        std::clamp(saturateToInteger<int>(std::ceil(kTwoPi * crease.radius_A / spacing_A)), 12, kMaxCreasePlaces);
     for (int k = 0; k < count; ++k) {
       const double turn = kTwoPi * k / count;
       const Vec3 u = x * std::cos(turn) + y * std::sin(turn), at = crease.centre_A + u * crease.radius_A;
@@ -109,12 +109,12 @@ std::vector<SurfacePlace> creasePlaces(const BallScene& scene, std::span<const s
   return out;
 }
 
-std::vector<SurfacePlace> pitPlaces(const BallScene& scene, std::span<const std::uint32_t> atoms, double probe_A) {
+std::vector<SurfacePlace> pitPlaces(const SphereGrid& scene, std::span<const std::uint32_t> atoms, double probe_A) {
   std::vector<SurfacePlace> out;
   std::vector<char> in(scene.size(), 0);
   for (const std::uint32_t a : atoms) in[a] = 1;
   visitPairs(scene, atoms, probe_A, [&](std::uint32_t a, std::uint32_t b, const SphereCircle& crease) {
-    scene.visitNear(crease.centre_A, crease.radius_A + probe_A, [&](std::uint32_t c, const Ball& third) {
+    scene.visitNear(crease.centre_A, crease.radius_A + probe_A, [&](std::uint32_t c, const Sphere& third) {
       if (c <= b || !in[c]) return;
       const auto points = pointsOf(inflated(scene[a], probe_A), inflated(scene[b], probe_A), inflated(third, probe_A));
       if (!points) return;
@@ -132,10 +132,10 @@ std::vector<SurfacePlace> pitPlaces(const BallScene& scene, std::span<const std:
   return out;
 }
 
-bool openFromOutside(const BallScene& scene, const SurfacePlace& place, double probe_A) {
+bool openFromOutside(const SphereGrid& scene, const SurfacePlace& place, double probe_A) {
   constexpr double kLift_A = 1e-4;
   const double far = glm::distance(scene.low_A(), scene.high_A()) + 2.0 * probe_A + 1.0;
-  return sweep(scene, probe_A, place.scp_A + place.outward * far, place.scp_A + place.outward * kLift_A).ball < 0;
+  return sweep(scene, probe_A, place.scp_A + place.outward * far, place.scp_A + place.outward * kLift_A).sphere < 0;
 }
 
 }  // namespace moltact

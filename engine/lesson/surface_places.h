@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-#include "engine/haptics/ball_scene.h"
+#include "engine/haptics/sphere_grid.h"
 #include "engine/haptics/tracker.h"
 
 namespace moltact {
@@ -22,19 +22,19 @@ struct SurfacePlace {
 
 /// Even places on the grown spheres of these atoms that no other atom covers: `directions` of each, less the covered
 /// ones.
-std::vector<SurfacePlace> facePlaces(const BallScene& scene, std::span<const std::uint32_t> atoms, double probe_A,
+std::vector<SurfacePlace> facePlaces(const SphereGrid& scene, std::span<const std::uint32_t> atoms, double probe_A,
                                      int directions);
 
 /// Places at most `spacing_A` apart along every crease between two of these atoms, less those that another atom covers.
-/// A crease has kMostCreasePlaces at most, which are farther apart on one that is longer than so many spacings.
-inline constexpr int kMostCreasePlaces = 20'000;
-std::vector<SurfacePlace> creasePlaces(const BallScene& scene, std::span<const std::uint32_t> atoms, double probe_A,
+/// A crease has kMaxCreasePlaces at most, which are farther apart on one that is longer than so many spacings.
+inline constexpr int kMaxCreasePlaces = 20'000;
+std::vector<SurfacePlace> creasePlaces(const SphereGrid& scene, std::span<const std::uint32_t> atoms, double probe_A,
                                        double spacing_A);
 
 /// Every pit between three of these atoms that no other atom covers.
-std::vector<SurfacePlace> pitPlaces(const BallScene& scene, std::span<const std::uint32_t> atoms, double probe_A);
+std::vector<SurfacePlace> pitPlaces(const SphereGrid& scene, std::span<const std::uint32_t> atoms, double probe_A);
 
 /// Whether a probe comes to the place from far outside straight along `outward` without meeting an atom.
-bool openFromOutside(const BallScene& scene, const SurfacePlace& place, double probe_A);
+bool openFromOutside(const SphereGrid& scene, const SurfacePlace& place, double probe_A);
 
 }  // namespace moltact

@@ -150,7 +150,7 @@ Expected<Value> pathValue(const KeySpec& key, std::string_view text, Value value
 // "STYLE", "STYLE 40%", "STYLE for SELECTION", "STYLE 40% for SELECTION"; commas part several. A comma within quotes
 // belongs to a name.
 Expected<Value> stylesValue(const KeySpec& key, std::string_view text, Value value) {
-  constexpr double kLeast_percent = 5.0, kMost_percent = 100.0;
+  constexpr double kMin_percent = 5.0, kMax_percent = 100.0;
   for (const std::string_view part : values::unquotedParts(text, ",")) {
     if (part.empty()) return at(text, part, tr("a style is missing"), tr("take out the comma"));
     const std::string_view name = part.substr(0, part.find(' '));
@@ -162,7 +162,7 @@ Expected<Value> stylesValue(const KeySpec& key, std::string_view text, Value val
     if (const std::size_t percent = after.find('%'); percent != std::string_view::npos && !after.starts_with("for ")) {
       const std::string_view figure = stripped(after.substr(0, percent));
       const auto number = parseNumber(figure);
-      if (!number || *number < kLeast_percent || *number > kMost_percent)
+      if (!number || *number < kMin_percent || *number > kMax_percent)
         return at(text, figure, trf("'{0}' is no opacity", figure),
                   tr("write 5\u00a0% to 100\u00a0%, as in 'surface 40%'"));
       spec.opacity = *number / 100.0;

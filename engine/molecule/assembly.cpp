@@ -13,7 +13,7 @@
 namespace moltact {
 namespace {
 
-constexpr std::size_t kMostBytes = kMaxMoleculeAtoms * kMoleculeBytesAnAtom;
+constexpr std::size_t kMaxBytes = kMaxMoleculeAtoms * kMoleculeBytesAnAtom;
 constexpr double kSamePlace_A = 0.2;  // an atom on a symmetry axis is carried onto itself
 
 Vec3 carried(const ParsedOperator& op, const Vec3& place_A) { return op.rotation * place_A + op.shift_A; }
@@ -126,7 +126,7 @@ class Assembler {
         both.append("\n").append(chain);
         const auto [at, is_new] = known.emplace(std::move(both), static_cast<std::uint32_t>(chains_.size()));
         if (is_new) chains_.push_back({std::string(chain), std::string(label), {}, 0, {}, 0});
-        if (grown_.bytes() + chains_.size() * kChainBytes > kMostBytes) return tooMuchMemory();
+        if (grown_.bytes() + chains_.size() * kChainBytes > kMaxBytes) return tooMuchMemory();
         chain_of_[i] = at->second;
       }
       ChainParts& parts = chains_[chain_of_[i]];
@@ -180,7 +180,7 @@ class Assembler {
       Places places(copies);
       for (const std::uint32_t r : chain.residues)
         for (std::uint32_t k = 0; k < m_.residues[r].atom_count; ++k) {
-          const Vec3& from = m_.balls[m_.residues[r].first_atom + k].centre_A;
+          const Vec3& from = m_.spheres[m_.residues[r].first_atom + k].centre_A;
           places.clear();
           for (const auto& use : chain.uses) {
             const auto& operators = assembly_.parts[use.part].operators;
@@ -208,7 +208,7 @@ class Assembler {
       return Problem{file_, 0, 0, trf("the assembly {0} names no chain of the file", inQuotes(assembly_.name)),
                      tr("read it without one")};
     // The copies are like what they are copied from.
-    if (own_bytes_ + grown_.bytes() / m_.atoms.size() * kept_ > kMostBytes) return tooMuchMemory();
+    if (own_bytes_ + grown_.bytes() / m_.atoms.size() * kept_ > kMaxBytes) return tooMuchMemory();
     GrowingMolecule out(false, grown_.hasCharges());
     out.expect(kept_);
     std::vector<std::uint32_t> residues;
@@ -281,11 +281,11 @@ std::optional<Problem> applyAssembly(GrowingMolecule& molecule, const std::vecto
   const auto found =
       std::find_if(assemblies.begin(), assemblies.end(), [&](const ParsedAssembly& a) { return a.name == name; });
   if (found == assemblies.end()) {
-    constexpr std::size_t kMostNamed = 50;
+    constexpr std::size_t kMaxNamed = 50;
     std::string names;
     for (const ParsedAssembly& a : assemblies)
-      if (static_cast<std::size_t>(&a - assemblies.data()) < kMostNamed) names += (names.empty() ? "" : ", ") + a.name;
-    if (assemblies.size() > kMostNamed) names += ", …";
+      if (static_cast<std::size_t>(&a - assemblies.data()) < kMaxNamed) names += (names.empty() ? "" : ", ") + a.name;
+    if (assemblies.size() > kMaxNamed) names += ", …";
     return Problem{file, 0, 0, trf("there is no biological assembly {0}", inQuotes(name)),
                    trf("the file describes: {0}", names)};
   }

@@ -15,8 +15,8 @@ namespace moltact {
 namespace {
 
 // A place with more atoms is no residue: beyond this alternates are not looked for across it.
-constexpr std::size_t kMostAtPlace = 100'000;
-constexpr std::size_t kMostUnknownElements = 1000;
+constexpr std::size_t kMaxAtPlace = 100'000;
+constexpr std::size_t kMaxUnknownElements = 1000;
 
 std::string countedAtoms(std::size_t n) { return trnf("{0} atom", "{0} atoms", n, n); }
 
@@ -31,7 +31,7 @@ std::size_t dropWaters(GrowingMolecule& grown) {
   GrowingMolecule out(grown.namesLabelChains(), grown.hasCharges());
   MoleculeArrays& arrays = out.arrays;
   arrays.atoms = std::move(old.atoms);
-  arrays.balls = std::move(old.balls);
+  arrays.spheres = std::move(old.spheres);
   arrays.charges_e = std::move(old.charges_e);
   std::size_t kept = 0;
   for (std::size_t i = 0; i < old.residues.size(); ++i) {
@@ -44,7 +44,7 @@ std::size_t dropWaters(GrowingMolecule& grown) {
     }
   }
   arrays.atoms.resize(kept);
-  arrays.balls.resize(kept);
+  arrays.spheres.resize(kept);
   if (out.hasCharges()) arrays.charges_e.resize(kept);
   out.close();
   grown = std::move(out);
@@ -79,10 +79,9 @@ std::int32_t MoleculeBuilder::unknownElement(const ParsedAtom& atom) {
   const auto found = unknown_of_.find(symbol);
   if (found != unknown_of_.end()) return found->second;
   // Beyond so many, one stands for the rest.
-  const bool rest = unknown_.size() >= kMostUnknownElements;
-  if (!rest || unknown_.size() == kMostUnknownElements)
-    unknown_.push_back({rest ? std::string() : std::string(symbol)});
-  if (rest) return static_cast<std::int32_t>(kMostUnknownElements);
+  const bool rest = unknown_.size() >= kMaxUnknownElements;
+  if (!rest || unknown_.size() == kMaxUnknownElements) unknown_.push_back({rest ? std::string() : std::string(symbol)});
+  if (rest) return static_cast<std::int32_t>(kMaxUnknownElements);
   const auto index = static_cast<std::int32_t>(unknown_.size() - 1);
   unknown_of_.emplace(symbol, index);
   return index;
@@ -99,7 +98,7 @@ std::optional<Problem> MoleculeBuilder::add(const ParsedAtom& from) {
   expectMore();
   const bool same_place = !waiting_.empty() && from.number == number_ && from.insertion == insertion_ &&
                           from.chain == chain_ && from.label_chain == label_chain_;
-  if (!same_place || waiting_.size() == kMostAtPlace) {
+  if (!same_place || waiting_.size() == kMaxAtPlace) {
     endPlace();
     chain_ = from.chain, label_chain_ = from.label_chain;
     number_ = from.number, insertion_ = from.insertion;
@@ -113,7 +112,7 @@ std::optional<Problem> MoleculeBuilder::add(const ParsedAtom& from) {
     waits.residue = static_cast<std::uint32_t>(residues_.size() - 1);
   }
   // A residue has a few alternatives; a place with more is none, and is not looked through for each of its atoms.
-  constexpr std::size_t kMostAlternatives = 100;
+  constexpr std::size_t kMaxAlternatives = 100;
   PlacedAtom& atom = waits.atom;
   atom.position.A = from.position_A;
   atom.atomic_number = static_cast<std::uint8_t>(std::clamp(from.atomic_number, 0, kElementCount));
@@ -126,7 +125,7 @@ std::optional<Problem> MoleculeBuilder::add(const ParsedAtom& from) {
   waits.unknown = from.radius_A >= 0.0 ? -1 : unknownElement(from);
   waits.alternate = from.alternate;
   waits.hetero = from.hetero;
-  if (residues_.size() > kMostAlternatives) endPlace();
+  if (residues_.size() > kMaxAlternatives) endPlace();
   return std::nullopt;
 }
 
@@ -186,18 +185,18 @@ void MoleculeBuilder::endPlace() {
 
 /// One sentence for each element without a published radius, and for each that is not known.
 void MoleculeBuilder::warnOfElements(bool waters, std::vector<std::string>& warnings) const {
-  constexpr std::size_t kMostNamed = 50;
+  constexpr std::size_t kMaxNamed = 50;
   std::size_t named = 0, rest = 0;
   std::map<std::string_view, std::size_t> counts;
   for (const Unknown& u : unknown_)
     if (const std::size_t count = u.elsewhere + (waters ? u.in_water : 0)) {
-      if (&u - unknown_.data() < std::ptrdiff_t(kMostUnknownElements))
+      if (&u - unknown_.data() < std::ptrdiff_t(kMaxUnknownElements))
         counts[u.symbol] += count;
       else
         rest += count;
     }
   for (const auto& [symbol, count] : counts) {
-    if (++named > kMostNamed) {
+    if (++named > kMaxNamed) {
       rest += count;
       continue;
     }
@@ -245,7 +244,7 @@ Expected<Molecule> MoleculeBuilder::finish(ParsedHeader head) {
   warnings.insert(warnings.end(), of_elements.begin(), of_elements.end());
   out.warnings = std::move(warnings);
   out.atoms = std::move(out_.arrays.atoms);
-  out.balls = std::move(out_.arrays.balls);
+  out.spheres = std::move(out_.arrays.spheres);
   out.charges_e = std::move(out_.arrays.charges_e);
   out.residues = std::move(out_.arrays.residues);
   out.chains = std::move(out_.arrays.chains);

@@ -32,7 +32,7 @@ Problem tooManyAtoms(const std::string& file, std::size_t line) {
 void GrowingMolecule::expect(std::size_t atoms) {
   const std::size_t room = std::min(atoms, kMaxMoleculeAtoms);
   arrays.atoms.reserve(room);
-  arrays.balls.reserve(room);
+  arrays.spheres.reserve(room);
   if (has_charges_) arrays.charges_e.reserve(room);
 }
 
@@ -46,7 +46,7 @@ std::optional<Problem> GrowingMolecule::full(const std::string& file, std::size_
 
 std::size_t GrowingMolecule::bytes() const {
   const MoleculeArrays& m = arrays;
-  return m.atoms.size() * (sizeof(Atom) + sizeof(Ball)) + m.charges_e.size() * sizeof(float) +
+  return m.atoms.size() * (sizeof(Atom) + sizeof(Sphere)) + m.charges_e.size() * sizeof(float) +
          m.residues.size() * sizeof(Residue) + m.chains.size() * sizeof(Chain) +
          label_of_.size() * sizeof(std::uint32_t) + labels_.size() * sizeof(ShortText) + hetero_of.size() / 8 +
          text_bytes_;
@@ -102,13 +102,13 @@ void GrowingMolecule::put(std::size_t at, const PlacedAtom& atom, float charge_e
   }
   if (at == m.atoms.size()) {
     makeRoom(m.atoms, m.atoms.size(), m.atoms.size());
-    makeRoom(m.balls, m.atoms.size(), m.atoms.size());
+    makeRoom(m.spheres, m.atoms.size(), m.atoms.size());
     m.atoms.emplace_back();
-    m.balls.emplace_back();
+    m.spheres.emplace_back();
     if (has_charges_) m.charges_e.emplace_back();
   }
   m.atoms[at] = atom;
-  m.balls[at] = atom.ball();
+  m.spheres[at] = atom.sphere();
   if (has_charges_) m.charges_e[at] = charge_e;
   m.atoms[at].residue = static_cast<std::uint32_t>(m.residues.size() - 1);
   ++m.residues.back().atom_count;

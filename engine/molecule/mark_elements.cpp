@@ -25,7 +25,7 @@ struct WhereHash {
 
 }  // namespace
 
-std::string markElements(MoleculeArrays& molecule, const std::vector<ParsedElement>& elements) {
+std::string markElements(MoleculeArrays& molecule, const std::vector<ParsedSecondaryStructure>& elements) {
   if (elements.empty()) return {};
   std::unordered_map<Where, std::uint32_t, WhereHash> at;
   for (std::uint32_t r = 0; r < molecule.residues.size(); ++r) {
@@ -36,7 +36,7 @@ std::string markElements(MoleculeArrays& molecule, const std::vector<ParsedEleme
   std::size_t missing = 0;
   // Helices come last, over the strands.
   for (const SecondaryStructure kind : {SecondaryStructure::Strand, SecondaryStructure::Helix})
-    for (const ParsedElement& element : elements) {
+    for (const ParsedSecondaryStructure& element : elements) {
       if (element.structure.kind != kind) continue;
       const auto first = at.find({element.chain, element.first.number, element.first.insertion});
       const auto last = at.find({element.chain, element.last.number, element.last.insertion});

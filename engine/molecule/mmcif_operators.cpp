@@ -12,7 +12,7 @@ namespace {
 /// The names in one bracket of an operator expression: "1,3-5,P".
 std::vector<std::string> operatorNames(std::string_view list) {
   std::vector<std::string> out;
-  while (!list.empty() && out.size() < kMostOperators) {
+  while (!list.empty() && out.size() < kMaxOperators) {
     const std::size_t comma = list.find(',');
     const std::string_view item = trimmed(list.substr(0, comma));
     list.remove_prefix(comma == std::string_view::npos ? list.size() : comma + 1);
@@ -20,7 +20,7 @@ std::vector<std::string> operatorNames(std::string_view list) {
     int first = 0, last = 0;
     if (dash != std::string_view::npos && parseInteger(item.substr(0, dash), first) &&
         parseInteger(item.substr(dash + 1), last)) {
-      for (long n = first; n <= last && out.size() < kMostOperators; ++n) out.push_back(std::to_string(n));
+      for (long n = first; n <= last && out.size() < kMaxOperators; ++n) out.push_back(std::to_string(n));
     } else if (!item.empty()) {
       out.emplace_back(item);
     }
@@ -28,9 +28,9 @@ std::vector<std::string> operatorNames(std::string_view list) {
   return out;
 }
 
-constexpr std::size_t kMostProducts = 4 * kMostCopies;
+constexpr std::size_t kMaxProducts = 4 * kMaxCopies;
 
-std::vector<ParsedOperator> tooMany() { return std::vector<ParsedOperator>(kMostCopies + 1); }
+std::vector<ParsedOperator> tooMany() { return std::vector<ParsedOperator>(kMaxCopies + 1); }
 
 }  // namespace
 
@@ -59,7 +59,7 @@ std::vector<ParsedOperator> operatorsOf(std::string_view expression, const Mmcif
     if (first) {
       out = std::move(bracket);
     } else {
-      if (out.size() * bracket.size() > kMostCopies) return tooMany();
+      if (out.size() * bracket.size() > kMaxCopies) return tooMany();
       std::vector<ParsedOperator> product;
       product.reserve(out.size() * bracket.size());
       for (const ParsedOperator& p : out)
@@ -67,7 +67,7 @@ std::vector<ParsedOperator> operatorsOf(std::string_view expression, const Mmcif
           product.push_back({p.rotation * q.rotation, p.rotation * q.shift_A + p.shift_A});
       out = std::move(product);
       made += out.size();
-      if (made > kMostProducts) return tooMany();
+      if (made > kMaxProducts) return tooMany();
     }
     first = false;
     if (out.empty()) break;  // nothing times anything

@@ -11,7 +11,7 @@
 
 namespace moltact {
 
-inline constexpr std::size_t kMostOperators = 100'000, kMostCopies = 1'000'000;
+inline constexpr std::size_t kMaxOperators = 100'000, kMostCopies = 1'000'000;
 
 /// By their ids.
 using MmcifOperators = std::unordered_map<std::string, ParsedOperator>;
@@ -20,8 +20,8 @@ using MmcifOperators = std::unordered_map<std::string, ParsedOperator>;
 bool parseInteger(std::string_view word, int& value);
 
 /// The operators of an expression such as "1", "1,2", "(1-60)" or "(1-60)(61-88)", where the last bracket acts first.
-/// Ids that are not known are passed over. Of an expression with more than kMostCopies in all, or with too many brackets,
-/// the result has kMostCopies + 1 operators and means nothing.
+/// Ids that are not known are passed over. Of an expression with more than kMaxCopies in all, or with too many brackets,
+/// the result has kMaxCopies + 1 operators and means nothing.
 std::vector<ParsedOperator> operatorsOf(std::string_view expression, const MmcifOperators& known);
 
 }  // namespace moltact

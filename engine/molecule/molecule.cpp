@@ -11,7 +11,7 @@
 namespace moltact {
 
 PlacedAtom Molecule::at(std::size_t atom) const {
-  return {{atoms[atom]}, {balls[atom].centre_A}, balls[atom].radius_A};
+  return {{atoms[atom]}, {spheres[atom].centre_A}, spheres[atom].radius_A};
 }
 
 std::vector<PlacedAtom> Molecule::placedAtoms() const {
@@ -23,19 +23,19 @@ std::vector<PlacedAtom> Molecule::placedAtoms() const {
 
 void Molecule::setAtoms(const std::vector<PlacedAtom>& placed) {
   std::vector<Atom> kinds(placed.begin(), placed.end());
-  std::vector<Ball> places;
+  std::vector<Sphere> places;
   places.reserve(placed.size());
-  for (const PlacedAtom& atom : placed) places.push_back(atom.ball());
+  for (const PlacedAtom& atom : placed) places.push_back(atom.sphere());
   atoms = std::move(kinds);
-  balls = std::move(places);
-  balls_as_read = {};
+  spheres = std::move(places);
+  spheres_as_read = {};
 }
 
-Molecule Molecule::movedTo(SharedArray<Ball> coordinates) const {
+Molecule Molecule::movedTo(SharedArray<Sphere> coordinates) const {
   assert(coordinates.size() == atoms.size());
   Molecule out = *this;
-  out.balls_as_read = ballsAsRead();
-  out.balls = std::move(coordinates);
+  out.spheres_as_read = spheresAsRead();
+  out.spheres = std::move(coordinates);
   return out;
 }
 

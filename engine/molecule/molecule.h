@@ -10,9 +10,9 @@
 #include <string_view>
 #include <vector>
 
-#include "engine/core/ball.h"
 #include "engine/core/shared_array.h"
 #include "engine/core/short_text.h"
+#include "engine/core/sphere.h"
 #include "engine/core/units.h"
 
 namespace moltact {
@@ -34,7 +34,7 @@ struct PlacedAtom : Atom {
   PointA position;        ///< centre
   double radius_A = 0.0;  ///< van der Waals radius
 
-  Ball ball() const { return {position.A, radius_A}; }
+  Sphere sphere() const { return {position.A, radius_A}; }
 };
 
 enum class ResidueKind : std::uint8_t { AminoAcid, Nucleotide, Water, Ligand, Ion, Other };
@@ -88,9 +88,9 @@ struct Molecule {
   std::string id;     ///< short name for the screen: "1UBQ", "benzene"
   std::string title;  ///< one line on what it is; may be empty
   SharedArray<Atom> atoms;
-  SharedArray<Ball> balls;          ///< the coordinates: centre and van der Waals radius of each atom, not inflated
-  SharedArray<Ball> balls_as_read;  ///< the coordinates of the file where movedTo() has replaced them, else empty
-  SharedArray<float> charges_e;     ///< partial charge of each atom as the file has it; empty: the file has none
+  SharedArray<Sphere> spheres;          ///< the coordinates: centre and van der Waals radius of each atom, not inflated
+  SharedArray<Sphere> spheres_as_read;  ///< the coordinates of the file where movedTo() has replaced them, else empty
+  SharedArray<float> charges_e;         ///< partial charge of each atom as the file has it; empty: the file has none
   SharedArray<Residue> residues;
   SharedArray<Chain> chains;
   SharedArray<Bond> listed_bonds;  ///< of a file that lists them all (SDF, MOL), ascending; engine/structure/bonds.h
@@ -111,9 +111,9 @@ struct Molecule {
   /// Replaces the atoms and their coordinates.
   void setAtoms(const std::vector<PlacedAtom>& placed);
   /// The same molecule with other coordinates, one for each atom.
-  Molecule movedTo(SharedArray<Ball> coordinates) const;
+  Molecule movedTo(SharedArray<Sphere> coordinates) const;
   /// The coordinates of the file. Bonds and secondary structure are found among these, and no motion changes them.
-  const SharedArray<Ball>& ballsAsRead() const { return balls_as_read.empty() ? balls : balls_as_read; }
+  const SharedArray<Sphere>& spheresAsRead() const { return spheres_as_read.empty() ? spheres : spheres_as_read; }
   /// Whether both are the same molecule, perhaps at other coordinates.
   bool sameTopology(const Molecule& other) const { return atoms.sharesWith(other.atoms); }
 

@@ -86,7 +86,7 @@ bool readText(ReadOptions& reading, const ReadingOption& option, std::string_vie
     int number = 0;
     const char* const end = text.data() + text.size();
     const auto read = std::from_chars(text.data(), end, number);
-    if (read.ec != std::errc() || read.ptr != end || number < 1 || number > kMostReadNumber) return false;
+    if (read.ec != std::errc() || read.ptr != end || number < 1 || number > kMaxReadNumber) return false;
     reading.** member = number;
   } else if (const auto* on = std::get_if<bool ReadOptions::*>(&option.member)) {
     if (text != "yes" && text != "no") return false;

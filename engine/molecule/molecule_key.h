@@ -51,7 +51,7 @@ struct ReadingOption {
 };
 
 /// A number is from 1 to this.
-inline constexpr int kMostReadNumber = 100'000;
+inline constexpr int kMaxReadNumber = 100'000;
 
 /// All, in the order in which they are told.
 std::span<const ReadingOption> readingOptions();

@@ -54,7 +54,7 @@ struct ParsedAssembly {
 };
 
 /// A helix or a strand as a file records it: from one residue of a chain to another, both included.
-struct ParsedElement {
+struct ParsedSecondaryStructure {
   struct End {
     int number = 0;
     char insertion = ' ';
@@ -67,7 +67,7 @@ struct ParsedElement {
 /// The contents of a file other than its atoms.
 struct ParsedHeader {
   std::string id, title;
-  std::vector<ParsedElement> elements;  ///< helices and strands
+  std::vector<ParsedSecondaryStructure> elements;  ///< helices and strands
   std::vector<ParsedAssembly> assemblies;
   std::vector<std::string> warnings;
   int models = 1;  ///< in the file
@@ -76,7 +76,7 @@ struct ParsedHeader {
 /// The arrays of a molecule while a reader appends to them.
 struct MoleculeArrays {
   std::vector<Atom> atoms;
-  std::vector<Ball> balls;       ///< of each atom
+  std::vector<Sphere> spheres;   ///< of each atom
   std::vector<float> charges_e;  ///< of each atom; empty: the format has none
   std::vector<Residue> residues;
   std::vector<Chain> chains;
@@ -107,7 +107,7 @@ class GrowingMolecule {
   void put(std::size_t at, const PlacedAtom& atom, float charge_e, const Place& place, bool hetero);
   /// The atom and its charge (0 without charges). `atom` in range.
   PlacedAtom at(std::size_t atom) const {
-    return {{arrays.atoms[atom]}, {arrays.balls[atom].centre_A}, arrays.balls[atom].radius_A};
+    return {{arrays.atoms[atom]}, {arrays.spheres[atom].centre_A}, arrays.spheres[atom].radius_A};
   }
   float charge_e(std::size_t atom) const { return has_charges_ ? arrays.charges_e[atom] : 0.0f; }
   /// A Problem where the next atom would be one too many, or too much for the memory that a molecule may take.
@@ -183,7 +183,7 @@ class MoleculeBuilder {
 
 /// Marks the residues of the elements; a residue of a helix and of a strand belongs to the helix. One sentence where some
 /// name residues that are not there, nothing otherwise.
-std::string markElements(MoleculeArrays& molecule, const std::vector<ParsedElement>& elements);
+std::string markElements(MoleculeArrays& molecule, const std::vector<ParsedSecondaryStructure>& elements);
 
 /// Puts the assembly `name` in the place of the molecule. Copies of a chain are named, …
 std::optional<Problem> applyAssembly(GrowingMolecule& molecule, const std::vector<ParsedAssembly>& assemblies,

@@ -98,8 +98,8 @@ constexpr TableTags kTables[] = {{"_atom_site.", kAtomTags},
                                  {"_struct_sheet_range.", kStrandTags}};
 
 constexpr const char* kRemedy = N_("correct the file, or take it again from its source");
-constexpr std::size_t kMostModels = 100'000;
-constexpr std::size_t kMostKept = std::size_t{32} << 20;  // bytes of text that describes assemblies
+constexpr std::size_t kMaxModels = 100'000;
+constexpr std::size_t kMaxKept = std::size_t{32} << 20;  // bytes of text that describes assemblies
 
 /// One value of a row: as written, without quotes.
 struct Cell {
@@ -278,7 +278,7 @@ class Reader {
     const std::string_view model = row[kModel].there ? row[kModel].said() : "1";
     if (current_ == 0 || last_model_ != model) {
       current_ = place_of_.emplace(model, static_cast<int>(place_of_.size()) + 1).first->second;
-      if (place_of_.size() > kMostModels) return rowProblem(tr("more than 100 000 models"));
+      if (place_of_.size() > kMaxModels) return rowProblem(tr("more than 100 000 models"));
       last_model_ = model;
       head_.models = static_cast<int>(place_of_.size());
     }
@@ -340,8 +340,8 @@ class Reader {
 
   std::optional<Problem> element(const Row& row, RecordedStructure structure) {
     if (!row[kFirstChain].there && !row[kFirstAuthChain].there) return std::nullopt;  // not the whole table
-    ParsedElement out{structure, std::string(firstOf(row[kFirstAuthChain], row[kFirstChain])), {}, {}};
-    const auto end = [&](ParsedElement::End& at, EndColumn author, EndColumn label, EndColumn insertion) {
+    ParsedSecondaryStructure out{structure, std::string(firstOf(row[kFirstAuthChain], row[kFirstChain])), {}, {}};
+    const auto end = [&](ParsedSecondaryStructure::End& at, EndColumn author, EndColumn label, EndColumn insertion) {
       if (const std::string_view code = row[insertion].said(); !code.empty()) at.insertion = code[0];
       return parseInteger(firstOf(row[author], row[label]), at.number);
     };
@@ -353,7 +353,7 @@ class Reader {
       return std::nullopt;
     }
     kept_ += sizeof out + out.chain.size();
-    if (kept_ > kMostKept) return Problem{file_, 0, 0, tr("more than 32 MiB of helices and strands"), tr(kRemedy)};
+    if (kept_ > kMaxKept) return Problem{file_, 0, 0, tr("more than 32 MiB of helices and strands"), tr(kRemedy)};
     head_.elements.push_back(std::move(out));
     return std::nullopt;
   }
@@ -375,7 +375,7 @@ class Reader {
       head_.warnings.push_back(
           trf("The assembly operator {0} holds what is not a number and was left out.", inQuotes(row[0].text)));
     }
-    if (operators_.size() > kMostOperators || kept_ > kMostKept)
+    if (operators_.size() > kMaxOperators || kept_ > kMaxKept)
       return Problem{file_, 0, 0, tr("more than 100 000 operators of assemblies"), tr("read it without an assembly")};
     return std::nullopt;
   }
@@ -385,7 +385,7 @@ class Reader {
       if (!row[k].there) return std::nullopt;
     Generator& g = generators_.emplace_back();
     for (std::size_t k = 0; k < g.size(); ++k) g[k] = row[k].said(), kept_ += g[k].size() + sizeof(std::string);
-    if (kept_ > kMostKept)
+    if (kept_ > kMaxKept)
       return Problem{file_, 0, 0, tr("more than 32 MiB of descriptions of assemblies"),
                      tr("read it without an assembly")};
     return std::nullopt;
@@ -405,7 +405,7 @@ class Reader {
         }
         part.operators = operatorsOf(g[1], operators_);
         copies += part.operators.size();
-        if (copies > kMostCopies)
+        if (copies > kMaxCopies)
           return Problem{file_, 0, 0, trf("the assembly {0} has more than a million copies", inQuotes(g[0])),
                          tr("read it without one")};
       }

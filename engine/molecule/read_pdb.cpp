@@ -20,8 +20,8 @@ namespace moltact {
 namespace {
 
 constexpr std::size_t kLineWidth = 80;
-constexpr std::size_t kMostLineWarnings = 20;
-constexpr std::size_t kMostHead = std::size_t{32} << 20;  // bytes of titles and descriptions of assemblies
+constexpr std::size_t kMaxLineWarnings = 20;
+constexpr std::size_t kMaxHead = std::size_t{32} << 20;  // bytes of titles and descriptions of assemblies
 
 bool startsWith(std::string_view line, std::string_view record) {
   if (line.size() < record.size()) return false;
@@ -149,14 +149,14 @@ std::optional<Problem> addAtom(MoleculeBuilder& builder, PdbRecords& records, st
                    tr(kRemedy)};
   const std::string_view field = clean.substr(kOccupancy.first, kOccupancy.width);
   if (const bool blank = trimmed(field).empty(); blank || !parseNumber(field, atom.occupancy)) {
-    if (!blank && records.warnings.size() < kMostLineWarnings)
+    if (!blank && records.warnings.size() < kMaxLineWarnings)
       records.warnings.push_back(
           trf("Line {0}: the occupancy {1} is not a number and was taken as 1.", number, inQuotes(field)));
     atom.occupancy = 1.0;
   }
   const std::string_view b_factor = clean.substr(kBFactor.first, kBFactor.width);
   if (const bool blank = trimmed(b_factor).empty(); blank || !parseNumber(b_factor, atom.b_factor_A2)) {
-    if (!blank && records.warnings.size() < kMostLineWarnings)
+    if (!blank && records.warnings.size() < kMaxLineWarnings)
       records.warnings.push_back(
           trf("Line {0}: the B factor {1} is not a number and was taken as 0.", number, inQuotes(b_factor)));
     atom.b_factor_A2 = 0.0;
@@ -194,11 +194,11 @@ std::size_t masterCount(std::string_view line) {
 
 /// A file cut between two lines reads as a smaller molecule: what gives it away is told.
 void warnOfCut(PdbRecords& records) {
-  constexpr std::size_t kMostByMaster = 99'999;  // its columns hold no more
+  constexpr std::size_t kMaxByMaster = 99'999;  // its columns hold no more
   if (records.ends_in_atom)
     records.warnings.push_back(tr("The file ends with an atom and has no END record after it: it may be cut short."));
   // Of several models the PDB counts the first alone, other programs all.
-  if (records.atoms_by_master && records.atoms_in_file <= kMostByMaster &&
+  if (records.atoms_by_master && records.atoms_in_file <= kMaxByMaster &&
       records.atoms_by_master != records.atoms_in_file && records.atoms_by_master != records.atoms_in_first)
     records.warnings.push_back(
         trf("The MASTER record counts {0} atoms, but the file has {1}: it may be cut short or edited.",
@@ -273,7 +273,7 @@ std::optional<Problem> scanRecords(PdbRecords& records, MoleculeBuilder& builder
       in_model = false;
     } else if (startsWith(line, "HEADER") || startsWith(line, "TITLE") || startsWith(line, "REMARK 350") ||
                startsWith(line, "HELIX ") || startsWith(line, "SHEET ")) {
-      if (records.kept.size() > kMostHead)
+      if (records.kept.size() > kMaxHead)
         return Problem{text.file(), text.number(), 0, tr("more than 32 MiB of titles and descriptions of assemblies"),
                        tr("take the file again from its source")};
       std::string kept(line.substr(0, kLineWidth));
@@ -287,7 +287,7 @@ std::optional<Problem> scanRecords(PdbRecords& records, MoleculeBuilder& builder
         if (!aligned) continue;
         if (!aligned->empty()) kept = *aligned;
       } else if ((startsWith(line, "HELIX") || startsWith(line, "SHEET")) && !namesResidues(kept)) {
-        if (records.warnings.size() < kMostLineWarnings)
+        if (records.warnings.size() < kMaxLineWarnings)
           records.warnings.push_back(
               trf("Line {0}: the helix or strand names no residues and was left out.", text.number()));
         continue;
@@ -317,17 +317,18 @@ ParsedAssembly assemblyFrom(const gemmi::Assembly& from) {
   return out;
 }
 
-ParsedElement elementFrom(const gemmi::AtomAddress& first, const gemmi::AtomAddress& last,
-                          RecordedStructure structure) {
+ParsedSecondaryStructure elementFrom(const gemmi::AtomAddress& first, const gemmi::AtomAddress& last,
+                                     RecordedStructure structure) {
   const auto end = [](const gemmi::AtomAddress& at) {
-    return ParsedElement::End{at.res_id.seqid.num.has_value() ? *at.res_id.seqid.num : 0, at.res_id.seqid.icode};
+    return ParsedSecondaryStructure::End{at.res_id.seqid.num.has_value() ? *at.res_id.seqid.num : 0,
+                                         at.res_id.seqid.icode};
   };
   return {structure, first.chain_name, end(first), end(last)};
 }
 
-std::vector<ParsedElement> elementsFrom(const gemmi::Structure& st) {
+std::vector<ParsedSecondaryStructure> elementsFrom(const gemmi::Structure& st) {
   using Class = gemmi::Helix::HelixClass;
-  std::vector<ParsedElement> out;
+  std::vector<ParsedSecondaryStructure> out;
   for (const gemmi::Helix& helix : st.helices) {
     const Class c = helix.pdb_helix_class;
     const HelixKind kind = c == Class::R310                                 ? HelixKind::ThreeTen

@@ -15,7 +15,7 @@ namespace {
 
 // A residue of its own, by the code that the Protein Data Bank has for an unknown ligand.
 constexpr std::string_view kSdfResidue = "UNL", kSdfChain = "A";
-constexpr std::size_t kMostBondsAnAtom = 8, kMostSdfAtoms = 1'000'000;
+constexpr std::size_t kMaxBondsAnAtom = 8, kMaxSdfAtoms = 1'000'000;
 constexpr const char* kSdfRemedy =
     N_("take the file again from its source, or write it anew with the program that made it");
 
@@ -224,7 +224,7 @@ class SdfReader {
     atom.line = text_.number();
     atom.number = 1;
     atom.hetero = true;
-    if (++atoms_ > kMostSdfAtoms) return bad(0, tr("more than a million atoms"), N_("take a molecule of fewer atoms"));
+    if (++atoms_ > kMaxSdfAtoms) return bad(0, tr("more than a million atoms"), N_("take a molecule of fewer atoms"));
     if (atoms_ == 1) {
       head_.id = title_;
       flat_ = flat_here_;
@@ -239,7 +239,7 @@ class SdfReader {
         return bad(1, trf("a bond names the atom {0}, which is not there", end));
     if (first == second) return bad(1, trf("the atom {0} is bonded to itself", first));
     if (type == kHydrogenBond) return std::nullopt;
-    if (bonds_.size() >= kMostBondsAnAtom * atoms_) return bad(1, trf("more than {0} bonds an atom", kMostBondsAnAtom));
+    if (bonds_.size() >= kMaxBondsAnAtom * atoms_) return bad(1, trf("more than {0} bonds an atom", kMaxBondsAnAtom));
     const auto [low, high] = std::minmax(first, second);
     bonds_.push_back({static_cast<std::uint32_t>(low - 1), static_cast<std::uint32_t>(high - 1), bondOrder(type)});
     return std::nullopt;

@@ -22,7 +22,7 @@ namespace {
 using Kind = CifWords::Kind;
 
 constexpr std::string_view kSmallResidue = "UNL", kSmallChain = "A";
-constexpr std::size_t kMostSites = 1'000'000, kMostSymmetry = 1'000;
+constexpr std::size_t kMaxSites = 1'000'000, kMaxSymmetry = 1'000;
 constexpr const char* kSmallRemedy = N_("correct the file, or take it again from its source");
 
 enum SiteColumn { kLabel, kSymbol, kFractX, kFractY, kFractZ, kSiteOccupancy, kGroup, kAssembly, kUiso, kBiso };
@@ -156,7 +156,7 @@ class SmallCifReader {
   }
 
   std::optional<Problem> takeSymmetry() {
-    if (block_.symmetry.size() >= kMostSymmetry) return words_.problemHere(tr("more than 1000 symmetry operations"));
+    if (block_.symmetry.size() >= kMaxSymmetry) return words_.problemHere(tr("more than 1000 symmetry operations"));
     block_.symmetry.emplace_back(words_.text());
     return std::nullopt;
   }
@@ -193,7 +193,7 @@ class SmallCifReader {
       if (++at < columns.size()) continue;
       at = 0;
       if (!sites) continue;
-      if (block_.sites.size() >= kMostSites) return words_.problemHere(tr("more than a million atoms"));
+      if (block_.sites.size() >= kMaxSites) return words_.problemHere(tr("more than a million atoms"));
       site.line = words_.line();
       if (site.element == 0) site.element = siteElement(site.label);
       if (placed)

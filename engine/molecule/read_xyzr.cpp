@@ -1,4 +1,4 @@
-// Reads .xyzr, the convention of surface programs: a ball a line, x y z r in angstroms, blank lines and #
+// Reads .xyzr, the convention of surface programs: a sphere a line, x y z r in angstroms, blank lines and #
 // comments allowed. What follows the fourth number on a line (an atom's name, a flag) is passed over with one
 // warning.
 #include <algorithm>
@@ -28,13 +28,13 @@ bool takeNumber(const char*& at, const char* end, double& value) {
 }  // namespace
 
 Expected<Molecule> readXyzr(TextSource& text, const ReadOptions& options) {
-  constexpr std::size_t kBytesABall = 32;
+  constexpr std::size_t kBytesASphere = 32;
   const std::string& file = text.file();
   constexpr const char* kColumn[4] = {"x", "y", "z", "r"};
   if (options.model != 1) return noSuchModel(file, options.model, 1);
   if (!options.assembly.empty()) return noAssembly(file);
-  std::vector<Ball> balls;
-  balls.reserve(std::min(kMaxMoleculeAtoms, text.expectedBytes() / kBytesABall));
+  std::vector<Sphere> spheres;
+  spheres.reserve(std::min(kMaxMoleculeAtoms, text.expectedBytes() / kBytesASphere));
   std::size_t first_extra = 0;
   for (std::string_view line; text.next(line);) {
     const std::size_t line_number = text.number();
@@ -69,14 +69,14 @@ Expected<Molecule> readXyzr(TextSource& text, const ReadOptions& options) {
       return Problem{file, line_number, static_cast<std::size_t>(at - start) + 1,
                      trf("expected 4 numbers, found {0}", count), tr(kFormatRemedy)};
     if (count == 4) {
-      if (balls.size() >= kMaxMoleculeAtoms) return tooManyAtoms(file, line_number);
-      balls.push_back({{value[0], value[1], value[2]}, value[3]});
+      if (spheres.size() >= kMaxMoleculeAtoms) return tooManyAtoms(file, line_number);
+      spheres.push_back({{value[0], value[1], value[2]}, value[3]});
     }
   }
-  if (balls.empty()) return Problem{file, 0, 0, tr("the file holds no atoms"), tr(kFormatRemedy)};
+  if (spheres.empty()) return Problem{file, 0, 0, tr("the file holds no atoms"), tr(kFormatRemedy)};
   Molecule out;
-  out.atoms = std::vector<Atom>(balls.size());
-  out.balls = std::move(balls);
+  out.atoms = std::vector<Atom>(spheres.size());
+  out.spheres = std::move(spheres);
   if (first_extra)
     out.warnings = {trf("What follows the fourth number of a line was passed over (first on line {0}).", first_extra)};
   return out;

@@ -2,7 +2,7 @@
 // Units: angstrom. A file that cannot be read gives a Problem with the file, the line where it is known, and a remedy;
 // nothing throws or hangs.
 //
-// Rules, the same for every format that names its atoms; a .xyzr file is balls, each with a radius of its own, and is
+// Rules, the same for every format that names its atoms; a .xyzr file is spheres, each with a radius of its own, and is
 // taken as it stands:
 // * Atoms keep the order of the file; hydrogens are kept as present.
 // * Alternate locations: of the atoms of one residue with the same name the one with the highest occupancy is kept,

@@ -23,7 +23,7 @@ struct Box {
 
 Box boxOf(const Molecule& molecule) {
   Box box;
-  for (const Ball& a : molecule.balls) {
+  for (const Sphere& a : molecule.spheres) {
     box.low = glm::min(box.low, a.centre_A - a.radius_A);
     box.high = glm::max(box.high, a.centre_A + a.radius_A);
   }
@@ -40,7 +40,7 @@ std::map<ResidueName, std::pair<std::string_view, Vec3>> leadingAtoms(const Mole
       if (const std::string_view name = m.atoms[i].nameText();
           (r.kind == ResidueKind::AminoAcid && name == "CA") || (r.kind == ResidueKind::Nucleotide && name == "P"))
         out.emplace(ResidueName{m.chains[r.chain].name, r.number, r.insertion},
-                    std::pair{std::string_view(r.name), m.balls[i].centre_A});
+                    std::pair{std::string_view(r.name), m.spheres[i].centre_A});
   return out;
 }
 
@@ -59,12 +59,12 @@ void turnAlike(const Molecule& first, Molecule& second) {
   }
   if (here.size() < 3 || 2 * here.size() < common) return;
   const gemmi::SupResult fit = gemmi::superpose_positions(here.data(), there.data(), here.size(), nullptr);
-  std::vector<Ball> turned = second.balls.copy();
-  for (Ball& b : turned) {
+  std::vector<Sphere> turned = second.spheres.copy();
+  for (Sphere& b : turned) {
     const gemmi::Vec3 to = fit.transform.apply(gemmi::Vec3(b.centre_A.x, b.centre_A.y, b.centre_A.z));
     if (const Vec3 place(to.x, to.y, to.z); finite(place)) b.centre_A = place;
   }
-  second.balls = std::move(turned);
+  second.spheres = std::move(turned);
 }
 
 // The first array, then the second with each element mapped.
@@ -93,7 +93,7 @@ Molecule sideBySide(Molecule first, Molecule second) {
     if (a.residue != kNoResidue) a.residue += residues;
     return a;
   });
-  out.balls = joined(first.balls, second.balls, [&](Ball b) {
+  out.spheres = joined(first.spheres, second.spheres, [&](Sphere b) {
     b.centre_A += shift;
     return b;
   });

@@ -27,8 +27,8 @@ MoleculeSummary summarise(const Molecule& molecule) {
   for (int z = 0; z <= kElementCount; ++z)
     if (count[static_cast<std::size_t>(z)])
       out.elements[std::string(element(z).symbol)] = count[static_cast<std::size_t>(z)];
-  if (!molecule.atoms.empty()) out.low_A = out.high_A = molecule.balls.front().centre_A;
-  for (const Ball& atom : molecule.balls) {
+  if (!molecule.atoms.empty()) out.low_A = out.high_A = molecule.spheres.front().centre_A;
+  for (const Sphere& atom : molecule.spheres) {
     out.low_A = glm::min(out.low_A, atom.centre_A);
     out.high_A = glm::max(out.high_A, atom.centre_A);
   }

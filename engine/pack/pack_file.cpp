@@ -49,13 +49,13 @@ struct PackFile::Impl {
     return {name, 0, 0, std::move(message), std::move(remedy)};
   }
   Problem tooManyEntries() const {
-    return problem(trf("it holds more than {0} files", kMostPackEntries), tr("pack fewer of them"));
+    return problem(trf("it holds more than {0} files", kMaxPackEntries), tr("pack fewer of them"));
   }
 
   std::optional<Problem> openZip() {
     if (bytes.size() > kLargestPack)
       return problem(trf("it is larger than {0} MiB", kLargestPack >> 20), tr("pack smaller molecules"));
-    if (count(bytes, kDirectoryEntry) > 4 * kMostPackEntries) return tooManyEntries();
+    if (count(bytes, kDirectoryEntry) > 4 * kMaxPackEntries) return tooManyEntries();
     zip_error_t error;
     zip_error_init(&error);
     zip_source_t* source = zip_source_buffer_create(bytes.data(), bytes.size(), 0, &error);
@@ -95,20 +95,20 @@ struct PackFile::Impl {
     if (folder) return std::nullopt;
     if (told.comp_method != ZIP_CM_STORE && told.comp_method != ZIP_CM_DEFLATE)
       return problem(trf("'{0}' in it is compressed by a method that this program does not read", written));
-    if (told.size > kMostUnpacked) return tooLarge();
-    if (told.size > kSmallUnpacked && told.size / kMostPackRatio > told.comp_size)
-      return problem(trf("'{0}' in it would grow to more than {1} times its size", written, kMostPackRatio));
+    if (told.size > kMaxUnpacked) return tooLarge();
+    if (told.size > kSmallUnpacked && told.size / kMaxPackRatio > told.comp_size)
+      return problem(trf("'{0}' in it would grow to more than {1} times its size", written, kMaxPackRatio));
     found = Found{{std::string(written), std::size_t(told.size)}, index};
     return std::nullopt;
   }
 
   Problem tooLarge() const {
-    return problem(trf("its files would take more than {0} MiB", kMostUnpacked >> 20), tr("pack smaller molecules"));
+    return problem(trf("its files would take more than {0} MiB", kMaxUnpacked >> 20), tr("pack smaller molecules"));
   }
 
   std::optional<Problem> lookAtAll() {
     const zip_int64_t entries_told = zip_get_num_entries(zip, 0);
-    if (entries_told > zip_int64_t(kMostPackEntries)) return tooManyEntries();
+    if (entries_told > zip_int64_t(kMaxPackEntries)) return tooManyEntries();
     std::size_t whole = 0;
     std::set<std::string> names, folders;  // as a system has them that does not tell capitals
     for (zip_int64_t k = 0; k < entries_told; ++k) {
@@ -116,7 +116,7 @@ struct PackFile::Impl {
       if (auto fault = look(zip_uint64_t(k), found)) return fault;
       if (!found) continue;
       whole += found->entry.bytes;
-      if (whole > kMostUnpacked) return tooLarge();
+      if (whole > kMaxUnpacked) return tooLarge();
       const std::string folded = foldedPackName(found->entry.name);
       if (!names.insert(folded).second) return problem(trf("it holds '{0}' twice", found->entry.name));
       for (std::size_t slash = folded.find('/'); slash != std::string::npos; slash = folded.find('/', slash + 1))

@@ -25,9 +25,9 @@ inline constexpr const char* kPackManifest = "pack.json";
 inline constexpr int kPackFormat = 1;  ///< a reader refuses newer ones
 
 inline constexpr std::size_t kLargestPack = std::size_t{256} << 20;  ///< unit: byte
-inline constexpr std::size_t kMostUnpacked = std::size_t{1} << 30;   ///< all files together (unit: byte)
-inline constexpr std::size_t kMostPackEntries = 1000;                ///< files and folders
-inline constexpr std::size_t kMostPackRatio = 200;                   ///< a file's bytes, unpacked to packed …
+inline constexpr std::size_t kMaxUnpacked = std::size_t{1} << 30;    ///< all files together (unit: byte)
+inline constexpr std::size_t kMaxPackEntries = 1000;                 ///< files and folders
+inline constexpr std::size_t kMaxPackRatio = 200;                    ///< a file's bytes, unpacked to packed …
 inline constexpr std::size_t kSmallUnpacked = std::size_t{1} << 20;  ///< … which small ones may exceed (unit: byte)
 inline constexpr std::size_t kLargestPackManifest = std::size_t{4096};  ///< unit: byte
 

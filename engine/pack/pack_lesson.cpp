@@ -77,11 +77,11 @@ class Gathering {
     if (relative != first_.filename() && !isWithin(top_ / relative, top_.empty() ? fs::path(".") : top_))
       return error(at, trf("'{0}' cannot be packed: it is a link to a file outside of the lesson's folder", name),
                    tr("put a copy of the file in the place of the link"));
-    Expected<std::string> bytes = readFile(top_ / relative, kMostUnpacked, tr("pack smaller molecules"));
+    Expected<std::string> bytes = readFile(top_ / relative, kMaxUnpacked, tr("pack smaller molecules"));
     if (!bytes) return out_.errors.push_back(bytes.problem());
     whole_ += bytes->size();
-    if (whole_ > kMostUnpacked || files_.size() >= kMostPackEntries - 1)
-      return error(at, trf("the files are more than {0} MiB, or more than {1}", kMostUnpacked >> 20, kMostPackEntries),
+    if (whole_ > kMaxUnpacked || files_.size() >= kMaxPackEntries - 1)
+      return error(at, trf("the files are more than {0} MiB, or more than {1}", kMaxUnpacked >> 20, kMaxPackEntries),
                    tr("pack fewer or smaller ones"));
     files_.emplace(name, *std::move(bytes));
     if (lower(relative.extension().string()) == ".md" &&
@@ -148,7 +148,7 @@ class Gathering {
     if (files_.contains(name)) return;
     if (const std::string fault = packNameFault(name); !fault.empty())
       return error(at, trf("'{0}' cannot be packed: its name {1}", name, fault), tr("put the file beside the lesson"));
-    Expected<std::string> bytes = readFile(file, kMostUnpacked, tr("pack smaller molecules"));
+    Expected<std::string> bytes = readFile(file, kMaxUnpacked, tr("pack smaller molecules"));
     if (!bytes) return out_.errors.push_back(bytes.problem());
     whole_ += bytes->size();
     folded_.emplace(foldedPackName(name), name);

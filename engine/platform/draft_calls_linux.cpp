@@ -107,8 +107,8 @@ Problem writingProblem(const fs::path& path, int error) {
 
 fs::path behindLinks(const fs::path& file) {
   fs::path at = file;
-  constexpr int kMost = 40;  // as the kernel has it
-  for (int k = 0; k < kMost; ++k) {
+  constexpr int kMax = 40;  // as the kernel has it
+  for (int k = 0; k < kMax; ++k) {
     std::error_code error;
     const fs::path to = fs::read_symlink(at, error);
     if (error) return at;

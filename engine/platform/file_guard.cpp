@@ -26,9 +26,9 @@ void note(Names& files, const fs::path& file) {
 
 // The name behind all links, also where the last one leads to a file that does not exist.
 fs::path behindAllLinks(fs::path file) {
-  constexpr int kMostLinks = 40;  // as many as Linux follows
+  constexpr int kMaxLinks = 40;  // as many as Linux follows
   std::error_code error;
-  for (int k = 0; k < kMostLinks && fs::is_symlink(fs::symlink_status(file, error)); ++k) {
+  for (int k = 0; k < kMaxLinks && fs::is_symlink(fs::symlink_status(file, error)); ++k) {
     const fs::path to = fs::read_symlink(file, error);
     if (error) break;
     file = file.parent_path() / to;  // `to` alone where it is absolute

@@ -21,7 +21,7 @@ struct Slot {
   std::atomic<LastAct::Act> act{nullptr};
   std::atomic<int> inside{0};  // handlers that are in it
 };
-std::array<Slot, LastAct::kMost> slots;
+std::array<Slot, LastAct::kMax> slots;
 
 bool doIt(Slot& slot) noexcept {
   slot.inside.fetch_add(1);
@@ -37,7 +37,7 @@ bool doIt(Slot& slot) noexcept {
 // the act: so each act is done once more.
 void platform::doLastActs() noexcept {
   constexpr std::int64_t kLook_ns = 200'000, kOvertaken_ns = 1'000'000;
-  std::array<bool, LastAct::kMost> done{};
+  std::array<bool, LastAct::kMax> done{};
   const auto all = [&] {
     bool every = true;
     for (std::size_t k = 0; k < slots.size(); ++k) every = (done[k] = done[k] || doIt(slots[k])) && every;
@@ -65,7 +65,7 @@ void endForce() noexcept {
 bool LastAct::arm(Act act, void* data) noexcept {
   disarm();
   platform::catchEndings();
-  for (int k = 0; k < kMost; ++k) {
+  for (int k = 0; k < kMax; ++k) {
     Slot& slot = slots[std::size_t(k)];
     if (slot.taken.exchange(true)) continue;
     slot.data.store(data);

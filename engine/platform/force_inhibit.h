@@ -39,12 +39,12 @@ class LastAct {
   LastAct(const LastAct&) = delete;
   LastAct& operator=(const LastAct&) = delete;
 
-  /// One act at a time. False where all kMost slots are taken; the act is then not registered.
+  /// One act at a time. False where all kMax slots are taken; the act is then not registered.
   bool arm(Act act, void* data) noexcept;
   /// After it returns the act is not called any more.
   void disarm() noexcept;
 
-  static constexpr int kMost = 16;
+  static constexpr int kMax = 16;
 
  private:
   int slot_ = -1;

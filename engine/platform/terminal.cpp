@@ -50,9 +50,9 @@ class CleanBuffer : public std::streambuf {
   int sync() override { return send(false) ? 0 : -1; }
 
  private:
-  bool full() { return waiting_.size() < kMost || send(false); }
+  bool full() { return waiting_.size() < kMax || send(false); }
 
-  static constexpr std::size_t kMost = 1 << 14;
+  static constexpr std::size_t kMax = 1 << 14;
   platform::Output to_;
   std::string waiting_;
   bool failed_ = false;

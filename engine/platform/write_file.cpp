@@ -22,13 +22,13 @@ Expected<Draft> Draft::begin(const std::filesystem::path& file, IfThere there) {
 }
 
 std::optional<Problem> Draft::append(std::string_view bytes) {
-  constexpr std::size_t kMostWaiting = std::size_t{1} << 20;
-  if (bytes.size() >= kMostWaiting) {
+  constexpr std::size_t kMaxWaiting = std::size_t{1} << 20;
+  if (bytes.size() >= kMaxWaiting) {
     if (auto problem = flush()) return problem;
     return impl_->write(bytes);  // without a copy of it all
   }
   impl_->waiting += bytes;
-  return impl_->waiting.size() < kMostWaiting ? std::nullopt : flush();
+  return impl_->waiting.size() < kMaxWaiting ? std::nullopt : flush();
 }
 
 const std::filesystem::path& Draft::path() const { return impl_->draft; }

@@ -125,9 +125,9 @@ bool writeAtEnd(void* handle, std::string_view bytes) {
   LARGE_INTEGER none{};
   if (!SetFilePointerEx(handle, none, nullptr, FILE_END)) return false;
   while (!bytes.empty()) {
-    constexpr std::size_t kMost = std::size_t{1} << 30;
+    constexpr std::size_t kMax = std::size_t{1} << 30;
     DWORD written = 0;
-    if (!WriteFile(handle, bytes.data(), DWORD(std::min(bytes.size(), kMost)), &written, nullptr)) return false;
+    if (!WriteFile(handle, bytes.data(), DWORD(std::min(bytes.size(), kMax)), &written, nullptr)) return false;
     if (written == 0) {
       SetLastError(ERROR_DISK_FULL);
       return false;

@@ -6,12 +6,12 @@
 namespace moltact {
 namespace {
 
-constexpr double kMostVoxels = 160, kMostVisits = 1e8;
+constexpr double kMaxVoxels = 160, kMaxVisits = 1e8;
 
-// The voxels that filling the balls visits.
-double visits(std::span<const Ball> balls, double voxel_A) {
+// The voxels that filling the spheres visits.
+double visits(std::span<const Sphere> spheres, double voxel_A) {
   double sum = 0;
-  for (const Ball& b : balls) sum += std::pow(2.0 * b.radius_A / voxel_A + 2.0, 3.0);
+  for (const Sphere& b : spheres) sum += std::pow(2.0 * b.radius_A / voxel_A + 2.0, 3.0);
   return sum;
 }
 
@@ -21,9 +21,9 @@ struct Filling {
   std::size_t at(int x, int y, int z) const { return (std::size_t(z) * size.y + y) * size.x + x; }
 };
 
-// Where balls grow into each other the larger share counts; of one smaller than a voxel the volume is added.
-void fill(Filling& field, std::span<const Ball> balls, const Vec3& low, double voxel_A) {
-  for (const Ball& b : balls) {
+// Where spheres grow into each other the larger share counts; of one smaller than a voxel the volume is added.
+void fill(Filling& field, std::span<const Sphere> spheres, const Vec3& low, double voxel_A) {
+  for (const Sphere& b : spheres) {
     const Vec3 c = (b.centre_A - low) / voxel_A - 0.5;
     const double r = b.radius_A / voxel_A;
     if (r < 0.6) {
@@ -83,15 +83,15 @@ void blur(Filling& field, double sigma) {
     for (int k = 0; k < kMeans; ++k) along(n.z, std::size_t(n.x) * n.y, field.at(0, y, 0), n.x);
 }
 
-OcclusionLevel levelOf(std::span<const Ball> balls, const Vec3& low, const Vec3& extent, double sigma_A,
+OcclusionLevel levelOf(std::span<const Sphere> spheres, const Vec3& low, const Vec3& extent, double sigma_A,
                        double voxel_A) {
-  voxel_A = std::max(voxel_A, std::max({extent.x, extent.y, extent.z}) / kMostVoxels);
-  while (voxel_A < 2.0 * sigma_A && visits(balls, voxel_A) > kMostVisits) voxel_A *= 1.25;
+  voxel_A = std::max(voxel_A, std::max({extent.x, extent.y, extent.z}) / kMaxVoxels);
+  while (voxel_A < 2.0 * sigma_A && visits(spheres, voxel_A) > kMaxVisits) voxel_A *= 1.25;
   if (voxel_A > 1.3 * sigma_A && sigma_A < 2.0) return {};  // too coarse to tell a crease
   Filling field;
   field.size = glm::max(glm::ivec3(glm::ceil(extent / voxel_A)), glm::ivec3(1));
   field.value.assign(std::size_t(field.size.x) * field.size.y * field.size.z, 0.0f);
-  fill(field, balls, low, voxel_A);
+  fill(field, spheres, low, voxel_A);
   blur(field, 0.6 * sigma_A / voxel_A);
   OcclusionLevel level{field.size, voxel_A, std::vector<std::uint8_t>(field.value.size())};
   std::transform(field.value.begin(), field.value.end(), level.filled.begin(),
@@ -138,19 +138,19 @@ double OcclusionField::open(const Vec3& place_A, const Vec3& normal) const {
          (1.0 - kWideShade * shade(wide.at(at + normal * kWideOut_A), kWideLeast, kWideMost));
 }
 
-OcclusionField occlusionField(std::span<const Ball> balls) {
+OcclusionField occlusionField(std::span<const Sphere> spheres) {
   OcclusionField field;
-  if (balls.size() < 2) return field;
+  if (spheres.size() < 2) return field;
   constexpr double kMargin_A = 9.0;  // beyond it nothing is smoothed
-  Vec3 low = balls[0].centre_A, high = low;
-  for (const Ball& b : balls) {
+  Vec3 low = spheres[0].centre_A, high = low;
+  for (const Sphere& b : spheres) {
     low = glm::min(low, b.centre_A - b.radius_A);
     high = glm::max(high, b.centre_A + b.radius_A);
   }
   field.low_A = low - kMargin_A;
   const Vec3 extent = high - low + 2.0 * kMargin_A;
-  field.fine = levelOf(balls, field.low_A, extent, 1.0, 0.6);
-  field.wide = levelOf(balls, field.low_A, extent, 4.0, 1.6);
+  field.fine = levelOf(spheres, field.low_A, extent, 1.0, 0.6);
+  field.wide = levelOf(spheres, field.low_A, extent, 4.0, 1.6);
   return field;
 }
 

@@ -1,6 +1,6 @@
 // How much of the molecule lies about each place: from it the shader takes how open a point of a surface lies to the sky,
 // so that creases, pits and pockets are dark and ridges bright, at every point and not once for an atom. Own method: the
-// volume of the balls in voxels, smoothed at two widths. Pure function; memory and time follow the number of balls and
+// volume of the spheres in voxels, smoothed at two widths. Pure function; memory and time follow the number of spheres and
 // the extent (at most 160 voxels along an axis). Units: angstrom.
 #pragma once
 
@@ -9,7 +9,7 @@
 #include <span>
 #include <vector>
 
-#include "engine/core/ball.h"
+#include "engine/core/sphere.h"
 
 namespace moltact {
 
@@ -27,9 +27,9 @@ struct OcclusionField {
   Vec3 low_A{0.0};            ///< the corner of both levels
   OcclusionLevel fine, wide;  ///< smoothed over about 1 A and 4 A; one empty voxel in a scene too wide for it
 
-  /// Nothing is in the light's way: a scene of one ball, or one too wide to tell.
+  /// Nothing is in the light's way: a scene of one sphere, or one too wide to tell.
   bool empty() const { return fine.filled.size() == 1 && wide.filled.size() == 1; }
-  /// What of the wide level lies round a ball: w + dot(xyz, normal) is about what wide.at() gives outside its surface
+  /// What of the wide level lies round a sphere: w + dot(xyz, normal) is about what wide.at() gives outside its surface
   /// there, since that level hardly changes over an atom.
   glm::vec4 wideRound(const Vec3& centre_A, double radius_A) const;
   /// The light from all sides that reaches a place of a surface with this normal, 0 to 1: what the shaders compute.
@@ -43,6 +43,6 @@ inline constexpr double kFineOut_A = 0.7, kWideOut_A = 2.5;
 inline constexpr double kFineLeast = 0.12, kFineMost = 0.52, kWideLeast = 0.06, kWideMost = 0.44;
 inline constexpr double kFineShade = 0.74, kWideShade = 0.62;
 
-OcclusionField occlusionField(std::span<const Ball> balls);
+OcclusionField occlusionField(std::span<const Sphere> spheres);
 
 }  // namespace moltact

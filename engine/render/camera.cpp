@@ -86,7 +86,7 @@ void Camera::lookSideOn(const Molecule& molecule) {
   constexpr double kEndOn = 0.7;  // of the axis toward the eye
   if (molecule.atoms.size() < 2) return;
   std::vector<Vec3> places_A;
-  for (const Ball& a : molecule.balls) places_A.push_back(a.centre_A);
+  for (const Sphere& a : molecule.spheres) places_A.push_back(a.centre_A);
   const glm::dmat3 spread = spreadOf(places_A);
   const Vec3 axis = longestAxis(spread);
   const double along = glm::dot(axis, spread * axis);
@@ -124,11 +124,11 @@ void Camera::fit(const Molecule& molecule, double aspect, double margin, double 
                  std::span<const std::uint32_t> without) {
   if (molecule.atoms.empty()) return;
   if (without.size() >= molecule.atoms.size()) without = {};
-  // In the camera's axes, relative to the first atom. A ball of radius r at (x, z) stays below the plane through the
+  // In the camera's axes, relative to the first atom. A sphere of radius r at (x, z) stays below the plane through the
   // eye at slope t as long as distance >= z + (x - m + r sqrt(1 + t^2)) / t, where m is the target's x. The two sides'
   // largest bounds meet at the best m, so the picture is filled from edge to edge in perspective too.
   const glm::dquat to_axes = glm::conjugate(orientation);
-  const Vec3 origin = molecule.balls[0].centre_A;
+  const Vec3 origin = molecule.spheres[0].centre_A;
   const double slope[2] = {tanHalfY() * aspect * (1 - margin), tanHalfY() * (1 - margin)};
   double ahead[2] = {-1e300, -1e300}, behind[2] = {-1e300, -1e300}, low = 1e300, high = -1e300;
   for (std::size_t i = 0, left_out = 0; i < molecule.atoms.size(); ++i) {
@@ -136,8 +136,8 @@ void Camera::fit(const Molecule& molecule, double aspect, double margin, double 
       ++left_out;
       continue;
     }
-    const Vec3 p = to_axes * (molecule.balls[i].centre_A - origin);
-    const double radius = molecule.balls[i].radius_A + grown_A;
+    const Vec3 p = to_axes * (molecule.spheres[i].centre_A - origin);
+    const double radius = molecule.spheres[i].radius_A + grown_A;
     low = std::min(low, p.z - radius);
     high = std::max(high, p.z + radius);
     const double across[2] = {p.x, p.y};

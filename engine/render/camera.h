@@ -56,7 +56,7 @@ struct Camera {
   /// How large one pixel is at a depth (unit: angstrom).
   double pixel_A(double depth_A, int height_px) const { return 2.0 * tanHalfY() * depth_A / height_px; }
 
-  /// Turns about the target as if the picture were a glass ball: a drag to the right turns what is seen to the right.
+  /// Turns about the target as if the picture were a glass sphere: a drag to the right turns what is seen to the right.
   void orbit(double right_rad, double down_rad);
   /// Turns about the line of sight, counter-clockwise as seen for positive angles.
   void roll(double angle_rad);
@@ -83,7 +83,7 @@ struct Camera {
   /// The atoms of `without` (ascending) do not count, unless these are all.
   void fit(const Molecule& molecule, double aspect, double margin = 0.08, double grown_A = 0.0,
            std::span<const std::uint32_t> without = {});
-  /// The same for one ball.
+  /// The same for one sphere.
   void fit(PointA centre, double radius_A, double aspect, double margin = 0.08);
 
   friend bool operator==(const Camera&, const Camera&) = default;

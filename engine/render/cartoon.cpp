@@ -127,7 +127,7 @@ class Cartoon {
  public:
   Cartoon(const Molecule& molecule, std::span<const std::uint8_t> drawn, std::span<const std::uint32_t> colours)
       : molecule_(molecule), drawn_(drawn), colours_(colours) {
-    for (const Ball& a : molecule.balls) piece_.origin_A += a.centre_A / double(molecule.atoms.size());
+    for (const Sphere& a : molecule.spheres) piece_.origin_A += a.centre_A / double(molecule.atoms.size());
   }
 
   MeshPiece build(const MoleculeStructure& structure) {
@@ -140,7 +140,7 @@ class Cartoon {
   }
 
  private:
-  Vec3 at(std::uint32_t atom) const { return molecule_.balls[atom].centre_A; }
+  Vec3 at(std::uint32_t atom) const { return molecule_.spheres[atom].centre_A; }
 
   void protein(const ProteinStretch& stretch, const MoleculeStructure& structure,
                const std::vector<std::uint8_t>& ends) {

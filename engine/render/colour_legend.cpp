@@ -17,7 +17,7 @@
 namespace moltact {
 namespace {
 
-constexpr std::size_t kMostEntries = 9;  // a molecule of more has the first ones
+constexpr std::size_t kMaxEntries = 9;  // a molecule of more has the first ones
 constexpr double kLine_px = 16.0, kGap_px = 5.0, kPadding_px = 10.0, kDot_px = 5.5, kMargin_px = 14.0;
 
 // How an atom is seen.
@@ -66,7 +66,7 @@ std::vector<LegendEntry> entriesOf(const Molecule& molecule, ColourBy by, Elemen
       ++of_element[std::min<std::size_t>(a.atomic_number, kElementCount)];
   }
   const auto chains = std::size_t(std::count_if(of_chain.begin(), of_chain.end(), [](std::size_t n) { return n > 0; }));
-  for (std::size_t k = 0; k < of_chain.size() && chains <= std::min(kMostEntries, kChainColours); ++k)
+  for (std::size_t k = 0; k < of_chain.size() && chains <= std::min(kMaxEntries, kChainColours); ++k)
     if (of_chain[k]) out.push_back({chainColour(std::uint32_t(k)), trf("chain {0}", molecule.chains[k].name.string())});
   for (std::size_t k = 0; k < of_element.size(); ++k)
     if (of_element[k])
@@ -106,7 +106,7 @@ std::vector<LegendEntry> legendOf(const Molecule& molecule, ColourBy by, Element
   } else {
     entries = entriesOf(molecule, by, shownColours(elements, molecule.atoms.size()), seenAtoms(molecule, look));
   }
-  if (entries.size() > kMostEntries) entries.resize(kMostEntries);
+  if (entries.size() > kMaxEntries) entries.resize(kMaxEntries);
   std::vector<LegendEntry> marks;
   if (look.marks)
     for (const OwnColour& mark : *look.marks)

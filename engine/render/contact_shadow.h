@@ -1,4 +1,4 @@
-// The shadow of a ball on what is already drawn: dark where it nearly touches, and where it stands before the key light.
+// The shadow of a sphere on what is already drawn: dark where it nearly touches, and where it stands before the key light.
 // It tells how far the probe is from the surface. Needs a current context. Units: angstrom, the camera's axes.
 #pragma once
 
@@ -16,7 +16,7 @@ class ContactShadow {
   /// Darkens the bound framebuffer, which is as large as `drawn`, whose depth tells where the surfaces lie.
   void draw(const GlTarget& drawn, const glm::vec3& centre, float radius, const Projection& projection);
 
-  /// How far the shadow of a ball reaches from its middle, in radii.
+  /// How far the shadow of a sphere reaches from its middle, in radii.
   static constexpr float kReach = 4.5f;
 
  private:

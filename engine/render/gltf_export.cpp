@@ -62,17 +62,17 @@ class Materials {
   std::map<std::tuple<std::uint32_t, float, std::string>, std::size_t> known_;
 };
 
-// Each material's ball is there once, and each chain's balls hang on a node of their own.
-class Balls {
+// Each material's sphere is there once, and each chain's spheres hang on a node of their own.
+class Spheres {
  public:
-  Balls(GltfScene& scene, Materials& materials, const Molecule& molecule, const Vec3& middle_A, double unit)
+  Spheres(GltfScene& scene, Materials& materials, const Molecule& molecule, const Vec3& middle_A, double unit)
       : scene_(scene), materials_(materials), molecule_(molecule), middle_(middle_A), unit_(unit) {}
 
   void add(std::uint32_t atom, double radius_A, float opacity) {
     const std::size_t material = materials_.ofAtom(atom, opacity);
     const auto [mesh, new_mesh] = mesh_of_.try_emplace(material, scene_.meshes.size());
     if (new_mesh) {
-      GltfMesh made = ball_;
+      GltfMesh made = sphere_;
       made.name = scene_.materials[material].name;
       made.parts[0].material = material;
       scene_.meshes.push_back(std::move(made));
@@ -80,7 +80,7 @@ class Balls {
     scene_.nodes.push_back({.name = molecule_.describe(atom),
                             .mesh = mesh->second,
                             .parent = groupOf(atom),
-                            .place = glm::vec3((molecule_.balls[atom].centre_A - middle_) * unit_),
+                            .place = glm::vec3((molecule_.spheres[atom].centre_A - middle_) * unit_),
                             .scale = float(radius_A * unit_)});
   }
 
@@ -99,7 +99,7 @@ class Balls {
   const Molecule& molecule_;
   const Vec3 middle_;
   const double unit_;
-  const GltfMesh ball_ = ballMesh();
+  const GltfMesh sphere_ = sphereMesh();
   std::map<std::size_t, std::size_t> mesh_of_;     // by material
   std::map<std::uint32_t, std::size_t> group_of_;  // a chain's node
 };
@@ -129,7 +129,7 @@ void addPiece(const MeshPiece& piece, std::string name, float opacity, const Vec
 void addStyles(const Molecule& molecule, const ExportOptions& options, const std::vector<std::uint8_t>& seen,
                const Vec3& middle_A, Materials& materials, GltfScene& scene) {
   const double unit = kNm_per_A * options.units_per_nm;
-  Balls balls(scene, materials, molecule, middle_A, unit);
+  Spheres spheres(scene, materials, molecule, middle_A, unit);
   scene.nodes.push_back({.name = scene.title});
   std::vector<StyledAtoms> styles = options.look.styles;
   if (styles.empty()) styles.emplace_back();
@@ -147,7 +147,7 @@ void addStyles(const Molecule& molecule, const ExportOptions& options, const std
     if (std::find(shown.begin(), shown.end(), 1) == shown.end()) continue;
     if (what.style == DrawStyle::Spheres) {
       for (std::uint32_t a = 0; a < shown.size(); ++a)
-        if (shown[a]) balls.add(a, molecule.balls[a].radius_A + options.probe_A, what.opacity);
+        if (shown[a]) spheres.add(a, molecule.spheres[a].radius_A + options.probe_A, what.opacity);
       continue;
     }
     SolventExcluded surface;
@@ -157,7 +157,7 @@ void addStyles(const Molecule& molecule, const ExportOptions& options, const std
     }
     const StyleShapes shapes = shapesOf(what.style, molecule, shown, colours, surface, found);
     addPiece(shapes.piece, std::string(nameOf(what.style)), what.opacity, middle_A, unit, materials, scene);
-    for (const SmallBall& b : shapes.balls) balls.add(b.atom, double(b.radius_A), what.opacity);
+    for (const SmallSphere& b : shapes.spheres) spheres.add(b.atom, double(b.radius_A), what.opacity);
   }
 }
 
@@ -185,9 +185,9 @@ void addAnnotations(const ExportOptions& options, const Vec3& middle_A, Material
   addPiece(bonds, "hydrogen bonds", 1.0f, middle_A, unit, materials, scene);
 }
 
-void addPrintedSurface(const ExportOptions& options, const std::vector<Ball>& balls,
+void addPrintedSurface(const ExportOptions& options, const std::vector<Sphere>& spheres,
                        const std::vector<std::uint32_t>& atoms, double step_A, Materials& materials, GltfScene& scene) {
-  const ClosedSurface surface = closedSurface(balls, step_A);
+  const ClosedSurface surface = closedSurface(spheres, step_A);
   const auto unit = float(kNm_per_A * options.units_per_nm);
   GltfMesh mesh{.name = "surface", .places = surface.places, .normals = surface.normals, .parts = {}};
   for (glm::vec3& p : mesh.places) p *= unit;
@@ -204,7 +204,7 @@ void addPrintedSurface(const ExportOptions& options, const std::vector<Ball>& ba
 
 }  // namespace
 
-GltfMesh ballMesh() {
+GltfMesh sphereMesh() {
   // An icosahedron, each triangle cut in four three times.
   const float g = 0.5f * (1.0f + std::sqrt(5.0f));
   std::vector<glm::vec3> places{{-1, g, 0},  {1, g, 0},  {-1, -g, 0}, {1, -g, 0}, {0, -1, g},  {0, 1, g},
@@ -238,17 +238,17 @@ Expected<GltfScene> exportMolecule(const Molecule& molecule, const ExportOptions
   if (options.look.hidden)
     for (const std::uint32_t a : *options.look.hidden)
       if (a < seen.size()) seen[a] = 0;
-  std::vector<Ball> balls;
+  std::vector<Sphere> spheres;
   std::vector<std::uint32_t> atoms;
   for (std::uint32_t a = 0; a < seen.size(); ++a) {
     if (!seen[a]) continue;
-    balls.push_back({molecule.balls[a].centre_A, molecule.balls[a].radius_A + options.probe_A});
+    spheres.push_back({molecule.spheres[a].centre_A, molecule.spheres[a].radius_A + options.probe_A});
     atoms.push_back(a);
   }
-  if (balls.empty())
+  if (spheres.empty())
     return Problem{.file = {}, .message = tr("all atoms are hidden"), .remedy = tr("show some of them")};
-  Vec3 low = balls[0].centre_A, high = low;
-  for (const Ball& b : balls) {
+  Vec3 low = spheres[0].centre_A, high = low;
+  for (const Sphere& b : spheres) {
     low = glm::min(low, b.centre_A - b.radius_A);
     high = glm::max(high, b.centre_A + b.radius_A);
   }
@@ -281,14 +281,14 @@ Expected<GltfScene> exportMolecule(const Molecule& molecule, const ExportOptions
     addAnnotations(options, middle_A, materials, scene);
     return scene;
   }
-  const double step_A = options.step_A > 0 ? options.step_A : usualStep_A(balls);
-  if (cellCount(balls, step_A) > kMostCells)
+  const double step_A = options.step_A > 0 ? options.step_A : usualStep_A(spheres);
+  if (cellCount(spheres, step_A) > kMaxCells)
     return Problem{
         .file = {},
         .message = trf("a surface with steps of {0} is too fine for a molecule of this size", number(step_A, "A")),
-        .remedy = trf("take coarser steps, {0} for example", number(usualStep_A(balls), "A"))};
+        .remedy = trf("take coarser steps, {0} for example", number(usualStep_A(spheres), "A"))};
   scene.notes.push_back({"step", number(step_A, "angstrom")});
-  addPrintedSurface(options, balls, atoms, step_A, materials, scene);
+  addPrintedSurface(options, spheres, atoms, step_A, materials, scene);
   return scene;
 }
 

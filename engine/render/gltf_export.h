@@ -34,7 +34,7 @@ struct ExportOptions {
 /// A molecule of which no atom is shown, or a surface so fine that it would not fit in memory, gives a problem.
 Expected<GltfScene> exportMolecule(const Molecule& molecule, const ExportOptions& options);
 
-/// A ball of radius 1 as 1280 triangles whose corners lie on it.
-GltfMesh ballMesh();
+/// A sphere of radius 1 as 1280 triangles whose corners lie on it.
+GltfMesh sphereMesh();
 
 }  // namespace moltact

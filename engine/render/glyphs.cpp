@@ -73,10 +73,10 @@ class Maker {
       const bool stopped = std::binary_search(scene_.body_stopped.begin(), scene_.body_stopped.end(), std::uint32_t(i));
       const std::uint32_t colour = stopped  ? packColour(forceColour(scene_.theme, 1.0))
                                    : carbon ? packColour(scene_.theme.probe)
-                                            : model.colour[model.ballOf(atom)];
-      const Vec3 place = scp_ + axes * scene_.body->balls[i].centre_A;
+                                            : model.colour[model.sphereOf(atom)];
+      const Vec3 place = scp_ + axes * scene_.body->spheres[i].centre_A;
       const glm::vec3 centre = view(place);
-      const auto radius = float(model.atomBall(atom).radius_A);
+      const auto radius = float(model.atomSphere(atom).radius_A);
       if (stopped) shell(place, double(radius) + kGlow_A, forceColour(scene_.theme, 1.0), 0.45f);
       out_.solid.push_back({centre, radius, colour});
       out_.ghost.push_back({centre, radius, (colour & 0xFFFFFFu) | kGhost});
@@ -203,11 +203,11 @@ class Maker {
   // A ring round each of a few atoms; many are told by their colour and mark alone, for rings by the hundred hide
   // them and take longer to draw than all else.
   void highlights(const MoleculeModel& model) {
-    constexpr std::size_t kMostRings = 120;
-    if (scene_.highlighted.size() > kMostRings) return;
+    constexpr std::size_t kMaxRings = 120;
+    if (scene_.highlighted.size() > kMaxRings) return;
     for (const std::uint32_t a : scene_.highlighted) {
       if (a >= model.atoms()) continue;
-      const Ball b = model.atomBall(a);
+      const Sphere b = model.atomSphere(a);
       // What the hand holds is not there: its place is, as a ghost.
       if (scene_.body && std::binary_search(scene_.body->atoms.begin(), scene_.body->atoms.end(), a)) {
         shell(b.centre_A, b.radius_A, scene_.theme.target, 0.50f);
@@ -226,7 +226,7 @@ class Maker {
     for (const std::int32_t a : scene_.named_atoms.value_or(scene_.contact.atoms)) {
       if (a < 0 || std::size_t(a) >= model.atoms()) continue;
       if (hidden && std::binary_search(hidden->begin(), hidden->end(), std::uint32_t(a))) continue;
-      const Ball b = model.atomBall(std::uint32_t(a));
+      const Sphere b = model.atomSphere(std::uint32_t(a));
       const double ring = b.radius_A + 0.10;
       for (const Stroke& stroke : {Stroke{.colour = glm::vec3(0.0f), .alpha = 0.55f, .hidden = 0.3f, .width_px = 4.6f},
                                    Stroke{.colour = kTouchedRing, .alpha = 1.0f, .hidden = 0.3f, .width_px = 2.2f}})
@@ -276,12 +276,12 @@ class Maker {
   Vec3 along_force_{0.0};  // zero: no force is felt
 };
 
-// An atom in the colour of the ball that stands for it.
+// An atom in the colour of the sphere that stands for it.
 LooseSphere looseAtom(const ViewScene& scene, const MoleculeModel& model, std::uint32_t atom) {
-  const Ball b = model.atomBall(atom);
-  const std::uint32_t ball = model.ballOf(atom);
-  return {glm::vec3(scene.camera.toView({b.centre_A})), float(b.radius_A), model.colour[ball],
-          model.light.wide.empty() ? glm::vec4(0.0f) : model.light.wide[ball]};
+  const Sphere b = model.atomSphere(atom);
+  const std::uint32_t sphere = model.sphereOf(atom);
+  return {glm::vec3(scene.camera.toView({b.centre_A})), float(b.radius_A), model.colour[sphere],
+          model.light.wide.empty() ? glm::vec4(0.0f) : model.light.wide[sphere]};
 }
 
 }  // namespace
@@ -316,11 +316,11 @@ void Glyphs::addTo(PixelBoxBuilder& box) const {
 void addNearSpheres(const ViewScene& scene, const MoleculeModel& model, std::vector<LooseSphere>& spheres) {
   if (!scene.hip || !(scene.look.spheres_near_A > 0) || !scene.shown.has(ViewPart::Atoms)) return;
   if (scene.look.allSpheres() && !model.byResidue()) return;
-  constexpr std::size_t kMost = 400;
+  constexpr std::size_t kMax = 400;
   const PointA place = scene.contact.touching() ? scene.contact.scp : *scene.hip;
   const double held_A = scene.body ? scene.body->reach_A : scene.probe_A;
   const std::vector<std::uint32_t>* hidden = scene.look.hidden.get();
-  for (const std::uint32_t a : nearestAtoms(model, place, held_A, scene.look.spheres_near_A, kMost)) {
+  for (const std::uint32_t a : nearestAtoms(model, place, held_A, scene.look.spheres_near_A, kMax)) {
     if (hidden && std::binary_search(hidden->begin(), hidden->end(), a)) continue;
     spheres.push_back(looseAtom(scene, model, a));
   }

@@ -30,7 +30,7 @@ struct Glyphs {
   std::vector<GlyphModel> models;
   Strokes strokes;
   glm::vec3 shadow_centre{0.0f};
-  float shadow_radius = 0;  ///< of the ball whose shadow falls on the molecule; 0: none
+  float shadow_radius = 0;  ///< of the sphere whose shadow falls on the molecule; 0: none
 
   void clear();
   /// Where all of it lies in the picture.

@@ -41,7 +41,7 @@ class Drawer {
   void spheres() {
     for (const std::uint32_t a : atoms_) {
       gatherNeighbours(a);
-      const Ball b = inflated(a);
+      const Sphere b = inflated(a);
       const bool held = isInUse(a);
       const Stroke ring{.colour = scene_.theme.surface,
                         .alpha = (held ? 0.9f : 0.62f) * strength(a) * scene_.theme.wire_strength,
@@ -81,7 +81,7 @@ class Drawer {
     const double share = std::min(1.0, kFacetsAtMost / double(mesh.faces().size()));
     for (const std::uint32_t a : near) {
       gatherNeighbours(a);
-      const Ball b = inflated(a);
+      const Sphere b = inflated(a);
       // A cap of this share of a sphere reaches so far from its middle.
       const double reach = share < 1.0 ? 2.0 * b.radius_A * std::sqrt(share) : 2.0 * b.radius_A + 1.0;
       const double away = glm::length(focus_ - b.centre_A);
@@ -165,8 +165,8 @@ class Drawer {
   }
 
  private:
-  Ball inflated(std::uint32_t a) const {
-    const Ball b = model_.atomBall(a);
+  Sphere inflated(std::uint32_t a) const {
+    const Sphere b = model_.atomSphere(a);
     return {b.centre_A, b.radius_A + scene_.probe_A};
   }
   bool isInUse(std::uint32_t a) const { return std::find(in_use_.begin(), in_use_.end(), a) != in_use_.end(); }
@@ -174,7 +174,7 @@ class Drawer {
 
   float strength(std::uint32_t a) const {
     if (!fading_ || isInUse(a)) return 1.0f;
-    const Ball b = inflated(a);
+    const Sphere b = inflated(a);
     const double gap = glm::length(b.centre_A - focus_) - b.radius_A;
     return float(std::clamp(1.0 - gap / 4.0, 0.25, 1.0));
   }
@@ -182,11 +182,12 @@ class Drawer {
   // The inflated spheres that can cover a part of the named ones.
   template <class... More>
   void gatherNeighbours(std::uint32_t a, More... more) {
-    const Ball b = inflated(a);
+    const Sphere b = inflated(a);
     neighbours_.clear();
-    model_.visitAtomsNear(b.centre_A, b.radius_A + scene_.probe_A, [&](std::uint32_t i, const Ball& n) {
+    model_.visitAtomsNear(b.centre_A, b.radius_A + scene_.probe_A, [&](std::uint32_t i, const Sphere& n) {
       if (i == a || ((i == more) || ...)) return;
-      if (n.centre_A == b.centre_A && n.radius_A <= model_.atomBall(a).radius_A) return;  // a duplicate covers nothing
+      if (n.centre_A == b.centre_A && n.radius_A <= model_.atomSphere(a).radius_A)
+        return;  // a duplicate covers nothing
       if (glm::length(n.centre_A - b.centre_A) < b.radius_A + n.radius_A + scene_.probe_A)
         neighbours_.push_back(inflated(i));
     });
@@ -195,7 +196,7 @@ class Drawer {
   // How far a place is outside of the gathered spheres.
   double freedom(const Vec3& p) const {
     double least = 1e9;
-    for (const Ball& n : neighbours_) least = std::min(least, glm::length(p - n.centre_A) - n.radius_A);
+    for (const Sphere& n : neighbours_) least = std::min(least, glm::length(p - n.centre_A) - n.radius_A);
     return least;
   }
 
@@ -256,7 +257,7 @@ class Drawer {
   Strokes& strokes_;
   std::vector<LooseSphere>& dots_;
   std::vector<std::uint32_t> in_use_, atoms_;
-  std::vector<Ball> neighbours_;
+  std::vector<Sphere> neighbours_;
   Vec3 focus_{0.0};
   bool fading_ = false;
 };

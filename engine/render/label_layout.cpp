@@ -12,7 +12,7 @@ constexpr double kFaint = 0.45;                     // where atoms hide the plac
 constexpr double kAcross = 9.0, kDown = 4.0;        // padding
 constexpr double kReaches[] = {58.0, 86.0, 120.0};  // from an arrow's tip to its name
 constexpr double kBeside = 6.0;                     // between two boxes at least, half of it
-constexpr std::size_t kMost = 400;                  // looked at
+constexpr std::size_t kMax = 400;                   // looked at
 
 struct Wanted {
   const std::string* text;
@@ -27,12 +27,12 @@ bool overlaps(const PlacedLabel& a, const PlacedLabel& b, double gap) {
   return a.low.x < b.high.x + gap && b.low.x < a.high.x + gap && a.low.y < b.high.y + gap && b.low.y < a.high.y + gap;
 }
 
-// The way from the eye meets a ball before the place, none of those that belong to it.
-bool hidden(const BallScene& balls, const Camera& camera, const Wanted& w) {
+// The way from the eye meets a sphere before the place, none of those that belong to it.
+bool hidden(const SphereGrid& spheres, const Camera& camera, const Wanted& w) {
   const Vec3 eye = camera.eye().A, way = w.at.A - eye;
   const double length = glm::length(way), free = length - w.clear_A - 0.3;
   if (!(free > 0.0)) return false;
-  return sweep(balls, 0.0, eye, eye + way * (free / length)).ball >= 0;
+  return sweep(spheres, 0.0, eye, eye + way * (free / length)).sphere >= 0;
 }
 
 // Whether the atoms are as solid in the picture as they are to the hand.
@@ -47,9 +47,9 @@ bool hidesPlaces(const AtomsLook& look) {
 
 glm::dvec2 labelPadding_px(double unit_px) { return glm::dvec2(kAcross, kDown) * unit_px; }
 
-std::vector<PlacedLabel> layOutLabels(const ViewScene& scene, const BallScene* balls, const LabelRoom& room) {
+std::vector<PlacedLabel> layOutLabels(const ViewScene& scene, const SphereGrid* spheres, const LabelRoom& room) {
   std::vector<Wanted> wanted;
-  if (!hidesPlaces(scene.look)) balls = nullptr;
+  if (!hidesPlaces(scene.look)) spheres = nullptr;
   for (const auto& a : scene.annotations) {
     for (const Annotations::Label& l : a->labels)
       wanted.push_back({&l.text, l.at, l.clear_A, l.arrow, l.always, false});
@@ -71,14 +71,14 @@ std::vector<PlacedLabel> layOutLabels(const ViewScene& scene, const BallScene* b
   // The author's own and measures first, then from the nearest on.
   std::stable_sort(wanted.begin(), wanted.end(),
                    [](const Wanted& a, const Wanted& b) { return a.always != b.always ? a.always : a.px.z < b.px.z; });
-  if (wanted.size() > kMost) wanted.resize(kMost);
+  if (wanted.size() > kMax) wanted.resize(kMax);
 
   const Vec3 centre = scene.camera.project(scene.camera.target, room.width_px, room.height_px);
   const double u = room.unit_px;
   const glm::dvec2 pad = labelPadding_px(u);
   std::vector<PlacedLabel> placed;
   for (Wanted& w : wanted) {
-    w.hidden = balls && hidden(*balls, scene.camera, w);
+    w.hidden = spheres && hidden(*spheres, scene.camera, w);
     if (w.hidden && !w.always) continue;
     PlacedLabel label{.text = *w.text,
                       .low = {},

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/haptics/ball_scene.h"
+#include "engine/haptics/sphere_grid.h"
 #include "engine/render/view_scene.h"
 
 namespace moltact {
@@ -30,9 +30,9 @@ struct LabelRoom {
 /// How far the text stands from the edge of its box.
 glm::dvec2 labelPadding_px(double unit_px);
 
-/// All labels and measures of the scene. `balls` are its atoms, which hide places where they are drawn as solid as they
+/// All labels and measures of the scene. `spheres` are its atoms, which hide places where they are drawn as solid as they
 /// are; null: nothing hides.
-std::vector<PlacedLabel> layOutLabels(const ViewScene& scene, const BallScene* balls, const LabelRoom& room);
+std::vector<PlacedLabel> layOutLabels(const ViewScene& scene, const SphereGrid* spheres, const LabelRoom& room);
 
 /// The head and the shaft of an arrow from a label's box to its tip: the shaft's beginning, where the head begins, its two
 /// corners; the tip is the label's. Nothing where the tip lies in the box.

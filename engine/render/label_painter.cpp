@@ -19,7 +19,7 @@ LabelColours labelColours(const Theme& theme) {
                : LabelColours{Colour(0.09f, 0.11f, 0.15f), Colour(0.93f, 0.95f, 0.98f), Colour(0.93f, 0.95f, 0.98f)};
 }
 
-bool paintLabels(Picture& picture, const ViewScene& scene, const BallScene* balls, double unit_px) {
+bool paintLabels(Picture& picture, const ViewScene& scene, const SphereGrid* spheres, double unit_px) {
   const TextFace face(kLine_px * unit_px);
   if (!face.good()) return false;
   const LabelRoom room{picture.width_px, picture.height_px, unit_px, [&](const std::string& text) {
@@ -28,7 +28,7 @@ bool paintLabels(Picture& picture, const ViewScene& scene, const BallScene* ball
                        }};
   const LabelColours colours = labelColours(scene.theme);
   PicturePainter paint(picture);
-  for (const PlacedLabel& l : layOutLabels(scene, balls, room)) {
+  for (const PlacedLabel& l : layOutLabels(scene, spheres, room)) {
     if (const ArrowShape arrow = arrowOf(l, unit_px); arrow.drawn) {
       paint.line(arrow.from, arrow.neck, 4.4 * unit_px, colours.ground, 0.6 * l.strength);
       paint.line(arrow.from, arrow.neck, 2.0 * unit_px, colours.line, l.strength);

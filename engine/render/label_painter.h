@@ -14,6 +14,6 @@ struct LabelColours {
 LabelColours labelColours(const Theme& theme);
 
 /// Writes all labels of the scene, whose picture this is. `unit_px`: a pixel of 96 dpi. False where no font is installed.
-bool paintLabels(Picture& picture, const ViewScene& scene, const BallScene* balls, double unit_px);
+bool paintLabels(Picture& picture, const ViewScene& scene, const SphereGrid* spheres, double unit_px);
 
 }  // namespace moltact

@@ -1,4 +1,4 @@
-// The one lighting of balls, solid glyphs and meshes. The light moves with the camera. Needs a current context.
+// The one lighting of spheres, solid glyphs and meshes. The light moves with the camera. Needs a current context.
 #pragma once
 
 #include "engine/render/ambient_occlusion.h"
@@ -33,7 +33,7 @@ struct Lighting {
   glm::vec4 cut{0.0f, 0.0f, 0.0f,
                 -1.0f};  ///< dot(xyz, place) + w > 0 is cut away, in the camera's axes (default: nothing)
   OcclusionVolume* occlusion = nullptr;  ///< of the molecule; null: everything lies open
-  bool fine = true;                      ///< with its fine level, which a ball looks up in every pixel
+  bool fine = true;                      ///< with its fine level, which a sphere looks up in every pixel
 };
 
 /// Sets the uniforms `Lighting` and `Projection` of a program that uses kLightingText; the program must be in use.

@@ -3,7 +3,7 @@
 namespace moltact {
 namespace {
 
-// The depth in the window is linear in 1 / depth as the balls write it, so the card's own interpolation gives it.
+// The depth in the window is linear in 1 / depth as the spheres write it, so the card's own interpolation gives it.
 const char* const kVertexText = R"(
 layout(location = 0) in vec3 a_place;
 layout(location = 1) in vec3 a_normal;

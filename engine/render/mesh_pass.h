@@ -1,4 +1,4 @@
-// Meshes that stay on the graphics card between pictures, lit like the balls. Needs a current context.
+// Meshes that stay on the graphics card between pictures, lit like the spheres. Needs a current context.
 #pragma once
 
 #include "engine/render/gl_objects.h"

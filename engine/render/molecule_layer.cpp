@@ -53,27 +53,28 @@ void MoleculeLayer::drawPart(StyledPart& part, const ViewScene& scene, const Mol
                              const Projection& inside, const Lighting& lighting, const Options& options,
                              Passes& passes) {
   const float opacity = part.what().opacity;
-  if (part.modelsBalls()) {
+  if (part.modelsSpheres()) {
     const float rim = options.outlines && opacity >= 1.0f ? rimOf(options.samples, inside) : 0.0f;
     // Where something is cut away, what it hid comes in sight.
-    cull_.run(model.balls, model.blocks, scene.camera, inside, rim, options.cull && !scene.look.cut && opacity >= 1.0f,
-              part.shown());
+    cull_.run(model.spheres, model.blocks, scene.camera, inside, rim,
+              options.cull && !scene.look.cut && opacity >= 1.0f, part.shown());
     atoms_drawn_ += cull_.atomsDrawn();
-    passes.balls.drawMolecule(model, cull_.drawn(), key_.tinted, packColour(key_.tint), rim, opacity, inside, lighting);
+    passes.spheres.drawMolecule(model, cull_.drawn(), key_.tinted, packColour(key_.tint), rim, opacity, inside,
+                                lighting);
     return;
   }
   Lighting among = lighting;
   if (part.occlusion()) among.occlusion = part.occlusion();
   if (part.mesh()) passes.meshes.draw(*part.mesh(), opacity, inside, among);
   small_.clear();
-  for (const SmallBall& b : part.balls()) {
+  for (const SmallSphere& b : part.spheres()) {
     const bool marked = std::binary_search(key_.tinted.begin(), key_.tinted.end(), b.atom);
     const std::uint32_t colour = marked ? packColour(key_.tint) : model.colour[b.atom];
-    small_.push_back({glm::vec3(scene.camera.toView({model.balls[b.atom].centre_A})), b.radius_A,
+    small_.push_back({glm::vec3(scene.camera.toView({model.spheres[b.atom].centre_A})), b.radius_A,
                       (colour & 0x00FFFFFFu) | (packColour({}, opacity) & 0xFF000000u), b.wide});
   }
-  passes.balls.drawLoose(small_, opacity < 1.0f ? SphereImpostors::Pass::Faint : SphereImpostors::Pass::Solid, inside,
-                         among);
+  passes.spheres.drawLoose(small_, opacity < 1.0f ? SphereImpostors::Pass::Faint : SphereImpostors::Pass::Solid, inside,
+                           among);
 }
 
 bool MoleculeLayer::draw(const ViewScene& scene, const MoleculeModel* model, const Projection& inside,
@@ -101,7 +102,7 @@ bool MoleculeLayer::draw(const ViewScene& scene, const MoleculeModel* model, con
     if (infoOf(s.style).uses_probe && !(model && model->byResidue())) key.surface_probe_A = scene.probe_A;
   if (scene.shown.has(ViewPart::Target)) key.tinted = scene.highlighted;
   std::sort(key.tinted.begin(), key.tinted.end());
-  if (model) key.tinted = model->ballsOf(std::move(key.tinted));
+  if (model) key.tinted = model->spheresOf(std::move(key.tinted));
   redrawn_ = !(have_ && key == key_) || surfaces_.ready();
   if (!redrawn_) return true;
   have_ = false;

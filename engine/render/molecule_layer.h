@@ -28,7 +28,7 @@ class MoleculeLayer {
   /// What it draws with.
   struct Passes {
     Resolve& background;
-    SphereImpostors& balls;
+    SphereImpostors& spheres;
     MeshPass& meshes;
     Wireframe& wires;
   };

@@ -35,73 +35,73 @@ std::shared_ptr<const Colouring> schemeColouring(const Molecule& molecule, std::
   return scheme ? std::make_shared<const Colouring>(colourMolecule(molecule, **scheme)) : nullptr;
 }
 
-MoleculeLight lightAmong(const SharedArray<Ball>& balls, const std::vector<std::uint8_t>& shown) {
-  std::vector<Ball> seen;
+MoleculeLight lightAmong(const SharedArray<Sphere>& spheres, const std::vector<std::uint8_t>& shown) {
+  std::vector<Sphere> seen;
   for (std::size_t i = 0; i < shown.size(); ++i)
-    if (shown[i]) seen.push_back(balls[i]);
-  MoleculeLight out{occlusionField(shown.empty() ? std::span<const Ball>(balls) : seen), {}};
+    if (shown[i]) seen.push_back(spheres[i]);
+  MoleculeLight out{occlusionField(shown.empty() ? std::span<const Sphere>(spheres) : seen), {}};
   if (out.field.empty()) return out;
-  out.wide.reserve(balls.size());
-  for (const Ball& b : balls) out.wide.push_back(out.field.wideRound(b.centre_A, b.radius_A));
+  out.wide.reserve(spheres.size());
+  for (const Sphere& b : spheres) out.wide.push_back(out.field.wideRound(b.centre_A, b.radius_A));
   return out;
 }
 
 MoleculeModel::MoleculeModel(std::shared_ptr<const Molecule> m, std::size_t most)
     : molecule(std::move(m)), most_single(most), found(std::make_shared<FoundStructure>()) {
   if (molecule->atoms.size() > most_single) {
-    ResidueBalls residues = residueBalls(*molecule);
+    ResidueSpheres residues = residueSpheres(*molecule);
     first_atom = std::move(residues.first_atom);
     beyond_A = residues.beyond_A;
-    balls = std::move(residues.balls);
+    spheres = std::move(residues.spheres);
   } else {
-    balls = molecule->balls;
+    spheres = molecule->spheres;
   }
-  blocks = BallBlocks(balls);
+  blocks = SphereBlocks(spheres);
   paint({});
   measure();
 }
 
 void MoleculeModel::measure() {
   Vec3 low(0.0), high(0.0);
-  if (!balls.empty()) low = high = balls[0].centre_A;
-  for (const Ball& b : balls) {
+  if (!spheres.empty()) low = high = spheres[0].centre_A;
+  for (const Sphere& b : spheres) {
     low = glm::min(low, b.centre_A);
     high = glm::max(high, b.centre_A);
   }
   middle_A = 0.5 * (low + high);
   reach_A = 0.0;
-  for (const Ball& b : balls) reach_A = std::max(reach_A, glm::distance(b.centre_A, middle_A) + b.radius_A);
+  for (const Sphere& b : spheres) reach_A = std::max(reach_A, glm::distance(b.centre_A, middle_A) + b.radius_A);
   reach_A += beyond_A;
 }
 
 bool MoleculeModel::moveTo(const std::shared_ptr<const Molecule>& moved) {
   if (byResidue() || !moved || !moved->sameTopology(*molecule)) return false;
   molecule = moved;
-  balls = moved->balls;
-  blocks.refit(balls);
+  spheres = moved->spheres;
+  blocks.refit(spheres);
   measure();
   return true;
 }
 
-std::uint32_t MoleculeModel::ballOf(std::uint32_t atom) const {
+std::uint32_t MoleculeModel::sphereOf(std::uint32_t atom) const {
   if (!byResidue()) return atom;
   return std::uint32_t(std::upper_bound(first_atom.begin(), first_atom.end(), atom) - first_atom.begin()) - 1;
 }
 
-std::vector<std::uint32_t> MoleculeModel::ballsOf(std::vector<std::uint32_t> of) const {
+std::vector<std::uint32_t> MoleculeModel::spheresOf(std::vector<std::uint32_t> of) const {
   if (!byResidue()) return of;
   std::erase_if(of, [&](std::uint32_t a) { return a >= atoms(); });
-  for (std::uint32_t& a : of) a = ballOf(a);
+  for (std::uint32_t& a : of) a = sphereOf(a);
   of.erase(std::unique(of.begin(), of.end()), of.end());
   return of;
 }
 
-std::vector<std::uint8_t> MoleculeModel::shownBalls(std::vector<std::uint8_t> shown) const {
+std::vector<std::uint8_t> MoleculeModel::shownSpheres(std::vector<std::uint8_t> shown) const {
   if (!byResidue()) return shown;
-  std::vector<std::uint8_t> out(balls.size());
-  for (std::size_t ball = 0; ball < out.size(); ++ball)
-    out[ball] = std::any_of(shown.begin() + first_atom[ball], shown.begin() + first_atom[ball + 1],
-                            [](std::uint8_t s) { return s != 0; });
+  std::vector<std::uint8_t> out(spheres.size());
+  for (std::size_t sphere = 0; sphere < out.size(); ++sphere)
+    out[sphere] = std::any_of(shown.begin() + first_atom[sphere], shown.begin() + first_atom[sphere + 1],
+                              [](std::uint8_t s) { return s != 0; });
   return out;
 }
 
@@ -110,7 +110,7 @@ std::vector<std::uint8_t> MoleculeModel::shownWithout(const AtomList& hidden_ato
   std::vector<std::uint8_t> shown(atoms(), 1);
   for (const std::uint32_t a : *hidden_atoms)
     if (a < shown.size()) shown[a] = 0;
-  return shownBalls(std::move(shown));
+  return shownSpheres(std::move(shown));
 }
 
 void MoleculeModel::lightBy(MoleculeLight found_light) {
@@ -149,21 +149,21 @@ void MoleculeModel::paint(AtomPaint with) {
   colour = atomColours(*molecule, shown);
   if (!byResidue()) return;
   // A residue has the mean of its atoms' colours.
-  for (std::size_t ball = 0; ball < balls.size(); ++ball) {
-    const std::uint32_t begin = first_atom[ball], end = first_atom[ball + 1];
+  for (std::size_t sphere = 0; sphere < spheres.size(); ++sphere) {
+    const std::uint32_t begin = first_atom[sphere], end = first_atom[sphere + 1];
     glm::vec3 sum(0.0f);
     for (std::uint32_t a = begin; a < end; ++a)
       sum += glm::vec3(colour[a] & 255u, colour[a] >> 8 & 255u, colour[a] >> 16 & 255u);
-    colour[ball] = packColour(sum / (255.0f * float(end - begin)));
+    colour[sphere] = packColour(sum / (255.0f * float(end - begin)));
   }
-  colour.resize(balls.size());
+  colour.resize(spheres.size());
   colour.shrink_to_fit();
 }
 
 std::vector<std::uint32_t> nearestAtoms(const MoleculeModel& model, PointA place, double probe_A, double gap_A,
                                         std::size_t most) {
   std::vector<std::pair<double, std::uint32_t>> found;
-  model.visitAtomsNear(place.A, probe_A + gap_A, [&](std::uint32_t i, const Ball& b) {
+  model.visitAtomsNear(place.A, probe_A + gap_A, [&](std::uint32_t i, const Sphere& b) {
     const double gap = glm::length(b.centre_A - place.A) - b.radius_A - probe_A;
     if (gap <= gap_A) found.emplace_back(gap, i);
   });

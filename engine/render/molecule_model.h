@@ -1,5 +1,5 @@
-// The renderer's data of a molecule between pictures: the balls that it draws, colours, ambient occlusion, and blocks to
-// find neighbours. A ball is an atom, or beyond so many atoms a residue (engine/render/residue_balls.h).
+// The renderer's data of a molecule between pictures: the spheres that it draws, colours, ambient occlusion, and blocks to
+// find neighbours. A sphere is an atom, or beyond so many atoms a residue (engine/render/residue_spheres.h).
 // Made once for a molecule; its colours, its light and its coordinates change. Units: angstrom.
 #pragma once
 
@@ -13,8 +13,8 @@
 #include "engine/molecule/molecule.h"
 #include "engine/render/ambient_occlusion.h"
 #include "engine/render/atom_style.h"
-#include "engine/render/ball_blocks.h"
-#include "engine/render/residue_balls.h"
+#include "engine/render/residue_spheres.h"
+#include "engine/render/sphere_blocks.h"
 #include "engine/structure/colouring.h"
 #include "engine/structure/found_structure.h"
 
@@ -44,46 +44,46 @@ struct AtomPaint {
 /// The colour of each atom (packColour).
 std::vector<std::uint32_t> atomColours(const Molecule& molecule, const AtomPaint& paint);
 
-/// The light among balls.
+/// The light among spheres.
 struct MoleculeLight {
   OcclusionField field;
-  std::vector<glm::vec4> wide;  ///< OcclusionField::wideRound of each ball; empty where the field has none
+  std::vector<glm::vec4> wide;  ///< OcclusionField::wideRound of each sphere; empty where the field has none
 };
 
-/// The light among those balls for which `shown` says so (empty: all). Pure function; any thread but the haptic one.
-MoleculeLight lightAmong(const SharedArray<Ball>& balls, const std::vector<std::uint8_t>& shown);
+/// The light among those spheres for which `shown` says so (empty: all). Pure function; any thread but the haptic one.
+MoleculeLight lightAmong(const SharedArray<Sphere>& spheres, const std::vector<std::uint8_t>& shown);
 
 struct MoleculeModel {
   /// A molecule of more than `most_single` atoms is drawn by its residues.
-  explicit MoleculeModel(std::shared_ptr<const Molecule> molecule, std::size_t most_single = kMostSingleAtoms);
+  explicit MoleculeModel(std::shared_ptr<const Molecule> molecule, std::size_t most_single = kMaxSingleAtoms);
   /// Takes other coordinates of the same molecule, in a time that follows the number of atoms: colours, blocks, bonds and
   /// secondary structure stay, and so does the light until lightBy(). False, and unchanged, where the molecule
   /// is another one or is drawn by its residues.
   bool moveTo(const std::shared_ptr<const Molecule>& moved);
-  /// Takes the light among its balls, as lightAmong(balls, shownWithout(hidden)) finds it.
+  /// Takes the light among its spheres, as lightAmong(spheres, shownWithout(hidden)) finds it.
   void lightBy(MoleculeLight found_light);
-  /// Of each ball whether some of its atoms is not among those hidden (ascending; null: none is); empty: all are shown.
+  /// Of each sphere whether some of its atoms is not among those hidden (ascending; null: none is); empty: all are shown.
   std::vector<std::uint8_t> shownWithout(const AtomList& hidden_atoms) const;
   /// Colours the atoms.
   void paint(AtomPaint with);
 
-  /// Whether a ball stands for a residue.
+  /// Whether a sphere stands for a residue.
   bool byResidue() const { return !first_atom.empty(); }
   std::size_t atoms() const { return molecule->atoms.size(); }
-  /// An atom's own ball. `atom` in range.
-  Ball atomBall(std::uint32_t atom) const { return molecule->balls[atom]; }
-  /// The ball that stands for an atom. `atom` in range.
-  std::uint32_t ballOf(std::uint32_t atom) const;
-  /// The balls of which some atom is among these, ascending as they are.
-  std::vector<std::uint32_t> ballsOf(std::vector<std::uint32_t> atoms) const;
-  /// Of each ball whether some of its atoms is shown, from the same of each atom.
-  std::vector<std::uint8_t> shownBalls(std::vector<std::uint8_t> atoms) const;
-  /// Calls visit(atom, ball) for every atom that comes within margin_A of the place, and for some others.
+  /// An atom's own sphere. `atom` in range.
+  Sphere atomSphere(std::uint32_t atom) const { return molecule->spheres[atom]; }
+  /// The sphere that stands for an atom. `atom` in range.
+  std::uint32_t sphereOf(std::uint32_t atom) const;
+  /// The spheres of which some atom is among these, ascending as they are.
+  std::vector<std::uint32_t> spheresOf(std::vector<std::uint32_t> atoms) const;
+  /// Of each sphere whether some of its atoms is shown, from the same of each atom.
+  std::vector<std::uint8_t> shownSpheres(std::vector<std::uint8_t> atoms) const;
+  /// Calls visit(atom, sphere) for every atom that comes within margin_A of the place, and for some others.
   template <class Visit>
   void visitAtomsNear(const Vec3& place_A, double margin_A, Visit&& visit) const {
-    if (!byResidue()) return blocks.visitNear(balls, place_A, margin_A, visit);
-    blocks.visitNear(balls, place_A, margin_A + beyond_A, [&](std::uint32_t ball, const Ball&) {
-      for (std::uint32_t a = first_atom[ball]; a < first_atom[ball + 1]; ++a) visit(a, atomBall(a));
+    if (!byResidue()) return blocks.visitNear(spheres, place_A, margin_A, visit);
+    blocks.visitNear(spheres, place_A, margin_A + beyond_A, [&](std::uint32_t sphere, const Sphere&) {
+      for (std::uint32_t a = first_atom[sphere]; a < first_atom[sphere + 1]; ++a) visit(a, atomSphere(a));
     });
   }
 
@@ -93,15 +93,15 @@ struct MoleculeModel {
   unsigned painted = 0;  ///< grows with every painting
   unsigned lit = 0;      ///< grows with every light
   std::size_t most_single;
-  std::vector<std::uint32_t> first_atom;  ///< ResidueBalls::first_atom; empty where each atom is a ball
-  double beyond_A = 0.0;                  ///< no atom reaches farther out of its ball
-  SharedArray<Ball> balls;                ///< the molecule's own, or one for each residue
-  BallBlocks blocks;                      ///< of the balls
-  std::vector<std::uint32_t> colour;      ///< of each ball: bytes red, green, blue, 255 from the lowest
+  std::vector<std::uint32_t> first_atom;  ///< ResidueSpheres::first_atom; empty where each atom is a sphere
+  double beyond_A = 0.0;                  ///< no atom reaches farther out of its sphere
+  SharedArray<Sphere> spheres;            ///< the molecule's own, or one for each residue
+  SphereBlocks blocks;                    ///< of the spheres
+  std::vector<std::uint32_t> colour;      ///< of each sphere: bytes red, green, blue, 255 from the lowest
   MoleculeLight light;
   std::shared_ptr<FoundStructure> found;  ///< of the molecule, for its styles; never null
   Vec3 middle_A{0.0};
-  double reach_A = 0.0;  ///< all balls and atoms lie within this of the middle
+  double reach_A = 0.0;  ///< all spheres and atoms lie within this of the middle
 
  private:
   void measure();

@@ -30,7 +30,7 @@ struct PixelBox {
   PixelBox times(int factor) const { return {x0 * factor, y0 * factor, x1 * factor, y1 * factor}; }
 };
 
-/// Grows with balls and places in the camera's axes.
+/// Grows with spheres and places in the camera's axes.
 class PixelBoxBuilder {
  public:
   explicit PixelBoxBuilder(const Projection& projection) : projection_(projection) {}
@@ -43,7 +43,7 @@ class PixelBoxBuilder {
       high_ = glm::vec2(1.0f);
       return;
     }
-    // The image of the ball lies within the image of its box.
+    // The image of the sphere lies within the image of its box.
     for (const float depth : {nearest, nearest + 2 * radius}) {
       const glm::vec2 scale = 1.0f / (depth * glm::vec2(projection_.tan_x, projection_.tan_y));
       low_ = glm::min(low_, (glm::vec2(centre) - radius) * scale);

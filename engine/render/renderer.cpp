@@ -19,8 +19,8 @@ namespace {
 
 // Room round the molecule for the probe, the arrow and the HIP.
 constexpr double kRoom_A = 30.0;
-// A cartoon's ribbons and names of atoms may go so far beyond the balls.
-constexpr double kBeyondBalls_A = 4.0;
+// A cartoon's ribbons and names of atoms may go so far beyond the spheres.
+constexpr double kBeyondSpheres_A = 4.0;
 
 DepthRange depthRange(const Camera& camera, const MoleculeModel* model) {
   const PointA middle{model ? model->middle_A : camera.target.A};
@@ -92,7 +92,7 @@ class CallersState {
 
 struct Renderer::Impl {
   Impl(SphereImpostors b, Wireframe w, SolidMesh m, MeshPass p, Resolve r, ContactShadow c, EdgeFilter e)
-      : balls(std::move(b)),
+      : spheres(std::move(b)),
         wires(std::move(w)),
         mesh(std::move(m)),
         meshes(std::move(p)),
@@ -100,7 +100,7 @@ struct Renderer::Impl {
         shadow(std::move(c)),
         filter(std::move(e)) {}
 
-  SphereImpostors balls;
+  SphereImpostors spheres;
   Wireframe wires;
   SolidMesh mesh;   // of the glyphs, made for each picture
   MeshPass meshes;  // of the molecule, kept
@@ -144,14 +144,14 @@ void Renderer::Impl::findLight(const ViewScene& scene, bool at_once, bool moved)
     light_is_old = false;
     if (!model) return;
     model->hidden = scene.look.hidden;
-    model->lightBy(lightAmong(model->balls, model->shownWithout(model->hidden)));
+    model->lightBy(lightAmong(model->spheres, model->shownWithout(model->hidden)));
     occlusion.upload(model->light.field);
   } else if (std::optional<MoleculeLight> found = light.take()) {
     model->lightBy(*std::move(found));
     occlusion.upload(model->light.field);
   }
   if (light_is_old && !light.busy()) {
-    light.begin(inBackground(lightAmong, model->balls, model->shownWithout(model->hidden)));
+    light.begin(inBackground(lightAmong, model->spheres, model->shownWithout(model->hidden)));
     light_is_old = false;
   }
 }
@@ -164,8 +164,8 @@ Expected<std::unique_ptr<Renderer>> Renderer::create() {
     return Problem{.file = {},
                    .message = trf("the graphics driver offers OpenGL {0}.{1}", version / 10, version % 10),
                    .remedy = tr("OpenGL 3.3 is needed; LIBGL_ALWAYS_SOFTWARE=1 uses the software driver")};
-  auto balls = SphereImpostors::build();
-  if (!balls) return balls.problem();
+  auto spheres = SphereImpostors::build();
+  if (!spheres) return spheres.problem();
   auto wires = Wireframe::build();
   if (!wires) return wires.problem();
   auto mesh = SolidMesh::build();
@@ -179,28 +179,28 @@ Expected<std::unique_ptr<Renderer>> Renderer::create() {
   auto filter = EdgeFilter::build();
   if (!filter) return filter.problem();
   std::unique_ptr<Renderer> made(new Renderer);
-  made->impl_ = std::make_unique<Impl>(*std::move(balls), *std::move(wires), *std::move(mesh), *std::move(meshes),
+  made->impl_ = std::make_unique<Impl>(*std::move(spheres), *std::move(wires), *std::move(mesh), *std::move(meshes),
                                        *std::move(resolve), *std::move(shadow), *std::move(filter));
   return {std::move(made)};
 }
 
 void Renderer::Impl::drawGlyphs(const GlTarget& on, const Projection& projection, const Lighting& lighting,
                                 float line_scale) {
-  balls.drawLoose(near, SphereImpostors::Pass::Solid, projection, lighting);
+  spheres.drawLoose(near, SphereImpostors::Pass::Solid, projection, lighting);
   if (glyphs.shadow_radius > 0) shadow.draw(on, glyphs.shadow_centre, glyphs.shadow_radius, projection);
   // Ghosts first: they show only behind the atoms, and their own solid bodies must not count as hiding them.
   Lighting own = lighting;
   own.fade_most *= 0.4f;  // what the lesson is about does not drown in the distance
   own.occlusion = nullptr;
   own.cut = Lighting().cut;
-  balls.drawLoose(glyphs.ghost, SphereImpostors::Pass::Ghost, projection, own);
+  spheres.drawLoose(glyphs.ghost, SphereImpostors::Pass::Ghost, projection, own);
   for (const GlyphCone& c : glyphs.cones) mesh.addCone(c.a, c.b, c.radius_a, c.radius_b, c.colour);
   for (const GlyphModel& m : glyphs.models) mesh.addModel(*m.model, m.to_view);
   mesh.draw(projection, own, 0.35f);
-  balls.drawLoose(glyphs.solid, SphereImpostors::Pass::Solid, projection, own);
-  balls.drawLoose(dots, SphereImpostors::Pass::Solid, projection, own);
+  spheres.drawLoose(glyphs.solid, SphereImpostors::Pass::Solid, projection, own);
+  spheres.drawLoose(dots, SphereImpostors::Pass::Solid, projection, own);
   wires.draw(glyphs.strokes, projection, line_scale);
-  balls.drawLoose(glyphs.shell, SphereImpostors::Pass::Shell, projection, own);
+  spheres.drawLoose(glyphs.shell, SphereImpostors::Pass::Shell, projection, own);
 }
 
 // The molecule is drawn with samples x samples for each pixel and kept; the glyphs are drawn on the part of it that they
@@ -217,7 +217,7 @@ bool Renderer::Impl::drawScene(const ViewScene& scene, int width_px, int height_
   if (!layer.draw(scene, model.get(), inside, lighting,
                   {samples, line_scale, options.outlines, options.occlusion_cull, options.fine_light,
                    options.wait_for_surfaces},
-                  {resolve, balls, meshes, wires}))
+                  {resolve, spheres, meshes, wires}))
     return false;
   count.atoms_redrawn = layer.redrawn();
   count.surface_progress = layer.surfaceProgress();
@@ -285,7 +285,7 @@ void Renderer::Impl::smoothEdges(const PixelBox& changed, bool all, const ViewSc
   if (all) {
     if (model) {
       PixelBoxBuilder around(projection);
-      around.add(glm::vec3(scene.camera.toView({model->middle_A})), float(model->reach_A + kBeyondBalls_A));
+      around.add(glm::vec3(scene.camera.toView({model->middle_A})), float(model->reach_A + kBeyondSpheres_A));
       part = part.joined(around.box(EdgeFilter::kReach_px + 1));
     }
     copyPart(picture, smooth, {0, 0, width_px, height_px}, GL_COLOR_BUFFER_BIT);
@@ -339,7 +339,7 @@ std::optional<Problem> Renderer::draw(const ViewScene& scene, int width_px, int 
                     .touched_colour = scene.theme.touched};
     if (paint != p.model->paint_used) p.model->paint(std::move(paint));
   }
-  p.count.atoms = p.model ? p.model->balls.size() : 0;
+  p.count.atoms = p.model ? p.model->spheres.size() : 0;
   if (scene.blank) {
     if (!p.picture.resize(width_px, height_px)) return tooLarge();
     p.filtered = false;

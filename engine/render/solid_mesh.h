@@ -1,4 +1,4 @@
-// Solid glyphs made of triangles (the force arrow, the bonds of the probe's water), lit like the balls. Needs a current context.
+// Solid glyphs made of triangles (the force arrow, the bonds of the probe's water), lit like the spheres. Needs a current context.
 // Places in the camera's axes (unit: angstrom).
 #pragma once
 

@@ -7,13 +7,13 @@
 #include <utility>
 
 #include "engine/core/sphere_intersections.h"
-#include "engine/haptics/ball_scene.h"
+#include "engine/haptics/sphere_grid.h"
 
 namespace moltact {
 namespace {
 
-constexpr double kFinest_A = 0.5, kMostNodes = 200, kMostNodesInBalls = 1.2e9;
-constexpr double kLargeProbe_A = 3.0;  // beyond it thousands of balls lie near each other, and most are buried
+constexpr double kFinest_A = 0.5, kMaxNodes = 200, kMaxNodesInSpheres = 1.2e9;
+constexpr double kLargeProbe_A = 3.0;  // beyond it thousands of spheres lie near each other, and most are buried
 constexpr double kBlend_A = 0.15;      // over which colours pass into each other
 constexpr std::uint32_t kNone = 0xFFFFFFFFu;
 constexpr double kPi = std::numbers::pi;
@@ -25,19 +25,19 @@ struct Cancelled {};
 
 class Grid {
  public:
-  Grid(const BallScene& scene, double probe_A, SurfaceProgress* progress)
-      : scene_(scene), balls_(scene.balls()), probe_(probe_A), progress_(progress) {
-    const std::span<const Ball> balls = balls_;
-    Vec3 low = balls[0].centre_A, high = low;
-    for (const Ball& b : balls) {
+  Grid(const SphereGrid& scene, double probe_A, SurfaceProgress* progress)
+      : scene_(scene), spheres_(scene.spheres()), probe_(probe_A), progress_(progress) {
+    const std::span<const Sphere> spheres = spheres_;
+    Vec3 low = spheres[0].centre_A, high = low;
+    for (const Sphere& b : spheres) {
       low = glm::min(low, b.centre_A - b.radius_A);
       high = glm::max(high, b.centre_A + b.radius_A);
     }
     const Vec3 extent = high - low + 2.0 * probe_A;
-    double in_balls_A3 = 0.0;
-    for (const Ball& b : balls) in_balls_A3 += std::pow(2.0 * (b.radius_A + probe_A), 3.0);
-    step_ = std::max({kFinest_A, std::max({extent.x, extent.y, extent.z}) / (kMostNodes - 6),
-                      std::cbrt(in_balls_A3 / kMostNodesInBalls)});
+    double in_spheres_A3 = 0.0;
+    for (const Sphere& b : spheres) in_spheres_A3 += std::pow(2.0 * (b.radius_A + probe_A), 3.0);
+    step_ = std::max({kFinest_A, std::max({extent.x, extent.y, extent.z}) / (kMaxNodes - 6),
+                      std::cbrt(in_spheres_A3 / kMaxNodesInSpheres)});
     low_ = low - probe_A - 2.0 * step_;
     size_ = glm::ivec3(glm::ceil((extent + 4.0 * step_) / step_)) + 1;
     level_.assign(std::size_t(size_.x) * size_.y * size_.z, std::numeric_limits<float>::max());
@@ -64,7 +64,7 @@ class Grid {
       const Vec3 p = made.piece.origin_A + Vec3(v.place);
       double least = std::numeric_limits<double>::max(), next = least;
       std::uint32_t owner = 0, second = 0;
-      scene_.visitNear(p, probe_ + step_, [&](std::uint32_t i, const Ball& b) {
+      scene_.visitNear(p, probe_ + step_, [&](std::uint32_t i, const Sphere& b) {
         const double gap = glm::length(p - b.centre_A) - b.radius_A;
         if (gap < least) {
           next = least;
@@ -118,14 +118,14 @@ class Grid {
     }
   }
 
-  // Which ball grown by the probe holds a node deepest.
+  // Which sphere grown by the probe holds a node deepest.
   void findGrown() {
     grown_.assign(level_.size(), kNone);
-    for (std::uint32_t b = 0; b < balls_.size(); ++b) {
-      report(0.0, 0.3, b, balls_.size());
-      const double reach = balls_[b].radius_A + probe_;
-      nodesWithin(balls_[b].centre_A, reach + step_, [&](const glm::ivec3& i) {
-        const auto out = float(glm::length(place(i) - balls_[b].centre_A) - reach);
+    for (std::uint32_t b = 0; b < spheres_.size(); ++b) {
+      report(0.0, 0.3, b, spheres_.size());
+      const double reach = spheres_[b].radius_A + probe_;
+      nodesWithin(spheres_[b].centre_A, reach + step_, [&](const glm::ivec3& i) {
+        const auto out = float(glm::length(place(i) - spheres_[b].centre_A) - reach);
         float& least = level_[at(i)];
         if (out < least) {
           least = out;
@@ -135,10 +135,10 @@ class Grid {
     }
   }
 
-  // Where the way from a node inside the grown ball to one outside leaves it, as a share of the way.
-  double leaves(const Vec3& inside, const Vec3& outside, std::uint32_t ball) const {
-    const Vec3 way = outside - inside, from = inside - balls_[ball].centre_A;
-    const double reach = balls_[ball].radius_A + probe_;
+  // Where the way from a node inside the grown sphere to one outside leaves it, as a share of the way.
+  double leaves(const Vec3& inside, const Vec3& outside, std::uint32_t sphere) const {
+    const Vec3 way = outside - inside, from = inside - spheres_[sphere].centre_A;
+    const double reach = spheres_[sphere].radius_A + probe_;
     const double a = glm::dot(way, way), b = glm::dot(way, from), c = glm::dot(from, from) - reach * reach;
     return (-b + std::sqrt(std::max(0.0, b * b - a * c))) / a;
   }
@@ -146,13 +146,13 @@ class Grid {
   // The way to the circle in which two grown spheres meet: to those arcs of it that no third one holds, and so to the
   // places where three meet, in which the probe rests in pits and in crevices narrower than the grid.
   void spreadCircle(std::uint32_t first, std::uint32_t second, double reach) {
-    const auto circle = circleOf(inflated(balls_[first], probe_), inflated(balls_[second], probe_));
+    const auto circle = circleOf(inflated(spheres_[first], probe_), inflated(spheres_[second], probe_));
     if (!circle) return;
     const Vec3 u = anyNormal(circle->axis), v = glm::cross(circle->axis, u);
     const double radius = circle->radius_A;
     held_.clear();
     bool all_held = false;
-    scene_.visitNear(circle->centre_A, radius + probe_, [&](std::uint32_t k, const Ball& third) {
+    scene_.visitNear(circle->centre_A, radius + probe_, [&](std::uint32_t k, const Sphere& third) {
       if (k == first || k == second) return true;
       // How far the circle's place at the angle t lies outside, squared: z + x cos t + y sin t.
       const Vec3 to = circle->centre_A - third.centre_A;
@@ -201,7 +201,7 @@ class Grid {
     Vec3 way(double t) const { return std::cos(t) * u + std::sin(t) * v; }
     Vec3 at(double t) const { return circle.centre_A + circle.radius_A * way(t); }
   };
-  Vec3 inward(const Vec3& p, std::uint32_t ball) const { return glm::normalize(balls_[ball].centre_A - p); }
+  Vec3 inward(const Vec3& p, std::uint32_t sphere) const { return glm::normalize(spheres_[sphere].centre_A - p); }
 
   // A place of the surface is the nearest one for nodes inside alone, between the directions to the spheres' middles.
   void spreadCorner(const Arcs& arcs, double t, std::uint32_t third, double reach) {
@@ -249,9 +249,9 @@ class Grid {
     // Inside: how far the nearest crossing lies. Only nodes a little deeper than the probe's radius need it.
     const double reach = probe_ + 1.8 * step_;
     // Of a crossing on a grown sphere the sphere itself is the nearest where its nearest place is close to the crossing.
-    const auto spread = [&](const Vec3& s, std::uint32_t ball) {
-      const Vec3 centre = balls_[ball].centre_A;
-      const double radius = balls_[ball].radius_A + probe_;
+    const auto spread = [&](const Vec3& s, std::uint32_t sphere) {
+      const Vec3 centre = spheres_[sphere].centre_A;
+      const double radius = spheres_[sphere].radius_A + probe_;
       // Of nodes whose nearest place of the sphere is round the crossing; others have nearer crossings, arcs or corners.
       const Vec3 in = glm::normalize(centre - s);
       const double outside = 1.8 * step_;
@@ -267,7 +267,7 @@ class Grid {
         least = std::min(least, float(way2));
       });
     };
-    std::vector<std::uint8_t> exposed(balls_.size(), probe_ <= kLargeProbe_A);
+    std::vector<std::uint8_t> exposed(spheres_.size(), probe_ <= kLargeProbe_A);
     for (int z = 1; z + 1 < size_.z; ++z) {
       report(0.3, 0.6, std::size_t(z), std::size_t(size_.z));
       for (int y = 1; y + 1 < size_.y; ++y)
@@ -278,28 +278,28 @@ class Grid {
             glm::ivec3 j = i;
             j[k >> 1] += k & 1 ? 1 : -1;
             if (out[at(j)] <= 0) continue;
-            // The ball that holds this node deepest need not be the last one that the way leaves.
+            // The sphere that holds this node deepest need not be the last one that the way leaves.
             Vec3 p = place(i);
-            std::uint32_t ball = grown_[at(i)];
-            double t = leaves(p, place(j), ball);
-            if (const std::uint32_t other = grown_[at(j)]; other != kNone && other != ball) {
+            std::uint32_t sphere = grown_[at(i)];
+            double t = leaves(p, place(j), sphere);
+            if (const std::uint32_t other = grown_[at(j)]; other != kNone && other != sphere) {
               const double later = leaves(p, place(j), other);
               if (later > t && later <= 1.0) {
                 t = later;
-                ball = other;
+                sphere = other;
               }
             }
             const Vec3 s = p + std::clamp(t, 0.0, 1.0) * (place(j) - p);
-            spread(s, ball);
-            for (const std::uint32_t b : {ball, grown_[at(i)], grown_[at(j)]})
+            spread(s, sphere);
+            for (const std::uint32_t b : {sphere, grown_[at(i)], grown_[at(j)]})
               if (b != kNone) exposed[b] = 1;
           }
         }
     }
-    for (std::uint32_t a = 0; a < balls_.size(); ++a) {
-      report(0.6, 0.82, a, balls_.size());
+    for (std::uint32_t a = 0; a < spheres_.size(); ++a) {
+      report(0.6, 0.82, a, spheres_.size());
       if (!exposed[a]) continue;
-      scene_.visitNear(balls_[a].centre_A, balls_[a].radius_A + 2.0 * probe_, [&](std::uint32_t b, const Ball&) {
+      scene_.visitNear(spheres_[a].centre_A, spheres_[a].radius_A + 2.0 * probe_, [&](std::uint32_t b, const Sphere&) {
         if (b > a && exposed[b]) spreadCircle(a, b, reach);
       });
     }
@@ -412,13 +412,13 @@ class Grid {
     }
   }
 
-  const BallScene& scene_;
-  std::span<const Ball> balls_;
+  const SphereGrid& scene_;
+  std::span<const Sphere> spheres_;
   double probe_, step_ = kFinest_A;
   SurfaceProgress* progress_;
   Vec3 low_{0.0};
   glm::ivec3 size_{1};
-  std::vector<float> level_;  // distance out of the grown balls; then of the surface, positive outside
+  std::vector<float> level_;  // distance out of the grown spheres; then of the surface, positive outside
   std::vector<std::uint32_t> grown_, cell_vertex_;
   struct Held {
     double from, to;  // angles of a circle
@@ -430,9 +430,9 @@ class Grid {
 
 }  // namespace
 
-SolventExcluded solventExcluded(std::span<const Ball> balls, double probe_A, SurfaceProgress* progress) try {
-  if (balls.empty() || !(probe_A > 0)) return {};
-  const BallScene scene(std::vector<Ball>(balls.begin(), balls.end()));
+SolventExcluded solventExcluded(std::span<const Sphere> spheres, double probe_A, SurfaceProgress* progress) try {
+  if (spheres.empty() || !(probe_A > 0)) return {};
+  const SphereGrid scene(std::vector<Sphere>(spheres.begin(), spheres.end()));
   return Grid(scene, probe_A, progress).triangles();
 } catch (const Cancelled&) {
   return {};

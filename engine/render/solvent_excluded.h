@@ -12,12 +12,12 @@
 #include <atomic>
 #include <span>
 
-#include "engine/core/ball.h"
+#include "engine/core/sphere.h"
 #include "engine/render/mesh_piece.h"
 
 namespace moltact {
 
-/// The triangles, and for each vertex the ball whose surface is nearest and the one after it.
+/// The triangles, and for each vertex the sphere whose surface is nearest and the one after it.
 struct SolventExcluded {
   MeshPiece piece;  ///< its colours are white
   std::vector<std::uint32_t> owner, second;
@@ -33,7 +33,7 @@ struct SurfaceProgress {
 };
 
 /// `probe_A` must be positive. The grid's step is 0.5 A; coarser where an axis would have more than 200 nodes, or where the
-/// grown balls would hold more than 1.2 thousand million nodes together. Empty where it was cancelled.
-SolventExcluded solventExcluded(std::span<const Ball> balls, double probe_A, SurfaceProgress* progress = nullptr);
+/// grown spheres would hold more than 1.2 thousand million nodes together. Empty where it was cancelled.
+SolventExcluded solventExcluded(std::span<const Sphere> spheres, double probe_A, SurfaceProgress* progress = nullptr);
 
 }  // namespace moltact

@@ -10,7 +10,7 @@ namespace moltact {
 namespace {
 constexpr float kNothing = std::numeric_limits<float>::infinity();
 
-// The cell in which a place from -1 to 1 lies. A ball close before the eye reaches as far beyond the picture as one
+// The cell in which a place from -1 to 1 lies. A sphere close before the eye reaches as far beyond the picture as one
 // likes.
 int cellAt(float place, float cell) { return saturateToInteger<int>((place + 1) / cell); }
 
@@ -37,7 +37,7 @@ bool projectSphere(const Projection& projection, const glm::vec3& centre, float 
   return true;
 }
 
-void SphereCull::run(std::span<const Ball> balls, const BallBlocks& blocks, const Camera& camera,
+void SphereCull::run(std::span<const Sphere> spheres, const SphereBlocks& blocks, const Camera& camera,
                      const Projection& projection, float rim, bool occlusion, std::span<const std::uint8_t> shown) {
   seen_.clear();
   drawn_.clear();
@@ -50,14 +50,14 @@ void SphereCull::run(std::span<const Ball> balls, const BallBlocks& blocks, cons
   };
   const auto project = [&](std::uint32_t i, DrawnSphere& sphere) {
     if (!shown.empty() && !shown[i]) return false;
-    const Ball& b = balls[i];
+    const Sphere& b = spheres[i];
     if (!projectSphere(projection, toView(b.centre_A), float(b.radius_A), sphere, rim)) return false;
     sphere.index = i;
     return true;
   };
   DrawnSphere sphere;
   if (!occlusion) {
-    for (std::uint32_t i = 0; i < balls.size(); ++i)
+    for (std::uint32_t i = 0; i < spheres.size(); ++i)
       if (project(i, sphere)) seen_.push_back(sphere);
     sortSeen();
     for (const auto& [depth, k] : order_) drawn_.push_back(seen_[k]);
@@ -66,10 +66,10 @@ void SphereCull::run(std::span<const Ball> balls, const BallBlocks& blocks, cons
   }
 
   const std::vector<Near> near = blocksAhead(blocks, projection, rim, toView);
-  makeCells(balls, blocks, near, projection);
+  makeCells(spheres, blocks, near, projection);
   for (const Near& n : near) {
     if (n.boxed && hidden(n.image)) continue;
-    // The nearest ball of a block first, so that it may hide the others.
+    // The nearest sphere of a block first, so that it may hide the others.
     found_.clear();
     for (const std::uint32_t i : blocks.of(blocks.blocks()[n.image.index]))
       if (project(i, sphere)) found_.push_back(sphere);
@@ -82,7 +82,7 @@ void SphereCull::run(std::span<const Ball> balls, const BallBlocks& blocks, cons
       cover(s);
     }
   }
-  // Once more with all that covers: of the balls that stay most is still hidden.
+  // Once more with all that covers: of the spheres that stay most is still hidden.
   sortSeen();
   atoms_drawn_ = 0;
   for (const auto& [depth, k] : order_) {
@@ -92,7 +92,7 @@ void SphereCull::run(std::span<const Ball> balls, const BallBlocks& blocks, cons
   }
 }
 
-// From front to back. Of two as near the first in the file, so that a picture is the same however its balls were found.
+// From front to back. Of two as near the first in the file, so that a picture is the same however its spheres were found.
 void SphereCull::sortSeen() {
   for (std::uint32_t k = 0; k < seen_.size(); ++k) order_.emplace_back(-seen_[k].centre.z - seen_[k].radius, k);
   std::sort(order_.begin(), order_.end(), [&](const auto& a, const auto& b) {
@@ -101,19 +101,19 @@ void SphereCull::sortSeen() {
 }
 
 template <class ToView>
-std::vector<SphereCull::Near> SphereCull::blocksAhead(const BallBlocks& blocks, const Projection& projection, float rim,
-                                                      ToView&& toView) const {
+std::vector<SphereCull::Near> SphereCull::blocksAhead(const SphereBlocks& blocks, const Projection& projection,
+                                                      float rim, ToView&& toView) const {
   std::vector<Near> near;
   for (std::uint32_t k = 0; k < blocks.blocks().size(); ++k) {
-    const BallBlocks::Block& block = blocks.blocks()[k];
+    const SphereBlocks::Block& block = blocks.blocks()[k];
     Near n;
     n.image.centre = toView(block.centre_A);
-    // What a float has lost of a place far away must not make the block smaller than its balls.
+    // What a float has lost of a place far away must not make the block smaller than its spheres.
     n.image.radius = float(block.radius_A) * 1.0001f + 1e-6f * glm::length(n.image.centre);
     const float depth = -n.image.centre.z, nearest = depth - n.image.radius;
     if (depth + n.image.radius <= float(projection.depth.near_A)) continue;
     n.boxed = nearest > float(projection.depth.near_A) && depth > n.image.radius + rim * (depth + n.image.radius);
-    // A ball's rim is as wide as it is deep in the picture; the block's is that of its deepest ball.
+    // A sphere's rim is as wide as it is deep in the picture; the block's is that of its deepest sphere.
     const float rims = rim * (depth + n.image.radius) / std::max(depth, 1e-6f);
     if (n.boxed && !projectSphere(projection, n.image.centre, n.image.radius, n.image, rims)) continue;
     n.image.index = k;
@@ -125,12 +125,12 @@ std::vector<SphereCull::Near> SphereCull::blocksAhead(const BallBlocks& blocks, 
   return near;
 }
 
-// About eight cells across a ball: finer costs more than the drawing that it saves.
-void SphereCull::makeCells(std::span<const Ball> balls, const BallBlocks& blocks, std::span<const Near> near,
+// About eight cells across a sphere: finer costs more than the drawing that it saves.
+void SphereCull::makeCells(std::span<const Sphere> spheres, const SphereBlocks& blocks, std::span<const Near> near,
                            const Projection& projection) {
   double wide = 0;
   for (const Near& n : near) {
-    const Ball& one = balls[blocks.of(blocks.blocks()[n.image.index]).front()];
+    const Sphere& one = spheres[blocks.of(blocks.blocks()[n.image.index]).front()];
     wide += one.radius_A / std::max(double(-n.image.centre.z), projection.depth.near_A);
   }
   const double mean_px = near.empty() ? 0 : wide / double(near.size()) / tan_x_ * projection.width_px;
@@ -194,7 +194,7 @@ bool SphereCull::hidden(const DrawnSphere& s) const {
   return true;
 }
 
-// A cell is covered where the rays through its four corners all hit the ball, since the image of a ball is convex. Over
+// A cell is covered where the rays through its four corners all hit the sphere, since the image of a sphere is convex. Over
 // such a cell the front is nowhere deeper than at the deepest corner: 1 / depth of a convex front is concave.
 void SphereCull::cover(const DrawnSphere& s) {
   const int x0 = std::max(0, saturateToInteger<int>(std::ceil((s.low.x + 1) / cell_x_))),

@@ -1,4 +1,4 @@
-// Which balls of a molecule have to be drawn: those in the picture and not wholly behind others. Pure arithmetic.
+// Which spheres of a molecule have to be drawn: those in the picture and not wholly behind others. Pure arithmetic.
 // Units: angstrom; NDC from -1 to 1, y up.
 #pragma once
 
@@ -7,13 +7,13 @@
 #include <span>
 #include <vector>
 
-#include "engine/core/ball.h"
-#include "engine/render/ball_blocks.h"
+#include "engine/core/sphere.h"
 #include "engine/render/projection.h"
+#include "engine/render/sphere_blocks.h"
 
 namespace moltact {
 
-/// A ball in the camera's axes with a box of its image: of the whole of it, or of the part that may be in sight.
+/// A sphere in the camera's axes with a box of its image: of the whole of it, or of the part that may be in sight.
 struct DrawnSphere {
   glm::vec3 centre{0.0f};
   float radius = 0.0f;
@@ -21,20 +21,20 @@ struct DrawnSphere {
   std::uint32_t index = 0;          ///< into the scene
 };
 
-/// The image box of a ball widened by a rim (its width at depth 1); false when it touches the plane at near_A or lies
+/// The image box of a sphere widened by a rim (its width at depth 1); false when it touches the plane at near_A or lies
 /// outside the picture.
 bool projectSphere(const Projection& projection, const glm::vec3& centre, float radius, DrawnSphere& out,
                    float rim = 0);
 
 class SphereCull {
  public:
-  /// Fills drawn() with the balls to draw, cut into boxes; a ball may give none or several. A part that is left out is
-  /// covered by nearer balls, decided on a coarse grid of cells, so the picture is the same without it. `occlusion`
-  /// false keeps every ball whole.
-  /// `shown`, if not empty, says of each ball whether it is there at all.
-  /// `blocks` are those of those balls.
-  void run(std::span<const Ball> balls, const BallBlocks& blocks, const Camera& camera, const Projection& projection,
-           float rim, bool occlusion, std::span<const std::uint8_t> shown = {});
+  /// Fills drawn() with the spheres to draw, cut into boxes; a sphere may give none or several. A part that is left out is
+  /// covered by nearer spheres, decided on a coarse grid of cells, so the picture is the same without it. `occlusion`
+  /// false keeps every sphere whole.
+  /// `shown`, if not empty, says of each sphere whether it is there at all.
+  /// `blocks` are those of those spheres.
+  void run(std::span<const Sphere> spheres, const SphereBlocks& blocks, const Camera& camera,
+           const Projection& projection, float rim, bool occlusion, std::span<const std::uint8_t> shown = {});
 
   const std::vector<DrawnSphere>& drawn() const { return drawn_; }
   std::size_t atomsDrawn() const { return atoms_drawn_; }
@@ -45,13 +45,13 @@ class SphereCull {
   };
   // A block that is ahead of the eye.
   struct Near {
-    DrawnSphere image;   // of the ball round the block; `index` is the block's
+    DrawnSphere image;   // of the sphere round the block; `index` is the block's
     bool boxed = false;  // false: it reaches to the eye, and its image everywhere
   };
   template <class ToView>
-  std::vector<Near> blocksAhead(const BallBlocks& blocks, const Projection& projection, float rim,
+  std::vector<Near> blocksAhead(const SphereBlocks& blocks, const Projection& projection, float rim,
                                 ToView&& toView) const;
-  void makeCells(std::span<const Ball> balls, const BallBlocks& blocks, std::span<const Near> near,
+  void makeCells(std::span<const Sphere> spheres, const SphereBlocks& blocks, std::span<const Near> near,
                  const Projection& projection);
   void sortSeen();
   Span inSight(const DrawnSphere& sphere, int row) const;

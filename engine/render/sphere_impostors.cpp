@@ -25,7 +25,7 @@ void main() {
 )";
 
 // The distance of the ray from the centre is taken at the ray's nearest point and not as |centre|^2 - radius^2, which
-// would lose the radius to rounding when the ball is far. The rim lies behind the ball's middle, so that balls that
+// would lose the radius to rounding when the sphere is far. The rim lies behind the sphere's middle, so that spheres that
 // grow into each other have none between them; its normal is square to the ray, so it is shade.
 const char* const kRayText = R"(
 in vec3 v_ray;
@@ -50,7 +50,7 @@ float entry(out vec3 normal, out float facing, out float leave) {
 void writeDepth(float depth) { gl_FragDepth = clamp(u_depth.x - u_depth.y / depth, 0.0, 1.0); }
 )";
 
-// A ball that the cut goes through shows a flat face. Marked balls have a dark ring toward the viewer, as a target has, so
+// A sphere that the cut goes through shows a flat face. Marked spheres have a dark ring toward the viewer, as a target has, so
 // that they are told from the others without seeing their colour.
 const char* const kSolidText = R"(
 void main() {

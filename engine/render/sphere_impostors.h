@@ -1,4 +1,4 @@
-// Balls drawn exactly: one quad each, on which every pixel's ray is cut with the sphere, with its depth.
+// Spheres drawn exactly: one quad each, on which every pixel's ray is cut with the sphere, with its depth.
 // Needs a current context. Colours are sRGB. Units: angstrom.
 #pragma once
 
@@ -13,7 +13,7 @@
 
 namespace moltact {
 
-/// A ball that belongs to no molecule: HIP, SCP, the atoms of the probe.
+/// A sphere that belongs to no molecule: HIP, SCP, the atoms of the probe.
 struct LooseSphere {
   glm::vec3 centre{0.0f};  ///< in the camera's axes
   float radius = 0.0f;
@@ -23,7 +23,7 @@ struct LooseSphere {
 
 class SphereImpostors {
  public:
-  /// How balls meet what is already drawn.
+  /// How spheres meet what is already drawn.
   enum class Pass {
     Solid,  ///< opaque, lit
     Ghost,  ///< only where something nearer hides it, at the colour's opacity
@@ -33,8 +33,8 @@ class SphereImpostors {
 
   static Expected<SphereImpostors> build();
 
-  /// The `tinted` balls (ascending) get the colour `tint`, and a ring as a target has. `rim` is the width at depth 1 of a dark edge
-  /// round each ball that stands well in front of what is behind it. With an opacity below 1 the balls are a Faint pass.
+  /// The `tinted` spheres (ascending) get the colour `tint`, and a ring as a target has. `rim` is the width at depth 1 of a dark edge
+  /// round each sphere that stands well in front of what is behind it. With an opacity below 1 the spheres are a Faint pass.
   void drawMolecule(const MoleculeModel& model, std::span<const DrawnSphere> spheres,
                     std::span<const std::uint32_t> tinted, std::uint32_t tint, float rim, float opacity,
                     const Projection& projection, const Lighting& lighting);

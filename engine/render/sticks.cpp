@@ -42,10 +42,10 @@ MeshPiece sticks(const Molecule& molecule, std::span<const Bond> bonds, std::spa
                  std::span<const std::uint32_t> colours, double radius_A) {
   MeshPiece piece;
   if (molecule.atoms.empty()) return piece;
-  piece.origin_A = molecule.balls[0].centre_A;
+  piece.origin_A = molecule.spheres[0].centre_A;
   for (const Bond& bond : bonds) {
     if (!drawn[bond.first] || !drawn[bond.second]) continue;
-    const Vec3 a = molecule.balls[bond.first].centre_A, b = molecule.balls[bond.second].centre_A;
+    const Vec3 a = molecule.spheres[bond.first].centre_A, b = molecule.spheres[bond.second].centre_A;
     if (colours[bond.first] == colours[bond.second]) {
       addStick(piece, a, b, radius_A, colours[bond.first], false);
       continue;

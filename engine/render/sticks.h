@@ -1,4 +1,4 @@
-// Bonds as sticks or lines, and the balls at their ends. Pure functions; any thread but the haptic one. Units: angstrom.
+// Bonds as sticks or lines, and the spheres at their ends. Pure functions; any thread but the haptic one. Units: angstrom.
 #pragma once
 
 #include <cstdint>

@@ -10,8 +10,8 @@ namespace moltact {
 namespace {
 
 constexpr double kStick_A = 0.22, kThinStick_A = 0.14, kLine_A = 0.05,
-                 kSmallBall = 0.24;    // the last of an atom's radius
-constexpr double kLeastProbe_A = 0.2;  // a surface of no probe would be the spheres themselves
+                 kSmallSphere = 0.24;  // the last of an atom's radius
+constexpr double kMinProbe_A = 0.2;    // a surface of no probe would be the spheres themselves
 
 std::uint32_t mixed(std::uint32_t a, std::uint32_t b, float share) {
   const auto part = [&](unsigned shift) {
@@ -34,14 +34,14 @@ void append(MeshPiece& to, const MeshPiece& from) {
 
 SolventExcluded surfaceOf(const Molecule& molecule, std::span<const std::uint8_t> shown, double probe_A,
                           SurfaceProgress* progress) {
-  std::vector<Ball> balls;
+  std::vector<Sphere> spheres;
   std::vector<std::uint32_t> atoms;
   for (std::uint32_t a = 0; a < shown.size(); ++a)
     if (shown[a]) {
-      balls.push_back(molecule.balls[a]);
+      spheres.push_back(molecule.spheres[a]);
       atoms.push_back(a);
     }
-  SolventExcluded surface = solventExcluded(balls, std::max(probe_A, kLeastProbe_A), progress);
+  SolventExcluded surface = solventExcluded(spheres, std::max(probe_A, kMinProbe_A), progress);
   for (auto* of : {&surface.owner, &surface.second})
     for (std::uint32_t& o : *of) o = atoms[o];
   return surface;
@@ -51,20 +51,20 @@ StyleShapes shapesOf(DrawStyle style, const Molecule& m, std::span<const std::ui
                      std::span<const std::uint32_t> colours, const SolventExcluded& surface, FoundStructure& found) {
   StyleShapes out;
   MeshPiece& piece = out.piece;
-  const auto addBonds = [&](std::span<const std::uint8_t> atoms, double stick_A, double ball_A, double ball_share) {
+  const auto addBonds = [&](std::span<const std::uint8_t> atoms, double stick_A, double sphere_A, double sphere_share) {
     append(piece, sticks(m, found.bonds(m), atoms, colours, stick_A));
     for (std::uint32_t a = 0; a < atoms.size(); ++a)
       if (atoms[a]) {
-        const double radius = std::max(ball_A, ball_share * m.balls[a].radius_A);
-        out.balls.push_back({a, float(radius)});
-        out.shading.push_back({m.balls[a].centre_A, std::max(radius, 0.5)});
+        const double radius = std::max(sphere_A, sphere_share * m.spheres[a].radius_A);
+        out.spheres.push_back({a, float(radius)});
+        out.shading.push_back({m.spheres[a].centre_A, std::max(radius, 0.5)});
       }
   };
   switch (style) {
     case DrawStyle::Spheres:
       break;
     case DrawStyle::BallAndStick:
-      addBonds(shown, kThinStick_A, 0.0, kSmallBall);
+      addBonds(shown, kThinStick_A, 0.0, kSmallSphere);
       break;
     case DrawStyle::Sticks:
       addBonds(shown, kStick_A, kStick_A, 0.0);
@@ -79,7 +79,8 @@ StyleShapes shapesOf(DrawStyle style, const Molecule& m, std::span<const std::ui
       std::vector<std::uint8_t> others(shown.begin(), shown.end());
       for (const Residue& r : m.residues)
         if (inCartoon(r)) std::fill_n(others.begin() + r.first_atom, r.atom_count, std::uint8_t(0));
-      if (std::find(others.begin(), others.end(), 1) != others.end()) addBonds(others, kStick_A, kStick_A, kSmallBall);
+      if (std::find(others.begin(), others.end(), 1) != others.end())
+        addBonds(others, kStick_A, kStick_A, kSmallSphere);
       break;
     }
     case DrawStyle::Surface:

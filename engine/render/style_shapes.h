@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "engine/core/ball.h"
+#include "engine/core/sphere.h"
 #include "engine/molecule/draw_style.h"
 #include "engine/molecule/molecule.h"
 #include "engine/render/mesh_piece.h"
@@ -15,8 +15,8 @@
 
 namespace moltact {
 
-/// A ball of the style's own size at an atom.
-struct SmallBall {
+/// A sphere of the style's own size at an atom.
+struct SmallSphere {
   std::uint32_t atom;
   float radius_A;
   glm::vec4 wide{0.0f};  ///< OcclusionField::wideRound in the style's own light, once that is known
@@ -24,8 +24,8 @@ struct SmallBall {
 
 struct StyleShapes {
   MeshPiece piece;
-  std::vector<SmallBall> balls;  ///< empty for Spheres, which have the atoms' radii
-  std::vector<Ball> shading;     ///< what stands in the light's way
+  std::vector<SmallSphere> spheres;  ///< empty for Spheres, which have the atoms' radii
+  std::vector<Sphere> shading;       ///< what stands in the light's way
 };
 
 /// The surface that a probe of this radius (at least 0.2) can reach of the atoms for which `shown` says so; its owners are

@@ -15,7 +15,7 @@ StyledPart::StyledPart(const StyledAtoms& what, const ViewScene& scene, const Mo
 StyledPart::StyledPart(const StyledAtoms& what, const ViewScene& scene, const MoleculeModel& model,
                        SolventExcluded surface, std::shared_ptr<const Molecule> molecule, double probe_A)
     : what_(what),
-      models_balls_(what.style == DrawStyle::Spheres || model.byResidue()),
+      models_spheres_(what.style == DrawStyle::Spheres || model.byResidue()),
       hidden_(scene.look.hidden),
       molecule_(std::move(molecule)),
       most_single_atoms_(scene.most_single_atoms),
@@ -39,13 +39,13 @@ std::vector<std::uint8_t> StyledPart::shownOf(const StyledAtoms& what, const Ato
   if (hidden)
     for (const std::uint32_t a : *hidden)
       if (a < shown.size()) shown[a] = 0;
-  return model.shownBalls(std::move(shown));
+  return model.shownSpheres(std::move(shown));
 }
 
 bool StyledPart::fits(const StyledAtoms& what, const ViewScene& scene) const {
   return what.style == what_.style && what.atoms == what_.atoms && what.opacity == what_.opacity &&
          scene.look.hidden == hidden_ && scene.molecule == molecule_ && scene.most_single_atoms == most_single_atoms_ &&
-         (models_balls_ || !infoOf(what.style).uses_probe || scene.probe_A == probe_A_);
+         (models_spheres_ || !infoOf(what.style).uses_probe || scene.probe_A == probe_A_);
 }
 
 void StyledPart::paint(const MoleculeModel& model) {
@@ -55,14 +55,14 @@ void StyledPart::paint(const MoleculeModel& model) {
 }
 
 void StyledPart::findShapes(const MoleculeModel& model) {
-  if (models_balls_) return;
+  if (models_spheres_) return;
   StyleShapes shapes = shapesOf(what_.style, *molecule_, shown_, model.colour, surface_, *model.found);
-  balls_ = std::move(shapes.balls);
+  spheres_ = std::move(shapes.spheres);
   mesh_ = std::make_unique<GpuMesh>(shapes.piece);
   if (shapes.shading.empty()) return;
   const OcclusionField field = occlusionField(shapes.shading);
   occlusion_.emplace().upload(field);
-  for (SmallBall& b : balls_) b.wide = field.wideRound(molecule_->balls[b.atom].centre_A, b.radius_A);
+  for (SmallSphere& b : spheres_) b.wide = field.wideRound(molecule_->spheres[b.atom].centre_A, b.radius_A);
 }
 
 }  // namespace moltact

@@ -23,7 +23,7 @@ class StyledPart {
 
   /// Whether it draws a surface, which takes long to compute.
   static bool hasSurface(const StyledAtoms& what, const MoleculeModel& model);
-  /// Of each of the model's balls, whether the style draws it.
+  /// Of each of the model's spheres, whether the style draws it.
   static std::vector<std::uint8_t> shownOf(const StyledAtoms& what, const AtomList& hidden, const MoleculeModel& model);
 
   /// Whether this is what the scene wants, but perhaps in other colours.
@@ -36,16 +36,16 @@ class StyledPart {
   /// Takes up the model's colours where they have changed.
   void paint(const MoleculeModel& model);
 
-  /// Whether it is the model's own balls, whatever the style: of a molecule that is drawn by its residues there are no
+  /// Whether it is the model's own spheres, whatever the style: of a molecule that is drawn by its residues there are no
   /// others.
-  bool modelsBalls() const { return models_balls_; }
-  /// Of each of the model's balls, whether it is drawn.
+  bool modelsSpheres() const { return models_spheres_; }
+  /// Of each of the model's spheres, whether it is drawn.
   std::span<const std::uint8_t> shown() const { return shown_; }
   const StyledAtoms& what() const { return what_; }
   /// Null where the style has no triangles.
   const GpuMesh* mesh() const { return mesh_.get(); }
-  /// Balls of the style's own size at atoms; empty for Spheres, which have the atoms' radii.
-  std::span<const SmallBall> balls() const { return balls_; }
+  /// Spheres of the style's own size at atoms; empty for Spheres, which have the atoms' radii.
+  std::span<const SmallSphere> spheres() const { return spheres_; }
   /// The light among the style's own shapes; null: the molecule's.
   OcclusionVolume* occlusion() { return occlusion_ ? &*occlusion_ : nullptr; }
 
@@ -53,14 +53,14 @@ class StyledPart {
   void findShapes(const MoleculeModel& model);
 
   StyledAtoms what_;
-  bool models_balls_ = false;
+  bool models_spheres_ = false;
   AtomList hidden_;
   std::shared_ptr<const Molecule> molecule_;
   std::size_t most_single_atoms_ = 0;
   double probe_A_ = 0.0;
   unsigned painted_ = 0;
   std::vector<std::uint8_t> shown_;
-  std::vector<SmallBall> balls_;
+  std::vector<SmallSphere> spheres_;
   SolventExcluded surface_;  // of a style that uses the probe; its owners are the atoms
   std::unique_ptr<GpuMesh> mesh_;
   std::optional<OcclusionVolume> occlusion_;

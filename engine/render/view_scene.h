@@ -17,7 +17,7 @@
 #include "engine/render/annotations.h"
 #include "engine/render/atom_style.h"
 #include "engine/render/camera.h"
-#include "engine/render/residue_balls.h"
+#include "engine/render/residue_spheres.h"
 #include "engine/structure/colouring.h"
 
 namespace moltact {
@@ -94,7 +94,7 @@ struct ViewScene {
   ElementColours elements = ElementColours::Customary;
   ColourBy colour_by = ColourBy::Element;
   AtomsLook look;
-  std::size_t most_single_atoms = kMostSingleAtoms;  ///< of more than these, residues are drawn in the atoms' place
+  std::size_t most_single_atoms = kMaxSingleAtoms;  ///< of more than these, residues are drawn in the atoms' place
   bool blank = false;  ///< the dark screen of a task done by touch alone: nothing is drawn (default off)
 
   std::optional<PointA> hip;  ///< no probe is drawn without it
@@ -107,7 +107,7 @@ struct ViewScene {
   std::shared_ptr<const HeldBody> body;  ///< drawn in the probe's place, its middle at the SCP; null: the probe
   Quat body_orientation = kNoRotation;
   std::vector<std::uint32_t> body_stopped;  ///< atoms of the body, by their numbers in it, that glow: others stop them
-  bool water = true;  ///< a probe as large as a water molecule is drawn as one; false: as a ball (default true)
+  bool water = true;  ///< a probe as large as a water molecule is drawn as one; false: as a sphere (default true)
   std::shared_ptr<const SolidModel>
       hand;                    ///< stands with its origin at the HIP, its +y toward the person's hand; may be null
   bool left_hand = false;      ///< the hand comes from the left (default: from the right)
@@ -117,7 +117,7 @@ struct ViewScene {
   std::size_t haptic_atoms_at_most = 14;    ///< how many are taken when haptic_atoms is empty (default 14)
 
   std::shared_ptr<const SphereMesh>
-      facets;  ///< what the method in use feels for a ball of radius 1; null: no triangles
+      facets;  ///< what the method in use feels for a sphere of radius 1; null: no triangles
 
   std::vector<std::shared_ptr<const Annotations>> annotations;  ///< written into the picture; none is null
   std::optional<std::array<std::int32_t, 3>> named_atoms =

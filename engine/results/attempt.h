@@ -138,7 +138,7 @@ struct TouchBegan {
 struct TouchEnded {
   double from_s = 0.0;
   std::vector<std::int32_t>
-      atoms;  ///< every atom that held the probe, in the order in which it first did; at most kMostTouched
+      atoms;  ///< every atom that held the probe, in the order in which it first did; at most kMaxTouched
   std::size_t crossings = 0;  ///< how often the probe came from one set of atoms to another
   double peak_N = 0.0, mean_N = 0.0;
   double path_A = 0.0;  ///< of the SCP
@@ -153,7 +153,7 @@ struct TouchSoFar {
   InputWay by = InputWay::Mouse;
 };
 inline constexpr double kTouchGap_s = 0.1;
-inline constexpr std::size_t kMostTouched = 256;
+inline constexpr std::size_t kMaxTouched = 256;
 
 struct InputChanged {
   InputWay by = InputWay::Mouse;

@@ -12,8 +12,8 @@ namespace {
 
 constexpr double kYear_s = 366.0 * 86400.0;
 constexpr double kBeyond_A = 2.0 * kFarthest_A;  // what lies beside the farthest place of a hand
-constexpr double kMost_N = 1000.0;               // many times the strongest device
-constexpr double kMostAtoms = 2147483647.0;
+constexpr double kMax_N = 1000.0;                // many times the strongest device
+constexpr double kMaxAtoms = 2147483647.0;
 
 constexpr std::array kRanges{
     // time
@@ -22,11 +22,11 @@ constexpr std::array kRanges{
     AttemptRange{"took_s", 0.0, kYear_s},
     AttemptRange{"ms", 0.0, 1000.0 * kYear_s},
     // force
-    AttemptRange{"peak_N", 0.0, kMost_N},
-    AttemptRange{"mean_N", 0.0, kMost_N},
-    AttemptRange{"most_N", 0.0, kMost_N},
-    AttemptRange{"force_N", -kMost_N, kMost_N},
-    AttemptRange{"force", -kMost_N, kMost_N},
+    AttemptRange{"peak_N", 0.0, kMax_N},
+    AttemptRange{"mean_N", 0.0, kMax_N},
+    AttemptRange{"most_N", 0.0, kMax_N},
+    AttemptRange{"force_N", -kMax_N, kMax_N},
+    AttemptRange{"force", -kMax_N, kMax_N},
     // place
     AttemptRange{"hip", -kBeyond_A, kBeyond_A},
     AttemptRange{"scp", -kBeyond_A, kBeyond_A},
@@ -40,7 +40,7 @@ constexpr std::array kRanges{
     AttemptRange{"turn", -1.001, 1.001},
     AttemptRange{"orientation", -1.001, 1.001},
     // counts and indices
-    AttemptRange{"format", 1.0, kMostAtoms, true},
+    AttemptRange{"format", 1.0, kMaxAtoms, true},
     AttemptRange{"attempt", 1.0, 1e6, true},
     AttemptRange{"task", 0.0, 1e6, true},
     AttemptRange{"chosen", 0.0, 1e6, true},
@@ -50,7 +50,7 @@ constexpr std::array kRanges{
     AttemptRange{"of", 0.0, 1e6, true},
     AttemptRange{"crossings", 0.0, 1e10, true},
     AttemptRange{"lines", 1.0, 1e15, true},
-    AttemptRange{"atoms", -1.0, kMostAtoms, true},
+    AttemptRange{"atoms", -1.0, kMaxAtoms, true},
     AttemptRange{"share", 0.0, 1.0},
     // whatever a task measures
     AttemptRange{"value", -1e9, 1e9},
@@ -64,7 +64,7 @@ std::vector<AttemptRange> allRanges() {
       out.push_back({p.field, p.in_files.least, p.in_files.most});
   for (const ReadingOption& option : readingOptions())
     if (std::holds_alternative<int ReadOptions::*>(option.member))
-      out.push_back({option.name, 1.0, kMostReadNumber, true});
+      out.push_back({option.name, 1.0, kMaxReadNumber, true});
   return out;
 }
 

@@ -188,7 +188,7 @@ void AttemptWriter::append(std::string line) {
     const std::lock_guard held(impl_->lock);
     std::string mark;
     if (impl_->dropped > 0) mark = gapLine(impl_->dropped);
-    if (impl_->waiting.size() + mark.size() + line.size() > kMostWaiting) {
+    if (impl_->waiting.size() + mark.size() + line.size() > kMaxWaiting) {
       ++impl_->dropped;
       return;
     }

@@ -44,7 +44,7 @@ class AttemptWriter {
   static constexpr double kRetry_s = 3.0;  ///< after fault
   /// Beyond so much that waits in memory (unit: byte) the newest lines are dropped; the lines before stay whole.
   /// A line that is kept after dropped ones has a mark before it, which says how many there were.
-  static constexpr std::size_t kMostWaiting = std::size_t{32} << 20;
+  static constexpr std::size_t kMaxWaiting = std::size_t{32} << 20;
 
  private:
   struct Impl;

@@ -81,8 +81,8 @@ std::string classPage(const ClassSummary& summary, const std::vector<Problem>& p
                     "<meta name=\"generator\" content=\"Moltact\"><title>" +
                     title + "</title><style>";
   // A page of a large class is never copied to grow; what is not filled takes no memory.
-  constexpr std::size_t kMostOfScore = 4096;
-  out.reserve(out.size() + kMostOfScore * scores);
+  constexpr std::size_t kMaxOfScore = 4096;
+  out.reserve(out.size() + kMaxOfScore * scores);
   out += styleSheet();
   const std::string counted = trf("{0}. Made {1} with Moltact.", summaryText(summary), escaped(made));
   out += "</style></head><body>" + patterns() + "<main><h1>" + title + "</h1><p class=\"quiet\">" + counted + "</p>";

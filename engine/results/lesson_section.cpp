@@ -231,12 +231,12 @@ void question(std::string& out, const LessonSummary& lesson, const StepOutline& 
   std::vector<std::pair<std::string, std::pair<std::size_t, bool>>> texts(written.begin(), written.end());
   std::stable_sort(texts.begin(), texts.end(),
                    [](const auto& a, const auto& b) { return a.second.first > b.second.first; });
-  constexpr std::size_t kMost = 12;
-  for (std::size_t k = 0; k < std::min(kMost, texts.size()); ++k)
+  constexpr std::size_t kMax = 12;
+  for (std::size_t k = 0; k < std::min(kMax, texts.size()); ++k)
     row(texts[k].second.second, texts[k].first, texts[k].second.first);
   out += "</div>";
-  if (texts.size() > kMost)
-    out += "<p class=\"quiet small\">" + trf("and {0} more, in the CSV", texts.size() - kMost) + "</p>";
+  if (texts.size() > kMax)
+    out += "<p class=\"quiet small\">" + trf("and {0} more, in the CSV", texts.size() - kMax) + "</p>";
   out += "</div>";
 }
 

@@ -13,12 +13,12 @@ namespace {
 constexpr std::array kWayOrder{InputWay::Device, InputWay::Mouse, InputWay::Keyboard};
 
 // What scales are made for: attempts hold no greater figure (attempt_ranges.h), and sums of them stay below.
-constexpr double kGreatest = 1e15, kLeast = 1e-12;
+constexpr double kGreatest = 1e15, kMin = 1e-12;
 double onScale(double value) { return std::isfinite(value) ? std::clamp(value, -kGreatest, kGreatest) : 0.0; }
 
 // 1, 2 or 5 times a power of ten, not below `least`.
 double roundStep(double least) {
-  least = std::clamp(onScale(least), kLeast, kGreatest);
+  least = std::clamp(onScale(least), kMin, kGreatest);
   const double power = std::pow(10.0, std::floor(std::log10(least)));
   for (const double m : {1.0, 2.0, 5.0})
     if (m * power >= least * (1.0 - 1e-12)) return m * power;
@@ -75,7 +75,7 @@ std::string waysText(const PersonScore& person) {
 
 double roundAbove(double value) {
   value = onScale(value);
-  if (!(value > kLeast)) return 1.0;
+  if (!(value > kMin)) return 1.0;
   const double step = roundStep(value / 5.0);
   return std::ceil(value / step - 1e-9) * step;
 }
@@ -167,7 +167,7 @@ std::string strip(const std::vector<Measured>& values, double most) {
 
 std::string stripScale(double most, const std::string& unit) {
   Svg svg;
-  most = std::clamp(onScale(most), kLeast, kGreatest);
+  most = std::clamp(onScale(most), kMin, kGreatest);
   const double step = roundStep(most / 4.0);
   const int steps = static_cast<int>(most / step + 1e-9);  // 1 to 4
   for (int k = 0; k <= steps; ++k) {

@@ -27,13 +27,13 @@ InputWay way(const Json& from) {
 LessonOutline outline(const Json& from) {
   object(from, "lesson");
   LessonOutline out{text(from, "file", true), text(from, "title", true), text(from, "hash", false), {}};
-  for (const Json& goal : listOrNone(from, "goals", kMostSteps)) out.goals.push_back(text(goal, "goals"));
+  for (const Json& goal : listOrNone(from, "goals", kMaxSteps)) out.goals.push_back(text(goal, "goals"));
   const auto goalsOf = [](const Json& of) {
     std::vector<std::size_t> goals;
-    for (const Json& g : listOrNone(of, "goals", kMostSteps)) goals.push_back(count(g, "goals"));
+    for (const Json& g : listOrNone(of, "goals", kMaxSteps)) goals.push_back(count(g, "goals"));
     return goals;
   };
-  for (const Json& step : list(from, "steps", kMostSteps)) {
+  for (const Json& step : list(from, "steps", kMaxSteps)) {
     StepOutline& s = out.steps.emplace_back(
         StepOutline{text(object(step, "steps"), "id", true), text(step, "title", false), {}, {}});
     s.aside = step.contains("aside") && flag(step, "aside");
@@ -104,7 +104,7 @@ HipChunk hipChunk(const Json& from) {
 
 std::vector<std::int32_t> atoms(const Json& from) {
   std::vector<std::int32_t> out;
-  for (const Json& a : list(from, "atoms", kMostTouched)) out.push_back(atom(a));
+  for (const Json& a : list(from, "atoms", kMaxTouched)) out.push_back(atom(a));
   return out;
 }
 
@@ -157,7 +157,7 @@ std::optional<AttemptFact> factOf(const std::string& kind, const Json& j) {
   if (kind == "task") return TaskBegun{text(j, "step", true), countAt(j, "task")};
   if (kind == "done") {
     TaskDone d{text(j, "step", true), countAt(j, "task"), numberOr(j, "took_s", 0.0), way(j), {}};
-    for (const Json& f : listOrNone(j, "figures", kMostFigures))
+    for (const Json& f : listOrNone(j, "figures", kMaxFigures))
       d.figures.push_back({text(object(f, "figures"), "name", true), numberAt(f, "value"), text(f, "unit", false)});
     if (j.contains("solved")) d.solved = flag(j, "solved");
     return d;
@@ -170,7 +170,7 @@ std::optional<AttemptFact> factOf(const std::string& kind, const Json& j) {
                 numberAt(j, "to_A"),
                 numberAt(j, "most_N"),
                 {}};
-    for (const Json& f : list(j, "force_N", kMostCurveValues))
+    for (const Json& f : list(j, "force_N", kMaxCurveValues))
       c.force_N.push_back(f.is_null() ? std::nan("") : number(f, "force_N"));
     return c;
   }
@@ -219,7 +219,7 @@ std::optional<AttemptFact> factOf(const std::string& kind, const Json& j) {
   if (kind == "way") {
     WayTaken w{
         text(j, "step", true), text(j, "question", true), text(j, "rule", true), text(j, "does", true) == "skip", {}};
-    for (const Json& s : list(j, "steps", kMostSteps)) w.steps.push_back(text(s, "steps"));
+    for (const Json& s : list(j, "steps", kMaxSteps)) w.steps.push_back(text(s, "steps"));
     return w;
   }
   if (kind == "left") return SessionClosed{text(j, "at", true)};

@@ -38,7 +38,7 @@ void TouchWatch::follow(const TouchSample& s, double t_s, InputWay by) {
     touch_.atoms = s.contact.atoms;
   }
   each([&](std::int32_t a) {
-    if (told.atoms.size() < kMostTouched && std::find(told.atoms.begin(), told.atoms.end(), a) == told.atoms.end())
+    if (told.atoms.size() < kMaxTouched && std::find(told.atoms.begin(), told.atoms.end(), a) == told.atoms.end())
       told.atoms.push_back(a);
   });
   const double force_N = glm::length(s.force.N);

@@ -15,7 +15,7 @@ namespace moltact {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-constexpr double kTry_N = 0.4, kWall_N_per_mm = 0.4, kMost_N = 2.0;
+constexpr double kTry_N = 0.4, kWall_N_per_mm = 0.4, kMax_N = 2.0;
 constexpr double kStill_mm = 0.5;        // a place at rest wanders by no more
 constexpr double kStaleFraction = 0.05;  // of the ticks: a computer that is busy with other things has some
 constexpr double kBack_s =
@@ -35,7 +35,7 @@ class Check {
       : options_(options), gives_(device->info().gives_force) {
     settings_.workspace.A_per_mm = 1.0;
     settings_.stiffness_N_per_mm = kWall_N_per_mm;
-    settings_.max_force_N = std::min(kMost_N, device->info().max_force_N);
+    settings_.max_force_N = std::min(kMax_N, device->info().max_force_N);
     servo_.loop().setSettings(settings_);
     auto faulty = std::make_unique<FaultyDevice>(std::move(device));
     device_ = faulty.get();

@@ -16,7 +16,7 @@ namespace moltact {
 class PassivityControl {
  public:
   /// A device's own delay of 100 ms and 100 ms measured by the loop, which accepts no more, with room to spare.
-  static constexpr std::size_t kMostDelay_ticks = 255;
+  static constexpr std::size_t kMaxDelay_ticks = 255;
 
   void restart() noexcept {
     debt_J_ = 0;
@@ -26,7 +26,7 @@ class PassivityControl {
 
   /// Observes the last interval: the displacement, the rotation, the rise of the springs' stored energy, and the energy
   /// that the device itself took. `delay_ticks`: how much later than it was written a force is felt, at most
-  /// kMostDelay_ticks.
+  /// kMaxDelay_ticks.
   void observe(const Vec3& moved_m, const Vec3& turned_rad, double stored_J, double taken_J,
                std::size_t delay_ticks) noexcept {
     const std::size_t back = std::min(delay_ticks, given_.size() - 1);
@@ -59,8 +59,8 @@ class PassivityControl {
   double debt_J() const noexcept { return debt_J_; }
 
  private:
-  friend struct StepState;                                      // step_state.cpp, which keeps it
-  std::array<Vec3, kMostDelay_ticks + 1> given_{}, torques_{};  // N; N mm
+  friend struct StepState;                                     // step_state.cpp, which keeps it
+  std::array<Vec3, kMaxDelay_ticks + 1> given_{}, torques_{};  // N; N mm
   std::size_t next_ = 0;
   double debt_J_ = 0;
 };

@@ -27,8 +27,8 @@ constexpr std::string_view kMagic = "MOLTRAC5", kForcesMagic = "MOLTRAC4", kPlac
                            kStatelessMagic = "MOLTRAC2", kOldMagic = "MOLTRAC1";
 constexpr std::string_view kBlockMagic = "BLK1";
 constexpr std::uint32_t kTicksInBlock = 256;
-constexpr std::size_t kLeastTickBytes = 81;  // a tick without settings and device
-constexpr std::size_t kMostBytes = std::size_t{1} << 30;
+constexpr std::size_t kMinTickBytes = 81;  // a tick without settings and device
+constexpr std::size_t kMaxBytes = std::size_t{1} << 30;
 constexpr std::uint8_t kSettings = 1, kFresh = 2, kConnected = 4, kOtherDevice = 8, kFaultFlag = 16, kFallenBack = 32,
                        kOriented = 64, kSpheresMoved = 128;
 
@@ -142,8 +142,8 @@ bool canBe(const ServoSettings& s) {
 
 // The loop gives finite forces only, within the limits of canBe().
 bool canBeGiven(const Vec3& force) {
-  constexpr double kMost = 1e6;
-  return std::abs(force.x) <= kMost && std::abs(force.y) <= kMost && std::abs(force.z) <= kMost;
+  constexpr double kMax = 1e6;
+  return std::abs(force.x) <= kMax && std::abs(force.y) <= kMax && std::abs(force.z) <= kMax;
 }
 
 std::string bytesOf(const ServoSettings& settings) {
@@ -222,7 +222,7 @@ std::optional<Problem> ServoRecordingWriter::begin(const std::map<std::string, s
 }
 
 std::optional<Problem> ServoRecordingWriter::add(const RecordedTick& tick) {
-  if (!broken_ && kept_ + ticks_in_block_ == kMostRecordedTicks)
+  if (!broken_ && kept_ + ticks_in_block_ == kMaxRecordedTicks)
     return broken_ = Problem{
                "", 0, 0, tr("a recording is at most 66 minutes and 40 s long; what was recorded until then is kept"),
                tr("begin another one")};
@@ -269,7 +269,7 @@ std::optional<Problem> ServoRecordingWriter::finish() {
 }
 
 Expected<ServoRecording> readServoRecording(const std::filesystem::path& file) {
-  const auto bytes = readFile(file, kMostBytes, tr("a recording has 81 bytes per tick: is this file one?"));
+  const auto bytes = readFile(file, kMaxBytes, tr("a recording has 81 bytes per tick: is this file one?"));
   if (!bytes) return bytes.problem();
   const char* data = bytes->data();
   const Problem none{file.string(), 0, 0, tr("this is no recording of a device"),
@@ -312,7 +312,7 @@ Expected<ServoRecording> readServoRecording(const std::filesystem::path& file) {
     recording.start = *std::move(state);
   }
 
-  recording.ticks.reserve(std::min(kMostRecordedTicks, static_cast<std::size_t>(get.end - get.at) / kLeastTickBytes));
+  recording.ticks.reserve(std::min(kMaxRecordedTicks, static_cast<std::size_t>(get.end - get.at) / kMinTickBytes));
   DeviceSpecs device;
   while (get.at < get.end) {
     const auto torn = [&](const char* sentence) {
@@ -339,7 +339,7 @@ Expected<ServoRecording> readServoRecording(const std::filesystem::path& file) {
       good = good && readTick(inside, settings, tick, version);
       device = tick.device;
     }
-    if (good && ticks.size() > kMostRecordedTicks - recording.ticks.size()) {
+    if (good && ticks.size() > kMaxRecordedTicks - recording.ticks.size()) {
       torn(N_("the recording exceeds the maximum length after {0}; the part before that is kept"));
       break;
     }
@@ -352,22 +352,22 @@ Expected<ServoRecording> readServoRecording(const std::filesystem::path& file) {
   return recording;
 }
 
-std::map<std::string, std::string> sceneLabels(const BallScene& scene, const HeldBody* body) {
+std::map<std::string, std::string> sceneLabels(const SphereGrid& scene, const HeldBody* body) {
   std::map<std::string, std::string> labels{{"balls", fingerprint(scene)}};
   if (scene.hasUntouchable()) labels["untouchable"] = rangesText(scene.untouchable());
   if (body) labels["held"] = rangesText(body->atoms);
   return labels;
 }
 
-RecordedScene recordedScene(const std::map<std::string, std::string>& labels, SharedArray<Ball> balls) {
+RecordedScene recordedScene(const std::map<std::string, std::string>& labels, SharedArray<Sphere> spheres) {
   const auto listed = [&](const char* key) {
     const auto found = labels.find(key);
-    return found == labels.end() ? std::vector<std::uint32_t>() : rangesOf(found->second, balls.size());
+    return found == labels.end() ? std::vector<std::uint32_t>() : rangesOf(found->second, spheres.size());
   };
   RecordedScene out;
-  out.body = heldBody(balls, listed("held"));
+  out.body = heldBody(spheres, listed("held"));
   const std::vector<std::uint32_t> untouchable = listed("untouchable");
-  out.balls = std::make_shared<const BallScene>(std::move(balls), untouchable);
+  out.spheres = std::make_shared<const SphereGrid>(std::move(spheres), untouchable);
   return out;
 }
 
@@ -397,13 +397,13 @@ ReplayResult replay(const ServoRecording& recording, Interaction* interaction) {
   return out;
 }
 
-std::string fingerprint(const BallScene& scene) {
+std::string fingerprint(const SphereGrid& scene) {
   std::uint64_t hash = 14695981039346656037u;
-  for (const Ball& ball : scene.balls())
-    for (const double value : {ball.centre_A.x, ball.centre_A.y, ball.centre_A.z, ball.radius_A})
+  for (const Sphere& sphere : scene.spheres())
+    for (const double value : {sphere.centre_A.x, sphere.centre_A.y, sphere.centre_A.z, sphere.radius_A})
       for (std::uint64_t bits = std::bit_cast<std::uint64_t>(value), k = 0; k < 8; ++k, bits >>= 8)
         hash = (hash ^ (bits & 0xFF)) * 1099511628211u;
-  // What is not felt makes another scene of the same balls.
+  // What is not felt makes another scene of the same spheres.
   for (const std::uint32_t i : scene.untouchable())
     for (std::uint64_t bits = i, k = 0; k < 4; ++k, bits >>= 8) hash = (hash ^ (bits & 0xFF)) * 1099511628211u;
   char text[40];

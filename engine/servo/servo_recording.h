@@ -12,8 +12,8 @@
 #include <vector>
 
 #include "engine/core/problem.h"
-#include "engine/haptics/ball_scene.h"
 #include "engine/haptics/body/held_body.h"
+#include "engine/haptics/sphere_grid.h"
 #include "engine/platform/append_file.h"
 #include "engine/servo/servo_step.h"
 
@@ -45,7 +45,7 @@ struct ServoRecording {
 };
 
 /// Longer ones are neither written nor read (66 minutes and 40 s; a tick takes 416 bytes of memory).
-inline constexpr std::size_t kMostRecordedTicks = 4'000'000;
+inline constexpr std::size_t kMaxRecordedTicks = 4'000'000;
 
 /// Writes a recording while it is made. Each block of 256 ticks is handed to the system whole before the next is begun,
 /// so that a crash of the program costs at most one block. After a Problem nothing more is written; the blocks written
@@ -94,19 +94,19 @@ struct ReplayResult {
 ReplayResult replay(const ServoRecording& recording, Interaction* interaction);
 
 /// What a recording's labels say of its scene: "balls", a fingerprint that shows whether the molecule has changed since;
-/// "untouchable" and "held", the balls (counted from 0) that are not felt and that the hand holds, where there are such.
-std::map<std::string, std::string> sceneLabels(const BallScene& scene, const HeldBody* body);
+/// "untouchable" and "held", the spheres (counted from 0) that are not felt and that the hand holds, where there are such.
+std::map<std::string, std::string> sceneLabels(const SphereGrid& scene, const HeldBody* body);
 
 struct RecordedScene {
-  std::shared_ptr<const BallScene> balls;
+  std::shared_ptr<const SphereGrid> spheres;
   std::shared_ptr<const HeldBody> body;  ///< null: the probe
 };
 
-/// The scene of these labels, of its molecule's balls. Labels that name others than there are name none.
-RecordedScene recordedScene(const std::map<std::string, std::string>& labels, SharedArray<Ball> balls);
+/// The scene of these labels, of its molecule's spheres. Labels that name others than there are name none.
+RecordedScene recordedScene(const std::map<std::string, std::string>& labels, SharedArray<Sphere> spheres);
 
-/// The number of balls and all their values in one number (FNV-1a): a recording's label "balls", which shows whether
+/// The number of spheres and all their values in one number (FNV-1a): a recording's label "balls", which shows whether
 /// its molecule has changed since.
-std::string fingerprint(const BallScene& scene);
+std::string fingerprint(const SphereGrid& scene);
 
 }  // namespace moltact

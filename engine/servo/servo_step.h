@@ -54,7 +54,7 @@ struct MotionPhase {
 inline constexpr double kProbeSlew_A_per_s = 8.0;  ///< how fast the surface may swell under the finger
 
 /// The least force of a field that counts as felt; a hand notices forces of some hundredths of a newton.
-inline constexpr double kLeastFelt_N = 0.02;
+inline constexpr double kMinFelt_N = 0.02;
 
 /// The complete result of one tick, for the screen, the lesson and the log.
 struct ServoSample {
@@ -98,7 +98,7 @@ struct ServoSample {
   PointA forcePlace() const { return contact.touching() ? contact.scp : hip; }
   /// A force is there for the hand to notice, of a contact or of a field. `contact.touching()` says that a surface is
   /// touched.
-  bool felt() const { return contact.touching() || (field && glm::length(force.N) >= kLeastFelt_N); }
+  bool felt() const { return contact.touching() || (field && glm::length(force.N) >= kMinFelt_N); }
 };
 
 /// The reactions on the scene's atoms in one tick (unit: newton of the hand, in the molecule's axes): their sum is the

@@ -16,7 +16,7 @@ constexpr int kClickEvery_samples = kSamples_per_s / 25, kThudEvery_samples = kS
 constexpr double kInaudible = 1e-5;
 constexpr double kQuietest = 0.35, kLoudFrom_N = 2.0;  // of the tone without force; force from which it is loudest
 
-double heard_N(double force_N) { return std::isfinite(force_N) ? std::clamp(force_N, 0.0, kMostHeard_N) : 0.0; }
+double heard_N(double force_N) { return std::isfinite(force_N) ? std::clamp(force_N, 0.0, kMaxHeard_N) : 0.0; }
 
 // The fraction of the way that leaves 1/e of it after `time_s`.
 double pull(double time_s) { return 1.0 - std::exp(-1.0 / (time_s * kSamples_per_s)); }
@@ -26,7 +26,7 @@ const double kAttack = pull(0.008), kRelease = pull(0.030), kGlide = pull(0.025)
 // The part of the way that a low-pass of one pole goes in a sample.
 double lowPass(double hertz) { return 1.0 - std::exp(-kTwoPi * hertz / kSamples_per_s); }
 
-const double kDull = lowPass(500.0), kBrightest = lowPass(3200.0), kLeastBright = lowPass(1200.0);
+const double kDull = lowPass(500.0), kBrightest = lowPass(3200.0), kMinBright = lowPass(1200.0);
 
 double advance(double& phase, double hertz) {
   const double now = std::sin(kTwoPi * phase);
@@ -110,7 +110,7 @@ double TouchSynth::scrape() noexcept {
   noise_ ^= noise_ >> 17;
   noise_ ^= noise_ << 5;
   const double white = double(noise_) / 2147483648.0 - 1.0;
-  bright_ += (white - bright_) * (kLeastBright + (kBrightest - kLeastBright) * scrape_);
+  bright_ += (white - bright_) * (kMinBright + (kBrightest - kMinBright) * scrape_);
   dull_ += (white - dull_) * kDull;
   scrape_ += (speed - scrape_) * (speed > scrape_ ? kAttack : kRelease);
   if (speed == 0.0 && scrape_ < kInaudible) scrape_ = 0.0;

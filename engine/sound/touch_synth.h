@@ -4,7 +4,7 @@
 //
 //   heard                       felt
 //   pitch                       force: 330 Hz without force, 8 semitones higher for each newton (3 N: two octaves)
-//   one note                    a ball: one atom holds the probe
+//   one note                    a sphere: one atom holds the probe
 //   two notes, a fifth apart    a crease: two atoms hold it
 //   three notes, a major chord  a pit: three atoms hold it
 //   loudness                    grows a little with the force, up to 2 N
@@ -28,7 +28,7 @@ namespace moltact {
 inline constexpr int kSamples_per_s = 48000;
 inline constexpr double kLowestPitch_Hz = 330.0;
 inline constexpr double kSemitones_per_N = 8.0;
-inline constexpr double kMostHeard_N = 4.0;  ///< a greater force sounds like this one
+inline constexpr double kMaxHeard_N = 4.0;  ///< a greater force sounds like this one
 /// Just intonation: the notes' frequencies over the lowest. A crease takes the first and the last, a pit all three.
 inline constexpr std::array<double, 3> kChord{1.0, 5.0 / 4.0, 3.0 / 2.0};
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "engine/haptics/ball_scene.h"
+#include "engine/haptics/sphere_grid.h"
 
 namespace moltact {
 namespace {
@@ -21,7 +21,7 @@ std::vector<Vec3> spiral(int points) {
   return out;
 }
 
-/// The cap of a grown ball that lies in another: directions whose part along `towards` is more than `beyond`.
+/// The cap of a grown sphere that lies in another: directions whose part along `towards` is more than `beyond`.
 struct Cap {
   Vec3 towards;
   double beyond;
@@ -29,13 +29,13 @@ struct Cap {
 
 class Area {
  public:
-  Area(std::span<const Ball> balls, double probe_radius_A, int points)
+  Area(std::span<const Sphere> spheres, double probe_radius_A, int points)
       : probe_A_(std::max(probe_radius_A, 0.0)),
-        grid_(grown(balls, probe_A_), BallScene::Duplicates::VisitEach),
+        grid_(grown(spheres, probe_A_), SphereGrid::Duplicates::VisitEach),
         points_(spiral(points)) {}
 
   double radius_A(std::uint32_t i) const { return grid_[i].radius_A; }
-  /// How many points of the ball are free; no more than `most` are counted.
+  /// How many points of the sphere are free; no more than `most` are counted.
   int freePoints(std::uint32_t i, int most) {
     if (!findCaps(i)) return 0;
     int free = 0;
@@ -52,19 +52,19 @@ class Area {
   }
 
  private:
-  static std::vector<Ball> grown(std::span<const Ball> balls, double probe_A) {
-    std::vector<Ball> out(balls.begin(), balls.end());
-    for (Ball& b : out) b.radius_A += probe_A;
+  static std::vector<Sphere> grown(std::span<const Sphere> spheres, double probe_A) {
+    std::vector<Sphere> out(spheres.begin(), spheres.end());
+    for (Sphere& b : out) b.radius_A += probe_A;
     return out;
   }
   static bool buries(const Cap& c, const Vec3& p) { return glm::dot(c.towards, p) > c.beyond; }
 
-  /// The caps of its neighbours, the largest first; false where the whole ball lies in another.
+  /// The caps of its neighbours, the largest first; false where the whole sphere lies in another.
   bool findCaps(std::uint32_t i) {
     caps_.clear();
-    const Ball own = grid_[i];
+    const Sphere own = grid_[i];
     bool free = own.radius_A > 0.0;
-    grid_.visitNear(own.centre_A, own.radius_A, [&](std::uint32_t j, const Ball& other) {
+    grid_.visitNear(own.centre_A, own.radius_A, [&](std::uint32_t j, const Sphere& other) {
       if (j == i) return;
       const Vec3 way = other.centre_A - own.centre_A;
       const double apart = glm::length(way);
@@ -86,17 +86,17 @@ class Area {
   }
 
   double probe_A_;
-  BallScene grid_;
+  SphereGrid grid_;
   std::vector<Vec3> points_;
-  std::vector<Cap> caps_;  // of the ball that is looked at
+  std::vector<Cap> caps_;  // of the sphere that is looked at
 };
 
 }  // namespace
 
-std::vector<double> accessibleAreas_A2(std::span<const Ball> balls, double probe_radius_A) {
+std::vector<double> accessibleAreas_A2(std::span<const Sphere> spheres, double probe_radius_A) {
   constexpr int kPoints = 2000;
-  Area area(balls, probe_radius_A, kPoints);
-  std::vector<double> out(balls.size());
+  Area area(spheres, probe_radius_A, kPoints);
+  std::vector<double> out(spheres.size());
   for (std::uint32_t i = 0; i < out.size(); ++i) {
     const double r = area.radius_A(i);
     out[i] = 4.0 * std::numbers::pi * r * r * area.freePoints(i, kPoints) / kPoints;
@@ -104,10 +104,10 @@ std::vector<double> accessibleAreas_A2(std::span<const Ball> balls, double probe
   return out;
 }
 
-std::vector<bool> accessibleBalls(std::span<const Ball> balls, double probe_radius_A) {
+std::vector<bool> accessibleSpheres(std::span<const Sphere> spheres, double probe_radius_A) {
   constexpr int kPoints = 500;
-  Area area(balls, probe_radius_A, kPoints);
-  std::vector<bool> out(balls.size());
+  Area area(spheres, probe_radius_A, kPoints);
+  std::vector<bool> out(spheres.size());
   for (std::uint32_t i = 0; i < out.size(); ++i) out[i] = area.freePoints(i, 1) > 0;
   return out;
 }

@@ -11,7 +11,7 @@ constexpr double kPeptideBond_A = 2.5, kPhosphateBond_A = 2.5;
 constexpr double kNeighbourCa_A = 5.0, kNeighbourGuides_A = 9.0;
 
 bool near(const Molecule& m, std::uint32_t a, std::uint32_t b, double reach_A) {
-  return glm::distance(m.ballsAsRead()[a].centre_A, m.ballsAsRead()[b].centre_A) <= reach_A;
+  return glm::distance(m.spheresAsRead()[a].centre_A, m.spheresAsRead()[b].centre_A) <= reach_A;
 }
 
 /// Keeps the first atom of a name.

@@ -4,12 +4,12 @@
 #include <gemmi/elem.hpp>
 #include <limits>
 
-#include "engine/haptics/ball_scene.h"
+#include "engine/haptics/sphere_grid.h"
 
 namespace moltact {
 namespace {
 
-constexpr double kTolerance_A = 0.45, kLeastApart_A = 0.4;
+constexpr double kTolerance_A = 0.45, kMinApart_A = 0.4;
 constexpr double kLongestFormulaBond_A = 2.6;  // a longer one is a torn residue, or two with one name
 
 constexpr std::uint8_t kHydrogenNumber = 1, kCarbonNumber = 6;
@@ -33,7 +33,7 @@ class BondFinder {
 
  private:
   double distance(std::uint32_t a, std::uint32_t b) const {
-    return glm::distance(m_.ballsAsRead()[a].centre_A, m_.ballsAsRead()[b].centre_A);
+    return glm::distance(m_.spheresAsRead()[a].centre_A, m_.spheresAsRead()[b].centre_A);
   }
   void add(std::uint32_t a, std::uint32_t b, BondOrder order) {
     const auto [first, second] = std::minmax(a, b);
@@ -73,25 +73,25 @@ class BondFinder {
   }
 
   void byDistance() {
-    std::vector<Ball> balls;
-    balls.reserve(m_.atoms.size());
+    std::vector<Sphere> spheres;
+    spheres.reserve(m_.atoms.size());
     double largest = 0.0;
     for (std::size_t i = 0; i < m_.atoms.size(); ++i) {
       const double radius = gemmi::covalent_radius(elementOf(m_.atoms[i]));
       largest = std::max(largest, radius);
-      balls.push_back({m_.ballsAsRead()[i].centre_A, radius});
+      spheres.push_back({m_.spheresAsRead()[i].centre_A, radius});
     }
-    const BallScene grid(std::move(balls), BallScene::Duplicates::VisitEach);
+    const SphereGrid grid(std::move(spheres), SphereGrid::Duplicates::VisitEach);
     std::vector<std::uint32_t> nearest;  // of each hydrogen its partner; made where there is one
     std::vector<double> how_near;
     for (std::uint32_t i = 0; i < m_.atoms.size(); ++i) {
       const Atom& a = m_.atoms[i];
       const Vec3 here_A = grid[i].centre_A;
       const double radius = grid[i].radius_A;
-      grid.visitCentresNear(here_A, radius + largest + kTolerance_A, [&](std::uint32_t j, const Ball& ball) {
+      grid.visitCentresNear(here_A, radius + largest + kTolerance_A, [&](std::uint32_t j, const Sphere& sphere) {
         if (j <= i) return;
-        const double apart = glm::distance(ball.centre_A, here_A);
-        if (apart > radius + ball.radius_A + kTolerance_A || apart < kLeastApart_A) return;
+        const double apart = glm::distance(sphere.centre_A, here_A);
+        if (apart > radius + sphere.radius_A + kTolerance_A || apart < kMinApart_A) return;
         const Atom& b = m_.atoms[j];
         const bool same_residue = a.residue == b.residue;
         if (of_formula_[i] && of_formula_[j] && (same_residue || !joins(i, j))) return;

@@ -140,10 +140,10 @@ class Chooser {
 
   std::vector<Rgb8> chosen() {
     // A few marks are tried in every combination; of many, each has the best shade beside those before it.
-    constexpr std::size_t kMostTogether = 5;
-    for (std::size_t first = 0; first < candidates_.size(); first += kMostTogether) {
+    constexpr std::size_t kMaxTogether = 5;
+    for (std::size_t first = 0; first < candidates_.size(); first += kMaxTogether) {
       best_worth_.reset();
-      search(first, std::min(candidates_.size(), first + kMostTogether), {});
+      search(first, std::min(candidates_.size(), first + kMaxTogether), {});
       now_ = best_;
     }
     std::vector<Rgb8> out;

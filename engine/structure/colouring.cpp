@@ -21,7 +21,7 @@ constexpr Rgb8 kNothing{168, 168, 172};  // of atoms of which a scheme says noth
 constexpr Rgb8 kChains[] = {{68, 119, 170},  {34, 136, 51},  {170, 51, 119},  {102, 204, 238},
                             {238, 102, 119}, {204, 187, 68}, {130, 90, 190},  {20, 110, 110},
                             {150, 220, 160}, {120, 60, 60},  {205, 160, 220}, {90, 90, 100}};
-constexpr std::size_t kMostInLegend = 24;
+constexpr std::size_t kMaxInLegend = 24;
 
 const Residue* residueOf(const Molecule& m, const Atom& a) {
   return a.residue < m.residues.size() ? &m.residues[a.residue] : nullptr;
@@ -36,7 +36,7 @@ class LegendMaker {
   bool has(std::size_t rank) const { return entries_.contains(rank); }
   void write(Legend& to) const {
     for (const auto& [rank, entry] : entries_) {
-      if (to.entries.size() == kMostInLegend) {
+      if (to.entries.size() == kMaxInLegend) {
         to.entries.push_back({"…", kNothing});
         return;
       }
@@ -198,18 +198,18 @@ void byType(const Molecule& m, Colouring& out) {
 }
 
 void byHydropathy(const Molecule& m, Colouring& out) {
-  constexpr double kMost = 4.5;  // of isoleucine; arginine has as much below zero
+  constexpr double kMax = 4.5;  // of isoleucine; arginine has as much below zero
   std::fill(out.of_atom.begin(), out.of_atom.end(), kNothing);
   for (const Residue& r : m.residues) {
     const AminoAcid* a = r.kind == ResidueKind::AminoAcid ? aminoAcid(r.name) : nullptr;
     if (!a) continue;
-    const Rgb8 colour = along(kHydropathy, 0.5 + 0.5 * a->hydropathy / kMost);
+    const Rgb8 colour = along(kHydropathy, 0.5 + 0.5 * a->hydropathy / kMax);
     for (std::uint32_t i = r.first_atom; i < r.first_atom + r.atom_count; ++i) out.of_atom[i] = colour;
   }
   out.legend.gradient = true;
-  out.legend.entries = {{trf("{0} (likes water)", numberText(-kMost, decimals(1))), kHydropathy[0]},
+  out.legend.entries = {{trf("{0} (likes water)", numberText(-kMax, decimals(1))), kHydropathy[0]},
                         {numberText(0.0, decimals(1)), kHydropathy[1]},
-                        {trf("{0} (shuns water)", numberText(kMost, decimals(1))), kHydropathy[2]}};
+                        {trf("{0} (shuns water)", numberText(kMax, decimals(1))), kHydropathy[2]}};
 }
 
 constexpr Class kCharges[] = {{N_("negative (−1)"), {204, 51, 63}},

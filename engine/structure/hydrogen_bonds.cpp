@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <string_view>
 
-#include "engine/haptics/ball_scene.h"
+#include "engine/haptics/sphere_grid.h"
 
 namespace moltact {
 namespace {
@@ -94,9 +94,9 @@ Role roleOf(const Molecule& m, const BondTable& bonds, std::uint32_t index) {
 
 /// Whether every angle at `at` between `to` and what `at` is bonded to is 90 degrees or more.
 bool open(const Molecule& m, const BondTable& bonds, std::uint32_t at, std::uint32_t to) {
-  const Vec3 here = m.balls[at].centre_A, way = m.balls[to].centre_A - here;
+  const Vec3 here = m.spheres[at].centre_A, way = m.spheres[to].centre_A - here;
   for (const std::uint32_t n : bonds.neighbours(at))
-    if (m.atoms[n].atomic_number != kHydrogen && glm::dot(m.balls[n].centre_A - here, way) > 0.0) return false;
+    if (m.atoms[n].atomic_number != kHydrogen && glm::dot(m.spheres[n].centre_A - here, way) > 0.0) return false;
   return true;
 }
 
@@ -105,22 +105,22 @@ bool open(const Molecule& m, const BondTable& bonds, std::uint32_t at, std::uint
 std::vector<HydrogenBond> findHydrogenBonds(const Molecule& m, const BondTable& bonds) {
   std::vector<std::uint32_t> polar;
   std::vector<Role> roles;
-  std::vector<Ball> places;
+  std::vector<Sphere> places;
   for (std::uint32_t i = 0; i < m.atoms.size(); ++i) {
     if (m.atoms[i].atomic_number != kNitrogen && m.atoms[i].atomic_number != kOxygen) continue;
     const Role role = roleOf(m, bonds, i);
     if (!role.gives && !role.takes) continue;
     polar.push_back(i);
     roles.push_back(role);
-    places.push_back({m.balls[i].centre_A, 0.0});
+    places.push_back({m.spheres[i].centre_A, 0.0});
   }
-  const BallScene grid(std::move(places), BallScene::Duplicates::VisitEach);
+  const SphereGrid grid(std::move(places), SphereGrid::Duplicates::VisitEach);
   std::vector<HydrogenBond> out;
   for (std::uint32_t a = 0; a < polar.size(); ++a)
-    grid.visitCentresNear(grid[a].centre_A, kLongest_A, [&](std::uint32_t b, const Ball& ball) {
+    grid.visitCentresNear(grid[a].centre_A, kLongest_A, [&](std::uint32_t b, const Sphere& sphere) {
       if (b <= a) return;
       const std::uint32_t i = polar[a], j = polar[b];
-      const double length = glm::distance(grid[a].centre_A, ball.centre_A);
+      const double length = glm::distance(grid[a].centre_A, sphere.centre_A);
       if (length > kLongest_A || length < kShortest_A) return;
       if (m.atoms[i].residue == m.atoms[j].residue && m.atoms[i].residue != kNoResidue) return;
       const bool forth = roles[a].gives && roles[b].takes, back = roles[b].gives && roles[a].takes;

@@ -5,14 +5,14 @@
 #include <deque>
 #include <utility>
 
-#include "engine/haptics/ball_scene.h"
+#include "engine/haptics/sphere_grid.h"
 #include "engine/structure/backbone.h"
 #include "engine/structure/secondary_structure.h"
 
 namespace moltact {
 namespace {
 
-constexpr double kBondEnergy_kcal = -0.5, kLeastEnergy_kcal = -9.9, kTooNear_A = 0.5;
+constexpr double kBondEnergy_kcal = -0.5, kMinEnergy_kcal = -9.9, kTooNear_A = 0.5;
 constexpr double kCoupling_kcal_A = 0.42 * 0.20 * 332.0;  // charges of the N-H and of the C=O times the constant
 constexpr double kFarthestCa_A = 9.0;
 constexpr std::size_t kNone = ~std::size_t{0};
@@ -28,7 +28,7 @@ struct Peptide {
 std::vector<Peptide> peptides(const Molecule& m) {
   std::vector<Peptide> out;
   std::size_t run = 0;
-  const auto at = [&](std::uint32_t atom) { return m.ballsAsRead()[atom].centre_A; };
+  const auto at = [&](std::uint32_t atom) { return m.spheresAsRead()[atom].centre_A; };
   for (const ProteinStretch& stretch : proteinBackbone(m)) {
     ++run;
     for (const AminoAcidAtoms& a : stretch) {
@@ -53,8 +53,8 @@ std::vector<Peptide> peptides(const Molecule& m) {
 double bondEnergy_kcal(const Peptide& donor, const Peptide& acceptor) {
   const double on = glm::distance(acceptor.o, donor.n), ch = glm::distance(acceptor.c, donor.h);
   const double oh = glm::distance(acceptor.o, donor.h), cn = glm::distance(acceptor.c, donor.n);
-  if (std::min({on, ch, oh, cn}) < kTooNear_A) return kLeastEnergy_kcal;
-  return std::max(kLeastEnergy_kcal, kCoupling_kcal_A * (1 / on + 1 / ch - 1 / oh - 1 / cn));
+  if (std::min({on, ch, oh, cn}) < kTooNear_A) return kMinEnergy_kcal;
+  return std::max(kMinEnergy_kcal, kCoupling_kcal_A * (1 / on + 1 / ch - 1 / oh - 1 / cn));
 }
 
 class StructureFinder {
@@ -82,15 +82,15 @@ class StructureFinder {
   };
 
   void findBonds() {
-    std::vector<Ball> centres;
+    std::vector<Sphere> centres;
     centres.reserve(p_.size());
     for (const Peptide& p : p_) centres.push_back({p.ca, 0.0});
-    const BallScene grid(std::move(centres), BallScene::Duplicates::VisitEach);
+    const SphereGrid grid(std::move(centres), SphereGrid::Duplicates::VisitEach);
     for (std::size_t d = 0; d < p_.size(); ++d) {
       if (!p_[d].donates) continue;
       Acceptors& best = bonds_[d];
-      grid.visitCentresNear(p_[d].ca, kFarthestCa_A, [&](std::uint32_t a, const Ball& ball) {
-        if (a == d || a + 1 == d || glm::distance(ball.centre_A, p_[d].ca) > kFarthestCa_A) return;
+      grid.visitCentresNear(p_[d].ca, kFarthestCa_A, [&](std::uint32_t a, const Sphere& sphere) {
+        if (a == d || a + 1 == d || glm::distance(sphere.centre_A, p_[d].ca) > kFarthestCa_A) return;
         const double energy = bondEnergy_kcal(p_[d], p_[a]);
         if (energy < best.energy_kcal[0]) {
           best = {{a, best.of[0]}, {energy, best.energy_kcal[0]}};

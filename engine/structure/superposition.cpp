@@ -99,7 +99,7 @@ Expected<Superposition> superpose(const Molecule& one, const Molecule& other,
   const auto collect = [&](bool all) {
     for (const auto& [i, j] : pairs) {
       if (!all && !leads(one, i)) continue;
-      const Vec3 &p = one.balls[i].centre_A, &q = other.balls[j].centre_A;
+      const Vec3 &p = one.spheres[i].centre_A, &q = other.spheres[j].centre_A;
       here.emplace_back(p.x, p.y, p.z);
       there.emplace_back(q.x, q.y, q.z);
     }
@@ -134,9 +134,9 @@ Expected<Superposition> superpose(const Molecule& one, const Molecule& other,
   return out;
 }
 
-std::vector<Ball> TwoStates::at(double share) const {
+std::vector<Sphere> TwoStates::at(double share) const {
   share = std::clamp(share, 0.0, 1.0);
-  std::vector<Ball> out = first;
+  std::vector<Sphere> out = first;
   for (std::size_t i = 0; i < out.size(); ++i) out[i].centre_A += (second[i].centre_A - first[i].centre_A) * share;
   return out;
 }
@@ -151,13 +151,13 @@ Expected<TwoStates> twoStates(const Molecule& one, const Molecule& other, std::s
   TwoStates out;
   out.fit = *fit;
   out.matched = pairs.size();
-  out.first = one.balls.copy();
+  out.first = one.spheres.copy();
   out.second = out.first;
   std::vector<char> matched(one.atoms.size(), 0);
   std::vector<Vec3> way(one.residues.size(), Vec3(0.0));
   std::vector<double> count(one.residues.size(), 0.0);
   for (const auto& [i, j] : pairs) {
-    out.second[i].centre_A = out.fit(other.balls[j].centre_A);
+    out.second[i].centre_A = out.fit(other.spheres[j].centre_A);
     matched[i] = 1;
     const std::uint32_t r = one.atoms[i].residue;
     way[r] += out.second[i].centre_A - out.first[i].centre_A;

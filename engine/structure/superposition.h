@@ -8,8 +8,8 @@
 #include <utility>
 #include <vector>
 
-#include "engine/core/ball.h"
 #include "engine/core/problem.h"
+#include "engine/core/sphere.h"
 #include "engine/molecule/molecule.h"
 
 namespace moltact {
@@ -40,11 +40,11 @@ Expected<Superposition> superpose(const Molecule& one, const Molecule& other,
 /// A molecule in its own state and in another, superposed.
 struct TwoStates {
   Superposition fit;
-  std::size_t matched = 0;   ///< atoms that are in both
-  std::vector<Ball> first;   ///< one for each atom, where the file has it
-  std::vector<Ball> second;  ///< the same atoms in the other state, as the fit lays it on the first
-  /// The balls at a share (0 to 1) of the way; each goes straight on. Snapshots of it are what SphereMotion takes.
-  std::vector<Ball> at(double share) const;
+  std::size_t matched = 0;     ///< atoms that are in both
+  std::vector<Sphere> first;   ///< one for each atom, where the file has it
+  std::vector<Sphere> second;  ///< the same atoms in the other state, as the fit lays it on the first
+  /// The spheres at a share (0 to 1) of the way; each goes straight on. Snapshots of it are what SphereMotion takes.
+  std::vector<Sphere> at(double share) const;
 };
 
 /// The atoms of `one` in both states. An atom that `other` does not have goes the way of its residue, as far as that is

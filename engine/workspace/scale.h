@@ -14,7 +14,7 @@ namespace moltact {
 
 inline constexpr double kFinest_A_per_mm = 0.01, kCoarsest_A_per_mm = 4.0;
 
-/// The workspace in which a ball round `centre` fills the device's workspace as far as its narrowest side allows: the
+/// The workspace in which a sphere round `centre` fills the device's workspace as far as its narrowest side allows: the
 /// paper's active haptic workspace, set round a selection. `radius_A` is clamped so that the scale stays within the
 /// figures above; non-finite input leaves `now` unchanged.
 Workspace magnified(const Workspace& now, PointA centre, double radius_A, const DeviceSpecs& device);
@@ -37,7 +37,7 @@ double springEnergy_J(double energy_A2, double stiffness_N_per_mm, double A_per_
 /// The force (unit: pN) with which two carbon atoms push each other apart that lie `overlap_A` nearer than they touch:
 /// the yardstick for what a press would be between atoms. The van der Waals term of the Tripos 5.2 force field (Clark,
 /// Cramer & Van Opdenbosch, J. Comput. Chem. 10, 982, 1989), which takes carbon's radius as 1.70 Å, as Bondi and the
-/// balls here do: F = 12 e/R ((R/r)^13 - (R/r)^7), R = 3.40 Å, e = 0.107 kcal/mol, r = R - overlap. Nothing where they
+/// spheres here do: F = 12 e/R ((R/r)^13 - (R/r)^7), R = 3.40 Å, e = 0.107 kcal/mol, r = R - overlap. Nothing where they
 /// do not overlap, and where they overlap by more than kDeepest_A, which no such term describes.
 std::optional<double> carbonPush_pN(double overlap_A);
 

@@ -73,7 +73,8 @@ std::vector<Named> makeLForm(bool ring) {
   return out;
 }
 
-std::string makePair(const std::string& title, const char* l_name, const char* d_name, bool ring, double apart_A) {
+std::string makePair(const std::string& title, const char* l_name, const char* d_name, bool ring,
+                     double grid_spacing_A) {
   std::vector<Named> l_form = makeLForm(ring);
   // Its middle in the line of sight, so that it is not turned askew to face the viewer.
   const auto [low_y, high_y] = std::minmax_element(
@@ -90,7 +91,7 @@ std::string makePair(const std::string& title, const char* l_name, const char* d
                        a.element,
                        side > 0 ? 'A' : 'B',
                        1,
-                       {side * (a.place.x + 0.5 * apart_A), a.place.y, a.place.z},
+                       {side * (a.place.x + 0.5 * grid_spacing_A), a.place.y, a.place.z},
                        true});
   std::vector<std::string> remarks{"L-ALANINE BY NEUTRON DIFFRACTION: M. S. LEHMANN, T. F. KOETZLE, W. C. HAMILTON,",
                                    "J. AM. CHEM. SOC. 94, 2657 (1972), ROUNDED TO 0.01 A AND 1 DEGREE"};

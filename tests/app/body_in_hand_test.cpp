@@ -18,9 +18,9 @@ TEST_CASE(
                                                 "## One\n```scene\nmolecule: 1hpv\nin-hand: ligand\n```\nText.\n"
                                                 "## Two\n```scene\nin-hand: none\n```\nText.\n");
   auto d = startWith(file.string());
-  TouchScene& scene = d->app().scene;
+  HapticSession& scene = d->app().scene;
   REQUIRE(scene.stage().body);
-  CHECK(scene.stage().body->atoms == scene.stage().balls->untouchable());
+  CHECK(scene.stage().body->atoms == scene.stage().spheres->untouchable());
   CHECK(*scene.look.hidden == scene.stage().body->atoms);
   CHECK(scene.touch().interaction == "body");
   d->point("view");
@@ -44,7 +44,7 @@ TEST_CASE(
   d->frames(30);
   CHECK_FALSE(scene.stage().body);
   CHECK(scene.touch().interaction == "probe");
-  CHECK_FALSE(scene.stage().balls->hasUntouchable());
+  CHECK_FALSE(scene.stage().spheres->hasUntouchable());
   d->point("view");
   d->press();
   d->frames(60);

@@ -30,7 +30,7 @@ ServoSample heldAt(const Vec3& middle_A, const Quat& turned = kNoRotation) {
 TEST_CASE("all 35 atoms of the drug are in place where it lay and 0.99 A beside it, and none at 1.01 A") {
   const ScratchFolder scratch;
   auto d = drugInHand("", scratch);
-  const Stage& stage = d->app().scene.stage();
+  const TouchableModel& stage = d->app().scene.stage();
   REQUIRE(stage.body);
   const Vec3 home_A = stage.body->middle.A;
   CHECK(bodyPlace(stage, heldAt(home_A)).atoms == 35);
@@ -39,14 +39,14 @@ TEST_CASE("all 35 atoms of the drug are in place where it lay and 0.99 A beside 
   CHECK(bodyPlace(stage, heldAt(home_A + Vec3(0, 1.01, 0))).in_place == 0);
   // Turned by 180 degrees about x, as many as lie within 0.5 A of that axis.
   std::size_t near = 0;
-  for (const Ball& b : stage.body->balls) near += std::hypot(b.centre_A.y, b.centre_A.z) <= 0.5;
+  for (const Sphere& b : stage.body->spheres) near += std::hypot(b.centre_A.y, b.centre_A.z) <= 0.5;
   CHECK(bodyPlace(stage, heldAt(home_A, Quat(0, 1, 0, 0))).in_place == near);
 }
 
 TEST_CASE("atoms of a body that the hand presses into others are stopped; in its own place, and untouched, none is") {
   const ScratchFolder scratch;
   auto d = drugInHand("", scratch);
-  const Stage& stage = d->app().scene.stage();
+  const TouchableModel& stage = d->app().scene.stage();
   CHECK(bodyPlace(stage, heldAt(stage.body->middle.A)).stopped.empty());
   d->point("view");
   d->press();
@@ -58,10 +58,10 @@ TEST_CASE("atoms of a body that the hand presses into others are stopped; in its
   CHECK(place.stopped.size() < 35);
   // Each of them, and no other, is inside an atom of the protein.
   std::vector<std::uint32_t> inside;
-  const std::span<const Ball> all = stage.balls->balls();
-  const std::vector<std::uint32_t> gone = stage.balls->untouchable();
-  for (std::size_t k = 0; k < stage.body->balls.size(); ++k) {
-    const Ball& mine = stage.body->balls[k];
+  const std::span<const Sphere> all = stage.spheres->spheres();
+  const std::vector<std::uint32_t> gone = stage.spheres->untouchable();
+  for (std::size_t k = 0; k < stage.body->spheres.size(); ++k) {
+    const Sphere& mine = stage.body->spheres[k];
     const Vec3 at = now.hip.A + now.orientation * mine.centre_A;
     for (std::size_t a = 0; a < all.size(); ++a) {
       if (std::binary_search(gone.begin(), gone.end(), std::uint32_t(a))) continue;

@@ -71,8 +71,8 @@ TEST_CASE("a --content-scale that is no number or out of range ends with status 
 
 namespace {
 
-// One carbon-like ball of 1.6 A at the origin; with the probe's 1.4 A the surface lies at 3 A.
-constexpr const char* kOneBall = "0 0 0 1.6\n";
+// One carbon-like sphere of 1.6 A at the origin; with the probe's 1.4 A the surface lies at 3 A.
+constexpr const char* kOneSphere = "0 0 0 1.6\n";
 
 }  // namespace
 
@@ -80,7 +80,7 @@ TEST_CASE(
     "replay on one ball of 3 A writes the SCP 3 A from the centre, 17 digits that read back the same, and k (SCP - "
     "HIP)") {
   const Folder folder;
-  write(folder / "one.xyzr", kOneBall);
+  write(folder / "one.xyzr", kOneSphere);
   write(folder / "hip.csv", "x,y,z\n0,0,5\n0,0.3,2.5\n0.1,0.3,2.4\n0,0,7\n");
   const Run run = moltact(folder, "replay '" + (folder / "one.xyzr") + "' --path '" + (folder / "hip.csv") +
                                       "' --out '" + (folder / "trace.csv") + "' --stiffness 2");
@@ -109,7 +109,7 @@ TEST_CASE(
     "replay --time prints one JSON object with ticks, contact_ticks and mean, p50, p99, p99.99, max for free and "
     "contact") {
   const Folder folder;
-  write(folder / "one.xyzr", kOneBall);
+  write(folder / "one.xyzr", kOneSphere);
   std::string path = "x,y,z\n";
   for (int k = 0; k < 2000; ++k) path += "0,0," + std::to_string(5.0 - 0.0015 * k) + "\n";
   write(folder / "hip.csv", path);
@@ -126,7 +126,7 @@ TEST_CASE(
 
 TEST_CASE("replay says on stderr that the HIP starts inside and that a place was not a number; both give no force") {
   const Folder folder;
-  write(folder / "one.xyzr", kOneBall);
+  write(folder / "one.xyzr", kOneSphere);
   write(folder / "hip.csv", "x,y,z\n0,0,1\n0,0,1.1\n0,0,4\n0,0,2.5\nnan,0,0\n0,0,2.4\n");
   const Run run = moltact(folder, "replay '" + (folder / "one.xyzr") + "' --path '" + (folder / "hip.csv") +
                                       "' --out '" + (folder / "t.csv") + "'");
@@ -144,7 +144,7 @@ TEST_CASE("replay says on stderr that the HIP starts inside and that a place was
 
 TEST_CASE("a broken path file ends with 1 and names file, line, column and what would mend it") {
   const Folder folder;
-  write(folder / "one.xyzr", kOneBall);
+  write(folder / "one.xyzr", kOneSphere);
   const struct {
     const char* text;
     const char* place;
@@ -173,7 +173,7 @@ TEST_CASE("a broken path file ends with 1 and names file, line, column and what 
 
 TEST_CASE("a path file that is a device, a pipe, a folder or larger than 1 GiB is refused at once, with a remedy") {
   const Folder folder;
-  write(folder / "one.xyzr", kOneBall);
+  write(folder / "one.xyzr", kOneSphere);
   REQUIRE(::mkfifo((folder / "pipe").c_str(), 0600) == 0);
   write(folder / "large.csv", "x,y,z\n");
   fs::resize_file(folder / "large.csv", (std::uintmax_t{1} << 30) + 1);
@@ -202,7 +202,7 @@ TEST_CASE(
     "1000 MiB under a limit of 900 MiB end with 1: a path for want of memory, a molecule at its first line, which is "
     "too long") {
   const Folder folder;
-  write(folder / "one.xyzr", kOneBall);
+  write(folder / "one.xyzr", kOneSphere);
   for (const char* name : {"large.pdb", "large.csv"}) {
     write(folder / name, "");
     fs::resize_file(folder / name, std::uintmax_t{1000} << 20);
@@ -220,7 +220,7 @@ TEST_CASE(
 
 TEST_CASE("a path file may begin with a byte order mark and have blanks around its fields and plus signs") {
   const Folder folder;
-  write(folder / "one.xyzr", kOneBall);
+  write(folder / "one.xyzr", kOneSphere);
   const auto trace = [&](const std::string& text) {
     write(folder / "hip.csv", text);
     const Run run = moltact(folder, "replay '" + (folder / "one.xyzr") + "' --path '" + (folder / "hip.csv") +
@@ -245,7 +245,7 @@ TEST_CASE("a path file may begin with a byte order mark and have blanks around i
 
 TEST_CASE("options that are NaN, infinite or out of range end with 2 and name the range") {
   const Folder folder;
-  write(folder / "one.xyzr", kOneBall);
+  write(folder / "one.xyzr", kOneSphere);
   write(folder / "hip.csv", "x,y,z\n0,0,5\n");
   const std::string one = " '" + (folder / "one.xyzr") + "' ";
   const std::string replay = "replay" + one + "--time --path '" + (folder / "hip.csv") + "' ";
@@ -282,7 +282,7 @@ TEST_CASE("options that are NaN, infinite or out of range end with 2 and name th
 TEST_CASE(
     "wrong usage ends with 2, a missing molecule or an unwritable trace with 1, --help with 0 for every command") {
   const Folder folder;
-  write(folder / "one.xyzr", kOneBall);
+  write(folder / "one.xyzr", kOneSphere);
   write(folder / "hip.csv", "x,y,z\n0,0,5\n");
   const std::string path = " --path '" + (folder / "hip.csv") + "'", one = "'" + (folder / "one.xyzr") + "'";
   CHECK(moltact(folder, "replay").status == 2);

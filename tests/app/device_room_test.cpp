@@ -1,4 +1,4 @@
-// How a molecule lies in the room of a device that is held: an Omni's, 160 x 120 x 70 mm. Oracle: the balls' own
+// How a molecule lies in the room of a device that is held: an Omni's, 160 x 120 x 70 mm. Oracle: the spheres' own
 // distances.
 #include <cmath>
 
@@ -46,10 +46,10 @@ Held& hold(ScriptedUser& d, Vec3 at_mm = Vec3(0)) {
 
 const ServoSample& now(ScriptedUser& d) { return d.app().scene.log().latest(); }
 
-// The gap between the probe and the nearest ball (unit: angstrom), ball by ball.
+// The gap between the probe and the nearest sphere (unit: angstrom), sphere by sphere.
 double gap_A(ScriptedUser& d) {
   double least = 1e9;
-  for (const Ball& b : d.app().scene.stage().molecule->balls)
+  for (const Sphere& b : d.app().scene.stage().molecule->spheres)
     least = std::min(least, glm::distance(b.centre_A, now(d).hip.A) - b.radius_A - now(d).probe_A);
   return least;
 }
@@ -79,10 +79,11 @@ TEST_CASE(
     // The surface straight ahead is a fifth of the room's depth away.
     const Workspace& w = d->app().scene.servo_settings.workspace;
     const Vec3 ahead = -d->app().scene.camera.back();
-    const Hit hit = sweep(*d->app().scene.stage().balls, now(*d).probe_A, now(*d).hip.A, now(*d).hip.A + ahead * 100.0);
-    if (hit.ball >= 0) CHECK(hit.t * 100.0 / w.A_per_mm == doctest::Approx(0.2 * 70.0).epsilon(0.01));
+    const Hit hit =
+        sweep(*d->app().scene.stage().spheres, now(*d).probe_A, now(*d).hip.A, now(*d).hip.A + ahead * 100.0);
+    if (hit.sphere >= 0) CHECK(hit.t * 100.0 / w.A_per_mm == doctest::Approx(0.2 * 70.0).epsilon(0.01));
     go(*d, stylus, {0, 0, -35});
-    if (hit.ball >= 0) {
+    if (hit.sphere >= 0) {
       CHECK(now(*d).contact.touching());
       CHECK(d->app().scene.log().force_N() > 0.3);
     }
@@ -190,7 +191,7 @@ TEST_CASE(
 TEST_CASE("a place that a task turns to the front lies before the hand, which begins outside") {
   auto d = startWith("1ubq");
   Held& stylus = hold(*d);
-  const PointA place = PointA{d->app().scene.stage().molecule->balls[300].centre_A};
+  const PointA place = PointA{d->app().scene.stage().molecule->spheres[300].centre_A};
   d->app().beginSceneAgain(place);
   d->frames(60);
   CHECK(now(*d).contact.fault == Fault::None);

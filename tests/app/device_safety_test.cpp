@@ -267,7 +267,7 @@ TEST_CASE("each limit is named on the device page and says its sentence over the
       c.set(*d);
       bool seen = false;
       for (int k = 0; k < int(c.for_s * 12) && !seen; ++k) {
-        if (c.limit == Limit::LateLoop) d->app().scene.servo().standStill(0.05);
+        if (c.limit == Limit::LateLoop) d->app().scene.servo().simulateStall(0.05);
         d->frames(5);
         seen = page ? contains(d->text("device/acting"), std::string(words->name))
                     : d->shows("limits") && contains(d->text("limits"), std::string(words->sentence));

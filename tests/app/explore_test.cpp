@@ -14,7 +14,7 @@ namespace {
 // Points at an atom from in front of it, and gives whether it is in the view.
 bool pointAt(ScriptedUser& d, std::uint32_t atom) {
   const auto size = d.app().layout().view.size();
-  const Vec3 px = d.app().scene.camera.project(PointA{d.app().scene.stage().molecule->balls[atom].centre_A},
+  const Vec3 px = d.app().scene.camera.project(PointA{d.app().scene.stage().molecule->spheres[atom].centre_A},
                                                int(size.x), int(size.y));
   return d.point("view", px.x / double(size.x), px.y / double(size.y));
 }
@@ -78,7 +78,7 @@ TEST_CASE("two clicks on an atom bring the camera closer than half of its way an
   }
   d->frames(60);
   CHECK(d->app().scene.camera.distance_A < 0.5 * before_A);
-  const Vec3 px = d->app().scene.camera.project(PointA{d->app().scene.stage().molecule->balls[*atom].centre_A},
+  const Vec3 px = d->app().scene.camera.project(PointA{d->app().scene.stage().molecule->spheres[*atom].centre_A},
                                                 int(size.x), int(size.y));
   CHECK(std::abs(px.x - 0.5 * double(size.x)) < 0.1 * double(size.x));
   CHECK(std::abs(px.y - 0.5 * double(size.y)) < 0.1 * double(size.y));

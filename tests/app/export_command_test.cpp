@@ -29,9 +29,9 @@ TEST_CASE(
     "and no file") {
   const std::string out = " '" + kOut.string() + "'";
   REQUIRE(run("benzene" + out) == 0);
-  const auto balls = readGltf(kOut);
-  REQUIRE(bool(balls));
-  CHECK(balls->corners.size() == 12 * 3 * 1280);
+  const auto spheres = readGltf(kOut);
+  REQUIRE(bool(spheres));
+  CHECK(spheres->corners.size() == 12 * 3 * 1280);
   REQUIRE(run("benzene" + out + " --print --probe 1.4 --step 0.3") == 0);
   const auto surface = readGltf(kOut);
   REQUIRE(bool(surface));

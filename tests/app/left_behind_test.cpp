@@ -4,7 +4,7 @@
 
 #include <memory>
 
-#include "app/ui/scene/touch_scene.h"
+#include "app/ui/scene/haptic_session.h"
 #include "engine/haptics/sphere_motion.h"
 
 namespace moltact {
@@ -28,7 +28,7 @@ struct Touched {
     }
     Molecule molecule;
     molecule.setAtoms(placed);
-    auto made = makeStage(std::move(molecule), "ball.pdb");
+    auto made = makeTouchableModel(std::move(molecule), "ball.pdb");
     REQUIRE(made);
     scene.show(withUntouchable(*made, atoms, atoms), {"ball.pdb"}, [](Camera&, const Molecule&) {});
   }
@@ -38,25 +38,25 @@ struct Touched {
       scene.servo().mouse().lead(scene.servo_settings.workspace.toDevice({place_A}));
       for (const FeltTick& tick : scene.advance(kFrame_s, now_s += kFrame_s, false).ticks) {
         touching += tick.sample.contact.touching();
-        apart_A = std::max(apart_A, glm::distance(tick.exact.scp.A, tick.sample.contact.scp.A));
+        grid_spacing_A = std::max(grid_spacing_A, glm::distance(tick.exact.scp.A, tick.sample.contact.scp.A));
         differing += tick.exact.touching() != tick.sample.contact.touching();
       }
     }
   }
-  /// The one ball goes to z within 30 ticks.
+  /// The one sphere goes to z within 30 ticks.
   void moveTo(double z_A) {
-    const std::vector<Ball> to{{{0, 0, z_A}, 1.6}};
-    auto next =
-        motion ? SphereMotion::after(*motion, to, 30) : SphereMotion::make(std::vector<Ball>{{{0, 0, 0}, 1.6}}, to, 30);
+    const std::vector<Sphere> to{{{0, 0, z_A}, 1.6}};
+    auto next = motion ? SphereMotion::after(*motion, to, 30)
+                       : SphereMotion::make(std::vector<Sphere>{{{0, 0, 0}, 1.6}}, to, 30);
     REQUIRE(next);
     motion = *std::move(next);
     REQUIRE(scene.servo().setMotion(motion));
   }
   const ServoSample& now() const { return scene.log().latest(); }
 
-  TouchScene scene;
+  HapticSession scene;
   std::shared_ptr<const SphereMotion> motion;
-  double now_s = 0.0, apart_A = 0.0;
+  double now_s = 0.0, grid_spacing_A = 0.0;
   long touching = 0, differing = 0;
 };
 
@@ -87,12 +87,12 @@ TEST_CASE(
   CHECK(t.now().discontinuities == placed);
   CHECK(t.touching > 1400);
   CHECK(t.differing == 0);
-  CHECK(t.apart_A < 1e-9);
+  CHECK(t.grid_spacing_A < 1e-9);
   for (const double z : {2.5, 3.2, 2.8}) {  // and on, motion after motion
     t.moveTo(z);
     t.hold({0, 0, 4.5}, 0.2);
   }
-  CHECK(t.apart_A < 1e-9);
+  CHECK(t.grid_spacing_A < 1e-9);
   CHECK(t.now().contact.scp.A.z == doctest::Approx(5.8));
   t.hold({0, 0, -1}, 0.3);
   CHECK(t.scene.log().touching());
@@ -105,7 +105,7 @@ TEST_CASE("a body whose one end presses on a ball while its middle is in the ope
   t.hold({4.8, 0, 0});
   REQUIRE_FALSE(t.scene.log().touching());
   const std::uint32_t placed = t.now().discontinuities;
-  t.hold({4.0, 0, 0});  // an end 1.5 A nearer: 0.5 A inside the ball of 1.6 A that its 1.4 A are felt by
+  t.hold({4.0, 0, 0});  // an end 1.5 A nearer: 0.5 A inside the sphere of 1.6 A that its 1.4 A are felt by
   CHECK(t.scene.log().touching());
   CHECK(glm::length(t.now().contact.displacement_A) == doctest::Approx(0.5).epsilon(0.01));
   CHECK(t.now().discontinuities == placed);

@@ -88,7 +88,7 @@ bool LessonHand::finishLesson() {
 bool LessonHand::goesOn(std::size_t task) const { return session().currentTask() == task; }
 
 HandPlanInput LessonHand::planInput(int attempt) const {
-  return {.balls = *d_.app().scene.stage().balls,
+  return {.spheres = *d_.app().scene.stage().spheres,
           .probe_A = d_.app().scene.servo_settings.probe_A,
           .N_per_A = N_per_A(),
           .hip = d_.app().scene.log().latest().hip,
@@ -117,13 +117,15 @@ HandPlan LessonHand::wrongPlan(std::size_t task) const {
     constexpr double kElsewhere_A = 4.0;
     const auto elsewhere = [&](const SurfacePlace& p) {
       return std::all_of(target.begin(), target.end(), [&](std::uint32_t a) {
-        return glm::distance(p.scp_A, input.balls[a].centre_A) > input.balls[a].radius_A + input.probe_A + kElsewhere_A;
+        return glm::distance(p.scp_A, input.spheres[a].centre_A) >
+               input.spheres[a].radius_A + input.probe_A + kElsewhere_A;
       });
     };
     // What lies round the place is near the middle of the view.
     std::vector<std::uint32_t> round;
     for (const std::uint32_t a : target)
-      input.balls.visitNear(input.balls[a].centre_A, 12.0, [&](std::uint32_t b, const Ball&) { round.push_back(b); });
+      input.spheres.visitNear(input.spheres[a].centre_A, 12.0,
+                              [&](std::uint32_t b, const Sphere&) { round.push_back(b); });
     std::sort(round.begin(), round.end());
     round.erase(std::unique(round.begin(), round.end()), round.end());
     const std::vector<SurfacePlace> places = openPlaces(input, round, Feature::Sphere, 1, elsewhere);

@@ -21,7 +21,7 @@ glm::dvec2 LessonHand::seen(const Vec3& place_A) const {
 Vec3 LessonHand::outward(const Vec3& place_A) const {
   Vec3 sum(0.0);
   const double probe_A = d_.app().scene.servo_settings.probe_A;
-  d_.app().scene.stage().balls->visitNear(place_A, probe_A + 0.3, [&](std::uint32_t, const Ball& b) {
+  d_.app().scene.stage().spheres->visitNear(place_A, probe_A + 0.3, [&](std::uint32_t, const Sphere& b) {
     const Vec3 way = place_A - b.centre_A;
     if (glm::length(way) < b.radius_A + probe_A + 0.3) sum += glm::normalize(way);
   });
@@ -37,7 +37,7 @@ Vec3 LessonHand::openFrom(const HandPlan& plan, std::size_t k) const {
     bool is = true;
     for (double at_A = 1.0; at_A < kFar_A && is; at_A += kStep_A) {
       const Vec3 here = place_A + at_A * to;
-      d_.app().scene.stage().balls->visitNear(here, probe_A, [&](std::uint32_t, const Ball& b) {
+      d_.app().scene.stage().spheres->visitNear(here, probe_A, [&](std::uint32_t, const Sphere& b) {
         is = is && glm::distance(here, b.centre_A) >= b.radius_A + probe_A;
       });
     }

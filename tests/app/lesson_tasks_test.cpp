@@ -313,7 +313,7 @@ TEST_CASE("atoms that one of two things is without are not felt there, and are a
   auto d = startWith(scratch.file("gone.md", text).string());
   REQUIRE(session(*d).goTo("dark"));
   d->frames(10);
-  const auto unfelt = [&] { return d->app().scene.stage().balls->untouchable(); };
+  const auto unfelt = [&] { return d->app().scene.stage().spheres->untouchable(); };
   int with = 0, without = 0;
   for (int k = 0; k < 40 && (with < 3 || without < 3); ++k) {
     const std::vector<std::uint32_t> removed = session(*d).taskStage().removed;

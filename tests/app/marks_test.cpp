@@ -65,7 +65,7 @@ std::string written(ScriptedUser& d) {
 
 void clickAtom(ScriptedUser& d, std::uint32_t atom) {
   const auto size = d.app().layout().view.size();
-  const Vec3 px = d.app().scene.camera.project(PointA{d.app().scene.stage().molecule->balls[atom].centre_A},
+  const Vec3 px = d.app().scene.camera.project(PointA{d.app().scene.stage().molecule->spheres[atom].centre_A},
                                                int(size.x), int(size.y));
   d.point("view", px.x / double(size.x), px.y / double(size.y));
   d.press();
@@ -86,7 +86,7 @@ TEST_CASE(
   CHECK(contains(text, "ring\n"));
   CHECK(contains(text, "one hydrogen\n"));
   const Molecule& benzene = *d->app().scene.stage().molecule;
-  const double across = glm::distance(benzene.balls[0].centre_A, benzene.balls[3].centre_A);
+  const double across = glm::distance(benzene.spheres[0].centre_A, benzene.spheres[3].centre_A);
   CHECK(across == doctest::Approx(2.79).epsilon(0.02));
   CHECK(contains(text, "120.0°\n"));
   CHECK(contains(text, "0.0°\n"));

@@ -9,12 +9,12 @@
 namespace moltact {
 namespace {
 
-Stage oneBall() {
+TouchableModel oneSphere() {
   Molecule molecule;
   PlacedAtom atom;
   atom.radius_A = 1.6;
   molecule.setAtoms({atom});
-  auto made = makeStage(std::move(molecule), "ball.pdb");
+  auto made = makeTouchableModel(std::move(molecule), "ball.pdb");
   REQUIRE(made);
   return *std::move(made);
 }
@@ -37,7 +37,7 @@ TEST_CASE("of 900 ticks of 0.2 us and 100 of 20 us the median is 0.2 us and the 
   for (int k = 0; k < TickHistogram::kBins; ++k) sum += h.share(k);
   CHECK(sum == doctest::Approx(1.0));
   for (int k = 0; k < 20000; ++k) h.add(1e9);  // old times fade, and what is beyond the axis is kept at its end
-  CHECK(h.quantile_us(0.5) > TickHistogram::kMost_us / bin);
+  CHECK(h.quantile_us(0.5) > TickHistogram::kMax_us / bin);
 }
 
 TEST_CASE(
@@ -55,7 +55,7 @@ TEST_CASE(
 }
 
 TEST_CASE("the error against the exact SCP is the distance of the two, and 0 where the method is exact") {
-  const Stage stage = oneBall();
+  const TouchableModel stage = oneSphere();
   MethodWatch watch;
   watch.begin(stage, {});
   ServoSample s;
@@ -87,7 +87,7 @@ TEST_CASE("the error against the exact SCP is the distance of the two, and 0 whe
 }
 
 TEST_CASE("a hand that is placed anew takes the exact tracker with it") {
-  const Stage stage = oneBall();
+  const TouchableModel stage = oneSphere();
   MethodWatch watch;
   watch.begin(stage, {});
   const Method& m = *findMethod("paper");

@@ -56,8 +56,9 @@ TEST_CASE(
       moving += motion && now.fraction < 1.0;
       if (!now.contact.touching()) continue;
       ++touching;
-      const BallScene& balls = motion ? motion->sweptBalls() : *app.scene.stage().balls;
-      const double clear_A = clearance(balls, app.scene.touch().probe_A, now.contact.scp.A, motion.get(), now.fraction);
+      const SphereGrid& spheres = motion ? motion->sweptSpheres() : *app.scene.stage().spheres;
+      const double clear_A =
+          clearance(spheres, app.scene.touch().probe_A, now.contact.scp.A, motion.get(), now.fraction);
       deepest_A = std::max(deepest_A, -clear_A);
     }
     d->release();
@@ -72,12 +73,12 @@ TEST_CASE(
   states.goTo(0.0);
   d->frames(300);
   REQUIRE(states.share() == 0.0);
-  const auto balls = app.scene.stage().balls->balls();
-  const auto& atoms = app.scene.restingStage().molecule->atoms;
-  REQUIRE(balls.size() == atoms.size());
+  const auto spheres = app.scene.stage().spheres->spheres();
+  const auto& atoms = app.scene.restingModel().molecule->atoms;
+  REQUIRE(spheres.size() == atoms.size());
   double farthest_A = 0.0;
   for (std::size_t k = 0; k < atoms.size(); ++k)
-    farthest_A = std::max(farthest_A, glm::distance(balls[k].centre_A, balls[k].centre_A));
+    farthest_A = std::max(farthest_A, glm::distance(spheres[k].centre_A, spheres[k].centre_A));
   CHECK(farthest_A < 1e-9);
 }
 

@@ -125,7 +125,7 @@ TEST_CASE("an attempt keeps where the slider between two structures was, and its
       scratch.path / "mine.md",
       "---\ntitle: T\nminutes: 1\ngoals: G\nmolecules: open.pdb, shut.pdb\nauthor: A\nlicence: L\n---\n## One\n"
       "```scene\nmolecule: open.pdb\nthen: shut.pdb, superposed on residue 1-5\n```\nText.\n\n> [!TIP]\n> Look.\n");
-  const auto last_z = [](ScriptedUser& d) { return d.app().scene.seenMolecule()->balls[5].centre_A.z; };
+  const auto last_z = [](ScriptedUser& d) { return d.app().scene.seenMolecule()->spheres[5].centre_A.z; };
   fs::path file;
   double first_z = 0.0;
   {

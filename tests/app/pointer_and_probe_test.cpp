@@ -250,8 +250,8 @@ say: Push.
     for (int k = 0; k < 4 && !d->app().scene.log().touching(); ++k) {
       d->release();
       d->frames(30);
-      const Vec3 ball = d->app().scene.stage().balls->balls()[std::size_t(k % 2)].centre_A;
-      const glm::dvec2 at = seen_px(*d, {ball}) / glm::dvec2(d->app().layout().view.size());
+      const Vec3 sphere = d->app().scene.stage().spheres->spheres()[std::size_t(k % 2)].centre_A;
+      const glm::dvec2 at = seen_px(*d, {sphere}) / glm::dvec2(d->app().layout().view.size());
       d->point("view", at.x, at.y);
       d->frames(20);
       d->press();

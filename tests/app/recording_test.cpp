@@ -47,7 +47,7 @@ TEST_CASE("what the device page records replays to the last bit, and touches") {
   CHECK(greatest > 0.5);
   const Expected<Molecule> molecule = readMolecule(MOLTACT_SOURCE_DIR "/molecules/1ubq.pdb");
   REQUIRE(molecule);
-  const auto tracker = findMethod("exact")->make(std::make_shared<const BallScene>(molecule->balls),
+  const auto tracker = findMethod("exact")->make(std::make_shared<const SphereGrid>(molecule->spheres),
                                                  trace->ticks.front().settings.probe_A);
   const ReplayResult result = replay(*trace, tracker.get());
   CHECK(result.ticks == trace->ticks.size());

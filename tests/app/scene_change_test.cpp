@@ -95,7 +95,7 @@ TEST_CASE("another molecule fades in over 0.35 s: the first frame is mostly the 
   d->app().open("benzene");
   d->frames(1);
   CHECK(d->app().extensions().scene_change.oldPicture() > 0.8);
-  // The middle of the view, between the two argon balls and on benzene's ring.
+  // The middle of the view, between the two argon spheres and on benzene's ring.
   const WidgetRecord view = *widgets().find("view");
   const auto at = [&](const Picture& p, float x, float y) {
     const glm::vec2 q = glm::mix(view.low, view.high, glm::vec2(x, y));

@@ -54,15 +54,15 @@ TEST_CASE(
   CHECK_FALSE(presses());
   d->app().lesson.next();
   d->frames(20);
-  const Stage& stage = d->app().scene.stage();
+  const TouchableModel& stage = d->app().scene.stage();
   CHECK(presses());
-  CHECK(d->app().scene.look.hidden->size() == stage.balls->untouchable().size());
+  CHECK(d->app().scene.look.hidden->size() == stage.spheres->untouchable().size());
   for (const std::int32_t atom : d->app().scene.log().latest().contact.atoms)
-    if (atom >= 0) CHECK(stage.balls->touchable(std::size_t(atom)));
+    if (atom >= 0) CHECK(stage.spheres->touchable(std::size_t(atom)));
   d->app().lesson.back();
   d->app().lesson.back();
   d->frames(20);
-  CHECK_FALSE(d->app().scene.stage().balls->hasUntouchable());
+  CHECK_FALSE(d->app().scene.stage().spheres->hasUntouchable());
   CHECK(presses());
 }
 
@@ -82,7 +82,7 @@ TEST_CASE(
   REQUIRE(app.scene.look.cut);
   Vec3 middle(0.0);
   const auto atoms = parseSelection("residue 30")->select(molecule);
-  for (const auto a : atoms) middle += molecule.balls[a].centre_A / double(atoms.size());
+  for (const auto a : atoms) middle += molecule.spheres[a].centre_A / double(atoms.size());
   CHECK(glm::distance(app.scene.look.cut->normal, app.scene.camera.back()) < 1e-9);
   CHECK(app.scene.look.cut->offset_A == doctest::Approx(glm::dot(app.scene.camera.back(), middle)));
   const Camera home = app.scene.camera;
@@ -94,7 +94,7 @@ TEST_CASE(
   d->frames(3);
   Vec3 lysine(0.0);
   const auto of_48 = parseSelection("residue 48")->select(molecule);
-  for (const auto a : of_48) lysine += molecule.balls[a].centre_A / double(of_48.size());
+  for (const auto a : of_48) lysine += molecule.spheres[a].centre_A / double(of_48.size());
   CHECK(glm::distance(app.scene.camera.target.A, lysine) < 1e-6);
   CHECK(d->click("tool/undo"));
   d->frames(3);
@@ -168,8 +168,8 @@ TEST_CASE(
       "open.pdb\n```\nText.\n");
   auto d = startWith(file.string());
   Application& app = d->app();
-  const auto last = [&] { return app.scene.seenMolecule()->balls[9].centre_A; };
-  const Vec3 open = app.scene.stage().molecule->balls[9].centre_A;
+  const auto last = [&] { return app.scene.seenMolecule()->spheres[9].centre_A; };
+  const Vec3 open = app.scene.stage().molecule->spheres[9].centre_A;
   REQUIRE(d->shows("view/states"));
   CHECK(glm::distance(last(), open) == 0.0);
   d->point("view");
@@ -193,9 +193,9 @@ TEST_CASE(
   d->frames(120);
   CHECK(glm::distance(last(), open + Vec3(0, 0, 6)) < 1e-3);
   CHECK(d->text("view/states") == "100\u00a0%");
-  const BallScene& balls = *app.scene.stage().balls;
-  for (std::size_t i = 0; i < balls.size(); ++i)
-    CHECK(glm::distance(balls[i].centre_A, app.scene.seenMolecule()->balls[i].centre_A) == 0.0);
+  const SphereGrid& spheres = *app.scene.stage().spheres;
+  for (std::size_t i = 0; i < spheres.size(); ++i)
+    CHECK(glm::distance(spheres[i].centre_A, app.scene.seenMolecule()->spheres[i].centre_A) == 0.0);
   app.lesson.next();
   d->frames(5);
   CHECK(glm::distance(last(), open + Vec3(0, 0, 6)) < 1e-3);  // it begins there

@@ -129,14 +129,14 @@ void play(const Loop& loop, Log& log) {
   ticks(20);
   loop.feel(wall());
   ticks(900);
-  // A ball that rises and sinks under the hand, frame by frame, as they are taken.
-  std::vector<Ball> ball{{{0, 0, -3.0}, 1.6}};
-  loop.feel(findMethod("exact")->make(std::make_shared<BallScene>(ball), kWaterProbe_A));
+  // A sphere that rises and sinks under the hand, frame by frame, as they are taken.
+  std::vector<Sphere> sphere{{{0, 0, -3.0}, 1.6}};
+  loop.feel(findMethod("exact")->make(std::make_shared<SphereGrid>(sphere), kWaterProbe_A));
   std::shared_ptr<const SphereMotion> next;
   for (int k = 0, begun = 0; k < 900; ++k) {
     if (!next) {
-      const std::vector<Ball> from = std::exchange(ball, {{{0, 0, -3.0 + 0.3 * std::sin(0.5 * ++begun)}, 1.6}});
-      next = *SphereMotion::make(from, ball, 33);
+      const std::vector<Sphere> from = std::exchange(sphere, {{{0, 0, -3.0 + 0.3 * std::sin(0.5 * ++begun)}, 1.6}});
+      next = *SphereMotion::make(from, sphere, 33);
     }
     if (loop.move(next)) next.reset();
     ticks(1);
@@ -216,7 +216,7 @@ TEST_CASE(
   CHECK_FALSE(link.hasOrientation());
   link.setInteraction(std::make_unique<Body>());
   REQUIRE(link.hasOrientation());
-  const BallScene balls({{{0, 0, 0}, 1.6}});
+  const SphereGrid spheres({{{0, 0, 0}, 1.6}});
   ServoSettings settings;
   // The device's axes are the molecule's turned by a quarter round z; the camera looks as it is made.
   settings.workspace.rotation = glm::dmat3(Vec3(0, 1, 0), Vec3(-1, 0, 0), Vec3(0, 0, 1));
@@ -230,12 +230,12 @@ TEST_CASE(
   drag.hand_px = {100, 0};
   key.hand_keys = {0, 1};
   key.dt_s = 0.01;
-  controls.update(drag, camera, &balls, settings, {}, link.mouse());
+  controls.update(drag, camera, &spheres, settings, {}, link.mouse());
   link.advance(0.5);
   // Of the pose in the molecule's space: first the device's own quarter, then 0.8 rad round the screen's upright axis.
   const Quat quarter = glm::quat_cast(settings.workspace.rotation);
   CHECK(glm::length(rotationBetween(glm::angleAxis(0.8, camera.up()) * quarter, link.newest().orientation)) < 1e-3);
-  for (int k = 0; k < 50; ++k) controls.update(key, camera, &balls, settings, {}, link.mouse());
+  for (int k = 0; k < 50; ++k) controls.update(key, camera, &spheres, settings, {}, link.mouse());
   link.advance(0.5);
   const Quat both = glm::angleAxis(-0.7, camera.right()) * glm::angleAxis(0.8, camera.up()) * quarter;
   CHECK(glm::length(rotationBetween(both, link.newest().orientation)) < 1e-3);

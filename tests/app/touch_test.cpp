@@ -125,7 +125,7 @@ TEST_CASE("switching the tracker while touching keeps the contact") {
     d->frames(2);
     CAPTURE(m.name);
     CHECK(d->app().scene.log().touching());
-    if (!m.summed)  // it has no surface point of its own: its push sums up all balls
+    if (!m.summed)  // it has no surface point of its own: its push sums up all spheres
       CHECK(glm::distance(d->app().scene.log().latest().contact.scp.A, scp) < 0.6);
   }
 }

@@ -124,7 +124,7 @@ TEST_CASE("in all 7 steps of the first lesson every atom lies in the view, with 
     const glm::vec2 size = d->app().layout().view.size();
     const double probe_A = d->app().scene.servo_settings.probe_A;
     int outside = 0;
-    for (const Ball& a : d->app().scene.stage().molecule->balls) {
+    for (const Sphere& a : d->app().scene.stage().molecule->spheres) {
       const Vec3 at = camera.project(PointA{a.centre_A}, int(size.x), int(size.y));
       const double room = (a.radius_A + 2.0 * probe_A) / camera.pixel_A(at.z, int(size.y));
       outside += at.x < room || at.y < room || at.x > double(size.x) - room || at.y > double(size.y) - room;

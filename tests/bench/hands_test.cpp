@@ -39,14 +39,16 @@ Problem refused(const std::string& text) {
   return path.problem();
 }
 
-std::shared_ptr<const BallScene> oneBall() { return std::make_shared<const BallScene>(scenes::oneBall().balls); }
+std::shared_ptr<const SphereGrid> oneSphere() {
+  return std::make_shared<const SphereGrid>(scenes::oneSphere().spheres);
+}
 
 // exact with the force turned by an angle and scaled.
 struct Wrong {
   static inline double turn_deg = 0, scale = 1;
   class T final : public Tracker {
    public:
-    T(std::shared_ptr<const BallScene> scene, double probe_A) : exact_(std::move(scene), probe_A) {}
+    T(std::shared_ptr<const SphereGrid> scene, double probe_A) : exact_(std::move(scene), probe_A) {}
     Contact step(PointA hip) noexcept override {
       Contact c = exact_.step(hip);
       const Vec3 pull = c.scp.A - hip.A, across = glm::cross(pull, Vec3(0.3, 0.5, 0.8));
@@ -65,7 +67,7 @@ struct Wrong {
    private:
     ExactTracker exact_;
   };
-  static std::unique_ptr<Tracker> make(std::shared_ptr<const BallScene> scene, double probe_A) {
+  static std::unique_ptr<Tracker> make(std::shared_ptr<const SphereGrid> scene, double probe_A) {
     return std::make_unique<T>(std::move(scene), probe_A);
   }
 };
@@ -75,7 +77,7 @@ FeltErrors feltWith(double turn_deg, double scale) {
   Wrong::turn_deg = turn_deg, Wrong::scale = scale;
   StrokePlan plan;
   plan.strokes = 4, plan.ticks = 500;
-  const auto scene = std::make_shared<const BallScene>(scenes::cluster(20, 3).balls);
+  const auto scene = std::make_shared<const SphereGrid>(scenes::cluster(20, 3).spheres);
   return feltOn("here", kWrong, scene, 1.4, contactStrokes(scene, 1.4, plan));
 }
 
@@ -204,12 +206,12 @@ TEST_CASE(
   path.on_molecule = false;
   path.places = {{100, 0, 0}, {104, 0, 0}, {104, 8, 0}, {300, 0, 0}};
   path.touched = {true, true, true, false};
-  const HandPath laid = laidOn(path, *oneBall(), 0.25);
+  const HandPath laid = mappedTo(path, *oneSphere(), 0.25);
   CHECK(laid.on_molecule);
   CHECK(glm::distance(laid.places[1], laid.places[2]) == doctest::Approx(2));
   const Vec3 middle = 0.5 * (laid.places[0] + laid.places[2]);
   CHECK(glm::distance(middle, Vec3(0, 0, 3.1)) < 1e-5);
-  CHECK(laidOn(laid, *oneBall(), 0.25).places == laid.places);
+  CHECK(mappedTo(laid, *oneSphere(), 0.25).places == laid.places);
 }
 
 TEST_CASE(
@@ -225,7 +227,7 @@ TEST_CASE(
     tick.pose.connected = true;
     recording.ticks.push_back(tick);
   }
-  ExactTracker exact(oneBall(), 1.4);
+  ExactTracker exact(oneSphere(), 1.4);
   const HandPath path = handPathOf(recording, "hand", &exact);
   REQUIRE(path.places.size() == 200);
   for (std::size_t k = 0; k < 200; ++k) {

@@ -23,7 +23,7 @@ constexpr double kN_per_A = 0.3 / 0.25,
 // way.
 class TurnedForce final : public Tracker {
  public:
-  TurnedForce(std::shared_ptr<const BallScene> scene, double probe_A, double angle)
+  TurnedForce(std::shared_ptr<const SphereGrid> scene, double probe_A, double angle)
       : exact_(std::move(scene), probe_A), angle_(angle) {}
   Contact step(PointA hip) noexcept override {
     Contact c = exact_.step(hip);
@@ -57,7 +57,7 @@ scenes::Path rounds(double surface_A, double depth_A, double turns, double step_
 
 double made(const char* method, const scenes::Scene& scene, const scenes::Path& path) {
   return madeOverClosedPath(
-      [&] { return findMethod(method)->make(std::make_shared<const BallScene>(scene.balls), scene.probe_A); }, scene,
+      [&] { return findMethod(method)->make(std::make_shared<const SphereGrid>(scene.spheres), scene.probe_A); }, scene,
       path, {});
 }
 
@@ -66,12 +66,12 @@ double made(const char* method, const scenes::Scene& scene, const scenes::Path& 
 TEST_CASE(
     "a force turned by 0.1 rad gives K d sin(0.1) 2 pi r for each of 3 rounds at the depth d, whichever way "
     "it is led") {
-  const scenes::Scene scene = scenes::oneBall();
-  const double surface = scene.balls[0].radius_A + scene.probe_A, d = 0.6;
+  const scenes::Scene scene = scenes::oneSphere();
+  const double surface = scene.spheres[0].radius_A + scene.probe_A, d = 0.6;
   const auto turnedBy = [&](double angle, double turns) {
     return madeOverClosedPath(
         [&] {
-          return std::make_unique<TurnedForce>(std::make_shared<const BallScene>(scene.balls), scene.probe_A, angle);
+          return std::make_unique<TurnedForce>(std::make_shared<const SphereGrid>(scene.spheres), scene.probe_A, angle);
         },
         scene, rounds(surface, d, turns, 0.005), {});
   };
@@ -87,7 +87,7 @@ TEST_CASE(
     "what has a potential gives nothing back over a closed path: penalty in the overlap of two spheres, "
     "though |F|^2/2k is not its store") {
   const scenes::Scene bond = scenes::bond();
-  const double x = bond.balls[1].centre_A.x / 2;
+  const double x = bond.spheres[1].centre_A.x / 2;
   scenes::Path path;
   for (double y = 4; y > 1.8; y -= 0.005) path.push_back({x, y, 0});
   for (double t = 0; t < kTurn; t += 0.003)
@@ -96,7 +96,7 @@ TEST_CASE(
   CHECK(made("exact", bond, path) < 2e-7);
   // The store that a single spring would have rises by far more along the same path than any work accounts
   // for.
-  const auto tracker = findMethod("penalty")->make(std::make_shared<const BallScene>(bond.balls), bond.probe_A);
+  const auto tracker = findMethod("penalty")->make(std::make_shared<const SphereGrid>(bond.spheres), bond.probe_A);
   double absorbed = 0, worst = 0, lowest = 0;
   Vec3 last = path.front(), force(0);
   for (const Vec3& h : path) {
@@ -112,9 +112,9 @@ TEST_CASE(
 }
 
 TEST_CASE("what slips off an edge loses its store and makes nothing") {
-  const scenes::Scene scene = scenes::oneBall();
-  const double surface = scene.balls[0].radius_A + scene.probe_A;
-  scenes::Path path;  // through the ball beside its centre: the SCP goes round and lets go behind
+  const scenes::Scene scene = scenes::oneSphere();
+  const double surface = scene.spheres[0].radius_A + scene.probe_A;
+  scenes::Path path;  // through the sphere beside its centre: the SCP goes round and lets go behind
   for (double z = surface + 0.5; z > -surface - 0.5; z -= 0.01) path.push_back({0.3, 0, z});
   CHECK(made("exact", scene, path) < 1e-6);
 }

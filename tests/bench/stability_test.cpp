@@ -67,7 +67,7 @@ TEST_CASE("pressed straight onto one sphere, exact makes the energy of a plain w
     return device.made_J();
   };
   WallTracker wall(0.0);
-  const auto scene = std::make_shared<const BallScene>(std::vector<Ball>{{{0, 0, -3.1}, 1.7}});
+  const auto scene = std::make_shared<const SphereGrid>(std::vector<Sphere>{{{0, 0, -3.1}, 1.7}});
   const auto exact = findMethod("exact")->make(scene, 1.4);
   const double on_wall = pressed(wall, 0);
   CHECK(on_wall > 1e-7);
@@ -96,12 +96,12 @@ TEST_CASE(
 
 TEST_CASE("a further draw turns scene and motion as a whole: all distances stay, no place does") {
   const StabilityScene scene = sceneNamed("crease, across"), other = turned(scene, 7);
-  const double bond = glm::distance(scene.scene.balls[0].centre_A, scene.scene.balls[1].centre_A);
-  CHECK(glm::distance(other.scene.balls[0].centre_A, other.scene.balls[1].centre_A) ==
+  const double bond = glm::distance(scene.scene.spheres[0].centre_A, scene.scene.spheres[1].centre_A);
+  CHECK(glm::distance(other.scene.spheres[0].centre_A, other.scene.spheres[1].centre_A) ==
         doctest::Approx(bond).epsilon(1e-12));
   for (std::size_t k = 0; k < scene.script.size(); k += 100) {
-    const Vec3 was = scene.script[k].place_A - scene.scene.balls[1].centre_A,
-               is = other.script[k].place_A - other.scene.balls[1].centre_A;
+    const Vec3 was = scene.script[k].place_A - scene.scene.spheres[1].centre_A,
+               is = other.script[k].place_A - other.scene.spheres[1].centre_A;
     CHECK(glm::length(is) == doctest::Approx(glm::length(was)).epsilon(1e-9));
     CHECK(glm::distance(is, was) > 1e-3);
   }
@@ -111,7 +111,7 @@ TEST_CASE(
     "the noise floor: with a probe 0.001 A smaller exact is off in under 1 % of ticks in every scene, and "
     "never for more than a moment's press") {
   const Method& least = noiseFloor().front();
-  CHECK(least.make(std::make_shared<const BallScene>(std::vector<Ball>{{{0, 0, 0}, 1.7}}), 1.4)->probe_A() == 1.4);
+  CHECK(least.make(std::make_shared<const SphereGrid>(std::vector<Sphere>{{{0, 0, 0}, 1.7}}), 1.4)->probe_A() == 1.4);
   for (const StabilityScene& scene : drawnScenes(1, 1)) {
     const StabilityResult r = runScene(scene, least, {});
     CAPTURE(scene.name);
@@ -183,7 +183,7 @@ TEST_CASE("penalties let the probe through a hole that is too narrow, and make n
 }
 
 TEST_CASE("every counted tick of a stroke touches for exact, and strokes repeat with their seed") {
-  const auto scene = std::make_shared<const BallScene>(scenes::cluster(50, 3).balls);
+  const auto scene = std::make_shared<const SphereGrid>(scenes::cluster(50, 3).spheres);
   StrokePlan plan;
   plan.strokes = 5;
   plan.ticks = 300;

@@ -23,7 +23,9 @@ double at(const std::string& place, const char* method, const StiffnessSetup& se
   for (const StiffnessPlace& p : stiffnessPlaces())
     if (p.name == place)
       return stiffestStable(
-          [&] { return findMethod(method)->make(std::make_shared<const BallScene>(p.scene.balls), p.scene.probe_A); },
+          [&] {
+            return findMethod(method)->make(std::make_shared<const SphereGrid>(p.scene.spheres), p.scene.probe_A);
+          },
           p.surface, p.out, kStraight, setup);
   FAIL("no place " << place);
   return 0;
@@ -34,7 +36,7 @@ double at(const std::string& place, const char* method, const StiffnessSetup& se
 TEST_CASE("each place lies on the surface, and 0.8 A out of it is free") {
   for (const StiffnessPlace& p : stiffnessPlaces()) {
     CAPTURE(p.name);
-    const auto exact = findMethod("exact")->make(std::make_shared<const BallScene>(p.scene.balls), p.scene.probe_A);
+    const auto exact = findMethod("exact")->make(std::make_shared<const SphereGrid>(p.scene.spheres), p.scene.probe_A);
     CHECK_FALSE(exact->step({p.surface + 0.8 * p.out}).touching());
     CHECK_FALSE(exact->step({p.surface + 1e-6 * p.out}).touching());
     const Contact in = exact->step({p.surface - 0.3 * p.out});

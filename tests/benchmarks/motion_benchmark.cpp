@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "engine/bench/hip_paths.h"
-#include "engine/haptics/ball_scene.h"
+#include "engine/haptics/sphere_grid.h"
 #include "engine/haptics/sphere_motion.h"
 #include "engine/render/molecule_model.h"
 
@@ -20,7 +20,7 @@ constexpr int kFrame_ticks = 33;
 
 std::shared_ptr<const Molecule> moleculeOf(std::size_t atoms) {
   std::vector<PlacedAtom> placed;
-  for (const Ball& b : bench::proteinLike(atoms, 1)) {
+  for (const Sphere& b : bench::proteinLike(atoms, 1)) {
     PlacedAtom a;
     a.position.A = b.centre_A;
     a.radius_A = b.radius_A;
@@ -32,32 +32,32 @@ std::shared_ptr<const Molecule> moleculeOf(std::size_t atoms) {
   return std::make_shared<const Molecule>(std::move(molecule));
 }
 
-std::vector<Ball> shifted(std::span<const Ball> balls) {
-  std::vector<Ball> out(balls.begin(), balls.end());
+std::vector<Sphere> shifted(std::span<const Sphere> spheres) {
+  std::vector<Sphere> out(spheres.begin(), spheres.end());
   for (std::size_t i = 0; i < out.size(); ++i) out[i].centre_A.x += 0.05 * double(i % 3);
   return out;
 }
 
 void nextMotion(benchmark::State& state) {
   const auto molecule = moleculeOf(std::size_t(state.range(0)));
-  const std::vector<Ball> to = shifted(molecule->balls);
-  const auto first = SphereMotion::make(molecule->balls, to, kFrame_ticks, {});
-  for (auto _ : state) benchmark::DoNotOptimize(SphereMotion::after(**first, molecule->balls, kFrame_ticks));
+  const std::vector<Sphere> to = shifted(molecule->spheres);
+  const auto first = SphereMotion::make(molecule->spheres, to, kFrame_ticks, {});
+  for (auto _ : state) benchmark::DoNotOptimize(SphereMotion::after(**first, molecule->spheres, kFrame_ticks));
 }
 BENCHMARK(nextMotion)->Arg(14'000)->Arg(100'000)->Unit(benchmark::kMillisecond);
 
 void placesNow(benchmark::State& state) {
   const auto molecule = moleculeOf(std::size_t(state.range(0)));
-  const auto motion = SphereMotion::make(molecule->balls, shifted(molecule->balls), kFrame_ticks, {});
+  const auto motion = SphereMotion::make(molecule->spheres, shifted(molecule->spheres), kFrame_ticks, {});
   for (auto _ : state) benchmark::DoNotOptimize(molecule->movedTo((*motion)->at(0.5)));
 }
 BENCHMARK(placesNow)->Arg(14'000)->Arg(100'000)->Unit(benchmark::kMillisecond);
 
-void ballScene(benchmark::State& state) {
+void sphereGrid(benchmark::State& state) {
   const auto molecule = moleculeOf(std::size_t(state.range(0)));
-  for (auto _ : state) benchmark::DoNotOptimize(BallScene(molecule->balls));
+  for (auto _ : state) benchmark::DoNotOptimize(SphereGrid(molecule->spheres));
 }
-BENCHMARK(ballScene)->Arg(14'000)->Arg(100'000)->Unit(benchmark::kMillisecond);
+BENCHMARK(sphereGrid)->Arg(14'000)->Arg(100'000)->Unit(benchmark::kMillisecond);
 
 void model(benchmark::State& state) {
   const auto molecule = moleculeOf(std::size_t(state.range(0)));
@@ -67,7 +67,7 @@ BENCHMARK(model)->Arg(14'000)->Arg(100'000)->Unit(benchmark::kMillisecond);
 
 void modelMoved(benchmark::State& state) {
   const auto one = moleculeOf(std::size_t(state.range(0)));
-  const auto two = std::make_shared<const Molecule>(one->movedTo(shifted(one->balls)));
+  const auto two = std::make_shared<const Molecule>(one->movedTo(shifted(one->spheres)));
   MoleculeModel made(one, 1'000'000);
   bool there = false;
   for (auto _ : state) benchmark::DoNotOptimize(made.moveTo((there = !there) ? two : one));
@@ -76,7 +76,7 @@ BENCHMARK(modelMoved)->Arg(14'000)->Arg(100'000)->Unit(benchmark::kMillisecond);
 
 void light(benchmark::State& state) {
   MoleculeModel made(moleculeOf(std::size_t(state.range(0))), 1'000'000);
-  for (auto _ : state) benchmark::DoNotOptimize(lightAmong(made.balls, {}));
+  for (auto _ : state) benchmark::DoNotOptimize(lightAmong(made.spheres, {}));
 }
 BENCHMARK(light)->Arg(14'000)->Arg(100'000)->Unit(benchmark::kMillisecond);
 

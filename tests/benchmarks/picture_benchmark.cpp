@@ -10,7 +10,7 @@
 
 #include "engine/bench/hip_paths.h"
 #include "engine/platform/offscreen_gl.h"
-#include "engine/render/fineness.h"
+#include "engine/render/adaptive_quality.h"
 #include "engine/render/renderer.h"
 
 namespace {
@@ -31,7 +31,7 @@ ViewScene sceneOf(std::size_t atoms) {
   auto& one = made[atoms];
   if (!one) {
     std::vector<PlacedAtom> placed;
-    for (const Ball& b : bench::proteinLike(atoms, 1)) {
+    for (const Sphere& b : bench::proteinLike(atoms, 1)) {
       PlacedAtom a;
       a.position.A = b.centre_A;
       a.radius_A = b.radius_A;
@@ -73,11 +73,11 @@ void window(benchmark::State& state) {
   Renderer* const r = renderer();
   if (!r) return state.SkipWithError("no graphics");
   ViewScene scene = sceneOf(std::size_t(state.range(0)));
-  Fineness fineness;
+  AdaptiveQuality fineness;
   double scale = 0.0;
   const auto frame = [&] {
     scene.camera.orbit(0.03, 0.0);
-    const Fineness::Choice choice = fineness.choose(true);
+    const AdaptiveQuality::Choice choice = fineness.choose(true);
     const auto begun = std::chrono::steady_clock::now();
     if (r->draw(scene, int(kWidth_px * choice.scale), int(kHeight_px * choice.scale), choice.options)) return false;
     r->finish();

@@ -24,10 +24,10 @@ using namespace moltact;
 
 constexpr std::size_t kTicks = 200'000;
 
-std::shared_ptr<const BallScene> scene(std::size_t count) {
-  static std::map<std::size_t, std::shared_ptr<const BallScene>> made;
+std::shared_ptr<const SphereGrid> scene(std::size_t count) {
+  static std::map<std::size_t, std::shared_ptr<const SphereGrid>> made;
   auto& one = made[count];
-  if (!one) one = std::make_shared<BallScene>(bench::proteinLike(count, 1));
+  if (!one) one = std::make_shared<SphereGrid>(bench::proteinLike(count, 1));
   return one;
 }
 
@@ -92,9 +92,9 @@ void servoTicks(benchmark::State& state) {
   state.counters["touching"] = double(touching) / double(state.iterations());
 }
 
-// A rigid body of as many atoms, 1.5 A apart in a rod as a drug's are, dragged over 3000 balls and turned meanwhile.
+// A rigid body of as many atoms, 1.5 A apart in a rod as a drug's are, dragged over 3000 spheres and turned meanwhile.
 void body(benchmark::State& state) {
-  std::vector<Ball> rod;
+  std::vector<Sphere> rod;
   std::vector<std::uint32_t> all;
   scenes::Random random(11);
   for (int k = 0; k < int(state.range(0)); ++k) {
@@ -125,9 +125,9 @@ void body(benchmark::State& state) {
 }
 
 void ready(benchmark::State& state) {
-  const std::vector<Ball> balls = bench::proteinLike(static_cast<std::size_t>(state.range(0)), 1);
+  const std::vector<Sphere> spheres = bench::proteinLike(static_cast<std::size_t>(state.range(0)), 1);
   for (auto _ : state) {
-    auto prepared = std::make_shared<BallScene>(balls);
+    auto prepared = std::make_shared<SphereGrid>(spheres);
     const auto tracker = methods().front().make(prepared, kWaterProbe_A);
     benchmark::DoNotOptimize(tracker->step({Vec3(1e4)}));
   }
@@ -135,7 +135,7 @@ void ready(benchmark::State& state) {
 
 // Atoms that swing by 0.5 A in directions and at paces of their own, in frames of 33 ticks.
 std::vector<std::unique_ptr<const SphereMotion>> swinging(std::size_t count, int frames) {
-  const std::vector<Ball> rest = bench::proteinLike(count, 1);
+  const std::vector<Sphere> rest = bench::proteinLike(count, 1);
   scenes::Random random(7);
   std::vector<Vec3> way(count);
   std::vector<double> phase(count), pace(count);
@@ -145,7 +145,7 @@ std::vector<std::unique_ptr<const SphereMotion>> swinging(std::size_t count, int
     pace[i] = random.uniform(0.05, 0.3);
   }
   const auto at = [&](int frame) {
-    std::vector<Ball> out = rest;
+    std::vector<Sphere> out = rest;
     for (std::size_t i = 0; i < count; ++i) out[i].centre_A += way[i] * std::sin(phase[i] + pace[i] * frame);
     return out;
   };
@@ -188,13 +188,13 @@ void moving(benchmark::State& state, const Method* method) {
 void makeFrame(benchmark::State& state) {
   const auto count = static_cast<std::size_t>(state.range(0));
   const auto frames = swinging(count, 2);
-  const std::vector<Ball> to = frames[1]->at(1.0);
+  const std::vector<Sphere> to = frames[1]->at(1.0);
   for (auto _ : state) benchmark::DoNotOptimize(*SphereMotion::after(*frames[0], to, 33));
 }
 
 // The exact tracker where most lies in the way: each tick's time, in us.
-void worst(benchmark::State& state, const std::vector<Ball>& balls, double probe_A) {
-  const auto crowd = std::make_shared<BallScene>(balls);
+void worst(benchmark::State& state, const std::vector<Sphere>& spheres, double probe_A) {
+  const auto crowd = std::make_shared<SphereGrid>(spheres);
   const Vec3 middle = 0.5 * (crowd->low_A() + crowd->high_A());
   const double half = 0.5 * glm::distance(crowd->low_A(), crowd->high_A()) + probe_A;
   scenes::Random random(5);
@@ -224,12 +224,12 @@ void worst(benchmark::State& state, const std::vector<Ball>& balls, double probe
   state.counters["cut"] = double(cut);
 }
 
-std::vector<Ball> within(double radius_A, int count) {
+std::vector<Sphere> within(double radius_A, int count) {
   scenes::Random random(1);
-  std::vector<Ball> balls;
+  std::vector<Sphere> spheres;
   for (int k = 0; k < count; ++k)
-    balls.push_back({random.direction() * radius_A * std::cbrt(random.uniform(0, 1)), random.uniform(1.4, 1.6)});
-  return balls;
+    spheres.push_back({random.direction() * radius_A * std::cbrt(random.uniform(0, 1)), random.uniform(1.4, 1.6)});
+  return spheres;
 }
 
 }  // namespace
@@ -260,7 +260,7 @@ int main(int argc, char** argv) {
     worst(s, bench::proteinLike(14'000, 1), 20.0);
   })->Unit(benchmark::kMillisecond);
   benchmark::RegisterBenchmark("servo/contact", servoTicks)->Arg(3'000);
-  benchmark::RegisterBenchmark("body/contact", body)->Arg(1)->Arg(35)->Arg(std::int64_t(kMostHeldAtoms));
+  benchmark::RegisterBenchmark("body/contact", body)->Arg(1)->Arg(35)->Arg(std::int64_t(kMaxHeldAtoms));
   benchmark::RegisterBenchmark("ready", ready)->Arg(3'000)->Arg(14'000)->Arg(1'000'000)->Unit(benchmark::kMillisecond);
   benchmark::Initialize(&argc, argv);
   if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;

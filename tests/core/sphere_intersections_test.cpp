@@ -18,7 +18,7 @@ TEST_CASE("balls of radii 5 and sqrt 13 that are 6 A apart meet 4 A along in a c
 }
 
 TEST_CASE("three balls of radius 2 A at the corners of a 2 A triangle meet sqrt(8/3) A above and below its middle") {
-  const Ball a{Vec3(0, 0, 0), 2}, b{Vec3(2, 0, 0), 2}, c{Vec3(1, std::sqrt(3.0), 0), 2};
+  const Sphere a{Vec3(0, 0, 0), 2}, b{Vec3(2, 0, 0), 2}, c{Vec3(1, std::sqrt(3.0), 0), 2};
   const auto points = pointsOf(a, b, c);
   REQUIRE(points);
   for (const Vec3& p : *points) {

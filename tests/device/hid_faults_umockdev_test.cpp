@@ -179,13 +179,13 @@ TEST_CASE(
   bed.plug(kWoodenHaptics);
   const auto device = opened("woodenhaptics");
   holdUpright(bed, *device);
-  // The hand begins 220 mm behind the middle and 40 mm below it, and goes to and fro through the last ball.
-  std::vector<Ball> balls{{{0, 0, 0}, 1.6}, {{2, 0, 0}, 1.6}, {{0, 2, 0}, 1.6}, {{0, -140, -45}, 60.0}};
+  // The hand begins 220 mm behind the middle and 40 mm below it, and goes to and fro through the last sphere.
+  std::vector<Sphere> spheres{{{0, 0, 0}, 1.6}, {{2, 0, 0}, 1.6}, {{0, 2, 0}, 1.6}, {{0, -140, -45}, 60.0}};
   const std::uint32_t held[] = {0, 1, 2};
   InteractionInput input;
-  input.balls = std::make_shared<const BallScene>(balls, held);
-  input.body = heldBody(balls, held);
-  input.touch = settled({}, true);
+  input.spheres = std::make_shared<const SphereGrid>(spheres, held);
+  input.body = heldBody(spheres, held);
+  input.touch = resolveInteraction({}, true);
   const std::unique_ptr<Interaction> body = makeInteraction(input);
   REQUIRE(body);
   REQUIRE(body->hasOrientation());

@@ -1,4 +1,4 @@
-// The hand made of a mouse, against one ball of radius 1.7 A seen from (0, 0, 40) A: places and speeds in closed form.
+// The hand made of a mouse, against one sphere of radius 1.7 A seen from (0, 0, 40) A: places and speeds in closed form.
 #include "engine/device/pointer_hand.h"
 
 #include <doctest/doctest.h>
@@ -18,7 +18,7 @@ constexpr double kProbe_A = 1.4;
 constexpr double kReach_A = kRadius_A + kProbe_A;
 constexpr double kFrame_s = 1.0 / 60.0;
 
-BallScene oneBall() { return BallScene({{Vec3(0.0), kRadius_A}}); }
+SphereGrid oneSphere() { return SphereGrid({{Vec3(0.0), kRadius_A}}); }
 
 PointerInput atMiddle() {
   PointerInput in;
@@ -30,13 +30,13 @@ PointerInput atMiddle() {
   return in;
 }
 
-// The height over the ball's inflated surface along the line of sight through the middle.
+// The height over the sphere's inflated surface along the line of sight through the middle.
 double height_A(PointA hip) { return hip.A.z - kReach_A; }
 
 }  // namespace
 
 TEST_CASE("the probe hovers 0.35 A before the surface under the pointer") {
-  const BallScene scene = oneBall();
+  const SphereGrid scene = oneSphere();
   PointerHand hand;
   PointA hip;
   for (int k = 0; k < 60; ++k) hip = hand.lead(atMiddle(), scene, kProbe_A);
@@ -45,7 +45,7 @@ TEST_CASE("the probe hovers 0.35 A before the surface under the pointer") {
 }
 
 TEST_CASE("under no force a press sinks at 1.2 A/s once it has met the surface") {
-  const BallScene scene = oneBall();
+  const SphereGrid scene = oneSphere();
   PointerHand hand;
   PointerInput in = atMiddle();
   PointA hip = hand.lead(in, scene, kProbe_A);
@@ -59,7 +59,7 @@ TEST_CASE("under no force a press sinks at 1.2 A/s once it has met the surface")
 }
 
 TEST_CASE("at 1 N the press sinks half as fast") {
-  const BallScene scene = oneBall();
+  const SphereGrid scene = oneSphere();
   PointerHand hand;
   PointerInput in = atMiddle();
   in.press = true;
@@ -71,7 +71,7 @@ TEST_CASE("at 1 N the press sinks half as fast") {
 }
 
 TEST_CASE("pressed, the aim is at the pointer in the same frame, whatever the force; only a leap takes time") {
-  const BallScene scene = oneBall();
+  const SphereGrid scene = oneSphere();
   // 40 A/s at 36.9 A from the eye, 600 px over a field of view of 2 x 0.3.
   const double most_px = PointerHand::kFastest_A_per_s * kFrame_s * 600.0 / (2.0 * 0.3 * (40.0 - kReach_A));
   for (const double force_N : {0.0, 1.0, 3.0}) {
@@ -89,7 +89,7 @@ TEST_CASE("pressed, the aim is at the pointer in the same frame, whatever the fo
     const glm::dvec2 before = hand.aim_px();
     in.pointer_px = before + glm::dvec2(0, 30);
     hand.lead(in, scene, kProbe_A);
-    // The surface is met a little farther off at the ball's flank.
+    // The surface is met a little farther off at the sphere's flank.
     CHECK(glm::distance(hand.aim_px(), before) == doctest::Approx(most_px).epsilon(0.05));
     hand.lead(in, scene, kProbe_A);
     CHECK(glm::distance(hand.aim_px(), *in.pointer_px) < 1e-9);
@@ -97,7 +97,7 @@ TEST_CASE("pressed, the aim is at the pointer in the same frame, whatever the fo
 }
 
 TEST_CASE("a hand that is let go while it touches is lifted where it is, and follows the pointer once it is free") {
-  const BallScene scene = oneBall();
+  const SphereGrid scene = oneSphere();
   PointerHand hand;
   PointerInput in = atMiddle();
   in.press = true;
@@ -126,7 +126,7 @@ TEST_CASE("a hand that is let go while it touches is lifted where it is, and fol
 
 TEST_CASE(
     "where a press comes to a surface 10 A nearer it waits before that one and sinks anew; back it goes by no leap") {
-  const BallScene scene({{Vec3(0.0), kRadius_A}, {Vec3(6.0, 0.0, 10.0), kRadius_A}});
+  const SphereGrid scene({{Vec3(0.0), kRadius_A}, {Vec3(6.0, 0.0, 10.0), kRadius_A}});
   PointerHand hand;
   PointerInput in = atMiddle();
   in.rays.tan_half_fov = 0.3;
@@ -162,7 +162,7 @@ TEST_CASE(
 }
 
 TEST_CASE("a press that is held comes to rest where the spring gives 0.6 N, and stays there") {
-  const BallScene scene = oneBall();
+  const SphereGrid scene = oneSphere();
   for (const double N_per_A : {1.25, 3.3, 33.0}) {
     PointerHand hand;
     PointerInput in = atMiddle();
@@ -180,7 +180,7 @@ TEST_CASE("a press that is held comes to rest where the spring gives 0.6 N, and 
 TEST_CASE(
     "each notch makes a held press 0.2 N harder or lighter at once, never lighter than 0.05 N, and letting go forgets "
     "it") {
-  const BallScene scene = oneBall();
+  const SphereGrid scene = oneSphere();
   PointerHand hand;
   PointerInput in = atMiddle();
   in.press = true;
@@ -209,7 +209,7 @@ TEST_CASE(
 }
 
 TEST_CASE("no notch pushes deeper than 3 A, and one is at most 0.3 A where the surface hardly pushes back") {
-  const BallScene scene = oneBall();
+  const SphereGrid scene = oneSphere();
   PointerHand hand;
   PointerInput in = atMiddle();
   in.press = true;
@@ -225,7 +225,7 @@ TEST_CASE("no notch pushes deeper than 3 A, and one is at most 0.3 A where the s
 }
 
 TEST_CASE("letting go brings the probe back to 0.35 A before the surface") {
-  const BallScene scene = oneBall();
+  const SphereGrid scene = oneSphere();
   PointerHand hand;
   PointerInput in = atMiddle();
   in.press = true;
@@ -235,7 +235,7 @@ TEST_CASE("letting go brings the probe back to 0.35 A before the surface") {
 }
 
 TEST_CASE("input that is not finite leaves the hand where it was") {
-  const BallScene scene = oneBall();
+  const SphereGrid scene = oneSphere();
   PointerHand hand;
   const PointA before = hand.lead(atMiddle(), scene, kProbe_A);
   const double nan = std::numeric_limits<double>::quiet_NaN(), inf = std::numeric_limits<double>::infinity();
@@ -258,7 +258,7 @@ TEST_CASE("input that is not finite leaves the hand where it was") {
 
 TEST_CASE(
     "the arrow keys move the aim by 12 % of the view's height a second, and the pointer takes over when it moves") {
-  const BallScene scene = oneBall();
+  const SphereGrid scene = oneSphere();
   PointerHand hand;
   PointerInput in = atMiddle();
   in.pointer_px.reset();
@@ -273,7 +273,7 @@ TEST_CASE(
 }
 
 TEST_CASE("beside the molecule the probe stays at the depth where the surface was last met, outside every ball") {
-  const BallScene scene = oneBall();
+  const SphereGrid scene = oneSphere();
   PointerHand hand;
   PointerInput in = atMiddle();
   hand.lead(in, scene, kProbe_A);
@@ -288,7 +288,7 @@ namespace {
 
 // A mouse's hand in a field, through the mouse's glide, felt tick by tick at its place; 16 ticks a frame.
 struct InMouseHand {
-  BallScene scene = oneBall();
+  SphereGrid scene = oneSphere();
   PointerHand hand;
   MouseDevice mouse;
   Workspace workspace;

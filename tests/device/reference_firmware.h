@@ -26,7 +26,7 @@ inline constexpr std::uint8_t kOpenReportDescriptor[] = {
 class ReferenceFirmware {
  public:
   using Triple = std::array<double, 3>;
-  static constexpr double kStep_mm = 0.005, kMost_N = 4.0;
+  static constexpr double kStep_mm = 0.005, kMax_N = 4.0;
   static constexpr int kDefaultWatchdog_ms = 50;
 
   /// The answer to GET_REPORT (feature, 3).
@@ -69,7 +69,7 @@ class ReferenceFirmware {
       cut_ = true;
     }
     if (!on_ || fault || !calibrated) return {};
-    const double size = std::hypot(asked_N_[0], asked_N_[1], asked_N_[2]), part = size > kMost_N ? kMost_N / size : 1.0;
+    const double size = std::hypot(asked_N_[0], asked_N_[1], asked_N_[2]), part = size > kMax_N ? kMax_N / size : 1.0;
     return {part * asked_N_[0], part * asked_N_[1], part * asked_N_[2]};
   }
 

@@ -21,11 +21,11 @@ struct Rig {
   ServoSettings settings;
 
   Rig() {
-    std::vector<Ball> balls;
-    for (int k = 0; k < 27; ++k) balls.push_back({Vec3(k % 3 - 1, k / 3 % 3 - 1, k / 9 - 1) * 1.7, 1.6});
+    std::vector<Sphere> spheres;
+    for (int k = 0; k < 27; ++k) spheres.push_back({Vec3(k % 3 - 1, k / 3 % 3 - 1, k / 9 - 1) * 1.7, 1.6});
     settings.workspace.centre_A = {
-        0, 0, kSimulatedTargetDepth_mm * settings.workspace.A_per_mm};  // the balls lie where the hand goes round
-    tracker = methods().front().make(std::make_shared<const BallScene>(std::move(balls)), kWaterProbe_A);
+        0, 0, kSimulatedTargetDepth_mm * settings.workspace.A_per_mm};  // the spheres lie where the hand goes round
+    tracker = methods().front().make(std::make_shared<const SphereGrid>(std::move(spheres)), kWaterProbe_A);
   }
   ServoSample tick() {
     const DevicePose pose = devices.read(kTick_s, step);

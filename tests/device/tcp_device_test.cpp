@@ -55,7 +55,7 @@ TEST_CASE(
     std::vector<std::vector<std::uint8_t>> sent(1 + random() % 200);
     std::vector<std::uint8_t> bytes;
     for (auto& report : sent) {
-      report.resize(1 + random() % kMostReportBytes);
+      report.resize(1 + random() % kMaxReportBytes);
       for (auto& b : report) b = static_cast<std::uint8_t>(random());
       bytes.push_back(static_cast<std::uint8_t>(report.size()));
       bytes.insert(bytes.end(), report.begin(), report.end());
@@ -68,7 +68,7 @@ TEST_CASE(
       std::copy_n(bytes.begin() + std::ptrdiff_t(at), some, room.begin());
       stream.filled(some);
       at += some;
-      std::array<std::uint8_t, kMostReportBytes> report{};
+      std::array<std::uint8_t, kMaxReportBytes> report{};
       for (int size; (size = stream.next(report)) > 0; ++next) {
         REQUIRE(next < sent.size());
         REQUIRE(std::vector(report.begin(), report.begin() + size) == sent[next]);
@@ -80,7 +80,7 @@ TEST_CASE(
     ReportStream stream;
     stream.room()[0] = length;
     stream.filled(1);
-    std::array<std::uint8_t, kMostReportBytes> report{};
+    std::array<std::uint8_t, kMaxReportBytes> report{};
     CHECK(stream.next(report) == -1);
   }
 }

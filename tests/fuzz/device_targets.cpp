@@ -58,7 +58,7 @@ void reportStream(std::string_view bytes) {
     std::copy_n(rest.begin(), count, room.begin());
     stream.filled(count);
     rest.remove_prefix(count);
-    std::array<std::uint8_t, kMostReportBytes> report{};
+    std::array<std::uint8_t, kMaxReportBytes> report{};
     int size = 0;
     while ((size = stream.next(report)) > 0) got.emplace_back(report.begin(), report.begin() + size);
     broken = size < 0;

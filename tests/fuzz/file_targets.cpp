@@ -25,9 +25,8 @@ void gltf(std::string_view bytes) {
       mustBe(!model.problem().message.empty(), "a message");
       continue;
     }
-    mustBe(
-        !model->corners.empty() && model->corners.size() % 3 == 0 && model->corners.size() <= 3 * kMostModelTriangles,
-        "whole triangles");
+    mustBe(!model->corners.empty() && model->corners.size() % 3 == 0 && model->corners.size() <= 3 * kMaxModelTriangles,
+           "whole triangles");
     for (const SolidModel::Corner& c : model->corners)
       for (int k = 0; k < 3; ++k)
         mustBe(std::isfinite(c.place[k]) && std::isfinite(c.normal[k]), "corners that are numbers");
@@ -59,7 +58,7 @@ void translations(std::string_view bytes) {
   for (int k = 0; k < 50 && !rest.empty(); ++k) {
     const std::string_view word = rest.substr(0, rest.find('\0'));
     const std::string english(word);
-    const Piece pieces[]{Piece(1), Piece("two")};
+    const FormatArg pieces[]{FormatArg(1), FormatArg("two")};
     if (const char* text = texts->find({}, word)) {
       mustBe(*text != '\0', "a text that is not empty");
       filled(text, english.c_str(), pieces);

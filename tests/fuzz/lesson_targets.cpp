@@ -22,16 +22,16 @@ void lesson(std::string_view bytes) {
                     return molecule;
                   });
   mustBe(check.lesson || !check.errors.empty(), "a lesson or an error");
-  mustBe(check.errors.size() <= kMostLessonProblems + 1 && check.warnings.size() <= kMostLessonProblems + 1,
+  mustBe(check.errors.size() <= kMaxLessonProblems + 1 && check.warnings.size() <= kMaxLessonProblems + 1,
          "no more problems than are told");
   for (const Problem& p : check.errors) mustBe(!p.message.empty(), "a message");
   if (check.lesson)
-    mustBe(!check.lesson->steps.empty() && check.lesson->steps.size() <= kMostLessonSteps, "1 to 1000 steps");
+    mustBe(!check.lesson->steps.empty() && check.lesson->steps.size() <= kMaxLessonSteps, "1 to 1000 steps");
 }
 
 void glossary(std::string_view bytes) {
   const Glossary words = readGlossary("/nowhere/glossary.md", std::string(bytes));
-  mustBe(words.words.size() <= kMostGlossaryWords, "no more words than are read");
+  mustBe(words.words.size() <= kMaxGlossaryWords, "no more words than are read");
   Lesson lesson;
   lesson.steps.emplace_back().blocks.push_back(Paragraph{{TextRun{.text = std::string(bytes.substr(0, 2000))}}});
   const std::string before = bareText(std::get<Paragraph>(lesson.steps[0].blocks[0]).text);

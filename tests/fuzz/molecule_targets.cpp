@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "engine/haptics/ball_scene.h"
+#include "engine/haptics/sphere_grid.h"
 #include "engine/molecule/reader.h"
 #include "engine/molecule/summary.h"
 #include "engine/structure/accessible_area.h"
@@ -109,11 +109,11 @@ void structure(std::string_view bytes) {
       next = e.last_residue + 1;
     }
   }
-  for (const double area : accessibleAreas_A2(m.balls)) mustBe(std::isfinite(area) && area >= 0.0, "an area");
+  for (const double area : accessibleAreas_A2(m.spheres)) mustBe(std::isfinite(area) && area >= 0.0, "an area");
   for (const ColouringScheme& scheme : colouringSchemes())
     mustBe(colourMolecule(m, scheme).of_atom.size() == m.atoms.size(), "a colour of every atom");
   if (const auto states = twoStates(m, m))
-    for (const Ball& ball : states->at(0.5)) mustBe(finite(ball.centre_A), "a place between");
+    for (const Sphere& sphere : states->at(0.5)) mustBe(finite(sphere.centre_A), "a place between");
 }
 void anyMolecule(std::string_view bytes) { read(bytes, "x"); }
 

@@ -12,7 +12,7 @@ void pack(std::string_view bytes) {
   bool lesson = false;
   for (const PackEntry& e : opened->entries()) {
     mustBe(packNameFault(e.name).empty(), "a name in the folder");
-    mustBe(e.bytes <= kSmallUnpacked || e.bytes / kMostPackRatio <= bytes.size(), "no bomb");
+    mustBe(e.bytes <= kSmallUnpacked || e.bytes / kMaxPackRatio <= bytes.size(), "no bomb");
     lesson = lesson || e.name == opened->lesson();
     std::size_t read = 0;
     const auto fault = opened->read(e, [&](std::string_view piece) {
@@ -24,7 +24,7 @@ void pack(std::string_view bytes) {
     whole += e.bytes;
   }
   mustBe(lesson, "a lesson");
-  mustBe(whole <= kMostUnpacked && opened->entries().size() <= kMostPackEntries, "within the limits");
+  mustBe(whole <= kMaxUnpacked && opened->entries().size() <= kMaxPackEntries, "within the limits");
 }
 
 }  // namespace moltact::fuzz

@@ -16,7 +16,7 @@ namespace moltact::fuzz {
 namespace {
 
 void replayed(const std::string& file) {
-  static const auto scene = std::make_shared<const BallScene>(scenes::cluster(20, 3).balls);
+  static const auto scene = std::make_shared<const SphereGrid>(scenes::cluster(20, 3).spheres);
   auto trace = readServoRecording(file);
   if (!trace) return mustBe(!trace.problem().message.empty(), "a message");
   if (trace->ticks.size() > 300) trace->ticks.resize(300);

@@ -39,9 +39,9 @@ double volume(const ClosedSurface& s) {
   return sum;
 }
 
-double gap(const Vec3& p, const std::vector<Ball>& balls) {
+double gap(const Vec3& p, const std::vector<Sphere>& spheres) {
   double least = 1e9;
-  for (const Ball& b : balls) least = std::min(least, glm::distance(p, b.centre_A) - b.radius_A);
+  for (const Sphere& b : spheres) least = std::min(least, glm::distance(p, b.centre_A) - b.radius_A);
   return least;
 }
 
@@ -49,8 +49,8 @@ double gap(const Vec3& p, const std::vector<Ball>& balls) {
 
 TEST_CASE(
     "a ball of 1.7 A in steps of 0.1 A is one closed surface with its volume to 1 % and its corners within 0.003 A") {
-  const std::vector<Ball> balls{{Vec3(1e6, -3, 0.123), 1.7}};
-  const ClosedSurface s = closedSurface(balls, 0.1);
+  const std::vector<Sphere> spheres{{Vec3(1e6, -3, 0.123), 1.7}};
+  const ClosedSurface s = closedSurface(spheres, 0.1);
   CHECK(closedAndOriented(s));
   CHECK(euler(s) == 2);
   CHECK(volume(s) == doctest::Approx(4 * kPi / 3 * std::pow(1.7, 3)).epsilon(0.01));
@@ -65,15 +65,15 @@ TEST_CASE(
 TEST_CASE(
     "two balls that overlap are one surface of the volume of both less the lens; apart they are two, touching or not") {
   const double r = 1.5, d = 1.8, h = r - d / 2;
-  const double lens = 2 * kPi * h * h * (3 * r - h) / 3, ball = 4 * kPi / 3 * r * r * r;
-  const ClosedSurface one = closedSurface(std::vector<Ball>{{Vec3(0), r}, {Vec3(d, 0, 0), r}}, 0.08);
+  const double lens = 2 * kPi * h * h * (3 * r - h) / 3, sphere = 4 * kPi / 3 * r * r * r;
+  const ClosedSurface one = closedSurface(std::vector<Sphere>{{Vec3(0), r}, {Vec3(d, 0, 0), r}}, 0.08);
   CHECK(closedAndOriented(one));
   CHECK(euler(one) == 2);
-  CHECK(volume(one) == doctest::Approx(2 * ball - lens).epsilon(0.01));
-  const ClosedSurface two = closedSurface(std::vector<Ball>{{Vec3(0), r}, {Vec3(4, 1, 0), r}}, 0.08);
+  CHECK(volume(one) == doctest::Approx(2 * sphere - lens).epsilon(0.01));
+  const ClosedSurface two = closedSurface(std::vector<Sphere>{{Vec3(0), r}, {Vec3(4, 1, 0), r}}, 0.08);
   CHECK(closedAndOriented(two));
   CHECK(euler(two) == 4);
-  CHECK(closedAndOriented(closedSurface(std::vector<Ball>{{Vec3(0), r}, {Vec3(2 * r, 0, 0), r}}, 0.1)));
+  CHECK(closedAndOriented(closedSurface(std::vector<Sphere>{{Vec3(0), r}, {Vec3(2 * r, 0, 0), r}}, 0.1)));
 }
 
 TEST_CASE(
@@ -82,19 +82,19 @@ TEST_CASE(
     CAPTURE(seed);
     std::mt19937 random(seed);
     std::uniform_real_distribution<double> place(-6, 6), radius(1.0, 2.0);
-    std::vector<Ball> balls;
-    for (int k = 0; k < 80; ++k) balls.push_back({Vec3(place(random), place(random), place(random)), radius(random)});
-    balls.push_back({Vec3(0), 0.0});  // no radius: left out
+    std::vector<Sphere> spheres;
+    for (int k = 0; k < 80; ++k) spheres.push_back({Vec3(place(random), place(random), place(random)), radius(random)});
+    spheres.push_back({Vec3(0), 0.0});  // no radius: left out
     const double step = 0.3;
-    const ClosedSurface s = closedSurface(balls, step);
+    const ClosedSurface s = closedSurface(spheres, step);
     CHECK(closedAndOriented(s));
     CHECK(volume(s) > 0);
     double worst = 0, worst_colour = 0;
-    for (const glm::vec3& p : s.places) worst = std::max(worst, std::abs(gap(s.middle_A + Vec3(p), balls)));
+    for (const glm::vec3& p : s.places) worst = std::max(worst, std::abs(gap(s.middle_A + Vec3(p), spheres)));
     for (std::size_t t = 0; t < s.owners.size(); ++t) {
       Vec3 middle = s.middle_A;
       for (std::size_t e = 0; e < 3; ++e) middle += Vec3(s.places[s.triangles[3 * t + e]]) / 3.0;
-      const Ball& owner = balls[s.owners[t]];
+      const Sphere& owner = spheres[s.owners[t]];
       worst_colour = std::max(worst_colour, std::abs(glm::distance(middle, owner.centre_A) - owner.radius_A));
     }
     CHECK(worst < step);
@@ -104,7 +104,7 @@ TEST_CASE(
 
 TEST_CASE("no ball gives no triangle, and 100 A in steps of 0.1 A are said to be 1e9 cells") {
   CHECK(closedSurface({}, 0.1).triangles.empty());
-  const std::vector<Ball> wide{{Vec3(0), 50.0}};
+  const std::vector<Sphere> wide{{Vec3(0), 50.0}};
   CHECK(cellCount(wide, 0.1) == doctest::Approx(1004.0 * 1004 * 1004));
-  CHECK(cellCount(wide, usualStep_A(wide)) < kMostCells);
+  CHECK(cellCount(wide, usualStep_A(wide)) < kMaxCells);
 }

@@ -59,12 +59,12 @@ TEST_CASE("water as balls reads back as 3 x 1280 triangles, 0.3152 nm wide in x,
   const SolidModel model = writtenAndRead(scratch.folder / "water.glb", exported(water, {}));
   CHECK(model.corners.size() == 3 * 3 * 1280);
   Vec3 low(1e9), high(-1e9);
-  for (const Ball& a : water.balls) {
+  for (const Sphere& a : water.spheres) {
     low = glm::min(low, a.centre_A - a.radius_A);
     high = glm::max(high, a.centre_A + a.radius_A);
   }
   for (int k = 0; k < 3; ++k) {
-    // The corners lie on the ball, but none exactly at its side: 1 part in 200 of a radius of 0.17 nm.
+    // The corners lie on the sphere, but none exactly at its side: 1 part in 200 of a radius of 0.17 nm.
     CHECK(std::abs(double(model.low[k]) + 0.05 * (high[k] - low[k])) < 0.001);
     CHECK(std::abs(double(model.high[k]) - 0.05 * (high[k] - low[k])) < 0.001);
   }
@@ -87,7 +87,7 @@ TEST_CASE(
   const ExportOptions options{.print = true, .probe_A = 1.4, .step_A = 0.25};
   const SolidModel model = writtenAndRead(scratch.folder / "benzene.glb", exported(benzene, options));
   Vec3 low(1e9), high(-1e9);
-  for (const Ball& a : benzene.balls) {
+  for (const Sphere& a : benzene.spheres) {
     low = glm::min(low, a.centre_A - a.radius_A - 1.4);
     high = glm::max(high, a.centre_A + a.radius_A + 1.4);
   }
@@ -136,7 +136,7 @@ TEST_CASE(
     CHECK(scene.materials[0].opacity == 0.5f);
     CHECK(glm::distance(scene.materials[0].colour, chainColour(0)) < 0.003f);
     REQUIRE(scene.nodes.size() > 1);
-    std::erase_if(scene.nodes, [&](const GltfNode& n) { return n.name.find(" of ") != std::string::npos; });  // balls
+    std::erase_if(scene.nodes, [&](const GltfNode& n) { return n.name.find(" of ") != std::string::npos; });  // spheres
     const SolidModel model = writtenAndRead(scratch.folder / "helix.glb", scene);
     CHECK(model.corners.size() > 1000);
     // The helix is 20 residues of 1.5 A long; its middle is the origin, and 1 unit is 1 nm.
@@ -149,9 +149,9 @@ TEST_CASE(
   both.look.styles = {{.style = DrawStyle::Cartoon}, {.style = DrawStyle::Spheres, .atoms = list({0, 1, 2, 3})}};
   both.look.hidden = list({1});
   const GltfScene scene = exported(helix, both);
-  const auto balls = std::count_if(scene.nodes.begin(), scene.nodes.end(),
-                                   [](const GltfNode& n) { return n.name.find(" of ") != std::string::npos; });
-  CHECK(balls == 3);
+  const auto spheres = std::count_if(scene.nodes.begin(), scene.nodes.end(),
+                                     [](const GltfNode& n) { return n.name.find(" of ") != std::string::npos; });
+  CHECK(spheres == 3);
   std::vector<std::uint32_t> all;
   for (std::uint32_t a = 0; a < helix.atoms.size(); ++a) all.push_back(a);
   both.look.hidden = list(all);
@@ -176,7 +176,7 @@ TEST_CASE(
     return scene.meshes[node->mesh];
   };
   Vec3 low(1e9), high(-1e9);
-  for (const Ball& a : water.balls) {
+  for (const Sphere& a : water.spheres) {
     low = glm::min(low, a.centre_A - a.radius_A);
     high = glm::max(high, a.centre_A + a.radius_A);
   }

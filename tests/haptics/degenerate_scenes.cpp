@@ -24,14 +24,14 @@ void across(const Vec3& axis, Vec3& u, Vec3& v) {
   v = glm::cross(axis, u);
 }
 
-// The family functions fill in balls (radii with the probe taken off) and special places.
+// The family functions fill in spheres (radii with the probe taken off) and special places.
 struct Maker {
   Random random;
   DegenerateScene out;
   double probe;
 
-  void ball(const Vec3& centre, double inflated) {
-    out.scene.balls.push_back({centre, std::max(0.0, inflated - probe)});
+  void sphere(const Vec3& centre, double inflated) {
+    out.scene.spheres.push_back({centre, std::max(0.0, inflated - probe)});
   }
   void special(const Vec3& place) { out.special.push_back(place); }
   bool upright() { return random.uniform(0, 1) < 0.4; }  // along the axes rounding is least, and symmetry exact
@@ -46,7 +46,7 @@ void ring(Maker& m) {
   across(axis, u, v);
   for (int k = 0; k < n; ++k) {
     const double t = 2 * std::numbers::pi * k / n;
-    m.ball(radius * (u * std::cos(t) + v * std::sin(t)) + (m.upright() ? Vec3(0) : hairs(m.random)), inflated);
+    m.sphere(radius * (u * std::cos(t) + v * std::sin(t)) + (m.upright() ? Vec3(0) : hairs(m.random)), inflated);
   }
   m.special({0, 0, 0});
   m.special(axis);
@@ -64,7 +64,7 @@ void tube(Maker& m) {
   for (int j = 0; j < rings; ++j)
     for (int k = 0; k < n; ++k) {
       const double t = 2 * std::numbers::pi * (k + twist * j) / n;
-      m.ball(radius * (u * std::cos(t) + v * std::sin(t)) + axis * (pitch * (j - 0.5 * (rings - 1))), inflated);
+      m.sphere(radius * (u * std::cos(t) + v * std::sin(t)) + axis * (pitch * (j - 0.5 * (rings - 1))), inflated);
       m.special(axis * (pitch * j));
     }
 }
@@ -79,7 +79,7 @@ void onePoint(Maker& m) {
     Vec3 way = m.random.direction();
     if (glm::dot(way, up) > 0.0) way = -way;  // a pit that opens upward
     const double inflated = same ? one : m.probe + m.random.uniform(0.5, 3.0);
-    m.ball(way * (inflated + hair(m.random)), inflated);
+    m.sphere(way * (inflated + hair(m.random)), inflated);
     m.special(way * (0.5 * inflated));
   }
   m.special({0, 0, 0});
@@ -97,8 +97,8 @@ void lattice(Maker& m) {
     for (int y = 0; y < 3; ++y)
       for (int x = 0; x < 3; ++x) {
         if (faces && (x + y + z) % 2) continue;
-        m.ball(a * (double(x) * u + double(y) * v + double(z) * axis) + (m.upright() ? Vec3(0) : hairs(m.random)),
-               inflated);
+        m.sphere(a * (double(x) * u + double(y) * v + double(z) * axis) + (m.upright() ? Vec3(0) : hairs(m.random)),
+                 inflated);
       }
   for (int k = 0; k < 8; ++k)
     m.special(a * ((k & 1 ? 1.5 : 0.5) * u + (k & 2 ? 1.5 : 0.5) * v + (k & 4 ? 1.0 : 0.5) * axis));
@@ -114,7 +114,7 @@ void tangentOutside(Maker& m) {
       m.special(at + way * last);
       at += way * (last + inflated + hair(m.random));
     }
-    m.ball(at, inflated);
+    m.sphere(at, inflated);
     m.special(at);
     last = inflated;
   }
@@ -122,11 +122,11 @@ void tangentOutside(Maker& m) {
 
 void tangentInside(Maker& m) {
   const double outer = m.probe + m.random.uniform(1.5, 3.0);
-  m.ball({0, 0, 0}, outer);
+  m.sphere({0, 0, 0}, outer);
   for (int k = 0, n = count(m.random, 2, 5); k < n; ++k) {
     const double inner = m.probe + m.random.uniform(0.1, 1.4);
     const Vec3 way = m.upright() ? Vec3(0.6, 0, 0.8) : m.random.direction();
-    m.ball(way * (outer - inner + hair(m.random)), inner);
+    m.sphere(way * (outer - inner + hair(m.random)), inner);
     m.special(way * outer);
     m.special(way * (outer - 0.3));
   }
@@ -140,8 +140,8 @@ void nearlyTheSame(Maker& m) {
   for (int k = 0; k < n; ++k) {
     const Vec3 at(m.random.uniform(0, edge), m.random.uniform(0, edge), m.random.uniform(0, edge));
     const double inflated = m.probe + m.random.uniform(1.1, 2.0);
-    m.ball(at, inflated);
-    m.ball(at + m.random.direction() * offset, inflated + (m.upright() ? 0.0 : hair(m.random)));
+    m.sphere(at, inflated);
+    m.sphere(at + m.random.direction() * offset, inflated + (m.upright() ? 0.0 : hair(m.random)));
     m.special(at);
   }
 }
@@ -151,7 +151,7 @@ void sizes(Maker& m) {
   for (int k = 0; k < n; ++k) {
     const double radius = std::pow(10.0, m.random.uniform(-2, 1));
     const Vec3 at = m.random.direction() * m.random.uniform(0, 6);
-    m.out.scene.balls.push_back({at, radius});
+    m.out.scene.spheres.push_back({at, radius});
     m.special(at);
     m.special(at + m.random.direction() * (radius + m.probe));
   }
@@ -165,23 +165,23 @@ void oneCircle(Maker& m) {
   const double circle = m.probe + m.random.uniform(0.5, 2.0);
   for (int k = 0, n = count(m.random, 3, 6); k < n; ++k) {
     const double along = m.random.uniform(-1.5, 1.5);
-    m.ball(axis * along + (m.upright() ? Vec3(0) : hairs(m.random)), std::hypot(circle, along) + hair(m.random));
+    m.sphere(axis * along + (m.upright() ? Vec3(0) : hairs(m.random)), std::hypot(circle, along) + hair(m.random));
     m.special(axis * along);
   }
   m.special(u * (0.5 * circle));
   m.special(v * circle);
 }
 
-// Three or four balls whose spheres' circle a further one just touches, from above or from below.
+// Three or four spheres whose spheres' circle a further one just touches, from above or from below.
 void grazed(Maker& m) {
   const double r = m.probe + m.random.uniform(1.0, 2.0), half = m.random.uniform(0.3, 0.9) * r;
-  m.ball({-half, 0, 0}, r);
-  m.ball({half, 0, 0}, r);
+  m.sphere({-half, 0, 0}, r);
+  m.sphere({half, 0, 0}, r);
   const double circle = std::sqrt(r * r - half * half), third = m.probe + m.random.uniform(0.5, 1.5);
   const double t = m.random.uniform(0, 6);
   const Vec3 out(0, std::cos(t), std::sin(t));
-  m.ball(out * (circle + third + hair(m.random)), third);
-  if (m.upright()) m.ball(-out * std::abs(circle - third + hair(m.random)), third);
+  m.sphere(out * (circle + third + hair(m.random)), third);
+  if (m.upright()) m.sphere(-out * std::abs(circle - third + hair(m.random)), third);
   m.special(out * circle);
   m.special({0, 0, 0});
   m.special(out * (0.4 * circle));
@@ -192,9 +192,9 @@ void ordinary(Maker& m) {
   const double edge = std::cbrt(n * 10.0);
   for (int k = 0; k < n; ++k) {
     const Vec3 at(m.random.uniform(0, edge), m.random.uniform(0, edge), m.random.uniform(0, edge));
-    m.ball(at, m.probe + m.random.uniform(1.1, 2.0));
+    m.sphere(at, m.probe + m.random.uniform(1.1, 2.0));
     m.special(at);
-    if (k > 0) m.special(0.5 * (at + m.out.scene.balls[std::size_t(k - 1)].centre_A));
+    if (k > 0) m.special(0.5 * (at + m.out.scene.spheres[std::size_t(k - 1)].centre_A));
   }
 }
 
@@ -230,7 +230,7 @@ DegenerateScene degenerateScene(std::uint64_t seed) {
   family.make(m);
   const double where = m.random.uniform(0, 1);
   const Vec3 off = where < 0.6 ? Vec3(0) : m.random.direction() * (where < 0.75 ? 30.0 : where < 0.87 ? 1e3 : 1e6);
-  for (Ball& b : m.out.scene.balls) b.centre_A += off;
+  for (Sphere& b : m.out.scene.spheres) b.centre_A += off;
   for (Vec3& p : m.out.special) p += off;
   m.out.scene.name = std::string(family.name) + ", seed " + std::to_string(seed);
   return m.out;
@@ -242,8 +242,8 @@ std::vector<Vec3> degeneratePath(const DegenerateScene& s, int ticks, std::uint6
   if (kind == 2) return scenes::passes(s.scene, ticks, seed);
   Vec3 middle(0);
   double half = 0;
-  for (const Ball& b : s.scene.balls) middle += b.centre_A / double(s.scene.balls.size());
-  for (const Ball& b : s.scene.balls)
+  for (const Sphere& b : s.scene.spheres) middle += b.centre_A / double(s.scene.spheres.size());
+  for (const Sphere& b : s.scene.spheres)
     half = std::max(half, glm::distance(b.centre_A, middle) + b.radius_A + s.scene.probe_A);
   const auto somewhere = [&] { return middle + random.direction() * random.uniform(0, 1.3 * half); };
   const auto special = [&] {

@@ -1,4 +1,4 @@
-// Scenes of 3 to 60 balls in which surfaces meet in places that rounding can hardly tell: what a tracker must survive.
+// Scenes of 3 to 60 spheres in which surfaces meet in places that rounding can hardly tell: what a tracker must survive.
 // Pure functions of a seed, with the same numbers on every machine. Units: angstrom.
 #pragma once
 

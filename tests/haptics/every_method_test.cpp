@@ -36,7 +36,7 @@ TEST_CASE("no method allocates in 3000 ticks of walking, jumping out and changin
   const scenes::Path path = scenes::jumps(scene, 3000, 8);
   for (const Method& method : benchMethods()) {
     CAPTURE(std::string(method.name));
-    const auto tracker = method.make(makeScene(scene.balls), scene.probe_A);
+    const auto tracker = method.make(makeScene(scene.spheres), scene.probe_A);
     int touching = 0;
     const long before = allocations;
     for (std::size_t k = 0; k < path.size(); ++k) {
@@ -52,14 +52,14 @@ TEST_CASE("no method allocates in 3000 ticks of walking, jumping out and changin
 
 TEST_CASE("neither an answer nor its reactions allocate, over 2000 poses: each method, and a body of six atoms") {
   const scenes::Scene scene = scenes::cluster(50, 3);
-  const auto balls = makeScene(scene.balls);
-  const std::vector<Ball> atoms{{{0, 0, 0}, 1.7},   {{1.5, 0, 0}, 1.7}, {{3, 0, 0}, 1.7},
-                                {{4.5, 0, 0}, 1.7}, {{6, 0, 0}, 1.7},   {{7.5, 0, 0}, 1.7}};
+  const auto spheres = makeScene(scene.spheres);
+  const std::vector<Sphere> atoms{{{0, 0, 0}, 1.7},   {{1.5, 0, 0}, 1.7}, {{3, 0, 0}, 1.7},
+                                  {{4.5, 0, 0}, 1.7}, {{6, 0, 0}, 1.7},   {{7.5, 0, 0}, 1.7}};
   const std::vector<std::uint32_t> all{0, 1, 2, 3, 4, 5};
   std::vector<std::unique_ptr<Interaction>> made;
-  for (const Method& method : benchMethods()) made.push_back(method.make(balls, scene.probe_A));
-  made.push_back(std::make_unique<RigidBody>(heldBody(atoms, all),
-                                             [&](double radius_A) { return referenceMethod().make(balls, radius_A); }));
+  for (const Method& method : benchMethods()) made.push_back(method.make(spheres, scene.probe_A));
+  made.push_back(std::make_unique<RigidBody>(
+      heldBody(atoms, all), [&](double radius_A) { return referenceMethod().make(spheres, radius_A); }));
   const scenes::Path path = scenes::jumps(scene, 2000, 8);
   for (const auto& felt : made) {
     std::vector<AtomForce> room(felt->greatestReactionCount());
@@ -114,7 +114,7 @@ TEST_CASE("every method repeats a path of 1000 ticks to the last bit") {
   const scenes::Path path = scenes::walk(scene, 1000, 5);
   for (const Method& method : benchMethods()) {
     CAPTURE(std::string(method.name));
-    const auto shared = makeScene(scene.balls);
+    const auto shared = makeScene(scene.spheres);
     const auto a = method.make(shared, scene.probe_A), b = method.make(shared, scene.probe_A);
     bool same = true;
     for (const Vec3& hip : path) {
@@ -134,7 +134,7 @@ TEST_CASE(
   const scenes::Path path = scenes::walk(scene, 2000, 5);
   for (const Method& method : benchMethods()) {
     CAPTURE(std::string(method.name));
-    const auto tracker = method.make(makeScene(scene.balls), scene.probe_A);
+    const auto tracker = method.make(makeScene(scene.spheres), scene.probe_A);
     const bool penalty = method.summed, shaded = method.shaded;
     int touching = 0, left_over = 0, crooked = 0, inward = 0, wrong_length = 0, turned = 0, wrong_energy = 0;
     for (const Vec3& hip : path) {
@@ -146,7 +146,7 @@ TEST_CASE(
       double energy = c.touching() ? 0.5 * length * length : 0.0;
       if (penalty) {
         energy = 0;
-        for (const Ball& b : scene.balls)
+        for (const Sphere& b : scene.spheres)
           if (const double deep = b.radius_A + scene.probe_A - glm::distance(hip, b.centre_A);
               c.touching() && deep > 0.0)
             energy += 0.5 * deep * deep;
@@ -159,7 +159,7 @@ TEST_CASE(
         }
         crooked += std::abs(glm::length(c.normals[k]) - 1.0) > 1e-9;
         inward +=
-            glm::dot(c.normals[k], (penalty ? hip : c.scp.A) - scene.balls[std::size_t(c.atoms[k])].centre_A) <= 0.0;
+            glm::dot(c.normals[k], (penalty ? hip : c.scp.A) - scene.spheres[std::size_t(c.atoms[k])].centre_A) <= 0.0;
       }
       if (!c.touching()) continue;
       wrong_length += std::abs(glm::length(c.displacement_A) - length) > 1e-9;
@@ -205,7 +205,7 @@ TEST_CASE("what the window and lessons offer bears any scene and probe; what doe
     CAPTURE(std::string(method.name));
     const bool offered = findMethod(method.name) != nullptr;
     CHECK(offered == method.offered);
-    if (offered) CHECK((method.most_balls == 0 && !method.one_probe));
+    if (offered) CHECK((method.most_spheres == 0 && !method.one_probe));
     CHECK(motionSentence(method).empty() == method.follows_motion);
     CHECK(findBenchMethod(method.name) == &method);
   }

@@ -19,8 +19,8 @@ struct Tally {
 // Where the oracle calls two outcomes right, the tracker's is checked to be one (outside, at rest), and both go on from
 // it.
 Tally compare(const scenes::Scene& scene, const scenes::Path& path) {
-  ExactTracker tracker(test::makeScene(scene.balls), scene.probe_A);
-  oracle::Oracle oracle(scene.balls, scene.probe_A);
+  ExactTracker tracker(test::makeScene(scene.spheres), scene.probe_A);
+  oracle::Oracle oracle(scene.spheres, scene.probe_A);
   Tally tally;
   for (const Vec3& hip : path) {
     const Contact c = tracker.step({hip});
@@ -30,7 +30,7 @@ Tally compare(const scenes::Scene& scene, const scenes::Path& path) {
       tally.wrong += c.fault != Fault::StartedInside;
       continue;
     }
-    tally.deepest_A = std::max(tally.deepest_A, oracle::deepest(scene.balls, scene.probe_A, c.scp.A));
+    tally.deepest_A = std::max(tally.deepest_A, oracle::deepest(scene.spheres, scene.probe_A, c.scp.A));
     const double off = glm::distance(c.scp.A, right.scp_A);
     const bool agrees = c.touching() == right.contact && off <= 1e-7 + right.accuracy_A;
     if (right.decided) {
@@ -43,7 +43,7 @@ Tally compare(const scenes::Scene& scene, const scenes::Path& path) {
       }
     }
     if (!agrees) {
-      if (c.touching()) CHECK(oracle::atRest(scene.balls, scene.probe_A, c.scp.A, hip, 1e-6));
+      if (c.touching()) CHECK(oracle::atRest(scene.spheres, scene.probe_A, c.scp.A, hip, 1e-6));
       oracle.place(c.scp.A);
     }
   }
@@ -59,7 +59,7 @@ void checkAll(const std::string& what, scenes::Path (*path)(const scenes::Scene&
     CAPTURE(seed);
     const Tally one = compare(scene, path(scene, ticks, seed++));
     CHECK(one.wrong == 0);
-    CHECK(one.deepest_A <= (glm::length(scene.balls[0].centre_A) > 1e5 ? 1e-9 : 1e-11));
+    CHECK(one.deepest_A <= (glm::length(scene.spheres[0].centre_A) > 1e5 ? 1e-9 : 1e-11));
     sum.ticks += one.ticks, sum.judged += one.judged, sum.wrong += one.wrong;
     sum.worst_A = std::max(sum.worst_A, one.worst_A);
   }

@@ -38,27 +38,27 @@ struct Tally {
 // touching.
 double decidedFrom_A(const scenes::Scene& scene) {
   double largest = scene.probe_A, spread = 0;
-  for (const Ball& b : scene.balls) {
+  for (const Sphere& b : scene.spheres) {
     largest = std::max(largest, b.radius_A + scene.probe_A);
-    spread = std::max(spread, glm::distance(b.centre_A, scene.balls[0].centre_A));
+    spread = std::max(spread, glm::distance(b.centre_A, scene.spheres[0].centre_A));
   }
-  const bool far_off = glm::length(scene.balls[0].centre_A) > 512;  // the tracker counts from a multiple of 1024 A
-  return 0x1p-40 * (spread + largest + (far_off ? 1024 : glm::length(scene.balls[0].centre_A)));
+  const bool far_off = glm::length(scene.spheres[0].centre_A) > 512;  // the tracker counts from a multiple of 1024 A
+  return 0x1p-40 * (spread + largest + (far_off ? 1024 : glm::length(scene.spheres[0].centre_A)));
 }
 
-// The oracle, and the same with balls larger or smaller by a hair: where they differ, two answers are right.
+// The oracle, and the same with spheres larger or smaller by a hair: where they differ, two answers are right.
 class Oracles {
  public:
-  explicit Oracles(const scenes::Scene& s) : balls_(s.balls), probe_A_(s.probe_A) {
+  explicit Oracles(const scenes::Scene& s) : spheres_(s.spheres), probe_A_(s.probe_A) {
     hair_ = decidedFrom_A(s);
-    each_.emplace_back(s.balls, s.probe_A);
+    each_.emplace_back(s.spheres, s.probe_A);
     for (const double even : {hair_, -hair_})
-      for (const double odd : {hair_, -hair_}) each_.emplace_back(resized(s.balls, even, odd), s.probe_A, false);
+      for (const double odd : {hair_, -hair_}) each_.emplace_back(resized(s.spheres, even, odd), s.probe_A, false);
   }
   // True where there is one right answer, to within `accuracy_A`.
   bool step(const Vec3& hip, oracle::Oracle::Answer& right, double& accuracy_A) {
     right = each_[0].step(hip);
-    bool decided = right.decided && (!right.contact || oracle::atRest(balls_, probe_A_, right.scp_A, hip, 1e-8));
+    bool decided = right.decided && (!right.contact || oracle::atRest(spheres_, probe_A_, right.scp_A, hip, 1e-8));
     accuracy_A = 1e-7 + right.accuracy_A;
     for (std::size_t k = 1; k < each_.size(); ++k) {
       const auto other = each_[k].step(hip);
@@ -74,11 +74,11 @@ class Oracles {
   }
 
  private:
-  static std::vector<Ball> resized(std::vector<Ball> balls, double even, double odd) {
-    for (std::size_t k = 0; k < balls.size(); ++k) balls[k].radius_A += k % 2 ? odd : even;
-    return balls;
+  static std::vector<Sphere> resized(std::vector<Sphere> spheres, double even, double odd) {
+    for (std::size_t k = 0; k < spheres.size(); ++k) spheres[k].radius_A += k % 2 ? odd : even;
+    return spheres;
   }
-  std::vector<Ball> balls_;
+  std::vector<Sphere> spheres_;
   double probe_A_, hair_ = 0;
   std::vector<oracle::Oracle> each_;
 };
@@ -86,7 +86,7 @@ class Oracles {
 Tally compare(std::uint64_t seed, int ticks) {
   const test::DegenerateScene s = test::degenerateScene(seed);
   const auto path = test::degeneratePath(s, ticks, seed);
-  ExactTracker tracker(test::makeScene(s.scene.balls), s.scene.probe_A);
+  ExactTracker tracker(test::makeScene(s.scene.spheres), s.scene.probe_A);
   Oracles oracles(s.scene);
   Tally tally{.scenes = 1};
   const double grazing_A = 2.0 * std::sqrt(decidedFrom_A(s.scene) * (s.scene.probe_A + 2.0));
@@ -99,7 +99,7 @@ Tally compare(std::uint64_t seed, int ticks) {
     // A flow that is cut short is outside, and finishes in the following ticks.
     for (int more = 0; more < 100 && tracker.cutShort() != cut_before + std::uint64_t(more); ++more) {
       if (more == 0) ++tally.cut;
-      if (oracle::deepest(s.scene.balls, s.scene.probe_A, c.scp.A) > 1e-9) ++tally.inside;
+      if (oracle::deepest(s.scene.spheres, s.scene.probe_A, c.scp.A) > 1e-9) ++tally.inside;
       c = tracker.step({hip});
       if (more == 99) ++tally.unfinished, fault("does not finish", tally.ticks, 0);
     }
@@ -112,7 +112,7 @@ Tally compare(std::uint64_t seed, int ticks) {
       if (c.fault == Fault::None) oracles.place(c.scp.A);
       continue;
     }
-    const double depth = oracle::deepest(s.scene.balls, s.scene.probe_A, c.scp.A);
+    const double depth = oracle::deepest(s.scene.spheres, s.scene.probe_A, c.scp.A);
     tally.deepest_A = std::max(tally.deepest_A, depth);
     if (depth > 1e-9) ++tally.inside, fault("SCP inside by", tally.ticks, depth);
     const double off = glm::distance(c.scp.A, right.scp_A);
@@ -127,7 +127,7 @@ Tally compare(std::uint64_t seed, int ticks) {
       ++tally.grazing;
       continue;
     }
-    const bool rests = !c.touching() || oracle::atRest(s.scene.balls, s.scene.probe_A, c.scp.A, hip, 1e-6);
+    const bool rests = !c.touching() || oracle::atRest(s.scene.spheres, s.scene.probe_A, c.scp.A, hip, 1e-6);
     if (!rests) ++tally.moving, fault("not at rest, off by", tally.ticks, off);
     if (decided)
       ++tally.wrong, fault("wrong by", tally.ticks, off);
@@ -170,7 +170,7 @@ TEST_CASE("degenerate scenes whose probe changes in every tick: no SCP deeper th
   for (int k = 0; k < scenes; ++k) {
     const auto seed = std::uint64_t(from + k);
     const test::DegenerateScene s = test::degenerateScene(seed);
-    ExactTracker tracker(test::makeScene(s.scene.balls), s.scene.probe_A);
+    ExactTracker tracker(test::makeScene(s.scene.spheres), s.scene.probe_A);
     scenes::Random random(seed);
     for (const Vec3& hip : test::degeneratePath(s, 100, seed)) {
       const double probe =
@@ -183,12 +183,12 @@ TEST_CASE("degenerate scenes whose probe changes in every tick: no SCP deeper th
       ++ticks;
       if (c.fault != Fault::None || !c.touching()) continue;
       ++touched;
-      const double depth = oracle::deepest(s.scene.balls, probe, c.scp.A);
+      const double depth = oracle::deepest(s.scene.spheres, probe, c.scp.A);
       if (depth > 1e-9) {
         ++inside;
         MESSAGE(s.scene.name, ", tick ", ticks, ": inside by ", depth);
       }
-      if (!oracle::atRest(s.scene.balls, probe, c.scp.A, hip, 1e-6)) {
+      if (!oracle::atRest(s.scene.spheres, probe, c.scp.A, hip, 1e-6)) {
         ++moving;
         MESSAGE(s.scene.name, ", tick ", ticks, ": not at rest");
       }
@@ -203,17 +203,17 @@ TEST_CASE("degenerate scenes whose probe changes in every tick: no SCP deeper th
 TEST_CASE(
     "five balls of 3 A whose circle of 3 A closes the hole exactly: a HIP led through the middle leaves the SCP "
     "outside and at rest") {
-  std::vector<Ball> balls;
+  std::vector<Sphere> spheres;
   for (int k = 0; k < 5; ++k)
-    balls.push_back(
+    spheres.push_back(
         {{3 * std::cos(0.4 * 3.14159265358979323846 * k), 3 * std::sin(0.4 * 3.14159265358979323846 * k), 0}, 1.6});
-  balls[0].centre_A = {3, 0, 0};
-  balls[1].centre_A = {0.92705098312484235, 2.8531695488854605, 0};
-  ExactTracker tracker(test::makeScene(balls), 1.4);
+  spheres[0].centre_A = {3, 0, 0};
+  spheres[1].centre_A = {0.92705098312484235, 2.8531695488854605, 0};
+  ExactTracker tracker(test::makeScene(spheres), 1.4);
   for (const Vec3& hip : {Vec3(0, 0, 12), Vec3(0, 0, 0), Vec3(1, -0.5, 0), Vec3(1, -0.5, 0)}) {
     const Contact c = tracker.step({hip});
-    CHECK(oracle::deepest(balls, 1.4, c.scp.A) <= 1e-11);
-    if (c.touching()) CHECK(oracle::atRest(balls, 1.4, c.scp.A, hip, 1e-9));
+    CHECK(oracle::deepest(spheres, 1.4, c.scp.A) <= 1e-11);
+    if (c.touching()) CHECK(oracle::atRest(spheres, 1.4, c.scp.A, hip, 1e-9));
   }
 }
 
@@ -226,14 +226,14 @@ TEST_CASE(
   for (int k = 0; k < 4000; ++k) {
     const int n = 3 + k % 10;
     const double radius = 3.0 + random.uniform(-1e-15, 1e-15);
-    std::vector<Ball> balls;
+    std::vector<Sphere> spheres;
     for (int j = 0; j < n; ++j)
-      balls.push_back(
+      spheres.push_back(
           {{radius * std::cos(6.283185307179586 * j / n), radius * std::sin(6.283185307179586 * j / n), 0}, 1.6});
-    ExactTracker tracker(test::makeScene(balls), 1.4);
+    ExactTracker tracker(test::makeScene(spheres), 1.4);
     tracker.step({{0, 0, 12}});
     for (const Vec3& hip : {Vec3(0, 0, random.uniform(-1e-3, 1e-3)), random.direction(), random.direction() * 2.0})
-      deepest = std::max(deepest, oracle::deepest(balls, 1.4, tracker.step({hip}).scp.A));
+      deepest = std::max(deepest, oracle::deepest(spheres, 1.4, tracker.step({hip}).scp.A));
   }
   CHECK(deepest <= 1e-11);
 }
@@ -243,8 +243,8 @@ TEST_CASE(
     "larger") {
   for (const double x : {0.54, 0.5399999999999999, 0.5400000000000001}) {
     CAPTURE(x);
-    const std::vector<Ball> balls{{{0, 0, 0}, 1.9}, {{x, 0, 0.72}, 1.0}};
-    ExactTracker tracker(test::makeScene(balls), 1.4);
+    const std::vector<Sphere> spheres{{{0, 0, 0}, 1.9}, {{x, 0, 0.72}, 1.0}};
+    ExactTracker tracker(test::makeScene(spheres), 1.4);
     tracker.step({{4.8, 0, 6.4}});
     for (int k = 0; k <= 100; ++k) {
       const Vec3 hip = (0.95 - 0.008 * k) * Vec3(1.98, 0, 2.64) + Vec3(0, 0.01 * k, 0);
@@ -267,14 +267,14 @@ TEST_CASE(
   for (const double offset : {1e-9, 1e-10, 1e-11, 1e-12, 1e-13, 1e-14}) {
     scenes::Scene scene = scenes::cluster(60, seed);
     for (std::size_t k = 0; k < 60; k += 2)
-      scene.balls.push_back({scene.balls[k].centre_A + random.direction() * offset, scene.balls[k].radius_A});
-    ExactTracker tracker(test::makeScene(scene.balls), scene.probe_A);
+      scene.spheres.push_back({scene.spheres[k].centre_A + random.direction() * offset, scene.spheres[k].radius_A});
+    ExactTracker tracker(test::makeScene(scene.spheres), scene.probe_A);
     for (const Vec3& hip : scenes::walk(scene, 2000, seed)) {
       const Contact c = tracker.step({hip});
       if (!c.touching()) continue;
       ++touched;
-      deepest = std::max(deepest, oracle::deepest(scene.balls, scene.probe_A, c.scp.A));
-      frozen += !oracle::atRest(scene.balls, scene.probe_A, c.scp.A, hip, 1e-6);
+      deepest = std::max(deepest, oracle::deepest(scene.spheres, scene.probe_A, c.scp.A));
+      frozen += !oracle::atRest(scene.spheres, scene.probe_A, c.scp.A, hip, 1e-6);
     }
   }
   CHECK(touched > 6000);
@@ -289,16 +289,16 @@ TEST_CASE(
   CAPTURE(seed);
   scenes::Random random(seed);
   const scenes::Scene scene = scenes::cluster(50, seed);
-  ExactTracker tracker(test::makeScene(scene.balls), scene.probe_A);
+  ExactTracker tracker(test::makeScene(scene.spheres), scene.probe_A);
   int moving = 0;
   for (int k = 0; k < 20'000; ++k) {
     if (k % 4 == 0) tracker.step({Vec3(4.0) + random.direction() * 25.0});
-    const auto any = [&] { return scene.balls[std::size_t(random.uniform(0, 49.99))].centre_A; };
+    const auto any = [&] { return scene.spheres[std::size_t(random.uniform(0, 49.99))].centre_A; };
     const Vec3 a = any(), b = any();
     const Vec3 hip = a + (b - a) * (k % 2 ? 0.0 : random.uniform(0, 1)) +
                      random.direction() * std::pow(10.0, random.uniform(-5, -3));
     const Contact c = tracker.step({hip});
-    moving += c.touching() && !oracle::atRest(scene.balls, scene.probe_A, c.scp.A, hip, 1e-6);
+    moving += c.touching() && !oracle::atRest(scene.spheres, scene.probe_A, c.scp.A, hip, 1e-6);
   }
   CHECK(tracker.cutShort() == 0);
   CHECK(moving == 0);
@@ -313,14 +313,14 @@ TEST_CASE(
   scenes::Scene crowd{"crowd", {}, 1.4}, large = scenes::cluster(14'000, seed);
   large.probe_A = 20;
   for (int k = 0; k < 100'000; ++k)
-    crowd.balls.push_back({random.direction() * 0.1 * std::cbrt(random.uniform(0, 1)), random.uniform(1.4, 1.6)});
+    crowd.spheres.push_back({random.direction() * 0.1 * std::cbrt(random.uniform(0, 1)), random.uniform(1.4, 1.6)});
   for (const scenes::Scene& scene : {crowd, large}) {
     CAPTURE(scene.name);
     Vec3 low(1e300), high(-1e300);
-    for (const Ball& b : scene.balls) low = glm::min(low, b.centre_A), high = glm::max(high, b.centre_A);
+    for (const Sphere& b : scene.spheres) low = glm::min(low, b.centre_A), high = glm::max(high, b.centre_A);
     const Vec3 middle = 0.5 * (low + high);
     const double half = 0.5 * glm::distance(low, high) + 2.0 + scene.probe_A;
-    ExactTracker tracker(test::makeScene(scene.balls), scene.probe_A);
+    ExactTracker tracker(test::makeScene(scene.spheres), scene.probe_A);
     Vec3 hip = middle + Vec3(half, 0, 0);
     std::uint64_t most = 0;
     double deepest = -1;
@@ -328,7 +328,7 @@ TEST_CASE(
       const Contact c = tracker.step({hip});
       most = std::max(most, tracker.looked());
       if (k % 100 == 0 && c.touching())
-        deepest = std::max(deepest, oracle::deepest(scene.balls, scene.probe_A, c.scp.A));
+        deepest = std::max(deepest, oracle::deepest(scene.spheres, scene.probe_A, c.scp.A));
       hip += 0.05 * random.direction() + 0.02 * (middle + 0.7 * half * glm::normalize(hip - middle) - hip);
       if (k % 200 == 199) hip = middle + random.direction() * half * random.uniform(0, 1);
     }
@@ -346,20 +346,20 @@ TEST_CASE(
   scenes::Random random(seed);
   scenes::Scene crowd{"crowd", {}, 1.4}, large = scenes::cluster(14'000, seed), small = scenes::cluster(60, seed);
   for (int k = 0; k < 100'000; ++k)
-    crowd.balls.push_back({random.direction() * 0.1 * std::cbrt(random.uniform(0, 1)), random.uniform(1.4, 1.6)});
+    crowd.spheres.push_back({random.direction() * 0.1 * std::cbrt(random.uniform(0, 1)), random.uniform(1.4, 1.6)});
   for (const scenes::Scene& scene : {crowd, large, small}) {
     CAPTURE(scene.name);
     Vec3 low(1e300), high(-1e300);
-    for (const Ball& b : scene.balls) low = glm::min(low, b.centre_A), high = glm::max(high, b.centre_A);
+    for (const Sphere& b : scene.spheres) low = glm::min(low, b.centre_A), high = glm::max(high, b.centre_A);
     const Vec3 middle = 0.5 * (low + high);
     const double half = 0.5 * glm::distance(low, high) + 2.0 + scene.probe_A;
-    const auto balls = test::makeScene(scene.balls);
+    const auto spheres = test::makeScene(scene.spheres);
     constexpr int kTries = 12;
     std::uint64_t most_set = 0, most_tick = 0;
     double deepest = -1;
     int longest = 0, arrived = 0, closed = 0;
     for (int k = 0; k < kTries; ++k) {
-      ExactTracker tracker(balls, 0.0);
+      ExactTracker tracker(spheres, 0.0);
       const Vec3 way = random.direction(), hip = middle + way * random.uniform(0.5, 1.0) * half;
       const double goal = k % 2 ? 20.0 : random.uniform(0, 20);
       tracker.step({middle + half * way});
@@ -372,7 +372,7 @@ TEST_CASE(
         const Contact c = tracker.step({hip + 0.01 * random.direction()});
         most_tick = std::max(most_tick, tracker.looked());
         if (c.fault == Fault::None && (there || ticks % 50 == 0))
-          deepest = std::max(deepest, oracle::deepest(scene.balls, tracker.probe_A(), c.scp.A));
+          deepest = std::max(deepest, oracle::deepest(scene.spheres, tracker.probe_A(), c.scp.A));
         if (there) closed += c.fault != Fault::None;
       }
       arrived += tracker.probe_A() == goal;
@@ -399,21 +399,22 @@ TEST_CASE(
     const double apart = std::pow(10.0, random.uniform(-7, -4)),
                  hip_off = apart * std::pow(10.0, random.uniform(-1, 1));
     const Vec3 at = random.direction() * (k % 2 ? 0.0 : 400.0), axis = random.direction();
-    const std::vector<Ball> balls{{at, 1.6}, {at + axis * apart, 1.6}};
-    const Vec3 between = balls[1].centre_A - balls[0].centre_A;  // as rounded
+    const std::vector<Sphere> spheres{{at, 1.6}, {at + axis * apart, 1.6}};
+    const Vec3 between = spheres[1].centre_A - spheres[0].centre_A;  // as rounded
     Vec3 sideways = random.direction();
     sideways = glm::normalize(sideways - glm::normalize(between) * glm::dot(sideways, glm::normalize(between)));
-    ExactTracker tracker(test::makeScene(balls), 1.4);
+    ExactTracker tracker(test::makeScene(spheres), 1.4);
     tracker.step({at + 9.0 * glm::normalize(random.direction() + sideways)});
     const Vec3 hip = at + 0.5 * between + hip_off * sideways;
     const Contact c = tracker.step({hip});
     cut += tracker.cutShort() > 0;
     // The HIP as rounded, in the plane between the centres: the SCP lies straight over it. Rounding tells the plane and
     // the HIP's direction to some 1e-13 A at 400 A.
-    const Vec3 m = hip - (balls[0].centre_A + 0.5 * between), u = glm::normalize(between), out = m - u * glm::dot(m, u);
+    const Vec3 m = hip - (spheres[0].centre_A + 0.5 * between), u = glm::normalize(between),
+               out = m - u * glm::dot(m, u);
     off_way += glm::distance(c.scp.A, at + 0.5 * between + 3.0 * glm::normalize(out)) >
                3.0 * 1e-12 / apart + 3.0 * 1e-12 / hip_off + 1e-5;
-    inside += oracle::deepest(balls, 1.4, c.scp.A) > 1e-9;
+    inside += oracle::deepest(spheres, 1.4, c.scp.A) > 1e-9;
   }
   CHECK(cut == 0);
   CHECK(off_way == 0);
@@ -425,16 +426,16 @@ TEST_CASE(
     "to the other holds it") {
   const double r = 3.0;
   const Vec3 pit(400, -300, 200), n = Vec3(-1, 1, 1) / std::sqrt(3.0), aside = Vec3(1, -1, 2) / std::sqrt(6.0);
-  std::vector<Ball> balls;  // all four through the pit, which opens along z
+  std::vector<Sphere> spheres;  // all four through the pit, which opens along z
   for (const Vec3& way : {Vec3(-1, 1, 1), Vec3(-1, -1, 1), Vec3(1, 1, 1), Vec3(1, -1, 1)})
-    balls.push_back({pit - way * (r / std::sqrt(3.0)), 1.6});
+    spheres.push_back({pit - way * (r / std::sqrt(3.0)), 1.6});
   for (const double off : {1e-9, -1e-9}) {
     CAPTURE(off);
-    ExactTracker tracker(test::makeScene(balls), 1.4);
+    ExactTracker tracker(test::makeScene(spheres), 1.4);
     test::walkTo(tracker, pit + Vec3(0, 0, 5), pit - Vec3(0, 0, 0.5), 0.1);
     const Vec3 hip = pit - n * (2 * r - 0.1) + aside * off;
     const Contact c = tracker.step({hip});
-    const Vec3 right = off > 0 ? balls[0].centre_A + r * glm::normalize(hip - balls[0].centre_A) : pit;
+    const Vec3 right = off > 0 ? spheres[0].centre_A + r * glm::normalize(hip - spheres[0].centre_A) : pit;
     CHECK(glm::distance(c.scp.A, right) <= 1e-9);
   }
 }

@@ -1,4 +1,4 @@
-// The exact tracker against closed forms: one ball, a crease of two, a pit of three, and the traps where methods fail.
+// The exact tracker against closed forms: one sphere, a crease of two, a pit of three, and the traps where methods fail.
 // Random scenes against an independent tracker are in exact_against_oracle_test.cpp.
 #include "engine/haptics/exact/exact_tracker.h"
 
@@ -87,8 +87,8 @@ TEST_CASE("pushed between two equal balls 2 A apart the SCP lies on their circle
 
 TEST_CASE("pushed into the pit of three balls the SCP holds in the point that has the same distance from all three") {
   const double d = 2.0;
-  const std::vector<Ball> balls{{{0, 0, 0}, 1.6}, {{d, 0, 0}, 1.6}, {{d / 2, d * std::sqrt(3.0) / 2, 0}, 1.6}};
-  ExactTracker tracker(makeScene(balls), 1.4);
+  const std::vector<Sphere> spheres{{{0, 0, 0}, 1.6}, {{d, 0, 0}, 1.6}, {{d / 2, d * std::sqrt(3.0) / 2, 0}, 1.6}};
+  ExactTracker tracker(makeScene(spheres), 1.4);
   const Vec3 foot(d / 2, d * std::sqrt(3.0) / 6, 0);
   const double height = std::sqrt(9.0 - d * d / 3.0);
   const Contact c = walkTo(tracker, foot + Vec3(0.02, 0.01, 5), foot + Vec3(0.02, 0.01, 1.5), 0.02);
@@ -131,14 +131,14 @@ TEST_CASE("a HIP exactly on the centre, or on a circle's axis, leaves the SCP wh
 }
 
 TEST_CASE("passes of 0.05 to 12 A a tick straight through a row of balls never put the SCP in one of them") {
-  std::vector<Ball> balls;
-  for (int k = 0; k < 8; ++k) balls.push_back({{0, 0, 2.5 * k}, 1.6});
+  std::vector<Sphere> spheres;
+  for (int k = 0; k < 8; ++k) spheres.push_back({{0, 0, 2.5 * k}, 1.6});
   for (const double step : {0.05, 0.3, 1.0, 3.0, 6.0, 12.0}) {
     CAPTURE(step);
-    ExactTracker tracker(makeScene(balls), 1.4);
+    ExactTracker tracker(makeScene(spheres), 1.4);
     for (double x = -30; x < 30; x += step) {
       const Contact c = tracker.step({{x, 0.3, 8.1}});
-      CHECK(deepest_A(balls, 1.4, c.scp.A) <= 1e-12);
+      CHECK(deepest_A(spheres, 1.4, c.scp.A) <= 1e-12);
       if (std::abs(x) < 2.0 && x > -29) CHECK(c.touching());
     }
   }
@@ -153,8 +153,8 @@ TEST_CASE("a way of a million angstroms in one tick meets the one ball that lies
 }
 
 TEST_CASE("two balls a billion angstroms apart: the way from one to the other is found in one look at both") {
-  const std::vector<Ball> balls{{{-5e8, 0, 0}, 1.6}, {{5e8, 0, 0}, 1.6}};
-  ExactTracker tracker(makeScene(balls), 1.4);
+  const std::vector<Sphere> spheres{{{-5e8, 0, 0}, 1.6}, {{5e8, 0, 0}, 1.6}};
+  ExactTracker tracker(makeScene(spheres), 1.4);
   tracker.step({{-5e8 + 10, 0, 0}});
   const Contact c = tracker.step({{5e8, 0, 0}});
   CHECK(c.feature == Feature::Sphere);
@@ -165,43 +165,43 @@ TEST_CASE("two balls a billion angstroms apart: the way from one to the other is
 TEST_CASE("a ring of 12 balls with a hole 0.1 A smaller than the probe holds it above, 0.1 A larger lets it through") {
   for (const double gap : {-0.1, 0.1}) {
     CAPTURE(gap);
-    std::vector<Ball> balls;  // the hole's radius is ring - 1.6; the probe's 1.4
+    std::vector<Sphere> spheres;  // the hole's radius is ring - 1.6; the probe's 1.4
     const double ring = 3.0 + gap;
     for (int k = 0; k < 12; ++k)
-      balls.push_back({{ring * std::cos(k * kPi / 6), ring * std::sin(k * kPi / 6), 0}, 1.6});
-    ExactTracker tracker(makeScene(balls), 1.4);
+      spheres.push_back({{ring * std::cos(k * kPi / 6), ring * std::sin(k * kPi / 6), 0}, 1.6});
+    ExactTracker tracker(makeScene(spheres), 1.4);
     const Contact c = walkTo(tracker, {0, 0, 6}, {0, 0, -6}, 0.02);
     if (gap < 0) {
-      CHECK(c.feature == Feature::Point);  // many balls meet here: a vertex of the ring's own symmetry
+      CHECK(c.feature == Feature::Point);  // many spheres meet here: a vertex of the ring's own symmetry
       CHECK(c.scp.A.z > 0);
     } else {
       CHECK(c.feature == Feature::Free);
     }
-    CHECK(deepest_A(balls, 1.4, c.scp.A) <= 1e-12);
+    CHECK(deepest_A(spheres, 1.4, c.scp.A) <= 1e-12);
   }
 }
 
 TEST_CASE("balls that touch in one point or overlap by 1e-9 A: the SCP passes from one to the other without a fault") {
   for (const double overlap : {0.0, 1e-9}) {
     CAPTURE(overlap);
-    const std::vector<Ball> balls{{{-3.0 + overlap / 2, 0, 0}, 1.6}, {{3.0 - overlap / 2, 0, 0}, 1.6}};
-    ExactTracker tracker(makeScene(balls), 1.4);
+    const std::vector<Sphere> spheres{{{-3.0 + overlap / 2, 0, 0}, 1.6}, {{3.0 - overlap / 2, 0, 0}, 1.6}};
+    ExactTracker tracker(makeScene(spheres), 1.4);
     walkTo(tracker, {-3, 0, 5}, {-3, 0, 2.4}, 0.05);
     Contact c;
     for (double x = -3; x <= 3; x += 0.01) {
       c = tracker.step({{x, 0.001, 2.4 * std::abs(x) / 3.0}});
-      REQUIRE(deepest_A(balls, 1.4, c.scp.A) <= 1e-12);
+      REQUIRE(deepest_A(spheres, 1.4, c.scp.A) <= 1e-12);
     }
     CHECK(c.atoms[0] == 1);
   }
 }
 
 TEST_CASE("in a cubic lattice, where eight balls meet in each hollow's point, the hollow holds and lets go") {
-  std::vector<Ball> balls;
+  std::vector<Sphere> spheres;
   for (int x = 0; x < 4; ++x)
-    for (int y = 0; y < 4; ++y) balls.push_back({{2.0 * x, 2.0 * y, 0}, 0.2});
-  ExactTracker tracker(makeScene(balls), 1.4);
-  // Four balls of 1.6 A at the corners of a square of 2 A meet sqrt(1.6^2 - 2) A above its middle.
+    for (int y = 0; y < 4; ++y) spheres.push_back({{2.0 * x, 2.0 * y, 0}, 0.2});
+  ExactTracker tracker(makeScene(spheres), 1.4);
+  // Four spheres of 1.6 A at the corners of a square of 2 A meet sqrt(1.6^2 - 2) A above its middle.
   const Contact c = walkTo(tracker, {3, 3, 4}, {3, 3, 0.2}, 0.02);
   CHECK(c.feature == Feature::Point);
   checkNear(c.scp.A, {3, 3, std::sqrt(0.56)}, 1e-12);
@@ -211,8 +211,8 @@ TEST_CASE("in a cubic lattice, where eight balls meet in each hollow's point, th
 }
 
 TEST_CASE("balls inside others and equal balls are as if they were not there") {
-  const std::vector<Ball> plain{{{0, 0, 0}, 1.6}, {{2, 0, 0}, 1.6}};
-  std::vector<Ball> doubled = plain;
+  const std::vector<Sphere> plain{{{0, 0, 0}, 1.6}, {{2, 0, 0}, 1.6}};
+  std::vector<Sphere> doubled = plain;
   doubled.push_back(plain[0]);
   doubled.push_back({{0.1, 0, 0}, 1.2});
   doubled.push_back({{2, 0, 0}, 1.0});
@@ -231,9 +231,9 @@ TEST_CASE("balls inside others and equal balls are as if they were not there") {
 
 TEST_CASE("a million angstroms from the origin the SCP is the same to the rounding of such coordinates, 5e-10 A") {
   const Vec3 off(1e6, -1e6, 1e6);
-  std::vector<Ball> near{{{0, 0, 0}, 1.6}, {{2, 0, 0}, 1.5}, {{1, 1.75, 0}, 1.7}};
-  std::vector<Ball> far = near;
-  for (Ball& b : far) b.centre_A += off;
+  std::vector<Sphere> near{{{0, 0, 0}, 1.6}, {{2, 0, 0}, 1.5}, {{1, 1.75, 0}, 1.7}};
+  std::vector<Sphere> far = near;
+  for (Sphere& b : far) b.centre_A += off;
   ExactTracker a(makeScene(near), 1.4), b(makeScene(far), 1.4);
   a.step({{1, 0.5, 6}});
   b.step({Vec3(1, 0.5, 6) + off});
@@ -246,8 +246,8 @@ TEST_CASE("a million angstroms from the origin the SCP is the same to the roundi
 }
 
 TEST_CASE("when the probe swells from 1.4 to 2.4 A while touching, the SCP is carried out by 1 A and back again") {
-  const std::vector<Ball> balls{{{0, 0, 0}, 1.6}};
-  ExactTracker tracker(makeScene(balls), 1.4);
+  const std::vector<Sphere> spheres{{{0, 0, 0}, 1.6}};
+  ExactTracker tracker(makeScene(spheres), 1.4);
   walkTo(tracker, {0, 0, 5}, {0, 0, 2}, 0.1);
   tracker.setProbe(2.4);
   checkNear(tracker.step({{0, 0, 2}}).scp.A, {0, 0, 4}, 1e-12);
@@ -263,9 +263,9 @@ TEST_CASE("changing the probe every tick while sliding over 50 random balls neve
   std::mt19937_64 random(seed);
   std::uniform_real_distribution<double> place(-5, 5), radius(1.4, 1.9);
   std::normal_distribution<double> normal;
-  std::vector<Ball> balls(50);
-  for (Ball& b : balls) b = {{place(random), place(random), place(random)}, radius(random)};
-  ExactTracker tracker(makeScene(balls), 1.4);
+  std::vector<Sphere> spheres(50);
+  for (Sphere& b : spheres) b = {{place(random), place(random), place(random)}, radius(random)};
+  ExactTracker tracker(makeScene(spheres), 1.4);
   tracker.step({{0, 0, 15}});
   Vec3 h{0, 0, 8};
   double probe = 1.4;
@@ -275,17 +275,17 @@ TEST_CASE("changing the probe every tick while sliding over 50 random balls neve
     tracker.setProbe(probe);
     const Contact c = tracker.step({h});
     touching += c.touching();
-    if (c.fault == Fault::None) REQUIRE(deepest_A(balls, probe, c.scp.A) <= 1e-9);
+    if (c.fault == Fault::None) REQUIRE(deepest_A(spheres, probe, c.scp.A) <= 1e-9);
     h += 0.03 * Vec3(normal(random), normal(random), normal(random)) - 0.004 * h * (glm::length(h) > 6.0 ? 1.0 : -1.0);
   }
   CHECK(touching > 5000);
 }
 
 TEST_CASE("a pocket that the growing surface closes over the SCP gives StartedInside and no contact") {
-  // The middle of a cube of eight balls: a pocket for a small probe that a larger one fills.
-  std::vector<Ball> balls;
-  for (int k = 0; k < 8; ++k) balls.push_back({{k & 1 ? 2.0 : -2.0, k & 2 ? 2.0 : -2.0, k & 4 ? 2.0 : -2.0}, 1.6});
-  ExactTracker tracker(makeScene(balls), 0.5);
+  // The middle of a cube of eight spheres: a pocket for a small probe that a larger one fills.
+  std::vector<Sphere> spheres;
+  for (int k = 0; k < 8; ++k) spheres.push_back({{k & 1 ? 2.0 : -2.0, k & 2 ? 2.0 : -2.0, k & 4 ? 2.0 : -2.0}, 1.6});
+  ExactTracker tracker(makeScene(spheres), 0.5);
   CHECK(tracker.step({{0, 0, 0}}).fault == Fault::None);
   tracker.setProbe(2.2);
   const Contact c = tracker.step({{0, 0, 0}});
@@ -294,9 +294,9 @@ TEST_CASE("a pocket that the growing surface closes over the SCP gives StartedIn
 }
 
 TEST_CASE("nothing is modelled in free space, and after touching one ball of 2000 one is") {
-  std::vector<Ball> balls;
-  for (int k = 0; k < 2000; ++k) balls.push_back({{4.0 * (k % 20), 4.0 * (k / 20 % 10), 4.0 * (k / 200)}, 1.6});
-  ExactTracker tracker(makeScene(balls), 1.0);
+  std::vector<Sphere> spheres;
+  for (int k = 0; k < 2000; ++k) spheres.push_back({{4.0 * (k % 20), 4.0 * (k / 20 % 10), 4.0 * (k / 200)}, 1.6});
+  ExactTracker tracker(makeScene(spheres), 1.0);
   walkTo(tracker, {-20, -20, -20}, {-10, -10, -10}, 0.1);
   CHECK(tracker.memoryUsage().atoms_modelled == 0);
   walkTo(tracker, {0, 0, -6}, {0, 0, -2.0}, 0.1);

@@ -33,10 +33,10 @@ double missing_N(const Interaction& felt, const Response& answer, double field_s
 }
 
 std::shared_ptr<const HeldBody> rod() {
-  std::vector<Ball> balls;
+  std::vector<Sphere> spheres;
   std::vector<std::uint32_t> all;
-  for (std::uint32_t k = 0; k < 8; ++k) balls.push_back({Vec3(1.2 * k, 0.3 * (k % 2), 0), 1.7}), all.push_back(k);
-  return heldBody(balls, all);
+  for (std::uint32_t k = 0; k < 8; ++k) spheres.push_back({Vec3(1.2 * k, 0.3 * (k % 2), 0), 1.7}), all.push_back(k);
+  return heldBody(spheres, all);
 }
 
 }  // namespace
@@ -45,7 +45,7 @@ TEST_CASE(
     "the reactions on the atoms sum to the opposite of the force to 1e-9 N, over 2000 poses: each method, a body of "
     "eight atoms, and a field of three atoms beside a contact with half of its force") {
   const scenes::Scene scene = scenes::cluster(20, 5);
-  const auto balls = test::makeScene(scene.balls);
+  const auto spheres = test::makeScene(scene.spheres);
   const auto over = [&](Interaction& felt, double field_share) {
     double worst = 0.0;
     int acted = 0;
@@ -59,19 +59,20 @@ TEST_CASE(
   };
   for (const Method& method : methods()) {
     CAPTURE(std::string(method.name));
-    over(*method.make(balls, scene.probe_A), 1.0);
+    over(*method.make(spheres, scene.probe_A), 1.0);
   }
-  RigidBody body(rod(), [&](double radius_A) { return referenceMethod().make(balls, radius_A); });
+  RigidBody body(rod(), [&](double radius_A) { return referenceMethod().make(spheres, radius_A); });
   over(body, 1.0);
-  test::LennardJones field(referenceMethod().make(balls, scene.probe_A), {},
-                           {{0, scene.balls[0].centre_A}, {1, scene.balls[1].centre_A}, {2, scene.balls[2].centre_A}});
+  test::LennardJones field(
+      referenceMethod().make(spheres, scene.probe_A), {},
+      {{0, scene.spheres[0].centre_A}, {1, scene.spheres[1].centre_A}, {2, scene.spheres[2].centre_A}});
   over(field, 0.5);
 }
 
 TEST_CASE(
     "in the crease of two equal atoms each bears force / (2 cos) along its own normal, on one atom all of it, and a "
     "drag along the surface is shared as the pushes are") {
-  // Both balls of radius 3 with the probe, 2 A from the middle on either side; the SCP lies sqrt(5) over the line.
+  // Both spheres of radius 3 with the probe, 2 A from the middle on either side; the SCP lies sqrt(5) over the line.
   const double height = std::sqrt(5.0);
   const auto felt = referenceMethod().make(test::makeScene({{{-2, 0, 0}, 1.6}, {{2, 0, 0}, 1.6}}), 1.4);
   for (double z = 9.0; z > 1.8; z -= 0.01) felt->respond({{{0, 0, z}}});
@@ -106,11 +107,12 @@ TEST_CASE(
   std::uniform_real_distribution<double> unit(-1.0, 1.0);
   const auto any = [&] { return glm::normalize(Vec3(unit(random), unit(random), unit(random)) + Vec3(1e-3)); };
   const scenes::Scene scene = scenes::cluster(12, 5);
-  const auto balls = test::makeScene(scene.balls);
-  RigidBody body(rod(), [&](double radius_A) { return findMethod("penalty")->make(balls, radius_A); });
-  const auto penalty = findMethod("penalty")->make(balls, scene.probe_A);
-  test::LennardJones field(std::make_unique<test::OpenSpace>(), {},
-                           {{0, scene.balls[0].centre_A}, {1, scene.balls[1].centre_A}, {2, scene.balls[2].centre_A}});
+  const auto spheres = test::makeScene(scene.spheres);
+  RigidBody body(rod(), [&](double radius_A) { return findMethod("penalty")->make(spheres, radius_A); });
+  const auto penalty = findMethod("penalty")->make(spheres, scene.probe_A);
+  test::LennardJones field(
+      std::make_unique<test::OpenSpace>(), {},
+      {{0, scene.spheres[0].centre_A}, {1, scene.spheres[1].centre_A}, {2, scene.spheres[2].centre_A}});
   constexpr double kStep = 1e-6;
   for (Interaction* felt : std::initializer_list<Interaction*>{&body, penalty.get(), &field}) {
     int steps = 0, over = 0, tight = 0;

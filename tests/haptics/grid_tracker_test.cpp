@@ -17,20 +17,20 @@ namespace {
 
 constexpr double kSpacings[] = {0.2, 0.4, 0.8};
 
-double distanceTo(const std::vector<Ball>& balls, const Vec3& p) {
+double distanceTo(const std::vector<Sphere>& spheres, const Vec3& p) {
   double least = 1e300;
-  for (const Ball& b : balls) least = std::min(least, glm::distance(p, b.centre_A) - b.radius_A);
+  for (const Sphere& b : spheres) least = std::min(least, glm::distance(p, b.centre_A) - b.radius_A);
   return least;
 }
 
 }  // namespace
 
 TEST_CASE("round one ball the field is the distance but for an error that falls by 8 with half the spacing") {
-  const std::vector<Ball> balls{{{0.1, 0.2, 0.3}, 1.6}};
+  const std::vector<Sphere> spheres{{{0.1, 0.2, 0.3}, 1.6}};
   double before = 0;
   for (const double spacing : {0.8, 0.4, 0.2, 0.1}) {
     CAPTURE(spacing);
-    DistanceBricks bricks(makeScene(balls), Vec3(0.0), spacing, 4.0);
+    DistanceBricks bricks(makeScene(spheres), Vec3(0.0), spacing, 4.0);
     scenes::Random random(2);
     double sum2 = 0;
     for (int k = 0; k < 2000; ++k) {
@@ -38,7 +38,7 @@ TEST_CASE("round one ball the field is the distance but for an error that falls 
       DistanceBricks::Sample s{};
       int fills = 1;
       REQUIRE(bricks.sample(p, s, fills));
-      const double off = s.value - distanceTo(balls, p);
+      const double off = s.value - distanceTo(spheres, p);
       sum2 += off * off;
     }
     const double rms = std::sqrt(sum2 / 2000);
@@ -50,7 +50,7 @@ TEST_CASE("round one ball the field is the distance but for an error that falls 
 
 TEST_CASE("the field's gradient and second derivatives are those of its values, by differences") {
   const scenes::Scene scene = scenes::cluster(20, 2);
-  DistanceBricks bricks(makeScene(scene.balls), Vec3(0.0), 0.4, 4.0);
+  DistanceBricks bricks(makeScene(scene.spheres), Vec3(0.0), 0.4, 4.0);
   scenes::Random random(6);
   for (int k = 0; k < 200; ++k) {
     const Vec3 p(random.uniform(-2, 8), random.uniform(-2, 8), random.uniform(-2, 8));
@@ -75,7 +75,7 @@ TEST_CASE("the field's gradient and second derivatives are those of its values, 
 
 TEST_CASE("from brick to brick and cell to cell value and gradient are continuous to 1e-9") {
   const scenes::Scene scene = scenes::pit();
-  DistanceBricks bricks(makeScene(scene.balls), Vec3(0.0), 0.4, 4.0);
+  DistanceBricks bricks(makeScene(scene.spheres), Vec3(0.0), 0.4, 4.0);
   scenes::Random random(1);
   for (int k = 0; k < 300; ++k) {
     Vec3 p(random.uniform(-3, 5), random.uniform(-3, 5), random.uniform(-3, 3));
@@ -103,11 +103,11 @@ TEST_CASE("a brick is made once, named balls are counted once, and without leave
   CHECK(one == 0);
   CHECK(bricks.sample({3, 0, 0}, s, none));
   CHECK(bricks.bricksMade() == 1);
-  CHECK(bricks.nearestBall({3, 0, 0}) == 1);
-  CHECK(bricks.ballsRemembered() >= 1);
-  CHECK(bricks.ballsRemembered() <= 2);
+  CHECK(bricks.nearestSphere({3, 0, 0}) == 1);
+  CHECK(bricks.spheresRemembered() >= 1);
+  CHECK(bricks.spheresRemembered() <= 2);
   bricks.setCap(9.0);
-  CHECK(bricks.ballsRemembered() == 0);
+  CHECK(bricks.spheresRemembered() == 0);
 }
 
 TEST_CASE(
@@ -140,7 +140,7 @@ TEST_CASE(
   for (const scenes::Scene& scene : scenes::all()) {
     CAPTURE(scene.name);
     CAPTURE(seed);
-    GridTracker tracker(makeScene(scene.balls), scene.probe_A, 0.2);
+    GridTracker tracker(makeScene(scene.spheres), scene.probe_A, 0.2);
     const test::Judged judged = test::judge(tracker, scene, scenes::walk(scene, 1000, seed++));
     CHECK(judged.both > 700);
     CHECK(judged.lost <= 3);
@@ -170,7 +170,7 @@ TEST_CASE(
 
 TEST_CASE("known failure: a ring whose hole is 0.05 A too large for the probe is closed at a spacing of 0.8 A") {
   const scenes::Scene scene = scenes::ring(6, 0.05);
-  GridTracker coarse(makeScene(scene.balls), scene.probe_A, 0.8);
+  GridTracker coarse(makeScene(scene.spheres), scene.probe_A, 0.8);
   const Contact c = walkTo(coarse, {0.01, 0.02, 6}, {0.01, 0.02, -4}, 0.02);
   CHECK(c.touching());
   CHECK(c.scp.A.z > 0);
@@ -193,7 +193,7 @@ TEST_CASE("ticks held still after a slide into a pit leave the SCP at rest to 1e
   for (const double spacing : kSpacings) {
     CAPTURE(spacing);
     const scenes::Scene scene = scenes::pit();
-    GridTracker tracker(makeScene(scene.balls), scene.probe_A, spacing);
+    GridTracker tracker(makeScene(scene.spheres), scene.probe_A, spacing);
     walkTo(tracker, {1.3, 0.7, 6}, {1.3, 0.7, 1.5}, 0.02);
     for (int k = 0; k < 5; ++k) tracker.step({{1.3, 0.7, 1.5}});
     const Vec3 rest = tracker.step({{1.3, 0.7, 1.5}}).scp.A;
@@ -213,11 +213,11 @@ TEST_CASE(
     const scenes::Path path = scenes::passes(scene, 500, seed++);
     for (const double spacing : kSpacings) {
       CAPTURE(spacing);
-      GridTracker tracker(makeScene(scene.balls), scene.probe_A, spacing);
+      GridTracker tracker(makeScene(scene.spheres), scene.probe_A, spacing);
       double deepest = -1;
       for (const Vec3& hip : path)
         if (const Contact c = tracker.step({hip}); c.touching())
-          deepest = std::max(deepest, test::deepest_A(scene.balls, scene.probe_A, c.scp.A));
+          deepest = std::max(deepest, test::deepest_A(scene.spheres, scene.probe_A, c.scp.A));
       CHECK(deepest <= (spacing > 0.5 ? 0.2 : 0.1));
     }
   }
@@ -227,17 +227,17 @@ TEST_CASE(
     "with a probe of 12 A over 3000 balls the field at 0.4 A still is the distance to 0.01 A off the "
     "creases") {
   scenes::Random random(3);
-  std::vector<Ball> balls;
+  std::vector<Sphere> spheres;
   for (int k = 0; k < 3000; ++k)
-    balls.push_back({{random.uniform(-18, 18), random.uniform(-18, 18), random.uniform(-18, 18)}, 1.6});
-  DistanceBricks bricks(makeScene(balls), Vec3(0.0), 0.4, 15.0);
+    spheres.push_back({{random.uniform(-18, 18), random.uniform(-18, 18), random.uniform(-18, 18)}, 1.6});
+  DistanceBricks bricks(makeScene(spheres), Vec3(0.0), 0.4, 15.0);
   int near = 0;
   for (int k = 0; k < 300; ++k) {
     const Vec3 p = 38.0 * random.direction();
     DistanceBricks::Sample s{};
     int fills = 1;
     REQUIRE(bricks.sample(p, s, fills));
-    const double is = std::min(15.0, distanceTo(balls, p));
+    const double is = std::min(15.0, distanceTo(spheres, p));
     near += std::abs(s.value - is) <= 0.01;
     CHECK(std::abs(s.value - is) <= 0.2);
   }
@@ -248,8 +248,8 @@ TEST_CASE(
     "made beforehand, the grid leaves fewer than 1 in 100 of its bricks to be made on 3000 ticks over 50 balls, and "
     "gives the same places") {
   const scenes::Scene scene = scenes::cluster(50, 3);
-  const auto balls = makeScene(scene.balls);
-  GridTracker ready(balls, scene.probe_A, 0.4, true), lazy(balls, scene.probe_A, 0.4);
+  const auto spheres = makeScene(scene.spheres);
+  GridTracker ready(spheres, scene.probe_A, 0.4, true), lazy(spheres, scene.probe_A, 0.4);
   const std::uint64_t before = ready.bricksMade();
   double apart = 0;
   for (const Vec3& hip : scenes::walk(scene, 3000, 21))

@@ -19,14 +19,14 @@ using Atoms = std::vector<std::uint32_t>;
 
 constexpr double kFelt_A = 1.6 - kBodyOverlap_A;
 
-// A ball of 3 A at the zero point, which the hand feels, and beside it a bent body of three atoms that it holds.
-const std::vector<Ball> kBalls{{{0, 0, 0}, 3.0}, {{10, 0, 0}, 1.6}, {{12, 0, 0}, 1.6}, {{12, 2, 0}, 1.6}};
+// A sphere of 3 A at the zero point, which the hand feels, and beside it a bent body of three atoms that it holds.
+const std::vector<Sphere> kSpheres{{{0, 0, 0}, 3.0}, {{10, 0, 0}, 1.6}, {{12, 0, 0}, 1.6}, {{12, 2, 0}, 1.6}};
 const Atoms kHeld{1, 2, 3};
 
-std::shared_ptr<const BallScene> scene() { return std::make_shared<const BallScene>(kBalls, kHeld); }
+std::shared_ptr<const SphereGrid> scene() { return std::make_shared<const SphereGrid>(kSpheres, kHeld); }
 
-RigidBody::MakeSphere spheres(const Method& method, std::shared_ptr<const BallScene> balls) {
-  return [&method, balls = std::move(balls)](double radius_A) { return method.make(balls, radius_A); };
+RigidBody::MakeSphere spheres(const Method& method, std::shared_ptr<const SphereGrid> spheres) {
+  return [&method, spheres = std::move(spheres)](double radius_A) { return method.make(spheres, radius_A); };
 }
 
 Quat anyRotation(std::mt19937& random) {
@@ -37,20 +37,20 @@ Quat anyRotation(std::mt19937& random) {
 }  // namespace
 
 TEST_CASE("a body is its atoms round their middle, each 0.5 A smaller; more than 200, or none, are no body") {
-  const auto body = heldBody(kBalls, kHeld);
+  const auto body = heldBody(kSpheres, kHeld);
   REQUIRE(body);
   CHECK(body->atoms == kHeld);
   CHECK(glm::distance(body->middle.A, Vec3(34.0 / 3, 2.0 / 3, 0)) < 1e-12);
   Vec3 sum(0.0);
-  for (const Ball& b : body->balls) {
+  for (const Sphere& b : body->spheres) {
     sum += b.centre_A;
     CHECK(b.radius_A == doctest::Approx(1.1));
   }
   CHECK(glm::length(sum) < 1e-12);
   CHECK(body->reach_A == doctest::Approx(glm::length(Vec3(4.0 / 3, 2.0 / 3, 0)) + 1.1));
-  CHECK_FALSE(heldBody(kBalls, Atoms{}));
-  CHECK_FALSE(heldBody(kBalls, Atoms{7}));
-  std::vector<Ball> many(201, Ball{{0, 0, 0}, 1.0});
+  CHECK_FALSE(heldBody(kSpheres, Atoms{}));
+  CHECK_FALSE(heldBody(kSpheres, Atoms{7}));
+  std::vector<Sphere> many(201, Sphere{{0, 0, 0}, 1.0});
   Atoms all(201);
   for (std::uint32_t i = 0; i < 201; ++i) all[i] = i;
   CHECK_FALSE(heldBody(many, all));
@@ -60,13 +60,13 @@ TEST_CASE("a body is its atoms round their middle, each 0.5 A smaller; more than
 
 TEST_CASE("a body of one atom is a probe of its radius in each method, over 1500 poses, and is never turned") {
   const scenes::Scene cluster = scenes::cluster(20, 5);
-  const auto balls = test::makeScene(cluster.balls);
-  const std::vector<Ball> atom{{{4, 5, 6}, cluster.probe_A + kBodyOverlap_A}};
+  const auto spheres = test::makeScene(cluster.spheres);
+  const std::vector<Sphere> atom{{{4, 5, 6}, cluster.probe_A + kBodyOverlap_A}};
   const auto body = heldBody(atom, Atoms{0});
   for (const Method& method : methods()) {
     CAPTURE(std::string(method.name));
-    RigidBody felt(body, spheres(method, balls));
-    const auto tracker = method.make(balls, body->balls[0].radius_A);
+    RigidBody felt(body, spheres(method, spheres));
+    const auto tracker = method.make(spheres, body->spheres[0].radius_A);
     int touching = 0, different = 0;
     for (const Vec3& place : scenes::walk(cluster, 1500, 7)) {
       const Response r = felt.respond({{place}, glm::angleAxis(place.x, glm::normalize(Vec3(1, 2, 3)))});
@@ -85,7 +85,7 @@ TEST_CASE("a body of one atom is a probe of its radius in each method, over 1500
 TEST_CASE("force, torque and energy of three atoms on one ball are their springs' sums in closed form, at 2000 poses") {
   std::mt19937 random(20261123);
   CAPTURE("seed 20261123");
-  const auto body = heldBody(kBalls, kHeld);
+  const auto body = heldBody(kSpheres, kHeld);
   RigidBody felt(body, spheres(referenceMethod(), scene()));
   std::uniform_real_distribution<double> unit(-1.0, 1.0);
   int pressed[4] = {};
@@ -93,7 +93,7 @@ TEST_CASE("force, torque and energy of three atoms on one ball are their springs
   for (int n = 0; n < 2000; ++n) {
     const Quat turned = anyRotation(random);
     const Vec3 way = glm::normalize(Vec3(unit(random), unit(random), unit(random)) + Vec3(0, 0, 1e-3));
-    // Straight in, as far as its middle's place allows none of its atoms to pass the ball's.
+    // Straight in, as far as its middle's place allows none of its atoms to pass the sphere's.
     felt.reset();
     const Vec3 place = way * (4.1 + unit(random));
     for (double out_A = 12.0; out_A > 0.0; out_A -= 0.05) felt.respond({{place + way * out_A}, turned});
@@ -101,7 +101,7 @@ TEST_CASE("force, torque and energy of three atoms on one ball are their springs
     Vec3 force(0.0), torque(0.0);
     double energy = 0.0;
     int springs = 0;
-    for (const Ball& b : body->balls) {
+    for (const Sphere& b : body->spheres) {
       const Vec3 lever = turned * b.centre_A, p = place + lever;
       const double deep = 3.0 + kFelt_A - glm::length(p);
       if (deep <= 0.0) continue;
@@ -125,7 +125,7 @@ TEST_CASE("force, torque and energy of three atoms on one ball are their springs
 TEST_CASE(
     "a body that begins with one atom inside is felt only once all of it is outside at once, and what is no pose "
     "gives no force") {
-  RigidBody felt(heldBody(kBalls, kHeld), spheres(referenceMethod(), scene()));
+  RigidBody felt(heldBody(kSpheres, kHeld), spheres(referenceMethod(), scene()));
   const auto at = [&](double x) { return felt.respond({{Vec3(x, 0, 0)}, kNoRotation}); };
   CHECK(at(5.0).contact.fault == Fault::StartedInside);  // its first atom is 1.3 A to the left of its middle
   CHECK_FALSE(at(5.0).acts());
@@ -148,24 +148,24 @@ TEST_CASE(
   std::mt19937 random(7);
   CAPTURE("seed 7");
   const scenes::Scene cluster = scenes::cluster(40, 3);
-  const auto balls = test::makeScene(cluster.balls);
-  const auto body = heldBody(kBalls, kHeld);
+  const auto spheres = test::makeScene(cluster.spheres);
+  const auto body = heldBody(kSpheres, kHeld);
   std::uniform_real_distribution<double> unit(-1.0, 1.0);
   const auto gap_A = [&](const Vec3& place, const Quat& turned) {
     double least = 1e300;
-    for (const Ball& b : body->balls)
-      for (const Ball& c : cluster.balls)
+    for (const Sphere& b : body->spheres)
+      for (const Sphere& c : cluster.spheres)
         least = std::min(least, glm::distance(place + turned * b.centre_A, c.centre_A) - b.radius_A - c.radius_A);
     return least;
   };
   int met = 0;
   for (int n = 0; n < 300; ++n) {
     const Quat turned = anyRotation(random);
-    const Vec3 middle = 0.5 * (balls->low_A() + balls->high_A());
+    const Vec3 middle = 0.5 * (spheres->low_A() + spheres->high_A());
     const Vec3 from = middle + 40.0 * glm::normalize(Vec3(unit(random), unit(random), unit(random)));
     const Vec3 to = middle + Vec3(unit(random), unit(random), unit(random)) * 8.0;
-    const Hit hit = sweep(*balls, HandShape(*body, turned), from, to);
-    if (hit.ball < 0) {
+    const Hit hit = sweep(*spheres, HandShape(*body, turned), from, to);
+    if (hit.sphere < 0) {
       CHECK(gap_A(to, turned) > -1e-6);
       continue;
     }
@@ -174,13 +174,13 @@ TEST_CASE(
     for (const double part : {0.2, 0.5, 0.8, 0.95}) CHECK(gap_A(from + (to - from) * (hit.t * part), turned) > -1e-9);
   }
   CHECK(met > 150);
-  CHECK(sweep(*balls, HandShape(1.4), Vec3(50, 0, 0), Vec3(0)).t == sweep(*balls, 1.4, Vec3(50, 0, 0), Vec3(0)).t);
+  CHECK(sweep(*spheres, HandShape(1.4), Vec3(50, 0, 0), Vec3(0)).t == sweep(*spheres, 1.4, Vec3(50, 0, 0), Vec3(0)).t);
 }
 
 TEST_CASE("a body goes with spheres that move where its method does: a ball that comes by 0.5 A pushes it by 0.5 A") {
-  std::vector<Ball> to = kBalls;
+  std::vector<Sphere> to = kSpheres;
   to[0].centre_A.x = 0.5;
-  const auto motion = SphereMotion::make(kBalls, to, 10, kHeld);
+  const auto motion = SphereMotion::make(kSpheres, to, 10, kHeld);
   REQUIRE(motion);
   // Turned round, so that the bent end points away and the first atom touches with its middle on the axis.
   const auto pull_A = [&](RigidBody& felt) {
@@ -188,7 +188,7 @@ TEST_CASE("a body goes with spheres that move where its method does: a ball that
   };
   for (const Method& method : methods()) {
     CAPTURE(std::string(method.name));
-    RigidBody felt(heldBody(kBalls, kHeld), spheres(method, scene()));
+    RigidBody felt(heldBody(kSpheres, kHeld), spheres(method, scene()));
     felt.respond({{Vec3(20, 0, 0)}, kNoRotation});
     pull_A(felt);
     CHECK(felt.setMotion(motion->get()) == method.follows_motion);
@@ -211,10 +211,10 @@ class Doubled final : public WrappedInteraction {
 };
 
 TEST_CASE("what is put round each sphere of a body is felt in its force, torque and energy: all twice as much") {
-  const auto balls = scene();
-  const auto plain = spheres(referenceMethod(), balls);
-  RigidBody one(heldBody(kBalls, kHeld), plain);
-  RigidBody two(heldBody(kBalls, kHeld), [&](double radius_A) { return std::make_unique<Doubled>(plain(radius_A)); });
+  const auto spheres = scene();
+  const auto plain = spheres(referenceMethod(), spheres);
+  RigidBody one(heldBody(kSpheres, kHeld), plain);
+  RigidBody two(heldBody(kSpheres, kHeld), [&](double radius_A) { return std::make_unique<Doubled>(plain(radius_A)); });
   for (const double x : {9.0, 5.0, 4.8}) {
     const PoseA pose{{Vec3(x, 0.3, 0)}, kNoRotation};
     const Response a = one.respond(pose), b = two.respond(pose);
@@ -226,8 +226,8 @@ TEST_CASE("what is put round each sphere of a body is felt in its force, torque 
 }
 
 TEST_CASE("an orientation of length 1 + 4e-4 turns a body as the one of length 1 does: levers do not grow with it") {
-  RigidBody exact(heldBody(kBalls, kHeld), spheres(referenceMethod(), scene()));
-  RigidBody longer(heldBody(kBalls, kHeld), spheres(referenceMethod(), scene()));
+  RigidBody exact(heldBody(kSpheres, kHeld), spheres(referenceMethod(), scene()));
+  RigidBody longer(heldBody(kSpheres, kHeld), spheres(referenceMethod(), scene()));
   const Quat turned = glm::angleAxis(0.7, glm::normalize(Vec3(1, 2, 3)));
   int felt = 0;
   for (double x = 9.0; x > 3.7; x -= 0.05) {
@@ -242,13 +242,13 @@ TEST_CASE("an orientation of length 1 + 4e-4 turns a body as the one of length 1
 
 TEST_CASE("memory that all spheres of a body share is counted once, and so are the atoms that they model") {
   const scenes::Scene cluster = scenes::cluster(200, 5);
-  const auto balls = test::makeScene(cluster.balls);
-  const auto body = heldBody(kBalls, kHeld);
-  TouchSetup touch = settled({}, true);
-  const auto felt = makeInteraction({balls, touch, body});
+  const auto spheres = test::makeScene(cluster.spheres);
+  const auto body = heldBody(kSpheres, kHeld);
+  TouchSetup touch = resolveInteraction({}, true);
+  const auto felt = makeInteraction({spheres, touch, body});
   felt->respond({{Vec3(1e3)}, kNoRotation});
-  const std::size_t one = referenceMethod().make(balls, 1.1)->memoryUsage().bytes;
-  CHECK(felt->memoryUsage().bytes < balls->bytes() + 3 * (one - balls->bytes()) + 1000);
+  const std::size_t one = referenceMethod().make(spheres, 1.1)->memoryUsage().bytes;
+  CHECK(felt->memoryUsage().bytes < spheres->bytes() + 3 * (one - spheres->bytes()) + 1000);
   for (double x = 40.0; x > 0.0; x -= 0.1) {
     felt->respond({{Vec3(x, 0, 0)}, kNoRotation});
     CHECK(felt->memoryUsage().atoms_modelled <= 200);

@@ -18,8 +18,8 @@ TEST_CASE("every interaction has a name of its own, is made over a scene and say
     CHECK_FALSE(kind.title.empty());
     CHECK_FALSE(kind.sentence.empty());
     CHECK(findInteractionKind(kind.name) == &kind);
-    const auto balls = test::makeScene({{{0, 0, 0}, 1.6}});
-    const auto felt = kind.make({balls, {}, heldBody(balls->balls(), std::vector<std::uint32_t>{0})});
+    const auto spheres = test::makeScene({{{0, 0, 0}, 1.6}});
+    const auto felt = kind.make({spheres, {}, heldBody(spheres->spheres(), std::vector<std::uint32_t>{0})});
     REQUIRE(felt);
     // What has no probe says 0 and passes another radius over.
     const bool has_probe = felt->probe_A() != 0.0;
@@ -35,15 +35,15 @@ TEST_CASE("every interaction has a name of its own, is made over a scene and say
 TEST_CASE(
     "the probe answers 2000 poses as its tracker answers their places, however they are turned, and without a torque") {
   const scenes::Scene scene = scenes::cluster(20, 5);
-  const auto balls = test::makeScene(scene.balls);
+  const auto spheres = test::makeScene(scene.spheres);
   for (const Method& method : methods()) {
     CAPTURE(std::string(method.name));
     TouchSetup touch;
     touch.method = method.name;
     touch.probe_A = scene.probe_A;
-    const auto felt = makeInteraction({balls, touch});
+    const auto felt = makeInteraction({spheres, touch});
     REQUIRE(felt);
-    const auto tracker = method.make(balls, scene.probe_A);
+    const auto tracker = method.make(spheres, scene.probe_A);
     int touching = 0, different = 0;
     for (const Vec3& place : scenes::walk(scene, 2000, 5)) {
       const Quat turned = glm::angleAxis(place.x, glm::normalize(Vec3(1, 2, 3)));
@@ -75,16 +75,16 @@ TEST_CASE("what judges a method is the reference method, with everything else as
 }
 
 TEST_CASE("what there is not is not made: neither an interaction nor a method of that name") {
-  const auto balls = test::makeScene({{{0, 0, 0}, 1.6}});
+  const auto spheres = test::makeScene({{{0, 0, 0}, 1.6}});
   TouchSetup touch;
-  CHECK(makeInteraction({balls, touch}));
+  CHECK(makeInteraction({spheres, touch}));
   touch.method = "none";
-  CHECK_FALSE(makeInteraction({balls, touch}));
+  CHECK_FALSE(makeInteraction({spheres, touch}));
   touch = {};
   touch.interaction = "none";
-  CHECK_FALSE(makeInteraction({balls, touch}));
-  touch = settled(touch, true);
-  CHECK_FALSE(makeInteraction({balls, touch}));  // no body
+  CHECK_FALSE(makeInteraction({spheres, touch}));
+  touch = resolveInteraction(touch, true);
+  CHECK_FALSE(makeInteraction({spheres, touch}));  // no body
   CHECK(findInteractionKind("none") == nullptr);
 }
 
@@ -96,11 +96,11 @@ TEST_CASE(
   for (const bool body : {false, true})
     for (const char* interaction : {"probe", "body", "none"}) {
       wanted.interaction = interaction;
-      const TouchSetup now = settled(wanted, body);
+      const TouchSetup now = resolveInteraction(wanted, body);
       CHECK(findInteractionKind(now.interaction)->holds_body == body);
       TouchSetup otherwise = now;
       otherwise.interaction = interaction;
       CHECK(otherwise == wanted);
     }
-  CHECK(settled(TouchSetup{}, false) == TouchSetup{});
+  CHECK(resolveInteraction(TouchSetup{}, false) == TouchSetup{});
 }

@@ -19,7 +19,7 @@ struct Judged {
   int both = 0;                         ///< of them those in which both touch
   int lost = 0;                         ///< the oracle touches by more than `lost_from_A`, the tracker does not
   int false_contact = 0;                ///< the tracker touches by more than that, the oracle does not
-  double deepest_A = -1e300;            ///< of the SCP in any ball, in every tick with contact
+  double deepest_A = -1e300;            ///< of the SCP in any sphere, in every tick with contact
   std::vector<double> off_A, turn_deg;  ///< both touch: sorted
 
   double off(double share) const { return at(off_A, share); }
@@ -33,13 +33,13 @@ struct Judged {
 
 /// `lost_from_A`: a contact shallower than this may be missed without being counted.
 inline Judged judge(Tracker& tracker, const scenes::Scene& scene, const scenes::Path& path, double lost_from_A = 0.05) {
-  oracle::Oracle oracle(scene.balls, scene.probe_A);
+  oracle::Oracle oracle(scene.spheres, scene.probe_A);
   Judged out;
   for (const Vec3& hip : path) {
     const Contact c = tracker.step({hip});
     const oracle::Oracle::Answer right = oracle.step(hip);
     if (right.started_inside || c.fault != Fault::None) continue;
-    if (c.touching()) out.deepest_A = std::max(out.deepest_A, oracle::deepest(scene.balls, scene.probe_A, c.scp.A));
+    if (c.touching()) out.deepest_A = std::max(out.deepest_A, oracle::deepest(scene.spheres, scene.probe_A, c.scp.A));
     if (!right.decided) continue;
     ++out.ticks;
     const Vec3 force = c.displacement_A, true_force = right.scp_A - hip;

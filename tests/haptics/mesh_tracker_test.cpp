@@ -19,8 +19,8 @@ namespace {
 constexpr double kDegree = std::numbers::pi / 180;
 constexpr int kCounts[] = {80, 320, 960, 1280, 5120};
 
-MeshTracker make(const std::vector<Ball>& balls, int triangles, bool smooth = false, bool coherent = true) {
-  return MeshTracker(makeScene(balls), 1.4, {triangles, smooth, coherent});
+MeshTracker make(const std::vector<Sphere>& spheres, int triangles, bool smooth = false, bool coherent = true) {
+  return MeshTracker(makeScene(spheres), 1.4, {triangles, smooth, coherent});
 }
 
 double angle(const Vec3& a, const Vec3& b) {
@@ -118,12 +118,12 @@ TEST_CASE("the sagitta falls by about 4 with each subdivision, the tilt of the f
 }
 
 TEST_CASE("sliding over one ball the error of the SCP falls by 3 to 5 with each subdivision") {
-  const scenes::Scene scene = scenes::oneBall();
+  const scenes::Scene scene = scenes::oneSphere();
   const scenes::Path path = scenes::walk(scene, 1500, 7);
   double before = 0;
   for (const int count : {80, 320, 1280, 5120}) {
     CAPTURE(count);
-    MeshTracker tracker = make(scene.balls, count);
+    MeshTracker tracker = make(scene.spheres, count);
     // The depth under the sphere alone: the SCP's place along the surface is off by depth times tilt, which
     // falls by 2.
     double deep = 0;
@@ -146,8 +146,8 @@ TEST_CASE(
     CAPTURE(scene.name);
     CAPTURE(seed);
     double largest = 0;
-    for (const Ball& b : scene.balls) largest = std::max(largest, b.radius_A + scene.probe_A);
-    MeshTracker tracker(makeScene(scene.balls), scene.probe_A, {960, false, true});
+    for (const Sphere& b : scene.spheres) largest = std::max(largest, b.radius_A + scene.probe_A);
+    MeshTracker tracker(makeScene(scene.spheres), scene.probe_A, {960, false, true});
     const test::Judged walk = test::judge(tracker, scene, scenes::walk(scene, 1000, seed));
     CHECK(walk.both > 700);
     CHECK(walk.lost == 0);
@@ -170,8 +170,8 @@ TEST_CASE(
       CAPTURE(triangles);
       CAPTURE(scene.name);
       CAPTURE(seed);
-      MeshTracker a(makeScene(scene.balls), scene.probe_A, {triangles, false, true}),
-          b(makeScene(scene.balls), scene.probe_A, {triangles, false, false});
+      MeshTracker a(makeScene(scene.spheres), scene.probe_A, {triangles, false, true}),
+          b(makeScene(scene.spheres), scene.probe_A, {triangles, false, false});
       int different = 0;
       std::array<int, 4> on{};
       for (const Vec3& hip : scenes::walk(scene, 4000, seed++)) {
@@ -181,7 +181,7 @@ TEST_CASE(
       }
       CHECK(different == 0);
       CHECK(on[1] > 100);
-      if (scene.balls.size() >= 20) {
+      if (scene.spheres.size() >= 20) {
         CHECK(on[2] > 100);
         on_points += on[3];
       }
@@ -190,7 +190,7 @@ TEST_CASE(
 }
 
 TEST_CASE("where two meshes cross two faces hold the SCP, in the pit of three balls three") {
-  const std::vector<Ball> two{{{-1, 0, 0}, 1.6}, {{1, 0, 0}, 1.6}};
+  const std::vector<Sphere> two{{{-1, 0, 0}, 1.6}, {{1, 0, 0}, 1.6}};
   MeshTracker crease = make(two, 5120);
   const Contact c = walkTo(crease, {0.01, 0.02, 6}, {0.05, 0.02, 2.0}, 0.01);
   CHECK(c.feature == Feature::Circle);
@@ -223,7 +223,7 @@ TEST_CASE(
 
 TEST_CASE("changing the probe every tick over 50 random balls never puts the SCP deeper than the sagitta in any") {
   const scenes::Scene scene = scenes::cluster(50, 3);
-  MeshTracker tracker(makeScene(scene.balls), 1.4, {960, false, true});
+  MeshTracker tracker(makeScene(scene.spheres), 1.4, {960, false, true});
   const double sagitta = SphereMesh::ofTriangles(960)->sagitta();
   double probe = 1.4, over = -1;
   int k = 0, touching = 0;
@@ -231,7 +231,7 @@ TEST_CASE("changing the probe every tick over 50 random balls never puts the SCP
     tracker.setProbe(probe = 1.4 + 0.3 * std::sin(0.02 * k++));
     const Contact c = tracker.step({hip});
     touching += c.touching();
-    if (c.touching()) over = std::max(over, oracle::deepest(scene.balls, probe, c.scp.A) - (2.0 + probe) * sagitta);
+    if (c.touching()) over = std::max(over, oracle::deepest(scene.spheres, probe, c.scp.A) - (2.0 + probe) * sagitta);
   }
   CHECK(touching > 1500);
   CHECK(over <= 1e-9);
@@ -289,10 +289,10 @@ TEST_CASE(
   scenes::Scene scene = scenes::ring(12, -0.01);
   const Vec3 axis = glm::normalize(Vec3(1, 2, 3)), x = glm::normalize(glm::cross(axis, Vec3(0, 0, 1))),
              y = glm::cross(axis, x);
-  for (Ball& b : scene.balls) b.centre_A = x * b.centre_A.x + y * b.centre_A.y;
+  for (Sphere& b : scene.spheres) b.centre_A = x * b.centre_A.x + y * b.centre_A.y;
   const Vec3 from = 6.0 * axis + 0.02 * x, to = -6.0 * axis + 0.02 * x;
-  MeshTracker coarse(makeScene(scene.balls), scene.probe_A, {80, false, true}),
-      fine(makeScene(scene.balls), scene.probe_A, {5120, false, true});
+  MeshTracker coarse(makeScene(scene.spheres), scene.probe_A, {80, false, true}),
+      fine(makeScene(scene.spheres), scene.probe_A, {5120, false, true});
   CHECK_FALSE(walkTo(coarse, from, to, 0.02).touching());
   CHECK(walkTo(fine, from, to, 0.02).touching());
 }

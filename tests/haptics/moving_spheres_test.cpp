@@ -20,23 +20,24 @@ namespace {
 
 using Frames = std::vector<std::unique_ptr<const SphereMotion>>;
 
-std::unique_ptr<const SphereMotion> frame(const std::vector<Ball>& from, const std::vector<Ball>& to, int ticks = 33) {
+std::unique_ptr<const SphereMotion> frame(const std::vector<Sphere>& from, const std::vector<Sphere>& to,
+                                          int ticks = 33) {
   auto made = SphereMotion::make(from, to, ticks);
   REQUIRE(made);
   return *std::move(made);
 }
 
-// Frames in which every ball goes to and fro by its own direction, up to `way_A`, and its radius by a tenth of that.
-Frames shaken(const std::vector<Ball>& balls, int count, double way_A, std::uint64_t seed) {
+// Frames in which every sphere goes to and fro by its own direction, up to `way_A`, and its radius by a tenth of that.
+Frames shaken(const std::vector<Sphere>& spheres, int count, double way_A, std::uint64_t seed) {
   scenes::Random random(seed);
-  std::vector<Vec3> way(balls.size());
-  std::vector<double> phase(balls.size());
-  for (std::size_t i = 0; i < balls.size(); ++i) {
+  std::vector<Vec3> way(spheres.size());
+  std::vector<double> phase(spheres.size());
+  for (std::size_t i = 0; i < spheres.size(); ++i) {
     way[i] = random.direction() * way_A;
     phase[i] = random.uniform(0.0, 6.28);
   }
   const auto at = [&](int k) {
-    std::vector<Ball> out = balls;
+    std::vector<Sphere> out = spheres;
     for (std::size_t i = 0; i < out.size(); ++i) {
       const double s = std::sin(phase[i] + 0.4 * k);
       out[i].centre_A += way[i] * s;
@@ -57,7 +58,7 @@ Frames shaken(const std::vector<Ball>& balls, int count, double way_A, std::uint
 }  // namespace
 
 TEST_CASE("a ball that moves evenly by 0.02 A a tick under a still HIP carries the SCP as geometry says, to 1e-9 A") {
-  const std::vector<Ball> from{{Vec3(0.0), 1.7}}, to{{Vec3(0.66, 0.1, 0.0), 1.9}};
+  const std::vector<Sphere> from{{Vec3(0.0), 1.7}}, to{{Vec3(0.66, 0.1, 0.0), 1.9}};
   const auto moves = frame(from, to);
   ExactTracker tracker(makeScene(from), 1.4);
   tracker.step({Vec3(0, 0, 9)});
@@ -67,18 +68,19 @@ TEST_CASE("a ball that moves evenly by 0.02 A a tick under a still HIP carries t
   for (int tick = 1; tick <= 33; ++tick) {
     tracker.advanceTo(tick / 33.0);
     const Contact c = tracker.step({hip});
-    const Ball ball = (*moves)[0].at(tick / 33.0);
+    const Sphere sphere = (*moves)[0].at(tick / 33.0);
     REQUIRE(c.feature == Feature::Sphere);
-    CHECK(glm::distance(c.scp.A, ball.centre_A + glm::normalize(hip - ball.centre_A) * (ball.radius_A + 1.4)) < 1e-9);
+    CHECK(glm::distance(c.scp.A, sphere.centre_A + glm::normalize(hip - sphere.centre_A) * (sphere.radius_A + 1.4)) <
+          1e-9);
   }
 }
 
 TEST_CASE(
     "two balls that part by 0.03 A a tick let the SCP sink between them, and let it through where they no longer "
     "meet") {
-  // The inflated balls of radius 3.1 meet while their centres are less than 6.2 A apart.
+  // The inflated spheres of radius 3.1 meet while their centres are less than 6.2 A apart.
   const auto pair = [](double apart) {
-    return std::vector<Ball>{{Vec3(-0.5 * apart, 0, 0), 1.7}, {Vec3(0.5 * apart, 0, 0), 1.7}};
+    return std::vector<Sphere>{{Vec3(-0.5 * apart, 0, 0), 1.7}, {Vec3(0.5 * apart, 0, 0), 1.7}};
   };
   Frames frames;
   frames.push_back(frame(pair(4.0), pair(5.0)));
@@ -105,7 +107,7 @@ TEST_CASE(
 }
 
 TEST_CASE("a ball that grows over a free HIP by 0.05 A a tick pushes the SCP before it, and is felt") {
-  const std::vector<Ball> from{{Vec3(0.0), 1.0}}, to{{Vec3(0.0), 2.65}};
+  const std::vector<Sphere> from{{Vec3(0.0), 1.0}}, to{{Vec3(0.0), 2.65}};
   const auto grows = frame(from, to);
   ExactTracker tracker(makeScene(from), 1.4);
   const Vec3 hip(0, 0, 3.0);
@@ -130,15 +132,15 @@ TEST_CASE(
   for (std::uint64_t seed = 1; seed <= 12; ++seed) {
     CAPTURE(seed);
     const scenes::Scene scene = scenes::cluster(12, seed);
-    const Frames frames = shaken(scene.balls, 6, 0.6, seed);
+    const Frames frames = shaken(scene.spheres, 6, 0.6, seed);
     scenes::Random random(seed + 100);
     const Vec3 direction = random.direction();
     ExactTracker tracker(makeScene(frames[0]->at(0.0)), scene.probe_A);
     tracker.step({direction * 30.0});
     tracker.setMotion(frames[0].get());
     Vec3 at = direction * 30.0;
-    const auto flow = [&](const std::vector<Ball>& balls, const Vec3& hip) {
-      oracle::Oracle finer(balls, scene.probe_A, false);
+    const auto flow = [&](const std::vector<Sphere>& spheres, const Vec3& hip) {
+      oracle::Oracle finer(spheres, scene.probe_A, false);
       finer.place(at);
       const oracle::Oracle::Answer right = finer.step(hip);
       at = right.scp_A;
@@ -152,7 +154,7 @@ TEST_CASE(
         const Vec3 hip = direction * deep + 0.2 * Vec3(std::sin(0.05 * tick), std::cos(0.05 * tick), 0.0);
         tracker.advanceTo(fraction);
         const Contact c = tracker.step({hip});
-        const std::vector<Ball> balls = frames[k]->at(fraction);
+        const std::vector<Sphere> spheres = frames[k]->at(fraction);
         if (c.fault == Fault::StartedInside) {  // the place has closed over the SCP
           ++closed;
           in_step = false;
@@ -160,12 +162,12 @@ TEST_CASE(
         }
         ++ticks;
         touching += c.touching();
-        REQUIRE(test::deepest_A(balls, scene.probe_A, c.scp.A) < 1e-9);
-        if (c.touching()) CHECK(oracle::atRest(balls, scene.probe_A, c.scp.A, hip, 1e-6));
+        REQUIRE(test::deepest_A(spheres, scene.probe_A, c.scp.A) < 1e-9);
+        if (c.touching()) CHECK(oracle::atRest(spheres, scene.probe_A, c.scp.A, hip, 1e-6));
         if (!in_step) continue;
         for (int part = 1; part < 100; part += k < 2 ? 1 : 20)
           flow(frames[k]->at(fraction - (1.0 - 0.01 * part) / 33.0), hip);
-        const bool contact = flow(balls, hip);
+        const bool contact = flow(spheres, hip);
         // Both rest in the same local minimum of |x - h|, wherever it has gone.
         const bool same = contact == c.touching() && glm::distance(at, c.scp.A) < 1e-6;
         agree += same;
@@ -181,7 +183,7 @@ TEST_CASE(
 
 TEST_CASE("a frame that goes on from the last one gives what one made anew gives: the same contacts in every tick") {
   const scenes::Scene scene = scenes::cluster(60, 5);
-  const Frames frames = shaken(scene.balls, 12, 0.5, 5);
+  const Frames frames = shaken(scene.spheres, 12, 0.5, 5);
   ExactTracker kept(makeScene(frames[0]->at(0.0)), 1.4), anew(makeScene(frames[0]->at(0.0)), 1.4);
   Frames copies;
   for (const auto& f : frames) copies.push_back(frame(f->at(0.0), f->at(1.0)));
@@ -204,7 +206,7 @@ TEST_CASE("a frame that goes on from the last one gives what one made anew gives
 }
 
 TEST_CASE("a ball that leaps by 3 A within a tick over the hand ends in a contact outside it, or in none at all") {
-  const std::vector<Ball> from{{Vec3(0.0), 1.7}, {Vec3(0, 0, 9), 1.7}}, to{{Vec3(0.0), 1.7}, {Vec3(0, 0, 6), 1.7}};
+  const std::vector<Sphere> from{{Vec3(0.0), 1.7}, {Vec3(0, 0, 9), 1.7}}, to{{Vec3(0.0), 1.7}, {Vec3(0, 0, 6), 1.7}};
   const auto leaps = frame(from, to, 1);
   for (const std::string_view name : {"exact", "mesh960", "penalty"}) {
     CAPTURE(name);
@@ -223,7 +225,7 @@ TEST_CASE("a ball that leaps by 3 A within a tick over the hand ends in a contac
 TEST_CASE(
     "every method says whether it follows: exact, penalty and the meshes of single balls do, and go on with the balls "
     "of the frame") {
-  const std::vector<Ball> from{{Vec3(0.0), 1.7}}, to{{Vec3(0, 0, 1.0), 1.7}};
+  const std::vector<Sphere> from{{Vec3(0.0), 1.7}}, to{{Vec3(0, 0, 1.0), 1.7}};
   const auto moves = frame(from, to);
   for (const Method& method : methods()) {
     CAPTURE(method.name);
@@ -239,12 +241,12 @@ TEST_CASE(
 }
 
 TEST_CASE("a frame that cannot be is refused with what is wrong: another count, no number, no radius, no ticks") {
-  const std::vector<Ball> one{{Vec3(0.0), 1.7}}, two{{Vec3(0.0), 1.7}, {Vec3(1.0), 1.7}};
+  const std::vector<Sphere> one{{Vec3(0.0), 1.7}}, two{{Vec3(0.0), 1.7}, {Vec3(1.0), 1.7}};
   CHECK(SphereMotion::make(one, two, 33).problem().message == "a motion begins with 1 spheres and ends with 2");
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  CHECK_FALSE(SphereMotion::make(one, std::vector<Ball>{{Vec3(0, nan, 0), 1.7}}, 33));
-  CHECK_FALSE(SphereMotion::make(one, std::vector<Ball>{{Vec3(0.0), -1.0}}, 33));
-  CHECK_FALSE(SphereMotion::make(one, std::vector<Ball>{{Vec3(1e10, 0, 0), 1.0}}, 33));
+  CHECK_FALSE(SphereMotion::make(one, std::vector<Sphere>{{Vec3(0, nan, 0), 1.7}}, 33));
+  CHECK_FALSE(SphereMotion::make(one, std::vector<Sphere>{{Vec3(0.0), -1.0}}, 33));
+  CHECK_FALSE(SphereMotion::make(one, std::vector<Sphere>{{Vec3(1e10, 0, 0), 1.0}}, 33));
   CHECK_FALSE(SphereMotion::make(one, one, 0));
   CHECK(SphereMotion::make(one, one, 1));
 }

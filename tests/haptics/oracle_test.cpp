@@ -13,7 +13,7 @@ using oracle::deepest;
 using oracle::Oracle;
 
 TEST_CASE("on one ball of radius 3.1 the SCP lies over the HIP at 3.1 and is gone when the HIP leaves") {
-  Oracle o(scenes::oneBall().balls, 1.4);
+  Oracle o(scenes::oneSphere().spheres, 1.4);
   CHECK_FALSE(o.step({0, 0, 4}).contact);
   const auto in = o.step({0, 0, 2.5});
   CHECK(in.contact);
@@ -62,7 +62,7 @@ TEST_CASE(
   CHECK(glm::distance(in.scp_A, {0, 0, 4}) < 1e-13);
   const auto along = o.step({0.1, 1, 1});
   CHECK(glm::distance(along.scp_A, Vec3(0, 1, 1) * (4 / std::sqrt(2.0))) < 1e-13);
-  // Past the triangle (SCP, centre, centre) the crease lets go: the SCP is over the HIP on the right ball.
+  // Past the triangle (SCP, centre, centre) the crease lets go: the SCP is over the HIP on the right sphere.
   const auto out = o.step({4, 0, 2});
   CHECK(glm::distance(out.scp_A, Vec3(3, 0, 0) + Vec3(1, 0, 2) * (5 / std::sqrt(5.0))) < 1e-13);
 }
@@ -70,24 +70,24 @@ TEST_CASE(
 TEST_CASE(
     "in the pit of three balls of radius 5 whose centres lie 3 from the axis the SCP is the point 4 up the "
     "axis") {
-  std::vector<Ball> balls;
+  std::vector<Sphere> spheres;
   for (const double t : {0.0, 2.0943951023931953, 4.1887902047863905})
-    balls.push_back({{3 * std::cos(t), 3 * std::sin(t), 0}, 5.0});
-  Oracle o(balls, 0);
+    spheres.push_back({{3 * std::cos(t), 3 * std::sin(t), 0}, 5.0});
+  Oracle o(spheres, 0);
   o.step({0.01, 0.02, 6});
   const auto in = o.step({0.1, -0.2, 2});
   CHECK(in.contact);
   CHECK(in.decided);
   CHECK(glm::distance(in.scp_A, {0, 0, 4}) < 1e-13);
-  CHECK(atRest(balls, 0, in.scp_A, {0.1, -0.2, 2}, 1e-12));
-  CHECK_FALSE(atRest(balls, 0, in.scp_A, {3, 0, 3}, 1e-3));
-  CHECK_FALSE(atRest(balls, 0, in.scp_A, {0, 0, 5}, 1e-3));
-  CHECK(std::abs(deepest(balls, 0, {0, 0, 4})) < 1e-13);
-  CHECK(deepest(balls, 0, {0, 0, 0}) == doctest::Approx(2));
+  CHECK(atRest(spheres, 0, in.scp_A, {0.1, -0.2, 2}, 1e-12));
+  CHECK_FALSE(atRest(spheres, 0, in.scp_A, {3, 0, 3}, 1e-3));
+  CHECK_FALSE(atRest(spheres, 0, in.scp_A, {0, 0, 5}, 1e-3));
+  CHECK(std::abs(deepest(spheres, 0, {0, 0, 4})) < 1e-13);
+  CHECK(deepest(spheres, 0, {0, 0, 0}) == doctest::Approx(2));
 }
 
 TEST_CASE("a HIP that starts inside has no contact until it has been outside once") {
-  Oracle o(scenes::oneBall().balls, 1.4);
+  Oracle o(scenes::oneSphere().spheres, 1.4);
   CHECK(o.step({0, 0, 1}).started_inside);
   CHECK_FALSE(o.step({0, 0, 2}).contact);
   CHECK_FALSE(o.step({0, 0, 3.2}).started_inside);
@@ -95,16 +95,16 @@ TEST_CASE("a HIP that starts inside has no contact until it has been outside onc
 }
 
 TEST_CASE("between two patches of one ball the SCP stops at the ball that parts them") {
-  // A thin neighbour across the top of a large ball: the HIP slides under it from x = -1 to x = 1.
-  const std::vector<Ball> balls{{{0, 0, 0}, 5.0}, {{0, 0, 5}, 0.5}, {{0, 0.6, 5}, 0.5}, {{0, -0.6, 5}, 0.5}};
-  Oracle o(balls, 0);
+  // A thin neighbour across the top of a large sphere: the HIP slides under it from x = -1 to x = 1.
+  const std::vector<Sphere> spheres{{{0, 0, 0}, 5.0}, {{0, 0, 5}, 0.5}, {{0, 0.6, 5}, 0.5}, {{0, -0.6, 5}, 0.5}};
+  Oracle o(spheres, 0);
   o.step({-2, 0, 6});
   o.step({-1, 0, 4});
   for (double x = -1; x < 0.01; x += 0.02) o.step({x, 0, 4});
   const auto held = o.step({0.1, 0, 4});
   CHECK(held.contact);
   CHECK(held.scp_A.x < -0.4);
-  CHECK(atRest(balls, 0, held.scp_A, {0.1, 0, 4}, 1e-12));
+  CHECK(atRest(spheres, 0, held.scp_A, {0.1, 0, 4}, 1e-12));
 }
 
 TEST_CASE("on every scene the oracle's SCP is in no ball and at rest, and nearly all of its ticks are decided") {
@@ -115,7 +115,7 @@ TEST_CASE("on every scene the oracle's SCP is in no ball and at rest, and nearly
     int contacts = 0, undecided = 0, ticks = 0;
     for (const auto& path :
          {scenes::walk(scene, 300, seed), scenes::jumps(scene, 150, seed), scenes::passes(scene, 100, seed)}) {
-      Oracle o(scene.balls, scene.probe_A);
+      Oracle o(scene.spheres, scene.probe_A);
       for (std::size_t k = 0; k < path.size(); ++k) {
         const auto a = o.step(path[k]);
         CAPTURE(k);
@@ -125,8 +125,8 @@ TEST_CASE("on every scene the oracle's SCP is in no ball and at rest, and nearly
         if (a.started_inside) continue;
         // In double, a million angstroms away, a place is known to 1e-10.
         const double rounding = glm::length(path[k]) > 1e5 ? 1e-9 : 1e-13;
-        CHECK(deepest(scene.balls, scene.probe_A, a.scp_A) < rounding);
-        if (a.contact) CHECK(atRest(scene.balls, scene.probe_A, a.scp_A, path[k], 1e-8));
+        CHECK(deepest(scene.spheres, scene.probe_A, a.scp_A) < rounding);
+        if (a.contact) CHECK(atRest(scene.spheres, scene.probe_A, a.scp_A, path[k], 1e-8));
       }
     }
     CHECK(contacts > ticks / 4);

@@ -16,8 +16,8 @@ using namespace moltact;
 
 namespace {
 
-PaperTracker trackerOn(std::vector<Ball> balls, double probe_A = 0) {
-  return PaperTracker(std::make_shared<const BallScene>(std::move(balls)), probe_A);
+PaperTracker trackerOn(std::vector<Sphere> spheres, double probe_A = 0) {
+  return PaperTracker(std::make_shared<const SphereGrid>(std::move(spheres)), probe_A);
 }
 
 // Moves the HIP in steps of 0.02 A or less and gives the last contact.
@@ -28,26 +28,26 @@ Contact slide(Tracker& tracker, Vec3 from, Vec3 to) {
   return c;
 }
 
-// Two balls of radius 5, 6 apart: circle of radius 4 in the plane x = 0.
-const std::vector<Ball> kCrease{{{-3, 0, 0}, 5.0}, {{3, 0, 0}, 5.0}};
+// Two spheres of radius 5, 6 apart: circle of radius 4 in the plane x = 0.
+const std::vector<Sphere> kCrease{{{-3, 0, 0}, 5.0}, {{3, 0, 0}, 5.0}};
 
-// Three balls of radius 5 with centres 3 from the z axis: points 4 up and down it.
-std::vector<Ball> pitBalls() {
-  std::vector<Ball> out;
+// Three spheres of radius 5 with centres 3 from the z axis: points 4 up and down it.
+std::vector<Sphere> pitSpheres() {
+  std::vector<Sphere> out;
   for (const double t : {0.0, 2.0943951023931953, 4.1887902047863905})
     out.push_back({{3 * std::cos(t), 3 * std::sin(t), 0}, 5.0});
   return out;
 }
 
-// A ball of radius 5 with a wall of three small ones over its top, between the patches x < 0 and x > 0.
-const std::vector<Ball> kWall{{{0, 0, 0}, 5.0}, {{0, 0, 5}, 0.5}, {{0, 0.6, 5}, 0.5}, {{0, -0.6, 5}, 0.5}};
+// A sphere of radius 5 with a wall of three small ones over its top, between the patches x < 0 and x > 0.
+const std::vector<Sphere> kWall{{{0, 0, 0}, 5.0}, {{0, 0, 5}, 0.5}, {{0, 0.6, 5}, 0.5}, {{0, -0.6, 5}, 0.5}};
 
 struct Agreement {
   int ticks = 0, same = 0;
 };
 Agreement agreement(const scenes::Scene& scene, const scenes::Path& path) {
-  PaperTracker tracker = trackerOn(scene.balls, scene.probe_A);
-  oracle::Oracle judge(scene.balls, scene.probe_A);
+  PaperTracker tracker = trackerOn(scene.spheres, scene.probe_A);
+  oracle::Oracle judge(scene.spheres, scene.probe_A);
   Agreement out;
   for (const Vec3& hip : path) {
     const Contact c = tracker.step({hip});
@@ -87,16 +87,16 @@ TEST_CASE("Figure 4, case 2: under the crease the SCP lies on the circle of radi
 TEST_CASE(
     "Figure 4, case 3: in the pit of three balls the SCP is the point 4 up the axis until a plane is "
     "crossed") {
-  PaperTracker t = trackerOn(pitBalls());
+  PaperTracker t = trackerOn(pitSpheres());
   Contact c = slide(t, {0.3, 0.1, 6}, {0.3, 0.1, 2});
   CHECK(c.feature == Feature::Point);
   CHECK(c.atoms == std::array{0, 1, 2});
   CHECK(glm::distance(c.scp.A, {0, 0, 4}) < 1e-13);
-  // Outward between balls 0 and 1: past the plane of their circle.
+  // Outward between spheres 0 and 1: past the plane of their circle.
   c = slide(t, {0.3, 0.1, 2}, Vec3(0.5, std::sqrt(0.75), 0) * 2.0 + Vec3(0, 0, 2));
   CHECK(c.feature == Feature::Circle);
   CHECK(c.atoms == std::array{0, 1, -1});
-  // Inward again, and out over ball 2.
+  // Inward again, and out over sphere 2.
   slide(t, Vec3(0.5, std::sqrt(0.75), 0) * 2.0 + Vec3(0, 0, 2), {0, 0, 2});
   c = slide(t, {0, 0, 2}, Vec3(-0.5, -std::sqrt(0.75), 0) * 4.0 + Vec3(0, 0, 3));
   CHECK(c.feature == Feature::Sphere);
@@ -108,7 +108,7 @@ TEST_CASE(
     "tick") {
   const std::uint64_t seed = 3;
   CAPTURE(seed);
-  for (const auto& scene : {scenes::oneBall(), scenes::bond(), scenes::touching(), scenes::barelyOverlapping()}) {
+  for (const auto& scene : {scenes::oneSphere(), scenes::bond(), scenes::touching(), scenes::barelyOverlapping()}) {
     CAPTURE(scene.name);
     const Agreement a = agreement(scene, scenes::walk(scene, 5000, seed));
     CHECK(a.ticks > 4900);
@@ -140,7 +140,7 @@ TEST_CASE("fault kept: a HIP that leaves its ball for the next in one tick has n
   PaperTracker t = trackerOn(kCrease);
   t.step({{-6, 0, 6}});
   CHECK(t.step({{-4, 0, 4}}).touching());
-  const Contact between = t.step({{4, 0, 4}});  // 4.1 from the centre of the right ball
+  const Contact between = t.step({{4, 0, 4}});  // 4.1 from the centre of the right sphere
   CHECK(oracle::deepest(kCrease, 0, {4, 0, 4}) > 0.8);
   CHECK_FALSE(between.touching());
   CHECK(between.scp.A == Vec3(4, 0, 4));
@@ -176,17 +176,17 @@ TEST_CASE("fault kept: a HIP 4.9 A deep jumps over the wall at 0.05 A a tick, wh
 TEST_CASE(
     "fault kept: a point more than epsilon from the SCP is missed, and the SCP sinks 0.6 A under the "
     "surface") {
-  const auto balls = pitBalls();
-  PaperTracker t = trackerOn(balls);
+  const auto spheres = pitSpheres();
+  PaperTracker t = trackerOn(spheres);
   const Vec3 crease = Vec3(0.5, std::sqrt(0.75), 0) * 2.5;
   slide(t, crease + Vec3(0, 0, 5), crease + Vec3(0, 0, 3));
   const Vec3 under(-0.05, -0.0866, 2);  // in the point's volume, 2 A below it
   const Contact c = t.step({under});
   CHECK(c.feature == Feature::Circle);
   CHECK(glm::distance(c.scp.A, {0, 0, 4}) > PaperTracker::kEpsilon_A);
-  CHECK(oracle::deepest(balls, 0, c.scp.A) > 0.6);
+  CHECK(oracle::deepest(spheres, 0, c.scp.A) > 0.6);
   // The same way in small steps finds the point.
-  PaperTracker slow = trackerOn(balls);
+  PaperTracker slow = trackerOn(spheres);
   slide(slow, crease + Vec3(0, 0, 5), crease + Vec3(0, 0, 3));
   CHECK(slide(slow, crease + Vec3(0, 0, 3), under).feature == Feature::Point);
 }
@@ -194,26 +194,26 @@ TEST_CASE(
 TEST_CASE(
     "fault kept: a circle behind the atom's centre is missed by a step to beside it, and the SCP is 0.5 A "
     "inside the neighbour") {
-  // Radii 2 and 5, centres 4 apart: the circle, of radius 1.9, lies 0.625 behind the small ball's centre.
-  const std::vector<Ball> balls{{{0, 0, 0}, 2.0}, {{4, 0, 0}, 5.0}};
-  PaperTracker t = trackerOn(balls);
+  // Radii 2 and 5, centres 4 apart: the circle, of radius 1.9, lies 0.625 behind the small sphere's centre.
+  const std::vector<Sphere> spheres{{{0, 0, 0}, 2.0}, {{4, 0, 0}, 5.0}};
+  PaperTracker t = trackerOn(spheres);
   t.step({{-3, 1.95, 0}});
   CHECK(t.step({{-1.2, 1.5, 0}}).atoms == std::array{0, -1, -1});
   const Contact c = t.step({{0, 1.95, 0}});
   CHECK(c.feature == Feature::Sphere);
   CHECK(c.atoms == std::array{0, -1, -1});
-  CHECK(oracle::deepest(balls, 0, c.scp.A) > 0.5);
+  CHECK(oracle::deepest(spheres, 0, c.scp.A) > 0.5);
 }
 
 TEST_CASE(
     "fault kept: a circle behind the atom's centre goes on to hold the SCP where the HIP is over the free "
     "sphere") {
   // Radii 13 and 20, centres 11 apart: circle of radius 12, 5 behind the first centre. (-4.5, 9) lies under
-  // the cap that the first ball shows, for 4.5 / 9 is more than 5 / 12, but inside the second ball's cone as
+  // the cap that the first sphere shows, for 4.5 / 9 is more than 5 / 12, but inside the second sphere's cone as
   // well.
-  const std::vector<Ball> balls{{{0, 0, 0}, 13.0}, {{11, 0, 0}, 20.0}};
-  PaperTracker t = trackerOn(balls);
-  oracle::Oracle right(balls, 0);
+  const std::vector<Sphere> spheres{{{0, 0, 0}, 13.0}, {{11, 0, 0}, 20.0}};
+  PaperTracker t = trackerOn(spheres);
+  oracle::Oracle right(spheres, 0);
   const auto both = [&](Vec3 from, Vec3 to) {
     for (int k = 0; k < 200; ++k) right.step(from + (to - from) * (k / 200.0));
     right.step(to);
@@ -231,9 +231,9 @@ TEST_CASE(
 TEST_CASE(
     "fault kept: a HIP pushed through a pit is out of contact on the far side, where the surface would hold "
     "it") {
-  const auto balls = pitBalls();
-  PaperTracker t = trackerOn(balls);
-  oracle::Oracle right(balls, 0);
+  const auto spheres = pitSpheres();
+  PaperTracker t = trackerOn(spheres);
+  oracle::Oracle right(spheres, 0);
   oracle::Oracle::Answer held;
   Contact c;
   for (double z = 5; z > -5; z -= 0.02) {
@@ -249,22 +249,22 @@ TEST_CASE(
 TEST_CASE(
     "fault kept: after a jump, buried circle and point hold the SCP 0.9 A inside a fourth ball, tick after "
     "tick") {
-  // The pit with its bottom filled by a ball of radius 1 round the point (0, 0, 4), which is not on the
+  // The pit with its bottom filled by a sphere of radius 1 round the point (0, 0, 4), which is not on the
   // surface then.
-  auto balls = pitBalls();
-  balls.push_back({{0, 0, 4}, 1.0});
-  PaperTracker t = trackerOn(balls);
-  const Vec3 outward(0.5, std::sqrt(0.75), 0);  // between balls 0 and 1
+  auto spheres = pitSpheres();
+  spheres.push_back({{0, 0, 4}, 1.0});
+  PaperTracker t = trackerOn(spheres);
+  const Vec3 outward(0.5, std::sqrt(0.75), 0);  // between spheres 0 and 1
   Contact c = slide(t, outward * 2.5 + Vec3(0, 0, 5), outward * 2.5 + Vec3(0, 0, 3));
   CHECK(c.atoms == std::array{0, 1, -1});
   c = t.step({outward * 0.5 + Vec3(0, 0, 2.8)});
   for (int k = 0; k < 100; ++k) c = t.step({outward * (0.5 - 0.0002 * k) + Vec3(0, 0, 2.8)});
   CHECK(c.feature == Feature::Circle);
-  CHECK(oracle::deepest(balls, 0, c.scp.A) > 0.9);
+  CHECK(oracle::deepest(spheres, 0, c.scp.A) > 0.9);
   for (int k = 0; k < 100; ++k) c = t.step({outward * (0.48 - 0.002 * k) + Vec3(0, 0, 2.8)});
   CHECK(c.feature == Feature::Point);
   CHECK(c.atoms == std::array{0, 1, 2});
-  CHECK(oracle::deepest(balls, 0, c.scp.A) > 0.99);
+  CHECK(oracle::deepest(spheres, 0, c.scp.A) > 0.99);
 }
 
 TEST_CASE(
@@ -274,7 +274,7 @@ TEST_CASE(
   CAPTURE(seed);
   for (const auto& scene : scenes::all(seed)) {
     CAPTURE(scene.name);
-    PaperTracker t = trackerOn(scene.balls, scene.probe_A);
+    PaperTracker t = trackerOn(scene.spheres, scene.probe_A);
     scenes::Random random(seed);
     bool good = true;
     int touching = 0;
@@ -288,11 +288,11 @@ TEST_CASE(
         const int named = int(c.feature);  // Free 0, Sphere 1, Circle 2, Point 3
         good = good && std::isfinite(c.scp.A.x + c.scp.A.y + c.scp.A.z) && (c.touching() || c.scp.A == path[k]);
         for (int m = 0; m < 3; ++m)
-          good = good && (m < named ? a[m] >= 0 && a[m] < int(scene.balls.size()) : a[m] == -1);
+          good = good && (m < named ? a[m] >= 0 && a[m] < int(scene.spheres.size()) : a[m] == -1);
         good = good && (named < 2 || a[0] < a[1]) && (named < 3 || a[1] < a[2]);
-        // The SCP lies on every ball it is said to be held by.
+        // The SCP lies on every sphere it is said to be held by.
         for (int m = 0; m < named; ++m) {
-          const Ball& b = scene.balls[std::size_t(a[m])];
+          const Sphere& b = scene.spheres[std::size_t(a[m])];
           const double off = glm::distance(c.scp.A, b.centre_A) - b.radius_A - t.probe_A();
           good = good && std::abs(off) < (glm::length(path[k]) > 1e5 ? 1e-4 : 1e-6);
         }
@@ -304,7 +304,7 @@ TEST_CASE(
 }
 
 TEST_CASE("a HIP that starts inside gives StartedInside until it has been outside once, and again after a reset") {
-  PaperTracker t = trackerOn(scenes::oneBall().balls, 1.4);
+  PaperTracker t = trackerOn(scenes::oneSphere().spheres, 1.4);
   CHECK(t.step({{0, 0, 1}}).fault == Fault::StartedInside);
   CHECK(t.step({{0, 0, 3}}).scp.A == Vec3(0, 0, 3));
   CHECK(t.step({{0, 0, 3.2}}).fault == Fault::None);
@@ -314,7 +314,7 @@ TEST_CASE("a HIP that starts inside gives StartedInside until it has been outsid
 }
 
 TEST_CASE("a HIP that is not finite gives NotFinite and leaves the state as it was") {
-  PaperTracker t = trackerOn(scenes::oneBall().balls, 1.4);
+  PaperTracker t = trackerOn(scenes::oneSphere().spheres, 1.4);
   t.step({{0, 0, 4}});
   const Contact before = t.step({{0, 0, 3}});
   for (const double bad : {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(), 2e9}) {
@@ -334,7 +334,7 @@ TEST_CASE("a probe that grows from 1 to 1.5 carries sphere, circle and point alo
   CHECK(c.feature == Feature::Circle);
   CHECK(glm::distance(c.scp.A, {0, 0, 5}) < 1e-13);
 
-  PaperTracker p = trackerOn(pitBalls(), 0);
+  PaperTracker p = trackerOn(pitSpheres(), 0);
   slide(p, {0.3, 0.1, 6}, {0.3, 0.1, 2});
   p.setProbe(std::sqrt(34.0) - 5);  // the point is 5 up the axis
   c = p.step({{0.3, 0.1, 2}});
@@ -353,7 +353,7 @@ TEST_CASE(
     "nothing is modelled before a touch, one atom after it, and never more than 16; memory stays what it "
     "was") {
   const auto scene = scenes::cluster(200, 5);
-  PaperTracker t = trackerOn(scene.balls, scene.probe_A);
+  PaperTracker t = trackerOn(scene.spheres, scene.probe_A);
   const MemoryUsage start = t.memoryUsage();
   CHECK(start.atoms_modelled == 0);
   const auto path = scenes::walk(scene, 5000, 5, 0.1);
@@ -372,37 +372,37 @@ TEST_CASE(
 TEST_CASE(
     "an atom with 400 neighbours models the 128 that cut deepest and at most 4096 points, each on three "
     "spheres") {
-  std::vector<Ball> balls{{{0, 0, 0}, 3.0}};
+  std::vector<Sphere> spheres{{{0, 0, 0}, 3.0}};
   scenes::Random random(9);
-  for (int k = 0; k < 400; ++k) balls.push_back({random.direction() * random.uniform(2.0, 5.5), 3.0});
-  const BallScene scene(balls);
+  for (int k = 0; k < 400; ++k) spheres.push_back({random.direction() * random.uniform(2.0, 5.5), 3.0});
+  const SphereGrid scene(spheres);
   paper::AtomModels models(scene);
   const auto m = models.model(scene, 0, 0.0);
-  CHECK(m.cones.size() == paper::kMostCones);
-  CHECK(m.points.size() == paper::kMostPoints);
+  CHECK(m.cones.size() == paper::kMaxCones);
+  CHECK(m.points.size() == paper::kMaxPoints);
   double worst = 0;
   for (const auto& p : m.points)
     for (const int atom : {0, p.second, p.third})
-      worst = std::max(worst, std::abs(glm::distance(p.P, balls[std::size_t(atom)].centre_A) - 3.0));
+      worst = std::max(worst, std::abs(glm::distance(p.P, spheres[std::size_t(atom)].centre_A) - 3.0));
   CHECK(worst < 1e-9);
   std::vector<double> heights;
-  for (std::size_t k = 1; k < balls.size(); ++k)
-    heights.push_back(glm::length(balls[k].centre_A) / 2);  // equal radii: x = d / 2
+  for (std::size_t k = 1; k < spheres.size(); ++k)
+    heights.push_back(glm::length(spheres[k].centre_A) / 2);  // equal radii: x = d / 2
   std::sort(heights.begin(), heights.end());
-  CHECK(m.cones.back().circle.height == doctest::Approx(heights[paper::kMostCones - 1]));
+  CHECK(m.cones.back().circle.height == doctest::Approx(heights[paper::kMaxCones - 1]));
 }
 
 TEST_CASE("where two of three spheres only touch, their one place is no point") {
   const auto scene = scenes::touchingAcross();
-  const BallScene balls(scene.balls);
-  paper::AtomModels models(balls);
-  for (int atom = 0; atom < 3; ++atom) CHECK(models.model(balls, atom, scene.probe_A).points.empty());
+  const SphereGrid spheres(scene.spheres);
+  paper::AtomModels models(spheres);
+  for (int atom = 0; atom < 3; ++atom) CHECK(models.model(spheres, atom, scene.probe_A).points.empty());
 }
 
 TEST_CASE("the method is found by its name, and an empty scene is free everywhere") {
   const Method* method = findMethod("paper");
   REQUIRE(method);
-  const auto t = method->make(std::make_shared<const BallScene>(std::vector<Ball>{}), 1.4);
+  const auto t = method->make(std::make_shared<const SphereGrid>(std::vector<Sphere>{}), 1.4);
   CHECK_FALSE(t->step({{0, 0, 0}}).touching());
   CHECK(t->memoryUsage().atoms_modelled == 0);
 }

@@ -33,8 +33,8 @@ TEST_CASE(
     "as many springs pull together as the stiffest direction has: 1 + |cos| of the angle between two radii, n in a "
     "row, "
     "1 of three at right angles, and of 2000 random places what a search over directions finds") {
-  const auto at = [](std::vector<Ball> balls, const Vec3& hip) {
-    PenaltyTracker tracker(makeScene(std::move(balls)), 1.4);
+  const auto at = [](std::vector<Sphere> spheres, const Vec3& hip) {
+    PenaltyTracker tracker(makeScene(std::move(spheres)), 1.4);
     CHECK(tracker.respond({{{0, 0, 50}}}).springs == 1.0);
     return tracker.respond({{hip}}).springs;
   };
@@ -44,7 +44,7 @@ TEST_CASE(
     CHECK(at({{one, 1.6}, {two, 1.6}}, Vec3(0.0)) == doctest::Approx(1 + std::abs(std::cos(angle))).epsilon(1e-6));
   }
   for (const int n : {1, 3, 9}) {  // one behind the other
-    std::vector<Ball> row;
+    std::vector<Sphere> row;
     for (int k = 0; k < n; ++k) row.push_back({{0, 0, 0.1 * k}, 1.6});
     CHECK(at(row, {0, 0, 2.5}) == doctest::Approx(n).epsilon(1e-6));
   }
@@ -53,7 +53,7 @@ TEST_CASE(
   CAPTURE(seed);
   scenes::Random random(seed);
   const scenes::Scene scene = scenes::cluster(40, seed);
-  PenaltyTracker tracker(makeScene(scene.balls), scene.probe_A);
+  PenaltyTracker tracker(makeScene(scene.spheres), scene.probe_A);
   tracker.step({{0, 0, 50}});
   double most = 0.0;
   for (int k = 0; k < 2000; ++k) {
@@ -64,7 +64,7 @@ TEST_CASE(
     double found = 1.0;
     const auto applied = [&](const Vec3& u) {  // the matrix, to a direction
       Vec3 out(0.0);
-      for (const Ball& b : scene.balls) {
+      for (const Sphere& b : scene.spheres) {
         const Vec3 m = hip - b.centre_A;
         const double d = glm::length(m);
         if (d < b.radius_A + scene.probe_A) out += m * (glm::dot(m, u) / (d * d));
@@ -94,8 +94,8 @@ TEST_CASE("in one ball of 3 A the push is the depth along the radius, so that th
 TEST_CASE(
     "known failure: in a crease the force is the sum of both pushes, 1.65 times what the god-object gives "
     "there") {
-  const std::vector<Ball> balls{{{-1, 0, 0}, 1.6}, {{1, 0, 0}, 1.6}};
-  PenaltyTracker tracker(makeScene(balls), 1.4);
+  const std::vector<Sphere> spheres{{{-1, 0, 0}, 1.6}, {{1, 0, 0}, 1.6}};
+  PenaltyTracker tracker(makeScene(spheres), 1.4);
   tracker.step({{0, 0, 5}});
   const Vec3 h(0, 0, 2);
   const Contact c = tracker.step({h});
@@ -107,9 +107,9 @@ TEST_CASE(
 }
 
 TEST_CASE("of five balls that push, the three that push most are named, in ascending order") {
-  std::vector<Ball> balls;
-  for (int k = 0; k < 5; ++k) balls.push_back({{0, 0, -0.3 * k}, 1.6});
-  PenaltyTracker tracker(makeScene(balls), 1.4);
+  std::vector<Sphere> spheres;
+  for (int k = 0; k < 5; ++k) spheres.push_back({{0, 0, -0.3 * k}, 1.6});
+  PenaltyTracker tracker(makeScene(spheres), 1.4);
   tracker.step({{0, 0, 5}});
   const Contact c = tracker.step({{0, 0, 1.5}});
   CHECK(c.feature == Feature::Point);
@@ -127,9 +127,9 @@ TEST_CASE("known failure: past the centre of a ball the push leads out on the fa
 TEST_CASE(
     "known failure: a row of balls that a probe of 1.4 A cannot pass is passed in steps of 7 A without a "
     "tick of contact") {
-  std::vector<Ball> balls;
-  for (int k = 0; k < 8; ++k) balls.push_back({{0, 0, 2.5 * k}, 1.6});
-  PenaltyTracker tracker(makeScene(balls), 1.4);
+  std::vector<Sphere> spheres;
+  for (int k = 0; k < 8; ++k) spheres.push_back({{0, 0, 2.5 * k}, 1.6});
+  PenaltyTracker tracker(makeScene(spheres), 1.4);
   for (double x = -24.5; x < 25; x += 7.0) CHECK_FALSE(tracker.step({{x, 0, 8}}).touching());
 }
 
@@ -161,7 +161,7 @@ TEST_CASE(
     "known failure: in walks over a cluster of 20 it is exact where one ball pushes and off by over 0.2 A in "
     "1 of 20 ticks") {
   const scenes::Scene scene = scenes::cluster(20, 2);
-  PenaltyTracker tracker(makeScene(scene.balls), scene.probe_A);
+  PenaltyTracker tracker(makeScene(scene.spheres), scene.probe_A);
   const test::Judged judged = test::judge(tracker, scene, scenes::walk(scene, 1500, 7));
   CHECK(judged.both > 1000);
   CHECK(judged.off(0.5) <= 1e-12);

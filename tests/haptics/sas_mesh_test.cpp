@@ -1,4 +1,4 @@
-// One mesh of the solvent-accessible surface: closed, a manifold, on the balls; and the god-object on it.
+// One mesh of the solvent-accessible surface: closed, a manifold, on the spheres; and the god-object on it.
 #include <doctest/doctest.h>
 
 #include <cmath>
@@ -23,7 +23,7 @@ struct Shape {
 };
 
 // By brute force over the list of triangles.
-Shape shapeOf(const SurfaceMesh& mesh, const std::vector<Ball>& balls, double probe, const Vec3& origin) {
+Shape shapeOf(const SurfaceMesh& mesh, const std::vector<Sphere>& spheres, double probe, const Vec3& origin) {
   Shape out;
   std::map<std::pair<std::int32_t, std::int32_t>, std::pair<int, std::int32_t>> sides;
   const auto& v = mesh.vertices();
@@ -49,7 +49,7 @@ Shape shapeOf(const SurfaceMesh& mesh, const std::vector<Ball>& balls, double pr
   }
   for (const Vec3& x : v) {
     double gap = 1e300;
-    for (const Ball& b : balls) gap = std::min(gap, glm::distance(x + origin, b.centre_A) - b.radius_A - probe);
+    for (const Sphere& b : spheres) gap = std::min(gap, glm::distance(x + origin, b.centre_A) - b.radius_A - probe);
     out.farthest_off = std::max(out.farthest_off, std::abs(gap));
   }
   return out;
@@ -58,13 +58,13 @@ Shape shapeOf(const SurfaceMesh& mesh, const std::vector<Ball>& balls, double pr
 }  // namespace
 
 TEST_CASE("the mesh of one ball of 3 A has the sphere's volume and area to 1 in 100, less by 4 at half the spacing") {
-  const std::vector<Ball> balls{{{0, 0, 0}, 1.6}};
-  const auto scene = makeScene(balls);
+  const std::vector<Sphere> spheres{{{0, 0, 0}, 1.6}};
+  const auto scene = makeScene(spheres);
   const double volume = 4.0 / 3 * std::numbers::pi * 27, area = 4 * std::numbers::pi * 9;
   double before = 0;
   for (const double spacing : {0.5, 0.25, 0.125}) {
     CAPTURE(spacing);
-    const Shape s = shapeOf(SurfaceMesh(*scene, 1.4, spacing, Vec3(0)), balls, 1.4, Vec3(0));
+    const Shape s = shapeOf(SurfaceMesh(*scene, 1.4, spacing, Vec3(0)), spheres, 1.4, Vec3(0));
     CHECK(s.unpaired == 0);
     CHECK(s.lost == 0);
     CHECK(s.farthest_off <= 0.02 * spacing);
@@ -79,10 +79,10 @@ TEST_CASE("the mesh of one ball of 3 A has the sphere's volume and area to 1 in 
 
 TEST_CASE("the mesh of two balls has the volume of their union, the lens between them taken off once") {
   const double r = 3.0, d = 2.0;
-  const std::vector<Ball> balls{{{0, 0, 0}, 1.6}, {{d, 0, 0}, 1.6}};
-  const auto scene = makeScene(balls);
+  const std::vector<Sphere> spheres{{{0, 0, 0}, 1.6}, {{d, 0, 0}, 1.6}};
+  const auto scene = makeScene(spheres);
   const double lens = std::numbers::pi * (2 * r - d) * (2 * r - d) * (d * d + 4 * d * r) / (12 * d);
-  const Shape s = shapeOf(SurfaceMesh(*scene, 1.4, 0.25, Vec3(0)), balls, 1.4, Vec3(0));
+  const Shape s = shapeOf(SurfaceMesh(*scene, 1.4, 0.25, Vec3(0)), spheres, 1.4, Vec3(0));
   CHECK(s.volume == doctest::Approx(2 * 4.0 / 3 * std::numbers::pi * 27 - lens).epsilon(0.005));
   CHECK(s.unpaired == 0);
 }
@@ -96,10 +96,10 @@ TEST_CASE(
     for (const double spacing : {0.5, 0.3}) {
       CAPTURE(scene.name);
       CAPTURE(spacing);
-      const auto balls = makeScene(scene.balls);
-      const Vec3 origin = glm::round(balls->low_A());
-      const SurfaceMesh mesh(*balls, scene.probe_A, spacing, origin);
-      const Shape s = shapeOf(mesh, scene.balls, scene.probe_A, origin);
+      const auto spheres = makeScene(scene.spheres);
+      const Vec3 origin = glm::round(spheres->low_A());
+      const SurfaceMesh mesh(*spheres, scene.probe_A, spacing, origin);
+      const Shape s = shapeOf(mesh, scene.spheres, scene.probe_A, origin);
       CHECK(s.unpaired == 0);
       CHECK(s.lost == 0);
       CHECK(s.shortest > 1e-6);
@@ -110,8 +110,8 @@ TEST_CASE(
 
 TEST_CASE("a ray meets the triangle by the tree as by trying all, over 50 random balls") {
   const scenes::Scene scene = scenes::cluster(50, 3);
-  const auto balls = makeScene(scene.balls);
-  const SurfaceMesh mesh(*balls, scene.probe_A, 0.5, Vec3(0));
+  const auto spheres = makeScene(scene.spheres);
+  const SurfaceMesh mesh(*spheres, scene.probe_A, 0.5, Vec3(0));
   scenes::Random random(6);
   int hits = 0;
   for (int k = 0; k < 300; ++k) {
@@ -166,7 +166,7 @@ TEST_CASE(
   for (const scenes::Scene& scene : scenes::all()) {
     CAPTURE(scene.name);
     CAPTURE(seed);
-    SasMeshTracker tracker(makeScene(scene.balls), scene.probe_A, 0.25);
+    SasMeshTracker tracker(makeScene(scene.spheres), scene.probe_A, 0.25);
     const test::Judged walk = test::judge(tracker, scene, scenes::walk(scene, 1000, seed++));
     CHECK(walk.both > 600);
     CHECK(walk.off(0.5) <= 0.05);
@@ -211,7 +211,7 @@ TEST_CASE(
   for (int k = 0; k < 10; ++k) {
     CAPTURE(k);
     const double shift = 0.025 * k;  // against the grid
-    const std::vector<Ball> gap{{{shift - 3.02, 0, 0}, 1.6}, {{shift + 3.02, 0, 0}, 1.6}},
+    const std::vector<Sphere> gap{{{shift - 3.02, 0, 0}, 1.6}, {{shift + 3.02, 0, 0}, 1.6}},
         small{{{shift, 0, 0}, 0.1}, {{shift, 6, 0}, 1.6}};
     const Vec3 from(shift, 0, 4), to(shift, 0, -0.05);
     SasMeshTracker mesh_gap(makeScene(gap), 1.4, 0.25), mesh_small(makeScene(small), 0.0, 0.25);

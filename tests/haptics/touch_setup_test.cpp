@@ -38,7 +38,7 @@ TEST_CASE(
     CHECK_FALSE(p.meaning.empty());
     CHECK_FALSE(p.fallback.empty());
     // What an interaction is made with stands in a recording's labels, all else in its ticks.
-    CHECK(p.label.empty() != p.made_with);
+    CHECK(p.label.empty() != p.requires_rebuild);
     const TouchValue usual = touchValue(TouchSetup(), p);
     if (const auto* number = std::get_if<double>(&usual)) {
       for (const TouchRange& range : {p.in_scenes, p.in_files, p.control.range})
@@ -66,7 +66,7 @@ TEST_CASE(
     setTouchValue(setup, p, other(p));
     CHECK(touchValue(setup, p) == other(p));
     CHECK_FALSE(setup == TouchSetup());
-    CHECK(madeAlike(setup, TouchSetup()) == !p.made_with);
+    CHECK(sameConstruction(setup, TouchSetup()) == !p.requires_rebuild);
     for (const TouchProperty& q : touchProperties())
       if (&q != &p) CHECK(touchValue(setup, q) == touchValue(TouchSetup(), q));
     const TouchSetup before = setup;

@@ -1,4 +1,4 @@
-// Small helps of the tracker tests: scenes from a list, a HIP led along a line, the deepest ball by a plain loop.
+// Small helps of the tracker tests: scenes from a list, a HIP led along a line, the deepest sphere by a plain loop.
 #pragma once
 
 #include <algorithm>
@@ -6,19 +6,19 @@
 #include <memory>
 #include <vector>
 
-#include "engine/haptics/ball_scene.h"
+#include "engine/haptics/sphere_grid.h"
 #include "engine/haptics/tracker.h"
 
 namespace moltact::test {
 
-inline std::shared_ptr<const BallScene> makeScene(std::vector<Ball> balls) {
-  return std::make_shared<const BallScene>(std::move(balls));
+inline std::shared_ptr<const SphereGrid> makeScene(std::vector<Sphere> spheres) {
+  return std::make_shared<const SphereGrid>(std::move(spheres));
 }
 
-/// How far the place lies inside the ball that holds it deepest (unit: angstrom); negative outside all.
-inline double deepest_A(const std::vector<Ball>& balls, double probe_A, const Vec3& place) {
+/// How far the place lies inside the sphere that holds it deepest (unit: angstrom); negative outside all.
+inline double deepest_A(const std::vector<Sphere>& spheres, double probe_A, const Vec3& place) {
   double deepest = -1e300;
-  for (const Ball& b : balls) deepest = std::max(deepest, b.radius_A + probe_A - glm::distance(place, b.centre_A));
+  for (const Sphere& b : spheres) deepest = std::max(deepest, b.radius_A + probe_A - glm::distance(place, b.centre_A));
   return deepest;
 }
 

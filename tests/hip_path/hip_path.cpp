@@ -15,7 +15,7 @@ int main(int argc, char** argv) {
   std::ifstream path(argv[2]);
   if (!molecule) std::fprintf(stderr, "%s\n", molecule.problem().text().c_str());
   if (!molecule || !method || !path) return 1;
-  const auto tracker = method->make(std::make_shared<const BallScene>(molecule->balls), kWaterProbe_A);
+  const auto tracker = method->make(std::make_shared<const SphereGrid>(molecule->spheres), kWaterProbe_A);
   for (Vec3 hip; path >> hip.x >> hip.y >> hip.z;) {
     const Contact c = tracker->step(PointA{hip});
     std::printf("%d %.17g %.17g %.17g %.17g %.17g %.17g %d %d %d\n", int(c.touching()), c.scp.A.x, c.scp.A.y, c.scp.A.z,

@@ -19,7 +19,7 @@ double nearest_A(const ShippedScene& s, const std::string& one, const std::strin
   double least = 1e9;
   for (const std::uint32_t a : s.select(one))
     for (const std::uint32_t b : s.select(other))
-      least = std::min(least, glm::distance(s.molecule->balls[a].centre_A, s.molecule->balls[b].centre_A));
+      least = std::min(least, glm::distance(s.molecule->spheres[a].centre_A, s.molecule->spheres[b].centre_A));
   return least;
 }
 
@@ -43,8 +43,8 @@ TEST_CASE("the empty tunnel and the drug are atoms of 1hpv in their places, and 
   REQUIRE(whole.molecule->atoms.size() == empty.molecule->atoms.size() + drug.molecule->atoms.size());
   for (std::size_t i = 0; i < whole.molecule->atoms.size(); ++i) {
     const std::size_t protein = empty.molecule->atoms.size();
-    const Ball& part = i < protein ? empty.molecule->balls[i] : drug.molecule->balls[i - protein];
-    CHECK(whole.molecule->balls[i].centre_A == part.centre_A);
+    const Sphere& part = i < protein ? empty.molecule->spheres[i] : drug.molecule->spheres[i - protein];
+    CHECK(whole.molecule->spheres[i].centre_A == part.centre_A);
   }
 }
 
@@ -81,17 +81,17 @@ TEST_CASE(
                           "400 000 small moves and turns, came no further than 2 Å"});
   CAPTURE(says);
   const ShippedScene s("1hpv");
-  const SharedArray<Ball>& balls = s.molecule->balls;
+  const SharedArray<Sphere>& spheres = s.molecule->spheres;
   const std::vector<std::uint32_t> held = s.select("ligand");
   CHECK(held.size() == 35);
-  const auto body = heldBody(balls, held);
+  const auto body = heldBody(spheres, held);
   REQUIRE(body);
-  const BallScene protein(balls, held);
+  const SphereGrid protein(spheres, held);
   double most_A = 0.0;
   std::string pair;
   for (const std::uint32_t a : held)
-    protein.visitNear(balls[a].centre_A, balls[a].radius_A, [&](std::uint32_t b, const Ball& ball) {
-      const double over = ball.radius_A + balls[a].radius_A - glm::distance(ball.centre_A, balls[a].centre_A);
+    protein.visitNear(spheres[a].centre_A, spheres[a].radius_A, [&](std::uint32_t b, const Sphere& sphere) {
+      const double over = sphere.radius_A + spheres[a].radius_A - glm::distance(sphere.centre_A, spheres[a].centre_A);
       if (over <= most_A) return;
       most_A = over;
       pair = std::string(s.molecule->atoms[a].nameText()) + ' ' + std::string(s.molecule->atoms[b].nameText());
@@ -100,9 +100,9 @@ TEST_CASE(
   CHECK(pair == "O3 OD1");
   const auto fits = [&](const Vec3& place, const Quat& turned) {
     bool free = true;
-    for (const Ball& b : body->balls) {
+    for (const Sphere& b : body->spheres) {
       const Vec3 centre = place + turned * b.centre_A;
-      protein.visitNear(centre, b.radius_A, [&](std::uint32_t, const Ball& o) {
+      protein.visitNear(centre, b.radius_A, [&](std::uint32_t, const Sphere& o) {
         return free = glm::distance(centre, o.centre_A) >= o.radius_A + b.radius_A;
       });
       if (!free) return false;
@@ -183,7 +183,7 @@ TEST_CASE(
     REQUIRE(rests.size() > 20);
     const auto inside = std::count_if(rests.begin(), rests.end(), [&](const SurfacePlace& p) {
       return std::any_of(drug.begin(), drug.end(),
-                         [&](std::uint32_t i) { return glm::distance(p.scp_A, with.balls[i].centre_A) < 4.0; });
+                         [&](std::uint32_t i) { return glm::distance(p.scp_A, with.spheres[i].centre_A) < 4.0; });
     });
     CHECK(double(inside) > share * double(rests.size()));
   }

@@ -21,14 +21,14 @@ constexpr double kMiddleX_A = 4.5, kMiddleY_A = -23.4;
 
 bool inBarrel(const Vec3& p) { return std::hypot(p.x - kMiddleX_A, p.y - kMiddleY_A) < 13.0; }
 
-/// Whether a ball comes through the narrow part of one barrel, from the mouth's side.
-bool passesEyelet(const ShippedScene& porin, double ball_A) {
-  RoomForABall room(porin.balls, ball_A, {-8.5, -36.4, 14.0}, {17.5, -10.4, 36.0}, 0.15);
+/// Whether a sphere comes through the narrow part of one barrel, from the mouth's side.
+bool passesEyelet(const ShippedScene& porin, double sphere_A) {
+  RoomForASphere room(porin.spheres, sphere_A, {-8.5, -36.4, 14.0}, {17.5, -10.4, 36.0}, 0.15);
   room.fillFromAbove(inBarrel);
   return room.through();
 }
 
-/// The radius of a ball with the volume of one molecule in a crystal of this density (unit: A).
+/// The radius of a sphere with the volume of one molecule in a crystal of this density (unit: A).
 double radiusOfVolume_A(double g_per_mol, double g_per_cm3) {
   const double volume_A3 = g_per_mol / (0.602214 * g_per_cm3);
   return std::cbrt(3.0 * volume_A3 / (4.0 * std::numbers::pi));
@@ -59,8 +59,8 @@ TEST_CASE("the largest ball that passes the eyelet has 4.2 A: 4.1 A passes and 4
   CAPTURE(lineSaying(kLesson, "The largest ball has 4.2 Å"));
   CAPTURE(lineSaying(kLesson, "takes as much room as a ball of 3.6 Å"));
   const ShippedScene porin("2por");
-  for (const double ball_A : {1.0, 1.4, 3.0, 3.6, 4.1}) CHECK_MESSAGE(passesEyelet(porin, ball_A), ball_A);
-  for (const double ball_A : {4.3, 5.0, 7.0}) CHECK_MESSAGE(!passesEyelet(porin, ball_A), ball_A);
+  for (const double sphere_A : {1.0, 1.4, 3.0, 3.6, 4.1}) CHECK_MESSAGE(passesEyelet(porin, sphere_A), sphere_A);
+  for (const double sphere_A : {4.3, 5.0, 7.0}) CHECK_MESSAGE(!passesEyelet(porin, sphere_A), sphere_A);
 }
 
 TEST_CASE(
@@ -69,12 +69,12 @@ TEST_CASE(
   CAPTURE(lineSaying(kLesson, "between arginine 26 on the one side and aspartates 93 and 108 on the other"));
   const ShippedScene porin("2por");
   const Vec3 narrowest_A(0.54, -17.88, 24.0);
-  const auto gapTo = [&](const Ball& b) { return glm::distance(narrowest_A, b.centre_A) - b.radius_A - 4.1; };
-  for (std::size_t i = 0; i < porin.balls.size(); ++i) CHECK(gapTo(porin.balls[i]) > -0.05);
+  const auto gapTo = [&](const Sphere& b) { return glm::distance(narrowest_A, b.centre_A) - b.radius_A - 4.1; };
+  for (std::size_t i = 0; i < porin.spheres.size(); ++i) CHECK(gapTo(porin.spheres[i]) > -0.05);
   for (const char* by :
        {"residue 26 and name NH1", "residue 93 and name OD2", "residue 108 and name OD1", "residue 303"}) {
     CAPTURE(by);
-    CHECK(gapTo(porin.balls[porin.select(by).at(0)]) < 0.3);
+    CHECK(gapTo(porin.spheres[porin.select(by).at(0)]) < 0.3);
   }
 }
 
@@ -86,8 +86,8 @@ TEST_CASE(
   CAPTURE(lineSaying(kLesson, "A ball of 7 Å is stopped by Glu 109, Asp 95 and Asp 96"));
   CAPTURE(lineSaying(kLesson, "So wide is the mouth of the barrel"));
   const ShippedScene porin("2por");
-  const auto lowestOf = [&](double ball_A) {
-    RoomForABall room(porin.balls, ball_A, {-12.0, -38.0, 20.0}, {22.0, -8.0, 68.0}, 0.25);
+  const auto lowestOf = [&](double sphere_A) {
+    RoomForASphere room(porin.spheres, sphere_A, {-12.0, -38.0, 20.0}, {22.0, -8.0, 68.0}, 0.25);
     room.fillFromAbove([](const Vec3& p) { return std::hypot(p.x - kMiddleX_A, p.y - kMiddleY_A) < 11.0; });
     REQUIRE(room.lowest());
     return *room.lowest();
@@ -104,7 +104,7 @@ TEST_CASE(
     CAPTURE(holds);
     double gap_A = 1e9;
     for (const auto i : porin.select(holds))
-      gap_A = std::min(gap_A, glm::distance(rest, porin.balls[i].centre_A) - porin.balls[i].radius_A - 7.0);
+      gap_A = std::min(gap_A, glm::distance(rest, porin.spheres[i].centre_A) - porin.spheres[i].radius_A - 7.0);
     CHECK(gap_A < 0.5);
   }
 }
@@ -115,14 +115,14 @@ TEST_CASE(
   CAPTURE(lineSaying(kLesson, "called: the bottom of the hollow in the middle"));
   auto molecule = readMolecule(MOLTACT_SOURCE_DIR "/molecules/2por.pdb", {.assembly = "1"});
   REQUIRE(molecule);
-  const BallScene balls(molecule->balls);
-  CHECK(balls.size() == 3 * 2222);
+  const SphereGrid spheres(molecule->spheres);
+  CHECK(spheres.size() == 3 * 2222);
   double narrowest_A = 1e9;
   for (double z = 0.0; z < 50.0; z += 0.05)
-    for (std::size_t i = 0; i < balls.size(); ++i)
-      narrowest_A = std::min(narrowest_A, glm::distance(Vec3(0, 0, z), balls[i].centre_A) - balls[i].radius_A);
+    for (std::size_t i = 0; i < spheres.size(); ++i)
+      narrowest_A = std::min(narrowest_A, glm::distance(Vec3(0, 0, z), spheres[i].centre_A) - spheres[i].radius_A);
   CHECK(narrowest_A == doctest::Approx(0.7).epsilon(0.1));
-  RoomForABall room(balls, 1.4, {-9.0, -9.0, 4.0}, {9.0, 9.0, 40.0}, 0.2);
+  RoomForASphere room(spheres, 1.4, {-9.0, -9.0, 4.0}, {9.0, 9.0, 40.0}, 0.2);
   room.fillFromAbove([](const Vec3& p) { return std::hypot(p.x, p.y) < 8.0; });
   CHECK_FALSE(room.through());
   REQUIRE(room.lowest());
@@ -137,7 +137,7 @@ TEST_CASE("the arginines 9, 24, 26 and lysine 46 stand on one side of the eyelet
   const auto middleOf = [&](const std::string& text) {
     Vec3 sum(0.0);
     const auto atoms = porin.select(text);
-    for (const auto i : atoms) sum += porin.balls[i].centre_A / double(atoms.size());
+    for (const auto i : atoms) sum += porin.spheres[i].centre_A / double(atoms.size());
     return sum;
   };
   const auto endsOf = [&](const std::string& residue) {
@@ -164,11 +164,11 @@ TEST_CASE("of the belt between 6 A and 30 A over two thirds are greasy and less 
     double area = 0.0;
     for (const auto i : porin.select(text)) {
       const std::uint32_t one[] = {i};
-      const double grown = porin.balls[i].radius_A + 1.4;
-      for (SurfacePlace p : facePlaces(porin.balls, one, 1.4, 100)) {
+      const double grown = porin.spheres[i].radius_A + 1.4;
+      for (SurfacePlace p : facePlaces(porin.spheres, one, 1.4, 100)) {
         if (p.scp_A.z < 6.0 || p.scp_A.z > 30.0) continue;
         p.outward = glm::normalize(Vec3(p.scp_A.x - kMiddleX_A, p.scp_A.y - kMiddleY_A, 0.0));
-        if (openFromOutside(porin.balls, p, 1.4)) area += grown * grown;
+        if (openFromOutside(porin.spheres, p, 1.4)) area += grown * grown;
       }
     }
     return area;
@@ -204,11 +204,11 @@ TEST_CASE(
   const TaskSpec& spec = taskOf(lesson, "the-largest-ball-that-passes", "fit");
   CHECK(spec.values["way"].text == "through");
   CHECK(spec.values["within"].number == doctest::Approx(0.4));
-  const auto ring = ringOf(porin.balls, porin.select(spec.values["fit"].selection.text()));
+  const auto ring = ringOf(porin.spheres, porin.select(spec.values["fit"].selection.text()));
   REQUIRE(ring);
   CHECK(ring->centre_A.z == doctest::Approx(24.0).epsilon(0.1));
-  CHECK(wayThrough(porin.balls, *ring, 3.85));
-  CHECK_FALSE(wayThrough(porin.balls, *ring, 3.95));
+  CHECK(wayThrough(porin.spheres, *ring, 3.85));
+  CHECK_FALSE(wayThrough(porin.spheres, *ring, 3.95));
 }
 
 TEST_CASE("the twelve atoms of the belt are felt on greasy amino acids of which each has atoms that look outward") {
@@ -220,13 +220,13 @@ TEST_CASE("the twelve atoms of the belt are felt on greasy amino acids of which 
   CHECK(atoms.size() == greasy.size());
   std::size_t open = 0;
   for (const auto i : atoms) {
-    CHECK(porin.balls[i].centre_A.z > 4.0);
-    CHECK(porin.balls[i].centre_A.z < 32.0);
+    CHECK(porin.spheres[i].centre_A.z > 4.0);
+    CHECK(porin.spheres[i].centre_A.z < 32.0);
     const std::uint32_t one[] = {i};
-    const auto places = facePlaces(porin.balls, one, 1.4, 300);
+    const auto places = facePlaces(porin.spheres, one, 1.4, 300);
     open += std::any_of(places.begin(), places.end(), [&](SurfacePlace p) {
       p.outward = glm::normalize(Vec3(p.scp_A.x - kMiddleX_A, p.scp_A.y - kMiddleY_A, 0.0));
-      return openFromOutside(porin.balls, p, 1.4);
+      return openFromOutside(porin.spheres, p, 1.4);
     });
   }
   CHECK(open >= 24);  // twice as many as are asked for

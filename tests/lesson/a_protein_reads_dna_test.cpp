@@ -30,9 +30,9 @@ TEST_CASE("a-protein-reads-dna.md has 8 steps, a way down the groove, a search a
 TEST_CASE("the DNA without protein is that of the complex, atom by atom") {
   const ShippedScene bare("1a1f-dna"), complex("1a1f");
   const auto same = complex.select("chain B C");
-  REQUIRE(same.size() == bare.balls.size());
+  REQUIRE(same.size() == bare.spheres.size());
   for (std::size_t i = 0; i < same.size(); ++i)
-    CHECK(glm::distance(bare.balls[i].centre_A, complex.balls[same[i]].centre_A) < 1e-9);
+    CHECK(glm::distance(bare.spheres[i].centre_A, complex.spheres[same[i]].centre_A) < 1e-9);
 }
 
 TEST_CASE(
@@ -102,7 +102,7 @@ TEST_CASE("the way down the groove is passed by a hand that slides, by none that
     for (const std::string& name : atoms) {
       Vec3 open(0.0);
       for (const SurfacePlace& p : bare.places(name, 1.4, 600))
-        if (openFromOutside(bare.balls, p, 1.4)) open += p.outward;
+        if (openFromOutside(bare.spheres, p, 1.4)) open += p.outward;
       const std::vector<std::int32_t> atom{static_cast<std::int32_t>(bare.select(name).at(0))};
       const Vec3 place_A = restingOn(bare, name, glm::normalize(open), 1.4);
       if (jabbing)

@@ -25,7 +25,7 @@ const Molecule& shell() {
 
 std::vector<Vec3> placesOf(const std::string& text) {
   std::vector<Vec3> out;
-  for (const auto i : parseSelection(text)->select(shell())) out.push_back(shell().balls[i].centre_A);
+  for (const auto i : parseSelection(text)->select(shell())) out.push_back(shell().spheres[i].centre_A);
   return out;
 }
 
@@ -36,11 +36,11 @@ Vec3 axisOf(const std::vector<Vec3>& places) {
 
 double offAxis_A(const Vec3& place, const Vec3& axis) { return glm::length(place - axis * glm::dot(place, axis)); }
 
-/// How high over the middle a ball on this axis is stopped that comes from outside.
-double stop_A(const Vec3& axis, double ball_A) {
+/// How high over the middle a sphere on this axis is stopped that comes from outside.
+double stop_A(const Vec3& axis, double sphere_A) {
   double highest = 0.0;
-  for (const Ball& a : shell().balls) {
-    const double off = offAxis_A(a.centre_A, axis), grown = a.radius_A + ball_A, up = glm::dot(a.centre_A, axis);
+  for (const Sphere& a : shell().spheres) {
+    const double off = offAxis_A(a.centre_A, axis), grown = a.radius_A + sphere_A, up = glm::dot(a.centre_A, axis);
     if (off < grown) highest = std::max(highest, up + std::sqrt(grown * grown - off * off));
   }
   return highest;
@@ -167,12 +167,12 @@ TEST_CASE(
   CAPTURE(lineSaying(kLesson, "a channel between them, more than 40 Å deep"));
   CAPTURE(lineSaying(kLesson, "how deep does it let you in before it stops you"));
   CAPTURE(lineSaying(kLesson, "They look at each other across a valley"));
-  // Below the middle of a ball that rests on the top of the outermost knob.
+  // Below the middle of a sphere that rests on the top of the outermost knob.
   const auto depth_A = [](const std::string& knobs) {
     const Vec3 axis = axisOf(placesOf(knobs));
     double top_A = 0.0;
     for (const auto i : parseSelection(knobs)->select(shell()))
-      top_A = std::max(top_A, glm::dot(shell().balls[i].centre_A, axis) + shell().balls[i].radius_A + 1.4);
+      top_A = std::max(top_A, glm::dot(shell().spheres[i].centre_A, axis) + shell().spheres[i].radius_A + 1.4);
     return top_A - stop_A(axis, 1.4);
   };
   const std::string three = "chain F F-10 F-23 and residue 188";

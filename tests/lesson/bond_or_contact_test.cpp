@@ -65,14 +65,15 @@ TEST_CASE(
   CHECK(1.70 - std::sqrt(1.70 * 1.70 - 1.397 * 1.397) == doctest::Approx(0.73).epsilon(0.01));
   // The middle of the ring is closed to a probe of any size.
   const ShippedScene benzene("benzene");
-  for (int k = 0; k < 6; ++k) CHECK(glm::length(benzene.molecule->balls[static_cast<std::size_t>(k)].centre_A) < 1.70);
+  for (int k = 0; k < 6; ++k)
+    CHECK(glm::length(benzene.molecule->spheres[static_cast<std::size_t>(k)].centre_A) < 1.70);
   // Every pit of carbons is the one in the middle, where all six hold the point.
-  const auto pits = pitPlaces(benzene.balls, benzene.select("element C"), 0.0);
+  const auto pits = pitPlaces(benzene.spheres, benzene.select("element C"), 0.0);
   CHECK(pits.size() >= 2);
   for (const SurfacePlace& p : pits) {
     CHECK(std::hypot(p.scp_A.x, p.scp_A.y) < 0.01);
     for (int k = 0; k < 6; ++k)
-      CHECK(glm::distance(p.scp_A, benzene.balls[static_cast<std::size_t>(k)].centre_A) ==
+      CHECK(glm::distance(p.scp_A, benzene.spheres[static_cast<std::size_t>(k)].centre_A) ==
             doctest::Approx(1.70).epsilon(0.003));
   }
 }
@@ -81,12 +82,12 @@ TEST_CASE(
     "pushed 0.55 A deep beside the middle of the ring, by up to 0.5 A to any side, the lesson's point settles in the "
     "pit; a water-sized probe did so within 0.1 A only") {
   const ShippedScene benzene("benzene");
-  const auto balls = std::make_shared<const BallScene>(benzene.molecule->balls);
+  const auto spheres = std::make_shared<const SphereGrid>(benzene.molecule->spheres);
   const auto settles = [&](double probe_A, double aside_A) {
     const double pit_A = std::sqrt((1.70 + probe_A) * (1.70 + probe_A) - 1.397 * 1.397);
     int in_pit = 0;
     for (int k = 0; k < 24; ++k) {
-      const auto exact = findMethod("exact")->make(balls, probe_A);
+      const auto exact = findMethod("exact")->make(spheres, probe_A);
       // Off the lines of symmetry: the file's coordinates are rounded to 0.001 A, and so wide is the crease between two
       // pits that lie there.
       const double angle = 2 * std::numbers::pi * (k + 0.3) / 24;
@@ -127,7 +128,7 @@ TEST_CASE(
   REQUIRE(bond.size() == 2);
   REQUIRE(contact.size() == 2);
   const auto turn_deg = [&](const std::vector<std::uint32_t>& pair) {
-    const Ball a = s.balls[pair[0]], b = s.balls[pair[1]];
+    const Sphere a = s.spheres[pair[0]], b = s.spheres[pair[1]];
     const double one = a.radius_A + 1.4, other = b.radius_A + 1.4, apart = glm::distance(a.centre_A, b.centre_A);
     return std::acos((one * one + other * other - apart * apart) / (2 * one * other)) * 180 / std::numbers::pi;
   };
@@ -135,12 +136,12 @@ TEST_CASE(
   CHECK(turn_deg(contact) == doctest::Approx(70).epsilon(0.007));
   // Each is open from the side to which the task turns it: away from the middle between the two pairs.
   for (const auto& pair : {bond, contact}) {
-    const Vec3 middle = 0.5 * (s.balls[pair[0]].centre_A + s.balls[pair[1]].centre_A);
+    const Vec3 middle = 0.5 * (s.spheres[pair[0]].centre_A + s.spheres[pair[1]].centre_A);
     const double side = middle.x < 0 ? -1.0 : 1.0;
     int in_crease = 0;
     for (const double along_A : {-0.3, 0.01, 0.3})
       for (double up_A = -0.6; up_A <= 0.6; up_A += 0.01) {
-        const auto exact = findMethod("exact")->make(std::make_shared<const BallScene>(s.molecule->balls), 1.4);
+        const auto exact = findMethod("exact")->make(std::make_shared<const SphereGrid>(s.molecule->spheres), 1.4);
         Contact felt;
         for (double x = 11.0; x > 7.6; x -= 0.02) felt = exact->step({Vec3(side * x, middle.y + up_A, along_A)});
         in_crease += felt.feature == Feature::Circle && felt.atoms[0] == std::int32_t(std::min(pair[0], pair[1])) &&

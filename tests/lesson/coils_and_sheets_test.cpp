@@ -77,7 +77,8 @@ TEST_CASE(
   const auto a = s.select("chain A"), b = s.select("chain B");
   REQUIRE(a.size() == b.size());
   for (std::size_t k = 0; k < a.size(); ++k)
-    CHECK(glm::distance(s.molecule->balls[a[k]].centre_A * Vec3(-1, 1, 1), s.molecule->balls[b[k]].centre_A) < 0.001);
+    CHECK(glm::distance(s.molecule->spheres[a[k]].centre_A * Vec3(-1, 1, 1), s.molecule->spheres[b[k]].centre_A) <
+          0.001);
 }
 
 TEST_CASE("no ball of 0.5 A passes straight into the middle of the helix, wherever within 1 A of the axis it begins") {
@@ -89,7 +90,7 @@ TEST_CASE("no ball of 0.5 A passes straight into the middle of the helix, wherev
       if (std::hypot(x, y) > 1) continue;
       double room_A = 1e9;
       for (double z = -22; z <= 0; z += 0.05)
-        for (const Ball& b : s.molecule->balls)
+        for (const Sphere& b : s.molecule->spheres)
           room_A = std::min(room_A, glm::distance(Vec3(x, y, z), b.centre_A) - b.radius_A);
       CHECK(room_A < 0.5);
     }
@@ -141,12 +142,12 @@ TEST_CASE(
     CHECK(open(35) > 500);
   }
   for (const auto& [one, next] : {std::pair{"A", "B"}, {"B", "C"}, {"C", "D"}, {"D", "E"}}) {
-    const auto apart_A = [&](int residue) {
+    const auto grid_spacing_A = [&](int residue) {
       return s.between(std::string("chain ") + one + " and " + caOf(residue),
                        std::string("chain ") + next + " and " + caOf(residue));
     };
-    CHECK((apart_A(20) > 4.35 && apart_A(20) < 4.65));
-    CHECK((apart_A(35) > 4.55 && apart_A(35) < 4.75));
+    CHECK((grid_spacing_A(20) > 4.35 && grid_spacing_A(20) < 4.65));
+    CHECK((grid_spacing_A(35) > 4.55 && grid_spacing_A(35) < 4.75));
   }
 }
 

@@ -27,7 +27,7 @@ double offMinorGroove_deg(const Vec3& p) {
 std::vector<SurfacePlace> everyPlace(const ShippedScene& dna, const std::string& text, double probe_A) {
   std::vector<SurfacePlace> out = dna.places(text, probe_A);
   const auto all = dna.select("all"), atoms = dna.select(text);
-  for (const auto& more : {creasePlaces(dna.balls, all, probe_A, 0.3), pitPlaces(dna.balls, all, probe_A)})
+  for (const auto& more : {creasePlaces(dna.spheres, all, probe_A, 0.3), pitPlaces(dna.spheres, all, probe_A)})
     for (const SurfacePlace& p : more)
       if (std::any_of(p.atoms.begin(), p.atoms.end(), [&](std::int32_t a) {
             return a >= 0 && std::binary_search(atoms.begin(), atoms.end(), static_cast<std::uint32_t>(a));
@@ -111,7 +111,7 @@ TEST_CASE(
 TEST_CASE("the phosphates stand 73 degrees to either side of the middle of the minor groove") {
   const ShippedScene dna("b-dna");
   for (const std::uint32_t i : dna.select("name P"))
-    CHECK(std::abs(offMinorGroove_deg(dna.molecule->balls[i].centre_A)) == doctest::Approx(73).epsilon(0.01));
+    CHECK(std::abs(offMinorGroove_deg(dna.molecule->spheres[i].centre_A)) == doctest::Approx(73).epsilon(0.01));
 }
 
 TEST_CASE(
@@ -185,7 +185,7 @@ TEST_CASE("what counts as found on the floor of one groove lies in that groove, 
     int right = 0;
     for (const SurfacePlace& p : surface) {
       const bool found = std::any_of(floor.begin(), floor.end(), [&](std::uint32_t i) {
-        return glm::distance(p.scp_A, dna.balls[i].centre_A) - dna.balls[i].radius_A - 1.4 <= within_A;
+        return glm::distance(p.scp_A, dna.spheres[i].centre_A) - dna.spheres[i].radius_A - 1.4 <= within_A;
       });
       if (!found) continue;
       ++right;

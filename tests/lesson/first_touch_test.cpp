@@ -18,14 +18,14 @@ constexpr const char* kFiles[] = {"first-touch", "first-touch.de"};
 constexpr double kWater_A = 1.4;
 
 /// The number of 2000 even directions in which a probe touches the atom without overlapping any other.
-int openDirections(const BallScene& balls, std::uint32_t atom, double probe_A) {
+int openDirections(const SphereGrid& spheres, std::uint32_t atom, double probe_A) {
   const std::uint32_t one[] = {atom};
-  return static_cast<int>(facePlaces(balls, one, probe_A, 2000).size());
+  return static_cast<int>(facePlaces(spheres, one, probe_A, 2000).size());
 }
 
 /// What holds a probe that is pushed so deep from outside along a straight way (unit: angstrom).
 Contact pushed(const ShippedScene& s, Vec3 from_A, Vec3 to_A) {
-  const auto exact = findMethod("exact")->make(std::make_shared<const BallScene>(s.molecule->balls), kWater_A);
+  const auto exact = findMethod("exact")->make(std::make_shared<const SphereGrid>(s.molecule->spheres), kWater_A);
   Contact contact;
   const int ticks = static_cast<int>(glm::distance(from_A, to_A) / 0.002);
   for (int k = 0; k <= ticks; ++k) contact = exact->step({from_A + (to_A - from_A) * (double(k) / ticks)});
@@ -35,7 +35,7 @@ Contact pushed(const ShippedScene& s, Vec3 from_A, Vec3 to_A) {
 Vec3 middleOf(const ShippedScene& s, const std::string& text) {
   Vec3 sum(0.0);
   const auto atoms = s.select(text);
-  for (const std::uint32_t a : atoms) sum += s.molecule->balls[a].centre_A / double(atoms.size());
+  for (const std::uint32_t a : atoms) sum += s.molecule->spheres[a].centre_A / double(atoms.size());
   return sum;
 }
 
@@ -82,7 +82,7 @@ TEST_CASE("every target of first-touch.md has an atom that the probe can touch f
             CAPTURE(selection.text());
             int most = 0;
             for (const std::uint32_t atom : selection.select(*scene.molecule))
-              most = std::max(most, openDirections(scene.balls, atom, step.scene.touch.probe_A));
+              most = std::max(most, openDirections(scene.spheres, atom, step.scene.touch.probe_A));
             CHECK(most >= 20);
             ++targets;
           }
@@ -109,7 +109,7 @@ TEST_CASE(
     const std::string of = "atom " + std::to_string(4 * ring) + "-" + std::to_string(4 * ring + 5);
     const Vec3 middle = middleOf(s, of);
     for (const std::uint32_t a : s.select(of))
-      CHECK(glm::distance(s.molecule->balls[a].centre_A, middle) == doctest::Approx(1.397).epsilon(0.001));
+      CHECK(glm::distance(s.molecule->spheres[a].centre_A, middle) == doctest::Approx(1.397).epsilon(0.001));
     CHECK(pushed(s, middle + Vec3(0.01, 0.02, 6), middle + Vec3(0.01, 0.02, 2)).feature == Feature::Point);
     if (ring == 4) break;
     const Vec3 next = middleOf(s, "atom " + std::to_string(4 * ring + 4) + "-" + std::to_string(4 * ring + 9));
@@ -148,7 +148,7 @@ TEST_CASE("the argon triangle has two pits, one on either side, each where a wat
   const double z = std::sqrt(std::pow(1.88 + kWater_A, 2) - std::pow(3.76, 2) / 3.0);
   CHECK(z == doctest::Approx(2.46).epsilon(0.002));
   std::set<int> sides;
-  for (const SurfacePlace& p : pitPlaces(s.balls, s.select("all"), kWater_A)) {
+  for (const SurfacePlace& p : pitPlaces(s.spheres, s.select("all"), kWater_A)) {
     CHECK(std::abs(std::abs(p.scp_A.z) - z) < 0.003);
     sides.insert(p.scp_A.z > 0 ? 1 : -1);
   }
@@ -173,10 +173,10 @@ TEST_CASE(
     int pairs = 0;
     for (std::size_t a = 0; a < atoms.size(); ++a)
       for (std::size_t b = a + 1; b < atoms.size(); ++b) {
-        const double apart_A =
-            glm::distance(s.molecule->balls[atoms[a]].centre_A, s.molecule->balls[atoms[b]].centre_A);
-        pairs += apart_A < 2 * (1.88 + kWater_A);
-        if (apart_A < 4) CHECK(apart_A == doctest::Approx(3.76).epsilon(0.001));
+        const double grid_spacing_A =
+            glm::distance(s.molecule->spheres[atoms[a]].centre_A, s.molecule->spheres[atoms[b]].centre_A);
+        pairs += grid_spacing_A < 2 * (1.88 + kWater_A);
+        if (grid_spacing_A < 4) CHECK(grid_spacing_A == doctest::Approx(3.76).epsilon(0.001));
       }
     CHECK(pairs == joined[g]);
     const Vec3 middle = middleOf(s, chain), out = glm::normalize(middle);
@@ -184,7 +184,8 @@ TEST_CASE(
     for (const std::uint32_t a : atoms)
       for (std::size_t b = 0; b < s.molecule->atoms.size(); ++b)
         if (std::find(atoms.begin(), atoms.end(), b) == atoms.end())
-          CHECK(glm::distance(s.molecule->balls[a].centre_A, s.molecule->balls[b].centre_A) > 2 * (1.88 + kWater_A));
+          CHECK(glm::distance(s.molecule->spheres[a].centre_A, s.molecule->spheres[b].centre_A) >
+                2 * (1.88 + kWater_A));
   }
 }
 
@@ -260,7 +261,7 @@ TEST_CASE(
   // Level on the screen, over the middle: in the molecule's plane that crosses the row.
   const TaskSpec& spec = taskOf(lesson, "a-molecule-that-you-cannot-see", "trace");
   const auto task = makeTask(spec, *s.molecule);
-  const auto exact = findMethod("exact")->make(std::make_shared<const BallScene>(s.molecule->balls), kWater_A);
+  const auto exact = findMethod("exact")->make(std::make_shared<const SphereGrid>(s.molecule->spheres), kWater_A);
   double time_s = 0.0;
   for (double way_A = -8.0; way_A <= 8.0; way_A += 0.005) {
     TouchSample sample;

@@ -62,7 +62,7 @@ TEST_CASE(
     for (const char* chain : {"B", "D"})
       d = std::min(d,
                    glm::distance(
-                       whole.molecule->balls[i].centre_A,
+                       whole.molecule->spheres[i].centre_A,
                        whole.atom(std::string("chain ") + chain + " and protein and residue 1 and name N").position.A));
     least_A.push_back(d);
   }
@@ -92,7 +92,7 @@ TEST_CASE(
     double least = 1e9;
     for (const auto a : whole.select(one))
       for (const auto b : whole.select(other))
-        least = std::min(least, glm::distance(whole.balls[a].centre_A, whole.balls[b].centre_A));
+        least = std::min(least, glm::distance(whole.spheres[a].centre_A, whole.spheres[b].centre_A));
     return least;
   };
   for (const auto& [chain, told_A] : {std::pair{"B", 2.8}, std::pair{"D", 2.7}}) {

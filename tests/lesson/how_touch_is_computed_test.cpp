@@ -42,9 +42,9 @@ Expected<std::shared_ptr<const Molecule>> shipped(const NamedMolecule& named) {
 bool doneAlong(const Step& step, std::size_t task, std::string_view method, const std::vector<Vec3>& way_A) {
   const auto molecule = shipped(step.scene.molecule);
   REQUIRE(molecule);
-  const auto balls = std::make_shared<const BallScene>((*molecule)->balls);
-  const auto tracker = findMethod(method)->make(balls, step.scene.touch.probe_A);
-  const auto exact = findMethod("exact")->make(balls, step.scene.touch.probe_A);
+  const auto spheres = std::make_shared<const SphereGrid>((*molecule)->spheres);
+  const auto tracker = findMethod(method)->make(spheres, step.scene.touch.probe_A);
+  const auto exact = findMethod("exact")->make(spheres, step.scene.touch.probe_A);
   const auto t = makeTask(step.tasks[task], **molecule);
   TouchSample s;
   s.method = method;
@@ -112,9 +112,9 @@ TEST_CASE(
   const Step& step = stepOf(*read.lesson, "what-a-hand-can-tell");
   const auto molecule = shipped(step.scene.molecule);
   REQUIRE(molecule);
-  const auto balls = std::make_shared<const BallScene>((*molecule)->balls);
+  const auto spheres = std::make_shared<const SphereGrid>((*molecule)->spheres);
   const auto largestTurn = [&](std::string_view method) {
-    const auto tracker = findMethod(method)->make(balls, step.scene.touch.probe_A);
+    const auto tracker = findMethod(method)->make(spheres, step.scene.touch.probe_A);
     const double r = 1.88 + step.scene.touch.probe_A - 0.6;
     double most_deg = 0;
     // Great circles in many planes, 0.02 A a tick.

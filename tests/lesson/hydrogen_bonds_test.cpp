@@ -56,7 +56,7 @@ TEST_CASE(
   const std::string line = lineSaying("hydrogen-bonds", "both creases run from left to right near the middle");
   CAPTURE(line);
   const ShippedScene s("water-and-argon");
-  const auto balls = std::make_shared<const BallScene>(s.molecule->balls);
+  const auto spheres = std::make_shared<const SphereGrid>(s.molecule->spheres);
   const struct {
     double side;
     std::int32_t one, other;
@@ -65,7 +65,7 @@ TEST_CASE(
     for (const double along_A : {-0.5, -0.25, 0.01, 0.25, 0.5}) {
       CAPTURE(pair.side);
       CAPTURE(along_A);
-      const auto exact = findMethod("exact")->make(balls, 1.4);
+      const auto exact = findMethod("exact")->make(spheres, 1.4);
       Contact contact;
       for (double x = 11.0; x > 7.6; x -= 0.002) contact = exact->step({Vec3(pair.side * x, -0.02, along_A)});
       CHECK(contact.feature == Feature::Circle);
@@ -74,7 +74,7 @@ TEST_CASE(
   const std::string end = lineSaying("hydrogen-bonds", "their crease ends after 1 Å on either side");
   CAPTURE(end);
   for (const double way : {-1.0, 1.0}) {
-    const auto exact = findMethod("exact")->make(balls, 1.4);
+    const auto exact = findMethod("exact")->make(spheres, 1.4);
     Contact contact;
     for (double x = 11.0; x > 7.6; x -= 0.002) contact = exact->step({Vec3(-x, -0.02, 0.01)});
     double free_A = 0.0;
@@ -108,9 +108,9 @@ TEST_CASE(
     "the hydrogen of a hydrogen bond by 40, more than at bonds of light atoms, less than at contacts") {
   const std::string line = lineSaying("bond-or-contact", "the force turns by 37° at a bond between two sulphurs");
   CAPTURE(line);
-  const auto turn_deg = [](double one_A, double other_A, double apart_A) {
+  const auto turn_deg = [](double one_A, double other_A, double grid_spacing_A) {
     const double a = one_A + 1.4, b = other_A + 1.4;
-    return std::acos((a * a + b * b - apart_A * apart_A) / (2 * a * b)) * 180 / std::numbers::pi;
+    return std::acos((a * a + b * b - grid_spacing_A * grid_spacing_A) / (2 * a * b)) * 180 / std::numbers::pi;
   };
   CHECK(turn_deg(1.80, 1.80, 2.05) == doctest::Approx(37).epsilon(0.015));
   CHECK(turn_deg(1.52, 1.20, 1.90) == doctest::Approx(40).epsilon(0.015));

@@ -60,9 +60,9 @@ TEST_CASE("a lesson of 90 000 dead links, to steps or to files, tells 500 of the
     CAPTURE(to);
     const Result r = checked(filled(
         kHead, [&](std::size_t n) { return std::string("[a](") + to + number(n) + ")" + (n % 100 ? "" : "\n\n"); }));
-    REQUIRE(r.check.errors.size() == kMostLessonProblems + 1);
+    REQUIRE(r.check.errors.size() == kMaxLessonProblems + 1);
     CHECK(r.check.errors.back().message == "there are more, which are not listed");
-    CHECK(r.check.errors.back().line == r.check.errors[kMostLessonProblems - 1].line);
+    CHECK(r.check.errors.back().line == r.check.errors[kMaxLessonProblems - 1].line);
   }
 }
 
@@ -102,12 +102,12 @@ TEST_CASE(
       return text;
     }));
     CHECK(told(r.check) > 0);
-    CHECK(told(r.check) <= kMostLessonProblems + 1);
-    CHECK(r.asked <= int(kMostLessonProblems) + 1);
+    CHECK(told(r.check) <= kMaxLessonProblems + 1);
+    CHECK(r.asked <= int(kMaxLessonProblems) + 1);
   }
   std::string molecules = "---\ntitle: Large\nlevel: beginner\nminutes: 1\ngoals:\n  - all of it\nmolecules:\n";
   for (std::size_t n = 0; molecules.size() < 900'000; ++n) molecules += "  - m" + number(n) + "\n";
-  CHECK(told(checked(molecules + kHead.substr(kHead.find("---\n\n"))).check) <= kMostLessonProblems + 1);
+  CHECK(told(checked(molecules + kHead.substr(kHead.find("---\n\n"))).check) <= kMaxLessonProblems + 1);
 }
 
 TEST_CASE("a missing file beside 2000 files of long names, asked for 20 000 times, tells 500 times what may be meant") {
@@ -118,7 +118,7 @@ TEST_CASE("a missing file beside 2000 files of long names, asked for 20 000 time
   const Result r = checked(
       filled(kHead, [&](std::size_t n) { return "[a](" + stem + number(n + 0x20000) + ")" + (n % 50 ? "" : "\n\n"); }),
       (folder / "l.md").string());
-  CHECK(r.check.errors.size() == kMostLessonProblems + 1);
+  CHECK(r.check.errors.size() == kMaxLessonProblems + 1);
   CAPTURE(r.check.errors[400].text());
   CHECK(r.check.errors[400].remedy.starts_with("did you mean '" + stem));
   std::filesystem::remove_all(folder);

@@ -26,7 +26,7 @@ double reach_A(const ShippedScene& s, const std::string& atoms) {
   const Vec3 ca = s.atom("chain A and name CA").position.A;
   double most = 0;
   for (const std::uint32_t a : s.select(atoms))
-    most = std::max(most, glm::distance(s.molecule->balls[a].centre_A, ca) + s.molecule->balls[a].radius_A);
+    most = std::max(most, glm::distance(s.molecule->spheres[a].centre_A, ca) + s.molecule->spheres[a].radius_A);
   return most;
 }
 
@@ -155,7 +155,7 @@ TEST_CASE(
   const Vec3 h =
       -glm::normalize(glm::normalize(at("N") - ca) + glm::normalize(at("C") - ca) + glm::normalize(at("CB") - ca));
   Vec3 low(1e9), high(-1e9);
-  for (const Ball& a : s.molecule->balls) {
+  for (const Sphere& a : s.molecule->spheres) {
     low = glm::min(low, a.centre_A);
     high = glm::max(high, a.centre_A);
   }
@@ -166,7 +166,7 @@ TEST_CASE(
     int open = 0;
     for (SurfacePlace p : s.places(std::string("residue 46 and name ") + name, 1.4)) {
       p.outward = h;
-      open += openFromOutside(s.balls, p, 1.4);
+      open += openFromOutside(s.spheres, p, 1.4);
     }
     CHECK(open > 20);
   }

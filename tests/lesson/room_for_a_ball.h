@@ -1,6 +1,6 @@
-// Where the middle of a ball can go in a frozen molecule, on a grid: the oracle for what a lesson says of holes and
+// Where the middle of a sphere can go in a frozen molecule, on a grid: the oracle for what a lesson says of holes and
 // gaps, without trackers and surface places. Grid points are never in an atom's grown sphere, so that a way that is
-// found is one; a hole that is wider than the ball by less than half a cell may be missed. Units: angstrom.
+// found is one; a hole that is wider than the sphere by less than half a cell may be missed. Units: angstrom.
 #pragma once
 
 #include <algorithm>
@@ -11,19 +11,19 @@
 #include <optional>
 #include <vector>
 
-#include "engine/haptics/ball_scene.h"
+#include "engine/haptics/sphere_grid.h"
 
 namespace moltact::test {
 
-class RoomForABall {
+class RoomForASphere {
  public:
-  RoomForABall(const BallScene& balls, double ball_A, Vec3 low_A, Vec3 high_A, double cell_A)
+  RoomForASphere(const SphereGrid& spheres, double sphere_A, Vec3 low_A, Vec3 high_A, double cell_A)
       : low_A_(low_A), cell_A_(cell_A) {
     for (int k = 0; k < 3; ++k) count_[k] = 1 + static_cast<int>(std::floor((high_A[k] - low_A[k]) / cell_A));
     cells_.assign(std::size_t(count_[0]) * std::size_t(count_[1]) * std::size_t(count_[2]), Free);
-    for (std::size_t i = 0; i < balls.size(); ++i) {
-      const Ball& b = balls[i];
-      const double grown = b.radius_A + ball_A;
+    for (std::size_t i = 0; i < spheres.size(); ++i) {
+      const Sphere& b = spheres[i];
+      const double grown = b.radius_A + sphere_A;
       int from[3], to[3];
       for (int k = 0; k < 3; ++k) {
         from[k] = std::max(0, static_cast<int>(std::ceil((b.centre_A[k] - grown - low_A[k]) / cell_A)));

@@ -143,11 +143,11 @@ TEST_CASE("a second structure has names for both states and a place to begin; it
   REQUIRE(states);
   CHECK(states->fit.fitted == 4);
   CHECK(glm::distance(states->second[4].centre_A, Vec3(15.2, 4, 0)) < 1e-9);
-  CHECK(glm::distance(bend(0.0).movedTo(states->at(0.5)).balls[4].centre_A, Vec3(15.2, 2, 0)) < 1e-9);
+  CHECK(glm::distance(bend(0.0).movedTo(states->at(0.5)).spheres[4].centre_A, Vec3(15.2, 2, 0)) < 1e-9);
   // What swells under the hand is drawn so too.
-  std::vector<Ball> swollen = bend(0.0).balls.copy();
+  std::vector<Sphere> swollen = bend(0.0).spheres.copy();
   swollen[4].radius_A = 2.25;
-  CHECK(bend(0.0).movedTo(swollen).balls[4].radius_A == 2.25);
+  CHECK(bend(0.0).movedTo(swollen).spheres[4].radius_A == 2.25);
 }
 
 TEST_CASE("mistakes in the second structure are told") {

@@ -77,7 +77,7 @@ TEST_CASE("each amino acid of ubiquitin is hydrophobic, polar or charged, and on
 
 TEST_CASE("surface is what a probe of 1.4 A can touch: of ubiquitin all residues but those buried whole") {
   const Molecule m = library("1ubq.pdb");
-  const auto areas = accessibleAreas_A2(m.balls);
+  const auto areas = accessibleAreas_A2(m.spheres);
   std::vector<char> named(m.atoms.size(), 0);
   for (const std::uint32_t i : select(m, "surface")) named[i] = 1;
   for (std::size_t i = 0; i < named.size(); ++i) {

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/haptics/ball_scene.h"
+#include "engine/haptics/sphere_grid.h"
 #include "engine/lesson/check.h"
 #include "engine/lesson/reader.h"
 #include "engine/lesson/surface_places.h"
@@ -81,7 +81,7 @@ inline int tasksOf(const Lesson& lesson, std::string_view kind) {
 }
 
 struct ShippedScene {
-  explicit ShippedScene(const std::string& name) : molecule(*shippedMolecule(name)), balls(molecule->balls) {}
+  explicit ShippedScene(const std::string& name) : molecule(*shippedMolecule(name)), spheres(molecule->spheres) {}
   std::vector<std::uint32_t> select(const std::string& text) const {
     const auto selection = parseSelection(text);
     REQUIRE(selection);
@@ -103,17 +103,17 @@ struct ShippedScene {
   /// Places on these atoms where a probe can rest, of so many directions round each.
   std::vector<SurfacePlace> places(const std::string& text, double probe_A, int directions = 3000) const {
     const auto atoms = select(text);
-    return facePlaces(balls, atoms, probe_A, directions);
+    return facePlaces(spheres, atoms, probe_A, directions);
   }
   /// Those to which the probe comes straight from outside.
   std::size_t openPlaces(const std::string& text, double probe_A) const {
     std::size_t n = 0;
-    for (const SurfacePlace& p : places(text, probe_A)) n += openFromOutside(balls, p, probe_A);
+    for (const SurfacePlace& p : places(text, probe_A)) n += openFromOutside(spheres, p, probe_A);
     return n;
   }
 
   std::shared_ptr<const Molecule> molecule;
-  BallScene balls;
+  SphereGrid spheres;
 };
 
 }  // namespace moltact::test

@@ -1,5 +1,5 @@
-// Places of two and three equal balls, which have closed forms, and of a protein, where every place is checked ball by
-// ball.
+// Places of two and three equal spheres, which have closed forms, and of a protein, where every place is checked sphere by
+// sphere.
 #include "engine/lesson/surface_places.h"
 
 #include <doctest/doctest.h>
@@ -18,7 +18,7 @@ using namespace moltact;
 
 namespace {
 
-std::vector<std::uint32_t> allOf(const BallScene& scene) {
+std::vector<std::uint32_t> allOf(const SphereGrid& scene) {
   std::vector<std::uint32_t> out(scene.size());
   std::iota(out.begin(), out.end(), 0u);
   return out;
@@ -27,7 +27,7 @@ std::vector<std::uint32_t> allOf(const BallScene& scene) {
 }  // namespace
 
 TEST_CASE("the crease of two balls of 1.88 A that touch is a circle of 2.688 A, whole, and open from outside") {
-  const BallScene scene({{{-1.88, 0, 0}, 1.88}, {{1.88, 0, 0}, 1.88}});
+  const SphereGrid scene({{{-1.88, 0, 0}, 1.88}, {{1.88, 0, 0}, 1.88}});
   const auto places = creasePlaces(scene, allOf(scene), 1.4, 0.2);
   CHECK(places.size() == std::size_t(std::ceil(2 * 3.14159265358979 * std::sqrt(3.28 * 3.28 - 1.88 * 1.88) / 0.2)));
   for (const SurfacePlace& p : places) {
@@ -39,7 +39,7 @@ TEST_CASE("the crease of two balls of 1.88 A that touch is a circle of 2.688 A, 
 
 TEST_CASE("a push into the crease of an atom that lies deep in another, as hydrogen in oxygen, is held by both") {
   // The hand's push must be a sum of pushes against both atoms with shares above 0.
-  const BallScene scene({{{0, 0, 0}, 1.52}, {{0.96, 0, 0}, 1.1}});
+  const SphereGrid scene({{{0, 0, 0}, 1.52}, {{0.96, 0, 0}, 1.1}});
   const auto places = creasePlaces(scene, allOf(scene), 1.0, 0.2);
   REQUIRE(places.size() >= 12);
   for (const SurfacePlace& p : places) {
@@ -54,7 +54,7 @@ TEST_CASE("a push into the crease of an atom that lies deep in another, as hydro
 
 TEST_CASE("three balls of 1.88 A that touch one another have two pits 2.456 A above and below their plane") {
   const double h = 3.76 / std::sqrt(3.0);
-  const BallScene scene({{{h, 0, 0}, 1.88}, {{-h / 2, 1.88, 0}, 1.88}, {{-h / 2, -1.88, 0}, 1.88}});
+  const SphereGrid scene({{{h, 0, 0}, 1.88}, {{-h / 2, 1.88, 0}, 1.88}, {{-h / 2, -1.88, 0}, 1.88}});
   const auto places = pitPlaces(scene, allOf(scene), 1.4);
   REQUIRE(places.size() == 2);
   for (const SurfacePlace& p : places) {
@@ -67,15 +67,15 @@ TEST_CASE(
     "creases of balls as large as a file may have them, 1e9 A, have 20 000 places, all on the crease, and a slide "
     "along one 20 000 steps at most") {
   const double radius_A = 1e9, half_A = 0.6e9;
-  const BallScene scene({{{-half_A, 0, 0}, radius_A}, {{half_A, 0, 0}, radius_A}});
+  const SphereGrid scene({{{-half_A, 0, 0}, radius_A}, {{half_A, 0, 0}, radius_A}});
   const auto places = creasePlaces(scene, allOf(scene), 1.4, 0.2);
-  CHECK(places.size() == std::size_t(kMostCreasePlaces));
+  CHECK(places.size() == std::size_t(kMaxCreasePlaces));
   for (const SurfacePlace& p : places) {
     CHECK(std::abs(p.scp_A.x) < 1.0);
     CHECK(glm::length(p.scp_A) == doctest::Approx(0.8e9).epsilon(1e-6));
   }
   HandPlan plan;
-  slide(plan, {.balls = scene}, places.front(), places[places.size() / 2], 0.1);
+  slide(plan, {.spheres = scene}, places.front(), places[places.size() / 2], 0.1);
   CHECK(plan.size() == 20'000);
   REQUIRE(plan.back().to.has_value());
   CHECK(glm::distance(plan.back().to->A, places[places.size() / 2].scp_A) < 1.0);
@@ -84,7 +84,7 @@ TEST_CASE(
 TEST_CASE("every face, crease and pit place of ubiquitin lies on its atoms' grown spheres and in no other") {
   const auto molecule = readMolecule(MOLTACT_SOURCE_DIR "/molecules/1ubq.pdb");
   REQUIRE(molecule);
-  const BallScene scene(molecule->balls);
+  const SphereGrid scene(molecule->spheres);
   const double probe_A = 1.4;
   int open = 0;
   for (const auto& places :
@@ -110,27 +110,27 @@ TEST_CASE(
     "the pits and creases of 40 balls for probes of 1.4 to 20 A are those that trying every triple and pair gives") {
   std::uint64_t seed = 20261124;
   const auto fraction = [&] { return nextFraction(seed); };
-  std::vector<Ball> balls;
+  std::vector<Sphere> spheres;
   for (int k = 0; k < 40; ++k)
-    balls.push_back({{9.0 * fraction(), 9.0 * fraction(), 9.0 * fraction()}, 1.2 + 0.8 * fraction()});
-  const BallScene scene(balls);
+    spheres.push_back({{9.0 * fraction(), 9.0 * fraction(), 9.0 * fraction()}, 1.2 + 0.8 * fraction()});
+  const SphereGrid scene(spheres);
   for (const double probe_A : {1.4, 6.0, 10.0, 20.0}) {
     CAPTURE(probe_A);
-    // How far a place lies off the nearest ball but those that hold it.
+    // How far a place lies off the nearest sphere but those that hold it.
     const auto clear_A = [&](const Vec3& place, std::initializer_list<std::size_t> but) {
       double least = 1e9;
-      for (std::size_t i = 0; i < balls.size(); ++i)
+      for (std::size_t i = 0; i < spheres.size(); ++i)
         if (std::find(but.begin(), but.end(), i) == but.end())
-          least = std::min(least, glm::distance(place, balls[i].centre_A) - balls[i].radius_A - probe_A);
+          least = std::min(least, glm::distance(place, spheres[i].centre_A) - spheres[i].radius_A - probe_A);
       return least;
     };
     std::size_t pits = 0;
     const auto found = pitPlaces(scene, allOf(scene), probe_A);
     const auto creases = creasePlaces(scene, allOf(scene), probe_A, 0.1);
     std::size_t on_creases = 0;
-    for (std::size_t a = 0; a < balls.size(); ++a)
-      for (std::size_t b = a + 1; b < balls.size(); ++b) {
-        const auto circle = circleOf(inflated(balls[a], probe_A), inflated(balls[b], probe_A));
+    for (std::size_t a = 0; a < spheres.size(); ++a)
+      for (std::size_t b = a + 1; b < spheres.size(); ++b) {
+        const auto circle = circleOf(inflated(spheres[a], probe_A), inflated(spheres[b], probe_A));
         if (!circle) continue;
         const Vec3 x = glm::normalize(glm::cross(circle->axis, Vec3(0.3, 0.5, 0.8))), y = glm::cross(circle->axis, x);
         for (int k = 0; k < 60; ++k) {
@@ -143,9 +143,9 @@ TEST_CASE(
             return p.atoms[0] == int(a) && p.atoms[1] == int(b) && glm::distance(p.scp_A, place) < 0.11;
           }));
         }
-        for (std::size_t c = b + 1; c < balls.size(); ++c)
+        for (std::size_t c = b + 1; c < spheres.size(); ++c)
           if (const auto points =
-                  pointsOf(inflated(balls[a], probe_A), inflated(balls[b], probe_A), inflated(balls[c], probe_A)))
+                  pointsOf(inflated(spheres[a], probe_A), inflated(spheres[b], probe_A), inflated(spheres[c], probe_A)))
             for (const Vec3& place : {(*points)[0], (*points)[1]}) {
               if (clear_A(place, {a, b, c}) < 1e-6) continue;
               ++pits;

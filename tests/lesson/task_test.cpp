@@ -95,7 +95,7 @@ TEST_CASE("feel sphere, crease, pit takes the three in any order and names what 
 
 TEST_CASE(
     "who presses 5 times without a pit is told how one is found, and at the 9th press three atoms of one are shown") {
-  // Three balls of 1.7 A whose centres are 3.4 A apart: a probe of 1.4 A rests on all three, 2.40 A above their plane.
+  // Three spheres of 1.7 A whose centres are 3.4 A apart: a probe of 1.4 A rests on all three, 2.40 A above their plane.
   MoleculeByHand b;
   const double side = 3.4;
   b.atom("A", 18, {0, 0, 0}).atom("B", 18, {side, 0, 0}).atom("C", 18, {0.5 * side, std::sqrt(0.75) * side, 0});
@@ -222,8 +222,8 @@ TEST_CASE("the one crease between start and end is found among more than 400 roo
   for (int k = 0; k < 60; ++k) b.atom("C", 6, {4.0 * k, 0, 0});
   b.atom("O", 8, {122, 3.5, 0});
   auto t = task("cross", {{"cross", "element C"}, {"to", "element O"}}, b.molecule());
-  const BallScene balls(b.molecule().balls);
-  CHECK_FALSE(t->demonstrate({.balls = balls}).empty());
+  const SphereGrid spheres(b.molecule().spheres);
+  CHECK_FALSE(t->demonstrate({.spheres = spheres}).empty());
 }
 
 TEST_CASE("avoid counts 3 s on the rest of the surface, begins again at a touch, and does not count the air") {

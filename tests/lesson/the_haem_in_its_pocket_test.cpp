@@ -20,9 +20,9 @@ std::size_t fromAbove(const ShippedScene& pocket, double probe_A) {
       std::count_if(places.begin(), places.end(), [&](const SurfacePlace& p) { return glm::dot(p.outward, up) > 0; }));
 }
 
-/// Whether a ball comes from outside to the iron's distal side in the frozen molecule: space is filled on a grid of
+/// Whether a sphere comes from outside to the iron's distal side in the frozen molecule: space is filled on a grid of
 /// 0.2 A from the rim of a box of 36 A round the iron inward.
-bool ballComesToIron(const ShippedScene& whole, const std::string& chain, double ball_A) {
+bool ballComesToIron(const ShippedScene& whole, const std::string& chain, double sphere_A) {
   const bool alpha = chain == "A" || chain == "C";
   const auto at = [&](const std::string& text) { return whole.atom("chain " + chain + " and " + text).position.A; };
   const Vec3 iron = at("element Fe");
@@ -37,7 +37,7 @@ bool ballComesToIron(const ShippedScene& whole, const std::string& chain, double
   enum : char { Free, Shut, Filled };
   std::vector<char> cells(std::size_t(kCells) * kCells * kCells, Free);
   const auto shut = [&](double radius_A, std::vector<char>& out) {
-    for (const Ball& a : whole.molecule->balls) {
+    for (const Sphere& a : whole.molecule->spheres) {
       const double grown = a.radius_A + radius_A;
       int low[3], high[3];
       for (int k = 0; k < 3; ++k) {
@@ -50,8 +50,8 @@ bool ballComesToIron(const ShippedScene& whole, const std::string& chain, double
             if (glm::distance(corner + Vec3(x, y, z) * kCell_A, a.centre_A) < grown) out[index(x, y, z)] = Shut;
     }
   };
-  shut(ball_A, cells);
-  // Outside is where a ball of 2.9 A has room on the rim of the box; no hollow inside the protein is so large.
+  shut(sphere_A, cells);
+  // Outside is where a sphere of 2.9 A has room on the rim of the box; no hollow inside the protein is so large.
   std::vector<char> large(cells.size(), Free);
   shut(2.9, large);
   std::vector<std::array<int, 3>> open;
@@ -69,7 +69,7 @@ bool ballComesToIron(const ShippedScene& whole, const std::string& chain, double
     const auto [x, y, z] = open.back();
     open.pop_back();
     const Vec3 from_iron = corner + Vec3(x, y, z) * kCell_A - iron;
-    if (glm::length(from_iron) < 2.44 + ball_A + kCell_A && glm::dot(from_iron, distal) > 0.5) return true;
+    if (glm::length(from_iron) < 2.44 + sphere_A + kCell_A && glm::dot(from_iron, distal) > 0.5) return true;
     for (const int step : {-1, 1}) {
       fill(x + step, y, z);
       fill(x, y + step, z);
@@ -132,7 +132,8 @@ TEST_CASE(
     REQUIRE(iron.size() == 1);
     double nearest_A = 1e9;
     for (const auto w : parseSelection("water")->select(*molecule))
-      nearest_A = std::min(nearest_A, glm::distance(molecule->balls[iron[0]].centre_A, molecule->balls[w].centre_A));
+      nearest_A =
+          std::min(nearest_A, glm::distance(molecule->spheres[iron[0]].centre_A, molecule->spheres[w].centre_A));
     CAPTURE(chain);
     CHECK((nearest_A >= least_A && nearest_A <= most_A));
   }
@@ -154,7 +155,7 @@ TEST_CASE(
   const TouchLimits above(fit, "fit", *beta.molecule);
   const auto iron = beta.select(fit.values["fit"].selection.text());
   const auto limit = largestProbe(fit.values["least"].number, fit.values["most"].number, [&](double probe_A) {
-    return !comesTo(beta.balls, iron, probe_A, true, [&](const SurfacePlace& p) {
+    return !comesTo(beta.spheres, iron, probe_A, true, [&](const SurfacePlace& p) {
               return above.allow(p.scp_A, probe_A);
             }).empty();
   });
@@ -185,13 +186,13 @@ TEST_CASE(
       const auto core = whole.select(c + "resname HEM and (name " + names + ")");
       REQUIRE(core.size() == count);
       Vec3 middle(0.0);
-      for (const auto i : core) middle += whole.molecule->balls[i].centre_A / double(count);
+      for (const auto i : core) middle += whole.molecule->spheres[i].centre_A / double(count);
       // From the normal of the four nitrogens down to the least squares.
       Vec3 normal = glm::normalize(glm::cross(at("N A") - at("N C"), at("N B") - at("N D")));
       for (int k = 0; k < 500; ++k) {
         Vec3 pull(0.0);
         for (const auto i : core) {
-          const Vec3 q = whole.molecule->balls[i].centre_A - middle;
+          const Vec3 q = whole.molecule->spheres[i].centre_A - middle;
           pull += q * glm::dot(q, normal);
         }
         normal = glm::normalize(normal - 0.002 * pull);
@@ -240,9 +241,9 @@ TEST_CASE(
   std::vector<std::uint32_t> both = from;
   both.push_back(iron[0]);
   int above = 0;
-  for (const SurfacePlace& p : creasePlaces(beta.balls, both, 0.6, 0.02)) {
+  for (const SurfacePlace& p : creasePlaces(beta.spheres, both, 0.6, 0.02)) {
     if (!is(iron, p.atoms[0]) && !is(iron, p.atoms[1])) continue;
-    CHECK(glm::dot(p.scp_A - beta.balls[iron[0]].centre_A, up) > 1.0);
+    CHECK(glm::dot(p.scp_A - beta.spheres[iron[0]].centre_A, up) > 1.0);
     ++above;
   }
   CHECK(above > 10);
@@ -270,9 +271,9 @@ TEST_CASE(
   CHECK_FALSE(step.scene.highlight.given());
   const ShippedScene whole("2hhb");
   Vec3 middle(0.0), ahead(0.0);
-  for (const Ball& a : whole.molecule->balls) middle += a.centre_A / double(whole.molecule->atoms.size());
+  for (const Sphere& a : whole.molecule->spheres) middle += a.centre_A / double(whole.molecule->atoms.size());
   const auto faced = step.scene.view.facing.select(*whole.molecule);
-  for (const auto i : faced) ahead += whole.molecule->balls[i].centre_A / double(faced.size());
+  for (const auto i : faced) ahead += whole.molecule->spheres[i].centre_A / double(faced.size());
   const Vec3 to_eye = glm::normalize(ahead - middle);
   const auto target = whole.select(task.values["find"].selection.text());
   const double within_A = task.values["within"].number;
@@ -281,11 +282,11 @@ TEST_CASE(
   double nearest_A = 1e9;
   for (const SurfacePlace& p : whole.places("all", probe_A, 40)) {
     if (glm::dot(p.outward, to_eye) < 0.3 ||
-        !openFromOutside(whole.balls, {p.scp_A, to_eye, p.atoms, p.feature}, probe_A))
+        !openFromOutside(whole.spheres, {p.scp_A, to_eye, p.atoms, p.feature}, probe_A))
       continue;
     ++seen;
     if (std::none_of(target.begin(), target.end(), [&](std::uint32_t i) {
-          return glm::distance(p.scp_A, whole.balls[i].centre_A) - whole.balls[i].radius_A - probe_A <= within_A;
+          return glm::distance(p.scp_A, whole.spheres[i].centre_A) - whole.spheres[i].radius_A - probe_A <= within_A;
         }))
       continue;
     ++right;

@@ -45,13 +45,13 @@ TEST_CASE(
   CHECK(3.76 / std::sqrt(3.0) == doctest::Approx(2.17).epsilon(0.001));
   CHECK(2 * 1.70 / std::sqrt(3.0) - 1.70 == doctest::Approx(0.26).epsilon(0.02));
   const auto all = triangle.select("all");
-  CHECK(pitPlaces(triangle.balls, all, gap_A - 0.01).empty());
-  CHECK(pitPlaces(triangle.balls, all, gap_A + 0.01).size() == 2);
+  CHECK(pitPlaces(triangle.spheres, all, gap_A - 0.01).empty());
+  CHECK(pitPlaces(triangle.spheres, all, gap_A + 0.01).size() == 2);
   // At 0.2 A the whole crease between the two lower atoms is open, so 60 % of it can be traced, which is more than the
   // front half.
   const auto lower = triangle.select("atom 1 2");
   const double radius_A = std::sqrt(2.08 * 2.08 - 1.88 * 1.88);
-  CHECK(double(creasePlaces(triangle.balls, lower, 0.2, 0.05).size()) >= 2 * std::numbers::pi * radius_A / 0.05 - 1);
+  CHECK(double(creasePlaces(triangle.spheres, lower, 0.2, 0.05).size()) >= 2 * std::numbers::pi * radius_A / 0.05 - 1);
 }
 
 TEST_CASE(
@@ -65,7 +65,7 @@ TEST_CASE(
   CHECK(lysozyme.openPlaces("residue 57", 1.4) > 50);
   const auto many = [&](double probe_A) { return lysozyme.places("residue 57", probe_A, 200'000); };
   CHECK(many(3.05).size() > 0);
-  for (const SurfacePlace& p : many(3.05)) CHECK(openFromOutside(lysozyme.balls, p, 3.05));
+  for (const SurfacePlace& p : many(3.05)) CHECK(openFromOutside(lysozyme.spheres, p, 3.05));
   for (const double probe_A : {3.1, 3.2, 3.5}) {
     CAPTURE(probe_A);
     CHECK(many(probe_A).empty());
@@ -75,7 +75,7 @@ TEST_CASE(
     CHECK(lysozyme.openPlaces(cuts, 1.4) > 100);
     const auto large = lysozyme.places(cuts, 3.5, 20'000);
     CHECK(std::any_of(large.begin(), large.end(),
-                      [&](const SurfacePlace& p) { return openFromOutside(lysozyme.balls, p, 3.5); }));
+                      [&](const SurfacePlace& p) { return openFromOutside(lysozyme.spheres, p, 3.5); }));
   }
 }
 
@@ -92,10 +92,10 @@ TEST_CASE(
       return std::find(atoms.begin(), atoms.end(), static_cast<std::uint32_t>(a)) != atoms.end();
     });
   };
-  const auto pits = pitPlaces(lysozyme.balls, lysozyme.select("residue 35 44 52"), 3.5);
+  const auto pits = pitPlaces(lysozyme.spheres, lysozyme.select("residue 35 44 52"), 3.5);
   CHECK(std::any_of(pits.begin(), pits.end(), [&](const SurfacePlace& p) {
     return of(p, "residue 35 and name OE1") && of(p, "residue 52 and name OD2") &&
-           openFromOutside(lysozyme.balls, p, 3.5);
+           openFromOutside(lysozyme.spheres, p, 3.5);
   }));
   CHECK(lysozyme.between("residue 35 and name OE1", "residue 52 and name OD2") == doctest::Approx(5.8).epsilon(0.005));
 }

@@ -17,16 +17,16 @@ struct Touchable {
 };
 
 struct Searched {
-  Searched(const std::string& molecule, double ball_A, const std::string& without = {}) : scene(molecule) {
-    std::vector<bool> out(scene.balls.size());
+  Searched(const std::string& molecule, double sphere_A, const std::string& without = {}) : scene(molecule) {
+    std::vector<bool> out(scene.spheres.size());
     if (!without.empty())
       for (const std::uint32_t i : scene.select(without)) out[i] = true;
-    std::vector<Ball> kept;
-    for (std::uint32_t i = 0; i < scene.balls.size(); ++i) {
+    std::vector<Sphere> kept;
+    for (std::uint32_t i = 0; i < scene.spheres.size(); ++i) {
       index.push_back(out[i] ? -1 : int(kept.size()));
-      if (!out[i]) kept.push_back(scene.balls[i]);
+      if (!out[i]) kept.push_back(scene.spheres[i]);
     }
-    ways.emplace(kept, ball_A);
+    ways.emplace(kept, sphere_A);
   }
   std::string name(std::uint32_t i) const {
     const Atom& a = scene.molecule->atoms[i];
@@ -92,7 +92,7 @@ TEST_CASE(
   CHECK(of.crooked == Names{"N1A 215", "C2A 215", "C2B 215", "O2A 215", "O2B 215", "O2G 215", "O3G 215", "PD 215",
                             "O1D 215", "O3D 215", "O2E 215"});
   CHECK(shut.scene.openPlaces("ligand and name C2A N1A", 1.4) == shut.scene.openPlaces("ligand", 1.4));
-  // A flood with a ball that is smaller by what its grid may miss.
+  // A flood with a sphere that is smaller by what its grid may miss.
   CHECK(Searched("1ake", 2.0 - WaysIn::kMissed_A).of("ligand").crooked == Names{"N1A 215", "C2A 215"});
 }
 
@@ -152,11 +152,11 @@ TEST_CASE(
     "the larger one no atom of Gln 57 but some of Glu 35 and Asp 52") {
   CAPTURE(linesSaying("the-probe-decides", {"the probe of 1.4 Å can touch about 570", "- [x] About 330",
                                             "crooked ways add one atom at most"}));
-  for (const auto& [ball_A, said] : {std::pair{1.4, 570.0}, std::pair{3.5, 330.0}}) {
-    CAPTURE(ball_A);
+  for (const auto& [sphere_A, said] : {std::pair{1.4, 570.0}, std::pair{3.5, 330.0}}) {
+    CAPTURE(sphere_A);
     const ShippedScene lysozyme("1hel");
-    REQUIRE(lysozyme.balls.size() == 1001);
-    const WaysIn ways(lysozyme.balls.balls(), ball_A);
+    REQUIRE(lysozyme.spheres.size() == 1001);
+    const WaysIn ways(lysozyme.spheres.spheres(), sphere_A);
     const std::vector<std::uint32_t> all = lysozyme.select("all");
     const auto straight = ways.straight(all).size(), crooked = ways.crooked(all).size();
     CHECK(double(straight) == doctest::Approx(said).epsilon(0.01));

@@ -26,23 +26,23 @@ const std::vector<Vec3>& restDirections() {
   return kDirections;
 }
 
-// Whether the way of this length, or without end, from a place outside of the ball comes into it.
-bool meets(const Ball& ball, const Vec3& from, const Vec3& way, double length_A) {
-  const Vec3 to = ball.centre_A - from;
+// Whether the way of this length, or without end, from a place outside of the sphere comes into it.
+bool meets(const Sphere& sphere, const Vec3& from, const Vec3& way, double length_A) {
+  const Vec3 to = sphere.centre_A - from;
   const double along = glm::dot(to, way);
   if (along <= 0.0) return false;
   const double nearest = std::min(along, length_A);
   const Vec3 off = to - way * nearest;
-  return glm::dot(off, off) < (ball.radius_A - kRounding_A) * (ball.radius_A - kRounding_A);
+  return glm::dot(off, off) < (sphere.radius_A - kRounding_A) * (sphere.radius_A - kRounding_A);
 }
 
 }  // namespace
 
-WaysIn::WaysIn(std::span<const Ball> balls, double ball_A) : grown_(balls.begin(), balls.end()) {
+WaysIn::WaysIn(std::span<const Sphere> spheres, double sphere_A) : grown_(spheres.begin(), spheres.end()) {
   Vec3 high(-1e9);
   low_A_ = Vec3(1e9);
-  for (Ball& b : grown_) {
-    b.radius_A += ball_A;
+  for (Sphere& b : grown_) {
+    b.radius_A += sphere_A;
     low_A_ = glm::min(low_A_, b.centre_A - Vec3(b.radius_A + 2 * kCell_A));
     high = glm::max(high, b.centre_A + Vec3(b.radius_A + 2 * kCell_A));
   }
@@ -60,15 +60,15 @@ std::vector<std::uint32_t> WaysIn::nearestTo(std::uint32_t atom) const {
 }
 
 std::vector<Vec3> WaysIn::freeRests(std::uint32_t atom, const std::vector<std::uint32_t>& nearest) const {
-  const Ball& own = grown_[atom];
-  std::vector<const Ball*> near;
+  const Sphere& own = grown_[atom];
+  std::vector<const Sphere*> near;
   for (const std::uint32_t i : nearest)
     if (glm::distance(grown_[i].centre_A, own.centre_A) < grown_[i].radius_A + own.radius_A) near.push_back(&grown_[i]);
   std::vector<Vec3> out;
   for (const Vec3& d : restDirections()) {
     const Vec3 place = own.centre_A + d * own.radius_A;
     if (std::none_of(near.begin(), near.end(),
-                     [&](const Ball* b) { return glm::distance(place, b->centre_A) < b->radius_A - kRounding_A; }))
+                     [&](const Sphere* b) { return glm::distance(place, b->centre_A) < b->radius_A - kRounding_A; }))
       out.push_back(place);
   }
   return out;
@@ -94,7 +94,7 @@ bool WaysIn::straight(std::uint32_t atom) const {
 void WaysIn::fill() const {
   if (!cells_.empty()) return;
   cells_.assign(std::size_t(count_[0]) * std::size_t(count_[1]) * std::size_t(count_[2]), Free);
-  for (const Ball& b : grown_) {
+  for (const Sphere& b : grown_) {
     const auto low = [&](double from, int k) { return static_cast<int>(std::ceil((from - low_A_[k]) / kCell_A)); };
     const auto high = [&](double to, int k) { return static_cast<int>(std::floor((to - low_A_[k]) / kCell_A)); };
     const Vec3& c = b.centre_A;
@@ -145,7 +145,7 @@ bool WaysIn::reached(const Vec3& rest, std::uint32_t atom, const std::vector<std
         // Only those whose spheres meet that of this atom can stand between places this near to it, but for a cell's diagonal.
         bool free = !shut(atom);
         for (std::size_t k = 0; free && k < nearest.size(); ++k) {
-          const Ball& b = grown_[nearest[k]];
+          const Sphere& b = grown_[nearest[k]];
           if (glm::distance(b.centre_A, grown_[atom].centre_A) > 2.0 * grown_[atom].radius_A + b.radius_A) break;
           free = !shut(nearest[k]);
         }

@@ -1,4 +1,4 @@
-// The oracle for what a ball can touch, against places that are known in closed form.
+// The oracle for what a sphere can touch, against places that are known in closed form.
 #include "tests/lesson/ways_in.h"
 
 #include <doctest/doctest.h>
@@ -11,12 +11,12 @@ using namespace moltact::test;
 
 namespace {
 
-constexpr double kBall_A = 1.4, kAtom_A = 1.7;
+constexpr double kSphere_A = 1.4, kAtom_A = 1.7;
 
-// A hollow ball of atoms of 1.7 A round an atom in its middle, with a hole of so many degrees from the axis z, where the
+// A hollow sphere of atoms of 1.7 A round an atom in its middle, with a hole of so many degrees from the axis z, where the
 // hull is open; its spheres leave no other gap.
-std::vector<Ball> hull(double hole_deg) {
-  std::vector<Ball> out{{Vec3(0.0), kAtom_A}};
+std::vector<Sphere> hull(double hole_deg) {
+  std::vector<Sphere> out{{Vec3(0.0), kAtom_A}};
   const int n = 2000;
   for (int k = 0; k < n; ++k) {
     const double z = 1.0 - (2.0 * k + 1.0) / n, turn = std::numbers::pi * (3.0 - std::sqrt(5.0)) * k;
@@ -33,22 +33,22 @@ TEST_CASE(
     "an atom inside a closed hull is not touched; through a hole of 10 A x sin 30 = 5 A in radius less 3.1 A it is, "
     "straight "
     "and by a flood") {
-  const WaysIn shut(hull(0.0), kBall_A);
+  const WaysIn shut(hull(0.0), kSphere_A);
   CHECK_FALSE(shut.straight(0));
   CHECK_FALSE(shut.crooked(0));
-  const WaysIn open(hull(30.0), kBall_A);
+  const WaysIn open(hull(30.0), kSphere_A);
   CHECK(open.straight(0));
   CHECK(open.crooked(0));
 }
 
 TEST_CASE("behind a lid before the hole an atom is touched round the corner and not straight") {
-  std::vector<Ball> balls = hull(35.0);
-  // A lid of 8 A in radius, 8 A above the hole's edge: every straight line through the hole meets it, and the ball goes in
+  std::vector<Sphere> spheres = hull(35.0);
+  // A lid of 8 A in radius, 8 A above the hole's edge: every straight line through the hole meets it, and the sphere goes in
   // under its rim.
   for (double x = -14.0; x <= 14.0; x += 1.0)
     for (double y = -14.0; y <= 14.0; y += 1.0)
-      if (std::hypot(x, y) <= 14.0) balls.push_back({Vec3(x, y, 15.5), kAtom_A});
-  const WaysIn ways(balls, kBall_A);
+      if (std::hypot(x, y) <= 14.0) spheres.push_back({Vec3(x, y, 15.5), kAtom_A});
+  const WaysIn ways(spheres, kSphere_A);
   CHECK_FALSE(ways.straight(0));
   CHECK(ways.crooked(0));
 }
@@ -56,8 +56,8 @@ TEST_CASE("behind a lid before the hole an atom is touched round the corner and 
 TEST_CASE(
     "of one of two equal atoms 3 A apart a ball of 1.4 A can rest on 74 % of the sphere, as the cap that the other "
     "covers says") {
-  const double apart_A = 3.0, grown_A = kAtom_A + kBall_A;
-  const WaysIn pair(std::vector<Ball>{{Vec3(0.0), kAtom_A}, {Vec3(apart_A, 0, 0), kAtom_A}}, kBall_A);
-  CHECK(pair.share(0) == doctest::Approx(0.5 * (1.0 + 0.5 * apart_A / grown_A)).epsilon(0.001));
+  const double grid_spacing_A = 3.0, grown_A = kAtom_A + kSphere_A;
+  const WaysIn pair(std::vector<Sphere>{{Vec3(0.0), kAtom_A}, {Vec3(grid_spacing_A, 0, 0), kAtom_A}}, kSphere_A);
+  CHECK(pair.share(0) == doctest::Approx(0.5 * (1.0 + 0.5 * grid_spacing_A / grown_A)).epsilon(0.001));
   CHECK(pair.straight(0));
 }

@@ -183,7 +183,7 @@ TEST_CASE("of 30 000 mmCIF models the first, the last and one whose rows are par
     REQUIRE(read);
     CHECK(read->models_in_file == 30'000);
     REQUIRE(read->atoms.size() == atoms);
-    CHECK(read->balls[0].centre_A.x == model);
+    CHECK(read->spheres[0].centre_A.x == model);
   }
 }
 

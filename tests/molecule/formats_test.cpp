@@ -131,8 +131,8 @@ TEST_CASE("PQR gives each atom the radius and the charge of the file; the chain 
       "HETATM10000  NA  NA    2A      9.000   2.000   3.000  1.0000 1.8680\nEND\n",
       "x.pqr");
   CHECK(places(m) == "N 1.000 2.000 3.000|HB1 2.000 2.000 3.000|NA 9.000 2.000 3.000");
-  CHECK(m.balls[0].radius_A == 1.824);
-  CHECK(m.balls[1].radius_A == 0.0);
+  CHECK(m.spheres[0].radius_A == 1.824);
+  CHECK(m.spheres[1].radius_A == 0.0);
   CHECK(m.charges_e == SharedArray<float>{-0.3F, 0.1F, 1.0F});
   CHECK(m.atoms[0].atomic_number == 7);
   CHECK(m.atoms[1].atomic_number == 1);
@@ -259,7 +259,7 @@ TEST_CASE("in an oblique cell two atoms lie as far apart as the cell's metric sa
   const double u = 0.3 * 6, v = -0.1 * 7, w = 0.4 * 8, degree = 3.14159265358979323846 / 180;
   const double squared = u * u + v * v + w * w + 2 * v * w * std::cos(80 * degree) +
                          2 * u * w * std::cos(100 * degree) + 2 * u * v * std::cos(110 * degree);
-  CHECK(glm::distance(m.balls[0].centre_A, m.balls[1].centre_A) == doctest::Approx(std::sqrt(squared)));
+  CHECK(glm::distance(m.spheres[0].centre_A, m.spheres[1].centre_A) == doctest::Approx(std::sqrt(squared)));
 }
 
 TEST_CASE("of disorder groups the most occupied is kept; a second block of atoms is a second model") {
@@ -363,7 +363,7 @@ TEST_CASE("an assembly of 1680 operators keeps its atoms where they belong, thou
   const Molecule m = read(text, "x.pdb", {.assembly = "1"});
   REQUIRE(m.atoms.size() == 1680);
   for (int k = 1; k <= 1680; ++k) {
-    const Vec3 at = m.balls[std::size_t(k - 1)].centre_A;
+    const Vec3 at = m.spheres[std::size_t(k - 1)].centre_A;
     CHECK(glm::distance(at, Vec3(10 * turns[k % 4][0], 10 * turns[k % 4][1], 3.0 * (k - 1))) < 1e-4);
   }
 }

@@ -26,7 +26,7 @@ Vec3 place(const Molecule& m, const char* chain, int number, std::string_view na
   for (const Residue& r : m.residues)
     if (r.number == number && m.chains[r.chain].name == chain)
       for (std::uint32_t i = r.first_atom; i < r.first_atom + r.atom_count; ++i)
-        if (name == m.atoms[i].name.data()) return m.balls[i].centre_A;
+        if (name == m.atoms[i].name.data()) return m.spheres[i].centre_A;
   FAIL("no atom " << name << " in " << chain << number);
   return {};
 }
@@ -47,7 +47,7 @@ double closestFar(const Molecule& m) {
     for (std::size_t j = 0; j < i; ++j) {
       const Residue &a = m.residues[m.atoms[i].residue], &b = m.residues[m.atoms[j].residue];
       if (a.chain == b.chain && std::abs(a.number - b.number) <= 1) continue;
-      least = std::min(least, glm::distance(m.balls[i].centre_A, m.balls[j].centre_A));
+      least = std::min(least, glm::distance(m.spheres[i].centre_A, m.spheres[j].centre_A));
     }
   return least;
 }
@@ -90,7 +90,7 @@ TEST_CASE("2hhb has 4384 atoms of protein, four haems of 43 atoms and two phosph
   CHECK(s.waters_left_out == 221);
   for (std::size_t i = 0; i < m.atoms.size(); ++i)
     if (m.atoms[i].atomic_number == 26) {
-      CHECK(m.balls[i].radius_A == 2.44);
+      CHECK(m.spheres[i].radius_A == 2.44);
       CHECK(m.describe(i) == "FE of haem 1 (chain A)");
       break;
     }
@@ -107,7 +107,7 @@ TEST_CASE(
     std::vector<Vec3> here, there;
     for (const Residue& r : pocket.residues)
       for (std::uint32_t i = r.first_atom; i < r.first_atom + r.atom_count; ++i) {
-        here.push_back(pocket.balls[i].centre_A);
+        here.push_back(pocket.spheres[i].centre_A);
         there.push_back(place(whole, chain, r.number, pocket.atoms[i].name.data()));
       }
     for (std::size_t i = 0; i < here.size(); ++i)
@@ -147,7 +147,7 @@ TEST_CASE("the committed files are what the generator makes, byte for byte") {
 TEST_CASE("water has O-H 0.957 A and H-O-H 104.5 degrees; as the whole file it is not left out") {
   const Molecule m = library("water.pdb");
   REQUIRE(m.atoms.size() == 3);
-  const Vec3 o = m.balls[0].centre_A, h1 = m.balls[1].centre_A, h2 = m.balls[2].centre_A;
+  const Vec3 o = m.spheres[0].centre_A, h1 = m.spheres[1].centre_A, h2 = m.spheres[2].centre_A;
   CHECK(glm::distance(o, h1) == doctest::Approx(0.957).epsilon(0.001));
   CHECK(angle_deg(h1, o, h2) == doctest::Approx(104.52).epsilon(0.001));
 }
@@ -155,8 +155,8 @@ TEST_CASE("water has O-H 0.957 A and H-O-H 104.5 degrees; as the whole file it i
 TEST_CASE("benzene's six C-C bonds are 1.397 A, its C-H bonds 1.084 A") {
   const Molecule m = library("benzene.pdb");
   for (std::size_t i = 0; i < 6; ++i) {
-    CHECK(std::abs(glm::distance(m.balls[i].centre_A, m.balls[(i + 1) % 6].centre_A) - 1.397) < 0.0015);
-    CHECK(std::abs(glm::distance(m.balls[i].centre_A, m.balls[i + 6].centre_A) - 1.084) < 0.0015);
+    CHECK(std::abs(glm::distance(m.spheres[i].centre_A, m.spheres[(i + 1) % 6].centre_A) - 1.397) < 0.0015);
+    CHECK(std::abs(glm::distance(m.spheres[i].centre_A, m.spheres[i + 6].centre_A) - 1.084) < 0.0015);
   }
 }
 

@@ -149,7 +149,7 @@ TEST_CASE(
     REQUIRE(all->chains[std::size_t(3 * copy)].name == "A" + suffix);
     REQUIRE(all->chains[std::size_t(3 * copy + 2)].name == "C" + suffix);
     const double a = 6.283185307 * (copy / kUp + 1) / kRound;
-    const Vec3 from = one->balls[5].centre_A, at = all->balls[std::size_t(copy) * kAsymmetric + 5].centre_A;
+    const Vec3 from = one->spheres[5].centre_A, at = all->spheres[std::size_t(copy) * kAsymmetric + 5].centre_A;
     const double z = from.z + 1000.0 * (kRound + 1 + copy % kUp);
     REQUIRE(glm::distance(at, Vec3(std::cos(a) * from.x - std::sin(a) * from.y,
                                    std::sin(a) * from.x + std::cos(a) * from.y, z)) < 1e-4);
@@ -212,11 +212,11 @@ TEST_CASE(
   const MmcifOperators two{{"1", {}}, {"2", {}}};
   std::string doubled, single, wide = "(1-2)";
   for (int k = 0; k < 2000; ++k) doubled += "(1-2)", single += "(1)";
-  CHECK(operatorsOf(doubled, two).size() == kMostCopies + 1);
+  CHECK(operatorsOf(doubled, two).size() == kMaxCopies + 1);
   CHECK(operatorsOf(single, two).size() == 1);
   CHECK(operatorsOf("(1-2)(1,2)(1-2)", two).size() == 8);
   // Half a million copies in each of 2000 brackets.
   for (int k = 1; k < 19; ++k) wide += "(1-2)";
-  CHECK(operatorsOf(wide + single, two).size() == kMostCopies + 1);
+  CHECK(operatorsOf(wide + single, two).size() == kMaxCopies + 1);
   CHECK(operatorsOf("(1-2)(7)(1-2)", two).empty());  // 7 is not known: nothing times anything
 }

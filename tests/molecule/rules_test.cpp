@@ -17,7 +17,7 @@ Molecule read(const std::string& text, const std::string& name = "x.pdb", const 
 
 std::vector<double> xs(const Molecule& m) {
   std::vector<double> out;
-  for (const Ball& atom : m.balls) out.push_back(atom.centre_A.x);
+  for (const Sphere& atom : m.spheres) out.push_back(atom.centre_A.x);
   return out;
 }
 
@@ -116,7 +116,7 @@ TEST_CASE("hydrogens are kept, deuterium counts as hydrogen") {
                           atomLine(" DA", ' ', "GLY", 'A', 1, ' ', 1, 0, 0, 1, "D"));
   CHECK(m.atoms[0].atomic_number == 1);
   CHECK(m.atoms[1].atomic_number == 1);
-  CHECK(m.balls[1].radius_A == 1.20);
+  CHECK(m.spheres[1].radius_A == 1.20);
 }
 
 TEST_CASE("two unknown elements in three atoms give 1.70 A and two warnings") {
@@ -127,7 +127,7 @@ TEST_CASE("two unknown elements in three atoms give 1.70 A and two warnings") {
   CHECK(m.warnings == std::vector<std::string>{
                           "No van der Waals radius is known for the element 'Qq' (2 atoms); 1.70\u00a0Å was taken.",
                           "No van der Waals radius is known for the element 'Xy' (1 atom); 1.70\u00a0Å was taken."});
-  for (const Ball& atom : m.balls) CHECK(atom.radius_A == 1.70);
+  for (const Sphere& atom : m.spheres) CHECK(atom.radius_A == 1.70);
 }
 
 TEST_CASE(
@@ -156,7 +156,7 @@ TEST_CASE("a PDB assembly of a half turn gives chains A and A-2; an atom on the 
   CHECK(read(text).atoms.size() == 2);
   const Molecule m = read(text, "x.pdb", {.assembly = "1"});
   REQUIRE(m.atoms.size() == 3);
-  CHECK(m.balls[2].centre_A == Vec3(9, -2, 3));
+  CHECK(m.spheres[2].centre_A == Vec3(9, -2, 3));
   REQUIRE(m.chains.size() == 2);
   CHECK(m.chains[1].name == "A-2");
   CHECK(problemOf(text, "x.pdb", {.assembly = "2"}) ==
@@ -176,8 +176,8 @@ TEST_CASE("an mmCIF assembly with the product (1-2)(P) applies P first, and only
   text += "1 1 0 0 0 1 0 0 0 1 0 0 0\n2 0 -1 0 1 0 0 0 0 1 0 0 0\nP 1 0 0 0 1 0 0 0 1 10 0 0\n";
   const Molecule m = read(text, "x.cif", {.assembly = "1"});
   REQUIRE(m.atoms.size() == 2);
-  CHECK(m.balls[0].centre_A == Vec3(11, 2, 3));
-  CHECK(m.balls[1].centre_A == Vec3(-2, 11, 3));
+  CHECK(m.spheres[0].centre_A == Vec3(11, 2, 3));
+  CHECK(m.spheres[1].centre_A == Vec3(-2, 11, 3));
   CHECK(m.chains[1].name == "X-2");
 }
 
@@ -185,9 +185,9 @@ TEST_CASE("an .xyzr file gives its balls as they stand: comments, blank lines, s
   const Molecule m = read("# a comment\n\n 1 2.5 -3 1.2\r\n+4\t5e0 6 0 # the rest\n", "balls.xyzr");
   REQUIRE(m.atoms.size() == 2);
   CHECK(m.id == "balls");
-  CHECK(m.balls[0].centre_A == Vec3(1, 2.5, -3));
-  CHECK(m.balls[0].radius_A == 1.2);
-  CHECK(m.balls[1].radius_A == 0);
+  CHECK(m.spheres[0].centre_A == Vec3(1, 2.5, -3));
+  CHECK(m.spheres[0].radius_A == 1.2);
+  CHECK(m.spheres[1].radius_A == 0);
   CHECK(m.warnings.empty());
   CHECK(m.describe(1) == "atom 1");
   CHECK(read("0 0 0 1 CA\n", "n.xyzr").warnings ==

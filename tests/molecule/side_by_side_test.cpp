@@ -26,8 +26,8 @@ struct Extent {
 Extent along(const Molecule& m, std::size_t from, std::size_t to, int axis) {
   Extent e;
   for (std::size_t i = from; i < to; ++i) {
-    e.low = std::min(e.low, m.balls[i].centre_A[axis] - m.balls[i].radius_A);
-    e.high = std::max(e.high, m.balls[i].centre_A[axis] + m.balls[i].radius_A);
+    e.low = std::min(e.low, m.spheres[i].centre_A[axis] - m.spheres[i].radius_A);
+    e.high = std::max(e.high, m.spheres[i].centre_A[axis] + m.spheres[i].radius_A);
   }
   return e;
 }
@@ -43,7 +43,7 @@ TEST_CASE(
   REQUIRE(both.beside_from == alone.atoms.size());
   CHECK(both.id == alone.id);
   CHECK(both.beside_id == ring.id);
-  for (std::size_t i = 0; i < alone.atoms.size(); ++i) CHECK(both.balls[i].centre_A == alone.balls[i].centre_A);
+  for (std::size_t i = 0; i < alone.atoms.size(); ++i) CHECK(both.spheres[i].centre_A == alone.spheres[i].centre_A);
   const auto first = [&](int axis) { return along(both, 0, both.beside_from, axis); };
   const auto second = [&](int axis) { return along(both, both.beside_from, both.atoms.size(), axis); };
   CHECK(second(0).low - first(0).high == doctest::Approx(kBesideGap_A));
@@ -51,8 +51,8 @@ TEST_CASE(
     CHECK(second(axis).low + second(axis).high == doctest::Approx(first(axis).low + first(axis).high));
   // Its distances within itself are those of its file.
   for (std::size_t i = 1; i < ring.atoms.size(); ++i)
-    CHECK(glm::distance(both.balls[both.beside_from + i].centre_A, both.balls[both.beside_from].centre_A) ==
-          doctest::Approx(glm::distance(ring.balls[i].centre_A, ring.balls[0].centre_A)));
+    CHECK(glm::distance(both.spheres[both.beside_from + i].centre_A, both.spheres[both.beside_from].centre_A) ==
+          doctest::Approx(glm::distance(ring.spheres[i].centre_A, ring.spheres[0].centre_A)));
 }
 
 TEST_CASE("the molecule beside is read as the first is, but for model, assembly and another beside it") {
@@ -83,22 +83,22 @@ TEST_CASE(
   const Molecule one = library("1ubq.pdb");
   Molecule turned = one;
   const glm::dmat3 turn = glm::mat3_cast(glm::normalize(glm::dquat(0.3, -0.5, 0.7, 0.2)));
-  std::vector<Ball> balls = one.balls.copy();
-  for (Ball& b : balls) b.centre_A = turn * b.centre_A + Vec3(40, -7, 3);
-  turned.balls = std::move(balls);
+  std::vector<Sphere> spheres = one.spheres.copy();
+  for (Sphere& b : spheres) b.centre_A = turn * b.centre_A + Vec3(40, -7, 3);
+  turned.spheres = std::move(spheres);
   const Molecule both = sideBySide(one, turned);
-  const Vec3 shift = both.balls[both.beside_from].centre_A - both.balls[0].centre_A;
+  const Vec3 shift = both.spheres[both.beside_from].centre_A - both.spheres[0].centre_A;
   CHECK(shift.x > 20.0);
   for (std::size_t i = 0; i < one.atoms.size(); ++i)
-    CHECK(glm::distance(both.balls[both.beside_from + i].centre_A, both.balls[i].centre_A + shift) < 1e-6);
+    CHECK(glm::distance(both.spheres[both.beside_from + i].centre_A, both.spheres[i].centre_A + shift) < 1e-6);
 }
 
 TEST_CASE("what is the same by number alone, and not by name, is not turned") {
   const Molecule one = library("1ubq.pdb"), other = library("1hel.pdb");
   const Molecule both = sideBySide(one, other);
-  const Vec3 shift = both.balls[both.beside_from].centre_A - other.balls[0].centre_A;
+  const Vec3 shift = both.spheres[both.beside_from].centre_A - other.spheres[0].centre_A;
   for (std::size_t i = 0; i < other.atoms.size(); ++i)
-    CHECK(glm::distance(both.balls[both.beside_from + i].centre_A, other.balls[i].centre_A + shift) < 1e-9);
+    CHECK(glm::distance(both.spheres[both.beside_from + i].centre_A, other.spheres[i].centre_A + shift) < 1e-9);
 }
 
 TEST_CASE("a second molecule that is not there is told; helices that one file does not record are found for both") {

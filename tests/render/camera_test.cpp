@@ -115,9 +115,9 @@ TEST_CASE("fitting a long molecule keeps every ball in the picture and leaves no
     camera.orbit(3 * u(random), 3 * u(random));
     camera.fit(molecule, 1.6, 0.08);
     double largest = 0;
-    for (const Ball& a : molecule.balls) {
+    for (const Sphere& a : molecule.spheres) {
       const Vec3 v = camera.toView(PointA{a.centre_A});
-      // The tangent plane through the eye that touches the ball on its outer side.
+      // The tangent plane through the eye that touches the sphere on its outer side.
       for (const auto& [side, tan] :
            {std::pair{std::abs(v.x), camera.tanHalfX(1600, 1000)}, std::pair{std::abs(v.y), camera.tanHalfY()}})
         largest =

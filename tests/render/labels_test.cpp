@@ -84,21 +84,21 @@ TEST_CASE("of 300 names at random places none overlaps another or leaves the pic
 TEST_CASE(
     "what an atom hides is not named; an author's own name for it is faint, and at full strength from the other side") {
   const std::vector<PlacedAtom> two{atom(Vec3(0, 0, 6), 3.0, 6), atom(Vec3(0, 0, -6), 1.5, 7)};
-  const BallScene balls(molecule(two)->balls);
+  const SphereGrid spheres(molecule(two)->spheres);
   for (const bool own : {false, true}) {
     ViewScene scene =
         sceneWith(named({{.at = {Vec3(0, 0, -6)}, .clear_A = 1.5, .text = "behind", .always = own}}), two);
-    const auto hidden = layOutLabels(scene, &balls, kRoom);
+    const auto hidden = layOutLabels(scene, &spheres, kRoom);
     CHECK(hidden.size() == (own ? 1 : 0));
     if (own) CHECK(hidden[0].strength < 1.0);
     scene.camera.orbit(3.14159265, 0.0);
-    const auto seen = layOutLabels(scene, &balls, kRoom);
+    const auto seen = layOutLabels(scene, &spheres, kRoom);
     REQUIRE(seen.size() == 1);
     CHECK(seen[0].strength == 1.0);
-    // A cartoon hides nothing that its balls would.
+    // A cartoon hides nothing that its spheres would.
     scene.camera.orbit(3.14159265, 0.0);
     scene.look.styles = {{.style = DrawStyle::Cartoon}};
-    CHECK(layOutLabels(scene, &balls, kRoom).size() == 1);
+    CHECK(layOutLabels(scene, &spheres, kRoom).size() == 1);
   }
 }
 

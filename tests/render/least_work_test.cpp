@@ -4,9 +4,9 @@
 #include <set>
 
 #include "engine/bench/hip_paths.h"
-#include "engine/render/ball_blocks.h"
-#include "engine/render/fineness.h"
+#include "engine/render/adaptive_quality.h"
 #include "engine/render/molecule_model.h"
+#include "engine/render/sphere_blocks.h"
 #include "tests/render/stage.h"
 
 using namespace moltact;
@@ -16,7 +16,7 @@ namespace {
 
 std::shared_ptr<const Molecule> protein(std::size_t atoms, unsigned seed) {
   std::vector<PlacedAtom> out;
-  for (const Ball& b : bench::proteinLike(atoms, seed))
+  for (const Sphere& b : bench::proteinLike(atoms, seed))
     out.push_back(atom(b.centre_A, b.radius_A, 6 + int(out.size() % 3)));
   return molecule(std::move(out));
 }
@@ -55,7 +55,7 @@ TEST_CASE(
 }
 
 TEST_CASE("edges are smooth wherever a molecule is: beside it the filter finds nothing to do") {
-  // The same picture with a ball in each corner, so that all of it is filtered, has the same pixels in the middle.
+  // The same picture with a sphere in each corner, so that all of it is filtered, has the same pixels in the middle.
   std::vector<PlacedAtom> atoms{atom(Vec3(0), 2.0, 8), atom(Vec3(2.5, 1, 0), 1.6, 7)};
   ViewScene scene;
   scene.shown = {ViewPart::Atoms};
@@ -75,45 +75,45 @@ TEST_CASE("edges are smooth wherever a molecule is: beside it the filter finds n
 
 TEST_CASE("blocks hold every ball once, at most 48 each, and none reaches out of its block") {
   for (const std::size_t n : {std::size_t(1), std::size_t(48), std::size_t(49), std::size_t(5000)}) {
-    std::vector<Ball> balls = bench::proteinLike(n, unsigned(n));
-    balls.resize(n);
-    const BallBlocks blocks(balls);
+    std::vector<Sphere> spheres = bench::proteinLike(n, unsigned(n));
+    spheres.resize(n);
+    const SphereBlocks blocks(spheres);
     std::vector<int> times(n);
-    for (const BallBlocks::Block& block : blocks.blocks()) {
-      CHECK(blocks.of(block).size() <= BallBlocks::kMost);
+    for (const SphereBlocks::Block& block : blocks.blocks()) {
+      CHECK(blocks.of(block).size() <= SphereBlocks::kMax);
       for (const std::uint32_t i : blocks.of(block)) {
         ++times[i];
-        CHECK(glm::distance(balls[i].centre_A, block.centre_A) + balls[i].radius_A <= block.radius_A + 1e-9);
+        CHECK(glm::distance(spheres[i].centre_A, block.centre_A) + spheres[i].radius_A <= block.radius_A + 1e-9);
       }
     }
     CHECK(std::all_of(times.begin(), times.end(), [](int t) { return t == 1; }));
   }
-  CHECK(BallBlocks(std::vector<Ball>()).blocks().empty());
+  CHECK(SphereBlocks(std::vector<Sphere>()).blocks().empty());
 }
 
 TEST_CASE(
     "blocks refitted to balls that moved by up to 3 A find the same near 200 places as a look at each of 5000; seed "
     "9") {
-  std::vector<Ball> balls = bench::proteinLike(5000, 9);
-  BallBlocks blocks(balls);
+  std::vector<Sphere> spheres = bench::proteinLike(5000, 9);
+  SphereBlocks blocks(spheres);
   std::mt19937 random(9);
   std::uniform_real_distribution<double> by_A(-3.0, 3.0);
-  for (Ball& b : balls) b.centre_A += Vec3(by_A(random), by_A(random), by_A(random));
-  blocks.refit(balls);
+  for (Sphere& b : spheres) b.centre_A += Vec3(by_A(random), by_A(random), by_A(random));
+  blocks.refit(spheres);
   for (int k = 0; k < 200; ++k) {
-    const Vec3 place = balls[random() % balls.size()].centre_A + Vec3(by_A(random), by_A(random), by_A(random));
+    const Vec3 place = spheres[random() % spheres.size()].centre_A + Vec3(by_A(random), by_A(random), by_A(random));
     std::set<std::uint32_t> found, expected;
-    blocks.visitNear(balls, place, 2.0, [&](std::uint32_t i, const Ball&) { CHECK(found.insert(i).second); });
-    for (std::uint32_t i = 0; i < balls.size(); ++i)
-      if (glm::distance(balls[i].centre_A, place) <= balls[i].radius_A + 2.0) expected.insert(i);
+    blocks.visitNear(spheres, place, 2.0, [&](std::uint32_t i, const Sphere&) { CHECK(found.insert(i).second); });
+    for (std::uint32_t i = 0; i < spheres.size(); ++i)
+      if (glm::distance(spheres[i].centre_A, place) <= spheres[i].radius_A + 2.0) expected.insert(i);
     CHECK(found == expected);
   }
 }
 
 TEST_CASE("a picture's data that are moved are those made anew at the new places, and nothing is painted again") {
   const auto one = protein(3000, 4);
-  std::vector<Ball> places = one->balls.copy();
-  for (Ball& b : places) b.centre_A = Vec3(b.centre_A.y, 1.5 * b.centre_A.x, b.centre_A.z) + Vec3(2, 0, 0);
+  std::vector<Sphere> places = one->spheres.copy();
+  for (Sphere& b : places) b.centre_A = Vec3(b.centre_A.y, 1.5 * b.centre_A.x, b.centre_A.z) + Vec3(2, 0, 0);
   const auto two = std::make_shared<const Molecule>(one->movedTo(places));
   MoleculeModel moved(one);
   const unsigned painted = moved.painted;
@@ -123,7 +123,7 @@ TEST_CASE("a picture's data that are moved are those made anew at the new places
   CHECK(moved.colour == made.colour);
   CHECK(moved.middle_A == made.middle_A);
   CHECK(moved.reach_A == made.reach_A);
-  CHECK(moved.balls.sharesWith(two->balls));
+  CHECK(moved.spheres.sharesWith(two->spheres));
   for (std::size_t i = 0; i < places.size(); i += 100)
     CHECK(nearestAtoms(moved, {places[i].centre_A}, 1.4, 2.0, 9) ==
           nearestAtoms(made, {places[i].centre_A}, 1.4, 2.0, 9));
@@ -134,8 +134,8 @@ TEST_CASE("a picture's data that are moved are those made anew at the new places
 TEST_CASE("the light of atoms that move is found beside, and the picture is then that which waits for it") {
   ViewScene scene;
   const auto one = protein(1500, 3);
-  std::vector<Ball> places = one->balls.copy();
-  for (Ball& b : places) b.centre_A.x *= 1.3;
+  std::vector<Sphere> places = one->spheres.copy();
+  for (Sphere& b : places) b.centre_A.x *= 1.3;
   scene.molecule = one;
   scene.camera = frontCamera(90);
   drawn(scene, 240, 200);
@@ -187,12 +187,12 @@ TEST_CASE(
     "four "
     "samples a pixel; at rest both smooth it after ten frames") {
   for (const auto& [ms, scale, samples] : {std::tuple{72.0, 0.5, 1}, std::tuple{4.0, 1.0, 2}}) {
-    Fineness fineness;
+    AdaptiveQuality fineness;
     for (int k = 0; k < 40; ++k) {
-      const Fineness::Choice choice = fineness.choose(true);
+      const AdaptiveQuality::Choice choice = fineness.choose(true);
       fineness.took(ms * choice.scale * choice.scale * choice.options.samples * choice.options.samples);
     }
-    const Fineness::Choice moving = fineness.choose(true);
+    const AdaptiveQuality::Choice moving = fineness.choose(true);
     CHECK(moving.scale == scale);
     CHECK(moving.options.samples == samples);
     CHECK_FALSE(fineness.unfinished());
@@ -205,12 +205,12 @@ TEST_CASE(
 TEST_CASE(
     "a view that turns keeps its scale and its light where pictures without the fine light take 0.7 of the time") {
   for (const double ms : {60.0, 76.0, 80.0, 100.0, 140.0}) {
-    Fineness fineness;
+    AdaptiveQuality fineness;
     fineness.choose(true);
     fineness.took(ms);
     std::set<double> scales;
     for (int k = 0; k < 60; ++k) {
-      const Fineness::Choice choice = fineness.choose(true);
+      const AdaptiveQuality::Choice choice = fineness.choose(true);
       fineness.took(ms * choice.scale * choice.scale * (choice.options.fine_light ? 1.0 : 0.7));
       scales.insert(choice.scale);
     }
@@ -220,7 +220,7 @@ TEST_CASE(
 
 TEST_CASE(
     "a molecule that takes a second is never drawn with four samples a pixel, and no smoother picture is waited for") {
-  Fineness fineness;
+  AdaptiveQuality fineness;
   fineness.choose(true);
   fineness.took(1000.0);
   CHECK(fineness.choose(true).scale == 0.375);

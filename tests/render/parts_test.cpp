@@ -39,8 +39,8 @@ TEST_CASE(
     "a ball alone has full light; of a block of 1000 the top of an atom has more than the crease between two, and a "
     "face in a pit 6 A wide and 10 A deep less than half of the outside's") {
   const Vec3 up(0, 0, 1);
-  CHECK(occlusionField(std::vector<Ball>{{Vec3(0), 1.7}}).open(1.7 * up, up) == 1.0);
-  std::vector<Ball> block;
+  CHECK(occlusionField(std::vector<Sphere>{{Vec3(0), 1.7}}).open(1.7 * up, up) == 1.0);
+  std::vector<Sphere> block;
   const auto inPit = [](int x, int y, int z) { return x >= 4 && x < 7 && y >= 4 && y < 7 && z >= 6; };
   for (int x = 0; x < 11; ++x)
     for (int y = 0; y < 11; ++y)
@@ -56,7 +56,7 @@ TEST_CASE(
 }
 
 TEST_CASE("two balls 2 million A apart are lit without a field of that size") {
-  const OcclusionField light = occlusionField(std::vector<Ball>{{Vec3(-1e6, 0, 0), 1.7}, {Vec3(1e6, 0, 0), 1.7}});
+  const OcclusionField light = occlusionField(std::vector<Sphere>{{Vec3(-1e6, 0, 0), 1.7}, {Vec3(1e6, 0, 0), 1.7}});
   CHECK(light.open(Vec3(1e6, 0, 1.7), Vec3(0, 0, 1)) == 1.0);
   CHECK(light.wide.filled.size() < 200 * 200 * 200);
 }
@@ -113,7 +113,7 @@ TEST_CASE(
     "smaller for its flat faces") {
   const Vec3 centre(1.23, -4.5, 0.77);
   for (const double radius : {1.2, 1.7, 3.1}) {
-    const SolventExcluded made = solventExcluded(std::vector<Ball>{{centre, radius}}, 1.4);
+    const SolventExcluded made = solventExcluded(std::vector<Sphere>{{centre, radius}}, 1.4);
     REQUIRE(made.piece.vertices.size() > 20);
     double worst = 0, least_facing = 1;
     for (const MeshPiece::Vertex& v : made.piece.vertices) {
@@ -135,7 +135,7 @@ TEST_CASE(
     "between two balls of radius r, 2 a apart, the surface has a neck of radius sqrt((r + p)^2 - a^2) - p, where the "
     "probe cannot pass, to within 0.06 A") {
   constexpr double kRadius_A = 1.7, kHalf_A = 2.0, kProbe_A = 1.4;
-  const std::vector<Ball> pair{{Vec3(-kHalf_A, 0, 0), kRadius_A}, {Vec3(kHalf_A, 0, 0), kRadius_A}};
+  const std::vector<Sphere> pair{{Vec3(-kHalf_A, 0, 0), kRadius_A}, {Vec3(kHalf_A, 0, 0), kRadius_A}};
   const SolventExcluded made = solventExcluded(pair, kProbe_A);
   const double neck_A = std::sqrt(std::pow(kRadius_A + kProbe_A, 2) - kHalf_A * kHalf_A) - kProbe_A;
   int at_neck = 0;
@@ -156,17 +156,17 @@ TEST_CASE(
 TEST_CASE(
     "no place of the molecular surface of 200 balls lies deeper than 0.06 A in a ball, or farther out than a probe "
     "reaches") {
-  std::vector<Ball> balls;
+  std::vector<Sphere> spheres;
   unsigned seed = 11;
   const auto next = [&] { return double((seed = seed * 1664525u + 1013904223u) >> 8) / double(1 << 24); };
-  for (int k = 0; k < 200; ++k) balls.push_back({14.0 * Vec3(next(), next(), next()), 1.2 + 0.6 * next()});
-  const SolventExcluded made = solventExcluded(balls, 1.4);
+  for (int k = 0; k < 200; ++k) spheres.push_back({14.0 * Vec3(next(), next(), next()), 1.2 + 0.6 * next()});
+  const SolventExcluded made = solventExcluded(spheres, 1.4);
   REQUIRE(made.piece.vertices.size() > 500);
   double deepest = 0;
   for (const MeshPiece::Vertex& v : made.piece.vertices) {
     const Vec3 p = made.piece.origin_A + Vec3(v.place);
     double gap = 1e9;
-    for (const Ball& b : balls) gap = std::min(gap, glm::length(p - b.centre_A) - b.radius_A);
+    for (const Sphere& b : spheres) gap = std::min(gap, glm::length(p - b.centre_A) - b.radius_A);
     deepest = std::min(deepest, gap);
     CHECK(gap < 1.4);
   }
@@ -175,7 +175,7 @@ TEST_CASE(
 
 TEST_CASE(
     "the surface of one atom is its sphere to 0.05 A for a probe of 20 A, and of two atoms its neck is the probe's") {
-  const std::vector<Ball> one{{Vec3(0.0), 1.7}};
+  const std::vector<Sphere> one{{Vec3(0.0), 1.7}};
   const SolventExcluded alone = solventExcluded(one, 20.0);
   REQUIRE(alone.piece.vertices.size() > 50);
   CHECK(alone.step_A == 0.5);
@@ -183,7 +183,7 @@ TEST_CASE(
     CHECK(std::abs(glm::length(alone.piece.origin_A + Vec3(v.place)) - 1.7) < 0.05);
   CHECK(closed(alone.piece));
   // Two atoms 6 A apart: in the middle the probe of 20 A stands off the axis by R sin a and reaches in by its radius.
-  const std::vector<Ball> two{{Vec3(-3, 0, 0), 1.7}, {Vec3(3, 0, 0), 1.7}};
+  const std::vector<Sphere> two{{Vec3(-3, 0, 0), 1.7}, {Vec3(3, 0, 0), 1.7}};
   const SolventExcluded pair = solventExcluded(two, 20.0);
   const double neck_A = std::sqrt(21.7 * 21.7 - 9.0) - 20.0;
   std::size_t at_neck = 0;
@@ -197,21 +197,21 @@ TEST_CASE(
 }
 
 TEST_CASE("a surface that nobody wants any more is empty; of one that is wanted the share grows to 1") {
-  const std::vector<Ball> balls{{Vec3(0.0), 1.7}, {Vec3(3, 0, 0), 1.5}};
+  const std::vector<Sphere> spheres{{Vec3(0.0), 1.7}, {Vec3(3, 0, 0), 1.5}};
   SurfaceProgress progress;
-  CHECK_FALSE(solventExcluded(balls, 1.4, &progress).piece.vertices.empty());
+  CHECK_FALSE(solventExcluded(spheres, 1.4, &progress).piece.vertices.empty());
   CHECK(progress.share > 0.95f);
   progress.cancelled = true;
-  CHECK(solventExcluded(balls, 1.4, &progress).piece.vertices.empty());
+  CHECK(solventExcluded(spheres, 1.4, &progress).piece.vertices.empty());
 }
 
 TEST_CASE("where grown balls would hold too many nodes together the grid is coarser: 8000 balls, probe 20 A") {
-  std::vector<Ball> balls;
+  std::vector<Sphere> spheres;
   for (int x = 0; x < 20; ++x)
     for (int y = 0; y < 20; ++y)
-      for (int z = 0; z < 20; ++z) balls.push_back({2.0 * Vec3(x, y, z), 1.7});
+      for (int z = 0; z < 20; ++z) spheres.push_back({2.0 * Vec3(x, y, z), 1.7});
   SurfaceProgress progress;
-  const SolventExcluded made = solventExcluded(balls, 20.0, &progress);
+  const SolventExcluded made = solventExcluded(spheres, 20.0, &progress);
   CHECK(made.step_A == doctest::Approx(std::cbrt(8000.0 * std::pow(2 * 21.7, 3.0) / 1.2e9)));
   CHECK(closed(made.piece));
 }

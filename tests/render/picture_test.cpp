@@ -1,4 +1,4 @@
-// Pictures against closed forms: the perspective image of a ball, the plane in which two balls meet, the same picture
+// Pictures against closed forms: the perspective image of a sphere, the plane in which two spheres meet, the same picture
 // with and without culling and far from the origin.
 #include <cmath>
 #include <random>
@@ -80,7 +80,7 @@ TEST_CASE("a ball at the picture's corner covers the pixels whose rays meet it, 
 
 TEST_CASE("two balls that overlap part along the plane in which they meet to within 1 pixel, on every row") {
   const int w = 400, h = 300;
-  const Ball red{Vec3(-1, 0, 0), 2.0}, blue{Vec3(1.2, 0, 0.6), 1.5};
+  const Sphere red{Vec3(-1, 0, 0), 2.0}, blue{Vec3(1.2, 0, 0.6), 1.5};
   const ViewScene scene = atomsOnly({atom(red.centre_A, red.radius_A, 8), atom(blue.centre_A, blue.radius_A, 7)}, 12);
   const Picture picture = drawn(scene, w, h, kPlain);
   const auto circle = circleOf(red, blue);

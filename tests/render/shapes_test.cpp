@@ -16,7 +16,7 @@ using namespace moltact::test;
 
 namespace {
 
-// Two argon-like balls, the HIP 0.5 A under the circle in which the inflated ones meet.
+// Two argon-like spheres, the HIP 0.5 A under the circle in which the inflated ones meet.
 ViewScene crease() {
   ViewScene scene;
   scene.molecule = molecule({atom(Vec3(-1.6, 0, 0), 1.88, 18), atom(Vec3(1.6, 0, 0), 1.88, 16)});
@@ -129,7 +129,7 @@ TEST_CASE("facets are the mesh's edges, outside the other ball, and few however 
     for (std::size_t i = line.begin; i < line.end; ++i) {
       const Vec3 p = scene.camera.fromView(Vec3(coarse[i])).A;
       const double near = std::min(glm::length(p - Vec3(-1.6, 0, 0)), glm::length(p - Vec3(1.6, 0, 0)));
-      CHECK(near > least - 0.15);  // cut at the other ball to a piece's length
+      CHECK(near > least - 0.15);  // cut at the other sphere to a piece's length
       CHECK(near < 3.28 + 1e-5);
     }
   CHECK(linesOf(SphereMesh::ofTriangles(5120)).lines().size() < 6000);
@@ -193,7 +193,7 @@ TEST_CASE("each part that is switched on changes the picture, and only the ones 
   scene.facets = SphereMesh::ofTriangles(80);
   const Picture bare = drawn(scene, 300, 240);
   for (const ViewPartInfo& s : viewParts()) {
-    if (s.part == ViewPart::Atoms || s.part == ViewPart::Points) continue;  // two balls meet in no points
+    if (s.part == ViewPart::Atoms || s.part == ViewPart::Points) continue;  // two spheres meet in no points
     scene.shown = {ViewPart::Atoms, s.part};
     CAPTURE(s.name);
     CHECK(compare(drawn(scene, 300, 240), bare, 12).pixels > 8);
@@ -304,7 +304,7 @@ TEST_CASE(
   scene.shown = {ViewPart::Atoms, ViewPart::Target};
   scene.highlighted = {1};
   const Picture picture = drawn(scene, 400, 300, {.samples = 2});
-  // From the upper left through the ball's middle.
+  // From the upper left through the sphere's middle.
   const auto contrast = [&](double x_A) {
     double low = 255, high = 0;
     for (double k = -1.25; k <= 0.2; k += 0.02) {
@@ -330,8 +330,8 @@ TEST_CASE("each atom that holds the probe has a bright ring on a dark one; witho
   for (std::size_t k = 0; k < 4; ++k) {
     const Strokes::Line& ring = glyphs.strokes.lines()[k];
     for (std::size_t i = ring.begin; i < ring.end; ++i) {
-      const double from = glm::length(scene.camera.fromView(Vec3(glyphs.strokes[i])).A - model.balls[k / 2].centre_A);
-      CHECK(from == doctest::Approx(model.balls[k / 2].radius_A + 0.10).epsilon(1e-4));
+      const double from = glm::length(scene.camera.fromView(Vec3(glyphs.strokes[i])).A - model.spheres[k / 2].centre_A);
+      CHECK(from == doctest::Approx(model.spheres[k / 2].radius_A + 0.10).epsilon(1e-4));
     }
     CHECK((glm::length(ring.stroke.colour) > 1.0f) == (k % 2 == 1));
   }

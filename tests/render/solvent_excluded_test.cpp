@@ -21,20 +21,20 @@ constexpr double kProbe_A = 1.4;
 
 class FreeMiddles {
  public:
-  explicit FreeMiddles(std::vector<Ball> atoms) : grown_(std::move(atoms)) {
-    for (Ball& b : grown_) b.radius_A += kProbe_A;
+  explicit FreeMiddles(std::vector<Sphere> atoms) : grown_(std::move(atoms)) {
+    for (Sphere& b : grown_) b.radius_A += kProbe_A;
   }
 
   bool free(const Vec3& p, double slack_A = 0.0) const {
     return std::none_of(grown_.begin(), grown_.end(),
-                        [&](const Ball& b) { return glm::distance(p, b.centre_A) < b.radius_A - slack_A; });
+                        [&](const Sphere& b) { return glm::distance(p, b.centre_A) < b.radius_A - slack_A; });
   }
 
   /// How far the nearest free middle lies from a place, up to `most_A`; more than that is `most_A`.
   double distance(const Vec3& p, double most_A) const {
     if (free(p)) return 0.0;
-    std::vector<Ball> near;  // whose spheres come within most_A of the place
-    for (const Ball& b : grown_)
+    std::vector<Sphere> near;  // whose spheres come within most_A of the place
+    for (const Sphere& b : grown_)
       if (std::abs(glm::distance(p, b.centre_A) - b.radius_A) < most_A ||
           glm::distance(p, b.centre_A) < b.radius_A + most_A)
         near.push_back(b);
@@ -42,18 +42,18 @@ class FreeMiddles {
     const auto take = [&](const Vec3& q) {
       const double d = glm::distance(p, q);
       if (d >= least) return;
-      for (const Ball& b : near)
+      for (const Sphere& b : near)
         if (glm::distance(q, b.centre_A) < b.radius_A - 1e-9) return;
       least = d;
     };
-    const auto within = [&](const Ball& b) { return std::abs(glm::distance(p, b.centre_A) - b.radius_A) < most_A; };
+    const auto within = [&](const Sphere& b) { return std::abs(glm::distance(p, b.centre_A) - b.radius_A) < most_A; };
     for (std::size_t i = 0; i < near.size(); ++i) {
-      const Ball& a = near[i];
+      const Sphere& a = near[i];
       if (!within(a)) continue;
       if (const double n = glm::distance(p, a.centre_A); n > 1e-9)
         take(a.centre_A + (p - a.centre_A) * (a.radius_A / n));
       for (std::size_t j = i + 1; j < near.size(); ++j) {
-        const Ball& b = near[j];
+        const Sphere& b = near[j];
         if (!within(b)) continue;
         // The circle of the two spheres: its plane is where the powers are equal.
         const Vec3 way = b.centre_A - a.centre_A;
@@ -67,7 +67,7 @@ class FreeMiddles {
         const Vec3 middle = a.centre_A + axis * along, flat = (p - middle) - axis * glm::dot(p - middle, axis);
         if (const double n = glm::length(flat); n > 1e-9) take(middle + flat * (radius / n));
         for (std::size_t k = j + 1; k < near.size(); ++k) {
-          const Ball& c = near[k];
+          const Sphere& c = near[k];
           if (!within(c)) continue;
           // Where the third sphere cuts the circle: m + r (u cos t + v sin t) as far from c as its radius.
           const Vec3 u = glm::normalize(std::abs(axis.x) < 0.8 ? glm::cross(axis, Vec3(1, 0, 0))
@@ -85,7 +85,7 @@ class FreeMiddles {
   }
 
  private:
-  std::vector<Ball> grown_;
+  std::vector<Sphere> grown_;
 };
 
 // Whether a ray along x meets the triangles an odd number of times.
@@ -107,7 +107,7 @@ bool inside(const MeshPiece& piece, const Vec3& p) {
   return crossings % 2 == 1;
 }
 
-std::vector<Ball> ubiquitin() { return openMolecule("1ubq")->balls.copy(); }
+std::vector<Sphere> ubiquitin() { return openMolecule("1ubq")->spheres.copy(); }
 
 }  // namespace
 
@@ -118,11 +118,11 @@ TEST_CASE(
   CAPTURE(seed);
   std::mt19937 random(seed);
   std::uniform_real_distribution<double> share(-1.0, 1.0);
-  const std::vector<Ball> atoms = ubiquitin();
+  const std::vector<Sphere> atoms = ubiquitin();
   const FreeMiddles middles(atoms);
   int found = 0, none = 0, close = 0;
   for (int n = 0; n < 24; ++n) {
-    const Ball& atom = atoms[random() % atoms.size()];
+    const Sphere& atom = atoms[random() % atoms.size()];
     const Vec3 p = atom.centre_A + 2.5 * Vec3(share(random), share(random), share(random));
     const double exact = middles.distance(p, 2.4);
     double least = 2.4;
@@ -147,7 +147,7 @@ TEST_CASE(
   CAPTURE(seed);
   std::mt19937 random(seed);
   std::uniform_real_distribution<double> share(-1.0, 1.0);
-  const std::vector<Ball> atoms = ubiquitin();
+  const std::vector<Sphere> atoms = ubiquitin();
   const FreeMiddles middles(atoms);
   const SolventExcluded made = solventExcluded(atoms, kProbe_A);
   REQUIRE(made.step_A == 0.5);
@@ -174,7 +174,7 @@ TEST_CASE(
     "at every corner of ubiquitin's molecular surface the nearest free middle of the probe is 1.4 A away to within "
     "0.25 A, "
     "for 98 of 100 to within 0.06 A, crevices narrower than the grid's 0.5 A among them") {
-  const std::vector<Ball> atoms = ubiquitin();
+  const std::vector<Sphere> atoms = ubiquitin();
   const FreeMiddles middles(atoms);
   const SolventExcluded made = solventExcluded(atoms, kProbe_A);
   std::vector<double> off;

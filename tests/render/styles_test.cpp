@@ -14,7 +14,7 @@ AtomList list(std::vector<std::uint32_t> atoms) {
   return std::make_shared<const std::vector<std::uint32_t>>(std::move(atoms));
 }
 
-// A red ball before a blue one.
+// A red sphere before a blue one.
 ViewScene twoInLine() {
   ViewScene scene;
   scene.molecule = molecule({atom(Vec3(0, 0, 5), 1.5, 8), atom(Vec3(0, 0, -5), 3.0, 7)});
@@ -72,9 +72,9 @@ TEST_CASE(
   int across = 0;
   std::set<int> shades;
   for (int x = 0; x < 301; ++x) {
-    const bool ball = std::abs(open.at(x, 120)[0] - bare.at(x, 120)[0]) > 6;
-    across += ball;
-    if (ball) shades.insert(open.at(x, 120)[0]);
+    const bool sphere = std::abs(open.at(x, 120)[0] - bare.at(x, 120)[0]) > 6;
+    across += sphere;
+    if (sphere) shades.insert(open.at(x, 120)[0]);
   }
   CHECK(across == doctest::Approx(2 * radius_px).epsilon(0.05));
   CHECK(*shades.rbegin() - *shades.begin() <= 12);
@@ -87,7 +87,7 @@ TEST_CASE("the molecular surface of one ball covers the same pixels as the ball,
   scene.shown = {};
   const Picture bare = drawn(scene, 240, 200, kPlain);
   scene.shown = {ViewPart::Atoms};
-  const Picture ball = drawn(scene, 240, 200, kPlain);
+  const Picture sphere = drawn(scene, 240, 200, kPlain);
   scene.look.styles = {{.style = DrawStyle::Surface}};
   const Picture surface = drawn(scene, 240, 200, kPlain);
   const auto width = [&](const Picture& p, int y) {
@@ -95,7 +95,7 @@ TEST_CASE("the molecular surface of one ball covers the same pixels as the ball,
     for (int x = 0; x < 240; ++x) n += std::abs(p.at(x, y)[0] - bare.at(x, y)[0]) > 6;
     return n;
   };
-  for (const int y : {80, 100, 120}) CHECK(std::abs(width(ball, y) - width(surface, y)) <= 4);
+  for (const int y : {80, 100, 120}) CHECK(std::abs(width(sphere, y) - width(surface, y)) <= 4);
   CHECK(redOver(surface, 122, 101) > 40);
 }
 
@@ -127,7 +127,7 @@ TEST_CASE("the probe's shadow darkens the surface below it, the more the nearer 
     const Vec3 px = scene.camera.project({place}, 400, 240);
     return int(p.at(int(px.x), int(px.y))[1]);
   };
-  // Beside the probe as it is seen, on the near ball.
+  // Beside the probe as it is seen, on the near sphere.
   const Vec3 place = 6.0 * glm::normalize(Vec3(-0.30, 0.0, 1.0));
   scene.hip = PointA{7.5 * glm::normalize(Vec3(-0.62, 0.0, 1.0))};
   const Picture close = drawn(scene, 400, 240, kPlain);

@@ -84,16 +84,16 @@ TEST_CASE("lists longer than Moltact writes are passed over: 257 atoms, 101 figu
     const Json one = list[0];
     while (list.size() < to) list.push_back(one);
   };
-  grown(done["figures"], kMostFigures);
+  grown(done["figures"], kMaxFigures);
   CHECK(bool(readEventLine(done.dump())));
-  grown(done["figures"], kMostFigures + 1);
+  grown(done["figures"], kMaxFigures + 1);
   CHECK_FALSE(bool(readEventLine(done.dump())));
-  grown(curve["force_N"], kMostCurveValues + 1);
+  grown(curve["force_N"], kMaxCurveValues + 1);
   CHECK_FALSE(bool(readEventLine(curve.dump())));
-  grown(touch["atoms"], kMostTouched + 1);
+  grown(touch["atoms"], kMaxTouched + 1);
   CHECK_FALSE(bool(readEventLine(touch.dump())));
   Json header = Json::parse(lineOf(sampleHeader()));
-  grown(header["lesson"]["steps"], kMostSteps + 1);
+  grown(header["lesson"]["steps"], kMaxSteps + 1);
   CHECK_FALSE(bool(readHeaderLine(header.dump())));
 }
 

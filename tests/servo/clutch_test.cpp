@@ -17,7 +17,7 @@ TEST_CASE(
     "in contact a scale 2.5 times as fine keeps the contact and gives 2.5 times the force, from nothing in half a "
     "second") {
   auto tracker =
-      methods().front().make(std::make_shared<const BallScene>(std::vector<Ball>{{{0, 0, 0}, 1.6}}), kWaterProbe_A);
+      methods().front().make(std::make_shared<const SphereGrid>(std::vector<Sphere>{{{0, 0, 0}, 1.6}}), kWaterProbe_A);
   ServoStep step;
   ServoSettings settings;  // 0.25 A a mm, the surface at 12 mm
   DevicePose pose;
@@ -126,7 +126,7 @@ TEST_CASE(
 
 TEST_CASE("in the loop the clutch moves the probe's room: no force while it is held, a soft start after it") {
   auto tracker =
-      methods().front().make(std::make_shared<const BallScene>(std::vector<Ball>{{{0, 0, 0}, 1.6}}), kWaterProbe_A);
+      methods().front().make(std::make_shared<const SphereGrid>(std::vector<Sphere>{{{0, 0, 0}, 1.6}}), kWaterProbe_A);
   ServoStep step;
   ServoSettings settings;  // the surface at 12 mm
   settings.clutch.buttons = 1;

@@ -33,11 +33,11 @@ class WatchedBody final : public WrappedInteraction {
  public:
   static constexpr double kArm_A = 1.5;
 
-  WatchedBody(const std::shared_ptr<const BallScene>& scene, std::vector<Ball> balls)
+  WatchedBody(const std::shared_ptr<const SphereGrid>& scene, std::vector<Sphere> spheres)
       : WrappedInteraction(std::make_unique<RigidBody>(
-            bodyOf(balls), [&](double radius_A) { return methods().front().make(scene, radius_A); })),
-        body_(bodyOf(balls)) {
-    for (const Ball& b : body_->balls) atoms_.push_back({b.centre_A, methods().front().make(scene, b.radius_A)});
+            bodyOf(spheres), [&](double radius_A) { return methods().front().make(scene, radius_A); })),
+        body_(bodyOf(spheres)) {
+    for (const Sphere& b : body_->spheres) atoms_.push_back({b.centre_A, methods().front().make(scene, b.radius_A)});
   }
   Response respond(const PoseA& pose) noexcept override {
     const Response out = inner().respond(pose);
@@ -75,10 +75,10 @@ class WatchedBody final : public WrappedInteraction {
     Vec3 scp{0.0};
     bool touching = false;
   };
-  static std::shared_ptr<const HeldBody> bodyOf(const std::vector<Ball>& balls) {
-    std::vector<std::uint32_t> all(balls.size());
+  static std::shared_ptr<const HeldBody> bodyOf(const std::vector<Sphere>& spheres) {
+    std::vector<std::uint32_t> all(spheres.size());
     for (std::uint32_t k = 0; k < all.size(); ++k) all[k] = k;
-    return heldBody(balls, all);
+    return heldBody(spheres, all);
   }
   void resetAtoms() noexcept {
     for (Atom& a : atoms_) a.tracker->reset();

@@ -198,11 +198,11 @@ void orientationNaN(FaultWorld& w, int some) {
   w.lasting(some * 4, {.orientation = some % 2 ? Quat(kNaN, 0, 0, 0) : Quat(3, 0, 0, 0)});
 }
 
-// The ball nearest to the hand, by 3 A at it or across it, at once or within a frame.
+// The sphere nearest to the hand, by 3 A at it or across it, at once or within a frame.
 void atomLeaps(FaultWorld& w, int some) {
   const Vec3 hip = w.settings.workspace.toMolecule(w.sensed()).A;
-  std::vector<Ball> to = w.balls();
-  const auto near = std::min_element(to.begin(), to.end(), [&](const Ball& a, const Ball& b) {
+  std::vector<Sphere> to = w.spheres();
+  const auto near = std::min_element(to.begin(), to.end(), [&](const Sphere& a, const Sphere& b) {
     return glm::distance(a.centre_A, hip) - a.radius_A < glm::distance(b.centre_A, hip) - b.radius_A;
   });
   const Vec3 at_it = hip - near->centre_A;
@@ -210,14 +210,14 @@ void atomLeaps(FaultWorld& w, int some) {
   w.moveSpheres(to, some % 3 == 0 ? 1 : 33);
 }
 
-// Every ball by up to 1 A and a tenth of its radius, frame after frame.
+// Every sphere by up to 1 A and a tenth of its radius, frame after frame.
 void proteinShakes(FaultWorld& w, int some) {
-  const std::vector<Ball> rest = w.balls();
+  const std::vector<Sphere> rest = w.spheres();
   for (int k = 0; k < 1 + some / 3; ++k) {
-    std::vector<Ball> to = rest;
-    for (Ball& ball : to) {
-      ball.centre_A += w.random.direction() * w.random.uniform(0, 1.0);
-      ball.radius_A *= w.random.uniform(0.9, 1.1);
+    std::vector<Sphere> to = rest;
+    for (Sphere& sphere : to) {
+      sphere.centre_A += w.random.direction() * w.random.uniform(0, 1.0);
+      sphere.radius_A *= w.random.uniform(0.9, 1.1);
     }
     w.moveSpheres(to, 33);
   }

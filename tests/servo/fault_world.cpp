@@ -60,13 +60,13 @@ DeviceInfo FaultWorld::info() const {
   return out;
 }
 
-void FaultWorld::moveSpheres(const std::vector<Ball>& to, int in_ticks) {
-  auto frame = frames_.empty() ? SphereMotion::make(scene_.balls, to, in_ticks)
+void FaultWorld::moveSpheres(const std::vector<Sphere>& to, int in_ticks) {
+  auto frame = frames_.empty() ? SphereMotion::make(scene_.spheres, to, in_ticks)
                                : SphereMotion::after(*frames_.back(), to, in_ticks);
   frames_.push_back(*std::move(frame));
   for (int k = 1; k <= in_ticks; ++k) {
     fraction_ = double(k) / in_ticks;
-    if (follows_) scene_.balls = frames_.back()->at(fraction_);
+    if (follows_) scene_.spheres = frames_.back()->at(fraction_);
     tick();
   }
 }
@@ -85,16 +85,16 @@ void FaultWorld::newTracker() {
   follows_ = true;
   summed_ = false;
   if (seed_ % 5 == 4) {  // a rigid body, not a point
-    std::vector<Ball> atoms;
+    std::vector<Sphere> atoms;
     for (int k = int(random.uniform(2, 7)); k > 0; --k)
       atoms.push_back({random.direction() * WatchedBody::kArm_A, settings.probe_A + kBodyOverlap_A});
-    auto body = std::make_unique<WatchedBody>(makeScene(scene_.balls), std::move(atoms));
+    auto body = std::make_unique<WatchedBody>(makeScene(scene_.spheres), std::move(atoms));
     body_ = body.get();
     tracker_ = std::move(body);
     method_ = "rigid body";
     return;
   }
-  tracker_ = method.make(makeScene(scene_.balls), settings.probe_A);
+  tracker_ = method.make(makeScene(scene_.spheres), settings.probe_A);
   method_ = method.name;
   follows_ = method.follows_motion;
   summed_ = method.summed;
@@ -104,9 +104,10 @@ void FaultWorld::approach() {
   const Vec3 out = random.direction(), side = random.direction();
   const double depth_A = random.uniform(0, 2.0);
   double far_A = 1;
-  for (const Ball& ball : scene_.balls) {
-    const double along = glm::dot(ball.centre_A, out), aside2 = glm::dot(ball.centre_A, ball.centre_A) - along * along;
-    const double radius = ball.radius_A + settings.probe_A;
+  for (const Sphere& sphere : scene_.spheres) {
+    const double along = glm::dot(sphere.centre_A, out),
+                 aside2 = glm::dot(sphere.centre_A, sphere.centre_A) - along * along;
+    const double radius = sphere.radius_A + settings.probe_A;
     if (aside2 < radius * radius) far_A = std::max(far_A, along + std::sqrt(radius * radius - aside2));
   }
   if (body_) far_A += 2.0 * WatchedBody::kArm_A;
@@ -160,11 +161,11 @@ void FaultWorld::tick(const TickInput& how) {
   if (how.moves) model_.tick(how.connected && how.to_model ? command_ : ForceN{}, {target_mm_});
 }
 
-// Of the penalty method's springs, one a ball that the place is in.
+// Of the penalty method's springs, one a sphere that the place is in.
 double FaultWorld::pushes_A2(PointA place) const {
   double sum = 0;
-  for (const Ball& ball : scene_.balls) {
-    const double deep = ball.radius_A + tracker_->probe_A() - glm::distance(place.A, ball.centre_A);
+  for (const Sphere& sphere : scene_.spheres) {
+    const double deep = sphere.radius_A + tracker_->probe_A() - glm::distance(place.A, sphere.centre_A);
     if (deep > 0.0) sum += 0.5 * deep * deep;
   }
   return sum;
@@ -242,7 +243,7 @@ void FaultWorld::restAfter() {
     return judge_.expectAny();
   }
   out_.cuts += cuts_;
-  // What slides off a ball sets out on energy that was there, or goes on while its energy falls by more than the
+  // What slides off a sphere sets out on energy that was there, or goes on while its energy falls by more than the
   // speed is; what buzzes does neither.
   const bool slides = (faster && !grown) || energy[0] - energy[1] > 0.5 * device_.mass_kg * fastest[1] * fastest[1];
   if (!slides) out_.restless_m_per_s = std::max(out_.restless_m_per_s, fastest[1]);

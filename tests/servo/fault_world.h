@@ -57,7 +57,7 @@ class FaultWorld {
   void newScene();
   void newTracker();
   /// The spheres go to these places within so many ticks.
-  void moveSpheres(const std::vector<Ball>& to, int in_ticks);
+  void moveSpheres(const std::vector<Sphere>& to, int in_ticks);
   /// Nothing has been given to it yet.
   void otherDevice(const DeviceInfo& info);
   DeviceInfo info() const;
@@ -66,7 +66,7 @@ class FaultWorld {
   PointMm placed() const { return model_.sensed(); }  ///< where the device says that it is now
   PointMm sensed() const { return sensed_; }          ///< where it said so in the last tick
   const Quat& orientation() const { return orientation_; }
-  const std::vector<Ball>& balls() const { return scene_.balls; }
+  const std::vector<Sphere>& spheres() const { return scene_.spheres; }
 
   scenes::Random random;
   ServoSettings settings;
@@ -93,7 +93,7 @@ class FaultWorld {
   std::vector<std::unique_ptr<const SphereMotion>> frames_;  // of tracker_; the last is in force
   double fraction_ = 1.0;                                    // of it
   bool follows_ = true;                                      // tracker_ goes with the spheres
-  bool summed_ = false;                                      // it stores in a spring for each ball
+  bool summed_ = false;                                      // it stores in a spring for each sphere
   WatchedBody* body_ = nullptr;                              // of tracker_, where it is one
   Quat orientation_ = kNoRotation;
   Vec3 axis_ = glm::normalize(Vec3(0.3, 0.8, 0.5));

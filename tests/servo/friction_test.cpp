@@ -143,7 +143,7 @@ TEST_CASE(
 
 TEST_CASE("asked five times for each pose of a walk over 20 atoms, the friction answers as asked once") {
   const scenes::Scene scene = scenes::cluster(20, 5);
-  const auto exact = [&] { return referenceMethod().make(test::makeScene(scene.balls), scene.probe_A); };
+  const auto exact = [&] { return referenceMethod().make(test::makeScene(scene.spheres), scene.probe_A); };
   const auto once = rough(exact()), often = rough(exact());
   int touching = 0;
   double apart = 0.0, dragged = 0.0;
@@ -170,19 +170,19 @@ TEST_CASE(
     "without friction every offered method answers as by itself: its displacement, shaded or summed, and its energy") {
   const scenes::Scene scene = scenes::cluster(20, 5);
   for (const Method& method : methods()) {
-    const auto bare = method.make(test::makeScene(scene.balls), scene.probe_A);
-    Friction none(method.make(test::makeScene(scene.balls), scene.probe_A), 0.0);
-    double apart_A = 0.0, apart_A2 = 0.0;
+    const auto bare = method.make(test::makeScene(scene.spheres), scene.probe_A);
+    Friction none(method.make(test::makeScene(scene.spheres), scene.probe_A), 0.0);
+    double grid_spacing_A = 0.0, apart_A2 = 0.0;
     int touching = 0;
     for (const Vec3& place : scenes::walk(scene, 1000, 5)) {
       const Contact a = bare->respond({{place}, kNoRotation}).contact, b = none.respond({{place}, kNoRotation}).contact;
       touching += a.touching();
-      apart_A = std::max(apart_A, glm::distance(a.displacement_A, b.displacement_A));
+      grid_spacing_A = std::max(grid_spacing_A, glm::distance(a.displacement_A, b.displacement_A));
       apart_A2 = std::max(apart_A2, std::abs(a.energy_A2 - b.energy_A2));
     }
     CAPTURE(method.name);
     CHECK(touching > 100);
-    CHECK(apart_A < 1e-9);
+    CHECK(grid_spacing_A < 1e-9);
     CHECK(apart_A2 < 1e-9);
   }
 }

@@ -19,21 +19,21 @@ namespace {
 
 using Frame = std::shared_ptr<const SphereMotion>;
 
-Frame frame(const std::vector<Ball>& from, const std::vector<Ball>& to, int ticks = 33) {
+Frame frame(const std::vector<Sphere>& from, const std::vector<Sphere>& to, int ticks = 33) {
   auto made = SphereMotion::make(from, to, ticks);
   REQUIRE(made);
   return *std::move(made);
 }
-Frame after(const SphereMotion& before, const std::vector<Ball>& to, int ticks = 33) {
+Frame after(const SphereMotion& before, const std::vector<Sphere>& to, int ticks = 33) {
   auto made = SphereMotion::after(before, to, ticks);
   REQUIRE(made);
   return *std::move(made);
 }
 
-// A hand that stands still at a height over the ball in the origin, on a device that is as stiff as needed.
+// A hand that stands still at a height over the sphere in the origin, on a device that is as stiff as needed.
 struct StillHand {
-  explicit StillHand(const std::vector<Ball>& balls, std::string_view method = "exact")
-      : felt(findMethod(method)->make(test::makeScene(balls), kWaterProbe_A)) {}
+  explicit StillHand(const std::vector<Sphere>& spheres, std::string_view method = "exact")
+      : felt(findMethod(method)->make(test::makeScene(spheres), kWaterProbe_A)) {}
 
   ServoSample tick(double z_mm, const MotionPhase& phase = {}) {
     return step.tick(settings, felt.get(), {.position = {{0, 0, z_mm}}}, {}, phase);
@@ -59,15 +59,15 @@ struct StillHand {
 
 TEST_CASE(
     "a hand that presses with 0.505 N feels 0.505 N in each of 330 ticks over ten frames that move nothing near it") {
-  // At 0.25 A a mm the surface is 12 mm up, and 0.5 N/mm give 0.505 N at 10.99 mm. The other ball is 9 A below.
-  std::vector<Ball> balls{{{0, 0, 0}, 1.6}, {{0, 0, -9}, 1.6}};
-  StillHand hand(balls);
+  // At 0.25 A a mm the surface is 12 mm up, and 0.5 N/mm give 0.505 N at 10.99 mm. The other sphere is 9 A below.
+  std::vector<Sphere> spheres{{{0, 0, 0}, 1.6}, {{0, 0, -9}, 1.6}};
+  StillHand hand(spheres);
   REQUIRE(glm::length(hand.press(14, 10.99).force.N) == doctest::Approx(0.505).epsilon(1e-9));
   std::vector<Frame> frames;
   for (int k = 0; k < 10; ++k) {
-    std::vector<Ball> to = balls;
+    std::vector<Sphere> to = spheres;
     to[1].centre_A.x = 0.5 * (k + 1);
-    frames.push_back(frames.empty() ? frame(balls, to) : after(*frames.back(), to));
+    frames.push_back(frames.empty() ? frame(spheres, to) : after(*frames.back(), to));
     for (int tick = 1; tick <= 33; ++tick) {
       const ServoSample s = hand.tick(10.99, {frames.back().get(), tick / 33.0});
       REQUIRE(s.force.N.z == doctest::Approx(0.505).epsilon(1e-9));
@@ -79,16 +79,16 @@ TEST_CASE(
 
 TEST_CASE(
     "a ball that rises by 0.4 A in ten frames raises the force on a still hand evenly by 0.8 N, and no limit acts") {
-  std::vector<Ball> balls{{{0, 0, 0}, 1.6}};
+  std::vector<Sphere> spheres{{{0, 0, 0}, 1.6}};
   for (const std::string_view method : {"exact", "penalty"}) {
     CAPTURE(method);
-    StillHand hand(balls, method);
+    StillHand hand(spheres, method);
     hand.press(14, 11.5);
     std::vector<Frame> frames;
     double last_N = 0.25;
     for (int k = 0; k < 10; ++k) {
-      std::vector<Ball> to{{{0, 0, 0.04 * (k + 1)}, 1.6}};
-      frames.push_back(frames.empty() ? frame(balls, to) : after(*frames.back(), to));
+      std::vector<Sphere> to{{{0, 0, 0.04 * (k + 1)}, 1.6}};
+      frames.push_back(frames.empty() ? frame(spheres, to) : after(*frames.back(), to));
       for (int tick = 1; tick <= 33; ++tick) {
         const ServoSample s = hand.tick(11.5, {frames.back().get(), tick / 33.0});
         REQUIRE_FALSE(s.limits.any());
@@ -122,7 +122,7 @@ TEST_CASE(
 }
 
 TEST_CASE("energy that a method makes is still a debt while the surface moves: a wall twice as stiff on the way out") {
-  // The same ball grows all the while; the hand goes 2 mm in and out, and on the way out twice the force is wanted.
+  // The same sphere grows all the while; the hand goes 2 mm in and out, and on the way out twice the force is wanted.
   class Dishonest final : public Tracker {
    public:
     explicit Dishonest(std::unique_ptr<Tracker> of) : of_(std::move(of)) {}
@@ -142,15 +142,15 @@ TEST_CASE("energy that a method makes is still a debt while the surface moves: a
    private:
     std::unique_ptr<Tracker> of_;
   };
-  const std::vector<Ball> balls{{{0, 0, 0}, 1.6}};
+  const std::vector<Sphere> spheres{{{0, 0, 0}, 1.6}};
   for (const bool dishonest : {false, true}) {
     CAPTURE(dishonest);
-    StillHand hand(balls);
-    auto felt = std::make_unique<Dishonest>(findMethod("exact")->make(test::makeScene(balls), kWaterProbe_A));
+    StillHand hand(spheres);
+    auto felt = std::make_unique<Dishonest>(findMethod("exact")->make(test::makeScene(spheres), kWaterProbe_A));
     Dishonest& method = *felt;
     hand.felt = std::move(felt);
     hand.press(14, 11.5);
-    const Frame grows = frame(balls, {{{0, 0, 0}, 1.8}}, 2000);
+    const Frame grows = frame(spheres, {{{0, 0, 0}, 1.8}}, 2000);
     double debt_J = 0.0;
     for (int k = 1; k <= 2000; ++k) {
       const double phase = 2.0 * 3.14159265358979 * k / 500.0;
@@ -173,13 +173,13 @@ TEST_CASE("frames handed over as fast as they are taken begin one after the othe
     DevicePose read(double) noexcept override { return {.position = {{0, 0, 20}}}; }
     void write(ForceN) noexcept override {}
   } hand;
-  std::vector<Ball> balls{{{0, 0, 0}, 1.6}};
+  std::vector<Sphere> spheres{{{0, 0, 0}, 1.6}};
   ServoLoop loop(hand);
   loop.begin(0);
-  loop.setInteraction(findMethod("exact")->make(test::makeScene(balls), kWaterProbe_A), 7);
+  loop.setInteraction(findMethod("exact")->make(test::makeScene(spheres), kWaterProbe_A), 7);
   std::vector<std::uint64_t> serials;
   std::vector<Frame> kept;
-  Frame next = frame(balls, {{{0, 0, 0.01}, 1.6}}, 10);
+  Frame next = frame(spheres, {{{0, 0, 0.01}, 1.6}}, 10);
   std::vector<ServoSample> all;
   for (int k = 0; k < 200; ++k) {
     if (loop.setMotion(next, 7)) {
@@ -204,7 +204,7 @@ TEST_CASE(
     "two walls of balls that close on a hand between them in 2 s, as a molecule's lid does, and go through it, never "
     "give "
     "more than the device's force nor change it by more than 1000 N/s") {
-  std::vector<Ball> open, shut;
+  std::vector<Sphere> open, shut;
   for (int x = -3; x <= 3; ++x)
     for (int y = -3; y <= 3; ++y)
       for (const double side : {-1.0, 1.0}) {
@@ -220,7 +220,7 @@ TEST_CASE(
     Vec3 before(0.0);
     double greatest_N = 0.0;
     for (int k = 1; k <= 60; ++k) {
-      std::vector<Ball> to = open;
+      std::vector<Sphere> to = open;
       for (std::size_t i = 0; i < to.size(); ++i)
         to[i].centre_A += (shut[i].centre_A - open[i].centre_A) * (double(k) / 60.0);
       Frame next = last ? after(*last, to) : frame(open, to);
@@ -250,8 +250,8 @@ TEST_CASE(
     DevicePose read(double) noexcept override { return {.position = {{0, 0, 20}}}; }
     void write(ForceN) noexcept override {}
   } hand;
-  const std::vector<Ball> balls{{{0, 0, 0}, 1.6}};
-  const auto make = [&] { return findMethod("exact")->make(test::makeScene(balls), kWaterProbe_A); };
+  const std::vector<Sphere> spheres{{{0, 0, 0}, 1.6}};
+  const auto make = [&] { return findMethod("exact")->make(test::makeScene(spheres), kWaterProbe_A); };
   ServoLoop loop(hand);
   loop.begin(0);
   std::int64_t now_ns = 0;
@@ -260,7 +260,7 @@ TEST_CASE(
     return loop.latest();
   };
   loop.setInteraction(make(), 1);
-  const Frame first = frame(balls, {{{0, 0, 1}, 1.6}}, 20);
+  const Frame first = frame(spheres, {{{0, 0, 1}, 1.6}}, 20);
   REQUIRE(loop.setMotion(first, 2));
   CHECK(tick(5).motion == 0);  // scene 1 is felt
   loop.setInteraction(make(), 2);
@@ -269,7 +269,7 @@ TEST_CASE(
   loop.setInteraction(make(), 2);
   CHECK(tick(5).fraction == doctest::Approx(0.75));
   CHECK(tick(30).fraction == 1.0);  // it stays
-  const Frame other = frame(balls, {{{0, 1, 0}, 1.6}}, 20);
+  const Frame other = frame(spheres, {{{0, 1, 0}, 1.6}}, 20);
   REQUIRE(loop.setMotion(other, 3));
   CHECK(tick(3).motion == first->serial());  // the other scene's waits
   CHECK(loop.latest().fraction == 1.0);

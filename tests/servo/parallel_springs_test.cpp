@@ -1,4 +1,4 @@
-// Springs that pull together: what the penalty method answers is as stiff as all the balls that push, and the loop's
+// Springs that pull together: what the penalty method answers is as stiff as all the spheres that push, and the loop's
 // bound has to hold for the sum. The device is a model in a hand, in a closed loop through the servo step.
 #include <doctest/doctest.h>
 
@@ -16,16 +16,16 @@ using namespace moltact;
 
 namespace {
 
-// So many balls of 1.7 A whose centres lie within 0.2 A: inflated, all of them push at once, nearly along one direction.
-std::vector<Ball> heap(int n) {
+// So many spheres of 1.7 A whose centres lie within 0.2 A: inflated, all of them push at once, nearly along one direction.
+std::vector<Sphere> heap(int n) {
   scenes::Random random(7);
-  std::vector<Ball> out;
+  std::vector<Sphere> out;
   for (int k = 0; k < n; ++k) out.push_back({random.direction() * random.uniform(0.0, 0.2), 1.7});
   return out;
 }
 
-std::unique_ptr<Tracker> penalty(const std::vector<Ball>& balls) {
-  return findMethod("penalty")->make(test::makeScene(balls), kWaterProbe_A);
+std::unique_ptr<Tracker> penalty(const std::vector<Sphere>& spheres) {
+  return findMethod("penalty")->make(test::makeScene(spheres), kWaterProbe_A);
 }
 
 // As if a single spring pulled.

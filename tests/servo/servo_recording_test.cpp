@@ -27,7 +27,7 @@ using namespace moltact;
 namespace {
 
 std::unique_ptr<Tracker> newTracker() {
-  return methods().front().make(test::makeScene(scenes::cluster(20, 3).balls), kWaterProbe_A);
+  return methods().front().make(test::makeScene(scenes::cluster(20, 3).spheres), kWaterProbe_A);
 }
 
 std::filesystem::path scratch(const char* name) {
@@ -101,7 +101,7 @@ TEST_CASE(
   CHECK(again.ticks == ticks.size());
   CHECK_FALSE(again.first_difference);
   // With another scene it says where the forces part.
-  const auto other = methods().front().make(test::makeScene(scenes::oneBall().balls), kWaterProbe_A);
+  const auto other = methods().front().make(test::makeScene(scenes::oneSphere().spheres), kWaterProbe_A);
   CHECK(replay(*recording, other.get()).first_difference);
   CHECK(std::filesystem::file_size(file) < 20'000 * 116);
   std::filesystem::remove(file);
@@ -405,11 +405,11 @@ TEST_CASE("a full disk is told in the first tick that it does not take, not at t
 TEST_CASE(
     "a rigid body's recording keeps its pose and torque, and what it says of the scene gives the body back: the replay "
     "gives both to the last bit, and tells a torque that differs") {
-  const std::vector<Ball> balls{{{0, 0, 0}, 3.0}, {{10, 0, 0}, 1.6}, {{12, 0, 0}, 1.6}, {{12, 2, 0}, 1.6}};
+  const std::vector<Sphere> spheres{{{0, 0, 0}, 3.0}, {{10, 0, 0}, 1.6}, {{12, 0, 0}, 1.6}, {{12, 2, 0}, 1.6}};
   const std::vector<std::uint32_t> held{1, 2, 3};
-  const auto scene = std::make_shared<const BallScene>(balls, held);
-  const auto body = heldBody(balls, held);
-  const TouchSetup touch = settled({}, true);
+  const auto scene = std::make_shared<const SphereGrid>(spheres, held);
+  const auto body = heldBody(spheres, held);
+  const TouchSetup touch = resolveInteraction({}, true);
   const auto felt = makeInteraction({scene, touch, body});
   DeviceSpecs device = shownForceFigures();
   device.dof_in = device.dof_out = 6;
@@ -440,11 +440,13 @@ TEST_CASE(
   CHECK(read->labels.at("held") == "1-3");
   CHECK(read->labels.at("untouchable") == "1-3");
   CHECK(read->ticks.back().torque_N_mm == last);
-  const RecordedScene again = recordedScene(read->labels, balls);
+  const RecordedScene again = recordedScene(read->labels, spheres);
   REQUIRE(again.body);
   CHECK(again.body->atoms == held);
-  CHECK(fingerprint(*again.balls) == fingerprint(*scene));
-  const auto replayed = [&] { return replay(*read, makeInteraction({again.balls, touchOf(*read), again.body}).get()); };
+  CHECK(fingerprint(*again.spheres) == fingerprint(*scene));
+  const auto replayed = [&] {
+    return replay(*read, makeInteraction({again.spheres, touchOf(*read), again.body}).get());
+  };
   CHECK_FALSE(replayed().first_difference);
   read->ticks[2500].torque_N_mm.x += 0.25;
   CHECK(replayed().first_difference == 2500);
@@ -456,12 +458,12 @@ TEST_CASE(
 }
 
 TEST_CASE("labels that list balls which there are not, or are no list, name none") {
-  const std::vector<Ball> balls(9, Ball{{0, 0, 0}, 1.0});
+  const std::vector<Sphere> spheres(9, Sphere{{0, 0, 0}, 1.0});
   for (const char* text : {"9", "0-9", "3-2", "2,2", "1-", "x", "1,,2", "-1", "4294967296", "1 2"}) {
     CAPTURE(text);
-    const RecordedScene scene = recordedScene({{"held", text}, {"untouchable", text}}, balls);
+    const RecordedScene scene = recordedScene({{"held", text}, {"untouchable", text}}, spheres);
     CHECK_FALSE(scene.body);
-    CHECK_FALSE(scene.balls->hasUntouchable());
+    CHECK_FALSE(scene.spheres->hasUntouchable());
   }
-  CHECK(recordedScene({{"held", "0,2-4,8"}}, balls).body->atoms == std::vector<std::uint32_t>{0, 2, 3, 4, 8});
+  CHECK(recordedScene({{"held", "0,2-4,8"}}, spheres).body->atoms == std::vector<std::uint32_t>{0, 2, 3, 4, 8});
 }

@@ -14,7 +14,7 @@ using namespace moltact;
 
 namespace {
 
-std::unique_ptr<Tracker> oneBall() {  // 1.6 A at the origin
+std::unique_ptr<Tracker> oneSphere() {  // 1.6 A at the origin
   return methods().front().make(test::makeScene({{{0, 0, 0}, 1.6}}), kWaterProbe_A);
 }
 
@@ -47,7 +47,7 @@ class Loop {
 }  // namespace
 
 TEST_CASE("pressing 1 mm into a wall of 0.5 N/mm gives 0.5 N outward once the soft start is over") {
-  auto tracker = oneBall();
+  auto tracker = oneSphere();
   Loop loop({0, 0, 20});  // 0.25 A a mm: the surface at 3 A lies at 12 mm
   const ServoSample s = loop.hold(tracker.get(), {0, 0, 11}, 600);
   CHECK(s.contact.feature == Feature::Sphere);
@@ -57,7 +57,7 @@ TEST_CASE("pressing 1 mm into a wall of 0.5 N/mm gives 0.5 N outward once the so
 }
 
 TEST_CASE("with the device turned by 90 degrees the force is turned with it") {
-  auto tracker = oneBall();
+  auto tracker = oneSphere();
   Loop loop({20, 0, 0});
   loop.settings.workspace.rotation =
       glm::dmat3(Vec3(0, 1, 0), Vec3(-1, 0, 0), Vec3(0, 0, 1));  // device x is the molecule's y
@@ -67,7 +67,7 @@ TEST_CASE("with the device turned by 90 degrees the force is turned with it") {
 }
 
 TEST_CASE("a force of 10 mm x 0.5 N/mm is clamped to 3.3 N, keeps its direction and says so") {
-  auto tracker = oneBall();
+  auto tracker = oneSphere();
   Loop loop({0, 12, 16});
   const ServoSample s = loop.hold(tracker.get(), {0, 1.2, 1.6}, 600);
   CHECK(glm::length(s.force.N) == doctest::Approx(3.3).epsilon(1e-12));
@@ -76,7 +76,7 @@ TEST_CASE("a force of 10 mm x 0.5 N/mm is clamped to 3.3 N, keeps its direction 
 }
 
 TEST_CASE("after a start the force grows by at most 3.3 N x 1 ms / 500 ms a tick") {
-  auto tracker = oneBall();
+  auto tracker = oneSphere();
   Loop loop({0, 0, 12.5});
   loop.hold(tracker.get(), {0, 0, 12}, 1);
   double last = 0;
@@ -97,7 +97,7 @@ TEST_CASE("after a start the force grows by at most 3.3 N x 1 ms / 500 ms a tick
 }
 
 TEST_CASE("a new tracker under the hand gives no force: the HIP starts inside until it has been outside") {
-  auto first = oneBall(), second = oneBall();
+  auto first = oneSphere(), second = oneSphere();
   Loop loop({0, 0, 20});
   CHECK(glm::length(loop.hold(first.get(), {0, 0, 10}, 600).force.N) > 0.9);
   const ServoSample swapped = loop.hold(second.get(), {0, 0, 10}, 600);
@@ -108,7 +108,7 @@ TEST_CASE("a new tracker under the hand gives no force: the HIP starts inside un
 }
 
 TEST_CASE("without a tracker, with the force off, and for a NaN from the device the force is zero within 4 ms") {
-  auto tracker = oneBall();
+  auto tracker = oneSphere();
   Loop loop({0, 0, 20});
   CHECK(loop.hold(nullptr, {0, 0, 20}, 5).force.N == Vec3(0));
   CHECK(glm::length(loop.hold(tracker.get(), {0, 0, 10}, 600).force.N) == doctest::Approx(1.0));
@@ -129,7 +129,7 @@ TEST_CASE("settings that are not finite or out of range give no force beyond the
   const double nan = std::nan(""), inf = std::numeric_limits<double>::infinity();
   for (const double bad : {nan, inf, -inf, -1.0, 1e300}) {
     CAPTURE(bad);
-    auto tracker = oneBall();
+    auto tracker = oneSphere();
     Loop loop({0, 0, 20});
     loop.hold(tracker.get(), {0, 0, 20}, 600);
     loop.settings.stiffness_N_per_mm = bad;
@@ -142,7 +142,7 @@ TEST_CASE("settings that are not finite or out of range give no force beyond the
 }
 
 TEST_CASE("a new probe radius is reached at 8 A/s: from 1.4 to 2.2 A in 100 ticks, under the hand, without a leap") {
-  auto tracker = oneBall();
+  auto tracker = oneSphere();
   Loop loop({0, 0, 20});
   double last = loop.hold(tracker.get(), {0, 0, 11}, 600).force.N.z;
   loop.settings.probe_A = 2.2;
@@ -158,7 +158,7 @@ TEST_CASE("the same hand gives the same forces to the last bit, over 20 000 tick
   const scenes::Scene scene = scenes::cluster(50, 9);
   const scenes::Path path = scenes::walk(scene, 20'000, 10);
   const auto run = [&] {
-    auto tracker = methods().front().make(test::makeScene(scene.balls), scene.probe_A);
+    auto tracker = methods().front().make(test::makeScene(scene.spheres), scene.probe_A);
     ServoStep step;
     const ServoSettings settings;
     std::vector<Vec3> forces;

@@ -21,7 +21,7 @@ using namespace moltact;
 namespace {
 
 std::unique_ptr<Tracker> newTracker() {
-  return methods().front().make(test::makeScene(scenes::cluster(20, 3).balls), kWaterProbe_A);
+  return methods().front().make(test::makeScene(scenes::cluster(20, 3).spheres), kWaterProbe_A);
 }
 
 // A hand that shakes in and out of the cluster, with faults of the device and of the clock in between.

@@ -92,11 +92,11 @@ TEST_CASE("0, 1, 1.5 and 3 N on one atom sound at 330, 523.8, 660 and 1320 Hz, w
 
 TEST_CASE("a ball is one note, a crease a fifth, a pit a major chord, each of the same power") {
   const double f = 660.0;
-  const auto ball = steadyTone(Feature::Sphere, 1.5), crease = steadyTone(Feature::Circle, 1.5),
+  const auto sphere = steadyTone(Feature::Sphere, 1.5), crease = steadyTone(Feature::Circle, 1.5),
              pit = steadyTone(Feature::Point, 1.5);
-  CHECK(amplitudeAt(ball, f) > 0.1);
-  CHECK(amplitudeAt(ball, f * 1.25) < 1e-4);
-  CHECK(amplitudeAt(ball, f * 1.5) < 1e-4);
+  CHECK(amplitudeAt(sphere, f) > 0.1);
+  CHECK(amplitudeAt(sphere, f * 1.25) < 1e-4);
+  CHECK(amplitudeAt(sphere, f * 1.5) < 1e-4);
   CHECK(amplitudeAt(crease, f) == doctest::Approx(amplitudeAt(crease, f * 1.5)).epsilon(0.001));
   CHECK(amplitudeAt(crease, f * 1.25) < 1e-4);
   CHECK(amplitudeAt(pit, f) == doctest::Approx(amplitudeAt(pit, f * 1.25)).epsilon(0.001));
@@ -106,8 +106,8 @@ TEST_CASE("a ball is one note, a crease a fifth, a pit a major chord, each of th
     for (const float x : s) sum += double(x) * double(x);
     return sum / double(s.size());
   };
-  CHECK(power(crease) == doctest::Approx(power(ball)).epsilon(0.01));
-  CHECK(power(pit) == doctest::Approx(power(ball)).epsilon(0.01));
+  CHECK(power(crease) == doctest::Approx(power(sphere)).epsilon(0.01));
+  CHECK(power(pit) == doctest::Approx(power(sphere)).epsilon(0.01));
 }
 
 TEST_CASE("without touch there is exact silence, and again 1 s after the touch has ended") {

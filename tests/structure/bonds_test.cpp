@@ -47,7 +47,7 @@ TEST_CASE("in ubiquitin and lysozyme, refined well, the bonds are all pairs of h
     Pairs near;
     for (std::uint32_t i = 0; i < m.atoms.size(); ++i)
       for (std::uint32_t j = i + 1; j < m.atoms.size(); ++j)
-        if (glm::distance(m.balls[i].centre_A, m.balls[j].centre_A) < 2.13) near.emplace(i, j);
+        if (glm::distance(m.spheres[i].centre_A, m.spheres[j].centre_A) < 2.13) near.emplace(i, j);
     CHECK(pairsOf(findBonds(m)) == near);
   }
 }
@@ -150,14 +150,14 @@ TEST_CASE("an ideal helix of 20 alanines has 16 hydrogen bonds, each from N to t
 
 TEST_CASE("a molecule whose atoms are moved keeps its bonds and helices, and shares all but its coordinates") {
   const Molecule m = libraryMolecule("alpha-helix.pdb");
-  std::vector<Ball> apart = m.balls.copy();
-  for (Ball& b : apart) b.centre_A *= 3.0;  // by distance no bond would be found
-  const Molecule moved = m.movedTo(apart), again = moved.movedTo(m.balls);
+  std::vector<Sphere> apart = m.spheres.copy();
+  for (Sphere& b : apart) b.centre_A *= 3.0;  // by distance no bond would be found
+  const Molecule moved = m.movedTo(apart), again = moved.movedTo(m.spheres);
   CHECK(moved.sameTopology(m));
   CHECK(moved.residues.sharesWith(m.residues));
-  CHECK(moved.ballsAsRead().sharesWith(m.balls));
-  CHECK(again.ballsAsRead().sharesWith(m.balls));
-  CHECK(moved.balls[5].centre_A == 3.0 * m.balls[5].centre_A);
+  CHECK(moved.spheresAsRead().sharesWith(m.spheres));
+  CHECK(again.spheresAsRead().sharesWith(m.spheres));
+  CHECK(moved.spheres[5].centre_A == 3.0 * m.spheres[5].centre_A);
   CHECK(!findBonds(m).empty());
   CHECK(findBonds(moved) == findBonds(m));
   CHECK(secondaryStructure(moved).elements == secondaryStructure(m).elements);
@@ -210,7 +210,7 @@ TEST_CASE("ubiquitin's backbone is one stretch of 76, haemoglobin's four of 141 
   CHECK(dna.atoms[strands[0][0].guide()].nameText() == "O5'");
   for (std::size_t i = 0; i < 12; ++i) {
     // The ends of two bases that are paired lie as far apart as their middle hydrogen bond is long.
-    const auto at = [&](std::uint32_t atom) { return dna.balls[atom].centre_A; };
+    const auto at = [&](std::uint32_t atom) { return dna.spheres[atom].centre_A; };
     CHECK(glm::distance(at(strands[0][i].base), at(strands[1][11 - i].base)) == doctest::Approx(2.9).epsilon(0.1));
   }
 }

@@ -46,9 +46,9 @@ double leastRmsd_A(const std::vector<Vec3>& a, const std::vector<Vec3>& b) {
 
 template <class By>
 Molecule moved(const Molecule& m, By&& by) {
-  std::vector<Ball> balls = m.balls.copy();
-  for (Ball& b : balls) b.centre_A = by(b.centre_A);
-  return m.movedTo(std::move(balls));
+  std::vector<Sphere> spheres = m.spheres.copy();
+  for (Sphere& b : spheres) b.centre_A = by(b.centre_A);
+  return m.movedTo(std::move(spheres));
 }
 
 Superposition someTurn() {
@@ -66,7 +66,7 @@ TEST_CASE("a protein that was turned by 2.1 rad and shifted by 33 A comes back, 
   CHECK(fit->fitted == 76);
   CHECK(fit->rmsd_A < 1e-4);
   for (std::size_t i = 0; i < m.atoms.size(); ++i)
-    CHECK(glm::distance((*fit)(other.balls[i].centre_A), m.balls[i].centre_A) < 1e-6);
+    CHECK(glm::distance((*fit)(other.spheres[i].centre_A), m.spheres[i].centre_A) < 1e-6);
 }
 
 TEST_CASE(
@@ -99,8 +99,8 @@ TEST_CASE(
     double squares = 0.0;
     for (const auto& [i, j] : pairs) {
       if (one->atoms[i].nameText() != "CA") continue;
-      here.push_back(one->balls[i].centre_A);
-      there.push_back(other->balls[j].centre_A);
+      here.push_back(one->spheres[i].centre_A);
+      there.push_back(other->spheres[j].centre_A);
       const Vec3 apart = (*fit)(there.back()) - here.back();
       squares += glm::dot(apart, apart);
     }
@@ -120,10 +120,10 @@ TEST_CASE("between two states each ball goes straight; an atom that the other la
         line.substr(22, 4) != "  76")
       text += line + "\n";
   Molecule other = moleculeOf(text + "END\n");
-  std::vector<Ball> shifted = other.balls.copy();
+  std::vector<Sphere> shifted = other.spheres.copy();
   for (std::size_t i = 0; i < shifted.size(); ++i)
     if (other.residues[other.atoms[i].residue].number == 48) shifted[i].centre_A += Vec3(0, 3, 0);
-  other.balls = std::move(shifted);
+  other.spheres = std::move(shifted);
   other = moved(other, someTurn());
   const auto states = twoStates(m, other);
   REQUIRE(states);

@@ -112,7 +112,7 @@ void Application::showMolecule(const MoleculeKey& key) {
 }
 
 void Application::enterScene() {
-  tellSteps();
+  notifyStepChanged();
   const SceneSpec* spec = lesson.takeNewScene();
   if (!spec) return;
   panels.hints = 0;
@@ -140,8 +140,9 @@ void Application::enterScene() {
 void Application::beginSceneAgain(std::optional<PointA> before, const std::optional<Quat>& turned,
                                   const std::vector<std::uint32_t>& removed) {
   // What is felt is made anew where other atoms are taken from the hand.
-  if (Stage felt = withUntouchable(scene.restingStage(), atomsOfEither(lesson.untouchable(), removed), lesson.held());
-      felt.balls != scene.stage().balls)
+  if (TouchableModel felt =
+          withUntouchable(scene.restingModel(), atomsOfEither(lesson.untouchable(), removed), lesson.held());
+      felt.spheres != scene.stage().spheres)
     scene.show(std::move(felt), scene.molecule(), facing());
   if (before)
     scene.beginAgainAt(*before);
@@ -150,21 +151,21 @@ void Application::beginSceneAgain(std::optional<PointA> before, const std::optio
   else
     scene.beginAgain(facing());
   if (!before && !turned) cutOpen();
-  tellUnheld();
+  warnBodyTooLarge();
   for (Extension* e : extensions_->all()) e->sceneChanged();
 }
 
 // A lesson that nobody checked may ask for more than a hand can hold.
-void Application::tellUnheld() {
+void Application::warnBodyTooLarge() {
   if (scene.stage().body || lesson.held().empty()) return;
   messages.warning(
       Problem{lesson.file().string(), lesson.session()->scene().places.in_hand.line, 0,
-              trf("{0} atoms are more than a hand can hold; {1} are the most", lesson.held().size(), kMostHeldAtoms),
+              trf("{0} atoms are more than a hand can hold; {1} are the most", lesson.held().size(), kMaxHeldAtoms),
               tr("name fewer: a ligand, a side chain")}
           .text());
 }
 
-void Application::tellSteps() {
+void Application::notifyStepChanged() {
   if (!lesson.session()) return;
   const bool opened = told_opening_ != lesson.openings(), moved = told_step_ != lesson.session()->stepIndex();
   told_opening_ = lesson.openings();
@@ -176,10 +177,10 @@ void Application::tellSteps() {
 }
 
 void Application::finishLoading() {
-  if (std::optional<Loaded> loaded = loader_.wait()) takeUp(std::move(*loaded));
+  if (std::optional<Loaded> loaded = loader_.wait()) onLoaded(std::move(*loaded));
 }
 
-void Application::takeUp(Loaded loaded) {
+void Application::onLoaded(Loaded loaded) {
   const bool from_step = std::exchange(step_scene_, false);
   if (!loaded.stage) {
     messages.error(loaded.stage.problem().text());
@@ -187,7 +188,7 @@ void Application::takeUp(Loaded loaded) {
     return;
   }
   messages.clearErrors();
-  if (const std::string told = residueBallsNotice(loaded.stage->molecule->atoms.size()); !told.empty())
+  if (const std::string told = residueSpheresNotice(loaded.stage->molecule->atoms.size()); !told.empty())
     messages.notice(told);
   // A lesson's author knows what the file leaves out.
   if (!from_step) {
@@ -203,11 +204,11 @@ void Application::takeUp(Loaded loaded) {
   scene.setZoomed(lesson.zoomed());
   scene.show(withUntouchable(*loaded.stage, lesson.untouchable(), lesson.held()), loaded.key, facing());
   cutOpen();
-  tellUnheld();
+  warnBodyTooLarge();
   for (Extension* e : extensions_->all()) e->sceneChanged();
 }
 
-TouchScene::Facing Application::facing() const {
+HapticSession::Facing Application::facing() const {
   return [this](Camera& camera, const Molecule& molecule) { lesson.face(camera, molecule); };
 }
 
@@ -228,7 +229,7 @@ void Application::showView(const ViewSpec& view) {
 }
 
 void Application::zoomTo(std::span<const std::uint32_t> atoms) {
-  const Stage& stage = scene.stage();
+  const TouchableModel& stage = scene.stage();
   const auto part = stage ? regionAround(atoms, *scene.seenMolecule(), scene.servo_settings.probe_A) : std::nullopt;
   if (!part) return;
   const Camera seen = scene.camera;
@@ -304,7 +305,7 @@ void Application::layPanelsOut(glm::vec2 window_px) {
 
 void Application::frame(double dt_s, glm::vec2 window_px) {
   time_ = {dt_s, time_.now_s + dt_s};
-  if (std::optional<Loaded> loaded = loader_.take()) takeUp(std::move(*loaded));
+  if (std::optional<Loaded> loaded = loader_.take()) onLoaded(std::move(*loaded));
   loading_s_ = loader_.busy() ? loading_s_ + dt_s : 0.0;
   const std::span<Extension* const> extensions = extensions_->all();
   for (Extension* e : extensions) e->beforeTicks();

@@ -18,8 +18,8 @@
 #include "app/ui/files/file_dialog.h"
 #include "app/ui/files/settings.h"
 #include "app/ui/lesson/lesson_guide.h"
+#include "app/ui/scene/haptic_session.h"
 #include "app/ui/scene/loader.h"
-#include "app/ui/scene/touch_scene.h"
 #include "app/ui/widgets/layout.h"
 #include "app/ui/widgets/messages.h"
 
@@ -65,7 +65,7 @@ class Application final : public Opener {
   /// How long a file has been read (unit: second); 0 while none is.
   double loadingFor_s() const { return loading_s_; }
 
-  TouchScene scene;
+  HapticSession scene;
   LessonGuide lesson;
   Messages messages;
   Settings settings;
@@ -104,13 +104,13 @@ class Application final : public Opener {
   double now_s() const { return time_.now_s; }
 
  private:
-  TouchScene::Facing facing() const;
-  void takeUp(Loaded loaded);
+  HapticSession::Facing facing() const;
+  void onLoaded(Loaded loaded);
   void openLesson(const std::filesystem::path& file);
   void cutOpen();     // as the lesson's step asks for
   void enterScene();  // of the lesson's step, where that has changed
-  void tellSteps();
-  void tellUnheld();
+  void notifyStepChanged();
+  void warnBodyTooLarge();
   void useLanguageAndUnits();  // those of the settings, and their decimal sign
   Layout layoutNow() const;    // with the panels that are open now
   void measureView();

@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <string>
 
-#include "app/ui/scene/touch_scene.h"
+#include "app/ui/scene/haptic_session.h"
 
 namespace moltact {
 

@@ -11,7 +11,7 @@
 #include <span>
 
 #include "app/ui/files/file_kinds.h"
-#include "app/ui/scene/touch_scene.h"
+#include "app/ui/scene/haptic_session.h"
 
 namespace moltact {
 

@@ -25,12 +25,12 @@ constexpr double kView_s = 0.2;          // views are told at most so often
 
 std::string now() { return utcText(std::chrono::system_clock::now()); }
 
-bool gaveForce(const TouchScene& scene) { return scene.servo().device().gives_force; }
+bool gaveForce(const HapticSession& scene) { return scene.servo().device().gives_force; }
 
-std::string deviceName(const TouchScene& scene) { return scene.servo().device().name; }
+std::string deviceName(const HapticSession& scene) { return scene.servo().device().name; }
 
 // The stand-in led by mouse or keyboard, or a device in the hand.
-bool realDevice(TouchScene& scene) { return &scene.servo().device() != &scene.servo().mouse().info(); }
+bool realDevice(HapticSession& scene) { return &scene.servo().device() != &scene.servo().mouse().info(); }
 
 // An attempt goes to other computers.
 ReadOptions withoutFolders(ReadOptions reading) {
@@ -38,7 +38,7 @@ ReadOptions withoutFolders(ReadOptions reading) {
   return reading;
 }
 
-StageChanged stageOf(const TouchScene& scene) {
+StageChanged stageOf(const HapticSession& scene) {
   const Molecule& molecule = *scene.stage().molecule;
   return {molecule.id,           scene.molecule().file.filename().string(),
           molecule.atoms.size(), scene.servo_settings.workspace,

@@ -29,7 +29,7 @@ struct PanelState;
 
 class AttemptRecorder : public Extension {
  public:
-  AttemptRecorder(const MovingStates& moving_states, Opener& opener, TouchScene& scene, LessonGuide& lesson,
+  AttemptRecorder(const MovingStates& moving_states, Opener& opener, HapticSession& scene, LessonGuide& lesson,
                   Messages& messages, const PanelState& panels, const ApplicationOptions& options,
                   const FrameTime& time)
       : opener_(opener),
@@ -77,7 +77,7 @@ class AttemptRecorder : public Extension {
 
  private:
   Opener& opener_;
-  TouchScene& scene_;
+  HapticSession& scene_;
   LessonGuide& lesson_;
   Messages& messages_;
   const PanelState& panels_;

@@ -12,8 +12,8 @@
 #include "app/ui/lesson/lesson_guide.h"
 #include "app/ui/widgets/imgui_versions.h"
 #include "app/ui/widgets/theme.h"
-#include "engine/haptics/ball_scene.h"
 #include "engine/haptics/methods.h"
+#include "engine/haptics/sphere_grid.h"
 #include "engine/haptics/sweep.h"
 #include "engine/lesson/lesson_region.h"
 #include "engine/lesson/scene_atoms.h"
@@ -30,7 +30,7 @@ namespace fs = std::filesystem;
 
 // Raised when pictures of the same subject come out differently.
 constexpr std::string_view kDrawnAs = "5";
-constexpr std::size_t kMostKept = 400;
+constexpr std::size_t kMaxKept = 400;
 constexpr std::size_t kLargestFile = std::size_t{1} << 30;  // unit: byte
 
 std::uint64_t fnv1a(std::string_view bytes, std::uint64_t hash = 14695981039346656037ull) {
@@ -52,13 +52,13 @@ std::string sceneKey(const CardSubject& subject) {
 }
 
 // Where a probe that comes in along a ray from the viewer's upper right meets the surface.
-PointA restingPlace(const BallScene& balls, const Camera& camera, double probe_A) {
+PointA restingPlace(const SphereGrid& spheres, const Camera& camera, double probe_A) {
   constexpr double kClose_A = 0.02;
   const Vec3 outward = glm::normalize(0.6 * camera.right() + 0.5 * camera.up() + 0.6 * camera.back());
-  double out_A = glm::length(balls.high_A() - balls.low_A()) + 2.0 * probe_A;
+  double out_A = glm::length(spheres.high_A() - spheres.low_A()) + 2.0 * probe_A;
   PointA place{camera.target.A + outward * out_A};
   for (int step = 0; step < 200; ++step) {
-    const double gap_A = clearance(balls, probe_A, place.A);
+    const double gap_A = clearance(spheres, probe_A, place.A);
     if (gap_A < kClose_A || out_A < 0.0) break;
     out_A -= gap_A;
     place.A = camera.target.A + outward * out_A;
@@ -69,7 +69,7 @@ PointA restingPlace(const BallScene& balls, const Camera& camera, double probe_A
 // The scene as a lesson turns and marks it, with the probe at the surface.
 ViewScene sceneOf(Molecule read, const SceneSpec& spec) {
   ViewScene scene;
-  const BallScene balls(read.balls, untouchableAtoms(spec, read));
+  const SphereGrid spheres(read.spheres, untouchableAtoms(spec, read));
   const std::vector<std::uint32_t> removed = atomsOfEither(
       spec.remove.given() ? spec.remove.select(read) : std::vector<std::uint32_t>(), heldAtoms(spec, read));
   scene.molecule = std::make_shared<const Molecule>(std::move(read));
@@ -87,8 +87,8 @@ ViewScene sceneOf(Molecule read, const SceneSpec& spec) {
   if (const auto part = zoomedRegion(spec.view, spec, *scene.molecule, spec.touch.probe_A))
     scene.camera.fit(part->centre, part->radius_A, aspect);
   scene.look.cut = cutOf(spec, *scene.molecule, scene.camera);
-  if (spec.in_hand.given()) scene.body = heldBody(scene.molecule->balls, heldAtoms(spec, *scene.molecule));
-  scene.hip = restingPlace(balls, scene.camera, scene.body ? scene.body->reach_A : spec.touch.probe_A);
+  if (spec.in_hand.given()) scene.body = heldBody(scene.molecule->spheres, heldAtoms(spec, *scene.molecule));
+  scene.hip = restingPlace(spheres, scene.camera, scene.body ? scene.body->reach_A : spec.touch.probe_A);
   return scene;
 }
 
@@ -98,9 +98,9 @@ void tidy(const fs::path& folder) {
   std::vector<std::pair<fs::file_time_type, fs::path>> files;
   for (fs::directory_iterator it(folder, error), end; !error && it != end; it.increment(error))
     if (it->path().extension() == ".png") files.emplace_back(it->last_write_time(error), it->path());
-  if (files.size() <= kMostKept) return;
+  if (files.size() <= kMaxKept) return;
   std::sort(files.begin(), files.end());
-  for (std::size_t k = 0; k < files.size() - kMostKept; ++k) fs::remove(files[k].second, error);
+  for (std::size_t k = 0; k < files.size() - kMaxKept; ++k) fs::remove(files[k].second, error);
 }
 
 }  // namespace

@@ -16,7 +16,7 @@ struct PanelState;
 
 class ClassTurns : public Extension {
  public:
-  ClassTurns(AttemptRecorder& recorder, TouchScene& scene, const LessonGuide& lesson, PanelState& panels,
+  ClassTurns(AttemptRecorder& recorder, HapticSession& scene, const LessonGuide& lesson, PanelState& panels,
              const FrameTime& time)
       : scene_(scene), lesson_(lesson), panels_(panels), time_(time), recorder_(recorder) {}
 
@@ -52,7 +52,7 @@ class ClassTurns : public Extension {
   bool live() const override { return turns_.state() == Turns::State::Running; }
 
  private:
-  TouchScene& scene_;
+  HapticSession& scene_;
   const LessonGuide& lesson_;
   PanelState& panels_;
   const FrameTime& time_;

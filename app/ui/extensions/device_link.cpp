@@ -300,7 +300,7 @@ void DeviceLink::afterPanels() {
   watchTicks(scene_.servo().everyTick());
 }
 
-DeviceLink::ScaleWords DeviceLink::scaleWords(const TouchScene& scene) const {
+DeviceLink::ScaleWords DeviceLink::scaleWords(const HapticSession& scene) const {
   const ServoSettings& s = scene.servo_settings;
   if (stager_.dark()) return {lengthScale(s.workspace) + ".", ""};
   const double felt = steadyStiffness_N_per_mm(s.stiffness_N_per_mm, scene.servo().device());

@@ -26,7 +26,7 @@ class TaskStager;
 
 class DeviceLink : public Extension {
  public:
-  DeviceLink(const TaskStager& stager, TouchScene& scene, Settings& settings, Messages& messages, PanelState& panels,
+  DeviceLink(const TaskStager& stager, HapticSession& scene, Settings& settings, Messages& messages, PanelState& panels,
              const Layout& layout, const ApplicationOptions& options, const FrameTime& time)
       : scene_(scene),
         settings_(settings),
@@ -76,7 +76,7 @@ class DeviceLink : public Extension {
   struct ScaleWords {
     std::string sentence, reason;
   };
-  ScaleWords scaleWords(const TouchScene& scene) const;
+  ScaleWords scaleWords(const HapticSession& scene) const;
 
   /// Whether it waits for its calibrate(), when the person has done what status() says.
   bool wantsCalibration(const ServoLink& servo) const;
@@ -95,7 +95,7 @@ class DeviceLink : public Extension {
   bool live() const override { return chosen_ != "mouse" || trying_s_ > 0.0 || !awaited_.empty() || wish_ || opening_; }
 
  private:
-  TouchScene& scene_;
+  HapticSession& scene_;
   Settings& settings_;
   Messages& messages_;
   PanelState& panels_;

@@ -45,7 +45,7 @@ void HandRecorder::drain() {
     if (problem) return;
     if (ticks_ == 0) {
       auto labels = moleculeLabels(lastingName(scene_.molecule(), MoleculeFolders::ofThisComputer()));
-      labels.merge(sceneLabels(*scene_.stage().balls, scene_.stage().body.get()));
+      labels.merge(sceneLabels(*scene_.stage().spheres, scene_.stage().body.get()));
       labels.merge(touchLabels(scene_.touch()));
       labels["device"] = servo.device().name;
       problem = writer_->begin(labels, start);
@@ -121,7 +121,7 @@ std::string HandRecorder::label(const char* key) const {
 
 void HandRecorder::begin() {
   panels_.welcome = false;
-  const auto labels = sceneLabels(*scene_.stage().balls, scene_.stage().body.get());
+  const auto labels = sceneLabels(*scene_.stage().spheres, scene_.stage().body.get());
   const bool same = label("held") == (labels.contains("held") ? labels.at("held") : "") &&
                     (label("balls").empty() || label("balls") == labels.at("balls"));
   if (!same)

@@ -22,7 +22,7 @@ struct PanelState;
 
 class HandRecorder : public Extension {
  public:
-  HandRecorder(AttemptRecorder& recorder, DeviceLink& device, Opener& opener, TouchScene& scene, Messages& messages,
+  HandRecorder(AttemptRecorder& recorder, DeviceLink& device, Opener& opener, HapticSession& scene, Messages& messages,
                PanelState& panels, FileDialog& file_dialog, const ApplicationOptions& options)
       : opener_(opener),
         scene_(scene),
@@ -59,7 +59,7 @@ class HandRecorder : public Extension {
 
  private:
   Opener& opener_;
-  TouchScene& scene_;
+  HapticSession& scene_;
   Messages& messages_;
   PanelState& panels_;
   FileDialog& file_dialog_;

@@ -11,13 +11,13 @@ struct PanelState;
 
 class LessonLocks : public Extension {
  public:
-  LessonLocks(TouchScene& scene, const LessonGuide& lesson, PanelState& panels)
+  LessonLocks(HapticSession& scene, const LessonGuide& lesson, PanelState& panels)
       : scene_(scene), lesson_(lesson), panels_(panels) {}
 
   void afterPanels() override;
 
  private:
-  TouchScene& scene_;
+  HapticSession& scene_;
   const LessonGuide& lesson_;
   PanelState& panels_;
 };

@@ -75,7 +75,7 @@ void LessonWatch::beforeTicks() {
   if (running_.valid() && (options_.clock == ServoClock::Frames ||
                            running_.wait_for(std::chrono::seconds(0)) == std::future_status::ready)) {
     LessonCheck check = running_.get();
-    if (checking_ == file_) takeUp(std::move(check));
+    if (checking_ == file_) onLoaded(std::move(check));
   }
   since_check_s_ += time_.dt_s;
   since_poll_s_ += time_.dt_s;
@@ -120,7 +120,7 @@ void LessonWatch::begin() {
   running_ = inBackground(work);
 }
 
-void LessonWatch::takeUp(LessonCheck check) {
+void LessonWatch::onLoaded(LessonCheck check) {
   const bool is_shown = shown(lesson_), first = is_shown && bytes_.empty() && !changed_;
   if (first) {
     // The lesson that has just been opened: it is the text on the screen, whatever is wrong with it.

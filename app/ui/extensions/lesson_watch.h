@@ -23,7 +23,7 @@ class Opener;
 
 class LessonWatch : public Extension {
  public:
-  LessonWatch(Opener& opener, TouchScene& scene, LessonGuide& lesson, Messages& messages,
+  LessonWatch(Opener& opener, HapticSession& scene, LessonGuide& lesson, Messages& messages,
               const ApplicationOptions& options, const FrameTime& time)
       : opener_(opener), scene_(scene), lesson_(lesson), messages_(messages), options_(options), time_(time) {}
 
@@ -51,7 +51,7 @@ class LessonWatch : public Extension {
 
  private:
   Opener& opener_;
-  TouchScene& scene_;
+  HapticSession& scene_;
   LessonGuide& lesson_;
   Messages& messages_;
   const ApplicationOptions& options_;
@@ -68,7 +68,7 @@ class LessonWatch : public Extension {
   void watch(const std::filesystem::path& file);
   void poll();
   void begin();
-  void takeUp(LessonCheck check);
+  void onLoaded(LessonCheck check);
   void list(const LessonCheck& check);
 
   std::filesystem::path file_, checking_;

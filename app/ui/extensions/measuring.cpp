@@ -6,8 +6,8 @@
 
 namespace moltact {
 
-std::optional<std::uint32_t> atomAt(const TouchScene& scene, glm::dvec2 px, glm::dvec2 view_px) {
-  const Stage& stage = scene.stage();
+std::optional<std::uint32_t> atomAt(const HapticSession& scene, glm::dvec2 px, glm::dvec2 view_px) {
+  const TouchableModel& stage = scene.stage();
   if (!stage) return std::nullopt;
   const ViewRays rays = viewRays(scene.camera, view_px);
   const Vec3 along = rays.direction(px);
@@ -19,8 +19,8 @@ std::optional<std::uint32_t> atomAt(const TouchScene& scene, glm::dvec2 px, glm:
     if (beyond_A > 0.0) from_A = beyond_A / toward;
   }
   if (!(from_A < far_A)) return std::nullopt;
-  const Hit hit = sweep(*stage.balls, 0.0, rays.eye_A + along * from_A, rays.eye_A + along * far_A);
-  return hit.ball < 0 ? std::nullopt : std::optional(std::uint32_t(hit.ball));
+  const Hit hit = sweep(*stage.spheres, 0.0, rays.eye_A + along * from_A, rays.eye_A + along * far_A);
+  return hit.sphere < 0 ? std::nullopt : std::optional(std::uint32_t(hit.sphere));
 }
 
 void Measuring::switchOn(bool on) {

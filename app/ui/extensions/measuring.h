@@ -13,11 +13,11 @@
 namespace moltact {
 
 /// The atom that is seen at a place of the view (unit: pixel from its upper left corner); none: beside the molecule.
-std::optional<std::uint32_t> atomAt(const TouchScene& scene, glm::dvec2 px, glm::dvec2 view_px);
+std::optional<std::uint32_t> atomAt(const HapticSession& scene, glm::dvec2 px, glm::dvec2 view_px);
 
 class Measuring final : public Extension {
  public:
-  explicit Measuring(const TouchScene& scene) : scene_(scene) {}
+  explicit Measuring(const HapticSession& scene) : scene_(scene) {}
 
   /// While it is on, clicks in the view are places and do not push.
   bool on() const { return on_; }
@@ -39,7 +39,7 @@ class Measuring final : public Extension {
   void sceneChanged() override;
 
  private:
-  const TouchScene& scene_;
+  const HapticSession& scene_;
   void write(const Molecule& molecule);
 
   bool on_ = false;

@@ -75,16 +75,16 @@ void MovingStates::take(Expected<TwoStates> states) {
   states_ = std::make_shared<const TwoStates>(*std::move(states));
   double farthest_A = 0.0;
   for (std::size_t i = 0; i < states_->first.size(); ++i)
-    if (scene_.stage().balls->touchable(i))
+    if (scene_.stage().spheres->touchable(i))
       farthest_A = std::max(farthest_A, glm::distance(states_->first[i].centre_A, states_->second[i].centre_A));
-  per_s_ = farthest_A > 0.0 ? std::min(1.0 / kLeast_s, kFastest_A_per_s / farthest_A) : 1.0 / kLeast_s;
+  per_s_ = farthest_A > 0.0 ? std::min(1.0 / kMin_s, kFastest_A_per_s / farthest_A) : 1.0 / kMin_s;
   begin();
 }
 
 void MovingStates::begin() {
   share_ = wanted_ = then_.share;
   if (share_ == 0.0) return;
-  const std::vector<Ball> places = states_->at(share_);
+  const std::vector<Sphere> places = states_->at(share_);
   scene_.placeAtoms(places);
   // The same each time the scene begins again, so that its tasks stay.
   if (!begins_ || begins_share_ != share_) begins_ = std::make_shared<const Molecule>(molecule_->movedTo(places));

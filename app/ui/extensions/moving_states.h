@@ -20,11 +20,11 @@ class Messages;
 
 class MovingStates : public Extension {
  public:
-  MovingStates(TouchScene& scene, LessonGuide& lesson, Messages& messages, const ApplicationOptions& options)
+  MovingStates(HapticSession& scene, LessonGuide& lesson, Messages& messages, const ApplicationOptions& options)
       : scene_(scene), lesson_(lesson), messages_(messages), options_(options) {}
 
   /// No atom that can be felt moves faster, and the whole way takes at least so long.
-  static constexpr double kFastest_A_per_s = 8.0, kLeast_s = 1.5;
+  static constexpr double kFastest_A_per_s = 8.0, kMin_s = 1.5;
 
   void sceneChanged() override;
   void lessonChanged() override { sceneChanged(); }
@@ -48,7 +48,7 @@ class MovingStates : public Extension {
   const std::string& name(int state) const { return names_[std::size_t(state)]; }
 
  private:
-  TouchScene& scene_;
+  HapticSession& scene_;
   LessonGuide& lesson_;
   Messages& messages_;
   const ApplicationOptions& options_;

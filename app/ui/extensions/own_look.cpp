@@ -89,7 +89,7 @@ const std::array<std::string, OwnLook::kKeys>& OwnLook::faults(const std::shared
   return faults_;
 }
 
-void OwnLook::show(TouchScene& scene) {
+void OwnLook::show(HapticSession& scene) {
   if (!scene.stage()) return;
   const std::shared_ptr<const Molecule> molecule = scene.stage().molecule;
   for (const std::string& fault : faults(molecule))

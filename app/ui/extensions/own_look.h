@@ -21,7 +21,7 @@ struct OwnLookKey {
 
 class OwnLook final : public Extension {
  public:
-  explicit OwnLook(const TouchScene& scene) : scene_(scene) {}
+  explicit OwnLook(const HapticSession& scene) : scene_(scene) {}
 
   static std::span<const OwnLookKey> keys();
   static constexpr std::size_t kKeys = 6;
@@ -32,13 +32,13 @@ class OwnLook final : public Extension {
   /// What is wrong with each value for this molecule; empty where it can be shown.
   const std::array<std::string, kKeys>& faults(const std::shared_ptr<const Molecule>& molecule);
   /// Shows all that is written; nothing where a value has a fault.
-  void show(TouchScene& scene);
+  void show(HapticSession& scene);
 
   /// What is written belongs to a molecule.
   void sceneChanged() override;
 
  private:
-  const TouchScene& scene_;
+  const HapticSession& scene_;
   std::shared_ptr<const Molecule> molecule_;
   // What the faults are of: selections are worked out when a value is another, not in each frame.
   std::shared_ptr<const Molecule> checked_molecule_;

@@ -24,7 +24,7 @@ struct Settings;
 
 class Playback : public Extension {
  public:
-  Playback(AttemptRecorder& recorder, MovingStates& moving_states, Opener& opener, TouchScene& scene,
+  Playback(AttemptRecorder& recorder, MovingStates& moving_states, Opener& opener, HapticSession& scene,
            LessonGuide& lesson, const Settings& settings, Messages& messages, PanelState& panels,
            const ApplicationOptions& options, const FrameTime& time)
       : opener_(opener),
@@ -72,7 +72,7 @@ class Playback : public Extension {
 
  private:
   Opener& opener_;
-  TouchScene& scene_;
+  HapticSession& scene_;
   LessonGuide& lesson_;
   const Settings& settings_;
   Messages& messages_;

@@ -20,7 +20,7 @@ Camera between(const Camera& a, const Camera& b, double t);
 
 class SceneChange : public Extension {
  public:
-  SceneChange(TouchScene& scene, const Settings& settings, ViewPicture& picture, const FrameTime& time)
+  SceneChange(HapticSession& scene, const Settings& settings, ViewPicture& picture, const FrameTime& time)
       : scene_(scene), settings_(settings), picture_(picture), time_(time) {}
 
   static constexpr double kGlide_s = 0.6, kFade_s = 0.35;
@@ -41,7 +41,7 @@ class SceneChange : public Extension {
   bool gliding() const { return glide_s_ < kGlide_s; }
 
  private:
-  TouchScene& scene_;
+  HapticSession& scene_;
   const Settings& settings_;
   ViewPicture& picture_;
   const FrameTime& time_;

@@ -56,7 +56,7 @@ void SceneHistory::afterPanels() {
     change.camera_after = view->second;
   }
   done_.push_back(std::move(change));
-  if (done_.size() > kMost) done_.erase(done_.begin());
+  if (done_.size() > kMax) done_.erase(done_.begin());
   undone_.clear();
   current_ = std::move(now);
 }

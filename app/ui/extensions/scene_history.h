@@ -15,9 +15,9 @@ class SceneChange;
 
 class SceneHistory : public Extension {
  public:
-  SceneHistory(SceneChange& change, TouchScene& scene) : scene_(scene), change_(change) {}
+  SceneHistory(SceneChange& change, HapticSession& scene) : scene_(scene), change_(change) {}
 
-  static constexpr std::size_t kMost = 100;  ///< the oldest changes are forgotten beyond this
+  static constexpr std::size_t kMax = 100;  ///< the oldest changes are forgotten beyond this
 
   bool canUndo() const { return !done_.empty(); }
   bool canRedo() const { return !undone_.empty(); }
@@ -30,7 +30,7 @@ class SceneHistory : public Extension {
   void viewReset(const Camera& seen) override;
 
  private:
-  TouchScene& scene_;
+  HapticSession& scene_;
   SceneChange& change_;  // leads the camera to what is brought back
   struct Choices {
     TouchSetup touch;

@@ -49,7 +49,7 @@ void StateText::stepChanged() {
                                     session->way().size(), session->step().title));
 }
 
-std::string StateText::line(const TouchScene& scene) const {
+std::string StateText::line(const HapticSession& scene) const {
   if (!tells_contact_ || tells_unnamed_) return reading_.text();
   return touchingText(reading_.text(), scene.log().shownForce_N(), scene.servo_settings.force_on);
 }

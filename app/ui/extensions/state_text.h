@@ -18,12 +18,12 @@ namespace moltact {
 
 class LessonGuide;
 struct PanelState;
-class TouchScene;
+class HapticSession;
 class Unseen;
 
 class StateText : public Extension {
  public:
-  StateText(const Unseen& unseen, const TouchScene& scene, const LessonGuide& lesson, const PanelState& panels,
+  StateText(const Unseen& unseen, const HapticSession& scene, const LessonGuide& lesson, const PanelState& panels,
             const FrameTime& time)
       : scene_(scene), lesson_(lesson), panels_(panels), time_(time), unseen_(unseen) {}
 
@@ -36,7 +36,7 @@ class StateText : public Extension {
   bool live() const override { return owing_; }
 
   /// The contact in words, updated at a pace that can be read, with the figure of the force that the window shows.
-  std::string line(const TouchScene& scene) const;
+  std::string line(const HapticSession& scene) const;
   /// line() tells of a contact, and not that there is none or why.
   bool tellsContact() const { return tells_contact_; }
   /// The atoms that line() names; none where it names none.
@@ -45,7 +45,7 @@ class StateText : public Extension {
   }
 
  private:
-  const TouchScene& scene_;
+  const HapticSession& scene_;
   const LessonGuide& lesson_;
   const PanelState& panels_;
   const FrameTime& time_;

@@ -15,7 +15,7 @@ struct PanelState;
 
 class TaskStager final : public Extension {
  public:
-  TaskStager(Opener& opener, TouchScene& scene, LessonGuide& lesson, PanelState& panels)
+  TaskStager(Opener& opener, HapticSession& scene, LessonGuide& lesson, PanelState& panels)
       : opener_(opener), scene_(scene), lesson_(lesson), panels_(panels) {}
 
   void beforeTicks() override;
@@ -36,7 +36,7 @@ class TaskStager final : public Extension {
 
  private:
   Opener& opener_;
-  TouchScene& scene_;
+  HapticSession& scene_;
   LessonGuide& lesson_;
   PanelState& panels_;
   void comeClose(const std::optional<PointA>& place);

@@ -7,8 +7,8 @@ namespace moltact {
 namespace {
 
 constexpr double kSpacing_A = 0.15;
-constexpr std::size_t kMostPoints = 20'000;  // beyond it every second one is left out
-constexpr std::size_t kMostFresh = 40;       // drawn one by one; beyond it the molecule is drawn again
+constexpr std::size_t kMaxPoints = 20'000;  // beyond it every second one is left out
+constexpr std::size_t kMaxFresh = 40;       // drawn one by one; beyond it the molecule is drawn again
 
 AtomList listOf(const std::set<std::uint32_t>& atoms) {
   return atoms.empty() ? nullptr : std::make_shared<const std::vector<std::uint32_t>>(atoms.begin(), atoms.end());
@@ -58,7 +58,7 @@ void TouchPaint::ticks(const FeltTicks& felt) {
       if (a >= 0 && !touched_.contains(std::uint32_t(a))) since_.insert(std::uint32_t(a));
   }
   // The molecule is drawn again for them once the probe has left it.
-  if (!since_.empty() && (!touching || since_.size() > kMostFresh)) {
+  if (!since_.empty() && (!touching || since_.size() > kMaxFresh)) {
     touched_.insert(since_.begin(), since_.end());
     since_.clear();
     painted_ = listOf(touched_);
@@ -76,7 +76,7 @@ void TouchPaint::goOn(const PointA& place, bool anew) {
     return;
   }
   way_.back().push_back(place);
-  if (++points_ < kMostPoints) return;
+  if (++points_ < kMaxPoints) return;
   points_ = 0;
   for (std::vector<PointA>& piece : way_) {
     std::size_t kept = 0;
@@ -86,7 +86,7 @@ void TouchPaint::goOn(const PointA& place, bool anew) {
   }
   spacing_A_ *= 2.0;
   // A hand that was only ever put down leaves nothing to be thinned out: its first places go.
-  while (points_ > kMostPoints / 2 && way_.size() > 1) {
+  while (points_ > kMaxPoints / 2 && way_.size() > 1) {
     points_ -= way_.front().size();
     way_.erase(way_.begin());
   }

@@ -16,7 +16,7 @@ class Unseen;
 
 class TouchPaint final : public Extension {
  public:
-  TouchPaint(const Unseen& unseen, const TouchScene& scene, const LessonGuide& lesson)
+  TouchPaint(const Unseen& unseen, const HapticSession& scene, const LessonGuide& lesson)
       : scene_(scene), lesson_(lesson), unseen_(unseen) {}
 
   /// Atoms that were touched before the probe left the surface last, and since; null: none.
@@ -31,7 +31,7 @@ class TouchPaint final : public Extension {
   void sceneChanged() override;
 
  private:
-  const TouchScene& scene_;
+  const HapticSession& scene_;
   const LessonGuide& lesson_;
   void goOn(const PointA& place, bool anew);
   bool paints() const;

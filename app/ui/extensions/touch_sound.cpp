@@ -36,7 +36,7 @@ struct TouchSound::Playing {
                      }};
 };
 
-TouchSound::TouchSound(const Unseen& unseen, const TouchScene& scene, Settings& settings, Messages& messages,
+TouchSound::TouchSound(const Unseen& unseen, const HapticSession& scene, Settings& settings, Messages& messages,
                        const PanelState& panels, const ApplicationOptions& options)
     : unseen_(unseen), scene_(scene), settings_(settings), messages_(messages), panels_(panels), options_(options) {}
 TouchSound::~TouchSound() = default;

@@ -21,7 +21,7 @@ class Unseen;
 
 class TouchSound : public Extension {
  public:
-  TouchSound(const Unseen& unseen, const TouchScene& scene, Settings& settings, Messages& messages,
+  TouchSound(const Unseen& unseen, const HapticSession& scene, Settings& settings, Messages& messages,
              const PanelState& panels, const ApplicationOptions& options);
   ~TouchSound() override;
 
@@ -39,7 +39,7 @@ class TouchSound : public Extension {
 
  private:
   const Unseen& unseen_;
-  const TouchScene& scene_;
+  const HapticSession& scene_;
   Settings& settings_;
   Messages& messages_;
   const PanelState& panels_;

@@ -49,7 +49,7 @@ void Unseen::followScene() {
   const bool depends = dependsOnUnseen();
   if (!depends && hidden && hidden->size() == scene_.stage().molecule->atoms.size()) {
     // What the hand does not feel either stays away.
-    const std::vector<std::uint32_t> unfelt = scene_.stage().balls->untouchable();
+    const std::vector<std::uint32_t> unfelt = scene_.stage().spheres->untouchable();
     std::vector<std::uint32_t> still;
     std::set_intersection(hidden->begin(), hidden->end(), unfelt.begin(), unfelt.end(), std::back_inserter(still));
     if (still.size() == hidden->size()) return;

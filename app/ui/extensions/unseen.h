@@ -22,7 +22,7 @@ class Unseen final : public Extension {
  public:
   static constexpr double kFade_s = 1.0;
 
-  Unseen(const TaskStager& stager, TouchScene& scene, LessonGuide& lesson, const Settings& settings,
+  Unseen(const TaskStager& stager, HapticSession& scene, LessonGuide& lesson, const Settings& settings,
          ViewPicture& picture, const FrameTime& time)
       : stager_(stager), scene_(scene), lesson_(lesson), settings_(settings), picture_(picture), time_(time) {}
 
@@ -56,7 +56,7 @@ class Unseen final : public Extension {
   void hide(const AtomList& before, const AtomList& now);
 
   const TaskStager& stager_;
-  TouchScene& scene_;
+  HapticSession& scene_;
   LessonGuide& lesson_;
   const Settings& settings_;
   ViewPicture& picture_;

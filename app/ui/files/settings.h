@@ -15,9 +15,9 @@
 
 namespace moltact {
 
-/// The figure drawn where the probe and the hand are: the probe as a water molecule or as a plain ball, or a model at
+/// The figure drawn where the probe and the hand are: the probe as a water molecule or as a plain sphere, or a model at
 /// the HIP too.
-enum class ProbeLook { Water, Ball, Stylus };
+enum class ProbeLook { Water, Sphere, Stylus };
 
 /// "water", "ball", "stylus".
 std::string_view probeLookName(ProbeLook look);

@@ -31,10 +31,10 @@ namespace {
 
 // XDG_PICTURES_DIR="$HOME/Bilder", as xdg-user-dirs writes it; empty where there is no such line.
 std::filesystem::path desktopsPictures(const std::filesystem::path& home) {
-  constexpr std::size_t kMost_bytes = 1 << 16;
+  constexpr std::size_t kMax_bytes = 1 << 16;
   constexpr std::string_view kKey = "XDG_PICTURES_DIR=\"", kHome = "$HOME";
   const auto config = folderFromEnvironment("XDG_CONFIG_HOME");
-  const auto text = readFile((config.empty() ? home / ".config" : config) / "user-dirs.dirs", kMost_bytes, {});
+  const auto text = readFile((config.empty() ? home / ".config" : config) / "user-dirs.dirs", kMax_bytes, {});
   if (!text) return {};
   for (std::size_t at = 0; at < text->size();) {
     const std::size_t end = std::min(text->find('\n', at), text->size());

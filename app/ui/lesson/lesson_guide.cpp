@@ -22,13 +22,13 @@ namespace {
 
 PointA middleOf(const std::vector<std::uint32_t>& atoms, const Molecule& molecule) {
   PointA middle;
-  for (const std::uint32_t a : atoms) middle.A += molecule.balls[a].centre_A / double(atoms.size());
+  for (const std::uint32_t a : atoms) middle.A += molecule.spheres[a].centre_A / double(atoms.size());
   return middle;
 }
 
 PointA middleOf(const Molecule& molecule) {
   PointA middle;
-  for (const Ball& a : molecule.balls) middle.A += a.centre_A / double(molecule.atoms.size());
+  for (const Sphere& a : molecule.spheres) middle.A += a.centre_A / double(molecule.atoms.size());
   return middle;
 }
 
@@ -288,7 +288,7 @@ void faceView(Camera& camera, const Molecule& molecule, const ViewSpec& view, co
     const std::vector<std::uint32_t> atoms = presentAtoms(view.facing, scene, molecule);
     if (nearlyAllPresent(atoms, scene, molecule)) {
       std::vector<Vec3> places_A;
-      for (const std::uint32_t a : atoms) places_A.push_back(molecule.balls[a].centre_A);
+      for (const std::uint32_t a : atoms) places_A.push_back(molecule.spheres[a].centre_A);
       camera.lookAlongThinnest(places_A);
     } else if (!atoms.empty()) {
       camera.face(middleOf(atoms, molecule));

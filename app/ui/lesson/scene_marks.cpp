@@ -16,7 +16,7 @@
 namespace moltact {
 namespace {
 
-constexpr std::size_t kMostLabels = 5000;  // of all that a scene asks for
+constexpr std::size_t kMaxLabels = 5000;  // of all that a scene asks for
 // In this order where an author names no colour.
 constexpr const char* kMarkColours[] = {"teal", "magenta", "olive", "sky", "rose", "mint", "violet", "brown"};
 
@@ -34,10 +34,10 @@ struct Middle {
 
 Middle middleOf(const Molecule& molecule, std::span<const std::uint32_t> atoms) {
   Middle middle;
-  for (const std::uint32_t i : atoms) middle.at.A += molecule.balls[i].centre_A / double(atoms.size());
+  for (const std::uint32_t i : atoms) middle.at.A += molecule.spheres[i].centre_A / double(atoms.size());
   for (const std::uint32_t i : atoms)
-    middle.reach_A =
-        std::max(middle.reach_A, glm::distance(molecule.balls[i].centre_A, middle.at.A) + molecule.balls[i].radius_A);
+    middle.reach_A = std::max(middle.reach_A,
+                              glm::distance(molecule.spheres[i].centre_A, middle.at.A) + molecule.spheres[i].radius_A);
   return middle;
 }
 
@@ -52,7 +52,7 @@ void addWordLabels(const MarkSpec& spec, const Molecule& molecule, std::vector<A
   const std::vector<std::uint32_t> atoms = atomsOf(spec.atoms, molecule);
   std::map<std::uint32_t, std::vector<std::uint32_t>> groups;  // atoms by residue or chain
   for (const std::uint32_t i : atoms) {
-    if (labels.size() >= kMostLabels) return;
+    if (labels.size() >= kMaxLabels) return;
     const PlacedAtom a = molecule.at(i);
     if (spec.word == "atom" || a.residue == kNoResidue)
       labels.push_back({.at = a.position, .clear_A = a.radius_A, .text = atomLabel(molecule, i)});
@@ -60,7 +60,7 @@ void addWordLabels(const MarkSpec& spec, const Molecule& molecule, std::vector<A
       groups[spec.word == "chain" ? molecule.residues[a.residue].chain : a.residue].push_back(i);
   }
   for (const auto& [group, members] : groups) {
-    if (labels.size() >= kMostLabels) return;
+    if (labels.size() >= kMaxLabels) return;
     if (spec.word == "chain") {
       if (molecule.chains[group].name.string().empty()) continue;
       const Middle middle = middleOf(molecule, members);
@@ -72,7 +72,7 @@ void addWordLabels(const MarkSpec& spec, const Molecule& molecule, std::vector<A
     }
     const std::uint32_t anchor = residueAnchor(molecule, members);
     const AtomWords words = molecule.words(anchor);
-    labels.push_back({.at = PointA{molecule.balls[anchor].centre_A},
+    labels.push_back({.at = PointA{molecule.spheres[anchor].centre_A},
                       .clear_A = middleOf(molecule, members).reach_A,
                       .text = words.residue.empty() ? words.atom : words.residue});
   }
@@ -94,7 +94,7 @@ void addCaptions(const SceneSpec& scene, const Molecule& molecule, std::vector<A
     low[k] = Vec3(1e300);
     high[k] = Vec3(-1e300);
     for (std::size_t i = ends[k]; i < ends[k + 1]; ++i) {
-      const Ball& b = molecule.balls[i];
+      const Sphere& b = molecule.spheres[i];
       low[k] = glm::min(low[k], b.centre_A - b.radius_A);
       high[k] = glm::max(high[k], b.centre_A + b.radius_A);
     }
@@ -120,7 +120,7 @@ Rgb8 colour8(const Colour& colour) {
 // The colours of the atoms that are drawn and have no mark; none of a gradient, or of so many chains that their colours
 // repeat: no shade keeps apart from them all.
 std::vector<Rgb8> coloursBeside(const SceneSpec& scene, const Molecule& molecule, const std::vector<OwnColour>& marks) {
-  constexpr std::size_t kMost = 24;
+  constexpr std::size_t kMax = 24;
   if (scene.colour == "chain" && molecule.chains.size() > kChainColours) return {};
   std::vector<bool> without(molecule.atoms.size(), true);
   for (const OwnColour& mark : marks)
@@ -132,10 +132,10 @@ std::vector<Rgb8> coloursBeside(const SceneSpec& scene, const Molecule& molecule
   paint.colouring = schemeColouring(molecule, scene.colour);
   const std::vector<std::uint32_t> packed = atomColours(molecule, paint);
   std::set<Rgb8> found;
-  for (std::size_t a = 0; a < packed.size() && found.size() <= kMost; ++a)
+  for (std::size_t a = 0; a < packed.size() && found.size() <= kMax; ++a)
     if (without[a])
       found.insert({std::uint8_t(packed[a]), std::uint8_t(packed[a] >> 8), std::uint8_t(packed[a] >> 16)});
-  if (found.size() > kMost) return {};
+  if (found.size() > kMax) return {};
   return {found.begin(), found.end()};
 }
 
@@ -149,7 +149,7 @@ std::string atomLabel(const Molecule& molecule, std::uint32_t atom) {
 
 Annotations::Measure measureBetween(const Molecule& molecule, std::span<const std::uint32_t> atoms) {
   Annotations::Measure measure;
-  for (const std::uint32_t i : atoms) measure.places.push_back(PointA{molecule.balls[i].centre_A});
+  for (const std::uint32_t i : atoms) measure.places.push_back(PointA{molecule.spheres[i].centre_A});
   measure.text = measureText(measure.places);
   return measure;
 }
@@ -176,7 +176,8 @@ std::shared_ptr<const Annotations> annotationsOf(const SceneSpec& scene, const M
     const BondTable bonds(molecule.atoms.size(), findBonds(molecule));
     for (const HydrogenBond& b : findHydrogenBonds(molecule, bonds))
       if (among(b.donor) || among(b.acceptor))
-        out->bonds.emplace_back(PointA{molecule.balls[b.donor].centre_A}, PointA{molecule.balls[b.acceptor].centre_A});
+        out->bonds.emplace_back(PointA{molecule.spheres[b.donor].centre_A},
+                                PointA{molecule.spheres[b.acceptor].centre_A});
   }
   if (out->labels.empty() && out->measures.empty() && out->bonds.empty()) return nullptr;
   return out;

@@ -38,7 +38,7 @@ void drawMessageStack(Application& app) {
                                                    : Rectangle{{0, app.layout().menu.high.y},
                                                                {app.layout().menu.high.x, app.layout().status.low.y}};
   const float margin = l.px(12), width = std::min(room.size().x - 2 * margin, l.tx(560));
-  constexpr float kMost = 0.45f;  // of the room's height
+  constexpr float kMax = 0.45f;  // of the room's height
   float y = room.low.y + margin;
   std::optional<std::size_t> dismissed;
   const Action* chosen = nullptr;
@@ -55,7 +55,7 @@ void drawMessageStack(Application& app) {
     const float actions_h = m.actions.empty() ? 0.0f : l.px(8) + l.tx(34);
     const float height = std::min(std::max(text_h, l.tx(22)) + actions_h + 2 * pad, room.high.y - y - margin);
     // What lies below them in the view needs room too: later messages wait until there is some.
-    if (height < l.px(30) || (k > 0 && y + height - room.low.y > kMost * room.size().y)) break;
+    if (height < l.px(30) || (k > 0 && y + height - room.low.y > kMax * room.size().y)) break;
     const std::string name = "message/" + std::to_string(k);
     ImGui::SetNextWindowPos({0.5f * (room.low.x + room.high.x - width), y});
     ImGui::SetNextWindowSize({width, height});

@@ -15,15 +15,15 @@
 namespace moltact {
 namespace {
 
-constexpr double kLeastError_A = 1e-4, kMostError_A = 10.0;  // smaller errors stand on the lowest line, marked 0
-constexpr float kLeftMargin = 38.0f;                         // for the numbers of the upright axis, in both pictures
+constexpr double kMinError_A = 1e-4, kMaxError_A = 10.0;  // smaller errors stand on the lowest line, marked 0
+constexpr float kLeftMargin = 38.0f;                      // for the numbers of the upright axis, in both pictures
 
 struct Frame {
   ImVec2 low, high;  // of the plotting area
   float small;
   float x(double time_us) const {
-    const double part = std::log10(std::max(time_us, 1e-9) / TickHistogram::kLeast_us) /
-                        std::log10(TickHistogram::kMost_us / TickHistogram::kLeast_us);
+    const double part = std::log10(std::max(time_us, 1e-9) / TickHistogram::kMin_us) /
+                        std::log10(TickHistogram::kMax_us / TickHistogram::kMin_us);
     return low.x + (high.x - low.x) * float(std::clamp(part, 0.0, 1.0));
   }
 };
@@ -40,7 +40,7 @@ std::string tickTimeText(double time_us) {
 }
 
 std::string errorText(double error_A) {
-  if (error_A < kLeastError_A) return tr("no error");
+  if (error_A < kMinError_A) return tr("no error");
   return quantityText(error_A, Dimension::Length, plain(error_A < 1e-3 ? 1 : 2));
 }
 
@@ -102,12 +102,12 @@ void speedAccuracyChart(const char* name, const MethodWatch& watch, const std::s
   recordItem(name, reading);
   ImDrawList* draw = ImGui::GetWindowDrawList();
   const float inset = l.px(9), y0 = f.high.y - inset, y1 = f.low.y + inset;
-  const double decades = std::log10(kMostError_A / kLeastError_A);
+  const double decades = std::log10(kMaxError_A / kMinError_A);
   const auto y = [&](double error_A) {
-    return y0 - (y0 - y1) *
-                    float(std::clamp(std::log10(std::max(error_A, kLeastError_A) / kLeastError_A) / decades, 0.0, 1.0));
+    return y0 -
+           (y0 - y1) * float(std::clamp(std::log10(std::max(error_A, kMinError_A) / kMinError_A) / decades, 0.0, 1.0));
   };
-  double at = kLeastError_A;
+  double at = kMinError_A;
   for (int k = 0; k < 6; ++k, at *= 10.0) {
     if (k == 2 || k == 4) continue;
     const std::string mark = k == 0   ? "0"

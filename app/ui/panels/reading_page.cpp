@@ -26,7 +26,7 @@ void drawOption(const ReadingOption& option, const Molecule& molecule, ReadOptio
     if (const auto* number = std::get_if<int ReadOptions::*>(&option.member)) {
       int& chosen = reading.**number;
       ImGui::InputInt(("##" + name).c_str(), &chosen, 1, 10);
-      chosen = std::clamp(chosen, 1, option.most ? option.most(molecule) : kMostReadNumber);
+      chosen = std::clamp(chosen, 1, option.most ? option.most(molecule) : kMaxReadNumber);
       recordItem(name, std::to_string(chosen));
     } else if (std::string& text = reading.*std::get<std::string ReadOptions::*>(option.member); option.words) {
       wordSegments(name.c_str(), option.words(), text);
@@ -47,7 +47,7 @@ void drawReadingPage(Application& app) {
   const bool appears = panels.reading_page && !ImGui::IsPopupOpen("reading");
   if (appears) panels.reading = app.scene.molecule().reading;
   if (!beginPage("reading", tr("Models, waters, assembly"), panels.reading_page, 520, 560)) return;
-  const Stage& stage = app.scene.stage();
+  const TouchableModel& stage = app.scene.stage();
   bool goes = false;
   if (stage) {
     const float foot = look().tx(34) + look().px(12);

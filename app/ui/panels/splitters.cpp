@@ -32,7 +32,7 @@ void splitter(const char* name, const Rectangle& panel, bool on_its_right, doubl
 
 // Above a panel that stands below the view.
 void levelSplitter(const char* name, const Layout& layout, const Rectangle& panel, float& share) {
-  constexpr float kLeast = 0.2f, kMost = 0.8f;
+  constexpr float kMin = 0.2f, kMax = 0.8f;
   const Look& l = look();
   const float half = l.px(6), y = panel.low.y;
   if (!beginOverlay(name, {{panel.low.x, y - half}, {panel.high.x, y + half}})) return;
@@ -41,7 +41,7 @@ void levelSplitter(const char* name, const Layout& layout, const Rectangle& pane
   if (active || hovered) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeNS);
   if (active) {
     const float room = layout.status.low.y - layout.menu.high.y;
-    share = std::clamp((layout.status.low.y - ImGui::GetIO().MousePos.y) / std::max(1.0f, room), kLeast, kMost);
+    share = std::clamp((layout.status.low.y - ImGui::GetIO().MousePos.y) / std::max(1.0f, room), kMin, kMax);
   }
   const ImU32 colour = active || hovered ? l.palette.accent : l.palette.line;
   const float line = std::max(1.0f, l.scale), middle = 0.5f * (panel.low.x + panel.high.x), grip = l.px(18);

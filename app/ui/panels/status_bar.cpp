@@ -63,7 +63,7 @@ Segment loopSegment(const Application& app) {
 
 // What a way of the hand is in the molecule: where a hand is felt with, or the scale is not the molecule's own.
 std::optional<Segment> scaleSegment(const Application& app) {
-  const TouchScene& scene = app.scene;
+  const HapticSession& scene = app.scene;
   const bool magnified = scene.magnification() > 1.005;
   if (!scene.stage() || !(scene.servo().chosen() || magnified)) return {};
   const DeviceLink::ScaleWords scale = app.extensions().device.scaleWords(app.scene);

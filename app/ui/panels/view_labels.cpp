@@ -31,7 +31,7 @@ void drawViewLabels(Application& app, const ViewScene& scene, const Rectangle& v
   draw->PushClipRect({view.low.x, view.low.y}, {view.high.x, view.high.y}, true);
   std::size_t count = 0;
   for (const PlacedLabel& label :
-       app.picture().labels(scene, app.scene.stage().balls.get(), room, ImGui::GetFontSize())) {
+       app.picture().labels(scene, app.scene.stage().spheres.get(), room, ImGui::GetFontSize())) {
     const ImU32 line = packed(colours.line, label.strength);
     if (const ArrowShape arrow = arrowOf(label, unit); arrow.drawn) {
       draw->AddLine(at(arrow.from), at(arrow.neck), packed(colours.ground, 0.6 * label.strength), l.px(4.4f));

@@ -154,7 +154,7 @@ bool wantsPushHint(const Application& app) {
 
 // Where the scene marks the place of what the hand holds: how much of it is back.
 std::string inPlaceText(const Application& app) {
-  const TouchScene& scene = app.scene;
+  const HapticSession& scene = app.scene;
   const LessonSession* session = app.lesson.session();
   if (!session || !app.lesson.onStage() || !scene.stage().body || !session->scene().highlight.given()) return {};
   const std::vector<std::uint32_t> marked = session->scene().highlight.select(*scene.stage().molecule);

@@ -164,7 +164,7 @@ ViewScene seenScene(const Application& app) {
       scene.body_stopped = bodyPlace(app.scene.stage(), now, app.scene.servo().motionOf(now).get()).stopped;
     }
   }
-  scene.water = app.settings.probe_look != ProbeLook::Ball;
+  scene.water = app.settings.probe_look != ProbeLook::Sphere;
   scene.hand = app.extensions().hand_model.model();
   scene.left_hand = app.settings.left_handed;
   scene.facets = feltFacets(app.scene.method());
@@ -183,7 +183,7 @@ void savePicture(Application& app, glm::dvec2 size, std::filesystem::path file) 
   if (file.empty()) file = freePictureName(app.options().picture_folder);
   const ViewScene scene = seenScene(app);
   Picture picture = app.picture().take(scene, int(size.x), int(size.y), look().scale);
-  if (!scene.annotations.empty()) paintLabels(picture, scene, app.scene.stage().balls.get(), double(look().px(1)));
+  if (!scene.annotations.empty()) paintLabels(picture, scene, app.scene.stage().spheres.get(), double(look().px(1)));
   const std::optional<Problem> problem = writePng(file, picture);
   if (problem)
     app.messages.error(problem->text());
@@ -210,7 +210,7 @@ void drawViewPanel(Application& app) {
       ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight | ImGuiButtonFlags_MouseButtonMiddle);
   recordRectangle("view", r.low, r.high);
   const ViewInput in = readInput(app, low, size);
-  app.scene.controls.update(in, app.scene.camera, app.scene.stage().balls.get(), app.scene.servo_settings,
+  app.scene.controls.update(in, app.scene.camera, app.scene.stage().spheres.get(), app.scene.servo_settings,
                             app.scene.log().latest(), app.scene.servo().mouse(), app.scene.stage().body.get());
   if (app.scene.controls.pressing() && (ImGui::IsItemHovered() || ImGui::IsItemActive()))
     ImGui::SetMouseCursor(ImGuiMouseCursor_None);

@@ -19,7 +19,7 @@
 namespace moltact {
 namespace {
 
-constexpr std::size_t kMostOffered = 6;
+constexpr std::size_t kMaxOffered = 6;
 
 // The molecule's ligands by their names, as selections.
 std::vector<std::string> ligandsOf(const Molecule& molecule) {
@@ -28,7 +28,7 @@ std::vector<std::string> ligandsOf(const Molecule& molecule) {
     if (r.kind != ResidueKind::Ligand) continue;
     std::string one = "ligand " + std::string(r.name);
     if (std::find(out.begin(), out.end(), one) == out.end()) out.push_back(std::move(one));
-    if (out.size() == kMostOffered) break;
+    if (out.size() == kMaxOffered) break;
   }
   return out;
 }
@@ -49,7 +49,7 @@ void drawZoomPage(Application& app) {
   PanelState& panels = app.panels;
   const bool appears = panels.zoom_page && !ImGui::IsPopupOpen("zoom");
   if (!beginPage("zoom", tr("Come close to atoms"), panels.zoom_page, 520, 400)) return;
-  const Stage& stage = app.scene.stage();
+  const TouchableModel& stage = app.scene.stage();
   ImGui::TextWrapped(
       "%s",
       tr("Name an element, as iron, or atoms as a lesson does: residue 35 52, chain A, ligand, within 5\u00a0Å of "

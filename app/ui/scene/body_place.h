@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "app/ui/scene/stage.h"
+#include "app/ui/scene/touchable_model.h"
 #include "engine/servo/servo_step.h"
 
 namespace moltact {
@@ -21,6 +21,6 @@ struct BodyPlace {
 };
 
 /// Nothing without a body.
-BodyPlace bodyPlace(const Stage& stage, const ServoSample& now, const SphereMotion* motion = nullptr);
+BodyPlace bodyPlace(const TouchableModel& stage, const ServoSample& now, const SphereMotion* motion = nullptr);
 
 }  // namespace moltact

@@ -28,7 +28,7 @@ Loaded guarded(const Loader::Read& read, const MoleculeKey& key) {
 Loaded readStage(const MoleculeKey& key) {
   Expected<Molecule> molecule = readMolecule(key);
   if (!molecule) return {key, molecule.problem()};
-  return {key, makeStage(*std::move(molecule), key.file)};
+  return {key, makeTouchableModel(*std::move(molecule), key.file)};
 }
 
 Loader::Loader(Read read) : read_(read ? std::move(read) : Read(readStage)) {}

@@ -6,7 +6,7 @@
 #include <functional>
 #include <optional>
 
-#include "app/ui/scene/stage.h"
+#include "app/ui/scene/touchable_model.h"
 #include "engine/molecule/molecule_key.h"
 #include "engine/platform/background.h"
 
@@ -14,7 +14,7 @@ namespace moltact {
 
 struct Loaded {
   MoleculeKey key;
-  Expected<Stage> stage;
+  Expected<TouchableModel> stage;
 };
 
 class Loader {

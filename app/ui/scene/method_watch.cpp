@@ -20,7 +20,7 @@ constexpr double kPull_A = 0.02;  // a shorter spring has no direction to speak 
 void TickHistogram::add(double time_us) {
   if (!(time_us > 0.0)) return;
   const int bin =
-      std::clamp(saturateToInteger<int>(std::floor(std::log10(time_us / kLeast_us) * kBinsADecade)), 0, kBins - 1);
+      std::clamp(saturateToInteger<int>(std::floor(std::log10(time_us / kMin_us) * kBinsADecade)), 0, kBins - 1);
   counts_[std::size_t(bin)] += 1.0;
   total_ += 1.0;
   if (total_ < 2.0 * kFading) return;
@@ -36,19 +36,19 @@ double TickHistogram::quantile_us(double share) const {
     wanted -= counts_[std::size_t(bin++)];
   const double within =
       counts_[std::size_t(bin)] > 0.0 ? std::clamp(wanted / counts_[std::size_t(bin)], 0.0, 1.0) : 0.0;
-  return kLeast_us * std::pow(10.0, (bin + within) / kBinsADecade);
+  return kMin_us * std::pow(10.0, (bin + within) / kBinsADecade);
 }
 
-double clearanceAt(const BallScene& resting, const ServoSample& s, const SphereMotion* motion) {
-  return clearance(motion ? motion->sweptBalls() : resting, s.probe_A, s.hip.A, motion, s.fraction);
+double clearanceAt(const SphereGrid& resting, const ServoSample& s, const SphereMotion* motion) {
+  return clearance(motion ? motion->sweptSpheres() : resting, s.probe_A, s.hip.A, motion, s.fraction);
 }
 
 MethodWatch::MethodWatch() : turns_(std::size_t(TouchLog::kPlot_s / kTick_s) / TouchLog::kTicksAPoint) {}
 
-void MethodWatch::begin(const Stage& stage, const TouchSetup& felt) {
-  balls_ = stage.balls;
+void MethodWatch::begin(const TouchableModel& stage, const TouchSetup& felt) {
+  spheres_ = stage.spheres;
   reference_ = referenceOf(felt);
-  exact_ = stage ? makeInteraction({stage.balls, reference_}) : nullptr;
+  exact_ = stage ? makeInteraction({stage.spheres, reference_}) : nullptr;
   hand_ = {};
   fraction_ = 0.0;
   motion_ = nullptr;
@@ -62,8 +62,8 @@ void MethodWatch::begin(const Stage& stage, const TouchSetup& felt) {
 
 void MethodWatch::feelWith(const TouchSetup& felt) {
   const TouchSetup reference = referenceOf(felt);
-  if (exact_ && !madeAlike(reference, reference_)) {
-    exact_ = makeInteraction({balls_, reference});
+  if (exact_ && !sameConstruction(reference, reference_)) {
+    exact_ = makeInteraction({spheres_, reference});
     if (motion_ && exact_->setMotion(motion_.get())) exact_->advanceTo(fraction_);
     leadToContact(*exact_, latest_exact_, hand_);
   }
@@ -118,7 +118,7 @@ Contact MethodWatch::add(const ServoSample& s, const Method& method,
   hand_ = {s.hip, s.orientation};
   Contact exact = exact_->respond(hand_).contact;
   // A method that has lost the surface lets the hand out on the far side; the exact SCP must not wait for it for ever.
-  const bool alone = exact.touching() && !s.contact.touching() && clearanceAt(*balls_, s, motion_.get()) > 0.0;
+  const bool alone = exact.touching() && !s.contact.touching() && clearanceAt(*spheres_, s, motion_.get()) > 0.0;
   left_behind_ticks_ = alone ? left_behind_ticks_ + 1 : 0;
   if (left_behind_ticks_ > kLeftBehind_ticks) {
     exact_->reset();

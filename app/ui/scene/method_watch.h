@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "app/ui/scene/stage.h"
 #include "app/ui/scene/touch_log.h"
+#include "app/ui/scene/touchable_model.h"
 #include "engine/haptics/methods.h"
 #include "engine/servo/servo_step.h"
 
@@ -18,7 +18,7 @@ namespace moltact {
 /// Tick times of the last few seconds of contact, by decades. Older ones fade.
 class TickHistogram {
  public:
-  static constexpr double kLeast_us = 0.05, kMost_us = 50.0;
+  static constexpr double kMin_us = 0.05, kMax_us = 50.0;
   static constexpr int kBinsADecade = 16, kBins = 3 * kBinsADecade;
 
   void add(double time_us);  ///< times beyond the ends count in the last bin; 0 (not timed) does not count
@@ -39,9 +39,9 @@ struct MethodRecord {
   std::size_t ticks = 0;  ///< in contact, since the scene was opened
 };
 
-/// How far the tick's HIP is from the nearest ball that its probe inflates, where the balls were in that tick (as
+/// How far the tick's HIP is from the nearest sphere that its probe inflates, where the spheres were in that tick (as
 /// clearance() in engine/haptics/sweep.h; negative inside); the motion is ServoLink::motionOf of the tick.
-double clearanceAt(const BallScene& resting, const ServoSample& sample, const SphereMotion* motion);
+double clearanceAt(const SphereGrid& resting, const ServoSample& sample, const SphereMotion* motion);
 
 class MethodWatch {
  public:
@@ -50,7 +50,7 @@ class MethodWatch {
 
   MethodWatch();
   /// A new scene: nothing has been tried.
-  void begin(const Stage& stage, const TouchSetup& felt);
+  void begin(const TouchableModel& stage, const TouchSetup& felt);
   /// The same scene is felt otherwise from here on. Another method goes on beside the same exact tracker; what changes
   /// the force of every method needs another, which is led to the contact there is.
   void feelWith(const TouchSetup& felt);
@@ -74,7 +74,7 @@ class MethodWatch {
   MethodRecord& record(std::string_view method);
   void noteTurn(const ServoSample& sample);
 
-  std::shared_ptr<const BallScene> balls_;
+  std::shared_ptr<const SphereGrid> spheres_;
   std::shared_ptr<const SphereMotion> motion_;  // outlives exact_, which reads it
   std::unique_ptr<Interaction> exact_;
   TouchSetup reference_;   // what exact_ was made with

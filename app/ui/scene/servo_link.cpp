@@ -29,7 +29,7 @@ ServoLink::~ServoLink() {
 
 // A tick of the frames' clock.
 void ServoLink::tickOfFrame() {
-  now_ns_ += ServoLoop::kPeriod_ns + std::llround(1e9 * std::exchange(stands_s_, 0.0));
+  now_ns_ += ServoLoop::kPeriod_ns + std::llround(1e9 * std::exchange(stall_s_, 0.0));
   frames_->tick(now_ns_, now_ns_, nullptr);
 }
 

@@ -81,7 +81,7 @@ class ServoLink {
   /// Every tick of the last advance(), of whatever scene or try.
   const std::vector<ServoSample>& everyTick() const { return every_; }
   /// On the frames' clock: the loop stands for so long before its next tick, as a busy computer lets it.
-  void standStill(double s) { stands_s_ = s; }
+  void simulateStall(double s) { stall_s_ = s; }
 
   RealtimeStatus realtime() const { return thread_ ? thread_->realtime() : RealtimeStatus::Ordinary; }
   std::uint64_t missedTicks() const { return thread_ ? thread_->missedTicks() : 0; }
@@ -106,7 +106,7 @@ class ServoLink {
   // On the frames' clock:
   std::optional<ServoLoop> frames_;
   std::int64_t now_ns_ = 0;
-  double owed_s_ = 0.0, stands_s_ = 0.0;
+  double owed_s_ = 0.0, stall_s_ = 0.0;
   bool timed_ = false;
   std::unique_ptr<ServoThread> thread_;  // last, so that it ends first
 };

@@ -41,7 +41,7 @@ class TouchLog {
   bool felt() const { return latest_.felt(); }
   double greatest_N() const;  ///< over the plotted time
 
-  /// For how long there has been contact although the HIP has been outside every ball; the caller says whether it is.
+  /// For how long there has been contact although the HIP has been outside every sphere; the caller says whether it is.
   void countLeftBehind(bool hip_free, double dt_s) {
     left_behind_s_ = touching() && hip_free ? left_behind_s_ + dt_s : 0.0;
   }

@@ -26,7 +26,7 @@ ViewRays viewRays(const Camera& camera, glm::dvec2 size_px) {
           .height_px = size_px.y};
 }
 
-void ViewControls::update(const ViewInput& in, Camera& camera, const BallScene* balls, const ServoSettings& settings,
+void ViewControls::update(const ViewInput& in, Camera& camera, const SphereGrid* spheres, const ServoSettings& settings,
                           const ServoSample& felt, MouseDevice& mouse, const HeldBody* body) {
   const Camera before = camera;
   const glm::dvec2 orbit = in.orbit_px * kOrbit_rad_per_px +
@@ -41,11 +41,11 @@ void ViewControls::update(const ViewInput& in, Camera& camera, const BallScene* 
 
   if (in.release) let_go_ = true;
   if (!in.press) let_go_ = false;
-  pressing_ = in.press && !let_go_ && balls;
+  pressing_ = in.press && !let_go_ && spheres;
   has_pressed_ = has_pressed_ || pressing_;
   has_pushed_ = has_pushed_ || (pressing_ && in.push_notches != 0.0);
   if (has_pressed_ && has_turned_) hint_left_s_ -= in.dt_s;
-  if (!balls) return;
+  if (!spheres) return;
 
   // Round the screen's axes: to the right round the upright one, down round the one to the right.
   const glm::dvec2 turn =
@@ -86,7 +86,7 @@ void ViewControls::update(const ViewInput& in, Camera& camera, const BallScene* 
   pointer.dt_s = in.dt_s;
   const PointA before_lead = lead_;
   const glm::dvec2 before_aim_px = hand_.aim_px();
-  lead_ = hand_.lead(pointer, *balls,
+  lead_ = hand_.lead(pointer, *spheres,
                      body ? HandShape(*body, settings.workspace.toMolecule({}, orientation_).orientation)
                           : HandShape(settings.probe_A));
   press_rested_s_ =

@@ -6,7 +6,7 @@
 
 #include "app/ui/scene/servo_link.h"
 #include "engine/device/pointer_hand.h"
-#include "engine/haptics/ball_scene.h"
+#include "engine/haptics/sphere_grid.h"
 #include "engine/render/camera.h"
 
 namespace moltact {
@@ -32,9 +32,9 @@ ViewRays viewRays(const Camera& camera, glm::dvec2 size_px);
 
 class ViewControls {
  public:
-  /// One frame: turns the camera and leads the hand. `balls` may be null: only the camera moves. `felt` is the servo
+  /// One frame: turns the camera and leads the hand. `spheres` may be null: only the camera moves. `felt` is the servo
   /// loop's last tick. `body`: what the hand holds; null: the probe.
-  void update(const ViewInput& input, Camera& camera, const BallScene* balls, const ServoSettings& settings,
+  void update(const ViewInput& input, Camera& camera, const SphereGrid* spheres, const ServoSettings& settings,
               const ServoSample& felt, MouseDevice& mouse, const HeldBody* body = nullptr);
 
   /// The hand starts again, outside: at a new scene. It comes from `outside_A` in front of the place `before`, toward

@@ -28,7 +28,7 @@ bool ViewPicture::ready() {
 }
 
 void ViewPicture::draw(const ViewScene& scene, int width_px, int height_px, bool moving, float line_scale) {
-  const Fineness::Choice choice = fineness_.choose(moving);
+  const AdaptiveQuality::Choice choice = fineness_.choose(moving);
   if (held_ || width_px < 1 || height_px < 1 || !ready()) return;
   RenderOptions options = choice.options;
   options.wait_for_surfaces = wait_;
@@ -62,12 +62,12 @@ void ViewPicture::keepForFade() {
   glBindFramebuffer(GL_DRAW_FRAMEBUFFER, GLuint(before));
 }
 
-const std::vector<PlacedLabel>& ViewPicture::labels(const ViewScene& scene, const BallScene* balls,
+const std::vector<PlacedLabel>& ViewPicture::labels(const ViewScene& scene, const SphereGrid* spheres,
                                                     const LabelRoom& room, float line_px) {
   LabelKey key{scene.annotations, scene.look, scene.camera, room.width_px, room.height_px, room.unit_px, line_px};
   if (key == label_key_) return labels_;
   label_key_ = std::move(key);
-  return labels_ = layOutLabels(scene, balls, room);
+  return labels_ = layOutLabels(scene, spheres, room);
 }
 
 ImTextureID ViewPicture::kept() const { return textureOf(kept_ ? kept_->colour() : 0); }

@@ -11,7 +11,7 @@
 #include <optional>
 #include <string>
 
-#include "engine/render/fineness.h"
+#include "engine/render/adaptive_quality.h"
 #include "engine/render/label_layout.h"
 #include "engine/render/picture.h"
 #include "engine/render/renderer.h"
@@ -54,7 +54,7 @@ class ViewPicture {
   Picture take(const ViewScene& scene, int width_px, int height_px, float line_scale);
   /// Where the names and measures of the scene stand, worked out when something has changed. `line_px`: the height of the
   /// letters that `room` measures with.
-  const std::vector<PlacedLabel>& labels(const ViewScene& scene, const BallScene* balls, const LabelRoom& room,
+  const std::vector<PlacedLabel>& labels(const ViewScene& scene, const SphereGrid* spheres, const LabelRoom& room,
                                          float line_px);
   /// Why the scene cannot be drawn; empty when it can.
   const std::string& fault() const { return fault_text_; }
@@ -69,7 +69,7 @@ class ViewPicture {
   const bool wait_;
   bool refused_ = false, held_ = false;
   std::uint64_t fades_ = 0;
-  Fineness fineness_;
+  AdaptiveQuality fineness_;
   struct LabelKey {
     std::vector<std::shared_ptr<const Annotations>> annotations;
     AtomsLook look;

@@ -165,8 +165,8 @@ EMSCRIPTEN_KEEPALIVE void moltact_pen(double pressure) {
     page->pen_N = moltact::PointerHand::kRest_N;
     return;
   }
-  constexpr double kMost_N = 2.5;
-  const double wanted_N = std::max(moltact::PointerHand::kLightest_N, kMost_N * std::clamp(pressure, 0.0, 1.0));
+  constexpr double kMax_N = 2.5;
+  const double wanted_N = std::max(moltact::PointerHand::kLightest_N, kMax_N * std::clamp(pressure, 0.0, 1.0));
   page->shell.input().wheel(0.0, (wanted_N - page->pen_N) / moltact::PointerHand::kNotch_N);
   page->pen_N = wanted_N;
 }

@@ -61,7 +61,7 @@ void add(std::vector<Rectangle>& all, Rectangle more) {
     k = 0;  // what was apart before may overlap the larger one
   }
   all.push_back(more);
-  if (all.size() <= Damage::kMostRectangles) return;
+  if (all.size() <= Damage::kMaxRectangles) return;
   std::size_t first = 0, second = 1;
   float least = INFINITY;
   for (std::size_t a = 0; a < all.size(); ++a)

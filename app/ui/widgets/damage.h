@@ -14,9 +14,9 @@ namespace moltact {
 
 class Damage {
  public:
-  static constexpr std::size_t kMostRectangles = 4;
+  static constexpr std::size_t kMaxRectangles = 4;
 
-  /// What `now` draws otherwise than the last call's data: whole pixels, disjoint, at most kMostRectangles; empty where
+  /// What `now` draws otherwise than the last call's data: whole pixels, disjoint, at most kMaxRectangles; empty where
   /// nothing differs. The whole window at the first call, after forget(), after a change of size and where windows open,
   /// close or change their order.
   std::vector<Rectangle> since(const ImDrawData& now);

@@ -5,9 +5,9 @@
 
 namespace moltact {
 namespace {
-constexpr float kLeastView = 380.0f;        // at 96 dpi, beside two panels
-constexpr float kLeastViewNarrow = 200.0f;  // beside one
-constexpr float kLeastPanel = 220.0f;
+constexpr float kMinView = 380.0f;        // at 96 dpi, beside two panels
+constexpr float kMinViewNarrow = 200.0f;  // beside one
+constexpr float kMinPanel = 220.0f;
 }  // namespace
 
 Layout layOut(const LayoutWish& w, bool lesson_first) {
@@ -18,19 +18,19 @@ Layout layOut(const LayoutWish& w, bool lesson_first) {
   float left = std::round(w.lesson_width * s), right = std::round(w.touch_width * s);
   const float width = w.window.x;
 
-  out.narrow = width < left + right + kLeastView * s;
-  if (out.narrow && width >= (2 * kLeastPanel + kLeastView + 60.0f) * s) {
+  out.narrow = width < left + right + kMinView * s;
+  if (out.narrow && width >= (2 * kMinPanel + kMinView + 60.0f) * s) {
     // The widths asked for do not fit, but narrower ones do.
-    const float give = std::min(1.0f, (width - kLeastView * s) / (left + right));
-    left = std::max(kLeastPanel * s, std::floor(left * give));
-    right = std::max(kLeastPanel * s, std::floor(right * give));
+    const float give = std::min(1.0f, (width - kMinView * s) / (left + right));
+    left = std::max(kMinPanel * s, std::floor(left * give));
+    right = std::max(kMinPanel * s, std::floor(right * give));
     out.narrow = false;
   }
   bool lesson = w.lesson, touch = w.touch;
   if (out.narrow) {
     if (lesson && touch) (lesson_first ? touch : lesson) = false;
     out.tall = w.window.y > w.window.x;
-    const float most = std::max(0.42f * width, std::min(width - kLeastViewNarrow * s, 0.6f * width));
+    const float most = std::max(0.42f * width, std::min(width - kMinViewNarrow * s, 0.6f * width));
     left = std::min(left, std::round(most));
     right = std::min(right, std::round(most));
   }

@@ -24,7 +24,7 @@ struct Message {
 
 class Messages {
  public:
-  static constexpr std::size_t kMost = 4;                      ///< the oldest goes when there are more
+  static constexpr std::size_t kMax = 4;                       ///< the oldest goes when there are more
   static constexpr double kNotice_s = 6.0, kWarning_s = 14.0;  ///< the shortest time that they are shown
   static constexpr double kRead_bytes_per_s = 14.0;            ///< how fast a text is read by who reads slowly
 
@@ -69,7 +69,7 @@ class Messages {
     std::erase_if(all_, [&](const Message& m) { return m.text == message.text; });
     message.id = ++given_;
     all_.push_back(std::move(message));
-    if (all_.size() > kMost) all_.erase(all_.begin());
+    if (all_.size() > kMax) all_.erase(all_.begin());
   }
   std::vector<Message> all_;
   MessageId given_ = 0;

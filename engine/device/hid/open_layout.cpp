@@ -20,8 +20,8 @@ constexpr std::array<std::uint8_t, 4> kMagic{'M', 'L', 'T', 'C'};
 
 // A cut is reported for so long that the haptic thread cannot miss it: a loop that was stalled longer starts softly anyway.
 constexpr double kCutReported_s = 0.020;
-constexpr double kMostAdvance_s = 0.002;  // a thread that was stalled leaves no cut unreported
-constexpr double kFarthest = 32767.0;     // of 16 bits with a sign
+constexpr double kMaxAdvance_s = 0.002;  // a thread that was stalled leaves no cut unreported
+constexpr double kFarthest = 32767.0;    // of 16 bits with a sign
 
 Problem noneOfIt(const char* what) {
   return Problem{"", 0, 0, trf("the device is none of the open layout: {0}", what), tr("see docs/device-protocol.md")};
@@ -121,7 +121,7 @@ DeviceGuidance OpenLayoutProtocol::guidance() const noexcept {
 
 void OpenLayoutProtocol::advance(double dt_s, DevicePose& pose) noexcept {
   pose.fault = faulty();
-  cut_s_ = std::max(0.0, cut_s_ - std::min(dt_s, kMostAdvance_s));
+  cut_s_ = std::max(0.0, cut_s_ - std::min(dt_s, kMaxAdvance_s));
 }
 
 std::size_t OpenLayoutProtocol::forceReport(ForceN force, bool motors_on, ReportBuffer out) noexcept {

@@ -76,8 +76,8 @@ std::size_t WoodenHapticsProtocol::encode(const Wrench& wrench, ReportBuffer out
   }
   if (!std::isfinite(biggest))
     mA = Vec3(0.0);
-  else if (biggest > kMost_mA)
-    mA *= kMost_mA / biggest;
+  else if (biggest > kMax_mA)
+    mA *= kMax_mA / biggest;
   for (int k = 0; k < 3; ++k) putInt16(out, 1 + 2 * std::size_t(k), int(std::lround(mA[k])));
   putInt16(out, 7, sent_++);
   return 1 + kReport;

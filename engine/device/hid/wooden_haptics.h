@@ -20,7 +20,7 @@ class WoodenHapticsProtocol final : public PacketProtocol {
   static PointMm place(const Vec3& angles);
   /// The joints' torques that give the force at those angles (unit: N m).
   static Vec3 torques(const Vec3& angles, ForceN force);
-  static constexpr double kCountsATurn = 2000, kTorque_Nm_per_A = 0.0259, kMost_mA = 3000;
+  static constexpr double kCountsATurn = 2000, kTorque_Nm_per_A = 0.0259, kMax_mA = 3000;
   static constexpr double kGear[3] = {0.010 / 0.160, 0.010 / 0.120, 0.010 / 0.120};  ///< capstan over body
 
  private:

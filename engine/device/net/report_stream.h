@@ -1,4 +1,4 @@
-// Reports in a stream of bytes, as a TCP device sends them: one byte with the length of the report, 1 to kMostReportBytes, then
+// Reports in a stream of bytes, as a TCP device sends them: one byte with the length of the report, 1 to kMaxReportBytes, then
 // the report. Holds at most kMaxBuffered bytes and allocates nothing. One thread at a time.
 // Layout: docs/device-protocol.md, "Over a network".
 #pragma once
@@ -32,7 +32,7 @@ class ReportStream {
   int next(std::span<std::uint8_t> report) {
     if (begin_ == end_) return 0;
     const std::size_t length = bytes_[begin_];
-    if (length == 0 || length > kMostReportBytes) return -1;
+    if (length == 0 || length > kMaxReportBytes) return -1;
     if (end_ - begin_ < 1 + length) return 0;
     std::copy_n(bytes_.begin() + std::ptrdiff_t(begin_ + 1), std::min(length, report.size()), report.begin());
     begin_ += 1 + length;

@@ -59,14 +59,14 @@ class TcpPort final : public PacketPort {
   // A report behind its length, in one piece, so that it travels as one.
   class Message {
    public:
-    explicit Message(std::span<const std::uint8_t> report) : size_(std::min(report.size(), kMostReportBytes)) {
+    explicit Message(std::span<const std::uint8_t> report) : size_(std::min(report.size(), kMaxReportBytes)) {
       bytes_[0] = static_cast<std::uint8_t>(size_);
       std::copy_n(report.begin(), size_, bytes_.begin() + 1);
     }
     std::span<const std::uint8_t> bytes() const { return {bytes_.data(), 1 + size_}; }
 
    private:
-    std::array<std::uint8_t, 1 + kMostReportBytes> bytes_{};
+    std::array<std::uint8_t, 1 + kMaxReportBytes> bytes_{};
     std::size_t size_;
   };
 

@@ -23,9 +23,9 @@ void closeOmni(const hd::Library& hd, OmniSession& session);
 /// of equal ones. Any thread, also the haptic one.
 template <class Each>
 std::uint32_t drainErrors(const hd::Library& hd, Each&& each) noexcept {
-  constexpr int kMostErrors = 64;  // taken at once; the stack is short
+  constexpr int kMaxErrors = 64;  // taken at once; the stack is short
   std::uint32_t worst = hd::kNoError;
-  for (int k = 0; k < kMostErrors; ++k) {
+  for (int k = 0; k < kMaxErrors; ++k) {
     const std::uint32_t code = hd.getError().code;
     if (code == hd::kNoError) break;
     each(code);

@@ -10,8 +10,8 @@
 namespace moltact {
 namespace {
 
-constexpr int kWait_ms = 1;       // for a report, before the force is given all the same
-constexpr int kMostReports = 64;  // read at once: the newest is what counts
+constexpr int kWait_ms = 1;      // for a report, before the force is given all the same
+constexpr int kMaxReports = 64;  // read at once: the newest is what counts
 constexpr auto kLookAgain = std::chrono::milliseconds(500);
 constexpr auto kNap = std::chrono::milliseconds(20);
 constexpr double kSameFrame_s = 0.002;  // without a thread: ticks this close belong to one frame
@@ -71,14 +71,14 @@ bool PacketDevice::reopen(State& state) {
 
 // Everything that has come, the newest counts; -1: the device is gone.
 int PacketDevice::receive(State& state, int wait_ms) {
-  std::array<std::uint8_t, kMostReportBytes> in{};
+  std::array<std::uint8_t, kMaxReportBytes> in{};
   int size = port_->read(in, wait_ms);
-  for (int k = 0; k < kMostReports && size > 0; ++k) {
+  for (int k = 0; k < kMaxReports && size > 0; ++k) {
     if (protocol_->parseReport({in.data(), std::min<std::size_t>(std::size_t(size), in.size())}, state.pose)) {
       ++state.count;
       state.received = Clock::now();
     }
-    if (k + 1 < kMostReports) size = port_->read(in, 0);  // what is read is parsed
+    if (k + 1 < kMaxReports) size = port_->read(in, 0);  // what is read is parsed
   }
   if (calibrate_.exchange(false, std::memory_order_acq_rel) && protocol_->calibrate()) ++state.pose.discontinuities;
   const DeviceGuidance guidance = protocol_->guidance();
@@ -89,7 +89,7 @@ int PacketDevice::receive(State& state, int wait_ms) {
 
 // The newest force, or none; false: the device took nothing.
 bool PacketDevice::sendNewest(State& state) {
-  std::array<std::uint8_t, kMostReportBytes> out{};
+  std::array<std::uint8_t, kMaxReportBytes> out{};
   if (!last_report_kept_) {
     if (const std::size_t length = protocol_->encodeFinalReport(out)) {
       port_->lastReport({out.data(), length});
@@ -122,7 +122,7 @@ void PacketDevice::lose(State& state) noexcept {
 
 void PacketDevice::sendFinalReport() noexcept {
   if (!port_) return;
-  std::array<std::uint8_t, kMostReportBytes> out{};
+  std::array<std::uint8_t, kMaxReportBytes> out{};
   try {
     if (const std::size_t length = protocol_->encodeFinalReport(out)) port_->write({out.data(), length});
   } catch (...) {  // the port fails altogether

@@ -10,9 +10,9 @@
 namespace moltact {
 
 /// No report is longer (unit: bytes), with its id.
-inline constexpr std::size_t kMostReportBytes = 64;
+inline constexpr std::size_t kMaxReportBytes = 64;
 /// Memory for one report.
-using ReportBuffer = std::span<std::uint8_t, kMostReportBytes>;
+using ReportBuffer = std::span<std::uint8_t, kMaxReportBytes>;
 
 class PacketPort {
  public:

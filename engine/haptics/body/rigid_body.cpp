@@ -24,9 +24,9 @@ void addField(const FeltForce& field, const Vec3& lever_A, Response& out) {
 
 RigidBody::RigidBody(std::shared_ptr<const HeldBody> body, const MakeSphere& make, std::size_t shared_bytes)
     : body_(std::move(body)), shared_bytes_(shared_bytes) {
-  spheres_.reserve(body_->balls.size());
-  for (const Ball& ball : body_->balls) {
-    spheres_.push_back(make(ball.radius_A));
+  spheres_.reserve(body_->spheres.size());
+  for (const Sphere& sphere : body_->spheres) {
+    spheres_.push_back(make(sphere.radius_A));
     greatest_reaction_count_ += spheres_.back()->greatestReactionCount();
   }
   answers_.resize(spheres_.size());
@@ -46,7 +46,7 @@ Response RigidBody::respond(const PoseA& pose) noexcept {
   double springs = 0.0, farthest_A2 = -1.0, arms_A2 = 0.0, pulls_A2 = 0.0;
   bool inside = false;
   for (std::size_t i = 0; i < spheres_.size(); ++i) {
-    const Vec3 lever = axes * body_->balls[i].centre_A;
+    const Vec3 lever = axes * body_->spheres[i].centre_A;
     // Made where it is kept: an answer is too large to be copied for each sphere.
     Held& next = answers_[held_];
     const Response& felt = *::new (static_cast<void*>(&next.answer))

@@ -1,10 +1,10 @@
 // A rigid body in the hand: six degrees of freedom, felt through its atoms.
 //
 // Each atom of the body is a sphere of its own radius, led by the body's pose and felt as a probe is (makeSphere in
-// interactions.cpp): it has an SCP that stays outside every ball of the scene, so that no atom pops through what a penalty
+// interactions.cpp): it has an SCP that stays outside every sphere of the scene, so that no atom pops through what a penalty
 // would let it through. A spring pulls each atom to its SCP; their sum is the force, and the sum of lever times displacement is the
 // torque round the hand's place. (McNeely, Puterbaugh & Troy 1999 sum the forces of a body's points so; here the points
-// are balls, and their contacts god-objects.) The springs do not know of each other: the body that is drawn is shifted
+// are spheres, and their contacts god-objects.) The springs do not know of each other: the body that is drawn is shifted
 // by their mean, and neither it nor the SCPs are a rigid body's exact rest under constraints.
 //
 // `respond` runs on the haptic thread; its time, also at worst, is that of a tick of the method for each atom. Units:
@@ -44,7 +44,7 @@ class RigidBody final : public Interaction {
 
  private:
   std::shared_ptr<const HeldBody> body_;
-  std::vector<std::unique_ptr<Interaction>> spheres_;  // one for each ball of the body
+  std::vector<std::unique_ptr<Interaction>> spheres_;  // one for each sphere of the body
   std::size_t shared_bytes_;
   // The spheres that were felt at the last pose, with their answers: the first held_ of as many as there are spheres.
   struct Held {

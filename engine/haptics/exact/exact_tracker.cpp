@@ -16,20 +16,20 @@ namespace {
 // it. What is within 128 times as much of the SCP is touched (docs/exact-tracker.md, "What rounding may do").
 constexpr double kContact = 0x1p-43;
 
-// Every ball that comes within kLook_A of the SCP is looked at before a path goes on; a list of them serves until the
+// Every sphere that comes within kLook_A of the SCP is looked at before a path goes on; a list of them serves until the
 // SCP has gone kMargin_A farther. Longer lists are dearer to gather, shorter ones are gathered more often.
 constexpr double kLook_A = 0.5, kMargin_A = 1.0;
 
 // Pieces, one after the other, that together bring the SCP no nearer to the HIP, before it stays where it is.
-constexpr int kMostIdle = 12;
+constexpr int kMaxIdle = 12;
 // Small pieces of a flow after which ways no longer graze: one that takes more goes to and fro over a crease too flat
 // to be seen at once. So does one that comes no nearer to the HIP.
-constexpr int kMostGrazing = 24;
+constexpr int kMaxGrazing = 24;
 
 }  // namespace
 
-ExactTracker::ExactTracker(std::shared_ptr<const BallScene> scene, double probe_A)
-    : near_(std::move(scene), kMargin_A, NearbyBalls::Crowded::ReachLess) {
+ExactTracker::ExactTracker(std::shared_ptr<const SphereGrid> scene, double probe_A)
+    : near_(std::move(scene), kMargin_A, NearbySpheres::Crowded::ReachLess) {
   near_.setProbe(usableProbe_A(probe_A, kWaterProbe_A));
 }
 
@@ -50,7 +50,7 @@ void ExactTracker::reset() noexcept {
 
 MemoryUsage ExactTracker::memoryUsage() const noexcept { return {near_.held(), sizeof(*this) + near_.scene().bytes()}; }
 
-// The balls that hold the SCP, in ascending order.
+// The spheres that hold the SCP, in ascending order.
 void ExactTracker::holdBy(std::int32_t a, std::int32_t b, std::int32_t c) noexcept {
   if (b >= 0 && b < a) std::swap(a, b);
   if (c >= 0 && c < b) std::swap(b, c);
@@ -66,7 +66,7 @@ void ExactTracker::lookAtHolders() noexcept {
       held_[k] = {};
       continue;
     }
-    const NearBall on = near_.ball(holders_[k]);
+    const NearSphere on = near_.sphere(holders_[k]);
     Held& held = held_[k];  // one by one: as a vector they would go through memory once more
     held.centre.x = on.centre.x, held.centre.y = on.centre.y, held.centre.z = on.centre.z;
     held.radius = on.radius;
@@ -75,12 +75,12 @@ void ExactTracker::lookAtHolders() noexcept {
 }
 
 // A tick that must look round.
-Contact ExactTracker::lookRound(double x, double y, double z) noexcept {
+Contact ExactTracker::stepFull(double x, double y, double z) noexcept {
   const Vec3 h(x, y, z);
   const PointA hip{h};
   if (!usableHip(h)) return refusedHip(hip, near_.origin() + scp_);
   if (swells_) [[unlikely]]
-    return whileItSwells(h);
+    return stepWhileProbeGrows(h);
   const Vec3 local = h - near_.origin();
   if (moved_) [[unlikely]] {
     trackSurface(local);
@@ -95,16 +95,16 @@ Contact ExactTracker::lookRound(double x, double y, double z) noexcept {
     scp_ = free_from_ = local;
     return contact(h);
   }
-  near_.countFromZero();
+  near_.resetWorkCount();
   flow(local);
   return contact(h);
 }
 
 // A tick in which the surface grows or shrinks to another probe.
-Contact ExactTracker::whileItSwells(const Vec3& hip) noexcept {
-  near_.countFromZero();
+Contact ExactTracker::stepWhileProbeGrows(const Vec3& hip) noexcept {
+  near_.resetWorkCount();
   if (!std::exchange(swelled_, false)) swell();
-  if (!armed_) return lookRound(hip.x, hip.y, hip.z);  // the place has closed
+  if (!armed_) return stepFull(hip.x, hip.y, hip.z);  // the place has closed
   flow(hip - near_.origin());
   if (swells_) {
     forgetSurroundings();  // the next tick must come here
@@ -115,13 +115,13 @@ Contact ExactTracker::whileItSwells(const Vec3& hip) noexcept {
 
 void ExactTracker::flow(const Vec3& hip) noexcept {
   const Vec3 was = scp_;
-  const std::uint64_t most = near_.looked() + kMostLooked;
+  const std::uint64_t most = near_.looked() + kMaxLooked;
   behind_ = true;
   may_sink_ = false;
   int stuck = 0, idle = 0, small = 0;
   bool grazes = true;
   double left_A = glm::distance(hip, scp_);
-  for (int count = 0; count < kMostPieces && near_.looked() < most; ++count) {
+  for (int count = 0; count < kMaxPieces && near_.looked() < most; ++count) {
     contact_A_ = contactAt(scp_);
     // The first piece that leads nowhere may have moved the SCP within rounding: the same sets are tried from there
     // once more.
@@ -137,12 +137,12 @@ void ExactTracker::flow(const Vec3& hip) noexcept {
     ++idle;
     if (left_A - now_A > contact_A_) idle = 0, left_A = now_A;
     // To and fro over a flat crease a path sinks into its two sides alternately: from now on both block it.
-    if (grazes && (small >= kMostGrazing || idle > kMostIdle)) {
+    if (grazes && (small >= kMaxGrazing || idle > kMaxIdle)) {
       grazes = false;
       idle = 0;
     }
     // Where the SCP comes no nearer to the HIP but for rounding, it is as good a place as any.
-    if (idle > kMostIdle) {
+    if (idle > kMaxIdle) {
       holdHere();
       behind_ = false;
       break;
@@ -152,8 +152,8 @@ void ExactTracker::flow(const Vec3& hip) noexcept {
     ++cut_short_;
     forgetSurroundings();
   }
-  // No SCP is handed out inside a ball: where rounding has let it sink, it goes to the nearest free place, or back.
-  if (may_sink_ && feature_ != Feature::Free && !outsideAll() && toFreePlace() != Freed::Yes) {
+  // No SCP is handed out inside a sphere: where rounding has let it sink, it goes to the nearest free place, or back.
+  if (may_sink_ && feature_ != Feature::Free && !outsideAll() && depenetrate() != Freed::Yes) {
     scp_ = was;
     holdHere();
     behind_ = true;
@@ -173,7 +173,7 @@ ExactTracker::SlideResult ExactTracker::piece(const Vec3& hip, Admitted admitted
   findTouching();
   const ActiveSet set = activeSet(hip - scp_, {touching_.data(), touching_count_}, contact_A_, admitted);
   may_sink_ |= int(touching_count_) > set.count;
-  const auto by = [&](int k) { return touching_[std::size_t(set.by[std::size_t(k)])].ball; };
+  const auto by = [&](int k) { return touching_[std::size_t(set.by[std::size_t(k)])].sphere; };
   if (!set.found && admitted.skip > 0) {  // every path that rounding admits has been tried
     holdHere();
     return SlideResult::Rests;
@@ -187,7 +187,7 @@ ExactTracker::SlideResult ExactTracker::piece(const Vec3& hip, Admitted admitted
     case 2: {
       const int third = set.still ? thirdOf(set) : -1;  // what two hold in a place where three meet, the place holds
       if (third < 0) return slideOnCircle(hip, by(0), by(1));
-      holdAtPoint({by(0), by(1), touching_[std::size_t(third)].ball});
+      holdAtPoint({by(0), by(1), touching_[std::size_t(third)].sphere});
       return SlideResult::Rests;
     }
     default:
@@ -216,9 +216,9 @@ ExactTracker::SlideResult ExactTracker::slideResult(double moved_A) const noexce
 
 void ExactTracker::findTouching() noexcept {
   touching_count_ = 0;
-  near_.each(scp_, contact_A_, [&](const NearBall& b) {
+  near_.each(scp_, contact_A_, [&](const NearSphere& b) {
     const double power = powerOf(scp_, b);
-    if (power <= 2.0 * b.radius * contact_A_ && b.radius > 0.0 && touching_count_ < kMostTouching)
+    if (power <= 2.0 * b.radius * contact_A_ && b.radius > 0.0 && touching_count_ < kMaxTouching)
       touching_[touching_count_++] = {glm::normalize(scp_ - b.centre), b.radius, power / (2.0 * b.radius), b.index};
   });
 }
@@ -226,33 +226,34 @@ void ExactTracker::findTouching() noexcept {
 bool ExactTracker::outsideAll() noexcept {
   bool outside = true;
   near_.each(scp_, contact_A_,
-             [&](const NearBall& b) { outside &= powerOf(scp_, b) >= -16.0 * contact_A_ * b.radius; });
+             [&](const NearSphere& b) { outside &= powerOf(scp_, b) >= -16.0 * contact_A_ * b.radius; });
   return outside;
 }
 
-// A lower bound of the distance from a place to the nearest ball; negative or zero inside or on one.
+// A lower bound of the distance from a place to the nearest sphere; negative or zero inside or on one.
 double ExactTracker::gapRound(const Vec3& place) noexcept {
   double least = kFarthest_A;
   const double known =
-      near_.each(place, kLook_A, [&](const NearBall& b) { lessenGap(least, place - b.centre, b.radius); });
+      near_.each(place, kLook_A, [&](const NearSphere& b) { lessenGap(least, place - b.centre, b.radius); });
   return least < known ? least : std::max(known, distanceToBox(near_.scene(), near_.probe_A(), near_.origin() + place));
 }
 
-// The first ball on a straight path. A short one meets only what is known to be near.
+// The first sphere on a straight path. A short one meets only what is known to be near.
 Hit ExactTracker::firstMet(const Vec3& to) noexcept {
   const double length = glm::distance(scp_, to);
   if (!(length > 0.0)) return {};
   if (length <= kLook_A) {
     FirstMet first(scp_, (to - scp_) / length, length, contact_A_);
-    const double known = near_.each(scp_, length, [&](const NearBall& b) { first.look(b.index, b.centre, b.radius); });
-    if (first.ball() >= 0 && first.at() <= known) return {first.ball(), std::min(1.0, first.at() / length)};
+    const double known =
+        near_.each(scp_, length, [&](const NearSphere& b) { first.look(b.index, b.centre, b.radius); });
+    if (first.sphere() >= 0 && first.at() <= known) return {first.sphere(), std::min(1.0, first.at() / length)};
     if (known >= length) return {};
   }
   return near_.firstMet(scp_, to, contact_A_);
 }
 
 ExactTracker::SlideResult ExactTracker::fly(const Vec3& hip) noexcept {
-  // From free space a short path needs no search along it: a ball on it would be as near to its end as the path is
+  // From free space a short path needs no search along it: a sphere on it would be as near to its end as the path is
   // long.
   if (feature_ == Feature::Free) {
     const double gap = near_.knownInside(hip) ? 0.0 : gapRound(hip);
@@ -263,7 +264,7 @@ ExactTracker::SlideResult ExactTracker::fly(const Vec3& hip) noexcept {
     }
   }
   const Hit hit = firstMet(hip);
-  if (hit.ball < 0) {
+  if (hit.sphere < 0) {
     feature_ = Feature::Free;
     holders_ = {-1, -1, -1};
     scp_ = free_from_ = hip;
@@ -271,30 +272,30 @@ ExactTracker::SlideResult ExactTracker::fly(const Vec3& hip) noexcept {
     free_gap2_ = gap * gap;
     return SlideResult::Rests;
   }
-  const NearBall met = near_.ball(hit.ball);
+  const NearSphere met = near_.sphere(hit.sphere);
   const Vec3 out = scp_ + (hip - scp_) * hit.t - met.centre;
   const double far = glm::length(out);
   const SlideResult result = slideResult(hit.t * glm::length(hip - scp_));
   if (far > 0.0) scp_ = met.centre + out * (met.radius / far);
   feature_ = Feature::Sphere;
-  holdBy(hit.ball);
+  holdBy(hit.sphere);
   return result;
 }
 
-// The SCP rests where `direction` leads from the ball's centre: the next ticks are told what is round it.
-ExactTracker::SlideResult ExactTracker::restOnSphere(std::int32_t ball, const Vec3& direction) noexcept {
-  const NearBall on = near_.ball(ball);
+// The SCP rests where `direction` leads from the sphere's centre: the next ticks are told what is round it.
+ExactTracker::SlideResult ExactTracker::restOnSphere(std::int32_t sphere, const Vec3& direction) noexcept {
+  const NearSphere on = near_.sphere(sphere);
   feature_ = Feature::Sphere;
-  holdBy(ball);
+  holdBy(sphere);
   scp_ = on.centre + direction * on.radius;
   // The angle to go until a cap is met, the nearest cap apart: a cosine changes by at most one a radian.
   patch_ = {.centre = direction};
   double nearest_slack = 1.5, slack = 1.5;  // under a hemisphere: paths between its places stay in it
-  const double known = near_.each(scp_, kLook_A, [&](const NearBall& other) {
-    if (other.index == ball || farFrom(on, other, powerOf(scp_, other), slack)) return;
+  const double known = near_.each(scp_, kLook_A, [&](const NearSphere& other) {
+    if (other.index == sphere || farFrom(on, other, powerOf(scp_, other), slack)) return;
     const Cap cap(on, other);
     const double distance = glm::length(cap.offset);
-    // A ball that stands out by less than rounding can tell stands for the same surface.
+    // A sphere that stands out by less than rounding can tell stands for the same surface.
     if (cap.level >= distance || distance + other.radius - on.radius <= contact_A_) return;
     const double gap = (cap.level - glm::dot(cap.offset, direction)) / distance;
     if (gap >= slack) return;
@@ -313,31 +314,31 @@ ExactTracker::SlideResult ExactTracker::restOnSphere(std::int32_t ball, const Ve
 }
 
 // Case 1: the path on a sphere toward the place nearest to the HIP is a great circle.
-ExactTracker::SlideResult ExactTracker::slideOnSphere(const Vec3& hip, std::int32_t ball,
+ExactTracker::SlideResult ExactTracker::slideOnSphere(const Vec3& hip, std::int32_t sphere,
                                                       std::int32_t toward) noexcept {
-  const NearBall on = near_.ball(ball);
+  const NearSphere on = near_.sphere(sphere);
   const Vec3 c = on.centre, m = hip - c;
   const double r = on.radius, d = glm::length(m);
   const Vec3 x = glm::normalize(scp_ - c);
-  if (d <= contact_A_) return restOnSphere(ball, x);  // from the centre every path is equally long
+  if (d <= contact_A_) return restOnSphere(sphere, x);  // from the centre every path is equally long
   const Vec3 nearest = m / d;
   Vec3 tangent = nearest - x * glm::dot(nearest, x);
   const double sine = glm::length(tangent);
   if (sine <= 1e-15)
-    return restOnSphere(ball,
+    return restOnSphere(sphere,
                         glm::dot(nearest, x) > 0.0 ? nearest : x);  // straight behind the centre no path is shorter
   tangent /= sine;
   tangent = glm::normalize(tangent -
                            x * glm::dot(tangent, x));  // nearly behind the centre the first difference has few digits
   const double arrives = std::atan2(sine, glm::dot(nearest, x));
 
-  // A HIP that has come out of the ball is seen from where the ball no longer hides it: there the flight begins.
+  // A HIP that has come out of the sphere is seen from where the sphere no longer hides it: there the flight begins.
   const double leaves = d > r ? std::max(0.0, arrives - std::acos(r / d)) : kNever;
   double end = std::min(arrives, leaves);
   bool meets = false;
-  const double known = near_.each(scp_, std::min(kLook_A, end * r), [&](const NearBall& other) {
+  const double known = near_.each(scp_, std::min(kLook_A, end * r), [&](const NearSphere& other) {
     const double power = powerOf(scp_, other);
-    if (other.index == ball || farFrom(on, other, power, end)) return;
+    if (other.index == sphere || farFrom(on, other, power, end)) return;
     const Cap cap(on, other);
     const double a = glm::dot(cap.offset, x), b = glm::dot(cap.offset, tangent);
     // What is touched and does not hold is met where the path has sunk by contact_A_ into it.
@@ -350,20 +351,20 @@ ExactTracker::SlideResult ExactTracker::slideOnSphere(const Vec3& hip, std::int3
   const bool cut = end * r > known;
   if (cut) end = known / r;
 
-  if (!meets && !cut && end == arrives) return restOnSphere(ball, nearest);
+  if (!meets && !cut && end == arrives) return restOnSphere(sphere, nearest);
   feature_ = Feature::Sphere;
-  holdBy(ball);
+  holdBy(sphere);
   scp_ = c + (x * std::cos(end) + tangent * std::sin(end)) * r;
   patch_.clear = patch_.cosine = 2.0;
   return slideResult(end * r);
 }
 
-// The circle of balls i and j (paper, equations 2 to 4) and the arc of it, round the SCP, that no third ball covers.
+// The circle of spheres i and j (paper, equations 2 to 4) and the arc of it, round the SCP, that no third sphere covers.
 ExactTracker::Made ExactTracker::makeCircle(std::int32_t i, std::int32_t j) noexcept {
   Circle& c = circle_;
-  const NearBall ball_i = near_.ball(i), ball_j = near_.ball(j);
-  const Vec3 ci = ball_i.centre, between = ball_j.centre - ci;
-  const double ri = ball_i.radius, rj = ball_j.radius;
+  const NearSphere sphere_i = near_.sphere(i), sphere_j = near_.sphere(j);
+  const Vec3 ci = sphere_i.centre, between = sphere_j.centre - ci;
+  const double ri = sphere_i.radius, rj = sphere_j.radius;
   c.i = -1;
   c.between = glm::length(between);
   if (!(c.between > 0.0)) return Made::No;
@@ -387,7 +388,7 @@ ExactTracker::Made ExactTracker::makeCircle(std::int32_t i, std::int32_t j) noex
   c.along_2 = 0.0;
   c.high = kTwoPi;
   c.low = -kTwoPi;
-  const double known = near_.each(scp_, kLook_A, [&](const NearBall& other) {
+  const double known = near_.each(scp_, kLook_A, [&](const NearSphere& other) {
     if (other.index == i || other.index == j) return;
     const Vec3 offset = other.centre - c.centre;
     const double a = glm::dot(offset, c.axis_1), b = glm::dot(offset, c.axis_2);
@@ -426,8 +427,8 @@ ExactTracker::SlideResult ExactTracker::slideOnCircle(const Vec3& hip, std::int3
     const Made made = makeCircle(i, j);
     if (made == Made::No) return SlideResult::Stuck;
     if (made == Made::FarOff) {  // on the outer one as far as their circle
-      const double gap_i = powerOf(scp_, near_.ball(i)) / near_.ball(i).radius,
-                   gap_j = powerOf(scp_, near_.ball(j)) / near_.ball(j).radius;
+      const double gap_i = powerOf(scp_, near_.sphere(i)) / near_.sphere(i).radius,
+                   gap_j = powerOf(scp_, near_.sphere(j)) / near_.sphere(j).radius;
       return gap_i <= gap_j ? slideOnSphere(hip, i, j) : slideOnSphere(hip, j, i);
     }
   }
@@ -444,7 +445,7 @@ ExactTracker::SlideResult ExactTracker::slideOnCircle(const Vec3& hip, std::int3
   const double to_go = std::abs(rotation), sign = rotation < 0.0 ? -1.0 : 1.0;
 
   // mu_i = (S to_j - along) / between and mu_j = (S to_i + along) / between, with S = 1 - out cos(rotation to go) /
-  // radius, are the balls' shares in holding the SCP; where one falls to nothing the SCP leaves that ball.
+  // radius, are the spheres' shares in holding the SCP; where one falls to nothing the SCP leaves that sphere.
   const auto released = [&](double to_other, double lean) {
     const double now = 1.0 - out * std::cos(to_go) / c.radius;
     if (now * to_other - lean < 0.0) return 0.0;
@@ -476,16 +477,16 @@ ExactTracker::SlideResult ExactTracker::slideOnCircle(const Vec3& hip, std::int3
 }
 
 // Case 3: three spheres hold the SCP in a point.
-void ExactTracker::holdAtPoint(const std::array<std::int32_t, 3>& balls) noexcept {
+void ExactTracker::holdAtPoint(const std::array<std::int32_t, 3>& spheres) noexcept {
   std::array<Vec3, 3> n;
   for (std::size_t k = 0; k < 3; ++k) {
-    const NearBall b = near_.ball(balls[k]);
+    const NearSphere b = near_.sphere(spheres[k]);
     n[k] = (scp_ - b.centre) / b.radius;
   }
   const double volume = glm::dot(glm::cross(n[0], n[1]), n[2]);
   holds_ = {glm::cross(n[1], n[2]) / volume, glm::cross(n[2], n[0]) / volume, glm::cross(n[0], n[1]) / volume};
   holds_known_ = true;
-  holdBy(balls[0], balls[1], balls[2]);
+  holdBy(spheres[0], spheres[1], spheres[2]);
   feature_ = Feature::Point;
 }
 

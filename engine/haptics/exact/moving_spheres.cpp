@@ -12,8 +12,8 @@
 namespace moltact {
 namespace {
 
-constexpr double kPiece_A = 0.05;  // the surface moves by no more at once, so that the SCP stays on its side of a wall
-constexpr double kMostMoves = 64.0;     // what moves farther than that in a tick moves in larger pieces
+constexpr double kPiece_A = 0.05;   // the surface moves by no more at once, so that the SCP stays on its side of a wall
+constexpr double kMaxMoves = 64.0;  // what moves farther than that in a tick moves in larger pieces
 constexpr double kArcOfChord = 1.5708;  // an arc of up to half a turn is at most pi / 2 times as long as its chord
 
 }  // namespace
@@ -40,17 +40,17 @@ void ExactTracker::advanceTo(double fraction) noexcept {
 void ExactTracker::trackSurface(const Vec3& hip) noexcept {
   const double fraction = near_.fraction(), from = std::exchange(seen_fraction_, fraction);
   if (!armed_) return;
-  if (!near_.covers(scp_, 0.0)) near_.each(scp_, 0.0, [](const NearBall&) {});
+  if (!near_.covers(scp_, 0.0)) near_.each(scp_, 0.0, [](const NearSphere&) {});
   const double moved_A = std::abs(fraction - from) * near_.mostMoved_A();
   if (moved_A <= kPiece_A && followsQuickly(hip, moved_A)) {
     moved_ = false;
     return;
   }
   clear_gap_ = 0.0;
-  const int pieces = moved_A > kPiece_A ? int(std::ceil(std::min(moved_A / kPiece_A, kMostMoves))) : 1;
+  const int pieces = moved_A > kPiece_A ? int(std::ceil(std::min(moved_A / kPiece_A, kMaxMoves))) : 1;
   for (int k = 1; k <= pieces; ++k) {
     if (pieces > 1) near_.advanceTo(k == pieces ? fraction : from + (fraction - from) * k / pieces);
-    if (toFreePlace() == Freed::Yes) continue;
+    if (depenetrate() == Freed::Yes) continue;
     near_.advanceTo(fraction);  // the place closed over the SCP: there is no surface left to be held by
     reset();
     return;
@@ -65,7 +65,7 @@ bool ExactTracker::followsQuickly(const Vec3& hip, double moved_A) noexcept {
     case Feature::Free:
       return false;
     case Feature::Sphere: {
-      const NearBall on = near_.ball(holders_[0]);
+      const NearSphere on = near_.sphere(holders_[0]);
       const Vec3 m = hip - on.centre;
       const double d2 = glm::dot(m, m);
       if (d2 >= on.radius * on.radius || d2 < on.radius * on.radius * 1e-6) return false;
@@ -73,7 +73,7 @@ bool ExactTracker::followsQuickly(const Vec3& hip, double moved_A) noexcept {
       break;
     }
     case Feature::Circle: {
-      const NearBall i = near_.ball(holders_[0]), j = near_.ball(holders_[1]);
+      const NearSphere i = near_.sphere(holders_[0]), j = near_.sphere(holders_[1]);
       if (!nearestOnCircle(i, j, hip, place)) return false;
       // Both hold: the displacement is a sum of their inward normals with shares above nothing.
       const Vec3 n = (place - i.centre) / i.radius, m = (place - j.centre) / j.radius, d = place - hip;
@@ -83,7 +83,8 @@ bool ExactTracker::followsQuickly(const Vec3& hip, double moved_A) noexcept {
     }
     case Feature::Point: {
       if (holders_[2] < 0) return false;
-      const std::array<NearBall, 3> b{near_.ball(holders_[0]), near_.ball(holders_[1]), near_.ball(holders_[2])};
+      const std::array<NearSphere, 3> b{near_.sphere(holders_[0]), near_.sphere(holders_[1]),
+                                        near_.sphere(holders_[2])};
       Vec3 two[2];
       if (!commonPoints(b[0], b[1], b[2], two)) return false;
       place = glm::distance(scp_, two[0]) < glm::distance(scp_, two[1]) ? two[0] : two[1];
@@ -108,7 +109,7 @@ bool ExactTracker::followsQuickly(const Vec3& hip, double moved_A) noexcept {
     clear_from_ = scp_;
     clear_fraction_ = near_.fraction();
     clear_gap_ = kFarthest_A;
-    const double known = near_.each(scp_, distance_A, [&](const NearBall& b) {
+    const double known = near_.each(scp_, distance_A, [&](const NearSphere& b) {
       if (b.index != holders_[0] && b.index != holders_[1] && b.index != holders_[2])
         lessenGap(clear_gap_, scp_ - b.centre, b.radius);
     });

@@ -4,12 +4,12 @@
 
 #include <cmath>
 
-#include "engine/haptics/nearby_balls.h"
+#include "engine/haptics/nearby_spheres.h"
 
 namespace moltact {
 
 // The place of the two spheres' circle nearest to p; false when they do not meet.
-inline bool nearestOnCircle(const NearBall& i, const NearBall& j, const Vec3& p, Vec3& out) {
+inline bool nearestOnCircle(const NearSphere& i, const NearSphere& j, const Vec3& p, Vec3& out) {
   const Vec3 between = j.centre - i.centre;
   const double d = glm::length(between);
   if (!(d > 0.0)) return false;
@@ -26,7 +26,7 @@ inline bool nearestOnCircle(const NearBall& i, const NearBall& j, const Vec3& p,
 }
 
 // The two points common to three spheres; false when there are none.
-inline bool commonPoints(const NearBall& i, const NearBall& j, const NearBall& k, Vec3 out[2]) {
+inline bool commonPoints(const NearSphere& i, const NearSphere& j, const NearSphere& k, Vec3 out[2]) {
   const Vec3 u = j.centre - i.centre, v = k.centre - i.centre, w = glm::cross(u, v);
   const double w2 = glm::dot(w, w);
   if (!(w2 > 1e-20)) return false;

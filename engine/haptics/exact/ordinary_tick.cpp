@@ -14,7 +14,7 @@ constexpr double kArcOfChord2 =
 
 }  // namespace
 
-// What is felt where the first `count` balls of held_ hold the SCP. Each number is written straight where it is handed
+// What is felt where the first `count` spheres of held_ hold the SCP. Each number is written straight where it is handed
 // over: vectors of their own would go through memory first.
 inline Contact ExactTracker::contactHeldBy(std::size_t count, const Vec3& hip) const noexcept {
   const auto normal = [&](std::size_t k) {
@@ -45,23 +45,23 @@ Contact ExactTracker::step(PointA hip) noexcept {
       return {.scp = hip};
     }
   }
-  return stay(h.x, h.y, h.z);
+  return stepFast(h.x, h.y, h.z);
 }
 
 // A tick of contact, apart, so that the free ones need not save its registers: leads the SCP to the place on its
 // feature nearest to the HIP, and looks round, with nothing changed, where that may not be all. It needs not ask
 // whether spheres move or swell: then nothing is known of the surroundings (forgetSurroundings).
-Contact ExactTracker::stay(double x, double y, double z) noexcept {
+Contact ExactTracker::stepFast(double x, double y, double z) noexcept {
   const Vec3 h(x, y, z);
-  if (!usableHip(h)) return lookRound(x, y, z);
+  if (!usableHip(h)) return stepFull(x, y, z);
   const Vec3 hip = h - near_.origin();
   switch (feature_) {
     case Feature::Free:
       break;  // step() has looked
     case Feature::Sphere: {
-      const Held& ball = held_[0];
-      const Vec3 m = hip - ball.centre;
-      const double r = ball.radius, d2 = glm::dot(m, m);
+      const Held& sphere = held_[0];
+      const Vec3 m = hip - sphere.centre;
+      const double r = sphere.radius, d2 = glm::dot(m, m);
       if (d2 >= r * r || d2 < r * r * 1e-6) break;
       const double d = std::sqrt(d2), along = glm::dot(m, patch_.centre);
       const Vec3 to = m * (r / d);  // from the centre to the place on the sphere nearest to the HIP
@@ -69,12 +69,12 @@ Contact ExactTracker::stay(double x, double y, double z) noexcept {
         if (along < patch_.cosine * d) break;
         // From the last place to the nearest cap's rim and on to this one is farther than from the one to the
         // other.
-        const Vec3 from = scp_ - ball.centre, chord = to - from;
+        const Vec3 from = scp_ - sphere.centre, chord = to - from;
         const double rim = patch_.rim * r, gap = rim - glm::dot(to, patch_.axis),
                      by_rim = rim - glm::dot(from, patch_.axis) + gap;
         if (gap <= 0.0 || by_rim * by_rim <= kArcOfChord2 * glm::dot(chord, chord)) break;
       }
-      scp_ = ball.centre + to;
+      scp_ = sphere.centre + to;
       return contactHeldBy(1, h);
     }
     case Feature::Circle: {
@@ -84,7 +84,7 @@ Contact ExactTracker::stay(double x, double y, double z) noexcept {
       const double along = glm::dot(m, c.axis), y1 = glm::dot(m, c.axis_1), y2 = glm::dot(m, c.axis_2);
       const double out = std::sqrt(y1 * y1 + y2 * y2);
       if (out < 1e-6 * c.radius) break;
-      // Both balls must hold the SCP from the start of the path to its end: shares mu_i, mu_j >= 0
+      // Both spheres must hold the SCP from the start of the path to its end: shares mu_i, mu_j >= 0
       // (docs/exact-tracker.md), here times the circle's radius, so that nothing is divided.
       const double start = c.radius - (y1 * c.along_1 + y2 * c.along_2), end = c.radius - out, lean = along * c.radius;
       const double slack_i = std::min(start * c.to_j, end * c.to_j) - lean,
@@ -112,7 +112,7 @@ Contact ExactTracker::stay(double x, double y, double z) noexcept {
       break;
     }
   }
-  return lookRound(x, y, z);
+  return stepFull(x, y, z);
 }
 
 }  // namespace moltact

@@ -18,7 +18,7 @@ struct Weights {
 
 }  // namespace
 
-DistanceBricks::DistanceBricks(std::shared_ptr<const BallScene> scene, const Vec3& origin, double spacing_A,
+DistanceBricks::DistanceBricks(std::shared_ptr<const SphereGrid> scene, const Vec3& origin, double spacing_A,
                                double cap_A)
     : scene_(std::move(scene)),
       origin_(origin),
@@ -27,8 +27,8 @@ DistanceBricks::DistanceBricks(std::shared_ptr<const BallScene> scene, const Vec
       bricks_(std::make_unique<Brick[]>(kBricks)),
       last_(&bricks_[0]),
       in_bricks_(std::make_unique<std::uint16_t[]>(scene_->size())),
-      gathered_(std::make_unique<Near[]>(kMostGathered)),
-      close_(std::make_unique<Near[]>(kMostGathered)),
+      gathered_(std::make_unique<Near[]>(kMaxGathered)),
+      close_(std::make_unique<Near[]>(kMaxGathered)),
       distance_(std::make_unique<double[]>(kSamples * kSamples * kSamples)) {}
 
 void DistanceBricks::setCap(double cap_A) noexcept {
@@ -43,9 +43,9 @@ void DistanceBricks::prepare(double level_A) {
   std::vector<Key> keys;
   for (std::size_t i = 0; i < scene_->size(); ++i) {
     if (!scene_->touchable(i)) continue;
-    const Ball& ball = (*scene_)[i];
-    const Vec3 c = ball.centre_A - origin_;
-    const double r = ball.radius_A + level_A;
+    const Sphere& sphere = (*scene_)[i];
+    const Vec3 c = sphere.centre_A - origin_;
+    const double r = sphere.radius_A + level_A;
     const Vec3 low = glm::floor((c - Vec3(r)) / size - 0.5), high = glm::floor((c + Vec3(r)) / size + 0.5);
     for (double x = low.x; x <= high.x; ++x)
       for (double y = low.y; y <= high.y; ++y)
@@ -58,10 +58,10 @@ void DistanceBricks::prepare(double level_A) {
   const auto order = [](const Key& k) { return std::tuple(k.z, k.y, k.x); };
   std::sort(keys.begin(), keys.end(), [&](const Key& a, const Key& b) { return order(a) < order(b); });
   keys.erase(std::unique(keys.begin(), keys.end()), keys.end());
-  std::erase_if(keys, [&](const Key& k) {  // deep in other balls
+  std::erase_if(keys, [&](const Key& k) {  // deep in other spheres
     const Vec3 middle = (Vec3(k.x, k.y, k.z) + 0.5 - Vec3(0.5 / kCells)) * size;
     bool deep = false;
-    scene_->visitNear(origin_ + middle, level_A, [&](std::uint32_t, const Ball& b) {
+    scene_->visitNear(origin_ + middle, level_A, [&](std::uint32_t, const Sphere& b) {
       deep = deep || glm::distance(middle, b.centre_A - origin_) < b.radius_A + level_A - near;
     });
     return deep;
@@ -114,22 +114,22 @@ DistanceBricks::Brick* DistanceBricks::make(const Key& key) noexcept {
   const auto gather = [&] {
     bool all = true;
     gathered = 0;
-    scene_->visitNear(origin_ + middle, cap_ + half, [&](std::uint32_t i, const Ball& b) {
+    scene_->visitNear(origin_ + middle, cap_ + half, [&](std::uint32_t i, const Sphere& b) {
       const Near n{b.centre_A - origin_, b.radius_A, std::int32_t(i)};
       const double gap = glm::distance(n.centre, middle) - n.radius;
       nearest = std::min(nearest, gap);
       if (gap > nearest + 2.0 * half) return;
-      if (gathered < kMostGathered)
+      if (gathered < kMaxGathered)
         gathered_[gathered++] = n;
       else
         all = false;
     });
     return all;
   };
-  // Under a very large probe the list overflows before the nearest ball is known; the second time it is.
+  // Under a very large probe the list overflows before the nearest sphere is known; the second time it is.
   if (!gather()) gather();
 
-  // Eighths of the block: in each only the balls that can be nearest somewhere.
+  // Eighths of the block: in each only the spheres that can be nearest somewhere.
   constexpr int kPart = kSamples / 2;
   const double part_half = 0.5 * (kPart - 1) * spacing_ * std::sqrt(3.0);
   for (int part = 0; part < 8; ++part) {
@@ -224,7 +224,7 @@ bool DistanceBricks::sample(const Vec3& place, Sample& out, int& fills_left) noe
   return true;
 }
 
-std::int32_t DistanceBricks::nearestBall(const Vec3& place) const noexcept {
+std::int32_t DistanceBricks::nearestSphere(const Vec3& place) const noexcept {
   const Vec3 brick_at = glm::floor(glm::floor(place / spacing_ + 0.5) / double(kCells));
   const Brick* brick = find({std::int32_t(brick_at.x), std::int32_t(brick_at.y), std::int32_t(brick_at.z)});
   if (!brick) return -1;
@@ -232,7 +232,7 @@ std::int32_t DistanceBricks::nearestBall(const Vec3& place) const noexcept {
   std::int32_t nearest = -1;
   for (int k = 0; k < brick->labels; ++k) {
     const std::int32_t i = brick->label[std::size_t(k)];
-    const Ball& b = (*scene_)[std::size_t(i)];
+    const Sphere& b = (*scene_)[std::size_t(i)];
     const double gap = glm::distance(place, b.centre_A - origin_) - b.radius_A;
     if (gap < least) least = gap, nearest = i;
   }
@@ -240,7 +240,7 @@ std::int32_t DistanceBricks::nearestBall(const Vec3& place) const noexcept {
 }
 
 std::size_t DistanceBricks::bytes() const noexcept {
-  return count_ * sizeof(Brick) + 2 * kMostGathered * sizeof(Near) + kSamples * kSamples * kSamples * sizeof(double) +
+  return count_ * sizeof(Brick) + 2 * kMaxGathered * sizeof(Near) + kSamples * kSamples * kSamples * sizeof(double) +
          scene_->size() * sizeof(std::uint16_t);
 }
 

@@ -1,8 +1,8 @@
-// The signed distance to the balls' surfaces on a grid, smoothly interpolated, in bricks that are made when they are
+// The signed distance to the spheres' surfaces on a grid, smoothly interpolated, in bricks that are made when they are
 // first needed. A brick is 4 x 4 x 4 cells; a pool of fixed size keeps kBricks of them and drops the oldest.
 //
-// The field: f(x) = min over balls of |x - centre| - radius, not inflated. A probe of radius p feels the level f = p,
-// so another probe needs no other bricks. Outside all balls f is the distance; inside it is only a bound, which is
+// The field: f(x) = min over spheres of |x - centre| - radius, not inflated. A probe of radius p feels the level f = p,
+// so another probe needs no other bricks. Outside all spheres f is the distance; inside it is only a bound, which is
 // enough because the SCP stays outside. The interpolation: quadratic B-splines over coefficients c = f - (1/8) (second
 // differences of f along each axis), which reproduce quadratics exactly. So the error is of third order in the spacing
 // where f is smooth, its gradient is continuous, and creases are rounded over about one spacing. Haptic thread; no
@@ -13,7 +13,7 @@
 #include <cstdint>
 #include <memory>
 
-#include "engine/haptics/ball_scene.h"
+#include "engine/haptics/sphere_grid.h"
 
 namespace moltact {
 
@@ -21,11 +21,11 @@ class DistanceBricks {
  public:
   static constexpr int kCells = 4;                ///< along an edge of a brick
   static constexpr std::uint32_t kBricks = 1024;  ///< in the pool, unless prepare() made more
-  static constexpr int kLabels = 24;              ///< balls that a brick remembers, to name the nearest
+  static constexpr int kLabels = 24;              ///< spheres that a brick remembers, to name the nearest
 
   /// `cap_A`: the field is never asked beyond this level; farther places may return this level instead of their
   /// distance.
-  DistanceBricks(std::shared_ptr<const BallScene> scene, const Vec3& origin, double spacing_A, double cap_A);
+  DistanceBricks(std::shared_ptr<const SphereGrid> scene, const Vec3& origin, double spacing_A, double cap_A);
 
   /// Makes all bricks that the surface at this level passes through or comes near to, with space for twice as many: no
   /// brick is made during touch. Before touching; allocates.
@@ -40,16 +40,16 @@ class DistanceBricks {
   /// Reads the field. Makes the brick if it is missing and `fills_left` allows it; else false, and nothing is read.
   bool sample(const Vec3& place, Sample& out, int& fills_left) noexcept;
 
-  /// The ball whose surface is nearest to the place, among those that its brick remembers; -1 where the brick is
+  /// The sphere whose surface is nearest to the place, among those that its brick remembers; -1 where the brick is
   /// missing.
-  std::int32_t nearestBall(const Vec3& place) const noexcept;
+  std::int32_t nearestSphere(const Vec3& place) const noexcept;
 
   /// Changes the cap; forgets all bricks if it grows.
   void setCap(double cap_A) noexcept;
   double spacing_A() const noexcept { return spacing_; }
 
-  std::uint64_t bricksMade() const noexcept { return made_; }           ///< since the start
-  std::size_t ballsRemembered() const noexcept { return remembered_; }  ///< different balls in all bricks held now
+  std::uint64_t bricksMade() const noexcept { return made_; }             ///< since the start
+  std::size_t spheresRemembered() const noexcept { return remembered_; }  ///< different spheres in all bricks held now
   std::size_t bytes() const noexcept;
   /// The memory of a grid over the whole box of the scene at this spacing.
   std::size_t wholeMoleculeBytes() const noexcept;
@@ -77,17 +77,17 @@ class DistanceBricks {
   Brick* find(const Key& key) const noexcept;
   Brick* make(const Key& key) noexcept;
 
-  std::shared_ptr<const BallScene> scene_;
+  std::shared_ptr<const SphereGrid> scene_;
   Vec3 origin_;
   double spacing_, cap_;
   std::uint32_t count_ = kBricks;  // a power of two
   std::unique_ptr<Brick[]> bricks_;
   mutable Brick* last_;
   std::uint64_t made_ = 0;
-  std::unique_ptr<std::uint16_t[]> in_bricks_;  // for each ball, in how many bricks it is remembered
+  std::unique_ptr<std::uint16_t[]> in_bricks_;  // for each sphere, in how many bricks it is remembered
   std::size_t remembered_ = 0;
   // Work space for a brick in the making.
-  static constexpr std::size_t kMostGathered = 4096;
+  static constexpr std::size_t kMaxGathered = 4096;
   struct Near {
     Vec3 centre;
     double radius;

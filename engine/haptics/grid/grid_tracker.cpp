@@ -14,14 +14,14 @@ constexpr double kSettled_A = 0.025;  // a Newton step this short leaves an erro
                                       // grid's own: the last one of a tick
 constexpr double kFree =
     0.8;  // of the level's distance by the field: its slope is near 1, but for the rounding of creases
-constexpr int kMostFlights = 512;   // steps along one straight path
-constexpr int kMostIterations = 8;  // changes between flight and sliding in a tick
+constexpr int kMaxFlights = 512;   // steps along one straight path
+constexpr int kMaxIterations = 8;  // changes between flight and sliding in a tick
 
 }  // namespace
 
 double GridTracker::capFor(double probe_A, double spacing_A) { return std::ceil(probe_A) + 2.0 + 3.0 * spacing_A; }
 
-GridTracker::GridTracker(std::shared_ptr<const BallScene> scene, double probe_A, double spacing_A, bool prepared)
+GridTracker::GridTracker(std::shared_ptr<const SphereGrid> scene, double probe_A, double spacing_A, bool prepared)
     : scene_(std::move(scene)),
       origin_(1024.0 * glm::round((scene_->low_A() + scene_->high_A()) / 2048.0)),
       bricks_(scene_, origin_, spacing_A, capFor(usableProbe_A(probe_A, kWaterProbe_A), spacing_A)),
@@ -35,14 +35,14 @@ void GridTracker::reset() noexcept {
 }
 
 MemoryUsage GridTracker::memoryUsage() const noexcept {
-  return {bricks_.ballsRemembered(), sizeof(*this) + bricks_.bytes() + scene_->bytes()};
+  return {bricks_.spheresRemembered(), sizeof(*this) + bricks_.bytes() + scene_->bytes()};
 }
 
 Contact GridTracker::step(PointA hip) noexcept {
   if (!usableHip(hip.A)) return refusedHip(hip, origin_ + scp_);
   const Vec3 h = hip.A - origin_;
-  fills_left_ = kMostFills;
-  steps_left_ = kMostSteps;
+  fills_left_ = kMaxFills;
+  steps_left_ = kMaxSteps;
   if (!has_been_outside_) {
     const double gap = clearance(*scene_, probe_, hip.A);
     DistanceBricks::Sample here{};
@@ -64,7 +64,7 @@ Contact GridTracker::step(PointA hip) noexcept {
   const Vec3 rested = scp_;
   SlideResult result = SlideResult::Short;
   bool pressed = false;
-  for (int i = 0; i < kMostIterations; ++i) {
+  for (int i = 0; i < kMaxIterations; ++i) {
     if (touching_) {
       result = slide(h, pressed);
       pressed = false;
@@ -83,11 +83,11 @@ Contact GridTracker::step(PointA hip) noexcept {
   }
   if (result == SlideResult::Arrived) return {.scp = hip};
   Contact out{.scp = {origin_ + scp_}, .feature = Feature::Sphere};
-  out.atoms[0] = bricks_.nearestBall(scp_);
+  out.atoms[0] = bricks_.nearestSphere(scp_);
   if (out.atoms[0] < 0) {  // the last step led into a brick that the next tick needs as well
     DistanceBricks::Sample next{};
     bricks_.sample(scp_, next, fills_left_);
-    out.atoms[0] = bricks_.nearestBall(scp_);
+    out.atoms[0] = bricks_.nearestSphere(scp_);
   }
   stretchToScp(out, hip);
   if (out.atoms[0] < 0) return out;
@@ -98,10 +98,10 @@ Contact GridTracker::step(PointA hip) noexcept {
   return out;
 }
 
-// Straight toward the HIP: over the balls' own distances where they are far, over the field near the surface.
+// Straight toward the HIP: over the spheres' own distances where they are far, over the field near the surface.
 GridTracker::SlideResult GridTracker::fly(const Vec3& h) noexcept {
   const double spacing = bricks_.spacing_A(), least = spacing / 16.0;
-  for (int k = 0; k < kMostFlights; ++k) {
+  for (int k = 0; k < kMaxFlights; ++k) {
     const Vec3 to_go = h - scp_;
     const double length = glm::length(to_go);
     const double gap = clearance(*scene_, probe_, origin_ + scp_);
@@ -208,7 +208,7 @@ void GridTracker::setProbe(double probe_A) noexcept {
                          : static_cast<int>(std::ceil((wanted - had) / (0.25 * bricks_.spacing_A())));
   for (int k = 1; k <= pieces; ++k) {
     probe_ = k == pieces ? wanted : had + (wanted - had) * k / pieces;
-    fills_left_ = kMostFills;
+    fills_left_ = kMaxFills;
     if (!has_been_outside_ || pushOut()) continue;
     probe_ = wanted;  // the place closed over the SCP: there is no surface left to be held by
     reset();

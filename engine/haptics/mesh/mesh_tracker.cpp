@@ -14,20 +14,20 @@ constexpr double kMoved_A = 1e-12;  // a shorter piece leaves the SCP where it w
 constexpr double kRounding =
     8e-12;  // of the displacement: a motion that leads this little into a face, or less, is along it
 constexpr double kAlong = 1e-9;      // sine of the angle under which a path is along a face
-constexpr double kNearPath_A = 1.0;  // a longer piece looks the balls up along its path
-constexpr int kMostStuck = 32;       // round a corner of a mesh pieces of no length pass its faces, eight at most
+constexpr double kNearPath_A = 1.0;  // a longer piece looks the spheres up along its path
+constexpr int kMaxStuck = 32;        // round a corner of a mesh pieces of no length pass its faces, eight at most
 constexpr double kSwelling_A =
     0.05;  // the surface moves by no more at once, so that the SCP stays on its side of a wall
-constexpr double kMostSwellings = 64.0;  // what moves farther than that in a tick moves in larger pieces
-constexpr int kMostPushes = 256;
+constexpr double kMaxSwellings = 64.0;  // what moves farther than that in a tick moves in larger pieces
+constexpr int kMaxPushes = 256;
 constexpr double kSure = 1e-9;  // of a length: so far from a decision rounding has no say in it
 constexpr double kNearly = 1.0 - 1e-9;
-constexpr double kKept_A = 1.0;  // a list of near balls serves so far
-constexpr int kMostPlanes = 8;   // tried to part a mesh from the SCP's path
+constexpr double kKept_A = 1.0;  // a list of near spheres serves so far
+constexpr int kMaxPlanes = 8;    // tried to part a mesh from the SCP's path
 
 }  // namespace
 
-MeshTracker::MeshTracker(std::shared_ptr<const BallScene> scene, double probe_A, Options options)
+MeshTracker::MeshTracker(std::shared_ptr<const SphereGrid> scene, double probe_A, Options options)
     : mesh_(SphereMesh::ofTriangles(options.triangles)), options_(options), nearby_(std::move(scene), kKept_A) {
   nearby_.setProbe(usableProbe_A(probe_A, kWaterProbe_A));
 }
@@ -42,9 +42,9 @@ MemoryUsage MeshTracker::memoryUsage() const noexcept {
   return {std::size_t(touch_count_), sizeof(*this) + mesh_->bytes() + nearby_.scene().bytes()};
 }
 
-bool MeshTracker::touches(std::int32_t ball) const {
+bool MeshTracker::touches(std::int32_t sphere) const {
   for (int k = 0; k < touch_count_; ++k)
-    if (touching_[std::size_t(k)].ball == ball) return true;
+    if (touching_[std::size_t(k)].sphere == sphere) return true;
   return false;
 }
 
@@ -53,18 +53,18 @@ Contact MeshTracker::contact(const Vec3& hip) const noexcept {
   // The answer is put together at once: piece by piece it would be read back before its pieces are stored, which
   // stalls.
   const auto held = [&](int k) -> const Touch& { return touching_[std::size_t(holding_[std::size_t(k)])]; };
-  std::array<int, 3> by{0, 1, 2};  // the holders, their balls ascending
+  std::array<int, 3> by{0, 1, 2};  // the holders, their spheres ascending
   const auto order = [&](std::size_t j, std::size_t k) {
-    if (held(by[j]).ball > held(by[k]).ball) std::swap(by[j], by[k]);
+    if (held(by[j]).sphere > held(by[k]).sphere) std::swap(by[j], by[k]);
   };
   if (hold_count_ > 1) order(0, 1);
   if (hold_count_ > 2) order(1, 2), order(0, 1);
-  const auto ball = [&](int k) { return hold_count_ > k ? held(by[std::size_t(k)]).ball : -1; };
+  const auto sphere = [&](int k) { return hold_count_ > k ? held(by[std::size_t(k)]).sphere : -1; };
   const auto normal = [&](int k) { return hold_count_ > k ? face(held(by[std::size_t(k)])).normal : Vec3(0.0); };
   const Vec3 scp = nearby_.origin() + scp_, straight = scp - hip;
   const Vec3 shaded = options_.smooth ? shadedNormal(hip - nearby_.origin()) : Vec3(0.0);
   return {.scp = {scp},
-          .atoms = {ball(0), ball(1), ball(2)},
+          .atoms = {sphere(0), sphere(1), sphere(2)},
           .feature = Feature(std::max(hold_count_, 1)),
           .displacement_A = shaded == Vec3(0.0) ? straight : shaded * glm::length(straight),
           .energy_A2 = 0.5 * glm::dot(straight, straight),
@@ -108,8 +108,8 @@ Contact MeshTracker::step(PointA hip) noexcept {
   if (!(nearby_meshes_clear > 0.0 && far2 < kNearly * nearby_meshes_clear * nearby_meshes_clear)) return false;
   for (int k = 0; k < nearby_mesh_count_; ++k) {
     NearbyMesh& other = nearby_meshes_[std::size_t(k)];
-    const Vec3 m = end - other.ball.centre;
-    const double far = other.ball.radius + length;
+    const Vec3 m = end - other.sphere.centre;
+    const double far = other.sphere.radius + length;
     if (kNearly * glm::dot(m, m) <= far * far && !staysAbove(other, end)) return false;
   }
   return true;
@@ -170,9 +170,9 @@ bool MeshTracker::holdsQuickly(const Vec3& h) noexcept {
 // did so last is tried first, then those about it.
 bool MeshTracker::staysAbove(NearbyMesh& other, const Vec3& end) const {
   if (other.face < 0) return false;
-  const double r = other.ball.radius;
-  const Vec3 p = scp_ - other.ball.centre, q = end - other.ball.centre;
-  for (int k = 0; k < kMostPlanes; ++k) {
+  const double r = other.sphere.radius;
+  const Vec3 p = scp_ - other.sphere.centre, q = end - other.sphere.centre;
+  for (int k = 0; k < kMaxPlanes; ++k) {
     const SphereMesh::Face& f = mesh_->faces()[std::size_t(other.face)];
     const double hp = glm::dot(f.normal, p) - f.height * r, hq = glm::dot(f.normal, q) - f.height * r;
     if (std::min(hp, hq) > kSure * r) return true;
@@ -189,15 +189,15 @@ bool MeshTracker::staysAbove(NearbyMesh& other, const Vec3& end) const {
   return false;
 }
 
-// A ball whose mesh the SCP has left: no longer touched, it must be watched again.
+// A sphere whose mesh the SCP has left: no longer touched, it must be watched again.
 void MeshTracker::trackNearby(const Touch& t) noexcept {
   clear_gap_ = 0.0;
   for (int k = 0; k < touch_count_; ++k)
-    if (&touching_[std::size_t(k)] != &t && touching_[std::size_t(k)].ball == t.ball) return;
-  if (nearby_mesh_count_ == int(kMostNearbyMeshes))
+    if (&touching_[std::size_t(k)] != &t && touching_[std::size_t(k)].sphere == t.sphere) return;
+  if (nearby_mesh_count_ == int(kMaxNearbyMeshes))
     nearby_mesh_gap_ = 0.0;
   else
-    nearby_meshes_[std::size_t(nearby_mesh_count_++)] = {{t.centre, t.radius, t.ball}, t.face};
+    nearby_meshes_[std::size_t(nearby_mesh_count_++)] = {{t.centre, t.radius, t.sphere}, t.face};
 }
 
 // After a flow that came to rest held by all that it touches: what the quick ticks need of it.
@@ -223,18 +223,18 @@ void MeshTracker::meet(const Vec3& path, Meeting& first) noexcept {
   const double length = glm::length(path);
   const double to_go = length * first.t;
   if (isClear(scp_ + path * first.t, to_go)) return;
-  const auto look = [&](const NearBall& b) {
+  const auto look = [&](const NearSphere& b) {
     const SphereMesh::Entry entry = mesh_->enter((scp_ - b.centre) / b.radius, path / b.radius, first.t);
     if (entry.face >= 0) first = {entry.t, b, entry.face};
   };
   if (options_.coherent && to_go <= kNearPath_A) {
-    const std::array<NearbyMesh, kMostNearbyMeshes> before = nearby_meshes_;
+    const std::array<NearbyMesh, kMaxNearbyMeshes> before = nearby_meshes_;
     const int count_before = nearby_mesh_count_;
-    std::array<double, kNearbyMeshes + 1> gaps;  // the nearest balls', ascending
+    std::array<double, kNearbyMeshes + 1> gaps;  // the nearest spheres', ascending
     gaps.fill(1e300);
     nearby_mesh_count_ = 0;
     const Vec3 end = scp_ + path * first.t;
-    const double visited = nearby_.each(scp_, to_go, [&](const NearBall& b) {
+    const double visited = nearby_.each(scp_, to_go, [&](const NearSphere& b) {
       const Vec3 m = scp_ - b.centre;
       const double far = b.radius + to_go, d2 = glm::dot(m, m), beyond = b.radius + gaps[kNearbyMeshes];
       if (d2 >= far * far && d2 >= beyond * beyond) return;
@@ -242,7 +242,7 @@ void MeshTracker::meet(const Vec3& path, Meeting& first) noexcept {
       NearbyMesh other{b, -1};
       if (d2 < far * far) {
         for (int k = 0; k < count_before; ++k)
-          if (before[std::size_t(k)].ball.index == b.index) other.face = before[std::size_t(k)].face;
+          if (before[std::size_t(k)].sphere.index == b.index) other.face = before[std::size_t(k)].face;
         if (other.face < 0) other.face = mesh_->faceAbout(m);
         if (!staysAbove(other, end)) look(b);
       }
@@ -265,7 +265,7 @@ void MeshTracker::meet(const Vec3& path, Meeting& first) noexcept {
     return;
   }
   // A long path is looked at piece by piece, from where it enters the scene's box.
-  const BallScene& scene = nearby_.scene();
+  const SphereGrid& scene = nearby_.scene();
   if (scene.size() == 0) return;
   const double probe = nearby_.probe_A();
   const Vec3 low = scene.low_A() - Vec3(probe) - nearby_.origin(),
@@ -284,8 +284,8 @@ void MeshTracker::meet(const Vec3& path, Meeting& first) noexcept {
     const Vec3 p = scp_ + path * a, q = scp_ + path * std::min(a + piece, z);
     const Vec3 box_low = glm::min(p, q), box_high = glm::max(p, q);
     scene.visitNearBox(nearby_.origin() + box_low, nearby_.origin() + box_high, probe,
-                       [&](std::uint32_t i, const Ball&) {
-                         const NearBall b = nearby_.ball(std::int32_t(i));
+                       [&](std::uint32_t i, const Sphere&) {
+                         const NearSphere b = nearby_.sphere(std::int32_t(i));
                          const Vec3 apart = glm::max(glm::max(box_low - b.centre, b.centre - box_high), Vec3(0.0));
                          if (b.radius <= 0.0 || std::max({apart.x, apart.y, apart.z}) > b.radius || touches(b.index))
                            return;
@@ -297,7 +297,7 @@ void MeshTracker::meet(const Vec3& path, Meeting& first) noexcept {
 // Faces that the SCP has moved off, or out of, are forgotten; meet() finds them again.
 void MeshTracker::removeSeparated() noexcept {
   int kept = 0, left_count = 0;
-  std::array<Touch, kMostTouching> left;
+  std::array<Touch, kMaxTouching> left;
   for (int k = 0; k < touch_count_; ++k) {
     const Touch& t = touching_[std::size_t(k)];
     if (std::abs(heightOver(t, scp_)) <= SphereMesh::kSkin * t.radius)
@@ -312,8 +312,8 @@ void MeshTracker::removeSeparated() noexcept {
 void MeshTracker::flow(const Vec3& h) noexcept {
   int stuck = 0;
   hold_count_ = 0;
-  for (int piece = 0; piece < kMostPieces && stuck <= kMostStuck; ++piece) {
-    std::array<moltact::Touch, kMostTouching> planes;
+  for (int piece = 0; piece < kMaxPieces && stuck <= kMaxStuck; ++piece) {
+    std::array<moltact::Touch, kMaxTouching> planes;
     for (int k = 0; k < touch_count_; ++k)
       planes[std::size_t(k)] = {face(touching_[std::size_t(k)]).normal, INFINITY, 0.0, k};
     const auto normal = [&](int k) { return planes[std::size_t(k)].normal; };
@@ -364,12 +364,12 @@ void MeshTracker::flow(const Vec3& h) noexcept {
     stuck = moved ? 0 : stuck + 1;
     if (first.face >= 0) {
       if (moved) removeSeparated();
-      if (touch_count_ == kMostTouching) break;
-      const Touch t{first.ball.index, first.face, first.ball.centre, first.ball.radius};
+      if (touch_count_ == kMaxTouching) break;
+      const Touch t{first.sphere.index, first.face, first.sphere.centre, first.sphere.radius};
       scp_ -= face(t).normal * heightOver(t, scp_);
       touching_[std::size_t(touch_count_++)] = t;
       nearby_mesh_count_ = int(std::remove_if(nearby_meshes_.begin(), nearby_meshes_.begin() + nearby_mesh_count_,
-                                              [&](const NearbyMesh& r) { return r.ball.index == t.ball; }) -
+                                              [&](const NearbyMesh& r) { return r.sphere.index == t.sphere; }) -
                                nearby_meshes_.begin());
     } else if (over >= 0) {
       touching_[std::size_t(over)].face = face(touching_[std::size_t(over)]).across[edge];
@@ -379,13 +379,13 @@ void MeshTracker::flow(const Vec3& h) noexcept {
         scp_ = free_from_ = h;
         touch_count_ = 0;
         clear_gap_ = nearby_mesh_gap_ = 0.0;
-        // Between a ball and its mesh the clearance is negative: nothing is known then.
+        // Between a sphere and its mesh the clearance is negative: nothing is known then.
         free_gap_ = options_.coherent ? std::max(0.0, nearby_.clearanceAt(h)) : 0.0;
       } else if (touch_count_ > blocked.count) {  // only what holds is kept, so that the next tick is an ordinary one
         std::array<Touch, 3> kept;
         for (int k = 0; k < blocked.count; ++k)
           kept[std::size_t(k)] = touching_[std::size_t(blocked.by[std::size_t(k)])];
-        const std::array<Touch, kMostTouching> before = touching_;
+        const std::array<Touch, kMaxTouching> before = touching_;
         const int count_before = touch_count_;
         std::copy_n(kept.begin(), blocked.count, touching_.begin());
         touch_count_ = blocked.count;
@@ -449,10 +449,10 @@ bool MeshTracker::setMotion(const SphereMotion* motion) noexcept {
 void MeshTracker::advanceTo(double fraction) noexcept {
   const double had = nearby_.fraction();
   if (fraction == had) return;
-  if (has_been_outside_) nearby_.each(scp_, 0.0, [](const NearBall&) {});  // so that there is a list
+  if (has_been_outside_) nearby_.each(scp_, 0.0, [](const NearSphere&) {});  // so that there is a list
   const double most_A = std::abs(fraction - had) * nearby_.mostMoved_A();
   const int pieces = has_been_outside_ && most_A > kSwelling_A
-                         ? static_cast<int>(std::ceil(std::min(most_A / kSwelling_A, kMostSwellings)))
+                         ? static_cast<int>(std::ceil(std::min(most_A / kSwelling_A, kMaxSwellings)))
                          : 1;
   for (int k = 1; k <= pieces; ++k) {
     nearby_.advanceTo(k == pieces ? fraction : had + (fraction - had) * k / pieces);
@@ -475,9 +475,9 @@ bool MeshTracker::carry() noexcept {
 // Brings the SCP out of the meshes that have grown over it: out of each through the face it is under, in
 // turn, which in a crease or pit leads to a place on all of them. False when it leads nowhere.
 bool MeshTracker::pushOut() noexcept {
-  for (int round = 0; round < kMostPushes; ++round) {
+  for (int round = 0; round < kMaxPushes; ++round) {
     bool inside = false;
-    nearby_.each(scp_, 0.0, [&](const NearBall& b) {
+    nearby_.each(scp_, 0.0, [&](const NearSphere& b) {
       const Vec3 x = scp_ - b.centre;
       if (glm::dot(x, x) >= b.radius * b.radius) return;
       if (x == Vec3(0.0)) return;

@@ -1,6 +1,6 @@
 // A unit sphere in triangles, with all that a constraint tracker needs: planes, the neighbour across each edge, and a
-// tree of bounding boxes. One mesh serves every ball: a ball's triangles are the mesh's, scaled by its radius about its
-// centre, so no ball needs triangles of its own.
+// tree of bounding boxes. One mesh serves every sphere: a sphere's triangles are the mesh's, scaled by its radius about its
+// centre, so no sphere needs triangles of its own.
 //
 // All vertices lie on the sphere, as in the paper's meshes: the mesh is inscribed, and its faces lie up to the sagitta
 // (sagitta()) under the true surface. It is convex, so every edge falls away from both its faces. Made before touching;

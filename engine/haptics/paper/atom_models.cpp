@@ -6,16 +6,16 @@
 
 namespace moltact::paper {
 
-AtomModels::AtomModels(const BallScene& scene) {
-  const std::size_t others = std::min(scene.size() - std::min<std::size_t>(scene.size(), 1), kMostCones);
+AtomModels::AtomModels(const SphereGrid& scene) {
+  const std::size_t others = std::min(scene.size() - std::min<std::size_t>(scene.size(), 1), kMaxCones);
   cones_each_ = others;
-  points_each_ = std::min(others * (others - std::min<std::size_t>(others, 1)), kMostPoints);  // two points a pair
+  points_each_ = std::min(others * (others - std::min<std::size_t>(others, 1)), kMaxPoints);  // two points a pair
   slots_.resize(std::min(scene.size(), kModels));
   cones_.resize(slots_.size() * cones_each_);
   points_.resize(slots_.size() * points_each_);
 }
 
-AtomModel AtomModels::model(const BallScene& scene, std::int32_t atom, double probe_A) noexcept {
+AtomModel AtomModels::model(const SphereGrid& scene, std::int32_t atom, double probe_A) noexcept {
   std::size_t slot = 0;
   for (std::size_t k = 0; k < slots_.size(); ++k) {
     if (slots_[k].atom == atom) {
@@ -31,8 +31,8 @@ AtomModel AtomModels::model(const BallScene& scene, std::int32_t atom, double pr
           {points_.data() + slot * points_each_, slots_[slot].points}};
 }
 
-void AtomModels::prepare(const BallScene& scene, std::size_t slot, std::int32_t atom, double probe_A) noexcept {
-  const Ball& own = scene[std::size_t(atom)];
+void AtomModels::prepare(const SphereGrid& scene, std::size_t slot, std::int32_t atom, double probe_A) noexcept {
+  const Sphere& own = scene[std::size_t(atom)];
   const double R = own.radius_A + probe_A;
   Cone* const cones = cones_.data() + slot * cones_each_;
   std::size_t count = 0;
@@ -41,10 +41,10 @@ void AtomModels::prepare(const BallScene& scene, std::size_t slot, std::int32_t 
   const auto before = [](const Cone& a, const Cone& b) {
     return a.circle.height != b.circle.height ? a.circle.height < b.circle.height : a.neighbour < b.neighbour;
   };
-  // A heap with the least deep cut on top holds the deepest kMostCones of any number of neighbours.
-  scene.visitNear(own.centre_A, R + probe_A, [&](std::uint32_t index, const Ball& ball) {
+  // A heap with the least deep cut on top holds the deepest kMaxCones of any number of neighbours.
+  scene.visitNear(own.centre_A, R + probe_A, [&](std::uint32_t index, const Sphere& sphere) {
     if (std::int32_t(index) == atom) return;
-    const auto circle = intersectionCircle(own.centre_A, R, ball.centre_A, ball.radius_A + probe_A);
+    const auto circle = intersectionCircle(own.centre_A, R, sphere.centre_A, sphere.radius_A + probe_A);
     if (!circle) return;
     const Cone cone{*circle, own.centre_A, atom, std::int32_t(index)};
     if (count == cones_each_) {
@@ -61,8 +61,8 @@ void AtomModels::prepare(const BallScene& scene, std::size_t slot, std::int32_t 
   std::size_t point_count = 0;
   for (std::size_t j = 0; j < count; ++j)
     for (std::size_t i = 0; i < j && point_count + 2 <= points_each_; ++i) {
-      const Ball& second = scene[std::size_t(cones[i].neighbour)];
-      const Ball& third = scene[std::size_t(cones[j].neighbour)];
+      const Sphere& second = scene[std::size_t(cones[i].neighbour)];
+      const Sphere& third = scene[std::size_t(cones[j].neighbour)];
       const auto both = intersectionPoints(cones[i].circle, third.centre_A, third.radius_A + probe_A);
       if (!both) continue;
       // A point has three circles: two spheres that only touch have none, whatever rounding makes of their

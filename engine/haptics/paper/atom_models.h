@@ -8,8 +8,8 @@
 #include <span>
 #include <vector>
 
-#include "engine/haptics/ball_scene.h"
 #include "engine/haptics/paper/cone.h"
+#include "engine/haptics/sphere_grid.h"
 
 namespace moltact::paper {
 
@@ -29,8 +29,8 @@ struct AtomModel {
 /// have with the water probe about 50 cones and 950 points each; twice as dense ones have 94 and 3200. Beyond a limit
 /// the shallowest cones, and the points of the later pairs of cones, are left out: the tracker then does not stop at
 /// those circles and points.
-inline constexpr std::size_t kMostCones = 128;
-inline constexpr std::size_t kMostPoints = 4096;
+inline constexpr std::size_t kMaxCones = 128;
+inline constexpr std::size_t kMaxPoints = 4096;
 
 /// The number of atoms held at once: more than usually meet in a pit, so that a HIP that stays in one prepares nothing
 /// new.
@@ -38,10 +38,10 @@ inline constexpr std::size_t kModels = 16;
 
 class AtomModels {
  public:
-  explicit AtomModels(const BallScene& scene);
+  explicit AtomModels(const SphereGrid& scene);
 
-  /// The model of an atom for balls inflated by probe_A, prepared now if it is not held.
-  AtomModel model(const BallScene& scene, std::int32_t atom, double probe_A) noexcept;
+  /// The model of an atom for spheres inflated by probe_A, prepared now if it is not held.
+  AtomModel model(const SphereGrid& scene, std::int32_t atom, double probe_A) noexcept;
 
   /// Gives up all models: the probe has changed.
   void clear() noexcept;
@@ -55,7 +55,7 @@ class AtomModels {
     std::uint64_t used = 0;
     std::size_t cones = 0, points = 0;
   };
-  void prepare(const BallScene& scene, std::size_t slot, std::int32_t atom, double probe_A) noexcept;
+  void prepare(const SphereGrid& scene, std::size_t slot, std::int32_t atom, double probe_A) noexcept;
 
   std::size_t cones_each_, points_each_;
   std::vector<Slot> slots_;

@@ -8,7 +8,7 @@
 
 namespace moltact {
 
-PaperTracker::PaperTracker(std::shared_ptr<const BallScene> scene, double probe_A)
+PaperTracker::PaperTracker(std::shared_ptr<const SphereGrid> scene, double probe_A)
     : scene_(std::move(scene)), models_((assert(scene_), *scene_)) {
   setProbe(probe_A);
 }
@@ -65,8 +65,8 @@ Contact PaperTracker::step(PointA hip) noexcept {
 std::int32_t PaperTracker::deepestAtomAround(const Vec3& hip) const {
   std::int32_t deepest = -1;
   double depth = 0.0;
-  scene_->visitNear(hip, probe_, [&](std::uint32_t index, const Ball& ball) {
-    const double here = ball.radius_A + probe_ - glm::distance(hip, ball.centre_A);
+  scene_->visitNear(hip, probe_, [&](std::uint32_t index, const Sphere& sphere) {
+    const double here = sphere.radius_A + probe_ - glm::distance(hip, sphere.centre_A);
     if (here > depth || (here == depth && here > 0.0 && std::int32_t(index) < deepest)) {
       depth = here;
       deepest = std::int32_t(index);

@@ -6,9 +6,9 @@
 #include <memory>
 #include <optional>
 
-#include "engine/haptics/ball_scene.h"
 #include "engine/haptics/paper/atom_models.h"
 #include "engine/haptics/paper/intersection_point.h"
+#include "engine/haptics/sphere_grid.h"
 #include "engine/haptics/tracker.h"
 
 namespace moltact {
@@ -21,7 +21,7 @@ class PaperTracker final : public Tracker {
   static constexpr double kEpsilon_A = 0.1;
 
   /// `scene` must not be null (asserted). The probe is clamped as in setProbe; a non-finite one gives water's.
-  PaperTracker(std::shared_ptr<const BallScene> scene, double probe_A);
+  PaperTracker(std::shared_ptr<const SphereGrid> scene, double probe_A);
 
   Contact step(PointA hip) noexcept override;
   void reset() noexcept override;
@@ -43,7 +43,7 @@ class PaperTracker final : public Tracker {
   void followCone(const Vec3& hip);
   Contact contact(PointA hip) const;
 
-  std::shared_ptr<const BallScene> scene_;
+  std::shared_ptr<const SphereGrid> scene_;
   double probe_ = kWaterProbe_A;
   paper::AtomModels models_;
 

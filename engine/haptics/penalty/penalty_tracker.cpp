@@ -7,7 +7,7 @@
 #include "engine/haptics/sweep.h"
 
 namespace moltact {
-PenaltyTracker::PenaltyTracker(std::shared_ptr<const BallScene> scene, double probe_A) : nearby_(std::move(scene)) {
+PenaltyTracker::PenaltyTracker(std::shared_ptr<const SphereGrid> scene, double probe_A) : nearby_(std::move(scene)) {
   nearby_.setProbe(usableProbe_A(probe_A, kWaterProbe_A));
 }
 
@@ -45,14 +45,14 @@ Contact PenaltyTracker::step(PointA hip) noexcept {
 
   struct Push {
     double depth;
-    std::int32_t ball;
+    std::int32_t sphere;
     Vec3 outward;
   };
   Push most[3];  // the deepest, deepest first
   Vec3 sum(0.0), squares(0.0), products(0.0);
   double energy_A2 = 0.0;
   int count = 0;
-  nearby_.each(h, 0.0, [&](const NearBall& b) {
+  nearby_.each(h, 0.0, [&](const NearSphere& b) {
     const Vec3 m = h - b.centre;
     const double d2 = glm::dot(m, m);
     if (d2 >= b.radius * b.radius) return;
@@ -83,11 +83,11 @@ Contact PenaltyTracker::step(PointA hip) noexcept {
       .scp = {last_}, .feature = Feature(std::min(count, 3)), .displacement_A = last_ - hip.A, .energy_A2 = energy_A2};
   for (int k = 0; k < std::min(count, 3); ++k) {
     int at = k;
-    for (; at > 0 && out.atoms[at - 1] > most[k].ball; --at) {
+    for (; at > 0 && out.atoms[at - 1] > most[k].sphere; --at) {
       out.atoms[at] = out.atoms[at - 1];
       out.normals[at] = out.normals[at - 1];
     }
-    out.atoms[at] = most[k].ball;
+    out.atoms[at] = most[k].sphere;
     out.normals[at] = most[k].outward;
   }
   return out;
@@ -100,7 +100,7 @@ Response PenaltyTracker::respond(const PoseA& pose) noexcept {
 }
 
 // The greatest eigenvalue of the sum of n n^T over the directions of the pushes, by Smith's closed form (1961). Along a
-// ball's radius its spring is as stiff as any; across it, it pushes outward the more, which is no stiffness.
+// sphere's radius its spring is as stiff as any; across it, it pushes outward the more, which is no stiffness.
 double PenaltyTracker::stiffestDirection() const noexcept {
   const double mean = (squares_.x + squares_.y + squares_.z) / 3.0;
   const Vec3 d = squares_ - mean;

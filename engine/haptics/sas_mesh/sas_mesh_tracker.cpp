@@ -12,12 +12,12 @@ namespace {
 constexpr double kCorner_A = 1e-9;  // so near a corner is on it
 constexpr double kMoved_A = 1e-12;
 constexpr double kInto = 1e-10;  // sine of the angle from which a path leads over a border and not along it
-constexpr int kMostStuck = 24;
-constexpr int kMostIterations = 8;  // changes between flight and sliding in a tick
+constexpr int kMaxStuck = 24;
+constexpr int kMaxIterations = 8;  // changes between flight and sliding in a tick
 
 }  // namespace
 
-SasMeshTracker::SasMeshTracker(std::shared_ptr<const BallScene> scene, double probe_A, double spacing_A)
+SasMeshTracker::SasMeshTracker(std::shared_ptr<const SphereGrid> scene, double probe_A, double spacing_A)
     : scene_(std::move(scene)),
       probe_(usableProbe_A(probe_A, kWaterProbe_A)),
       margin_(2.0 * spacing_A),
@@ -31,7 +31,7 @@ void SasMeshTracker::reset() noexcept {
 }
 
 MemoryUsage SasMeshTracker::memoryUsage() const noexcept {
-  return {mesh_->balls(), sizeof(*this) + mesh_->bytes() + scene_->bytes()};
+  return {mesh_->spheres(), sizeof(*this) + mesh_->bytes() + scene_->bytes()};
 }
 
 Contact SasMeshTracker::step(PointA hip) noexcept {
@@ -54,7 +54,7 @@ Contact SasMeshTracker::step(PointA hip) noexcept {
     }
   }
   SlideResult result = SlideResult::Short;
-  for (int i = 0; i < kMostIterations; ++i) {
+  for (int i = 0; i < kMaxIterations; ++i) {
     if (on_ != On::Nothing) {
       result = walk(h);
       if (result == SlideResult::Leaves) on_ = On::Nothing;
@@ -68,7 +68,7 @@ Contact SasMeshTracker::step(PointA hip) noexcept {
   Contact out{.scp = {origin_ + scp_}, .feature = Feature::Sphere};
   stretchToScp(out, hip);
   if (on_ == On::Nothing) return out;
-  out.atoms[0] = mesh_->triangles()[std::size_t(triangle_)].ball;
+  out.atoms[0] = mesh_->triangles()[std::size_t(triangle_)].sphere;
   out.normals[0] = outward();
   return out;
 }
@@ -147,12 +147,12 @@ void SasMeshTracker::goToCorner(std::int32_t triangle, std::int32_t corner) noex
     w.in_left = glm::cross(glm::normalize(left), w.normal);
     corner_normal_ += w.normal * std::atan2(sine, glm::dot(right, left));
     at = t.across[(k + 2) % 3];  // beyond the edge on the left
-  } while (at != triangle && round_count_ < kMostRound);
+  } while (at != triangle && round_count_ < kMaxRound);
 }
 
 SasMeshTracker::SlideResult SasMeshTracker::walk(const Vec3& h) noexcept {
   int stuck = 0;
-  for (int piece = 0; piece < kMostPieces && stuck < kMostStuck; ++piece) {
+  for (int piece = 0; piece < kMaxPieces && stuck < kMaxStuck; ++piece) {
     const SlideResult result = on_ == On::Triangle ? overTriangle(h, stuck)
                                : on_ == On::Edge   ? alongEdge(h, stuck)
                                                    : fromCorner(h, stuck);

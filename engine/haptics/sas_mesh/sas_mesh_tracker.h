@@ -7,8 +7,8 @@
 //
 // It works only for the probe that it was made for: another probe would need another mesh, so setProbe() changes
 // nothing. Known failures, pinned by tests: as for any triangles the SCP lags at a facet's edge and then jumps, and the
-// force rotates by the angle between facets; a gap narrower than a cell of the mesh's grid may be closed, and a ball
-// smaller than one missed. Feature: Sphere with the triangle's ball. Haptic thread; no allocation after construction.
+// force rotates by the angle between facets; a gap narrower than a cell of the mesh's grid may be closed, and a sphere
+// smaller than one missed. Feature: Sphere with the triangle's sphere. Haptic thread; no allocation after construction.
 // Units: angstrom.
 #pragma once
 
@@ -21,7 +21,7 @@ namespace moltact {
 
 class SasMeshTracker final : public Tracker {
  public:
-  SasMeshTracker(std::shared_ptr<const BallScene> scene, double probe_A, double spacing_A);
+  SasMeshTracker(std::shared_ptr<const SphereGrid> scene, double probe_A, double spacing_A);
 
   Contact step(PointA hip) noexcept override;
   void reset() noexcept override;
@@ -34,13 +34,13 @@ class SasMeshTracker final : public Tracker {
   /// Ticks in which the SCP did not come to rest; it then lags, outside.
   std::uint64_t cutShort() const noexcept { return cut_short_; }
 
-  static constexpr int kMostPieces = 512;
+  static constexpr int kMaxPieces = 512;
 
  private:
   enum class On : std::uint8_t { Nothing, Triangle, Edge, Corner };
   enum class SlideResult : std::uint8_t { Arrived, Meets, Leaves, Rests, Short };
-  static constexpr std::size_t kMostRound = 32;  // triangles round a corner
-  struct Wedge {                                 // one of those, with its edge on the right seen from outside
+  static constexpr std::size_t kMaxRound = 32;  // triangles round a corner
+  struct Wedge {                                // one of those, with its edge on the right seen from outside
     std::int32_t triangle;
     std::int32_t edge;  // of the triangle: leads from the corner
     Vec3 normal, along, in_right, in_left;
@@ -56,7 +56,7 @@ class SasMeshTracker final : public Tracker {
   void goToEdge(std::int32_t triangle, std::int32_t edge) noexcept;
   void goToCorner(std::int32_t triangle, std::int32_t corner) noexcept;
 
-  std::shared_ptr<const BallScene> scene_;
+  std::shared_ptr<const SphereGrid> scene_;
   double probe_, margin_;
   Vec3 origin_;
   std::shared_ptr<const SurfaceMesh> mesh_;
@@ -70,7 +70,7 @@ class SasMeshTracker final : public Tracker {
   std::size_t other_edge_ = 0;
   Vec3 edge_from_{0.0}, edge_along_{0.0};
   double edge_length_ = 0.0;
-  std::array<Wedge, kMostRound> round_;  // on a corner
+  std::array<Wedge, kMaxRound> round_;  // on a corner
   std::size_t round_count_ = 0;
   Vec3 corner_normal_{0.0};
   Vec3 free_from_{0.0};  // free: the mesh is not within free_gap_ of this place

@@ -26,10 +26,10 @@ std::uint64_t spread(std::uint64_t x) {
 
 }  // namespace
 
-std::shared_ptr<const SurfaceMesh> SurfaceMesh::of(const std::shared_ptr<const BallScene>& scene, double probe_A,
+std::shared_ptr<const SurfaceMesh> SurfaceMesh::of(const std::shared_ptr<const SphereGrid>& scene, double probe_A,
                                                    double spacing_A, const Vec3& origin) {
   struct Kept {
-    std::weak_ptr<const BallScene> scene;
+    std::weak_ptr<const SphereGrid> scene;
     double probe_A = -1;
     Vec3 origin{0.0};
     std::shared_ptr<const SurfaceMesh> mesh;
@@ -45,14 +45,14 @@ std::shared_ptr<const SurfaceMesh> SurfaceMesh::of(const std::shared_ptr<const B
   return one.mesh;
 }
 
-SurfaceMesh::SurfaceMesh(const BallScene& scene, double probe_A, double spacing_A, const Vec3& origin) {
+SurfaceMesh::SurfaceMesh(const SphereGrid& scene, double probe_A, double spacing_A, const Vec3& origin) {
   UnionSurface surface = unionSurface(scene, probe_A, spacing_A, origin);
   vertices_ = std::move(surface.vertices);
   std::vector<bool> felt(scene.size());
   triangles_.reserve(surface.triangles.size());
   for (const UnionSurface::Triangle& t : surface.triangles) {
-    triangles_.push_back({t.corners, {-1, -1, -1}, t.ball});
-    if (!felt[std::size_t(t.ball)]) felt[std::size_t(t.ball)] = true, ++balls_;
+    triangles_.push_back({t.corners, {-1, -1, -1}, t.sphere});
+    if (!felt[std::size_t(t.sphere)]) felt[std::size_t(t.sphere)] = true, ++spheres_;
   }
   surface = {};
   sortByPlace();

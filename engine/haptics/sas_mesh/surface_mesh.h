@@ -1,11 +1,11 @@
-// One closed mesh of the solvent-accessible surface: the boundary of the union of all balls, inflated by the probe,
-// without the triangles that lie buried in other balls. It has all that a constraint tracker needs: the neighbour
+// One closed mesh of the solvent-accessible surface: the boundary of the union of all spheres, inflated by the probe,
+// without the triangles that lie buried in other spheres. It has all that a constraint tracker needs: the neighbour
 // across each edge and a tree of bounding boxes.
 //
 // How it is made: the union is sampled at the nodes of a grid. Every cell whose corners differ gets a vertex for each
 // sheet of the surface that passes through it, and every grid edge whose ends differ gets a polygon of the vertices
 // round it (dual marching cubes: Ju and others 2002, Nielson 2004). A vertex is put on the sphere that its sheet
-// belongs to; where a crease or pit of two or three balls passes through the cell, it is put on their circle or point.
+// belongs to; where a crease or pit of two or three spheres passes through the cell, it is put on their circle or point.
 // So the triangles end at the creases, and no corner is cut. Where a face of the grid has four crossings, their two
 // segments get a vertex each, so that the mesh is a manifold: every edge has two triangles. A gap or a bridge narrower
 // than a cell may be missed or closed.
@@ -19,7 +19,7 @@
 #include <memory>
 #include <vector>
 
-#include "engine/haptics/ball_scene.h"
+#include "engine/haptics/sphere_grid.h"
 
 namespace moltact {
 
@@ -28,7 +28,7 @@ class SurfaceMesh {
   struct Triangle {
     std::array<std::int32_t, 3> corners;  ///< vertices, the right way round seen from outside
     std::array<std::int32_t, 3> across;   ///< the triangle beyond the edge from corner k to k + 1
-    std::int32_t ball;                    ///< whose surface it is a part of
+    std::int32_t sphere;                  ///< whose surface it is a part of
   };
   /// A triangle's plane and borders.
   struct Plane {
@@ -39,15 +39,15 @@ class SurfaceMesh {
   };
 
   /// The last mesh of each spacing is kept: asking again for the same scene and probe costs nothing.
-  static std::shared_ptr<const SurfaceMesh> of(const std::shared_ptr<const BallScene>& scene, double probe_A,
+  static std::shared_ptr<const SurfaceMesh> of(const std::shared_ptr<const SphereGrid>& scene, double probe_A,
                                                double spacing_A, const Vec3& origin);
 
-  SurfaceMesh(const BallScene& scene, double probe_A, double spacing_A, const Vec3& origin);
+  SurfaceMesh(const SphereGrid& scene, double probe_A, double spacing_A, const Vec3& origin);
 
   const std::vector<Vec3>& vertices() const { return vertices_; }
   const std::vector<Triangle>& triangles() const { return triangles_; }
   Plane plane(std::int32_t triangle) const noexcept;
-  std::size_t balls() const { return balls_; }  ///< the balls that have a part in the surface
+  std::size_t spheres() const { return spheres_; }  ///< the spheres that have a part in the surface
   std::size_t bytes() const;
 
   struct Hit {
@@ -78,7 +78,7 @@ class SurfaceMesh {
         count;  // a leaf's triangles; inner nodes: count 0, the left child follows, `first` is the right one
   };
   std::vector<Node> nodes_;
-  std::size_t balls_ = 0;
+  std::size_t spheres_ = 0;
 };
 
 }  // namespace moltact

@@ -14,12 +14,12 @@ constexpr double kInset =
     0.002;  // of the spacing: a vertex keeps so far from its cell's border, so that no two coincide
 constexpr double kDamping = 1e-3;  // of the steps to a vertex's place
 constexpr double kBuried =
-    0.05;  // weight of lying in a ball against lying off it: a dent lets the SCP by, a dam stops it
-constexpr int kMostRounds = 40;
+    0.05;  // weight of lying in a sphere against lying off it: a dent lets the SCP by, a dam stops it
+constexpr int kMaxRounds = 40;
 constexpr double kDent = 0.5;  // the same where vertices are mended
 constexpr double kBad = 0.05;  // of the spacing: a vertex so far off is mended
 constexpr int kMendings = 4;
-constexpr double kOutside_A = 1e-7;  // a vertex may lie so deep in a ball
+constexpr double kOutside_A = 1e-7;  // a vertex may lie so deep in a sphere
 
 // Corner k of a cell lies at (k & 1, k >> 1 & 1, k >> 2); edge 4 a + m runs along axis a from the corner whose offset
 // along the next axis is m & 1 and along the one after it m >> 1.
@@ -97,7 +97,7 @@ struct Inflated {
 
 struct Crossing {
   Vec3 place;
-  int ball;  // in the block's list
+  int sphere;  // in the block's list
 };
 
 // A polygon's corner: the edge of the grid that it is round, which of the four places about it, and the vertex.
@@ -105,17 +105,17 @@ struct Corner {
   std::uint64_t edge;
   std::uint8_t place;  // twice the cell's number round the edge; odd: the segment between that cell and the next
   bool low_inside;
-  std::int32_t vertex, ball;
+  std::int32_t vertex, sphere;
 };
 
 class Maker {
  public:
-  Maker(const BallScene& scene, double probe, double spacing, const Vec3& origin)
+  Maker(const SphereGrid& scene, double probe, double spacing, const Vec3& origin)
       : scene_(scene), probe_(probe), h_(spacing), origin_(origin) {}
 
   UnionSurface make() {
     if (scene_.size() == 0) return {};
-    // Off the round numbers that balls are put at.
+    // Off the round numbers that spheres are put at.
     zero_ = 0.5 * (scene_.low_A() + scene_.high_A()) - origin_ + Vec3(0.371, 0.289, 0.433) * h_;
     std::vector<std::uint64_t> blocks = crossedBlocks();
     for (const std::uint64_t block : blocks) contour(block);
@@ -133,16 +133,16 @@ class Maker {
     return {zero_.x + h_ * double(x), zero_.y + h_ * double(y), zero_.z + h_ * double(z)};
   }
 
-  // Blocks that some ball's sphere passes through.
+  // Blocks that some sphere's sphere passes through.
   std::vector<std::uint64_t> crossedBlocks() const {
     std::vector<std::uint64_t> out;
     const double size = h_ * kBlock;
     for (std::size_t i = 0; i < scene_.size(); ++i) {
       if (!scene_.touchable(i)) continue;
-      const Ball& ball = scene_[i];
-      const double r = ball.radius_A + probe_;
+      const Sphere& sphere = scene_[i];
+      const double r = sphere.radius_A + probe_;
       if (r <= 0.0) continue;
-      const Vec3 c = (ball.centre_A - origin_ - zero_) / size;
+      const Vec3 c = (sphere.centre_A - origin_ - zero_) / size;
       const double reach = r / size + 1e-6;
       const auto low = glm::floor(c - Vec3(reach)), high = glm::floor(c + Vec3(reach));
       for (double x = low.x; x <= high.x; ++x)
@@ -167,7 +167,7 @@ class Maker {
     const Vec3 middle = node(first_[0], first_[1], first_[2]) + Vec3(0.5 * h_ * kBlock);
     near_.clear();
     bool covered = false;
-    scene_.visitNear(origin_ + middle, probe_ + half, [&](std::uint32_t i, const Ball& b) {
+    scene_.visitNear(origin_ + middle, probe_ + half, [&](std::uint32_t i, const Sphere& b) {
       const Inflated n{b.centre_A - origin_, b.radius_A + probe_, std::int32_t(i)};
       const double far = glm::distance(n.centre, middle);
       if (far > n.radius + half || n.radius <= 0.0) return;
@@ -200,7 +200,7 @@ class Maker {
 
   bool isInside(int x, int y, int z) const { return inside_[std::size_t(x + kNodes * (y + kNodes * z))]; }
 
-  // Where an edge, from its end outside, first enters a ball.
+  // Where an edge, from its end outside, first enters a sphere.
   Crossing crossing(const Vec3& outside, const Vec3& inside) const {
     const Vec3 edge = inside - outside;
     const double a = glm::dot(edge, edge);
@@ -211,7 +211,7 @@ class Maker {
       const double b = glm::dot(m, edge), c = glm::dot(m, m) - near_[k].radius * near_[k].radius, root2 = b * b - a * c;
       if (b >= 0.0 || root2 < 0.0) continue;
       const double t = std::max(0.0, c / (-b + std::sqrt(root2)));  // (-b - root) / a without its loss of digits
-      if (t <= least) least = t, out.ball = int(k);
+      if (t <= least) least = t, out.sphere = int(k);
     }
     out.place = outside + edge * least;
     return out;
@@ -246,9 +246,10 @@ class Maker {
       const int db = e % 4 & 1, dc = e % 4 >> 1;
       // The cell lies at (-db, -dc) of the edge; in order round it: (0, 0), (-1, 0), (-1, -1), (0, -1).
       const int round_edge = dc ? (db ? 2 : 3) : (db ? 1 : 0);
-      const int ball = cross[std::size_t(e)].ball;
+      const int sphere = cross[std::size_t(e)].sphere;
       corners_.push_back({edgeKey(at, e), std::uint8_t(2 * round_edge), (mask >> lowCorner(e) & 1) != 0,
-                          first_vertex + s.of_edge[std::size_t(e)], ball < 0 ? -1 : near_[std::size_t(ball)].index});
+                          first_vertex + s.of_edge[std::size_t(e)],
+                          sphere < 0 ? -1 : near_[std::size_t(sphere)].index});
     }
     for (int axis = 0; axis < 3; ++axis)
       if (s.four[std::size_t(axis)]) segments(at, axis, mask, cross);
@@ -287,12 +288,12 @@ class Maker {
     return sum / double(cross.size());
   }
 
-  double depth(const Vec3& x, int ball) const {
-    const Inflated& n = near_[std::size_t(ball)];
+  double depth(const Vec3& x, int sphere) const {
+    const Inflated& n = near_[std::size_t(sphere)];
     return n.radius - glm::distance(x, n.centre);
   }
 
-  // The ball that the place lies deepest in, if deeper than rounding; -1.
+  // The sphere that the place lies deepest in, if deeper than rounding; -1.
   int deepest(const Vec3& x) const {
     int out = -1;
     double most = kOutside_A;
@@ -303,12 +304,12 @@ class Maker {
 
   // The place in the box that lies best on all of the spheres at once: on the circle or point where they meet, if they
   // do so there. Damped Gauss-Newton steps from x, none out of the box.
-  Vec3 bestOn(std::span<const int> balls, Vec3 x, const Vec3& low, const Vec3& high) const {
-    for (int round = 0; round < kMostRounds; ++round) {
+  Vec3 bestOn(std::span<const int> spheres, Vec3 x, const Vec3& low, const Vec3& high) const {
+    for (int round = 0; round < kMaxRounds; ++round) {
       // (J^T J + damping) step = -J^T off, J's rows the normals
       double xx = kDamping, yy = kDamping, zz = kDamping, xy = 0, xz = 0, yz = 0;
       Vec3 down(0.0);
-      for (const int k : balls) {
+      for (const int k : spheres) {
         const Vec3 m = x - near_[std::size_t(k)].centre;
         const double d = glm::length(m);
         if (d < 1e-6) continue;
@@ -322,7 +323,7 @@ class Maker {
       const Vec3 least = low - x, most = high - x;
       if (glm::clamp(step, least, most) != step) {  // the best step within the box, axis by axis in turn
         step = glm::clamp(step, least, most);
-        for (int sweep = 0; sweep < kMostRounds; ++sweep)
+        for (int sweep = 0; sweep < kMaxRounds; ++sweep)
           for (int k = 0; k < 3; ++k)
             step[k] = std::clamp(step[k] + (down[k] - glm::dot(whole[k], step)) / whole[k][k], least[k], most[k]);
       }
@@ -332,22 +333,22 @@ class Maker {
     return x;
   }
 
-  // A sheet's vertex. Where it lies in a ball that crosses none of the cell's edges, that one comes up into the crease.
+  // A sheet's vertex. Where it lies in a sphere that crosses none of the cell's edges, that one comes up into the crease.
   Vec3 placeOf(std::span<const Crossing> cross, const Vec3& low, const Vec3& high) const {
-    std::array<int, 16> balls;
+    std::array<int, 16> spheres;
     std::size_t count = 0;
     const auto known = [&](int k) {
-      return std::find(balls.begin(), balls.begin() + count, k) != balls.begin() + count;
+      return std::find(spheres.begin(), spheres.begin() + count, k) != spheres.begin() + count;
     };
     for (const Crossing& c : cross)
-      if (c.ball >= 0 && !known(c.ball)) balls[count++] = c.ball;
+      if (c.sphere >= 0 && !known(c.sphere)) spheres[count++] = c.sphere;
     const Vec3 mean = glm::clamp(meanOf(cross), low, high);
-    Vec3 x = bestOn({balls.data(), count}, mean, low, high);
+    Vec3 x = bestOn({spheres.data(), count}, mean, low, high);
     for (int more = 0; more < 3; ++more) {
       const int other = deepest(x);
       if (other < 0 || known(other)) break;
-      balls[count++] = other;
-      x = bestOn({balls.data(), count}, mean, low, high);
+      spheres[count++] = other;
+      x = bestOn({spheres.data(), count}, mean, low, high);
     }
     return x;
   }
@@ -359,29 +360,29 @@ class Maker {
     std::vector<std::int32_t> ring;
     for (std::size_t first = 0, last; first < corners_.size(); first = last) {
       ring.clear();
-      std::int32_t ball = -1;
+      std::int32_t sphere = -1;
       for (last = first; last < corners_.size() && corners_[last].edge == corners_[first].edge; ++last) {
         ring.push_back(corners_[last].vertex);
-        if (corners_[last].ball >= 0) ball = corners_[last].ball;
+        if (corners_[last].sphere >= 0) sphere = corners_[last].sphere;
       }
       if (!corners_[first].low_inside) std::reverse(ring.begin(), ring.end());
-      if (ball < 0) ball = 0;
-      cut(ring, ball);
+      if (sphere < 0) sphere = 0;
+      cut(ring, sphere);
     }
     corners_ = {};
   }
 
-  // How well a triangle faces out of its ball (1: its corners' own direction).
-  double facing(std::int32_t a, std::int32_t b, std::int32_t c, std::int32_t ball) const {
+  // How well a triangle faces out of its sphere (1: its corners' own direction).
+  double facing(std::int32_t a, std::int32_t b, std::int32_t c, std::int32_t sphere) const {
     const Vec3 &p = out_.vertices[std::size_t(a)], &q = out_.vertices[std::size_t(b)],
                &r = out_.vertices[std::size_t(c)];
     const Vec3 normal = glm::cross(q - p, r - p),
-               out = (p + q + r) / 3.0 - (scene_[std::size_t(ball)].centre_A - origin_);
+               out = (p + q + r) / 3.0 - (scene_[std::size_t(sphere)].centre_A - origin_);
     const double size = glm::length(normal) * glm::length(out);
     return size > 1e-30 ? glm::dot(normal, out) / size : -1.0;
   }
 
-  void cut(const std::vector<std::int32_t>& ring, std::int32_t ball) {
+  void cut(const std::vector<std::int32_t>& ring, std::int32_t sphere) {
     // A fan from the corner from which the worst triangle faces out best.
     std::size_t from = 0;
     double best = -2.0;
@@ -389,11 +390,11 @@ class Maker {
     for (std::size_t start = 0; start < (n == 4 ? 2 : n); ++start) {
       double worst = 2.0;
       for (std::size_t k = 1; k + 1 < n; ++k)
-        worst = std::min(worst, facing(ring[start], ring[(start + k) % n], ring[(start + k + 1) % n], ball));
+        worst = std::min(worst, facing(ring[start], ring[(start + k) % n], ring[(start + k + 1) % n], sphere));
       if (worst > best) best = worst, from = start;
     }
     for (std::size_t k = 1; k + 1 < n; ++k)
-      out_.triangles.push_back({{ring[from], ring[(from + k) % n], ring[(from + k + 1) % n]}, ball});
+      out_.triangles.push_back({{ring[from], ring[(from + k) % n], ring[(from + k + 1) % n]}, sphere});
   }
 
   // Where creases run closer together than a cell one vertex cannot lie on all of them, and the triangles about it
@@ -422,10 +423,10 @@ class Maker {
       const auto& t = out_.triangles[std::size_t(k)];
       for (const std::int32_t c : t.corners)  // no two vertices in one place
         if (std::size_t(c) != v && glm::distance(x, out_.vertices[std::size_t(c)]) < kInset * h_) return 1e3;
-      const Ball& b = scene_[std::size_t(t.ball)];
+      const Sphere& b = scene_[std::size_t(t.sphere)];
       const double off = glm::distance(x, b.centre_A - origin_) - b.radius_A - probe_;
       worst = std::max({worst, (off > 0.0 ? 1.0 : -kDent) * off / h_,
-                        0.5 * (1.0 - facing(t.corners[0], t.corners[1], t.corners[2], t.ball))});
+                        0.5 * (1.0 - facing(t.corners[0], t.corners[1], t.corners[2], t.sphere))});
     }
     return worst;
   }
@@ -441,10 +442,10 @@ class Maker {
       const auto& t = out_.triangles[std::size_t(k)];
       for (const std::int32_t c : t.corners)
         middle += out_.vertices[std::size_t(c)] * (std::size_t(c) == v ? 0.0 : 0.5 / double(star.size()));
-      const Ball& b = scene_[std::size_t(t.ball)];
+      const Sphere& b = scene_[std::size_t(t.sphere)];
       if (near_.size() < all.size() &&
-          std::none_of(near_.begin(), near_.end(), [&](const Inflated& there) { return there.index == t.ball; }))
-        near_.push_back({b.centre_A - origin_, b.radius_A + probe_, t.ball});
+          std::none_of(near_.begin(), near_.end(), [&](const Inflated& there) { return there.index == t.sphere; }))
+        near_.push_back({b.centre_A - origin_, b.radius_A + probe_, t.sphere});
     }
     const auto attempt = [&](std::span<const int> of) {
       for (const Vec3& from : {was, middle}) {
@@ -465,7 +466,7 @@ class Maker {
     out_.vertices[v] = best;
   }
 
-  const BallScene& scene_;
+  const SphereGrid& scene_;
   double probe_, h_;
   Vec3 origin_, zero_{0.0};
   std::array<std::int64_t, 3> first_{};  // the block's first node
@@ -477,7 +478,7 @@ class Maker {
 
 }  // namespace
 
-UnionSurface unionSurface(const BallScene& scene, double probe_A, double spacing_A, const Vec3& origin) {
+UnionSurface unionSurface(const SphereGrid& scene, double probe_A, double spacing_A, const Vec3& origin) {
   const Vec3 wide = scene.high_A() - scene.low_A();
   const double widest = std::max({wide.x, wide.y, wide.z}) + 2.0 * probe_A;
   return Maker(scene, probe_A, std::max(spacing_A, widest / double(kHalf)), origin).make();

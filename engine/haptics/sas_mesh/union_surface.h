@@ -1,4 +1,4 @@
-// The boundary of a union of balls as vertices and triangles, from which SurfaceMesh is made. Before touching;
+// The boundary of a union of spheres as vertices and triangles, from which SurfaceMesh is made. Before touching;
 // allocates. Units: angstrom; places relative to the given origin.
 #pragma once
 
@@ -6,14 +6,14 @@
 #include <cstdint>
 #include <vector>
 
-#include "engine/haptics/ball_scene.h"
+#include "engine/haptics/sphere_grid.h"
 
 namespace moltact {
 
 struct UnionSurface {
   struct Triangle {
     std::array<std::int32_t, 3> corners;
-    std::int32_t ball;
+    std::int32_t sphere;
   };
   std::vector<Vec3> vertices;
   std::vector<Triangle> triangles;
@@ -21,6 +21,6 @@ struct UnionSurface {
 
 /// `spacing_A`: the spacing of the grid on which the union is sampled; a scene wider than half a million of them gets a
 /// larger one.
-UnionSurface unionSurface(const BallScene& scene, double probe_A, double spacing_A, const Vec3& origin);
+UnionSurface unionSurface(const SphereGrid& scene, double probe_A, double spacing_A, const Vec3& origin);
 
 }  // namespace moltact

@@ -10,12 +10,12 @@ namespace moltact {
 
 void VirtualTouch::begin(std::shared_ptr<const Molecule> molecule, const SceneSpec& scene) {
   const std::vector<std::uint32_t> untouchable = untouchableAtoms(scene, *molecule);
-  body_ = scene.in_hand.given() ? heldBody(molecule->balls, heldAtoms(scene, *molecule)) : nullptr;
-  if (molecule != molecule_ || balls_->untouchable() != untouchable) {
+  body_ = scene.in_hand.given() ? heldBody(molecule->spheres, heldAtoms(scene, *molecule)) : nullptr;
+  if (molecule != molecule_ || spheres_->untouchable() != untouchable) {
     molecule_ = std::move(molecule);
-    balls_ = std::make_shared<const BallScene>(molecule_->balls, untouchable);
+    spheres_ = std::make_shared<const SphereGrid>(molecule_->spheres, untouchable);
   }
-  settings_.workspace = fitWorkspace(*balls_);
+  settings_.workspace = fitWorkspace(*spheres_);
   if (const auto region = magnifiedRegion(scene, *molecule_))
     settings_.workspace = magnified(settings_.workspace, *region, DeviceSpecs{});
   scene_ = scene;
@@ -23,14 +23,14 @@ void VirtualTouch::begin(std::shared_ptr<const Molecule> molecule, const SceneSp
   felt_ = nullptr;
   exact_ = nullptr;
   feelWith(scene.touch);
-  place({balls_->high_A() + Vec3(2.0 * scene.touch.probe_A + 5.0)});
+  place({spheres_->high_A() + Vec3(2.0 * scene.touch.probe_A + 5.0)});
 }
 
 void VirtualTouch::setStage(const TaskStage& stage) {
   if (stage == stage_) return;
   if (stage.removed != stage_.removed) {
-    balls_ = std::make_shared<const BallScene>(molecule_->balls,
-                                               atomsOfEither(untouchableAtoms(scene_, *molecule_), stage.removed));
+    spheres_ = std::make_shared<const SphereGrid>(molecule_->spheres,
+                                                  atomsOfEither(untouchableAtoms(scene_, *molecule_), stage.removed));
     felt_ = nullptr;
     exact_ = nullptr;
   }
@@ -47,16 +47,16 @@ void VirtualTouch::useMethod(std::string_view name) {
 }
 
 void VirtualTouch::feelWith(const TouchSetup& wanted) {
-  const TouchSetup touch = settled(wanted, body_ != nullptr);
-  if (!felt_ || !madeAlike(touch, touch_)) {
-    std::unique_ptr<Interaction> made = makeInteraction({balls_, touch, body_, chemistryFor(touch, *molecule_)});
+  const TouchSetup touch = resolveInteraction(wanted, body_ != nullptr);
+  if (!felt_ || !sameConstruction(touch, touch_)) {
+    std::unique_ptr<Interaction> made = makeInteraction({spheres_, touch, body_, chemistryFor(touch, *molecule_)});
     if (!made) return;
     felt_ = std::move(made);
     ++settings_.discontinuities;
   }
   const TouchSetup reference = referenceOf(touch);
-  if (!exact_ || !madeAlike(reference, referenceOf(touch_))) exact_ = makeInteraction({balls_, reference});
-  is_reference_ = madeAlike(touch, reference);
+  if (!exact_ || !sameConstruction(reference, referenceOf(touch_))) exact_ = makeInteraction({spheres_, reference});
+  is_reference_ = sameConstruction(touch, reference);
   touch_ = touch;
   settings_.take(touch);
   method_ = findMethod(touch.method)->name;
@@ -82,7 +82,7 @@ TouchSample VirtualTouch::tick(PointA hip) {
 }
 
 HandPlanInput VirtualTouch::view(int attempt) const {
-  return {.balls = *balls_,
+  return {.spheres = *spheres_,
           .probe_A = settings_.probe_A,
           .N_per_A = settings_.stiffness_N_per_mm / settings_.workspace.A_per_mm,
           .hip = hip_,

@@ -31,7 +31,7 @@ class VirtualTouch {
   /// A millisecond with the hand there.
   TouchSample tick(PointA hip);
 
-  const BallScene& balls() const { return *balls_; }
+  const SphereGrid& spheres() const { return *spheres_; }
   HandPlanInput view(int attempt) const;
   PointA hip() const { return hip_; }
   double time_s() const { return double(ticks_) * kTick_s; }
@@ -40,7 +40,7 @@ class VirtualTouch {
   void feelWith(const TouchSetup& touch);
 
   std::shared_ptr<const Molecule> molecule_;
-  std::shared_ptr<const BallScene> balls_;
+  std::shared_ptr<const SphereGrid> spheres_;
   std::shared_ptr<const HeldBody> body_;  // what the hand holds; null: the probe
   std::unique_ptr<Interaction> felt_;
   std::unique_ptr<Interaction> exact_;  // referenceOf() what is felt

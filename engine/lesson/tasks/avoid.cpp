@@ -37,7 +37,7 @@ class Avoid : public Task {
 
   HandPlan demonstrate(const HandPlanInput& view) const override {
     std::vector<std::uint32_t> others;
-    for (const std::uint32_t a : everyAtom(view.balls))
+    for (const std::uint32_t a : everyAtom(view.spheres))
       if (!region_.has(static_cast<std::int32_t>(a))) others.push_back(a);
     HandPlan plan;
     if (const auto place = placeFor(view, openPlaces(view, others, Feature::Sphere)))

@@ -48,7 +48,7 @@ class CompareMethods : public Task {
 
   HandPlan demonstrate(const HandPlanInput& view) const override {
     HandPlan plan;
-    const std::vector<SurfacePlace> places = openPlaces(view, everyAtom(view.balls), Feature::Sphere);
+    const std::vector<SurfacePlace> places = openPlaces(view, everyAtom(view.spheres), Feature::Sphere);
     for (const Part& p : parts_) {
       const auto place = placeFor(view, places);
       if (p.felt_s >= time_s_ || !place) continue;

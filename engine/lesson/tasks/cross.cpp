@@ -99,7 +99,8 @@ class Cross : public Task {
   static SurfacePlace beside(const HandPlanInput& view, const SurfacePlace& crease, std::int32_t atom,
                              std::int32_t other) {
     constexpr double kBeside_A = 0.6;
-    const Ball &on = view.balls[static_cast<std::size_t>(atom)], &from = view.balls[static_cast<std::size_t>(other)];
+    const Sphere &on = view.spheres[static_cast<std::size_t>(atom)],
+                 &from = view.spheres[static_cast<std::size_t>(other)];
     const Vec3 up = crease.scp_A - on.centre_A, away = glm::normalize(on.centre_A - from.centre_A);
     const Vec3 tangent = away - glm::normalize(up) * glm::dot(away, glm::normalize(up));
     const Vec3 u = glm::normalize(up + (glm::length(tangent) > 1e-6 ? glm::normalize(tangent) * kBeside_A : Vec3(0.0)));

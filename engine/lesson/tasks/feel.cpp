@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "engine/haptics/ball_scene.h"
+#include "engine/haptics/sphere_grid.h"
 #include "engine/language/catalogue.h"
 #include "engine/lesson/surface_places.h"
 #include "engine/lesson/tasks/registry.h"
@@ -17,20 +17,20 @@ constexpr double kHint_s = 15.0, kExamples_s = 30.0;
 
 // Atoms of up to three places of this kind near a contact point, which a probe reaches from outside; none for the face of
 // an atom, which is everywhere.
-std::vector<std::uint32_t> examplesNear(const std::vector<Ball>& balls, const AtomSet& where, std::string_view kind,
+std::vector<std::uint32_t> examplesNear(const std::vector<Sphere>& spheres, const AtomSet& where, std::string_view kind,
                                         const Vec3& near_A, double probe_A) {
   constexpr double kAround_A = 16.0, kLooked_A = 9.0, kApart_A = 3.0;
-  constexpr std::size_t kMost = 3;
-  std::vector<Ball> round;
+  constexpr std::size_t kMax = 3;
+  std::vector<Sphere> round;
   std::vector<std::uint32_t> index, among;
-  for (std::uint32_t a = 0; a < balls.size(); ++a) {
-    const double far_A = glm::distance(balls[a].centre_A, near_A);
+  for (std::uint32_t a = 0; a < spheres.size(); ++a) {
+    const double far_A = glm::distance(spheres[a].centre_A, near_A);
     if (far_A > kAround_A) continue;
     if (far_A < kLooked_A && where.has(std::int32_t(a))) among.push_back(std::uint32_t(round.size()));
     index.push_back(a);
-    round.push_back(balls[a]);
+    round.push_back(spheres[a]);
   }
-  const BallScene scene(std::move(round));
+  const SphereGrid scene(std::move(round));
   std::vector<SurfacePlace> places = kind == "pit"      ? pitPlaces(scene, among, probe_A)
                                      : kind == "crease" ? creasePlaces(scene, among, probe_A, 1.0)
                                                         : std::vector<SurfacePlace>();
@@ -42,7 +42,7 @@ std::vector<std::uint32_t> examplesNear(const std::vector<Ball>& balls, const At
   for (const SurfacePlace& place : places) {
     const bool beside = std::any_of(taken.begin(), taken.end(),
                                     [&](const Vec3& t) { return glm::distance(t, place.scp_A) < kApart_A; });
-    if (taken.size() == kMost || beside || !openFromOutside(scene, place, probe_A)) continue;
+    if (taken.size() == kMax || beside || !openFromOutside(scene, place, probe_A)) continue;
     taken.push_back(place.scp_A);
     for (const std::int32_t a : place.atoms)
       if (a >= 0) out.push_back(index[std::size_t(a)]);
@@ -56,7 +56,7 @@ std::vector<std::uint32_t> examplesNear(const std::vector<Ball>& balls, const At
 class FeelPlaces : public Task {
  public:
   FeelPlaces(const TaskSpec& spec, const Molecule& molecule)
-      : Task(spec), where_(spec.values["of"].selection, molecule), balls_(molecule.balls.copy()) {
+      : Task(spec), where_(spec.values["of"].selection, molecule), spheres_(molecule.spheres.copy()) {
     for (const std::string& word : spec.values["feel"].words)
       if (std::none_of(places_.begin(), places_.end(), [&](const Wanted& w) { return w.word == word; }))
         places_.push_back({word, PlaceKind(word, where_, molecule), {}});
@@ -71,7 +71,7 @@ class FeelPlaces : public Task {
 
   void leaveOut(std::span<const std::uint32_t> untouchable) override {
     for (const std::uint32_t a : untouchable)
-      if (a < balls_.size()) balls_[a].centre_A = Vec3(1e9);  // so far away that no place is made by it
+      if (a < spheres_.size()) spheres_[a].centre_A = Vec3(1e9);  // so far away that no place is made by it
   }
 
   std::vector<std::uint32_t> exampleAtoms() const override { return examples_; }
@@ -103,7 +103,7 @@ class FeelPlaces : public Task {
     if (!examples_.empty() || !(presses_ > kExamples_presses || searched_s_ >= kExamples_s)) return;
     for (const Wanted& w : places_)
       if (!w.felt()) {
-        examples_ = examplesNear(balls_, where_, w.word, s.contact.scp.A, s.probe_A);
+        examples_ = examplesNear(spheres_, where_, w.word, s.contact.scp.A, s.probe_A);
         return;
       }
   }
@@ -163,7 +163,7 @@ class FeelPlaces : public Task {
 
   AtomSet where_;
   std::vector<Wanted> places_;
-  std::vector<Ball> balls_;
+  std::vector<Sphere> spheres_;
   std::vector<std::uint32_t> examples_;
   std::optional<PointA> close_to_;
   std::size_t felt_ = 0;

@@ -34,10 +34,11 @@ class Find : public Task {
         turns_(spec.values["turn"].text == "random"),
         guesses_(static_cast<int>(spec.values["guesses"].number)),
         looks_(static_cast<int>(spec.values["looks"].number)) {
-    for (const std::uint32_t i : spec.values["find"].selection.select(molecule)) balls_.push_back(molecule.balls[i]);
+    for (const std::uint32_t i : spec.values["find"].selection.select(molecule))
+      spheres_.push_back(molecule.spheres[i]);
     Vec3 middle(0.0), target(0.0);
-    for (const Ball& a : molecule.balls) middle += a.centre_A / double(molecule.atoms.size());
-    for (const Ball& b : balls_) target += b.centre_A / double(balls_.size());
+    for (const Sphere& a : molecule.spheres) middle += a.centre_A / double(molecule.atoms.size());
+    for (const Sphere& b : spheres_) target += b.centre_A / double(spheres_.size());
     outward_ = target - middle;
     turn();
   }
@@ -130,7 +131,7 @@ class Find : public Task {
   // From the surface of the nearest atom, as the probe's centre sees it.
   double distance(const Vec3& scp, double probe_A) const {
     double least = std::numeric_limits<double>::max();
-    for (const Ball& b : balls_) least = std::min(least, glm::distance(scp, b.centre_A) - b.radius_A - probe_A);
+    for (const Sphere& b : spheres_) least = std::min(least, glm::distance(scp, b.centre_A) - b.radius_A - probe_A);
     return std::max(0.0, least);
   }
 
@@ -228,7 +229,7 @@ class Find : public Task {
   TargetName name_;
   TouchLimits limits_;
   WrongTouches wrong_;
-  std::vector<Ball> balls_;
+  std::vector<Sphere> spheres_;
   double within_A_ = 3.0;
   bool by_holding_ = false, warmer_ = false, meter_ = true, turns_ = true;
   int guesses_ = 3, looks_ = 2, presentation_ = 1;

@@ -25,7 +25,7 @@ const TouchProperty& probeProperty() {
 }
 
 /// Where a probe of this radius comes to the atoms, on the side that counts.
-std::vector<SurfacePlace> waysTo(const BallScene& scene, std::span<const std::uint32_t> atoms,
+std::vector<SurfacePlace> waysTo(const SphereGrid& scene, std::span<const std::uint32_t> atoms,
                                  const TouchLimits& limits, double probe_A, bool first_only = false) {
   return comesTo(scene, atoms, probe_A, first_only,
                  [&](const SurfacePlace& p) { return limits.allow(p.scp_A, probe_A); });
@@ -38,7 +38,7 @@ class Fit : public Task {
         target_(spec.values["fit"].selection, molecule),
         name_(spec, "fit"),
         limits_(spec, "fit", molecule),
-        scene_(std::make_shared<const BallScene>(molecule.balls)),
+        scene_(std::make_shared<const SphereGrid>(molecule.spheres)),
         through_(spec.values["way"].text == "through"),
         largest_(spec.values["want"].text == "largest"),
         least_A_(spec.values["least"].number),
@@ -49,8 +49,8 @@ class Fit : public Task {
   }
 
   void leaveOut(std::span<const std::uint32_t> untouchable) override {
-    const std::span<const Ball> balls = scene_->balls();
-    scene_ = std::make_shared<const BallScene>(std::vector<Ball>(balls.begin(), balls.end()), untouchable);
+    const std::span<const Sphere> spheres = scene_->spheres();
+    scene_ = std::make_shared<const SphereGrid>(std::vector<Sphere>(spheres.begin(), spheres.end()), untouchable);
   }
 
   void reset() override {
@@ -164,12 +164,12 @@ class Fit : public Task {
     const double step_A = 0.5 * std::min(within_A_, 0.2);
     const double wanted_A =
         std::clamp(largest_ ? limit_A() - step_A * (1 + view.attempt % 2) : limit_A() + step_A, least_A_, most_A_);
-    HandPlanInput grown{view.balls, wanted_A, view.N_per_A, view.hip, view.attempt};
+    HandPlanInput grown{view.spheres, wanted_A, view.N_per_A, view.hip, view.attempt};
     const auto set = [&](PointA before) {
       plan.push_back({.to = before, .placed = true, .answer = TaskAnswer{.number = wanted_A}});
       plan.push_back({.wait_s = 0.3 + std::abs(wanted_A - view.probe_A) / 4.0});
     };
-    const double far = glm::distance(view.balls.low_A(), view.balls.high_A()) + 2.0 * wanted_A + 1.0;
+    const double far = glm::distance(view.spheres.low_A(), view.spheres.high_A()) + 2.0 * wanted_A + 1.0;
     if (through_) {
       if (!ring_) return plan;
       const auto at = wayThrough(*scene_, *ring_, largest_ ? wanted_A : limit_A() - step_A);
@@ -198,7 +198,7 @@ class Fit : public Task {
   AtomSet target_;
   TargetName name_;
   TouchLimits limits_;
-  std::shared_ptr<const BallScene> scene_;
+  std::shared_ptr<const SphereGrid> scene_;
   std::optional<AtomRing> ring_;
   bool through_ = false, largest_ = true;
   double least_A_ = 0.0, most_A_ = 5.0, within_A_ = 0.2;
@@ -221,7 +221,7 @@ void checkLimit(const TaskSpec& spec, const Molecule& molecule, std::span<const 
                 std::vector<Problem>& problems) {
   const Value& fit = spec.values["fit"];
   if (!fit.selection.given()) return;
-  const BallScene scene(molecule.balls, untouchable);
+  const SphereGrid scene(molecule.spheres, untouchable);
   const std::vector<std::uint32_t> atoms = fit.selection.select(molecule);
   if (atoms.empty()) return;
   const double least_A = spec.values["least"].number, most_A = spec.values["most"].number;

@@ -133,8 +133,9 @@ class Measure : public Task {
     std::vector<std::pair<const SurfacePlace*, const SurfacePlace*>> pairs;
     for (const SurfacePlace& a : ones)
       for (const SurfacePlace& b : others) {
-        const double apart_A = glm::distance(a.scp_A - a.outward * view.probe_A, b.scp_A - b.outward * view.probe_A);
-        if (apart_A >= low_A_ && apart_A <= high_A_) pairs.emplace_back(&a, &b);
+        const double grid_spacing_A =
+            glm::distance(a.scp_A - a.outward * view.probe_A, b.scp_A - b.outward * view.probe_A);
+        if (grid_spacing_A >= low_A_ && grid_spacing_A <= high_A_) pairs.emplace_back(&a, &b);
       }
     if (pairs.empty()) return plan;
     const auto& [one, other] = pairs[static_cast<std::size_t>(view.attempt) % pairs.size()];

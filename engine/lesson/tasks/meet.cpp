@@ -60,7 +60,7 @@ class Meet : public Task {
 
   HandPlan demonstrate(const HandPlanInput& view) const override {
     HandPlan plan;
-    const std::vector<std::uint32_t> all = everyAtom(view.balls);
+    const std::vector<std::uint32_t> all = everyAtom(view.spheres);
     if (what_ == "lost" || what_ == "wrong-side") {
       // Right through a pit, from one side to the other, by ways that lie a little aside at each attempt.
       const auto pit = placeFor(view, openPlaces(view, all, Feature::Point));

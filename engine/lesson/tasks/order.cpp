@@ -11,18 +11,18 @@
 namespace moltact {
 namespace {
 
-constexpr std::size_t kMostPlaces = 6;
+constexpr std::size_t kMaxPlaces = 6;
 
 struct PlaceWords {
   std::string_view word, label;
   char key;
 };
-constexpr std::array<PlaceWords, kMostPlaces> kPlaceWords{{{"place-1", N_("Place 1"), '1'},
-                                                           {"place-2", N_("Place 2"), '2'},
-                                                           {"place-3", N_("Place 3"), '3'},
-                                                           {"place-4", N_("Place 4"), '4'},
-                                                           {"place-5", N_("Place 5"), '5'},
-                                                           {"place-6", N_("Place 6"), '6'}}};
+constexpr std::array<PlaceWords, kMaxPlaces> kPlaceWords{{{"place-1", N_("Place 1"), '1'},
+                                                          {"place-2", N_("Place 2"), '2'},
+                                                          {"place-3", N_("Place 3"), '3'},
+                                                          {"place-4", N_("Place 4"), '4'},
+                                                          {"place-5", N_("Place 5"), '5'},
+                                                          {"place-6", N_("Place 6"), '6'}}};
 
 class Order : public Task {
  public:
@@ -33,10 +33,10 @@ class Order : public Task {
         dark_(spec.values["dark"].text == "yes"),
         meter_(spec.values["meter"].text == "on") {
     for (const Selection& part : spec.values["order"].path) {
-      if (places_.size() == kMostPlaces) break;
+      if (places_.size() == kMaxPlaces) break;
       PointA middle;
       const std::vector<std::uint32_t> atoms = part.select(molecule);
-      for (const std::uint32_t a : atoms) middle.A += molecule.balls[a].centre_A / double(atoms.size());
+      for (const std::uint32_t a : atoms) middle.A += molecule.spheres[a].centre_A / double(atoms.size());
       places_.push_back({AtomSet(part, molecule), middle, TargetName(part)});
     }
     shuffle();
@@ -204,8 +204,8 @@ void checkOrder(const TaskSpec& spec, std::vector<Problem>& problems) {
   if (n < 2)
     problems.push_back(problemAt(order.place, tr("at least two places are needed for an order"),
                                  tr("write them parted by 'then': 'order: residue 4 then residue 9'")));
-  else if (n > kMostPlaces)
-    problems.push_back(problemAt(order.place, trf("more than {0} places", kMostPlaces),
+  else if (n > kMaxPlaces)
+    problems.push_back(problemAt(order.place, trf("more than {0} places", kMaxPlaces),
                                  tr("remove some: students cannot remember so many")));
 }
 
@@ -219,7 +219,7 @@ void checkOrderedPlaces(const TaskSpec& spec, const Molecule& molecule, std::spa
     atoms.push_back(order.path[k].select(molecule));
     if (atoms.back().empty()) return;  // told elsewhere
     double sum = 0.0;
-    for (const std::uint32_t a : atoms.back()) sum += molecule.balls[a].radius_A;
+    for (const std::uint32_t a : atoms.back()) sum += molecule.spheres[a].radius_A;
     radii_A.push_back(sum / double(atoms.back().size()));
     for (std::size_t before = 0; before < k; ++before)
       if (atoms[before] == atoms[k])

@@ -61,7 +61,7 @@ class Predict : public Task {
   static Vec3 middle(const Selection& selection, const Molecule& molecule) {
     Vec3 sum(0.0);
     const std::vector<std::uint32_t> atoms = selection.select(molecule);
-    for (const std::uint32_t a : atoms) sum += molecule.balls[a].centre_A / double(atoms.size());
+    for (const std::uint32_t a : atoms) sum += molecule.spheres[a].centre_A / double(atoms.size());
     return sum;
   }
 

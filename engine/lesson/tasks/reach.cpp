@@ -21,7 +21,7 @@ class Reach : public Task {
     if (!spec.values.has("near")) return;
     near_A_ = spec.values["near"].number;
     for (const std::uint32_t i : spec.values["reach"].selection.select(molecule))
-      centres_.push_back(molecule.balls[i].centre_A);
+      centres_.push_back(molecule.spheres[i].centre_A);
   }
 
   void reset() override {
@@ -45,7 +45,7 @@ class Reach : public Task {
   HandPlan demonstrate(const HandPlanInput& view) const override {
     std::vector<SurfacePlace> places = placesToTouch(view, target_);
     if (places.empty() && near_A_ > 0.0)
-      for (const SurfacePlace& p : openPlaces(view, everyAtom(view.balls), Feature::Sphere, 4000))
+      for (const SurfacePlace& p : openPlaces(view, everyAtom(view.spheres), Feature::Sphere, 4000))
         if (std::any_of(centres_.begin(), centres_.end(),
                         [&](const Vec3& c) { return glm::distance(c, p.scp_A) < near_A_; }))
           places.push_back(p);

@@ -43,9 +43,10 @@ class Same : public Task {
     if (before_) tell_ = false;
     // The second asking has other pairs than the first, also where the author says by what they are drawn.
     if (fixed_ && asked_ && !before_) ++seed_;
-    for (const auto& [key, balls] : {std::pair(std::string_view("same"), &here_balls_), {kPlace, &there_balls_}})
+    for (const auto& [key, spheres] : {std::pair(std::string_view("same"), &here_spheres_), {kPlace, &there_spheres_}})
       if (spec.values[key].selection.given())
-        for (const std::uint32_t a : spec.values[key].selection.select(molecule)) balls->push_back(molecule.balls[a]);
+        for (const std::uint32_t a : spec.values[key].selection.select(molecule))
+          spheres->push_back(molecule.spheres[a]);
     needed_ = spec.values.has("right") ? std::min(trials_, static_cast<std::size_t>(spec.values["right"].number))
                                        : (3 * trials_ + 3) / 4;
     for (const TouchProperty& p : touchProperties())
@@ -87,7 +88,7 @@ class Same : public Task {
     const std::vector<std::uint32_t> atoms = selection.select(molecule);
     if (atoms.empty()) return std::nullopt;
     PointA sum;
-    for (const std::uint32_t a : atoms) sum.A += molecule.balls[a].centre_A / double(atoms.size());
+    for (const std::uint32_t a : atoms) sum.A += molecule.spheres[a].centre_A / double(atoms.size());
     return sum;
   }
 
@@ -119,14 +120,14 @@ class Same : public Task {
     const bool there = by_place_ && showsOther();
     touching_ = s.contact.touching();
     beside_ = touching_ && !(there ? there_ : here_).touchedBy(s.contact) &&
-              !near(there ? there_balls_ : here_balls_, s.contact.scp.A, s.probe_A);
+              !near(there ? there_spheres_ : here_spheres_, s.contact.scp.A, s.probe_A);
     if (touching_ && !beside_) felt_s_ = std::min(time_s_, felt_s_ + dt_s);
   }
 
   // Which atoms hold the probe may depend on what is to be told apart, and "beside the place" would say it: whatever is
   // close to the place counts.
-  static bool near(const std::vector<Ball>& balls, const Vec3& scp_A, double probe_A) {
-    return std::any_of(balls.begin(), balls.end(), [&](const Ball& b) {
+  static bool near(const std::vector<Sphere>& spheres, const Vec3& scp_A, double probe_A) {
+    return std::any_of(spheres.begin(), spheres.end(), [&](const Sphere& b) {
       return glm::distance(scp_A, b.centre_A) - b.radius_A - probe_A <= kNear_A;
     });
   }
@@ -247,7 +248,7 @@ class Same : public Task {
   }
 
   AtomSet here_, there_;
-  std::vector<Ball> here_balls_, there_balls_;  // of them, where they are named
+  std::vector<Sphere> here_spheres_, there_spheres_;  // of them, where they are named
   std::size_t trials_ = 8, needed_ = 6, trial_ = 0, right_ = 0, failed_right_ = 0;
   bool fixed_ = false;  // the author has said by what the orders are drawn
   std::uint64_t seed_ = 0, drawn_ = 0;

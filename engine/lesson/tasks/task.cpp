@@ -131,10 +131,10 @@ std::vector<SurfacePlace> placesToTouch(const HandPlanInput& view, const AtomSet
   const auto touched = [&](const SurfacePlace& p) {
     return std::any_of(p.atoms.begin(), p.atoms.end(), [&](std::int32_t a) { return atoms.has(a); });
   };
-  std::vector<char> near(view.balls.size(), 0);
+  std::vector<char> near(view.spheres.size(), 0);
   for (const std::uint32_t a : atoms.atoms())
-    view.balls.visitNear(view.balls[a].centre_A, view.balls[a].radius_A + 2.0 * view.probe_A,
-                         [&](std::uint32_t b, const Ball&) { near[b] = 1; });
+    view.spheres.visitNear(view.spheres[a].centre_A, view.spheres[a].radius_A + 2.0 * view.probe_A,
+                           [&](std::uint32_t b, const Sphere&) { near[b] = 1; });
   std::vector<std::uint32_t> around;
   for (std::uint32_t a = 0; a < near.size(); ++a)
     if (near[a]) around.push_back(a);
@@ -179,15 +179,15 @@ bool Slide::tick(const Contact& contact, double dt_s) {
 }
 
 PlaceKind::PlaceKind(std::string_view word, const AtomSet& atoms, const Molecule& molecule) : word_(word) {
-  constexpr std::size_t kMost = 200;
-  if (word_ != "pit" || atoms.count() > kMost) return;
-  for (const std::uint32_t a : atoms.atoms()) balls_.push_back(molecule.balls[a]);
+  constexpr std::size_t kMax = 200;
+  if (word_ != "pit" || atoms.count() > kMax) return;
+  for (const std::uint32_t a : atoms.atoms()) spheres_.push_back(molecule.spheres[a]);
 }
 
 bool PlaceKind::at(const Contact& contact, const AtomSet& atoms, double probe_A) const {
   if (!atoms.holds(contact)) return false;
   return isFeature(word_, contact.feature) ||
-         std::count_if(balls_.begin(), balls_.end(), [&](const Ball& b) {
+         std::count_if(spheres_.begin(), spheres_.end(), [&](const Sphere& b) {
            return std::abs(glm::distance(contact.scp.A, b.centre_A) - b.radius_A - probe_A) <= kAlike_A;
          }) >= 3;
 }
@@ -197,15 +197,16 @@ std::vector<PathPlace> pathPlaces(const std::vector<Selection>& path, const Mole
   for (const Selection& part : path) {
     const std::vector<std::uint32_t> atoms = part.select(molecule);
     if (path.size() == 1) {
-      for (const std::uint32_t a : atoms) out.push_back({molecule.balls[a].centre_A, molecule.balls[a].radius_A, {a}});
+      for (const std::uint32_t a : atoms)
+        out.push_back({molecule.spheres[a].centre_A, molecule.spheres[a].radius_A, {a}});
       return out;
     }
     if (atoms.empty()) continue;
     PathPlace place{Vec3(0.0), 0.0, atoms};
-    for (const std::uint32_t a : atoms) place.centre_A += molecule.balls[a].centre_A / double(atoms.size());
+    for (const std::uint32_t a : atoms) place.centre_A += molecule.spheres[a].centre_A / double(atoms.size());
     for (const std::uint32_t a : atoms)
-      place.reach_A = std::max(place.reach_A,
-                               glm::distance(place.centre_A, molecule.balls[a].centre_A) + molecule.balls[a].radius_A);
+      place.reach_A = std::max(
+          place.reach_A, glm::distance(place.centre_A, molecule.spheres[a].centre_A) + molecule.spheres[a].radius_A);
     out.push_back(std::move(place));
   }
   return out;

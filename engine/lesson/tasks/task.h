@@ -236,7 +236,7 @@ class Slide {
   double way_A_ = 0.0, away_s_ = 0.0;
 };
 
-/// A place on a path of atoms: one atom, or the ball round the atoms of one part. Units: angstrom.
+/// A place on a path of atoms: one atom, or the sphere round the atoms of one part. Units: angstrom.
 struct PathPlace {
   Vec3 centre_A{0.0};
   double reach_A = 0.0;  ///< from the centre to the surface of the atom, or of the farthest atom
@@ -284,7 +284,7 @@ class PlaceKind {
 
  private:
   std::string word_;
-  std::vector<Ball> balls_;  // of the atoms, where they are few
+  std::vector<Sphere> spheres_;  // of the atoms, where they are few
 };
 
 /// "0.35 N", "1.2 s" and, of a share from 0 to 1, "83 %".

@@ -10,7 +10,7 @@ std::optional<Vec3> middleOf(const Selection& selection, const Molecule& molecul
   const std::vector<std::uint32_t> atoms = selection.select(molecule);
   if (atoms.empty()) return std::nullopt;
   Vec3 middle(0.0);
-  for (const std::uint32_t a : atoms) middle += molecule.balls[a].centre_A / double(atoms.size());
+  for (const std::uint32_t a : atoms) middle += molecule.spheres[a].centre_A / double(atoms.size());
   return middle;
 }
 
@@ -24,8 +24,8 @@ TouchLimits::TouchLimits(const TaskSpec& spec, std::string_view target, const Mo
   if (const auto centre = middleOf(round, molecule)) {
     region_ = Reach{*centre, 0.0};
     for (const std::uint32_t a : round.select(molecule))
-      region_->radius_A =
-          std::max(region_->radius_A, glm::distance(molecule.balls[a].centre_A, *centre) + molecule.balls[a].radius_A);
+      region_->radius_A = std::max(region_->radius_A,
+                                   glm::distance(molecule.spheres[a].centre_A, *centre) + molecule.spheres[a].radius_A);
   }
 }
 

@@ -10,7 +10,7 @@
 
 namespace moltact {
 
-/// Where on its atoms a touch counts: on the side that looks to other atoms ("side"), and within the ball round atoms
+/// Where on its atoms a touch counts: on the side that looks to other atoms ("side"), and within the sphere round atoms
 /// ("region"). Everywhere where neither is asked for.
 class TouchLimits {
  public:

@@ -17,22 +17,22 @@ constexpr double kBrushedShare = 0.1;  // or of so much of the crease, where tha
 class TraceCrease : public Trace {
  public:
   TraceCrease(const TaskSpec& spec, const Molecule& molecule)
-      : Trace(spec), scene_(std::make_shared<const BallScene>(molecule.balls)) {
+      : Trace(spec), scene_(std::make_shared<const SphereGrid>(molecule.spheres)) {
     atoms_ = spec.values["of"].selection.select(molecule);
   }
 
   void leaveOut(std::span<const std::uint32_t> untouchable) override {
-    const std::span<const Ball> balls = scene_->balls();
-    scene_ = std::make_shared<const BallScene>(std::vector<Ball>(balls.begin(), balls.end()), untouchable);
+    const std::span<const Sphere> spheres = scene_->spheres();
+    scene_ = std::make_shared<const SphereGrid>(std::vector<Sphere>(spheres.begin(), spheres.end()), untouchable);
   }
 
  private:
   Step follow(const Contact& contact, double probe_A, double within_A) override {
     if (probe_A != probe_A_) {
       // The creases move with the surface.
-      std::vector<Ball> points;
+      std::vector<Sphere> points;
       for (const SurfacePlace& p : creasePlaces(*scene_, atoms_, probe_A, kSpacing_A)) points.push_back({p.scp_A, 0.0});
-      places_ = std::make_unique<const BallScene>(std::move(points));
+      places_ = std::make_unique<const SphereGrid>(std::move(points));
       probe_A_ = probe_A;
       forget();
     }
@@ -45,7 +45,7 @@ class TraceCrease : public Trace {
     }
     if (off > within_A) return {off, false};
     begun_ = true;
-    places_->visitCentresNear(contact.scp.A, off_A + kBrush_A, [&](std::uint32_t k, const Ball& p) {
+    places_->visitCentresNear(contact.scp.A, off_A + kBrush_A, [&](std::uint32_t k, const Sphere& p) {
       if (passed_[k] || glm::distance(p.centre_A, contact.scp.A) > off_A + kBrush_A) return;
       passed_[k] = kBrushed;
       brushed_.push_back(k);
@@ -70,11 +70,11 @@ class TraceCrease : public Trace {
     HandPlan plan;
     const SurfacePlace* last = nullptr;
     const double depth_A = depthFor(view, 0.4);
-    const std::vector<SurfacePlace> places = creasePlaces(view.balls, atoms_, view.probe_A, kSpacing_A);
+    const std::vector<SurfacePlace> places = creasePlaces(view.spheres, atoms_, view.probe_A, kSpacing_A);
     for (const SurfacePlace& p : places) {
       if (last && glm::distance(last->scp_A, p.scp_A) < kNext_A) {
         plan.push_back({.to = PointA{p.scp_A - p.outward * depth_A}});
-      } else if (openFromOutside(view.balls, p, view.probe_A)) {
+      } else if (openFromOutside(view.spheres, p, view.probe_A)) {
         comeTo(plan, p, depth_A, 0.1);
       } else {
         continue;
@@ -92,8 +92,9 @@ class TraceCrease : public Trace {
         empty() ? 0.0 : glm::distance(places_->low_A(), places_->high_A()) + glm::distance(scp, places_->low_A()) + 1.0;
     for (double reach_A = 0.5; !empty(); reach_A *= 2.0) {
       double least = std::numeric_limits<double>::max();
-      places_->visitCentresNear(
-          scp, reach_A, [&](std::uint32_t, const Ball& p) { least = std::min(least, glm::distance(scp, p.centre_A)); });
+      places_->visitCentresNear(scp, reach_A, [&](std::uint32_t, const Sphere& p) {
+        least = std::min(least, glm::distance(scp, p.centre_A));
+      });
       if (least <= reach_A || reach_A > far) return least;
     }
     return 1e3;  // there is no crease
@@ -110,9 +111,9 @@ class TraceCrease : public Trace {
   Begin begin() const override { return Begin::Anywhere; }
   const char* unnamed() const override { return tr("the crease"); }
 
-  std::shared_ptr<const BallScene> scene_;
+  std::shared_ptr<const SphereGrid> scene_;
   std::vector<std::uint32_t> atoms_;
-  std::unique_ptr<const BallScene> places_;  // a grid of points
+  std::unique_ptr<const SphereGrid> places_;  // a grid of points
   static constexpr char kBrushed = 1, kPassed = 2;
   std::vector<char> passed_;
   std::vector<std::uint32_t> brushed_;  // by the slide that goes on, as long as it is too short

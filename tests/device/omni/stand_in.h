@@ -77,9 +77,9 @@ struct StandIn {
 // What the haptic thread does with a device that brings its clock, without the thread.
 struct Loop final : ClockListener {
   explicit Loop(Device& device) : stylus(device), devices(mouse, &device) {
-    std::vector<Ball> balls;
-    for (int k = 0; k < 27; ++k) balls.push_back({Vec3(k % 3 - 1, k / 3 % 3 - 1, k / 9 - 1) * 1.7, 1.6});
-    tracker = methods().front().make(std::make_shared<const BallScene>(std::move(balls)), kWaterProbe_A);
+    std::vector<Sphere> spheres;
+    for (int k = 0; k < 27; ++k) spheres.push_back({Vec3(k % 3 - 1, k / 3 % 3 - 1, k / 9 - 1) * 1.7, 1.6});
+    tracker = methods().front().make(std::make_shared<const SphereGrid>(std::move(spheres)), kWaterProbe_A);
     CHECK(stylus.startClock(*this));
   }
   ~Loop() { stylus.stopClock(); }

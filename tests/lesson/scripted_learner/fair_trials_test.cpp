@@ -130,9 +130,9 @@ TEST_CASE("who is put down at place after place of a way, without sliding, does 
       // From outside straight onto each place that a sliding hand would pass.
       Vec3 nearest(0.0);
       double least = 1e9;
-      for (std::uint32_t a = 0; a < view.balls.size(); ++a)
-        if (const double d = glm::distance(view.balls[a].centre_A, act.to->A) - view.balls[a].radius_A; d < least)
-          least = d, nearest = view.balls[a].centre_A;
+      for (std::uint32_t a = 0; a < view.spheres.size(); ++a)
+        if (const double d = glm::distance(view.spheres[a].centre_A, act.to->A) - view.spheres[a].radius_A; d < least)
+          least = d, nearest = view.spheres[a].centre_A;
       const Vec3 out = glm::normalize(act.to->A - nearest);
       plan.push_back({.to = PointA{act.to->A + out * 3.0}, .placed = true, .wait_s = 0.4});
       plan.push_back({.to = act.to, .speed_A_per_s = 20.0, .wait_s = 0.15});
@@ -200,7 +200,7 @@ TEST_CASE(
     const double least_A = f.spec().values["least"].number, most_A = f.spec().values["most"].number;
     constexpr int kSizes = 4, kJabs = 6;
     // Among few atoms a round is short.
-    const int rounds = picture.balls.size() < 100 ? 100 : 8;
+    const int rounds = picture.spheres.size() < 100 ? 100 : 8;
     const double one = (f.spec().values["within"].number + 0.1) / (most_A - least_A + 0.1),
                  chance = 1.0 - std::pow(1.0 - one, kSizes);
     // A slider of which four sizes often hold the right one asks for no skill.
@@ -248,7 +248,7 @@ TEST_CASE("nobody measures by marking what was not touched, the same place twice
     };
     // The looker clicks what the picture shows in its middle; the guesser marks without a touch, then one place twice.
     Alone looker(f, kSeed), guesser(f, kSeed);
-    for (const glm::dvec2 at : {picture.seen(everyAtom(picture.balls)), picture.seen(everyAtom(picture.balls))}) {
+    for (const glm::dvec2 at : {picture.seen(everyAtom(picture.spheres)), picture.seen(everyAtom(picture.spheres))}) {
       looker.jab(picture, picture.camera(), at, 0.6);
       mark(looker);
     }
@@ -263,14 +263,14 @@ TEST_CASE("nobody measures by marking what was not touched, the same place twice
     int jabbed = 0;
     for (int round = 0; round < kRounds; ++round) {
       Alone jabber(f, mixedSeed(kSeed, std::uint64_t(round)));
-      const auto all = everyAtom(picture.balls);
+      const auto all = everyAtom(picture.spheres);
       for (int k = 0; k < 2; ++k) {
         jabber.jab(picture, picture.camera(), jabber.somewhere(picture, picture.camera(), all));
         mark(jabber);
       }
       jabbed += jabber.done();
     }
-    const double chance = double(from.size()) / double(picture.balls.size());
+    const double chance = double(from.size()) / double(picture.spheres.size());
     CHECK(double(jabbed) / kRounds <= chance + noise(chance, kRounds));
     table.row(f, looker.done(), guesser.done(), double(jabbed) / kRounds, chance);
   }

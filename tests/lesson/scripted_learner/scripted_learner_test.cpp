@@ -25,8 +25,8 @@ std::shared_ptr<const Lesson> lesson(const std::string& body) {
   return std::make_shared<const Lesson>(*std::move(read.lesson));
 }
 
-/// "pair": two balls of 1.88 A side by side; "cage": a small atom wholly inside a large one; "ring": six balls of 1.5 A
-/// 3 A round the z axis, through which a probe of 1.5 A passes; "well": the same with a ball of 1 A
+/// "pair": two spheres of 1.88 A side by side; "cage": a small atom wholly inside a large one; "ring": six spheres of 1.5 A
+/// 3 A round the z axis, through which a probe of 1.5 A passes; "well": the same with a sphere of 1 A
 /// on a floor behind its middle, which a probe of 2.25 A just comes to.
 Expected<std::shared_ptr<const Molecule>> molecules(const NamedMolecule& named) {
   const std::string& name = named.name;
@@ -200,10 +200,10 @@ TEST_CASE("an atom that a task takes out is not felt until it is put back") {
   TaskStage without;
   without.removed = {0};
   touch.setStage(without);
-  CHECK(touch.balls().untouchable() == std::vector<std::uint32_t>{0});
+  CHECK(touch.spheres().untouchable() == std::vector<std::uint32_t>{0});
   CHECK_FALSE(felt());
   touch.setStage({});
-  CHECK(touch.balls().untouchable().empty());
+  CHECK(touch.spheres().untouchable().empty());
   CHECK(felt());
 }
 

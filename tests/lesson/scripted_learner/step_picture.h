@@ -29,7 +29,7 @@ struct StepPicture {
   explicit StepPicture(const Step& step)
       : scene(step.scene),
         molecule(*knownMolecule(scene.molecule)),
-        balls(molecule->balls, untouchableAtoms(scene, *molecule)),
+        spheres(molecule->spheres, untouchableAtoms(scene, *molecule)),
         part(zoomedRegion(scene.view, scene, *molecule, scene.touch.probe_A)) {
     if (!part) part = magnifiedRegion(scene, *molecule);
   }
@@ -53,7 +53,7 @@ struct StepPicture {
 
   Vec3 middle(std::span<const std::uint32_t> atoms) const {
     Vec3 sum(0.0);
-    for (const std::uint32_t a : atoms) sum += molecule->balls[a].centre_A / double(atoms.size());
+    for (const std::uint32_t a : atoms) sum += molecule->spheres[a].centre_A / double(atoms.size());
     return sum;
   }
 
@@ -66,14 +66,14 @@ struct StepPicture {
   Hit press(const Camera& c, glm::dvec2 at_px, double probe_A, Vec3& scp_A) const {
     const Ray ray = c.rayThrough(at_px.x, at_px.y, kSize_px, kSize_px);
     const Vec3 end = ray.origin.A + ray.direction * (2.0 * c.distance_A);
-    const Hit hit = sweep(balls, probe_A, ray.origin.A, end);
+    const Hit hit = sweep(spheres, probe_A, ray.origin.A, end);
     scp_A = ray.origin.A + (end - ray.origin.A) * hit.t;
     return hit;
   }
 
   SceneSpec scene;
   std::shared_ptr<const Molecule> molecule;
-  BallScene balls;
+  SphereGrid spheres;
   std::optional<Region> part;  // that fills the view
 
  private:
@@ -84,7 +84,7 @@ struct StepPicture {
       const auto atoms = presentAtoms(view.facing, scene, *molecule);
       if (nearlyAllPresent(atoms, scene, *molecule)) {
         std::vector<Vec3> places_A;
-        for (const std::uint32_t a : atoms) places_A.push_back(molecule->balls[a].centre_A);
+        for (const std::uint32_t a : atoms) places_A.push_back(molecule->spheres[a].centre_A);
         c.lookAlongThinnest(places_A);
       } else if (!atoms.empty()) {
         c.face({middle(atoms)});

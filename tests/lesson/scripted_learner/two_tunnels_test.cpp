@@ -23,11 +23,11 @@ TEST_CASE(
   const StepPicture picture(lesson.steps[lesson.find("in-or-out").value()]);
   const Molecule& molecule = *picture.molecule;
   const AtomSet counted(spec.values["same"].selection, molecule), drug(spec.values["remove"].selection, molecule);
-  const auto balls = [&](bool with) {
-    return with ? std::make_shared<const BallScene>(molecule.balls)
-                : std::make_shared<const BallScene>(molecule.balls, drug.atoms());
+  const auto spheres = [&](bool with) {
+    return with ? std::make_shared<const SphereGrid>(molecule.spheres)
+                : std::make_shared<const SphereGrid>(molecule.spheres, drug.atoms());
   };
-  const std::shared_ptr<const BallScene> scenes[] = {balls(true), balls(false)};
+  const std::shared_ptr<const SphereGrid> scenes[] = {spheres(true), spheres(false)};
   const Camera& c = picture.camera();
   const auto pushed = [&](bool with, glm::dvec2 at_px) {
     const auto exact = findMethod("exact")->make(scenes[with ? 0 : 1], kWaterProbe_A);

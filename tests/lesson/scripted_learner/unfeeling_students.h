@@ -133,9 +133,9 @@ bool findBy(const StepPicture& picture, const TaskSpec& spec, Task& task, std::u
     const Camera& c = picture.camera(task.stage().turned);
     Vec3 scp(0.0);
     Hit hit;
-    for (int tries = 0; tries < 1000 && hit.ball < 0; ++tries) hit = picture.press(c, where(k), probe_A, scp);
-    if (hit.ball < 0) return false;
-    touch(task, time_s, {hit.ball, -1, -1}, scp, probe_A, rests ? 2.2 : 0.3, 0.1);
+    for (int tries = 0; tries < 1000 && hit.sphere < 0; ++tries) hit = picture.press(c, where(k), probe_A, scp);
+    if (hit.sphere < 0) return false;
+    touch(task, time_s, {hit.sphere, -1, -1}, scp, probe_A, rests ? 2.2 : 0.3, 0.1);
     if (rests) continue;
     CHECK(task.done() == false);
     task.answer({.word = "here"});
@@ -175,7 +175,7 @@ struct Alone {
     const double probe_A = learner.view().probe_A, out_A = 2.0 * probe_A + 2.0;
     const Hit hit = picture.press(camera, at_px, probe_A, scp);
     const Ray ray = camera.rayThrough(at_px.x, at_px.y, StepPicture::kSize_px, StepPicture::kSize_px);
-    if (hit.ball < 0) {
+    if (hit.sphere < 0) {
       const double to_A = camera.distance_A;
       learner.follow({{.to = PointA{ray.origin.A + ray.direction * (0.5 * to_A)}, .placed = true, .wait_s = 0.05},
                       {.to = PointA{ray.origin.A + ray.direction * (1.5 * to_A)}, .speed_A_per_s = 60.0}});

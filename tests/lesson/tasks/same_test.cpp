@@ -199,7 +199,7 @@ TEST_CASE(
   REQUIRE(both.beside_from > 0);
   const std::int32_t of_first = 3, of_second = std::int32_t(both.beside_from) + 3;
   double first_ends_A = -1e9;
-  for (std::size_t i = 0; i < both.beside_from; ++i) first_ends_A = std::max(first_ends_A, both.balls[i].centre_A.x);
+  for (std::size_t i = 0; i < both.beside_from; ++i) first_ends_A = std::max(first_ends_A, both.spheres[i].centre_A.x);
   int pairs_that_differ = 0, seconds_felt = 0;
   for (std::uint64_t by = 0; by < 12; ++by) {
     auto t = task("same", {{"same", "chain A"}, {"place", "chain A2"}, {"trials", "2"}, {"for", "0.2 s"}}, both);
@@ -213,7 +213,7 @@ TEST_CASE(
         second[k] = t->stage().facing->A.x > first_ends_A;
         hand.away(0.01);
         const std::int32_t wrong = second[k] ? of_first : of_second;
-        hand.touch({wrong}, 0.5, 0.5, both.balls[std::size_t(wrong)].centre_A);
+        hand.touch({wrong}, 0.5, 0.5, both.spheres[std::size_t(wrong)].centre_A);
         CHECK(t->buttons().empty());
         hand.away(0.01);
         hand.touch({second[k] ? of_second : of_first}, 0.21);

@@ -1,4 +1,4 @@
-// Ways along atoms on the x axis and round the crease of two equal balls, where coverage and deviation have closed
+// Ways along atoms on the x axis and round the crease of two equal spheres, where coverage and deviation have closed
 // forms.
 #include <numbers>
 
@@ -8,7 +8,7 @@ using namespace moltact;
 
 namespace {
 
-/// Two balls of 1.88 A, 3.76 A apart on the x axis.
+/// Two spheres of 1.88 A, 3.76 A apart on the x axis.
 Molecule pair() {
   MoleculeByHand b;
   b.atom("AR", 18, {-1.88, 0, 0}, 1.88).atom("AR", 18, {1.88, 0, 0}, 1.88);

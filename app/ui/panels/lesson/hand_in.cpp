@@ -12,10 +12,10 @@
 namespace moltact {
 namespace {
 
-constexpr std::size_t kMostBytes = std::size_t{1} << 30;  // of an attempt
+constexpr std::size_t kMaxBytes = std::size_t{1} << 30;  // of an attempt
 
 void copyTo(Application& app, const std::filesystem::path& from, const std::filesystem::path& to) {
-  const Expected<std::string> lines = readFile(from, kMostBytes, "");
+  const Expected<std::string> lines = readFile(from, kMaxBytes, "");
   if (!lines) return app.messages.error(lines.problem().text());
   if (const auto problem = writeWhole(to, *lines)) return app.messages.error(problem->text());
   handOver(to);

@@ -19,7 +19,7 @@
 namespace moltact {
 namespace {
 
-constexpr std::size_t kMostItems = 10;  // more that is left is listed by steps
+constexpr std::size_t kMaxItems = 10;  // more that is left is listed by steps
 
 void line(const std::string& name, const std::string& text, ImU32 colour, bool bold = false) {
   drawRichText(name.c_str(), {TextRun{.text = text, .bold = bold}}, colour);
@@ -135,7 +135,7 @@ bool drawLeft(Application& app, const LessonSession& session, const std::vector<
     if (!isDone(session, item)) left.push_back(item);
   if (left.empty()) return false;
   sectionTitle(tr("What is left"));
-  const bool by_steps = left.size() > kMostItems;
+  const bool by_steps = left.size() > kMaxItems;
   for (std::size_t k = 0; k < left.size(); ++k) {
     const Item& item = left[k];
     if (by_steps && k > 0 && left[k - 1].step == item.step) continue;

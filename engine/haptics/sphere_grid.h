@@ -1,7 +1,7 @@
-// The balls of a scene, and a uniform grid that finds those near a place: all that is prepared before touching.
+// The spheres of a scene, and a uniform grid that finds those near a place: all that is prepared before touching.
 // Immutable after construction, so every thread may read it. Units: angstrom; indices count from 0 in file order. The
 // grid is the paper's "spatial partitioning methods" (section 5). It is hashed by cell, so memory follows the number of
-// balls and not the extent of the scene; a million balls take about 0.1 s (build/release/tracker_benchmark
+// spheres and not the extent of the scene; a million spheres take about 0.1 s (build/release/tracker_benchmark
 // --benchmark_filter=ready).
 #pragma once
 
@@ -13,46 +13,46 @@
 #include <type_traits>
 #include <vector>
 
-#include "engine/core/ball.h"
 #include "engine/core/shared_array.h"
+#include "engine/core/sphere.h"
 
 namespace moltact {
 
-class BallScene {
+class SphereGrid {
  public:
-  /// The treatment of balls with the same centre and radius: keep only the first in the file, or visit each.
+  /// The treatment of spheres with the same centre and radius: keep only the first in the file, or visit each.
   enum class Duplicates : std::uint8_t { KeepFirst, VisitEach };
 
   /// Centres must be finite and within 1e9 A of the origin, radii finite and not negative (asserted; readers check
   /// files).
-  explicit BallScene(SharedArray<Ball> balls, Duplicates duplicates = Duplicates::KeepFirst);
-  /// The same without the balls of these indices (in any order; beyond the last they are ignored): they keep their
+  explicit SphereGrid(SharedArray<Sphere> spheres, Duplicates duplicates = Duplicates::KeepFirst);
+  /// The same without the spheres of these indices (in any order; beyond the last they are ignored): they keep their
   /// indices and places, but no visit finds them and the box does not count them, so that nothing feels them.
-  BallScene(SharedArray<Ball> balls, std::span<const std::uint32_t> untouchable,
-            Duplicates duplicates = Duplicates::KeepFirst);
+  SphereGrid(SharedArray<Sphere> spheres, std::span<const std::uint32_t> untouchable,
+             Duplicates duplicates = Duplicates::KeepFirst);
 
-  const SharedArray<Ball>& balls() const { return balls_; }
-  const Ball& operator[](std::size_t i) const { return balls_[i]; }
-  std::size_t size() const { return balls_.size(); }
-  /// Whether a ball is there to be felt. `i` in range.
+  const SharedArray<Sphere>& spheres() const { return spheres_; }
+  const Sphere& operator[](std::size_t i) const { return spheres_[i]; }
+  std::size_t size() const { return spheres_.size(); }
+  /// Whether a sphere is there to be felt. `i` in range.
   bool touchable(std::size_t i) const { return untouchable_.empty() || !untouchable_[i]; }
-  /// Whether some ball is there only to be seen.
+  /// Whether some sphere is there only to be seen.
   bool hasUntouchable() const { return !untouchable_.empty(); }
-  /// The indices of those balls, ascending.
+  /// The indices of those spheres, ascending.
   std::vector<std::uint32_t> untouchable() const;
 
-  /// The box round all centres, widened by the largest radius. Both corners are zero when there are no balls to feel.
+  /// The box round all centres, widened by the largest radius. Both corners are zero when there are no spheres to feel.
   Vec3 low_A() const { return low_; }
   Vec3 high_A() const { return high_; }
   double largestRadius_A() const { return largest_radius_; }
 
-  /// Bytes beyond the list of balls.
+  /// Bytes beyond the list of spheres.
   std::size_t bytes() const;
 
-  /// Calls visit(index, ball) for every ball with |centre - place| <= radius + margin_A, each once, and for some
-  /// farther ones: the visitor tests what it needs. A visitor that returns false ends the visit. Of balls with the same
+  /// Calls visit(index, sphere) for every sphere with |centre - place| <= radius + margin_A, each once, and for some
+  /// farther ones: the visitor tests what it needs. A visitor that returns false ends the visit. Of spheres with the same
   /// centre and radius only the first in the file is visited, unless Duplicates::VisitEach was given. No allocation;
-  /// the order is fixed for a scene. `cost` counts what is examined besides balls: cells, and tree nodes of crowded
+  /// the order is fixed for a scene. `cost` counts what is examined besides spheres: cells, and tree nodes of crowded
   /// cells.
   template <class Visit>
   void visitNear(const Vec3& place, double margin_A, Visit&& visit, std::uint64_t* cost = nullptr) const {
@@ -65,15 +65,15 @@ class BallScene {
     visitBox(place - Vec3(reach), place + Vec3(reach), near, visit);
   }
 
-  /// The same for the balls whose centres lie within `reach_A` of the place.
+  /// The same for the spheres whose centres lie within `reach_A` of the place.
   template <class Visit>
   void visitCentresNear(const Vec3& place, double reach_A, Visit&& visit) const {
     const auto inReach = [&](const TreeNode& b) { return glm::distance(place, b.centre) <= b.radius + reach_A; };
     visitBox(place - Vec3(reach_A), place + Vec3(reach_A), inReach, visit);
   }
 
-  /// The same for the balls that come within margin_A of any place in the box [low, high]. In a crowded cell only tree
-  /// nodes for which `mayMeet(centre, radius)` is true are visited; all balls of a node lie in that sphere.
+  /// The same for the spheres that come within margin_A of any place in the box [low, high]. In a crowded cell only tree
+  /// nodes for which `mayMeet(centre, radius)` is true are visited; all spheres of a node lie in that sphere.
   template <class MayMeet, class Visit>
   void visitNearBox(const Vec3& low, const Vec3& high, double margin_A, MayMeet&& mayMeet, Visit&& visit) const {
     const double reach = margin_A + cell_radius_;
@@ -96,11 +96,11 @@ class BallScene {
     std::uint32_t begin = 0, end = 0;  // into sorted_
   };
   struct Sorted {
-    Ball ball;
+    Sphere sphere;
     std::uint32_t index;
   };
-  // A cell with more balls than this (a hundred thousand within 0.1 A, say) has a tree, so that the cost of a visit
-  // follows from the number of balls found.
+  // A cell with more spheres than this (a hundred thousand within 0.1 A, say) has a tree, so that the cost of a visit
+  // follows from the number of spheres found.
   static constexpr std::uint32_t kTreeThreshold = 64;
   struct TreeNode {
     Vec3 centre{0.0};
@@ -137,10 +137,10 @@ class BallScene {
   // Visitors that return nothing never end a visit.
   template <class Visit>
   static bool goesOn(Visit&& visit, const Sorted& s) {
-    if constexpr (std::is_same_v<decltype(visit(s.index, s.ball)), bool>)
-      return visit(s.index, s.ball);
+    if constexpr (std::is_same_v<decltype(visit(s.index, s.sphere)), bool>)
+      return visit(s.index, s.sphere);
     else
-      return visit(s.index, s.ball), true;
+      return visit(s.index, s.sphere), true;
   }
 
   template <class Accept, class Visit>
@@ -172,8 +172,8 @@ class BallScene {
 
   template <class Accept, class Visit>
   void visitBox(Vec3 low, Vec3 high, Accept&& accept, Visit&& visit) const {
-    const auto balls = static_cast<std::uint32_t>(sorted_.size());
-    if (!visitRange(large_from_, balls, accept, visit)) return;
+    const auto spheres = static_cast<std::uint32_t>(sorted_.size());
+    if (!visitRange(large_from_, spheres, accept, visit)) return;
     if (large_from_ == 0) return;
     low = glm::max(low, grid_low_);
     high = glm::min(high, grid_high_);
@@ -196,10 +196,10 @@ class BallScene {
 
   void makeTree(std::uint32_t begin, std::uint32_t end);
 
-  SharedArray<Ball> balls_;
-  std::vector<std::uint8_t> untouchable_;  // of each ball; empty: none is
+  SharedArray<Sphere> spheres_;
+  std::vector<std::uint8_t> untouchable_;  // of each sphere; empty: none is
   std::vector<Sorted> sorted_;             // by cell, the cells along x, then y, then z: neighbours lie near in memory;
-  std::uint32_t large_from_ = 0;      // from here on the few balls much larger than the rest, tested at every visit
+  std::uint32_t large_from_ = 0;      // from here on the few spheres much larger than the rest, tested at every visit
   std::vector<TreeNode> tree_nodes_;  // trees, each node before those below it
   std::vector<CellTree> cell_trees_;  // by begin
   std::vector<Cell> cells_;           // open addressing, at most half full

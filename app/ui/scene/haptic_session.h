@@ -12,8 +12,8 @@
 
 #include "app/ui/scene/method_watch.h"
 #include "app/ui/scene/servo_link.h"
-#include "app/ui/scene/stage.h"
 #include "app/ui/scene/touch_log.h"
+#include "app/ui/scene/touchable_model.h"
 #include "app/ui/scene/view_controls.h"
 #include "engine/haptics/methods.h"
 #include "engine/molecule/molecule_key.h"
@@ -34,12 +34,12 @@ struct FeltTicks {
   const Method& method;
 };
 
-class TouchScene {
+class HapticSession {
  public:
   /// Turns a camera that has been fitted to the molecule the way it is to be seen.
   using Facing = std::function<void(Camera&, const Molecule&)>;
 
-  explicit TouchScene(ServoClock clock);
+  explicit HapticSession(ServoClock clock);
 
   ServoSettings servo_settings;  ///< as they are handed to the servo loop each frame
   Camera camera;
@@ -48,10 +48,10 @@ class TouchScene {
   ColourBy colour_by = ColourBy::Element;
   ViewControls controls;
 
-  /// Its balls are where the atoms are now; its molecule is as it was read.
-  const Stage& stage() const { return stage_; }
+  /// Its spheres are where the atoms are now; its molecule is as it was read.
+  const TouchableModel& stage() const { return stage_; }
   /// As it was shown, before its atoms moved.
-  const Stage& restingStage() const { return resting_stage_; }
+  const TouchableModel& restingModel() const { return resting_model_; }
   /// The molecule with its atoms where they are now, as it is drawn; null without one.
   const std::shared_ptr<const Molecule>& seenMolecule() const { return seen_ ? seen_ : stage_.molecule; }
   const MoleculeKey& molecule() const { return molecule_; }  ///< which molecule is on the stage
@@ -64,7 +64,7 @@ class TouchScene {
   const MethodWatch& watch() const { return watch_; }
 
   /// Another molecule; the view is set as for a new scene.
-  void show(Stage stage, const MoleculeKey& molecule, const Facing& facing);
+  void show(TouchableModel stage, const MoleculeKey& molecule, const Facing& facing);
   /// The same molecule as if it had just been opened, keeping what was found out about the methods.
   void beginAgain(const Facing& facing);
   /// Forgets the contact where the hand is: the force goes to zero and grows from nothing. The view stays.
@@ -98,12 +98,12 @@ class TouchScene {
   /// The view's width over its height: what the camera is fitted to.
   void setViewAspect(double aspect) { view_aspect_ = aspect; }
 
-  /// The atoms go evenly to these places (a ball for each) in so many ticks, while they are touched; the picture follows.
+  /// The atoms go evenly to these places (a sphere for each) in so many ticks, while they are touched; the picture follows.
   /// False while an earlier motion waits to begin, or where the places are none: ask again a frame later; and without a
   /// stage, while a hand is played or a force is tried.
-  bool moveAtoms(const std::vector<Ball>& to, int ticks);
+  bool moveAtoms(const std::vector<Sphere>& to, int ticks);
   /// The atoms are there at once, and what is felt begins anew.
-  void placeAtoms(std::vector<Ball> at);
+  void placeAtoms(std::vector<Sphere> at);
 
   /// While nobody looks at the scene the hand feels nothing.
   void rest(bool on) { resting_ = on; }
@@ -152,10 +152,10 @@ class TouchScene {
   void watchLeftBehind(double dt_s);
   void followMotion(double dt_s);
   std::unique_ptr<Interaction> freshInteraction() const;
-  void feelAnew();
-  ServoSettings handed(bool trying) const;
+  void rebuildInteraction();
+  ServoSettings effectiveSettings(bool trying) const;
 
-  Stage stage_, resting_stage_;
+  TouchableModel stage_, resting_model_;
   std::shared_ptr<const Molecule> seen_;        // with its atoms where they are now; null: as it was read
   std::shared_ptr<const SphereMotion> motion_;  // the one handed over last
   std::uint64_t seen_motion_ = 0;               // where seen_ was taken from, and when

@@ -6,7 +6,7 @@
 
 namespace moltact {
 
-class Fineness {
+class AdaptiveQuality {
  public:
   /// How the next picture is to be drawn.
   struct Choice {

@@ -1,4 +1,4 @@
-#include "engine/render/fineness.h"
+#include "engine/render/adaptive_quality.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,7 +14,7 @@ constexpr double kFineLight = 0.5;  // from this scale on creases are darker; be
 
 }  // namespace
 
-Fineness::Choice Fineness::choose(bool moving) {
+AdaptiveQuality::Choice AdaptiveQuality::choose(bool moving) {
   rested_frames_ = moving ? 0 : rested_frames_ + 1;
   Choice choice;
   // Cost goes with the number of pixels, the square of the scale; eighths keep it from flickering. What is stretched is
@@ -32,7 +32,7 @@ Fineness::Choice Fineness::choose(bool moving) {
   return choice;
 }
 
-void Fineness::took(double ms) {
+void AdaptiveQuality::took(double ms) {
   // How long a picture without the fine light takes does not say what one with it would take: the view would go to and
   // fro between the two.
   if (!last_.options.fine_light) return;

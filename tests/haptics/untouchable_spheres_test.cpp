@@ -1,4 +1,4 @@
-// Balls that are seen and not felt: whatever the method, the hand meets the scene as if they were not there, and the
+// Spheres that are seen and not felt: whatever the method, the hand meets the scene as if they were not there, and the
 // others keep their indices.
 #include <doctest/doctest.h>
 
@@ -14,10 +14,10 @@ using namespace moltact;
 
 namespace {
 
-const std::vector<Ball> kPair{{{0, 0, 0}, 1.6}, {{6, 0, 0}, 1.6}};
+const std::vector<Sphere> kPair{{{0, 0, 0}, 1.6}, {{6, 0, 0}, 1.6}};
 
-std::shared_ptr<const BallScene> without(std::vector<Ball> balls, const std::vector<std::uint32_t>& untouchable) {
-  return std::make_shared<const BallScene>(std::move(balls), untouchable);
+std::shared_ptr<const SphereGrid> without(std::vector<Sphere> spheres, const std::vector<std::uint32_t>& untouchable) {
+  return std::make_shared<const SphereGrid>(std::move(spheres), untouchable);
 }
 
 }  // namespace
@@ -40,16 +40,16 @@ TEST_CASE(
     "as "
     "over the 33 others, with their indices in the whole") {
   const scenes::Scene scene = scenes::cluster(50, 3);
-  std::vector<Ball> others;
+  std::vector<Sphere> others;
   std::vector<std::uint32_t> left_out, index;
-  for (std::uint32_t i = 0; i < scene.balls.size(); ++i)
+  for (std::uint32_t i = 0; i < scene.spheres.size(); ++i)
     if (i % 3 == 0) {
       left_out.push_back(i);
     } else {
-      others.push_back(scene.balls[i]);
+      others.push_back(scene.spheres[i]);
       index.push_back(i);
     }
-  const auto whole = findMethod("exact")->make(without(scene.balls, left_out), scene.probe_A);
+  const auto whole = findMethod("exact")->make(without(scene.spheres, left_out), scene.probe_A);
   const auto part = findMethod("exact")->make(test::makeScene(others), scene.probe_A);
   int touching = 0;
   for (const Vec3& hip : scenes::jumps(scene, 3000, 8)) {
@@ -71,19 +71,19 @@ TEST_CASE("the box of a scene counts no untouchable ball, a sweep meets none, an
   CHECK((one->touchable(0) && !one->touchable(1)));
   CHECK(one->untouchable() == std::vector<std::uint32_t>{1});
   CHECK((one->low_A() == Vec3(-1.6) && one->high_A() == Vec3(1.6)));
-  CHECK(sweep(*one, 1.4, {6, 0, 9}, {6, 0, -9}).ball == -1);
-  CHECK(sweep(*one, 1.4, {0, 0, 9}, {0, 0, -9}).ball == 0);
+  CHECK(sweep(*one, 1.4, {6, 0, 9}, {6, 0, -9}).sphere == -1);
+  CHECK(sweep(*one, 1.4, {0, 0, 9}, {0, 0, -9}).sphere == 0);
   const auto none = without(kPair, {0, 1});
   CHECK((none->low_A() == Vec3(0) && none->high_A() == Vec3(0)));
-  CHECK(sweep(*none, 1.4, {0, 0, 9}, {0, 0, -9}).ball == -1);
-  CHECK_FALSE(BallScene(kPair).hasUntouchable());
+  CHECK(sweep(*none, 1.4, {0, 0, 9}, {0, 0, -9}).sphere == -1);
+  CHECK_FALSE(SphereGrid(kPair).hasUntouchable());
 }
 
 TEST_CASE("an untouchable ball that moves through a still probe is not felt on its way, nor in the motion after it") {
   const auto tracker = findMethod("exact")->make(without(kPair, {0}), 1.4);
   const PointA still{{-5, 0, 0}};
   tracker->step(still);
-  std::vector<Ball> to = kPair;
+  std::vector<Sphere> to = kPair;
   to[0].centre_A.x = -10;
   const auto first = SphereMotion::make(kPair, to, 33, std::vector<std::uint32_t>{0});
   REQUIRE(first);

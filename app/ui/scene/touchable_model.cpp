@@ -1,4 +1,4 @@
-#include "app/ui/scene/stage.h"
+#include "app/ui/scene/touchable_model.h"
 
 #include <span>
 #include <utility>
@@ -14,46 +14,47 @@ namespace {
 // mesh lies inside the spheres, a coarse grid may lie outside (unit: angstrom).
 constexpr double kOutside_A = 1e-3, kFarthestOutside_A = 2.0;
 
-Stage stageOf(std::shared_ptr<const Molecule> molecule, std::span<const std::uint32_t> untouchable,
-              std::span<const std::uint32_t> held) {
-  Stage stage;
-  if (!held.empty()) stage.body = heldBody(molecule->balls, held);
-  stage.balls = std::make_shared<const BallScene>(molecule->balls, untouchable);
-  const BallScene& balls = *stage.balls;
+TouchableModel stageOf(std::shared_ptr<const Molecule> molecule, std::span<const std::uint32_t> untouchable,
+                       std::span<const std::uint32_t> held) {
+  TouchableModel stage;
+  if (!held.empty()) stage.body = heldBody(molecule->spheres, held);
+  stage.spheres = std::make_shared<const SphereGrid>(molecule->spheres, untouchable);
+  const SphereGrid& spheres = *stage.spheres;
   std::size_t felt = 0;
-  for (std::size_t i = 0; i < balls.size(); ++i) felt += balls.touchable(i);
-  for (std::size_t i = 0; i < balls.size(); ++i)
-    if (felt == 0 || balls.touchable(i)) stage.middle.A += balls[i].centre_A / double(felt == 0 ? balls.size() : felt);
+  for (std::size_t i = 0; i < spheres.size(); ++i) felt += spheres.touchable(i);
+  for (std::size_t i = 0; i < spheres.size(); ++i)
+    if (felt == 0 || spheres.touchable(i))
+      stage.middle.A += spheres[i].centre_A / double(felt == 0 ? spheres.size() : felt);
   stage.molecule = std::move(molecule);
-  stage.workspace = fitWorkspace(balls);
-  stage.reach_A = 0.5 * glm::distance(balls.low_A(), balls.high_A()) +
+  stage.workspace = fitWorkspace(spheres);
+  stage.reach_A = 0.5 * glm::distance(spheres.low_A(), spheres.high_A()) +
                   std::max(kLargestProbe_A, stage.body ? stage.body->reach_A : 0.0);
   return stage;
 }
 
 }  // namespace
 
-Expected<Stage> makeStage(Molecule molecule, const std::filesystem::path& file) {
+Expected<TouchableModel> makeTouchableModel(Molecule molecule, const std::filesystem::path& file) {
   if (molecule.atoms.empty())
     return Problem{file.string(), 0, 0, tr("there are no atoms to touch"),
                    tr("open a structure file with coordinates")};
   return stageOf(std::make_shared<const Molecule>(std::move(molecule)), {}, {});
 }
 
-Stage withUntouchable(const Stage& stage, const std::vector<std::uint32_t>& atoms,
-                      const std::vector<std::uint32_t>& held) {
+TouchableModel withUntouchable(const TouchableModel& stage, const std::vector<std::uint32_t>& atoms,
+                               const std::vector<std::uint32_t>& held) {
   if (!stage) return stage;
   const std::vector<std::uint32_t> holds = stage.body ? stage.body->atoms : std::vector<std::uint32_t>();
-  return stage.balls->untouchable() == atoms && holds == held ? stage : stageOf(stage.molecule, atoms, held);
+  return stage.spheres->untouchable() == atoms && holds == held ? stage : stageOf(stage.molecule, atoms, held);
 }
 
-HandShape handShape(const Stage& stage, double probe_A, const Quat& orientation) {
+HandShape handShape(const TouchableModel& stage, double probe_A, const Quat& orientation) {
   return stage.body ? HandShape(*stage.body, orientation) : HandShape(probe_A);
 }
 
-Stage movedStage(const Stage& stage, std::vector<Ball> places) {
-  Stage out = stage;
-  out.balls = std::make_shared<const BallScene>(std::move(places), stage.balls->untouchable());
+TouchableModel movedModel(const TouchableModel& stage, std::vector<Sphere> places) {
+  TouchableModel out = stage;
+  out.spheres = std::make_shared<const SphereGrid>(std::move(places), stage.spheres->untouchable());
   return out;
 }
 
@@ -68,11 +69,11 @@ void leadToContact(Interaction& made, const Contact& contact, const PoseA& hand)
   made.respond(hand);
 }
 
-std::unique_ptr<Interaction> interactionAt(const Stage& stage, const TouchSetup& touch, const Contact& contact,
+std::unique_ptr<Interaction> interactionAt(const TouchableModel& stage, const TouchSetup& touch, const Contact& contact,
                                            const PoseA& hand) {
   if (!stage) return nullptr;
   std::unique_ptr<Interaction> felt =
-      makeInteraction({stage.balls, touch, stage.body, chemistryFor(touch, *stage.molecule)});
+      makeInteraction({stage.spheres, touch, stage.body, chemistryFor(touch, *stage.molecule)});
   if (felt) leadToContact(*felt, contact, hand);
   return felt;
 }

@@ -1,4 +1,4 @@
-// The balls near a place, inflated, kept while the place moves little: what a method that looks at every
+// The spheres near a place, inflated, kept while the place moves little: what a method that looks at every
 // neighbour in every tick need not look up anew. Haptic thread; no allocation after construction. Units:
 // angstrom. Places are relative to origin(): near a scene that lies far off no digits are lost.
 #pragma once
@@ -10,45 +10,45 @@
 #include <limits>
 #include <memory>
 
-#include "engine/haptics/ball_scene.h"
+#include "engine/haptics/sphere_grid.h"
 #include "engine/haptics/sphere_motion.h"
 #include "engine/haptics/sweep.h"
 
 namespace moltact {
 
-struct NearBall {
+struct NearSphere {
   Vec3 centre;
   double radius;  ///< inflated by the probe
   std::int32_t index;
 };
 
-class NearbyBalls {
+class NearbySpheres {
  public:
-  static constexpr std::size_t kMost = 256;  ///< the longest list that is kept
+  static constexpr std::size_t kMax = 256;  ///< the longest list that is kept
 
   /// What becomes of a list that would be longer: the scene is visited each time, so that all is seen; or the list
   /// reaches less far, so that no visit costs much.
   enum class Crowded : std::uint8_t { VisitScene, ReachLess };
 
   /// A list serves until the place has moved by `margin_A`.
-  explicit NearbyBalls(std::shared_ptr<const BallScene> scene, double margin_A = 0.5,
-                       Crowded crowded = Crowded::VisitScene)
+  explicit NearbySpheres(std::shared_ptr<const SphereGrid> scene, double margin_A = 0.5,
+                         Crowded crowded = Crowded::VisitScene)
       : scene_(std::move(scene)),
         margin_(margin_A),
         crowded_(crowded),
         origin_(1024.0 * glm::round((scene_->low_A() + scene_->high_A()) / 2048.0)) {}
 
-  /// What is visited: the scene, or the bounds of a motion's spheres, whose radii and places are ball()'s.
-  const BallScene& scene() const noexcept { return motion_ ? motion_->sweptBalls() : *scene_; }
+  /// What is visited: the scene, or the bounds of a motion's spheres, whose radii and places are sphere()'s.
+  const SphereGrid& scene() const noexcept { return motion_ ? motion_->sweptSpheres() : *scene_; }
   /// The scene's middle in whole steps of 1024 A, so that differences to it are exact; zero for a scene near
   /// the origin.
   const Vec3& origin() const noexcept { return origin_; }
   double probe_A() const noexcept { return probe_; }
-  std::size_t held() const noexcept { return count_; }  ///< balls in the list
-  /// Balls, and cells and groups of balls, looked at since the counter was set back: what a tick has cost.
+  std::size_t held() const noexcept { return count_; }  ///< spheres in the list
+  /// Spheres, and cells and groups of spheres, looked at since the counter was set back: what a tick has cost.
   std::uint64_t looked() const noexcept { return looked_; }
-  void countFromZero() noexcept { looked_ = 0; }
-  /// The list stays in use: where the balls have grown by a little, the list is sure of as much less distance round it.
+  void resetWorkCount() noexcept { looked_ = 0; }
+  /// The list stays in use: where the spheres have grown by a little, the list is sure of as much less distance round it.
   void setProbe(double probe_A) noexcept {
     const double grown = probe_A - probe_;
     probe_ = probe_A;
@@ -59,7 +59,7 @@ class NearbyBalls {
       return;
     }
     looked_ += count_;
-    for (std::size_t k = 0; k < count_; ++k) list_[k].radius = ball(list_[k].index).radius;
+    for (std::size_t k = 0; k < count_; ++k) list_[k].radius = sphere(list_[k].index).radius;
   }
 
   /// From now on the spheres are those of the motion, at its beginning; null: the scene's own. The motion has as many
@@ -94,12 +94,12 @@ class NearbyBalls {
     return fits_ && glm::distance(place, around_) + within_A <= reach_;
   }
 
-  NearBall ball(std::int32_t i) const noexcept {
+  NearSphere sphere(std::int32_t i) const noexcept {
     return inflated(i, motion_ ? (*motion_)[std::size_t(i)].at(fraction_) : (*scene_)[std::size_t(i)]);
   }
 
-  /// Calls visit(NearBall) once for each ball that comes within `within_A` of the place, and for some farther
-  /// ones; returns how near to the place all balls have been visited: at least within_A, but for Crowded::ReachLess.
+  /// Calls visit(NearSphere) once for each sphere that comes within `within_A` of the place, and for some farther
+  /// ones; returns how near to the place all spheres have been visited: at least within_A, but for Crowded::ReachLess.
   /// The order follows from the places asked for.
   template <class Visit>
   double each(const Vec3& place, double within_A, Visit&& visit) noexcept {
@@ -112,14 +112,14 @@ class NearbyBalls {
       for (std::size_t k = 0; k < count_; ++k) visit(list_[k]);
       return reach_ - glm::distance(place, around_);
     }
-    scene().visitNear(origin_ + place, probe_ + within_A, [&](std::uint32_t i, const Ball& b) {
+    scene().visitNear(origin_ + place, probe_ + within_A, [&](std::uint32_t i, const Sphere& b) {
       ++looked_;
       visit(now(i, b));
     });
     return within_A;
   }
 
-  /// True where a ball of the list holds the place: without looking round. False tells nothing.
+  /// True where a sphere of the list holds the place: without looking round. False tells nothing.
   bool knownInside(const Vec3& place) noexcept {
     if (stale_) [[unlikely]]
       refresh();
@@ -130,13 +130,13 @@ class NearbyBalls {
     return false;
   }
 
-  /// True where a ball of the scene holds the place.
+  /// True where a sphere of the scene holds the place.
   bool inside(const Vec3& place) const noexcept {
     bool found = false;
-    scene().visitNear(origin_ + place, probe_, [&](std::uint32_t i, const Ball& b) {
-      const NearBall ball = now(i, b);
-      const Vec3 m = place - ball.centre;
-      found = glm::dot(m, m) < ball.radius * ball.radius;
+    scene().visitNear(origin_ + place, probe_, [&](std::uint32_t i, const Sphere& b) {
+      const NearSphere sphere = now(i, b);
+      const Vec3 m = place - sphere.centre;
+      found = glm::dot(m, m) < sphere.radius * sphere.radius;
       return !found;
     });
     return found;
@@ -152,13 +152,13 @@ class NearbyBalls {
   }
 
  private:
-  static constexpr double kLeastReach_A = 1e-7;
+  static constexpr double kMinReach_A = 1e-7;
   static constexpr double kSpare_A =
       1e-12;  // a reach that has been reckoned on by a change of the probe is off by less
 
   // The list's spheres as they are at this fraction.
   void refresh() noexcept {
-    for (std::size_t k = 0; k < count_; ++k) list_[k] = ball(list_[k].index);
+    for (std::size_t k = 0; k < count_; ++k) list_[k] = sphere(list_[k].index);
     stale_ = false;
   }
 
@@ -170,11 +170,11 @@ class NearbyBalls {
   }
 
   // A sphere as it is now, of which the scene or the motion's bounds hold `b`.
-  NearBall now(std::uint32_t i, const Ball& b) const noexcept {
+  NearSphere now(std::uint32_t i, const Sphere& b) const noexcept {
     return inflated(std::int32_t(i), motion_ ? (*motion_)[i].at(fraction_) : b);
   }
 
-  NearBall inflated(std::int32_t i, const Ball& b) const noexcept {
+  NearSphere inflated(std::int32_t i, const Sphere& b) const noexcept {
     return {b.centre_A - origin_, b.radius_A + probe_, i};
   }
 
@@ -189,7 +189,7 @@ class NearbyBalls {
     if (shrunk && glm::distance(place, around_) <= 0.5 * reach_) return;
     double reach = shrunk ? std::min(wanted, 4.0 * reach_) : wanted;
     while (!gather(place, reach)) {
-      if (reach < kLeastReach_A) {  // so many in one place cannot be told apart: nothing round it is known
+      if (reach < kMinReach_A) {  // so many in one place cannot be told apart: nothing round it is known
         reach_ = 0.0;
         break;
       }
@@ -199,7 +199,7 @@ class NearbyBalls {
     fits_ = true;
   }
 
-  // Lists the balls within `reach` of the place; false where there are more than fit.
+  // Lists the spheres within `reach` of the place; false where there are more than fit.
   bool gather(const Vec3& place, double reach) noexcept {
     around_ = place;
     reach_ = reach;
@@ -208,12 +208,12 @@ class NearbyBalls {
     bool fits = true;
     scene().visitNear(
         origin_ + place, probe_ + reach_,
-        [&](std::uint32_t i, const Ball& b) {
+        [&](std::uint32_t i, const Sphere& b) {
           ++looked_;
           const Vec3 m = place - (b.centre_A - origin_);
           const double far = b.radius_A + probe_ + reach_;
           if (glm::dot(m, m) > far * far) return true;
-          fits = count_ < kMost;
+          fits = count_ < kMax;
           if (fits) list_[count_++] = now(i, b);
           return fits;
         },
@@ -222,7 +222,7 @@ class NearbyBalls {
     return fits;
   }
 
-  std::shared_ptr<const BallScene> scene_;
+  std::shared_ptr<const SphereGrid> scene_;
   const SphereMotion* motion_ = nullptr;
   std::uint64_t motion_serial_ = 0;
   double fraction_ = 0.0, most_moved_ = 0.0;
@@ -236,7 +236,7 @@ class NearbyBalls {
   bool fits_ = false, shrunk_ = false;
   std::uint64_t looked_ = 0;
   std::size_t count_ = 0;
-  std::array<NearBall, kMost> list_;
+  std::array<NearSphere, kMax> list_;
 };
 
 }  // namespace moltact

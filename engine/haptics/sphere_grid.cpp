@@ -1,4 +1,4 @@
-#include "engine/haptics/ball_scene.h"
+#include "engine/haptics/sphere_grid.h"
 
 #include <algorithm>
 #include <bit>
@@ -10,15 +10,15 @@
 
 namespace moltact {
 
-BallScene::BallScene(SharedArray<Ball> balls, Duplicates duplicates)
-    : BallScene(std::move(balls), std::span<const std::uint32_t>{}, duplicates) {}
+SphereGrid::SphereGrid(SharedArray<Sphere> spheres, Duplicates duplicates)
+    : SphereGrid(std::move(spheres), std::span<const std::uint32_t>{}, duplicates) {}
 
-BallScene::BallScene(SharedArray<Ball> balls, std::span<const std::uint32_t> untouchable, Duplicates duplicates)
-    : balls_(std::move(balls)) {
-  std::size_t felt = balls_.size();
+SphereGrid::SphereGrid(SharedArray<Sphere> spheres, std::span<const std::uint32_t> untouchable, Duplicates duplicates)
+    : spheres_(std::move(spheres)) {
+  std::size_t felt = spheres_.size();
   for (const std::uint32_t i : untouchable) {
-    if (i >= balls_.size()) continue;
-    if (untouchable_.empty()) untouchable_.resize(balls_.size());
+    if (i >= spheres_.size()) continue;
+    if (untouchable_.empty()) untouchable_.resize(spheres_.size());
     felt -= untouchable_[i] ? 0 : 1;
     untouchable_[i] = 1;
   }
@@ -28,21 +28,21 @@ BallScene::BallScene(SharedArray<Ball> balls, std::span<const std::uint32_t> unt
     shift_ = 62;
     return;
   }
-  assert(balls_.size() < std::numeric_limits<std::uint32_t>::max());
+  assert(spheres_.size() < std::numeric_limits<std::uint32_t>::max());
 
-  // A ball more than twice as large as 99 of 100 others would make every look-up wide: those few are kept apart.
+  // A sphere more than twice as large as 99 of 100 others would make every look-up wide: those few are kept apart.
   std::vector<double> radii;
   radii.reserve(felt);
-  for (std::size_t i = 0; i < balls_.size(); ++i)
-    if (touchable(i)) radii.push_back(balls_[i].radius_A);
+  for (std::size_t i = 0; i < spheres_.size(); ++i)
+    if (touchable(i)) radii.push_back(spheres_[i].radius_A);
   const auto at99 = radii.begin() + std::ptrdiff_t(0.99 * double(radii.size() - 1));
   std::nth_element(radii.begin(), at99, radii.end());
   const double large_from = 2.0 * *at99;
 
   bool first = true, first_felt = true;
   std::size_t small_count = 0;
-  for (std::size_t i = 0; i < balls_.size(); ++i) {
-    const Ball& b = balls_[i];
+  for (std::size_t i = 0; i < spheres_.size(); ++i) {
+    const Sphere& b = spheres_[i];
     assert(std::isfinite(b.radius_A) && b.radius_A >= 0);
     assert(std::isfinite(b.centre_A.x) && std::isfinite(b.centre_A.y) && std::isfinite(b.centre_A.z));
     if (!touchable(i)) continue;
@@ -62,7 +62,7 @@ BallScene::BallScene(SharedArray<Ball> balls, std::span<const std::uint32_t> unt
   cell_ = 1.4 * (cell_radius_ + kWaterProbe_A);
 
   // Counting sort by hashed cell: count, sum up, place.
-  std::vector<std::uint32_t> slot_of(balls_.size());
+  std::vector<std::uint32_t> slot_of(spheres_.size());
   cells_.assign(std::bit_ceil(std::max<std::size_t>(16, small_count / 4)), Cell{});
   std::size_t used = 0;
   const auto resetTable = [&] {
@@ -70,19 +70,19 @@ BallScene::BallScene(SharedArray<Ball> balls, std::span<const std::uint32_t> unt
     shift_ = 66 - std::countr_zero(cells_.size());
     used = 0;
   };
-  const auto keyOf = [&](const Ball& b) {
+  const auto keyOf = [&](const Sphere& b) {
     return key(cellOf(b.centre_A.x, grid_low_.x), cellOf(b.centre_A.y, grid_low_.y), cellOf(b.centre_A.z, grid_low_.z));
   };
   resetTable();
-  for (std::size_t i = 0; i < balls_.size(); ++i) {
-    if (!touchable(i) || balls_[i].radius_A > large_from) continue;
+  for (std::size_t i = 0; i < spheres_.size(); ++i) {
+    if (!touchable(i) || spheres_[i].radius_A > large_from) continue;
     if (2 * (used + 1) > cells_.size()) {  // too full: a table of four times the size, counted again
       cells_.assign(cells_.size() * 4, Cell{});
       resetTable();
       i = std::size_t(-1);
       continue;
     }
-    const std::uint64_t k = keyOf(balls_[i]);
+    const std::uint64_t k = keyOf(spheres_[i]);
     std::size_t s = slot(k);
     while (cells_[s].key != k && cells_[s].key != kEmpty) s = (s + 1) & mask_;
     if (cells_[s].key == kEmpty) {
@@ -105,18 +105,18 @@ BallScene::BallScene(SharedArray<Ball> balls, std::span<const std::uint32_t> unt
   }
   sorted_.resize(small_count);
   std::vector<Sorted> large;
-  for (std::size_t i = 0; i < balls_.size(); ++i) {
+  for (std::size_t i = 0; i < spheres_.size(); ++i) {
     if (!touchable(i)) continue;
-    const Sorted entry{balls_[i], static_cast<std::uint32_t>(i)};
-    if (balls_[i].radius_A > large_from)
+    const Sorted entry{spheres_[i], static_cast<std::uint32_t>(i)};
+    if (spheres_[i].radius_A > large_from)
       large.push_back(entry);
     else
       sorted_[cells_[slot_of[i]].end++] = entry;
   }
 
-  // Of equal balls (alternate locations written twice, say) only the first is kept in a cell.
+  // Of equal spheres (alternate locations written twice, say) only the first is kept in a cell.
   const auto same = [](const Sorted& a, const Sorted& b) {
-    return a.ball.centre_A == b.ball.centre_A && a.ball.radius_A == b.ball.radius_A;
+    return a.sphere.centre_A == b.sphere.centre_A && a.sphere.radius_A == b.sphere.radius_A;
   };
   auto kept = sorted_.begin();  // the cells move together over the gaps
   for (Cell* cell : in_order) {
@@ -125,10 +125,10 @@ BallScene::BallScene(SharedArray<Ball> balls, std::span<const std::uint32_t> unt
     const auto begin = sorted_.begin() + c.begin;
     auto end = sorted_.begin() + c.end;
     if (c.end - c.begin >
-        64)  // so full a cell is put in order first: equal balls lie side by side, the first of them first
+        64)  // so full a cell is put in order first: equal spheres lie side by side, the first of them first
       std::sort(begin, end, [](const Sorted& a, const Sorted& b) {
         const auto key = [](const Sorted& s) {
-          return std::tuple(s.ball.centre_A.x, s.ball.centre_A.y, s.ball.centre_A.z, s.ball.radius_A, s.index);
+          return std::tuple(s.sphere.centre_A.x, s.sphere.centre_A.y, s.sphere.centre_A.z, s.sphere.radius_A, s.index);
         };
         return key(a) < key(b);
       });
@@ -149,25 +149,25 @@ BallScene::BallScene(SharedArray<Ball> balls, std::span<const std::uint32_t> unt
 }
 
 // A tree over a crowded part of the list: halves at the middle of the longest side, the radius being one of four, down
-// to kLeaf balls. Of radii the larger half comes first: those are met first.
-void BallScene::makeTree(std::uint32_t begin, std::uint32_t end) {
+// to kLeaf spheres. Of radii the larger half comes first: those are met first.
+void SphereGrid::makeTree(std::uint32_t begin, std::uint32_t end) {
   constexpr std::uint32_t kLeaf = 8;
   if (end - begin <= kTreeThreshold) return;
   cell_trees_.push_back({begin, static_cast<std::uint32_t>(tree_nodes_.size())});
   const auto grow = [&](const auto& self, std::uint32_t from, std::uint32_t to) -> void {
-    Vec3 low = sorted_[from].ball.centre_A, high = low;
-    double small = sorted_[from].ball.radius_A, large = small;
+    Vec3 low = sorted_[from].sphere.centre_A, high = low;
+    double small = sorted_[from].sphere.radius_A, large = small;
     for (std::uint32_t k = from; k < to; ++k) {
-      low = glm::min(low, sorted_[k].ball.centre_A);
-      high = glm::max(high, sorted_[k].ball.centre_A);
-      small = std::min(small, sorted_[k].ball.radius_A);
-      large = std::max(large, sorted_[k].ball.radius_A);
+      low = glm::min(low, sorted_[k].sphere.centre_A);
+      high = glm::max(high, sorted_[k].sphere.centre_A);
+      small = std::min(small, sorted_[k].sphere.radius_A);
+      large = std::max(large, sorted_[k].sphere.radius_A);
     }
     const std::size_t node = tree_nodes_.size();
     TreeNode bound{.centre = 0.5 * (low + high), .begin = from, .end = to, .leaf = to - from <= kLeaf};
     for (std::uint32_t k = from; k < to; ++k) {
-      bound.radius = std::max(bound.radius, glm::distance(bound.centre, sorted_[k].ball.centre_A));
-      bound.largest = std::max(bound.largest, sorted_[k].ball.radius_A);
+      bound.radius = std::max(bound.radius, glm::distance(bound.centre, sorted_[k].sphere.centre_A));
+      bound.largest = std::max(bound.largest, sorted_[k].sphere.radius_A);
     }
     bound.radius +=
         1e-9 + 1e-12 * (glm::length(bound.centre) + bound.radius);  // what is just within reach is not lost to rounding
@@ -177,7 +177,7 @@ void BallScene::makeTree(std::uint32_t begin, std::uint32_t end) {
       const int axis = side.x >= side.y ? (side.x >= side.z ? 0 : 2) : (side.y >= side.z ? 1 : 2);
       const bool by_radius = large - small > side[axis];
       const auto key = [&](const Sorted& s) {
-        return std::pair(by_radius ? s.ball.radius_A : s.ball.centre_A[axis], s.index);
+        return std::pair(by_radius ? s.sphere.radius_A : s.sphere.centre_A[axis], s.index);
       };
       const std::uint32_t middle = from + (to - from) / 2;
       std::nth_element(sorted_.begin() + from, sorted_.begin() + middle, sorted_.begin() + to,
@@ -190,14 +190,14 @@ void BallScene::makeTree(std::uint32_t begin, std::uint32_t end) {
   grow(grow, begin, end);
 }
 
-std::vector<std::uint32_t> BallScene::untouchable() const {
+std::vector<std::uint32_t> SphereGrid::untouchable() const {
   std::vector<std::uint32_t> out;
   for (std::uint32_t i = 0; i < untouchable_.size(); ++i)
     if (untouchable_[i]) out.push_back(i);
   return out;
 }
 
-std::size_t BallScene::bytes() const {
+std::size_t SphereGrid::bytes() const {
   return untouchable_.capacity() + sorted_.capacity() * sizeof(Sorted) + tree_nodes_.capacity() * sizeof(TreeNode) +
          cell_trees_.capacity() * sizeof(CellTree) + cells_.capacity() * sizeof(Cell);
 }

@@ -1,11 +1,11 @@
-// A ball: one atom as the haptic side sees it. Units: angstrom.
+// A sphere: one atom as the haptic side sees it. Units: angstrom.
 #pragma once
 
 #include "engine/core/units.h"
 
 namespace moltact {
 
-struct Ball {
+struct Sphere {
   Vec3 centre_A{0.0};
   double radius_A = 0.0;  ///< van der Waals radius, not inflated by the probe
 };

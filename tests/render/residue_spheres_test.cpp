@@ -1,6 +1,6 @@
-// A molecule of very many atoms is drawn by its residues: where their balls lie comes from closed forms, and what the
-// picture must be from a molecule that has those balls for atoms.
-#include "engine/render/residue_balls.h"
+// A molecule of very many atoms is drawn by its residues: where their spheres lie comes from closed forms, and what the
+// picture must be from a molecule that has those spheres for atoms.
+#include "engine/render/residue_spheres.h"
 
 #include <cmath>
 #include <random>
@@ -23,7 +23,7 @@ std::shared_ptr<const Molecule> haemoglobin() {
   return read;
 }
 
-// What is no amino acid: it is coloured by its elements, of which a ball has the mean.
+// What is no amino acid: it is coloured by its elements, of which a sphere has the mean.
 AtomList others(const Molecule& m) {
   std::vector<std::uint32_t> out;
   for (std::uint32_t a = 0; a < m.atoms.size(); ++a)
@@ -31,15 +31,15 @@ AtomList others(const Molecule& m) {
   return list(std::move(out));
 }
 
-// The residue balls as atoms of their own, each in its residue.
+// The residue spheres as atoms of their own, each in its residue.
 std::shared_ptr<const Molecule> coarse(const Molecule& fine) {
-  const ResidueBalls balls = residueBalls(fine);
+  const ResidueSpheres spheres = residueSpheres(fine);
   Molecule out = fine;
   std::vector<PlacedAtom> atoms;
-  for (std::size_t k = 0; k < balls.balls.size(); ++k) {
-    PlacedAtom a = fine.at(balls.first_atom[k]);
-    a.position.A = balls.balls[k].centre_A;
-    a.radius_A = balls.balls[k].radius_A;
+  for (std::size_t k = 0; k < spheres.spheres.size(); ++k) {
+    PlacedAtom a = fine.at(spheres.first_atom[k]);
+    a.position.A = spheres.spheres[k].centre_A;
+    a.radius_A = spheres.spheres[k].radius_A;
     atoms.push_back(a);
   }
   out.setAtoms(atoms);
@@ -71,14 +71,14 @@ TEST_CASE(
     atoms.push_back(a);
   }
   m.setAtoms(atoms);
-  const ResidueBalls balls = residueBalls(m);
-  REQUIRE(balls.balls.size() == 2);
-  CHECK(balls.first_atom == std::vector<std::uint32_t>{0, 2, 3});
-  CHECK(balls.balls[0].centre_A == Vec3(1, 1, 2));
-  CHECK(balls.balls[0].radius_A == doctest::Approx(std::sqrt(1.7 * 1.7 + 5.0 / 3.0)));
-  CHECK(balls.balls[1].centre_A == Vec3(9, 1, 2));
-  CHECK(balls.balls[1].radius_A == doctest::Approx(1.7));
-  CHECK(balls.beyond_A == doctest::Approx(1.0 + 1.7 - std::sqrt(1.7 * 1.7 + 5.0 / 3.0)));
+  const ResidueSpheres spheres = residueSpheres(m);
+  REQUIRE(spheres.spheres.size() == 2);
+  CHECK(spheres.first_atom == std::vector<std::uint32_t>{0, 2, 3});
+  CHECK(spheres.spheres[0].centre_A == Vec3(1, 1, 2));
+  CHECK(spheres.spheres[0].radius_A == doctest::Approx(std::sqrt(1.7 * 1.7 + 5.0 / 3.0)));
+  CHECK(spheres.spheres[1].centre_A == Vec3(9, 1, 2));
+  CHECK(spheres.spheres[1].radius_A == doctest::Approx(1.7));
+  CHECK(spheres.beyond_A == doctest::Approx(1.0 + 1.7 - std::sqrt(1.7 * 1.7 + 5.0 / 3.0)));
 }
 
 TEST_CASE(
@@ -86,23 +86,23 @@ TEST_CASE(
     "residue "
     "of 100 atoms by 32, and none lies farther than 12 A from the first") {
   const Molecule& m = *haemoglobin();
-  const ResidueBalls balls = residueBalls(m);
-  REQUIRE(balls.first_atom.size() == balls.balls.size() + 1);
-  CHECK(balls.first_atom.front() == 0);
-  CHECK(balls.first_atom.back() == m.atoms.size());
+  const ResidueSpheres spheres = residueSpheres(m);
+  REQUIRE(spheres.first_atom.size() == spheres.spheres.size() + 1);
+  CHECK(spheres.first_atom.front() == 0);
+  CHECK(spheres.first_atom.back() == m.atoms.size());
   std::size_t in_parts = 0;  // haems have 43 atoms
-  for (std::size_t k = 0; k < balls.balls.size(); ++k) {
-    const std::uint32_t first = balls.first_atom[k];
-    CHECK(balls.first_atom[k + 1] - first <= 32);
-    for (std::uint32_t a = first; a < balls.first_atom[k + 1]; ++a) {
+  for (std::size_t k = 0; k < spheres.spheres.size(); ++k) {
+    const std::uint32_t first = spheres.first_atom[k];
+    CHECK(spheres.first_atom[k + 1] - first <= 32);
+    for (std::uint32_t a = first; a < spheres.first_atom[k + 1]; ++a) {
       CHECK(m.atoms[a].residue == m.atoms[first].residue);
-      CHECK(glm::distance(m.balls[a].centre_A, m.balls[first].centre_A) <= 12.0);
-      CHECK(glm::distance(m.balls[a].centre_A, balls.balls[k].centre_A) + m.balls[a].radius_A <=
-            balls.balls[k].radius_A + balls.beyond_A + 1e-9);
+      CHECK(glm::distance(m.spheres[a].centre_A, m.spheres[first].centre_A) <= 12.0);
+      CHECK(glm::distance(m.spheres[a].centre_A, spheres.spheres[k].centre_A) + m.spheres[a].radius_A <=
+            spheres.spheres[k].radius_A + spheres.beyond_A + 1e-9);
     }
-    in_parts += k > 0 && m.atoms[first].residue == m.atoms[balls.first_atom[k - 1]].residue;
+    in_parts += k > 0 && m.atoms[first].residue == m.atoms[spheres.first_atom[k - 1]].residue;
   }
-  CHECK(balls.balls.size() == m.residues.size() + in_parts);
+  CHECK(spheres.spheres.size() == m.residues.size() + in_parts);
   for (const std::uint32_t residue : {kNoResidue, 0u}) {
     Molecule row;
     row.residues = std::vector<Residue>(1);
@@ -114,10 +114,10 @@ TEST_CASE(
     }
     row.setAtoms(atoms);
     const std::size_t most = residue == kNoResidue ? 8 : 32;
-    CHECK(residueBalls(row).balls.size() == (100 + most - 1) / most);
+    CHECK(residueSpheres(row).spheres.size() == (100 + most - 1) / most);
     for (int k = 0; k < 100; ++k) atoms[std::size_t(k)].position.A.x = 20.0 * k;
     row.setAtoms(atoms);
-    CHECK(residueBalls(row).balls.size() == 100);
+    CHECK(residueSpheres(row).spheres.size() == 100);
   }
 }
 
@@ -129,11 +129,11 @@ TEST_CASE(
   scene.theme.fade = 0.0f;  // which goes by how far the atoms reach
   scene.look.hidden = others(*scene.molecule);
   const Picture coarser = drawn(scene, 300, 200);
-  CHECK(renderer().count().atoms == residueBalls(*scene.molecule).balls.size());
+  CHECK(renderer().count().atoms == residueSpheres(*scene.molecule).spheres.size());
   CHECK(renderer().count().atoms < 700);
   ViewScene oracle = scene;
   oracle.molecule = coarse(*scene.molecule);
-  oracle.most_single_atoms = kMostSingleAtoms;
+  oracle.most_single_atoms = kMaxSingleAtoms;
   oracle.look.hidden = others(*oracle.molecule);
   CHECK(compare(coarser, drawn(oracle, 300, 200), 3).pixels < 20);
   scene.most_single_atoms = scene.molecule->atoms.size();
@@ -159,13 +159,14 @@ TEST_CASE(
   ViewScene scene = byResidue();
   const Picture all = drawn(scene, 300, 200);
   // The residue nearest to the eye.
-  const ResidueBalls balls = residueBalls(*scene.molecule);
+  const ResidueSpheres spheres = residueSpheres(*scene.molecule);
   std::size_t nearest = 0;
-  for (std::size_t k = 0; k < balls.balls.size(); ++k)
-    if (scene.camera.toView({balls.balls[k].centre_A}).z > scene.camera.toView({balls.balls[nearest].centre_A}).z)
+  for (std::size_t k = 0; k < spheres.spheres.size(); ++k)
+    if (scene.camera.toView({spheres.spheres[k].centre_A}).z >
+        scene.camera.toView({spheres.spheres[nearest].centre_A}).z)
       nearest = k;
   std::vector<std::uint32_t> atoms;
-  for (std::uint32_t a = balls.first_atom[nearest]; a < balls.first_atom[nearest + 1]; ++a) atoms.push_back(a);
+  for (std::uint32_t a = spheres.first_atom[nearest]; a < spheres.first_atom[nearest + 1]; ++a) atoms.push_back(a);
   REQUIRE(atoms.size() > 2);
   scene.look.hidden = list(std::vector(atoms.begin(), atoms.end() - 1));
   CHECK(compare(all, drawn(scene, 300, 200), 0).pixels == 0);
@@ -196,15 +197,15 @@ TEST_CASE("the atoms nearest to a place are the same whether a molecule is drawn
   }
   CHECK(found > 500);
   for (std::uint32_t a = 0; a < fine.atoms(); ++a) {
-    const std::uint32_t ball = coarser.ballOf(a);
-    CHECK((coarser.first_atom[ball] <= a && a < coarser.first_atom[ball + 1]));
+    const std::uint32_t sphere = coarser.sphereOf(a);
+    CHECK((coarser.first_atom[sphere] <= a && a < coarser.first_atom[sphere + 1]));
   }
 }
 
 TEST_CASE("near a probe the atoms themselves are drawn beside the residues' balls") {
   ViewScene scene = byResidue();
   scene.look.spheres_near_A = 0.0;
-  scene.hip = PointA{haemoglobin()->balls[500].centre_A + scene.camera.back() * 4.0};
+  scene.hip = PointA{haemoglobin()->spheres[500].centre_A + scene.camera.back() * 4.0};
   scene.camera.fit(*scene.hip, 14.0, 1.5);
   const Picture without = drawn(scene, 300, 200);
   scene.look.spheres_near_A = 6.0;
@@ -213,8 +214,8 @@ TEST_CASE("near a probe the atoms themselves are drawn beside the residues' ball
 }
 
 TEST_CASE("that a molecule is drawn by its residues is told from the first atom on that is too many") {
-  CHECK(residueBallsNotice(kMostSingleAtoms).empty());
-  const std::string told = residueBallsNotice(16'289'280);
+  CHECK(residueSpheresNotice(kMaxSingleAtoms).empty());
+  const std::string told = residueSpheresNotice(16'289'280);
   CHECK(told.find("16289280") != std::string::npos);
   CHECK(told.find("one ball for each residue") != std::string::npos);
 }

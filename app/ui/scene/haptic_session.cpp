@@ -1,4 +1,4 @@
-#include "app/ui/scene/touch_scene.h"
+#include "app/ui/scene/haptic_session.h"
 
 #include <algorithm>
 #include <iterator>
@@ -29,53 +29,53 @@ bool sameView(const Camera& a, const Camera& b) {
   return off <= kTurned;
 }
 
-// Nothing that the hand holds, where it is, is inside a ball.
-bool inTheOpen(const Stage& stage, const ServoSample& now, const SphereMotion* motion) {
-  if (!stage.body) return clearanceAt(*stage.balls, now, motion) > 0.0;
-  const BallScene& balls = motion ? motion->sweptBalls() : *stage.balls;
-  return std::all_of(stage.body->balls.begin(), stage.body->balls.end(), [&](const Ball& b) {
-    return clearance(balls, b.radius_A, now.hip.A + now.orientation * b.centre_A, motion, now.fraction) > 0.0;
+// Nothing that the hand holds, where it is, is inside a sphere.
+bool inTheOpen(const TouchableModel& stage, const ServoSample& now, const SphereMotion* motion) {
+  if (!stage.body) return clearanceAt(*stage.spheres, now, motion) > 0.0;
+  const SphereGrid& spheres = motion ? motion->sweptSpheres() : *stage.spheres;
+  return std::all_of(stage.body->spheres.begin(), stage.body->spheres.end(), [&](const Sphere& b) {
+    return clearance(spheres, b.radius_A, now.hip.A + now.orientation * b.centre_A, motion, now.fraction) > 0.0;
   });
 }
 
 }  // namespace
 
-TouchScene::TouchScene(ServoClock clock) : servo_(clock) {}
+HapticSession::HapticSession(ServoClock clock) : servo_(clock) {}
 
-void TouchScene::show(Stage next, const MoleculeKey& molecule, const Facing& facing) {
-  stage_ = resting_stage_ = std::move(next);
+void HapticSession::show(TouchableModel next, const MoleculeKey& molecule, const Facing& facing) {
+  stage_ = resting_model_ = std::move(next);
   seen_.reset();
   motion_.reset();
   seen_motion_ = 0;
   molecule_ = molecule;
   made_with_.interaction = wanted_interaction_;
-  made_with_ = settled(made_with_, stage_.body != nullptr);
+  made_with_ = resolveInteraction(made_with_, stage_.body != nullptr);
   servo_settings.workspace = stage_.workspace;
   log_.clear();
   watch_.begin(stage_, touch());
   // Made before the workspace is handed over: until then the molecule before it is felt, where it was.
   std::unique_ptr<Interaction> felt = freshInteraction();
   resetView(facing);
-  servo_.begin(handed(false), std::move(felt));
+  servo_.begin(effectiveSettings(false), std::move(felt));
 }
 
-std::unique_ptr<Interaction> TouchScene::freshInteraction() const {
+std::unique_ptr<Interaction> HapticSession::freshInteraction() const {
   return played_ ? nullptr : interactionAt(stage_, touch(), Contact{}, PoseA{});
 }
 
-void TouchScene::play(const std::optional<ServoSample>& sample) {
+void HapticSession::play(const std::optional<ServoSample>& sample) {
   const bool was = playing();
   played_ = sample;
   if (was == playing()) return;
   motion_.reset();  // of the scene that ends here
   log_.clear();
   ++servo_settings.discontinuities;
-  servo_.begin(handed(false), freshInteraction());
+  servo_.begin(effectiveSettings(false), freshInteraction());
 }
 
 // What the servo loop is to do now: as the panels set it, but without force where nobody looks or a hand is played. A
 // force that is tried does not depend on the scene.
-ServoSettings TouchScene::handed(bool trying) const {
+ServoSettings HapticSession::effectiveSettings(bool trying) const {
   ServoSettings out = servo_settings;
   out.force_on = trying || (out.force_on && !resting_ && !played_);
   if (trying) {
@@ -86,70 +86,70 @@ ServoSettings TouchScene::handed(bool trying) const {
   return out;
 }
 
-void TouchScene::stopForce(bool stopped) {
+void HapticSession::stopForce(bool stopped) {
   servo_settings.panic = stopped;
   if (stopped) endTry();
-  servo_.setSettings(handed(trying()));
+  servo_.setSettings(effectiveSettings(trying()));
 }
 
-bool TouchScene::tryForce(double force_N) {
+bool HapticSession::tryForce(double force_N) {
   if (played_ || servo_settings.panic) return false;
-  servo_.setSettings(handed(true));
+  servo_.setSettings(effectiveSettings(true));
   servo_.tryInteraction(std::make_unique<ConstantForceTracker>(force_N / kTry_N_per_mm * Workspace().A_per_mm));
   return true;
 }
 
-void TouchScene::endTry() {
+void HapticSession::endTry() {
   if (!trying()) return;
   ++servo_settings.discontinuities;
-  servo_.setSettings(handed(false));
+  servo_.setSettings(effectiveSettings(false));
   servo_.setInteraction(freshInteraction());
 }
 
-void TouchScene::beginAgain(const Facing& facing) {
+void HapticSession::beginAgain(const Facing& facing) {
   log_.clear();
   resetView(facing);
-  servo_.beginAgain(handed(trying()));
+  servo_.beginAgain(effectiveSettings(trying()));
 }
 
-void TouchScene::startSoftly() {
+void HapticSession::startSoftly() {
   log_.clear();
   ++servo_settings.discontinuities;
-  servo_.beginAgain(handed(trying()));
+  servo_.beginAgain(effectiveSettings(trying()));
 }
 
-void TouchScene::beginAgainAt(PointA place) {
+void HapticSession::beginAgainAt(PointA place) {
   beginAgain([&](Camera& turned, const Molecule&) { turned.face(place); });
   camera.target = place;
   layBeforeHand(place);
   handBegins(place);
 }
 
-bool TouchScene::touchesUnseen(const Contact& contact) const {
+bool HapticSession::touchesUnseen(const Contact& contact) const {
   if (!look.hidden) return false;
   return std::any_of(contact.atoms.begin(), contact.atoms.end(), [&](std::int32_t a) {
     return a >= 0 && std::binary_search(look.hidden->begin(), look.hidden->end(), std::uint32_t(a));
   });
 }
 
-Vec3 TouchScene::pushInView() const {
+Vec3 HapticSession::pushInView() const {
   const Vec3 way = log_.latest().forceDirection();
   if (!log_.felt() || log_.force_N() <= 0.0 || !(glm::length(way) > 1e-6)) return Vec3(0.0);
   return glm::conjugate(camera.orientation) * glm::normalize(way);
 }
 
-bool TouchScene::drawsNothing() const {
+bool HapticSession::drawsNothing() const {
   return look.hidden && stage_ && look.hidden->size() == stage_.molecule->atoms.size();
 }
 
-Camera TouchScene::cameraFor(const Facing& facing, const std::optional<Region>& part) const {
+Camera HapticSession::cameraFor(const Facing& facing, const std::optional<Region>& part) const {
   Camera out = camera;
   out.orientation = glm::dquat(1, 0, 0, 0);
   // Round the molecule there is room for the probe, which hovers before it and beside it.
   // What is neither seen nor felt needs none.
   std::vector<std::uint32_t> removed;
   if (look.hidden) {
-    const std::vector<std::uint32_t> unfelt = stage_.balls->untouchable();
+    const std::vector<std::uint32_t> unfelt = stage_.spheres->untouchable();
     std::set_intersection(look.hidden->begin(), look.hidden->end(), unfelt.begin(), unfelt.end(),
                           std::back_inserter(removed));
   }
@@ -163,7 +163,7 @@ Camera TouchScene::cameraFor(const Facing& facing, const std::optional<Region>& 
   return out;
 }
 
-void TouchScene::resetView(const Facing& facing) {
+void HapticSession::resetView(const Facing& facing) {
   if (!stage_) return;
   const std::optional<Region>& part = zoomed_ ? zoomed_ : region_;
   camera = cameraFor(facing, part);
@@ -172,17 +172,17 @@ void TouchScene::resetView(const Facing& facing) {
   handBegins(part ? part->centre : stage_.middle);
 }
 
-Workspace TouchScene::sceneWorkspace() const {
+Workspace HapticSession::sceneWorkspace() const {
   return region_ ? magnified(stage_.workspace, *region_, servo_.device()) : stage_.workspace;
 }
 
-double TouchScene::byHand_A_per_mm() const {
+double HapticSession::byHand_A_per_mm() const {
   const Workspace whole = sceneWorkspace();
   return std::min(magnified(whole, {log_.latest().hip, kByHand_A}, servo_.device()).A_per_mm,
                   whole.A_per_mm / kAtLeast);
 }
 
-void TouchScene::magnify(bool on) {
+void HapticSession::magnify(bool on) {
   if (!stage_ || played_ || recorded_ || on == by_hand_) return;
   const ServoSample& now = log_.latest();
   const double wanted = on ? byHand_A_per_mm() : sceneWorkspace().A_per_mm;
@@ -193,27 +193,27 @@ void TouchScene::magnify(bool on) {
   camera.distance_A /= closer;
   fitted_ = camera;
   by_hand_ = on;
-  servo_.setSettings(handed(trying()));
+  servo_.setSettings(effectiveSettings(trying()));
 }
 
-void TouchScene::fitToDevice() {
+void HapticSession::fitToDevice() {
   if (!stage_) return;
   const PointA toward = by_hand_ ? log_.latest().hip : camera.target;
   layBeforeHand(toward);
   handBegins(toward);
 }
 
-void TouchScene::followView() {
+void HapticSession::followView() {
   if (!stage_ || recorded_ || (device_leads_ == servo_.deviceLeads() && (!device_leads_ || sameView(camera, fitted_))))
     return;
   layBeforeHand(camera.target);
   ++servo_settings.discontinuities;
   // The mouse stays where it is in the molecule.
   if (!device_leads_) servo_.mouse().place(servo_settings.workspace.toDevice(controls.lead()));
-  servo_.setSettings(handed(trying()));
+  servo_.setSettings(effectiveSettings(trying()));
 }
 
-void TouchScene::layBeforeHand(PointA toward) {
+void HapticSession::layBeforeHand(PointA toward) {
   Workspace fitted = sceneWorkspace();
   if (by_hand_) {
     fitted.A_per_mm = byHand_A_per_mm();
@@ -224,8 +224,8 @@ void TouchScene::layBeforeHand(PointA toward) {
     // As the hand is held now, along the axes of this view.
     const Quat held = glm::quat_cast(axes(camera)) * glm::conjugate(glm::quat_cast(servo_settings.workspace.rotation)) *
                       log_.latest().orientation;
-    fitted = beforeHand(fitted, *stage_.balls, handShape(stage_, servo_settings.probe_A, held), toward, axes(camera),
-                        servo_.device());
+    fitted = fitToDevice(fitted, *stage_.spheres, handShape(stage_, servo_settings.probe_A, held), toward, axes(camera),
+                         servo_.device());
   }
   servo_settings.workspace = fitted;
   fitted_ = camera;
@@ -233,53 +233,53 @@ void TouchScene::layBeforeHand(PointA toward) {
 }
 
 // Where the hand is shows only once its device has told it: a molecule that was put onto it goes back until it is free.
-void TouchScene::drawBack(double dt_s) {
+void HapticSession::drawBack(double dt_s) {
   const ServoSample& now = log_.latest();
   fit_left_s_ -= dt_s;
   if (!device_leads_ || recorded_ || fit_left_s_ <= 0.0 || now.discontinuities != servo_settings.discontinuities ||
       now.contact.fault != Fault::StartedInside)
     return;
   servo_settings.workspace =
-      drawnBack(servo_settings.workspace, *stage_.balls, handShape(stage_, now.probe_A, now.orientation), now.hand);
+      retracted(servo_settings.workspace, *stage_.spheres, handShape(stage_, now.probe_A, now.orientation), now.hand);
   ++servo_settings.discontinuities;
 }
 
-double TouchScene::magnification() const {
+double HapticSession::magnification() const {
   return stage_ ? stage_.workspace.A_per_mm / servo_settings.workspace.A_per_mm : 1.0;
 }
 
-void TouchScene::handBegins(PointA before) {
+void HapticSession::handBegins(PointA before) {
   ++servo_settings.discontinuities;
   controls.begin(camera, before, servo_settings.workspace, std::min(stage_.reach_A, camera.distance_A), servo_.mouse());
-  servo_.setSettings(handed(trying()));
+  servo_.setSettings(effectiveSettings(trying()));
 }
 
-TouchSetup TouchScene::touch() const {
+TouchSetup HapticSession::touch() const {
   TouchSetup out = made_with_;
   servo_settings.giveTo(out);
   return out;
 }
 
-void TouchScene::setTouch(const TouchSetup& wanted) {
+void HapticSession::setTouch(const TouchSetup& wanted) {
   TouchSetup next = wanted;
   if (!findMethod(next.method)) next.method = made_with_.method;
   if (!findInteractionKind(next.interaction)) next.interaction = made_with_.interaction;
   wanted_interaction_ = next.interaction;
-  next = settled(std::move(next), stage_.body != nullptr);
-  const bool alike = madeAlike(next, made_with_);
+  next = resolveInteraction(std::move(next), stage_.body != nullptr);
+  const bool alike = sameConstruction(next, made_with_);
   servo_settings.take(next);
   made_with_ = std::move(next);
   watch_.feelWith(touch());
-  if (!alike) feelAnew();
+  if (!alike) rebuildInteraction();
 }
 
-void TouchScene::useMethod(std::string_view name) {
+void HapticSession::useMethod(std::string_view name) {
   TouchSetup next = touch();
   next.method = name;
   setTouch(next);
 }
 
-void TouchScene::feelAnew() {
+void HapticSession::rebuildInteraction() {
   if (trying()) return endTry();
   // Each method goes on from the true contact, so that none inherits what another got wrong.
   const Contact& contact = watch_.exact().touching() ? watch_.exact() : log_.latest().contact;
@@ -287,7 +287,7 @@ void TouchScene::feelAnew() {
     servo_.setInteraction(interactionAt(stage_, touch(), contact, {log_.latest().hip, log_.latest().orientation}));
 }
 
-void TouchScene::leadBy(const ServoSettings* recorded) {
+void HapticSession::leadBy(const ServoSettings* recorded) {
   // Whether the force is on stays the choice of who sits there.
   const auto take = [&](const ServoSettings& from) {
     TouchSetup led;
@@ -313,19 +313,19 @@ void TouchScene::leadBy(const ServoSettings* recorded) {
   if (anew) ++servo_settings.discontinuities;
 }
 
-bool TouchScene::beginRecording() {
+bool HapticSession::beginRecording() {
   if (!stage_ || played_ || trying() || recorded_) return false;
   ++servo_settings.discontinuities;
-  servo_.setSettings(handed(false));
+  servo_.setSettings(effectiveSettings(false));
   servo_.record(true);
   servo_.setInteraction(freshInteraction());
   return true;
 }
 
-bool TouchScene::moveAtoms(const std::vector<Ball>& to, int ticks) {
+bool HapticSession::moveAtoms(const std::vector<Sphere>& to, int ticks) {
   if (!stage_ || played_ || trying()) return false;
   auto next = motion_ ? SphereMotion::after(*motion_, to, ticks)
-                      : SphereMotion::make(stage_.balls->balls(), to, ticks, stage_.balls->untouchable());
+                      : SphereMotion::make(stage_.spheres->spheres(), to, ticks, stage_.spheres->untouchable());
   if (!next) return false;
   std::shared_ptr<const SphereMotion> motion = *std::move(next);
   if (!servo_.setMotion(motion)) return false;
@@ -333,10 +333,10 @@ bool TouchScene::moveAtoms(const std::vector<Ball>& to, int ticks) {
   return true;
 }
 
-void TouchScene::placeAtoms(std::vector<Ball> at) {
+void HapticSession::placeAtoms(std::vector<Sphere> at) {
   if (!stage_) return;
   seen_ = std::make_shared<const Molecule>(stage_.molecule->movedTo(at));
-  stage_ = movedStage(resting_stage_, std::move(at));
+  stage_ = movedModel(resting_model_, std::move(at));
   motion_.reset();
   seen_motion_ = 0;
   log_.clear();
@@ -344,12 +344,12 @@ void TouchScene::placeAtoms(std::vector<Ball> at) {
   std::unique_ptr<Interaction> felt = freshInteraction();
   layBeforeHand(camera.target);
   handBegins(camera.target);
-  servo_.begin(handed(false), std::move(felt));
+  servo_.begin(effectiveSettings(false), std::move(felt));
 }
 
 // The picture goes with the newest tick, and costs at most half of the window's time: shapes that take long to make
 // follow less often.
-void TouchScene::followMotion(double dt_s) {
+void HapticSession::followMotion(double dt_s) {
   if (since_seen_s_ == 0.0) frame_after_s_ = dt_s;
   since_seen_s_ += dt_s;
   const ServoSample& now = servo_.newest();
@@ -359,12 +359,12 @@ void TouchScene::followMotion(double dt_s) {
   seen_motion_ = now.motion;
   seen_fraction_ = now.fraction;
   since_seen_s_ = 0.0;
-  std::vector<Ball> balls = motion->at(now.fraction);
-  seen_ = std::make_shared<const Molecule>(stage_.molecule->movedTo(balls));
-  stage_ = movedStage(stage_, std::move(balls));
+  std::vector<Sphere> spheres = motion->at(now.fraction);
+  seen_ = std::make_shared<const Molecule>(stage_.molecule->movedTo(spheres));
+  stage_ = movedModel(stage_, std::move(spheres));
 }
 
-FeltTicks TouchScene::advance(double dt_s, double now_s, bool timed) {
+FeltTicks HapticSession::advance(double dt_s, double now_s, bool timed) {
   const Method& m = *findMethod(made_with_.method);
   const PointA hand_before = log_.latest().hip;
   felt_.clear();
@@ -390,11 +390,11 @@ FeltTicks TouchScene::advance(double dt_s, double now_s, bool timed) {
   }
   log_.figureForce(now_s);
   // Whatever is shown: the panic key is among the settings.
-  servo_.setSettings(handed(trying()));
+  servo_.setSettings(effectiveSettings(trying()));
   return {felt_, m};
 }
 
-void TouchScene::watchLeftBehind(double dt_s) {
+void HapticSession::watchLeftBehind(double dt_s) {
   const ServoSample& now = log_.latest();
   const bool free = stage_ && log_.touching() && inTheOpen(stage_, now, servo_.motionOf(now).get());
   log_.countLeftBehind(free && !controls.pressing(), dt_s);

@@ -1,4 +1,4 @@
-// The object that is touched: a molecule, its balls, and how large it lies under the hand. Built whole on any thread,
+// The object that is touched: a molecule, its spheres, and how large it lies under the hand. Built whole on any thread,
 // then never changed. Units: angstrom.
 #pragma once
 
@@ -8,42 +8,42 @@
 
 #include "engine/core/problem.h"
 #include "engine/core/units.h"
-#include "engine/haptics/ball_scene.h"
 #include "engine/haptics/interactions.h"
+#include "engine/haptics/sphere_grid.h"
 #include "engine/molecule/molecule.h"
 
 namespace moltact {
 
-struct Stage {
+struct TouchableModel {
   std::shared_ptr<const Molecule> molecule;
-  std::shared_ptr<const BallScene> balls;
+  std::shared_ptr<const SphereGrid> spheres;
   std::shared_ptr<const HeldBody> body;  ///< what the hand holds; null: the probe
   Workspace workspace;
   PointA middle;         ///< of the centres of the atoms that can be felt, before which the probe waits
   double reach_A = 0.0;  ///< from the middle, farther than any surface for any probe offered
 
-  explicit operator bool() const { return balls != nullptr; }
+  explicit operator bool() const { return spheres != nullptr; }
 };
 
 /// Puts a molecule on the stage. One without atoms gives a problem that names `file`.
-Expected<Stage> makeStage(Molecule molecule, const std::filesystem::path& file);
+Expected<TouchableModel> makeTouchableModel(Molecule molecule, const std::filesystem::path& file);
 
 /// The stage with these atoms (ascending) not to be felt, and those held as a body, and no others.
-Stage withUntouchable(const Stage& stage, const std::vector<std::uint32_t>& atoms,
-                      const std::vector<std::uint32_t>& held);
+TouchableModel withUntouchable(const TouchableModel& stage, const std::vector<std::uint32_t>& atoms,
+                               const std::vector<std::uint32_t>& held);
 
-/// The same stage with its balls at these places (as many), where they are felt and seen alike.
-Stage movedStage(const Stage& stage, std::vector<Ball> places);
+/// The same stage with its spheres at these places (as many), where they are felt and seen alike.
+TouchableModel movedModel(const TouchableModel& stage, std::vector<Sphere> places);
 
 /// Leads an interaction to the contact where the hand is, if there is one, so that it does not begin inside.
 void leadToContact(Interaction& made, const Contact& contact, const PoseA& hand);
 
 /// What the hand holds where it is oriented so: the probe of this radius, or the stage's body.
-HandShape handShape(const Stage& stage, double probe_A, const Quat& orientation);
+HandShape handShape(const TouchableModel& stage, double probe_A, const Quat& orientation);
 
 /// The interaction for the stage, continuing with `contact` where the hand is if there is one, so that a change of
 /// method is not felt as letting go. Null without a stage, and where the setup names what there is not.
-std::unique_ptr<Interaction> interactionAt(const Stage& stage, const TouchSetup& touch, const Contact& contact,
+std::unique_ptr<Interaction> interactionAt(const TouchableModel& stage, const TouchSetup& touch, const Contact& contact,
                                            const PoseA& hand);
 
 }  // namespace moltact

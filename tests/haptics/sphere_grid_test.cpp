@@ -1,5 +1,5 @@
-// The grid against a plain loop over all balls.
-#include "engine/haptics/ball_scene.h"
+// The grid against a plain loop over all spheres.
+#include "engine/haptics/sphere_grid.h"
 
 #include <doctest/doctest.h>
 
@@ -11,16 +11,16 @@ using namespace moltact;
 
 namespace {
 
-std::set<std::uint32_t> nearByLoop(const BallScene& scene, Vec3 p, double margin) {
+std::set<std::uint32_t> nearByLoop(const SphereGrid& scene, Vec3 p, double margin) {
   std::set<std::uint32_t> out;
   for (std::uint32_t i = 0; i < scene.size(); ++i)
     if (glm::distance(scene[i].centre_A, p) <= scene[i].radius_A + margin) out.insert(i);
   return out;
 }
 
-void checkAgainstLoop(const BallScene& scene, Vec3 p, double margin) {
+void checkAgainstLoop(const SphereGrid& scene, Vec3 p, double margin) {
   std::vector<std::uint32_t> seen;
-  scene.visitNear(p, margin, [&](std::uint32_t i, const Ball& b) {
+  scene.visitNear(p, margin, [&](std::uint32_t i, const Sphere& b) {
     CHECK(b.centre_A == scene[i].centre_A);
     seen.push_back(i);
   });
@@ -37,16 +37,16 @@ TEST_CASE("the grid finds every ball that a loop over 2000 random balls finds, e
   CAPTURE(seed);
   std::mt19937_64 random(seed);
   std::uniform_real_distribution<double> coordinate(-30, 30), radius(0.5, 2.0);
-  std::vector<Ball> balls(2000);
-  for (Ball& b : balls) b = {{coordinate(random), coordinate(random), coordinate(random)}, radius(random)};
-  balls.push_back({{0, 0, 0}, 25.0});  // one ball much larger than the rest
-  const BallScene scene(std::move(balls));
+  std::vector<Sphere> spheres(2000);
+  for (Sphere& b : spheres) b = {{coordinate(random), coordinate(random), coordinate(random)}, radius(random)};
+  spheres.push_back({{0, 0, 0}, 25.0});  // one sphere much larger than the rest
+  const SphereGrid scene(std::move(spheres));
   for (int k = 0; k < 200; ++k)
     checkAgainstLoop(scene, Vec3(coordinate(random), coordinate(random), coordinate(random)) * 1.3, k % 5);
 }
 
 TEST_CASE("a scene of two balls a million angstroms apart takes less than 4 kB and finds each of them") {
-  const BallScene scene({{{0, 0, 0}, 1.5}, {{1e6, 1e6, -1e6}, 1.5}});
+  const SphereGrid scene({{{0, 0, 0}, 1.5}, {{1e6, 1e6, -1e6}, 1.5}});
   CHECK(scene.bytes() < 4096);
   checkAgainstLoop(scene, {0.5, 0, 0}, 1.4);
   checkAgainstLoop(scene, {1e6, 1e6, -1e6}, 1.4);
@@ -55,12 +55,12 @@ TEST_CASE("a scene of two balls a million angstroms apart takes less than 4 kB a
 
 TEST_CASE("of 3 equal balls among 200 in one cell only the first in the file is visited") {
   for (const int others : {5, 200}) {
-    std::vector<Ball> balls;
-    for (int k = 0; k < others; ++k) balls.push_back({{0.001 * k, 0.5, 0.5}, 1.5});
-    balls[2] = balls[3] = balls[4] = {{0.25, 0.5, 0.5}, 1.7};
-    const BallScene scene(balls);
+    std::vector<Sphere> spheres;
+    for (int k = 0; k < others; ++k) spheres.push_back({{0.001 * k, 0.5, 0.5}, 1.5});
+    spheres[2] = spheres[3] = spheres[4] = {{0.25, 0.5, 0.5}, 1.7};
+    const SphereGrid scene(spheres);
     std::vector<std::uint32_t> seen;
-    scene.visitNear({0, 0, 0}, 1.4, [&](std::uint32_t i, const Ball&) { seen.push_back(i); });
+    scene.visitNear({0, 0, 0}, 1.4, [&](std::uint32_t i, const Sphere&) { seen.push_back(i); });
     std::sort(seen.begin(), seen.end());
     CHECK(seen.size() == std::size_t(others - 2));
     CHECK(std::binary_search(seen.begin(), seen.end(), 2u));
@@ -70,16 +70,16 @@ TEST_CASE("of 3 equal balls among 200 in one cell only the first in the file is 
 }
 
 TEST_CASE("a look over the whole of a small scene visits each of 3 different balls once, the doubled ones too") {
-  const Ball a{{0, 0, 0}, 1.5}, b{{2, 0, 0}, 1.5}, c{{9, 9, 9}, 1.5};
-  const BallScene scene({a, a, b, b, b, c, a});
+  const Sphere a{{0, 0, 0}, 1.5}, b{{2, 0, 0}, 1.5}, c{{9, 9, 9}, 1.5};
+  const SphereGrid scene({a, a, b, b, b, c, a});
   std::vector<std::uint32_t> seen;
-  scene.visitNear({0, 0, 0}, 40.0, [&](std::uint32_t i, const Ball&) { seen.push_back(i); });
+  scene.visitNear({0, 0, 0}, 40.0, [&](std::uint32_t i, const Sphere&) { seen.push_back(i); });
   std::sort(seen.begin(), seen.end());
   CHECK(seen == std::vector<std::uint32_t>{0, 2, 5});
 }
 
 TEST_CASE("an empty scene visits nothing") {
-  const BallScene scene(std::vector<Ball>{});
-  scene.visitNear({0, 0, 0}, 100.0, [](std::uint32_t, const Ball&) { FAIL("visited a ball of an empty scene"); });
+  const SphereGrid scene(std::vector<Sphere>{});
+  scene.visitNear({0, 0, 0}, 100.0, [](std::uint32_t, const Sphere&) { FAIL("visited a ball of an empty scene"); });
   CHECK(scene.size() == 0);
 }
