@@ -1,5 +1,5 @@
-// What forces beyond contact need to know of each atom: element, type and partial charge. Plain data; made on the
-// window's thread, then read by any thread. Unit: elementary charge.
+// Element, type and partial charge of each atom, for interactions that compute forces beyond contact. Plain data, built
+// on the window's thread, then read by any thread. Unit: elementary charge.
 #pragma once
 
 #include <cstdint>
@@ -15,18 +15,18 @@ struct AtomChemistry {
   std::vector<std::uint8_t> atomic_numbers;  ///< 0: unknown
   std::vector<std::uint16_t> types;          ///< index into type_names
   std::vector<float> charges_e;              ///< empty: the scene has no charges
-  /// Residue and atom, "ASP OD1", by which tables of force fields are keyed; the element's symbol for an atom outside a
-  /// residue. Distinct, in order of first use, at most 65,535; later types share the last entry, which is empty.
+  /// Keys of force-field tables: residue and atom, as "ASP OD1", or the element's symbol for an atom outside a residue.
+  /// Distinct, in order of first use, at most 65,535 entries; all further types share the last entry, which is empty.
   std::vector<std::string> type_names;
 };
 
-/// Where the charges of a scene come from.
+/// A source of the charges of a scene.
 struct ChargeSource {
-  std::string_view name;      ///< in a scene: "file"
-  std::string_view sentence;  ///< N_; what the charges are
+  std::string_view name;      ///< the word in a lesson's scene: "file"
+  std::string_view sentence;  ///< description of the charges, untranslated (N_)
 };
 
-/// All sources, the default first. engine/structure/atom_charges.h assigns the charges of each.
+/// All sources, the default first. engine/structure/atom_charges.h computes the charges of each.
 std::span<const ChargeSource> chargeSources();
 
 inline constexpr std::string_view kNoCharges = "none", kFileCharges = "file", kFormalCharges = "formal";

@@ -1,6 +1,6 @@
-// What a tick found where something is touched. Plain data, every thread. Units: angstrom. Words as in Stocks & Laycock
-// 2008: HIP, the haptic interface point, is where the hand is; SCP, the surface contact point, is the HIP's proxy,
-// which stays outside every sphere.
+// The result of a tick: the contact between the hand and the scene. Plain data, every thread. Units: angstrom. Terms of
+// Stocks & Laycock 2008: the HIP (haptic interface point) is the hand's position; the SCP (surface contact point) is
+// the HIP's proxy, which stays outside every sphere.
 #pragma once
 
 #include <array>
@@ -11,7 +11,7 @@
 
 namespace moltact {
 
-/// What the SCP lies on (the paper's Figure 4: case 1 sphere, case 2 circle, case 3 point).
+/// The feature of the surface on which the SCP lies (the paper's Figure 4: case 1 sphere, case 2 circle, case 3 point).
 enum class Feature : std::uint8_t {
   Free,
   Sphere,
@@ -19,44 +19,48 @@ enum class Feature : std::uint8_t {
   Point,   ///< a re-entrant vertex, where three meet; students read "pit"
 };
 
-/// Why a tick gives no force although the HIP may be inside the molecule.
+/// The reason for a tick without force although the HIP may be inside the molecule.
 enum class Fault : std::uint8_t {
   None,
-  NotFinite,  ///< the HIP was NaN, infinite or farther than kFarthest_A from the origin; the tracker keeps its state
-  StartedInside,  ///< the HIP has been inside ever since the start; there is no force until it has been outside once
+  NotFinite,      ///< the HIP is NaN, infinite or farther than kFarthest_A from the origin; the tracker keeps its state
+  StartedInside,  ///< the HIP has been inside since the start; the force begins after it has been outside once
 };
 
-/// HIP coordinates beyond this are refused as Fault::NotFinite (unit: angstrom).
+/// Largest absolute HIP coordinate; a larger one gives Fault::NotFinite (unit: angstrom).
 inline constexpr double kFarthest_A = 1e9;
 
-/// All that is felt of a contact: whoever shows, writes, speaks, sounds or judges a force takes it from here.
+/// The complete description of a contact. Code that draws, records, describes, sonifies or judges a contact's force
+/// reads it from here.
 struct Contact {
-  PointA scp;  ///< equals the HIP when free, but where a tick was cut short and lags; and when faulty, where the HIP is
-               ///< finite
-  std::array<std::int32_t, 3> atoms{-1, -1, -1};  ///< the atoms that hold the SCP, in ascending order; -1 where none
+  /// While free: the HIP. In a tick that was cut short the SCP lags behind the HIP, also while free. With a fault: the
+  /// HIP if it is finite, else the last SCP.
+  PointA scp;
+  std::array<std::int32_t, 3> atoms{-1, -1, -1};  ///< the atoms that block the SCP, ascending; -1 where unused
   Feature feature = Feature::Free;
   Fault fault = Fault::None;
-  Vec3 displacement_A{0.0};  ///< of the spring that is felt, from the HIP: the force over the stiffness. SCP - HIP, but
-                             ///< where a method shades the force or several springs pull; zero without contact
-  double energy_A2 =
-      0.0;  ///< stored, over the stiffness: |displacement|^2 / 2 of a single spring; zero without contact
-  std::array<Vec3, 3> normals{Vec3(0.0), Vec3(0.0), Vec3(0.0)};  ///< of the surfaces that hold the SCP, one for each of
-                                                                 ///< `atoms`: unit, outward; zero where none
+  /// Extension of the felt spring, from the HIP: the force divided by the stiffness. It is SCP - HIP unless a method
+  /// shades the force or several springs pull. Zero without contact.
+  Vec3 displacement_A{0.0};
+  /// Energy stored in the springs, divided by the stiffness; |displacement|^2 / 2 for a single spring. Zero without
+  /// contact.
+  double energy_A2 = 0.0;
+  /// Outward unit normals of the blocking surfaces, one for each of `atoms`; zero where unused.
+  std::array<Vec3, 3> normals{Vec3(0.0), Vec3(0.0), Vec3(0.0)};
 
   bool touching() const { return feature != Feature::Free; }
   friend bool operator==(const Contact&, const Contact&) = default;
 };
 
-/// Fills in the displacement and the energy of a single spring from the HIP to the SCP.
+/// Sets displacement and energy to those of a single spring from the HIP to the SCP.
 inline void stretchToScp(Contact& contact, PointA hip) {
   contact.displacement_A = contact.scp.A - hip.A;
   contact.energy_A2 = 0.5 * glm::dot(contact.displacement_A, contact.displacement_A);
 }
 
-/// The largest probe radius a tracker accepts (unit: angstrom).
+/// The largest probe radius that a tracker accepts (unit: angstrom).
 inline constexpr double kLargestProbe_A = 20.0;
 
-/// The radius of a water molecule as a probe (unit: angstrom), the default everywhere.
+/// Radius of a water molecule as a probe, the default everywhere (unit: angstrom).
 inline constexpr double kWaterProbe_A = 1.4;
 
 }  // namespace moltact

@@ -1,6 +1,6 @@
-// The force that a hand feels as a physical quantity, whatever gives it. Units: newtons of the hand and angstroms of
-// the molecule, in the molecule's axes. A device needs the same in its own millimetres: `inDevice` is the only
-// conversion. Plain data, every thread.
+// The force on the hand as a physical quantity, independent of its source. Units: newtons at the hand and angstroms in
+// the molecule, in the molecule's axes. `inDevice` is the only conversion to a device's millimetres. Plain data, every
+// thread.
 #pragma once
 
 #include <cstdint>
@@ -9,27 +9,28 @@
 
 namespace moltact {
 
-/// Force and torque with the energy and the stiffness behind them. An energy in N A divided by the scale (A/mm) is an
-/// energy in N mm, so that force is the negative gradient of energy in either space.
+/// Force and torque with their potential energy and stiffness. Force is the negative gradient of energy in either
+/// space: an energy in N A, divided by the scale (A/mm), is an energy in N mm.
 struct FeltForce {
   Vec3 force_N{0.0};
-  Vec3 torque_N_A{0.0};     ///< round the pose's place
+  Vec3 torque_N_A{0.0};     ///< about the pose's position
   double energy_N_A = 0.0;  ///< potential energy; zero where nothing acts, negative in a well
-  /// No small step is opposed by more for each angstrom: the greatest curvature of the energy, at least 0.
+  /// Upper bound of the resisting force per displacement: the largest curvature of the energy in any direction, at
+  /// least 0.
   double stiffness_N_per_A = 0.0;
-  /// No small rotation is opposed by more for each radian.
+  /// The same for torque per rotation (per radian).
   double rotational_stiffness_N_A = 0.0;
 
   friend bool operator==(const FeltForce&, const FeltForce&) = default;
 };
 
-/// The force on one atom of the scene, in the molecule's axes: the reaction to what the hand feels of it.
+/// The force on one atom of the scene, in the molecule's axes: the reaction to the force on the hand.
 struct AtomForce {
   std::int32_t atom = -1;
   Vec3 force_N{0.0};
 };
 
-/// The same as FeltForce in the device's space: newton and millimetre, in the device's axes.
+/// A FeltForce in the device's space: newton and millimetre, in the device's axes.
 struct DeviceForce {
   Vec3 force_N{0.0};
   Vec3 torque_N_mm{0.0};

@@ -1,8 +1,7 @@
-// The interface of everything that can be felt: the hand's position and orientation go in; a force, a torque, the
-// potential energy and the stiffness come out. A scene chooses one (interactions.h); the servo step and the safety
-// stage do not know which.
-// `respond` runs on the haptic thread: no lock, allocation, exception, log or call of the system. Units: angstrom, in
-// the molecule's space; forces in newtons of the hand (felt_force.h).
+// The interface of everything that can be felt. Input is the pose of the hand; output is force, torque, potential
+// energy and stiffness. A scene selects one implementation (interactions.h); servo step and safety stage use only this
+// interface. `respond` runs on the haptic thread: no lock, allocation, exception, log or system call. Units: angstrom
+// in the molecule's space; forces in newtons at the hand (felt_force.h). Quaternions store w first.
 #pragma once
 
 #include <optional>
@@ -16,33 +15,36 @@ namespace moltact {
 
 class SphereMotion;
 
-/// The memory that a method keeps for the places it has been: "model no more than a scene needs", in numbers.
+/// The memory that a method uses for the regions visited so far.
 struct MemoryUsage {
-  std::size_t atoms_modelled = 0;  ///< atoms for which anything beyond centre and radius is held now
-  std::size_t bytes = 0;           ///< all memory of the method beyond the list of spheres itself (unit: byte)
+  std::size_t atoms_modelled = 0;  ///< atoms with stored data beyond centre and radius
+  std::size_t bytes = 0;           ///< memory of the method beyond the list of spheres (unit: byte)
 };
 
-/// The answer to a pose. It has two sources. The contact's springs are given over their stiffness, which the slider
-/// "Stiffness" and the safety stage choose. A field (attraction, charge, a well of energy) gives newtons, which no
-/// slider for the springs changes.
+/// The result for one pose, with two sources of force. The contact's springs are divided by their stiffness, which the
+/// slider "Stiffness" and the safety stage choose. A field (attraction, charge, an energy well) is in newtons and
+/// independent of that slider.
 struct Response {
-  Contact contact;  ///< its `displacement_A` is the springs' force, its `energy_A2` all that they store; the rest is
-                    ///< what there is to show of a contact, and may be empty
-  Vec3 torque_A2{0.0};  ///< of the springs, round the pose's place, in the molecule's axes; zero for a point
-  /// How many times as stiff as one spring the springs are together, along the stiffest direction (1 or more): several
-  /// spheres that push at once, several places where a body is held. The loop's stability depends on all of them.
+  /// `displacement_A` is the springs' force and `energy_A2` their stored energy; the other members describe the contact
+  /// and may be empty.
+  Contact contact;
+  Vec3 torque_A2{0.0};  ///< of the springs, about the pose's position, in the molecule's axes; zero for a point
+  /// Combined stiffness of the springs along the stiffest direction, as a multiple of one spring (1 or more). It
+  /// exceeds 1 where several spheres push at once or a body is held at several points. The loop's stability depends on
+  /// it.
   double springs = 1.0;
-  double rotational_A2 = 0.0;  ///< the same round the stiffest axis: no small rotation is opposed by more
-  std::optional<FeltForce> field = std::nullopt;  ///< what acts besides the contact; none where nothing does
+  double rotational_A2 =
+      0.0;  ///< the rotational stiffness about the stiffest axis, divided by the stiffness of one spring
+  std::optional<FeltForce> field = std::nullopt;  ///< force besides the contact; empty: none
 
   bool springsPull() const {
     return contact.touching() || contact.displacement_A != Vec3(0.0) || torque_A2 != Vec3(0.0);
   }
-  /// Springs or a field pull, however weakly.
+  /// True if springs or a field exert any force.
   bool acts() const { return springsPull() || field; }
 
-  /// Both sources together, with springs of that stiffness and the field scaled by a share. The stiffness is the sum
-  /// of both bounds.
+  /// The sum of both sources, with the given spring stiffness and the field scaled by `field_share`. The stiffness is
+  /// the sum of both bounds.
   FeltForce total(double spring_N_per_A, double field_share = 1.0) const {
     FeltForce out{contact.displacement_A * spring_N_per_A, torque_A2 * spring_N_per_A,
                   contact.energy_A2 * spring_N_per_A};
@@ -65,48 +67,49 @@ class Interaction {
  public:
   virtual ~Interaction() = default;
 
-  /// The answer to a pose. Calls are not ticks: ServoStep::tick asks once a tick, but while the surface itself moves
-  /// twice, first with the pose of the tick before, so as to tell the surface's work from the hand's; before a new
-  /// interaction is handed over, it may be led to the contact by some poses in a row.
-  /// No time goes with a call. What an interaction remembers (where it sticks, how far it has slid) may depend on the
-  /// paths between the poses and never on how often it is asked. A pose that is no number gives Fault::NotFinite.
+  /// Returns the response to a pose. A call is not a tick. ServoStep::tick calls once per tick. While the surface moves
+  /// it calls twice, first with the previous pose, to separate the work of the surface from that of the hand. Before a
+  /// new interaction is handed over, a series of poses may lead it to the contact. A call has no duration. The state of
+  /// an interaction (where it sticks, how far it has slid) may depend on the path between the poses but not on the
+  /// number of calls. A pose that is not finite gives Fault::NotFinite.
   virtual Response respond(const PoseA& pose) noexcept = 0;
 
-  /// Forgets the contact, as at the start: what begins inside gives no force until it has been outside once.
+  /// Discards the contact, as at the start: a hand inside the molecule gets no force until it has been outside once.
   virtual void reset() noexcept = 0;
 
-  /// Inflates every sphere by `probe_A` (0 to kLargestProbe_A, clamped; non-finite is ignored), also while touching. What
-  /// has no probe passes it over.
+  /// Inflates every sphere by `probe_A`, also while touching (0 to kLargestProbe_A, clamped; non-finite values are
+  /// ignored). Interactions without a probe ignore the call.
   virtual void setProbe(double probe_A) noexcept = 0;
 
-  /// 0 for what has none.
+  /// The probe radius; 0 for an interaction without a probe.
   virtual double probe_A() const noexcept = 0;
 
-  /// The reactions on the scene's atoms to the last response: their sum is the opposite of the force of
-  /// `last.total(spring_N_per_A, field_share)`. An atom may come more than once.
-  /// `out` has room for greatestReactionCount(); the number of those written is returned. Haptic thread, as `respond`.
-  /// Without an override the force of the contact is shared among the atoms that hold the SCP.
+  /// Writes the reactions on the scene's atoms to the last response and returns their number. Their sum is the opposite
+  /// of the force of `last.total(spring_N_per_A, field_share)`. An atom may occur more than once. `out` has room for
+  /// greatestReactionCount() entries. Haptic thread, like `respond`. The default shares the contact's force among the
+  /// atoms that block the SCP.
   virtual std::size_t reactions(const Response& last, double spring_N_per_A, double field_share,
                                 std::span<AtomForce> out) const noexcept;
-  /// The same for every state of the interaction, so that the room is made beforehand.
+  /// Upper bound of the number of reactions in every state, for allocating `out` in advance.
   virtual std::size_t greatestReactionCount() const noexcept { return 3; }
 
-  /// Spheres that move: from now on they are the motion's, at its beginning; null: those that it was made with. The
-  /// motion has as many and stays until another is set; the one in force changes nothing. False, with nothing changed,
-  /// where what is felt cannot follow.
+  /// Switches to the spheres of a motion, at its beginning; null: to the spheres given at construction. The motion has
+  /// the same number of spheres and stays in use until another is set. Setting the motion in use changes nothing.
+  /// Returns false, without any change, if the interaction cannot follow moving spheres.
   virtual bool setMotion(const SphereMotion*) noexcept { return false; }
-  /// The spheres go evenly to where they are at this fraction (0 to 1) of the motion; what touches them goes with them.
+  /// Moves the spheres to this fraction (0 to 1) of the motion; an SCP in contact is carried along.
   virtual void advanceTo(double /*fraction*/) noexcept {}
 
   virtual MemoryUsage memoryUsage() const noexcept = 0;
 
-  /// It is felt how the hand is oriented: a body, not a point. Mouse, keys and devices that rotate the view then rotate
-  /// it.
+  /// True if the force depends on the hand's orientation: a body and not a point. Mouse, keys and devices that rotate
+  /// the view then rotate the body.
   virtual bool hasOrientation() const noexcept { return false; }
 };
 
-/// The force of a contact's springs, shared among the atoms that hold the SCP by pushes along their normals; what no
-/// such push explains (friction, shading) is shared in the same proportion. At most three are written.
+/// Shares the force of a contact's springs among the atoms that block the SCP, as pushes along their normals. A
+/// remainder that no such push explains (friction, shading) is shared in the same proportion. Writes at most three
+/// entries and returns their number.
 std::size_t contactReactions(const Contact& contact, double spring_N_per_A, std::span<AtomForce> out) noexcept;
 
 }  // namespace moltact

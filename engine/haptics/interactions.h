@@ -1,5 +1,5 @@
-// What there is to feel a scene with. An interaction is added with its own files and a row in interactions.cpp.
-// Window's thread; making one may allocate. Units: angstrom.
+// The table of interactions: the ways to feel a scene. A new interaction needs its own files and a row in
+// interactions.cpp. Window's thread; creating an interaction may allocate. Units: angstrom.
 #pragma once
 
 #include <memory>
@@ -14,40 +14,42 @@
 
 namespace moltact {
 
-/// What an interaction is made from.
+/// The data from which an interaction is created.
 struct InteractionInput {
   std::shared_ptr<const SphereGrid> spheres;
   TouchSetup touch = {};
-  std::shared_ptr<const HeldBody> body = nullptr;  ///< what a kind that holds one is made with; else passed over
-  /// Of each sphere, for a kind that needs it (engine/structure/atom_charges.h makes it); else null.
+  std::shared_ptr<const HeldBody> body = nullptr;  ///< for a kind with `holds_body`; other kinds ignore it
+  /// One entry per sphere, for a kind with `needs_chemistry` (built by engine/structure/atom_charges.h); else null.
   std::shared_ptr<const AtomChemistry> chemistry = nullptr;
 };
 
 struct InteractionKind {
   std::string_view name;      ///< "probe"
-  std::string_view title;     ///< on the screen: "Probe"
-  std::string_view sentence;  ///< what it is
-  /// Null where the setup names a method that there is not, and where there is no body for one that holds it.
+  std::string_view title;     ///< on the screen: "Probe"; untranslated (N_)
+  std::string_view sentence;  ///< description, untranslated (N_)
+  /// Creates the interaction. Returns null if the setup names an unknown method, or if a kind with `holds_body` gets no
+  /// body.
   std::unique_ptr<Interaction> (*make)(const InteractionInput& input);
-  bool holds_body = false;       ///< a scene chooses it by what it hands over, so that nobody is offered it
+  bool holds_body = false;       ///< selected by a scene that hands over a body; never offered as a choice
   bool needs_chemistry = false;  ///< `make` reads InteractionInput::chemistry
 };
 
-/// All, the one that a scene has unless it chooses another first.
+/// All kinds, the default first.
 std::span<const InteractionKind> interactionKinds();
 
-/// The one of that name, or nullptr.
+/// The kind of that name, or nullptr.
 const InteractionKind* findInteractionKind(std::string_view name);
 
-/// The same with a kind of interaction that goes with what the hand holds: as wanted where that holds a body and there
-/// is one, or neither; else the first that does.
+/// Returns `wanted` with a kind of interaction that matches the hand. The kind is kept if it holds a body exactly when
+/// `body` is true; otherwise it becomes the first kind that matches.
 TouchSetup resolveInteraction(TouchSetup wanted, bool body);
 
-/// Makes what the setup names; null where there is no such interaction or method, or no body for one that holds it.
+/// Creates the interaction that the setup names. Returns null if interaction or method is unknown, or a required body
+/// is missing.
 std::unique_ptr<Interaction> makeInteraction(const InteractionInput& input);
 
-/// What judges a method that is felt so: the probe by referenceMethod(), all else as it is felt, so that what changes
-/// the force of every method (a `WrappedInteraction`) is no error of the method's.
+/// The setup that serves as reference for a method felt with `felt`: the same with referenceMethod(). A
+/// `WrappedInteraction`, which changes the force of every method, thus does not count as an error of the method.
 TouchSetup referenceOf(TouchSetup felt);
 
 }  // namespace moltact

@@ -1,4 +1,4 @@
-// The haptic methods there are. A method is added with its own files and a row in methods.cpp.
+// The table of haptic methods. A new method needs its own files and a row in methods.cpp.
 #pragma once
 
 #include <memory>
@@ -14,62 +14,63 @@ namespace moltact {
 
 class SphereMesh;
 
-/// The methods that differ only in how finely they work make one family.
+/// Methods that differ only in their resolution form a family.
 struct MethodFamily {
-  std::string_view name;   ///< "Mesh"
-  std::string_view plain;  ///< what it does, in a student's words
+  std::string_view name;   ///< "Mesh"; untranslated (N_)
+  std::string_view plain;  ///< description in a student's words, untranslated (N_)
 };
 
+/// One row of the table.
 struct Method {
   std::string_view name;      ///< as in `--method exact`
-  std::string_view sentence;  ///< what it is, for the screen and `--help`
+  std::string_view sentence;  ///< description for the screen and `--help`
   std::unique_ptr<Tracker> (*make)(std::shared_ptr<const SphereGrid> scene, double probe_A);
   MethodFamily family{};
   std::string_view grade =
-      {};  ///< how finely: "960"; empty where a family is one method, or where grid_spacing_A says it
-  std::string_view variant = {};  ///< tells methods of the same grade apart: "Smooth"; may be empty
-  bool plain_variant = false;     ///< its title leaves the variant out: "Mesh 960" means this one
-  int triangles = 0;              ///< a sphere's, for a method that feels triangles; else 0
-  double grid_spacing_A = 0.0;    ///< how far the places lie apart at which it has its surface; 0: it has no grid
-  std::size_t most_spheres = 0;   ///< it prepares the whole scene: the bench leaves it out of larger ones; 0: no limit
-  bool one_probe = false;         ///< it feels only the probe that it was made for
-  bool shaded = false;            ///< its force has another direction than to the SCP (Contact::displacement_A)
-  bool summed = false;            ///< its force is the sum of every sphere's push; it has no SCP on the surface
-  bool follows_motion = false;    ///< it goes with spheres that move (Interaction::setMotion)
-  bool offered = true;            ///< to people; else it stands for comparison in the bench only
-  bool reference = false;         ///< the others are judged by it; exactly one is
+      {};  ///< resolution: "960"; empty for a family of one method, or where grid_spacing_A states it
+  std::string_view variant = {};  ///< distinguishes methods of the same grade: "Smooth"; may be empty
+  bool plain_variant = false;     ///< the title omits the variant: "Mesh 960" means this method
+  int triangles = 0;              ///< triangles per sphere, for a method on triangles; else 0
+  double grid_spacing_A = 0.0;    ///< spacing of the grid that samples the surface; 0: no grid
+  std::size_t most_spheres =
+      0;                        ///< largest scene in the bench, for a method that prepares the whole scene; 0: no limit
+  bool one_probe = false;       ///< works only with the probe radius given at construction
+  bool shaded = false;          ///< the force does not point to the SCP (Contact::displacement_A)
+  bool summed = false;          ///< the force is the sum of all spheres' pushes; there is no SCP on the surface
+  bool follows_motion = false;  ///< follows moving spheres (Interaction::setMotion)
+  bool offered = true;          ///< offered to users; false: only for comparison in the bench
+  bool reference = false;       ///< the method against which all others are measured; exactly one
 };
 
-/// The methods that the window, the lessons and every command offer, the default first. Each bears any scene and probe.
+/// The methods offered by the window, lessons and commands, the default first. Each accepts every scene and probe.
 std::span<const Method> methods();
 
-/// These, then the ones that stand for comparison only, with what methods() does not allow: see most_spheres and
-/// one_probe.
+/// methods(), followed by the methods for comparison only; those may have restrictions (most_spheres, one_probe).
 std::span<const Method> benchMethods();
 
-/// The one that has no error of its own, by which all are judged.
+/// The reference: the method without an error of its own.
 const Method& referenceMethod();
 inline bool isReference(const Method& method) { return method.reference; }
 
-/// The method of that name among methods(), or nullptr.
+/// Finds a method by name among methods(); nullptr if there is none.
 const Method* findMethod(std::string_view name);
 
-/// The same among benchMethods().
+/// Finds a method by name among benchMethods(); nullptr if there is none.
 const Method* findBenchMethod(std::string_view name);
 
 /// The names of methods(), in the same order.
 std::vector<std::string_view> methodNames();
 
-/// The triangles that a method of methods() feels for a sphere of radius 1; null for a method without.
+/// The triangles with which a method of methods() represents a sphere of radius 1; null for a method without triangles.
 std::shared_ptr<const SphereMesh> feltFacets(std::string_view method);
 
-/// What a person is told of a method while the spheres of the scene move (N_); empty where it goes with them.
+/// The message about a method that does not follow moving spheres, untranslated (N_); empty if it follows them.
 std::string_view motionSentence(const Method& method);
 
-/// How finely a method works, as a person is told: "960", "0.4 Å"; empty where its family is one method.
+/// The method's resolution for display: "960", "0.4 Å"; empty for a family of one method.
 std::string gradeText(const Method& method);
 
-/// What a person is told that it is called: "Mesh 960, Smooth"; the name itself where there is no such method.
+/// The method's title for display: "Mesh 960, Smooth". An unknown name is returned unchanged.
 std::string methodTitle(std::string_view name);
 
 }  // namespace moltact

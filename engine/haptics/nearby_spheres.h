@@ -1,6 +1,6 @@
-// The spheres near a place, inflated, kept while the place moves little: what a method that looks at every
-// neighbour in every tick need not look up anew. Haptic thread; no allocation after construction. Units:
-// angstrom. Places are relative to origin(): near a scene that lies far off no digits are lost.
+// The inflated spheres near a point. The list is reused while the point moves little, so that a method which examines
+// every neighbour in every tick need not search the grid. Haptic thread; no allocation after construction. Units:
+// angstrom. Positions are relative to origin(), which preserves precision in a scene far from the zero point.
 #pragma once
 
 #include <algorithm>
@@ -16,21 +16,22 @@
 
 namespace moltact {
 
+/// A sphere as the tracker sees it now.
 struct NearSphere {
   Vec3 centre;
-  double radius;  ///< inflated by the probe
-  std::int32_t index;
+  double radius;       ///< inflated by the probe
+  std::int32_t index;  ///< in the scene
 };
 
 class NearbySpheres {
  public:
-  static constexpr std::size_t kMax = 256;  ///< the longest list that is kept
+  static constexpr std::size_t kMax = 256;  ///< capacity of the list
 
-  /// What becomes of a list that would be longer: the scene is visited each time, so that all is seen; or the list
-  /// reaches less far, so that no visit costs much.
+  /// The policy when more than kMax spheres are near: VisitScene searches the grid at every call, so that all are
+  /// found; ReachLess shortens the range of the list, which bounds the cost of a visit.
   enum class Crowded : std::uint8_t { VisitScene, ReachLess };
 
-  /// A list serves until the place has moved by `margin_A`.
+  /// A list is valid until the point has moved by `margin_A`.
   explicit NearbySpheres(std::shared_ptr<const SphereGrid> scene, double margin_A = 0.5,
                          Crowded crowded = Crowded::VisitScene)
       : scene_(std::move(scene)),
@@ -38,17 +39,18 @@ class NearbySpheres {
         crowded_(crowded),
         origin_(1024.0 * glm::round((scene_->low_A() + scene_->high_A()) / 2048.0)) {}
 
-  /// What is visited: the scene, or the bounds of a motion's spheres, whose radii and places are sphere()'s.
+  /// The grid that is searched: the scene, or during a motion the bounds of its spheres. sphere() gives the actual
+  /// spheres.
   const SphereGrid& scene() const noexcept { return motion_ ? motion_->sweptSpheres() : *scene_; }
-  /// The scene's middle in whole steps of 1024 A, so that differences to it are exact; zero for a scene near
-  /// the origin.
+  /// The scene's middle rounded to multiples of 1024 A, so that differences to it are exact; zero for a scene near the
+  /// zero point.
   const Vec3& origin() const noexcept { return origin_; }
   double probe_A() const noexcept { return probe_; }
   std::size_t held() const noexcept { return count_; }  ///< spheres in the list
-  /// Spheres, and cells and groups of spheres, looked at since the counter was set back: what a tick has cost.
+  /// Number of spheres, cells and groups examined since the last reset: the cost of a tick.
   std::uint64_t looked() const noexcept { return looked_; }
   void resetWorkCount() noexcept { looked_ = 0; }
-  /// The list stays in use: where the spheres have grown by a little, the list is sure of as much less distance round it.
+  /// Inflates the spheres by another radius. The list stays valid, but its range shrinks by the growth.
   void setProbe(double probe_A) noexcept {
     const double grown = probe_A - probe_;
     probe_ = probe_A;
@@ -62,10 +64,10 @@ class NearbySpheres {
     for (std::size_t k = 0; k < count_; ++k) list_[k].radius = sphere(list_[k].index).radius;
   }
 
-  /// From now on the spheres are those of the motion, at its beginning; null: the scene's own. The motion has as many
-  /// as the scene, and stays until another is set.
+  /// Switches to the spheres of a motion, at its beginning; null: the scene's own spheres. The motion has the same
+  /// number of spheres and must live until another is set.
   void setMotion(const SphereMotion* motion) noexcept {
-    // Where it goes on from the last one's end, what was far off has come nearer by no more than it moves.
+    // A motion that continues the last one brings distant spheres nearer by at most its largest displacement.
     const bool goes_on = motion && motion_ && fraction_ == 1.0 && motion->continues(*motion_) && fits_ && !shrunk_;
     motion_ = motion;
     motion_serial_ = motion ? motion->serial() : 0;
@@ -75,21 +77,22 @@ class NearbySpheres {
     stale_ = count_ > 0;
     most_moved_ = mostMovedOfList_A();
   }
-  /// Whether that motion is in force; null: none. One that lies where another lay is another.
+  /// True if this motion is in use (null: none). Motions are compared by serial number, because an address may be
+  /// reused.
   bool has(const SphereMotion* motion) const noexcept { return (motion ? motion->serial() : 0) == motion_serial_; }
   double fraction() const noexcept { return fraction_; }
-  /// The spheres as they are at this fraction of the motion (0 to 1). The list stays: it holds all that come near
-  /// during the motion.
+  /// Moves the spheres to this fraction (0 to 1) of the motion. The list stays valid: it contains all spheres that come
+  /// near during the motion.
   void advanceTo(double fraction) noexcept {
     fraction_ = fraction;
     stale_ = motion_ != nullptr;
   }
-  /// No listed sphere's surface moves farther than this in the whole motion; infinite where there is no list.
+  /// Upper bound of the motion of a listed sphere's surface during the whole motion; infinite without a list.
   double mostMoved_A() const noexcept {
     if (!motion_) return 0.0;
     return reach_ < 0.0 || !fits_ ? std::numeric_limits<double>::infinity() : most_moved_;
   }
-  /// The list holds all that come within `within_A` of the place.
+  /// True if the list contains every sphere within `within_A` of the point.
   bool covers(const Vec3& place, double within_A) const noexcept {
     return fits_ && glm::distance(place, around_) + within_A <= reach_;
   }
@@ -98,9 +101,9 @@ class NearbySpheres {
     return inflated(i, motion_ ? (*motion_)[std::size_t(i)].at(fraction_) : (*scene_)[std::size_t(i)]);
   }
 
-  /// Calls visit(NearSphere) once for each sphere that comes within `within_A` of the place, and for some farther
-  /// ones; returns how near to the place all spheres have been visited: at least within_A, but for Crowded::ReachLess.
-  /// The order follows from the places asked for.
+  /// Calls visit(NearSphere) once for each sphere within `within_A` of the point and for some farther ones. Returns the
+  /// distance within which all spheres have been visited: at least within_A, except with Crowded::ReachLess. The order
+  /// depends only on the sequence of queried points.
   template <class Visit>
   double each(const Vec3& place, double within_A, Visit&& visit) noexcept {
     if (!(glm::distance(place, around_) + within_A <= reach_)) [[unlikely]]
@@ -119,7 +122,7 @@ class NearbySpheres {
     return within_A;
   }
 
-  /// True where a sphere of the list holds the place: without looking round. False tells nothing.
+  /// True if a listed sphere contains the point, without a search of the grid. False does not mean outside.
   bool knownInside(const Vec3& place) noexcept {
     if (stale_) [[unlikely]]
       refresh();
@@ -130,7 +133,7 @@ class NearbySpheres {
     return false;
   }
 
-  /// True where a sphere of the scene holds the place.
+  /// True if a sphere of the scene contains the point.
   bool inside(const Vec3& place) const noexcept {
     bool found = false;
     scene().visitNear(origin_ + place, probe_, [&](std::uint32_t i, const Sphere& b) {
@@ -142,21 +145,20 @@ class NearbySpheres {
     return found;
   }
 
-  /// A lower bound of the distance from the place to the nearest sphere; negative or zero inside or on one.
+  /// A lower bound of the distance from the point to the nearest sphere; negative or zero inside or on a sphere.
   double clearanceAt(const Vec3& place) const noexcept {
     return clearance(scene(), probe_, origin_ + place, motion_, fraction_);
   }
-  /// The first sphere on the straight path from one place to another; `contact_A` as FirstMet has it.
+  /// The first sphere on the straight path between two points; `contact_A` as in FirstMet.
   Hit firstMet(const Vec3& from, const Vec3& to, double contact_A) const noexcept {
     return sweepFrom(scene(), probe_, origin_, from, to, contact_A, motion_, fraction_);
   }
 
  private:
   static constexpr double kMinReach_A = 1e-7;
-  static constexpr double kSpare_A =
-      1e-12;  // a reach that has been reckoned on by a change of the probe is off by less
+  static constexpr double kSpare_A = 1e-12;  // exceeds the rounding of a range after a change of the probe
 
-  // The list's spheres as they are at this fraction.
+  // Recomputes the listed spheres at the present fraction.
   void refresh() noexcept {
     for (std::size_t k = 0; k < count_; ++k) list_[k] = sphere(list_[k].index);
     stale_ = false;
@@ -169,7 +171,7 @@ class NearbySpheres {
     return most;
   }
 
-  // A sphere as it is now, of which the scene or the motion's bounds hold `b`.
+  // The present state of sphere i; `b` is its entry in scene().
   NearSphere now(std::uint32_t i, const Sphere& b) const noexcept {
     return inflated(std::int32_t(i), motion_ ? (*motion_)[i].at(fraction_) : b);
   }
@@ -184,12 +186,12 @@ class NearbySpheres {
       fits_ = gather(place, wanted);
       return;
     }
-    // A list that had to reach less serves while the place is within it.
+    // A list with a shortened range is kept while the point is well within it.
     const bool shrunk = shrunk_ && reach_ > 0.0;
     if (shrunk && glm::distance(place, around_) <= 0.5 * reach_) return;
     double reach = shrunk ? std::min(wanted, 4.0 * reach_) : wanted;
     while (!gather(place, reach)) {
-      if (reach < kMinReach_A) {  // so many in one place cannot be told apart: nothing round it is known
+      if (reach < kMinReach_A) {  // too many spheres at one point: nothing around it is known
         reach_ = 0.0;
         break;
       }
@@ -199,7 +201,7 @@ class NearbySpheres {
     fits_ = true;
   }
 
-  // Lists the spheres within `reach` of the place; false where there are more than fit.
+  // Lists the spheres within `reach` of the point; false if they exceed the capacity.
   bool gather(const Vec3& place, double reach) noexcept {
     around_ = place;
     reach_ = reach;
@@ -226,7 +228,7 @@ class NearbySpheres {
   const SphereMotion* motion_ = nullptr;
   std::uint64_t motion_serial_ = 0;
   double fraction_ = 0.0, most_moved_ = 0.0;
-  bool stale_ = false;  // the list's spheres have moved on
+  bool stale_ = false;  // the listed spheres have moved since refresh()
   double margin_;
   Crowded crowded_;
   Vec3 origin_;

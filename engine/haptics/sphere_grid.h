@@ -1,8 +1,10 @@
-// The spheres of a scene, and a uniform grid that finds those near a place: all that is prepared before touching.
-// Immutable after construction, so every thread may read it. Units: angstrom; indices count from 0 in file order. The
-// grid is the paper's "spatial partitioning methods" (section 5). It is hashed by cell, so memory follows the number of
-// spheres and not the extent of the scene; a million spheres take about 0.1 s (build/release/tracker_benchmark
-// --benchmark_filter=ready).
+// The spheres of a scene in a uniform grid that finds the spheres near a point: the data prepared before touching.
+// Immutable after construction, so every thread may read it. Units: angstrom; indices count from 0 in file order.
+//
+// The grid is the paper's "spatial partitioning methods" (section 5). It is hashed by cell, so its memory is
+// proportional to the number of spheres, independent of the extent of the scene. Construction takes about 0.1 s for a
+// million spheres (build/release/tracker_benchmark --benchmark_filter=ready). A visit costs time proportional to the
+// cells in its range and the spheres found.
 #pragma once
 
 #include <algorithm>
@@ -20,40 +22,40 @@ namespace moltact {
 
 class SphereGrid {
  public:
-  /// The treatment of spheres with the same centre and radius: keep only the first in the file, or visit each.
+  /// The treatment of spheres with equal centre and radius: visit only the first in the file, or each.
   enum class Duplicates : std::uint8_t { KeepFirst, VisitEach };
 
   /// Centres must be finite and within 1e9 A of the origin, radii finite and not negative (asserted; readers check
   /// files).
   explicit SphereGrid(SharedArray<Sphere> spheres, Duplicates duplicates = Duplicates::KeepFirst);
-  /// The same without the spheres of these indices (in any order; beyond the last they are ignored): they keep their
-  /// indices and places, but no visit finds them and the box does not count them, so that nothing feels them.
+  /// The same with untouchable spheres, given by index in any order; indices out of range are ignored. They keep their
+  /// indices and positions, but no visit finds them and the bounding box excludes them, so they exert no force.
   SphereGrid(SharedArray<Sphere> spheres, std::span<const std::uint32_t> untouchable,
              Duplicates duplicates = Duplicates::KeepFirst);
 
   const SharedArray<Sphere>& spheres() const { return spheres_; }
   const Sphere& operator[](std::size_t i) const { return spheres_[i]; }
   std::size_t size() const { return spheres_.size(); }
-  /// Whether a sphere is there to be felt. `i` in range.
+  /// True if sphere `i` can be felt. `i` must be in range.
   bool touchable(std::size_t i) const { return untouchable_.empty() || !untouchable_[i]; }
-  /// Whether some sphere is there only to be seen.
+  /// True if at least one sphere is untouchable: drawn but not felt.
   bool hasUntouchable() const { return !untouchable_.empty(); }
-  /// The indices of those spheres, ascending.
+  /// The indices of the untouchable spheres, ascending.
   std::vector<std::uint32_t> untouchable() const;
 
-  /// The box round all centres, widened by the largest radius. Both corners are zero when there are no spheres to feel.
+  /// The bounding box of all centres, widened by the largest radius. Both corners are zero without touchable spheres.
   Vec3 low_A() const { return low_; }
   Vec3 high_A() const { return high_; }
   double largestRadius_A() const { return largest_radius_; }
 
-  /// Bytes beyond the list of spheres.
+  /// Memory besides the list of spheres (unit: byte).
   std::size_t bytes() const;
 
-  /// Calls visit(index, sphere) for every sphere with |centre - place| <= radius + margin_A, each once, and for some
-  /// farther ones: the visitor tests what it needs. A visitor that returns false ends the visit. Of spheres with the same
+  /// Calls visit(index, sphere) once for every sphere with |centre - place| <= radius + margin_A, and for some farther
+  /// ones; the visitor applies the exact test. A visitor that returns false ends the visit. Of spheres with equal
   /// centre and radius only the first in the file is visited, unless Duplicates::VisitEach was given. No allocation;
-  /// the order is fixed for a scene. `cost` counts what is examined besides spheres: cells, and tree nodes of crowded
-  /// cells.
+  /// the order is fixed for a scene. `cost` is increased by the number of examined cells and tree nodes of crowded
+  /// cells, without spheres.
   template <class Visit>
   void visitNear(const Vec3& place, double margin_A, Visit&& visit, std::uint64_t* cost = nullptr) const {
     const double reach = margin_A + cell_radius_;
@@ -65,15 +67,15 @@ class SphereGrid {
     visitBox(place - Vec3(reach), place + Vec3(reach), near, visit);
   }
 
-  /// The same for the spheres whose centres lie within `reach_A` of the place.
+  /// The same for the spheres whose centres lie within `reach_A` of the point.
   template <class Visit>
   void visitCentresNear(const Vec3& place, double reach_A, Visit&& visit) const {
     const auto inReach = [&](const TreeNode& b) { return glm::distance(place, b.centre) <= b.radius + reach_A; };
     visitBox(place - Vec3(reach_A), place + Vec3(reach_A), inReach, visit);
   }
 
-  /// The same for the spheres that come within margin_A of any place in the box [low, high]. In a crowded cell only tree
-  /// nodes for which `mayMeet(centre, radius)` is true are visited; all spheres of a node lie in that sphere.
+  /// The same for the spheres within margin_A of any point of the box [low, high]. In a crowded cell only tree nodes
+  /// with `mayMeet(centre, radius)` are visited; the sphere (centre, radius) contains all spheres of the node.
   template <class MayMeet, class Visit>
   void visitNearBox(const Vec3& low, const Vec3& high, double margin_A, MayMeet&& mayMeet, Visit&& visit) const {
     const double reach = margin_A + cell_radius_;
@@ -87,34 +89,34 @@ class SphereGrid {
         low, high, margin_A, [](const Vec3&, double) { return true; }, visit);
   }
 
-  /// The edge of a grid cell (unit: angstrom): a good length of the pieces of a path.
+  /// The edge length of a grid cell (unit: angstrom), suitable as the length of the pieces of a path.
   double cell_A() const { return cell_; }
 
  private:
   struct Cell {
     std::uint64_t key = kEmpty;
-    std::uint32_t begin = 0, end = 0;  // into sorted_
+    std::uint32_t begin = 0, end = 0;  // range in sorted_
   };
   struct Sorted {
     Sphere sphere;
     std::uint32_t index;
   };
-  // A cell with more spheres than this (a hundred thousand within 0.1 A, say) has a tree, so that the cost of a visit
-  // follows from the number of spheres found.
+  // A cell with more spheres than this has a tree, so that the cost of a visit is proportional to the number of spheres
+  // found. An example is a hundred thousand spheres within 0.1 A.
   static constexpr std::uint32_t kTreeThreshold = 64;
   struct TreeNode {
     Vec3 centre{0.0};
-    double radius = 0.0, largest = 0.0;  // no centre is farther from `centre`, no radius larger
-    std::uint32_t begin = 0, end = 0,
-                  next = 0;  // into sorted_; the place of the next tree node that is not below this one
+    double radius = 0.0, largest = 0.0;  // bounds of the distance of a centre from `centre`, and of the radii
+    std::uint32_t begin = 0, end = 0;    // range in sorted_
+    std::uint32_t next = 0;              // index of the next tree node outside this subtree
     bool leaf = false;
   };
   struct CellTree {
-    std::uint32_t begin = 0, root = 0;  // of the cell in sorted_; of its tree in tree_nodes_
+    std::uint32_t begin = 0, root = 0;  // start of the cell in sorted_, root of its tree in tree_nodes_
   };
   static constexpr std::uint64_t kEmpty = ~std::uint64_t{0};
-  static constexpr double kHalfCells =
-      1 << 20;  // cells an axis holds on either side of the origin; farther ones fold into the last
+  // Cells per axis on either side of the origin; spheres farther away share the last cell.
+  static constexpr double kHalfCells = 1 << 20;
 
   std::int64_t cellOf(double x, double low) const {
     const double c = std::floor((x - low) / cell_);
@@ -123,7 +125,7 @@ class SphereGrid {
   static std::uint64_t key(std::int64_t x, std::int64_t y, std::int64_t z) {
     return static_cast<std::uint64_t>(x) | static_cast<std::uint64_t>(y) << 21 | static_cast<std::uint64_t>(z) << 42;
   }
-  // Four cells side by side along x share a line of the cache.
+  // Four cells adjacent along x share a cache line.
   std::size_t slot(std::uint64_t k) const {
     return static_cast<std::size_t>(((k >> 2) * 0x9E3779B97F4A7C15ull) >> shift_) << 2 | (k & 3);
   }
@@ -134,7 +136,7 @@ class SphereGrid {
     }
   }
 
-  // Visitors that return nothing never end a visit.
+  // A visitor without a return value never ends a visit.
   template <class Visit>
   static bool goesOn(Visit&& visit, const Sorted& s) {
     if constexpr (std::is_same_v<decltype(visit(s.index, s.sphere)), bool>)
@@ -182,7 +184,7 @@ class SphereGrid {
     const std::int64_t y0 = cellOf(low.y, grid_low_.y), y1 = cellOf(high.y, grid_low_.y);
     const std::int64_t z0 = cellOf(low.z, grid_low_.z), z1 = cellOf(high.z, grid_low_.z);
     const double looked_up = double(x1 - x0 + 1) * double(y1 - y0 + 1) * double(z1 - z0 + 1);
-    if (looked_up > double(large_from_)) {  // a box over most of a sparse scene: the list is shorter than the cells
+    if (looked_up > double(large_from_)) {  // a box over most of a sparse scene: scanning the list is faster
       for (std::uint32_t k = 0; k < large_from_; ++k)
         if (!goesOn(visit, sorted_[k])) return;
       return;
@@ -197,14 +199,14 @@ class SphereGrid {
   void makeTree(std::uint32_t begin, std::uint32_t end);
 
   SharedArray<Sphere> spheres_;
-  std::vector<std::uint8_t> untouchable_;  // of each sphere; empty: none is
-  std::vector<Sorted> sorted_;             // by cell, the cells along x, then y, then z: neighbours lie near in memory;
-  std::uint32_t large_from_ = 0;      // from here on the few spheres much larger than the rest, tested at every visit
-  std::vector<TreeNode> tree_nodes_;  // trees, each node before those below it
+  std::vector<std::uint8_t> untouchable_;  // one flag per sphere; empty: none is untouchable
+  std::vector<Sorted> sorted_;             // by cell, the cells along x, then y, then z: neighbours are near in memory
+  std::uint32_t large_from_ = 0;      // start of the few spheres much larger than the rest, which every visit tests
+  std::vector<TreeNode> tree_nodes_;  // trees in preorder
   std::vector<CellTree> cell_trees_;  // by begin
   std::vector<Cell> cells_;           // open addressing, at most half full
   std::size_t mask_ = 0;
-  int shift_ = 62;  // 64 less the bits of a quarter of the table
+  int shift_ = 62;  // 64 minus the bits of a quarter of the table
   Vec3 low_{0.0}, high_{0.0}, grid_low_{0.0}, grid_high_{0.0};
   double cell_ = 1.0, cell_radius_ = 0.0, largest_radius_ = 0.0;
 };

@@ -1,6 +1,5 @@
-// An interaction round another, for what changes the force whatever method the probe is felt with: a friction, a limit in
-// depth. It passes everything on; a class that derives from it overrides what it changes. `respond` runs on the haptic
-// thread.
+// A wrapper around an interaction, for forces that apply to every method, such as friction or a limit in depth. It
+// forwards every call; a derived class overrides what it changes. `respond` runs on the haptic thread.
 #pragma once
 
 #include <memory>
@@ -12,14 +11,14 @@ namespace moltact {
 
 class WrappedInteraction : public Interaction {
  public:
-  /// `inner` is never null.
+  /// `inner` must not be null.
   explicit WrappedInteraction(std::unique_ptr<Interaction> inner) : inner_(std::move(inner)) {}
 
   Response respond(const PoseA& pose) noexcept override { return inner_->respond(pose); }
   void reset() noexcept override { inner_->reset(); }
   void setProbe(double probe_A) noexcept override { inner_->setProbe(probe_A); }
   double probe_A() const noexcept override { return inner_->probe_A(); }
-  /// `last` is this wrapper's own answer: where it changes more than the force of a point's contact it overrides this.
+  /// `last` is the response of this wrapper. Override if the wrapper changes more than the force of a point's contact.
   std::size_t reactions(const Response& last, double spring_N_per_A, double field_share,
                         std::span<AtomForce> out) const noexcept override {
     return inner_->reactions(last, spring_N_per_A, field_share, out);

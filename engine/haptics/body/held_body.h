@@ -1,5 +1,5 @@
-// What the hand holds, for whoever asks where it meets a scene: the probe's sphere, or a rigid body, which is atoms that a
-// scene hands to the student. Built on the window's thread, then never changed. Units: angstrom.
+// The shape in the hand, for collision queries: the probe's sphere, or a rigid body made of atoms of the molecule.
+// Built on the window's thread and immutable afterwards. Units: angstrom. Quaternions store w first.
 #pragma once
 
 #include <cstdint>
@@ -12,36 +12,39 @@
 
 namespace moltact {
 
-/// A body's atoms may come so much nearer to those of the scene than their radii say, for hydrogen bonds bring them as
-/// near: a drug then lies in its own place without touching (amprenavir in 1HPV, whose atoms overlap by up to 0.46 A).
+/// Each atom of a body may overlap the scene's atoms by this length before it touches them. Hydrogen bonds bring atoms
+/// that close, and a drug then fits into its binding site without contact (amprenavir in 1HPV overlaps by up to 0.46
+/// A). The value is tuned to the radii of Bondi.
 inline constexpr double kBodyOverlap_A = 0.5;
-/// A body of more atoms is refused: each is a contact of its own in every tick.
+/// The largest body. Each of its atoms costs one contact computation per tick.
 inline constexpr std::size_t kMaxHeldAtoms = 200;
 
-/// Atoms that move as one with the hand's pose.
+/// Atoms that move as one rigid body with the hand's pose.
 struct HeldBody {
-  std::vector<std::uint32_t> atoms;  ///< which of the molecule's they are, ascending
-  std::vector<Sphere> spheres;  ///< one for each, from the middle in the molecule's axes; their radii as they are felt
-  PointA middle;                ///< of their centres, in the molecule
-  double reach_A = 0.0;         ///< no surface of it lies farther from the middle
+  std::vector<std::uint32_t> atoms;  ///< their indices in the molecule, ascending
+  std::vector<Sphere>
+      spheres;           ///< one per atom, relative to the middle, in the molecule's axes; radii reduced by the overlap
+  PointA middle;         ///< mean of their centres, in the molecule
+  double reach_A = 0.0;  ///< radius of the sphere about the middle that contains the body
 };
 
-/// The body of these of a scene's spheres (ascending). Null where there are none of them, or more than kMaxHeldAtoms.
+/// Builds the body from the given indices of a scene's spheres (ascending). Returns null if no index is valid or there
+/// are more than kMaxHeldAtoms.
 std::shared_ptr<const HeldBody> heldBody(std::span<const Sphere> scene, std::span<const std::uint32_t> atoms);
 
-/// The probe, or a body as it is oriented now.
+/// The shape that a sweep moves: the probe, or a body in its present orientation.
 struct HandShape {
   double probe_A = 0.0;
   const HeldBody* body = nullptr;  ///< null: the probe
-  Quat orientation = kNoRotation;  ///< of a body
+  Quat orientation = kNoRotation;  ///< of the body
 
-  HandShape(double of_probe_A) : probe_A(of_probe_A) {}  // a radius is a probe
+  HandShape(double of_probe_A) : probe_A(of_probe_A) {}  // implicit: a radius denotes a probe
   HandShape(const HeldBody& held, const Quat& oriented) : body(&held), orientation(oriented) {}
 
   double reach_A() const { return body ? body->reach_A : probe_A; }
 };
 
-/// Where what is in the hand first meets a sphere of the scene, when its middle goes from `from` to `to`.
+/// Returns the first contact of the shape with the scene while its middle moves from `from` to `to`.
 Hit sweep(const SphereGrid& scene, const HandShape& hand, const Vec3& from, const Vec3& to) noexcept;
 
 }  // namespace moltact

@@ -1,6 +1,7 @@
-// Where a point on a circular path enters a cap, in closed form. Haptic thread.
-// Along a great circle or an intersection circle the point's share in a cap's axis is f(t) = a cos t + b sin t
-// (t = 0 where the point is now); it is covered where f(t) > q. The point itself is not: a <= q. Units: radian.
+// The angle at which a point on a circular path enters a cap, in closed form. Haptic thread. Units: radian. Along a
+// great circle or an intersection circle the point's component along the cap's axis is f(t) = a cos t + b sin t, with t
+// = 0 at the point's present position. The point is covered where f(t) > q. Precondition: a <= q, so it starts
+// uncovered.
 #pragma once
 
 #include <cmath>
@@ -11,7 +12,7 @@ namespace moltact {
 
 inline constexpr double kNever = 1e300;
 
-/// The first t >= 0 at which f rises above q, or kNever.
+/// Returns the first t >= 0 at which f rises above q, or kNever.
 inline double entryAngle(double a, double b, double q) {
   const double c = std::sqrt(a * a + b * b);
   if (q >= c) return kNever;
@@ -19,8 +20,8 @@ inline double entryAngle(double a, double b, double q) {
   return t >= 0.0 ? t : t + kTwoPi;
 }
 
-/// The angle to a cap in either direction, from one pair of inverse functions: `forward` as entryAngle(a, b, q) and
-/// `backward` as entryAngle(a, -b, q).
+/// The entry angles in both directions, from one pair of inverse functions. `forward` equals entryAngle(a, b, q),
+/// `backward` equals entryAngle(a, -b, q).
 struct Entries {
   double forward = kNever, backward = kNever;
 };

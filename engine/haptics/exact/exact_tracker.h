@@ -1,12 +1,12 @@
-// The exact tracker: the god-object on the union of spheres, with no error but rounding.
+// The exact tracker: the god-object method on the union of spheres. Its only error is rounding.
 //
-// The SCP s flows down |x - h|^2 toward the HIP h from its last place and stays outside every sphere. Its path is made of
-// pieces that are known in closed form: straight flight, great circles on spheres, arcs of intersection circles; so are
-// the places where one piece ends and the next begins (docs/exact-tracker.md). Nothing is kept but a list of the spheres
-// near the SCP (nearby_spheres.h).
+// The SCP s moves from its last position down the gradient of |x - h|^2 toward the HIP h and stays outside every
+// sphere. Its path consists of pieces in closed form: straight flight, great circles on spheres and arcs of
+// intersection circles. The ends of the pieces are known in closed form too (docs/exact-tracker.md). The tracker stores
+// only a list of the spheres near the SCP (nearby_spheres.h).
 //
-// Where the paper's three cases are: slideOnSphere (case 1), slideOnCircle (case 2), a vertex that holds (case 3).
-// Haptic thread; no allocation after construction. Units: angstrom.
+// The paper's three cases are slideOnSphere (case 1), slideOnCircle (case 2) and holdAtPoint (case 3, a vertex that
+// blocks the SCP). Haptic thread; no allocation after construction. Units: angstrom.
 #pragma once
 
 #include <array>
@@ -26,22 +26,24 @@ class ExactTracker final : public Tracker {
 
   Contact step(PointA hip) noexcept override;
   void reset() noexcept override;
-  /// A growing surface carries the SCP in steps, as many as kMaxLooked allows; the rest follows in the next ticks.
+  /// A growing probe moves the SCP in small steps within the limit kMaxLooked; the remaining growth follows in the next
+  /// ticks.
   void setProbe(double probe_A) noexcept override;
   bool setMotion(const SphereMotion* motion) noexcept override;  // moving_spheres.cpp
   void advanceTo(double fraction) noexcept override;
-  /// What the spheres are inflated by now: where a large change is carried on over several ticks it lags behind
-  /// setProbe().
+  /// The radius by which the spheres are inflated now. It lags behind setProbe() while a large change is spread over
+  /// several ticks.
   double probe_A() const noexcept override { return near_.probe_A(); }
   MemoryUsage memoryUsage() const noexcept override;
 
-  /// Ticks that were cut short because a flow had taken kMaxPieces pieces or looked at kMaxLooked spheres, or a surface
-  /// that swells had. The SCP then lags, outside all spheres (inflated by probe_A()), and goes on in the next tick.
+  /// Number of ticks that were cut short: the motion needed more than kMaxPieces pieces or kMaxLooked examined spheres,
+  /// or the growth of the probe did. The SCP then lags outside all spheres (inflated by probe_A()) and continues in the
+  /// next tick.
   std::uint64_t cutShort() const noexcept { return cut_short_; }
 
-  /// Spheres, cells and groups of spheres that the last step() or setProbe() that had to look round looked at: what it
-  /// cost. At most kMaxLooked for a flow, as many for a surface that swells, and what one piece or step of either
-  /// adds.
+  /// Number of spheres, cells and groups of spheres examined by the last step() or setProbe() that left the fast path:
+  /// its cost. The limit is kMaxLooked for the motion and as much for the growth of the probe, plus what one piece or
+  /// step of either adds.
   std::uint64_t looked() const noexcept { return near_.looked(); }
 
   static constexpr int kMaxPieces = 256;
@@ -50,26 +52,28 @@ class ExactTracker final : public Tracker {
  private:
   static constexpr std::size_t kMaxTouching = 32;
 
-  // An intersection circle and the free arc of it round the SCP. Angles count from axis_1.
+  // An intersection circle and its free arc around the SCP. Angles are measured from axis_1.
   struct Circle {
     std::int32_t i = -1, j = -1;
-    Vec3 centre, axis, axis_1, axis_2;  // `axis` from sphere i to sphere j; all unit and at right angles
-    double radius = 0, to_i = 0, to_j = 0,
-           between = 0;               // of the circle; its plane's distance from either centre; theirs
-    double low = 0, high = 0;         // the free arc
-    double angle = 0;                 // where the SCP is; in a narrow arc `along_1` and `along_2` tell it alone
-    double along_1 = 1, along_2 = 0;  // its direction: cosine and sine of the angle
-    bool narrow = false;              // the free arc is less than half a turn: its ends' directions say all
-    double low_1 = 0, low_2 = 0, high_1 = 0, high_2 = 0;
+    Vec3 centre, axis, axis_1, axis_2;  // `axis` points from sphere i to sphere j; an orthonormal basis
+    double radius = 0;                  // of the circle
+    double to_i = 0, to_j = 0;          // distances of the circle's plane from the two centres
+    double between = 0;                 // distance between the two centres
+    double low = 0, high = 0;           // ends of the free arc
+    double angle = 0;                   // of the SCP; unused in a narrow arc, where along_1 and along_2 replace it
+    double along_1 = 1, along_2 = 0;    // cosine and sine of the SCP's angle
+    bool narrow = false;  // the free arc is less than half a turn and described by the directions of its ends
+    double low_1 = 0, low_2 = 0, high_1 = 0, high_2 = 0;  // cosine and sine of the ends
   };
 
-  // Directions on a sphere round `centre`, by the cosine to it: where no cap is, and where none is but the one nearest
-  // to the SCP, which is then asked itself.
+  // A disc of directions on a sphere, as the cosine of the angle to `centre`. Directions with a cosine above `clear`
+  // lie in no cap. Those above `cosine` can lie in one cap only, the one nearest to the SCP, which is then tested
+  // itself.
   struct Patch {
     Vec3 centre{0.0};
     double clear = 2.0, cosine = 2.0;
-    Vec3 axis{0.0};    // of the nearest cap; zero where there is none
-    double rim = 2.0;  // its cosine
+    Vec3 axis{0.0};    // of the nearest cap; zero: there is none
+    double rim = 2.0;  // the nearest cap's cosine
   };
 
   enum class SlideResult : std::uint8_t { Rests, GoesOn, Stuck };
@@ -106,38 +110,37 @@ class ExactTracker final : public Tracker {
   Contact contactHeldBy(std::size_t count, const Vec3& hip) const noexcept;  // ordinary_tick.cpp
 
   NearbySpheres near_;
-  Vec3 scp_{0.0};           // this and every place inside the tracker is relative to near_.origin()
-  double contact_A_ = 0.0;  // a sphere whose surface is no farther than this from the SCP is touched
-  bool armed_ = false;      // has the HIP been outside since the start?
-  bool behind_ = false;     // the last flow was cut short
-  bool moved_ =
-      false;  // the spheres have moved on from `seen_fraction_` of the motion, where the SCP was last brought out
+  Vec3 scp_{0.0};           // like every position inside the tracker, relative to near_.origin()
+  double contact_A_ = 0.0;  // a sphere within this distance of the SCP counts as touched
+  bool armed_ = false;      // the HIP has been outside since the start
+  bool behind_ = false;     // the last step was cut short
+  bool moved_ = false;      // the spheres have moved since `seen_fraction_`, where the SCP was last moved outside
   double seen_fraction_ = 0.0;
-  // While spheres move: when the fraction was clear_fraction_, no sphere but the holders was nearer to this place than
-  // clear_gap_.
+  // While spheres move: at clear_fraction_ no sphere except the blocking ones was within clear_gap_ of clear_from_.
   Vec3 clear_from_{0.0};
   double clear_gap_ = 0.0, clear_fraction_ = 0.0;
-  bool swells_ = false;   // the surface is growing or shrinking to probe goal_A_
-  bool swelled_ = false;  // and has gone on since the last tick
+  bool swells_ = false;   // the probe grows or shrinks toward goal_A_
+  bool swelled_ = false;  // and its radius has changed since the last tick
   double goal_A_ = 0.0, step_A_ = 0.0;
-  bool may_sink_ = false;  // it has passed spheres that are touched and do not hold
+  bool may_sink_ = false;  // the path has passed touched spheres that do not block it
   Feature feature_ = Feature::Free;
-  std::array<std::int32_t, 3> holders_{-1, -1, -1};  // as Contact::atoms has them
+  std::array<std::int32_t, 3> holders_{-1, -1, -1};  // the active set, in the order of Contact::atoms
   struct Held {
     Vec3 centre{0.0};
     double radius = 0.0, inverse_radius = 0.0;
   };
-  std::array<Held, 3> held_{};                // the same spheres, as they are now; nothing where there is none
-  std::array<Touch, kMaxTouching> touching_;  // what the SCP touches, while it flows
+  std::array<Held, 3> held_{};                // geometry of the active set at present; zero where unused
+  std::array<Touch, kMaxTouching> touching_;  // surfaces that the SCP touches during the motion
   std::size_t touching_count_ = 0;
 
-  // What lets an ordinary tick end at once, for the feature the SCP is on.
-  Vec3 free_from_{0.0};  // free: no sphere is nearer to this place than the root of free_gap2_
+  // Data for the fast path of an ordinary tick, one group for each feature.
+  Vec3 free_from_{0.0};  // free: every sphere is at least sqrt(free_gap2_) from this point
   double free_gap2_ = 0.0;
   Patch patch_;    // sphere
   Circle circle_;  // circle
-  std::array<Vec3, 3>
-      holds_;  // point: rows of the inverse of its normals; all shares of the displacement >= 0 means it holds
+  /// Point: rows of the inverse of its normals. The vertex blocks the SCP while all components of the displacement are
+  /// >= 0.
+  std::array<Vec3, 3> holds_;
   bool holds_known_ = false;
 
   std::uint64_t cut_short_ = 0;

@@ -1,5 +1,4 @@
-// Places that two or three spheres have in common (paper, equations 2 to 7, in vectors). Haptic thread. Units:
-// angstrom.
+// Points common to two or three spheres (paper, equations 2 to 7, in vectors). Haptic thread. Units: angstrom.
 #pragma once
 
 #include <cmath>
@@ -8,7 +7,8 @@
 
 namespace moltact {
 
-// The place of the two spheres' circle nearest to p; false when they do not meet.
+// The point of the two spheres' intersection circle nearest to p. Returns false if there is no circle or p lies on its
+// axis.
 inline bool nearestOnCircle(const NearSphere& i, const NearSphere& j, const Vec3& p, Vec3& out) {
   const Vec3 between = j.centre - i.centre;
   const double d = glm::length(between);
@@ -25,7 +25,7 @@ inline bool nearestOnCircle(const NearSphere& i, const NearSphere& j, const Vec3
   return true;
 }
 
-// The two points common to three spheres; false when there are none.
+// The two points common to three spheres. Returns false if there are none.
 inline bool commonPoints(const NearSphere& i, const NearSphere& j, const NearSphere& k, Vec3 out[2]) {
   const Vec3 u = j.centre - i.centre, v = k.centre - i.centre, w = glm::cross(u, v);
   const double w2 = glm::dot(w, w);

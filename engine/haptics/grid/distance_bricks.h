@@ -1,12 +1,17 @@
-// The signed distance to the spheres' surfaces on a grid, smoothly interpolated, in bricks that are made when they are
-// first needed. A brick is 4 x 4 x 4 cells; a pool of fixed size keeps kBricks of them and drops the oldest.
+// The signed distance to the spheres' surfaces, interpolated smoothly on a grid. The grid is divided into bricks of 4 x
+// 4 x 4 cells, which are computed when first needed. A pool of fixed size keeps kBricks of them and replaces the
+// oldest.
 //
-// The field: f(x) = min over spheres of |x - centre| - radius, not inflated. A probe of radius p feels the level f = p,
-// so another probe needs no other bricks. Outside all spheres f is the distance; inside it is only a bound, which is
-// enough because the SCP stays outside. The interpolation: quadratic B-splines over coefficients c = f - (1/8) (second
-// differences of f along each axis), which reproduce quadratics exactly. So the error is of third order in the spacing
-// where f is smooth, its gradient is continuous, and creases are rounded over about one spacing. Haptic thread; no
-// allocation after construction. Units: angstrom; places relative to the given origin.
+// The field is f(x) = min over spheres of |x - centre| - radius, without inflation. A probe of radius p touches the
+// level f = p, so a change of probe needs no new bricks. Outside all spheres f is the distance. Inside it is only a
+// bound, which is sufficient because the SCP stays outside.
+//
+// Interpolation: quadratic B-splines over coefficients c = f - (1/8) (second differences of f along each axis), which
+// reproduce quadratics exactly. Where f is smooth the error is of third order in the spacing. The gradient is
+// continuous, and creases are rounded over about one spacing.
+//
+// Haptic thread; no allocation after construction except in prepare(). Units: angstrom; positions are relative to the
+// given origin.
 #pragma once
 
 #include <array>
@@ -21,42 +26,42 @@ class DistanceBricks {
  public:
   static constexpr int kCells = 4;                ///< along an edge of a brick
   static constexpr std::uint32_t kBricks = 1024;  ///< in the pool, unless prepare() made more
-  static constexpr int kLabels = 24;              ///< spheres that a brick remembers, to name the nearest
+  static constexpr int kLabels = 24;              ///< spheres stored per brick to identify the nearest
 
-  /// `cap_A`: the field is never asked beyond this level; farther places may return this level instead of their
+  /// `cap_A`: the largest level that is queried; points farther from the surface may get this value instead of their
   /// distance.
   DistanceBricks(std::shared_ptr<const SphereGrid> scene, const Vec3& origin, double spacing_A, double cap_A);
 
-  /// Makes all bricks that the surface at this level passes through or comes near to, with space for twice as many: no
-  /// brick is made during touch. Before touching; allocates.
+  /// Computes all bricks at or near the surface of this level and enlarges the pool to twice as many, so that no brick
+  /// is computed during touch. Call before touching; allocates.
   void prepare(double level_A);
 
   struct Sample {
     double value;  ///< the field
     Vec3 gradient;
-    glm::dmat3 hessian;  ///< second derivatives, continuous within a cell only
+    glm::dmat3 hessian;  ///< second derivatives, continuous only within a cell
   };
 
-  /// Reads the field. Makes the brick if it is missing and `fills_left` allows it; else false, and nothing is read.
+  /// Evaluates the field. Computes a missing brick if `fills_left` allows it; otherwise returns false and leaves `out`
+  /// unchanged.
   bool sample(const Vec3& place, Sample& out, int& fills_left) noexcept;
 
-  /// The sphere whose surface is nearest to the place, among those that its brick remembers; -1 where the brick is
-  /// missing.
+  /// The sphere whose surface is nearest to the point, among those stored in its brick; -1 if the brick is missing.
   std::int32_t nearestSphere(const Vec3& place) const noexcept;
 
-  /// Changes the cap; forgets all bricks if it grows.
+  /// Changes the cap. A larger cap discards all bricks.
   void setCap(double cap_A) noexcept;
   double spacing_A() const noexcept { return spacing_; }
 
-  std::uint64_t bricksMade() const noexcept { return made_; }             ///< since the start
-  std::size_t spheresRemembered() const noexcept { return remembered_; }  ///< different spheres in all bricks held now
+  std::uint64_t bricksMade() const noexcept { return made_; }             ///< since construction
+  std::size_t spheresRemembered() const noexcept { return remembered_; }  ///< distinct spheres in all stored bricks
   std::size_t bytes() const noexcept;
-  /// The memory of a grid over the whole box of the scene at this spacing.
+  /// The memory that a grid over the scene's whole bounding box would need at this spacing (unit: byte).
   std::size_t wholeMoleculeBytes() const noexcept;
 
  private:
   static constexpr int kSide = kCells + 2;     // coefficients along an edge
-  static constexpr int kSamples = kCells + 4;  // distances along an edge, from which they are made
+  static constexpr int kSamples = kCells + 4;  // distances along an edge, from which the coefficients are computed
   static constexpr std::uint32_t kWays = 8;
   struct Key {
     std::int32_t x, y, z;
@@ -84,9 +89,9 @@ class DistanceBricks {
   std::unique_ptr<Brick[]> bricks_;
   mutable Brick* last_;
   std::uint64_t made_ = 0;
-  std::unique_ptr<std::uint16_t[]> in_bricks_;  // for each sphere, in how many bricks it is remembered
+  std::unique_ptr<std::uint16_t[]> in_bricks_;  // for each sphere, the number of bricks that store it
   std::size_t remembered_ = 0;
-  // Work space for a brick in the making.
+  // Scratch memory for the brick being computed.
   static constexpr std::size_t kMaxGathered = 4096;
   struct Near {
     Vec3 centre;

@@ -1,6 +1,6 @@
-// The cones and intersection points of a sphere, which the paper prepares for every atom of the molecule (sections 4.4
-// and 4.5). Here they are prepared for an atom when it is first touched, in a fixed pool; the atom that was not touched
-// for the longest time gives up its slot. Used by one thread; nothing is allocated after construction. Units: angstrom.
+// The cones and intersection points of an atom, which the paper prepares for every atom of the molecule (sections 4.4
+// and 4.5). Here they are computed when an atom is first touched, in a fixed pool that replaces the least recently
+// touched atom. Used by one thread; no allocation after construction. Units: angstrom.
 #pragma once
 
 #include <cstddef>
@@ -13,7 +13,7 @@
 
 namespace moltact::paper {
 
-/// A point in which an atom's sphere meets two others.
+/// A point at which an atom's sphere meets two others.
 struct ModelPoint {
   Vec3 P{0.0};
   std::int32_t second = -1, third = -1;  ///< the other two atoms
@@ -21,29 +21,29 @@ struct ModelPoint {
 
 struct AtomModel {
   std::int32_t atom = -1;
-  std::span<const Cone> cones;         ///< the circles that cut deepest first
-  std::span<const ModelPoint> points;  ///< in the order of their cones, buried ones included
+  std::span<const Cone> cones;         ///< ordered by depth of the cut, deepest first
+  std::span<const ModelPoint> points;  ///< in the order of their cones, including buried ones
 };
 
-/// Limits of one model. Atoms as dense as the heavy atoms of a protein (0.057 per cubic angstrom, placed at random)
-/// have with the water probe about 50 cones and 950 points each; twice as dense ones have 94 and 3200. Beyond a limit
-/// the shallowest cones, and the points of the later pairs of cones, are left out: the tracker then does not stop at
-/// those circles and points.
+/// Limits of one model. With the water probe, atoms as dense as the heavy atoms of a protein (0.057 per cubic angstrom,
+/// placed at random) have about 50 cones and 950 points each; atoms twice as dense have 94 and 3200. Beyond a limit the
+/// shallowest cones and the points of the later pairs of cones are omitted; the tracker then does not stop at those
+/// circles and points.
 inline constexpr std::size_t kMaxCones = 128;
 inline constexpr std::size_t kMaxPoints = 4096;
 
-/// The number of atoms held at once: more than usually meet in a pit, so that a HIP that stays in one prepares nothing
-/// new.
+/// Number of atoms held at once. It exceeds the number that usually meets in a pit, so that a HIP at rest there causes
+/// no new preparation.
 inline constexpr std::size_t kModels = 16;
 
 class AtomModels {
  public:
   explicit AtomModels(const SphereGrid& scene);
 
-  /// The model of an atom for spheres inflated by probe_A, prepared now if it is not held.
+  /// The model of an atom with spheres inflated by probe_A; computed now if it is not held.
   AtomModel model(const SphereGrid& scene, std::int32_t atom, double probe_A) noexcept;
 
-  /// Gives up all models: the probe has changed.
+  /// Discards all models, after a change of the probe.
   void clear() noexcept;
 
   std::size_t held() const noexcept;

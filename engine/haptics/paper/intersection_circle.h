@@ -1,5 +1,5 @@
 // The circle in which two spheres meet (paper, section 4.4, Figure 5, equations 2 to 4).
-// Plain functions without state, usable on every thread; neither allocates nor throws. Units: angstrom.
+// Pure functions, usable on every thread; they neither allocate nor throw. Units: angstrom.
 #pragma once
 
 #include <optional>
@@ -8,8 +8,8 @@
 
 namespace moltact::paper {
 
-/// Equation 2: the distance from the centre of the sphere of radius R to the plane of the common circle, along the line
-/// to a sphere of radius r whose centre is d > 0 away. Negative where that plane lies behind the first centre.
+/// Equation 2: the distance from the centre of a sphere of radius R to the plane of the common circle, along the line
+/// to a sphere of radius r at distance d > 0. Negative if the plane lies on the other side of the first centre.
 double circleHeight(double R, double r, double d);
 
 struct IntersectionCircle {
@@ -19,12 +19,12 @@ struct IntersectionCircle {
   double height = 0.0;       ///< x, from the first centre to the circle's plane along the axis
 };
 
-/// Equations 2 to 4 for spheres (S0, R) and (S1, r). Empty where there is no circle: spheres apart, one inside the
-/// other, touching in one point, or concentric.
+/// Equations 2 to 4 for spheres (S0, R) and (S1, r). Empty if there is no circle: the spheres are apart, touch in one
+/// point or are concentric, or one contains the other.
 std::optional<IntersectionCircle> intersectionCircle(const Vec3& S0, double R, const Vec3& S1, double r);
 
-/// The place on the circle nearest to `hip`. For a HIP on the circle's axis all are equally near: then the one nearest
-/// to `last`, and where that fails too, any.
+/// The point of the circle nearest to `hip`. For a HIP on the circle's axis, where all points are equally near, the
+/// point nearest to `last`; if that is on the axis too, any point.
 Vec3 closestOnCircle(const IntersectionCircle& circle, const Vec3& hip, const Vec3& last);
 
 }  // namespace moltact::paper

@@ -1,6 +1,6 @@
 // Algorithm 1 of Stocks & Laycock (2008) as published, including the three cases of its Figure 4 and its faults.
-// docs/paper-algorithm.md says how unclear passages were read, and which faults follow. `step` runs on the haptic
-// thread. Units: angstrom.
+// docs/paper-algorithm.md explains the interpretation of unclear passages and the resulting faults. `step` runs on the
+// haptic thread. Units: angstrom.
 #pragma once
 
 #include <memory>
@@ -15,12 +15,13 @@ namespace moltact {
 
 class PaperTracker final : public Tracker {
  public:
-  /// The paper's epsilon (unit: angstrom), whose value it does not give: a point's planes are tested while the SCP is
-  /// nearer than this. A hand at 100 mm/s and 0.25 A/mm moves 0.025 A a tick, so a slow hand cannot step across; and it
-  /// is a small part of the 1 A and more that usually separate the two points of three atoms.
+  /// The paper's epsilon, for which it gives no value (unit: angstrom). The planes of a point are tested while the SCP
+  /// is nearer than this. A hand at 100 mm/s with 0.25 A/mm moves 0.025 A per tick and cannot step across. The two
+  /// points of three atoms are usually separated by at least 1 A.
   static constexpr double kEpsilon_A = 0.1;
 
-  /// `scene` must not be null (asserted). The probe is clamped as in setProbe; a non-finite one gives water's.
+  /// `scene` must not be null (asserted). The probe is clamped as in setProbe; a non-finite radius becomes
+  /// kWaterProbe_A.
   PaperTracker(std::shared_ptr<const SphereGrid> scene, double probe_A);
 
   Contact step(PointA hip) noexcept override;
@@ -49,7 +50,7 @@ class PaperTracker final : public Tracker {
 
   bool has_been_outside_ = false;
   Feature state_ = Feature::Free;
-  std::int32_t atom_ = -1;     // the paper's current Atom; valid while in contact
+  std::int32_t atom_ = -1;     // the paper's current Atom; valid in contact
   paper::Cone cone_;           // the current Cone; valid in state Circle
   paper::PointVolume volume_;  // the current Point; valid in state Point
   Vec3 scp_{0.0};

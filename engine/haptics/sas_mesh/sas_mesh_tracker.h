@@ -1,15 +1,14 @@
-// The god-object on one manifold mesh of the solvent-accessible surface (surface_mesh.h): the best that a polygonal
-// tracker can do, with everything prepared. In flight the SCP goes straight to the HIP, and the mesh's tree of boxes
-// finds the triangle that it meets. In contact it goes down |x - h|^2 over the mesh from triangle to triangle
-// (neighbour tracking, Ho, Basdogan & Srinivasan 1999): on a triangle, along an edge in a crease, or in a corner,
-// always along the steepest path that stays outside. The mesh has no inner faces and nowhere intersects itself, so in
-// contact nothing is searched.
+// The god-object method on one manifold mesh of the solvent-accessible surface (surface_mesh.h): an upper bound for
+// polygonal trackers, with everything prepared in advance. In flight the SCP moves straight to the HIP, and the mesh's
+// tree of boxes finds the first triangle on the path. In contact the SCP descends |x - h|^2 from triangle to triangle
+// (neighbour tracking, Ho, Basdogan & Srinivasan 1999): on a triangle, along an edge in a crease or from a corner,
+// always along the steepest path that stays outside. The mesh has no inner faces and no self-intersections, so contact
+// requires no search.
 //
-// It works only for the probe that it was made for: another probe would need another mesh, so setProbe() changes
-// nothing. Known failures, pinned by tests: as for any triangles the SCP lags at a facet's edge and then jumps, and the
-// force rotates by the angle between facets; a gap narrower than a cell of the mesh's grid may be closed, and a sphere
-// smaller than one missed. Feature: Sphere with the triangle's sphere. Haptic thread; no allocation after construction.
-// Units: angstrom.
+// The mesh is valid for one probe radius; setProbe() does nothing. Known limitations, verified by tests: at an edge of
+// a facet the SCP lags and then jumps, and the force rotates by the angle between the facets. A gap narrower than a
+// cell of the mesh's grid may be closed, and a sphere smaller than a cell missed. The feature is always Sphere, with
+// the triangle's sphere. Haptic thread; no allocation after construction. Units: angstrom.
 #pragma once
 
 #include <memory>
@@ -27,11 +26,11 @@ class SasMeshTracker final : public Tracker {
   void reset() noexcept override;
   void setProbe(double) noexcept override {}
   double probe_A() const noexcept override { return probe_; }
-  /// Atoms modelled: all that have a part in the surface.
+  /// Atoms modelled: all that contribute to the surface.
   MemoryUsage memoryUsage() const noexcept override;
 
   const SurfaceMesh& mesh() const noexcept { return *mesh_; }
-  /// Ticks in which the SCP did not come to rest; it then lags, outside.
+  /// Number of ticks in which the SCP did not come to rest; it then lags, outside.
   std::uint64_t cutShort() const noexcept { return cut_short_; }
 
   static constexpr int kMaxPieces = 512;
@@ -39,10 +38,10 @@ class SasMeshTracker final : public Tracker {
  private:
   enum class On : std::uint8_t { Nothing, Triangle, Edge, Corner };
   enum class SlideResult : std::uint8_t { Arrived, Meets, Leaves, Rests, Short };
-  static constexpr std::size_t kMaxRound = 32;  // triangles round a corner
-  struct Wedge {                                // one of those, with its edge on the right seen from outside
+  static constexpr std::size_t kMaxRound = 32;  // triangles around a corner
+  struct Wedge {                                // one of these triangles, with its right edge as seen from outside
     std::int32_t triangle;
-    std::int32_t edge;  // of the triangle: leads from the corner
+    std::int32_t edge;  // of the triangle, from the corner
     Vec3 normal, along, in_right, in_left;
   };
 
@@ -60,12 +59,12 @@ class SasMeshTracker final : public Tracker {
   double probe_, margin_;
   Vec3 origin_;
   std::shared_ptr<const SurfaceMesh> mesh_;
-  Vec3 scp_{0.0};                  // this and every place inside the tracker is relative to origin_
-  bool has_been_outside_ = false;  // has the HIP been outside since the start?
+  Vec3 scp_{0.0};                  // like every position inside the tracker, relative to origin_
+  bool has_been_outside_ = false;  // the HIP has been outside since the start
   On on_ = On::Nothing;
   std::int32_t triangle_ = -1, edge_ = 0;
-  SurfaceMesh::Plane plane_;   // the triangle's
-  SurfaceMesh::Plane beyond_;  // on an edge: the other triangle's
+  SurfaceMesh::Plane plane_;   // of the triangle
+  SurfaceMesh::Plane beyond_;  // on an edge: of the other triangle
   std::int32_t other_ = -1;
   std::size_t other_edge_ = 0;
   Vec3 edge_from_{0.0}, edge_along_{0.0};
@@ -73,7 +72,7 @@ class SasMeshTracker final : public Tracker {
   std::array<Wedge, kMaxRound> round_;  // on a corner
   std::size_t round_count_ = 0;
   Vec3 corner_normal_{0.0};
-  Vec3 free_from_{0.0};  // free: the mesh is not within free_gap_ of this place
+  Vec3 free_from_{0.0};  // free: the mesh is at least free_gap_ from this point
   double free_gap_ = 0.0;
   std::uint64_t cut_short_ = 0;
 };

@@ -1,17 +1,18 @@
 // One closed mesh of the solvent-accessible surface: the boundary of the union of all spheres, inflated by the probe,
-// without the triangles that lie buried in other spheres. It has all that a constraint tracker needs: the neighbour
-// across each edge and a tree of bounding boxes.
+// without triangles buried in other spheres. It contains the data that a constraint tracker needs: the neighbour across
+// each edge and a tree of bounding boxes.
 //
-// How it is made: the union is sampled at the nodes of a grid. Every cell whose corners differ gets a vertex for each
-// sheet of the surface that passes through it, and every grid edge whose ends differ gets a polygon of the vertices
-// round it (dual marching cubes: Ju and others 2002, Nielson 2004). A vertex is put on the sphere that its sheet
-// belongs to; where a crease or pit of two or three spheres passes through the cell, it is put on their circle or point.
-// So the triangles end at the creases, and no corner is cut. Where a face of the grid has four crossings, their two
-// segments get a vertex each, so that the mesh is a manifold: every edge has two triangles. A gap or a bridge narrower
-// than a cell may be missed or closed.
+// Construction: the union is sampled at the nodes of a grid. Every cell whose corners differ gets a vertex for each
+// sheet of the surface inside it. Every grid edge whose ends differ gets a polygon of the vertices around it (dual
+// marching cubes: Ju et al. 2002, Nielson 2004). A vertex is projected onto the sphere of its sheet. Where a crease or
+// pit of two or three spheres passes through the cell, the vertex lies on their circle or point; the triangles
+// therefore end at the creases and cut no corner.
 //
-// Made before touching, for one probe; immutable, so every thread may read it. Units: angstrom; places relative to the
-// given origin.
+// On a face of the grid with four crossings each of the two segments gets a vertex. The mesh is thus manifold: every
+// edge has two triangles. A gap or bridge narrower than a cell may be missed or closed.
+//
+// Built before touching, for one probe radius; immutable, so every thread may read it. Units: angstrom; positions are
+// relative to the given origin.
 #pragma once
 
 #include <array>
@@ -26,19 +27,19 @@ namespace moltact {
 class SurfaceMesh {
  public:
   struct Triangle {
-    std::array<std::int32_t, 3> corners;  ///< vertices, the right way round seen from outside
-    std::array<std::int32_t, 3> across;   ///< the triangle beyond the edge from corner k to k + 1
-    std::int32_t sphere;                  ///< whose surface it is a part of
+    std::array<std::int32_t, 3> corners;  ///< indices of vertices, counter-clockwise seen from outside
+    std::array<std::int32_t, 3> across;   ///< the triangle across the edge from corner k to k + 1
+    std::int32_t sphere;                  ///< the sphere whose surface it approximates
   };
   /// A triangle's plane and borders.
   struct Plane {
     Vec3 normal{0.0};               ///< unit, outward
     double height = 0.0;            ///< dot(normal, x) = height
-    std::array<Vec3, 3> out{};      ///< unit, in the plane, outward over edge k
-    std::array<double, 3> reach{};  ///< inside: dot(out[k], x) <= reach[k]
+    std::array<Vec3, 3> out{};      ///< unit, in the plane, perpendicular to edge k, outward
+    std::array<double, 3> reach{};  ///< a point of the plane is inside if dot(out[k], x) <= reach[k]
   };
 
-  /// The last mesh of each spacing is kept: asking again for the same scene and probe costs nothing.
+  /// Returns the mesh of a scene. The last mesh of each spacing is cached for the same scene and probe.
   static std::shared_ptr<const SurfaceMesh> of(const std::shared_ptr<const SphereGrid>& scene, double probe_A,
                                                double spacing_A, const Vec3& origin);
 
@@ -47,7 +48,7 @@ class SurfaceMesh {
   const std::vector<Vec3>& vertices() const { return vertices_; }
   const std::vector<Triangle>& triangles() const { return triangles_; }
   Plane plane(std::int32_t triangle) const noexcept;
-  std::size_t spheres() const { return spheres_; }  ///< the spheres that have a part in the surface
+  std::size_t spheres() const { return spheres_; }  ///< number of spheres that contribute to the surface
   std::size_t bytes() const;
 
   struct Hit {
@@ -58,7 +59,7 @@ class SurfaceMesh {
   /// is none.
   Hit cast(const Vec3& from, const Vec3& path) const noexcept;
 
-  static constexpr double kSkin_A = 1e-9;  ///< a place so near a plane is on it
+  static constexpr double kSkin_A = 1e-9;  ///< a point within this distance of a plane lies on it
 
  private:
   struct Box {
@@ -75,7 +76,7 @@ class SurfaceMesh {
   struct Node {
     Box box;
     std::int32_t first,
-        count;  // a leaf's triangles; inner nodes: count 0, the left child follows, `first` is the right one
+        count;  // leaf: range of triangles; inner node: count 0, left child next, right child at `first`
   };
   std::vector<Node> nodes_;
   std::size_t spheres_ = 0;

@@ -1,5 +1,5 @@
-// The boundary of a union of spheres as vertices and triangles, from which SurfaceMesh is made. Before touching;
-// allocates. Units: angstrom; places relative to the given origin.
+// The boundary of a union of spheres as vertices and triangles, the raw data of SurfaceMesh. Built before touching;
+// allocates. Units: angstrom; positions are relative to the given origin.
 #pragma once
 
 #include <array>
@@ -19,8 +19,7 @@ struct UnionSurface {
   std::vector<Triangle> triangles;
 };
 
-/// `spacing_A`: the spacing of the grid on which the union is sampled; a scene wider than half a million of them gets a
-/// larger one.
+/// `spacing_A`: spacing of the sampling grid. A scene wider than half a million spacings gets a larger one.
 UnionSurface unionSurface(const SphereGrid& scene, double probe_A, double spacing_A, const Vec3& origin);
 
 }  // namespace moltact
