@@ -1,5 +1,5 @@
-// Tells two contents apart: the FNV-1a hash of 64 bits. Not against someone who makes two contents alike on purpose.
-// Any thread but the haptic one.
+// Identifies a content by its 64-bit FNV-1a hash. Not secure against deliberate collisions. Any thread except the
+// haptic one.
 #pragma once
 
 #include <cstdint>
@@ -17,7 +17,7 @@ inline std::uint64_t hash64(std::string_view bytes) {
   return hash;
 }
 
-/// The same as 16 hexadecimal digits.
+/// The hash as 16 hexadecimal digits.
 inline std::string contentHash(std::string_view bytes) {
   std::uint64_t hash = hash64(bytes);
   std::string out(16, '0');

@@ -1,6 +1,5 @@
-// The only conversion from a file's bytes to a number in memory. Only numbers are made so: a bool, an enum, a pointer
-// or a class does not have a value for every pattern of bits, and so is made from numbers that are checked first. Any
-// thread.
+// The only conversion from a file's bytes to a number in memory. It is restricted to numbers: for a bool, an enum, a
+// pointer or a class not every bit pattern is a valid value, so these are built from checked numbers. Any thread.
 #pragma once
 
 #include <cstring>
@@ -8,7 +7,7 @@
 
 namespace moltact {
 
-/// The number whose bytes, in this machine's order, lie at `at`, which need not be aligned.
+/// Reads the number stored at `at` in native byte order; `at` need not be aligned.
 template <class T>
 T numberAt(const void* at) noexcept {
   static_assert(std::is_arithmetic_v<T> && !std::is_same_v<std::remove_cv_t<T>, bool>,

@@ -1,4 +1,4 @@
-// Text in HTML and SVG. Pure functions; any thread.
+// Escapes text for HTML and SVG. Pure functions; any thread.
 #pragma once
 
 #include <string>
@@ -8,8 +8,8 @@
 
 namespace moltact {
 
-/// Text for use between tags and in attributes: characters that could form a tag become entities, and bytes that are no
-/// printable text are cleaned (printable.h).
+/// Escapes text for use between tags and in attributes: characters that could form a tag become entities, and
+/// unprintable bytes are replaced (printable.h).
 inline std::string escaped(std::string_view text) {
   std::string out;
   for (const char c : printable(text)) switch (c) {

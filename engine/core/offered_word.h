@@ -1,4 +1,4 @@
-// One word of a choice that files, commands and the screen offer. Plain data; any thread.
+// One option of a choice, as files, commands and the screen offer it. Plain data; any thread.
 #pragma once
 
 #include <string_view>
@@ -7,8 +7,8 @@ namespace moltact {
 
 struct OfferedWord {
   std::string_view name;      ///< in files and options: "exact"
-  std::string_view title;     ///< on the screen, N_
-  std::string_view sentence;  ///< what it is, N_
+  std::string_view title;     ///< on the screen; untranslated (N_)
+  std::string_view sentence;  ///< description; untranslated (N_)
 };
 
 }  // namespace moltact

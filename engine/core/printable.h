@@ -1,5 +1,5 @@
-// Makes text from outside (names, titles, paths, messages that quote them) safe to show: no sequence in it controls a
-// terminal, reorders the text beside it, or begins a line of its own. Usable on every thread but the haptic one.
+// Makes external text (names, titles, paths and messages that quote them) safe to display. In the result no sequence
+// controls a terminal, reorders adjacent text or starts a new line. Any thread except the haptic one.
 #pragma once
 
 #include <cstddef>
@@ -11,17 +11,17 @@
 
 namespace moltact {
 
-inline constexpr std::string_view kReplacement = "\xEF\xBF\xBD";  ///< U+FFFD, shown in place of a harmful piece
+inline constexpr std::string_view kReplacement = "\xEF\xBF\xBD";  ///< U+FFFD, replaces a harmful sequence
 
-/// Whether a code point controls the display: C0 and C1 controls except tab and line end, DEL, and characters that
-/// change the direction of the surrounding text (embeddings, overrides, isolates).
+/// True for a code point that controls the display: C0 and C1 controls except tab and line end, DEL, and characters
+/// that change the direction of the surrounding text (embeddings, overrides, isolates).
 constexpr bool steersTerminal(std::uint32_t code) {
   return (code < 0x20 && code != '\t' && code != '\n') || (code >= 0x7F && code < 0xA0) ||
          (code >= 0x202A && code <= 0x202E) || (code >= 0x2066 && code <= 0x2069);
 }
 
-/// Calls keep(bytes) for each harmless piece of the text and harmful(code, valid) for each harmful code point, in
-/// order; `also` says which other code points are harmful.
+/// Calls keep(bytes) for each harmless part of the text and harmful(code, valid) for each harmful code point, in order.
+/// `also(code)` returns true for further harmful code points.
 template <class Keep, class Harmful, class Also>
 void splitHarmful(std::string_view text, Keep&& keep, Harmful&& harmful, Also&& also) {
   std::size_t kept = 0, at = 0;
@@ -41,8 +41,8 @@ void splitHarmful(std::string_view text, Keep&& keep, Harmful&& harmful, Also&& 
   keepUpToHere();
 }
 
-/// The text with U+FFFD in place of each code point that controls a terminal and each byte that is not UTF-8. Line ends
-/// and tabs stay.
+/// Replaces each code point that controls a terminal and each byte that is not UTF-8 by U+FFFD. Keeps line ends and
+/// tabs.
 inline std::string printable(std::string_view text) {
   std::string out;
   splitHarmful(
@@ -51,7 +51,7 @@ inline std::string printable(std::string_view text) {
   return out;
 }
 
-/// The same on one line: a line end or a tab within becomes a space.
+/// The same on one line: line ends and tabs become spaces.
 inline std::string oneLine(std::string_view text) {
   std::string out;
   splitHarmful(

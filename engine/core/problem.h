@@ -1,5 +1,4 @@
-// A fault in something that a person gave us (a file, a line, an argument), and its remedy. Used outside the haptic
-// thread only.
+// An error in a user's input (a file, a line, an argument) and its remedy. Any thread except the haptic one.
 #pragma once
 
 #include <cstddef>
@@ -11,16 +10,16 @@
 
 namespace moltact {
 
-/// One fault in a user's input. `line` and `column` count from 1; 0 means that there is no such place.
+/// One error in a user's input. `line` and `column` count from 1; 0: not applicable.
 struct Problem {
   std::string file;
   std::size_t line = 0;
   std::size_t column = 0;
-  std::string message;  ///< what is wrong, in the person's own terms
-  std::string remedy;   ///< what would correct it; may be empty
+  std::string message;  ///< the error, in the user's terms
+  std::string remedy;   ///< how to correct it; may be empty
 
-  /// "file:line:column: message; remedy" on one line, leaving out what is not known. Names and what a message quotes
-  /// may hold anything; what would steer a terminal is replaced.
+  /// Returns "file:line:column: message; remedy" on one line, without unknown parts. Characters that control a terminal
+  /// are replaced.
   std::string text() const {
     std::string out = oneLine(file);
     if (line) out += ':' + std::to_string(line);
@@ -32,7 +31,7 @@ struct Problem {
   }
 };
 
-/// Either a value, or the problem that prevented it.
+/// Either a value or the problem that prevented it.
 template <class T>
 class Expected {
  public:

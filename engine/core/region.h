@@ -1,4 +1,4 @@
-// A part of a molecule that is felt larger than the rest. Plain data; any thread. Units: angstrom.
+// A part of a molecule that is enlarged for the hand. Plain data; any thread. Units: angstrom.
 #pragma once
 
 #include "engine/core/units.h"

@@ -1,5 +1,5 @@
-// A queue of fixed length from one writing to one reading thread, without locks. When the reader is a whole ring
-// behind, new values are dropped and counted: the writer never waits.
+// A lock-free queue of fixed capacity from one writing to one reading thread. A full queue drops and counts new values:
+// the writer never waits.
 #pragma once
 
 #include <atomic>
@@ -15,7 +15,7 @@ class SampleRing {
   static_assert(std::is_trivially_copyable_v<T>);
 
  public:
-  /// Writer's thread only. False when the ring is full and the value was dropped.
+  /// Writer's thread only. Returns false if the queue is full; the value is then dropped.
   bool push(const T& value) noexcept {
     const std::size_t head = head_.load(std::memory_order_relaxed);
     if (head - tail_.load(std::memory_order_acquire) == kCapacity) {
@@ -27,7 +27,7 @@ class SampleRing {
     return true;
   }
 
-  /// Reader's thread only: takes the oldest value; false when there is none.
+  /// Reader's thread only. Removes the oldest value; returns false if there is none.
   bool pop(T& value) noexcept {
     const std::size_t tail = tail_.load(std::memory_order_relaxed);
     if (tail == head_.load(std::memory_order_acquire)) return false;
@@ -36,6 +36,7 @@ class SampleRing {
     return true;
   }
 
+  /// Number of dropped values. Any thread.
   std::size_t dropped() const noexcept { return dropped_.load(std::memory_order_relaxed); }
 
  private:

@@ -1,5 +1,5 @@
-// Conversions between types of numbers that are defined for every number: the cast itself is undefined where the value
-// does not fit. Usable on every thread.
+// Numeric conversions that are defined for every value; a plain cast is undefined if the value does not fit. Any
+// thread.
 #pragma once
 
 #include <limits>
@@ -7,10 +7,10 @@
 
 namespace moltact {
 
-/// `value` rounded towards zero, or the nearer limit of `To` where it does not fit; 0 for NaN.
+/// `value` rounded toward zero and clamped to the range of `To`; 0 for NaN.
 template <class To, class From>
 requires(std::is_integral_v<To>&& std::is_floating_point_v<From>) constexpr To saturateToInteger(From value) {
-  // The greatest value of a wide integer rounds up to a power of two, which does not fit.
+  // The largest value of a wide integer rounds up to a power of two, which does not fit.
   constexpr From kBeyond = From(2) * From(std::numeric_limits<To>::max() / 2 + 1);
   if (!(value == value)) return To(0);
   if (value >= kBeyond) return std::numeric_limits<To>::max();
@@ -18,7 +18,7 @@ requires(std::is_integral_v<To>&& std::is_floating_point_v<From>) constexpr To s
   return static_cast<To>(value);
 }
 
-/// The float nearest to `value`, or the greatest or least float where it lies beyond; 0 for NaN.
+/// The float nearest to `value`, clamped to the finite range; 0 for NaN.
 constexpr float saturateToFloat(double value) {
   constexpr double kMax = double(std::numeric_limits<float>::max());
   if (!(value == value)) return 0.0f;

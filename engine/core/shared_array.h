@@ -43,7 +43,7 @@ class SharedArray {
   /// A copy that can be changed.
   std::vector<T> copy() const { return std::vector<T>(begin(), end()); }
 
-  /// Whether both share one storage.
+  /// True if both share one storage.
   bool sharesWith(const SharedArray& other) const { return first_ == other.first_; }
   friend bool operator==(const SharedArray& a, const SharedArray& b) {
     return a.sharesWith(b) || std::equal(a.begin(), a.end(), b.begin(), b.end());

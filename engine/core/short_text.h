@@ -1,5 +1,5 @@
-// A text that is nearly always short, for things of which there are millions: 16 bytes where std::string takes 32. Any
-// thread but the haptic one.
+// A string optimized for short texts that occur in millions: 16 bytes instead of the 32 of std::string. Any thread
+// except the haptic one.
 #pragma once
 
 #include <cstdint>
@@ -11,7 +11,8 @@
 
 namespace moltact {
 
-/// Up to 15 bytes stand in the object itself, longer texts on the heap (at most 4 GiB). Read as a std::string_view.
+/// Up to 15 bytes are stored in the object itself, longer texts on the heap (at most 4 GiB). Converts to
+/// std::string_view.
 class ShortText {
  public:
   static constexpr std::size_t kInside = 15;
@@ -70,8 +71,8 @@ class ShortText {
     std::memcpy(bytes_, other.bytes_, sizeof held);
     std::memcpy(other.bytes_, held, sizeof held);
   }
-  // The text and its length, or kOnHeap; then a pointer and a length of 4 bytes stand at the front. Aligned as a
-  // pointer is, so that leak checkers see it.
+  // The text and its length; or, with kOnHeap, a pointer followed by a length of 4 bytes. Aligned like a pointer, so
+  // that leak checkers find it.
   alignas(char*) char bytes_[kInside + 1]{};
 };
 

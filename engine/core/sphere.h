@@ -1,4 +1,4 @@
-// A sphere: one atom as the haptic side sees it. Units: angstrom.
+// A sphere: one atom in the haptic computation. Units: angstrom.
 #pragma once
 
 #include "engine/core/units.h"

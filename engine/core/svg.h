@@ -1,5 +1,5 @@
-// Drawings as SVG 1.1, element after element. Lengths are the drawing's own, to a tenth; `attributes` are written as they
-// are given (class="bar"). Any thread but the haptic one.
+// Writes a drawing as SVG 1.1, element by element. Coordinates are in user units with one decimal; `attributes` are
+// written unchanged (class="bar"). Any thread except the haptic one.
 #pragma once
 
 #include <cmath>
@@ -12,7 +12,7 @@
 
 namespace moltact {
 
-/// A length to a tenth; what is no number is 0.
+/// Formats a length with one decimal; a value that is not finite becomes 0.
 inline std::string svgNumber(double value) {
   char text[40];
   std::snprintf(text, sizeof text, "%.1f", std::isfinite(value) && std::abs(value) < 1e15 ? value : 0.0);
@@ -44,22 +44,22 @@ class Svg {
   Svg& circle(double x, double y, double radius, std::string_view attributes) {
     return begin("circle", attributes).length("cx", x).length("cy", y).length("r", radius).end();
   }
-  /// `commands` as svgPoint makes them.
+  /// `commands`: a sequence of svgPoint() results.
   Svg& path(std::string_view commands, std::string_view attributes) {
     return begin("path", attributes).value("d", commands).end();
   }
 
-  /// What the drawing is called, for those who cannot see it. The text is escaped.
+  /// The accessible title of the drawing. The text is escaped.
   Svg& title(std::string_view what) {
     out_.append("<title>").append(escaped(what)).append("</title>\n");
     return *this;
   }
-  /// All of the drawing, in one colour.
+  /// Fills the whole drawing with one colour.
   Svg& ground(std::string_view colour) {
     return begin("rect", "width=\"100%\" height=\"100%\"").value("fill", colour).end();
   }
 
-  /// The elements, within an <svg> with these attributes.
+  /// Returns the elements enclosed in an <svg> element with these attributes.
   std::string within(std::string_view attributes) && {
     return std::string("<svg ").append(attributes).append(">").append(out_).append("</svg>");
   }
@@ -83,7 +83,7 @@ class Svg {
   std::string out_;
 };
 
-/// A command of a path and its place: "M3 4.5".
+/// A path command with its point: "M3 4.5".
 inline std::string svgPoint(char command, double x, double y) { return command + svgNumber(x) + " " + svgNumber(y); }
 
 }  // namespace moltact

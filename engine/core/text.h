@@ -1,4 +1,4 @@
-// Small pieces of text that readers and commands share. Plain ASCII; usable on every thread but the haptic one.
+// Small text functions shared by readers and commands. ASCII; any thread except the haptic one.
 #pragma once
 
 #include <string>
@@ -6,7 +6,7 @@
 
 namespace moltact {
 
-/// `text` without blanks (spaces, tabs, line ends) at either end.
+/// `text` without whitespace (spaces, tabs, line ends) at both ends.
 inline std::string_view trimmed(std::string_view text) {
   constexpr std::string_view kBlank = " \t\r\n\v\f";
   const auto first = text.find_first_not_of(kBlank);
@@ -14,7 +14,7 @@ inline std::string_view trimmed(std::string_view text) {
   return text.substr(first, text.find_last_not_of(kBlank) - first + 1);
 }
 
-/// `text` with A-Z in lower case, whatever the locale; other bytes stay.
+/// `text` with A-Z in lower case, independent of the locale; other bytes are unchanged.
 inline std::string lower(std::string text) {
   for (char& c : text)
     if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');

@@ -1,5 +1,5 @@
-// Hands whole values from one thread to another without locks: one writer, one reader; neither ever waits. The reader
-// sees the newest complete value; values between are skipped.
+// Passes complete values from one writing to one reading thread without locks; neither thread waits. The reader gets
+// the newest complete value; intermediate values are skipped.
 #pragma once
 
 #include <array>
@@ -21,14 +21,13 @@ class TripleBuffer {
     publish();
   }
 
-  /// Writer's thread only: the value that publish() hands over, to be filled in place. What it held before is some
-  /// older value.
+  /// Writer's thread only: the buffer that publish() will pass on, to be filled in place. It contains some older value.
   T& back() noexcept { return slots_[back_]; }
   void publish() noexcept {
     back_ = middle_.exchange(static_cast<std::uint8_t>(back_ | kFresh), std::memory_order_acq_rel) & kIndex;
   }
 
-  /// Reader's thread only: the newest value. The reference holds until the next read.
+  /// Reader's thread only: the newest value. The reference is valid until the next read.
   const T& read() noexcept {
     if (middle_.load(std::memory_order_relaxed) & kFresh)
       front_ = middle_.exchange(front_, std::memory_order_acq_rel) & kIndex;
@@ -38,9 +37,9 @@ class TripleBuffer {
  private:
   static constexpr std::uint8_t kIndex = 3, kFresh = 4;
   std::array<T, 3> slots_;
-  alignas(64) std::uint8_t back_ = 0;  // writer's
+  alignas(64) std::uint8_t back_ = 0;  // owned by the writer
   alignas(64) std::atomic<std::uint8_t> middle_{1};
-  alignas(64) std::uint8_t front_ = 2;  // reader's
+  alignas(64) std::uint8_t front_ = 2;  // owned by the reader
 };
 
 }  // namespace moltact

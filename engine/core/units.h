@@ -1,6 +1,6 @@
-// Spaces and units: the molecule's space in angstroms, the device's space in millimetres and newtons.
-// The member's name is the unit, so a place in one space cannot be taken for a place in the other;
-// `Workspace` is the one conversion between them. Plain data, usable on every thread.
+// Spaces and units: the molecule's space in angstroms, the device's space in millimetres and newtons. The name of a
+// member is its unit, so the compiler distinguishes positions of the two spaces; `Workspace` is the only conversion
+// between them. Plain data; any thread. Quaternions are constructed with w first.
 #pragma once
 
 #include <cmath>
@@ -19,13 +19,13 @@ inline constexpr double kTwoPi = 2.0 * std::numbers::pi;
 /// The identity rotation.
 inline constexpr Quat kNoRotation{1.0, 0.0, 0.0, 0.0};
 
-/// True where none of the three numbers is infinite or NaN.
+/// True if all three components are finite.
 inline bool finite(const Vec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
 
-/// True for a quaternion that rotates: of length 1 but for rounding. False for NaN.
+/// True for a rotation quaternion: of unit length within 0.1 %. False for NaN.
 inline bool rotates(const Quat& q) { return std::abs(glm::dot(q, q) - 1.0) < 1e-3; }
 
-/// The rotation from one orientation to the other as axis times angle, the short way round (unit: radian).
+/// The shortest rotation from one orientation to the other, as axis times angle (unit: radian).
 inline Vec3 rotationBetween(const Quat& from, const Quat& to) {
   Quat q = to * glm::conjugate(from);
   if (q.w < 0.0) q = -q;
@@ -34,19 +34,20 @@ inline Vec3 rotationBetween(const Quat& from, const Quat& to) {
   return sine > 0.0 ? v * (2.0 * std::atan2(sine, q.w) / sine) : Vec3(0.0);
 }
 
-/// A place in the molecule's space (unit: angstrom).
+/// A position in the molecule's space (unit: angstrom).
 struct PointA {
   Vec3 A{0.0};
   friend bool operator==(const PointA&, const PointA&) = default;
 };
 
-/// A place and an orientation in the molecule's space: the hand's axes lie along the molecule's rotated by it.
+/// Position and orientation of the hand in the molecule's space. `orientation` rotates the molecule's axes into the
+/// hand's axes.
 struct PoseA {
   PointA place;
   Quat orientation = kNoRotation;
 };
 
-/// A place in the device's space (unit: millimetre; +x right, +y up, +z toward the person).
+/// A position in the device's space (unit: millimetre; +x right, +y up, +z toward the user).
 struct PointMm {
   Vec3 mm{0.0};
 };
@@ -56,7 +57,7 @@ struct ForceN {
   Vec3 N{0.0};
 };
 
-/// A force and a torque round the hand's place, in the device's space (unit: newton, newton millimetre).
+/// A force and a torque about the hand's position, in the device's space (unit: newton, newton millimetre).
 struct Wrench {
   ForceN force;
   Vec3 torque_N_mm{0.0};
@@ -65,9 +66,9 @@ struct Wrench {
 /// The mapping from the device's space to the molecule's: a scale, a rotation and a centre. Valid range: A_per_mm > 0;
 /// `rotation` a rotation matrix (orthonormal, determinant 1).
 struct Workspace {
-  double A_per_mm = 0.25;    ///< one millimetre of the hand is this many angstroms of the molecule (default 0.25)
-  Vec3 centre_A{0.0};        ///< the place in the molecule where the device's origin lies (unit: angstrom)
-  glm::dmat3 rotation{1.0};  ///< the device's axes in the molecule's space, as columns (default: the same axes)
+  double A_per_mm = 0.25;    ///< scale: angstroms in the molecule per millimetre of the hand
+  Vec3 centre_A{0.0};        ///< position of the device's origin in the molecule (unit: angstrom)
+  glm::dmat3 rotation{1.0};  ///< its columns are the device's axes in the molecule's space
   friend bool operator==(const Workspace&, const Workspace&) = default;
 
   PointA toMolecule(PointMm place) const { return {centre_A + rotation * (place.mm * A_per_mm)}; }
@@ -76,11 +77,11 @@ struct Workspace {
   }
   PointMm toDevice(PointA place) const { return {glm::transpose(rotation) * (place.A - centre_A) / A_per_mm}; }
 
-  /// The spring's force (paper, section 3.3): stiffness (N/mm, in the device's space) times its displacement.
+  /// The force of the spring (paper, section 3.3): stiffness (N/mm, in the device's space) times displacement.
   ForceN spring(const Vec3& displacement_A, double stiffness_N_per_mm) const {
     return {glm::transpose(rotation) * displacement_A * (stiffness_N_per_mm / A_per_mm)};
   }
-  /// The torque of such springs, in N mm; `torque_A2` is the sum of lever times displacement.
+  /// The torque of such springs in N mm; `torque_A2` is the sum of lever cross displacement.
   Vec3 torque_N_mm(const Vec3& torque_A2, double stiffness_N_per_mm) const {
     return glm::transpose(rotation) * torque_A2 * (stiffness_N_per_mm / (A_per_mm * A_per_mm));
   }

@@ -1,5 +1,5 @@
-// Text as UTF-8 (RFC 3629: no overlong forms, no surrogates, nothing above U+10FFFF), one code point after the other.
-// Usable on every thread but the haptic one.
+// Decodes and encodes UTF-8 (RFC 3629: no overlong forms, no surrogates, nothing above U+10FFFF), one code point at a
+// time. Any thread except the haptic one.
 #pragma once
 
 #include <algorithm>
@@ -11,8 +11,8 @@
 
 namespace moltact {
 
-/// One code point at the front of a text: `bytes` long. Bytes that are no UTF-8 give `valid` false and a length of 1;
-/// `cut`: more bytes could still make a code point of it.
+/// The code point at the start of a text and its length in bytes. Invalid UTF-8 gives `valid` false and a length of 1;
+/// `cut`: the text ends within a sequence that is valid so far.
 struct CodePoint {
   std::uint32_t code = 0;
   std::size_t bytes = 1;
@@ -36,7 +36,7 @@ inline CodePoint firstCodePoint(std::string_view text) {
   return sound ? CodePoint{code, length, true, false} : CodePoint{first, 1, false, false};
 }
 
-/// The offset of the first byte that is no UTF-8, or npos.
+/// The offset of the first byte that is not valid UTF-8, or npos.
 inline std::size_t firstNotUtf8(std::string_view text) {
   for (std::size_t at = 0; at < text.size();) {
     const CodePoint c = firstCodePoint(text.substr(at));
@@ -46,7 +46,7 @@ inline std::size_t firstNotUtf8(std::string_view text) {
   return std::string_view::npos;
 }
 
-/// The code points of a text; bytes that are no UTF-8 are left out.
+/// The code points of a text; bytes that are not valid UTF-8 are omitted.
 inline std::vector<char32_t> charactersOf(std::string_view text) {
   std::vector<char32_t> out;
   while (!text.empty()) {
@@ -57,7 +57,7 @@ inline std::vector<char32_t> charactersOf(std::string_view text) {
   return out;
 }
 
-/// A code point, not above U+10FFFF, as UTF-8.
+/// Encodes a code point (at most U+10FFFF) as UTF-8.
 inline std::string utf8Of(char32_t c) {
   std::string out;
   const auto add = [&](char32_t byte) { out += static_cast<char>(static_cast<unsigned char>(byte)); };
@@ -73,7 +73,7 @@ inline std::string utf8Of(char32_t c) {
   return out;
 }
 
-/// How many code points a text has.
+/// The number of code points of a text.
 inline std::size_t characterCount(std::string_view text) {
   return static_cast<std::size_t>(
       std::count_if(text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));

@@ -1,5 +1,5 @@
-// A file that only grows, each time by a whole piece or not at all, and that only one program writes at a time. Any one
-// thread but the haptic one (it waits for the disk).
+// A file to which data are only appended, each piece completely or not at all, by one program at a time. Any one thread
+// except the haptic one; every call may block on the disk.
 #pragma once
 
 #include <filesystem>
@@ -14,26 +14,25 @@ namespace moltact {
 class AppendFile {
  public:
   enum class Begin {
-    New,       ///< the file must not exist yet; it is removed if nothing was ever appended
-    Continue,  ///< the file exists; appended bytes come after its content
+    New,       ///< the file must not exist; it is removed if nothing was appended
+    Continue,  ///< the file exists; bytes are appended to its content
     Replace,   ///< the existing file stays until the first piece has been appended, which replaces it (write_file.h)
   };
 
-  /// Opens for appending and locks the file against other programs of this kind. A Problem that a person can act on
-  /// where that is impossible, or another program has the file open, or it would replace what the command that runs has
-  /// read or written (file_guard.h).
+  /// Opens a file for appending and locks it against other instances. Returns a Problem with a remedy on failure, if
+  /// another program has locked the file, or if it is an input or output of the running command (file_guard.h).
   static Expected<AppendFile> open(const std::filesystem::path& path, Begin begin);
 
   AppendFile(AppendFile&& other) noexcept;
   AppendFile& operator=(AppendFile&& other) noexcept;
   ~AppendFile();
 
-  /// Hands the bytes to the system: from then on they survive a crash of this program. On a Problem (a full disk) the
-  /// file is as it was before.
+  /// Passes the bytes to the system; they then survive a crash of this program. After a Problem (for example a full
+  /// disk) the file is unchanged.
   std::optional<Problem> append(std::string_view bytes);
 
-  /// Waits until the disk has all of it: from then on it survives a crash of the computer. For a new file its name is
-  /// included.
+  /// Blocks until the bytes are on the disk; they then survive a crash of the computer. For a new file this includes
+  /// the directory entry.
   std::optional<Problem> sync();
 
   /// Truncates the file to that many bytes.
@@ -45,8 +44,8 @@ class AppendFile {
 
   std::filesystem::path path_;
   int handle_ = -1;
-  std::filesystem::path empty_;  // the new file or draft while nothing is in it; none where the file existed before
-  bool unsynced_name_ = false;   // its folder's entry has not been synchronised yet
+  std::filesystem::path empty_;  // the new file or draft while it is empty; otherwise none
+  bool unsynced_name_ = false;   // the directory entry has not been synchronised yet
 };
 
 }  // namespace moltact

@@ -1,5 +1,5 @@
-// Work that the window does not wait for: on a thread of its own, or at once where no thread can be had (a page in a
-// browser; a system that gives no more of them). Window's thread.
+// Background work for the window: on a thread of its own, or synchronously where no thread is available (a page in a
+// browser; a system that refuses another thread). Window's thread.
 #pragma once
 
 #include <algorithm>
@@ -14,11 +14,11 @@
 
 namespace moltact {
 
-/// Whether this program may begin threads at all.
+/// True if this program may start threads.
 bool threadsCanBeHad() noexcept;
 
-/// As std::async, on a thread that ends the force even where it dies of a stack overflow, as a hostile file may make
-/// it. The future is ready when this returns where there was no thread.
+/// Like std::async, on a thread that ends all force even if it dies of a stack overflow, which a hostile file may
+/// cause. Without a thread the work runs synchronously, and the returned future is ready.
 template <class Work, class... Arguments>
 auto inBackground(Work work, Arguments... arguments) -> std::future<std::invoke_result_t<Work, Arguments...>> {
   if (threadsCanBeHad()) {
@@ -30,7 +30,7 @@ auto inBackground(Work work, Arguments... arguments) -> std::future<std::invoke_
             return work(std::move(given)...);
           },
           arguments...);
-    } catch (const std::system_error&) {  // no further thread
+    } catch (const std::system_error&) {  // no further thread available
     }
   }
   auto done = std::async(std::launch::deferred, std::move(work), std::move(arguments)...);
@@ -38,8 +38,8 @@ auto inBackground(Work work, Arguments... arguments) -> std::future<std::invoke_
   return done;
 }
 
-/// The newest of several pieces of such work. One that a newer one replaces, or that is dropped, goes on to its end and
-/// is not waited for, but by the destructor.
+/// The newest of several background tasks. A task that is replaced or dropped runs to its end; only the destructor
+/// waits for it.
 template <class Result>
 class NewestWork {
  public:
@@ -52,14 +52,14 @@ class NewestWork {
     std::erase_if(unwanted_, ready);
   }
   bool busy() const { return wanted_.valid(); }
-  /// Whether take() would give a result.
+  /// True if take() would return a result.
   bool done() const { return wanted_.valid() && ready(wanted_); }
-  /// The result once it is there, given once.
+  /// Returns the result once, when it is ready.
   std::optional<Result> take() {
     if (!wanted_.valid() || !ready(wanted_)) return std::nullopt;
     return wanted_.get();
   }
-  /// The same, waiting for it.
+  /// Like take(), but blocks until the result is ready.
   std::optional<Result> wait() {
     if (!wanted_.valid()) return std::nullopt;
     return wanted_.get();
@@ -70,7 +70,7 @@ class NewestWork {
     return f.wait_for(std::chrono::seconds(0)) == std::future_status::ready;
   }
   std::future<Result> wanted_;
-  std::vector<std::future<Result>> unwanted_;  // a future waits in its destructor, so they end on their own first
+  std::vector<std::future<Result>> unwanted_;  // kept because the destructor of a future blocks
 };
 
 }  // namespace moltact

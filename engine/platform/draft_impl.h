@@ -1,4 +1,4 @@
-// A draft as write_file.cpp holds it: what each system does with one. Included by engine/platform/write_file*.cpp.
+// The draft of write_file.cpp, implemented per system. Included by engine/platform/write_file*.cpp.
 #pragma once
 
 #include <string>
@@ -9,15 +9,15 @@ namespace moltact {
 
 struct Draft::Impl {
   std::filesystem::path draft;
-  std::string waiting;  // bytes that were appended and not written yet
+  std::string waiting;  // appended bytes that are not written yet
 
-  /// A Problem where a folder or a permission is missing, or with `refuse` where the file is there.
+  /// Returns a Problem if a folder or a permission is missing, or, with `refuse`, if the file exists.
   static Expected<std::unique_ptr<Impl>> begin(const std::filesystem::path& file, bool refuse);
 
   virtual ~Impl() = default;
-  /// Writes behind what is there.
+  /// Appends to the draft.
   virtual std::optional<Problem> write(std::string_view bytes) = 0;
-  /// Puts the draft, with all bytes in it, in the file's place.
+  /// Renames the complete draft to the file.
   virtual std::optional<Problem> place() = 0;
 };
 

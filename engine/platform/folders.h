@@ -1,4 +1,4 @@
-// The folders of this computer: the program's own data and the user's. Not for the haptic thread.
+// The folders of the program and the user on this computer. Not for the haptic thread.
 #pragma once
 
 #include <filesystem>
@@ -6,45 +6,43 @@
 
 namespace moltact {
 
-/// The folder that holds `molecules`, `lessons` and `assets`: $MOLTACT_HOME where set; else the folder of the
-/// executable, share/moltact of the prefix that the executable is installed in, or that of the source tree (not in a
-/// package), the first that has molecules/catalogue.json.
+/// The folder that contains `molecules`, `lessons` and `assets`: $MOLTACT_HOME if set. Otherwise the first folder with
+/// molecules/catalogue.json among the folder of the executable, share/moltact of its installation prefix, and the
+/// source tree (not in a package).
 std::filesystem::path homeFolder();
 
 std::filesystem::path moleculesFolder();  ///< homeFolder()/molecules
 std::filesystem::path lessonsFolder();    ///< homeFolder()/lessons
 std::filesystem::path assetsFolder();     ///< homeFolder()/assets
 
-/// The folder that holds the catalogues of translations, de.mo and others: homeFolder()/translations, else
-/// `translations` beside the executable, else that of the build (not in a package).
+/// The folder of the translation catalogues (de.mo etc.): homeFolder()/translations, else `translations` beside the
+/// executable, else that of the build (not in a package).
 std::filesystem::path translationsFolder();
 
-/// The browser edition, moltact.html: homeFolder()'s, else that of the preset `web` beside the program's own build. Empty
-/// where it is in neither.
+/// The browser edition, moltact.html: from homeFolder(), else from the build of the preset `web`. Empty if neither
+/// exists.
 std::filesystem::path browserEdition();
 
-/// The folders of $XDG_DATA_DIRS, in order, as they stand there; where that is not set, /usr/local/share and /usr/share,
-/// on Windows %ProgramData%.
+/// The folders of $XDG_DATA_DIRS in order. If it is not set: /usr/local/share and /usr/share; on Windows %ProgramData%.
 std::vector<std::filesystem::path> systemDataFolders();
 
-/// Where an administrator puts what everyone on this computer is to have: `moltact` in each of systemDataFolders(), the
-/// most important first. The program's own is not among
-/// them; they may not exist.
+/// Folders for data that an administrator provides for all users: `moltact` in each of systemDataFolders(), the most
+/// important first. The program's own folder is not included. They may not exist.
 std::vector<std::filesystem::path> sharedDataFolders();
 
-/// The folder that the program itself lies in. Empty where the system does not say.
+/// The folder of the running executable. Empty if the system does not provide it.
 std::filesystem::path executablesFolder();
 
-/// The folder that an environment variable names. Empty where it is not set or names none from the root: the XDG base
-/// directory specification says that a relative path is to be ignored, and a relative home would be another one in
-/// every folder. On Windows HOME and the variables of that specification are, where they are not set, those of Windows.
+/// The folder named by an environment variable. Empty if it is not set or not absolute: the XDG base directory
+/// specification requires that relative paths are ignored, and a relative home would depend on the working folder. On
+/// Windows, HOME and the XDG variables default to the corresponding Windows folders.
 std::filesystem::path folderFromEnvironment(const char* name);
 
-/// Where the program keeps what the user fetched or made: $XDG_DATA_HOME/moltact, else
-/// ~/.local/share/moltact. It may not exist yet. Empty where neither variable gives a home.
+/// The folder of the user's data, downloaded or created: $XDG_DATA_HOME/moltact, else ~/.local/share/moltact. It may
+/// not exist yet. Empty if neither variable gives a home.
 std::filesystem::path userDataFolder();
 
-/// userDataFolder()/molecules: the entries that `moltact fetch` downloaded.
+/// userDataFolder()/molecules: entries downloaded by `moltact fetch`.
 std::filesystem::path userMoleculesFolder();
 
 }  // namespace moltact

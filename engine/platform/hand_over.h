@@ -1,20 +1,20 @@
-// How files go between the program and the person where nobody sees the program's folders: in a page a file is given as a
-// download, and one of the person's own is asked for by the browser. Elsewhere both have folders in common, and nothing
-// here does anything. Window's thread.
+// File exchange with the user in the browser edition, where the program's folders are invisible: a written file is
+// given as a download, and the browser opens files of the user. On other systems program and user share folders, and
+// these functions do nothing. Window's thread.
 #pragma once
 
 #include <filesystem>
 
 namespace moltact {
 
-/// Whether a file that was written reaches the person only by handOver().
+/// True if a written file reaches the user only through handOver().
 bool filesAreHandedOver() noexcept;
 
-/// Gives the person a file that lies in the program's own folders.
+/// Gives the user a file from the program's folders as a download.
 void handOver(const std::filesystem::path& file);
 
-/// Has the browser ask for a file, which then comes as if it had been dropped on the window. False where that is the
-/// program's own work.
+/// Opens the browser's file dialog; the chosen file arrives as if it had been dropped on the window. Returns false if
+/// the program must show its own dialog.
 bool askForFile();
 
 }  // namespace moltact

@@ -1,13 +1,13 @@
-// Shows the window or a command that a person or the system asks the program to end (Ctrl-C, a closed terminal, the
-// session's end), so that it closes the device and saves the work in order. Not for the haptic thread.
+// Reports that a user or the system requests the end of the program (Ctrl-C, a closed terminal, the end of the
+// session). The window or command then closes the device and saves its work. Not for the haptic thread.
 #pragma once
 
 #include <memory>
 
 namespace moltact {
 
-/// While one exists, the first such request inhibits all force at once (force_inhibit.h) and seen() returns true; the
-/// second ends the program in the system's usual way. One at a time. It must outlive the device.
+/// While it exists, the first request inhibits all force immediately (force_inhibit.h) and makes seen() return true;
+/// the second ends the program in the system's default way. One instance at a time. It must outlive the device.
 class InterruptWatch {
  public:
   InterruptWatch();

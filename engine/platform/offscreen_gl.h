@@ -1,5 +1,5 @@
-// An OpenGL 3.3 core context without a window or a display, in software where there is no graphics card: for pictures
-// to a file and for tests. Uses EGL. Belongs to the thread that made it.
+// An OpenGL 3.3 core context without window or display, for image files and tests. It falls back to software rendering
+// without a graphics card. Uses EGL. Belongs to the thread that created it.
 #pragma once
 
 #include <memory>
@@ -10,13 +10,14 @@ namespace moltact {
 
 class OffscreenGl {
  public:
-  /// Makes a context and makes it current on this thread. Fails with the reason where EGL or OpenGL 3.3 is missing.
+  /// Creates a context and makes it current on this thread. Returns a Problem with the reason if EGL or OpenGL 3.3 is
+  /// missing.
   static Expected<std::unique_ptr<OffscreenGl>> create();
   ~OffscreenGl();
   OffscreenGl(const OffscreenGl&) = delete;
   OffscreenGl& operator=(const OffscreenGl&) = delete;
 
-  /// Makes it current again after another context was. Returns false where the driver refuses.
+  /// Makes the context current again. Returns false if the driver refuses.
   bool makeCurrent();
 
  private:

@@ -1,11 +1,11 @@
-// Counts how often the operating system has taken the processor away. Not for the haptic thread (a call of the system).
+// Counts involuntary context switches. Not for the haptic thread (a system call).
 #pragma once
 
 #include <cstdint>
 
 namespace moltact {
 
-/// Times that this thread has been taken off its processor against its will since it began.
+/// Number of involuntary context switches of this thread since its start.
 std::uint64_t preemptionsOfThisThread();
 
 }  // namespace moltact

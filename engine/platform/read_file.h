@@ -1,4 +1,5 @@
-// Reads a file that a person named, whole or piece by piece. Any thread but the haptic one.
+// Reads a file named by the user, as a whole or in pieces. Any thread except the haptic one; the calls block on the
+// disk.
 #pragma once
 
 #include <cstddef>
@@ -10,24 +11,24 @@
 
 namespace moltact {
 
-/// A file that is read from its beginning on.
+/// A file opened for reading from its start.
 struct OpenFile {
   std::ifstream in;
-  std::size_t size = 0;  ///< when it was opened (unit: byte)
+  std::size_t size = 0;  ///< at the time of opening (unit: byte)
 };
 
-/// Opens the file, an input of the command that runs (file_guard.h). A Problem where it is missing, a folder, no ordinary file (a pipe or a device could give bytes
-/// without end, or none for ever), larger than `most_bytes` (`too_large_remedy` says what to do then), or may not be
-/// read.
+/// Opens an input file of the running command (file_guard.h). Returns a Problem if it is missing, a folder, not an
+/// ordinary file, larger than `most_bytes` or not readable. A pipe or a device is refused because it could give bytes
+/// without end or none. `too_large_remedy` is the remedy for a file that is too large.
 Expected<OpenFile> openFile(const std::filesystem::path& file, std::size_t most_bytes,
                             const std::string& too_large_remedy);
 
-/// The bytes of the file; a Problem as openFile, or where it cannot be read to its end. Throws std::bad_alloc where the
-/// memory does not hold it.
+/// Returns the bytes of the file, or a Problem as openFile() or if reading fails. Throws std::bad_alloc if memory is
+/// insufficient.
 Expected<std::string> readFile(const std::filesystem::path& path, std::size_t most_bytes,
                                const std::string& too_large_remedy);
 
-/// "reading it broke off after 700 bytes".
+/// The Problem "reading it broke off after 700 bytes".
 Problem brokenOff(const std::string& file, std::size_t bytes);
 
 }  // namespace moltact

@@ -1,4 +1,4 @@
-// The haptic thread's interface to the operating system: its clock, its sleep and its priority.
+// The haptic thread's interface to the operating system: clock, sleep and priority.
 #pragma once
 
 #include <cstdint>
@@ -8,16 +8,16 @@ namespace moltact {
 enum class RealtimeStatus : std::uint8_t {
   Starting,
   Realtime,  ///< first-in-first-out scheduling: the window cannot delay the loop
-  Ordinary,  ///< the system did not allow it; ticks may come late while the window is busy
+  Ordinary,  ///< refused by the system; ticks may be late while the window is busy
 };
 
-/// Asks for real-time scheduling and locked memory for the calling thread; returns what was granted.
+/// Requests real-time scheduling and locked memory for the calling thread; returns what the system granted.
 RealtimeStatus becomeRealtime() noexcept;
 
 /// Monotonic time (unit: nanosecond).
 std::int64_t monotonic_ns() noexcept;
 
-/// Sleeps until monotonic_ns() reaches `due_ns`; returns at once when that is past.
+/// Sleeps until monotonic_ns() reaches `due_ns`; returns immediately if that time is past.
 void sleepUntil(std::int64_t due_ns) noexcept;
 
 }  // namespace moltact

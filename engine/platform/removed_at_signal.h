@@ -1,4 +1,4 @@
-// Removes a folder where a signal ends the program. Command's thread.
+// Removes a folder when a signal ends the program. Command's thread.
 #pragma once
 
 #include <filesystem>
@@ -6,8 +6,8 @@
 
 namespace moltact {
 
-/// While one exists, a signal that ends the program (SIGINT, SIGTERM, SIGHUP) first removes the folder. The program then
-/// ends by that signal. One at a time, made before other threads. For commands that hold no device.
+/// While it exists, a signal that ends the program (SIGINT, SIGTERM, SIGHUP) first removes the folder. The program then
+/// ends by that signal. One instance at a time, created before other threads. For commands without a device.
 class RemovedAtSignal {
  public:
   explicit RemovedAtSignal(const std::filesystem::path& folder);

@@ -1,5 +1,5 @@
-// A shared library that is loaded at run time and may be missing. Uses dlopen. It is never unloaded, for some drivers
-// fail when they are loaded a second time. Not for the haptic thread.
+// An optional shared library, loaded at run time with dlopen. It is never unloaded, because some drivers fail when
+// loaded a second time. Not for the haptic thread.
 #pragma once
 
 #include <span>
@@ -11,8 +11,8 @@ namespace moltact {
 
 class SharedLibrary {
  public:
-  /// Loads the first of `names` that is found, by the system's own search or as a path. A Problem in the loader's
-  /// words: of the first that is there and cannot be loaded, else of the first.
+  /// Loads the first of `names` that exists, by the system's search or as a path. A Problem contains the loader's
+  /// message for the first file that exists but cannot be loaded, else for the first name.
   static Expected<SharedLibrary> open(std::span<const std::string> names);
 
   /// The address of a function, or nullptr.

@@ -1,6 +1,6 @@
-// What a page keeps: its files lie in memory while it is open, and those under folderKept() are copied into the browser's
-// own storage (IndexedDB) soon after each change, and from there into memory before the program begins. The copying is
-// page.js's; where the browser refuses it, that is told here once. The page's one thread.
+// Persistent storage of the browser edition. The page's files are in memory. Changes under folderKept() are copied to
+// the browser's storage (IndexedDB) shortly after each change, and from there into memory before the program starts.
+// page.js performs the copying; a refusal by the browser is reported here once. The page's only thread.
 #pragma once
 
 #include <filesystem>
@@ -10,17 +10,17 @@
 
 namespace moltact::platform {
 
-/// What an `errno` says of a file in the page's memory.
+/// The Problem for an `errno` of a file in the page's memory.
 Problem storageProblem(const std::filesystem::path& file, int error);
 
-/// Some file has changed: it is copied within half a second.
+/// Reports a changed file; it is copied within half a second.
 void storageChanged();
 
 }  // namespace moltact::platform
 
 namespace moltact {
 
-/// Why the browser keeps nothing (a private window, no room left), once each time that begins; empty otherwise.
+/// The reason why the browser stores nothing (a private window, no space), once per occurrence; empty otherwise.
 std::string takeStorageFault();
 
 }  // namespace moltact

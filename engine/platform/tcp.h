@@ -20,15 +20,15 @@ struct TcpAddress {
 
   /// "127.0.0.1:7010", "192.168.1.20:7010" or "[::1]:7010".
   std::string text() const;
-  /// Whether it is on this computer: 127.x.x.x or ::1. What is sent anywhere else crosses a network.
+  /// True for an address on this computer: 127.x.x.x or ::1. Data to any other address cross a network.
   bool loopback() const;
 };
 
-/// Parses PORT, HOST:PORT or [IPv6]:PORT. The host is a numeric address or `localhost`; without one it is 127.0.0.1. Names of
-/// other computers are refused, because looking them up can block for longer than any time-out here.
+/// Parses PORT, HOST:PORT or [IPv6]:PORT. The host is a numeric address or `localhost`; without one it is 127.0.0.1.
+/// Names of other computers are refused, because looking them up can block for longer than any time-out here.
 Expected<TcpAddress> parseTcpAddress(std::string_view text);
 
-/// One connection. One thread at a time uses it.
+/// One connection, used by one thread at a time.
 class TcpConnection {
  public:
   /// The peer must accept written bytes within this time. Otherwise the connection counts as gone.

@@ -1,4 +1,4 @@
-// A folder of one's own for a while, which nobody else may look into. Any thread but the haptic one.
+// A private temporary folder, inaccessible to other users. Any thread except the haptic one.
 #pragma once
 
 #include <filesystem>
@@ -12,7 +12,7 @@ namespace moltact {
 
 class TemporaryFolder {
  public:
-  /// In a folder that must be there, under a name that begins with `prefix`. A Problem where it cannot be made.
+  /// Creates a folder inside an existing one, under a name that starts with `prefix`. Returns a Problem if that fails.
   static Expected<TemporaryFolder> in(const std::filesystem::path& folder, std::string_view prefix);
 
   TemporaryFolder(TemporaryFolder&& other) noexcept
@@ -22,7 +22,7 @@ class TemporaryFolder {
     std::swap(lock_, other.lock_);
     return *this;
   }
-  /// It goes with all that is in it.
+  /// Removes the folder and its contents.
   ~TemporaryFolder();
 
   const std::filesystem::path& path() const { return path_; }
@@ -30,15 +30,15 @@ class TemporaryFolder {
  private:
   explicit TemporaryFolder(std::filesystem::path path, int lock = -1) : path_(std::move(path)), lock_(lock) {}
   std::filesystem::path path_;  // empty: moved from
-  int lock_ = -1;               // on Linux a handle that the system unlocks when the program ends, however it ends
+  int lock_ = -1;               // Linux: a handle that the system unlocks when the program ends for any reason
 };
 
-/// Removes the folders in `folder` under names that begin with `prefix` whose program has ended without removing them:
-/// on Linux those that no program has locked, elsewhere those of yesterday and before.
+/// Removes folders in `folder` whose names start with `prefix` and whose program ended without removing them. On Linux
+/// these are the unlocked ones, elsewhere those older than a day.
 void sweepTemporaryFolders(const std::filesystem::path& folder, std::string_view prefix);
 
-/// Puts the folder `fresh` at `place`. What was there goes to `old`; it comes back, with the error, where `fresh` cannot
-/// go there. All three are on one disk.
+/// Moves the folder `fresh` to `place`. The previous folder is moved to `old`; on an error it is restored and the error
+/// returned. All three must be on one file system.
 std::error_code replaceFolder(const std::filesystem::path& fresh, const std::filesystem::path& place,
                               const std::filesystem::path& old);
 

@@ -1,6 +1,6 @@
-// The only code that writes to standard output and error, whatever they are connected to. The text may hold names and
-// texts from files that others made; nothing in it controls the terminal (engine/core/printable.h), and a value begins
-// no line of its own. Any one thread but the haptic one.
+// The only code that writes to standard output and standard error, whatever they are connected to. The text may contain
+// untrusted names and file contents. Nothing in it can control the terminal (engine/core/printable.h), and a value
+// cannot start a new line. Any one thread except the haptic one.
 #pragma once
 
 #include <ostream>
@@ -12,13 +12,13 @@
 
 namespace moltact {
 
-/// Text of several lines, or whose tabs matter: its line ends stay.
+/// Text of several lines, or with significant tabs: its line ends are kept.
 struct Lines {
   std::string_view text;
 };
 
-/// Writes to standard output or error. What is written literally in the program keeps its line ends; every other text
-/// comes onto one line.
+/// Writes to standard output or error. String literals of the program keep their line ends; every other text is written
+/// on one line.
 class TerminalText {
  public:
   explicit TerminalText(std::ostream& to) : to_(to) {}
@@ -37,7 +37,7 @@ class TerminalText {
     return *this;
   }
   TerminalText& operator<<(const std::string& value) { return *this << std::string_view(value); }
-  // Not for arrays: a literal would be taken for a pointer.
+  // Only for true pointers: a template on arrays would capture literals.
   template <class Pointer>
   requires std::is_same_v<Pointer, const char*> TerminalText& operator<<(const Pointer& value) {
     return *this << std::string_view(value);
@@ -51,42 +51,41 @@ class TerminalText {
     to_ << value;
     return *this;
   }
-  /// Now, and not when there is more of it.
+  /// Writes the buffered text now.
   void flush() { to_.flush(); }
 
  private:
   std::ostream& to_;
 };
 
-/// Standard output: kept back until there is some of it, flush() is called, or something goes to standard error.
+/// Standard output, buffered until flush(), a full buffer or output to standard error.
 TerminalText out();
-/// Standard error: at once.
+/// Standard error, unbuffered.
 TerminalText err();
 
-/// The same as streams, for libraries that write what they were given to one: cleaned too, but for line ends.
+/// The same as streams, for libraries that write to a stream. Text is cleaned except for line ends.
 std::ostream& cleanOut();
 std::ostream& cleanErr();
 
-/// Sends what is kept back; false where something of standard output could not be written (a full disk behind a
-/// redirection).
+/// Flushes standard output. Returns false if some of it could not be written (for example to a full disk).
 bool terminalWritten();
 
-/// A line on standard error that stands in the place of the last one, while that is a terminal; empty: it goes.
+/// Replaces the status line on standard error, if that is a terminal; an empty text removes it.
 void showStatus(std::string_view line);
 
-/// True when standard error goes to a terminal and not to a file or a pipe.
+/// True if standard error is a terminal and not a file or a pipe.
 bool standardErrorIsTerminal();
 
-/// Hides the terminal's window where the system opened one for this program alone, as Windows does for one that is
-/// started from the desktop.
+/// Hides the console window if the system opened it for this program alone, as Windows does for a program started from
+/// the desktop.
 void hideOwnTerminal();
 
 enum class Typed {
-  Nothing,  ///< yet
+  Nothing,  ///< no complete line yet
   Line,
-  End,  ///< nothing more will come
+  End,  ///< end of input
 };
-/// Waits for a line on standard input, at most so long; a signal ends the wait. Reads it without the C and C++ streams.
+/// Waits up to `wait_ms` for a line on standard input; a signal ends the wait. Bypasses the C and C++ streams.
 Typed typedLine(std::string& line, int wait_ms);
 
 }  // namespace moltact

@@ -1,4 +1,4 @@
-// The system's calls for what a terminal or a pipe takes and gives: terminal.cpp makes of them what terminal.h promises.
+// System calls for terminals and pipes, on which terminal.cpp is built.
 #pragma once
 
 #include <cstddef>
@@ -11,13 +11,14 @@ namespace moltact::platform {
 
 enum class Output { Standard, Error };
 
-/// Before the first bytes: where the output is a terminal, what it is sent is UTF-8.
+/// Prepares an output for its first bytes: a terminal is set to UTF-8.
 void prepare(Output to);
-/// How many of the bytes were taken; 0: none will be.
+/// Writes some of the bytes and returns their number; 0: no more can be written.
 std::size_t writeSome(Output to, std::string_view bytes);
 bool isTerminal(Output to);
 
-/// Waits for standard input, at most so long. Line: some bytes came and stand behind `typed`, a whole line or not.
+/// Waits up to `wait_ms` for standard input. Returns Line if bytes arrived, which are appended to `typed`; they need
+/// not form a whole line.
 Typed readSome(std::string& typed, int wait_ms);
 
 }  // namespace moltact::platform

@@ -1,4 +1,4 @@
-// Which language the program speaks: what was asked for, else what the environment says. Window's or command's thread.
+// Selects the program's language: the requested one, else that of the environment. Window's or command's thread.
 #pragma once
 
 #include <optional>
@@ -8,15 +8,15 @@
 
 namespace moltact {
 
-/// The locale that a person has chosen in the system's own settings, "de-DE"; empty where those are the environment's.
+/// The locale chosen in the system's settings, "de-DE"; empty if the environment variables determine it.
 std::string systemLocale();
 
-/// $MOLTACT_LANGUAGE; empty where it is not set.
+/// $MOLTACT_LANGUAGE; empty if it is not set.
 std::string languageOfEnvironment();
 
-/// Uses a language that translationsFolder() has texts for: `wanted`, or where that is empty $MOLTACT_LANGUAGE, or
-/// where that is empty too the first of the system's languages that there is. A Problem, and the language stays as it
-/// was, where there are no texts in the one that was asked for.
+/// Sets the language to one that translationsFolder() contains: `wanted`; if that is empty $MOLTACT_LANGUAGE; if that
+/// is empty too, the first available language of the system. Returns a Problem and keeps the present language if the
+/// requested one has no translation.
 std::optional<Problem> useLanguage(const std::string& wanted);
 
 }  // namespace moltact

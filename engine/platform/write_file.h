@@ -1,8 +1,8 @@
-// The only way to write a file whole: into a draft beside it, flushed to the disk, and put in its place by one rename.
-// A reader of the file finds either the old or the new content, never a part, whatever ends the program or fills the
-// disk. Two writers at the same time each have a draft, and the later one's remains. A draft whose program was killed
-// is removed when anything is written in its folder again. For files that grow while they are written: append_file.h.
-// Any one thread but the haptic one.
+// The only way to write a complete file: into a draft beside it, flushed to the disk and renamed to its final name. A
+// reader finds either the old or the new content, never a part, even after a crash or with a full disk. Of two
+// simultaneous writers, each has a draft and the later rename wins. A draft whose program was killed is removed at the
+// next write in its folder. For files that grow while they are written, see append_file.h. Any one thread except the
+// haptic one; the calls block on the disk.
 #pragma once
 
 #include <filesystem>
@@ -14,21 +14,22 @@
 
 namespace moltact {
 
+/// The behaviour if the file exists.
 enum class IfThere {
-  Replace,  ///< a Problem where the command that runs has read or written it (file_guard.h)
-  Renew,    ///< replaced although it has been read, for that is the purpose
-  Refuse,   ///< a Problem; what is there stays
+  Replace,  ///< replace it; a Problem if the running command has read or written it (file_guard.h)
+  Renew,    ///< replace it even if it has been read, because that is the purpose
+  Refuse,   ///< return a Problem; the file stays unchanged
 };
 
-/// Writes the file; its folder must exist. A link is followed; a target that is no ordinary file (a pipe, a device) is
-/// written directly. A Problem that a person can act on where that is impossible; then everything is as it was.
+/// Writes the file; its folder must exist. Links are followed; a target that is not an ordinary file (a pipe, a device)
+/// is written directly. Returns a Problem with a remedy on failure; then everything is unchanged.
 std::optional<Problem> writeWhole(const std::filesystem::path& file, std::string_view bytes,
                                   IfThere there = IfThere::Replace);
 
-/// The same in pieces.
+/// Writes a file in pieces.
 class Draft {
  public:
-  /// A Problem where a folder or a permission is missing; then nothing is changed.
+  /// Returns a Problem if a folder or a permission is missing; then nothing is changed.
   static Expected<Draft> begin(const std::filesystem::path& file, IfThere there = IfThere::Replace);
 
   Draft(Draft&&) noexcept;
@@ -37,22 +38,21 @@ class Draft {
   ~Draft();
 
   std::optional<Problem> append(std::string_view bytes);
-  /// Where the draft is meanwhile; its name ends as the file's. All that was appended is in it after flush().
+  /// The path of the draft; its name ends like the file's. It contains all appended bytes after flush().
   const std::filesystem::path& path() const;
   std::optional<Problem> flush();
-  /// Waits for the disk and puts the draft in the file's place. Once.
+  /// Flushes to the disk and renames the draft to the file. Call once.
   std::optional<Problem> commit();
 
-  struct Impl;  ///< draft_impl.h, for each system's part
+  struct Impl;  ///< draft_impl.h, implemented per system
 
  private:
   Draft(std::unique_ptr<Impl> impl, std::filesystem::path file);
   std::unique_ptr<Impl> impl_;
-  std::filesystem::path file_;  // as it was named
+  std::filesystem::path file_;  // as named by the caller
 };
 
-/// From this call on a limit on the size of files (`ulimit -f`) is an error like a full disk, and does not end the
-/// program.
+/// Makes exceeding the file size limit (`ulimit -f`) an error like a full disk, instead of ending the program.
 void takeSizeLimitsAsErrors();
 
 }  // namespace moltact

@@ -1,5 +1,5 @@
-// The system calls that write_file and append_file share on Windows: files that one program writes at a time, the
-// meaning of errors, drafts beside a file. Included by engine/platform/*_windows.cpp.
+// System calls shared by write_file and append_file on Windows: exclusive writing, error messages, and drafts beside a
+// file. Included by engine/platform/*_windows.cpp.
 #pragma once
 
 #include <cstddef>
@@ -14,18 +14,19 @@ namespace moltact::platform {
 Problem writingProblem(const std::filesystem::path& file, unsigned long error);
 
 enum class Make { Nothing, NewFile };
-/// Opens a file for writing; others may read, rename and remove it meanwhile but not write it, so that it is locked
-/// against other programs of this kind. Null with GetLastError() on failure.
+/// Opens a file for writing. Others may read, rename and remove it meanwhile but not write it, which locks it against
+/// other instances. Returns null with GetLastError() on failure.
 void* openToWrite(const std::filesystem::path& file, Make make);
 
-/// Creates a new empty file in the folder of `file`, locked as long as it is open. Removes drafts there whose program has
-/// ended. Null with GetLastError() on failure.
+/// Creates an empty draft in the folder of `file`, locked while it is open. Removes drafts there whose program has
+/// ended. Returns null with GetLastError() on failure.
 void* openDraft(const std::filesystem::path& file, std::filesystem::path& draft);
 
-/// Puts the draft in the file's place, when the disk has it; with `refuse`, ERROR_ALREADY_EXISTS where the file is there.
+/// Renames the draft to the file after flushing it to the disk. With `refuse` an existing file gives
+/// ERROR_ALREADY_EXISTS.
 bool placeDraft(const std::filesystem::path& draft, const std::filesystem::path& file, bool refuse);
 
-/// Behind the last byte; false with GetLastError() where not all of it could be written.
+/// Appends the bytes. Returns false with GetLastError() if not all of them could be written.
 bool writeAtEnd(void* handle, std::string_view bytes);
 /// Truncates the file.
 bool cutTo(void* handle, std::size_t bytes);
