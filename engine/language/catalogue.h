@@ -1,9 +1,10 @@
-// Every sentence that a person reads, in the language in use. The English sentence is its own id, as GNU gettext has
-// it: `tr("Open")` gives "Öffnen" where the language is German and its catalogue has that text, else "Open". xgettext
-// finds the sentences in the sources, assets/translations/de.po holds the German ones, msgfmt makes the build's
-// translations/de.mo of it (docs/translating.md).
-// Any thread but the haptic one: reading takes no lock, and what tr() once returned stays valid until the program ends,
-// also where the language changes.
+// Translation of every sentence that a person reads. The English sentence is its own id, as in GNU gettext:
+// `tr("Open")` returns "Öffnen" if the language is German and its catalogue contains the text, else "Open". xgettext
+// collects the sentences from the sources, assets/translations/de.po contains the German ones, and msgfmt compiles it
+// to translations/de.mo (docs/translating.md).
+//
+// Any thread except the haptic one. Reading takes no lock. A result of tr() stays valid until the program ends, even if
+// the language changes.
 #pragma once
 
 #include <concepts>
@@ -16,20 +17,20 @@
 
 #include "engine/core/problem.h"
 
-/// Marks a constant for xgettext; tr() where it is shown.
+/// Marks a constant for xgettext; translate it with tr() where it is shown.
 #define N_(text) text
-/// The same with a context; trc() with the same context where it is shown.
+/// The same with a context; translate it with trc() and the same context.
 #define NC_(context, text) text
 
 namespace moltact {
 
-/// The sentence in the language in use; `english` itself where there is none.
+/// Translates a sentence; returns `english` itself if there is no translation.
 const char* tr(const char* english) noexcept;
-/// The same for what stands in a table of std::string_view.
+/// The same for a std::string_view from a table.
 std::string_view tr(std::string_view english) noexcept;
-/// A sentence that means different things in different places: `context` (never shown) distinguishes them.
+/// Translates a sentence with several meanings; `context` (never shown) distinguishes them.
 const char* trc(const char* context, const char* english) noexcept;
-/// The form that goes with `n`.
+/// Selects and translates the plural form for `n`.
 const char* trn(const char* one, const char* many, unsigned long n) noexcept;
 
 /// The value for a placeholder: text or a whole number. A number with a fraction or a unit is a quantityText
@@ -47,11 +48,11 @@ class FormatArg {
   std::string text_;
 };
 
-/// `sentence` with {0}, {1} … replaced by the pieces (libfmt's rules; "{{" is a brace). Where it is faulty, `english`
-/// is filled instead; where that is faulty too, it comes back as it stands.
+/// Replaces {0}, {1} … in `sentence` by the arguments (libfmt's rules; "{{" is a brace). An invalid `sentence` is
+/// replaced by `english`; if that is invalid too, it is returned unchanged.
 std::string filled(const char* sentence, const char* english, std::span<const FormatArg> pieces);
 
-/// A sentence with numbered placeholders, so that a translator can put them in another order: trf("{0} of {1}", a, b).
+/// Translates a sentence with numbered placeholders, which a translation may reorder: trf("{0} of {1}", a, b).
 template <class... A>
 std::string trf(const char* english, A&&... pieces) {
   const FormatArg list[]{FormatArg(std::forward<A>(pieces))...};
@@ -64,7 +65,7 @@ std::string trcf(const char* context, const char* english, A&&... pieces) {
   return filled(trc(context, english), english, list);
 }
 
-/// As trf, in the form that goes with `n`; `n` is no placeholder itself: trnf("{0} atom", "{0} atoms", n, n).
+/// As trf, with the plural form for `n`. `n` itself is not a placeholder: trnf("{0} atom", "{0} atoms", n, n).
 template <class... A>
 std::string trnf(const char* one, const char* many, unsigned long n, A&&... pieces) {
   const FormatArg list[]{FormatArg(std::forward<A>(pieces))...};
@@ -72,27 +73,26 @@ std::string trnf(const char* one, const char* many, unsigned long n, A&&... piec
 }
 
 struct Language {
-  std::string code;  ///< "de"; ISO 639-1, which is also the catalogue's file name
-  std::string name;  ///< as those who speak it call it: "Deutsch"
+  std::string code;  ///< ISO 639-1 code and name of the catalogue's file: "de"
+  std::string name;  ///< in the language itself: "Deutsch"
 };
 
-/// English and every language that has a catalogue in the folder; English first, then by code. A catalogue that cannot
-/// be read is left out.
+/// English and every language with a readable catalogue in the folder; English first, then by code.
 std::vector<Language> languages(const std::filesystem::path& folder);
 
-/// Uses the language from here on: "en", or one whose catalogue CODE.mo is in the folder. A Problem, and the language
-/// stays as it was, where there is none or it cannot be read. Window's or command's thread.
+/// Sets the language: "en", or one whose catalogue CODE.mo is in the folder. Returns a Problem and keeps the present
+/// language if the catalogue is missing or unreadable. Window's or command's thread.
 std::optional<Problem> setLanguage(std::string_view code, const std::filesystem::path& folder);
 
 /// The code of the language in use.
 std::string language();
 
-/// The codes that the environment asks for, most wanted first, as gettext reads it: $LANGUAGE ("de:fr"), which counts
-/// only where a locale is set, then the first of $LC_ALL, $LC_MESSAGES and $LANG that is not empty ("de_AT.UTF-8" is
-/// "de"). "C" and "POSIX" are "en". Where none is set it is `otherwise`, a locale too ("de-DE").
+/// The languages requested by the environment, in order of preference, by gettext's rules: $LANGUAGE ("de:fr"), which
+/// counts only if a locale is set, then the first nonempty of $LC_ALL, $LC_MESSAGES and $LANG ("de_AT.UTF-8" is "de").
+/// "C" and "POSIX" mean "en". If none is set, the locale `otherwise` ("de-DE") is used.
 std::vector<std::string> systemLanguages(const std::string& otherwise = {});
 
-/// The first of the system's languages that the folder has; "en" where it has none of them.
+/// The first of systemLanguages() that the folder contains, else "en".
 std::string systemLanguage(const std::filesystem::path& folder, const std::string& otherwise = {});
 
 }  // namespace moltact

@@ -1,4 +1,4 @@
-// The two-letter codes of languages, ISO 639-1. Any thread.
+// Two-letter language codes, ISO 639-1. Any thread.
 #pragma once
 
 #include <algorithm>
@@ -6,7 +6,7 @@
 
 namespace moltact {
 
-/// Whether "de" is the code of a language; in small letters.
+/// True if `code` is a language code in lower case.
 constexpr bool isLanguageCode(std::string_view code) {
   constexpr std::string_view kCodes =
       "aa ab ae af ak am an ar as av ay az ba be bg bh bi bm bn bo br bs ca ce ch co cr cs cu cv cy da de dv dz "

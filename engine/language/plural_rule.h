@@ -1,6 +1,6 @@
 // Selects the plural form for a number by the C expression of a catalogue's header, for example "nplurals=3;
 // plural=n==1 ? 0 : n%10>=2 && n%10<=4 && (n%100<10 || n%100>=20) ? 1 : 2;" (GNU gettext manual, "Plural forms").
-// Immutable once read; any thread but the haptic one.
+// Immutable; any thread except the haptic one.
 #pragma once
 
 #include <cstdint>
@@ -15,11 +15,11 @@ class PluralRule {
   /// The rule of English and German: one form for 1, another for every other number.
   PluralRule();
 
-  /// Reads "nplurals=N; plural=EXPRESSION;". Nothing where it is no such rule, where it names more than 16 forms or is
-  /// longer than any language's.
+  /// Parses "nplurals=N; plural=EXPRESSION;". Empty if the syntax is invalid, if it has more than 16 forms, or if it
+  /// exceeds the limit of length.
   static std::optional<PluralRule> parse(std::string_view text);
 
-  /// 0 to forms() - 1. A rule that gives more, or divides by zero, gives 0.
+  /// The index of the form, 0 to forms() - 1. A rule that exceeds this range or divides by zero gives 0.
   unsigned long form(unsigned long n) const noexcept;
   unsigned long forms() const noexcept { return forms_; }
 
@@ -46,11 +46,11 @@ class PluralRule {
   struct Node {
     Op op = Op::N;
     unsigned long number = 0;
-    std::uint16_t a = 0, b = 0, c = 0;  // operands, as places in nodes_; always smaller than the node's own
+    std::uint16_t a = 0, b = 0, c = 0;  // operands as indices into nodes_, always smaller than the node's own
   };
   struct Reader;
 
-  std::vector<Node> nodes_;  // the last is the expression's value
+  std::vector<Node> nodes_;  // the last is the root
   unsigned long forms_ = 2;
 };
 

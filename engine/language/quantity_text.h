@@ -1,5 +1,5 @@
-// A number as a person reads it, alone or with its unit: "0,43 N" in German, "0.43 N" in English, with a no-break space
-// (U+00A0) between the two. Any thread but the haptic one.
+// Formats numbers for people, alone or with a unit: "0,43 N" in German, "0.43 N" in English, with a no-break space
+// (U+00A0) between number and unit. Any thread except the haptic one.
 #pragma once
 
 #include <cstdint>
@@ -10,57 +10,56 @@
 
 namespace moltact {
 
-/// How many digits a number has.
+/// The number of digits of a formatted number.
 struct Digits {
   enum class Kind : std::uint8_t { Usual, Decimals, Significant, Plain } kind = Kind::Usual;
   int count = 0;
 };
 
-/// So many behind the decimal sign. For a quantity the count is meant in the code's unit, so that where a dimension is
-/// shown in a unit of which a hundred are one of the code's there are two fewer; for a unit that the place asks for
-/// (`in`) it is meant in that unit.
+/// A fixed number of decimals. For a quantity, `count` refers to the code's unit and is adapted to the shown unit: two
+/// decimals fewer if that is a hundredth of the code's unit. With QuantityOptions::in it refers to that unit.
 constexpr Digits decimals(int count) { return {Digits::Kind::Decimals, count}; }
-/// So many that count, never with an exponent: 0.25, 4.2, 120 for two.
+/// A number of significant digits, never with an exponent: 0.25, 4.2, 120 for two.
 constexpr Digits significant(int count) { return {Digits::Kind::Significant, count}; }
-/// As many as it takes, six that count at most: 1.4, 2, 0.125, 1e9.
+/// As many digits as needed, at most six significant ones: 1.4, 2, 0.125, 1e9.
 constexpr Digits plain(int most = 6) { return {Digits::Kind::Plain, most}; }
 
 struct QuantityOptions {
-  Digits digits{};  ///< default: the decimals of the unit's line in units.cpp
-  std::string_view
-      in;  ///< a unit of that dimension in the place of the shown one: "ms" for a time; none of its: the shown one
+  Digits digits{};  ///< default: the decimals of the unit's row in units.cpp
+  /// A unit of the dimension that replaces the shown one: "ms" for a time. Another text is ignored.
+  std::string_view in;
 };
 
-/// The value (in the code's unit) in the unit that is shown, and that unit. A number that is not finite is "–".
+/// Formats a value (in the code's unit) in the shown unit, with its symbol. A value that is not finite becomes "–".
 std::string quantityText(double value, Dimension dimension, QuantityOptions options = {});
 std::string quantityText(double value, Dimension dimension, Digits digits);
-/// A value in the unit of that symbol, as an author or a task has it; shown in that of its dimension. A unit that is
-/// not known stands as it is.
+/// Formats a value given in the unit `symbol`, as used by authors and tasks, in the shown unit of its dimension. An
+/// unknown unit is kept.
 std::string quantityIn(double value, std::string_view symbol, Digits digits);
 
-/// The same without the unit, for a table or an axis that names it once.
+/// The same without the unit, for a table or axis that states it once.
 std::string quantityNumber(double value, Dimension dimension, QuantityOptions options = {});
 std::string quantityNumber(double value, Dimension dimension, Digits digits);
 
-/// A number without a unit.
+/// Formats a number without a unit.
 std::string numberText(double value, Digits digits = plain());
 
-/// The symbol of the unit that is shown: "Å", "N".
+/// The symbol of the shown unit: "Å", "N".
 std::string_view unitText(Dimension dimension);
 
 enum class DecimalSign : std::uint8_t { OfLanguage, Point, Comma };
 
-/// The sign that the person prefers (default: that of the language in use).
+/// Sets the user's preferred sign (default: that of the language).
 void setDecimalSign(DecimalSign sign) noexcept;
 /// '.' or ','.
 char decimalSign() noexcept;
 
-/// A number that a person typed, with a point: "1,76" gives "1.76". Where the decimal sign is a point, a comma before
-/// exactly three digits may separate thousands and stays: "1,760".
+/// Converts a number typed by a user to a decimal point: "1,76" becomes "1.76". If the decimal sign is a point, a comma
+/// before exactly three digits may be a thousands separator and is kept: "1,760".
 std::string numberAsTyped(std::string text);
 
-/// Prose of an author, with the spaces between a number and a unit made no-break ones. The number stays as it was
-/// written.
+/// Replaces the space between a number and its unit in an author's prose by a no-break space. The number itself is
+/// unchanged.
 std::string withUnitsKept(const std::string& text);
 
 }  // namespace moltact

@@ -1,5 +1,5 @@
-// Every unit that the program knows: which quantity it measures, how it counts, and where it is used; and the set of
-// units in which quantities are shown. Any thread but the haptic one.
+// The table of all units: the quantity that each measures, its conversion and its use; and the set of units in which
+// quantities are shown. Any thread except the haptic one.
 #pragma once
 
 #include <array>
@@ -11,7 +11,7 @@
 
 namespace moltact {
 
-/// The quantity that a number measures. In brackets: the unit in which the code counts.
+/// The quantity that a number measures, with the unit used in the code.
 enum class Dimension : std::uint8_t {
   None,        ///< a plain number
   Length,      ///< in the molecule (Å)
@@ -22,59 +22,59 @@ enum class Dimension : std::uint8_t {
   Angle,       ///< (°)
   Share,       ///< a part of a whole (1; shown in per cent)
   Frequency,   ///< (Hz)
-  Energy,      ///< (J); a unit per mole is that of one contact times Avogadro's number
-  Other        ///< the program shows none, an author's prose may
+  Energy,      ///< (J); a unit per mole applies to one contact times Avogadro's number
+  Other        ///< occurs only in an author's prose
 };
 inline constexpr std::size_t kDimensions = std::size_t(Dimension::Other) + 1;
 
 enum UnitUse : std::uint8_t {
-  kProseOnly = 0,     ///< only kept on one line with its number where it stands in prose
-  kWritten = 1,       ///< an author may write it in a lesson
-  kNamed = 2,         ///< messages and the authors' reference name it where a unit is missing
-  kShowable = 4,      ///< a UnitSet may hold it
-  kInPreferences = 8  ///< Preferences offer it, where another of its dimension is offered too
+  kProseOnly = 0,     ///< only kept on one line with its number in prose
+  kWritten = 1,       ///< allowed in lessons
+  kNamed = 2,         ///< suggested in messages about a missing unit and in the authors' reference
+  kShowable = 4,      ///< allowed in a UnitSet
+  kInPreferences = 8  ///< offered in the preferences if another unit of its dimension is offered too
 };
 
 struct Unit {
   std::string_view symbol;
   Dimension dimension;
-  double in_code_units;
-  int use;           ///< of UnitUse
-  int decimals = 0;  ///< of kShowable: how many a number has where its place asks for no others
+  double in_code_units;  ///< size of one such unit in the code's unit
+  int use;               ///< combination of UnitUse
+  int decimals = 0;      ///< default number of decimals, for kShowable
 };
 
 std::span<const Unit> units();
 
-/// The unit of that symbol within the dimension; null where there is none.
+/// Finds a unit by symbol within a dimension; null if there is none.
 const Unit* unitNamed(std::string_view symbol, Dimension dimension);
-/// The unit of that symbol, whatever it measures; null where there is none.
+/// Finds a unit by symbol in all dimensions; null if there is none.
 const Unit* unitNamed(std::string_view symbol);
 
-/// Under which a choice of its unit is kept and offered. A dimension that has one is a row in units.cpp.
+/// A dimension whose unit the user can choose: a row in units.cpp.
 struct OfferedDimension {
   Dimension dimension;
   std::string_view name;  ///< in files: "length"
-  const char* title;      ///< on the screen, N_: "Lengths in the molecule"
+  const char* title;      ///< on the screen, untranslated (N_): "Lengths in the molecule"
 };
 
-/// Those that have two units or more which are kInPreferences, in the order in which they are offered.
+/// The dimensions with at least two units of kInPreferences, in display order.
 std::span<const OfferedDimension> offeredDimensions();
-/// Their symbols: "Å", "nm", "pm".
+/// The symbols of the units offered for a dimension: "Å", "nm", "pm".
 std::vector<std::string_view> offeredUnits(Dimension dimension);
 
-/// The symbol of the unit in which the code counts: "Å", "N", "s", "N/mm". Empty for None, Share and Other.
+/// The symbol of the unit used in the code: "Å", "N", "s", "N/mm". Empty for None, Share and Other.
 std::string_view codeUnit(Dimension dimension);
 
-/// The units that a message names to an author, kNamed: "Å" and "nm".
+/// The kNamed units of a dimension, for messages to authors: "Å" and "nm".
 std::vector<std::string_view> namedUnits(Dimension dimension);
 
-/// In which unit quantities of each dimension are shown. A new one is the program's own: see kOwnUnits in units.cpp.
+/// The shown unit of each dimension. A new set contains the defaults: see kOwnUnits in units.cpp.
 class UnitSet {
  public:
   UnitSet();
-  /// False, and nothing is changed, where the dimension has no kShowable unit of that symbol.
+  /// Sets the unit of a dimension. Returns false and changes nothing if it has no kShowable unit of that symbol.
   bool choose(Dimension dimension, std::string_view symbol);
-  /// The same by the dimension's name among offeredDimensions().
+  /// The same, with the dimension by its name in offeredDimensions().
   bool choose(std::string_view dimension_name, std::string_view symbol);
   /// Null for None and Other.
   const Unit* of(Dimension dimension) const { return units_[std::size_t(dimension)]; }
@@ -83,10 +83,10 @@ class UnitSet {
   std::array<const Unit*, kDimensions> units_{};
 };
 
-/// From here on every quantity is shown in these.
+/// Sets the units in which all quantities are shown.
 void setShownUnits(const UnitSet& units) noexcept;
 
-/// The unit in which quantities of the dimension are shown. Null for None and Other.
+/// The shown unit of a dimension. Null for None and Other.
 const Unit* shownUnit(Dimension dimension) noexcept;
 
 }  // namespace moltact

@@ -1,4 +1,4 @@
-// The words of a CIF file, one after the other, as the text comes. Inside engine/molecule only.
+// Splits a CIF file into its tokens. Internal to engine/molecule.
 #pragma once
 
 #include <string>
@@ -13,16 +13,16 @@ class CifWords {
   enum class Kind { End, Data, Loop, Save, Tag, Value };
   explicit CifWords(TextSource& text) : text_(text) {}
 
-  /// The next word; End at the end, and where there is a problem, the text's own or one of the syntax.
+  /// Reads the next token. Returns End at the end of the text and after an error, see problem().
   Kind next();
-  /// The text of a value without its quotes; the name in `data_name`. Valid until the next call.
+  /// The value without its quotes, or the name of the data block. Valid until the next call.
   std::string_view text() const { return word_; }
-  /// A value without quotes that is "." or "?": not known, or not meant.
+  /// True for an unquoted "." or "?": inapplicable or unknown.
   bool null() const { return null_; }
   std::size_t line() const { return line_; }
   std::size_t column() const { return column_; }
   const std::optional<Problem>& problem() const { return problem_; }
-  /// At the last word.
+  /// A Problem at the position of the last token.
   Problem problemHere(const std::string& what) const;
 
  private:
@@ -30,8 +30,8 @@ class CifWords {
   bool textField();
 
   TextSource& text_;
-  std::string_view rest_, whole_;  // of the line, and the line
-  std::string field_;              // a text of several lines
+  std::string_view rest_, whole_;  // the rest of the line, and the whole line
+  std::string field_;              // a text field of several lines
   std::string_view word_;
   std::size_t line_ = 0, column_ = 0;
   bool null_ = false;

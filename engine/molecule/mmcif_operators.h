@@ -1,4 +1,4 @@
-// The operators of an assembly as mmCIF writes them: _pdbx_struct_assembly_gen.oper_expression. Not for the haptic thread.
+// Parses the operators of an mmCIF assembly: _pdbx_struct_assembly_gen.oper_expression. Not for the haptic thread.
 #pragma once
 
 #include <cstddef>
@@ -13,15 +13,15 @@ namespace moltact {
 
 inline constexpr std::size_t kMaxOperators = 100'000, kMostCopies = 1'000'000;
 
-/// By their ids.
+/// Operators by their ids.
 using MmcifOperators = std::unordered_map<std::string, ParsedOperator>;
 
-/// A whole number and nothing else.
+/// Parses a whole number without any other characters.
 bool parseInteger(std::string_view word, int& value);
 
-/// The operators of an expression such as "1", "1,2", "(1-60)" or "(1-60)(61-88)", where the last bracket acts first.
-/// Ids that are not known are passed over. Of an expression with more than kMaxCopies in all, or with too many brackets,
-/// the result has kMaxCopies + 1 operators and means nothing.
+/// Expands an expression such as "1", "1,2", "(1-60)" or "(1-60)(61-88)", in which the last bracket acts first. Unknown
+/// ids are ignored. An expression with more than kMaxCopies copies, or with too many brackets, gives a meaningless list
+/// of kMaxCopies + 1 operators.
 std::vector<ParsedOperator> operatorsOf(std::string_view expression, const MmcifOperators& known);
 
 }  // namespace moltact

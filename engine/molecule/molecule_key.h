@@ -1,5 +1,5 @@
-// The identity of a molecule: a file and how it is read. Two readings of a file, say with and without its waters, are
-// two molecules. Plain data; any thread.
+// The identity of a molecule: its file and its reading options. A file read with and without its waters gives two
+// different molecules. Plain data; any thread.
 #pragma once
 
 #include <compare>
@@ -20,50 +20,51 @@ namespace moltact {
 
 struct Molecule;
 
-/// How a molecule's file is read. A choice that is added here (a table of radii, say) gets a row in readingOptions(),
-/// from which keys of scenes, labels, attempts, hashes, the page of readings and the options of commands are made. What
-/// reads so is a reader, or the builder that all readers feed (parsed_structure.h).
+/// The options for reading a molecule's file. A new option needs a row in readingOptions(), which generates keys of
+/// scenes, labels, attempts, hashes, the page of reading options and the commands' options. A reader, or the builder
+/// that all readers use (parsed_structure.h), applies it.
 struct ReadOptions {
-  int model = 1;           ///< which model, counted from 1 in the order of the file (default: the first)
-  bool waters = false;     ///< keep the water molecules (default: leave them out)
-  std::string assembly{};  ///< name of a biological assembly to build ("1"); empty: the coordinates as they
-                           ///< stand (default)
-  std::string beside{};    ///< name or file of a second molecule that stands beside it (side_by_side.h); empty: none
+  int model = 1;        ///< number of the model, from 1 in file order (default: the first)
+  bool waters = false;  ///< keep the water molecules (default: omit them)
+  std::string
+      assembly{};  ///< name of the biological assembly to build ("1"); empty: the coordinates of the file (default)
+  std::string beside{};  ///< name or file of a second molecule beside this one (side_by_side.h); empty: none
 
   friend auto operator<=>(const ReadOptions&, const ReadOptions&) = default;
 };
 
+/// One row of the table of options.
 struct ReadingOption {
-  std::string_view name;  ///< in labels, attempts, scenes and options of commands: "model"
+  std::string_view name;  ///< in labels, attempts, scenes and the commands' options: "model"
   std::variant<int ReadOptions::*, bool ReadOptions::*, std::string ReadOptions::*> member;
-  const char* told;              ///< how a person is told a value other than the default (N_): "model {0}"
-  std::string_view fallback;     ///< the default as an author writes it: "1", "no", "none"
+  const char* told;              ///< format of a value that is not the default, untranslated (N_): "model {0}"
+  std::string_view fallback;     ///< the default as written in a lesson: "1", "no", "none"
   std::string_view meaning;      ///< one sentence for authors
-  std::string_view option_help;  ///< of the commands' option
-  const char* label;             ///< on the page of readings, N_
-  /// Of a text: what it may be, the default among them; null: any, as a name in the file is.
+  std::string_view option_help;  ///< help text of the commands' option
+  const char* label;             ///< on the page of reading options, untranslated (N_)
+  /// The possible words of a text, including the default; null: any text, such as a name from the file.
   std::vector<OfferedWord> (*words)() = nullptr;
-  const char* hint = "";  ///< of a text that may be any, where it is empty, N_
-  /// Of a number: the greatest that this molecule's file has.
+  const char* hint = "";  ///< shown in an empty text field that accepts any text, untranslated (N_)
+  /// The largest valid number for this molecule's file; null for an option that is not a number.
   int (*most)(const Molecule& molecule) = nullptr;
-  /// A sentence below it on the page, in the language in use; null: none.
+  /// A translated note below the option on the page; null: none.
   std::string (*note)(const Molecule& molecule) = nullptr;
 };
 
-/// A number is from 1 to this.
+/// Numbers range from 1 to this value.
 inline constexpr int kMaxReadNumber = 100'000;
 
-/// All, in the order in which they are told.
+/// All options, in display order.
 std::span<const ReadingOption> readingOptions();
 
-/// As text: "3"; "yes" or "no"; a text, which is one of its words where it has some.
+/// Converts an option's value to text: "3"; "yes" or "no"; the text itself.
 std::string textOf(const ReadOptions& reading, const ReadingOption& option);
-/// The same back, and the default from the option's `fallback`; false, and nothing changed, where the text is not
-/// sound.
+/// Parses an option's value; the option's `fallback` gives the default. Returns false and changes nothing if the text
+/// is invalid.
 bool readText(ReadOptions& reading, const ReadingOption& option, std::string_view text);
 bool isDefault(const ReadOptions& reading, const ReadingOption& option);
 
-/// A molecule whose file has been found.
+/// A molecule whose file is known.
 struct MoleculeKey {
   std::filesystem::path file;
   ReadOptions reading{};
@@ -72,8 +73,8 @@ struct MoleculeKey {
   friend auto operator<=>(const MoleculeKey&, const MoleculeKey&) = default;
 };
 
-/// A molecule as a person names it: a file, an id of the library or of a fetched entry (findMoleculeKey in catalogue.h
-/// finds its file). A name alone means: as it is read by default.
+/// A molecule as a user names it: a file, or the id of a library or fetched entry. findMoleculeKey in catalogue.h finds
+/// its file. A name without options means the default options.
 struct NamedMolecule {
   std::string name;
   ReadOptions reading{};
@@ -85,11 +86,11 @@ struct NamedMolecule {
   friend auto operator<=>(const NamedMolecule&, const NamedMolecule&) = default;
 };
 
-/// The options that differ from the default, as "model 2, with waters, assembly 1"; empty where nothing is.
+/// The options that differ from the default, as "model 2, with waters, assembly 1"; empty if none does.
 std::string readingText(const ReadOptions& reading);
 
-/// The labels that a recording carries, "molecule" and one for each option, and back. A label that is missing or not
-/// sound gives the default.
+/// Converts between a molecule and the labels of a recording: "molecule" and one label per option. A missing or invalid
+/// label gives the default.
 std::map<std::string, std::string> moleculeLabels(const NamedMolecule& molecule);
 NamedMolecule labelledMolecule(const std::map<std::string, std::string>& labels);
 

@@ -1,4 +1,4 @@
-// The kind of residue that a name stands for. Inside engine/molecule only.
+// Classifies a residue by its name. Internal to engine/molecule.
 #pragma once
 
 #include <string_view>
@@ -7,10 +7,10 @@
 
 namespace moltact {
 
-/// True for the names that water goes by: HOH, WAT, H2O, DOD, TIP3, SOL.
+/// True for the names of water: HOH, WAT, H2O, DOD, TIP3, SOL.
 bool isWaterName(std::string_view residue);
 
-/// The kind of `residue`, whose atoms are `atoms`; `hetero` says that the file calls it HETATM.
+/// The kind of `residue`; `atoms` are its atoms, `hetero` is true for HETATM records.
 ResidueKind residueKind(const Residue& residue, const std::vector<Atom>& atoms, bool hetero);
 
 }  // namespace moltact

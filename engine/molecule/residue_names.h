@@ -1,4 +1,4 @@
-// What the codes of residues stand for, in plain words: "benzene" for BNZ, "thymine" for DT. Any thread.
+// Plain names for residue codes: "benzene" for BNZ, "thymine" for DT. Any thread except the haptic one.
 #pragma once
 
 #include <string>
@@ -6,8 +6,8 @@
 
 namespace moltact {
 
-/// The name in the language in use, as it stands within a sentence; empty for a code that is not in the table. Amino
-/// acids are not: their codes (Ala, Lys) are what people say.
+/// The translated name, as used within a sentence; empty for an unknown code. Amino acids are not included, because
+/// their codes (Ala, Lys) are in common use.
 std::string plainResidueName(std::string_view code);
 
 }  // namespace moltact

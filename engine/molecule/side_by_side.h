@@ -1,5 +1,5 @@
-// Two molecules beside each other for comparison, as one molecule: the second stands at the right of the first (+x), with
-// a gap between them in which a hand has room. Not for the haptic thread. Units: angstrom.
+// Two molecules side by side for comparison, combined into one molecule. The second lies to the right of the first
+// (+x), with a gap for the hand. Not for the haptic thread. Units: angstrom.
 #pragma once
 
 #include <filesystem>
@@ -10,22 +10,23 @@
 
 namespace moltact {
 
-/// Between the outsides of the two.
+/// The gap between the surfaces of the two.
 inline constexpr double kBesideGap_A = 10.0;
 
-/// What the name of a chain of the second molecule ends in: its chain A is "A2".
+/// The suffix of chain names of the second molecule: its chain A becomes "A2".
 inline constexpr const char* kBesideEnding = "2";
 
-/// The atoms of both, the second's behind the first's. Where three or more residues are the same by chain, number and name, and
-/// most of those that both have, the second is turned as the first is (least squares over CA and P), else it stands as
-/// its file has it; its middle is at the first's height and depth.
+/// Combines two molecules; the second's atoms follow the first's. The second is superimposed on the orientation of the
+/// first by least squares over CA and P. This requires at least three residues, and most of those present in both, that
+/// agree in chain, number and name. Otherwise it keeps its file's orientation. Its middle has the first's height and
+/// depth.
 Molecule sideBySide(Molecule first, Molecule second);
 
-/// How the molecule beside is read: as the first is, but in its first model and as its coordinates stand.
+/// The reading options of the second molecule: those of the first, but with model 1 and without an assembly.
 ReadOptions besideReading(ReadOptions first);
 
-/// Reads a molecule and the one that `reading.beside` names, which is looked for beside its file, in the library and among
-/// what was fetched.
+/// Reads a molecule and the one named by `reading.beside`, which is searched beside its file, in the library and among
+/// the fetched entries. Blocks.
 Expected<Molecule> readSideBySide(const std::filesystem::path& file, const ReadOptions& reading);
 
 }  // namespace moltact

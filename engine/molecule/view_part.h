@@ -1,5 +1,5 @@
-// The parts of a picture of a molecule that is touched: their names in lessons and on the command line, and on the
-// screen. Plain data; any thread but the haptic one.
+// The parts of the picture of a molecule under touch, with their names in lessons, on the command line and on the
+// screen. Plain data; any thread except the haptic one.
 #pragma once
 
 #include <cstdint>
@@ -11,24 +11,24 @@
 
 namespace moltact {
 
-/// The parts of a picture that are switched one by one. A new part is a word here, a row of the table in view_part.cpp
-/// and a drawing in engine/render: `MoleculeLayer` for what stays with the molecule, haptic_shapes.cpp for what a method
-/// works with, glyphs.cpp for what else moves with the hand.
+/// The parts of a picture that are switched individually. A new part needs an enumerator here, a row of the table in
+/// view_part.cpp and code in engine/render: `MoleculeLayer` for parts fixed to the molecule, haptic_shapes.cpp for data
+/// structures of a method, glyphs.cpp for other parts that move with the hand.
 enum class ViewPart : std::uint8_t { Atoms, Spheres, Circles, Points, Cones, Hip, Scp, Force, Probe, Target, Facets };
 
 struct ViewPartInfo {
   ViewPart part;
   std::string_view name;  ///< as in `show: circles` of a lesson and `--show circles`
-  const char* label;      ///< "Creases", of menus and switches, in English: the lessons' word
-  const char* sentence;   ///< what it is, for a tool tip and for `--help`, in English
+  const char* label;      ///< in menus: "Creases", the term of the lessons; untranslated (N_)
+  const char* sentence;   ///< description for a tool tip and `--help`; untranslated (N_)
   bool haptic;            ///< belongs to the group `haptic`
-  bool expert = false;    ///< how a method works rather than what is felt: offered to experts only
+  bool expert = false;    ///< shows how a method works; offered in expert mode only
 
-  /// The label in the language in use.
+  /// The translated label.
   const char* shownLabel() const;
 };
 
-/// All parts in the order in which they are offered.
+/// All parts, in menu order.
 std::span<const ViewPartInfo> viewParts();
 
 class ViewPartSet {
@@ -47,11 +47,11 @@ class ViewPartSet {
   std::uint32_t bits_ = 0;
 };
 
-/// The parts that a picture shows unless others are asked for: atoms, probe, force, target.
+/// The parts that are shown by default: atoms, probe, force, target.
 ViewPartSet defaultViewParts();
 
-/// Reads names separated by commas ("atoms,circles"); the groups are `haptic`, `all` and `none`. For an unknown name
-/// the problem lists the known ones.
+/// Parses names separated by commas ("atoms,circles"); groups are `haptic`, `all` and `none`. For an unknown name the
+/// Problem lists the known ones.
 Expected<ViewPartSet> parseViewParts(std::string_view names);
 
 }  // namespace moltact
