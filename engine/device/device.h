@@ -1,6 +1,6 @@
-// The one interface of every haptic device: a pose comes in, a force or a wrench goes out.
-// `read` and `write` run on the haptic thread: no lock, allocation, exception, log or waiting.
-// Units: millimetre and newton, in the device's space (+x right, +y up, +z toward the person).
+// The interface of every haptic device: input is a pose, output a force or a wrench. `read` and `write` run on the
+// haptic thread: no lock, allocation, exception, log or wait. Units: millimetre and newton, in the device's space (+x
+// right, +y up, +z toward the user). Quaternions store w first.
 #pragma once
 
 #include <cstdint>
@@ -11,34 +11,33 @@
 
 namespace moltact {
 
-/// A device's capabilities. A driver names each figure that it knows. What it leaves out counts as not known, and the
-/// less force is given: none at all without both of the forces, softer springs without the others
-/// (engine/servo/safety_stage.h).
+/// A device's capabilities. A driver sets each figure that it knows. The defaults mean unknown and reduce the force:
+/// none at all without both force limits, softer springs without the other figures (engine/servo/safety_stage.h).
 struct DeviceSpecs {
   static constexpr double kNoLimit = std::numeric_limits<double>::infinity();
   static constexpr double kUnknownStiffness_N_per_mm = 0.3, kUnknownDelay_s = 0.002, kUnknownResolution_mm = 0.1;
 
-  Vec3 workspace_mm{160.0, 120.0, 70.0};  ///< the reach of the hand, edge to edge
+  Vec3 workspace_mm{160.0, 120.0, 70.0};  ///< size of the reachable box, edge to edge
   int dof_in = 3;            ///< degrees of freedom that are read and used: 3 position, 6 position and orientation
   int dof_out = 0;           ///< degrees of freedom that are driven: 0 none, 3 force, 6 force and torque
-  double max_force_N = 0.0;  ///< the greatest force for a moment
-  double continuous_force_N = 0.0;                             ///< the greatest force for good, by the motors' heat
-  double max_stiffness_N_per_mm = kUnknownStiffness_N_per_mm;  ///< the stiffest wall it can show
-  double max_damping_N_s_per_m = 0.0;                          ///< the greatest damping it can show
+  double max_force_N = 0.0;  ///< peak force, available for a short time
+  double continuous_force_N = 0.0;                             ///< force that the motors sustain thermally
+  double max_stiffness_N_per_mm = kUnknownStiffness_N_per_mm;  ///< stiffest wall that it can render
+  double max_damping_N_s_per_m = 0.0;                          ///< strongest damping that it can render
   double damping_N_s_per_m = 0.0;                              ///< of the mechanism itself
-  double friction_N = 0.0;                                     ///< of the mechanism itself, Coulomb; 0: not known
-  double resolution_mm = kUnknownResolution_mm;                ///< the least step of the position that it reports
+  double friction_N = 0.0;                                     ///< Coulomb friction of the mechanism; 0: unknown
+  double resolution_mm = kUnknownResolution_mm;                ///< resolution of the reported position
   double delay_s = kUnknownDelay_s;       ///< from the encoders to the driver plus from there to the motors
-  double speed_limit_m_per_s = kNoLimit;  ///< the device gives no force to a hand faster than this
+  double speed_limit_m_per_s = kNoLimit;  ///< above this speed of the hand the device gives no force
   double slew_limit_N_per_s = kNoLimit;   ///< the device cuts a force that changes faster
-  double max_torque_N_mm = 0.0;           ///< the greatest torque; 0 where it drives none
-  bool gives_force = false;               ///< false: the force is shown on the screen only and moves no hand
+  double max_torque_N_mm = 0.0;           ///< peak torque; 0: no torque
+  bool gives_force = false;               ///< false: the force is displayed on the screen only
 
   friend bool operator==(const DeviceSpecs&, const DeviceSpecs&) = default;
 };
 
-/// The figures of the Phantom Omni's motors and mechanism, as its vendor published them and as they were measured in
-/// the literature; docs/devices.md says which is which.
+/// Figures of the Phantom Omni's motors and mechanism, partly published by the vendor, partly measured in the
+/// literature; docs/devices.md states the source of each.
 inline DeviceSpecs phantomOmniFigures() noexcept {
   DeviceSpecs out;
   out.max_force_N = 3.3;
@@ -52,8 +51,8 @@ inline DeviceSpecs phantomOmniFigures() noexcept {
   return out;
 }
 
-/// Of a hand without motors (a mouse, a pad, a script): what is shown is what an Omni would give whose motors never
-/// get warm.
+/// Figures for input devices without motors (a mouse, a pad, a script): the displayed force is that of an Omni whose
+/// motors never become warm.
 inline DeviceSpecs shownForceFigures() noexcept {
   DeviceSpecs out = phantomOmniFigures();
   out.continuous_force_N = out.max_force_N;
@@ -62,41 +61,41 @@ inline DeviceSpecs shownForceFigures() noexcept {
 
 /// A device's description, known before it is used.
 struct DeviceInfo : DeviceSpecs {
-  std::string name{};  ///< as the status bar shows it, passed through `tr`: names of our own are in English
+  std::string name{};  ///< for the status bar, passed through `tr`; names chosen by this program are in English
   friend bool operator==(const DeviceInfo&, const DeviceInfo&) = default;
 };
 
 struct DevicePose {
-  PointMm position;           ///< from the middle of workspace_mm
-  std::uint32_t buttons = 0;  ///< a bit a button, the first in bit 0
-  /// Raised by one when the position jumps because the hand was placed elsewhere; a device in a hand never does so.
+  PointMm position;           ///< relative to the middle of workspace_mm
+  std::uint32_t buttons = 0;  ///< one bit per button, the first in bit 0
+  /// Incremented when the position jumps because the program placed the hand elsewhere. Always 0 for a real device.
   std::uint32_t discontinuities = 0;
-  bool fresh = true;  ///< false: nothing new has come from the device since the last read; the position is the last one
-  bool connected = true;  ///< false: the device is gone
-  bool fault = false;     ///< the device itself reports a fault, or is not calibrated: no force
-  float motor_heat = 0;   ///< 0 cold to 1 as warm as its motors may be, where it reports this
-  /// The position's age when it is read plus the time that the answering force waits, as the driver measures both on
-  /// its own thread; comes on top of DeviceSpecs::delay_s.
+  bool fresh = true;      ///< false: no new data since the last read; the position is the previous one
+  bool connected = true;  ///< false: the device is disconnected
+  bool fault = false;     ///< the device reports a fault or is not calibrated: no force
+  float motor_heat = 0;   ///< 0 cold to 1 maximum temperature, if the device reports it
+  /// Age of the position when it is read, plus the time until the resulting force is sent. The driver measures both on
+  /// its own thread. Adds to DeviceSpecs::delay_s.
   float age_s = 0;
-  Quat orientation = kNoRotation;  ///< of what is in the hand, from the device's axes; none where it measures none
+  Quat orientation = kNoRotation;  ///< of the handle, relative to the device's axes; identity if not measured
 };
 
-/// The speed at which a person wants the view to move and to turn, each -1 to 1 along and round the screen's axes (+x
-/// right, +y up, +z toward the person). The molecule follows the hand.
+/// The requested speed of the view's motion and rotation, each component -1 to 1, along and about the screen's axes (+x
+/// right, +y up, +z toward the user). The molecule follows the hand.
 struct ViewMotion {
   Vec3 move{0.0}, rotation{0.0};
 };
 
-/// A device's state, in words for the person who holds it.
+/// A device's state, with text for the user.
 struct DeviceStatus {
   bool connected = true;
-  bool ready = true;            ///< false: no force yet, or its positions cannot be trusted; `text` says what to do
-  std::string text;             ///< what is wrong, or what the person should do; may be empty
-  bool asks_calibrate = false;  ///< waits for calibrate(), to be called when the person has done what `text` says
-  double motor_heat = -1.0;  ///< 0 cold to 1 as warm as its motors may be, as the device reports it; -1: not reported
+  bool ready = true;            ///< false: no force yet, or the positions are unreliable; `text` gives the remedy
+  std::string text;             ///< the problem, or the action required of the user; may be empty
+  bool asks_calibrate = false;  ///< the device waits for calibrate(), to be called after the user has followed `text`
+  double motor_heat = -1.0;     ///< 0 cold to 1 maximum temperature; -1: not reported
 };
 
-/// A device with a clock of its own calls this once a tick, on its own thread.
+/// Receives the ticks of a device with its own clock, on the device's thread.
 class ClockListener {
  public:
   virtual void onDeviceTick() noexcept = 0;
@@ -105,35 +104,34 @@ class ClockListener {
   ~ClockListener() = default;
 };
 
-/// An open device: its driver opens it (driver.h), its destructor gives no force and closes it.
+/// An open device. A driver opens it (driver.h); the destructor ends the force and closes it.
 class Device {
  public:
   virtual ~Device() = default;
   virtual const DeviceInfo& info() const noexcept = 0;
-  /// The pose now; `dt_s` is the length of a tick.
+  /// Returns the present pose; `dt_s` is the length of a tick.
   virtual DevicePose read(double dt_s) noexcept = 0;
-  /// The force to give until the next tick; the caller keeps it finite and within max_force_N.
+  /// Sets the force until the next tick; the caller keeps it finite and within max_force_N.
   virtual void write(ForceN force) noexcept = 0;
-  /// The same with a torque. Only a device of dof_out 6 is given the torque; others are given the force alone.
+  /// The same with a torque. Only a device with dof_out 6 receives the torque; others receive the force alone.
   virtual void writeWrench(const Wrench& wrench) noexcept { write(wrench.force); }
-  /// Called in place of write(): no force until the next write, with the motors off where the device can switch them.
+  /// Called instead of write(): no force until the next write, with the motors off if the device can switch them.
   virtual void stop() noexcept { write(ForceN{}); }
 
-  /// The window's thread, a few times a second. May take a while; does the work that must not be done on the haptic
-  /// thread.
+  /// Window's thread, a few times a second. May block; performs work that is not allowed on the haptic thread.
   virtual DeviceStatus status() { return {}; }
-  /// The window's thread, each frame.
+  /// Window's thread, each frame.
   virtual ViewMotion viewMotion() noexcept { return {}; }
-  /// The window's thread: whether a rotation on the device rotates the hand from now on instead of the view. A device
-  /// that measures the hand's own orientation always rotates the hand.
+  /// Window's thread: selects whether a rotation of the device rotates the hand or the view. A device that measures the
+  /// hand's orientation always rotates the hand.
   virtual void rotateHand(bool) noexcept {}
-  /// The window's thread: the person now holds the device as status() asked for its calibration.
+  /// Window's thread: the user now holds the device as status() requested for the calibration.
   virtual void calibrate() {}
 
-  /// The window's thread. A device whose driver brings a clock calls `target` by it from now on and returns true.
-  /// Others return false; then the loop's own clock reads them.
+  /// Window's thread. A device with its own clock calls `target` at each tick from now on and returns true. Other
+  /// devices return false, and the loop's own clock reads them.
   virtual bool startClock(ClockListener&) { return false; }
-  /// The window's thread. After it returns the target is not called any more.
+  /// Window's thread. After its return the listener is no longer called.
   virtual void stopClock() {}
 };
 

@@ -1,5 +1,5 @@
-// The device drivers, and the devices that they find. A device is added with its own files and a row in drivers.cpp.
-// Window's thread and commands; finding may take some tens of milliseconds.
+// The device drivers and the devices that they find. A new device needs its own files and a row in drivers.cpp.
+// Window's thread and commands; finding devices may block for some tens of milliseconds.
 #pragma once
 
 #include <memory>
@@ -14,53 +14,55 @@
 
 namespace moltact {
 
-/// One device that a driver has found.
+/// One device found by a driver.
 struct FoundDevice {
-  /// As in `moltact device check NAME`: the driver's, with ":2" and so on from the second on, or with an address.
+  /// The name in `moltact device check NAME`: the driver's name, with ":2" etc. from the second device on, or with an
+  /// address.
   std::string name = {};
-  std::string title = {};  ///< the device's own title, or a name of ours in English; pass it through `tr` to show it
-  std::string place = {};  ///< the port or path, in the driver's words; may be empty
+  std::string title =
+      {};  ///< the device's own title, or an English name by this program; pass it through `tr` to show it
+  std::string place = {};  ///< port or path in the driver's notation; may be empty
   bool usable = false;
-  std::string why = {};  ///< why it cannot be used and what would help; empty where it can
+  std::string why = {};  ///< if not usable: the reason and the remedy; else empty
   bool gives_force = false;
-  bool auto_selectable = false;  ///< may be chosen without a person asking for it
-  std::string note = {};         ///< what a person must know before the device is used; may be empty
+  bool auto_selectable = false;  ///< may be selected without a request by the user
+  std::string note = {};         ///< information for the user before the device is used; may be empty
 };
 
+/// One row of the table of drivers.
 struct DeviceDriver {
   std::string_view name;      ///< "omni"
-  std::string_view sentence;  ///< its purpose
-  /// Lists the devices of this driver. A driver that cannot look at all returns one entry that says why.
+  std::string_view sentence;  ///< description
+  /// Lists the devices of this driver. A driver that cannot search returns one entry with the reason.
   std::vector<FoundDevice> (*find)();
-  /// Describes the device at an address that a person gives (NAME:ADDRESS), without contacting it. The address is in
-  /// FoundDevice::place. Not usable where the text is no address. Null where the driver takes no address.
+  /// Describes the device at an address given by the user (NAME:ADDRESS), without contacting it. The address is in
+  /// FoundDevice::place. The result is not usable if the text is not an address. Null: the driver takes no address.
   FoundDevice (*find_at)(std::string_view address) = nullptr;
-  std::string_view address_example = {};  ///< where find_at is set
+  std::string_view address_example = {};  ///< set if find_at is
   Expected<std::unique_ptr<Device>> (*open)(const FoundDevice& device);
 };
 
-/// Every driver. The default device is the first one found that is usable and `auto_selectable`; the mouse comes last.
+/// All drivers. The default device is the first one found that is usable and `auto_selectable`; the mouse is last.
 std::span<const DeviceDriver> deviceDrivers();
 
-/// The driver of a device's name, "omni" or "omni:2"; null where none has that name.
+/// Finds the driver of a device name, "omni" or "omni:2"; null if there is none.
 const DeviceDriver* findDriver(std::string_view name);
 
-/// The devices that all drivers find, in the drivers' order.
+/// Lists the devices of all drivers, in the drivers' order.
 std::vector<FoundDevice> findDevices();
 
-/// The device of that name, found by its driver alone; nothing where no driver has that name or it does not list the
-/// device.
+/// Finds the device of that name by its driver alone; empty if there is no such driver or device.
 std::optional<FoundDevice> findDevice(std::string_view name);
 
-/// The device to use where nobody has chosen; never fails, for the mouse is always there.
+/// The device to use without a choice by the user. It never fails, because the mouse is always present.
 const FoundDevice& defaultDevice(const std::vector<FoundDevice>& found);
 
-/// Opens the device of that name. A Problem where no device has that name (it lists those there are), where it cannot
-/// be used, or where opening fails.
+/// Opens the device of that name. Returns a Problem if there is none (with a list of the available devices), if it
+/// cannot be used, or if opening fails.
 Expected<std::unique_ptr<Device>> openDevice(std::string_view name);
 
-/// A page in a browser sees only the devices that the person has shown it: askForDevice() then opens the browser's own
-/// list of them, within a second of a click. Elsewhere false, and nothing to ask.
+/// True in a browser, where a page sees only devices that the user has selected. askForDevice() then opens the
+/// browser's dialog for the selection; it must be called within a second of a click. Elsewhere false.
 bool devicesAreAskedFor() noexcept;
 void askForDevice();
 

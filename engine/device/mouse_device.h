@@ -1,5 +1,5 @@
-// The device that is always there: a mouse or keyboard in place of a stylus. The window leads it, the haptic thread
-// reads it; between two frames it glides, so that the HIP moves in small steps at 1 kHz.
+// The device that is always present: a mouse or keyboard in place of a stylus. The window sets its target; the haptic
+// thread reads it. Between two frames the position glides, so that the HIP moves in small steps at 1 kHz.
 #pragma once
 
 #include "engine/core/triple_buffer.h"
@@ -14,14 +14,14 @@ class MouseDevice final : public Device {
   DevicePose read(double dt_s) noexcept override;
   void write(ForceN) noexcept override {}
 
-  /// The window's thread: sets the target of the hand. It glides there, with a time constant of kGlide_s and at most
-  /// kFastest_mm_per_s. Non-finite places are ignored.
+  /// Window's thread: sets the hand's target. The hand approaches it with time constant kGlide_s and at most
+  /// kFastest_mm_per_s. Non-finite positions are ignored.
   void lead(PointMm target) noexcept;
-  /// The window's thread: the hand is there at once (a new scene), turned as it was. Where it is led on before the
-  /// haptic thread has read it, it is there first all the same, and glides on.
+  /// Window's thread: moves the hand there at once (a new scene) and keeps its orientation. A lead() before the haptic
+  /// thread's next read does not cancel this jump; the hand glides on from there.
   void place(PointMm target) noexcept;
-  /// The window's thread: how the hand is to be turned; it turns there as it glides, at most kFastest_rad_per_s. What
-  /// is no rotation is ignored.
+  /// Window's thread: sets the target orientation, approached like the position, with at most kFastest_rad_per_s. A
+  /// quaternion that is not a rotation is ignored.
   void turn(const Quat& orientation) noexcept;
 
   static constexpr double kGlide_s = 0.025;
@@ -30,14 +30,14 @@ class MouseDevice final : public Device {
 
  private:
   struct Lead {
-    PointMm placed, target;  // where the hand was put last, and where it is to go
+    PointMm placed, target;  // the last jump, and the target of the glide
     Quat orientation = kNoRotation;
     std::uint32_t discontinuities = 0;
   };
   DeviceInfo info_{shownForceFigures()};
   TripleBuffer<Lead> lead_;
-  Lead sent_;        // the window's
-  DevicePose pose_;  // the haptic thread's
+  Lead sent_;        // owned by the window
+  DevicePose pose_;  // owned by the haptic thread
   std::uint32_t placed_ = 0;
 };
 

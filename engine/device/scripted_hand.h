@@ -1,6 +1,6 @@
-// A hand that explores whatever lies at the middle of the workspace: it comes from one side after another, presses
-// until it feels about kPress_N, slides along for some seconds and leaves again. The same motion every time. Any
-// thread; no allocation. Units: millimetre, newton, second.
+// A scripted hand that explores the object at the middle of the workspace. It approaches from one side after another,
+// presses until it feels about kPress_N, slides for some seconds and withdraws. Deterministic. Any thread; no
+// allocation. Units: millimetre, newton, second.
 #pragma once
 
 #include "engine/core/units.h"
@@ -16,9 +16,9 @@ class ScriptedHand {
 
   ScriptedHand();
 
-  /// The hand's target `dt_s` later, after it felt that force.
+  /// The hand's target after `dt_s`, given the force that it felt.
   PointMm lead(double dt_s, ForceN felt) noexcept;
-  /// As one holds a pen: its axis (z at rest) points to the side from which the hand comes.
+  /// Orientation of a stylus whose axis (z at rest) points to the side from which the hand approaches.
   Quat orientation() const noexcept;
   PointMm place() const noexcept { return {side_ * distance_mm_}; }
 
@@ -29,7 +29,7 @@ class ScriptedHand {
 
   Doing doing_ = Doing::Approaches;
   int visit_ = 0;
-  Vec3 side_{0.0}, along_{0.0};  // unit, at right angles: where it comes from, and which way it slides
+  Vec3 side_{0.0}, along_{0.0};  // orthonormal: the side of approach, and the direction of sliding
   double distance_mm_ = kAway_mm, slid_s_ = 0;
 };
 

@@ -1,5 +1,5 @@
-// A simulated force-feedback stylus: the device model (device_model.h) in the scripted hand, or in a hand that a test
-// leads. The loop through it is closed: the written force moves it. Haptic thread unless stated otherwise.
+// A simulated force-feedback stylus: the device model (device_model.h) held by the scripted hand or by a hand that a
+// test controls. The written force moves it, which closes the loop. Haptic thread unless stated otherwise.
 #pragma once
 
 #include <atomic>
@@ -11,7 +11,7 @@
 
 namespace moltact {
 
-/// The scripted hand explores a point this far behind the middle of the device's workspace, for a molecule lies in
+/// The scripted hand explores a point this far behind the middle of the device's workspace, because a molecule lies in
 /// front of that point.
 inline constexpr double kSimulatedTargetDepth_mm = 45.0;
 
@@ -22,14 +22,14 @@ class SimulatedDevice final : public Device {
 
   const DeviceInfo& info() const noexcept override { return info_; }
   DevicePose read(double dt_s) noexcept override;
-  /// Advances the model by a tick.
+  /// Advances the model by one tick.
   void write(ForceN force) noexcept override;
   DeviceStatus status() override;
 
-  /// The model; it outlives the device for whoever holds it. Read it only while nothing ticks.
+  /// The model, which may outlive the device. Read it only while no tick runs.
   std::shared_ptr<const DeviceModel> model() const { return model_; }
 
-  /// Any thread: pulls the plug, or puts it back. The hand goes on meanwhile, without force.
+  /// Any thread: unplugs the device, or plugs it in again. The hand continues meanwhile without force.
   void plug(bool in) noexcept { plugged_.store(in, std::memory_order_release); }
 
  private:

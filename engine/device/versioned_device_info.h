@@ -1,5 +1,5 @@
-// A device's description that changes when another device is plugged in, while any thread reads it. Every version lives
-// until the device is closed, so a reference to one stays valid that long.
+// A device's description that changes when another device is plugged in, readable by any thread meanwhile. Every
+// version lives until the device is closed, so references stay valid that long.
 #pragma once
 
 #include <atomic>
@@ -16,7 +16,7 @@ class VersionedDeviceInfo {
   VersionedDeviceInfo(const VersionedDeviceInfo&) = delete;
   VersionedDeviceInfo& operator=(const VersionedDeviceInfo&) = delete;
 
-  /// Any thread, also the haptic one.
+  /// Any thread, including the haptic one.
   const DeviceInfo& get() const noexcept { return *now_.load(std::memory_order_acquire); }
   /// One thread at a time, never the haptic one.
   void set(DeviceInfo info) {

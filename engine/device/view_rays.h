@@ -13,14 +13,14 @@ struct ViewRays {
   double tan_half_fov = 0.3;                            ///< of the vertical field of view
   double width_px = 1, height_px = 1;
 
-  /// The unit direction through a pixel, counted from the upper left corner.
+  /// The unit direction through a pixel; the origin is the upper left corner.
   Vec3 direction(glm::dvec2 px) const {
     const double scale = 2.0 * tan_half_fov / height_px;
     return glm::normalize(forward + right * ((px.x - 0.5 * width_px) * scale) +
                           up * ((0.5 * height_px - px.y) * scale));
   }
 
-  /// The pixel in which a place is seen. Meaningless for places behind the eye.
+  /// The pixel at which a point is visible. Undefined for points behind the eye.
   glm::dvec2 pixel(const Vec3& place_A) const {
     const Vec3 d = place_A - eye_A;
     const double scale = height_px / (2.0 * tan_half_fov * glm::dot(d, forward));

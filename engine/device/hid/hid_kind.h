@@ -1,5 +1,5 @@
-// One kind of HID device, as its driver describes it: which entries of the system's list are of this kind, and which
-// protocol they speak. Window's thread and commands; listing asks each device for its description.
+// One kind of HID device as described by its driver: which entries of the system's list belong to it, and their
+// protocol. Window's thread and commands; listing requests each device's description.
 #pragma once
 
 #include <memory>
@@ -13,17 +13,17 @@
 namespace moltact {
 
 struct HidKind {
-  std::string_view title;                         ///< where the device does not report its own
-  bool (*is)(const HidEntry&);                    ///< judges by the system's list alone: the entry may be of this kind
-  std::unique_ptr<PacketProtocol> (*protocol)();  ///< makes a new one
-  DeviceInfo known;                               ///< without a name: it is the title of the device that was found
+  std::string_view title;                         ///< used if the device does not report a title
+  bool (*is)(const HidEntry&);                    ///< true if an entry of the system's list may be of this kind
+  std::unique_ptr<PacketProtocol> (*protocol)();  ///< creates the protocol
+  DeviceInfo known;                               ///< without a name, which is the title of the found device
 };
 
-/// One entry for each device of the kind; each is asked for its description. Those that cannot be opened come last, with
-/// the reason.
+/// Lists the devices of the kind and requests the description of each. Those that cannot be opened come last, with the
+/// reason.
 std::vector<FoundDevice> findHid(const HidKind& kind);
 
-/// Opens the device that `found` describes. After it was unplugged, it looks for a device of the same kind again.
+/// Opens the device that `found` describes. After an unplugging it reconnects to any device of the same kind.
 Expected<std::unique_ptr<Device>> openHid(const HidKind& kind, const FoundDevice& found);
 
 }  // namespace moltact

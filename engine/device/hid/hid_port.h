@@ -1,4 +1,4 @@
-// HID devices through hidapi, or in a page through WebHID: a list of them, and a port to one.
+// HID devices through hidapi, or in a browser through WebHID: their list, and a port to one.
 #pragma once
 
 #include <cstdint>
@@ -11,7 +11,7 @@
 
 namespace moltact {
 
-/// One interface of a HID device as the system lists it.
+/// One interface of a HID device in the system's list.
 struct HidEntry {
   std::string path = {};   ///< "/dev/hidraw0"
   std::string title = {};  ///< maker and product, as the device reports them
@@ -19,9 +19,9 @@ struct HidEntry {
   std::uint16_t vendor = 0, product = 0, usage_page = 0, usage = 0;
 };
 
-/// All HID interfaces that the system lists. Any thread.
+/// Lists all HID interfaces. Any thread.
 std::vector<HidEntry> listHid();
-/// Opens a port to one. A Problem with the reason, most often a missing permission, and how to get it.
+/// Opens a port. A Problem contains the reason, usually a missing permission, and the remedy.
 Expected<std::unique_ptr<PacketPort>> openHid(const HidEntry& entry);
 
 }  // namespace moltact

@@ -1,6 +1,6 @@
-// Devices that people build: any HID device that speaks the report layout of docs/device-protocol.md, on the vendor
-// page 0xFF00, usage 1. Its feature report says what it is and what it can do. The layout has no torque: a device of
-// this kind is given forces alone (DeviceSpecs::dof_out 3).
+// Self-built devices: any HID device with the report layout of docs/device-protocol.md, on the vendor page 0xFF00,
+// usage 1. Its feature report describes the device. The layout has no torque, so such a device receives forces alone
+// (DeviceSpecs::dof_out 3).
 #pragma once
 
 #include "engine/device/packet/packet_protocol.h"
@@ -11,10 +11,10 @@ namespace open_layout {
 
 inline constexpr std::uint16_t kUsagePage = 0xFF00, kUsage = 1;
 inline constexpr std::uint8_t kPlaceReport = 1, kForceReport = 2, kDescription = 3, kVersion = 1;
-/// Lengths with the byte of the id.
+/// Lengths including the report id.
 inline constexpr std::size_t kPlaceBytes = 25, kForceBytes = 11, kDescriptionBytes = 32;
-inline constexpr std::uint8_t kWatchdog_ms = 50;  ///< the watchdog time that the host asks for
-/// Bits of the status in a place report.
+inline constexpr std::uint8_t kWatchdog_ms = 50;  ///< watchdog time requested by the host
+/// Status bits of a position report.
 inline constexpr std::uint8_t kFault = 1, kHot = 2, kUncalibrated = 4, kWatchdogTripped = 8;
 inline constexpr std::uint8_t kMeasuresOrientation = 1;  ///< of byte 28 of the description
 
@@ -37,9 +37,9 @@ class OpenLayoutProtocol final : public PacketProtocol {
   double step_mm_ = 0.005;
   bool measures_orientation_ = false;
   std::uint16_t seen_ = 0, sent_ = 0;
-  std::uint8_t status_ = 0;  // of the newest place
+  std::uint8_t status_ = 0;  // of the newest position report
   bool any_seen_ = false, gives_ = false, of_kind_ = true;
-  double cut_s_ = 0;  // remaining time for which the motors count as cut by the device's watchdog
+  double cut_s_ = 0;  // remaining time for which the device's watchdog is assumed to have cut the motors
 };
 
 }  // namespace moltact

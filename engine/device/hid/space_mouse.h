@@ -1,23 +1,23 @@
-// 3Dconnexion SpaceMouse: six axes that report how far the cap is pushed and turned; no force. A push sets the hand's
-// speed, a turn the view's, whichever is the stronger. The first button is a switch: the push then moves the view,
-// until it is pressed again. Where the hand holds a body, a turn turns that body; it turns the view only while the push
-// moves the view.
+// 3Dconnexion SpaceMouse: six axes that report translation and rotation of the cap; no force. A push sets the hand's
+// speed, a rotation that of the view; only the stronger of the two acts. The first button toggles: a push then moves
+// the view instead of the hand. If the hand holds a body, a rotation of the cap rotates the body; it rotates the view
+// only while a push moves the view.
 #pragma once
 
 #include "engine/device/packet/packet_protocol.h"
 
 namespace moltact {
 
-/// The cap's push and turn: each -1 to 1, along and round the device's axes (+x right, +y up, +z toward the person).
+/// Deflection of the cap: components -1 to 1, along and about the device's axes (+x right, +y up, +z toward the user).
 struct SixAxes {
   Vec3 push{0.0}, rotation{0.0};
 };
 
 class SpaceMouseProtocol final : public PacketProtocol {
  public:
-  static constexpr double kFull = 350.0;  ///< the value that the device reports at its stops
+  static constexpr double kFull = 350.0;  ///< reported value at the mechanical stop
 
-  /// Forgets a push from before an unplugging.
+  /// Discards a deflection from before an unplugging.
   std::optional<Problem> begin(PacketPort&, DeviceInfo&) override;
   bool parseReport(std::span<const std::uint8_t> report, DevicePose& pose) noexcept override;
   void advance(double dt_s, DevicePose& pose) noexcept override;

@@ -1,5 +1,5 @@
-// Reports in a stream of bytes, as a TCP device sends them: one byte with the length of the report, 1 to kMaxReportBytes, then
-// the report. Holds at most kMaxBuffered bytes and allocates nothing. One thread at a time.
+// Splits a byte stream into reports, as a TCP device sends them: one byte with the length of the report, 1 to
+// kMaxReportBytes, then the report. Buffers at most kMaxBuffered bytes and allocates nothing. One thread at a time.
 // Layout: docs/device-protocol.md, "Over a network".
 #pragma once
 
@@ -14,21 +14,21 @@ namespace moltact {
 
 class ReportStream {
  public:
-  /// About 160 position reports. TCP holds back what does not fit.
+  /// About 160 position reports. TCP flow control holds back the rest.
   static constexpr std::size_t kMaxBuffered = 4096;
 
-  /// Memory for the next bytes; never empty after next() returned 0.
+  /// The free part of the buffer; never empty after next() returned 0.
   std::span<std::uint8_t> room() {
     std::memmove(bytes_.data(), bytes_.data() + begin_, end_ - begin_);
     end_ -= begin_;
     begin_ = 0;
     return std::span(bytes_).subspan(end_);
   }
-  /// Call after `count` bytes were read into room().
+  /// Call after reading `count` bytes into room().
   void filled(std::size_t count) { end_ += std::min(count, bytes_.size() - end_); }
 
-  /// Takes the next report. Returns its length; 0: none is complete; -1: the stream has another framing, and no byte after
-  /// this can be interpreted.
+  /// Extracts the next report and returns its length; 0: none is complete; -1: invalid framing, and no later byte can
+  /// be interpreted.
   int next(std::span<std::uint8_t> report) {
     if (begin_ == end_) return 0;
     const std::size_t length = bytes_[begin_];

@@ -1,5 +1,5 @@
-// A PacketPort over TCP, for a device or a program that listens on a network address and speaks the framing of
-// report_stream.h. Threads and waits: as packet/packet_port.h.
+// A PacketPort over TCP, for a device or a program that listens on a network address and uses the framing of
+// report_stream.h. Threads and blocking as in packet/packet_port.h.
 #pragma once
 
 #include <memory>
@@ -9,15 +9,15 @@
 
 namespace moltact {
 
-/// Times of a port, in milliseconds. Connecting and describing are short, because closing a device that is just being
+/// Time limits of a port in milliseconds. Connecting and describing are short, because closing a device that is being
 /// reopened waits for them.
 namespace tcp_port {
-inline constexpr int kConnect_ms = 500;      ///< to make the connection
-inline constexpr int kDescription_ms = 500;  ///< to answer a request of the description
-inline constexpr int kSilence_ms = 2000;     ///< after this time without a report the device counts as gone
+inline constexpr int kConnect_ms = 500;      ///< for establishing the connection
+inline constexpr int kDescription_ms = 500;  ///< for the answer to a request of the description
+inline constexpr int kSilence_ms = 2000;     ///< without a report for this time the device counts as disconnected
 }  // namespace tcp_port
 
-/// Connects. A Problem with the reason.
+/// Connects. A Problem contains the reason.
 Expected<std::unique_ptr<PacketPort>> openTcpPort(const TcpAddress& address);
 
 }  // namespace moltact

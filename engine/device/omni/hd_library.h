@@ -1,6 +1,6 @@
-// The functions of OpenHaptics' HD interface that drive the Omni and Touch, as its published documentation has them
-// (version 3, Linux, x86-64). The library is the vendor's and is no part of this program: it is loaded at run time.
-// omni_device.h says which function may be called from which thread.
+// The functions of OpenHaptics' HD interface that drive Omni and Touch, according to its published documentation
+// (version 3, Linux, x86-64). The vendor's library is not part of this program; it is loaded at run time. omni_device.h
+// states which function may be called from which thread.
 #pragma once
 
 #include <cmath>
@@ -87,25 +87,25 @@ enum Error : std::uint32_t {
   kInvalidLicense = 0x0600,
 };
 
-/// An error in words for the person who holds the device, and what would help.
+/// An error described for the user, with a remedy.
 struct ErrorWords {
   std::string message, remedy;
-  bool begins_with_name = false;  ///< the message begins with a name and keeps its capital within another sentence
+  bool begins_with_name = false;  ///< the message starts with a name and keeps its capital letter within a sentence
 };
 ErrorWords errorWords(std::uint32_t code);
-/// A Problem in one sentence: the error kept us from doing `what`.
+/// A Problem in one sentence, stating that the error prevented `what`.
 Problem problemOf(const std::string& what, const ErrorWords& words);
 
-/// The severity of an error, where only one can be shown: 0 none, then wrong calls, licence, force, and at the top
-/// errors that end the connection.
+/// The severity of an error, for selecting the one to show: 0 none, 1 wrong calls, 2 licence, 3 force, 4 errors that
+/// end the connection.
 int errorWeight(std::uint32_t code) noexcept;
-/// True where the device or its clock is lost.
+/// True if the device or its clock is lost.
 inline bool endsConnection(std::uint32_t code) noexcept { return errorWeight(code) == 4; }
-/// True where the device has cut a force.
+/// True if the device has cut a force.
 inline bool cutsForce(std::uint32_t code) noexcept { return code > kWarmMotors && code <= kForceError; }
 
-/// True where an error that comes with a frame's begin, write or end means that the frame's force may not have reached
-/// the device. Only a warning about warm motors or a force that the driver cut leaves the frame valid.
+/// True if an error during a frame's begin, write or end means that the frame's force may not have reached the device.
+/// Only warnings about warm motors or a force cut by the driver leave the frame valid.
 inline bool failsFrame(std::uint32_t code) noexcept {
   return code != kNoError && !(code >= kWarmMotors && code <= kExceededVelocity);
 }
@@ -118,7 +118,7 @@ struct Library {
   void (*endFrame)(Handle);
   ErrorInfo (*getError)();
   void (*enable)(std::uint32_t);
-  void (*disable)(std::uint32_t);  ///< null where the library lacks it; then only writing zero force ends a force
+  void (*disable)(std::uint32_t);  ///< may be null; then only writing zero force ends the force
   void (*getBooleanv)(std::uint32_t, Boolean*);
   void (*getIntegerv)(std::uint32_t, int*);
   void (*getDoublev)(std::uint32_t, double*);
@@ -132,13 +132,13 @@ struct Library {
   SchedulerHandle (*scheduleAsynchronous)(Callback, void*, std::uint16_t);
   void (*unschedule)(SchedulerHandle);
 
-  /// The library, loaded at the first call and never unloaded; $MOLTACT_LIBHD names another file. A Problem says how to
-  /// get the library, or what it lacks.
+  /// The library, loaded at the first call and never unloaded; $MOLTACT_LIBHD names another file. A Problem states how
+  /// to obtain the library, or which function is missing.
   static Expected<const Library*> get();
 };
 
-/// The stylus's orientation from kTransform's 16 numbers (by columns, its gimbal included); `otherwise` where they are
-/// no rotation. Haptic thread.
+/// The stylus's orientation from the 16 numbers of kTransform (column-major, including the gimbal); `otherwise` if they
+/// are not a rotation. Haptic thread.
 inline Quat orientationOf(const double (&t)[16], const Quat& otherwise) noexcept {
   const glm::dmat3 axes(Vec3(t[0], t[1], t[2]), Vec3(t[4], t[5], t[6]), Vec3(t[8], t[9], t[10]));
   if (!(std::abs(glm::determinant(axes) - 1.0) < 1e-2)) return otherwise;
@@ -146,7 +146,7 @@ inline Quat orientationOf(const double (&t)[16], const Quat& otherwise) noexcept
   return rotates(q) ? q : otherwise;
 }
 
-/// Switches the motors on or off, whatever force was written last. Any thread, inside a frame or outside.
+/// Switches the motors on or off, independent of the force written last. Any thread, inside or outside a frame.
 inline void switchForce(const Library& hd, bool on) noexcept {
   if (on)
     hd.enable(kForceOutput);

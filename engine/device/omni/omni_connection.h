@@ -1,6 +1,6 @@
-// The one device that the vendor's driver has for this process. It shows whether it is there only when it is opened,
-// and opening may take a while. So a device that look() has opened is kept for the take() that mostly follows, and
-// closed when none does. Any thread but the haptic one.
+// Manages the one device that the vendor's driver has for this process. Its presence shows only when it is opened, and
+// opening may take some seconds. Therefore a device opened by look() stays open for the take() that usually follows,
+// and is closed if none does. Any thread except the haptic one; the calls block.
 #pragma once
 
 #include <chrono>
@@ -20,16 +20,16 @@ class OmniConnection {
   static OmniConnection& get();
   ~OmniConnection();
 
-  /// The device as it is now, or as it was when it was last opened; it stays open for kKeepOpen.
+  /// Opens the device to describe it, or returns its last description if it is in use. It stays open for kKeepOpen.
   Expected<OmniSession> look(const hd::Library& hd);
-  /// Opens the device, or hands over the one that look() has opened. It is in use from now on.
+  /// Opens the device, or takes over the one opened by look(). It then counts as in use.
   Expected<OmniSession> take(const hd::Library& hd);
   void giveBack();
-  /// The device that is in use, as it was opened last.
+  /// The description of the device in use, if any.
   std::optional<OmniSession> taken();
-  /// The device in use was reopened, and may be another one.
+  /// Reports that the device in use was reopened; it may be a different one.
   void renewed(const OmniSession& session);
-  /// Closes at once what look() has opened.
+  /// Closes immediately a device that look() has opened.
   void closeUnused();
 
  private:

@@ -1,7 +1,8 @@
-// Ends the force of an Omni where its callback cannot. Its own thread wakes 250 times a second and checks whether
-// frames come. It switches the driver's force output off when none has come for kStalled_ms, and on again, with a soft
-// start, when they do. The callback switches the output off where a frame fails; the guard's thread switches it on again
-// after two frames without error. While all force is inhibited (platform/force_inhibit.h) it waits for kStalledInhibited_ms only.
+// Ends the force of an Omni when its callback cannot. A separate thread wakes 250 times a second and checks that frames
+// arrive. It switches the driver's force output off when none has arrived for kStalled_ms, and on again, with a soft
+// start, when frames return. The callback switches the output off when a frame fails; the guard's thread switches it on
+// again after two frames without error. While all force is inhibited (platform/force_inhibit.h) the limit is
+// kStalledInhibited_ms.
 #pragma once
 
 #include <atomic>
@@ -15,27 +16,27 @@ namespace moltact {
 
 class OmniGuard {
  public:
-  static constexpr int kStalled_ms = 20;  ///< as late as the safety stage lets a tick be
+  static constexpr int kStalled_ms = 20;  ///< equal to the lateness that the safety stage accepts
   static constexpr int kStalledInhibited_ms = 5;
 
-  /// `now_ns`: the clock that frames are late by; any thread.
+  /// `now_ns`: the clock for the lateness of frames; called on any thread.
   OmniGuard(const hd::Library& library, std::int64_t (*now_ns)() noexcept) : hd_(library), now_ns_(now_ns) {}
   ~OmniGuard() { stop(); }
 
-  /// The thread that schedules. Frames may come from now on.
+  /// On the scheduling thread: frames may arrive from now on.
   void start();
-  /// The same: nothing is asked of the driver after it returns.
+  /// On the scheduling thread: after its return the driver is no longer called.
   void stop();
-  /// The callback: a frame begins.
+  /// In the callback: a frame begins.
   void frame() noexcept;
-  /// The callback: the driver has taken the frame without error.
+  /// In the callback: the driver has accepted the frame without error.
   void written() noexcept { clean_frames_.fetch_add(1, std::memory_order_acq_rel); }
-  /// Switches the output off until two frames have been written without error. The callback, its signal handler, or any
-  /// thread while no callback runs.
+  /// Switches the output off until two frames have been written without error. In the callback, its signal handler, or
+  /// on any thread while no callback runs.
   void switchOff() noexcept;
-  /// Any thread: the output is off, or was on for less than two frames, so that only no force is to be written.
+  /// Any thread: the output is off, or has been on for less than two frames; only zero force may be written.
   bool cut() const noexcept { return cut_.load(std::memory_order_acquire); }
-  /// Any thread: the motors are off whatever force was written last. Never true where the library has no hdDisable.
+  /// Any thread: the motors are off, whatever force was written last. Never true for a library without hdDisable.
   bool off() const noexcept { return cut() && hd_.disable; }
 
  private:

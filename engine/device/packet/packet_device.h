@@ -1,10 +1,11 @@
-// A device that speaks in packets: HID, a serial line, a network. Its own thread waits for reports and hands the newest
-// place over; where no thread can be had (a page in a browser) each tick takes what has come, and the time from one
-// frame's ticks to the next one's counts as delay. It gives the newest force after each report, and no force when the
-// haptic thread has not written for kCommandTimeout_s. It reopens the device after it was unplugged. The last report
-// that it writes gives no force, whatever ends it: a read or a write that fails, an exception, the destructor, a
-// signal. It measures its own part of the delay: how old a place is when it is read, and how long a force waits for the
-// thread. A PacketProtocol knows what the reports mean, a PacketPort how they travel.
+// A device that exchanges packets over HID, a serial line or a network. A PacketProtocol interprets the reports, a
+// PacketPort transports them. The device's own thread waits for reports and publishes the newest position. Without
+// threads (a page in a browser) each tick reads what has arrived, and the time between frames counts as delay.
+//
+// The thread sends the newest force after each report, and zero force when the haptic thread has not written for
+// kCommandTimeout_s. It reopens the device after an unplugging. The last report gives no force, whatever ends the
+// device: a failed read or write, an exception, the destructor or a signal. The device measures its share of the delay:
+// the age of a position when it is read, and the time that a force waits for the thread.
 #pragma once
 
 #include <atomic>
@@ -26,17 +27,17 @@ namespace moltact {
 
 class PacketDevice final : public Device {
  public:
-  /// As late as a tick may be (safety::kStale_s): without a command from the haptic thread for so long, no force.
+  /// The lateness accepted for a tick (safety::kStale_s): without a command for this time there is no force.
   static constexpr double kCommandTimeout_s = 0.02;
 
-  /// Judges a port. A Problem where it leads to no device of the kind.
+  /// Checks a port. Returns a Problem if it does not lead to a device of the kind.
   using Accept = std::function<std::optional<Problem>(PacketPort&)>;
   /// Opens the first device that is accepted.
   using Opener = std::function<Expected<std::unique_ptr<PacketPort>>(const Accept&)>;
 
-  /// Opens the device. `known` is its description as far as it is known beforehand; the protocol completes it. `opener`
-  /// is kept and called again after the device was unplugged. Without `own_thread` the ticks do the device's work.
-  /// `lost` is the sentence with the device's name for the time while it is away.
+  /// Opens the device. `known` is the description known in advance; the protocol completes it. `opener` is called again
+  /// after an unplugging. Without `own_thread` the ticks do the device's work. `lost` is the message about a
+  /// disconnected device, with a placeholder for its name.
   static Expected<std::unique_ptr<Device>> open(Opener opener, std::unique_ptr<PacketProtocol> protocol,
                                                 DeviceInfo known, bool own_thread = threadsCanBeHad(),
                                                 const char* lost = kUnplugged);
@@ -57,9 +58,9 @@ class PacketDevice final : public Device {
   using Clock = std::chrono::steady_clock;
   struct State {
     DevicePose pose;
-    std::uint32_t count = 0;       // of places that have come
-    Clock::time_point received{};  // the newest place
-    double wait_s = 0;             // of the newest command, until it was written
+    std::uint32_t count = 0;       // number of received positions
+    Clock::time_point received{};  // time of the newest position
+    double wait_s = 0;             // time from the newest command to its sending
   };
   struct Command {
     Wrench wrench;
@@ -87,9 +88,9 @@ class PacketDevice final : public Device {
   const bool own_thread_;
   const char* lost_ = kUnplugged;
   std::unique_ptr<PacketPort> port_;
-  // The device's own thread only, or without one the ticks'.
+  // Used only by the device's own thread, or without one by the ticks.
   Command newest_command_;
-  bool last_report_kept_ = false;  // by the port, before the first force
+  bool last_report_kept_ = false;  // stored in the port, before the first force
   Clock::time_point look_again_{}, last_turn_{};
   State own_state_;
 
@@ -97,8 +98,8 @@ class PacketDevice final : public Device {
   TripleBuffer<Command> command_;
   TripleBuffer<ViewMotion> view_motion_;
   TripleBuffer<DeviceGuidance> guidance_;
-  std::uint32_t last_read_ = 0;  // of the haptic thread: the count of the last place
-  Command next_command_;         // of the haptic thread
+  std::uint32_t last_read_ = 0;  // haptic thread: count of the last position
+  Command next_command_;         // haptic thread
   std::atomic<bool> ends_{false}, gone_{false}, calibrate_{false}, rotates_hand_{false};
   std::thread thread_;
 };

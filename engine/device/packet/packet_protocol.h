@@ -1,6 +1,6 @@
-// The meaning of a device's reports, one class for each kind of device. Pure translation between bytes and poses or
-// forces: PacketDevice (packet_device.h) owns the thread, the port and the watchdog. One thread at a time.
-// Units: millimetre, newton, newton millimetre, second.
+// The interpretation of a device's reports, one class per kind of device. It only translates between bytes and poses or
+// forces; PacketDevice (packet_device.h) owns the thread, the port and the watchdog. One thread at a time. Units:
+// millimetre, newton, newton millimetre, second.
 #pragma once
 
 #include <cstddef>
@@ -14,38 +14,40 @@
 
 namespace moltact {
 
-/// The reason why a device gives no force yet, in words for the person. While there is a text there is no force.
+/// The reason why a device gives no force yet, for the user. While the text is set there is no force.
 struct DeviceGuidance {
-  const char* text = nullptr;   ///< lives as long as the program
+  const char* text = nullptr;   ///< static; null: the device is ready
   bool asks_calibrate = false;  ///< the device waits for calibrate()
 };
 
 class PacketProtocol {
  public:
   virtual ~PacketProtocol() = default;
-  /// Asks the device for its description, when it is listed, opened or reopened. A Problem where it is not of this
+  /// Requests the device's description when it is listed, opened or reopened. Returns a Problem if it is not of this
   /// kind.
   virtual std::optional<Problem> begin(PacketPort&, DeviceInfo&) { return std::nullopt; }
-  /// After begin() returned a Problem: false where the device is of another kind altogether.
+  /// After a Problem of begin(): false if the device is of a different kind altogether.
   virtual bool ofKind() const noexcept { return true; }
   virtual DeviceGuidance guidance() const noexcept { return {}; }
-  /// The person holds the device as guidance() asked. True: from now on the same pose gives another place.
+  /// The user holds the device as guidance() requested. Returns true if the calibration changes the position of the
+  /// present pose.
   virtual bool calibrate() noexcept { return false; }
-  /// Parses one report as it came, of any length and content. True: it held a new place, which is now in `pose`.
+  /// Parses a received report of any length and content. Returns true if it contained a new position, which is then in
+  /// `pose`.
   virtual bool parseReport(std::span<const std::uint8_t> report, DevicePose& pose) noexcept = 0;
-  /// Advances the pose by `dt_s`, for devices that report a speed and no place.
+  /// Advances the pose by `dt_s`, for devices that report a speed instead of a position.
   virtual void advance(double /*dt_s*/, DevicePose&) noexcept {}
-  /// The motion of the view that the newest reports ask for, for devices that lead it.
+  /// The motion of the view requested by the newest reports, for devices that control it.
   virtual ViewMotion viewMotion() const noexcept { return {}; }
   /// As Device::rotateHand; called before each advance().
   virtual void rotateHand(bool) noexcept {}
-  /// Encodes the report that gives this force, and this torque where the device drives one (DeviceSpecs::dof_out 6).
-  /// Its id comes first. Returns its length; 0: nothing is to be written.
+  /// Encodes the report with this force, and with this torque if the device drives one (DeviceSpecs::dof_out 6). The id
+  /// comes first. Returns the length; 0: nothing to write.
   virtual std::size_t encode(const Wrench&, ReportBuffer) noexcept { return 0; }
-  /// Encodes the report that ends all force, with the motors off where they can be switched.
+  /// Encodes the report that ends all force, with the motors off if they can be switched.
   virtual std::size_t encodeStop(ReportBuffer out) noexcept { return encode(Wrench{}, out); }
-  /// Encodes the last report that the device gets: no force. Unlike encodeStop() it returns a report even where the
-  /// same one was sent just before, for that one may not have arrived; 0 only where no force can have been given.
+  /// Encodes the last report to the device, with zero force. Unlike encodeStop() it returns a report even if an equal
+  /// one was just sent, which may not have arrived. Returns 0 only if no force can have been given.
   virtual std::size_t encodeFinalReport(ReportBuffer out) noexcept { return encodeStop(out); }
 };
 

@@ -1,4 +1,4 @@
-// Little-endian numbers out of and into a report.
+// Reads and writes little-endian numbers in a report.
 #pragma once
 
 #include <cstddef>
