@@ -1,6 +1,6 @@
-// Reaching farther than the device does. While the clutch's button is held, the probe stays and the hand moves back;
-// and where the hand is pushed to the edge of its workspace, the probe drifts on slowly. Haptic thread. Units:
-// millimetre, second.
+// Extends the reach beyond the device's workspace in two ways. While the clutch button is held, the probe stays and the
+// hand moves back (indexing). When the hand is at the edge of its workspace, the probe drifts outward slowly (rate
+// control). Haptic thread. Units: millimetre, second.
 #pragma once
 
 #include <algorithm>
@@ -12,22 +12,23 @@
 namespace moltact {
 
 struct ClutchSettings {
-  std::uint32_t buttons = 0;  ///< bits of the buttons that operate the clutch; 0: none
-  bool at_edge = false;       ///< the probe drifts on where the hand is within kEdge_mm of its workspace's edge
+  std::uint32_t buttons = 0;  ///< bits of the clutch buttons; 0: none
+  bool at_edge = false;       ///< enables the drift while the hand is within kEdge_mm of its workspace's edge
 };
 
 class Clutch {
  public:
   static constexpr double kEdge_mm = 10.0;
-  static constexpr double kDrift_mm_per_s = 20.0;  ///< at the very edge
-  /// A stylus that moved no farther for so long lies in its stand or hangs.
+  static constexpr double kDrift_mm_per_s = 20.0;  ///< at the edge itself
+  /// A stylus that has moved less than kStill_mm for kLetGo_s counts as released: in its stand or hanging. It does not
+  /// drift.
   static constexpr double kStill_mm = 0.2, kLetGo_s = 1.5;
 
   void restart() noexcept { offset_mm_ = Vec3(0.0), held_ = false; }
 
-  /// The probe's place for that pose, in the device's space and beyond. Non-finite places pass unchanged. `push` is the
-  /// direction in which a surface pushed the hand in the last tick (length 1, or zero): at the edge the probe drifts
-  /// along the surface and off it, never deeper.
+  /// Returns the probe's position for a pose, in the device's space; it may lie outside the workspace. Non-finite
+  /// positions pass unchanged. `push` is the direction of the surface's force in the last tick (unit length, or zero):
+  /// at the edge the probe drifts along the surface or away from it, never deeper.
   PointMm place(const DevicePose& pose, const ClutchSettings& settings, const Vec3& workspace_mm, const Vec3& push,
                 double dt_s) noexcept {
     const Vec3& now = pose.position.mm;
@@ -46,12 +47,12 @@ class Clutch {
     return {now + offset_mm_};
   }
 
-  /// Whether the hand moves without the probe. Then there must be no force, for it would push the hand about.
+  /// True while the hand moves without the probe. There must then be no force, which would push the free hand.
   bool held() const noexcept { return held_; }
 
  private:
-  friend struct StepState;  // step_state.cpp, which keeps it
-  // How far beyond the inner part of the workspace along each axis: 1 at its edge and farther.
+  friend struct StepState;  // step_state.cpp, which saves the state
+  // The position relative to the edge zone per axis: 0 at its inner side, 1 at the edge and beyond.
   static Vec3 drift(const Vec3& place_mm, const Vec3& workspace_mm) noexcept {
     Vec3 out(0.0);
     for (int k = 0; k < 3; ++k) {

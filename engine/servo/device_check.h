@@ -1,7 +1,7 @@
-// The check of a device in a person's hand: its positions while nothing moves, a gentle pull, a wall to press on, every
-// way in which force must end, and the loop faults that can be made with a real device. Each is judged by the promises
-// of docs/safety.md (force_monitor.h). It asks before each part that moves the device, and begins when the device is
-// ready. Calling thread; takes a few minutes. Units: millimetre, newton, second.
+// Checks a device held by a user: its positions at rest, a gentle pull, a wall to press on, every way in which force
+// must end, and injected loop faults. Each part is judged by the guarantees of docs/safety.md (force_monitor.h). The
+// check starts when the device is ready and asks before each part that moves it. Blocks the calling thread for a few
+// minutes. Units: millimetre, newton, second.
 #pragma once
 
 #include <functional>
@@ -13,29 +13,30 @@
 
 namespace moltact {
 
+/// The result of one part of the check.
 struct CheckedPart {
   std::string name;
-  bool done = false;  ///< false: the person declined it, or something forbids it
+  bool done = false;  ///< false: declined by the user, or not possible
   bool passed = false;
-  bool forces = false;     ///< the part is about the force
-  std::string found = {};  ///< what was measured, in words
+  bool forces = false;     ///< the part tests the force
+  std::string found = {};  ///< the measured values, as text
 };
 
 struct DeviceCheckOptions {
-  /// Asks before a part that moves the device; false leaves the part out.
+  /// Asks before a part that moves the device; false skips the part.
   std::function<bool(const std::string&)> ask = {};
-  std::function<void(const std::string&)> tell = {};  ///< says what the person should do now
-  /// Called some times a second while the device is not ready. True: the person holds it as its text asked for the
-  /// calibration.
+  std::function<void(const std::string&)> tell = {};  ///< shows an instruction to the user
+  /// Called several times a second while the device is not ready. Returns true when the user holds it as the device's
+  /// text requests for the calibration.
   std::function<bool(const DeviceStatus&)> guide = {};
-  std::function<void(const CheckedPart&)> checked = {};  ///< called for each part when it is over
-  std::function<bool()> interrupted = {};  ///< true: no force from now on, and the remaining parts are left out
-  double part_s = 5.0;                     ///< how long each part lasts
-  double ready_s = 2.0;                    ///< how long to wait for the device
-  double unplug_s = 0.0;  ///< how long to wait for the plug to be pulled, and put back; 0: that part is left out
+  std::function<void(const CheckedPart&)> checked = {};  ///< called after each part
+  std::function<bool()> interrupted = {};                ///< true: ends all force and skips the remaining parts
+  double part_s = 5.0;                                   ///< duration of each part
+  double ready_s = 2.0;                                  ///< longest wait for the device
+  double unplug_s = 0.0;  ///< longest wait for unplugging, and for plugging in again; 0: skips that part
 };
 
-/// Checks the device and closes it. Parts that give force are left out for a device that gives none. Returns all parts.
+/// Checks the device and closes it. Parts with force are skipped for a device without force. Returns all parts.
 std::vector<CheckedPart> checkDevice(std::unique_ptr<Device> device, const DeviceCheckOptions& options);
 
 }  // namespace moltact

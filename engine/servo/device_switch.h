@@ -1,5 +1,5 @@
-// Selects the device that leads in this tick: the chosen one while it is there, else the fallback, in the same tick in
-// which the chosen one disappeared; and the chosen one again when it is back. Haptic thread.
+// Selects the device of each tick: the chosen one while it is connected, else the fallback. It switches in the same
+// tick in which the chosen device disappears, and back when it returns. Haptic thread.
 #pragma once
 
 #include "engine/device/device.h"
@@ -12,7 +12,7 @@ class DeviceSwitch {
   /// `chosen` may be null. Both must outlive the switch.
   DeviceSwitch(Device& fallback, Device* chosen) noexcept : fallback_(fallback), chosen_(chosen), used_(nullptr) {}
 
-  /// The pose of this tick. Calls step.setDevice() when another device leads than before.
+  /// Returns the pose of this tick. Calls step.setDevice() if the device differs from that of the last tick.
   DevicePose read(double dt_s, ServoStep& step) noexcept {
     DevicePose pose;
     Device* now = &fallback_;
@@ -20,7 +20,7 @@ class DeviceSwitch {
       pose = chosen_->read(dt_s);
       if (pose.connected) now = chosen_;
     }
-    // The fallback is read each time, so that it does not start from where it was long ago.
+    // The fallback is read in every tick, so that it does not resume from an outdated position.
     const DevicePose other = fallback_.read(dt_s);
     if (now == &fallback_) pose = other;
     other_ = now != used_;
@@ -29,17 +29,17 @@ class DeviceSwitch {
     return pose;
   }
 
-  /// `stopped`: no force at all, with the motors off where the device can switch them.
+  /// Writes the wrench to the device in use. `stopped`: no force, with the motors off if the device can switch them.
   void write(const Wrench& wrench, bool stopped = false) noexcept {
     if (chosen_) stopped ? chosen_->stop() : chosen_->writeWrench(used_ == chosen_ ? wrench : Wrench{});
     if (used_ != chosen_ || !chosen_) fallback_.writeWrench(wrench);
   }
 
-  /// True where another device leads in this tick than in the last.
+  /// True if the device differs from that of the last tick.
   bool other() const noexcept { return other_; }
-  /// The device that leads.
+  /// The device in use.
   const DeviceInfo& info() const noexcept { return (used_ ? used_ : &fallback_)->info(); }
-  /// True while the fallback replaces a chosen device that is gone.
+  /// True while the fallback replaces a disconnected chosen device.
   bool fallenBack() const noexcept { return chosen_ && used_ == &fallback_; }
 
  private:

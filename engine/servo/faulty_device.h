@@ -1,6 +1,6 @@
-// Injects faults between a device and the loop: ticks that come late, twice or not at all, a stalled loop, misread
-// positions. Judges every force that the device is then given (force_monitor.h). It brings a clock where the device has
-// none, so that it owns the ticks. One thread injects; the loop's thread executes. Units: millimetre, newton.
+// Injects faults between a device and the loop: ticks that are late, doubled or lost, a stalled loop, misread
+// positions. Judges every force that the device then receives (force_monitor.h). It supplies the clock if the device
+// has none, so that it controls the ticks. One thread injects; the loop's thread executes. Units: millimetre, newton.
 #pragma once
 
 #include <atomic>
@@ -19,15 +19,16 @@ class FaultyDevice final : public Device, private ClockListener {
   explicit FaultyDevice(std::unique_ptr<Device> device);
   ~FaultyDevice() override { stopClock(); }
 
-  /// For so many ticks; of a Stall, milliseconds. One at a time. Late: each tick by 0 to 14 ms; PositionJump: by 20 mm.
+  /// Injects a fault for `ticks` ticks (for Stall: milliseconds), one at a time. Late delays each tick by 0 to 14 ms;
+  /// PositionJump shifts by 20 mm.
   void inject(LoopFault fault, int ticks);
   bool faultIsOver() const { return fault_.load() == LoopFault::None; }
 
-  /// The forces that the device was given since the last call.
+  /// A summary of the forces since the last call.
   struct Given {
-    const char* broken = nullptr;  ///< the first promise that was broken; null: none
+    const char* broken = nullptr;  ///< the first violated guarantee; null: none
     std::uint64_t ticks = 0;
-    std::uint64_t fresh = 0;  ///< those with a fresh position from the device itself
+    std::uint64_t fresh = 0;  ///< ticks with a fresh position from the device itself
     double greatest_N = 0;
     double last_N = 0;  ///< the newest force
   };
@@ -56,14 +57,14 @@ class FaultyDevice final : public Device, private ClockListener {
   std::atomic<LoopFault> fault_{LoopFault::None};
   std::atomic<int> left_{0};
 
-  // The clock's.
+  // Used by the clock.
   std::atomic<ClockListener*> target_{nullptr};
   std::atomic<bool> ends_{false};
-  bool lent_ = false;  // the device's own clock ticks
+  bool lent_ = false;  // the device's own clock supplies the ticks
   std::thread clock_;
   int late_ = 0;
 
-  // The tick's.
+  // Used by the tick.
   ForceMonitor judge_;
   ForceMonitor::Tick now_;
   const DeviceInfo* judged_ = nullptr;

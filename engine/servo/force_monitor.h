@@ -1,5 +1,5 @@
-// Judges the force tick by tick by the promises of docs/safety.md, with rules that share nothing with the safety stage.
-// Any one thread, also the haptic one. Units: newton; time in ticks.
+// Judges the force of each tick by the guarantees of docs/safety.md, with rules that share no code with the safety
+// stage. Any one thread, including the haptic one. Units: newton; time in ticks.
 #pragma once
 
 #include <algorithm>
@@ -10,29 +10,30 @@ namespace moltact {
 
 class ForceMonitor {
  public:
-  static constexpr double kSlew_N = 1.0;   ///< the most that the force changes from tick to tick
-  static constexpr int kSoft_ticks = 500;  ///< from nothing to the peak
-  static constexpr int kFadeTo_ticks =
-      44;  ///< so long after the last fresh position there is no force: 40 ms, plus 4 to ramp down
+  static constexpr double kSlew_N = 1.0;   ///< largest change of the force per tick
+  static constexpr int kSoft_ticks = 500;  ///< duration of a soft start, from zero to the peak force
+  /// After this time without a fresh position the force must be zero: 40 ms, plus 4 ms to ramp down.
+  static constexpr int kFadeTo_ticks = 44;
 
-  /// A soft start goes up to `peak_N` in kSoft_ticks.
+  /// `peak_N`: peak force of the device, reached by a soft start in kSoft_ticks.
   explicit ForceMonitor(double peak_N) : peak_N_(peak_N), soft_N_(peak_N) {}
 
-  /// From now on another device is given force, at most `peak_N`; it has been given none yet.
+  /// Switches to another device with peak force `peak_N`, which has received no force yet.
   void otherDevice(double peak_N) { peak_N_ = peak_N, last_N_ = Vec3(0.0), expectSoft(); }
-  /// A fault or a new start: the remaining force falls along the slew, and returns no faster than a soft start.
+  /// A fault or a new start: the present force ramps down along the slew limit, and returns no faster than a soft
+  /// start.
   void expectSoft() { before_N_ = glm::length(last_N_), since_ = 0; }
-  /// While a fault lasts no force returns.
+  /// While a fault lasts no force may return.
   void lasting(bool on) { lasting_ = on; }
-  /// The soft start is over: from here on only the other promises limit the force.
+  /// Ends the soft start; from now on only the other guarantees limit the force.
   void expectAny() { since_ = kSoft_ticks; }
 
   struct Tick {
     bool fresh = true;     ///< the position was fresh
-    bool at_once = false;  ///< the force may end in this tick, for something is wrong; then it returns softly
-    bool stopped = false;  ///< the force must end in this tick: the panic key, or a known fault
+    bool at_once = false;  ///< the force may end abruptly in this tick because of a fault; it then returns softly
+    bool stopped = false;  ///< the force must be zero in this tick: the panic key, or a known fault
   };
-  /// The promise that this tick's force breaks; null: none.
+  /// Returns the guarantee that this tick's force violates; null: none.
   const char* judge(const Vec3& force_N, const Tick& tick) {
     const Vec3 was_N = last_N_;
     const double size = glm::length(force_N);
@@ -54,7 +55,7 @@ class ForceMonitor {
     return nullptr;
   }
 
-  double beforeFault_N() const { return before_N_; }  ///< the force at the last fault
+  double beforeFault_N() const { return before_N_; }  ///< size of the force at the last fault
   double sinceFault_ticks() const { return since_; }
 
  private:

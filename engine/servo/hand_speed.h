@@ -1,5 +1,5 @@
-// The hand's velocity from rounded positions: the displacement over the last kSpan ticks divided by their time, so that
-// one step of a sensor of 0.055 mm counts as 7 mm/s and not as 55. Haptic thread. Units: metre, second.
+// The hand's velocity from quantized positions: the displacement over the last kSpan ticks divided by their duration.
+// One step of a sensor of 0.055 mm then counts as 7 mm/s instead of 55. Haptic thread. Units: metre, second.
 #pragma once
 
 #include <array>
@@ -15,7 +15,7 @@ class HandSpeed {
 
   void restart() noexcept { count_ = 0; }
 
-  /// Adds the next position, `dt_s` after the last.
+  /// Adds a position, `dt_s` after the previous one.
   void add(const Vec3& place_m, double dt_s) noexcept {
     time_s_ += dt_s;
     ring_[next_] = {place_m, time_s_};
@@ -32,7 +32,7 @@ class HandSpeed {
   }
 
  private:
-  friend struct StepState;  // step_state.cpp, which keeps it
+  friend struct StepState;  // step_state.cpp, which saves the state
   struct Entry {
     Vec3 place_m{0.0};
     double time_s = 0;

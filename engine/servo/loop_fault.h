@@ -1,5 +1,5 @@
-// Faults that a real machine causes in a tick of the servo loop, and a device in its reading. The stability bench, the
-// device check and the fault tests inject them. Plain data.
+// Faults of a real machine in a tick of the servo loop, and of a device in its readings. Injected by the stability
+// bench, the device check and the fault tests. Plain data.
 #pragma once
 
 #include <cstdint>
@@ -8,13 +8,13 @@ namespace moltact {
 
 enum class LoopFault : std::uint8_t {
   None,
-  Late,          ///< the answer comes too late for its tick: the device holds the last force meanwhile
-  Lost,          ///< no tick comes
-  Doubled,       ///< a tick comes twice, on one reading
-  Stall,         ///< the loop is stalled within its tick
+  Late,          ///< the response is late; the device holds the last force meanwhile
+  Lost,          ///< the tick is lost
+  Doubled,       ///< the tick runs twice with one reading
+  Stall,         ///< the loop stalls within the tick
   PositionJump,  ///< the position is far off
-  NotANumber,    ///< the position is not a number
-  Frozen,        ///< nothing new comes from the device
+  NotANumber,    ///< the position is NaN
+  Frozen,        ///< the device delivers no new data
 };
 
 }  // namespace moltact

@@ -1,7 +1,7 @@
-// Passivity observer and controller (Hannaford & Ryu 2002), with the energy stored in the spring as the reference: a
-// passive surface returns no more energy than it was given. Energy that sampling, delay or a method's jumps make beyond
-// that is a debt. The device's own damping and friction pay it; braking takes back the rest. Haptic thread. Units:
-// joule, metre, newton, radian, second; torques in newton millimetre.
+// Passivity observer and controller (Hannaford & Ryu 2002), with the energy stored in the spring as reference: a
+// passive surface returns no more energy than it has received. The excess that sampling, delay or jumps of a method
+// create is the debt. The device's own damping and friction dissipate part of it; braking dissipates the rest. Haptic
+// thread. Units: joule, metre, newton, radian, second; torques in newton millimetre.
 #pragma once
 
 #include <algorithm>
@@ -15,7 +15,7 @@ namespace moltact {
 
 class PassivityControl {
  public:
-  /// A device's own delay of 100 ms and 100 ms measured by the loop, which accepts no more, with room to spare.
+  /// Longest delay: 100 ms of the device and 100 ms measured by the loop, which accepts no more, with a margin.
   static constexpr std::size_t kMaxDelay_ticks = 255;
 
   void restart() noexcept {
@@ -24,9 +24,8 @@ class PassivityControl {
     torques_.fill(Vec3(0.0));
   }
 
-  /// Observes the last interval: the displacement, the rotation, the rise of the springs' stored energy, and the energy
-  /// that the device itself took. `delay_ticks`: how much later than it was written a force is felt, at most
-  /// kMaxDelay_ticks.
+  /// Observes the last interval: displacement, rotation, increase of the springs' stored energy, and energy dissipated
+  /// by the device itself. `delay_ticks`: time from writing a force to its effect, at most kMaxDelay_ticks.
   void observe(const Vec3& moved_m, const Vec3& turned_rad, double stored_J, double taken_J,
                std::size_t delay_ticks) noexcept {
     const std::size_t back = std::min(delay_ticks, given_.size() - 1);
@@ -35,21 +34,21 @@ class PassivityControl {
     debt_J_ = std::max(0.0, debt_J_ + stored_J + worked_J - taken_J);
   }
 
-  /// The force that pays the debt within a tick, as far as `most_N_s_per_m` allows.
+  /// The braking force that dissipates the debt within a tick, limited by the damping `most_N_s_per_m`.
   Vec3 braking_N(const Vec3& speed_m_per_s, double dt_s, double most_N_s_per_m) const noexcept {
     const double v2 = glm::dot(speed_m_per_s, speed_m_per_s);
     if (debt_J_ <= 0 || dt_s <= 0 || v2 < safety::kStillHand_m_per_s * safety::kStillHand_m_per_s) return Vec3(0.0);
     return -speed_m_per_s * std::min(debt_J_ / (v2 * dt_s), most_N_s_per_m);
   }
 
-  /// The same for rotation: a torque (unit: N mm, with the damping in N mm s).
+  /// The same for rotation: a torque (unit: N mm, damping in N mm s).
   Vec3 braking_N_mm(const Vec3& speed_rad_per_s, double dt_s, double most_N_mm_s) const noexcept {
     const double w2 = glm::dot(speed_rad_per_s, speed_rad_per_s);
     if (debt_J_ <= 0 || dt_s <= 0 || w2 < safety::kStillHand_rad_per_s * safety::kStillHand_rad_per_s) return Vec3(0.0);
     return -speed_rad_per_s * std::min(1e3 * debt_J_ / (w2 * dt_s), most_N_mm_s);
   }
 
-  /// Records the force and the torque as given at the end of the tick.
+  /// Records the force and torque given at the end of the tick.
   void give(const Vec3& force_N, const Vec3& torque_N_mm) noexcept {
     given_[next_] = force_N;
     torques_[next_] = torque_N_mm;
@@ -59,7 +58,7 @@ class PassivityControl {
   double debt_J() const noexcept { return debt_J_; }
 
  private:
-  friend struct StepState;                                     // step_state.cpp, which keeps it
+  friend struct StepState;                                     // step_state.cpp, which saves the state
   std::array<Vec3, kMaxDelay_ticks + 1> given_{}, torques_{};  // N; N mm
   std::size_t next_ = 0;
   double debt_J_ = 0;

@@ -1,4 +1,4 @@
-// Methods without a molecule, for trying a device: their feel is known beforehand. Haptic thread. Units: angstrom.
+// Trackers without a molecule and with known force, for testing a device. Haptic thread. Units: angstrom.
 #pragma once
 
 #include "engine/haptics/tracker.h"
@@ -13,14 +13,13 @@ class PlainTracker : public Tracker {
   MemoryUsage memoryUsage() const noexcept override { return {}; }
 };
 
-/// A force along x that does not depend on the place: the spring is stretched by `stretch_A` wherever the
-/// hand is.
+/// A constant force along x, independent of the position: the spring's extension is always `stretch_A`.
 class ConstantForceTracker final : public PlainTracker {
  public:
   explicit ConstantForceTracker(double stretch_A) : stretch_A_(stretch_A) {}
   Contact step(PointA hip) noexcept override {
     Contact out{.scp = {hip.A + Vec3(stretch_A_, 0, 0)}, .atoms = {0, -1, -1}, .feature = Feature::Sphere};
-    // The stored energy never changes: its work comes from nothing, and the safety stage says how much it is.
+    // The stored energy is constant, so the work has no source; the safety stage reports its amount.
     stretchToScp(out, hip);
     out.normals[0] = Vec3(1, 0, 0);
     return out;
@@ -30,8 +29,8 @@ class ConstantForceTracker final : public PlainTracker {
   double stretch_A_;
 };
 
-/// A wall at that z that faces +z: the half-space below it is solid. Where a sampled device makes energy or vibrates on
-/// this wall, no method is at fault.
+/// A wall at z = z_A: the half-space below it is solid, and its normal is +z. Energy generated or vibration on this
+/// wall is caused by the sampled device, not by a method.
 class WallTracker final : public PlainTracker {
  public:
   explicit WallTracker(double z_A) : z_A_(z_A) {}

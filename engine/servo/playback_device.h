@@ -1,4 +1,4 @@
-// A recorded hand as a device: it moves as recorded, whatever force it is given. Haptic thread unless stated otherwise.
+// Plays a recorded hand as a device. It moves as recorded, whatever the force. Haptic thread unless stated otherwise.
 #pragma once
 
 #include <atomic>
@@ -10,7 +10,7 @@ namespace moltact {
 
 class PlaybackDevice final : public Device {
  public:
-  /// At the recording's end the hand stays where it is. Without a tick in it the hand rests at the origin.
+  /// At the end of the recording the hand stays in place. An empty recording gives a hand at rest at the origin.
   explicit PlaybackDevice(ServoRecording recording) : recording_(std::move(recording)) {
     if (!recording_.ticks.empty()) static_cast<DeviceSpecs&>(info_) = recording_.ticks.front().device;
     info_.gives_force = false;
@@ -29,7 +29,7 @@ class PlaybackDevice final : public Device {
   }
   void write(ForceN) noexcept override {}
 
-  /// Any thread: the tick that is read next, what it was recorded with, and whether the last has been read.
+  /// Any thread: index of the next tick, the recording, and true after its last tick has been read.
   std::size_t at() const noexcept { return next_.load(std::memory_order_relaxed); }
   const ServoRecording& recording() const noexcept { return recording_; }
   bool ended() const noexcept { return recording_.ticks.empty() || ended_.load(std::memory_order_relaxed); }

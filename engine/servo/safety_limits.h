@@ -1,5 +1,5 @@
-// The limits between a method's force and the hand: their figures, and the flags by which each reports that it has
-// acted. docs/safety.md says why each exists and where its figure comes from. Plain data, every thread.
+// The limits between a method's force and the hand: their values, and the flags that report which have acted.
+// docs/safety.md explains the reason and source of each value. Plain data, every thread.
 #pragma once
 
 #include <cstdint>
@@ -12,34 +12,36 @@ inline constexpr double kTick_s = 0.001;  ///< the length of a tick: 1 kHz
 
 namespace safety {
 
-inline constexpr double kSoftStart_s = 0.5;          ///< from nothing to full force
-inline constexpr double kSlew_N_per_s = 1000.0;      ///< the slew that a wall of 1 N/mm needs at 1 m/s
-inline constexpr double kStale_s = 0.020;            ///< without a fresh position for so long the force begins to fall
-inline constexpr double kFaded_s = 0.040;            ///< and after so long it is zero
-inline constexpr double kContactLost_s = 0.100;      ///< and after so long the contact is forgotten
-inline constexpr double kJump_m_per_s = 5.0;         ///< faster than any hand: the position was misread
-inline constexpr double kJump_rad_per_s = 60.0;      ///< the same for its rotation
-inline constexpr double kFastest_rad_per_s = 15.0;   ///< from this speed on no torque drives the hand's rotation
-inline constexpr double kFastest_m_per_s = 1.0;      ///< from this speed on the force no longer drives the hand
-inline constexpr double kSpeedFadeStart = 0.75;      ///< fraction of that speed from which the driving force fades
-inline constexpr double kVendorLimitMargin = 0.9;    ///< fraction used of a limit of the device's own driver
-inline constexpr double kHeat_s = 30.0;              ///< time constant of the motors' windings
-inline constexpr double kWarm = 0.8;                 ///< fraction of the permanent heat from which the peak force falls
-inline constexpr double kLightHand_N_s_per_m = 2.0;  ///< the damping of a hand that barely holds the stylus
-inline constexpr double kUnknownFriction_N = 0.01;   ///< of a device that reports none
-inline constexpr double kStiffnessMargin = 0.5;  ///< fraction of the stiffness at which the loop would become unstable
-inline constexpr double kStiffening_N_per_mm_s = 1.0;  ///< how fast the stiffness may change under a finger
-/// A slower hand gets no damping: its measured speed is mostly rounding.
+inline constexpr double kSoftStart_s = 0.5;         ///< duration of a soft start, from zero to full force
+inline constexpr double kSlew_N_per_s = 1000.0;     ///< slew rate required by a wall of 1 N/mm at 1 m/s
+inline constexpr double kStale_s = 0.020;           ///< without a fresh position for this time the force starts to fade
+inline constexpr double kFaded_s = 0.040;           ///< after this time it is zero
+inline constexpr double kContactLost_s = 0.100;     ///< after this time the contact is discarded
+inline constexpr double kJump_m_per_s = 5.0;        ///< faster than any hand: a misread position
+inline constexpr double kJump_rad_per_s = 60.0;     ///< the same for rotation
+inline constexpr double kFastest_rad_per_s = 15.0;  ///< from this angular speed no torque drives the hand's rotation
+inline constexpr double kFastest_m_per_s = 1.0;     ///< from this speed no force drives the hand's motion
+inline constexpr double kSpeedFadeStart = 0.75;    ///< fraction of that speed at which the driving force starts to fade
+inline constexpr double kVendorLimitMargin = 0.9;  ///< usable fraction of a limit of the device's driver
+inline constexpr double kHeat_s = 30.0;            ///< thermal time constant of the motors' windings
+inline constexpr double kWarm = 0.8;  ///< fraction of the permitted heat at which the peak force starts to fall
+inline constexpr double kLightHand_N_s_per_m = 2.0;  ///< damping of a hand that barely holds the stylus
+inline constexpr double kUnknownFriction_N = 0.01;   ///< friction assumed for a device that reports none
+inline constexpr double kStiffnessMargin =
+    0.5;  ///< usable fraction of the stiffness at which the loop becomes unstable
+inline constexpr double kStiffening_N_per_mm_s = 1.0;  ///< largest rate of change of the stiffness during contact
+/// Below this speed there is no damping, because the measured speed is mostly quantization noise.
 inline constexpr double kStillHand_m_per_s = 0.005;
-inline constexpr double kStillHand_rad_per_s = 0.1;  ///< the same for its rotation
-/// Energy made and not absorbed: half of the energy that 3.3 N store at 0.5 N/mm.
+inline constexpr double kStillHand_rad_per_s = 0.1;  ///< the same for rotation
+/// Generated energy that was not dissipated, above which the force is cut: half of the energy of a 0.5 N/mm spring at
+/// 3.3 N.
 inline constexpr double kEnergyCut_J = 0.005;
-inline constexpr double kFieldShare = 0.5;  ///< fraction of the stiffness bound that a field may take from the contact
-inline constexpr double kHardest_N_per_mm = 5.0;  ///< the stiffest spring, whatever is asked
+inline constexpr double kFieldShare = 0.5;        ///< fraction of the stiffness bound that a field may use
+inline constexpr double kHardest_N_per_mm = 5.0;  ///< largest stiffness of a spring, whatever is requested
 
 }  // namespace safety
 
-/// One limit; a sample's `limits` holds the bits of those that changed its force.
+/// A limit. A sample's `limits` contains the bits of those that changed its force.
 enum class Limit : std::uint32_t {
   NotFinite = 1u << 0,
   Clamp = 1u << 1,
@@ -71,13 +73,14 @@ class LimitFlags {
   std::uint32_t bits_ = 0;
 };
 
+/// The text of a limit.
 struct LimitWords {
   Limit limit;
   std::string_view name;      ///< "Heat"
-  std::string_view sentence;  ///< shown to the person while the limit acts
+  std::string_view sentence;  ///< shown while the limit acts; untranslated (N_)
 };
 
-/// Every limit in the order of its bit.
+/// All limits in the order of their bits.
 std::span<const LimitWords> limitWords();
 
 }  // namespace moltact

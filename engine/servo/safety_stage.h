@@ -1,6 +1,6 @@
-// The stage between a method's force and a hand: the same for every device, always on. A function of its state and its
-// inputs, on the clock that it is given. Haptic thread: no lock, allocation, exception, log or call of the system.
-// docs/safety.md says what each limit is and why. Units: millimetre, newton, second.
+// The safety stage between a method's force and the hand: the same for every device, always on. Its output is a
+// function of state, inputs and the given time. Haptic thread: no lock, allocation, exception, log or system call.
+// docs/safety.md explains each limit. Units: millimetre, newton, second.
 #pragma once
 
 #include <cmath>
@@ -13,29 +13,29 @@
 
 namespace moltact {
 
-/// The time since the last tick, and how long the answer takes.
+/// The timing of a tick.
 struct TickTime {
-  double dt_s = kTick_s;  ///< since the tick before; negative, NaN or over kStale_s is a fault
-  double delay_s = 0.0;   ///< from reading the place to writing the force, as last measured
+  double dt_s = kTick_s;  ///< since the previous tick; negative, NaN or more than kStale_s is a fault
+  double delay_s = 0.0;   ///< from reading the position to writing the force, as last measured
 };
 
-/// The force, torque and stored energy of springs of one stiffness, each divided by that stiffness; zero without
+/// Sizes of force, torque and stored energy of springs of equal stiffness, each divided by the stiffness; zero without
 /// contact.
 struct Springs {
-  double stretch_mm = 0.0;  ///< the force
-  double torque_mm2 = 0.0;  ///< the torque
-  double energy_mm2 = 0.0;  ///< the stored energy; stretch^2 / 2 for a single spring
+  double stretch_mm = 0.0;  ///< force / stiffness
+  double torque_mm2 = 0.0;  ///< torque / stiffness
+  double energy_mm2 = 0.0;  ///< stored energy / stiffness; stretch^2 / 2 for a single spring
   bool none() const { return stretch_mm == 0.0 && torque_mm2 == 0.0 && energy_mm2 == 0.0; }
   bool finite() const { return std::isfinite(stretch_mm) && std::isfinite(torque_mm2) && std::isfinite(energy_mm2); }
 };
 
-/// What holds the energy that is felt: springs of one stiffness, and a field that no stiffness scales.
+/// The stored energy behind a wrench: springs of equal stiffness, and a field that is independent of the stiffness.
 struct Stored {
   Springs springs{};
-  bool field = false;                       ///< a field acts; else the members below are not used
-  double field_energy_N_mm = 0.0;           ///< its potential energy
-  double field_stiffness_N_per_mm = 0.0;    ///< no small step of the hand is opposed by more
-  double force_N = 0.0, torque_N_mm = 0.0;  ///< the size of what springs and field gave together, before every limit
+  bool field = false;                       ///< a field acts; else the members below are unused
+  double field_energy_N_mm = 0.0;           ///< potential energy of the field
+  double field_stiffness_N_per_mm = 0.0;    ///< upper bound of the field's stiffness
+  double force_N = 0.0, torque_N_mm = 0.0;  ///< sizes of the combined force and torque before all limits
 
   bool finite() const {
     return springs.finite() && std::isfinite(field_energy_N_mm) && std::isfinite(field_stiffness_N_per_mm) &&
@@ -43,65 +43,65 @@ struct Stored {
   }
 };
 
-/// The stiffness of what is felt at the last pose, with springs and field apart.
+/// The stiffness at the last pose, with springs and field separate.
 struct LocalStiffness {
-  double springs = 1.0;         ///< so many springs act together along the stiffest direction
-  double rotational_mm2 = 0.0;  ///< of the springs round the stiffest axis, over the stiffness of one
-  bool field = false;           ///< a field acts; else the members below are not used
+  double springs = 1.0;         ///< combined springs along the stiffest direction, as a multiple of one
+  double rotational_mm2 = 0.0;  ///< rotational stiffness of the springs about the stiffest axis / stiffness of one
+  bool field = false;           ///< a field acts; else the members below are unused
   double field_N_per_mm = 0.0;  ///< of the field along its stiffest direction
   double field_rotational_N_mm = 0.0;
 };
 
-/// The force and torque that an interaction wants the hand to feel.
+/// The force and torque requested by an interaction.
 struct WantedWrench {
   Vec3 force_N{0.0};
   Vec3 torque_N_mm{0.0};  ///< about the hand's position
-  Stored stored{};        ///< behind both
-  /// Where the surface itself moved: the same with the hand still at its last position. This separates the energy
-  /// that the surface's motion stores from the energy that the hand's motion stores.
+  Stored stored{};        ///< the energy behind both
+  /// Set if the surface itself has moved: the state after its motion, with the hand still at the previous pose. It
+  /// separates the energy stored by the surface's motion from that stored by the hand's motion.
   const Stored* before = nullptr;
-  double stiffness_N_per_mm = 0.0;  ///< of the springs that give it
-  double most_N = 3.3;              ///< the greatest force that the program allows
-  bool on = true;                   ///< false: no force is wanted, and the next begins softly
+  double stiffness_N_per_mm = 0.0;  ///< of each spring
+  double most_N = 3.3;              ///< the program's limit on the force
+  bool on = true;                   ///< false: no force is requested, and the next one starts softly
 };
 
 class SafetyStage {
  public:
-  /// Takes a device's figures. The force of the next ticks starts softly.
+  /// Sets a device's figures. The force starts softly.
   explicit SafetyStage(const DeviceSpecs& device) noexcept { setDevice(device); }
   void setDevice(const DeviceSpecs& device) noexcept;
 
-  /// Call first in a tick, with the position as read. True: the old contact is void, because the position jumped, the
-  /// device was gone, or nothing was known of it for kContactLost_s; the interaction must be reset.
+  /// Call first in a tick, with the pose as read. Returns true if the interaction must be reset because its contact is
+  /// void: the position jumped, the device was disconnected, or it delivered no data for kContactLost_s.
   bool beginTick(const DevicePose& pose, const TickTime& time) noexcept;
 
-  /// The stiffness to use for the one that is asked (unit: N/mm) of each of the springs that act together: bounded so
-  /// that the loop is stable with all of them and the field, and changed slowly; but where more come to act together
-  /// than the bound allows, each is softer at once. Non-finite gives zero.
+  /// Returns the stiffness of each spring (unit: N/mm) for the requested one. It is bounded so that the loop is stable
+  /// with all springs and the field together, and it changes slowly. If additional springs exceed the bound, it is
+  /// reduced at once. A non-finite request gives zero.
   double stiffness(double asked_N_per_mm, const LocalStiffness& felt = {}) noexcept;
-  double stiffnessInForce_N_per_mm() const noexcept { return stiffness_; }  ///< as stiffness() gave it last
-  /// The share of the field's force and torque that the loop bears, 0 to 1, after stiffness(): a field that is stiffer
-  /// than kFieldShare of the bound is scaled down.
+  double stiffnessInForce_N_per_mm() const noexcept { return stiffness_; }  ///< the last result of stiffness()
+  /// The usable fraction of the field's force and torque, 0 to 1. Call after stiffness(). A field stiffer than
+  /// kFieldShare of the bound is scaled down.
   double fieldShare() const noexcept { return field_share_; }
 
-  /// Call last in a tick: the force and the torque to give. The torque is zero for a device that drives none. Always
-  /// finite and within the device's greatest; zero in a tick with a fault. The stage does not know what is felt: power
-  /// is force times velocity plus torque times angular velocity.
+  /// Call last in a tick. Returns the force and torque to give. The torque is zero for a device without torque. The
+  /// result is always finite and within the device's limits, and zero in a tick with a fault. The stage needs no
+  /// knowledge of the interaction: power is force times velocity plus torque times angular velocity.
   Wrench output(const WantedWrench& wanted) noexcept;
 
-  /// For a new interaction, a hand that was placed elsewhere, or a fault of the interaction: the force starts softly
-  /// from zero.
+  /// Restarts the force softly from zero, for a new interaction, a hand placed elsewhere, or a fault of the
+  /// interaction.
   void restart() noexcept { gain_ = 0.0; }
-  /// Panic: no force at all from this tick on, without a ramp, until false again.
+  /// Panic stop: zero force from this tick on, without a ramp, until called with false.
   void stop(bool stopped) noexcept { stopped_ = stopped; }
 
-  LimitFlags acted() const noexcept { return acted_; }                ///< in this tick
-  double debt_J() const noexcept { return passivity_.debt_J(); }      ///< energy made and not yet taken back
+  LimitFlags acted() const noexcept { return acted_; }                ///< limits that acted in this tick
+  double debt_J() const noexcept { return passivity_.debt_J(); }      ///< generated energy that is not dissipated yet
   double stiffnessBound_N_per_mm() const noexcept;                    ///< with the recently measured delay
-  double heat() const noexcept { return heat_.used(continuous_N_); }  ///< 0 cold, 1 as warm as the motors may be
+  double heat() const noexcept { return heat_.used(continuous_N_); }  ///< 0 cold, 1 maximum temperature
 
  private:
-  friend struct StepState;  // step_state.cpp, which keeps it
+  friend struct StepState;  // step_state.cpp, which saves the state
   double allowed_N(double most_N) const noexcept;
   double cutFraction(double force_N, double torque_N_mm, double most_N) const noexcept;
   double stored_J(const Springs& springs, double stiffness_N_per_mm, double most_N) const noexcept;
@@ -119,19 +119,19 @@ class SafetyStage {
   // The device's figures.
   double peak_N_ = 0, continuous_N_ = 0, max_stiffness_ = 0, max_damping_ = 0, damping_ = 0, friction_N_ = 0;
   double resolution_m_ = 0, device_delay_s_ = 0, fastest_m_per_s_ = 0, rise_N_per_s_ = 0;
-  double peak_torque_N_mm_ = 0;  // 0: it drives none
+  double peak_torque_N_mm_ = 0;  // 0: no torque
   bool closes_loop_ = false;
 
   // State of the hand.
-  HandSpeed speed_, angular_speed_;  // of the place; of the angle, in rad/s
+  HandSpeed speed_, angular_speed_;  // from positions; from angles, in rad/s
   Vec3 place_mm_{0.0}, moved_m_{0.0};
   Quat orientation_ = kNoRotation;
-  Vec3 angle_rad_{0.0}, rotation_rad_{0.0};  // the whole rotation so far, and that of the last tick
-  bool placed_ = false;                      // place_mm_ holds a place
+  Vec3 angle_rad_{0.0}, rotation_rad_{0.0};  // total rotation so far, and that of the last tick
+  bool placed_ = false;                      // place_mm_ is valid
   std::uint32_t discontinuities_ = 0;
   double stale_s_ = 0, delay_s_ = 0;
-  double elapsed_s_ = kTick_s, dt_s_ = kTick_s;  // since the last tick; the same, but never more than a tick
-  bool off_ = false;                             // nothing has been known of the hand for kContactLost_s, or it is gone
+  double elapsed_s_ = kTick_s, dt_s_ = kTick_s;  // time since the last tick; the same, limited to one tick
+  bool off_ = false;                             // no data for kContactLost_s, or disconnected
 
   // Output.
   ThermalModel heat_;
@@ -139,11 +139,11 @@ class SafetyStage {
   double gain_ = 0, stiffness_ = 0, field_share_ = 1;
   Stored stored_;
   bool fault_ = false, stopped_ = false;
-  Vec3 force_N_{0.0}, torque_N_mm_{0.0};  // the torque as wanted where the device drives none
+  Vec3 force_N_{0.0}, torque_N_mm_{0.0};  // last output; for a device without torque the requested torque
   LimitFlags acted_;
 };
 
-/// The stiffness that results for the one that is asked, with the delay of the device's published figures (unit: N/mm).
+/// The stationary stiffness for a requested one, with the delay of the device's published figures (unit: N/mm).
 double steadyStiffness_N_per_mm(double asked_N_per_mm, const DeviceSpecs& device) noexcept;
 
 }  // namespace moltact

@@ -1,7 +1,7 @@
-// A recording of the servo loop's ticks: each tick's inputs, its force and torque, and the state from which the first began, so
-// that a replay on the same build with the same scene gives the same forces to the last bit. Nothing in memory is a
-// copy of the file's bytes: values are read by name, type and range. docs/devices.md describes the file. Not for the
-// haptic thread, except RecordedTick. Units: millimetre, newton, second.
+// A recording of the servo loop: each tick's inputs, its force and torque, and the state before the first tick. A
+// replay by the same build with the same scene gives bitwise identical forces. Values are read by name, type and range,
+// never as raw memory. docs/devices.md describes the file format. Not for the haptic thread, except RecordedTick.
+// Units: millimetre, newton, second.
 #pragma once
 
 #include <cstdint>
@@ -24,43 +24,43 @@ struct RecordedTick {
   ServoSettings settings;
   DevicePose pose;
   TickTime time;
-  DeviceSpecs device;         ///< of the device that leads
-  bool other_device = false;  ///< another device than in the last tick leads
+  DeviceSpecs device;         ///< of the device in use
+  bool other_device = false;  ///< the device differs from that of the last tick
   ForceN force;
-  Vec3 torque_N_mm{0.0};  ///< zero where the device drives none, and in files of earlier versions
-  // Results, for watching a recording grow; the file holds only the first and the last of these.
-  bool fallen_back = false;  ///< the fallback led because the chosen device was gone
+  Vec3 torque_N_mm{0.0};  ///< zero for a device without torque, and in files of earlier versions
+  // Results for display while recording; the file contains only fallen_back and spheres_moved.
+  bool fallen_back = false;  ///< the fallback was used because the chosen device was disconnected
   bool touching = false;
   LimitFlags limits = {};
-  bool spheres_moved =
-      false;  ///< the scene's spheres moved; their frames are not recorded, so no replay gives these forces
+  /// The scene's spheres moved. Their motion is not recorded, so a replay gives other forces.
+  bool spheres_moved = false;
 };
 
 struct ServoRecording {
-  std::map<std::string, std::string> labels;  ///< the recorder's description: "molecule", "method", "device"
-  std::optional<ServoStep> start;  ///< none where another build or version made the file; then the forces may differ
+  std::map<std::string, std::string> labels;  ///< description by the recorder: "molecule", "method", "device"
+  std::optional<ServoStep> start;             ///< empty: recorded by another build or version; forces may then differ
   std::vector<RecordedTick> ticks;
-  bool torques = true;  ///< false: of an earlier version, which did not keep them
-  std::string torn;     ///< the reason why the rest could not be read; empty: the file is complete
+  bool torques = true;  ///< false: written by an earlier version, without torques
+  std::string torn;     ///< why the rest of the file could not be read; empty: it is complete
 };
 
-/// Longer ones are neither written nor read (66 minutes and 40 s; a tick takes 416 bytes of memory).
+/// Limit on the ticks of a recording (66 minutes and 40 s; a tick takes 416 bytes of memory).
 inline constexpr std::size_t kMaxRecordedTicks = 4'000'000;
 
-/// Writes a recording while it is made. Each block of 256 ticks is handed to the system whole before the next is begun,
-/// so that a crash of the program costs at most one block. After a Problem nothing more is written; the blocks written
-/// before stay readable.
+/// Writes a recording while it is made. Each block of 256 ticks is passed to the system as a whole, so that a crash of
+/// the program loses at most one block. After a Problem nothing more is written; the blocks written before stay
+/// readable.
 class ServoRecordingWriter {
  public:
-  /// Opens the file, so that any obstacle is known before anybody holds a device. An existing file is a Problem unless
-  /// it may be replaced; it then stays until begin() has written. A file that was never begun is removed.
+  /// Opens the file early, so that obstacles are known before a user holds the device. An existing file is a Problem
+  /// unless `replace`; it then stays until begin() has written. A file without begin() is removed.
   static Expected<ServoRecordingWriter> create(const std::filesystem::path& file, bool replace = false);
-  /// Before the first tick. Labels: no line ends in keys or values, no '=' in keys.
+  /// Call before the first tick. Labels: no line ends in keys or values, no '=' in keys.
   std::optional<Problem> begin(const std::map<std::string, std::string>& labels, const ServoStep& start);
   std::optional<Problem> add(const RecordedTick& tick);
-  /// Writes what is left, and waits until the disk has it.
+  /// Writes the remaining ticks and blocks until the disk has them.
   std::optional<Problem> finish();
-  /// Ticks that are in the file, whole blocks of them.
+  /// Number of ticks in the file (complete blocks).
   std::uint64_t kept() const { return kept_; }
 
  private:
@@ -72,29 +72,30 @@ class ServoRecordingWriter {
   std::uint64_t kept_ = 0;
   std::optional<Problem> broken_;
   std::optional<ServoSettings> last_;
-  DeviceSpecs device_;  // that leads, as far as it has been written
+  DeviceSpecs device_;  // of the device in use, as last written
 };
 
-/// Reads a recording. A file that is no recording gives a Problem, and so do labels or a state that are invalid. A file
-/// that is cut off or damaged gives the ticks before the damage, and `torn` says so.
+/// Reads a recording. A file of another format, invalid labels or an invalid state give a Problem. A truncated or
+/// damaged file gives the ticks before the damage, with the reason in `torn`.
 Expected<ServoRecording> readServoRecording(const std::filesystem::path& file);
 
-/// What a recording's hand felt with at its first tick, of which it must have one.
+/// The touch setup of a recording's first tick; there must be at least one tick.
 TouchSetup touchOf(const ServoRecording& recording);
 
 struct ReplayResult {
   std::uint64_t ticks = 0;
-  std::uint64_t moving = 0;  ///< those whose spheres moved during the recording and are at rest here
+  std::uint64_t moving = 0;  ///< ticks whose spheres moved in the recording; here they are at rest
   /// The first tick whose force or torque differs from the recorded one in any bit.
   std::optional<std::uint64_t> first_difference;
   double greatest_difference_N = 0, greatest_difference_N_mm = 0;
 };
 
-/// Steps the recorded ticks with an interaction made as for the recording (null: none), and compares forces and torques.
+/// Replays the recorded ticks with an interaction created as for the recording (null: none), and compares forces and
+/// torques.
 ReplayResult replay(const ServoRecording& recording, Interaction* interaction);
 
-/// What a recording's labels say of its scene: "balls", a fingerprint that shows whether the molecule has changed since;
-/// "untouchable" and "held", the spheres (counted from 0) that are not felt and that the hand holds, where there are such.
+/// The labels that describe a recording's scene. "balls" is a fingerprint that reveals a changed molecule;
+/// "untouchable" and "held" list the spheres (from 0) that are not felt or in the hand, if there are any.
 std::map<std::string, std::string> sceneLabels(const SphereGrid& scene, const HeldBody* body);
 
 struct RecordedScene {
@@ -102,11 +103,10 @@ struct RecordedScene {
   std::shared_ptr<const HeldBody> body;  ///< null: the probe
 };
 
-/// The scene of these labels, of its molecule's spheres. Labels that name others than there are name none.
+/// Restores the scene from its labels and the molecule's spheres. Lists with invalid indices are ignored.
 RecordedScene recordedScene(const std::map<std::string, std::string>& labels, SharedArray<Sphere> spheres);
 
-/// The number of spheres and all their values in one number (FNV-1a): a recording's label "balls", which shows whether
-/// its molecule has changed since.
+/// A fingerprint of the number of spheres and all their values (FNV-1a), for a recording's label "balls".
 std::string fingerprint(const SphereGrid& scene);
 
 }  // namespace moltact

@@ -1,5 +1,5 @@
-// One tick of the servo loop as a function of its inputs: the same on the haptic thread and on a test's virtual clock.
-// No lock, allocation, exception, log or call of the system.
+// One tick of the servo loop as a function of its inputs, for the haptic thread and for tests with a virtual clock. No
+// lock, allocation, exception, log or system call.
 #pragma once
 
 #include <cstdint>
@@ -17,27 +17,27 @@
 
 namespace moltact {
 
-/// The program's requests to the servo loop, handed over whole. Values out of range are clamped, non-finite ones
+/// The program's requests to the servo loop, handed over as a whole. Values out of range are clamped, non-finite ones
 /// ignored.
 struct ServoSettings {
   Workspace workspace;
-  /// The stiffness of the spring between HIP and SCP, in the device's space (0 to 5); less is used where the loop would
-  /// vibrate.
+  /// The requested stiffness of the spring between HIP and SCP, in the device's space (0 to 5). The loop uses less
+  /// where it would become unstable.
   double stiffness_N_per_mm = 0.5;
-  double max_force_N = 3.3;           ///< the force's norm is clamped to this
-  double probe_A = kWaterProbe_A;     ///< reached gradually, by kProbeSlew_A_per_s
-  bool force_on = true;               ///< false: contact is followed, but no force is given
-  ClutchSettings clutch;              ///< how the hand reaches farther than the device
-  bool panic = false;                 ///< true: no force from the next tick on, whatever else holds
-  std::uint32_t discontinuities = 0;  ///< raised by one: forget the contact and restart at the HIP
+  double max_force_N = 3.3;           ///< limit on the norm of the force
+  double probe_A = kWaterProbe_A;     ///< approached at kProbeSlew_A_per_s
+  bool force_on = true;               ///< false: contacts are computed, but no force is given
+  ClutchSettings clutch;              ///< clutch and drift
+  bool panic = false;                 ///< true: no force from the next tick on, in any case
+  std::uint32_t discontinuities = 0;  ///< incremented: discard the contact and restart at the HIP
 
-  /// Those properties of a setup that the loop itself uses; the others went into the interaction when it was made.
+  /// Copies the properties of a setup that the loop itself applies; the interaction contains the others.
   void take(const TouchSetup& touch) noexcept {
     probe_A = touch.probe_A;
     stiffness_N_per_mm = touch.stiffness_N_per_mm;
     force_on = touch.force_on;
   }
-  /// The same back.
+  /// Copies these properties back to a setup.
   void giveTo(TouchSetup& touch) const noexcept {
     touch.probe_A = probe_A;
     touch.stiffness_N_per_mm = stiffness_N_per_mm;
@@ -45,68 +45,67 @@ struct ServoSettings {
   }
 };
 
-/// The state of a scene whose spheres move.
+/// The progress of a scene's motion.
 struct MotionPhase {
-  const SphereMotion* motion = nullptr;  ///< null: they are at rest where the interaction was made with them
+  const SphereMotion* motion = nullptr;  ///< null: the spheres are at rest as the interaction was created
   double fraction = 0.0;                 ///< of the motion, 0 to 1
 };
 
-inline constexpr double kProbeSlew_A_per_s = 8.0;  ///< how fast the surface may swell under the finger
+inline constexpr double kProbeSlew_A_per_s = 8.0;  ///< largest rate of growth of the probe during contact
 
-/// The least force of a field that counts as felt; a hand notices forces of some hundredths of a newton.
+/// Threshold of a field's force that counts as felt; the hand perceives forces of some hundredths of a newton.
 inline constexpr double kMinFelt_N = 0.02;
 
-/// The complete result of one tick, for the screen, the lesson and the log.
+/// The result of one tick, for display, lessons and logs.
 struct ServoSample {
   std::uint64_t tick = 0;
   double time_s = 0;               ///< since the loop began
-  PointMm hand;                    ///< the device's position, shifted by the clutch
+  PointMm hand;                    ///< position of the device, shifted by the clutch
   PointA hip;                      ///< that position in the molecule's space
-  Quat orientation = kNoRotation;  ///< of what is in the hand, in the molecule's space
+  Quat orientation = kNoRotation;  ///< of the hand, in the molecule's space
   Contact contact;
   Vec3 torque_A2{0.0};                            ///< of the springs, as in Response
   double springs = 1.0;                           ///< as in Response
-  double spring_N_per_A = 0.0;                    ///< the stiffness of each spring that is in force
-  double field_share = 1.0;                       ///< of the field, that is in force
-  std::optional<FeltForce> field = std::nullopt;  ///< as the interaction gave it
-  ForceN force;                                   ///< as given to the device, after every limit
-  Vec3 torque_N_mm{0.0};                          ///< the same; none for a device that drives none
+  double spring_N_per_A = 0.0;                    ///< stiffness used for each spring
+  double field_share = 1.0;                       ///< fraction used of the field
+  std::optional<FeltForce> field = std::nullopt;  ///< as returned by the interaction
+  ForceN force;                                   ///< as given to the device, after all limits
+  Vec3 torque_N_mm{0.0};                          ///< the same; zero for a device without torque
   LimitFlags limits;                              ///< those that changed the force of this tick
-  double probe_A = 0;                             ///< in force at this tick
+  double probe_A = 0;                             ///< used in this tick
   MemoryUsage memory_usage;                       ///< of the interaction
   std::uint32_t buttons = 0;
-  float work_us = 0;  ///< how long the tick took (0 on a virtual clock)
-  float late_us = 0;  ///< how long after its due time it began (0 on a virtual clock)
-  /// The stiffest spring that is allowed, for the device and the recently measured delay.
+  float work_us = 0;  ///< duration of the tick (0 on a virtual clock)
+  float late_us = 0;  ///< delay of its start after the due time (0 on a virtual clock)
+  /// The stiffness bound for the device and the recently measured delay.
   double stiffness_bound_N_per_mm = 0;
   bool has_interaction = false;
-  std::uint64_t motion = 0;  ///< SphereMotion::serial() of the motion that the spheres are in; 0: they are at rest
-  double fraction = 0.0;     ///< of that motion
-  std::uint32_t scene = 0;   ///< the number that the interaction was handed over with (0 from tick() itself)
-  std::uint32_t discontinuities = 0;  ///< of the settings in force at this tick
-  /// The contact was forgotten before this tick: hand or scene were placed elsewhere, or the hand was lost.
+  std::uint64_t motion = 0;           ///< SphereMotion::serial() of the present motion; 0: the spheres are at rest
+  double fraction = 0.0;              ///< of that motion
+  std::uint32_t scene = 0;            ///< number with which the interaction was handed over (0 from tick() itself)
+  std::uint32_t discontinuities = 0;  ///< of the settings used in this tick
+  /// True if the contact was discarded before this tick: hand or scene were placed elsewhere, or the hand was lost.
   bool placed = false;
 
-  /// Contact and field together, before every limit but those on the stiffness, in the molecule's space.
+  /// The force of contact and field before all limits except those on the stiffness, in the molecule's space.
   FeltForce wanted() const {
     return Response{.contact = contact, .torque_A2 = torque_A2, .springs = springs, .field = field}.total(
         spring_N_per_A, field_share);
   }
-  /// Where the force leads, in the molecule's space; its length has no meaning. Zero without a force.
+  /// The direction of the force in the molecule's space, of arbitrary length. Zero without a force.
   Vec3 forceDirection() const { return field ? wanted().force_N : contact.displacement_A; }
-  /// Where the force is shown to act.
+  /// The point at which the force is drawn.
   PointA forcePlace() const { return contact.touching() ? contact.scp : hip; }
-  /// A force is there for the hand to notice, of a contact or of a field. `contact.touching()` says that a surface is
-  /// touched.
+  /// True if there is a noticeable force, from a contact or a field. `contact.touching()` tests for a contact only.
   bool felt() const { return contact.touching() || (field && glm::length(force.N) >= kMinFelt_N); }
 };
 
-/// The reactions on the scene's atoms in one tick (unit: newton of the hand, in the molecule's axes): their sum is the
-/// opposite of ServoSample::wanted's force. None in a tick in which the hand is to feel no force.
+/// The reactions on the scene's atoms in one tick (unit: newton at the hand, in the molecule's axes). Their sum is the
+/// opposite of the force of ServoSample::wanted. Empty in a tick without force.
 struct Reactions {
   std::uint64_t tick = 0;
   std::size_t count = 0;
-  std::vector<AtomForce> room;  ///< made beforehand, for as many as the interaction ever gives
+  std::vector<AtomForce> room;  ///< allocated in advance for the interaction's largest number of reactions
   std::span<const AtomForce> forces() const { return std::span(room).first(count); }
 };
 
@@ -114,7 +113,7 @@ class ServoStep {
  public:
   explicit ServoStep(const DeviceSpecs& device = shownForceFigures()) : ServoStep(device, true) {}
 
-  /// From now on another device is read: its figures apply, the contact is forgotten, and the force starts softly.
+  /// Switches to another device: its figures apply, the contact is discarded, and the force starts softly.
   void setDevice(const DeviceSpecs& device) noexcept {
     safety_.setDevice(device);
     clutch_.restart();
@@ -122,10 +121,10 @@ class ServoStep {
     other_device_ = true;
   }
 
-  /// One tick. `interaction` may be null: no molecule, no force. It may change between ticks: a new one is not reset,
-  /// and the force starts softly. One motion of its spheres may follow another under the same interaction, and the
-  /// force goes on as it is: what the springs take up from moving spheres does not count as energy made by the loop.
-  /// `reactions`, where it is given, is filled; its room must hold Interaction::greatestReactionCount().
+  /// Performs one tick. `interaction` may be null: no molecule, no force. It may change between ticks; a new one is not
+  /// reset, and the force starts softly. With the same interaction one motion of its spheres may follow another without
+  /// a soft start. Energy that moving spheres store in the springs does not count as generated by the loop.
+  /// `reactions`, if given, is filled; its room must hold Interaction::greatestReactionCount() entries.
   ServoSample tick(const ServoSettings& settings, Interaction* interaction, const DevicePose& pose,
                    const TickTime& time = {}, const MotionPhase& phase = {}, Reactions* reactions = nullptr) noexcept;
 
@@ -135,13 +134,13 @@ class ServoStep {
   const SafetyStage& safety() const { return safety_; }
 
  protected:
-  /// Without the guard the safety stage is left out, except for the greatest force: a derived class may so judge a
-  /// method alone. No program with a hand has such a class.
+  /// With `guarded` false the safety stage is bypassed, except for the limit on the force, so that a derived class can
+  /// measure a method alone. No program with a real device has such a class.
   ServoStep(const DeviceSpecs& device, bool guarded) noexcept
       : guarded_(guarded), workspace_mm_(device.workspace_mm), safety_(device) {}
 
  private:
-  friend struct StepState;  // step_state.cpp, which keeps it
+  friend struct StepState;  // step_state.cpp, which saves the state
   bool moveSurface(const ServoSettings& settings, Interaction& interaction, const MotionPhase& phase,
                    bool changed) noexcept;
   void askBefore(const Workspace& workspace, Interaction& interaction, Stored& before) noexcept;
@@ -149,7 +148,7 @@ class ServoStep {
 
   std::uint64_t tick_ = 0;
   const Interaction* last_interaction_ = nullptr;
-  // The last pose asked for, and where the spheres were: the first tick with another interaction depends on neither.
+  // The last pose, and the phase of the motion. The first tick with a new interaction depends on neither.
   PoseA last_at_;
   std::uint64_t last_motion_ = 0;  // its serial; 0: none
   double last_fraction_ = 0.0;
@@ -157,7 +156,7 @@ class ServoStep {
   bool other_device_ = false, guarded_ = true;
   double A_per_mm_ = 0;
   Vec3 workspace_mm_;
-  Vec3 push_{0.0};  // the direction in which the surface pushed in the last tick
+  Vec3 push_{0.0};  // direction of the surface's force in the last tick
   Clutch clutch_;
   SafetyStage safety_;
 };

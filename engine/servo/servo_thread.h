@@ -1,6 +1,6 @@
-// The haptic thread: ticks a servo loop (servo_loop.h) 1000 times a second, at real-time priority where the system
-// allows it, or by a device's own clock where the device brings one. All public functions are for the owning thread
-// (the window's); none blocks except the destructor, setDevice(), record() and endForce().
+// The haptic thread: runs a servo loop (servo_loop.h) at 1000 ticks a second, with real-time priority if the system
+// allows it, or by the device's own clock if it has one. All public functions are for the owning thread (the window's).
+// Only the destructor, setDevice(), record() and endForce() block.
 #pragma once
 
 #include <atomic>
@@ -13,7 +13,7 @@
 
 namespace moltact {
 
-/// The thread's clock: the wall clock, or a test's.
+/// The thread's clock: the wall clock, or that of a test.
 struct LoopClock {
   std::int64_t (*now_ns)() = &monotonic_ns;
   void (*sleepUntil)(std::int64_t) = &moltact::sleepUntil;
@@ -21,39 +21,38 @@ struct LoopClock {
 
 class ServoThread final : private ClockListener {
  public:
-  /// Starts the loop at once. `fallback` is read while no other device is chosen or the chosen one is gone; it must
-  /// outlive the thread.
+  /// Starts the loop immediately. `fallback` is read while no other device is chosen or the chosen one is disconnected;
+  /// it must outlive the thread.
   explicit ServoThread(Device& fallback, const LoopClock& clock = {});
-  /// Ramps the force down along the slew, ends the loop and waits for it (some ticks, at most about
-  /// ServoLoop::kRelease_ms).
+  /// Ramps the force down along the slew limit, ends the loop and waits for it (at most about ServoLoop::kRelease_ms).
   ~ServoThread();
   ServoThread(const ServoThread&) = delete;
   ServoThread& operator=(const ServoThread&) = delete;
 
-  /// The loop, for everything that crosses to and from the ticks.
+  /// The loop, for all data exchange with the ticks.
   ServoLoop& loop() noexcept { return loop_; }
   const ServoLoop& loop() const noexcept { return loop_; }
 
-  /// Sets the device to be used from now on; null: the fallback. The old device's force is ramped down along the slew.
-  /// Then the loop pauses for some ticks, without force, and the old device is closed here.
+  /// Sets the device to use; null: the fallback. The old device's force is ramped down along the slew limit. The loop
+  /// then pauses for some ticks without force, and the old device is closed on this thread.
   void setDevice(std::unique_ptr<Device> device);
-  /// Records every tick with all its inputs, from the tick in which the next interaction is handed over, until false.
-  /// The force is ramped down meanwhile, as for another device.
+  /// Records every tick with all its inputs, starting with the tick that receives the next interaction, until called
+  /// with false. The force is ramped down meanwhile, as in setDevice().
   void record(bool on);
 
-  /// Ramps the force down along the slew and gives none from then on. Returns when there is none, after
-  /// ServoLoop::kRelease_ms at the latest. For the program's end, before anything else is done there.
+  /// Ramps the force down along the slew limit and gives none afterwards. Returns when there is none, after at most
+  /// ServoLoop::kRelease_ms. Call it first when the program ends.
   void endForce();
 
-  /// Whether the loop runs at real-time priority, and if not, why; set soon after the start.
+  /// The scheduling of the loop; set soon after the start.
   RealtimeStatus realtime() const noexcept { return realtime_.load(std::memory_order_acquire); }
 
-  /// Ticks that were skipped because the loop fell more than kCatchUp_ticks behind.
+  /// Number of ticks skipped because the loop was more than kCatchUp_ticks late.
   std::uint64_t missedTicks() const noexcept { return missed_.load(std::memory_order_relaxed); }
 
  private:
   static constexpr int kCatchUp_ticks = 5;
-  // A device's own clock is used as long as it ticks at least this often.
+  // A device's own clock is used while it ticks at least this often.
   static constexpr std::int64_t kOwnClock_ns = 10'000'000;
   void start();
   void release();

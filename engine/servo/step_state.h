@@ -1,6 +1,6 @@
-// The state of a servo step as text, one value a line: its name and its number to the last bit. A file's content
-// becomes a state value by value, by name and within range, so that no text gives a step that the loop could not be in.
-// Not for the haptic thread. Units: those of the named members.
+// The state of a servo step as text, one value per line: name and exact number. stepFromText() checks the name and
+// range of each value, so that no text produces a state that the loop cannot reach. Not for the haptic thread. Units:
+// those of the named members.
 #pragma once
 
 #include <string>
@@ -11,11 +11,11 @@
 
 namespace moltact {
 
-/// "heat.heat_N2=1.8p+3", …: every value that the next tick depends on except the interaction, in hexadecimal.
+/// All values that the next tick depends on, except the interaction, in hexadecimal: "heat.heat_N2=1.8p+3", …
 std::string stateText(const ServoStep& step);
 
-/// The step that `text` describes. A Problem (its message alone) where a name is missing, repeated or unknown, and
-/// where a value is not a number or out of range.
+/// Parses the state described by `text`. Returns a Problem (message only) if a name is missing, repeated or unknown, or
+/// if a value is not a number or out of range.
 Expected<ServoStep> stepFromText(std::string_view text);
 
 }  // namespace moltact

@@ -1,6 +1,7 @@
-// The motors' heat. A winding warms with the square of its current, which is proportional to the force, and cools with
-// the time constant kHeat_s. The peak force is available for a while; when it is held, it falls to the continuous force
-// and never brings the heat above the continuous force's. Haptic thread. Units: newton, second.
+// The thermal model of the motors. A winding heats with the square of its current, which is proportional to the force,
+// and cools with time constant kHeat_s. The peak force is available for a short time. When it is held, the limit falls
+// to the continuous force, so that the heat never exceeds that of the continuous force. Haptic thread. Units: newton,
+// second.
 #pragma once
 
 #include <algorithm>
@@ -12,15 +13,15 @@ namespace moltact {
 
 class ThermalModel {
  public:
-  /// Adds the heat of a force that was held for `dt_s`.
+  /// Adds the heat of a force held for `dt_s`.
   void add(double force_N, double dt_s) noexcept {
     heat_N2_ += (force_N * force_N - heat_N2_) * std::min(1.0, dt_s / safety::kHeat_s);
   }
 
-  /// The heat that the device itself reports: 0 cold to 1 as warm as its motors may be; non-finite counts as 1.
+  /// Sets the heat reported by the device: 0 cold to 1 maximum temperature; non-finite counts as 1.
   void setReportedHeat(double fraction) noexcept { reported_ = std::isfinite(fraction) ? fraction : 1.0; }
 
-  /// The greatest force now, between the continuous and the peak.
+  /// The present limit on the force, between continuous and peak force.
   double allowed_N(double peak_N, double continuous_N) const noexcept {
     if (continuous_N >= peak_N) return peak_N;
     const double used_fraction = std::max(used(continuous_N), reported_);
@@ -28,13 +29,13 @@ class ThermalModel {
     return continuous_N + (peak_N - continuous_N) * part;
   }
 
-  /// The heat as a fraction of the heat that the continuous force causes permanently: 0 cold, 1 as warm as allowed.
+  /// The heat relative to the permanent heat of the continuous force: 0 cold, 1 maximum.
   double used(double continuous_N) const noexcept {
     return continuous_N > 0 ? heat_N2_ / (continuous_N * continuous_N) : 1.0;
   }
 
  private:
-  friend struct StepState;  // step_state.cpp, which keeps it
+  friend struct StepState;  // step_state.cpp, which saves the state
   double heat_N2_ = 0, reported_ = 0;
 };
 
