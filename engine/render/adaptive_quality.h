@@ -1,5 +1,5 @@
-// How finely the pictures of a view are drawn: on a slow machine coarser while the view turns, smooth once it rests. A
-// pure calculation from the times that pictures took; one object a view.
+// Adapts the resolution of a view to the machine: on a slow one coarser while the view moves, full once it rests. A
+// pure computation from measured drawing times; one object per view.
 #pragma once
 
 #include "engine/render/renderer.h"
@@ -8,22 +8,22 @@ namespace moltact {
 
 class AdaptiveQuality {
  public:
-  /// How the next picture is to be drawn.
+  /// How to draw the next picture.
   struct Choice {
-    double scale = 1.0;  ///< of its width and height; the picture is stretched to the view's size
+    double scale = 1.0;  ///< of width and height; the picture is then stretched to the view's size
     RenderOptions options;
   };
 
-  /// Once a frame. `moving`: the view turns, so that speed counts more than sharpness.
+  /// Call once per frame. `moving`: the view moves, so speed has priority over sharpness.
   Choice choose(bool moving);
-  /// The molecule of the picture chosen last was drawn anew in so many milliseconds.
+  /// Reports the time for drawing the molecule of the last chosen picture.
   void took(double ms);
-  /// The picture chosen last is coarser than it will be once the view has rested.
+  /// True if the last chosen picture is coarser than it will be when the view rests.
   bool unfinished() const { return unfinished_; }
 
  private:
   Choice last_;
-  double whole_ms_ = 0.0;  // what drawing the molecule at full size with the fine light takes here; 0: not known yet
+  double whole_ms_ = 0.0;  // time for the molecule at full size with fine light; 0: unknown
   int rested_frames_ = 0;
   bool unfinished_ = false;
 };

@@ -1,7 +1,7 @@
-// How much of the molecule lies about each place: from it the shader takes how open a point of a surface lies to the sky,
-// so that creases, pits and pockets are dark and ridges bright, at every point and not once for an atom. Own method: the
-// volume of the spheres in voxels, smoothed at two widths. Pure function; memory and time follow the number of spheres and
-// the extent (at most 160 voxels along an axis). Units: angstrom.
+// Ambient occlusion: the density of the molecule around each point, from which the shader computes how exposed a point
+// of a surface is. Creases, pits and pockets become dark and ridges bright, per pixel and not per atom. The method is
+// specific to this program: the volume of the spheres in voxels, smoothed at two widths. Pure function; memory and time
+// are proportional to the number of spheres and to the extent (at most 160 voxels along an axis). Units: angstrom.
 #pragma once
 
 #include <cstdint>
@@ -13,32 +13,33 @@
 
 namespace moltact {
 
-/// The filled share of space about each place, smoothed, in voxels: x runs fastest, then y.
+/// The smoothed filled fraction of space in voxels; x varies fastest, then y.
 struct OcclusionLevel {
   glm::ivec3 size{1};
   double voxel_A = 1.0;
   std::vector<std::uint8_t> filled{0};  ///< 0 empty to 255 filled
 
-  /// Between the voxels' middles, 0 to 1; `place` from the field's low corner. The border's value beyond it.
+  /// Interpolates between the voxels' centres, 0 to 1. `place` is relative to the field's low corner. Outside the field
+  /// it returns the value at the border.
   double at(const Vec3& place) const;
 };
 
 struct OcclusionField {
-  Vec3 low_A{0.0};            ///< the corner of both levels
-  OcclusionLevel fine, wide;  ///< smoothed over about 1 A and 4 A; one empty voxel in a scene too wide for it
+  Vec3 low_A{0.0};            ///< low corner of both levels
+  OcclusionLevel fine, wide;  ///< smoothed over about 1 A and 4 A; one empty voxel in a scene that is too wide
 
-  /// Nothing is in the light's way: a scene of one sphere, or one too wide to tell.
+  /// True if nothing occludes: a scene of one sphere, or one that is too wide.
   bool empty() const { return fine.filled.size() == 1 && wide.filled.size() == 1; }
-  /// What of the wide level lies round a sphere: w + dot(xyz, normal) is about what wide.at() gives outside its surface
-  /// there, since that level hardly changes over an atom.
+  /// A linear approximation of the wide level around a sphere: w + dot(xyz, normal) approximates wide.at() outside its
+  /// surface. It suffices because that level hardly changes over an atom.
   glm::vec4 wideRound(const Vec3& centre_A, double radius_A) const;
-  /// The light from all sides that reaches a place of a surface with this normal, 0 to 1: what the shaders compute.
+  /// The ambient light at a point of a surface with this normal, 0 to 1, as the shaders compute it.
   double open(const Vec3& place_A, const Vec3& normal) const;
 };
 
-/// How far outside the surface the levels are looked up (unit: angstrom), and which filled share is none and all of the
-/// shade there: of the places of a protein that are in sight, a tenth have less than the least, one in fifty more than
-/// the most.
+/// The distance outside the surface at which the levels are sampled (unit: angstrom), and the filled fractions that
+/// give no shade and full shade. Of the visible points of a protein, one in ten has less than the minimum and one in
+/// fifty more than the maximum.
 inline constexpr double kFineOut_A = 0.7, kWideOut_A = 2.5;
 inline constexpr double kFineLeast = 0.12, kFineMost = 0.52, kWideLeast = 0.06, kWideMost = 0.44;
 inline constexpr double kFineShade = 0.74, kWideShade = 0.62;

@@ -1,5 +1,5 @@
-// What is written into a picture: names, arrows, lengths and angles, hydrogen bonds. Made once for a scene and never
-// changed, so that pictures are compared by its address. Plain data. Units: angstrom.
+// Annotations in a picture: names, arrows, lengths and angles, hydrogen bonds. Immutable after construction, so
+// pictures compare them by address. Plain data. Units: angstrom.
 #pragma once
 
 #include <cstdint>
@@ -18,10 +18,10 @@ struct Theme;
 struct Annotations {
   struct Label {
     PointA at;
-    double clear_A = 0.0;  ///< what belongs to the name reaches so far from `at`: it does not hide it
+    double clear_A = 0.0;  ///< radius around `at` of the named object, which does not hide the label
     std::string text;
-    bool arrow = false;   ///< an arrow leads from the name to the place
-    bool always = false;  ///< an author's own: faint, and not left out, where atoms hide the place
+    bool arrow = false;   ///< draw an arrow from the name to the point
+    bool always = false;  ///< by the author: shown faintly instead of omitted when atoms hide the point
   };
   struct Measure {
     std::vector<PointA> places;  ///< two, three or four
@@ -30,13 +30,13 @@ struct Annotations {
   std::vector<Label> labels;
   std::vector<Measure> measures;
   std::vector<std::pair<PointA, PointA>> bonds;  ///< hydrogen bonds
-  std::vector<std::vector<PointA>> trail;        ///< the way that a probe took, in pieces
+  std::vector<std::vector<PointA>> trail;        ///< the path of a probe, in segments
 };
 
-/// The dashes of a line between two places.
+/// The dashes of a line between two points.
 std::vector<std::pair<PointA, PointA>> dashesBetween(PointA a, PointA b);
 
-/// Adds the lines of it, in the camera's axes: measures with the arc of their angle, dashed bonds, the trail.
+/// Appends the lines in the camera's axes: measures with the arc of their angle, dashed bonds, the trail.
 void addLines(const Annotations& annotations, const Camera& camera, const Theme& theme, Strokes& strokes);
 
 }  // namespace moltact

@@ -1,4 +1,4 @@
-// How an atom looks: the one place where element colours enter a picture. Pure function, every thread.
+// The appearance of atoms; the only place where element colours enter a picture. Pure functions, every thread.
 #pragma once
 
 #include <cstdint>
@@ -8,38 +8,39 @@
 
 namespace moltact {
 
-/// A colour as on the screen (sRGB), 0 to 1 each.
+/// An sRGB colour, components 0 to 1.
 using Colour = glm::vec3;
 
-/// Atoms by index, ascending; shared and never changed, so that pictures are compared by its address.
+/// Atom indices, ascending; shared and immutable, so pictures compare it by address.
 using AtomList = std::shared_ptr<const std::vector<std::uint32_t>>;
 
-/// Which colours tell elements apart.
+/// The palette that distinguishes elements.
 enum class ElementColours : std::uint8_t {
-  Customary,        ///< carbon grey, oxygen red, nitrogen blue, as chemists know them
-  ColourBlindSafe,  ///< as near to them as the palette of Okabe and Ito (2008) allows, which every kind of colour
-                    ///< vision tells apart
-  Calm,             ///< the customary hues, lighter and paler, for molecules of many atoms
+  Customary,  ///< carbon grey, oxygen red, nitrogen blue: the convention of chemistry
+  /// As close to the convention as the palette of Okabe and Ito (2008) permits, which all types of colour vision can
+  /// distinguish.
+  ColourBlindSafe,
+  Calm,  ///< the conventional hues, lighter and paler, for molecules of many atoms
 };
 
 /// The meaning of an atom's colour.
 enum class ColourBy : std::uint8_t {
   Element,
-  Chain,  ///< its chain; what is no protein and no nucleic acid keeps its element's colour
+  Chain,  ///< the atom's chain; atoms outside proteins and nucleic acids keep the colour of their element
 };
 
-/// The element's colour (engine/molecule/elements.h), softened so that light and shade stay visible on it.
-/// `atomic_number` 0 or beyond the table gives the colour of the unknown element.
+/// The element's colour (engine/molecule/elements.h), softened so that shading remains visible. An `atomic_number` of 0
+/// or beyond the table gives the colour of the unknown element.
 Colour elementColour(std::uint8_t atomic_number, ElementColours colours = ElementColours::Customary);
 
-/// The colours in which a molecule of so many atoms is shown where these are wanted: hundreds of strong reds and blues
-/// hide the shape.
+/// The palette used for a molecule with this number of atoms when `wanted` is selected. Large molecules get the calm
+/// palette, because hundreds of saturated reds and blues hide the shape.
 ElementColours shownColours(ElementColours wanted, std::size_t atoms);
 
-/// The colour of a molecule's chain, counted from 0: seven that every kind of colour vision tells apart, then again
-/// from the first.
+/// The colour of a molecule's chain, counted from 0: seven colours that all types of colour vision can distinguish,
+/// repeated cyclically.
 Colour chainColour(std::uint32_t chain);
-/// After so many chains their colours begin again.
+/// Number of distinct chain colours.
 inline constexpr std::size_t kChainColours = 7;
 
 }  // namespace moltact

@@ -1,5 +1,5 @@
-// What the colours of a picture's atoms mean, for the window's legend and for one in a saved picture. Pure but for the
-// fonts' files; any thread.
+// The legend of a picture's atom colours, for the window and for saved pictures. Pure except for reading the fonts'
+// files; any thread.
 #pragma once
 
 #include <memory>
@@ -16,14 +16,14 @@ struct LegendEntry {
   std::string name;
 };
 
-/// The marks with names, then what the colours tell: of a scheme its legend, else chains in their order and elements from
-/// the commonest to the rarest; of these no more than can be read at once. Chains whose colours repeat are left out, and
-/// no colour has two lines. Atoms that are not drawn have no part in it; a ribbon tells chains, and elements only where
-/// the atoms under the probe come out of it.
+/// Lists marks with names, then the meaning of the colours: the legend of a scheme, else chains in their order or
+/// elements by decreasing frequency. The length is limited. Chains with repeated colours are omitted, and each colour
+/// has one line. Atoms that are not drawn are ignored. Ribbons have entries for chains; elements appear only if atoms
+/// under the probe are drawn as spheres.
 std::vector<LegendEntry> legendOf(const Molecule& molecule, ColourBy by, ElementColours elements,
                                   const AtomsLook& look);
 
-/// The same for a window that asks in every frame: counted anew only where what it is of has changed. Window's thread.
+/// Caches the legend for a window that requests it in every frame; recomputes it after a change. Window's thread.
 class LegendMemory {
  public:
   const std::vector<LegendEntry>& of(std::shared_ptr<const Molecule> molecule, ColourBy by, ElementColours elements,
@@ -38,8 +38,8 @@ class LegendMemory {
   std::vector<LegendEntry> entries_;
 };
 
-/// Writes it into the upper left corner of the scene's picture. `unit_px`: a pixel of 96 dpi. False where no font is
-/// installed.
+/// Draws the legend into the upper left corner of the scene's picture. `unit_px`: size of a pixel of 96 dpi. Returns
+/// false if no font is installed.
 bool paintLegend(Picture& picture, const std::vector<LegendEntry>& entries, const Theme& theme, double unit_px);
 
 }  // namespace moltact

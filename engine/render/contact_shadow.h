@@ -1,5 +1,5 @@
-// The shadow of a sphere on what is already drawn: dark where it nearly touches, and where it stands before the key light.
-// It tells how far the probe is from the surface. Needs a current context. Units: angstrom, the camera's axes.
+// The shadow of a sphere on the picture below it: dark where it nearly touches and where it blocks the key light. It
+// indicates the distance of the probe from the surface. Needs a current context. Units: angstrom, the camera's axes.
 #pragma once
 
 #include <memory>
@@ -13,10 +13,10 @@ class ContactShadow {
  public:
   static Expected<ContactShadow> build();
 
-  /// Darkens the bound framebuffer, which is as large as `drawn`, whose depth tells where the surfaces lie.
+  /// Darkens the bound framebuffer, which has the size of `drawn`; the depth of `drawn` contains the surfaces.
   void draw(const GlTarget& drawn, const glm::vec3& centre, float radius, const Projection& projection);
 
-  /// How far the shadow of a sphere reaches from its middle, in radii.
+  /// Range of the shadow from the sphere's centre, in radii.
   static constexpr float kReach = 4.5f;
 
  private:

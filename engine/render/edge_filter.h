@@ -1,5 +1,5 @@
-// Smooth edges for a picture that was drawn with one sample a pixel: along an edge of brightness the picture is blended,
-// elsewhere it stays as it is. After Lottes, "FXAA" (2009), in its short form. Needs a current context.
+// Antialiasing for a picture with one sample per pixel: blends along brightness edges and leaves the rest unchanged.
+// After Lottes, "FXAA" (2009), in its short form. Needs a current context.
 #pragma once
 
 #include <memory>
@@ -10,11 +10,11 @@ namespace moltact {
 
 class EdgeFilter {
  public:
-  static constexpr int kReach_px = 4;  ///< what a pixel becomes depends on those within this
+  static constexpr int kReach_px = 4;  ///< each pixel depends on the pixels within this distance
 
   static Expected<EdgeFilter> build();
 
-  /// Draws `from` into the bound framebuffer, which is as large.
+  /// Draws `from` into the bound framebuffer of the same size.
   void draw(const GlTarget& from);
 
  private:

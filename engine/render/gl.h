@@ -1,5 +1,5 @@
-// OpenGL's functions: 3.3 core through libepoxy, or in a page WebGL 2, which is OpenGL ES 3.0. What the two share is used
-// everywhere; what each needs for itself stands here.
+// OpenGL's functions: 3.3 core through libepoxy, or in a browser WebGL 2, which is OpenGL ES 3.0. Code uses the common
+// subset; this file contains the differences.
 #pragma once
 
 #ifdef __EMSCRIPTEN__
@@ -10,7 +10,7 @@
 
 namespace moltact {
 
-/// How every shader's text begins, whoever compiles it.
+/// The first lines of every shader.
 #ifdef __EMSCRIPTEN__
 inline constexpr const char* kShaderVersion = "#version 300 es";
 inline constexpr const char* kShaderPrecision =
@@ -20,10 +20,10 @@ inline constexpr const char* kShaderVersion = "#version 330 core";
 inline constexpr const char* kShaderPrecision = "";
 #endif
 
-/// The version of the current context if it is too old to draw with, as 10 * major + minor; else 0.
+/// The version of the current context, as 10 * major + minor, if it is too old; else 0.
 inline int tooOldGl() {
 #ifdef __EMSCRIPTEN__
-  return 0;  // a WebGL 2 context or none
+  return 0;  // a context is always WebGL 2
 #else
   const int version = epoxy_gl_version();
   return version < 33 ? version : 0;

@@ -1,5 +1,5 @@
-// Owners of OpenGL objects and the two things made from them: a shader program and a framebuffer.
-// All calls need the context current in which the object was made.
+// Owners of OpenGL objects: shader program, framebuffer, volume texture and vertex stream. All calls need the context
+// to be current in which the object was created.
 #pragma once
 
 #include <string>
@@ -21,7 +21,8 @@ class GlProgram {
     return *this;
   }
 
-  /// Compiles and links; `name` appears in the problem beside the compiler's own words. "#version" and what goes with it is put in front.
+  /// Compiles and links a program; `name` appears in the Problem with the compiler's message. "#version" and the
+  /// precision lines are prepended.
   static Expected<GlProgram> build(const std::string& name, const std::string& vertex, const std::string& fragment);
 
   GLuint id() const { return id_; }
@@ -35,7 +36,7 @@ class GlProgram {
   GLuint id_ = 0;
 };
 
-/// Colour and depth textures of one size, drawn into as a framebuffer.
+/// A framebuffer with colour and depth textures of one size.
 class GlTarget {
  public:
   GlTarget() = default;
@@ -43,7 +44,7 @@ class GlTarget {
   GlTarget(const GlTarget&) = delete;
   GlTarget& operator=(const GlTarget&) = delete;
 
-  /// Makes new textures if the size differs. Returns false if the driver refuses the size.
+  /// Creates new textures if the size differs. Returns false if the driver refuses the size.
   bool resize(int width_px, int height_px);
   void bind() const;
 
@@ -58,7 +59,7 @@ class GlTarget {
   int width_ = 0, height_ = 0;
 };
 
-/// A texture of bytes in three dimensions, between whose middles the card interpolates.
+/// A three-dimensional texture of bytes with linear interpolation.
 class GlVolume {
  public:
   GlVolume() = default;
@@ -66,16 +67,16 @@ class GlVolume {
   GlVolume(const GlVolume&) = delete;
   GlVolume& operator=(const GlVolume&) = delete;
 
-  /// Replaces what it holds: bytes with x running fastest, then y.
+  /// Replaces the contents: bytes with x varying fastest, then y.
   void upload(int width, int height, int depth, const void* bytes);
-  /// Binds it to a texture unit (0 for the first); an empty one is made where nothing was uploaded.
+  /// Binds it to a texture unit (from 0); without an upload, an empty texture is created.
   void bind(unsigned unit);
 
  private:
   GLuint texture_ = 0;
 };
 
-/// A vertex array with one vertex buffer that is filled for each picture.
+/// A vertex array with one vertex buffer that is refilled for each picture.
 class GlStream {
  public:
   GlStream() = default;
@@ -83,14 +84,14 @@ class GlStream {
   GlStream(const GlStream&) = delete;
   GlStream& operator=(const GlStream&) = delete;
 
-  /// Binds the vertex array, making it at first use; returns whether the attributes still have to be named.
+  /// Binds the vertex array and creates it at first use; returns true if the attributes must be defined.
   bool bind();
   /// Replaces the vertices.
   void upload(const void* data, std::size_t bytes);
-  /// Makes sure that the element buffer holds the two triangles of that many quads.
+  /// Ensures that the element buffer contains the two triangles of that number of quads.
   void reserveQuads(std::size_t quads);
 
-  /// Names attribute `index` of the bound array.
+  /// Defines attribute `index` of the bound array.
   static void floats(GLuint index, int count, std::size_t stride, std::size_t offset);
   static void bytes4(GLuint index, std::size_t stride, std::size_t offset);
 

@@ -1,5 +1,5 @@
-// The probe and what happens to it: the water molecule at the SCP, HIP, SCP, the spring between them, the force arrow,
-// and a task's targets. Pure geometry; no graphics calls. Places come out in the camera's axes (unit: angstrom).
+// The probe and its markers: the water molecule at the SCP, HIP, SCP, the spring between them, the force arrow, and a
+// task's targets. Pure geometry without graphics calls. Positions are in the camera's axes (unit: angstrom).
 #pragma once
 
 #include <vector>
@@ -25,32 +25,32 @@ struct GlyphModel {
 };
 
 struct Glyphs {
-  std::vector<LooseSphere> solid, ghost, shell;  ///< a ghost shows where a solid of the same place is hidden
+  std::vector<LooseSphere> solid, ghost, shell;  ///< a ghost marks where the solid at its position is hidden
   std::vector<GlyphCone> cones;
   std::vector<GlyphModel> models;
   Strokes strokes;
   glm::vec3 shadow_centre{0.0f};
-  float shadow_radius = 0;  ///< of the sphere whose shadow falls on the molecule; 0: none
+  float shadow_radius = 0;  ///< radius of the sphere that casts a shadow on the molecule; 0: none
 
   void clear();
-  /// Where all of it lies in the picture.
+  /// Adds the extent of all glyphs in the picture.
   void addTo(PixelBoxBuilder& box) const;
 };
 
-/// How long the model at the HIP is drawn, in a picture 800 pixels high.
+/// Length of the model at the HIP, in a picture 800 pixels high.
 inline constexpr double kHandLength_px = 170;
 
 /// O-H distance (unit: angstrom) and H-O-H angle (unit: degree) of water in the gas phase (Benedict, Gailar & Plyler
 /// 1956).
 inline constexpr double kWaterBond_A = 0.9572, kWaterAngle_deg = 104.52;
 
-/// Adds the atoms round the probe that the scene wants as spheres beside another style.
+/// Adds the atoms near the probe that the scene shows as spheres in addition to another style.
 void addNearSpheres(const ViewScene& scene, const MoleculeModel& model, std::vector<LooseSphere>& spheres);
 
-/// Adds the atoms that are painted without the molecule being drawn again.
+/// Adds the painted atoms that are drawn without redrawing the molecule.
 void addTouchedSpheres(const ViewScene& scene, const MoleculeModel& model, std::vector<LooseSphere>& spheres);
 
-/// Adds everything but the haptic shapes. `model` may be null.
+/// Adds everything except the haptic shapes. `model` may be null.
 void addGlyphs(const ViewScene& scene, const MoleculeModel* model, Glyphs& glyphs);
 
 }  // namespace moltact

@@ -1,5 +1,5 @@
-// The haptic shapes of the paper's Figure 9 as lines: inflated spheres, intersection circles and points, cones.
-// Pure geometry; no graphics calls. Units: angstrom; what comes out is in the camera's axes.
+// The haptic shapes of the paper's Figure 9 as lines: inflated spheres, intersection circles and points, cones. Pure
+// geometry without graphics calls. Units: angstrom; the output is in the camera's axes.
 #pragma once
 
 #include <vector>
@@ -11,13 +11,13 @@
 
 namespace moltact {
 
-/// Adds the shapes that `scene` shows. Only what lies on the felt surface is drawn strongly: parts of a sphere or
-/// circle inside another inflated sphere are left out. The strength falls off with the distance from the SCP (or the
-/// HIP, when free).
+/// Adds the shapes that `scene` shows. Only parts on the felt surface are emphasized: parts of a sphere or circle
+/// inside another inflated sphere are omitted. The opacity decreases with the distance from the SCP (or the HIP, when
+/// free).
 void addHapticShapes(const ViewScene& scene, const MoleculeModel& model, Strokes& strokes,
                      std::vector<LooseSphere>& dots);
 
-/// Adds the whole circle about `centre`; `axis` has length 1.
+/// Adds a full circle about `centre`; `axis` is a unit vector.
 void addCircle(Strokes& strokes, const Stroke& stroke, const Camera& camera, const Vec3& centre, const Vec3& axis,
                double radius_A, int pieces = 96);
 

@@ -1,5 +1,5 @@
-// Names, arrows and measures into a picture in memory, as the window shows them over its own. Pure but for the fonts'
-// files; any thread.
+// Draws names, arrows and measures into a picture in memory, as the window shows them. Pure except for reading the
+// fonts' files; any thread.
 #pragma once
 
 #include "engine/render/label_layout.h"
@@ -7,13 +7,14 @@
 
 namespace moltact {
 
-/// The colours of names on their ground.
+/// The colours of labels.
 struct LabelColours {
   Colour ground, text, line;
 };
 LabelColours labelColours(const Theme& theme);
 
-/// Writes all labels of the scene, whose picture this is. `unit_px`: a pixel of 96 dpi. False where no font is installed.
+/// Draws all labels of the scene into its picture. `unit_px`: size of a pixel of 96 dpi. Returns false if no font is
+/// installed.
 bool paintLabels(Picture& picture, const ViewScene& scene, const SphereGrid* spheres, double unit_px);
 
 }  // namespace moltact

@@ -1,4 +1,4 @@
-// Meshes that stay on the graphics card between pictures, lit like the spheres. Needs a current context.
+// Meshes that remain on the graphics card between pictures, lit like the spheres. Needs a current context.
 #pragma once
 
 #include "engine/render/gl_objects.h"
@@ -29,7 +29,7 @@ class MeshPass {
  public:
   static Expected<MeshPass> build();
 
-  /// Draws into the bound framebuffer. With an opacity below 1 what lies behind shines through the nearest wall, whose
+  /// Draws into the bound framebuffer. With an opacity below 1 the background shows through the nearest wall, whose
   /// depth is kept.
   void draw(const GpuMesh& mesh, float opacity, const Projection& projection, const Lighting& lighting) const;
 

@@ -1,6 +1,6 @@
-// The molecule of a picture on its background, in its styles, with the lines that are drawn into it, drawn with several samples for each pixel and kept: it is
-// drawn again only when the camera or the atoms change, so that moving the probe over a large molecule costs no more than
-// over a small one. Needs a current context.
+// The molecule of a picture with its background, styles and annotation lines, drawn with several samples per pixel and
+// cached. It is redrawn only when the camera or the atoms change, so moving the probe costs the same for large and
+// small molecules. Needs a current context.
 #pragma once
 
 #include <memory>
@@ -19,13 +19,13 @@ namespace moltact {
 class MoleculeLayer {
  public:
   struct Options {
-    int samples = 1;          ///< along each pixel's edge
-    float line_scale = 1.0f;  ///< multiplies the widths of lines, in pixels of the finished picture
+    int samples = 1;          ///< per pixel, along each edge
+    float line_scale = 1.0f;  ///< factor on line widths, which are in pixels of the finished picture
     bool outlines = true, cull = true, fine_light = true;
-    bool wait_for_surfaces = true;  ///< else the former style stays until they are computed
+    bool wait_for_surfaces = true;  ///< false: the previous style stays until surfaces are computed
     friend bool operator==(const Options&, const Options&) = default;
   };
-  /// What it draws with.
+  /// The passes that it uses.
   struct Passes {
     Resolve& background;
     SphereImpostors& spheres;
@@ -33,26 +33,26 @@ class MoleculeLayer {
     Wireframe& wires;
   };
 
-  /// `inside` is the projection of a picture with all its samples. Returns false where the driver refuses the size.
+  /// `inside` is the projection of the picture with all its samples. Returns false if the driver refuses the size.
   bool draw(const ViewScene& scene, const MoleculeModel* model, const Projection& inside, const Lighting& lighting,
             const Options& options, Passes passes);
 
-  /// Draws again at the next call.
+  /// Forces a redraw at the next call.
   void forget() { have_ = false; }
 
   const GlTarget& target() const { return target_; }
-  /// Holds the depth of what is opaque, as large as target().
+  /// The target that contains the depth of opaque parts, of the same size as target().
   const GlTarget& opaque() const { return faint_ ? opaque_ : target_; }
-  /// Of the surfaces that are computed beside the window; no value where there is none to wait for.
+  /// Progress of surfaces computed in the background; empty if there is none.
   std::optional<float> surfaceProgress() const { return surfaces_.progress(); }
-  /// Whether the next call will draw because a surface is there.
+  /// True if the next call will redraw because a surface is ready.
   bool surfaceReady() const { return surfaces_.ready(); }
-  /// Whether the last call drew.
+  /// True if the last call redrew.
   bool redrawn() const { return redrawn_; }
   std::size_t atomsDrawn() const { return atoms_drawn_; }
 
  private:
-  // All that the picture depends on.
+  // Everything that determines the picture.
   struct Key {
     std::shared_ptr<const Molecule> molecule;
     std::size_t most_single_atoms = 0;
@@ -68,7 +68,7 @@ class MoleculeLayer {
     AtomsLook look;
     AtomList touched;
     std::vector<std::shared_ptr<const Annotations>> annotations;
-    double surface_probe_A = 0.0;  // 0 where no surface is drawn
+    double surface_probe_A = 0.0;  // 0: no surface is drawn
     bool operator==(const Key&) const = default;
   };
 

@@ -1,6 +1,6 @@
-// The renderer's data of a molecule between pictures: the spheres that it draws, colours, ambient occlusion, and blocks to
-// find neighbours. A sphere is an atom, or beyond so many atoms a residue (engine/render/residue_spheres.h).
-// Made once for a molecule; its colours, its light and its coordinates change. Units: angstrom.
+// The renderer's cached data of a molecule: the drawn spheres, colours, ambient occlusion, and blocks for neighbour
+// searches. A sphere represents an atom, or in very large molecules a residue (engine/render/residue_spheres.h).
+// Created once per molecule; colours, light and coordinates can change. Units: angstrom.
 #pragma once
 
 #include <cstdint>
@@ -20,23 +20,24 @@
 
 namespace moltact {
 
-/// The chain whose colour an atom has in pictures coloured by chain; none for an atom that keeps its element's.
+/// The chain that determines an atom's colour when colouring by chain; empty for an atom that keeps its element's
+/// colour.
 std::optional<std::uint32_t> colouredChain(const Molecule& molecule, const Atom& atom);
 
-/// How a molecule is coloured where nobody said it: by chain where several chains of protein or nucleic acid are there.
+/// The default colouring of a molecule: by chain if it has several chains of protein or nucleic acid, else by element.
 ColourBy usualColourBy(const Molecule& molecule);
 
-/// The colours of a scheme by its name (engine/structure/colouring.h); null for "element" and "chain", which the picture
-/// makes itself, and for a name that is not known.
+/// The colours of a scheme by its name (engine/structure/colouring.h). Null for "element" and "chain", which the
+/// renderer implements itself, and for an unknown name.
 std::shared_ptr<const Colouring> schemeColouring(const Molecule& molecule, std::string_view name);
 
-/// What the atoms' colours come from, the later over the earlier.
+/// The sources of the atoms' colours; later members override earlier ones.
 struct AtomPaint {
   ElementColours elements = ElementColours::Customary;
   ColourBy by = ColourBy::Element;
-  std::shared_ptr<const Colouring> colouring;           ///< of this molecule; null: as `by` says
-  std::shared_ptr<const std::vector<OwnColour>> marks;  ///< parts in colours of their own; null: none
-  AtomList touched;                                     ///< lightly painted; null: none
+  std::shared_ptr<const Colouring> colouring;           ///< for this molecule; null: use `by`
+  std::shared_ptr<const std::vector<OwnColour>> marks;  ///< parts with colours of their own; null: none
+  AtomList touched;                                     ///< atoms with a light paint; null: none
   Colour touched_colour{0.0f};
   friend bool operator==(const AtomPaint&, const AtomPaint&) = default;
 };
@@ -44,41 +45,43 @@ struct AtomPaint {
 /// The colour of each atom (packColour).
 std::vector<std::uint32_t> atomColours(const Molecule& molecule, const AtomPaint& paint);
 
-/// The light among spheres.
+/// The ambient occlusion of a set of spheres.
 struct MoleculeLight {
   OcclusionField field;
-  std::vector<glm::vec4> wide;  ///< OcclusionField::wideRound of each sphere; empty where the field has none
+  std::vector<glm::vec4> wide;  ///< OcclusionField::wideRound per sphere; empty if the field is empty
 };
 
-/// The light among those spheres for which `shown` says so (empty: all). Pure function; any thread but the haptic one.
+/// Computes the ambient occlusion of the spheres with nonzero `shown` (empty: all). Pure function; any thread except
+/// the haptic one.
 MoleculeLight lightAmong(const SharedArray<Sphere>& spheres, const std::vector<std::uint8_t>& shown);
 
 struct MoleculeModel {
-  /// A molecule of more than `most_single` atoms is drawn by its residues.
+  /// A molecule of more than `most_single` atoms is drawn by residues.
   explicit MoleculeModel(std::shared_ptr<const Molecule> molecule, std::size_t most_single = kMaxSingleAtoms);
-  /// Takes other coordinates of the same molecule, in a time that follows the number of atoms: colours, blocks, bonds and
-  /// secondary structure stay, and so does the light until lightBy(). False, and unchanged, where the molecule
-  /// is another one or is drawn by its residues.
+  /// Adopts other coordinates of the same molecule in linear time. Colours, blocks, bonds and secondary structure are
+  /// kept, and so is the light until lightBy(). Returns false, unchanged, if the molecule is a different one or drawn
+  /// by residues.
   bool moveTo(const std::shared_ptr<const Molecule>& moved);
-  /// Takes the light among its spheres, as lightAmong(spheres, shownWithout(hidden)) finds it.
+  /// Adopts the light computed by lightAmong(spheres, shownWithout(hidden)).
   void lightBy(MoleculeLight found_light);
-  /// Of each sphere whether some of its atoms is not among those hidden (ascending; null: none is); empty: all are shown.
+  /// One flag per sphere: nonzero if at least one of its atoms is not in `hidden_atoms` (ascending; null: none). Empty:
+  /// all are shown.
   std::vector<std::uint8_t> shownWithout(const AtomList& hidden_atoms) const;
   /// Colours the atoms.
   void paint(AtomPaint with);
 
-  /// Whether a sphere stands for a residue.
+  /// True if the spheres represent residues.
   bool byResidue() const { return !first_atom.empty(); }
   std::size_t atoms() const { return molecule->atoms.size(); }
-  /// An atom's own sphere. `atom` in range.
+  /// An atom's own sphere. `atom` must be in range.
   Sphere atomSphere(std::uint32_t atom) const { return molecule->spheres[atom]; }
-  /// The sphere that stands for an atom. `atom` in range.
+  /// The sphere that represents an atom. `atom` must be in range.
   std::uint32_t sphereOf(std::uint32_t atom) const;
-  /// The spheres of which some atom is among these, ascending as they are.
+  /// The spheres that represent any of these atoms, ascending.
   std::vector<std::uint32_t> spheresOf(std::vector<std::uint32_t> atoms) const;
-  /// Of each sphere whether some of its atoms is shown, from the same of each atom.
+  /// Converts flags per atom to flags per sphere: nonzero if any of its atoms is shown.
   std::vector<std::uint8_t> shownSpheres(std::vector<std::uint8_t> atoms) const;
-  /// Calls visit(atom, sphere) for every atom that comes within margin_A of the place, and for some others.
+  /// Calls visit(atom, sphere) for every atom within margin_A of the point, and for some others.
   template <class Visit>
   void visitAtomsNear(const Vec3& place_A, double margin_A, Visit&& visit) const {
     if (!byResidue()) return blocks.visitNear(spheres, place_A, margin_A, visit);
@@ -88,33 +91,33 @@ struct MoleculeModel {
   }
 
   std::shared_ptr<const Molecule> molecule;
-  AtomList hidden;  ///< as it is lit: those of the light
+  AtomList hidden;  ///< the hidden atoms for which `light` was computed
   AtomPaint paint_used;
-  unsigned painted = 0;  ///< grows with every painting
-  unsigned lit = 0;      ///< grows with every light
+  unsigned painted = 0;  ///< incremented by every painting
+  unsigned lit = 0;      ///< incremented by every new light
   std::size_t most_single;
-  std::vector<std::uint32_t> first_atom;  ///< ResidueSpheres::first_atom; empty where each atom is a sphere
-  double beyond_A = 0.0;                  ///< no atom reaches farther out of its sphere
-  SharedArray<Sphere> spheres;            ///< the molecule's own, or one for each residue
+  std::vector<std::uint32_t> first_atom;  ///< ResidueSpheres::first_atom; empty: each atom is a sphere
+  double beyond_A = 0.0;                  ///< upper bound by which an atom extends beyond its sphere
+  SharedArray<Sphere> spheres;            ///< the molecule's own, or one per residue
   SphereBlocks blocks;                    ///< of the spheres
-  std::vector<std::uint32_t> colour;      ///< of each sphere: bytes red, green, blue, 255 from the lowest
+  std::vector<std::uint32_t> colour;      ///< per sphere: bytes red, green, blue, 255 from the lowest
   MoleculeLight light;
   std::shared_ptr<FoundStructure> found;  ///< of the molecule, for its styles; never null
   Vec3 middle_A{0.0};
-  double reach_A = 0.0;  ///< all spheres and atoms lie within this of the middle
+  double reach_A = 0.0;  ///< radius around middle_A that contains all spheres and atoms
 
  private:
   void measure();
 };
 
-/// Up to `most` atoms whose inflated spheres come nearest to a place, nearest first, none farther than `gap_A` from it.
+/// The atoms whose inflated spheres are nearest to a point, at most `most` and within `gap_A`, nearest first.
 std::vector<std::uint32_t> nearestAtoms(const MoleculeModel& model, PointA place, double probe_A, double gap_A,
                                         std::size_t most);
 
-/// A packed colour with the light paint of what was touched.
+/// A packed colour mixed with the paint of touched atoms.
 std::uint32_t paintedColour(std::uint32_t packed, const Colour& paint);
 
-/// A colour as bytes red, green, blue, alpha from the lowest.
+/// Packs a colour as bytes red, green, blue, alpha from the lowest.
 std::uint32_t packColour(const glm::vec3& colour, float alpha = 1.0f);
 
 }  // namespace moltact

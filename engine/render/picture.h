@@ -10,7 +10,7 @@
 
 namespace moltact {
 
-/// Rows from the top, three bytes (red, green, blue; sRGB) a pixel.
+/// Rows from the top, three bytes (red, green, blue; sRGB) per pixel.
 struct Picture {
   int width_px = 0, height_px = 0;
   std::vector<std::uint8_t> rgb;
@@ -18,10 +18,10 @@ struct Picture {
   const std::uint8_t* at(int x, int y) const { return rgb.data() + 3 * (std::size_t(y) * width_px + x); }
 };
 
-/// Writes a PNG file; gives what went wrong, or nothing.
+/// Writes a PNG file; returns a Problem on failure.
 std::optional<Problem> writePng(const std::filesystem::path& file, const Picture& picture);
 
-/// Reads a PNG file of any colour kind as RGB.
+/// Reads a PNG file of any colour type as RGB.
 Expected<Picture> readPng(const std::filesystem::path& file);
 
 }  // namespace moltact

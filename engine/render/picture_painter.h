@@ -1,4 +1,5 @@
-// Shapes with soft edges in a picture in memory. Plain data; usable on every thread. Units: pixel, from the upper left corner.
+// Draws antialiased shapes into a picture in memory. Plain data; usable on every thread. Units: pixel, from the upper
+// left corner.
 #pragma once
 
 #include <algorithm>
@@ -23,7 +24,7 @@ class PicturePainter {
       at[k] = std::uint8_t(std::lround(glm::mix(float(at[k]), 255.0f * std::clamp(colour[k], 0.0f, 1.0f), a)));
   }
 
-  /// Pixels of a shape by its signed distance (negative inside), with soft edges.
+  /// Fills a shape given by its signed distance (negative inside), with antialiased edges.
   template <class Distance>
   void fill(glm::dvec2 low, glm::dvec2 high, const Colour& colour, double alpha, Distance&& distance) {
     for (int y = int(std::floor(low.y)) - 1; y <= int(std::ceil(high.y)) + 1; ++y)

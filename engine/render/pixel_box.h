@@ -1,4 +1,4 @@
-// A box of a picture's pixels, grown round what is drawn there. Plain data.
+// A bounding box of drawn pixels. Plain data.
 #pragma once
 
 #include <algorithm>
@@ -8,7 +8,7 @@
 
 namespace moltact {
 
-/// Columns and rows from the lower left corner; the last ones are outside.
+/// Columns and rows from the lower left corner; x1 and y1 are exclusive.
 struct PixelBox {
   int x0 = 0, y0 = 0, x1 = 0, y1 = 0;
 
@@ -16,13 +16,13 @@ struct PixelBox {
   int width() const { return x1 - x0; }
   int height() const { return y1 - y0; }
 
-  /// The smallest box round both.
+  /// The bounding box of both.
   PixelBox joined(const PixelBox& other) const {
     if (empty()) return other;
     if (other.empty()) return *this;
     return {std::min(x0, other.x0), std::min(y0, other.y0), std::max(x1, other.x1), std::max(y1, other.y1)};
   }
-  /// Wider by so many pixels on each side, within a picture of this size; an empty one stays empty.
+  /// Enlarges the box by `by` pixels on each side, within a picture of this size; an empty box stays empty.
   PixelBox grown(int by, int width_px, int height_px) const {
     if (empty()) return {};
     return {std::max(0, x0 - by), std::max(0, y0 - by), std::min(width_px, x1 + by), std::min(height_px, y1 + by)};
@@ -30,7 +30,7 @@ struct PixelBox {
   PixelBox times(int factor) const { return {x0 * factor, y0 * factor, x1 * factor, y1 * factor}; }
 };
 
-/// Grows with spheres and places in the camera's axes.
+/// Accumulates the bounding box of spheres and points in the camera's axes.
 class PixelBoxBuilder {
  public:
   explicit PixelBoxBuilder(const Projection& projection) : projection_(projection) {}
@@ -38,7 +38,7 @@ class PixelBoxBuilder {
   void add(const glm::vec3& centre, float radius) {
     const float nearest = -centre.z - radius;
     any_ = true;
-    if (!(nearest > float(projection_.depth.near_A))) {  // at the eye it may reach anywhere
+    if (!(nearest > float(projection_.depth.near_A))) {  // a sphere at the eye may cover the whole picture
       low_ = glm::vec2(-1.0f);
       high_ = glm::vec2(1.0f);
       return;
@@ -51,7 +51,7 @@ class PixelBoxBuilder {
     }
   }
 
-  /// In a picture of the projection's size, widened by so many pixels.
+  /// The box in a picture of the projection's size, enlarged by `margin_px`.
   PixelBox box(int margin_px) const {
     if (!any_) return {};
     const glm::vec2 size(projection_.width_px, projection_.height_px);

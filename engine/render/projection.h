@@ -1,5 +1,5 @@
-// The camera as a picture of one size needs it: in single precision relative to the target, with the depths that the
-// depth buffer spans. Plain data. Units: angstrom; NDC runs from -1 to 1, y up.
+// The projection of a camera for a picture of one size: in single precision relative to the target, with the range of
+// the depth buffer. Plain data. Units: angstrom; NDC from -1 to 1, y up.
 #pragma once
 
 #include "engine/render/camera.h"
@@ -22,7 +22,7 @@ struct Projection {
   float depthScale() const { return float(depth.far_A / (depth.far_A - depth.near_A)); }
   float depthOffset() const { return float(depth.far_A * depth.near_A / (depth.far_A - depth.near_A)); }
 
-  /// NDC x and y, and the window depth, of a place in front of the eye (view axes).
+  /// NDC x and y, and the window depth, of a point in front of the eye (camera's axes).
   glm::vec3 toNdc(const glm::vec3& view) const {
     const float d = -view.z;
     return {view.x / (d * tan_x), view.y / (d * tan_y), depthScale() - depthOffset() / d};

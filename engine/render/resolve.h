@@ -1,5 +1,4 @@
-// Full-screen passes: the background, and the atoms' layer brought to the picture's size.
-// Needs a current context.
+// Full-screen passes: the background, and downsampling the atoms' layer to the picture's size. Needs a current context.
 #pragma once
 
 #include <memory>
@@ -10,10 +9,10 @@
 
 namespace moltact {
 
-/// GLSL: a vertex shader that covers the whole picture with one triangle; v_uv is 0 to 1 over it.
+/// GLSL: a vertex shader that covers the whole picture with one triangle; v_uv is 0 to 1 over the picture.
 extern const char* const kWholePictureText;
 
-/// Copies colour or depth (GL_COLOR_BUFFER_BIT, GL_DEPTH_BUFFER_BIT) between targets of one size.
+/// Copies colour or depth (GL_COLOR_BUFFER_BIT, GL_DEPTH_BUFFER_BIT) between targets of equal size.
 void copyPart(const GlTarget& from, const GlTarget& to, const PixelBox& part, GLbitfield what);
 
 class Resolve {
@@ -22,7 +21,7 @@ class Resolve {
 
   void background(const Lighting& lighting);
 
-  /// Draws the mean of each samples x samples texels of `from` into the bound framebuffer.
+  /// Downsamples `from` into the bound framebuffer: the mean of each samples x samples texels.
   void layer(const GlTarget& from, int samples);
 
  private:

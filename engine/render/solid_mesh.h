@@ -1,5 +1,5 @@
-// Solid glyphs made of triangles (the force arrow, the bonds of the probe's water), lit like the spheres. Needs a current context.
-// Places in the camera's axes (unit: angstrom).
+// Solid glyphs made of triangles (the force arrow, the bonds of the probe's water), lit like the spheres. Needs a
+// current context. Positions in the camera's axes (unit: angstrom).
 #pragma once
 
 #include <cstdint>
@@ -16,13 +16,13 @@ class SolidMesh {
  public:
   static Expected<SolidMesh> build();
 
-  /// A round bar from a to b whose radius goes from `radius_a` to `radius_b` (0 makes a tip), closed at a.
+  /// A truncated cone from a to b with radii `radius_a` and `radius_b` (0 gives a tip), closed at a.
   void addCone(const glm::vec3& a, const glm::vec3& b, float radius_a, float radius_b, std::uint32_t colour);
 
-  /// A model under a transform to the camera's axes that keeps angles.
+  /// Adds a model with a conformal transform to the camera's axes.
   void addModel(const SolidModel& model, const glm::mat4& to_view);
 
-  /// Draws what was added, and forgets it. A ghost pass draws hidden parts at the given opacity first.
+  /// Draws and clears the added shapes. With `ghost` above 0, hidden parts are first drawn with that opacity.
   void draw(const Projection& projection, const Lighting& lighting, float ghost);
 
  private:

@@ -1,5 +1,6 @@
-// The spheres of a molecule in blocks of neighbours, so that a block that is out of the picture or wholly behind others is
-// passed over at once. Made once for a molecule, and refitted where its atoms move, in a time that follows n log n. Pure data; any thread. Units: angstrom.
+// Groups the spheres of a molecule into blocks of neighbours, so that a block outside the picture or entirely hidden is
+// skipped at once. Built once per molecule in O(n log n); refitted in O(n) after a motion. Pure data; any thread.
+// Units: angstrom.
 #pragma once
 
 #include <cstdint>
@@ -13,22 +14,21 @@ namespace moltact {
 
 class SphereBlocks {
  public:
-  static constexpr std::size_t kMax = 48;  ///< spheres in a block
+  static constexpr std::size_t kMax = 48;  ///< spheres per block
 
   struct Block {
     Vec3 centre_A{0.0};
-    double radius_A = 0.0;  ///< all spheres of the block lie within it
+    double radius_A = 0.0;  ///< of the bounding sphere of the block
     std::uint32_t begin = 0, end = 0;
   };
 
   SphereBlocks() = default;
   explicit SphereBlocks(std::span<const Sphere> spheres);
 
-  /// The same spheres at other places, as many as there were: the blocks stay, and each lies round its spheres again. Time
-  /// follows the number of spheres.
+  /// Adapts the bounding spheres to the same spheres at other positions; the blocks are kept. O(n).
   void refit(std::span<const Sphere> spheres);
-  /// Calls visit(index, sphere) for every sphere whose surface comes within margin_A of the place. `spheres` are those that the
-  /// blocks were made or refitted for.
+  /// Calls visit(index, sphere) for every sphere whose surface is within margin_A of the point. `spheres` must be those
+  /// of the construction or the last refit().
   template <class Visit>
   void visitNear(std::span<const Sphere> spheres, const Vec3& place_A, double margin_A, Visit&& visit) const {
     for (const Block& block : blocks_) {

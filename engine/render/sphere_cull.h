@@ -1,4 +1,4 @@
-// Which spheres of a molecule have to be drawn: those in the picture and not wholly behind others. Pure arithmetic.
+// Selects the spheres of a molecule to draw: those in the picture that others do not hide entirely. Pure computation.
 // Units: angstrom; NDC from -1 to 1, y up.
 #pragma once
 
@@ -13,7 +13,7 @@
 
 namespace moltact {
 
-/// A sphere in the camera's axes with a box of its image: of the whole of it, or of the part that may be in sight.
+/// A sphere in the camera's axes with the bounding box of its image, or of the part that may be visible.
 struct DrawnSphere {
   glm::vec3 centre{0.0f};
   float radius = 0.0f;
@@ -21,18 +21,17 @@ struct DrawnSphere {
   std::uint32_t index = 0;          ///< into the scene
 };
 
-/// The image box of a sphere widened by a rim (its width at depth 1); false when it touches the plane at near_A or lies
-/// outside the picture.
+/// Computes the box of a sphere's image, enlarged by a rim (its width at depth 1). Returns false if the sphere
+/// intersects the plane at near_A or lies outside the picture.
 bool projectSphere(const Projection& projection, const glm::vec3& centre, float radius, DrawnSphere& out,
                    float rim = 0);
 
 class SphereCull {
  public:
-  /// Fills drawn() with the spheres to draw, cut into boxes; a sphere may give none or several. A part that is left out is
-  /// covered by nearer spheres, decided on a coarse grid of cells, so the picture is the same without it. `occlusion`
-  /// false keeps every sphere whole.
-  /// `shown`, if not empty, says of each sphere whether it is there at all.
-  /// `blocks` are those of those spheres.
+  /// Fills drawn() with the boxes to draw; a sphere gives none, one or several. Omitted parts are covered by nearer
+  /// spheres, as determined on a coarse grid of cells, so the picture is unchanged. Without `occlusion` every sphere is
+  /// kept entirely. `shown`, if not empty, contains a flag per sphere; zero excludes it. `blocks` must belong to
+  /// `spheres`.
   void run(std::span<const Sphere> spheres, const SphereBlocks& blocks, const Camera& camera,
            const Projection& projection, float rim, bool occlusion, std::span<const std::uint8_t> shown = {});
 
@@ -43,10 +42,10 @@ class SphereCull {
   struct Span {
     int first, last;  // cells of a row
   };
-  // A block that is ahead of the eye.
+  // A block in front of the eye.
   struct Near {
-    DrawnSphere image;   // of the sphere round the block; `index` is the block's
-    bool boxed = false;  // false: it reaches to the eye, and its image everywhere
+    DrawnSphere image;   // of the block's bounding sphere; `index` is that of the block
+    bool boxed = false;  // false: it reaches the eye and may cover the whole picture
   };
   template <class ToView>
   std::vector<Near> blocksAhead(const SphereBlocks& blocks, const Projection& projection, float rim,
@@ -59,10 +58,10 @@ class SphereCull {
   void emitBoxes(const DrawnSphere& sphere);
   void cover(const DrawnSphere& sphere);
 
-  std::vector<DrawnSphere> seen_, found_, drawn_;  // may be in sight; of one block; what is to be drawn of them
+  std::vector<DrawnSphere> seen_, found_, drawn_;  // possibly visible; of one block; the result
   std::size_t atoms_drawn_ = 0;
   std::vector<std::pair<float, std::uint32_t>> order_;  // into seen_, by depth
-  std::vector<float> covered_;                          // for each cell the depth behind which nothing is seen
+  std::vector<float> covered_;                          // per cell, the depth behind which everything is hidden
   std::vector<float> row_, row_before_;
   int cells_x_ = 0, cells_y_ = 0, cell_px_ = 4;
   float tan_x_ = 1, tan_y_ = 1, cell_x_ = 1, cell_y_ = 1;  // a cell's width and height in NDC

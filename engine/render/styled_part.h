@@ -1,5 +1,5 @@
-// What a style needs on the graphics card to draw some atoms of a molecule: made when it is first drawn and kept while
-// atoms, colours and probe stay. Needs a current context. Units: angstrom.
+// The data on the graphics card for drawing atoms in one style. Created when first drawn and kept while atoms, colours
+// and probe are unchanged. Needs a current context. Units: angstrom.
 #pragma once
 
 #include <memory>
@@ -17,36 +17,35 @@ namespace moltact {
 class StyledPart {
  public:
   StyledPart(const StyledAtoms& what, const ViewScene& scene, const MoleculeModel& model);
-  /// The same with a surface that has been computed already, of this molecule and this probe.
+  /// The same with a surface that was computed before for this molecule and probe.
   StyledPart(const StyledAtoms& what, const ViewScene& scene, const MoleculeModel& model, SolventExcluded surface,
              std::shared_ptr<const Molecule> molecule, double probe_A);
 
-  /// Whether it draws a surface, which takes long to compute.
+  /// True if the style draws a surface, which takes long to compute.
   static bool hasSurface(const StyledAtoms& what, const MoleculeModel& model);
-  /// Of each of the model's spheres, whether the style draws it.
+  /// One flag per sphere of the model: nonzero if the style draws it.
   static std::vector<std::uint8_t> shownOf(const StyledAtoms& what, const AtomList& hidden, const MoleculeModel& model);
 
-  /// Whether this is what the scene wants, but perhaps in other colours.
+  /// True if this part matches the scene, except possibly for colours.
   bool fits(const StyledAtoms& what, const ViewScene& scene) const;
-  /// Whether its atoms are the model's, though perhaps in other places.
+  /// True if its atoms are those of the model, possibly at other positions.
   bool isOf(const MoleculeModel& model) const {
     return molecule_->id == model.molecule->id && molecule_->atoms.size() == model.molecule->atoms.size() &&
            most_single_atoms_ == model.most_single;
   }
-  /// Takes up the model's colours where they have changed.
+  /// Adopts the model's colours if they have changed.
   void paint(const MoleculeModel& model);
 
-  /// Whether it is the model's own spheres, whatever the style: of a molecule that is drawn by its residues there are no
-  /// others.
+  /// True if the part draws the model's own spheres. Molecules drawn by residues have no others in any style.
   bool modelsSpheres() const { return models_spheres_; }
-  /// Of each of the model's spheres, whether it is drawn.
+  /// One flag per sphere of the model: nonzero if it is drawn.
   std::span<const std::uint8_t> shown() const { return shown_; }
   const StyledAtoms& what() const { return what_; }
-  /// Null where the style has no triangles.
+  /// Null for a style without triangles.
   const GpuMesh* mesh() const { return mesh_.get(); }
-  /// Spheres of the style's own size at atoms; empty for Spheres, which have the atoms' radii.
+  /// Spheres at atoms with the style's own radius; empty for Spheres, which uses the atoms' radii.
   std::span<const SmallSphere> spheres() const { return spheres_; }
-  /// The light among the style's own shapes; null: the molecule's.
+  /// The ambient occlusion of the style's own shapes; null: that of the molecule.
   OcclusionVolume* occlusion() { return occlusion_ ? &*occlusion_ : nullptr; }
 
  private:
@@ -61,7 +60,7 @@ class StyledPart {
   unsigned painted_ = 0;
   std::vector<std::uint8_t> shown_;
   std::vector<SmallSphere> spheres_;
-  SolventExcluded surface_;  // of a style that uses the probe; its owners are the atoms
+  SolventExcluded surface_;  // for a style that uses the probe; its owners are the atoms
   std::unique_ptr<GpuMesh> mesh_;
   std::optional<OcclusionVolume> occlusion_;
 };

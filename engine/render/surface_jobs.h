@@ -1,5 +1,4 @@
-// Surfaces that are computed beside the window's thread, for MoleculeLayer: one for each style that draws one. Window's
-// thread.
+// Computes molecular surfaces in the background for MoleculeLayer, one per style that draws one. Window's thread.
 #pragma once
 
 #include <future>
@@ -16,27 +15,27 @@ namespace moltact {
 class SurfaceJobs {
  public:
   SurfaceJobs() = default;
-  /// Ends what is under way, which takes some milliseconds.
+  /// Cancels the running work, which takes some milliseconds.
   ~SurfaceJobs();
   SurfaceJobs(const SurfaceJobs&) = delete;
   SurfaceJobs& operator=(const SurfaceJobs&) = delete;
 
   struct Made {
-    std::shared_ptr<const Molecule> molecule;  ///< the scene's, or where its atoms have moved meanwhile the former one
+    std::shared_ptr<const Molecule> molecule;  ///< the scene's, or an earlier one if its atoms have moved meanwhile
     double probe_A = 0.0;
     SolventExcluded surface;
   };
-  /// The surface that the scene wants; none while it is computed. While atoms move, each surface is finished before the
-  /// next is begun.
+  /// Returns the surface for the scene; empty while it is being computed. While atoms move, each surface is completed
+  /// before the next is started.
   std::optional<Made> take(const StyledAtoms& what, const ViewScene& scene, const MoleculeModel& model);
 
-  /// Begins a picture: what take() is not asked for until endPicture() is given up.
+  /// Starts a picture. A surface that take() does not request until endPicture() is abandoned.
   void beginPicture();
   void endPicture();
 
-  /// Whether take() has something new to give.
+  /// True if take() would return a new surface.
   bool ready() const;
-  /// How far the one is that needs longest, 0 to 1; no value where none is computed.
+  /// The progress of the slowest surface, 0 to 1; empty if none is being computed.
   std::optional<float> progress() const;
 
  private:
@@ -51,12 +50,12 @@ class SurfaceJobs {
     std::future<SolventExcluded> work;
 
     bool isDone() const;
-    /// The same but for the places of the atoms.
+    /// True if both differ at most in the positions of the atoms.
     bool isLike(const StyledAtoms& what, const ViewScene& scene) const;
   };
   void begin(const StyledAtoms& what, const ViewScene& scene, const MoleculeModel& model);
 
-  std::vector<Job> jobs_, given_up_;  // the window does not wait for those either
+  std::vector<Job> jobs_, given_up_;  // abandoned jobs are kept until they end, so that the window does not wait
 };
 
 }  // namespace moltact

@@ -1,5 +1,5 @@
-// Lines of any width with soft edges, drawn over what is already there: at full strength where they are in sight,
-// fainter where something nearer hides them. Needs a current context. Widths in pixels.
+// Antialiased lines of any width, drawn over the picture: at full opacity where visible, fainter where something nearer
+// hides them. Needs a current context. Widths in pixels.
 #pragma once
 
 #include <cstdint>
@@ -14,12 +14,12 @@ namespace moltact {
 
 struct Stroke {
   glm::vec3 colour{1.0f};
-  float alpha = 1.0f;     ///< opacity where in sight
-  float hidden = 0.15f;   ///< share of alpha where hidden (default 0.15)
-  float width_px = 1.5f;  ///< (default 1.5)
+  float alpha = 1.0f;     ///< opacity where visible
+  float hidden = 0.15f;   ///< fraction of alpha where hidden
+  float width_px = 1.5f;  ///< width
 };
 
-/// Lines through places in the camera's axes, gathered for one picture.
+/// Polylines in the camera's axes, collected for one picture.
 class Strokes {
  public:
   struct Line {
@@ -47,7 +47,7 @@ class Wireframe {
  public:
   static Expected<Wireframe> build();
 
-  /// `scale` multiplies every width (screens with more pixels to the millimetre).
+  /// `scale` is a factor on every width, for screens with small pixels.
   void draw(const Strokes& strokes, const Projection& projection, float scale);
 
  private:
