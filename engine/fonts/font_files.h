@@ -1,6 +1,5 @@
-// The font files that all text is set in: those beside the program's data (homeFolder()/fonts) where they were handed out
-// with it, else those of Debian's packages fonts-inter and fonts-dejavu-core. They may not exist. Not for the haptic
-// thread.
+// The font files for all text: those of homeFolder()/fonts if the program was distributed with them, else those of
+// Debian's packages fonts-inter and fonts-dejavu-core. They may not exist. Not for the haptic thread.
 #pragma once
 
 #include <filesystem>
@@ -8,10 +7,10 @@
 
 namespace moltact {
 
-/// A face of Inter, as "Inter-Regular.otf": what all text is set in.
+/// A face of Inter, the font of all text: "Inter-Regular.otf".
 std::filesystem::path interFile(std::string_view name);
 
-/// What stands in where Inter has no sign.
+/// The fallback font for characters that Inter lacks.
 std::filesystem::path dejaVuFile();
 
 }  // namespace moltact

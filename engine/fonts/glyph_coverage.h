@@ -1,6 +1,6 @@
-// Which characters the window can write: those of its fonts whose script is laid out from left to right, one sign a
-// character. For `moltact check`, which has no window, and for the window, which loads the signs that it needs. Any
-// thread but the haptic one.
+// The characters that the window can display: those of its fonts in scripts from left to right with one glyph per
+// character. Used by `moltact check`, which has no window, and by the window to load the required glyphs. Any thread
+// except the haptic one.
 #pragma once
 
 #include <filesystem>
@@ -14,26 +14,26 @@ namespace moltact {
 
 enum class Writable {
   Yes,
-  NoSign,       ///< no font has it
-  NeedsLayout,  ///< a script that is written from right to left, or whose signs change or stack with their neighbours
+  NoSign,       ///< no font contains it
+  NeedsLayout,  ///< its script runs from right to left, or its glyphs change or stack with their neighbours
 };
 
 class GlyphCoverage {
  public:
-  using Range = std::pair<char32_t, char32_t>;  ///< the last included
+  using Range = std::pair<char32_t, char32_t>;  ///< first and last, both included
 
-  /// The characters of the font files that can be opened.
+  /// Collects the characters of the font files; files that cannot be opened are ignored.
   explicit GlyphCoverage(std::span<const std::filesystem::path> fonts);
-  /// The window's: Inter and DejaVu Sans. Read once.
+  /// The coverage of the window's fonts, Inter and DejaVu Sans. Read once.
   static const GlyphCoverage& ofWindow();
 
-  /// A character that is no sign of its own (line ends, zero-width characters, a byte order mark) is writable. Where no
-  /// font could be opened, every character counts as writable.
+  /// Tests a character. Characters without a glyph (line ends, zero-width characters, a byte order mark) are writable.
+  /// If no font could be opened, every character counts as writable.
   Writable writable(char32_t c) const;
   const std::vector<Range>& ranges() const { return ranges_; }
 
  private:
-  std::vector<Range> ranges_;  // ascending, apart
+  std::vector<Range> ranges_;  // ascending and disjoint
 };
 
 }  // namespace moltact

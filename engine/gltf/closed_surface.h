@@ -1,8 +1,9 @@
-// The surface of the union of spheres as closed triangles, for printing and slides. Pure function. Units: angstrom.
+// The surface of the union of spheres as closed triangles, for 3D printing and slides. Pure functions. Units: angstrom.
 //
-// A grid of cubes, each cut into six tetrahedra alike everywhere, so that neighbours share their edges and every edge
-// of the result belongs to exactly two triangles: closed, without holes or flaps. Corners lie within step^2 / (2 r) of
-// the surface of a sphere of radius r; creases are cut off by at most a step. Voids inside give surfaces of their own.
+// Method: a grid of cubes, each divided into six tetrahedra in the same way, so that neighbours share their edges and
+// every edge of the result belongs to exactly two triangles. The surface is closed. Vertices lie within step^2 / (2 r)
+// of the surface of a sphere of radius r; creases are cut off by at most one step. Internal voids give separate
+// surfaces.
 #pragma once
 
 #include <cstdint>
@@ -16,22 +17,23 @@ namespace moltact {
 
 struct ClosedSurface {
   std::vector<glm::vec3> places;         ///< relative to `middle_A`
-  std::vector<glm::vec3> normals;        ///< outward, of the sphere that each place lies on
+  std::vector<glm::vec3> normals;        ///< outward normals of the sphere at each vertex
   std::vector<std::uint32_t> triangles;  ///< three indices each, counter-clockwise seen from outside
-  std::vector<std::uint32_t> owners;     ///< for each triangle the sphere that it lies on
+  std::vector<std::uint32_t> owners;     ///< for each triangle, the sphere on which it lies
   Vec3 middle_A{0.0};
 };
 
-/// The most cells of the box round the spheres that are examined.
+/// Limit on the number of cells in the bounding box of the spheres.
 inline constexpr double kMaxCells = 64e6;
 
-/// The step that gives the longest side 100 cells, but none finer than 0.15 A: some 400 000 triangles for a protein.
+/// A step that divides the longest side into 100 cells, but at least 0.15 A: about 400 000 triangles for a protein.
 double usualStep_A(std::span<const Sphere> spheres);
 
-/// How many cells a step would take.
+/// The number of cells at a given step.
 double cellCount(std::span<const Sphere> spheres, double step_A);
 
-/// Spheres without a positive radius are left out. `step_A` must be positive and cellCount() at most kMaxCells.
+/// Computes the surface. Spheres without a positive radius are ignored. `step_A` must be positive and cellCount() at
+/// most kMaxCells.
 ClosedSurface closedSurface(std::span<const Sphere> spheres, double step_A);
 
 }  // namespace moltact

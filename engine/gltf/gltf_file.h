@@ -1,5 +1,5 @@
-// glTF 2.0 files: scenes written as one binary file (.glb), models read as plain triangles. Not for the haptic thread.
-// Units of a file are its own: whoever writes or reads one says what a unit stands for. Colours are sRGB, 0 to 1.
+// glTF 2.0 files: writes scenes as one binary file (.glb) and reads models as plain triangles. Not for the haptic
+// thread. The caller defines the unit of length. Colours are sRGB, 0 to 1.
 #pragma once
 
 #include <cstdint>
@@ -14,22 +14,22 @@
 
 namespace moltact {
 
-/// The drawable part of a model: triangles with all transforms applied, three corners each.
+/// The geometry of a model: triangles with all transforms applied, three corners each.
 struct SolidModel {
   struct Corner {
-    glm::vec3 place{0.0f}, normal{0.0f};  ///< the normal has length 1
+    glm::vec3 place{0.0f}, normal{0.0f};  ///< position and unit normal
     glm::vec3 colour{1.0f};
   };
   std::vector<Corner> corners;
-  glm::vec3 low{0.0f}, high{0.0f};  ///< the box round it
+  glm::vec3 low{0.0f}, high{0.0f};  ///< bounding box
 };
 
-/// A model may have so many triangles at most, so that it is drawn without a graphics card.
+/// Limit on the triangles of a model, so that it can be drawn without a graphics card.
 inline constexpr std::size_t kMaxModelTriangles = 50000;
 
-/// Reads the default scene of a .glb or .gltf file: triangles, transforms and base colours; textures, animations and
-/// cameras are passed over. Corners without a normal get their triangle's. A file that cannot be read, breaks the
-/// format or holds no triangles gives a problem.
+/// Reads the default scene of a .glb or .gltf file: triangles, transforms and base colours. Textures, animations and
+/// cameras are ignored. Corners without a normal get that of their triangle. Returns a Problem if the file is
+/// unreadable, violates the format or contains no triangles.
 Expected<SolidModel> readGltf(const std::filesystem::path& file);
 
 struct GltfMaterial {
@@ -37,7 +37,7 @@ struct GltfMaterial {
   glm::vec3 colour{1.0f};
   float opacity = 1.0f;
 };
-/// Triangles of one material: three indices each into the mesh's places.
+/// Triangles of one material: three indices each into the mesh's vertices.
 struct GltfPart {
   std::vector<std::uint32_t> indices;
   std::size_t material = 0;
@@ -50,12 +50,12 @@ struct GltfMesh {
 struct GltfNode {
   static constexpr std::size_t kNone = std::size_t(-1);
   std::string name;
-  std::size_t mesh = kNone;    ///< none: it only holds others
-  std::size_t parent = kNone;  ///< a node before it; none: stands in the scene itself
-  glm::vec3 place{0.0f};       ///< relative to the parent
+  std::size_t mesh = kNone;    ///< none: a group
+  std::size_t parent = kNone;  ///< index of an earlier node; none: a root of the scene
+  glm::vec3 place{0.0f};       ///< translation relative to the parent
   float scale = 1.0f;
 };
-/// A scene to be written. Meshes with the same places and normals share them in the file.
+/// A scene to write. Meshes with equal vertices share them in the file.
 struct GltfScene {
   std::string title;
   std::vector<std::pair<std::string, std::string>> notes;  ///< written as the asset's extras
@@ -64,7 +64,7 @@ struct GltfScene {
   std::vector<GltfNode> nodes;
 };
 
-/// Writes a binary glTF file. Returns what went wrong, or nothing. The scene must be sound: indices within range.
+/// Writes a binary glTF file. Returns a Problem on failure. All indices of the scene must be valid.
 std::optional<Problem> writeGlb(const std::filesystem::path& file, const GltfScene& scene);
 
 }  // namespace moltact

@@ -1,10 +1,10 @@
-// A pack: one file, NAME.moltact, that holds a lesson with its translations, the lessons that it leads to, its
-// molecules and pictures, to be handed to students. It is a zip (PKWARE APPNOTE 6.3) of files by their names from the
-// lesson's folder, and of "pack.json": {"format": 1, "lesson": "haem.md"}. Read by libzip, whole in memory. Any thread
-// but the haptic one; one PackFile on one thread at a time.
+// A pack: one file, NAME.moltact, that contains a lesson with its translations, the lessons to which it links, and its
+// molecules and pictures, for distribution to students. It is a zip file (PKWARE APPNOTE 6.3) with names relative to
+// the lesson's folder, plus "pack.json": {"format": 1, "lesson": "haem.md"}. libzip reads it from memory. Any thread
+// except the haptic one; a PackFile is used by one thread at a time.
 //
-// A pack may come from anybody: opening judges all that is told of its files, before one of them is unpacked, and
-// refuses what breaks a limit below. Reading a file of it holds what comes to what was told.
+// A pack is untrusted. Opening checks the directory of the zip file before anything is unpacked, and rejects a pack
+// beyond a limit below. Reading an entry enforces the size stated in the directory.
 #pragma once
 
 #include <cstddef>
@@ -22,28 +22,28 @@ namespace moltact {
 
 inline constexpr const char* kPackEnding = ".moltact";
 inline constexpr const char* kPackManifest = "pack.json";
-inline constexpr int kPackFormat = 1;  ///< a reader refuses newer ones
+inline constexpr int kPackFormat = 1;  ///< newer formats are rejected
 
 inline constexpr std::size_t kLargestPack = std::size_t{256} << 20;  ///< unit: byte
 inline constexpr std::size_t kMaxUnpacked = std::size_t{1} << 30;    ///< all files together (unit: byte)
 inline constexpr std::size_t kMaxPackEntries = 1000;                 ///< files and folders
-inline constexpr std::size_t kMaxPackRatio = 200;                    ///< a file's bytes, unpacked to packed …
-inline constexpr std::size_t kSmallUnpacked = std::size_t{1} << 20;  ///< … which small ones may exceed (unit: byte)
+inline constexpr std::size_t kMaxPackRatio = 200;                    ///< limit on a file's unpacked to packed size …
+inline constexpr std::size_t kSmallUnpacked = std::size_t{1} << 20;  ///< … for files above this size (unit: byte)
 inline constexpr std::size_t kLargestPackManifest = std::size_t{4096};  ///< unit: byte
 
-/// By the name alone.
+/// True if the file's name is that of a pack.
 bool hasPackName(const std::filesystem::path& file);
 
 struct PackEntry {
-  std::string name;       ///< "pictures/ring.png"; packNameFault() is empty
-  std::size_t bytes = 0;  ///< unpacked
+  std::string name;       ///< "pictures/ring.png"; valid by packNameFault()
+  std::size_t bytes = 0;  ///< unpacked size
 };
 
 class PackFile {
  public:
-  /// A Problem, naming the entry at fault, where the file cannot be read, is no pack, or is one that is refused.
+  /// Opens a pack. Returns a Problem that names the entry if the file is unreadable, not a pack, or rejected.
   static Expected<PackFile> open(const std::filesystem::path& file);
-  /// The same of bytes in memory; `name` stands in problems.
+  /// The same for bytes in memory; `name` is used in problems.
   static Expected<PackFile> ofBytes(std::string name, std::string bytes);
 
   PackFile(PackFile&&) noexcept;
@@ -53,13 +53,13 @@ class PackFile {
   const std::string& name() const;
   /// contentHash() of the file.
   const std::string& hash() const;
-  /// The lesson that is shown first: one of the entries, at the pack's top.
+  /// The first lesson: one of the entries, at the top level of the pack.
   const std::string& lesson() const;
-  /// The files, by name; without the manifest.
+  /// The files by name, without the manifest.
   const std::vector<PackEntry>& entries() const;
 
-  /// Hands over an entry's bytes, piece by piece, until `take` gives a Problem, which then comes back. A Problem where
-  /// the entry is damaged, or longer or shorter than was told.
+  /// Passes an entry's bytes to `take` in pieces. A Problem from `take` ends the reading and is returned. Also returns
+  /// a Problem if the entry is damaged or its size differs from the stated one.
   using Take = std::function<std::optional<Problem>(std::string_view bytes)>;
   std::optional<Problem> read(const PackEntry& entry, const Take& take) const;
   Expected<std::string> read(const PackEntry& entry) const;

@@ -1,5 +1,5 @@
-// Makes a pack (pack_file.h) of a lesson file and all that it needs from the author's computer. Any thread but the
-// haptic one.
+// Creates a pack (pack_file.h) from a lesson file and all files that it needs. Any thread except the haptic one; blocks
+// on downloads.
 #pragma once
 
 #include <filesystem>
@@ -12,21 +12,20 @@
 namespace moltact {
 
 struct Packed {
-  std::string bytes;                 ///< the same for the same files: sorted names, one date, one level of compression
+  std::string bytes;                 ///< reproducible: sorted names, a fixed date, a fixed compression level
   std::vector<std::string> files;    ///< by name
-  std::vector<std::string> library;  ///< molecules that are not packed, for every Moltact has them
+  std::vector<std::string> library;  ///< molecules of the library, which are not packed because every Moltact has them
 };
 
 struct PackedLesson {
-  std::optional<Packed> pack;     ///< only where `errors` is empty
-  std::vector<Problem> errors;    ///< of the check and of what cannot be packed, each at its place
+  std::optional<Packed> pack;     ///< set only if `errors` is empty
+  std::vector<Problem> errors;    ///< of the check, and files that cannot be packed
   std::vector<Problem> warnings;  ///< of the check
 };
 
-/// Packed are: the lesson; it in other languages beside it; the lessons and other files that it leads to; its pictures;
-/// its molecules, from the lesson's folder or downloaded from the PDB. Those of the library come with every Moltact and
-/// are named only. Every lesson is checked first. What lies outside the
-/// lesson's folder is refused, also where a link leads there.
+/// Packs the lesson, its translations beside it, the lessons and other files to which it links, its pictures, and its
+/// molecules, from the lesson's folder or downloaded from the PDB. Molecules of the library are named only. Every
+/// lesson is checked first. Files outside the lesson's folder are rejected, also behind a link.
 PackedLesson packLesson(const std::filesystem::path& lesson_file);
 
 }  // namespace moltact

@@ -1,5 +1,4 @@
-// Names in a pack: paths from the pack's top that mean the same file below it on every system. Any thread but the
-// haptic one.
+// Names in a pack: relative paths that denote the same file on every system. Any thread except the haptic one.
 #pragma once
 
 #include <cstddef>
@@ -8,15 +7,15 @@
 
 namespace moltact {
 
-inline constexpr std::size_t kLongestPackName = 200;  ///< of an entry, with its folders (unit: byte)
+inline constexpr std::size_t kLongestPackName = 200;  ///< path of an entry (unit: byte)
 inline constexpr std::size_t kDeepestPackName = 8;    ///< folders above a file
 
-/// Why a name cannot stand in a pack, as the rest of a sentence ("leads out of the folder"); empty where it can.
-/// Refused are absolute paths and drives, ".." and other ways out, hidden files, bytes that are no UTF-8 or steer a
-/// terminal, and what Windows cannot have in a name.
+/// Returns why a name is not allowed in a pack, as the rest of a sentence ("leads out of the folder"); empty if it is
+/// allowed. Rejected are absolute paths and drives, "..", hidden files, bytes that are not UTF-8 or control a terminal,
+/// and names that Windows does not support.
 std::string packNameFault(std::string_view name);
 
-/// The same file for a system that does not tell capitals from small letters (those of ASCII).
+/// The name folded for case-insensitive systems (ASCII letters only).
 std::string foldedPackName(std::string_view name);
 
 }  // namespace moltact

@@ -1,5 +1,5 @@
-// A pack in a browser edition of its own: one page (.html) that opens at the pack's lesson, with the program inside and no
-// need of a network (docs/browser.md). Any thread but the haptic one.
+// A pack inside a browser edition: one page (.html) that starts with the pack's lesson and contains the program,
+// without network access (docs/browser.md). Any thread except the haptic one.
 #pragma once
 
 #include <cstddef>
@@ -10,10 +10,11 @@
 
 namespace moltact {
 
-inline constexpr std::size_t kLargestPage = std::size_t{64} << 20;  ///< of the page without the lesson (unit: byte)
+inline constexpr std::size_t kLargestPage = std::size_t{64}
+                                            << 20;  ///< limit on the page without the lesson (unit: byte)
 
-/// Puts the pack into the browser edition `page` (the text of moltact.html, read from `page_file`). `name` is the
-/// lesson's, without an ending. A Problem where the page is no browser edition, or has a lesson already.
+/// Inserts the pack into the browser edition `page` (the text of moltact.html, read from `page_file`). `name` is the
+/// lesson's name without ending. Returns a Problem if the page is not a browser edition or already contains a lesson.
 Expected<std::string> pageWithPack(std::string page, const std::string& page_file, const std::string& name,
                                    std::string_view pack);
 

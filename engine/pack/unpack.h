@@ -1,5 +1,4 @@
-// A pack as files on the disk, for as long as a lesson is on the shelf or a command looks at it. Any thread but the
-// haptic one.
+// Unpacks a pack to disk, while a lesson is in the library or a command uses it. Any thread except the haptic one.
 #pragma once
 
 #include <filesystem>
@@ -13,18 +12,18 @@
 
 namespace moltact {
 
-/// userDataFolder()/packs: where the window unpacks what it opens. Empty where this computer tells no home.
+/// userDataFolder()/packs, where the window unpacks packs. Empty if there is no home folder.
 std::filesystem::path packsFolder();
 
-/// Unpacks into packs/NAME-HASH, NAME being the lesson's and HASH the pack's, in the place of what is there: the folder
-/// is there whole or, with a Problem, as it was before. `packs` is made where it is missing. Gives the lesson's file.
+/// Unpacks into packs/NAME-HASH, with the lesson's name and the pack's hash, replacing an existing folder. After a
+/// Problem the folder is unchanged. Creates `packs` if it is missing. Returns the lesson's file.
 Expected<std::filesystem::path> unpack(const PackFile& pack, const std::filesystem::path& packs);
 
-/// The lesson of a pack in the language, where the pack has it in several.
+/// The lesson of a pack in the given language, if the pack contains it; else `lesson_file`.
 std::filesystem::path packedLesson(const std::filesystem::path& lesson_file, std::string_view language);
 
-/// A pack in a folder of the temporary ones, which goes with this; also where a signal ends the program. What a program
-/// left that was killed is removed when the next pack is opened. For commands; one at a time.
+/// A pack in a temporary folder, removed by the destructor and when a signal ends the program. The folder of a killed
+/// program is removed when the next pack is opened. For commands; one at a time.
 class PackForNow {
  public:
   static Expected<PackForNow> open(const std::filesystem::path& pack_file);
@@ -32,7 +31,7 @@ class PackForNow {
   const PackFile& pack() const { return pack_; }
   std::filesystem::path folder() const { return folder_.path(); }
   std::filesystem::path lesson() const { return folder_.path() / pack_.lesson(); }
-  /// A text that names files of the folder, naming those of the pack instead: "haem.moltact/haem.md".
+  /// Replaces paths of the temporary folder in a text by those of the pack: "haem.moltact/haem.md".
   std::string shown(std::string text) const;
 
  private:

@@ -1,4 +1,4 @@
-// Files as the bytes of a pack (pack_file.h). Any thread but the haptic one.
+// Writes files into the bytes of a pack (pack_file.h). Any thread except the haptic one.
 #pragma once
 
 #include <map>
@@ -8,8 +8,8 @@
 
 namespace moltact {
 
-/// `files`: contents by name; `lesson` is one of them. Of the same files always the same bytes. A Problem without a
-/// file where libzip cannot make it.
+/// `files`: contents by name; `lesson` is one of the names. Reproducible: equal files give equal bytes. Returns a
+/// Problem without a file name if libzip fails.
 Expected<std::string> writePack(const std::string& lesson, const std::map<std::string, std::string>& files);
 
 }  // namespace moltact

@@ -1,19 +1,20 @@
-// Touch as sound: a tone whose pitch is the force, as many notes as atoms hold the probe, a scrape while the probe slides,
-// a knock at contact, a click for each new atom that is reached, a thud in a pit. Arithmetic only: no device, no clock, no allocation; the same
-// samples whatever the size of the blocks. One thread at a time. Units: newton, hertz, second; samples from -1 to 1.
+// Sonifies touch: the pitch of a tone is the force, the number of notes the number of atoms that block the probe.
+// Sliding adds a scrape, a contact a knock, each newly reached atom a click, and a pit a thud. Pure computation without
+// device, clock or allocation; the samples do not depend on the block size. One thread at a time. Units: newton, hertz,
+// second; samples from -1 to 1.
 //
-//   heard                       felt
-//   pitch                       force: 330 Hz without force, 8 semitones higher for each newton (3 N: two octaves)
-//   one note                    a sphere: one atom holds the probe
-//   two notes, a fifth apart    a crease: two atoms hold it
-//   three notes, a major chord  a pit: three atoms hold it
-//   loudness                    grows a little with the force, up to 2 N
+//   sound                       touch
+//   pitch                       force: 330 Hz without force, 8 semitones higher per newton (3 N: two octaves)
+//   one note                    a sphere: one atom blocks the probe
+//   two notes, a fifth apart    a crease: two atoms block it
+//   three notes, a major chord  a pit: three atoms block it
+//   loudness                    increases slightly with the force, up to 2 N
 //   knock                       contact begins; a lower one: contact ends
-//   click                       an atom is reached that was not held before: the probe falls into a crease
-//   thud                        a third atom holds the probe: it has fallen into a pit
-//   scrape                      the contact point slides over the surface; louder and brighter the faster it goes
+//   click                       a new atom blocks the probe: it has reached a crease
+//   thud                        a third atom blocks the probe: it has reached a pit
+//   scrape                      the contact point slides over the surface; louder and brighter at higher speed
 //
-// Every part has its own limit, and their sum stays below 1: nothing clips, however the parts fall together.
+// Every component has its own limit, and the sum of the limits is below 1, so the output never clips.
 #pragma once
 
 #include <array>
@@ -28,44 +29,44 @@ namespace moltact {
 inline constexpr int kSamples_per_s = 48000;
 inline constexpr double kLowestPitch_Hz = 330.0;
 inline constexpr double kSemitones_per_N = 8.0;
-inline constexpr double kMaxHeard_N = 4.0;  ///< a greater force sounds like this one
-/// Just intonation: the notes' frequencies over the lowest. A crease takes the first and the last, a pit all three.
+inline constexpr double kMaxHeard_N = 4.0;  ///< larger forces sound like this one
+/// Just intonation: frequency ratios to the lowest note. A crease uses the first and the last, a pit all three.
 inline constexpr std::array<double, 3> kChord{1.0, 5.0 / 4.0, 3.0 / 2.0};
 
 inline constexpr double kClick_Hz = 2200.0, kKnock_Hz = 520.0, kRelease_Hz = 390.0, kThud_Hz = 110.0;
-/// The limits of the parts: of one note alone (three notes together reach 1.74 of it), of the knock, of the click, of
-/// the thud, of the scrape.
+/// Peak levels of the components: a single note (three notes together reach 1.74 times this), the knock, the click, the
+/// thud, the scrape.
 inline constexpr double kNoteLevel = 0.22, kKnockLevel = 0.16, kClickLevel = 0.16, kThudLevel = 0.18,
                         kScrapeLevel = 0.08;
-inline constexpr double kFullScrape_A_per_s = 20.0;  ///< from this speed on the scrape is loudest
+inline constexpr double kFullScrape_A_per_s = 20.0;  ///< speed from which the scrape has its full level
 
-/// The pitch of a force; what is negative or not finite counts as none.
+/// The pitch of a force; a negative or non-finite force counts as zero.
 double pitch_Hz(double force_N);
 
-/// The audible state of one tick of the servo loop.
+/// The part of a tick that is audible.
 struct TouchMoment {
   Feature feature = Feature::Free;
   std::array<std::int32_t, 3> atoms{-1, -1, -1};
   double force_N = 0.0;
-  double slide_A_per_s = 0.0;  ///< of the contact point over the surface
+  double slide_A_per_s = 0.0;  ///< speed of the contact point over the surface
 };
 
 class TouchSynth {
  public:
-  /// Sets the state that is heard from now on.
+  /// Sets the state to sonify from now on.
   void take(const TouchMoment& moment) noexcept;
 
   /// Fills `out` with the next samples at kSamples_per_s.
   void render(std::span<float> out) noexcept;
 
-  /// Nothing is sounding and nothing will until something is touched.
+  /// True if there is no sound and will be none until the next touch.
   bool silent() const noexcept;
 
  private:
-  /// A short note: rises in 2 ms, then dies away.
+  /// A short note: an attack of 2 ms, then an exponential decay.
   struct Blip {
     double hertz = 0, phase = 0, level = 0, fade = 0;
-    int rising = 0;  // samples
+    int rising = 0;  // remaining samples of the attack
     double rise = 0;
     void strike(double pitch, double peak, double decay_s) noexcept;
     double next() noexcept;
@@ -73,11 +74,11 @@ class TouchSynth {
 
   TouchMoment felt_;
   double semitones_ = 0, loudness_ = 0;     // smoothed
-  std::array<double, 3> phase_{}, note_{};  // of the chord; note_ is each one's smoothed level
+  std::array<double, 3> phase_{}, note_{};  // of the chord; note_ contains the smoothed levels
   Blip knock_, click_, thud_;
   int since_click_ = kSamples_per_s, since_thud_ = kSamples_per_s;
-  double scrape_ = 0.0, bright_ = 0.0, dull_ = 0.0;  // its smoothed level; the noise that passed two low-passes
-  std::uint32_t noise_ = 0x9E3779B9u;                // of a xorshift
+  double scrape_ = 0.0, bright_ = 0.0, dull_ = 0.0;  // smoothed level; noise after two low-pass filters
+  std::uint32_t noise_ = 0x9E3779B9u;                // state of a xorshift generator
   double scrape() noexcept;
 };
 

@@ -1,4 +1,4 @@
-// Samples as a sound file: RIFF WAVE, one channel, 16 bit. Not for the haptic thread.
+// Writes samples to a sound file: RIFF WAVE, one channel, 16 bit. Not for the haptic thread.
 #pragma once
 
 #include <filesystem>
@@ -9,7 +9,7 @@
 
 namespace moltact {
 
-/// Writes samples from -1 to 1 (others are cut to that) at `samples_per_s`. Returns what went wrong, or nothing.
+/// Writes samples from -1 to 1 (others are clamped) at `samples_per_s`. Returns a Problem on failure.
 std::optional<Problem> writeWav(const std::filesystem::path& file, std::span<const float> samples, int samples_per_s);
 
 }  // namespace moltact

@@ -1,5 +1,5 @@
-// The covalent bonds of a molecule, and the bonds of metals to what holds them. Found when they are asked for, at a
-// person's pace; pure functions, any thread but the haptic one. Units: angstrom.
+// The covalent bonds of a molecule and the coordination bonds of its metals. Computed on request, not in a tick; pure
+// functions, any thread except the haptic one. Units: angstrom.
 #pragma once
 
 #include <cstdint>
@@ -11,16 +11,17 @@
 
 namespace moltact {
 
-/// All bonds, ascending by their first atom, then their second, each once:
-/// * those of a file that lists them (SDF, MOL), as it lists them;
-/// * within the twenty amino acids and the eight nucleotides those of their formula, with their orders, so that a clash
-///   in a poor structure makes none; between them the peptide bond, the phosphate's and disulphides;
-/// * elsewhere two atoms nearer than the sum of their covalent radii (Cordero et al., Dalton Trans. 2832, 2008) and
-///   0.45 A, their order unknown; a hydrogen has one, to its nearest; with a metal it is a Coordination, which carbon
-///   and hydrogen have only within a residue.
+/// Returns all bonds once each, ordered by first, then second atom:
+/// * a file that lists its bonds (SDF, MOL): exactly these;
+/// * within the twenty amino acids and the eight nucleotides: the bonds of the formula with their orders, so that a
+/// clash
+///   in a poor structure creates none; between them the peptide bond, the phosphodiester bond and disulphides;
+/// * otherwise: two atoms nearer than the sum of their covalent radii (Cordero et al., Dalton Trans. 2832, 2008) plus
+///   0.45 A, of unknown order. A hydrogen has one bond, to its nearest atom. A bond with a metal is a Coordination, for
+///   carbon and hydrogen only within a residue.
 std::vector<Bond> findBonds(const Molecule& molecule);
 
-/// The atoms bonded to each: those of atom i are neighbours(i).
+/// The bonded neighbours of each atom.
 class BondTable {
  public:
   BondTable(std::size_t atoms, std::span<const Bond> bonds);
@@ -33,14 +34,14 @@ class BondTable {
   std::vector<std::uint32_t> begin_, list_;
 };
 
-/// A bond of a residue's formula, by the names of its atoms.
+/// A bond of a residue's formula, by atom names.
 struct NamedBond {
   std::string_view first, second;
   BondOrder order = BondOrder::Single;
 };
-/// The bonds between the heavy atoms of an amino acid or a nucleotide; empty for a residue of another name.
+/// The bonds between the heavy atoms of an amino acid or a nucleotide; empty for other residues.
 std::span<const NamedBond> formulaBonds(std::string_view residue_name);
-/// An atom's name in formulas: O1P is OP1, a prime is no star, CD of isoleucine is CD1.
+/// The atom's name as used in formulas: O1P becomes OP1, a star becomes a prime, CD of isoleucine becomes CD1.
 std::string_view formulaName(std::string_view residue_name, std::string_view atom_name);
 
 }  // namespace moltact

@@ -1,5 +1,5 @@
-// The bonds and the secondary structure of one molecule, found when they are first wanted and kept: they hold for all
-// its coordinates (Molecule::sameTopology). One thread at a time.
+// Caches the bonds and the secondary structure of one molecule, computed at first use. They apply to all its
+// coordinates (Molecule::sameTopology). One thread at a time.
 #pragma once
 
 #include <optional>
@@ -12,12 +12,12 @@ namespace moltact {
 
 class FoundStructure {
  public:
-  /// findBonds(). The molecule is the same at every call, perhaps at other coordinates.
+  /// findBonds(). All calls must pass the same molecule, possibly with different coordinates.
   const std::vector<Bond>& bonds(const Molecule& molecule) {
     if (!bonds_) bonds_ = findBonds(molecule);
     return *bonds_;
   }
-  /// secondaryStructure(), likewise.
+  /// secondaryStructure(), with the same condition.
   const MoleculeStructure& secondary(const Molecule& molecule) {
     if (!secondary_) secondary_ = secondaryStructure(molecule);
     return *secondary_;

@@ -1,5 +1,5 @@
-// Which class a ligand is of, which part of a polymer an atom is, which elements are metals. Plain facts by name; any
-// thread but the haptic one.
+// Classes of ligands, parts of polymers, and metals, by name or number. Pure functions; any thread except the haptic
+// one.
 #pragma once
 
 #include <cstdint>
@@ -11,14 +11,14 @@ struct Molecule;
 
 enum class LigandClass : std::uint8_t { Other, Heme, Sugar, Buffer };
 
-/// By the name of the residue: haems and their kin; common sugars; what crystals are grown in, as gemmi's table of
-/// residues has it.
+/// Classifies a residue name: haems and related groups; common sugars; crystallization buffers, according to gemmi's
+/// table of residues.
 LigandClass ligandClass(std::string_view residue_name);
 
 enum class PolymerPart : std::uint8_t { None, Backbone, SideChain };
 
-/// Of an amino acid N, CA, C, O, OXT and their hydrogens are backbone; of a nucleotide phosphate and sugar with their
-/// hydrogens; the rest is side chain. None for an atom of another residue.
+/// Classifies an atom. Backbone: N, CA, C, O, OXT of an amino acid, phosphate and sugar of a nucleotide, and their
+/// hydrogens. SideChain: their other atoms. None: atoms of other residues.
 PolymerPart polymerPart(const Molecule& molecule, std::uint32_t atom);
 
 bool isMetal(int atomic_number);

@@ -1,4 +1,4 @@
-// Lengths and angles between places of a molecule, and how they are written. Pure functions; any thread but the haptic
+// Lengths and angles between points of a molecule, and their formatting. Pure functions; any thread except the haptic
 // one. Units: angstrom, degree.
 #pragma once
 
@@ -9,15 +9,15 @@
 
 namespace moltact {
 
-/// At `b`, between the ways to the others, 0 to 180. 0 where two places are one.
+/// The angle at `b` between the directions to `a` and `c`, 0 to 180. Returns 0 if two points coincide.
 double angle_deg(const PointA& a, const PointA& b, const PointA& c);
 
-/// Round the way from `b` to `c`, above -180 to 180: positive where, seen from `b` to `c`, `d` lies clockwise of `a`
-/// (IUPAC, Pure Appl. Chem. 40, 291, 1974). 0 where three places lie on a line.
+/// The torsion angle about the line from `b` to `c`, above -180 to 180; positive if, seen from `b` to `c`, `d` is
+/// clockwise from `a` (IUPAC, Pure Appl. Chem. 40, 291, 1974). Returns 0 if three points are collinear.
 double torsion_deg(const PointA& a, const PointA& b, const PointA& c, const PointA& d);
 
-/// What is measured between two places (a length), three (the angle at the second) or four (the torsion), with its
-/// unit; empty for any other number.
+/// Formats the measure of two points (a length), three (the angle at the second) or four (the torsion) with its unit;
+/// empty for any other number.
 std::string measureText(std::span<const PointA> places);
 
 }  // namespace moltact

@@ -1,6 +1,5 @@
-// The helices and strands of a molecule: as its file records them, else from its hydrogen bonds. Worked out when it is
-// asked for, at a person's pace (time grows with the number of residues); pure functions, any thread but the haptic
-// one.
+// The helices and strands of a molecule, from the records of its file or else from its hydrogen bonds. Computed on
+// request, not in a tick (time grows with the number of residues); pure functions, any thread except the haptic one.
 #pragma once
 
 #include <cstdint>
@@ -10,8 +9,8 @@
 
 namespace moltact {
 
-/// One helix or one strand: residues that follow one another, by index into Molecule::residues, both included. A
-/// strand's arrow stands at `last_residue`.
+/// One helix or strand: consecutive residues by index into Molecule::residues, both ends included. A strand's arrow
+/// points at `last_residue`.
 struct StructureElement {
   SecondaryStructure kind = SecondaryStructure::Helix;
   HelixKind helix = HelixKind::Alpha;  ///< of a helix
@@ -22,17 +21,17 @@ struct StructureElement {
 struct MoleculeStructure {
   enum class Source : std::uint8_t { File, HydrogenBonds };
   Source source = Source::HydrogenBonds;
-  std::vector<SecondaryStructure> of_residue;  ///< one for each of Molecule::residues; Coil for what is no amino acid
-  std::vector<StructureElement> elements;      ///< in the order of the residues
+  std::vector<SecondaryStructure> of_residue;  ///< one per residue; Coil for residues other than amino acids
+  std::vector<StructureElement> elements;      ///< ordered by residue
 };
 
-/// From the file's records where it has any, else from hydrogen bonds.
+/// Uses the file's records if there are any, else hydrogen bonds.
 MoleculeStructure secondaryStructure(const Molecule& molecule);
 
-/// After W. Kabsch and C. Sander, Biopolymers 22, 2577 (1983): a backbone hydrogen bond is one of less than
-/// -0.5 kcal/mol, of which each N-H has its best two; helices are turns that follow one another (alpha, then 3-10 and pi
-/// where no other is), strands are ladders of two bridges or more, with their bulges. Bends, single turns and single
-/// bridges are Coil. Hydrogens are placed as there, whether or not the file has them.
+/// The method of W. Kabsch and C. Sander, Biopolymers 22, 2577 (1983). A backbone hydrogen bond has an energy below
+/// -0.5 kcal/mol; each N-H keeps its best two. Helices are consecutive turns (alpha first, then 3-10 and pi where there
+/// is no other); strands are ladders of at least two bridges, including bulges. Bends, single turns and single bridges
+/// are Coil. Positions of hydrogens are computed as in the paper, whether or not the file contains them.
 MoleculeStructure structureByHydrogenBonds(const Molecule& molecule);
 
 }  // namespace moltact

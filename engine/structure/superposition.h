@@ -1,5 +1,5 @@
-// Two states of one molecule: which atoms are the same, the turn and shift that lay one on the other, and the places
-// between. Worked out when it is asked for, at a person's pace; pure functions, any thread but the haptic one. Units:
+// Two states of one molecule: the corresponding atoms, the rotation and translation that superimpose them, and the
+// positions between. Computed on request, not in a tick; pure functions, any thread except the haptic one. Units:
 // angstrom.
 #pragma once
 
@@ -14,42 +14,42 @@
 
 namespace moltact {
 
-/// Atoms of two molecules that are the same: (index in one, index in the other), ascending by the first.
+/// Corresponding atoms of two molecules: (index in one, index in the other), ascending by the first.
 using AtomPairs = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
 
-/// By chain, residue number with its insertion code, and atom name; of an atom that is there twice the first. Residues of
-/// another name at a number (a mutation) share the atoms of the same names. Chains go by their names, or where no name is
-/// common to both and each has as many chains, by their order.
+/// Matches atoms by chain, residue number with insertion code, and atom name; of duplicates the first counts. Residues
+/// with different names at one number (a mutation) share the atoms with equal names. Chains are matched by name; if no
+/// name is common and the numbers of chains are equal, by order.
 AtomPairs matchAtoms(const Molecule& one, const Molecule& other);
 
-/// How the other lies on the one: place_in_one = rotation * place_in_other + shift.
+/// The rigid motion of the other molecule onto the one: place_in_one = rotation * place_in_other + shift.
 struct Superposition {
   glm::dmat3 rotation{1.0};
   Vec3 shift_A{0.0};
-  double rmsd_A = 0.0;     ///< of the atoms that were laid on one another
-  std::size_t fitted = 0;  ///< how many these were
+  double rmsd_A = 0.0;     ///< of the fitted atoms
+  std::size_t fitted = 0;  ///< number of fitted atoms
   Vec3 operator()(const Vec3& place_A) const { return rotation * place_A + shift_A; }
 };
 
-/// The least-squares fit (D. L. Theobald, Acta Cryst. A61, 478, 2005) over CA of amino acids and P or C1' of nucleotides
-/// among the pairs; over all pairs where those are fewer than three. A Problem where fewer than three atoms are the same,
-/// or they lie on a line.
+/// The least-squares fit (D. L. Theobald, Acta Cryst. A61, 478, 2005) over CA of amino acids and P or C1' of
+/// nucleotides among the pairs; over all pairs if those are fewer than three. Returns a Problem if fewer than three
+/// atoms correspond or the atoms are collinear.
 Expected<Superposition> superpose(const Molecule& one, const Molecule& other,
                                   std::span<const std::pair<std::uint32_t, std::uint32_t>> pairs);
 
-/// A molecule in its own state and in another, superposed.
+/// A molecule in two superimposed states.
 struct TwoStates {
   Superposition fit;
-  std::size_t matched = 0;     ///< atoms that are in both
-  std::vector<Sphere> first;   ///< one for each atom, where the file has it
-  std::vector<Sphere> second;  ///< the same atoms in the other state, as the fit lays it on the first
-  /// The spheres at a share (0 to 1) of the way; each goes straight on. Snapshots of it are what SphereMotion takes.
+  std::size_t matched = 0;     ///< number of atoms present in both
+  std::vector<Sphere> first;   ///< one per atom, as in the file
+  std::vector<Sphere> second;  ///< the same atoms in the other state, after the fit
+  /// The spheres at a fraction (0 to 1) of linear motion between the states, as snapshots for a SphereMotion.
   std::vector<Sphere> at(double share) const;
 };
 
-/// The atoms of `one` in both states. An atom that `other` does not have goes the way of its residue, as far as that is
-/// there: it keeps its place to the residue's matched atoms; a residue that is not there at all stays where it is. With
-/// `on` (indices in `one`, ascending) only these atoms are laid on one another.
+/// Computes both states of the atoms of `one`. An atom that `other` lacks moves rigidly with the matched atoms of its
+/// residue; a residue without matched atoms does not move. With `on` (indices in `one`, ascending) the fit uses only
+/// these atoms.
 Expected<TwoStates> twoStates(const Molecule& one, const Molecule& other, std::span<const std::uint32_t> on = {});
 
 }  // namespace moltact
