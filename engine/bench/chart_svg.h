@@ -1,6 +1,7 @@
-// Draws charts with two logarithmic axes as SVG: black and greys, with a mark's shape for its kind, so that they can be
-// read in black and white and by the colour-blind; labels beside the points that do not overlap. The text is plain
-// sans-serif; nothing is loaded from elsewhere. A gap of more than three decades in y is cut short and marked.
+// Draws charts with two logarithmic axes as SVG. Series differ by the shape of their marks, in black and grey, so that
+// the chart is readable in black and white and by people with colour vision deficiency. Labels beside the points do not
+// overlap. The font is the default sans-serif; nothing is loaded. A gap of more than three decades in y is shortened
+// and marked.
 #pragma once
 
 #include <string>
@@ -11,14 +12,14 @@ namespace moltact::bench {
 enum class Mark { Disc, Circle, Square, Triangle, Diamond, Cross };
 
 struct ChartPoint {
-  double x = 0, y = 0;  ///< above zero; others are left out
-  std::string label;    ///< beside the mark; may be empty
+  double x = 0, y = 0;  ///< positive; other points are omitted
+  std::string label;    ///< drawn beside the mark; may be empty
 };
 
 struct ChartSeries {
-  std::string name;  ///< for the legend; empty: not in it
+  std::string name;  ///< in the legend; empty: no entry
   Mark mark = Mark::Disc;
-  bool joined = false;  ///< a line from point to point
+  bool joined = false;  ///< connect the points by lines
   bool dashed = false;
   bool marked = true;  ///< draw the marks
   std::vector<ChartPoint> points;
@@ -29,7 +30,7 @@ struct ChartPanel {
   std::vector<ChartSeries> series;
 };
 
-/// The panels side by side under a title, the legend of all below them, and a note.
+/// Draws the panels side by side under a title, with a common legend and a note below.
 std::string chartSvg(const std::string& title, const std::vector<ChartPanel>& panels, const std::string& note);
 
 }  // namespace moltact::bench

@@ -9,11 +9,11 @@
 
 namespace moltact::bench {
 
-/// Time a tick against the error of the SCP and of the force; the front of best trade-offs is a dashed line.
+/// Time per tick against the errors of SCP and force; the Pareto front is a dashed line.
 std::string tradeOffChart(const std::vector<TradeOff>& points, std::size_t spheres);
 
-/// Memory and ready time against the number of atoms, one line for each method; exact's points are labelled with the
-/// atoms modelled out of those loaded.
+/// Memory and ready time against the number of atoms, one line per method. Points of exact are labelled with the
+/// numbers of modelled and loaded atoms.
 std::string sizeChart(const std::vector<SceneTimes>& times);
 
 }  // namespace moltact::bench

@@ -1,17 +1,16 @@
-// The resolution of a clock, from its readings. Many clocks count in coarser steps of their own and report nanoseconds:
-// their readings differ by whole numbers of nanoseconds that are, but for rounding, multiples of that coarser step. Not
-// for the haptic thread. Unit: nanosecond.
+// The resolution of a clock, estimated from its readings. Many clocks count in coarse steps but report nanoseconds:
+// differences of readings are then multiples of the step, rounded to whole nanoseconds. Not for the haptic thread.
+// Unit: nanosecond.
 #pragma once
 
 #include <vector>
 
 namespace moltact::bench {
 
-/// The largest step of which all differences are multiples, but for their rounding to whole nanoseconds; 1 where there
-/// is no larger one.
+/// The largest step of which all differences are multiples within rounding to whole nanoseconds; 1 if there is none.
 double stepOf(const std::vector<double>& differences_ns);
 
-/// The resolution of the clock that times the ticks, measured now (takes some milliseconds).
+/// The resolution of the clock that times the ticks, measured now. Blocks for some milliseconds.
 double clockStep_ns();
 
 }  // namespace moltact::bench

@@ -1,5 +1,5 @@
-// Hand, device and tracker in a closed loop on a virtual clock: how a person and a method act on each other. Units:
-// angstrom in the molecule, millimetre and newton at the hand, joule.
+// Hand, device and tracker in a closed loop on a virtual clock, for measuring their interaction. Units: angstrom in the
+// molecule, millimetre and newton at the hand, joule.
 #pragma once
 
 #include "engine/bench/passivity_observer.h"
@@ -17,13 +17,13 @@ struct LoopSettings {
 };
 
 struct LoopTick {
-  PointA hip;           ///< as read, even where the program was given NaN
-  Contact contact;      ///< the last answer
-  ForceN force;         ///< as commanded, clamped to the device's greatest
+  PointA hip;           ///< as read from the device, even if the program received NaN
+  Contact contact;      ///< of the last step
+  ForceN force;         ///< as commanded, clamped to the device's peak force
   bool stepped = true;  ///< false on a lost tick
 };
 
-/// The servo loop's own step without the safety stage, so that a method alone is judged.
+/// A tick of the servo loop without the safety stage, to measure a method alone.
 class UnguardedStep final : public ServoStep {
  public:
   explicit UnguardedStep(const DeviceSpecs& device) : ServoStep(device, false) {}
@@ -31,22 +31,21 @@ class UnguardedStep final : public ServoStep {
 
 class ClosedLoop {
  public:
-  /// The device begins at rest at `start`.
+  /// The device starts at rest at `start`.
   ClosedLoop(const LoopSettings& settings, PointA start);
 
-  /// One tick: reads the device, steps the servo loop, commands the force, and moves the device while the hand is led to
-  /// `target`. Supports the faults Late, Lost, Doubled and NotANumber.
+  /// Performs one tick: reads the device, steps the servo loop, commands the force, and moves the device while the hand
+  /// moves to `target`. Supports the faults Late, Lost, Doubled and NotANumber.
   LoopTick tick(Interaction& interaction, PointA target, LoopFault fault = LoopFault::None);
 
   const DeviceModel& device() const { return device_; }
   DeviceModel& device() { return device_; }
 
-  /// Energy made at the device between two releases: the method's, plus that of sampling, delay and rounding (unit: J).
+  /// Energy generated at the device between two releases, by the method and by sampling, delay and rounding (unit: J).
   double made_J() const { return observer_.made_J(); }
 
-  /// The most energy that sampling, delay and rounding could have made with any surface whose force changes by no more
-  /// than the stiffness times the displacement, as a plain wall's does (unit: J): the sum of K |dx| (displacement since
-  /// the reading + rounding).
+  /// Upper bound of the energy that sampling, delay and rounding can generate with a surface of at most this stiffness,
+  /// such as a plain wall (unit: J). It is the sum of K |dx| (displacement since the reading + rounding).
   double samplingBound_J() const { return sampling_; }
 
  private:
@@ -58,11 +57,11 @@ class ClosedLoop {
   Contact last_;
   ForceN command_;
   Vec3 place_mm_;
-  std::vector<double> recent_m_;  // ways moved since the reading that the held force belongs to
+  std::vector<double> recent_m_;  // path lengths since the reading on which the held force is based
   double sampling_ = 0;
 };
 
-/// The spring's force cut to max_N; zero without contact.
+/// The spring's force clamped to max_N; zero without contact.
 ForceN springForce(const LoopSettings& settings, const Contact& contact, double max_N);
 
 }  // namespace moltact::bench

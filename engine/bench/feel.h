@@ -1,5 +1,5 @@
-// The changes that a fingertip would notice, the paper's Figure 1 in numbers: how much the force turns and changes from
-// one tick to the next while the HIP slides over one sphere, along a crease and round a pit, 0.6 A deep, 0.02 A a tick.
+// Changes that a fingertip can notice, corresponding to the paper's Figure 1: the rotation and change of the force from
+// tick to tick while the HIP slides over one sphere, along a crease and around a pit, 0.6 A deep, 0.02 A per tick.
 #pragma once
 
 #include <string>
@@ -15,7 +15,7 @@ namespace moltact::bench {
 struct FeelPath {
   std::string name;
   scenes::Scene scene;
-  scenes::Path approach;  ///< from outside to the first place, not counted
+  scenes::Path approach;  ///< from outside to the first counted position
   scenes::Path counted;
 };
 
@@ -25,8 +25,8 @@ std::vector<FeelPath> feelPaths();
 struct Feel {
   std::string path;
   const Method* method = nullptr;
-  Statistics turn_deg;  ///< of the force's direction, a tick
-  Statistics change_A;  ///< of SCP - HIP, a tick; times the stiffness it is the force's
+  Statistics turn_deg;  ///< rotation of the force's direction per tick
+  Statistics change_A;  ///< change of SCP - HIP per tick; times the stiffness it is that of the force
   double lost = 0;      ///< fraction of ticks without contact
 };
 

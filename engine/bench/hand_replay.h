@@ -1,5 +1,5 @@
-// Recorded hands, led through every method. The way is fixed: a hand that felt another method would have gone
-// another way. Units: second, nanosecond.
+// Replays recorded hands through every method. The path is fixed, although a hand that had felt another method would
+// have moved differently. Units: second, nanosecond.
 #pragma once
 
 #include <string>
@@ -11,7 +11,7 @@
 
 namespace moltact::bench {
 
-/// A hand's way laid on its molecule.
+/// A hand's path mapped to its molecule.
 struct HandOnMolecule {
   HandPath path;
   std::string molecule;
@@ -21,21 +21,21 @@ struct HandOnMolecule {
 struct HandReplay {
   std::string name, device, hand, stroke, molecule;
   double seconds = 0, touching = 0;  ///< fraction of ticks in which exact touches (0 to 1)
-  std::vector<FeltErrors> felt;      ///< a method each
-  std::vector<double> tick_ns;       ///< mean of each; 0: not timed
+  std::vector<FeltErrors> felt;      ///< one per method
+  std::vector<double> tick_ns;       ///< mean of each method; 0: not timed
 };
 
-/// Every hand through every method; `timed` methods are also timed, for `budget_s` each.
+/// Replays every hand through every method; `timed` methods are also timed, for `budget_s` each.
 std::vector<HandReplay> replayHands(const std::vector<HandOnMolecule>& hands, const std::vector<const Method*>& methods,
                                     const std::vector<const Method*>& timed, double budget_s, const Progress& progress);
 
-/// A row a hand: what it is.
+/// One row per hand: its description.
 ReportTable handsTable(const std::vector<HandReplay>& hands);
-/// A row a method, over all hands.
+/// One row per method, over all hands.
 ReportTable handsFeltTable(const std::vector<HandReplay>& hands);
-/// A row a hand and method.
+/// One row per hand and method.
 ReportTable handsFigures(const std::vector<HandReplay>& hands);
-/// All hands together, a method each.
+/// The errors over all hands together, one element per method.
 std::vector<FeltErrors> feltOverAll(const std::vector<HandReplay>& hands);
 
 }  // namespace moltact::bench

@@ -1,4 +1,4 @@
-// A logarithmic axis over a set of values: decades, ticks, and at most one gap cut short. Plain arithmetic.
+// A logarithmic axis over a set of values: decades, ticks, and at most one shortened gap. Plain arithmetic.
 #pragma once
 
 #include <algorithm>
@@ -10,8 +10,8 @@ namespace moltact::bench {
 
 class LogAxis {
  public:
-  /// Covers the values above zero with a margin, drawn from `begin` to `end` (unit: pixel). Where two neighbouring
-  /// values are more than three decades apart and `may_cut` is true, the gap between them is drawn one decade long.
+  /// Covers the positive values with a margin, drawn from `begin` to `end` (unit: pixel). If two neighbouring values
+  /// are more than three decades apart and `may_cut` is true, the gap between them is drawn as one decade.
   LogAxis(const std::vector<double>& values, double begin, double end, bool may_cut) : begin_(begin), end_(end) {
     std::vector<double> logs;
     for (const double v : values)
@@ -31,7 +31,7 @@ class LogAxis {
   double at(double value) const { return atLog(std::log10(value)); }
   double cutMiddle() const { return 0.5 * (atLog(cut_from_) + atLog(cut_to_)); }
 
-  /// The exponents of the decades to be named, thinned out where there are many.
+  /// The exponents of the labelled decades, thinned out if there are many.
   std::vector<int> decades() const {
     std::vector<int> out;
     const int all = static_cast<int>(length()), step = all > 14 ? 3 : all > 9 ? 2 : 1;

@@ -1,5 +1,5 @@
-// Does independent pieces of work on every processor. A piece may write only its own data; then the results are the
-// same for any number of threads. Never for work that is timed.
+// Distributes independent tasks over all processors. A task may write only its own data, so the results do not depend
+// on the number of threads. Never for work that is timed.
 #pragma once
 
 #include <cstddef>
@@ -7,8 +7,8 @@
 
 namespace moltact::bench {
 
-/// Calls work(0) … work(count - 1), in no fixed order, and `done(how many)` now and then on the calling thread. An
-/// exception of any piece is rethrown at the end.
+/// Calls work(0) … work(count - 1) in no fixed order, and occasionally `done(number of finished tasks)` on the calling
+/// thread. An exception of a task is rethrown at the end.
 void inManyThreads(std::size_t count, const std::function<void(std::size_t)>& work,
                    const std::function<void(std::size_t)>& done = {});
 

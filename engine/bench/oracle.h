@@ -1,10 +1,11 @@
-// A brute-force god-object on a union of spheres, by which the trackers are judged in tests and benches; slow on purpose.
-// The ideal SCP s flows along the steepest descent of |x - h|^2 from its last place, staying outside every sphere (sphere i
-// has radius R_i = radius + probe), until it rests or reaches the HIP h. It differs from a tracker in this: long double
-// throughout; every sphere examined in a loop; no neighbour lists; no closed form for the place where a path enters a
-// sphere (sign changes are bracketed and bisected); the spheres that hold the point found by trying every set of up to
-// three touching ones; and four perturbed copies whose HIPs are 1e-9 A away, which show whether the answer is
-// ill-conditioned. Units: angstrom.
+// A brute-force god-object on a union of spheres, the reference for the trackers in tests and benchmarks; slow by
+// design. The ideal SCP s descends the steepest gradient of |x - h|^2 from its last position until it rests or reaches
+// the HIP h. It stays outside every sphere (of radius R_i = radius + probe). Differences from the trackers:
+// * long double throughout; every sphere is examined in a loop, without neighbour lists;
+// * the entry of a path into a sphere is found by bracketing and bisection, without a closed form;
+// * the active set is found by trying every set of up to three touched spheres;
+// * four perturbed copies, whose HIPs are 1e-9 A away, show whether the result is ill-conditioned.
+// Units: angstrom.
 #pragma once
 
 #include <array>
@@ -15,7 +16,7 @@
 
 namespace moltact::oracle {
 
-/// The distance of the perturbed copies' HIPs from the true one (unit: angstrom).
+/// The distance between the HIPs of the perturbed copies and the true HIP (unit: angstrom).
 inline constexpr double kPerturbation_A = 1e-9;
 
 struct PointL {
@@ -24,33 +25,33 @@ struct PointL {
 
 class Oracle {
  public:
-  /// Without perturbed copies it is faster, and each answer counts as decided.
+  /// Without perturbed copies it is faster, and every answer counts as decided.
   Oracle(std::vector<Sphere> spheres, double probe_A, bool perturbed = true);
 
   struct Answer {
     bool contact = false;
-    Vec3 scp_A{0.0};          ///< the HIP when there is no contact
-    double accuracy_A = 0.0;  ///< the error bound of this answer itself
-    /// False when a HIP 1e-9 A away ends in another place or flag: two outcomes are right. A test then judges another
-    /// answer by `deepest` and `atRest` alone, and calls `place` to continue from that answer.
+    Vec3 scp_A{0.0};          ///< the HIP if there is no contact
+    double accuracy_A = 0.0;  ///< error bound of this answer
+    /// False if a HIP 1e-9 A away gives another position or flag: two results are correct. A test then checks a
+    /// tracker's answer only by `deepest` and `atRest`, and calls `place` to continue from that answer.
     bool decided = true;
-    bool started_inside = false;  ///< the HIP has not been outside yet; no contact until then
+    bool started_inside = false;  ///< the HIP has not been outside yet, so there is no contact
   };
 
-  /// One tick for a finite HIP.
+  /// Performs one tick for a finite HIP.
   Answer step(Vec3 hip);
 
-  /// Goes on from another tracker's SCP (pushed out of the spheres first where rounding left it inside).
+  /// Continues from another tracker's SCP, which is first pushed out of the spheres if rounding left it inside.
   void place(Vec3 scp);
 
-  /// As at the start.
+  /// Restores the initial state.
   void reset();
 
  private:
   struct Flow {
     PointL s;
     bool arrived = true;  // at the HIP: no contact
-    bool settled = true;  // false when the rounds ran out
+    bool settled = true;  // false: the limit of iterations was reached
   };
   Flow flow(PointL s, PointL hip) const;
 
@@ -59,14 +60,14 @@ class Oracle {
   PointL origin_;
   std::size_t flows_ = 5;
   bool been_outside_ = false;
-  std::array<PointL, 5> s_;  // the true one first, then the perturbed copies
+  std::array<PointL, 5> s_;  // the true SCP, then the perturbed copies
 };
 
-/// The greatest penetration of p into any sphere, in long double; negative outside; -infinity without spheres.
+/// The largest penetration of p into any sphere, in long double; negative outside; -infinity without spheres.
 double deepest(const std::vector<Sphere>& spheres, double probe_A, Vec3 p);
 
-/// Whether scp is at rest for that hip: |h - s + sum mu_k n_k| <= tolerance_A for some mu_k >= 0 over the spheres whose
-/// surface is within tolerance_A of scp (the Karush-Kuhn-Tucker condition; n_k outward unit normals).
+/// True if scp is at rest for that HIP: |h - s + sum mu_k n_k| <= tolerance_A for some mu_k >= 0 over the spheres whose
+/// surface is within tolerance_A of scp (the Karush-Kuhn-Tucker condition; n_k are outward unit normals).
 bool atRest(const std::vector<Sphere>& spheres, double probe_A, Vec3 scp, Vec3 hip, double tolerance_A);
 
 }  // namespace moltact::oracle

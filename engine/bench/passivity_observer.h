@@ -1,11 +1,11 @@
-// A passivity observer after Hannaford & Ryu (2002): the energy that a virtual object has given but never received.
-// Units: joule, newton, metre. Plain arithmetic, usable on every thread.
+// A passivity observer after Hannaford & Ryu (2002): measures energy that a virtual object has returned without
+// receiving it. Units: joule, newton, metre. Plain arithmetic, usable on every thread.
 //
-// It needs no model of the energy that the object stores: at a release, a moment with neither contact nor force,
-// nothing is stored, whatever the method is. The energy given to the device by then, sum(F . dx) with F the force on
-// the device, may only fall from one release to a later one if the object is passive; the greatest rise is energy made
-// from nothing. Between releases nothing is judged: an apparent gain there may be stored energy that only the method
-// knows, such as the sum over all spheres of a penalty.
+// It needs no model of the object's stored energy. At a release, a moment with neither contact nor force, nothing is
+// stored, whatever the method. Let F be the force on the device. If the object is passive, the energy given to the
+// device, sum(F . dx), does not increase from one release to a later one; the largest increase is generated energy.
+// Between releases nothing is judged: an apparent gain may be stored energy known only to the method, such as the sum
+// over all spheres of a penalty.
 #pragma once
 
 #include <algorithm>
@@ -17,13 +17,13 @@ namespace moltact::bench {
 
 class PassivityObserver {
  public:
-  /// One move: the mean force on the device during it, and whether all is released at its end.
+  /// Adds a motion: the mean force on the device during it, and true if everything is released at its end.
   void add(const Vec3& force_N, const Vec3& moved_m, bool released) {
     given_ += glm::dot(force_N, moved_m);
     if (released) release();
   }
 
-  /// The thing is released where it stands, before the first move.
+  /// The object is released at the present position, before the first motion.
   void release() {
     lowest_ = std::min(lowest_, given_);
     made_ = std::max(made_, given_ - lowest_);

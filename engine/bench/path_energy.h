@@ -1,5 +1,5 @@
-// Energy that a method makes from nothing, judged by closed paths alone: no store is assumed, so every method is judged
-// by the same law. Units: angstrom, newton, millimetre, joule.
+// The energy that a method generates, measured by closed paths alone. It assumes no storage, so it applies equally to
+// all methods. Units: angstrom, newton, millimetre, joule.
 #pragma once
 
 #include <functional>
@@ -11,15 +11,15 @@
 
 namespace moltact::bench {
 
-/// The most energy that the method gives back over a part of the path that begins and ends released: outside
-/// every sphere, with neither contact nor force. The work is summed tick by tick with the uncut force of the
-/// spring, by the trapezoidal rule, so that no sampling is in it; where the force jumps within a tick the
-/// lesser of both sides counts. A path that is never released makes 0.
+/// The largest energy that the method returns over a part of the path that begins and ends released: outside every
+/// sphere, with neither contact nor force. The work is summed per tick with the unclamped force of the spring, by the
+/// trapezoidal rule, so that sampling does not contribute. If the force jumps within a tick, the smaller of both sides
+/// counts. A path without release gives 0.
 double madeAlong(Tracker& tracker, const scenes::Scene& scene, const scenes::Path& path, const LoopSettings& loop);
 
-/// The path closed outside: from its end straight up to the true surface, back over it along the way of the
-/// right SCP, and so to its beginning; led once forward and once backward, for what turns round one way only
-/// gains, loses the other way. The greater of both. `path` begins outside (else only what follows counts).
+/// The same for the path closed outside: from its end straight up to the true surface, along the reference SCP back to
+/// its beginning. The path is run forward and backward, because a cycle that gains energy in one direction loses it in
+/// the other; the larger result counts. `path` should begin outside; otherwise the part inside is ignored.
 double madeOverClosedPath(const std::function<std::unique_ptr<Tracker>()>& make, const scenes::Scene& scene,
                           const scenes::Path& path, const LoopSettings& loop);
 

@@ -1,4 +1,4 @@
-// A table of results with its units, and its output formats: console, CSV, Markdown, JSON. Not for the haptic thread.
+// A table of results with units, and its output formats: console, CSV, Markdown, JSON. Not for the haptic thread.
 #pragma once
 
 #include <string>
@@ -7,47 +7,46 @@
 
 namespace moltact::bench {
 
-/// A text, a number, or nothing (not measured, or without meaning).
+/// A text, a number, or empty (not measured or meaningless).
 using Cell = std::variant<std::monostate, std::string, double>;
 
 struct Column {
-  std::string name;  ///< as in the CSV's header: "p99_ns"
-  std::string head;  ///< as a person reads it: "p99 (ns)"
+  std::string name;  ///< in the CSV header: "p99_ns"
+  std::string head;  ///< for people: "p99 (ns)"
 };
 
 struct ReportTable {
-  std::string name;   ///< stem of the CSV file and key in the JSON: "ticks"
+  std::string name;   ///< stem of the CSV file and key in JSON: "ticks"
   std::string title;  ///< one sentence above the table
   std::vector<Column> columns;
   std::vector<std::vector<Cell>> rows;  ///< each as long as `columns`
   std::string note;                     ///< below the table; may be empty
 };
 
-/// Three significant digits, thousands set apart, 1e-13 where small: for people, not for programs.
+/// Formats a number for people: three significant digits, separated thousands, 1e-13 if small.
 std::string readable(double value);
 
-/// A constant as it is written in the code: 0.05, 18.4, 7.
+/// Formats a constant as in source code: 0.05, 18.4, 7.
 std::string constant(double value);
 
-/// "a, b and c"; "none" of none.
+/// Joins names: "a, b and c"; "none" for an empty list.
 std::string listed(const std::vector<std::string>& names);
 
 std::string toConsole(const ReportTable& table);
 std::string toMarkdown(const ReportTable& table);
 
-/// A header of column names, then the rows; numbers to nine digits; fields quoted where RFC 4180 asks for it.
+/// A header of column names, then the rows; numbers with nine digits; fields quoted as RFC 4180 requires.
 std::string toCsv(const ReportTable& table);
 
 /// {"command": …, "tables": {name: {"title", "note", "rows": [{column: value}]}}}; nothing is null.
 std::string toJson(const std::vector<ReportTable>& tables, const std::string& command);
 
-/// The rows whose text in the column of that name is `value`, under another name and title; no rows where there is no
-/// such column.
+/// The rows with text `value` in the named column, under another name and title; no rows if there is no such column.
 ReportTable rowsWhere(const ReportTable& table, const std::string& column, const std::string& value, std::string name,
                       std::string title);
 
 /// Returns `text` with everything between the lines "<!-- name:begin" … and "<!-- name:end -->" replaced by `content`;
-/// the text unchanged where the markers are missing.
+/// unchanged if the markers are missing.
 std::string replacedBetweenMarkers(const std::string& text, const std::string& name, const std::string& content);
 
 }  // namespace moltact::bench

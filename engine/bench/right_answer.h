@@ -1,4 +1,4 @@
-// The reference SCP, tick by tick, for judging a method: exact's answer, and for exact itself the brute-force oracle's.
+// The reference SCP per tick, for judging a method: that of exact, and for exact itself that of the brute-force oracle.
 // Units: angstrom.
 #pragma once
 
@@ -13,16 +13,16 @@ namespace moltact::bench {
 
 class RightAnswer {
  public:
-  /// `by_oracle`: judge by the oracle, else by exact.
+  /// `by_oracle`: use the oracle as reference, else exact.
   RightAnswer(const scenes::Scene& scene, bool by_oracle);
 
   struct Answer {
     bool touching = false;
-    Vec3 scp_A{0.0};    ///< the HIP when not touching
-    bool known = true;  ///< false where two outcomes are right, or where the surface itself has just moved
+    Vec3 scp_A{0.0};    ///< the HIP if there is no contact
+    bool known = true;  ///< false if two results are correct, or the surface itself has just moved
   };
 
-  /// One tick; `given` is the judged method's answer, from which the oracle goes on where it cannot know.
+  /// Performs one tick. `given` is the judged method's answer, from which the oracle continues if its own is undecided.
   Answer step(const Vec3& hip, const Contact& given);
   void setProbe(double probe_A);
   void swap(const scenes::Scene& scene);

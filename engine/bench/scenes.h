@@ -1,5 +1,5 @@
-// The scenes in which haptic methods are known to fail, and HIP paths over them, for tests and benches. All are
-// functions of their arguments and seed alone, with the same numbers on every machine. Units: angstrom.
+// Scenes in which haptic methods are known to fail, and HIP paths over them, for tests and benchmarks. All are
+// deterministic functions of arguments and seed, equal on every machine. Units: angstrom.
 #pragma once
 
 #include <cstdint>
@@ -16,7 +16,7 @@ struct Scene {
   double probe_A = 1.4;
 };
 
-/// Numbers that are the same with every standard library (splitmix64).
+/// Random numbers that are equal with every standard library (SplitMix64).
 class Random {
  public:
   explicit Random(std::uint64_t seed) : state_(seed) {}
@@ -36,40 +36,39 @@ Scene shell();        ///< fullerene-like: 60 C on a truncated icosahedron of ed
 Scene cluster(int n,
               std::uint64_t seed);  ///< n random atoms of radii 1.1 to 2 in a cube, as dense as an organic crystal
 
-/// n x n x n spheres of one size: on the simple cubic lattice eight inflated surfaces meet in the middle of each cell, on
-/// the face-centred lattice six (octahedral hole) and four (tetrahedral hole).
+/// n x n x n spheres of one size. In the simple cubic lattice eight inflated surfaces meet in the middle of each cell,
+/// in the face-centred lattice six (octahedral hole) and four (tetrahedral hole).
 Scene simpleCubic(int n);
 Scene faceCentred(int n);
 
-/// n spheres of radius 1.7 on a circle in the plane z = 0; the largest sphere that passes its hole has the radius
+/// n spheres of radius 1.7 on a circle in the plane z = 0; the largest sphere that fits through the hole has radius
 /// probe + slack_A.
 Scene ring(int n, double slack_A);
 
-/// Two inflated spheres whose surfaces touch in the one point (R, 0, 0); that overlap by `overlap_A`; that touch, with a
+/// Two inflated spheres whose surfaces touch in the point (R, 0, 0); that overlap by `overlap_A`; that touch, with a
 /// third sphere across the seam.
 Scene touching();
 Scene barelyOverlapping(double overlap_A = 1e-9);
 Scene touchingAcross();
 
 Scene nested();      ///< a sphere inside another, one touching it from inside, and a neighbour
-Scene duplicates();  ///< the pit with each atom twice and one three times (alternate locations)
+Scene duplicates();  ///< the pit with two copies of each atom and three of one (alternate locations)
 
 Scene shifted(Scene scene, Vec3 by, const std::string& how);
 
-/// One of each above, random clusters of 5, 20 and 50, and some a million angstroms from the origin.
+/// All scenes above, random clusters of 5, 20 and 50, and some scenes a million angstroms from the origin.
 std::vector<Scene> all(std::uint64_t seed = 1);
 
 using Path = std::vector<Vec3>;
 
-/// A walk of fixed step along the surface: its depth varies between 0 and depth_A, and now and then the HIP comes out a
-/// little. Starts outside.
+/// A walk of fixed step along the surface. Its depth varies between 0 and depth_A, and occasionally the HIP leaves the
+/// surface. Starts outside.
 Path walk(const Scene& scene, int ticks, std::uint64_t seed, double step_A = 0.02, double depth_A = 0.8);
 
-/// The same walk, with a jump to a random place (in or out) every 37th tick.
+/// The same walk, with a jump to a random position (inside or outside) every 37th tick.
 Path jumps(const Scene& scene, int ticks, std::uint64_t seed, double step_A = 0.02);
 
-/// Straight passes through the scene from one side to the other, each with a step drawn from 0.05 to 12 a
-/// tick.
+/// Straight passes through the scene, each with a random step of 0.05 to 12 A per tick.
 Path passes(const Scene& scene, int ticks, std::uint64_t seed);
 
 }  // namespace moltact::scenes

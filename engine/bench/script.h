@@ -1,4 +1,4 @@
-// Writes the motion of a stability scene piece by piece. Units: angstrom.
+// Composes the motion of a stability scene from segments. Units: angstrom.
 #pragma once
 
 #include <cmath>
@@ -13,7 +13,7 @@ class Script {
  public:
   explicit Script(const Vec3& start) { ticks.push_back({start}); }
 
-  /// Straight to `to` in even steps of at most `step_A`.
+  /// Straight to `place` in equal steps of at most `step_A`.
   Script& to(const Vec3& place, double step_A = 0.008) {
     const Vec3 from = ticks.back().place_A;
     const int n = std::max(1, static_cast<int>(std::ceil(glm::distance(from, place) / step_A)));
@@ -24,7 +24,7 @@ class Script {
     for (int k = 0; k < count; ++k) ticks.push_back({ticks.back().place_A});
     return *this;
   }
-  /// Along the circle centre + radius (u cos t + w sin t), from turn `from` to turn `to` (unit: whole turns).
+  /// Along the circle centre + radius (u cos t + w sin t), from `from` to `to` (unit: whole turns).
   Script& arc(const Vec3& centre, const Vec3& u, const Vec3& w, double radius, double from, double to,
               double step_A = 0.008) {
     const double angle = kTwoPi * (to - from);

@@ -1,5 +1,5 @@
-// The noise floor of every comparison with exact: exact itself with a probe that is smaller by so little that no finger
-// feels it. A difference between this and exact cannot be resolved any finer. Units: angstrom.
+// The noise floor of comparisons with exact: exact with a slightly smaller probe, a difference that no finger can feel.
+// Differences below this floor cannot be resolved. Units: angstrom.
 #pragma once
 
 #include <span>
@@ -8,7 +8,7 @@
 
 namespace moltact::bench {
 
-/// exact with a probe 0.001 A and 0.02 A smaller, as methods of the names "exact-0.001" and "exact-0.02".
+/// exact with a probe 0.001 A and 0.02 A smaller, as methods named "exact-0.001" and "exact-0.02".
 std::span<const Method> noiseFloor();
 
 }  // namespace moltact::bench

@@ -1,6 +1,6 @@
-// Leads methods through the stability scenes, many times over, and measures how true and how stable each one is: two
-// questions, two tables. On a virtual clock: the same figures on every run of the same build, for any number of
-// threads. Units: angstrom, newton, millimetre, joule.
+// Runs methods through the stability scenes many times and measures fidelity and stability, in two separate tables. On
+// a virtual clock: the results are equal in every run of the same build, for any number of threads. Units: angstrom,
+// newton, millimetre, joule.
 #pragma once
 
 #include <string>
@@ -17,35 +17,36 @@ namespace moltact::bench {
 
 /// A value above its limit is a failure.
 struct StabilityLimits {
-  double place_A = kPlaceFelt_A;     ///< of the SCP from the right one: not true
-  double step_over_N = kStepFelt_N;  ///< of the force's step from tick to tick over the true surface's: a jump
-  double jitter_mm = 0.055;          ///< of the held device from peak to peak: a step of its sensor
-  double energy_J = 1e-5;            ///< made over a closed path: a spring pressed 1 A deep holds 2.4e-3
+  double place_A = kPlaceFelt_A;     ///< distance of the SCP from the reference
+  double step_over_N = kStepFelt_N;  ///< step of the force between ticks beyond that of the true surface: a jump
+  double jitter_mm = 0.055;          ///< peak-to-peak motion of the held device: one step of its sensor
+  double energy_J = 1e-5;            ///< generated over a closed path; a spring pressed 1 A deep stores 2.4e-3
 };
 
-/// One method in one scene, once. Counts are of ticks but where said.
+/// The result of one method in one scene and draw. Counts are in ticks unless stated otherwise.
 struct StabilityResult {
   std::string scene;
   const Method* method = nullptr;
   std::size_t draw = 0;
   std::size_t ticks = 0;
-  // How true:
-  std::size_t contact_ticks = 0;  ///< in which the right answer or the method's touches
-  std::size_t off = 0;            ///< of these, SCP farther than place_A from the right one; all below are off too
-  std::size_t lost = 0;           ///< no contact, though the HIP in matter is held
-  std::size_t stuck = 0;          ///< contact where there is nothing to touch
+  // Fidelity:
+  std::size_t contact_ticks = 0;  ///< ticks in which the reference or the method touches
+  std::size_t off = 0;            ///< of these, SCP farther than place_A from the reference; includes the next three
+  std::size_t lost = 0;           ///< no contact although the HIP is inside the molecule
+  std::size_t stuck = 0;          ///< contact although there is nothing to touch
   std::size_t sunk = 0;           ///< SCP deeper than place_A in a sphere
-  double penetration_A = 0;       ///< deepest of the SCP in any tick
-  // How stable:
-  std::size_t tunnelled = 0;  ///< times the HIP stood free behind a wall that still holds the right SCP over 0.5 A off
-  std::size_t jumps = 0;      ///< the force steps by step_over_N more than the true surface's
-  std::size_t broken = 0;     ///< the answer is not a finite place
-  double step_N = 0;          ///< greatest step of the force from tick to tick
-  double step_over_N = 0;     ///< greatest over the true surface's within two ticks; 0 where it has no meaning
-  double jitter_mm = 0;       ///< of the held device
-  double energy_J = 0;        ///< made over the closed path (path_energy.h)
-  double loop_energy_J = 0;   ///< made at the device, by sampling, delay and rounding too
-  double sampling_J = 0;      ///< the most that sampling, delay and rounding alone could have made in that motion
+  double penetration_A = 0;       ///< largest depth of the SCP in any tick
+  // Stability:
+  std::size_t tunnelled =
+      0;                   ///< events: the HIP is free behind a wall that still holds the reference SCP over 0.5 A away
+  std::size_t jumps = 0;   ///< the force steps by step_over_N more than that of the true surface
+  std::size_t broken = 0;  ///< the SCP is not finite
+  double step_N = 0;       ///< largest step of the force between ticks
+  double step_over_N = 0;  ///< largest step beyond that of the true surface within two ticks; 0 if meaningless
+  double jitter_mm = 0;    ///< of the held device
+  double energy_J = 0;     ///< generated over the closed path (path_energy.h)
+  double loop_energy_J = 0;  ///< generated at the device, including sampling, delay and rounding
+  double sampling_J = 0;     ///< upper bound for sampling, delay and rounding alone in that motion
 };
 
 struct StabilityOptions {
@@ -56,36 +57,36 @@ struct StabilityOptions {
   std::size_t draws = 30;
 };
 
-/// One method in one scene.
+/// Runs one method in one scene.
 StabilityResult runScene(const StabilityScene& scene, const Method& method, const LoopSettings& loop,
                          const StabilityLimits& limits = {});
 
-/// All methods in all draws of all scenes, by scene, then method, then draw. Uses every processor.
+/// Runs all methods in all draws of all scenes, ordered by scene, method and draw. Uses every processor.
 std::vector<StabilityResult> measureStability(const StabilityOptions& options, const Progress& progress);
 
-/// A method in a scene over all draws.
+/// The results of a method in a scene over all draws.
 struct StabilityCell {
   std::string scene;
   const Method* method = nullptr;
   std::size_t draws = 0;
   MeanOf off_percent;  ///< of the ticks in contact
-  // Events in 10 000 ticks of contact, on the mean, and in how many draws there was one.
+  // Mean number of events per 10 000 ticks of contact, and the number of draws with at least one.
   double tunnelled = 0, jumps = 0, broken = 0;
   std::size_t with_tunnel = 0, with_jump = 0, with_broken = 0, with_jitter = 0, with_energy = 0;
-  double jitter_mm = 0, energy_J = 0;  ///< greatest; mean
+  double jitter_mm = 0, energy_J = 0;  ///< maximum; mean
   bool unsound() const { return with_tunnel + with_jump + with_broken + with_jitter + with_energy > 0; }
 };
 
 std::vector<StabilityCell> stabilityCells(const std::vector<StabilityResult>& results,
                                           const StabilityLimits& limits = {});
 
-/// How true: scenes down, methods across, the fraction of ticks that are off with its 95 % interval.
+/// Fidelity: one row per scene, one column per method, the fraction of ticks that are off with its 95 % interval.
 ReportTable fidelityMatrix(const std::vector<StabilityCell>& cells, const StabilityLimits& limits = {});
-/// How stable: scenes down, methods across, events with the number of draws that had one.
+/// Stability: one row per scene, one column per method, events with the number of draws that had one.
 ReportTable stabilityMatrix(const std::vector<StabilityCell>& cells, const StabilityLimits& limits = {});
-/// A row a method: its errors over all scenes and draws.
+/// One row per method: its errors over all scenes and draws.
 ReportTable stabilitySummary(const std::vector<StabilityResult>& results, const StabilityLimits& limits = {});
-/// Every figure, a row a scene, method and draw.
+/// All figures, one row per scene, method and draw.
 ReportTable stabilityFigures(const std::vector<StabilityResult>& results);
 
 /// The device and the loop of the scenes.

@@ -1,5 +1,5 @@
-// The scenes in which haptic methods are known to fail, each with its motion and the checks that have a meaning in it.
-// Functions of the seed alone. Units: angstrom.
+// The scenes in which haptic methods are known to fail, each with its motion and its applicable checks. Deterministic
+// functions of the seed. Units: angstrom.
 #pragma once
 
 #include <optional>
@@ -11,38 +11,38 @@
 
 namespace moltact::bench {
 
-/// The requests of one tick.
+/// The inputs of one tick.
 struct StabilityTick {
-  Vec3 place_A{0.0};  ///< where the hand is led, or the HIP itself where the scene is led directly
+  Vec3 place_A{0.0};  ///< target of the hand, or the HIP itself if it is controlled directly
   LoopFault fault = LoopFault::None;
-  double probe_A = -1;  ///< set this probe before the tick; negative: leave it
-  bool swap = false;    ///< continue with the second molecule from here
-  bool reset = false;   ///< reset from here
+  double probe_A = -1;  ///< probe radius to set before the tick; negative: unchanged
+  bool swap = false;    ///< switch to the second molecule
+  bool reset = false;   ///< reset the tracker
 };
 
 struct StabilityScene {
   std::string name;
-  std::string question;  ///< the question that the scene asks of a method, one sentence
+  std::string question;  ///< what the scene tests, one sentence
   scenes::Scene scene;
   std::optional<scenes::Scene> second{};  ///< the molecule that `swap` switches to
-  bool hand = true;                       ///< closed loop with device and hand; false: the HIP is led directly
-  bool energy = true;                     ///< energy has a meaning here (small steps, nothing changes under the finger)
-  bool jump = true;                       ///< so has the step of the force against the true surface's
-  std::size_t held_ticks = 0;             ///< at the end the hand is held for so long, for the residual jitter
+  bool hand = true;                       ///< closed loop with device and hand; false: the HIP is controlled directly
+  bool energy = true;                     ///< energy is measured (small steps, nothing changes during contact)
+  bool jump = true;                       ///< the step of the force is compared with that of the true surface
+  std::size_t held_ticks = 0;             ///< final ticks in which the hand is held, for the residual jitter
   std::vector<StabilityTick> script{};
 };
 
-/// All scenes, in the order of the matrix.
+/// All scenes, in the order of the tables.
 std::vector<StabilityScene> stabilityScenes(std::uint64_t seed);
 
-/// Scene and motion rotated as a whole round the middle of the scene, by a rotation that the seed draws: sensor, grid
-/// and triangles then lie differently, the question stays the same.
+/// Rotates scene and motion as a whole about the middle of the scene by a random rotation. The orientation of sensor,
+/// grid and triangles relative to the scene changes.
 StabilityScene turned(StabilityScene scene, std::uint64_t seed);
 
-/// Draw 0 is the scenes as written; each further draw has new random walks and is rotated.
+/// Draw 0 contains the original scenes; each further draw has new random walks and a rotation.
 std::vector<StabilityScene> drawnScenes(std::uint64_t seed, std::size_t draw);
 
-/// The middle of the box round a scene's centres.
+/// The middle of the bounding box of a scene's centres.
 Vec3 middleOf(const scenes::Scene& scene);
 
 }  // namespace moltact::bench

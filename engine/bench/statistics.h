@@ -16,14 +16,14 @@ struct Statistics {
 /// All zeros for no values. The values must not be NaN.
 Statistics statisticsOf(std::vector<double> values);
 
-/// A mean and the uncertainty of it: half the width of the 95 % interval by Student's t; 0 for fewer than two values.
+/// A mean and its uncertainty: half the width of the 95 % interval by Student's t; 0 for fewer than two values.
 struct MeanOf {
   double mean = 0, half_width = 0;
 };
 MeanOf meanOf(const std::vector<double>& values);
 
-/// The Pareto front of the points (cost, error): those for which no other is both cheaper and less wrong, as indices by
-/// ascending cost. The first of equal points counts.
+/// The Pareto front of the points (cost, error): the points that no other beats in both, as indices by ascending cost.
+/// Of equal points the first counts.
 std::vector<std::size_t> paretoFront(const std::vector<double>& cost, const std::vector<double>& error);
 
 }  // namespace moltact::bench

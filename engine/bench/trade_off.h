@@ -1,5 +1,4 @@
-// Speed against accuracy: for each method the time a tick and the error of SCP and force, and which methods no other
-// beats in both.
+// Speed against accuracy: time per tick and errors of SCP and force for each method, and the Pareto front.
 #pragma once
 
 #include <vector>
@@ -15,7 +14,7 @@ struct TradeOff {
   double tick_ns = 0;  ///< mean in contact
   Accuracy accuracy;   ///< against exact; exact's own against the oracle
   MemoryUsage memory_usage;
-  bool best_scp = false, best_direction = false;  ///< on the front of best trade-offs
+  bool best_scp = false, best_direction = false;  ///< on the Pareto front
 };
 
 struct TradeOffOptions {

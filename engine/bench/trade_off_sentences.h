@@ -1,5 +1,5 @@
-// The results of the tables of speed, accuracy and size in sentences: generated with every run, so that they cannot
-// disagree with the tables. Markdown.
+// Generates sentences from the tables of speed, accuracy and size in every run, so that they cannot disagree with the
+// tables. Markdown.
 #pragma once
 
 #include <string>
@@ -11,13 +11,13 @@
 
 namespace moltact::bench {
 
-/// Exactness, ratios of times, what is faster and at what price. Nothing without exact among the points.
+/// Exactness, ratios of times, faster methods and their cost. Empty if exact is not among the points.
 std::string tradeOffSentences(const std::vector<TradeOff>& points);
 
-/// Tick times with cold caches, beside the ticks in a row.
+/// Tick times with cold caches, compared with consecutive ticks.
 std::string coldCacheSentences(const std::vector<ColdCacheTimes>& cool);
 
-/// Preparation, memory, and how exact's time grows with the scene.
+/// Preparation, memory, and the growth of exact's time with the scene.
 std::string sizeSentences(const std::vector<SceneTimes>& times);
 
 }  // namespace moltact::bench
