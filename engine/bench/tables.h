@@ -19,8 +19,8 @@ struct PaperFigures {
 
 struct TableScene {
   std::string name;         ///< "Test 1: 50 random spheres"
-  std::size_t spheres = 0;  ///< expected number, for the order and the progress bar
-  std::function<std::vector<Sphere>()> spheres;
+  std::size_t sphere_count = 0;  ///< expected number, for the order and the progress bar
+  std::function<std::vector<Sphere>()> makeSpheres;
   std::string paper_name;  ///< the corresponding row of the paper; may be empty
 };
 

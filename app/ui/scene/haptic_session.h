@@ -82,7 +82,7 @@ class HapticSession {
   void magnify(bool on);
   bool magnifiedByHand() const { return by_hand_; }
   /// Another device leads: the molecule, or what is magnified, lies in its room, and the hand begins before it.
-  void fitToDevice();
+  void fitRoomOfDevice();
   /// Once a frame. With a device in the hand its axes are the screen's, and what is in the middle of the view lies
   /// behind the middle of its room; where view or device have changed the hand is placed again, so that nothing is
   /// dragged along.
@@ -103,7 +103,7 @@ class HapticSession {
   /// stage, while a hand is played or a force is tried.
   bool moveAtoms(const std::vector<Sphere>& to, int ticks);
   /// The atoms are there at once, and what is felt begins anew.
-  void placeAtoms(std::vector<Sphere> at);
+  void placeAtoms(SharedArray<Sphere> at);
 
   /// While nobody looks at the scene the hand feels nothing.
   void rest(bool on) { resting_ = on; }
