@@ -33,10 +33,10 @@ class SphereGrid {
   SphereGrid(SharedArray<Sphere> spheres, std::span<const std::uint32_t> untouchable,
              Duplicates duplicates = Duplicates::KeepFirst);
 
-  /// The spheres at other places, found through the index of `bounds`, which both share: sphere i must lie inside sphere
-  /// i of `bounds` (as the spheres of a motion lie inside SphereMotion::sweptSpheres). Untouchable spheres stay so.
-  /// A visit finds what it finds in a grid of their own, and some farther spheres; every duplicate is visited that
-  /// `bounds` visits. O(n), without sorting: 100 000 spheres take about a millisecond (build/release/motion_benchmark).
+  /// Creates a grid for spheres at other positions that shares the index of `bounds`. Sphere i must lie inside sphere i
+  /// of `bounds`, as the spheres of a motion lie inside SphereMotion::sweptSpheres(). Untouchable spheres stay so. A
+  /// visit finds the same spheres as in a grid of their own and some farther ones; duplicates are visited as in
+  /// `bounds`. O(n), without sorting: 100 000 spheres take about a millisecond (build/release/motion_benchmark).
   static SphereGrid within(const SphereGrid& bounds, SharedArray<Sphere> spheres);
 
   const SharedArray<Sphere>& spheres() const { return spheres_; }
@@ -216,7 +216,7 @@ class SphereGrid {
   int shift_ = 62;  // 64 minus the bits of a quarter of the table
   Vec3 low_{0.0}, high_{0.0}, grid_low_{0.0}, grid_high_{0.0};
   double cell_ = 1.0, cell_radius_ = 0.0, largest_radius_ = 0.0;
-  double slack_ = 0.0;  // bound of a centre's motion since its cell was chosen
+  double slack_ = 0.0;  // upper bound of the distance from a centre to the one that selected its cell
 };
 
 }  // namespace moltact
