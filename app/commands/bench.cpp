@@ -186,7 +186,7 @@ void addTables(const BenchArguments& arguments, const std::vector<const Method*>
                        arguments.quick ? std::size_t(kChartSpheres) : 0};
   const ProgressBar bar("tables");
   const auto times = measureTables(scenes, options, std::cref(bar));
-  report.tables.push_back(besidePaperTable(times));
+  report.tables.push_back(paperComparisonTable(times));
   report.tables.push_back(tickTable(times));
   report.tables.push_back(readyTable(times));
   for (const auto& [name, table] : {std::pair{"ticks", tickTable(times)}, std::pair{"ready", readyTable(times)}}) {

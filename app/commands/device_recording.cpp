@@ -261,8 +261,8 @@ void replayHand(const std::string& file) {
     std::snprintf(text, sizeof text,
                   "%llu ticks: the forces differ from tick %llu on, by at most %.3g N and %.3g N mm%s",
                   static_cast<unsigned long long>(result.ticks),
-                  static_cast<unsigned long long>(*result.first_difference), result.greatest_difference_N,
-                  result.greatest_difference_N_mm, recording->start ? "" : "; another build made the recording");
+                  static_cast<unsigned long long>(*result.first_difference), result.max_difference_N,
+                  result.max_difference_N_mm, recording->start ? "" : "; another build made the recording");
     fail(text + (recording->torn.empty() ? std::string() : "; " + recording->torn), "");
   }
   out() << result.ticks << " ticks: the same forces and torques to the last bit\n";

@@ -64,7 +64,7 @@ void addExport(CLI::App& app) {
                    "Inflate spheres, and the surface for printing, by this radius in angstroms; 1.4 is that of a water "
                    "molecule. "
                    "The style 'surface' is the surface that such a probe can reach")
-      ->check(numberFrom(0.0, kLargestProbe_A))
+      ->check(numberFrom(0.0, kMaxProbe_A))
       ->capture_default_str();
   command
       ->add_option("--step", a.options.step_A,

@@ -62,7 +62,7 @@ Expected<std::vector<PointA>> readHipPath(const std::filesystem::path& file) {
       const auto [after, fault] = std::from_chars(next, stop, place.A[k]);
       if (fault == std::errc::result_out_of_range)
         return Problem{name, line_number, column(next), tr("this number is too large or too small for a coordinate"),
-                       trf("keep coordinates within {0}", quantityText(kFarthest_A, Dimension::Length, plain()))};
+                       trf("keep coordinates within {0}", quantityText(kMaxPosition_A, Dimension::Length, plain()))};
       if (fault != std::errc{})
         return Problem{name, line_number, column(next), tr("a number was expected here"),
                        tr("a row is three numbers with commas between: x,y,z in angstroms")};

@@ -8,7 +8,7 @@ Expected<LessonArgument> LessonArgument::open(const std::filesystem::path& named
   LessonArgument out;
   out.file_ = named;
   if (!hasPackName(named)) return out;
-  Expected<PackForNow> pack = PackForNow::open(named);
+  Expected<TemporaryPack> pack = TemporaryPack::open(named);
   if (!pack) return pack.problem();
   out.file_ = pack->lesson();
   out.pack_.emplace(*std::move(pack));

@@ -18,7 +18,7 @@ class LessonArgument {
   /// The lesson's file; of a pack the one that is shown first.
   const std::filesystem::path& file() const { return file_; }
   /// Null where it is no pack.
-  const PackForNow* pack() const { return pack_ ? &*pack_ : nullptr; }
+  const TemporaryPack* pack() const { return pack_ ? &*pack_ : nullptr; }
 
   /// A file's name, or a text that has one in it, as the person knows it: "haem.moltact/haem.md".
   std::string shown(std::string text) const { return pack_ ? pack_->shown(std::move(text)) : text; }
@@ -26,7 +26,7 @@ class LessonArgument {
 
  private:
   std::filesystem::path file_;
-  std::optional<PackForNow> pack_;
+  std::optional<TemporaryPack> pack_;
 };
 
 }  // namespace moltact

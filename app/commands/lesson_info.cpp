@@ -62,7 +62,7 @@ void printLessonInfo(const std::string& name, bool json) {
         {"level", lesson.level},  {"minutes", minutes.core},       {"minutes_all", minutes.all},
         {"languages", languages}, {"steps", lesson.steps.size()},  {"tasks", tasks},
         {"questions", questions}, {"molecules", lesson.molecules}, {"asks_for", lesson.ask}};
-    if (const PackForNow* pack = argument->pack()) {
+    if (const TemporaryPack* pack = argument->pack()) {
       document["lesson"] = pack->pack().lesson();
       document["files"] = nlohmann::ordered_json::array();
       for (const PackEntry& e : pack->pack().entries())
@@ -79,7 +79,7 @@ void printLessonInfo(const std::string& name, bool json) {
   out() << "steps      " << lesson.steps.size() << " (" << tasks << " tasks, " << questions << " questions)\n";
   out() << "molecules  " << joined(lesson.molecules) << '\n';
   if (!lesson.ask.empty()) out() << "asks for   a " << lesson.ask << '\n';
-  if (const PackForNow* pack = argument->pack())
+  if (const TemporaryPack* pack = argument->pack())
     for (const PackEntry& e : pack->pack().entries()) out() << "file       " << e.name << ", " << e.bytes << " bytes\n";
 }
 

@@ -5,7 +5,7 @@
 namespace moltact {
 
 void checkOutputs(const std::vector<NamedOutput>& outputs) {
-  if (const auto problem = whyNotWritten(outputs)) throw CommandError{problem->text()};
+  if (const auto problem = overwriteProblem(outputs)) throw CommandError{problem->text()};
 }
 
 }  // namespace moltact

@@ -34,7 +34,7 @@ std::string page(const PackArguments& arguments, const fs::path& lesson, const s
     throw CommandError{tr(
         "there is no browser edition here to put the lesson into; make it with './run.sh web', or name a moltact.html "
         "with --page")};
-  Expected<std::string> text = readFile(edition, kLargestPage, tr("name the moltact.html of the browser edition"));
+  Expected<std::string> text = readFile(edition, kMaxPageBytes, tr("name the moltact.html of the browser edition"));
   if (!text) throw CommandError{text.problem().text()};
   Expected<std::string> whole = pageWithPack(*std::move(text), edition.string(), lesson.stem().string(), pack);
   if (!whole) throw CommandError{whole.problem().text()};

@@ -44,7 +44,7 @@ struct RenderArguments {
   TouchSetup touch;
   double azimuth_deg = 0, elevation_deg = 0, zoom = 1, stiffness_N_per_A = 1;
   int samples = 3, time = 0;
-  std::size_t most_single_atoms = kMaxSingleAtoms;
+  std::size_t max_single_atoms = kMaxSingleAtoms;
   double near_A = 4.0;
   bool look_at_hip = false;
 };
@@ -64,7 +64,7 @@ std::optional<PointA> hipOf(const std::string& text) {
   PointA hip;
   char rest = 0;
   if (std::sscanf(text.c_str(), "%lf,%lf,%lf%c", &hip.A.x, &hip.A.y, &hip.A.z, &rest) != 3 || !finite(hip.A) ||
-      glm::length(hip.A) > kFarthest_A)
+      glm::length(hip.A) > kMaxPosition_A)
     throw CLI::ValidationError("--hip", "'" + text + "' is not a place; write x,y,z in angstroms, as in 12.5,3,-8");
   return hip;
 }
@@ -145,7 +145,7 @@ void render(const RenderArguments& arguments) {
   scene.theme = arguments.theme == "light" ? lightTheme() : darkTheme();
   scene.colour_by = arguments.look.colourBy(*scene.molecule);
   scene.probe_A = arguments.touch.probe_A;
-  scene.most_single_atoms = arguments.most_single_atoms;
+  scene.max_single_atoms = arguments.max_single_atoms;
   SceneSpec spec = arguments.says.scene(*scene.molecule);
   spec.molecule = arguments.molecule.named;
   spec.touch = arguments.touch;
@@ -212,7 +212,7 @@ void render(const RenderArguments& arguments) {
   if (!written)
     throw CommandError{"names cannot be written: there is no font " + interFile("Inter-Regular.otf").string()};
   if (const auto problem = writePng(arguments.out, picture)) throw CommandError{problem->text()};
-  if (const std::string told = residueSpheresNotice(scene.molecule->atoms.size(), scene.most_single_atoms);
+  if (const std::string told = residueSpheresNotice(scene.molecule->atoms.size(), scene.max_single_atoms);
       !told.empty())
     err() << "moltact: " << trf("note: {0}", told) << '\n';
 }
@@ -269,7 +269,7 @@ void addRender(CLI::App& app) {
       ->check(CLI::Range(1, 4))
       ->capture_default_str();
   command
-      ->add_option("--single-atoms", a.most_single_atoms,
+      ->add_option("--single-atoms", a.max_single_atoms,
                    "Draw one ball per residue if the molecule has more atoms than this")
       ->check(CLI::Range(std::size_t(0), std::size_t(1'000'000'000)))
       ->capture_default_str();

@@ -24,7 +24,7 @@ void addTouchOptions(CLI::App& command, TouchSetup& touch) {
           if (!words.empty())
             option->check(CLI::IsMember(words));
           else if (std::holds_alternative<double TouchSetup::*>(p.member))
-            option->check(numberFrom(p.in_scenes.least, p.in_scenes.most));
+            option->check(numberFrom(p.in_scenes.min, p.in_scenes.max));
         },
         p.member);
   }
@@ -32,7 +32,7 @@ void addTouchOptions(CLI::App& command, TouchSetup& touch) {
 
 void addProbeOption(CLI::App& command, TouchSetup& touch) {
   command.add_option("--probe", touch.probe_A, "Radius of the probe, added to every atom's radius (angstrom)")
-      ->check(numberFrom(0.0, kLargestProbe_A))
+      ->check(numberFrom(0.0, kMaxProbe_A))
       ->capture_default_str();
 }
 

@@ -30,7 +30,7 @@ struct Errors {
   }
 };
 
-// The spheres that any place within `reach` of the path could touch.
+// The spheres that can touch any point within `reach` of the path.
 std::vector<Sphere> spheresNear(const SphereGrid& scene, double probe_A, const Vec3* path, std::size_t count,
                                 double reach) {
   Vec3 low(1e300), high(-1e300);
@@ -75,8 +75,7 @@ Accuracy exactAgainstOracle(const std::shared_ptr<const SphereGrid>& scene, doub
     exact.reset();
     for (const Vec3& h : stroke.approach) exact.step({h});
     Contact c = exact.step({stroke.counted[0]});
-    // An SCP lags the HIP by no more than a few angstroms on these strokes; the oracle must see what lies
-    // between.
+    // On these strokes the SCP lags behind the HIP by at most a few angstroms; the oracle needs all spheres between.
     oracle::Oracle oracle(spheresNear(*scene, probe_A, stroke.counted.data(), count, 3.0), probe_A);
     oracle.place(c.scp.A);
     for (std::size_t k = 1; k < count; ++k) {

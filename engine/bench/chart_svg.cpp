@@ -104,7 +104,7 @@ void drawAxes(Svg& svg, const ChartPanel& panel, const LogAxis& x, const LogAxis
            "transform=\"rotate(-90 " + svgNumber(x0 - 58) + " " + svgNumber(mid) + ")\"");
 }
 
-// Puts each label where it covers least: beside its mark first, then a little away with a thin line to it.
+// Places each label where it covers least: beside its mark if possible, else farther away with a thin line.
 void drawLabels(Svg& svg, const ChartPanel& panel, const LogAxis& x, const LogAxis& y, const Box& frame) {
   struct Place {
     double x, y;
@@ -122,7 +122,7 @@ void drawLabels(Svg& svg, const ChartPanel& panel, const LogAxis& x, const LogAx
   for (const Place& place : places) {
     const double w = textWidth(*place.label), h = kFont;
     Box best{};
-    double least = 1e300;
+    double smallest = 1e300;
     for (double away = 10; away <= 74; away += 16)
       for (int side = 0; side < 12; ++side) {
         const double turn = kTwoPi * side / 12, cx = std::cos(turn), cy = -std::sin(turn);
@@ -132,7 +132,7 @@ void drawLabels(Svg& svg, const ChartPanel& panel, const LogAxis& x, const LogAx
         const Box roomy{b.x0 - 6, b.y0 - 1, b.x1 + 6, b.y1 + 1};
         for (const Box& t : taken) cost += 6 * roomy.overlap(t);
         cost += 6 * (w * h - b.overlap(frame));
-        if (cost < least) least = cost, best = b;
+        if (cost < smallest) smallest = cost, best = b;
       }
     taken.push_back(best);
     const double nx = std::clamp(place.x, best.x0, best.x1), ny = std::clamp(place.y, best.y0, best.y1);

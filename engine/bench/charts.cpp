@@ -13,7 +13,7 @@
 namespace moltact::bench {
 namespace {
 
-// The families in the order of the table of methods, a mark each.
+// One mark per family, in the order of the table of methods.
 Mark markOf(const MethodFamily& family) {
   constexpr std::array kMarks{Mark::Diamond, Mark::Disc, Mark::Triangle, Mark::Square, Mark::Cross, Mark::Circle};
   std::vector<std::string_view> before;
@@ -62,7 +62,7 @@ std::string tradeOffChart(const std::vector<TradeOff>& points, std::size_t spher
 }
 
 std::string sizeChart(const std::vector<SceneTimes>& times) {
-  // A line for each method would be too many; these stand for their kinds.
+  // Too many lines would be unreadable; these methods represent their kinds.
   const std::string_view reference = referenceMethod().name;
   const std::array<std::string_view, 6> shown{reference, "paper", "mesh960", "sasmesh05", "grid04", "penalty"};
   ChartPanel memory{"Memory of the method after sliding", "atoms loaded", "bytes", {}},
@@ -80,7 +80,7 @@ std::string sizeChart(const std::vector<SceneTimes>& times) {
     const auto by_size = [](const ChartPoint& a, const ChartPoint& b) { return a.x < b.x; };
     std::sort(bytes.points.begin(), bytes.points.end(), by_size);
     std::sort(ms.points.begin(), ms.points.end(), by_size);
-    // Where points crowd, the first of them is labelled.
+    // Where points are crowded, only the first of them is labelled.
     double labelled = 0;
     for (ChartPoint& p : bytes.points) {
       if (name != reference || p.x < 8 * labelled)

@@ -11,16 +11,16 @@
 namespace moltact::bench {
 namespace {
 
-constexpr double kWidest_ns = 200.0;  // a coarser clock times nothing here
-constexpr double kReach_ns = 2000.0;  // longer differences say more of interruptions than of the clock
+constexpr double kWidest_ns = 200.0;  // a coarser clock is useless here
+constexpr double kReach_ns = 2000.0;  // longer differences are dominated by interruptions
 
 }  // namespace
 
 double stepOf(const std::vector<double>& differences_ns) {
-  // How well the differences fit multiples of a step: the length of the mean of exp(2 pi i d / step), the
-  // autocorrelation of their phases, which is 1 where all are multiples. Rounding to whole nanoseconds shortens it to
-  // sinc^2(1 / step); if half of them were half a step off it would be 0.
-  double shortest = kWidest_ns;  // the step is no larger than the shortest difference
+  // Measures how well the differences fit multiples of a step: the length of the mean of exp(2 pi i d / step). It is 1
+  // if all are multiples. Rounding to whole nanoseconds reduces it to sinc^2(1 / step); it would be 0 if half of them
+  // were half a step off.
+  double shortest = kWidest_ns;  // the step is at most the shortest difference
   for (const double d : differences_ns)
     if (d > 0) shortest = std::min(shortest, d + 1.0);
   for (double step = shortest; step > 1.5; step *= 1.0 - 2e-4) {
@@ -35,13 +35,13 @@ double stepOf(const std::vector<double>& differences_ns) {
     const double x = std::numbers::pi / step, sinc = std::sin(x) / x;
     const std::complex<double> mean = sum / double(count);
     if (mean.real() < 0.93 * sinc * sinc) continue;
-    // On the slope of a peak: go on to its maximum.
-    double best = step, most = mean.real();
+    // On the slope of a peak: climb to its maximum.
+    double best = step, largest = mean.real();
     for (double finer = step; finer > 0.97 * step; finer *= 1.0 - 5e-5) {
       double real = 0;
       for (const double d : differences_ns)
         if (d > 0 && d <= kReach_ns) real += std::cos(kTwoPi * d / finer);
-      if (real / double(count) > most) most = real / double(count), best = finer;
+      if (real / double(count) > largest) largest = real / double(count), best = finer;
     }
     return best;
   }
@@ -54,7 +54,7 @@ double clockStep_ns() {
   volatile unsigned work = 0;
   for (unsigned k = 0; k < 1500; ++k) {
     const auto begin = Clock::now();
-    for (unsigned j = 0; j < k % 97; ++j) work = work + j;  // so that the differences are of many lengths
+    for (unsigned j = 0; j < k % 97; ++j) work = work + j;  // varies the length of the differences
     differences.push_back(std::chrono::duration<double, std::nano>(Clock::now() - begin).count());
   }
   return stepOf(differences);

@@ -36,7 +36,7 @@ LoopTick ClosedLoop::tick(Interaction& interaction, PointA target, LoopFault fau
   } else {
     DevicePose given{.position = sensed};
     if (fault == LoopFault::NotANumber) given.position.mm.x = std::numeric_limits<double>::quiet_NaN();
-    settings_.probe_A = interaction.probe_A();  // a script changes it at once, a hand needs it to be slow
+    settings_.probe_A = interaction.probe_A();  // a script changes it at once, without the limited rate
     if (fault == LoopFault::Doubled) step_.tick(settings_, &interaction, given);
     const ServoSample sample = step_.tick(settings_, &interaction, given);
     last_ = sample.contact;
@@ -51,8 +51,7 @@ LoopTick ClosedLoop::tick(Interaction& interaction, PointA target, LoopFault fau
   const Vec3 moved_m = 1e-3 * (here - place_mm_);
   observer_.add(device_.held().N, moved_m, !last_.touching() && device_.held().N == Vec3(0));
 
-  // The held force is that of a place as far off as the device has moved since it was read, and of the
-  // rounding.
+  // The held force corresponds to a position that differs by the device's motion since the reading and by rounding.
   recent_m_.push_back(glm::length(moved_m));
   if (recent_m_.size() > static_cast<std::size_t>(figures_.delay_ticks) + 1) recent_m_.erase(recent_m_.begin());
   double off_m = 0.87e-3 * figures_.resolution_mm;

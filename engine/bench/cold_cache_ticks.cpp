@@ -11,10 +11,10 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr std::size_t kTurns = 4;        // of every method
-constexpr std::size_t kLine_bytes = 64;  // of a cache, or a part of one
+constexpr std::size_t kTurns = 4;        // per method
+constexpr std::size_t kLine_bytes = 64;  // a cache line, or a part of one
 
-// A method on its way through the strokes.
+// The state of a method along the strokes.
 struct Walker {
   std::unique_ptr<Tracker> tracker;
   std::size_t stroke = 0, tick = 0;

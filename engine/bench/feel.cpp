@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kDepth_A = 0.6, kStep_A = 0.02;
 
-// A circle of places, once round, started after a straight way in from `outside`.
+// One turn around a circle, after a straight approach from `outside`.
 FeelPath round(std::string name, scenes::Scene scene, Vec3 centre, Vec3 u, Vec3 w, double radius, Vec3 outside) {
   FeelPath path{std::move(name), std::move(scene), {}, {}};
   const int ticks = static_cast<int>(kTwoPi * radius / kStep_A);
@@ -33,7 +33,7 @@ std::vector<FeelPath> feelPaths() {
   std::vector<FeelPath> out;
   const scenes::Scene one = scenes::oneSphere();
   const double R = one.spheres[0].radius_A + one.probe_A;
-  // A plane in no relation to any mesh's own axes.
+  // A plane unrelated to the axes of any mesh.
   const Vec3 u = glm::normalize(Vec3(0.8, 0.5, -0.33)), w = glm::normalize(glm::cross(u, Vec3(0.2, 0.9, 0.4)));
   out.push_back(round("one sphere", one, Vec3(0), u, w, R - kDepth_A, u * (R + 0.5)));
 
@@ -47,7 +47,7 @@ std::vector<FeelPath> feelPaths() {
   const double p = pit.spheres[0].radius_A + pit.probe_A, side = pit.spheres[1].centre_A.x;
   const Vec3 middle(side / 2, side * std::sqrt(3.0) / 6, 0);
   const double height = std::sqrt(p * p - side * side / 3);
-  // Wide enough to climb out of the point onto circles and spheres and back.
+  // Large enough to pass from the point onto circles and spheres and back.
   out.push_back(round("pit", pit, middle + Vec3(0, 0, height - kDepth_A), Vec3(1, 0, 0), Vec3(0, 1, 0), 0.5,
                       middle + Vec3(0.5, 0, height + 1.5)));
   return out;

@@ -12,7 +12,7 @@ namespace moltact::bench {
 namespace {
 
 constexpr double kTicks_per_s = 1000;
-constexpr double kNeverFraction = 0.001, kOftenFraction = 0.05;  // of ticks; between them: at times
+constexpr double kNeverFraction = 0.001, kOftenFraction = 0.05;  // fractions of ticks called "never" and "often"
 constexpr double kNeverSteps_per_s = 0.1;
 
 }  // namespace
@@ -53,8 +53,8 @@ FeltErrors feltOn(const std::string& where, const Method& method, const std::sha
       double true_step = 0;
       for (std::size_t j = std::max<std::size_t>(k, 3) - 2; j <= std::min(k + 2, felt.size() - 1); ++j)
         true_step = std::max(true_step, glm::distance(right[j], right[j - 1]));
-      const double least = std::max({glm::length(felt[k]), glm::length(felt[k - 1]), kMinForce_N});
-      const double step = (glm::distance(felt[k], felt[k - 1]) - true_step) / least;
+      const double smallest = std::max({glm::length(felt[k]), glm::length(felt[k - 1]), kMinForce_N});
+      const double step = (glm::distance(felt[k], felt[k - 1]) - true_step) / smallest;
       steps += step > kForceWeber;
       steps_wide += step > kForceWeberWide;
     }

@@ -17,8 +17,8 @@ namespace {
 
 constexpr std::size_t kMaxBytes = std::size_t{1} << 30;
 constexpr double kTick_s = 0.001;
-constexpr std::size_t kMaxTicks = 25'000'000;  // seven hours; of rows as well
-constexpr std::size_t kLongestLine = 64 << 10, kMaxLabels = 1000;
+constexpr std::size_t kMaxTicks = 25'000'000;  // seven hours; also the limit on rows
+constexpr std::size_t kMaxLineBytes = 64 << 10, kMaxLabels = 1000;
 constexpr std::array<std::string_view, 7> kColumns{"t", "x", "y", "z", "fx", "fy", "fz"};
 constexpr std::string_view kBlanks = " \t,;";
 
@@ -44,7 +44,7 @@ bool isComment(std::string_view line) {
   return line.starts_with('#') || line.starts_with('%') || line.starts_with(';') || line.starts_with("//");
 }
 
-// The meaning of a row's numbers; -1 where it has none here.
+// The meaning of a row's numbers; -1: ignored.
 using Columns = std::vector<int>;
 
 std::optional<Columns> columnsNamed(const std::vector<std::string>& names) {
@@ -73,7 +73,7 @@ struct Row {
   std::size_t line = 0;
 };
 
-// Places at every tick from rows at their own times.
+// Interpolates the position at every tick from rows with their own times.
 void sample(const std::vector<Row>& rows, const std::vector<double>& time_s, bool forces, double scale, HandPath& out) {
   const double length_s = time_s.back() - time_s.front();
   const auto ticks = static_cast<std::size_t>(std::floor(length_s / kTick_s + 1e-6)) + 1;
@@ -98,7 +98,7 @@ Expected<HandPath> readHandPath(const std::filesystem::path& file) {
   const auto bytes = readFile(file, kMaxBytes, "split it into shorter ways");
   if (!bytes) return bytes.problem();
   std::string_view text = *bytes;
-  if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);  // some spreadsheets begin with it
+  if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);  // a byte order mark, written by some spreadsheets
 
   HandPath out;
   out.name = file.stem().string();
@@ -110,7 +110,7 @@ Expected<HandPath> readHandPath(const std::filesystem::path& file) {
     const std::string_view line = trimmed(text.substr(at, end - at));
     at = end + 1;
     ++line_number;
-    if (line.size() > kLongestLine)
+    if (line.size() > kMaxLineBytes)
       return Problem{name, line_number, 1, "this line is longer than 64 KiB", "write a row a line"};
     if (line.empty()) continue;
     if (isComment(line)) {
@@ -128,7 +128,7 @@ Expected<HandPath> readHandPath(const std::filesystem::path& file) {
       continue;
     }
     const std::vector<std::string> fields = words(line);
-    if (fields.empty()) continue;  // separators alone
+    if (fields.empty()) continue;  // separators only
     if (rows.empty() && !number(fields.front())) {
       if (const auto named = columnsNamed(fields)) columns = named;
       ++out.passed_over;
@@ -177,7 +177,7 @@ Expected<HandPath> readHandPath(const std::filesystem::path& file) {
       const auto value = number(said);
       if (!value || *value < 0 || (*value == 0 && target == &tick_s))
         return Problem{name, 0, 0, "\"" + said + "\" is no " + std::string(key), "write a positive number"};
-      if (target == &out.probe_A && *value > kLargestProbe_A)
+      if (target == &out.probe_A && *value > kMaxProbe_A)
         return Problem{name, 0, 0, "a probe of " + said + " A is larger than 20 A", "write 0 to 20"};
       *target = *value;
     }
@@ -196,7 +196,7 @@ Expected<HandPath> readHandPath(const std::filesystem::path& file) {
                    "say \"# time_unit: ms\" where the times are milliseconds, or split it into shorter ways"};
   for (const Row& row : rows)
     for (int k = 1; k <= 3; ++k)
-      if (!(std::abs(row.value[std::size_t(k)] * scale) <= kFarthest_A))
+      if (!(std::abs(row.value[std::size_t(k)] * scale) <= kMaxPosition_A))
         return Problem{name, row.line, 1, "this place is farther out than 1e9 " + std::string(unit == "A" ? "A" : "mm"),
                        "say the unit of the places, for example \"# unit: mm\""};
   sample(rows, time_s, forces, scale, out);
@@ -242,7 +242,7 @@ HandPath mappedTo(const HandPath& path, const SphereGrid& scene, double A_per_mm
   const bool some = std::find(path.touched.begin(), path.touched.end(), true) != path.touched.end();
   for (std::size_t k = 0; k < path.places.size(); ++k)
     if (!some || path.touched[k]) low = glm::min(low, path.places[k]), high = glm::max(high, path.places[k]);
-  // The surface is met coming straight from in front.
+  // The first surface point straight from the front.
   Vec3 at = 0.5 * (scene.low_A() + scene.high_A());
   at.z = scene.high_A().z + path.probe_A + 1;
   const double through = glm::length(scene.high_A() - scene.low_A()) + 2 * (path.probe_A + 1);

@@ -26,7 +26,7 @@ std::vector<HandReplay> replayHands(const std::vector<HandOnMolecule>& hands, co
       one.felt.push_back(feltOn(hand.path.name, *m, hand.scene, hand.path.probe_A, {stroke}));
     if (!places.empty() && !one.felt.empty()) one.touching = double(one.felt.front().ticks) / double(places.size());
     one.tick_ns.resize(methods.size());
-    // Every other of them is timed whole; the first place is the way there.
+    // Every second replay is timed as a whole; the first position is the approach.
     if (places.size() > 1) {
       const Stroke again{{places.front()}, {places.begin() + 1, places.end()}};
       const auto times = timeMethods(timed, hand.scene, hand.path.probe_A, std::vector<Stroke>(6, again), budget_s);

@@ -54,18 +54,18 @@ std::vector<Vec3> slidingPath(const std::shared_ptr<const SphereGrid>& scene, do
   bool reached = false;
   while (path.size() < ticks) {
     const Contact c = guide.step({h});
-    Vec3 way = centre - h;
+    Vec3 direction = centre - h;
     if (c.touching()) {
       const Vec3 lift = c.scp.A - h;
       const double depth = glm::length(lift);
       const Vec3 out = lift / depth;
       heading = glm::normalize(heading + 0.05 * randomDirection(random));
       heading = glm::normalize(heading - out * glm::dot(heading, out));
-      way = heading + out * (3.0 * (depth - depth_A));
+      direction = heading + out * (3.0 * (depth - depth_A));
       reached = reached || depth >= depth_A;
     }
-    // The way in from afar is not part of the path.
-    h += glm::normalize(way) *
+    // The approach from outside is not part of the path.
+    h += glm::normalize(direction) *
          (reached || c.touching() ? kStep_A : std::max(kStep_A, 0.9 * clearance(*scene, probe_A, h)));
     if (reached) path.push_back(h);
   }

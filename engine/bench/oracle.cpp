@@ -10,8 +10,8 @@ namespace {
 
 using Real = long double;
 
-// Lengths in angstrom. A path may sink kSink into a sphere before it counts as entering; a sphere within kTouch
-// is touched.
+// Lengths in angstrom. A path may penetrate a sphere by kSink before it counts as entering; a sphere within kTouch is
+// touched.
 constexpr Real kSink = 1e-14L;
 constexpr Real kTouch = 1e-12L;
 constexpr Real kRest = 1e-13L;
@@ -26,14 +26,13 @@ PointL unit(PointL a) { return a * (1 / length(a)); }
 PointL wide(Vec3 p) { return {p.x, p.y, p.z}; }
 Vec3 narrow(PointL p) { return {double(p.x), double(p.y), double(p.z)}; }
 
-// d = sum a_k n_k + rest with the rest at right angles to every n_k of the set; empty when the normals are
-// dependent.
+// d = sum a_k n_k + rest, with the rest perpendicular to every n_k of the set; empty if the normals are dependent.
 struct Split {
   std::array<Real, 3> a{};
   PointL rest;
 };
 std::optional<Split> split(PointL d, const std::array<PointL, 3>& n, int count, Real dependent = 1e-12L) {
-  // Gram-Schmidt, then back substitution: as exact as the arithmetic, whatever the angle between the normals.
+  // Gram-Schmidt, then back substitution: precise for any angle between the normals.
   std::array<PointL, 3> q;
   std::array<std::array<Real, 3>, 3> r{};
   for (int k = 0; k < count; ++k) {
@@ -64,8 +63,8 @@ std::optional<Split> split(PointL d, const std::array<PointL, 3>& n, int count, 
   return out;
 }
 
-// A straight or circular way: place(t) for t in [0, end], t a length.
-struct Way {
+// A straight or circular path: place(t) for t in [0, end], where t is a length.
+struct Path {
   PointL centre, u,
       w;            // circular: centre + radius (u cos(t / radius) + w sin(t / radius)); straight: centre + t w
   Real radius = 0;  // 0: straight
@@ -81,7 +80,7 @@ struct Way {
   }
 };
 
-// The largest t (to the last bit) up to which good(t) holds, knowing good(from) and not good(to).
+// The largest t (to the last bit) up to which good(t) is true, given good(from) and not good(to).
 template <class Good>
 Real lastGood(Real from, Real to, Good&& good) {
   for (int k = 0; k < 200; ++k) {
@@ -105,7 +104,7 @@ struct Candidate {
 }  // namespace
 
 Oracle::Oracle(std::vector<Sphere> spheres, double probe_A, bool perturbed) : flows_(perturbed ? 5 : 1) {
-  // Relative to the first centre, so that a scene a million angstroms away loses no digits.
+  // Relative to the first centre, so that a scene a million angstroms away keeps its precision.
   if (!spheres.empty()) origin_ = wide(spheres[0].centre_A);
   for (const Sphere& b : spheres) {
     if (b.radius_A + probe_A <= 0) continue;  // no interior
@@ -130,8 +129,7 @@ Oracle::Flow Oracle::flow(PointL s, PointL hip) const {
     for (int k = 0; k < spheres; ++k)
       if (gap(k, s) <= kTouch) touched.push_back(k);
 
-    // The downhill direction is the projection of d on {v : v.n_k >= 0}: try every set of up to three
-    // holders.
+    // The downhill direction is the projection of d on {v : v.n_k >= 0}: try every set of up to three active spheres.
     std::vector<Candidate> candidates;
     const auto consider = [&](std::array<int, 3> set, int count) {
       std::array<PointL, 3> n;
@@ -139,7 +137,7 @@ Oracle::Flow Oracle::flow(PointL s, PointL hip) const {
       const auto parts = split(d, n, count);
       if (!parts) return;
       for (int k = 0; k < count; ++k)
-        if (parts->a[k] > 1e-12L * left) return;  // it would pull, not push
+        if (parts->a[k] > 1e-12L * left) return;  // a pull instead of a push
       for (const int k : touched)
         if (dot(parts->rest, normal(k, s)) < -1e-11L * left) return;
       candidates.push_back({{set, count}, parts->rest});
@@ -157,35 +155,35 @@ Oracle::Flow Oracle::flow(PointL s, PointL hip) const {
     if (std::any_of(candidates.begin(), candidates.end(), [](const Candidate& c) { return length(c.v) <= kRest; }))
       return {s, false, true};
 
-    // Where several sets are possible (a holder about to let go, two spheres with one tangent plane), the right
-    // one is the one that can be followed: the others enter a sphere or pull at once.
+    // Rounding may admit several sets (a contact about to open, two spheres with one tangent plane). The right one is
+    // the one that can be followed: the others enter a sphere or pull immediately.
     Real best = -1;
     PointL next = s;
     for (const Candidate& c : candidates) {
       const auto& held = c.held;
-      Way way;
-      way.w = unit(c.v);
+      Path path;
+      path.w = unit(c.v);
       if (held.count == 0) {
-        way.centre = s;
-        way.end = left;
+        path.centre = s;
+        path.end = left;
       } else {
-        way.centre = centres_[held.sphere[0]];
-        if (held.count == 2) {  // the circle's centre is the foot of s on the line of centres
-          const PointL axis = unit(centres_[held.sphere[1]] - way.centre);
-          way.centre = way.centre + axis * dot(s - way.centre, axis);
+        path.centre = centres_[held.sphere[0]];
+        if (held.count == 2) {  // the circle's centre is the foot of s on the line through the two centres
+          const PointL axis = unit(centres_[held.sphere[1]] - path.centre);
+          path.centre = path.centre + axis * dot(s - path.centre, axis);
         }
-        way.radius = length(s - way.centre);
-        way.u = unit(s - way.centre);
-        way.w = unit(way.w - way.u * dot(way.w, way.u));
-        const PointL out = hip - way.centre;
-        way.end = way.radius * std::atan2(dot(out, way.w), dot(out, way.u));
+        path.radius = length(s - path.centre);
+        path.u = unit(s - path.centre);
+        path.w = unit(path.w - path.u * dot(path.w, path.u));
+        const PointL out = hip - path.centre;
+        path.end = path.radius * std::atan2(dot(out, path.w), dot(out, path.u));
       }
 
-      Real stop = way.end;
-      // A holder lets go where its push would become a pull; the push changes monotonically along the way.
+      Real stop = path.end;
+      // A contact opens where its push would become a pull; the push changes monotonically along the path.
       for (int k = 0; k < held.count; ++k) {
         const auto pushes = [&](Real t) {
-          const PointL x = way.place(t);
+          const PointL x = path.place(t);
           std::array<PointL, 3> n;
           for (int j = 0; j < held.count; ++j) n[j] = normal(held.sphere[j], x);
           const auto parts = split(hip - x, n, held.count);
@@ -194,27 +192,26 @@ Oracle::Flow Oracle::flow(PointL s, PointL hip) const {
         if (pushes(stop)) continue;
         stop = pushes(0) ? lastGood(0, stop, pushes) : 0;
       }
-      // The first sphere entered. Over at most half a turn the distance to a centre has at most one extremum
-      // inside.
+      // The first sphere entered. Over at most half a turn the distance to a centre has at most one extremum inside.
       for (int k = 0; k < spheres && stop > 0; ++k) {
         if (std::find(held.sphere.begin(), held.sphere.end(), k) != held.sphere.end()) continue;
         const Real start = gap(k, s);
         if (start > stop) continue;
         const Real level = std::min(start, Real(0)) - kSink;
-        const auto outside = [&](Real t) { return gap(k, way.place(t)) >= level; };
-        const auto nearing = [&](Real t) { return dot(way.place(t) - centres_[k], way.heading(t)) < 0; };
+        const auto outside = [&](Real t) { return gap(k, path.place(t)) >= level; };
+        const auto nearing = [&](Real t) { return dot(path.place(t) - centres_[k], path.heading(t)) < 0; };
         const Real lowest = nearing(0) && !nearing(stop) ? lastGood(0, stop, nearing) : stop;
         if (!outside(lowest)) stop = lastGood(0, lowest, outside);
       }
       if (stop > best) {
         best = stop;
-        next = way.place(stop);
-        // Arriving: exactly the HIP, or exactly the stop on the holders' surfaces.
-        if (held.count == 0 && stop == way.end) next = hip;
+        next = path.place(stop);
+        // At the end: exactly the HIP, or exactly on the active surfaces.
+        if (held.count == 0 && stop == path.end) next = hip;
       }
     }
     s = next;
-    // Back onto the surfaces that the stop's rounding and kSink left it under.
+    // Back onto the surfaces, below which rounding and kSink may have left the point.
     for (int pass = 0; pass < 4; ++pass)
       for (int k = 0; k < spheres; ++k)
         if (const Real g = gap(k, s); g < 0 && g > -kTouch) s = s - normal(k, s) * g;
@@ -225,8 +222,7 @@ Oracle::Flow Oracle::flow(PointL s, PointL hip) const {
 }
 
 Oracle::Answer Oracle::step(Vec3 hip_A) {
-  // The perturbed copies lie at the corners of a tetrahedron: whatever way a threshold runs, some are on either
-  // side.
+  // The perturbed copies lie at the corners of a tetrahedron, so that any threshold has some of them on either side.
   static const std::array<PointL, 5> kOffsets{PointL{0, 0, 0}, PointL{1, 1, 1}, PointL{1, -1, -1}, PointL{-1, 1, -1},
                                               PointL{-1, -1, 1}};
   const auto hipOf = [&](std::size_t c) {
@@ -259,8 +255,7 @@ Oracle::Answer Oracle::step(Vec3 hip_A) {
     spread = std::max(spread, length(e.s - ends[0].s));
     answer.decided = answer.decided && e.settled && e.arrived == ends[0].arrived;
   }
-  // The arithmetic is better than 1e-4 of the perturbed copies' offset, and errors grow as their spread
-  // does.
+  // The arithmetic error is below 1e-4 of the perturbation, and grows like the spread of the copies.
   answer.decided = answer.decided && spread < 1000 * Real(kPerturbation_A);
   answer.accuracy_A = double(1e-4L * spread + 1e-13L);
   for (std::size_t c = 0; c < flows_; ++c) s_[c] = answer.decided ? ends[c].s : ends[0].s;
@@ -280,10 +275,10 @@ void Oracle::place(Vec3 scp) {
 }
 
 double deepest(const std::vector<Sphere>& spheres, double probe_A, Vec3 p) {
-  Real most = -std::numeric_limits<Real>::infinity();
+  Real largest = -std::numeric_limits<Real>::infinity();
   for (const Sphere& b : spheres)
-    most = std::max(most, Real(b.radius_A) + Real(probe_A) - length(wide(p) - wide(b.centre_A)));
-  return double(most);
+    largest = std::max(largest, Real(b.radius_A) + Real(probe_A) - length(wide(p) - wide(b.centre_A)));
+  return double(largest);
 }
 
 bool atRest(const std::vector<Sphere>& spheres, double probe_A, Vec3 scp, Vec3 hip, double tolerance_A) {
@@ -295,7 +290,7 @@ bool atRest(const std::vector<Sphere>& spheres, double probe_A, Vec3 scp, Vec3 h
   }
   const PointL d = wide(hip) - wide(scp);
   const auto holds = [&](std::array<PointL, 3> set, int count) {
-    const auto parts = split(d, set, count, 1e-7L);  // the SCP's own rounding turns normals by less than this
+    const auto parts = split(d, set, count, 1e-7L);  // the SCP's rounding rotates normals by less than this
     if (!parts) return false;
     PointL residual = parts->rest;
     for (int k = 0; k < count; ++k)

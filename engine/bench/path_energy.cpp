@@ -10,8 +10,8 @@
 
 namespace moltact::bench {
 namespace {
-constexpr double kWayBack_A = 0.01;  // a tick
-constexpr double kJump = 4;          // times the stiffness times the way: no surface changes the force so fast
+constexpr double kWayBack_A = 0.01;  // per tick
+constexpr double kJump = 4;          // times stiffness times distance: no surface changes the force faster
 }  // namespace
 
 double madeAlong(Tracker& tracker, const scenes::Scene& scene, const scenes::Path& path, const LoopSettings& loop) {
@@ -31,10 +31,9 @@ double madeAlong(Tracker& tracker, const scenes::Scene& scene, const scenes::Pat
     const Vec3 before = force;
     force = forceAt(next, touching);
     const Vec3 moved_m = 1e-3 * (loop.workspace.toDevice({next}).mm - loop.workspace.toDevice({here}).mm);
-    // Where nothing has touched meanwhile nothing was given, and the release before is still valid.
+    // Without contact since then no energy was exchanged, and the previous release is still valid.
     const bool released = !touching && was_touching && outside(next);
-    // Where in the tick a jump lies nobody knows: what the later force gives with it is not claimed beyond
-    // the lesser.
+    // The position of a jump within a tick is unknown: only the smaller of both forces is counted.
     const double way_N = 1e3 * loop.stiffness_N_per_mm * glm::length(moved_m);
     const bool jumped = glm::distance(before, force) > kJump * way_N;
     const Vec3 lesser = glm::dot(before, moved_m) < glm::dot(force, moved_m) ? before : force;
@@ -60,8 +59,7 @@ double madeOverClosedPath(const std::function<std::unique_ptr<Tracker>()>& make,
     for (int piece = 1; piece <= pieces; ++piece)
       round.push_back(from + (surface[k] - from) * (double(piece) / pieces));
   }
-  // The SCP's way ends where the path begins; a method that reads the surface elsewhere may still touch
-  // there.
+  // The SCP's path ends where the path begins; a method with an inaccurate surface may still touch there.
   double made = madeAlong(*make(), scene, round, loop);
   std::reverse(round.begin(), round.end());
   return std::max(made, madeAlong(*make(), scene, round, loop));

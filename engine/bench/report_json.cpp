@@ -1,4 +1,4 @@
-// The JSON form of report tables; apart, because the JSON header is heavy.
+// The JSON form of report tables, in a separate file because the JSON header is large.
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -18,7 +18,7 @@ std::string toJson(const std::vector<ReportTable>& tables, const std::string& co
       nlohmann::ordered_json cells = nlohmann::ordered_json::object();
       for (std::size_t c = 0; c < row.size(); ++c) {
         if (const auto* text = std::get_if<std::string>(&row[c])) cells[table.columns[c].name] = *text;
-        // JSON has no infinity; what is not finite is left out like what was not measured.
+        // JSON has no infinity; values that are not finite are omitted like missing ones.
         if (const auto* number = std::get_if<double>(&row[c]); number && std::isfinite(*number))
           cells[table.columns[c].name] = *number;
       }

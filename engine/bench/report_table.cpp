@@ -38,7 +38,7 @@ std::string readable(double value) {
     return digits;
   }
   if (value == std::floor(value) && size < 1e13) std::snprintf(digits, sizeof digits, "%.0f", value);
-  const int whole = static_cast<int>(std::floor(std::log10(size) + 2e-3)) + 1;  // 99.97 reads 100
+  const int whole = static_cast<int>(std::floor(std::log10(size) + 2e-3)) + 1;  // 99.97 is written as 100
   if (value != std::floor(value)) std::snprintf(digits, sizeof digits, "%.*f", std::clamp(3 - whole, 0, 6), value);
   std::string out = digits;
   const std::size_t dot = std::min(out.find('.'), out.size()), first = value < 0 ? 1 : 0;
@@ -63,9 +63,9 @@ std::string listed(const std::vector<std::string>& names) {
 std::string toConsole(const ReportTable& table) {
   std::vector<std::size_t> widths;
   for (std::size_t c = 0; c < table.columns.size(); ++c) {
-    std::size_t most = characterCount(table.columns[c].head);
-    for (const auto& row : table.rows) most = std::max(most, characterCount(shown(row[c])));
-    widths.push_back(most);
+    std::size_t largest = characterCount(table.columns[c].head);
+    for (const auto& row : table.rows) largest = std::max(largest, characterCount(shown(row[c])));
+    widths.push_back(largest);
   }
   std::string out = table.title + '\n';
   const auto line = [&](auto&& text) {

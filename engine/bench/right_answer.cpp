@@ -15,8 +15,7 @@ RightAnswer::Answer RightAnswer::step(const Vec3& hip, const Contact& given) {
     return {c.touching(), c.touching() ? c.scp.A : hip, true};
   }
   if (moved_) {
-    // How a growing surface carries the SCP is not the oracle's business; it goes on from where it was
-    // carried.
+    // The oracle does not model how a growing surface carries the SCP; it continues from the new position.
     moved_ = false;
     if (given.fault == Fault::None) oracle_->place(given.scp.A);
     return {given.touching(), given.scp.A, false};

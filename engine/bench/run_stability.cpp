@@ -1,4 +1,4 @@
-// The running half of stability.h; its tables are in stability_tables.cpp.
+// The measurement part of stability.h; its tables are in stability_tables.cpp.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -12,8 +12,7 @@
 namespace moltact::bench {
 namespace {
 
-// Peak to peak about the straight line through the places: against friction a hand settles slowly, and that
-// is no shaking.
+// Peak to peak about the regression line through the positions: slow settling against friction is not jitter.
 double shaking_mm(const std::vector<Vec3>& places) {
   if (places.size() < 3) return 0;
   const double n = double(places.size()), mid = (n - 1) / 2;
@@ -29,7 +28,7 @@ double shaking_mm(const std::vector<Vec3>& places) {
   return glm::length(high - low);
 }
 
-// Collects what a tick shows.
+// Collects the results of each tick.
 class Judge {
  public:
   Judge(const StabilityScene& scene, const Method& method, const LoopSettings& loop, const StabilityLimits& limits)
@@ -71,7 +70,7 @@ class Judge {
     path_.push_back(hip);
   }
 
-  // The tracker is reset: its past must not count.
+  // The tracker is reset: earlier ticks must not count.
   void cut() { cuts_.push_back(force_.size()); }
 
   const scenes::Path& path() const { return path_; }
@@ -142,7 +141,7 @@ StabilityResult runScene(const StabilityScene& scene, const Method& method, cons
       tick.hip = {t.place_A};
       tick.contact = tracker->step(tick.hip);
     }
-    // A tick without a reading has no right answer; the next has.
+    // A tick without a reading has no reference; the next one has.
     if (!tick.stepped || t.fault == LoopFault::NotANumber) continue;
     judge.tick(now, tick.hip.A, tick.contact, right.step(tick.hip.A, tick.contact));
     if (k + scene.held_ticks / 2 >= scene.script.size()) held_mm.push_back(device.device().position().mm);

@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kC = 1.7, kO = 1.52, kH = 1.1;
 
-// The signed distance to the nearest surface and the way out of it.
+// The signed distance to the nearest surface and the outward direction.
 struct Near {
   double gap = std::numeric_limits<double>::infinity();
   Vec3 out{0, 0, 1};
@@ -101,7 +101,7 @@ Scene shell() {
 Scene cluster(int n, std::uint64_t seed) {
   Scene s{"cluster of " + std::to_string(n) + ", seed " + std::to_string(seed), {}};
   Random random(seed);
-  const double edge = std::cbrt(n * 10.0);  // 10 cubic angstroms an atom
+  const double edge = std::cbrt(n * 10.0);  // 10 cubic angstroms per atom
   for (int k = 0; k < n; ++k) {
     const double x = random.uniform(0, edge), y = random.uniform(0, edge), z = random.uniform(0, edge);
     s.spheres.push_back({{x, y, z}, random.uniform(1.1, 2.0)});
@@ -110,7 +110,7 @@ Scene cluster(int n, std::uint64_t seed) {
 }
 
 Scene simpleCubic(int n) {
-  // R = half the body diagonal, so that the eight spheres of a cell meet in its middle.
+  // R is half the body diagonal, so that the eight spheres of a cell meet in its middle.
   Scene s{"simple cubic " + std::to_string(n), {}};
   const double a = 2 * (kC + s.probe_A) / std::sqrt(3.0);
   for (int z = 0; z < n; ++z)
@@ -120,7 +120,7 @@ Scene simpleCubic(int n) {
 }
 
 Scene faceCentred(int n) {
-  // R = half the cell's edge, so that the six spheres round an octahedral hole meet in its middle.
+  // R is half the cell's edge, so that the six spheres around an octahedral hole meet in its middle.
   Scene s{"face-centred " + std::to_string(n), {}};
   const double h = kC + s.probe_A;
   for (int z = 0; z < 2 * n; ++z)
@@ -141,7 +141,7 @@ Scene ring(int n, double slack_A) {
 }
 
 Scene touching() {
-  // Binary fractions, so that the sum of the radii equals the distance to the last bit.
+  // Binary fractions, so that the sum of the radii equals the distance exactly.
   return {"touching in one point", {{{0, 0, 0}, 1.5}, {{6, 0, 0}, 1.5}}, 1.5};
 }
 
@@ -201,7 +201,7 @@ std::vector<Scene> all(std::uint64_t seed) {
 Path walk(const Scene& scene, int ticks, std::uint64_t seed, double step_A, double depth_A) {
   Random random(seed);
   const Box box = boxOf(scene);
-  // In from a random side until the surface is near.
+  // From a random side to the surface.
   Vec3 p = box.middle() + random.direction() * (box.half() + 0.5);
   while (nearest(scene, p).gap > 0.3) p += glm::normalize(box.middle() - p) * 0.1;
   Vec3 heading = random.direction();
@@ -242,11 +242,11 @@ Path passes(const Scene& scene, int ticks, std::uint64_t seed) {
   const double half = box.half() + 1;
   Path path;
   while (int(path.size()) < ticks) {
-    const Vec3 way = random.direction();
+    const Vec3 direction = random.direction();
     const Vec3 aside = random.direction() * random.uniform(0, 0.6) * half;
     const double step = 0.05 * std::pow(240.0, random.uniform(0, 1));
     for (double t = -half; t < half && int(path.size()) < ticks; t += step)
-      path.push_back(box.middle() + aside + way * t);
+      path.push_back(box.middle() + aside + direction * t);
   }
   return path;
 }

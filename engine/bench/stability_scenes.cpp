@@ -18,7 +18,7 @@ SphereCircle creaseOf(const scenes::Scene& bond) {
   return *circleOf(inflated(bond.spheres[0], bond.probe_A), inflated(bond.spheres[1], bond.probe_A));
 }
 
-// A pressed walk over the surface, then held still.
+// A pressed walk over the surface, then a hold.
 StabilityScene walked(std::string name, std::string question, scenes::Scene scene, std::uint64_t seed) {
   Script script(scenes::walk(scene, 1, seed, 0.008).front());
   script.path(scenes::walk(scene, 4000, seed, 0.008)).hold(kHeld);
@@ -64,7 +64,7 @@ StabilityScene pit() {
   return out;
 }
 
-// Sliding over the seam where two spheres touch or nearly so.
+// Sliding over the seam where two spheres touch or nearly touch.
 StabilityScene seam(std::string name, scenes::Scene scene) {
   const double R = grownRadius(scene, 0);
   StabilityScene out{std::move(name), "Does a seam without width hold or trip the HIP?", std::move(scene)};
@@ -127,17 +127,17 @@ StabilityScene graze() {
 StabilityScene passes(std::uint64_t seed) {
   const scenes::Scene scene = scenes::cluster(20, seed);
   StabilityScene out{"passes at 0.05 to 12 A a tick", "Is no sphere missed, however fast the HIP comes?", scene};
-  // Each pass starts again outside: with a SCP left behind, two answers would be right.
+  // Each pass restarts outside: if the SCP were left behind, two answers would be correct.
   scenes::Random random(seed);
   Script script(Vec3(60, 0, 0));
   Vec3 low(1e300), high(-1e300);
   for (const Sphere& b : scene.spheres) low = glm::min(low, b.centre_A), high = glm::max(high, b.centre_A);
   for (int pass = 0; pass < 40; ++pass) {
     const double step = 0.05 * std::pow(240.0, random.uniform(0, 1));
-    const Vec3 way = random.direction(), aim = 0.5 * (low + high) + random.direction() * random.uniform(0, 3);
-    script.ticks.push_back({aim - way * 14.0});
+    const Vec3 direction = random.direction(), aim = 0.5 * (low + high) + random.direction() * random.uniform(0, 3);
+    script.ticks.push_back({aim - direction * 14.0});
     script.last().reset = true;
-    script.to(aim + way * 14.0, step);
+    script.to(aim + direction * 14.0, step);
   }
   out.script = std::move(script.ticks);
   out.hand = out.energy = out.jump = false;
@@ -158,7 +158,7 @@ StabilityScene onCentre() {
   const double x = creaseOf(scene).centre_A.x;
   StabilityScene out{"HIP on a centre and on an axis", "Is the force finite and steady where all directions are alike?",
                      scene};
-  // Exactly onto the first centre, along the axis through both, and back the way it came.
+  // Exactly onto the first centre, along the axis through both, and back.
   Script script(Vec3(0, 4, 0));
   script.to({0, 0, 0}, 0.02)
       .hold(20)

@@ -1,5 +1,4 @@
-// The results of the stability tables in sentences: generated with every run, so that they cannot disagree with
-// them.
+// Generates sentences from the stability tables in every run, so that they cannot disagree with the tables.
 #include <algorithm>
 #include <functional>
 #include <map>
@@ -13,11 +12,11 @@ struct Sums {
   const Method* method = nullptr;
   std::size_t runs = 0, tunnelled = 0, jumps = 0, broken = 0, with_tunnel = 0, with_jump = 0, with_energy = 0,
               with_jitter = 0;
-  double off_sum = 0;                            // of the runs' shares of ticks that are off (%)
+  double off_sum = 0;                            // sum over the runs of the fractions of ticks that are off (%)
   std::map<std::string, double> off_in;          // the same by scene
-  std::map<std::string, std::size_t> energy_in;  // by scene: runs that made energy
+  std::map<std::string, std::size_t> energy_in;  // by scene: runs that generated energy
   double energy_J = 0, jitter_mm = 0, step_over_N = 0;
-  double off_percent() const { return runs ? off_sum / double(runs) : 0; }  // as in the table of all together
+  double off_percent() const { return runs ? off_sum / double(runs) : 0; }  // as in the summary table
 };
 
 std::vector<Sums> sumsOf(const std::vector<StabilityResult>& results, const StabilityLimits& limits) {
@@ -47,7 +46,7 @@ std::string count(std::size_t n, const char* one, const char* many) {
   return readable(double(n)) + (n == 1 ? one : many);
 }
 
-// The reference, and the same with another probe.
+// The reference, possibly with another probe.
 bool ofReference(const Sums& sums) { return sums.method->family.name == referenceMethod().family.name; }
 
 }  // namespace
@@ -64,15 +63,15 @@ std::string stabilitySentences(const std::vector<StabilityResult>& results, cons
            " % of the ticks in contact, averaged over scenes, and has " +
            count(s.tunnelled + s.jumps + s.broken, " event", " events") + " in " + readable(double(runs)) +
            " runs. It creates at most " + readable(1e6 * s.energy_J) + " uJ.";
-    const auto most = std::max_element(s.off_in.begin(), s.off_in.end(),
-                                       [](const auto& a, const auto& b) { return a.second < b.second; });
-    if (s.off_sum > 0 && most != s.off_in.end())
-      out += " The scene \"" + most->first + "\" contributes " + readable(100.0 * most->second / s.off_sum) +
+    const auto largest = std::max_element(s.off_in.begin(), s.off_in.end(),
+                                          [](const auto& a, const auto& b) { return a.second < b.second; });
+    if (s.off_sum > 0 && largest != s.off_in.end())
+      out += " The scene \"" + largest->first + "\" contributes " + readable(100.0 * largest->second / s.off_sum) +
              " % of this share.";
     out += '\n';
   }
 
-  // The other methods, the most accurate first.
+  // The other methods, ordered by accuracy.
   std::vector<const Sums*> others;
   for (const Sums& s : all)
     if (!ofReference(s)) others.push_back(&s);
@@ -88,19 +87,19 @@ std::string stabilitySentences(const std::vector<StabilityResult>& results, cons
     else
       quiet.push_back(quoted(s->method));
     if (s->with_energy) {
-      const auto most = std::max_element(s->energy_in.begin(), s->energy_in.end(),
-                                         [](const auto& a, const auto& b) { return a.second < b.second; });
+      const auto largest = std::max_element(s->energy_in.begin(), s->energy_in.end(),
+                                            [](const auto& a, const auto& b) { return a.second < b.second; });
       energy.push_back(quoted(s->method) + " (in " + readable(double(s->with_energy)) + " runs of " +
-                       count(s->energy_in.size(), " scene", " scenes") + ", most often \"" + most->first +
+                       count(s->energy_in.size(), " scene", " scenes") + ", most often \"" + largest->first +
                        "\"; at most " + readable(1e6 * s->energy_J) + " uJ)");
     }
   }
-  double most_jitter = 0;
+  double max_jitter = 0;
   const Sums* shakiest = nullptr;
   for (const Sums& s : all) {
     broken += s.broken;
     jitter += s.with_jitter;
-    if (s.jitter_mm > most_jitter) most_jitter = s.jitter_mm, shakiest = &s;
+    if (s.jitter_mm > max_jitter) max_jitter = s.jitter_mm, shakiest = &s;
   }
   const std::string in_runs = "* Number of runs, of " + readable(double(runs)) + ", in which the ";
   out += "* Share of ticks that are off, in percent, averaged over scenes, the most accurate first: " + listed(order) +
@@ -112,7 +111,7 @@ std::string stabilitySentences(const std::vector<StabilityResult>& results, cons
   out += "* " + (broken ? count(broken, " answer was", " answers were") + " not a number."
                         : std::string("Every answer was a number."));
   if (shakiest)
-    out += " The strongest vibration of the held device was " + readable(most_jitter) + " mm, with " +
+    out += " The strongest vibration of the held device was " + readable(max_jitter) + " mm, with " +
            quoted(shakiest->method) + ". It exceeded one step of the sensor, " + constant(limits.jitter_mm) +
            " mm, in " + (jitter ? count(jitter, " run.", " runs.") : std::string("no run."));
   return out + '\n';

@@ -8,7 +8,7 @@
 namespace moltact::bench {
 namespace {
 
-constexpr double kPer = 10'000;  // ticks of contact that events are counted in
+constexpr double kPer = 10'000;  // ticks of contact to which event counts refer
 
 template <class T, class Rows, class Key>
 std::vector<T> inOrder(const Rows& rows, Key key) {

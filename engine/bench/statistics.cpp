@@ -32,7 +32,7 @@ MeanOf meanOf(const std::vector<double>& values) {
   if (values.size() < 2) return {mean, 0};
   double squares = 0;
   for (const double v : values) squares += (v - mean) * (v - mean);
-  // The 97.5 % point of Student's t by degrees of freedom; beyond the table its expansion holds to 0.003.
+  // The 97.5 % point of Student's t by degrees of freedom; beyond the table the expansion is accurate to 0.003.
   static constexpr double kT[] = {12.706, 4.303, 3.182, 2.776, 2.571, 2.447, 2.365, 2.306, 2.262, 2.228};
   const double freedom = n - 1,
                t = freedom <= 10 ? kT[values.size() - 2] : 1.95996 + 2.3723 / freedom + 2.8225 / (freedom * freedom);

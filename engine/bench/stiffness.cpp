@@ -12,17 +12,17 @@
 namespace moltact::bench {
 namespace {
 
-// Shaking at 200 Hz that stays under this speed moves the hand by less than 0.01 mm.
+// Vibration at 200 Hz below this speed moves the hand by less than 0.01 mm.
 constexpr double kRest_m_per_s = 0.006;
 constexpr double kOut_A = 0.8, kIn_A = 1.0;
 constexpr double kCreep_A = 0.002;
-constexpr double kHeld_A = 0.75;  // deeper it is not the surface that holds the device but the hand
+constexpr double kHeld_A = 0.75;  // at a greater depth the hand and not the surface stops the device
 constexpr double kMin_N_per_mm = 0.02, kMax_N_per_mm = 20;
-constexpr double kToldApart = 1.03;  // what two limits must differ by: the search's last step
+constexpr double kDistinguishable = 1.03;  // minimum ratio of different limits: the search's last step
 
 double inflated(const scenes::Scene& s, std::size_t k) { return s.spheres[k].radius_A + s.probe_A; }
 
-// A turn of the device in which its axis `device` lies along `scene`.
+// A rotation that maps the device's axis `device` to `scene`.
 glm::dmat3 turnTo(const Vec3& device, const Vec3& scene) {
   const auto frame = [](const Vec3& z) {
     const Vec3 x = glm::normalize(glm::cross(std::abs(z.y) < 0.9 ? Vec3(0, 1, 0) : Vec3(1, 0, 0), z));
@@ -63,7 +63,7 @@ std::vector<StiffnessPlace> stiffnessPlaces() {
   out.push_back(
       {"pit of four", cube, middle + Vec3(0, 0, edge / 2 + std::sqrt(r * r - edge * edge / 2)), Vec3(0, 0, 1)});
 
-  // The probe sticks where it touches all six: the ring's spheres meet the axis there.
+  // The probe stops where it touches all six: the ring's spheres meet the axis there.
   const scenes::Scene ring = scenes::ring(6, -0.05);
   const double circle = glm::length(ring.spheres[0].centre_A), rr = inflated(ring, 0);
   out.push_back(
@@ -89,15 +89,15 @@ double stiffestStable(const std::function<std::unique_ptr<Tracker>()>& make, con
   loop.workspace.rotation = turn;
   loop.workspace.centre_A = surface;
   const Vec3 from = surface + out * kOut_A, in = surface - out * kIn_A;
-  // A constant push is a hand so soft that no way of the device changes its force.
+  // A constant push is modelled as a hand so soft that no motion of the device changes its force.
   constexpr double kSoft_N_per_m = 0.1;
   const bool pushed = setup.push_N > 0;
   loop.hand = pushed ? HandParameters{kSoft_N_per_m, 0} : setup.hand;
   const Vec3 push = from - out * (loop.workspace.A_per_mm * 1e3 * setup.push_N / kSoft_N_per_m);
-  const auto rests = [&](double stiffness) {  // and is held
+  const auto rests = [&](double stiffness) {  // and the surface stops it
     loop.stiffness_N_per_mm = stiffness;
     const auto tracker = make();
-    // The hand brings the device in; a push alone finds it where the spring already holds the push.
+    // The hand brings the device in; with a push alone it starts where the spring balances the push.
     Vec3 start = from;
     if (pushed)
       for (double at = kOut_A; at > -kIn_A; at -= kCreep_A) {
@@ -140,7 +140,7 @@ double stiffestStable(const std::function<std::unique_ptr<Tracker>()>& make, con
 std::vector<Stiffness> measureStiffness(const StiffnessOptions& options, const Progress& progress) {
   const std::vector<StiffnessPlace> places = stiffnessPlaces();
   const std::vector<StiffnessSetup> setups = stiffnessSetups();
-  // Straight along the device's three axes, then whichever way.
+  // Along the device's three axes, then in random directions.
   std::vector<Vec3> directions{{0, 0, 1}, {0, 1, 0}, {1, 0, 0}};
   directions.resize(std::min<std::size_t>(3, options.directions));
   scenes::Random random(options.seed);
@@ -258,7 +258,7 @@ ReportTable stiffnessFigures(const std::vector<Stiffness>& rows) {
 }
 
 std::string stiffnessSentences(const std::vector<Stiffness>& rows) {
-  // Along one direction two limits count as different when they differ by more than the search's last step.
+  // Along one direction two limits count as different if they differ by more than the search's last step.
   std::vector<std::string> above, never;
   double wall_low = kMax_N_per_mm, wall_high = 0, straight = 0, exact_ratio = 0;
   std::size_t compared = 0, exact_rows = 0;
@@ -275,7 +275,7 @@ std::string stiffnessSentences(const std::vector<Stiffness>& rows) {
     const MeanOf ratio = meanOf(r.of_wall);
     const std::string what = "`" + std::string(r.method->name) + "` at \"" + r.place + "\" (" + r.setup + ")";
     if (isReference(*r.method)) exact_ratio += ratio.mean, ++exact_rows;
-    if (ratio.mean - ratio.half_width > kToldApart)
+    if (ratio.mean - ratio.half_width > kDistinguishable)
       above.push_back(what + ": " + readable(ratio.mean) + " ± " + readable(ratio.half_width));
     if (*std::max_element(r.limit_N_per_mm.begin(), r.limit_N_per_mm.end()) == 0) never.push_back(what);
   }

@@ -27,7 +27,7 @@ std::vector<Stroke> contactStrokes(const std::shared_ptr<const SphereGrid>& scen
       const Contact c = guide.step({h});
       (reached ? one.counted : one.approach).push_back(h);
       if (!c.touching()) {
-        if (reached || glm::dot(h - centre, aim) > far) break;  // came off, or found a way through: another side
+        if (reached || glm::dot(h - centre, aim) > far) break;  // lost contact or passed through: another side
         h += aim * std::max(kStrokeStep_A, 0.9 * clearance(*scene, probe_A, h));
         continue;
       }

@@ -15,7 +15,7 @@ const TickTimes* rowOf(const std::vector<TickTimes>& rows, std::string_view meth
   return nullptr;
 }
 
-// Nothing where there is nothing to divide by.
+// Empty for a zero denominator.
 Cell ratio(double a, double b) {
   if (!(b > 0)) return {};
   return a / b;
@@ -61,10 +61,10 @@ std::vector<TableScene> madeScenes(bool quick, std::uint64_t seed) {
 }
 
 std::vector<const Method*> methodsForSize(const std::vector<const Method*>& methods, std::size_t spheres,
-                                          std::size_t least_prepared) {
+                                          std::size_t min_prepared) {
   std::vector<const Method*> out;
   for (const Method* m : methods)
-    if (m->most_spheres == 0 || (spheres <= m->most_spheres && spheres >= least_prepared)) out.push_back(m);
+    if (m->max_spheres == 0 || (spheres <= m->max_spheres && spheres >= min_prepared)) out.push_back(m);
   return out;
 }
 
@@ -81,7 +81,7 @@ std::vector<SceneTimes> measureTables(const std::vector<TableScene>& scenes, con
     const auto scene = std::make_shared<const SphereGrid>(spheres);
     const auto contact = contactStrokes(scene, options.probe_A, options.plan);
     at(0.3);
-    const std::vector<const Method*> methods = methodsForSize(options.methods, spheres.size(), options.least_prepared);
+    const std::vector<const Method*> methods = methodsForSize(options.methods, spheres.size(), options.min_prepared);
     one.contact = timeMethods(methods, scene, options.probe_A, contact, options.budget_s);
     at(0.7);
     const auto free = freeStrokes(scene, options.probe_A, options.plan);
@@ -161,7 +161,7 @@ ReportTable readyTable(const std::vector<SceneTimes>& times) {
   return t;
 }
 
-ReportTable besidePaperTable(const std::vector<SceneTimes>& times) {
+ReportTable paperComparisonTable(const std::vector<SceneTimes>& times) {
   ReportTable t{"beside_paper",
                 "Comparison with the paper's Tables 1 and 2 (ns per tick; the paper's on hardware of 2008)",
                 {{"paper_row", "paper's row"},

@@ -18,7 +18,7 @@ struct PaperFigures {
 };
 
 struct TableScene {
-  std::string name;         ///< "Test 1: 50 random spheres"
+  std::string name;              ///< "Test 1: 50 random spheres"
   std::size_t sphere_count = 0;  ///< expected number, for the order and the progress bar
   std::function<std::vector<Sphere>()> makeSpheres;
   std::string paper_name;  ///< the corresponding row of the paper; may be empty
@@ -35,8 +35,8 @@ struct TableOptions {
   std::vector<const Method*> methods;
   double probe_A = kWaterProbe_A;
   StrokePlan plan;
-  double budget_s = 0.5;           ///< counted time per method, scene and motion
-  std::size_t least_prepared = 0;  ///< smallest scene for methods that prepare the whole scene
+  double budget_s = 0.5;         ///< counted time per method, scene and motion
+  std::size_t min_prepared = 0;  ///< smallest scene for methods that prepare the whole scene
 };
 
 struct SceneTimes {
@@ -47,10 +47,10 @@ struct SceneTimes {
   std::vector<TickTimes> free, contact;  ///< one element per method suitable for this size, in the order of the options
 };
 
-/// The methods suitable for this number of spheres (Method::most_spheres); methods that prepare the whole scene only
-/// from `least_prepared` spheres.
+/// The methods suitable for this number of spheres (Method::max_spheres); methods that prepare the whole scene only
+/// from `min_prepared` spheres.
 std::vector<const Method*> methodsForSize(const std::vector<const Method*>& methods, std::size_t spheres,
-                                          std::size_t least_prepared = 0);
+                                          std::size_t min_prepared = 0);
 
 std::vector<SceneTimes> measureTables(const std::vector<TableScene>& scenes, const TableOptions& options,
                                       const Progress& progress);
@@ -62,6 +62,6 @@ ReportTable tickTable(const std::vector<SceneTimes>& times);
 ReportTable readyTable(const std::vector<SceneTimes>& times);
 
 /// The paper's figures and those of the same scenes here, in nanoseconds.
-ReportTable besidePaperTable(const std::vector<SceneTimes>& times);
+ReportTable paperComparisonTable(const std::vector<SceneTimes>& times);
 
 }  // namespace moltact::bench

@@ -58,12 +58,12 @@ void timeSingle(Contender& c, const std::vector<Vec3>& path, double clock_ns) {
 }  // namespace
 
 double clockCost_ns() {
-  double least = 1e9;
+  double smallest = 1e9;
   for (int k = 0; k < 20'000; ++k) {
     const auto begin = Clock::now();
-    least = std::min(least, ns(begin, Clock::now()));
+    smallest = std::min(smallest, ns(begin, Clock::now()));
   }
-  return least;
+  return smallest;
 }
 
 std::vector<TickTimes> timeMethods(std::span<const Method* const> methods,
@@ -93,8 +93,7 @@ std::vector<TickTimes> timeMethods(std::span<const Method* const> methods,
       else
         timeSingle(c, path, clock_ns);
       c.ticks += path.size();
-      // The first stroke of either kind stays in any case: a figure from a disturbed stroke is better than
-      // none.
+      // The first stroke of either kind is kept in any case: a figure from a disturbed stroke is better than none.
       if (s >= 2 && preemptionsOfThisThread() != preempted) {
         if (s % 2 == 0) c.whole_ns = whole_ns, c.whole_ticks -= path.size();
         c.single.resize(singles);
@@ -113,16 +112,16 @@ std::vector<TickTimes> timeMethods(std::span<const Method* const> methods,
 }
 
 double scenePreparation_s(const std::vector<Sphere>& spheres) {
-  double least = 1e9, sum = 0;
+  double smallest = 1e9, sum = 0;
   for (int k = 0; k < 3 && sum < 1; ++k) {
     std::vector<Sphere> copy = spheres;
     const auto begin = Clock::now();
     const SphereGrid scene(std::move(copy));
     const double took = 1e-9 * ns(begin, Clock::now());
-    least = std::min(least, took);
+    smallest = std::min(smallest, took);
     sum += took;
   }
-  return least;
+  return smallest;
 }
 
 }  // namespace moltact::bench

@@ -71,25 +71,25 @@ std::string sizeSentences(const std::vector<SceneTimes>& times) {
       if (isReference(*row.method)) return &row;
     return nullptr;
   };
-  const SceneTimes *least = nullptr, *most = nullptr, *prepared = nullptr;
+  const SceneTimes *smallest = nullptr, *largest = nullptr, *prepared = nullptr;
   for (const SceneTimes& s : times) {
     const TickTimes* row = referenceIn(s.contact);
     if (!row || !(row->mean_ns > 0)) continue;
-    if (!least || s.spheres < least->spheres) least = &s;
-    if (!most || s.spheres > most->spheres) most = &s;
+    if (!smallest || s.spheres < smallest->spheres) smallest = &s;
+    if (!largest || s.spheres > largest->spheres) largest = &s;
     const bool any =
-        std::any_of(s.contact.begin(), s.contact.end(), [](const TickTimes& t) { return t.method->most_spheres > 0; });
+        std::any_of(s.contact.begin(), s.contact.end(), [](const TickTimes& t) { return t.method->max_spheres > 0; });
     if (any && (!prepared || s.spheres > prepared->spheres)) prepared = &s;
   }
-  if (!least) return "";
+  if (!smallest) return "";
   std::string out;
-  if (most != least) {
-    const double few = referenceIn(least->contact)->mean_ns, many = referenceIn(most->contact)->mean_ns;
-    out += "* Scale: from " + readable(double(least->spheres)) + " to " + readable(double(most->spheres)) +
+  if (largest != smallest) {
+    const double few = referenceIn(smallest->contact)->mean_ns, many = referenceIn(largest->contact)->mean_ns;
+    out += "* Scale: from " + readable(double(smallest->spheres)) + " to " + readable(double(largest->spheres)) +
            " spheres, `exact`'s tick in contact changes from " + readable(few) + " to " + readable(many) + " ns (" +
            readable(many / few) + " times), its memory per sphere from " +
-           readable(double(referenceIn(least->contact)->memory_usage.bytes) / double(least->spheres)) + " to " +
-           readable(double(referenceIn(most->contact)->memory_usage.bytes) / double(most->spheres)) + " bytes.\n";
+           readable(double(referenceIn(smallest->contact)->memory_usage.bytes) / double(smallest->spheres)) + " to " +
+           readable(double(referenceIn(largest->contact)->memory_usage.bytes) / double(largest->spheres)) + " bytes.\n";
   }
   if (!prepared) return out;
   const TickTimes* exact = referenceIn(prepared->contact);
@@ -97,7 +97,7 @@ std::string sizeSentences(const std::vector<SceneTimes>& times) {
   out += "* Preparation on " + readable(double(prepared->spheres)) + " spheres: `exact` is ready after " +
          seconds(ready(*exact)) + ", with " + bytes(exact->memory_usage.bytes) + " after the strokes";
   for (const TickTimes& t : prepared->contact)
-    if (t.method->most_spheres > 0)
+    if (t.method->max_spheres > 0)
       out += "; " + quoted(t.method) + ", which preprocesses the whole scene for one probe, after " +
              seconds(ready(t)) + " (" + readable(ready(t) / ready(*exact)) + " times), with " +
              bytes(t.memory_usage.bytes) + " (" +

@@ -1,6 +1,6 @@
 // Spaces and units: the molecule's space in angstroms, the device's space in millimetres and newtons. The name of a
 // member is its unit, so the compiler distinguishes positions of the two spaces; `Workspace` is the only conversion
-// between them. Plain data; any thread. Quaternions are constructed with w first.
+// between them. Plain data; any thread. Quat is constructed as (w, x, y, z).
 #pragma once
 
 #include <cmath>

@@ -1,6 +1,6 @@
 // The interface of every haptic device: input is a pose, output a force or a wrench. `read` and `write` run on the
 // haptic thread: no lock, allocation, exception, log or wait. Units: millimetre and newton, in the device's space (+x
-// right, +y up, +z toward the user). Quaternions store w first.
+// right, +y up, +z toward the user). Quat is constructed as (w, x, y, z).
 #pragma once
 
 #include <cstdint>
@@ -68,7 +68,7 @@ struct DeviceInfo : DeviceSpecs {
 struct DevicePose {
   PointMm position;           ///< relative to the middle of workspace_mm
   std::uint32_t buttons = 0;  ///< one bit per button, the first in bit 0
-  /// Incremented when the position jumps because the program placed the hand elsewhere. Always 0 for a real device.
+  /// Incremented when the position jumps: the program placed the hand elsewhere, or the device was reconnected.
   std::uint32_t discontinuities = 0;
   bool fresh = true;      ///< false: no new data since the last read; the position is the previous one
   bool connected = true;  ///< false: the device is disconnected

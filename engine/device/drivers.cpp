@@ -3,8 +3,8 @@
 #include "engine/device/driver.h"
 #include "engine/language/catalogue.h"
 
-// One line a driver, the default first and the mouse last: it is k<Name>Driver, in the file of its kind.
-#ifdef __EMSCRIPTEN__  // a page reaches HID devices that the person shows it, and no library of a maker's
+// One line per driver, the default first and the mouse last: k<Name>Driver, defined in the file of its kind.
+#ifdef __EMSCRIPTEN__  // a page can use HID devices that the user selects, but no vendor's library
 #define MOLTACT_DRIVERS(X) \
   X(OpenLayout)            \
   X(SpaceMouse)            \

@@ -9,7 +9,7 @@ namespace moltact {
 
 MouseDevice::MouseDevice() {
   info_.name = N_("Mouse");
-  info_.workspace_mm = Vec3(std::numeric_limits<double>::infinity());  // the hand is put where it is wanted
+  info_.workspace_mm = Vec3(std::numeric_limits<double>::infinity());  // the hand can be placed anywhere
 }
 
 void MouseDevice::lead(PointMm target) noexcept {
@@ -42,12 +42,12 @@ DevicePose MouseDevice::read(double dt_s) noexcept {
   const double part = 1.0 - std::exp(-dt_s / kGlide_s);
   const Vec3 angle = rotationBetween(pose_.orientation, lead.orientation);
   if (const double size = glm::length(angle); size > 0.0)
-    pose_.orientation = glm::normalize(glm::angleAxis(std::min(size * part, kFastest_rad_per_s * dt_s), angle / size) *
+    pose_.orientation = glm::normalize(glm::angleAxis(std::min(size * part, kMaxSpeed_rad_per_s * dt_s), angle / size) *
                                        pose_.orientation);
-  Vec3 way = (lead.target.mm - pose_.position.mm) * part;
-  const double length = glm::length(way), most = kFastest_mm_per_s * dt_s;
-  if (length > most) way *= most / length;
-  pose_.position.mm += way;
+  Vec3 motion = (lead.target.mm - pose_.position.mm) * part;
+  const double length = glm::length(motion), limit = kMaxSpeed_mm_per_s * dt_s;
+  if (length > limit) motion *= limit / length;
+  pose_.position.mm += motion;
   return pose_;
 }
 

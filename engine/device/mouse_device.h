@@ -15,18 +15,18 @@ class MouseDevice final : public Device {
   void write(ForceN) noexcept override {}
 
   /// Window's thread: sets the hand's target. The hand approaches it with time constant kGlide_s and at most
-  /// kFastest_mm_per_s. Non-finite positions are ignored.
+  /// kMaxSpeed_mm_per_s. Non-finite positions are ignored.
   void lead(PointMm target) noexcept;
   /// Window's thread: moves the hand there at once (a new scene) and keeps its orientation. A lead() before the haptic
   /// thread's next read does not cancel this jump; the hand glides on from there.
   void place(PointMm target) noexcept;
-  /// Window's thread: sets the target orientation, approached like the position, with at most kFastest_rad_per_s. A
+  /// Window's thread: sets the target orientation, approached like the position, with at most kMaxSpeed_rad_per_s. A
   /// quaternion that is not a rotation is ignored.
   void turn(const Quat& orientation) noexcept;
 
   static constexpr double kGlide_s = 0.025;
-  static constexpr double kFastest_mm_per_s = 400.0;
-  static constexpr double kFastest_rad_per_s = 6.0;
+  static constexpr double kMaxSpeed_mm_per_s = 400.0;
+  static constexpr double kMaxSpeed_rad_per_s = 6.0;
 
  private:
   struct Lead {

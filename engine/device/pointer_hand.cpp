@@ -10,9 +10,9 @@ namespace moltact {
 
 namespace {
 
-constexpr double kGlide_s = 0.04;  // of a hovering hand toward the pointer
+constexpr double kGlide_s = 0.04;  // time constant of a hovering hand toward the pointer
 
-// The overloads here would hide it.
+// The overloads in this scope would hide it.
 using moltact::finite;
 bool finite(const glm::dvec2& v) { return std::isfinite(v.x) && std::isfinite(v.y); }
 bool finite(const ViewRays& r) {
@@ -26,16 +26,16 @@ bool finite(const PointerInput& in) {
          (!in.pointer_px || finite(*in.pointer_px));
 }
 
-// The hand is in a well that can be felt.
+// True if the hand is in a noticeable well.
 bool wellLeads(const PointerInput& in) {
   return in.press && in.field && in.well_N_A < 0.0 &&
          glm::length(in.pull_N) + in.pull_N_per_A * PointerHand::kWellReach_A >= PointerHand::kWell_N;
 }
 
-// 1 in the open, less under force.
+// 1 in free space, less under force.
 double pace(const PointerInput& in) { return 1.0 / (1.0 + std::max(0.0, in.force_N) / PointerHand::kHalfPace_N); }
 
-// So far from the eye everything lies.
+// A distance from the eye beyond the whole scene.
 double farBehind_A(const ViewRays& rays, const SphereGrid& scene, const HandShape& held) {
   return glm::distance(rays.eye_A, 0.5 * (scene.low_A() + scene.high_A())) +
          glm::distance(scene.low_A(), scene.high_A()) + 2.0 * held.reach_A() + 1.0;
@@ -64,7 +64,7 @@ PointA PointerHand::lead(const PointerInput& in, const SphereGrid& scene, const 
     followWell(in, dt);
     return meetSurface(in, scene, held);
   }
-  // The view may have been magnified meanwhile: what is pressed lies where it lay.
+  // The view may have been magnified meanwhile; a pressed surface keeps its position.
   if (pressing_) plane_depth_ = glm::dot(over_A_ - rays.eye_A, rays.forward);
   aim(in, dt);
   const Vec3 along = rays.direction(aim_);
@@ -73,29 +73,29 @@ PointA PointerHand::lead(const PointerInput& in, const SphereGrid& scene, const 
   const Hit hit = sweep(scene, held, rays.eye_A, rays.eye_A + along * far);
   const double forward = std::max(0.1, glm::dot(along, rays.forward));
   const double before = plane_depth_ / forward;
-  double way = before, under = -kHover_A;
+  double distance = before, under = -kHover_A;
   met_ = hit.sphere >= 0;
-  // What lies far behind is no part of the surface that a press slides over: past the rim of that it goes on into the
-  // open, and what is far before it hides it.
+  // A press slides over one surface. Past the rim it continues into free space, not onto a surface far behind; a
+  // surface far in front hides the present one.
   const bool falls = met_ && pressing_ && hit.t * far - before > kLeap_A;
   leapt_ = met_ && pressing_ && before - hit.t * far > kLeap_A;
   if (leapt_ || falls) depth_ = -kHover_A;
   if (met_) {
-    way = falls ? before + kFall_A_per_s * dt : hit.t * far;
+    distance = falls ? before + kFall_A_per_s * dt : hit.t * far;
     under = depth_;
-    plane_depth_ = way * forward;
+    plane_depth_ = distance * forward;
   }
-  over_A_ = rays.eye_A + along * way;
+  over_A_ = rays.eye_A + along * distance;
   hip_ = {over_A_ + along * under};
   return hip_;
 }
 
-// Down the energy by a part of what is left: the stiffness bounds the way to where the force would be none, so that the
-// hand does not pass it. The target stays near the hand, which glides after it.
+// Moves down the energy by a fraction of the remaining distance. The stiffness bounds the distance to the point without
+// force, so that the hand does not pass it. The target stays near the hand, which glides after it.
 void PointerHand::followWell(const PointerInput& in, double dt_s) {
   constexpr double kLag_A = 0.5;
   const ViewRays& rays = in.rays;
-  const double pull_N = glm::length(in.pull_N), longest_A = kLongestLead_A * 60.0 * dt_s;
+  const double pull_N = glm::length(in.pull_N), longest_A = kMaxWellStep_A * 60.0 * dt_s;
   if (pull_N > 0.0) {
     const double left_A = pull_N / std::max(in.pull_N_per_A, 1e-9);
     hip_.A += in.pull_N * (std::min(left_A * std::min(1.0, dt_s / kSettle_s), longest_A) / pull_N);
@@ -106,13 +106,13 @@ void PointerHand::followWell(const PointerInput& in, double dt_s) {
   if (in.pointer_px) carried_px = *in.pointer_px - std::exchange(last_pointer_, *in.pointer_px);
   carried_px += glm::dvec2(in.keys.x, -in.keys.y) * (0.12 * rays.height_px * dt_s * pace(in));
   const Vec3 carried = (rays.right * carried_px.x - rays.up * carried_px.y) * A_per_px;
-  const double most_A = kFastest_A_per_s * dt_s, way_A = glm::length(carried);
-  hip_.A += way_A > most_A ? carried * (most_A / way_A) : carried;
+  const double max_A = kMaxSpeed_A_per_s * dt_s, distance_A = glm::length(carried);
+  hip_.A += distance_A > max_A ? carried * (max_A / distance_A) : carried;
   if (const Vec3 ahead = hip_.A - in.hip.A; glm::length(ahead) > kLag_A)
     hip_.A = in.hip.A + ahead * (kLag_A / glm::length(ahead));
 }
 
-// A hand that a well has led: the press goes on from there once the well leads no more.
+// After a motion in a well, a press continues from the hand's position when the well no longer acts.
 PointA PointerHand::meetSurface(const PointerInput& in, const SphereGrid& scene, const HandShape& held) {
   const ViewRays& rays = in.rays;
   if (glm::dot(hip_.A - rays.eye_A, rays.forward) > 0.1) aim_ = rays.pixel(hip_.A);
@@ -127,7 +127,8 @@ PointA PointerHand::meetSurface(const PointerInput& in, const SphereGrid& scene,
   return hip_;
 }
 
-// Sideways: to the pointer, or as the keys lead. A hand that still touches after it was let go is lifted where it is.
+// Motion across the line of sight: to the pointer, or by the keys. A hand that still touches after a release is first
+// lifted.
 void PointerHand::aim(const PointerInput& in, double dt_s) {
   const ViewRays& rays = in.rays;
   if (pressing_ && !in.press && in.touching) {
@@ -138,12 +139,12 @@ void PointerHand::aim(const PointerInput& in, double dt_s) {
   const bool lifting = lift_left_s_ > 0.0;
   if (in.pointer_px && !lifting) {
     if (aim_follows_ || *in.pointer_px != last_pointer_) {
-      const glm::dvec2 way = *in.pointer_px - aim_;
-      const double far_px = glm::length(way),
+      const glm::dvec2 offset = *in.pointer_px - aim_;
+      const double far_px = glm::length(offset),
                    px_per_A = rays.height_px / (2.0 * rays.tan_half_fov * std::max(0.1, plane_depth_));
       double part = 1.0 - std::exp(-dt_s / kGlide_s);
-      if (in.press) part = far_px > 0.0 ? std::min(1.0, kFastest_A_per_s * dt_s * px_per_A / far_px) : 1.0;
-      aim_ += way * part;
+      if (in.press) part = far_px > 0.0 ? std::min(1.0, kMaxSpeed_A_per_s * dt_s * px_per_A / far_px) : 1.0;
+      aim_ += offset * part;
       aim_follows_ = true;
     }
     last_pointer_ = *in.pointer_px;
@@ -151,25 +152,25 @@ void PointerHand::aim(const PointerInput& in, double dt_s) {
   if (in.keys != glm::dvec2(0.0)) {
     const double speed_px = 0.12 * rays.height_px * dt_s * (pressing_ ? pace(in) : 1.0);
     aim_ += glm::dvec2(in.keys.x, -in.keys.y) * speed_px;
-    aim_follows_ = false;  // the keys lead until the pointer moves again
+    aim_follows_ = false;  // the keys control the aim until the pointer moves again
   }
   aim_ = glm::clamp(aim_, glm::dvec2(0.0), glm::dvec2(rays.width_px, rays.height_px));
 }
 
-// Inward: a press sinks with time, more slowly the harder the surface pushes back, until it rests; notches act at once.
-// In a field it also stops, and gives way, where more than the press's own force opposes it.
-void PointerHand::sink(const PointerInput& in, double way_A, double opposing_N) {
+// Motion along the line of sight: a press sinks with time, more slowly at a larger force, until it rests; notches act
+// at once. In a field it also stops, or retreats, where the opposing force exceeds that of the press.
+void PointerHand::sink(const PointerInput& in, double distance_A, double opposing_N) {
   if (!in.press) {
     depth_ = -kHover_A;
     goal_N_ = kRest_N;
   } else {
-    const double N_per_A = std::max(in.N_per_A, kNotch_N / kLongestNotch_A), deepest_N = kDeepest_A * N_per_A;
+    const double N_per_A = std::max(in.N_per_A, kNotch_N / kMaxNotch_A), max_press_N = kMaxDepth_A * N_per_A;
     const double before_N = goal_N_;
-    goal_N_ = std::clamp(goal_N_ + in.push_notches * kNotch_N, kLightest_N, std::max(kRest_N, deepest_N));
-    const double goal_A = std::min(goal_N_ / N_per_A, kDeepest_A);
-    const double sunk_A = depth_ + way_A + std::max(0.0, (goal_N_ - before_N) / N_per_A);
+    goal_N_ = std::clamp(goal_N_ + in.push_notches * kNotch_N, kMinPress_N, std::max(kRest_N, max_press_N));
+    const double goal_A = std::min(goal_N_ / N_per_A, kMaxDepth_A);
+    const double sunk_A = depth_ + distance_A + std::max(0.0, (goal_N_ - before_N) / N_per_A);
     if (opposing_N > goal_N_)
-      depth_ -= std::min((opposing_N - goal_N_) / std::max(in.pull_N_per_A, 1e-9) * 0.2, kLongestLead_A);
+      depth_ -= std::min((opposing_N - goal_N_) / std::max(in.pull_N_per_A, 1e-9) * 0.2, kMaxWellStep_A);
     else
       depth_ = std::min(goal_A, sunk_A);
   }

@@ -4,7 +4,7 @@
 //
 // The probe stays under the pointer as far as the surface permits. The HIP lies on the line of sight through the
 // pointer, under the surface while the button is held. If the pointer is fast, a pressed probe follows over the surface
-// at kFastest_A_per_s and does not pass through obstacles. After a release the hand is lifted before any other motion,
+// at kMaxSpeed_A_per_s and does not pass through obstacles. After a release the hand is lifted before any other motion,
 // so that no release causes an impact.
 //
 // The resistance is visible instead of felt: pressing slows down as the force rises, and so does a probe moved by the
@@ -49,19 +49,19 @@ class PointerHand {
   static constexpr double kPressSpeed_A_per_s = 1.2;
   static constexpr double kRest_N = 0.6;       ///< force at which a held press comes to rest
   static constexpr double kNotch_N = 0.2;      ///< change of that force per notch
-  static constexpr double kLightest_N = 0.05;  ///< smallest force of a press
+  static constexpr double kMinPress_N = 0.05;  ///< smallest force of a press
   /// Largest change of depth per notch, where the surface hardly resists.
-  static constexpr double kLongestNotch_A = 0.3;
-  static constexpr double kDeepest_A = 3.0;   ///< largest depth of a press under the surface
+  static constexpr double kMaxNotch_A = 0.3;
+  static constexpr double kMaxDepth_A = 3.0;  ///< largest depth of a press under the surface
   static constexpr double kHalfPace_N = 1.0;  ///< force at which pressing and moving by keys have half their speed
-  static constexpr double kFastest_A_per_s = 40.0;  ///< speed limit of a pressed probe across the line of sight
+  static constexpr double kMaxSpeed_A_per_s = 40.0;  ///< speed limit of a pressed probe across the line of sight
   /// If the surface under the pointer is nearer by more than kLeap_A, the press restarts there. If it is farther by
   /// more than that, the hand advances to it at kFall_A_per_s and the press restarts.
   static constexpr double kLeap_A = 5.0, kFall_A_per_s = 20.0;
   /// A well whose force is below kWell_N at the hand and kWellReach_A beside it does not move the hand.
   static constexpr double kWell_N = 0.05, kWellReach_A = 0.3;
   static constexpr double kSettle_s = 0.15;       ///< time constant of the motion in a well
-  static constexpr double kLongestLead_A = 0.03;  ///< largest motion in a well per 1/60 s
+  static constexpr double kMaxWellStep_A = 0.03;  ///< largest motion in a well per 1/60 s
   static constexpr double kLift_s = 0.25;         ///< longest time for lifting the hand after a release
 
   /// Returns the HIP's next target for the shape in the hand. Non-finite input leaves the hand unchanged.
@@ -80,7 +80,7 @@ class PointerHand {
 
  private:
   void aim(const PointerInput& input, double dt_s);
-  void sink(const PointerInput& input, double way_A, double opposing_N);
+  void sink(const PointerInput& input, double distance_A, double opposing_N);
   void followWell(const PointerInput& input, double dt_s);
   PointA meetSurface(const PointerInput& input, const SphereGrid& scene, const HandShape& held);
 

@@ -7,14 +7,14 @@ namespace moltact {
 namespace {
 
 constexpr double kGoldenAngle = 2.399963229728653;
-constexpr int kVisits = 13;  // sides, before it starts again
+constexpr int kVisits = 13;  // number of sides before the sequence repeats
 constexpr double kSlide_rad_per_s = 0.25;
 constexpr double kTurn_rad_per_s = 3.0;
-constexpr double kYield_mm_per_s_N = 15.0;  // how fast the hand follows what it feels
+constexpr double kYield_mm_per_s_N = 15.0;  // speed at which the hand yields to the felt force
 
 }  // namespace
 
-// The sides lie on a spiral over the half of the sphere that faces the person.
+// The sides lie on a spiral over the hemisphere that faces the user.
 Vec3 ScriptedHand::sideOf(int visit) noexcept {
   const double z = 1.0 - 0.8 * visit / kVisits, flat = std::sqrt(1.0 - z * z), turn = kGoldenAngle * visit;
   return {flat * std::cos(turn), flat * std::sin(turn), z};
@@ -37,7 +37,7 @@ PointMm ScriptedHand::lead(double dt_s, ForceN felt) noexcept {
       break;
     case Doing::Slides: {
       distance_mm_ = std::clamp(distance_mm_ + (push_N - kPress_N) * kYield_mm_per_s_N * dt_s, 1.0, kAway_mm);
-      // Where the probe is caught the hand waits, as a person's would.
+      // If the probe is caught the hand waits, like a person's hand.
       const double across_N = glm::length(felt.N - side_ * glm::dot(felt.N, side_));
       const double turn = kSlide_rad_per_s * dt_s * std::clamp(1.5 - across_N / kPress_N, 0.0, 1.0);
       const Vec3 side = glm::normalize(side_ + along_ * turn);
@@ -52,10 +52,10 @@ PointMm ScriptedHand::lead(double dt_s, ForceN felt) noexcept {
       visit_ = (visit_ + 1) % kVisits;
       doing_ = Doing::Turns;
       break;
-    case Doing::Turns: {  // round on the outside
-      const Vec3 way = sideOf(visit_) - side_;
-      const double left = glm::length(way), step = kTurn_rad_per_s * dt_s;
-      side_ = glm::normalize(left <= step ? sideOf(visit_) : side_ + way * (step / left));
+    case Doing::Turns: {  // around the outside
+      const Vec3 motion = sideOf(visit_) - side_;
+      const double left = glm::length(motion), step = kTurn_rad_per_s * dt_s;
+      side_ = glm::normalize(left <= step ? sideOf(visit_) : side_ + motion * (step / left));
       if (left <= step) approach();
       break;
     }
@@ -64,7 +64,7 @@ PointMm ScriptedHand::lead(double dt_s, ForceN felt) noexcept {
 }
 
 Quat ScriptedHand::orientation() const noexcept {
-  // The sides look to the person, never straight away from it.
+  // The sides face the user, never exactly away.
   const Quat q(1.0 + side_.z, -side_.y, side_.x, 0.0);
   return glm::normalize(q);
 }

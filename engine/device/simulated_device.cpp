@@ -10,7 +10,7 @@ DeviceInfo describe(const DeviceParameters& device) {
   info.name = N_("Simulated stylus");
   info.dof_in = 6;
   info.dof_out = 3;
-  info.workspace_mm = Vec3(2 * ScriptedHand::kAway_mm + 40.0);  // its hand comes from farther off than an Omni reaches
+  info.workspace_mm = Vec3(2 * ScriptedHand::kAway_mm + 40.0);  // its hand starts farther away than an Omni reaches
   info.max_force_N = device.max_force_N;
   info.damping_N_s_per_m = device.damping_N_s_per_m;
   info.friction_N = device.friction_N;

@@ -6,7 +6,7 @@ namespace moltact {
 namespace fs = std::filesystem;
 namespace {
 
-fs::path handedOutOr(const fs::path& installed) {
+fs::path distributedOr(const fs::path& installed) {
   const fs::path beside = homeFolder() / "fonts" / installed.filename();
   std::error_code error;
   return fs::is_regular_file(beside, error) ? beside : installed;
@@ -14,8 +14,8 @@ fs::path handedOutOr(const fs::path& installed) {
 
 }  // namespace
 
-fs::path interFile(std::string_view name) { return handedOutOr(fs::path("/usr/share/fonts/opentype/inter") / name); }
+fs::path interFile(std::string_view name) { return distributedOr(fs::path("/usr/share/fonts/opentype/inter") / name); }
 
-fs::path dejaVuFile() { return handedOutOr("/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf"); }
+fs::path dejaVuFile() { return distributedOr("/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf"); }
 
 }  // namespace moltact

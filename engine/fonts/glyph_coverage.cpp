@@ -12,7 +12,7 @@
 namespace moltact {
 namespace {
 
-// The window draws characters as they come, by 16 bits.
+// The window's characters have 16 bits.
 constexpr char32_t kMax = 0xFFFF;
 
 // Hebrew to Arabic extended, the scripts of India, Thai and Lao, Tibetan, Burmese, Khmer, Mongolian, presentation

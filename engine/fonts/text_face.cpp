@@ -12,10 +12,10 @@
 namespace moltact {
 struct TextFace::Fonts {
   FT_Library library = nullptr;
-  std::vector<FT_Face> faces;  // the first that has a sign draws it
+  std::vector<FT_Face> faces;  // the first face that contains a character draws it
   double ascent = 0.0, height = 0.0;
 
-  // Loads a sign with its picture; null where no face has it.
+  // Loads and renders a glyph; null if no face contains it.
   FT_GlyphSlot load(char32_t code) const {
     for (const FT_Face face : faces)
       if (const FT_UInt glyph = FT_Get_Char_Index(face, code); glyph != 0)

@@ -31,7 +31,7 @@ class Cutter {
   Cutter(std::span<const Sphere> spheres, double step_A) : spheres_(spheres), step_(step_A) {
     const Box box = boxOf(spheres);
     out_.middle_A = 0.5 * (box.low + box.high);
-    // Two cells of room, so that the surface closes within the grid.
+    // A margin of two cells, so that the surface closes within the grid.
     const Vec3 cells = glm::ceil((box.high - box.low) / step_) + 4.0;
     size_ = glm::ivec3(cells) + 1;
     low_ = out_.middle_A - 0.5 * cells * step_;
@@ -39,21 +39,22 @@ class Cutter {
 
   ClosedSurface cut() {
     measure();
-    // The ways from a corner of a cube to the opposite one along its edges: six tetrahedra, the same in every cube.
-    static constexpr std::array<std::array<int, 3>, 6> kWays{
+    // The six paths from a corner of a cube to the opposite one along its edges: six tetrahedra, the same in every
+    // cube.
+    static constexpr std::array<std::array<int, 3>, 6> kOrders{
         {{0, 1, 2}, {0, 2, 1}, {1, 0, 2}, {1, 2, 0}, {2, 0, 1}, {2, 1, 0}}};
     glm::ivec3 c;
     for (c.z = 0; c.z + 1 < size_.z; ++c.z)
       for (c.y = 0; c.y + 1 < size_.y; ++c.y)
         for (c.x = 0; c.x + 1 < size_.x; ++c.x) {
           if (!crossed(c)) continue;
-          for (const auto& way : kWays) {
+          for (const auto& order : kOrders) {
             std::array<glm::ivec3, 4> corners{c, c, c, c};
             for (int k = 1; k < 4; ++k) {
               corners[std::size_t(k)] = corners[std::size_t(k - 1)];
-              ++corners[std::size_t(k)][way[std::size_t(k - 1)]];
+              ++corners[std::size_t(k)][order[std::size_t(k - 1)]];
             }
-            const bool even = (way[1] - way[0] + 3) % 3 == 1;
+            const bool even = (order[1] - order[0] + 3) % 3 == 1;
             tetrahedron(corners, even);
           }
         }
@@ -64,7 +65,7 @@ class Cutter {
   std::size_t index(const glm::ivec3& p) const { return (std::size_t(p.z) * size_.y + p.y) * size_.x + p.x; }
   Vec3 place(const glm::ivec3& p) const { return low_ + step_ * Vec3(p); }
 
-  // The signed distance from the nearest sphere's surface at each point of the grid that is near one.
+  // Computes the signed distance to the nearest sphere's surface at each grid point near one.
   void measure() {
     const std::size_t n = std::size_t(size_.x) * size_.y * size_.z;
     distance_.assign(n, std::numeric_limits<float>::max());
@@ -97,16 +98,16 @@ class Cutter {
     return false;
   }
 
-  // The corner of the surface on the edge between two neighbouring points; made once.
+  // The vertex of the surface on the edge between two adjacent points; created once.
   std::uint32_t corner(const glm::ivec3& a, const glm::ivec3& b) {
     const std::size_t ia = std::min(index(a), index(b)), ib = std::max(index(a), index(b));
-    const glm::ivec3 way = glm::abs(b - a);
+    const glm::ivec3 step = glm::abs(b - a);
     const auto [it, made] =
-        corners_.try_emplace(ia * 8 + std::size_t(way.x + 2 * way.y + 4 * way.z), std::uint32_t(out_.places.size()));
+        corners_.try_emplace(ia * 8 + std::size_t(step.x + 2 * step.y + 4 * step.z), std::uint32_t(out_.places.size()));
     if (!made) return it->second;
     const Vec3 pa = place(index(a) == ia ? a : b), pb = place(index(a) == ia ? b : a);
     const double da = double(distance_[ia]), db = double(distance_[ib]);
-    // Never on a point itself, where corners of several edges would fall together.
+    // Never on a grid point, where the vertices of several edges would coincide.
     const double t = std::clamp(da / (da - db), 0.01, 0.99);
     const Vec3 p = glm::mix(pa, pb, t);
     const auto off = [&](std::uint32_t sphere) {
@@ -134,13 +135,13 @@ class Cutter {
     out_.owners.push_back(corner_owner_[best]);
   }
 
-  // `even`: seen from the side away from corner 0, the corners 1, 2, 3 stand counter-clockwise.
+  // `even`: the corners 1, 2, 3 are counter-clockwise as seen from the side away from corner 0.
   void tetrahedron(const std::array<glm::ivec3, 4>& p, bool even) {
     std::array<std::size_t, 4> in{}, ex{};
     std::size_t n_in = 0, n_ex = 0;
     for (std::size_t k = 0; k < 4; ++k) (inside(p[k]) ? in[n_in++] : ex[n_ex++]) = k;
     if (n_in == 0 || n_ex == 0) return;
-    // The order in, then out, of the four corners: an odd permutation turns the triangles over.
+    // The corners ordered inner before outer; an odd permutation reverses the triangles.
     std::array<std::size_t, 4> order{};
     std::copy_n(in.begin(), n_in, order.begin());
     std::copy_n(ex.begin(), n_ex, order.begin() + std::ptrdiff_t(n_in));

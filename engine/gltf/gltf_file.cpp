@@ -9,7 +9,7 @@
 #include <glm/gtc/quaternion.hpp>
 #include <glm/gtc/type_ptr.hpp>
 #include <sstream>
-// A system header, so that its warnings are not ours.
+// Included as a system header to suppress its warnings.
 #include <tiny_gltf.h>
 
 #include "engine/core/file_bytes.h"
@@ -19,13 +19,13 @@
 namespace moltact {
 namespace {
 
-constexpr std::size_t kMaxNodes = 10000, kDeepest = 64;
+constexpr std::size_t kMaxNodes = 10000, kMaxDepth = 64;
 constexpr std::uintmax_t kMaxBytes = 64u << 20;
 
 float toLinear(float s) { return s <= 0.04045f ? s / 12.92f : std::pow((s + 0.055f) / 1.055f, 2.4f); }
 float toScreen(float l) { return l <= 0.0031308f ? l * 12.92f : 1.055f * std::pow(l, 1 / 2.4f) - 0.055f; }
 
-// What breaks off the reading; never leaves this file.
+// Aborts the reading; never leaves this file.
 struct Broken {
   std::string why;
 };
@@ -66,7 +66,7 @@ class Reader {
   }
 
   void visit(int index, const glm::mat4& parent, std::size_t depth) {
-    if (++visited_ > kMaxNodes || depth > kDeepest) throw Broken{tr("the model has nodes within nodes without end")};
+    if (++visited_ > kMaxNodes || depth > kMaxDepth) throw Broken{tr("the model has nodes within nodes without end")};
     const tinygltf::Node& node = at(model_.nodes, index, N_("the model names a node that it does not hold"));
     const glm::mat4 place = parent * placeOf(node);
     if (node.mesh >= 0)
@@ -76,7 +76,7 @@ class Reader {
     for (const int child : node.children) visit(child, place, depth + 1);
   }
 
-  // The bytes of element `i` lie at data + i * stride; all of them are within the buffer.
+  // Element `i` is stored at data + i * stride; all elements are within the buffer.
   struct Elements {
     const unsigned char* data = nullptr;
     std::size_t stride = 0, count = 0;
@@ -166,7 +166,7 @@ class Reader {
   std::size_t visited_ = 0;
 };
 
-// Textures are passed over and need not be decoded.
+// Textures are ignored and not decoded.
 bool passOver(tinygltf::Image*, const int, std::string*, std::string*, int, int, const unsigned char*, int, void*) {
   return true;
 }
@@ -220,7 +220,7 @@ class Writer {
     return int(model_.accessors.size()) - 1;
   }
 
-  // Meshes of the same shape in other materials share their lists.
+  // Meshes of the same shape with other materials share their arrays.
   const std::array<int, 2>& listsOf(const GltfMesh& m) {
     for (const auto& [mesh, lists] : lists_)
       if (mesh->places == m.places && mesh->normals == m.normals) return lists;
@@ -316,7 +316,7 @@ Expected<SolidModel> readGltf(const std::filesystem::path& file) {
     return Reader(model).read();
   } catch (const Broken& broken) {
     return problem(broken.why);
-  } catch (const std::exception& e) {  // the parser's own, on nonsense in a file
+  } catch (const std::exception& e) {  // thrown by the parser for an invalid file
     return problem(trf("the model is no sound glTF file: {0}", e.what()));
   }
 }

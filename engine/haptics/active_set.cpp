@@ -6,20 +6,20 @@
 namespace moltact {
 namespace {
 
-constexpr int kMaxTried = 6;             // touches among which every set of up to three is tried
-constexpr double kSteep = 1e-3;          // of the displacement: what leads in by more does not graze
-constexpr double kArithmetic = 0x1p-50;  // of a sum of a few products
-constexpr double kParallel = 1e-26;  // squared sine, or squared volume, under which normals hold in fewer dimensions
+constexpr int kMaxTried = 6;             // number of touches among which every set of up to three is tried
+constexpr double kSteep = 1e-3;          // sine above which a path into a sphere does not graze it
+constexpr double kArithmetic = 0x1p-50;  // relative rounding of a sum of a few products
+constexpr double kParallel = 1e-26;  // squared sine or squared volume below which normals count as linearly dependent
 
-// What a set leaves of the displacement, and the curvature of the path that it leads along: the acceleration at
-// unit speed, toward the holding sphere's or circle's centre.
+// The motion that a set leaves of the displacement, and the curvature of its path: the acceleration at unit speed,
+// toward the centre of the blocking sphere or circle.
 struct Motion {
   Vec3 left{0.0}, curvature{0.0};
   double far = INFINITY, bend = 0.0,
-         loose = 0.0;  // as nearCentre_A has them; far is infinite where the motion is not computed so
+         loose = 0.0;  // as in nearCentre_A; far is infinite if the motion is computed otherwise
 };
 
-// Whether nothing but rounding is left of the displacement.
+// True if only rounding is left of the displacement.
 bool isStill(const Vec3& left, double displacement_A, std::span<const Touch> touches, double contact_A,
              const std::array<int, 3>& by) {
   double still_A = 0.0;
@@ -28,7 +28,7 @@ bool isStill(const Vec3& left, double displacement_A, std::span<const Touch> tou
   return glm::dot(left, left) <= still_A * still_A;
 }
 
-// Every set of up to three among a few touches, fewest first, until one is admitted.
+// Tries every set of up to three among a few touches, smallest first, until one is acceptable.
 class Trial {
  public:
   Trial(const Vec3& displacement, std::span<const Touch> touches, double contact_A, Admitted admitted)
@@ -38,8 +38,8 @@ class Trial {
         length_(glm::length(displacement)),
         admitted_(admitted) {}
 
-  // Adds a touch to those that are tried, in the list's order, so that of equals the first comes first; where the
-  // list is full, one that does not hold goes.
+  // Adds a touch in the list's order, so that among equals the first is tried first. If the list is full, a touch that
+  // is not in the active set is replaced.
   void add(int touch) {
     if (tried_count_ == kMaxTried) {
       const auto holds = [&](int t) { return std::find(best_.by.begin(), best_.by.end(), t) != best_.by.end(); };
@@ -55,7 +55,7 @@ class Trial {
     best_ = {};
     motion_ = {displacement_};
     passed_ = 0;
-    least_ = INFINITY;
+    min_ = INFINITY;
     const int n = tried_count_;
     if (offer({-1, -1, -1}, 0, {displacement_})) return best_;
     for (int a = 0; a < n; ++a) {
@@ -69,19 +69,19 @@ class Trial {
       for (int b = a + 1; b < n; ++b)
         for (int c = b + 1; c < n; ++c)
           if (triple(a, b, c)) return best_;
-    best_.found = false;  // what is left is the set that leads least into a touch
+    best_.found = false;  // the result is the set that leads least into a touch
     return best_;
   }
 
-  // The touch that what is left of the displacement leads into most, beyond rounding; -1: none.
+  // The touch that the remaining displacement violates most, beyond rounding; -1: none.
   int mostViolated() const {
     int worst = -1;
-    double most = 1.0;
+    double largest = 1.0;
     for (std::size_t k = 0; k < touches_.size(); ++k)
       if (int(k) == best_.by[0] || int(k) == best_.by[1] || int(k) == best_.by[2])
         continue;
-      else if (const double v = violation(motion_, touches_[k]); v > most)
-        most = v, worst = int(k);
+      else if (const double v = violation(motion_, touches_[k]); v > largest)
+        largest = v, worst = int(k);
     return worst;
   }
 
@@ -96,9 +96,8 @@ class Trial {
     return std::isfinite(m.far) ? nearCentre_A(t, contact_, m.far, m.bend, m.loose) : rounding_A(t, contact_, length_);
   }
 
-  // What one touch leaves of the displacement. On a sphere that is what it leaves of the displacement from its centre:
-  // of two spheres that nearly are one, with the HIP near both centres, only that tells how the one leads into
-  // the other.
+  // The motion with one active touch. On a sphere it is computed from the displacement relative to its centre. With two
+  // nearly equal spheres and the HIP near both centres, only this reveals how one sphere leads into the other.
   Motion alone(int a) const {
     const Touch& t = touch(a);
     const Vec3 curvature = t.normal * (-1.0 / t.radius);
@@ -109,7 +108,7 @@ class Trial {
             1.0 / t.radius};
   }
 
-  // The part of a motion that leads into a touch, over what is allowed: blocked from 1 on.
+  // The part of a motion that leads into a touch, relative to the tolerance: a value of 1 or more counts as blocked.
   double violation(const Motion& m, const Touch& t) const {
     const double into = -glm::dot(m.left, t.normal);
     if (into <= 0.0) return 0.0;
@@ -120,34 +119,34 @@ class Trial {
   }
 
   bool offer(std::array<int, 3> by, int count, const Motion& motion) {
-    double most = 0.0;
-    for (int a = 0; a < tried_count_; ++a)  // those that hold are not led into
+    double largest = 0.0;
+    for (int a = 0; a < tried_count_; ++a)  // active touches cannot be violated
       if (std::find(by.begin(), by.end(), tried_[std::size_t(a)]) == by.end())
-        most = std::max(most, violation(motion, touch(a)));
-    if (most > 1.0 && most >= least_) return false;
-    if (most <= 1.0 && passed_++ < admitted_.skip) return false;
-    least_ = most;
+        largest = std::max(largest, violation(motion, touch(a)));
+    if (largest > 1.0 && largest >= min_) return false;
+    if (largest <= 1.0 && passed_++ < admitted_.skip) return false;
+    min_ = largest;
     best_ = {count, by, isStill(motion.left, length_, touches_, contact_, by), true};
     motion_ = motion;
-    return most <= 1.0;
+    return largest <= 1.0;
   }
 
-  // Both shares in the displacement must be pushes, or none but for rounding.
+  // Both multipliers must be pushes, or zero within rounding.
   bool pair(int a, int b) {
     const Vec3 &na = normal(a), &nb = normal(b), line = glm::cross(na, nb);
     const double sine2 = glm::dot(line, line);
     if (sine2 < kParallel) return false;
     const double cosine = glm::dot(na, nb);
-    // Two that touch from outside have no circle that rounding could tell from a point; either holds as both do.
+    // Two spheres that touch from outside have no circle distinguishable from a point; either alone blocks like both.
     if (cosine < 0.0 && sine2 < 16.0 * contact_ * (1.0 / touch(a).radius + 1.0 / touch(b).radius)) return false;
-    // Either must lead into the other, or lead out but for rounding.
+    // Each sphere must lead into the other, or lead out only within rounding.
     const Motion by_a = alone(a), by_b = alone(b);
     if (-glm::dot(by_b.left, na) < -bound(by_b, touch(a)) || -glm::dot(by_a.left, nb) < -bound(by_a, touch(b)))
       return false;
     // On both spheres: curvature . n_a = -1 / R_a and curvature . n_b = -1 / R_b.
     const double bend_a = 1.0 / touch(a).radius, bend_b = 1.0 / touch(b).radius;
     const Vec3 curvature = (na * (bend_b * cosine - bend_a) + nb * (bend_a * cosine - bend_b)) / sine2;
-    const Motion& near = by_a.far <= by_b.far ? by_a : by_b;  // along the line both sums are the same
+    const Motion& near = by_a.far <= by_b.far ? by_a : by_b;  // along the line both sums are equal
     return offer({tried_[std::size_t(a)], tried_[std::size_t(b)], -1}, 2,
                  {line * (glm::dot(near.left, line) / sine2), curvature, near.far, std::max(bend_a, bend_b),
                   kArithmetic / std::sqrt(sine2)});
@@ -171,14 +170,14 @@ class Trial {
   Vec3 displacement_;
   Motion motion_;
   std::span<const Touch> touches_;
-  double contact_, length_, least_ = INFINITY;
+  double contact_, length_, min_ = INFINITY;
   Admitted admitted_;
   int passed_ = 0, tried_count_ = 0;
   std::array<int, kMaxTried> tried_{};
   ActiveSet best_;
 };
 
-// One or two touches that rounding leaves no doubt of, as most places have; false otherwise.
+// Handles one or two touches that rounding cannot make ambiguous, the common case; false otherwise.
 bool plainly(const Vec3& displacement, std::span<const Touch> touches, double contact_A, ActiveSet& set) {
   const double length = glm::length(displacement), steep = kSteep * length;
   const double into_0 = -glm::dot(displacement, touches[0].normal);
@@ -195,7 +194,7 @@ bool plainly(const Vec3& displacement, std::span<const Touch> touches, double co
     set.still = isStill(left, length, touches, contact_A, set.by);
     return true;
   };
-  // What is left of the displacement on the one sphere leads into the other by so much.
+  // The amount by which the displacement remaining on one sphere leads into the other.
   const double then_1 = into_1 - into_0 * cosine, then_0 = into_0 - into_1 * cosine;
   const double doubt = kArithmetic * length;
   if (into_0 > steep && then_1 <= -doubt) return one(0, into_0);
@@ -213,8 +212,8 @@ ActiveSet activeSet(const Vec3& displacement, std::span<const Touch> touches, do
   if (touches.empty()) return set;
   if (touches.size() <= 2 && admitted.skip == 0 && plainly(displacement, touches, contact_A, set)) return set;
   Trial trial(displacement, touches, contact_A, admitted);
-  // Each round adds the touch that the best motion so far leads into most, as non-negative least squares do (Lawson &
-  // Hanson 1974): what is left of the displacement grows shorter, and no set comes twice.
+  // Each round adds the touch that the best motion so far violates most, as in non-negative least squares (Lawson &
+  // Hanson 1974). The remaining displacement becomes shorter, so no set repeats.
   for (int round = 0; round < 4 * kMaxTried; ++round) {
     set = trial.best();
     const int worst = trial.mostViolated();

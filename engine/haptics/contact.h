@@ -22,12 +22,12 @@ enum class Feature : std::uint8_t {
 /// The reason for a tick without force although the HIP may be inside the molecule.
 enum class Fault : std::uint8_t {
   None,
-  NotFinite,      ///< the HIP is NaN, infinite or farther than kFarthest_A from the origin; the tracker keeps its state
+  NotFinite,  ///< the HIP is NaN, infinite or farther than kMaxPosition_A from the origin; the tracker keeps its state
   StartedInside,  ///< the HIP has been inside since the start; the force begins after it has been outside once
 };
 
 /// Largest absolute HIP coordinate; a larger one gives Fault::NotFinite (unit: angstrom).
-inline constexpr double kFarthest_A = 1e9;
+inline constexpr double kMaxPosition_A = 1e9;
 
 /// The complete description of a contact. Code that draws, records, describes, sonifies or judges a contact's force
 /// reads it from here.
@@ -58,7 +58,7 @@ inline void stretchToScp(Contact& contact, PointA hip) {
 }
 
 /// The largest probe radius that a tracker accepts (unit: angstrom).
-inline constexpr double kLargestProbe_A = 20.0;
+inline constexpr double kMaxProbe_A = 20.0;
 
 /// Radius of a water molecule as a probe, the default everywhere (unit: angstrom).
 inline constexpr double kWaterProbe_A = 1.4;

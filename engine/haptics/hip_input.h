@@ -9,9 +9,9 @@
 
 namespace moltact {
 
-/// False for NaN, infinity and coordinates beyond kFarthest_A.
+/// False for NaN, infinity and coordinates beyond kMaxPosition_A.
 inline bool usableHip(const Vec3& v) {
-  return std::abs(v.x) <= kFarthest_A && std::abs(v.y) <= kFarthest_A && std::abs(v.z) <= kFarthest_A;
+  return std::abs(v.x) <= kMaxPosition_A && std::abs(v.y) <= kMaxPosition_A && std::abs(v.z) <= kMaxPosition_A;
 }
 
 /// The result for an unusable HIP. Its SCP is `last` if the HIP is not finite.
@@ -21,9 +21,9 @@ inline Contact refusedHip(PointA hip, const Vec3& last) {
   return refused;
 }
 
-/// Clamps the probe radius to 0 to kLargestProbe_A; returns `otherwise` if it is not finite.
+/// Clamps the probe radius to 0 to kMaxProbe_A; returns `otherwise` if it is not finite.
 inline double usableProbe_A(double probe_A, double otherwise) {
-  return std::isfinite(probe_A) ? std::clamp(probe_A, 0.0, kLargestProbe_A) : otherwise;
+  return std::isfinite(probe_A) ? std::clamp(probe_A, 0.0, kMaxProbe_A) : otherwise;
 }
 
 }  // namespace moltact

@@ -6,12 +6,12 @@
 namespace moltact {
 namespace {
 
-constexpr double kIndependent = 1e-9;  // of the determinant of unit normals: below it they do not span enough
+constexpr double kIndependent = 1e-9;  // determinant of unit normals below which they count as dependent
 
 using Shares = std::array<double, 3>;
 
-// The least-squares shares of `pull` along the normals whose bits are set in `subset`; false where they are not
-// independent or one of them would pull instead of push.
+// The least-squares shares of `pull` along the normals whose bits are set in `subset`. Returns false if they are
+// dependent or one share would pull instead of push.
 bool pushes(const Vec3& pull, const std::array<Vec3, 3>& normals, unsigned subset, Shares& shares) {
   std::array<int, 3> in{};
   int n = 0;
@@ -47,9 +47,9 @@ std::size_t contactReactions(const Contact& contact, double spring_N_per_A, std:
   const Vec3& pull = contact.displacement_A;
   if (count == 0 || !finite(pull)) return 0;
 
-  // Of the seven sets of pushes the one that leaves the least of the pull.
+  // Of the seven sets of pushes, the one with the smallest remainder.
   Shares best{};
-  double least = glm::dot(pull, pull);
+  double smallest = glm::dot(pull, pull);
   const auto left = [&](const Shares& shares) {
     Vec3 rest = pull;
     for (std::size_t k = 0; k < count; ++k) rest -= normals[k] * shares[k];
@@ -59,7 +59,7 @@ std::size_t contactReactions(const Contact& contact, double spring_N_per_A, std:
     Shares shares{};
     if (!pushes(pull, normals, subset, shares)) continue;
     const Vec3 rest = left(shares);
-    if (glm::dot(rest, rest) < least) least = glm::dot(rest, rest), best = shares;
+    if (glm::dot(rest, rest) < smallest) smallest = glm::dot(rest, rest), best = shares;
   }
   const Vec3 rest = left(best);
   const double sum = best[0] + best[1] + best[2];

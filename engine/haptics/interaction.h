@@ -1,7 +1,7 @@
 // The interface of everything that can be felt. Input is the pose of the hand; output is force, torque, potential
 // energy and stiffness. A scene selects one implementation (interactions.h); servo step and safety stage use only this
 // interface. `respond` runs on the haptic thread: no lock, allocation, exception, log or system call. Units: angstrom
-// in the molecule's space; forces in newtons at the hand (felt_force.h). Quaternions store w first.
+// in the molecule's space; forces in newtons at the hand (felt_force.h). Quat is constructed as (w, x, y, z).
 #pragma once
 
 #include <optional>
@@ -77,7 +77,7 @@ class Interaction {
   /// Discards the contact, as at the start: a hand inside the molecule gets no force until it has been outside once.
   virtual void reset() noexcept = 0;
 
-  /// Inflates every sphere by `probe_A`, also while touching (0 to kLargestProbe_A, clamped; non-finite values are
+  /// Inflates every sphere by `probe_A`, also while touching (0 to kMaxProbe_A, clamped; non-finite values are
   /// ignored). Interactions without a probe ignore the call.
   virtual void setProbe(double probe_A) noexcept = 0;
 
@@ -86,12 +86,12 @@ class Interaction {
 
   /// Writes the reactions on the scene's atoms to the last response and returns their number. Their sum is the opposite
   /// of the force of `last.total(spring_N_per_A, field_share)`. An atom may occur more than once. `out` has room for
-  /// greatestReactionCount() entries. Haptic thread, like `respond`. The default shares the contact's force among the
+  /// maxReactionCount() entries. Haptic thread, like `respond`. The default shares the contact's force among the
   /// atoms that block the SCP.
   virtual std::size_t reactions(const Response& last, double spring_N_per_A, double field_share,
                                 std::span<AtomForce> out) const noexcept;
   /// Upper bound of the number of reactions in every state, for allocating `out` in advance.
-  virtual std::size_t greatestReactionCount() const noexcept { return 3; }
+  virtual std::size_t maxReactionCount() const noexcept { return 3; }
 
   /// Switches to the spheres of a motion, at its beginning; null: to the spheres given at construction. The motion has
   /// the same number of spheres and stays in use until another is set. Setting the motion in use changes nothing.

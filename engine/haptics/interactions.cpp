@@ -10,7 +10,8 @@
 namespace moltact {
 namespace {
 
-// A sphere that feels the scene: the probe, or an atom of a body. What changes the force of either goes round it here.
+// A sphere that feels the scene: the probe, or an atom of a body. Wrappers that change the force of both are applied
+// here.
 std::unique_ptr<Interaction> makeSphere(const InteractionInput& input, const Method& method, double radius_A) {
   return method.make(input.spheres, radius_A);
 }

@@ -36,7 +36,7 @@ std::unique_ptr<Tracker> makeSasMesh(std::shared_ptr<const SphereGrid> scene, do
   return std::make_unique<SasMeshTracker>(std::move(scene), probe_A, 0.01 * hundredths_A);
 }
 
-constexpr std::size_t kMaxPrepared = 20'000;  // spheres whose whole surface is modelled in seconds and some 100 MB
+constexpr std::size_t kMaxPrepared = 20'000;  // scenes up to this size are prepared in seconds, in about 100 MB
 
 constexpr MethodFamily kExact{N_("Exact"), N_("Follows the spheres themselves, without error.")},
     kPaper{N_("Paper"), N_("The steps of Stocks and Laycock, 2008, as they were published.")},
@@ -137,7 +137,7 @@ constexpr std::array kTable{
            .family = kGrid,
            .variant = N_("Ready"),
            .grid_spacing_A = 0.2,
-           .most_spheres = kMaxPrepared,
+           .max_spheres = kMaxPrepared,
            .offered = false},
     Method{.name = "grid04-ready",
            .sentence = N_("the grid 0.4 A apart, made beforehand wherever the surface is"),
@@ -145,14 +145,14 @@ constexpr std::array kTable{
            .family = kGrid,
            .variant = N_("Ready"),
            .grid_spacing_A = 0.4,
-           .most_spheres = kMaxPrepared,
+           .max_spheres = kMaxPrepared,
            .offered = false},
     Method{.name = "sasmesh05",
            .sentence = N_("a god-object on one manifold mesh of the surface, made beforehand on a grid 0.5 A apart"),
            .make = &makeSasMesh<50>,
            .family = kSurfaceMesh,
            .grid_spacing_A = 0.5,
-           .most_spheres = kMaxPrepared,
+           .max_spheres = kMaxPrepared,
            .one_probe = true,
            .offered = false},
     Method{.name = "sasmesh025",
@@ -160,12 +160,12 @@ constexpr std::array kTable{
            .make = &makeSasMesh<25>,
            .family = kSurfaceMesh,
            .grid_spacing_A = 0.25,
-           .most_spheres = kMaxPrepared,
+           .max_spheres = kMaxPrepared,
            .one_probe = true,
            .offered = false},
 };
 
-// The offered ones first, each in the order of the table.
+// The offered methods first, each group in the order of the table.
 constexpr auto kMethods = [] {
   auto out = kTable;
   std::size_t n = 0;

@@ -32,8 +32,7 @@ struct Method {
   bool plain_variant = false;     ///< the title omits the variant: "Mesh 960" means this method
   int triangles = 0;              ///< triangles per sphere, for a method on triangles; else 0
   double grid_spacing_A = 0.0;    ///< spacing of the grid that samples the surface; 0: no grid
-  std::size_t most_spheres =
-      0;                        ///< largest scene in the bench, for a method that prepares the whole scene; 0: no limit
+  std::size_t max_spheres = 0;  ///< largest scene in the bench, for a method that prepares the whole scene; 0: no limit
   bool one_probe = false;       ///< works only with the probe radius given at construction
   bool shaded = false;          ///< the force does not point to the SCP (Contact::displacement_A)
   bool summed = false;          ///< the force is the sum of all spheres' pushes; there is no SCP on the surface
@@ -45,7 +44,7 @@ struct Method {
 /// The methods offered by the window, lessons and commands, the default first. Each accepts every scene and probe.
 std::span<const Method> methods();
 
-/// methods(), followed by the methods for comparison only; those may have restrictions (most_spheres, one_probe).
+/// methods(), followed by the methods for comparison only; those may have restrictions (max_spheres, one_probe).
 std::span<const Method> benchMethods();
 
 /// The reference: the method without an error of its own.

@@ -48,8 +48,8 @@ class NearbySpheres {
   double probe_A() const noexcept { return probe_; }
   std::size_t held() const noexcept { return count_; }  ///< spheres in the list
   /// Number of spheres, cells and groups examined since the last reset: the cost of a tick.
-  std::uint64_t looked() const noexcept { return looked_; }
-  void resetWorkCount() noexcept { looked_ = 0; }
+  std::uint64_t workCount() const noexcept { return work_count_; }
+  void resetWorkCount() noexcept { work_count_ = 0; }
   /// Inflates the spheres by another radius. The list stays valid, but its range shrinks by the growth.
   void setProbe(double probe_A) noexcept {
     const double grown = probe_A - probe_;
@@ -60,7 +60,7 @@ class NearbySpheres {
       count_ = 0;
       return;
     }
-    looked_ += count_;
+    work_count_ += count_;
     for (std::size_t k = 0; k < count_; ++k) list_[k].radius = sphere(list_[k].index).radius;
   }
 
@@ -72,10 +72,10 @@ class NearbySpheres {
     motion_ = motion;
     motion_serial_ = motion ? motion->serial() : 0;
     fraction_ = 0.0;
-    reach_ = goes_on ? reach_ - motion->mostMoved_A() : -1.0;
+    reach_ = goes_on ? reach_ - motion->maxMotion_A() : -1.0;
     if (reach_ < 0.0) count_ = 0;
     stale_ = count_ > 0;
-    most_moved_ = mostMovedOfList_A();
+    max_motion_ = maxMotionOfList_A();
   }
   /// True if this motion is in use (null: none). Motions are compared by serial number, because an address may be
   /// reused.
@@ -88,9 +88,9 @@ class NearbySpheres {
     stale_ = motion_ != nullptr;
   }
   /// Upper bound of the motion of a listed sphere's surface during the whole motion; infinite without a list.
-  double mostMoved_A() const noexcept {
+  double maxMotion_A() const noexcept {
     if (!motion_) return 0.0;
-    return reach_ < 0.0 || !fits_ ? std::numeric_limits<double>::infinity() : most_moved_;
+    return reach_ < 0.0 || !fits_ ? std::numeric_limits<double>::infinity() : max_motion_;
   }
   /// True if the list contains every sphere within `within_A` of the point.
   bool covers(const Vec3& place, double within_A) const noexcept {
@@ -111,12 +111,12 @@ class NearbySpheres {
     if (stale_) [[unlikely]]
       refresh();
     if (fits_) {
-      looked_ += count_;
+      work_count_ += count_;
       for (std::size_t k = 0; k < count_; ++k) visit(list_[k]);
       return reach_ - glm::distance(place, around_);
     }
     scene().visitNear(origin_ + place, probe_ + within_A, [&](std::uint32_t i, const Sphere& b) {
-      ++looked_;
+      ++work_count_;
       visit(now(i, b));
     });
     return within_A;
@@ -149,8 +149,8 @@ class NearbySpheres {
   double clearanceAt(const Vec3& place) const noexcept {
     return clearance(scene(), probe_, origin_ + place, motion_, fraction_);
   }
-  /// The first sphere on the straight path between two points; `contact_A` as in FirstMet.
-  Hit firstMet(const Vec3& from, const Vec3& to, double contact_A) const noexcept {
+  /// The first sphere on the straight path between two points; `contact_A` as in FirstHit.
+  Hit firstHit(const Vec3& from, const Vec3& to, double contact_A) const noexcept {
     return sweepFrom(scene(), probe_, origin_, from, to, contact_A, motion_, fraction_);
   }
 
@@ -164,11 +164,11 @@ class NearbySpheres {
     stale_ = false;
   }
 
-  double mostMovedOfList_A() const noexcept {
-    double most = 0.0;
+  double maxMotionOfList_A() const noexcept {
+    double max_A = 0.0;
     for (std::size_t k = 0; motion_ && k < count_; ++k)
-      most = std::max(most, (*motion_)[std::size_t(list_[k].index)].moved_A());
-    return most;
+      max_A = std::max(max_A, (*motion_)[std::size_t(list_[k].index)].moved_A());
+    return max_A;
   }
 
   // The present state of sphere i; `b` is its entry in scene().
@@ -211,7 +211,7 @@ class NearbySpheres {
     scene().visitNear(
         origin_ + place, probe_ + reach_,
         [&](std::uint32_t i, const Sphere& b) {
-          ++looked_;
+          ++work_count_;
           const Vec3 m = place - (b.centre_A - origin_);
           const double far = b.radius_A + probe_ + reach_;
           if (glm::dot(m, m) > far * far) return true;
@@ -219,15 +219,15 @@ class NearbySpheres {
           if (fits) list_[count_++] = now(i, b);
           return fits;
         },
-        &looked_);
-    most_moved_ = mostMovedOfList_A();
+        &work_count_);
+    max_motion_ = maxMotionOfList_A();
     return fits;
   }
 
   std::shared_ptr<const SphereGrid> scene_;
   const SphereMotion* motion_ = nullptr;
   std::uint64_t motion_serial_ = 0;
-  double fraction_ = 0.0, most_moved_ = 0.0;
+  double fraction_ = 0.0, max_motion_ = 0.0;
   bool stale_ = false;  // the listed spheres have moved since refresh()
   double margin_;
   Crowded crowded_;
@@ -236,7 +236,7 @@ class NearbySpheres {
   Vec3 around_{0.0};
   double reach_ = -1.0;
   bool fits_ = false, shrunk_ = false;
-  std::uint64_t looked_ = 0;
+  std::uint64_t work_count_ = 0;
   std::size_t count_ = 0;
   std::array<NearSphere, kMax> list_;
 };

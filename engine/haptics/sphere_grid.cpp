@@ -32,7 +32,7 @@ SphereGrid::SphereGrid(SharedArray<Sphere> spheres, std::span<const std::uint32_
   }
   assert(spheres_.size() < std::numeric_limits<std::uint32_t>::max());
 
-  // A sphere more than twice as large as 99 of 100 others would make every look-up wide: those few are kept apart.
+  // A sphere more than twice as large as 99 % of the others would widen every query; such spheres are kept separately.
   std::vector<double> radii;
   radii.reserve(felt);
   for (std::size_t i = 0; i < spheres_.size(); ++i)
@@ -63,7 +63,7 @@ SphereGrid::SphereGrid(SharedArray<Sphere> spheres, std::span<const std::uint32_
   high_ += Vec3(largest_radius_);
   cell_ = 1.4 * (cell_radius_ + kWaterProbe_A);
 
-  // Counting sort by hashed cell: count, sum up, place.
+  // Counting sort by hashed cell: count, accumulate, place.
   std::vector<std::uint32_t> slot_of(spheres_.size());
   std::vector<Cell> cells;
   cells.assign(std::bit_ceil(std::max<std::size_t>(16, small_count / 4)), Cell{});
@@ -79,7 +79,7 @@ SphereGrid::SphereGrid(SharedArray<Sphere> spheres, std::span<const std::uint32_
   resetTable();
   for (std::size_t i = 0; i < spheres_.size(); ++i) {
     if (!touchable(i) || spheres_[i].radius_A > large_from) continue;
-    if (2 * (used + 1) > cells.size()) {  // too full: a table of four times the size, counted again
+    if (2 * (used + 1) > cells.size()) {  // too full: quadruple the table and count again
       cells.assign(cells.size() * 4, Cell{});
       resetTable();
       i = std::size_t(-1);
@@ -117,18 +117,18 @@ SphereGrid::SphereGrid(SharedArray<Sphere> spheres, std::span<const std::uint32_
       sorted_[cells[slot_of[i]].end++] = entry;
   }
 
-  // Of equal spheres (alternate locations written twice, say) only the first is kept in a cell.
+  // Of equal spheres (for example alternate locations written twice) only the first is kept in a cell.
   const auto same = [](const Sorted& a, const Sorted& b) {
     return a.sphere.centre_A == b.sphere.centre_A && a.sphere.radius_A == b.sphere.radius_A;
   };
-  auto kept = sorted_.begin();  // the cells move together over the gaps
+  auto kept = sorted_.begin();  // the cells are compacted
   for (Cell* cell : in_order) {
     if (duplicates == Duplicates::VisitEach) break;
     Cell& c = *cell;
     const auto begin = sorted_.begin() + c.begin;
     auto end = sorted_.begin() + c.end;
     if (c.end - c.begin >
-        64)  // so full a cell is put in order first: equal spheres lie side by side, the first of them first
+        64)  // a cell this full is sorted first, so that equal spheres are adjacent, the first in file order first
       std::sort(begin, end, [](const Sorted& a, const Sorted& b) {
         const auto key = [](const Sorted& s) {
           return std::tuple(s.sphere.centre_A.x, s.sphere.centre_A.y, s.sphere.centre_A.z, s.sphere.radius_A, s.index);
@@ -177,8 +177,8 @@ SphereGrid SphereGrid::within(const SphereGrid& bounds, SharedArray<Sphere> sphe
   return out;
 }
 
-// A tree over a crowded part of the list: halves at the middle of the longest side, the radius being one of four, down
-// to kLeaf spheres. Of radii the larger half comes first: those are met first.
+// Builds a tree over a crowded part of the list by halving the longest of four dimensions, position and radius, down to
+// kLeaf spheres. Of a split by radius the larger half comes first, because it is met first.
 void SphereGrid::makeTree(std::uint32_t begin, std::uint32_t end, std::vector<TreeNode>& nodes,
                           std::vector<CellTree>& trees) {
   constexpr std::uint32_t kLeaf = 8;
@@ -199,8 +199,7 @@ void SphereGrid::makeTree(std::uint32_t begin, std::uint32_t end, std::vector<Tr
       bound.radius = std::max(bound.radius, glm::distance(bound.centre, sorted_[k].sphere.centre_A));
       bound.largest = std::max(bound.largest, sorted_[k].sphere.radius_A);
     }
-    bound.radius +=
-        1e-9 + 1e-12 * (glm::length(bound.centre) + bound.radius);  // what is just within reach is not lost to rounding
+    bound.radius += 1e-9 + 1e-12 * (glm::length(bound.centre) + bound.radius);  // margin against rounding
     nodes.push_back(bound);
     if (!bound.leaf) {
       const Vec3 side = high - low;

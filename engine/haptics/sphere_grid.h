@@ -145,7 +145,7 @@ class SphereGrid {
 
   // A visitor without a return value never ends a visit.
   template <class Visit>
-  static bool goesOn(Visit&& visit, const Sorted& s) {
+  static bool continueVisit(Visit&& visit, const Sorted& s) {
     if constexpr (std::is_same_v<decltype(visit(s.index, s.sphere)), bool>)
       return visit(s.index, s.sphere);
     else
@@ -156,7 +156,7 @@ class SphereGrid {
   bool visitRange(std::uint32_t begin, std::uint32_t end, Accept&& accept, Visit&& visit) const {
     if (end - begin > kTreeThreshold) return visitTree(begin, accept, visit);
     for (std::uint32_t k = begin; k < end; ++k)
-      if (!goesOn(visit, sorted_[k])) return false;
+      if (!continueVisit(visit, sorted_[k])) return false;
     return true;
   }
 
@@ -173,7 +173,7 @@ class SphereGrid {
       }
       if (b.leaf)
         for (std::uint32_t k = b.begin; k < b.end; ++k)
-          if (!goesOn(visit, sorted_[k])) return false;
+          if (!continueVisit(visit, sorted_[k])) return false;
       ++node;
     }
     return true;
@@ -190,10 +190,10 @@ class SphereGrid {
     const std::int64_t x0 = cellOf(low.x, grid_low_.x), x1 = cellOf(high.x, grid_low_.x);
     const std::int64_t y0 = cellOf(low.y, grid_low_.y), y1 = cellOf(high.y, grid_low_.y);
     const std::int64_t z0 = cellOf(low.z, grid_low_.z), z1 = cellOf(high.z, grid_low_.z);
-    const double looked_up = double(x1 - x0 + 1) * double(y1 - y0 + 1) * double(z1 - z0 + 1);
-    if (looked_up > double(large_from_)) {  // a box over most of a sparse scene: scanning the list is faster
+    const double cell_count = double(x1 - x0 + 1) * double(y1 - y0 + 1) * double(z1 - z0 + 1);
+    if (cell_count > double(large_from_)) {  // a box over most of a sparse scene: scanning the list is faster
       for (std::uint32_t k = 0; k < large_from_; ++k)
-        if (!goesOn(visit, sorted_[k])) return;
+        if (!continueVisit(visit, sorted_[k])) return;
       return;
     }
     for (std::int64_t z = z0; z <= z1; ++z)

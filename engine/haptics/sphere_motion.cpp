@@ -12,11 +12,11 @@ namespace moltact {
 namespace {
 
 bool usable(const Sphere& b) {
-  return finite(b.centre_A) && glm::length(b.centre_A) <= kFarthest_A && std::isfinite(b.radius_A) &&
-         b.radius_A >= 0.0 && b.radius_A <= kFarthest_A;
+  return finite(b.centre_A) && glm::length(b.centre_A) <= kMaxPosition_A && std::isfinite(b.radius_A) &&
+         b.radius_A >= 0.0 && b.radius_A <= kMaxPosition_A;
 }
 
-// Tells motions apart also where one lies where another was.
+// Unique, so that motions are distinguished even if an address is reused.
 std::uint64_t nextSerial() {
   static std::atomic<std::uint64_t> serial{0};
   return ++serial;
@@ -25,17 +25,17 @@ std::uint64_t nextSerial() {
 }  // namespace
 
 SphereMotion::SphereMotion(std::vector<Moving> spheres, std::vector<Sphere> bounds,
-                           std::span<const std::uint32_t> untouchable, int ticks, double most_moved_A)
+                           std::span<const std::uint32_t> untouchable, int ticks, double max_motion_A)
     : spheres_(std::move(spheres)),
       bounds_(std::move(bounds), untouchable, SphereGrid::Duplicates::VisitEach),
       ticks_(ticks),
-      most_moved_(most_moved_A),
+      max_motion_(max_motion_A),
       serial_(nextSerial()) {}
 
 Expected<std::unique_ptr<const SphereMotion>> SphereMotion::after(const SphereMotion& before,
                                                                   std::span<const Sphere> to, int ticks) {
   auto made = make(before.at(1.0), to, ticks, before.bounds_.untouchable());
-  // Not yet shared with anybody, so it may still be changed.
+  // Not shared yet, so it may still be changed.
   if (made) const_cast<SphereMotion&>(**made).continues_ = before.serial_;
   return made;
 }
@@ -53,24 +53,24 @@ Expected<std::unique_ptr<const SphereMotion>> SphereMotion::make(std::span<const
                    tr("give as many places as there are spheres"));
   std::vector<Moving> spheres(from.size());
   std::vector<Sphere> bounds(from.size());
-  double most_A = 0.0;
+  double max_A = 0.0;
   for (std::size_t i = 0; i < from.size(); ++i) {
     if (!usable(from[i]) || !usable(to[i]))
       return problem(trf("sphere {0} of a motion is at no place, or has no radius", i + 1),
                      trf("give finite coordinates within {0} and radii that are not negative",
-                         quantityText(kFarthest_A, Dimension::Length, plain())));
+                         quantityText(kMaxPosition_A, Dimension::Length, plain())));
     const Vec3 displacement = to[i].centre_A - from[i].centre_A;
     const double growth = to[i].radius_A - from[i].radius_A;
     spheres[i] = {from[i], displacement, growth};
-    most_A = std::max(most_A, spheres[i].moved_A());
-    // Rounding of a place on the path is far below the spare part.
+    max_A = std::max(max_A, spheres[i].moved_A());
+    // Enlarges the bounding sphere by more than the rounding of a point on the path.
     const double spare = 1e-12 * (glm::length(from[i].centre_A) + glm::length(to[i].centre_A));
     bounds[i] = {from[i].centre_A + 0.5 * displacement,
                  std::max(from[i].radius_A, to[i].radius_A) + 0.5 * glm::length(displacement) + spare};
     if (displacement == Vec3(0.0) && growth == 0.0) bounds[i] = from[i];
   }
   return std::unique_ptr<const SphereMotion>(
-      new SphereMotion(std::move(spheres), std::move(bounds), untouchable, ticks, most_A));
+      new SphereMotion(std::move(spheres), std::move(bounds), untouchable, ticks, max_A));
 }
 
 std::vector<Sphere> SphereMotion::at(double fraction) const {

@@ -21,8 +21,8 @@ namespace moltact {
 class SphereMotion {
  public:
   /// Creates a motion of `ticks` ticks (1 to kMaxTicks). Returns a Problem if the two lists differ in length or contain
-  /// an invalid sphere: not finite, farther than kFarthest_A, or of negative radius. The spheres of `untouchable` move
-  /// but are not felt (as in SphereGrid).
+  /// an invalid sphere: not finite, farther than kMaxPosition_A, or of negative radius. The spheres of `untouchable`
+  /// move but are not felt (as in SphereGrid).
   static Expected<std::unique_ptr<const SphereMotion>> make(std::span<const Sphere> from, std::span<const Sphere> to,
                                                             int ticks, std::span<const std::uint32_t> untouchable = {});
   static constexpr int kMaxTicks = 10'000;
@@ -32,7 +32,7 @@ class SphereMotion {
   /// True if this motion was created by after(other, ...).
   bool continues(const SphereMotion& other) const { return continues_ == other.serial_; }
   /// Upper bound of the motion of any sphere's surface.
-  double mostMoved_A() const { return most_moved_; }
+  double maxMotion_A() const { return max_motion_; }
 
   /// Unique number of this motion within the process, from 1.
   std::uint64_t serial() const { return serial_; }
@@ -59,12 +59,12 @@ class SphereMotion {
 
  private:
   SphereMotion(std::vector<Moving> spheres, std::vector<Sphere> bounds, std::span<const std::uint32_t> untouchable,
-               int ticks, double most_moved_A);
+               int ticks, double max_motion_A);
 
   std::vector<Moving> spheres_;
   SphereGrid bounds_;
   int ticks_;
-  double most_moved_;
+  double max_motion_;
   std::uint64_t serial_, continues_ = 0;  // of this motion and of its predecessor; 0: none
 };
 

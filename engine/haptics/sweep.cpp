@@ -8,7 +8,7 @@
 namespace moltact {
 namespace {
 
-// The part [t0, t1] of the path from `from` along `path` that lies in the box; false when none does.
+// The part [t0, t1] of the path from `from` along `path` inside the box; false if there is none.
 bool clip(const Vec3& from, const Vec3& path, const Vec3& low, const Vec3& high, double& t0, double& t1) {
   for (int k = 0; k < 3; ++k) {
     if (path[k] == 0.0) {
@@ -31,7 +31,7 @@ Hit sweep(const SphereGrid& scene, double probe_A, const Vec3& from, const Vec3&
 
 Hit sweepFrom(const SphereGrid& scene, double probe_A, const Vec3& origin, const Vec3& from, const Vec3& to,
               double contact_A, const SphereMotion* motion, double fraction) noexcept {
-  constexpr double kSpare_A = 1e-6;  // more is looked at than rounding can hide
+  constexpr double kSpare_A = 1e-6;  // margin of the search range, larger than rounding
   const Vec3 path = to - from;
   double t0 = 0.0, t1 = 1.0;
   const Vec3 margin(probe_A + kSpare_A);
@@ -41,12 +41,12 @@ Hit sweepFrom(const SphereGrid& scene, double probe_A, const Vec3& origin, const
   if (!(whole > 0.0)) return {};
   const Vec3 along = path / whole;
 
-  // Lengths are counted from where the path enters the box: a start a million angstroms off costs no digits.
+  // Lengths are measured from the path's entry into the box, so that a distant start costs no precision.
   const Vec3 start = t0 > 0.0 ? from + path * t0 : from;
   const double length = (t1 - t0) * whole;
-  FirstMet first(start, along, length, contact_A);
-  // Piece by piece, so that only spheres near the path are looked at; in a sparse scene, where that would be more pieces
-  // than spheres, all at once.
+  FirstHit first(start, along, length, contact_A);
+  // Piece by piece, so that only spheres near the path are examined; in one piece in a sparse scene, where there would
+  // be more pieces than spheres.
   const double piece = length > scene.cell_A() * (1.0 + 0.125 * double(scene.size())) ? length : scene.cell_A();
   for (double a = 0.0; a <= length; a += piece) {
     const Vec3 p = start + along * a, q = start + along * std::min(a + piece, length);
@@ -64,19 +64,19 @@ Hit sweepFrom(const SphereGrid& scene, double probe_A, const Vec3& origin, const
 }
 
 double distanceToBox(const SphereGrid& scene, double probe_A, const Vec3& place) noexcept {
-  if (scene.size() == 0) return kFarthest_A;
+  if (scene.size() == 0) return kMaxPosition_A;
   const Vec3 low = scene.low_A() - Vec3(probe_A), high = scene.high_A() + Vec3(probe_A);
   return glm::length(glm::max(glm::max(low - place, place - high), Vec3(0.0)));
 }
 
 double clearance(const SphereGrid& scene, double probe_A, const Vec3& place, const SphereMotion* motion,
                  double fraction) noexcept {
-  const double looked = 0.5 * scene.cell_A(), to_box = distanceToBox(scene, probe_A, place);
-  if (to_box > looked) return to_box;
-  double best = looked;
-  scene.visitNear(place, probe_A + looked, [&](std::uint32_t i, const Sphere& bound) {
+  const double workCount = 0.5 * scene.cell_A(), to_box = distanceToBox(scene, probe_A, place);
+  if (to_box > workCount) return to_box;
+  double best = workCount;
+  scene.visitNear(place, probe_A + workCount, [&](std::uint32_t i, const Sphere& bound) {
     const Sphere b = motion ? (*motion)[i].at(fraction) : bound;
-    lessenGap(best, place - b.centre_A, b.radius_A + probe_A);
+    reduceGap(best, place - b.centre_A, b.radius_A + probe_A);
   });
   return best;
 }

@@ -21,12 +21,12 @@ struct Hit {
 };
 
 /// Finds the first sphere on a straight path among the spheres passed to look().
-class FirstMet {
+class FirstHit {
  public:
   /// `along` is a unit vector; spheres beyond `length` are ignored. A sphere within `contact_A` of the start counts as
   /// touched. It is hit only if the path penetrates it by contact_A, so that rounding does not stop a path along its
   /// surface.
-  FirstMet(const Vec3& start, const Vec3& along, double length, double contact_A = 0.0)
+  FirstHit(const Vec3& start, const Vec3& along, double length, double contact_A = 0.0)
       : start_(start), along_(along), best_(length), contact_(contact_A) {}
 
   void look(std::int32_t index, const Vec3& centre, double radius) {
@@ -74,7 +74,7 @@ class FirstMet {
 
 /// Reduces `gap` to the gap between a sphere and a point, if that is smaller. `from_centre` points from the centre to
 /// the point.
-inline void lessenGap(double& gap, const Vec3& from_centre, double radius) {
+inline void reduceGap(double& gap, const Vec3& from_centre, double radius) {
   const double d2 = glm::dot(from_centre, from_centre), reach = gap + radius;
   if (reach > 0.0 && d2 < reach * reach) gap = std::sqrt(d2) - radius;
 }
@@ -84,7 +84,7 @@ inline void lessenGap(double& gap, const Vec3& from_centre, double radius) {
 Hit sweep(const SphereGrid& scene, double probe_A, const Vec3& from, const Vec3& to) noexcept;
 
 /// The same for positions relative to `origin`, which preserves precision far from the zero point, with the `contact_A`
-/// of FirstMet. With a motion, `scene` is its sweptSpheres(), and the spheres are those at `fraction` of the motion.
+/// of FirstHit. With a motion, `scene` is its sweptSpheres(), and the spheres are those at `fraction` of the motion.
 Hit sweepFrom(const SphereGrid& scene, double probe_A, const Vec3& origin, const Vec3& from, const Vec3& to,
               double contact_A, const SphereMotion* motion = nullptr, double fraction = 0.0) noexcept;
 

@@ -39,8 +39,8 @@ constexpr std::array kProperties{
                   .in_old_files = true,
                   .requires_rebuild = false,
                   .dimension = Dimension::Length,
-                  .in_scenes = {0.0, kLargestProbe_A},
-                  .in_files = {0.0, kLargestProbe_A},
+                  .in_scenes = {0.0, kMaxProbe_A},
+                  .in_files = {0.0, kMaxProbe_A},
                   .control = {.title = N_("Probe radius"),
                               .tip = N_("The radius of the ball you touch with. {0} is a water molecule."),
                               .range = {0.0, 6.0},
@@ -117,8 +117,7 @@ void takeText(TouchSetup& setup, const TouchProperty& property, const std::strin
   double number = 0.0;
   const char* const end = text.data() + text.size();
   const auto read = std::from_chars(text.data(), end, number);
-  if (read.ec == std::errc() && read.ptr == end && number >= property.in_files.least &&
-      number <= property.in_files.most)
+  if (read.ec == std::errc() && read.ptr == end && number >= property.in_files.min && number <= property.in_files.max)
     setTouchValue(setup, property, number);
 }
 

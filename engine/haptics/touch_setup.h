@@ -36,7 +36,7 @@ using TouchMember = std::variant<double TouchSetup::*, bool TouchSetup::*, std::
 using TouchValue = std::variant<double, bool, std::string>;
 
 struct TouchRange {
-  double least = 0.0, most = 0.0;  ///< in the code's unit
+  double min = 0.0, max = 0.0;  ///< in the code's unit
 };
 
 /// The touch panel's control of a property. A property without a title has a control of its own there, or none.

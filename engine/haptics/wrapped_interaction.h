@@ -23,7 +23,7 @@ class WrappedInteraction : public Interaction {
                         std::span<AtomForce> out) const noexcept override {
     return inner_->reactions(last, spring_N_per_A, field_share, out);
   }
-  std::size_t greatestReactionCount() const noexcept override { return inner_->greatestReactionCount(); }
+  std::size_t maxReactionCount() const noexcept override { return inner_->maxReactionCount(); }
   bool setMotion(const SphereMotion* motion) noexcept override { return inner_->setMotion(motion); }
   void advanceTo(double fraction) noexcept override { inner_->advanceTo(fraction); }
   MemoryUsage memoryUsage() const noexcept override { return inner_->memoryUsage(); }

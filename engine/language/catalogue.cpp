@@ -27,20 +27,20 @@ struct Catalogue {
   MoFile texts;
 };
 
-// Catalogues stay until the program ends: texts of theirs are held as pointers by whoever asked for them.
+// Catalogues are kept until the program ends, because callers hold pointers to their texts.
 struct Store {
   std::mutex mutex;
   std::map<fs::path, std::unique_ptr<const Catalogue>> read;
 };
 
 Store& store() {
-  static Store& it = *new Store;  // never destroyed: texts are read until the very end
+  static Store& it = *new Store;  // never destroyed, because texts are read until the very end
   return it;
 }
 
 std::atomic<const Catalogue*> g_in_use{nullptr};  // null: English
 
-// A code becomes part of a file's name.
+// The code becomes part of a file's name.
 bool soundCode(std::string_view code) {
   const auto letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; };
   return code.size() >= 2 && code.size() <= 8 && std::all_of(code.begin(), code.end(), letter);
@@ -120,7 +120,7 @@ std::vector<Language> languages(const fs::path& folder) {
     if (it->path().extension() != ".mo" || !soundCode(code) || code == "en") continue;
     const auto catalogue = catalogueOf(code, folder);
     if (!catalogue) continue;
-    // NC_("the language's own name", "English") stands for every catalogue's entry of that name.
+    // NC_("the language's own name", "English") marks every catalogue's entry for its name.
     const char* name = (*catalogue)->texts.find(kNameContext, "English");
     out.push_back({code, name ? name : code});
   }
@@ -161,7 +161,7 @@ std::vector<std::string> systemLanguages(const std::string& otherwise) {
   if (locale.empty()) return out;
   const std::string own = codeOfLocale(locale);
   const char* list = std::getenv("LANGUAGE");
-  // A "C" locale means: as the program was written.
+  // A "C" locale means the original language.
   if (list && !(locale == "C" || locale == "POSIX" || locale.starts_with("C.")))
     for (std::string_view rest = list; !rest.empty();) {
       const std::size_t end = std::min(rest.find(':'), rest.size());

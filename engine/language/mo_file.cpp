@@ -22,7 +22,7 @@ std::uint32_t swapped(std::uint32_t v) { return v >> 24 | (v >> 8 & 0xff00u) | (
 struct Words {
   std::string_view bytes;
   bool swap = false;
-  // The caller has made sure that the four bytes are there.
+  // The caller ensures that the four bytes exist.
   std::size_t at(std::size_t offset) const {
     const auto v = numberAt<std::uint32_t>(bytes.data() + offset);
     return swap ? swapped(v) : v;
@@ -104,7 +104,7 @@ const MoFile::Entry* MoFile::entry(std::string_view context, std::string_view en
 
 const char* MoFile::find(std::string_view context, std::string_view english) const noexcept {
   const Entry* e = entry(context, english);
-  return e && bytes_[e->translation.at] != '\0' ? bytes_.data() + e->translation.at : nullptr;  // closed by a NUL
+  return e && bytes_[e->translation.at] != '\0' ? bytes_.data() + e->translation.at : nullptr;  // NUL-terminated
 }
 
 const char* MoFile::findPlural(std::string_view one, unsigned long n) const noexcept {

@@ -4,12 +4,12 @@
 
 namespace moltact {
 namespace {
-constexpr std::size_t kMaxNodes = 200;   // Arabic, the longest in use, has 42
-constexpr int kMaxDepth = 40;            // of parentheses and choices within each other
+constexpr std::size_t kMaxNodes = 200;   // the longest rule in use, Arabic, has 42
+constexpr int kMaxDepth = 40;            // of nested parentheses and choices
 constexpr unsigned long kMaxForms = 16;  // Arabic has 6
 }  // namespace
 
-// Recursive descent in C's order of precedence. A reader that has failed reads no further.
+// Recursive descent in C's order of precedence. After an error nothing more is read.
 struct PluralRule::Reader {
   std::string_view text;
   std::vector<Node>& nodes;
@@ -83,7 +83,7 @@ struct PluralRule::Reader {
     return false;
   }
 
-  // Level 0 binds most tightly.
+  // Level 0 has the highest precedence.
   bool operation(int level, Op& op) {
     switch (level) {
       case 0:
@@ -148,8 +148,8 @@ std::optional<PluralRule> PluralRule::parse(std::string_view text) {
 }
 
 unsigned long PluralRule::form(unsigned long n) const noexcept {
-  // Operands stand before what uses them, so one pass computes all; nothing in a rule has side effects, and a division
-  // by zero on the way that is not chosen harms nobody.
+  // Operands precede their operators, so one pass evaluates everything. There are no side effects, so a division by
+  // zero in an unselected branch is harmless.
   std::array<unsigned long, kMaxNodes> value{};
   for (std::size_t k = 0; k < nodes_.size(); ++k) {
     const Node& node = nodes_[k];

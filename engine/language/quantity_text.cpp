@@ -35,7 +35,7 @@ std::string withSign(std::string text) {
   return text;
 }
 
-// "1e9" of "1e+09".
+// Shortens "1e+09" to "1e9".
 std::string shortExponent(std::string text) {
   const std::size_t e = text.find('e');
   if (e == std::string::npos) return text;
@@ -48,13 +48,13 @@ std::string shortExponent(std::string text) {
   return text;
 }
 
-constexpr double kEnormous = 1e15;  // written with an exponent from here on
+constexpr double kEnormous = 1e15;  // from here on written with an exponent
 
 std::string numberIn(double value, Digits digits, const Unit* unit, bool asked_for) {
   const double factor = unit ? 1.0 / unit->in_code_units : 1.0;
   value *= factor;
-  if (!std::isfinite(value)) return "–";  // also what is a number in the code's units alone
-  // Beyond what a double tells to the unit more digits would be noise, and hundreds of them no text.
+  if (!std::isfinite(value)) return "–";  // also if only the conversion overflows
+  // Digits beyond the precision of a double would be noise.
   const bool enormous = std::abs(value) >= kEnormous;
   switch (enormous ? Digits::Kind::Usual : digits.kind) {
     case Digits::Kind::Decimals:
@@ -89,7 +89,7 @@ std::string quantityText(double value, Dimension dimension, QuantityOptions opti
   const Unit* unit = unitOf(dimension, options.in);
   std::string out = numberIn(value, options.digits, unit, !options.in.empty());
   if (!unit) return out;
-  if (unit->symbol != "°") out += kNoBreakSpace;  // the one that follows its number at once
+  if (unit->symbol != "°") out += kNoBreakSpace;  // the degree sign follows its number directly
   return out += unit->symbol;
 }
 

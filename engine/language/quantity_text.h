@@ -22,7 +22,7 @@ constexpr Digits decimals(int count) { return {Digits::Kind::Decimals, count}; }
 /// A number of significant digits, never with an exponent: 0.25, 4.2, 120 for two.
 constexpr Digits significant(int count) { return {Digits::Kind::Significant, count}; }
 /// As many digits as needed, at most six significant ones: 1.4, 2, 0.125, 1e9.
-constexpr Digits plain(int most = 6) { return {Digits::Kind::Plain, most}; }
+constexpr Digits plain(int max_digits = 6) { return {Digits::Kind::Plain, max_digits}; }
 
 struct QuantityOptions {
   Digits digits{};  ///< default: the decimals of the unit's row in units.cpp

@@ -13,8 +13,8 @@ using D = Dimension;
 constexpr double kAvogadro_per_mol = 6.02214076e23;  // exact by the definition of the mole
 constexpr int kInLessons = kWritten | kNamed, kChosen = kShowable | kInPreferences;
 
-// U+00C5 is the letter, U+212B the angstrom sign; keyboards and web pages give either. The first of a dimension that
-// counts 1 is the code's unit.
+// U+00C5 is the letter, U+212B the angstrom sign; keyboards and web pages produce either. The first unit of a dimension
+// with factor 1 is the code's unit.
 constexpr Unit kUnits[] = {
     {"Å", D::Length, 1.0, kInLessons | kChosen, 2},
     {"\xE2\x84\xAB", D::Length, 1.0, kWritten},
@@ -55,13 +55,13 @@ constexpr Unit kUnits[] = {
     {"kDa", D::Other, 1.0, kProseOnly},
 };
 
-// The units that the program shows where nothing else is chosen.
+// The default units for display.
 constexpr std::pair<Dimension, std::string_view> kOwnUnits[] = {
     {D::Length, "Å"}, {D::Force, "N"}, {D::Time, "s"},       {D::Stiffness, "N/mm"}, {D::HandLength, "mm"},
     {D::Angle, "°"},  {D::Share, "%"}, {D::Frequency, "Hz"}, {D::Energy, "mJ"},
 };
 
-// Of energies one is shown, that of the spring in the hand: no choice.
+// Only one energy is shown, that of the spring in the hand, so there is no choice.
 constexpr OfferedDimension kOfferedDimensions[] = {
     {D::Length, "length", N_("Lengths in the molecule")},
     {D::HandLength, "hand-length", N_("Lengths at the hand")},
@@ -69,7 +69,7 @@ constexpr OfferedDimension kOfferedDimensions[] = {
     {D::Stiffness, "stiffness", N_("Stiffnesses")},
 };
 
-// One pointer a dimension, so that a thread that reads one while another sets them has the old one or the new one.
+// One pointer per dimension, so that a thread that reads while another writes gets the old or the new unit.
 struct Shown {
   std::array<std::atomic<const Unit*>, kDimensions> units;
   Shown() {

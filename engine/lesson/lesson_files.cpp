@@ -58,7 +58,7 @@ Expected<std::string> readLessonFile(const fs::path& file) {
   return readBesideLesson(file, kLargestLesson, tr("name a lesson, a file that ends in .md"));
 }
 
-Expected<std::string> readBesideLesson(const fs::path& file, std::size_t most_bytes, const std::string& what_it_is) {
+Expected<std::string> readBesideLesson(const fs::path& file, std::size_t max_bytes, const std::string& what_it_is) {
   const auto fail = [&](std::string message, std::string remedy) {
     return Problem{file.string(), 0, 0, std::move(message), std::move(remedy)};
   };
@@ -71,7 +71,7 @@ Expected<std::string> readBesideLesson(const fs::path& file, std::size_t most_by
   if (!in) return fail(trf("the file cannot be opened: {0}", std::strerror(errno)), tr("check that you may read it"));
   // One byte more than is allowed is enough to know that the file is too large.
   const std::uintmax_t size = fs::file_size(file, error);
-  std::string bytes(error ? most_bytes + 1 : std::size_t(std::min<std::uintmax_t>(size, most_bytes)) + 1, '\0');
+  std::string bytes(error ? max_bytes + 1 : std::size_t(std::min<std::uintmax_t>(size, max_bytes)) + 1, '\0');
   in.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
   if (in.bad()) return fail(tr("the file cannot be read to its end"), tr("copy it again"));
   bytes.resize(static_cast<std::size_t>(in.gcount()));

@@ -15,9 +15,9 @@ namespace moltact {
 /// there is no such file, or it cannot be read.
 Expected<std::string> readLessonFile(const std::filesystem::path& file);
 
-/// The same of a file that a lesson names: at most one byte more than `most_bytes`. `what_it_is` is the remedy where its
+/// The same of a file that a lesson names: at most one byte more than `max_bytes`. `what_it_is` is the remedy where its
 /// name leads to no file.
-Expected<std::string> readBesideLesson(const std::filesystem::path& file, std::size_t most_bytes,
+Expected<std::string> readBesideLesson(const std::filesystem::path& file, std::size_t max_bytes,
                                        const std::string& what_it_is);
 
 /// A link or picture of a lesson that leads to a file.

@@ -1,6 +1,5 @@
-// The biological assembly of a molecule: copies of its chains, turned and shifted. Each atom's copies are looked
-// through for those that lie on one another by a grid, each residue's chain is named once, and the atoms are written
-// once.
+// The biological assembly of a molecule: copies of its chains, rotated and shifted. A grid finds coinciding copies of
+// each atom; each residue's chain is named once, and the atoms are written once.
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -14,11 +13,11 @@ namespace moltact {
 namespace {
 
 constexpr std::size_t kMaxBytes = kMaxMoleculeAtoms * kMoleculeBytesAnAtom;
-constexpr double kSamePlace_A = 0.2;  // an atom on a symmetry axis is carried onto itself
+constexpr double kSamePlace_A = 0.2;  // an atom on a symmetry axis is mapped onto itself
 
 Vec3 carried(const ParsedOperator& op, const Vec3& place_A) { return op.rotation * place_A + op.shift_A; }
 
-/// True for a turn or a mirroring, which keep distances: anything else is a matrix that was misread or miswritten.
+/// True for a rotation or a reflection, which preserve distances; any other matrix was misread or is wrong in the file.
 bool turns(const ParsedOperator& op) {
   constexpr double kRounding = 0.02;
   const glm::dmat3 product = op.rotation * glm::transpose(op.rotation);
@@ -28,19 +27,19 @@ bool turns(const ParsedOperator& op) {
   return true;
 }
 
-/// Places no two of which lie nearer than kSamePlace_A.
+/// Points of which no two are nearer than kSamePlace_A.
 class Places {
  public:
-  explicit Places(std::size_t most) {
+  explicit Places(std::size_t capacity) {
     std::size_t slots = 16;
-    while (slots < 2 * most) slots *= 2;
+    while (slots < 2 * capacity) slots *= 2;
     slots_.resize(slots);
   }
   void clear() {
     places_.clear();
     ++round_;
   }
-  /// False where one lies there already.
+  /// Returns false if there is a point at this position already.
   bool add(const Vec3& place) {
     std::int64_t low[3], high[3], own[3];
     for (int k = 0; k < 3; ++k) {
@@ -72,7 +71,7 @@ class Places {
   };
   struct Entry {
     Vec3 place;
-    std::uint32_t next;  // with the same slot
+    std::uint32_t next;  // in the same slot
   };
   std::vector<Slot> slots_;
   std::vector<Entry> places_;
@@ -85,7 +84,7 @@ struct ChainParts {
   std::vector<std::uint32_t> residues;
   std::size_t atoms = 0;
   struct Use {
-    std::size_t part, first_bit;  // of the atoms' copies by that part: a bit for each operator of each atom
+    std::size_t part, first_bit;  // of the atoms' copies by that part: one bit per operator and atom
   };
   std::vector<Use> uses;
   int copies = 0;
@@ -104,14 +103,14 @@ class Assembler {
   }
 
  private:
-  // Another molecule is made beside the one that is there.
+  // A second molecule is built while the first is still held.
   Problem tooMuchMemory() const {
     return {file_, 0, 0, trf("the assembly {0} takes more than 3 GB of memory", inQuotes(assembly_.name)),
             tr("read it without one")};
   }
 
   std::optional<Problem> gather() {
-    constexpr std::size_t kChainBytes = sizeof(ChainParts) + 300;  // with its place in every table below
+    constexpr std::size_t kChainBytes = sizeof(ChainParts) + 300;  // including its entries in the tables below
     std::unordered_map<std::string, std::uint32_t> known;
     atom_in_chain_.resize(m_.residues.size());
     chain_of_.resize(m_.residues.size());
@@ -138,7 +137,7 @@ class Assembler {
     return std::nullopt;
   }
 
-  // Which parts copy which chains, and how many atoms that makes.
+  // Assigns parts to chains, and computes the resulting number of atoms.
   std::optional<Problem> assign() {
     std::unordered_map<std::string_view, std::vector<std::uint32_t>> by_chain, by_label;
     for (std::uint32_t c = 0; c < chains_.size(); ++c) {
@@ -172,7 +171,7 @@ class Assembler {
     return std::nullopt;
   }
 
-  // Which copies are kept: the first at each place.
+  // Determines which copies are kept: the first at each position.
   std::optional<Problem> look() {
     for (const ChainParts& chain : chains_) {
       std::size_t copies = 0;
@@ -207,14 +206,14 @@ class Assembler {
     if (kept_ == 0)
       return Problem{file_, 0, 0, trf("the assembly {0} names no chain of the file", inQuotes(assembly_.name)),
                      tr("read it without one")};
-    // The copies are like what they are copied from.
+    // The copies need as much memory per atom as their originals.
     if (own_bytes_ + grown_.bytes() / m_.atoms.size() * kept_ > kMaxBytes) return tooMuchMemory();
     GrowingMolecule out(false, grown_.hasCharges());
     out.expect(kept_);
     std::vector<std::uint32_t> residues;
     std::vector<char> named(chains_.size());
     std::vector<std::size_t> bit_of(chains_.size());
-    std::vector<std::pair<std::string, std::string>> name_of(chains_.size());  // of this copy; no name: none of it yet
+    std::vector<std::pair<std::string, std::string>> name_of(chains_.size());  // of this copy; empty: none yet
     for (std::size_t p = 0; p < assembly_.parts.size(); ++p) {
       const auto& operators = assembly_.parts[p].operators;
       residues.clear();
@@ -235,7 +234,7 @@ class Assembler {
     return std::nullopt;
   }
 
-  // The atoms of a residue that an operator carries to a new place.
+  // Copies the atoms of a residue that an operator maps to new positions.
   std::optional<Problem> copy(GrowingMolecule& out, std::uint32_t r, const ParsedOperator& op, std::size_t bit,
                               std::size_t stride, std::vector<char>& named,
                               std::vector<std::pair<std::string, std::string>>& name_of) {
@@ -265,11 +264,12 @@ class Assembler {
   const ParsedAssembly& assembly_;
   const std::string& file_;
   std::vector<ChainParts> chains_;
-  std::vector<std::uint32_t> chain_of_, atom_in_chain_;  // of each residue: its chain, and its first atom in that
-  std::vector<std::vector<std::pair<std::uint32_t, std::size_t>>> chains_in_;  // of each part, with their first bit
+  std::vector<std::uint32_t> chain_of_,
+      atom_in_chain_;  // per residue: its chain, and the index of its first atom there
+  std::vector<std::vector<std::pair<std::uint32_t, std::size_t>>> chains_in_;  // per part, with their first bit
   std::vector<bool> keep_;
   std::size_t kept_ = 0;
-  std::size_t own_bytes_ = 0;  // of what is there besides the molecule that is made
+  std::size_t own_bytes_ = 0;  // memory besides the new molecule
 };
 
 }  // namespace

@@ -1,4 +1,5 @@
-// From the atoms of a file to a molecule: the rules of reader.h, the same for every format that names its atoms.
+// Builds a molecule from the atoms of a file by the rules of reader.h, which are common to all formats that name their
+// atoms.
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -14,19 +15,19 @@
 namespace moltact {
 namespace {
 
-// A place with more atoms is no residue: beyond this alternates are not looked for across it.
+// A group with more atoms is not a residue: alternates are not searched beyond this number.
 constexpr std::size_t kMaxAtPlace = 100'000;
 constexpr std::size_t kMaxUnknownElements = 1000;
 
 std::string countedAtoms(std::size_t n) { return trnf("{0} atom", "{0} atoms", n, n); }
 
-/// Leaves out water; returns how many molecules that were. A file of nothing but water keeps it.
+/// Removes water and returns the number of molecules removed. A file that contains only water keeps it.
 std::size_t dropWaters(GrowingMolecule& grown) {
   const MoleculeArrays& m = grown.arrays;
   const auto water = [](const Residue& r) { return r.kind == ResidueKind::Water; };
   const auto waters = static_cast<std::size_t>(std::count_if(m.residues.begin(), m.residues.end(), water));
   if (waters == 0 || waters == m.residues.size()) return 0;
-  // Removing waters can make two runs of one residue adjacent: all runs are merged again, in place.
+  // Removing waters can make two ranges of one residue adjacent: all ranges are merged again, in place.
   MoleculeArrays old = std::move(grown.arrays);
   GrowingMolecule out(grown.namesLabelChains(), grown.hasCharges());
   MoleculeArrays& arrays = out.arrays;
@@ -56,8 +57,8 @@ std::size_t dropWaters(GrowingMolecule& grown) {
 MoleculeBuilder::MoleculeBuilder(const TextSource& text, const ReadOptions& options, bool has_charges)
     : options_(options), text_(text), file_(text.file()), out_(!options.assembly.empty(), has_charges) {}
 
-// How long the lines are is known after some of them. What is kept of the atoms grows into one room that is large
-// enough for all, for while a list moves to a larger room both are held.
+// The length of a line is estimated from the first lines. The arrays of the molecule are then allocated once for all
+// atoms, because growing a list holds both copies for a while.
 void MoleculeBuilder::expectMore() {
   constexpr std::size_t kTelling = 10'000;
   if (atoms_++ == 0) before_ = text_.givenBytes();
@@ -72,13 +73,13 @@ void MoleculeBuilder::expectMore() {
 
 std::int32_t MoleculeBuilder::unknownElement(const ParsedAtom& atom) {
   if (element(atom.atomic_number).source != RadiusSource::Default) return -1;
-  constexpr std::size_t kLongestShown = 25;
+  constexpr std::size_t kMaxShown = 25;
   const std::string_view symbol = atom.atomic_number > 0 && atom.atomic_number <= kElementCount
                                       ? element(atom.atomic_number).symbol
-                                      : atom.element.substr(0, kLongestShown);
+                                      : atom.element.substr(0, kMaxShown);
   const auto found = unknown_of_.find(symbol);
   if (found != unknown_of_.end()) return found->second;
-  // Beyond so many, one stands for the rest.
+  // Beyond the limit, one entry represents all further elements.
   const bool rest = unknown_.size() >= kMaxUnknownElements;
   if (!rest || unknown_.size() == kMaxUnknownElements) unknown_.push_back({rest ? std::string() : std::string(symbol)});
   if (rest) return static_cast<std::int32_t>(kMaxUnknownElements);
@@ -111,7 +112,7 @@ std::optional<Problem> MoleculeBuilder::add(const ParsedAtom& from) {
   } else {
     waits.residue = static_cast<std::uint32_t>(residues_.size() - 1);
   }
-  // A residue has a few alternatives; a place with more is none, and is not looked through for each of its atoms.
+  // A residue has few alternatives; a group with more is not a residue and is not searched for each of its atoms.
   constexpr std::size_t kMaxAlternatives = 100;
   PlacedAtom& atom = waits.atom;
   atom.position.A = from.position_A;
@@ -129,7 +130,7 @@ std::optional<Problem> MoleculeBuilder::add(const ParsedAtom& from) {
   return std::nullopt;
 }
 
-/// Of the atoms at the place with one name, the likeliest are kept.
+/// Keeps the atoms of highest occupancy among those of one name.
 void MoleculeBuilder::keepLikeliest() {
   std::vector<char> keep(waiting_.size(), 1);
   std::unordered_map<std::uint64_t, std::size_t> best;
@@ -137,7 +138,7 @@ void MoleculeBuilder::keepLikeliest() {
     const auto [it, is_new] = best.emplace(waiting_[i].name, i);
     if (is_new) continue;
     const Waiting& rival = waiting_[it->second];
-    if (waiting_[i].alternate == rival.alternate) continue;  // a name used twice is no alternate location
+    if (waiting_[i].alternate == rival.alternate) continue;  // a repeated name is not an alternate location
     if (waiting_[i].occupancy > rival.occupancy) {
       keep[it->second] = 0;
       it->second = i;
@@ -151,12 +152,12 @@ void MoleculeBuilder::keepLikeliest() {
   waiting_.resize(kept);
 }
 
-/// Leaves out the alternate locations that the rules do not keep.
+/// Removes the alternate locations that the rules do not keep.
 void MoleculeBuilder::dropAlternates() {
   const auto alternate = [](const Waiting& w) { return w.alternate != ' '; };
   if (std::none_of(waiting_.begin(), waiting_.end(), alternate)) return;
   const std::size_t before = waiting_.size();
-  // Of alternative residues the one with the highest mean occupancy, the first on a tie.
+  // Of alternative residues the one with the highest mean occupancy is kept, the first on a tie.
   if (residues_.size() > 1 && std::all_of(waiting_.begin(), waiting_.end(), alternate)) {
     std::vector<double> sum(residues_.size()), count(residues_.size());
     for (const Waiting& w : waiting_) sum[w.residue] += w.occupancy, ++count[w.residue];
@@ -183,7 +184,7 @@ void MoleculeBuilder::endPlace() {
   residues_.clear();
 }
 
-/// One sentence for each element without a published radius, and for each that is not known.
+/// Adds one warning for each element without a published radius, and for each unknown element.
 void MoleculeBuilder::warnOfElements(bool waters, std::vector<std::string>& warnings) const {
   constexpr std::size_t kMaxNamed = 50;
   std::size_t named = 0, rest = 0;

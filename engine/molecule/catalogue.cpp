@@ -14,7 +14,7 @@ namespace moltact {
 namespace fs = std::filesystem;
 namespace {
 
-/// How many letters must be added, removed or changed to make `a` from `b` (Levenshtein).
+/// The number of letters to add, remove or change to turn `a` into `b` (Levenshtein).
 std::size_t editDistance(const std::string& a, const std::string& b) {
   std::vector<std::size_t> row(b.size() + 1);
   for (std::size_t j = 0; j <= b.size(); ++j) row[j] = j;
@@ -42,7 +42,7 @@ Expected<std::vector<CatalogueEntry>> entriesFrom(const nlohmann::json& json, co
     e.left_out = item.value("left_out", std::string());
     e.licence = item.at("licence").get<std::string>();
     e.atoms = item.at("atoms").get<std::size_t>();
-    // A name with a folder in it could lead out of the library.
+    // A name with a folder in it could point outside the library.
     if (e.file.empty() || fs::path(e.file).filename() != e.file)
       return Problem{file, 0, 0, trf("the entry '{0}' has the file '{1}'", e.id, e.file),
                      tr("give the bare name of a file in the folder")};
@@ -55,7 +55,7 @@ Expected<std::vector<CatalogueEntry>> entriesFrom(const nlohmann::json& json, co
   return out;
 }
 
-/// A file of `folder` with this name and one of the endings that are read; empty where there is none.
+/// A file of `folder` with this name and a supported ending; empty if there is none.
 fs::path fileNamed(const fs::path& folder, const std::string& name) {
   if (folder.empty() || name.find('/') != std::string::npos) return {};
   std::string upper = name;
@@ -72,7 +72,7 @@ fs::path fileNamed(const fs::path& folder, const std::string& name) {
 Problem unknown(const std::string& name, const std::vector<CatalogueEntry>& entries) {
   const std::string wanted = lower(name);
   std::string nearest;
-  std::size_t distance = 4;  // farther than three letters, or than half of them, is no likeness
+  std::size_t distance = 4;  // more than three changed letters, or half of them, is no similarity
   for (const CatalogueEntry& e : entries)
     if (const std::size_t d = editDistance(wanted, e.id);
         d < distance && 2 * d <= std::max(wanted.size(), e.id.size())) {
@@ -123,7 +123,7 @@ Expected<fs::path> findMolecule(const std::string& name, const MoleculeFolders& 
   for (const fs::path& folder : {folders.beside, folders.fetched})
     if (fs::path file = fileNamed(folder, name); !file.empty()) return file;
   if (fs::exists(name, error)) return fs::path(name);
-  // A name with an ending was meant as a file: the reader says that it is missing.
+  // A name with an ending denotes a file: the reader reports that it is missing.
   const std::string ending = lower(fs::path(name).extension().string());
   if (ending == ".gz" || hasMoleculeName(name)) return fs::path(name);
   if (!entries) return entries.problem();

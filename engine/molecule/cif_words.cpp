@@ -6,11 +6,11 @@
 namespace moltact {
 namespace {
 
-constexpr std::size_t kLongestText = std::size_t{32} << 20;
+constexpr std::size_t kMaxTextBytes = std::size_t{32} << 20;
 
 bool isBlank(char c) { return c == ' ' || c == '\t' || c == '\r'; }
 
-/// True where the word begins with `start`, in letters of either case.
+/// True if the word starts with `start`, ignoring case.
 bool beginsWith(std::string_view word, std::string_view start) {
   if (word.size() < start.size()) return false;
   for (std::size_t i = 0; i < start.size(); ++i)
@@ -30,7 +30,7 @@ CifWords::Kind CifWords::fail(const std::string& what) {
   return Kind::End;
 }
 
-// From ';' at a line's start to the next line that starts with one.
+// Text from a ';' at the start of a line to the next line that starts with one.
 bool CifWords::textField() {
   field_.assign(rest_.substr(1));
   while (text_.next(whole_)) {
@@ -40,7 +40,7 @@ bool CifWords::textField() {
       word_ = field_;
       return true;
     }
-    if (field_.size() + whole_.size() > kLongestText) {
+    if (field_.size() + whole_.size() > kMaxTextBytes) {
       problem_ = problemHere(tr("a text of more than 32 MiB"));
       return false;
     }
@@ -66,7 +66,7 @@ CifWords::Kind CifWords::next() {
   column_ = static_cast<std::size_t>(rest_.data() - whole_.data()) + 1;
   const char first = rest_.front();
   if (first == '\'' || first == '"') {
-    // A quote ends the text where a blank follows it.
+    // A quote ends the text if whitespace follows.
     std::size_t end = 1;
     while ((end = rest_.find(first, end)) != std::string_view::npos && end + 1 < rest_.size() &&
            !isBlank(rest_[end + 1]))

@@ -11,7 +11,7 @@
 namespace moltact {
 namespace {
 
-/// The letters alone, in capitals: "1HB" gives HB, "Na+" gives NA.
+/// The letters alone, in upper case: "1HB" gives HB, "Na+" gives NA.
 std::string letters(std::string_view name) {
   std::string out;
   for (const unsigned char c : name)
@@ -21,7 +21,7 @@ std::string letters(std::string_view name) {
 
 int numberOf(std::string_view symbol) { return gemmi::Element(std::string(symbol)).atomic_number(); }
 
-// Names that CHARMM's force field gives to ions.
+// Names of ions in CHARMM's force field.
 struct Ion {
   std::string_view name, symbol;
 };

@@ -68,7 +68,7 @@ Expected<FetchedEntry> fetchEntry(const std::string& text, const fs::path& folde
   if (result.failure == DownloadFailure::None) problem = draft->flush();
   if (problem) return unwritten(*problem);
   if (result.failure != DownloadFailure::None) return downloadProblem(result, id, url, file);
-  // The draft's name ends as the final one does, because the reader goes by it.
+  // The draft's name has the final ending, because the reader selects the format by it.
   auto molecule = readMolecule(draft->path());
   if (!molecule)
     return Problem{id, 0, 0, trf("what came from {0} cannot be read: {1}", url, molecule.problem().message),

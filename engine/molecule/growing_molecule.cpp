@@ -1,4 +1,4 @@
-// Residues and chains as atoms come, and the limits of a molecule.
+// Assembles residues and chains from arriving atoms, within the limits of a molecule.
 #include <algorithm>
 #include <functional>
 
@@ -9,8 +9,8 @@
 namespace moltact {
 namespace {
 
-// Where the next one needs room: as much as the whole molecule will need if it goes on like this, so that nothing large
-// is copied from a smaller room to a larger one, which would take both for a while.
+// Grows a list to the estimated size of the whole molecule, so that nothing large is copied to a larger allocation,
+// which would hold both for a while.
 template <class T>
 void makeRoom(std::vector<T>& list, std::size_t atoms, std::size_t atoms_expected) {
   if (list.size() < list.capacity()) return;
@@ -19,7 +19,7 @@ void makeRoom(std::vector<T>& list, std::size_t atoms, std::size_t atoms_expecte
   list.reserve(std::max(list.size() + list.size() / 2 + 16, std::min(likely, kMaxMoleculeAtoms)));
 }
 
-// What a text takes besides its own object, with what an allocation needs for itself.
+// The heap memory of a text, including the overhead of an allocation.
 std::size_t heapBytes(std::string_view text) { return text.size() > ShortText::kInside ? text.size() + 16 : 0; }
 
 }  // namespace

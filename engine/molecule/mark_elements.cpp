@@ -1,4 +1,4 @@
-// The helices and strands that a file records, marked on the residues that they name.
+// Marks the helices and strands recorded in a file on the residues that they name.
 #include <algorithm>
 #include <functional>
 #include <unordered_map>
@@ -34,7 +34,7 @@ std::string markElements(MoleculeArrays& molecule, const std::vector<ParsedSecon
       at.emplace(Where{molecule.chains[residue.chain].name, residue.number, residue.insertion}, r);
   }
   std::size_t missing = 0;
-  // Helices come last, over the strands.
+  // Helices last, because they override strands.
   for (const SecondaryStructure kind : {SecondaryStructure::Strand, SecondaryStructure::Helix})
     for (const ParsedSecondaryStructure& element : elements) {
       if (element.structure.kind != kind) continue;
@@ -44,7 +44,7 @@ std::string markElements(MoleculeArrays& molecule, const std::vector<ParsedSecon
         ++missing;
         continue;
       }
-      // A strand of two sheets is recorded in each, perhaps at other lengths: it is one.
+      // A strand of two sheets is recorded in each, possibly with different lengths: it counts once.
       const RecordedStructure before = molecule.residues[first->second].recorded;
       bool begins = before.kind != kind || before.begins;
       for (std::uint32_t r = first->second; r <= last->second; ++r) {

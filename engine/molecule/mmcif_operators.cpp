@@ -41,7 +41,7 @@ bool parseInteger(std::string_view word, int& value) {
 
 std::vector<ParsedOperator> operatorsOf(std::string_view expression, const MmcifOperators& known) {
   std::vector<ParsedOperator> out;
-  std::size_t made = 0;  // in all brackets: a million copies in each of many brackets would take for ever
+  std::size_t made = 0;  // over all brackets: a million copies in each of many brackets would take for ever
   bool first = true;
   while (!expression.empty()) {
     std::string_view list = expression;
@@ -70,7 +70,7 @@ std::vector<ParsedOperator> operatorsOf(std::string_view expression, const Mmcif
       if (made > kMaxProducts) return tooMany();
     }
     first = false;
-    if (out.empty()) break;  // nothing times anything
+    if (out.empty()) break;  // the product is empty
   }
   return out;
 }

@@ -51,15 +51,15 @@ AtomWords Molecule::words(std::size_t index) const {
   if (atom.residue == kNoResidue) return {trf("atom {0}", index), {}, {}};
   const Residue& residue = residues[atom.residue];
   const bool polymer = residue.kind == ResidueKind::AminoAcid || residue.kind == ResidueKind::Nucleotide;
-  if (residue.atom_count == 1 && !polymer) {  // an ion or a noble gas: its element says more than two codes
+  if (residue.atom_count == 1 && !polymer) {  // an ion or a noble gas: its element says more than the codes
     const std::string name(tr(element(atom.atomic_number).name));
     return {(name.empty() ? residue.name.string() : name) + ' ' + std::to_string(residue.number), {}, {}};
   }
   AtomWords out;
   out.atom = atom.name[0] ? std::string(atom.name.data()) : std::string(element(atom.atomic_number).symbol);
   std::string name = residue.name.string();
-  // Amino acids are spoken of as Asp and Lys; of other codes those that nobody knows by heart are said in words, and what
-  // has none keeps its capitals.
+  // Amino acids are named Asp, Lys etc. Codes that few people know are replaced by plain names, and codes without a
+  // plain name keep their capitals.
   const bool may_be_base = name.size() > 1 || residue.kind == ResidueKind::Nucleotide;
   if (const std::string plain = plainResidueName(name); may_be_base && !plain.empty())
     name = plain;

@@ -16,20 +16,20 @@ int modelsIn(const Molecule& molecule) { return std::max(1, int(molecule.models_
 constexpr std::array kOptions{
     ReadingOption{.name = "model",
                   .member = &ReadOptions::model,
-                  .told = N_("model {0}"),
+                  .label_format = N_("model {0}"),
                   .fallback = "1",
                   .meaning = "Which model of the molecule's file is shown, counted from 1.",
                   .option_help = "Which model of the file, from 1",
                   .label = N_("Model"),
-                  .most = [](const Molecule& molecule) { return modelsIn(molecule); },
+                  .max = [](const Molecule& molecule) { return modelsIn(molecule); },
                   .note =
                       [](const Molecule& molecule) {
-                        const int most = modelsIn(molecule);
-                        return trnf("The file has {0} model.", "The file has {0} models.", most, most);
+                        const int models = modelsIn(molecule);
+                        return trnf("The file has {0} model.", "The file has {0} models.", models, models);
                       }},
     ReadingOption{.name = "waters",
                   .member = &ReadOptions::waters,
-                  .told = N_("with waters"),
+                  .label_format = N_("with waters"),
                   .fallback = "no",
                   .meaning = "Whether the water molecules of the file are there too.",
                   .option_help = "Keep the water molecules",
@@ -37,7 +37,7 @@ constexpr std::array kOptions{
     ReadingOption{
         .name = "assembly",
         .member = &ReadOptions::assembly,
-        .told = N_("assembly {0}"),
+        .label_format = N_("assembly {0}"),
         .fallback = "none",
         .meaning =
             "The name of a biological assembly that is built from the molecule's file, for example '1'; 'none' takes "
@@ -53,7 +53,7 @@ constexpr std::array kOptions{
     ReadingOption{
         .name = "beside",
         .member = &ReadOptions::beside,
-        .told = N_("beside {0}"),
+        .label_format = N_("beside {0}"),
         .fallback = "none",
         .meaning =
             "A second molecule, by its name, that stands at the right of the first for comparison; both are touched. "
@@ -107,7 +107,8 @@ bool isDefault(const ReadOptions& reading, const ReadingOption& option) {
 std::string readingText(const ReadOptions& reading) {
   std::string out;
   for (const ReadingOption& option : kOptions)
-    if (!isDefault(reading, option)) out += (out.empty() ? "" : ", ") + trf(option.told, textOf(reading, option));
+    if (!isDefault(reading, option))
+      out += (out.empty() ? "" : ", ") + trf(option.label_format, textOf(reading, option));
   return out;
 }
 

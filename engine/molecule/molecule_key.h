@@ -37,7 +37,7 @@ struct ReadOptions {
 struct ReadingOption {
   std::string_view name;  ///< in labels, attempts, scenes and the commands' options: "model"
   std::variant<int ReadOptions::*, bool ReadOptions::*, std::string ReadOptions::*> member;
-  const char* told;              ///< format of a value that is not the default, untranslated (N_): "model {0}"
+  const char* label_format;      ///< format of a value that is not the default, untranslated (N_): "model {0}"
   std::string_view fallback;     ///< the default as written in a lesson: "1", "no", "none"
   std::string_view meaning;      ///< one sentence for authors
   std::string_view option_help;  ///< help text of the commands' option
@@ -46,7 +46,7 @@ struct ReadingOption {
   std::vector<OfferedWord> (*words)() = nullptr;
   const char* hint = "";  ///< shown in an empty text field that accepts any text, untranslated (N_)
   /// The largest valid number for this molecule's file; null for an option that is not a number.
-  int (*most)(const Molecule& molecule) = nullptr;
+  int (*max)(const Molecule& molecule) = nullptr;
   /// A translated note below the option on the page; null: none.
   std::string (*note)(const Molecule& molecule) = nullptr;
 };

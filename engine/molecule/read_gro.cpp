@@ -1,4 +1,4 @@
-// Reads GRO, the coordinates of GROMACS: places in nanometres, a frame after another.
+// Reads GRO, the coordinate format of GROMACS: positions in nanometres, frame by frame.
 #include <charconv>
 #include <cmath>
 
@@ -21,7 +21,7 @@ bool groInteger(std::string_view field, long& value) {
   return error == std::errc{} && end == field.data() + field.size();
 }
 
-/// Residue numbers of five digits go on with 0 after 99999.
+/// Residue numbers have five digits and continue with 0 after 99999.
 struct GroNumbers {
   long last = 0, beyond = 0;
   int operator()(long written) {
@@ -60,7 +60,8 @@ std::optional<Problem> addGroAtom(MoleculeBuilder& builder, GroNumbers& numbers,
   atom.atomic_number = elementOfName(atom.name, atom.residue);
   atom.number = numbers(residue_number);
   atom.line = number;
-  // The format does not say what is a ligand: all that is neither amino acid nor nucleotide by its name or its atoms.
+  // The format does not mark ligands: everything that is neither amino acid nor nucleotide, by name or atoms, counts as
+  // one.
   atom.hetero = !isNucleotideName(atom.residue);
   return builder.add(atom);
 }
@@ -99,7 +100,7 @@ Expected<Molecule> readGro(TextSource& text, const ReadOptions& options) {
       if (head.models == options.model)
         if (auto problem = addGroAtom(builder, numbers, line, file, text.number())) return *problem;
     }
-    text.next(line);  // the box
+    text.next(line);  // the box vectors
   }
   if (head.models == 0) return Problem{file, 0, 0, tr("the file holds no atoms"), tr(kGroRemedy)};
   if (options.model < 1 || options.model > head.models) return noSuchModel(file, options.model, head.models);

@@ -1,7 +1,7 @@
-// Reads mmCIF files as their text arrives: the rows of _atom_site one by one, so that a message names the row and the
-// item of a value that is no number, and nothing but the molecule takes memory; of the rest only what names the entry and
-// describes its assemblies. gemmi takes 0.79 s and 1 097 MB for a million atoms, this reader 0.28 s and 55 MB
-// (build/release/reading_benchmark). What gemmi writes it reads as the same atoms (tests/molecule/gemmi_agrees_test.cpp).
+// Reads mmCIF files as a stream: row by row of _atom_site, so that messages name the row and the item of an invalid
+// number, and only the molecule needs memory. Of the rest it keeps what names the entry and describes its assemblies.
+// gemmi takes 0.79 s and 1 097 MB for a million atoms, this reader 0.28 s and 55 MB (build/release/reading_benchmark).
+// Files written by gemmi give the same atoms (tests/molecule/gemmi_agrees_test.cpp).
 #include <algorithm>
 #include <array>
 #include <gemmi/elem.hpp>
@@ -60,7 +60,7 @@ constexpr std::string_view kOperatorTags[] = {
     "_pdbx_struct_oper_list.vector[3]"};
 constexpr std::string_view kEntryTags[] = {"_entry.id"};
 constexpr std::string_view kTitleTags[] = {"_struct.title"};
-// The first and the last residue of a helix or a strand: columns of both tables, in one order.
+// The first and last residue of a helix or a strand: columns of both tables, in one order.
 enum EndColumn {
   kFirstChain,
   kFirstAuthChain,
@@ -101,7 +101,7 @@ constexpr const char* kRemedy = N_("correct the file, or take it again from its 
 constexpr std::size_t kMaxModels = 100'000;
 constexpr std::size_t kMaxKept = std::size_t{32} << 20;  // bytes of text that describes assemblies
 
-/// One value of a row: as written, without quotes.
+/// One value of a row, without quotes.
 struct Cell {
   std::string text;
   bool there = false, null = false;
@@ -110,7 +110,7 @@ struct Cell {
 };
 using Row = std::array<Cell, std::size(kAtomTags)>;
 
-/// A CIF number, which may carry its uncertainty in brackets: "1.234(5)".
+/// A CIF number, possibly with its uncertainty in brackets: "1.234(5)".
 bool cifNumber(std::string_view word, double& value) {
   if (!word.empty() && word.back() == ')') word = word.substr(0, word.find('('));
   return parseNumber(word, value);
@@ -121,7 +121,7 @@ Problem noTable(const std::string& file) {
           tr("take a coordinate file from the PDB (www.rcsb.org)")};
 }
 
-/// An entry's name or title, which may be written over several lines.
+/// An entry's name or title, which may extend over several lines.
 std::string written(std::string_view given) { return std::string(trimmed(oneLine(given))); }
 
 class Reader {
@@ -157,7 +157,7 @@ class Reader {
         }
         case Kind::Save:
           kind = words_.next();
-          break;  // a dictionary's own; none is in a molecule's file
+          break;  // save frames occur in dictionaries, not in a molecule's file
         default:
           return words_.problemHere(trf("a value without a tag: {0}", inQuotes(words_.text())));
       }
@@ -183,7 +183,7 @@ class Reader {
     cell.null = words_.null();
   }
 
-  // A tag and its value: a cell of a table of one row, which the block's end completes.
+  // A tag and its value: a cell of a table with one row, which ends with the block.
   std::optional<Problem> readPair(Kind& kind) {
     const std::string tag(words_.text());
     kind = words_.next();
@@ -248,7 +248,7 @@ class Reader {
     return std::nullopt;
   }
 
-  // The first block with atoms is the molecule; what a block without said is forgotten.
+  // The first block with atoms is the molecule; blocks without atoms are ignored.
   std::optional<Problem> endBlock() {
     if (done_) return std::nullopt;
     for (std::size_t t = 0; t < std::size(kTables); ++t) {
@@ -273,7 +273,7 @@ class Reader {
   static std::string_view firstOf(const Cell& one, const Cell& other) { return one.says() ? one.said() : other.said(); }
 
   std::optional<Problem> atom(const Row& row) {
-    if (!row[kX].there || !row[kY].there || !row[kZ].there) return std::nullopt;  // not the whole table
+    if (!row[kX].there || !row[kY].there || !row[kZ].there) return std::nullopt;  // an incomplete table
     ++rows_;
     const std::string_view model = row[kModel].there ? row[kModel].said() : "1";
     if (current_ == 0 || last_model_ != model) {
@@ -296,7 +296,7 @@ class Reader {
     out.atomic_number = out.element.size() > 2 ? 0 : gemmi::Element(std::string(out.element)).atomic_number();
     std::string_view number = firstOf(row[kAuthSeq], row[kSeq]);
     if (const std::string_view insertion = row[kInsertion].said(); !insertion.empty()) out.insertion = insertion[0];
-    // Old files write the insertion code behind the number: 15A.
+    // Old files append the insertion code to the number: 15A.
     if (number.size() > 1 && number.back() >= 'A') {
       out.insertion = number.back();
       number.remove_suffix(1);
@@ -322,7 +322,7 @@ class Reader {
     return builder_.add(out);
   }
 
-  // A row of the table of helices, turns and, in files that DSSP made, strands.
+  // A row of the table of helices, turns and, in files by DSSP, strands.
   std::optional<Problem> conformation(const Row& row) {
     const std::string_view type = row[kType].said();
     if (type == "STRN") return element(row, {SecondaryStructure::Strand});
@@ -339,7 +339,7 @@ class Reader {
   }
 
   std::optional<Problem> element(const Row& row, RecordedStructure structure) {
-    if (!row[kFirstChain].there && !row[kFirstAuthChain].there) return std::nullopt;  // not the whole table
+    if (!row[kFirstChain].there && !row[kFirstAuthChain].there) return std::nullopt;  // an incomplete table
     ParsedSecondaryStructure out{structure, std::string(firstOf(row[kFirstAuthChain], row[kFirstChain])), {}, {}};
     const auto end = [&](ParsedSecondaryStructure::End& at, EndColumn author, EndColumn label, EndColumn insertion) {
       if (const std::string_view code = row[insertion].said(); !code.empty()) at.insertion = code[0];
@@ -362,7 +362,7 @@ class Reader {
     ParsedOperator op;
     bool sound = true;
     for (std::size_t k = 0; k < std::size(kOperatorTags); ++k)
-      if (!row[k].there) return std::nullopt;  // not the whole table
+      if (!row[k].there) return std::nullopt;  // an incomplete table
     for (int i = 0; i < 3; ++i) {
       for (int j = 0; j < 3; ++j)
         sound &= cifNumber(row[static_cast<std::size_t>(1 + 3 * i + j)].text, op.rotation[j][i]);
@@ -391,12 +391,12 @@ class Reader {
     return std::nullopt;
   }
 
-  // The operators may come after what names them.
+  // The operators may follow the table that refers to them.
   std::optional<Problem> assemblies() {
     std::size_t copies = 0;
     for (const Generator& g : generators_) {
       ParsedAssembly::Part part;
-      // Of the other assemblies only the names are told.
+      // Of other assemblies only the names are kept, for messages.
       if (g[0] == options_.assembly) {
         for (std::string_view rest = g[2]; !rest.empty();) {
           const std::size_t comma = rest.find(',');
@@ -422,11 +422,11 @@ class Reader {
   CifWords words_;
   MoleculeBuilder builder_;
   ParsedHeader head_;
-  std::array<Row, std::size(kTables)> single_;  // of this block's pairs
+  std::array<Row, std::size(kTables)> single_;  // pairs of this block
   MmcifOperators operators_;
   std::vector<Generator> generators_;
   std::size_t kept_ = 0, rows_ = 0;
-  std::unordered_map<std::string, int> place_of_;  // models by name, in the order of the file, from 1
+  std::unordered_map<std::string, int> place_of_;  // models by name; numbers in file order, from 1
   std::string last_model_;
   int current_ = 0;
   bool done_ = false;  // the block with the atoms has been read

@@ -1,7 +1,7 @@
-// Reads PDB files line by line. Atoms are read here, so that a message names the line and the column of a number that is
-// none, and nothing but the molecule takes memory; gemmi reads the records that name, describe and copy them. gemmi alone
-// takes 0.14 s and 166 MB for a million atoms, this reader 0.26 s and 54 MB (build/release/reading_benchmark); it refuses
-// the files of before 1996, whose columns 73 to 80 hold the entry's name and line numbers. Of every file of the library
+// Reads PDB files line by line. Atoms are read here, so that messages name the line and column of an invalid number and
+// only the molecule needs memory; gemmi reads the records that name, describe and copy them. gemmi alone takes 0.14 s
+// and 166 MB for a million atoms, this reader 0.26 s and 54 MB (build/release/reading_benchmark). gemmi rejects files
+// from before 1996, whose columns 73 to 80 contain the entry's name and line numbers. For every file of the library
 // both read the same atoms (tests/molecule/gemmi_agrees_test.cpp).
 #include <algorithm>
 #include <cctype>
@@ -21,7 +21,7 @@ namespace {
 
 constexpr std::size_t kLineWidth = 80;
 constexpr std::size_t kMaxLineWarnings = 20;
-constexpr std::size_t kMaxHead = std::size_t{32} << 20;  // bytes of titles and descriptions of assemblies
+constexpr std::size_t kMaxHead = std::size_t{32} << 20;  // limit on titles and descriptions of assemblies (unit: byte)
 
 bool startsWith(std::string_view line, std::string_view record) {
   if (line.size() < record.size()) return false;
@@ -30,19 +30,20 @@ bool startsWith(std::string_view line, std::string_view record) {
   return true;
 }
 
-/// The lines of a PDB file that gemmi is to see, and what was noticed on the way.
+/// The lines of a PDB file that are passed to gemmi, and observations made on the way.
 struct PdbRecords {
   std::string kept;  // lines of 80 columns and a line feed
   std::vector<std::string> warnings;
   int models = 0;
-  std::size_t atoms_in_file = 0;    // of all models
+  std::size_t atoms_in_file = 0;    // in all models
   std::size_t atoms_in_first = 0;   // of model 1
-  std::size_t atoms_by_master = 0;  // as the MASTER record counts them; 0 where it does not
+  std::size_t atoms_by_master = 0;  // according to the MASTER record; 0: unknown
   bool ends_in_atom = false;
-  std::optional<Problem> bad_operator;  // the first BIOMT line that cannot be read
-  // Four columns hold residue numbers up to 9999. What programs do with more of them is undone along a chain.
+  std::optional<Problem> bad_operator;  // the first invalid BIOMT line
+  // Residue numbers have four columns, up to 9999. The conventions of programs for larger ones are undone along a
+  // chain.
   std::string chain;
-  int last_number = 0, beyond = 0;  // as written; what is added to it
+  int last_number = 0, beyond = 0;  // as in the file; the offset to add
 };
 
 struct Field {
@@ -72,7 +73,7 @@ bool isResidueNumber(std::string_view field) {
   return true;
 }
 
-/// The residue number of a sound field: decimal, from 10 000 on hybrid-36; 0 where it is blank.
+/// The residue number of a valid field: decimal, from 10 000 in hybrid-36; 0 if it is blank.
 int residueNumber(std::string_view field) {
   if (std::isalpha(static_cast<unsigned char>(field[0]))) {
     const std::string digits(field);
@@ -85,8 +86,8 @@ bool isDigits(std::string_view text) {
   return std::all_of(text.begin(), text.end(), [](unsigned char c) { return std::isdigit(c) != 0; });
 }
 
-/// The residue number of an atom's line, and whether column 27 is its last digit: VMD and others write 10000 into
-/// columns 23-27. GROMACS writes 0 after 9999, which goes on as 10000 where the chain does.
+/// The residue number of an atom's line. `five_columns`: column 27 is its last digit, because VMD and others write
+/// 10000 into columns 23-27. GROMACS writes 0 after 9999, which is read as 10000 within the same chain.
 int numberInChain(PdbRecords& records, std::string_view line, std::string_view chain, bool& five_columns) {
   five_columns = isDigits(line.substr(22, 5));
   const int written = five_columns ? static_cast<int>(std::strtol(std::string(line.substr(22, 5)).c_str(), nullptr, 10))
@@ -103,7 +104,8 @@ int numberInChain(PdbRecords& records, std::string_view line, std::string_view c
   return written + records.beyond;
 }
 
-/// Names of four letters, in columns 18-21, that simulation programs write; in other files column 21 is of the chain.
+/// Names of four letters in columns 18-21, as simulation programs write them; in other files column 21 belongs to the
+/// chain.
 bool isLongName(std::string_view name) {
   static constexpr std::string_view kNames[] = {"TIP3", "TIP4", "POPC", "POPE", "POPG", "POPS", "POPA", "DOPC",
                                                 "DOPE", "DOPG", "DOPS", "DPPC", "DPPE", "DPPG", "DPPS", "DMPC",
@@ -121,7 +123,7 @@ gemmi::Element elementOf(const char* line, bool has_element) {
   return gemmi::Element(line + 12);
 }
 
-/// Checks one ATOM or HETATM line and adds its atom; a problem where it cannot be read.
+/// Parses one ATOM or HETATM line and adds its atom; returns a Problem if it is invalid.
 std::optional<Problem> addAtom(MoleculeBuilder& builder, PdbRecords& records, std::string_view line,
                                const std::string& file, std::size_t number) {
   constexpr const char* kRemedy =
@@ -161,7 +163,7 @@ std::optional<Problem> addAtom(MoleculeBuilder& builder, PdbRecords& records, st
           trf("Line {0}: the B factor {1} is not a number and was taken as 0.", number, inQuotes(b_factor)));
     atom.b_factor_A2 = 0.0;
   }
-  // Columns 77-80 hold an element and a charge since 1996, a part of the line's number before.
+  // Since 1996 columns 77-80 contain an element and a charge, before that a part of the line number.
   const bool has_element = (std::isalpha(static_cast<unsigned char>(out[77])) &&
                             (out[76] == ' ' || std::isalpha(static_cast<unsigned char>(out[76])))) ||
                            (std::isalpha(static_cast<unsigned char>(out[76])) && out[77] == ' ');
@@ -181,7 +183,7 @@ std::optional<Problem> addAtom(MoleculeBuilder& builder, PdbRecords& records, st
   return builder.add(atom);
 }
 
-/// The count of ATOM and HETATM records in a MASTER record (columns 51-55); 0 where there is none to be read.
+/// The count of ATOM and HETATM records in a MASTER record (columns 51-55); 0 if it is missing or invalid.
 std::size_t masterCount(std::string_view line) {
   std::size_t count = 0;
   if (line.size() < 55) return count;
@@ -192,12 +194,12 @@ std::size_t masterCount(std::string_view line) {
   return count;
 }
 
-/// A file cut between two lines reads as a smaller molecule: what gives it away is told.
+/// A file that ends between two lines reads as a smaller molecule: warns if there is evidence of this.
 void warnOfCut(PdbRecords& records) {
-  constexpr std::size_t kMaxByMaster = 99'999;  // its columns hold no more
+  constexpr std::size_t kMaxByMaster = 99'999;  // the largest number that its columns can contain
   if (records.ends_in_atom)
     records.warnings.push_back(tr("The file ends with an atom and has no END record after it: it may be cut short."));
-  // Of several models the PDB counts the first alone, other programs all.
+  // With several models the PDB counts only the first, other programs all.
   if (records.atoms_by_master && records.atoms_in_file <= kMaxByMaster &&
       records.atoms_by_master != records.atoms_in_file && records.atoms_by_master != records.atoms_in_first)
     records.warnings.push_back(
@@ -205,9 +207,9 @@ void warnOfCut(PdbRecords& records) {
             records.atoms_by_master, records.atoms_in_file));
 }
 
-/// A line "REMARK 350   BIOMT2  17  …" in the columns in which gemmi reads it. They hold three digits of the operator's
-/// number; from 1000 on the rest of the line is shifted. Empty where it is no such line, nothing where it holds what is
-/// no number.
+/// Rearranges a line "REMARK 350   BIOMT2  17  …" into the columns that gemmi reads. They have three digits for the
+/// operator's number; from 1000 on the rest of the line is shifted. Returns an empty text if it is not such a line, and
+/// nothing if it contains an invalid number.
 std::optional<std::string> operatorInColumns(std::string_view line) {
   constexpr std::size_t kWord = 13;
   if (line.size() < kWord + 6 || !startsWith(line.substr(kWord), "BIOMT")) return std::string();
@@ -225,7 +227,7 @@ std::optional<std::string> operatorInColumns(std::string_view line) {
   for (int k = 0; k < 4; ++k)
     sound = sound && parseNumber(words[k + 1], value[k]) && std::abs(value[k]) < (k < 3 ? 100.0 : 1e7);
   if (!sound) return std::nullopt;
-  char shift[32];  // as many decimals as ten columns hold
+  char shift[32];  // with as many decimals as fit into ten columns
   for (int digits = 5; digits > 0; --digits)
     if (std::snprintf(shift, sizeof shift, "%.*f", digits, value[3]) <= 10) break;
   char out[kLineWidth + 1];
@@ -234,13 +236,13 @@ std::optional<std::string> operatorInColumns(std::string_view line) {
   return std::string(out);
 }
 
-/// True for a HELIX or SHEET line that names its first and last residue soundly.
+/// True for a HELIX or SHEET line with a valid first and last residue.
 bool namesResidues(std::string_view line) {
   const std::size_t first = startsWith(line, "HELIX") ? 21 : 22;
   return line.size() >= 37 && isResidueNumber(line.substr(first, 4)) && isResidueNumber(line.substr(33, 4));
 }
 
-/// Reads the file line by line: hands the atoms of model `wanted` to the builder and keeps the records that name and
+/// Reads the file line by line: passes the atoms of model `wanted` to the builder and keeps the records that name and
 /// describe the molecule and its assemblies.
 std::optional<Problem> scanRecords(PdbRecords& records, MoleculeBuilder& builder, TextSource& text, int wanted) {
   bool in_model = false;
@@ -258,7 +260,7 @@ std::optional<Problem> scanRecords(PdbRecords& records, MoleculeBuilder& builder
         if (auto problem = addAtom(builder, records, line, text.file(), text.number())) return problem;
       continue;
     }
-    // These belong to the atom before them.
+    // These records belong to the preceding atom.
     const bool of_atom = startsWith(line, "ANISOU") || startsWith(line, "SIGATM") || startsWith(line, "SIGUIJ");
     if (!of_atom && !trimmed(line).empty()) records.ends_in_atom = false;
     if (startsWith(line, "MASTER")) {
@@ -269,7 +271,7 @@ std::optional<Problem> scanRecords(PdbRecords& records, MoleculeBuilder& builder
     } else if (startsWith(line, "ENDMDL")) {
       in_model = false;
     } else if (startsWith(line, "END") && trimmed(line).size() == 3) {
-      // Simulation programs write END between frames; another atom after it would begin another model.
+      // Simulation programs write END between frames; a following atom starts another model.
       in_model = false;
     } else if (startsWith(line, "HEADER") || startsWith(line, "TITLE") || startsWith(line, "REMARK 350") ||
                startsWith(line, "HELIX ") || startsWith(line, "SHEET ")) {
@@ -371,7 +373,7 @@ Expected<Molecule> readPdb(TextSource& text, const ReadOptions& options) {
     for (const gemmi::Assembly& assembly : st.assemblies) head.assemblies.push_back(assemblyFrom(assembly));
     head.elements = elementsFrom(st);
   } catch (const std::bad_alloc&) {
-    throw;  // no fault of the file
+    throw;  // not an error in the file
   } catch (const std::exception& e) {
     return Problem{file, 0, 0, trf("it is not a sound PDB file: {0}", e.what()),
                    tr("take the file again from its source")};

@@ -1,5 +1,5 @@
-// Reads PQR, as PDB2PQR and APBS have it: lines of a PDB file with blanks between the words, and the atom's charge and
-// radius in the place of occupancy and B factor.
+// Reads PQR in the form of PDB2PQR and APBS: lines of a PDB file with blanks between the words, and the atom's charge
+// and radius instead of occupancy and B factor.
 #include <charconv>
 #include <cmath>
 
@@ -37,14 +37,14 @@ bool isAtomRecord(std::string_view line) { return line.starts_with("ATOM") || li
 
 std::optional<Problem> addPqrAtom(MoleculeBuilder& builder, std::string_view line, const std::string& file,
                                   std::size_t number) {
-  // A serial number of five digits may touch HETATM.
+  // A serial number of five digits may be adjacent to HETATM.
   const std::size_t record = line.starts_with("HETATM") ? 6 : 4;
   const std::vector<PqrWord> words = pqrWords(line.substr(record));
   if (words.size() != 9 && words.size() != 10)
     return Problem{file, number, 0,
                    trf("an atom has 9 or 10 words after its record's name, this one {0}", words.size()),
                    tr(kPqrRemedy)};
-  const std::size_t place = words.size() - 5;  // of x
+  const std::size_t place = words.size() - 5;  // index of x
   const auto at = [&](std::size_t k) { return words[k].column + record; };
   ParsedAtom atom;
   const char* kNames[5] = {"x", "y", "z", "charge", "radius"};

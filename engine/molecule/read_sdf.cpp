@@ -1,5 +1,5 @@
-// Reads MOL and SDF files, V2000 and V3000, as PubChem and drawing programs give them: atoms with their bonds, one
-// molecule after another, each a model. Places in angstroms.
+// Reads MOL and SDF files, V2000 and V3000, as written by PubChem and drawing programs: atoms with their bonds, one
+// molecule after another, each a model. Positions in angstroms.
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -13,7 +13,7 @@
 namespace moltact {
 namespace {
 
-// A residue of its own, by the code that the Protein Data Bank has for an unknown ligand.
+// A residue of its own, with the Protein Data Bank's code for an unknown ligand.
 constexpr std::string_view kSdfResidue = "UNL", kSdfChain = "A";
 constexpr std::size_t kMaxBondsAnAtom = 8, kMaxSdfAtoms = 1'000'000;
 constexpr const char* kSdfRemedy =
@@ -68,7 +68,8 @@ class SdfReader {
   }
 
  private:
-  // The four lines before a molecule's atoms; false at the file's end, where blank lines may stand.
+  // Reads the four lines before a molecule's atoms; returns false at the end of the file, where blank lines are
+  // allowed.
   bool nextRecord() {
     bool blank = true;
     lines_ = 0;
@@ -138,7 +139,7 @@ class SdfReader {
     return std::nullopt;
   }
 
-  // A line of a V3000 block without its "M  V30 "; lines that end in '-' go on in the next.
+  // Reads a line of a V3000 block without its "M  V30 "; lines that end in '-' continue on the next line.
   bool nextV30(std::string& out) {
     constexpr std::string_view kMark = "M  V30 ";
     out.clear();
@@ -150,7 +151,7 @@ class SdfReader {
       line.remove_prefix(kMark.size());
       const bool goes_on = !line.empty() && line.back() == '-';
       if (goes_on) line.remove_suffix(1);
-      if (out.size() + line.size() > kLongestMoleculeLine) return false;
+      if (out.size() + line.size() > kMaxMoleculeLineBytes) return false;
       out += line;
       if (!goes_on) return true;
     }
@@ -169,7 +170,7 @@ class SdfReader {
 
   std::optional<Problem> v3000() {
     enum class Block { None, Atoms, Bonds, Other } block = Block::None;
-    std::map<long, std::uint32_t> of_number;  // atoms may be numbered as they like
+    std::map<long, std::uint32_t> of_number;  // atoms may have arbitrary numbers
     for (std::string line; nextV30(line);) {
       std::string_view rest = line;
       if (rest.starts_with("M  END")) return std::nullopt;
@@ -254,7 +255,7 @@ class SdfReader {
     return std::move(bonds_);
   }
 
-  // What follows a molecule up to "$$$$": of its data the name, where PubChem gives one.
+  // Reads the data after a molecule up to "$$$$"; uses the name that PubChem provides.
   std::optional<Problem> dataItems() {
     bool name_follows = false;
     for (std::string_view line; next(line);) {
@@ -271,7 +272,7 @@ class SdfReader {
   MoleculeBuilder builder_;
   ParsedHeader head_{.id = {}, .title = {}, .elements = {}, .assemblies = {}, .warnings = {}, .models = 0};
   std::string title_, counts_;  // of this molecule: its first line and its fourth
-  int lines_ = 0;               // that were there of its first four
+  int lines_ = 0;               // number of its first four lines that are present
   bool wanted_ = false, flat_ = false, flat_here_ = false;
   std::size_t atoms_ = 0;  // of the wanted molecule
   std::map<int, int> count_of_;

@@ -1,8 +1,8 @@
-// Reads the CIF of small molecules and minerals, as journals and the Crystallography Open Database give it: places as
-// fractions of the unit cell. The asymmetric unit is the molecule; its assembly "cell" is the whole unit cell. Of
-// alternatives (disorder groups) the most occupied is kept. gemmi 0.5.7 (smcif.hpp) takes the symmetry from the name of the
-// space group alone, reads no list of operators and no disorder assembly, and reports no line; it serves here for cells,
-// operators and elements.
+// Reads the CIF of small molecules and minerals, as published by journals and the Crystallography Open Database:
+// positions as fractions of the unit cell. The asymmetric unit is the molecule; its assembly "cell" is the whole unit
+// cell. Of alternatives (disorder groups) the one of highest occupancy is kept. gemmi 0.5.7 (smcif.hpp) derives the
+// symmetry only from the name of the space group, reads neither lists of operators nor disorder assemblies, and reports
+// no line. It is used here for cells, operators and elements.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -43,10 +43,10 @@ std::size_t indexIn(const std::string_view (&tags)[N], const std::string& tag) {
   return std::size_t(std::find(std::begin(tags), std::end(tags), tag) - std::begin(tags));
 }
 
-/// A CIF number, which may carry its uncertainty in brackets: "1.234(5)".
+/// A CIF number, possibly with its uncertainty in brackets: "1.234(5)".
 bool smallNumber(std::string_view word, double& value) { return parseNumber(word.substr(0, word.find('(')), value); }
 
-/// The letters at the front of "Fe3+", "C12", "O1W", as an element; 0 where they name none.
+/// The element denoted by the leading letters of "Fe3+", "C12", "O1W"; 0 if there is none.
 int siteElement(std::string_view symbol) {
   const auto letter = [&](std::size_t k) {
     return k < symbol.size() && ((symbol[k] | 0x20) >= 'a' && (symbol[k] | 0x20) <= 'z');
@@ -77,7 +77,7 @@ struct Site {
 struct Block {
   std::string name, title;
   std::size_t title_rank = std::size(kNameTags);
-  std::array<double, 6> cell{};  // A and degrees
+  std::array<double, 6> cell{};  // lengths in A, angles in degrees
   std::array<bool, 6> has_cell{};
   std::vector<std::string> symmetry;
   std::vector<Site> sites;
@@ -136,7 +136,7 @@ class SmallCifReader {
     if (++models_ == options_.model) kept_ = std::move(block);
   }
 
-  // A single value.
+  // Reads a single value.
   std::optional<Problem> take(const std::string& tag) {
     if (words_.null()) return std::nullopt;
     if (const std::size_t k = indexIn(kCellTags, tag); k < std::size(kCellTags)) {
@@ -253,7 +253,7 @@ class SmallCifReader {
     return std::nullopt;
   }
 
-  // Of the groups of each disorder assembly the one of the highest mean occupancy, the first on a tie.
+  // Keeps, of the groups of each disorder assembly, the one of highest mean occupancy, the first on a tie.
   std::size_t dropAlternatives() {
     struct Group {
       double sum = 0.0, count = 0.0;
@@ -270,11 +270,11 @@ class SmallCifReader {
     }
     std::map<std::string, std::string> best;
     for (const auto& [assembly, of_group] : groups) {
-      const auto most = std::max_element(of_group.begin(), of_group.end(), [](const auto& a, const auto& b) {
+      const auto largest = std::max_element(of_group.begin(), of_group.end(), [](const auto& a, const auto& b) {
         const double x = a.second.mean(), y = b.second.mean();
         return x != y ? x < y : a.second.first > b.second.first;
       });
-      best[assembly] = most->first;
+      best[assembly] = largest->first;
     }
     return std::erase_if(kept_.sites,
                          [&](const Site& s) { return !s.disorder.empty() && s.disorder != best[s.assembly]; });
@@ -285,7 +285,8 @@ class SmallCifReader {
       return Problem{file_, 0, 0, tr("the unit cell is not whole: three lengths and three angles are needed"),
                      tr(kSmallRemedy)};
     const auto& c = kept_.cell;
-    // Three angles meet in a corner only where none is as large as the other two together, nor all as a full turn.
+    // Three angles form a corner only if each is smaller than the sum of the others, and their sum is less than a full
+    // turn.
     bool sound = c[3] + c[4] + c[5] < 359.0;
     for (std::size_t k = 0; k < 3; ++k) {
       const double angle = c[3 + k], others = c[3 + (k + 1) % 3] + c[3 + (k + 2) % 3];
@@ -335,7 +336,8 @@ class SmallCifReader {
     return builder.finish(std::move(head));
   }
 
-  // Each symmetry operation as a turn and a shift in angstroms, which leaves the middle of the atoms within the cell.
+  // Each symmetry operation as a rotation and a translation in angstroms that keeps the middle of the atoms within the
+  // cell.
   std::optional<Problem> addCell(ParsedHeader& head, const gemmi::UnitCell& cell, const Vec3& middle) const {
     ParsedAssembly::Part part;
     part.chains = {std::string(kSmallChain)};

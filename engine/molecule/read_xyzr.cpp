@@ -1,6 +1,5 @@
-// Reads .xyzr, the convention of surface programs: a sphere a line, x y z r in angstroms, blank lines and #
-// comments allowed. What follows the fourth number on a line (an atom's name, a flag) is passed over with one
-// warning.
+// Reads .xyzr, the format of surface programs: one sphere per line, x y z r in angstroms; blank lines and # comments
+// are allowed. Text after the fourth number of a line (an atom's name, a flag) is ignored with one warning.
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -16,7 +15,7 @@ constexpr const char* kFormatRemedy = N_("write four numbers a line, x y z r in 
 
 bool isBlank(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\v' || c == '\f'; }
 
-/// Reads one number at `at`; on success `at` stands behind it, at a blank or the end.
+/// Reads one number at `at`; on success `at` is advanced to the following blank or the end.
 bool takeNumber(const char*& at, const char* end, double& value) {
   const char* begin = at + (end - at > 1 && *at == '+' && at[1] != '-' ? 1 : 0);
   const auto [stop, error] = std::from_chars(begin, end, value);

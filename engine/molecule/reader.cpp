@@ -10,8 +10,8 @@
 #include "engine/molecule/side_by_side.h"
 #include "engine/platform/read_file.h"
 
-// One line an ending of names: its reader is a function of this name in its own file. The catalogue, the window's file
-// browser and the messages are made from this table. Of two files of the same name the earlier ending is taken.
+// One line per file name ending, with a reader function of this name in its own file. The catalogue, the window's file
+// browser and the messages use this table. Of two files of the same name the earlier ending takes precedence.
 #define MOLTACT_FORMATS(X) \
   X(".cif", readMmcif)     \
   X(".pdb", readPdb)       \
@@ -50,7 +50,7 @@ std::filesystem::path innerName(std::filesystem::path file) {
   return file;
 }
 
-/// True where the first line that is neither blank nor a comment is four numbers.
+/// True if the first line that is neither blank nor a comment contains four numbers.
 bool looksLikeXyzr(std::string_view text) {
   while (!text.empty()) {
     const std::size_t newline = text.find('\n');
@@ -70,7 +70,7 @@ bool looksLikeXyzr(std::string_view text) {
   return false;
 }
 
-/// What a file is that holds molecules in a way that is not read here, and what to do; nothing where it is none of them.
+/// The Problem for a known but unsupported format of molecules, with a remedy; empty for other files.
 std::optional<Problem> notRead(std::string_view head, const std::string& extension, const std::string& file) {
   if (head.starts_with("PK\x03\x04") || head.starts_with("PK\x05\x06"))
     return Problem{file, 0, 0, tr("it is a zip archive"), tr("unpack it, and open the molecule's file that is in it")};
@@ -79,7 +79,7 @@ std::optional<Problem> notRead(std::string_view head, const std::string& extensi
   return std::nullopt;
 }
 
-/// The reader that the content asks for; null where it is none of ours.
+/// The reader for the content of a file; null if it is not supported.
 ReadText readerByContent(std::string_view text) {
   const std::string_view head = text;
   std::size_t line_number = 0;

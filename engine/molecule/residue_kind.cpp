@@ -27,7 +27,7 @@ ResidueKind residueKind(const Residue& residue, const std::vector<Atom>& atoms, 
   if (residue.atom_count == 1 && atoms[residue.first_atom].atomic_number > 1 &&
       !isNobleGas(atoms[residue.first_atom].atomic_number) && hetero)
     return ResidueKind::Ion;
-  // A modified residue that the table does not hold still has its backbone.
+  // A modified residue that the table lacks still has its backbone.
   if (hasAtom(residue, atoms, "N") && hasAtom(residue, atoms, "CA") && hasAtom(residue, atoms, "C") &&
       hasAtom(residue, atoms, "O"))
     return ResidueKind::AminoAcid;

@@ -1,4 +1,4 @@
-// Codes and names are those of the Chemical Component Dictionary of the wwPDB; the names are the customary short ones.
+// Codes and names according to the Chemical Component Dictionary of the wwPDB, with the customary short names.
 #include "engine/molecule/residue_names.h"
 
 #include <algorithm>

@@ -32,7 +32,7 @@ Box boxOf(const Molecule& molecule) {
 
 using ResidueName = std::tuple<std::string_view, int, char>;  // chain, number, insertion code
 
-// Where each residue has the atom that stands for it.
+// The representative atom of each residue.
 std::map<ResidueName, std::pair<std::string_view, Vec3>> leadingAtoms(const Molecule& m) {
   std::map<ResidueName, std::pair<std::string_view, Vec3>> out;
   for (const Residue& r : m.residues)
@@ -44,7 +44,7 @@ std::map<ResidueName, std::pair<std::string_view, Vec3>> leadingAtoms(const Mole
   return out;
 }
 
-// Turns the second as the first is, where they are the same molecule for the most part.
+// Rotates the second molecule to the orientation of the first if they are mostly the same molecule.
 void turnAlike(const Molecule& first, Molecule& second) {
   std::vector<gemmi::Position> here, there;
   std::size_t common = 0;
@@ -97,7 +97,7 @@ Molecule sideBySide(Molecule first, Molecule second) {
     b.centre_A += shift;
     return b;
   });
-  // A charge of 0 stands for those of a file without charges.
+  // A charge of 0 replaces the missing charges of a file without charges.
   if (!first.charges_e.empty() || !second.charges_e.empty()) {
     const auto chargesOf = [](const Molecule& m) {
       return m.charges_e.empty() ? SharedArray<float>(std::vector<float>(m.atoms.size())) : m.charges_e;
@@ -114,7 +114,7 @@ Molecule sideBySide(Molecule first, Molecule second) {
     c.first_residue += residues;
     return c;
   });
-  // Bonds and helices that one of the two files lists and the other does not are found for both.
+  // Bonds and helices that only one of the two files lists are computed for both.
   if (first.listed_bonds.empty() || second.listed_bonds.empty())
     out.listed_bonds = {};
   else

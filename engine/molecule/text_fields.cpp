@@ -1,4 +1,4 @@
-// Small pieces of text that the readers share.
+// Small text functions shared by the readers.
 #include <charconv>
 #include <cmath>
 
@@ -15,10 +15,10 @@ bool parseNumber(std::string_view text, double& value) {
 }
 
 std::string inQuotes(std::string_view text) {
-  constexpr std::size_t kLongest = 24;
+  constexpr std::size_t kMaxLength = 24;
   std::string out = "'";
-  for (char c : text.substr(0, kLongest)) out += (c >= ' ' && c <= '~') ? c : '?';
-  if (text.size() > kLongest) out += "...";
+  for (char c : text.substr(0, kMaxLength)) out += (c >= ' ' && c <= '~') ? c : '?';
+  if (text.size() > kMaxLength) out += "...";
   return out + "'";
 }
 

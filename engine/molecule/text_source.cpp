@@ -17,8 +17,8 @@ constexpr std::size_t kPiece = std::size_t{1} << 18;
 class Memory final : public ByteSource {
  public:
   explicit Memory(std::string_view bytes) : bytes_(bytes) {}
-  std::size_t read(char* to, std::size_t most) override {
-    const std::size_t n = bytes_.copy(to, most);
+  std::size_t read(char* to, std::size_t max_bytes) override {
+    const std::size_t n = bytes_.copy(to, max_bytes);
     bytes_.remove_prefix(n);
     return n;
   }
@@ -31,10 +31,10 @@ class File final : public ByteSource {
  public:
   File(std::ifstream in, std::size_t size, std::string name)
       : in_(std::move(in)), size_(size), name_(std::move(name)) {}
-  std::size_t read(char* to, std::size_t most) override {
-    most = std::min(most, size_ - taken_);  // what is written to its end meanwhile is not read
-    if (most == 0) return 0;
-    in_.read(to, static_cast<std::streamsize>(most));
+  std::size_t read(char* to, std::size_t max_bytes) override {
+    max_bytes = std::min(max_bytes, size_ - taken_);  // data appended to the file meanwhile are ignored
+    if (max_bytes == 0) return 0;
+    in_.read(to, static_cast<std::streamsize>(max_bytes));
     const auto n = static_cast<std::size_t>(std::max<std::streamsize>(in_.gcount(), 0));
     taken_ += n;
     if (n == 0) problem_ = brokenOff(name_, taken_);
@@ -57,17 +57,17 @@ class Gzip final : public ByteSource {
   Gzip(const Gzip&) = delete;
   Gzip& operator=(const Gzip&) = delete;
 
-  std::size_t read(char* to, std::size_t most) override {
+  std::size_t read(char* to, std::size_t max_bytes) override {
     while (!ended_ && !problem_) {
       if (stream_.avail_in < 2) refill();
       stream_.next_out = reinterpret_cast<Bytef*>(to);
-      stream_.avail_out = static_cast<uInt>(std::min(most, kPiece));
+      stream_.avail_out = static_cast<uInt>(std::min(max_bytes, kPiece));
       const uInt room = stream_.avail_out;
       const int status = inflate(&stream_, Z_NO_FLUSH);
       const std::size_t n = room - stream_.avail_out;
       if (status == Z_STREAM_END) {
         if (stream_.avail_in < 2) refill();
-        // What follows a member and is none is passed over, as gzip does.
+        // Data after a member that are not another member are ignored, as in gzip.
         const bool more = stream_.avail_in >= 2 && stream_.next_in[0] == 0x1f && stream_.next_in[1] == 0x8b;
         if (more)
           inflateReset(&stream_);
@@ -87,7 +87,7 @@ class Gzip final : public ByteSource {
  private:
   Problem broken(const char* how) const { return {name_, 0, 0, how, tr("copy or download the file again")}; }
 
-  // Takes the next packed bytes; at most one is left over from those before.
+  // Reads the next compressed bytes; at most one is left over from before.
   void refill() {
     if (packed_ended_) return;
     const uInt left = stream_.avail_in;
@@ -108,17 +108,17 @@ class Gzip final : public ByteSource {
   bool packed_ended_ = false, ended_ = false;
 };
 
-// A first piece that was read to see what it is, then the rest.
+// A first piece that was read to detect the format, then the rest.
 class Seen final : public ByteSource {
  public:
   Seen(std::string first, std::unique_ptr<ByteSource> rest) : first_(std::move(first)), rest_(std::move(rest)) {}
-  std::size_t read(char* to, std::size_t most) override {
+  std::size_t read(char* to, std::size_t max_bytes) override {
     if (at_ < first_.size()) {
-      const std::size_t n = first_.copy(to, most, at_);
+      const std::size_t n = first_.copy(to, max_bytes, at_);
       at_ += n;
       return n;
     }
-    const std::size_t n = rest_->read(to, most);
+    const std::size_t n = rest_->read(to, max_bytes);
     problem_ = rest_->problem();
     return n;
   }
@@ -141,8 +141,8 @@ std::unique_ptr<ByteSource> gzipSource(std::unique_ptr<ByteSource> packed, const
 
 bool isGzip(std::string_view bytes) { return bytes.size() >= 2 && bytes[0] == '\x1f' && bytes[1] == '\x8b'; }
 
-TextSource::TextSource(std::unique_ptr<ByteSource> bytes, std::size_t expected, std::size_t most, std::string file)
-    : expected_(std::min(expected, most)), most_(most), file_(std::move(file)) {
+TextSource::TextSource(std::unique_ptr<ByteSource> bytes, std::size_t expected, std::size_t max_bytes, std::string file)
+    : expected_(std::min(expected, max_bytes)), max_bytes_(max_bytes), file_(std::move(file)) {
   std::string first(2, '\0');
   std::size_t n = bytes->read(first.data(), 2);
   if (n == 1) n += bytes->read(first.data() + 1, 1);
@@ -152,8 +152,8 @@ TextSource::TextSource(std::unique_ptr<ByteSource> bytes, std::size_t expected, 
   bytes_ = std::make_unique<Seen>(std::move(first), std::move(bytes));
   if (!packed_) return;
   packed_bytes_ = expected_;
-  constexpr std::size_t kUsual = 4;  // text of atoms packs to a fourth
-  expected_ = expected_ < most_ / kUsual ? expected_ * kUsual : most_;
+  constexpr std::size_t kUsual = 4;  // atom records compress to about a fourth
+  expected_ = expected_ < max_bytes_ / kUsual ? expected_ * kUsual : max_bytes_;
   bytes_ = gzipSource(std::move(bytes_), file_);
 }
 
@@ -161,7 +161,7 @@ std::size_t TextSource::expectedBytes() const {
   const std::size_t packed_read = bytes_->packedBytesRead();
   if (packed_read == 0) return expected_;
   const double likely = double(packed_bytes_) * (double(taken_) / double(packed_read));
-  return static_cast<std::size_t>(std::clamp(likely, double(std::min(taken_, most_)), double(most_)));
+  return static_cast<std::size_t>(std::clamp(likely, double(std::min(taken_, max_bytes_)), double(max_bytes_)));
 }
 
 bool TextSource::fill() {
@@ -179,26 +179,26 @@ bool TextSource::fill() {
   ended_ = n == 0;
   end_ += n;
   taken_ += n;
-  if (taken_ > most_)
-    problem_ = Problem{
-        file_, 0, 0,
-        packed_ ? trf("it unpacks to more than {0} MiB", most_ >> 20) : trf("it is larger than {0} MiB", most_ >> 20),
-        tr("split it, or keep one model")};
+  if (taken_ > max_bytes_)
+    problem_ = Problem{file_, 0, 0,
+                       packed_ ? trf("it unpacks to more than {0} MiB", max_bytes_ >> 20)
+                               : trf("it is larger than {0} MiB", max_bytes_ >> 20),
+                       tr("split it, or keep one model")};
   return n > 0 && !problem_;
 }
 
 bool TextSource::next(std::string_view& line) {
-  std::size_t looked = 0;
+  std::size_t workCount = 0;
   for (;;) {
     const std::string_view there(buffer_.data() + at_, end_ - at_);
-    const std::size_t newline = there.find('\n', looked);
+    const std::size_t newline = there.find('\n', workCount);
     if (newline != std::string_view::npos) {
       line = there.substr(0, newline);
       at_ += newline + 1;
       break;
     }
-    looked = there.size();
-    if (looked > kLongestMoleculeLine) {
+    workCount = there.size();
+    if (workCount > kMaxMoleculeLineBytes) {
       problem_ = Problem{file_, number_ + 1, 0, tr("the line is longer than 16 MiB"), tr("is this a molecule's file?")};
       return false;
     }

@@ -16,8 +16,8 @@ namespace moltact {
 class ByteSource {
  public:
   virtual ~ByteSource() = default;
-  /// Reads up to `most` bytes, at least one. Returns 0 at the end or on an error, see problem().
-  virtual std::size_t read(char* to, std::size_t most) = 0;
+  /// Reads up to `max_bytes` bytes, at least one. Returns 0 at the end or on an error, see problem().
+  virtual std::size_t read(char* to, std::size_t max_bytes) = 0;
   /// Number of compressed bytes consumed so far; 0 for an uncompressed source.
   virtual std::size_t packedBytesRead() const { return 0; }
   const std::optional<Problem>& problem() const { return problem_; }
@@ -37,13 +37,13 @@ std::unique_ptr<ByteSource> gzipSource(std::unique_ptr<ByteSource> packed, const
 bool isGzip(std::string_view bytes);
 
 /// Limit on the length of a line (unit: byte).
-inline constexpr std::size_t kLongestMoleculeLine = std::size_t{16} << 20;
+inline constexpr std::size_t kMaxMoleculeLineBytes = std::size_t{16} << 20;
 
 class TextSource {
  public:
-  /// Reads text of at most `most` bytes; gzip is detected and decompressed. `expected` is the size of the source before
-  /// decompression.
-  TextSource(std::unique_ptr<ByteSource> bytes, std::size_t expected, std::size_t most, std::string file);
+  /// Reads text of at most `max_bytes` bytes; gzip is detected and decompressed. `expected` is the size of the source
+  /// before decompression.
+  TextSource(std::unique_ptr<ByteSource> bytes, std::size_t expected, std::size_t max_bytes, std::string file);
 
   /// Reads the next line, without its line feed, valid until the next call. Returns false at the end or on an error,
   /// see problem().
@@ -53,7 +53,7 @@ class TextSource {
   std::string_view ahead();
   const std::optional<Problem>& problem() const { return problem_; }
   bool blank() const { return blank_; }  ///< all lines so far were blank
-  /// An estimate of the total size of the text, which improves while reading; at most `most`.
+  /// An estimate of the total size of the text, which improves while reading; at most `max_bytes`.
   std::size_t expectedBytes() const;
   std::size_t givenBytes() const { return given_; }  ///< size of the lines read so far
   const std::string& file() const { return file_; }
@@ -62,7 +62,7 @@ class TextSource {
   bool fill();
 
   std::unique_ptr<ByteSource> bytes_;
-  std::size_t expected_, most_, taken_ = 0, given_ = 0;
+  std::size_t expected_, max_bytes_, taken_ = 0, given_ = 0;
   std::size_t packed_bytes_ = 0;  // size of a compressed source
   std::string file_;
   std::string buffer_;

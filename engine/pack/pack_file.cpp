@@ -17,8 +17,7 @@ namespace moltact {
 namespace {
 
 constexpr std::size_t kPiece = std::size_t{64} << 10;
-// What every entry of a zip's directory begins with. Where there are far more than there may be entries, the directory
-// is not even read.
+// The signature of every entry of a zip's directory. If there are far more than allowed, the directory is not read.
 constexpr std::string_view kDirectoryEntry = "PK\1\2";
 
 std::string handOutAgain() { return tr("ask for the file again, or have it packed again with 'moltact pack'"); }
@@ -53,8 +52,8 @@ struct PackFile::Impl {
   }
 
   std::optional<Problem> openZip() {
-    if (bytes.size() > kLargestPack)
-      return problem(trf("it is larger than {0} MiB", kLargestPack >> 20), tr("pack smaller molecules"));
+    if (bytes.size() > kMaxPackBytes)
+      return problem(trf("it is larger than {0} MiB", kMaxPackBytes >> 20), tr("pack smaller molecules"));
     if (count(bytes, kDirectoryEntry) > 4 * kMaxPackEntries) return tooManyEntries();
     zip_error_t error;
     zip_error_init(&error);
@@ -67,7 +66,7 @@ struct PackFile::Impl {
     return fault;
   }
 
-  /// What is told of one entry; nothing for a folder.
+  /// Checks the stated properties of one entry; `found` stays empty for a folder.
   std::optional<Problem> look(zip_uint64_t index, std::optional<Found>& found) {
     const char* raw = zip_get_name(zip, index, ZIP_FL_ENC_RAW);
     if (!raw) return problem(tr("the name of a file in it cannot be read"));
@@ -76,29 +75,29 @@ struct PackFile::Impl {
     if (folder) written.remove_suffix(1);
     if (const std::string fault = packNameFault(written); !fault.empty())
       return problem(trf("the name '{0}' in it {1}", written, fault));
-    zip_stat_t told;
-    zip_stat_init(&told);
+    zip_stat_t stat;
+    zip_stat_init(&stat);
     constexpr zip_uint64_t kNeeded =
         ZIP_STAT_SIZE | ZIP_STAT_COMP_SIZE | ZIP_STAT_COMP_METHOD | ZIP_STAT_ENCRYPTION_METHOD;
-    if (zip_stat_index(zip, index, 0, &told) != 0 || (told.valid & kNeeded) != kNeeded)
+    if (zip_stat_index(zip, index, 0, &stat) != 0 || (stat.valid & kNeeded) != kNeeded)
       return problem(trf("'{0}' in it cannot be read: {1}", written, zip_strerror(zip)));
-    if (told.encryption_method != ZIP_EM_NONE)
+    if (stat.encryption_method != ZIP_EM_NONE)
       return problem(trf("'{0}' in it is encrypted", written), tr("have it packed without a password"));
     zip_uint8_t system = ZIP_OPSYS_DOS;
     zip_uint32_t attributes = 0;
     zip_file_get_external_attributes(zip, index, 0, &system, &attributes);
-    constexpr zip_uint32_t kKind = 0170000, kFile = 0100000, kFolder = 0040000;  // of a file's mode in Unix
-    // Other systems may have written a mode too, and some readers go by it.
+    constexpr zip_uint32_t kKind = 0170000, kFile = 0100000, kFolder = 0040000;  // file types in a Unix mode
+    // Other systems may also have written a mode, and some readers use it.
     const zip_uint32_t kind = attributes >> 16 & kKind;
     if (kind != 0 && kind != (folder ? kFolder : kFile))
       return problem(trf("'{0}' in it is a link or no ordinary file", written), tr("have the files themselves packed"));
     if (folder) return std::nullopt;
-    if (told.comp_method != ZIP_CM_STORE && told.comp_method != ZIP_CM_DEFLATE)
+    if (stat.comp_method != ZIP_CM_STORE && stat.comp_method != ZIP_CM_DEFLATE)
       return problem(trf("'{0}' in it is compressed by a method that this program does not read", written));
-    if (told.size > kMaxUnpacked) return tooLarge();
-    if (told.size > kSmallUnpacked && told.size / kMaxPackRatio > told.comp_size)
+    if (stat.size > kMaxUnpacked) return tooLarge();
+    if (stat.size > kSmallUnpacked && stat.size / kMaxPackRatio > stat.comp_size)
       return problem(trf("'{0}' in it would grow to more than {1} times its size", written, kMaxPackRatio));
-    found = Found{{std::string(written), std::size_t(told.size)}, index};
+    found = Found{{std::string(written), std::size_t(stat.size)}, index};
     return std::nullopt;
   }
 
@@ -107,11 +106,11 @@ struct PackFile::Impl {
   }
 
   std::optional<Problem> lookAtAll() {
-    const zip_int64_t entries_told = zip_get_num_entries(zip, 0);
-    if (entries_told > zip_int64_t(kMaxPackEntries)) return tooManyEntries();
+    const zip_int64_t entry_count = zip_get_num_entries(zip, 0);
+    if (entry_count > zip_int64_t(kMaxPackEntries)) return tooManyEntries();
     std::size_t whole = 0;
-    std::set<std::string> names, folders;  // as a system has them that does not tell capitals
-    for (zip_int64_t k = 0; k < entries_told; ++k) {
+    std::set<std::string> names, folders;  // folded for case-insensitive systems
+    for (zip_int64_t k = 0; k < entry_count; ++k) {
       std::optional<Found> found;
       if (auto fault = look(zip_uint64_t(k), found)) return fault;
       if (!found) continue;
@@ -159,8 +158,8 @@ struct PackFile::Impl {
     if (!manifest)
       return problem(trf("it is a zip, but no pack of a lesson: there is no '{0}' in it", kPackManifest),
                      tr("unpack it yourself and open what it holds, or have the lesson packed with 'moltact pack'"));
-    if (manifest->entry.bytes > kLargestPackManifest)
-      return problem(trf("'{0}' in it is larger than {1} bytes", kPackManifest, kLargestPackManifest));
+    if (manifest->entry.bytes > kMaxPackManifestBytes)
+      return problem(trf("'{0}' in it is larger than {1} bytes", kPackManifest, kMaxPackManifestBytes));
     std::string text;
     if (auto fault = read(*manifest, [&](std::string_view piece) {
           text += piece;
@@ -192,7 +191,7 @@ PackFile& PackFile::operator=(PackFile&&) noexcept = default;
 PackFile::~PackFile() = default;
 
 Expected<PackFile> PackFile::open(const std::filesystem::path& file) {
-  Expected<std::string> bytes = readFile(file, kLargestPack, tr("pack smaller molecules"));
+  Expected<std::string> bytes = readFile(file, kMaxPackBytes, tr("pack smaller molecules"));
   if (!bytes) return bytes.problem();
   return ofBytes(file.string(), *std::move(bytes));
 }

@@ -24,12 +24,12 @@ inline constexpr const char* kPackEnding = ".moltact";
 inline constexpr const char* kPackManifest = "pack.json";
 inline constexpr int kPackFormat = 1;  ///< newer formats are rejected
 
-inline constexpr std::size_t kLargestPack = std::size_t{256} << 20;  ///< unit: byte
-inline constexpr std::size_t kMaxUnpacked = std::size_t{1} << 30;    ///< all files together (unit: byte)
-inline constexpr std::size_t kMaxPackEntries = 1000;                 ///< files and folders
-inline constexpr std::size_t kMaxPackRatio = 200;                    ///< limit on a file's unpacked to packed size …
-inline constexpr std::size_t kSmallUnpacked = std::size_t{1} << 20;  ///< … for files above this size (unit: byte)
-inline constexpr std::size_t kLargestPackManifest = std::size_t{4096};  ///< unit: byte
+inline constexpr std::size_t kMaxPackBytes = std::size_t{256} << 20;  ///< unit: byte
+inline constexpr std::size_t kMaxUnpacked = std::size_t{1} << 30;     ///< all files together (unit: byte)
+inline constexpr std::size_t kMaxPackEntries = 1000;                  ///< files and folders
+inline constexpr std::size_t kMaxPackRatio = 200;                     ///< limit on a file's unpacked to packed size …
+inline constexpr std::size_t kSmallUnpacked = std::size_t{1} << 20;   ///< … for files above this size (unit: byte)
+inline constexpr std::size_t kMaxPackManifestBytes = std::size_t{4096};  ///< unit: byte
 
 /// True if the file's name is that of a pack.
 bool hasPackName(const std::filesystem::path& file);

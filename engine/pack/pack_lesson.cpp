@@ -57,7 +57,8 @@ class Gathering {
     out_.errors.push_back({at.file, at.place.line, at.place.column, std::move(message), std::move(remedy)});
   }
 
-  // A file by its name from the first lesson's folder; `at` is where it is named. A lesson is looked into later.
+  // Adds a file by its name relative to the first lesson's folder; `at` is where it is referenced. Lessons are examined
+  // later.
   void take(const fs::path& named, const At& at) {
     const fs::path relative = named.lexically_normal();
     const std::string name = relative.generic_string();
@@ -73,7 +74,7 @@ class Gathering {
     std::error_code ignored;
     if (fs::is_directory(top_ / relative, ignored))
       return error(at, trf("'{0}' cannot be packed: it is a folder", name), tr("name a file in it"));
-    // The lesson itself the author has named; of the rest nobody may know where a link leads.
+    // The author has named the lesson itself; links of other files may lead anywhere.
     if (relative != first_.filename() && !isWithin(top_ / relative, top_.empty() ? fs::path(".") : top_))
       return error(at, trf("'{0}' cannot be packed: it is a link to a file outside of the lesson's folder", name),
                    tr("put a copy of the file in the place of the link"));
@@ -99,7 +100,7 @@ class Gathering {
       out_.errors.insert(out_.errors.end(), check.errors.begin(), check.errors.end());
       return;
     }
-    // "name" relative to the lesson's folder, as the check has found it there.
+    // "name" relative to the lesson's folder, where the check has found it.
     const auto beside = [&](const std::string& link, Place place) {
       if (const auto to = fileLink("lesson.md", link)) take(folder / to->file, {file.string(), place});
     };
@@ -115,7 +116,7 @@ class Gathering {
         if (!named.name.empty()) molecule(file, folder, named, step.scene.places.molecule);
   }
 
-  // Its translations, and the words that the lessons of its folder share.
+  // Adds the translations, and the glossary shared by the lessons of its folder.
   void sameFolder(const fs::path& relative) {
     std::error_code error;
     std::vector<fs::path> same;
@@ -130,7 +131,7 @@ class Gathering {
 
   void molecule(const fs::path& lesson_file, const fs::path& folder, const NamedMolecule& named, Place place) {
     const Expected<MoleculeKey> key = lessonMolecule(lesson_file, named);
-    if (!key) return;  // the check has told
+    if (!key) return;  // already reported by the check
     const At at{lesson_file.string(), place};
     if (isWithin(key->file, moleculesFolder())) {
       library_.insert(named.name);
@@ -142,7 +143,7 @@ class Gathering {
     }
   }
 
-  // Downloaded: it goes beside the lesson, where its name finds it.
+  // Adds a downloaded file beside the lesson, where its name is searched.
   void fetched(const fs::path& file, const fs::path& folder, const At& at) {
     const std::string name = (folder / file.filename()).generic_string();
     if (files_.contains(name)) return;
@@ -160,7 +161,7 @@ class Gathering {
     if (!bytes) return out_.errors.push_back({first_.string(), 0, 0, bytes.problem().message, bytes.problem().remedy});
     Packed packed{*std::move(bytes), {}, {library_.begin(), library_.end()}};
     for (const auto& [name, content] : files_) packed.files.push_back(name);
-    // Whoever is given it must be able to open it.
+    // Verifies that a recipient can open the pack.
     if (const auto opened = PackFile::ofBytes(first_.filename().replace_extension(kPackEnding).string(), packed.bytes);
         !opened)
       return out_.errors.push_back(opened.problem());
@@ -171,7 +172,7 @@ class Gathering {
   PackedLesson out_;
   std::map<std::string, std::string> files_, folded_;
   std::set<std::string> library_;
-  std::deque<fs::path> lessons_;  // to be looked into
+  std::deque<fs::path> lessons_;  // still to be examined
   std::size_t whole_ = 0;
   LessonMolecules molecules_;
 };

@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::string_view kNotOnWindows = "<>:\"|?*\\";
 
-// "con", "con.md", "com1": devices of Windows, whatever their ending.
+// "con", "con.md", "com1": device names of Windows, with any ending.
 bool isDevice(std::string_view part) {
   const std::string stem = lower(std::string(part.substr(0, part.find('.'))));
   static constexpr std::array<std::string_view, 4> kDevices{"con", "prn", "aux", "nul"};
@@ -33,7 +33,7 @@ bool steers(std::string_view name) {
 
 std::string packNameFault(std::string_view name) {
   if (name.empty()) return tr("is empty");
-  if (name.size() > kLongestPackName) return trf("is longer than {0} bytes", kLongestPackName);
+  if (name.size() > kMaxPackNameBytes) return trf("is longer than {0} bytes", kMaxPackNameBytes);
   if (steers(name)) return tr("holds bytes that are no UTF-8, or signs that cannot be seen");
   if (name.front() == '/' || name.front() == '\\' || (name.size() > 1 && name[1] == ':'))
     return tr("begins at the top of a disk");
@@ -48,7 +48,7 @@ std::string packNameFault(std::string_view name) {
         isDevice(part))
       return tr("is none that every system can have");
     if (slash == std::string_view::npos) break;
-    if (++folders > kDeepestPackName) return trf("has more than {0} folders", kDeepestPackName);
+    if (++folders > kMaxPackDepth) return trf("has more than {0} folders", kMaxPackDepth);
     rest.remove_prefix(slash + 1);
   }
   return {};

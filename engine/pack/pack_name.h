@@ -7,8 +7,8 @@
 
 namespace moltact {
 
-inline constexpr std::size_t kLongestPackName = 200;  ///< path of an entry (unit: byte)
-inline constexpr std::size_t kDeepestPackName = 8;    ///< folders above a file
+inline constexpr std::size_t kMaxPackNameBytes = 200;  ///< path of an entry (unit: byte)
+inline constexpr std::size_t kMaxPackDepth = 8;        ///< folders above a file
 
 /// Returns why a name is not allowed in a pack, as the rest of a sentence ("leads out of the folder"); empty if it is
 /// allowed. Rejected are absolute paths and drives, "..", hidden files, bytes that are not UTF-8 or control a terminal,

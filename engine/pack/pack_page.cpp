@@ -10,7 +10,7 @@
 namespace moltact {
 namespace {
 
-// Where app/web/page.html has it, before the program, so that it is there when the program starts.
+// The placeholder in app/web/page.html, before the program, so that the lesson is present when the program starts.
 constexpr std::string_view kPlace = "<!--a lesson comes here-->";
 
 // RFC 4648, section 4.
@@ -28,7 +28,7 @@ std::string base64(std::string_view bytes) {
   return out;
 }
 
-// In an attribute between double quotes.
+// Escapes text for an attribute between double quotes.
 std::string attribute(const std::string& text) {
   std::string out;
   for (const char c : text) {

@@ -10,8 +10,8 @@
 
 namespace moltact {
 
-inline constexpr std::size_t kLargestPage = std::size_t{64}
-                                            << 20;  ///< limit on the page without the lesson (unit: byte)
+inline constexpr std::size_t kMaxPageBytes = std::size_t{64}
+                                             << 20;  ///< limit on the page without the lesson (unit: byte)
 
 /// Inserts the pack into the browser edition `page` (the text of moltact.html, read from `page_file`). `name` is the
 /// lesson's name without ending. Returns a Problem if the page is not a browser edition or already contains a lesson.

@@ -15,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Hidden: the shelf passes over it.
+// Hidden, so that the library ignores it.
 constexpr const char* kUnderWay = ".unpacking-";
 
 Problem folderProblem(const fs::path& folder, const std::error_code& error) {
@@ -51,10 +51,10 @@ Expected<fs::path> unpack(const PackFile& pack, const fs::path& packs) {
   std::error_code error;
   fs::create_directories(packs, error);
   if (error) return folderProblem(packs, error);
-  sweepTemporaryFolders(packs, kUnderWay);  // what programs left that were killed while they unpacked
+  sweepTemporaryFolders(packs, kUnderWay);  // left behind by programs that were killed while unpacking
   Expected<TemporaryFolder> made = TemporaryFolder::in(packs, kUnderWay);
   if (!made) return made.problem();
-  // One folder within the other, so that what was there before can go with it.
+  // One folder inside the other, so that the previous contents are removed with it.
   const fs::path fresh = made->path() / "new", old = made->path() / "old";
   fs::create_directory(fresh, error);
   if (error) return folderProblem(fresh, error);
@@ -75,7 +75,7 @@ fs::path packedLesson(const fs::path& lesson_file, std::string_view language) {
   return same.empty() ? lesson_file : same.front();
 }
 
-Expected<PackForNow> PackForNow::open(const fs::path& pack_file) {
+Expected<TemporaryPack> TemporaryPack::open(const fs::path& pack_file) {
   Expected<PackFile> pack = PackFile::open(pack_file);
   if (!pack) return pack.problem();
   std::error_code error;
@@ -87,10 +87,10 @@ Expected<PackForNow> PackForNow::open(const fs::path& pack_file) {
   if (!folder) return folder.problem();
   auto at_signal = std::make_unique<RemovedAtSignal>(folder->path());
   if (auto fault = writeFiles(*pack, folder->path())) return *std::move(fault);
-  return PackForNow(*std::move(pack), *std::move(folder), std::move(at_signal));
+  return TemporaryPack(*std::move(pack), *std::move(folder), std::move(at_signal));
 }
 
-std::string PackForNow::shown(std::string text) const {
+std::string TemporaryPack::shown(std::string text) const {
   const std::string folder = folder_.path().string();
   for (std::size_t at = text.find(folder); at != std::string::npos; at = text.find(folder, at + pack_.name().size()))
     text.replace(at, folder.size(), pack_.name());

@@ -24,9 +24,9 @@ std::filesystem::path packedLesson(const std::filesystem::path& lesson_file, std
 
 /// A pack in a temporary folder, removed by the destructor and when a signal ends the program. The folder of a killed
 /// program is removed when the next pack is opened. For commands; one at a time.
-class PackForNow {
+class TemporaryPack {
  public:
-  static Expected<PackForNow> open(const std::filesystem::path& pack_file);
+  static Expected<TemporaryPack> open(const std::filesystem::path& pack_file);
 
   const PackFile& pack() const { return pack_; }
   std::filesystem::path folder() const { return folder_.path(); }
@@ -35,7 +35,7 @@ class PackForNow {
   std::string shown(std::string text) const;
 
  private:
-  PackForNow(PackFile pack, TemporaryFolder folder, std::unique_ptr<RemovedAtSignal> at_signal)
+  TemporaryPack(PackFile pack, TemporaryFolder folder, std::unique_ptr<RemovedAtSignal> at_signal)
       : pack_(std::move(pack)), folder_(std::move(folder)), at_signal_(std::move(at_signal)) {}
   PackFile pack_;
   TemporaryFolder folder_;

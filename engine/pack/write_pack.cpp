@@ -12,10 +12,10 @@
 namespace moltact {
 namespace {
 
-constexpr zip_uint16_t kDate = 1 << 5 | 1, kTime = 0;  // 1 January 1980, where the zip's calendar begins
+constexpr zip_uint16_t kDate = 1 << 5 | 1, kTime = 0;  // 1 January 1980, the first date of the format
 constexpr zip_uint32_t kOrdinaryFile = 0100644u << 16, kBestDeflate = 9;
 
-// What is compressed already does not become smaller.
+// Compressed formats do not become smaller.
 bool isCompressed(const std::string& name) {
   const std::string in_small = lower(name);
   for (const char* ending : {".gz", ".png", ".jpg", ".jpeg", ".zip"})
@@ -27,7 +27,7 @@ Problem cannot(const char* why) {
   return {{}, 0, 0, trf("the pack cannot be made: {0}", why), tr("close other programs, or pack fewer files")};
 }
 
-// The libzip in Debian 12 and 13 keeps the order in which files are added.
+// libzip in Debian 12 and 13 keeps the order in which files are added.
 bool add(zip_t* zip, const std::string& name, const std::string& bytes) {
   zip_source_t* source = zip_source_buffer(zip, bytes.data(), bytes.size(), 0);
   if (!source) return false;
@@ -60,7 +60,7 @@ Expected<std::string> writePack(const std::string& lesson, const std::map<std::s
     zip_source_free(memory);
     return cannot(zip_error_strerror(&error));
   }
-  // The manifest first, so that a program that looks at the file's beginning sees what it is.
+  // The manifest first, so that programs can recognize the format by the file's beginning.
   bool good = add(zip, kPackManifest, manifest);
   for (const auto& [name, bytes] : files) good = good && add(zip, name, bytes);
   if (!good || zip_close(zip) != 0) {

@@ -1,4 +1,4 @@
-// What is alike wherever files grow.
+// The part of append_file.h common to all systems.
 #include "engine/platform/append_file.h"
 
 #include <utility>
@@ -9,7 +9,7 @@ namespace moltact {
 
 Expected<AppendFile> AppendFile::open(const std::filesystem::path& path, Begin begin) {
   if (begin == Begin::Replace)
-    if (auto problem = whyNotWritten(path)) return *std::move(problem);
+    if (auto problem = overwriteProblem(path)) return *std::move(problem);
   Expected<AppendFile> file = openInSystem(path, begin);
   if (file && begin != Begin::Continue) noteWritten(path);
   return file;

@@ -15,10 +15,10 @@ using namespace platform;
 Expected<AppendFile> AppendFile::openInSystem(const std::filesystem::path& path, Begin begin) {
   constexpr int kFlags = O_WRONLY | O_APPEND | O_CLOEXEC;
   struct stat there {};
-  // What is no ordinary file (a pipe, a device) is written to as it is.
+  // A file that is not ordinary (a pipe, a device) is written directly.
   if (begin == Begin::Replace && ::stat(path.c_str(), &there) == 0 && !S_ISREG(there.st_mode)) begin = Begin::Continue;
   AppendFile file(path, -1);
-  // Folders that know no locks (some network ones) do without.
+  // Locks are skipped on file systems that do not support them (some network ones).
   const auto lockedByAnother = [](int handle) {
     return uninterrupted([&] { return ::flock(handle, LOCK_EX | LOCK_NB); }) != 0 && errno == EWOULDBLOCK;
   };
@@ -59,7 +59,7 @@ std::optional<Problem> AppendFile::append(std::string_view bytes) {
     const ssize_t written = uninterrupted([&] { return ::write(handle_, bytes.data(), bytes.size()); });
     if (written <= 0) {
       const int error = written < 0 ? errno : ENOSPC;
-      // A piece that is half in the file is removed again; a file that cannot be cut has none.
+      // A partly written piece is removed; a file that cannot be truncated has none.
       if (::ftruncate(handle_, before.st_size) != 0) errno = error;
       return writingProblem(path_, error);
     }
@@ -67,7 +67,7 @@ std::optional<Problem> AppendFile::append(std::string_view bytes) {
   }
   if (!some || empty_.empty()) return std::nullopt;
   if (empty_ != path_) {
-    // What it replaces is whole: it must not give way to a name before the bytes.
+    // The replaced file is complete; it must not be replaced by a name without its bytes.
     if (syncData(handle_) != 0 || placeDraft(empty_, path_, false) != 0) {
       const int error = errno;
       if (::ftruncate(handle_, before.st_size) != 0) errno = error;

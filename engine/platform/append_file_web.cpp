@@ -1,4 +1,4 @@
-// Files that grow, in the page's own memory (storage_web.h): there is one program, no folder is shared, no disk waited
+// Files that grow, in the page's own memory (storage_web.h): there is one program, no shared folder and no disk to wait
 // for.
 #include <fcntl.h>
 #include <sys/stat.h>
@@ -20,7 +20,7 @@ Expected<AppendFile> AppendFile::openInSystem(const std::filesystem::path& path,
   file.handle_ = ::open(path.c_str(), O_WRONLY | O_APPEND | how, 0666);
   if (file.handle_ < 0) return storageProblem(path, errno);
   if (begin == Begin::New) file.empty_ = path;
-  file.unsynced_name_ = begin == Begin::Replace;  // what is there goes with the first piece
+  file.unsynced_name_ = begin == Begin::Replace;  // the first piece replaces the content
   return file;
 }
 

@@ -8,14 +8,14 @@ namespace moltact {
 using namespace platform;
 
 namespace {
-// A handle of the kernel has 32 bits that matter, also in a 64-bit program.
+// Kernel handles have 32 significant bits, also in a 64-bit program.
 HANDLE handleOf(int number) { return LongToHandle(number); }
 }  // namespace
 
 Expected<AppendFile> AppendFile::openInSystem(const std::filesystem::path& path, Begin begin) {
   AppendFile file(path, -1);
   if (begin == Begin::Replace) {
-    // Whether another program writes what is to be replaced.
+    // Tests whether another program is writing the file to be replaced.
     if (void* const old = openToWrite(path, Make::Nothing))
       CloseHandle(old);
     else if (GetLastError() == ERROR_SHARING_VIOLATION)
@@ -43,11 +43,11 @@ std::optional<Problem> AppendFile::append(std::string_view bytes) {
   if (!GetFileSizeEx(handleOf(handle_), &before)) return writingProblem(path_, GetLastError());
   const auto failed = [&] {
     const DWORD error = GetLastError();
-    cutTo(handleOf(handle_), std::size_t(before.QuadPart));  // a piece that is half in the file is removed again
+    cutTo(handleOf(handle_), std::size_t(before.QuadPart));  // removes a partly written piece
     return writingProblem(path_, error);
   };
   if (!writeAtEnd(handleOf(handle_), bytes)) return failed();
-  // What a draft replaces is whole: it must not give way to a name before the bytes.
+  // The replaced file is complete; it must not be replaced by a name without its bytes.
   if (!empty_.empty() && empty_ != path_ && (!FlushFileBuffers(handleOf(handle_)) || !placeDraft(empty_, path_, false)))
     return failed();
   empty_.clear();

@@ -24,7 +24,7 @@
 namespace moltact {
 namespace {
 
-// Four blocks of 10 ms: late by at most 40 ms, and a thread that oversleeps by 30 ms is not heard.
+// Four blocks of 10 ms: a latency of at most 40 ms; a thread that sleeps 30 ms too long is inaudible.
 constexpr int kBlocks = 4, kBlocks_per_s = 100;
 constexpr std::chrono::milliseconds kNap{4};
 
@@ -48,7 +48,7 @@ struct OpenAl {
   LPALSOURCESTOP stop = nullptr;
   LPALGETERROR error = nullptr;
 
-  // Kept loaded to the end of the process: its threads do not take kindly to being unloaded.
+  // Stays loaded to the end of the process, because its threads do not tolerate unloading.
   bool load() {
     void* library = dlopen("libopenal.so.1", RTLD_NOW | RTLD_LOCAL);
     if (!library) return false;
@@ -70,7 +70,7 @@ struct OpenAl {
 
 void noMessage(const char*, int, const char*, int, const char*, ...) {}
 
-// ALSA and OpenAL tell a missing card on stderr, a dozen lines of it; the person gets one sentence from us.
+// ALSA and OpenAL report a missing card in a dozen lines on stderr; the user gets one sentence from this program.
 void hushLibraries() {
   setenv("ALSOFT_LOGLEVEL", "0", 0);
   void* alsa = dlopen("libasound.so.2", RTLD_NOW | RTLD_LOCAL);
@@ -85,7 +85,7 @@ struct AudioOutput::Impl {
   int samples_per_s;
   Fill fill;
   std::atomic<State> state{State::Opening};
-  std::string fault;  // written before `state` becomes Silent, then never again
+  std::string fault;  // written before `state` becomes Silent, then immutable
   std::mutex mutex;
   std::condition_variable wake;
   bool end = false;
@@ -150,7 +150,7 @@ struct AudioOutput::Impl {
         al.unqueueBuffers(source, 1, &buffer);
         queue(buffer);
       }
-      // The queue runs dry where the computer was too busy.
+      // The queue is empty if the computer was too busy.
       al.getSource(source, AL_SOURCE_STATE, &playing);
       if (playing != AL_PLAYING) al.play(source);
     }

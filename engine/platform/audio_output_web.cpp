@@ -1,5 +1,5 @@
-// Web Audio: a node on the page's own thread asks for samples. Browsers let a page sound only after a click or a key,
-// which the switch for sound is.
+// Web Audio: a node on the page's own thread requests samples. Browsers allow sound only after a click or a key press,
+// such as that on the switch for sound.
 #include <emscripten.h>
 
 #include <vector>
@@ -17,9 +17,10 @@ struct AudioOutput::Impl {
 
 }  // namespace moltact
 
-// What follows is JavaScript.
+// The following functions are JavaScript.
 // clang-format off
-// Blocks of 1024 samples: late by about 40 ms, as the page draws meanwhile. 0 where the browser has no Web Audio.
+// Blocks of 1024 samples: a latency of about 40 ms, because the page also draws. Returns 0 if the browser has no Web
+// Audio.
 EM_JS(int, openSound, (void* output, int samples_per_s), {
   try {
     const context = new AudioContext({sampleRate: samples_per_s});
@@ -49,7 +50,7 @@ EM_JS(void, closeSound, (void* output), {
 })
 // clang-format on
 
-// Fills so many samples and tells where they lie.
+// Fills `count` samples and returns their address.
 extern "C" EMSCRIPTEN_KEEPALIVE float* moltact_samples(moltact::AudioOutput::Impl* output, int count) {
   output->samples.resize(std::size_t(count));
   output->fill(output->samples);

@@ -1,4 +1,4 @@
-// Not there yet: OpenAL's library would have to be built for Windows (docs/windows.md).
+// Not implemented: OpenAL's library would have to be built for Windows (docs/windows.md).
 #include "engine/language/catalogue.h"
 #include "engine/platform/audio_output.h"
 

@@ -15,13 +15,13 @@
 namespace moltact {
 
 /// True if this program may start threads.
-bool threadsCanBeHad() noexcept;
+bool threadsAvailable() noexcept;
 
 /// Like std::async, on a thread that ends all force even if it dies of a stack overflow, which a hostile file may
 /// cause. Without a thread the work runs synchronously, and the returned future is ready.
 template <class Work, class... Arguments>
 auto inBackground(Work work, Arguments... arguments) -> std::future<std::invoke_result_t<Work, Arguments...>> {
-  if (threadsCanBeHad()) {
+  if (threadsAvailable()) {
     try {
       return std::async(
           std::launch::async,

@@ -2,6 +2,6 @@
 
 namespace moltact {
 
-bool threadsCanBeHad() noexcept { return true; }
+bool threadsAvailable() noexcept { return true; }
 
 }  // namespace moltact

@@ -2,6 +2,6 @@
 
 namespace moltact {
 
-bool threadsCanBeHad() noexcept { return false; }
+bool threadsAvailable() noexcept { return false; }
 
 }  // namespace moltact

@@ -12,7 +12,7 @@ namespace {
 struct Sink {
   const std::function<bool(std::string_view)>& take;
   const std::function<bool()>& cancelled;
-  std::size_t most = 0, taken = 0;
+  std::size_t max_bytes = 0, taken = 0;
   bool too_large = false, not_taken = false, ended = false;
 };
 
@@ -20,14 +20,14 @@ std::size_t receive(char* data, std::size_t one, std::size_t count, void* to) {
   Sink& sink = *static_cast<Sink*>(to);
   const std::size_t bytes = one * count;
   sink.taken += bytes;
-  sink.too_large = sink.taken > sink.most;
+  sink.too_large = sink.taken > sink.max_bytes;
   if (sink.too_large) return 0;
   sink.not_taken = !sink.take({data, bytes});
   return sink.not_taken ? 0 : bytes;
 }
 
-// Called at least once a second, also while nothing comes; other than 0 ends the transfer.
-int goesOn(void* to, curl_off_t, curl_off_t, curl_off_t, curl_off_t) {
+// Called at least once a second, also without data; a nonzero result ends the transfer.
+int onProgress(void* to, curl_off_t, curl_off_t, curl_off_t, curl_off_t) {
   Sink& sink = *static_cast<Sink*>(to);
   sink.ended = sink.ended || (sink.cancelled && sink.cancelled());
   return sink.ended ? 1 : 0;
@@ -45,13 +45,13 @@ DownloadFailure kindOf(CURLcode code, long status, const Sink& sink) {
 
 }  // namespace
 
-DownloadResult download(const std::string& url, std::size_t most_bytes,
+DownloadResult download(const std::string& url, std::size_t max_bytes,
                         const std::function<bool(std::string_view)>& take, const std::function<bool()>& cancelled) {
   static const CURLcode started = curl_global_init(CURL_GLOBAL_DEFAULT);
   const std::unique_ptr<CURL, void (*)(CURL*)> curl(started == CURLE_OK ? curl_easy_init() : nullptr,
                                                     curl_easy_cleanup);
   if (!curl) return {DownloadFailure::Refused, tr("libcurl cannot be started")};
-  Sink sink{take, cancelled, most_bytes};
+  Sink sink{take, cancelled, max_bytes};
   char words[CURL_ERROR_SIZE] = "";
   curl_easy_setopt(curl.get(), CURLOPT_URL, url.c_str());
   curl_easy_setopt(curl.get(), CURLOPT_PROTOCOLS_STR, "https,http,file");
@@ -67,7 +67,7 @@ DownloadResult download(const std::string& url, std::size_t most_bytes,
   curl_easy_setopt(curl.get(), CURLOPT_ERRORBUFFER, words);
   curl_easy_setopt(curl.get(), CURLOPT_WRITEFUNCTION, receive);
   curl_easy_setopt(curl.get(), CURLOPT_WRITEDATA, &sink);
-  curl_easy_setopt(curl.get(), CURLOPT_XFERINFOFUNCTION, goesOn);
+  curl_easy_setopt(curl.get(), CURLOPT_XFERINFOFUNCTION, onProgress);
   curl_easy_setopt(curl.get(), CURLOPT_XFERINFODATA, &sink);
   curl_easy_setopt(curl.get(), CURLOPT_NOPROGRESS, 0L);
   const CURLcode code = curl_easy_perform(curl.get());

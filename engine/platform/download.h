@@ -18,9 +18,9 @@ struct DownloadResult {
 
 /// Fetches `url` (https, http or file) and passes the bytes to `take` in pieces. If `take` returns false the download
 /// ends with ConsumerStopped. It fails if there is no connection after 10 s, if less than 1 kB arrives within 30 s, or
-/// if the file exceeds `most_bytes`. It ends with Cancelled within about a second after `cancelled` (may be empty)
+/// if the file exceeds `max_bytes`. It ends with Cancelled within about a second after `cancelled` (may be empty)
 /// returns true.
-DownloadResult download(const std::string& url, std::size_t most_bytes,
+DownloadResult download(const std::string& url, std::size_t max_bytes,
                         const std::function<bool(std::string_view)>& take, const std::function<bool()>& cancelled = {});
 
 }  // namespace moltact

@@ -1,5 +1,5 @@
-// A page waits for nothing, so nothing is downloaded from inside the program: what an address in its own address bar asks
-// for is fetched by page.js.
+// A page must not block, so the program itself downloads nothing; page.js fetches what the address in the address bar
+// requests.
 #include "engine/language/catalogue.h"
 #include "engine/platform/download.h"
 

@@ -1,4 +1,4 @@
-// By the system's own WinHTTP: nothing else has to be installed.
+// Uses the system's own WinHTTP, so that nothing has to be installed.
 #include <windows.h>
 #include <winhttp.h>
 
@@ -23,7 +23,7 @@ DownloadResult failed(DownloadFailure why) { return {why, std::system_category()
 
 }  // namespace
 
-DownloadResult download(const std::string& url, std::size_t most_bytes,
+DownloadResult download(const std::string& url, std::size_t max_bytes,
                         const std::function<bool(std::string_view)>& take, const std::function<bool()>& cancelled) {
   const std::wstring address = std::filesystem::path(url).wstring();
   URL_COMPONENTS parts{};
@@ -63,7 +63,7 @@ DownloadResult download(const std::string& url, std::size_t most_bytes,
       return failed(DownloadFailure::Offline);
     if (got == 0) return {};
     taken += got;
-    if (taken > most_bytes) return {DownloadFailure::TooLarge, ""};
+    if (taken > max_bytes) return {DownloadFailure::TooLarge, ""};
     if (!take({piece.data(), got})) return {DownloadFailure::ConsumerStopped, ""};
   }
 }

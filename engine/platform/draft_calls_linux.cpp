@@ -19,7 +19,7 @@ namespace moltact::platform {
 namespace fs = std::filesystem;
 namespace {
 
-// ".moltact-1f9b03c2-" and the end of the file's own name, which readers go by.
+// ".moltact-1f9b03c2-" and the end of the file's own name, whose ending readers use.
 constexpr std::string_view kDraft = ".moltact-";
 constexpr std::size_t kDigits = 8, kNameKept = 60;
 
@@ -43,7 +43,7 @@ bool isDraftName(std::string_view name) {
   return digits.find_first_not_of("0123456789abcdef") == std::string_view::npos;
 }
 
-// A draft that nobody holds locked has no program any more.
+// An unlocked draft belongs to no running program.
 void removeOrphans(const fs::path& folder) {
   std::error_code error;
   fs::directory_iterator it(folder, error);
@@ -107,7 +107,7 @@ Problem writingProblem(const fs::path& path, int error) {
 
 fs::path behindLinks(const fs::path& file) {
   fs::path at = file;
-  constexpr int kMax = 40;  // as the kernel has it
+  constexpr int kMax = 40;  // as in the kernel
   for (int k = 0; k < kMax; ++k) {
     std::error_code error;
     const fs::path to = fs::read_symlink(at, error);
@@ -119,7 +119,7 @@ fs::path behindLinks(const fs::path& file) {
 
 int openDraft(const fs::path& file, int flags, fs::path& draft) {
   const fs::path folder = folderOf(file);
-  // What may not be written is not replaced either.
+  // A file without write permission is not replaced either.
   if (::access(file.c_str(), F_OK) == 0 && ::access(file.c_str(), W_OK) != 0) return -1;
   removeOrphans(folder);
   for (int tries = 0; tries < 100; ++tries) {
@@ -127,11 +127,11 @@ int openDraft(const fs::path& file, int flags, fs::path& draft) {
     const int handle = uninterrupted([&] { return ::open(draft.c_str(), flags | O_CREAT | O_EXCL | O_CLOEXEC, 0666); });
     if (handle < 0 && errno == EEXIST) continue;
     if (handle < 0) return -1;
-    // Folders that know no locks (some network ones) do without: nothing there is taken for an orphan either.
+    // File systems without locks (some network ones) are used without; there, no draft counts as an orphan.
     uninterrupted([&] { return ::flock(handle, LOCK_EX); });
     struct stat before {
     }, is{};
-    if (::fstat(handle, &is) == 0 && is.st_nlink == 0) {  // another program took it for an orphan before it was locked
+    if (::fstat(handle, &is) == 0 && is.st_nlink == 0) {  // another program removed it before it was locked
       ::close(handle);
       continue;
     }

@@ -14,7 +14,7 @@ namespace fs = std::filesystem;
 
 std::atomic<bool> guarded{false};
 std::mutex mutex;
-// Names as they were given: a path takes ten times their memory, and inputs may be a hundred thousand.
+// Names as strings: a path takes ten times their memory, and there may be a hundred thousand inputs.
 using Names = std::unordered_set<fs::path::string_type>;
 Names inputs, outputs_written;
 
@@ -24,14 +24,14 @@ void note(Names& files, const fs::path& file) {
   files.insert(file.native());
 }
 
-// The name behind all links, also where the last one leads to a file that does not exist.
+// The name behind all links, also if the last one leads to a file that does not exist.
 fs::path behindAllLinks(fs::path file) {
-  constexpr int kMaxLinks = 40;  // as many as Linux follows
+  constexpr int kMaxLinks = 40;  // as in Linux
   std::error_code error;
   for (int k = 0; k < kMaxLinks && fs::is_symlink(fs::symlink_status(file, error)); ++k) {
     const fs::path to = fs::read_symlink(file, error);
     if (error) break;
-    file = file.parent_path() / to;  // `to` alone where it is absolute
+    file = file.parent_path() / to;  // `to` alone if it is absolute
   }
   const fs::path whole = fs::weakly_canonical(fs::absolute(file, error), error);
   return error ? file : whole;
@@ -47,7 +47,7 @@ bool among(const Names& files, const fs::path& file) {
   std::error_code error;
   const bool exists = fs::exists(file, error);
   for (const fs::path::string_type& other : files) {
-    // A file that exists is compared by the system alone, which is quick.
+    // Existing files are compared by the system alone, which is fast.
     if (exists ? fs::equivalent(file, other, error) : sameFile(file, other)) return true;
   }
   return false;
@@ -73,11 +73,11 @@ bool sameFile(const fs::path& a, const fs::path& b) {
 void noteRead(const fs::path& file) { note(inputs, file); }
 void noteWritten(const fs::path& file) { note(outputs_written, file); }
 
-std::optional<Problem> whyNotWritten(const fs::path& file) {
+std::optional<Problem> overwriteProblem(const fs::path& file) {
   if (!guarded.load() || !isOrdinaryOrMissing(file)) return std::nullopt;
   const std::lock_guard lock(mutex);
   std::error_code error;
-  // What does not exist is no input.
+  // A file that does not exist cannot be an input.
   if (fs::exists(file, error) && among(inputs, file))
     return Problem{file.string(), 0, 0, tr("this command reads the file, so it is not overwritten"),
                    tr("name another file to write")};
@@ -87,11 +87,11 @@ std::optional<Problem> whyNotWritten(const fs::path& file) {
   return std::nullopt;
 }
 
-std::optional<Problem> whyNotWritten(const std::vector<NamedOutput>& outputs) {
+std::optional<Problem> overwriteProblem(const std::vector<NamedOutput>& outputs) {
   for (std::size_t k = 0; k < outputs.size(); ++k) {
     const NamedOutput& one = outputs[k];
     if (one.file.empty()) continue;
-    if (auto problem = whyNotWritten(one.file)) return problem;
+    if (auto problem = overwriteProblem(one.file)) return problem;
     if (!isOrdinaryOrMissing(one.file)) continue;
     for (std::size_t j = 0; j < k; ++j)
       if (!outputs[j].file.empty() && sameFile(outputs[j].file, one.file))

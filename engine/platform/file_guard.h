@@ -31,7 +31,7 @@ void noteRead(const std::filesystem::path& file);
 void noteWritten(const std::filesystem::path& file);
 
 /// The reason why this file must not be written: it is an input or already an output. Only ordinary files are checked.
-std::optional<Problem> whyNotWritten(const std::filesystem::path& file);
+std::optional<Problem> overwriteProblem(const std::filesystem::path& file);
 
 /// An output that a command will write, with the option that names it: "--csv".
 struct NamedOutput {
@@ -39,6 +39,6 @@ struct NamedOutput {
   std::filesystem::path file;  ///< empty: not requested
 };
 /// The same check for all outputs of a command, before the first is written.
-std::optional<Problem> whyNotWritten(const std::vector<NamedOutput>& outputs);
+std::optional<Problem> overwriteProblem(const std::vector<NamedOutput>& outputs);
 
 }  // namespace moltact

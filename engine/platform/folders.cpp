@@ -15,7 +15,7 @@ bool holdsMolecules(const fs::path& folder) {
 
 fs::path homeFolder() {
   std::error_code ignored;
-  // Only the program's own data: a relative one is that of the folder in which it was started.
+  // Only for the program's own data; a relative path refers to the working folder at the start.
   if (const char* set = std::getenv("MOLTACT_HOME"); set && *set) return fs::absolute(set, ignored);
   const fs::path beside = executablesFolder();
   const fs::path installed = beside.empty() ? beside : (beside / MOLTACT_DATA_FROM_PROGRAM).lexically_normal();

@@ -12,12 +12,12 @@ namespace fs = std::filesystem;
 namespace {
 
 fs::path variable(const wchar_t* name) {
-  std::wstring value(32768, L'\0');  // the longest there is
+  std::wstring value(32768, L'\0');  // the maximum length
   value.resize(GetEnvironmentVariableW(name, value.data(), DWORD(value.size())));
   return value;
 }
 
-// What stands on Windows for the folders of the XDG base directory specification.
+// The Windows equivalents of the folders of the XDG base directory specification.
 constexpr std::pair<std::string_view, const wchar_t*> kNamedHere[] = {{"HOME", L"USERPROFILE"},
                                                                       {"XDG_DATA_HOME", L"LOCALAPPDATA"},
                                                                       {"XDG_CONFIG_HOME", L"APPDATA"},

@@ -1,4 +1,4 @@
-// What is alike on every system that may take a process away from its devices.
+// The part common to all systems that can end a process and leave its devices without commands.
 #include "engine/platform/force_inhibit.h"
 
 #include <algorithm>
@@ -14,12 +14,12 @@ namespace {
 std::atomic<unsigned> inhibited{0};
 static_assert(std::atomic<unsigned>::is_always_lock_free, "a signal's handler sets it");
 
-// A slot is taken when `data` and then `act` are there, so that a handler sees both or none.
+// A slot is valid when `data` and then `act` are set, so that a handler sees both or neither.
 struct Slot {
   std::atomic<bool> taken{false};
   std::atomic<void*> data{nullptr};
   std::atomic<LastAct::Act> act{nullptr};
-  std::atomic<int> inside{0};  // handlers that are in it
+  std::atomic<int> inside{0};  // number of handlers inside
 };
 std::array<Slot, LastAct::kMax> slots;
 
@@ -33,8 +33,8 @@ bool doIt(Slot& slot) noexcept {
 
 }  // namespace
 
-// Each act until it is done. A thread that was about to give a force when it was inhibited may still give it after
-// the act: so each act is done once more.
+// Performs each act until it is done. A thread that was about to give a force when it was inhibited may still give it
+// after the act, so each act is performed once more.
 void platform::doLastActs() noexcept {
   constexpr std::int64_t kLook_ns = 200'000, kOvertaken_ns = 1'000'000;
   std::array<bool, LastAct::kMax> done{};
@@ -80,7 +80,7 @@ void LastAct::disarm() noexcept {
   if (slot_ < 0) return;
   Slot& slot = slots[std::size_t(slot_)];
   slot.act.store(nullptr);
-  while (slot.inside.load() > 0) platform::rest_ns(100'000);  // a handler is at it
+  while (slot.inside.load() > 0) platform::rest_ns(100'000);  // waits for a handler that is inside
   slot.taken.store(false);
   slot_ = -1;
 }

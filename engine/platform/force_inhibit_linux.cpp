@@ -15,17 +15,17 @@
 namespace moltact {
 namespace {
 
-// What ends a process: its own faults, whoever takes them otherwise; and what others send, where nobody takes it.
+// Signals that end a process: its own faults, with any handler; and signals sent by others, unless they are handled.
 constexpr std::array kFaults{SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGTRAP, SIGSYS};
 constexpr std::array kSent{SIGHUP,  SIGINT,  SIGQUIT,   SIGTERM, SIGPIPE, SIGALRM, SIGUSR1,  SIGUSR2,
                            SIGXCPU, SIGXFSZ, SIGVTALRM, SIGPROF, SIGPOLL, SIGPWR,  SIGSTKFLT};
-// What stops it, with all its threads as they are.
+// Signals that stop the process with all its threads.
 constexpr std::array kStops{SIGTSTP, SIGTTIN, SIGTTOU};
 std::array<struct sigaction, 65> before;
 
 void onEnd(int signal, siginfo_t* info, void*) noexcept {
   endForce();
-  // Then as if there had been no handler: what faults does so again, what was sent is sent again.
+  // Continues as without a handler: a fault repeats itself, a sent signal is sent again.
   sigaction(signal, &before[std::size_t(signal)], nullptr);
   const bool again =
       info && info->si_code > 0 && (signal == SIGSEGV || signal == SIGBUS || signal == SIGFPE || signal == SIGILL);
@@ -37,7 +37,7 @@ void onStop(int) noexcept {
   inhibitForce(InhibitReason::Stopped);
   platform::doLastActs();
   raise(SIGSTOP);
-  permitForce(InhibitReason::Stopped);  // continued: the loop finds that it was stalled, and starts softly
+  permitForce(InhibitReason::Stopped);  // continued: the loop detects the stall and starts softly
   errno = kept;
 }
 
@@ -80,7 +80,7 @@ void platform::catchEndings() noexcept {
       std::atexit([] { endForce(); });
       std::at_quick_exit([] { endForce(); });
     });
-  } catch (...) {  // no lock could be had: then without
+  } catch (...) {  // without a lock
   }
 }
 
@@ -100,7 +100,7 @@ bool LastReport::arm(const char* path, std::span<const std::uint8_t> report) noe
 
 bool LastReport::write(void* data) noexcept {
   const LastReport& self = *static_cast<const LastReport*>(data);
-  // A device that is gone takes nothing and needs nothing: there is nothing to try again.
+  // A disconnected device needs no command: there is nothing to try again.
   (void)!::write(self.file_, self.report_, self.size_);
   return true;
 }
@@ -108,7 +108,7 @@ bool LastReport::write(void* data) noexcept {
 CrashStack::CrashStack() noexcept {
   constexpr std::size_t kBytes = 64 * 1024;
   stack_t now{};
-  // Where there is one, a sanitizer's, it stays.
+  // An existing stack, such as a sanitizer's, is kept.
   if (sigaltstack(nullptr, &now) != 0 || !(now.ss_flags & SS_DISABLE)) return;
   stack_ = std::malloc(kBytes);
   if (!stack_) return;

@@ -1,4 +1,4 @@
-// In a page no signal comes and no act outlives it: a device that gives force ends it by its own watchdog.
+// A page receives no signals, and no act outlives it: a device with force needs its own watchdog.
 #include <atomic>
 
 #include "engine/platform/force_inhibit.h"

@@ -9,7 +9,7 @@
 namespace moltact {
 namespace {
 
-// A crash on any thread; then the system goes on with it as without us.
+// A crash on any thread; the system then continues as without a handler.
 LONG WINAPI onCrash(EXCEPTION_POINTERS*) {
   endForce();
   return EXCEPTION_CONTINUE_SEARCH;
@@ -17,7 +17,7 @@ LONG WINAPI onCrash(EXCEPTION_POINTERS*) {
 
 }  // namespace
 
-// The system's clock sleeps by milliseconds.
+// The system's clock sleeps in milliseconds.
 void platform::rest_ns(std::int64_t time) noexcept { Sleep(DWORD((time + 999'999) / 1'000'000)); }
 
 std::int64_t platform::now_ns() noexcept { return std::int64_t(GetTickCount64()) * 1'000'000; }
@@ -29,15 +29,15 @@ void platform::catchEndings() noexcept {
       SetUnhandledExceptionFilter(onCrash);
       std::atexit([] { endForce(); });
     });
-  } catch (...) {  // no lock could be had: then without
+  } catch (...) {  // without a lock
   }
 }
 
-// A HID device of Windows is no file that takes a report as it is: there the device's own watchdog ends the force.
+// A HID device of Windows is not a file that accepts reports unchanged, so the device's own watchdog ends the force.
 LastReport::~LastReport() = default;
 bool LastReport::arm(const char*, std::span<const std::uint8_t>) noexcept { return false; }
 
-// The system reports a stack that is full as a crash like others.
+// The system reports a stack overflow like other crashes.
 CrashStack::CrashStack() noexcept = default;
 CrashStack::~CrashStack() = default;
 

@@ -21,12 +21,12 @@ struct InterruptWatch::Before {
 InterruptWatch::InterruptWatch() : before_(std::make_unique<Before>()) {
   wished.store(false);
   struct sigaction action {};
-  // The force ends here and now; whoever watches closes the device when it comes to that.
+  // The force ends immediately; the owner of the InterruptWatch closes the device later.
   action.sa_handler = [](int) {
     inhibitForce(InhibitReason::Interrupted);
     wished.store(true);
   };
-  action.sa_flags = static_cast<int>(SA_RESETHAND);  // and no SA_RESTART: who waits for the person is woken
+  action.sa_flags = static_cast<int>(SA_RESETHAND);  // without SA_RESTART, so that waiting for input ends
   for (std::size_t k = 0; k < kWishes.size(); ++k) sigaction(kWishes[k], &action, &before_->actions[k]);
 }
 

@@ -10,8 +10,8 @@ namespace {
 
 std::atomic<bool> wished{false};
 
-// On a thread of the system's. The first wish is ours; to the second the system answers in its own way.
-BOOL WINAPI onWish(DWORD) {
+// On a thread of the system. The first request is handled here; for the second the system's default applies.
+BOOL WINAPI onRequest(DWORD) {
   inhibitForce(InhibitReason::Interrupted);
   return wished.exchange(true) ? FALSE : TRUE;
 }
@@ -22,11 +22,11 @@ struct InterruptWatch::Before {};
 
 InterruptWatch::InterruptWatch() : before_(std::make_unique<Before>()) {
   wished.store(false);
-  SetConsoleCtrlHandler(onWish, TRUE);
+  SetConsoleCtrlHandler(onRequest, TRUE);
 }
 
 InterruptWatch::~InterruptWatch() {
-  SetConsoleCtrlHandler(onWish, FALSE);
+  SetConsoleCtrlHandler(onRequest, FALSE);
   permitForce(InhibitReason::Interrupted);
 }
 

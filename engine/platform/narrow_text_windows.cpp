@@ -1,13 +1,13 @@
-// Text in `char` is UTF-8 in this program, but std::filesystem::path reads it by the C library's locale there, which knows
-// no UTF-8 (msvcrt). These are the conversions it uses, in the place of the C++ library's own of the same names: the linker
-// takes what it finds first.
+// Text in `char` is UTF-8 in this program, but std::filesystem::path converts it by the C library's locale, which does
+// not support UTF-8 (msvcrt). These conversions replace those of the C++ library with the same names: the linker uses
+// the first definition.
 #include <codecvt>
 #include <locale>
 
 namespace {
 
 const std::codecvt_utf8_utf16<wchar_t>& utf8() {
-  static const std::codecvt_utf8_utf16<wchar_t> conversion(1);  // 1: no locale owns it
+  static const std::codecvt_utf8_utf16<wchar_t> conversion(1);  // 1: not owned by a locale
   return conversion;
 }
 
@@ -28,8 +28,8 @@ codecvt_base::result Utf16::do_in(mbstate_t& state, const char* from, const char
 }
 
 int Utf16::do_encoding() const throw() { return utf8().encoding(); }
-int Utf16::do_length(mbstate_t& state, const char* from, const char* end, size_t most) const {
-  return utf8().length(state, from, end, most);
+int Utf16::do_length(mbstate_t& state, const char* from, const char* end, size_t max) const {
+  return utf8().length(state, from, end, max);
 }
 int Utf16::do_max_length() const throw() { return utf8().max_length(); }
 

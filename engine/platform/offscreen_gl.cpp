@@ -22,7 +22,7 @@ std::string eglCode() {
   return code;
 }
 
-// Mesa's surfaceless platform asks for no display server and no device; the default display is the second choice.
+// Mesa's surfaceless platform needs neither display server nor device; the default display is the second choice.
 EGLDisplay openDisplay() {
   if (epoxy_has_egl_extension(EGL_NO_DISPLAY, "EGL_MESA_platform_surfaceless") &&
       epoxy_has_egl_extension(EGL_NO_DISPLAY, "EGL_EXT_platform_base")) {
@@ -36,7 +36,7 @@ EGLDisplay openDisplay() {
 }  // namespace
 
 Expected<std::unique_ptr<OffscreenGl>> OffscreenGl::create() {
-  // libepoxy ends the process when it cannot load EGL at all, so it is asked first.
+  // libepoxy ends the process if it cannot load EGL, so this is tested first.
   if (!epoxy_has_egl()) return noContext(tr("the library libEGL is not there"));
   std::unique_ptr<OffscreenGl> gl(new OffscreenGl);
   gl->display_ = openDisplay();
@@ -73,7 +73,7 @@ Expected<std::unique_ptr<OffscreenGl>> OffscreenGl::create() {
 
 bool OffscreenGl::makeCurrent() { return eglMakeCurrent(display_, surface_, surface_, context_) == EGL_TRUE; }
 
-// The display is one for the whole program, so it is not terminated: another context may live on it.
+// The display is shared by the whole program, so it is not terminated: another context may use it.
 OffscreenGl::~OffscreenGl() {
   if (!display_) return;
   eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);

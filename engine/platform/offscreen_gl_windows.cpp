@@ -1,4 +1,4 @@
-// A window that is never shown gives the context; Windows has none without one.
+// A window that is never shown provides the context; Windows has no context without a window.
 #include <epoxy/gl.h>
 #include <epoxy/wgl.h>
 #include <windows.h>
@@ -8,8 +8,8 @@
 #include "engine/language/catalogue.h"
 #include "engine/platform/offscreen_gl.h"
 
-// libepoxy keeps its functions for each thread, and makes room for them where the system tells a DLL of a thread
-// (cmake/windows.cmake gives its DllMain this name). In a program of one file the system tells it so.
+// libepoxy stores its functions per thread, and allocates them when the system notifies a DLL of a new thread
+// (cmake/windows.cmake gives its DllMain this name). In a program of one file the system notifies this function.
 extern "C" BOOL WINAPI epoxy_on_thread(HINSTANCE, DWORD, LPVOID);
 extern "C" {
 using OnThread = BOOL(WINAPI*)(HINSTANCE, DWORD, LPVOID);
@@ -59,7 +59,7 @@ Expected<std::unique_ptr<OffscreenGl>> OffscreenGl::create() {
   wanted.cColorBits = 32;
   const int format = ChoosePixelFormat(dc, &wanted);
   if (!format || !SetPixelFormat(dc, format, &wanted)) return noContext(lastError());
-  // A first context gives the function that makes the one that is wanted.
+  // A first context provides the function that creates the required one.
   HGLRC const first = wglCreateContext(dc);
   if (!first || !wglMakeCurrent(dc, first)) return noContext(lastError());
   const auto create = reinterpret_cast<PFNWGLCREATECONTEXTATTRIBSARBPROC>(

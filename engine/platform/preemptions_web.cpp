@@ -2,6 +2,6 @@
 
 namespace moltact {
 
-std::uint64_t preemptionsOfThisThread() { return 0; }  // a browser does not tell
+std::uint64_t preemptionsOfThisThread() { return 0; }  // unknown in a browser
 
 }  // namespace moltact

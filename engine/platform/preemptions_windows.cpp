@@ -2,7 +2,7 @@
 
 namespace moltact {
 
-// Windows counts none of a thread's.
+// Windows does not count them per thread.
 std::uint64_t preemptionsOfThisThread() { return 0; }
 
 }  // namespace moltact

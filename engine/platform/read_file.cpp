@@ -7,7 +7,7 @@
 
 namespace moltact {
 
-Expected<OpenFile> openFile(const std::filesystem::path& path, std::size_t most_bytes,
+Expected<OpenFile> openFile(const std::filesystem::path& path, std::size_t max_bytes,
                             const std::string& too_large_remedy) {
   const std::string file = path.string();
   std::error_code error;
@@ -17,13 +17,12 @@ Expected<OpenFile> openFile(const std::filesystem::path& path, std::size_t most_
   if (std::filesystem::is_directory(status)) return Problem{file, 0, 0, tr("it is a folder"), tr("name a file in it")};
   if (!std::filesystem::is_regular_file(status))
     return Problem{file, 0, 0, tr("it is not an ordinary file"), tr("copy the data into one")};
-  noteRead(path);  // also where it turns out to be too large: it is an input all the same
+  noteRead(path);  // also if it turns out to be too large, because it is an input
   const auto size = std::filesystem::file_size(path, error);
   if (error)
     return Problem{file, 0, 0, trf("its size cannot be determined: {0}", error.message()),
                    tr("check the disk, then try again")};
-  if (size > most_bytes)
-    return Problem{file, 0, 0, trf("it is larger than {0} MiB", most_bytes >> 20), too_large_remedy};
+  if (size > max_bytes) return Problem{file, 0, 0, trf("it is larger than {0} MiB", max_bytes >> 20), too_large_remedy};
   OpenFile out{std::ifstream(path, std::ios::binary), static_cast<std::size_t>(size)};
   if (!out.in) return Problem{file, 0, 0, tr("it cannot be opened for reading"), tr("check the file's permissions")};
   return out;
@@ -33,9 +32,9 @@ Problem brokenOff(const std::string& file, std::size_t bytes) {
   return {file, 0, 0, trf("reading it broke off after {0} bytes", bytes), tr("check the disk, then try again")};
 }
 
-Expected<std::string> readFile(const std::filesystem::path& path, std::size_t most_bytes,
+Expected<std::string> readFile(const std::filesystem::path& path, std::size_t max_bytes,
                                const std::string& too_large_remedy) {
-  auto open = openFile(path, most_bytes, too_large_remedy);
+  auto open = openFile(path, max_bytes, too_large_remedy);
   if (!open) return open.problem();
   std::string bytes(open->size, '\0');
   open->in.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));

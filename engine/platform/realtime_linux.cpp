@@ -8,7 +8,7 @@
 namespace moltact {
 
 RealtimeStatus becomeRealtime() noexcept {
-  // Page faults cost more than a tick; without the right to lock memory the loop still runs.
+  // Page faults cost more than a tick; without the permission to lock memory the loop still runs.
   (void)mlockall(MCL_CURRENT);
   sched_param priority{};
   priority.sched_priority = 80;  // above the window and the disk, below the kernel's own watchdogs

@@ -5,7 +5,7 @@
 namespace moltact {
 namespace {
 
-// Ticks of the performance counter: seconds and the rest apart, so that nothing overflows.
+// Converts ticks of the performance counter, seconds and rest separately, to avoid overflow.
 std::int64_t nanoseconds(LONGLONG ticks, LONGLONG per_s) noexcept {
   constexpr std::int64_t kPer_s = 1'000'000'000;
   return ticks / per_s * kPer_s + ticks % per_s * kPer_s / per_s;
@@ -20,7 +20,7 @@ LONGLONG frequency() noexcept {
   return per_s;
 }
 
-// One for each thread that sleeps; of high resolution from Windows 10 1803 on, otherwise of the system's clock.
+// One timer per sleeping thread; of high resolution from Windows 10 1803 on, otherwise of the system's clock.
 HANDLE timerOfThisThread() noexcept {
   struct Timer {
     HANDLE handle =

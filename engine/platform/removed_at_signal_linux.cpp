@@ -15,7 +15,7 @@ namespace moltact {
 
 namespace fs = std::filesystem;
 
-// The signals are blocked and wait for a thread of their own, for a handler may not remove files.
+// The signals are blocked and received by a separate thread, because a handler must not remove files.
 struct RemovedAtSignal::Impl {
   fs::path folder;
   sigset_t wanted{}, before{};
@@ -29,7 +29,7 @@ struct RemovedAtSignal::Impl {
     signalfd_siginfo signal{};
     if (both[1].revents || ::read(signals, &signal, sizeof signal) != ssize_t(sizeof signal)) return;
     std::error_code ignored;
-    // The command goes on meanwhile and may write one file more.
+    // The command continues meanwhile and may write another file.
     for (int tries = 0; tries < 5 && fs::exists(folder, ignored); ++tries) fs::remove_all(folder, ignored);
     const int number = int(signal.ssi_signo);
     std::signal(number, SIG_DFL);
@@ -44,7 +44,7 @@ struct RemovedAtSignal::Impl {
 RemovedAtSignal::RemovedAtSignal(const fs::path& folder) : impl_(std::make_unique<Impl>()) {
   impl_->folder = folder;
   sigemptyset(&impl_->wanted);
-  // What the program's caller has it ignore stays ignored.
+  // Signals that the program's caller has set to be ignored stay ignored.
   for (const int number : {SIGINT, SIGTERM, SIGHUP}) {
     struct sigaction is {};
     if (sigaction(number, nullptr, &is) == 0 && is.sa_handler == SIG_DFL) sigaddset(&impl_->wanted, number);
@@ -57,7 +57,7 @@ RemovedAtSignal::RemovedAtSignal(const fs::path& folder) : impl_(std::make_uniqu
       return;
     } catch (const std::system_error&) {
     }
-  pthread_sigmask(SIG_SETMASK, &impl_->before, nullptr);  // without a thread signals end the program at once
+  pthread_sigmask(SIG_SETMASK, &impl_->before, nullptr);  // without a thread signals end the program immediately
 }
 
 RemovedAtSignal::~RemovedAtSignal() {

@@ -9,7 +9,7 @@ namespace {
 
 std::filesystem::path removed_at_signal;
 
-// On a thread of the system's, which ends the program after it.
+// On a thread of the system, which ends the program afterwards.
 BOOL WINAPI removeFolder(DWORD) {
   std::error_code ignored;
   std::filesystem::remove_all(removed_at_signal, ignored);

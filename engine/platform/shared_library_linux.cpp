@@ -8,12 +8,12 @@ namespace moltact {
 Expected<SharedLibrary> SharedLibrary::open(std::span<const std::string> names) {
   std::string why, missing;
   for (const std::string& name : names) {
-    // Lazily: what the library lacks and nobody calls does not matter.
+    // Lazy binding: missing symbols do not matter unless they are used.
     if (void* handle = dlopen(name.c_str(), RTLD_LAZY | RTLD_LOCAL)) return SharedLibrary(handle);
     const char* reason = dlerror();
     const std::string text = reason ? reason : trf("{0} cannot be loaded", name);
-    // A library that is there and cannot be loaded says more than those that are not: the first such one is told. That
-    // no file is there may also be said of another one that it needs.
+    // A library that exists but cannot be loaded is more informative than missing ones: the first such one is reported.
+    // The message "no such file" may also refer to another library that it needs.
     if (text.starts_with(name + ": cannot open shared object file: No such file")) {
       if (missing.empty()) missing = text;
     } else if (why.empty()) {

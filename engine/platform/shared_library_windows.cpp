@@ -15,7 +15,7 @@ Expected<SharedLibrary> SharedLibrary::open(std::span<const std::string> names) 
       return SharedLibrary(reinterpret_cast<void*>(handle));
     const DWORD error = GetLastError();
     const std::string text = trf("{0} cannot be loaded: {1}", name, std::system_category().message(int(error)));
-    // A library that is there and cannot be loaded says more than those that are not: the first such one is told.
+    // A library that exists but cannot be loaded is more informative than missing ones: the first such one is reported.
     std::string& into = error == ERROR_MOD_NOT_FOUND ? missing : why;
     if (into.empty()) into = text;
   }

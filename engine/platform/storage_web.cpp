@@ -39,7 +39,7 @@ std::string takeStorageFault() { return std::exchange(fault, {}); }
 
 }  // namespace moltact
 
-// page.js tells that the browser has refused to keep a file.
+// Called by page.js when the browser has refused to store a file.
 extern "C" EMSCRIPTEN_KEEPALIVE void moltact_storage_fault(int full) {
   moltact::fault =
       full ? moltact::tr(

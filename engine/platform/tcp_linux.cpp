@@ -34,7 +34,7 @@ bool waitFor(int socket, short events, int wait_ms) {
   }
 }
 
-// A port of the range for outgoing connections where nothing listens can be connected to itself.
+// A connection to a port in the range for outgoing connections without a listener can connect to itself.
 bool connectedToItself(int socket) {
   sockaddr_storage own{}, peer{};
   socklen_t own_size = sizeof own, peer_size = sizeof peer;
@@ -76,9 +76,9 @@ class Connection final : public TcpConnection {
     if (bytes.size() > sizeof last_) return false;
     last_size_ = bytes.size();
     std::copy(bytes.begin(), bytes.end(), last_);
-    // In a signal handler, where send() and ioctl() are safe. The act is tried again, for as long as endForce() waits,
-    // until the report has left: the buffer is full until the peer's system has acknowledged some ten reports, and what
-    // has not left when the process ends is lost.
+    // In a signal handler, where send() and ioctl() are safe. The act is repeated while endForce() waits, until the
+    // report has been sent. The buffer is full until the peer's system has acknowledged about ten reports; data left in
+    // it when the process ends are lost.
     return act_.arm(
         [](void* self) noexcept {
           Connection& me = *static_cast<Connection*>(self);

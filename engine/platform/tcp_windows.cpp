@@ -33,7 +33,7 @@ bool waitFor(SOCKET socket, Wait what, int wait_ms) {
   return ::select(0, reads ? &one : nullptr, reads ? nullptr : &one, &failed, &time) > 0;
 }
 
-// A port of the range for outgoing connections where nothing listens can be connected to itself.
+// A connection to a port in the range for outgoing connections without a listener can connect to itself.
 bool connectedToItself(SOCKET socket) {
   sockaddr_storage own{}, peer{};
   int own_size = sizeof own, peer_size = sizeof peer;

@@ -22,8 +22,8 @@ int openFolder(const fs::path& folder) {
   return ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC);
 }
 
-// Whether the handle is of the folder that stands at the path.
-bool standsAt(int handle, const fs::path& path) {
+// True if the handle belongs to the folder at the path.
+bool isAtPath(int handle, const fs::path& path) {
   struct stat a {
   }, b{};
   return ::fstat(handle, &a) == 0 && ::lstat(path.c_str(), &b) == 0 && a.st_dev == b.st_dev && a.st_ino == b.st_ino;
@@ -32,14 +32,14 @@ bool standsAt(int handle, const fs::path& path) {
 }  // namespace
 
 Expected<TemporaryFolder> TemporaryFolder::in(const fs::path& folder, std::string_view prefix) {
-  // Another program that sweeps may take the new folder for a forgotten one until it is locked: then another is made.
+  // Another program may remove the new folder as an orphan until it is locked; then another is created.
   for (int tries = 0; tries < 10; ++tries) {
     std::string name = (folder / prefix).string() + "XXXXXX";
     if (!::mkdtemp(name.data())) break;
     const int lock = openFolder(name);
     if (lock < 0 && errno == ENOENT) continue;
     const bool busy = lock >= 0 && ::flock(lock, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK;
-    if (!busy && (lock < 0 || standsAt(lock, name))) return TemporaryFolder(std::move(name), lock);
+    if (!busy && (lock < 0 || isAtPath(lock, name))) return TemporaryFolder(std::move(name), lock);
     ::close(lock);
   }
   return Problem{folder.string(), 0, 0, trf("no folder can be made in it: {0}", std::strerror(errno)),
@@ -61,7 +61,7 @@ void sweepTemporaryFolders(const fs::path& folder, std::string_view prefix) {
     const int handle = openFolder(path);
     struct stat is {};
     if (handle >= 0 && ::fstat(handle, &is) == 0 && is.st_uid == ::geteuid() &&
-        ::flock(handle, LOCK_EX | LOCK_NB) == 0 && standsAt(handle, path))
+        ::flock(handle, LOCK_EX | LOCK_NB) == 0 && isAtPath(handle, path))
       fs::remove_all(path, ignored);
     if (handle >= 0) ::close(handle);
   }

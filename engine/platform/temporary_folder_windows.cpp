@@ -10,7 +10,7 @@
 
 namespace moltact {
 
-// What a folder under the user's own allows goes for those in it: nobody else looks into it.
+// Folders inside the user's own inherit its permissions: other users have no access.
 Expected<TemporaryFolder> TemporaryFolder::in(const std::filesystem::path& folder, std::string_view prefix) {
   std::error_code error;
   auto number = std::uint64_t(std::chrono::steady_clock::now().time_since_epoch().count()) ^

@@ -1,4 +1,4 @@
-// What is alike on every system with a terminal.
+// The part of terminal.h common to all systems with a terminal.
 #include "engine/platform/terminal.h"
 
 #include <streambuf>
@@ -8,7 +8,7 @@
 namespace moltact {
 namespace {
 
-// Cleans on its way to the system. A code point that is not whole yet waits for the rest of it.
+// Cleans text before it is passed to the system. An incomplete code point waits for the rest of it.
 class CleanBuffer : public std::streambuf {
  public:
   explicit CleanBuffer(platform::Output to) : to_(to) { platform::prepare(to); }
@@ -93,7 +93,7 @@ void showStatus(std::string_view line) {
 bool standardErrorIsTerminal() { return platform::isTerminal(platform::Output::Error); }
 
 Typed typedLine(std::string& line, int wait_ms) {
-  static std::string typed;  // what came after the last line
+  static std::string typed;  // input after the last line
   std::size_t end = typed.find('\n');
   if (end == std::string::npos) {
     if (const Typed came = platform::readSome(typed, wait_ms); came != Typed::Line) return came;

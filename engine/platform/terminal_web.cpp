@@ -1,4 +1,4 @@
-// The browser's console, for whoever looks at it.
+// Writes to the browser's console.
 #include <iostream>
 
 #include "engine/platform/terminal.h"

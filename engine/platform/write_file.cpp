@@ -1,4 +1,4 @@
-// What is alike wherever files are written.
+// The part of write_file.h common to all systems.
 #include "engine/platform/write_file.h"
 
 #include <utility>
@@ -15,7 +15,7 @@ Draft::~Draft() = default;
 
 Expected<Draft> Draft::begin(const std::filesystem::path& file, IfThere there) {
   if (there == IfThere::Replace)
-    if (auto problem = whyNotWritten(file)) return *std::move(problem);
+    if (auto problem = overwriteProblem(file)) return *std::move(problem);
   Expected<std::unique_ptr<Impl>> impl = Impl::begin(file, there == IfThere::Refuse);
   if (!impl) return impl.problem();
   return Draft(*std::move(impl), file);
@@ -25,7 +25,7 @@ std::optional<Problem> Draft::append(std::string_view bytes) {
   constexpr std::size_t kMaxWaiting = std::size_t{1} << 20;
   if (bytes.size() >= kMaxWaiting) {
     if (auto problem = flush()) return problem;
-    return impl_->write(bytes);  // without a copy of it all
+    return impl_->write(bytes);  // avoids a copy
   }
   impl_->waiting += bytes;
   return impl_->waiting.size() < kMaxWaiting ? std::nullopt : flush();

@@ -16,9 +16,9 @@ using namespace platform;
 namespace {
 
 struct SystemDraft final : Draft::Impl {
-  fs::path named, file;  // as the person named it, and behind its links; the draft is beside that
+  fs::path named, file;  // as named by the caller, and with links resolved; the draft is beside the latter
   int handle = -1;
-  bool refuse = false, whole = true;  // a pipe or a device is written to as it is: no draft
+  bool refuse = false, whole = true;  // not whole: a pipe or a device, written without a draft
 
   ~SystemDraft() override {
     if (handle >= 0) ::close(handle);

@@ -50,7 +50,7 @@ Expected<std::unique_ptr<Draft::Impl>> Draft::Impl::begin(const fs::path& file, 
   return std::unique_ptr<Impl>(std::move(impl));
 }
 
-// Windows has no such limits but those of the disk.
+// Windows limits file sizes only by the disk.
 void takeSizeLimitsAsErrors() {}
 
 }  // namespace moltact

@@ -15,7 +15,7 @@ namespace moltact::platform {
 namespace fs = std::filesystem;
 namespace {
 
-// As on other systems: ".moltact-1f9b03c2-" and the end of the file's own name, which readers go by.
+// As on other systems: ".moltact-1f9b03c2-" and the end of the file's own name, whose ending readers use.
 constexpr std::wstring_view kDraft = L".moltact-";
 constexpr std::size_t kDigits = 8, kNameKept = 60;
 
@@ -36,7 +36,7 @@ bool isDraftName(std::wstring_view name) {
   return name.substr(kDraft.size(), kDigits).find_first_not_of(L"0123456789abcdef") == std::wstring_view::npos;
 }
 
-// A draft that can be opened for writing is held by no program any more.
+// A draft that can be opened for writing belongs to no running program.
 void removeOrphans(const fs::path& folder) {
   std::error_code error;
   fs::directory_iterator it(folder, error);
@@ -104,7 +104,7 @@ void* openDraft(const fs::path& file, fs::path& draft) {
   const fs::path folder = folderOf(file);
   if (const DWORD is = GetFileAttributesW(file.c_str());
       is != INVALID_FILE_ATTRIBUTES && is & FILE_ATTRIBUTE_READONLY) {
-    SetLastError(ERROR_ACCESS_DENIED);  // what may not be written is not replaced either
+    SetLastError(ERROR_ACCESS_DENIED);  // a file without write permission is not replaced either
     return nullptr;
   }
   removeOrphans(folder);

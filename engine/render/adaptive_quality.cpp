@@ -6,19 +6,19 @@
 namespace moltact {
 namespace {
 
-constexpr double kMoving_ms = 18.0;   // a molecule may take so long in a frame while the view turns
-constexpr double kSmooth_ms = 400.0;  // and so long, once, when it has come to rest
+constexpr double kMoving_ms = 18.0;   // time budget for the molecule per frame while the view moves
+constexpr double kSmooth_ms = 400.0;  // the same, once, after it has come to rest
 constexpr int kRest_frames = 10;
 constexpr double kCoarsest = 0.375;
-constexpr double kFineLight = 0.5;  // from this scale on creases are darker; below none is seen
+constexpr double kFineLight = 0.5;  // below this scale the fine light is invisible and omitted
 
 }  // namespace
 
 AdaptiveQuality::Choice AdaptiveQuality::choose(bool moving) {
   rested_frames_ = moving ? 0 : rested_frames_ + 1;
   Choice choice;
-  // Cost goes with the number of pixels, the square of the scale; eighths keep it from flickering. What is stretched is
-  // softened by that, and its edges need no filter.
+  // The cost is proportional to the number of pixels, the square of the scale; steps of 1/8 prevent flicker. Stretching
+  // softens the edges, which then need no filter.
   if (moving && whole_ms_ > kMoving_ms) {
     choice.scale = std::clamp(std::floor(8.0 * std::sqrt(kMoving_ms / whole_ms_)) / 8.0, kCoarsest, 1.0);
     choice.options.smooth_edges = choice.scale == 1.0;
@@ -33,8 +33,8 @@ AdaptiveQuality::Choice AdaptiveQuality::choose(bool moving) {
 }
 
 void AdaptiveQuality::took(double ms) {
-  // How long a picture without the fine light takes does not say what one with it would take: the view would go to and
-  // fro between the two.
+  // The time of a picture without fine light does not predict that with it; using it would make the view alternate
+  // between the two.
   if (!last_.options.fine_light) return;
   const double whole = ms / (last_.options.samples == 2 ? 4.0 : last_.scale * last_.scale);
   whole_ms_ = whole_ms_ > 0 ? 0.7 * whole_ms_ + 0.3 * whole : whole;

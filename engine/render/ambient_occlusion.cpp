@@ -8,7 +8,7 @@ namespace {
 
 constexpr double kMaxVoxels = 160, kMaxVisits = 1e8;
 
-// The voxels that filling the spheres visits.
+// The number of voxels visited when filling the spheres.
 double visits(std::span<const Sphere> spheres, double voxel_A) {
   double sum = 0;
   for (const Sphere& b : spheres) sum += std::pow(2.0 * b.radius_A / voxel_A + 2.0, 3.0);
@@ -21,7 +21,7 @@ struct Filling {
   std::size_t at(int x, int y, int z) const { return (std::size_t(z) * size.y + y) * size.x + x; }
 };
 
-// Where spheres grow into each other the larger share counts; of one smaller than a voxel the volume is added.
+// Where spheres overlap the larger fraction counts; of a sphere smaller than a voxel the volume is added.
 void fill(Filling& field, std::span<const Sphere> spheres, const Vec3& low, double voxel_A) {
   for (const Sphere& b : spheres) {
     const Vec3 c = (b.centre_A - low) / voxel_A - 0.5;
@@ -50,12 +50,13 @@ void fill(Filling& field, std::span<const Sphere> spheres, const Vec3& low, doub
   }
 }
 
-// Three running means in a row along each axis come close to a Gaussian.
+// Three consecutive box filters along each axis approximate a Gaussian.
 void blur(Filling& field, double sigma) {
   const int half = std::max(1, int(std::lround(sigma)));
   const float share = 1.0f / float(2 * half + 1);
   std::vector<float> sums;
-  // n neighbours of `width` values each, `stride` apart: neighbours are added, and as many at a time as lie side by side.
+  // Filters n lines of `width` adjacent values each, with neighbours `stride` apart, so that adjacent values are added
+  // together.
   const auto along = [&](int n, std::size_t stride, std::size_t begin, int width) {
     sums.resize((std::size_t(n) + 1) * width);
     std::fill_n(sums.begin(), width, 0.0f);
@@ -71,7 +72,7 @@ void blur(Filling& field, double sigma) {
       for (int k = 0; k < width; ++k) value[k] = (to[k] - from[k]) * share;
     }
   };
-  // The means along one axis are all taken while a plane lies in the cache.
+  // All filters along one axis run while a plane is in the cache.
   constexpr int kMeans = 3;
   const glm::ivec3 n = field.size;
   for (int z = 0; z < n.z; ++z) {
@@ -87,7 +88,7 @@ OcclusionLevel levelOf(std::span<const Sphere> spheres, const Vec3& low, const V
                        double voxel_A) {
   voxel_A = std::max(voxel_A, std::max({extent.x, extent.y, extent.z}) / kMaxVoxels);
   while (voxel_A < 2.0 * sigma_A && visits(spheres, voxel_A) > kMaxVisits) voxel_A *= 1.25;
-  if (voxel_A > 1.3 * sigma_A && sigma_A < 2.0) return {};  // too coarse to tell a crease
+  if (voxel_A > 1.3 * sigma_A && sigma_A < 2.0) return {};  // too coarse to resolve a crease
   Filling field;
   field.size = glm::max(glm::ivec3(glm::ceil(extent / voxel_A)), glm::ivec3(1));
   field.value.assign(std::size_t(field.size.x) * field.size.y * field.size.z, 0.0f);
@@ -99,9 +100,7 @@ OcclusionLevel levelOf(std::span<const Sphere> spheres, const Vec3& low, const V
   return level;
 }
 
-double shade(double filled, double least, double most) {
-  return std::clamp((filled - least) / (most - least), 0.0, 1.0);
-}
+double shade(double filled, double none, double full) { return std::clamp((filled - none) / (full - none), 0.0, 1.0); }
 
 }  // namespace
 
@@ -110,7 +109,7 @@ double OcclusionLevel::at(const Vec3& place) const {
   const glm::ivec3 i = glm::min(glm::ivec3(glm::floor(g)), glm::max(size - 2, glm::ivec3(0)));
   const Vec3 f = g - Vec3(i);
   const glm::ivec3 next = glm::min(i + 1, size - 1);
-  // Along x, then between the two rows, then between the two planes.
+  // Interpolates along x, then between the two rows, then between the two planes.
   const auto row = [&](int y, int z) {
     const std::uint8_t* const at = filled.data() + (std::size_t(z) * size.y + y) * size.x;
     return at[i.x] * (1.0 - f.x) + at[next.x] * f.x;
@@ -123,9 +122,9 @@ glm::vec4 OcclusionField::wideRound(const Vec3& centre_A, double radius_A) const
   const double out = radius_A + kWideOut_A;
   glm::vec4 round(0.0f);
   for (int axis = 0; axis < 3; ++axis) {
-    Vec3 way(0.0);
-    way[axis] = out;
-    const double plus = wide.at(centre_A - low_A + way), minus = wide.at(centre_A - low_A - way);
+    Vec3 offset(0.0);
+    offset[axis] = out;
+    const double plus = wide.at(centre_A - low_A + offset), minus = wide.at(centre_A - low_A - offset);
     round[axis] = float(0.5 * (plus - minus));
     round.w += float((plus + minus) / 6.0);
   }
@@ -134,14 +133,14 @@ glm::vec4 OcclusionField::wideRound(const Vec3& centre_A, double radius_A) const
 
 double OcclusionField::open(const Vec3& place_A, const Vec3& normal) const {
   const Vec3 at = place_A - low_A;
-  return (1.0 - kFineShade * shade(fine.at(at + normal * kFineOut_A), kFineLeast, kFineMost)) *
-         (1.0 - kWideShade * shade(wide.at(at + normal * kWideOut_A), kWideLeast, kWideMost));
+  return (1.0 - kFineShade * shade(fine.at(at + normal * kFineOut_A), kMinFineFill, kMaxFineFill)) *
+         (1.0 - kWideShade * shade(wide.at(at + normal * kWideOut_A), kMinWideFill, kMaxWideFill));
 }
 
 OcclusionField occlusionField(std::span<const Sphere> spheres) {
   OcclusionField field;
   if (spheres.size() < 2) return field;
-  constexpr double kMargin_A = 9.0;  // beyond it nothing is smoothed
+  constexpr double kMargin_A = 9.0;  // range of the smoothing
   Vec3 low = spheres[0].centre_A, high = low;
   for (const Sphere& b : spheres) {
     low = glm::min(low, b.centre_A - b.radius_A);

@@ -41,7 +41,7 @@ struct OcclusionField {
 /// give no shade and full shade. Of the visible points of a protein, one in ten has less than the minimum and one in
 /// fifty more than the maximum.
 inline constexpr double kFineOut_A = 0.7, kWideOut_A = 2.5;
-inline constexpr double kFineLeast = 0.12, kFineMost = 0.52, kWideLeast = 0.06, kWideMost = 0.44;
+inline constexpr double kMinFineFill = 0.12, kMaxFineFill = 0.52, kMinWideFill = 0.06, kMaxWideFill = 0.44;
 inline constexpr double kFineShade = 0.74, kWideShade = 0.62;
 
 OcclusionField occlusionField(std::span<const Sphere> spheres);

@@ -9,14 +9,14 @@ namespace moltact {
 namespace {
 
 constexpr double kDash_A = 0.32, kGap_A = 0.22;  // of a hydrogen bond
-constexpr double kArc_A = 0.8;                   // the arc of an angle, or less where an arm is shorter
+constexpr double kArc_A = 0.8;                   // radius of an angle's arc; less with a shorter arm
 constexpr int kArcPieces = 24;
 
 class Lines {
  public:
   Lines(const Camera& camera, Strokes& out) : camera_(camera), out_(out) {}
 
-  /// Bright on a dark edge, as what is to be seen on atoms of every colour.
+  /// Bright on a dark edge, so that it is visible on atoms of every colour.
   template <class Draw>
   void edged(const Colour& colour, float width_px, float hidden, Draw&& draw) {
     for (const bool under : {true, false}) {
@@ -37,7 +37,7 @@ class Lines {
   void dashes(const Vec3& a, const Vec3& b) {
     for (const auto& [from, to] : dashesBetween({a}, {b})) line(from.A, to.A);
   }
-  // From the way to `a` to the way to `c`, round `at`.
+  // An arc around `at` from the direction of `a` to that of `c`.
   void arc(const Vec3& a, const Vec3& at, const Vec3& c) {
     const Vec3 u = a - at, v = c - at;
     const double lu = glm::length(u), lv = glm::length(v);

@@ -10,7 +10,7 @@ namespace {
 
 constexpr Colour rgb(int red, int green, int blue) { return Colour(float(red), float(green), float(blue)) / 255.0f; }
 
-// Okabe and Ito's eight colours; black is too dark for shade, so carbon is a grey.
+// The eight colours of Okabe and Ito; black is too dark for shading, so carbon is grey.
 Colour safeColour(std::uint8_t atomic_number) {
   switch (atomic_number) {
     case 1:
@@ -37,7 +37,7 @@ Colour safeColour(std::uint8_t atomic_number) {
   }
 }
 
-// The four elements of a protein, chosen by eye; the others keep their hues.
+// The four main elements of a protein, chosen by eye; the others keep their hues.
 std::optional<Colour> calmColour(std::uint8_t atomic_number) {
   switch (atomic_number) {
     case 1:
@@ -55,10 +55,10 @@ std::optional<Colour> calmColour(std::uint8_t atomic_number) {
   }
 }
 
-// Light and shade stay visible on it.
+// Keeps shading visible.
 Colour softened(const Colour& pure) { return pure * 0.88f + 0.05f; }
 
-// Paul Tol's "bright" scheme of 2018, beginning with what is far from the colour of targets.
+// Paul Tol's "bright" scheme of 2018, starting with colours far from that of targets.
 constexpr std::array kChains{rgb(68, 119, 170),  rgb(34, 136, 51),  rgb(170, 51, 119), rgb(102, 204, 238),
                              rgb(238, 102, 119), rgb(204, 187, 68), rgb(187, 187, 187)};
 
@@ -66,7 +66,7 @@ constexpr std::array kChains{rgb(68, 119, 170),  rgb(34, 136, 51),  rgb(170, 51,
 
 static_assert(kChains.size() == kChainColours);
 
-// Paler than the scheme, as element colours of large molecules are.
+// Paler than the scheme, like the element colours of large molecules.
 Colour chainColour(std::uint32_t chain) { return glm::mix(kChains[chain % kChains.size()], Colour(1.0f), 0.25f); }
 
 ElementColours shownColours(ElementColours wanted, std::size_t atoms) {

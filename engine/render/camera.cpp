@@ -9,9 +9,9 @@
 
 namespace moltact {
 namespace {
-constexpr double kNearest_A = 0.5, kFarthestBack_A = 1e7;
+constexpr double kNearest_A = 0.5, kMaxBack_A = 1e7;
 
-// Of a spread of places, by powers of the matrix; any direction where all are alike.
+// The axis of largest spread, by power iteration; any direction if the spread is isotropic.
 Vec3 longestAxis(const glm::dmat3& spread) {
   Vec3 axis = glm::normalize(Vec3(0.36, 0.48, 0.8));
   for (int k = 0; k < 200; ++k) {
@@ -22,7 +22,7 @@ Vec3 longestAxis(const glm::dmat3& spread) {
   return axis;
 }
 
-// How places are spread about their middle.
+// The covariance of points about their mean.
 glm::dmat3 spreadOf(std::span<const Vec3> places_A) {
   Vec3 middle(0.0);
   for (const Vec3& p : places_A) middle += p / double(places_A.size());
@@ -31,7 +31,7 @@ glm::dmat3 spreadOf(std::span<const Vec3> places_A) {
   return spread;
 }
 
-// The spread without its share along an axis that was found.
+// The spread without its component along a known axis.
 glm::dmat3 withoutAxis(const glm::dmat3& spread, const Vec3& axis) {
   return spread - glm::dot(axis, spread * axis) * glm::outerProduct(axis, axis);
 }
@@ -69,7 +69,7 @@ void Camera::roll(double angle_rad) {
 
 void Camera::zoom(double factor) {
   if (!(factor > 0) || !std::isfinite(factor)) return;
-  distance_A = std::clamp(distance_A / factor, kNearest_A, kFarthestBack_A);
+  distance_A = std::clamp(distance_A / factor, kNearest_A, kMaxBack_A);
 }
 
 void Camera::pan(double dx_px, double dy_px, int height_px) {
@@ -82,8 +82,8 @@ void Camera::lookFrom(double azimuth_rad, double elevation_rad) {
 }
 
 void Camera::lookSideOn(const Molecule& molecule) {
-  constexpr double kLong = 1.3;   // so many times as far spread along the longest axis as across it
-  constexpr double kEndOn = 0.7;  // of the axis toward the eye
+  constexpr double kLong = 1.3;   // minimum ratio of the spread along the longest axis to that across it
+  constexpr double kEndOn = 0.7;  // minimum cosine between the axis and the direction to the eye
   if (molecule.atoms.size() < 2) return;
   std::vector<Vec3> places_A;
   for (const Sphere& a : molecule.spheres) places_A.push_back(a.centre_A);
@@ -116,17 +116,18 @@ void Camera::lookAlongThinnest(std::span<const Vec3> places_A) {
 
 void Camera::face(PointA place) {
   constexpr double kSamePlace_A = 0.1;
-  const Vec3 way = place.A - target.A;
-  if (glm::length(way) > kSamePlace_A) lookFrom(std::atan2(way.x, way.z), std::atan2(way.y, std::hypot(way.x, way.z)));
+  const Vec3 offset = place.A - target.A;
+  if (glm::length(offset) > kSamePlace_A)
+    lookFrom(std::atan2(offset.x, offset.z), std::atan2(offset.y, std::hypot(offset.x, offset.z)));
 }
 
 void Camera::fit(const Molecule& molecule, double aspect, double margin, double grown_A,
                  std::span<const std::uint32_t> without) {
   if (molecule.atoms.empty()) return;
   if (without.size() >= molecule.atoms.size()) without = {};
-  // In the camera's axes, relative to the first atom. A sphere of radius r at (x, z) stays below the plane through the
-  // eye at slope t as long as distance >= z + (x - m + r sqrt(1 + t^2)) / t, where m is the target's x. The two sides'
-  // largest bounds meet at the best m, so the picture is filled from edge to edge in perspective too.
+  // In the camera's axes, relative to the first atom; m is the target's x. A sphere of radius r at (x, z) stays below
+  // the plane through the eye with slope t as long as distance >= z + (x - m + r sqrt(1 + t^2)) / t. The optimal m
+  // equalizes the largest bounds of the two sides, so that the perspective picture is filled from edge to edge.
   const glm::dquat to_axes = glm::conjugate(orientation);
   const Vec3 origin = molecule.spheres[0].centre_A;
   const double slope[2] = {tanHalfY() * aspect * (1 - margin), tanHalfY() * (1 - margin)};
@@ -151,13 +152,13 @@ void Camera::fit(const Molecule& molecule, double aspect, double margin, double 
                     0.5 * (low + high));
   const double back = 0.5 * std::max(ahead[0] + behind[0], ahead[1] + behind[1]) - middle.z;
   target.A = origin + orientation * middle;
-  distance_A = std::clamp(back, kNearest_A, kFarthestBack_A);
+  distance_A = std::clamp(back, kNearest_A, kMaxBack_A);
 }
 
 void Camera::fit(PointA centre, double radius_A, double aspect, double margin) {
   const double t = tanHalfY() * std::min(1.0, aspect) * (1 - margin);
   target = centre;
-  distance_A = std::clamp(radius_A * std::sqrt(1 + t * t) / t, kNearest_A, kFarthestBack_A);
+  distance_A = std::clamp(radius_A * std::sqrt(1 + t * t) / t, kNearest_A, kMaxBack_A);
 }
 
 }  // namespace moltact

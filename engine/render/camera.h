@@ -1,7 +1,7 @@
 // An orbit camera: it looks at a target from a distance and orbits it. Plain data in double precision; usable on every
 // thread. Units: angstrom, radian, pixel (origin at the picture's upper left corner, y down). The camera's own axes are
 // x right, y up, z toward the viewer. Coordinates for the graphics card are relative to the target, so a molecule a
-// million angstroms from the origin is drawn with full precision. Quaternions store w first.
+// million angstroms from the origin is drawn with full precision. Quat is constructed as (w, x, y, z).
 #pragma once
 
 #include <cstdint>

@@ -13,10 +13,10 @@
 namespace moltact {
 namespace {
 
-constexpr int kPieces = 8;    // of the way from one residue to the next
-constexpr int kCorners = 14;  // of a section
+constexpr int kPieces = 8;    // subdivisions between two residues
+constexpr int kCorners = 14;  // vertices of a cross section
 
-// A residue on the ribbon's way.
+// A residue on the ribbon's path.
 struct Knot {
   Vec3 place, side;  // `side` along the ribbon's width
   double width = kTube_A, thickness = kTube_A;
@@ -34,7 +34,7 @@ Vec3 across(const Vec3& v, const Vec3& along) { return v - along * glm::dot(v, a
 class Ribbon {
  public:
   Ribbon(std::vector<Knot> knots, MeshPiece& piece) : knots_(std::move(knots)), piece_(piece) {
-    // Neighbours' sides look the same way, so that the ribbon does not turn over.
+    // The sides of neighbours point the same way, so that the ribbon does not flip.
     for (std::size_t i = 1; i < knots_.size(); ++i)
       if (glm::dot(knots_[i].side, knots_[i - 1].side) < 0) knots_[i].side = -knots_[i].side;
   }
@@ -45,7 +45,7 @@ class Ribbon {
     for (std::size_t i = 0; i + 1 < knots_.size(); ++i)
       for (int k = 0; k < kPieces; ++k) {
         const double t = double(k) / kPieces;
-        // The colour, and at a strand's end the arrow, change half way between residues.
+        // The colour, and at a strand's end the arrow, change midway between residues.
         const bool second = 2 * k >= kPieces;
         if (2 * k == kPieces) ring(i, t - 1e-9, i, tangent);
         ring(i, t, second ? i + 1 : i, tangent);
@@ -63,7 +63,7 @@ class Ribbon {
     return knots_[std::size_t(i)].place;
   }
 
-  // Half the width: within an arrow from its barbs to its tip.
+  // Half the width; in an arrow it decreases from the barbs to the tip.
   double widthAt(std::size_t i, double t) const {
     const Knot &a = knots_[i], &b = knots_[i + 1];
     if (a.arrow) return t < 0.5 ? glm::mix(0.5 * kArrowWidth_A, kTube_A, 2.0 * t) : b.width;
@@ -158,12 +158,12 @@ class Cartoon {
       knot.colour = colours_[r.ca];
       const std::size_t before = i > 0 ? i - 1 : i, after = i + 1 < stretch.size() ? i + 1 : i;
       const Vec3 along = unit(at(stretch[after].ca) - at(stretch[before].ca), {1, 0, 0});
-      // Strands are pleated; the ribbon goes through the middle of the pleats.
+      // Strands are pleated; the ribbon follows the middle of the pleats.
       if (kind == SecondaryStructure::Strand && before != i && after != i)
         knot.place = 0.5 * knot.place + 0.25 * (at(stretch[before].ca) + at(stretch[after].ca));
       const Vec3 carbonyl = r.c != kNoAtom && r.o != kNoAtom ? at(r.o) - at(r.c) : anyNormal(along);
       const Vec3 flat = unit(across(carbonyl, along), anyNormal(along));
-      // In a helix the carbonyl looks along the axis, and so does the ribbon's width; in a strand it lies in the sheet.
+      // In a helix the carbonyl, and the ribbon's width, point along the axis; in a strand they lie in the sheet.
       knot.side = flat;
       if (kind != SecondaryStructure::Coil) {
         knot.width = kind == SecondaryStructure::Helix ? kHelixWidth_A : kStrandWidth_A;
@@ -191,12 +191,12 @@ class Cartoon {
       Knot knot;
       knot.place = at(r.guide());
       knot.colour = colours_[r.guide()];
-      knot.side = unit(glm::cross(along, inward), anyNormal(along));  // the band lies round the helix
+      knot.side = unit(glm::cross(along, inward), anyNormal(along));  // the band winds around the helix
       knot.width = kBand_A;
       knot.thickness = kFlat_A;
       run.push_back(knot);
       if (r.base == kNoAtom) continue;
-      // The rung begins where the band runs past, between this phosphate and the next.
+      // The rung starts on the band, midway between this phosphate and the next.
       const Vec3 from = i + 1 < stretch.size() ? 0.5 * (at(r.guide()) + at(stretch[i + 1].guide())) : at(r.guide());
       addStick(piece_, from, at(r.base), kRung_A, colours_[r.base], true);
     }

@@ -17,10 +17,10 @@
 namespace moltact {
 namespace {
 
-constexpr std::size_t kMaxEntries = 9;  // a molecule of more has the first ones
+constexpr std::size_t kMaxEntries = 9;  // longer legends are truncated
 constexpr double kLine_px = 16.0, kGap_px = 5.0, kPadding_px = 10.0, kDot_px = 5.5, kMargin_px = 14.0;
 
-// How an atom is seen.
+// How an atom appears in the picture.
 enum Seen : std::uint8_t { kNot, kInRibbon, kItself };
 
 std::vector<std::uint8_t> seenAtoms(const Molecule& molecule, const AtomsLook& look) {
@@ -45,8 +45,8 @@ std::vector<std::uint8_t> seenAtoms(const Molecule& molecule, const AtomsLook& l
   return out;
 }
 
-// Chains in their order, then elements from the commonest to the rarest. Where there are more chains than colours, or more
-// than a legend has lines, no colour names a chain, and only the elements are listed.
+// Chains in order, then elements by decreasing frequency. If there are more chains than colours or than lines of a
+// legend, only the elements are listed.
 std::vector<LegendEntry> entriesOf(const Molecule& molecule, ColourBy by, ElementColours elements,
                                    const std::vector<std::uint8_t>& seen) {
   struct Counted {
@@ -77,7 +77,7 @@ std::vector<LegendEntry> entriesOf(const Molecule& molecule, ColourBy by, Elemen
   return out;
 }
 
-// What shares a colour shares a line: a legend that showed a colour twice would say nothing of it.
+// Entries of equal colour share a line, because a repeated colour would be ambiguous.
 std::vector<LegendEntry> eachColourOnce(const std::vector<LegendEntry>& entries) {
   constexpr float kSame = 0.5f / 255.0f;
   std::vector<LegendEntry> out;
@@ -118,7 +118,7 @@ std::vector<LegendEntry> legendOf(const Molecule& molecule, ColourBy by, Element
 const std::vector<LegendEntry>& LegendMemory::of(std::shared_ptr<const Molecule> molecule, ColourBy by,
                                                  ElementColours elements, const AtomsLook& look) {
   AtomsLook drawn = look;
-  drawn.cut.reset();  // moves often, and says nothing of colours
+  drawn.cut.reset();  // changes often and does not affect colours
   if (molecule != molecule_ || by != by_ || elements != elements_ || !(drawn == look_) || language() != language_) {
     molecule_ = std::move(molecule);
     by_ = by;

@@ -6,8 +6,8 @@
 namespace moltact {
 namespace {
 
-// Near the sphere the share of the sky that it covers, (radius / distance)^2; along the light its own image, whose edge
-// softens with the way. A sphere throws none on what lies beyond kReach.
+// Near the sphere, the fraction of the sky that it covers, (radius / distance)^2; along the light, its projection,
+// whose edge softens with distance. Nothing is darkened beyond kReach.
 const char* const kFragmentText = R"(
 in vec2 v_uv;
 uniform sampler2D u_window;

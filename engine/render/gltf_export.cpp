@@ -27,8 +27,7 @@ std::string number(double value, const char* unit) {
 
 std::uint32_t opaque(std::uint32_t colour) { return colour | 0xFF000000u; }
 
-// Materials by colour and opacity, in the order in which they come up; by their element's name where that is what they
-// tell.
+// Materials by colour and opacity in order of first use; named by the element if the colour denotes one.
 class Materials {
  public:
   Materials(GltfScene& scene, const Molecule& molecule, const std::vector<std::uint32_t>& colours, bool by_element)
@@ -62,7 +61,7 @@ class Materials {
   std::map<std::tuple<std::uint32_t, float, std::string>, std::size_t> known_;
 };
 
-// Each material's sphere is there once, and each chain's spheres hang on a node of their own.
+// The sphere mesh of each material occurs once, and the spheres of each chain share a parent node.
 class Spheres {
  public:
   Spheres(GltfScene& scene, Materials& materials, const Molecule& molecule, const Vec3& middle_A, double unit)
@@ -101,10 +100,10 @@ class Spheres {
   const double unit_;
   const GltfMesh sphere_ = sphereMesh();
   std::map<std::size_t, std::size_t> mesh_of_;     // by material
-  std::map<std::uint32_t, std::size_t> group_of_;  // a chain's node
+  std::map<std::uint32_t, std::size_t> group_of_;  // node of each chain
 };
 
-// Triangles of one material a colour: that of their first corner.
+// Triangles with one material per colour, that of the first corner.
 void addPiece(const MeshPiece& piece, std::string name, float opacity, const Vec3& middle_A, double unit,
               Materials& materials, GltfScene& scene) {
   if (piece.indices.empty()) return;
@@ -153,7 +152,7 @@ void addStyles(const Molecule& molecule, const ExportOptions& options, const std
     SolventExcluded surface;
     if (infoOf(what.style).uses_probe) {
       surface = surfaceOf(molecule, shown, options.probe_A > 0.0 ? options.probe_A : kWaterProbe_A);
-      for (std::size_t v = 0; v < surface.share.size(); ++v) surface.share[v] = 0.0f;  // one colour an atom
+      for (std::size_t v = 0; v < surface.share.size(); ++v) surface.share[v] = 0.0f;  // one colour per atom
     }
     const StyleShapes shapes = shapesOf(what.style, molecule, shown, colours, surface, found);
     addPiece(shapes.piece, std::string(nameOf(what.style)), what.opacity, middle_A, unit, materials, scene);
@@ -161,10 +160,10 @@ void addStyles(const Molecule& molecule, const ExportOptions& options, const std
   }
 }
 
-// Bonds and measures go together by kind; a measure bears its value.
+// Bonds and measures are grouped by kind; the name of a measure is its value.
 void addAnnotations(const ExportOptions& options, const Vec3& middle_A, Materials& materials, GltfScene& scene) {
   constexpr double kBond_A = 0.10, kMeasure_A = 0.07;
-  constexpr Colour kMeasure(0.16f, 0.18f, 0.22f);  // dark: slides are light
+  constexpr Colour kMeasure(0.16f, 0.18f, 0.22f);  // dark, because slides have a light background
   const double unit = kNm_per_A * options.units_per_nm;
   const Theme theme = lightTheme();
   const auto add = [&](MeshPiece& piece, PointA from, PointA to, double radius_A, const Colour& colour) {
@@ -205,7 +204,7 @@ void addPrintedSurface(const ExportOptions& options, const std::vector<Sphere>& 
 }  // namespace
 
 GltfMesh sphereMesh() {
-  // An icosahedron, each triangle cut in four three times.
+  // An icosahedron, each triangle subdivided into four three times.
   const float g = 0.5f * (1.0f + std::sqrt(5.0f));
   std::vector<glm::vec3> places{{-1, g, 0},  {1, g, 0},  {-1, -g, 0}, {1, -g, 0}, {0, -1, g},  {0, 1, g},
                                 {0, -1, -g}, {0, 1, -g}, {g, 0, -1},  {g, 0, 1},  {-g, 0, -1}, {-g, 0, 1}};

@@ -13,10 +13,10 @@
 namespace moltact {
 namespace {
 
-// Bright on a dark edge: seen on atoms of every colour, in every theme.
+// Bright on a dark edge: visible on atoms of every colour in every theme.
 const Colour kTouchedRing{1.0f, 0.94f, 0.62f};
 
-constexpr double kGlow_A = 0.25;  // round an atom of a body that is stopped
+constexpr double kGlow_A = 0.25;  // glow around a blocked atom of a body
 
 class Maker {
  public:
@@ -24,9 +24,9 @@ class Maker {
     touching_ = scene.hip && scene.contact.touching();
     if (!scene.hip) return;
     scp_ = touching_ ? scene.contact.scp.A : scene.hip->A;
-    const Vec3& way = scene.contact.displacement_A;
-    const double length = glm::length(way);
-    outward_ = touching_ && length > 1e-9 ? way / length : scene.camera.up();
+    const Vec3& displacement = scene.contact.displacement_A;
+    const double length = glm::length(displacement);
+    outward_ = touching_ && length > 1e-9 ? displacement / length : scene.camera.up();
     if (touching_) along_force_ = outward_;
     if (const double field = glm::length(scene.field_direction); field > 0.0)
       along_force_ = scene.field_direction / field;
@@ -37,9 +37,9 @@ class Maker {
     out_.shadow_radius = float(std::max(held().reach_A(), 0.12));
   }
 
-  // The oxygen sits in the middle of the sphere that is felt; the hydrogens point away from the surface, spread in
-  // the plane that the viewer sees best. No atom of a molecule has the probe's colours, and its rim is bright on a dark
-  // edge, so that it is found before atoms of every colour.
+  // The oxygen lies at the centre of the felt sphere. The hydrogens point away from the surface, spread in the plane
+  // that the viewer sees best. The probe's colours occur in no molecule, and its rim is bright on a dark edge, so that
+  // it stands out against atoms of every colour.
   void probe() {
     const bool water = scene_.water && std::abs(scene_.probe_A - kWaterProbe_A) < 0.35;
     shell(scp_, std::max(scene_.probe_A, 0.12), scene_.theme.probe, 0.9f);
@@ -61,8 +61,8 @@ class Maker {
             0.35f);
   }
 
-  // What the hand holds in the probe's place: the molecule's own atoms where the springs would have them, carbon in the
-  // probe's colour, which no atom of a molecule has. What lies behind others shows through them.
+  // The body in the hand replaces the probe: the molecule's atoms at the positions given by the springs, with carbon in
+  // the probe's colour, which occurs in no molecule. Hidden parts show through.
   void body(const MoleculeModel& model) {
     const glm::dmat3 axes = glm::mat3_cast(scene_.body_orientation);
     for (std::size_t i = 0; i < scene_.body->atoms.size(); ++i) {
@@ -87,18 +87,18 @@ class Maker {
     const double r = sized(0.22, 4.5);
     solid(scene_.hip->A, r, scene_.theme.hip, 0.75f);
     if (!touching_) return;
-    // Seen along the push the probe stands before the hand: a ring shows through it how far the hand has gone under.
+    // Seen along the push, the probe is in front of the hand: a ring on it shows how far the hand has penetrated.
     addCircle(out_.strokes, {.colour = scene_.theme.hip, .alpha = 0.95f, .hidden = 0.9f, .width_px = 2.4f},
               scene_.camera, scene_.hip->A, toEye(scene_.hip->A), 1.5 * r, 48);
     spring();
   }
 
-  // From the hand to where it would be without the molecule's surface: a coil that thickens and warms with the force.
+  // From the HIP to the SCP: a coil whose thickness and colour indicate the force.
   void spring() {
-    const Vec3 way = scp_ - scene_.hip->A;
-    const double length = glm::length(way), thick = sized(0.13, 2.6) * (1.0 + 0.6 * strength());
+    const Vec3 displacement = scp_ - scene_.hip->A;
+    const double length = glm::length(displacement), thick = sized(0.13, 2.6) * (1.0 + 0.6 * strength());
     const Colour colour = forceColour(scene_.theme, strength());
-    const Vec3 axis = length > 1e-9 ? way / length : outward_, u = anyNormal(axis), v = glm::cross(axis, u);
+    const Vec3 axis = length > 1e-9 ? displacement / length : outward_, u = anyNormal(axis), v = glm::cross(axis, u);
     constexpr int kTurns = 7, kPieces = 16 * kTurns;
     for (const bool under : {true, false}) {
       out_.strokes.begin({.colour = under ? Colour(0.0f) : colour,
@@ -108,12 +108,12 @@ class Maker {
       for (int i = 0; i <= kPieces; ++i) {
         const double t = double(i) / kPieces, turn = kTwoPi * kTurns * t;
         const double wide = thick * std::min(1.0, 8.0 * std::min(t, 1.0 - t));
-        out_.strokes.point(view(scene_.hip->A + way * t + wide * (std::cos(turn) * u + std::sin(turn) * v)));
+        out_.strokes.point(view(scene_.hip->A + displacement * t + wide * (std::cos(turn) * u + std::sin(turn) * v)));
       }
     }
   }
 
-  // From below the person's line of sight, as one holds a pen before a screen; at the same size in every molecule.
+  // From below the line of sight, like a pen held in front of a screen; of equal size in every picture.
   void hand() {
     if (!scene_.hand) return;
     const float side = scene_.left_hand ? -1.0f : 1.0f;
@@ -137,18 +137,18 @@ class Maker {
               scene_.camera, scp_, toEye(scp_), 2.1 * r, 48);
   }
 
-  // A ring round the probe that swells and warms with the force, and an arrow along it. Toward the eye an arrow would
-  // be a lump: there a sign stands for it.
+  // A ring around the probe, whose size and colour indicate the force, and an arrow along it. Toward the eye the arrow
+  // would be unrecognizable, so a sign replaces it.
   void force() {
     if (along_force_ == Vec3(0.0) || !(scene_.force_N > 0) || !std::isfinite(scene_.force_N)) return;
     const Colour warm = forceColour(scene_.theme, strength());
-    // Round the probe; a body tells its stops by its atoms.
+    // Around the probe; a body shows its contacts by its atoms.
     const double round = silhouetteRadius(scp_, scene_.probe_A) + sized(0.06, 4.0) + sized(0.3, 9.0) * strength();
     for (const Stroke& stroke :
          {Stroke{.colour = glm::vec3(0.0f), .alpha = 0.35f, .hidden = 0.5f, .width_px = float(4.0 + 5.0 * strength())},
           Stroke{.colour = warm, .alpha = 1.0f, .hidden = 0.6f, .width_px = float(2.0 + 5.0 * strength())}})
       if (!scene_.body) addCircle(out_.strokes, stroke, scene_.camera, scp_, toEye(scp_), round);
-    constexpr double kTowardEye = 0.87;  // within 30 degrees
+    constexpr double kTowardEye = 0.87;  // within 30 degrees of the line of sight
     if (const double toward = glm::dot(along_force_, toEye(scp_)); std::abs(toward) > kTowardEye) {
       headOn(toward > 0.0, warm);
       return;
@@ -162,8 +162,8 @@ class Maker {
     out_.cones.push_back({view(neck), view(tip), float(2.3 * thick), 0.0f, colour});
   }
 
-  // A vector that points at the viewer or away, as drawings write it: a ring with a dot, the arrow's tip, or with a cross, its
-  // feathers. It lies before the probe and grows with the force as the arrow does.
+  // A vector along the line of sight in the notation of drawings: a ring with a dot (toward the viewer) or a cross
+  // (away). It lies in front of the probe and grows with the force like the arrow.
   void headOn(bool toward, const Colour& warm) {
     const Vec3 eye = toEye(scp_), right = scene_.camera.right(), up = glm::cross(eye, right);
     const Vec3 at = scp_ + eye * (held().reach_A() + 0.3);
@@ -200,15 +200,15 @@ class Maker {
     }
   }
 
-  // A ring round each of a few atoms; many are told by their colour and mark alone, for rings by the hundred hide
-  // them and take longer to draw than all else.
+  // A ring around each of a few atoms. Many atoms are marked by colour only, because hundreds of rings hide them and
+  // dominate the drawing time.
   void highlights(const MoleculeModel& model) {
     constexpr std::size_t kMaxRings = 120;
     if (scene_.highlighted.size() > kMaxRings) return;
     for (const std::uint32_t a : scene_.highlighted) {
       if (a >= model.atoms()) continue;
       const Sphere b = model.atomSphere(a);
-      // What the hand holds is not there: its place is, as a ghost.
+      // An atom in the hand has left this place, which is drawn as a ghost.
       if (scene_.body && std::binary_search(scene_.body->atoms.begin(), scene_.body->atoms.end(), a)) {
         shell(b.centre_A, b.radius_A, scene_.theme.target, 0.50f);
         continue;
@@ -219,7 +219,7 @@ class Maker {
     }
   }
 
-  // The atoms that hold the probe, each in a ring; what is to be felt unseen is not shown by a ring either.
+  // A ring around each atom that blocks the probe; not if the molecule must be felt without being seen.
   void touched(const MoleculeModel& model) {
     if (!touching_) return;
     const std::vector<std::uint32_t>* hidden = scene_.look.hidden.get();
@@ -239,7 +239,7 @@ class Maker {
     return scene_.body ? HandShape(*scene_.body, scene_.body_orientation) : HandShape(scene_.probe_A);
   }
   bool hasHip() const { return scene_.hip.has_value(); }
-  // Of the force, 0 to 1.
+  // The force as a fraction of the strongest, 0 to 1.
   double strength() const {
     return scene_.force_N > 0 && scene_.strongest_N > 0 ? std::min(1.0, scene_.force_N / scene_.strongest_N) : 0.0;
   }
@@ -247,11 +247,11 @@ class Maker {
  private:
   glm::vec3 view(const Vec3& p) const { return glm::vec3(scene_.camera.toView({p})); }
   Vec3 toEye(const Vec3& p) const { return glm::normalize(scene_.camera.eye().A - p); }
-  // At least so many pixels large, so that it is found in a big molecule too.
-  double sized(double A, double least_px) const {
-    // Counted in pixels of a picture 800 high, so that a small picture looks like a large one.
+  // A size in angstroms of at least `min_px` pixels, so that it is visible in a large molecule.
+  double sized(double A, double min_px) const {
+    // Pixels refer to a picture of 800 rows, so that small and large pictures look alike.
     const double depth = std::max(0.1, -scene_.camera.toView({scp_}).z);
-    return std::max(A, least_px * scene_.camera.pixel_A(depth, 800));
+    return std::max(A, min_px * scene_.camera.pixel_A(depth, 800));
   }
   Vec3 silhouetteCentre(const Vec3& p, double r) const {
     const double d = glm::length(scene_.camera.eye().A - p);
@@ -273,10 +273,10 @@ class Maker {
   Glyphs& out_;
   bool touching_ = false;
   Vec3 scp_{0.0}, outward_{0, 1, 0};
-  Vec3 along_force_{0.0};  // zero: no force is felt
+  Vec3 along_force_{0.0};  // zero: no force
 };
 
-// An atom in the colour of the sphere that stands for it.
+// An atom in the colour of the sphere that represents it.
 LooseSphere looseAtom(const ViewScene& scene, const MoleculeModel& model, std::uint32_t atom) {
   const Sphere b = model.atomSphere(atom);
   const std::uint32_t sphere = model.sphereOf(atom);
@@ -331,7 +331,7 @@ void addTouchedSpheres(const ViewScene& scene, const MoleculeModel& model, std::
   for (const std::uint32_t a : *scene.touched_now) {
     if (a >= model.atoms()) continue;
     LooseSphere sphere = looseAtom(scene, model, a);
-    sphere.radius *= 1.004f;  // a little before the atom that is there already
+    sphere.radius *= 1.004f;  // slightly in front of the atom that is already drawn
     sphere.colour = paintedColour(sphere.colour, scene.theme.touched);
     spheres.push_back(sphere);
   }

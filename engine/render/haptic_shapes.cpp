@@ -11,12 +11,12 @@
 namespace moltact {
 namespace {
 
-constexpr std::size_t kFacetedAtoms = 6;  // whose triangles are drawn at most
-constexpr double kFacetsAtMost =
-    700.0;  // triangles drawn of one atom, nearly: fine meshes show a patch round the contact
+constexpr std::size_t kFacetedAtoms = 6;  // largest number of atoms whose triangles are drawn
+constexpr double kMaxFacets =
+    700.0;  // approximate number of triangles drawn per atom; fine meshes show a patch at the contact
 
 struct Arc {
-  Vec3 centre, u, v;  // u and v at right angles, both as long as the radius
+  Vec3 centre, u, v;  // u and v are perpendicular, both of the radius's length
   Vec3 at(double t) const { return centre + std::cos(t) * u + std::sin(t) * v; }
 };
 
@@ -28,7 +28,7 @@ class Drawer {
       if (scene.contact.touching() && a >= 0 && std::size_t(a) < model.atoms()) in_use_.push_back(std::uint32_t(a));
     focus_ = scene.contact.touching() ? scene.contact.scp.A : scene.hip ? scene.hip->A : scene.camera.target.A;
     if (scene.haptic_atoms.empty()) {
-      if (scene.hip) atoms_ = nearestAtoms(model, {focus_}, scene.probe_A, 2.5, scene.haptic_atoms_at_most);
+      if (scene.hip) atoms_ = nearestAtoms(model, {focus_}, scene.probe_A, 2.5, scene.max_haptic_atoms);
       fading_ = true;
     } else {
       atoms_ = scene.haptic_atoms;
@@ -47,7 +47,7 @@ class Drawer {
                         .alpha = (held ? 0.9f : 0.62f) * strength(a) * scene_.theme.wire_strength,
                         .hidden = 0.10f,
                         .width_px = held ? 1.5f : 1.2f};
-      // Meridians and parallels about the camera's upright, so that every sphere reads the same from every side.
+      // Meridians and parallels about the camera's vertical, so that every sphere looks the same from every side.
       const Vec3 pole = scene_.camera.up(), e1 = scene_.camera.right(), e2 = scene_.camera.back();
       constexpr int kMeridians = 6, kParallels = 5;
       for (int m = 0; m < kMeridians; ++m) {
@@ -59,7 +59,7 @@ class Drawer {
         const double r = b.radius_A * std::cos(t);
         freeArcs({b.centre_A + b.radius_A * std::sin(t) * pole, r * e1, r * e2}, ring);
       }
-      // The outline as seen from the eye: a circle a little nearer than the centre.
+      // The outline as seen from the eye: a circle slightly nearer than the centre.
       const Vec3 to_eye = scene_.camera.eye().A - b.centre_A;
       const double d = glm::length(to_eye);
       if (d > b.radius_A) {
@@ -74,22 +74,22 @@ class Drawer {
   }
 
   void facets(const SphereMesh& mesh) {
-    // The atoms in contact, then the nearest: the fewer, the cheaper and the easier to read.
+    // The atoms in contact, then the nearest; fewer atoms are faster to draw and easier to read.
     std::vector<std::uint32_t> near = in_use_;
     for (const std::uint32_t a : nearestAtoms(model_, {focus_}, scene_.probe_A, 2.0, kFacetedAtoms))
       if (near.size() < kFacetedAtoms && !isInUse(a)) near.push_back(a);
-    const double share = std::min(1.0, kFacetsAtMost / double(mesh.faces().size()));
+    const double share = std::min(1.0, kMaxFacets / double(mesh.faces().size()));
     for (const std::uint32_t a : near) {
       gatherNeighbours(a);
       const Sphere b = inflated(a);
-      // A cap of this share of a sphere reaches so far from its middle.
+      // The radius of a cap with this fraction of a sphere.
       const double reach = share < 1.0 ? 2.0 * b.radius_A * std::sqrt(share) : 2.0 * b.radius_A + 1.0;
       const double away = glm::length(focus_ - b.centre_A);
       const Vec3 middle = away > 0.0 ? b.centre_A + (focus_ - b.centre_A) * (b.radius_A / away) : focus_;
       for (std::size_t f = 0; f < mesh.faces().size(); ++f) {
         const SphereMesh::Face& face = mesh.faces()[f];
         for (std::size_t k = 0; k < 3; ++k) {
-          if (std::size_t(face.across[k]) < f) continue;  // drawn with the face beyond
+          if (std::size_t(face.across[k]) < f) continue;  // drawn with the neighbouring face
           const Vec3 p = b.centre_A + b.radius_A * mesh.vertices()[std::size_t(face.corners[k])];
           const Vec3 q = b.centre_A + b.radius_A * mesh.vertices()[std::size_t(face.corners[(k + 1) % 3])];
           const double far = glm::length(0.5 * (p + q) - middle);
@@ -179,7 +179,7 @@ class Drawer {
     return float(std::clamp(1.0 - gap / 4.0, 0.25, 1.0));
   }
 
-  // The inflated spheres that can cover a part of the named ones.
+  // Gathers the inflated spheres that can cover a part of the named ones.
   template <class... More>
   void gatherNeighbours(std::uint32_t a, More... more) {
     const Sphere b = inflated(a);
@@ -193,11 +193,11 @@ class Drawer {
     });
   }
 
-  // How far a place is outside of the gathered spheres.
+  // The distance of a point from the gathered spheres; negative inside.
   double freedom(const Vec3& p) const {
-    double least = 1e9;
-    for (const Sphere& n : neighbours_) least = std::min(least, glm::length(p - n.centre_A) - n.radius_A);
-    return least;
+    double smallest = 1e9;
+    for (const Sphere& n : neighbours_) smallest = std::min(smallest, glm::length(p - n.centre_A) - n.radius_A);
+    return smallest;
   }
 
   void freeArcs(const Arc& arc, const Stroke& stroke) {
@@ -227,7 +227,7 @@ class Drawer {
     }
   }
 
-  // The parts of a straight line outside the gathered spheres.
+  // Draws the parts of a line outside the gathered spheres.
   void freeLine(const Vec3& p, const Vec3& q, const Stroke& stroke) {
     constexpr double kPiece_A = 0.15;
     const int pieces =

@@ -8,11 +8,11 @@
 namespace moltact {
 namespace {
 
-constexpr double kFaint = 0.45;                     // where atoms hide the place
+constexpr double kFaint = 0.45;                     // opacity where atoms hide the point
 constexpr double kAcross = 9.0, kDown = 4.0;        // padding
-constexpr double kReaches[] = {58.0, 86.0, 120.0};  // from an arrow's tip to its name
-constexpr double kBeside = 6.0;                     // between two boxes at least, half of it
-constexpr std::size_t kMax = 400;                   // looked at
+constexpr double kReaches[] = {58.0, 86.0, 120.0};  // candidate distances from an arrow's tip to its name
+constexpr double kBeside = 6.0;                     // half the minimum distance between two boxes
+constexpr std::size_t kMax = 400;                   // number of labels considered
 
 struct Wanted {
   const std::string* text;
@@ -27,15 +27,15 @@ bool overlaps(const PlacedLabel& a, const PlacedLabel& b, double gap) {
   return a.low.x < b.high.x + gap && b.low.x < a.high.x + gap && a.low.y < b.high.y + gap && b.low.y < a.high.y + gap;
 }
 
-// The way from the eye meets a sphere before the place, none of those that belong to it.
+// True if a sphere hides the point from the eye, other than those that belong to the label.
 bool hidden(const SphereGrid& spheres, const Camera& camera, const Wanted& w) {
-  const Vec3 eye = camera.eye().A, way = w.at.A - eye;
-  const double length = glm::length(way), free = length - w.clear_A - 0.3;
+  const Vec3 eye = camera.eye().A, offset = w.at.A - eye;
+  const double length = glm::length(offset), free = length - w.clear_A - 0.3;
   if (!(free > 0.0)) return false;
-  return sweep(spheres, 0.0, eye, eye + way * (free / length)).sphere >= 0;
+  return sweep(spheres, 0.0, eye, eye + offset * (free / length)).sphere >= 0;
 }
 
-// Whether the atoms are as solid in the picture as they are to the hand.
+// True if the atoms are drawn opaquely as spheres.
 bool hidesPlaces(const AtomsLook& look) {
   if (look.cut || look.hidden) return false;
   return look.styles.empty() || std::any_of(look.styles.begin(), look.styles.end(), [](const StyledAtoms& s) {
@@ -55,7 +55,7 @@ std::vector<PlacedLabel> layOutLabels(const ViewScene& scene, const SphereGrid* 
       wanted.push_back({&l.text, l.at, l.clear_A, l.arrow, l.always, false});
     for (const Annotations::Measure& m : a->measures) {
       Vec3 middle(0.0);
-      // A torsion is written at the bond that it turns about, an angle at its corner.
+      // A torsion is labelled at its middle bond, an angle at its vertex.
       const std::size_t first = m.places.size() > 2 ? 1 : 0, last = m.places.size() > 3   ? 2
                                                                     : m.places.size() > 2 ? 1
                                                                                           : 1;
@@ -68,7 +68,7 @@ std::vector<PlacedLabel> layOutLabels(const ViewScene& scene, const SphereGrid* 
     w.px = scene.camera.project(w.at, room.width_px, room.height_px);
     return !(w.px.z > 0.0) || !(w.px.x >= 0 && w.px.x < room.width_px && w.px.y >= 0 && w.px.y < room.height_px);
   });
-  // The author's own and measures first, then from the nearest on.
+  // The author's labels and measures first, the others by distance.
   std::stable_sort(wanted.begin(), wanted.end(),
                    [](const Wanted& a, const Wanted& b) { return a.always != b.always ? a.always : a.px.z < b.px.z; });
   if (wanted.size() > kMax) wanted.resize(kMax);
@@ -99,15 +99,15 @@ std::vector<PlacedLabel> layOutLabels(const ViewScene& scene, const SphereGrid* 
     };
     bool found = false;
     if (w.arrow) {
-      // Outward from the middle of the picture, or turned from there by eighths to either side.
+      // Outward from the middle of the picture, or rotated by multiples of 45 degrees to either side.
       const glm::dvec2 away = label.tip - glm::dvec2(centre);
       const double begin = glm::length(away) > 4.0 * u ? std::atan2(away.y, away.x) : -0.9;
       for (const double reach : kReaches)
         for (const int eighth : {0, 1, -1, 2, -2, 3, -3, 4}) {
           const double angle = begin + eighth * 0.7853981633974483;
-          const glm::dvec2 way(std::cos(angle), std::sin(angle));
-          // The box begins where the arrow ends, whatever its width.
-          found = found || fits(label.tip + way * (reach * u) + way * half);
+          const glm::dvec2 direction(std::cos(angle), std::sin(angle));
+          // The box starts at the end of the arrow, whatever its width.
+          found = found || fits(label.tip + direction * (reach * u) + direction * half);
           if (found) break;
         }
     } else {
@@ -125,10 +125,10 @@ std::vector<PlacedLabel> layOutLabels(const ViewScene& scene, const SphereGrid* 
 
 ArrowShape arrowOf(const PlacedLabel& label, double unit_px) {
   ArrowShape shape;
-  const glm::dvec2 near = glm::clamp(label.tip, label.low, label.high), way = label.tip - near;
-  const double length = glm::length(way), head = 11.0 * unit_px;
+  const glm::dvec2 near = glm::clamp(label.tip, label.low, label.high), shaft = label.tip - near;
+  const double length = glm::length(shaft), head = 11.0 * unit_px;
   if (!label.arrow || !(length > head)) return shape;
-  const glm::dvec2 along = way / length, aside(-along.y, along.x);
+  const glm::dvec2 along = shaft / length, aside(-along.y, along.x);
   shape.drawn = true;
   shape.from = near;
   shape.neck = label.tip - along * head;

@@ -7,7 +7,7 @@ namespace {
 
 constexpr unsigned kFineUnit = 2, kWideUnit = 3;
 
-// Squares and roots stand in for the sRGB curve. The occlusion is OcclusionField::open.
+// The sRGB curve is approximated by squares and square roots. The occlusion is OcclusionField::open.
 const char* const kText = R"(
 uniform vec3 u_top, u_bottom;
 uniform vec3 u_fade;  // from, 1 / over, most
@@ -24,16 +24,16 @@ float openness(vec3 place, vec3 n) {
 #ifndef FINE_EVEN
   vec3 at = (u_to_field * vec4(place, 1.0)).xyz, way = mat3(u_to_field) * n;
   float fine = textureLod(u_fine, (at + way * kFineOut) * u_fine_scale, 0.0).r;
-  float creased = clamp((fine - kFineLeast) / (kFineMost - kFineLeast), 0.0, 1.0);
+  float creased = clamp((fine - kMinFineFill) / (kMaxFineFill - kMinFineFill), 0.0, 1.0);
 #else
-  float creased = 0.35;  // of what is seen of a protein
+  float creased = 0.35;  // mean of the visible points of a protein
 #endif
 #ifdef WIDE_GIVEN
   float wide = wide_filled;
 #else
   float wide = textureLod(u_wide, (at + way * kWideOut) * u_wide_scale, 0.0).r;
 #endif
-  float enclosed = clamp((wide - kWideLeast) / (kWideMost - kWideLeast), 0.0, 1.0);
+  float enclosed = clamp((wide - kMinWideFill) / (kMaxWideFill - kMinWideFill), 0.0, 1.0);
   return (1.0 - kFineShade * creased) * (1.0 - kWideShade * enclosed);
 }
 vec3 lit(vec3 base, vec3 place, vec3 n, float facing, float y_ndc) {
@@ -60,10 +60,10 @@ vec3 lit(vec3 base, vec3 place, vec3 n, float facing, float y_ndc) {
 
 std::string withNumbers() {
   std::string text;
-  for (const auto& [name, value] :
-       {std::pair{"kFineOut", kFineOut_A}, std::pair{"kWideOut", kWideOut_A}, std::pair{"kFineLeast", kFineLeast},
-        std::pair{"kFineMost", kFineMost}, std::pair{"kWideLeast", kWideLeast}, std::pair{"kWideMost", kWideMost},
-        std::pair{"kFineShade", kFineShade}, std::pair{"kWideShade", kWideShade}}) {
+  for (const auto& [name, value] : {std::pair{"kFineOut", kFineOut_A}, std::pair{"kWideOut", kWideOut_A},
+                                    std::pair{"kMinFineFill", kMinFineFill}, std::pair{"kMaxFineFill", kMaxFineFill},
+                                    std::pair{"kMinWideFill", kMinWideFill}, std::pair{"kMaxWideFill", kMaxWideFill},
+                                    std::pair{"kFineShade", kFineShade}, std::pair{"kWideShade", kWideShade}}) {
     text += std::string("const float ") + name + " = " + std::to_string(std::lround(1e4 * value)) + ".0 / 10000.0;\n";
   }
   return text + kText;
@@ -96,7 +96,7 @@ void OcclusionVolume::use(const GlProgram& program, const Camera& camera) {
 void setLighting(const GlProgram& program, const Projection& projection, const Lighting& lighting) {
   glUniform3fv(program.uniform("u_top"), 1, &lighting.background_top.x);
   glUniform3fv(program.uniform("u_bottom"), 1, &lighting.background_bottom.x);
-  glUniform3f(program.uniform("u_fade"), lighting.fade_from_A, 1.0f / lighting.fade_over_A, lighting.fade_most);
+  glUniform3f(program.uniform("u_fade"), lighting.fade_from_A, 1.0f / lighting.fade_over_A, lighting.max_fade);
   glUniform3fv(program.uniform("u_key"), 1, &kKeyLight.x);
   glUniform2f(program.uniform("u_tan"), projection.tan_x, projection.tan_y);
   glUniform2f(program.uniform("u_depth"), projection.depthScale(), projection.depthOffset());

@@ -28,7 +28,7 @@ class OcclusionVolume {
 struct Lighting {
   glm::vec3 background_top{0.0f}, background_bottom{0.0f};  ///< the colours into which distant parts fade
   float fade_from_A = 1e9f, fade_over_A = 1.0f;             ///< depth at which fading begins, and its length
-  float fade_most = 0.0f;                                   ///< fraction of background at the far end (0 to 1)
+  float max_fade = 0.0f;                                    ///< fraction of background at the far end (0 to 1)
   Camera camera;                                            ///< of the picture
   /// Cut plane in the camera's axes: points with dot(xyz, place) + w > 0 are cut away (default: none).
   glm::vec4 cut{0.0f, 0.0f, 0.0f, -1.0f};

@@ -3,7 +3,7 @@
 namespace moltact {
 namespace {
 
-// The depth in the window is linear in 1 / depth as the spheres write it, so the card's own interpolation gives it.
+// The depth in the window is linear in 1 / depth, like that of the spheres, so the card's interpolation is exact.
 const char* const kVertexText = R"(
 layout(location = 0) in vec3 a_place;
 layout(location = 1) in vec3 a_normal;
@@ -21,8 +21,8 @@ void main() {
 }
 )";
 
-// Seen from inside a wall is darker. Where something is cut open, its inside is flat and darker, as if the cut were filled: a
-// wall that is seen from behind there has nothing but the solid before it.
+// Inner walls are darker. In a cut, the inside is drawn flat and darker, as if it were filled: a wall seen from behind
+// has only the solid in front of it.
 const char* const kFragmentText = R"(
 in vec3 v_place, v_normal;
 in vec4 v_colour;
@@ -97,7 +97,7 @@ void MeshPass::draw(const GpuMesh& mesh, float opacity, const Projection& projec
   glUniform1f(program_.uniform("u_opacity"), opacity);
   glEnable(GL_DEPTH_TEST);
   glDepthMask(GL_TRUE);
-  if (opacity < 1.0f) {  // the nearest wall first, alone, by its depth
+  if (opacity < 1.0f) {  // first the depth of the nearest wall alone
     glDepthFunc(GL_LESS);
     glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
     mesh.draw();

@@ -12,8 +12,8 @@ float rimOf(int samples, const Projection& inside) {
 
 }  // namespace
 
-// Parts that fit stay; a new one is made. While a surface is computed all parts stay as they are; where there are none
-// of this molecule, spheres stand in for the surface.
+// Keeps matching parts and creates new ones. While a surface is computed all parts are kept; if there are none of this
+// molecule, spheres replace the surface.
 void MoleculeLayer::findParts(const ViewScene& scene, const MoleculeModel& model, bool wait) {
   std::vector<StyledAtoms> wanted = scene.look.styles;
   if (wanted.empty()) wanted.emplace_back();
@@ -55,7 +55,7 @@ void MoleculeLayer::drawPart(StyledPart& part, const ViewScene& scene, const Mol
   const float opacity = part.what().opacity;
   if (part.modelsSpheres()) {
     const float rim = options.outlines && opacity >= 1.0f ? rimOf(options.samples, inside) : 0.0f;
-    // Where something is cut away, what it hid comes in sight.
+    // A cut reveals what it has hidden.
     cull_.run(model.spheres, model.blocks, scene.camera, inside, rim,
               options.cull && !scene.look.cut && opacity >= 1.0f, part.shown());
     atoms_drawn_ += cull_.atomsDrawn();
@@ -80,7 +80,7 @@ void MoleculeLayer::drawPart(StyledPart& part, const ViewScene& scene, const Mol
 bool MoleculeLayer::draw(const ViewScene& scene, const MoleculeModel* model, const Projection& inside,
                          const Lighting& lighting, const Options& options, Passes passes) {
   Key key{.molecule = scene.molecule,
-          .most_single_atoms = scene.most_single_atoms,
+          .max_single_atoms = scene.max_single_atoms,
           .lit = model ? model->lit : 0,
           .elements = scene.elements,
           .colour_by = scene.colour_by,
@@ -97,7 +97,7 @@ bool MoleculeLayer::draw(const ViewScene& scene, const MoleculeModel* model, con
           .touched = scene.touched,
           .annotations = scene.annotations,
           .surface_probe_A = 0.0};
-  key.look.spheres_near_A = 0.0;  // drawn with the glyphs
+  key.look.spheres_near_A = 0.0;  // these spheres are drawn with the glyphs
   for (const StyledAtoms& s : scene.look.styles)
     if (infoOf(s.style).uses_probe && !(model && model->byResidue())) key.surface_probe_A = scene.probe_A;
   if (scene.shown.has(ViewPart::Target)) key.tinted = scene.highlighted;
@@ -122,7 +122,7 @@ bool MoleculeLayer::draw(const ViewScene& scene, const MoleculeModel* model, con
   atoms_drawn_ = 0;
   for (const auto& part : parts_)
     if (part->what().opacity >= 1.0f) drawPart(*part, scene, *model, inside, lighting, options, passes);
-  // What shines through covers what is behind it, but hides no probe.
+  // Transparent parts cover what is behind them but do not hide the probe.
   faint_ = std::any_of(parts_.begin(), parts_.end(), [](const auto& p) { return p->what().opacity < 1.0f; });
   if (faint_) {
     if (!opaque_.resize(inside.width_px, inside.height_px)) return false;

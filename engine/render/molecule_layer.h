@@ -55,7 +55,7 @@ class MoleculeLayer {
   // Everything that determines the picture.
   struct Key {
     std::shared_ptr<const Molecule> molecule;
-    std::size_t most_single_atoms = 0;
+    std::size_t max_single_atoms = 0;
     unsigned lit = 0;  // MoleculeModel::lit
     ElementColours elements = ElementColours::Customary;
     ColourBy colour_by = ColourBy::Element;

@@ -6,7 +6,7 @@
 namespace moltact {
 namespace {
 
-constexpr float kPaint = 0.55f;  // the share of the paint on an atom that was touched
+constexpr float kPaint = 0.55f;  // weight of the paint on a touched atom
 
 glm::vec3 colourOf8(const Rgb8& c) { return glm::vec3(c[0], c[1], c[2]) / 255.0f; }
 
@@ -46,9 +46,9 @@ MoleculeLight lightAmong(const SharedArray<Sphere>& spheres, const std::vector<s
   return out;
 }
 
-MoleculeModel::MoleculeModel(std::shared_ptr<const Molecule> m, std::size_t most)
-    : molecule(std::move(m)), most_single(most), found(std::make_shared<FoundStructure>()) {
-  if (molecule->atoms.size() > most_single) {
+MoleculeModel::MoleculeModel(std::shared_ptr<const Molecule> m, std::size_t max_count)
+    : molecule(std::move(m)), max_single(max_count), found(std::make_shared<FoundStructure>()) {
+  if (molecule->atoms.size() > max_single) {
     ResidueSpheres residues = residueSpheres(*molecule);
     first_atom = std::move(residues.first_atom);
     beyond_A = residues.beyond_A;
@@ -148,7 +148,7 @@ void MoleculeModel::paint(AtomPaint with) {
   shown.elements = shownColours(shown.elements, molecule->atoms.size());
   colour = atomColours(*molecule, shown);
   if (!byResidue()) return;
-  // A residue has the mean of its atoms' colours.
+  // A residue gets the mean of its atoms' colours.
   for (std::size_t sphere = 0; sphere < spheres.size(); ++sphere) {
     const std::uint32_t begin = first_atom[sphere], end = first_atom[sphere + 1];
     glm::vec3 sum(0.0f);
@@ -161,7 +161,7 @@ void MoleculeModel::paint(AtomPaint with) {
 }
 
 std::vector<std::uint32_t> nearestAtoms(const MoleculeModel& model, PointA place, double probe_A, double gap_A,
-                                        std::size_t most) {
+                                        std::size_t max_count) {
   std::vector<std::pair<double, std::uint32_t>> found;
   model.visitAtomsNear(place.A, probe_A + gap_A, [&](std::uint32_t i, const Sphere& b) {
     const double gap = glm::length(b.centre_A - place.A) - b.radius_A - probe_A;
@@ -169,7 +169,7 @@ std::vector<std::uint32_t> nearestAtoms(const MoleculeModel& model, PointA place
   });
   std::sort(found.begin(), found.end());
   std::vector<std::uint32_t> atoms;
-  for (std::size_t k = 0; k < std::min(most, found.size()); ++k) atoms.push_back(found[k].second);
+  for (std::size_t k = 0; k < std::min(max_count, found.size()); ++k) atoms.push_back(found[k].second);
   return atoms;
 }
 

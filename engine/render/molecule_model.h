@@ -56,8 +56,8 @@ struct MoleculeLight {
 MoleculeLight lightAmong(const SharedArray<Sphere>& spheres, const std::vector<std::uint8_t>& shown);
 
 struct MoleculeModel {
-  /// A molecule of more than `most_single` atoms is drawn by residues.
-  explicit MoleculeModel(std::shared_ptr<const Molecule> molecule, std::size_t most_single = kMaxSingleAtoms);
+  /// A molecule of more than `max_single` atoms is drawn by residues.
+  explicit MoleculeModel(std::shared_ptr<const Molecule> molecule, std::size_t max_single = kMaxSingleAtoms);
   /// Adopts other coordinates of the same molecule in linear time. Colours, blocks, bonds and secondary structure are
   /// kept, and so is the light until lightBy(). Returns false, unchanged, if the molecule is a different one or drawn
   /// by residues.
@@ -95,7 +95,7 @@ struct MoleculeModel {
   AtomPaint paint_used;
   unsigned painted = 0;  ///< incremented by every painting
   unsigned lit = 0;      ///< incremented by every new light
-  std::size_t most_single;
+  std::size_t max_single;
   std::vector<std::uint32_t> first_atom;  ///< ResidueSpheres::first_atom; empty: each atom is a sphere
   double beyond_A = 0.0;                  ///< upper bound by which an atom extends beyond its sphere
   SharedArray<Sphere> spheres;            ///< the molecule's own, or one per residue
@@ -110,9 +110,9 @@ struct MoleculeModel {
   void measure();
 };
 
-/// The atoms whose inflated spheres are nearest to a point, at most `most` and within `gap_A`, nearest first.
+/// The atoms whose inflated spheres are nearest to a point, at most `max_count` and within `gap_A`, nearest first.
 std::vector<std::uint32_t> nearestAtoms(const MoleculeModel& model, PointA place, double probe_A, double gap_A,
-                                        std::size_t most);
+                                        std::size_t max_count);
 
 /// A packed colour mixed with the paint of touched atoms.
 std::uint32_t paintedColour(std::uint32_t packed, const Colour& paint);

@@ -47,11 +47,11 @@ class PicturePainter {
   }
 
   void line(const glm::dvec2& a, const glm::dvec2& b, double width, const Colour& colour, double alpha) {
-    const glm::dvec2 way = b - a;
-    const double length2 = glm::dot(way, way);
+    const glm::dvec2 edge = b - a;
+    const double length2 = glm::dot(edge, edge);
     fill(glm::min(a, b) - width, glm::max(a, b) + width, colour, alpha, [&](const glm::dvec2& p) {
-      const double t = length2 > 0.0 ? std::clamp(glm::dot(p - a, way) / length2, 0.0, 1.0) : 0.0;
-      return glm::distance(p, a + way * t) - 0.5 * width;
+      const double t = length2 > 0.0 ? std::clamp(glm::dot(p - a, edge) / length2, 0.0, 1.0) : 0.0;
+      return glm::distance(p, a + edge * t) - 0.5 * width;
     });
   }
 
@@ -61,8 +61,8 @@ class PicturePainter {
     fill(glm::min(a, glm::min(b, c)), glm::max(a, glm::max(b, c)), colour, alpha, [&](const glm::dvec2& p) {
       double outside = -1e9;
       for (int k = 0; k < 3; ++k) {
-        const glm::dvec2 &from = corners[k], way = corners[(k + 1) % 3] - from;
-        outside = std::max(outside, turn * ((p.x - from.x) * way.y - (p.y - from.y) * way.x) / glm::length(way));
+        const glm::dvec2 &from = corners[k], edge = corners[(k + 1) % 3] - from;
+        outside = std::max(outside, turn * ((p.x - from.x) * edge.y - (p.y - from.y) * edge.x) / glm::length(edge));
       }
       return outside;
     });

@@ -17,9 +17,9 @@
 namespace moltact {
 namespace {
 
-// Room round the molecule for the probe, the arrow and the HIP.
+// Depth range around the molecule for the probe, the arrow and the HIP.
 constexpr double kRoom_A = 30.0;
-// A cartoon's ribbons and names of atoms may go so far beyond the spheres.
+// A cartoon's ribbons and names of atoms may extend this far beyond the spheres.
 constexpr double kBeyondSpheres_A = 4.0;
 
 DepthRange depthRange(const Camera& camera, const MoleculeModel* model) {
@@ -48,12 +48,12 @@ Lighting lightingOf(const ViewScene& scene, const MoleculeModel* model, Occlusio
     const double front = std::max(depth - model->reach_A, range.near_A), back = depth + model->reach_A;
     lighting.fade_from_A = float(front + 0.25 * (back - front));
     lighting.fade_over_A = float(std::max(1e-3, 0.75 * (back - front)));
-    lighting.fade_most = float(scene.theme.fade * std::clamp((back - front) / 40.0, 0.15, 1.0));
+    lighting.max_fade = float(scene.theme.fade * std::clamp((back - front) / 40.0, 0.15, 1.0));
   }
   return lighting;
 }
 
-// Put back at the end of a picture, whatever happens in between.
+// Restores the caller's state at the end of a picture, in any case.
 class CallersState {
  public:
   CallersState() {
@@ -102,24 +102,24 @@ struct Renderer::Impl {
 
   SphereImpostors spheres;
   Wireframe wires;
-  SolidMesh mesh;   // of the glyphs, made for each picture
-  MeshPass meshes;  // of the molecule, kept
+  SolidMesh mesh;   // of the glyphs, rebuilt for each picture
+  MeshPass meshes;  // of the molecule, cached
   Resolve resolve;
   ContactShadow shadow;
   EdgeFilter filter;
   MoleculeLayer layer;
   GlTarget flat;     // the layer at the picture's size
   GlTarget large;    // the part of the layer on which glyphs are drawn, with all samples
-  GlTarget picture;  // with everything on top
-  GlTarget smooth;   // the same with filtered edges, where there is one sample a pixel
+  GlTarget picture;  // the complete picture
+  GlTarget smooth;   // the same with filtered edges, for one sample per pixel
   bool filtered = false;
-  PixelBox glyph_box;  // where the last picture has glyphs
+  PixelBox glyph_box;  // of the glyphs in the last picture
   std::unique_ptr<MoleculeModel> model;
   OcclusionVolume occlusion;
-  NewestWork<MoleculeLight> light;  // while atoms move it is found beside
-  bool light_is_old = false;        // the atoms have moved since it was begun
+  NewestWork<MoleculeLight> light;  // computed in the background while atoms move
+  bool light_is_old = false;        // the atoms have moved since it was started
   Glyphs glyphs;
-  std::vector<LooseSphere> dots, near;  // of the haptic shapes; the atoms round the probe
+  std::vector<LooseSphere> dots, near;  // of the haptic shapes; the atoms near the probe
   ViewScene last;
   RenderOptions last_options;
   bool have_picture = false;
@@ -136,7 +136,8 @@ struct Renderer::Impl {
   void drawGlyphs(const GlTarget& on, const Projection& projection, const Lighting& lighting, float line_scale);
 };
 
-// At once for another molecule; where the atoms only move, beside, and the last one stays meanwhile.
+// Computes the light immediately for another molecule; for moving atoms in the background, keeping the last one
+// meanwhile.
 void Renderer::Impl::findLight(const ViewScene& scene, bool at_once, bool moved) {
   light_is_old = light_is_old || moved;
   if (!model || at_once) {
@@ -188,9 +189,9 @@ void Renderer::Impl::drawGlyphs(const GlTarget& on, const Projection& projection
                                 float line_scale) {
   spheres.drawLoose(near, SphereImpostors::Pass::Solid, projection, lighting);
   if (glyphs.shadow_radius > 0) shadow.draw(on, glyphs.shadow_centre, glyphs.shadow_radius, projection);
-  // Ghosts first: they show only behind the atoms, and their own solid bodies must not count as hiding them.
+  // Ghosts first: they appear only behind atoms, and the solid bodies of the glyphs must not count as hiding them.
   Lighting own = lighting;
-  own.fade_most *= 0.4f;  // what the lesson is about does not drown in the distance
+  own.max_fade *= 0.4f;  // keeps glyphs and targets visible at a distance
   own.occlusion = nullptr;
   own.cut = Lighting().cut;
   spheres.drawLoose(glyphs.ghost, SphereImpostors::Pass::Ghost, projection, own);
@@ -203,8 +204,8 @@ void Renderer::Impl::drawGlyphs(const GlTarget& on, const Projection& projection
   spheres.drawLoose(glyphs.shell, SphereImpostors::Pass::Shell, projection, own);
 }
 
-// The molecule is drawn with samples x samples for each pixel and kept; the glyphs are drawn on the part of it that they
-// touch, with as many samples, and only that part is made smooth again.
+// The molecule is drawn with samples x samples per pixel and cached. The glyphs are drawn on the part that they cover,
+// with as many samples, and only that part is downsampled again.
 bool Renderer::Impl::drawScene(const ViewScene& scene, int width_px, int height_px, const RenderOptions& options) {
   const int samples = std::clamp(options.samples, 1, 4);
   const Projection projection(scene.camera, width_px, height_px, depthRange(scene.camera, model.get()));
@@ -212,7 +213,7 @@ bool Renderer::Impl::drawScene(const ViewScene& scene, int width_px, int height_
   Lighting lighting =
       lightingOf(scene, model.get(), model && !model->light.field.empty() ? &occlusion : nullptr, projection.depth);
   lighting.fine = options.fine_light;
-  // A large picture is looked at whole: its lines grow with it.
+  // A large picture is viewed as a whole, so its lines are scaled with it.
   const float line_scale = options.line_scale * std::max(1.0f, float(height_px) / 800.0f);
   if (!layer.draw(scene, model.get(), inside, lighting,
                   {samples, line_scale, options.outlines, options.occlusion_cull, options.fine_light,
@@ -223,7 +224,7 @@ bool Renderer::Impl::drawScene(const ViewScene& scene, int width_px, int height_
   count.surface_progress = layer.surfaceProgress();
   count.light_pending = light.busy();
   count.atoms_drawn = layer.atomsDrawn();
-  // Where the molecule stays, only what glyphs cover or have covered changes.
+  // If the molecule is unchanged, only the present and previous areas of the glyphs change.
   const PixelBox whole{0, 0, width_px, height_px};
   const bool all = layer.redrawn() || !have_picture || picture.width() != width_px || picture.height() != height_px ||
                    last_options != options || last.blank;
@@ -277,7 +278,7 @@ bool Renderer::Impl::drawScene(const ViewScene& scene, int width_px, int height_
   return true;
 }
 
-// The background has no edges, and what has not changed is smooth already.
+// The background has no edges, and unchanged parts are already filtered.
 void Renderer::Impl::smoothEdges(const PixelBox& changed, bool all, const ViewScene& scene,
                                  const Projection& projection) {
   const int width_px = picture.width(), height_px = picture.height();
@@ -316,18 +317,18 @@ std::optional<Problem> Renderer::draw(const ViewScene& scene, int width_px, int 
     p.count.light_pending = p.light.busy();
     return std::nullopt;
   }
-  // Errors that others left behind are not this picture's; a lost context would report for ever.
+  // Ignores earlier errors of other code; the limit is for a lost context, which reports errors for ever.
   for (int i = 0; i < 16 && glGetError() != GL_NO_ERROR; ++i)
     if (i == 15)
       return Problem{
           .file = {}, .message = tr("the graphics context is lost"), .remedy = tr("start the program again")};
   const CallersState state;
-  const bool alike = p.model && p.model->most_single == scene.most_single_atoms;
+  const bool alike = p.model && p.model->max_single == scene.max_single_atoms;
   const bool moved = alike && p.model->molecule != scene.molecule && p.model->moveTo(scene.molecule);
   const bool other = !alike || p.model->molecule != scene.molecule;
   if (other)
     p.model = scene.molecule && !scene.molecule->atoms.empty()
-                  ? std::make_unique<MoleculeModel>(scene.molecule, scene.most_single_atoms)
+                  ? std::make_unique<MoleculeModel>(scene.molecule, scene.max_single_atoms)
                   : nullptr;
   p.findLight(scene, other || p.model->hidden != scene.look.hidden || (moved && options.wait_for_surfaces), moved);
   if (p.model) {
@@ -377,7 +378,7 @@ void Renderer::copyTo(int x_px, int y_px) const {
 Picture Renderer::readPixels() const {
   const GlTarget& from = impl_->shown();
   Picture picture{from.width(), from.height(), {}};
-  // Red, green, blue and opacity are what every driver gives.
+  // RGBA is supported by every driver.
   std::vector<std::uint8_t> rgba(std::size_t(4) * from.width() * from.height());
   GLint read = 0;
   glGetIntegerv(GL_READ_FRAMEBUFFER_BINDING, &read);
@@ -397,7 +398,7 @@ Picture Renderer::readPixels() const {
 
 void Renderer::finish() const {
 #ifdef __EMSCRIPTEN__
-  // WebGL's finish() waits for nothing; what is read has been drawn.
+  // WebGL's finish() does not block; reading a pixel does.
   GLint read = 0;
   glGetIntegerv(GL_READ_FRAMEBUFFER_BINDING, &read);
   glBindFramebuffer(GL_READ_FRAMEBUFFER, impl_->shown().framebuffer());

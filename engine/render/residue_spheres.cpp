@@ -12,7 +12,7 @@ namespace {
 constexpr std::uint32_t kMaxOfResidue = 32, kMaxOfNone = 8;
 constexpr double kSplitBeyond_A = 12.0;
 
-// The spheres have mean square radii of 3/5 of their radius squared.
+// A uniform sphere has a mean square radius of 3/5 of its radius squared.
 Sphere sphereOf(const Molecule& molecule, std::uint32_t begin, std::uint32_t end) {
   const double each = 1.0 / double(end - begin);
   Sphere out;
@@ -35,8 +35,8 @@ ResidueSpheres residueSpheres(const Molecule& molecule) {
   out.first_atom.reserve(molecule.residues.size() + 1);
   for (std::uint32_t begin = 0, end = 0; begin < atoms; begin = end) {
     const Atom& first = molecule.atoms[begin];
-    const std::uint32_t most = first.residue == kNoResidue ? kMaxOfNone : kMaxOfResidue;
-    for (end = begin + 1; end < atoms && end - begin < most && molecule.atoms[end].residue == first.residue; ++end)
+    const std::uint32_t limit = first.residue == kNoResidue ? kMaxOfNone : kMaxOfResidue;
+    for (end = begin + 1; end < atoms && end - begin < limit && molecule.atoms[end].residue == first.residue; ++end)
       if (glm::distance(molecule.spheres[end].centre_A, molecule.spheres[begin].centre_A) > kSplitBeyond_A) break;
     const Sphere sphere = sphereOf(molecule, begin, end);
     for (std::uint32_t a = begin; a < end; ++a)
@@ -49,11 +49,11 @@ ResidueSpheres residueSpheres(const Molecule& molecule) {
   return out;
 }
 
-std::string residueSpheresNotice(std::size_t atoms, std::size_t most_single) {
-  if (atoms <= most_single) return {};
+std::string residueSpheresNotice(std::size_t atoms, std::size_t max_single) {
+  if (atoms <= max_single) return {};
   return trf(
       "Drawn as one ball for each residue, in every style, since {0} atoms are more than {1}. Every atom is felt.",
-      numberText(double(atoms), decimals(0)), numberText(double(most_single), decimals(0)));
+      numberText(double(atoms), decimals(0)), numberText(double(max_single), decimals(0)));
 }
 
 }  // namespace moltact

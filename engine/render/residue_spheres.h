@@ -28,6 +28,6 @@ struct ResidueSpheres {
 ResidueSpheres residueSpheres(const Molecule& molecule);
 
 /// The notice for users about a molecule with this number of atoms; empty if each atom is drawn.
-std::string residueSpheresNotice(std::size_t atoms, std::size_t most_single = kMaxSingleAtoms);
+std::string residueSpheresNotice(std::size_t atoms, std::size_t max_single = kMaxSingleAtoms);
 
 }  // namespace moltact

@@ -12,7 +12,7 @@ void main() {
 
 namespace {
 
-// The noise of half a level hides the bands of a dark gradient.
+// Noise of half a level hides the bands of a dark gradient.
 const char* const kBackgroundText = R"(
 in vec2 v_uv;
 uniform vec3 u_top, u_bottom;

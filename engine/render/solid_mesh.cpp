@@ -27,8 +27,8 @@ void main() {
 }
 )";
 
-// The depth is written here and not by the vertices, so that what lies before the nearest or behind the farthest is not
-// cut off.
+// The depth is written per pixel and not per vertex, so that parts in front of the near plane or behind the far plane
+// are not clipped.
 const char* const kFragmentText = R"(
 in vec3 v_place, v_normal;
 in vec4 v_colour;
@@ -69,14 +69,14 @@ void SolidMesh::addCone(const glm::vec3& a, const glm::vec3& b, float radius_a, 
   const float rise = (radius_a - radius_b) / length;
   constexpr int kSides = 28;
   for (int i = 0; i < kSides; ++i) {
-    std::array<glm::vec3, 2> way;
+    std::array<glm::vec3, 2> radial;
     for (const int k : {0, 1}) {
       const float t = float(kTwoPi) * float(i + k) / kSides;
-      way[k] = std::cos(t) * u + std::sin(t) * v;
+      radial[k] = std::cos(t) * u + std::sin(t) * v;
     }
-    const glm::vec3 n0 = glm::normalize(way[0] + rise * axis), n1 = glm::normalize(way[1] + rise * axis);
-    const Vertex a0{a + radius_a * way[0], n0, colour}, a1{a + radius_a * way[1], n1, colour};
-    const Vertex b0{b + radius_b * way[0], n0, colour}, b1{b + radius_b * way[1], n1, colour};
+    const glm::vec3 n0 = glm::normalize(radial[0] + rise * axis), n1 = glm::normalize(radial[1] + rise * axis);
+    const Vertex a0{a + radius_a * radial[0], n0, colour}, a1{a + radius_a * radial[1], n1, colour};
+    const Vertex b0{b + radius_b * radial[0], n0, colour}, b1{b + radius_b * radial[1], n1, colour};
     vertices_.insert(vertices_.end(), {a0, a1, b0, b0, a1, b1});
     vertices_.insert(vertices_.end(), {{a, -axis, colour}, {a1.place, -axis, colour}, {a0.place, -axis, colour}});
   }

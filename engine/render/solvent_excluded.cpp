@@ -13,12 +13,12 @@ namespace moltact {
 namespace {
 
 constexpr double kFinest_A = 0.5, kMaxNodes = 200, kMaxNodesInSpheres = 1.2e9;
-constexpr double kLargeProbe_A = 3.0;  // beyond it thousands of spheres lie near each other, and most are buried
-constexpr double kBlend_A = 0.15;      // over which colours pass into each other
+constexpr double kLargeProbe_A = 3.0;  // above it thousands of spheres are near each other, and most are buried
+constexpr double kBlend_A = 0.15;      // range over which colours blend
 constexpr std::uint32_t kNone = 0xFFFFFFFFu;
 constexpr double kPi = std::numbers::pi;
 
-// From 0 to 2 pi.
+// Normalizes an angle to 0 to 2 pi.
 double angle(double t) { return t - 2.0 * kPi * std::floor(t / (2.0 * kPi)); }
 
 struct Cancelled {};
@@ -62,14 +62,14 @@ class Grid {
     for (const MeshPiece::Vertex& v : made.piece.vertices) {
       report(0.95, 1.0, made.owner.size(), made.piece.vertices.size());
       const Vec3 p = made.piece.origin_A + Vec3(v.place);
-      double least = std::numeric_limits<double>::max(), next = least;
+      double smallest = std::numeric_limits<double>::max(), next = smallest;
       std::uint32_t owner = 0, second = 0;
       scene_.visitNear(p, probe_ + step_, [&](std::uint32_t i, const Sphere& b) {
         const double gap = glm::length(p - b.centre_A) - b.radius_A;
-        if (gap < least) {
-          next = least;
+        if (gap < smallest) {
+          next = smallest;
           second = owner;
-          least = gap;
+          smallest = gap;
           owner = i;
         } else if (gap < next) {
           next = gap;
@@ -78,7 +78,7 @@ class Grid {
       });
       made.owner.push_back(owner);
       made.second.push_back(second);
-      made.share.push_back(float(0.5 * std::exp(-(next - least) / kBlend_A)));
+      made.share.push_back(float(0.5 * std::exp(-(next - smallest) / kBlend_A)));
     }
     return made;
   }
@@ -87,7 +87,7 @@ class Grid {
   std::size_t at(const glm::ivec3& i) const { return (std::size_t(i.z) * size_.y + i.y) * size_.x + i.x; }
   Vec3 place(const glm::ivec3& i) const { return low_ + step_ * Vec3(i); }
 
-  // That `done` of `all` parts are made of what takes the work from one share of it to another.
+  // Reports that `done` of `all` parts of the work between two fractions are complete.
   void report(double from, double to, std::size_t done, std::size_t all) const {
     if (!progress_) return;
     if (progress_->cancelled.load(std::memory_order_relaxed)) throw Cancelled{};
@@ -104,8 +104,8 @@ class Grid {
         for (int x = from.x; x <= to.x; ++x) visit(glm::ivec3(x, y, z));
   }
 
-  // The nodes within `around` of a cone with its tip at a place and `reach` long, and some others; some more than once.
-  // `bend`: half of its opening.
+  // Visits the nodes within `around` of a cone with its tip at a point, of length `reach`, and some others, possibly
+  // repeatedly. `bend`: half of its opening angle.
   template <class Visit>
   void nodesInCone(const Vec3& tip, const Vec3& axis, double bend, double around, double reach, Visit&& visit) {
     constexpr double kWidest = 1.0;
@@ -118,7 +118,7 @@ class Grid {
     }
   }
 
-  // Which sphere grown by the probe holds a node deepest.
+  // For each node, the inflated sphere in which it lies deepest.
   void findGrown() {
     grown_.assign(level_.size(), kNone);
     for (std::uint32_t b = 0; b < spheres_.size(); ++b) {
@@ -126,25 +126,25 @@ class Grid {
       const double reach = spheres_[b].radius_A + probe_;
       nodesWithin(spheres_[b].centre_A, reach + step_, [&](const glm::ivec3& i) {
         const auto out = float(glm::length(place(i) - spheres_[b].centre_A) - reach);
-        float& least = level_[at(i)];
-        if (out < least) {
-          least = out;
+        float& smallest = level_[at(i)];
+        if (out < smallest) {
+          smallest = out;
           grown_[at(i)] = b;
         }
       });
     }
   }
 
-  // Where the way from a node inside the grown sphere to one outside leaves it, as a share of the way.
+  // Where the edge from a node inside the inflated sphere to one outside leaves it, as a fraction of the edge.
   double leaves(const Vec3& inside, const Vec3& outside, std::uint32_t sphere) const {
-    const Vec3 way = outside - inside, from = inside - spheres_[sphere].centre_A;
+    const Vec3 offset = outside - inside, from = inside - spheres_[sphere].centre_A;
     const double reach = spheres_[sphere].radius_A + probe_;
-    const double a = glm::dot(way, way), b = glm::dot(way, from), c = glm::dot(from, from) - reach * reach;
+    const double a = glm::dot(offset, offset), b = glm::dot(offset, from), c = glm::dot(from, from) - reach * reach;
     return (-b + std::sqrt(std::max(0.0, b * b - a * c))) / a;
   }
 
-  // The way to the circle in which two grown spheres meet: to those arcs of it that no third one holds, and so to the
-  // places where three meet, in which the probe rests in pits and in crevices narrower than the grid.
+  // Spreads the distance to the circle of two inflated spheres: to its arcs that no third sphere covers, and so to the
+  // points where three meet, at which the probe rests in pits and in crevices narrower than the grid.
   void spreadCircle(std::uint32_t first, std::uint32_t second, double reach) {
     const auto circle = circleOf(inflated(spheres_[first], probe_), inflated(spheres_[second], probe_));
     if (!circle) return;
@@ -154,7 +154,7 @@ class Grid {
     bool all_held = false;
     scene_.visitNear(circle->centre_A, radius + probe_, [&](std::uint32_t k, const Sphere& third) {
       if (k == first || k == second) return true;
-      // How far the circle's place at the angle t lies outside, squared: z + x cos t + y sin t.
+      // The squared distance outside the sphere of the circle's point at angle t is z + x cos t + y sin t.
       const Vec3 to = circle->centre_A - third.centre_A;
       const double x = 2.0 * radius * glm::dot(to, u), y = 2.0 * radius * glm::dot(to, v), h = std::hypot(x, y),
                    z = glm::dot(to, to) + radius * radius - std::pow(third.radius_A + probe_, 2.0);
@@ -167,10 +167,10 @@ class Grid {
     });
     if (all_held) return;
     std::sort(held_.begin(), held_.end());
-    // What is held goes round at most once and may reach over the circle's begin.
+    // Covered arcs start within the circle and may extend past its start.
     const Arcs arcs{*circle, u, v, first, second};
     double end = 0.0;
-    std::uint32_t last = kNone;  // what holds the circle up to there
+    std::uint32_t last = kNone;  // the sphere that covers the circle up to there
     for (const Held& h : held_)
       if (h.to - 2.0 * kPi > end) {
         end = h.to - 2.0 * kPi;
@@ -193,25 +193,25 @@ class Grid {
     }
   }
 
-  // The circle of two grown spheres; `u` is where its angle is 0.
+  // The circle of two inflated spheres; `u` is the direction of angle 0.
   struct Arcs {
     const SphereCircle& circle;
     Vec3 u, v;
     std::uint32_t first, second;
-    Vec3 way(double t) const { return std::cos(t) * u + std::sin(t) * v; }
-    Vec3 at(double t) const { return circle.centre_A + circle.radius_A * way(t); }
+    Vec3 direction(double t) const { return std::cos(t) * u + std::sin(t) * v; }
+    Vec3 at(double t) const { return circle.centre_A + circle.radius_A * direction(t); }
   };
   Vec3 inward(const Vec3& p, std::uint32_t sphere) const { return glm::normalize(spheres_[sphere].centre_A - p); }
 
-  // A place of the surface is the nearest one for nodes inside alone, between the directions to the spheres' middles.
+  // A corner is the nearest point only for inner nodes between the directions to the spheres' centres.
   void spreadCorner(const Arcs& arcs, double t, std::uint32_t third, double reach) {
     const Vec3 tip = arcs.at(t);
     const Vec3 to[] = {inward(tip, arcs.first), inward(tip, arcs.second), inward(tip, third)};
     const Vec3 sum = to[0] + to[1] + to[2];
     const Vec3 axis = glm::length(sum) > 1e-6 ? glm::normalize(sum) : to[0];
-    double least = 1.0;
-    for (const Vec3& d : to) least = std::min(least, glm::dot(axis, d));
-    nodesInCone(tip, axis, std::acos(std::clamp(least, -1.0, 1.0)), step_, reach, [&](const glm::ivec3& i) {
+    double smallest = 1.0;
+    for (const Vec3& d : to) smallest = std::min(smallest, glm::dot(axis, d));
+    nodesInCone(tip, axis, std::acos(std::clamp(smallest, -1.0, 1.0)), step_, reach, [&](const glm::ivec3& i) {
       const Vec3 d = place(i) - tip;
       float& level = level_[at(i)];
       level = std::min(level, float(glm::dot(d, d)));
@@ -222,11 +222,11 @@ class Grid {
     constexpr double kPiece_A = 1.0;
     const SphereCircle& circle = arcs.circle;
     const int pieces = std::max(1, int(std::ceil((end - begin) * circle.radius_A / kPiece_A)));
-    const double half = 0.5 * (end - begin) / pieces, least_along = std::cos(std::min(half, kPi));
+    const double half = 0.5 * (end - begin) / pieces, min_along = std::cos(std::min(half, kPi));
     for (int k = 0; k < pieces; ++k) {
       const double at_middle = begin + (2 * k + 1) * half;
-      const Vec3 middle = arcs.way(at_middle), across = glm::cross(circle.axis, middle),
-                 low = arcs.way(at_middle - half), high = arcs.way(at_middle + half);
+      const Vec3 middle = arcs.direction(at_middle), across = glm::cross(circle.axis, middle),
+                 low = arcs.direction(at_middle - half), high = arcs.direction(at_middle + half);
       const Vec3 tip = arcs.at(at_middle), to_first = inward(tip, arcs.first), to_second = inward(tip, arcs.second);
       const Vec3 sum = to_first + to_second;
       const Vec3 axis = glm::length(sum) > 1e-6 ? glm::normalize(sum) : to_first;
@@ -234,11 +234,11 @@ class Grid {
       nodesInCone(tip, axis, bend, half * circle.radius_A + step_, reach, [&](const glm::ivec3& i) {
         const Vec3 from = place(i) - circle.centre_A, flat = from - circle.axis * glm::dot(from, circle.axis);
         const double n = glm::length(flat);
-        const bool beside = n > 1e-9 && glm::dot(flat, middle) >= n * least_along;
+        const bool beside = n > 1e-9 && glm::dot(flat, middle) >= n * min_along;
         const Vec3 nearest = beside ? flat / n : glm::dot(flat, across) > 0.0 ? high : low;
         const Vec3 d = from - circle.radius_A * nearest;
-        float& least = level_[at(i)];
-        least = std::min(least, float(glm::dot(d, d)));
+        float& smallest = level_[at(i)];
+        smallest = std::min(smallest, float(glm::dot(d, d)));
       });
     }
   }
@@ -246,13 +246,14 @@ class Grid {
   void findDistances() {
     const std::vector<float> out = std::move(level_);
     level_.assign(out.size(), std::numeric_limits<float>::max());
-    // Inside: how far the nearest crossing lies. Only nodes a little deeper than the probe's radius need it.
+    // Inside: the distance to the nearest crossing. Only nodes slightly deeper than the probe's radius need it.
     const double reach = probe_ + 1.8 * step_;
-    // Of a crossing on a grown sphere the sphere itself is the nearest where its nearest place is close to the crossing.
+    // For a crossing on an inflated sphere, the sphere itself is nearest if its nearest point is close to the crossing.
     const auto spread = [&](const Vec3& s, std::uint32_t sphere) {
       const Vec3 centre = spheres_[sphere].centre_A;
       const double radius = spheres_[sphere].radius_A + probe_;
-      // Of nodes whose nearest place of the sphere is round the crossing; others have nearer crossings, arcs or corners.
+      // Only for nodes whose nearest point of the sphere is near the crossing; others have nearer crossings, arcs or
+      // corners.
       const Vec3 in = glm::normalize(centre - s);
       const double outside = 1.8 * step_;
       nodesInCone(s - outside * in, in, 0.0, 1.5 * step_, outside + std::min(reach, radius), [&](const glm::ivec3& i) {
@@ -263,8 +264,8 @@ class Grid {
           if (along * along < way2 && glm::length(centre + outward * (radius / n) - s) < 0.6 * step_)
             way2 = along * along;
         }
-        float& least = level_[at(i)];
-        least = std::min(least, float(way2));
+        float& smallest = level_[at(i)];
+        smallest = std::min(smallest, float(way2));
       });
     };
     std::vector<std::uint8_t> exposed(spheres_.size(), probe_ <= kLargeProbe_A);
@@ -278,7 +279,7 @@ class Grid {
             glm::ivec3 j = i;
             j[k >> 1] += k & 1 ? 1 : -1;
             if (out[at(j)] <= 0) continue;
-            // The sphere that holds this node deepest need not be the last one that the way leaves.
+            // The sphere in which this node lies deepest is not necessarily the last one that the edge leaves.
             Vec3 p = place(i);
             std::uint32_t sphere = grown_[at(i)];
             double t = leaves(p, place(j), sphere);
@@ -304,18 +305,18 @@ class Grid {
       });
     }
     fillWays();
-    // Positive where a probe can be: from the distance to its middle's nearest place.
+    // The level is positive where a probe can be: computed from the distance to the nearest position of its centre.
     for (std::size_t k = 0; k < level_.size(); ++k) {
       const bool far = !(double(level_[k]) < reach);
-      const float way = far ? float(reach) : level_[k];
-      level_[k] = out[k] > 0 ? float(probe_) + (far ? float(step_) : way) : float(probe_) - way;
+      const float distance = far ? float(reach) : level_[k];
+      level_[k] = out[k] > 0 ? float(probe_) + (far ? float(step_) : distance) : float(probe_) - distance;
     }
     grown_.clear();
     grown_.shrink_to_fit();
   }
 
-  // From squares to distances. A node that no crossing, arc or corner has reached takes a neighbour's and the way to it,
-  // so that it is no hole where the surface is finer than the grid.
+  // Converts squares to distances. A node without a distance takes that of a neighbour plus the distance to it, so that
+  // there is no hole where the surface is finer than the grid.
   void fillWays() {
     std::vector<std::uint8_t> reached(level_.size());
     for (std::size_t k = 0; k < level_.size(); ++k) {
@@ -329,11 +330,11 @@ class Grid {
         for (int y = from(size_.y); y >= 1 && y + 1 < size_.y; y += side)
           for (int x = from(size_.x); x >= 1 && x + 1 < size_.x; x += side) {
             if (reached[at({x, y, z})]) continue;
-            float& way = level_[at({x, y, z})];
-            for (int k = 0; k < 13; ++k) {  // the neighbours that come before it
+            float& distance = level_[at({x, y, z})];
+            for (int k = 0; k < 13; ++k) {  // the neighbours that precede it
               const glm::ivec3 d(k % 3 - 1, k / 3 % 3 - 1, k / 9 - 1);
               const float by = float(step_ * std::sqrt(double(d.x * d.x + d.y * d.y + d.z * d.z)));
-              way = std::min(way, level_[at(glm::ivec3(x, y, z) + side * d)] + by);
+              distance = std::min(distance, level_[at(glm::ivec3(x, y, z) + side * d)] + by);
             }
           }
       }
@@ -364,7 +365,7 @@ class Grid {
     return slope;
   }
 
-  // The mean of the crossings on a cell's edges, drawn onto the surface.
+  // The mean of the crossings on a cell's edges, projected onto the surface.
   void addVertex(const glm::ivec3& cell, MeshPiece& piece) {
     Vec3 sum(0.0);
     int crossings = 0;
@@ -391,7 +392,7 @@ class Grid {
     piece.vertices.push_back({glm::vec3(p - piece.origin_A), glm::vec3(normal), 0xFFFFFFFFu});
   }
 
-  // Round each edge that crosses the surface, the four cells' vertices.
+  // For each edge that crosses the surface, a face of the four adjacent cells' vertices.
   void addFaces(const glm::ivec3& node, MeshPiece& piece) {
     const bool outside = level_[at(node)] > 0;
     for (int axis = 0; axis < 3; ++axis) {
@@ -418,10 +419,10 @@ class Grid {
   SurfaceProgress* progress_;
   Vec3 low_{0.0};
   glm::ivec3 size_{1};
-  std::vector<float> level_;  // distance out of the grown spheres; then of the surface, positive outside
+  std::vector<float> level_;  // distance outside the inflated spheres; then of the surface, positive outside
   std::vector<std::uint32_t> grown_, cell_vertex_;
   struct Held {
-    double from, to;  // angles of a circle
+    double from, to;  // angles on a circle
     std::uint32_t by;
     auto operator<=>(const Held&) const = default;
   };

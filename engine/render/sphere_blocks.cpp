@@ -31,7 +31,7 @@ SphereBlocks::Block SphereBlocks::blockOf(std::span<const Sphere> spheres, std::
   return block;
 }
 
-// Across the longest side, into halves of equal number.
+// Splits across the longest side into halves of equal number.
 void SphereBlocks::split(std::span<const Sphere> spheres, std::uint32_t begin, std::uint32_t end) {
   if (end - begin <= kMax) {
     blocks_.push_back(blockOf(spheres, begin, end));

@@ -10,11 +10,10 @@ namespace moltact {
 namespace {
 constexpr float kNothing = std::numeric_limits<float>::infinity();
 
-// The cell in which a place from -1 to 1 lies. A sphere close before the eye reaches as far beyond the picture as one
-// likes.
+// The cell of a coordinate from -1 to 1. Spheres close to the eye may extend arbitrarily far beyond the picture.
 int cellAt(float place, float cell) { return saturateToInteger<int>((place + 1) / cell); }
 
-// The slopes (sideways over ahead) of the two tangents from the eye to a disc; `side` and `depth` are its centre.
+// The slopes (sideways over forward) of the two tangents from the eye to a disc with centre (`side`, `depth`).
 glm::vec2 tangents(float side, float depth, float radius) {
   const float q = depth * depth - radius * radius;
   const float s = radius * std::sqrt(std::max(0.0f, side * side + q));
@@ -82,7 +81,7 @@ void SphereCull::run(std::span<const Sphere> spheres, const SphereBlocks& blocks
       cover(s);
     }
   }
-  // Once more with all that covers: of the spheres that stay most is still hidden.
+  // A second pass with all covering spheres: most of the remaining ones are still hidden.
   sortSeen();
   atoms_drawn_ = 0;
   for (const auto& [depth, k] : order_) {
@@ -92,7 +91,8 @@ void SphereCull::run(std::span<const Sphere> spheres, const SphereBlocks& blocks
   }
 }
 
-// From front to back. Of two as near the first in the file, so that a picture is the same however its spheres were found.
+// From front to back. Equal depths are ordered by index, so that the picture does not depend on how its spheres were
+// found.
 void SphereCull::sortSeen() {
   for (std::uint32_t k = 0; k < seen_.size(); ++k) order_.emplace_back(-seen_[k].centre.z - seen_[k].radius, k);
   std::sort(order_.begin(), order_.end(), [&](const auto& a, const auto& b) {
@@ -108,12 +108,12 @@ std::vector<SphereCull::Near> SphereCull::blocksAhead(const SphereBlocks& blocks
     const SphereBlocks::Block& block = blocks.blocks()[k];
     Near n;
     n.image.centre = toView(block.centre_A);
-    // What a float has lost of a place far away must not make the block smaller than its spheres.
+    // Rounding to float far away must not make the block smaller than its spheres.
     n.image.radius = float(block.radius_A) * 1.0001f + 1e-6f * glm::length(n.image.centre);
     const float depth = -n.image.centre.z, nearest = depth - n.image.radius;
     if (depth + n.image.radius <= float(projection.depth.near_A)) continue;
     n.boxed = nearest > float(projection.depth.near_A) && depth > n.image.radius + rim * (depth + n.image.radius);
-    // A sphere's rim is as wide as it is deep in the picture; the block's is that of its deepest sphere.
+    // A sphere's rim is proportional to its depth; the block uses that of its deepest sphere.
     const float rims = rim * (depth + n.image.radius) / std::max(depth, 1e-6f);
     if (n.boxed && !projectSphere(projection, n.image.centre, n.image.radius, n.image, rims)) continue;
     n.image.index = k;
@@ -125,7 +125,7 @@ std::vector<SphereCull::Near> SphereCull::blocksAhead(const SphereBlocks& blocks
   return near;
 }
 
-// About eight cells across a sphere: finer costs more than the drawing that it saves.
+// About eight cells across a sphere: finer cells cost more than they save.
 void SphereCull::makeCells(std::span<const Sphere> spheres, const SphereBlocks& blocks, std::span<const Near> near,
                            const Projection& projection) {
   double wide = 0;
@@ -153,7 +153,7 @@ SphereCull::Span SphereCull::inSight(const DrawnSphere& s, int row) const {
   return {first, last};
 }
 
-// Rows of cells are put together into boxes as long as little is drawn in vain.
+// Combines rows of cells into boxes as long as little is drawn unnecessarily.
 void SphereCull::emitBoxes(const DrawnSphere& s) {
   const int y0 = std::max(0, cellAt(s.low.y, cell_y_)), y1 = std::min(cells_y_ - 1, cellAt(s.high.y, cell_y_));
   int from = 0, to = -1, needed = 0;
@@ -194,8 +194,9 @@ bool SphereCull::hidden(const DrawnSphere& s) const {
   return true;
 }
 
-// A cell is covered where the rays through its four corners all hit the sphere, since the image of a sphere is convex. Over
-// such a cell the front is nowhere deeper than at the deepest corner: 1 / depth of a convex front is concave.
+// A cell is covered if the rays through its four corners all hit the sphere, because the image of a sphere is convex.
+// Within such a cell the front is nowhere deeper than at the deepest corner, because 1 / depth of a convex front is
+// concave.
 void SphereCull::cover(const DrawnSphere& s) {
   const int x0 = std::max(0, saturateToInteger<int>(std::ceil((s.low.x + 1) / cell_x_))),
             x1 = std::min(cells_x_, cellAt(s.high.x, cell_x_));

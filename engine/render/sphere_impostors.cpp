@@ -24,9 +24,9 @@ void main() {
 }
 )";
 
-// The distance of the ray from the centre is taken at the ray's nearest point and not as |centre|^2 - radius^2, which
-// would lose the radius to rounding when the sphere is far. The rim lies behind the sphere's middle, so that spheres that
-// grow into each other have none between them; its normal is square to the ray, so it is shade.
+// The ray's distance from the centre is computed at the ray's nearest point and not as |centre|^2 - radius^2, which
+// would lose the radius to rounding for a distant sphere. The rim lies behind the sphere's middle, so that overlapping
+// spheres have none between them; its normal is perpendicular to the ray, so it is dark.
 const char* const kRayText = R"(
 in vec3 v_ray;
 flat in vec4 v_sphere, v_colour, v_wide;
@@ -50,14 +50,14 @@ float entry(out vec3 normal, out float facing, out float leave) {
 void writeDepth(float depth) { gl_FragDepth = clamp(u_depth.x - u_depth.y / depth, 0.0, 1.0); }
 )";
 
-// A sphere that the cut goes through shows a flat face. Marked spheres have a dark ring toward the viewer, as a target has, so
-// that they are told from the others without seeing their colour.
+// A sphere that the cut intersects shows a flat face. Marked spheres have a dark ring toward the viewer, like a target,
+// which distinguishes them without colour.
 const char* const kSolidText = R"(
 void main() {
   vec3 n;
   float facing, leave, depth = entry(n, facing, leave);
   bool capped = false;
-  // A ball that the plane goes through has no rim.
+  // A sphere intersected by the plane has no rim.
   if (facing == 0.0 && dot(u_cut.xyz, v_sphere.xyz) + u_cut.w > -v_sphere.w) discard;
   if (cutAway(v_ray * depth)) {
     float at = -u_cut.w / dot(u_cut.xyz, v_ray);
@@ -69,7 +69,7 @@ void main() {
   writeDepth(depth);
   wide_filled = v_wide.w + dot(v_wide.xyz, n);
   vec3 base = v_colour.rgb * v_colour.rgb;
-  if (capped) {  // flat and darker, so that the face of the cut is told from what is round
+  if (capped) {  // flat and darker, to distinguish the face of the cut
     o_colour = vec4(v_colour.rgb * CAP_SHADE, v_colour.a);
     return;
   }
@@ -79,7 +79,7 @@ void main() {
 }
 )";
 
-constexpr float kMarked = 254.0f / 255.0f;  // an opacity that stands for the ring of a target
+constexpr float kMarked = 254.0f / 255.0f;  // an opacity that encodes the ring of a target
 
 const char* const kShellText = R"(
 void main() {
@@ -93,7 +93,7 @@ void main() {
 }
 )";
 
-// In the camera's axes, as bytes.
+// Packs a value in the camera's axes into bytes.
 std::uint32_t packWide(const glm::vec4& round, const glm::mat3& to_camera) {
   return packColour(to_camera * glm::vec3(round) + 0.5f, round.w);
 }
@@ -102,7 +102,7 @@ std::uint32_t packWide(const glm::vec4& round, const glm::mat3& to_camera) {
 
 Expected<SphereImpostors> SphereImpostors::build() {
   SphereImpostors made;
-  // Software evaluates what is not needed, too: what lies open has a program of its own.
+  // Software renderers evaluate unused branches, so unoccluded spheres have a program of their own.
   const auto solidText = [](const char* define) {
     return std::string("#define ") + define + "\n" + kRayText + kLightingText + kSolidText;
   };

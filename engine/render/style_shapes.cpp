@@ -10,8 +10,8 @@ namespace moltact {
 namespace {
 
 constexpr double kStick_A = 0.22, kThinStick_A = 0.14, kLine_A = 0.05,
-                 kSmallSphere = 0.24;  // the last of an atom's radius
-constexpr double kMinProbe_A = 0.2;    // a surface of no probe would be the spheres themselves
+                 kSmallSphere = 0.24;  // the last is a fraction of the atom's radius
+constexpr double kMinProbe_A = 0.2;    // without a probe the surface would be the spheres themselves
 
 std::uint32_t mixed(std::uint32_t a, std::uint32_t b, float share) {
   const auto part = [&](unsigned shift) {

@@ -18,7 +18,7 @@ StyledPart::StyledPart(const StyledAtoms& what, const ViewScene& scene, const Mo
       models_spheres_(what.style == DrawStyle::Spheres || model.byResidue()),
       hidden_(scene.look.hidden),
       molecule_(std::move(molecule)),
-      most_single_atoms_(scene.most_single_atoms),
+      max_single_atoms_(scene.max_single_atoms),
       probe_A_(probe_A),
       painted_(model.painted),
       shown_(shownOf(what, scene.look.hidden, model)),
@@ -44,7 +44,7 @@ std::vector<std::uint8_t> StyledPart::shownOf(const StyledAtoms& what, const Ato
 
 bool StyledPart::fits(const StyledAtoms& what, const ViewScene& scene) const {
   return what.style == what_.style && what.atoms == what_.atoms && what.opacity == what_.opacity &&
-         scene.look.hidden == hidden_ && scene.molecule == molecule_ && scene.most_single_atoms == most_single_atoms_ &&
+         scene.look.hidden == hidden_ && scene.molecule == molecule_ && scene.max_single_atoms == max_single_atoms_ &&
          (models_spheres_ || !infoOf(what.style).uses_probe || scene.probe_A == probe_A_);
 }
 

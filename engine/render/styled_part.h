@@ -31,7 +31,7 @@ class StyledPart {
   /// True if its atoms are those of the model, possibly at other positions.
   bool isOf(const MoleculeModel& model) const {
     return molecule_->id == model.molecule->id && molecule_->atoms.size() == model.molecule->atoms.size() &&
-           most_single_atoms_ == model.most_single;
+           max_single_atoms_ == model.max_single;
   }
   /// Adopts the model's colours if they have changed.
   void paint(const MoleculeModel& model);
@@ -55,7 +55,7 @@ class StyledPart {
   bool models_spheres_ = false;
   AtomList hidden_;
   std::shared_ptr<const Molecule> molecule_;
-  std::size_t most_single_atoms_ = 0;
+  std::size_t max_single_atoms_ = 0;
   double probe_A_ = 0.0;
   unsigned painted_ = 0;
   std::vector<std::uint8_t> shown_;

@@ -19,7 +19,7 @@ bool SurfaceJobs::Job::isDone() const { return work.wait_for(std::chrono::second
 
 bool SurfaceJobs::Job::isLike(const StyledAtoms& other, const ViewScene& scene) const {
   return other.style == what.style && other.atoms == what.atoms && scene.look.hidden == hidden &&
-         scene.most_single_atoms == most_single_atoms && scene.probe_A == probe_A &&
+         scene.max_single_atoms == max_single_atoms && scene.probe_A == probe_A &&
          scene.molecule->atoms.size() == molecule->atoms.size() && scene.molecule->id == molecule->id;
 }
 
@@ -27,7 +27,7 @@ void SurfaceJobs::begin(const StyledAtoms& what, const ViewScene& scene, const M
   Job job{what,
           scene.look.hidden,
           scene.molecule,
-          scene.most_single_atoms,
+          scene.max_single_atoms,
           scene.probe_A,
           true,
           std::make_shared<SurfaceProgress>(),
@@ -73,9 +73,9 @@ bool SurfaceJobs::ready() const {
 }
 
 std::optional<float> SurfaceJobs::progress() const {
-  std::optional<float> least;
-  for (const Job& job : jobs_) least = std::min(least.value_or(1.0f), job.progress->share.load());
-  return least;
+  std::optional<float> smallest;
+  for (const Job& job : jobs_) smallest = std::min(smallest.value_or(1.0f), job.progress->share.load());
+  return smallest;
 }
 
 }  // namespace moltact

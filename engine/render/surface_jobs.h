@@ -43,7 +43,7 @@ class SurfaceJobs {
     StyledAtoms what;
     AtomList hidden;
     std::shared_ptr<const Molecule> molecule;
-    std::size_t most_single_atoms = 0;
+    std::size_t max_single_atoms = 0;
     double probe_A = 0.0;
     bool wanted = true;
     std::shared_ptr<SurfaceProgress> progress;

@@ -1,5 +1,5 @@
 // One picture as plain data: its objects, the visible parts and the camera. No graphics calls; a value that one thread
-// fills and passes to the renderer. Units: angstrom, newton. Quaternions store w first.
+// fills and passes to the renderer. Units: angstrom, newton. Quat is constructed as (w, x, y, z).
 #pragma once
 
 #include <array>
@@ -95,8 +95,8 @@ struct ViewScene {
   ElementColours elements = ElementColours::Customary;
   ColourBy colour_by = ColourBy::Element;
   AtomsLook look;
-  std::size_t most_single_atoms = kMaxSingleAtoms;  ///< with more atoms, residues are drawn instead
-  bool blank = false;                               ///< nothing is drawn: the dark screen of a task by touch alone
+  std::size_t max_single_atoms = kMaxSingleAtoms;  ///< with more atoms, residues are drawn instead
+  bool blank = false;                              ///< nothing is drawn: the dark screen of a task by touch alone
 
   std::optional<PointA> hip;  ///< empty: no probe is drawn
   Contact contact;            ///< SCP, displacement and atoms are used in contact
@@ -116,7 +116,7 @@ struct ViewScene {
   double arrow_A_per_N = 2.0;  ///< length of the force arrow per newton
 
   std::vector<std::uint32_t> haptic_atoms;  ///< atoms whose haptic shapes are drawn; empty: those nearest to the SCP
-  std::size_t haptic_atoms_at_most = 14;    ///< their number if haptic_atoms is empty
+  std::size_t max_haptic_atoms = 14;        ///< their number if haptic_atoms is empty
 
   /// The triangles with which the method represents a sphere of radius 1; null: no triangles.
   std::shared_ptr<const SphereMesh> facets;

@@ -91,7 +91,7 @@ void Wireframe::draw(const Strokes& strokes, const Projection& projection, float
   vertices_.clear();
   const float near = float(projection.depth.near_A);
   for (const Strokes::Line& line : strokes.lines()) {
-    // What lies in front of the nearest depth is cut off; a line that passes there falls into pieces.
+    // Parts in front of the near plane are clipped; such a line is divided into pieces.
     ndc_.clear();
     for (std::size_t i = line.begin; i < line.end; ++i) {
       const glm::vec3 p = strokes[i];

@@ -11,8 +11,8 @@ namespace moltact {
 namespace {
 
 constexpr double kYear_s = 366.0 * 86400.0;
-constexpr double kBeyond_A = 2.0 * kFarthest_A;  // what lies beside the farthest place of a hand
-constexpr double kMax_N = 1000.0;                // many times the strongest device
+constexpr double kBeyond_A = 2.0 * kMaxPosition_A;  // what lies beside the farthest place of a hand
+constexpr double kMax_N = 1000.0;                   // many times the strongest device
 constexpr double kMaxAtoms = 2147483647.0;
 
 constexpr std::array kRanges{
@@ -61,7 +61,7 @@ std::vector<AttemptRange> allRanges() {
   std::vector<AttemptRange> out(kRanges.begin(), kRanges.end());
   for (const TouchProperty& p : touchProperties())
     if (std::holds_alternative<double TouchSetup::*>(p.member))
-      out.push_back({p.field, p.in_files.least, p.in_files.most});
+      out.push_back({p.field, p.in_files.min, p.in_files.max});
   for (const ReadingOption& option : readingOptions())
     if (std::holds_alternative<int ReadOptions::*>(option.member))
       out.push_back({option.name, 1.0, kMaxReadNumber, true});

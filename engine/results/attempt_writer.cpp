@@ -152,7 +152,7 @@ void AttemptWriter::Impl::nudge() {
 }
 
 AttemptWriter::AttemptWriter(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {
-  if (threadsCanBeHad()) impl_->thread = std::thread([w = impl_.get()] { w->run(); });
+  if (threadsAvailable()) impl_->thread = std::thread([w = impl_.get()] { w->run(); });
 }
 AttemptWriter::AttemptWriter(AttemptWriter&&) noexcept = default;
 AttemptWriter& AttemptWriter::operator=(AttemptWriter&& other) noexcept {

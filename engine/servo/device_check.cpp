@@ -16,11 +16,11 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 constexpr double kTry_N = 0.4, kWall_N_per_mm = 0.4, kMax_N = 2.0;
-constexpr double kStill_mm = 0.5;        // a place at rest wanders by no more
-constexpr double kStaleFraction = 0.05;  // of the ticks: a computer that is busy with other things has some
+constexpr double kStill_mm = 0.5;        // largest wander of a position at rest
+constexpr double kStaleFraction = 0.05;  // tolerated fraction of stale ticks; a busy computer has some
 constexpr double kBack_s =
-    8.0;  // by then the force is back after a fault; a loop that was stalled stays soft for some seconds
-constexpr double kOver_s = 1.0;  // by then a fault is over
+    8.0;  // time for the force to return after a fault; after a stall the loop stays soft for some seconds
+constexpr double kOver_s = 1.0;  // time by which a fault is over
 constexpr auto kStep = std::chrono::milliseconds(10);
 
 std::string text(const char* format, auto... values) {
@@ -81,7 +81,7 @@ class Check {
     return true;
   }
 
-  // Waits until the device can give force and reports fresh positions; guides the person to that.
+  // Waits until the device can give force and reports fresh positions; instructs the user accordingly.
   bool ready() {
     const auto end = Clock::now() + std::chrono::duration<double>(options_.ready_s);
     device_->given();
@@ -99,7 +99,7 @@ class Check {
     return status_.ready ? "no place has come from the device" : "the device is not ready. " + status_.text;
   }
 
-  // What the device is given in that time, and every tick of it.
+  // Observes the forces given to the device for that time, and every tick of it.
   Seen watch(double seconds) {
     Seen seen;
     const auto end = Clock::now() + std::chrono::duration<double>(seconds);
@@ -114,14 +114,14 @@ class Check {
     }
     seen.given = device_->given();
     all_.ticks += seen.given.ticks;
-    all_.greatest_N = std::max(all_.greatest_N, seen.given.greatest_N);
+    all_.peak_N = std::max(all_.peak_N, seen.given.peak_N);
     if (!all_.broken) all_.broken = seen.given.broken;
     return seen;
   }
 
   template <class Done>
-  bool watchUntil(double most_s, Done done) {
-    const auto end = Clock::now() + std::chrono::duration<double>(most_s);
+  bool watchUntil(double max_s, Done done) {
+    const auto end = Clock::now() + std::chrono::duration<double>(max_s);
     while (!done(watch(0.02)))
       if (Clock::now() >= end || stopped()) return false;
     return true;
@@ -173,11 +173,11 @@ class Check {
     out_.back().passed = passed;
     out_.back().found = std::move(words);
   }
-  // What holds of every tick that the device was given, and that it was given some force.
+  // Checks the conditions for every tick that the device was given, and that there was a force.
   void foundSound(bool as_wanted, const std::string& words) {
-    const bool sound = !all_.broken && all_.ticks > 0 && all_.greatest_N <= settings_.max_force_N + 1e-9;
+    const bool sound = !all_.broken && all_.ticks > 0 && all_.peak_N <= settings_.max_force_N + 1e-9;
     found(sound && as_wanted,
-          words + text("; %llu ticks, at most %.2f N", static_cast<unsigned long long>(all_.ticks), all_.greatest_N) +
+          words + text("; %llu ticks, at most %.2f N", static_cast<unsigned long long>(all_.ticks), all_.peak_N) +
               (all_.broken ? std::string("; ") + all_.broken : ""));
   }
 
@@ -194,10 +194,10 @@ class Check {
       stale += s.limits.has(Limit::StalePlace);
     }
     const double wandered = seen.ticks.empty() ? 0 : glm::length(high - low);
-    // A hand that moves on its own, as a simulated one does, is no fault of the places.
+    // A hand that moves on its own, such as a simulated one, does not indicate faulty positions.
     const std::string rest = wandered <= kStill_mm ? "" : " (more than a device at rest: was it held still?)";
     const bool fresh = !seen.ticks.empty() && double(stale) <= kStaleFraction * double(seen.ticks.size());
-    found(fresh && strange == 0 && seen.connected && status_.ready && seen.given.greatest_N == 0.0,
+    found(fresh && strange == 0 && seen.connected && status_.ready && seen.given.peak_N == 0.0,
           text("%zu ticks, wandered %.3f mm%s, %zu places strange, %zu stale, latest tick %.1f ms late",
                seen.ticks.size(), wandered, rest.c_str(), strange, stale, seen.latest_ms));
   }
@@ -205,7 +205,7 @@ class Check {
   void constantForce() {
     feelForce();
     const Seen seen = watch(options_.part_s);
-    foundSound(seen.connected && seen.given.greatest_N > 0.5 * kTry_N, "it pulled");
+    foundSound(seen.connected && seen.given.peak_N > 0.5 * kTry_N, "it pulled");
   }
 
   void panic() {
@@ -216,7 +216,7 @@ class Check {
     const Seen seen = watch(0.5 * options_.part_s);
     settings_.panic = false;
     servo_.loop().setSettings(settings_);
-    // The ticks before the key was seen may still have force; from the first stopped one on there is none.
+    // Ticks before the panic key was seen may still have force; from the first stopped one on there must be none.
     std::size_t forced = 0, stopped_ticks = 0;
     for (const ServoSample& s : seen.ticks) {
       stopped_ticks += s.limits.has(Limit::Panic);
@@ -226,7 +226,7 @@ class Check {
                text("%zu ticks stopped, %zu of them with force", stopped_ticks, forced));
   }
 
-  // One after the other, each from full force.
+  // The faults one after another, each starting from full force.
   struct Injected {
     LoopFault fault;
     int ticks;
@@ -260,7 +260,7 @@ class Check {
     feltAgain();
     const auto end = Clock::now() + std::chrono::duration<double>(options_.part_s);
     while (Clock::now() < end && !stopped())
-      std::this_thread::sleep_for(kStep);  // nobody asks the device nor takes the ticks
+      std::this_thread::sleep_for(kStep);  // neither the device nor the ticks are read
     const Seen seen = watch(0.1);
     foundSound(seen.given.last_N > 0.5 * kTry_N, text("the window stood for %.1f s", options_.part_s));
   }
@@ -272,7 +272,7 @@ class Check {
       const Seen seen = watch(0.2 + 0.05 * k);
       ticks.insert(ticks.end(), seen.ticks.begin(), seen.ticks.end());
     }
-    // After each tick in which the contact was forgotten: softly from the remaining force.
+    // After each tick that discarded the contact, the force must return softly.
     ForceMonitor judge(settings_.max_force_N);
     std::size_t placed = 0;
     const char* broken = nullptr;
@@ -326,10 +326,10 @@ class Check {
   MouseDevice mouse_;
   ServoSettings settings_;
   ServoThread servo_{mouse_};
-  FaultyDevice* device_ = nullptr;  // the loop's, which closes it
+  FaultyDevice* device_ = nullptr;  // owned by the loop
   DeviceStatus status_;
-  FaultyDevice::Given all_;  // of the part
-  std::string stop_;         // why nothing more is checked
+  FaultyDevice::Given all_;  // of the present part
+  std::string stop_;         // why the check was ended
   std::vector<CheckedPart> out_;
 };
 

@@ -23,7 +23,7 @@ void FaultyDevice::inject(LoopFault fault, int ticks) {
 }
 
 FaultyDevice::Given FaultyDevice::given() {
-  return {broken_.exchange(nullptr), ticks_.exchange(0), fresh_.exchange(0), greatest_N_.exchange(0.0), last_N_.load()};
+  return {broken_.exchange(nullptr), ticks_.exchange(0), fresh_.exchange(0), peak_N_.exchange(0.0), last_N_.load()};
 }
 
 bool FaultyDevice::startClock(ClockListener& target) {
@@ -50,7 +50,7 @@ void FaultyDevice::run() noexcept {
   }
 }
 
-// A tick of the device's clock, or of the one in its place.
+// A tick of the device's own clock, or of the clock that replaces it.
 void FaultyDevice::onDeviceTick() noexcept {
   const LoopFault fault = fault_.load(std::memory_order_acquire);
   if (fault == LoopFault::Late) {
@@ -75,23 +75,23 @@ DevicePose FaultyDevice::read(double dt_s) noexcept {
   const DeviceInfo& info = device_->info();
   if (std::exchange(judged_, &info) != &info) judge_.otherDevice(info.max_force_N);
   if (pose.connected && pose.fresh) fresh_.fetch_add(1, std::memory_order_relaxed);
-  // What the device does by itself is a fault like those that are put here.
+  // Faults of the device itself are treated like injected ones.
   const bool stood = std::exchange(stood_, false),
-             came_or_went = std::exchange(was_connected_, pose.connected) != pose.connected;
+             connection_changed = std::exchange(was_connected_, pose.connected) != pose.connected;
   const bool bad = misread(pose) || pose.fault || !pose.connected || !finite(pose.position.mm);
-  if (stood || came_or_went || std::exchange(was_bad_, bad) || bad) judge_.expectSoft();
+  if (stood || connection_changed || std::exchange(was_bad_, bad) || bad) judge_.expectSoft();
   judge_.lasting(bad);
-  // What else is wrong, such as a loop that is late by itself, is not known here.
+  // Other faults, such as a loop that is late by itself, are unknown here.
   now_ = {.fresh = pose.fresh, .at_once = true};
   return pose;
 }
 
-// True where the place is wrong.
+// Returns true if the position was falsified.
 bool FaultyDevice::misread(DevicePose& pose) noexcept {
   const LoopFault fault = fault_.load(std::memory_order_acquire);
   const bool odd = left_.load() % 2;
   switch (fault) {
-    case LoopFault::Stall:  // the next tick finds that it is late
+    case LoopFault::Stall:  // the next tick detects that it is late
       sleepUntil(monotonic_ns() + left_.exchange(0) * kPeriod_ns);
       stood_ = true;
       break;
@@ -131,7 +131,7 @@ void FaultyDevice::note(const Vec3& force_N, bool stopped) noexcept {
   if (const char* broken = judge_.judge(force_N, now_); broken && !broken_.load()) broken_.store(broken);
   const double size = glm::length(force_N);
   last_N_.store(size, std::memory_order_relaxed);
-  if (size > greatest_N_.load(std::memory_order_relaxed)) greatest_N_.store(size, std::memory_order_relaxed);
+  if (size > peak_N_.load(std::memory_order_relaxed)) peak_N_.store(size, std::memory_order_relaxed);
   ticks_.fetch_add(1, std::memory_order_relaxed);
 }
 

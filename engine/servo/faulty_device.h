@@ -29,7 +29,7 @@ class FaultyDevice final : public Device, private ClockListener {
     const char* broken = nullptr;  ///< the first violated guarantee; null: none
     std::uint64_t ticks = 0;
     std::uint64_t fresh = 0;  ///< ticks with a fresh position from the device itself
-    double greatest_N = 0;
+    double peak_N = 0;
     double last_N = 0;  ///< the newest force
   };
   Given given();
@@ -72,7 +72,7 @@ class FaultyDevice final : public Device, private ClockListener {
 
   std::atomic<const char*> broken_{nullptr};
   std::atomic<std::uint64_t> ticks_{0}, fresh_{0};
-  std::atomic<double> greatest_N_{0.0}, last_N_{0.0};
+  std::atomic<double> peak_N_{0.0}, last_N_{0.0};
 };
 
 }  // namespace moltact

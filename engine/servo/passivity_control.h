@@ -35,17 +35,17 @@ class PassivityControl {
   }
 
   /// The braking force that dissipates the debt within a tick, limited by the damping `most_N_s_per_m`.
-  Vec3 braking_N(const Vec3& speed_m_per_s, double dt_s, double most_N_s_per_m) const noexcept {
+  Vec3 braking_N(const Vec3& speed_m_per_s, double dt_s, double max_damping_N_s_per_m) const noexcept {
     const double v2 = glm::dot(speed_m_per_s, speed_m_per_s);
     if (debt_J_ <= 0 || dt_s <= 0 || v2 < safety::kStillHand_m_per_s * safety::kStillHand_m_per_s) return Vec3(0.0);
-    return -speed_m_per_s * std::min(debt_J_ / (v2 * dt_s), most_N_s_per_m);
+    return -speed_m_per_s * std::min(debt_J_ / (v2 * dt_s), max_damping_N_s_per_m);
   }
 
   /// The same for rotation: a torque (unit: N mm, damping in N mm s).
-  Vec3 braking_N_mm(const Vec3& speed_rad_per_s, double dt_s, double most_N_mm_s) const noexcept {
+  Vec3 braking_N_mm(const Vec3& speed_rad_per_s, double dt_s, double max_damping_N_mm_s) const noexcept {
     const double w2 = glm::dot(speed_rad_per_s, speed_rad_per_s);
     if (debt_J_ <= 0 || dt_s <= 0 || w2 < safety::kStillHand_rad_per_s * safety::kStillHand_rad_per_s) return Vec3(0.0);
-    return -speed_rad_per_s * std::min(1e3 * debt_J_ / (w2 * dt_s), most_N_mm_s);
+    return -speed_rad_per_s * std::min(1e3 * debt_J_ / (w2 * dt_s), max_damping_N_mm_s);
   }
 
   /// Records the force and torque given at the end of the tick.

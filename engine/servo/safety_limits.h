@@ -12,15 +12,15 @@ inline constexpr double kTick_s = 0.001;  ///< the length of a tick: 1 kHz
 
 namespace safety {
 
-inline constexpr double kSoftStart_s = 0.5;         ///< duration of a soft start, from zero to full force
-inline constexpr double kSlew_N_per_s = 1000.0;     ///< slew rate required by a wall of 1 N/mm at 1 m/s
-inline constexpr double kStale_s = 0.020;           ///< without a fresh position for this time the force starts to fade
-inline constexpr double kFaded_s = 0.040;           ///< after this time it is zero
-inline constexpr double kContactLost_s = 0.100;     ///< after this time the contact is discarded
-inline constexpr double kJump_m_per_s = 5.0;        ///< faster than any hand: a misread position
-inline constexpr double kJump_rad_per_s = 60.0;     ///< the same for rotation
-inline constexpr double kFastest_rad_per_s = 15.0;  ///< from this angular speed no torque drives the hand's rotation
-inline constexpr double kFastest_m_per_s = 1.0;     ///< from this speed no force drives the hand's motion
+inline constexpr double kSoftStart_s = 0.5;      ///< duration of a soft start, from zero to full force
+inline constexpr double kSlew_N_per_s = 1000.0;  ///< slew rate required by a wall of 1 N/mm at 1 m/s
+inline constexpr double kStale_s = 0.020;        ///< without a fresh position for this time the force starts to fade
+inline constexpr double kFaded_s = 0.040;        ///< after this time it is zero
+inline constexpr double kContactLost_s = 0.100;  ///< after this time the contact is discarded
+inline constexpr double kJump_m_per_s = 5.0;     ///< faster than any hand: a misread position
+inline constexpr double kJump_rad_per_s = 60.0;  ///< the same for rotation
+inline constexpr double kMaxSpeed_rad_per_s = 15.0;  ///< from this angular speed no torque drives the hand's rotation
+inline constexpr double kMaxSpeed_m_per_s = 1.0;     ///< from this speed no force drives the hand's motion
 inline constexpr double kSpeedFadeStart = 0.75;    ///< fraction of that speed at which the driving force starts to fade
 inline constexpr double kVendorLimitMargin = 0.9;  ///< usable fraction of a limit of the device's driver
 inline constexpr double kHeat_s = 30.0;            ///< thermal time constant of the motors' windings
@@ -36,8 +36,8 @@ inline constexpr double kStillHand_rad_per_s = 0.1;  ///< the same for rotation
 /// Generated energy that was not dissipated, above which the force is cut: half of the energy of a 0.5 N/mm spring at
 /// 3.3 N.
 inline constexpr double kEnergyCut_J = 0.005;
-inline constexpr double kFieldShare = 0.5;        ///< fraction of the stiffness bound that a field may use
-inline constexpr double kHardest_N_per_mm = 5.0;  ///< largest stiffness of a spring, whatever is requested
+inline constexpr double kFieldShare = 0.5;             ///< fraction of the stiffness bound that a field may use
+inline constexpr double kMaxStiffness_N_per_mm = 5.0;  ///< largest stiffness of a spring, whatever is requested
 
 }  // namespace safety
 

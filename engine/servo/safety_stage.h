@@ -61,7 +61,7 @@ struct WantedWrench {
   /// separates the energy stored by the surface's motion from that stored by the hand's motion.
   const Stored* before = nullptr;
   double stiffness_N_per_mm = 0.0;  ///< of each spring
-  double most_N = 3.3;              ///< the program's limit on the force
+  double max_N = 3.3;               ///< the program's limit on the force
   bool on = true;                   ///< false: no force is requested, and the next one starts softly
 };
 
@@ -102,12 +102,12 @@ class SafetyStage {
 
  private:
   friend struct StepState;  // step_state.cpp, which saves the state
-  double allowed_N(double most_N) const noexcept;
-  double cutFraction(double force_N, double torque_N_mm, double most_N) const noexcept;
-  double stored_J(const Springs& springs, double stiffness_N_per_mm, double most_N) const noexcept;
-  double fieldRise_J(const Stored& from, const Stored& to, double stiffness_N_per_mm, double most_N) const noexcept;
+  double allowed_N(double max_N) const noexcept;
+  double cutFraction(double force_N, double torque_N_mm, double max_N) const noexcept;
+  double stored_J(const Springs& springs, double stiffness_N_per_mm, double max_N) const noexcept;
+  double fieldRise_J(const Stored& from, const Stored& to, double stiffness_N_per_mm, double max_N) const noexcept;
   double sharedBound_N_per_mm(const LocalStiffness& felt) noexcept;
-  double greatestField_N_per_mm() const noexcept;
+  double maxField_N_per_mm() const noexcept;
   double rotationalBound_N_mm() const noexcept;
   Vec3 slowed(Vec3 force) noexcept;
   Vec3 slowedTorque(Vec3 torque) noexcept;
@@ -118,7 +118,7 @@ class SafetyStage {
 
   // The device's figures.
   double peak_N_ = 0, continuous_N_ = 0, max_stiffness_ = 0, max_damping_ = 0, damping_ = 0, friction_N_ = 0;
-  double resolution_m_ = 0, device_delay_s_ = 0, fastest_m_per_s_ = 0, rise_N_per_s_ = 0;
+  double resolution_m_ = 0, device_delay_s_ = 0, max_speed_m_per_s_ = 0, rise_N_per_s_ = 0;
   double peak_torque_N_mm_ = 0;  // 0: no torque
   bool closes_loop_ = false;
 

@@ -18,7 +18,7 @@ ServoLoop::~ServoLoop() {
   delete next_motion_;
 }
 
-// The step's count goes on, so that samples are numbered without a gap.
+// The step keeps its count, so that samples are numbered consecutively.
 void ServoLoop::begin(std::int64_t now_ns) noexcept {
   switch_.emplace(fallback_, chosen_.get());
   time_ = {};
@@ -49,12 +49,12 @@ void ServoLoop::setInteraction(std::unique_ptr<Interaction> interaction, std::ui
   reactions_ = nullptr;
   if (interaction) {
     Reactions room;
-    room.room.resize(interaction->greatestReactionCount());
+    room.room.resize(interaction->maxReactionCount());
     reactions_ = std::make_shared<TripleBuffer<Reactions>>(room);
   }
-  auto next = std::unique_ptr<HandedInteraction>(
-      new HandedInteraction{std::move(interaction), scene,
-                            reactions_});  // not made by make_unique, which clang before 16 cannot do with an aggregate
+  auto next = std::unique_ptr<SceneInteraction>(
+      new SceneInteraction{std::move(interaction), scene,
+                           reactions_});  // without make_unique, which clang before 16 does not support for aggregates
   delete pending_.exchange(next.release(), std::memory_order_acq_rel);
 }
 
@@ -62,7 +62,7 @@ bool ServoLoop::setMotion(std::shared_ptr<const SphereMotion> motion, std::uint3
   collect();
   if (pending_motions_scene_ == scene && pending_motion_.load(std::memory_order_acquire)) return false;
   pending_motions_scene_ = scene;
-  auto next = std::unique_ptr<HandedMotion>(new HandedMotion{std::move(motion), scene});
+  auto next = std::unique_ptr<SceneMotion>(new SceneMotion{std::move(motion), scene});
   delete pending_motion_.exchange(next.release(), std::memory_order_acq_rel);
   return true;
 }
@@ -72,16 +72,16 @@ void ServoLoop::collect() {
   delete retired_motion_.exchange(nullptr, std::memory_order_acq_rel);
 }
 
-// Where the spheres of the scene that is felt go to in this tick.
+// The motion phase of the active scene's spheres in this tick.
 MotionPhase ServoLoop::nextMotion() noexcept {
-  const auto isFelt = [this](const HandedMotion* motion) {
+  const auto isFelt = [this](const SceneMotion* motion) {
     return motion && current_ && motion->scene == current_->scene;
   };
   const bool ended = !isFelt(motion_) || motion_tick_ >= motion_->motion->ticks();
-  // As for what is felt: one is put down only when the place for it is free.
+  // A motion is replaced only when its return slot is free, as for interactions.
   if (ended && !last_motion_ && !retired_motion_.load(std::memory_order_acquire)) {
     if (next_motion_ && !isFelt(next_motion_) && pending_motion_.load(std::memory_order_acquire))
-      last_motion_ = std::exchange(next_motion_, nullptr);  // its scene never came
+      last_motion_ = std::exchange(next_motion_, nullptr);  // its scene never arrived
     if (!next_motion_) next_motion_ = pending_motion_.exchange(nullptr, std::memory_order_acq_rel);
     if (!last_motion_ && isFelt(next_motion_)) {
       last_motion_ = std::exchange(motion_, std::exchange(next_motion_, nullptr));
@@ -93,12 +93,12 @@ MotionPhase ServoLoop::nextMotion() noexcept {
   return {motion_->motion.get(), double(motion_tick_) / motion_->motion->ticks()};
 }
 
-// After the step, which may have asked it for the last time.
+// Called after the step, which may have used the motion for the last time.
 void ServoLoop::putDownMotion() noexcept {
   if (last_motion_) retired_motion_.store(std::exchange(last_motion_, nullptr), std::memory_order_release);
 }
 
-// The newest settings; without force where their owner is stalled or ramps it down, or the process ends.
+// The newest settings, without force if their owner stalls or ramps it down, or if the process ends.
 ServoSettings ServoLoop::watchedSettings(double dt_s) noexcept {
   ServoSettings settings = settings_.read();
   const std::uint32_t heartbeat = heartbeat_.load(std::memory_order_relaxed);
@@ -113,10 +113,10 @@ ServoSettings ServoLoop::watchedSettings(double dt_s) noexcept {
 void ServoLoop::tick(std::int64_t began_ns, std::optional<std::int64_t> due_ns, std::int64_t (*now)()) noexcept {
   if (ticking_.test_and_set(std::memory_order_acquire)) return;
 
-  // What is to be felt next is taken only when the place for the old one is free, so that nothing is ever destroyed
+  // The next interaction is accepted only when the return slot for the old one is free, so that nothing is destroyed
   // here.
   if (pending_.load(std::memory_order_acquire) && !retired_.load(std::memory_order_acquire)) {
-    HandedInteraction* next = pending_.exchange(nullptr, std::memory_order_acq_rel);
+    SceneInteraction* next = pending_.exchange(nullptr, std::memory_order_acq_rel);
     if (current_) retired_.store(current_, std::memory_order_release);
     current_ = next;
     if (recording_) recording_->begun = true;

@@ -145,25 +145,25 @@ class ServoLoop {
   TripleBuffer<ServoSample> latest_;
   SampleRing<ServoSample, 4096> samples_;
   // An interaction that is handed over, with its scene's number; a null interaction ends the contact.
-  struct HandedInteraction {
+  struct SceneInteraction {
     std::unique_ptr<Interaction> interaction;
     std::uint32_t scene = 0;
     std::shared_ptr<TripleBuffer<Reactions>> reactions;  // null without an interaction
   };
-  std::atomic<HandedInteraction*> pending_{nullptr};  // to the ticks: the next one
-  std::atomic<HandedInteraction*> retired_{nullptr};  // from the ticks: the replaced one
-  HandedInteraction* current_ = nullptr;              // owned by the ticks
+  std::atomic<SceneInteraction*> pending_{nullptr};  // to the ticks: the next one
+  std::atomic<SceneInteraction*> retired_{nullptr};  // from the ticks: the replaced one
+  SceneInteraction* current_ = nullptr;              // owned by the ticks
   // A motion that is handed over, with its scene's number.
-  struct HandedMotion {
+  struct SceneMotion {
     std::shared_ptr<const SphereMotion> motion;
     std::uint32_t scene = 0;
   };
-  std::atomic<HandedMotion*> pending_motion_{nullptr}, retired_motion_{nullptr};  // as above
-  std::uint32_t pending_motions_scene_ = 0;                                       // owned by the owner's thread
-  HandedMotion* motion_ = nullptr;                                                // ticks: the one in use
-  HandedMotion* next_motion_ = nullptr;                                           // ticks: waits for its scene
-  HandedMotion* last_motion_ = nullptr;  // ticks: replaced in this tick, in which the interaction may still read it
-  int motion_tick_ = 0;                  // of the motion in use
+  std::atomic<SceneMotion*> pending_motion_{nullptr}, retired_motion_{nullptr};  // as above
+  std::uint32_t pending_motions_scene_ = 0;                                      // owned by the owner's thread
+  SceneMotion* motion_ = nullptr;                                                // ticks: the one in use
+  SceneMotion* next_motion_ = nullptr;                                           // ticks: waits for its scene
+  SceneMotion* last_motion_ = nullptr;  // ticks: replaced in this tick, in which the interaction may still read it
+  int motion_tick_ = 0;                 // of the motion in use
   struct Recording {
     SampleRing<RecordedTick, 4096> ring;
     ServoStep start;       // written before the first tick is pushed

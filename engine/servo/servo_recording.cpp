@@ -21,21 +21,21 @@ static_assert(sizeof(ServoSettings) == 152 && sizeof(DevicePose) == 80 && sizeof
                   sizeof(TickTime) == 16,
               "a field more is to be recorded below, or a replay is not the same");
 
-// The fourth version's ticks have no torque, the third's no orientation and its devices no torque; the second's begin from
-// no state either.
+// Version 4 has no torque per tick; version 3 has also no orientation, and no torque of devices; version 2 has also no
+// initial state.
 constexpr std::string_view kMagic = "MOLTRAC5", kForcesMagic = "MOLTRAC4", kPlacesMagic = "MOLTRAC3",
                            kStatelessMagic = "MOLTRAC2", kOldMagic = "MOLTRAC1";
 constexpr std::string_view kBlockMagic = "BLK1";
 constexpr std::uint32_t kTicksInBlock = 256;
-constexpr std::size_t kMinTickBytes = 81;  // a tick without settings and device
+constexpr std::size_t kMinTickBytes = 81;  // size of a tick without settings and device
 constexpr std::size_t kMaxBytes = std::size_t{1} << 30;
 constexpr std::uint8_t kSettings = 1, kFresh = 2, kConnected = 4, kOtherDevice = 8, kFaultFlag = 16, kFallenBack = 32,
                        kOriented = 64, kSpheresMoved = 128;
 
-// What must be the same for the bits to be the same: the state's members and the compiler.
+// Identifies the build: identical forces require the same members of the state and the same compiler.
 std::string buildName() { return std::to_string(sizeof(ServoStep)) + ' ' + __VERSION__; }
 
-// Both directions at once, so that what is written and what is read cannot differ.
+// One definition for both directions, so that writing and reading cannot differ.
 struct Putter {
   std::string& to;
   template <class T>
@@ -61,7 +61,7 @@ struct Getter {
   }
 };
 
-// "0-3,7": ascending numbers, those that follow one another as a range.
+// Formats ascending numbers with consecutive ones as ranges: "0-3,7".
 std::string rangesText(const std::vector<std::uint32_t>& numbers) {
   std::string out;
   for (std::size_t i = 0; i < numbers.size();) {
@@ -74,7 +74,7 @@ std::string rangesText(const std::vector<std::uint32_t>& numbers) {
   return out;
 }
 
-// Empty where the text is none of these, or names a number that is not under `end`.
+// Parses ranges. Returns an empty list if the text is invalid or names a number that is not below `end`.
 std::vector<std::uint32_t> rangesOf(std::string_view text, std::size_t end) {
   std::vector<std::uint32_t> out;
   const char* at = text.data();
@@ -128,19 +128,19 @@ bool sameBits(const Vec3& a, const Vec3& b) {
   return bits(a.x) == bits(b.x) && bits(a.y) == bits(b.y) && bits(a.z) == bits(b.z);
 }
 
-// Whether a program of ours can have asked the loop for that. Poses and device's figures come from devices, which may
-// tell anything; the loop takes them as they are.
+// True if this program could have made these settings. Poses and figures come from devices, which are untrusted; the
+// loop accepts them unchanged.
 bool canBe(const ServoSettings& s) {
   const Workspace& w = s.workspace;
   bool rotates = true;
   for (int k = 0; k < 3; ++k)
     for (int i = 0; i < 3; ++i) rotates = rotates && std::abs(w.rotation[k][i]) <= 1.001;
-  const auto within = [](double x, double most) { return x >= 0.0 && x <= most; };
+  const auto within = [](double x, double limit) { return x >= 0.0 && x <= limit; };
   return rotates && w.A_per_mm > 1e-6 && w.A_per_mm < 1e6 && finite(w.centre_A) && within(s.stiffness_N_per_mm, 1e6) &&
          within(s.max_force_N, 1e6) && within(s.probe_A, 1e6);
 }
 
-// The loop gives finite forces only, within the limits of canBe().
+// The loop gives only finite forces within the limits of canBe().
 bool canBeGiven(const Vec3& force) {
   constexpr double kMax = 1e6;
   return std::abs(force.x) <= kMax && std::abs(force.y) <= kMax && std::abs(force.z) <= kMax;
@@ -159,10 +159,10 @@ void orientationFields(Each& each, Q& q) {
   each(q.w), each(q.x), each(q.y), each(q.z);
 }
 
-// A tick with an orientation has the torque too, where its device gives one.
+// A tick with an orientation also has the torque if its device drives one.
 bool drivesTorque(const DeviceSpecs& device) { return device.dof_out >= 6; }
 
-// What a version of the file holds.
+// The features of a file version.
 struct Version {
   bool orientations = true, torques = true;
 };
@@ -386,10 +386,9 @@ ReplayResult replay(const ServoRecording& recording, Interaction* interaction) {
     const bool same_torque = !recording.torques || sameBits(now.torque_N_mm, tick.torque_N_mm);
     if (!sameBits(now.force.N, tick.force.N) || !same_torque) {
       if (!out.first_difference) out.first_difference = out.ticks;
-      out.greatest_difference_N = std::max(out.greatest_difference_N, glm::distance(now.force.N, tick.force.N));
+      out.max_difference_N = std::max(out.max_difference_N, glm::distance(now.force.N, tick.force.N));
       if (!same_torque)
-        out.greatest_difference_N_mm =
-            std::max(out.greatest_difference_N_mm, glm::distance(now.torque_N_mm, tick.torque_N_mm));
+        out.max_difference_N_mm = std::max(out.max_difference_N_mm, glm::distance(now.torque_N_mm, tick.torque_N_mm));
     }
     ++out.ticks;
     out.moving += tick.spheres_moved;
@@ -403,7 +402,7 @@ std::string fingerprint(const SphereGrid& scene) {
     for (const double value : {sphere.centre_A.x, sphere.centre_A.y, sphere.centre_A.z, sphere.radius_A})
       for (std::uint64_t bits = std::bit_cast<std::uint64_t>(value), k = 0; k < 8; ++k, bits >>= 8)
         hash = (hash ^ (bits & 0xFF)) * 1099511628211u;
-  // What is not felt makes another scene of the same spheres.
+  // Untouchable spheres make a different scene of the same spheres.
   for (const std::uint32_t i : scene.untouchable())
     for (std::uint64_t bits = i, k = 0; k < 4; ++k, bits >>= 8) hash = (hash ^ (bits & 0xFF)) * 1099511628211u;
   char text[40];

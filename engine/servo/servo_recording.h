@@ -87,7 +87,7 @@ struct ReplayResult {
   std::uint64_t moving = 0;  ///< ticks whose spheres moved in the recording; here they are at rest
   /// The first tick whose force or torque differs from the recorded one in any bit.
   std::optional<std::uint64_t> first_difference;
-  double greatest_difference_N = 0, greatest_difference_N_mm = 0;
+  double max_difference_N = 0, max_difference_N_mm = 0;
 };
 
 /// Replays the recorded ticks with an interaction created as for the recording (null: none), and compares forces and

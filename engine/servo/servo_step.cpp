@@ -7,21 +7,21 @@
 namespace moltact {
 namespace {
 
-// The springs' own, cut to the greatest force.
+// The force of the springs alone, clamped to the limit.
 Wrench unguarded(const WantedWrench& wanted) {
   const double size = glm::length(wanted.force_N);
   if (!wanted.on || !std::isfinite(size)) return {};
-  return {{size > wanted.most_N ? wanted.force_N * (wanted.most_N / size) : wanted.force_N}, wanted.torque_N_mm};
+  return {{size > wanted.max_N ? wanted.force_N * (wanted.max_N / size) : wanted.force_N}, wanted.torque_N_mm};
 }
 
-// What the contact's springs of an answer stretch and store, in the device's space.
+// The stretch and energy of a response's contact springs, in the device's space.
 Springs springsOf(const Response& response, double A_per_mm) {
   return {.stretch_mm = glm::length(response.contact.displacement_A) / A_per_mm,
           .torque_mm2 = glm::length(response.torque_A2) / (A_per_mm * A_per_mm),
           .energy_mm2 = response.contact.energy_A2 / (A_per_mm * A_per_mm)};
 }
 
-// The force and torque of an answer in the device's space, with springs of that stiffness and so much of the field.
+// Force and torque of a response in the device's space, with the given stiffness of springs and share of the field.
 struct Pull {
   Vec3 force_N{0.0}, torque_N_mm{0.0};
 };
@@ -55,7 +55,7 @@ ServoSample ServoStep::tick(const ServoSettings& settings, Interaction* interact
   out.tick = tick_++;
   out.time_s = double(out.tick) * kTick_s;
   const bool lost = guarded_ && safety_.beginTick(pose, time);
-  // A hand that was placed elsewhere, or jumped, starts from where it is.
+  // A hand that was placed elsewhere or jumped restarts from its position.
   if (lost || settings.discontinuities != discontinuities_ || pose.discontinuities != hand_discontinuities_)
     clutch_.restart();
   out.hand = clutch_.place(pose, settings.clutch, workspace_mm_, push_, kTick_s);
@@ -66,8 +66,8 @@ ServoSample ServoStep::tick(const ServoSettings& settings, Interaction* interact
   out.has_interaction = interaction != nullptr;
   out.discontinuities = settings.discontinuities;
 
-  // A new interaction comes as its maker left it: one that was led to the hand keeps the contact over a change of
-  // method.
+  // A new interaction keeps the state in which it was handed over: one that was led to the hand keeps the contact over
+  // a change of method.
   out.placed = std::exchange(other_device_, false) || lost || settings.discontinuities != discontinuities_ ||
                pose.discontinuities != hand_discontinuities_;
   const bool changed = interaction != last_interaction_ || out.placed;
@@ -75,7 +75,7 @@ ServoSample ServoStep::tick(const ServoSettings& settings, Interaction* interact
   last_interaction_ = interaction;
   discontinuities_ = settings.discontinuities;
   hand_discontinuities_ = pose.discontinuities;
-  // At another scale the same displacement gives another force.
+  // With another scale the same displacement gives another force.
   const bool rescaled = std::exchange(A_per_mm_, settings.workspace.A_per_mm) != settings.workspace.A_per_mm;
   if (changed || rescaled) safety_.restart();
   safety_.stop(settings.panic);
@@ -85,10 +85,10 @@ ServoSample ServoStep::tick(const ServoSettings& settings, Interaction* interact
   if (reactions) reactions->tick = out.tick, reactions->count = 0;
   push_ = Vec3(0.0);
   if (interaction) {
-    // First the surface moves under a hand at rest, then the hand: what the springs take up in the first of these
-    // is the surface's work, and none that the hand or the loop does.
+    // First the surface moves with the hand at rest, then the hand. Energy stored in the first step is the work of the
+    // surface, not of the hand or the loop.
     const bool carried = moveSurface(settings, *interaction, phase, changed) && !changed && !rescaled;
-    if (carried) askBefore(settings.workspace, *interaction, before);
+    if (carried) respondBefore(settings.workspace, *interaction, before);
     out.probe_A = interaction->probe_A();
     const Response response = interaction->respond(at);
     out.contact = response.contact;
@@ -114,17 +114,17 @@ ServoSample ServoStep::tick(const ServoSettings& settings, Interaction* interact
   return out;
 }
 
-// Moves the surface to its state in this tick; false where it is at rest.
+// Moves the surface to its state in this tick; returns false if it is at rest.
 bool ServoStep::moveSurface(const ServoSettings& settings, Interaction& interaction, const MotionPhase& phase,
                             bool changed) noexcept {
   bool moved = false;
-  // It swells or shrinks by a little each tick, so that it carries the finger instead of striking it.
+  // The probe grows or shrinks a little in each tick, so that the surface carries the finger instead of striking it.
   if (std::isfinite(settings.probe_A)) {
-    const double goal = std::clamp(settings.probe_A, 0.0, kLargestProbe_A);
-    const double now = interaction.probe_A(), most = kProbeSlew_A_per_s * kTick_s;
+    const double goal = std::clamp(settings.probe_A, 0.0, kMaxProbe_A);
+    const double now = interaction.probe_A(), limit = kProbeSlew_A_per_s * kTick_s;
     if (goal != now) {
-      interaction.setProbe(changed ? goal : now + std::clamp(goal - now, -most, most));
-      moved = now > 0.0 || interaction.probe_A() > 0.0;  // a body has none
+      interaction.setProbe(changed ? goal : now + std::clamp(goal - now, -limit, limit));
+      moved = now > 0.0 || interaction.probe_A() > 0.0;  // a body has no probe
     }
   }
   const std::uint64_t serial = phase.motion ? phase.motion->serial() : 0;
@@ -137,9 +137,9 @@ bool ServoStep::moveSurface(const ServoSettings& settings, Interaction& interact
   return moved;
 }
 
-// What holds the energy once the surface has moved, with the hand still where it was. The stiffness of this tick is not
-// chosen yet: sizes are of the last one's, as those of the last tick's store.
-void ServoStep::askBefore(const Workspace& workspace, Interaction& interaction, Stored& before) noexcept {
+// The stored energy after the motion of the surface, with the hand still at its last pose. The stiffness of this tick
+// is not known yet, so the sizes use that of the last tick, like its own stored energy.
+void ServoStep::respondBefore(const Workspace& workspace, Interaction& interaction, Stored& before) noexcept {
   const Response moved = interaction.respond(last_at_);
   const Pull pull = pullOf(moved, workspace, safety_.stiffnessInForce_N_per_mm(), safety_.fieldShare());
   store(moved, workspace, pull, before);
@@ -148,7 +148,7 @@ void ServoStep::askBefore(const Workspace& workspace, Interaction& interaction, 
 void ServoStep::feel(const ServoSettings& settings, const Response& response, WantedWrench& wanted) noexcept {
   const Contact& contact = response.contact;
   const Workspace& workspace = settings.workspace;
-  wanted.most_N = settings.max_force_N;
+  wanted.max_N = settings.max_force_N;
   wanted.on = settings.force_on && !clutch_.held() && contact.fault == Fault::None;
   if (!response.acts()) return;
   wanted.stiffness_N_per_mm = settings.stiffness_N_per_mm;

@@ -13,7 +13,7 @@ void ServoThread::start() {
   loop_.begin(begun_ns);
   device_tick_ns_.store(0, std::memory_order_relaxed);
   stop_.store(false, std::memory_order_release);
-  // From here on the device's clock may already tick.
+  // From here on the device's clock may tick.
   if (loop_.device() && loop_.device()->startClock(*this)) device_tick_ns_.store(begun_ns, std::memory_order_release);
   thread_ = std::thread([this] { run(); });
 }
@@ -53,11 +53,11 @@ void ServoThread::run() noexcept {
   while (!stop_.load(std::memory_order_acquire)) {
     clock_.sleepUntil(due_ns);
     const std::int64_t began_ns = clock_.now_ns();
-    // While the device's own clock ticks this one only watches; when that stops, this one takes over.
+    // While the device's own clock ticks, this thread only watches; when it stops, this thread takes over.
     if (began_ns - device_tick_ns_.load(std::memory_order_acquire) > kOwnClock_ns)
       loop_.tick(began_ns, due_ns, clock_.now_ns);
 
-    // A few missed ticks are caught up one after the other; after a long stall the loop restarts from now.
+    // A few missed ticks are caught up in sequence; after a long stall the loop restarts from the present time.
     due_ns += ServoLoop::kPeriod_ns;
     if (const std::int64_t behind = (began_ns - due_ns) / ServoLoop::kPeriod_ns; behind > kCatchUp_ticks) {
       missed_.fetch_add(std::uint64_t(behind), std::memory_order_relaxed);

@@ -10,22 +10,21 @@
 
 namespace moltact {
 
-static_assert(sizeof(void*) != 8 ||  // other machines lay them out otherwise; the names are the same
+static_assert(sizeof(void*) != 8 ||  // the layout differs on other machines; the names are the same
                   (sizeof(HandSpeed) == 312 && sizeof(PassivityControl) == 12304 && sizeof(ThermalModel) == 16 &&
                    sizeof(Clutch) == 88 && sizeof(SafetyStage) == 13368 && sizeof(ServoStep) == 13616),
               "a member more is to be named below, or a replay is not the same");
 
-// Every member of a step's state with its name in files and range; a friend of the classes whose members they are. The
-// names stay as they are when a member's does not, so that older recordings begin where they did. `each` is called as
-// each(prefix, name, value, least, greatest).
+// All members of a step's state with their names in files and ranges; a friend of the classes whose members they are.
+// The file names do not follow renamed members, so that older recordings stay readable. `each` is called as
+// each(prefix, name, value, min, max).
 struct StepState {
-  static constexpr double kAny =
-      1e12;  // of any unit: what is far beyond every device, and whose squares are still numbers
+  static constexpr double kAny = 1e12;  // in any unit: far beyond every device, with finite squares
 
   template <class Each>
-  static void vector(Each& each, const std::string& prefix, const std::string& name, Vec3& v, double most = kAny) {
-    each(prefix, name + ".x", v.x, -most, most), each(prefix, name + ".y", v.y, -most, most),
-        each(prefix, name + ".z", v.z, -most, most);
+  static void vector(Each& each, const std::string& prefix, const std::string& name, Vec3& v, double limit = kAny) {
+    each(prefix, name + ".x", v.x, -limit, limit), each(prefix, name + ".y", v.y, -limit, limit),
+        each(prefix, name + ".z", v.z, -limit, limit);
   }
 
   template <class Each>
@@ -48,7 +47,7 @@ struct StepState {
   template <class Each>
   static void of(Each& each, const std::string& p, PassivityControl& s) {
     each(p, "debt_J", s.debt_J_, 0.0, kAny);
-    // A history of kOlder ticks, as a ring, which older recordings hold.
+    // A ring of kOlder ticks, as contained in older recordings.
     constexpr std::size_t kOlder = 8;
     const std::size_t size = s.given_.size();
     if (each.holds(p + "next", false)) {
@@ -61,7 +60,7 @@ struct StepState {
       }
       return;
     }
-    // The newest first; what is zero is left out.
+    // The newest entry first; zeros are omitted.
     for (std::size_t ago = 0; ago < size; ++ago) {
       const std::size_t at = (s.next_ + size - 1 - ago) % size;
       for (auto [name, v] : {std::pair("given_ago_N.", &s.given_[at]), std::pair("given_ago_N_mm.", &s.torques_[at])}) {
@@ -89,7 +88,7 @@ struct StepState {
     each(p, "max_stiffness", s.max_stiffness_, 0.0, kAny), each(p, "max_damping", s.max_damping_, 0.0, kAny);
     each(p, "damping", s.damping_, 0.0, kAny), each(p, "friction_N", s.friction_N_, 0.0, kAny);
     each(p, "resolution_m", s.resolution_m_, 0.0, kAny), each(p, "device_delay_s", s.device_delay_s_, 0.0, kAny);
-    each(p, "fastest_m_per_s", s.fastest_m_per_s_, 0.0, safety::kFastest_m_per_s);
+    each(p, "fastest_m_per_s", s.max_speed_m_per_s_, 0.0, safety::kMaxSpeed_m_per_s);
     each(p, "rise_N_per_s", s.rise_N_per_s_, 0.0, safety::kSlew_N_per_s),
         each(p, "closes_loop", s.closes_loop_, false, true);
     each(p, "peak_torque_N_mm", s.peak_torque_N_mm_, 0.0, kAny);
@@ -103,12 +102,12 @@ struct StepState {
     each(p, "elapsed_s", s.elapsed_s_, 0.0, safety::kStale_s), each(p, "dt_s", s.dt_s_, 0.0, kTick_s);
     each(p, "off", s.off_, false, true);
     of(each, p + "heat.", s.heat_), of(each, p + "passivity.", s.passivity_);
-    each(p, "gain", s.gain_, 0.0, 1.0), each(p, "stiffness", s.stiffness_, 0.0, safety::kHardest_N_per_mm);
+    each(p, "gain", s.gain_, 0.0, 1.0), each(p, "stiffness", s.stiffness_, 0.0, safety::kMaxStiffness_N_per_mm);
     Stored& stored = s.stored_;
     each(p, "stretch_mm", stored.springs.stretch_mm, 0.0, kAny);
     each(p, "torque_mm2", stored.springs.torque_mm2, 0.0, kAny);
     each(p, "energy_mm2", stored.springs.energy_mm2, -kAny, kAny);
-    // Recordings from before fields have none of these.
+    // Recordings from before the introduction of fields contain none of these.
     if (each.holds(p + "field", stored.field || s.field_share_ != 1.0)) {
       each(p, "field", stored.field, false, true);
       each(p, "field_energy_N_mm", stored.field_energy_N_mm, -kAny, kAny);
@@ -118,19 +117,19 @@ struct StepState {
     }
     each(p, "fault", s.fault_, false, true), each(p, "stopped", s.stopped_, false, true);
     vector(each, p, "force_N", s.force_N_), vector(each, p, "torque_N_mm", s.torque_N_mm_);
-    // The limits that acted in the last tick are set again in the next.
+    // The limits that acted in the last tick are recomputed in the next.
   }
 
   template <class Each>
   static void of(Each& each, ServoStep& s) {
     each("", "tick", s.tick_, std::uint64_t{0},
-         ~std::uint64_t{0} >> 1);  // its count is a time, which must not run over
+         ~std::uint64_t{0} >> 1);  // the count is also a time, which must not overflow
     each("", "discontinuities", s.discontinuities_, std::uint32_t{0}, ~std::uint32_t{0});
     each("", "hand_placements", s.hand_discontinuities_, std::uint32_t{0}, ~std::uint32_t{0});
     each("", "other_device", s.other_device_, false, true), each("", "A_per_mm", s.A_per_mm_, -kAny, kAny);
     vector(each, "", "workspace_mm", s.workspace_mm_), vector(each, "", "push", s.push_, 2.0);
     of(each, "clutch.", s.clutch_), of(each, "safety.", s.safety_);
-    // The last interaction is an address in memory: a step that was read has met none.
+    // The last interaction is a memory address: a step read from text has none.
   }
 };
 
@@ -157,12 +156,12 @@ struct Writer {
 
 struct Reader {
   std::map<std::string, std::string_view, std::less<>> values;
-  std::string wrong{};  // of the first value that is
+  std::string wrong{};  // the first invalid value
 
   bool holds(const std::string& name, bool) const { return values.contains(name); }
 
   template <class T>
-  void operator()(const std::string& prefix, const std::string& name, T& value, T least, T greatest) {
+  void operator()(const std::string& prefix, const std::string& name, T& value, T min, T max) {
     if (!wrong.empty()) return;
     const auto found = values.find(prefix + name);
     if (found == values.end()) {
@@ -177,7 +176,7 @@ struct Reader {
       end = std::from_chars(text.data(), last, read, std::chars_format::hex);
     else
       end = std::from_chars(text.data(), last, read);
-    if (end.ec != std::errc{} || end.ptr != last || !(read >= least && read <= greatest)) {
+    if (end.ec != std::errc{} || end.ptr != last || !(read >= min && read <= max)) {
       wrong = trf("the state that the recording begins from has a {0} that cannot be", prefix + name);
       return;
     }

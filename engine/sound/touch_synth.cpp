@@ -11,19 +11,19 @@ namespace {
 
 constexpr double kKnockDecay_s = 0.030, kClickDecay_s = 0.008, kThudDecay_s = 0.060;
 constexpr int kRise_samples = kSamples_per_s * 2 / 1000;
-// Faster ones would run into a buzz.
+// A higher rate would sound like a buzz.
 constexpr int kClickEvery_samples = kSamples_per_s / 25, kThudEvery_samples = kSamples_per_s / 8;
 constexpr double kInaudible = 1e-5;
-constexpr double kQuietest = 0.35, kLoudFrom_N = 2.0;  // of the tone without force; force from which it is loudest
+constexpr double kQuietest = 0.35, kLoudFrom_N = 2.0;  // level of the tone without force; force of the full level
 
 double heard_N(double force_N) { return std::isfinite(force_N) ? std::clamp(force_N, 0.0, kMaxHeard_N) : 0.0; }
 
-// The fraction of the way that leaves 1/e of it after `time_s`.
+// The smoothing factor per sample of a first-order filter with time constant `time_s`.
 double pull(double time_s) { return 1.0 - std::exp(-1.0 / (time_s * kSamples_per_s)); }
 
 const double kAttack = pull(0.008), kRelease = pull(0.030), kGlide = pull(0.025), kCross = pull(0.015);
 
-// The part of the way that a low-pass of one pole goes in a sample.
+// The smoothing factor per sample of a one-pole low-pass filter.
 double lowPass(double hertz) { return 1.0 - std::exp(-kTwoPi * hertz / kSamples_per_s); }
 
 const double kDull = lowPass(500.0), kBrightest = lowPass(3200.0), kMinBright = lowPass(1200.0);
@@ -35,7 +35,7 @@ double advance(double& phase, double hertz) {
   return now;
 }
 
-// How loud each note of the chord is, so that the power is the same for one, two and three.
+// The level of each note of the chord, with equal power for one, two and three notes.
 std::array<double, 3> notesOf(Feature feature) {
   switch (feature) {
     case Feature::Circle:
@@ -55,7 +55,7 @@ bool reachesNewAtom(const TouchMoment& before, const TouchMoment& now) {
 
 }  // namespace
 
-double pitch_Hz(double force_N) { return kLowestPitch_Hz * std::exp2(kSemitones_per_N * heard_N(force_N) / 12.0); }
+double pitch_Hz(double force_N) { return kMinPitch_Hz * std::exp2(kSemitones_per_N * heard_N(force_N) / 12.0); }
 
 void TouchSynth::Blip::strike(double pitch, double peak, double decay_s) noexcept {
   hertz = pitch;
@@ -82,7 +82,7 @@ void TouchSynth::take(const TouchMoment& moment) noexcept {
   const bool was = felt_.feature != Feature::Free, is = moment.feature != Feature::Free;
   if (is && !was) {
     knock_.strike(kKnock_Hz, kKnockLevel, kKnockDecay_s);
-    // A new tone begins at its own pitch and does not slide there from the last one's.
+    // A new tone starts at its own pitch instead of gliding from that of the last one.
     if (loudness_ == 0.0) {
       semitones_ = kSemitones_per_N * heard_N(moment.force_N);
       note_ = notesOf(moment.feature);
@@ -100,7 +100,7 @@ void TouchSynth::take(const TouchMoment& moment) noexcept {
   felt_ = moment;
 }
 
-// Noise between two low-passes, of which the upper one opens with the speed.
+// Noise between two low-pass filters; the cutoff of the upper one increases with the speed.
 double TouchSynth::scrape() noexcept {
   const double speed = felt_.feature == Feature::Free || !std::isfinite(felt_.slide_A_per_s)
                            ? 0.0
@@ -128,7 +128,7 @@ void TouchSynth::render(std::span<float> out) noexcept {
     since_click_ = std::min(since_click_ + 1, kSamples_per_s);
     since_thud_ = std::min(since_thud_ + 1, kSamples_per_s);
     if (loudness_ > 0.0 || loudness > 0.0) {
-      const double pitch = kLowestPitch_Hz * std::exp2(semitones_ / 12.0);
+      const double pitch = kMinPitch_Hz * std::exp2(semitones_ / 12.0);
       for (std::size_t k = 0; k < kChord.size(); ++k) {
         sum += kNoteLevel * loudness_ * note_[k] * advance(phase_[k], pitch * kChord[k]);
         note_[k] += (notes[k] - note_[k]) * kCross;

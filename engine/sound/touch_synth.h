@@ -27,7 +27,7 @@
 namespace moltact {
 
 inline constexpr int kSamples_per_s = 48000;
-inline constexpr double kLowestPitch_Hz = 330.0;
+inline constexpr double kMinPitch_Hz = 330.0;
 inline constexpr double kSemitones_per_N = 8.0;
 inline constexpr double kMaxHeard_N = 4.0;  ///< larger forces sound like this one
 /// Just intonation: frequency ratios to the lowest note. A crease uses the first and the last, a pit all three.

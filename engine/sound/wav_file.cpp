@@ -23,7 +23,7 @@ std::optional<Problem> writeWav(const std::filesystem::path& file, std::span<con
   number(out, 36 + bytes, 4);
   out += "WAVEfmt ";
   number(out, 16, 4);
-  number(out, 1, 2);  // plain samples
+  number(out, 1, 2);  // PCM
   number(out, 1, 2);  // one channel
   number(out, std::uint32_t(samples_per_s), 4);
   number(out, std::uint32_t(samples_per_s) * 2, 4);

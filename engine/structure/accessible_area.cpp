@@ -9,7 +9,7 @@
 namespace moltact {
 namespace {
 
-/// Directions spread evenly over the sphere: a spiral by the golden angle.
+/// Directions distributed evenly over the sphere: a spiral by the golden angle.
 std::vector<Vec3> spiral(int points) {
   std::vector<Vec3> out;
   out.reserve(std::size_t(points));
@@ -21,7 +21,7 @@ std::vector<Vec3> spiral(int points) {
   return out;
 }
 
-/// The cap of a grown sphere that lies in another: directions whose part along `towards` is more than `beyond`.
+/// The cap of an inflated sphere inside another: directions with a component along `towards` above `beyond`.
 struct Cap {
   Vec3 towards;
   double beyond;
@@ -35,17 +35,17 @@ class Area {
         points_(spiral(points)) {}
 
   double radius_A(std::uint32_t i) const { return grid_[i].radius_A; }
-  /// How many points of the sphere are free; no more than `most` are counted.
-  int freePoints(std::uint32_t i, int most) {
+  /// Counts the sphere's free points, at most `limit`.
+  int freePoints(std::uint32_t i, int limit) {
     if (!findCaps(i)) return 0;
     int free = 0;
-    std::size_t last = 0;  // what buried the last point most likely buries the next
+    std::size_t last = 0;  // the cap that covered the last point most likely covers the next
     for (const Vec3& p : points_) {
       if (!caps_.empty() && buries(caps_[last], p)) continue;
       const auto by = std::find_if(caps_.begin(), caps_.end(), [&](const Cap& c) { return buries(c, p); });
       if (by != caps_.end())
         last = std::size_t(by - caps_.begin());
-      else if (++free >= most)
+      else if (++free >= limit)
         break;
     }
     return free;
@@ -59,17 +59,17 @@ class Area {
   }
   static bool buries(const Cap& c, const Vec3& p) { return glm::dot(c.towards, p) > c.beyond; }
 
-  /// The caps of its neighbours, the largest first; false where the whole sphere lies in another.
+  /// Finds the caps of the neighbours, the largest first; returns false if the whole sphere lies in another.
   bool findCaps(std::uint32_t i) {
     caps_.clear();
     const Sphere own = grid_[i];
     bool free = own.radius_A > 0.0;
     grid_.visitNear(own.centre_A, own.radius_A, [&](std::uint32_t j, const Sphere& other) {
       if (j == i) return;
-      const Vec3 way = other.centre_A - own.centre_A;
-      const double apart = glm::length(way);
+      const Vec3 offset = other.centre_A - own.centre_A;
+      const double apart = glm::length(offset);
       if (apart >= own.radius_A + other.radius_A || apart + other.radius_A <= own.radius_A) {
-        // Apart, or within this one; of two in one place the first is kept.
+        // Separate, or within this one; of two equal spheres the first is kept.
         if (apart == 0.0 && other.radius_A == own.radius_A && j < i) free = false;
         return;
       }
@@ -79,7 +79,7 @@ class Area {
       }
       const double beyond = (own.radius_A * own.radius_A + apart * apart - other.radius_A * other.radius_A) /
                             (2.0 * own.radius_A * apart);
-      caps_.push_back({way / apart, beyond});
+      caps_.push_back({offset / apart, beyond});
     });
     std::sort(caps_.begin(), caps_.end(), [](const Cap& a, const Cap& b) { return a.beyond < b.beyond; });
     return free;
@@ -88,7 +88,7 @@ class Area {
   double probe_A_;
   SphereGrid grid_;
   std::vector<Vec3> points_;
-  std::vector<Cap> caps_;  // of the sphere that is looked at
+  std::vector<Cap> caps_;  // of the present sphere
 };
 
 }  // namespace

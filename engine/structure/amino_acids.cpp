@@ -24,7 +24,7 @@ constexpr AminoAcid kAminoAcids[] = {
     {"TYR", N_("tyrosine"), Polar, 0, -1.3},         {"VAL", N_("valine"), Hydrophobic, 0, 4.2},
 };
 
-/// A name that says how the residue is charged.
+/// A residue name that denotes a charge state.
 struct State {
   std::string_view name, code;
   int charge_e;
@@ -52,7 +52,7 @@ std::span<const AminoAcid> aminoAcids() { return kAminoAcids; }
 const AminoAcid* aminoAcid(std::string_view residue_name) {
   if (const AminoAcid* known = byCode(residue_name)) return known;
   if (const State* state = stateOf(residue_name)) return byCode(state->code);
-  // A modified residue carries the letter of the one that it is made from.
+  // A modified residue has the letter of its parent amino acid.
   const gemmi::ResidueInfo info = gemmi::find_tabulated_residue(std::string(residue_name));
   if (!info.is_amino_acid()) return nullptr;
   const char letter = info.one_letter_code & ~0x20;

@@ -12,9 +12,9 @@
 namespace moltact {
 namespace {
 
-/// The atoms of an amino acid among which the charge of its side chain is shared.
+/// The atoms of an amino acid that share the charge of its side chain.
 struct ChargedGroup {
-  std::string_view code;  ///< of the amino acid that the residue is made from
+  std::string_view code;  ///< of the parent amino acid
   std::string_view atoms[2];
 };
 constexpr ChargedGroup kSideChains[] = {{"ARG", {"NH1", "NH2"}}, {"ASP", {"OD1", "OD2"}}, {"CYS", {"SG", ""}},
@@ -24,7 +24,7 @@ bool isPhosphateOxygen(std::string_view name) {
   return name == "OP1" || name == "OP2" || name == "O1P" || name == "O2P";
 }
 
-/// Shares `charge_e` evenly among the atoms of a residue for which `carries` holds.
+/// Shares `charge_e` equally among the atoms of a residue for which `carries` is true.
 template <class Carries>
 void share(const Molecule& m, const Residue& residue, double charge_e, Carries carries, std::vector<float>& out) {
   const std::uint32_t end = residue.first_atom + residue.atom_count;

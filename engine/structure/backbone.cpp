@@ -14,7 +14,7 @@ bool near(const Molecule& m, std::uint32_t a, std::uint32_t b, double reach_A) {
   return glm::distance(m.spheresAsRead()[a].centre_A, m.spheresAsRead()[b].centre_A) <= reach_A;
 }
 
-/// Keeps the first atom of a name.
+/// Stores the first atom of a name.
 void keep(std::uint32_t& slot, std::uint32_t atom) {
   if (slot == kNoAtom) slot = atom;
 }

@@ -10,7 +10,7 @@ namespace moltact {
 namespace {
 
 constexpr double kTolerance_A = 0.45, kMinApart_A = 0.4;
-constexpr double kLongestFormulaBond_A = 2.6;  // a longer one is a torn residue, or two with one name
+constexpr double kMaxFormulaBond_A = 2.6;  // a longer one indicates a torn residue, or two with one name
 
 constexpr std::uint8_t kHydrogenNumber = 1, kCarbonNumber = 6;
 
@@ -40,7 +40,7 @@ class BondFinder {
     out_.push_back({first, second, order});
   }
 
-  // Of a name that stands there twice the first atom is taken; the other's bonds are found by distance.
+  // Of a repeated name the first atom is used; the bonds of the other are found by distance.
   void addFormula(const Residue& r) {
     const auto formula = formulaBonds(r.name);
     if (formula.empty()) return;
@@ -60,11 +60,11 @@ class BondFinder {
     };
     for (const NamedBond& b : formula) {
       const std::uint32_t i = find(b.first), j = find(b.second);
-      if (i != kNoResidue && j != kNoResidue && distance(i, j) < kLongestFormulaBond_A) add(i, j, b.order);
+      if (i != kNoResidue && j != kNoResidue && distance(i, j) < kMaxFormulaBond_A) add(i, j, b.order);
     }
   }
 
-  // Between residues that have formulas: what joins them, by the names of the atoms.
+  // True if the atoms' names denote a bond between two residues with formulas.
   bool joins(std::uint32_t a, std::uint32_t b) const {
     constexpr std::string_view kJoins[][2] = {{"C", "N"}, {"O3'", "P"}, {"O3*", "P"}, {"SG", "SG"}, {"C", "NZ"}};
     const std::string_view x = m_.atoms[a].nameText(), y = m_.atoms[b].nameText();
@@ -82,7 +82,7 @@ class BondFinder {
       spheres.push_back({m_.spheresAsRead()[i].centre_A, radius});
     }
     const SphereGrid grid(std::move(spheres), SphereGrid::Duplicates::VisitEach);
-    std::vector<std::uint32_t> nearest;  // of each hydrogen its partner; made where there is one
+    std::vector<std::uint32_t> nearest;  // the partner of each hydrogen; allocated if there is one
     std::vector<double> how_near;
     for (std::uint32_t i = 0; i < m_.atoms.size(); ++i) {
       const Atom& a = m_.atoms[i];
@@ -116,7 +116,7 @@ class BondFinder {
       });
     }
     for (std::uint32_t h = 0; h < nearest.size(); ++h)
-      // Two hydrogens that are each other's nearest are a molecule of their own, told once.
+      // Two hydrogens that are each other's nearest form a molecule; the bond is listed once.
       if (nearest[h] != kNoResidue &&
           !(m_.atoms[nearest[h]].atomic_number == kHydrogenNumber && nearest[h] < h && nearest[nearest[h]] == h))
         add(h, nearest[h], BondOrder::Single);

@@ -14,9 +14,9 @@ namespace {
 using Triple = std::array<double, 3>;
 
 // G. M. Machado, M. M. Oliveira, L. A. F. Fernandes, "A physiologically-based model for simulation of color vision
-// deficiency", IEEE Trans. Vis. Comput. Graph. 15 (2009) 1291-1298: severity 1, in linear RGB. The first is normal sight.
-// Models of tritanopia differ most: the last is the half-plane for blue and green of H. Brettel, F. Viénot and J. D. Mollon,
-// J. Opt. Soc. Am. A 14 (1997) 2647-2655.
+// deficiency", IEEE Trans. Vis. Comput. Graph. 15 (2009) 1291-1298: severity 1, in linear RGB. The first matrix is
+// normal vision. Models of tritanopia differ most: the last matrix is the half-plane for blue and green of H. Brettel,
+// F. Viénot and J. D. Mollon, J. Opt. Soc. Am. A 14 (1997) 2647-2655.
 constexpr std::array<std::array<Triple, 3>, 5> kSights = {{
     {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}},
     {{{0.152286, 1.052583, -0.204868}, {0.114503, 0.786281, 0.099216}, {-0.003882, -0.048116, 1.051998}}},
@@ -25,7 +25,7 @@ constexpr std::array<std::array<Triple, 3>, 5> kSights = {{
     {{{1.01277, 0.13548, -0.14826}, {-0.01243, 0.86812, 0.14431}, {0.07589, 0.80500, 0.11911}}},
 }};
 
-// A colour's L*, a* and b* for each kind of sight.
+// A colour's L*, a* and b* for each type of vision.
 using Seen = std::array<Triple, kSights.size()>;
 
 Seen seen(const Rgb8& colour) {
@@ -81,15 +81,15 @@ double ciede2000(const Triple& p, const Triple& q) {
   return std::sqrt(std::max(0.0, l * l + c * c + h * h + r_t * c * h));
 }
 
-double leastDistance(const Seen& a, const Seen& b) {
-  double least = std::numeric_limits<double>::max();
-  for (std::size_t s = 0; s < kSights.size(); ++s) least = std::min(least, ciede2000(a[s], b[s]));
-  return least;
+double minDistance(const Seen& a, const Seen& b) {
+  double smallest = std::numeric_limits<double>::max();
+  for (std::size_t s = 0; s < kSights.size(); ++s) smallest = std::min(smallest, ciede2000(a[s], b[s]));
+  return smallest;
 }
 
-// From the colour itself to shades that differ from it more and more.
+// From the colour itself to shades that differ increasingly from it.
 struct Shade {
-  float share;  // of white or black
+  float share;  // fraction of white or black
   bool white;
 };
 constexpr std::array<Shade, 7> kShades = {
@@ -106,18 +106,18 @@ Rgb8 shaded(const Rgb8& colour, const Shade& shade) {
 struct Candidate {
   Rgb8 colour;
   Seen seen;
-  double change;  // share of white or black
+  double change;  // fraction of white or black
   double from_targets = 1.0, from_beside = 1.0;
 };
 
-// How good a choice is, the more important part first. Distances are shares of what is wanted, at most 1; each further
-// mark makes no part greater.
+// The quality of a choice, ordered by importance of its parts. Distances are fractions of the required ones, at most 1;
+// an additional mark never increases a part.
 struct Worth {
   double of_marks = 1.0, of_beside = 1.0, unchanged = 0.0;
   auto operator<=>(const Worth&) const = default;
 };
 
-// Chooses one candidate of each mark, mark after mark.
+// Chooses one candidate for each mark in turn.
 class Chooser {
  public:
   Chooser(std::span<const Rgb8> wanted, std::span<const Rgb8> targets, std::span<const Rgb8> beside) {
@@ -130,16 +130,16 @@ class Chooser {
         Candidate one{shaded(colour, shade), {}, double(shade.share)};
         one.seen = seen(one.colour);
         for (const Seen& t : at_targets)
-          one.from_targets = std::min(one.from_targets, leastDistance(one.seen, t) / kMarksApart);
+          one.from_targets = std::min(one.from_targets, minDistance(one.seen, t) / kMarksApart);
         for (const Seen& b : at_beside)
-          one.from_beside = std::min(one.from_beside, leastDistance(one.seen, b) / kBesideApart);
+          one.from_beside = std::min(one.from_beside, minDistance(one.seen, b) / kBesideApart);
         of.push_back(one);
       }
     }
   }
 
   std::vector<Rgb8> chosen() {
-    // A few marks are tried in every combination; of many, each has the best shade beside those before it.
+    // All combinations are tried for a few marks; of many, each gets the best shade relative to the previous ones.
     constexpr std::size_t kMaxTogether = 5;
     for (std::size_t first = 0; first < candidates_.size(); first += kMaxTogether) {
       best_worth_.reset();
@@ -164,21 +164,21 @@ class Chooser {
       Worth with{std::min(worth.of_marks, one.from_targets), std::min(worth.of_beside, one.from_beside),
                  worth.unchanged - one.change};
       for (std::size_t k = 0; k < mark && !(best_worth_ && with <= *best_worth_); ++k)
-        with.of_marks = std::min(with.of_marks, leastDistance(one.seen, candidates_[k][now_[k]].seen) / kMarksApart);
+        with.of_marks = std::min(with.of_marks, minDistance(one.seen, candidates_[k][now_[k]].seen) / kMarksApart);
       now_.push_back(c);
       search(mark + 1, end, with);
       now_.pop_back();
     }
   }
 
-  std::vector<std::vector<Candidate>> candidates_;  // of each mark
+  std::vector<std::vector<Candidate>> candidates_;  // per mark
   std::vector<std::size_t> now_, best_;
   std::optional<Worth> best_worth_;
 };
 
 }  // namespace
 
-double leastSeenDistance(const Rgb8& a, const Rgb8& b) { return leastDistance(seen(a), seen(b)); }
+double minSeenDistance(const Rgb8& a, const Rgb8& b) { return minDistance(seen(a), seen(b)); }
 
 std::vector<Rgb8> shadesApart(std::span<const Rgb8> wanted, std::span<const Rgb8> targets,
                               std::span<const Rgb8> beside) {

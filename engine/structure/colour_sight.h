@@ -12,7 +12,7 @@ namespace moltact {
 /// The smallest CIEDE2000 distance between two colours among normal vision, protanopia, deuteranopia and tritanopia.
 /// The simulation uses the matrices of Machado, Oliveira and Fernandes (2009) for the complete loss of one cone type;
 /// for tritanopia also the method of Brettel, Viénot and Mollon (1997).
-double leastSeenDistance(const Rgb8& a, const Rgb8& b);
+double minSeenDistance(const Rgb8& a, const Rgb8& b);
 
 /// Colours of two marks, or of a mark and a target, that differ by at least this are easy to distinguish.
 inline constexpr double kMarksApart = 15.0;

@@ -14,10 +14,10 @@
 namespace moltact {
 namespace {
 
-constexpr Rgb8 kNothing{168, 168, 172};  // of atoms of which a scheme says nothing
+constexpr Rgb8 kNothing{168, 168, 172};  // of atoms to which a scheme does not apply
 
-// Told apart by every kind of colour vision as far as so many can be: P. Tol's "bright" scheme of 2018, then others.
-// None is an orange, the colour that targets have.
+// Distinguishable with every type of colour vision as far as possible: P. Tol's "bright" scheme of 2018, then others.
+// None is orange, the colour of targets.
 constexpr Rgb8 kChains[] = {{68, 119, 170},  {34, 136, 51},  {170, 51, 119},  {102, 204, 238},
                             {238, 102, 119}, {204, 187, 68}, {130, 90, 190},  {20, 110, 110},
                             {150, 220, 160}, {120, 60, 60},  {205, 160, 220}, {90, 90, 100}};
@@ -27,7 +27,7 @@ const Residue* residueOf(const Molecule& m, const Atom& a) {
   return a.residue < m.residues.size() ? &m.residues[a.residue] : nullptr;
 }
 
-/// Collects the entries of a legend, each once, in the order of their rank.
+/// Collects the entries of a legend without duplicates, in the order of their rank.
 class LegendMaker {
  public:
   void met(std::size_t rank, std::string_view name, const Rgb8& colour) {
@@ -48,9 +48,10 @@ class LegendMaker {
   std::map<std::size_t, Legend::Entry> entries_;
 };
 
-/// A scheme of a few classes: every atom is of one, told by its rank; the names are translated once for each.
+/// A class of a scheme with few classes: every atom belongs to one, identified by its rank. Names are translated once
+/// each.
 struct Class {
-  const char* name;  // in English
+  const char* name;  // untranslated (N_)
   Rgb8 colour;
 };
 
@@ -72,7 +73,7 @@ Rgb8 mix(const Rgb8& a, const Rgb8& b, double share) {
   return out;
 }
 
-/// The colour at a share (0 to 1) of a gradient through `stops`, which lie evenly.
+/// The colour at a fraction (0 to 1) of a gradient through equidistant `stops`.
 Rgb8 along(std::span<const Rgb8> stops, double share) {
   const double place = std::clamp(share, 0.0, 1.0) * double(stops.size() - 1);
   const std::size_t before = std::min(static_cast<std::size_t>(place), stops.size() - 2);
@@ -96,7 +97,7 @@ void byElement(const Molecule& m, Colouring& out) {
 
 void byChain(const Molecule& m, Colouring& out) {
   LegendMaker legend;
-  // Chains of one name are one, wherever their residues stand in the file.
+  // Chains of equal name count as one, wherever their residues are in the file.
   std::map<std::string_view, std::size_t> known;
   std::vector<std::size_t> rank_of;
   for (const Chain& c : m.chains) rank_of.push_back(known.emplace(c.name, known.size()).first->second);
@@ -108,10 +109,10 @@ void byChain(const Molecule& m, Colouring& out) {
     legend.met(rank_of[r->chain], c.name.empty() ? tr("without a chain") : trf("chain {0}", c.name.string()),
                out.of_atom[i]);
   }
-  if (known.size() <= std::size(kChains)) legend.write(out.legend);  // a colour of several chains names none
+  if (known.size() <= std::size(kChains)) legend.write(out.legend);  // a repeated colour would be ambiguous
 }
 
-// R. J. Fletterick's Shapely models as RasMol has them, where two of them are too near or an orange, moved.
+// R. J. Fletterick's Shapely models as in RasMol; colours that are too similar or orange are changed.
 struct ResidueColour {
   std::string_view code;
   Rgb8 colour;
@@ -184,7 +185,7 @@ std::size_t typeOf(const Residue& r) {
   return 8;
 }
 
-/// By a fact of the residue, asked once for each.
+/// Colours by a property of the residue, evaluated once per residue.
 template <class ClassOf>
 void byResidueClass(const Molecule& m, Colouring& out, std::span<const Class> classes, ClassOf&& classOf) {
   std::vector<std::size_t> rank(m.residues.size());
@@ -198,7 +199,7 @@ void byType(const Molecule& m, Colouring& out) {
 }
 
 void byHydropathy(const Molecule& m, Colouring& out) {
-  constexpr double kMax = 4.5;  // of isoleucine; arginine has as much below zero
+  constexpr double kMax = 4.5;  // of isoleucine; that of arginine is -4.5
   std::fill(out.of_atom.begin(), out.of_atom.end(), kNothing);
   for (const Residue& r : m.residues) {
     const AminoAcid* a = r.kind == ResidueKind::AminoAcid ? aminoAcid(r.name) : nullptr;
@@ -217,7 +218,7 @@ constexpr Class kCharges[] = {{N_("negative (−1)"), {204, 51, 63}},
                               {N_("uncharged"), {226, 226, 226}},
                               {N_("not known"), kNothing}};
 
-// Of a nucleotide the phosphate is what is charged; of an amino acid the side chain; the ends of chains are left out.
+// The charge belongs to the phosphate of a nucleotide and to the side chain of an amino acid; chain ends are ignored.
 void byCharge(const Molecule& m, Colouring& out) {
   byClass(m, out, kCharges, [&](const Atom& a) -> std::size_t {
     const Residue* r = residueOf(m, a);
@@ -290,7 +291,7 @@ void byPlaceInChain(const Molecule& m, Colouring& out) {
   out.legend.entries.back().name = tr("end (C-terminus or 3′)");
 }
 
-// One row each.
+// One row per scheme.
 constexpr ColouringScheme kSchemes[] = {
     {"element", NC_("colours", "Element"), N_("the chemical element: carbon grey, oxygen red, nitrogen blue"),
      byElement},

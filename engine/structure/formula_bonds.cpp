@@ -1,5 +1,4 @@
-// The bonds of amino acids and nucleotides by the names of their atoms, as the Chemical Component Dictionary of the PDB
-// has them.
+// The bonds of amino acids and nucleotides by atom names, according to the Chemical Component Dictionary of the PDB.
 #include <algorithm>
 #include <map>
 #include <string>
@@ -73,7 +72,7 @@ void addBonds(Bonds& to, std::string_view bonds) {
   }
 }
 
-// The double bonds of a purine's six-membered ring lie otherwise in adenine than in guanine.
+// The double bonds of a purine's six-membered ring differ between adenine and guanine.
 void setDouble(Bonds& bonds, std::string_view first, std::string_view second) {
   for (NamedBond& b : bonds)
     if (b.first == first && b.second == second) b.order = BondOrder::Double;
@@ -105,7 +104,7 @@ std::map<std::string_view, Bonds> makeFormulas() {
 }
 
 struct Alias {
-  std::string_view residue, given, name;  // no residue: of every one
+  std::string_view residue, given, name;  // empty residue: any
 };
 constexpr Alias kAliases[] = {
     {"", "O1P", "OP1"}, {"", "O2P", "OP2"},   {"", "O3P", "OP3"},  {"", "O5*", "O5'"}, {"", "C5*", "C5'"},
@@ -114,7 +113,7 @@ constexpr Alias kAliases[] = {
     {"", "O2", "OXT"},  {"ILE", "CD", "CD1"}, {"DT", "C5M", "C7"}, {"T", "C5M", "C7"},
 };
 
-/// Names that say a state of charge stand for the same heavy atoms.
+/// Names of charge states have the same heavy atoms.
 std::string_view formulaCode(std::string_view name) {
   if (name == "HID" || name == "HIE" || name == "HIP" || name == "HSD" || name == "HSE" || name == "HSP") return "HIS";
   if (name == "CYX" || name == "CYM") return "CYS";
@@ -135,7 +134,7 @@ std::span<const NamedBond> formulaBonds(std::string_view residue_name) {
 std::string_view formulaName(std::string_view residue_name, std::string_view atom_name) {
   for (const Alias& a : kAliases) {
     if (a.given != atom_name) continue;
-    // A pyrimidine's own O2 is none of an end of a protein.
+    // A pyrimidine's own O2 does not belong to the end of a protein.
     const bool of_protein = a.name == "O" || a.name == "OXT";
     if (a.residue.empty() ? (!of_protein || residue_name.size() == 3) : a.residue == residue_name) return a.name;
   }

@@ -8,14 +8,14 @@
 namespace moltact {
 namespace {
 
-constexpr double kLongest_A = 3.5, kShortest_A = 2.2;
+constexpr double kMaxLength_A = 3.5, kMinLength_A = 2.2;
 constexpr std::uint8_t kHydrogen = 1, kNitrogen = 7, kOxygen = 8;
 
 struct Role {
   bool gives = false, takes = false;
 };
 
-// Atoms of residues with a formula, by residue and name; "*" stands for every amino acid or every nucleotide.
+// Atoms of residues with a formula, by residue and name; "*" means every amino acid or every nucleotide.
 struct RoleRow {
   std::string_view residues, atom;
   Role role;
@@ -65,7 +65,8 @@ const Role* roleIn(const RoleRow (&rows)[N], std::string_view residue, std::stri
   return nullptr;
 }
 
-/// By its bonds: a hydrogen that is there is given; where none is, as many as the element's valence may leave.
+/// The role by bonds: an explicit hydrogen is a donor's; without one, by the hydrogens that the element's valence
+/// permits.
 Role roleByBonds(const Molecule& m, const BondTable& bonds, std::uint32_t atom) {
   std::size_t heavy = 0;
   bool hydrogen = false;
@@ -73,8 +74,8 @@ Role roleByBonds(const Molecule& m, const BondTable& bonds, std::uint32_t atom) 
     hydrogen = hydrogen || m.atoms[n].atomic_number == kHydrogen;
     heavy += m.atoms[n].atomic_number != kHydrogen;
   }
-  const std::size_t most = m.atoms[atom].atomic_number == kOxygen ? 1 : 2;
-  return {hydrogen || heavy <= most, m.atoms[atom].atomic_number == kOxygen || heavy <= most};
+  const std::size_t limit = m.atoms[atom].atomic_number == kOxygen ? 1 : 2;
+  return {hydrogen || heavy <= limit, m.atoms[atom].atomic_number == kOxygen || heavy <= limit};
 }
 
 Role roleOf(const Molecule& m, const BondTable& bonds, std::uint32_t index) {
@@ -92,11 +93,11 @@ Role roleOf(const Molecule& m, const BondTable& bonds, std::uint32_t index) {
   return {};
 }
 
-/// Whether every angle at `at` between `to` and what `at` is bonded to is 90 degrees or more.
+/// True if every angle at `at`, between `to` and an atom bonded to `at`, is at least 90 degrees.
 bool open(const Molecule& m, const BondTable& bonds, std::uint32_t at, std::uint32_t to) {
-  const Vec3 here = m.spheres[at].centre_A, way = m.spheres[to].centre_A - here;
+  const Vec3 here = m.spheres[at].centre_A, direction = m.spheres[to].centre_A - here;
   for (const std::uint32_t n : bonds.neighbours(at))
-    if (m.atoms[n].atomic_number != kHydrogen && glm::dot(m.spheres[n].centre_A - here, way) > 0.0) return false;
+    if (m.atoms[n].atomic_number != kHydrogen && glm::dot(m.spheres[n].centre_A - here, direction) > 0.0) return false;
   return true;
 }
 
@@ -117,11 +118,11 @@ std::vector<HydrogenBond> findHydrogenBonds(const Molecule& m, const BondTable& 
   const SphereGrid grid(std::move(places), SphereGrid::Duplicates::VisitEach);
   std::vector<HydrogenBond> out;
   for (std::uint32_t a = 0; a < polar.size(); ++a)
-    grid.visitCentresNear(grid[a].centre_A, kLongest_A, [&](std::uint32_t b, const Sphere& sphere) {
+    grid.visitCentresNear(grid[a].centre_A, kMaxLength_A, [&](std::uint32_t b, const Sphere& sphere) {
       if (b <= a) return;
       const std::uint32_t i = polar[a], j = polar[b];
       const double length = glm::distance(grid[a].centre_A, sphere.centre_A);
-      if (length > kLongest_A || length < kShortest_A) return;
+      if (length > kMaxLength_A || length < kMinLength_A) return;
       if (m.atoms[i].residue == m.atoms[j].residue && m.atoms[i].residue != kNoResidue) return;
       const bool forth = roles[a].gives && roles[b].takes, back = roles[b].gives && roles[a].takes;
       if ((!forth && !back) || bonds.bonded(i, j) || !open(m, bonds, i, j) || !open(m, bonds, j, i)) return;

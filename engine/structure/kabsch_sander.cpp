@@ -1,5 +1,5 @@
-// Helices and strands from the hydrogen bonds of the backbone, after Kabsch & Sander 1983. Names as there: the bond of
-// (donor, acceptor) goes from the N-H of one residue to the C=O of the other.
+// Helices and strands from the hydrogen bonds of the backbone, after Kabsch & Sander 1983, with the paper's names: the
+// bond (donor, acceptor) leads from the N-H of one residue to the C=O of the other.
 #include <algorithm>
 #include <array>
 #include <deque>
@@ -13,11 +13,11 @@ namespace moltact {
 namespace {
 
 constexpr double kBondEnergy_kcal = -0.5, kMinEnergy_kcal = -9.9, kTooNear_A = 0.5;
-constexpr double kCoupling_kcal_A = 0.42 * 0.20 * 332.0;  // charges of the N-H and of the C=O times the constant
-constexpr double kFarthestCa_A = 9.0;
+constexpr double kCoupling_kcal_A = 0.42 * 0.20 * 332.0;  // charges of N-H and C=O times the constant
+constexpr double kMaxCaDistance_A = 9.0;
 constexpr std::size_t kNone = ~std::size_t{0};
 
-/// A residue with its whole backbone. `run` differs where a gap lies between two.
+/// A residue with a complete backbone. `run` differs across a gap.
 struct Peptide {
   std::uint32_t residue = 0;
   std::size_t run = 0;
@@ -37,7 +37,7 @@ std::vector<Peptide> peptides(const Molecule& m) {
         continue;
       }
       Peptide p{a.residue, run, at(a.n), at(a.ca), at(a.c), at(a.o)};
-      // The hydrogen lies opposite the C=O of the residue before; proline has none.
+      // The hydrogen lies opposite the C=O of the previous residue; proline has none.
       if (!out.empty() && out.back().run == run && m.residues[a.residue].name != "PRO") {
         const Vec3 along = out.back().c - out.back().o;
         const double length = glm::length(along);
@@ -78,7 +78,7 @@ class StructureFinder {
   enum class Bridge { None, Parallel, Antiparallel };
   struct Ladder {
     Bridge type;
-    std::deque<std::size_t> i, j;  // the residues of both strands, ascending
+    std::deque<std::size_t> i, j;  // residues of the two strands, ascending
   };
 
   void findBonds() {
@@ -89,8 +89,8 @@ class StructureFinder {
     for (std::size_t d = 0; d < p_.size(); ++d) {
       if (!p_[d].donates) continue;
       Acceptors& best = bonds_[d];
-      grid.visitCentresNear(p_[d].ca, kFarthestCa_A, [&](std::uint32_t a, const Sphere& sphere) {
-        if (a == d || a + 1 == d || glm::distance(sphere.centre_A, p_[d].ca) > kFarthestCa_A) return;
+      grid.visitCentresNear(p_[d].ca, kMaxCaDistance_A, [&](std::uint32_t a, const Sphere& sphere) {
+        if (a == d || a + 1 == d || glm::distance(sphere.centre_A, p_[d].ca) > kMaxCaDistance_A) return;
         const double energy = bondEnergy_kcal(p_[d], p_[a]);
         if (energy < best.energy_kcal[0]) {
           best = {{a, best.of[0]}, {energy, best.energy_kcal[0]}};
@@ -117,7 +117,7 @@ class StructureFinder {
     return Bridge::None;
   }
 
-  // Pairs of residues of which a hydrogen bond may make a bridge, ascending.
+  // Pairs of residues whose hydrogen bonds may form a bridge, ascending.
   std::vector<std::pair<std::size_t, std::size_t>> pairs() const {
     std::vector<std::pair<std::size_t, std::size_t>> out;
     const auto add = [&](std::size_t a, std::size_t b) {
@@ -141,7 +141,7 @@ class StructureFinder {
 
   void ladders() {
     std::vector<Ladder> ladders;
-    std::size_t open = 0;  // ladders before it end too early to go on
+    std::size_t open = 0;  // earlier ladders end too early to be extended
     for (const auto& [i, j] : pairs()) {
       const Bridge type = bridge(i, j);
       if (type == Bridge::None) continue;
@@ -170,7 +170,7 @@ class StructureFinder {
     }
   }
 
-  // A bulge: up to four more residues on one strand and one on the other.
+  // A bulge: up to four additional residues on one strand and one on the other.
   void joinByBulges(std::vector<Ladder>& ladders) const {
     std::sort(ladders.begin(), ladders.end(),
               [](const Ladder& a, const Ladder& b) { return a.i.front() < b.i.front(); });
@@ -180,7 +180,7 @@ class StructureFinder {
         Ladder& l = ladders[a];
         Ladder& other = ladders[b];
         const std::size_t on_i = step(l.i.back(), other.i.front());
-        if (other.i.front() > l.i.back() && on_i >= 6) break;  // so are all that follow
+        if (other.i.front() > l.i.back() && on_i >= 6) break;  // also true of all that follow
         const bool parallel = l.type == Bridge::Parallel;
         const std::size_t on_j = parallel ? step(l.j.back(), other.j.front()) : step(other.j.back(), l.j.front());
         const bool joins = other.type == l.type && on_i < 6 && ((on_j < 6 && on_i < 3) || on_j < 3) &&
@@ -196,8 +196,7 @@ class StructureFinder {
       }
   }
 
-  // Two turns of `step` that follow one another make a helix of so many residues; alpha helices before all, the
-  // others where nothing else is.
+  // Two consecutive turns of `step` form a helix; alpha helices first, the others where nothing else is assigned.
   void helices(std::size_t step, char letter) {
     const auto turn = [&](std::size_t i) { return unbroken(i, i + step) && bond(i + step, i); };
     bool before = false;
@@ -232,8 +231,8 @@ class StructureFinder {
 
   const Molecule& m_;
   const std::vector<Peptide> p_;
-  std::vector<Acceptors> bonds_;  // of each as a donor
-  std::vector<char> letter_;      // H, G, I, E, B as in the paper; a blank for the rest
+  std::vector<Acceptors> bonds_;  // per residue as donor
+  std::vector<char> letter_;      // H, G, I, E, B as in the paper; blank: none
 };
 
 }  // namespace

@@ -17,7 +17,7 @@ LigandClass ligandClass(std::string_view residue_name) {
   static constexpr std::string_view kSugars[] = {"SIA", "NDG", "FUL", "XYP", "XYS", "RIB", "FRU",
                                                  "BDP", "NGA", "A2G", "GLA", "RAM", "AHR", "ARA"};
   if (std::find(std::begin(kSugars), std::end(kSugars), residue_name) != std::end(kSugars)) return LigandClass::Sugar;
-  using Kind = decltype(gemmi::ResidueInfo::kind);  // gemmi 0.7 took the enumeration out of the class
+  using Kind = decltype(gemmi::ResidueInfo::kind);  // gemmi 0.7 moved the enumeration out of the class
   const gemmi::ResidueInfo info = gemmi::find_tabulated_residue(std::string(residue_name));
   if (info.kind == Kind::PYR || info.kind == Kind::KET) return LigandClass::Sugar;
   if (info.kind == Kind::BUF) return LigandClass::Buffer;
@@ -36,7 +36,7 @@ PolymerPart polymerPart(const Molecule& m, std::uint32_t index) {
                  ? PolymerPart::Backbone
                  : PolymerPart::SideChain;
     case ResidueKind::Nucleotide:
-      // Atoms of the sugar carry a prime, those of the base none.
+      // Atoms of the sugar have a prime, those of the base do not.
       return name.find('\'') != std::string_view::npos || name.find('*') != std::string_view::npos ||
                      among("P", "OP1", "OP2", "OP3", "O1P", "O2P", "O3P", "HOP2", "HOP3")
                  ? PolymerPart::Backbone

@@ -15,7 +15,7 @@ constexpr double kDegree = 180.0 / std::numbers::pi;
 
 double angle_deg(const PointA& a, const PointA& b, const PointA& c) {
   const Vec3 u = a.A - b.A, v = c.A - b.A;
-  // Exact also where the angle is nearly flat, unlike the arc cosine.
+  // Precise also for nearly flat angles, unlike the arc cosine.
   return kDegree * std::atan2(glm::length(glm::cross(u, v)), glm::dot(u, v));
 }
 

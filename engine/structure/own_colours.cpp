@@ -1,4 +1,4 @@
-// Colours by name and number, and how far two look apart.
+// Colours by name and number, and their perceived difference.
 #include <algorithm>
 #include <charconv>
 #include <cmath>

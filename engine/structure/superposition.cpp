@@ -16,7 +16,7 @@ constexpr std::size_t kFewest = 3;
 
 using ResidueName = std::tuple<std::string_view, int, char>;  // chain, number, insertion code
 
-/// The chain of the other molecule that each chain of this one stands for; its own name where names are common.
+/// Maps each chain of this molecule to that of the other; by name if names are common.
 std::map<std::string_view, std::string_view> chainNames(const Molecule& one, const Molecule& other) {
   std::map<std::string_view, std::string_view> out;
   std::vector<std::string_view> mine, theirs;
@@ -51,7 +51,7 @@ bool leads(const Molecule& m, std::uint32_t index) {
   }
 }
 
-/// True where the places lie on one line, or in one place: their fit is then one of many.
+/// True if the points are collinear or coincide: their fit is then ambiguous.
 bool onALine(const std::vector<gemmi::Position>& places) {
   gemmi::Position middle(0, 0, 0);
   for (const gemmi::Position& p : places) middle += p;
@@ -154,18 +154,18 @@ Expected<TwoStates> twoStates(const Molecule& one, const Molecule& other, std::s
   out.first = one.spheres.copy();
   out.second = out.first;
   std::vector<char> matched(one.atoms.size(), 0);
-  std::vector<Vec3> way(one.residues.size(), Vec3(0.0));
+  std::vector<Vec3> displacement(one.residues.size(), Vec3(0.0));
   std::vector<double> count(one.residues.size(), 0.0);
   for (const auto& [i, j] : pairs) {
     out.second[i].centre_A = out.fit(other.spheres[j].centre_A);
     matched[i] = 1;
     const std::uint32_t r = one.atoms[i].residue;
-    way[r] += out.second[i].centre_A - out.first[i].centre_A;
+    displacement[r] += out.second[i].centre_A - out.first[i].centre_A;
     ++count[r];
   }
   for (std::uint32_t i = 0; i < one.atoms.size(); ++i) {
     const std::uint32_t r = one.atoms[i].residue;
-    if (!matched[i] && r < one.residues.size() && count[r] > 0.0) out.second[i].centre_A += way[r] / count[r];
+    if (!matched[i] && r < one.residues.size() && count[r] > 0.0) out.second[i].centre_A += displacement[r] / count[r];
   }
   return out;
 }

@@ -7,8 +7,8 @@
 namespace moltact {
 namespace {
 
-// How far before `place` (against `back`, unit: angstrom) what is held meets the surface first from outside; negative:
-// behind it. Nothing is met: 0.
+// The distance by which the surface lies in front of `place` (toward `back`, unit: angstrom), met from outside by the
+// shape in the hand; negative: behind it. Returns 0 if there is no surface.
 double surfaceBefore_A(const SphereGrid& spheres, const HandShape& held, const Vec3& place, const Vec3& back) {
   const double far = glm::distance(spheres.low_A(), spheres.high_A()) + 2.0 * held.reach_A() + 1.0 +
                      glm::distance(place, 0.5 * (spheres.low_A() + spheres.high_A()));
@@ -32,7 +32,7 @@ Workspace fitToDevice(const Workspace& scene, const SphereGrid& spheres, const H
 Workspace retracted(const Workspace& now, const SphereGrid& spheres, const HandShape& held, PointMm hand) {
   Workspace out = now;
   const double before_A =
-      surfaceBefore_A(spheres, held, now.toMolecule(hand).A, now.rotation[2]) + kDrawnBack_mm * now.A_per_mm;
+      surfaceBefore_A(spheres, held, now.toMolecule(hand).A, now.rotation[2]) + kRetraction_mm * now.A_per_mm;
   out.centre_A += now.rotation[2] * std::max(0.0, before_A);
   return out;
 }

@@ -34,9 +34,9 @@ Workspace fitToDevice(const Workspace& scene, const SphereGrid& spheres, const H
                       const glm::dmat3& rotation, const DeviceSpecs& device);
 
 /// For a hand inside the molecule: moves the molecule back along the device's z axis until the shape in the hand is
-/// kDrawnBack_mm in front of it.
+/// kRetraction_mm in front of it.
 Workspace retracted(const Workspace& now, const SphereGrid& spheres, const HandShape& held, PointMm hand);
 
-inline constexpr double kDrawnBack_mm = 5.0;
+inline constexpr double kRetraction_mm = 5.0;
 
 }  // namespace moltact

@@ -10,7 +10,7 @@
 namespace moltact {
 namespace {
 
-// Two digits that count, no zeros behind them and no exponent: 0.25, 4.2, 120.
+// Two significant digits without trailing zeros or exponent: 0.25, 4.2, 120.
 std::string twoDigits(double value, std::string_view unit) {
   Digits digits = decimals(0);
   if (value > 0 && std::isfinite(value)) {
@@ -39,9 +39,9 @@ Workspace magnified(const Workspace& now, PointA centre, double radius_A, const 
   if (!finite(centre.A) || !std::isfinite(radius_A) || !(half_mm > 0) || !std::isfinite(half_mm)) return now;
   Workspace out = now;
   out.centre_A = centre.A;
-  // A part that needs more room than the whole has lies in it as the whole does.
-  const double coarsest = std::max(kFinest_A_per_mm, std::min(kCoarsest_A_per_mm, now.A_per_mm));
-  out.A_per_mm = std::clamp(radius_A / half_mm, kFinest_A_per_mm, coarsest);
+  // A part that needs a coarser scale than the whole keeps the scale of the whole.
+  const double coarsest = std::max(kMinScale_A_per_mm, std::min(kMaxScale_A_per_mm, now.A_per_mm));
+  out.A_per_mm = std::clamp(radius_A / half_mm, kMinScale_A_per_mm, coarsest);
   return out;
 }
 
@@ -64,7 +64,7 @@ double springEnergy_J(double energy_A2, double stiffness_N_per_mm, double A_per_
 
 std::optional<double> carbonPush_pN(double overlap_A) {
   constexpr double kTouch_A = 3.40, kDepth_kcal_per_mol = 0.107, kPn_A_mol_per_kcal = 69.477;
-  if (!(overlap_A >= 0.0 && overlap_A <= kDeepest_A)) return std::nullopt;
+  if (!(overlap_A >= 0.0 && overlap_A <= kMaxOverlap_A)) return std::nullopt;
   const double near = kTouch_A / (kTouch_A - overlap_A);
   return kPn_A_mol_per_kcal * 12.0 * kDepth_kcal_per_mol / kTouch_A * (std::pow(near, 13) - std::pow(near, 7));
 }

@@ -11,7 +11,7 @@
 
 namespace moltact {
 
-inline constexpr double kFinest_A_per_mm = 0.01, kCoarsest_A_per_mm = 4.0;
+inline constexpr double kMinScale_A_per_mm = 0.01, kMaxScale_A_per_mm = 4.0;
 
 /// The workspace in which a sphere around `centre` fills the device's workspace up to its narrowest side: the paper's
 /// active haptic workspace around a selection. `radius_A` is clamped so that the scale stays within the limits above;
@@ -36,11 +36,11 @@ double springEnergy_J(double energy_A2, double stiffness_N_per_mm, double A_per_
 /// for the force of a press. It is the van der Waals term of the Tripos 5.2 force field (Clark, Cramer & Van
 /// Opdenbosch, J. Comput. Chem. 10, 982, 1989), whose radius of carbon, 1.70 Å, is also that of Bondi and of the
 /// spheres here: F = 12 e/R ((R/r)^13 - (R/r)^7), R = 3.40 Å, e = 0.107 kcal/mol, r = R - overlap. Empty without
-/// overlap, and for an overlap above kDeepest_A, which this term does not describe.
+/// overlap, and for an overlap above kMaxOverlap_A, which this term does not describe.
 std::optional<double> carbonPush_pN(double overlap_A);
 
 /// At this overlap the force is 2 nN, of the order of the force that breaks a covalent bond.
-inline constexpr double kDeepest_A = 1.0;
+inline constexpr double kMaxOverlap_A = 1.0;
 
 /// "1 mm here is 0.2 Å there, 1 N here would be 71 pN there": the depth of a press with 1 N with a spring of
 /// `stiffness_N_per_mm`, and carbonPush_pN() at that depth; in words if that is empty.

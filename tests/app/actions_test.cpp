@@ -91,7 +91,7 @@ TEST_CASE(
     const TouchSetup before = d->app().scene.touch();
     TouchSetup after = before;
     if (std::holds_alternative<double TouchSetup::*>(p.member))
-      setTouchValue(after, p, p.control.range.most);
+      setTouchValue(after, p, p.control.range.max);
     else if (p.words)
       setTouchValue(after, p, std::string(p.words().back().name));
     else

@@ -1,6 +1,6 @@
 // A student at the window who knows where to go: carries out what each kind of task shows (Task::demonstrate) with the
-// mouse alone or with the keyboard alone, through the application's input queue. What it cannot do, no hand can. One who
-// errs gives every wrong choice and a wrong number first, and does wrongly what a task lets one do wrongly.
+// mouse alone or with the keyboard alone, through the application's input queue. What it cannot do, no hand can. One
+// who errs gives every wrong choice and a wrong number first, and does wrongly what a task lets one do wrongly.
 #pragma once
 
 #include <functional>

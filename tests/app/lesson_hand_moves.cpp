@@ -1,4 +1,5 @@
-// How the hand of LessonHand moves: what it sees of a place, the molecule turned to a side, a press led over the surface.
+// How the hand of LessonHand moves: what it sees of a place, the molecule turned to a side, a press led over the
+// surface.
 #include <algorithm>
 #include <cmath>
 

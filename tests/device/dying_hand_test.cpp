@@ -21,7 +21,7 @@ namespace {
 struct ForceLog {
   double last_N = -1;    // what drives the motors at the end
   double forced_ms = 0;  // from then on a force was still there for so long
-  double greatest_N = 0;
+  double peak_N = 0;
   double before_N = 0;    // what there was then
   double steepest_N = 0;  // the greatest change from then on, of forces that came within kLate_ns of each other
   int falling = 0;        // forces from then on that are smaller than the one before, and not 0
@@ -43,7 +43,7 @@ ForceLog readForces(const fs::path& file, std::int64_t from_ns) {
     else
       force_N = std::strtod(what.c_str(), nullptr);
     out.last_N = on ? force_N : 0.0;
-    out.greatest_N = std::max(out.greatest_N, out.last_N);
+    out.peak_N = std::max(out.peak_N, out.last_N);
     if (at_ns <= from_ns)
       out.before_N = out.last_N;
     else if (at_ns - before_ns < kLate_ns)
@@ -93,7 +93,7 @@ TEST_CASE(
     for (int k = 0; k < 20'000 && !child.over(); ++k) std::this_thread::sleep_for(std::chrono::milliseconds(1));
     CHECK((one.signal ? child.killedBy(one.signal) : child.exitedWith(7)));
     const ForceLog log = readForces(omni.forces, child.at_ns());
-    CHECK(log.greatest_N > 0.3);
+    CHECK(log.peak_N > 0.3);
     CHECK(log.last_N == 0.0);
     CHECK(log.forced_ms < kBusy_ms);
     if (std::string(one.way) != "stack") worst_ms = std::max(worst_ms, log.forced_ms);  // filling it takes time
@@ -130,7 +130,7 @@ TEST_CASE(
       for (int k = 0; k < 20'000 && !child.over(); ++k) std::this_thread::sleep_for(std::chrono::milliseconds(1));
       CHECK((one.signal ? child.killedBy(one.signal) : child.exitedWith(7)));
       const ForceLog log = readForces(omni.forces, child.at_ns());
-      CHECK(log.greatest_N > 0.3);
+      CHECK(log.peak_N > 0.3);
       CHECK(log.last_N == 0.0);
     }
   }
@@ -172,7 +172,7 @@ TEST_CASE(
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
   REQUIRE(WIFSTOPPED(status));
   const ForceLog stopped = readForces(omni.forces, child.at_ns());
-  CHECK(stopped.greatest_N > 0.3);
+  CHECK(stopped.peak_N > 0.3);
   CHECK(stopped.last_N == 0.0);
   CHECK(stopped.forced_ms < kBusy_ms);
   child.send(SIGCONT);

@@ -91,7 +91,7 @@ TEST_CASE(
     }
     CHECK(loop.ticks == 30'000);
     CHECK(pressed > 5000);
-    CHECK(loop.greatest_N < 2.5);
+    CHECK(loop.peak_N < 2.5);
     CHECK_FALSE(loop.devices.fallenBack());
     CHECK(device->status().text.empty());
     CHECK(device->status().motor_heat == doctest::Approx(0.1));

@@ -1,4 +1,5 @@
-// The hand made of a mouse, against one sphere of radius 1.7 A seen from (0, 0, 40) A: places and speeds in closed form.
+// The hand made of a mouse, against one sphere of radius 1.7 A seen from (0, 0, 40) A: places and speeds in closed
+// form.
 #include "engine/device/pointer_hand.h"
 
 #include <doctest/doctest.h>
@@ -73,7 +74,7 @@ TEST_CASE("at 1 N the press sinks half as fast") {
 TEST_CASE("pressed, the aim is at the pointer in the same frame, whatever the force; only a leap takes time") {
   const SphereGrid scene = oneSphere();
   // 40 A/s at 36.9 A from the eye, 600 px over a field of view of 2 x 0.3.
-  const double most_px = PointerHand::kFastest_A_per_s * kFrame_s * 600.0 / (2.0 * 0.3 * (40.0 - kReach_A));
+  const double most_px = PointerHand::kMaxSpeed_A_per_s * kFrame_s * 600.0 / (2.0 * 0.3 * (40.0 - kReach_A));
   for (const double force_N : {0.0, 1.0, 3.0}) {
     PointerHand hand;
     PointerInput in = atMiddle();
@@ -221,7 +222,7 @@ TEST_CASE("no notch pushes deeper than 3 A, and one is at most 0.3 A where the s
   CHECK(hand.depth_A() == doctest::Approx(1.2));
   in.push_notches = 1000.0;
   hand.lead(in, scene, kProbe_A);
-  CHECK(hand.depth_A() == doctest::Approx(PointerHand::kDeepest_A));
+  CHECK(hand.depth_A() == doctest::Approx(PointerHand::kMaxDepth_A));
 }
 
 TEST_CASE("letting go brings the probe back to 0.35 A before the surface") {

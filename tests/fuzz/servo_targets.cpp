@@ -84,7 +84,7 @@ void handPath(std::string_view bytes) {
   if (!path) return mustBe(!path.problem().message.empty(), "a message");
   mustBe(!path->places.empty(), "a place");
   mustBe(path->touched.empty() || path->touched.size() == path->places.size(), "a touch a tick, or none");
-  mustBe(path->probe_A >= 0.0 && path->probe_A <= kLargestProbe_A, "a probe in its range");
+  mustBe(path->probe_A >= 0.0 && path->probe_A <= kMaxProbe_A, "a probe in its range");
   for (const Vec3& p : path->places) mustBe(finite(p), "places that are numbers");
   if (path->places.size() > 10'000) return;  // some bytes can last for hours
   const auto again = readHandPath(fileOf(textOf(*path), "b.hand"));

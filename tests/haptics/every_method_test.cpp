@@ -62,7 +62,7 @@ TEST_CASE("neither an answer nor its reactions allocate, over 2000 poses: each m
       heldBody(atoms, all), [&](double radius_A) { return referenceMethod().make(spheres, radius_A); }));
   const scenes::Path path = scenes::jumps(scene, 2000, 8);
   for (const auto& felt : made) {
-    std::vector<AtomForce> room(felt->greatestReactionCount());
+    std::vector<AtomForce> room(felt->maxReactionCount());
     std::size_t count = 0;
     const long before = allocations;
     for (const Vec3& place : path) count += felt->reactions(felt->respond({{place}}), 2.0, 1.0, room);
@@ -194,7 +194,7 @@ TEST_CASE("every method bears a scene without balls, one ball, and a probe that 
     one->setProbe(-1);
     CHECK(one->probe_A() == 0.0);
     one->setProbe(1e9);
-    CHECK(one->probe_A() == kLargestProbe_A);
+    CHECK(one->probe_A() == kMaxProbe_A);
   }
 }
 
@@ -205,7 +205,7 @@ TEST_CASE("what the window and lessons offer bears any scene and probe; what doe
     CAPTURE(std::string(method.name));
     const bool offered = findMethod(method.name) != nullptr;
     CHECK(offered == method.offered);
-    if (offered) CHECK((method.most_spheres == 0 && !method.one_probe));
+    if (offered) CHECK((method.max_spheres == 0 && !method.one_probe));
     CHECK(motionSentence(method).empty() == method.follows_motion);
     CHECK(findBenchMethod(method.name) == &method);
   }

@@ -326,7 +326,7 @@ TEST_CASE(
     double deepest = -1;
     for (int k = 0; k < 3000; ++k) {
       const Contact c = tracker.step({hip});
-      most = std::max(most, tracker.looked());
+      most = std::max(most, tracker.workCount());
       if (k % 100 == 0 && c.touching())
         deepest = std::max(deepest, oracle::deepest(scene.spheres, scene.probe_A, c.scp.A));
       hip += 0.05 * random.direction() + 0.02 * (middle + 0.7 * half * glm::normalize(hip - middle) - hip);
@@ -365,12 +365,12 @@ TEST_CASE(
       tracker.step({middle + half * way});
       tracker.step({hip});
       tracker.setProbe(goal);
-      most_set = std::max(most_set, tracker.looked());
+      most_set = std::max(most_set, tracker.workCount());
       int ticks = 0;
       for (bool there = false; !there && ticks < 5000; ++ticks) {
         there = tracker.probe_A() == goal;
         const Contact c = tracker.step({hip + 0.01 * random.direction()});
-        most_tick = std::max(most_tick, tracker.looked());
+        most_tick = std::max(most_tick, tracker.workCount());
         if (c.fault == Fault::None && (there || ticks % 50 == 0))
           deepest = std::max(deepest, oracle::deepest(scene.spheres, tracker.probe_A(), c.scp.A));
         if (there) closed += c.fault != Fault::None;

@@ -21,7 +21,7 @@ constexpr double kSpring_N_per_A = 1.3;
 
 // How far the reactions to an answer are from the opposite of its force.
 double missing_N(const Interaction& felt, const Response& answer, double field_share = 1.0) {
-  std::vector<AtomForce> room(felt.greatestReactionCount());
+  std::vector<AtomForce> room(felt.maxReactionCount());
   const std::size_t count = felt.reactions(answer, kSpring_N_per_A, field_share, room);
   REQUIRE(count <= room.size());
   Vec3 sum = answer.total(kSpring_N_per_A, field_share).force_N;

@@ -78,9 +78,7 @@ class InField final : public WrappedInteraction {
     for (std::size_t k = 0; k < atoms_.size(); ++k) out[count++] = {atoms_[k].atom, -field_share * forces_[k]};
     return count;
   }
-  std::size_t greatestReactionCount() const noexcept override {
-    return inner().greatestReactionCount() + atoms_.size();
-  }
+  std::size_t maxReactionCount() const noexcept override { return inner().maxReactionCount() + atoms_.size(); }
 
  private:
   Pair pair_;

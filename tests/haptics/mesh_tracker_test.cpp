@@ -70,8 +70,7 @@ TEST_CASE("a ray finds its face by the tree as by trying all 5120") {
       for (const SphereMesh::Face& f : mesh->faces())
         if (glm::dot(f.normal, u) > 0) reaches = std::min(reaches, f.height / glm::dot(f.normal, u));
       CHECK(face.height / glm::dot(face.normal, u) == doctest::Approx(reaches).epsilon(1e-12));
-      CHECK(angle(mesh->faces()[std::size_t(mesh->faceAbout(3.0 * u))].normal, u) <=
-            12 * kDegree + mesh->greatestTilt());
+      CHECK(angle(mesh->faces()[std::size_t(mesh->faceAbout(3.0 * u))].normal, u) <= 12 * kDegree + mesh->maxTilt());
     }
   }
 }
@@ -102,8 +101,8 @@ TEST_CASE(
     CHECK(high <= 3.0 + 1e-12);
     CHECK(low >= 3.0 * (1.0 - mesh->sagitta()) - 1e-12);
     CHECK(off <= 1e-12);
-    CHECK(tilt <= mesh->greatestTilt() + 1e-9);
-    CHECK(tilt >= 0.5 * mesh->greatestTilt());
+    CHECK(tilt <= mesh->maxTilt() + 1e-9);
+    CHECK(tilt >= 0.5 * mesh->maxTilt());
     CHECK(tracker.cutShort() == 0);
   }
 }
@@ -113,7 +112,7 @@ TEST_CASE("the sagitta falls by about 4 with each subdivision, the tilt of the f
   for (int k = 1; k < 4; ++k) {
     const auto coarse = SphereMesh::ofTriangles(levels[k - 1]), fine = SphereMesh::ofTriangles(levels[k]);
     CHECK(coarse->sagitta() / fine->sagitta() == doctest::Approx(4.0).epsilon(0.15));
-    CHECK(coarse->greatestTilt() / fine->greatestTilt() == doctest::Approx(2.0).epsilon(0.1));
+    CHECK(coarse->maxTilt() / fine->maxTilt() == doctest::Approx(2.0).epsilon(0.1));
   }
 }
 

@@ -344,9 +344,9 @@ TEST_CASE("a probe that grows from 1 to 1.5 carries sphere, circle and point alo
   p.setProbe(-1);
   CHECK(p.probe_A() == 0);
   p.setProbe(1e6);
-  CHECK(p.probe_A() == kLargestProbe_A);
+  CHECK(p.probe_A() == kMaxProbe_A);
   p.setProbe(std::numeric_limits<double>::quiet_NaN());
-  CHECK(p.probe_A() == kLargestProbe_A);
+  CHECK(p.probe_A() == kMaxProbe_A);
 }
 
 TEST_CASE(

@@ -23,7 +23,7 @@ TouchValue other(const TouchProperty& p) {
   const TouchValue usual = touchValue(TouchSetup(), p);
   if (const auto* on = std::get_if<bool>(&usual)) return !*on;
   if (std::holds_alternative<std::string>(usual)) return std::string("another");
-  return 0.75 * p.in_scenes.least + 0.25 * p.in_scenes.most;
+  return 0.75 * p.in_scenes.min + 0.25 * p.in_scenes.max;
 }
 
 }  // namespace
@@ -42,10 +42,10 @@ TEST_CASE(
     const TouchValue usual = touchValue(TouchSetup(), p);
     if (const auto* number = std::get_if<double>(&usual)) {
       for (const TouchRange& range : {p.in_scenes, p.in_files, p.control.range})
-        CHECK((range.least <= *number && *number <= range.most));
+        CHECK((range.min <= *number && *number <= range.max));
       // A file can hold what an author writes and what a slider gives.
-      CHECK((p.in_files.least <= p.in_scenes.least && p.in_scenes.most <= p.in_files.most));
-      CHECK((p.in_files.least <= p.control.range.least && p.control.range.most <= p.in_files.most));
+      CHECK((p.in_files.min <= p.in_scenes.min && p.in_scenes.max <= p.in_files.max));
+      CHECK((p.in_files.min <= p.control.range.min && p.control.range.max <= p.in_files.max));
       CHECK(p.control.step > 0.0);
     }
     if (const auto* word = std::get_if<std::string>(&usual)) {

@@ -52,7 +52,7 @@ ViewScene byResidue() {
   scene.camera.fit(*scene.molecule, 1.5);
   scene.shown = {ViewPart::Atoms};
   scene.colour_by = ColourBy::Chain;
-  scene.most_single_atoms = 1000;
+  scene.max_single_atoms = 1000;
   return scene;
 }
 
@@ -133,10 +133,10 @@ TEST_CASE(
   CHECK(renderer().count().atoms < 700);
   ViewScene oracle = scene;
   oracle.molecule = coarse(*scene.molecule);
-  oracle.most_single_atoms = kMaxSingleAtoms;
+  oracle.max_single_atoms = kMaxSingleAtoms;
   oracle.look.hidden = others(*oracle.molecule);
   CHECK(compare(coarser, drawn(oracle, 300, 200), 3).pixels < 20);
-  scene.most_single_atoms = scene.molecule->atoms.size();
+  scene.max_single_atoms = scene.molecule->atoms.size();
   CHECK(compare(coarser, drawn(scene, 300, 200), 3).pixels > 3000);
   CHECK(renderer().count().atoms == scene.molecule->atoms.size());
 }

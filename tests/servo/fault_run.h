@@ -17,7 +17,7 @@ struct FaultRunResult {
   std::uint64_t cuts = 0;       ///< of the force, for energy that was made, while the hand was still
   std::uint64_t body_cuts = 0;  ///< the same of a rigid body whose force was above the greatest: what its springs store
                                 ///< together is then not known, and the energy limit has to end the force
-  double greatest_N = 0;
+  double peak_N = 0;
   double restless_m_per_s = 0;  ///< greatest speed of the device a second after a fault, the hand held still, but where
                                 ///< it slides off and its energy falls
 };

@@ -177,7 +177,7 @@ void FaultWorld::idle(int ms) {
 
 void FaultWorld::judge(const ServoSample& sample, const TickInput& how) {
   const double size = glm::length(sample.force.N);
-  out_.greatest_N = std::max(out_.greatest_N, size);
+  out_.peak_N = std::max(out_.peak_N, size);
   if (const char* promise = judge_.judge(
           sample.force.N, {.fresh = how.fresh,
                            .at_once = bad != nullptr || unsound_settings || sample.limits.has(Limit::EnergyCut),

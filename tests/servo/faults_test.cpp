@@ -33,17 +33,17 @@ TEST_CASE(
     all.faults += one.faults;
     all.cuts += one.cuts;
     all.body_cuts += one.body_cuts;
-    all.greatest_N = std::max(all.greatest_N, one.greatest_N);
+    all.peak_N = std::max(all.peak_N, one.peak_N);
     all.restless_m_per_s = std::max(all.restless_m_per_s, one.restless_m_per_s);
   }
   MESSAGE(seeds << " seeds, " << all.faults << " faults, " << all.ticks << " ticks, " << all.contact
-                << " in contact, at most " << all.greatest_N << " N; a second after a fault at most "
+                << " in contact, at most " << all.peak_N << " N; a second after a fault at most "
                 << all.restless_m_per_s << " m/s, " << all.cuts << " cuts, " << all.body_cuts
                 << " of a body pressed beyond the greatest force");
   // The runs must press, or they prove nothing.
   CHECK(all.contact > all.ticks / 4);
   CHECK(all.turned > all.ticks / 40);
-  CHECK(all.greatest_N > 1.5);
+  CHECK(all.peak_N > 1.5);
   CHECK(all.restless_m_per_s < 0.03);
   CHECK(all.cuts == 0);
   CHECK(all.body_cuts <= all.faults / 2000);
@@ -53,7 +53,7 @@ TEST_CASE("the same seed of faults gives the same run") {
   const FaultRunResult first = runFaults(7), second = runFaults(7);
   CHECK(first.ticks == second.ticks);
   CHECK(first.contact == second.contact);
-  CHECK(first.greatest_N == second.greatest_N);
+  CHECK(first.peak_N == second.peak_N);
 }
 
 TEST_CASE("soak" * doctest::skip(!std::getenv("MOLTACT_SOAK_S"))) {

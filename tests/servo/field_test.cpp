@@ -161,9 +161,9 @@ TEST_CASE(
           felt = std::move(well);
         }
         const double far_mm = harmonic ? 18.0 : 40.0, near_mm = harmonic ? -18.0 : 11.0;
-        const double most_N = harmonic ? 2.0 : 0.3;
+        const double max_N = harmonic ? 2.0 : 0.3;
         Led hand(std::move(felt), &info);
-        hand.settings.max_force_N = most_N;
+        hand.settings.max_force_N = max_N;
         hand.begin({{0, 0, far_mm}});
         hand.rest(700);
         hand.worked_J = 0.0;

@@ -214,11 +214,11 @@ TEST_CASE(
   for (const std::string_view method : {"exact", "penalty", "mesh960"}) {
     CAPTURE(method);
     StillHand hand(open, method);
-    const double most_N = StillHand::deviceInfo().max_force_N;
+    const double max_N = StillHand::deviceInfo().max_force_N;
     for (int k = 0; k < 1500; ++k) hand.tick(1.0);  // soft start, in the open between them
     Frame last;
     Vec3 before(0.0);
-    double greatest_N = 0.0;
+    double peak_N = 0.0;
     for (int k = 1; k <= 60; ++k) {
       std::vector<Sphere> to = open;
       for (std::size_t i = 0; i < to.size(); ++i)
@@ -228,17 +228,17 @@ TEST_CASE(
         const ServoSample s = hand.tick(1.0, {next.get(), tick / 33.0});
         REQUIRE(finite(s.force.N));
         const double force_N = glm::length(s.force.N);
-        greatest_N = std::max(greatest_N, force_N);
-        REQUIRE(force_N <= most_N + 1e-9);
+        peak_N = std::max(peak_N, force_N);
+        REQUIRE(force_N <= max_N + 1e-9);
         REQUIRE(glm::distance(s.force.N, before) <= 1.0 + 1e-9);
         before = s.force.N;
       }
       last = std::move(next);
     }
-    CHECK(greatest_N > 0.3);  // it was felt
+    CHECK(peak_N > 0.3);  // it was felt
     ServoSample rest;
     for (int k = 0; k < 1000; ++k) rest = hand.tick(1.0, {last.get(), 1.0});
-    CHECK(glm::length(rest.force.N) <= most_N + 1e-9);
+    CHECK(glm::length(rest.force.N) <= max_N + 1e-9);
   }
 }
 

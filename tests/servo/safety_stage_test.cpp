@@ -65,7 +65,7 @@ TEST_CASE("clamp: 5 N along (3, 4, 0) become 3.3 N along it; with 2 N allowed, 2
   CHECK(force.N.x == doctest::Approx(3.3 * 0.6));
   CHECK(force.N.y == doctest::Approx(3.3 * 0.8));
   CHECK(stage.acted().has(Limit::Clamp));
-  for (int k = 0; k < 10; ++k) force = tick(stage, {.force_N = {3, 4, 0}, .most_N = 2});
+  for (int k = 0; k < 10; ++k) force = tick(stage, {.force_N = {3, 4, 0}, .max_N = 2});
   CHECK(glm::length(force.N) == doctest::Approx(2.0));
 }
 
@@ -412,7 +412,7 @@ TEST_CASE(
 TEST_CASE("damping: with 0.5 N allowed, push and braking together are never more") {
   SafetyStage stage = ready();
   bool braked = false;
-  double greatest_N = 0;
+  double peak_N = 0;
   for (int k = 0; k < 4000; ++k) {
     // To and fro at up to 0.5 m/s through a wall that pushes three times as hard on the way out.
     const double phase = k * 0.01, z_mm = 50 * std::sin(phase), out = std::cos(phase) > 0 ? 0.3 : 0.1;
@@ -423,13 +423,13 @@ TEST_CASE("damping: with 0.5 N allowed, push and braking together are never more
             .output({.force_N = {0, 0, out * stretch_mm},
                      .stored = {.springs = {.stretch_mm = stretch_mm, .energy_mm2 = 0.5 * stretch_mm * stretch_mm}},
                      .stiffness_N_per_mm = 0.2,
-                     .most_N = 0.5})
+                     .max_N = 0.5})
             .force;
     braked = braked || stage.acted().has(Limit::Damping);
-    greatest_N = std::max(greatest_N, glm::length(force.N));
+    peak_N = std::max(peak_N, glm::length(force.N));
   }
   CHECK(braked);
-  CHECK(greatest_N <= 0.5 + 1e-9);
+  CHECK(peak_N <= 0.5 + 1e-9);
 }
 
 TEST_CASE("each limit has one bit, a name and a sentence") {

@@ -240,17 +240,17 @@ TEST_CASE(
     }
     const auto tracker = newTracker();
     const ReplayResult again = replay(*recording, tracker.get());
-    CHECK(std::isfinite(again.greatest_difference_N));
-    CHECK(std::isfinite(again.greatest_difference_N_mm));
+    CHECK(std::isfinite(again.max_difference_N));
+    CHECK(std::isfinite(again.max_difference_N_mm));
     // Played in the window: the recording leads, and whatever it says, its figures bound the force.
-    const double most_N = recording->ticks.empty() ? 0.0 : recording->ticks.front().device.max_force_N;
+    const double max_N = recording->ticks.empty() ? 0.0 : recording->ticks.front().device.max_force_N;
     PlaybackDevice device(*recording);
     ServoStep step;
     const ServoSettings settings;
     while (!device.ended()) {
       const ServoSample s = step.tick(settings, tracker.get(), device.read(kTick_s), {});
       REQUIRE(finite(s.force.N));
-      REQUIRE(glm::length(s.force.N) <= std::max(most_N, 0.0) + 10.0);
+      REQUIRE(glm::length(s.force.N) <= std::max(max_N, 0.0) + 10.0);
     }
   }
   MESSAGE("refused ", refused, ", cut ", cut, ", read ", read);
@@ -450,8 +450,8 @@ TEST_CASE(
   CHECK_FALSE(replayed().first_difference);
   read->ticks[2500].torque_N_mm.x += 0.25;
   CHECK(replayed().first_difference == 2500);
-  CHECK(replayed().greatest_difference_N == 0.0);
-  CHECK(replayed().greatest_difference_N_mm == doctest::Approx(0.25));
+  CHECK(replayed().max_difference_N == 0.0);
+  CHECK(replayed().max_difference_N_mm == doctest::Approx(0.25));
   read->torques = false;  // as of a file of the version before
   CHECK_FALSE(replayed().first_difference);
   std::filesystem::remove(file);

@@ -99,7 +99,7 @@ TEST_CASE(
   const auto tracker = newTracker();
   ServoStep step;
   Hand hand(7);
-  double greatest_N = 0;
+  double peak_N = 0;
   for (int k = 0; k < 40; ++k) {
     CAPTURE(k);
     for (int i = 0; i < 231; ++i) hand.tick(step, tracker.get());
@@ -114,10 +114,10 @@ TEST_CASE(
     for (int i = 0; i < 100; ++i) {
       const ForceN a = hand_one.tick(one, for_one.get()).force, b = hand_other.tick(other, for_other.get()).force;
       REQUIRE(a.N == b.N);
-      greatest_N = std::max(greatest_N, glm::length(a.N));
+      peak_N = std::max(peak_N, glm::length(a.N));
     }
   }
-  CHECK(greatest_N > 0.1);
+  CHECK(peak_N > 0.1);
 }
 
 TEST_CASE(
@@ -210,7 +210,7 @@ TEST_CASE("3000 recordings with a forged state and a right checksum are refused 
       continue;
     }
     REQUIRE(recording->ticks.size() == 100);
-    CHECK(std::isfinite(replay(*recording, tracker.get()).greatest_difference_N));
+    CHECK(std::isfinite(replay(*recording, tracker.get()).max_difference_N));
     ++replayed;
   }
   CHECK(refused > 1000);

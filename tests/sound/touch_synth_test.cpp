@@ -171,7 +171,7 @@ TEST_CASE("a probe that slides scrapes: noise within its limit, louder the faste
     sounding(synth, 0.5);
     const std::vector<float> s = sounding(synth, 1.0);
     double sine = 0, cosine = 0;
-    const auto turn = [](std::size_t k) { return 2 * std::numbers::pi * kLowestPitch_Hz * double(k) / kRate; };
+    const auto turn = [](std::size_t k) { return 2 * std::numbers::pi * kMinPitch_Hz * double(k) / kRate; };
     for (std::size_t k = 0; k < s.size(); ++k) {
       sine += 2.0 * double(s[k]) * std::sin(turn(k)) / double(s.size());
       cosine += 2.0 * double(s[k]) * std::cos(turn(k)) / double(s.size());

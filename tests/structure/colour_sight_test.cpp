@@ -33,13 +33,13 @@ TEST_CASE(
 TEST_CASE("named colours that are nearer than 10 by one simulation of sight are nearer than 18 by the other") {
   // A colour-blind eye takes green for red, and for normal sight the two are far apart.
   CHECK(test::seenDistance(test::Sight::Normal, named("green"), named("red")) > 50.0);
-  CHECK(leastSeenDistance(named("green"), named("red")) < 10.0);
+  CHECK(minSeenDistance(named("green"), named("red")) < 10.0);
   CHECK(least(named("green"), named("red")) < 10.0);
   for (const NamedColour& a : namedColours())
     for (const NamedColour& b : namedColours()) {
       CAPTURE(a.name);
       CAPTURE(b.name);
-      const double ours = leastSeenDistance(a.colour, b.colour), others = least(a.colour, b.colour);
+      const double ours = minSeenDistance(a.colour, b.colour), others = least(a.colour, b.colour);
       if (std::min(ours, others) < 10.0) CHECK(std::max(ours, others) < 18.0);
     }
 }

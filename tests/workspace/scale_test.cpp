@@ -63,7 +63,7 @@ TEST_CASE(
   CHECK(then.centre_A == Vec3(1, 2, 3));
   CHECK(glm::distance(then.toDevice({{1, 9, 3}}).mm, Vec3(0, 35, 0)) < 1e-9);
   CHECK(magnified(now, {{0, 0, 0}}, 1e9, omni).A_per_mm == now.A_per_mm);  // never coarser than the whole
-  CHECK(magnified(now, {{0, 0, 0}}, 0, omni).A_per_mm == kFinest_A_per_mm);
+  CHECK(magnified(now, {{0, 0, 0}}, 0, omni).A_per_mm == kMinScale_A_per_mm);
   CHECK(magnified(now, {{0, 0, 0}}, std::nan(""), omni).A_per_mm == now.A_per_mm);
   CHECK(magnified(now, {{std::nan(""), 0, 0}}, 7, omni).centre_A == now.centre_A);
 }

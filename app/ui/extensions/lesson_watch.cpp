@@ -55,7 +55,7 @@ void LessonWatch::lessonChanged() {
   if (lesson_.openings() == own_opening_ && lesson_.file() == file_) return;
   watch(lesson_.file());
   // Where nothing can be done beside the picture, what comes with the program is taken as it is until it changes.
-  if (!threadsCanBeHad() && file_.parent_path() == lessonsFolder()) {
+  if (!threadsAvailable() && file_.parent_path() == lessonsFolder()) {
     read_ = seen_;
     return;
   }

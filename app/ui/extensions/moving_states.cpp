@@ -77,7 +77,7 @@ void MovingStates::take(Expected<TwoStates> states) {
   for (std::size_t i = 0; i < states_->first.size(); ++i)
     if (scene_.stage().spheres->touchable(i))
       farthest_A = std::max(farthest_A, glm::distance(states_->first[i].centre_A, states_->second[i].centre_A));
-  per_s_ = farthest_A > 0.0 ? std::min(1.0 / kMin_s, kFastest_A_per_s / farthest_A) : 1.0 / kMin_s;
+  per_s_ = farthest_A > 0.0 ? std::min(1.0 / kMin_s, kMaxSpeed_A_per_s / farthest_A) : 1.0 / kMin_s;
   begin();
 }
 

@@ -1,5 +1,5 @@
-// The two structures of a lesson's scene (its key `then`): reads the second one, and leads the atoms between the two where
-// the student's slider wants them, while they are touched. Window's thread. Units: angstrom, second.
+// The two structures of a lesson's scene (its key `then`): reads the second one, and leads the atoms between the two
+// where the student's slider wants them, while they are touched. Window's thread. Units: angstrom, second.
 #pragma once
 
 #include <array>
@@ -24,7 +24,7 @@ class MovingStates : public Extension {
       : scene_(scene), lesson_(lesson), messages_(messages), options_(options) {}
 
   /// No atom that can be felt moves faster, and the whole way takes at least so long.
-  static constexpr double kFastest_A_per_s = 8.0, kMin_s = 1.5;
+  static constexpr double kMaxSpeed_A_per_s = 8.0, kMin_s = 1.5;
 
   void sceneChanged() override;
   void lessonChanged() override { sceneChanged(); }
@@ -41,8 +41,8 @@ class MovingStates : public Extension {
   const SecondState& then() const { return then_; }
   /// The file of the second structure.
   const std::filesystem::path& file() const { return file_; }
-  /// In a playback: the atoms of the molecule on the stage stand at this share of the way to another structure, once that
-  /// has been read.
+  /// In a playback: the atoms of the molecule on the stage stand at this share of the way to another structure, once
+  /// that has been read.
   void show(const MoleculeKey& other, const SecondState& then);
   /// What the two are called.
   const std::string& name(int state) const { return names_[std::size_t(state)]; }

@@ -1,4 +1,5 @@
-// How the molecule's file is read: which model, with its waters, as which biological assembly, beside which other molecule. From the table of readings.
+// How the molecule's file is read: which model, with its waters, as which biological assembly, beside which other
+// molecule. From the table of readings.
 #include <imgui.h>
 #include <imgui_stdlib.h>
 
@@ -26,7 +27,7 @@ void drawOption(const ReadingOption& option, const Molecule& molecule, ReadOptio
     if (const auto* number = std::get_if<int ReadOptions::*>(&option.member)) {
       int& chosen = reading.**number;
       ImGui::InputInt(("##" + name).c_str(), &chosen, 1, 10);
-      chosen = std::clamp(chosen, 1, option.most ? option.most(molecule) : kMaxReadNumber);
+      chosen = std::clamp(chosen, 1, option.max ? option.max(molecule) : kMaxReadNumber);
       recordItem(name, std::to_string(chosen));
     } else if (std::string& text = reading.*std::get<std::string ReadOptions::*>(option.member); option.words) {
       wordSegments(name.c_str(), option.words(), text);

@@ -31,8 +31,8 @@ void drawTouchControls(Application& app, bool first) {
     const auto tip = [&](const std::string& usual) { return c.tip.empty() ? std::string() : trf(c.tip.data(), usual); };
     if (const auto* number = std::get_if<double TouchSetup::*>(&p.member)) {
       const Digits digits = c.decimals < 0 ? Digits{} : decimals(c.decimals);
-      slider(name.c_str(), title.c_str(), touch.**number, c.range.least, c.range.most, c.step,
-             {p.dimension, {digits, {}}}, tip(quantityText(TouchSetup().**number, p.dimension, digits)).c_str());
+      slider(name.c_str(), title.c_str(), touch.**number, c.range.min, c.range.max, c.step, {p.dimension, {digits, {}}},
+             tip(quantityText(TouchSetup().**number, p.dimension, digits)).c_str());
     } else if (const auto* on = std::get_if<bool TouchSetup::*>(&p.member)) {
       toggle(name.c_str(), title.c_str(), touch.**on, tip({}).c_str());
     } else {

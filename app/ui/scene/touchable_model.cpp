@@ -28,7 +28,7 @@ TouchableModel stageOf(std::shared_ptr<const Molecule> molecule, std::span<const
   stage.molecule = std::move(molecule);
   stage.workspace = fitWorkspace(spheres);
   stage.reach_A = 0.5 * glm::distance(spheres.low_A(), spheres.high_A()) +
-                  std::max(kLargestProbe_A, stage.body ? stage.body->reach_A : 0.0);
+                  std::max(kMaxProbe_A, stage.body ? stage.body->reach_A : 0.0);
   return stage;
 }
 

@@ -1,5 +1,5 @@
-// The window in a page: a canvas with WebGL 2. app/web/page.js hears the mouse, keys, fingers and pens, asks for a frame
-// whenever the browser draws, and calls the functions below; everything is on the page's one thread.
+// The window in a page: a canvas with WebGL 2. app/web/page.js hears the mouse, keys, fingers and pens, asks for a
+// frame whenever the browser draws, and calls the functions below; everything is on the page's one thread.
 #include <emscripten.h>
 #include <emscripten/html5.h>
 #include <imgui.h>
@@ -166,13 +166,13 @@ EMSCRIPTEN_KEEPALIVE void moltact_pen(double pressure) {
     return;
   }
   constexpr double kMax_N = 2.5;
-  const double wanted_N = std::max(moltact::PointerHand::kLightest_N, kMax_N * std::clamp(pressure, 0.0, 1.0));
+  const double wanted_N = std::max(moltact::PointerHand::kMinPress_N, kMax_N * std::clamp(pressure, 0.0, 1.0));
   page->shell.input().wheel(0.0, (wanted_N - page->pen_N) / moltact::PointerHand::kNotch_N);
   page->pen_N = wanted_N;
 }
 
-// What stands on the screen, and what can be scrolled there, in the order of reading: JSON of [text, x, y]; x is -1 for what
-// cannot be pressed.
+// What stands on the screen, and what can be scrolled there, in the order of reading: JSON of [text, x, y]; x is -1 for
+// what cannot be pressed.
 EMSCRIPTEN_KEEPALIVE const char* moltact_words() {
   std::vector<const moltact::WidgetRecord*> seen;
   for (const auto& [name, record] : moltact::widgets().all())

@@ -40,7 +40,7 @@ std::vector<FoundDevice> findHid(const HidKind& kind) {
 Expected<std::unique_ptr<Device>> openHid(const HidKind& kind, const FoundDevice& found) {
   DeviceInfo known = kind.known;
   if (known.name.empty()) known.name = found.title;
-  // The one that was found first; others of the kind only where that is not there, or no longer one.
+  // The device that was found first; others of the kind only if it is missing or is no longer of the kind.
   const auto opener =
       [is = kind.is, path = found.place](const PacketDevice::Accept& accept) -> Expected<std::unique_ptr<PacketPort>> {
     std::vector<HidEntry> all = listHid();

@@ -12,13 +12,13 @@
 namespace moltact {
 namespace {
 
-// hidapi's global functions are not for several threads at once.
+// hidapi's global functions are not thread-safe.
 std::mutex& globalHid() {
   static std::mutex one;
   return one;
 }
 
-// Device strings are shown as they are, but for what is not plain text.
+// Device strings are shown unchanged, except for characters that are not plain text.
 std::string plain(const wchar_t* text) {
   std::string out;
   for (; text && *text; ++text) out += *text >= 32 && *text < 127 ? static_cast<char>(*text) : '?';
@@ -38,7 +38,7 @@ class RealPort final : public PacketPort {
   int feature(std::span<std::uint8_t> report) override {
     return hid_get_feature_report(device_, report.data(), report.size());
   }
-  // A hidraw node takes a report as hidapi does.
+  // A hidraw node accepts the same bytes as hidapi.
   void lastReport(std::span<const std::uint8_t> report) override { last_report_.arm(path_.c_str(), report); }
 
  private:

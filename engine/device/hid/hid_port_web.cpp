@@ -1,6 +1,6 @@
-// HID devices of a page: WebHID, where the browser has it. app/web/devices.js keeps the devices that the person has shown the
-// page (Module.hid): opened, their descriptions read, what they report in a queue for each port. Ids of reports come
-// first in their bytes here, as in hidapi.
+// HID devices of a page: WebHID, if the browser supports it. app/web/devices.js manages the devices that the user has
+// selected (Module.hid): it opens them, reads their descriptions and queues their reports for each port. The report id
+// is the first byte, as in hidapi.
 #include <emscripten.h>
 
 #include <cstdlib>
@@ -11,11 +11,11 @@
 #include "engine/device/hid/hid_port.h"
 #include "engine/language/catalogue.h"
 
-// What follows is JavaScript.
+// The following functions are JavaScript.
 // clang-format off
 EM_JS(int, hidIsThere, (void), { return Module.hid.there() ? 1 : 0; })
 EM_JS(void, hidAsk, (void), { Module.hid.ask(); })
-// JSON of [{path, title, vendor, product, usage_page, usage}, …]; to be freed.
+// JSON of [{path, title, vendor, product, usage_page, usage}, …]; the caller frees it.
 EM_JS(char*, hidList, (void), {
   const text = Module.hid.list();
   const size = lengthBytesUTF8(text) + 1;
@@ -25,17 +25,17 @@ EM_JS(char*, hidList, (void), {
 })
 EM_JS(int, hidOpen, (const char* path), { return Module.hid.open(UTF8ToString(path)); })
 EM_JS(void, hidClose, (int port), { Module.hid.close(port); })
-EM_JS(int, hidRead, (int port, void* to, int most), {
+EM_JS(int, hidRead, (int port, void* to, int max_bytes), {
   const report = Module.hid.read(port);
   if (!report) return report === null ? 0 : -1;
-  const bytes = report.subarray(0, most);
+  const bytes = report.subarray(0, max_bytes);
   HEAPU8.set(bytes, to);
   return bytes.length;
 })
-EM_JS(int, hidFeature, (int port, void* to, int most), {
+EM_JS(int, hidFeature, (int port, void* to, int max_bytes), {
   const report = Module.hid.feature(port, HEAPU8[to]);
   if (!report) return -1;
-  const bytes = report.subarray(0, most);
+  const bytes = report.subarray(0, max_bytes);
   HEAPU8.set(bytes, to);
   return bytes.length;
 })
@@ -62,14 +62,14 @@ class PagePort final : public PacketPort {
     return hidWrite(port_, report.data(), int(report.size())) != 0;
   }
   int feature(std::span<std::uint8_t> report) override { return hidFeature(port_, report.data(), int(report.size())); }
-  // The page sends it when it is put away or left.
+  // The page sends it when the device is closed or the page is left.
   void lastReport(std::span<const std::uint8_t> report) override { hidLast(port_, report.data(), int(report.size())); }
 
  private:
   int port_;
 };
 
-// Device strings are shown as they are, but for what is not plain text.
+// Device strings are shown unchanged, except for characters that are not plain text.
 std::string plain(std::string text) {
   for (char& c : text) c = c >= 32 && c < 127 ? c : '?';
   return text;

@@ -18,16 +18,17 @@ bool isOpenDevice(const HidEntry& entry) { return entry.usage_page == kUsagePage
 
 constexpr std::array<std::uint8_t, 4> kMagic{'M', 'L', 'T', 'C'};
 
-// A cut is reported for so long that the haptic thread cannot miss it: a loop that was stalled longer starts softly anyway.
+// A cut is reported for this time, so that the haptic thread cannot miss it. A loop that was stalled longer starts
+// softly anyway.
 constexpr double kCutReported_s = 0.020;
-constexpr double kMaxAdvance_s = 0.002;  // a thread that was stalled leaves no cut unreported
-constexpr double kFarthest = 32767.0;    // of 16 bits with a sign
+constexpr double kMaxAdvance_s = 0.002;  // limits a step after a stall, so that every cut is reported
+constexpr double kMaxInt16 = 32767.0;    // largest signed 16-bit number
 
 Problem noneOfIt(const char* what) {
   return Problem{"", 0, 0, trf("the device is none of the open layout: {0}", what), tr("see docs/device-protocol.md")};
 }
 
-// What a description cannot be used with, in words that name the field.
+// Returns why a description is unusable, with the name of the field.
 std::optional<Problem> problemOf(std::span<const std::uint8_t> r) {
   const auto refuse = [](const std::string& what, const std::string& remedy) {
     return Problem{"", 0, 0, trf("the device's feature report 3 cannot be used: {0}", what), remedy};
@@ -43,14 +44,14 @@ std::optional<Problem> problemOf(std::span<const std::uint8_t> r) {
                     tr("tell it there, edge to edge, in mm"));
     longest_mm = std::max(longest_mm, room_mm);
   }
-  if (const double reach_mm = 1e-6 * unit_nm * kFarthest; 0.5 * longest_mm > reach_mm)
+  if (const double reach_mm = 1e-6 * unit_nm * kMaxInt16; 0.5 * longest_mm > reach_mm)
     return refuse(
         trf("places in steps of {0} nm (byte 6) reach {1} from the middle, and its room of {2} mm (bytes 12 to 17) "
             "needs {3}",
             unit_nm, quantityText(reach_mm, Dimension::HandLength, decimals(1)), longest_mm,
             quantityText(0.5 * longest_mm, Dimension::HandLength, decimals(1))),
-        trf("make the unit at least {0} nm, or the room smaller", int(std::ceil(0.5e6 * longest_mm / kFarthest))));
-  if (peak_mN > int(kFarthest))
+        trf("make the unit at least {0} nm, or the room smaller", int(std::ceil(0.5e6 * longest_mm / kMaxInt16))));
+  if (peak_mN > int(kMaxInt16))
     return refuse(trf("its greatest force (byte 8) is {0} mN", peak_mN),
                   tr("a force report can ask for no more than 32767 mN: tell that at most"));
   if (peak_mN > 0 && lasting_mN == 0)
@@ -96,14 +97,14 @@ std::optional<Problem> OpenLayoutProtocol::begin(PacketPort& port, DeviceInfo& i
 bool OpenLayoutProtocol::parseReport(std::span<const std::uint8_t> report, DevicePose& pose) noexcept {
   if (report.size() < kPlaceBytes || report[0] != kPlaceReport) return false;
   const std::uint16_t number = uint16At(report, 1);
-  const bool again = any_seen_ && number == seen_;  // the same report twice has nothing new
+  const bool again = any_seen_ && number == seen_;  // a repeated report contains nothing new
   seen_ = number;
   any_seen_ = true;
   pose.position.mm = step_mm_ * Vec3(int16At(report, 7), int16At(report, 9), int16At(report, 11));
   if (measures_orientation_) {
-    const Quat told(int16At(report, 19) / kFarthest, int16At(report, 13) / kFarthest, int16At(report, 15) / kFarthest,
-                    int16At(report, 17) / kFarthest);
-    if (const double size = glm::length(told); size > 0.9 && size < 1.1) pose.orientation = told / size;
+    const Quat reported(int16At(report, 19) / kMaxInt16, int16At(report, 13) / kMaxInt16,
+                        int16At(report, 15) / kMaxInt16, int16At(report, 17) / kMaxInt16);
+    if (const double size = glm::length(reported); size > 0.9 && size < 1.1) pose.orientation = reported / size;
   }
   pose.buttons = report[21];
   status_ = report[22];
@@ -131,7 +132,7 @@ std::size_t OpenLayoutProtocol::forceReport(ForceN force, bool motors_on, Report
   putInt16(out, 1, sent_++);
   for (int k = 0; k < 3; ++k)
     putInt16(out, 3 + 2 * std::size_t(k),
-             on ? int(std::lround(std::clamp(1e3 * force.N[k], -kFarthest, kFarthest))) : 0);
+             on ? int(std::lround(std::clamp(1e3 * force.N[k], -kMaxInt16, kMaxInt16))) : 0);
   out[9] = on;
   out[10] = kWatchdog_ms;
   return kForceBytes;
@@ -147,7 +148,7 @@ namespace {
 
 const HidKind& openLayout() {
   DeviceInfo info;
-  info.gives_force = true;  // most do; each reports it itself
+  info.gives_force = true;  // true of most devices; each reports it itself
   static const HidKind kind{N_("Device of the open layout"), isOpenDevice,
                             [] { return std::unique_ptr<PacketProtocol>(new OpenLayoutProtocol); }, info};
   return kind;

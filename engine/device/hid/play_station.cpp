@@ -13,8 +13,8 @@ namespace {
 
 constexpr std::uint8_t kState = 1;
 constexpr std::size_t kUsbBytes = 64, kBluetoothBytes = 10;
-constexpr double kStickDead = 0.12;  // sticks do not come back to their middle
-constexpr int kSteps = 15;           // of rumble: a report is sent where the step changes
+constexpr double kStickDead = 0.12;  // sticks do not return exactly to their middle
+constexpr int kSteps = 15;           // steps of rumble: a report is sent when the step changes
 
 bool isPad(const HidEntry& entry, std::initializer_list<std::uint16_t> products) {
   return entry.vendor == 0x054c && std::find(products.begin(), products.end(), entry.product) != products.end() &&
@@ -42,7 +42,7 @@ bool PlayStationProtocol::parseReport(std::span<const std::uint8_t> r, DevicePos
   const PadLayout& at = by_usb_ ? usb_ : kDualShock4;
   push_ = {stick(r[1]), -stick(r[2]), (r[at.left_trigger] - r[at.right_trigger]) / 255.0};
   turn_ = {stick(r[4]), stick(r[3]), 0.0};
-  // Square, cross, circle, triangle: the cross is the first button, the circle the second.
+  // Square, cross, circle, triangle; the cross is the first button, the circle the second.
   const unsigned face = r[at.buttons] >> 4;
   pose.buttons = (face >> 1 & 3u) | (face & 1u) << 2 | (face & 8u);
   silent_s_ = 0;
@@ -68,7 +68,7 @@ std::size_t PlayStationProtocol::encode(const Wrench& wrench, ReportBuffer out) 
   std::fill(out.begin(), out.end(), std::uint8_t{0});
   out[0] = usb_.report;
   out[1] = usb_.sets_motors;
-  // The weak motor trembles at a touch, the strong one comes in above a third.
+  // The weak motor starts at a touch, the strong one above a third.
   out[usb_.weak_motor] = static_cast<std::uint8_t>(step * 255 / kSteps);
   out[usb_.strong_motor] = static_cast<std::uint8_t>(std::max(0, step - kSteps / 3) * 255 / (kSteps - kSteps / 3));
   return usb_.bytes;
@@ -77,7 +77,7 @@ std::size_t PlayStationProtocol::encode(const Wrench& wrench, ReportBuffer out) 
 std::size_t PlayStationProtocol::encodeFinalReport(ReportBuffer out) noexcept {
   sent_step_ = -1;
   const std::size_t length = encode(Wrench{}, out);
-  sent_step_ = -1;  // whatever comes next is a change
+  sent_step_ = -1;  // the next step counts as a change
   return length;
 }
 
@@ -105,7 +105,7 @@ const HidKind& dualSense() {
 
 extern const DeviceDriver kDualShock4Driver, kDualSenseDriver;
 const DeviceDriver kDualShock4Driver{
-    .name = "gamepad",  // settings of people name it so
+    .name = "gamepad",  // stored in users' settings
     .sentence = N_("Sony DualShock 4: its sticks lead the hand and turn the view, its rumble stands for the force."),
     .find = [] { return findHid(dualShock()); },
     .open = [](const FoundDevice& found) { return openHid(dualShock(), found); },

@@ -8,10 +8,10 @@
 
 namespace moltact::rate_control {
 
-inline constexpr double kDead = 0.05;              ///< dead zone: a smaller deflection counts as rest
-inline constexpr double kFastest_mm_per_s = 60.0;  ///< speed of the hand at full deflection
-inline constexpr double kFastest_rad_per_s = 1.5;  ///< its angular speed at full deflection
-inline constexpr double kReach_mm = 80.0;          ///< largest distance from the middle on any axis
+inline constexpr double kDead = 0.05;               ///< dead zone: a smaller deflection counts as rest
+inline constexpr double kMaxSpeed_mm_per_s = 60.0;  ///< speed of the hand at full deflection
+inline constexpr double kMaxSpeed_rad_per_s = 1.5;  ///< its angular speed at full deflection
+inline constexpr double kReach_mm = 80.0;           ///< largest distance from the middle on any axis
 /// Without a report for this time a deflection counts as released: the report was lost.
 inline constexpr double kSilence_s = 0.25;
 
@@ -25,13 +25,13 @@ inline Vec3 shaped(const Vec3& push) noexcept {
 
 /// Moves the hand during `dt_s`.
 inline void move(DevicePose& pose, const Vec3& push, double dt_s) noexcept {
-  const Vec3 place = pose.position.mm + shaped(push) * (kFastest_mm_per_s * dt_s);
+  const Vec3 place = pose.position.mm + shaped(push) * (kMaxSpeed_mm_per_s * dt_s);
   pose.position.mm = glm::clamp(place, Vec3(-kReach_mm), Vec3(kReach_mm));
 }
 
 /// Rotates the hand about the device's axes during `dt_s`.
 inline void rotate(DevicePose& pose, const Vec3& rotation, double dt_s) noexcept {
-  const Vec3 angle_rad = shaped(rotation) * (kFastest_rad_per_s * dt_s);
+  const Vec3 angle_rad = shaped(rotation) * (kMaxSpeed_rad_per_s * dt_s);
   if (const double size = glm::length(angle_rad); size > 0.0)
     pose.orientation = glm::normalize(glm::angleAxis(size, angle_rad / size) * pose.orientation);
 }

@@ -14,7 +14,7 @@ namespace {
 constexpr std::uint8_t kPush = 1, kTurn = 2, kButtons = 3;
 constexpr std::uint32_t kSwitch = 1;  // the first button
 
-// The device's axes are x right, y toward the person, z down. Its numbers go a little beyond their stops at times.
+// The device's axes are x right, y toward the user, z down. Its values occasionally exceed the mechanical stops.
 Vec3 axesAt(std::span<const std::uint8_t> report, std::size_t at) {
   const auto axis = [&](std::size_t k) {
     return std::clamp(int16At(report, at + 2 * k) / SpaceMouseProtocol::kFull, -1.0, 1.0);
@@ -29,7 +29,7 @@ bool isSpaceMouse(const HidEntry& entry) {
     return std::find(all.begin(), all.end(), entry.product) != all.end();
   };
   const bool known = (entry.vendor == 0x046d && has(kLogitech)) || (entry.vendor == 0x256f && has(k3Dconnexion));
-  // A receiver shows several interfaces; the axes are on the one of usage 8, multi-axis controller.
+  // A receiver has several interfaces; the axes are on usage 8, multi-axis controller.
   return known && (entry.usage_page == 0 || (entry.usage_page == 1 && entry.usage == 8));
 }
 
@@ -56,7 +56,7 @@ bool SpaceMouseProtocol::parseReport(std::span<const std::uint8_t> report, Devic
     pose.buttons = pressed_ & ~kSwitch;
     return true;
   } else {
-    return false;  // battery and what else there may be
+    return false;  // battery and other reports
   }
   silent_s_ = 0;
   return true;
@@ -65,7 +65,7 @@ bool SpaceMouseProtocol::parseReport(std::span<const std::uint8_t> report, Devic
 void SpaceMouseProtocol::advance(double dt_s, DevicePose& pose) noexcept {
   if ((silent_s_ += dt_s) > rate_control::kSilence_s) axes_ = {};
   view_motion_ = {};
-  // No hand pushes without turning a little, nor the other way round.
+  // A hand cannot push without rotating slightly, or the reverse; the stronger of both acts.
   const bool turns = glm::length(axes_.rotation) > glm::length(axes_.push);
   if (turns && rotates_hand_ && !leads_view_)
     rate_control::rotate(pose, axes_.rotation, dt_s);

@@ -19,7 +19,7 @@ bool isWoodenHaptics(const HidEntry& entry) { return entry.vendor == 0x1234 && e
 
 }  // namespace
 
-// The device's own axes are x toward the person, y right, z up.
+// The device's own axes are x toward the user, y right, z up.
 PointMm WoodenHapticsProtocol::place(const Vec3& a) {
   const double reach = kUpper_m * std::sin(a.y) + kFore_m * std::sin(a.z);
   const double forward = std::cos(a.x) * reach - kOriginForward_m, right = std::sin(a.x) * reach;
@@ -27,7 +27,7 @@ PointMm WoodenHapticsProtocol::place(const Vec3& a) {
   return {1e3 * Vec3(right, up, forward)};
 }
 
-// The transpose of the place's derivative by the angles.
+// The transpose of the position's Jacobian with respect to the angles.
 Vec3 WoodenHapticsProtocol::torques(const Vec3& a, ForceN force) {
   const double reach = kUpper_m * std::sin(a.y) + kFore_m * std::sin(a.z), c = std::cos(a.x), s = std::sin(a.x);
   const double fx = force.N.z, fy = force.N.x, fz = force.N.y;
@@ -36,7 +36,7 @@ Vec3 WoodenHapticsProtocol::torques(const Vec3& a, ForceN force) {
 }
 
 std::optional<Problem> WoodenHapticsProtocol::begin(PacketPort&, DeviceInfo&) {
-  any_seen_ = calibrated_ = false;  // its encoders count from where it was switched on, and nobody knows where that was
+  any_seen_ = calibrated_ = false;  // the encoders count from an unknown pose at power-on
   return std::nullopt;
 }
 
@@ -58,7 +58,7 @@ bool WoodenHapticsProtocol::parseReport(std::span<const std::uint8_t> report, De
   for (int k = 0; k < 3; ++k) {
     counts_[k] = int16At(report, 2 * std::size_t(k));
     const auto turned = static_cast<std::int16_t>(counts_[k] - upright_[k]);
-    angles_[k] = -kGear[k] * kTwoPi * turned / kCountsATurn;  // the bodies turn against their motors
+    angles_[k] = -kGear[k] * kTwoPi * turned / kCountsATurn;  // the bodies rotate opposite to their motors
   }
   pose.position = place(angles_);
   return true;
@@ -66,8 +66,8 @@ bool WoodenHapticsProtocol::parseReport(std::span<const std::uint8_t> report, De
 
 std::size_t WoodenHapticsProtocol::encode(const Wrench& wrench, ReportBuffer out) noexcept {
   const Vec3 joints = torques(angles_, wrench.force);
-  out[0] = 0;  // hidapi's sign for reports without an id
-  // All three are cut alike, so that the force keeps its direction.
+  out[0] = 0;  // hidapi's marker for reports without an id
+  // All three are scaled equally, so that the force keeps its direction.
   Vec3 mA;
   double biggest = 0;
   for (int k = 0; k < 3; ++k) {

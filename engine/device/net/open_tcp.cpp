@@ -1,4 +1,4 @@
-// Devices and programs that speak the open report layout over TCP: docs/device-protocol.md, "Over a network".
+// Devices and programs with the open report layout over TCP: docs/device-protocol.md, "Over a network".
 #include "engine/device/driver.h"
 #include "engine/device/hid/open_layout.h"
 #include "engine/device/net/tcp_port.h"
@@ -26,7 +26,7 @@ FoundDevice findAt(std::string_view text) {
   return out;
 }
 
-// Nothing is searched for: a person gives the address.
+// There is no search: the user gives the address.
 std::vector<FoundDevice> find() {
   return {{.title = kTitle,
            .why = tr("give its address: open-tcp:PORT on this computer, open-tcp:HOST:PORT on another"),

@@ -36,7 +36,7 @@ class TcpPort final : public PacketPort {
     return connection_->write(message.bytes());
   }
 
-  // The request is the report's id alone. Places that come before the answer are dropped.
+  // The request is the report's id alone. Positions that arrive before the answer are dropped.
   int feature(std::span<std::uint8_t> report) override {
     const std::uint8_t id = report[0];
     if (!write({&id, 1})) return -1;
@@ -56,7 +56,7 @@ class TcpPort final : public PacketPort {
   }
 
  private:
-  // A report behind its length, in one piece, so that it travels as one.
+  // A report preceded by its length, in one buffer, so that it is sent as one packet.
   class Message {
    public:
     explicit Message(std::span<const std::uint8_t> report) : size_(std::min(report.size(), kMaxReportBytes)) {

@@ -17,7 +17,7 @@ namespace {
 Expected<Library> load() {
   std::vector<std::string> names{"libHD.so", "libHD.so.3", "/usr/lib/libHD.so", "/usr/lib64/libHD.so"};
   const char* variable = std::getenv("MOLTACT_LIBHD");
-  const std::string named = variable ? variable : "";  // empty is as good as unset
+  const std::string named = variable ? variable : "";  // empty counts as unset
   if (!named.empty()) names = {named};
   const auto library = SharedLibrary::open(names);
   if (!library)
@@ -62,7 +62,7 @@ Expected<Library> load() {
   return hd;
 }
 
-// A sentence as a part of another one.
+// A sentence adapted for use within another one.
 std::string asPart(std::string sentence, bool keeps_capital) {
   if (sentence.ends_with('.')) sentence.pop_back();
   if (!keeps_capital && !sentence.empty()) sentence.front() = static_cast<char>(std::tolower(sentence.front()));
@@ -72,7 +72,8 @@ std::string asPart(std::string sentence, bool keeps_capital) {
 }  // namespace
 
 Expected<const Library*> Library::get() {
-  // Once found it stays; until then each call searches again, for it may be installed while the program runs.
+  // The library stays loaded once found; until then each call searches again, because it may be installed while the
+  // program runs.
   static std::mutex mutex;
   const std::lock_guard lock(mutex);
   static std::optional<Library> found;

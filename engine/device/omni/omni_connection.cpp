@@ -32,7 +32,7 @@ Expected<OmniSession> OmniConnection::look(const hd::Library& hd) {
   const std::lock_guard lock(mutex_);
   const bool kept = session_.has_value();
   auto session = opened(hd);
-  if (!session || kept) return session;  // not kept for longer: it may have been unplugged meanwhile
+  if (!session || kept) return session;  // not kept longer, because it may have been unplugged meanwhile
   session_ = *session;
   until_ = std::chrono::steady_clock::now() + kKeepOpen;
   if (!closer_.joinable()) closer_ = std::thread([this] { run(); });
@@ -70,7 +70,7 @@ void OmniConnection::closeUnused() {
   session_.reset();
 }
 
-// Closes in time what nobody took.
+// Closes a device that take() has not requested in time.
 void OmniConnection::run() {
   std::unique_lock lock(mutex_);
   while (!ends_) {

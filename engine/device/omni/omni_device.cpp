@@ -13,14 +13,14 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr int kStaleReads = 100;      // reads from outside the callback until the device counts as gone
-constexpr int kReportStall = 250;     // until the stall is reported and the device reopened
-constexpr int kReportNoFrame = 2000;  // the same where the clock was started and has not ticked yet
-constexpr int kFaultTicks = 500;      // without force after the driver cut one
-constexpr int kWarmTicks = 5000;      // with small force after the driver found the motors warm
-constexpr int kLookTicks = 100;       // between two looks at the temperature
-constexpr int kUpdateTicks = 10;      // between two updates of the calibration while there is none
-constexpr int kResetTicks = 3000;     // so long the encoders' reset is tried
+constexpr int kStaleReads = 100;      // reads outside the callback after which the device counts as disconnected
+constexpr int kReportStall = 250;     // reads after which the stall is reported and the device reopened
+constexpr int kReportNoFrame = 2000;  // the same if the clock was started and has not ticked yet
+constexpr int kFaultTicks = 500;      // ticks without force after the driver has cut one
+constexpr int kWarmTicks = 5000;      // ticks with small force after the driver has reported warm motors
+constexpr int kLookTicks = 100;       // ticks between two readings of the temperature
+constexpr int kUpdateTicks = 10;      // ticks between two updates of a missing calibration
+constexpr int kResetTicks = 3000;     // ticks for which the reset of the encoders is tried
 constexpr auto kShowError = std::chrono::seconds(5);
 constexpr auto kTryAgain = std::chrono::seconds(2);
 constexpr auto kLastFrame = std::chrono::milliseconds(100);
@@ -30,7 +30,7 @@ std::string words(std::uint32_t code) {
   return text.message + ' ' + text.remedy;
 }
 
-// Errors of a stack and of several frames are kept as one, until the window asks: the one that matters most.
+// Keeps the most severe error of several stacks and frames until the window reads it.
 void keepWorst(std::atomic<std::uint32_t>& worst, std::uint32_t code) noexcept {
   std::uint32_t kept = worst.load(std::memory_order_relaxed);
   while (hd::errorWeight(code) > hd::errorWeight(kept) &&
@@ -103,7 +103,7 @@ void OmniDevice::schedule() {
 void OmniDevice::unschedule() {
   if (!scheduling_) return;
   scheduling_ = false;
-  // The callback's last frame gives no force; where the scheduler has died there is none to wait for.
+  // The callback's last frame gives no force. If the scheduler has died there is none.
   ends_.store(true, std::memory_order_release);
   const auto until = Clock::now() + kLastFrame;
   while (!ended_.load(std::memory_order_acquire) && Clock::now() < until)
@@ -113,7 +113,7 @@ void OmniDevice::unschedule() {
   const bool none_given = last_frame_came && none_given_.load(std::memory_order_acquire);
   if (!none_given) guard_.switchOff();
   hd_.stopScheduler();
-  if (!none_given) giveNone();  // no callback runs any more
+  if (!none_given) giveNone();  // the callback no longer runs
   hd_.unschedule(scheduled_);
   last_act_.disarm();
   drainErrors(hd_);
@@ -147,14 +147,14 @@ void OmniDevice::takeRevived() {
   gone_.store(false);
 }
 
-// Waits for a revival that is under way.
+// Waits for a running revival.
 void OmniDevice::finishRevival() {
   if (revival_.valid()) takeRevived();
 }
 
 hd::CallbackCode OmniDevice::callback(void* self) { return static_cast<OmniDevice*>(self)->frame(); }
 
-// The first frame after the clock was started: nobody knows what the hand did meanwhile.
+// The first frame after the start of the clock: the motion of the hand meanwhile is unknown.
 void OmniDevice::begin() noexcept {
   const std::uint32_t discontinuities = own_.pose.discontinuities;
   own_ = {};
@@ -170,14 +170,14 @@ hd::CallbackCode OmniDevice::frame() noexcept {
     giveNone();
   else
     tickFrame(ends);
-  // A last frame that the driver did not take is tried again, for as long as unschedule() waits.
+  // A last frame that the driver has not accepted is repeated while unschedule() waits.
   if (!ends || (!own_.broken && !none_given_.load(std::memory_order_acquire))) return hd::kContinue;
   ended_.store(true, std::memory_order_release);
   return hd::kDone;
 }
 
-// Writes the force and ends the frame, which failed where its begin has failed. True where the device or its clock is
-// lost. A frame that fails leaves the force of an earlier one on the motors: the output is switched off in this tick.
+// Writes the force and ends the frame; `failed`: its begin has failed. Returns true if the device or its clock is lost.
+// A failed frame leaves the force of an earlier one on the motors, so the output is switched off in this tick.
 bool OmniDevice::endFrame(const Vec3& force_N, bool failed) noexcept {
   const double force[3] = {force_N.x, force_N.y, force_N.z};
   hd_.setDoublev(hd::kCurrentForce, force);
@@ -192,7 +192,7 @@ bool OmniDevice::endFrame(const Vec3& force_N, bool failed) noexcept {
   return after.lost;
 }
 
-// A whole frame without force.
+// A complete frame without force.
 void OmniDevice::giveNone() noexcept {
   drain();
   hd_.beginFrame(handle_.load(std::memory_order_relaxed));
@@ -212,9 +212,9 @@ OmniDevice::Drained OmniDevice::drain() noexcept {
 }
 
 void OmniDevice::tickFrame(bool ends) noexcept {
-  look(own_.frames++ % kLookTicks == 0);  // before the frame begins, as the interface asks
+  look(own_.frames++ % kLookTicks == 0);  // before the frame begins, as the interface requires
 
-  bool broken = drain().lost;  // errors of the calls before are none of this frame's
+  bool broken = drain().lost;  // errors of earlier calls do not belong to this frame
   hd_.beginFrame(handle_.load(std::memory_order_relaxed));
   const Drained begun = drain();
   own_.begin_failed = begun.fails_frame;
@@ -225,11 +225,11 @@ void OmniDevice::tickFrame(bool ends) noexcept {
   hd_.getDoublev(hd::kTransform, transform);
   hd_.getIntegerv(hd::kButtons, &buttons);
   if (calibration_style_.load(std::memory_order_relaxed) & hd::kInkwell) {
-    hd::Boolean out_of_inkwell = 1;  // the switch is on while nothing presses it
+    hd::Boolean out_of_inkwell = 1;  // the switch is on while it is not pressed
     hd_.getBooleanv(hd::kInkwellSwitch, &out_of_inkwell);
     in_inkwell_.store(!out_of_inkwell, std::memory_order_relaxed);
   }
-  // Asked before the force is written: what is wrong by now ends it in this frame.
+  // Checked before the force is written, so that an error ends the force in this frame.
   broken = drain().lost || begun.lost || broken;
   DevicePose& pose = own_.pose;
   pose.fresh = !begun.fails_frame;
@@ -255,24 +255,24 @@ void OmniDevice::tickFrame(bool ends) noexcept {
     target->onDeviceTick();
     frame_thread_.store(std::thread::id(), std::memory_order_release);
   }
-  // Off, whatever is asked: the output may be switched on again only over a frame without force.
+  // The output may be switched on again only during a frame without force.
   if (forceInhibited() || guard_.cut()) own_.force_N = Vec3(0.0);
   broken = endFrame(own_.force_N, begun.fails_frame) || broken;
   if (!broken) return;
-  // This very tick, for there may be no other; where the driver takes one frame a tick and no more, the output is off
-  // all the same. And no force again in each frame that still comes.
+  // In this tick, because there may be no other. Even if the driver accepts only one frame per tick, the output is off.
+  // Later frames do not restart the force.
   own_.broken = true;
   guard_.switchOff();
   giveNone();
 }
 
-// In a signal's handler.
+// Called in a signal handler.
 bool OmniDevice::lastAct(void* data) noexcept {
   OmniDevice& self = *static_cast<OmniDevice*>(data);
   if (self.ended_.load(std::memory_order_acquire)) return true;
   if (self.frame_thread_.load(std::memory_order_acquire) == std::this_thread::get_id()) {
-    // The tick itself was broken off, in a frame that this thread has open: what is interrupted is our own, which holds
-    // no lock of the driver's, so the frame can be ended here.
+    // The signal has interrupted a frame that this thread has open. The interrupted code is our own and holds no lock
+    // of the driver, so the frame can be ended here.
     self.frame_thread_.store(std::thread::id(), std::memory_order_release);
     self.endFrame(Vec3(0.0), self.own_.begin_failed);
   }
@@ -281,22 +281,22 @@ bool OmniDevice::lastAct(void* data) noexcept {
 
 void OmniDevice::look(bool now) noexcept {
   if (calibrate_.exchange(false, std::memory_order_acq_rel)) own_.resetting_ticks = kResetTicks;
-  // In each tick, so that no force answers a place that means nothing any more.
+  // In each tick, so that no force is based on an invalid position.
   checkCalibration(now || own_.frames % kUpdateTicks == 0);
   if (own_.resetting_ticks > 0 && --own_.resetting_ticks == 0) reset_failed_.store(true, std::memory_order_relaxed);
   resetting_.store(own_.resetting_ticks > 0, std::memory_order_relaxed);
   if (!now) return;
   double heat[6] = {};
   hd_.getDoublev(hd::kMotorTemperature, heat);
-  const double most = *std::max_element(heat, heat + 6);
-  motor_heat_.store(std::isfinite(most) ? std::clamp(most, 0.0, 1.0) : 1.0, std::memory_order_relaxed);
+  const double largest = *std::max_element(heat, heat + 6);
+  motor_heat_.store(std::isfinite(largest) ? std::clamp(largest, 0.0, 1.0) : 1.0, std::memory_order_relaxed);
 }
 
 void OmniDevice::checkCalibration(bool may_update) noexcept {
   const std::uint32_t style = calibration_style_.load(std::memory_order_relaxed);
   std::uint32_t state = hd_.checkCalibration();
-  // The reset of the encoders takes the stylus's present place for the resting one: only when the person says so, and
-  // then until the driver has taken it.
+  // The reset of the encoders assumes that the stylus is in its rest position. It is performed only after the user's
+  // confirmation, and repeated until the driver has accepted it.
   const bool automatic = style & (hd::kInkwell | hd::kAuto);
   const bool update =
       may_update && (automatic ? state == hd::kNeedsUpdate : state != hd::kCalibrated && own_.resetting_ticks > 0);
@@ -311,7 +311,7 @@ void OmniDevice::checkCalibration(bool may_update) noexcept {
   calibration_.store(state, std::memory_order_relaxed);
 }
 
-// Any thread. True where the device or its clock is lost.
+// Any thread. Returns true if the device or its clock is lost.
 bool OmniDevice::note(std::uint32_t worst) noexcept {
   if (worst == hd::kNoError) return false;
   keepWorst(worst_error_, worst);
@@ -323,7 +323,7 @@ bool OmniDevice::note(std::uint32_t worst) noexcept {
 
 DevicePose OmniDevice::read(double) noexcept {
   if (frame_thread_.load(std::memory_order_relaxed) == std::this_thread::get_id()) return own_.pose;
-  // The vendor's clock is stalled and the loop's own has taken over.
+  // The vendor's clock is stalled and the loop's own clock has taken over.
   DevicePose stale = last_pose_.read();
   const int stood = stalled_reads_.fetch_add(1, std::memory_order_relaxed) + 1;
   stale.fresh = false;
@@ -369,13 +369,13 @@ DeviceStatus OmniDevice::status() {
       error_shown_ = error;
       shown_until_ = now + kShowError;
     }
-  if (framed_.load(std::memory_order_acquire)) status.text = guidance(status);  // before it nothing is known
+  if (framed_.load(std::memory_order_acquire)) status.text = guidance(status);  // unknown before the first frame
   status.ready = status.text.empty();
   if (status.text.empty() && now < shown_until_) status.text = words(error_shown_);
   return status;
 }
 
-// What the person is to do for the calibration; nothing where it is done.
+// The instructions for the calibration; empty when it is complete.
 std::string OmniDevice::guidance(DeviceStatus& status) const {
   const std::uint32_t state = calibration_.load(std::memory_order_relaxed),
                       style = calibration_style_.load(std::memory_order_relaxed);

@@ -15,7 +15,7 @@ constexpr std::int64_t kMs_ns = 1'000'000;
 void OmniGuard::start() {
   stop();
   last_ns_.store(now_ns_());
-  clean_frames_.store(0);  // an output that is off stays off until two frames without force have been written
+  clean_frames_.store(0);  // the output stays off until two frames without force have been written
   ends_.store(false);
   thread_ = std::thread([this] { run(); });
 }
@@ -43,7 +43,7 @@ void OmniGuard::run() noexcept {
 
 void OmniGuard::look() noexcept {
   const std::uint32_t failures = failures_.load();
-  // In this order: a guard that is itself held up in between finds a newer frame, not an older one.
+  // In this order: if this thread is preempted in between, it sees a newer frame, not an older one.
   const std::int64_t now_ns = now_ns_(), silent_ns = now_ns - last_ns_.load(std::memory_order_acquire);
   const bool stalled = silent_ns > kMs_ns * (forceInhibited() ? kStalledInhibited_ms : kStalled_ms);
   if (!cut_.load() && stalled) {
@@ -51,10 +51,11 @@ void OmniGuard::look() noexcept {
     cut_.store(true, std::memory_order_release);
     clean_frames_.store(0);
   } else if (cut_.load() && !stalled && clean_frames_.load(std::memory_order_acquire) >= 2) {
-    // At least one whole frame began after the output was off; it wrote no force, and the driver took it.
+    // At least one complete frame began after the output was switched off; it wrote no force, and the driver accepted
+    // it.
     hd::switchForce(hd_, true);
     cut_.store(false, std::memory_order_release);
-    // A frame that failed meanwhile has switched the output off before this thread switched it on.
+    // A frame that failed meanwhile switched the output off before this thread switched it on.
     if (failures_.load() != failures) {
       cut_.store(true, std::memory_order_release);
       hd::switchForce(hd_, false);

@@ -8,7 +8,7 @@
 namespace moltact {
 namespace {
 
-// A figure that the driver does not report, or reports as 0, stays.
+// Keeps the default for a figure that the driver does not report or reports as 0.
 void figure(const hd::Library& hd, std::uint32_t name, double& to, double scale = 1.0) {
   double value = 0;
   hd.getDoublev(name, &value);
@@ -26,7 +26,7 @@ void readFigures(const hd::Library& hd, OmniSession& session) {
   figure(hd, hd::kMaxStiffness, info.max_stiffness_N_per_mm);
   figure(hd, hd::kMaxDamping, info.max_damping_N_s_per_m, 1e3);         // the driver reports N s/mm
   figure(hd, hd::kVelocityLimit, info.speed_limit_m_per_s, 1e-3);       // mm/s
-  figure(hd, hd::kForceImpulseLimit, info.slew_limit_N_per_s, 1000.0);  // N from tick to tick, at 1 kHz
+  figure(hd, hd::kForceImpulseLimit, info.slew_limit_N_per_s, 1000.0);  // N per tick at 1 kHz
   double box[6] = {};
   hd.getDoublev(hd::kUsableWorkspace, box);
   const Vec3 size(box[3] - box[0], box[4] - box[1], box[5] - box[2]);
@@ -48,7 +48,7 @@ Expected<OmniSession> openOmni(const hd::Library& hd) {
   OmniSession session;
   session.device = hd.initDevice(nullptr);
   const std::uint32_t error = drainErrors(hd);
-  // Warm motors and the like are no reason against a device that is open.
+  // Warnings such as warm motors do not prevent the use of an open device.
   if (session.device == hd::kInvalidHandle || hd::endsConnection(error) || error == hd::kInvalidLicense) {
     closeOmni(hd, session);
     const hd::ErrorWords words = hd::errorWords(error == hd::kNoError ? std::uint32_t(hd::kCommError) : error);
@@ -65,7 +65,7 @@ Expected<OmniSession> openOmni(const hd::Library& hd) {
   hd::switchForce(hd, true);
   hd.enable(hd::kMaxForceClamping);
   hd.enable(hd::kForceRamping);
-  drainErrors(hd);  // a figure that this model does not have is none of the person's business
+  drainErrors(hd);  // figures that this model lacks are not reported to the user
   return session;
 }
 

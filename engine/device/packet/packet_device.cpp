@@ -10,11 +10,11 @@
 namespace moltact {
 namespace {
 
-constexpr int kWait_ms = 1;      // for a report, before the force is given all the same
-constexpr int kMaxReports = 64;  // read at once: the newest is what counts
+constexpr int kWait_ms = 1;      // longest wait for a report before the force is sent
+constexpr int kMaxReports = 64;  // reports read at once; only the newest position counts
 constexpr auto kLookAgain = std::chrono::milliseconds(500);
 constexpr auto kNap = std::chrono::milliseconds(20);
-constexpr double kSameFrame_s = 0.002;  // without a thread: ticks this close belong to one frame
+constexpr double kSameFrame_s = 0.002;  // without a thread: ticks within this time belong to one frame
 
 }  // namespace
 
@@ -45,7 +45,7 @@ PacketDevice::~PacketDevice() {
   if (!own_thread_) sendFinalReport();
 }
 
-// Another device of the kind may have come than the one that was: its own figures are asked for each time.
+// A different device of the kind may have been plugged in, so its figures are requested each time.
 std::optional<Problem> PacketDevice::openPort() {
   DeviceInfo info = known_;
   auto port = opener_([&](PacketPort& candidate) {
@@ -62,14 +62,14 @@ bool PacketDevice::reopen(State& state) {
   if (openPort()) return false;
   state.pose.connected = true;
   state.pose.buttons = 0;
-  ++state.pose.discontinuities;  // nobody knows where it was meanwhile
+  ++state.pose.discontinuities;  // its motion meanwhile is unknown
   state.received = Clock::now();
   guidance_.write(protocol_->guidance());
   gone_.store(false);
   return true;
 }
 
-// Everything that has come, the newest counts; -1: the device is gone.
+// Reads all reports that have arrived; the newest position counts. Returns -1 if the device is disconnected.
 int PacketDevice::receive(State& state, int wait_ms) {
   std::array<std::uint8_t, kMaxReportBytes> in{};
   int size = port_->read(in, wait_ms);
@@ -78,7 +78,7 @@ int PacketDevice::receive(State& state, int wait_ms) {
       ++state.count;
       state.received = Clock::now();
     }
-    if (k + 1 < kMaxReports) size = port_->read(in, 0);  // what is read is parsed
+    if (k + 1 < kMaxReports) size = port_->read(in, 0);  // every report that is read is also parsed
   }
   if (calibrate_.exchange(false, std::memory_order_acq_rel) && protocol_->calibrate()) ++state.pose.discontinuities;
   const DeviceGuidance guidance = protocol_->guidance();
@@ -87,7 +87,7 @@ int PacketDevice::receive(State& state, int wait_ms) {
   return size;
 }
 
-// The newest force, or none; false: the device took nothing.
+// Sends the newest force, or zero. Returns false if the device did not accept it.
 bool PacketDevice::sendNewest(State& state) {
   std::array<std::uint8_t, kMaxReportBytes> out{};
   if (!last_report_kept_) {
@@ -108,7 +108,7 @@ bool PacketDevice::sendNewest(State& state) {
   return true;
 }
 
-// A device that can no longer be read or written may still listen: the last thing tried is to end its force.
+// A device that can no longer be read or written may still accept a report: the last attempt ends its force.
 void PacketDevice::lose(State& state) noexcept {
   sendFinalReport();
   port_.reset();
@@ -125,7 +125,7 @@ void PacketDevice::sendFinalReport() noexcept {
   std::array<std::uint8_t, kMaxReportBytes> out{};
   try {
     if (const std::size_t length = protocol_->encodeFinalReport(out)) port_->write({out.data(), length});
-  } catch (...) {  // the port fails altogether
+  } catch (...) {  // the port fails completely
   }
 }
 
@@ -149,7 +149,7 @@ void PacketDevice::takeTurn(int wait_ms) noexcept {
     protocol_->advance(std::min(0.05, since_s), state.pose);
     state_.write(state);
     view_motion_.write(protocol_->viewMotion());
-  } catch (...) {  // memory is out, or a port throws: the device is reopened
+  } catch (...) {  // out of memory, or the port throws: the device is reopened
     return lose(state);
   }
   if (own_thread_) giveNewest();
@@ -176,7 +176,7 @@ DevicePose PacketDevice::read(double) noexcept {
   if (!own_thread_) takeTurn(0);
   const State& state = state_.read();
   DevicePose pose = state.pose;
-  // A device without force may be silent while nobody moves it.
+  // A device without force may send nothing while it is not moved.
   const bool gives_force = info().gives_force;
   pose.fresh = !gives_force || state.count != last_read_;
   if (gives_force && state.count > 0)

@@ -39,7 +39,7 @@ class PacketDevice final : public Device {
   /// after an unplugging. Without `own_thread` the ticks do the device's work. `lost` is the message about a
   /// disconnected device, with a placeholder for its name.
   static Expected<std::unique_ptr<Device>> open(Opener opener, std::unique_ptr<PacketProtocol> protocol,
-                                                DeviceInfo known, bool own_thread = threadsCanBeHad(),
+                                                DeviceInfo known, bool own_thread = threadsAvailable(),
                                                 const char* lost = kUnplugged);
   static const char* const kUnplugged;
   ~PacketDevice() override;

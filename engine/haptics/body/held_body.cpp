@@ -5,14 +5,14 @@
 namespace moltact {
 
 std::shared_ptr<const HeldBody> heldBody(std::span<const Sphere> scene, std::span<const std::uint32_t> atoms) {
-  constexpr double kSmallest_A = 0.2;
+  constexpr double kMinRadius_A = 0.2;
   auto out = std::make_shared<HeldBody>();
   for (const std::uint32_t a : atoms)
     if (a < scene.size()) out->atoms.push_back(a);
   if (out->atoms.empty() || out->atoms.size() > kMaxHeldAtoms) return nullptr;
   for (const std::uint32_t a : out->atoms) out->middle.A += scene[a].centre_A / double(out->atoms.size());
   for (const std::uint32_t a : out->atoms) {
-    const Sphere felt{scene[a].centre_A - out->middle.A, std::max(kSmallest_A, scene[a].radius_A - kBodyOverlap_A)};
+    const Sphere felt{scene[a].centre_A - out->middle.A, std::max(kMinRadius_A, scene[a].radius_A - kBodyOverlap_A)};
     out->reach_A = std::max(out->reach_A, glm::length(felt.centre_A) + felt.radius_A);
     out->spheres.push_back(felt);
   }
@@ -25,7 +25,7 @@ Hit sweep(const SphereGrid& scene, const HandShape& hand, const Vec3& from, cons
   const glm::dmat3 axes = glm::mat3_cast(hand.orientation);
   for (const Sphere& sphere : hand.body->spheres) {
     const Vec3 lever = axes * sphere.centre_A;
-    // Beyond what another of its atoms meets nothing is looked for.
+    // The search ends at the first hit of the other atoms.
     const Vec3 end = from + (to - from) * first.t;
     Hit hit = sweep(scene, sphere.radius_A, from + lever, end + lever);
     if (hit.sphere < 0) continue;

@@ -1,5 +1,5 @@
 // The shape in the hand, for collision queries: the probe's sphere, or a rigid body made of atoms of the molecule.
-// Built on the window's thread and immutable afterwards. Units: angstrom. Quaternions store w first.
+// Built on the window's thread and immutable afterwards. Units: angstrom. Quat is constructed as (w, x, y, z).
 #pragma once
 
 #include <cstdint>

@@ -8,7 +8,7 @@
 namespace moltact {
 namespace {
 
-// A field that acts on one of the spheres acts on the body at that lever.
+// Adds a field that acts on one of the spheres, at its lever about the body's middle.
 void addField(const FeltForce& field, const Vec3& lever_A, Response& out) {
   FeltForce& sum = out.field ? *out.field : out.field.emplace();
   const double arm_A = glm::length(lever_A);
@@ -27,7 +27,7 @@ RigidBody::RigidBody(std::shared_ptr<const HeldBody> body, const MakeSphere& mak
   spheres_.reserve(body_->spheres.size());
   for (const Sphere& sphere : body_->spheres) {
     spheres_.push_back(make(sphere.radius_A));
-    greatest_reaction_count_ += spheres_.back()->greatestReactionCount();
+    max_reaction_count_ += spheres_.back()->maxReactionCount();
   }
   answers_.resize(spheres_.size());
 }
@@ -37,17 +37,18 @@ Response RigidBody::respond(const PoseA& pose) noexcept {
   held_ = 0;
   const bool place = finite(pose.place.A);
   if (place) out.contact.scp = pose.place;
-  // Before any of its atoms has gone on.
-  if (!place || !rotates(pose.orientation) || glm::length(pose.place.A) > kFarthest_A - body_->reach_A) {
+  // Checked before any of the atoms has moved.
+  if (!place || !rotates(pose.orientation) || glm::length(pose.place.A) > kMaxPosition_A - body_->reach_A) {
     out.contact.fault = Fault::NotFinite;
     return out;
   }
-  const glm::dmat3 axes = glm::mat3_cast(glm::normalize(pose.orientation));  // a device's is of length 1 to 1e-3 only
+  const glm::dmat3 axes =
+      glm::mat3_cast(glm::normalize(pose.orientation));  // a device's quaternion has unit length within 1e-3 only
   double springs = 0.0, farthest_A2 = -1.0, arms_A2 = 0.0, pulls_A2 = 0.0;
   bool inside = false;
   for (std::size_t i = 0; i < spheres_.size(); ++i) {
     const Vec3 lever = axes * body_->spheres[i].centre_A;
-    // Made where it is kept: an answer is too large to be copied for each sphere.
+    // Written in place, because copying a response for each sphere is expensive.
     Held& next = answers_[held_];
     const Response& felt = *::new (static_cast<void*>(&next.answer))
                                Response(spheres_[i]->respond({{pose.place.A + lever}, pose.orientation}));
@@ -74,13 +75,14 @@ Response RigidBody::respond(const PoseA& pose) noexcept {
     }
   }
   if (inside) {
-    // Its other atoms begin anew too, so that it is felt from nothing once it is outside.
+    // The other atoms restart too, so that the whole body starts without force once it is outside.
     reset();
     held_ = 0;
     return {.contact = {.scp = pose.place, .fault = Fault::StartedInside}};
   }
   out.springs = std::max(1.0, springs);
-  // Beside the springs at the levers' ends: the forces that a rotation leads round with the levers (Cauchy-Schwarz).
+  // In addition to the springs at the levers: rotating the levers also rotates the forces' torques (Cauchy-Schwarz
+  // bound).
   out.rotational_A2 += std::sqrt(arms_A2 * pulls_A2);
   out.contact.scp.A += out.contact.displacement_A / out.springs;
   return out;
@@ -99,7 +101,7 @@ void RigidBody::reset() noexcept {
 }
 
 bool RigidBody::setMotion(const SphereMotion* motion) noexcept {
-  // All are of one method, and the first tells of it.
+  // All spheres use the same method, so the first determines the result.
   for (const auto& sphere : spheres_)
     if (!sphere->setMotion(motion)) return false;
   return true;
@@ -109,7 +111,7 @@ void RigidBody::advanceTo(double fraction) noexcept {
   for (const auto& sphere : spheres_) sphere->advanceTo(fraction);
 }
 
-// Its atoms model mostly the same atoms of the scene, which are counted once.
+// The spheres mostly model the same atoms of the scene, which are counted once.
 MemoryUsage RigidBody::memoryUsage() const noexcept {
   MemoryUsage out{.bytes = shared_bytes_};
   for (const auto& sphere : spheres_) {

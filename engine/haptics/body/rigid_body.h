@@ -1,14 +1,16 @@
 // A rigid body in the hand: six degrees of freedom, felt through its atoms.
 //
-// Each atom of the body is a sphere of its own radius, led by the body's pose and felt as a probe is (makeSphere in
-// interactions.cpp): it has an SCP that stays outside every sphere of the scene, so that no atom pops through what a penalty
-// would let it through. A spring pulls each atom to its SCP; their sum is the force, and the sum of lever times displacement is the
-// torque round the hand's place. (McNeely, Puterbaugh & Troy 1999 sum the forces of a body's points so; here the points
-// are spheres, and their contacts god-objects.) The springs do not know of each other: the body that is drawn is shifted
-// by their mean, and neither it nor the SCPs are a rigid body's exact rest under constraints.
+// Each atom of the body is a sphere of its own radius that follows the body's pose. It is rendered like a probe
+// (makeSphere in interactions.cpp): its SCP stays outside every sphere of the scene, so no atom passes through a thin
+// wall as with a penalty method. A spring pulls each atom to its SCP. The force is the sum of the springs; the torque
+// about the hand's position is the sum of lever cross displacement. (McNeely, Puterbaugh & Troy 1999 sum the forces of
+// a body's points in the same way; here the points are spheres with god-object contacts.)
 //
-// `respond` runs on the haptic thread; its time, also at worst, is that of a tick of the method for each atom. Units:
-// angstrom.
+// The springs are independent. The drawn body is shifted by their mean, so neither it nor the SCPs are the exact rest
+// position of a rigid body under constraints.
+//
+// `respond` runs on the haptic thread; its time, also in the worst case, is that of one tick of the method per atom.
+// Units: angstrom.
 #pragma once
 
 #include <functional>
@@ -22,21 +24,23 @@ namespace moltact {
 
 class RigidBody final : public Interaction {
  public:
-  /// What feels the scene with a sphere of this radius; never null.
+  /// Creates the interaction of a sphere with this radius; never returns null.
   using MakeSphere = std::function<std::unique_ptr<Interaction>(double radius_A)>;
-  /// The body is never null. `shared_bytes`: of memory that all spheres count as theirs and is there once, as the scene's.
+  /// `body` must not be null. `shared_bytes`: memory that every sphere counts as its own but that exists once, such as
+  /// the scene (unit: byte).
   RigidBody(std::shared_ptr<const HeldBody> body, const MakeSphere& make, std::size_t shared_bytes = 0);
 
-  /// The contact's displacement and energy are the sums; its SCP is where the body's middle is shown, the hand's place
-  /// shifted by the mean of the springs; atoms, feature and normals are of the atom of the body that is farthest from
-  /// its SCP. A body of which an atom begins inside is not felt until none of it has been inside.
+  /// The contact's displacement and energy are the sums. Its SCP is the position at which the body's middle is drawn:
+  /// the hand's position shifted by the mean of the springs. Atoms, feature and normals are those of the atom of the
+  /// body that is farthest from its SCP. If an atom starts inside, there is no force until the whole body has been
+  /// outside.
   Response respond(const PoseA& pose) noexcept override;
   void reset() noexcept override;
   void setProbe(double) noexcept override {}
   double probe_A() const noexcept override { return 0.0; }
   std::size_t reactions(const Response& last, double spring_N_per_A, double field_share,
                         std::span<AtomForce> out) const noexcept override;
-  std::size_t greatestReactionCount() const noexcept override { return greatest_reaction_count_; }
+  std::size_t maxReactionCount() const noexcept override { return max_reaction_count_; }
   bool setMotion(const SphereMotion* motion) noexcept override;
   void advanceTo(double fraction) noexcept override;
   MemoryUsage memoryUsage() const noexcept override;
@@ -44,16 +48,16 @@ class RigidBody final : public Interaction {
 
  private:
   std::shared_ptr<const HeldBody> body_;
-  std::vector<std::unique_ptr<Interaction>> spheres_;  // one for each sphere of the body
+  std::vector<std::unique_ptr<Interaction>> spheres_;  // one per sphere of the body
   std::size_t shared_bytes_;
-  // The spheres that were felt at the last pose, with their answers: the first held_ of as many as there are spheres.
+  // The spheres with a force at the last pose and their responses: the first held_ entries; allocated for all spheres.
   struct Held {
     Response answer;
     std::size_t sphere = 0;
   };
   std::vector<Held> answers_;
   std::size_t held_ = 0;
-  std::size_t greatest_reaction_count_ = 0;
+  std::size_t max_reaction_count_ = 0;
 };
 
 }  // namespace moltact

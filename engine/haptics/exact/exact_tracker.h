@@ -26,7 +26,7 @@ class ExactTracker final : public Tracker {
 
   Contact step(PointA hip) noexcept override;
   void reset() noexcept override;
-  /// A growing probe moves the SCP in small steps within the limit kMaxLooked; the remaining growth follows in the next
+  /// A growing probe moves the SCP in small steps within the limit kMaxWork; the remaining growth follows in the next
   /// ticks.
   void setProbe(double probe_A) noexcept override;
   bool setMotion(const SphereMotion* motion) noexcept override;  // moving_spheres.cpp
@@ -36,18 +36,18 @@ class ExactTracker final : public Tracker {
   double probe_A() const noexcept override { return near_.probe_A(); }
   MemoryUsage memoryUsage() const noexcept override;
 
-  /// Number of ticks that were cut short: the motion needed more than kMaxPieces pieces or kMaxLooked examined spheres,
+  /// Number of ticks that were cut short: the motion needed more than kMaxPieces pieces or kMaxWork examined spheres,
   /// or the growth of the probe did. The SCP then lags outside all spheres (inflated by probe_A()) and continues in the
   /// next tick.
   std::uint64_t cutShort() const noexcept { return cut_short_; }
 
   /// Number of spheres, cells and groups of spheres examined by the last step() or setProbe() that left the fast path:
-  /// its cost. The limit is kMaxLooked for the motion and as much for the growth of the probe, plus what one piece or
+  /// its cost. The limit is kMaxWork for the motion and as much for the growth of the probe, plus what one piece or
   /// step of either adds.
-  std::uint64_t looked() const noexcept { return near_.looked(); }
+  std::uint64_t workCount() const noexcept { return near_.workCount(); }
 
   static constexpr int kMaxPieces = 256;
-  static constexpr std::uint64_t kMaxLooked = 5'000;
+  static constexpr std::uint64_t kMaxWork = 5'000;
 
  private:
   static constexpr std::size_t kMaxTouching = 32;
@@ -76,7 +76,7 @@ class ExactTracker final : public Tracker {
     double rim = 2.0;  // the nearest cap's cosine
   };
 
-  enum class SlideResult : std::uint8_t { Rests, GoesOn, Stuck };
+  enum class SlideResult : std::uint8_t { Rests, Continues, Stuck };
   enum class Made : std::uint8_t { Yes, No, FarOff };
   enum class Freed : std::uint8_t { Yes, No, TooMany };
 
@@ -101,7 +101,7 @@ class ExactTracker final : public Tracker {
   void trackSurface(const Vec3& hip) noexcept;
   void forgetSurroundings() noexcept;
   double gapRound(const Vec3& place) noexcept;
-  Hit firstMet(const Vec3& to) noexcept;
+  Hit firstHit(const Vec3& to) noexcept;
   SlideResult slideResult(double moved_A) const noexcept;
   double contactAt(const Vec3& place) const noexcept;
   void holdBy(std::int32_t a, std::int32_t b = -1, std::int32_t c = -1) noexcept;

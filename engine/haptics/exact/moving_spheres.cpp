@@ -1,6 +1,6 @@
-// The SCP among spheres that move (sphere_motion.h). Each tick the listed spheres go to their new places; then the SCP
-// is on its feature where that is now, if nothing else can have come between; otherwise it is brought out of what
-// has closed in on it, piece by piece, and flows as always. Part of ExactTracker; haptic thread.
+// The SCP among moving spheres (sphere_motion.h). Each tick moves the listed spheres. If nothing can have come between,
+// the SCP is then computed directly on its feature. Otherwise it is moved out of the approaching spheres in small
+// steps, and the full tick follows. Part of ExactTracker; haptic thread.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -12,15 +12,16 @@
 namespace moltact {
 namespace {
 
-constexpr double kPiece_A = 0.05;   // the surface moves by no more at once, so that the SCP stays on its side of a wall
-constexpr double kMaxMoves = 64.0;  // what moves farther than that in a tick moves in larger pieces
+constexpr double kPiece_A =
+    0.05;  // largest motion of the surface per step, so that the SCP stays on its side of a wall
+constexpr double kMaxMoves = 64.0;      // largest number of steps per tick; faster motions use larger steps
 constexpr double kArcOfChord = 1.5708;  // an arc of up to half a turn is at most pi / 2 times as long as its chord
 
 }  // namespace
 
 bool ExactTracker::setMotion(const SphereMotion* motion) noexcept {
   if (near_.has(motion)) return true;
-  // The SCP stays where it is; the next tick finds what it touches there.
+  // The SCP stays where it is; the next tick determines what it touches there.
   near_.setMotion(motion);
   forgetSurroundings();
   seen_fraction_ = clear_gap_ = 0.0;
@@ -35,13 +36,13 @@ void ExactTracker::advanceTo(double fraction) noexcept {
   moved_ = true;
 }
 
-// Brings the SCP with the surface, and to its place for this HIP where that is plain: then moved_ is false. Otherwise
-// the tick goes on as always.
+// Moves the SCP with the surface. If its new position for this HIP is certain, sets moved_ to false; otherwise the full
+// tick follows.
 void ExactTracker::trackSurface(const Vec3& hip) noexcept {
   const double fraction = near_.fraction(), from = std::exchange(seen_fraction_, fraction);
   if (!armed_) return;
   if (!near_.covers(scp_, 0.0)) near_.each(scp_, 0.0, [](const NearSphere&) {});
-  const double moved_A = std::abs(fraction - from) * near_.mostMoved_A();
+  const double moved_A = std::abs(fraction - from) * near_.maxMotion_A();
   if (moved_A <= kPiece_A && followsQuickly(hip, moved_A)) {
     moved_ = false;
     return;
@@ -51,14 +52,14 @@ void ExactTracker::trackSurface(const Vec3& hip) noexcept {
   for (int k = 1; k <= pieces; ++k) {
     if (pieces > 1) near_.advanceTo(k == pieces ? fraction : from + (fraction - from) * k / pieces);
     if (depenetrate() == Freed::Yes) continue;
-    near_.advanceTo(fraction);  // the place closed over the SCP: there is no surface left to be held by
+    near_.advanceTo(fraction);  // the surroundings have closed over the SCP: no surface is left
     reset();
     return;
   }
 }
 
-// True where the SCP stays on its feature and nothing else comes near: then it is at the place there that is nearest to
-// the HIP. `moved_A`: no surface has moved farther.
+// True if the SCP stays on its feature and nothing else comes near; it is then the feature's point nearest to the HIP.
+// `moved_A`: upper bound of the motion of any surface.
 bool ExactTracker::followsQuickly(const Vec3& hip, double moved_A) noexcept {
   Vec3 place;
   switch (feature_) {
@@ -75,7 +76,7 @@ bool ExactTracker::followsQuickly(const Vec3& hip, double moved_A) noexcept {
     case Feature::Circle: {
       const NearSphere i = near_.sphere(holders_[0]), j = near_.sphere(holders_[1]);
       if (!nearestOnCircle(i, j, hip, place)) return false;
-      // Both hold: the displacement is a sum of their inward normals with shares above nothing.
+      // Both block: the displacement is a sum of their inward normals with positive multipliers.
       const Vec3 n = (place - i.centre) / i.radius, m = (place - j.centre) / j.radius, d = place - hip;
       const double c = glm::dot(n, m), a = glm::dot(d, n), b = glm::dot(d, m);
       if (!(1.0 - c * c > 1e-6) || !(a > c * b) || !(b > c * a)) return false;
@@ -99,19 +100,19 @@ bool ExactTracker::followsQuickly(const Vec3& hip, double moved_A) noexcept {
       break;
     }
   }
-  // Every other sphere is farther off than the place is, and than it has come itself.
+  // Every other sphere must be farther away than this point plus the sphere's own motion.
   const double distance_A = kArcOfChord * (glm::distance(scp_, place) + moved_A) + moved_A;
   const auto clear = [&] {
-    const double come_A = std::abs(near_.fraction() - clear_fraction_) * near_.mostMoved_A();
+    const double come_A = std::abs(near_.fraction() - clear_fraction_) * near_.maxMotion_A();
     return near_.covers(scp_, distance_A) && clear_gap_ > distance_A + come_A + glm::distance(scp_, clear_from_);
   };
   if (!clear()) {
     clear_from_ = scp_;
     clear_fraction_ = near_.fraction();
-    clear_gap_ = kFarthest_A;
+    clear_gap_ = kMaxPosition_A;
     const double known = near_.each(scp_, distance_A, [&](const NearSphere& b) {
       if (b.index != holders_[0] && b.index != holders_[1] && b.index != holders_[2])
-        lessenGap(clear_gap_, scp_ - b.centre, b.radius);
+        reduceGap(clear_gap_, scp_ - b.centre, b.radius);
     });
     clear_gap_ = std::min(clear_gap_, known);
     if (!clear()) return false;

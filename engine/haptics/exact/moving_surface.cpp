@@ -1,6 +1,6 @@
-// The SCP on a surface that swells or shrinks: the probe's radius changes while touching. After each small change the
-// SCP goes to the nearest free place, which lies on a sphere, a circle or a point of the few spheres that now hold it
-// inside. So it does where rounding has let it sink. Part of ExactTracker; haptic thread.
+// The SCP on a surface that grows or shrinks because the probe changes during contact. After each small change the SCP
+// moves to the nearest free point, which lies on a sphere, a circle or a point of the few spheres that contain it. The
+// same correction applies where rounding made it penetrate. Part of ExactTracker; haptic thread.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -11,17 +11,17 @@
 namespace moltact {
 namespace {
 
-constexpr double kPiece_A = 0.05;  // the radius changes by no more at once, so that the SCP stays on its side of a wall
-constexpr double kMinPiece_A = 1e-5;  // where not even so small a change leaves a free place, there is none
+constexpr double kPiece_A = 0.05;  // largest change of the radius per step, so that the SCP stays on its side of a wall
+constexpr double kMinPiece_A = 1e-5;  // if even a change this small leaves no free point, there is none
 constexpr double kSqueezed_A =
-    0.5;  // out of a closing crease the SCP moves faster than the surface, but never through a wall
+    0.5;  // search radius: the SCP moves out of a closing crease faster than the surface, but not through a wall
 constexpr std::size_t kMaxHolding = 8;
 
 // A short list of spheres without allocation.
 struct Spheres {
   std::array<std::int32_t, kMaxHolding> sphere{};
   std::size_t count = 0;
-  bool more = false;  // there were more than fit
+  bool more = false;  // the capacity was exceeded
   void add(std::int32_t index) {
     const auto end = sphere.begin() + std::ptrdiff_t(count);
     if (std::find(sphere.begin(), end, index) != end) return;
@@ -36,7 +36,7 @@ struct Spheres {
 
 void ExactTracker::setProbe(double probe_A) noexcept {
   if (!std::isfinite(probe_A)) return;
-  goal_A_ = std::clamp(probe_A, 0.0, kLargestProbe_A);
+  goal_A_ = std::clamp(probe_A, 0.0, kMaxProbe_A);
   if (!swells_) step_A_ = kPiece_A;
   swells_ = goal_A_ != near_.probe_A();
   if (!swells_) return;
@@ -45,44 +45,43 @@ void ExactTracker::setProbe(double probe_A) noexcept {
   swelled_ = true;
 }
 
-// Carries the SCP on toward the goal, step by step, until it is there or as much has been looked at as a tick may cost.
+// Moves the SCP step by step toward the new radius, until it is reached or the work limit of a tick is exhausted.
 void ExactTracker::swell() noexcept {
-  const std::uint64_t most = near_.looked() + kMaxLooked;
+  const std::uint64_t limit = near_.workCount() + kMaxWork;
   do {
     const double now = near_.probe_A();
     if (!armed_ || goal_A_ < now) {
       near_.setProbe(goal_A_);
       if (armed_) depenetrate();
     } else {
-      // Among crowds a step is no longer than what is known round the SCP, so that the places it may go to are known
-      // too.
+      // In crowded regions a step is limited to the known range around the SCP, so that the possible target points are
+      // known too.
       const double known = near_.each(scp_, kSqueezed_A, [](const NearSphere&) {}),
                    step = std::min(step_A_, std::max(0.25 * known, kMinPiece_A));
       near_.setProbe(std::min(goal_A_, now + step));
       const Freed freed = depenetrate();
       if (freed == Freed::Yes) {
         step_A_ = std::min(kPiece_A, 2.0 * step_A_);
-      } else if (freed == Freed::TooMany && step > kMinPiece_A) {  // in a smaller step fewer close in on it
+      } else if (freed == Freed::TooMany && step > kMinPiece_A) {  // a smaller step involves fewer spheres
         near_.setProbe(now);
         step_A_ = std::max(kMinPiece_A, 0.25 * step);
-      } else {  // the place closed over the SCP: there is no surface left to be held by
+      } else {  // the surroundings have closed over the SCP: no surface is left
         reset();
       }
     }
     swells_ = near_.probe_A() != goal_A_;
-  } while (swells_ && near_.looked() < most);
+  } while (swells_ && near_.workCount() < limit);
   lookAtHolders();
 }
 
-// Brings the SCP to the nearest free place; with nothing changed when there is none among the spheres that close in on
-// it.
+// Moves the SCP to the nearest free point. Changes nothing if the spheres that contain it leave none.
 ExactTracker::Freed ExactTracker::depenetrate() noexcept {
   const Vec3 was = scp_;
   const double sunk_A = 4.0 * contactAt(was);
   forgetSurroundings();
 
   Spheres closing_in;
-  // Adds the spheres that p is inside of; tells whether there are any.
+  // Adds the spheres that contain p; returns true if there are any.
   const auto inside = [&](const Vec3& p) {
     bool any = false;
     near_.each(p, 0.0, [&](const NearSphere& b) {
@@ -96,7 +95,7 @@ ExactTracker::Freed ExactTracker::depenetrate() noexcept {
   };
   const double known = near_.each(was, kSqueezed_A, [](const NearSphere&) {});
   if (!inside(was)) {
-    if (feature_ != Feature::Free) feature_ = Feature::Point;  // the next flow finds what it rests on
+    if (feature_ != Feature::Free) feature_ = Feature::Point;  // the next step determines the active set
     return Freed::Yes;
   }
 
@@ -133,7 +132,7 @@ ExactTracker::Freed ExactTracker::depenetrate() noexcept {
       }
     }
     if (found) {
-      feature_ = Feature::Point;  // the next flow finds which of them hold it
+      feature_ = Feature::Point;  // the next step determines the active set
       return Freed::Yes;
     }
     if (closing_in.count == among.count) break;

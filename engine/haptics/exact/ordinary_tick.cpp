@@ -1,5 +1,5 @@
-// The ticks that are most: the SCP stays on its feature, and what is known of the surroundings says that nothing is in
-// the path. Part of ExactTracker; haptic thread. Units: angstrom; radian.
+// The fast path for ordinary ticks: the SCP stays on its feature, and the cached surroundings exclude obstacles on its
+// path. Part of ExactTracker; haptic thread. Units: angstrom; radian.
 #include <cmath>
 
 #include "engine/haptics/exact/entry_angle.h"
@@ -14,8 +14,8 @@ constexpr double kArcOfChord2 =
 
 }  // namespace
 
-// What is felt where the first `count` spheres of held_ hold the SCP. Each number is written straight where it is handed
-// over: vectors of their own would go through memory first.
+// The contact with the first `count` spheres of held_ as active set. Each number is stored directly in the result;
+// temporary vectors would cost a store and reload.
 inline Contact ExactTracker::contactHeldBy(std::size_t count, const Vec3& hip) const noexcept {
   const auto normal = [&](std::size_t k) {
     return k < count ? (scp_ - held_[k].centre) * held_[k].inverse_radius : Vec3(0.0);
@@ -35,10 +35,11 @@ Contact ExactTracker::contact(const Vec3& hip) const noexcept {
 
 Contact ExactTracker::step(PointA hip) noexcept {
   const Vec3& h = hip.A;
-  // Most ticks of all: free, and nothing can be met yet. A HIP that is not a number fails the comparison.
+  // The most frequent case: free, and nothing within reach. A HIP that is NaN fails the comparison.
   if (feature_ == Feature::Free && armed_) {
     const Vec3& o = near_.origin();
-    const double x = h.x - o.x, y = h.y - o.y, z = h.z - o.z;  // one by one: as a vector they would go through memory
+    const double x = h.x - o.x, y = h.y - o.y,
+                 z = h.z - o.z;  // separate scalars avoid a store and reload of the vector
     const double dx = x - free_from_.x, dy = y - free_from_.y, dz = z - free_from_.z;
     if (dx * dx + dy * dy + dz * dz < free_gap2_) {
       scp_.x = x, scp_.y = y, scp_.z = z;
@@ -48,27 +49,26 @@ Contact ExactTracker::step(PointA hip) noexcept {
   return stepFast(h.x, h.y, h.z);
 }
 
-// A tick of contact, apart, so that the free ones need not save its registers: leads the SCP to the place on its
-// feature nearest to the HIP, and looks round, with nothing changed, where that may not be all. It needs not ask
-// whether spheres move or swell: then nothing is known of the surroundings (forgetSurroundings).
+// A tick in contact, as a separate function so that free ticks need not save its registers. Computes the point of the
+// feature nearest to the HIP; if that may be incomplete, runs the full tick with unchanged state. It need not test for
+// moving spheres or a changing probe, because these invalidate the cache (forgetSurroundings).
 Contact ExactTracker::stepFast(double x, double y, double z) noexcept {
   const Vec3 h(x, y, z);
   if (!usableHip(h)) return stepFull(x, y, z);
   const Vec3 hip = h - near_.origin();
   switch (feature_) {
     case Feature::Free:
-      break;  // step() has looked
+      break;  // handled in step()
     case Feature::Sphere: {
       const Held& sphere = held_[0];
       const Vec3 m = hip - sphere.centre;
       const double r = sphere.radius, d2 = glm::dot(m, m);
       if (d2 >= r * r || d2 < r * r * 1e-6) break;
       const double d = std::sqrt(d2), along = glm::dot(m, patch_.centre);
-      const Vec3 to = m * (r / d);  // from the centre to the place on the sphere nearest to the HIP
+      const Vec3 to = m * (r / d);  // from the centre to the sphere's point nearest to the HIP
       if (along < patch_.clear * d) {
         if (along < patch_.cosine * d) break;
-        // From the last place to the nearest cap's rim and on to this one is farther than from the one to the
-        // other.
+        // The path over the nearest cap's rim is longer than the direct path between the two positions.
         const Vec3 from = scp_ - sphere.centre, chord = to - from;
         const double rim = patch_.rim * r, gap = rim - glm::dot(to, patch_.axis),
                      by_rim = rim - glm::dot(from, patch_.axis) + gap;
@@ -84,17 +84,17 @@ Contact ExactTracker::stepFast(double x, double y, double z) noexcept {
       const double along = glm::dot(m, c.axis), y1 = glm::dot(m, c.axis_1), y2 = glm::dot(m, c.axis_2);
       const double out = std::sqrt(y1 * y1 + y2 * y2);
       if (out < 1e-6 * c.radius) break;
-      // Both spheres must hold the SCP from the start of the path to its end: shares mu_i, mu_j >= 0
-      // (docs/exact-tracker.md), here times the circle's radius, so that nothing is divided.
+      // Both spheres must block the SCP along the whole path: multipliers mu_i, mu_j >= 0 (docs/exact-tracker.md), here
+      // times the circle's radius to avoid a division.
       const double start = c.radius - (y1 * c.along_1 + y2 * c.along_2), end = c.radius - out, lean = along * c.radius;
       const double slack_i = std::min(start * c.to_j, end * c.to_j) - lean,
                    slack_j = std::min(start * c.to_i, end * c.to_i) + lean;
       if (slack_i < 0.0 || slack_j < 0.0) break;
-      if (c.narrow) {  // between two ends less than half a turn apart the short path stays between them
+      if (c.narrow) {  // between ends less than half a turn apart, the short path stays inside
         if (c.low_1 * y2 - c.low_2 * y1 <= 0.0 || y1 * c.high_2 - y2 * c.high_1 <= 0.0) break;
       } else {
         double angle = std::atan2(y2, y1);
-        angle += kTwoPi * std::round((c.angle - angle) / kTwoPi);  // the short way round
+        angle += kTwoPi * std::round((c.angle - angle) / kTwoPi);  // the shorter path
         if (angle <= c.low || angle >= c.high) break;
         circle_.angle = angle;
       }

@@ -58,7 +58,7 @@ void DistanceBricks::prepare(double level_A) {
   const auto order = [](const Key& k) { return std::tuple(k.z, k.y, k.x); };
   std::sort(keys.begin(), keys.end(), [&](const Key& a, const Key& b) { return order(a) < order(b); });
   keys.erase(std::unique(keys.begin(), keys.end()), keys.end());
-  std::erase_if(keys, [&](const Key& k) {  // deep in other spheres
+  std::erase_if(keys, [&](const Key& k) {  // bricks deep inside spheres
     const Vec3 middle = (Vec3(k.x, k.y, k.z) + 0.5 - Vec3(0.5 / kCells)) * size;
     bool deep = false;
     scene_->visitNear(origin_ + middle, level_A, [&](std::uint32_t, const Sphere& b) {
@@ -106,7 +106,7 @@ DistanceBricks::Brick* DistanceBricks::make(const Key& key) noexcept {
   brick->key = key;
   brick->age = ++made_;
 
-  const Vec3 corner = Vec3(key.x, key.y, key.z) * double(kCells) - Vec3(2.0);  // of the samples, in nodes
+  const Vec3 corner = Vec3(key.x, key.y, key.z) * double(kCells) - Vec3(2.0);  // first sample, in nodes
   const double half = 0.5 * (kSamples - 1) * spacing_ * std::sqrt(3.0);
   const Vec3 middle = (corner + Vec3(0.5 * (kSamples - 1))) * spacing_;
   std::size_t gathered = 0;
@@ -126,21 +126,21 @@ DistanceBricks::Brick* DistanceBricks::make(const Key& key) noexcept {
     });
     return all;
   };
-  // Under a very large probe the list overflows before the nearest sphere is known; the second time it is.
+  // With a very large probe the list overflows before the nearest sphere is known; the second call knows it.
   if (!gather()) gather();
 
-  // Eighths of the block: in each only the spheres that can be nearest somewhere.
+  // Octants of the block: each keeps only the spheres that can be nearest somewhere in it.
   constexpr int kPart = kSamples / 2;
   const double part_half = 0.5 * (kPart - 1) * spacing_ * std::sqrt(3.0);
   for (int part = 0; part < 8; ++part) {
     const int x0 = part & 1 ? kPart : 0, y0 = part & 2 ? kPart : 0, z0 = part & 4 ? kPart : 0;
     const Vec3 part_middle = (corner + Vec3(x0, y0, z0) + Vec3(0.5 * (kPart - 1))) * spacing_;
-    double least = cap_ + part_half;
+    double smallest = cap_ + part_half;
     for (std::size_t k = 0; k < gathered; ++k)
-      least = std::min(least, glm::distance(gathered_[k].centre, part_middle) - gathered_[k].radius);
+      smallest = std::min(smallest, glm::distance(gathered_[k].centre, part_middle) - gathered_[k].radius);
     std::size_t close = 0;
     for (std::size_t k = 0; k < gathered; ++k)
-      if (glm::distance(gathered_[k].centre, part_middle) - gathered_[k].radius <= least + 2.0 * part_half)
+      if (glm::distance(gathered_[k].centre, part_middle) - gathered_[k].radius <= smallest + 2.0 * part_half)
         close_[close++] = gathered_[k];
     for (int z = z0; z < z0 + kPart; ++z)
       for (int y = y0; y < y0 + kPart; ++y) {
@@ -187,7 +187,7 @@ bool DistanceBricks::sample(const Vec3& place, Sample& out, int& fills_left) noe
     brick = make(key);
   }
   const Weights x(at.x - node.x), y(at.y - node.y), z(at.z - node.z);
-  const Vec3 in = node - brick_at * double(kCells);  // 0 to 3; coefficients begin one node earlier
+  const Vec3 in = node - brick_at * double(kCells);  // 0 to 3; coefficients start one node earlier
   const float* c = &brick->coefficient[std::size_t(int(in.x) + kSide * (int(in.y) + kSide * int(in.z)))];
   double f = 0, fx = 0, fy = 0, fz = 0, xx = 0, yy = 0, zz = 0, xy = 0, xz = 0, yz = 0;
   constexpr double dd[3] = {1.0, -2.0, 1.0};
@@ -228,13 +228,13 @@ std::int32_t DistanceBricks::nearestSphere(const Vec3& place) const noexcept {
   const Vec3 brick_at = glm::floor(glm::floor(place / spacing_ + 0.5) / double(kCells));
   const Brick* brick = find({std::int32_t(brick_at.x), std::int32_t(brick_at.y), std::int32_t(brick_at.z)});
   if (!brick) return -1;
-  double least = 1e300;
+  double smallest = 1e300;
   std::int32_t nearest = -1;
   for (int k = 0; k < brick->labels; ++k) {
     const std::int32_t i = brick->label[std::size_t(k)];
     const Sphere& b = (*scene_)[std::size_t(i)];
     const double gap = glm::distance(place, b.centre_A - origin_) - b.radius_A;
-    if (gap < least) least = gap, nearest = i;
+    if (gap < smallest) smallest = gap, nearest = i;
   }
   return nearest;
 }

@@ -9,13 +9,13 @@
 namespace moltact {
 namespace {
 
-constexpr double kSurface_A = 1e-9;   // so near the level counts as on it
-constexpr double kSettled_A = 0.025;  // a Newton step this short leaves an error of about its square, far under the
-                                      // grid's own: the last one of a tick
-constexpr double kFree =
-    0.8;  // of the level's distance by the field: its slope is near 1, but for the rounding of creases
+constexpr double kSurface_A = 1e-9;  // a point within this distance of the level lies on it
+/// A Newton step shorter than this is the last of a tick; its error is about its square, far below the grid's own.
+constexpr double kSettled_A = 0.025;
+/// Safe fraction of the field's distance to the level: the gradient is near 1 except at rounded creases.
+constexpr double kFree = 0.8;
 constexpr int kMaxFlights = 512;   // steps along one straight path
-constexpr int kMaxIterations = 8;  // changes between flight and sliding in a tick
+constexpr int kMaxIterations = 8;  // changes between flight and sliding per tick
 
 }  // namespace
 
@@ -79,28 +79,28 @@ Contact GridTracker::step(PointA hip) noexcept {
   }
   if (result != SlideResult::Arrived && result != SlideResult::Rests) {
     ++cut_short_;
-    if (!pushOut()) scp_ = rested;  // a step on the path may have ended under a crease
+    if (!pushOut()) scp_ = rested;  // a step of the path may have ended under a crease
   }
   if (result == SlideResult::Arrived) return {.scp = hip};
   Contact out{.scp = {origin_ + scp_}, .feature = Feature::Sphere};
   out.atoms[0] = bricks_.nearestSphere(scp_);
-  if (out.atoms[0] < 0) {  // the last step led into a brick that the next tick needs as well
+  if (out.atoms[0] < 0) {  // the last step entered a brick that the next tick needs as well
     DistanceBricks::Sample next{};
     bricks_.sample(scp_, next, fills_left_);
     out.atoms[0] = bricks_.nearestSphere(scp_);
   }
   stretchToScp(out, hip);
   if (out.atoms[0] < 0) return out;
-  // On the way to the surface nothing is known of its slope.
+  // On the path to the surface the gradient is unknown.
   const Vec3 outward =
       touching_ && outward_ != Vec3(0.0) ? outward_ : origin_ + scp_ - (*scene_)[std::size_t(out.atoms[0])].centre_A;
   if (const double steep = glm::length(outward); steep > 0.0) out.normals[0] = outward / steep;
   return out;
 }
 
-// Straight toward the HIP: over the spheres' own distances where they are far, over the field near the surface.
+// Flies straight toward the HIP: by the spheres' own distances when far away, by the field near the surface.
 GridTracker::SlideResult GridTracker::fly(const Vec3& h) noexcept {
-  const double spacing = bricks_.spacing_A(), least = spacing / 16.0;
+  const double spacing = bricks_.spacing_A(), smallest = spacing / 16.0;
   for (int k = 0; k < kMaxFlights; ++k) {
     const Vec3 to_go = h - scp_;
     const double length = glm::length(to_go);
@@ -123,7 +123,7 @@ GridTracker::SlideResult GridTracker::fly(const Vec3& h) noexcept {
       free_gap_ = std::max(0.0, kFree * (here.value - probe_));
       return SlideResult::Arrived;
     }
-    const double step = std::min(std::max(here.value - probe_, least), length);
+    const double step = std::min(std::max(here.value - probe_, smallest), length);
     Vec3 a = scp_, b = step == length ? h : scp_ + to_go * (step / length);
     DistanceBricks::Sample there{};
     if (!bricks_.sample(b, there, fills_left_)) return SlideResult::Short;
@@ -131,8 +131,8 @@ GridTracker::SlideResult GridTracker::fly(const Vec3& h) noexcept {
       scp_ = b;
       continue;
     }
-    if (here.value < probe_) return SlideResult::Meets;  // on the surface but for rounding, and the path leads in
-    // The level lies between: halve, keeping the outer end.
+    if (here.value < probe_) return SlideResult::Meets;  // on the surface within rounding, and the path leads in
+    // The level lies between: bisect and keep the outer end.
     for (int halving = 0; halving < 40 && glm::distance(a, b) > kSurface_A; ++halving) {
       const Vec3 middle = 0.5 * (a + b);
       if (!bricks_.sample(middle, there, fills_left_)) return SlideResult::Short;
@@ -144,8 +144,8 @@ GridTracker::SlideResult GridTracker::fly(const Vec3& h) noexcept {
   return SlideResult::Short;
 }
 
-// On the level toward the place nearest to the HIP. `pressed`: a flight from here has just failed, so it
-// slides although the HIP is seen above the tangent plane.
+// Slides on the level toward the point nearest to the HIP. `pressed`: a flight from here has just failed, so it slides
+// although the HIP appears above the tangent plane.
 GridTracker::SlideResult GridTracker::slide(const Vec3& h, bool pressed) noexcept {
   const double spacing = bricks_.spacing_A();
   double longest = 0.75 * spacing;
@@ -155,7 +155,7 @@ GridTracker::SlideResult GridTracker::slide(const Vec3& h, bool pressed) noexcep
     DistanceBricks::Sample s{};
     if (!bricks_.sample(scp_, s, fills_left_)) return SlideResult::Short;
     const double off = s.value - probe_, steep = glm::length(s.gradient);
-    if (first && off > 1e-3 * spacing) return SlideResult::Leaves;  // the surface has drawn back
+    if (first && off > 1e-3 * spacing) return SlideResult::Leaves;  // the surface has receded
     first = false;
     if (!(steep > 1e-3)) return SlideResult::Short;
     const Vec3 n = s.gradient / steep, displacement = h - scp_;
@@ -176,8 +176,8 @@ GridTracker::SlideResult GridTracker::slide(const Vec3& h, bool pressed) noexcep
       const double whole = a * c - b * b;
       if (a > 0.05 && whole > 0.05 * a) p = (t1 * c - t2 * b) * (length / whole);
     }
-    // Where the second derivatives leap between cells Newton's steps may swing about the place of rest:
-    // shorter ones end that.
+    // Where the second derivatives jump between cells, Newton's steps may oscillate about the position of rest; shorter
+    // steps end this.
     const double cosine = glm::dot(along, last_along);
     if (cosine < 0.0 && glm::dot(along, along) > 0.25 * glm::dot(last_along, last_along))
       longest *= 0.5;
@@ -202,7 +202,7 @@ void GridTracker::setProbe(double probe_A) noexcept {
   free_gap_ = 0.0;
   if (capFor(wanted, bricks_.spacing_A()) > capFor(had, bricks_.spacing_A()))
     bricks_.setCap(capFor(wanted, bricks_.spacing_A()));
-  // The surface moves by a part of the spacing at once, so that the SCP stays on its side of a wall.
+  // The surface moves by a part of the spacing per step, so that the SCP stays on its side of a wall.
   const int pieces = !has_been_outside_ || wanted < had
                          ? 1
                          : static_cast<int>(std::ceil((wanted - had) / (0.25 * bricks_.spacing_A())));
@@ -210,13 +210,13 @@ void GridTracker::setProbe(double probe_A) noexcept {
     probe_ = k == pieces ? wanted : had + (wanted - had) * k / pieces;
     fills_left_ = kMaxFills;
     if (!has_been_outside_ || pushOut()) continue;
-    probe_ = wanted;  // the place closed over the SCP: there is no surface left to be held by
+    probe_ = wanted;  // the surroundings have closed over the SCP: no surface is left
     reset();
     return;
   }
 }
 
-// Brings the SCP up to the level where the level has risen over it.
+// Moves the SCP up to the level after the level has risen over it.
 bool GridTracker::pushOut() noexcept {
   if (clearance(*scene_, probe_, origin_ + scp_) > margin()) return true;
   for (int k = 0; k < 32; ++k) {

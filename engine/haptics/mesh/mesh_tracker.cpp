@@ -10,20 +10,20 @@
 namespace moltact {
 namespace {
 
-constexpr double kMoved_A = 1e-12;  // a shorter piece leaves the SCP where it was
+constexpr double kMoved_A = 1e-12;  // a shorter piece does not move the SCP
 constexpr double kRounding =
-    8e-12;  // of the displacement: a motion that leads this little into a face, or less, is along it
-constexpr double kAlong = 1e-9;      // sine of the angle under which a path is along a face
-constexpr double kNearPath_A = 1.0;  // a longer piece looks the spheres up along its path
-constexpr int kMaxStuck = 32;        // round a corner of a mesh pieces of no length pass its faces, eight at most
+    8e-12;                       // relative to the displacement: a motion that leads into a face by no more is along it
+constexpr double kAlong = 1e-9;  // sine below which a path is along a face
+constexpr double kNearPath_A = 1.0;  // a longer piece searches the grid along its path
+constexpr int kMaxStuck = 32;        // at a corner of a mesh, pieces of zero length cross its faces, at most eight
 constexpr double kSwelling_A =
-    0.05;  // the surface moves by no more at once, so that the SCP stays on its side of a wall
-constexpr double kMaxSwellings = 64.0;  // what moves farther than that in a tick moves in larger pieces
+    0.05;  // largest motion of the surface per step, so that the SCP stays on its side of a wall
+constexpr double kMaxSwellings = 64.0;  // largest number of steps per tick; faster motions use larger steps
 constexpr int kMaxPushes = 256;
-constexpr double kSure = 1e-9;  // of a length: so far from a decision rounding has no say in it
+constexpr double kSure = 1e-9;  // relative margin within which rounding could affect a decision
 constexpr double kNearly = 1.0 - 1e-9;
-constexpr double kKept_A = 1.0;  // a list of near spheres serves so far
-constexpr int kMaxPlanes = 8;    // tried to part a mesh from the SCP's path
+constexpr double kKept_A = 1.0;  // range in which a list of near spheres is valid
+constexpr int kMaxPlanes = 8;    // number of planes tried for separating a mesh from the SCP's path
 
 }  // namespace
 
@@ -50,10 +50,10 @@ bool MeshTracker::touches(std::int32_t sphere) const {
 
 Contact MeshTracker::contact(const Vec3& hip) const noexcept {
   if (hold_count_ == 0 && scp_ == hip - nearby_.origin()) return {.scp = {hip}};
-  // The answer is put together at once: piece by piece it would be read back before its pieces are stored, which
-  // stalls.
+  // The result is assembled at once; a piecewise result would be read before its parts are stored, which stalls the
+  // processor.
   const auto held = [&](int k) -> const Touch& { return touching_[std::size_t(holding_[std::size_t(k)])]; };
-  std::array<int, 3> by{0, 1, 2};  // the holders, their spheres ascending
+  std::array<int, 3> by{0, 1, 2};  // the blocking faces, ordered by sphere
   const auto order = [&](std::size_t j, std::size_t k) {
     if (held(by[j]).sphere > held(by[k]).sphere) std::swap(by[j], by[k]);
   };
@@ -99,7 +99,7 @@ Contact MeshTracker::step(PointA hip) noexcept {
   return true;
 }
 
-// Is no mesh but those that the SCP is on met on the straight path from it to `end`, as far as is known?
+// True if the straight path from the SCP to `end` is known to meet no other mesh than those that the SCP touches.
 [[gnu::always_inline]] inline bool MeshTracker::isClear(const Vec3& end, double length) noexcept {
   const Vec3 from = end - clear_from_;
   const double far2 = glm::dot(from, from), clear = clear_gap_ - length;
@@ -115,9 +115,9 @@ Contact MeshTracker::step(PointA hip) noexcept {
   return true;
 }
 
-// The ordinary ticks: nothing is near the free HIP, or the SCP stays on its face, seam or point and no other mesh is in
-// reach. What is done is what flow() would do in its one piece, operation by operation, so that the places are the same
-// to the last bit; a tick that is nearer to a decision than kSure is left to flow().
+// The fast path: nothing is near the free HIP, or the SCP stays on its face, seam or point and no other mesh is within
+// reach. It performs the operations of the single piece of flow() in the same order, so the results are bitwise
+// identical. A tick within kSure of a decision is left to flow().
 bool MeshTracker::holdsQuickly(const Vec3& h) noexcept {
   if (touch_count_ == 0) {
     const Vec3 moved = h - free_from_;
@@ -141,7 +141,7 @@ bool MeshTracker::holdsQuickly(const Vec3& h) noexcept {
       break;
     }
     case 2: {
-      // The displacement's shares in both normals must be pushes, or one face alone would hold the SCP.
+      // Both multipliers of the displacement must be pushes; otherwise one face alone would block the SCP.
       const double a = -glm::dot(displacement, face(touching_[0]).normal),
                    b = -glm::dot(displacement, face(touching_[1]).normal);
       if (a - b * seam_cosine_ <= sure || b - a * seam_cosine_ <= sure) return false;
@@ -166,8 +166,8 @@ bool MeshTracker::holdsQuickly(const Vec3& h) noexcept {
   return true;
 }
 
-// Does a plane of the other's mesh, which is convex, part it from the whole path from the SCP to `end`? The plane that
-// did so last is tried first, then those about it.
+// True if a plane of the other mesh, which is convex, separates it from the whole path from the SCP to `end`. The plane
+// that last did so is tried first, then its neighbours.
 bool MeshTracker::staysAbove(NearbyMesh& other, const Vec3& end) const {
   if (other.face < 0) return false;
   const double r = other.sphere.radius;
@@ -189,7 +189,7 @@ bool MeshTracker::staysAbove(NearbyMesh& other, const Vec3& end) const {
   return false;
 }
 
-// A sphere whose mesh the SCP has left: no longer touched, it must be watched again.
+// The SCP has left the mesh of this sphere, which must therefore be watched again.
 void MeshTracker::trackNearby(const Touch& t) noexcept {
   clear_gap_ = 0.0;
   for (int k = 0; k < touch_count_; ++k)
@@ -200,7 +200,7 @@ void MeshTracker::trackNearby(const Touch& t) noexcept {
     nearby_meshes_[std::size_t(nearby_mesh_count_++)] = {{t.centre, t.radius, t.sphere}, t.face};
 }
 
-// After a flow that came to rest held by all that it touches: what the quick ticks need of it.
+// Prepares the fast path after a step in which every touched face is blocking.
 void MeshTracker::prepareQuickTicks() noexcept {
   quick_prepared_ = hold_count_ > 0 && hold_count_ == touch_count_;
   if (!quick_prepared_ || hold_count_ == 1) return;
@@ -211,14 +211,14 @@ void MeshTracker::prepareQuickTicks() noexcept {
     quick_prepared_ = glm::dot(seam_, seam_) > kSure;
     return;
   }
-  // mu_k |displacement| times the volume squared, negated: more than rounding, and no two of the faces hold the SCP
+  // The negated mu_k |displacement| times the squared volume: if it exceeds rounding, no two of the faces block the SCP
   // without the third.
   const Vec3& n2 = face(touching_[2]).normal;
   const double volume = glm::dot(seam_, n2);
   holds_ = {glm::cross(n1, n2) * volume, glm::cross(n2, n0) * volume, seam_ * volume};
 }
 
-// The first mesh that the path from the SCP enters, before first.t.
+// Finds the first mesh that the path from the SCP enters, before first.t.
 void MeshTracker::meet(const Vec3& path, Meeting& first) noexcept {
   const double length = glm::length(path);
   const double to_go = length * first.t;
@@ -230,7 +230,7 @@ void MeshTracker::meet(const Vec3& path, Meeting& first) noexcept {
   if (options_.coherent && to_go <= kNearPath_A) {
     const std::array<NearbyMesh, kMaxNearbyMeshes> before = nearby_meshes_;
     const int count_before = nearby_mesh_count_;
-    std::array<double, kNearbyMeshes + 1> gaps;  // the nearest spheres', ascending
+    std::array<double, kNearbyMeshes + 1> gaps;  // of the nearest spheres, ascending
     gaps.fill(1e300);
     nearby_mesh_count_ = 0;
     const Vec3 end = scp_ + path * first.t;
@@ -264,7 +264,7 @@ void MeshTracker::meet(const Vec3& path, Meeting& first) noexcept {
     nearby_mesh_gap_ = std::min(gaps[kNearbyMeshes], visited);
     return;
   }
-  // A long path is looked at piece by piece, from where it enters the scene's box.
+  // A long path is examined piece by piece, from its entry into the scene's bounding box.
   const SphereGrid& scene = nearby_.scene();
   if (scene.size() == 0) return;
   const double probe = nearby_.probe_A();
@@ -294,7 +294,7 @@ void MeshTracker::meet(const Vec3& path, Meeting& first) noexcept {
   }
 }
 
-// Faces that the SCP has moved off, or out of, are forgotten; meet() finds them again.
+// Removes faces that the SCP has left; meet() finds them again.
 void MeshTracker::removeSeparated() noexcept {
   int kept = 0, left_count = 0;
   std::array<Touch, kMaxTouching> left;
@@ -327,7 +327,7 @@ void MeshTracker::flow(const Vec3& h) noexcept {
       path = displacement;
     } else if (blocked.count == 1) {
       const Touch& t = touching_[std::size_t(blocked.by[0])];
-      path = displacement - normal(blocked.by[0]) * heightOver(t, h);  // ends in the face's plane whatever the rounding
+      path = displacement - normal(blocked.by[0]) * heightOver(t, h);  // ends exactly in the face's plane
     } else if (blocked.count == 2) {
       const Vec3 line = glm::cross(normal(blocked.by[0]), normal(blocked.by[1]));
       path = line * (glm::dot(displacement, line) / glm::dot(line, line));
@@ -335,7 +335,7 @@ void MeshTracker::flow(const Vec3& h) noexcept {
     const double length = glm::length(path);
     if (length <= kMoved_A && blocked.count > 0) return;
 
-    // What ends this piece: an edge of a face that the path runs along, or another mesh.
+    // The end of this piece: an edge of a face along the path, or another mesh.
     double end = 1.0;
     int over = -1;
     std::size_t edge = 0;
@@ -356,7 +356,7 @@ void MeshTracker::flow(const Vec3& h) noexcept {
 
     scp_ += path * first.t;
     const bool moved = first.t * length > kMoved_A;
-    if (moved && blocked.count >= 2)  // along a seam rounding adds up: back to both planes
+    if (moved && blocked.count >= 2)  // along a seam rounding accumulates: project onto both planes
       for (int k = 0; k < blocked.count; ++k) {
         const Touch& t = touching_[std::size_t(blocked.by[std::size_t(k)])];
         scp_ -= face(t).normal * heightOver(t, scp_);
@@ -379,9 +379,10 @@ void MeshTracker::flow(const Vec3& h) noexcept {
         scp_ = free_from_ = h;
         touch_count_ = 0;
         clear_gap_ = nearby_mesh_gap_ = 0.0;
-        // Between a sphere and its mesh the clearance is negative: nothing is known then.
+        // Between a sphere and its mesh the clearance is negative: it gives no information.
         free_gap_ = options_.coherent ? std::max(0.0, nearby_.clearanceAt(h)) : 0.0;
-      } else if (touch_count_ > blocked.count) {  // only what holds is kept, so that the next tick is an ordinary one
+      } else if (touch_count_ >
+                 blocked.count) {  // keep only blocking faces, so that the next tick can use the fast path
         std::array<Touch, 3> kept;
         for (int k = 0; k < blocked.count; ++k)
           kept[std::size_t(k)] = touching_[std::size_t(blocked.by[std::size_t(k)])];
@@ -402,8 +403,8 @@ void MeshTracker::flow(const Vec3& h) noexcept {
   for (int k = 0; k < hold_count_; ++k) holding_[std::size_t(k)] = k;
 }
 
-// SCP - HIP = sum of mu_k n_k over the faces that hold it; with the corners' normals interpolated, the same
-// sum of them.
+// SCP - HIP is the sum of mu_k n_k over the blocking faces; the shaded normal is the same sum with the corners' normals
+// interpolated.
 Vec3 MeshTracker::shadedNormal(const Vec3& h) const noexcept {
   const Vec3 lift = scp_ - h;
   std::array<Vec3, 3> n{}, radial{};
@@ -433,7 +434,7 @@ void MeshTracker::setProbe(double probe_A) noexcept {
   for (int k = 1; k <= pieces; ++k) {
     nearby_.setProbe(k == pieces ? wanted : had + (wanted - had) * k / pieces);
     if (carry()) continue;
-    nearby_.setProbe(wanted);  // the place closed over the SCP: there is no surface left to be held by
+    nearby_.setProbe(wanted);  // the surroundings have closed over the SCP: no surface is left
     reset();
     return;
   }
@@ -449,10 +450,10 @@ bool MeshTracker::setMotion(const SphereMotion* motion) noexcept {
 void MeshTracker::advanceTo(double fraction) noexcept {
   const double had = nearby_.fraction();
   if (fraction == had) return;
-  if (has_been_outside_) nearby_.each(scp_, 0.0, [](const NearSphere&) {});  // so that there is a list
-  const double most_A = std::abs(fraction - had) * nearby_.mostMoved_A();
-  const int pieces = has_been_outside_ && most_A > kSwelling_A
-                         ? static_cast<int>(std::ceil(std::min(most_A / kSwelling_A, kMaxSwellings)))
+  if (has_been_outside_) nearby_.each(scp_, 0.0, [](const NearSphere&) {});  // creates the list
+  const double max_A = std::abs(fraction - had) * nearby_.maxMotion_A();
+  const int pieces = has_been_outside_ && max_A > kSwelling_A
+                         ? static_cast<int>(std::ceil(std::min(max_A / kSwelling_A, kMaxSwellings)))
                          : 1;
   for (int k = 1; k <= pieces; ++k) {
     nearby_.advanceTo(k == pieces ? fraction : had + (fraction - had) * k / pieces);
@@ -463,8 +464,8 @@ void MeshTracker::advanceTo(double fraction) noexcept {
   }
 }
 
-// The surface is another: what was known of it is forgotten, and the SCP comes out where it has grown over it. False
-// where it cannot.
+// After a change of the surface: discards the cache and moves the SCP out of the meshes that have grown over it.
+// Returns false if that fails.
 bool MeshTracker::carry() noexcept {
   forgetSurroundings();
   touch_count_ = hold_count_ = 0;
@@ -472,8 +473,8 @@ bool MeshTracker::carry() noexcept {
   return !has_been_outside_ || pushOut();
 }
 
-// Brings the SCP out of the meshes that have grown over it: out of each through the face it is under, in
-// turn, which in a crease or pit leads to a place on all of them. False when it leads nowhere.
+// Moves the SCP out of the meshes that have grown over it: out of each through the face above it, in turn, which
+// converges to a point on all of them in a crease or pit. Returns false if that fails.
 bool MeshTracker::pushOut() noexcept {
   for (int round = 0; round < kMaxPushes; ++round) {
     bool inside = false;

@@ -10,7 +10,7 @@
 namespace moltact {
 namespace {
 
-constexpr double kEdge = 1e-9;  // a place so little outside a triangle is in it: no gap between two triangles
+constexpr double kEdge = 1e-9;  // tolerance outside a triangle, so that there is no gap between two triangles
 constexpr std::int32_t kLeaf = 4;
 
 }  // namespace
@@ -43,8 +43,7 @@ void SphereMesh::subdivide(int levels) {
        {Vec3(-1, g, 0), Vec3(1, g, 0), Vec3(-1, -g, 0), Vec3(1, -g, 0), Vec3(0, -1, g), Vec3(0, 1, g), Vec3(0, -1, -g),
         Vec3(0, 1, -g), Vec3(g, 0, -1), Vec3(g, 0, 1), Vec3(-g, 0, -1), Vec3(-g, 0, 1)})
     vertices_.push_back(glm::normalize(v));
-  // Three vertices at the least distance from one another are a face; the order of the last two gives its
-  // outside.
+  // Three vertices at the smallest mutual distance form a face; the order of the last two determines its orientation.
   std::vector<std::array<std::int32_t, 3>> triangles;
   const auto near = [&](int a, int b) { return glm::dot(vertices_[std::size_t(a)], vertices_[std::size_t(b)]) > 0.4; };
   for (int a = 0; a < 12; ++a)
@@ -97,7 +96,7 @@ void SphereMesh::makeBands(int bands, int sectors) {
 
 void SphereMesh::finish() {
   std::map<std::pair<std::int32_t, std::int32_t>, std::int32_t> face_of_edge;
-  double least = 1.0;
+  double smallest = 1.0;
   for (std::size_t f = 0; f < faces_.size(); ++f) {
     Face& face = faces_[f];
     const auto corner = [&](std::size_t k) -> const Vec3& { return vertices_[std::size_t(face.corners[k % 3])]; };
@@ -111,12 +110,12 @@ void SphereMesh::finish() {
       face_of_edge[{face.corners[k], face.corners[(k + 1) % 3]}] = std::int32_t(f);
       tilt_ = std::max(tilt_, std::acos(std::min(1.0, glm::dot(face.normal, corner(k)))));
     }
-    least = std::min(least, face.height);
+    smallest = std::min(smallest, face.height);
     leaves_.push_back(std::int32_t(f));
   }
   for (Face& face : faces_)
     for (std::size_t k = 0; k < 3; ++k) face.across[k] = face_of_edge.at({face.corners[(k + 1) % 3], face.corners[k]});
-  sagitta_ = 1.0 - least;
+  sagitta_ = 1.0 - smallest;
   nodes_.reserve(faces_.size());
   makeNode(0, std::int32_t(faces_.size()));
   about_.resize(6 * kTable * kTable);
@@ -177,7 +176,7 @@ std::size_t SphereMesh::bytes() const {
 
 SphereMesh::Entry SphereMesh::enter(const Vec3& from, const Vec3& path, double before) const noexcept {
   Entry best{before, -1};
-  const Vec3 per_path = 1.0 / path;  // infinite where the path is normal to an axis; the comparisons below allow that
+  const Vec3 per_path = 1.0 / path;  // infinite where the path is perpendicular to an axis, which the comparisons allow
   std::int32_t stack[32];
   int waiting = 0;
   stack[waiting++] = 0;

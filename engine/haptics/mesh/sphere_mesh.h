@@ -39,7 +39,7 @@ class SphereMesh {
   /// 1 minus the smallest height of a face: the largest depth of the mesh under the sphere.
   double sagitta() const { return sagitta_; }
   /// The largest angle between a face's normal and the sphere's normal over that face (unit: radian).
-  double greatestTilt() const { return tilt_; }
+  double maxTilt() const { return tilt_; }
   std::size_t bytes() const;
 
   struct Entry {

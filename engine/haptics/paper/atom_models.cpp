@@ -9,7 +9,7 @@ namespace moltact::paper {
 AtomModels::AtomModels(const SphereGrid& scene) {
   const std::size_t others = std::min(scene.size() - std::min<std::size_t>(scene.size(), 1), kMaxCones);
   cones_each_ = others;
-  points_each_ = std::min(others * (others - std::min<std::size_t>(others, 1)), kMaxPoints);  // two points a pair
+  points_each_ = std::min(others * (others - std::min<std::size_t>(others, 1)), kMaxPoints);  // two points per pair
   slots_.resize(std::min(scene.size(), kModels));
   cones_.resize(slots_.size() * cones_each_);
   points_.resize(slots_.size() * points_each_);
@@ -37,11 +37,11 @@ void AtomModels::prepare(const SphereGrid& scene, std::size_t slot, std::int32_t
   Cone* const cones = cones_.data() + slot * cones_each_;
   std::size_t count = 0;
 
-  // Deeper cuts first; among equals the earlier atom, so that the order does not hang on the grid's.
+  // Deeper cuts first; among equals the lower index, so that the order does not depend on the grid.
   const auto before = [](const Cone& a, const Cone& b) {
     return a.circle.height != b.circle.height ? a.circle.height < b.circle.height : a.neighbour < b.neighbour;
   };
-  // A heap with the least deep cut on top holds the deepest kMaxCones of any number of neighbours.
+  // A heap with the shallowest cut on top keeps the deepest kMaxCones of any number of neighbours.
   scene.visitNear(own.centre_A, R + probe_A, [&](std::uint32_t index, const Sphere& sphere) {
     if (std::int32_t(index) == atom) return;
     const auto circle = intersectionCircle(own.centre_A, R, sphere.centre_A, sphere.radius_A + probe_A);
@@ -65,8 +65,8 @@ void AtomModels::prepare(const SphereGrid& scene, std::size_t slot, std::int32_t
       const Sphere& third = scene[std::size_t(cones[j].neighbour)];
       const auto both = intersectionPoints(cones[i].circle, third.centre_A, third.radius_A + probe_A);
       if (!both) continue;
-      // A point has three circles: two spheres that only touch have none, whatever rounding makes of their
-      // one place.
+      // A point requires three circles. Two spheres that only touch have none, whatever rounding gives for their single
+      // common point.
       if (!intersectionCircle(second.centre_A, second.radius_A + probe_A, third.centre_A, third.radius_A + probe_A))
         continue;
       points[point_count++] = {both->P0, cones[i].neighbour, cones[j].neighbour};

@@ -8,7 +8,7 @@ bool insideCone(const Cone& cone, const Vec3& hip) {
   const Vec3 projected = from_C1 - c.axis * glm::dot(from_C1, c.axis);
   const double a2 = c.radius * c.radius;
   if (!(glm::dot(projected, projected) < a2)) return false;
-  // "a dot product": cos of the HIP's angle at the apex against height over slant, multiplied out.
+  // "a dot product": the cosine of the HIP's angle at the apex against height over slant, multiplied out.
   const Vec3 from_apex = hip - cone.apex;
   const double slant = glm::sqrt(c.height * c.height + a2);
   return glm::dot(from_apex, c.axis) * slant >= c.height * glm::length(from_apex);

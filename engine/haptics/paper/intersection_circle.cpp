@@ -13,12 +13,11 @@ std::optional<IntersectionCircle> intersectionCircle(const Vec3& S0, double R, c
   IntersectionCircle circle;
   circle.axis = S / d;
   circle.height = circleHeight(R, r, d);
-  // Equation 3 in factors (Heron's formula): the printed difference of squares loses half the digits of a
-  // small circle.
+  // Equation 3 in factors (Heron's formula); the printed difference of squares loses half the digits of a small circle.
   const double factors = (R + r - d) * (R + r + d) * (d - R + r) * (d + R - r);
   if (!(factors > 0.0)) return std::nullopt;
   circle.radius = std::sqrt(factors) / (2.0 * d);
-  // Equation 4 from S0, the sphere that x is measured from (printed: S1).
+  // Equation 4 from S0, the sphere from which x is measured (printed: S1).
   circle.centre = S0 + circle.axis * circle.height;
   return circle;
 }

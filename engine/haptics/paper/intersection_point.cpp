@@ -9,8 +9,7 @@ std::optional<IntersectionPoints> intersectionPoints(const IntersectionCircle& c
   const Vec3& C1 = circle.centre;
   const double R = circle.radius;
 
-  // The circle that the plane of the first circle cuts from the third sphere: centre C2, squared radius r^2 -
-  // d^2.
+  // The circle in which the plane of the first circle cuts the third sphere: centre C2, squared radius r^2 - d^2.
   const double d = glm::dot(n, S2 - C1);
   if (!(std::abs(d) < r)) return std::nullopt;
   const Vec3 C2 = S2 - n * d;
@@ -24,7 +23,7 @@ std::optional<IntersectionPoints> intersectionPoints(const IntersectionCircle& c
   const double y2 = (R - x) * (R + x);
   if (!(y2 > 0.0)) return std::nullopt;
   const Vec3 V_unit = V / K;
-  const Vec3 F_unit = glm::cross(n, V_unit);  // unit vectors, as x and y are lengths (printed: n x V)
+  const Vec3 F_unit = glm::cross(n, V_unit);  // unit vectors, because x and y are lengths (printed: n x V)
   const Vec3 alpha = C1 + V_unit * x;
   const Vec3 Fy = F_unit * std::sqrt(y2);
   return IntersectionPoints{alpha + Fy, alpha - Fy};
@@ -49,13 +48,13 @@ std::optional<PointVolume> pointVolume(const Vec3& P, const std::array<std::int3
   out.P = P;
   for (std::size_t k = 0; k < 3; ++k) {
     const std::size_t i = k, j = (k + 1) % 3, third = (k + 2) % 3;
-    // Equation 7, N = T x n: T from anywhere on the circle's axis to P gives the same plane as T = P - C1.
+    // Equation 7, N = T x n: T from any point of the circle's axis to P gives the same plane as T = P - C1.
     const Vec3 T = P - centres[i], axis = centres[j] - centres[i];
     Vec3 N = glm::cross(T, axis);
     const double size = glm::length(N);
     if (!(size > 1e-12 * glm::length(T) * glm::length(axis))) return std::nullopt;
     N /= size;
-    // The sign of N is not given: the volume is on the third sphere's side.
+    // The paper does not give the sign of N: the volume is on the third sphere's side.
     const Vec3 inward = centres[third] - P;
     const double side = glm::dot(N, inward);
     if (!(std::abs(side) > 1e-12 * glm::length(inward))) return std::nullopt;

@@ -24,12 +24,12 @@ MemoryUsage PaperTracker::memoryUsage() const noexcept {
   return {models_.held(), scene_->bytes() + models_.bytes() + sizeof *this};
 }
 
-// Algorithm 1. A state found in a tick constrains the SCP in that same tick.
+// Algorithm 1. A state found in a tick constrains the SCP in the same tick.
 Contact PaperTracker::step(PointA hip) noexcept {
   const Vec3& h = hip.A;
   if (!usableHip(h)) return {.scp = {scp_}, .fault = Fault::NotFinite};
 
-  // "if Not in collision with an atom": the test of all atoms, behind the spatial partition.
+  // "if Not in collision with an atom": the test of all atoms, through the spatial partition.
   if (state_ == Feature::Free) {
     scp_ = h;
     atom_ = deepestAtomAround(h);
@@ -44,7 +44,7 @@ Contact PaperTracker::step(PointA hip) noexcept {
   if (state_ == Feature::Point) leavePoint(h);
 
   // Section 4.3: "If the HIP moves out of the current sphere it is assumed to be no longer in collision."
-  // The test of all atoms comes with the next tick, as the if and else of Algorithm 1 have it.
+  // The test of all atoms follows in the next tick, according to the if and else of Algorithm 1.
   if (!insideSphere(atom_, h)) {
     state_ = Feature::Free;
     scp_ = h;
@@ -61,7 +61,7 @@ Contact PaperTracker::step(PointA hip) noexcept {
   return contact(hip);
 }
 
-// Of several atoms that hold the HIP, the one it is deepest in: the one that a moving HIP entered first.
+// Of several atoms that contain the HIP, the one in which it is deepest: a moving HIP entered it first.
 std::int32_t PaperTracker::deepestAtomAround(const Vec3& hip) const {
   std::int32_t deepest = -1;
   double depth = 0.0;
@@ -85,7 +85,7 @@ std::optional<paper::Cone> PaperTracker::coneOf(std::int32_t atom, std::int32_t 
   return paper::Cone{*circle, centre(atom), atom, neighbour};
 }
 
-// Case 1 (section 4.3): the closest place on the current sphere; from its centre, the last direction.
+// Case 1 (section 4.3): the closest point of the current sphere; from its centre, the last direction.
 void PaperTracker::constrainToSphere(const Vec3& hip) {
   const Vec3& c = centre(atom_);
   Vec3 out = hip - c;
@@ -101,8 +101,8 @@ void PaperTracker::constrainToSphere(const Vec3& hip) {
   scp_ = c + out * (radius(atom_) / size);
 }
 
-// Case 1 to 2 (section 4.4): the cones of the current atom; of several that hold the HIP, the one with the
-// nearest circle.
+// Case 1 to 2 (section 4.4): the cones of the current atom; of several that contain the HIP, the one with the nearest
+// circle.
 void PaperTracker::findCone(const Vec3& hip) {
   double nearest = 0.0;
   for (const paper::Cone& cone : models_.model(*scene_, atom_, probe_).cones) {
@@ -115,8 +115,7 @@ void PaperTracker::findCone(const Vec3& hip) {
   }
 }
 
-// Case 2 (section 4.4): over the base the cone and the atom become the neighbour's; outside the cone it is
-// case 1 again.
+// Case 2 (section 4.4): beyond the base, cone and atom become the neighbour's; outside the cone it is case 1 again.
 void PaperTracker::followCone(const Vec3& hip) {
   if (paper::pastBase(cone_, hip)) {
     cone_ = paper::neighbourCone(cone_, centre(cone_.neighbour));
@@ -125,8 +124,7 @@ void PaperTracker::followCone(const Vec3& hip) {
   if (!paper::insideCone(cone_, hip)) state_ = Feature::Sphere;
 }
 
-// Case 1 or 2 to 3 (section 4.5): the planes of those points of the current atom that the SCP is within
-// epsilon of.
+// Case 1 or 2 to 3 (section 4.5): the planes of the current atom's points within epsilon of the SCP.
 void PaperTracker::findPoint(const Vec3& hip) {
   double nearest2 = kEpsilon_A * kEpsilon_A;
   const Vec3 from = scp_;
@@ -144,7 +142,7 @@ void PaperTracker::findPoint(const Vec3& hip) {
   }
 }
 
-// Case 3 (section 4.5): past a plane, the circle that the plane belongs to.
+// Case 3 (section 4.5): beyond a plane, the circle to which the plane belongs.
 void PaperTracker::leavePoint(const Vec3& hip) {
   const paper::PointPlane* plane = volume_.crossed(hip);
   if (!plane) return;
@@ -154,8 +152,7 @@ void PaperTracker::leavePoint(const Vec3& hip) {
   atom_ = keep ? second : first;
   state_ = cone ? Feature::Circle : Feature::Sphere;
   if (cone) cone_ = *cone;
-  // The plane's circle may not pass through the current atom at all: the sphere of the two that holds the HIP
-  // deeper.
+  // The plane's circle may not pass through the current atom: use the sphere of the two in which the HIP is deeper.
   if (cone && paper::pastBase(cone_, hip)) {
     cone_ = paper::neighbourCone(cone_, centre(cone_.neighbour));
     atom_ = cone_.atom;
@@ -164,11 +161,10 @@ void PaperTracker::leavePoint(const Vec3& hip) {
 
 void PaperTracker::setProbe(double probe_A) noexcept {
   if (!std::isfinite(probe_A)) return;
-  probe_ = std::clamp(probe_A, 0.0, kLargestProbe_A);
+  probe_ = std::clamp(probe_A, 0.0, kMaxProbe_A);
   models_.clear();
 
-  // While touching, the circle or point of the same atoms at the new radius; where there is none now, its
-  // sphere.
+  // In contact, the circle or point of the same atoms at the new radius; if there is none, the sphere.
   if (state_ == Feature::Circle) {
     const auto cone = coneOf(cone_.atom, cone_.neighbour);
     if (cone)
@@ -207,7 +203,7 @@ Contact PaperTracker::contact(PointA hip) const {
   }
   if (!out.touching()) return out;
   stretchToScp(out, hip);
-  // The SCP may lie off a sphere that the algorithm takes it to be on.
+  // The SCP may lie off a sphere on which the algorithm assumes it to be.
   for (std::size_t k = 0; k < 3 && out.atoms[k] >= 0; ++k)
     if (const Vec3 away = scp_ - centre(out.atoms[k]); away != Vec3(0.0)) out.normals[k] = glm::normalize(away);
   return out;

@@ -48,7 +48,7 @@ Contact PenaltyTracker::step(PointA hip) noexcept {
     std::int32_t sphere;
     Vec3 outward;
   };
-  Push most[3];  // the deepest, deepest first
+  Push deepest[3];  // the three largest pushes, in descending order
   Vec3 sum(0.0), squares(0.0), products(0.0);
   double energy_A2 = 0.0;
   int count = 0;
@@ -64,9 +64,9 @@ Contact PenaltyTracker::step(PointA hip) noexcept {
     products += Vec3(n.y * n.z, n.z * n.x, n.x * n.y);
     energy_A2 += 0.5 * depth * depth;
     int at = std::min(count, 3);
-    for (; at > 0 && depth > most[at - 1].depth; --at)
-      if (at < 3) most[at] = most[at - 1];
-    if (at < 3) most[at] = {depth, b.index, n};
+    for (; at > 0 && depth > deepest[at - 1].depth; --at)
+      if (at < 3) deepest[at] = deepest[at - 1];
+    if (at < 3) deepest[at] = {depth, b.index, n};
     ++count;
   });
   if (count == 0) {
@@ -83,12 +83,12 @@ Contact PenaltyTracker::step(PointA hip) noexcept {
       .scp = {last_}, .feature = Feature(std::min(count, 3)), .displacement_A = last_ - hip.A, .energy_A2 = energy_A2};
   for (int k = 0; k < std::min(count, 3); ++k) {
     int at = k;
-    for (; at > 0 && out.atoms[at - 1] > most[k].sphere; --at) {
+    for (; at > 0 && out.atoms[at - 1] > deepest[k].sphere; --at) {
       out.atoms[at] = out.atoms[at - 1];
       out.normals[at] = out.normals[at - 1];
     }
-    out.atoms[at] = most[k].sphere;
-    out.normals[at] = most[k].outward;
+    out.atoms[at] = deepest[k].sphere;
+    out.normals[at] = deepest[k].outward;
   }
   return out;
 }
@@ -99,8 +99,8 @@ Response PenaltyTracker::respond(const PoseA& pose) noexcept {
   return out;
 }
 
-// The greatest eigenvalue of the sum of n n^T over the directions of the pushes, by Smith's closed form (1961). Along a
-// sphere's radius its spring is as stiff as any; across it, it pushes outward the more, which is no stiffness.
+// The largest eigenvalue of the sum of n n^T over the pushes' directions, by Smith's closed form (1961). Along the
+// radius a sphere's spring has its full stiffness. Across it, the push only increases outward, which is no stiffness.
 double PenaltyTracker::stiffestDirection() const noexcept {
   const double mean = (squares_.x + squares_.y + squares_.z) / 3.0;
   const Vec3 d = squares_ - mean;

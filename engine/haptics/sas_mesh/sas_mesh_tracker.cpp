@@ -9,11 +9,11 @@
 namespace moltact {
 namespace {
 
-constexpr double kCorner_A = 1e-9;  // so near a corner is on it
+constexpr double kCorner_A = 1e-9;  // a point within this distance of a corner lies on it
 constexpr double kMoved_A = 1e-12;
-constexpr double kInto = 1e-10;  // sine of the angle from which a path leads over a border and not along it
+constexpr double kInto = 1e-10;  // sine above which a path crosses a border instead of running along it
 constexpr int kMaxStuck = 24;
-constexpr int kMaxIterations = 8;  // changes between flight and sliding in a tick
+constexpr int kMaxIterations = 8;  // changes between flight and sliding per tick
 
 }  // namespace
 
@@ -73,7 +73,7 @@ Contact SasMeshTracker::step(PointA hip) noexcept {
   return out;
 }
 
-// The triangle's normal; on an edge or a corner the mean of those that meet there.
+// The triangle's normal; on an edge or a corner the mean of the adjacent normals.
 Vec3 SasMeshTracker::outward() const noexcept {
   const Vec3 sum = on_ == On::Edge     ? plane_.normal + beyond_.normal
                    : on_ == On::Corner ? corner_normal_
@@ -121,8 +121,8 @@ void SasMeshTracker::goToEdge(std::int32_t triangle, std::int32_t edge) noexcept
   edge_along_ = whole / edge_length_;
 }
 
-// Its triangles in turn, and the normal that tells outside from inside where the corner itself is nearest (Baerentzen &
-// Aanaes 2005: the triangles' normals, weighted by their angles).
+// Collects the triangles around the corner in turn, and computes the normal that distinguishes outside from inside
+// there (Baerentzen & Aanaes 2005: the triangles' normals, weighted by their angles).
 void SasMeshTracker::goToCorner(std::int32_t triangle, std::int32_t corner) noexcept {
   on_ = On::Corner;
   triangle_ = triangle;
@@ -146,7 +146,7 @@ void SasMeshTracker::goToCorner(std::int32_t triangle, std::int32_t corner) noex
     w.in_right = glm::cross(w.normal, w.along);
     w.in_left = glm::cross(glm::normalize(left), w.normal);
     corner_normal_ += w.normal * std::atan2(sine, glm::dot(right, left));
-    at = t.across[(k + 2) % 3];  // beyond the edge on the left
+    at = t.across[(k + 2) % 3];  // across the left edge
   } while (at != triangle && round_count_ < kMaxRound);
 }
 
@@ -191,15 +191,15 @@ SasMeshTracker::SlideResult SasMeshTracker::overTriangle(const Vec3& h, int& stu
   return SlideResult::Meets;
 }
 
-// Of the directions that lead on from a border, the one that goes down |x - h|^2 the most; whether the HIP is seen from
-// outside is told by the side of what lies nearest to it.
+// Selects, among the directions that leave a border, the steepest descent of |x - h|^2. The side of the nearest element
+// determines whether the HIP is outside.
 SasMeshTracker::SlideResult SasMeshTracker::alongEdge(const Vec3& h, int& stuck) noexcept {
   const Vec3 displacement = h - scp_;
-  const double least = kInto * glm::length(displacement);
+  const double smallest = kInto * glm::length(displacement);
   const double up = glm::dot(displacement, plane_.normal), up_beyond = glm::dot(displacement, beyond_.normal),
                along = glm::dot(displacement, edge_along_);
-  const bool here = glm::dot(displacement, plane_.out[std::size_t(edge_)]) < -least,
-             there = glm::dot(displacement, beyond_.out[other_edge_]) < -least;
+  const bool here = glm::dot(displacement, plane_.out[std::size_t(edge_)]) < -smallest,
+             there = glm::dot(displacement, beyond_.out[other_edge_]) < -smallest;
   const double pull2 = glm::dot(displacement, displacement), gain = pull2 - up * up,
                gain_beyond = pull2 - up_beyond * up_beyond;
   if (here && (!there || gain >= gain_beyond)) {
@@ -229,15 +229,15 @@ SasMeshTracker::SlideResult SasMeshTracker::alongEdge(const Vec3& h, int& stuck)
 
 SasMeshTracker::SlideResult SasMeshTracker::fromCorner(const Vec3& h, int& stuck) noexcept {
   const Vec3 displacement = h - scp_;
-  const double pull2 = glm::dot(displacement, displacement), least = kInto * std::sqrt(pull2);
+  const double pull2 = glm::dot(displacement, displacement), smallest = kInto * std::sqrt(pull2);
   double best = 0.0;
   std::size_t by = 0;
   bool on_edge = false;
   for (std::size_t k = 0; k < round_count_; ++k) {
     const Wedge& w = round_[k];
     const double along = glm::dot(displacement, w.along);
-    if (along > least && along * along > best) best = along * along, by = k, on_edge = true;
-    if (glm::dot(displacement, w.in_right) <= least || glm::dot(displacement, w.in_left) <= least) continue;
+    if (along > smallest && along * along > best) best = along * along, by = k, on_edge = true;
+    if (glm::dot(displacement, w.in_right) <= smallest || glm::dot(displacement, w.in_left) <= smallest) continue;
     const double up = glm::dot(displacement, w.normal);
     if (pull2 - up * up > best) best = pull2 - up * up, by = k, on_edge = false;
   }

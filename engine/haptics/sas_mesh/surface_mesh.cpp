@@ -10,11 +10,11 @@
 namespace moltact {
 namespace {
 
-constexpr double kAside_A = 1e-9;  // a path so little beside a triangle meets it: no gap between two triangles
+constexpr double kAside_A = 1e-9;  // tolerance beside a triangle, so that there is no gap between two triangles
 
-constexpr double kAlong = 1e-10;  // sine of the angle under which a path is along a border
+constexpr double kAlong = 1e-10;  // sine below which a path is along a border
 
-// The bits of a 21-bit number, two apart.
+// Spreads the bits of a 21-bit number to every third position.
 std::uint64_t spread(std::uint64_t x) {
   x &= 0x1fffff;
   x = (x | x << 32) & 0x1f00000000ffffull;
@@ -39,7 +39,7 @@ std::shared_ptr<const SurfaceMesh> SurfaceMesh::of(const std::shared_ptr<const S
   const std::lock_guard lock(mutex);
   Kept& one = kept[spacing_A];
   if (!one.mesh || one.scene.lock() != scene || one.probe_A != probe_A || one.origin != origin) {
-    one.mesh.reset();  // before the next is made
+    one.mesh.reset();  // releases the memory before the next mesh is made
     one = {scene, probe_A, origin, std::make_shared<const SurfaceMesh>(*scene, probe_A, spacing_A, origin)};
   }
   return one.mesh;
@@ -60,7 +60,7 @@ SurfaceMesh::SurfaceMesh(const SphereGrid& scene, double probe_A, double spacing
   makeTree();
 }
 
-// Along a space-filling curve: what is near in space is near in memory.
+// Orders triangles along a space-filling curve, so that neighbours in space are near in memory.
 void SurfaceMesh::sortByPlace() {
   if (triangles_.empty()) return;
   Vec3 low(1e300), high(-1e300);
@@ -102,7 +102,7 @@ void SurfaceMesh::sortByPlace() {
 
 void SurfaceMesh::findNeighbours() {
   struct Side {
-    std::uint64_t corners;  // the lower first
+    std::uint64_t corners;  // the lower index first
     std::int32_t triangle, edge;
   };
   std::vector<Side> sides;
@@ -182,7 +182,7 @@ SurfaceMesh::Plane SurfaceMesh::plane(std::int32_t triangle) const noexcept {
 SurfaceMesh::Hit SurfaceMesh::cast(const Vec3& from, const Vec3& path) const noexcept {
   Hit best;
   if (nodes_.empty()) return best;
-  const Vec3 per_path = 1.0 / path;  // infinite where the path is normal to an axis; the comparisons below allow that
+  const Vec3 per_path = 1.0 / path;  // infinite where the path is perpendicular to an axis, which the comparisons allow
   const double length = glm::length(path);
   std::int32_t stack[64];
   int waiting = 0;
@@ -220,7 +220,7 @@ SurfaceMesh::Hit SurfaceMesh::cast(const Vec3& from, const Vec3& path) const noe
       bool within = true;
       for (std::size_t e = 0; e < 3; ++e) {
         const double beyond = glm::dot(f.out[e], x) - f.reach[e];
-        // A start on the triangle's border is under it only where the path does not lead out over that border.
+        // A start on the triangle's border counts as under it only if the path does not lead out over that border.
         within = within && beyond <= kAside_A &&
                  (above > kSkin_A || beyond < -kAside_A || glm::dot(f.out[e], path) <= kAlong * length);
       }

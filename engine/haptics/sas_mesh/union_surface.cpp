@@ -9,19 +9,19 @@ namespace {
 
 constexpr int kBlock = 8;                // cells along an edge of a block
 constexpr int kNodes = kBlock + 1;       // nodes along it
-constexpr std::int64_t kHalf = 1 << 19;  // cells an axis holds on either side of the grid's zero
+constexpr std::int64_t kHalf = 1 << 19;  // cells per axis on either side of the grid's origin
 constexpr double kInset =
-    0.002;  // of the spacing: a vertex keeps so far from its cell's border, so that no two coincide
-constexpr double kDamping = 1e-3;  // of the steps to a vertex's place
+    0.002;  // relative to the spacing: minimum distance of a vertex from its cell's border, so that no two coincide
+constexpr double kDamping = 1e-3;  // of the steps that place a vertex
 constexpr double kBuried =
-    0.05;  // weight of lying in a sphere against lying off it: a dent lets the SCP by, a dam stops it
+    0.05;  // weight of lying inside a sphere relative to lying outside: a dent lets the SCP pass, a dam stops it
 constexpr int kMaxRounds = 40;
-constexpr double kDent = 0.5;  // the same where vertices are mended
-constexpr double kBad = 0.05;  // of the spacing: a vertex so far off is mended
+constexpr double kDent = 0.5;  // the same for repaired vertices
+constexpr double kBad = 0.05;  // relative to the spacing: a vertex with a larger error is repaired
 constexpr int kMendings = 4;
-constexpr double kOutside_A = 1e-7;  // a vertex may lie so deep in a sphere
+constexpr double kOutside_A = 1e-7;  // tolerated depth of a vertex in a sphere
 
-// Corner k of a cell lies at (k & 1, k >> 1 & 1, k >> 2); edge 4 a + m runs along axis a from the corner whose offset
+// Corner k of a cell lies at (k & 1, k >> 1 & 1, k >> 2). Edge 4 a + m runs along axis a from the corner whose offset
 // along the next axis is m & 1 and along the one after it m >> 1.
 constexpr int lowCorner(int edge) {
   const int a = edge / 4, m = edge % 4, b = (a + 1) % 3, c = (a + 2) % 3;
@@ -34,14 +34,14 @@ constexpr int edgeBetween(int p, int q) {
   return -1;
 }
 
-// For each pattern of corners inside: which sheet each crossed edge belongs to.
+// For each pattern of inner corners: the sheet to which each crossed edge belongs.
 struct Sheets {
   std::array<std::int8_t, 12> of_edge;  // -1: not crossed
   int count;
-  std::array<bool, 3> four;  // does the face at the cell's low side along this axis have four crossings?
+  std::array<bool, 3> four;  // the face at the cell's low side along this axis has four crossings
 };
 
-// The corners of a face, in turn round it.
+// The corners of a face, in cyclic order.
 std::array<int, 4> faceCorners(int axis, int side) {
   const int b = 1 << (axis + 1) % 3, c = 1 << (axis + 2) % 3, at = side << axis;
   return {at, at | b, at | b | c, at | c};
@@ -67,7 +67,7 @@ std::array<Sheets, 256> makeSheets() {
         if (crossed.size() == 2) parent[std::size_t(root(crossed[0]))] = root(crossed[1]);
         if (crossed.size() < 4) continue;
         if (side == 0) s.four[std::size_t(axis)] = true;
-        for (std::size_t k = 0; k < 4; ++k)  // each corner inside is cut off on its own, the same seen from both sides
+        for (std::size_t k = 0; k < 4; ++k)  // each inner corner is cut off separately, equally from both sides
           if (inside(q[k]))
             parent[std::size_t(root(edgeBetween(q[k], q[(k + 1) % 4])))] = root(edgeBetween(q[k], q[(k + 3) % 4]));
       }
@@ -97,13 +97,13 @@ struct Inflated {
 
 struct Crossing {
   Vec3 place;
-  int sphere;  // in the block's list
+  int sphere;  // index in the block's list
 };
 
-// A polygon's corner: the edge of the grid that it is round, which of the four places about it, and the vertex.
+// A polygon's corner: the grid edge that the polygon surrounds, the position around it, and the vertex.
 struct Corner {
   std::uint64_t edge;
-  std::uint8_t place;  // twice the cell's number round the edge; odd: the segment between that cell and the next
+  std::uint8_t place;  // twice the number of the cell around the edge; odd: the segment between that cell and the next
   bool low_inside;
   std::int32_t vertex, sphere;
 };
@@ -115,7 +115,7 @@ class Maker {
 
   UnionSurface make() {
     if (scene_.size() == 0) return {};
-    // Off the round numbers that spheres are put at.
+    // Away from round numbers, at which spheres are often placed.
     zero_ = 0.5 * (scene_.low_A() + scene_.high_A()) - origin_ + Vec3(0.371, 0.289, 0.433) * h_;
     std::vector<std::uint64_t> blocks = crossedBlocks();
     for (const std::uint64_t block : blocks) contour(block);
@@ -133,7 +133,7 @@ class Maker {
     return {zero_.x + h_ * double(x), zero_.y + h_ * double(y), zero_.z + h_ * double(z)};
   }
 
-  // Blocks that some sphere's sphere passes through.
+  // The blocks that the surface of some sphere crosses.
   std::vector<std::uint64_t> crossedBlocks() const {
     std::vector<std::uint64_t> out;
     const double size = h_ * kBlock;
@@ -200,20 +200,20 @@ class Maker {
 
   bool isInside(int x, int y, int z) const { return inside_[std::size_t(x + kNodes * (y + kNodes * z))]; }
 
-  // Where an edge, from its end outside, first enters a sphere.
+  // Where an edge, from its outer end, first enters a sphere.
   Crossing crossing(const Vec3& outside, const Vec3& inside) const {
     const Vec3 edge = inside - outside;
     const double a = glm::dot(edge, edge);
     Crossing out{inside, -1};
-    double least = 1.0;
+    double smallest = 1.0;
     for (std::size_t k = 0; k < near_.size(); ++k) {
       const Vec3 m = outside - near_[k].centre;
       const double b = glm::dot(m, edge), c = glm::dot(m, m) - near_[k].radius * near_[k].radius, root2 = b * b - a * c;
       if (b >= 0.0 || root2 < 0.0) continue;
-      const double t = std::max(0.0, c / (-b + std::sqrt(root2)));  // (-b - root) / a without its loss of digits
-      if (t <= least) least = t, out.sphere = int(k);
+      const double t = std::max(0.0, c / (-b + std::sqrt(root2)));  // (-b - root) / a without loss of precision
+      if (t <= smallest) smallest = t, out.sphere = int(k);
     }
-    out.place = outside + edge * least;
+    out.place = outside + edge * smallest;
     return out;
   }
 
@@ -237,14 +237,14 @@ class Maker {
         if (s.of_edge[std::size_t(e)] == sheet) mine[count++] = cross[std::size_t(e)];
       Vec3 place = placeOf({mine.data(), count}, low + Vec3(kInset * h_), low + Vec3((1.0 - kInset) * h_));
       for (std::int32_t v = first_vertex; v < std::int32_t(out_.vertices.size());
-           ++v)  // two sheets that came to the same place
+           ++v)  // two sheets with the same vertex
         if (glm::distance(out_.vertices[std::size_t(v)], place) < kInset * h_) place = meanOf({mine.data(), count});
       out_.vertices.push_back(place);
     }
     for (int e = 0; e < 12; ++e) {
       if (s.of_edge[std::size_t(e)] < 0) continue;
       const int db = e % 4 & 1, dc = e % 4 >> 1;
-      // The cell lies at (-db, -dc) of the edge; in order round it: (0, 0), (-1, 0), (-1, -1), (0, -1).
+      // The cell lies at (-db, -dc) of the edge; in cyclic order: (0, 0), (-1, 0), (-1, -1), (0, -1).
       const int round_edge = dc ? (db ? 2 : 3) : (db ? 1 : 0);
       const int sphere = cross[std::size_t(e)].sphere;
       corners_.push_back({edgeKey(at, e), std::uint8_t(2 * round_edge), (mask >> lowCorner(e) & 1) != 0,
@@ -260,7 +260,7 @@ class Maker {
     return std::uint64_t(e / 4) << 60 | key(cell[0] + (k & 1), cell[1] + (k >> 1 & 1), cell[2] + (k >> 2));
   }
 
-  // The two segments across the cell's low face along this axis, which has four crossings: a vertex each.
+  // The two segments across the cell's low face along this axis, which has four crossings: one vertex each.
   void segments(const std::array<std::int64_t, 3>& at, int axis, int mask, const std::array<Crossing, 12>& cross) {
     const auto q = faceCorners(axis, 0);
     for (std::size_t k = 0; k < 4; ++k) {
@@ -275,7 +275,7 @@ class Maker {
       out_.vertices.push_back(placeOf(two, low + inset, high - inset));
       for (const int e : ends) {
         const int a = e / 4, db = e % 4 & 1, dc = e % 4 >> 1;
-        const int between = axis == (a + 1) % 3 ? (dc ? 2 : 0) : (db ? 1 : 3);  // that number and the next
+        const int between = axis == (a + 1) % 3 ? (dc ? 2 : 0) : (db ? 1 : 3);  // between this cell and the next
         corners_.push_back(
             {edgeKey(at, e), std::uint8_t(2 * between + 1), (mask >> lowCorner(e) & 1) != 0, vertex, -1});
       }
@@ -293,20 +293,20 @@ class Maker {
     return n.radius - glm::distance(x, n.centre);
   }
 
-  // The sphere that the place lies deepest in, if deeper than rounding; -1.
+  // The sphere in which the point lies deepest, if deeper than rounding; else -1.
   int deepest(const Vec3& x) const {
     int out = -1;
-    double most = kOutside_A;
+    double largest = kOutside_A;
     for (std::size_t k = 0; k < near_.size(); ++k)
-      if (const double d = depth(x, int(k)); d > most) most = d, out = int(k);
+      if (const double d = depth(x, int(k)); d > largest) largest = d, out = int(k);
     return out;
   }
 
-  // The place in the box that lies best on all of the spheres at once: on the circle or point where they meet, if they
-  // do so there. Damped Gauss-Newton steps from x, none out of the box.
+  // The point of the box with the smallest distance from all of the spheres together: on their common circle or point,
+  // if it is there. Damped Gauss-Newton steps from x, limited to the box.
   Vec3 bestOn(std::span<const int> spheres, Vec3 x, const Vec3& low, const Vec3& high) const {
     for (int round = 0; round < kMaxRounds; ++round) {
-      // (J^T J + damping) step = -J^T off, J's rows the normals
+      // (J^T J + damping) step = -J^T off; the rows of J are the normals.
       double xx = kDamping, yy = kDamping, zz = kDamping, xy = 0, xz = 0, yz = 0;
       Vec3 down(0.0);
       for (const int k : spheres) {
@@ -320,12 +320,13 @@ class Maker {
       }
       const glm::dmat3 whole(xx, xy, xz, xy, yy, yz, xz, yz, zz);
       Vec3 step = glm::inverse(whole) * down;
-      const Vec3 least = low - x, most = high - x;
-      if (glm::clamp(step, least, most) != step) {  // the best step within the box, axis by axis in turn
-        step = glm::clamp(step, least, most);
+      const Vec3 low_step = low - x, high_step = high - x;
+      if (glm::clamp(step, low_step, high_step) != step) {  // the best step within the box, one axis at a time
+        step = glm::clamp(step, low_step, high_step);
         for (int sweep = 0; sweep < kMaxRounds; ++sweep)
           for (int k = 0; k < 3; ++k)
-            step[k] = std::clamp(step[k] + (down[k] - glm::dot(whole[k], step)) / whole[k][k], least[k], most[k]);
+            step[k] =
+                std::clamp(step[k] + (down[k] - glm::dot(whole[k], step)) / whole[k][k], low_step[k], high_step[k]);
       }
       x += step;
       if (glm::dot(step, step) < 1e-22) break;
@@ -333,7 +334,8 @@ class Maker {
     return x;
   }
 
-  // A sheet's vertex. Where it lies in a sphere that crosses none of the cell's edges, that one comes up into the crease.
+  // The vertex of a sheet. If it lies in a sphere that crosses none of the cell's edges, that sphere protrudes into the
+  // crease and is included.
   Vec3 placeOf(std::span<const Crossing> cross, const Vec3& low, const Vec3& high) const {
     std::array<int, 16> spheres;
     std::size_t count = 0;
@@ -353,7 +355,7 @@ class Maker {
     return x;
   }
 
-  // Polygons from their corners, cut into triangles.
+  // Assembles polygons from their corners and divides them into triangles.
   void join() {
     std::sort(corners_.begin(), corners_.end(),
               [](const Corner& a, const Corner& b) { return a.edge != b.edge ? a.edge < b.edge : a.place < b.place; });
@@ -372,7 +374,7 @@ class Maker {
     corners_ = {};
   }
 
-  // How well a triangle faces out of its sphere (1: its corners' own direction).
+  // The quality of a triangle's orientation relative to its sphere (1: equal to the direction of its corners).
   double facing(std::int32_t a, std::int32_t b, std::int32_t c, std::int32_t sphere) const {
     const Vec3 &p = out_.vertices[std::size_t(a)], &q = out_.vertices[std::size_t(b)],
                &r = out_.vertices[std::size_t(c)];
@@ -383,7 +385,7 @@ class Maker {
   }
 
   void cut(const std::vector<std::int32_t>& ring, std::int32_t sphere) {
-    // A fan from the corner from which the worst triangle faces out best.
+    // A fan from the corner that gives the best value for the worst triangle.
     std::size_t from = 0;
     double best = -2.0;
     const std::size_t n = ring.size();
@@ -397,9 +399,8 @@ class Maker {
       out_.triangles.push_back({{ring[from], ring[(from + k) % n], ring[(from + k + 1) % n]}, sphere});
   }
 
-  // Where creases run closer together than a cell one vertex cannot lie on all of them, and the triangles about it
-  // stand in the SCP's way or fold over. Such a vertex is put where the worst of its triangles is best, in the cell or
-  // out of it.
+  // Where creases are closer than a cell, one vertex cannot lie on all of them, and its triangles block the SCP or
+  // overlap. Such a vertex is moved to where the worst of its triangles is best, inside the cell or outside.
   void mend() {
     std::vector<std::int32_t> begin(out_.vertices.size() + 1, 0), star(3 * out_.triangles.size());
     for (const auto& t : out_.triangles)
@@ -414,14 +415,14 @@ class Maker {
         mend(v, {star.data() + begin[v], std::size_t(begin[v + 1] - begin[v])});
   }
 
-  // How bad a vertex is where it is now: the worst of how far it lies off its triangles' spheres and how they are
-  // turned.
+  // The error of a vertex at its present position: the larger of its distance from its triangles' spheres and their
+  // misorientation.
   double badness(std::size_t v, std::span<const std::int32_t> star) const {
     const Vec3& x = out_.vertices[v];
     double worst = 0.0;
     for (const std::int32_t k : star) {
       const auto& t = out_.triangles[std::size_t(k)];
-      for (const std::int32_t c : t.corners)  // no two vertices in one place
+      for (const std::int32_t c : t.corners)  // no two vertices at one point
         if (std::size_t(c) != v && glm::distance(x, out_.vertices[std::size_t(c)]) < kInset * h_) return 1e3;
       const Sphere& b = scene_[std::size_t(t.sphere)];
       const double off = glm::distance(x, b.centre_A - origin_) - b.radius_A - probe_;
@@ -432,8 +433,8 @@ class Maker {
   }
 
   void mend(std::size_t v, std::span<const std::int32_t> star) {
-    double least = badness(v, star);
-    if (least < kBad) return;
+    double smallest = badness(v, star);
+    if (smallest < kBad) return;
     const Vec3 was = out_.vertices[v];
     Vec3 best = was, middle(0.0);
     near_.clear();
@@ -450,7 +451,7 @@ class Maker {
     const auto attempt = [&](std::span<const int> of) {
       for (const Vec3& from : {was, middle}) {
         out_.vertices[v] = bestOn(of, from, middle - Vec3(1.5 * h_), middle + Vec3(1.5 * h_));
-        if (const double bad = badness(v, star); bad < least) least = bad, best = out_.vertices[v];
+        if (const double bad = badness(v, star); bad < smallest) smallest = bad, best = out_.vertices[v];
       }
     };
     const int n = std::min(int(near_.size()), 6);

@@ -88,7 +88,7 @@ struct Loop final : ClockListener {
     last = step.tick(settings, tracker.get(), pose);
     devices.write({last.force});
     ++ticks;
-    greatest_N = std::max(greatest_N, glm::length(last.force.N));
+    peak_N = std::max(peak_N, glm::length(last.force.N));
   }
   Device& stylus;
   MouseDevice mouse;
@@ -98,7 +98,7 @@ struct Loop final : ClockListener {
   std::unique_ptr<Tracker> tracker;
   ServoSample last;
   long ticks = 0;
-  double greatest_N = 0;
+  double peak_N = 0;
 };
 
 inline std::unique_ptr<OmniDevice> opened() {
