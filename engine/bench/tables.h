@@ -20,7 +20,7 @@ struct PaperFigures {
 struct TableScene {
   std::string name;         ///< "Test 1: 50 random spheres"
   std::size_t spheres = 0;  ///< expected number, for the order and the progress bar
-  std::function<std::vector<Sphere>()> spheres;
+  std::function<std::vector<Sphere>()> make_spheres;
   std::string paper_name;  ///< the row of the paper that it stands beside; may be empty
 };
 
