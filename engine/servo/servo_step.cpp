@@ -64,6 +64,7 @@ ServoSample ServoStep::tick(const ServoSettings& settings, Interaction* interact
   out.hip = at.place;
   out.orientation = at.orientation;
   out.has_interaction = interaction != nullptr;
+  out.holds_body = interaction && interaction->hasOrientation();
   out.discontinuities = settings.discontinuities;
 
   // A new interaction comes as its maker left it: one that was led to the hand keeps the contact over a change of

@@ -82,6 +82,7 @@ struct ServoSample {
   /// The stiffest spring that is allowed, for the device and the recently measured delay.
   double stiffness_bound_N_per_mm = 0;
   bool has_interaction = false;
+  bool holds_body = false;   ///< Interaction::hasOrientation
   std::uint64_t motion = 0;  ///< SphereMotion::serial() of the motion that the spheres are in; 0: they are at rest
   double fraction = 0.0;     ///< of that motion
   std::uint32_t scene = 0;   ///< the number that the interaction was handed over with (0 from tick() itself)
