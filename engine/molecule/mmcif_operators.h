@@ -11,7 +11,7 @@
 
 namespace moltact {
 
-inline constexpr std::size_t kMaxOperators = 100'000, kMostCopies = 1'000'000;
+inline constexpr std::size_t kMaxOperators = 100'000, kMaxCopies = 1'000'000;
 
 /// By their ids.
 using MmcifOperators = std::unordered_map<std::string, ParsedOperator>;

@@ -18,6 +18,6 @@ struct AttemptRange {
 const AttemptRange* attemptRange(std::string_view key);
 
 /// Longer lists are refused: figures of a task, values of a curve, steps of a lesson.
-inline constexpr std::size_t kMaxFigures = 100, kMaxCurveValues = 10'000, kMostSteps = 10'000;
+inline constexpr std::size_t kMaxFigures = 100, kMaxCurveValues = 10'000, kMaxSteps = 10'000;
 
 }  // namespace moltact
