@@ -13,6 +13,7 @@
 #include "app/ui/lesson/lesson_guide.h"
 #include "app/ui/widgets/messages.h"
 #include "engine/language/catalogue.h"
+#include "engine/lesson/scene_atoms.h"
 #include "engine/molecule/catalogue.h"
 #include "engine/platform/folders.h"
 
@@ -77,9 +78,13 @@ void Playback::close(bool back) {
   if (!on()) return;
   timeline_.reset();
   running_ = false;
+  const bool held = hidden_before_.has_value();
+  letGoOfHeld();
   scene_.play(std::nullopt);
   recorder_.pause(false);
   if (!back) return;
+  if (held && !lesson_.session())
+    scene_.show(withUntouchable(scene_.restingModel(), {}, {}), scene_.molecule(), [](Camera&, const Molecule&) {});
   // The view is where the attempt's last moment had it, which may be anywhere.
   if (lesson_.session())
     lesson_.askForScene();
@@ -127,6 +132,7 @@ void Playback::stageFor() {
   const StageChanged* stage = timeline_->stage(at_s_);
   if (!stage || namedOf(*stage) == shown_stage_) return;
   shown_stage_ = namedOf(*stage);
+  letGoOfHeld();
   if (scene_.stage() && namedOf(scene_.molecule()) == shown_stage_) return;
   ReadOptions reading = stage->reading;
   // A name of the library stays one.
@@ -158,11 +164,8 @@ fs::path Playback::fileOf(const std::string& name) {
 
 // The atoms where they were between two structures.
 void Playback::showStates() {
-  const StageChanged* stage = timeline_->stage(at_s_);
   const StatesMoved* states = timeline_->states(at_s_);
-  if (!states || !scene_.stage() || namedOf(scene_.molecule()) != namedOf(*stage) ||
-      scene_.stage().molecule->atoms.size() != stage->atoms)
-    return;
+  if (!states || !staged()) return;
   if (second_.first != states->file) second_ = {states->file, fileOf(states->file)};
   if (second_.second.empty()) return;
   SecondState then;
@@ -170,16 +173,45 @@ void Playback::showStates() {
   then.share = states->share;
   if (!states->superposed_on.empty())
     if (auto atoms = parseSelection(states->superposed_on)) then.superposed_on = *std::move(atoms);
-  moving_states_.show({second_.second, stage->reading}, then);
+  moving_states_.show({second_.second, timeline_->stage(at_s_)->reading}, then);
+}
+
+// The molecule of this moment is on the stage.
+bool Playback::staged() const {
+  const StageChanged* stage = timeline_->stage(at_s_);
+  return stage && scene_.stage() && namedOf(scene_.molecule()) == namedOf(*stage) &&
+         scene_.stage().molecule->atoms.size() == stage->atoms;
+}
+
+// The atoms of a body leave their place in the molecule for the hand.
+void Playback::showHeld() {
+  if (!staged()) return;
+  const std::vector<std::uint32_t>& held = timeline_->stage(at_s_)->held;
+  const TouchableModel& model = scene_.stage();
+  if ((model.body ? model.body->atoms : std::vector<std::uint32_t>()) == held) return;
+  letGoOfHeld();
+  scene_.show(withUntouchable(scene_.restingModel(), held, held), scene_.molecule(), [](Camera&, const Molecule&) {});
+  shown_view_ = nullptr;
+  if (held.empty()) return;
+  hidden_before_ = scene_.look.hidden;
+  scene_.look.hidden = std::make_shared<const std::vector<std::uint32_t>>(
+      scene_.look.hidden ? atomsOfEither(*scene_.look.hidden, held) : held);
+}
+
+void Playback::letGoOfHeld() {
+  if (hidden_before_) scene_.look.hidden = *std::exchange(hidden_before_, std::nullopt);
 }
 
 void Playback::showHand() {
   ServoSample sample;
   const StageChanged* stage = timeline_->stage(at_s_);
-  const bool here = stage && scene_.stage() && namedOf(scene_.molecule()) == namedOf(*stage) &&
-                    scene_.stage().molecule->atoms.size() == stage->atoms;
-  if (const std::optional<HipSample> hand = here ? timeline_->hand(at_s_) : std::nullopt) {
+  if (const std::optional<HipSample> hand = staged() ? timeline_->hand(at_s_) : std::nullopt) {
     sample.has_interaction = true;
+    if (hand->held && scene_.stage().body) {
+      sample.holds_body = true;
+      sample.orientation = hand->held->orientation;
+      sample.body_pose = hand->held->body;
+    }
     sample.hip = hand->hip;
     sample.contact.scp = hand->scp;
     sample.contact.feature = hand->feature;
@@ -214,6 +246,7 @@ void Playback::beforeTicks() {
     if (at_s_ >= timeline_->length_s()) running_ = false;
   }
   stageFor();
+  showHeld();
   showStates();
   showHand();
   showView();

@@ -84,6 +84,9 @@ class Playback : public Extension {
   void stageFor();
   std::filesystem::path fileOf(const std::string& name);
   void showStates();
+  bool staged() const;
+  void showHeld();
+  void letGoOfHeld();
   void showHand();
   void showView();
 
@@ -95,6 +98,7 @@ class Playback : public Extension {
   std::pair<std::string, std::filesystem::path> second_;  // the second structure's file, as named and as found
   std::string missing_;                                   // the name of a molecule's file that was reported as missing
   const ViewChanged* shown_view_ = nullptr;
+  std::optional<AtomList> hidden_before_;  // of the scene's look, while the played hand holds a body
   double at_s_ = 0.0;
   bool running_ = false;
 };

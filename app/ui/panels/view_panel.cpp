@@ -158,9 +158,9 @@ ViewScene seenScene(const Application& app) {
         app.scene.camera.pixel_A(app.scene.camera.distance_A, std::max(1, int(app.layout().view.size().y))) *
         look().px(kArrow_px_per_N);
     scene.probe_A = now.probe_A;
-    if (app.scene.servo().hasOrientation()) {
+    if (now.holds_body) {
       scene.body = app.scene.stage().body;
-      scene.body_orientation = now.orientation;
+      scene.body_pose = now.shownBody();
       scene.body_stopped = bodyPlace(app.scene.stage(), now, app.scene.servo().motionOf(now).get()).stopped;
     }
   }
