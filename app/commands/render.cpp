@@ -172,9 +172,7 @@ void render(const RenderArguments& arguments) {
   scene.look.marks = marksOf(spec, *scene.molecule);
   if (const std::vector<std::uint32_t> held = heldAtoms(spec, *scene.molecule); !held.empty()) {
     scene.body = heldBody(scene.molecule->spheres, held);
-    if (!scene.body)
-      throw CLI::ValidationError("--in-hand", "it holds " + std::to_string(held.size()) + " atoms; the most are " +
-                                                  std::to_string(kMaxHeldAtoms));
+    if (!scene.body) throw tooManyHeld(held.size());
     scene.look.hidden = std::make_shared<const std::vector<std::uint32_t>>(
         scene.look.hidden ? atomsOfEither(*scene.look.hidden, held) : held);
   }
