@@ -76,7 +76,7 @@ std::vector<SceneTimes> measureTables(const std::vector<TableScene>& scenes, con
       if (progress) progress((double(k) + part) / double(scenes.size()), scenes[k].name);
     };
     at(0);
-    const std::vector<Sphere> spheres = scenes[k].make_spheres();
+    const std::vector<Sphere> spheres = scenes[k].makeSpheres();
     SceneTimes one{scenes[k].name, scenes[k].paper_name, spheres.size(), scenePreparation_s(spheres), {}, {}};
     const auto scene = std::make_shared<const SphereGrid>(spheres);
     const auto contact = contactStrokes(scene, options.probe_A, options.plan);

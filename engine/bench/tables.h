@@ -19,8 +19,8 @@ struct PaperFigures {
 
 struct TableScene {
   std::string name;         ///< "Test 1: 50 random spheres"
-  std::size_t spheres = 0;  ///< expected number, for the order and the progress bar
-  std::function<std::vector<Sphere>()> make_spheres;
+  std::size_t sphere_count = 0;  ///< expected, for the order and the progress bar
+  std::function<std::vector<Sphere>()> makeSpheres;
   std::string paper_name;  ///< the row of the paper that it stands beside; may be empty
 };
 

@@ -90,7 +90,7 @@ TEST_CASE("what a hand meets is told from the medians, with the share of the mil
 }
 
 TEST_CASE("of 3 methods 20 ticks with sleep between and 4 after lost caches are all in contact, and a row each") {
-  const auto scene = std::make_shared<const SphereGrid>(madeScenes(true, 1)[0].spheres());
+  const auto scene = std::make_shared<const SphereGrid>(madeScenes(true, 1)[0].makeSpheres());
   const std::vector<const Method*> methods{findMethod("exact"), findMethod("mesh960"), findBenchMethod("sasmesh05")};
   StrokePlan plan;
   plan.strokes = 2, plan.ticks = 50;

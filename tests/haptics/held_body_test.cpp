@@ -60,12 +60,12 @@ TEST_CASE("a body is its atoms round their middle, each 0.5 A smaller; more than
 
 TEST_CASE("a body of one atom is a probe of its radius in each method, over 1500 poses, and is never turned") {
   const scenes::Scene cluster = scenes::cluster(20, 5);
-  const auto spheres = test::makeScene(cluster.spheres);
+  const auto grid = test::makeScene(cluster.spheres);
   const std::vector<Sphere> atom{{{4, 5, 6}, cluster.probe_A + kBodyOverlap_A}};
   const auto body = heldBody(atom, Atoms{0});
   for (const Method& method : methods()) {
     CAPTURE(std::string(method.name));
-    RigidBody felt(body, spheres(method, spheres));
+    RigidBody felt(body, spheres(method, grid));
     const auto tracker = method.make(spheres, body->spheres[0].radius_A);
     int touching = 0, different = 0;
     for (const Vec3& place : scenes::walk(cluster, 1500, 7)) {
@@ -211,8 +211,8 @@ class Doubled final : public WrappedInteraction {
 };
 
 TEST_CASE("what is put round each sphere of a body is felt in its force, torque and energy: all twice as much") {
-  const auto spheres = scene();
-  const auto plain = spheres(referenceMethod(), spheres);
+  const auto grid = scene();
+  const auto plain = spheres(referenceMethod(), grid);
   RigidBody one(heldBody(kSpheres, kHeld), plain);
   RigidBody two(heldBody(kSpheres, kHeld), [&](double radius_A) { return std::make_unique<Doubled>(plain(radius_A)); });
   for (const double x : {9.0, 5.0, 4.8}) {

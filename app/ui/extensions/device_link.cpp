@@ -138,7 +138,7 @@ void DeviceLink::use(const std::string& name, std::unique_ptr<Device> device) {
   // A hand that is held has an edge to its room, and a button to reach beyond it.
   scene_.servo_settings.clutch =
       name == "mouse" ? ClutchSettings() : ClutchSettings{.buttons = kClutchButton, .at_edge = true};
-  scene_.fitToDevice();
+  scene_.fitRoomOfDevice();
 }
 
 void DeviceLink::taken(const std::string& name) {

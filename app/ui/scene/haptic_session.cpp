@@ -196,7 +196,7 @@ void HapticSession::magnify(bool on) {
   servo_.setSettings(effectiveSettings(trying()));
 }
 
-void HapticSession::fitToDevice() {
+void HapticSession::fitRoomOfDevice() {
   if (!stage_) return;
   const PointA toward = by_hand_ ? log_.latest().hip : camera.target;
   layBeforeHand(toward);
@@ -308,7 +308,7 @@ void HapticSession::leadBy(const ServoSettings* recorded) {
   } else if (recorded_) {
     take(*before_recorded_);
     recorded_.reset();
-    fitToDevice();
+    fitRoomOfDevice();
   }
   if (anew) ++servo_settings.discontinuities;
 }

@@ -82,7 +82,7 @@ class HapticSession {
   void magnify(bool on);
   bool magnifiedByHand() const { return by_hand_; }
   /// Another device leads: the molecule, or what is magnified, lies in its room, and the hand begins before it.
-  void fitToDevice();
+  void fitRoomOfDevice();
   /// Once a frame. With a device in the hand its axes are the screen's, and what is in the middle of the view lies
   /// behind the middle of its room; where view or device have changed the hand is placed again, so that nothing is
   /// dragged along.
