@@ -13,7 +13,6 @@
 #include "app/ui/lesson/lesson_guide.h"
 #include "app/ui/widgets/messages.h"
 #include "engine/language/catalogue.h"
-#include "engine/lesson/scene_atoms.h"
 #include "engine/molecule/catalogue.h"
 #include "engine/platform/folders.h"
 
@@ -78,13 +77,10 @@ void Playback::close(bool back) {
   if (!on()) return;
   timeline_.reset();
   running_ = false;
-  const bool held = hidden_before_.has_value();
-  letGoOfHeld();
   scene_.play(std::nullopt);
+  body_.release();
   recorder_.pause(false);
   if (!back) return;
-  if (held && !lesson_.session())
-    scene_.show(withUntouchable(scene_.restingModel(), {}, {}), scene_.molecule(), [](Camera&, const Molecule&) {});
   // The view is where the attempt's last moment had it, which may be anywhere.
   if (lesson_.session())
     lesson_.askForScene();
@@ -132,7 +128,6 @@ void Playback::stageFor() {
   const StageChanged* stage = timeline_->stage(at_s_);
   if (!stage || namedOf(*stage) == shown_stage_) return;
   shown_stage_ = namedOf(*stage);
-  letGoOfHeld();
   if (scene_.stage() && namedOf(scene_.molecule()) == shown_stage_) return;
   ReadOptions reading = stage->reading;
   // A name of the library stays one.
@@ -187,19 +182,10 @@ bool Playback::staged() const {
 void Playback::showHeld() {
   if (!staged()) return;
   const std::vector<std::uint32_t>& held = timeline_->stage(at_s_)->held;
-  const TouchableModel& model = scene_.stage();
-  if ((model.body ? model.body->atoms : std::vector<std::uint32_t>()) == held) return;
-  letGoOfHeld();
-  scene_.show(withUntouchable(scene_.restingModel(), held, held), scene_.molecule(), [](Camera&, const Molecule&) {});
-  shown_view_ = nullptr;
-  if (held.empty()) return;
-  hidden_before_ = scene_.look.hidden;
-  scene_.look.hidden = std::make_shared<const std::vector<std::uint32_t>>(
-      scene_.look.hidden ? atomsOfEither(*scene_.look.hidden, held) : held);
-}
-
-void Playback::letGoOfHeld() {
-  if (hidden_before_) scene_.look.hidden = *std::exchange(hidden_before_, std::nullopt);
+  if (!held.empty())
+    body_.hold(held, held);
+  else if (scene_.stage().body)
+    body_.hold({}, {});
 }
 
 void Playback::showHand() {
