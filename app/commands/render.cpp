@@ -181,7 +181,10 @@ void render(const RenderArguments& arguments) {
     const Response answer = push(scene.molecule, arguments, scene.body, scene.camera, *scene.hip);
     const Vec3 force_N = answer.total(arguments.stiffness_N_per_A).force_N;
     scene.contact = answer.contact;
-    scene.body_pose = answer.body_pose;
+    if (answer.body_pose) {
+      scene.body_place = answer.body_pose->place;
+      scene.body_orientation = answer.body_pose->orientation;
+    }
     scene.force_N = glm::length(force_N);
     if (answer.field) scene.field_direction = force_N;
     if (arguments.look_at_hip) scene.camera.target = scene.contact.scp;

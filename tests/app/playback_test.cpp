@@ -146,10 +146,10 @@ TEST_CASE(
     }
     ++with;
     REQUIRE(scene.body);
-    REQUIRE(scene.body_pose);
+    REQUIRE(scene.body_place);
     CHECK(scene.body->atoms == held);
-    CHECK(glm::distance(scene.body_pose->place.A, hand->held->body.place.A) < 1e-9);
-    CHECK(glm::length(rotationBetween(scene.body_pose->orientation, hand->held->body.orientation)) < 1e-9);
+    CHECK(glm::distance(scene.body_place->A, hand->held->body.place.A) < 1e-9);
+    CHECK(glm::length(rotationBetween(scene.body_orientation, hand->held->body.orientation)) < 1e-9);
     REQUIRE(scene.look.hidden);
     CHECK(*scene.look.hidden == held);
     turned += glm::length(rotationBetween(kNoRotation, hand->held->orientation)) > 0.5;

@@ -166,7 +166,9 @@ ViewScene seenScene(const Application& app) {
     scene.probe_A = now.probe_A;
     if (now.holds_body) {
       scene.body = app.scene.stage().body;
-      scene.body_pose = now.shownBody();
+      const PoseA shown = now.shownBody();
+      scene.body_place = shown.place;
+      scene.body_orientation = shown.orientation;
       scene.body_stopped = bodyPlace(app.scene.stage(), now, app.scene.servo().motionOf(now).get()).stopped;
     }
   }
