@@ -31,8 +31,8 @@ double room(const HandPlanInput& view, const SurfacePlace& place) {
   return least;
 }
 
-constexpr int kBodyDirections = 100;  // from which a body comes to an atom
-constexpr double kFrontal = 0.5;      // cosine of the angle between its way and the normal; it slides off beyond
+constexpr int kBodyDirections = 100, kFewBodyDirections = 12;  // from which a body comes to an atom
+constexpr double kFrontal = 0.5;  // cosine of the angle between its way and the normal; it slides off beyond
 
 // The direction from a scene's atom to the nearest of the body's atoms, with its middle there.
 Vec3 contactNormal(const HandPlanInput& view, std::int32_t atom, const Vec3& middle_A) {
@@ -54,17 +54,21 @@ Vec3 contactNormal(const HandPlanInput& view, std::int32_t atom, const Vec3& mid
 // body: each of its atoms in turn is aimed at the atom's centre.
 std::vector<SurfacePlace> bodyPlaces(const HandPlanInput& view, std::span<const std::uint32_t> atoms,
                                      std::size_t at_most, const std::function<bool(const SurfacePlace&)>& wanted) {
-  constexpr std::size_t kMaxAims = 40'000;  // directions and pairs of atoms that are looked at
+  // Of many atoms every so-and-so-many-th is aimed at, from fewer directions: each aim sweeps the whole body.
+  constexpr std::size_t kMaxAims = 6000;
+  const std::size_t each = std::max<std::size_t>(1, atoms.size());
+  const int directions = int(std::clamp<std::size_t>(kMaxAims / each, kFewBodyDirections, kBodyDirections));
+  const std::size_t stride = std::max<std::size_t>(1, each * std::size_t(directions) / kMaxAims);
   std::vector<char> in(view.spheres.size(), 0);
   for (const std::uint32_t a : atoms) in[a] = view.spheres.touchable(a);
   const double far_A = glm::distance(view.spheres.low_A(), view.spheres.high_A()) + 2.0 * view.body->reach_A + 1.0;
   const glm::dmat3 axes = glm::mat3_cast(view.orientation);
   std::vector<std::pair<double, SurfacePlace>> found;
-  std::size_t aims = 0;
-  for (const std::uint32_t a : atoms) {
+  for (std::size_t n = 0; n < atoms.size(); n += stride) {
+    const std::uint32_t a = atoms[n];
     if (!in[a]) continue;
-    for (int k = 0; k < kBodyDirections; ++k) {
-      const double z = 1.0 - (2.0 * k + 1.0) / kBodyDirections, r = std::sqrt(1.0 - z * z), turn = kGoldenAngle * k;
+    for (int k = 0; k < directions; ++k) {
+      const double z = 1.0 - (2.0 * k + 1.0) / directions, r = std::sqrt(1.0 - z * z), turn = kGoldenAngle * k;
       const Vec3 out(r * std::cos(turn), r * std::sin(turn), z);
       // The body's atom that is foremost on this way meets what it is aimed at before the others do, if any does.
       std::size_t foremost = 0;
@@ -73,7 +77,6 @@ std::vector<SurfacePlace> bodyPlaces(const HandPlanInput& view, std::span<const 
       };
       for (std::size_t i = 1; i < view.body->spheres.size(); ++i)
         if (ahead(i) > ahead(foremost)) foremost = i;
-      if (++aims > kMaxAims) break;
       const Vec3 aim = view.spheres[a].centre_A - axes * view.body->spheres[foremost].centre_A;
       const Vec3 start = aim + out * far_A;
       const Hit hit = sweep(view.spheres, view.hand(), start, aim);

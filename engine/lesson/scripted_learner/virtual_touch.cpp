@@ -77,8 +77,9 @@ TouchSample VirtualTouch::tick(const PoseA& hand) {
   ++ticks_;
   if (s.placed) exact_->reset();
   exact_->setProbe(s.probe_A);
+  // No method is judged with a body.
   TouchSample sample =
-      touchSampleOf(s, method_, is_reference_ ? s.contact : exact_->respond({s.hip, s.orientation}).contact);
+      touchSampleOf(s, method_, is_reference_ || body_ ? s.contact : exact_->respond({s.hip, s.orientation}).contact);
   sample.time_s = time_s();  // of this clock, which goes on from scene to scene
   return sample;
 }
