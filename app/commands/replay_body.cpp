@@ -8,6 +8,7 @@
 #include "app/commands/csv_numbers.h"
 #include "app/commands/number_rows.h"
 #include "engine/language/catalogue.h"
+#include "engine/language/quantity_text.h"
 #include "engine/platform/terminal.h"
 #include "engine/platform/write_file.h"
 
@@ -40,7 +41,8 @@ std::vector<Sphere> readSpheres(const std::filesystem::path& file, std::size_t m
         for (std::size_t k = 0; k < 4; ++k)
           if (!(std::abs(n[k]) <= kFarthest_A) || (k == 3 && !(n[k] > 0.0)))
             return Problem{file.string(), row.line, row.columns[k], tr("no sphere has this number"),
-                           tr("coordinates lie within 1e9 Å of the origin; a radius is greater than 0")};
+                           trf("coordinates lie within {0} of the origin; a radius is greater than 0",
+                               quantityText(kFarthest_A, Dimension::Length, plain()))};
         if (out.size() == most)
           return Problem{file.string(), row.line, 1, trf("more than {0} spheres", most), tr("leave some of them out")};
         out.push_back({{n[0], n[1], n[2]}, n[3]});

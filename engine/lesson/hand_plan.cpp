@@ -50,8 +50,8 @@ Vec3 contactNormal(const HandPlanInput& view, std::int32_t atom, const Vec3& mid
   return nearest;
 }
 
-// Where the body meets one of these atoms first, on straight ways of its middle toward the atom that spare no part of the
-// body: each of its atoms in turn is aimed at the atom's centre.
+// Where the body meets one of these atoms first, on straight ways from many directions: on each of them the body's
+// foremost atom is aimed at the atom's centre.
 std::vector<SurfacePlace> bodyPlaces(const HandPlanInput& view, std::span<const std::uint32_t> atoms,
                                      std::size_t at_most, const std::function<bool(const SurfacePlace&)>& wanted) {
   // Of many atoms every so-and-so-many-th is aimed at, from fewer directions: each aim sweeps the whole body.
