@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <type_traits>
 
+#include "engine/haptics/body/held_body.h"
 #include "engine/language/catalogue.h"
 #include "engine/results/attempt_lines.h"
 #include "engine/results/attempt_ranges.h"
