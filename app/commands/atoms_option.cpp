@@ -16,7 +16,8 @@ std::vector<std::uint32_t> selectedAtoms(const char* option, const std::string& 
 }
 
 CLI::ValidationError tooManyHeld(std::size_t atoms) {
-  return {"--in-hand", "it holds " + std::to_string(atoms) + " atoms; the most are " + std::to_string(kMaxHeldAtoms)};
+  return CLI::ValidationError(
+      "--in-hand", "it holds " + std::to_string(atoms) + " atoms; the most are " + std::to_string(kMaxHeldAtoms));
 }
 
 void LeftOutAtoms::addTo(CLI::App& command) {
