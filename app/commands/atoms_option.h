@@ -14,6 +14,9 @@ namespace moltact {
 /// is no selection, or selects nothing.
 std::vector<std::uint32_t> selectedAtoms(const char* option, const std::string& text, const Molecule& molecule);
 
+/// For --in-hand: more atoms than a hand can hold.
+CLI::ValidationError tooManyHeld(std::size_t atoms);
+
 /// --untouchable and --remove: what a scene takes from the hand, and from hand and eye.
 struct LeftOutAtoms {
   std::string untouchable, remove;

@@ -12,7 +12,8 @@ struct MoleculeArgument {
   NamedMolecule named;
 
   /// Adds MOLECULE and an option for each way of reading it: --model, --waters, --assembly. The argument must outlive the parsing.
-  void addTo(CLI::App& command);
+  /// Returns the option of MOLECULE, which is required.
+  CLI::Option* addTo(CLI::App& command);
   /// Reads it. Throws CommandError with the problem's text.
   Molecule load() const;
 

@@ -33,9 +33,18 @@ struct Response {
   /// exceeds 1 where several spheres push at once or a body is held at several points. The loop's stability depends on
   /// it.
   double springs = 1.0;
-  double rotational_A2 =
-      0.0;  ///< the rotational stiffness about the stiffest axis, divided by the stiffness of one spring
+  /// Rotational stiffness about the stiffest axis, divided by the stiffness of one spring.
+  double rotational_A2 = 0.0;
   std::optional<FeltForce> field = std::nullopt;  ///< force besides the contact; empty: none
+  /// The rest pose of the held body: position of its middle, and orientation. Empty: the body is at the contact's SCP,
+  /// shifted by the mean of the springs, with the hand's orientation.
+  std::optional<PoseA> body_pose = std::nullopt;
+  bool at_rest = true;  ///< false: the search for the rest pose was cut short and continues in the next tick
+
+  /// The pose in which the held body is drawn for this hand.
+  PoseA shownBody(const PoseA& hand) const {
+    return body_pose ? *body_pose : PoseA{contact.touching() ? contact.scp : hand.place, hand.orientation};
+  }
 
   bool springsPull() const {
     return contact.touching() || contact.displacement_A != Vec3(0.0) || torque_A2 != Vec3(0.0);

@@ -105,10 +105,10 @@ struct ViewScene {
   Vec3 field_direction{0.0};
   double strongest_N = 3.0;  ///< the force drawn as the strongest
   double probe_A = kWaterProbe_A;
-  std::shared_ptr<const HeldBody> body;  ///< drawn instead of the probe, its middle at the SCP; null: the probe
-  Quat body_orientation = kNoRotation;
-  std::vector<std::uint32_t>
-      body_stopped;   ///< highlighted atoms of the body, by index in it: those stopped by the scene
+  std::shared_ptr<const HeldBody> body;     ///< drawn instead of the probe; null: the probe
+  std::optional<PointA> body_place;         ///< position of its middle; empty: at the SCP
+  Quat body_orientation = kNoRotation;      ///< relative to the molecule
+  std::vector<std::uint32_t> body_stopped;  ///< highlighted atoms of the body, by index: those stopped by the scene
   bool water = true;  ///< a probe of water's size is drawn as a water molecule; false: as a sphere
   /// The model of a hand, with its origin at the HIP and +y toward the user's hand; may be null.
   std::shared_ptr<const SolidModel> hand;

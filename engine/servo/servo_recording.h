@@ -27,7 +27,9 @@ struct RecordedTick {
   DeviceSpecs device;         ///< of the device in use
   bool other_device = false;  ///< the device differs from that of the last tick
   ForceN force;
-  Vec3 torque_N_mm{0.0};  ///< zero for a device without torque, and in files of earlier versions
+  Vec3 torque_N_mm{0.0};                ///< zero for a device without torque, and in files of earlier versions
+  std::optional<PoseA> body_pose = {};  ///< as in Response; empty in files of earlier versions
+  bool at_rest = true;                  ///< as in Response
   // Results for display while recording; the file contains only fallen_back and spheres_moved.
   bool fallen_back = false;  ///< the fallback was used because the chosen device was disconnected
   bool touching = false;
@@ -40,8 +42,9 @@ struct ServoRecording {
   std::map<std::string, std::string> labels;  ///< description by the recorder: "molecule", "method", "device"
   std::optional<ServoStep> start;             ///< empty: recorded by another build or version; forces may then differ
   std::vector<RecordedTick> ticks;
-  bool torques = true;  ///< false: written by an earlier version, without torques
-  std::string torn;     ///< why the rest of the file could not be read; empty: it is complete
+  bool torques = true;     ///< false: written by an earlier version, without torques
+  bool body_poses = true;  ///< false: written by an earlier version, without poses of bodies
+  std::string torn;        ///< why the rest of the file could not be read; empty: it is complete
 };
 
 /// Limit on the ticks of a recording (66 minutes and 40 s; a tick takes 416 bytes of memory).
@@ -85,13 +88,14 @@ TouchSetup touchOf(const ServoRecording& recording);
 struct ReplayResult {
   std::uint64_t ticks = 0;
   std::uint64_t moving = 0;  ///< ticks whose spheres moved in the recording; here they are at rest
-  /// The first tick whose force or torque differs from the recorded one in any bit.
+  /// The first tick whose force, torque or pose of the body differs from the recorded one in any bit.
   std::optional<std::uint64_t> first_difference;
   double max_difference_N = 0, max_difference_N_mm = 0;
+  double max_difference_A = 0;  ///< of the position of the body's middle
 };
 
-/// Replays the recorded ticks with an interaction created as for the recording (null: none), and compares forces and
-/// torques.
+/// Replays the recorded ticks with an interaction created as for the recording (null: none), and compares forces,
+/// torques and rest poses of a body.
 ReplayResult replay(const ServoRecording& recording, Interaction* interaction);
 
 /// The labels that describe a recording's scene. "balls" is a fingerprint that reveals a changed molecule;

@@ -69,6 +69,8 @@ struct ServoSample {
   double spring_N_per_A = 0.0;                    ///< stiffness used for each spring
   double field_share = 1.0;                       ///< fraction used of the field
   std::optional<FeltForce> field = std::nullopt;  ///< as returned by the interaction
+  std::optional<PoseA> body_pose = std::nullopt;  ///< as in Response
+  bool at_rest = true;                            ///< as in Response
   ForceN force;                                   ///< as given to the device, after all limits
   Vec3 torque_N_mm{0.0};                          ///< the same; zero for a device without torque
   LimitFlags limits;                              ///< those that changed the force of this tick
@@ -80,6 +82,7 @@ struct ServoSample {
   /// The stiffness bound for the device and the recently measured delay.
   double stiffness_bound_N_per_mm = 0;
   bool has_interaction = false;
+  bool holds_body = false;            ///< Interaction::hasOrientation
   std::uint64_t motion = 0;           ///< SphereMotion::serial() of the present motion; 0: the spheres are at rest
   double fraction = 0.0;              ///< of that motion
   std::uint32_t scene = 0;            ///< number with which the interaction was handed over (0 from tick() itself)
@@ -87,6 +90,8 @@ struct ServoSample {
   /// True if the contact was discarded before this tick: hand or scene were placed elsewhere, or the hand was lost.
   bool placed = false;
 
+  /// The pose in which the held body is drawn.
+  PoseA shownBody() const { return Response{.contact = contact, .body_pose = body_pose}.shownBody({hip, orientation}); }
   /// The force of contact and field before all limits except those on the stiffness, in the molecule's space.
   FeltForce wanted() const {
     return Response{.contact = contact, .torque_A2 = torque_A2, .springs = springs, .field = field}.total(

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "app/ui/application/extension.h"
+#include "app/ui/scene/played_body.h"
 #include "engine/render/camera.h"
 #include "engine/results/timeline.h"
 
@@ -36,7 +37,8 @@ class Playback : public Extension {
         options_(options),
         time_(time),
         moving_states_(moving_states),
-        recorder_(recorder) {}
+        recorder_(recorder),
+        body_(scene) {}
 
   /// Begins to play a file; one that cannot be read gives a message and changes nothing.
   void open(const std::filesystem::path& file);
@@ -84,6 +86,8 @@ class Playback : public Extension {
   void stageFor();
   std::filesystem::path fileOf(const std::string& name);
   void showStates();
+  bool staged() const;
+  void showHeld();
   void showHand();
   void showView();
 
@@ -95,6 +99,7 @@ class Playback : public Extension {
   std::pair<std::string, std::filesystem::path> second_;  // the second structure's file, as named and as found
   std::string missing_;                                   // the name of a molecule's file that was reported as missing
   const ViewChanged* shown_view_ = nullptr;
+  PlayedBody body_;
   double at_s_ = 0.0;
   bool running_ = false;
 };

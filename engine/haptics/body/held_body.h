@@ -21,16 +21,19 @@ inline constexpr std::size_t kMaxHeldAtoms = 200;
 
 /// Atoms that move as one rigid body with the hand's pose.
 struct HeldBody {
-  std::vector<std::uint32_t> atoms;  ///< their indices in the molecule, ascending
-  std::vector<Sphere>
-      spheres;           ///< one per atom, relative to the middle, in the molecule's axes; radii reduced by the overlap
-  PointA middle;         ///< mean of their centres, in the molecule
-  double reach_A = 0.0;  ///< radius of the sphere about the middle that contains the body
+  std::vector<std::uint32_t> atoms;  ///< their indices in the molecule, ascending; empty for bodyOfSpheres()
+  std::vector<Sphere> spheres;  ///< one per atom, relative to the middle, in the molecule's axes; radii as felt
+  PointA middle;                ///< mean of their centres, in the molecule
+  double reach_A = 0.0;         ///< radius of the sphere about the middle that contains the body
 };
 
 /// Builds the body from the given indices of a scene's spheres (ascending). Returns null if no index is valid or there
 /// are more than kMaxHeldAtoms.
 std::shared_ptr<const HeldBody> heldBody(std::span<const Sphere> scene, std::span<const std::uint32_t> atoms);
+
+/// Builds a body from spheres that are not atoms of a molecule, given relative to its middle; their radii are felt
+/// unchanged. Returns null if there are none or more than kMaxHeldAtoms.
+std::shared_ptr<const HeldBody> bodyOfSpheres(std::vector<Sphere> spheres);
 
 /// The shape that a sweep moves: the probe, or a body in its present orientation.
 struct HandShape {
