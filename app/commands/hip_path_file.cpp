@@ -57,7 +57,7 @@ Expected<std::vector<PointA>> readHipPath(const std::filesystem::path& file) {
     const auto column = [&](const char* where) { return static_cast<std::size_t>(where - raw.data()) + 1; };
     for (int k = 0; k < 3; ++k) {
       while (next != stop && isBlank(*next)) ++next;
-      // std::from_chars knows no plus sign.
+      // std::from_chars rejects a plus sign.
       if (stop - next > 1 && *next == '+' && next[1] != '-') ++next;
       const auto [after, fault] = std::from_chars(next, stop, place.A[k]);
       if (fault == std::errc::result_out_of_range)

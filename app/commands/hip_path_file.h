@@ -1,4 +1,4 @@
-// A HIP path as a file: the header `x,y,z`, then a row a tick. Units: angstrom.
+// Reads a HIP path from a file: the header `x,y,z`, then one row per tick. Unit: angstrom.
 #pragma once
 
 #include <filesystem>
@@ -9,9 +9,9 @@
 
 namespace moltact {
 
-/// The places in the file, in order; blanks around the fields, a plus sign and a UTF-8 byte order mark are accepted. A
-/// Problem where it is no ordinary file, larger than 1 GiB or broken. "nan" and "inf" are read as such: a tracker must
-/// accept them.
+/// Returns the positions in the order of the file. Blanks around a field, a plus sign and a UTF-8 byte order mark are
+/// accepted. "nan" and "inf" are read as such, because trackers must accept them. Returns a Problem if the file is not
+/// a regular file, exceeds 1 GiB or is malformed.
 Expected<std::vector<PointA>> readHipPath(const std::filesystem::path& file);
 
 }  // namespace moltact

@@ -1,4 +1,4 @@
-// `moltact replay`: leads the HIP along a recorded path and writes what a hand would have felt, tick by tick.
+// `moltact replay`: moves the HIP along a recorded path and writes for each tick what a hand would feel.
 #include <algorithm>
 #include <charconv>
 #include <chrono>
@@ -77,7 +77,7 @@ void writeContacts(const ReplayOptions& options, const std::vector<PointA>& path
 
 nlohmann::ordered_json summary(std::vector<double> ns) {
   nlohmann::ordered_json out;
-  if (ns.empty()) return out;  // null: there were none
+  if (ns.empty()) return out;  // null: nothing was measured
   std::sort(ns.begin(), ns.end());
   double sum = 0;
   for (const double one : ns) sum += one;
@@ -89,8 +89,8 @@ nlohmann::ordered_json summary(std::vector<double> ns) {
   return out;
 }
 
-// Each tick's least time of three passes, so that what else the machine did meanwhile does not count; the clock's own
-// cost is taken off.
+// Each tick's time is the shortest of three passes, which excludes interruptions by other processes. The cost of
+// reading the clock is subtracted.
 nlohmann::ordered_json timePath(const InteractionInput& input, const std::vector<PointA>& path,
                                 const std::vector<Contact>& contacts) {
   using Clock = std::chrono::steady_clock;
