@@ -14,14 +14,14 @@ glm::dvec2 Fingers::middle() const { return 0.5 * (fingers_[0].place + fingers_[
 
 double Fingers::spread() const { return glm::distance(fingers_[0].place, fingers_[1].place); }
 
-// Ends what goes on, with the pointer nowhere: a screen without a finger on it points at nothing.
+// Ends the gesture and removes the pointer: without a finger, nothing is hovered.
 void Fingers::letGo() {
   if (way_ == Way::Pushing || way_ == Way::Dragging) to_.button(kLeft, false);
   if (way_ == Way::Turning) to_.button(kRight, false);
   if (way_ != Way::Ended && way_ != Way::None) to_.pointerLeft();
 }
 
-// The wheel pushes where a push is under way.
+// During a push, the wheel changes the push.
 void Fingers::pushNotch(double now_s) {
   if (way_ != Way::Pushing) return;
   to_.wheel(0.0, pad_->notches);
@@ -106,7 +106,7 @@ void Fingers::up(int id) {
   way_ = fingers_.empty() ? Way::None : Way::Ended;
 }
 
-// The pointer stands there already, without a button: the panel shows its tool tip by itself.
+// The pointer is already there without a button, so the panel shows its tool tip.
 void Fingers::advance(double now_s) {
   if (pad_ && now_s - pad_->last_s >= kRepeat_s) pushNotch(now_s);
   if (way_ == Way::Waiting && now_s - begun_s_ > kLong_s) way_ = Way::Telling;
