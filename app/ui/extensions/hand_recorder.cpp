@@ -139,7 +139,7 @@ void HandRecorder::begin() {
   lead();
 }
 
-// With what it was recorded with at this tick.
+// Applies the settings that were recorded at this tick.
 void HandRecorder::lead() {
   const ServoSettings& now = device_->recording().ticks[device_->at()].settings;
   scene_.leadBy(&now);
@@ -149,7 +149,7 @@ void HandRecorder::endPlay() {
   waiting_.reset();
   if (!playing_) return;
   playing_ = false;
-  // Another device may have been chosen meanwhile, and this one is gone.
+  // If another device has been chosen meanwhile, this one no longer exists.
   const bool leads = scene_.servo().chosen() == device_;
   device_ = nullptr;
   scene_.leadBy(nullptr);

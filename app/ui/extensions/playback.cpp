@@ -20,7 +20,7 @@ namespace moltact {
 namespace fs = std::filesystem;
 namespace {
 
-// An attempt names a molecule by its file without folders.
+// An attempt names a molecule's file without folders.
 NamedMolecule namedOf(const StageChanged& stage) { return {stage.file, stage.reading}; }
 NamedMolecule namedOf(const MoleculeKey& key) {
   NamedMolecule out{key.file.filename().string(), key.reading};
@@ -80,7 +80,7 @@ void Playback::close(bool back) {
   scene_.play(std::nullopt);
   recorder_.pause(false);
   if (!back) return;
-  // The view is where the attempt's last moment had it, which may be anywhere.
+  // The playback has moved the view.
   if (lesson_.session())
     lesson_.askForScene();
   else if (!before_.empty() && before_ != scene_.molecule())
@@ -103,7 +103,7 @@ void Playback::seek(double t_s) {
 
 void Playback::seekMark(int direction) {
   if (!on()) return;
-  constexpr double kSame_s = 0.5;  // a second press goes farther back than the mark just passed
+  constexpr double kSame_s = 0.5;  // a second press soon after a mark goes to the mark before it
   const auto& marks = timeline_->marks();
   if (direction > 0) {
     for (const TimelineMark& m : marks)
@@ -129,19 +129,19 @@ void Playback::stageFor() {
   shown_stage_ = namedOf(*stage);
   if (scene_.stage() && namedOf(scene_.molecule()) == shown_stage_) return;
   ReadOptions reading = stage->reading;
-  // A name of the library stays one.
+  // A library name is kept as it is.
   if (reading.beside.find('.') != std::string::npos)
     if (const fs::path beside = fileOf(reading.beside); !beside.empty()) reading.beside = beside.string();
   if (const fs::path file = fileOf(stage->file); !file.empty()) opener_.showMolecule({file, reading});
 }
 
-// The file that an attempt names without its folders: beside it, of the library or fetched, or beside its lesson; told
-// where it is not there.
+// Finds a file that the attempt names without folders: beside the attempt, in the library, among fetched ones, or
+// beside its lesson. Reports a missing one.
 fs::path Playback::fileOf(const std::string& name) {
   std::error_code error;
   for (const fs::path& folder : {file_.parent_path(), lessonsFolder()})
     if (fs::is_regular_file(folder / name, error)) return folder / name;
-  // The library and what has been fetched are asked by the molecule's name: its file without its endings.
+  // The library and fetched molecules are searched by the molecule's name, the file name without extensions.
   const Expected<MoleculeKey> found =
       findMoleculeKey(name.substr(0, name.find('.')), MoleculeFolders::ofThisComputer());
   if (found) return found->file;
@@ -156,7 +156,7 @@ fs::path Playback::fileOf(const std::string& name) {
   return {};
 }
 
-// The atoms where they were between two structures.
+// Moves the atoms to their recorded place between two structures.
 void Playback::showStates() {
   const StageChanged* stage = timeline_->stage(at_s_);
   const StatesMoved* states = timeline_->states(at_s_);
