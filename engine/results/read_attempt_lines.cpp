@@ -1,4 +1,4 @@
-// Reads the lines of an attempt.
+// Parses the lines of an attempt.
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -108,7 +108,7 @@ std::vector<std::int32_t> atoms(const Json& from) {
   return out;
 }
 
-// What a property or an option of that type has at its key.
+// Reads the value of a property or option from its key.
 template <class T>
 void take(T& to, const Json& from, std::string_view name) {
   const std::string key(name);
@@ -134,7 +134,7 @@ ReadOptions reading(const Json& from) {
     if (!from.contains(option.name)) continue;
     ReadOptions told;
     std::visit([&](const auto member) { take(told.*member, from, option.name); }, option.member);
-    readText(out, option, textOf(told, option));  // what there is not stays at its default
+    readText(out, option, textOf(told, option));  // missing keys keep their defaults
   }
   return out;
 }
@@ -236,7 +236,7 @@ Json parsed(std::string_view line) {
 }  // namespace
 
 std::string_view leadingKind(std::string_view line) {
-  // One piece of JSON after the other, with the blanks that JSON allows between them.
+  // Consumes one token after the other, with the blanks that JSON allows between them.
   const auto take = [&](std::string_view piece) {
     line.remove_prefix(std::min(line.find_first_not_of(" \t\r\n"), line.size()));
     if (!line.starts_with(piece)) return false;
@@ -258,7 +258,7 @@ bool mayBeginAttempt(std::string_view line) {
 
 namespace {
 
-// Ends the reading at the value of "began" in the outermost object.
+// Stops parsing at the value of "began" in the outermost object.
 class BeganReader : public nlohmann::json_sax<Json> {
  public:
   std::string began;

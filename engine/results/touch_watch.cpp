@@ -72,7 +72,7 @@ void TouchWatch::keepHip(const TouchSample& s, double t_s) {
       resting_ = now;
       return;
     }
-    // Where the rest ended, so that the path from there is not drawn out over the whole rest.
+    // The end of the rest, so that interpolation does not stretch the motion over the rest.
     if (std::exchange(rested_, false) && resting_.t_s > before_.t_s) hips_.push_back(resting_);
   }
   hips_.push_back(now);

@@ -1,4 +1,4 @@
-// Writes the lines of an attempt.
+// Formats the lines of an attempt.
 #include <cmath>
 #include <cstdint>
 
@@ -49,7 +49,7 @@ Json written(const LessonOutline& lesson) {
   return out;
 }
 
-constexpr double kStraight_A = 0.002;  // a spring within rounding of SCP - HIP is not written down
+constexpr double kStraight_A = 0.002;  // a spring that equals SCP - HIP within rounding is not written
 
 // Each kind of fact writes its keys after "kind" and "t".
 struct FactWriter {
