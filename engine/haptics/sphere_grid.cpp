@@ -16,14 +16,16 @@ SphereGrid::SphereGrid(SharedArray<Sphere> spheres, Duplicates duplicates)
 SphereGrid::SphereGrid(SharedArray<Sphere> spheres, std::span<const std::uint32_t> untouchable, Duplicates duplicates)
     : spheres_(std::move(spheres)) {
   std::size_t felt = spheres_.size();
+  std::vector<std::uint8_t> marked;
   for (const std::uint32_t i : untouchable) {
     if (i >= spheres_.size()) continue;
-    if (untouchable_.empty()) untouchable_.resize(spheres_.size());
-    felt -= untouchable_[i] ? 0 : 1;
-    untouchable_[i] = 1;
+    if (marked.empty()) marked.resize(spheres_.size());
+    felt -= marked[i] ? 0 : 1;
+    marked[i] = 1;
   }
+  untouchable_ = std::move(marked);
   if (felt == 0) {
-    cells_.resize(16);
+    cells_ = std::vector<Cell>(16);
     mask_ = 15;
     shift_ = 62;
     return;
@@ -63,11 +65,12 @@ SphereGrid::SphereGrid(SharedArray<Sphere> spheres, std::span<const std::uint32_
 
   // Counting sort by hashed cell: count, sum up, place.
   std::vector<std::uint32_t> slot_of(spheres_.size());
-  cells_.assign(std::bit_ceil(std::max<std::size_t>(16, small_count / 4)), Cell{});
+  std::vector<Cell> cells;
+  cells.assign(std::bit_ceil(std::max<std::size_t>(16, small_count / 4)), Cell{});
   std::size_t used = 0;
   const auto resetTable = [&] {
-    mask_ = cells_.size() - 1;
-    shift_ = 66 - std::countr_zero(cells_.size());
+    mask_ = cells.size() - 1;
+    shift_ = 66 - std::countr_zero(cells.size());
     used = 0;
   };
   const auto keyOf = [&](const Sphere& b) {
@@ -76,25 +79,25 @@ SphereGrid::SphereGrid(SharedArray<Sphere> spheres, std::span<const std::uint32_
   resetTable();
   for (std::size_t i = 0; i < spheres_.size(); ++i) {
     if (!touchable(i) || spheres_[i].radius_A > large_from) continue;
-    if (2 * (used + 1) > cells_.size()) {  // too full: a table of four times the size, counted again
-      cells_.assign(cells_.size() * 4, Cell{});
+    if (2 * (used + 1) > cells.size()) {  // too full: a table of four times the size, counted again
+      cells.assign(cells.size() * 4, Cell{});
       resetTable();
       i = std::size_t(-1);
       continue;
     }
     const std::uint64_t k = keyOf(spheres_[i]);
     std::size_t s = slot(k);
-    while (cells_[s].key != k && cells_[s].key != kEmpty) s = (s + 1) & mask_;
-    if (cells_[s].key == kEmpty) {
-      cells_[s].key = k;
+    while (cells[s].key != k && cells[s].key != kEmpty) s = (s + 1) & mask_;
+    if (cells[s].key == kEmpty) {
+      cells[s].key = k;
       ++used;
     }
-    ++cells_[s].end;
+    ++cells[s].end;
     slot_of[i] = static_cast<std::uint32_t>(s);
   }
   std::vector<Cell*> in_order;
   in_order.reserve(used);
-  for (Cell& c : cells_)
+  for (Cell& c : cells)
     if (c.key != kEmpty) in_order.push_back(&c);
   std::sort(in_order.begin(), in_order.end(), [](const Cell* a, const Cell* b) { return a->key < b->key; });
   std::uint32_t sum = 0;
@@ -111,7 +114,7 @@ SphereGrid::SphereGrid(SharedArray<Sphere> spheres, std::span<const std::uint32_
     if (spheres_[i].radius_A > large_from)
       large.push_back(entry);
     else
-      sorted_[cells_[slot_of[i]].end++] = entry;
+      sorted_[cells[slot_of[i]].end++] = entry;
   }
 
   // Of equal spheres (alternate locations written twice, say) only the first is kept in a cell.
@@ -144,16 +147,43 @@ SphereGrid::SphereGrid(SharedArray<Sphere> spheres, std::span<const std::uint32_
   large_from_ = static_cast<std::uint32_t>(sorted_.size());
   sorted_.insert(sorted_.end(), large.begin(), large.end());
 
-  for (const Cell* cell : in_order) makeTree(cell->begin, cell->end);
-  makeTree(large_from_, static_cast<std::uint32_t>(sorted_.size()));
+  std::vector<TreeNode> nodes;
+  std::vector<CellTree> trees;
+  for (const Cell* cell : in_order) makeTree(cell->begin, cell->end, nodes, trees);
+  makeTree(large_from_, static_cast<std::uint32_t>(sorted_.size()), nodes, trees);
+  cells_ = std::move(cells);
+  tree_nodes_ = std::move(nodes);
+  cell_trees_ = std::move(trees);
+}
+
+SphereGrid SphereGrid::within(const SphereGrid& bounds, SharedArray<Sphere> spheres) {
+  assert(bounds.size() == spheres.size());
+  SphereGrid out(bounds);
+  out.spheres_ = std::move(spheres);
+  out.largest_radius_ = out.slack_ = 0.0;
+  bool first = true;
+  for (Sorted& s : out.sorted_) {
+    const Sphere& now = out.spheres_[s.index];
+    out.slack_ = std::max(out.slack_, s.sphere.radius_A - now.radius_A);
+    out.low_ = first ? now.centre_A : glm::min(out.low_, now.centre_A);
+    out.high_ = first ? now.centre_A : glm::max(out.high_, now.centre_A);
+    out.largest_radius_ = std::max(out.largest_radius_, now.radius_A);
+    first = false;
+    s.sphere = now;
+  }
+  out.low_ -= Vec3(out.largest_radius_);
+  out.high_ += Vec3(out.largest_radius_);
+  out.slack_ += bounds.slack_;
+  return out;
 }
 
 // A tree over a crowded part of the list: halves at the middle of the longest side, the radius being one of four, down
 // to kLeaf spheres. Of radii the larger half comes first: those are met first.
-void SphereGrid::makeTree(std::uint32_t begin, std::uint32_t end) {
+void SphereGrid::makeTree(std::uint32_t begin, std::uint32_t end, std::vector<TreeNode>& nodes,
+                          std::vector<CellTree>& trees) {
   constexpr std::uint32_t kLeaf = 8;
   if (end - begin <= kTreeThreshold) return;
-  cell_trees_.push_back({begin, static_cast<std::uint32_t>(tree_nodes_.size())});
+  trees.push_back({begin, static_cast<std::uint32_t>(nodes.size())});
   const auto grow = [&](const auto& self, std::uint32_t from, std::uint32_t to) -> void {
     Vec3 low = sorted_[from].sphere.centre_A, high = low;
     double small = sorted_[from].sphere.radius_A, large = small;
@@ -163,7 +193,7 @@ void SphereGrid::makeTree(std::uint32_t begin, std::uint32_t end) {
       small = std::min(small, sorted_[k].sphere.radius_A);
       large = std::max(large, sorted_[k].sphere.radius_A);
     }
-    const std::size_t node = tree_nodes_.size();
+    const std::size_t node = nodes.size();
     TreeNode bound{.centre = 0.5 * (low + high), .begin = from, .end = to, .leaf = to - from <= kLeaf};
     for (std::uint32_t k = from; k < to; ++k) {
       bound.radius = std::max(bound.radius, glm::distance(bound.centre, sorted_[k].sphere.centre_A));
@@ -171,7 +201,7 @@ void SphereGrid::makeTree(std::uint32_t begin, std::uint32_t end) {
     }
     bound.radius +=
         1e-9 + 1e-12 * (glm::length(bound.centre) + bound.radius);  // what is just within reach is not lost to rounding
-    tree_nodes_.push_back(bound);
+    nodes.push_back(bound);
     if (!bound.leaf) {
       const Vec3 side = high - low;
       const int axis = side.x >= side.y ? (side.x >= side.z ? 0 : 2) : (side.y >= side.z ? 1 : 2);
@@ -185,7 +215,7 @@ void SphereGrid::makeTree(std::uint32_t begin, std::uint32_t end) {
       self(self, middle, to);
       self(self, from, middle);
     }
-    tree_nodes_[node].next = static_cast<std::uint32_t>(tree_nodes_.size());
+    nodes[node].next = static_cast<std::uint32_t>(nodes.size());
   };
   grow(grow, begin, end);
 }
@@ -198,8 +228,8 @@ std::vector<std::uint32_t> SphereGrid::untouchable() const {
 }
 
 std::size_t SphereGrid::bytes() const {
-  return untouchable_.capacity() + sorted_.capacity() * sizeof(Sorted) + tree_nodes_.capacity() * sizeof(TreeNode) +
-         cell_trees_.capacity() * sizeof(CellTree) + cells_.capacity() * sizeof(Cell);
+  return untouchable_.size() + sorted_.capacity() * sizeof(Sorted) + tree_nodes_.size() * sizeof(TreeNode) +
+         cell_trees_.size() * sizeof(CellTree) + cells_.size() * sizeof(Cell);
 }
 
 }  // namespace moltact

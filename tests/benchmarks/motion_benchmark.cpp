@@ -53,6 +53,15 @@ void placesNow(benchmark::State& state) {
 }
 BENCHMARK(placesNow)->Arg(14'000)->Arg(100'000)->Unit(benchmark::kMillisecond);
 
+void gridOfMotion(benchmark::State& state) {
+  const auto molecule = moleculeOf(std::size_t(state.range(0)));
+  const auto motion = SphereMotion::make(molecule->spheres, shifted(molecule->spheres), kFrame_ticks, {});
+  const SharedArray<Sphere> places = (*motion)->at(0.5);
+  for (auto _ : state) benchmark::DoNotOptimize(SphereGrid::within((*motion)->sweptSpheres(), places));
+}
+BENCHMARK(gridOfMotion)->Arg(14'000)->Arg(100'000)->Unit(benchmark::kMillisecond);
+
+// For comparison: what gridOfMotion replaces.
 void sphereGrid(benchmark::State& state) {
   const auto molecule = moleculeOf(std::size_t(state.range(0)));
   for (auto _ : state) benchmark::DoNotOptimize(SphereGrid(molecule->spheres));
@@ -74,6 +83,23 @@ void modelMoved(benchmark::State& state) {
 }
 BENCHMARK(modelMoved)->Arg(14'000)->Arg(100'000)->Unit(benchmark::kMillisecond);
 
+// All that one frame of a trajectory costs the window's thread beside drawing.
+void wholeFrame(benchmark::State& state) {
+  const auto molecule = moleculeOf(std::size_t(state.range(0)));
+  const std::vector<Sphere> ends[] = {shifted(molecule->spheres), molecule->spheres.copy()};
+  std::unique_ptr<const SphereMotion> motion = *SphereMotion::make(molecule->spheres, ends[0], kFrame_ticks, {});
+  MoleculeModel picture(molecule, 1'000'000);
+  int frame = 0;
+  for (auto _ : state) {
+    motion = *SphereMotion::after(*motion, ends[++frame % 2], kFrame_ticks);
+    const SharedArray<Sphere> places = motion->at(0.5);
+    benchmark::DoNotOptimize(SphereGrid::within(motion->sweptSpheres(), places));
+    benchmark::DoNotOptimize(picture.moveTo(std::make_shared<const Molecule>(molecule->movedTo(places))));
+  }
+}
+BENCHMARK(wholeFrame)->Arg(14'000)->Arg(100'000)->Unit(benchmark::kMillisecond);
+
+// Computed beside the window's thread.
 void light(benchmark::State& state) {
   MoleculeModel made(moleculeOf(std::size_t(state.range(0))), 1'000'000);
   for (auto _ : state) benchmark::DoNotOptimize(lightAmong(made.spheres, {}));

@@ -66,7 +66,7 @@ TEST_CASE("a body of one atom is a probe of its radius in each method, over 1500
   for (const Method& method : methods()) {
     CAPTURE(std::string(method.name));
     RigidBody felt(body, spheres(method, grid));
-    const auto tracker = method.make(spheres, body->spheres[0].radius_A);
+    const auto tracker = method.make(grid, body->spheres[0].radius_A);
     int touching = 0, different = 0;
     for (const Vec3& place : scenes::walk(cluster, 1500, 7)) {
       const Response r = felt.respond({{place}, glm::angleAxis(place.x, glm::normalize(Vec3(1, 2, 3)))});

@@ -83,3 +83,44 @@ TEST_CASE("an empty scene visits nothing") {
   scene.visitNear({0, 0, 0}, 100.0, [](std::uint32_t, const Sphere&) { FAIL("visited a ball of an empty scene"); });
   CHECK(scene.size() == 0);
 }
+
+TEST_CASE(
+    "2000 spheres inside others are found through the others' grid as a loop finds them, by surface and by centre") {
+  const unsigned seed = 11;
+  CAPTURE(seed);
+  std::mt19937_64 random(seed);
+  std::uniform_real_distribution<double> coordinate(-30, 30), radius(0.5, 2.0), part(-0.57, 0.57);
+  std::vector<Sphere> bounds, inside;
+  for (int i = 0; i < 2000; ++i) {
+    const double free = i % 3 ? 1.5 : 0.0;  // how far each can move within its bound
+    bounds.push_back({{coordinate(random), coordinate(random), coordinate(random)}, radius(random) + free});
+    if (i > 1900) bounds.back().centre_A = {0.001 * i, 5, 5};  // a crowded cell, which has a tree
+    inside.push_back({bounds.back().centre_A + free * Vec3(part(random), part(random), part(random)),
+                      bounds.back().radius_A - free});
+  }
+  const std::vector<std::uint32_t> untouchable{3, 1950};
+  const SphereGrid outer(bounds, untouchable, SphereGrid::Duplicates::VisitEach);
+  const SphereGrid scene = SphereGrid::within(outer, inside), own(inside, untouchable);
+  CHECK(scene.low_A() == own.low_A());
+  CHECK(scene.high_A() == own.high_A());
+  CHECK(scene.untouchable() == untouchable);
+  for (int k = 0; k < 200; ++k) {
+    const Vec3 p = k % 4 ? 1.3 * Vec3(coordinate(random), coordinate(random), coordinate(random)) : Vec3(1.9, 5, 5.5);
+    const double reach = k % 5;
+    std::set<std::uint32_t> near, centres, near_seen, centres_seen;
+    for (std::uint32_t i = 0; i < inside.size(); ++i) {
+      if (!scene.touchable(i)) continue;
+      const double distance = glm::distance(inside[i].centre_A, p);
+      if (distance <= inside[i].radius_A + reach) near.insert(i);
+      if (distance <= reach) centres.insert(i);
+    }
+    scene.visitNear(p, reach, [&](std::uint32_t i, const Sphere& s) {
+      CHECK(s.centre_A == inside[i].centre_A);
+      CHECK(near_seen.insert(i).second);
+    });
+    scene.visitCentresNear(p, reach, [&](std::uint32_t i, const Sphere&) { centres_seen.insert(i); });
+    CHECK(std::includes(near_seen.begin(), near_seen.end(), near.begin(), near.end()));
+    CHECK(std::includes(centres_seen.begin(), centres_seen.end(), centres.begin(), centres.end()));
+    CHECK_FALSE(near_seen.contains(3));
+  }
+}

@@ -333,7 +333,7 @@ bool HapticSession::moveAtoms(const std::vector<Sphere>& to, int ticks) {
   return true;
 }
 
-void HapticSession::placeAtoms(std::vector<Sphere> at) {
+void HapticSession::placeAtoms(SharedArray<Sphere> at) {
   if (!stage_) return;
   seen_ = std::make_shared<const Molecule>(stage_.molecule->movedTo(at));
   stage_ = movedModel(resting_model_, std::move(at));
@@ -359,9 +359,9 @@ void HapticSession::followMotion(double dt_s) {
   seen_motion_ = now.motion;
   seen_fraction_ = now.fraction;
   since_seen_s_ = 0.0;
-  std::vector<Sphere> spheres = motion->at(now.fraction);
-  seen_ = std::make_shared<const Molecule>(stage_.molecule->movedTo(spheres));
-  stage_ = movedModel(stage_, std::move(spheres));
+  const SharedArray<Sphere> places = motion->at(now.fraction);
+  seen_ = std::make_shared<const Molecule>(stage_.molecule->movedTo(places));
+  stage_ = movedModel(stage_, *motion, places);
 }
 
 FeltTicks HapticSession::advance(double dt_s, double now_s, bool timed) {

@@ -103,7 +103,7 @@ class HapticSession {
   /// stage, while a hand is played or a force is tried.
   bool moveAtoms(const std::vector<Sphere>& to, int ticks);
   /// The atoms are there at once, and what is felt begins anew.
-  void placeAtoms(std::vector<Sphere> at);
+  void placeAtoms(SharedArray<Sphere> at);
 
   /// While nobody looks at the scene the hand feels nothing.
   void rest(bool on) { resting_ = on; }

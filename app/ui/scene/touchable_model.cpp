@@ -52,9 +52,15 @@ HandShape handShape(const TouchableModel& stage, double probe_A, const Quat& ori
   return stage.body ? HandShape(*stage.body, orientation) : HandShape(probe_A);
 }
 
-TouchableModel movedModel(const TouchableModel& stage, std::vector<Sphere> places) {
-  TouchableModel out = stage;
-  out.spheres = std::make_shared<const SphereGrid>(std::move(places), stage.spheres->untouchable());
+TouchableModel movedModel(const TouchableModel& model, SharedArray<Sphere> places) {
+  TouchableModel out = model;
+  out.spheres = std::make_shared<const SphereGrid>(std::move(places), model.spheres->untouchable());
+  return out;
+}
+
+TouchableModel movedModel(const TouchableModel& model, const SphereMotion& motion, SharedArray<Sphere> places) {
+  TouchableModel out = model;
+  out.spheres = std::make_shared<const SphereGrid>(SphereGrid::within(motion.sweptSpheres(), std::move(places)));
   return out;
 }
 

@@ -10,6 +10,7 @@
 #include "engine/core/units.h"
 #include "engine/haptics/interactions.h"
 #include "engine/haptics/sphere_grid.h"
+#include "engine/haptics/sphere_motion.h"
 #include "engine/molecule/molecule.h"
 
 namespace moltact {
@@ -32,8 +33,10 @@ Expected<TouchableModel> makeTouchableModel(Molecule molecule, const std::filesy
 TouchableModel withUntouchable(const TouchableModel& stage, const std::vector<std::uint32_t>& atoms,
                                const std::vector<std::uint32_t>& held);
 
-/// The same stage with its spheres at these places (as many), where they are felt and seen alike.
-TouchableModel movedModel(const TouchableModel& stage, std::vector<Sphere> places);
+/// The model with its spheres at these places (one for each), for the picture and for the hand.
+TouchableModel movedModel(const TouchableModel& model, SharedArray<Sphere> places);
+/// The same for places on the way of a motion, found through the motion's own index instead of a new one.
+TouchableModel movedModel(const TouchableModel& model, const SphereMotion& motion, SharedArray<Sphere> places);
 
 /// Leads an interaction to the contact where the hand is, if there is one, so that it does not begin inside.
 void leadToContact(Interaction& made, const Contact& contact, const PoseA& hand);
