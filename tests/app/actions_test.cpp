@@ -1,4 +1,4 @@
-// The table of actions and what hangs on it: menus, tool bar, shortcuts and their sheet; undo; preferences.
+// The table of actions and its users: menus, tool bar, shortcuts and their list; undo; preferences.
 #include "app/ui/panels/actions.h"
 
 #include <cmath>

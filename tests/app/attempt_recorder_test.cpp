@@ -1,4 +1,4 @@
-// What a student does in the window stands in the attempt's file. Oracle: the acts of the script.
+// The attempt's file contains what a student does in the window. Oracle: the commands of the script.
 #include <algorithm>
 #include <filesystem>
 

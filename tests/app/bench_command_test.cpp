@@ -1,4 +1,4 @@
-// `moltact bench hands` and `moltact device path` as a person calls them.
+// `moltact bench hands` and `moltact device path` as users call them.
 #include <doctest/doctest.h>
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// A scene's `in-hand`: its atoms leave the molecule for the hand, which leads and turns them as one body.
+// A scene's `in-hand`: the hand removes its atoms from the molecule, moves and rotates them as one rigid body.
 #include "tests/app/command_place.h"
 #include "tests/app/scripted_user_fixture.h"
 

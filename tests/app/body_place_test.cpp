@@ -1,4 +1,4 @@
-// A body in the hand beside the place that it was taken from. Oracle: its own atoms in the molecule's file.
+// A held body beside its original place. Oracle: its own atoms in the molecule's file.
 #include "app/ui/scene/body_place.h"
 
 #include <cmath>

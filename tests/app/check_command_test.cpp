@@ -1,4 +1,4 @@
-// moltact check as an author and an editor call it.
+// moltact check as authors and editors call it.
 #include <doctest/doctest.h>
 #include <sys/wait.h>
 #include <unistd.h>

@@ -1,4 +1,4 @@
-// Damage tracking: what is drawn in parts is, pixel for pixel, what would have been drawn whole; and little is drawn.
+// Damage tracking: a partial redraw gives the same pixels as a full one, and redraws little.
 #include "app/ui/widgets/damage.h"
 
 #include <backends/imgui_impl_opengl3.h>

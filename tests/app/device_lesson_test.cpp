@@ -1,5 +1,5 @@
-// A device over a lesson and over two starts: it is unplugged in a step and comes back in it; the one that was chosen
-// is remembered, waited for, and leads when it is there.
+// A device during a lesson and over two starts. It is unplugged and returns within a step. The chosen device is stored,
+// awaited, and used when it is present.
 #include <chrono>
 #include <cstdlib>
 #include <future>

@@ -1,4 +1,4 @@
-// `moltact device record` and `moltact device replay` as a person calls them.
+// `moltact device record` and `moltact device replay` as users call them.
 #include <doctest/doctest.h>
 
 #include <cstdint>

@@ -1,5 +1,5 @@
-// What stands between a device and a hand, through the window: the panic key and the gentle force whatever is shown,
-// each limit's words while it acts, and the device's own words. Oracle: what a device made for the test was given.
+// Safety of a device in the window: the panic key and the test force in every scene, the message of each active limit,
+// and the device's own messages. Oracle: the forces that a test device received.
 #include <algorithm>
 #include <cmath>
 #include <functional>

@@ -1,4 +1,4 @@
-// What `moltact devices` says of an OpenHaptics that is not as it should be.
+// The output of `moltact devices` for faulty installations of OpenHaptics.
 #include <doctest/doctest.h>
 
 #include "tests/app/command_place.h"

@@ -1,5 +1,5 @@
-// What is shown, written, spoken and heard of a force is what the servo loop gave, with a method whose force leads
-// another way than from the HIP to the SCP: whoever worked it out anew would be found here.
+// Everything shown, written, spoken and played of a force comes from the servo loop. The test's method returns a force
+// in another direction than from the HIP to the SCP, so that code that recomputes the force would fail.
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>

@@ -1,5 +1,5 @@
-// Names and texts that try to steer a terminal, in every place where a command could print them. Oracle: the bytes of
-// what came out.
+// Names and texts with terminal control characters, wherever a command could print them. Oracle: the bytes of the
+// output.
 #include <doctest/doctest.h>
 
 #include <filesystem>

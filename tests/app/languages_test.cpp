@@ -1,4 +1,4 @@
-// The window in German: chosen while it runs, at the start, by the environment; its numbers; back to English.
+// The window in German: selected while it runs, at the start, and by the environment; its numbers; back to English.
 #include <imgui.h>
 
 #include <cstdlib>

@@ -1,5 +1,5 @@
-// The ends of a lesson and what leads through it: goals, hints one after the other, the sign of what stands below, the
-// card that closes it, and Escape.
+// The ends of a lesson and its navigation: goals, hints one by one, the sign for content below, the closing page, and
+// Escape.
 #include <filesystem>
 
 #include "app/ui/extensions/extensions.h"

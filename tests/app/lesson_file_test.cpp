@@ -1,4 +1,4 @@
-// A lesson's file while it is open in the window: it is read again as its author saves it, and what is wrong is listed.
+// A lesson's file while the lesson is open: it is read again when its author saves it, and its faults are listed.
 #include <doctest/doctest.h>
 #include <unistd.h>
 

@@ -1,4 +1,4 @@
-// Words, tables and pictures of a lesson in its panel, by mouse, by keys and in the lines that a screen reader follows.
+// Words, tables and pictures of a lesson in its panel, by mouse, by keys and in the lines for screen readers.
 #include <filesystem>
 #include <fstream>
 #include <sstream>

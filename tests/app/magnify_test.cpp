@@ -1,4 +1,4 @@
-// A part of the molecule magnified, by hand and by a lesson, told on the screen.
+// Magnifying a part of the molecule, by the user and by a lesson, with its indication on the screen.
 #include "engine/device/simulated_device.h"
 #include "tests/app/scripted_user_fixture.h"
 

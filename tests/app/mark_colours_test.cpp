@@ -1,4 +1,4 @@
-// The marks of every scene of every lesson, as each kind of colour vision sees them.
+// The colours of the marks in every scene of every lesson, for each kind of colour vision.
 #include <algorithm>
 #include <filesystem>
 #include <set>

@@ -1,5 +1,4 @@
-// What a scene names, marks and measures in the window, what a student measures by clicks and by touch, and what a
-// touch leaves behind.
+// Labels, marks and measurements of a scene in the window, measurements by clicks and by touch, and traces of touch.
 #include "app/ui/extensions/extensions.h"
 #include "app/ui/lesson/scene_marks.h"
 #include "app/ui/panels/actions.h"

@@ -1,4 +1,4 @@
-// A molecule of one's own, drawn as its owner wishes: the menus' colours, and the page that takes a scene's keys.
+// A user's own molecule in a chosen style: the menus' colours, and the page with a scene's keys.
 #include "app/ui/extensions/extensions.h"
 #include "app/ui/panels/actions.h"
 #include "app/ui/panels/view_overlays.h"

@@ -1,4 +1,4 @@
-// `moltact pack` as a teacher calls it, and check, play and info on what it makes.
+// `moltact pack` as teachers call it, and check, play and info with its output.
 #include <doctest/doctest.h>
 
 #include <nlohmann/json.hpp>

@@ -1,4 +1,4 @@
-// A lesson in one file, in the window: opened, put on the shelf, gone on with, under a name, and reported on.
+// A pack in the window: opened, listed, resumed, used under a name, and reported.
 #include <sys/wait.h>
 
 #include <cstdlib>

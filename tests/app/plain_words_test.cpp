@@ -1,5 +1,5 @@
-// What a first hour meets beside the molecule: messages that go by themselves, words that a student knows, tips that
-// cover nothing, menus in the order of use.
+// The first hour apart from the molecule: messages that disappear by themselves, familiar words, tool tips that cover
+// nothing, menus in the order of use.
 #include <array>
 #include <cstdlib>
 #include <set>

@@ -1,4 +1,4 @@
-// `moltact play` as a person calls it: what it prints and its exit status.
+// `moltact play` as users call it: its output and exit status.
 #include <doctest/doctest.h>
 #include <sys/wait.h>
 #include <unistd.h>

@@ -1,4 +1,4 @@
-// An attempt made in one window is played back in another. Oracle: the attempt's own trace.
+// An attempt made in one window is played in another. Oracle: the attempt's own trace.
 #include <algorithm>
 
 #include "app/ui/extensions/extensions.h"

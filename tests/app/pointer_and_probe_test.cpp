@@ -1,5 +1,5 @@
-// The mouse's pointer and the probe that it leads, through the window on the frames' clock: where the one and the other
-// are in the picture while the probe is pressed, dragged and let go, and what a hand would feel meanwhile.
+// The mouse pointer and the probe, through the window on the frames' clock: their places in the picture while the probe
+// is pressed, dragged and released, and the force meanwhile.
 #include <algorithm>
 #include <chrono>
 #include <cmath>

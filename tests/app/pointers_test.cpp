@@ -1,4 +1,4 @@
-// Fingers on what the window shows: which of their rules holds where, and what comes of them.
+// Fingers on the parts of the window: which rule applies where, and its effect.
 #include "app/ui/shell/pointers.h"
 
 #include <imgui.h>

@@ -1,5 +1,5 @@
-// Questions on the page: a prediction is told only after the touch, the order of choices is the attempt's, what is
-// written is not lost. Oracle: the attempt's file.
+// Questions on the page: predictions are resolved only after the touch, the order of choices belongs to the attempt,
+// typed text is not lost. Oracle: the attempt's file.
 #include <algorithm>
 #include <filesystem>
 

@@ -1,4 +1,5 @@
-// A hand recorded in the window and played back in it. Oracle: the file's own ticks, and the replay to the last bit.
+// A hand recorded and played in the window. Oracle: the file's own ticks, and a replay that is identical to the last
+// bit.
 #include <cmath>
 
 #include "app/ui/extensions/device_link.h"

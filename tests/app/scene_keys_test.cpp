@@ -1,5 +1,5 @@
-// What keys of a scene do in the window: what is taken from the hand and the eye, the cut, views, the way between two
-// structures, and the links that lead there.
+// The effects of a scene's keys in the window: hidden and untouchable atoms, the cut, views, the motion between two
+// structures, and the links to them.
 #include "app/ui/extensions/extensions.h"
 #include "app/ui/panels/actions.h"
 #include "engine/lesson/reader.h"

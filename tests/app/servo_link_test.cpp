@@ -1,5 +1,5 @@
-// The window's loop on the frames' clock and the haptic thread are one: led by the same script on a virtual clock, both
-// give a device the same, call by call.
+// The servo loop on the frames' clock and the haptic thread are equivalent: with the same script on a virtual clock,
+// both make the same calls of the device.
 #include "app/ui/scene/servo_link.h"
 
 #include <doctest/doctest.h>

@@ -1,4 +1,4 @@
-// The way through a lesson in the window: where answers lead, what must be finished first, and what follows at the end.
+// The order of a lesson's steps in the window: effects of answers, required steps, and the end.
 #include <filesystem>
 
 #include "app/ui/extensions/extensions.h"

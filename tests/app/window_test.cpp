@@ -1,4 +1,4 @@
-// The window's panels, files and looks, off-screen.
+// The window's panels, files and themes, off-screen.
 #include <filesystem>
 #include <new>
 #include <stdexcept>

@@ -1,5 +1,4 @@
-// Recorded hands: the files they are in, what a hand could tell along them, and those that come with the
-// program.
+// Recorded hands: their files, what a hand could perceive along their paths, and the program's own recordings.
 #include <doctest/doctest.h>
 #include <unistd.h>
 

@@ -1,4 +1,4 @@
-// Energy by closed paths alone, against what things give back whose work is known in closed form.
+// Energy along closed paths, for interactions whose work is known in closed form.
 #include "engine/bench/path_energy.h"
 
 #include <doctest/doctest.h>

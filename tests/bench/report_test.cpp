@@ -1,4 +1,4 @@
-// Statistics on known numbers, and the forms in which results are written.
+// Statistics of known numbers, and the formats of the results.
 #include <doctest/doctest.h>
 
 #include <fstream>

@@ -1,5 +1,5 @@
-// The stability claims: exact is true and sound in every scene, judged by the brute-force oracle; the other
-// methods fail where they are known to, and these failures are pinned as firmly.
+// The stability claims: exact is correct and robust in every scene, by the brute-force oracle. The other methods fail
+// where they are known to; these failures are tested too.
 #include "engine/bench/stability.h"
 
 #include <doctest/doctest.h>

@@ -1,5 +1,4 @@
-// The clock's step from its readings, and what is said of times: on made figures, so that the sentences must follow
-// them.
+// The clock's resolution from its readings, and the sentences about times, for synthetic figures.
 #include <doctest/doctest.h>
 
 #include <cmath>

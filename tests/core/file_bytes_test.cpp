@@ -1,5 +1,5 @@
-// That no bytes of a file become anything in memory but numbers, held by looking at the sources: copies of bytes, and
-// pointers that are taken for others, stand in the places that are named here and in no other.
+// Bytes of a file are converted only to numbers, never to other objects in memory. Checked in the sources: copies of
+// bytes and pointer casts are allowed only at the places listed here.
 #include "engine/core/file_bytes.h"
 
 #include <doctest/doctest.h>

@@ -1,5 +1,4 @@
-// The rooms of the program as docs/architecture.md states them, held against what the sources include and what the
-// engine's libraries link.
+// Compares the rooms in docs/architecture.md with the sources' includes and the linked libraries of the engine.
 #include <doctest/doctest.h>
 
 #include <algorithm>

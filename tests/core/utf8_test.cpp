@@ -1,4 +1,4 @@
-// UTF-8 against the table of RFC 3629, section 3, and all of Unicode there and back.
+// UTF-8 against the table of RFC 3629, section 3, and a round trip through all of Unicode.
 #include "engine/core/utf8.h"
 
 #include <doctest/doctest.h>

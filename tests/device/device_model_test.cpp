@@ -1,5 +1,4 @@
-// The simulated device against closed forms: decay, deflection, oscillation, and the bounds of sampled
-// stiffness.
+// The simulated device against closed forms: decay, deflection, oscillation, and the bounds of a sampled stiffness.
 #include <doctest/doctest.h>
 
 #include <cmath>

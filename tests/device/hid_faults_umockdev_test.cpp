@@ -1,6 +1,5 @@
-// What goes wrong with a HID device, through the real libhidapi: it is unplugged under the hand, its reports are
-// garbage or too short, it cannot be read. Runs under umockdev-wrapper. The hand is then judged at the end of the whole
-// loop.
+// Faults of a HID device through the real libhidapi: unplugged during use, invalid or short reports, read errors. Runs
+// under umockdev-wrapper. The effect is judged at the end of the whole loop.
 #include <cmath>
 #include <memory>
 #include <utility>

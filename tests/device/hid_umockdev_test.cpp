@@ -1,5 +1,5 @@
-// The real libhidapi on devices that umockdev mocks: enumeration, opening, reports in and out. Runs under
-// umockdev-wrapper. What this proves: the use of the library and the parsing; not USB timing, and not a device.
+// The real libhidapi with devices mocked by umockdev: enumeration, opening, reports in and out. Runs under
+// umockdev-wrapper. Tests the use of the library and the parsing, neither USB timing nor a real device.
 #include <algorithm>
 
 #include "engine/device/driver.h"

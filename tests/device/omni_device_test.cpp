@@ -1,6 +1,5 @@
-// The Omni's driver against the stand-in libHD.so: the loop is closed through the C interface, its clock stepped by
-// hand so that nothing depends on the machine. What this proves: the use of the interface, its errors and states; not a
-// real device.
+// The Omni's driver with the stand-in libHD.so: a closed loop through the C interface, on the test's clock, so that the
+// machine's speed does not matter. Tests the use of the interface, its errors and states, not a real device.
 #include <doctest/doctest.h>
 
 #include "engine/device/driver.h"

@@ -1,5 +1,5 @@
-// An Omni that comes, goes and stands, against the stand-in libHD.so: how it is found, opened, lost and opened anew,
-// and by which thread. (In order behind omni_device_test.cpp, whose first test needs that the library was not loaded
+// An Omni that appears, disappears and stalls, with the stand-in libHD.so: how it is found, opened, lost and reopened,
+// and by which thread. (Ordered after omni_device_test.cpp, whose first test requires that the library is not loaded
 // yet.)
 #include <doctest/doctest.h>
 

@@ -1,5 +1,4 @@
-// The open layout: what docs/device-protocol.md says, what the reference firmware does and what the driver takes and
-// gives are one and the same.
+// The open layout: docs/device-protocol.md, the reference firmware and the driver must agree.
 #include "engine/device/hid/open_layout.h"
 
 #include <doctest/doctest.h>

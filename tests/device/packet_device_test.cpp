@@ -1,5 +1,5 @@
-// The thread of a packet device, over a port whose other end the test holds: places, forces, words, plugs, the age of a
-// place.
+// The thread of a packet device, with a port whose other end the test controls: positions, forces, text, plugging, the
+// age of a position.
 #include <doctest/doctest.h>
 
 #include <array>

@@ -1,4 +1,4 @@
-// Why a library cannot be loaded, of several places where it may be.
+// Reports why a library cannot be loaded from any of several places.
 #include "engine/platform/shared_library.h"
 
 #include <doctest/doctest.h>

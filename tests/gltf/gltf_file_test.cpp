@@ -1,4 +1,4 @@
-// What is written is read back by tinygltf, through our reader, which checks every range itself.
+// Files that the program writes are read back by tinygltf through our reader, which checks every range itself.
 #include <doctest/doctest.h>
 #include <unistd.h>
 

@@ -1,5 +1,5 @@
-// What every method owes its caller, whatever its idea: faults told, states forgotten, the same answers
-// again, and not one allocation in a tick.
+// The contract of every method: it reports faults, reset() clears all state, results are reproducible, and a tick
+// allocates nothing.
 #include <doctest/doctest.h>
 
 #include <cmath>

@@ -1,5 +1,5 @@
-// The exact tracker against closed forms: one sphere, a crease of two, a pit of three, and the traps where methods fail.
-// Random scenes against an independent tracker are in exact_against_oracle_test.cpp.
+// The exact tracker against closed forms: one sphere, a crease of two, a pit of three, and scenes where other methods
+// fail. exact_against_oracle_test.cpp compares random scenes with an independent tracker.
 #include "engine/haptics/exact/exact_tracker.h"
 
 #include <doctest/doctest.h>

@@ -1,4 +1,4 @@
-// What a scene can be felt with: the table, and the probe as one of it.
+// The table of interactions, and the probe as one of them.
 #include <doctest/doctest.h>
 
 #include <set>

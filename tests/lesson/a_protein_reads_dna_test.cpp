@@ -1,5 +1,5 @@
-// The shipped lesson on zinc fingers: what lies bare without them and covered with them, and who holds which letter, is
-// so in the entry.
+// The program's lesson on zinc fingers: which atoms are free or covered, and which residue contacts which base, agrees
+// with the entry.
 #include <algorithm>
 #include <cmath>
 #include <memory>

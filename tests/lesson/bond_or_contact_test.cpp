@@ -1,4 +1,4 @@
-// The shipped lesson on bonds and contacts: what it says of turns, depths and distances follows from the molecules' coordinates.
+// The program's lesson on bonds and contacts: its angles, depths and distances follow from the molecules' coordinates.
 #include <algorithm>
 #include <memory>
 

@@ -1,4 +1,4 @@
-// What `moltact check` tells, at the level of one text. The molecule is the ten-atom one of small_molecules.h.
+// The findings of `moltact check` for single texts. The molecule is the ten-atom one of small_molecules.h.
 #include "engine/lesson/check.h"
 
 #include <doctest/doctest.h>

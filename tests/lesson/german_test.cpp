@@ -1,5 +1,6 @@
-// Lessons in German: what tasks say, what a question answers, what is told of a lesson's faults. The oracle is the
-// small catalogue of tests/language; that every kind of task speaks German is judged with the program's own.
+// Lessons in German: the texts of tasks, the feedback to questions, the messages about a lesson's faults. The oracle is
+// the small catalogue of tests/language; the program's own catalogue is used to check that every kind of task is
+// translated.
 #include <doctest/doctest.h>
 
 #include "engine/language/catalogue.h"

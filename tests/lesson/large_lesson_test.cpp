@@ -1,5 +1,5 @@
-// Lessons as large as the reader takes, of one thing over and over: what is told stays within bounds, and so does the
-// work. The work is counted, not timed: each molecule's name is asked for once.
+// Lessons at the reader's size limit that repeat one element: messages and work stay bounded. The work is counted, not
+// timed: each molecule is requested once.
 #include <doctest/doctest.h>
 #include <unistd.h>
 

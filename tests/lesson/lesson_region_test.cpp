@@ -1,4 +1,4 @@
-// What a scene magnifies, in closed form; the molecule is the ten-atom one of small_molecules.h.
+// The region that a scene magnifies, in closed form; the molecule is the ten-atom one of small_molecules.h.
 #include "engine/lesson/lesson_region.h"
 
 #include <doctest/doctest.h>

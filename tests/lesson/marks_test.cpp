@@ -1,5 +1,5 @@
-// The keys of a scene that name, point at, mark and measure: what is read, what a later scene keeps, and what an author is
-// told of slips.
+// The keys of a scene for labels, arrows, marks and measurements: their parsing, their inheritance by later scenes, and
+// the messages about errors.
 #include <doctest/doctest.h>
 
 #include "engine/lesson/check.h"

@@ -1,5 +1,5 @@
-// A good lesson, and 165 mistakes that authors make in it, one at a time, by kinds: each is told at its line, with words
-// that say what is wrong or what mends it.
+// A valid lesson with 165 mistakes of authors, one at a time, by kind: each is reported at its line, with a message
+// that names the fault or the remedy.
 #include <doctest/doctest.h>
 
 #include <algorithm>

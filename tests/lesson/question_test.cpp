@@ -1,5 +1,5 @@
-// Questions, predictions and free answers of a lesson: what counts as an attempt, what is told and when, in which order
-// choices stand.
+// Questions, predictions and free answers of a lesson: what counts as an attempt, which feedback is given when, and the
+// order of choices.
 #include <doctest/doctest.h>
 
 #include <algorithm>

@@ -1,5 +1,5 @@
-// What a scene takes from the eye and from the hand: the keys, what they select, what the check says of tasks on it, and
-// that tasks and scripted hands go by it.
+// Hidden and untouchable atoms of a scene: the keys, the atoms that they select, the checks of tasks on them, and their
+// effect on tasks and scripted hands.
 #include "engine/lesson/scene_atoms.h"
 
 #include <doctest/doctest.h>

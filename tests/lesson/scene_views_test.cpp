@@ -1,5 +1,5 @@
-// Views with names, the cut, the second structure of a scene, and links that change what it shows: as they are read, and
-// what the check says of mistakes in them.
+// Named views, the cut, the second structure of a scene, and links that change the scene: their parsing, and the
+// messages about mistakes in them.
 #include <doctest/doctest.h>
 
 #include "engine/lesson/check.h"

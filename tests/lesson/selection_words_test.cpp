@@ -1,5 +1,5 @@
-// The words of selections that stand for atoms by what they are: against counts in molecules of the library, and what is
-// said to words of other programs.
+// The selection words for classes of atoms: compared with counts in molecules of the library; and the messages for
+// words of other programs.
 #include <doctest/doctest.h>
 
 #include <algorithm>

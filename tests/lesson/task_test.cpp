@@ -1,4 +1,4 @@
-// Tasks fed with samples made by hand, at 1 kHz unless a test says otherwise.
+// Tasks with synthetic samples, at 1 kHz unless a test says otherwise.
 #include <doctest/doctest.h>
 
 #include <random>

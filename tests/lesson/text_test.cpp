@@ -1,4 +1,4 @@
-// What a lesson's text can hold besides words: scripts, formulas, tables, pictures and words of a glossary.
+// The contents of a lesson's text besides words: scripts, formulas, tables, pictures and glossary words.
 #include <doctest/doctest.h>
 #include <unistd.h>
 #include <zlib.h>

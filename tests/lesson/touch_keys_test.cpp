@@ -1,4 +1,4 @@
-// What a scene is felt with, as authors write it.
+// The keys for a scene's touch, as authors write them.
 #include "engine/lesson/touch_keys.h"
 
 #include <doctest/doctest.h>

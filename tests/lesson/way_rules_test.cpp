@@ -1,5 +1,4 @@
-// Conditions, tries and steps that must be finished: what answers do to the way through a lesson, and what authors are
-// told of them.
+// Conditions, tries and required steps: the effects of answers on the order of steps, and the messages for authors.
 #include "engine/lesson/way_rules.h"
 
 #include <doctest/doctest.h>

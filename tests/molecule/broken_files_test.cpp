@@ -1,5 +1,4 @@
-// Files that are not what they should be: each gives its own clear text, and nothing crashes, hangs or lets a
-// NaN through.
+// Broken files: each gives its own clear message, and nothing crashes, hangs or returns a NaN.
 #include <doctest/doctest.h>
 
 #include <cmath>

@@ -1,4 +1,4 @@
-// MOL and SDF, PQR, GRO, the CIF of small molecules, and what programs write into PDB files beyond its columns.
+// MOL and SDF, PQR, GRO, the CIF of small molecules, and extensions of the PDB format by other programs.
 #include <doctest/doctest.h>
 
 #include <cmath>

@@ -1,5 +1,5 @@
-// Small files that would take much: what is too much is told before it is reached, and what a molecule takes of memory
-// is counted by every allocation.
+// Small files that would need much memory: an excess is reported before it is allocated. The memory of a molecule is
+// measured by counting every allocation.
 #include <doctest/doctest.h>
 #include <malloc.h>
 

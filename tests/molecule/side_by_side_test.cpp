@@ -1,4 +1,4 @@
-// Two molecules beside each other: where the second stands, how it is turned, what its chains are called.
+// Two molecules beside each other: the second one's place, orientation and chain names.
 #include "engine/molecule/side_by_side.h"
 
 #include <doctest/doctest.h>

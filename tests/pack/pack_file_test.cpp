@@ -1,4 +1,4 @@
-// What is refused of a pack, each with a message, and that then nothing is written. Oracle: zips made byte by byte.
+// Rejected packs: each gives a message, and nothing is written. Oracle: zips assembled byte by byte.
 #include "engine/pack/pack_file.h"
 
 #include <doctest/doctest.h>

@@ -1,4 +1,4 @@
-// Work beside the window: what its threads have, and what waits for it.
+// Work in background threads: their limits, and waiting for them.
 #include "engine/platform/background.h"
 
 #include <doctest/doctest.h>

@@ -1,4 +1,4 @@
-// The parts that need no graphics: names of shapes, ambient occlusion, the molecular surface, PNG files. Oracles: closed forms.
+// Parts without graphics: names of shapes, ambient occlusion, the molecular surface, PNG files. Oracles: closed forms.
 #include <doctest/doctest.h>
 
 #include <cmath>

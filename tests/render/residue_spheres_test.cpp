@@ -1,5 +1,5 @@
-// A molecule of very many atoms is drawn by its residues: where their spheres lie comes from closed forms, and what the
-// picture must be from a molecule that has those spheres for atoms.
+// A molecule of very many atoms is drawn by residues. The places of their spheres are known in closed form; the
+// expected picture is that of a molecule with these spheres as atoms.
 #include "engine/render/residue_spheres.h"
 
 #include <cmath>

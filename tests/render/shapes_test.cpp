@@ -1,4 +1,4 @@
-// The haptic shapes, glyphs and golden pictures. Where a shape must lie comes from closed forms and the projection.
+// The haptic shapes, glyphs and reference pictures. Expected places come from closed forms and the projection.
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>

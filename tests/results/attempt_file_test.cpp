@@ -1,4 +1,4 @@
-// Oracle: the lines of a file as they were before it was damaged.
+// Oracle: the lines of a file before it was damaged.
 #include "engine/results/attempt_file.h"
 
 #include <doctest/doctest.h>

@@ -1,4 +1,4 @@
-// Oracle: what was written is what is read, kind by kind; damage made by hand.
+// Oracle: every kind of line is read as it was written; damage is made by hand.
 #include <doctest/doctest.h>
 
 #include <cmath>

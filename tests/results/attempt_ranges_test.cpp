@@ -1,5 +1,5 @@
-// Numbers that no program of ours writes. Oracle: every number of a sample attempt in turn, found in its JSON by
-// walking it.
+// Numbers that the program never writes. Oracle: every number of a sample attempt in turn, found by traversing its
+// JSON.
 #include "engine/results/attempt_ranges.h"
 
 #include <doctest/doctest.h>

@@ -1,4 +1,4 @@
-// Oracle: the lines that were handed over, in their order. Processes are killed and disks are filled for real.
+// Oracle: the lines passed to the writer, in order. Processes are really killed and disks really filled.
 #include "engine/results/attempt_writer.h"
 
 #include <doctest/doctest.h>

@@ -1,4 +1,4 @@
-// Oracles: sums over a class made by hand, a CSV reader that shares nothing with the writer, and the page's own text.
+// Oracles: manual sums over a class, a CSV reader that shares no code with the writer, and the page's own text.
 #include <doctest/doctest.h>
 
 #include <cmath>

@@ -1,4 +1,4 @@
-// Oracle: what the student did, in order.
+// Oracle: the student's actions, in order.
 #include "engine/results/session_watch.h"
 
 #include <doctest/doctest.h>

@@ -1,5 +1,5 @@
-// What a class has come to: by goal, by misconception, and by which way. Oracles: the sessions that were left, and
-// counts made by hand.
+// The outcomes of a class by goal, by misconception, and by the order of steps. Oracles: the sessions at their end, and
+// manual counts.
 #include <doctest/doctest.h>
 
 #include <algorithm>

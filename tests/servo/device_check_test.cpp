@@ -1,4 +1,4 @@
-// The check of a device, on the simulated stylus whose own hand presses on what it is offered.
+// The check of a device, with the simulated stylus, whose hand presses on what it is offered.
 #include "engine/servo/device_check.h"
 
 #include <doctest/doctest.h>

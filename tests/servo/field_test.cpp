@@ -1,5 +1,5 @@
-// Fields in the servo loop: the slider of the springs does not change them, an honest one is neither cut nor braked, a
-// dishonest one is, a stiff one is scaled to what the device bears, and their force is felt without touching.
+// Fields in the servo loop: the stiffness slider does not change them. A conservative field is neither cut nor damped,
+// one that creates energy is. A stiff one is scaled to what the device permits. Their force is felt without contact.
 #include <doctest/doctest.h>
 
 #include <cmath>

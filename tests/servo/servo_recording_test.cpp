@@ -1,5 +1,5 @@
-// Recordings: what is written comes back to the last bit and gives the same forces; what is torn or no recording is
-// told.
+// Recordings: what is written is read to the last bit and reproduces the forces. Torn files and other files are
+// reported.
 #include "engine/servo/servo_recording.h"
 
 #include <doctest/doctest.h>

@@ -1,4 +1,4 @@
-// The haptic thread itself: hand-over of trackers and samples. Nothing here depends on how punctual the machine is.
+// The haptic thread: handing over trackers and samples. Independent of the machine's timing.
 #include "engine/servo/servo_thread.h"
 
 #include <doctest/doctest.h>

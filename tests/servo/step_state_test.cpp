@@ -1,5 +1,5 @@
-// The state that a recording begins from: it comes back to the last bit, and no text makes a step that the loop cannot
-// be in.
+// The initial state of a recording: it is restored to the last bit, and no text gives a state that the loop cannot
+// have.
 #include "engine/servo/step_state.h"
 
 #include <doctest/doctest.h>

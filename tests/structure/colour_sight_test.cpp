@@ -1,4 +1,4 @@
-// Shades that every kind of colour vision tells apart.
+// Shades that are distinguishable with every kind of colour vision.
 #include "engine/structure/colour_sight.h"
 
 #include <doctest/doctest.h>

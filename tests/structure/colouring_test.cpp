@@ -1,4 +1,4 @@
-// Colours of atoms and what the legend says of them.
+// Colours of atoms and their legend.
 #include "engine/structure/colouring.h"
 
 #include <set>

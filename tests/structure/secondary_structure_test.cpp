@@ -1,4 +1,4 @@
-// Helices and strands: those of the depositors' records, and those of hydrogen bonds against another program.
+// Helices and strands: from the depositors' records, and from hydrogen bonds compared with another program.
 #include "engine/structure/secondary_structure.h"
 
 #include <algorithm>

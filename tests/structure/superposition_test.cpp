@@ -1,4 +1,4 @@
-// Two states laid on one another, against a turn that is known and another way of finding the fit.
+// Two superposed structures, against a known rotation and an independent computation of the fit.
 #include "engine/structure/superposition.h"
 
 #include <cmath>

@@ -1,4 +1,4 @@
-// Scales between a device and a molecule, and what a person reads of them, in closed form.
+// Scales between a device and a molecule, and their description for users, in closed form.
 #include "engine/workspace/scale.h"
 
 #include <doctest/doctest.h>

@@ -1,7 +1,7 @@
-// Three students who do not feel: a looker, who presses where the picture shows the place; a guesser, who answers by
-// tossing a coin or by counting; a jabber, who is put down here and there without sliding. Against every task of the
-// shipped lessons that is done in the dark, along a way, or by size and distance, none passes more often than chance has
-// it. How often each passed is printed.
+// Three students without touch: a looker, who presses where the picture shows the place; a guesser, who tosses a coin
+// or counts; and a jabber, who touches here and there without sliding. In every task of the program's lessons that is
+// done in the dark, along a path, or by size and distance, none passes more often than by chance. The test prints how
+// often each passed.
 #include <cmath>
 
 #include "engine/core/random.h"

@@ -1,4 +1,4 @@
-// Ways along atoms on the x axis and round the crease of two equal spheres, where coverage and deviation have closed
+// Paths along atoms on the x axis and around the crease of two equal spheres, where coverage and deviation have closed
 // forms.
 #include <numbers>
 
