@@ -87,7 +87,7 @@ TEST_CASE("damage: the whole window first, then nothing, then only the window wh
   CHECK(areaOf(all) == 800 * 480);
 }
 
-TEST_CASE("damage: a picture of another version has its window drawn again") {
+TEST_CASE("damage: a new version of a picture redraws its window") {
   Frames f;
   for (int k = 0; k < 3; ++k) f.next("a");
   ++f.version;

@@ -278,7 +278,7 @@ TEST_CASE("each limit is named on the device page and says its sentence over the
   }
 }
 
-TEST_CASE("a soft start that begins again and again for 1.5 s is told over the view") {
+TEST_CASE("a soft start that begins again and again for 1.5 s is reported over the view") {
   auto d = startWith();
   lead(*d, {}, kDeep_mm);
   d->app().scene.servo().setInteraction(pull(*d, 1.0));
@@ -314,8 +314,8 @@ TEST_CASE(
 }
 
 TEST_CASE(
-    "a device that wants to be calibrated says over the view what to do, with the button for it; ready again, that is "
-    "told and the rest goes") {
+    "a device that needs calibration shows instructions over the view, with a button; once it is "
+    "ready, a message says so and the instructions disappear") {
   auto d = startWith();
   Led& stylus = lead(
       *d, [](double t) { return DevicePose{.position = {}, .fault = t < 2.0}; }, kDeep_mm);
@@ -348,7 +348,7 @@ TEST_CASE(
   CHECK_FALSE(told(*d, "inkwell"));
 }
 
-TEST_CASE("fault that a device tells of is told for as long as it lasts") {
+TEST_CASE("a fault that a device reports is displayed for as long as it lasts") {
   auto d = startWith();
   Led& stylus = lead(*d);
   stylus.said.text = "The motors are too warm.";

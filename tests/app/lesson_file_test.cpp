@@ -157,8 +157,8 @@ TEST_CASE("with errors the last good lesson stays and they are listed with line 
 }
 
 TEST_CASE(
-    "a file that is gone or empty for a second, as while an editor saves, raises nothing; one that stays gone for 4 s "
-    "is told") {
+    "a file that is gone or empty for a second, as while an editor saves, raises nothing; one that "
+    "stays gone for 4 s is reported") {
   AuthorFolder scratch;
   const fs::path file = scratch / "mine.md";
   save(file, kHead + kOne);

@@ -187,7 +187,7 @@ TEST_CASE(
   CHECK(scale(*d) == doctest::Approx(0.25).epsilon(0.01));
 }
 
-TEST_CASE("with a stylus the scale is always told, and a magnified part lies in its own room") {
+TEST_CASE("with a stylus the scale is always shown, and a magnified part fills the stylus's workspace") {
   auto d = startWith();
   d->tap("Ctrl+D");
   d->frames(3);

@@ -140,7 +140,7 @@ TEST_CASE(
   CHECK(written(*d).empty());
 }
 
-TEST_CASE("the touched atom is a place that is measured, by Ctrl+Shift+E; without a touch the person is told") {
+TEST_CASE("Ctrl+Shift+E measures from the touched atom; without a touch a message says so") {
   auto d = startWith("benzene");
   d->tap("Ctrl+Shift+E");
   CHECK_FALSE(d->app().extensions().measuring.any());

@@ -74,7 +74,7 @@ TEST_CASE("residues are called by plain names: benzene and thymine, not BNZ and 
   }
 }
 
-TEST_CASE("what a student sees has no word of the loop, its points and its ticks; the expert switch brings them") {
+TEST_CASE("a student sees no terms of the servo loop, its points and its ticks; the expert switch shows them") {
   const std::vector<std::string> expert_words{"HIP", "SCP", "modelled", "Hz", "1000 ", "Time for a tick", "Cones"};
   auto d = startWith("1ubq");
   d->app().panels.touch_details = true;

@@ -40,7 +40,7 @@ double turnedBy_deg(const Quat& a, const Quat& b) {
 
 }  // namespace
 
-TEST_CASE("a finger is told what lies under it of five: the view, a panel, the edge between them, the pads + and -") {
+TEST_CASE("a finger touches one of five parts: the view, a panel, the edge between them, the pads + and -") {
   Screen screen(std::string(MOLTACT_SOURCE_DIR) + "/lessons/first-touch.md");
   CHECK(screen.on(screen.view()) == Fingers::On::View);
   CHECK(screen.on(screen.middle("lesson/next")) == Fingers::On::Panel);

@@ -95,7 +95,8 @@ TEST_CASE(
 }
 
 TEST_CASE(
-    "a prediction is told after the touch: until then another can be chosen, and no choice looks right or wrong") {
+    "a prediction is resolved after the touch: until then another can be chosen, and no choice looks "
+    "right or wrong") {
   Opened o;
   o.driver->click("question/0/0");
   CHECK(contains(o.driver->text("question/0/feedback/0"), "Kept"));

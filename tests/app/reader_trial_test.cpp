@@ -284,7 +284,9 @@ TEST_CASE(
   readLessons(".de.md", "de");
 }
 
-TEST_CASE("in the light the same reader tells a crease from a face by its words and by a fifth in its sound") {
+TEST_CASE(
+    "with the molecule visible, the same reader distinguishes a crease from a face by its words and "
+    "by a fifth in its sound") {
   auto d = startWith(MOLTACT_SOURCE_DIR "/lessons/first-touch.md");
   REQUIRE(session(*d).goTo("two-atoms-and-a-crease"));
   d->frames(5);

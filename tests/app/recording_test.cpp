@@ -190,8 +190,8 @@ TEST_CASE("a recording whose molecule has changed since says so, and is played a
 }
 
 TEST_CASE(
-    "another device that is chosen while a recording plays ends it; a text is told and changes nothing; another method "
-    "ends a recording") {
+    "another device that is chosen while a recording plays ends it; a text is reported and changes "
+    "nothing; another method ends a recording") {
   const Scratch scratch;
   const std::filesystem::path file = recorded(scratch);
   auto d = startWith("1ubq");

@@ -115,7 +115,7 @@ TEST_CASE("the view that is copied for a lesson is the one that the lesson shows
   CHECK(2.0 * std::acos(std::min(1.0, std::abs(glm::dot(read.orientation, turned.orientation)))) < 0.003);
 }
 
-TEST_CASE("the page that comes close to atoms tells what is wrong with them as they are written, and goes there") {
+TEST_CASE("the page for zooming to atoms shows errors during typing, and zooms to them") {
   auto d = startWith("2hhb");
   const double far_A = d->app().scene.camera.distance_A;
   d->tap("Ctrl+F");
@@ -135,8 +135,8 @@ TEST_CASE("the page that comes close to atoms tells what is wrong with them as t
 }
 
 TEST_CASE(
-    "waters are taken in from the window, and a wrong assembly is told with those that there are, the molecule "
-    "staying") {
+    "the window can include waters; a wrong assembly is reported with the existing ones, and the "
+    "molecule stays") {
   auto d = startWith("1ubq");
   Application& app = d->app();
   const std::size_t dry = app.scene.stage().molecule->atoms.size();

@@ -35,8 +35,7 @@ struct Opened {
 
 }  // namespace
 
-TEST_CASE(
-    "a required step says so in the place of Next, tells of 3 tries, and lets go of the student when it is done") {
+TEST_CASE("a required step says so in place of Next, shows 3 tries, and releases the student when it is done") {
   Opened o;
   CHECK(o.driver->text("lesson/next") == "Finish this step first");
   CHECK(o.driver->text("question/0/tries") == "You have 3 tries.");

@@ -18,8 +18,7 @@ TEST_CASE("numbers come from unaligned bytes as this machine orders them") {
   CHECK(moltact::numberAt<float>(bytes + 2) == doctest::Approx(2.8e-45));
 }
 
-TEST_CASE(
-    "the sources copy bytes, or take a pointer for another, in no more places than the ones that are looked at here") {
+TEST_CASE("the sources copy bytes, or cast pointers, only at the places listed here") {
   // File, and how often. What is added here is to be no value out of a file.
   const std::map<std::string, int> known = {
       {"engine/core/file_bytes.h", 1},              // numbers

@@ -99,8 +99,8 @@ TEST_CASE(
 }
 
 TEST_CASE(
-    "ten times unplugged and plugged in, at any moment of the reports: it is told each time, and works after the last; "
-    "seed 3") {
+    "ten times unplugged and plugged in, at any moment of the reports: it is reported each time, and "
+    "works after the last; seed 3") {
   HidTestbed bed;
   bed.plug(kWoodenHaptics);
   const auto device = opened("woodenhaptics");
@@ -149,8 +149,8 @@ TEST_CASE(
 }
 
 TEST_CASE(
-    "reports that break off after 3 and 6 bytes tell no place; after 40 ms of them there is no force, and with whole "
-    "ones it comes back") {
+    "reports cut off after 3 and 6 bytes give no position; after 40 ms of them there is no force, "
+    "and with complete ones it returns") {
   HidTestbed bed;
   bed.plug(kWoodenHaptics);
   const auto device = opened("woodenhaptics");

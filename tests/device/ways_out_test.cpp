@@ -244,7 +244,7 @@ double ms(std::chrono::steady_clock::duration time) { return std::chrono::durati
 
 }  // namespace
 
-TEST_CASE("every driver is in the table of those whose last force is looked at") {
+TEST_CASE("every driver is in the table of those whose last force is checked") {
   std::set<std::string_view> there, looked_at;
   for (const DeviceDriver& driver : deviceDrivers()) there.insert(driver.name);
   for (const Row& row : kRows) looked_at.insert(row.driver);

@@ -148,7 +148,8 @@ TEST_CASE(
 }
 
 TEST_CASE(
-    "the search for sentences tells a bare one, one in a condition and one in a table from those that are marked") {
+    "the search for sentences distinguishes a bare one, one in a condition and one in a table from "
+    "those that are marked") {
   const auto bare = [](const std::string& source) {
     const std::vector<Token> tokens = tokensOf(source);
     int count = 0;

@@ -80,7 +80,7 @@ TEST_CASE("a distance has two places and an angle three or four, whose residues 
   CHECK(bad("distance", "atom 1 - atom x").column == 15);
 }
 
-TEST_CASE("slips are told with their place") {
+TEST_CASE("typing errors are reported with their place") {
   CHECK(bad("label", "residues").remedy == "did you mean 'residue'?");
   CHECK(bad("label", "chain, resdue for ligand").column == 8);
   CHECK(bad("label", "\"open for residue 3").message == "the name has no end");

@@ -46,7 +46,9 @@ TEST_CASE(
   CHECK(hiddenAtoms(steps[3].scene, mix).empty());
 }
 
-TEST_CASE("a task on atoms of which none can be touched is told at its place; one on atoms of which some can is not") {
+TEST_CASE(
+    "a task on atoms of which none can be touched is reported at its place; one on atoms of which "
+    "some can is not") {
   const std::string scene = "## S\n```scene\nmolecule: mix\nuntouchable: ligand\n```\n";
   CHECK(errors(scene + "```touch\nreach: name FE\nsay: Touch it.\n```\n") ==
         std::vector<std::string>{

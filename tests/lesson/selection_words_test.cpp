@@ -107,7 +107,7 @@ TEST_CASE("haemoglobin's four haems are found by their class, their irons as met
   CHECK(residues(m, "chain A and bonded to (chain A and residue 87)") == std::set<int>{1, 86, 87, 88});
 }
 
-TEST_CASE("sugars and what a crystal was grown in are told from other ligands") {
+TEST_CASE("sugars and what a crystal was grown in are reported from other ligands") {
   std::string text;
   int number = 0;
   for (const char* residue : {"NAG", "SIA", "GOL", "SO4", "HEM", "ATP"})

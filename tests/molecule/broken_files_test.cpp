@@ -59,7 +59,7 @@ std::string asMmcif(const std::string& pdb, int most) {
 
 }  // namespace
 
-TEST_CASE("a missing file, a folder and an empty file are told apart") {
+TEST_CASE("a missing file, a folder and an empty file are distinguished") {
   const Scratch scratch;
   const auto text = [](const std::filesystem::path& p) { return readMolecule(p).problem().message; };
   CHECK(readMolecule("no/such.pdb").problem().text() ==

@@ -135,7 +135,7 @@ TEST_CASE("a file of format 7 with kinds and keys that are not known is read as 
   CHECK(std::get<HintOpened>((*more)->what).step == "one");
 }
 
-TEST_CASE("wrong types, missing keys and numbers that do not fit are told and never thrown") {
+TEST_CASE("wrong types, missing keys and numbers that do not fit are reported and never thrown") {
   for (const char* line :
        {"",
         "{",

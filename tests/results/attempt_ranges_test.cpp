@@ -42,8 +42,8 @@ void withEachNumber(const std::string& line, double by,
 }
 
 TEST_CASE(
-    "each number of each kind of line, made 1.7e308, -1e300 or 1e37, gets its line passed over and told; in range it "
-    "does not") {
+    "each number of each kind of line, made 1.7e308, -1e300 or 1e37, gets its line passed over and "
+    "reported; in range it does not") {
   std::size_t numbers = 0;
   for (const AttemptEvent& event : sampleEvents())
     for (const double by : {1.7e308, -1e300, 1e37})

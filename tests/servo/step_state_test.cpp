@@ -121,8 +121,8 @@ TEST_CASE(
 }
 
 TEST_CASE(
-    "a state with an index out of its ring, a bool of 2, a NaN, a value twice, missing or unknown is told by its "
-    "name") {
+    "a state with an index out of its ring, a bool of 2, a NaN, a value twice, missing or unknown is "
+    "reported by its name") {
   const std::string whole = stateText(ServoStep());
   REQUIRE(stepFromText(whole));
   const auto with = [&](const std::string& name, const std::string& value) {
