@@ -1,5 +1,6 @@
 #include "app/commands/atoms_option.h"
 
+#include "engine/haptics/body/held_body.h"
 #include "engine/lesson/scene_atoms.h"
 #include "engine/lesson/selection.h"
 
@@ -12,6 +13,11 @@ std::vector<std::uint32_t> selectedAtoms(const char* option, const std::string& 
   std::vector<std::uint32_t> selected = atoms->select(molecule);
   if (selected.empty()) throw CLI::ValidationError(option, atoms->whyEmpty(molecule).text());
   return selected;
+}
+
+CLI::ValidationError tooManyHeld(std::size_t atoms) {
+  return CLI::ValidationError(
+      "--in-hand", "it holds " + std::to_string(atoms) + " atoms; the most are " + std::to_string(kMaxHeldAtoms));
 }
 
 void LeftOutAtoms::addTo(CLI::App& command) {

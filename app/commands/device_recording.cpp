@@ -258,11 +258,13 @@ void replayHand(const std::string& file) {
              " ticks, and how is not recorded: such forces cannot be given again",
          "record a hand on a molecule that stands");
   if (result.first_difference) {
-    std::snprintf(text, sizeof text,
-                  "%llu ticks: the forces differ from tick %llu on, by at most %.3g N and %.3g N mm%s",
-                  static_cast<unsigned long long>(result.ticks),
-                  static_cast<unsigned long long>(*result.first_difference), result.greatest_difference_N,
-                  result.greatest_difference_N_mm, recording->start ? "" : "; another build made the recording");
+    std::snprintf(
+        text, sizeof text,
+        "%llu ticks: the forces differ from tick %llu on, by at most %.3g N and %.3g N mm, the body's position by "
+        "%.3g A%s",
+        static_cast<unsigned long long>(result.ticks), static_cast<unsigned long long>(*result.first_difference),
+        result.greatest_difference_N, result.greatest_difference_N_mm, result.greatest_difference_A,
+        recording->start ? "" : "; another build made the recording");
     fail(text + (recording->torn.empty() ? std::string() : "; " + recording->torn), "");
   }
   out() << result.ticks << " ticks: the same forces and torques to the last bit\n";

@@ -7,12 +7,13 @@
 
 namespace moltact {
 
-void MoleculeArgument::addTo(CLI::App& command) {
-  command
-      .add_option("molecule", named.name,
-                  "A file (" + moleculeEndingsText() + ", also .gz), or a molecule of the library (1ubq)")
-      ->type_name(kMoleculeType)
-      ->required();
+CLI::Option* MoleculeArgument::addTo(CLI::App& command) {
+  CLI::Option* molecule =
+      command
+          .add_option("molecule", named.name,
+                      "A file (" + moleculeEndingsText() + ", also .gz), or a molecule of the library (1ubq)")
+          ->type_name(kMoleculeType)
+          ->required();
   for (const ReadingOption& option : readingOptions()) {
     const std::string name = "--" + std::string(option.name), help(option.option_help);
     if (const auto* number = std::get_if<int ReadOptions::*>(&option.member))
@@ -24,6 +25,7 @@ void MoleculeArgument::addTo(CLI::App& command) {
     else
       textOption(command, name, option);
   }
+  return molecule;
 }
 
 void MoleculeArgument::textOption(CLI::App& command, const std::string& name, const ReadingOption& reading) {

@@ -172,9 +172,7 @@ void render(const RenderArguments& arguments) {
   scene.look.marks = marksOf(spec, *scene.molecule);
   if (const std::vector<std::uint32_t> held = heldAtoms(spec, *scene.molecule); !held.empty()) {
     scene.body = heldBody(scene.molecule->spheres, held);
-    if (!scene.body)
-      throw CLI::ValidationError("--in-hand", "it holds " + std::to_string(held.size()) + " atoms; the most are " +
-                                                  std::to_string(kMaxHeldAtoms));
+    if (!scene.body) throw tooManyHeld(held.size());
     scene.look.hidden = std::make_shared<const std::vector<std::uint32_t>>(
         scene.look.hidden ? atomsOfEither(*scene.look.hidden, held) : held);
   }
@@ -183,6 +181,10 @@ void render(const RenderArguments& arguments) {
     const Response answer = push(scene.molecule, arguments, scene.body, scene.camera, *scene.hip);
     const Vec3 force_N = answer.total(arguments.stiffness_N_per_A).force_N;
     scene.contact = answer.contact;
+    if (answer.body_pose) {
+      scene.body_place = answer.body_pose->place;
+      scene.body_orientation = answer.body_pose->orientation;
+    }
     scene.force_N = glm::length(force_N);
     if (answer.field) scene.field_direction = force_N;
     if (arguments.look_at_hip) scene.camera.target = scene.contact.scp;

@@ -1,20 +1,23 @@
-// `moltact replay`: moves the HIP along a recorded path and writes for each tick what a hand would feel.
+// `moltact replay`: leads the probe or a body along a recorded path and writes what a hand would have felt, tick by tick.
 #include <algorithm>
-#include <charconv>
 #include <chrono>
 #include <nlohmann/json.hpp>
 
 #include "app/commands/atoms_option.h"
 #include "app/commands/command.h"
+#include "app/commands/csv_numbers.h"
 #include "app/commands/hip_path_file.h"
 #include "app/commands/molecule_argument.h"
 #include "app/commands/number_range.h"
 #include "app/commands/outputs.h"
 #include "app/commands/print_json.h"
+#include "app/commands/replay_body.h"
 #include "app/commands/touch_options.h"
 #include "app/commands/value_types.h"
 #include "engine/core/quantile.h"
 #include "engine/haptics/interactions.h"
+#include "engine/language/catalogue.h"
+#include "engine/lesson/scene_atoms.h"
 #include "engine/platform/terminal.h"
 #include "engine/platform/write_file.h"
 #include "engine/structure/atom_charges.h"
@@ -24,10 +27,11 @@ namespace {
 
 struct ReplayOptions {
   MoleculeArgument molecule;
-  std::string path, out;
+  std::string path, out, in_hand;
+  std::vector<std::string> spheres;  // of the scene and of the body, where no molecule is named
   LeftOutAtoms left_out;
   TouchSetup touch;
-  double stiffness_N_per_A = 1.0;
+  double stiffness_N_per_A = 1.0, rotational_stiffness_N_A = 0.0;
   bool time = false;
 };
 
@@ -36,20 +40,7 @@ std::string_view nameOf(Feature feature) {
   return names[static_cast<std::size_t>(feature)];
 }
 
-void append(std::string& row, double value) {
-  char digits[40];
-  const auto end = std::to_chars(digits, digits + sizeof digits, value, std::chars_format::general, 17).ptr;
-  row.append(digits, end);
-}
-
-void append(std::string& row, const Vec3& v) {
-  for (int k = 0; k < 3; ++k) {
-    row += ',';
-    append(row, v[k]);
-  }
-}
-
-void writeContacts(const ReplayOptions& options, const std::vector<PointA>& path, const std::vector<Contact>& contacts,
+void writeContacts(const ReplayOptions& options, const HipPath& path, const std::vector<Contact>& contacts,
                    const std::vector<Vec3>& forces_N) {
   const auto checked = [](const std::optional<Problem>& problem) {
     if (problem) throw CommandError{problem->text()};
@@ -62,10 +53,10 @@ void writeContacts(const ReplayOptions& options, const std::vector<PointA>& path
   for (std::size_t k = 0; k < path.size(); ++k) {
     const Contact& c = contacts[k];
     row = std::to_string(k);
-    append(row, path[k].A);
+    appendNumbers(row, path.places[k].A);
     row += c.touching() ? ",1" : ",0";
-    append(row, c.scp.A);
-    append(row, forces_N[k]);
+    appendNumbers(row, c.scp.A);
+    appendNumbers(row, forces_N[k]);
     row += ',';
     row += nameOf(c.feature);
     for (const std::int32_t atom : c.atoms) row += ',' + std::to_string(atom);
@@ -89,10 +80,9 @@ nlohmann::ordered_json summary(std::vector<double> ns) {
   return out;
 }
 
-// Each tick's time is the shortest of three passes, which excludes interruptions by other processes. The cost of
-// reading the clock is subtracted.
-nlohmann::ordered_json timePath(const InteractionInput& input, const std::vector<PointA>& path,
-                                const std::vector<Contact>& contacts) {
+// Each tick's least time of three passes, so that what else the machine did meanwhile does not count; the clock's own
+// cost is taken off.
+nlohmann::ordered_json timePath(const InteractionInput& input, const HipPath& path, const std::vector<char>& touches) {
   using Clock = std::chrono::steady_clock;
   const auto between = [](Clock::time_point a, Clock::time_point b) {
     return std::chrono::duration<double, std::nano>(b - a).count();
@@ -107,12 +97,12 @@ nlohmann::ordered_json timePath(const InteractionInput& input, const std::vector
     const auto felt = makeInteraction(input);
     for (std::size_t k = 0; k < path.size(); ++k) {
       const auto a = Clock::now();
-      [[maybe_unused]] const volatile bool touching = felt->respond({path[k]}).contact.touching();
+      [[maybe_unused]] const volatile bool touching = felt->respond(path.at(k)).contact.touching();
       least[k] = std::min(least[k], std::max(0.0, between(a, Clock::now()) - clock_ns));
     }
   }
   std::vector<double> free, contact;
-  for (std::size_t k = 0; k < path.size(); ++k) (contacts[k].touching() ? contact : free).push_back(least[k]);
+  for (std::size_t k = 0; k < path.size(); ++k) (touches[k] ? contact : free).push_back(least[k]);
   nlohmann::ordered_json out;
   out["ticks"] = path.size();
   out["contact_ticks"] = contact.size();
@@ -123,23 +113,21 @@ nlohmann::ordered_json timePath(const InteractionInput& input, const std::vector
   return out;
 }
 
-void run(const ReplayOptions& options) {
-  const Molecule molecule = options.molecule.load();
-  const auto path = readHipPath(options.path);
-  if (!path) throw CommandError{path.problem().text()};
-  checkOutputs({{"--out", options.out}});
-  const InteractionInput input{std::make_shared<const SphereGrid>(molecule.spheres, options.left_out.notFelt(molecule)),
-                               options.touch, nullptr, chemistryFor(options.touch, molecule)};
+// Leads the probe along the path; which ticks touch.
+std::vector<char> replayProbe(const InteractionInput& input, const HipPath& path, const ReplayOptions& options) {
   const auto felt = makeInteraction(input);
   std::vector<Contact> contacts;
-  contacts.reserve(path->size());
+  contacts.reserve(path.size());
   std::vector<Vec3> forces_N;
-  forces_N.reserve(path->size());
+  forces_N.reserve(path.size());
+  std::vector<char> touches;
+  touches.reserve(path.size());
   std::size_t inside = 0, refused = 0;
-  for (const PointA& hip : *path) {
+  for (const PointA& hip : path.places) {
     const Response answer = felt->respond({hip});
     contacts.push_back(answer.contact);
     forces_N.push_back(answer.total(options.stiffness_N_per_A).force_N);
+    touches.push_back(answer.contact.touching());
     inside += contacts.back().fault == Fault::StartedInside;
     refused += contacts.back().fault == Fault::NotFinite;
   }
@@ -147,33 +135,97 @@ void run(const ReplayOptions& options) {
     err() << "moltact: the HIP starts inside the molecule: no force for the first " << inside
           << " ticks, until it has been outside\n";
   if (refused) err() << "moltact: " << refused << " places were not finite or beyond 1e9 A: no force there\n";
-  if (!options.out.empty()) writeContacts(options, *path, contacts, forces_N);
-  if (options.time) printDocument(timePath(input, *path, contacts));
+  if (!options.out.empty()) writeContacts(options, path, contacts, forces_N);
+  return touches;
+}
+
+// The molecule, with what the hand holds of it; or the spheres of two files.
+InteractionInput inputOf(const ReplayOptions& options) {
+  InteractionInput input{.touch = options.touch};
+  if (!options.spheres.empty()) {
+    constexpr std::size_t kMaxSpheres = 25'000'000;
+    input.spheres = std::make_shared<const SphereGrid>(readSpheres(options.spheres[0], kMaxSpheres));
+    input.body = bodyOfSpheres(readSpheres(options.spheres[1], kMaxHeldAtoms));
+  } else {
+    const Molecule molecule = options.molecule.load();
+    std::vector<std::uint32_t> not_felt = options.left_out.notFelt(molecule);
+    if (!options.in_hand.empty()) {
+      const std::vector<std::uint32_t> held = selectedAtoms("--in-hand", options.in_hand, molecule);
+      input.body = heldBody(molecule.spheres, held);
+      if (!input.body) throw tooManyHeld(held.size());
+      not_felt = atomsOfEither(not_felt, held);
+    }
+    input.spheres = std::make_shared<const SphereGrid>(molecule.spheres, not_felt);
+    input.chemistry = chemistryFor(options.touch, molecule);
+  }
+  input.touch = resolveInteraction(input.touch, input.body != nullptr);
+  // Of a spring of 1 N per angstrom: the answer is given over the stiffness.
+  if (options.stiffness_N_per_A > 0.0)
+    input.rotational_stiffness_N_A = options.rotational_stiffness_N_A / options.stiffness_N_per_A;
+  return input;
+}
+
+void run(const ReplayOptions& options) {
+  const InteractionInput input = inputOf(options);
+  const auto path = readHipPath(options.path);
+  if (!path) throw CommandError{path.problem().text()};
+  if (!path->orientations.empty() && !input.body)
+    throw CommandError{options.path + ":1:7: " + tr("the probe has no orientation") + "; " +
+                       tr("write the header x,y,z, or name what the hand holds with --in-hand")};
+  checkOutputs({{"--out", options.out}});
+  const std::vector<char> touches = input.body ? replayBody(input, *path, options.stiffness_N_per_A, options.out)
+                                               : replayProbe(input, *path, options);
+  if (options.time) printDocument(timePath(input, *path, touches));
 }
 
 }  // namespace
 
 void addReplay(CLI::App& app) {
   CLI::App* command =
-      app.add_subcommand("replay", "Move the HIP along a recorded path and write the contacts and forces");
+      app.add_subcommand("replay", "Move the HIP or a body along a recorded path and write the contacts and forces");
   auto options = std::make_shared<ReplayOptions>();
-  options->molecule.addTo(*command);
-  command->add_option("--path", options->path, "CSV with the header x,y,z (angstrom), one row per tick")
+  CLI::Option* molecule = options->molecule.addTo(*command)->required(false);
+  command
+      ->add_option(
+          "--path", options->path,
+          "CSV with the header x,y,z (angstrom), one row per tick; for a body also x,y,z,qw,qx,qy,qz: the hand's "
+          "position for the body's centre, and its orientation relative to that in the file")
       ->type_name(kFileType)
       ->required();
   command
-      ->add_option("--out", options->out,
-                   "Write each tick's HIP, SCP, force, feature and atoms to this file (CSV); optional with --time")
+      ->add_option(
+          "--out", options->out,
+          "Write each tick's HIP, SCP, force, feature and atoms to this file (CSV), or with a body the poses of hand "
+          "and body, force and torque; optional with --time")
       ->type_name(kFileType);
+  CLI::Option* in_hand = command->add_option("--in-hand", options->in_hand,
+                                             "Selection of atoms that the hand holds as one rigid body: 'ligand'");
+  command
+      ->add_option(
+          "--spheres", options->spheres,
+          "In place of MOLECULE: two CSV files with the header x,y,z,r (angstrom), the spheres of the scene and "
+          "those of the body in the hand, given from its centre")
+      ->type_name("SCENE.csv BODY.csv")
+      ->expected(2)
+      ->excludes(molecule)
+      ->excludes(in_hand);
   options->left_out.addTo(*command);
   addTouchOptions(*command, options->touch);
   addProbeOption(*command, options->touch);
   command->add_option("--stiffness", options->stiffness_N_per_A, "Stiffness of the spring, in N per angstrom")
       ->check(numberFrom(0.0, 1e6))
       ->capture_default_str();
+  command
+      ->add_option("--rotational-stiffness", options->rotational_stiffness_N_A,
+                   "Stiffness of the spring that turns a body, in N angstrom per radian; 0: by the body's size. For an "
+                   "interaction whose body turns by itself")
+      ->check(numberFrom(0.0, 1e9))
+      ->capture_default_str();
   command->add_flag("--time", options->time,
                     "Print the time of the ticks as JSON (ns): the minimum of three passes for each tick");
   command->callback([options] {
+    if (options->molecule.named.name.empty() && options->spheres.empty())
+      throw CLI::RequiredError("MOLECULE (or --spheres)");
     if (options->out.empty() && !options->time) throw CLI::RequiredError("--out (or --time)");
     run(*options);
   });

@@ -34,6 +34,15 @@ struct Response {
   double springs = 1.0;
   double rotational_A2 = 0.0;  ///< the same round the stiffest axis: no small rotation is opposed by more
   std::optional<FeltForce> field = std::nullopt;  ///< what acts besides the contact; none where nothing does
+  /// Where the held body rests: the place of its middle and its orientation. Empty: where the springs' mean has shifted
+  /// it, at the contact's SCP, with the hand's orientation.
+  std::optional<PoseA> body_pose = std::nullopt;
+  bool at_rest = true;  ///< false: the search for the body's rest ended before it was found, and the next tick goes on
+
+  /// Where the held body is shown for this hand.
+  PoseA shownBody(const PoseA& hand) const {
+    return body_pose ? *body_pose : PoseA{contact.touching() ? contact.scp : hand.place, hand.orientation};
+  }
 
   bool springsPull() const {
     return contact.touching() || contact.displacement_A != Vec3(0.0) || torque_A2 != Vec3(0.0);

@@ -21,6 +21,9 @@ struct InteractionInput {
   std::shared_ptr<const HeldBody> body = nullptr;  ///< what a kind that holds one is made with; else passed over
   /// Of each sphere, for a kind that needs it (engine/structure/atom_charges.h makes it); else null.
   std::shared_ptr<const AtomChemistry> chemistry = nullptr;
+  /// Of the spring that turns a held body to the hand's orientation (unit: N A per radian, for a spring of 1 N per A at
+  /// its middle); 0: by the body's size. For a kind that has such a spring.
+  double rotational_stiffness_N_A = 0.0;
 };
 
 struct InteractionKind {

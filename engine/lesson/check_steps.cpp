@@ -56,15 +56,26 @@ bool saysSomething(const Step& step) {
   return any;
 }
 
-/// Checks a task's own requirements of its scene.
+/// "reach, hold": the kinds of task that judge a body in the hand.
+std::string kindsOfBody() {
+  std::string out;
+  for (const TaskKind& kind : taskKinds())
+    if (!kind.of_body.empty()) out += (out.empty() ? "" : ", ") + std::string(kind.name);
+  return out;
+}
+
+/// What a kind of task says of the scene that it is done in.
 void tasksInScene(const Step& step, Findings& findings) {
   for (const TaskSpec& task : step.tasks) {
     const TaskKind* kind = findTaskKind(task.kind);
     std::vector<Problem> problems;
     if (kind && kind->check_scene) kind->check_scene(task, step.scene, problems);
-    if (step.scene.in_hand.given())
-      findings.error(task.place, tr("a touch task is done with the probe, and here the hand holds a body"),
-                     tr("write 'in-hand: none' in this step's scene, or put the task into another step"));
+    if (kind && step.scene.in_hand.given() && !kind->judgesBody(task))
+      findings.error(
+          task.place,
+          kind->of_body.empty() ? trf("'{0}' judges a probe, and here the hand holds a body", kind->name)
+                                : trf("'{0}' in this form judges a probe, and here the hand holds a body", kind->name),
+          trf("write 'in-hand: none' in this step's scene, or a task that judges a body: {0}", kindsOfBody()));
     for (Problem& p : problems) findings.error({p.line, p.column}, std::move(p.message), std::move(p.remedy));
   }
 }

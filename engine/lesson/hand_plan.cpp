@@ -18,6 +18,7 @@ constexpr int kMaxSteps = 20'000;       // longer on ways that are no molecule's
 constexpr double kRoom_A = 1.5;         // more room than this round a place is no better
 constexpr int kDirections = 60;         // in which an atom's face is looked at
 constexpr double kHandSpacing_A = 0.4;  // of places in a crease
+constexpr double kGoldenAngle = 2.399963229728653;
 
 // How far the nearest atom that does not hold the probe is away from it there.
 double room(const HandPlanInput& view, const SurfacePlace& place) {
@@ -30,7 +31,89 @@ double room(const HandPlanInput& view, const SurfacePlace& place) {
   return least;
 }
 
+constexpr int kBodyDirections = 100, kFewBodyDirections = 12;  // from which a body comes to an atom
+constexpr double kFrontal = 0.5;  // cosine of the angle between its way and the normal; it slides off beyond
+
+// The direction from a scene's atom to the nearest of the body's atoms, with its middle there.
+Vec3 contactNormal(const HandPlanInput& view, std::int32_t atom, const Vec3& middle_A) {
+  const Vec3 centre = view.spheres[std::size_t(atom)].centre_A;
+  const glm::dmat3 axes = glm::mat3_cast(view.orientation);
+  Vec3 nearest(0.0, 0.0, 1.0);
+  double least_A = 1e300;
+  for (const Sphere& sphere : view.body->spheres) {
+    const Vec3 from = middle_A + axes * sphere.centre_A - centre;
+    const double gap_A = glm::length(from) - sphere.radius_A;
+    if (gap_A >= least_A || glm::length(from) == 0.0) continue;
+    least_A = gap_A;
+    nearest = glm::normalize(from);
+  }
+  return nearest;
+}
+
+// Where the body meets one of these atoms first, on straight ways from many directions: on each of them the body's
+// foremost atom is aimed at the atom's centre.
+std::vector<SurfacePlace> bodyPlaces(const HandPlanInput& view, std::span<const std::uint32_t> atoms,
+                                     std::size_t at_most, const std::function<bool(const SurfacePlace&)>& wanted) {
+  // Of many atoms every so-and-so-many-th is aimed at, from fewer directions: each aim sweeps the whole body.
+  constexpr std::size_t kMaxAims = 6000;
+  const std::size_t each = std::max<std::size_t>(1, atoms.size());
+  const int directions = int(std::clamp<std::size_t>(kMaxAims / each, kFewBodyDirections, kBodyDirections));
+  const std::size_t stride = std::max<std::size_t>(1, each * std::size_t(directions) / kMaxAims);
+  std::vector<char> in(view.spheres.size(), 0);
+  for (const std::uint32_t a : atoms) in[a] = view.spheres.touchable(a);
+  const double far_A = glm::distance(view.spheres.low_A(), view.spheres.high_A()) + 2.0 * view.body->reach_A + 1.0;
+  const glm::dmat3 axes = glm::mat3_cast(view.orientation);
+  std::vector<std::pair<double, SurfacePlace>> found;
+  for (std::size_t n = 0; n < atoms.size(); n += stride) {
+    const std::uint32_t a = atoms[n];
+    if (!in[a]) continue;
+    for (int k = 0; k < directions; ++k) {
+      const double z = 1.0 - (2.0 * k + 1.0) / directions, r = std::sqrt(1.0 - z * z), turn = kGoldenAngle * k;
+      const Vec3 out(r * std::cos(turn), r * std::sin(turn), z);
+      // The body's atom that is foremost on this way meets what it is aimed at before the others do, if any does.
+      std::size_t foremost = 0;
+      const auto ahead = [&](std::size_t i) {
+        return view.body->spheres[i].radius_A - glm::dot(out, axes * view.body->spheres[i].centre_A);
+      };
+      for (std::size_t i = 1; i < view.body->spheres.size(); ++i)
+        if (ahead(i) > ahead(foremost)) foremost = i;
+      const Vec3 aim = view.spheres[a].centre_A - axes * view.body->spheres[foremost].centre_A;
+      const Vec3 start = aim + out * far_A;
+      const Hit hit = sweep(view.spheres, view.hand(), start, aim);
+      if (hit.sphere < 0 || !in[std::size_t(hit.sphere)]) continue;
+      const Vec3 middle = start + (aim - start) * hit.t;
+      const double frontal = glm::dot(out, contactNormal(view, hit.sphere, middle));
+      SurfacePlace place{middle, out, {hit.sphere, -1, -1}, Feature::Sphere};
+      if (frontal >= kFrontal && (!wanted || wanted(place))) found.emplace_back(-frontal, place);
+    }
+  }
+  std::stable_sort(found.begin(), found.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+  std::vector<SurfacePlace> out;
+  for (const auto& [frontal, place] : found) {
+    if (out.size() >= at_most) break;
+    const Vec3 here = place.scp_A;
+    const auto near = [&](const SurfacePlace& p) { return glm::distance(p.scp_A, here) < kApart_A; };
+    if (std::none_of(out.begin(), out.end(), near)) out.push_back(place);
+  }
+  return out;
+}
+
 }  // namespace
+
+PoseA HandWay::at(std::size_t k) const {
+  if (k >= ticks) return to;
+  const double part = double(k) / double(ticks);
+  return {{from.place.A + (to.place.A - from.place.A) * part}, glm::slerp(from.orientation, to.orientation, part)};
+}
+
+HandWay wayOf(const HandAct& act, const PoseA& from, double tick_s) {
+  HandWay way{from, {act.to.value_or(from.place), act.turned_to.value_or(from.orientation)}, 0};
+  const double turn_deg = glm::degrees(glm::length(rotationBetween(from.orientation, way.to.orientation)));
+  const double takes_s = std::max(glm::distance(from.place.A, way.to.place.A) / std::max(0.1, act.speed_A_per_s),
+                                  turn_deg / std::max(1.0, act.turn_deg_per_s));
+  way.ticks = saturateToInteger<std::size_t>(std::ceil(takes_s / tick_s));
+  return way;
+}
 
 std::vector<std::uint32_t> everyAtom(const SphereGrid& spheres) {
   std::vector<std::uint32_t> all(spheres.size());
@@ -40,6 +123,8 @@ std::vector<std::uint32_t> everyAtom(const SphereGrid& spheres) {
 
 std::vector<SurfacePlace> openPlaces(const HandPlanInput& view, std::span<const std::uint32_t> atoms, Feature feature,
                                      std::size_t at_most, const std::function<bool(const SurfacePlace&)>& wanted) {
+  if (view.body)
+    return feature == Feature::Sphere ? bodyPlaces(view, atoms, at_most, wanted) : std::vector<SurfacePlace>();
   std::vector<SurfacePlace> found;
   if (feature == Feature::Sphere)
     found = facePlaces(view.spheres, atoms, view.probe_A, kDirections);
@@ -78,7 +163,7 @@ void slide(HandPlan& plan, const HandPlanInput& view, const SurfacePlace& from, 
            double speed_A_per_s) {
   const double length = glm::distance(from.scp_A, to.scp_A);
   const int steps = std::clamp(saturateToInteger<int>(std::ceil(length / kStep_A)), 1, kMaxSteps);
-  const double far = glm::distance(view.spheres.low_A(), view.spheres.high_A()) + 2.0 * view.probe_A + 1.0;
+  const double far = glm::distance(view.spheres.low_A(), view.spheres.high_A()) + 2.0 * view.hand().reach_A() + 1.0;
   for (int k = 1; k <= steps; ++k) {
     const double part = double(k) / steps;
     const Vec3 mixed = from.outward * (1.0 - part) + to.outward * part;
@@ -86,7 +171,7 @@ void slide(HandPlan& plan, const HandPlanInput& view, const SurfacePlace& from, 
     const Vec3 between = from.scp_A * (1.0 - part) + to.scp_A * part;
     // The surface as it is met from outside there; where nothing is met the straight way will do.
     const Vec3 start = between + out * far, end = between - out * (0.5 * length + depth_A);
-    const Hit hit = sweep(view.spheres, view.probe_A, start, end);
+    const Hit hit = sweep(view.spheres, view.hand(), start, end);
     const Vec3 surface = k == steps ? to.scp_A : hit.sphere >= 0 ? start + (end - start) * hit.t : between;
     plan.push_back({.to = PointA{surface - out * depth_A}, .speed_A_per_s = speed_A_per_s});
   }

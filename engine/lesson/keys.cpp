@@ -184,8 +184,8 @@ std::vector<KeySpec> sceneKeys() {
        .type = ValueType::Target,
        .meaning =
            "Atoms that the hand holds as one rigid body, in the place of the probe: a ligand, brought to its "
-           "pocket. They are taken out of the molecule. Touch tasks are done with the probe, and none can stand in "
-           "such a step. 'none' puts them back.",
+           "pocket. They are taken out of the molecule. Only touch tasks that judge a body can stand in such a step; the "
+           "reference of each kind says so. 'none' puts them back.",
        .words = {"none"}},
       {.name = "near",
        .type = ValueType::Quantity,

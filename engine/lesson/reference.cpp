@@ -130,6 +130,7 @@ void tasks(std::ostream& out) {
   for (const TaskKind& kind : taskKinds()) {
     out << "### " << kind.name << "\n\n" << kind.meaning << "\n\n";
     table(out, kind.keys);
+    if (!kind.of_body.empty()) out << "With a body in the hand (`in-hand`): " << kind.of_body << "\n\n";
   }
 }
 

@@ -1,6 +1,7 @@
 // One tick of the servo loop as a lesson sees it. Plain data, written by the servo side, read on the screen's thread.
 #pragma once
 
+#include <optional>
 #include <string_view>
 
 #include "engine/core/units.h"
@@ -18,6 +19,10 @@ struct TouchSample {
   std::string_view method =
       {};         ///< name of the haptic method in use; from the table of methods, so it outlives the sample
   Contact exact;  ///< what the exact tracker gives for the same hand, where the method in use is compared with it
+  Quat orientation = kNoRotation;  ///< of the hand, in the molecule's space
+  std::optional<PoseA> body = {};  ///< where the held body is shown: the place of its middle and its orientation
+                                   ///< relative to the molecule's file; empty: the hand holds the probe
+  Vec3 torque_N_mm{0.0};           ///< on the hand, in the device's space; zero for a device that drives none
 
   /// A force is felt; `contact.touching()` says that a surface is touched.
   bool felt() const { return contact.touching() || field; }
@@ -33,7 +38,10 @@ TouchSample touchSampleOf(const ServoTick& tick, std::string_view method = {}, c
           .field = tick.field && tick.felt(),
           .probe_A = tick.probe_A,
           .method = method,
-          .exact = exact};
+          .exact = exact,
+          .orientation = tick.orientation,
+          .body = tick.holds_body ? std::optional(tick.shownBody()) : std::nullopt,
+          .torque_N_mm = tick.torque_N_mm};
 }
 
 }  // namespace moltact

@@ -64,6 +64,7 @@ class Maker {
   // What the hand holds in the probe's place: the molecule's own atoms where the springs would have them, carbon in the
   // probe's colour, which no atom of a molecule has. What lies behind others shows through them.
   void body(const MoleculeModel& model) {
+    const Vec3 middle = scene_.body_place ? scene_.body_place->A : scp_;
     const glm::dmat3 axes = glm::mat3_cast(scene_.body_orientation);
     for (std::size_t i = 0; i < scene_.body->atoms.size(); ++i) {
       const std::uint32_t atom = scene_.body->atoms[i];
@@ -74,7 +75,7 @@ class Maker {
       const std::uint32_t colour = stopped  ? packColour(forceColour(scene_.theme, 1.0))
                                    : carbon ? packColour(scene_.theme.probe)
                                             : model.colour[model.sphereOf(atom)];
-      const Vec3 place = scp_ + axes * scene_.body->spheres[i].centre_A;
+      const Vec3 place = middle + axes * scene_.body->spheres[i].centre_A;
       const glm::vec3 centre = view(place);
       const auto radius = float(model.atomSphere(atom).radius_A);
       if (stopped) shell(place, double(radius) + kGlow_A, forceColour(scene_.theme, 1.0), 0.45f);

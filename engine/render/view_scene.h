@@ -104,8 +104,9 @@ struct ViewScene {
   Vec3 field_direction{0.0};
   double strongest_N = 3.0;  ///< the force that is drawn as the strongest (default 3 N)
   double probe_A = kWaterProbe_A;
-  std::shared_ptr<const HeldBody> body;  ///< drawn in the probe's place, its middle at the SCP; null: the probe
-  Quat body_orientation = kNoRotation;
+  std::shared_ptr<const HeldBody> body;     ///< drawn in the probe's place; null: the probe
+  std::optional<PointA> body_place;         ///< of its middle; empty: at the SCP
+  Quat body_orientation = kNoRotation;      ///< relative to the molecule
   std::vector<std::uint32_t> body_stopped;  ///< atoms of the body, by their numbers in it, that glow: others stop them
   bool water = true;  ///< a probe as large as a water molecule is drawn as one; false: as a sphere (default true)
   std::shared_ptr<const SolidModel>

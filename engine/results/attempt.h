@@ -6,6 +6,7 @@
 #include <array>
 #include <chrono>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -168,6 +169,7 @@ struct StageChanged {
   Workspace workspace{};
   TouchSetup touch{};
   ReadOptions reading{};  ///< how the file was read
+  std::vector<std::uint32_t> held{};  ///< atoms that the hand holds as a body, ascending; empty: the probe
   friend bool operator==(const StageChanged&, const StageChanged&) = default;
 };
 /// The camera (engine/render/camera.h).
@@ -183,6 +185,11 @@ struct StatesMoved {
   double share = 0.0;         ///< 0: first structure, 1: second
   friend bool operator==(const StatesMoved&, const StatesMoved&) = default;
 };
+/// What a hand that holds a body adds to a HipSample.
+struct HeldSample {
+  Quat orientation = kNoRotation;  ///< of the hand, in the molecule's axes
+  PoseA body;                      ///< where the body was shown: the place of its middle and its orientation
+};
 struct HipSample {
   double t_s = 0.0;
   PointA hip, scp;
@@ -190,8 +197,13 @@ struct HipSample {
   Vec3 displacement_A{0.0};  ///< of the spring that was felt; zero without contact
   Feature feature = Feature::Free;
   std::array<std::int32_t, 3> atoms{-1, -1, -1};
+  std::optional<HeldSample> held = std::nullopt;  ///< empty: the probe
+
+  /// Where a body is shown that rests without a pose of its own.
+  PoseA bodyAtHand(const Quat& orientation) const { return {feature == Feature::Free ? hip : scp, orientation}; }
 };
-/// The HIP's path for up to kHipChunk_s. The hand was at rest during a gap between two samples.
+/// The path of the HIP for up to kHipChunk_s, all of it with a body or all without. A gap between two samples is a hand
+/// at rest.
 struct HipChunk {
   std::vector<HipSample> samples;
 };

@@ -39,6 +39,8 @@ constexpr std::array kRanges{
     AttemptRange{"A_per_mm", 1e-4, 1e4},
     AttemptRange{"turn", -1.001, 1.001},
     AttemptRange{"orientation", -1.001, 1.001},
+    AttemptRange{"body", -kBeyond_A, kBeyond_A},
+    AttemptRange{"body_orientation", -1.001, 1.001},
     // counts and indices
     AttemptRange{"format", 1.0, kMaxAtoms, true},
     AttemptRange{"attempt", 1.0, 1e6, true},
@@ -51,6 +53,7 @@ constexpr std::array kRanges{
     AttemptRange{"crossings", 0.0, 1e10, true},
     AttemptRange{"lines", 1.0, 1e15, true},
     AttemptRange{"atoms", -1.0, kMaxAtoms, true},
+    AttemptRange{"held", 0.0, kMaxAtoms, true},
     AttemptRange{"share", 0.0, 1.0},
     // any measurement of a task
     AttemptRange{"value", -1e9, 1e9},

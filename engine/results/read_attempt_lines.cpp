@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <type_traits>
 
+#include "engine/haptics/body/held_body.h"
 #include "engine/language/catalogue.h"
 #include "engine/results/attempt_lines.h"
 #include "engine/results/attempt_ranges.h"
@@ -57,6 +58,33 @@ LessonOutline outline(const Json& from) {
   return out;
 }
 
+// The rotation at four numbers of a list; rounding is taken off.
+Quat turnAt(const std::vector<double>& numbers, std::size_t at, const char* key) {
+  const Quat q(numbers[at], numbers[at + 1], numbers[at + 2], numbers[at + 3]);
+  if (!(std::abs(glm::length(q) - 1.0) <= 1e-2)) throw LineError{trf("'{0}' is no rotation", key)};
+  return glm::normalize(q);
+}
+
+// A line of a hand that holds a body has its orientation.
+void readHeld(const Json& from, HipChunk& chunk) {
+  if (!from.contains("orientation")) return;
+  const std::size_t n = chunk.samples.size();
+  const std::vector<double> orientation = numbers(from, "orientation", 4 * n);
+  std::vector<double> body, body_orientation;
+  if (from.contains("body")) {
+    body = numbers(from, "body", 3 * n);
+    body_orientation = numbers(from, "body_orientation", 4 * n);
+  }
+  for (std::size_t i = 0; i < n; ++i) {
+    HipSample& s = chunk.samples[i];
+    HeldSample& held = s.held.emplace();
+    held.orientation = turnAt(orientation, 4 * i, "orientation");
+    held.body = body.empty() ? s.bodyAtHand(held.orientation)
+                             : PoseA{{{body[3 * i], body[3 * i + 1], body[3 * i + 2]}},
+                                     turnAt(body_orientation, 4 * i, "body_orientation")};
+  }
+}
+
 HipChunk hipChunk(const Json& from) {
   const Json& ms = list(from, "ms");
   const std::string features = text(from, "feature", true);
@@ -99,6 +127,7 @@ HipChunk hipChunk(const Json& from) {
     }
     out.samples.push_back(s);
   }
+  readHeld(from, out);
   return out;
 }
 
@@ -194,13 +223,17 @@ std::optional<AttemptFact> factOf(const std::string& kind, const Json& j) {
     const glm::dmat3 product = glm::transpose(s.workspace.rotation) * s.workspace.rotation;
     for (int k = 0; k < 9; ++k)
       if (std::abs(product[k / 3][k % 3] - (k % 4 == 0)) > kOff || glm::determinant(s.workspace.rotation) < 0.0)
-        throw LineError{tr("'turn' is no rotation")};
+        throw LineError{trf("'{0}' is no rotation", "turn")};
+    for (const Json& a : listOrNone(j, "held", kMaxHeldAtoms)) {
+      s.held.push_back(static_cast<std::uint32_t>(count(a, "held")));
+      if (s.held.size() > 1 && s.held.back() <= *(s.held.end() - 2)) throw LineError{tr("'held' does not ascend")};
+      if (s.held.back() >= s.atoms) throw LineError{tr("'held' names an atom that there is not")};
+    }
     return s;
   }
   if (kind == "view") {
     const std::vector<double> q = numbers(j, "orientation", 4);
-    if (const double length = std::hypot(std::hypot(q[0], q[1]), std::hypot(q[2], q[3])); std::abs(length - 1.0) > 1e-2)
-      throw LineError{tr("'orientation' is no rotation")};
+    turnAt(q, 0, "orientation");
     return ViewChanged{{q[0], q[1], q[2], q[3]}, vector(j, "target_A"), numberAt(j, "distance_A")};
   }
   if (kind == "trace") return hipChunk(j);

@@ -90,6 +90,12 @@ std::optional<HipSample> Timeline::hand(double t_s) const {
   if (!(span_s > 0.0) || here != there) return out;
   const double part = (t_s - before->t_s) / span_s;
   out.hip.A = glm::mix(before->hip.A, after.hip.A, part);
+  if (before->held && after.held) {
+    const auto between = [part](const Quat& a, const Quat& b) { return glm::slerp(a, b, part); };
+    out.held->orientation = between(before->held->orientation, after.held->orientation);
+    out.held->body.place.A = glm::mix(before->held->body.place.A, after.held->body.place.A, part);
+    out.held->body.orientation = between(before->held->body.orientation, after.held->body.orientation);
+  }
   if (before->feature == Feature::Free) {
     out.scp = out.hip;
   } else if (after.feature != Feature::Free) {

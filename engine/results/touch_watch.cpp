@@ -4,10 +4,19 @@
 #include <utility>
 
 namespace moltact {
+namespace {
+
+// The angle between two orientations (unit: radian).
+double turned(const Quat& from, const Quat& to) { return glm::length(rotationBetween(from, to)); }
+
+}  // namespace
 
 void TouchWatch::add(const TouchSample& sample, double t_s, InputWay by) {
   if (!finite(sample.hip.A) || !finite(sample.contact.scp.A) || !finite(sample.contact.displacement_A) ||
       !finite(sample.force.N))
+    return;
+  if (sample.body &&
+      !(rotates(sample.orientation) && finite(sample.body->place.A) && rotates(sample.body->orientation)))
     return;
   follow(sample, t_s, by);
   keepHip(sample, t_s);
@@ -61,12 +70,16 @@ void TouchWatch::end() {
 
 void TouchWatch::keepHip(const TouchSample& s, double t_s) {
   const Contact& c = s.contact;
-  const HipSample now{t_s, s.hip, c.scp, s.force, c.displacement_A, c.feature, c.atoms};
+  HipSample now{t_s, s.hip, c.scp, s.force, c.displacement_A, c.feature, c.atoms};
+  if (s.body) now.held = {s.orientation, *s.body};
+  // A line is with a body or without.
+  if (has_before_ && now.held.has_value() != before_.held.has_value()) endPath();
   if (has_before_) {
     const bool changed = now.feature != before_.feature || now.atoms != before_.atoms;
     if (t_s - before_.t_s < (changed ? kChange_s : kSample_s)) return;
     const bool still = !changed && glm::distance(now.hip.A, before_.hip.A) < kStill_A &&
-                       glm::distance(now.force.N, before_.force.N) < 0.005;
+                       glm::distance(now.force.N, before_.force.N) < 0.005 &&
+                       (!now.held || turned(before_.held->orientation, now.held->orientation) < kUnturned);
     if (still) {
       rested_ = true;
       resting_ = now;
@@ -80,10 +93,14 @@ void TouchWatch::keepHip(const TouchSample& s, double t_s) {
   has_before_ = true;
 }
 
-void TouchWatch::breakOff() {
-  if (touching_) end();
+void TouchWatch::endPath() {
   if (!hips_.empty()) ready_.push_back({hips_.back().t_s, HipChunk{std::exchange(hips_, {})}});
   has_before_ = rested_ = false;
+}
+
+void TouchWatch::breakOff() {
+  if (touching_) end();
+  endPath();
 }
 
 std::vector<AttemptEvent> TouchWatch::take(double t_s) {

@@ -1,4 +1,5 @@
-// Formats the lines of an attempt.
+// Writes the lines of an attempt.
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 
@@ -17,6 +18,13 @@ Json rounded(const Vec3& v) { return {rounded(v.x), rounded(v.y), rounded(v.z)};
 
 void append(Json& list, const Vec3& v) {
   for (int k = 0; k < 3; ++k) list.push_back(rounded(v[k]));
+}
+
+// Five decimals turn a body of 20 A by less than 0.001 A.
+double roundedTurn(double value) { return std::isfinite(value) ? std::round(value * 1e5) / 1e5 : 0.0; }
+
+void append(Json& list, const Quat& q) {
+  for (const double value : {q.w, q.x, q.y, q.z}) list.push_back(roundedTurn(value));
 }
 
 std::string closed(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace) + '\n'; }
@@ -49,7 +57,8 @@ Json written(const LessonOutline& lesson) {
   return out;
 }
 
-constexpr double kStraight_A = 0.002;  // a spring that equals SCP - HIP within rounding is not written
+constexpr double kUnturned = 2e-5;      // a body within rounding of the hand's orientation has it (unit: radian)
+constexpr double kStraight_A = 0.002;  // a spring within rounding of SCP - HIP is not written down
 
 // Each kind of fact writes its keys after "kind" and "t".
 struct FactWriter {
@@ -123,9 +132,10 @@ struct FactWriter {
     for (const ReadingOption& option : readingOptions())
       if (!isDefault(e.reading, option))
         std::visit([&](const auto member) { out[std::string(option.name)] = e.reading.*member; }, option.member);
+    if (!e.held.empty()) out["held"] = e.held;
   }
   void operator()(const ViewChanged& e) {
-    for (const double q : e.orientation) out["orientation"].push_back(std::round(q * 1e5) / 1e5);
+    for (const double q : e.orientation) out["orientation"].push_back(roundedTurn(q));
     out["target_A"] = rounded(e.target_A);
     out["distance_A"] = rounded(e.distance_A);
   }
@@ -157,11 +167,31 @@ struct FactWriter {
     out["ms"] = std::move(ms);
     out["feature"] = std::move(features);
     out["hip"] = std::move(hip);
+    writeHeld(e);
     if (scp.empty()) return;
     out["scp"] = std::move(scp);
     out["force"] = std::move(force);
     if (shaded) out["displacement"] = std::move(displacement);
     out["atoms"] = std::move(atoms);
+  }
+  // The hand's orientation; and the body's pose, where any of it is not the one that goes without saying.
+  void writeHeld(const HipChunk& e) {
+    const auto holds = [](const HipSample& s) { return s.held.has_value(); };
+    if (e.samples.empty() || !std::all_of(e.samples.begin(), e.samples.end(), holds)) return;
+    Json orientation = Json::array(), body = Json::array(), body_orientation = Json::array();
+    bool apart = false;
+    for (const HipSample& s : e.samples) {
+      const PoseA usual = s.bodyAtHand(s.held->orientation);
+      append(orientation, s.held->orientation);
+      append(body, s.held->body.place.A);
+      append(body_orientation, s.held->body.orientation);
+      apart = apart || glm::distance(usual.place.A, s.held->body.place.A) > kStraight_A ||
+              glm::length(rotationBetween(usual.orientation, s.held->body.orientation)) > kUnturned;
+    }
+    out["orientation"] = std::move(orientation);
+    if (!apart) return;
+    out["body"] = std::move(body);
+    out["body_orientation"] = std::move(body_orientation);
   }
   void operator()(const LessonReread& e) { out["lesson"] = written(e.lesson); }
   void operator()(const Resumed& e) {

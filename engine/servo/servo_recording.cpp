@@ -21,16 +21,17 @@ static_assert(sizeof(ServoSettings) == 152 && sizeof(DevicePose) == 80 && sizeof
                   sizeof(TickTime) == 16,
               "a field more is to be recorded below, or a replay is not the same");
 
-// The fourth version's ticks have no torque, the third's no orientation and its devices no torque; the second's begin from
+// The fifth version's ticks have no pose of a body, the fourth's no torque, the third's no orientation and its devices no torque; the second's begin from
 // no state either.
-constexpr std::string_view kMagic = "MOLTRAC5", kForcesMagic = "MOLTRAC4", kPlacesMagic = "MOLTRAC3",
-                           kStatelessMagic = "MOLTRAC2", kOldMagic = "MOLTRAC1";
+constexpr std::string_view kMagic = "MOLTRAC6", kTorquesMagic = "MOLTRAC5", kForcesMagic = "MOLTRAC4",
+                           kPlacesMagic = "MOLTRAC3", kStatelessMagic = "MOLTRAC2", kOldMagic = "MOLTRAC1";
 constexpr std::string_view kBlockMagic = "BLK1";
 constexpr std::uint32_t kTicksInBlock = 256;
 constexpr std::size_t kMinTickBytes = 81;  // a tick without settings and device
 constexpr std::size_t kMaxBytes = std::size_t{1} << 30;
 constexpr std::uint8_t kSettings = 1, kFresh = 2, kConnected = 4, kOtherDevice = 8, kFaultFlag = 16, kFallenBack = 32,
                        kOriented = 64, kSpheresMoved = 128;
+constexpr std::uint8_t kBodyPose = 1, kNotAtRest = 2;  // of an oriented tick
 
 // What must be the same for the bits to be the same: the state's members and the compiler.
 std::string buildName() { return std::to_string(sizeof(ServoStep)) + ' ' + __VERSION__; }
@@ -128,6 +129,13 @@ bool sameBits(const Vec3& a, const Vec3& b) {
   return bits(a.x) == bits(b.x) && bits(a.y) == bits(b.y) && bits(a.z) == bits(b.z);
 }
 
+bool samePose(const std::optional<PoseA>& a, const std::optional<PoseA>& b) {
+  if (!a || !b) return a.has_value() == b.has_value();
+  const auto vector = [](const Quat& q) { return Vec3(q.x, q.y, q.z); };
+  return sameBits(a->place.A, b->place.A) && sameBits(vector(a->orientation), vector(b->orientation)) &&
+         sameBits(Vec3(a->orientation.w), Vec3(b->orientation.w));
+}
+
 // Whether a program of ours can have asked the loop for that. Poses and device's figures come from devices, which may
 // tell anything; the loop takes them as they are.
 bool canBe(const ServoSettings& s) {
@@ -164,8 +172,22 @@ bool drivesTorque(const DeviceSpecs& device) { return device.dof_out >= 6; }
 
 // What a version of the file holds.
 struct Version {
-  bool orientations = true, torques = true;
+  bool orientations = true, torques = true, body_poses = true;
 };
+
+// Beside its orientation and torque, what an oriented tick tells of the held body.
+bool readBody(Getter& get, RecordedTick& tick) {
+  std::uint8_t flags = 0;
+  get(flags);
+  tick.at_rest = !(flags & kNotAtRest);
+  if (flags & kBodyPose) {
+    PoseA& pose = tick.body_pose.emplace();
+    eachOf(get, pose.place.A);
+    orientationFields(get, pose.orientation);
+    if (!finite(pose.place.A) || !rotates(pose.orientation)) return false;
+  }
+  return !(flags & ~(kBodyPose | kNotAtRest));
+}
 
 bool readTick(Getter& get, ServoSettings& settings, RecordedTick& tick, const Version& version) {
   std::uint8_t flags = 0, on = 0, panic = 0, gives = 0, at_edge = 0;
@@ -189,6 +211,7 @@ bool readTick(Getter& get, ServoSettings& settings, RecordedTick& tick, const Ve
   tickFields(get, tick);
   if (version.orientations && flags & kOriented) orientationFields(get, tick.pose.orientation);
   if (version.torques && flags & kOriented && drivesTorque(tick.device)) eachOf(get, tick.torque_N_mm);
+  if (version.body_poses && flags & kOriented) get.ok = readBody(get, tick) && get.ok;
   tick.pose.fresh = flags & kFresh;
   tick.pose.connected = flags & kConnected;
   tick.pose.fault = flags & kFaultFlag;
@@ -228,7 +251,8 @@ std::optional<Problem> ServoRecordingWriter::add(const RecordedTick& tick) {
                tr("begin another one")};
   const bool other_settings = ticks_in_block_ == 0 || bytesOf(*last_) != bytesOf(tick.settings);
   const DevicePose& pose = tick.pose;
-  const bool oriented = pose.orientation != kNoRotation || !sameBits(tick.torque_N_mm, Vec3(0.0));
+  const bool oriented =
+      pose.orientation != kNoRotation || !sameBits(tick.torque_N_mm, Vec3(0.0)) || tick.body_pose || !tick.at_rest;
   Putter put{block_};
   put(std::uint8_t((other_settings ? kSettings : 0) | (pose.fresh ? kFresh : 0) | (pose.connected ? kConnected : 0) |
                    (pose.fault ? kFaultFlag : 0) | (tick.other_device ? kOtherDevice : 0) |
@@ -244,6 +268,11 @@ std::optional<Problem> ServoRecordingWriter::add(const RecordedTick& tick) {
   tickFields(put, tick);
   if (oriented) orientationFields(put, pose.orientation);
   if (oriented && drivesTorque(device_)) eachOf(put, tick.torque_N_mm);
+  if (oriented) put(std::uint8_t((tick.body_pose ? kBodyPose : 0) | (tick.at_rest ? 0 : kNotAtRest)));
+  if (oriented && tick.body_pose) {
+    eachOf(put, tick.body_pose->place.A);
+    orientationFields(put, tick.body_pose->orientation);
+  }
   last_ = tick.settings;
   return ++ticks_in_block_ == kTicksInBlock ? writeBlock() : std::nullopt;
 }
@@ -281,7 +310,8 @@ Expected<ServoRecording> readServoRecording(const std::filesystem::path& file) {
   const bool stateless = std::string_view(*bytes).starts_with(kStatelessMagic);
   Version version;
   version.orientations = !stateless && !std::string_view(*bytes).starts_with(kPlacesMagic);
-  version.torques = std::string_view(*bytes).starts_with(kMagic);
+  version.body_poses = std::string_view(*bytes).starts_with(kMagic);
+  version.torques = version.body_poses || std::string_view(*bytes).starts_with(kTorquesMagic);
   if (bytes->size() < fixed ||
       (version.orientations && !version.torques && !std::string_view(*bytes).starts_with(kForcesMagic)))
     return none;
@@ -298,6 +328,7 @@ Expected<ServoRecording> readServoRecording(const std::filesystem::path& file) {
 
   ServoRecording recording;
   recording.torques = version.torques;
+  recording.body_poses = version.body_poses;
   const std::string_view text(data + fixed, text_size);
   for (std::size_t at = 0; at < text.size();) {
     const std::size_t end = std::min(text.find('\n', at), text.size()), equals = text.find('=', at);
@@ -384,12 +415,16 @@ ReplayResult replay(const ServoRecording& recording, Interaction* interaction) {
     if (tick.other_device) step.setDevice(tick.device);
     const ServoSample now = step.tick(tick.settings, interaction, tick.pose, tick.time);
     const bool same_torque = !recording.torques || sameBits(now.torque_N_mm, tick.torque_N_mm);
-    if (!sameBits(now.force.N, tick.force.N) || !same_torque) {
+    const bool same_pose = !recording.body_poses || samePose(now.body_pose, tick.body_pose);
+    if (!sameBits(now.force.N, tick.force.N) || !same_torque || !same_pose) {
       if (!out.first_difference) out.first_difference = out.ticks;
       out.greatest_difference_N = std::max(out.greatest_difference_N, glm::distance(now.force.N, tick.force.N));
       if (!same_torque)
         out.greatest_difference_N_mm =
             std::max(out.greatest_difference_N_mm, glm::distance(now.torque_N_mm, tick.torque_N_mm));
+      if (now.body_pose && tick.body_pose)
+        out.greatest_difference_A =
+            std::max(out.greatest_difference_A, glm::distance(now.body_pose->place.A, tick.body_pose->place.A));
     }
     ++out.ticks;
     out.moving += tick.spheres_moved;

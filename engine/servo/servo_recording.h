@@ -27,7 +27,9 @@ struct RecordedTick {
   DeviceSpecs device;         ///< of the device that leads
   bool other_device = false;  ///< another device than in the last tick leads
   ForceN force;
-  Vec3 torque_N_mm{0.0};  ///< zero where the device drives none, and in files of earlier versions
+  Vec3 torque_N_mm{0.0};                ///< zero where the device drives none, and in files of earlier versions
+  std::optional<PoseA> body_pose = {};  ///< as in Response; none in files of earlier versions
+  bool at_rest = true;                  ///< as in Response
   // Results, for watching a recording grow; the file holds only the first and the last of these.
   bool fallen_back = false;  ///< the fallback led because the chosen device was gone
   bool touching = false;
@@ -40,8 +42,9 @@ struct ServoRecording {
   std::map<std::string, std::string> labels;  ///< the recorder's description: "molecule", "method", "device"
   std::optional<ServoStep> start;  ///< none where another build or version made the file; then the forces may differ
   std::vector<RecordedTick> ticks;
-  bool torques = true;  ///< false: of an earlier version, which did not keep them
-  std::string torn;     ///< the reason why the rest could not be read; empty: the file is complete
+  bool torques = true;     ///< false: of an earlier version, which did not keep them
+  bool body_poses = true;  ///< the same
+  std::string torn;        ///< the reason why the rest could not be read; empty: the file is complete
 };
 
 /// Longer ones are neither written nor read (66 minutes and 40 s; a tick takes 416 bytes of memory).
@@ -85,12 +88,14 @@ TouchSetup touchOf(const ServoRecording& recording);
 struct ReplayResult {
   std::uint64_t ticks = 0;
   std::uint64_t moving = 0;  ///< those whose spheres moved during the recording and are at rest here
-  /// The first tick whose force or torque differs from the recorded one in any bit.
+  /// The first tick whose force, torque or pose of the body differs from the recorded one in any bit.
   std::optional<std::uint64_t> first_difference;
   double greatest_difference_N = 0, greatest_difference_N_mm = 0;
+  double greatest_difference_A = 0;  ///< of the place of the body's middle
 };
 
-/// Steps the recorded ticks with an interaction made as for the recording (null: none), and compares forces and torques.
+/// Steps the recorded ticks with an interaction made as for the recording (null: none), and compares forces, torques and
+/// the poses in which a body rests.
 ReplayResult replay(const ServoRecording& recording, Interaction* interaction);
 
 /// What a recording's labels say of its scene: "balls", a fingerprint that shows whether the molecule has changed since;

@@ -64,6 +64,7 @@ ServoSample ServoStep::tick(const ServoSettings& settings, Interaction* interact
   out.hip = at.place;
   out.orientation = at.orientation;
   out.has_interaction = interaction != nullptr;
+  out.holds_body = interaction && interaction->hasOrientation();
   out.discontinuities = settings.discontinuities;
 
   // A new interaction comes as its maker left it: one that was led to the hand keeps the contact over a change of
@@ -101,6 +102,8 @@ ServoSample ServoStep::tick(const ServoSettings& settings, Interaction* interact
     out.spring_N_per_A = k / settings.workspace.A_per_mm;
     out.field_share = share;
     if (response.field) out.field = response.field;
+    if (response.body_pose) out.body_pose = response.body_pose;
+    out.at_rest = response.at_rest;
     if (reactions && wanted.on && response.acts())
       reactions->count = interaction->reactions(response, k / settings.workspace.A_per_mm, share, reactions->room);
     last_at_ = at;

@@ -69,6 +69,8 @@ struct ServoSample {
   double spring_N_per_A = 0.0;                    ///< the stiffness of each spring that is in force
   double field_share = 1.0;                       ///< of the field, that is in force
   std::optional<FeltForce> field = std::nullopt;  ///< as the interaction gave it
+  std::optional<PoseA> body_pose = std::nullopt;  ///< as in Response
+  bool at_rest = true;                            ///< as in Response
   ForceN force;                                   ///< as given to the device, after every limit
   Vec3 torque_N_mm{0.0};                          ///< the same; none for a device that drives none
   LimitFlags limits;                              ///< those that changed the force of this tick
@@ -80,6 +82,7 @@ struct ServoSample {
   /// The stiffest spring that is allowed, for the device and the recently measured delay.
   double stiffness_bound_N_per_mm = 0;
   bool has_interaction = false;
+  bool holds_body = false;   ///< Interaction::hasOrientation
   std::uint64_t motion = 0;  ///< SphereMotion::serial() of the motion that the spheres are in; 0: they are at rest
   double fraction = 0.0;     ///< of that motion
   std::uint32_t scene = 0;   ///< the number that the interaction was handed over with (0 from tick() itself)
@@ -87,6 +90,8 @@ struct ServoSample {
   /// The contact was forgotten before this tick: hand or scene were placed elsewhere, or the hand was lost.
   bool placed = false;
 
+  /// Where the held body is shown.
+  PoseA shownBody() const { return Response{.contact = contact, .body_pose = body_pose}.shownBody({hip, orientation}); }
   /// Contact and field together, before every limit but those on the stiffness, in the molecule's space.
   FeltForce wanted() const {
     return Response{.contact = contact, .torque_A2 = torque_A2, .springs = springs, .field = field}.total(

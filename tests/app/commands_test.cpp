@@ -4,7 +4,9 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
@@ -103,6 +105,153 @@ TEST_CASE(
   CHECK(std::stod(trace[2][10]) == doctest::Approx(2.0 * (z - 2.5)).epsilon(1e-12));
   CHECK(std::stod(trace[3][1]) == 0.1);
   CHECK(trace[4][4] == "0");
+}
+
+TEST_CASE(
+    "replay leads a body of one atom as it leads a probe of the same radius: place, force and contact agree to 1e-9, "
+    "its "
+    "torque is nothing, and its quaternion comes back normalised") {
+  const Folder folder;
+  write(folder / "scene.csv", "x,y,z,r\n0,0,0,1.6\n2.2,0.5,0,1.5\n");
+  write(folder / "scene.xyzr", "0 0 0 1.6\n2.2 0.5 0 1.5\n");
+  write(folder / "body.csv", "x,y,z,r\n0,0,0,1.4\n");
+  std::string path = "x,y,z\n", turned = "x,y,z,qw,qx,qy,qz\n";
+  for (int k = 0; k < 400; ++k) {
+    const std::string place = std::to_string(0.01 * k - 1.0) + "," + std::to_string(0.2 + 0.001 * k) + "," +
+                              std::to_string(4.0 - 0.006 * std::min(k, 300));
+    path += place + "\n";
+    // Of length 2, which is no matter.
+    turned += place + "," + std::to_string(2.0 * std::cos(0.005 * k)) + ",0,0," +
+              std::to_string(2.0 * std::sin(0.005 * k)) + "\n";
+  }
+  write(folder / "hip.csv", path);
+  write(folder / "pose.csv", turned);
+  REQUIRE(moltact(folder, "replay '" + (folder / "scene.xyzr") + "' --path '" + (folder / "hip.csv") +
+                              "' --probe 1.4 --stiffness 2 --out '" + (folder / "probe.csv") + "'")
+              .status == 0);
+  const Run run =
+      moltact(folder, "replay --spheres '" + (folder / "scene.csv") + "' '" + (folder / "body.csv") + "' --path '" +
+                          (folder / "pose.csv") + "' --stiffness 2 --out '" + (folder / "bodied.csv") + "'");
+  CAPTURE(run.err);
+  REQUIRE(run.status == 0);
+  const std::string text = contents(folder / "bodied.csv");
+  CHECK(text.starts_with(
+      "hand_x,hand_y,hand_z,hand_qw,hand_qx,hand_qy,hand_qz,body_x,body_y,body_z,body_qw,body_qx,body_qy,"
+      "body_qz,force_x_N,force_y_N,force_z_N,torque_x_NA,torque_y_NA,torque_z_NA,at_rest\n"));
+  const auto probe = rows(contents(folder / "probe.csv")), body = rows(text);
+  REQUIRE(probe.size() == 401);
+  REQUIRE(body.size() == 401);
+  std::size_t touched = 0;
+  double greatest = 0.0, torque = 0.0;
+  for (std::size_t k = 1; k < 401; ++k) {
+    REQUIRE(body[k].size() == 21);
+    touched += probe[k][4] == "1";
+    for (std::size_t i = 0; i < 3; ++i) {
+      greatest = std::max(greatest, std::abs(std::stod(body[k][i]) - std::stod(probe[k][1 + i])));
+      greatest = std::max(greatest, std::abs(std::stod(body[k][7 + i]) - std::stod(probe[k][5 + i])));
+      greatest = std::max(greatest, std::abs(std::stod(body[k][14 + i]) - std::stod(probe[k][8 + i])));
+      torque = std::max(torque, std::abs(std::stod(body[k][17 + i])));
+    }
+    const double w = std::stod(body[k][3]), z = std::stod(body[k][6]);
+    CHECK(w * w + z * z == doctest::Approx(1.0).epsilon(1e-12));
+    CHECK(std::atan2(z, w) == doctest::Approx(0.005 * double(k - 1)).epsilon(1e-5));
+    CHECK(body[k][20] == "1");
+  }
+  CHECK(touched > 100);
+  CHECK(greatest < 1e-9);
+  CHECK(torque < 1e-9);
+}
+
+TEST_CASE(
+    "replay holds a molecule's atoms: where they are in the file a body of two presses nothing, and led against the "
+    "rest "
+    "its torque is lever times force") {
+  const Folder folder;
+  // Atoms 1 and 2 are held: 3 A apart along x with the middle at the origin of z = 9; in the hand their radii are 1 A.
+  write(folder / "three.xyzr", "1.5 0 0 2.0\n-1.5 0 9 1.5\n1.5 0 9 1.5\n");
+  write(folder / "pose.csv", "x,y,z,qw,qx,qy,qz\n0,0,9,1,0,0,0\n0,0,4,1,0,0,0\n0,0,2.6,1,0,0,0\n");
+  const std::string replay =
+      "replay '" + (folder / "three.xyzr") + "' --in-hand 'atom 1 or atom 2' --path '" + (folder / "pose.csv") + "' ";
+  const Run run = moltact(folder, replay + "--stiffness 3 --out '" + (folder / "out.csv") + "'");
+  CAPTURE(run.err);
+  REQUIRE(run.status == 0);
+  const auto out = rows(contents(folder / "out.csv"));
+  REQUIRE(out.size() == 4);
+  for (const std::size_t quiet : {1u, 2u})
+    for (std::size_t i = 14; i < 20; ++i) CHECK(std::stod(out[quiet][i]) == 0.0);
+  // The atom at (1.5, 0, 2.6) is 0.4 A within 2 + 1 of the one below it: 3 N/A times 0.4 A, at 1.5 A from the middle.
+  CHECK(std::stod(out[3][16]) == doctest::Approx(1.2).epsilon(1e-9));
+  CHECK(std::stod(out[3][18]) == doctest::Approx(-1.8).epsilon(1e-9));
+  CHECK(std::stod(out[3][9]) == doctest::Approx(3.0).epsilon(1e-9));
+  CHECK(moltact(folder, replay + "--time").status == 0);
+
+  const std::string path = " --path '" + (folder / "pose.csv") + "' --time";
+  const Run probe = moltact(folder, "replay '" + (folder / "three.xyzr") + "'" + path);
+  CHECK(probe.status == 1);
+  CHECK(probe.err.find(
+            "pose.csv:1:7: the probe has no orientation; write the header x,y,z, or name what the hand holds") !=
+        std::string::npos);
+  CHECK(moltact(folder, "replay" + path).status == 2);
+  CHECK(moltact(folder, "replay '" + (folder / "three.xyzr") + "' --spheres a.csv b.csv" + path).status == 2);
+  CHECK(moltact(folder, "replay '" + (folder / "three.xyzr") + "' --in-hand 'atom 9'" + path).status == 2);
+  CHECK(moltact(folder, "replay '" + (folder / "three.xyzr") + "' --in-hand 'atom 1' --rotational-stiffness -1" + path)
+            .status == 2);
+}
+
+TEST_CASE("broken poses and lists of spheres end with 1 and name file, line, column and what would mend it") {
+  const Folder folder;
+  write(folder / "one.csv", "x,y,z,r\n0,0,0,1.6\n");
+  write(folder / "good.csv", "x,y,z,qw,qx,qy,qz\n0,0,5,1,0,0,0\n");
+  const struct {
+    const char* text;
+    const char* place;
+    const char* says;
+  } poses[] = {
+      {"x,y,z,qw,qx,qy\n0,0,5,1,0,0\n", ":1:1:", "the first line is not the header x,y,z or x,y,z,qw,qx,qy,qz"},
+      {"x,y,z,qw,qx,qy,qz\n0,0,5\n", ":2:6:", "a comma was expected here; a row is 7 numbers"},
+      {"x,y,z,qw,qx,qy,qz\n0,0,5,1,0,0,0,0\n", ":2:14:", "there is more than x,y,z,qw,qx,qy,qz in this row"},
+      {"x,y,z,qw,qx,qy,qz\n0,0,5,1,0,0,0\n0,0,5,0,0,0,0\n", ":3:7:", "these four numbers are no rotation"},
+      {"x,y,z,qw,qx,qy,qz\n0,0,5,nan,0,0,0\n", ":2:7:", "these four numbers are no rotation"},
+      {"x,y,z,qw,qx,qy,qz\n0,0,5,1,0,inf,0\n", ":2:7:", "these four numbers are no rotation"},
+      {"x,y,z,qw,qx,qy,qz\n", ":", "there is no row in this file"},
+  };
+  const auto replay = [&](const std::string& scene, const std::string& body, const std::string& path) {
+    return moltact(folder, "replay --spheres '" + (folder / scene) + "' '" + (folder / body) + "' --path '" +
+                               (folder / path) + "' --out '" + (folder / "t.csv") + "'");
+  };
+  for (const auto& one : poses) {
+    write(folder / "pose.csv", one.text);
+    const Run run = replay("one.csv", "one.csv", "pose.csv");
+    CAPTURE(run.err);
+    CHECK(run.status == 1);
+    CHECK(run.err.find((folder / "pose.csv") + one.place) != std::string::npos);
+    CHECK(run.err.find(one.says) != std::string::npos);
+    CHECK_FALSE(fs::exists(folder / "t.csv"));
+  }
+  // Quaternions of any size turn alike, also where their squares would be no numbers.
+  write(folder / "pose.csv", "x,y,z,qw,qx,qy,qz\n0,0,5,1e-200,0,0,1e-200\n0,0,5,1e200,0,0,1e200\n");
+  REQUIRE(replay("one.csv", "one.csv", "pose.csv").status == 0);
+  const auto turned = rows(contents(folder / "t.csv"));
+  for (const std::size_t k : {1u, 2u}) CHECK(std::stod(turned[k][6]) == doctest::Approx(std::sqrt(0.5)).epsilon(1e-12));
+  fs::remove(folder / "t.csv");
+
+  std::string many = "x,y,z,r\n";
+  for (int k = 0; k < 201; ++k) many += "0,0," + std::to_string(k) + ",1\n";
+  const std::pair<std::string, const char*> lists[] = {
+      {"x,y,z\n0,0,0\n", ":1:1: the first line is not the header x,y,z,r"},
+      {"x,y,z,r\n0,0,0,0\n", ":2:7: no sphere has this number"},
+      {"x,y,z,r\n0,0,0,-1\n", ":2:7: no sphere has this number"},
+      {"x,y,z,r\n0,nan,0,1\n", ":2:3: no sphere has this number"},
+      {"x,y,z,r\n0,0,2e9,1\n", ":2:5: no sphere has this number"},
+      {many, ":202:1: more than 200 spheres"}};
+  for (const auto& [text, says] : lists) {
+    write(folder / "list.csv", text);
+    const Run run = replay("one.csv", "list.csv", "good.csv");
+    CAPTURE(run.err);
+    CHECK(run.status == 1);
+    CHECK(run.err.find((folder / "list.csv") + says) != std::string::npos);
+    CHECK_FALSE(fs::exists(folder / "t.csv"));
+  }
 }
 
 TEST_CASE(

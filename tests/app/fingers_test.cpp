@@ -14,8 +14,8 @@ namespace {
 // What ImGui was told in one frame.
 struct Heard {
   glm::dvec2 place{0.0};
-  bool left = false, right = false;
-  double wheel = 0.0;
+  bool left = false, right = false, view = false;
+  double wheel = 0.0, twist_deg = 0.0;
 };
 
 class TouchScreen {
@@ -46,7 +46,9 @@ class TouchScreen {
       out.push_back({{double(io.MousePos.x), double(io.MousePos.y)},
                      ImGui::IsMouseDown(0),
                      ImGui::IsMouseDown(1),
-                     double(io.MouseWheel)});
+                     ImGui::IsMouseDown(Fingers::kViewButton),
+                     double(io.MouseWheel),
+                     glm::degrees(double(io.MouseWheelH) * Fingers::kTwistNotch_rad)});
       ImGui::EndFrame();
     } while (!queue->empty());
     return out;
@@ -196,6 +198,69 @@ TEST_CASE("two fingers on the view let go of the push, turn by the way of their 
   screen.fingers->up(2);
   screen.fingers->down(3, {200, 200}, kView, 2.0, kLine_px);
   CHECK(screen.last().left);
+}
+
+TEST_CASE("two fingers that twist by 50 degrees, through the half turn of their line, give 50 degrees and no zoom") {
+  TouchScreen screen;
+  const auto at = [](double deg) {
+    return glm::dvec2(300, 400) + 80.0 * glm::dvec2(std::cos(deg * 0.01745329252), std::sin(deg * 0.01745329252));
+  };
+  screen.fingers->down(1, at(160), kView, 0.0, kLine_px);
+  screen.fingers->down(2, at(-20), kView, 0.1, kLine_px);
+  screen.frames();
+  double twist_deg = 0.0, wheel = 0.0;
+  const auto hear = [&] {
+    for (const Heard& h : screen.frames()) {
+      twist_deg += h.twist_deg;
+      wheel += h.wheel;
+      CHECK(h.right);
+      CHECK_FALSE(h.left);
+    }
+  };
+  for (int k = 1; k <= 50; ++k) {
+    screen.fingers->move(1, at(160 + k));
+    screen.fingers->move(2, at(-20 + k));
+    hear();
+  }
+  CHECK(twist_deg == doctest::Approx(50.0).epsilon(1e-4));  // clockwise, as the pixels' y goes down
+  CHECK(std::abs(wheel) < 1e-4);
+  // And back.
+  for (int k = 49; k >= 0; --k) {
+    screen.fingers->move(1, at(160 + k));
+    screen.fingers->move(2, at(-20 + k));
+    hear();
+  }
+  CHECK(std::abs(twist_deg) < 1e-3);
+  // Fingers that meet have no direction: passing through each other is no twist.
+  screen.fingers->move(2, at(160));
+  screen.fingers->move(1, at(-20));
+  twist_deg = 0.0;
+  hear();
+  CHECK(std::abs(twist_deg) < 1e-9);
+}
+
+TEST_CASE("a third finger takes the turn over for the view, by the way of the middle of three, and a fourth ends it") {
+  TouchScreen screen;
+  screen.fingers->down(1, {300, 400}, kView, 0.0, kLine_px);
+  screen.fingers->down(2, {400, 400}, kView, 0.1, kLine_px);
+  screen.frames();
+  screen.fingers->down(3, {500, 430}, kView, 0.2, kLine_px);
+  Heard now = screen.last();
+  CHECK(now.view);
+  CHECK_FALSE(now.right);
+  CHECK(now.place == glm::dvec2(400, 410));
+  screen.fingers->move(3, {530, 460});
+  now = screen.last();
+  CHECK(now.view);
+  CHECK(now.place == glm::dvec2(410, 420));
+  CHECK(now.wheel == 0.0);
+  CHECK(now.twist_deg == 0.0);
+  screen.fingers->down(4, {100, 100}, kView, 0.3, kLine_px);
+  now = screen.last();
+  CHECK_FALSE((now.view || now.right || now.left));
+  screen.fingers->move(1, {310, 400});
+  now = screen.last();
+  CHECK_FALSE((now.view || now.right || now.left));
 }
 
 TEST_CASE("a pad held for 0.6 s beside the finger that pushes gives three notches, and the push stays where it is") {

@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "app/ui/extensions/extensions.h"
+#include "app/ui/panels/view_overlays.h"
 #include "tests/app/scripted_user_fixture.h"
 #include "tests/results/sample_attempt.h"
 
@@ -82,6 +83,90 @@ TEST_CASE("an attempt opened as a file moves the probe as the hand did, says wha
   CHECK_FALSE(driver->shows("playback/bar"));
   CHECK(bytesOf(file) == bytes);
   CHECK_FALSE(fs::exists(scratch.path / "other"));
+}
+
+TEST_CASE(
+    "an attempt with a body in the hand keeps its pose, and its playback draws the body there, out of the molecule; "
+    "closed "
+    "again, the molecule is whole") {
+  const ScratchFolder scratch;
+  const fs::path lesson = scratch.path / "mine.md";
+  writeFile(lesson,
+            "---\ntitle: Mine\nminutes: 1\ngoals: G\nmolecules: 1hpv\nauthor: A\nlicence: L\n---\n"
+            "## One\n```scene\nmolecule: 1hpv\nin-hand: ligand\n```\nText.\n"
+            "## Two\n```scene\nin-hand: none\n```\nText.\n");
+  fs::path file;
+  std::vector<std::uint32_t> held;
+  {
+    const auto driver = startWith(lesson.string(), small(scratch.path));
+    held = driver->app().scene.stage().body->atoms;
+    driver->point("view", 0.5, 0.5);
+    driver->frames(30);
+    driver->hold("Ctrl");
+    driver->drag("view", 150, 40, 1);
+    driver->letGo("Ctrl");
+    driver->frames(30);
+    driver->press();
+    driver->frames(60);
+    driver->release();
+    driver->frames(30);
+    driver->app().lesson.next();
+    driver->frames(30);
+    driver->press();
+    driver->frames(60);
+    driver->release();
+    driver->frames(30);
+    REQUIRE(driver->app().extensions().recorder.flush());
+    file = driver->app().extensions().recorder.file();
+  }
+  const Timeline line(*readAttempt(file));
+  REQUIRE(line.stage(0.1) != nullptr);
+  CHECK(line.stage(0.1)->held == held);
+  CHECK(line.stage(line.length_s())->held.empty());
+
+  const auto driver = startWith("1hpv", small(scratch.path / "other"));
+  Application& app = driver->app();
+  const AtomList hidden_before = app.scene.look.hidden;
+  app.open(file);
+  driver->app().finishLoading();
+  Playback& playback = app.extensions().playback;
+  REQUIRE(playback.on());
+  playback.setRunning(false);
+  std::size_t with = 0, without = 0, turned = 0, touched = 0;
+  for (int k = 1; k < 40; ++k) {
+    playback.seek(line.length_s() * k / 40.0);
+    driver->frames(3);
+    const auto hand = line.hand(playback.at_s());
+    REQUIRE(hand.has_value());
+    const ViewScene scene = seenScene(app);
+    if (!hand->held) {
+      ++without;
+      CHECK_FALSE(scene.body);
+      continue;
+    }
+    ++with;
+    REQUIRE(scene.body);
+    REQUIRE(scene.body_place);
+    CHECK(scene.body->atoms == held);
+    CHECK(glm::distance(scene.body_place->A, hand->held->body.place.A) < 1e-9);
+    CHECK(glm::length(rotationBetween(scene.body_orientation, hand->held->body.orientation)) < 1e-9);
+    REQUIRE(scene.look.hidden);
+    CHECK(*scene.look.hidden == held);
+    turned += glm::length(rotationBetween(kNoRotation, hand->held->orientation)) > 0.5;
+    touched += hand->feature != Feature::Free;
+  }
+  CHECK(with >= 5);
+  CHECK(without >= 3);
+  CHECK(turned >= 3);
+  CHECK(touched >= 2);
+  playback.seek(0.5);
+  driver->frames(3);
+  CHECK(driver->click("playback/close"));
+  app.finishLoading();
+  driver->frames(5);
+  CHECK_FALSE(app.scene.stage().body);
+  CHECK_FALSE(app.scene.stage().spheres->hasUntouchable());
+  CHECK(app.scene.look.hidden == hidden_before);
 }
 
 TEST_CASE("a lesson that was open goes on after the playback as if nothing had been touched meanwhile") {

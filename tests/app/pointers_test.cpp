@@ -89,6 +89,64 @@ TEST_CASE(
   CHECK_FALSE(screen.user->shows(kHarderPad));
 }
 
+TEST_CASE(
+    "with a body in the hand two fingers turn it, by their way and their twist, and the view stays; three turn the "
+    "view, "
+    "and the body stays") {
+  Scratch scratch;
+  const auto file = scratch.file("mine.md",
+                                 "---\ntitle: Mine\nminutes: 1\ngoals: G\nmolecules: 1hpv\nauthor: A\nlicence: L\n---\n"
+                                 "## One\n```scene\nmolecule: 1hpv\nin-hand: ligand\n```\nText.\n");
+  Screen screen(file.string());
+  Application& app = screen.user->app();
+  REQUIRE(app.scene.stage().body);
+  const auto held = [&] { return app.scene.log().latest().orientation; };
+  const auto turnOf = [&](const Quat& from) { return rotationBetween(from, held()); };
+  const Quat view = app.scene.camera.orientation, begun = held();
+
+  // A twist of 40 degrees clockwise, with the middle where it is.
+  const auto at = [&](double deg) {
+    return screen.view() + 100.0 * glm::dvec2(std::cos(glm::radians(deg)), std::sin(glm::radians(deg)));
+  };
+  screen.pointers.fingerDown(1, at(180), 0.0);
+  screen.pointers.fingerDown(2, at(0), 0.1);
+  screen.frames();
+  for (int k = 1; k <= 40; ++k) {
+    screen.pointers.fingerMove(1, at(180 + k));
+    screen.pointers.fingerMove(2, at(k));
+    screen.frames(1);
+  }
+  screen.frames(20);
+  const Vec3 rolled = turnOf(begun);
+  CHECK(glm::degrees(glm::length(rolled)) == doctest::Approx(40.0).epsilon(0.05));
+  CHECK(glm::dot(glm::normalize(rolled), app.scene.camera.back()) < -0.99);
+  CHECK(app.scene.camera.orientation == view);
+
+  // Their way tilts it: to the right round the upright axis of the screen.
+  const Quat before = held();
+  for (int k = 1; k <= 60; ++k) {
+    screen.pointers.fingerMove(1, at(220) + glm::dvec2(k, 0));
+    screen.pointers.fingerMove(2, at(40) + glm::dvec2(k, 0));
+    screen.frames(1);
+  }
+  screen.frames(20);
+  CHECK(glm::degrees(glm::length(turnOf(before))) > 5.0);
+  CHECK(glm::dot(glm::normalize(turnOf(before)), app.scene.camera.up()) > 0.95);
+  CHECK(app.scene.camera.orientation == view);
+
+  const Quat tilted = held();
+  screen.pointers.fingerDown(3, screen.view() + glm::dvec2(0, 80), 3.0);
+  screen.frames(20);
+  CHECK(turnedBy_deg(held(), tilted) < 1e-3);
+  for (int k = 1; k <= 60; ++k) {
+    screen.pointers.fingerMove(3, screen.view() + glm::dvec2(3 * k, 80));
+    screen.frames(1);
+  }
+  screen.frames(20);
+  CHECK(turnedBy_deg(app.scene.camera.orientation, view) > 5.0);
+  CHECK(turnedBy_deg(held(), tilted) < 1e-3);
+}
+
 TEST_CASE("one finger presses and two turn for those too who have given the mouse's two buttons each other's work") {
   Screen screen;
   Application& app = screen.user->app();

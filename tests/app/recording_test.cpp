@@ -128,6 +128,69 @@ TEST_CASE(
   CHECK(d->app().scene.servo_settings.clutch.at_edge);
 }
 
+TEST_CASE(
+    "a recording of a hand that holds a body puts the body back into the hand wherever its molecule can be opened, "
+    "leads "
+    "it by its poses, and leaves the molecule whole at its end") {
+  const Scratch scratch;
+  const std::filesystem::path file = scratch.folder / "body.recording";
+  std::vector<std::uint32_t> held;
+  {
+    auto d = startWith(scratch
+                           .file("mine.md",
+                                 "---\ntitle: Mine\nminutes: 1\ngoals: G\nmolecules: 1hpv\nauthor: A\nlicence: L\n---\n"
+                                 "## One\n```scene\nmolecule: 1hpv\nin-hand: ligand\n```\nText.\n")
+                           .string());
+    held = d->app().scene.stage().body->atoms;
+    d->app().extensions().device.choose("simulated");
+    d->frames(10);
+    d->app().extensions().hand_recorder.record(file);
+    d->frames(180);
+    d->app().extensions().hand_recorder.stop();
+  }
+  const Expected<ServoRecording> trace = readServoRecording(file);
+  REQUIRE(trace);
+  CHECK(trace->torn.empty());
+  const RecordedScene scene =
+      recordedScene(trace->labels, readMolecule(MOLTACT_SOURCE_DIR "/molecules/1hpv.pdb")->spheres);
+  REQUIRE(scene.body);
+  CHECK(scene.body->atoms == held);
+  CHECK_FALSE(replay(*trace, makeInteraction({scene.spheres, touchOf(*trace), scene.body}).get()).first_difference);
+
+  auto d = startWith("1hpv");
+  d->frames(10);
+  const Camera seen = d->app().scene.camera;
+  d->app().open(file);
+  d->frames(3);
+  HandRecorder& player = d->app().extensions().hand_recorder;
+  REQUIRE(player.playing());
+  CHECK_FALSE(told(*d, "is not the one of this recording"));
+  REQUIRE(d->app().scene.stage().body);
+  CHECK(d->app().scene.stage().body->atoms == held);
+  REQUIRE(d->app().scene.look.hidden);
+  CHECK(*d->app().scene.look.hidden == held);
+  int compared = 0;
+  for (int k = 0; k < 100 && player.playing(); ++k) {
+    d->frames(1);
+    const ServoSample& now = d->app().scene.log().latest();
+    if (!player.playing() || now.discontinuities != d->app().scene.servo_settings.discontinuities) continue;
+    const RecordedTick& tick = trace->ticks[std::size_t(std::lround(player.at_s() / kTick_s)) - 1];
+    const PoseA pose = tick.settings.workspace.toMolecule(tick.pose.position, tick.pose.orientation);
+    CHECK(now.holds_body);
+    CHECK(glm::distance(now.hip.A, pose.place.A) < 1e-9);
+    CHECK(glm::length(rotationBetween(now.orientation, pose.orientation)) < 1e-9);
+    ++compared;
+  }
+  CHECK(compared > 50);
+  for (int k = 0; k < 300 && player.playing(); ++k) d->frames(1);
+  d->frames(3);
+  CHECK_FALSE(player.playing());
+  CHECK_FALSE(d->app().scene.stage().body);
+  CHECK_FALSE(d->app().scene.stage().spheres->hasUntouchable());
+  CHECK_FALSE(d->app().scene.look.hidden);
+  CHECK(d->app().scene.camera == seen);
+}
+
 TEST_CASE("a recorded hand that presses on a lesson's molecule does not do the lesson's task") {
   const Scratch scratch;
   const std::filesystem::path file = recorded(scratch);

@@ -15,7 +15,9 @@ namespace moltact::fuzz {
 void hipPath(std::string_view bytes) {
   const auto path = readHipPath(fileOf(bytes, "hip.csv"));
   if (!path) return mustBe(!path.problem().message.empty(), "a message");
-  mustBe(!path->empty(), "a place");  // which may be no number: the loop is led along it and gives no force there
+  mustBe(path->size() > 0, "a place");  // which may be no number: the loop is led along it and gives no force there
+  mustBe(path->orientations.empty() || path->orientations.size() == path->size(), "an orientation for each place");
+  for (const Quat& q : path->orientations) mustBe(std::abs(glm::length(q) - 1.0) < 1e-12, "orientations of length 1");
 }
 
 void gltf(std::string_view bytes) {

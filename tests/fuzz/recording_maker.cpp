@@ -110,7 +110,11 @@ void changeFigures(DeviceSpecs& f, Choices& choices) {
 }
 
 void changeTick(RecordedTick& tick, Choices& choices) {
-  switch (choices.pick(8)) {
+  switch (choices.pick(9)) {
+    case 7:
+      tick.at_rest = !tick.at_rest;
+      tick.body_pose = PoseA{{oddPlace(tick.pose.position.mm, choices)}, kNoRotation};
+      break;
     case 0:
       tick.pose.position.mm = oddPlace(tick.pose.position.mm, choices);
       break;
@@ -171,7 +175,7 @@ RecordingParts partsOf(const std::string& recording) {
 }
 
 std::string RecordingParts::file() const {
-  std::string out = "MOLTRAC5";
+  std::string out = "MOLTRAC6";
   number(out, std::uint32_t(labels.size())), number(out, std::uint32_t(build.size())),
       number(out, std::uint32_t(state.size()));
   out += labels + build + state;

@@ -45,6 +45,93 @@ TEST_CASE("HIP samples keep places to 0.001 A, forces, features and the atoms th
   }
 }
 
+namespace {
+
+// Three samples of a body that is turned about z, one of them touching; `apart` from the hand by a rest of its own.
+HipChunk heldChunk(bool apart) {
+  HipChunk chunk;
+  for (int k = 0; k < 3; ++k) {
+    HipSample s;
+    s.t_s = 3.0 + 0.017 * k;
+    s.hip.A = s.scp.A = {1.25 * k, -3.5, 0.125};
+    if (k == 1) {
+      s.feature = Feature::Sphere;
+      s.atoms = {7, -1, -1};
+      s.scp.A.z += 0.5;
+      s.displacement_A = {0, 0, 0.5};
+    }
+    const Quat turned = glm::angleAxis(0.3 * k, Vec3(0, 0, 1));
+    s.held = {turned, s.bodyAtHand(turned)};
+    if (apart) s.held->body = {{s.hip.A + Vec3(0, 0.25, 0)}, glm::angleAxis(0.5 * k, Vec3(1, 0, 0))};
+    chunk.samples.push_back(s);
+  }
+  return chunk;
+}
+
+double turned(const Quat& a, const Quat& b) { return glm::length(rotationBetween(a, b)); }
+
+}  // namespace
+
+TEST_CASE(
+    "HIP samples of a body keep the hand's orientation to 2e-5 rad and the body's pose to 0.001 A; a line of a probe "
+    "has no key of a body") {
+  for (const bool apart : {false, true}) {
+    CAPTURE(apart);
+    const HipChunk wanted = heldChunk(apart);
+    const std::string line = lineOf({3.05, wanted});
+    CAPTURE(line);
+    CHECK((line.find("\"body\":") != std::string::npos) == apart);
+    const auto back = readEventLine(line);
+    REQUIRE(bool(back));
+    const auto& got = std::get<HipChunk>((**back).what).samples;
+    REQUIRE(got.size() == 3);
+    for (std::size_t k = 0; k < 3; ++k) {
+      const HipSample& want = wanted.samples[k];
+      REQUIRE(got[k].held);
+      CHECK(turned(got[k].held->orientation, want.held->orientation) < 2e-5);
+      CHECK(turned(got[k].held->body.orientation, want.held->body.orientation) < 2e-5);
+      CHECK(glm::distance(got[k].held->body.place.A, want.held->body.place.A) < 1e-3);
+    }
+    CHECK(lineOf(**back) == line);
+  }
+  // Byte for byte what former versions wrote.
+  CHECK(
+      lineOf(sampleEvents()[7]) ==
+      "{\"kind\":\"trace\",\"t\":3.085,\"from\":3.0,\"ms\":[0,17,34,51,68,85],\"feature\":\"..SSCP\",\"hip\":[0.0,-3.5,"
+      "0.0,1.25,-3.5,0.001,2.5,-3.5,0.002,3.75,-3.5,0.003,5.0,-3.5,0.004,6.25,-3.5,0.005],\"scp\":[2.5,-3.5,0.502,3."
+      "75,-3.5,0.503,5.0,-3.5,0.504,6.25,-3.5,0.505],\"force\":[0.1,0.0,0.5,0.1,0.0,0.75,0.1,0.0,1.0,0.1,0.0,1.25],"
+      "\"displacement\":[0.0,0.3,0.4,0.0,0.3,0.4,0.0,0.3,0.4,0.0,0.3,0.4],\"atoms\":[[2,7],[4,7,9],[5,7,9,12]]}\n");
+}
+
+TEST_CASE("a stage keeps the atoms in the hand; lines of a body that name no rotation or no atom are refused") {
+  auto stage = std::get<StageChanged>(sampleEvents()[1].what);
+  CHECK(lineOf({0.0, stage}).find("held") == std::string::npos);
+  stage.held = {3, 4, 601};
+  const std::string line = lineOf({0.0, stage});
+  const auto back = readEventLine(line);
+  REQUIRE(bool(back));
+  CHECK(std::get<StageChanged>((**back).what) == stage);
+  const auto with = [&](const std::string& held) {
+    std::string other = line;
+    const std::size_t at = other.find("[3,4,601]");
+    return other.replace(at, 9, held);
+  };
+  CHECK(readEventLine(with("[0]")));
+  for (const char* held : {"[602]", "[-1]", "[0.5]", "[4,3]", "[4,4]", "[\"a\"]", "7"})
+    CHECK_FALSE(readEventLine(with(held)));
+
+  const std::string free = R"({"kind":"trace","t":1,"from":0,"ms":[0],"feature":".","hip":[1,2,3])";
+  CHECK(readEventLine(free + R"(,"orientation":[1,0,0,0]})"));
+  CHECK(readEventLine(free + R"(,"orientation":[1,0,0,0],"body":[1,2,3],"body_orientation":[0,1,0,0]})"));
+  for (const char* held : {R"(,"orientation":[0,0,0,0]})", R"(,"orientation":[1,0,0]})", R"(,"orientation":[1,1,0,0]})",
+                           R"(,"orientation":[1,0,0,0],"body":[1,2,3]})",
+                           R"(,"orientation":[1,0,0,0],"body":[1,2],"body_orientation":[0,1,0,0]})",
+                           R"(,"orientation":[1,0,0,0],"body":[1,2,3],"body_orientation":[0,0.5,0,0]})"}) {
+    CAPTURE(held);
+    CHECK_FALSE(readEventLine(free + held));
+  }
+}
+
 TEST_CASE("a felt curve keeps its forces to 0.001 N and the places where nothing was felt") {
   const CurveKept felt{"one", 2, true, "depth", 0.8, 3.3, {0.0, std::nan(""), 1.23456}};
   const std::string line = lineOf(AttemptEvent{4.0, felt});

@@ -39,6 +39,25 @@ TEST_CASE("the hand is where its samples are, and half way between two of them a
   CHECK(line.hand(100.0)->hip.A == samples.back().hip.A);
 }
 
+TEST_CASE("between two samples a body turns evenly by the shorter arc, and is half way at half time") {
+  Attempt a;
+  a.header = sampleHeader();
+  a.events = sampleEvents();
+  HipChunk& chunk = std::get<HipChunk>(a.events[7].what);
+  for (std::size_t k = 0; k < chunk.samples.size(); ++k) {
+    const Quat q = glm::angleAxis(0.8 * double(k), Vec3(0, 0, 1));
+    chunk.samples[k].held = {q, {{Vec3(0, double(k), 0)}, glm::angleAxis(0.4 * double(k), Vec3(1, 0, 0))}};
+    if (k % 2) chunk.samples[k].held->orientation = -q;
+  }
+  const std::vector<HipSample> samples = chunk.samples;
+  const Timeline line(a);
+  const auto half = line.hand(0.5 * (samples[2].t_s + samples[3].t_s));
+  REQUIRE(half->held);
+  CHECK(glm::length(rotationBetween(half->held->orientation, glm::angleAxis(2.0, Vec3(0, 0, 1)))) < 1e-9);
+  CHECK(glm::length(rotationBetween(half->held->body.orientation, glm::angleAxis(1.0, Vec3(1, 0, 0)))) < 1e-9);
+  CHECK(glm::distance(half->held->body.place.A, Vec3(0, 2.5, 0)) < 1e-9);
+}
+
 TEST_CASE("9.5 s with 7 marks: steps, a task, answers and a hint, each with its words") {
   const Timeline line = sampleTimeline();
   CHECK(line.length_s() == 9.5);

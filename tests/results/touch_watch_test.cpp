@@ -3,6 +3,7 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -39,6 +40,39 @@ TEST_CASE("a slide of 2 A over atoms 3 and 4 in 1 s at 0.5 N is one touch with o
   CHECK(end.mean_N == doctest::Approx(0.5));
   CHECK(end.path_A == doctest::Approx(2.0));
   CHECK(end.by == InputWay::Device);
+}
+
+TEST_CASE(
+    "a body that is turned where it is gives samples, a body at rest none; with and without a body are two lines") {
+  TouchWatch watch;
+  const auto hold = [](double angle) {
+    TouchSample s;
+    s.orientation = glm::angleAxis(angle, Vec3(0, 0, 1));
+    s.body = PoseA{s.hip, s.orientation};
+    return s;
+  };
+  for (int k = 0; k <= 1000; ++k) watch.add(hold(0.5 * k * 0.001), k * 0.001, InputWay::Mouse);
+  for (int k = 1001; k <= 2000; ++k) watch.add(hold(0.5), k * 0.001, InputWay::Mouse);
+  for (int k = 2001; k <= 3000; ++k) watch.add(TouchSample(), k * 0.001, InputWay::Mouse);
+  watch.breakOff();
+  std::vector<HipChunk> chunks;
+  for (AttemptEvent& e : watch.take(3.0))
+    if (const auto* chunk = std::get_if<HipChunk>(&e.what)) chunks.push_back(*chunk);
+  REQUIRE(chunks.size() == 2);
+  CHECK(chunks[0].samples.size() >= 57);  // 60 a second while it turns, none while it rests
+  CHECK(chunks[0].samples.size() <= 61);
+  for (const HipSample& s : chunks[0].samples) {
+    REQUIRE(s.held);
+    CHECK(glm::length(rotationBetween(s.held->orientation, glm::angleAxis(0.5 * std::min(1.0, s.t_s), Vec3(0, 0, 1)))) <
+          1e-9);
+  }
+  for (const HipSample& s : chunks[1].samples) CHECK_FALSE(s.held);
+  // A pose that is none is passed over.
+  TouchSample bad = hold(0.0);
+  bad.body->orientation = Quat(0, 0, 0, 0);
+  watch.add(bad, 4.0, InputWay::Mouse);
+  watch.breakOff();
+  CHECK(watch.take(4.0).empty());
 }
 
 TEST_CASE("the HIP samples of 10 s on a circle stay within 60 samples a second, 0.5 s a line and 0.5 A of the way") {

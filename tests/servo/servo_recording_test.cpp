@@ -368,7 +368,7 @@ TEST_CASE("a recording of the version before, which knew places alone, is read a
   CHECK_FALSE(writer->finish());
   // Ticks without an orientation and another device are the same in both.
   std::string bytes = bytesOf(file);
-  REQUIRE(bytes.starts_with("MOLTRAC5"));
+  REQUIRE(bytes.starts_with("MOLTRAC6"));
   bytes[7] = '3';
   std::uint32_t head = 20;
   for (std::size_t at = 8; at < 20; at += 4) {
@@ -454,6 +454,73 @@ TEST_CASE(
   CHECK(replayed().greatest_difference_N_mm == doctest::Approx(0.25));
   read->torques = false;  // as of a file of the version before
   CHECK_FALSE(replayed().first_difference);
+  std::filesystem::remove(file);
+}
+
+namespace {
+
+// A body that rests apart from the hand: 0.25 A above it, turned half as far, and not found yet in every tenth tick.
+class RestingApart final : public Interaction {
+ public:
+  Response respond(const PoseA& hand) noexcept override {
+    Response out;
+    out.body_pose = PoseA{{hand.place.A + Vec3(0, 0.25, 0)}, glm::slerp(kNoRotation, hand.orientation, 0.5)};
+    out.at_rest = ++asked_ % 10 != 0;
+    return out;
+  }
+  void reset() noexcept override {}
+  void setProbe(double) noexcept override {}
+  double probe_A() const noexcept override { return 0.0; }
+  MemoryUsage memoryUsage() const noexcept override { return {}; }
+  bool hasOrientation() const noexcept override { return true; }
+
+ private:
+  int asked_ = 0;
+};
+
+}  // namespace
+
+TEST_CASE(
+    "a recording keeps the pose in which a body rests and whether it was found, and a replay tells a pose that "
+    "differs; a "
+    "file of the version before has neither") {
+  const auto file = scratch("resting");
+  RestingApart felt;
+  const ServoStep start;
+  ServoStep step = start;
+  auto writer = ServoRecordingWriter::create(file, true);
+  REQUIRE(writer);
+  CHECK_FALSE(writer->begin({}, start));
+  const ServoSettings settings;
+  std::vector<ServoSample> samples;
+  for (int k = 0; k < 300; ++k) {
+    const DevicePose pose{.position = {Vec3(0.1 * k, 0, 0)}, .orientation = glm::angleAxis(0.01 * k, Vec3(0, 0, 1))};
+    samples.push_back(step.tick(settings, &felt, pose));
+    const ServoSample& s = samples.back();
+    CHECK(s.holds_body);
+    CHECK_FALSE(
+        writer->add({settings, pose, {}, shownForceFigures(), k == 0, s.force, s.torque_N_mm, s.body_pose, s.at_rest}));
+  }
+  CHECK_FALSE(writer->finish());
+  Expected<ServoRecording> read = readServoRecording(file);
+  REQUIRE(read);
+  REQUIRE(read->ticks.size() == 300);
+  std::size_t unrested = 0;
+  for (std::size_t k = 0; k < 300; ++k) {
+    REQUIRE(read->ticks[k].body_pose);
+    CHECK(read->ticks[k].body_pose->place == samples[k].body_pose->place);
+    CHECK(read->ticks[k].body_pose->orientation == samples[k].body_pose->orientation);
+    CHECK(read->ticks[k].at_rest == samples[k].at_rest);
+    unrested += !read->ticks[k].at_rest;
+  }
+  CHECK(unrested == 30);
+  RestingApart again;
+  CHECK_FALSE(replay(*read, &again).first_difference);
+  read->ticks[200].body_pose->place.A.z += 0.5;
+  CHECK(replay(*read, &again).first_difference == 200);
+  CHECK(replay(*read, &again).greatest_difference_A == doctest::Approx(0.5));
+  read->body_poses = false;
+  CHECK_FALSE(replay(*read, &again).first_difference);
   std::filesystem::remove(file);
 }
 

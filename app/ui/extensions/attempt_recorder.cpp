@@ -40,9 +40,13 @@ ReadOptions withoutFolders(ReadOptions reading) {
 
 StageChanged stageOf(const HapticSession& scene) {
   const Molecule& molecule = *scene.stage().molecule;
-  return {molecule.id,           scene.molecule().file.filename().string(),
-          molecule.atoms.size(), scene.servo_settings.workspace,
-          scene.touch(),         withoutFolders(scene.molecule().reading)};
+  return {molecule.id,
+          scene.molecule().file.filename().string(),
+          molecule.atoms.size(),
+          scene.servo_settings.workspace,
+          scene.touch(),
+          withoutFolders(scene.molecule().reading),
+          scene.stage().body ? scene.stage().body->atoms : std::vector<std::uint32_t>()};
 }
 
 }  // namespace

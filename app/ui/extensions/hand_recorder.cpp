@@ -121,6 +121,10 @@ std::string HandRecorder::label(const char* key) const {
 
 void HandRecorder::begin() {
   panels_.welcome = false;
+  // What the recorded hand felt and held, where the molecule is the same to the last bit; else what the open scene has.
+  if (const RecordedScene was = recordedScene(waiting_->labels, scene_.restingModel().molecule->spheres);
+      label("balls") == fingerprint(*was.spheres))
+    body_.hold(was.spheres->untouchable(), was.body ? was.body->atoms : std::vector<std::uint32_t>());
   const auto labels = sceneLabels(*scene_.stage().spheres, scene_.stage().body.get());
   const bool same = label("held") == (labels.contains("held") ? labels.at("held") : "") &&
                     (label("balls").empty() || label("balls") == labels.at("balls"));
@@ -153,6 +157,7 @@ void HandRecorder::endPlay() {
   const bool leads = scene_.servo().chosen() == device_;
   device_ = nullptr;
   scene_.leadBy(nullptr);
+  body_.release();
   if (!scene_.playing()) attempts_.pause(false);
   if (leads) link_.giveBack(before_);
 }

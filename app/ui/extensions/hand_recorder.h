@@ -8,6 +8,7 @@
 #include <string>
 
 #include "app/ui/application/extension.h"
+#include "app/ui/scene/played_body.h"
 #include "app/ui/widgets/messages.h"
 #include "engine/servo/playback_device.h"
 
@@ -31,7 +32,8 @@ class HandRecorder : public Extension {
         file_dialog_(file_dialog),
         options_(options),
         attempts_(recorder),
-        link_(device) {}
+        link_(device),
+        body_(scene) {}
 
   /// Asks for a file, then records until stop() or until the molecule or the method changes.
   void askToRecord();
@@ -65,8 +67,9 @@ class HandRecorder : public Extension {
   PanelState& panels_;
   FileDialog& file_dialog_;
   const ApplicationOptions& options_;
-  AttemptRecorder& attempts_;  // paused during a playback
-  DeviceLink& link_;           // receives the played hand as a device
+  AttemptRecorder& attempts_;  // rests while a recording plays
+  DeviceLink& link_;           // gets the playing hand as a device
+  PlayedBody body_;            // what the playing hand holds
   void drain();
   void begin();
   void lead();

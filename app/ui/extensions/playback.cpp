@@ -78,6 +78,7 @@ void Playback::close(bool back) {
   timeline_.reset();
   running_ = false;
   scene_.play(std::nullopt);
+  body_.release();
   recorder_.pause(false);
   if (!back) return;
   // The playback has moved the view.
@@ -158,11 +159,8 @@ fs::path Playback::fileOf(const std::string& name) {
 
 // Moves the atoms to their recorded place between two structures.
 void Playback::showStates() {
-  const StageChanged* stage = timeline_->stage(at_s_);
   const StatesMoved* states = timeline_->states(at_s_);
-  if (!states || !scene_.stage() || namedOf(scene_.molecule()) != namedOf(*stage) ||
-      scene_.stage().molecule->atoms.size() != stage->atoms)
-    return;
+  if (!states || !staged()) return;
   if (second_.first != states->file) second_ = {states->file, fileOf(states->file)};
   if (second_.second.empty()) return;
   SecondState then;
@@ -170,16 +168,36 @@ void Playback::showStates() {
   then.share = states->share;
   if (!states->superposed_on.empty())
     if (auto atoms = parseSelection(states->superposed_on)) then.superposed_on = *std::move(atoms);
-  moving_states_.show({second_.second, stage->reading}, then);
+  moving_states_.show({second_.second, timeline_->stage(at_s_)->reading}, then);
+}
+
+// The molecule of this moment is on the stage.
+bool Playback::staged() const {
+  const StageChanged* stage = timeline_->stage(at_s_);
+  return stage && scene_.stage() && namedOf(scene_.molecule()) == namedOf(*stage) &&
+         scene_.stage().molecule->atoms.size() == stage->atoms;
+}
+
+// The atoms of a body leave their place in the molecule for the hand.
+void Playback::showHeld() {
+  if (!staged()) return;
+  const std::vector<std::uint32_t>& held = timeline_->stage(at_s_)->held;
+  if (!held.empty())
+    body_.hold(held, held);
+  else if (scene_.stage().body)
+    body_.hold({}, {});
 }
 
 void Playback::showHand() {
   ServoSample sample;
   const StageChanged* stage = timeline_->stage(at_s_);
-  const bool here = stage && scene_.stage() && namedOf(scene_.molecule()) == namedOf(*stage) &&
-                    scene_.stage().molecule->atoms.size() == stage->atoms;
-  if (const std::optional<HipSample> hand = here ? timeline_->hand(at_s_) : std::nullopt) {
+  if (const std::optional<HipSample> hand = staged() ? timeline_->hand(at_s_) : std::nullopt) {
     sample.has_interaction = true;
+    if (hand->held && scene_.stage().body) {
+      sample.holds_body = true;
+      sample.orientation = hand->held->orientation;
+      sample.body_pose = hand->held->body;
+    }
     sample.hip = hand->hip;
     sample.contact.scp = hand->scp;
     sample.contact.feature = hand->feature;
@@ -214,6 +232,7 @@ void Playback::beforeTicks() {
     if (at_s_ >= timeline_->length_s()) running_ = false;
   }
   stageFor();
+  showHeld();
   showStates();
   showHand();
   showView();

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "app/ui/application/extension.h"
+#include "app/ui/scene/played_body.h"
 #include "engine/render/camera.h"
 #include "engine/results/timeline.h"
 
@@ -36,7 +37,8 @@ class Playback : public Extension {
         options_(options),
         time_(time),
         moving_states_(moving_states),
-        recorder_(recorder) {}
+        recorder_(recorder),
+        body_(scene) {}
 
   /// Starts the playback of a file. One that cannot be read gives a message and changes nothing.
   void open(const std::filesystem::path& file);
@@ -85,6 +87,8 @@ class Playback : public Extension {
   void stageFor();
   std::filesystem::path fileOf(const std::string& name);
   void showStates();
+  bool staged() const;
+  void showHeld();
   void showHand();
   void showView();
 
@@ -97,6 +101,7 @@ class Playback : public Extension {
                                                           // file found
   std::string missing_;                                   // the last molecule's file reported as missing
   const ViewChanged* shown_view_ = nullptr;
+  PlayedBody body_;
   double at_s_ = 0.0;
   bool running_ = false;
 };

@@ -127,6 +127,7 @@ void forceLabel(const Application& app, const ServoSample& now, ViewRoom& room) 
 }
 
 const char* hintText(bool has_pressed, bool left_handed, bool fingers, bool body) {
+  if (fingers && has_pressed && body) return tr("Two fingers turn what you hold, three the molecule");
   if (fingers)
     return has_pressed ? tr("Two fingers turn the molecule and magnify it")
                        : tr("Put a finger on the molecule to push against it");

@@ -16,6 +16,7 @@
 #include "app/ui/scene/view_picture.h"
 #include "app/ui/widgets/controls.h"
 #include "app/ui/widgets/damage.h"
+#include "app/ui/widgets/fingers.h"
 #include "app/ui/widgets/imgui_versions.h"
 #include "app/ui/widgets/key_focus.h"
 #include "app/ui/widgets/theme.h"
@@ -97,7 +98,8 @@ ViewInput readInput(Application& app, ImVec2 low, glm::dvec2 size) {
   const bool active = ImGui::IsItemActive(), hovered = ImGui::IsItemHovered();
   const int push = app.settings.left_handed && !app.panels.fingers ? 1 : 0, turn = 1 - push;
   const bool panning = active && (ImGui::IsMouseDown(2) || (ImGui::IsMouseDown(turn) && io.KeyShift));
-  const bool turning = active && !panning && ImGui::IsMouseDown(turn);
+  const bool view_fingers = hovered && app.panels.fingers && ImGui::IsMouseDown(Fingers::kViewButton);
+  const bool turning = !panning && ((active && ImGui::IsMouseDown(turn)) || view_fingers);
   Measuring& tool = app.extensions().measuring;
   const bool measuring = tool.on() && !app.extensions().task_stager.dark();
   in.press = active && ImGui::IsMouseDown(push) && !app.scene.playing() && !measuring;
@@ -116,11 +118,15 @@ ViewInput readInput(Application& app, ImVec2 low, glm::dvec2 size) {
       const std::uint32_t only[] = {*atom};
       app.zoomTo(only);
     }
-  // The motion up to the place where the button was pressed is not part of the drag.
-  const bool begins = ImGui::IsMouseClicked(turn) || ImGui::IsMouseClicked(2);
+  // The way to the place where the button went down is none of the drag's.
+  const bool begins = ImGui::IsMouseClicked(turn) || ImGui::IsMouseClicked(2) ||
+                      (view_fingers && ImGui::IsMouseClicked(Fingers::kViewButton));
   const glm::dvec2 drag = begins ? glm::dvec2(0.0) : glm::dvec2(io.MouseDelta.x, io.MouseDelta.y);
   if (panning) in.pan_px = drag;
-  if (turning) (io.KeyCtrl && app.scene.servo().hasOrientation() ? in.hand_px : in.orbit_px) = drag;
+  const bool turns_hand = turning && !view_fingers && (io.KeyCtrl || app.panels.fingers) &&
+                          app.scene.servo().hasOrientation() && !app.scene.playing();
+  if (turning) (turns_hand ? in.hand_px : in.orbit_px) = drag;
+  if (turns_hand && app.panels.fingers) in.hand_roll_rad = double(io.MouseWheelH) * Fingers::kTwistNotch_rad;
   if ((hovered || in.press) && !panning && !turning && ImGui::IsMousePosValid())
     in.pointer_px = glm::dvec2(io.MousePos.x - low.x, io.MousePos.y - low.y);
   readKeys(app, in);
@@ -158,9 +164,11 @@ ViewScene seenScene(const Application& app) {
         app.scene.camera.pixel_A(app.scene.camera.distance_A, std::max(1, int(app.layout().view.size().y))) *
         look().px(kArrow_px_per_N);
     scene.probe_A = now.probe_A;
-    if (app.scene.servo().hasOrientation()) {
+    if (now.holds_body) {
       scene.body = app.scene.stage().body;
-      scene.body_orientation = now.orientation;
+      const PoseA shown = now.shownBody();
+      scene.body_place = shown.place;
+      scene.body_orientation = shown.orientation;
       scene.body_stopped = bodyPlace(app.scene.stage(), now, app.scene.servo().motionOf(now).get()).stopped;
     }
   }

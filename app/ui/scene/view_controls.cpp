@@ -47,11 +47,13 @@ void ViewControls::update(const ViewInput& in, Camera& camera, const SphereGrid*
   if (has_pressed_ && has_turned_) hint_left_s_ -= in.dt_s;
   if (!spheres) return;
 
-  // Round the screen's axes: to the right round the upright one, down round the one to the right.
+  // Round the screen's axes: to the right round the upright one, down round the one to the right, clockwise round the one
+  // away from the viewer.
   const glm::dvec2 turn =
       in.hand_px * kHand_rad_per_px + glm::dvec2(in.hand_keys.x, -in.hand_keys.y) * (kHandKeys_rad_per_s * in.dt_s);
-  if (const double angle_rad = glm::length(turn); angle_rad > 0.0) {
-    const Vec3 axis = glm::transpose(settings.workspace.rotation) * (camera.up() * turn.x + camera.right() * turn.y);
+  const Vec3 seen = camera.up() * turn.x + camera.right() * turn.y - camera.back() * in.hand_roll_rad;
+  if (const double angle_rad = glm::length(seen); angle_rad > 0.0) {
+    const Vec3 axis = glm::transpose(settings.workspace.rotation) * seen;
     orientation_ = glm::normalize(glm::angleAxis(angle_rad, glm::normalize(axis)) * orientation_);
     mouse.turn(orientation_);
   }

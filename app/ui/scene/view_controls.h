@@ -22,6 +22,7 @@ struct ViewInput {
   glm::dvec2 orbit_px{0.0}, pan_px{0.0}, hand_px{0.0};         ///< drags since the last frame; the last turns the hand
   glm::dvec2 probe_keys{0.0}, orbit_keys{0.0}, pan_keys{0.0};  ///< x right, y up: -1, 0 or 1
   glm::dvec2 hand_keys{0.0};                                   ///< turn the hand
+  double hand_roll_rad = 0.0;                                  ///< of the hand round the view's axis, clockwise
   double zoom_keys = 0.0;                                      ///< positive: closer
   std::optional<double> expected_N_per_mm;  ///< how hard the person expects the surface to push back; none: as it does
   double dt_s = 1.0 / 60.0;

@@ -10,14 +10,25 @@ constexpr int kLeft = 0, kRight = 1;
 
 }  // namespace
 
-glm::dvec2 Fingers::middle() const { return 0.5 * (fingers_[0].place + fingers_[1].place); }
+glm::dvec2 Fingers::middle() const {
+  glm::dvec2 sum(0.0);
+  for (const Finger& f : fingers_) sum += f.place;
+  return sum / double(fingers_.size());
+}
 
 double Fingers::spread() const { return glm::distance(fingers_[0].place, fingers_[1].place); }
 
-// Ends the gesture and removes the pointer: without a finger, nothing is hovered.
+// Of the line from the first finger to the second: clockwise positive, as the pixels' y goes down (unit: radian).
+double Fingers::direction() const {
+  const glm::dvec2 line = fingers_[1].place - fingers_[0].place;
+  return std::atan2(line.y, line.x);
+}
+
+// Ends what goes on, with the pointer nowhere: a screen without a finger on it points at nothing.
 void Fingers::letGo() {
   if (way_ == Way::Pushing || way_ == Way::Dragging) to_.button(kLeft, false);
   if (way_ == Way::Turning) to_.button(kRight, false);
+  if (way_ == Way::TurningView) to_.button(kViewButton, false);
   if (way_ != Way::Ended && way_ != Way::None) to_.pointerLeft();
 }
 
@@ -51,8 +62,15 @@ void Fingers::down(int id, glm::dvec2 place, On on, double now_s, double line_px
     way_ = Way::Turning;
     last_ = middle();
     last_spread_ = spread();
+    last_direction_ = direction();
     to_.pointer(last_.x, last_.y);
     to_.button(kRight, true);
+  } else if (fingers_.size() == 3 && way_ == Way::Turning) {
+    to_.button(kRight, false);
+    way_ = Way::TurningView;
+    last_ = middle();
+    to_.pointer(last_.x, last_.y);
+    to_.button(kViewButton, true);
   } else {
     letGo();
     way_ = Way::Ended;
@@ -82,11 +100,19 @@ void Fingers::move(int id, glm::dvec2 place) {
     case Way::Turning: {
       last_ = middle();
       to_.pointer(last_.x, last_.y);
-      const double now = std::max(1.0, spread());
-      to_.wheel(0.0, std::log(now / std::max(1.0, last_spread_)) / std::log(kNotch));
+      const double now = std::max(1.0, spread()), before = std::max(1.0, last_spread_);
+      // Fingers that touch each other have no direction.
+      const bool apart = std::min(now, before) > kStill_lines * line_px_;
+      const double twist_rad = apart ? std::remainder(direction() - last_direction_, kTwoPi) : 0.0;
+      to_.wheel(twist_rad / kTwistNotch_rad, std::log(now / before) / std::log(kNotch));
       last_spread_ = now;
+      last_direction_ = direction();
       break;
     }
+    case Way::TurningView:
+      last_ = middle();
+      to_.pointer(last_.x, last_.y);
+      break;
     default:
       break;
   }

@@ -1,6 +1,7 @@
 #include "engine/haptics/body/held_body.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace moltact {
 
@@ -16,6 +17,14 @@ std::shared_ptr<const HeldBody> heldBody(std::span<const Sphere> scene, std::spa
     out->reach_A = std::max(out->reach_A, glm::length(felt.centre_A) + felt.radius_A);
     out->spheres.push_back(felt);
   }
+  return out;
+}
+
+std::shared_ptr<const HeldBody> bodyOfSpheres(std::vector<Sphere> spheres) {
+  if (spheres.empty() || spheres.size() > kMaxHeldAtoms) return nullptr;
+  auto out = std::make_shared<HeldBody>();
+  for (const Sphere& s : spheres) out->reach_A = std::max(out->reach_A, glm::length(s.centre_A) + s.radius_A);
+  out->spheres = std::move(spheres);
   return out;
 }
 

@@ -20,7 +20,7 @@ inline constexpr std::size_t kMaxHeldAtoms = 200;
 
 /// Atoms that move as one with the hand's pose.
 struct HeldBody {
-  std::vector<std::uint32_t> atoms;  ///< which of the molecule's they are, ascending
+  std::vector<std::uint32_t> atoms;  ///< which of the molecule's they are, ascending; none for spheres of no molecule
   std::vector<Sphere> spheres;  ///< one for each, from the middle in the molecule's axes; their radii as they are felt
   PointA middle;                ///< of their centres, in the molecule
   double reach_A = 0.0;         ///< no surface of it lies farther from the middle
@@ -28,6 +28,10 @@ struct HeldBody {
 
 /// The body of these of a scene's spheres (ascending). Null where there are none of them, or more than kMaxHeldAtoms.
 std::shared_ptr<const HeldBody> heldBody(std::span<const Sphere> scene, std::span<const std::uint32_t> atoms);
+
+/// A body of these spheres, given from its middle, that are no atoms of a molecule; their radii are felt as they are.
+/// Null where there are none of them, or more than kMaxHeldAtoms.
+std::shared_ptr<const HeldBody> bodyOfSpheres(std::vector<Sphere> spheres);
 
 /// The probe, or a body as it is oriented now.
 struct HandShape {

@@ -27,7 +27,7 @@ constexpr std::array kVerbs{Verb{"do", Kind::Do},         Verb{"touch", Kind::To
                             Verb{"slide", Kind::Slide},   Verb{"wait", Kind::Wait},   Verb{"lift", Kind::Lift},
                             Verb{"method", Kind::Method}, Verb{"say", Kind::Say},     Verb{"draw", Kind::Draw},
                             Verb{"answer", Kind::Answer}, Verb{"next", Kind::Next},   Verb{"back", Kind::Back},
-                            Verb{"go", Kind::Go},         Verb{"set", Kind::Set}};
+                            Verb{"go", Kind::Go},         Verb{"set", Kind::Set},     Verb{"pose", Kind::Pose}};
 
 std::vector<std::string_view> parts(std::string_view text, char by) {
   std::vector<std::string_view> out;
@@ -104,6 +104,32 @@ class LineReader {
     return std::nullopt;
   }
 
+  // Three numbers, or seven with a quaternion that is no smaller or larger than a person writes one.
+  std::optional<Problem> pose(LearnerAct& act, std::string_view text) const {
+    const std::vector<std::string_view> fields = parts(text, ',');
+    const std::string remedy = tr("write X, Y, Z in angstroms, or X, Y, Z, QW, QX, QY, QZ with a quaternion");
+    if (fields.size() != 3 && fields.size() != 7)
+      return at(text, trf("a pose has 3 or 7 numbers, here are {0}", fields.size()), remedy);
+    std::array<double, 7> numbers{};
+    for (std::size_t k = 0; k < fields.size(); ++k) {
+      const auto number = parseNumber(fields[k]);
+      if (!number) return at(fields[k], trf("'{0}' is no number", fields[k]), remedy);
+      if (k < 3 && std::abs(*number) > kFarthest_A)
+        return at(fields[k], tr("this number is too large or too small for a coordinate"),
+                  trf("keep coordinates within {0}", quantityText(kFarthest_A, Dimension::Length, plain())));
+      numbers[k] = *number;
+    }
+    act.to = {{numbers[0], numbers[1], numbers[2]}};
+    if (fields.size() == 3) return std::nullopt;
+    const Quat q(numbers[3], numbers[4], numbers[5], numbers[6]);
+    constexpr double kOff = 0.05;
+    if (!(std::abs(glm::length(q) - 1.0) <= kOff))
+      return at(fields[3], tr("these four numbers are no rotation"),
+                tr("write a quaternion of length 1; without a rotation it is 1, 0, 0, 0"));
+    act.turned_to = glm::normalize(q);
+    return std::nullopt;
+  }
+
   std::optional<Problem> fill(LearnerAct& act, std::string_view rest, std::string_view body) const {
     const auto missing = [&](const char* what) {
       return at(body.substr(body.size()), trf("this act needs {0}", what), tr("write it at the end of the line"));
@@ -127,6 +153,8 @@ class LineReader {
         }
         return place(act, stripped(rest.substr(on + 4)));
       }
+      case Kind::Pose:
+        return rest.empty() ? missing(tr("a place")) : pose(act, rest);
       case Kind::Wait:
         return quantity(act.number, rest, Dimension::Time);
       case Kind::Set:
@@ -246,6 +274,10 @@ class Performer {
         on_ = place;
         break;
       }
+      case Kind::Pose:
+        plan.push_back({.to = act.to, .turned_to = act.turned_to});
+        on_.reset();
+        break;
       case Kind::Wait:
         plan.push_back({.wait_s = act.number});
         break;

@@ -6,6 +6,10 @@
 //   press 0.8 N [on PLACE]        pushes with so much force for half a second, there or where the hand touches
 //   slide PLACE                   goes there over the surface without letting go
 //   wait 2 s                      stays as it is
+//   pose X, Y, Z[, QW, QX, QY, QZ]
+//                                 leads the hand straight there (angstrom), and evenly to the orientation of that
+//                                 quaternion relative to the molecule's file; without one it keeps its orientation. A
+//                                 body in the hand has its middle there
 //   lift                          lets go
 //   method NAME                   chooses a haptic method
 //   say WORD                      presses a button of the task: here, next, same, different, mark, this
@@ -18,6 +22,7 @@
 // Any thread but the haptic one.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -28,13 +33,15 @@
 namespace moltact {
 
 struct LearnerAct {
-  enum class Kind { Do, Touch, Press, Slide, Wait, Lift, Method, Say, Set, Draw, Answer, Next, Back, Go };
+  enum class Kind { Do, Touch, Press, Slide, Pose, Wait, Lift, Method, Say, Set, Draw, Answer, Next, Back, Go };
   Kind kind = Kind::Do;
   std::string word;           ///< method, button, step, question, or a kind of place
   std::string text;           ///< the answer
   Selection place;            ///< not given where `word` or nothing names the place
   double number = 0.0;        ///< newton, second or angstrom
   std::vector<double> curve;  ///< newton
+  PointA to;                  ///< of a pose
+  std::optional<Quat> turned_to;
   std::size_t line = 0, column = 0;
 };
 

@@ -56,9 +56,9 @@ bool ScriptedLearner::enterStep() {
 
 bool ScriptedLearner::timeIsUp() const { return touch_.time_s() - task_begun_s_ > options_.task_s; }
 
-void ScriptedLearner::tick(PointA hip) {
+void ScriptedLearner::tick(const PoseA& hand) {
   const std::size_t task = session_.currentTask();
-  session_.feed(touch_.tick(hip));
+  session_.feed(touch_.tick(hand));
   if (session_.currentTask() != task) tellDone(task);
 }
 
@@ -92,14 +92,13 @@ void ScriptedLearner::follow(const HandPlan& plan) {
     const auto goesOn = [&] { return session_.currentTask() == task && !timeIsUp(); };
     if (!goesOn()) return;
     if (!act.method.empty()) touch_.useMethod(act.method);
-    if (act.to && act.placed) touch_.place(*act.to);
-    if (act.to && !act.placed) {
-      const Vec3 from = touch_.hip().A, way = act.to->A - from;
-      const auto ticks = static_cast<long>(std::ceil(glm::length(way) / (std::max(0.1, act.speed_A_per_s) * kTick_s)));
-      for (long k = 1; k <= ticks && goesOn(); ++k) tick({from + way * (double(k) / double(ticks))});
-    }
+    const HandWay way = wayOf(act, touch_.hand(), kTick_s);
+    if (act.placed)
+      touch_.place(way.to);
+    else
+      for (std::size_t k = 1; k <= way.ticks && goesOn(); ++k) tick(way.at(k));
     const auto rest = static_cast<long>(std::lround(act.wait_s / kTick_s));
-    for (long k = 0; k < rest && goesOn(); ++k) tick(touch_.hip());
+    for (long k = 0; k < rest && goesOn(); ++k) tick(touch_.hand());
     if (act.answer && goesOn()) tell(*act.answer);
   }
 }

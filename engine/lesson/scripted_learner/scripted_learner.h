@@ -82,7 +82,7 @@ class ScriptedLearner {
 
  private:
   void demonstrateStep();
-  void tick(PointA hip);
+  void tick(const PoseA& hand);
   bool timeIsUp() const;
   void tellDone(std::size_t task);
   void tellAnswer(std::size_t question, const std::string& answer, bool right, int attempts_before);

@@ -23,7 +23,8 @@ void VirtualTouch::begin(std::shared_ptr<const Molecule> molecule, const SceneSp
   felt_ = nullptr;
   exact_ = nullptr;
   feelWith(scene.touch);
-  place({spheres_->high_A() + Vec3(2.0 * scene.touch.probe_A + 5.0)});
+  const double room_A = body_ ? body_->reach_A : 2.0 * scene.touch.probe_A;
+  place({{spheres_->high_A() + Vec3(room_A + 5.0)}});
 }
 
 void VirtualTouch::setStage(const TaskStage& stage) {
@@ -62,21 +63,23 @@ void VirtualTouch::feelWith(const TouchSetup& wanted) {
   method_ = findMethod(touch.method)->name;
 }
 
-void VirtualTouch::place(PointA hip) {
-  hip_ = hip;
+void VirtualTouch::place(const PoseA& hand) {
+  hand_ = hand;
   ++pose_.discontinuities;
   exact_->reset();
 }
 
-TouchSample VirtualTouch::tick(PointA hip) {
-  hip_ = hip;
-  pose_.position = settings_.workspace.toDevice(hip);
+TouchSample VirtualTouch::tick(const PoseA& hand) {
+  hand_ = hand;
+  pose_.position = settings_.workspace.toDevice(hand.place);
+  pose_.orientation = glm::conjugate(glm::quat_cast(settings_.workspace.rotation)) * hand.orientation;
   const ServoSample s = step_.tick(settings_, felt_.get(), pose_);
   ++ticks_;
   if (s.placed) exact_->reset();
   exact_->setProbe(s.probe_A);
+  // No method is judged with a body.
   TouchSample sample =
-      touchSampleOf(s, method_, is_reference_ ? s.contact : exact_->respond({s.hip, s.orientation}).contact);
+      touchSampleOf(s, method_, is_reference_ || body_ ? s.contact : exact_->respond({s.hip, s.orientation}).contact);
   sample.time_s = time_s();  // of this clock, which goes on from scene to scene
   return sample;
 }
@@ -85,8 +88,10 @@ HandPlanInput VirtualTouch::view(int attempt) const {
   return {.spheres = *spheres_,
           .probe_A = settings_.probe_A,
           .N_per_A = settings_.stiffness_N_per_mm / settings_.workspace.A_per_mm,
-          .hip = hip_,
-          .attempt = attempt};
+          .hip = hand_.place,
+          .attempt = attempt,
+          .body = body_.get(),
+          .orientation = hand_.orientation};
 }
 
 }  // namespace moltact

@@ -27,13 +27,13 @@ class VirtualTouch {
   void useMethod(std::string_view name);
 
   /// The hand is there without a way between.
-  void place(PointA hip);
-  /// A millisecond with the hand there.
-  TouchSample tick(PointA hip);
+  void place(const PoseA& hand);
+  /// A millisecond with the hand there. What it holds is led with it.
+  TouchSample tick(const PoseA& hand);
 
   const SphereGrid& spheres() const { return *spheres_; }
   HandPlanInput view(int attempt) const;
-  PointA hip() const { return hip_; }
+  const PoseA& hand() const { return hand_; }
   double time_s() const { return double(ticks_) * kTick_s; }
 
  private:
@@ -52,7 +52,7 @@ class VirtualTouch {
   ServoSettings settings_;
   ServoStep step_;
   DevicePose pose_;
-  PointA hip_;
+  PoseA hand_;
   std::uint64_t ticks_ = 0;
 };
 

@@ -215,7 +215,10 @@ TaskKind compareKind() {
           },
           &checkCompare,
           nullptr,
-          &checkCompareScene};
+          &checkCompareScene,
+          "`compare: places` alone; the atoms count that the body presses hardest against, and the force on the whole "
+          "body.",
+          &comparesPlaces};
 }
 
 }  // namespace moltact

@@ -237,6 +237,11 @@ class FeelAtoms : public Task {
   bool touching_ = false;
 };
 
+bool feelsAtoms(const TaskSpec& spec) {
+  const std::vector<std::string>& words = spec.values["feel"].words;
+  return !words.empty() && words[0] == "atoms";
+}
+
 void checkFeel(const TaskSpec& spec, std::vector<Problem>& problems) {
   const Value& places = spec.values["feel"];
   const bool atoms = std::find(places.words.begin(), places.words.end(), "atoms") != places.words.end();
@@ -269,11 +274,14 @@ TaskKind feelKind() {
         .most = 1000},
        {.name = "of", .type = ValueType::Selection, .meaning = "Only places that are made by these atoms count."}},
       [](const TaskSpec& s, const Molecule& m) -> std::unique_ptr<Task> {
-        const std::vector<std::string>& words = s.values["feel"].words;
-        if (!words.empty() && words[0] == "atoms") return std::make_unique<FeelAtoms>(s, m);
+        if (feelsAtoms(s)) return std::make_unique<FeelAtoms>(s, m);
         return std::make_unique<FeelPlaces>(s, m);
       },
-      &checkFeel};
+      &checkFeel,
+      nullptr,
+      nullptr,
+      "`feel: atoms` alone; the atoms count that the body presses hardest against.",
+      &feelsAtoms};
 }
 
 }  // namespace moltact

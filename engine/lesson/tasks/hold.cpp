@@ -108,6 +108,8 @@ class Hold : public Task {
   int slips_ = 0;
 };
 
+bool namesAtomsOrAnywhere(const TaskSpec& spec) { return !isKindOfPlace(spec.values["hold"]); }
+
 void checkHold(const TaskSpec& spec, std::vector<Problem>& problems) {
   const Value &hold = spec.values["hold"], &of = spec.values["of"];
   if (of.place.line && hold.selection.given())
@@ -141,7 +143,12 @@ TaskKind holdKind() {
             .dimension = Dimension::Force,
             .most = 20.0}},
           [](const TaskSpec& s, const Molecule& m) -> std::unique_ptr<Task> { return std::make_unique<Hold>(s, m); },
-          &checkHold};
+          &checkHold,
+          nullptr,
+          nullptr,
+          "the atoms count that the body presses hardest against, and the force on the whole body; a kind of place is "
+          "for the probe.",
+          &namesAtomsOrAnywhere};
 }
 
 }  // namespace moltact

@@ -77,7 +77,13 @@ TaskKind pressKind() {
             .dimension = Dimension::Force,
             .least = 0.01,
             .most = 20.0}},
-          [](const TaskSpec& s, const Molecule& m) -> std::unique_ptr<Task> { return std::make_unique<Press>(s, m); }};
+          [](const TaskSpec& s, const Molecule& m) -> std::unique_ptr<Task> { return std::make_unique<Press>(s, m); },
+          nullptr,
+          nullptr,
+          nullptr,
+          "the atoms count that the body presses hardest against, and the force on the whole body; a kind of place is "
+          "for the probe.",
+          [](const TaskSpec& s) { return !isKindOfPlace(s.values["press"]); }};
 }
 
 }  // namespace moltact

@@ -68,7 +68,8 @@ class Reach : public Task {
     if (!said_.empty()) return said_;
     if (beside_) return trf("That is {0}, but not the place on it that is meant. Slide on.", name_.text());
     if (touching_) return trf("You are on the surface. Slide on to find {0}.", name_.text());
-    return trf("Move the probe to {0} until it stops you.", name_.text());
+    return holdsBody() ? trf("Move what you hold to {0} until it stops you.", name_.text())
+                       : trf("Move the probe to {0} until it stops you.", name_.text());
   }
 
   AtomSet target_;
@@ -96,8 +97,15 @@ TaskKind reachKind() {
                              .most = 1000.0}};
   for (KeySpec& key : TouchLimits::keys()) keys.push_back(std::move(key));
   keys.push_back(WrongTouches::key());
-  return {"reach", "Touch one of the selected atoms.", std::move(keys),
-          [](const TaskSpec& s, const Molecule& m) -> std::unique_ptr<Task> { return std::make_unique<Reach>(s, m); }};
+  return {.name = "reach",
+          .meaning = "Touch one of the selected atoms.",
+          .keys = std::move(keys),
+          .make = [](const TaskSpec& s, const Molecule& m) -> std::unique_ptr<Task> {
+            return std::make_unique<Reach>(s, m);
+          },
+          .of_body =
+              "the atoms count that the body presses hardest against; for `near`, `side` and `region` the place "
+              "of the body's middle counts."};
 }
 
 }  // namespace moltact

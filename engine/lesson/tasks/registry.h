@@ -24,6 +24,15 @@ struct TaskKind {
                          std::vector<Problem>& problems) = nullptr;
   /// The same for what does not go with the scene that it is done in; may be null.
   void (*check_scene)(const TaskSpec& spec, const SceneSpec& scene, std::vector<Problem>& problems) = nullptr;
+  /// What is judged of a body in the hand, for authors; empty: the kind judges a probe only, and a step whose hand holds
+  /// a body cannot have it.
+  std::string_view of_body = {};
+  /// Whether a body is judged in the form that `spec` gives the task; null: in every form, if `of_body` says so.
+  bool (*form_judges_body)(const TaskSpec& spec) = nullptr;
+
+  bool judgesBody(const TaskSpec& spec) const {
+    return !of_body.empty() && (!form_judges_body || form_judges_body(spec));
+  }
 };
 
 std::span<const TaskKind> taskKinds();

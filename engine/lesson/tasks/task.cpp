@@ -22,6 +22,7 @@ void Task::feed(const TouchSample& sample) {
   started_ = true;
   last_time_s_ = sample.time_s;
   inside_ = sample.contact.fault == Fault::StartedInside;
+  body_ = sample.body.has_value();
   measureTouch(sample, dt);
   onSample(sample, dt);
 }
@@ -79,7 +80,9 @@ std::string Task::sentence() const {
     const std::string told = afterwards(), praise = praise_.text();
     return told.empty() ? praise : told + " " + praise;
   }
-  if (inside_) return tr("The probe began inside the molecule. Draw it back until it is outside, then touch again.");
+  if (inside_)
+    return body_ ? tr("What you hold began inside the molecule. Draw it back until it is outside, then touch again.")
+                 : tr("The probe began inside the molecule. Draw it back until it is outside, then touch again.");
   return guidance();
 }
 
@@ -87,7 +90,7 @@ void Task::reset() {
   progress_ = 0.0;
   time_s_ = contact_s_ = felt_s_ = impulse_Ns_ = greatest_N_ = way_A_ = 0.0;
   last_scp_A_.reset();
-  done_ = given_up_ = started_ = inside_ = false;
+  done_ = given_up_ = started_ = inside_ = body_ = false;
   missed_ = 0;
 }
 
@@ -240,6 +243,8 @@ const char* placeName(std::string_view word) {
   if (word == "pit") return tr("a pit between three atoms");
   return tr("the surface");
 }
+
+bool isKindOfPlace(const Value& target) { return !target.words.empty() && target.words[0] != "anywhere"; }
 
 bool isFeature(std::string_view word, Feature feature) {
   switch (feature) {

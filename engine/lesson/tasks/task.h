@@ -167,6 +167,9 @@ class Task {
   /// The answer in a sentence, for who has used up the tries.
   virtual std::string solution() const { return {}; }
 
+  /// The hand holds a body, as far as the last sample says.
+  bool holdsBody() const { return body_; }
+
   void setProgress(double progress);
   void finish() { done_ = true; }
   /// A try was wrong. True where the author gives no more: the task is done then, and not solved.
@@ -179,7 +182,7 @@ class Task {
   double progress_ = 0.0, last_time_s_ = 0.0;
   double time_s_ = 0.0, contact_s_ = 0.0, felt_s_ = 0.0, impulse_Ns_ = 0.0, greatest_N_ = 0.0, way_A_ = 0.0;
   std::optional<Vec3> last_scp_A_;
-  bool done_ = false, given_up_ = false, started_ = false, inside_ = false;
+  bool done_ = false, given_up_ = false, started_ = false, inside_ = false, body_ = false;
   int tries_ = 0, missed_ = 0;  // how many there are (0: as many as need be); wrong ones so far
 };
 
@@ -265,6 +268,9 @@ class TargetName {
 /// "the round face of one atom" of "sphere", "a crease between two atoms", "a pit between three atoms"; else "the
 /// surface".
 const char* placeName(std::string_view word);
+
+/// A target is a kind of place: "sphere", "crease" or "pit". False for atoms and for "anywhere".
+bool isKindOfPlace(const Value& target);
 
 /// Places that a hand can take to touch these atoms, or a kind of place where `feature` names one ("sphere", "crease",
 /// "pit") that these atoms make.

@@ -190,9 +190,9 @@ TEST_CASE("an atom that a task takes out is not felt until it is put back") {
   VirtualTouch touch;
   touch.begin(*molecules({"pair"}), SceneSpec());
   const auto felt = [&] {
-    touch.place({{-8.0, 0.0, 0.0}});
+    touch.place({{{-8.0, 0.0, 0.0}}});
     bool met = false;
-    for (double x = -8.0; x < -1.88; x += 0.02) met = touch.tick({{x, 0.0, 0.0}}).contact.touching();
+    for (double x = -8.0; x < -1.88; x += 0.02) met = touch.tick({{{x, 0.0, 0.0}}}).contact.touching();
     return met;
   };
   CHECK(felt());
