@@ -14,10 +14,10 @@ namespace moltact {
 /// the option's name if the text is not a selection or selects no atom.
 std::vector<std::uint32_t> selectedAtoms(const char* option, const std::string& text, const Molecule& molecule);
 
-/// For --in-hand: more atoms than a hand can hold.
+/// The error of --in-hand for a selection of more atoms than a hand can hold.
 CLI::ValidationError tooManyHeld(std::size_t atoms);
 
-/// --untouchable and --remove: what a scene takes from the hand, and from hand and eye.
+/// The options --untouchable (drawn but not felt) and --remove (neither drawn nor felt).
 struct LeftOutAtoms {
   std::string untouchable, remove;
 

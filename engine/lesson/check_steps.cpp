@@ -56,7 +56,7 @@ bool saysSomething(const Step& step) {
   return any;
 }
 
-/// "reach, hold": the kinds of task that judge a body in the hand.
+/// The kinds of tasks that can judge a held body: "reach, hold".
 std::string kindsOfBody() {
   std::string out;
   for (const TaskKind& kind : taskKinds())
@@ -64,7 +64,7 @@ std::string kindsOfBody() {
   return out;
 }
 
-/// What a kind of task says of the scene that it is done in.
+/// Checks a task's own requirements of its scene.
 void tasksInScene(const Step& step, Findings& findings) {
   for (const TaskSpec& task : step.tasks) {
     const TaskKind* kind = findTaskKind(task.kind);

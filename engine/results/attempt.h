@@ -168,8 +168,8 @@ struct StageChanged {
   std::size_t atoms = 0;
   Workspace workspace{};
   TouchSetup touch{};
-  ReadOptions reading{};  ///< how the file was read
-  std::vector<std::uint32_t> held{};  ///< atoms that the hand holds as a body, ascending; empty: the probe
+  ReadOptions reading{};              ///< how the file was read
+  std::vector<std::uint32_t> held{};  ///< atoms held as a rigid body, ascending; empty: the hand has a probe
   friend bool operator==(const StageChanged&, const StageChanged&) = default;
 };
 /// The camera (engine/render/camera.h).
@@ -185,10 +185,10 @@ struct StatesMoved {
   double share = 0.0;         ///< 0: first structure, 1: second
   friend bool operator==(const StatesMoved&, const StatesMoved&) = default;
 };
-/// What a hand that holds a body adds to a HipSample.
+/// The additional data of a HipSample with a held body.
 struct HeldSample {
   Quat orientation = kNoRotation;  ///< of the hand, in the molecule's axes
-  PoseA body;                      ///< where the body was shown: the place of its middle and its orientation
+  PoseA body;                      ///< pose of the drawn body: the place of its centre and its orientation
 };
 struct HipSample {
   double t_s = 0.0;
@@ -197,13 +197,13 @@ struct HipSample {
   Vec3 displacement_A{0.0};  ///< of the spring that was felt; zero without contact
   Feature feature = Feature::Free;
   std::array<std::int32_t, 3> atoms{-1, -1, -1};
-  std::optional<HeldSample> held = std::nullopt;  ///< empty: the probe
+  std::optional<HeldSample> held = std::nullopt;  ///< empty: the hand has a probe
 
-  /// Where a body is shown that rests without a pose of its own.
+  /// The pose of a body that is drawn at the hand because none was recorded.
   PoseA bodyAtHand(const Quat& orientation) const { return {feature == Feature::Free ? hip : scp, orientation}; }
 };
-/// The path of the HIP for up to kHipChunk_s, all of it with a body or all without. A gap between two samples is a hand
-/// at rest.
+/// The HIP's path for up to kHipChunk_s, either completely with a body or completely without one. The hand was at rest
+/// during a gap between two samples.
 struct HipChunk {
   std::vector<HipSample> samples;
 };

@@ -58,14 +58,14 @@ LessonOutline outline(const Json& from) {
   return out;
 }
 
-// The rotation at four numbers of a list; rounding is taken off.
+// The rotation given by four numbers of a list, normalized to remove rounding errors.
 Quat turnAt(const std::vector<double>& numbers, std::size_t at, const char* key) {
   const Quat q(numbers[at], numbers[at + 1], numbers[at + 2], numbers[at + 3]);
   if (!(std::abs(glm::length(q) - 1.0) <= 1e-2)) throw LineError{trf("'{0}' is no rotation", key)};
   return glm::normalize(q);
 }
 
-// A line of a hand that holds a body has its orientation.
+// Lines with a held body contain the hand's orientation.
 void readHeld(const Json& from, HipChunk& chunk) {
   if (!from.contains("orientation")) return;
   const std::size_t n = chunk.samples.size();

@@ -72,7 +72,7 @@ void TouchWatch::keepHip(const TouchSample& s, double t_s) {
   const Contact& c = s.contact;
   HipSample now{t_s, s.hip, c.scp, s.force, c.displacement_A, c.feature, c.atoms};
   if (s.body) now.held = {s.orientation, *s.body};
-  // A line is with a body or without.
+  // A line of the file is either with a body or without one.
   if (has_before_ && now.held.has_value() != before_.held.has_value()) endPath();
   if (has_before_) {
     const bool changed = now.feature != before_.feature || now.atoms != before_.atoms;

@@ -20,11 +20,11 @@ class TouchWatch {
   /// kHipChunk_s, and figures of a touch in progress every kHeartbeat_s.
   std::vector<AttemptEvent> take(double t_s);
 
-  static constexpr double kSample_s = 1.0 / 60.0;   ///< samples are kept at most so often
-  static constexpr double kChange_s = 1.0 / 250.0;  ///< but so often where the feature or the atoms change
-  static constexpr double kStill_A = 0.002;         ///< a hand that has moved less gives none
-  static constexpr double kUnturned = 0.002;        ///< nor one that has turned a body by less (unit: radian)
-  static constexpr double kHipChunk_s = 0.5;        ///< what a HipChunk holds at most
+  static constexpr double kSample_s = 1.0 / 60.0;   ///< minimum interval between samples
+  static constexpr double kChange_s = 1.0 / 250.0;  ///< minimum interval if the feature or the atoms change
+  static constexpr double kStill_A = 0.002;         ///< a smaller motion counts as rest and gives no sample
+  static constexpr double kUnturned = 0.002;        ///< a smaller rotation of a body counts as rest (unit: radian)
+  static constexpr double kHipChunk_s = 0.5;        ///< maximum duration of a HipChunk
 
  private:
   struct Touch {

@@ -121,7 +121,8 @@ std::string HandRecorder::label(const char* key) const {
 
 void HandRecorder::begin() {
   panels_.welcome = false;
-  // What the recorded hand felt and held, where the molecule is the same to the last bit; else what the open scene has.
+  // The recorded touch settings and held body if the molecule is identical to the last bit; otherwise those of the open
+  // scene.
   if (const RecordedScene was = recordedScene(waiting_->labels, scene_.restingModel().molecule->spheres);
       label("balls") == fingerprint(*was.spheres))
     body_.hold(was.spheres->untouchable(), was.body ? was.body->atoms : std::vector<std::uint32_t>());

@@ -67,9 +67,9 @@ class HandRecorder : public Extension {
   PanelState& panels_;
   FileDialog& file_dialog_;
   const ApplicationOptions& options_;
-  AttemptRecorder& attempts_;  // rests while a recording plays
-  DeviceLink& link_;           // gets the playing hand as a device
-  PlayedBody body_;            // what the playing hand holds
+  AttemptRecorder& attempts_;  // paused during a playback
+  DeviceLink& link_;           // receives the played hand as a device
+  PlayedBody body_;            // the body that the played hand holds
   void drain();
   void begin();
   void lead();

@@ -171,14 +171,14 @@ void Playback::showStates() {
   moving_states_.show({second_.second, timeline_->stage(at_s_)->reading}, then);
 }
 
-// The molecule of this moment is on the stage.
+// Whether the molecule of the present time is loaded.
 bool Playback::staged() const {
   const StageChanged* stage = timeline_->stage(at_s_);
   return stage && scene_.stage() && namedOf(scene_.molecule()) == namedOf(*stage) &&
          scene_.stage().molecule->atoms.size() == stage->atoms;
 }
 
-// The atoms of a body leave their place in the molecule for the hand.
+// Moves the atoms of a held body from the molecule to the hand.
 void Playback::showHeld() {
   if (!staged()) return;
   const std::vector<std::uint32_t>& held = timeline_->stage(at_s_)->held;

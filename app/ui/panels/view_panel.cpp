@@ -118,7 +118,7 @@ ViewInput readInput(Application& app, ImVec2 low, glm::dvec2 size) {
       const std::uint32_t only[] = {*atom};
       app.zoomTo(only);
     }
-  // The way to the place where the button went down is none of the drag's.
+  // The motion up to the place where the button was pressed is not part of the drag.
   const bool begins = ImGui::IsMouseClicked(turn) || ImGui::IsMouseClicked(2) ||
                       (view_fingers && ImGui::IsMouseClicked(Fingers::kViewButton));
   const glm::dvec2 drag = begins ? glm::dvec2(0.0) : glm::dvec2(io.MouseDelta.x, io.MouseDelta.y);
