@@ -1,7 +1,6 @@
 #!/bin/sh
-# Unpacks the sources of Debian packages, as this system's release has them: fetch_sources.sh FOLDER PACKAGE…
-# Each comes into FOLDER/PACKAGE. apt keeps its lists of sources in FOLDER/apt, so the system's own settings stay as
-# they are.
+# Unpacks the sources of Debian packages in this system's release: fetch_sources.sh FOLDER PACKAGE… Each package is
+# unpacked to FOLDER/PACKAGE. apt keeps its lists in FOLDER/apt, so that the system's settings are not changed.
 set -eu
 folder=$1
 shift
@@ -28,7 +27,7 @@ for package in $missing; do
   mkdir "apt/$package"
   (
     cd "apt/$package"
-    # Some mirrors lack Debian's own part of a package; the authors' part is enough then.
+    # Some mirrors lack Debian's part of a package; the upstream part is enough then.
     if own apt-get source --download-only "$package"; then
       dpkg-source --no-check -x ./*.dsc unpacked
     else

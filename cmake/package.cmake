@@ -1,5 +1,5 @@
-# What every program of a Debian package is compiled and linked with: the distribution's own flags, hardened, without
-# debug symbols and without this folder's name in the program. The preset's build type adds its own behind them.
+# Compiler and linker flags for Debian packages: the distribution's own hardening flags, without debug symbols and
+# without the path of this folder in the program. The preset's build type appends its own flags.
 function(package_flags into)
   set(flags "")
   foreach(kind ${ARGN})

@@ -1,6 +1,6 @@
-# Libraries for a system that Debian has none built for (presets `web` and `windows`): headers come from Debian's -dev
-# packages, what has to be compiled from Debian's source packages. find_package and pkg_check_modules then find here what
-# they find in the system elsewhere, so that the other CMakeLists.txt need not know.
+# Builds libraries for systems without Debian packages (presets `web` and `windows`). Headers come from Debian's -dev
+# packages, sources from its source packages. find_package and pkg_check_modules find them as they find the system's
+# libraries, so that other CMakeLists.txt need no conditions.
 #
 #   set(sources_wanted PACKAGE…)  the source packages
 #   set(headers_wanted NAME…)     of /usr/include
@@ -17,7 +17,7 @@ if(NOT fetched EQUAL 0)
   message(FATAL_ERROR "The sources of Debian's packages ${names} cannot be had; see ${CMAKE_BINARY_DIR}/fetch_sources.log")
 endif()
 
-# Of /usr/include only these: the rest is of another machine.
+# Only these headers of /usr/include are used: the others belong to another platform.
 file(MAKE_DIRECTORY ${headers})
 foreach(name ${headers_wanted})
   if(NOT EXISTS /usr/include/${name})
@@ -27,8 +27,8 @@ foreach(name ${headers_wanted})
 endforeach()
 include_directories(SYSTEM ${headers})
 
-# source_library(NAME TARGET [FOLDER package SOURCES …] [INCLUDE …] [DEFINE …] [LINK …]): TARGET is what the other
-# CMakeLists.txt link.
+# source_library(NAME TARGET [FOLDER package SOURCES …] [INCLUDE …] [DEFINE …] [LINK …]): other CMakeLists.txt link it
+# as TARGET.
 function(source_library name target)
   cmake_parse_arguments(library "" "FOLDER" "SOURCES;INCLUDE;DEFINE;LINK" ${ARGN})
   if(library_SOURCES)
@@ -47,9 +47,9 @@ function(source_library name target)
   add_library(${target} ALIAS ${name})
 endfunction()
 
-# Reading and writing packs in memory: without encryption, without compression but zlib's; `has`: what config.h says that
-# the system has, `left_out`: a pattern of other systems' files. Release 1.7 (Debian 12) makes its table of errors at the
-# end of its own CMakeLists.txt, later ones in a file of its own.
+# libzip for packs in memory: without encryption, with zlib's compression only. `has`: what config.h states about the
+# system; `left_out`: a pattern of other systems' files. Release 1.7 (Debian 12) generates its table of errors at the
+# end of its CMakeLists.txt, later releases in a file of its own.
 function(provide_libzip pointer_bytes has left_out)
   set(made ${sources}/libzip/made)
   file(MAKE_DIRECTORY ${made})
@@ -76,12 +76,12 @@ function(provide_libzip pointer_bytes has left_out)
   target_link_libraries(source_zip PRIVATE source_zlib)
 endfunction()
 
-# What is made alike for every such system.
+# The libraries that are built the same way for every such system.
 macro(provide_common)
   source_library(source_glm glm::glm)
   source_library(source_fmt fmt::fmt DEFINE FMT_HEADER_ONLY=1)
   source_library(source_json nlohmann_json::nlohmann_json)
-  # Libraries that are headers alone but for one source that asks for their functions.
+  # Header-only libraries whose functions one source must instantiate.
   file(CONFIGURE OUTPUT ${sources}/stb/stb.c CONTENT "#define STB_IMAGE_IMPLEMENTATION\n#include <stb_image.h>
 #define STB_IMAGE_WRITE_IMPLEMENTATION\n#include <stb_image_write.h>\n")
   source_library(source_stb PkgConfig::STB FOLDER stb SOURCES stb.c INCLUDE ${headers}/stb DEFINE STBI_WINDOWS_UTF8)
@@ -93,7 +93,7 @@ macro(provide_common)
     SOURCES adler32.c compress.c crc32.c deflate.c gzclose.c gzlib.c gzread.c gzwrite.c infback.c inffast.c inflate.c
     inftrees.c trees.c uncompr.c zutil.c DEFINE HAVE_UNISTD_H)
   source_library(source_md4c PkgConfig::md4c FOLDER md4c INCLUDE ${sources}/md4c/src SOURCES src/md4c.c DEFINE MD4C_USE_UTF8)
-  # The modules that Debian's FreeType has for scalable fonts.
+  # The modules of Debian's FreeType for scalable fonts.
   file(CONFIGURE OUTPUT ${CMAKE_BINARY_DIR}/freetype/chosen_modules.h CONTENT
 "FT_USE_MODULE( FT_Module_Class, autofit_module_class )
 FT_USE_MODULE( FT_Driver_ClassRec, tt_driver_class )

@@ -1,9 +1,9 @@
-# The libraries of the browser edition (preset `web`), whose emscripten has none of Debian's built for it.
+# The libraries of the browser edition (preset `web`), because Debian builds none for emscripten.
 set(sources_wanted imgui freetype zlib md4c libzip)
 set(headers_wanted glm gemmi tao nlohmann fmt fast_float tiny_gltf.h stb zip.h zipconf.h)
 include(${CMAKE_CURRENT_LIST_DIR}/sources.cmake)
 
-# For every target, ours and theirs; libc++ 13 lacks some of C++20 (web/missing_std.h).
+# For every target, also of libraries: libc++ 13 lacks parts of C++20 (web/missing_std.h).
 add_compile_options(-fwasm-exceptions)
 add_compile_options("$<$<COMPILE_LANGUAGE:CXX>:SHELL:-include ${CMAKE_CURRENT_LIST_DIR}/web/missing_std.h>")
 add_link_options(-fwasm-exceptions)
@@ -12,6 +12,6 @@ macro(provide_libraries)
   source_library(source_epoxy PkgConfig::EPOXY)
   source_library(source_threads Threads::Threads)
   provide_libzip(4 "FCHMOD;FILENO;FSEEKO;FTELLO;LOCALTIME_R;MKSTEMP;SNPRINTF;STDBOOL_H;STRCASECMP;STRDUP;STRINGS_H;STRTOLL;STRTOULL;UNISTD_H" win32)
-  # Vertices are counted in 32 bits: WebGL draws no part of a list from a base of its own.
+  # 32-bit vertex indices, because WebGL cannot draw a part of a list with a base vertex.
   provide_imgui(DEFINE IMGUI_IMPL_OPENGL_ES3 ImDrawIdx=unsigned)
 endmacro()

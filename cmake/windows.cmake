@@ -1,16 +1,16 @@
-# The libraries of the build for Windows (preset `windows`), cross-compiled by mingw-w64. docs/windows.md says what is
+# The libraries of the build for Windows (preset `windows`), cross-compiled by mingw-w64. docs/windows.md lists what is
 # left out, and why.
 set(sources_wanted imgui freetype zlib md4c libzip glfw3 hidapi libepoxy)
 set(headers_wanted glm gemmi tao nlohmann fmt tiny_gltf.h stb zip.h zipconf.h CLI AL)
 include(${CMAKE_CURRENT_LIST_DIR}/sources.cmake)
 
-# Sources that are compiled several at a time exceed what an object file counts otherwise.
+# Units of several sources exceed the default section limit of object files.
 add_compile_options(-Wa,-mbig-obj)
 add_compile_definitions(NOMINMAX WIN32_LEAN_AND_MEAN UNICODE _UNICODE _WIN32_WINNT=0x0A00 _USE_MATH_DEFINES)
-# One file that needs no others: the runtime of the compiler within it.
+# A single file without dependencies: the compiler's runtime is linked statically.
 add_link_options(-static)
 
-# OpenGL's functions: the tables are made from its own register.
+# OpenGL's functions: the tables are generated from its registry.
 function(windows_epoxy)
   set(made ${sources}/libepoxy/made)
   file(MAKE_DIRECTORY ${made}/epoxy)
@@ -24,7 +24,7 @@ function(windows_epoxy)
     SOURCES src/dispatch_common.c src/dispatch_wgl.c made/gl_generated_dispatch.c made/wgl_generated_dispatch.c
     LINK opengl32 gdi32)
   target_include_directories(source_epoxy PRIVATE ${sources}/libepoxy/src)
-  # It is no DLL here: engine/platform/offscreen_gl_windows.cpp has the system call it.
+  # It is not a DLL here: engine/platform/offscreen_gl_windows.cpp lets the system call it.
   target_compile_definitions(source_epoxy PRIVATE DllMain=epoxy_on_thread)
 endfunction()
 

@@ -1,5 +1,5 @@
-# The Debian package, moltact_VERSION-1~debNN_ARCHITECTURE.deb, for the release of Debian that it is made on: an upgrade of
-# the system then brings the program's next build with it.
+# The Debian package, moltact_VERSION-1~debNN_ARCHITECTURE.deb, for the Debian release on which it is built. An upgrade
+# of the system thus also installs the program's next build.
 set(release_id 0)
 set(release_name unknown)
 file(STRINGS /etc/os-release lines)
@@ -45,8 +45,8 @@ set(CPACK_DEBIAN_PACKAGE_RELEASE ${package_release})
 set(CPACK_DEBIAN_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PACKAGE_PRIORITY optional)
 set(CPACK_DEBIAN_COMPRESSION_TYPE xz)
-# The libraries that are linked are dpkg-shlibdeps' to find. Beside them: the window's letters; OpenGL, which libepoxy
-# opens by name. What is used where it is there: sound, pointers and screens of X, the certificates that a download needs.
+# dpkg-shlibdeps finds the linked libraries. Further dependencies: the window's fonts, and OpenGL, which libepoxy opens
+# by name. Optional ones: sound, X pointers and screens, certificates for downloads.
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PACKAGE_DEPENDS "fonts-inter, fonts-dejavu-core, libgl1, libegl1")
 set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "libgl1-mesa-dri, libopenal1, libxcursor1, libxi6, libxinerama1, libxrandr2, ca-certificates")

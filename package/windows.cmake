@@ -1,5 +1,5 @@
-# One folder to be handed out: the program, and beside it all that it reads, its fonts too. `moltact_folder` makes it as
-# moltact/ in the build folder.
+# Builds one folder for distribution: the program with all files that it reads, including its fonts. `moltact_folder`
+# creates it as moltact/ in the build folder.
 set(data .)
 install(TARGETS moltact RUNTIME DESTINATION .)
 include(${CMAKE_CURRENT_SOURCE_DIR}/data.cmake)

@@ -1,4 +1,4 @@
-// Options of the headless commands that take atoms by selection.
+// Options of the headless commands that select atoms.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -10,22 +10,22 @@
 
 namespace moltact {
 
-/// The atoms of a selection, ascending; none for an empty text. Throws CLI::ValidationError with the option's name where it
-/// is no selection, or selects nothing.
+/// Returns the atoms of a selection in ascending order; an empty text selects none. Throws CLI::ValidationError with
+/// the option's name if the text is not a selection or selects no atom.
 std::vector<std::uint32_t> selectedAtoms(const char* option, const std::string& text, const Molecule& molecule);
 
-/// For --in-hand: more atoms than a hand can hold.
+/// The error of --in-hand for a selection of more atoms than a hand can hold.
 CLI::ValidationError tooManyHeld(std::size_t atoms);
 
-/// --untouchable and --remove: what a scene takes from the hand, and from hand and eye.
+/// The options --untouchable (drawn but not felt) and --remove (neither drawn nor felt).
 struct LeftOutAtoms {
   std::string untouchable, remove;
 
-  /// The texts must outlive the parsing.
+  /// Adds both options. This object must outlive the parsing.
   void addTo(CLI::App& command);
-  /// Atoms that are not felt, ascending. Throws as selectedAtoms() does.
+  /// The atoms that are not felt, in ascending order. Throws as selectedAtoms() does.
   std::vector<std::uint32_t> notFelt(const Molecule& molecule) const;
-  /// Atoms that are taken out for the eye too.
+  /// The atoms that are not drawn either.
   std::vector<std::uint32_t> removed(const Molecule& molecule) const {
     return selectedAtoms("--remove", remove, molecule);
   }

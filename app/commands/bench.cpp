@@ -1,4 +1,4 @@
-// moltact bench: speed, accuracy, feel and stability of every method.
+// moltact bench: measures speed, accuracy, feel and stability of every method.
 #include <chrono>
 #include <filesystem>
 #include <fstream>
@@ -34,7 +34,7 @@ namespace {
 using namespace bench;
 namespace fs = std::filesystem;
 
-constexpr std::size_t kChartSpheres = 13'751;  // as many as the paper's largest structure
+constexpr std::size_t kChartSpheres = 13'751;  // as many atoms as the paper's largest structure
 
 struct BenchArguments {
   std::string part = "all", json, csv, svg, docs, markdown;
@@ -45,12 +45,12 @@ struct BenchArguments {
   std::uint64_t seed = 1;
 };
 
-// What was measured, in the order it is shown.
+// The measured results, in the order in which they are shown.
 struct Report {
   std::vector<ReportTable> tables;
-  std::vector<ReportTable> excerpts;                           // parts of long tables, for the pages alone
+  std::vector<ReportTable> excerpts;                           // parts of long tables; only for the pages
   std::vector<std::pair<std::string, std::string>> pictures;   // file name, SVG
-  std::vector<std::pair<std::string, std::string>> sentences;  // marker's name, Markdown: what the tables say
+  std::vector<std::pair<std::string, std::string>> sentences;  // marker's name, Markdown that summarizes the tables
 };
 
 class ProgressBar {
@@ -81,7 +81,7 @@ void write(const fs::path& file, const std::string& text) {
   if (const auto problem = writeWhole(file, text)) throw CommandError{problem->text()};
 }
 
-// Fails where write() would fail for want of a folder or a right; what is there stays as it is.
+// Fails if write() would fail for lack of a folder or permission. An existing file stays unchanged.
 void tryWriting(const fs::path& file) {
   makeFolderOf(file);
   if (const auto draft = Draft::begin(file); !draft) throw CommandError{draft.problem().text()};
@@ -96,7 +96,7 @@ void checkPages(const fs::path& folder) {
 }
 
 std::vector<const Method*> chosen(const std::vector<std::string>& names, bool quick) {
-  // Of the methods that prepare a whole scene the finer take seconds for it: only in full runs, or by name.
+  // These finer methods take seconds to prepare a whole scene. They run only in full runs or when they are named.
   constexpr std::string_view kNotQuick[] = {"grid02-ready", "sasmesh025"};
   std::vector<const Method*> out;
   for (const Method& m : benchMethods())
@@ -113,14 +113,14 @@ std::vector<const Method*> chosen(const std::vector<std::string>& names, bool qu
   return out;
 }
 
-// Stability makes thousands of trackers and changes the probe under the finger: for the methods that a person is
-// offered.
+// The stability bench creates thousands of trackers and changes the probe during contact. It covers only the methods
+// that the program offers.
 std::vector<const Method*> offeredOf(std::vector<const Method*> methods) {
   std::erase_if(methods, [](const Method* m) { return !findMethod(m->name); });
   return methods;
 }
 
-// Structures that the library holds or the user has fetched; those that are not there are passed over.
+// The structures that the library holds or the user has fetched; missing ones are skipped.
 std::vector<TableScene> structures() {
   std::vector<TableScene> out;
   const MoleculeFolders folders = MoleculeFolders::ofThisComputer();
@@ -137,7 +137,7 @@ std::vector<TableScene> structures() {
   return out;
 }
 
-// Told before anything is measured: a quarter of an hour is too long to learn that a folder cannot be written.
+// Reports an unwritable folder before anything is measured, because the bench can take a quarter of an hour.
 void tryOutputs(const BenchArguments& arguments) {
   for (const std::string& file : arguments.recordings) noteRead(file);
   checkOutputs({{"--json", arguments.json}, {"--markdown", arguments.markdown}});
@@ -161,7 +161,7 @@ StrokePlan plan(const BenchArguments& arguments) {
   return p;
 }
 
-// On the spheres of the chart, beside the same methods' ticks in a row.
+// Measured on the spheres of the chart, and shown beside the same methods' consecutive ticks.
 void addCool(const BenchArguments& arguments, const std::vector<const Method*>& methods,
              const std::vector<SceneTimes>& times, Report& report) {
   const auto scene =
@@ -213,7 +213,7 @@ void addChart(const BenchArguments& arguments, const std::vector<const Method*>&
   report.pictures.push_back({"speed-and-accuracy.svg", tradeOffChart(points, options.spheres)});
 }
 
-// Right behind exact, for which they are the measure.
+// Placed right after `exact`, whose measure it is.
 std::vector<const Method*> withNoiseFloor(std::vector<const Method*> methods) {
   auto at = methods.begin() + 1;
   for (const Method& floor : noiseFloor()) at = methods.insert(at, &floor) + 1;
@@ -263,7 +263,7 @@ void addFeel(const BenchArguments& arguments, const std::vector<const Method*>& 
   report.sentences.push_back({"felt_sentences", feltSentences(felt)});
 }
 
-// A hand's way on its molecule; what lacks one is laid on `otherwise`.
+// A hand's path on its molecule. A path without a molecule is placed on `otherwise`.
 HandOnMolecule handFrom(const fs::path& file, const std::string& otherwise) {
   auto path = openHandPath(file);
   if (!path) throw CommandError{path.problem().text()};
@@ -282,7 +282,7 @@ HandOnMolecule handFrom(const fs::path& file, const std::string& otherwise) {
   return hand;
 }
 
-// What --recording names, else the recordings that come with the program.
+// The files of --recording, or else the recordings that come with the program.
 std::vector<fs::path> handFiles(const BenchArguments& arguments) {
   std::vector<fs::path> out{arguments.recordings.begin(), arguments.recordings.end()};
   std::error_code error;
@@ -305,7 +305,7 @@ void addHands(const BenchArguments& arguments, const std::vector<const Method*>&
   report.sentences.push_back({"hands_sentences", feltSentences(feltOverAll(replays))});
 }
 
-// Writes the tables between their markers in every page of the folder that has such markers.
+// Writes the tables between their markers in every page of the folder that has the markers.
 void updatePages(const fs::path& folder, const Report& report) {
   std::vector<fs::path> pages;  // listed before any is written
   for (const auto& entry : fs::directory_iterator(folder))
@@ -335,7 +335,9 @@ void run(const BenchArguments& arguments) {
   if (all || arguments.part == "stability") addStability(arguments, offeredOf(methods), report);
 
   for (const ReportTable& t : report.tables)
-    if (!t.name.ends_with("_figures")) out() << Lines{toConsole(t)} << '\n';  // thousands of rows: for --csv and --json
+    if (!t.name.ends_with("_figures"))
+      out() << Lines{toConsole(t)} << '\n';  // thousands of rows: only for --csv and
+                                             // --json
   const std::string command = "moltact bench " + arguments.part + (arguments.quick ? " --quick" : "") + " --seed " +
                               std::to_string(arguments.seed);
   if (!arguments.json.empty()) write(arguments.json, toJson(report.tables, command));
@@ -385,7 +387,7 @@ void addBench(CLI::App& app) {
   command->add_option("--docs", arguments->docs, "Regenerate the tables and charts of the pages in this folder")
       ->type_name(kFolderType);
   command->callback([arguments] {
-    // Other hands are nobody's pages.
+    // The pages show only the program's own recordings.
     if (!arguments->recordings.empty() && arguments->part == "all") arguments->part = "hands";
     if (!arguments->recordings.empty() && !arguments->docs.empty()) throw CLI::ExcludesError("--recording", "--docs");
     run(*arguments);

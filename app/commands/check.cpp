@@ -1,4 +1,4 @@
-// moltact check FILE|PACK|FOLDER…: every error of lessons at its place, with its line and a caret under it.
+// moltact check FILE|PACK|FOLDER…: prints every error of lessons with its place, its line and a caret.
 #include "engine/lesson/check.h"
 
 #include <algorithm>
@@ -35,11 +35,11 @@ struct Checked {
   std::string file;
   std::string text;  ///< of the file; empty where it could not be read
   std::vector<Problem> errors, warnings;
-  bool words = false;                        ///< it is a glossary and no lesson
-  std::optional<ShownMinutes> minutes = {};  ///< of a lesson that can be used
+  bool words = false;                        ///< a glossary, not a lesson
+  std::optional<ShownMinutes> minutes = {};  ///< of a valid lesson
 };
 
-// Has each touch task done by the scripted learner, and tells those that cannot be.
+// Runs the scripted learner through the lesson and reports the touch tasks that it cannot solve.
 void playLesson(const fs::path& file, const Lesson& lesson, LessonMolecules& molecules, std::vector<Problem>& errors) {
   const auto tell = [&](const LearnerEvent& e) {
     if (e.kind == LearnerEvent::Kind::GaveUp)
@@ -72,13 +72,13 @@ Checked checkFile(const fs::path& file, LessonMolecules& molecules, bool play) {
   return out;
 }
 
-// What a shell's "*.md" takes along: a text about the lessons, with nothing of a lesson in it.
+// A shell's "*.md" also matches a text about the lessons that contains no lesson.
 bool isReadme(const fs::path& file) {
   std::error_code error;
   return lower(lessonName(file).id) == "readme" && fs::exists(file, error) && !looksLikeLesson(file);
 }
 
-// The words beside lessons and in the files that were named, each file once.
+// The glossaries beside the lessons and among the named files, each file once.
 void checkGlossaries(std::vector<Checked>& all, std::vector<fs::path> files) {
   std::error_code error;
   for (const Checked& lesson : all) {
@@ -105,7 +105,7 @@ void checkGlossaries(std::vector<Checked>& all, std::vector<fs::path> files) {
   }
 }
 
-// Every lesson of a pack, told by their names in it.
+// Checks every lesson of a pack and reports it by its name in the pack.
 void checkPack(const std::string& path, LessonMolecules& molecules, bool play, std::vector<Checked>& all) {
   const Expected<LessonArgument> argument = LessonArgument::open(path);
   if (!argument) {
@@ -126,7 +126,7 @@ struct Row {
   const char* severity;
 };
 
-/// Errors and warnings of a file together, in the order of the file.
+/// Errors and warnings of a file together, sorted by their place in the file.
 std::vector<Row> rowsOf(const Checked& checked) {
   std::vector<Row> rows;
   for (const Problem& p : checked.errors) rows.push_back({&p, NC_("severity", "error")});
@@ -219,7 +219,7 @@ void run(const CheckArguments& arguments) {
     if (warnings) found = trf("{0}, {1}", found, trnf("{0} warning", "{0} warnings", warnings, warnings));
     out() << trnf("{0} lesson checked: {1}", "{0} lessons checked: {1}", lessons, lessons, found) << '\n';
   }
-  // What is wrong has been told.
+  // The errors have already been printed.
   if (errors) throw CommandFailed{};
 }
 

@@ -3,7 +3,8 @@
 #include "app/commands/language_option.h"
 #include "engine/platform/file_guard.h"
 
-// One line a command, in the order of `moltact --help`: its function is add<Name>(CLI::App&), in its own file.
+// One line per command, in the order of `moltact --help`. The function add<Name>(CLI::App&) is in the command's own
+// file.
 #define MOLTACT_COMMANDS(X) \
   X(Info)                   \
   X(Replay)                 \

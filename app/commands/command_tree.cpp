@@ -16,7 +16,7 @@ std::vector<const CLI::Option*> shownOptions(const CLI::App& app, Wanted wanted)
 
 bool takesValue(const CLI::Option& option) { return option.get_type_size_max() > 0; }
 
-// CLI11 keeps the choices in the name of the type alone: "TEXT:{light,dark}".
+// CLI11 stores the choices only in the type's name: "TEXT:{light,dark}".
 std::vector<std::string> choicesOf(const CLI::Option& option) {
   const std::string type = option.get_type_name();
   const std::size_t from = type.find('{'), to = type.rfind('}');

@@ -1,5 +1,5 @@
-// The program's commands, options and arguments as --help shows them, for what is made from them: the manual page and
-// the completion in a shell. Commands' thread.
+// The program's commands, options and arguments as --help shows them, for the manual page and the shell completion.
+// Commands' thread.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -8,23 +8,23 @@
 
 namespace moltact {
 
-/// The commands of `app` itself, in order; not the hidden ones.
+/// The direct subcommands of `app`, in order, without hidden ones.
 std::vector<const CLI::App*> shownCommands(const CLI::App& app);
 
-/// Its options ("--out"), or its arguments ("molecule"), in order; not the hidden ones.
+/// The options ("--out") or the arguments ("molecule") of `app`, in order, without hidden ones.
 enum class Wanted { Options, Arguments };
 std::vector<const CLI::Option*> shownOptions(const CLI::App& app, Wanted wanted);
 
-/// Whether a value follows it; flags have none.
+/// Whether the option takes a value. Flags take none.
 bool takesValue(const CLI::Option& option);
 
-/// The words of which it takes one: "light" and "dark" of --theme. Empty where others are allowed.
+/// The words that the option accepts, for example "light" and "dark" of --theme. Empty if it also accepts other values.
 std::vector<std::string> choicesOf(const CLI::Option& option);
 
-/// As a shell knows it: "moltact device check".
+/// The command as typed in a shell: "moltact device check".
 std::string fullName(const CLI::App& app);
 
-/// The program, of which `app` is a command or a command's command.
+/// The root of the tree that contains `app`, a command or a subcommand of a command.
 const CLI::App& programOf(const CLI::App& app);
 
 }  // namespace moltact

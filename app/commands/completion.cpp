@@ -1,5 +1,5 @@
-// moltact completion: what completes the program's commands, options and their values in bash, made from the same
-// tables as --help. It needs nothing but bash itself.
+// moltact completion: prints a bash completion of the program's commands, options and values. It is generated from the
+// same tables as --help and requires only bash.
 #include <algorithm>
 #include <sstream>
 
@@ -33,7 +33,7 @@ std::vector<std::string> languageCodes() {
   return out;
 }
 
-// What may stand where this option or argument takes a value: words, and a kind of file for `compgen -A`.
+// The possible values of an option or argument: words, and a file kind for `compgen -A`.
 struct Values {
   std::vector<std::string> words;
   const char* files = "";
@@ -128,7 +128,7 @@ complete -F _moltact moltact
 
 void addCompletion(CLI::App& app) {
   CLI::App* command = app.add_subcommand("completion", "Print the bash completion of this program");
-  command->group("");  // for who makes a package; not in the help
+  command->group("");  // for packagers; not shown in the help
   command->callback([command] { out() << Lines{bashScript(programOf(*command))}; });
 }
 

@@ -1,4 +1,4 @@
-// Numbers of a CSV file as commands write them, each behind a comma: 17 digits, which read back the same.
+// Appends numbers to a row of a CSV file, each after a comma. With 17 digits, reading restores the same value.
 #pragma once
 
 #include <charconv>

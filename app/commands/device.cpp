@@ -1,4 +1,4 @@
-// `moltact device check | record | replay`: a device in the hand, without the window.
+// `moltact device check | record | replay`: uses a device without the window.
 #include <cmath>
 #include <cstdio>
 
@@ -49,13 +49,13 @@ void describe(const DeviceInfo& info) {
 constexpr int kNothingChecked = 3, kInterrupted = 130;  // exit statuses
 constexpr double kWaitReady_s = 120.0, kWaitPlug_s = 60.0;
 
-// At once: a person follows it.
+// Prints without buffering, because a person follows the output.
 void tell(const std::string& line) {
   out() << line << '\n';
   out().flush();
 }
 
-// No answer, as from a script without one, counts as no.
+// A missing answer, for example in a script, counts as no.
 bool askOnTerminal(const std::string& question, const InterruptWatch& interrupt) {
   out() << question << " Go on? [y/N] ";
   out().flush();
@@ -69,7 +69,7 @@ bool askOnTerminal(const std::string& question, const InterruptWatch& interrupt)
   return false;
 }
 
-// Shows what the device asks of the person, whenever that changes, and takes Enter for "it is so".
+// Prints what the user must do with the device whenever this changes. Enter confirms it.
 class GuideOnTerminal {
  public:
   bool operator()(const DeviceStatus& status) {
@@ -101,7 +101,7 @@ void check(const Options& options) {
   how.interrupted = [&] { return interrupt.seen(); };
   how.part_s = options.seconds;
   how.ready_s = kWaitReady_s;
-  how.unplug_s = options.yes ? 0.0 : kWaitPlug_s;  // nobody may be there
+  how.unplug_s = options.yes ? 0.0 : kWaitPlug_s;  // with --yes, nobody may be present
   how.checked = [](const CheckedPart& part) {
     tell((part.done ? part.passed ? "passed   " : "FAILED   " : "left out ") + part.name + ": " + part.found);
   };

@@ -23,8 +23,7 @@ struct PathOptions {
   double before_touch_s = -1;
 };
 
-// What was felt, as it was newly made for the recording; nullptr where its molecule, interaction or method is not
-// there.
+// The interaction of the recording, created anew. Null if its molecule, interaction or method does not exist here.
 std::unique_ptr<Interaction> feltOf(const ServoRecording& recording) {
   const auto key = findMoleculeKey(labelledMolecule(recording.labels), MoleculeFolders::ofThisComputer());
   if (!key || recording.ticks.empty()) return nullptr;

@@ -1,4 +1,4 @@
-// `moltact device path`: the way of a recorded hand as rows of numbers.
+// `moltact device path`: prints the path of a recorded hand as rows of numbers.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -8,10 +8,10 @@
 
 namespace moltact {
 
-/// Adds it to `moltact device`.
+/// Adds the command to `moltact device`.
 void addDevicePath(CLI::App& device);
 
-/// A hand's way from a file: a recording (.recording), or rows of numbers.
+/// Reads a hand's path from a recording (.recording) or from a file with rows of numbers.
 Expected<bench::HandPath> openHandPath(const std::filesystem::path& file);
 
 }  // namespace moltact

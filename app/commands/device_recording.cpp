@@ -33,8 +33,8 @@ using Labels = std::map<std::string, std::string>;
 
 constexpr int kBrokenOff = 130;  // exit status
 constexpr double kRecordedRoom_A_per_mm = 0.25;
-constexpr int kAsk_ms = 250;    // between two questions for the device's state
-constexpr int kReadyLooks = 2;  // in a row: at the first a device may not know yet what it lacks
+constexpr int kAsk_ms = 250;    // interval between two queries of the device's state
+constexpr int kReadyLooks = 2;  // consecutive: at the first query a device may not yet know what it lacks
 
 struct RecordOptions {
   std::string device, file;
@@ -44,7 +44,7 @@ struct RecordOptions {
   bool overwrite = false;
 };
 
-// The molecule before the hand, seen along its z-axis.
+// Places the molecule in front of the hand, seen along its z-axis.
 ServoSettings settingsFor(const SphereGrid& scene, const TouchSetup& touch, const DeviceSpecs& device) {
   ServoSettings settings;
   settings.take(touch);
@@ -65,7 +65,7 @@ Labels labelsOf(const RecordOptions& options, const SphereGrid& scene, const std
   return labels;
 }
 
-// For how long the device did not lead as it should.
+// Measures how long the device did not work as it should.
 class DeviceWatch {
  public:
   void add(const RecordedTick& tick) {
@@ -78,7 +78,7 @@ class DeviceWatch {
   bool led() const { return led_; }
   std::size_t touching() const { return touching_; }
 
-  /// A line for each limit; nothing where all went well.
+  /// One line per exceeded limit; empty if there was none.
   std::string told() const {
     std::string out;
     const auto line = [&](std::size_t ticks, std::string_view words) {
@@ -100,13 +100,13 @@ class DeviceWatch {
   std::size_t gone_ = 0, touching_ = 0, acted_[std::size(kReported)] = {};
 };
 
-// One recording from the first tick to the last.
+// Makes one recording, from the first tick to the last.
 class Recorder {
  public:
   Recorder(const RecordOptions& options, ServoRecordingWriter writer, Labels labels)
       : options_(options), writer_(std::move(writer)), labels_(std::move(labels)) {}
 
-  /// Waits until the device is ready, as it asks of the person; then the hand feels `felt` and is recorded.
+  /// Waits until the device is ready and guides the user meanwhile. Then the hand feels `felt` and is recorded.
   void run(ServoThread& servo, std::unique_ptr<Interaction> felt) {
     awaitReady(servo);
     out() << "Recording " << options_.seconds << " s.\n";
@@ -127,7 +127,7 @@ class Recorder {
       servo.loop().drain([](const ServoSample&) {});
     }
     const std::size_t lost = servo.loop().lostOfRecording();
-    servo.setDevice(nullptr);  // no force from here on, whatever is told
+    servo.setDevice(nullptr);  // no force from here on, whatever is printed
     if (!problem_) problem_ = writer_.finish();
     tell(lost);
   }
@@ -149,7 +149,7 @@ class Recorder {
     }
   }
 
-  // What the device asks of the person, each time that it is another; true where it is ready.
+  // Prints what the user must do with the device whenever this changes. Returns whether the device is ready.
   bool ask(ServoThread& servo) {
     const DeviceStatus status = servo.loop().device()->status();
     const std::string& text = status.text;
@@ -185,7 +185,7 @@ class Recorder {
   }
 
   const RecordOptions& options_;
-  const InterruptWatch interrupt_;  // what was recorded until then is kept, and the device closed in order
+  const InterruptWatch interrupt_;  // keeps what was recorded before the interrupt and lets the device close in order
   ServoRecordingWriter writer_;
   Labels labels_;
   DeviceWatch watch_;

@@ -1,12 +1,12 @@
-// `moltact device record` and `moltact device replay`: a hand on a molecule as a file, and whether it gives the same
-// forces.
+// `moltact device record` and `moltact device replay`: record a hand on a molecule, and check that a recording
+// reproduces its forces.
 #pragma once
 
 #include <CLI/CLI.hpp>
 
 namespace moltact {
 
-/// Adds both to `moltact device`.
+/// Adds both commands to `moltact device`.
 void addDeviceRecording(CLI::App& device);
 
 }  // namespace moltact

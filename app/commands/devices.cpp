@@ -1,4 +1,4 @@
-// `moltact devices`: which devices there are, and why one that is there cannot be used.
+// `moltact devices`: lists the devices, and for each unusable one the reason.
 #include <algorithm>
 
 #include "app/commands/command.h"

@@ -1,4 +1,4 @@
-// moltact export: a molecule as a glTF file for slides, web pages and printing.
+// moltact export: writes a molecule as a glTF file for slides, web pages and 3-D printing.
 #include "app/commands/command.h"
 #include "app/commands/look_options.h"
 #include "app/commands/molecule_argument.h"
@@ -33,7 +33,7 @@ void exportGltf(ExportArguments& a) {
   a.options.look.marks = marksOf(spec, molecule);
   if (spec.highlight.given()) a.options.highlighted = spec.highlight.select(molecule);
   if (auto written = annotationsOf(spec, molecule)) a.options.annotations.push_back(std::move(written));
-  // One molecule on a slide has the colours that chemists know.
+  // A single molecule has the customary element colours by default.
   a.options.colour_by = a.look.colour.empty() ? ColourBy::Element : a.look.colourBy(molecule);
   const Expected<GltfScene> scene = exportMolecule(molecule, a.options);
   if (!scene) throw CommandError{scene.problem().text()};

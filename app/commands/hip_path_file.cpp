@@ -25,7 +25,7 @@ Expected<HipPath> readHipPath(const std::filesystem::path& file) {
                          tr("split it into shorter paths")};
         path.places.push_back({{n[0], n[1], n[2]}});
         if (row.header == 0) return std::nullopt;
-        // By the greatest first, so that neither a large nor a small one is lost in its square.
+        // Divides by the largest component first, so that squares neither overflow nor underflow.
         double greatest = 0.0;
         bool numbers = true;
         for (std::size_t k = 3; k < 7; ++k) {

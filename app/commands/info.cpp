@@ -1,4 +1,4 @@
-// moltact info MOLECULE|LESSON|PACK: what it holds, as text or JSON.
+// moltact info MOLECULE|LESSON|PACK: prints its contents as text or JSON.
 #include <algorithm>
 #include <cmath>
 #include <memory>
@@ -36,7 +36,7 @@ std::string named(const std::vector<std::string>& chains) {
 
 double netCharge_e(const Molecule& molecule) {
   const double sum = std::accumulate(molecule.charges_e.begin(), molecule.charges_e.end(), 0.0);
-  return std::round(1e4 * sum) / 1e4;  // files give four decimals
+  return std::round(1e4 * sum) / 1e4;  // files have four decimals
 }
 
 void printText(const Molecule& molecule, const MoleculeSummary& s) {

@@ -1,4 +1,4 @@
-// The language in which a command speaks: --language, else $MOLTACT_LANGUAGE, else the system's.
+// The language of a command's output: --language, else $MOLTACT_LANGUAGE, else the system's language.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -6,14 +6,14 @@
 
 namespace moltact {
 
-/// Before the arguments are read: $MOLTACT_LANGUAGE or the system's language. A fault in it is reported, and the
-/// language is English.
+/// Selects $MOLTACT_LANGUAGE or the system's language before the arguments are parsed. Reports a fault in it and then
+/// uses English.
 void speakAsAsked();
 
-/// Adds --language, which is followed as soon as it is read; a code that is none, or has no texts, ends the reading as
-/// other faulty arguments do.
+/// Adds --language, which takes effect as soon as it is parsed. A code that is not a language or has no translations is
+/// a parse error.
 void addLanguageOption(CLI::App& app);
-/// The same, and keeps the code.
+/// Adds --language in the same way and also stores the code in `into`.
 void addLanguageOption(CLI::App& app, std::string& into);
 
 }  // namespace moltact

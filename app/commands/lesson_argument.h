@@ -1,4 +1,4 @@
-// A lesson that a command is given: its file, or a pack, which is unpacked for as long as the command runs.
+// A command's lesson argument: a lesson's file, or a pack, which stays unpacked while the command runs.
 #pragma once
 
 #include <filesystem>
@@ -12,15 +12,15 @@ namespace moltact {
 
 class LessonArgument {
  public:
-  /// A Problem where a pack cannot be read. Whether a lesson is there is not looked at.
+  /// Returns a Problem if a pack cannot be read. Does not check whether a lesson's file exists.
   static Expected<LessonArgument> open(const std::filesystem::path& named);
 
-  /// The lesson's file; of a pack the one that is shown first.
+  /// The lesson's file. For a pack, the file of the lesson that is shown first.
   const std::filesystem::path& file() const { return file_; }
-  /// Null where it is no pack.
+  /// The unpacked pack, or null if the argument is not a pack.
   const TemporaryPack* pack() const { return pack_ ? &*pack_ : nullptr; }
 
-  /// A file's name, or a text that has one in it, as the person knows it: "haem.moltact/haem.md".
+  /// Replaces the paths of unpacked files in a text by the names that the user knows: "haem.moltact/haem.md".
   std::string shown(std::string text) const { return pack_ ? pack_->shown(std::move(text)) : text; }
   Problem shown(Problem problem) const;
 

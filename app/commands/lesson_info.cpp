@@ -25,7 +25,7 @@ std::string joined(const std::vector<std::string>& words) {
   return out.empty() ? "none" : out;
 }
 
-// Of the files beside it that are the same lesson; "" stands for a file that names no language.
+// The languages of the files beside it that hold the same lesson. "" stands for a file without a language in its name.
 std::vector<std::string> languagesOf(const fs::path& file) {
   std::set<std::string> out;
   std::error_code error;

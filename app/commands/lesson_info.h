@@ -1,15 +1,15 @@
-// What `moltact info` says of a lesson and of a pack.
+// The output of `moltact info` for lessons and packs.
 #pragma once
 
 #include <string>
 
 namespace moltact {
 
-/// Whether the name is that of a lesson (.md) or of a pack (.moltact).
+/// Whether the name has the extension of a lesson (.md) or of a pack (.moltact).
 bool namesLesson(const std::string& name);
 
-/// Prints title, author, steps, languages and molecules, and what a pack holds. Throws CommandError where it cannot be
-/// read.
+/// Prints title, author, steps, languages and molecules, and the contents of a pack. Throws CommandError if the file
+/// cannot be read.
 void printLessonInfo(const std::string& name, bool json);
 
 }  // namespace moltact

@@ -1,4 +1,4 @@
-// moltact lesson-reference: the page docs/lesson-reference.md, from the tables with which lessons are read.
+// moltact lesson-reference: prints the page docs/lesson-reference.md from the tables that the lesson reader uses.
 #include "app/commands/command.h"
 #include "engine/lesson/reference.h"
 #include "engine/platform/terminal.h"

@@ -1,4 +1,5 @@
-// The options of the headless commands that say how a molecule is drawn, as the keys of a scene do.
+// Options of the headless commands that choose how a molecule is drawn. They have the same names as the keys of a
+// scene.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -14,11 +15,11 @@ struct LookOptions {
   std::string style = "spheres", hide, colour;
   LeftOutAtoms left_out;
 
-  /// Adds --style, --hide, --untouchable, --remove and --colour. It must outlive the parsing.
+  /// Adds --style, --hide, --untouchable, --remove and --colour. This object must outlive the parsing.
   void addTo(CLI::App& command);
-  /// As the options say. Throws CLI::ValidationError with the option's name where one is not sound.
+  /// The look that the options describe. Throws CLI::ValidationError with the option's name if a value is invalid.
   AtomsLook look(const Molecule& molecule) const;
-  /// By chain or element, where no other colouring is asked for.
+  /// The colouring of --colour. Without the option, colours by chain or by element.
   ColourBy colourBy(const Molecule& molecule) const;
 };
 

@@ -1,5 +1,5 @@
-// moltact manual-page: the manual page moltact(1), made from the same tables as --help. Its text is roff, which man(1)
-// shows.
+// moltact manual-page: prints the manual page moltact(1) from the same tables as --help. The output is roff, the format
+// of man(1).
 #include <sstream>
 
 #include "app/commands/command.h"
@@ -9,7 +9,7 @@
 namespace moltact {
 namespace {
 
-// What a backslash, a line's first sign and a hyphen mean to roff must not be meant by a text.
+// Escapes backslashes, hyphens and a line's first character, which have a special meaning in roff.
 std::string roff(const std::string& text) {
   std::string out;
   for (std::size_t k = 0; k < text.size(); ++k) {
@@ -22,14 +22,14 @@ std::string roff(const std::string& text) {
     else if (text[k] == '\n')
       out += "\n.br\n";
     else if (begins_line && text[k] == ' ')
-      out += "\\ ";  // a blank there would break the line by itself
+      out += "\\ ";  // a plain blank there would break the line
     else
       out += text[k];
   }
   return out;
 }
 
-// "-o,--out FILE REQUIRED", as --help has it; an argument's name in italics. A long list of choices may break at a comma.
+// "-o,--out FILE REQUIRED" as in --help; an argument's name is in italics. A long list of choices may break at a comma.
 std::string headOf(const CLI::Option& option) {
   const std::string name = roff(option.get_name(option.get_positional(), true));
   std::string takes = roff(CLI::Formatter().make_option_opts(&option));
@@ -41,12 +41,12 @@ std::string headOf(const CLI::Option& option) {
 void putOptions(std::ostream& page, const CLI::App& command) {
   for (const Wanted wanted : {Wanted::Arguments, Wanted::Options})
     for (const CLI::Option* option : shownOptions(command, wanted)) {
-      if (command.get_parent() && option == command.get_help_ptr()) continue;  // told once, of the program
+      if (command.get_parent() && option == command.get_help_ptr()) continue;  // described once, for the program
       page << ".TP\n" << headOf(*option) << '\n' << roff(option->get_description()) << '\n';
     }
 }
 
-// Its name and arguments in one line, what it does, its options; then the same of its own commands.
+// Writes the name and the arguments in one line, the description and the options; then the same for the subcommands.
 void putCommand(std::ostream& page, const CLI::App& command) {
   page << ".SS \"" << roff(fullName(command));
   for (const CLI::Option* argument : shownOptions(command, Wanted::Arguments))
@@ -56,7 +56,8 @@ void putCommand(std::ostream& page, const CLI::App& command) {
   for (const CLI::App* inner : shownCommands(command)) putCommand(page, *inner);
 }
 
-// What no option says. Places are those of engine/platform/folders.h and app/ui/files/user_folders.h.
+// The sections that no option describes. The paths are those of engine/platform/folders.h and
+// app/ui/files/user_folders.h.
 constexpr const char* kRest = R"(.SH ENVIRONMENT
 .TP
 .B MOLTACT_LANGUAGE
@@ -143,7 +144,7 @@ std::string manualPage(const CLI::App& program) {
 
 void addManualPage(CLI::App& app) {
   CLI::App* command = app.add_subcommand("manual-page", "Print the manual page, moltact(1)");
-  command->group("");  // for who makes a package; not in the help
+  command->group("");  // for packagers; not shown in the help
   command->callback([command] { out() << Lines{manualPage(programOf(*command))}; });
 }
 

@@ -1,4 +1,5 @@
-// The argument MOLECULE of the headless commands: a file or the name of a molecule of the library, and how to read it.
+// The argument MOLECULE of the headless commands, a file or the name of a molecule in the library, and the options for
+// reading it.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -11,10 +12,10 @@ namespace moltact {
 struct MoleculeArgument {
   NamedMolecule named;
 
-  /// Adds MOLECULE and an option for each way of reading it: --model, --waters, --assembly. The argument must outlive the parsing.
+  /// Adds MOLECULE and the reading options --model, --waters and --assembly. This object must outlive the parsing.
   /// Returns the option of MOLECULE, which is required.
   CLI::Option* addTo(CLI::App& command);
-  /// Reads it. Throws CommandError with the problem's text.
+  /// Reads the molecule. Throws CommandError with the problem's text.
   Molecule load() const;
 
  private:

@@ -1,4 +1,4 @@
-// moltact new-lesson NAME: a small working lesson to start from.
+// moltact new-lesson NAME: writes a small working lesson as a starting point.
 #include "engine/lesson/new_lesson.h"
 
 #include <filesystem>
@@ -20,7 +20,7 @@ struct NewLessonArguments {
   std::string name, folder = ".";
 };
 
-/// Writes a file that must not exist yet.
+/// Writes a file that must not exist before.
 void writeNew(const fs::path& file, const std::string& text) {
   std::error_code error;
   if (fs::exists(fs::symlink_status(file, error)))
@@ -29,7 +29,7 @@ void writeNew(const fs::path& file, const std::string& text) {
   if (problem) throw CommandError{trf("{0}, or choose another folder with --folder", problem->text())};
 }
 
-/// A file's name as a shell takes it.
+/// Quotes a file's name for a shell.
 std::string shellWord(const std::string& word) {
   if (word.find_first_of(" '\"\\$`&;()<>|*?[]#~!") == std::string::npos) return word;
   std::string out = "'";

@@ -1,11 +1,11 @@
-// A check for options that are numbers. CLI::Range passes NaN, since NaN compares false with both ends.
+// A check for numeric options. CLI::Range accepts NaN, because NaN compares false with both limits.
 #pragma once
 
 #include <CLI/CLI.hpp>
 
 namespace moltact {
 
-/// Passes a finite number from `least` to `most`; anything else ends the command with status 2.
+/// Accepts a finite number from `least` to `most`. Anything else ends the command with exit status 2.
 CLI::Validator numberFrom(double least, double most);
 
 }  // namespace moltact

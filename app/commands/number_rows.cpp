@@ -26,7 +26,7 @@ std::string withoutBlanks(std::string_view text) {
   return out;
 }
 
-// "x,y,z or x,y,z,qw,qx,qy,qz".
+// "x,y,z or x,y,z,qw,qx,qy,qz"
 std::string listed(std::span<const std::string_view> headers) {
   std::string out;
   for (const std::string_view header : headers)
@@ -77,7 +77,7 @@ std::optional<Problem> readNumberRows(const std::filesystem::path& file, std::sp
     };
     for (std::size_t k = 0; k < count; ++k) {
       while (next != stop && isBlank(*next)) ++next;
-      // std::from_chars knows no plus sign.
+      // std::from_chars rejects a plus sign.
       if (stop - next > 1 && *next == '+' && next[1] != '-') ++next;
       columns[k] = column(next);
       const auto [after, fault] = std::from_chars(next, stop, numbers[k]);

@@ -1,5 +1,5 @@
-// What a command writes. No output is a file that the command reads, and no two are one file: file_guard.h holds it
-// wherever a file is written; a command with much to do asks here before it begins.
+// Checks a command's output files. An output must not be a file that the command reads, and two outputs must not be the
+// same file. file_guard.h enforces this at every write; long commands call checkOutputs() before they begin.
 #pragma once
 
 #include <vector>
@@ -8,8 +8,8 @@
 
 namespace moltact {
 
-/// Throws CommandError where one of the outputs must not be written. Call it once the inputs have been read, and before
-/// the first output is written.
+/// Throws CommandError if an output must not be written. Call it after all inputs have been read and before the first
+/// output is written.
 void checkOutputs(const std::vector<NamedOutput>& outputs);
 
 }  // namespace moltact

@@ -1,4 +1,5 @@
-// moltact pack LESSON: one file to be handed out, to be opened with the program or, as a page, with a browser.
+// moltact pack LESSON: writes one file for distribution. The program opens it as a pack, or a browser opens it as a
+// page.
 #include <filesystem>
 #include <memory>
 
@@ -27,7 +28,7 @@ struct PackArguments {
 
 std::string sizeText(std::size_t bytes) { return std::to_string((bytes + 1023) / 1024) + " kB"; }
 
-// The browser edition with the pack in it.
+// The browser edition with the pack embedded.
 std::string page(const PackArguments& arguments, const fs::path& lesson, const std::string& pack) {
   const fs::path edition = arguments.page.empty() ? browserEdition() : fs::path(arguments.page);
   if (edition.empty())

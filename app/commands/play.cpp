@@ -1,4 +1,4 @@
-// `moltact play`: a scripted learner goes through a lesson, without a window and on a virtual clock.
+// `moltact play`: runs a scripted learner through a lesson, without a window and on a virtual clock.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -19,7 +19,7 @@
 namespace moltact {
 namespace {
 
-// "step 2 of 5" of the core; what lies beside it has no number.
+// "step 2 of 5" for a step of the core; steps outside the core have no number.
 std::string placeOf(const Lesson& lesson, std::size_t step) {
   if (lesson.steps[step].aside) return lesson.steps[step].extra ? "extra step" : "aside";
   const auto core = [](const Step& s) { return !s.aside; };
@@ -98,7 +98,7 @@ Expected<std::shared_ptr<const Molecule>> shared(Expected<Molecule> molecule) {
   return std::make_shared<const Molecule>(*std::move(molecule));
 }
 
-// As the window finds it. A step that shows the same molecule does not read it again.
+// Finds molecules as the window does. Consecutive steps with the same molecule read it once.
 MoleculeByName library(const std::filesystem::path& lesson) {
   struct Last {
     MoleculeKey key;

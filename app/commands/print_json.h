@@ -1,12 +1,13 @@
-// How a command prints JSON to standard output.
+// Prints a command's JSON to standard output.
 #pragma once
 
 #include <nlohmann/json.hpp>
 
 namespace moltact {
 
-/// Two places an indent, and a line end. Bytes that are no UTF-8 (of names and paths) are replaced and not thrown over;
-/// what would steer a terminal is escaped as \uXXXX, so that who reads the JSON gets it as it was.
+/// Prints with an indent of two spaces and a final line end. Bytes that are not UTF-8, in names and paths, are
+/// replaced; they do not throw. Characters that would control a terminal are escaped as \uXXXX, so that a JSON reader
+/// gets them unchanged.
 void printDocument(const nlohmann::ordered_json& json);
 
 }  // namespace moltact

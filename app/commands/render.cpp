@@ -1,4 +1,4 @@
-// moltact render: a picture of a molecule, and of a probe pushed against it, without a display.
+// moltact render: draws a molecule, and a probe that is pushed against it, into a picture without a display.
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -69,7 +69,7 @@ std::optional<PointA> hipOf(const std::string& text) {
   return hip;
 }
 
-// The hand comes from outside along the line of sight, as a person at this picture would push.
+// The hand approaches from outside along the line of sight, as a person in front of this picture would push.
 Response push(const std::shared_ptr<const Molecule>& molecule, const RenderArguments& arguments,
               const std::shared_ptr<const HeldBody>& body, const Camera& camera, PointA hip) {
   std::vector<std::uint32_t> not_felt = arguments.look.left_out.notFelt(*molecule);

@@ -1,4 +1,4 @@
-// `moltact replay`: leads the probe or a body along a recorded path and writes what a hand would have felt, tick by tick.
+// `moltact replay`: moves the probe or a body along a recorded path and writes for each tick what a hand would feel.
 #include <algorithm>
 #include <chrono>
 #include <nlohmann/json.hpp>
@@ -28,7 +28,7 @@ namespace {
 struct ReplayOptions {
   MoleculeArgument molecule;
   std::string path, out, in_hand;
-  std::vector<std::string> spheres;  // of the scene and of the body, where no molecule is named
+  std::vector<std::string> spheres;  // files of the scene and of the body, used without a molecule
   LeftOutAtoms left_out;
   TouchSetup touch;
   double stiffness_N_per_A = 1.0, rotational_stiffness_N_A = 0.0;
@@ -68,7 +68,7 @@ void writeContacts(const ReplayOptions& options, const HipPath& path, const std:
 
 nlohmann::ordered_json summary(std::vector<double> ns) {
   nlohmann::ordered_json out;
-  if (ns.empty()) return out;  // null: there were none
+  if (ns.empty()) return out;  // null: nothing was measured
   std::sort(ns.begin(), ns.end());
   double sum = 0;
   for (const double one : ns) sum += one;
@@ -80,8 +80,8 @@ nlohmann::ordered_json summary(std::vector<double> ns) {
   return out;
 }
 
-// Each tick's least time of three passes, so that what else the machine did meanwhile does not count; the clock's own
-// cost is taken off.
+// Each tick's time is the shortest of three passes, which excludes interruptions by other processes. The cost of
+// reading the clock is subtracted.
 nlohmann::ordered_json timePath(const InteractionInput& input, const HipPath& path, const std::vector<char>& touches) {
   using Clock = std::chrono::steady_clock;
   const auto between = [](Clock::time_point a, Clock::time_point b) {
@@ -113,7 +113,7 @@ nlohmann::ordered_json timePath(const InteractionInput& input, const HipPath& pa
   return out;
 }
 
-// Leads the probe along the path; which ticks touch.
+// Moves the probe along the path. Returns for each tick whether it touches.
 std::vector<char> replayProbe(const InteractionInput& input, const HipPath& path, const ReplayOptions& options) {
   const auto felt = makeInteraction(input);
   std::vector<Contact> contacts;
@@ -139,7 +139,7 @@ std::vector<char> replayProbe(const InteractionInput& input, const HipPath& path
   return touches;
 }
 
-// The molecule, with what the hand holds of it; or the spheres of two files.
+// The molecule and its held atoms, or the spheres of two files.
 InteractionInput inputOf(const ReplayOptions& options) {
   InteractionInput input{.touch = options.touch};
   if (!options.spheres.empty()) {
@@ -159,7 +159,7 @@ InteractionInput inputOf(const ReplayOptions& options) {
     input.chemistry = chemistryFor(options.touch, molecule);
   }
   input.touch = resolveInteraction(input.touch, input.body != nullptr);
-  // Of a spring of 1 N per angstrom: the answer is given over the stiffness.
+  // The response is divided by the stiffness, so it equals that of a spring of 1 N/A.
   if (options.stiffness_N_per_A > 0.0)
     input.rotational_stiffness_N_A = options.rotational_stiffness_N_A / options.stiffness_N_per_A;
   return input;

@@ -79,7 +79,7 @@ std::vector<char> replayBody(const InteractionInput& input, const HipPath& path,
     appendNumbers(row, force.force_N);
     appendNumbers(row, force.torque_N_A);
     row += answer.at_rest ? ",1\n" : ",0\n";
-    check(draft->append(std::string_view(row).substr(1)));  // every number is written behind a comma
+    check(draft->append(std::string_view(row).substr(1)));  // each number follows a comma
   }
   if (draft) check(draft->commit());
   if (inside)

@@ -1,4 +1,4 @@
-// The part of `moltact replay` in which the hand holds a rigid body.
+// The part of `moltact replay` for a rigid body in the hand.
 #pragma once
 
 #include <filesystem>
@@ -11,12 +11,13 @@
 
 namespace moltact {
 
-/// The spheres of a file with the header `x,y,z,r` (angstrom). Throws CommandError with file, line and remedy where the
-/// file is broken, has more than `most` of them, or a number that no sphere has.
+/// Reads the spheres of a file with the header `x,y,z,r` (angstrom). Throws CommandError with file, line and remedy if
+/// the file is malformed, has more than `most` spheres, or a number that is invalid for a sphere.
 std::vector<Sphere> readSpheres(const std::filesystem::path& file, std::size_t most);
 
-/// Leads a body along the path and, where `out` is not empty, writes a row per tick: pose of the hand, pose of the body,
-/// force and torque of springs of that stiffness, and whether the body has come to rest. Returns which ticks touch.
+/// Moves a body along the path. If `out` is not empty, writes one row per tick: pose of the hand, pose of the body,
+/// force and torque of springs with that stiffness, and whether the body is at rest. Returns for each tick whether it
+/// touches.
 std::vector<char> replayBody(const InteractionInput& input, const HipPath& path, double stiffness_N_per_A,
                              const std::string& out);
 

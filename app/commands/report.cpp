@@ -1,4 +1,4 @@
-// `moltact report`: what a class did, from its attempts, as a table for spreadsheets and as a page.
+// `moltact report`: reads the attempts of a class and writes a table for spreadsheets and a page.
 #include <chrono>
 #include <memory>
 

@@ -35,7 +35,7 @@ std::vector<MarkSpec> marksOf(std::string_view key, const std::string& text, con
   return marks;
 }
 
-// The structure of --then, and how far the molecule goes there.
+// The structure of --then, and the share of the way toward it.
 SecondState secondOf(const SceneOptions& options, const Molecule& molecule) {
   if (options.then.empty()) {
     if (options.state != "0%")

@@ -1,4 +1,4 @@
-// The options of the headless commands that say what a scene of a lesson says by keys of the same names, beside those of
+// Options of the headless commands that have the names and meanings of a lesson scene's keys, in addition to those of
 // look_options.h.
 #pragma once
 
@@ -14,17 +14,19 @@ struct SceneOptions {
   std::string mark, highlight, distance, angle, hydrogen_bonds, then, state = "0%";
   std::string label, arrow, captions, view, magnify, in_hand;
 
-  /// Adds what is of the molecule itself, wherever it is seen from: --mark, --highlight, --distance, --angle,
-  /// --hydrogen-bonds, --then and --state. It must outlive the parsing, as for addPictures().
+  /// Adds the options that belong to the molecule and not to the view: --mark, --highlight, --distance, --angle,
+  /// --hydrogen-bonds, --then and --state. This object must outlive the parsing, also for addPictures().
   void addMolecules(CLI::App& command);
-  /// Adds what only a picture has: --label, --arrow, --captions, --magnify and --in-hand; and --view, which is returned.
+  /// Adds the options that only a picture has: --label, --arrow, --captions, --magnify, --in-hand and --view. Returns
+  /// --view.
   CLI::Option* addPictures(CLI::App& command);
 
-  /// The molecule on its way to the structure of --then, which is read as the first was. Throws CLI::ValidationError with
-  /// the option's name where one is not sound, CommandError where the structure cannot be had.
+  /// Moves the molecule toward the structure of --then, which is read with the same options, by the share in --state.
+  /// Throws CLI::ValidationError with the option's name if a value is invalid, and CommandError if the structure cannot
+  /// be loaded.
   Molecule atState(Molecule molecule, const MoleculeArgument& read) const;
-  /// All else as a scene of a lesson with these keys has it. Throws CLI::ValidationError with the option's name where one is
-  /// not sound for this molecule.
+  /// A lesson scene with the keys of all other options. Throws CLI::ValidationError with the option's name if a value
+  /// is invalid for this molecule.
   SceneSpec scene(const Molecule& molecule) const;
 };
 

@@ -1,4 +1,4 @@
-// A line of a text file with a mark under one of its columns, as compilers show errors. Pure function.
+// Shows a line of a text file with a caret under one of its columns, as compilers show errors. Pure function.
 #pragma once
 
 #include <cstddef>
@@ -7,9 +7,9 @@
 
 namespace moltact {
 
-/// Two lines: the source line, and a caret under its `column` (a code point, from 1; one beyond the end is the place
-/// just after it). Lines wider than a terminal are cut to the part round the caret. Tabs stay tabs, and letters that
-/// take two places or none in a terminal are counted as such, so that the caret stands right.
+/// Returns two lines: the source line, and a caret under `column`, which counts code points from 1. For a column beyond
+/// the end, the caret stands just after the line. Lines wider than a terminal are cut to the part around the caret.
+/// Tabs are kept. Characters of double or zero width are counted as such, so that the caret is aligned.
 std::string sourceExcerpt(std::string_view line, std::size_t column);
 
 }  // namespace moltact

@@ -1,4 +1,4 @@
-// The options of the headless commands that choose what a molecule is felt with.
+// Options of the headless commands that choose how a molecule is felt.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -7,8 +7,8 @@
 
 namespace moltact {
 
-/// Adds --method and an option for all else that an interaction is made with (engine/haptics/touch_setup.h), of which
-/// there is a choice. `touch` must outlive the parsing.
+/// Adds --method, and an option for every other choice that requires a new interaction (engine/haptics/touch_setup.h).
+/// `touch` must outlive the parsing.
 void addTouchOptions(CLI::App& command, TouchSetup& touch);
 
 /// Adds --probe.

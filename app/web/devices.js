@@ -1,6 +1,6 @@
-// HID devices that the person has shown the page (WebHID), for engine/device/hid/hid_port_web.cpp, which reads and writes
-// them from within a frame. The reports that came since the last frame are dealt out evenly to the frame's ticks, as the
-// hand made them; of several writes in a frame the last one of each kind goes out. `stir` asks for frames.
+// Access to HID devices by WebHID, for engine/device/hid/hid_port_web.cpp, which reads and writes them within a frame.
+// The reports since the last frame are distributed evenly over the frame's ticks. Of several writes in a frame, the
+// last of each kind is sent. `stir` requests frames.
 function moltactDevices(stir) {
   "use strict";
   const kOpenLayout = {usagePage: 0xFF00, usage: 1};
@@ -10,7 +10,7 @@ function moltactDevices(stir) {
   const ports = new Map();  // by number
   let last_port = 0, last_path = 0;
 
-  // The id comes first where the device numbers its reports; some browsers put it there themselves.
+  // The id is first if the device numbers its reports; some browsers insert it themselves.
   function withId(id, view) {
     const bytes = new Uint8Array(view.buffer, view.byteOffset, view.byteLength);
     return id ? Uint8Array.of(id, ...bytes) : bytes.slice();
@@ -65,7 +65,7 @@ function moltactDevices(stir) {
     port.sending = false;
   }
 
-  // No frame comes while the page cannot be seen: no force then.
+  // A hidden page gets no frames, so the force is stopped.
   function rest() {
     for (const port of ports.values())
       if (port.final && !port.gone) port.device.sendReport(port.final[0], port.final.subarray(1)).catch(() => {});
@@ -74,7 +74,7 @@ function moltactDevices(stir) {
   return {
     there: () => Boolean(navigator.hid),
 
-    // Those that were shown to the page before, on another day too.
+    // Devices that the user has allowed for this page before, including earlier visits.
     async begin() {
       if (!navigator.hid) return;
       navigator.hid.addEventListener("connect", (event) => add(event.device));
@@ -112,17 +112,17 @@ function moltactDevices(stir) {
 
     close(number) { ports.delete(number); },
 
-    // Before the ticks of a frame, which stands for so long: what has come is shared out among them.
+    // Called before the ticks of a frame of this duration: distributes the received reports over them.
     deal(dt_s) {
       const ticks = Math.max(1, Math.min(kMostTicks, Math.round(1000 * dt_s)));
       for (const port of ports.values()) {
         port.share = port.queue.length / ticks;
-        port.credit = 0.5;  // rounded, not cut off
+        port.credit = 0.5;  // round instead of truncating
         port.begins = true;
       }
     },
 
-    // A report; null: no more for this tick; undefined: the device is gone.
+    // Returns a report; null: no more for this tick; undefined: the device is gone.
     read(number) {
       const port = ports.get(number);
       if (port.gone) return undefined;

@@ -1,5 +1,5 @@
-// The page round the program: unpacks it, keeps its files, hears the person, asks for frames, and says in words what the
-// canvas shows. The functions _moltact_… are those of app/ui/shell/window_web.cpp.
+// The page around the program: unpacks it, stores its files, receives input, requests frames, and describes the canvas
+// in words. The functions _moltact_… are those of app/ui/shell/window_web.cpp.
 (async () => {
   "use strict";
   const byId = (id) => document.getElementById(id);
@@ -67,8 +67,8 @@
       this.take();
     },
 
-    // A browser may end a page that is hidden before a change of the database is done. Therefore what changed last also
-    // stands in localStorage, which is written within the call, until the database has it.
+    // A browser may end a hidden page before a database transaction completes. The last change is therefore also
+    // written to localStorage, which is synchronous, until the database has stored it.
     leave(fresh, gone) {
       const text = (bytes) => { let out = ""; for (const b of bytes) out += String.fromCharCode(b); return btoa(out); };
       try {
@@ -76,7 +76,7 @@
         localStorage.setItem(kLast, JSON.stringify({ files, gone }));
         this.left = this.changes;
       } catch (error) {
-        // No localStorage, or too much for it: the database alone has it.
+        // localStorage is unavailable or too small: only the database stores it.
       }
     },
 
@@ -147,7 +147,7 @@
     },
 
     failed(error) {
-      if (this.failing) return;  // said once
+      if (this.failing) return;  // report only once
       this.failing = true;
       const full = error && error.name === "QuotaExceededError";
       if (program) program._moltact_storage_fault(full ? 1 : 0);
@@ -166,7 +166,7 @@
     while (log.childElementCount > kMostNews) log.firstElementChild.remove();
   }
 
-  // The buttons in the text are no <button>, whose words could not be selected.
+  // The buttons in the text are not <button> elements, because their words could not be selected.
   let words_shown = "";
   const selecting = () => !getSelection().isCollapsed && byId("words").contains(getSelection().anchorNode);
   function mirror() {
@@ -178,7 +178,7 @@
       part.textContent = text;
       if (x >= 0) {
         part.setAttribute("role", "button");
-        part.tabIndex = -1;  // the keys go through the canvas; a screen reader's own way of pressing comes here
+        part.tabIndex = -1;  // keys go through the canvas; a screen reader activates the element here
         part.addEventListener("click", () => { if (!selecting()) tap(x, y); });
       }
       return part;
@@ -186,8 +186,8 @@
     byId("page").replaceChildren(...parts);
   }
 
-  // Ctrl+A shows the text, all of it selected; Escape or the canvas puts it away. Meanwhile it stays as it is: what is
-  // selected would slip from under the pointer.
+  // Ctrl+A shows the text and selects all of it; Escape or the canvas hides it. Meanwhile it is not updated, because
+  // the selection would move under the pointer.
   const reading = () => byId("words").classList.contains("read");
   function read(on) {
     if (on) mirror();
@@ -281,11 +281,11 @@
 
   // ---- keys and text ---------------------------------------------------------------------------------------------------
 
-  const kBrowsers = new Set(["F5", "F12"]);  // stay the browser's
+  const kBrowsers = new Set(["F5", "F12"]);  // left to the browser
 
   const tellKey = (code, writes, down) =>
     program.ccall("moltact_key", "number", ["string", "string", "number"], [code, writes, down]);
-  // What the key writes by itself; a letter is the same with Shift and Ctrl.
+  // The key's own character; a letter is the same with Shift and Ctrl.
   function written(event) {
     if ([...event.key].length !== 1 || event.getModifierState("AltGraph") || event.altKey) return "";
     const small = event.key.toLowerCase();
@@ -293,7 +293,7 @@
   }
 
   function hearKeys() {
-    // Both the canvas and the field that a screen keyboard writes to.
+    // The canvas, and the field for on-screen keyboards.
     addEventListener("keydown", (event) => {
       if (event.target instanceof HTMLButtonElement || byId("ask").open || kBrowsers.has(event.code)) return;
       stir();
@@ -306,7 +306,7 @@
         if (event.code === "Escape") read(false);
         return;
       }
-      if (command && (event.code === "KeyV" || event.code === "KeyR")) return;  // pasting comes as its own event
+      if (command && (event.code === "KeyV" || event.code === "KeyR")) return;  // pasting is a separate event
       const taken = tellKey(event.code, written(event), 1);
       if ([...event.key].length === 1 && !(command && !event.getModifierState("AltGraph")) && event.target !== keyboard)
         program.ccall("moltact_text", null, ["string"], [event.key]);
@@ -342,7 +342,8 @@
   const open = (file) => { stir(); program.ccall("moltact_open", null, ["string"], [file]); };
 
   async function take(files) {
-    // The last is opened; lessons may need the molecules beside them. A pack is unpacked, so it is not kept itself.
+    // Opens the last file, because lessons may need the molecules beside them. A pack is unpacked, so the pack itself
+    // is not stored.
     let last = "";
     for (const file of [...files].sort((a, b) => a.name.endsWith(".md") - b.name.endsWith(".md"))) {
       const pack = file.name.toLowerCase().endsWith(".moltact");
@@ -354,7 +355,7 @@
     open(last);
   }
 
-  // A lesson that came within the page (moltact pack --html).
+  // A lesson embedded in the page (moltact pack --html).
   async function takeAlong() {
     const along = byId("pack-bytes");
     if (!along) return false;
@@ -395,7 +396,7 @@
     const lesson = query.get("lesson"), molecule = query.get("molecule");
     let url = null, name = "";
     if (molecule && /^[0-9][0-9A-Za-z]{3}$/.test(molecule)) {
-      // One of those that came with the page needs no fetching.
+      // The program's own molecules need no download.
       if (program.FS.analyzePath("/moltact/molecules/" + molecule.toLowerCase() + ".pdb").exists)
         return open(molecule.toLowerCase());
       name = molecule.toLowerCase() + ".cif";
@@ -432,7 +433,7 @@
     choose() { byId("chooser").click(); },
     fingers: () => matchMedia("(any-pointer: coarse)").matches,
     vibrate(ms) { if (navigator.vibrate) navigator.vibrate(ms); },
-    // Hands a file of the program's to the person, as a download.
+    // Offers a file of the program to the user as a download.
     give(path, name) {
       const link = document.createElement("a");
       link.href = URL.createObjectURL(new Blob([program.FS.readFile(path)], {type: "application/octet-stream"}));
@@ -461,7 +462,7 @@
       return say("no WebGL");
     program = made;
     if (keeper.early) program._moltact_storage_fault(0);
-    globalThis.moltact = program;  // for whoever looks into the page
+    globalThis.moltact = program;  // for debugging
     hearPointers();
     hearKeys();
     hearFiles();

@@ -1,5 +1,5 @@
-// The page's own sentences, which appear before the program has loaded or beside it, by language. English is complete;
-// what another language lacks is shown in English. {0} and {1} are replaced.
+// The page's own sentences by language, for the time before the program has loaded and outside it. English is
+// complete; sentences missing in another language are shown in English. {0} and {1} are replaced.
 const kPageSentences = {
   en: {
     "fetch": "Fetch it",

@@ -1,4 +1,4 @@
-// Writes the models that may stand for the hand into a folder: moltact_generate_models FOLDER
+// Writes the models for the hand into a folder: moltact_generate_models FOLDER
 #include <cstdio>
 
 #include "assets/generator/hand_models.h"

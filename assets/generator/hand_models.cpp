@@ -8,12 +8,12 @@ namespace {
 
 constexpr float kM_per_mm = 0.001f;
 
-// A place on the outline of something turned about the y axis (unit: millimetre).
+// A point on the outline of a solid of revolution about the y axis (unit: millimetre).
 struct Outline {
   float y, r;
 };
 
-// Adds the band between two places of the outline, as a part of one material.
+// Adds the band between two points of the outline, as a part with one material.
 void addBand(GltfMesh& mesh, Outline a, Outline b, std::size_t material) {
   constexpr int kSides = 32;
   const float length = std::hypot(b.y - a.y, b.r - a.r), out = (b.y - a.y) / length, up = (a.r - b.r) / length;

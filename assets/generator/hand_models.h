@@ -1,4 +1,4 @@
-// What may stand for the hand in the view: the tip is the origin, the body lies along +y. 1 unit is 1 m.
+// Models that represent the hand in the view. The tip is at the origin, the body extends along +y. Unit: metre.
 #pragma once
 
 #include "engine/gltf/gltf_file.h"

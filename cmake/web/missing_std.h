@@ -1,5 +1,5 @@
-// What emscripten's libc++ (13 in Debian 12, 19 in Debian 13) lacks of C++20 and this program uses. Read before every
-// source of the browser edition, so that the sources themselves need not know.
+// The parts of C++20 that this program uses and emscripten's libc++ lacks (13 in Debian 12, 19 in Debian 13). Included
+// before every source of the browser edition, so that the sources need no conditions.
 #pragma once
 
 #include <version>
@@ -22,7 +22,7 @@ template <class F, enable_if_t<is_floating_point_v<F>, int> = 0>
 from_chars_result from_chars(const char* first, const char* last, F& value,
                              chars_format format = chars_format::general) {
   if (format == chars_format::hex) {
-    // Without "0x", as the standard has it.
+    // Without "0x", as the standard requires.
     char text[64] = "0x";
     size_t to = 2;
     const char* at = first;

@@ -1,4 +1,4 @@
-# Debian's mingw-w64, with the threads of C++ (posix).
+# Debian's mingw-w64 with C++ threads (posix).
 set(CMAKE_SYSTEM_NAME Windows)
 set(CMAKE_SYSTEM_PROCESSOR x86_64)
 set(CMAKE_C_COMPILER x86_64-w64-mingw32-gcc-posix)

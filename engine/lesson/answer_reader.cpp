@@ -1,4 +1,4 @@
-// The answer block of a question: what is right, and what the answers do to the way through the lesson.
+// Reads a question's answer block: the right answer, and the effects of answers on the order of steps.
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::string_view kAfter = "after ", kWrong = " wrong";
 
-// What an author means who writes another condition.
+// The remedy for another way to write a condition.
 std::string conditionMeant(std::string_view key) {
   if (!key.starts_with("if ") && !key.starts_with("after ")) return {};
   return tr("write 'if right: …', 'if right at first: …' or 'after 2 wrong: …'");
@@ -59,14 +59,14 @@ void readWhatIsRight(Reading& reading, const KeyValues& values, const MarkdownBl
   if (given > 1) {
     reading.error(block.place, tr("the answer block asks for more than one thing"),
                   tr("give one of 'number: …', 'text: …' and 'free: yes'"));
-    question.answer.emplace();  // so that nothing else is told of it
+    question.answer.emplace();  // suppresses further messages about it
     return;
   }
   for (const char* key : {"right", "wrong"})
     if (given == 0 && values[key].place.line)
       reading.error(values[key].place, trf("'{0}' goes with 'number' or 'text'", key),
                     tr("say it behind the choice, after '→'"));
-  // Choices say themselves what is right; that there are any is known at the question's end.
+  // Choices contain their right answers. Whether there are choices is known only at the question's end.
   if (given == 0) return;
   AnswerSpec& answer = question.answer.emplace();
   answer.right = AuthorsText(values["right"]);

@@ -1,6 +1,5 @@
-// Checks a lesson as an author needs it: all faults that can be found at once, beyond its own text too: molecules that
-// there are, selections that select atoms, links and pictures that are there, steps that can be reached. Not for the
-// haptic thread.
+// Checks a lesson for its author. Finds all faults at once, also beyond the lesson's text: missing molecules,
+// selections without atoms, broken links and pictures, steps that cannot be reached. Not for the haptic thread.
 #pragma once
 
 #include <functional>
@@ -15,20 +14,21 @@
 
 namespace moltact {
 
-/// The molecule of that name in the library, read as it says, or why it cannot be had.
+/// Returns the library's molecule of that name, read as `named` says, or why it is not available.
 using MoleculeByName = std::function<Expected<std::shared_ptr<const Molecule>>(const NamedMolecule& named)>;
 
 struct LessonCheck {
-  std::optional<Lesson> lesson;   ///< present where it could be read: a student could begin it, whatever `errors` says
-  std::vector<Problem> errors;    ///< in the order of the file, each at its place in it
+  std::optional<Lesson> lesson;   ///< present if the text could be read: a student can begin it even if `errors` is not
+                                  ///< empty
+  std::vector<Problem> errors;    ///< in the order of the file, each with its place
   std::vector<Problem> warnings;  ///< the same
 };
 
-/// Reads and checks a lesson. `name` is the path of its file: links and pictures are looked up in its folder.
-/// Each molecule is asked for once. A text that cannot be read whole is checked as far as it was understood.
+/// Reads and checks a lesson. `name` is the path of its file; links and pictures are looked up in its folder. Each
+/// molecule is requested once. Of a text with errors, the part that was understood is checked.
 LessonCheck checkLesson(const std::string& name, std::string bytes, const MoleculeByName& molecule);
 
-/// Only what the molecules tell of a lesson that was read: every error, in the order of the file.
+/// Only the checks of a lesson against its molecules: every error, in the order of the file.
 std::vector<Problem> checkAgainstMolecules(const Lesson& lesson, const MoleculeByName& molecule);
 
 }  // namespace moltact

@@ -1,4 +1,4 @@
-// The task that a lesson asks before and after its explanation: there are two, and they ask the same.
+// Checks the task that a lesson asks before and after its explanation: there must be two, and they must ask the same.
 #include <algorithm>
 #include <iterator>
 
@@ -8,7 +8,7 @@
 namespace moltact::checks {
 namespace {
 
-/// Whether two tasks ask the same, whatever they say of it.
+/// Whether two tasks ask the same, apart from their texts.
 bool asksTheSame(const TaskSpec& a, const TaskSpec& b) {
   if (a.kind != b.kind) return false;
   constexpr std::string_view kMayDiffer[] = {"asked", "say", "praise", "called", "goal", "right", "attempts", "tell"};

@@ -1,4 +1,4 @@
-// Links to files, and pictures.
+// Checks links to files, and pictures.
 #include <algorithm>
 #include <map>
 #include <optional>
@@ -18,9 +18,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t kMaxNames = 300;  // of a folder, that a missing name is compared with
+constexpr std::size_t kMaxNames = 300;  // of a folder, that are compared with a missing name
 
-/// "did you mean 'ring.png'?" from the files that are there.
+/// "did you mean 'ring.png'?", from the existing files.
 std::string nearestFile(const fs::path& missing, std::map<fs::path, std::vector<std::string>>& names_in) {
   const fs::path folder = missing.has_parent_path() ? missing.parent_path() : fs::path(".");
   const auto [at, is_new] = names_in.try_emplace(folder);
@@ -71,7 +71,7 @@ class Files {
   }
 
  private:
-  /// Each file is decoded once, however often and by whichever name it is shown.
+  /// Each file is decoded once, even if it is shown repeatedly or by several paths.
   const std::optional<Problem>& faultOf(const fs::path& file) {
     std::error_code error;
     const fs::path whole = fs::weakly_canonical(file, error);
@@ -103,7 +103,7 @@ class Files {
     return false;
   }
 
-  /// A link into another lesson: its step must be there. Other Markdown files have headings of their own making.
+  /// Checks that the step of a link to another lesson exists. Other Markdown files have their own rules for headings.
   void stepOf(const FileLink& link, Place place) {
     if (link.file.extension() != ".md") return;
     const auto [at, is_new] = steps_of_.try_emplace(link.file);
@@ -122,15 +122,15 @@ class Files {
 
   const fs::path& lesson_file_;
   Findings& findings_;
-  std::map<fs::path, std::vector<std::string>> names_in_;  // folders that were looked into
-  std::map<fs::path, std::optional<Problem>> faults_of_;   // pictures that were decoded
-  std::map<fs::path, std::vector<std::string>> steps_of_;  // lessons that were read, their steps' ids
+  std::map<fs::path, std::vector<std::string>> names_in_;  // folders listed so far
+  std::map<fs::path, std::optional<Problem>> faults_of_;   // pictures decoded so far
+  std::map<fs::path, std::vector<std::string>> steps_of_;  // lessons read so far, with the ids of their steps
 };
 
 }  // namespace
 
 void words(const Lesson& lesson, const fs::path& lesson_file, Findings& findings) {
-  std::optional<Lesson> with_shared;  // only where a link asks for a word
+  std::optional<Lesson> with_shared;  // only if a link refers to a word
   forEachText(lesson, [&](const RichText& text) {
     for (const TextRun& run : text) {
       const std::optional<std::string> to = wordLink(run.link);

@@ -1,4 +1,4 @@
-// In which language a lesson is, by its file's name and its front matter; and whether the window can write its text.
+// Checks a lesson's language by its file name and front matter, and whether the window can display its text.
 #include <algorithm>
 #include <cstdio>
 #include <string>
@@ -13,7 +13,7 @@
 namespace moltact::checks {
 namespace {
 
-constexpr std::size_t kMaxSigns = 5;  // told of a line
+constexpr std::size_t kMaxSigns = 5;  // reported per line
 
 // "'ж' (U+0436)"
 std::string signName(char32_t c, std::string_view bytes) {
@@ -44,7 +44,7 @@ void signs(std::string_view text, Findings& findings) {
     const std::size_t end = std::min(text.find('\n', from), text.size());
     const std::string_view line = text.substr(from, end - from);
     from = end + 1;
-    // Letters of ASCII alone: the most of all lines.
+    // Fast path for ASCII, which is most lines.
     if (std::all_of(line.begin(), line.end(), [](char c) { return static_cast<unsigned char>(c) < 0x80; })) continue;
     std::vector<char32_t> absent, turned;
     std::size_t column = 0, at = 0;

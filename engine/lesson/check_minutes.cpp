@@ -1,4 +1,4 @@
-// How long the lesson takes: what its author states, and what follows from its text and tasks.
+// Compares the author's minutes with the estimate from text and tasks.
 #include <algorithm>
 #include <cmath>
 
@@ -12,7 +12,7 @@ namespace moltact::checks {
 void minutes(const Lesson& lesson, Findings& findings) {
   const LessonMinutes worked_out = minutesOf(lesson);
   const std::string core = numberText(std::max(1.0, worked_out.core), decimals(0));
-  // A card shows whole minutes, so that short lessons may be half a minute off.
+  // A card shows whole minutes, so short lessons may differ by half a minute.
   const double off = std::abs(lesson.minutes - std::max(1.0, worked_out.core));
   if (lesson.minutes > 0 && off > std::max(0.5, kMinutesOff * worked_out.core))
     findings.warning(lesson.minutes_place,

@@ -1,4 +1,4 @@
-// A lesson against its molecules.
+// Checks a lesson against its molecules.
 #include <algorithm>
 #include <map>
 #include <set>
@@ -78,7 +78,7 @@ class Check {
   }
 
  private:
-  /// The second structure of a scene: it is there, and lies on the first.
+  /// The second structure must exist and be superposable on the first.
   void second(const SceneSpec& scene, const Molecule& molecule) {
     if (scene.then.molecule.empty()) return;
     const Place place = scene.places.then;
@@ -89,7 +89,7 @@ class Check {
       findings_.error(place, states.problem().message, states.problem().remedy);
   }
 
-  /// What is turned to the front is not all that there is.
+  /// A selection that is turned to the front must not be nearly the whole molecule.
   void hasDirection(const ViewSpec& view, const SceneSpec& scene, const Molecule& molecule) {
     if (!view.facing.given() || findings_.enough()) return;
     if (!nearlyAllPresent(presentAtoms(view.facing, scene, molecule), scene, molecule)) return;
@@ -101,7 +101,7 @@ class Check {
         tr("name the atoms that are to be in front, or write 'turned' and angles"));
   }
 
-  /// The hand holds no more than it can, and something is left to be felt.
+  /// The held body must not exceed the maximum, and something must be left to touch.
   void holds(const SceneSpec& scene, const Molecule& molecule) {
     const std::vector<std::uint32_t> held = heldAtoms(scene, molecule);
     if (held.size() > kMaxHeldAtoms)
@@ -113,15 +113,15 @@ class Check {
                       tr("name fewer atoms"));
   }
 
-  /// The file has the charges that the scene takes from it.
+  /// The file must contain the charges that the scene uses.
   void hasCharges(const SceneSpec& scene, const Molecule& molecule) {
     if (scene.touch.charges != kFileCharges || !molecule.charges_e.empty() || findings_.enough()) return;
     findings_.error(scene.places.charges, trf("the file of '{0}' has no partial charges", scene.molecule.name),
                     tr("write 'charges: formal', or give the molecule as a PQR file"));
   }
 
-  /// A molecule of the front matter's list, read as the first scene with it does: no reading is made for the list
-  /// alone.
+  /// A molecule in the front matter's list, with the reading options of the first scene that uses it, so that it is not
+  /// read separately.
   NamedMolecule asFirstScene(const std::string& name) const {
     for (const Step& step : lesson_.steps) {
       if (step.scene.molecule.name == name) return step.scene.molecule;
@@ -137,8 +137,8 @@ class Check {
     return known != found_.end() ? known->second : found_.emplace(std::move(key), by_name_(named)).first->second;
   }
 
-  /// The molecule, or nullptr and an error at each place where it is named; where only the way of reading is at fault,
-  /// at the place where that is said, if there is one.
+  /// The molecule, or nullptr with an error at each place that names it. If only the reading options are at fault, the
+  /// error is at their place, if there is one.
   const Molecule* find(const NamedMolecule& named, Place place, Place reading_place) {
     if (findings_.enough()) return nullptr;
     const auto& found = lookUp(named);
@@ -148,16 +148,16 @@ class Check {
       if (!reading_place.line) return nullptr;
       place = reading_place;
     }
-    // A scene that goes on from the one before names nothing anew.
+    // A scene that continues the previous one must not repeat its errors.
     if (told_.insert({named.name, place.line, place.column}).second) findings_.error(place, why.message, why.remedy);
     return nullptr;
   }
 
-  /// An error where it selects nothing, or for a task nothing that can be touched.
+  /// Adds an error if it selects nothing, or for a task nothing touchable.
   void selects(const Selection& selection, Place place, const Molecule& molecule,
                const std::vector<std::uint32_t>& untouchable = {}) {
     if (!selection.given() || findings_.enough()) return;
-    // A scene that goes on from the one before selects nothing anew.
+    // A scene that continues the previous one must not repeat its errors.
     if (!told_.insert({selection.text(), place.line, place.column}).second) return;
     const auto at = [&](const Problem& p) { return Place{place.line, place.column + p.column - 1}; };
     const std::vector<std::uint32_t> atoms = selection.select(molecule);
@@ -178,9 +178,11 @@ class Check {
   const Lesson& lesson_;
   const MoleculeByName& by_name_;
   Findings& findings_;
-  std::map<std::pair<std::string, std::string>, Expected<std::shared_ptr<const Molecule>>> found_;  // by name, reading
-  std::set<std::pair<std::size_t, std::size_t>> undirected_;          // places of 'facing' that were warned of
-  std::set<std::tuple<std::string, std::size_t, std::size_t>> told_;  // what was looked up at which place
+  std::map<std::pair<std::string, std::string>, Expected<std::shared_ptr<const Molecule>>> found_;  // by name and
+                                                                                                    // reading options
+  std::set<std::pair<std::size_t, std::size_t>> undirected_;          // places of 'facing' with a warning so far
+  std::set<std::tuple<std::string, std::size_t, std::size_t>> told_;  // selections and names reported so far, with
+                                                                      // their places
 };
 
 }  // namespace

@@ -1,4 +1,4 @@
-// The way through a lesson: which steps a student can come to, and whether each has something to say.
+// Checks that every step can be reached and has content.
 #include <algorithm>
 #include <span>
 #include <unordered_map>
@@ -13,8 +13,8 @@
 namespace moltact::checks {
 namespace {
 
-/// The steps that a student can come to: every main step by Next, an extra step by its offer, another aside by a link
-/// from a step that can be reached.
+/// The reachable steps: those of the core by Next, extra steps by their offers, other asides by a link from a reachable
+/// step.
 std::vector<char> reached(const Lesson& lesson) {
   std::vector<char> out(lesson.steps.size(), 0);
   std::vector<std::size_t> todo;
@@ -56,7 +56,7 @@ bool saysSomething(const Step& step) {
   return any;
 }
 
-/// "reach, hold": the kinds of task that judge a body in the hand.
+/// The kinds of tasks that can judge a held body: "reach, hold".
 std::string kindsOfBody() {
   std::string out;
   for (const TaskKind& kind : taskKinds())
@@ -64,7 +64,7 @@ std::string kindsOfBody() {
   return out;
 }
 
-/// What a kind of task says of the scene that it is done in.
+/// Checks a task's own requirements of its scene.
 void tasksInScene(const Step& step, Findings& findings) {
   for (const TaskSpec& task : step.tasks) {
     const TaskKind* kind = findTaskKind(task.kind);
@@ -80,7 +80,7 @@ void tasksInScene(const Step& step, Findings& findings) {
   }
 }
 
-/// What is predicted is told once it has been touched.
+/// Predictions are resolved by touch, so the step needs a task.
 void predictsWithoutTouch(const Step& step, Findings& findings) {
   if (!step.tasks.empty()) return;
   for (const Question& q : step.questions)
@@ -89,7 +89,7 @@ void predictsWithoutTouch(const Step& step, Findings& findings) {
                        tr("add the touch that shows what is right, or write '### Question: …'"));
 }
 
-/// A key holds one line of plain text; what is written as Markdown in it is shown with its signs.
+/// A key's value is one line of plain text; Markdown in it would be shown literally.
 void markdownInKeys(const Step& step, Findings& findings) {
   const auto look = [&](const std::string& text, Place place) {
     if (!place.line) return;
@@ -112,7 +112,7 @@ void markdownInKeys(const Step& step, Findings& findings) {
   }
 }
 
-/// "[the cleft](#zoom:residue 35)" is no link, for a blank ends its target.
+/// "[the cleft](#zoom:residue 35)" is not a link, because a blank ends its target.
 void brokenLinks(const Step& step, Findings& findings) {
   forEachText(step, [&](const RichText& text) {
     for (const TextRun& run : text) {
@@ -125,7 +125,7 @@ void brokenLinks(const Step& step, Findings& findings) {
   });
 }
 
-/// The card's picture is of a step that is there and has a scene.
+/// The step for the card's picture must exist and have a scene.
 void cardPicture(const Lesson& lesson, Findings& findings) {
   if (!lesson.card_place.line) return;
   const auto count = std::count_if(lesson.steps.begin(), lesson.steps.end(), [](const Step& s) { return !s.aside; });

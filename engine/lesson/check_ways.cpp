@@ -1,5 +1,5 @@
-// What the answers to questions do to the way, and what must be finished: rules that never come true, or lead where
-// nobody is going. No rules can hold a student for ever (way_rules.h), so there is nothing to tell of that.
+// Checks the effects of answers on the order of steps, and required steps: rules that never apply or lead to
+// unreachable steps. No rules can trap a student (way_rules.h), so this needs no check.
 #include <algorithm>
 
 #include "engine/language/catalogue.h"

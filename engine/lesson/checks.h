@@ -1,4 +1,4 @@
-// The parts of checkLesson. Internal. Each adds what it finds, in any order.
+// The parts of checkLesson(). Internal. Each adds its findings, in any order.
 #pragma once
 
 #include <filesystem>
@@ -22,34 +22,34 @@ struct Findings {
   }
 };
 
-/// Molecules that there are not, selections without atoms, names that select none.
+/// Missing molecules, and selections and names that match no atom.
 void molecules(const Lesson& lesson, const MoleculeByName& molecule, Findings& findings);
 
-/// Molecules of the front matter that no scene uses, or that it lists twice.
+/// Molecules in the front matter that no scene uses or that are listed twice.
 void moleculeList(const Lesson& lesson, Findings& findings);
 
-/// Asides that no step leads to; steps without a word.
+/// Asides without a link, and empty steps.
 void steps(const Lesson& lesson, Findings& findings);
 
-/// Rules that never come true, or lead where nobody is going; steps that must be finished and have nothing to finish.
+/// Rules that never apply or lead to unreachable steps; required steps without tasks and questions.
 void ways(const Lesson& lesson, Findings& findings);
 
-/// Minutes that the author states and that do not follow from the lesson; a core that takes too long.
+/// Stated minutes that differ from the estimate; a core that takes too long.
 void minutes(const Lesson& lesson, Findings& findings);
 
-/// A task that is asked before and after: both are there, in the core, and ask the same.
+/// A task asked before and after: both must exist in the core and ask the same.
 void askedTwice(const Lesson& lesson, Findings& findings);
 
-/// Links to files and pictures that are not in the lesson's folder, pictures that cannot be shown; links into other lessons whose step is not there.
+/// Links to missing files and pictures, pictures that cannot be shown, and links to missing steps of other lessons.
 void files(const Lesson& lesson, const std::filesystem::path& lesson_file, Findings& findings);
 
-/// Links to words that neither the lesson nor the glossary beside it explains.
+/// Links to words that neither the lesson nor its folder's glossary explains.
 void words(const Lesson& lesson, const std::filesystem::path& lesson_file, Findings& findings);
 
-/// A file's name that ends as if it named a language and does not; one that the front matter contradicts.
+/// A file name whose ending looks like a language but is none, or that contradicts the front matter.
 void language(const Lesson& lesson, const std::filesystem::path& lesson_file, Findings& findings);
 
-/// Characters that the window cannot write, line by line of the file's text.
+/// Characters that the window cannot display, line by line.
 void signs(std::string_view text, Findings& findings);
 
 }  // namespace moltact::checks

@@ -16,7 +16,7 @@ struct Command {
   std::string_view name, text;
 };
 
-// Blanks round what relates two sides; none round what joins factors more closely.
+// Blanks surround relations; operators that bind more tightly have none.
 constexpr Command kSigns[] = {{"cdot", " · "},
                               {"times", " × "},
                               {"pm", " ± "},
@@ -74,7 +74,7 @@ constexpr Command kSlanted[] = {{"alpha", "α"},      {"beta", "β"},   {"gamma"
                                 {"pi", "π"},         {"rho", "ρ"},    {"sigma", "σ"}, {"tau", "τ"},   {"upsilon", "υ"},
                                 {"phi", "φ"},        {"varphi", "φ"}, {"chi", "χ"},   {"psi", "ψ"},   {"omega", "ω"}};
 
-constexpr int kDeepest = 8;  // braces in braces
+constexpr int kDeepest = 8;  // nesting of braces
 
 const Command* findIn(std::span<const Command> table, std::string_view name) {
   const auto at = std::find_if(table.begin(), table.end(), [&](const Command& c) { return c.name == name; });
@@ -105,7 +105,7 @@ class FormulaReader {
   }
 
   void add(std::string_view text, bool slanted, Script script) {
-    // No blank twice, and none at the beginning.
+    // Collapses blanks and removes them at the beginning.
     std::string words;
     for (const char c : text) {
       const char before = !words.empty() ? words.back() : !out_.empty() ? out_.back().text.back() : ' ';
@@ -120,14 +120,14 @@ class FormulaReader {
 
   static bool isDigit(char c) { return c >= '0' && c <= '9'; }
 
-  // What stands last is a letter, a number or a bracket, so that a minus behind it parts two things.
+  // Whether the last item is a letter, a number or a bracket, so that a following minus is binary.
   bool isOperand() const {
     if (out_.empty()) return false;
     const std::string& last = out_.back().text;
     return endsInLetter(last) || last.back() == ')';
   }
 
-  // "10^-9" and "x^12" mean the whole number, although LaTeX would take its first sign alone.
+  // "10^-9" and "x^12" mean the whole number, although LaTeX would use only its first character.
   bool signedNumber(Script script) {
     std::size_t end = at_;
     if (all_[end] == '-' || all_[end] == '+') ++end;
@@ -141,7 +141,7 @@ class FormulaReader {
     return true;
   }
 
-  // What stands next: a sign, a command, or all between two braces.
+  // Parses the next item: a character, a command, or a group in braces.
   void term(Script script, bool upright, int depth) {
     const char c = all_[at_];
     if (c == '{' && depth < kDeepest) {
@@ -177,7 +177,7 @@ class FormulaReader {
     }
   }
 
-  // The braces behind a command; the next sign where there are none.
+  // Parses the argument of a command: a group in braces, or the next character.
   void argument(Script script, bool upright, int depth, std::size_t command_at) {
     while (at_ < all_.size() && all_[at_] == ' ') ++at_;
     if (at_ == all_.size() || all_[at_] == '}')
@@ -192,7 +192,7 @@ class FormulaReader {
     return out;
   }
 
-  // "a" or "a^2" needs no brackets round it on a line; "a + b" does.
+  // "a" or "a^2" needs no parentheses on one line; "a + b" does.
   void bracketed(Script script, bool upright, int depth, std::size_t command_at) {
     const std::size_t from = at_;
     RichText before = std::exchange(out_, {});
@@ -204,7 +204,7 @@ class FormulaReader {
         std::any_of(inner.begin(), inner.end(),
                     [](const TextRun& r) { return r.script == Script::None && r.text.find(' ') != std::string::npos; });
     if (sum) add("(", false, script);
-    // What brackets hold together stays on one line.
+    // Text in parentheses stays on one line.
     for (const TextRun& run : inner) add(withoutBreaks(run.text), run.italic, run.script);
     if (sum) add(")", false, script);
   }
@@ -218,7 +218,7 @@ class FormulaReader {
     std::size_t end = at_;
     while (end < all_.size() && ((all_[end] >= 'a' && all_[end] <= 'z') || (all_[end] >= 'A' && all_[end] <= 'Z')))
       ++end;
-    if (end == at_) {  // "\," is a narrow blank, "\%" the sign itself
+    if (end == at_) {  // "\," is a narrow blank, "\%" the character itself
       const char c = all_[at_++];
       if (c == ',' || c == ';' || c == ' ' || c == ':')
         add("\u00A0", false, script);

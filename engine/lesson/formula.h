@@ -1,5 +1,5 @@
-// A simple formula, written between dollar signs as in LaTeX ("$F = k \cdot d^2$"), as text with scripts: letters are
-// slanted, fractions stand on the line. Pure function; any thread but the haptic one.
+// Converts a simple LaTeX formula between dollar signs ("$F = k \cdot d^2$") to text with sub- and superscripts.
+// Letters are in italics, fractions on one line. Pure function; any thread but the haptic one.
 #pragma once
 
 #include <string_view>
@@ -10,8 +10,8 @@
 
 namespace moltact {
 
-/// The formula's text. What it has that is not known is shown as written and adds a problem, without a file's name;
-/// `place` is that of its first character, and it stands on one line.
+/// Returns the formula's text. Unknown parts are shown as written and add a problem without a file's name. `place` is
+/// the place of its first character; the formula is on one line.
 RichText formulaText(std::string_view formula, Place place, std::vector<Problem>& problems);
 
 }  // namespace moltact

@@ -21,7 +21,7 @@ using reading::Reading;
 
 constexpr std::string_view kFileName = "glossary", kLink = "#word:";
 
-/// What stands before the first colon that is neither in code nor in a link, and what follows it.
+/// Splits the text at the first colon that is neither in code nor in a link.
 std::pair<RichText, RichText> partedAtColon(const RichText& text) {
   std::pair<RichText, RichText> out;
   bool behind = false;
@@ -51,7 +51,7 @@ void readWord(Reading& reading, const MarkdownBlock& item, std::vector<GlossaryW
   out.place = item.place;
   out.meaning = std::move(meaning);
   std::string names = bareText(head);
-  // The bold word may hold commas; those behind it part the other ways to write it.
+  // The bold word may contain commas; commas after it separate its other forms.
   if (!head.empty() && head[0].bold) {
     out.word = std::string(stripped(head[0].text));
     names.erase(0, head[0].text.size());
@@ -72,7 +72,7 @@ void readWord(Reading& reading, const MarkdownBlock& item, std::vector<GlossaryW
     words.push_back(std::move(out));
 }
 
-/// Told where it is given twice; only the first counts.
+/// Reports words that are given twice; the first one counts.
 void checkTwins(Reading& reading, std::vector<GlossaryWord>& words) {
   std::map<std::string, std::size_t> lines;
   for (GlossaryWord& word : words) {
@@ -88,7 +88,7 @@ void checkTwins(Reading& reading, std::vector<GlossaryWord>& words) {
   }
 }
 
-/// A letter more or less great at the beginning, as sentences make it; U+00C0 to U+00DE are the capitals of Latin 1.
+/// Ignores the case of the first letter, as at the start of sentences; U+00C0 to U+00DE are the capitals of Latin-1.
 bool sameBeginning(char32_t a, char32_t b) {
   const auto small = [](char32_t c) {
     return (c >= 'A' && c <= 'Z') || (c >= 0xC0 && c <= 0xDE && c != 0xD7) ? c + 0x20 : c;
@@ -102,11 +102,11 @@ bool matchesAt(std::string_view text, std::size_t at, std::string_view name) {
   const std::string_view rest = text.substr(at + a.bytes), wanted = name.substr(b.bytes);
   if (!rest.starts_with(wanted)) return false;
   const std::string_view behind = rest.substr(wanted.size());
-  // "pit-shaped" is another word.
+  // "pit-shaped" is a different word.
   return !beginsWithLetter(behind) && !(behind.starts_with('-') && beginsWithLetter(behind.substr(1)));
 }
 
-/// Links the first of each word in the texts of one step.
+/// Links the first occurrence of each word in the texts of one step.
 class Linker {
  public:
   explicit Linker(const std::vector<GlossaryWord>& words) {
@@ -114,14 +114,14 @@ class Linker {
       names_.emplace_back(word.word, &word);
       for (const std::string& other : word.others) names_.emplace_back(other, &word);
     }
-    // "hydrogen bond" before "hydrogen".
+    // Longest first: "hydrogen bond" before "hydrogen".
     std::stable_sort(names_.begin(), names_.end(),
                      [](const auto& a, const auto& b) { return a.first.size() > b.first.size(); });
   }
 
   void blocks(std::vector<Block>& blocks) {
     done_.clear();
-    // A word that the author has linked by hand needs no other.
+    // A word that the author has linked explicitly needs no further link.
     for (Block& b : blocks)
       visit(b, [&](RichText& text) {
         for (const TextRun& run : text)
@@ -227,7 +227,7 @@ Glossary readGlossary(const std::string& name, std::string bytes) {
 }
 
 Glossary glossaryBeside(const fs::path& lesson_file, std::string_view language) {
-  // Where the file's name gives its language, words of another one would be explained in that.
+  // If the file's name gives a language, a glossary in another language does not fit.
   const std::string named = lessonName(lesson_file).language;
   std::vector<std::string> endings;
   if (!named.empty() || !language.empty()) endings.push_back("." + (named.empty() ? std::string(language) : named));

@@ -33,7 +33,7 @@ Expected<Value> listValue(const KeySpec& key, const KeyLine& line) {
   for (const ListItem& item : line.items) {
     if (key.type == ValueType::Remarks) {
       if (auto problem = addRemark(value, item.text)) {
-        // Where it stands is known here.
+        // Converts the place within the item to the place in the file.
         problem->line = item.place.line;
         problem->column = item.place.column + (problem->column ? problem->column - 1 : 0);
         return *std::move(problem);

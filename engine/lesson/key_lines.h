@@ -1,4 +1,4 @@
-// The "key: value" lines of front matter and of fenced blocks. Pure functions; any thread but the haptic one.
+// Parses the "key: value" lines of front matter and fenced blocks. Pure functions; any thread but the haptic one.
 #pragma once
 
 #include <functional>
@@ -10,7 +10,7 @@
 
 namespace moltact {
 
-/// A line of a block and where its first byte stands in the file.
+/// A line of a block and the place of its first byte in the file.
 struct BlockLine {
   std::string text;
   Place place;
@@ -27,19 +27,19 @@ struct KeyLine {
   std::vector<ListItem> items;  ///< the "- " lines below it
 };
 
-/// Splits lines into keys. Blank lines and lines that start with # are passed over; a line that is neither a key nor
-/// an item of a list adds a problem (without a file name).
+/// Splits lines into keys. Blank lines and lines that begin with # are ignored. A line that is neither a key nor a list
+/// item adds a problem (without a file name).
 std::vector<KeyLine> splitKeyLines(std::span<const BlockLine> lines, std::vector<Problem>& problems);
 
-/// The remedy for a key that the block does not have; where it gives nothing, the nearest of its keys is suggested.
+/// Returns the remedy for an unknown key; if it is empty, the nearest known key is suggested.
 using UnknownKey = std::function<std::string(std::string_view key)>;
 
-/// Reads the values of a block by its keys: adds a problem for each unknown or doubled key, bad value and missing
-/// required key (at `block_place`), and fills in the fallbacks. `block` is its name, as blockName gives it.
+/// Reads the values of a block by its keys and fills in the defaults. Adds a problem for each unknown or repeated key,
+/// invalid value and missing required key (at `block_place`). `block` is its name, as blockName() returns it.
 KeyValues readKeyValues(std::span<const KeyLine> lines, std::span<const KeySpec* const> keys, const char* block,
                         Place block_place, std::vector<Problem>& problems, const UnknownKey& unknown = {});
 
-/// Pointers to every key of a table, as readKeyValues takes them.
+/// Pointers to every key of a table, for readKeyValues().
 std::vector<const KeySpec*> pointersTo(std::span<const KeySpec> keys);
 
 }  // namespace moltact

@@ -182,10 +182,10 @@ std::vector<KeySpec> sceneKeys() {
        .words = {"none"}},
       {.name = "in-hand",
        .type = ValueType::Target,
-       .meaning =
-           "Atoms that the hand holds as one rigid body, in the place of the probe: a ligand, brought to its "
-           "pocket. They are taken out of the molecule. Only touch tasks that judge a body can stand in such a step; the "
-           "reference of each kind says so. 'none' puts them back.",
+       .meaning = "Atoms that the hand holds as one rigid body, in the place of the probe: a ligand, brought to its "
+                  "pocket. They are taken out of the molecule. Only touch tasks that judge a body can stand in such a "
+                  "step; the "
+                  "reference of each kind says so. 'none' puts them back.",
        .words = {"none"}},
       {.name = "near",
        .type = ValueType::Quantity,

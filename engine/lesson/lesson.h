@@ -1,5 +1,5 @@
-// A lesson as it was read from its file: plain data. Immutable after reading; shared as std::shared_ptr<const Lesson>.
-// Every part knows its place in the file, for messages. The format is described in reader.h.
+// A lesson as read from its file: plain data. Immutable after reading; shared as std::shared_ptr<const Lesson>. Every
+// part stores its place in the file for messages. reader.h describes the format.
 #pragma once
 
 #include <algorithm>
@@ -19,20 +19,20 @@
 
 namespace moltact {
 
-/// Where a stretch of text stands beside the line: "H~2~O", "10^-9^".
+/// The position of text relative to the line: "H~2~O", "10^-9^".
 enum class Script : std::uint8_t { None, Sub, Super };
 
-/// A stretch of text in one style.
+/// A piece of text in one style.
 struct TextRun {
   std::string text;
   bool bold = false, italic = false, code = false;
   Script script = Script::None;
-  std::string link = {};  ///< where it leads: "#step-id", "#word:crease", a file or a web address; empty: it is no link
+  std::string link = {};  ///< its target: "#step-id", "#word:crease", a file or a web address; empty: not a link
   Place place = {};
-  Place link_place = {};  ///< where `link` is written
+  Place link_place = {};  ///< place of `link` in the file
 };
 
-/// A line break that the author asked for is a "\n" in the text.
+/// A line break by the author is "\n" in the text.
 using RichText = std::vector<TextRun>;
 
 struct Paragraph {
@@ -45,11 +45,11 @@ struct ListBlock {
   struct Item {
     RichText text;
     int depth = 0;   ///< 0 for the outermost list
-    int number = 0;  ///< counted from the list's start; 0 for a bullet, -1 for a further paragraph of the item above
+    int number = 0;  ///< counted from the list's start; 0 for a bullet, -1 for another paragraph of the previous item
   };
   std::vector<Item> items;
 };
-/// Help that stays closed until the student opens it.
+/// A hint, closed until the student opens it.
 struct Tip {
   std::vector<RichText> paragraphs;
 };
@@ -62,19 +62,19 @@ struct Quote {
 };
 struct Image {
   std::string path, description;  ///< as written; relative to the lesson's folder
-  std::string caption = {};       ///< stands below it; may be empty
-  Place place = {};               ///< of the "!["
+  std::string caption = {};       ///< text below it; may be empty
+  Place place = {};               ///< place of the "!["
 };
-/// Its first row holds the headings; each row has as many cells as `sides`.
+/// The first row contains the headings. Each row has as many cells as `sides`.
 struct Table {
   enum class Side : std::uint8_t { Left, Middle, Right };
-  std::vector<Side> sides;  ///< of the columns, to which their texts keep
+  std::vector<Side> sides;  ///< alignment of each column
   std::vector<std::vector<RichText>> rows;
 };
 struct CodeText {
   std::string text;
 };
-/// Where the task or question with this index (in the step) stands among the text.
+/// The place in the text of the task or question with this index (in the step).
 struct TaskHere {
   std::size_t index = 0;
 };
@@ -85,79 +85,82 @@ struct QuestionHere {
 using Block = std::variant<Paragraph, Subheading, ListBlock, Tip, TeacherNote, Quote, Image, Table, CodeText, TaskHere,
                            QuestionHere>;
 
-/// Where the parts of a scene are written. Two scenes that say the same are the same, wherever they say it.
+/// The places of a scene's parts in the file. They do not count in comparisons: scenes with equal contents are equal.
 struct ScenePlaces {
   Place scene, molecule, highlight, magnify, hide, untouchable, remove, in_hand, charges, cut, then, hydrogen_bonds;
-  Place reading;  ///< of what was said last about how the molecule is read; line 0 where nothing was
+  Place reading;  ///< of the last key about reading the molecule; line 0: none
 
   friend bool operator==(const ScenePlaces&, const ScenePlaces&) { return true; }
 };
 
-/// A view to come back to.
+/// A view that the student can return to.
 struct NamedView {
   std::string name;
   ViewSpec view;
   friend bool operator==(const NamedView&, const NamedView&) = default;
 };
 
-/// A second structure of the scene's molecule, to which the student moves its atoms.
+/// A second structure of the scene's molecule, toward which the student moves its atoms.
 struct SecondState {
-  std::string molecule;             ///< its name, as the scene's own; empty: there is none
-  Selection superposed_on;          ///< by which atoms it is laid on the first; not given: all that lead
-  std::vector<std::string> states;  ///< what the two are called; empty: by the molecules' names
-  double share = 0.0;               ///< where the scene begins: 0 the first, 1 the second
+  std::string molecule;             ///< its name, as that of the first; empty: none
+  Selection superposed_on;          ///< the atoms used for the superposition; not given: CA, P and C1'
+                                    ///< (superposition.h)
+  std::vector<std::string> states;  ///< the names of both; empty: the names of the molecules
+  double share = 0.0;               ///< at the start of the scene; 0: first, 1: second structure
   friend bool operator==(const SecondState&, const SecondState&) = default;
 };
 
-/// The scene on the stage. It is complete: values that a scene block left out have been filled in.
+/// The scene of a step. It is complete: keys that a scene block omits have been filled in.
 struct SceneSpec {
-  NamedMolecule molecule;             ///< its name in the library or beside the lesson, and how its file is read
-  TouchSetup touch;                   ///< what it is felt with
-  std::vector<std::string> show;      ///< names of the picture's parts
-  std::vector<StyleSpec> styles;      ///< how the atoms are drawn; empty: a protein as a cartoon, else all as spheres
+  NamedMolecule molecule;             ///< its name in the library or in the lesson's folder, and how its file is read
+  TouchSetup touch;                   ///< how it is felt
+  std::vector<std::string> show;      ///< the visible parts of the picture, by name
+  std::vector<StyleSpec> styles;      ///< how the atoms are drawn; empty: proteins as cartoons, all others as spheres
   Selection hide;                     ///< atoms that are not drawn; may select nothing
   Selection untouchable;              ///< atoms that are not felt; may select nothing
   Selection remove;                   ///< atoms that are neither drawn nor felt; may select nothing
   Selection in_hand;                  ///< atoms that the hand holds as a rigid body; may select nothing
-  double near_A = 4.0;                ///< beside other styles: so near to the probe atoms are spheres
-  std::vector<std::string> captions;  ///< below a molecule and the one beside it; empty: their names
-  std::string colour = "element";     ///< what the atoms' colours tell: a scheme of engine/structure/colouring.h
-  std::vector<MarkSpec> labels;       ///< names over the picture; word "atom", "residue", "chain", or a name of its own
-  std::vector<MarkSpec> arrows;       ///< with their names
-  std::vector<MarkSpec> marks;        ///< atoms in own colours; the word is the colour, the name for the legend
-  Selection hydrogen_bonds;           ///< of which the hydrogen bonds are drawn; may select nothing
-  std::vector<PlacesSpec> measures;   ///< two places: a length; three: an angle; four: a torsion
-  bool paint_touched = false;         ///< atoms stay lightly painted once they have been touched
-  std::vector<std::string> panels;    ///< "touch", "methods", or "none"; empty: as the student has them
-  std::vector<std::string> locked;    ///< keys that the student cannot change, those of the front matter too
+  double near_A = 4.0;                ///< in other styles, atoms within this distance of the probe are drawn as spheres
+  std::vector<std::string> captions;  ///< captions of the molecule and of the one beside it; empty: their names
+  std::string colour = "element";     ///< the colour scheme of the atoms (engine/structure/colouring.h)
+  std::vector<MarkSpec> labels;       ///< labels over the picture; the word is "atom", "residue", "chain" or a text
+  std::vector<MarkSpec> arrows;       ///< arrows with their labels
+  std::vector<MarkSpec> marks;        ///< atoms with their own colours; the word is the colour, the name is for the
+                                      ///< legend
+  Selection hydrogen_bonds;           ///< atoms whose hydrogen bonds are drawn; may select nothing
+  std::vector<PlacesSpec> measures;   ///< two atoms give a length, three an angle, four a torsion
+  bool paint_touched = false;         ///< touched atoms stay lightly painted
+  std::vector<std::string> panels;    ///< "touch", "methods", or "none"; empty: the student's choice
+  std::vector<std::string> locked;    ///< keys that the student cannot change, including those of the front matter
   Selection highlight;                ///< may select nothing
-  ViewSpec view;                      ///< from where it is seen at first
-  std::vector<NamedView> views;       ///< those to come back to, in the author's order
-  bool cut = false;                   ///< the molecule is cut open
-  Selection cut_at;                   ///< the plane goes through the middle of these atoms; not given: of all
+  ViewSpec view;                      ///< the initial view
+  std::vector<NamedView> views;       ///< the views to return to, in the author's order
+  bool cut = false;                   ///< show the molecule cut open
+  Selection cut_at;                   ///< the cutting plane goes through the centre of these atoms; not given: of all
+                                      ///< atoms
   SecondState then;
-  Selection magnify;  ///< atoms that fill the room of the hand; may select nothing: the whole molecule lies in it
+  Selection magnify;  ///< these atoms fill the workspace; if empty, the whole molecule does
   ScenePlaces places;
 
-  /// Whether the student is kept from changing what a key says ("force").
+  /// Whether the lesson prevents the student from changing this key ("force").
   bool locks(std::string_view key) const {
     return std::any_of(locked.begin(), locked.end(), [&](const std::string& l) { return l == key || l == "all"; });
   }
   friend bool operator==(const SceneSpec&, const SceneSpec&) = default;
 };
 
-/// Something to do by touch. Its kind knows what the values mean (tasks/registry.h).
+/// A touch task. Its kind (tasks/registry.h) defines the meaning of the values.
 struct TaskSpec {
   std::string kind;  ///< "reach"
-  KeyValues values;  ///< every key of the kind and the common ones, fallbacks filled in
+  KeyValues values;  ///< every key of the kind and the common ones, with defaults filled in
   Place place;
-  std::vector<std::size_t> goals;  ///< that it serves, as indices into those of the lesson
+  std::vector<std::size_t> goals;  ///< indices of the lesson's goals that it serves
 };
 
 struct Choice {
   RichText text, feedback;
-  std::string tag;   ///< the misconception that it shows, for the report; may be empty
-  std::string link;  ///< "#step-id" that the feedback's first link to a step leads to; may be empty
+  std::string tag;   ///< the misconception that it indicates, for the report; may be empty
+  std::string link;  ///< target of the feedback's first link to a step, "#step-id"; may be empty
   bool right = false;
   Place place;
 };
@@ -168,25 +171,25 @@ struct AnswerSpec {
   Kind kind = Kind::Free;
   double number = 0.0, tolerance = 0.0;  ///< in `unit`
   std::string unit;                      ///< "Å"; empty for a plain number
-  std::vector<std::string> texts;        ///< what counts as right, as written
+  std::vector<std::string> texts;        ///< the accepted answers, as written
   AuthorsText right, wrong;              ///< feedback
-  std::string model;                     ///< shown beside a free answer that is kept; may be empty
+  std::string model;                     ///< the author's answer, shown beside a submitted free answer; may be empty
 };
 
 struct Question {
-  std::string id;                ///< slug of its heading, unique in the step
-  RichText title;                ///< what is asked
+  std::string id;                ///< slug of its heading, unique within the step
+  RichText title;                ///< the heading: the question itself
   std::vector<RichText> prompt;  ///< paragraphs between the heading and the choices
-  std::vector<Choice> choices;   ///< empty where `answer` is given
+  std::vector<Choice> choices;   ///< empty if `answer` is present
   std::optional<AnswerSpec> answer;
-  bool prediction = false;  ///< "Prediction:": what is right is told when the step's tasks are done, and never scored
-  bool in_order = false;    ///< its choices stay as they are written
-  int attempts = 0;         ///< after so many wrong answers the right one is shown; 0: as many as need be
-  std::vector<WayRule> rules;      ///< what its answers do to the way
-  std::vector<std::size_t> goals;  ///< that it serves, as indices into those of the lesson
+  bool prediction = false;         ///< "Prediction:": resolved when the step's tasks are done, and never scored
+  bool in_order = false;           ///< choices keep the order of the file
+  int attempts = 0;                ///< the number of wrong answers after which the right one is shown; 0: never
+  std::vector<WayRule> rules;      ///< the effects of its answers on the order of the steps
+  std::vector<std::size_t> goals;  ///< indices of the lesson's goals that it serves
   Place place, block_place;        ///< of its heading, and of its answer block (line 0: none)
 
-  /// What is given is kept and neither right nor wrong.
+  /// Whether answers are stored without being right or wrong.
   bool free() const { return answer && answer->kind == AnswerSpec::Kind::Free; }
   std::size_t rightChoices() const {
     std::size_t n = 0;
@@ -196,24 +199,24 @@ struct Question {
 };
 
 struct Step {
-  std::string id;      ///< slug of its heading, unique in the lesson
-  std::string title;   ///< without the "Aside:" of a side path
-  bool aside = false;  ///< a side path: Next passes over it, a link or an offer leads to it, and its Next leads back
-  bool extra = false;  ///< an aside that is offered below the step before it and at the lesson's end
+  std::string id;      ///< slug of its heading, unique within the lesson
+  std::string title;   ///< without the "Aside:" of an aside
+  bool aside = false;  ///< outside the core: Next skips it, a link or an offer leads to it, and its Next leads back
+  bool extra = false;  ///< an aside that is offered below the preceding step and at the lesson's end
   std::vector<Block> blocks;
   std::vector<TaskSpec> tasks;
   std::vector<Question> questions;
-  SceneSpec scene;                 ///< what is on the stage in this step
-  bool states_scene = false;       ///< false: the scene of the step before it goes on
-  bool required = false;           ///< it must be finished before the student goes on
-  std::vector<std::size_t> goals;  ///< that its tasks and questions serve where they do not say it themselves
+  SceneSpec scene;                 ///< the scene during this step
+  bool states_scene = false;       ///< false: the scene of the previous step continues
+  bool required = false;           ///< must be finished before the next step
+  std::vector<std::size_t> goals;  ///< goals of its tasks and questions that name none themselves
   Place place, block_place;        ///< of its heading, and of its step block (line 0: none)
 };
 
 /// A word that the lesson explains.
 struct GlossaryWord {
-  std::string word;                 ///< as it is listed
-  std::vector<std::string> others;  ///< how it is written too: "creases"
+  std::string word;                 ///< the form in the list
+  std::vector<std::string> others;  ///< other forms: "creases"
   RichText meaning;
   Place place;
 };
@@ -221,24 +224,24 @@ struct GlossaryWord {
 struct Lesson {
   std::string file;
   std::string title, level, author, licence;
-  std::string description;  ///< one line for the shelf; may be empty
-  int order = 0;            ///< the place on the shelf; 0: none
-  int card = 1;             ///< the step whose scene its card shows, counted from 1 without asides
-  Place card_place;         ///< line 0 where the author did not say it
-  bool required = false;    ///< every step must be finished before the next, where it does not say otherwise
-  std::string language;     ///< "de": of the front matter; may be empty
+  std::string description;  ///< one line for the welcome page; may be empty
+  int order = 0;            ///< position on the welcome page; 0: not given
+  int card = 1;             ///< the step whose scene is the picture on its card, counted from 1 without asides
+  Place card_place;         ///< line 0: not given
+  bool required = false;    ///< default for all steps: each must be finished before the next
+  std::string language;     ///< "de": from the front matter; may be empty
   Place language_place;
-  int minutes = 0;  ///< that its core takes, as the author states it; 0: as minutes.h works it out
+  int minutes = 0;  ///< duration of the core as stated by the author; 0: estimated by minutes.h
   Place minutes_place;
   std::vector<std::string> goals, molecules;
-  std::vector<Place> molecule_places;  ///< of each of `molecules`
-  std::vector<std::string> locked;     ///< in every scene
-  std::string ask;                     ///< "name" or "code" that the student is asked for; empty: neither
-  std::vector<Block> introduction;     ///< what stands before the first step
+  std::vector<Place> molecule_places;  ///< place of each of `molecules`
+  std::vector<std::string> locked;     ///< locked keys in every scene
+  std::string ask;                     ///< what the student is asked for: "name" or "code"; empty: nothing
+  std::vector<Block> introduction;     ///< the text before the first step
   std::vector<Step> steps;             ///< at least one
-  std::vector<GlossaryWord> glossary;  ///< its own words; with those of the file beside it once linkWords() was called
+  std::vector<GlossaryWord> glossary;  ///< its own words; after linkWords() also those of its folder's glossary
 
-  /// The index of the step whose scene its card shows; no value where there is no such step.
+  /// The index of the step whose scene is shown on the card; no value if there is no such step.
   std::optional<std::size_t> cardStep() const {
     int number = 0;
     for (std::size_t i = 0; i < steps.size(); ++i)
@@ -262,13 +265,13 @@ struct Lesson {
   }
 };
 
-/// Whether its introduction or a step has one.
+/// Whether the introduction or any step has a teacher's note.
 bool hasTeacherNotes(const Lesson& lesson);
 
-/// The text of all runs without its styles. Scripts are written with the signs that Unicode has for them ("H₂O"); where
-/// it has none, as people write them on a line ("K_d", "10^x").
+/// The text of all runs without styles. Scripts use Unicode characters where available ("H₂O"), otherwise the usual
+/// notation on one line ("K_d", "10^x").
 std::string plainText(const RichText& text);
-/// The letters of all runs alone: "H2O".
+/// The characters of all runs: "H2O".
 std::string bareText(const RichText& text);
 
 }  // namespace moltact

@@ -19,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// With "%20" and the like as the letters that they stand for.
+/// Decodes "%20" and other escapes.
 std::string decoded(std::string_view text) {
   std::string out;
   for (std::size_t i = 0; i < text.size(); ++i) {
@@ -39,7 +39,7 @@ std::string decoded(std::string_view text) {
 
 std::string_view linkScheme(std::string_view link) {
   const std::size_t colon = link.find(':');
-  // A single letter is the drive of a path.
+  // A single letter is a drive of a path.
   if (colon == std::string_view::npos || colon < 2) return {};
   const std::string_view scheme = link.substr(0, colon);
   const auto allowed = [](unsigned char c) { return std::isalnum(c) || c == '+' || c == '-' || c == '.'; };
@@ -69,7 +69,7 @@ Expected<std::string> readBesideLesson(const fs::path& file, std::size_t max_byt
   if (!fs::is_regular_file(status)) return fail(tr("this is not a file"), what_it_is);
   std::ifstream in(file, std::ios::binary);
   if (!in) return fail(trf("the file cannot be opened: {0}", std::strerror(errno)), tr("check that you may read it"));
-  // One byte more than is allowed is enough to know that the file is too large.
+  // One byte more than allowed suffices to detect that the file is too large.
   const std::uintmax_t size = fs::file_size(file, error);
   std::string bytes(error ? max_bytes + 1 : std::size_t(std::min<std::uintmax_t>(size, max_bytes)) + 1, '\0');
   in.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
@@ -111,7 +111,7 @@ std::vector<fs::path> inLanguage(std::vector<fs::path> lessons, std::string_view
     const LessonName name = lessonName(file);
     int& wanted = best[file.parent_path() / name.id];
     if (wanted != rank(name)) return true;
-    wanted = -1;  // of several no better than the first, the first
+    wanted = -1;  // of several equally good ones, the first
     return false;
   });
   return lessons;

@@ -56,7 +56,7 @@ Expected<MoleculeKey> lessonMolecule(const fs::path& lesson_file, const NamedMol
   if (!named.reading.beside.empty()) {
     const Expected<fs::path> other = fileOf(lesson_file, named.reading.beside);
     if (!other) return other.problem();
-    // A name of the library stays one; a file beside the lesson is found from elsewhere by its path alone.
+    // A library name is kept; a file beside the lesson needs its path to be found from elsewhere.
     std::error_code error;
     const fs::path folder = lesson_file.has_parent_path() ? lesson_file.parent_path() : fs::path(".");
     if (fs::equivalent(other->has_parent_path() ? other->parent_path() : fs::path("."), folder, error))

@@ -1,4 +1,4 @@
-// The molecules that lessons name: which file a name means, and each of them read once. Not for the haptic thread.
+// Finds the molecules that lessons name and reads each of them once. Not for the haptic thread.
 #pragma once
 
 #include <filesystem>
@@ -12,16 +12,15 @@
 
 namespace moltact {
 
-/// The molecule that a lesson means by a name: its file is one in the lesson's folder, else of the library, else one in
-/// the lesson's folder or one that was fetched, whose name goes on with an ending ("5adh": 5ADH.cif.gz). A problem
-/// without a place where there is none.
+/// The molecule that a name in a lesson refers to. The file is searched in the lesson's folder, then in the library.
+/// Finally a file in the lesson's folder or a fetched one matches if the name lacks only its extension ("5adh":
+/// 5ADH.cif.gz). A Problem without a place if there is none.
 Expected<MoleculeKey> lessonMolecule(const std::filesystem::path& lesson_file, const NamedMolecule& named);
 
-/// Keeps what it has read while it lives, each reading of a file by itself; a file that has changed since is read
-/// again.
+/// Caches the molecules, separately for each way of reading a file. A file that has changed is read again.
 class LessonMolecules {
  public:
-  /// The molecule as a scene shows it. A problem without a place where there is none, or its file is at fault.
+  /// The molecule of a scene. A Problem without a place if there is none or its file is faulty.
   Expected<std::shared_ptr<const Molecule>> find(const std::filesystem::path& lesson_file, const NamedMolecule& named);
 
  private:

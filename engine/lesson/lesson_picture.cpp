@@ -26,11 +26,11 @@ Expected<LessonPicture> readLessonPicture(std::string_view bytes) {
   const auto* data = reinterpret_cast<const stbi_uc*>(bytes.data());
   const int size = static_cast<int>(bytes.size());
   int width = 0, height = 0, channels = 0;
-  // The size first: a picture of 65 000 pixels a side would want gigabytes.
+  // First the size: a picture with 65 000 pixels per side would need gigabytes.
   if (stbi_info_from_memory(data, size, &width, &height, &channels) && std::max(width, height) > kLargestPicture_px)
     return fault(trf("a picture of {0} x {1} pixels; {2} a side are the most", width, height, kLargestPicture_px),
                  tr("save it smaller"));
-  // Then what the data inflate to: the reader below would keep all of it.
+  // Then the inflated data, which the decoder below would store completely.
   const PngRows rows = bytes.starts_with(kPng) ? inflatedRows(bytes) : PngRows::Fit;
   if (rows == PngRows::TooMany)
     return fault(trf("the file holds more data than a picture of {0} x {1} pixels has", width, height),

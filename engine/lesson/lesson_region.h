@@ -1,4 +1,4 @@
-// Which part of its molecule a scene magnifies or comes close to. Any thread but the haptic one. Units: angstrom.
+// The region of the molecule that a scene magnifies or zooms to. Any thread but the haptic one. Unit: angstrom.
 #pragma once
 
 #include <cstdint>
@@ -11,14 +11,14 @@
 
 namespace moltact {
 
-/// A sphere round the atoms that the scene magnifies, as large as they are felt with its probe; nothing where it
+/// A sphere around the magnified atoms, each enlarged by the radius of the scene's probe; nothing if the scene
 /// magnifies none.
 std::optional<Region> magnifiedRegion(const SceneSpec& scene, const Molecule& molecule);
 
-/// A sphere round these atoms, each as much larger as `grown_A`; nothing for none.
+/// A sphere around these atoms, each enlarged by `grown_A`; nothing for no atoms.
 std::optional<Region> regionAround(std::span<const std::uint32_t> atoms, const Molecule& molecule, double grown_A);
 
-/// What a view of the scene comes close to, with room for a probe; nothing where it shows the whole.
+/// The region that a view zooms to, with room for a probe; nothing if it shows the whole molecule.
 std::optional<Region> zoomedRegion(const ViewSpec& view, const SceneSpec& scene, const Molecule& molecule,
                                    double probe_A);
 

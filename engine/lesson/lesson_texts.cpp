@@ -9,14 +9,14 @@ namespace moltact {
 namespace {
 
 struct Raised {
-  char32_t on_line, super, sub;  // 0: Unicode has none
+  char32_t on_line, super, sub;  // 0: not in Unicode
 };
 constexpr Raised kRaised[] = {
     {'0', U'⁰', U'₀'},  {'1', U'¹', U'₁'}, {'2', U'²', U'₂'}, {'3', U'³', U'₃'}, {'4', U'⁴', U'₄'}, {'5', U'⁵', U'₅'},
     {'6', U'⁶', U'₆'},  {'7', U'⁷', U'₇'}, {'8', U'⁸', U'₈'}, {'9', U'⁹', U'₉'}, {'+', U'⁺', U'₊'}, {'-', U'⁻', U'₋'},
     {U'−', U'⁻', U'₋'}, {'=', U'⁼', U'₌'}, {'(', U'⁽', U'₍'}, {')', U'⁾', U'₎'}, {'n', U'ⁿ', U'ₙ'}, {'i', U'ⁱ', 0}};
 
-/// "⁻⁹" of "−9"; empty where Unicode has not all of it.
+/// "⁻⁹" for "−9"; empty if Unicode lacks any of the characters.
 std::string raised(std::string_view text, Script script) {
   std::string out;
   for (const char32_t c : charactersOf(text)) {

@@ -1,5 +1,4 @@
-// Every text and picture of a lesson that a student or teacher may see, for checks that look at all of them.
-// Pure functions; any thread but the haptic one.
+// Visits every text and picture of a lesson, for checks of all of them. Pure functions; any thread but the haptic one.
 #pragma once
 
 #include <functional>
@@ -8,16 +7,16 @@
 
 namespace moltact {
 
-/// Each text in the blocks, in their order; not those of tasks and questions.
+/// Visits each text in the blocks, in order, without those of tasks and questions.
 void forEachText(const std::vector<Block>& blocks, const std::function<void(const RichText&)>& visit);
 
-/// Each text of a step: its blocks, then its questions with choices and feedback.
+/// Visits each text of a step: its blocks, then its questions with choices and feedback.
 void forEachText(const Step& step, const std::function<void(const RichText&)>& visit);
 
-/// Each text of the lesson: the introduction, then step by step, then the meanings of its words.
+/// Visits each text of the lesson: the introduction, the steps, then the meanings of its words.
 void forEachText(const Lesson& lesson, const std::function<void(const RichText&)>& visit);
 
-/// Each picture of the lesson.
+/// Visits each picture of the lesson.
 void forEachImage(const Lesson& lesson, const std::function<void(const Image&)>& visit);
 
 }  // namespace moltact

@@ -1,4 +1,4 @@
-// What is a letter, as far as words and scripts of a lesson's text need to know. Pure functions; any thread.
+// Classifies letters, for words and scripts in a lesson's text. Pure functions; any thread.
 #pragma once
 
 #include <string_view>
@@ -7,7 +7,7 @@
 
 namespace moltact {
 
-/// A letter or digit of any script; not blanks, punctuation, arrows or mathematics.
+/// Whether it is a letter or digit of any script, and not a blank, punctuation, arrow or mathematical sign.
 inline bool isLetter(char32_t c) {
   if (c < 0x80) return (c >= '0' && c <= '9') || (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z');
   if (c < 0xC0) return c == 0xAA || c == 0xB5 || c == 0xBA;

@@ -1,4 +1,4 @@
-// Lines that were meant as a heading or a choice and are plain text to Markdown, for want of a blank.
+// Finds lines that were meant as a heading or a choice but are plain text in Markdown, because a blank is missing.
 #include <algorithm>
 
 #include "engine/language/catalogue.h"
@@ -20,7 +20,7 @@ bool choiceWithoutBlank(std::string_view line) {
   if (box.starts_with("[]")) return true;
   const bool ticks =
       box.size() > 3 && box[0] == '[' && box[2] == ']' && (box[1] == ' ' || box[1] == 'x' || box[1] == 'X');
-  // A link's text may be one letter long.
+  // Excludes links, whose text may be a single letter.
   return ticks && box[3] != '(' && (line[1] == '[' || box[3] != ' ');
 }
 
@@ -28,7 +28,7 @@ bool choiceWithoutBlank(std::string_view line) {
 
 void findLineSlips(Reading& reading, std::size_t from) {
   const SourceText& source = reading.source;
-  std::string_view fence;  // of the block that the line lies in
+  std::string_view fence;  // of the block that contains the line
   for (std::size_t n = source.at(from).line; n <= source.lineCount(); ++n) {
     const std::string_view line = stripped(source.line(n));
     const std::string_view sign = line.starts_with("```") ? "```" : line.starts_with("~~~") ? "~~~" : "";

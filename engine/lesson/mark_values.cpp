@@ -1,4 +1,5 @@
-// What a scene marks and measures: "residue for chain A, "the cleft" for residue 35", "residue 35 - residue 52".
+// Parses a scene's marks and measurements: "residue for chain A, "the cleft" for residue 35", "residue 35 - residue
+// 52".
 #include <algorithm>
 
 #include "engine/language/catalogue.h"

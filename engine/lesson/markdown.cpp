@@ -17,7 +17,7 @@ namespace {
 
 using Kind = MarkdownBlock::Kind;
 
-/// Entities that authors of lessons write; every other stays as it was written.
+/// The entities that lesson authors use; all others stay as written.
 std::string entityText(std::string_view entity) {
   constexpr std::pair<std::string_view, std::string_view> kKnown[] = {
       {"&amp;", "&"},  {"&lt;", "<"},    {"&gt;", ">"},    {"&quot;", "\""}, {"&apos;", "'"}, {"&nbsp;", "\xC2\xA0"},
@@ -79,7 +79,7 @@ class Builder {
 
   static Builder& of(void* self) { return *static_cast<Builder*>(self); }
 
-  /// Follows md4c through the source: the parts of the text that it hands on are mostly views of it.
+  /// Tracks md4c's position in the source: most texts that it passes are views of the source.
   Place follow(const char* text) {
     if (inSource(text)) offset_ = static_cast<std::size_t>(text - source_.bytes().data());
     return source_.at(offset_);
@@ -174,7 +174,7 @@ class Builder {
     return 0;
   }
 
-  /// md4c does not say where a heading without words stands: it is the next line that is made of its signs alone.
+  /// md4c gives no place for an empty heading: it is the next line that consists only of its marks.
   Place emptyHeading() const {
     const std::string_view bytes = source_.bytes();
     for (std::size_t at = bytes.find('\n', offset_); at != std::string_view::npos; at = bytes.find('\n', at + 1)) {
@@ -203,7 +203,7 @@ class Builder {
       case MD_SPAN_IMG:
         images_ += step;
         if (step > 0 && images_ == 1) {
-          // md4c does not say where the picture stands: it is the next that begins behind the text so far.
+          // md4c gives no place for a picture: it is the next one after the text so far.
           const std::size_t at = source_.bytes().find("![", offset_);
           const auto& image = *static_cast<MD_SPAN_IMG_DETAIL*>(detail);
           stack_.back().images.push_back({.path = attributeText(image.src),
@@ -225,7 +225,7 @@ class Builder {
     return 0;
   }
 
-  /// A formula on a line of its own is parted from the text round it.
+  /// A formula on a line of its own is separated from the surrounding text.
   void addFormula(bool own_line) {
     MarkdownBlock& block = stack_.back();
     // "$5 and then $6" are prices: a formula has no blank at either end.
@@ -242,7 +242,7 @@ class Builder {
     RichText runs = formulaText(formula_, formula_place_, faults);
     for (Problem& fault : faults) {
       fault.file = source_.name();
-      // Over several lines its first character is the place.
+      // For a formula over several lines, the place is its first character.
       if (formula_wraps_) fault.column = formula_place_.column;
       stack_.front().slips.push_back(std::move(fault));
     }
@@ -259,12 +259,13 @@ class Builder {
     after_formula_ = own_line;
   }
 
-  /// At the end of a link: its runs learn where its target is written, "](target", or else that it stands in them.
+  /// At the end of a link: sets the place of the target, "](target", in its runs, or their own place if the target is
+  /// not written.
   void placeLink() {
     const std::string_view line = source_.bytes().substr(offset_, source_.bytes().substr(offset_).find('\n'));
     const std::size_t bracket = line.find("](");
     const bool written = bracket != std::string_view::npos && stripped(line.substr(bracket + 2)).starts_with(link_);
-    // Its runs are the last ones.
+    // The link's runs are the last ones.
     for (auto run = stack_.back().text.rbegin();
          run != stack_.back().text.rend() && run->link == link_ && run->link_place.line == 0; ++run)
       run->link_place = written ? source_.at(offset_ + bracket + 2) : run->place;
@@ -327,12 +328,12 @@ class Builder {
       else if (!words.empty())
         addRun(block.text, withText(run, std::move(words)));
     }
-    // The bytes just handed on are behind us.
+    // Skip the bytes just passed.
     if (inSource(piece.data())) offset_ += piece.size();
     return 0;
   }
 
-  /// <sub>, <sup> and <br>, which pages on the web have too; false for every other tag.
+  /// Handles <sub>, <sup> and <br>, as in HTML pages; returns false for other tags.
   bool takeTag(std::string_view tag) {
     const std::string name = lower(std::string(tag));
     tag_break_ = name == "<br>" || name == "<br/>" || name == "<br />";
@@ -347,7 +348,7 @@ class Builder {
     return true;
   }
 
-  /// The piece begins with a sign that the author has taken its meaning from: "\~".
+  /// Whether the piece begins with an escaped character: "\~".
   bool escaped(std::string_view piece) const {
     const std::string_view all = source_.bytes();
     if (!inSource(piece.data())) return false;
@@ -360,8 +361,8 @@ class Builder {
     return run;
   }
 
-  /// "H~2~O" and "10^-9^" taken apart: between two of a sign, without a blank. What stands in the line's middle ("~5 Å")
-  /// is no beginning of a subscript, which hangs on a letter or number.
+  /// Splits "H~2~O" and "10^-9^": a script is enclosed in two marks and contains no blank. A mark after a blank ("~5
+  /// Å") does not begin a subscript, which follows a letter or number.
   void addWithScripts(RichText& text, const TextRun& run, std::string_view words, bool first_escaped) {
     std::size_t done = 0;
     const auto take = [&](std::size_t from, std::size_t to, Script script) {
@@ -399,7 +400,8 @@ class Builder {
     take(done, words.size(), Script::None);
   }
 
-  /// What an open sign was most likely meant for: an exponent with or without its sign, or an index.
+  /// Whether a mark without its partner was probably meant as a script: an exponent with or without a sign, or an
+  /// index.
   static bool isScriptStart(std::string_view text, char sign) {
     if (sign == '^' && (text.starts_with("-") || text.starts_with("+") || text.starts_with("−"))) return true;
     return text[0] >= '0' && text[0] <= '9';
@@ -425,10 +427,10 @@ class Builder {
         lines.push_back({{}, place});
         line_placed_ = false;
       }
-      // md4c hands on a line's indentation as spaces of its own; only what follows tells where the line stands.
+      // md4c passes a line's indentation as separate spaces; only the text after it gives the line's place.
       if (!line_placed_ && inSource(piece.data())) {
         std::string& indentation = lines.back().text;
-        // A tab comes as up to four spaces, but is one character of the file.
+        // A tab is passed as up to four spaces, but is one character of the file.
         if (place.column <= indentation.size()) indentation.assign(place.column - 1, '\t');
         lines.back().place = {place.line, place.column - indentation.size()};
         line_placed_ = true;
@@ -445,10 +447,10 @@ class Builder {
   int bold_ = 0, italic_ = 0, code_ = 0, links_ = 0, images_ = 0;
   std::string link_, formula_;
   Place formula_place_;
-  bool formula_wraps_ = false;        // it goes over several lines
-  Script tag_script_ = Script::None;  // of the HTML tag that is open
-  bool tag_break_ = false;            // the tag that was taken last is a line break
-  bool after_formula_ = false;        // one on a line of its own: what follows begins another
+  bool formula_wraps_ = false;        // it covers several lines
+  Script tag_script_ = Script::None;  // of the open HTML tag
+  bool tag_break_ = false;            // the last tag was a line break
+  bool after_formula_ = false;        // after a formula on a line of its own: further text begins another line
   bool line_open_ = false, line_placed_ = false;
 };
 

@@ -10,7 +10,7 @@
 namespace moltact {
 namespace {
 
-// Times in s: to come to the place, to do the task, to read what it says of the hand.
+// Times in seconds: to find the place, do the task and read its instructions.
 constexpr TaskTime kTaskTimes[] = {
     {.kind = "reach", .base_s = 20.0},
     {.kind = "hold", .base_s = 25.0},
@@ -29,7 +29,7 @@ constexpr TaskTime kTaskTimes[] = {
     {.kind = "order", .base_s = 15.0, .each_s = 25.0, .each = "order", .each_what = "place"},
 };
 
-/// What a key counts or lists; the task's own key holds the list where the other does not.
+/// The number of items of a key; the task's own key has the list if the other key has none.
 double countOf(const TaskSpec& task, std::string_view key) {
   if (key.empty()) return 0.0;
   const auto in = [&](std::string_view k) {
@@ -39,7 +39,7 @@ double countOf(const TaskSpec& task, std::string_view key) {
   return std::max(1.0, std::max(in(key), in(task.kind)));
 }
 
-/// Words of a text: what blanks part and a letter or a digit stands in.
+/// The number of words: parts between blanks that contain a letter or digit.
 std::size_t wordsIn(std::string_view text) {
   std::size_t words = 0;
   bool in_word = false;
@@ -76,7 +76,7 @@ std::size_t wordsIn(const std::vector<Block>& blocks) {
   return words;
 }
 
-/// The question, its choices, and the feedback that a right answer gets, or the author's own answer.
+/// The words of the question, its choices, and the feedback to the right choice or the author's answer.
 std::size_t wordsIn(const Question& question) {
   std::size_t words = wordsIn(question.title) + wordsIn(question.prompt);
   for (const Choice& c : question.choices) words += wordsIn(c.text) + (c.right ? wordsIn(c.feedback) : 0);
@@ -107,7 +107,7 @@ double taskTime_s(const TaskSpec& task) {
   for (const TaskTime& t : kTaskTimes) {
     if (t.kind != task.kind) continue;
     const double count = countOf(task, t.each);
-    // In a pair two things are touched.
+    // Each pair has two things to touch.
     const double stays = t.kind == "same" ? 2.0 * count : std::max(1.0, count);
     return t.base_s + t.each_s * count + stays * task.values["for"].number;
   }

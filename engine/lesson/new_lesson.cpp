@@ -73,7 +73,7 @@ In the crease the probe touches both atoms at once, so it can move only along th
 
 bool counts(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || (c & 0x80); }
 
-/// Without the ending ".md" and without blanks at the ends.
+/// Without the extension ".md" and blanks at both ends.
 std::string_view bare(std::string_view name) {
   name = stripped(name);
   if (name.ends_with(".md")) name.remove_suffix(3);
@@ -84,7 +84,7 @@ std::string_view bare(std::string_view name) {
 
 std::string lessonTitle(std::string_view name) {
   std::string out(bare(name));
-  // A file's name becomes words.
+  // Converts a file name to words.
   if (out.find(' ') == std::string::npos)
     std::replace_if(
         out.begin(), out.end(), [](char c) { return c == '-' || c == '_'; }, ' ');

@@ -1,4 +1,4 @@
-// The small working lesson that an author starts from. Pure functions; any thread but the haptic one.
+// Generates a small working lesson as a starting point for authors. Pure functions; any thread but the haptic one.
 #pragma once
 
 #include <string>
@@ -6,13 +6,13 @@
 
 namespace moltact {
 
-/// "haem-pockets" or "Haem pockets" as a title: "Haem pockets". Any text.
+/// Converts "haem-pockets" or "Haem pockets" to a title: "Haem pockets". Accepts any text.
 std::string lessonTitle(std::string_view name);
 
-/// The name of its file without a folder: "haem-pockets.md". Empty where `name` has no letter or digit.
+/// The file name without a folder: "haem-pockets.md". Empty if `name` has no letter or digit.
 std::string lessonFileName(std::string_view name);
 
-/// The text of a lesson that passes every check and tells in its comments and notes what each part is for.
+/// The text of a lesson that passes every check. Its comments and notes explain each part.
 std::string newLessonText(std::string_view title);
 
 }  // namespace moltact

@@ -1,5 +1,5 @@
-// Fenced blocks without an end. CommonMark lets such a block run to the end of the file, and a lesson would silently
-// lose all that follows.
+// Finds fenced blocks without an end. In CommonMark such a block extends to the end of the file, and the rest of the
+// lesson would be lost silently.
 #include <algorithm>
 #include <array>
 #include <optional>
@@ -11,12 +11,12 @@ namespace {
 
 struct Fence {
   char sign = '`';
-  std::size_t count = 0;  // of signs
+  std::size_t count = 0;  // number of fence characters
   std::string_view info;
   Place place;
 };
 
-/// The fence that a line is, opening or closing.
+/// The opening or closing fence in a line.
 std::optional<Fence> fenceOf(std::string_view line, std::size_t number) {
   const std::size_t indent = line.find_first_not_of(' ');
   if (indent == std::string_view::npos || indent > 3) return {};
@@ -27,7 +27,7 @@ std::optional<Fence> fenceOf(std::string_view line, std::size_t number) {
   f.count = std::min(signs.find_first_not_of(f.sign), signs.size());
   f.info = stripped(signs.substr(f.count));
   f.place = {number, indent + 1};
-  // Backticks after the fence make it code within a line.
+  // With backticks after the fence, it is inline code.
   if (f.count < 3 || (f.sign == '`' && f.info.find('`') != std::string_view::npos)) return {};
   return f;
 }

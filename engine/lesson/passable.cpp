@@ -9,12 +9,12 @@
 namespace moltact {
 namespace {
 
-constexpr int kFaceDirections = 100;        // round each atom
-constexpr int kWays = 64;                   // from outside to a place
-constexpr double kPassableSpacing_A = 0.2;  // of places in a crease
+constexpr int kFaceDirections = 100;        // per atom
+constexpr int kWays = 64;                   // directions from outside to a place
+constexpr double kPassableSpacing_A = 0.2;  // spacing of places in a crease
 constexpr double kLift_A = 1e-4;
-constexpr double kAway = 0.02;   // a way leads away from the atoms that hold the place: cosine at least this
-constexpr double kGrid_A = 0.1;  // of lines through a ring
+constexpr double kAway = 0.02;   // minimum cosine between a direction and the outward directions of the holding atoms
+constexpr double kGrid_A = 0.1;  // spacing of the lines through a ring
 
 Vec3 spiral(int k, int of) {
   const double z = 1.0 - (2.0 * k + 1.0) / of, r = std::sqrt(1.0 - z * z), turn = 2.399963229728653 * k;
@@ -53,7 +53,7 @@ std::vector<SurfacePlace> comesTo(const SphereGrid& scene, std::span<const std::
   };
   take(facePlaces(scene, atoms, probe_A, kFaceDirections));
   if (!out.empty()) return out;
-  // At its limit a probe touches the place and its neighbours at once: in creases and pits, which have closed forms.
+  // At its maximum size, a probe touches the place and its neighbours: in creases and pits, which have closed forms.
   for (const std::uint32_t a : atoms)
     scene.visitNear(scene[a].centre_A, scene[a].radius_A + 2.0 * probe_A,
                     [&](std::uint32_t b, const Sphere&) { near[b] = 1; });
@@ -77,7 +77,7 @@ std::optional<AtomRing> ringOf(const SphereGrid& scene, std::span<const std::uin
   }
   const double size = spread[0][0] + spread[1][1] + spread[2][2];
   if (!(size > 0.0)) return std::nullopt;
-  // The direction in which they are spread least, by inverse iteration.
+  // The direction of least variance, by inverse iteration.
   const glm::dmat3 inverse = glm::inverse(spread + glm::dmat3(1e-6 * size));
   Vec3 axis = glm::normalize(Vec3(0.36, 0.48, 0.8));
   for (int k = 0; k < 60; ++k) axis = glm::normalize(inverse * axis);
@@ -93,7 +93,7 @@ std::optional<Vec3> wayThrough(const SphereGrid& scene, const AtomRing& ring, do
   const double step_A = ring.radius_A / steps;
   std::optional<Vec3> best;
   double most = ring.radius_A;
-  // The nearer to the middle the better; the middle itself first.
+  // Lines are tried from the centre outward.
   for (int i = -steps; i <= steps; ++i)
     for (int j = -steps; j <= steps; ++j) {
       const double off_A = step_A * std::hypot(i, j);

@@ -9,7 +9,7 @@
 namespace moltact {
 namespace {
 
-// Some programs write a few bytes too many, which readers pass over.
+// Some programs write a few bytes too many, which decoders ignore.
 constexpr std::uint64_t kSlack_bytes = 65536;
 
 std::uint64_t bigEndian(std::string_view bytes, std::size_t at) {
@@ -22,7 +22,7 @@ struct Chunk {
   std::string_view kind, data;
 };
 
-// The chunk at `at`, which moves behind it; what is left of the last where it is cut off.
+// The chunk at `at`, which is moved behind it. A truncated last chunk gives its existing part.
 std::optional<Chunk> chunkAt(std::string_view png, std::size_t& at) {
   if (png.size() < at || png.size() - at < 8) return std::nullopt;
   const std::uint64_t length = bigEndian(png, at);
@@ -31,11 +31,11 @@ std::optional<Chunk> chunkAt(std::string_view png, std::size_t& at) {
   return out;
 }
 
-// The bytes of all rows: each begins with its filter. Interlaced (Adam7) they come in seven passes.
+// The size of all rows; each begins with its filter byte. Interlaced rows (Adam7) are in seven passes.
 std::optional<std::uint64_t> bytesOfRows(std::string_view header) {
   if (header.size() < 13) return std::nullopt;
   const std::uint64_t width = bigEndian(header, 0), height = bigEndian(header, 4);
-  constexpr std::array<std::uint64_t, 7> kChannels{1, 0, 3, 1, 2, 0, 4};  // by the type of colour
+  constexpr std::array<std::uint64_t, 7> kChannels{1, 0, 3, 1, 2, 0, 4};  // by colour type
   const auto type = std::uint8_t(header[9]);
   const std::uint64_t bits = std::uint8_t(header[8]) * (type < kChannels.size() ? kChannels[type] : 0);
   if (bits == 0) return std::nullopt;
@@ -55,7 +55,7 @@ std::optional<std::uint64_t> bytesOfRows(std::string_view header) {
 
 class Inflater {
  public:
-  // Without the frame of zlib, whose checks the reader of pictures does not make.
+  // Raw deflate without the zlib header and checksum, which the PNG decoder does not verify either.
   Inflater() : ready_(inflateInit2(&stream_, -MAX_WBITS) == Z_OK) {}
   ~Inflater() {
     if (ready_) inflateEnd(&stream_);
@@ -63,7 +63,7 @@ class Inflater {
   Inflater(const Inflater&) = delete;
   Inflater& operator=(const Inflater&) = delete;
 
-  /// False where the bytes are no such data, or more comes out than `most`.
+  /// Returns false if the bytes are not deflate data, or inflate to more than `most`.
   bool take(std::string_view bytes, std::uint64_t most) {
     stream_.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(bytes.data()));
     stream_.avail_in = uInt(bytes.size());
@@ -74,7 +74,7 @@ class Inflater {
       stream_.avail_out = uInt(buffer.size());
       status = inflate(&stream_, Z_NO_FLUSH);
       count_ += buffer.size() - stream_.avail_out;
-      if (status == Z_OK && stream_.avail_in == 0 && stream_.avail_out > 0) return true;  // it wants more
+      if (status == Z_OK && stream_.avail_in == 0 && stream_.avail_out > 0) return true;  // needs more input
     }
     ended_ = status == Z_STREAM_END;
     return ended_ || status == Z_BUF_ERROR;
@@ -93,7 +93,7 @@ class Inflater {
 PngRows inflatedRows(std::string_view png) {
   constexpr std::size_t kSignature = 8;
   std::optional<std::uint64_t> need;
-  std::size_t frame = 2;  // bytes of zlib's before the data; none where Apple's programs have left them out
+  std::size_t frame = 2;  // zlib header bytes before the data; Apple's variant omits them
   Inflater inflater;
   for (std::size_t at = kSignature; const auto chunk = chunkAt(png, at);) {
     if (chunk->kind == "CgBI") frame = 0;

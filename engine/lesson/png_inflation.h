@@ -1,4 +1,4 @@
-// What the compressed rows of a PNG file inflate to, found without keeping them: a file of a few kilobytes can hold
+// Determines the size of a PNG's inflated rows without storing them, because a file of a few kilobytes can contain
 // gigabytes of zeros. Any thread but the haptic one.
 #pragma once
 
@@ -8,13 +8,13 @@
 namespace moltact {
 
 enum class PngRows {
-  Fit,      ///< no more than the size of the picture needs, or the rows end early
-  TooMany,  ///< more than the size needs
-  Damaged,  ///< they cannot be inflated, or the file has no size
+  Fit,      ///< at most the picture's size requires, or the rows end early
+  TooMany,  ///< more than the picture's size requires
+  Damaged,  ///< cannot be inflated, or the file gives no size
 };
 
-/// Looks at the header and at every IDAT part. Inflates in a small buffer, and stops as soon as the rows are too many.
-/// Takes any bytes that begin with the signature of PNG.
+/// Reads the header and every IDAT chunk. Inflates into a small buffer and stops as soon as there are too many rows.
+/// Accepts any bytes that begin with the PNG signature.
 PngRows inflatedRows(std::string_view png);
 
 }  // namespace moltact

@@ -1,5 +1,5 @@
-// The problems of a lesson that are reported; a person reads them from the top, so there is a greatest number. Any
-// thread but the haptic one.
+// Limits the number of reported problems of a lesson, because a person reads them from the top. Any thread but the
+// haptic one.
 #pragma once
 
 #include <algorithm>
@@ -12,13 +12,13 @@
 
 namespace moltact {
 
-/// The problems of one lesson and one kind, errors or warnings; a last one says that there are more.
+/// The maximum number of errors, and of warnings, of one lesson. One more entry says that there are others.
 inline constexpr std::size_t kMaxLessonProblems = 500;
 
-/// Whether another problem would not be reported any more, so that neither it nor its remedy need be sought.
+/// Whether further problems would not be reported, so that neither they nor their remedies need be computed.
 inline bool enoughProblems(const std::vector<Problem>& problems) { return problems.size() > kMaxLessonProblems; }
 
-/// Brings them into the order of the file, and cuts what is too many.
+/// Sorts them by their place in the file and removes those beyond the maximum.
 inline void orderProblems(std::vector<Problem>& problems) {
   std::stable_sort(problems.begin(), problems.end(), [](const Problem& a, const Problem& b) {
     return a.line != b.line ? a.line < b.line : a.column < b.column;

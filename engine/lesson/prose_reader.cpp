@@ -1,4 +1,4 @@
-// Paragraphs, lists, quotes, tips, notes and pictures; the choices of questions; links.
+// Reads paragraphs, lists, quotes, tips, notes and pictures; the choices of questions; links.
 #include <algorithm>
 #include <optional>
 #include <unordered_map>
@@ -27,13 +27,13 @@ void takeOffStart(RichText& text, std::size_t bytes) {
     text.front().text.erase(0, std::min(text.front().text.find_first_not_of(" \n"), text.front().text.size()));
 }
 
-/// The paragraphs in a quote; lists in it become paragraphs, one an item.
+/// The paragraphs in a quote; each list item becomes a paragraph.
 void collectParagraphs(const MarkdownBlock& block, std::vector<RichText>& out) {
   if (!block.text.empty()) out.push_back(block.text);
   for (const MarkdownBlock& child : block.children) collectParagraphs(child, out);
 }
 
-/// "teacher: …", "For the teacher …", "Teachers …": what is not quite the word that hides a note from students.
+/// "teacher: …", "For the teacher …", "Teachers …": variants of the word that hides a note from students.
 bool nearlyForTeachers(std::string_view text) {
   std::string begin(text.substr(0, 24));
   for (char& c : begin)
@@ -139,7 +139,7 @@ std::optional<Arrow> findArrow(const RichText& text) {
   return {};
 }
 
-// A tag is a word or some: a sentence there was meant for the student.
+// A tag is a few words; a sentence was meant as feedback for the student.
 void checkTag(Reading& reading, Place place, const Choice& choice) {
   constexpr std::size_t kLongest = 60;
   if (choice.tag.empty())
@@ -197,7 +197,7 @@ void readProse(Reading& reading, const MarkdownBlock& block, std::vector<Block>&
       blocks.push_back(readTable(block));
       break;
     case Kind::Html:
-      // Comments are for authors; other markup would silently vanish.
+      // Comments are for authors; other HTML would silently disappear.
       if (const std::string html = plainText(block.text); !html.starts_with("<!--"))
         reading.warning(block.place, tr("HTML is not shown"), tr("write it in Markdown"));
       else if (html.find("-->") == std::string::npos)
@@ -211,7 +211,7 @@ void readProse(Reading& reading, const MarkdownBlock& block, std::vector<Block>&
 
 std::vector<Choice> readChoices(Reading& reading, const MarkdownBlock& list) {
   std::vector<Choice> out;
-  std::unordered_map<std::string, std::size_t> lines;  // by the choice's words
+  std::unordered_map<std::string, std::size_t> lines;  // by the text of the choice
   for (const MarkdownBlock& item : list.children) {
     Choice choice;
     choice.place = item.place;
@@ -230,7 +230,7 @@ std::vector<Choice> readChoices(Reading& reading, const MarkdownBlock& list) {
       choice.text.resize(arrow->run + 1);
       choice.text.back().text.resize(arrow->at);
       trimEnd(choice.text);
-      // Behind a second arrow stands what the report counts.
+      // The text after a second arrow is the tag for the report.
       if (const auto second = findArrow(choice.feedback)) {
         RichText tag(choice.feedback.begin() + static_cast<std::ptrdiff_t>(second->run), choice.feedback.end());
         takeOffStart(tag, second->at + second->bytes);

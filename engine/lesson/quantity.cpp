@@ -16,7 +16,7 @@ Problem problemAt(std::string_view text, std::size_t offset, std::string message
 
 struct Number {
   double value = 0.0;
-  std::size_t length = 0;  // bytes of the text that it takes
+  std::size_t length = 0;  // its length in bytes
 };
 
 Expected<Number> leadingNumber(std::string_view whole, std::size_t from) {
@@ -42,7 +42,7 @@ std::string unitsFor(Dimension dimension) {
   return out;
 }
 
-// What authors are told of a dimension, in English.
+// The names of a dimension in messages to authors, in English.
 struct DimensionWords {
   const char *name, *no_unit;
 };
@@ -69,8 +69,7 @@ DimensionWords wordsOf(Dimension dimension) {
   return {N_("a number"), N_("'{0}' is no unit")};
 }
 
-/// What is set before a unit and in it where a text was typed elsewhere: blanks that do not break, and the ring of the
-/// angstrom as a sign of its own behind the A.
+/// Normalizes a unit: non-breaking blanks, and the angstrom as an A with a combining ring.
 std::string plainUnit(std::string_view symbol) {
   std::string out(symbol);
   for (const std::string_view blank :
@@ -81,7 +80,8 @@ std::string plainUnit(std::string_view symbol) {
   return out;
 }
 
-/// `from` to the end must be a unit, or nothing where the dimension was given elsewhere.
+/// The factor of the unit from `unit_at` to the end of `whole`. A Problem if the unit is missing, unknown or of another
+/// dimension.
 Expected<double> factorOf(std::string_view whole, std::size_t number_at, std::size_t unit_at, Dimension dimension) {
   const std::string_view number = whole.substr(number_at, unit_at - number_at);
   const std::string_view written = stripped(whole.substr(unit_at));
@@ -125,7 +125,7 @@ Expected<QuantityRange> parseRange(std::string_view text, Dimension dimension) {
     p.column += high_problem_shift;
     return p;
   }
-  // "0.2 to 0.6 N": the unit at the end is meant for both.
+  // In "0.2 to 0.6 N", the unit applies to both numbers.
   const std::size_t from = static_cast<std::size_t>(stripped(text).data() - text.data());
   const auto low_number = leadingNumber(text.substr(0, to), from);
   if (!low_number) return low_number.problem();

@@ -1,6 +1,6 @@
-// Physical quantities as an author writes them: "4 Å", "0.4 nm", "0.3 N", "2 min", "500 N/m", "0.2 N to 0.6 N".
-// A number without its unit is an error that names the units that would do. Pure functions; any thread.
-// The code's units: length A, force N, time s, stiffness N/mm.
+// Parses physical quantities as authors write them: "4 Å", "0.4 nm", "0.3 N", "2 min", "500 N/m", "0.2 N to 0.6 N". A
+// number without a unit is an error that lists the possible units. Pure functions; any thread. The code's units: length
+// Å, force N, time s, stiffness N/mm.
 #pragma once
 
 #include <string_view>
@@ -10,21 +10,21 @@
 
 namespace moltact {
 
-/// "a length", "a force", … in English; `tr` where a person reads it in a message.
+/// "a length", "a force", … in English; messages translate it with `tr`.
 const char* dimensionName(Dimension dimension);
 
-/// A quantity in the code's unit. `text` must be one number and one unit of that dimension, nothing else; the number
-/// finite. A problem has line 0 and the column within `text`.
+/// Parses a quantity into the code's unit. `text` must be one finite number and one unit of that dimension, nothing
+/// else. A Problem has line 0 and the column within `text`.
 Expected<double> parseQuantity(std::string_view text, Dimension dimension);
 
 struct QuantityRange {
   double low = 0.0, high = 0.0;  ///< in the code's unit, low <= high
 };
 
-/// "0.2 N to 0.6 N" or "0.2 to 0.6 N". Problems as above.
+/// Parses "0.2 N to 0.6 N" or "0.2 to 0.6 N". Problems as above.
 Expected<QuantityRange> parseRange(std::string_view text, Dimension dimension);
 
-/// A plain number without a unit, for counts. Problems as above.
+/// Parses a number without a unit, for counts. Problems as above.
 Expected<double> parseNumber(std::string_view text);
 
 }  // namespace moltact

@@ -1,4 +1,4 @@
-// State that the parts of the lesson reader share: the source, the problems so far, and each part's entry. Internal.
+// The state that the parts of the lesson reader share: source and problems; and the entry point of each part. Internal.
 #pragma once
 
 #include <set>
@@ -23,7 +23,7 @@ struct Reading {
     if (!enoughProblems(warnings))
       warnings.push_back({source.name(), place.line, place.column, std::move(message), std::move(remedy)});
   }
-  /// Takes over problems that do not name the file yet.
+  /// Adds problems that have no file name yet.
   void add(std::vector<Problem> problems) {
     for (Problem& p : problems) {
       if (enough()) return;
@@ -33,48 +33,47 @@ struct Reading {
   }
 };
 
-/// Reads the front matter into the lesson; the offset of the first byte after it.
+/// Reads the front matter into the lesson. Returns the offset of the first byte after it.
 std::size_t readFrontMatter(Reading& reading, Lesson& lesson);
 
-/// Where fenced blocks begin that have no end: the file ends in them, or a block of a lesson begins in a block of a
-/// lesson.
+/// The opening fences of blocks without an end: the file ends inside them, or a lesson's block begins inside another.
 std::vector<Place> findOpenFences(const SourceText& source, std::size_t from);
 
-/// Problems with lines that are no heading or choice for want of a blank.
+/// Adds problems for lines that lack a blank to be a heading or a choice.
 void findLineSlips(Reading& reading, std::size_t from);
 
-/// Reads a scene block upon the scene of the step before (nullptr for the first).
+/// Reads a scene block. `before` is the previous step's scene, from which it starts (nullptr for the first).
 SceneSpec readScene(Reading& reading, const MarkdownBlock& block, const SceneSpec* before, const Lesson& lesson);
 
-/// Reads a touch block; no kind (an empty spec) where it names none, or two.
+/// Reads a touch block. Returns an empty spec if it names no kind, or two.
 TaskSpec readTouch(Reading& reading, const MarkdownBlock& block, const Lesson& lesson);
 
-/// The goals that a value counts from 1, as indices; a problem for each that the lesson does not have.
+/// Converts goals counted from 1 to indices. Adds a problem for each that the lesson does not have.
 std::vector<std::size_t> readGoals(Reading& reading, const Value& value, const Lesson& lesson);
 
 /// Reads a step block into the step.
 void readStep(Reading& reading, const MarkdownBlock& block, const Lesson& lesson, Step& step);
 
-/// Reads the answer block of a question into it: what is right, where it says so, and what its answers do.
+/// Reads a question's answer block into it: the right answer, if it gives one, and the effects of answers.
 void readAnswer(Reading& reading, const MarkdownBlock& block, const Lesson& lesson, Question& question);
 
-/// Once the lesson has been read: goals of steps go to their tasks and questions, and the steps that rules name become
-/// ids; problems with those that there are not.
+/// Called after the whole lesson has been read. Passes the steps' goals to their tasks and questions, and replaces the
+/// steps in rules by ids. Adds a problem for each unknown step.
 void finishWays(Reading& reading, Lesson& lesson);
 
 /// Reads the task list of a question.
 std::vector<Choice> readChoices(Reading& reading, const MarkdownBlock& list);
 
-/// Problems with a finished question: nothing to answer, nothing right.
+/// Adds problems for a question without choices or answer, or without a right one.
 void checkQuestion(Reading& reading, const Question& question);
 
-/// Reads what is plain text, a list, a quote or a picture; `blocks` gets what is shown.
+/// Reads plain text, a list, a quote or a picture, and appends it to `blocks`.
 void readProse(Reading& reading, const MarkdownBlock& block, std::vector<Block>& blocks);
 
-/// Reads a block of a glossary: its lists are words with their meanings, other text is passed over.
+/// Reads a block of a glossary: lists are words with their meanings, other text is ignored.
 void readWords(Reading& reading, const MarkdownBlock& block, std::vector<GlossaryWord>& words);
 
-/// Problems with links to steps that do not exist.
+/// Adds problems for links to steps that do not exist.
 void checkLinks(Reading& reading, const Lesson& lesson);
 
 }  // namespace moltact::reading

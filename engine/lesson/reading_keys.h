@@ -1,4 +1,4 @@
-// How a molecule's file is read (engine/molecule/molecule_key.h), as authors write it. Plain data; any thread but the
+// The keys for reading a molecule's file (engine/molecule/molecule_key.h) in a lesson. Plain data; any thread but the
 // haptic one.
 #pragma once
 
@@ -7,10 +7,10 @@
 
 namespace moltact {
 
-/// The key of a scene for one way of reading.
+/// The key of a scene for one reading option.
 KeySpec readingKey(const ReadingOption& option);
 
-/// Takes over what a value of such a key says; false, and nothing changed, where it is not sound.
+/// Stores the value of such a key in `reading`. Returns false, without a change, if the value is invalid.
 bool readValue(ReadOptions& reading, const ReadingOption& option, const Value& value);
 
 }  // namespace moltact

@@ -22,7 +22,7 @@ out, and — that it then plays no part. A line that starts with `#` inside a bl
 
 std::string number(double value) {
   std::ostringstream out;
-  out.precision(9);  // whole numbers up to a million without an exponent
+  out.precision(9);  // whole numbers up to a million have no exponent
   out << value;
   return out.str();
 }
@@ -36,12 +36,12 @@ std::string codeList(const std::vector<std::string_view>& words) {
   return joined(views, " or ");
 }
 
-/// The same for a key that takes several of them.
+/// The same for a key that accepts several words.
 std::string someOf(const std::vector<std::string_view>& words) {
   return words.size() == 1 ? codeList(words) : "one or more of " + codeList(words) + ", parted by commas";
 }
 
-/// ", 0.1 s to 600 s" or ", at most 20 Å"; empty where everything is allowed.
+/// ", 0.1 s to 600 s" or ", at most 20 Å"; empty without limits.
 std::string limits(const KeySpec& key) {
   const bool top = key.most < std::numeric_limits<double>::max();
   const std::string unit = key.dimension == Dimension::None ? "" : ' ' + std::string(codeUnit(key.dimension));
@@ -100,7 +100,7 @@ std::string valueOf(const KeySpec& key) {
   return {};
 }
 
-/// A cell of a table: a bar would end it.
+/// The text of a table's cell, with bars escaped.
 std::string cell(std::string_view text) {
   std::string out;
   for (const char c : text) out += c == '|' ? "\\|" : std::string(1, c);

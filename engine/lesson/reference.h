@@ -1,5 +1,5 @@
-// The authors' reference of every key, fence, task, unit and word of selections, as a Markdown page. It is made from
-// the tables with which lessons are read, so it cannot say anything else than they do. Pure function.
+// Generates the authors' reference of all keys, fences, tasks, units and selection words as a Markdown page. It uses
+// the same tables as the lesson reader, so that both always agree. Pure function.
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-// Which atoms of its molecule a scene hides from the eye and from the hand. Any thread but the haptic one.
+// The atoms of a molecule that a scene hides or makes untouchable. Any thread but the haptic one.
 #pragma once
 
 #include <cstdint>
@@ -9,23 +9,23 @@
 
 namespace moltact {
 
-/// Atoms that are not drawn where the molecule is: those of `hide`, `remove` and `in-hand`, ascending.
+/// Atoms that are not drawn at their place in the molecule: those of `hide`, `remove` and `in-hand`, ascending.
 std::vector<std::uint32_t> hiddenAtoms(const SceneSpec& scene, const Molecule& molecule);
 
-/// Atoms that nothing feels: those of `untouchable`, `remove` and `in-hand`, ascending.
+/// Atoms that are not felt: those of `untouchable`, `remove` and `in-hand`, ascending.
 std::vector<std::uint32_t> untouchableAtoms(const SceneSpec& scene, const Molecule& molecule);
 
 /// Atoms that the hand holds, ascending.
 std::vector<std::uint32_t> heldAtoms(const SceneSpec& scene, const Molecule& molecule);
 
-/// Those of a selection that the scene has not taken out by `remove`, ascending.
+/// The atoms of a selection that `remove` has not taken out, ascending.
 std::vector<std::uint32_t> presentAtoms(const Selection& atoms, const SceneSpec& scene, const Molecule& molecule);
 
-/// Whether these present atoms are at least 90 % of those that the scene has left: the middle of such a selection is that of
-/// the molecule, and gives no direction to look from.
+/// Whether these atoms are at least 90 % of the scene's remaining atoms. The centre of such a selection is close to the
+/// molecule's centre and gives no viewing direction.
 bool nearlyAllPresent(const std::vector<std::uint32_t>& present, const SceneSpec& scene, const Molecule& molecule);
 
-/// The atoms of either list, ascending; both must be so.
+/// The union of two ascending lists, ascending.
 std::vector<std::uint32_t> atomsOfEither(const std::vector<std::uint32_t>& a, const std::vector<std::uint32_t>& b);
 
 }  // namespace moltact

@@ -1,4 +1,4 @@
-// The second structure of a scene: which molecule it is, and both laid on one another. Any thread but the haptic one.
+// The second structure of a scene: its molecule and its superposition on the first. Any thread but the haptic one.
 #pragma once
 
 #include <cstdint>
@@ -12,22 +12,22 @@
 
 namespace moltact {
 
-/// The molecule of the scene's `then`, read as its first one is; without a name where it has none.
+/// The molecule of the scene's `then`, with the reading options of the first; without a name if there is none.
 NamedMolecule secondMolecule(const SceneSpec& scene);
 
-/// The molecule that stands beside the scene's, read as it is there; without a name where there is none.
+/// The molecule beside the scene's, with the same reading options; without a name if there is none.
 NamedMolecule besideMolecule(const SceneSpec& scene);
 
-/// What a scene's key `then` says: "1ake", "1ake, superposed on chain A", "none". A problem has the column from 1.
+/// Parses the value of the key `then`: "1ake", "1ake, superposed on chain A", "none". A Problem has the column from 1.
 Expected<SecondState> parseSecondState(std::string_view text);
 
-/// The atoms by which the second structure is laid on the first; none: by all that lead.
+/// The atoms used for the superposition; empty: the default atoms.
 std::vector<std::uint32_t> superposedOn(const SceneSpec& scene, const Molecule& molecule);
 
-/// Both states of the scene's molecule, of which `other` is the second. A Problem where they do not go together.
+/// Both structures of the scene's molecule; `other` is the second. A Problem if they cannot be superposed.
 Expected<TwoStates> statesOf(const SceneSpec& scene, const Molecule& molecule, const Molecule& other);
 
-/// What the states are called: 0 the first, 1 the second.
+/// The name of a structure: 0 the first, 1 the second.
 std::string stateName(const SceneSpec& scene, int state);
 
 }  // namespace moltact

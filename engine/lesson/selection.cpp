@@ -25,7 +25,7 @@ bool inRanges(const std::vector<NumberRange>& ranges, long number, char insertio
   return false;
 }
 
-// A residue of one of these chains.
+// Whether a residue matches. `chains` marks the selected chains.
 bool matches(const Node& node, const Residue& r, const Mask& chains) {
   if (node.kind == SelectionKind::Chain) return r.chain < chains.size() && chains[r.chain];
   if (node.kind == SelectionKind::Residue) return inRanges(node.numbers, r.number, r.insertion);
@@ -33,7 +33,7 @@ bool matches(const Node& node, const Residue& r, const Mask& chains) {
   return r.kind == ResidueKind::Ligand && (node.names.empty() || contains(node.names, r.name));
 }
 
-// What is said of single atoms.
+// Whether a single atom matches.
 bool matches(const Node& node, const Molecule& m, std::size_t index) {
   const Atom& a = m.atoms[index];
   if (node.kind == SelectionKind::All) return true;
@@ -72,7 +72,7 @@ Mask bondedTo(const Mask& what, const Molecule& m) {
   return out;
 }
 
-// Of a chain or a residue all atoms are selected or none: names are compared once for each.
+// Nodes that select whole chains or residues: names are compared once for each of these, not for each atom.
 Mask ofResidues(const Node& node, const Molecule& m) {
   Mask chains(m.chains.size(), 0), residues(m.residues.size(), 0), out(m.atoms.size(), 0);
   for (std::size_t c = 0; c < chains.size(); ++c) chains[c] = contains(node.names, m.chains[c].name);
@@ -115,7 +115,7 @@ Mask evaluate(const Node& node, const Molecule& m) {
     case SelectionKind::Name:
     case SelectionKind::Element:
     case SelectionKind::AtomIndex:
-      break;  // told atom by atom
+      break;  // evaluated per atom below
   }
   Mask out(m.atoms.size(), 0);
   for (std::size_t i = 0; i < out.size(); ++i) out[i] = matches(node, m, i);

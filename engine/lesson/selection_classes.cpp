@@ -1,4 +1,4 @@
-// The words of selections that stand for atoms by themselves: one row each.
+// The selection words that need no argument, one row each.
 #include "engine/language/catalogue.h"
 #include "engine/lesson/selection_node.h"
 #include "engine/molecule/molecule.h"
@@ -12,7 +12,7 @@ namespace {
 
 using Mask = std::vector<char>;
 
-/// The atoms of the residues of which `belongs(residue, index)` is true.
+/// Marks the atoms of the residues for which `belongs(residue, index)` returns true.
 template <class Belongs>
 void markResidues(const Molecule& m, Mask& mask, Belongs&& belongs) {
   for (std::uint32_t r = 0; r < m.residues.size(); ++r) {

@@ -1,4 +1,4 @@
-// Why a selection selects nothing, and which of its names a molecule does not have.
+// Explains why a selection is empty, and finds its names that the molecule does not have.
 #include <algorithm>
 #include <functional>
 #include <set>
@@ -22,7 +22,7 @@ bool selectsNothing(const Node& node, const Molecule& m) {
 
 bool isLeaf(const Node& node) { return node.left == nullptr; }
 
-/// The first part, in reading order, that selects nothing; nullptr where each selects something.
+/// The first part, in reading order, that selects nothing; nullptr if every part selects something.
 const Node* firstEmpty(const Node& node, const Molecule& m) {
   for (const Node* child : {node.left.get(), node.right.get()})
     if (child && node.kind != SelectionKind::Not)
@@ -30,7 +30,7 @@ const Node* firstEmpty(const Node& node, const Molecule& m) {
   return isLeaf(node) && selectsNothing(node, m) ? &node : nullptr;
 }
 
-/// The node with its k-th name, number or element alone.
+/// The node with only its k-th name, number or element.
 Node only(const Node& node, std::size_t k) {
   Node one = node;
   const auto keep = [k](auto& items) {
@@ -57,22 +57,22 @@ std::string listed(const std::set<std::string>& names) {
 
 std::string nameOther() { return tr("name atoms that it has"); }
 
-/// What could stand in the place of a name that the molecule does not have.
+/// The remedy for a name that the molecule does not have.
 std::string remedyFor(const std::string& name, const std::set<std::string>& there) {
   for (const std::string& known : there)
     if (lower(known) == lower(name)) return trf("did you mean '{0}'? Names are written as in the file", known);
   const std::vector<std::string_view> known(there.begin(), there.end());
-  // Of names of one or two letters, any is near to any other.
+  // Names of one or two letters are all similar to each other.
   const std::string_view near = name.size() > 2 ? nearest(name, known) : std::string_view();
   return near.empty() ? nameOther() : didYouMean(near);
 }
 
-/// The molecule as it stands after "in" or "of".
+/// The molecule's name after "in" or "of".
 std::string placeOf(const Molecule& molecule) {
   return molecule.id.empty() ? trc("after in or of", "the molecule") : molecule.id;
 }
 
-/// What is told of a leaf that selects nothing: its first name and what there is instead.
+/// Describes an empty leaf: its first name and the existing alternatives.
 Problem faultOf(const Node& leaf, const Molecule& molecule) {
   const std::string place = placeOf(molecule);
   const std::string name = leaf.names.empty() ? std::string() : leaf.names.front();

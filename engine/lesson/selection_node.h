@@ -1,4 +1,4 @@
-// The parsed form of a selection: what selection_parser.cpp makes and selection.cpp evaluates. Plain data.
+// The syntax tree of a selection: selection_parser.cpp builds it, selection.cpp evaluates it. Plain data.
 #pragma once
 
 #include <cstdint>
@@ -29,22 +29,22 @@ enum class SelectionKind : std::uint8_t {
   Or
 };
 
-/// Numbers from `first` to `last`, both included.
+/// The numbers from `first` to `last` inclusive.
 struct NumberRange {
   long first = 0, last = 0;
-  char insertion = ' ';  ///< of a single residue; a space selects the number with every insertion code
+  char insertion = ' ';  ///< of a single residue; a space matches every insertion code
 };
 
 /// "10-20", "52A"
 std::string rangeText(const NumberRange& range);
 
-/// Atoms that a word of the language stands for by itself, as 'helix' does: a row of selection_classes.cpp.
+/// A class of atoms with a word of its own, such as 'helix': a row of selection_classes.cpp.
 struct AtomClass {
   std::string_view word;
-  std::string_view meaning;  ///< for the reference of authors, in English
-  const char* noun;          ///< for a student, in the middle of a sentence: "a helix"; in English
+  std::string_view meaning;  ///< for the authors' reference, in English
+  const char* noun;          ///< for a student, within a sentence: "a helix"; in English
   const char* missing;       ///< "there is no helix in {0}"; in English
-  /// Sets to 1 what belongs to it; `mask` has a 0 for each atom.
+  /// Sets the mask's entries of its atoms to 1. `mask` has a 0 for each atom.
   void (*mark)(const Molecule& molecule, std::vector<char>& mask);
 };
 
@@ -52,27 +52,27 @@ std::span<const AtomClass> atomClasses();
 
 struct SelectionNode {
   SelectionKind kind = SelectionKind::All;
-  std::size_t column = 1;                            ///< where its word stands in the text
-  std::vector<std::size_t> columns;                  ///< where each of its names, numbers or elements stands
+  std::size_t column = 1;                            ///< column of its word in the text
+  std::vector<std::size_t> columns;                  ///< columns of its names, numbers or elements
   std::vector<std::string> names;                    ///< chains, residue names, atom names
   std::vector<NumberRange> numbers;                  ///< residues, atom indices
   std::vector<std::uint8_t> elements;                ///< atomic numbers
   double distance_A = 0.0;                           ///< of Within
   const AtomClass* atom_class = nullptr;             ///< of Class
-  std::shared_ptr<const SelectionNode> left, right;  ///< `left` alone for Within, BondedTo, Not
+  std::shared_ptr<const SelectionNode> left, right;  ///< Within, BondedTo and Not use `left` only
 };
 
-/// One word of the language and what may follow it.
+/// A word of the language and its possible arguments.
 struct SelectionWord {
   enum class Takes : std::uint8_t { Nothing, Names, OptionalNames, Residues, Indices, Elements };
   std::string_view word;
   SelectionKind kind;
   Takes takes;
-  std::string_view meaning;  ///< for the reference of authors
+  std::string_view meaning;  ///< for the authors' reference
   const AtomClass* atom_class = nullptr;
 };
 
-/// Every word that stands for atoms by itself (not `within`, `bonded`, `and`, `or`, `not`).
+/// Every word that selects atoms by itself (not `within`, `bonded`, `and`, `or`, `not`).
 const std::vector<SelectionWord>& selectionWords();
 
 }  // namespace moltact

@@ -21,7 +21,7 @@ constexpr std::string_view kJoiners[] = {"and", "or", "not", "within", "of", "bo
 
 struct Token {
   std::string_view text;
-  std::size_t at = 0;  // byte in the text
+  std::size_t at = 0;  // offset in the text (unit: byte)
   bool quoted = false;
   bool end() const { return !quoted && text.empty(); }
   bool is(std::string_view word) const { return !quoted && text == word; }
@@ -34,7 +34,7 @@ const SelectionWord* findWord(const Token& token) {
   return nullptr;
 }
 
-/// What may follow a word, for the sentence that tells of one that is missing.
+/// An example of the argument, for messages about a missing one.
 std::string_view exampleFor(Takes takes) {
   switch (takes) {
     case Takes::Names:
@@ -297,7 +297,7 @@ class Parser {
     return good;
   }
 
-  // A chain of `or` makes a tree as deep as it is long, and evaluation follows it.
+  // A chain of `or` gives a tree of the same depth, which is evaluated recursively.
   static constexpr int kMaxJoined = 500;
 
   std::string_view text_;

@@ -12,10 +12,10 @@ namespace {
 
 struct Other {
   std::string_view theirs, ours;
-  bool takes = false;  ///< names or numbers follow
+  bool takes = false;  ///< requires names or numbers
 };
 
-// Words of PyMOL, VMD, RasMol, ChimeraX and MDAnalysis, and forms of our own.
+// Words of PyMOL, VMD, RasMol, ChimeraX and MDAnalysis, and variants of our own words.
 constexpr Other kOthers[] = {
     {"resi", "residue", true},
     {"resid", "residue", true},

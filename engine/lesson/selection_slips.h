@@ -1,4 +1,4 @@
-// What an author who knows the selections of another program, or none, most likely meant. Pure functions; any thread.
+// Guesses what authors meant who use another program's selection language or none. Pure functions; any thread.
 #pragma once
 
 #include <string>
@@ -6,13 +6,13 @@
 
 namespace moltact {
 
-/// "residue 52" for a word of another program's language ("resi", "hetatm"), a residue as chemists write it ("Glu 35",
-/// "Glu35") or a bare number; `next` is the word after it. Empty where it is none of these.
+/// Translates a word of another program's language ("resi", "hetatm"), a residue in chemical notation ("Glu 35",
+/// "Glu35") or a bare number, for example to "residue 52". `next` is the following word. Empty for other words.
 std::string inOurLanguage(std::string_view word, std::string_view next);
-/// "did you mean 'residue 52'?"
+/// The same as a question: "did you mean 'residue 52'?"
 std::string otherLanguage(std::string_view word, std::string_view next);
 
-/// "35+52" with blanks in the place of the signs.
+/// "35+52" with blanks in place of the plus signs.
 std::string withBlanks(std::string_view numbers);
 
 }  // namespace moltact

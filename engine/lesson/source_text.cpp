@@ -29,7 +29,7 @@ std::string_view SourceText::line(std::size_t number) const {
 }
 
 std::size_t firstBadByte(std::string_view text) {
-  return std::min(text.find('\0'), firstNotUtf8(text));  // npos is the greatest
+  return std::min(text.find('\0'), firstNotUtf8(text));  // npos is the largest value
 }
 
 std::string_view stripped(std::string_view text) {

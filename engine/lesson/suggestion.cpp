@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::size_t kLongest = 64;
 
-/// editDistance, or any number above `most` where it is more than that.
+/// The editDistance, or any number above `most` if it exceeds that.
 std::size_t distanceUpTo(std::string_view a, std::string_view b, std::size_t most) {
   if (a.size() > kLongest || b.size() > kLongest) return kLongest;
   while (!a.empty() && !b.empty() && a.front() == b.front()) a.remove_prefix(1), b.remove_prefix(1);
@@ -30,7 +30,7 @@ std::size_t distanceUpTo(std::string_view a, std::string_view b, std::size_t mos
         row[j] = std::min(row[j], rows[(i + 1) % 3][j - 2] + 1);
       least = std::min(least, row[j]);
     }
-    // A later row can be less than this one only by a swap, which begins from the one above.
+    // Later rows are not less than this one, except for a swap, which depends on the row above.
     if (std::min(least, least_above) > most) return kLongest;
     least_above = least;
   }
@@ -46,7 +46,7 @@ std::string_view nearest(std::string_view word, std::span<const std::string_view
   std::size_t least = 1000;
   for (std::string_view k : known) {
     if (least == 0) break;
-    // The lengths alone may tell that it is too far.
+    // The difference in length is a lower bound of the distance.
     const std::size_t lengths = word.size() > k.size() ? word.size() - k.size() : k.size() - word.size();
     const std::size_t most = std::min(std::max<std::size_t>(1, k.size() / 3), least - 1);
     if (lengths > most) continue;

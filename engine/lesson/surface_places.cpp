@@ -12,7 +12,7 @@
 namespace moltact {
 namespace {
 
-constexpr double kOnSphere_A = 1e-7;  // rounding of a place that is computed to lie on a sphere
+constexpr double kOnSphere_A = 1e-7;  // rounding error of a place computed on a sphere
 
 bool covered(const SphereGrid& scene, const Vec3& place, double probe_A, const std::array<std::int32_t, 3>& but) {
   bool found = false;
@@ -25,12 +25,12 @@ bool covered(const SphereGrid& scene, const Vec3& place, double probe_A, const s
   return found;
 }
 
-// Whether one atom covers a whole crease. That is most of them where the probe is large: nothing of it is to be looked
-// at then.
+// Whether a single atom covers the whole crease. With a large probe this is true of most creases, which can then be
+// skipped.
 bool coveredByOne(const SphereGrid& scene, const SphereCircle& crease, double probe_A, std::uint32_t a,
                   std::uint32_t b) {
   bool found = false;
-  // Who covers the circle covers its middle.
+  // An atom that covers the circle also covers its centre.
   scene.visitNear(crease.centre_A, probe_A, [&](std::uint32_t i, const Sphere& sphere) {
     if (i == a || i == b) return true;
     const Vec3 off = crease.centre_A - sphere.centre_A;
@@ -42,14 +42,14 @@ bool coveredByOne(const SphereGrid& scene, const SphereCircle& crease, double pr
   return found;
 }
 
-// Any unit vector at right angles to a unit vector.
+// A unit vector perpendicular to `u`.
 Vec3 across(const Vec3& u) {
   const Vec3 other = std::abs(u.x) < 0.7 ? Vec3(1, 0, 0) : Vec3(0, 1, 0);
   return glm::normalize(glm::cross(u, other));
 }
 
-// Calls visit(a, b, crease) for each pair of these atoms whose grown spheres meet where no single atom covers it all,
-// a < b.
+// Calls visit(a, b, crease), a < b, for each pair of these atoms whose grown spheres intersect, unless a single atom
+// covers the whole circle.
 template <class Visit>
 void visitPairs(const SphereGrid& scene, std::span<const std::uint32_t> atoms, double probe_A, Visit&& visit) {
   std::vector<char> in(scene.size(), 0);
@@ -72,7 +72,7 @@ std::vector<SurfacePlace> facePlaces(const SphereGrid& scene, std::span<const st
   for (const std::uint32_t a : atoms) {
     if (!scene.touchable(a)) continue;
     for (int k = 0; k < directions; ++k) {
-      // A spiral of even steps from pole to pole, turned by the golden angle at each.
+      // A spiral with even steps from pole to pole, rotated by the golden angle at each step.
       const double z = 1.0 - (2.0 * k + 1.0) / directions, r = std::sqrt(1.0 - z * z), turn = 2.399963229728653 * k;
       const Vec3 u(r * std::cos(turn), r * std::sin(turn), z);
       SurfacePlace place{scene[a].centre_A + u * (scene[a].radius_A + probe_A),
@@ -90,8 +90,8 @@ std::vector<SurfacePlace> creasePlaces(const SphereGrid& scene, std::span<const 
   std::vector<SurfacePlace> out;
   visitPairs(scene, atoms, probe_A, [&](std::uint32_t a, std::uint32_t b, const SphereCircle& crease) {
     const Vec3 x = across(crease.axis), y = glm::cross(crease.axis, x);
-    // Where one atom lies deep in the other, as hydrogen does, the circle is not between their middles: a push along its
-    // radius slides off, one between the outward directions of both is held.
+    // If one atom lies deep inside the other, such as a hydrogen, the circle is not between their centres. A push along
+    // its radius would slide off; a push between the outward directions of both is held.
     const bool beside = glm::dot(crease.centre_A - scene[a].centre_A, crease.centre_A - scene[b].centre_A) > 0.0;
     const int count =
         std::clamp(saturateToInteger<int>(std::ceil(kTwoPi * crease.radius_A / spacing_A)), 12, kMaxCreasePlaces);

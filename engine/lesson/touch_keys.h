@@ -1,5 +1,4 @@
-// What a scene is felt with (engine/haptics/touch_setup.h), as authors write it. Plain data; any thread but the haptic
-// one.
+// The keys for a scene's touch (engine/haptics/touch_setup.h) in a lesson. Plain data; any thread but the haptic one.
 #pragma once
 
 #include "engine/haptics/touch_setup.h"
@@ -7,13 +6,13 @@
 
 namespace moltact {
 
-/// The keys of a scene that say what it is felt with: of every property that leaves a choice.
+/// The keys of a scene for every touch property that has a choice.
 std::vector<KeySpec> touchSceneKeys();
 
-/// The keys of a task that compares the scene with another, which differs in one of them.
+/// The keys of a task that compares the scene with another one, which differs in one of them.
 std::vector<KeySpec> comparedTouchKeys();
 
-/// What a value of such a key says.
+/// Converts the value of such a key.
 TouchValue touchValueOf(const TouchProperty& property, const Value& value);
 
 }  // namespace moltact

@@ -1,4 +1,4 @@
-// What the readers of values share. Internal; pure functions.
+// Helpers of the value parsers. Internal; pure functions.
 #pragma once
 
 #include <string>
@@ -9,16 +9,16 @@
 
 namespace moltact::values {
 
-/// A problem at `part`, which lies within `text`.
+/// A Problem at `part`, which must be a view into `text`.
 Problem at(std::string_view text, std::string_view part, std::string message, std::string remedy = {});
 
-/// `text` where the separator parts it, without spaces round the parts; what stands in double quotes is never parted.
+/// Splits `text` at the separator and strips the parts. Text in double quotes is never split.
 std::vector<std::string_view> unquotedParts(std::string_view text, std::string_view separator);
 
-/// The selection that `part` of `text` writes.
+/// Parses the selection in `part`, a view into `text`.
 Expected<Selection> selectionIn(std::string_view text, std::string_view part);
 
-/// Values of the types Marks and Places.
+/// Parse values of the types Marks and Places.
 Expected<Value> marksValue(const KeySpec& key, std::string_view text, Value value);
 Expected<Value> placesValue(const KeySpec& key, std::string_view text, Value value);
 

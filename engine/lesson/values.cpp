@@ -122,7 +122,7 @@ Expected<Value> targetValue(const KeySpec& key, std::string_view text, Value val
     return value;
   }
   auto selected = selectionValue(text, text, value);
-  // A single misspelt word is more likely one of the key's own words than the start of a selection.
+  // A single misspelt word is more likely a word of the key than the start of a selection.
   if (!selected && text.find(' ') == std::string_view::npos)
     for (const std::string_view word : key.words)
       if (editDistance(word, text) <= std::max<std::size_t>(1, word.size() / 3))
@@ -130,7 +130,7 @@ Expected<Value> targetValue(const KeySpec& key, std::string_view text, Value val
   return selected;
 }
 
-// "then" is no word of the language of selections: outside of quotes it always parts two places.
+// "then" is not a word of the selection language: outside quotes it always separates two places.
 Expected<Value> pathValue(const KeySpec& key, std::string_view text, Value value) {
   if (std::find(key.words.begin(), key.words.end(), text) != key.words.end()) {
     value.words = {std::string(text)};
@@ -147,7 +147,7 @@ Expected<Value> pathValue(const KeySpec& key, std::string_view text, Value value
   return value;
 }
 
-// "STYLE", "STYLE 40%", "STYLE for SELECTION", "STYLE 40% for SELECTION"; commas part several. A comma within quotes
+// "STYLE", "STYLE 40%", "STYLE for SELECTION", "STYLE 40% for SELECTION", separated by commas. A comma in quotes
 // belongs to a name.
 Expected<Value> stylesValue(const KeySpec& key, std::string_view text, Value value) {
   constexpr double kMin_percent = 5.0, kMax_percent = 100.0;
@@ -183,8 +183,8 @@ Expected<Value> stylesValue(const KeySpec& key, std::string_view text, Value val
   return value;
 }
 
-// The atoms of a view that names them without the word in front, as a selection writes them: "residue 35 52" of "residue 35
-// 52" and of "resi 35+52". Empty where it is something else.
+// The atoms of a view without its keyword, as a selection: "residue 35 52" for "residue 35 52" and for "resi 35+52".
+// Empty for other texts.
 std::string atomsMeant(const KeySpec& key, std::string_view text) {
   const std::size_t blank = text.find(' ');
   if (blank == std::string_view::npos || std::find(key.words.begin(), key.words.end(), text) != key.words.end())
@@ -195,8 +195,8 @@ std::string atomsMeant(const KeySpec& key, std::string_view text) {
   return {};
 }
 
-// "front", "facing SELECTION", "turned 30 10 0", each perhaps with ", zoom SELECTION" behind it, or "zoom SELECTION" alone.
-// A comma within quotes belongs to a name.
+// "front", "facing SELECTION" or "turned 30 10 0", optionally followed by ", zoom SELECTION"; or "zoom SELECTION"
+// alone. A comma in quotes belongs to a name.
 Expected<Value> viewValue(const KeySpec& key, std::string_view text, Value value) {
   constexpr std::string_view kZoom = "zoom ", kFacing = "facing ", kTurned = "turned ";
   ViewSpec view;
@@ -256,7 +256,7 @@ Expected<Value> viewValue(const KeySpec& key, std::string_view text, Value value
   return value;
 }
 
-// "go to STEP", "skip STEP", "skip #one, #another". A heading's words may hold commas; links do not.
+// "go to STEP", "skip STEP", "skip #one, #another". Headings may contain commas; links do not.
 Expected<Value> wayValue(std::string_view text, Value value) {
   constexpr std::string_view kGoTo = "go to ", kSkip = "skip ";
   value.skips = text.starts_with(kSkip);
@@ -335,7 +335,7 @@ Expected<Value> parseValue(const KeySpec& key, std::string_view text) {
     case ValueType::Path:
       return pathValue(key, text, std::move(value));
     case ValueType::View:
-      // Atoms without the word in front of them.
+      // Atoms without the keyword.
       if (const std::string atoms = atomsMeant(key, text); !atoms.empty())
         return at(text, text, trf("'{0}' cannot be '{1}'", key.name, text), trf("write 'facing {0}'", atoms));
       return viewValue(key, text, std::move(value));

@@ -1,4 +1,4 @@
-// The way through a lesson: blocks of steps, goals, and the steps that rules lead to.
+// Reads the order of steps: step blocks, goals, and the targets of rules.
 #include <algorithm>
 #include <optional>
 #include <utility>
@@ -10,7 +10,7 @@
 namespace moltact::reading {
 namespace {
 
-// A step by its link, or by its heading's words with or without "Aside:".
+// Finds a step by its link, or by its heading with or without "Aside:".
 std::optional<std::string> stepNamed(const Lesson& lesson, std::string_view text) {
   if (text.starts_with('#')) text.remove_prefix(1);
   for (const Step& s : lesson.steps)

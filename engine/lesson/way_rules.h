@@ -1,7 +1,6 @@
-// Rules by which the answers to a question change the way through a lesson: "after 2 wrong: go to #aside-x",
-// "if right: skip #the-long-way". A rule that leads back, or into an aside, leads there once; one that leads forward, or
-// skips, holds from then on. So no rules can hold a student for ever (tests/lesson/way_rules_test.cpp). Plain data; any
-// thread but the haptic one.
+// Rules by which answers to a question change the order of steps: "after 2 wrong: go to #aside-x", "if right: skip
+// #the-long-way". A rule that leads back or to an aside applies once; one that leads forward or skips stays in force.
+// Therefore no rules can trap a student (tests/lesson/way_rules_test.cpp). Plain data; any thread but the haptic one.
 #pragma once
 
 #include <cstdint>
@@ -17,13 +16,13 @@ struct WayRule {
   enum class When : std::uint8_t { Right, RightAtFirst, Wrong };
   enum class Then : std::uint8_t { GoTo, Skip };
   When when = When::Right;
-  int wrong = 0;  ///< for Wrong: after so many wrong answers
+  int wrong = 0;  ///< for Wrong: the number of wrong answers
   Then then = Then::GoTo;
-  std::vector<std::string> steps;  ///< ids once the lesson has been read, until then as written; one for GoTo
-  std::vector<Place> step_places;  ///< of each
-  Place place;                     ///< of the value
+  std::vector<std::string> steps;  ///< ids after reading, before that as written; one for GoTo
+  std::vector<Place> step_places;  ///< place of each step
+  Place place;                     ///< place of the value
 
-  /// Whether it holds for a question with so many answers, of which the last may have been right.
+  /// Whether it applies after `attempts` answers, of which the last may have been right.
   bool holds(int attempts, bool answered_right) const {
     const int wrong_ones = attempts - (answered_right ? 1 : 0);
     switch (when) {
@@ -36,7 +35,7 @@ struct WayRule {
     }
     return wrong_ones >= wrong;
   }
-  /// The key as an author writes it: "after 2 wrong".
+  /// The key as written by an author: "after 2 wrong".
   std::string key() const;
   friend bool operator==(const WayRule& a, const WayRule& b) {
     return a.when == b.when && a.wrong == b.wrong && a.then == b.then && a.steps == b.steps;

@@ -1,7 +1,6 @@
-// One student's way through one lesson as its file keeps it: what happened, in order. Plain data, any thread but the
-// haptic one. How it stands in a file: attempt_lines.h; docs/results.md describes the format for readers.
-// Units: second of use since the attempt began (`t_s`: time while the program was shut does not count), angstrom,
-// newton.
+// An attempt: one student's work on one lesson, as its file stores it, in order. Plain data, any thread but the haptic
+// one. attempt_lines.h converts it to and from lines; docs/results.md describes the format. Units: angstrom, newton,
+// second of use. `t_s` counts time of use since the attempt began, without time when the program was closed.
 #pragma once
 
 #include <array>
@@ -22,48 +21,48 @@
 
 namespace moltact {
 
-/// The input that led the probe, or gave an answer.
+/// The input that moved the probe or gave an answer.
 enum class InputWay : std::uint8_t { Device, Mouse, Keyboard };
 /// "device", "mouse" or "keyboard".
 std::string_view nameOf(InputWay way);
 /// The same in the language in use.
 std::string shownName(InputWay way);
 
-/// How answers to a question are taken: as right or wrong, as what was expected before the touch, or as they are. Only
-/// the first kind is scored.
+/// The kinds of answers: right or wrong (Marked), expectations before the touch (Prediction), or unassessed (Free).
+/// Only the first kind is scored.
 enum class AnswerKind : std::uint8_t { Marked, Prediction, Free };
 
 struct QuestionOutline {
   std::string id, text;              ///< plain text
-  std::vector<std::string> choices;  ///< plain text; empty where an answer is written
+  std::vector<std::string> choices;  ///< plain text; empty if the answer is typed
   std::vector<std::size_t> right;    ///< indices of the right choices
   AnswerKind kind = AnswerKind::Marked;
-  std::vector<std::string> tags = {};   ///< the misconception that each choice shows; empty where none has one
-  std::vector<std::size_t> goals = {};  ///< of the lesson, counted from 0
+  std::vector<std::string> tags = {};   ///< the misconception that each choice indicates; empty if none has one
+  std::vector<std::size_t> goals = {};  ///< indices of the lesson's goals, from 0
 };
 
 struct TaskOutline {
   std::string kind, say;
-  std::vector<std::size_t> goals = {};  ///< of the lesson, counted from 0
-  std::string asked = {};               ///< "before" or "after" for a task that is asked twice; else empty
+  std::vector<std::size_t> goals = {};  ///< indices of the lesson's goals, from 0
+  std::string asked = {};               ///< "before" or "after" for a task that is asked twice; otherwise empty
 };
 
 struct StepOutline {
   std::string id, title;
   std::vector<TaskOutline> tasks;
   std::vector<QuestionOutline> questions;
-  bool aside = false;  ///< beside the core: asides and extra steps
+  bool aside = false;  ///< outside the core: asides and extra steps
 };
 
-/// The questions of a lesson, so that an attempt can be read without the lesson's file.
+/// The structure of a lesson, so that an attempt can be read without the lesson's file.
 struct LessonOutline {
-  std::string file;  ///< its name without folders: "first-touch.md"
+  std::string file;  ///< file name without folders: "first-touch.md"
   std::string title;
-  std::string hash;  ///< of the file's bytes, as contentHash() gives it
+  std::string hash;  ///< of the file's bytes, from contentHash()
   std::vector<StepOutline> steps;
   std::vector<std::string> goals = {};
 
-  /// Tasks and questions of all steps but asides.
+  /// The number of tasks and questions in all steps of the core.
   std::size_t parts() const;
 };
 
@@ -72,24 +71,24 @@ LessonOutline outlineOf(const Lesson& lesson, std::string hash);
 /// "2026-11-21T10:58:14Z".
 std::string utcText(std::chrono::system_clock::time_point when);
 
-/// The newest version of the format. A reader reads any; of a newer one it passes over what it does not know.
+/// The newest version of the format. A reader accepts every version and ignores unknown parts of a newer one.
 inline constexpr int kAttemptFormat = 1;
 
 struct AttemptHeader {
   int format = kAttemptFormat;
   std::string program;  ///< version of the program
   std::string began;    ///< "2026-11-21T10:58:14Z"
-  std::string student;  ///< a name or code; empty where none was given
+  std::string student;  ///< a name or code; empty if none was given
   std::string device;   ///< name of the device at the start
   bool gives_force = false;
   LessonOutline lesson;
 };
 
-/// What the order of a question's choices follows from (LessonSession::setOrderSeed): another for each student and each
-/// attempt, the same where an attempt goes on. Never 0.
+/// The seed for the order of a question's choices (LessonSession::setOrderSeed). It differs between students and
+/// attempts, and stays the same when an attempt is resumed. Never 0.
 std::uint64_t orderSeed(const AttemptHeader& header);
 
-/// A number that a task was done with, "peak force 1.32 N".
+/// A measured value of a solved task, "peak force 1.32 N".
 struct LoggedFigure {
   std::string name;
   double value = 0.0;
@@ -103,7 +102,7 @@ struct Answered {
   std::string step, question;       ///< ids
   int attempt = 1;                  ///< 1 for the first answer to this question
   std::vector<std::size_t> chosen;  ///< indices of choices
-  std::string written;              ///< of a written answer
+  std::string written;              ///< the text of a typed answer
   bool right = false;
   InputWay by = InputWay::Mouse;
 };
@@ -117,36 +116,36 @@ struct TaskBegun {
 struct TaskDone {
   std::string step;
   std::size_t task = 0;
-  double took_s = 0.0;  ///< since it was begun
+  double took_s = 0.0;  ///< since the task began
   InputWay by = InputWay::Mouse;
   std::vector<LoggedFigure> figures;
-  bool solved = true;  ///< else its tries were used up
+  bool solved = true;  ///< false: its tries were used up
 };
-/// A force curve of a task that asks to draw it before it is felt: the drawn one or the felt one. Values at even
-/// distances from 0 to `to_A`, both ends included; NaN where nothing was felt.
+/// A force curve of a task in which the student draws a curve before feeling it: the drawn one or the felt one. Values
+/// at equal distances from 0 to `to_A` inclusive; NaN where nothing was felt.
 struct CurveKept {
   std::string step;
   std::size_t task = 0;
-  bool felt = false;                ///< else drawn
+  bool felt = false;                ///< false: drawn
   std::string axis;                 ///< "depth" or "way"
   double to_A = 1.0, most_N = 1.0;  ///< the ends of the axes
   std::vector<double> force_N;
 };
-/// A contact; gaps shorter than kTouchGap_s do not end it.
+/// A contact begins. Gaps shorter than kTouchGap_s do not end it.
 struct TouchBegan {
   std::vector<std::int32_t> atoms;
 };
 struct TouchEnded {
   double from_s = 0.0;
   std::vector<std::int32_t>
-      atoms;  ///< every atom that held the probe, in the order in which it first did; at most kMaxTouched
-  std::size_t crossings = 0;  ///< how often the probe came from one set of atoms to another
+      atoms;                  ///< every atom that held the probe, in the order of first contact; at most kMaxTouched
+  std::size_t crossings = 0;  ///< how often the set of contacting atoms changed to another one
   double peak_N = 0.0, mean_N = 0.0;
-  double path_A = 0.0;  ///< of the SCP
+  double path_A = 0.0;  ///< length of the SCP's path
   InputWay by = InputWay::Mouse;
 };
-/// A touch that goes on, as it is so far: what is left of it where the program is killed. A TouchEnded with the same
-/// `from_s` takes its place.
+/// Figures of a touch in progress, which remain if the program is killed. A later TouchEnded with the same `from_s`
+/// replaces it.
 struct TouchSoFar {
   double from_s = 0.0;
   std::size_t crossings = 0;
@@ -162,34 +161,34 @@ struct InputChanged {
   bool gives_force = false;
   friend bool operator==(const InputChanged&, const InputChanged&) = default;
 };
-/// The stage, as far as playing the attempt back needs it.
+/// The part of the scene that a playback needs.
 struct StageChanged {
   std::string molecule;  ///< id
-  std::string file;      ///< its name without folders
+  std::string file;      ///< file name without folders
   std::size_t atoms = 0;
   Workspace workspace{};
   TouchSetup touch{};
-  ReadOptions reading{};  ///< how the file was read
-  std::vector<std::uint32_t> held{};  ///< atoms that the hand holds as a body, ascending; empty: the probe
+  ReadOptions reading{};              ///< how the file was read
+  std::vector<std::uint32_t> held{};  ///< atoms held as a rigid body, ascending; empty: the hand has a probe
   friend bool operator==(const StageChanged&, const StageChanged&) = default;
 };
-/// How the person looked at it (engine/render/camera.h).
+/// The camera (engine/render/camera.h).
 struct ViewChanged {
   std::array<double, 4> orientation{1, 0, 0, 0};  ///< quaternion: w, x, y, z
   Vec3 target_A{0.0};
   double distance_A = 50.0;
 };
-/// Where the atoms of a scene with two structures are on their way from the first to the second.
+/// The position of the atoms of a scene with two structures.
 struct StatesMoved {
   std::string file;           ///< of the second structure, without folders
-  std::string superposed_on;  ///< the selection by which it lies on the first; empty: all that lead
-  double share = 0.0;         ///< 0 the first, 1 the second
+  std::string superposed_on;  ///< the selection by which it is superposed on the first; empty: the default atoms
+  double share = 0.0;         ///< 0: first structure, 1: second
   friend bool operator==(const StatesMoved&, const StatesMoved&) = default;
 };
-/// What a hand that holds a body adds to a HipSample.
+/// The additional data of a HipSample with a held body.
 struct HeldSample {
   Quat orientation = kNoRotation;  ///< of the hand, in the molecule's axes
-  PoseA body;                      ///< where the body was shown: the place of its middle and its orientation
+  PoseA body;                      ///< pose of the drawn body: the place of its centre and its orientation
 };
 struct HipSample {
   double t_s = 0.0;
@@ -198,50 +197,50 @@ struct HipSample {
   Vec3 displacement_A{0.0};  ///< of the spring that was felt; zero without contact
   Feature feature = Feature::Free;
   std::array<std::int32_t, 3> atoms{-1, -1, -1};
-  std::optional<HeldSample> held = std::nullopt;  ///< empty: the probe
+  std::optional<HeldSample> held = std::nullopt;  ///< empty: the hand has a probe
 
-  /// Where a body is shown that rests without a pose of its own.
+  /// The pose of a body that is drawn at the hand because none was recorded.
   PoseA bodyAtHand(const Quat& orientation) const { return {feature == Feature::Free ? hip : scp, orientation}; }
 };
-/// The path of the HIP for up to kHipChunk_s, all of it with a body or all without. A gap between two samples is a hand
-/// at rest.
+/// The HIP's path for up to kHipChunk_s, either completely with a body or completely without one. The hand was at rest
+/// during a gap between two samples.
 struct HipChunk {
   std::vector<HipSample> samples;
 };
 struct LessonReread {
   LessonOutline lesson;
 };
-/// An answer has changed the way through the lesson.
+/// An answer has changed the order of the steps.
 struct WayTaken {
   std::string step, question;      ///< ids
-  std::string rule;                ///< as the author wrote it: "after 2 wrong"
-  bool skips = false;              ///< else goes to
+  std::string rule;                ///< the author's text: "after 2 wrong"
+  bool skips = false;              ///< false: goes to `steps`
   std::vector<std::string> steps;  ///< ids
 };
-/// The same attempt was taken up again after the program had been shut.
+/// The attempt was resumed after the program had been closed.
 struct Resumed {
   std::string at;  ///< UTC
   std::string program, device;
   bool gives_force = false;
 };
 struct ProgressMade {
-  std::string step;              ///< where the student is
-  std::size_t done = 0, of = 0;  ///< tasks and questions; steps seen where the lesson has none
+  std::string step;              ///< the student's step
+  std::size_t done = 0, of = 0;  ///< tasks and questions; if the lesson has none, steps seen
 };
-/// A guess written down before touching, while waiting for a turn at the device.
+/// A prediction written while waiting for a turn at the device.
 struct Predicted {
   std::string student;
-  std::string step;  ///< where the class was
+  std::string step;  ///< the step of the class
   std::string question, text;
 };
-/// The program or the lesson was closed, or the turn was passed on.
+/// The program or the lesson was closed, or the turn ended.
 struct SessionClosed {
   std::string at;  ///< UTC
 };
 
-/// The lesson is open and looked at: written where no other event has given the time for kHeartbeat_s.
+/// The lesson is open. Written if no other event has given the time for kHeartbeat_s.
 struct Heartbeat {};
-/// The end of an attempt whose program was killed is known to within this (unit: second of use).
+/// The end of a killed program's attempt is known with this accuracy (unit: second of use).
 inline constexpr double kHeartbeat_s = 0.9;
 
 using AttemptFact = std::variant<StepEntered, Answered, HintOpened, TaskBegun, TaskDone, CurveKept, TouchBegan,

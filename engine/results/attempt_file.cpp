@@ -18,10 +18,11 @@ namespace {
 
 constexpr const char* kTooLarge = N_("attempts are far smaller: check what file it is");
 
-// The last line where no line end follows it: whole (it reads as an object), or cut off.
+// Whether a line can be parsed. A last line without a line end may be complete or cut off.
 bool reads(std::string_view line) { return bool(readEventLine(line)) || bool(readHeaderLine(line)); }
 
-// The bytes after the last line end, and where they begin; read from the end, for most of a file need not be looked at.
+// The bytes after the last line end, and their offset. Searched from the end, because most of the file need not be
+// read.
 struct Tail {
   std::uintmax_t begins = 0;
   std::string bytes;
@@ -50,7 +51,7 @@ std::optional<Tail> lastLine(const fs::path& file) {
   return tail;
 }
 
-// Whether the file is one that this program began: by its first line, or as much of it as there is.
+// Whether this program created the file, judged by its first line or the existing part of it.
 bool beginsAsAttempt(const fs::path& file) {
   std::ifstream in(file, std::ios::binary);
   std::string start(256, '\0');
@@ -58,7 +59,7 @@ bool beginsAsAttempt(const fs::path& file) {
   start.resize(static_cast<std::size_t>(in.gcount()));
   if (mayBeginAttempt(start)) return true;
   if (!start.starts_with('{')) return false;
-  // Another program may have put its keys into another order.
+  // Another program may have reordered the keys.
   in.clear();
   in.seekg(0);
   std::string line(kLongestLine + 1, '\0');
@@ -67,9 +68,9 @@ bool beginsAsAttempt(const fs::path& file) {
   return bool(readHeaderLine(std::string_view(line).substr(0, line.find('\n'))));
 }
 
-// Earlier versions counted the times within a line (when a touch began, the HIP samples) from when the attempt
-// was taken up again, and the line's own time from its beginning. Each can be told from the other: a touch began when
-// its `touch` line says, and a `trace` line has the time of its last sample.
+// Earlier versions counted times within a line (the beginning of a touch, HIP samples) from the resumption, and the
+// line's own time from the beginning of the attempt. The offset follows from both: a touch begins at the time of its
+// `touch` line, and a `trace` line has the time of its last sample.
 class TimesWithin {
  public:
   void mend(AttemptEvent& event) {
@@ -107,7 +108,7 @@ bool mendAttempt(const fs::path& file) {
   if (!seen || (seen->bytes.empty() && seen->begins > 0)) return false;
   Expected<AppendFile> out = AppendFile::open(file, AppendFile::Begin::Continue);
   if (!out) return false;
-  // Looked at again now that no other program can write it.
+  // Read again now that the file is locked.
   const std::optional<Tail> tail = lastLine(file);
   if (!tail || (tail->bytes.empty() && tail->begins > 0)) return false;
   if (reads(tail->bytes)) return !out->append("\n");
@@ -147,7 +148,7 @@ Expected<Attempt> readAttempt(const fs::path& file, ReadDepth depth) {
     const bool last = end == all.size();
     at = end + 1;
     ++number;
-    if (line.ends_with('\r')) line.remove_suffix(1);  // a file that went through another system
+    if (line.ends_with('\r')) line.remove_suffix(1);  // a file that went through another operating system
     if (begun && line.empty()) continue;
     if (!begun) {
       Expected<AttemptHeader> header = readHeaderLine(line);
@@ -194,7 +195,7 @@ Expected<std::vector<fs::path>> attemptFiles(const fs::path& named, bool deep) {
     return std::vector<fs::path>{named};
   }
   std::vector<fs::path> out;
-  // Links to folders are not followed: they may lead back.
+  // Links to folders are not followed, because they may form a cycle.
   fs::recursive_directory_iterator it(named, fs::directory_options::skip_permission_denied, error);
   if (error) return Problem{named.string(), 0, 0, tr("the folder cannot be read"), tr("check its permissions")};
   for (; it != fs::recursive_directory_iterator(); it.increment(error)) {

@@ -1,4 +1,5 @@
-// Attempts as files: read whole or in part, and mended after a program that was cut off. Any thread but the haptic one.
+// Files of attempts: reads them completely or in part, and repairs them after an interrupted write. Any thread but the
+// haptic one.
 #pragma once
 
 #include <filesystem>
@@ -9,52 +10,53 @@
 
 namespace moltact {
 
-/// userDataFolder()/attempts: where attempts are kept. Empty where this computer tells no home.
+/// userDataFolder()/attempts: the folder of the attempts. Empty if the computer has no home folder.
 std::filesystem::path attemptsFolder();
 
 struct Attempt {
   std::filesystem::path file;
-  AttemptHeader header;              ///< its lesson is the one that was read last
+  AttemptHeader header;              ///< with the outline of the lesson as read last
   std::vector<AttemptEvent> events;  ///< in the order of the file
-  std::vector<Problem> problems;     ///< lines that were passed over, with their numbers
-  bool torn = false;                 ///< the last line was cut off and is not among the events
+  std::vector<Problem> problems;     ///< skipped lines, with their numbers
+  bool torn = false;                 ///< the last line is incomplete and not among the events
 
   /// The latest time of its events (unit: second of use).
   double end_s() const;
 };
 
-/// How often it was worked at: 1, and once more each time that it was taken up again.
+/// The number of sittings: 1, plus one for each time that it was resumed.
 std::size_t sittingsOf(const Attempt& attempt);
 
 enum class ReadDepth {
   All,
-  NoHipSamples,  ///< without the HIP samples and the views, which are most of the file
+  NoHipSamples,  ///< without HIP samples and views, which are most of the file
 };
 
-/// A Problem where the file cannot be read or holds no attempt; damaged lines after the first are skipped and reported.
+/// Returns a Problem if the file cannot be read or is not an attempt. Damaged lines after the first are skipped and
+/// reported.
 Expected<Attempt> readAttempt(const std::filesystem::path& file, ReadDepth depth = ReadDepth::All);
 
-/// When the attempt began, from its first line alone; empty where the file holds no attempt.
+/// The time at which the attempt began, from the first line only; empty if the file is not an attempt.
 std::string attemptBegan(const std::filesystem::path& file);
 
-/// The .jsonl files in a folder, by name, and with `deep` in the folders within it, kDeepestAttempts deep; those that
-/// are named themselves. A Problem for what is not there.
+/// The .jsonl files in a folder, by name; with `deep` also in subfolders, down to kDeepestAttempts levels. A named file
+/// is returned itself. Returns a Problem if nothing of this name exists.
 Expected<std::vector<std::filesystem::path>> attemptFiles(const std::filesystem::path& file_or_folder,
                                                           bool deep = false);
 inline constexpr int kDeepestAttempts = 8;
 
-/// Ends every attempt in the folder with a whole line again: a last line that was cut off goes, or gets its line end
-/// where it was whole but for that; a file that holds no whole line goes. Attempts that a running program writes, and
-/// files that are no attempts, stay as they are. Returns the files that were mended.
+/// Repairs every attempt in the folder, so that it ends with a complete line. An incomplete last line is removed; a
+/// last line that lacks only its line end gets one. A file without any complete line is deleted. Attempts that a
+/// running program writes and other files stay unchanged. Returns the repaired files.
 std::vector<std::filesystem::path> mendAttempts(const std::filesystem::path& folder);
 
-/// The same for one file; true where it was mended.
+/// Repairs one file; returns whether it was changed.
 bool mendAttempt(const std::filesystem::path& file);
 
-/// Whether what is appended to the file begins a line. True of what is empty or not there.
+/// Whether text appended to the file begins a new line. Also true if the file is empty or missing.
 bool endsWithLine(const std::filesystem::path& file);
 
-/// Larger files are refused (unit: byte): days of touching.
+/// Larger files are rejected (unit: byte). This is enough for days of touching.
 inline constexpr std::size_t kLargestAttempt = std::size_t{1} << 30;
 
 }  // namespace moltact

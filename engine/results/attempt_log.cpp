@@ -9,7 +9,7 @@
 namespace moltact {
 namespace {
 
-// "first-touch-20261121-105814": the lesson and when it was begun, of signs that every disk takes.
+// "first-touch-20261121-105814": the lesson and its start, in characters that every file system accepts.
 std::string fileName(const AttemptHeader& header) {
   std::string out;
   for (const char c : std::filesystem::path(header.lesson.file).stem().string())
@@ -25,7 +25,7 @@ std::string fileName(const AttemptHeader& header) {
   return out;
 }
 
-// An event's time, and every time within it.
+// Shifts an event's time, and every time within it.
 void moveBy(double s, AttemptEvent& event) {
   event.t_s += s;
   if (auto* touch = std::get_if<TouchEnded>(&event.what)) touch->from_s += s;
@@ -65,14 +65,15 @@ void AttemptLog::add(AttemptEvent event) {
   if (!std::holds_alternative<HipChunk>(event.what) && !std::holds_alternative<ViewChanged>(event.what))
     told_s_ = std::max(told_s_, event.t_s);
   const bool step = std::holds_alternative<StepEntered>(event.what),
-             gone_on = step && before_.find(R"({"kind":"step")") != std::string::npos;  // of our own lines
+             gone_on = step && before_.find(R"({"kind":"step")") != std::string::npos;  // of lines written by this
+                                                                                        // program
   if (!writer_ && (gone_on || isDeed(event.what))) {
     writer_.emplace(AttemptWriter::startNew(folder_, name_));
     write(std::exchange(before_, {}));
   }
   std::string line = lineOf(event);
   if (!writer_) {
-    // A hand that only moves about does not fill the memory.
+    // Without an action, HIP samples must not fill the memory.
     if (before_.size() < kProgressEvery || !std::holds_alternative<HipChunk>(event.what)) before_ += line;
     return;
   }

@@ -11,8 +11,8 @@ namespace moltact {
 namespace {
 
 constexpr double kYear_s = 366.0 * 86400.0;
-constexpr double kBeyond_A = 2.0 * kMaxPosition_A;  // what lies beside the farthest place of a hand
-constexpr double kMax_N = 1000.0;                   // many times the strongest device
+constexpr double kBeyond_A = 2.0 * kMaxPosition_A;  // a margin beyond the farthest position of a hand
+constexpr double kMax_N = 1000.0;                   // many times the peak force of any device
 constexpr double kMaxAtoms = 2147483647.0;
 
 constexpr std::array kRanges{
@@ -55,11 +55,11 @@ constexpr std::array kRanges{
     AttemptRange{"atoms", -1.0, kMaxAtoms, true},
     AttemptRange{"held", 0.0, kMaxAtoms, true},
     AttemptRange{"share", 0.0, 1.0},
-    // whatever a task measures
+    // any measurement of a task
     AttemptRange{"value", -1e9, 1e9},
 };
 
-// With those of what a scene is felt with and of how a molecule's file is read.
+// Adds the ranges of the touch properties and of the reading options.
 std::vector<AttemptRange> allRanges() {
   std::vector<AttemptRange> out(kRanges.begin(), kRanges.end());
   for (const TouchProperty& p : touchProperties())

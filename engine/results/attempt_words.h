@@ -1,4 +1,4 @@
-// The words and signs of an attempt's lines that both its writer and its reader know.
+// Words and characters that both the writer and the reader of attempts use.
 #pragma once
 
 #include <array>
@@ -17,7 +17,7 @@ inline constexpr std::array<std::string_view, std::variant_size_v<AttemptFact>> 
 /// Of a question, in the order of AnswerKind.
 inline constexpr std::array<std::string_view, 3> kAnswerKinds{"marked", "prediction", "free"};
 
-/// A sign for each HIP sample, in the order of Feature: free, sphere, circle, point.
+/// One character per HIP sample, in the order of Feature: free, sphere, circle, point.
 inline constexpr std::string_view kFeatureSigns = ".SCP";
 
 }  // namespace moltact

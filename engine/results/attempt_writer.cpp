@@ -18,21 +18,21 @@ namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
 struct AttemptWriter::Impl {
-  // Fixed before the thread begins:
+  // Constant while the thread runs:
   fs::path folder, wanted;
-  std::string name;  // empty: `wanted` is taken up again
+  std::string name;  // empty: resume `wanted`
 
-  // Shared, under `lock`:
+  // Shared, protected by `lock`:
   std::mutex lock;
   std::condition_variable woken, rested;
-  std::string waiting;      // whole lines
-  std::size_t dropped = 0;  // lines since the last that waits
+  std::string waiting;      // complete lines
+  std::size_t dropped = 0;  // lines dropped since the last pending one
   fs::path opened;
   std::optional<Problem> fault;
   bool recovered = false, stop = false;
-  std::uint64_t asked = 0, served = 0;  // rounds that flush() waits for
+  std::uint64_t asked = 0, served = 0;  // counters of the rounds for which flush() waits
 
-  // The thread's, or of whoever calls where there is none:
+  // Owned by the thread, or by the caller without threads:
   std::optional<AppendFile> file;
   bool failing = false, unsynced = false;
   Clock::time_point synced{};
@@ -55,7 +55,7 @@ std::optional<Problem> AttemptWriter::Impl::open() {
     Expected<AppendFile> again = AppendFile::open(wanted, AppendFile::Begin::Continue);
     if (!again) return again.problem();
     file.emplace(std::move(*again));
-    // Whatever could not be mended stays a line of its own, which readers pass over and name.
+    // A damaged rest stays a line of its own, which readers skip and report.
     std::error_code error;
     if (fs::is_regular_file(wanted, error) && !endsWithLine(wanted))
       if (std::optional<Problem> problem = file->append("\n")) {
@@ -98,7 +98,7 @@ void AttemptWriter::Impl::tell(std::optional<Problem> problem) {
   if (!problem && failing) recovered = true;
 }
 
-// What waits, once. The lock is let go while it is written.
+// Writes the pending lines once. The lock is released during the write.
 void AttemptWriter::Impl::serve(std::unique_lock<std::mutex>& held) {
   const bool last = stop;
   const std::uint64_t serving = asked;
@@ -108,7 +108,7 @@ void AttemptWriter::Impl::serve(std::unique_lock<std::mutex>& held) {
   std::optional<Problem> problem;
   if (!lines.empty()) problem = write(lines);
   if (!problem && unsynced && (last || Clock::now() - synced >= std::chrono::duration<double>(kSync_s))) {
-    // The lines are in the file already: a disk that fails now is told, and they are not written twice.
+    // The lines are already in the file. If the sync fails, it is reported but they are not written twice.
     problem = file->sync();
     lines.clear();
     unsynced = problem.has_value();
@@ -141,7 +141,7 @@ void AttemptWriter::Impl::run() {
   }
 }
 
-// Something has come: the thread is woken, or where there is none it is written here and now.
+// Wakes the thread, or writes immediately without threads.
 void AttemptWriter::Impl::nudge() {
   if (thread.joinable()) return woken.notify_one();
   std::unique_lock held(lock);

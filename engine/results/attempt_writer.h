@@ -1,7 +1,7 @@
-// Writes an attempt's lines as they come, on a thread of its own, so that no disk delays a frame; in a page, which has
-// neither, at once. A line is with the
-// operating system as soon as that thread runs, and on the disk within kSync_s. Where the disk is full or may not be
-// written, the lines wait in memory and are tried again. Window's thread; no call but the destructor and flush() waits.
+// Writes an attempt's lines in a background thread, so that no disk delays a frame; in a browser, which has no threads,
+// at once. The thread passes each line to the operating system immediately and syncs it to the disk within kSync_s. If
+// the disk is full or not writable, lines stay in memory and are retried. Window's thread; only the destructor and
+// flush() wait.
 #pragma once
 
 #include <cstddef>
@@ -16,34 +16,33 @@ namespace moltact {
 
 class AttemptWriter {
  public:
-  /// A new file `name`.jsonl in `folder` (made if need be); "-2", "-3" … is put after a name that is taken.
+  /// Creates `name`.jsonl in `folder`, and the folder if necessary. If the name is taken, "-2", "-3" … is appended.
   static AttemptWriter startNew(std::filesystem::path folder, std::string name);
-  /// An attempt that is taken up again: lines are put after those that are in the file.
+  /// Resumes an attempt: appends lines to the file.
   static AttemptWriter goOn(std::filesystem::path file);
 
   AttemptWriter(AttemptWriter&&) noexcept;
   AttemptWriter& operator=(AttemptWriter&&) noexcept;
-  /// Writes what waits, if that can be now, and ends the thread.
+  /// Tries to write the pending lines and ends the thread.
   ~AttemptWriter();
 
-  /// Gives a line, with its line end, to the thread.
+  /// Passes a line, with its line end, to the thread.
   void append(std::string line);
 
-  /// The fault that keeps the lines from being written: given once each time that it begins, then nothing until it has
-  /// gone.
+  /// The fault that prevents writing: returned once when it begins, then nothing until it has been resolved.
   std::optional<Problem> takeFault();
-  /// Lines have been written again after fault: true once.
+  /// Returns true once after writing has recovered from a fault.
   bool takeRecovered();
-  /// Tries to write what waits and comes back when that has been done. False where lines still wait.
+  /// Tries to write the pending lines and waits for the result. Returns false if lines are still pending.
   bool flush();
 
   /// The file; empty until it has been opened.
   std::filesystem::path file() const;
 
-  static constexpr double kSync_s = 1.0;   ///< at most so long between two waits for the disk
-  static constexpr double kRetry_s = 3.0;  ///< after fault
-  /// Beyond so much that waits in memory (unit: byte) the newest lines are dropped; the lines before stay whole.
-  /// A line that is kept after dropped ones has a mark before it, which says how many there were.
+  static constexpr double kSync_s = 1.0;   ///< maximum time between two syncs to the disk
+  static constexpr double kRetry_s = 3.0;  ///< interval between retries after a fault
+  /// If more bytes than this are pending, the newest lines are dropped; earlier lines stay complete. Before the next
+  /// line, a gap mark with their number is written.
   static constexpr std::size_t kMaxWaiting = std::size_t{32} << 20;
 
  private:

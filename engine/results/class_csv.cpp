@@ -16,33 +16,32 @@
 namespace moltact {
 namespace {
 
-// What a spreadsheet begins a formula with, also as full-width and small forms, which some fold into the plain ones.
+// The characters that begin a formula, including full-width and small forms, which some spreadsheets convert.
 bool beginsFormula(std::uint32_t c) {
   constexpr std::u32string_view kSigns = U"=+-@\uFF1D\uFF0B\uFF0D\uFF20\uFE66\uFE62\uFE63\uFE6B";
   return kSigns.find(char32_t(c)) != kSigns.npos;
 }
 
-// What a spreadsheet may cut off before it looks whether a cell is a formula: blanks of every width, marks without one,
-// and what stands for a control character.
+// Characters that a spreadsheet may strip before it checks for a formula: blanks of any width, invisible marks, and
+// replacements of control characters.
 bool mayBeCutOff(std::uint32_t c) {
   return c == ' ' || c == '\t' || c == '\n' || c == 0xA0 || c == 0xAD || c == 0x34F || c == 0x61C || c == 0x1680 ||
          c == 0x180E || (c >= 0x2000 && c <= 0x200F) || c == 0x2028 || c == 0x2029 || c == 0x202F ||
          (c >= 0x205F && c <= 0x2065) || c == 0x3000 || c == 0x3164 || c == 0xFEFF || c == 0xFFA0 || c == 0xFFFD;
 }
 
-// A cell may begin anew after these where a spreadsheet parts by another sign than the comma, as it does in many
-// countries.
+// After these, a new cell may begin if the spreadsheet uses another separator than the comma, as in many countries.
 bool maySeparate(std::uint32_t c) { return c == ';' || c == '\t' || c == '\n'; }
 
-// An apostrophe before all that a spreadsheet could take for a formula.
+// Inserts an apostrophe before everything that a spreadsheet could take for a formula.
 std::string harmless(std::string_view text) {
   std::string out;
   bool at_begin = true;
-  std::size_t begin = 0;  // of what would be the cell, in `out`
+  std::size_t begin = 0;  // start of the possible cell, in `out`
   while (!text.empty()) {
     const CodePoint c = firstCodePoint(text);
     const bool odd =
-        out.empty() && (c.code == '\t' || c.code == '\n' || c.code == 0xFFFD);  // no text of a person begins so
+        out.empty() && (c.code == '\t' || c.code == '\n' || c.code == 0xFFFD);  // no normal text begins this way
     if (odd || (at_begin && beginsFormula(c.code))) out.insert(begin, "'");
     at_begin = at_begin && mayBeCutOff(c.code);
     out += text.substr(0, c.bytes);
@@ -73,7 +72,7 @@ std::string number(double value, int digits) {
   return text;
 }
 
-// Counts on as cells are added; rows end with CR LF, as the standard has it.
+// Appends cells to a row; rows end with CR LF, as RFC 4180 requires.
 class Row {
  public:
   explicit Row(std::string& out) : out_(out) {}
@@ -101,7 +100,7 @@ std::string answerText(const QuestionOutline& question, const AnswerScore& answe
   return out;
 }
 
-// Names and units of what anybody's task measured, in the order in which they are met first; by step and task.
+// Names and units of all measurements of a task, in the order of first occurrence; by step and task.
 using TaskFigures = std::map<std::pair<std::string, std::size_t>, std::vector<std::pair<std::string, std::string>>>;
 
 TaskFigures figuresOf(const LessonSummary& lesson) {
@@ -122,7 +121,7 @@ std::span<const std::pair<std::string, std::string>> figuresAt(const TaskFigures
   return found == figures.end() ? std::span<const std::pair<std::string, std::string>>() : found->second;
 }
 
-// A lesson, and the columns of its tasks' figures.
+// A lesson and the columns of its tasks' measurements.
 struct Columns {
   const LessonSummary* lesson = nullptr;
   TaskFigures figures;

@@ -1,5 +1,5 @@
-// A class as a table for spreadsheets: RFC 4180, UTF-8 with a byte order mark (without it some take the file for
-// another encoding), one row for each person and lesson. The columns are described in docs/results.md.
+// The results of a class as a table for spreadsheets: RFC 4180, UTF-8 with a byte order mark (without it, some
+// spreadsheets assume another encoding). One row per person and lesson. docs/results.md describes the columns.
 #pragma once
 
 #include <string>
@@ -8,13 +8,13 @@
 
 namespace moltact {
 
-/// The whole file. Text that a spreadsheet could take for a formula gets an apostrophe before it, so that nothing
-/// written by a student is ever computed: text that begins with = + - or @ in any width, after whatever blanks or
-/// invisible signs, also after a semicolon, a tab or a line end within. Control characters are replaced.
+/// Returns the whole file. An apostrophe precedes text that a spreadsheet could take for a formula, so that no
+/// student's text is ever evaluated. This is text that begins with = + - or @ in any width, also after blanks or
+/// invisible characters, or after a semicolon, tab or line end. Control characters are replaced.
 std::string classCsv(const ClassSummary& summary);
 
-/// Marks for a learning platform, in the same form: a row for each named person, and of each lesson what was done and
-/// how many of the answers were right at the first try, each of 100; empty where nothing was begun.
+/// Marks for a learning platform in the same format: one row per named person. Each lesson has two values of 100: the
+/// share done, and the share of right first answers. Empty if the lesson was not begun.
 std::string gradebookCsv(const ClassSummary& summary);
 
 }  // namespace moltact

@@ -12,13 +12,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// A file's name takes a tenth of the memory of a path.
+// The native string of a path needs a tenth of the path object's memory.
 struct Begun {
   fs::path::string_type file;
-  std::string began;  // empty where the file is no attempt
+  std::string began;  // empty if the file is not an attempt
 };
 
-// What is named, each file once, with when it began.
+// The files to read, each once, with the time at which its attempt began.
 std::vector<Begun> attemptsIn(std::span<const fs::path> files_and_folders, std::vector<Problem>& passed_over) {
   std::vector<Begun> out;
   std::unordered_set<fs::path::string_type> met;
@@ -45,7 +45,7 @@ std::vector<Begun> attemptsIn(std::span<const fs::path> files_and_folders, std::
 ClassReading readClass(std::span<const fs::path> files_and_folders, const NamesShown& names) {
   ClassReading out;
   const std::vector<Begun> files = attemptsIn(files_and_folders, out.passed_over);
-  // Counted in the order in which they began; what is passed over is listed in the order of the files.
+  // Attempts are added in the order in which they began; problems are listed in the order of the files.
   std::vector<std::size_t> order(files.size());
   for (std::size_t k = 0; k < order.size(); ++k) order[k] = k;
   std::stable_sort(order.begin(), order.end(),

@@ -1,5 +1,5 @@
-// The attempts of a class, as a teacher collects them: files, and folders with folders in them, one for each student or
-// each week. Any thread but the haptic one.
+// Reads the attempts of a class as a teacher collects them: files, and folders with subfolders, for example one per
+// student or week. Any thread but the haptic one.
 #pragma once
 
 #include <filesystem>
@@ -16,7 +16,8 @@ struct ClassReading {
   std::vector<Problem> passed_over;  ///< files and lines that could not be read
 };
 
-/// Counts every attempt in what is named; a file that is met twice counts once. Only one attempt is in memory at a time.
+/// Summarizes all attempts in the given files and folders. A file that is found twice counts once. Only one attempt is
+/// in memory at a time.
 ClassReading readClass(std::span<const std::filesystem::path> files_and_folders, const NamesShown& names = {});
 
 }  // namespace moltact

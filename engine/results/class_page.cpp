@@ -80,7 +80,7 @@ std::string classPage(const ClassSummary& summary, const std::vector<Problem>& p
                     "content=\"width=device-width, initial-scale=1\">"
                     "<meta name=\"generator\" content=\"Moltact\"><title>" +
                     title + "</title><style>";
-  // A page of a large class is never copied to grow; what is not filled takes no memory.
+  // Reserves enough that the page of a large class is never copied to grow; unused pages of it take no memory.
   constexpr std::size_t kMaxOfScore = 4096;
   out.reserve(out.size() + kMaxOfScore * scores);
   out += styleSheet();

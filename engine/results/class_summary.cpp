@@ -17,7 +17,7 @@
 namespace moltact {
 namespace {
 
-// "(no name, 21 Nov 10:58)" of "2026-11-21T10:58:14Z".
+// "(no name, 21 Nov 10:58)" for "2026-11-21T10:58:14Z".
 std::string nameless(const std::string& began) {
   static constexpr std::array kMonths{NC_("month", "Jan"), NC_("month", "Feb"), NC_("month", "Mar"),
                                       NC_("month", "Apr"), NC_("month", "May"), NC_("month", "Jun"),
@@ -33,7 +33,7 @@ std::string nameless(const std::string& began) {
   return trf("(no name, {0} {1} {2})", day, trc("month", kMonths[std::size_t(month - 1)]), time);
 }
 
-// "S-4KQ7M"; longer where another name has the same one. Without letters and digits that are taken for each other.
+// "S-4KQ7M"; longer if another name has the same code. Without letters and digits that are easily confused.
 std::string codeOf(const std::string& word, const std::string& name, const std::set<std::string>& taken) {
   constexpr std::string_view kSigns = "23456789ABCDEFGHJKLMNPQRSTUVWXYZ";
   std::uint64_t state = hash64(word + '\n' + name);
@@ -43,7 +43,7 @@ std::string codeOf(const std::string& word, const std::string& name, const std::
   return code;
 }
 
-// Adds one attempt's events to what its person has done.
+// Adds one attempt's events to the person's results.
 class Counting {
  public:
   explicit Counting(PersonScore& into) : p_(into) {}
@@ -99,7 +99,7 @@ class Counting {
       for (const LoggedFigure& f : e.figures)
         if (f.name == kFirstRoundSensitivity) task.first_sensitivity = f.value;
     if (task.done) return;
-    // Where the tries were used up it was begun and not solved.
+    // If the tries were used up, the task was begun but not solved.
     task.begun = true;
     if (!e.solved) return;
     task = {true, true, e.took_s, e.by, e.figures, std::move(task.drawn), std::move(task.felt), task.first_sensitivity};
@@ -154,7 +154,7 @@ class Counting {
     p_.path_A += e.path_A;
     p_.touch_ways_s[static_cast<std::size_t>(e.by)] += lasted_s;
   }
-  // A touch whose end was never written: the program was killed.
+  // Counts a touch without a recorded end: the program was killed.
   void endOpenTouch() {
     if (open_) count(*std::exchange(open_, std::nullopt), open_at_s_);
   }
@@ -166,9 +166,9 @@ class Counting {
   PersonScore& p_;
   std::map<std::pair<std::string, std::string>, AnswerKind> kinds_;               // by step and question id
   std::map<std::pair<std::string, std::string>, std::vector<std::string>> tags_;  // of its choices
-  std::string step_, at_;  // the step whose time runs, and the one met last
+  std::string step_, at_;  // the step whose time is counted, and the last step entered
   double t_s_ = 0.0, entered_s_ = 0.0;
-  std::optional<TouchSoFar> open_;  // the touch whose end has not been met, and when it was told last
+  std::optional<TouchSoFar> open_;  // the touch without an end so far, and the time of its last record
   double open_at_s_ = 0.0;
 };
 
@@ -197,7 +197,7 @@ std::optional<InputWay> PersonScore::way() const {
 std::optional<double> discrimination(const LessonSummary& lesson, const std::string& step,
                                      const std::string& question) {
   constexpr std::size_t kFewest = 5;
-  std::vector<std::pair<double, double>> pairs;  // of each person: this answer, the share of the others
+  std::vector<std::pair<double, double>> pairs;  // per person: this answer, and the share of the others
   for (const PersonScore& p : lesson.people) {
     const auto item = p.answers.find({step, question});
     if (item == p.answers.end() || item->second.kind != AnswerKind::Marked) continue;
@@ -228,14 +228,16 @@ struct ClassCount::Impl {
   NamesShown shown_as;
   ClassSummary out;
   std::map<std::pair<std::string, std::string>, OfLesson> lessons;  // by file and title
-  // Codes go by who began first, not by name.
+  // Codes are assigned in the order of the attempts, not of the names.
   std::map<std::string, std::string> codes;
-  std::map<std::string, std::size_t> times;  // how often a text stood for somebody without a name
+  std::map<std::string, std::size_t> times;  // number of uses of each text for a person without a name
   std::vector<std::string> names, nobodies;
   std::set<std::string> taken;
-  std::map<std::pair<std::string, std::string>, std::pair<std::string, std::string>> counted_as;  // lessons, likewise
+  std::map<std::pair<std::string, std::string>, std::pair<std::string, std::string>> counted_as;  // the lesson under
+                                                                                                  // which each one is
+                                                                                                  // counted
 
-  // A lesson is one lesson in every language: all its attempts are counted in the terms of the first that was added.
+  // All translations of a lesson are counted together, under the one that was added first.
   std::pair<std::string, std::string> lessonOf(const LessonOutline& lesson) {
     const std::pair own(lesson.file, lesson.title);
     const auto [known, is_new] = counted_as.try_emplace(own, own);
@@ -260,7 +262,7 @@ struct ClassCount::Impl {
     } else if (named) {
       shown = header.student;
     } else {
-      // Two without a name in the same minute are two.
+      // Two attempts without a name in the same minute are different people.
       shown = nameless(header.began);
       if (const std::size_t before = times[shown]++) shown += " #" + std::to_string(before + 1);
     }
@@ -278,7 +280,7 @@ void ClassCount::add(const Attempt& given) {
   const LessonOutline* target = &lesson_given;
   if (of.first != lesson_given.file) {
     target = &impl_->lessons[of].newest;
-    // Another version of the lesson may have other steps than its translation has.
+    // Another version of the lesson may have other steps than its translation.
     if (!sameLesson(*target, lesson_given)) {
       target = &lesson_given;
       of = {lesson_given.file, lesson_given.title};
@@ -310,7 +312,7 @@ void ClassCount::add(const Attempt& given) {
 
 ClassSummary ClassCount::finish() {
   ClassSummary& out = impl_->out;
-  std::map<std::string, std::size_t> titles;  // of the lessons with this file name
+  std::map<std::string, std::size_t> titles;  // number of lessons with this file name
   for (const auto& [of, lesson] : impl_->lessons) ++titles[of.first];
   for (auto& [of, counted] : impl_->lessons) {
     LessonSummary lesson{titles[of.first] > 1 ? of.first + " (" + of.second + ")" : of.first,
@@ -354,7 +356,7 @@ GoalScore goalScore(const LessonOutline& lesson, const PersonScore& p, std::size
   };
   GoalScore out;
   for (const StepOutline& s : lesson.steps) {
-    if (s.aside) continue;  // nobody owes it
+    if (s.aside) continue;  // asides are optional
     for (std::size_t t = 0; t < s.tasks.size(); ++t) {
       if (!serves(s.tasks[t].goals)) continue;
       ++out.parts;
@@ -413,7 +415,7 @@ std::string wayText(const LessonOutline& lesson, const PersonScore& person) {
       // Translators: a condition as lesson files write it, and the numbers of the steps.
       const std::string said =
           " (" + (rule.skips ? trf("{0}: skips {1}", rule.rule, to) : trf("{0}: goes to {1}", rule.rule, to)) + ")";
-      // Several attempts may have met it.
+      // Several attempts may have triggered it.
       if (!out.ends_with(said)) out += said;
     }
   }
@@ -421,7 +423,7 @@ std::string wayText(const LessonOutline& lesson, const PersonScore& person) {
 }
 
 std::string summaryText(const ClassSummary& summary) {
-  // How many students made the attempts without a name, nobody knows. With codes in the place of names each is listed.
+  // The number of students behind attempts without a name is unknown. With codes in place of names, each is listed.
   const std::size_t people = summary.people.size() - summary.nameless, lessons = summary.lessons.size();
   const std::string of_lessons = trnf("{0} lesson", "{0} lessons", lessons, lessons),
                     attempts = trnf("{0} attempt", "{0} attempts", summary.attempts, summary.attempts);

@@ -1,17 +1,16 @@
-// A lesson is one lesson in every language: its attempts in one count in the others. Pure functions; any thread but the
-// haptic one.
+// Combines attempts at the same lesson in different languages. Pure functions; any thread but the haptic one.
 #pragma once
 
 #include "engine/results/attempt_file.h"
 
 namespace moltact {
 
-/// Whether two outlines are of one lesson: the same file and title, or the file's name in two languages
+/// Whether two outlines belong to the same lesson: the same file and title, or the file's name in two languages
 /// ("first-touch.md", "first-touch.de.md") with the same tasks, questions and choices.
 bool sameLesson(const LessonOutline& a, const LessonOutline& b);
 
-/// The same attempt as if it had been made in the target's language: the ids of steps and questions are the target's where
-/// both are one lesson (sameLesson). An attempt may change its language on the way.
+/// Replaces the ids of steps and questions by those of `target` if both are the same lesson (sameLesson). An attempt
+/// may change its language in between.
 Attempt inTermsOf(const LessonOutline& target, Attempt attempt);
 
 }  // namespace moltact

@@ -31,8 +31,8 @@ void tile(std::string& out, const std::string& value, const std::string& what) {
   out += "<div class=\"tile\"><b>" + value + "</b><span>" + what + "</span></div>";
 }
 
-// A task's figure as it is shown: "mean force, N", and what a value of it is multiplied by. Attempts hold the names of
-// figures in English, and values in the unit that stands beside them.
+// A task's measurement as displayed: "mean force, N", and the factor for its values. Attempts hold English names, and
+// values in the unit given with them.
 struct FigureShown {
   std::string title;
   double factor = 1.0;
@@ -149,7 +149,7 @@ void peopleTable(std::string& out, const LessonSummary& lesson) {
   out += "</tbody></table></div>";
 }
 
-// How hard and how far each touched: no mark, and for comparing ways of touching.
+// Force and path of each student's touch: not assessed, for comparing ways of input.
 void forResearch(std::string& out, const LessonSummary& lesson) {
   out += section(tr("For research: forces and paths"), {{tr("Student")},
                                                         {trf("Touch,<br>{0}", unitText(Dimension::Time))},
@@ -165,7 +165,7 @@ void forResearch(std::string& out, const LessonSummary& lesson) {
   out += "</tbody></table></div>";
 }
 
-// What each wrote; nobody marks it but the teacher.
+// The texts of all students, which only the teacher can assess.
 void freeAnswers(std::string& out, const LessonSummary& lesson, const StepOutline& step, const QuestionOutline& q) {
   std::string rows;
   std::size_t answered = 0;
@@ -181,14 +181,14 @@ void freeAnswers(std::string& out, const LessonSummary& lesson, const StepOutlin
          (rows.empty() ? "" : "<dl class=\"texts\">" + rows + "</dl>") + "</div>";
 }
 
-// What was answered first to one question; of a prediction what it was at last.
+// The first answers to one question; for a prediction, the last ones.
 void question(std::string& out, const LessonSummary& lesson, const StepOutline& step, const QuestionOutline& q) {
   if (q.kind == AnswerKind::Free) return freeAnswers(out, lesson, step, q);
   const bool marked = q.kind == AnswerKind::Marked;
   std::vector<std::size_t> first(q.choices.size());
-  std::map<std::string, std::pair<std::size_t, bool>> written;  // how often, and whether right
+  std::map<std::string, std::pair<std::size_t, bool>> written;  // count, and whether right
   std::size_t answered = 0, right = 0, first_right = 0;
-  std::array<std::pair<std::size_t, std::size_t>, kWays> ways{};  // right at first try, of
+  std::array<std::pair<std::size_t, std::size_t>, kWays> ways{};  // right at the first try, and total
   for (const PersonScore& p : lesson.people) {
     const auto given = p.answers.find({step.id, q.id});
     if (given == p.answers.end()) continue;
@@ -227,7 +227,7 @@ void question(std::string& out, const LessonSummary& lesson, const StepOutline& 
   };
   for (std::size_t c = 0; c < q.choices.size(); ++c)
     row(std::find(q.right.begin(), q.right.end(), c) != q.right.end(), q.choices[c], first[c]);
-  // Many different texts: the most frequent ones.
+  // Of many different texts, the most frequent ones.
   std::vector<std::pair<std::string, std::pair<std::size_t, bool>>> texts(written.begin(), written.end());
   std::stable_sort(texts.begin(), texts.end(),
                    [](const auto& a, const auto& b) { return a.second.first > b.second.first; });
@@ -305,7 +305,7 @@ void steps(std::string& out, const LessonSummary& lesson) {
          "</td></tr></tbody></table></div>";
 }
 
-// What each student expected and felt, where a task asks to draw it.
+// The drawn and the felt curve of each student, if the task asks to draw one.
 std::string taskCurves(const LessonSummary& lesson, const StepOutline& step, std::size_t task) {
   std::string figures;
   for (const PersonScore& p : lesson.people)
@@ -321,7 +321,8 @@ void tasks(std::string& out, const LessonSummary& lesson) {
   for (const StepOutline& s : lesson.lesson.steps)
     for (std::size_t t = 0; t < s.tasks.size(); ++t) {
       std::size_t begun = 0, done = 0;
-      std::vector<std::pair<std::string, std::vector<Measured>>> figures;  // by "name, unit", in the order met
+      std::vector<std::pair<std::string, std::vector<Measured>>> figures;  // by "name, unit", in the order of first
+                                                                           // occurrence
       std::map<std::string, std::size_t> places;
       const auto add = [&](const std::string& name, const std::string& unit, double value, InputWay by) {
         const FigureShown shown = figureShown(name, unit);

@@ -1,4 +1,4 @@
-// One lesson's part of the class page. Any thread but the haptic one.
+// A lesson's section of the class page. Any thread but the haptic one.
 #pragma once
 
 #include <string>
@@ -7,7 +7,7 @@
 
 namespace moltact {
 
-/// Appends it. `first`: it does not begin a new sheet of paper.
+/// Appends the section to `out`. `first`: no page break precedes it in print.
 void lessonSection(std::string& out, const LessonSummary& lesson, bool first);
 
 }  // namespace moltact

@@ -1,6 +1,5 @@
-// The values of a line of an attempt by their keys: each reader gives a value that its key may have, or throws a
-// LineError that says what the line lacks, so that a kind of line is read one key after the other. Not for the haptic
-// thread.
+// Reads the values of a line of an attempt by their keys. Each function returns a valid value or throws a LineError
+// that describes the fault. Not for the haptic thread.
 #pragma once
 
 #include <cstddef>
@@ -14,7 +13,7 @@ namespace moltact::line_values {
 
 using Json = nlohmann::ordered_json;
 
-/// What a line lacks, in the language in use; caught where the whole line is read (read_attempt_lines.cpp).
+/// The fault of a line, in the language in use. The reader of the whole line catches it (read_attempt_lines.cpp).
 struct LineError {
   std::string what;
 };
@@ -25,11 +24,11 @@ const Json& need(const Json& from, const char* key);
 const Json& object(const Json& value, const char* what);
 
 std::string text(const Json& value, const char* key);
-/// Empty where it is not there and not needed.
+/// With `needed` false, a missing key gives an empty text.
 std::string text(const Json& from, const char* key, bool needed);
 bool flag(const Json& from, const char* key);
 
-/// Every number of the format has a range (attempt_ranges.h).
+/// Every number must be in the range of its key (attempt_ranges.h).
 double number(const Json& value, const char* key);
 double numberAt(const Json& from, const char* key);
 double numberOr(const Json& from, const char* key, double otherwise);
@@ -38,7 +37,7 @@ std::size_t countAt(const Json& from, const char* key);
 
 const Json& list(const Json& from, const char* key, std::size_t most = kAnyLength);
 const Json& listOrNone(const Json& from, const char* key, std::size_t most = kAnyLength);
-/// Exactly `size` of them.
+/// The list must have exactly `size` numbers.
 std::vector<double> numbers(const Json& from, const char* key, std::size_t size);
 Vec3 vector(const Json& from, const char* key);
 

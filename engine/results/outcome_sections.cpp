@@ -22,7 +22,7 @@ double mean(const std::vector<double>& values) {
   return sum / double(values.size());
 }
 
-// Of two values or more.
+// Requires at least two values.
 double standardError(const std::vector<double>& values) {
   const double middle = mean(values), n = double(values.size());
   double squares = 0.0;
@@ -65,7 +65,7 @@ std::string misconceptionSection(const LessonSummary& lesson) {
     std::size_t people = 0, times = 0;
   };
   std::map<std::string, Met> met;
-  std::map<std::string, std::string> questions;  // in which a tag stands
+  std::map<std::string, std::string> questions;  // the questions that contain a tag
   for (const StepOutline& s : lesson.lesson.steps)
     for (const QuestionOutline& q : s.questions)
       for (std::size_t k = 0; k < q.tags.size(); ++k)

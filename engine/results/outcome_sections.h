@@ -1,5 +1,5 @@
-// What a class has come to in a lesson, as parts of the report's page: by goal, by misconception, and by which way. Each is
-// empty where there is nothing to tell. Pure functions; any thread but the haptic one.
+// The outcomes of a class in a lesson, as sections of the report's page: by goal, by misconception, and by the order of
+// steps. Each is empty if there is nothing to report. Pure functions; any thread but the haptic one.
 #pragma once
 
 #include <string>
@@ -8,17 +8,17 @@
 
 namespace moltact {
 
-/// What was done for each goal, where the author has said what serves it.
+/// The results for each goal to which the author has assigned tasks or questions.
 std::string goalSection(const LessonSummary& lesson);
 
-/// What wrong choices have in common, as the author tagged them.
+/// The misconceptions with which the author tagged wrong choices.
 std::string misconceptionSection(const LessonSummary& lesson);
 
-/// How well each student told two things apart in the dark before and after the explanation, and the gain of the class;
-/// only of a lesson that asks a task twice.
+/// How well each student distinguished two things in the dark before and after the explanation, and the gain of the
+/// class. Only for a lesson that asks a task twice.
 std::string gainSection(const LessonSummary& lesson);
 
-/// Where each student went; only where somebody left the straight way.
+/// The order of steps of each student, if anyone left the regular order.
 std::string waySection(const LessonSummary& lesson);
 
 }  // namespace moltact

@@ -12,11 +12,11 @@ namespace {
 
 constexpr std::array kWayOrder{InputWay::Device, InputWay::Mouse, InputWay::Keyboard};
 
-// What scales are made for: attempts hold no greater figure (attempt_ranges.h), and sums of them stay below.
+// The range of the scales: no value of an attempt exceeds it (attempt_ranges.h), nor do sums of them.
 constexpr double kGreatest = 1e15, kMin = 1e-12;
 double onScale(double value) { return std::isfinite(value) ? std::clamp(value, -kGreatest, kGreatest) : 0.0; }
 
-// 1, 2 or 5 times a power of ten, not below `least`.
+// 1, 2 or 5 times a power of ten, not less than `least`.
 double roundStep(double least) {
   least = std::clamp(onScale(least), kMin, kGreatest);
   const double power = std::pow(10.0, std::floor(std::log10(least)));
@@ -85,7 +85,7 @@ std::string histogram(const std::string& title, const std::string& unit, std::ve
                 [](const Measured& m) { return !std::isfinite(m.value) || m.value < 0.0 || m.value > kGreatest; });
   if (values.empty()) return {};
   const std::vector<double> sorted = sortedValues(values);
-  // Counts have a bar each, which stands over its number.
+  // Small whole numbers have one bar each, centred over the number.
   const bool counted = unit.empty() && sorted.back() < 40.0;
   const double spread = std::max({sorted.back() - sorted.front(), 1e-3 * sorted.back(), 1e-6});
   const double width = counted ? 1.0 : roundStep(spread / 9.0);
@@ -147,7 +147,7 @@ std::string strip(const std::vector<Measured>& values, double most) {
     const double from = stripX(quantile(sorted, 0.25), most), to = stripX(quantile(sorted, 0.75), most);
     svg.rect(from, 3, std::max(1.0, to - from), 16, "class=\"box\" rx=\"2\"");
   }
-  // Marks that would cover each other go up and down by turns.
+  // Marks that would overlap are moved up and down alternately.
   std::vector<Measured> by_value = values;
   std::stable_sort(by_value.begin(), by_value.end(),
                    [](const Measured& a, const Measured& b) { return a.value < b.value; });
@@ -181,7 +181,7 @@ std::string stripScale(double most, const std::string& unit) {
 
 namespace {
 
-// The parts of a line where it has values, in a box of the given size; newlines of the path begin anew after a gap.
+// Path data of a curve in a box of the given size; a new subpath begins after each gap.
 std::string linePath(const std::vector<double>& values, double most, double left, double top, double wide,
                      double high) {
   std::string path;

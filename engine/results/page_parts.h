@@ -1,5 +1,5 @@
-// Small pieces of the class page: escaped text, numbers, and charts as SVG that read in black and white (a way of input
-// is a pattern as well as a colour). Any thread but the haptic one.
+// Building blocks of the class page: escaped text, numbers, and SVG charts that are readable in black and white (a way
+// of input has a pattern and a colour). Any thread but the haptic one.
 #pragma once
 
 #include <initializer_list>
@@ -14,53 +14,53 @@
 
 namespace moltact::page {
 
-/// "1.25", with so many digits after the point; "–" where it is not finite.
+/// "1.25", with `digits` digits after the point; "–" if it is not finite.
 std::string number(double value, int digits);
-/// "83 %" of a share from 0 to 1.
+/// "83 %" for a share from 0 to 1.
 std::string percent(double share);
 /// "12 min", "45 s".
 std::string duration(double time_s);
 
-/// The class of a way's fill, "way-mouse".
+/// The CSS class of the fill for a way of input, "way-mouse".
 std::string wayClass(InputWay way);
-/// The mark of a way, round a place: disc, square, triangle.
+/// Draws the mark of a way of input around a place: disc, square or triangle.
 void drawMark(Svg& svg, InputWay way, double x, double y);
-/// "mouse 80 %, keyboard 20 %", the largest first; "–" without touch.
+/// "mouse 80 %, keyboard 20 %", in descending order; "–" without touch.
 std::string waysText(const PersonScore& person);
 
-/// One value and what it was made with.
+/// A value and the way of input by which it was measured.
 struct Measured {
   double value = 0.0;
   InputWay by = InputWay::Mouse;
 };
 
-/// A histogram of about eight bars of even width, each split by the way of input, with its median.
+/// A histogram of about eight bars of equal width, each divided by the way of input, with the median.
 std::string histogram(const std::string& title, const std::string& unit, std::vector<Measured> values);
 
-/// Every value as a mark on a line from 0 to `most`, the middle half as a box, the median as a bar.
+/// Draws each value as a mark on a line from 0 to `most`, the interquartile range as a box and the median as a bar.
 std::string strip(const std::vector<Measured>& values, double most);
-/// The scale under a column of strips.
+/// The scale below a column of strips.
 std::string stripScale(double most, const std::string& unit);
-/// The end of a scale that shows every value: a round number not below any.
+/// A round number that is not less than the value, for the end of a scale.
 double roundAbove(double value);
 
-/// A force curve as it was drawn before it was felt, and as it was felt where that is known.
+/// The drawn force curve and, if known, the felt one.
 std::string curves(const std::string& title, const CurveKept& drawn, const CurveKept* felt);
 
-/// A bar filled from 0 to 1; `right` is a full fill, else hatched.
+/// A bar filled from 0 to 1; `right` is a solid fill, otherwise hatched.
 std::string bar(double share, bool right);
 
-/// Patterns that the fills refer to, once a page; and the page's style sheet.
+/// The patterns of the fills, needed once per page; and the page's style sheet.
 std::string patterns();
 std::string_view styleSheet();
 
 struct Column {
-  std::string title;  ///< may hold <br>
+  std::string title;  ///< may contain <br>
   bool left = false;
 };
-/// The start of a table, to its body.
+/// The start of a table, up to the beginning of its body.
 std::string tableHead(std::initializer_list<Column> columns);
-/// A heading and the start of a table below it; it ends by "</tbody></table></div>".
+/// A heading and the start of a table, which "</tbody></table></div>" must close.
 std::string section(const char* heading, std::initializer_list<Column> columns);
 
 }  // namespace moltact::page

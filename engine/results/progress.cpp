@@ -15,10 +15,10 @@ namespace {
 struct Ends {
   AttemptHeader header;
   ProgressMade last;
-  bool known = false;  // that there is progress
+  bool known = false;  // progress was found
 };
 
-// Looks through whole lines from the last one back for what tells the progress.
+// Searches complete lines backward from the last for the progress.
 bool lastProgress(std::string_view bytes, ProgressMade& into) {
   for (std::size_t end = bytes.size(); end > 0;) {
     const std::size_t before = end > 1 ? bytes.rfind('\n', end - 2) : std::string_view::npos;
@@ -47,7 +47,7 @@ std::optional<Ends> readEnds(const fs::path& file) {
   in.clear();
   in.seekg(0, std::ios::end);
   const std::streamoff size = in.tellg();
-  // The recorder writes progress often enough for it to stand in the first look; where not, farther back.
+  // The recorder writes progress often enough that the first block contains it; otherwise earlier blocks are searched.
   for (std::streamoff look = 32 << 10;; look *= 8) {
     const std::streamoff from = std::max<std::streamoff>(0, size - look);
     std::string bytes(static_cast<std::size_t>(size - from), '\0');
@@ -129,18 +129,18 @@ SessionMemory memoryOf(const Attempt& attempt) {
     std::map<std::string, QuestionStatus> questions;
   };
   std::map<std::string, Done> steps;
-  std::map<std::string, std::size_t> met;  // in which place each was first entered
+  std::map<std::string, std::size_t> met;  // the order in which the steps were first entered
   SessionMemory out;
   for (const AttemptEvent& event : attempt.events) {
     if (const auto* e = std::get_if<StepEntered>(&event.what)) {
-      // Whoever goes elsewhere has left; to take an attempt up again in a step is not to leave it.
+      // Entering another step leaves the current one; resuming an attempt in the same step does not.
       if (out.step != e->step)
         for (auto& [id, q] : steps[out.step].questions) q.gone = true;
       out.step = e->step;
       steps[e->step];
       met.try_emplace(e->step, met.size());
     } else if (const auto* begun = std::get_if<TaskBegun>(&event.what)) {
-      steps[begun->step].tasks.erase(begun->task);  // begun again: not done any more
+      steps[begun->step].tasks.erase(begun->task);  // begun again, so it is no longer done
     } else if (const auto* done = std::get_if<TaskDone>(&event.what)) {
       steps[done->step].tasks[done->task] = done->solved;
     } else if (const auto* answer = std::get_if<Answered>(&event.what)) {

@@ -1,4 +1,4 @@
-// Reads the lines of an attempt.
+// Parses the lines of an attempt.
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -58,14 +58,14 @@ LessonOutline outline(const Json& from) {
   return out;
 }
 
-// The rotation at four numbers of a list; rounding is taken off.
+// The rotation given by four numbers of a list, normalized to remove rounding errors.
 Quat turnAt(const std::vector<double>& numbers, std::size_t at, const char* key) {
   const Quat q(numbers[at], numbers[at + 1], numbers[at + 2], numbers[at + 3]);
   if (!(std::abs(glm::length(q) - 1.0) <= 1e-2)) throw LineError{trf("'{0}' is no rotation", key)};
   return glm::normalize(q);
 }
 
-// A line of a hand that holds a body has its orientation.
+// Lines with a held body contain the hand's orientation.
 void readHeld(const Json& from, HipChunk& chunk) {
   if (!from.contains("orientation")) return;
   const std::size_t n = chunk.samples.size();
@@ -137,7 +137,7 @@ std::vector<std::int32_t> atoms(const Json& from) {
   return out;
 }
 
-// What a property or an option of that type has at its key.
+// Reads the value of a property or option from its key.
 template <class T>
 void take(T& to, const Json& from, std::string_view name) {
   const std::string key(name);
@@ -163,7 +163,7 @@ ReadOptions reading(const Json& from) {
     if (!from.contains(option.name)) continue;
     ReadOptions told;
     std::visit([&](const auto member) { take(told.*member, from, option.name); }, option.member);
-    readText(out, option, textOf(told, option));  // what there is not stays at its default
+    readText(out, option, textOf(told, option));  // missing keys keep their defaults
   }
   return out;
 }
@@ -269,7 +269,7 @@ Json parsed(std::string_view line) {
 }  // namespace
 
 std::string_view leadingKind(std::string_view line) {
-  // One piece of JSON after the other, with the blanks that JSON allows between them.
+  // Consumes one token after the other, with the blanks that JSON allows between them.
   const auto take = [&](std::string_view piece) {
     line.remove_prefix(std::min(line.find_first_not_of(" \t\r\n"), line.size()));
     if (!line.starts_with(piece)) return false;
@@ -291,7 +291,7 @@ bool mayBeginAttempt(std::string_view line) {
 
 namespace {
 
-// Ends the reading at the value of "began" in the outermost object.
+// Stops parsing at the value of "began" in the outermost object.
 class BeganReader : public nlohmann::json_sax<Json> {
  public:
   std::string began;

@@ -7,7 +7,7 @@
 namespace moltact {
 namespace {
 
-// The last of a list in order of time that is not after `t_s`; null where there is none.
+// The last element, in a chronological list, that is not after `t_s`; null if there is none.
 template <class List>
 auto lastUpTo(const List& list, double t_s) -> const typename List::value_type* {
   const auto after =
@@ -85,7 +85,7 @@ std::optional<HipSample> Timeline::hand(double t_s) const {
   if (before == &samples_.back()) return out;
   const HipSample& after = *(before + 1);
   const double span_s = after.t_s - before->t_s;
-  // From stage to stage there is no way; one that was put elsewhere, or let go, was not drawn there.
+  // Do not interpolate across scenes, or if the hand was repositioned or released in between.
   const StageChanged *here = stage(before->t_s), *there = stage(after.t_s);
   if (!(span_s > 0.0) || here != there) return out;
   const double part = (t_s - before->t_s) / span_s;
@@ -116,7 +116,7 @@ const StatesMoved* Timeline::states(double t_s) const {
   if (!staged) return nullptr;
   const auto* found = lastUpTo(states_, t_s);
   if (found && found->t_s >= staged->t_s) return &found->fact;
-  // Until the second structure had been read the atoms were where the first line of this stage has them.
+  // Before the second structure had been read, the atoms were at the place in the first line of this scene.
   const At<StatesMoved>* next = states_.empty() ? nullptr : found ? found + 1 : states_.data();
   if (!next || next == states_.data() + states_.size() || lastUpTo(stages_, next->t_s) != staged) return nullptr;
   return &next->fact;

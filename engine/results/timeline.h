@@ -1,6 +1,5 @@
-// An attempt laid out in time, to be played back: where the hand was at any moment, what was on the stage, how it was
-// seen, and the marks at which something happened. Any thread but the haptic one. Units: second of use, angstrom,
-// newton.
+// An attempt prepared for playback: the hand, the scene and the view at any time, and the marks of events. Any thread
+// but the haptic one. Units: second of use, angstrom, newton.
 #pragma once
 
 #include <optional>
@@ -11,7 +10,7 @@
 
 namespace moltact {
 
-/// Something that happened, for the line under the picture.
+/// An event, for the bar below the picture.
 struct TimelineMark {
   enum class Kind : std::uint8_t { Step, Task, Right, Wrong, Hint };
   double t_s = 0.0;
@@ -21,24 +20,24 @@ struct TimelineMark {
 
 class Timeline {
  public:
-  /// The attempt must have been read whole (ReadDepth::All).
+  /// The attempt must have been read completely (ReadDepth::All).
   explicit Timeline(Attempt attempt);
 
   const AttemptHeader& header() const { return header_; }
   double length_s() const { return length_s_; }
-  /// In order of time.
+  /// In chronological order.
   const std::vector<TimelineMark>& marks() const { return marks_; }
 
-  /// The hand at a moment, between two HIP samples on the straight line from one to the other; no value before
-  /// the first. The contact is the earlier sample's.
+  /// The hand at a time, linearly interpolated between two HIP samples; the contact is the earlier sample's. No value
+  /// before the first sample.
   std::optional<HipSample> hand(double t_s) const;
-  /// The stage at that moment; null before the first molecule.
+  /// The scene at that time; null before the first molecule.
   const StageChanged* stage(double t_s) const;
-  /// Where the atoms were between two structures; null where there was one. Of the stage at that moment only.
+  /// The position of the atoms between two structures, for the scene at that time; null if it has one structure.
   const StatesMoved* states(double t_s) const;
-  /// How it was looked at; null where that is not known.
+  /// The view; null if it is unknown.
   const ViewChanged* view(double t_s) const;
-  /// When the hand moves or a mark comes next; the end where there is neither.
+  /// The time of the next motion of the hand or of the next mark; the end if there is none.
   double nextAfter(double t_s) const;
   InputWay input(double t_s) const;
   /// The title of the step.

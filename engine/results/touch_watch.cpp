@@ -72,7 +72,7 @@ void TouchWatch::keepHip(const TouchSample& s, double t_s) {
   const Contact& c = s.contact;
   HipSample now{t_s, s.hip, c.scp, s.force, c.displacement_A, c.feature, c.atoms};
   if (s.body) now.held = {s.orientation, *s.body};
-  // A line is with a body or without.
+  // A line of the file is either with a body or without one.
   if (has_before_ && now.held.has_value() != before_.held.has_value()) endPath();
   if (has_before_) {
     const bool changed = now.feature != before_.feature || now.atoms != before_.atoms;
@@ -85,7 +85,7 @@ void TouchWatch::keepHip(const TouchSample& s, double t_s) {
       resting_ = now;
       return;
     }
-    // Where the rest ended, so that the path from there is not drawn out over the whole rest.
+    // The end of the rest, so that interpolation does not stretch the motion over the rest.
     if (std::exchange(rested_, false) && resting_.t_s > before_.t_s) hips_.push_back(resting_);
   }
   hips_.push_back(now);

@@ -1,5 +1,4 @@
-// Turns servo samples into touches (what was held, how hard, how far) and the HIP samples of an attempt. Window's
-// thread.
+// Converts servo samples to touches (atoms, forces, path length) and to the HIP samples of an attempt. Window's thread.
 // Units: second of use, angstrom, newton.
 #pragma once
 
@@ -12,20 +11,20 @@ namespace moltact {
 
 class TouchWatch {
  public:
-  /// One tick; `t_s` is its time of use. Ticks whose numbers are not finite are passed over.
+  /// Adds one tick at the time of use `t_s`. Ticks with numbers that are not finite are ignored.
   void add(const TouchSample& sample, double t_s, InputWay by);
-  /// The stage or the attempt changes: a touch under way ends here.
+  /// Ends a touch in progress, because the scene or the attempt changes.
   void breakOff();
 
-  /// The events that are complete since the last call: touches at once, HIP samples at least every kHipChunk_s; and for
-  /// a touch that goes on, every kHeartbeat_s, its figures so far.
+  /// Returns the events completed since the last call. Touches are returned at once, HIP samples at least every
+  /// kHipChunk_s, and figures of a touch in progress every kHeartbeat_s.
   std::vector<AttemptEvent> take(double t_s);
 
-  static constexpr double kSample_s = 1.0 / 60.0;   ///< samples are kept at most so often
-  static constexpr double kChange_s = 1.0 / 250.0;  ///< but so often where the feature or the atoms change
-  static constexpr double kStill_A = 0.002;         ///< a hand that has moved less gives none
-  static constexpr double kUnturned = 0.002;        ///< nor one that has turned a body by less (unit: radian)
-  static constexpr double kHipChunk_s = 0.5;        ///< what a HipChunk holds at most
+  static constexpr double kSample_s = 1.0 / 60.0;   ///< minimum interval between samples
+  static constexpr double kChange_s = 1.0 / 250.0;  ///< minimum interval if the feature or the atoms change
+  static constexpr double kStill_A = 0.002;         ///< a smaller motion counts as rest and gives no sample
+  static constexpr double kUnturned = 0.002;        ///< a smaller rotation of a body counts as rest (unit: radian)
+  static constexpr double kHipChunk_s = 0.5;        ///< maximum duration of a HipChunk
 
  private:
   struct Touch {
@@ -44,9 +43,9 @@ class TouchWatch {
   bool touching_ = false;
   Touch touch_;
   std::vector<HipSample> hips_;
-  HipSample before_;  // the last that was kept
+  HipSample before_;  // the last sample kept
   bool has_before_ = false, rested_ = false;
-  HipSample resting_;  // of a hand at rest, written when it moves again
+  HipSample resting_;  // the last sample of a rest, written when the hand moves again
   std::vector<AttemptEvent> ready_;
 };
 

@@ -1,5 +1,5 @@
-// Who is at the one device of a class, who is next, and for how long: a round of turns of set length. Pure logic on a
-// given clock; window's thread. Unit: second.
+// Turns of a class at its only device: who has the turn, who is next, and for how long. Pure logic; the caller supplies
+// the time. Window's thread. Unit: second.
 #pragma once
 
 #include <string>
@@ -14,12 +14,12 @@ class Turns {
 
   enum class State {
     Off,       ///< there are no turns
-    HandOver,  ///< the next student is called; the time waits
+    HandOver,  ///< the next student is called; the time is stopped
     Running,
     Paused,
   };
 
-  /// Names or codes, one a line; blanks around them and empty lines go, and a name that stands twice counts once.
+  /// Parses names or codes, one per line. Blanks around them and empty lines are removed; duplicates count once.
   static std::vector<std::string> namesIn(std::string_view lines);
 
   /// Calls the first student. Does nothing without names. `turn_s` is clamped to kShortest_s and kLongest_s.
@@ -31,30 +31,30 @@ class Turns {
   const std::vector<std::string>& names() const { return names_; }
   double turn_s() const { return turn_s_; }
   double left_s() const { return left_s_; }
-  /// Turns that have been begun, the one that goes on among them.
+  /// The number of turns begun, including the current one.
   std::size_t turnsBegun() const { return begun_; }
 
   /// The student whose turn it is; empty when off.
   const std::string& current() const;
-  /// Who comes after; the same one where there is no other.
+  /// The student after the current one; the same if there is no other.
   const std::string& next() const;
-  /// Everyone else, from the next on.
+  /// All other students, beginning with the next one.
   std::vector<std::string> waiting() const;
 
-  /// The student has the device in the hand: the time runs.
+  /// Starts the time: the student has the device.
   void start();
   void pause();
   void goOn();
   /// Calls the next student.
   void passOn();
-  /// Calls this one out of turn; the round goes on after him. Unknown names change nothing.
+  /// Calls this student out of turn; the order then continues after this student. Unknown names change nothing.
   void call(std::string_view name);
-  /// A minute longer (or any time), for the turn that goes on.
+  /// Extends the current turn.
   void extend(double by_s);
-  /// Takes one out of the round. When it is his turn, the next is called; without anyone left, turns end.
+  /// Removes a student. If it was this student's turn, the next one is called; if none is left, the turns end.
   void leave(std::string_view name);
 
-  /// Time goes by. True when the turn has just run out: the next student has been called.
+  /// Advances the time. Returns true if the turn has just ended and the next student has been called.
   bool tick(double dt_s);
 
  private:

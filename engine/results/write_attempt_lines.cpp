@@ -1,4 +1,4 @@
-// Writes the lines of an attempt.
+// Formats the lines of an attempt.
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -20,7 +20,7 @@ void append(Json& list, const Vec3& v) {
   for (int k = 0; k < 3; ++k) list.push_back(rounded(v[k]));
 }
 
-// Five decimals turn a body of 20 A by less than 0.001 A.
+// With five decimals, the rounding error moves atoms of a body of 20 A by less than 0.001 A.
 double roundedTurn(double value) { return std::isfinite(value) ? std::round(value * 1e5) / 1e5 : 0.0; }
 
 void append(Json& list, const Quat& q) {
@@ -57,8 +57,9 @@ Json written(const LessonOutline& lesson) {
   return out;
 }
 
-constexpr double kUnturned = 2e-5;      // a body within rounding of the hand's orientation has it (unit: radian)
-constexpr double kStraight_A = 0.002;  // a spring within rounding of SCP - HIP is not written down
+constexpr double kUnturned = 2e-5;     // a body within this angle of the hand's orientation is regarded as having it
+                                       // (unit: radian)
+constexpr double kStraight_A = 0.002;  // a spring that equals SCP - HIP within rounding is not written
 
 // Each kind of fact writes its keys after "kind" and "t".
 struct FactWriter {
@@ -174,7 +175,7 @@ struct FactWriter {
     if (shaded) out["displacement"] = std::move(displacement);
     out["atoms"] = std::move(atoms);
   }
-  // The hand's orientation; and the body's pose, where any of it is not the one that goes without saying.
+  // Writes the hand's orientation, and the body's pose if any part of it differs from the default.
   void writeHeld(const HipChunk& e) {
     const auto holds = [](const HipSample& s) { return s.held.has_value(); };
     if (e.samples.empty() || !std::all_of(e.samples.begin(), e.samples.end(), holds)) return;

@@ -420,8 +420,7 @@ ReplayResult replay(const ServoRecording& recording, Interaction* interaction) {
       if (!out.first_difference) out.first_difference = out.ticks;
       out.max_difference_N = std::max(out.max_difference_N, glm::distance(now.force.N, tick.force.N));
       if (!same_torque)
-        out.max_difference_N_mm =
-            std::max(out.max_difference_N_mm, glm::distance(now.torque_N_mm, tick.torque_N_mm));
+        out.max_difference_N_mm = std::max(out.max_difference_N_mm, glm::distance(now.torque_N_mm, tick.torque_N_mm));
       if (now.body_pose && tick.body_pose)
         out.max_difference_A =
             std::max(out.max_difference_A, glm::distance(now.body_pose->place.A, tick.body_pose->place.A));

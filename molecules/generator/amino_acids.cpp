@@ -1,10 +1,10 @@
-// One amino acid and its mirror image, as they are in water and in crystals: NH3+ and COO-. The geometry round the alpha
-// carbon is that of L-alanine's crystal seen by neutrons: M. S. Lehmann, T. F. Koetzle and W. C. Hamilton, J. Am. Chem.
+// An amino acid and its mirror image, as in water and in crystals: NH3+ and COO-. The geometry at the alpha carbon is
+// that of L-alanine's crystal by neutron diffraction: M. S. Lehmann, T. F. Koetzle and W. C. Hamilton, J. Am. Chem.
 // Soc. 94, 2657-2660 (1972), rounded to 0.01 A and 1 degree. The ring of phenylalanine: R. A. Engh and R. Huber, Acta
-// Cryst. A47, 392-400 (1991); its side chain stands opposite to the nitrogen, a common rotamer.
+// Cryst. A47, 392-400 (1991). Its side chain is anti to the nitrogen, a common rotamer.
 //
-// The L form stands at +x with its alpha hydrogen toward +x and its carboxylate toward +y; the mirror is the plane x =
-// 0. So each is seen from its hydrogen, with the carboxylate above, by whoever turns it to the front.
+// The L form is at +x with its alpha hydrogen toward +x and its carboxylate toward +y; the mirror is the plane x = 0.
+// Turned to the front, each is seen from its hydrogen, with the carboxylate at the top.
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -18,7 +18,7 @@ namespace {
 
 constexpr double kCA_N = 1.49, kCA_C = 1.53, kCA_CB = 1.52, kC_O = 1.25, kN_H = 1.04, kC_H = 1.09;
 constexpr double kN_CA_C = 110, kN_CA_CB = 110, kC_CA_CB = 111, kCA_C_O = 117, kTetrahedral = 109.5;
-constexpr double kN_CA_C_O = -18;  // the carboxylate's turn, that of the crystal
+constexpr double kN_CA_C_O = -18;  // the carboxylate's torsion in the crystal
 constexpr double kCB_CG = 1.502, kCA_CB_CG = 113.8, kRing = 1.39, kRing_H = 1.08;
 constexpr double kChi1 = 180, kChi2 = 90;
 
@@ -28,7 +28,7 @@ struct Named {
   Vec3 place;
 };
 
-/// The alpha carbon at the origin, its hydrogen toward +x, the carboxylate's carbon above; the L form.
+/// The L form: the alpha carbon at the origin, its hydrogen toward +x, the carboxylate's carbon at the top.
 std::vector<Named> makeLForm(bool ring) {
   const auto c = [](double deg) { return std::cos(radians(deg)); };
   const double s = std::sin(radians(kN_CA_C));
@@ -76,7 +76,7 @@ std::vector<Named> makeLForm(bool ring) {
 std::string makePair(const std::string& title, const char* l_name, const char* d_name, bool ring,
                      double grid_spacing_A) {
   std::vector<Named> l_form = makeLForm(ring);
-  // Its middle in the line of sight, so that it is not turned askew to face the viewer.
+  // Centred on the line of sight, so that a view from the front does not tilt it.
   const auto [low_y, high_y] = std::minmax_element(
       l_form.begin(), l_form.end(), [](const Named& a, const Named& b) { return a.place.y < b.place.y; });
   const auto [low_z, high_z] = std::minmax_element(

@@ -1,8 +1,7 @@
-// B-DNA as fibre diffraction gives it: S. Arnott and D. W. L. Hukins, Optimised parameters for A-DNA and
-// B-DNA, Biochem. Biophys. Res. Commun. 47, 1504-1509 (1972), table 5: radius, angle and height of each atom
-// of a nucleotide. The next nucleotide lies 36 degrees and 3.38 A on; the partner strand has angle and height
-// negated. The table gives the phosphate that a nucleotide shares with its neighbour: its O1 is the
-// neighbour's O3'.
+// B-DNA from fibre diffraction: S. Arnott and D. W. L. Hukins, Optimised parameters for A-DNA and B-DNA, Biochem.
+// Biophys. Res. Commun. 47, 1504-1509 (1972), table 5: radius, angle and height of each atom of a nucleotide. The next
+// nucleotide is rotated by 36 degrees and shifted by 3.38 A; the partner strand has angle and height negated. The table
+// contains the phosphate that a nucleotide shares with its neighbour: its O1 is the neighbour's O3'.
 #include <cmath>
 #include <numbers>
 #include <string_view>
@@ -13,7 +12,7 @@ namespace moltact::generator {
 namespace {
 
 constexpr double kTwist_deg = 36.0, kRise_A = 3.38;
-constexpr std::string_view kSequence = "CGCGAATTCGCG";  // Dickerson and Drew's dodecamer, its own complement
+constexpr std::string_view kSequence = "CGCGAATTCGCG";  // the Dickerson-Drew dodecamer, self-complementary
 
 struct Place {
   const char* name;
@@ -60,7 +59,7 @@ struct Nucleotide {
   Strand strand;
   int number;  // in the chain, from 1
   char base;
-  int step;  // place along the helix
+  int step;  // position along the helix
 };
 
 template <std::size_t N>

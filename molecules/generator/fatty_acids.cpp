@@ -1,11 +1,11 @@
-// Stearic, oleic and elaidic acid: 18 carbons each, with no double bond, a cis one and a trans one between carbons 9 and
-// 10. Chains, rounded to 0.01 A and 1 degree: R. A. Bonham, L. S. Bartell and D. A. Kohl, J. Am. Chem. Soc. 81, 4765
-// (1959); about the double bond, 2-butene: A. Almenningen, I. M. Anfinsen and A. Haaland, Acta Chem. Scand. 24, 43
-// (1970); the acid: acetic acid, J. L. Derissen, J. Mol. Struct. 7, 67 (1971). The torsions beside the cis bond are those
-// of oleic acid's crystals (S. Abrahamsson and I. Ryderstedt-Nahringbauer, Acta Cryst. 15, 1261, 1962), beside the trans
-// bond the most favourable ones; all others are 180 degrees, the chain stretched out.
+// Stearic, oleic and elaidic acid: 18 carbons each, with no double bond, a cis one and a trans one between carbons 9
+// and 10. Chains, rounded to 0.01 A and 1 degree: R. A. Bonham, L. S. Bartell and D. A. Kohl, J. Am. Chem. Soc. 81,
+// 4765 (1959). The double bond, from 2-butene: A. Almenningen, I. M. Anfinsen and A. Haaland, Acta Chem. Scand. 24, 43
+// (1970). The acid, from acetic acid: J. L. Derissen, J. Mol. Struct. 7, 67 (1971). The torsions beside the cis bond
+// are those of oleic acid's crystals (S. Abrahamsson and I. Ryderstedt-Nahringbauer, Acta Cryst. 15, 1261, 1962), those
+// beside the trans bond are the most favourable ones. All others are 180 degrees: the chain is extended.
 //
-// Each chain stands upright, the acid at the top, its first half along y.
+// Each chain is upright with the acid at the top and its first half along y.
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -19,7 +19,8 @@ namespace moltact::generator {
 namespace {
 
 constexpr int kCarbons = 18;
-constexpr const char* kResidue = "FAT";  // one name for all three: what names the touched atom gives nothing away
+constexpr const char* kResidue = "FAT";  // one name for all three, so that the name of a touched atom gives nothing
+                                         // away
 constexpr double kC_C = 1.53, kC_C_C = 112, kC_H = 1.09, kH_C_H = 107;
 constexpr double kAcidC_C = 1.52, kAcidC_O = 1.21, kAcidC_OH = 1.36, kO_H = 0.97;
 constexpr double kC_C_O = 127, kC_C_OH = 111, kC_O_H = 107;
@@ -27,18 +28,18 @@ constexpr double kRadiusC = 1.70, kRadiusH = 1.20, kRadiusO = 1.52;
 
 struct Kind {
   bool double_bond;
-  double length_A, beside_A, angle_deg;  // of the double bond and the bonds beside it
+  double length_A, beside_A, angle_deg;  // of the double bond and of the bonds beside it
   double before_deg, across_deg, after_deg;
 };
 constexpr Kind kStearic{false, kC_C, kC_C, kC_C_C, 180, 180, 180};
 constexpr Kind kOleic{true, 1.35, 1.51, 125, 133, 0, -133};
 constexpr Kind kElaidic{true, 1.35, 1.51, 124, 118, 180, -118};
 
-double bond(const Kind& kind, int i) {  // from carbon i to the next
+double bond(const Kind& kind, int i) {  // from carbon i to the next one
   return i == 1 ? kAcidC_C : i == 9 ? kind.length_A : i == 8 || i == 10 ? kind.beside_A : kC_C;
 }
 double angle(const Kind& kind, int i) { return i == 9 || i == 10 ? kind.angle_deg : kC_C_C; }
-double torsion(const Kind& kind, int i) {  // about the bond from carbon i to the next
+double torsion(const Kind& kind, int i) {  // about the bond from carbon i to the next one
   return i == 8 ? kind.before_deg : i == 9 ? kind.across_deg : i == 10 ? kind.after_deg : 180;
 }
 
@@ -75,8 +76,8 @@ std::vector<MadeAtom> makeAcid(const Kind& kind) {
     add("H18" + std::to_string(k + 1), "H",
         placeAtom(carbon(kCarbons - 2), carbon(kCarbons - 1), carbon(kCarbons), kC_H, 111, 60 + 120 * k));
 
-  // The first half along -y, from the acid down; what bends away in the second half bends toward -z, and where nothing
-  // does the zigzag lies in the plane of y and z.
+  // The first half is along -y, from the acid down. A bent second half points toward -z; without a bend, the zigzag
+  // lies in the yz plane.
   const auto middle = [&](int i) { return 0.5 * (carbon(i) + carbon(i + 1)); };
   const Vec3 down = glm::normalize(middle(7) - middle(1));
   Vec3 bent = middle(17) - middle(11);
@@ -88,7 +89,7 @@ std::vector<MadeAtom> makeAcid(const Kind& kind) {
   const Vec3 y = -down, z = -glm::normalize(bent), x = glm::cross(y, z);
   for (MadeAtom& a : out)
     a.position_A = {glm::dot(a.position_A, x), glm::dot(a.position_A, y), glm::dot(a.position_A, z)};
-  // Its middle at the origin.
+  // Centred at the origin.
   Vec3 low(std::numeric_limits<double>::max()), high(-low);
   for (const MadeAtom& a : out) {
     low = glm::min(low, a.position_A);
@@ -112,7 +113,7 @@ std::string write(const std::string& title, const std::vector<MadeAtom>& atoms, 
   return writePdb(title, remarks, atoms);
 }
 
-/// Back to back, each with the same side outward: chain A toward +x, chain B toward -x.
+/// Back to back, each with the same side facing outward: chain A toward +x, chain B toward -x.
 std::vector<MadeAtom> backToBack(const Kind& front, const Kind& back) {
   constexpr double kApart_A = 16;
   std::vector<MadeAtom> out = makeAcid(front), other = makeAcid(back);
@@ -125,8 +126,8 @@ std::vector<MadeAtom> backToBack(const Kind& front, const Kind& back) {
   return out;
 }
 
-/// Side by side, tops level, as near as their van der Waals surfaces let them come: chain A left of chain B for who looks
-/// from +x. A straight neighbour is turned round, so that the two acids do not hold the chains apart.
+/// Side by side with level tops, in van der Waals contact; seen from +x, chain A is left of chain B. A straight
+/// neighbour is rotated, so that the two acids do not keep the chains apart.
 std::vector<MadeAtom> sideBySide(const Kind& left, const Kind& right) {
   std::vector<MadeAtom> a = makeAcid(left), b = makeAcid(right);
   if (!right.double_bond)

@@ -1,5 +1,5 @@
-// Writes the molecules that are built from published geometry into a folder, and what is cut out of the 2hhb.pdb
-// and 1hpv.pdb that lie there: moltact_generate_molecules FOLDER
+// Writes the molecules built from published geometry, and those cut out of 2hhb.pdb and 1hpv.pdb, into the folder of
+// these two files: moltact_generate_molecules FOLDER
 #include <cstdio>
 #include <fstream>
 #include <sstream>

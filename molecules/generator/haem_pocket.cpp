@@ -1,5 +1,4 @@
-// A haem of deoxyhaemoglobin with the four residues that stand nearest to its iron, cut out of PDB entry 2HHB and
-// turned.
+// A haem of deoxyhaemoglobin with the four residues nearest to its iron, cut out of PDB entry 2HHB and rotated.
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
@@ -21,7 +20,7 @@ MadeAtom atomOf(const std::string& line) {
   MadeAtom a;
   a.name = trimmed(line.substr(12, 4));
   a.residue = line.substr(17, 3);
-  // The entry's columns for the element hold something else; in columns 13 and 14 it stands at the right.
+  // The entry has other data in the columns of the element, so it is taken from columns 13 and 14, right-aligned.
   a.element = trimmed(line.substr(12, 2));
   if (a.element.size() == 2 && a.element != "FE") a.element.resize(1);
   a.chain = line[21];
@@ -54,8 +53,8 @@ std::string makeHaemPocket(const std::string& entry, char chain) {
     if (a.chain == chain && wanted) atoms.push_back(a);
   }
 
-  // The haem's normal, toward the side of the distal histidine, comes to lie 30 degrees from y toward z; its methine
-  // bridge opposite to the propionates shows toward z.
+  // The haem's normal toward the distal histidine is at 30 degrees from y toward z. Its methine bridge opposite the
+  // propionates points toward z.
   const Vec3 iron = placeOf(atoms, "HEM", "FE", 1);
   const auto haem = [&](const char* name) { return placeOf(atoms, "HEM", name, 1); };
   Vec3 up = glm::normalize(glm::cross(haem("N A") - haem("N C"), haem("N B") - haem("N D")));

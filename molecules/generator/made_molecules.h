@@ -1,4 +1,4 @@
-// Every molecule of the library that is made here and was not taken from a database.
+// All molecules of the library that the project generates instead of taking them from a database.
 #pragma once
 
 #include <string>
@@ -7,11 +7,11 @@
 namespace moltact::generator {
 
 struct MadeMolecule {
-  const char* file;  ///< its name in the library's folder: "argon.pdb"
+  const char* file;  ///< file name in the library's folder: "argon.pdb"
   std::string text;  ///< the whole file
 };
 
-/// From the texts of the library's 2hhb.pdb and 1hpv.pdb, of which some are parts.
+/// Generates all molecules. Some are parts of the library's 2hhb.pdb and 1hpv.pdb, whose texts are the arguments.
 std::vector<MadeMolecule> madeMolecules(const std::string& haemoglobin, const std::string& protease);
 
 }  // namespace moltact::generator

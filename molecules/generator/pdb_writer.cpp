@@ -11,7 +11,7 @@ std::string writePdb(const std::string& title, const std::vector<std::string>& r
   int serial = 0;
   for (std::size_t i = 0; i < atoms.size(); ++i) {
     const MadeAtom& a = atoms[i];
-    // A one-letter element's name begins in the second of its four columns.
+    // In the four columns of the name, one-letter elements begin in the second column.
     const char* pad = a.name.size() < 4 && a.element.size() == 1 ? " " : "";
     char line[96];
     std::snprintf(line, sizeof line, "%-6s%5d %s%-*s %3s %c%4d    %8.3f%8.3f%8.3f%6.2f%6.2f          %2s  \n",

@@ -1,4 +1,4 @@
-// Writes the generated molecules as PDB text. Units: angstrom.
+// Writes the generated molecules as PDB text. Unit: angstrom.
 #pragma once
 
 #include <array>
@@ -23,10 +23,10 @@ std::string writePdb(const std::string& title, const std::vector<std::string>& r
 
 std::string makeBDna();
 std::string makeAlphaHelix();
-/// Chain A: a right-handed helix of L-alanine; chain B: its mirror image, left-handed and of D-alanine.
+/// Chain A: a right-handed helix of L-alanine; chain B: its mirror image, a left-handed helix of D-alanine.
 std::string makeHelixPair();
 std::string makeBetaStrand();
-/// Chain A before chain B, back to back.
+/// Chain A in front of chain B, back to back.
 std::string makeStearicOleic();
 std::string makeStearicElaidic();
 /// Chain A beside chain B, in contact.
@@ -43,9 +43,9 @@ std::string makeWaterAndArgon();
 /// Chain A: the L form of the amino acid; chain B: its mirror image.
 std::string makeAlaninePair();
 std::string makePhenylalaninePair();
-/// From the text of PDB entry 2HHB: chain 'A' (alpha) or 'B' (beta). Throws where an atom is missing.
+/// From the text of PDB entry 2HHB: chain 'A' (alpha) or 'B' (beta). Throws if an atom is missing.
 std::string makeHaemPocket(const std::string& entry, char chain);
-/// From the text of PDB entry 1HPV: the protein alone, and its inhibitor alone.
+/// From the text of PDB entry 1HPV: only the protein, and only its inhibitor.
 std::string makeEmptyProtease(const std::string& entry);
 std::string makeAmprenavir(const std::string& entry);
 

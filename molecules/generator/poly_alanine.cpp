@@ -1,6 +1,6 @@
-// Ideal coils and strands of alanine. Torsions and the angle at the alpha carbon are those of the fibre structures of
-// poly-L-alanine, alpha: S. Arnott and S. D. Dover, J. Mol. Biol. 30, 209-212 (1967), and beta: S. Arnott, S. D. Dover
-// and A. Elliott, J. Mol. Biol. 30, 201-208 (1967); other bond lengths and angles: R. A. Engh and R. Huber, Acta Cryst.
+// Ideal helices and strands of alanine. The torsions and the angle at the alpha carbon are those of fibre structures of
+// poly-L-alanine. Alpha: S. Arnott and S. D. Dover, J. Mol. Biol. 30, 209-212 (1967). Beta: S. Arnott, S. D. Dover and
+// A. Elliott, J. Mol. Biol. 30, 201-208 (1967). Other bond lengths and angles: R. A. Engh and R. Huber, Acta Cryst.
 // A47, 392-400 (1991). Heavy atoms only, as in the crystal structures of the library.
 #include <cmath>
 #include <functional>
@@ -19,18 +19,18 @@ struct Torsions {
 constexpr Torsions kAlpha{-57.4, -47.5, -179.8}, kBeta{-139, 135, -178};
 constexpr double kN_CA = 1.458, kCA_C = 1.525, kC_N = 1.329, kC_O = 1.231, kCA_CB = 1.521;
 constexpr double kN_CA_C = 109.7, kCA_C_N = 116.2, kC_N_CA = 121.7, kCA_C_O = 120.8, kN_CA_CB = 110.4;
-// The torsion C-N-CA-CB less phi: from the chirality of L-alanine with the angles above.
+// Angle C-CA-CB. cbTorsion() computes the torsion C-N-CA-CB from it, with the chirality of L-alanine.
 constexpr double kCB_C_CA = 110.5;
 
-/// The torsion X-N-CA-CB relative to X-N-CA-C, from the three angles at CA (spherical cosines); L: it lies
-/// before C.
+/// The torsion X-N-CA-CB relative to X-N-CA-C, from the three angles at CA (spherical law of cosines). For L, CB
+/// precedes C.
 double cbTorsion(double phi) {
   const double cosine = (std::cos(radians(kCB_C_CA)) - std::cos(radians(kN_CA_C)) * std::cos(radians(kN_CA_CB))) /
                         (std::sin(radians(kN_CA_C)) * std::sin(radians(kN_CA_CB)));
   return phi - std::acos(cosine) * 180 / std::numbers::pi;
 }
 
-/// N, CA, C of a chain, one residue more at each end for the torsions there.
+/// N, CA and C of a chain, with one extra residue at each end for the torsions there.
 class Chain {
  public:
   Chain(int residues, const Torsions& torsions) : residues_(residues), torsions_(torsions) {
@@ -56,7 +56,7 @@ class Chain {
     return out;
   }
 
-  /// Residues 1 to `residues`, each place as `seen` moves it.
+  /// Residues 1 to `residues`; `seen` transforms each place.
   std::vector<MadeAtom> atoms(const std::function<Vec3(Vec3)>& seen, const char* name = "ALA", char chain = 'A') const {
     std::vector<MadeAtom> out;
     for (int i = 1; i <= residues_; ++i) {
@@ -70,7 +70,7 @@ class Chain {
       add("N", "N", places_[k]);
       add("CA", "C", places_[k + 1]);
       add("C", "C", places_[k + 2]);
-      // the carbonyl oxygen lies opposite to the next nitrogen, in the plane of the peptide
+      // the carbonyl oxygen is opposite to the next nitrogen, in the plane of the peptide
       add("O", "O", onC(kCA_C_O, 180));
       add("CB", "C", cb(i));
       if (i == residues_) add("OXT", "O", onC(118.0, 0));
@@ -84,9 +84,9 @@ class Chain {
   std::vector<Vec3> places_;
 };
 
-/// The helix's own axes: z along it, alpha carbon 6 toward x, the middle of the alpha carbons at the origin.
+/// The helix's own axes: z along it, alpha carbon 6 toward x, the centroid of the alpha carbons at the origin.
 std::function<Vec3(Vec3)> helixAxes(const Chain& chain) {
-  // The C-alphas turn about the axis, so the second differences of their places point to it.
+  // The alpha carbons rotate about the axis, so the second differences of their places point to it.
   const auto ca = [&](int i) { return chain.ca(i); };
   const Vec3 in1 = glm::normalize(ca(5) - 2.0 * ca(6) + ca(7)), in2 = glm::normalize(ca(6) - 2.0 * ca(7) + ca(8));
   const Vec3 z = glm::normalize(glm::cross(in1, in2));
@@ -116,7 +116,7 @@ std::string makeHelixPair() {
   constexpr double kApart_A = 18;
   const Chain chain(12, kAlpha);
   const auto axes = helixAxes(chain);
-  // Upright, the one toward +x, its mirror image toward -x.
+  // Upright: the helix at +x, its mirror image at -x.
   const auto right = [&](Vec3 p) {
     const Vec3 q = axes(p);
     return Vec3(q.x + 0.5 * kApart_A, q.z, -q.y);
@@ -132,7 +132,7 @@ std::string makeHelixPair() {
 std::string makeBetaStrand() {
   constexpr int kResidues = 20;
   const Chain chain(kResidues, kBeta);
-  // Along x, the side chains of the middle up and down.
+  // Along x, with the side chains at the centre pointing up and down.
   const Vec3 x = glm::normalize(chain.ca(kResidues - 1) + chain.ca(kResidues) - chain.ca(1) - chain.ca(2));
   const Vec3 knob = chain.cb(kResidues / 2) - chain.cb(kResidues / 2 + 1);
   const Vec3 y = glm::normalize(knob - x * glm::dot(knob, x)), z = glm::cross(x, y), origin = chain.middle();

@@ -1,4 +1,4 @@
-// Small molecules whose geometry is a line of numbers.
+// Small molecules whose geometry needs only a few numbers.
 #include <cmath>
 #include <numbers>
 
@@ -44,7 +44,7 @@ std::string makeBenzene() {
   return writePdb("BENZENE", {kRingSource, kMaker}, atoms);
 }
 
-// Five hexagons in a row along x, atoms from left to right: of ring k = 0 … 4 those from 4 k to 4 k + 5.
+// Five hexagons in a row along x. Atoms are numbered from left to right: ring k = 0 … 4 has those from 4 k to 4 k + 5.
 std::string makePentacene() {
   constexpr int kRings = 5;
   const double rise_A = std::sqrt(3.0) * kRing_C_C, half_A = kRing_C_C / 2, slant = std::sqrt(3.0) / 2;
@@ -58,7 +58,7 @@ std::string makePentacene() {
         {std::string("H").append(std::to_string(hydrogens.size() + 1)), "PEN", "H", 'A', 1, {x, y, 0}, true});
   };
   for (int k = 0; k <= kRings; ++k) {
-    // The bond that ring k shares with the ring before it, across the row; at either end it bears hydrogens.
+    // The bond that ring k shares with the preceding ring, perpendicular to the row; at either end it has hydrogens.
     const double x = (k - kRings / 2.0) * rise_A;
     for (const double side : {1.0, -1.0}) carbon(x, side * half_A);
     const double end = k == 0 ? -1 : k == kRings ? 1 : 0;
@@ -93,9 +93,9 @@ std::string makeArgon(int count) {
   return writePdb(titles[count - 1], remarks, atoms);
 }
 
-// Four groups round the y axis, each seen face on from its own side: chain A from the front, then on to the right.
+// Four groups around the y axis, each facing its own side: chain A the front, the others in order to the right.
 std::string makeArgonShapes() {
-  constexpr double kApart_A = 8.0;  // from the axis: a probe of water's size passes between any two
+  constexpr double kApart_A = 8.0;  // from the axis, so that a probe of water's size passes between any two
   const double corner_A = kAr_Ar / std::sqrt(3.0);
   const std::vector<std::vector<Vec3>> groups{
       {{0, 0, 0}},
@@ -105,7 +105,7 @@ std::string makeArgonShapes() {
   };
   std::vector<MadeAtom> atoms;
   for (std::size_t g = 0; g < groups.size(); ++g) {
-    // Its own x axis, and the way out, after g quarter turns.
+    // The group's own x axis and outward direction after g quarter turns.
     const Vec3 across[] = {{1, 0, 0}, {0, 0, -1}, {-1, 0, 0}, {0, 0, 1}},
                out[] = {{0, 0, 1}, {1, 0, 0}, {0, 0, -1}, {-1, 0, 0}};
     int number = 0;
@@ -119,16 +119,16 @@ std::string makeArgonShapes() {
       atoms);
 }
 
-// Chain A: two waters, the one above gives the hydrogen; chain B: two argon atoms. No name of water: a library leaves
-// waters out.
+// Chain A: two waters, of which the upper one is the hydrogen bond's donor; chain B: two argon atoms. The residues are
+// not named as water, because waters are left out when a file is read.
 std::string makeWaterAndArgon() {
   constexpr double kO_O = 2.976, kBow_deg = 57, kAside_A = 6.0;
-  constexpr double kTurned_deg = 28;  // so that a probe gets at the hydrogen bond from the left
+  constexpr double kTurned_deg = 28;  // so that a probe reaches the hydrogen bond from the left
   const double free_deg = 2 * kHalfAngle_deg - 90, bow = kBow_deg * std::numbers::pi / 180,
                half = kHalfAngle_deg * std::numbers::pi / 180, free = free_deg * std::numbers::pi / 180,
                turned = kTurned_deg * std::numbers::pi / 180;
   const Vec3 giver(-kAside_A, kO_O / 2, 0), taker(-kAside_A, -kO_O / 2, 0);
-  // In the plane of symmetry the taker's hydrogens lean to one side, the giver's free one to the other (trans).
+  // In the plane of symmetry, the acceptor's hydrogens lean to one side and the donor's free one to the other (trans).
   const Vec3 lean(std::sin(turned), 0, std::cos(turned)), across(std::cos(turned), 0, -std::sin(turned));
   const Vec3 axis = Vec3(0, -std::cos(bow), 0) + std::sin(bow) * lean;
   const auto taken = [&](double side) {

@@ -1,5 +1,5 @@
-// HIV-1 protease of PDB entry 1HPV with the drug and the water taken out of its tunnel, and the drug alone; every atom
-// stays where it was.
+// HIV-1 protease of PDB entry 1HPV without the drug and the water in its tunnel, and the drug alone. Every atom keeps
+// its place.
 #include <sstream>
 
 #include "molecules/generator/pdb_writer.h"

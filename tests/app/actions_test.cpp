@@ -1,4 +1,4 @@
-// The table of actions and what hangs on it: menus, tool bar, shortcuts and their sheet; undo; preferences.
+// The table of actions and its users: menus, tool bar, shortcuts and their list; undo; preferences.
 #include "app/ui/panels/actions.h"
 
 #include <cmath>
@@ -82,8 +82,7 @@ TEST_CASE("a whole drag of the probe's slider is undone at once, and redone") {
   CHECK(d->app().scene.servo_settings.probe_A == after_A);
 }
 
-TEST_CASE(
-    "whatever of what is felt is changed, the change is undone and redone; a word that is not known changes nothing") {
+TEST_CASE("every change of a touch property is undone and redone; an unknown word changes nothing") {
   for (const TouchProperty& p : touchProperties()) {
     if (!isChoice(p)) continue;
     CAPTURE(std::string(p.key));
@@ -173,7 +172,8 @@ TEST_CASE("with a decimal comma 1.4 Å reads 1,4 Å, and the other way about") {
 }
 
 TEST_CASE(
-    "a pressed spring stores half the square of its force over its stiffness, as the touch panel's details tell") {
+    "a pressed spring stores half the square of its force over its stiffness, as the touch panel's "
+    "details show") {
   auto d = startWith("argon");
   d->app().panels.touch_details = true;
   d->frames(3);
@@ -214,8 +214,8 @@ TEST_CASE("preferences change the theme, the size and the atoms' colours at once
 }
 
 TEST_CASE(
-    "letters grow by themselves: at 150 % a line of text is 1.5 times as high, and the tool bar's signs stay as they "
-    "are") {
+    "text grows separately: at 150 % a line of text is 1.5 times as high, and the tool bar's icons "
+    "keep their size") {
   auto d = startWith("argon");
   const auto high = [](const char* name) { return widgets().find(name)->high.y - widgets().find(name)->low.y; };
   const float sign = high("tool/open"), row = high("show/hip"), words = look().font(Font::Body)->FontSize;
@@ -385,7 +385,7 @@ TEST_CASE("a lesson's scene colours by chain until another scene says otherwise,
   CHECK(d->app().scene.colour_by == ColourBy::Element);
 }
 
-TEST_CASE("text stands out from its ground: 4.5 to 1 in the light and dark theme, 7 to 1 in high contrast") {
+TEST_CASE("text has a contrast to its background of 4.5 to 1 in the light and dark theme, 7 to 1 in high contrast") {
   auto d = startWith("argon");
   for (const ThemeChoice theme : {ThemeChoice::Light, ThemeChoice::Dark, ThemeChoice::HighContrast}) {
     d->app().settings.theme = theme;
@@ -428,7 +428,7 @@ TEST_CASE("Ctrl+Shift+S asks for a name, refuses to overwrite without a click, a
   CHECK_FALSE(d->shows("file/name"));
 }
 
-TEST_CASE("a kept preference of every kind comes back") {
+TEST_CASE("a stored preference of every kind is restored") {
   Scratch scratch;
   Settings s;
   s.theme = ThemeChoice::HighContrast;
@@ -451,7 +451,7 @@ TEST_CASE("a settings file from before the choice of three that wanted a decimal
             .settings.decimal_sign == DecimalSign::Point);
 }
 
-TEST_CASE("F11 asks for the full screen and gives it back") {
+TEST_CASE("F11 enters and leaves full screen") {
   auto d = startWith("argon");
   d->tap("F11");
   CHECK(d->app().panels.full_screen);

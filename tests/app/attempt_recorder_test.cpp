@@ -1,4 +1,4 @@
-// What a student does in the window stands in the attempt's file. Oracle: the acts of the script.
+// The attempt's file contains what a student does in the window. Oracle: the commands of the script.
 #include <algorithm>
 #include <filesystem>
 
@@ -49,7 +49,9 @@ void push(ScriptedUser& driver, int frames = 40) {
   driver.frames(15);
 }
 
-TEST_CASE("a lesson that is only looked at leaves no file; a touch, a hint and a step do, with all that went before") {
+TEST_CASE(
+    "a lesson that is only viewed leaves no file; a touch, a hint or a step creates one with all "
+    "earlier events") {
   const ScratchFolder scratch;
   const auto driver = startWith(kLesson, keeping(scratch.path / "attempts"));
   driver->frames(30);
@@ -155,7 +157,7 @@ TEST_CASE("a window killed while it presses, and while it is read in, leaves a r
   CHECK(first.time_s < after.time_s);
 }
 
-TEST_CASE("a disk that is full is told once in words to act on, and the lesson goes on") {
+TEST_CASE("a full disk is reported once with a remedy, and the lesson continues") {
   const ScratchFolder scratch;
   writeFile(scratch.path / "file", "");
   const auto driver = startWith(kLesson, keeping(scratch.path / "file" / "attempts"));
@@ -174,7 +176,7 @@ TEST_CASE("a disk that is full is told once in words to act on, and the lesson g
   CHECK(driver->app().messages.all().empty());
 }
 
-TEST_CASE("two students in turn have an attempt each, and each goes on with what he did himself") {
+TEST_CASE("two students who take turns have an attempt each, and each resumes his own") {
   const ScratchFolder scratch;
   const auto driver = startWith(kLesson, keeping(scratch.path));
   AttemptRecorder& recorder = driver->app().extensions().recorder;

@@ -1,4 +1,4 @@
-// `moltact bench hands` and `moltact device path` as a person calls them.
+// `moltact bench hands` and `moltact device path` as users call them.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -27,7 +27,7 @@ std::size_t lines(const std::string& text) { return std::size_t(std::count(text.
 
 }  // namespace
 
-TEST_CASE("anyone's hand is replayed through the methods that are asked for: rows of numbers laid on a molecule") {
+TEST_CASE("a user's recorded hand, rows of numbers placed on a molecule, is replayed through the requested methods") {
   const CommandPlace place;
   writePress(place.folder / "press.txt");
   const Run run = place.run("bench hands --quick --recording press.txt --molecule argon --methods mesh80 --csv out");
@@ -45,7 +45,8 @@ TEST_CASE("anyone's hand is replayed through the methods that are asked for: row
 }
 
 TEST_CASE(
-    "a hand that says no molecule, a row that is broken, and --docs beside --recording are told, with status 1 or 2") {
+    "a hand without a molecule, a broken row, and --docs together with --recording are errors with "
+    "status 1 or 2") {
   const CommandPlace place;
   writePress(place.folder / "press.txt");
   Run run = place.run("bench hands --quick --recording press.txt");

@@ -1,4 +1,4 @@
-// A scene's `in-hand`: its atoms leave the molecule for the hand, which leads and turns them as one body.
+// A scene's `in-hand`: the hand removes its atoms from the molecule, moves and rotates them as one rigid body.
 #include "tests/app/command_place.h"
 #include "tests/app/scripted_user_fixture.h"
 
@@ -95,7 +95,7 @@ TEST_CASE(
   CHECK(several >= 2);
 }
 
-TEST_CASE("a lesson that has the hand hold 1516 atoms, or none that there are, is told of and touched with the probe") {
+TEST_CASE("a lesson whose held body has 1516 atoms, or none that exist, is reported and touched with the probe") {
   Scratch scratch;
   for (const char* atoms : {"protein", "resname ZZZ"}) {
     CAPTURE(atoms);

@@ -1,4 +1,4 @@
-// A body in the hand beside the place that it was taken from. Oracle: its own atoms in the molecule's file.
+// A held body beside its original place. Oracle: its own atoms in the molecule's file.
 #include "app/ui/scene/body_place.h"
 
 #include <cmath>
@@ -73,7 +73,7 @@ TEST_CASE("atoms of a body that the hand presses into others are stopped; in its
   CHECK(place.stopped == inside);
 }
 
-TEST_CASE("how many atoms are in place is told where the scene marks the place of what is held, and nowhere else") {
+TEST_CASE("the number of atoms in place is shown if the scene marks the place of the held body, and only then") {
   const ScratchFolder scratch;
   {
     auto d = drugInHand("", scratch);

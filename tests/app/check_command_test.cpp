@@ -1,4 +1,4 @@
-// moltact check as an author and an editor call it.
+// moltact check as authors and editors call it.
 #include <doctest/doctest.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -77,8 +77,8 @@ TEST_CASE("a folder with a good lesson, one with a warning and a README passes, 
 }
 
 TEST_CASE(
-    "of files that are named one by one, as a shell does for *.md, a glossary is checked as one and a README is passed "
-    "over; another file without anything of a lesson is told") {
+    "of files that are named one by one, as a shell does for *.md, a glossary is checked as one and "
+    "a README is passed over; another file without anything of a lesson is reported") {
   const Folder folder;
   folder.write("a.md", kGood);
   folder.write("glossary.md", "- **pit**: Three atoms at once.\n");
@@ -130,8 +130,7 @@ TEST_CASE("a folder without lessons, a missing file and no argument at all end w
   CHECK(runMoltact(folder.path, "check").status == 2);
 }
 
-TEST_CASE(
-    "the caret stands under its letter behind tabs, letters of two bytes, wide letters and letters set upon others") {
+TEST_CASE("the caret is aligned after tabs, two-byte characters, wide characters and combining characters") {
   CHECK(sourceExcerpt("abc", 2) == "abc\n ^\n");
   CHECK(sourceExcerpt("abc", 4) == "abc\n   ^\n");
   CHECK(sourceExcerpt("abc", 99) == "abc\n   ^\n");

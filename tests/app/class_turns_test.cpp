@@ -1,4 +1,5 @@
-// A class at one device, by the menus and buttons a teacher uses. Oracle: who was called, and the attempts' files.
+// A class at one device, controlled by a teacher's menus and buttons. Oracle: the students called, and the attempts'
+// files.
 #include <algorithm>
 
 #include "app/ui/extensions/extensions.h"

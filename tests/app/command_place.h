@@ -1,4 +1,4 @@
-// A folder of its own to run `moltact` in as a person would, gone at the end.
+// Runs `moltact` in a temporary folder, which is deleted at the end.
 #pragma once
 
 #include <sys/wait.h>
@@ -29,7 +29,8 @@ struct CommandPlace {
   CommandPlace(const CommandPlace&) = delete;
   CommandPlace& operator=(const CommandPlace&) = delete;
 
-  /// `before`: what the shell is told before, as "ulimit -f 200;" or "env NAME=value". `input`: what is typed.
+  /// `before`: shell commands before the program, such as "ulimit -f 200;" or "env NAME=value". `input`: standard
+  /// input.
   Run run(const std::string& arguments, const std::string& before = "", const std::string& input = "") const {
     const std::filesystem::path out = folder / "run.out", err = folder / "run.err";
     std::ofstream(folder / "run.in") << input;

@@ -1,4 +1,4 @@
-// The headless commands as a person calls them: what they print, where errors go, the exit status.
+// The headless commands as users call them: their output, their errors, the exit status.
 #include <doctest/doctest.h>
 #include <sys/stat.h>
 #include <sys/wait.h>

@@ -32,7 +32,7 @@ Contact on(Feature feature, std::array<std::int32_t, 3> atoms) {
 
 }  // namespace
 
-TEST_CASE("ball, crease and pit are told with element, atom, residue and newtons to one place") {
+TEST_CASE("ball, crease and pit are described with element, atom, residue and newtons to one decimal") {
   const Molecule m = read(kTwoResidues, "two.pdb");
   CHECK(contactText(&m, on(Feature::Sphere, {2, -1, -1}), 0.449) == "touching: oxygen O of Asp 52, 0.4\u00a0N");
   CHECK(contactText(&m, on(Feature::Circle, {1, 2, -1}), 1.2) ==
@@ -60,7 +60,9 @@ TEST_CASE(
   CHECK(touchedText(bare, on(Feature::Circle, {0, 1, -1})) == "atom 0, crease with atom 1");
 }
 
-TEST_CASE("whereto the surface pushes is told in eight directions, and straight ahead within 15 degrees") {
+TEST_CASE(
+    "the direction of the surface's push is described in eight directions, and as straight ahead "
+    "within 15 degrees") {
   CHECK(pushText({0, 0, 1}) == "pushed toward you");
   CHECK(pushText({0.2, -0.1, 0.97}) == "pushed toward you");
   CHECK(pushText({0, 0, -1}) == "pushed away from you");
@@ -92,7 +94,9 @@ TEST_CASE(
   }
 }
 
-TEST_CASE("a contact of 50 ms is not told, one that stays is told once after 100 ms, and 0.05 N more is no news") {
+TEST_CASE(
+    "a contact of 50 ms is not reported, one that stays is reported once after 100 ms, and 0.05 N "
+    "more is no news") {
   StateLine line(StateLine::reading());
   CHECK(line.update("free", "not touching", 0, 0.0));
   CHECK_FALSE(line.update("atom", "atom, 1 N", 1.0, 1.00));

@@ -1,4 +1,4 @@
-// Damage tracking: what is drawn in parts is, pixel for pixel, what would have been drawn whole; and little is drawn.
+// Damage tracking: a partial redraw gives the same pixels as a full one, and redraws little.
 #include "app/ui/widgets/damage.h"
 
 #include <backends/imgui_impl_opengl3.h>
@@ -87,7 +87,7 @@ TEST_CASE("damage: the whole window first, then nothing, then only the window wh
   CHECK(areaOf(all) == 800 * 480);
 }
 
-TEST_CASE("damage: a picture of another version has its window drawn again") {
+TEST_CASE("damage: a new version of a picture redraws its window") {
   Frames f;
   for (int k = 0; k < 3; ++k) f.next("a");
   ++f.version;

@@ -1,4 +1,4 @@
-// `moltact devices` and `moltact device` as a person calls them.
+// `moltact devices` and `moltact device` as users call them.
 #include <doctest/doctest.h>
 #include <sys/wait.h>
 #include <unistd.h>

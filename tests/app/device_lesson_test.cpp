@@ -1,5 +1,5 @@
-// A device over a lesson and over two starts: it is unplugged in a step and comes back in it; the one that was chosen
-// is remembered, waited for, and leads when it is there.
+// A device during a lesson and over two starts. It is unplugged and returns within a step. The chosen device is stored,
+// awaited, and used when it is present.
 #include <chrono>
 #include <cstdlib>
 #include <future>
@@ -120,8 +120,8 @@ TEST_CASE("a device that was chosen is in use at the next start; the mouse that 
 }
 
 TEST_CASE(
-    "a device that was chosen and is not there is told once, the mouse leads, and within some seconds of its coming it "
-    "leads") {
+    "a chosen device that is missing is reported once and the mouse is used; within seconds of its "
+    "connection the device is used") {
   const Scratch scratch;
   const auto file = scratch.file("settings.json", R"({"device": "omni"})");
   LibHd lib("/nowhere/libHD.so");
@@ -227,7 +227,7 @@ TEST_CASE(
   CHECK_FALSE(told(*d, "plugged in"));
 }
 
-TEST_CASE("a look that takes as long as it likes stops no frame") {
+TEST_CASE("a slow search for devices delays no frame") {
   ScriptedUser::Options options;
   options.application.clock = ServoClock::RealThread;
   auto d = startWith("argon-pair", options);

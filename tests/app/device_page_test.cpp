@@ -1,4 +1,4 @@
-// A device in the window, on the frames' clock: chosen on the page, felt, unplugged, stopped.
+// A device in the window on the frames' clock: chosen on its page, felt, unplugged, stopped.
 #include <cmath>
 #include <cstdlib>
 #include <limits>

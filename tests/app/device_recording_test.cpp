@@ -1,4 +1,4 @@
-// `moltact device record` and `moltact device replay` as a person calls them.
+// `moltact device record` and `moltact device replay` as users call them.
 #include <doctest/doctest.h>
 
 #include <cstdint>
@@ -33,8 +33,8 @@ TEST_CASE("a hand of 1 s recorded on ubiquitin replays to the last bit") {
 }
 
 TEST_CASE(
-    "a recording knows its molecule whole: with waters, of another model or assembly, from another folder; and tells "
-    "when it has changed") {
+    "a recording stores how its molecule was read: with waters, another model or assembly, another "
+    "folder; and reports a change of it") {
   const CommandPlace place;
   fs::create_directories(place.folder / "elsewhere");
   const auto write = [&](double x) {
@@ -86,7 +86,7 @@ TEST_CASE(
 }
 
 TEST_CASE(
-    "half of a recording is replayed as far as it goes, and it is told of which file that is not all, with status 1; "
+    "half of a recording is replayed to its end, and its file is named as incomplete, with status 1; "
     "one without ticks and a text fail") {
   const CommandPlace place;
   REQUIRE(place.run("device record simulated 1ubq --seconds 1 --out a.recording").status == 0);
@@ -108,8 +108,8 @@ TEST_CASE(
 }
 
 TEST_CASE(
-    "a file that is there stays as it is without --overwrite; a folder that is not there is told before the hand is "
-    "asked") {
+    "a file that is there stays as it is without --overwrite; a folder that is not there is reported "
+    "before the hand is asked") {
   const CommandPlace place;
   std::ofstream(place.folder / "a.recording") << "dear";
   const Run kept = place.run("device record simulated 1ubq --seconds 0.2 --out a.recording");
@@ -138,7 +138,7 @@ TEST_CASE("a recording of an hour ends when the file cannot grow any more, says 
   CHECK(contains(replay.out, " ticks: the same forces and torques to the last bit"));
 }
 
-TEST_CASE("a device that is silent for the whole recording: it is told for how long, and the recording fails") {
+TEST_CASE("a device that is silent for the whole recording: the time is reported, and the recording fails") {
   const CommandPlace place;
   // The stand-in's clock stands until a test lets it run.
   const Run silent = place.run("device record omni 1ubq --seconds 0.5 --out a.recording",

@@ -1,5 +1,4 @@
-// How a molecule lies in the room of a device that is held: an Omni's, 160 x 120 x 70 mm. Oracle: the spheres' own
-// distances.
+// A molecule in the workspace of a haptic device: an Omni's, 160 x 120 x 70 mm. Oracle: the spheres' own distances.
 #include <cmath>
 
 #include "app/ui/extensions/device_link.h"

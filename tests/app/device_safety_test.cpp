@@ -1,5 +1,5 @@
-// What stands between a device and a hand, through the window: the panic key and the gentle force whatever is shown,
-// each limit's words while it acts, and the device's own words. Oracle: what a device made for the test was given.
+// Safety of a device in the window: the panic key and the test force in every scene, the message of each active limit,
+// and the device's own messages. Oracle: the forces that a test device received.
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -278,7 +278,7 @@ TEST_CASE("each limit is named on the device page and says its sentence over the
   }
 }
 
-TEST_CASE("a soft start that begins again and again for 1.5 s is told over the view") {
+TEST_CASE("a soft start that begins again and again for 1.5 s is reported over the view") {
   auto d = startWith();
   lead(*d, {}, kDeep_mm);
   d->app().scene.servo().setInteraction(pull(*d, 1.0));
@@ -314,8 +314,8 @@ TEST_CASE(
 }
 
 TEST_CASE(
-    "a device that wants to be calibrated says over the view what to do, with the button for it; ready again, that is "
-    "told and the rest goes") {
+    "a device that needs calibration shows instructions over the view, with a button; once it is "
+    "ready, a message says so and the instructions disappear") {
   auto d = startWith();
   Led& stylus = lead(
       *d, [](double t) { return DevicePose{.position = {}, .fault = t < 2.0}; }, kDeep_mm);
@@ -348,7 +348,7 @@ TEST_CASE(
   CHECK_FALSE(told(*d, "inkwell"));
 }
 
-TEST_CASE("fault that a device tells of is told for as long as it lasts") {
+TEST_CASE("a fault that a device reports is displayed for as long as it lasts") {
   auto d = startWith();
   Led& stylus = lead(*d);
   stylus.said.text = "The motors are too warm.";

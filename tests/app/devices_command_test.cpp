@@ -1,4 +1,4 @@
-// What `moltact devices` says of an OpenHaptics that is not as it should be.
+// The output of `moltact devices` for faulty installations of OpenHaptics.
 #include <doctest/doctest.h>
 
 #include "tests/app/command_place.h"
@@ -18,7 +18,7 @@ TEST_CASE(
   }
 }
 
-TEST_CASE("a MOLTACT_LIBHD that names nothing, or another library, is told to be corrected") {
+TEST_CASE("a MOLTACT_LIBHD that names no file, or another library, is reported with the remedy to correct it") {
   const CommandPlace place;
   const std::string nothing = place.run("devices", "env MOLTACT_LIBHD=/nowhere/libHD.so").out;
   CHECK(nothing.find("/nowhere/libHD.so: cannot open") != std::string::npos);

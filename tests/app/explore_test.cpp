@@ -1,5 +1,5 @@
-// What a person who explores a molecule tries first: the pointer over an atom, two clicks, an element's name, Escape; and the
-// order in which lessons are listed.
+// First actions of users who explore a molecule: the pointer over an atom, a double click, an element's name, Escape;
+// and the order of lessons in lists.
 #include <algorithm>
 
 #include "app/ui/extensions/extensions.h"

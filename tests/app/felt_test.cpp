@@ -1,5 +1,5 @@
-// What is shown, written, spoken and heard of a force is what the servo loop gave, with a method whose force leads
-// another way than from the HIP to the SCP: whoever worked it out anew would be found here.
+// Everything shown, written, spoken and played of a force comes from the servo loop. The test's method returns a force
+// in another direction than from the HIP to the SCP, so that code that recomputes the force would fail.
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
@@ -80,7 +80,7 @@ struct Felt {
 
 }  // namespace
 
-TEST_CASE("the arrow, its label and the line of the state tell the force that the servo gave, not SCP - HIP") {
+TEST_CASE("the arrow, its label and the line of the state show the force of the servo loop, not SCP - HIP") {
   Felt felt;
   ScriptedUser& d = *felt.driver;
   const ServoSample& s = felt.shaded;
@@ -128,7 +128,7 @@ TEST_CASE("the arrow, its label and the line of the state tell the force that th
   CHECK(std::abs(told_N(d.app().extensions().state_text.line(d.app().scene)) - glm::length(s.force.N)) < 0.1 + 0.05);
 }
 
-TEST_CASE("in the dark the words and the meter tell the force that the servo gave, not SCP - HIP") {
+TEST_CASE("in the dark the words and the meter show the force of the servo loop, not SCP - HIP") {
   Felt felt;
   ScriptedUser& d = *felt.driver;
   const ServoSample& s = felt.shaded;
@@ -239,9 +239,9 @@ TEST_CASE("sound, the attempt's samples and `moltact replay` have the force that
 }
 
 TEST_CASE(
-    "a field is felt without touching: arrow, its label, the line of the state and the status bar tell 0.4 N toward "
-    "the "
-    "atom, and nothing says that anything is touched; a press rests in its well within 0.05 A") {
+    "a field is felt without touching: arrow, its label, the line of the state and the status bar "
+    "show 0.4 N toward the atom, and nothing says that anything is touched; a press rests in its "
+    "well within 0.05 A") {
   Scratch scratch;
   ScriptedUser::Options options;
   options.application.attempts_folder = scratch.folder / "attempts";

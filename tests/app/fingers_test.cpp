@@ -1,4 +1,4 @@
-// Fingers become what a mouse does: heard as ImGui hears it.
+// Fingers are converted to mouse input: checked by what ImGui receives.
 #include "app/ui/widgets/fingers.h"
 
 #include <doctest/doctest.h>

@@ -1,4 +1,4 @@
-// Nothing is cut off: every widget of every page lies in the window that it stands in, at each scale and in each theme.
+// Nothing is cut off: every widget of every page lies inside its window, at each scale and in each theme.
 #include <algorithm>
 #include <functional>
 #include <iterator>

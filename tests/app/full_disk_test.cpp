@@ -1,5 +1,5 @@
-// Every command that writes a file, on a disk with no room, past a limit on files, and with what was there before.
-// Oracle: the bytes before, and a listing of the folder.
+// Every command that writes a file: on a full disk, beyond a file size limit, and with an existing file. Oracle: the
+// bytes before, and a listing of the folder.
 #include <arpa/inet.h>
 #include <doctest/doctest.h>
 #include <netinet/in.h>

@@ -1,5 +1,5 @@
-// Names and texts that try to steer a terminal, in every place where a command could print them. Oracle: the bytes of
-// what came out.
+// Names and texts with terminal control characters, wherever a command could print them. Oracle: the bytes of the
+// output.
 #include <doctest/doctest.h>
 
 #include <filesystem>
@@ -65,8 +65,7 @@ std::string newLesson(const CommandPlace& place) {
 
 std::string quoted(const std::string& word) { return "'" + word + "'"; }
 
-TEST_CASE(
-    "every command, fed hostile names and files, prints nothing that steers a terminal and no line that is forged") {
+TEST_CASE("every command, given hostile names and files, prints no control characters and no forged line") {
   const CommandPlace place;
   const fs::path& at = place.folder;
   const auto put = [&](const std::string& name, const std::string& bytes) {
@@ -192,7 +191,7 @@ TEST_CASE(
             .find("\x1b]0;owned") == 0);
 }
 
-TEST_CASE("what is piped into a full disk or past a limit on files is told, and the status is not 0") {
+TEST_CASE("what is piped into a full disk or past a limit on files is reported, and the status is not 0") {
   const CommandPlace place;
   const Run full = place.run("lesson-reference >/dev/full; echo $? >status; true");
   CHECK(contents(place.folder / "status") == "1\n");

@@ -1,4 +1,4 @@
-// Keys on their way from the window to ImGui, in every version of ImGui alike.
+// Keys from the window to ImGui, the same in every version of ImGui.
 #include <iterator>
 #include <map>
 #include <string>

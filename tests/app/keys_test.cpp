@@ -1,4 +1,4 @@
-// The keyboard alone: Tab reaches every control, menus open by keys, and what is no control's is the molecule's.
+// Keyboard only: Tab reaches every control, keys open menus, and keys that no control uses act on the molecule.
 #include <algorithm>
 #include <set>
 

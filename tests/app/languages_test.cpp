@@ -1,4 +1,4 @@
-// The window in German: chosen while it runs, at the start, by the environment; its numbers; back to English.
+// The window in German: selected while it runs, at the start, and by the environment; its numbers; back to English.
 #include <imgui.h>
 
 #include <cstdlib>
@@ -48,7 +48,7 @@ TEST_CASE("German is chosen in the preferences and holds at once, with a decimal
   CHECK(d->text("menu/file") == "File");
 }
 
-TEST_CASE("a touch is told in German as in English, atom for atom") {
+TEST_CASE("a touch is reported in German as in English, atom for atom") {
   const EnglishAgain at_end;
   ScriptedUser::Options options;
   options.application.language = "de";
@@ -119,7 +119,7 @@ TEST_CASE("signs of another script are loaded when they are first to be shown, a
   CHECK_FALSE(has(u'ש'));
 }
 
-TEST_CASE("a language that has no texts is told once, and the window stays English") {
+TEST_CASE("a language that has no texts is reported once, and the window stays English") {
   const EnglishAgain at_end;
   auto d = startWith("argon");
   d->app().settings.language = "xx";

@@ -1,4 +1,4 @@
-// Where panels stand, by arithmetic alone.
+// The places of the panels, by arithmetic alone.
 #include "app/ui/widgets/layout.h"
 
 #include <doctest/doctest.h>

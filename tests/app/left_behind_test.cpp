@@ -1,5 +1,5 @@
-// A contact that is kept though the hand is in the open is let go after a while; one that has its cause is kept: where
-// the spheres have moved to the hand, and where a body touches with its rim.
+// A contact that remains although the hand is in free space is released after a while. A contact with a reason remains:
+// if the spheres have moved to the hand, or if a body touches with its rim.
 #include <doctest/doctest.h>
 
 #include <memory>

@@ -1,5 +1,5 @@
-// The ends of a lesson and what leads through it: goals, hints one after the other, the sign of what stands below, the
-// card that closes it, and Escape.
+// The ends of a lesson and its navigation: goals, hints one by one, the sign for content below, the closing page, and
+// Escape.
 #include <filesystem>
 
 #include "app/ui/extensions/extensions.h"
@@ -107,8 +107,8 @@ TEST_CASE(
 }
 
 TEST_CASE(
-    "the closing card tells the way in the order in which the steps were met, with the side path, and what was passed "
-    "over where it would have come") {
+    "the closing card lists the steps in the order of the visits, with the aside, and skipped ones "
+    "at their regular position") {
   const ScratchFolder scratch;
   writeFile(
       scratch.path / "way.md",
@@ -140,7 +140,9 @@ TEST_CASE("H opens the first hint, then the second, then closes both") {
   }
 }
 
-TEST_CASE("a question below the edge is told by a sign, which leads there; at the end of the text the sign is gone") {
+TEST_CASE(
+    "a question below the edge is announced by a sign, which leads there; at the end of the text the "
+    "sign is gone") {
   Opened o;
   CHECK(o.driver->text("lesson/more") == "A question stands below");
   for (int k = 0; k < 20 && o.driver->shows("lesson/more"); ++k) {

@@ -1,4 +1,4 @@
-// A lesson's file while it is open in the window: it is read again as its author saves it, and what is wrong is listed.
+// A lesson's file while the lesson is open: it is read again when its author saves it, and its faults are listed.
 #include <doctest/doctest.h>
 #include <unistd.h>
 
@@ -157,8 +157,8 @@ TEST_CASE("with errors the last good lesson stays and they are listed with line 
 }
 
 TEST_CASE(
-    "a file that is gone or empty for a second, as while an editor saves, raises nothing; one that stays gone for 4 s "
-    "is told") {
+    "a file that is gone or empty for a second, as while an editor saves, raises nothing; one that "
+    "stays gone for 4 s is reported") {
   AuthorFolder scratch;
   const fs::path file = scratch / "mine.md";
   save(file, kHead + kOne);

@@ -1,5 +1,4 @@
-// How the hand of LessonHand moves: what it sees of a place, the molecule turned to a side, a press led over the
-// surface.
+// The motions of LessonHand: visibility of a place, rotation of the molecule, a press slid over the surface.
 #include <algorithm>
 #include <cmath>
 

@@ -1,5 +1,5 @@
-// Every shipped lesson in the window, on the frames' clock: once with the mouse alone, and once with the keyboard alone by a
-// student who errs first wherever one can.
+// Every lesson of the program in the window, on the frames' clock: once with the mouse only, and once with the keyboard
+// only by a student who makes every possible mistake first.
 #include "tests/app/lesson_hand.h"
 #include "tests/app/scripted_user_fixture.h"
 

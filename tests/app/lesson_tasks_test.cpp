@@ -1,4 +1,4 @@
-// Every kind of task in the window, on the frames' clock: with the keyboard alone, with the mouse alone, in the dark.
+// Every kind of task in the window, on the frames' clock: with the keyboard only, with the mouse only, in the dark.
 #include <cmath>
 
 #include "app/ui/extensions/extensions.h"

@@ -1,4 +1,4 @@
-// Words, tables and pictures of a lesson in its panel, by mouse, by keys and in the lines that a screen reader follows.
+// Words, tables and pictures of a lesson in its panel, by mouse, by keys and in the lines for screen readers.
 #include <filesystem>
 #include <fstream>
 #include <sstream>
@@ -77,7 +77,7 @@ TEST_CASE("a click on a word opens its meaning below its paragraph, a second one
   CHECK(user.missing().empty());
 }
 
-TEST_CASE("Tab and Enter open a word's meaning, and the lines for screen readers tell it") {
+TEST_CASE("Tab and Enter open a word's meaning, and the lines for screen readers contain it") {
   OpenedText opened("Feel the pits.\n", kWords);
   ScriptedUser& user = *opened.user;
   const std::string lines = opened.file("state.txt");

@@ -1,4 +1,4 @@
-// A part of the molecule magnified, by hand and by a lesson, told on the screen.
+// Magnifying a part of the molecule, by the user and by a lesson, with its indication on the screen.
 #include "engine/device/simulated_device.h"
 #include "tests/app/scripted_user_fixture.h"
 
@@ -187,7 +187,7 @@ TEST_CASE(
   CHECK(scale(*d) == doctest::Approx(0.25).epsilon(0.01));
 }
 
-TEST_CASE("with a stylus the scale is always told, and a magnified part lies in its own room") {
+TEST_CASE("with a stylus the scale is always shown, and a magnified part fills the stylus's workspace") {
   auto d = startWith();
   d->tap("Ctrl+D");
   d->frames(3);

@@ -1,4 +1,4 @@
-// The marks of every scene of every lesson, as each kind of colour vision sees them.
+// The colours of the marks in every scene of every lesson, for each kind of colour vision.
 #include <algorithm>
 #include <filesystem>
 #include <set>
@@ -57,8 +57,8 @@ Rgb8 eightBits(const Colour& c) {
 }  // namespace
 
 TEST_CASE(
-    "in every scene of every lesson all eyes tell marks from one another and from targets by 10 of CIEDE2000, and from "
-    "elements beside them by 5") {
+    "in every scene of every lesson, for every kind of colour vision, marks differ from one another "
+    "and from targets by 10 of CIEDE2000, and from neighbouring elements by 5") {
   std::size_t pairs = 0;
   double least = 1e9;
   for (const ShownScene& shown : scenes()) {

@@ -1,5 +1,4 @@
-// What a scene names, marks and measures in the window, what a student measures by clicks and by touch, and what a
-// touch leaves behind.
+// Labels, marks and measurements of a scene in the window, measurements by clicks and by touch, and traces of touch.
 #include "app/ui/extensions/extensions.h"
 #include "app/ui/lesson/scene_marks.h"
 #include "app/ui/panels/actions.h"
@@ -141,7 +140,7 @@ TEST_CASE(
   CHECK(written(*d).empty());
 }
 
-TEST_CASE("the touched atom is a place that is measured, by Ctrl+Shift+E; without a touch the person is told") {
+TEST_CASE("Ctrl+Shift+E measures from the touched atom; without a touch a message says so") {
   auto d = startWith("benzene");
   d->tap("Ctrl+Shift+E");
   CHECK_FALSE(d->app().extensions().measuring.any());

@@ -1,4 +1,4 @@
-// What is measured of the methods, from ticks made by hand.
+// Measurements of methods from synthetic ticks.
 #include "app/ui/scene/method_watch.h"
 
 #include <doctest/doctest.h>

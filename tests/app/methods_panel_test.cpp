@@ -1,4 +1,4 @@
-// The panel that compares methods, used as a student would.
+// The panel that compares methods, as a student uses it.
 #include "tests/app/scripted_user_fixture.h"
 
 namespace moltact {

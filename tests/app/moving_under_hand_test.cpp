@@ -1,4 +1,4 @@
-// The atoms of a scene with two structures move under a hand that presses, wherever the slider is led meanwhile.
+// In a scene with two structures, the atoms move under a pressing hand for every motion of the slider.
 #include <doctest/doctest.h>
 
 #include <algorithm>

@@ -1,4 +1,5 @@
-// Every command that writes, told to write onto what it reads or onto another of its outputs. Oracle: the bytes before.
+// Every command that writes, with an output that is one of its inputs or another of its outputs. Oracle: the bytes
+// before.
 #include <doctest/doctest.h>
 
 #include <filesystem>

@@ -1,4 +1,4 @@
-// A molecule of one's own, drawn as its owner wishes: the menus' colours, and the page that takes a scene's keys.
+// A user's own molecule in a chosen style: the menus' colours, and the page with a scene's keys.
 #include "app/ui/extensions/extensions.h"
 #include "app/ui/panels/actions.h"
 #include "app/ui/panels/view_overlays.h"
@@ -134,7 +134,7 @@ TEST_CASE("the page says what is wrong with a value, and shows nothing then") {
   CHECK(contains(d->text("look/hide/fault"), "Q"));
 }
 
-TEST_CASE("colours are chosen in the menu; in a lesson only those that tell nothing but elements and chains") {
+TEST_CASE("colours are chosen in the menu; in a lesson only those that reveal nothing but elements and chains") {
   auto d = startWith("1ubq");
   d->frames(5);
   d->click("menu/view");

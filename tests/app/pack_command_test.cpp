@@ -1,4 +1,4 @@
-// `moltact pack` as a teacher calls it, and check, play and info on what it makes.
+// `moltact pack` as teachers call it, and check, play and info with its output.
 #include <doctest/doctest.h>
 
 #include <nlohmann/json.hpp>
@@ -32,7 +32,7 @@ bool has(const std::string& text, const std::string& part) { return text.find(pa
 
 }  // namespace
 
-TEST_CASE("a lesson is packed beside itself or where -o says, told file by file, twice to the same bytes") {
+TEST_CASE("a lesson is packed beside itself or to the path of -o, listed file by file, twice to the same bytes") {
   const Place place;
   const Run run = place.run("pack haem.md");
   CHECK(run.status == 0);
@@ -72,7 +72,7 @@ TEST_CASE(
   CHECK(place.run("pack haem.md --html --page gone.html").status == 1);
 }
 
-TEST_CASE("a lesson with a fault is not packed, its notes are told, and a file that is no lesson is refused") {
+TEST_CASE("a lesson with a fault is not packed, its notes are reported, and a file that is no lesson is refused") {
   const Place place;
   place.write("bad.md", kLesson + "\n![no](gone.png)\n");
   Run run = place.run("pack bad.md");
@@ -142,7 +142,7 @@ TEST_CASE("a folder that a killed program left is removed by the next check, inf
   }
 }
 
-TEST_CASE("a fault in a packed lesson is told at its place in the pack; a broken pack with its remedy") {
+TEST_CASE("a fault in a packed lesson is reported at its place in the pack; a broken pack with its remedy") {
   const Place place;
   REQUIRE(place.run("pack haem.md").status == 0);
   std::string bytes = contents(place.folder / "haem.moltact");

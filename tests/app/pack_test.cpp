@@ -1,4 +1,4 @@
-// A lesson in one file, in the window: opened, put on the shelf, gone on with, under a name, and reported on.
+// A pack in the window: opened, listed, resumed, used under a name, and reported.
 #include <sys/wait.h>
 
 #include <cstdlib>
@@ -172,7 +172,7 @@ TEST_CASE("Add a lesson puts a pack on the shelf without opening it; of a lesson
   CHECK_FALSE(d->text("open/library/1ubq").empty());  // perhaps farther down than is seen
 }
 
-TEST_CASE("a damaged pack and a lesson with a fault are told and change nothing") {
+TEST_CASE("a damaged pack and a lesson with a fault are reported and change nothing") {
   const Handed h;
   const std::string bytes = bytesOf(h.pack(lessonText("Haem pockets")));
   writeFile(h.scratch.path / "cut.moltact", bytes.substr(0, bytes.size() / 2));
@@ -244,7 +244,7 @@ TEST_CASE("a lesson that asks for a name keeps it with the attempt, offers it ne
   CHECK(contains(bytesOf(h.scratch.path / "class.html"), "Haem pockets"));
 }
 
-TEST_CASE("a name may be left out: the lesson begins, and nobody goes on with another's nameless attempt") {
+TEST_CASE("a name may be omitted: the lesson begins, and no student resumes another's nameless attempt") {
   const Handed h;
   const fs::path pack = h.pack(lessonText("Haem pockets", "ask: code\n"));
   auto d = startWith(pack.string(), h.options());

@@ -1,5 +1,5 @@
-// Documents that nobody reads go stale: each command that a page names is run here in a folder made for it, in a quick form.
-// What cannot be run is listed with its reason, and its options are looked up in the command's --help.
+// Keeps the documentation current: each command that a page shows is run in a quick form in a temporary folder.
+// Commands that cannot be run are listed with a reason, and their options are checked against the command's --help.
 #include <doctest/doctest.h>
 
 #include <algorithm>

@@ -1,5 +1,5 @@
-// What a first hour meets beside the molecule: messages that go by themselves, words that a student knows, tips that
-// cover nothing, menus in the order of use.
+// The first hour apart from the molecule: messages that disappear by themselves, familiar words, tool tips that cover
+// nothing, menus in the order of use.
 #include <array>
 #include <cstdlib>
 #include <set>
@@ -74,7 +74,7 @@ TEST_CASE("residues are called by plain names: benzene and thymine, not BNZ and 
   }
 }
 
-TEST_CASE("what a student sees has no word of the loop, its points and its ticks; the expert switch brings them") {
+TEST_CASE("a student sees no terms of the servo loop, its points and its ticks; the expert switch shows them") {
   const std::vector<std::string> expert_words{"HIP", "SCP", "modelled", "Hz", "1000 ", "Time for a tick", "Cones"};
   auto d = startWith("1ubq");
   d->app().panels.touch_details = true;

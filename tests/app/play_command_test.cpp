@@ -1,4 +1,4 @@
-// `moltact play` as a person calls it: what it prints and its exit status.
+// `moltact play` as users call it: its output and exit status.
 #include <doctest/doctest.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -66,7 +66,7 @@ TEST_CASE(
   CHECK(questions == 5);
 }
 
-TEST_CASE("play --answers does the first step of the first lesson, tells what is left and ends with status 1") {
+TEST_CASE("play --answers does the first step of the first lesson, lists what is left and ends with status 1") {
   const Run run = play("'" + kLessons + "first-touch.md'" + withAnswers(),
                        "touch element C\npress 0.9 N\nlift\ndo\nnext\nanswer 1: One\n");
   CHECK(run.status == 1);

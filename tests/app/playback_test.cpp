@@ -1,4 +1,4 @@
-// An attempt made in one window is played back in another. Oracle: the attempt's own trace.
+// An attempt made in one window is played in another. Oracle: the attempt's own trace.
 #include <algorithm>
 
 #include "app/ui/extensions/extensions.h"
@@ -257,7 +257,9 @@ TEST_CASE("an attempt keeps where the slider between two structures was, and its
   CHECK(last_z(*driver) == doctest::Approx(first_z).epsilon(0.01));
 }
 
-TEST_CASE("files that are no attempts, and a molecule that is not there, are told and leave the window as it was") {
+TEST_CASE(
+    "files that are no attempts, and a molecule that is not there, are reported and leave the window "
+    "as it was") {
   const ScratchFolder scratch;
   const auto driver = startWith(kLesson, small());
   writeFile(scratch.path / "no.jsonl", "{\"a\":1}\n");

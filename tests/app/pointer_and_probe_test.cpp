@@ -1,5 +1,5 @@
-// The mouse's pointer and the probe that it leads, through the window on the frames' clock: where the one and the other
-// are in the picture while the probe is pressed, dragged and let go, and what a hand would feel meanwhile.
+// The mouse pointer and the probe, through the window on the frames' clock: their places in the picture while the probe
+// is pressed, dragged and released, and the force meanwhile.
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -182,7 +182,7 @@ TEST_CASE(
   CHECK_FALSE(d->shows("view/nothing here"));
 }
 
-TEST_CASE("a press that rests tells how to push harder, until that has been done once") {
+TEST_CASE("a press that rests shows how to push harder, until that has been done once") {
   auto d = startWith("1ubq");
   d->point("view");
   d->press();
@@ -203,7 +203,7 @@ TEST_CASE("a press that rests tells how to push harder, until that has been done
   CHECK_FALSE(d->shows("view/push hint"));
 }
 
-TEST_CASE("a press that slides is not told how to push harder: the words stood over its way") {
+TEST_CASE("a press that slides does not show how to push harder: the words would cover its path") {
   auto d = startWith("1ubq");
   d->point("view", 0.4, 0.5);
   d->press();
@@ -214,7 +214,7 @@ TEST_CASE("a press that slides is not told how to push harder: the words stood o
   CHECK(d->shows("view/push hint"));
 }
 
-TEST_CASE("a task that wants more force than the hand gives tells how to push harder, every time that it does") {
+TEST_CASE("a task that needs more force than the hand gives shows how to push harder, every time") {
   const Scratch scratch;
   auto d = startWith("");
   d->app().open(scratch.file("harder.md", R"(---

@@ -1,4 +1,4 @@
-// Fingers on what the window shows: which of their rules holds where, and what comes of them.
+// Fingers on the parts of the window: which rule applies where, and its effect.
 #include "app/ui/shell/pointers.h"
 
 #include <imgui.h>
@@ -40,7 +40,7 @@ double turnedBy_deg(const Quat& a, const Quat& b) {
 
 }  // namespace
 
-TEST_CASE("a finger is told what lies under it of five: the view, a panel, the edge between them, the pads + and -") {
+TEST_CASE("a finger touches one of five parts: the view, a panel, the edge between them, the pads + and -") {
   Screen screen(std::string(MOLTACT_SOURCE_DIR) + "/lessons/first-touch.md");
   CHECK(screen.on(screen.view()) == Fingers::On::View);
   CHECK(screen.on(screen.middle("lesson/next")) == Fingers::On::Panel);

@@ -1,5 +1,5 @@
-// Questions on the page: a prediction is told only after the touch, the order of choices is the attempt's, what is
-// written is not lost. Oracle: the attempt's file.
+// Questions on the page: predictions are resolved only after the touch, the order of choices belongs to the attempt,
+// typed text is not lost. Oracle: the attempt's file.
 #include <algorithm>
 #include <filesystem>
 
@@ -95,7 +95,8 @@ TEST_CASE(
 }
 
 TEST_CASE(
-    "a prediction is told after the touch: until then another can be chosen, and no choice looks right or wrong") {
+    "a prediction is resolved after the touch: until then another can be chosen, and no choice looks "
+    "right or wrong") {
   Opened o;
   o.driver->click("question/0/0");
   CHECK(contains(o.driver->text("question/0/feedback/0"), "Kept"));

@@ -1,8 +1,8 @@
-// A fourth student who does not feel, the reader: who reads every word in the window, hears which kinds of sound there
-// are, has the state text read aloud, and goes by nothing else. In every task of the shipped lessons that is done in
-// the dark, in both languages, the words are the same whatever is touched; so the reader answers as the guesser does,
-// who passes as often as chance has it (tests/lesson/scripted_learner/fair_trials_test.cpp). The meter's figure and the
-// direction of the push stand for the force itself and are no words; nor are figures, which tremble.
+// A fourth student without touch, the reader, uses only the words in the window, the kinds of sound, and the state text
+// read aloud. In every task of the lessons that is done in the dark, in both languages, the words must not depend on
+// what is touched. The reader then answers like the guesser, who passes by chance
+// (tests/lesson/scripted_learner/fair_trials_test.cpp). The meter's figure and the direction of the push represent the
+// force itself and are not words; fluctuating figures are not either.
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
@@ -284,7 +284,9 @@ TEST_CASE(
   readLessons(".de.md", "de");
 }
 
-TEST_CASE("in the light the same reader tells a crease from a face by its words and by a fifth in its sound") {
+TEST_CASE(
+    "with the molecule visible, the same reader distinguishes a crease from a face by its words and "
+    "by a fifth in its sound") {
   auto d = startWith(MOLTACT_SOURCE_DIR "/lessons/first-touch.md");
   REQUIRE(session(*d).goTo("two-atoms-and-a-crease"));
   d->frames(5);

@@ -1,4 +1,5 @@
-// A hand recorded in the window and played back in it. Oracle: the file's own ticks, and the replay to the last bit.
+// A hand recorded and played in the window. Oracle: the file's own ticks, and a replay that is identical to the last
+// bit.
 #include <cmath>
 
 #include "app/ui/extensions/device_link.h"
@@ -252,8 +253,8 @@ TEST_CASE("a recording whose molecule has changed since says so, and is played a
 }
 
 TEST_CASE(
-    "another device that is chosen while a recording plays ends it; a text is told and changes nothing; another method "
-    "ends a recording") {
+    "another device that is chosen while a recording plays ends it; a text is reported and changes "
+    "nothing; another method ends a recording") {
   const Scratch scratch;
   const std::filesystem::path file = recorded(scratch);
   auto d = startWith("1ubq");

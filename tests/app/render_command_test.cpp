@@ -1,4 +1,4 @@
-// `moltact render` as a person calls it: exit status and the file that it leaves.
+// `moltact render` as users call it: exit status and output file.
 #include <doctest/doctest.h>
 #include <sys/wait.h>
 

@@ -1,4 +1,4 @@
-// `moltact report` as a process: what it writes, what it says of broken files, and how it ends.
+// `moltact report` as a process: its output, its messages about broken files, and its exit status.
 #include <doctest/doctest.h>
 #include <sys/wait.h>
 

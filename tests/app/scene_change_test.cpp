@@ -1,4 +1,4 @@
-// From one scene to the next, on the frames' clock: a frame is 1/60 s.
+// Transitions between scenes, on the frames' clock: a frame is 1/60 s.
 #include "app/ui/extensions/scene_change.h"
 
 #include "app/ui/extensions/extensions.h"

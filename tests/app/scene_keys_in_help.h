@@ -1,4 +1,4 @@
-// Which keys of a lesson's scene a command has as options of the same names.
+// Checks which keys of a lesson's scene a command offers as options of the same names.
 #pragma once
 
 #include <doctest/doctest.h>
@@ -14,8 +14,8 @@
 
 namespace moltact::test {
 
-/// Every key of a scene is an option in the command's --help, or stands in `without` with the reason why it is none, and
-/// what stands there is a key and no option.
+/// Every key of a scene must be an option in the command's --help or be in `without`, with the reason. Every entry of
+/// `without` must be a key and not an option.
 inline void checkSceneKeysInHelp(const std::string& command, const std::map<std::string_view, const char*>& without) {
   const Run run = CommandPlace().run(command + " --help");
   REQUIRE(run.status == 0);

@@ -1,5 +1,5 @@
-// What keys of a scene do in the window: what is taken from the hand and the eye, the cut, views, the way between two
-// structures, and the links that lead there.
+// The effects of a scene's keys in the window: hidden and untouchable atoms, the cut, views, the motion between two
+// structures, and the links to them.
 #include "app/ui/extensions/extensions.h"
 #include "app/ui/panels/actions.h"
 #include "engine/lesson/reader.h"
@@ -115,7 +115,7 @@ TEST_CASE("the view that is copied for a lesson is the one that the lesson shows
   CHECK(2.0 * std::acos(std::min(1.0, std::abs(glm::dot(read.orientation, turned.orientation)))) < 0.003);
 }
 
-TEST_CASE("the page that comes close to atoms tells what is wrong with them as they are written, and goes there") {
+TEST_CASE("the page for zooming to atoms shows errors during typing, and zooms to them") {
   auto d = startWith("2hhb");
   const double far_A = d->app().scene.camera.distance_A;
   d->tap("Ctrl+F");
@@ -135,8 +135,8 @@ TEST_CASE("the page that comes close to atoms tells what is wrong with them as t
 }
 
 TEST_CASE(
-    "waters are taken in from the window, and a wrong assembly is told with those that there are, the molecule "
-    "staying") {
+    "the window can include waters; a wrong assembly is reported with the existing ones, and the "
+    "molecule stays") {
   auto d = startWith("1ubq");
   Application& app = d->app();
   const std::size_t dry = app.scene.stage().molecule->atoms.size();

@@ -1,4 +1,4 @@
-// The application on EGL without a display, driven as a person would: what the tests of this folder share.
+// Helpers for this folder's tests: the application on EGL without a display, controlled as by a user.
 #pragma once
 
 #include <doctest/doctest.h>
@@ -13,20 +13,19 @@
 
 namespace moltact {
 
-/// A driver with ubiquitin on the stage, or whatever else is asked for; fails the test where off-screen OpenGL is
-/// missing.
+/// A scripted user with ubiquitin, or another file, loaded. Fails the test if off-screen OpenGL is missing.
 inline std::unique_ptr<ScriptedUser> startWith(const std::string& what = "1ubq", ScriptedUser::Options options = {}) {
   Expected<std::unique_ptr<ScriptedUser>> made = ScriptedUser::create(std::move(options));
   if (!made) FAIL(made.problem().text());
   std::unique_ptr<ScriptedUser> driver = std::move(*made);
-  driver->app().settings.reduced_motion = true;  // a camera that glides would move the place under a hand
+  driver->app().settings.reduced_motion = true;  // a gliding camera would move the place under the hand
   if (!what.empty()) driver->app().open(what);
   driver->app().finishLoading();
   driver->frames(20);
   return driver;
 }
 
-/// A screen of 1024x768 at 200 %: the least room that is asked of the window.
+/// A screen of 1024x768 at 200 %: the smallest supported room.
 inline ScriptedUser::Options smallScreen() {
   ScriptedUser::Options options;
   options.width = 1024;
@@ -35,7 +34,7 @@ inline ScriptedUser::Options smallScreen() {
   return options;
 }
 
-/// A lesson of one step over argon, which goes on with `body`; `goals` are its list items, a line each.
+/// A lesson of one step with argon, followed by `body`; `goals` are its list items, one per line.
 inline std::string argonLesson(const std::string& title, const std::string& goals, const std::string& body) {
   return "---\ntitle: " + title + "\nminutes: 1\ngoals:\n" + goals +
          "molecules:\n  - argon\nauthor: The Moltact authors\nlicence: CC-BY-4.0\n---\n\n"
@@ -43,12 +42,12 @@ inline std::string argonLesson(const std::string& title, const std::string& goal
          body;
 }
 
-/// The lesson that a newcomer begins with, as it comes with the program.
+/// Opens the program's lesson for newcomers.
 inline void openFirst(ScriptedUser& driver) {
   driver.app().open(std::string(MOLTACT_SOURCE_DIR) + "/lessons/first-touch.md");
 }
 
-/// A folder of its own, gone at the end.
+/// A temporary folder, deleted at the end.
 struct Scratch {
   std::filesystem::path folder =
       std::filesystem::temp_directory_path() / ("moltact-app-test-" + std::to_string(::getpid()));
@@ -62,7 +61,7 @@ struct Scratch {
 
 inline bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
-/// Scrolls the lesson's text by the keys until the widget is wholly in view, and looks at it for 0.6 s.
+/// Scrolls the lesson's text by keys until the whole widget is in view, and waits for 0.6 s.
 inline void lookAt(ScriptedUser& driver, const std::string& widget) {
   for (int k = 0; k < 40; ++k) {
     const WidgetRecord* r = widgets().find(widget);

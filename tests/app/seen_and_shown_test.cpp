@@ -1,4 +1,4 @@
-// Keys that act on what has been seen alone, the page that closes a lesson, and a molecule that is shown after it was
+// Keys that act only on what has been seen, the closing page of a lesson, and a molecule that is shown after it was
 // felt unseen.
 #include <algorithm>
 #include <fstream>

@@ -1,5 +1,5 @@
-// The window's loop on the frames' clock and the haptic thread are one: led by the same script on a virtual clock, both
-// give a device the same, call by call.
+// The servo loop on the frames' clock and the haptic thread are equivalent: with the same script on a virtual clock,
+// both make the same calls of the device.
 #include "app/ui/scene/servo_link.h"
 
 #include <doctest/doctest.h>
@@ -187,9 +187,8 @@ std::vector<std::string> ofTheFrames() {
 }  // namespace
 
 TEST_CASE(
-    "F9, a window that stands, a plug that is pulled, another device, another scene, a recording, spheres that move "
-    "and "
-    "the end: the thread and the frames give a device the same in each of 11 000 calls") {
+    "F9, a stalled window, unplugging, another device, another scene, a recording, moving spheres "
+    "and the end: the thread and the frames make the same 11 000 calls of a device") {
   const std::vector<std::string> frames = ofTheFrames(), thread = ofTheThread();
   CHECK(frames.size() > 10'000);
   CHECK(frames.size() == thread.size());

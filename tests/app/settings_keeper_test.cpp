@@ -1,4 +1,4 @@
-// An extension made with the parts that it uses, without an application or a window.
+// An extension constructed from its parts, without an application or a window.
 #include "app/ui/extensions/settings_keeper.h"
 
 #include "app/ui/application/application_options.h"

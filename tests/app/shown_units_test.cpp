@@ -1,4 +1,4 @@
-// The units in which a person wants lengths, forces and stiffnesses: chosen in Preferences, kept, and followed by all that the window writes.
+// The user's units of length, force and stiffness: chosen in Preferences, stored, and used in all texts of the window.
 #include <cctype>
 #include <map>
 

@@ -111,7 +111,7 @@ TEST_CASE("a pushed probe that is dragged over the protein is heard to slide, ha
   CHECK(loudest(whole, 0, whole.size()) > 0.1);
 }
 
-TEST_CASE("without a sound card sound that is switched on is told once, and once more when it is switched on again") {
+TEST_CASE("without a sound card sound that is switched on is reported once, and again when it is switched on again") {
   setenv("ALSOFT_DRIVERS", "none", 1);
   ScriptedUser::Options options;
   options.application.clock = ServoClock::RealThread;
@@ -141,8 +141,8 @@ TEST_CASE("without a sound card sound that is switched on is told once, and once
 }
 
 TEST_CASE(
-    "the state text tells the step, its task and what is touched, one line each; a folder that is not there is a "
-    "problem") {
+    "the state text contains the step, its task and the contact, one line each; a missing folder is "
+    "a problem") {
   const auto file = std::filesystem::temp_directory_path() / "moltact_state_text.txt";
   auto d = startWith("");
   StateText& text = d->app().extensions().state_text;

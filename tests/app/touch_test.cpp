@@ -142,7 +142,7 @@ TEST_CASE("a larger probe while touching carries the hand's proxy outward") {
   CHECK(glm::length(d->app().scene.log().latest().contact.scp.A) - before_A == doctest::Approx(1.0).epsilon(0.01));
 }
 
-TEST_CASE("a hand that is placed inside is told to come out once") {
+TEST_CASE("a hand that is placed inside gets one message to come out") {
   auto d = startWith("argon");
   d->app().scene.servo().mouse().place(d->app().scene.stage().workspace.toDevice({Vec3(0.0)}));
   ++d->app().scene.servo_settings.discontinuities;

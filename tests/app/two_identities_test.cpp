@@ -1,4 +1,4 @@
-// One lesson, gone through twice at one window under two names: what each meets, and what the teacher gets.
+// One lesson done twice in the same window under two names: what each student sees, and what the teacher receives.
 #include <algorithm>
 #include <array>
 #include <string>

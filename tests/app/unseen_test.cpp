@@ -1,4 +1,4 @@
-// A molecule that a scene does not draw: nothing on the screen names what the hand is to find out.
+// A molecule that a scene does not draw: nothing on the screen names what the hand must find out.
 #include <string>
 
 #include "app/ui/widgets/widget_map.h"

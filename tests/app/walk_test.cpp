@@ -1,5 +1,5 @@
-// A student's whole way: the welcome page, a lesson, a wrong answer, a hint, preferences, back and on where he was, the
-// lesson saved anew by its author meanwhile, and the report on what he did.
+// A student's whole session: the welcome page, a lesson, a wrong answer, a hint, preferences, resuming, a lesson that
+// its author saves again meanwhile, and the report.
 #include <sys/wait.h>
 
 #include <chrono>

@@ -1,4 +1,4 @@
-// The way through a lesson in the window: where answers lead, what must be finished first, and what follows at the end.
+// The order of a lesson's steps in the window: effects of answers, required steps, and the end.
 #include <filesystem>
 
 #include "app/ui/extensions/extensions.h"
@@ -35,8 +35,7 @@ struct Opened {
 
 }  // namespace
 
-TEST_CASE(
-    "a required step says so in the place of Next, tells of 3 tries, and lets go of the student when it is done") {
+TEST_CASE("a required step says so in place of Next, shows 3 tries, and releases the student when it is done") {
   Opened o;
   CHECK(o.driver->text("lesson/next") == "Finish this step first");
   CHECK(o.driver->text("question/0/tries") == "You have 3 tries.");

@@ -1,4 +1,4 @@
-// The window's panels, files and looks, off-screen.
+// The window's panels, files and themes, off-screen.
 #include <filesystem>
 #include <new>
 #include <stdexcept>
@@ -42,7 +42,9 @@ TEST_CASE("a name that is not in the library is answered with the name that was 
   CHECK_FALSE(bool(d->app().scene.stage()));
 }
 
-TEST_CASE("what is left out of a file is told for 6 s when it is opened by hand, and not in a lesson's step") {
+TEST_CASE(
+    "the parts of a file that were not read are reported for 6 s when the user opens it, and not in "
+    "a lesson's step") {
   auto d = startWith("1ubq");
   CHECK(contains(d->text("message/0"), "left out"));
   d->frames(6 * 60 + 2);
@@ -70,7 +72,7 @@ TEST_CASE("an exception while a file is read becomes a problem that names the fi
   CHECK(contains(told->stage.problem().text(), "disk on fire"));
 }
 
-TEST_CASE("a broken lesson is told with its line and leaves the one that is open") {
+TEST_CASE("a broken lesson is reported with its line and leaves the one that is open") {
   Scratch scratch;
   auto d = startWith("");
   openFirst(*d);

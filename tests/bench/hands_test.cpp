@@ -1,5 +1,4 @@
-// Recorded hands: the files they are in, what a hand could tell along them, and those that come with the
-// program.
+// Recorded hands: their files, what a hand could perceive along their paths, and the program's own recordings.
 #include <doctest/doctest.h>
 #include <unistd.h>
 
@@ -124,8 +123,8 @@ TEST_CASE("labels name columns, units and times: 0.1 m a column further is 100 m
 }
 
 TEST_CASE(
-    "a broken row is told with its line: too few numbers, a word, a time that does not go on, six numbers of "
-    "unknown meaning, an unknown unit, no row") {
+    "a broken row is reported with its line: too few numbers, a word, a time that does not go on, "
+    "six numbers of unknown meaning, an unknown unit, no row") {
   CHECK(refused("1 2 3\n4 5\n").line == 2);
   CHECK(refused("1 2 3\n4 five 6\n").message.find("\"five\"") != std::string::npos);
   CHECK(refused("1 2 3\n4 nan 6\n").line == 2);
@@ -237,8 +236,8 @@ TEST_CASE(
 }
 
 TEST_CASE(
-    "a force turned by 22 degrees is told beside the picture and not in the dark; one 8 % too large passes 7 "
-    "% and not 10 %; neither steps") {
+    "a force turned by 22 degrees is noticed beside the picture and not in the dark; one 8 % too "
+    "large passes 7 % and not 10 %; neither steps") {
   const FeltErrors turned = feltWith(22, 1);
   CHECK(turned.ticks == 2000);
   CHECK(turned.direction_deg.p50 == doctest::Approx(22).epsilon(1e-6));

@@ -1,4 +1,4 @@
-// Energy by closed paths alone, against what things give back whose work is known in closed form.
+// Energy along closed paths, for interactions whose work is known in closed form.
 #include "engine/bench/path_energy.h"
 
 #include <doctest/doctest.h>
@@ -84,8 +84,8 @@ TEST_CASE(
 }
 
 TEST_CASE(
-    "what has a potential gives nothing back over a closed path: penalty in the overlap of two spheres, "
-    "though |F|^2/2k is not its store") {
+    "a force with a potential generates no energy over a closed path: penalty in the overlap of two "
+    "spheres, although |F|^2/2k is not its stored energy") {
   const scenes::Scene bond = scenes::bond();
   const double x = bond.spheres[1].centre_A.x / 2;
   scenes::Path path;
@@ -111,7 +111,7 @@ TEST_CASE(
   CHECK(worst > 1e-4);
 }
 
-TEST_CASE("what slips off an edge loses its store and makes nothing") {
+TEST_CASE("an SCP that slips off an edge loses its stored energy and generates none") {
   const scenes::Scene scene = scenes::oneSphere();
   const double surface = scene.spheres[0].radius_A + scene.probe_A;
   scenes::Path path;  // through the sphere beside its centre: the SCP goes round and lets go behind

@@ -1,4 +1,4 @@
-// Statistics on known numbers, and the forms in which results are written.
+// Statistics of known numbers, and the formats of the results.
 #include <doctest/doctest.h>
 
 #include <fstream>
@@ -97,7 +97,7 @@ TEST_CASE("the front of (1,9) (2,5) (2,6) (3,5) (4,1) is the first, second and l
   CHECK(paretoFront({1, 2, 2, 3, 4}, {9, 5, 6, 5, 1}) == std::vector<std::size_t>{0, 1, 4});
 }
 
-TEST_CASE("angles of a billionth of a degree and of 180 degrees are told exactly") {
+TEST_CASE("angles of a billionth of a degree and of 180 degrees are reported exactly") {
   const double tiny = 1e-9 * 3.141592653589793 / 180;
   CHECK(angle_deg({1, 0, 0}, {1, tiny, 0}) == doctest::Approx(1e-9).epsilon(1e-9));
   CHECK(angle_deg({1, 0, 0}, {-2, 0, 0}) == doctest::Approx(180));

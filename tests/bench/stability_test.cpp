@@ -1,5 +1,5 @@
-// The stability claims: exact is true and sound in every scene, judged by the brute-force oracle; the other
-// methods fail where they are known to, and these failures are pinned as firmly.
+// The stability claims: exact is correct and robust in every scene, by the brute-force oracle. The other methods fail
+// where they are known to; these failures are tested too.
 #include "engine/bench/stability.h"
 
 #include <doctest/doctest.h>
@@ -32,8 +32,8 @@ constexpr double kNoEnergy_J = StabilityLimits().energy_J;
 }  // namespace
 
 TEST_CASE(
-    "exact comes through every scene in four draws: nothing off, no event, at most 1e-7 A deep, no force or "
-    "energy of its own") {
+    "exact passes every scene in four draws: no error, no event, at most 1e-7 A deep, no generated "
+    "force or energy") {
   for (std::size_t draw = 0; draw < 4; ++draw)
     for (const StabilityScene& scene : drawnScenes(1, draw)) {
       const StabilityResult r = runScene(scene, *findMethod("exact"), {});

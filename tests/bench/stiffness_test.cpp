@@ -1,4 +1,4 @@
-// The greatest stable stiffness, against the bound in closed form and against the plain wall.
+// The maximum stable stiffness, against the closed-form bound and against a plain wall.
 #include "engine/bench/stiffness.h"
 
 #include <doctest/doctest.h>

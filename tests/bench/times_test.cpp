@@ -1,5 +1,4 @@
-// The clock's step from its readings, and what is said of times: on made figures, so that the sentences must follow
-// them.
+// The clock's resolution from its readings, and the sentences about times, for synthetic figures.
 #include <doctest/doctest.h>
 
 #include <cmath>
@@ -80,7 +79,7 @@ TEST_CASE("the sentences name what is faster than exact with its error, and ever
   CHECK(tradeOffSentences({point("mesh960", 80, 0.05, 1)}).empty());
 }
 
-TEST_CASE("what a hand meets is told from the medians, with the share of the millisecond") {
+TEST_CASE("the sentence about a hand's contacts is derived from the medians, with the share of the millisecond") {
   const std::string text = coldCacheSentences({cool("exact", 160, 3100), cool("mesh960", 311, 3800)});
   CHECK(has(text, "a tick of `exact` takes 160 ns."));
   CHECK(has(text, "3.10 us"));
@@ -108,7 +107,7 @@ TEST_CASE("of 3 methods 20 ticks with sleep between and 4 after lost caches are 
   CHECK(has(table.note, "The clock has a step of"));
 }
 
-TEST_CASE("a method that prepares the whole scene is left out of scenes larger than it bears") {
+TEST_CASE("a method that prepares the whole scene is left out of scenes beyond its size limit") {
   const std::vector<const Method*> methods{findMethod("exact"), findBenchMethod("sasmesh05")};
   CHECK(methodsForSize(methods, 20'000).size() == 2);
   CHECK(methodsForSize(methods, 20'001).size() == 1);

@@ -1,7 +1,7 @@
-// How long each shipped lesson takes to open: from the wish to the first picture of 1280 x 800 pixels with its molecule, read,
-// coloured and lit, in the program's own window off-screen. Another molecule is on the stage before. `Time` is the clock's,
-// `CPU` that of all the program's threads.
-// Run: build/release/opening_benchmark [--benchmark_filter=…], with nothing else to do.
+// The time to open each lesson of the program: from the request to the first picture of 1280 x 800 pixels with its
+// molecule, read, coloured and lit, in the program's own window off-screen. Another molecule is loaded before. `Time`
+// is wall time, `CPU` that of all threads of the program. Run on an idle machine: build/release/opening_benchmark
+// [--benchmark_filter=…]
 #include <benchmark/benchmark.h>
 
 #include <algorithm>

@@ -1,7 +1,7 @@
-// Pictures a second of 1280 x 800 pixels, off-screen, by the graphics driver that EGL gives (in software where there is no
-// graphics card): while the view turns and everything is drawn anew, at full size and as the window does (window), and while
-// the probe moves over a view that rests. The time on the processors is that of all the program's threads.
-// Run: build/release/picture_benchmark [--benchmark_filter=…]. The counter `frames_s` is what a window could show.
+// Pictures per second of 1280 x 800 pixels, off-screen, with EGL's graphics driver (software rendering without a
+// graphics card). Measured while the view rotates and everything is redrawn, at full size and as the window does
+// (window), and while the probe moves over a resting view. CPU time is that of all threads of the program. The counter
+// `frames_s` is the window's possible frame rate. Run: build/release/picture_benchmark [--benchmark_filter=…].
 #include <benchmark/benchmark.h>
 
 #include <chrono>

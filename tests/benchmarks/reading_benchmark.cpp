@@ -1,6 +1,6 @@
-// Time and memory of reading a large file, by Moltact's readers and by gemmi: each in a process of its own, so that the
-// most memory that it held is its alone. The file is ubiquitin, copied. Times are the processor's.
-// Run: build/release/reading_benchmark [ATOMS], default 1000000.
+// Time and memory to read a large file, by Moltact's readers and by gemmi. Each runs in a process of its own, so that
+// its peak memory is measured separately. The file consists of copies of ubiquitin. Times are CPU times. Run:
+// build/release/reading_benchmark [ATOMS], default 1000000.
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>

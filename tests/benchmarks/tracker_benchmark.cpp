@@ -1,6 +1,6 @@
-// Speed of the trackers: contact (0.02 A a tick, 0.6 A under the surface), free space, spheres that move, and the time
-// until a scene can be touched. Run: build/release/tracker_benchmark [--benchmark_filter=…]. Tail times come from
-// `moltact replay --time`.
+// Speed of the trackers: contact (0.02 A per tick, 0.6 A below the surface), free space, moving spheres, and the time
+// until a scene can be touched. Run: build/release/tracker_benchmark [--benchmark_filter=…]. `moltact replay --time`
+// measures tail times.
 #include <benchmark/benchmark.h>
 
 #include <algorithm>

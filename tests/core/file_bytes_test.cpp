@@ -1,5 +1,5 @@
-// That no bytes of a file become anything in memory but numbers, held by looking at the sources: copies of bytes, and
-// pointers that are taken for others, stand in the places that are named here and in no other.
+// Bytes of a file are converted only to numbers, never to other objects in memory. Checked in the sources: copies of
+// bytes and pointer casts are allowed only at the places listed here.
 #include "engine/core/file_bytes.h"
 
 #include <doctest/doctest.h>
@@ -18,8 +18,7 @@ TEST_CASE("numbers come from unaligned bytes as this machine orders them") {
   CHECK(moltact::numberAt<float>(bytes + 2) == doctest::Approx(2.8e-45));
 }
 
-TEST_CASE(
-    "the sources copy bytes, or take a pointer for another, in no more places than the ones that are looked at here") {
+TEST_CASE("the sources copy bytes, or cast pointers, only at the places listed here") {
   // File, and how often. What is added here is to be no value out of a file.
   const std::map<std::string, int> known = {
       {"engine/core/file_bytes.h", 1},              // numbers

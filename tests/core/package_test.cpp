@@ -1,5 +1,5 @@
-// What package/linux tells the system of the program, held against the program's sources: which devices a person may
-// open, which files it opens.
+// Compares package/linux with the program's sources: the devices that a user may open, and the files that the program
+// opens.
 #include <doctest/doctest.h>
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// docs/pages.md and the scripts that draw its pictures, held against what is there.
+// Compares docs/pages.md and the scripts that draw its pictures with the existing files.
 #include <doctest/doctest.h>
 
 #include <filesystem>

@@ -1,5 +1,5 @@
-// What comments and pages name must be there: a file by its ending .h or .cpp, a member by its type and two colons, a
-// name in backticks on a page. A name that was changed in the code and not where it is told would send a reader nowhere.
+// References in comments and pages must exist: a file by its extension .h or .cpp, a member by its type and two colons,
+// a name in backticks on a page. A rename that forgets a reference fails here.
 #include <doctest/doctest.h>
 
 #include <algorithm>

@@ -1,5 +1,4 @@
-// The rooms of the program as docs/architecture.md states them, held against what the sources include and what the
-// engine's libraries link.
+// Compares the rooms in docs/architecture.md with the sources' includes and the linked libraries of the engine.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -156,7 +155,7 @@ TEST_CASE("the picture of docs/architecture.md shows every room of its table, in
   CHECK(quotedIn(textOf(kSource / "docs/pictures/architecture.svg"), title) == of_page);
 }
 
-TEST_CASE("above the bench, whatever judges a method is made by makeInteraction as what it feels is made") {
+TEST_CASE("above the bench, references that judge a method are created by makeInteraction like the method itself") {
   static const std::regex tracker(R"((?:referenceMethod\(\)\.|\bmethod(?:\(\))?(?:\.|->)|\bm\.)make\()");
   std::size_t looked_at = 0;
   for (const char* top : {"engine", "app"})
@@ -199,7 +198,7 @@ TEST_CASE("the engine never sees ImGui, and no haptic method uses the inside of 
   }
 }
 
-TEST_CASE("what versions of ImGui do in different ways is asked of imgui_versions.h and key_focus.h by all of app") {
+TEST_CASE("all of app uses imgui_versions.h and key_focus.h for what differs between versions of ImGui") {
   static const std::regex differs("IMGUI_VERSION_NUM|SetKeyboardFocusHere *\\(|ImGui::ActivateItem");
   for (const std::string& file : sourcesIn("app"))
     if (!file.starts_with("app/ui/widgets/imgui_versions."))
@@ -227,7 +226,7 @@ TEST_CASE("sources that are compiled together have no constant and no type of th
   CHECK(names > 200);
 }
 
-TEST_CASE("work beside the window begins in background.h alone, whose threads have a signal stack") {
+TEST_CASE("only background.h starts background work, and its threads have a signal stack") {
   for (const char* folder : {"engine", "app"})
     for (const std::string& file : sourcesIn(folder))
       if (file != "engine/platform/background.h")

@@ -1,4 +1,4 @@
-// A short text holds what std::string holds.
+// A ShortText stores the same text as a std::string.
 #include "engine/core/short_text.h"
 
 #include <doctest/doctest.h>

@@ -1,4 +1,4 @@
-// The sources of this checkout, for tests of rules that they keep.
+// The source files of this checkout, for tests of coding rules.
 #pragma once
 
 #include <doctest/doctest.h>

@@ -1,4 +1,4 @@
-// UTF-8 against the table of RFC 3629, section 3, and all of Unicode there and back.
+// UTF-8 against the table of RFC 3629, section 3, and a round trip through all of Unicode.
 #include "engine/core/utf8.h"
 
 #include <doctest/doctest.h>
@@ -43,7 +43,7 @@ TEST_CASE("a text gives its characters, and what is no UTF-8 in it none") {
   CHECK(characterCount("aÅ中") == 3);
 }
 
-TEST_CASE("the first byte that is no UTF-8 is told: an overlong form, a surrogate, above U+10FFFF, cut off") {
+TEST_CASE("the first byte that is no UTF-8 is reported: an overlong form, a surrogate, above U+10FFFF, cut off") {
   CHECK(firstNotUtf8("aÅ中") == std::string_view::npos);
   CHECK(firstNotUtf8("ab\xc0\x80") == 2);
   CHECK(firstNotUtf8("ab\xe0\x80\x80") == 2);

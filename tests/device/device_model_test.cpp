@@ -1,5 +1,4 @@
-// The simulated device against closed forms: decay, deflection, oscillation, and the bounds of sampled
-// stiffness.
+// The simulated device against closed forms: decay, deflection, oscillation, and the bounds of a sampled stiffness.
 #include <doctest/doctest.h>
 
 #include <cmath>
@@ -77,7 +76,7 @@ TEST_CASE(
   CHECK(energy() == doctest::Approx(at_first).epsilon(1e-6));
 }
 
-TEST_CASE("places are told in steps of 0.055 mm, and a command of 5 N is held as 3.3 N one tick later") {
+TEST_CASE("positions are quantized to 0.055 mm, and a command of 5 N becomes 3.3 N one tick later") {
   DeviceModel device({}, kNoHand, {{0.1, -0.1, 0.02}});
   CHECK(device.sensed().mm.x == doctest::Approx(0.11));
   CHECK(device.sensed().mm.y == doctest::Approx(-0.11));

@@ -1,4 +1,4 @@
-// The list of devices: what is there, what is chosen, and what a person is told who names one that is not there.
+// The list of devices: which exist, which is chosen, and the message for an unknown name.
 #include <doctest/doctest.h>
 
 #include "engine/device/driver.h"

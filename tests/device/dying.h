@@ -1,4 +1,5 @@
-// A program as a child of the test, most often a dying_hand (dying_hand.cpp): started, waited for, killed. Linux.
+// Runs a program as a child of the test, most often a dying_hand (dying_hand.cpp): starts it, waits for it, kills it.
+// Linux.
 #pragma once
 
 #include <doctest/doctest.h>
@@ -20,7 +21,7 @@ extern char** environ;
 
 namespace moltact::test {
 
-/// A program as a child of the test.
+/// A child process of the test.
 class Child {
  public:
   explicit Child(std::vector<std::string> arguments) {
@@ -31,7 +32,7 @@ class Child {
     posix_spawn_file_actions_init(&actions);
     posix_spawn_file_actions_adddup2(&actions, ends[1], STDOUT_FILENO);
     posix_spawn_file_actions_adddup2(&actions, in[0], STDIN_FILENO);
-    // What the test's own process ignores the child does not.
+    // The child resets the signals that the test's own process ignores.
     posix_spawnattr_t attributes;
     posix_spawnattr_init(&attributes);
     posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGDEF);
@@ -57,7 +58,7 @@ class Child {
   Child(const Child&) = delete;
   Child& operator=(const Child&) = delete;
 
-  /// The next line that it wrote, if there is one within `wait_ms`; empty otherwise.
+  /// The next line of its output, if it comes within `wait_ms`; otherwise empty.
   std::string line(int wait_ms) {
     for (;;) {
       if (const auto end = text_.find('\n'); end != std::string::npos) {
@@ -73,13 +74,13 @@ class Child {
       text_.append(some, std::size_t(size));
     }
   }
-  /// It may do to itself what it is to do.
+  /// Permits the child to end itself in the requested way.
   void go() { REQUIRE(::write(in_, "\n", 1) == 1); }
   void send(int signal) {
     at_ns_ = monotonic_ns();
     REQUIRE(::kill(pid_, signal) == 0);
   }
-  /// Whether it has ended; its status then as of waitpid.
+  /// Whether it has ended; its status is then that of waitpid.
   bool over() {
     if (pid_ <= 0) return true;
     if (::waitpid(pid_, &status_, WNOHANG) != pid_) return false;
@@ -91,7 +92,7 @@ class Child {
   bool exitedWith(int status) const { return WIFEXITED(status_) && WEXITSTATUS(status_) == status; }
   int status() const { return status_; }
   int pid() const { return pid_; }
-  /// When it was sent its signal, or began to end itself.
+  /// The time when it received its signal, or began to end itself.
   std::int64_t at_ns() const { return at_ns_; }
 
  private:
@@ -101,16 +102,16 @@ class Child {
   std::string text_;
 };
 
-/// A dying_hand (dying_hand.cpp).
+/// A child process dying_hand (dying_hand.cpp).
 class Dying : public Child {
  public:
   Dying(const std::string& device, const std::string& way) : Child({MOLTACT_DYING_HAND, device, way}) {}
 };
 
-/// A way to end, and how the process is seen to have ended.
+/// A way to end, and the expected result for the process.
 struct WayToDie {
-  const char* way;  ///< of dying_hand; "wait": by the signal
-  int signal;       ///< that it is sent, or dies of; 0: it exits with status 7
+  const char* way;  ///< argument of dying_hand; "wait": by a signal
+  int signal;       ///< that it receives, or dies of; 0: it exits with status 7
 };
 inline const WayToDie kWaysToDie[] = {
     {"wait", SIGINT},
@@ -144,8 +145,7 @@ inline const WayToDie kWaysToDie[] = {
     {"exit elsewhere", 0},
     {"throw", 0},
 };
-/// What a busy machine may take until the last word, or the filling of a stack; what it takes on an idle one:
-/// docs/safety.md.
+/// Time limit on a busy machine for the last message, or for filling a stack; for an idle machine see docs/safety.md.
 inline constexpr double kBusy_ms = 500;
 
 }  // namespace moltact::test

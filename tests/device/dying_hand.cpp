@@ -1,7 +1,6 @@
-// A program that feels with a device until it ends in the way that it is told: dying_hand DEVICE WAY. It writes
-// "pressing" when force is given, and when a line has come from its standard input the monotonic time in ns, and does
-// to itself what the way says; "wait" leaves it to a signal from outside. "close" and "leave" close the device, or end
-// the force as the program's end does, from full force.
+// Uses a device until it ends in the given way: dying_hand DEVICE WAY. It writes "pressing" when it applies a force.
+// After a line on its standard input, it writes the monotonic time in ns and ends as WAY says; "wait" waits for an
+// external signal. "close" and "leave" close the device, or end the force as the program's exit does, from full force.
 #include <sys/resource.h>
 #include <unistd.h>
 

@@ -1,5 +1,5 @@
-// A process that ends while it gives force, in every way but SIGKILL: the last that its device was given is no force.
-// The stand-in for libHD.so writes each force down with its time as it comes (STAND_IN_FORCES).
+// A process that ends while it applies a force, in every way but SIGKILL: the last force its device receives is zero.
+// The stand-in for libHD.so records each force with its time (STAND_IN_FORCES).
 #include <doctest/doctest.h>
 
 #include <algorithm>

@@ -1,5 +1,5 @@
-// A process that ends while it gives a HID device force, in every way but SIGKILL, through the real libhidapi: the last
-// report that the device was sent has none. Runs under umockdev-wrapper; the child is another process on the same
+// A process that ends while it applies a force to a HID device, in every way but SIGKILL, through the real libhidapi:
+// the last report to the device has no force. Runs under umockdev-wrapper; the child is another process on the same
 // mocked devices.
 #include <cstdlib>
 

@@ -1,6 +1,5 @@
-// What goes wrong with a HID device, through the real libhidapi: it is unplugged under the hand, its reports are
-// garbage or too short, it cannot be read. Runs under umockdev-wrapper. The hand is then judged at the end of the whole
-// loop.
+// Faults of a HID device through the real libhidapi: unplugged during use, invalid or short reports, read errors. Runs
+// under umockdev-wrapper. The effect is judged at the end of the whole loop.
 #include <cmath>
 #include <memory>
 #include <utility>
@@ -100,8 +99,8 @@ TEST_CASE(
 }
 
 TEST_CASE(
-    "ten times unplugged and plugged in, at any moment of the reports: it is told each time, and works after the last; "
-    "seed 3") {
+    "ten times unplugged and plugged in, at any moment of the reports: it is reported each time, and "
+    "works after the last; seed 3") {
   HidTestbed bed;
   bed.plug(kWoodenHaptics);
   const auto device = opened("woodenhaptics");
@@ -150,8 +149,8 @@ TEST_CASE(
 }
 
 TEST_CASE(
-    "reports that break off after 3 and 6 bytes tell no place; after 40 ms of them there is no force, and with whole "
-    "ones it comes back") {
+    "reports cut off after 3 and 6 bytes give no position; after 40 ms of them there is no force, "
+    "and with complete ones it returns") {
   HidTestbed bed;
   bed.plug(kWoodenHaptics);
   const auto device = opened("woodenhaptics");

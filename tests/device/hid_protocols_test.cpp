@@ -1,4 +1,4 @@
-// What the reports of haptic HID devices mean, and garbage and short ones of every kind.
+// Parsing of reports from haptic HID devices, including invalid and short ones of every kind.
 #include <doctest/doctest.h>
 
 #include <cmath>

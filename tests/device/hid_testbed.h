@@ -1,7 +1,7 @@
-// A HID device that umockdev mocks, for the real libhidapi: what the system lists of it, its descriptor and feature
-// report, and the test as its far end. Runs under umockdev-wrapper. The node is a terminal and no hidraw: what is sent
-// in one go may arrive with what comes after it, so `send` waits until it has been read. Test's thread; ioctls are
-// answered on another.
+// A HID device mocked by umockdev for the real libhidapi: its entry in the system, its descriptor and feature report,
+// and the device's end of the connection. Runs under umockdev-wrapper. The node is a terminal, not a hidraw device:
+// consecutive reports may arrive together, so `send` waits until each has been read. Test's thread; another thread
+// answers ioctls.
 #pragma once
 
 #include <doctest/doctest.h>
@@ -30,11 +30,11 @@ inline Bytes hidDescriptor(unsigned page, unsigned usage) {
 }
 
 struct MockedHid {
-  const char* vendor;   ///< "256F", in capitals
+  const char* vendor;   ///< "256F", upper case
   const char* product;  ///< "C635"
-  const char* name;     ///< "3Dconnexion SpaceMouse Compact": its first word is the maker
+  const char* name;     ///< "3Dconnexion SpaceMouse Compact": the first word is the vendor
   Bytes descriptor;
-  Bytes feature = {};  ///< what the feature report of its first byte holds; empty: it has none
+  Bytes feature = {};  ///< the contents of the feature report of its first byte; empty: no such report
 };
 
 class HidTestbed {
@@ -64,20 +64,19 @@ class HidTestbed {
     REQUIRE(near_end_ >= 0);
   }
 
-  /// "/dev/hidraw0", and another number each time that something is plugged in.
+  /// "/dev/hidraw0"; the number differs each time that a device is plugged in.
   std::string node() const { return "/dev/" + raw(); }
 
-  /// The device is gone from the list, and who has it open reads an error from now on.
+  /// Removes the device from the list; open handles read an error from now on.
   void unplug() {
     if (far_end_ < 0) return;
     close(near_end_);
     umockdev_testbed_detach_ioctl(bed_, node().c_str(), nullptr);
-    // The node first, then what it hangs on.
+    // The node first, then its parents.
     const std::string usb = std::string("/sys") + kUsb, interface = usb + "/1-1:1.0", hid = interface + '/' + hidName();
     for (const std::string& path : {hid + "/hidraw/" + raw(), hid, interface, usb})
       umockdev_testbed_remove_device(bed_, path.c_str());
-    // umockdev keeps the far end for itself; who has the node open is hung up on when it no longer stands for a
-    // terminal.
+    // umockdev keeps the other end of the terminal; closing it hangs up on readers of the node.
     const int nothing = open("/dev/null", O_RDWR);
     dup2(nothing, far_end_);
     close(nothing);
@@ -85,22 +84,22 @@ class HidTestbed {
     far_end_ = -1;
   }
 
-  /// A report, as the device sends it; waits until it has been read, at most a second. The system may still have joined
-  /// it to the one before: a test sends again what it relies on.
+  /// Sends a report and waits up to a second until it has been read. The system may still join it to the previous one,
+  /// so a test repeats what it relies on.
   void send(const Bytes& report) {
     const auto size = static_cast<ssize_t>(report.size());
     REQUIRE(write(far_end_, report.data(), report.size()) == size);
-    std::this_thread::sleep_for(std::chrono::microseconds(500));  // a terminal hands over a little later
+    std::this_thread::sleep_for(std::chrono::microseconds(500));  // a terminal passes data on with a delay
     for (int k = 0; k < 10'000 && unread() > 0; ++k) std::this_thread::sleep_for(std::chrono::microseconds(100));
     CHECK(unread() == 0);
   }
 
-  /// The same without waiting: for one who reads in another process.
+  /// Sends without waiting, for a reader in another process.
   void sendAtOnce(const Bytes& report) {
     if (unread() == 0) (void)!write(far_end_, report.data(), report.size());
   }
 
-  /// What was written to the device since the last call, one after the other.
+  /// Returns all data written to the device since the last call.
   Bytes written() {
     Bytes out(8192);
     const ssize_t size = read(far_end_, out.data(), out.size());
@@ -121,7 +120,7 @@ class HidTestbed {
     return ioctl(near_end_, FIONREAD, &bytes) == 0 ? bytes : 0;
   }
 
-  // What `umockdev-record` would have written of it: hidraw node, HID device, USB interface, USB device.
+  // The description that `umockdev-record` would write: hidraw node, HID device, USB interface, USB device.
   std::string listed() const {
     const std::string vendor = device_.vendor, product = device_.product, name = device_.name;
     const std::string hid = hidName();
@@ -146,7 +145,7 @@ class HidTestbed {
            "\nA: product=" + name + "\nA: bcdDevice=0100\n\n";
   }
 
-  // Descriptor and feature report, as the kernel would answer. The requests are hidraw's: 'H' and their number.
+  // Answers for descriptor and feature report as the kernel does. The requests are hidraw's: 'H' and a number.
   static gboolean answer(UMockdevIoctlBase*, UMockdevIoctlClient* client, HidTestbed* self) {
     const unsigned long request = umockdev_ioctl_client_get_request(client);
     const unsigned number = unsigned(request & 0xFF), room = unsigned(request >> 16 & 0x3FFF);

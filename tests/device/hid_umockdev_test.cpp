@@ -1,5 +1,5 @@
-// The real libhidapi on devices that umockdev mocks: enumeration, opening, reports in and out. Runs under
-// umockdev-wrapper. What this proves: the use of the library and the parsing; not USB timing, and not a device.
+// The real libhidapi with devices mocked by umockdev: enumeration, opening, reports in and out. Runs under
+// umockdev-wrapper. Tests the use of the library and the parsing, neither USB timing nor a real device.
 #include <algorithm>
 
 #include "engine/device/driver.h"
@@ -103,9 +103,8 @@ TEST_CASE(
 }
 
 TEST_CASE(
-    "a receiver of another maker that has the vendor's usage too is listed by nobody and never the default; with a "
-    "device of the open "
-    "layout beside it that one is") {
+    "a receiver of another vendor with the same usage is listed by no driver and never the default; "
+    "a device of the open layout beside it is") {
   const MockedHid receiver{"046D", "C52B", "Logitech USB Receiver", hidDescriptor(0xFF00, 1)};
   HidTestbed bed;
   bed.plug(receiver);
@@ -165,7 +164,7 @@ TEST_CASE("a DualSense is found by its ids and usage, and rumbles by a report of
   CHECK(rumbled);
 }
 
-TEST_CASE("a device of another maker is none of ours") {
+TEST_CASE("a device of another vendor is not listed") {
   HidTestbed bed;
   bed.plug({"046D", "C077", "Logitech Mouse", hidDescriptor(1, 2)});
   for (const FoundDevice& one : findDevices())

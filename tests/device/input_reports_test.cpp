@@ -1,4 +1,4 @@
-// What the reports of SpaceMouse and game pads mean.
+// Parsing of reports from SpaceMouse and game pads.
 #include <doctest/doctest.h>
 
 #include <array>

@@ -1,4 +1,4 @@
-// The HID devices that the tests over umockdev plug in, and the little that these share.
+// The HID devices of the umockdev tests, and helpers that these share.
 #pragma once
 
 #include <chrono>
@@ -40,13 +40,13 @@ inline std::unique_ptr<Device> opened(std::string_view name) {
   return std::move(*device);
 }
 
-/// Waits until `done`, at most some seconds; what it waits for is checked afterwards.
+/// Waits a few seconds for `done`; the caller checks the result.
 template <class Done>
 void waitFor(Done done) {
   for (int k = 0; k < 5000 && !done(); ++k) std::this_thread::sleep_for(std::chrono::milliseconds(1));
 }
 
-/// What the person does with WoodenHaptics before it gives force: its links, upright, count 0 here.
+/// The user's calibration of WoodenHaptics: the links are upright, which is count 0 here.
 inline void holdUpright(HidTestbed& bed, Device& device) {
   waitFor([&] { return (bed.send(counts(0, 0, 0)), device.read(0.001).position.mm.z < -219); });
   device.calibrate();

@@ -1,6 +1,5 @@
-// The Omni's driver against the stand-in libHD.so: the loop is closed through the C interface, its clock stepped by
-// hand so that nothing depends on the machine. What this proves: the use of the interface, its errors and states; not a
-// real device.
+// The Omni's driver with the stand-in libHD.so: a closed loop through the C interface, on the test's clock, so that the
+// machine's speed does not matter. Tests the use of the interface, its errors and states, not a real device.
 #include <doctest/doctest.h>
 
 #include "engine/device/driver.h"
@@ -45,7 +44,7 @@ TEST_CASE(
   CHECK_FALSE(OmniDevice::open());  // there is one default device
 }
 
-TEST_CASE("the stylus's turn is told: a quarter round y, and the one of before where the driver tells none") {
+TEST_CASE("the stylus's orientation is read: a quarter turn about y, and the previous one if the driver gives none") {
   const StandIn omni;
   const auto device = opened();
   Loop loop(*device);
@@ -63,7 +62,7 @@ TEST_CASE("the stylus's turn is told: a quarter round y, and the one of before w
   CHECK(hd::orientationOf(columns, before) == before);
 }
 
-TEST_CASE("a place is told from the middle of the usable room, wherever the driver has its origin") {
+TEST_CASE("positions are relative to the centre of the usable workspace, wherever the driver has its origin") {
   Vec3 hand[2];
   for (const bool aside : {false, true}) {
     const StandIn omni;
@@ -267,7 +266,7 @@ TEST_CASE("warm motors: the force falls to the continuous 0.88 N, by the driver'
   CHECK(greatest > 0.8);
 }
 
-TEST_CASE("each error of the driver's stack is told in words, and a force it cut comes back softly") {
+TEST_CASE("each error of the driver's stack is reported in words, and a force it cut comes back softly") {
   const StandIn omni;
   const auto device = opened();
   Loop loop(*device);

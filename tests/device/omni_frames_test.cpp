@@ -1,5 +1,5 @@
-// Frames of an Omni that fail: the driver leaves an error, opens no frame, and keeps the force of the last good one.
-// (In order behind omni_device_test.cpp, whose first test needs that the library was not loaded yet.)
+// Failing frames of an Omni: the driver reports an error, opens no frame, and keeps the force of the last good one.
+// (Ordered after omni_device_test.cpp, whose first test requires that the library is not loaded yet.)
 #include <doctest/doctest.h>
 
 #include "engine/device/driver.h"

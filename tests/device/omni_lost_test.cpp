@@ -1,5 +1,5 @@
-// An Omni that comes, goes and stands, against the stand-in libHD.so: how it is found, opened, lost and opened anew,
-// and by which thread. (In order behind omni_device_test.cpp, whose first test needs that the library was not loaded
+// An Omni that appears, disappears and stalls, with the stand-in libHD.so: how it is found, opened, lost and reopened,
+// and by which thread. (Ordered after omni_device_test.cpp, whose first test requires that the library is not loaded
 // yet.)
 #include <doctest/doctest.h>
 
@@ -53,7 +53,9 @@ TEST_CASE(
   CHECK_FALSE(loop.devices.fallenBack());
 }
 
-TEST_CASE("a maker's clock that stands for half a second is told, and the device is opened anew until it ticks again") {
+TEST_CASE(
+    "a vendor's clock that stalls for half a second is reported, and the device is reopened until it "
+    "ticks again") {
   const StandIn omni;
   const auto device = opened();
   Loop loop(*device);
@@ -104,7 +106,7 @@ TEST_CASE(
   CHECK_FALSE(loop.devices.fallenBack());
 }
 
-TEST_CASE("no place is told before the first frame: until then the fallback leads") {
+TEST_CASE("no position is reported before the first frame: until then the fallback device is used") {
   const StandIn omni;
   const auto device = opened();
   Loop loop(*device);
@@ -114,7 +116,7 @@ TEST_CASE("no place is told before the first frame: until then the fallback lead
   CHECK_FALSE(loop.devices.fallenBack());
 }
 
-TEST_CASE("no device, another program's device and no licence are told apart") {
+TEST_CASE("no device, another program's device and no licence are distinguished") {
   const StandIn omni;
   omni.attach(false);
   CHECK(OmniDevice::open().problem().text().find("cable") != std::string::npos);
@@ -131,7 +133,7 @@ TEST_CASE("no device, another program's device and no licence are told apart") {
         std::string::npos);
 }
 
-TEST_CASE("an error that stands in the way of something is told in one sentence, whatever it is") {
+TEST_CASE("an error that prevents an operation is reported in one sentence, whatever it is") {
   for (std::uint32_t code = 0x0100; code <= 0x0600; ++code) {
     const std::string text = hd::problemOf("it could not be opened", hd::errorWords(code)).text();
     CAPTURE(text);
@@ -155,8 +157,8 @@ TEST_CASE("a device that is in use here is listed with its model and serial numb
 }
 
 TEST_CASE(
-    "a start initialises the device once: what the looks have opened is what is opened then; what nobody takes is "
-    "closed after 2 s") {
+    "a start initialises the device once: the handle opened by the search is reused, and one that is "
+    "not used is closed after 2 s") {
   const StandIn omni;
   const std::vector<FoundDevice> found = findDevices();
   CHECK(defaultDevice(found).name == "omni");
@@ -224,8 +226,8 @@ TEST_CASE(
 }
 
 TEST_CASE(
-    "the window asks, calibrates and reads figures while the clock ticks, stands, loses the device and finds it again: "
-    "nobody trips over the other") {
+    "the window queries, calibrates and reads figures while the clock ticks, stalls, loses the "
+    "device and finds it again, without interference") {
   const StandIn omni(false);
   MouseDevice mouse;
   ServoThread servo(mouse);

@@ -1,5 +1,5 @@
-// The reference firmware on a clock that the test steps: a tick is a millisecond, in which the motor loop runs and a
-// place is sent. Units: millimetre, newton.
+// The reference firmware on the test's clock: a tick is one millisecond, in which the motor loop runs and a position is
+// sent. Units: millimetre, newton.
 #pragma once
 
 #include <span>
@@ -11,14 +11,14 @@ namespace moltact::test {
 
 class OpenFirmware : public ReferenceFirmware {
  public:
-  /// A millisecond passes with the handle at that place: the report to send.
+  /// Advances one millisecond with the handle at that position. Returns the report to send.
   std::array<std::uint8_t, 25> tick(const Vec3& place_mm, std::uint8_t buttons = 0) {
     now_us_ += 1000;
     force_N();
     return report({place_mm.x, place_mm.y, place_mm.z}, buttons, now_us_);
   }
   void take(std::span<const std::uint8_t> r) { ReferenceFirmware::take(r.data(), r.size(), now_us_); }
-  /// What the motors give now.
+  /// The present force of the motors.
   Vec3 force_N() {
     const Triple f = motors(now_us_);
     return {f[0], f[1], f[2]};

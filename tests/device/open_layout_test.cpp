@@ -1,5 +1,4 @@
-// The open layout: what docs/device-protocol.md says, what the reference firmware does and what the driver takes and
-// gives are one and the same.
+// The open layout: docs/device-protocol.md, the reference firmware and the driver must agree.
 #include "engine/device/hid/open_layout.h"
 
 #include <doctest/doctest.h>
@@ -185,8 +184,8 @@ TEST_CASE(
 }
 
 TEST_CASE(
-    "the motors are on with force and without; off when stopped, with a force that is no number, and while fault, "
-    "calibration or watchdog are told") {
+    "the motors are on with force and without; off when stopped, with a force that is no number, and "
+    "while fault, calibration or watchdog are reported") {
   OpenLayoutProtocol open = opened();
   test::OpenFirmware firmware;
   DevicePose pose;
@@ -248,7 +247,9 @@ TEST_CASE("the quaternion turns the hand where the description says that it is m
   CHECK(upright.orientation == kNoRotation);
 }
 
-TEST_CASE("a cut by the device's watchdog is told for 20 ms even when the next places come at once, and then no more") {
+TEST_CASE(
+    "a cut by the device's watchdog is reported for 20 ms even when the next places come at once, "
+    "and then no more") {
   OpenLayoutProtocol open = opened();
   DevicePose pose;
   Report place(kPlaceBytes);

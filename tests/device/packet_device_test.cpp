@@ -1,5 +1,5 @@
-// The thread of a packet device, over a port whose other end the test holds: places, forces, words, plugs, the age of a
-// place.
+// The thread of a packet device, with a port whose other end the test controls: positions, forces, text, plugging, the
+// age of a position.
 #include <doctest/doctest.h>
 
 #include <array>
@@ -90,7 +90,9 @@ TEST_CASE(
   CHECK(first.max_force_N == 4.0);  // who still reads the old ones reads them whole
 }
 
-TEST_CASE("open layout: a fault and a missing calibration are told in words, and the device is not ready meanwhile") {
+TEST_CASE(
+    "open layout: a fault and a missing calibration are reported in words, and the device is not "
+    "ready meanwhile") {
   test::OpenFirmware firmware;
   const auto wire = std::make_shared<Wire>();
   wire->feature = of(firmware.description());
@@ -148,9 +150,8 @@ TEST_CASE(
 }
 
 TEST_CASE(
-    "a packet device: places arrive, forces go out, silence of the loop ends the force, unplugging is told and "
-    "plugging "
-    "in mends it") {
+    "a packet device: places arrive, forces go out, silence of the loop ends the force, unplugging "
+    "is reported and plugging in mends it") {
   test::OpenFirmware firmware;
   const auto wire = std::make_shared<Wire>();
   wire->feature = of(firmware.description());

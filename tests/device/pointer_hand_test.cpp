@@ -1,5 +1,5 @@
-// The hand made of a mouse, against one sphere of radius 1.7 A seen from (0, 0, 40) A: places and speeds in closed
-// form.
+// The hand controlled by a mouse, with one sphere of radius 1.7 A seen from (0, 0, 40) A: positions and speeds in
+// closed form.
 #include "engine/device/pointer_hand.h"
 
 #include <doctest/doctest.h>

@@ -1,8 +1,8 @@
-// What the firmware of a device of the open layout does (docs/device-protocol.md), as plain logic: the reference for
-// those who build one, and the far end of the tests. It includes nothing of the program, so that it can be copied.
-// Three callers: take() with each report that USB brings, report() when a place is to be sent, motors() from the motor
-// loop. On a microcontroller none of them may interrupt another: switch interrupts off round each. Time is in
-// microseconds, on a clock that may run over. Units: millimetre, newton, in the program's axes.
+// The firmware of a device with the open layout (docs/device-protocol.md) as plain logic: the reference for builders of
+// devices, and the device's end in tests. It includes nothing of the program, so that it can be copied. Call take()
+// with each report from USB, report() to send a position, and motors() from the motor loop. On a microcontroller none
+// of these may interrupt another: disable interrupts during each call. Time is in microseconds, on a clock that may
+// overflow. Units: millimetre, newton, in the program's axes.
 #pragma once
 
 #include <algorithm>
@@ -13,7 +13,7 @@
 
 namespace moltact::test {
 
-/// The HID report descriptor. After usage page and usage, what each report holds behind its id: 24, 10 and 31 bytes.
+/// The HID report descriptor. After usage page and usage: the length of each report after its id: 24, 10 and 31 bytes.
 inline constexpr std::uint8_t kOpenReportDescriptor[] = {
     0x06, 0x00, 0xFF, 0x09, 0x01, 0xA1, 0x01,        // usage page 0xFF00, usage 1, application collection
     0x15, 0x00, 0x26, 0xFF, 0x00, 0x75, 0x08,        // every field is a byte from 0 to 255
@@ -32,26 +32,28 @@ class ReferenceFirmware {
   /// The answer to GET_REPORT (feature, 3).
   std::array<std::uint8_t, 32> description() const {
     std::array<std::uint8_t, 32> r{3, 'M', 'L', 'T', 'C', 1};
-    // Unit nm, peak mN, lasting mN, room mm, stiffest N/m, damping, greatest damping mN s/m, friction mN, delay us.
+    // Unit nm, peak mN, continuous mN, workspace mm, maximum stiffness N/m, damping, maximum damping mN s/m, friction
+    // mN, delay us.
     const int fields[] = {5000, 4000, 1200, 180, 140, 100, 600, 150, 4000, 200, 1500};
     for (std::size_t k = 0; k < std::size(fields); ++k) put(r.data() + 6 + 2 * k, fields[k]);
     return r;
   }
 
-  /// The next place report, wherever the handle is.
+  /// The next position report, for any place of the handle.
   std::array<std::uint8_t, 25> report(const Triple& place_mm, std::uint8_t buttons, std::uint32_t now_us) {
     std::array<std::uint8_t, 25> r{1};
     put(&r[1], ++number_);
     for (std::size_t k = 0; k < 4; ++k) r[3 + k] = std::uint8_t(now_us >> (8 * k));
     for (std::size_t k = 0; k < 3; ++k) put(&r[7 + 2 * k], within16(place_mm[k] / kStep_mm));
-    put(&r[19], 32767);  // turned by nothing: quaternion (0, 0, 0, 1)
+    put(&r[19], 32767);  // no rotation: quaternion (0, 0, 0, 1)
     r[21] = buttons;
     r[22] = std::uint8_t((fault ? 1 : 0) | (hot ? 2 : 0) | (calibrated ? 0 : 4) | (cut_ ? 8 : 0));
     put(&r[23], heard_);
     return r;
   }
 
-  /// A report from the host, its id first. What is no force report of exactly its length is ignored.
+  /// Handles a report from the host, which begins with its id. Ignores everything but force reports of the exact
+  /// length.
   void take(const std::uint8_t* r, std::size_t bytes, std::uint32_t now_us) {
     if (bytes != 11 || r[0] != 2) return;
     heard_ = get(r + 1);
@@ -62,7 +64,7 @@ class ReferenceFirmware {
     cut_ = false;
   }
 
-  /// What the motors are to give now. The watchdog is in here, for the motor loop runs on when USB stands.
+  /// The present force for the motors. Contains the watchdog, because the motor loop continues when USB stops.
   Triple motors(std::uint32_t now_us) {
     if (on_ && now_us - heard_us_ > watchdog_us_) {
       on_ = false;
@@ -76,7 +78,7 @@ class ReferenceFirmware {
   bool fault = false, hot = false, calibrated = true;
 
  private:
-  // A place beyond what 16 bits hold stays at their end: one that ran over would leap across the room.
+  // Saturates a position beyond 16 bits; an overflow would jump across the workspace.
   static int within16(double steps) { return int(std::lround(std::clamp(steps, -32767.0, 32767.0))); }
   static void put(std::uint8_t* at, int v) {
     at[0] = std::uint8_t(v & 0xFF);

@@ -1,4 +1,4 @@
-// Why a library cannot be loaded, of several places where it may be.
+// Reports why a library cannot be loaded from any of several places.
 #include "engine/platform/shared_library.h"
 
 #include <doctest/doctest.h>
@@ -8,8 +8,8 @@
 using namespace moltact;
 
 TEST_CASE(
-    "of several places where a library may be, the one that has it and lacks what it needs is told, with the name of "
-    "what is lacking") {
+    "of several places where a library may be, the one that has it and lacks what it needs is "
+    "reported, with the name of what is lacking") {
   const std::string needy = MOLTACT_NEEDY_LIBRARY;
   for (const std::vector<std::string>& names :
        {std::vector<std::string>{"libnowhere.so", needy, "/nowhere/libnowhere.so"},
@@ -23,14 +23,14 @@ TEST_CASE(
   }
 }
 
-TEST_CASE("a library that is nowhere is told by its first name") {
+TEST_CASE("a library that is nowhere is reported by its first name") {
   const std::vector<std::string> names{"libnowhere.so", "/nowhere/libnowhere.so"};
   const auto library = SharedLibrary::open(names);
   REQUIRE_FALSE(library);
   CHECK(library.problem().message.find("libnowhere.so: ") == 0);
 }
 
-TEST_CASE("a file that is there and is no library is told before one that is not there") {
+TEST_CASE("a file that is there and is no library is reported before one that is not there") {
   const std::vector<std::string> names{"libnowhere.so", MOLTACT_SOURCE_DIR "/tests/device/shared_library_test.cpp"};
   const auto library = SharedLibrary::open(names);
   REQUIRE_FALSE(library);

@@ -1,5 +1,5 @@
-// The simulated stylus in the servo loop, on a virtual clock: the scripted hand finds the molecule and presses, and the
-// fallback takes over in the tick in which the plug is pulled.
+// The simulated stylus in the servo loop on a virtual clock: the scripted hand finds the molecule and presses. When it
+// is unplugged, the fallback device takes over in the same tick.
 #include "engine/device/simulated_device.h"
 
 #include <doctest/doctest.h>

@@ -1,5 +1,5 @@
-// A stylus over TCP on the loopback address: it is found by its address, leads, is lost and is found again. The process
-// that gives it force may end in any way. The worked example of docs/device-protocol.md runs as it is.
+// A stylus over TCP on the loopback address: found by its address, used, lost and found again. The process that uses it
+// may end in any way. The example of docs/device-protocol.md runs unchanged.
 #include <doctest/doctest.h>
 
 #include <random>

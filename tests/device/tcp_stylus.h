@@ -1,5 +1,5 @@
-// A stylus that listens on a port of the loopback address and speaks the open layout over TCP (docs/device-protocol.md), with the
-// reference firmware behind it. Its own thread serves one host after the other. Linux.
+// A stylus that listens on a loopback port and speaks the open layout over TCP (docs/device-protocol.md), with the
+// reference firmware. Its own thread serves one host at a time. Linux.
 #pragma once
 
 #include <doctest/doctest.h>
@@ -51,12 +51,12 @@ class TcpStylus {
   std::uint16_t port() const { return port_; }
 
   std::atomic<Sends> sends{Sends::Places};
-  std::atomic<bool> describes{true};   ///< answers the request of its description
+  std::atomic<bool> describes{true};   ///< answers the request for its description
   std::atomic<bool> hangs_up{false};   ///< closes the connection
-  std::atomic<bool> connected{false};  ///< a host is being served; without one the motors are off
+  std::atomic<bool> connected{false};  ///< a host is being served; otherwise the motors are off
   std::atomic<double> x_mm{0.0};
-  /// How many hosts have connected, how many force reports have come, the newest force in mN summed over the axes (0 where the
-  /// motors are off), the greatest, and when one with force came last (monotonic clock).
+  /// The number of hosts so far and of force reports. The latest force in mN summed over the axes (0 if the motors are
+  /// off), its maximum, and the time of the last report with a force (monotonic clock).
   std::atomic<int> hosts{0}, reports{0}, last_mN{0}, greatest_mN{0};
   std::atomic<std::int64_t> forced_ns{0};
 
@@ -92,7 +92,7 @@ class TcpStylus {
     }
   }
 
-  // A host that is gone may have sent reports before.
+  // A host may have sent reports before it disconnected.
   void takeRest(int host, std::vector<std::uint8_t>& in) {
     std::uint8_t bytes[512];
     for (ssize_t size; (size = ::recv(host, bytes, sizeof bytes, MSG_DONTWAIT)) > 0;)

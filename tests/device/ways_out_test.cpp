@@ -1,6 +1,6 @@
-// The last thing that a device is given is no force: every driver by every way out, through the stand-ins, which tell
-// what was written last and when. The ways that end the process: dying_hand_test.cpp. (In order behind
-// omni_device_test.cpp, whose first test needs that the library was not loaded yet.)
+// The last force a device receives is zero: every driver with every way to end. The stand-ins record the last write and
+// its time. Ways that end the process are in dying_hand_test.cpp. (Ordered after omni_device_test.cpp, whose first test
+// requires that the library is not loaded yet.)
 #include <doctest/doctest.h>
 
 #include <cmath>
@@ -244,7 +244,7 @@ double ms(std::chrono::steady_clock::duration time) { return std::chrono::durati
 
 }  // namespace
 
-TEST_CASE("every driver is in the table of those whose last force is looked at") {
+TEST_CASE("every driver is in the table of those whose last force is checked") {
   std::set<std::string_view> there, looked_at;
   for (const DeviceDriver& driver : deviceDrivers()) there.insert(driver.name);
   for (const Row& row : kRows) looked_at.insert(row.driver);

@@ -1,4 +1,4 @@
-// A port whose far end a test holds: what the device sends, and what it was sent. Any thread.
+// A port whose other end the test controls: what the device sends and receives. Any thread.
 #pragma once
 
 #include <algorithm>
@@ -18,16 +18,16 @@ namespace moltact::test {
 
 using Report = std::vector<std::uint8_t>;
 
-// The far end of a port.
+// The device's end of a port.
 struct Wire {
   std::mutex mutex;
   std::deque<Report> to_host;
   std::vector<Report> from_host;
   std::vector<std::chrono::steady_clock::time_point> came;  // of each of them
   bool plugged = true;
-  // What fails while the device still listens.
+  // Failures while the device still receives.
   bool no_read = false, no_write_once = false, throws_once = false;
-  std::atomic<int> write_ms{0};  // how long a report out blocks
+  std::atomic<int> write_ms{0};  // how long writing a report blocks
   Report feature;
 
   void send(Report report) {
@@ -97,7 +97,7 @@ inline PacketDevice::Opener over(std::shared_ptr<Wire> wire) {
   };
 }
 
-// Waits until `done`, at most some seconds; what it waits for is checked afterwards.
+// Waits a few seconds for `done`; the caller checks the result.
 template <class Done>
 void waitFor(Done done) {
   for (int k = 0; k < 5000 && !done(); ++k) std::this_thread::sleep_for(std::chrono::milliseconds(1));

@@ -1,5 +1,5 @@
-// Attempts put together by choices: lines of the right form, with numbers at the ends of their ranges, and with
-// numbers, texts and lists that no program of ours writes.
+// Generates attempts from choices: well-formed lines with numbers at the ends of their ranges, and with numbers, texts
+// and lists that the program never writes.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace moltact::fuzz {
 
-/// The text of an attempt at ubiquitin: a header and up to 25 lines, most of which can be read.
+/// An attempt at ubiquitin: a header and up to 25 lines, most of which are readable.
 std::string madeAttempt(Choices& choices);
 
 }  // namespace moltact::fuzz

@@ -1,5 +1,5 @@
-// Attempts: as bytes, and as lines of the right form with numbers and texts that no program of ours wrote. What can be
-// read of them is then reported and played back.
+// Attempts: arbitrary bytes, and well-formed lines with numbers and texts that the program never writes. Readable ones
+// are also reported and played.
 #include <cmath>
 
 #include "engine/results/attempt_file.h"

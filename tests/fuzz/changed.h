@@ -1,4 +1,4 @@
-// The seeds of a target, and seeds that were changed at random.
+// The seeds of a target, and random mutations of them.
 #pragma once
 
 #include <random>
@@ -7,14 +7,14 @@
 
 namespace moltact::fuzz {
 
-/// What the files of tests/fuzz/seeds/NAME hold, in their names' order.
+/// The contents of the files in tests/fuzz/seeds/NAME, ordered by name.
 std::vector<std::string> seedsOf(const std::string& name);
 
-/// One of the seeds (there must be one) with 1 to 8 changes: bits, bytes, signs, ranges that go, come twice or come
-/// from another seed.
+/// One of the seeds (at least one is required) with 1 to 8 mutations: bits, bytes, characters, and ranges that are
+/// deleted, duplicated or copied from another seed.
 std::string changed(const std::vector<std::string>& seeds, std::mt19937_64& random, std::size_t longest = 4096);
 
-/// A number that the environment gives under a name, else `otherwise`.
+/// A number from an environment variable, or `otherwise`.
 unsigned long fromEnvironment(const char* name, unsigned long otherwise);
 
 }  // namespace moltact::fuzz

@@ -1,14 +1,13 @@
-// Which run it was that crashed, was ended by a sanitizer or did not end: told on stderr, so that it can be run again
-// alone.
+// Prints to stderr which run crashed, was ended by a sanitizer or hung, so that it can be repeated alone.
 #pragma once
 
 #include <string>
 
 namespace moltact::fuzz {
 
-/// From now on the last run begun is told when the program ends in any of these ways.
+/// Installs the handlers that print the last run begun.
 void tellCrashes();
-/// `hang_s`: a run that takes so long does not end.
+/// `hang_s`: a longer run counts as a hang.
 void beginRun(const std::string& name, unsigned hang_s);
 void endRun();
 

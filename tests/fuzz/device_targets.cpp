@@ -1,5 +1,5 @@
-// The stream of a device over TCP: any bytes in pieces of any size give the same reports as a plain parse of the whole,
-// and the open layout makes finite positions of them.
+// The byte stream of a device over TCP. For any bytes in pieces of any size, the reports equal those of a plain parse
+// of the whole. The open layout turns them into finite positions.
 #include <algorithm>
 #include <array>
 #include <utility>

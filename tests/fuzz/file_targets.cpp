@@ -1,4 +1,4 @@
-// HIP paths, glTF models, the catalogue of molecules, the settings and catalogues of translations.
+// HIP paths, glTF models, the catalogue of molecules, the settings, and catalogues of translations.
 #include <cmath>
 
 #include "app/commands/hip_path_file.h"

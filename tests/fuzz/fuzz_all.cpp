@@ -1,8 +1,8 @@
-// Every target on its seeds and on 10 000 changed ones, from a fixed number, with any compiler.
+// Runs every target on its seeds and on 10 000 mutations with a fixed random seed, with any compiler.
 //   test_fuzz                     all targets
 //   test_fuzz pdb                 one
-//   test_fuzz pdb 1234            its run 1234 alone, whose bytes go to the file fuzz-pdb-1234
-//   MOLTACT_FUZZ_RUNS, MOLTACT_FUZZ_SEED: how many runs, and from which number
+//   test_fuzz pdb 1234            only its run 1234, whose bytes are written to the file fuzz-pdb-1234
+//   MOLTACT_FUZZ_RUNS, MOLTACT_FUZZ_SEED: the number of runs, and the random seed
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>

@@ -1,10 +1,10 @@
-// The window, off-screen, opens and plays attempts and recordings that no program of ours wrote: changed byte by byte,
-// and put together of lines and ticks whose numbers are at the ends of what is read. It may refuse each, and must go on
-// after it.
+// The off-screen window opens and plays attempts and recordings that the program never writes: mutated byte by byte, or
+// generated from lines and ticks with extreme numbers. It may reject each, and must continue afterwards.
 //   test_fuzz_window                       both kinds
 //   test_fuzz_window attempt               one
-//   test_fuzz_window attempt 12            its run 12 alone, in a fresh window; the file stays as fuzz-window.jsonl or
-//   .recording MOLTACT_FUZZ_RUNS, MOLTACT_FUZZ_SEED: how many runs of each kind (16), and from which number
+//   test_fuzz_window attempt 12            only its run 12, in a fresh window; the file is kept as
+//                                          fuzz-window.jsonl or .recording
+//   MOLTACT_FUZZ_RUNS, MOLTACT_FUZZ_SEED: the number of runs of each kind (16), and the random seed
 #include <unistd.h>
 
 #include <chrono>

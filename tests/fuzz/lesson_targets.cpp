@@ -1,4 +1,4 @@
-// Lessons, selections of atoms and files of answers.
+// Lessons, selections of atoms, and files of answers for the scripted learner.
 #include "engine/lesson/check.h"
 #include "engine/lesson/formula.h"
 #include "engine/lesson/glossary.h"

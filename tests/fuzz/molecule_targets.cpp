@@ -1,4 +1,4 @@
-// Molecules by format. What is read must be finite and in order.
+// Molecules by format. Accepted molecules must be finite and consistent.
 #include <zlib.h>
 
 #include <cmath>

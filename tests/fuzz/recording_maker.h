@@ -1,5 +1,5 @@
-// Recordings of a hand put together by choices: as a program of ours writes them, with what a device or a file might
-// tell.
+// Generates recordings of a hand from choices: in the program's format, with values that a device or a file might
+// contain.
 #pragma once
 
 #include <cstdint>
@@ -15,7 +15,7 @@ namespace moltact::fuzz {
 /// The bytes of a recording that begins with a new loop.
 std::string recordingOf(const std::map<std::string, std::string>& labels, const std::vector<RecordedTick>& ticks);
 
-/// A recording of one block (at most 256 ticks), taken apart; put together again its checksums are right.
+/// A recording of one block (at most 256 ticks) in parts; when it is assembled again, its checksums are correct.
 struct RecordingParts {
   std::string labels, build, state, ticks;
   std::uint32_t count = 0;
@@ -23,11 +23,11 @@ struct RecordingParts {
 };
 RecordingParts partsOf(const std::string& recording);
 
-/// Up to 7 of the state's values become others, go or come twice.
+/// Replaces, removes or duplicates up to 7 of the state's values.
 void changeState(std::string& state, Choices& choices);
 
-/// A hand that goes round in the scene, with up to 15 ticks whose places, times, settings or figures are at the ends of
-/// what is read, or are no numbers; with some choices the labels or the state are others too. Ticks: at most 256.
+/// A hand that moves around the scene, with up to 15 ticks whose positions, times, settings or figures are extreme or
+/// not numbers. Some choices also change the labels or the state. At most 256 ticks.
 std::string madeRecording(Choices& choices, std::size_t ticks, const Workspace& workspace);
 
 }  // namespace moltact::fuzz

@@ -1,6 +1,6 @@
-// Recordings of a hand: as bytes; as blocks of ticks with any numbers and a right checksum; and with the state that the
-// first tick begins from. What can be read is replayed: every force is finite and no greater than the device gives.
-// And hands' ways as rows of numbers: what can be read is written and read back the same.
+// Recordings of a hand: arbitrary bytes, blocks of ticks with any numbers and a correct checksum, and initial states.
+// Accepted ones are replayed: every force is finite and at most the device's maximum. Also hands' paths as rows of
+// numbers: accepted ones survive writing and reading unchanged.
 #include <cmath>
 #include <limits>
 

@@ -1,6 +1,6 @@
-// The readers of what others wrote, each as a function of bytes that must come back whatever the bytes are: without a
-// crash, an exception, a hang or a value that cannot be. The same functions are run by libFuzzer (fuzz_one.cpp) and by
-// a driver of our own that needs nothing but a compiler (fuzz_all.cpp).
+// The readers of external data, each as a function that must accept any bytes without a crash, an exception, a hang or
+// an impossible value. libFuzzer (fuzz_one.cpp) and our own driver, which needs only a compiler (fuzz_all.cpp), run the
+// same functions.
 #pragma once
 
 #include <cstddef>
@@ -13,26 +13,26 @@
 namespace moltact::fuzz {
 
 struct Target {
-  const char* name;  ///< also of its folder in seeds/
+  const char* name;  ///< also the name of its folder in seeds/
   void (*run)(std::string_view bytes);
 };
 
 std::span<const Target> targets();
 
-/// Ends the program where what was read cannot be.
+/// Ends the program if a reader has accepted something impossible.
 inline void mustBe(bool good, const char* what) {
   if (good) return;
   std::fprintf(stderr, "must be: %s\n", what);
   std::abort();
 }
 
-/// Decisions made by bytes, for what is to be put together in a form that a reader looks at more closely. At their end
-/// all are 0.
+/// Decisions derived from bytes, to generate structured input that readers parse more deeply. After the last byte all
+/// decisions are 0.
 class Choices {
  public:
   explicit Choices(std::string_view bytes) : bytes_(bytes) {}
   bool more() const { return !bytes_.empty(); }
-  /// 0 to below - 1.
+  /// A number from 0 to below - 1.
   std::size_t pick(std::size_t below) {
     std::size_t out = 0;
     for (std::size_t reach = 1; reach < below && more(); reach <<= 8) {
@@ -47,11 +47,10 @@ class Choices {
   std::string_view bytes_;
 };
 
-/// Texts in the place of a number: what no program of ours writes, and what just is none.
+/// Texts in place of a number: unusual ones, and ones that are almost numbers.
 std::string_view oddNumber(Choices& choices);
 
-/// The file that a reader of files is given: the same one each time, with these bytes. In memory where the system
-/// allows.
+/// A file with these bytes for readers of files, the same one each time. In memory where the system allows.
 std::string fileOf(std::string_view bytes, const char* name);
 
 void pdb(std::string_view), mmcif(std::string_view), smallCif(std::string_view), sdf(std::string_view);

@@ -1,4 +1,4 @@
-// Oracles: volumes in closed form, Euler's formula, and that each edge is walked once each way.
+// Oracles: volumes in closed form, Euler's formula, and that each edge is traversed once in each direction.
 #include "engine/gltf/closed_surface.h"
 
 #include <doctest/doctest.h>

@@ -1,4 +1,4 @@
-// What is written is read back by tinygltf, through our reader, which checks every range itself.
+// Files that the program writes are read back by tinygltf through our reader, which checks every range itself.
 #include <doctest/doctest.h>
 #include <unistd.h>
 
@@ -213,7 +213,7 @@ TEST_CASE(
   for (const GltfNode& node : exported(water, options).nodes) CHECK(node.name != "hydrogen bonds");
 }
 
-TEST_CASE("no atoms, too fine a surface, a folder that is not there: each is told with its remedy") {
+TEST_CASE("no atoms, too fine a surface, a folder that is not there: each is reported with its remedy") {
   CHECK(exportMolecule({}, {}).problem().text().find("no atoms") != std::string::npos);
   const auto fine = exportMolecule(library("1ubq.pdb"), {.print = true, .step_A = 0.01});
   REQUIRE_FALSE(bool(fine));
@@ -225,7 +225,8 @@ TEST_CASE("no atoms, too fine a surface, a folder that is not there: each is tol
 }
 
 TEST_CASE(
-    "a missing file, an empty one, plain text, JSON that is no glTF and one without triangles are told, not drawn") {
+    "a missing file, an empty one, plain text, JSON that is no glTF and one without triangles are "
+    "reported, not drawn") {
   const Scratch scratch;
   const auto told = [&](const std::string& bytes) {
     const fs::path file = scratch.folder / "bad.gltf";

@@ -1,4 +1,4 @@
-// The committed models against their generator, and what the view relies on.
+// Compares the committed models with their generator's output and with the view's requirements.
 #include "assets/generator/hand_models.h"
 
 #include <doctest/doctest.h>

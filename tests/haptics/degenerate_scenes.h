@@ -1,5 +1,5 @@
-// Scenes of 3 to 60 spheres in which surfaces meet in places that rounding can hardly tell: what a tracker must survive.
-// Pure functions of a seed, with the same numbers on every machine. Units: angstrom.
+// Scenes of 3 to 60 spheres with almost degenerate intersections, which trackers must survive. Pure functions of a
+// seed, with the same numbers on every machine. Unit: angstrom.
 #pragma once
 
 #include <cstdint>
@@ -13,16 +13,17 @@ namespace moltact::test {
 struct DegenerateScene {
   std::string family;
   scenes::Scene scene;
-  std::vector<Vec3> special;  ///< where surfaces meet, centres, places on axes: where a hand is led
+  std::vector<Vec3> special;  ///< intersections of surfaces, centres, points on axes: targets for the hand
 };
 
-/// The scene of this seed; the families take turns.
+/// The scene of this seed; consecutive seeds cycle through the families.
 DegenerateScene degenerateScene(std::uint64_t seed);
 
-/// How many families there are.
+/// The number of families.
 int degenerateFamilies();
 
-/// HIP places: by seed jumps to special places and away, a glide over the surface, or passes right through.
+/// HIP positions. Depending on the seed, the path jumps to special points and away, glides over the surface, or passes
+/// straight through.
 std::vector<Vec3> degeneratePath(const DegenerateScene& scene, int ticks, std::uint64_t seed);
 
 }  // namespace moltact::test

@@ -1,5 +1,5 @@
-// What every method owes its caller, whatever its idea: faults told, states forgotten, the same answers
-// again, and not one allocation in a tick.
+// The contract of every method: it reports faults, reset() clears all state, results are reproducible, and a tick
+// allocates nothing.
 #include <doctest/doctest.h>
 
 #include <cmath>
@@ -177,7 +177,7 @@ TEST_CASE(
   }
 }
 
-TEST_CASE("every method bears a scene without balls, one ball, and a probe that is no number") {
+TEST_CASE("every method handles a scene without balls, one ball, and a probe that is not a number") {
   for (const Method& method : benchMethods()) {
     CAPTURE(std::string(method.name));
     const auto empty = method.make(makeScene({}), 1.4);
@@ -198,7 +198,7 @@ TEST_CASE("every method bears a scene without balls, one ball, and a probe that 
   }
 }
 
-TEST_CASE("what the window and lessons offer bears any scene and probe; what does not is for the bench alone") {
+TEST_CASE("methods in the window and in lessons handle any scene and probe; others are only in the bench") {
   CHECK(benchMethods().size() > methods().size());
   CHECK(benchMethods().data() == methods().data());
   for (const Method& method : benchMethods()) {

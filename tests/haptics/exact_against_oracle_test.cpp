@@ -1,5 +1,5 @@
-// The exact tracker against the brute-force oracle on every scene where methods fail: walks on the surface, jumps out
-// and back, passes of 0.05 to 12 A a tick.
+// The exact tracker against the brute-force oracle in every scene where other methods fail: walks on the surface, jumps
+// out and back, passes of 0.05 to 12 A per tick.
 #include <doctest/doctest.h>
 
 #include "engine/bench/oracle.h"

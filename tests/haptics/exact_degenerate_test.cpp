@@ -1,5 +1,5 @@
-// The exact tracker where surfaces meet in places that rounding can hardly tell, against the oracle in long double.
-// MOLTACT_DEGENERATE_SCENES=10000 tries as many scenes (300 otherwise), MOLTACT_DEGENERATE_FROM another first seed.
+// The exact tracker at almost degenerate intersections, against the oracle in long double.
+// MOLTACT_DEGENERATE_SCENES=10000 sets the number of scenes (default 300), MOLTACT_DEGENERATE_FROM the first seed.
 #include <doctest/doctest.h>
 
 #include <algorithm>

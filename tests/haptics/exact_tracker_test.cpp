@@ -1,5 +1,5 @@
-// The exact tracker against closed forms: one sphere, a crease of two, a pit of three, and the traps where methods fail.
-// Random scenes against an independent tracker are in exact_against_oracle_test.cpp.
+// The exact tracker against closed forms: one sphere, a crease of two, a pit of three, and scenes where other methods
+// fail. exact_against_oracle_test.cpp compares random scenes with an independent tracker.
 #include "engine/haptics/exact/exact_tracker.h"
 
 #include <doctest/doctest.h>
@@ -144,7 +144,7 @@ TEST_CASE("passes of 0.05 to 12 A a tick straight through a row of balls never p
   }
 }
 
-TEST_CASE("a way of a million angstroms in one tick meets the one ball that lies on it") {
+TEST_CASE("a path of a million angstroms in one tick meets the only ball on it") {
   ExactTracker tracker(makeScene({{{0, 0, 0}, 1.6}}), 1.4);
   tracker.step({{-1e6, 0.5, 0}});
   const Contact c = tracker.step({{1.0, 0.5, 0}});
@@ -210,7 +210,7 @@ TEST_CASE("in a cubic lattice, where eight balls meet in each hollow's point, th
   checkNear(next.scp.A, {5, 3, std::sqrt(0.56)}, 1e-12);
 }
 
-TEST_CASE("balls inside others and equal balls are as if they were not there") {
+TEST_CASE("balls inside others and duplicates have no effect") {
   const std::vector<Sphere> plain{{{0, 0, 0}, 1.6}, {{2, 0, 0}, 1.6}};
   std::vector<Sphere> doubled = plain;
   doubled.push_back(plain[0]);

@@ -1,5 +1,5 @@
-// Fields for tests: wells of energy round atoms, beside whatever else an interaction gives. Forces, energies and
-// stiffness are closed forms. Units: angstrom, newton of the hand.
+// Fields for tests: energy wells around atoms, added to another interaction. Forces, energies and stiffness are closed
+// forms. Units: angstrom, newton of the hand.
 #pragma once
 
 #include <cmath>
@@ -11,18 +11,18 @@
 
 namespace moltact::test {
 
-/// One pair of hand and atom, by the distance: the energy, its slope and its curvature.
+/// The energy of one pair of hand and atom as a function of the distance, with its first and second derivative.
 struct PairEnergy {
   double energy_N_A, slope_N, curvature_N_per_A;
 };
 
-/// A spring without a surface: an energy of k r^2 / 2.
+/// A spring without a surface: the energy k r^2 / 2.
 struct HarmonicPair {
   double k_N_per_A = 1.0;
   PairEnergy at(double r) const { return {0.5 * k_N_per_A * r * r, k_N_per_A * r, k_N_per_A}; }
 };
 
-/// Lennard and Jones: least at `rest_A`, where it is -depth.
+/// The Lennard-Jones potential with its minimum -depth at `rest_A`.
 struct LennardJonesPair {
   double depth_N_A = 0.2, rest_A = 3.8;
   PairEnergy at(double r) const {
@@ -32,13 +32,13 @@ struct LennardJonesPair {
   }
 };
 
-/// Nothing to touch.
+/// A tracker without any contact.
 class OpenSpace final : public WithoutMemory<Tracker> {
  public:
   Contact step(PointA hip) noexcept override { return {.scp = hip}; }
 };
 
-/// A field of pairs with some atoms of the scene, felt beside `inner`.
+/// A field of pairs with some atoms of the scene, added to `inner`.
 template <class Pair>
 class InField final : public WrappedInteraction {
  public:
@@ -47,7 +47,7 @@ class InField final : public WrappedInteraction {
     Vec3 place_A;
   };
   double offset_N_A = 0.0;  ///< added to the energy everywhere
-  double driving = 1.0;     ///< the force grows by this factor wherever it drives the hand on: dishonest above 1
+  double driving = 1.0;     ///< factor of the force where it drives the hand; values above 1 create energy
 
   InField(std::unique_ptr<Interaction> inner, Pair pair, std::vector<Atom> atoms)
       : WrappedInteraction(std::move(inner)), pair_(pair), atoms_(std::move(atoms)), forces_(atoms_.size()) {}
@@ -83,7 +83,7 @@ class InField final : public WrappedInteraction {
  private:
   Pair pair_;
   std::vector<Atom> atoms_;
-  std::vector<Vec3> forces_;  // of each atom on the hand, at the last pose
+  std::vector<Vec3> forces_;  // on the hand, by atom, at the last pose
   Vec3 last_A_{0.0};
   bool drives_ = false;
 };

@@ -1,5 +1,5 @@
-// The god-object on a signed-distance grid: the field against the distance itself, the SCP against closed
-// forms and the oracle, and the failures that a spacing brings.
+// The god-object on a signed-distance grid: the field against the distance itself, the SCP against closed forms and the
+// oracle, and the failures caused by the grid spacing.
 #include "engine/haptics/grid/grid_tracker.h"
 
 #include <doctest/doctest.h>

@@ -1,4 +1,4 @@
-// A rigid body in the hand: what its atoms feel, summed, against closed forms and against probes one by one.
+// A rigid body in the hand: the sum of the contacts of its atoms, against closed forms and against separate probes.
 #include <doctest/doctest.h>
 
 #include <random>

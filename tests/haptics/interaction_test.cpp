@@ -1,4 +1,4 @@
-// What a scene can be felt with: the table, and the probe as one of it.
+// The table of interactions, and the probe as one of them.
 #include <doctest/doctest.h>
 
 #include <set>
@@ -58,7 +58,7 @@ TEST_CASE(
   }
 }
 
-TEST_CASE("what judges a method is the reference method, with everything else as it is felt") {
+TEST_CASE("a method is judged by the reference method, with all other properties as felt") {
   for (const TouchProperty& p : touchProperties()) {
     CAPTURE(std::string(p.key));
     TouchSetup felt;
@@ -74,7 +74,7 @@ TEST_CASE("what judges a method is the reference method, with everything else as
   }
 }
 
-TEST_CASE("what there is not is not made: neither an interaction nor a method of that name") {
+TEST_CASE("an unknown name creates neither an interaction nor a method") {
   const auto spheres = test::makeScene({{{0, 0, 0}, 1.6}});
   TouchSetup touch;
   CHECK(makeInteraction({spheres, touch}));

@@ -1,6 +1,6 @@
-// A tracker beside the oracle along one HIP path: how far its SCP and its force's direction are off, as
-// statistics, for methods that are not exact. The oracle goes its own way; ticks in which it calls two
-// outcomes right are not judged. Units: angstrom, degree.
+// Compares a tracker with the oracle along one HIP path: statistics of the error of its SCP and of its force's
+// direction, for inexact methods. The oracle follows its own path; ticks in which it accepts two outcomes are not
+// judged. Units: angstrom, degree.
 #pragma once
 
 #include <algorithm>
@@ -15,12 +15,12 @@
 namespace moltact::test {
 
 struct Judged {
-  int ticks = 0;                        ///< decided ones after the start outside
-  int both = 0;                         ///< of them those in which both touch
-  int lost = 0;                         ///< the oracle touches by more than `lost_from_A`, the tracker does not
-  int false_contact = 0;                ///< the tracker touches by more than that, the oracle does not
-  double deepest_A = -1e300;            ///< of the SCP in any sphere, in every tick with contact
-  std::vector<double> off_A, turn_deg;  ///< both touch: sorted
+  int ticks = 0;                        ///< decided ticks after the start outside
+  int both = 0;                         ///< of these, ticks in which both touch
+  int lost = 0;                         ///< ticks in which only the oracle touches, by more than `lost_from_A`
+  int false_contact = 0;                ///< ticks in which only the tracker touches, by more than that
+  double deepest_A = -1e300;            ///< maximum depth of the SCP in any sphere, in all ticks with contact
+  std::vector<double> off_A, turn_deg;  ///< ticks in which both touch, sorted
 
   double off(double share) const { return at(off_A, share); }
   double turn(double share) const { return at(turn_deg, share); }
@@ -31,7 +31,7 @@ struct Judged {
   }
 };
 
-/// `lost_from_A`: a contact shallower than this may be missed without being counted.
+/// `lost_from_A`: a shallower contact may be missed without being counted.
 inline Judged judge(Tracker& tracker, const scenes::Scene& scene, const scenes::Path& path, double lost_from_A = 0.05) {
   oracle::Oracle oracle(scene.spheres, scene.probe_A);
   Judged out;

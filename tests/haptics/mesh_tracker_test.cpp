@@ -1,5 +1,5 @@
-// The god-object on triangles against the closed forms of its mesh, against the oracle as far as a mesh can
-// go, and in the failures that facets bring.
+// The god-object on triangles against the closed forms of its mesh, against the oracle within the mesh's accuracy, and
+// in the failures caused by facets.
 #include "engine/haptics/mesh/mesh_tracker.h"
 
 #include <doctest/doctest.h>

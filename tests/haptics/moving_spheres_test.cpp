@@ -1,5 +1,5 @@
-// Spheres that move while they are touched. Oracles: closed forms, the condition of rest, and a brute-force flow that
-// is led through every hundredth of a tick.
+// Spheres that move during contact. Oracles: closed forms, the equilibrium condition, and a brute-force flow with a
+// hundred substeps per tick.
 #include <doctest/doctest.h>
 
 #include <limits>

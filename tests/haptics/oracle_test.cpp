@@ -1,4 +1,4 @@
-// The oracle against closed forms: before it judges a tracker, it has to be right itself.
+// The oracle against closed forms: it must be correct before it judges a tracker.
 #include "engine/bench/oracle.h"
 
 #include <doctest/doctest.h>

@@ -1,5 +1,5 @@
-// Equations 2 to 7 and the cone test of the paper, worked by hand on the triangles 13-14-15 (altitude 12,
-// which parts 14 into 5 and 9), 3-4-5 and 8-15-17.
+// Equations 2 to 7 and the cone test of the paper, computed by hand for the triangles 13-14-15 (altitude 12, which
+// divides 14 into 5 and 9), 3-4-5 and 8-15-17.
 #include <doctest/doctest.h>
 
 #include <cmath>

@@ -1,5 +1,5 @@
-// The tracker of Algorithm 1: the three cases of Figure 4, agreement with the oracle where the algorithm is
-// sound, and each of its known faults (docs/paper-algorithm.md), which are kept.
+// The tracker of Algorithm 1: the three cases of Figure 4, agreement with the oracle where the algorithm is correct,
+// and each of its known faults (docs/paper-algorithm.md), which are reproduced deliberately.
 #include "engine/haptics/paper/paper_tracker.h"
 
 #include <doctest/doctest.h>

@@ -1,4 +1,4 @@
-// The penalty method against its closed form, and in the failures for which it is known.
+// The penalty method against its closed form, and its known failures.
 #include "engine/haptics/penalty/penalty_tracker.h"
 
 #include <doctest/doctest.h>

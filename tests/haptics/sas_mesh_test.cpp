@@ -1,4 +1,4 @@
-// One mesh of the solvent-accessible surface: closed, a manifold, on the spheres; and the god-object on it.
+// A mesh of the solvent-accessible surface: closed, a manifold, with vertices on the spheres; and the god-object on it.
 #include <doctest/doctest.h>
 
 #include <cmath>

@@ -1,4 +1,4 @@
-// What a scene is felt with: the table of its properties, and what is made from it.
+// The table of a scene's touch properties, and what is generated from it.
 #include "engine/haptics/touch_setup.h"
 
 #include <doctest/doctest.h>

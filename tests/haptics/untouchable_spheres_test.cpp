@@ -1,4 +1,4 @@
-// Spheres that are seen and not felt: whatever the method, the hand meets the scene as if they were not there, and the
+// Spheres that are drawn but not felt: with every method, the hand meets the scene as if they did not exist, and the
 // others keep their indices.
 #include <doctest/doctest.h>
 

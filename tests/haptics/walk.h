@@ -1,4 +1,4 @@
-// Small helps of the tracker tests: scenes from a list, a HIP led along a line, the deepest sphere by a plain loop.
+// Helpers of the tracker tests: scenes from a list, a HIP moved along a line, the deepest sphere by a plain loop.
 #pragma once
 
 #include <algorithm>
@@ -15,14 +15,14 @@ inline std::shared_ptr<const SphereGrid> makeScene(std::vector<Sphere> spheres) 
   return std::make_shared<const SphereGrid>(std::move(spheres));
 }
 
-/// How far the place lies inside the sphere that holds it deepest (unit: angstrom); negative outside all.
+/// The maximum depth of the place inside any sphere (unit: angstrom); negative outside all.
 inline double deepest_A(const std::vector<Sphere>& spheres, double probe_A, const Vec3& place) {
   double deepest = -1e300;
   for (const Sphere& b : spheres) deepest = std::max(deepest, b.radius_A + probe_A - glm::distance(place, b.centre_A));
   return deepest;
 }
 
-/// Leads the HIP along a straight line in steps of at most `step_A` and returns the contact at its end.
+/// Moves the HIP along a straight line in steps of at most `step_A` and returns the contact at its end.
 inline Contact walkTo(Tracker& tracker, const Vec3& from, const Vec3& to, double step_A) {
   const int steps = std::max(1, static_cast<int>(std::ceil(glm::distance(from, to) / step_A)));
   Contact last;

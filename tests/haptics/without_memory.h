@@ -1,4 +1,4 @@
-// What a tracker or an interaction of a test answers where it has no probe, nothing to forget and no memory of its own.
+// Default answers for a test's tracker or interaction without a probe, without state and without memory.
 #pragma once
 
 #include "engine/haptics/tracker.h"

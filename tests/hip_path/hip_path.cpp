@@ -1,4 +1,4 @@
-// moltact_hip_path MOLECULE PATH METHOD: leads the HIP along PATH (three numbers a line, angstrom) and prints for each
+// moltact_hip_path MOLECULE PATH METHOD: moves the HIP along PATH (three numbers per line, angstrom). Prints for each
 // tick whether there is contact, the SCP, the displacement and the atoms.
 #include <cstdio>
 #include <fstream>

@@ -1,4 +1,4 @@
-// German for as long as it lives, from a catalogue in the build; English again afterwards.
+// Selects German from a catalogue in the build while the object lives, and English afterwards.
 #pragma once
 
 #include <doctest/doctest.h>
@@ -10,7 +10,7 @@
 namespace moltact {
 
 struct InGerman {
-  /// The few texts of tests/language/small_german.po.
+  /// The German of tests/language/small_german.po, which is only a few texts.
   InGerman() : InGerman(MOLTACT_SMALL_GERMAN) {}
   explicit InGerman(const std::filesystem::path& folder) {
     const auto problem = setLanguage("de", folder);

@@ -1,5 +1,5 @@
-// That what the engine tells a person can be translated, held by looking at the sources: a literal of two words or more
-// stands in tr() or one of its sisters, or in one of the places that are named here.
+// Every text of the engine for a person must be translatable. Checked in the sources: a literal of two words or more is
+// an argument of tr() or a similar function, or is at a place listed here.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -148,7 +148,8 @@ TEST_CASE(
 }
 
 TEST_CASE(
-    "the search for sentences tells a bare one, one in a condition and one in a table from those that are marked") {
+    "the search for sentences distinguishes a bare one, one in a condition and one in a table from "
+    "those that are marked") {
   const auto bare = [](const std::string& source) {
     const std::vector<Token> tokens = tokensOf(source);
     int count = 0;

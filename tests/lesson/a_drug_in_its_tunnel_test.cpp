@@ -1,4 +1,4 @@
-// The shipped lesson on HIV protease: what can be touched with the drug in the tunnel, and without.
+// The program's lesson on HIV protease: what can be touched with the drug in the tunnel, and without it.
 #include <algorithm>
 #include <array>
 #include <map>

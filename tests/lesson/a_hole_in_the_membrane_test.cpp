@@ -1,4 +1,4 @@
-// The shipped lesson on porin: what passes its eyelet and what does not, and who stands round it, is so in the entry.
+// The program's lesson on porin: what passes its eyelet, and which atoms surround it, agrees with the entry.
 #include <algorithm>
 #include <cmath>
 #include <fstream>

@@ -1,5 +1,5 @@
-// The shipped lesson on zinc fingers: what lies bare without them and covered with them, and who holds which letter, is
-// so in the entry.
+// The program's lesson on zinc fingers: which atoms are free or covered, and which residue contacts which base, agrees
+// with the entry.
 #include <algorithm>
 #include <cmath>
 #include <memory>
@@ -36,7 +36,8 @@ TEST_CASE("the DNA without protein is that of the complex, atom by atom") {
 }
 
 TEST_CASE(
-    "four arginines hold four guanines by two bonds of 2.8 A to 3.1 A each; His 149, Asn 121 and Asp 118 as told") {
+    "four arginines hold four guanines by two bonds of 2.8 A to 3.1 A each; His 149, Asn 121 and Asp "
+    "118 as in the lesson") {
   CAPTURE(lineSaying(kLesson, "Arg 180 to guanine 2 2.8 Å and 2.8 Å"));
   CAPTURE(lineSaying(kLesson, "His 149 holds guanine 6 (2.9 Å)"));
   CAPTURE(lineSaying(kLesson, "Arginines 174, 146 and 124 hold guanines 4, 7 and 8"));

@@ -1,4 +1,4 @@
-// The shipped lesson on a virus: its axes, its sixty pieces and the places that are felt are so in the entry.
+// The program's lesson on a virus: its axes, its sixty subunits and the places to feel agree with the entry.
 #include <algorithm>
 #include <cmath>
 #include <fstream>

@@ -1,5 +1,5 @@
-// The shipped lesson on adenylate kinase: how far its doors move, and what can be touched behind them, is so in the two
-// entries.
+// The program's lesson on adenylate kinase: the motion of its domains, and what can be touched behind them, agree with
+// the two entries.
 #include <algorithm>
 #include <cmath>
 #include <numbers>

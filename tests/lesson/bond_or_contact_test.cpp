@@ -1,4 +1,4 @@
-// The shipped lesson on bonds and contacts: what it says of turns, depths and distances follows from the molecules' coordinates.
+// The program's lesson on bonds and contacts: its angles, depths and distances follow from the molecules' coordinates.
 #include <algorithm>
 #include <memory>
 
@@ -9,8 +9,8 @@ using namespace moltact;
 using namespace moltact::test;
 
 TEST_CASE(
-    "bond-or-contact.md, and the same in German, has 6 steps and one extra step in 5 molecules, with a way round the "
-    "ring, a pit to rest in, and a bond told from a contact in the dark") {
+    "bond-or-contact.md, also in German, has 6 steps and one extra step in 5 molecules, with a path "
+    "around the ring, a pit to rest in, and a bond to distinguish from a contact in the dark") {
   for (const char* file : {"bond-or-contact", "bond-or-contact.de"}) {
     CAPTURE(file);
     const Lesson lesson = shippedLesson(file);

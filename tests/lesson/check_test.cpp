@@ -1,4 +1,4 @@
-// What `moltact check` tells, at the level of one text. The molecule is the ten-atom one of small_molecules.h.
+// The findings of `moltact check` for single texts. The molecule is the ten-atom one of small_molecules.h.
 #include "engine/lesson/check.h"
 
 #include <doctest/doctest.h>
@@ -57,7 +57,8 @@ TEST_CASE("a lesson without faults has no errors, and a student can begin it") {
 }
 
 TEST_CASE(
-    "a lesson's name tells its language; what it ends in and is no language is a warning, a contradiction an error") {
+    "a lesson's name gives its language; an ending that is not a language is a warning, a "
+    "contradiction an error") {
   CHECK(lessonName("a/first-touch.de.md").id == "first-touch");
   CHECK(lessonName("a/first-touch.de.md").language == "de");
   CHECK(lessonName("first-touch.md").language.empty());
@@ -91,8 +92,8 @@ TEST_CASE("of the files of a lesson the one in the language is taken, else the o
 }
 
 TEST_CASE(
-    "characters that the window cannot write are told with their line: Chinese, Hebrew and a smile, not Greek or "
-    "Cyrillic") {
+    "characters that the window cannot write are reported with their line: Chinese, Hebrew and a "
+    "smile, not Greek or Cyrillic") {
   CHECK(warnings(kHead + kStep + "α-Helix, Ж, 20 Å, “so” – 3 ≤ 4 → 5₂\n").empty());
   CHECK(warnings(kHead + kStep + "Two \u4E2D and \u4E2D\u6587\n\nthen \U0001F600\n\nand \u05E9\n") ==
         Texts{"l.md:14:5: the window's fonts have no sign for '\u4E2D' (U+4E2D), '\u6587' (U+6587); it is shown as "
@@ -105,7 +106,7 @@ TEST_CASE(
               "itself"});
 }
 
-TEST_CASE("an unknown key, a bare number, an empty selection and an unused molecule are told in one go") {
+TEST_CASE("an unknown key, a bare number, an empty selection and an unused molecule are reported in one go") {
   CHECK(errors("---\ntitle: T\nminutes: 1\ngoals: G\nmolecules: mix, water\nauthor: A\nlicence: L\nlisense: M\n---\n" +
                kStep + "```touch\nreach: ligand BTX\nnear: 4\nsay: S\n```\n") ==
         Texts{"l.md:5:17: there is no molecule 'water'; choose another",
@@ -115,7 +116,7 @@ TEST_CASE("an unknown key, a bare number, an empty selection and an unused molec
               "l.md:17:7: '4' needs a unit: Å or nm"});
 }
 
-TEST_CASE("a selection behind 'facing' is told at its own column, and a name that selects nothing is a warning") {
+TEST_CASE("a selection behind 'facing' is reported at its own column, and a name that selects nothing is a warning") {
   CHECK(errors(kHead + "## A\n```scene\nmolecule: mix\nview: facing  chain C\n```\nText.\n") ==
         Texts{"l.md:12:21: chain 'C' is not in mix (chains: A, B); name atoms that it has"});
   CHECK(warnings(kHead + "## A\n```scene\nmolecule: mix\nhighlight: resname HEM HEX\n```\nText.\n") ==
@@ -137,7 +138,7 @@ TEST_CASE("an aside that no reachable step links to is an error; links from asid
         "l.md:9:4: the first step is an aside; start with a step that every student sees: '## …'");
 }
 
-TEST_CASE("a step without a word, a choice without feedback and one that is there twice are told") {
+TEST_CASE("a step without a word, a choice without feedback and one that is there twice are reported") {
   CHECK(errors(kHead + "## A\n```scene\nmolecule: mix\n```\n") ==
         Texts{"l.md:9:4: this step says nothing to the student; write a sentence below its heading"});
   CHECK(
@@ -157,7 +158,9 @@ TEST_CASE("methods that are to be compared while they are locked are an error") 
               "or this task"});
 }
 
-TEST_CASE("fenced blocks and comments without an end are told where they begin, and what they swallow is not judged") {
+TEST_CASE(
+    "fenced blocks and comments without an end are reported where they begin, and what they swallow "
+    "is not judged") {
   CHECK(errors(kHead + "## A\n```scene\nmolecule: mix\n\nText.\n\n## B\n[x](#nowhere)\n") ==
         Texts{"l.md:10:1: this fenced block has no end, so what follows it is not read; close it with a line of its "
               "own: ```"});
@@ -171,7 +174,7 @@ TEST_CASE("fenced blocks and comments without an end are told where they begin, 
         Texts{"l.md:15:1: this comment has no end, so nothing below it is shown; close it with '-->'"});
 }
 
-TEST_CASE("front matter without its end is told, and the lesson behind it is still checked") {
+TEST_CASE("front matter without its end is reported, and the lesson behind it is still checked") {
   CHECK(errors("---\ntitle: T\nminutes: 1\ngoals: G\nmolecules: mix\nauthor: A\nlicence: L\n\nHello: there.\n\n" +
                kStep + "```touch\nreach: all\nsay: S\nnear: 4\n```\n") ==
         Texts{"l.md:1:1: the front matter has no end; close it with a line '---'",
@@ -204,7 +207,7 @@ TEST_CASE("links and pictures are looked up beside the lesson; web addresses are
       "14:5 the link 'ftp://x.org/y' leads to nothing that a lesson can show"));
 }
 
-TEST_CASE("a molecule is looked up beside the lesson, then in the library; a broken file is told with its line") {
+TEST_CASE("a molecule is looked up beside the lesson, then in the library; a broken file is reported with its line") {
   const Folder folder;
   folder.write("mine.xyzr", "0 0 0 1.5\n");
   folder.write("bad.xyzr", "0 0 0 1.5\n0 0 zero 1.5\n");

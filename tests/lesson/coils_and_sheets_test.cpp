@@ -1,4 +1,4 @@
-// The shipped lesson on helices and sheets: turns, hands, lengths, and which side chains can be touched.
+// The program's lesson on helices and sheets: turns, handedness, lengths, and which side chains can be touched.
 #include <algorithm>
 
 #include "tests/lesson/shipped_hand.h"

@@ -1,4 +1,4 @@
-// The shipped lesson on the grooves of DNA: their widths and depths, and what fits into which.
+// The program's lesson on the grooves of DNA: their widths and depths, and what fits into which.
 #include <algorithm>
 
 #include "tests/lesson/shipped_lesson.h"

@@ -1,4 +1,4 @@
-// Extra steps: beside the core as asides are, and offered by the program.
+// Extra steps: outside the core like asides, and offered by the program.
 #include <doctest/doctest.h>
 
 #include "engine/lesson/check.h"

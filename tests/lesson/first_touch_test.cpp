@@ -1,5 +1,5 @@
-// The shipped lesson: its steps are what a newcomer is promised, its numbers follow from the molecules, and what it asks
-// for in the dark is not passed by looking, guessing or jabbing.
+// The program's first lesson: its steps keep the promises to a newcomer, its numbers follow from the molecules, and its
+// tasks in the dark cannot be passed by looking, guessing or jabbing.
 #include <algorithm>
 #include <random>
 #include <set>

@@ -1,4 +1,4 @@
-// The shipped lesson on the four chains of haemoglobin: what it says of borders, gaps and numbers is so in the entry.
+// The program's lesson on the four chains of haemoglobin: its interfaces, gaps and numbers agree with the entry.
 #include <algorithm>
 #include <cmath>
 #include <tuple>

@@ -1,5 +1,6 @@
-// Lessons in German: what tasks say, what a question answers, what is told of a lesson's faults. The oracle is the
-// small catalogue of tests/language; that every kind of task speaks German is judged with the program's own.
+// Lessons in German: the texts of tasks, the feedback to questions, the messages about a lesson's faults. The oracle is
+// the small catalogue of tests/language; the program's own catalogue is used to check that every kind of task is
+// translated.
 #include <doctest/doctest.h>
 
 #include "engine/language/catalogue.h"
@@ -66,7 +67,9 @@ TEST_CASE("each kind of task begins with another sentence in German than in Engl
   }
 }
 
-TEST_CASE("a key of another task, a misspelt one and a time for a length are told in German, the keys as they are") {
+TEST_CASE(
+    "a key of another task, a misspelt one and a time for a length are reported in German, the keys "
+    "as they are") {
   const InGerman german;
   std::vector<Problem> problems;
   specOf("hold", {{"hold", "crease"}, {"fro", "2 s"}}, problems);
@@ -89,7 +92,8 @@ TEST_CASE("a key of another task, a misspelt one and a time for a length are tol
 }
 
 TEST_CASE(
-    "an answer that is wrong is told in German where the author wrote nothing, and in the author's words where so") {
+    "an answer that is wrong is reported in German where the author wrote nothing, and in the "
+    "author's words where so") {
   const std::string head =
       "---\ntitle: T\nminutes: 1\ngoals: g\nmolecules: water\nauthor: a\nlicence: l\n---\n## A\n```scene\nmolecule: "
       "water\n```\n### Question: N?\n```answer\nnumber: 2\n";

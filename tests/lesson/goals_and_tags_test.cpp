@@ -1,5 +1,5 @@
-// What the report can tell of the shipped lessons: every goal is served by something that is done or asked, and wrong
-// choices name the misconceptions that they stand for, in both languages alike.
+// The report's data in the program's lessons: every goal has a task or question, and wrong choices name their
+// misconceptions, in both languages alike.
 #include <algorithm>
 #include <filesystem>
 #include <map>

@@ -1,4 +1,4 @@
-// The shipped lesson on methods: it reads without a problem, and the failures that it promises happen.
+// The program's lesson on methods: it is read without a problem, and the failures that it announces happen.
 #include <doctest/doctest.h>
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// The shipped lesson on hydrogen bonds: what it says of turns and distances follows from the molecules' coordinates.
+// The program's lesson on hydrogen bonds: its angles and distances follow from the molecules' coordinates.
 #include "engine/haptics/methods.h"
 #include "tests/lesson/shipped_lesson.h"
 

@@ -1,5 +1,5 @@
-// Lessons as large as the reader takes, of one thing over and over: what is told stays within bounds, and so does the
-// work. The work is counted, not timed: each molecule's name is asked for once.
+// Lessons at the reader's size limit that repeat one element: messages and work stay bounded. The work is counted, not
+// timed: each molecule is requested once.
 #include <doctest/doctest.h>
 #include <unistd.h>
 
@@ -55,7 +55,7 @@ std::size_t told(const LessonCheck& check) { return std::max(check.errors.size()
 
 }  // namespace
 
-TEST_CASE("a lesson of 90 000 dead links, to steps or to files, tells 500 of them and that there are more") {
+TEST_CASE("for a lesson of 90 000 dead links, to steps or to files, 500 are reported and that there are more") {
   for (const char* to : {"#", "", "other.md#"}) {
     CAPTURE(to);
     const Result r = checked(filled(
@@ -83,8 +83,8 @@ TEST_CASE("a lesson of 1000 steps is read; one of 100 000 is refused at the 1001
 }
 
 TEST_CASE(
-    "a lesson filled with questions, choices, scenes, asides, molecules or tasks tells no more than 501 problems of a "
-    "kind") {
+    "for a lesson filled with questions, choices, scenes, asides, molecules or tasks, at most 501 "
+    "problems of a kind are reported") {
   const std::string parts[] = {"### Question: a%\n",
                                "- [x] %\n",
                                "## Aside: a%\n",
@@ -110,7 +110,7 @@ TEST_CASE(
   CHECK(told(checked(molecules + kHead.substr(kHead.find("---\n\n"))).check) <= kMaxLessonProblems + 1);
 }
 
-TEST_CASE("a missing file beside 2000 files of long names, asked for 20 000 times, tells 500 times what may be meant") {
+TEST_CASE("a missing file beside 2000 files with long names, linked 20 000 times, gives 500 suggestions") {
   const auto folder = std::filesystem::temp_directory_path() / ("moltact_large_" + std::to_string(getpid()));
   std::filesystem::create_directories(folder);
   const std::string stem(52, 'a');

@@ -1,5 +1,5 @@
-// The shipped lesson on mirror images: which way round each form goes, how far its groups reach, and that hands that
-// guess, jab or go the wrong way round do not pass.
+// The program's lesson on mirror images: the handedness of each form, the reach of its groups, and that guessing,
+// jabbing or the wrong direction do not pass.
 #include <algorithm>
 
 #include "tests/lesson/shipped_hand.h"

@@ -1,4 +1,4 @@
-// What a scene magnifies, in closed form; the molecule is the ten-atom one of small_molecules.h.
+// The region that a scene magnifies, in closed form; the molecule is the ten-atom one of small_molecules.h.
 #include "engine/lesson/lesson_region.h"
 
 #include <doctest/doctest.h>
@@ -27,7 +27,7 @@ TEST_CASE(
   CHECK_FALSE(magnifiedRegion(scene, molecule));
 }
 
-TEST_CASE("a scene that magnifies what the molecule does not have is told by the check") {
+TEST_CASE("a scene that magnifies what the molecule does not have is reported by the check") {
   const std::string head = "---\ntitle: T\nminutes: 1\ngoals: G\nmolecules: mix\nauthor: A\nlicence: L\n---\n";
   const auto mix = [](const NamedMolecule&) -> Expected<std::shared_ptr<const Molecule>> {
     return std::make_shared<const Molecule>(mixedMolecule());

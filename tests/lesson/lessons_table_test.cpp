@@ -1,5 +1,5 @@
-// lessons/README.md, the tables of the lessons and of their tasks, agree with them: a row for each lesson, with its title
-// and minutes, and one for each task, with its step and kind.
+// The tables in lessons/README.md agree with the lessons: a row for each lesson with its title and minutes, and one for
+// each task with its step and kind.
 #include <algorithm>
 #include <filesystem>
 #include <iterator>

@@ -1,5 +1,5 @@
-// The keys of a scene that name, point at, mark and measure: what is read, what a later scene keeps, and what an author is
-// told of slips.
+// The keys of a scene for labels, arrows, marks and measurements: their parsing, their inheritance by later scenes, and
+// the messages about errors.
 #include <doctest/doctest.h>
 
 #include "engine/lesson/check.h"
@@ -80,7 +80,7 @@ TEST_CASE("a distance has two places and an angle three or four, whose residues 
   CHECK(bad("distance", "atom 1 - atom x").column == 15);
 }
 
-TEST_CASE("slips are told with their place") {
+TEST_CASE("typing errors are reported with their place") {
   CHECK(bad("label", "residues").remedy == "did you mean 'residue'?");
   CHECK(bad("label", "chain, resdue for ligand").column == 8);
   CHECK(bad("label", "\"open for residue 3").message == "the name has no end");

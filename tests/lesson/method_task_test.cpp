@@ -1,4 +1,4 @@
-// The task kinds about haptic methods, fed with samples made by hand at 1 kHz.
+// The kinds of tasks about haptic methods, with synthetic samples at 1 kHz.
 #include <doctest/doctest.h>
 
 #include "tests/lesson/task_hand.h"

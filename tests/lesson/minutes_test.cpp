@@ -1,4 +1,4 @@
-// The minutes of a lesson: counted here word by word and task by task, by the figures that docs/lesson-reference.md tells.
+// The minutes of a lesson, counted here word by word and task by task with the figures of docs/lesson-reference.md.
 #include "engine/lesson/minutes.h"
 
 #include <doctest/doctest.h>

@@ -1,5 +1,5 @@
-// A good lesson, and 165 mistakes that authors make in it, one at a time, by kinds: each is told at its line, with words
-// that say what is wrong or what mends it.
+// A valid lesson with 165 mistakes of authors, one at a time, by kind: each is reported at its line, with a message
+// that names the fault or the remedy.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -277,7 +277,8 @@ Expected<std::shared_ptr<const Molecule>> onlyMix(const NamedMolecule& named) {
 }  // namespace
 
 TEST_CASE(
-    "of 165 mistakes in a good lesson, by six kinds, each is told at its line with words that lead to what mends it") {
+    "of 165 mistakes in a good lesson, by six kinds, each is reported at its line with words that "
+    "lead to what mends it") {
   const LessonCheck good = checkLesson("l.md", kGood, onlyMix);
   for (const Problem& p : good.errors) FAIL_CHECK(p.text());
   for (const Problem& p : good.warnings) FAIL_CHECK(p.text());
@@ -310,7 +311,8 @@ TEST_CASE(
 }
 
 TEST_CASE(
-    "every key of plain text, of all tasks and of each kind, tells of Markdown that would be shown with its signs") {
+    "every key of plain text, of all tasks and of each kind, warns about Markdown that would be "
+    "shown literally") {
   std::size_t keys = 0;
   const auto told = [](std::string_view kind, std::string_view key) {
     Lesson lesson;

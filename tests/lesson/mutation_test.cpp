@@ -1,5 +1,5 @@
-// Faults of every sort in the shipped lessons: nothing crashes, nothing is silently half read, and every problem lies
-// inside the file. The oracle is the file itself: its lines and their lengths counted here byte by byte.
+// Mutations of every sort in the program's lessons: no crash, no silently incomplete reading, and every problem has a
+// place inside the file. The oracle is the file itself: its lines and their lengths are counted here byte by byte.
 #include <doctest/doctest.h>
 
 #include <algorithm>

@@ -27,14 +27,14 @@ TEST_CASE("4 Å, 0.4 nm and 400 pm are 4 A; 2 min is 120 s; 300 mN is 0.3 N; 500
   CHECK(value("0.5 N/mm", Dimension::Stiffness) == 0.5);
 }
 
-TEST_CASE("a bare number is told with the units that would do") {
+TEST_CASE("a bare number is reported with the units that would do") {
   CHECK(told("4", Dimension::Length) == "1 '4' needs a unit: Å or nm");
   CHECK(told("0.3", Dimension::Force) == "1 '0.3' needs a unit: N or mN");
   CHECK(told("90", Dimension::Time) == "1 '90' needs a unit: s or min");
   CHECK(told("500", Dimension::Stiffness) == "1 '500' needs a unit: N/m or N/mm");
 }
 
-TEST_CASE("a wrong, unknown or malformed quantity is told at its place") {
+TEST_CASE("a wrong, unknown or malformed quantity is reported at its place") {
   CHECK(told("4 s", Dimension::Length) == "1 '4 s' is a time, but a length is needed: Å or nm");
   CHECK(told("4 parsec", Dimension::Length) == "3 'parsec' is no unit of length; write Å or nm");
   CHECK(told("0,3 N", Dimension::Force) == "2 a comma in a number; write the decimal sign as a point: 0.3");

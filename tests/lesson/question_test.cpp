@@ -1,5 +1,5 @@
-// Questions, predictions and free answers of a lesson: what counts as an attempt, what is told and when, in which order
-// choices stand.
+// Questions, predictions and free answers of a lesson: what counts as an attempt, which feedback is given when, and the
+// order of choices.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -42,7 +42,7 @@ void touchAtom0(LessonSession& session) {
 
 }  // namespace
 
-TEST_CASE("a prediction can be changed, and nothing is told of it, until the step's task is done; then it stays") {
+TEST_CASE("a prediction can be changed, and gets no feedback, until the step's task is done; then it stays") {
   LessonSession session(lesson(kScene + kPrediction + kTouch));
   session.setMolecule(std::make_shared<const Molecule>(mixedMolecule()));
   CHECK(session.step().questions[0].prediction);
@@ -65,7 +65,7 @@ TEST_CASE("a prediction can be changed, and nothing is told of it, until the ste
   CHECK(session.finished());
 }
 
-TEST_CASE("who touches first and predicts then is told at once; a step is not done without its prediction") {
+TEST_CASE("a prediction made after the touch is resolved at once; a step is not done without its prediction") {
   LessonSession session(lesson(kScene + kPrediction + kTouch));
   session.setMolecule(std::make_shared<const Molecule>(mixedMolecule()));
   touchAtom0(session);

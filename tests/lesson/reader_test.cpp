@@ -33,7 +33,7 @@ Lesson lesson(const std::string& body) {
 
 }  // namespace
 
-TEST_CASE("a misspelt key and a bare number are told at once, at 14:1 and 19:7") {
+TEST_CASE("a misspelt key and a bare number are reported at once, at 14:1 and 19:7") {
   CHECK(errors(kHead + kStep + "```touch\nreech: all\n```\n```touch\nreach: all\nsay: S\nnear: 4\n```\n") ==
         Texts{"l.md:14:1: touch has no key 'reech'; did you mean 'reach'?", "l.md:19:7: '4' needs a unit: Å or nm"});
   CHECK(errors(kHead + kStep + "```touch\nfell: crease\nsay: S\n```\n") ==
@@ -43,15 +43,15 @@ TEST_CASE("a misspelt key and a bare number are told at once, at 14:1 and 19:7")
               "l.md:15:1: touch has no key 'saay'; did you mean 'say'?"});
 }
 
-TEST_CASE("a fault behind a tab is told at its second character") {
+TEST_CASE("a fault behind a tab is reported at its second character") {
   const Texts told = errors(kHead + kStep + "```touch\n\tnonsense\n```\n");
   CHECK(std::any_of(told.begin(), told.end(),
                     [](const std::string& t) { return t.starts_with("l.md:14:2: 'nonsense'"); }));
 }
 
 TEST_CASE(
-    "faults of touch blocks are told: no task, two tasks, keys of other tasks, bad values, the place in Å counted in "
-    "characters") {
+    "faults of touch blocks are reported: no task, two tasks, keys of other tasks, bad values, the "
+    "place in Å counted in characters") {
   CHECK(errors(kHead + kStep + "```touch\nsay: S\n```\n") ==
         Texts{"l.md:13:4: the touch block names no task; add a line that starts with reach, hold, press, feel, cross, "
               "avoid, compare, meet, trace, find, predict, same, fit, measure or order and a colon"});
@@ -71,7 +71,7 @@ TEST_CASE(
         Texts{"l.md:15:8: 'count' belongs to 'feel: atoms'; take it out or write 'feel: atoms'"});
 }
 
-TEST_CASE("faults of front matter are told: none, no end, missing and unknown keys, a level that is none") {
+TEST_CASE("faults of front matter are reported: none, no end, missing and unknown keys, a level that is none") {
   CHECK(
       errors("## S\n")[0] ==
       "l.md:1:1: the lesson has no front matter; begin the file with '---', 'title: …' and the other keys, and '---'");
@@ -84,8 +84,8 @@ TEST_CASE("faults of front matter are told: none, no end, missing and unknown ke
 }
 
 TEST_CASE(
-    "faults of steps and scenes are told: no steps, no scene, two scenes, the same name, an unknown molecule or "
-    "method") {
+    "faults of steps and scenes are reported: no steps, no scene, two scenes, the same name, an "
+    "unknown molecule or method") {
   CHECK(errors(kHead) == Texts{"l.md:1:1: the lesson has no steps; start each step with a heading '## …'"});
   CHECK(errors(kHead + "## S\nText\n") ==
         Texts{"l.md:9:4: the first step has no scene; add a fenced block 'scene' with 'molecule: …'"});
@@ -101,7 +101,7 @@ TEST_CASE(
         "l.md:9:4: a scene block before the first step; put it below a heading '## …'");
 }
 
-TEST_CASE("faults of questions and links are told: nothing right, one choice, nothing to answer, a dead link") {
+TEST_CASE("faults of questions and links are reported: nothing right, one choice, nothing to answer, a dead link") {
   CHECK(errors(kHead + kStep + "### Question: Q?\n- [ ] a\n- [ ] b\n") ==
         Texts{"l.md:13:5: this question has no right answer; mark the right choice with '[x]'"});
   CHECK(errors(kHead + kStep + "### Question: Q?\n- [x] a\n") ==
@@ -116,7 +116,7 @@ TEST_CASE("faults of questions and links are told: nothing right, one choice, no
         Texts{"l.md:13:4: an answer block without a question; put '### Question: …' above it"});
 }
 
-TEST_CASE("an unknown fence is a warning and is shown; bytes that are not UTF-8 are told at their column") {
+TEST_CASE("an unknown fence is a warning and is shown; bytes that are not UTF-8 are reported at their column") {
   const LessonReading read = readLessonText("l.md", kHead + kStep + "```scenes\nx\n```\n");
   CHECK(read.lesson);
   CHECK(texts(read.warnings) ==
@@ -125,7 +125,7 @@ TEST_CASE("an unknown fence is a warning and is shown; bytes that are not UTF-8 
   CHECK(errors("") == Texts{"l.md:1:1: the file is empty; start from the text of another lesson"});
 }
 
-TEST_CASE("missing files and folders are told") {
+TEST_CASE("missing files and folders are reported") {
   CHECK(readLesson("/nowhere/l.md").errors[0].text() ==
         "/nowhere/l.md: there is no such file; check its name and folder");
   CHECK(readLesson(MOLTACT_SOURCE_DIR).errors[0].message == "this is not a file");
@@ -236,7 +236,7 @@ TEST_CASE("Windows line ends and a byte order mark change no place and no text")
   CHECK(errors(windows) == Texts{"l.md:16:7: '4' needs a unit: Å or nm"});
 }
 
-TEST_CASE("empty selections and molecules that are not there are told at their place in the lesson") {
+TEST_CASE("empty selections and molecules that are not there are reported at their place in the lesson") {
   const Lesson l = lesson(
       "## A\n```scene\nmolecule: mix\nhighlight: chain C\n```\n```touch\nreach: ligand BTX\nsay: S\n```\n"
       "```touch\ncross: all\nto: ligand\nsay: S\n```\n## B\n```scene\nmolecule: water\n```\n");
@@ -292,7 +292,7 @@ TEST_CASE("model, assembly and waters go on from scene to scene; a scene that na
   CHECK(l.steps[0].scene != l.steps[3].scene);
 }
 
-TEST_CASE("a way of reading that the molecule's file does not have is told where it is written, once") {
+TEST_CASE("a way of reading that the molecule's file does not have is reported where it is written, once") {
   const Lesson l =
       lesson("## A\n```scene\nmolecule: mix\n```\nText.\n## B\n```scene\nassembly: 9\n```\nText.\n## C\nText.\n");
   const auto found =

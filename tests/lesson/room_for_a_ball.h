@@ -1,6 +1,6 @@
-// Where the middle of a sphere can go in a frozen molecule, on a grid: the oracle for what a lesson says of holes and
-// gaps, without trackers and surface places. Grid points are never in an atom's grown sphere, so that a way that is
-// found is one; a hole that is wider than the sphere by less than half a cell may be missed. Units: angstrom.
+// The reachable places for the centre of a sphere in a rigid molecule, on a grid: the oracle for holes and gaps in
+// lessons, without trackers and surface places. Grid points are never inside an atom's grown sphere, so every path
+// found is real. A hole that is wider than the sphere by less than half a cell may be missed. Unit: angstrom.
 #pragma once
 
 #include <algorithm>
@@ -36,7 +36,7 @@ class RoomForASphere {
     }
   }
 
-  /// Fills from the upper face of the box (the greatest z) downward, where `within` allows it.
+  /// Fills from the upper face of the box (maximum z) downward, where `within` returns true.
   void fillFromAbove(const std::function<bool(const Vec3&)>& within) {
     std::vector<std::array<int, 3>> open;
     const auto fill = [&](int x, int y, int z) {
@@ -58,7 +58,7 @@ class RoomForASphere {
     }
   }
 
-  /// The lowest place that was filled, if any was.
+  /// The lowest place that was filled, if any.
   std::optional<Vec3> lowest() const {
     for (int z = 0; z < count_[2]; ++z)
       for (int x = 0; x < count_[0]; ++x)

@@ -1,5 +1,5 @@
-// What a scene takes from the eye and from the hand: the keys, what they select, what the check says of tasks on it, and
-// that tasks and scripted hands go by it.
+// Hidden and untouchable atoms of a scene: the keys, the atoms that they select, the checks of tasks on them, and their
+// effect on tasks and scripted hands.
 #include "engine/lesson/scene_atoms.h"
 
 #include <doctest/doctest.h>
@@ -46,7 +46,9 @@ TEST_CASE(
   CHECK(hiddenAtoms(steps[3].scene, mix).empty());
 }
 
-TEST_CASE("a task on atoms of which none can be touched is told at its place; one on atoms of which some can is not") {
+TEST_CASE(
+    "a task on atoms of which none can be touched is reported at its place; one on atoms of which "
+    "some can is not") {
   const std::string scene = "## S\n```scene\nmolecule: mix\nuntouchable: ligand\n```\n";
   CHECK(errors(scene + "```touch\nreach: name FE\nsay: Touch it.\n```\n") ==
         std::vector<std::string>{

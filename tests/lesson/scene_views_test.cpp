@@ -1,5 +1,5 @@
-// Views with names, the cut, the second structure of a scene, and links that change what it shows: as they are read, and
-// what the check says of mistakes in them.
+// Named views, the cut, the second structure of a scene, and links that change the scene: their parsing, and the
+// messages about mistakes in them.
 #include <doctest/doctest.h>
 
 #include "engine/lesson/check.h"
@@ -88,7 +88,7 @@ TEST_CASE(
   CHECK(steps[2].scene.views.empty());
 }
 
-TEST_CASE("mistakes in views are told at their places") {
+TEST_CASE("mistakes in views are reported at their places") {
   const auto scene = [](const std::string& keys) {
     return errors("## S\n```scene\nmolecule: mix\n" + keys + "```\nText.\n");
   };
@@ -150,7 +150,7 @@ TEST_CASE("a second structure has names for both states and a place to begin; it
   CHECK(bend(0.0).movedTo(swollen).spheres[4].radius_A == 2.25);
 }
 
-TEST_CASE("mistakes in the second structure are told") {
+TEST_CASE("mistakes in the second structure are reported") {
   const auto scene = [](const std::string& keys) {
     return errors("## S\n```scene\nmolecule: mix\n" + keys + "```\nText.\n");
   };
@@ -189,7 +189,7 @@ TEST_CASE("a scene has a second molecule beside its own, with captions; the list
   CHECK(reading.lesson->steps[2].scene.molecule.reading.beside.empty());
 }
 
-TEST_CASE("mistakes with two molecules are told at their lines") {
+TEST_CASE("mistakes with two molecules are reported at their lines") {
   const auto scene = [](const std::string& keys) {
     return errors("## S\n```scene\nmolecule: mix\n" + keys + "```\nText.\n");
   };

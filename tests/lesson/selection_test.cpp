@@ -82,7 +82,7 @@ TEST_CASE("within agrees with a loop over all pairs of 400 random atoms") {
   }
 }
 
-TEST_CASE("a faulty selection is told with its column and what would mend it") {
+TEST_CASE("a faulty selection is reported with its column and what would mend it") {
   CHECK(told("") == "1 a selection is missing; for example: resname HEM");
   CHECK(told("resnam HEM") == "1 'resnam' is no word of a selection; did you mean 'resname'?");
   CHECK(told("chain A and") == "12 the selection ends too early; for example: resname HEM");
@@ -136,7 +136,7 @@ TEST_CASE("an empty selection says at which column its first part without atoms 
   CHECK(why("chain A and ligand") == "1 no atom of mix is 'chain A and ligand'; name atoms that it has");
 }
 
-TEST_CASE("names and numbers that select nothing beside others that do are told one by one") {
+TEST_CASE("names and numbers that select nothing beside others that do are reported one by one") {
   const Molecule m = mixedMolecule();
   const auto idle = [&](const char* text) {
     std::string out;

@@ -1,5 +1,5 @@
-// The words of selections that stand for atoms by what they are: against counts in molecules of the library, and what is
-// said to words of other programs.
+// The selection words for classes of atoms: compared with counts in molecules of the library; and the messages for
+// words of other programs.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -107,7 +107,7 @@ TEST_CASE("haemoglobin's four haems are found by their class, their irons as met
   CHECK(residues(m, "chain A and bonded to (chain A and residue 87)") == std::set<int>{1, 86, 87, 88});
 }
 
-TEST_CASE("sugars and what a crystal was grown in are told from other ligands") {
+TEST_CASE("sugars and what a crystal was grown in are reported from other ligands") {
   std::string text;
   int number = 0;
   for (const char* residue : {"NAG", "SIA", "GOL", "SO4", "HEM", "ATP"})

@@ -1,4 +1,4 @@
-// Hands on the tasks of a shipped lesson: one that slides from atom to atom, one that jabs at them.
+// Hands for the tasks of the program's lessons: one that slides from atom to atom, one that jabs at them.
 #pragma once
 
 #include <memory>
@@ -11,7 +11,7 @@
 
 namespace moltact::test {
 
-/// The first task of this kind in a step, which the step must have.
+/// The first task of this kind in a step; it must exist.
 inline const TaskSpec& taskOf(const Lesson& lesson, const std::string& step, std::string_view kind) {
   const auto at = lesson.find(step);
   REQUIRE_MESSAGE(at, step);
@@ -21,7 +21,8 @@ inline const TaskSpec& taskOf(const Lesson& lesson, const std::string& step, std
   return lesson.steps[*at].tasks[0];
 }
 
-/// Where a probe rests on the atom most nearly on the side to which `out` points; straight above it where none can.
+/// The place where a probe rests on the atom as close as possible to the direction `out`; exactly in that direction,
+/// above the atom, if there is none.
 inline Vec3 restingOn(const ShippedScene& s, const std::string& atom, Vec3 out, double probe_A) {
   const PlacedAtom a = s.atom(atom);
   Vec3 best = a.position.A + out * (a.radius_A + probe_A);
@@ -34,7 +35,7 @@ inline Vec3 restingOn(const ShippedScene& s, const std::string& atom, Vec3 out, 
   return best;
 }
 
-/// Rests on one atom after the other, on the side to which `out` points; where `jabbing`, lets go between two.
+/// Rests on one atom after the other, on the side of `out`; with `jabbing`, releases between two atoms.
 inline void touchInTurn(Task& task, const ShippedScene& s, const std::vector<std::string>& atoms, Vec3 out,
                         bool jabbing, double probe_A = 1.4) {
   Hand hand{task};
@@ -44,7 +45,7 @@ inline void touchInTurn(Task& task, const ShippedScene& s, const std::vector<std
   }
 }
 
-/// Whether a new task of the lesson is done after that.
+/// Whether this solves a new task of the lesson.
 inline bool passes(const TaskSpec& spec, const ShippedScene& s, const std::vector<std::string>& atoms, Vec3 out,
                    bool jabbing) {
   const std::unique_ptr<Task> task = makeTask(spec, *s.molecule);

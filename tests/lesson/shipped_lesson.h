@@ -1,4 +1,4 @@
-// A lesson of lessons/ and the molecules that it uses, as they are shipped.
+// A lesson of lessons/ and its molecules, as distributed.
 #pragma once
 
 #include <doctest/doctest.h>
@@ -35,8 +35,8 @@ inline Lesson shippedLesson(const std::string& name) {
   return *read.lesson;
 }
 
-/// What every shipped lesson owes a student: a task, or a body in the hand, and a hint in each step, feedback to every
-/// choice, and selections that select atoms.
+/// The minimum quality of every lesson: a task or a held body, and a hint, in each step; feedback to every choice; and
+/// selections that match atoms.
 inline void checkCare(const Lesson& lesson) {
   for (const Problem& p : checkAgainstMolecules(lesson, shippedMolecule)) FAIL_CHECK(p.text());
   for (const Step& step : lesson.steps) {
@@ -54,8 +54,8 @@ inline void checkCare(const Lesson& lesson) {
   }
 }
 
-/// The line of a shipped lesson that has these words, "the-haem-in-its-pocket.md:57"; fails where none has, so that what a
-/// test computes is what the lesson says.
+/// The line of a lesson that contains these words, "the-haem-in-its-pocket.md:57"; fails if there is none, so that a
+/// test computes what the lesson says.
 inline std::string lineSaying(const std::string& lesson, const std::string& words) {
   std::ifstream in(std::string(MOLTACT_SOURCE_DIR "/lessons/") + lesson + ".md");
   std::string line;
@@ -65,14 +65,14 @@ inline std::string lineSaying(const std::string& lesson, const std::string& word
   return lesson + ".md";
 }
 
-/// The same for several words: "the-haem-in-its-pocket.md:57, the-haem-in-its-pocket.md:60".
+/// The same for several texts: "the-haem-in-its-pocket.md:57, the-haem-in-its-pocket.md:60".
 inline std::string linesSaying(const std::string& lesson, std::initializer_list<std::string> words) {
   std::string out;
   for (const std::string& w : words) out += (out.empty() ? "" : ", ") + lineSaying(lesson, w);
   return out;
 }
 
-/// The share of a lesson's steps whose touch tasks are of this kind.
+/// The number of touch tasks of this kind in a lesson.
 inline int tasksOf(const Lesson& lesson, std::string_view kind) {
   int n = 0;
   for (const Step& s : lesson.steps)
@@ -95,17 +95,17 @@ struct ShippedScene {
   double between(const std::string& a, const std::string& b) const {
     return glm::distance(atom(a).position.A, atom(b).position.A);
   }
-  /// The angle at the probe in the triangle of the probe and two atoms that it touches (unit: degree).
+  /// The angle at the probe in the triangle formed by the probe and two atoms that it touches (unit: degree).
   double turn_deg(const std::string& one, const std::string& other, double probe_A) const {
     const double a = atom(one).radius_A + probe_A, b = atom(other).radius_A + probe_A, d = between(one, other);
     return std::acos((a * a + b * b - d * d) / (2 * a * b)) * 180 / std::numbers::pi;
   }
-  /// Places on these atoms where a probe can rest, of so many directions round each.
+  /// Places on these atoms where a probe can rest, from this number of directions around each.
   std::vector<SurfacePlace> places(const std::string& text, double probe_A, int directions = 3000) const {
     const auto atoms = select(text);
     return facePlaces(spheres, atoms, probe_A, directions);
   }
-  /// Those to which the probe comes straight from outside.
+  /// The number of these places that the probe reaches straight from outside.
   std::size_t openPlaces(const std::string& text, double probe_A) const {
     std::size_t n = 0;
     for (const SurfacePlace& p : places(text, probe_A)) n += openFromOutside(spheres, p, probe_A);

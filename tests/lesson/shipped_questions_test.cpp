@@ -1,4 +1,4 @@
-// The questions of the shipped lessons give nothing away: by the length of a choice or by its place.
+// The questions of the program's lessons give nothing away by the length or the position of a choice.
 #include <algorithm>
 #include <array>
 #include <filesystem>

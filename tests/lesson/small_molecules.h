@@ -1,4 +1,4 @@
-// Molecules built by hand for the tests of lessons.
+// Small molecules for the tests of lessons.
 #pragma once
 
 #include <algorithm>
@@ -8,7 +8,7 @@
 
 namespace moltact {
 
-/// Builds up residues and atoms one after the other; a new chain or residue starts where its name or number changes.
+/// Builds residues and atoms one after the other; a new chain or residue begins when its name or number changes.
 struct MoleculeByHand {
   Molecule made;
   std::vector<PlacedAtom> atoms;

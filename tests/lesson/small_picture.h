@@ -1,4 +1,4 @@
-// The smallest picture that a lesson can show.
+// The smallest possible picture of a lesson.
 #pragma once
 
 #include <string>

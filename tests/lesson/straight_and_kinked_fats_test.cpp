@@ -1,4 +1,4 @@
-// The shipped lesson on fatty acids: lengths, bends, and where neighbours touch.
+// The program's lesson on fatty acids: lengths, bends, and the contacts of neighbours.
 #include <algorithm>
 
 #include "tests/lesson/shipped_hand.h"

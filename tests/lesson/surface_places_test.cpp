@@ -1,5 +1,5 @@
-// Places of two and three equal spheres, which have closed forms, and of a protein, where every place is checked sphere by
-// sphere.
+// Surface places of two and three equal spheres, which have closed forms, and of a protein, where every place is
+// checked against every sphere.
 #include "engine/lesson/surface_places.h"
 
 #include <doctest/doctest.h>

@@ -1,4 +1,4 @@
-// Tasks made from keys, and a hand that feeds them with samples made by hand, at 1 kHz unless a test says otherwise.
+// Creates tasks from keys, and a hand that passes synthetic samples to them, at 1 kHz by default.
 #pragma once
 
 #include <doctest/doctest.h>
@@ -17,7 +17,7 @@ namespace moltact {
 
 using Keys = std::vector<std::pair<std::string, std::string>>;
 
-/// What the reader makes of a touch block with these keys; the problems that it finds, too.
+/// The reader's result for a touch block with these keys, and its problems.
 inline TaskSpec specOf(const std::string& kind, const Keys& keys, std::vector<Problem>& problems) {
   const TaskKind* found = findTaskKind(kind);
   REQUIRE(found);
@@ -30,7 +30,7 @@ inline TaskSpec specOf(const std::string& kind, const Keys& keys, std::vector<Pr
   return spec;
 }
 
-/// The first problem's message; empty where there is none.
+/// The first problem's message; empty if there is none.
 inline std::string problemOf(const std::string& kind, const Keys& keys) {
   std::vector<Problem> problems;
   specOf(kind, keys, problems);

@@ -1,4 +1,4 @@
-// Tasks fed with samples made by hand, at 1 kHz unless a test says otherwise.
+// Tasks with synthetic samples, at 1 kHz unless a test says otherwise.
 #include <doctest/doctest.h>
 
 #include <random>
@@ -94,7 +94,8 @@ TEST_CASE("feel sphere, crease, pit takes the three in any order and names what 
 }
 
 TEST_CASE(
-    "who presses 5 times without a pit is told how one is found, and at the 9th press three atoms of one are shown") {
+    "after 5 presses without a pit a hint explains how to find one, and at the 9th press three atoms "
+    "of one are shown") {
   // Three spheres of 1.7 A whose centres are 3.4 A apart: a probe of 1.4 A rests on all three, 2.40 A above their plane.
   MoleculeByHand b;
   const double side = 3.4;

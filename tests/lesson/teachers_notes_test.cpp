@@ -1,5 +1,5 @@
-// What a teacher who did not write a lesson is told of it: in every shipped lesson, in both languages, the notes have each
-// of seven parts, by the words with which they begin.
+// The notes for a teacher who did not write the lesson: in every lesson, in both languages, they have each of seven
+// parts, recognised by their first words.
 #include <algorithm>
 #include <filesystem>
 

@@ -1,4 +1,4 @@
-// What a lesson's text can hold besides words: scripts, formulas, tables, pictures and words of a glossary.
+// The contents of a lesson's text besides words: scripts, formulas, tables, pictures and glossary words.
 #include <doctest/doctest.h>
 #include <unistd.h>
 #include <zlib.h>
@@ -118,7 +118,7 @@ TEST_CASE("a heading with a subscript has the id that pages of the web give it, 
   CHECK(lesson.steps[1].title == "Water, H₂O");
 }
 
-TEST_CASE("10^-9 without its second sign is told at its column, with the mended form") {
+TEST_CASE("10^-9 without its second sign is reported at its column, with the mended form") {
   const LessonReading reading = readLessonText("l.md", kHead + kStep + "A billionth is 10^-9 of it.\n");
   REQUIRE(reading.warnings.size() == 1);
   CHECK(reading.warnings[0].text() == "l.md:13:18: '^' begins no superscript here, for none ends it; close it: ^-9^");
@@ -142,7 +142,7 @@ TEST_CASE(
   CHECK(formula("\\alpha \\approx 3") == "/α/ ≈ 3");
 }
 
-TEST_CASE("what a formula does not know is told at its place and shown as written") {
+TEST_CASE("what a formula does not know is reported at its place and shown as written") {
   std::vector<Problem> problems;
   CHECK(formula("a \\matrix b", problems) == "/a/ \\matrix /b/");
   REQUIRE(problems.size() == 1);
@@ -176,7 +176,7 @@ TEST_CASE("a table has its headings, its columns' sides and a text in each cell;
   CHECK(plainText(table.rows[3][1]).empty());
 }
 
-TEST_CASE("a link in a table that leads nowhere is told at its line") {
+TEST_CASE("a link in a table that leads nowhere is reported at its line") {
   const LessonReading reading = readLessonText("l.md", kHead + kStep + "Text.\n\n| a |\n|---|\n| [b](#nowhere) |\n");
   REQUIRE(reading.errors.size() == 1);
   CHECK(reading.errors[0].line == 17);
@@ -264,7 +264,7 @@ TEST_CASE("halving keeps the mean: a board of black and white fields of a pixel 
   CHECK(halvedTo(board, 8).rgb == board.rgb);
 }
 
-TEST_CASE("check tells of a picture that is none at its place") {
+TEST_CASE("check reports an invalid picture at its place") {
   const Folder folder;
   folder.write("ring.png", "no picture");
   folder.write("good.png", kRedPng);
@@ -288,7 +288,7 @@ TEST_CASE(
   CHECK(words.words[1].others.empty());
 }
 
-TEST_CASE("an entry without word or meaning, and a word that stands twice, are told at their lines") {
+TEST_CASE("an entry without word or meaning, and a word that stands twice, are reported at their lines") {
   const Glossary words =
       readGlossary("glossary.md", "- crease: A line.\n- **pit**\n- **ring**: One.\n- **loop**, ring: Two.\n");
   CHECK(told(words.errors) ==
@@ -358,7 +358,7 @@ TEST_CASE("the words beside a lesson are those of its language; its own come bef
   CHECK(linksOf(lesson, 0).size() == 2);
 }
 
-TEST_CASE("check tells of a link to a word that nobody explains, and of a link with a blank in its target") {
+TEST_CASE("check reports a link to a word that is not explained, and a link with a blank in its target") {
   const Folder folder;
   folder.write("glossary.md", "- **pit**: Shared.\n");
   const auto errors = [&](const std::string& text) {
@@ -370,7 +370,7 @@ TEST_CASE("check tells of a link to a word that nobody explains, and of a link w
   CHECK(errors("A [hole](#word:active site).\n").size() == 1);
 }
 
-TEST_CASE("a block of a step below the heading of the glossary is told") {
+TEST_CASE("a block of a step below the heading of the glossary is reported") {
   const LessonReading reading = readLessonText(
       "l.md", kHead + kStep + "Text.\n\n## Glossary\n\n- **pit**: Three.\n\n```scene\nmolecule: mix\n```\n");
   REQUIRE(reading.errors.size() == 1);

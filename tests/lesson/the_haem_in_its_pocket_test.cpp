@@ -1,4 +1,4 @@
-// The shipped lesson on the haem's pocket: what it says of the iron's place, and of who can touch it, is so in the entry.
+// The program's lesson on the haem's pocket: the iron's place, and what can touch it, agree with the entry.
 #include <algorithm>
 #include <array>
 #include <tuple>

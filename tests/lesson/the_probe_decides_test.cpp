@@ -1,5 +1,5 @@
-// The shipped lesson on the size of the probe: the gap closes where it says, and the floor of the cleft is out
-// of reach.
+// The program's lesson on the size of the probe: the gap closes at the stated size, and the floor of the cleft cannot
+// be reached.
 #include <algorithm>
 
 #include "tests/lesson/shipped_lesson.h"

@@ -1,4 +1,4 @@
-// What a scene is felt with, as authors write it.
+// The keys for a scene's touch, as authors write them.
 #include "engine/lesson/touch_keys.h"
 
 #include <doctest/doctest.h>
@@ -66,7 +66,7 @@ TEST_CASE("every way of reading a molecule is a key of scenes whose fallback is 
   }
 }
 
-TEST_CASE("a way of reading that is one of two words is a key that takes these and tells of a third") {
+TEST_CASE("a reading option with two words is a key that accepts these and reports a third") {
   ReadingOption option = readingOptions().front();
   option.member = &ReadOptions::assembly;
   option.words = [] { return std::vector<OfferedWord>{{"bondi", "Bondi", ""}, {"alvarez", "Alvarez", ""}}; };

@@ -1,5 +1,5 @@
-// What the shipped lessons say can be touched, by two searches that are harder than the claims: every straight line from
-// outside, and a flood of the free space (ways_in.h).
+// The lessons' claims about touchable atoms, by two searches that are more thorough than the claims need: all straight
+// lines from outside, and a flood fill of the free space (ways_in.h).
 #include <set>
 
 #include "tests/lesson/shipped_lesson.h"

@@ -1,5 +1,5 @@
-// A lesson in another language, first-touch.de.md beside first-touch.md, is the same lesson: what is done, asked,
-// judged and measured is the same, only the words differ.
+// A translated lesson, first-touch.de.md beside first-touch.md, differs only in its words: tasks, questions, assessment
+// and measurements are the same.
 #include <doctest/doctest.h>
 
 #include <algorithm>

@@ -1,5 +1,4 @@
-// Conditions, tries and steps that must be finished: what answers do to the way through a lesson, and what authors are
-// told of them.
+// Conditions, tries and required steps: the effects of answers on the order of steps, and the messages for authors.
 #include "engine/lesson/way_rules.h"
 
 #include <doctest/doctest.h>
@@ -184,7 +183,7 @@ TEST_CASE("'required' in the front matter holds for every step that does not say
   CHECK_FALSE(read.lesson->steps[2].required);
 }
 
-TEST_CASE("what was done is taken up as it was: tries used up, a way that waits to be gone, and one that was gone") {
+TEST_CASE("earlier work is restored: used tries, a pending move to another step, and one that was made") {
   const auto l = lesson(withRules("attempts: 3\nafter 2 wrong: go to #aside-why\n"));
   for (const bool gone : {false, true}) {
     CAPTURE(gone);
@@ -206,7 +205,7 @@ TEST_CASE("what was done is taken up as it was: tries used up, a way that waits 
 }
 
 TEST_CASE(
-    "no rules hold a student: of 2000 lessons with rules drawn by chance each comes to its end by Next and right "
+    "no rules trap a student: of 2000 lessons with random rules each is finished by Next and right "
     "answers") {
   std::uint64_t seed = 20261123;
   MESSAGE("seed ", seed);
@@ -243,7 +242,7 @@ TEST_CASE(
   CHECK(lengths.size() > 5);
 }
 
-TEST_CASE("each mistake in a condition is told at its line") {
+TEST_CASE("each mistake in a condition is reported at its line") {
   struct Mistake {
     std::string lines, at, says;
     bool warning = false;
@@ -278,8 +277,8 @@ TEST_CASE("each mistake in a condition is told at its line") {
 }
 
 TEST_CASE(
-    "a condition of what is not judged is told, as are an aside that is required and a required step without anything "
-    "to do") {
+    "a condition on answers that are not judged is reported, as are a required aside and a required "
+    "step without anything to do") {
   const auto line = [](const std::string& body, std::string_view at, bool warning = false) {
     const LessonCheck found = checked(body);
     const std::vector<Problem>& told = warning ? found.warnings : found.errors;

@@ -1,4 +1,4 @@
-// The oracle for what a sphere can touch, against places that are known in closed form.
+// The oracle for what a sphere can touch, against places known in closed form.
 #include "tests/lesson/ways_in.h"
 
 #include <doctest/doctest.h>

@@ -1,5 +1,4 @@
-// Files that are not what they should be: each gives its own clear text, and nothing crashes, hangs or lets a
-// NaN through.
+// Broken files: each gives its own clear message, and nothing crashes, hangs or returns a NaN.
 #include <doctest/doctest.h>
 
 #include <cmath>
@@ -60,7 +59,7 @@ std::string asMmcif(const std::string& pdb, int most) {
 
 }  // namespace
 
-TEST_CASE("a missing file, a folder and an empty file are told apart") {
+TEST_CASE("a missing file, a folder and an empty file are distinguished") {
   const Scratch scratch;
   const auto text = [](const std::filesystem::path& p) { return readMolecule(p).problem().message; };
   CHECK(readMolecule("no/such.pdb").problem().text() ==

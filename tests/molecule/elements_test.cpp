@@ -1,4 +1,4 @@
-// Radii as published, and what stands for the unknown.
+// Radii as published, and the default for unknown elements.
 #include "engine/molecule/elements.h"
 
 #include <doctest/doctest.h>

@@ -1,4 +1,4 @@
-// Fetching from a file:// address, which takes the same way as the archive's but for the network.
+// Fetching from a file:// address, which uses the same code as the archive except for the network.
 #include <doctest/doctest.h>
 
 #include "engine/molecule/fetch_entry.h"

@@ -1,4 +1,4 @@
-// Small files written for a test, and the library's folder.
+// Small files for tests, and the library's folder.
 #pragma once
 
 #include <unistd.h>
@@ -15,7 +15,7 @@ namespace moltact::test {
 
 inline std::filesystem::path libraryFolder() { return std::filesystem::path(MOLTACT_SOURCE_DIR) / "molecules"; }
 
-/// A folder of its own, removed at the end of the test.
+/// A temporary folder, deleted at the end of the test.
 struct Scratch {
   std::filesystem::path folder;
   Scratch() {
@@ -55,7 +55,7 @@ inline std::string gzipped(const std::string& text) {
   return out;
 }
 
-/// The text of the problem that reading these bytes under this name gives; "" where they are read.
+/// The message of the problem in these bytes under this name; "" if they can be read.
 inline std::string problemOf(const std::string& bytes, const std::string& name, const ReadOptions& options = {}) {
   auto molecule = readMoleculeBytes(bytes, name, options);
   return molecule ? std::string() : molecule.problem().text();

@@ -1,4 +1,4 @@
-// MOL and SDF, PQR, GRO, the CIF of small molecules, and what programs write into PDB files beyond its columns.
+// MOL and SDF, PQR, GRO, the CIF of small molecules, and extensions of the PDB format by other programs.
 #include <doctest/doctest.h>
 
 #include <cmath>
@@ -77,7 +77,7 @@ TEST_CASE("a MOL file of version 3000 is read, with lines that go on and atoms n
   CHECK(m.id == "x");
 }
 
-TEST_CASE("each molecule of an SDF file is a model; a flat drawing is told") {
+TEST_CASE("each molecule of an SDF file is a model; a flat drawing is reported") {
   std::string flat = kEthyne;
   flat.replace(flat.find("3D"), 2, "2D");
   const std::string both = kEthyne + flat;
@@ -90,7 +90,7 @@ TEST_CASE("each molecule of an SDF file is a model; a flat drawing is told") {
   CHECK(problemOf(both, "x.sdf", {.model = 3}).starts_with("x.sdf: there is no model 3; the file has 2 models"));
 }
 
-TEST_CASE("what is wrong in a MOL or SDF file is told at its place") {
+TEST_CASE("what is wrong in a MOL or SDF file is reported at its place") {
   const auto with = [](const std::string& from, const std::string& to, const std::string& text) {
     std::string out = text;
     out.replace(out.find(from), from.size(), to);
@@ -143,7 +143,7 @@ TEST_CASE("PQR gives each atom the radius and the charge of the file; the chain 
   CHECK(m.warnings.empty());
 }
 
-TEST_CASE("what is wrong in a PQR file is told at its place") {
+TEST_CASE("what is wrong in a PQR file is reported at its place") {
   const std::string remedy =
       "; write: ATOM number name residue chain residue-number x y z charge radius, with blanks between them (pdb2pqr "
       "--whitespace); the chain may be left out";
@@ -191,7 +191,7 @@ TEST_CASE("residue 99999 of a GRO file is followed by 100000") {
   CHECK(m.residues[1].number == 100'000);
 }
 
-TEST_CASE("what is wrong in a GRO file is told at its place") {
+TEST_CASE("what is wrong in a GRO file is reported at its place") {
   const std::string line = "    1SOL     OW    1   0.126   1.624   1.679\n";
   CHECK(problemOf("t\nfive\n" + line, "x.gro") ==
         "x.gro:2:1: the number of atoms is not a number: 'five'; the second line of a frame is how many atoms it has");
@@ -278,7 +278,7 @@ TEST_CASE("of disorder groups the most occupied is kept; a second block of atoms
   CHECK(next.id == "next");
 }
 
-TEST_CASE("what is wrong in the CIF of a small molecule is told at its place") {
+TEST_CASE("what is wrong in the CIF of a small molecule is reported at its place") {
   CHECK(problemOf(kSaltCell +
                       "loop_\n_atom_site_label\n_atom_site_fract_x\n_atom_site_fract_y\n_atom_site_fract_z\nNa1 0 "
                       "zero 0\n",
@@ -304,7 +304,7 @@ TEST_CASE("what is wrong in the CIF of a small molecule is told at its place") {
         "cell");
 }
 
-TEST_CASE("a zip archive and binary formats are no molecules, and are told what they are") {
+TEST_CASE("a zip archive and binary formats are rejected as molecules, and the message names the format") {
   const std::string stored = std::string("PK\x03\x04\x0a\0\0\0\0\0", 10) + "1abc.pdb\n" +
                              atomLine(" CA", ' ', "ALA", 'A', 1, ' ', 0, 0, 0, 1, "C") + "END\n";
   for (const char* name : {"x.pdb", "x.zip", "x"})
@@ -368,7 +368,7 @@ TEST_CASE("an assembly of 1680 operators keeps its atoms where they belong, thou
   }
 }
 
-TEST_CASE("an assembly's operator that is no turn, or not four numbers, is told instead of applied") {
+TEST_CASE("an assembly's operator that is no turn, or not four numbers, is reported instead of applied") {
   const auto with = [](const std::string& row) {
     return "REMARK 350 BIOMOLECULE: 1                                                       \n"
            "REMARK 350 APPLY THE FOLLOWING TO CHAINS: A                                     \n" +

@@ -1,5 +1,5 @@
-// An independent reading: gemmi reads every PDB file of the library and finds the atoms that the readers find; what gemmi
-// writes of them as mmCIF the readers find again.
+// Independent readings: gemmi reads every PDB file of the library and finds the same atoms as the readers. The readers
+// find the same atoms in the mmCIF that gemmi writes of them.
 #define GEMMI_WRITE_IMPLEMENTATION
 #include <algorithm>
 #include <cctype>

@@ -1,5 +1,4 @@
-// The library's files against counts taken from the PDB records by hand, and the generated ones against
-// geometry.
+// The library's files against manual counts of the PDB records, and the generated ones against geometry.
 #include <doctest/doctest.h>
 
 #include <map>

@@ -1,5 +1,5 @@
-// Small files that would take much: what is too much is told before it is reached, and what a molecule takes of memory
-// is counted by every allocation.
+// Small files that would need much memory: an excess is reported before it is allocated. The memory of a molecule is
+// measured by counting every allocation.
 #include <doctest/doctest.h>
 #include <malloc.h>
 
@@ -197,7 +197,7 @@ TEST_CASE(
   CHECK(most_held - before < 200'000'000);
 }
 
-TEST_CASE("a line without an end, a text of CIF without an end and a gzip of gzips are told") {
+TEST_CASE("a line without an end, a text of CIF without an end and a gzip of gzips are reported") {
   const std::string line = problemOf(gzipped(std::string(20 << 20, 'x')), "x.xyzr.gz");
   CHECK(line.starts_with("x.xyzr.gz:1: the line is longer than 16 MiB"));
   CHECK(problemOf("data_x\n_a.b\n;text\n", "x.cif")

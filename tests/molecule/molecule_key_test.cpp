@@ -34,7 +34,8 @@ TEST_CASE("a recording's labels give back how its molecule was read; missing and
 }
 
 TEST_CASE(
-    "every option tells molecules apart, by itself, in text, hash and labels; what is not sound changes nothing") {
+    "every option alone distinguishes molecules in text, hash and labels; an invalid value changes "
+    "nothing") {
   std::set<std::string_view> names;
   for (const ReadingOption& option : readingOptions()) {
     CAPTURE(std::string(option.name));
@@ -82,7 +83,9 @@ TEST_CASE("a molecule of the library lasts by its id, another by its whole path,
   CHECK(readMolecule(*found)->atoms.size() == 602 + 58);
 }
 
-TEST_CASE("every ending that a reader has is known by name, found among the fetched, and told where a file is none") {
+TEST_CASE(
+    "every extension of a reader is recognised by name, found among fetched files, and named in the "
+    "message for other files") {
   const Scratch scratch;
   CHECK(moleculeEndings().size() >= 5);
   for (const std::string_view ending : moleculeEndings())

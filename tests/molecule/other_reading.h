@@ -1,4 +1,4 @@
-// What a way of reading can be besides its default, for tests that go over all.
+// Values of reading options other than their defaults, for tests of all options.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace moltact::test {
 
-/// A text that readText takes: the last of its words, or "yes", or "7".
+/// A text that readText accepts: the last of its words, "yes", or "7".
 inline std::string otherThanDefault(const ReadingOption& option) {
   if (option.words) return std::string(option.words().back().name);
   return std::holds_alternative<bool ReadOptions::*>(option.member) ? "yes" : "7";

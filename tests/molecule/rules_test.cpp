@@ -1,5 +1,4 @@
-// The reader's rules on small files made for them: alternates, models, waters, insertion codes, assemblies,
-// elements.
+// The reader's rules with small files: alternate locations, models, waters, insertion codes, assemblies, elements.
 #include <doctest/doctest.h>
 
 #include "tests/molecule/files.h"

@@ -1,4 +1,4 @@
-// Two molecules beside each other: where the second stands, how it is turned, what its chains are called.
+// Two molecules beside each other: the second one's place, orientation and chain names.
 #include "engine/molecule/side_by_side.h"
 
 #include <doctest/doctest.h>
@@ -101,7 +101,9 @@ TEST_CASE("what is the same by number alone, and not by name, is not turned") {
     CHECK(glm::distance(both.spheres[both.beside_from + i].centre_A, other.spheres[i].centre_A + shift) < 1e-9);
 }
 
-TEST_CASE("a second molecule that is not there is told; helices that one file does not record are found for both") {
+TEST_CASE(
+    "a second molecule that is not there is reported; helices that one file does not record are "
+    "found for both") {
   const auto missing = readMolecule(libraryFolder() / "1ubq.pdb", {.beside = "nothing-like-it"});
   REQUIRE(!missing);
   CHECK(!missing.problem().message.empty());

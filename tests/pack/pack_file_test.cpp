@@ -1,4 +1,4 @@
-// What is refused of a pack, each with a message, and that then nothing is written. Oracle: zips made byte by byte.
+// Rejected packs: each gives a message, and nothing is written. Oracle: zips assembled byte by byte.
 #include "engine/pack/pack_file.h"
 
 #include <doctest/doctest.h>
@@ -46,7 +46,9 @@ bool has(const std::string& text, const char* part) { return text.find(part) != 
 
 }  // namespace
 
-TEST_CASE("a pack with a lesson and a picture in a folder is opened and unpacked byte by byte, folders told or not") {
+TEST_CASE(
+    "a pack with a lesson and a picture in a folder is opened and unpacked byte by byte, with or "
+    "without entries for folders") {
   const std::string picture(100'000, 'p');
   const ScratchFolder scratch;
   for (const std::vector<ZipEntry>& more :
@@ -133,7 +135,7 @@ TEST_CASE("a file that would grow 1000 times, one GiB in all and 1001 files are 
   CHECK(bool(opened(packWith({{"a", std::string(1 << 20, '\0'), true}}))));
 }
 
-TEST_CASE("a file whose size or checksum is not what was told is refused, and nothing of the pack is left") {
+TEST_CASE("a file whose size or checksum differs from its entry is rejected, and nothing of the pack is left") {
   CHECK(has(refusal(packWith({{.name = "a", .bytes = "right", .wrong_checksum = true}})), "damaged"));
   CHECK(has(refusal(packWith({{.name = "a", .bytes = std::string(3000, 'x'), .deflated = true, .told_size = 7}})),
             "damaged"));

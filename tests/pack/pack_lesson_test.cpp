@@ -1,4 +1,4 @@
-// Packing lessons: what goes in, what is refused, and that it comes out again.
+// Packing lessons: what is included, what is rejected, and that unpacking restores it.
 #include "engine/pack/pack_lesson.h"
 
 #include <doctest/doctest.h>

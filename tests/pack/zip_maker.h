@@ -1,4 +1,4 @@
-// Zips byte by byte as PKWARE's APPNOTE 6.3 has them, with nothing of libzip: also those that no honest program makes.
+// Assembles zips byte by byte after PKWARE's APPNOTE 6.3, without libzip: also malicious ones.
 #pragma once
 
 #include <zlib.h>
@@ -12,9 +12,9 @@ namespace moltact::test {
 struct ZipEntry {
   std::string name, bytes;
   bool deflated = false;
-  std::uint32_t unix_mode = 0;  ///< 0: none is told
+  std::uint32_t unix_mode = 0;  ///< 0: not given
   bool encrypted = false;
-  int method = -1;              ///< told in the place of the true one; negative: the true one
+  int method = -1;              ///< given instead of the true one; negative: the true one
   std::int64_t told_size = -1;  ///< the same
   bool wrong_checksum = false;
 };
@@ -42,7 +42,7 @@ inline std::string little(std::uint64_t value, int bytes) {
 inline std::string zipOf(const std::vector<ZipEntry>& entries) {
   std::string body, directory;
   for (const ZipEntry& e : entries) {
-    // The traditional encryption puts 12 bytes before a file.
+    // Traditional encryption prepends 12 bytes to a file.
     const std::string packed = std::string(e.encrypted ? 12 : 0, 'k') + (e.deflated ? deflated(e.bytes) : e.bytes);
     const std::uint64_t size = e.told_size >= 0 ? std::uint64_t(e.told_size) : e.bytes.size();
     const auto checksum =
@@ -64,7 +64,7 @@ inline const std::string kSmallLesson =
     "---\ntitle: Small\nminutes: 1\ngoals: G\nmolecules: argon\nauthor: A\nlicence: L\n---\n"
     "## One\n```scene\nmolecule: argon\n```\nText.\n";
 
-/// A good pack, and these entries besides.
+/// A valid pack with additional entries.
 inline std::string packWith(std::vector<ZipEntry> more = {}) {
   std::vector<ZipEntry> all{{"pack.json", kManifest}, {"l.md", kSmallLesson}};
   all.insert(all.end(), more.begin(), more.end());

@@ -1,4 +1,4 @@
-// Work beside the window: what its threads have, and what waits for it.
+// Work in background threads: their limits, and waiting for them.
 #include "engine/platform/background.h"
 
 #include <doctest/doctest.h>
@@ -16,7 +16,7 @@ TEST_CASE("a thread of background work has a signal stack of its own, so that a 
   CHECK(has_stack.get());
 }
 
-TEST_CASE("work that is replaced or dropped while it runs is not waited for, and its result is given to nobody") {
+TEST_CASE("work that is replaced or dropped while it runs is not awaited, and its result is discarded") {
   NewestWork<int> newest;
   std::promise<void> gate;
   const std::shared_future<void> open = gate.get_future().share();

@@ -1,4 +1,4 @@
-// Where lessons for everyone on a computer are looked for, after the XDG base directory specification.
+// The folders of lessons for all users of a computer, after the XDG base directory specification.
 #include "engine/platform/folders.h"
 
 #include <doctest/doctest.h>

@@ -1,4 +1,4 @@
-// Oracle: the code points that ECMA-48 and Unicode call controls, written out here.
+// Oracle: the control characters of ECMA-48 and Unicode, listed here.
 #include "engine/core/printable.h"
 
 #include <doctest/doctest.h>

@@ -1,5 +1,5 @@
-// A file is what it was or what it is to be, whatever happens in between. Oracle: the bytes of both, and a listing of
-// the folder.
+// A file has either its old or its new contents, whatever happens in between. Oracle: the bytes of both, and a listing
+// of the folder.
 #include "engine/platform/write_file.h"
 
 #include <doctest/doctest.h>

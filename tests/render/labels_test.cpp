@@ -1,5 +1,5 @@
-// Names, arrows and measures in a picture: where they stand, that they neither overlap nor show through atoms, and the
-// lines that are drawn with them. Places come from the projection.
+// Labels, arrows and measurements in a picture: their places, that they neither overlap nor show through atoms, and
+// their lines. Expected places come from the projection.
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>

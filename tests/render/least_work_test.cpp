@@ -1,5 +1,5 @@
-// Pictures cost no more than they must: what has not changed is kept, what is hidden is passed over, and a view that
-// turns on a slow machine is drawn coarser. The oracle is the same picture drawn anew, or whole.
+// Pictures avoid unnecessary work: unchanged parts are reused, hidden ones are skipped, and a rotating view is coarser
+// on a slow machine. The oracle is the same picture drawn anew or completely.
 #include <random>
 #include <set>
 

@@ -1,4 +1,4 @@
-// The parts that need no graphics: names of shapes, ambient occlusion, the molecular surface, PNG files. Oracles: closed forms.
+// Parts without graphics: names of shapes, ambient occlusion, the molecular surface, PNG files. Oracles: closed forms.
 #include <doctest/doctest.h>
 
 #include <cmath>
@@ -196,7 +196,7 @@ TEST_CASE(
   CHECK(at_neck >= 6);
 }
 
-TEST_CASE("a surface that nobody wants any more is empty; of one that is wanted the share grows to 1") {
+TEST_CASE("a surface that is no longer needed is empty; the progress of one that is needed grows to 1") {
   const std::vector<Sphere> spheres{{Vec3(0.0), 1.7}, {Vec3(3, 0, 0), 1.5}};
   SurfaceProgress progress;
   CHECK_FALSE(solventExcluded(spheres, 1.4, &progress).piece.vertices.empty());

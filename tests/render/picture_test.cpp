@@ -1,5 +1,5 @@
-// Pictures against closed forms: the perspective image of a sphere, the plane in which two spheres meet, the same picture
-// with and without culling and far from the origin.
+// Pictures against closed forms: the perspective image of a sphere, the plane of intersection of two spheres, and the
+// same picture with and without culling and far from the origin.
 #include <cmath>
 #include <random>
 

@@ -1,5 +1,5 @@
-// A molecule of very many atoms is drawn by its residues: where their spheres lie comes from closed forms, and what the
-// picture must be from a molecule that has those spheres for atoms.
+// A molecule of very many atoms is drawn by residues. The places of their spheres are known in closed form; the
+// expected picture is that of a molecule with these spheres as atoms.
 #include "engine/render/residue_spheres.h"
 
 #include <cmath>
@@ -213,7 +213,7 @@ TEST_CASE("near a probe the atoms themselves are drawn beside the residues' ball
   CHECK_FALSE(renderer().count().atoms_redrawn);
 }
 
-TEST_CASE("that a molecule is drawn by its residues is told from the first atom on that is too many") {
+TEST_CASE("drawing by residues is announced from the first atom above the limit") {
   CHECK(residueSpheresNotice(kMaxSingleAtoms).empty());
   const std::string told = residueSpheresNotice(16'289'280);
   CHECK(told.find("16289280") != std::string::npos);

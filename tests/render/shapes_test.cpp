@@ -1,4 +1,4 @@
-// The haptic shapes, glyphs and golden pictures. Where a shape must lie comes from closed forms and the projection.
+// The haptic shapes, glyphs and reference pictures. Expected places come from closed forms and the projection.
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
@@ -167,7 +167,7 @@ TEST_CASE("facets of balls as large as a file may have them, 1e9 A, are cut at t
     }
 }
 
-TEST_CASE("a contact at the ends of what an attempt can tell, 2e9 A, gives lines and dots that are numbers") {
+TEST_CASE("a contact at the limit of an attempt's numbers, 2e9 A, gives finite lines and dots") {
   ViewScene scene = crease();
   for (const ViewPartInfo& part : viewParts()) scene.shown.set(part.part);
   scene.facets = SphereMesh::ofTriangles(80);
@@ -297,7 +297,8 @@ TEST_CASE("out-of-range atoms in a scene are passed over") {
 }
 
 TEST_CASE(
-    "highlighted atoms are told from the others in shades of grey alone: a ring a third as bright as its ground") {
+    "highlighted atoms are distinguishable in shades of grey alone: a ring a third as bright as its "
+    "background") {
   ViewScene scene;
   scene.molecule = molecule({atom(Vec3(-2, 0, 0), 1.7, 6), atom(Vec3(2, 0, 0), 1.7, 6)});
   scene.camera = frontCamera(14);

@@ -1,7 +1,8 @@
-// The molecular surface of ubiquitin against a calculation that shares nothing with it: a place lies outside the surface if
-// and only if a free middle of the probe (no nearer to any atom than the atom's radius and the probe's) lies within the
-// probe's radius of it. The nearest free middle is exact here: it lies on one grown sphere, on a circle of two, or on a point
-// of three, so it is the nearest of finitely many that no other sphere holds. No grid, no field.
+// The molecular surface of ubiquitin against an independent calculation. A place is outside the surface if and only if
+// a free centre of the probe is within the probe's radius of it. A centre is free if it is no nearer to any atom than
+// the sum of both radii. The nearest free centre is computed exactly: it is on one grown sphere, on a circle of two, or
+// at a point of three, and so is the nearest of finitely many candidates that no other sphere contains. No grid, no
+// field.
 #include "engine/render/solvent_excluded.h"
 
 #include <doctest/doctest.h>

@@ -1,4 +1,4 @@
-// What the picture tests share: one off-screen context for the program, small molecules, comparison of pictures.
+// Helpers of the picture tests: one off-screen context for the program, small molecules, comparison of pictures.
 #pragma once
 
 #include <doctest/doctest.h>
@@ -10,7 +10,7 @@
 
 namespace moltact::test {
 
-/// The renderer of this program. Without EGL the test that asks for it fails with the reason.
+/// The renderer of this program. Without EGL, the calling test fails with the reason.
 Renderer& renderer();
 
 std::shared_ptr<const Molecule> molecule(const std::vector<PlacedAtom>& atoms);
@@ -19,7 +19,7 @@ PlacedAtom atom(Vec3 place_A, double radius_A, int atomic_number);
 /// A camera at (0, 0, distance) that looks at the origin.
 Camera frontCamera(double distance_A);
 
-/// Draws and reads back; a problem fails the test.
+/// Draws and reads back the picture; a problem fails the test.
 Picture drawn(const ViewScene& scene, int width_px, int height_px, const RenderOptions& options = {});
 
 /// The largest difference of any byte, and the number of pixels with a difference of more than `level`.

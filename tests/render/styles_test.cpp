@@ -1,5 +1,5 @@
-// What of a molecule is drawn and how: hidden, faint, cut open, as a surface, with spheres near the probe; smooth edges
-// and the probe's shadow. Where something must lie comes from closed forms and the projection.
+// Drawing styles: hidden, faint or cut atoms, surfaces, spheres near the probe; anti-aliasing and the probe's shadow.
+// Expected places come from closed forms and the projection.
 #include <cmath>
 #include <set>
 

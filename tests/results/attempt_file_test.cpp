@@ -1,4 +1,4 @@
-// Oracle: the lines of a file as they were before it was damaged.
+// Oracle: the lines of a file before it was damaged.
 #include "engine/results/attempt_file.h"
 
 #include <doctest/doctest.h>
@@ -106,7 +106,7 @@ TEST_CASE("whatever a file ends with, what goes on with it begins a line of its 
   }
 }
 
-TEST_CASE("garbage in the middle is passed over and told with its line; what stands around it is read") {
+TEST_CASE("garbage in the middle is passed over and reported with its line; what stands around it is read") {
   const ScratchFolder scratch;
   const fs::path file = scratch.path / "a.jsonl";
   std::string bytes = sampleFile();
@@ -123,7 +123,7 @@ TEST_CASE("garbage in the middle is passed over and told with its line; what sta
   CHECK(bytesOf(file) == bytes);
 }
 
-TEST_CASE("files that are no attempts are told and stay as they are, torn or not") {
+TEST_CASE("files that are no attempts are reported and stay as they are, torn or not") {
   const ScratchFolder scratch;
   for (const std::string bytes : {"{\"kind\":\"other\"}", "hello", "\n", "{\"a\":1}\n{\"b\""}) {
     const fs::path file = scratch.path / "other.jsonl";

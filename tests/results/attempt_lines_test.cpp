@@ -1,4 +1,4 @@
-// Oracle: what was written is what is read, kind by kind; damage made by hand.
+// Oracle: every kind of line is read as it was written; damage is made by hand.
 #include <doctest/doctest.h>
 
 #include <cmath>
@@ -222,7 +222,7 @@ TEST_CASE("a file of format 7 with kinds and keys that are not known is read as 
   CHECK(std::get<HintOpened>((*more)->what).step == "one");
 }
 
-TEST_CASE("wrong types, missing keys and numbers that do not fit are told and never thrown") {
+TEST_CASE("wrong types, missing keys and numbers that do not fit are reported and never thrown") {
   for (const char* line :
        {"",
         "{",

@@ -1,5 +1,5 @@
-// Numbers that no program of ours writes. Oracle: every number of a sample attempt in turn, found in its JSON by
-// walking it.
+// Numbers that the program never writes. Oracle: every number of a sample attempt in turn, found by traversing its
+// JSON.
 #include "engine/results/attempt_ranges.h"
 
 #include <doctest/doctest.h>
@@ -42,8 +42,8 @@ void withEachNumber(const std::string& line, double by,
 }
 
 TEST_CASE(
-    "each number of each kind of line, made 1.7e308, -1e300 or 1e37, gets its line passed over and told; in range it "
-    "does not") {
+    "each number of each kind of line, made 1.7e308, -1e300 or 1e37, gets its line passed over and "
+    "reported; in range it does not") {
   std::size_t numbers = 0;
   for (const AttemptEvent& event : sampleEvents())
     for (const double by : {1.7e308, -1e300, 1e37})

@@ -1,4 +1,4 @@
-// Oracle: the lines that were handed over, in their order. Processes are killed and disks are filled for real.
+// Oracle: the lines passed to the writer, in order. Processes are really killed and disks really filled.
 #include "engine/results/attempt_writer.h"
 
 #include <doctest/doctest.h>
@@ -68,7 +68,8 @@ TEST_CASE("a writer killed at 20 random moments leaves every line that it had ac
 }
 
 TEST_CASE(
-    "a disk with room for half a line is told once, keeps whole lines only, and gets all 500 once there is room") {
+    "a disk with room for half a line is reported once, keeps whole lines only, and gets all 500 "
+    "once there is room") {
   const ScratchFolder scratch;
   const int status = inChild([&] {
     ::signal(SIGXFSZ, SIG_IGN);  // a write beyond the limit then fails as on a full disk, after part of it was written
@@ -101,7 +102,7 @@ TEST_CASE(
   CHECK(status == 0);
 }
 
-TEST_CASE("a device that is always full is told in words to act on, and ending the writer does not hang") {
+TEST_CASE("a device that is always full is reported in words to act on, and ending the writer does not hang") {
   AttemptWriter writer = AttemptWriter::goOn("/dev/full");
   writer.append(hint(1));
   CHECK_FALSE(writer.flush());
@@ -113,7 +114,7 @@ TEST_CASE("a device that is always full is told in words to act on, and ending t
   CHECK_FALSE(writer.takeFault().has_value());
 }
 
-TEST_CASE("a folder that cannot be made or written is told, and what waited is written once it can be") {
+TEST_CASE("a folder that cannot be made or written is reported, and what waited is written once it can be") {
   const ScratchFolder scratch;
   const fs::path blocked = scratch.path / "file";
   writeFile(blocked, "no folder");

@@ -1,4 +1,4 @@
-// What a report tells of a program that was killed. Oracle: the clock by which the hand was led.
+// The report of an attempt whose program was killed. Oracle: the clock that moved the hand.
 #include <doctest/doctest.h>
 
 #include "engine/results/attempt_file.h"

@@ -1,4 +1,4 @@
-// Oracle: the session that was left.
+// Oracle: the session at the end of the attempt.
 #include "engine/results/progress.h"
 
 #include <doctest/doctest.h>

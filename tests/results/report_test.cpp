@@ -1,4 +1,4 @@
-// Oracles: sums over a class made by hand, a CSV reader that shares nothing with the writer, and the page's own text.
+// Oracles: manual sums over a class, a CSV reader that shares no code with the writer, and the page's own text.
 #include <doctest/doctest.h>
 
 #include <cmath>
@@ -201,7 +201,7 @@ TEST_CASE("every figure of a task has its column, empty for who did not do it") 
   }
 }
 
-TEST_CASE("4 attempts without a name are 4 attempts and no students; beside 1 named one they are told apart") {
+TEST_CASE("4 attempts without a name are 4 attempts and no students; beside 1 named one they are distinguished") {
   std::vector<Attempt> attempts(4, sampleAttempt());
   for (std::size_t k = 0; k < attempts.size(); ++k) {
     attempts[k].header.student.clear();
@@ -233,7 +233,7 @@ TEST_CASE("two lessons of one file name and different titles stay two, with colu
   CHECK(std::set<std::string>(rows[0].begin(), rows[0].end()).size() == rows[0].size());
 }
 
-TEST_CASE("codes that follow from a word are the same whoever else is there, and others for another word") {
+TEST_CASE("codes computed from a word do not depend on the other students, and differ for another word") {
   Attempt a = sampleAttempt(), b = sampleAttempt();
   a.header.student = "Ada";
   b.header.student = "Bo";
@@ -259,7 +259,9 @@ TEST_CASE("the gradebook has a row for each named student, marks of 100, and no 
   CHECK(rows[1] == std::vector<std::string>{"'=Ada", "100.0", "50.0"});
 }
 
-TEST_CASE("a question that 4 good and 3 weak students tell apart wholly has r of 1, one that all answer rightly none") {
+TEST_CASE(
+    "a question that separates 4 good from 3 weak students completely has r of 1, one that all "
+    "answer rightly has none") {
   std::vector<Attempt> attempts;
   for (int k = 0; k < 7; ++k) {
     Attempt a = sampleAttempt();
@@ -388,7 +390,7 @@ TEST_CASE(
   CHECK(cellOf("a-b = c + d @ home; 5") == "a-b = c + d @ home; 5");
 }
 
-TEST_CASE("a quoted text stays as it was but for that") {
+TEST_CASE("quoted text is otherwise unchanged") {
   Attempt a = sampleAttempt();
   a.header.student = "a;b \"c\", d\ne";
   CHECK(cell(readCsv(classCsv(summarise({a}))), 1, "student") == "a;b \"c\", d\ne");

@@ -1,4 +1,4 @@
-// An attempt with every kind of event in it, and folders that go when a test ends: what the tests of this folder share.
+// Helpers of this folder's tests: an attempt with every kind of event, and temporary folders.
 #pragma once
 
 #include <unistd.h>
@@ -17,7 +17,7 @@ class ScratchFolder {
  public:
   ScratchFolder() {
     static int count = 0;
-    // In memory where the system has such a folder: thousands of small files are made here.
+    // In memory where the system has such a folder, because thousands of small files are created here.
     std::error_code error;
     const std::filesystem::path memory = "/dev/shm";
     path = (std::filesystem::is_directory(memory, error) ? memory : std::filesystem::temp_directory_path()) /

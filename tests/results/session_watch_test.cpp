@@ -1,4 +1,4 @@
-// Oracle: what the student did, in order.
+// Oracle: the student's actions, in order.
 #include "engine/results/session_watch.h"
 
 #include <doctest/doctest.h>
@@ -66,7 +66,9 @@ TEST_CASE("a way through a lesson of 3 steps gives each of its events once, at t
   CHECK(progress.step == "three");
 }
 
-TEST_CASE("a force curve is told as it is handed in, before anything is felt, and the felt one when both are known") {
+TEST_CASE(
+    "a force curve is recorded when it is handed in, before anything is felt, and the felt one when "
+    "both are known") {
   LessonReading read =
       readLessonText("p.md",
                      "---\ntitle: P\nminutes: 1\ngoals: G\nmolecules: mix\nauthor: A\nlicence: L\n---\n"
@@ -119,7 +121,7 @@ TEST_CASE("a force curve is told as it is handed in, before anything is felt, an
   CHECK(watch.look(session, 5.0, InputWay::Mouse).empty());
 }
 
-TEST_CASE("a task begun again is told as begun, and a lesson that was read again repeats nothing that was told") {
+TEST_CASE("a task begun again is recorded as begun, and a lesson that was read again repeats no events") {
   LessonSession session(smallLesson());
   session.setMolecule(std::make_shared<const Molecule>(mixedMolecule()));
   SessionWatch watch;

@@ -34,7 +34,7 @@ inline TouchSample touching(std::int32_t atom, double time_s, double force_N = 0
   return s;
 }
 
-/// Holds an atom for 0.15 s.
+/// Touches an atom for 0.15 s.
 inline void touchFor150ms(LessonSession& session, std::int32_t atom, double from_s) {
   for (int i = 0; i <= 150; ++i) session.feed(touching(atom, from_s + i * 0.001));
 }

@@ -1,4 +1,4 @@
-// Oracle: the events that the timeline is made of, and straight lines between samples.
+// Oracle: the events of the timeline, and linear interpolation between samples.
 #include "engine/results/timeline.h"
 
 #include <doctest/doctest.h>

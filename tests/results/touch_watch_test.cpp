@@ -1,4 +1,4 @@
-// Oracle: closed forms of the hand's way.
+// Oracle: closed forms of the hand's path.
 #include "engine/results/touch_watch.h"
 
 #include <doctest/doctest.h>

@@ -1,5 +1,5 @@
-// What a class has come to: by goal, by misconception, and by which way. Oracles: the sessions that were left, and
-// counts made by hand.
+// The outcomes of a class by goal, by misconception, and by the order of steps. Oracles: the sessions at their end, and
+// manual counts.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -143,7 +143,7 @@ TEST_CASE(
   CHECK(later.takesAnswer(0));
 }
 
-TEST_CASE("the report tells the way that each took, with what led there") {
+TEST_CASE("the report lists the steps of each student, with the rules that led there") {
   const ClassSummary summary = summarise({quick().attempt(), winding().attempt(), stuck().attempt()});
   REQUIRE(summary.lessons.size() == 1);
   const auto ways = [&](const std::string& name) {
@@ -206,7 +206,7 @@ TEST_CASE("a tag that several wrong choices share is counted once a student and 
   CHECK(table.find("thinks no (3)") != std::string::npos);
 }
 
-TEST_CASE("a tag is told to nobody: the feedback ends before it") {
+TEST_CASE("a tag is never shown to students: the feedback ends before it") {
   const auto lesson = branchingLesson();
   const Choice& no = lesson->steps[0].questions[0].choices[1];
   CHECK(plainText(no.text) == "no");

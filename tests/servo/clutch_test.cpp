@@ -1,4 +1,4 @@
-// The clutch, and another scale in contact, in closed form.
+// The clutch, and a change of scale during contact, in closed form.
 #include "engine/servo/clutch.h"
 
 #include <doctest/doctest.h>

@@ -1,4 +1,4 @@
-// The check of a device, on the simulated stylus whose own hand presses on what it is offered.
+// The check of a device, with the simulated stylus, whose hand presses on what it is offered.
 #include "engine/servo/device_check.h"
 
 #include <doctest/doctest.h>
@@ -109,9 +109,8 @@ TEST_CASE("a device that is unplugged in the first part fails it, and the parts 
 }
 
 TEST_CASE(
-    "a device that is not ready is guided to it first: the person is shown its words, says so, and it is calibrated; "
-    "who never does so is told why "
-    "nothing was checked") {
+    "a device that is not ready is prepared first: its instructions are shown, the user confirms, "
+    "and it is calibrated; without confirmation the reason why nothing was checked is reported") {
   int shown = 0, asked = 0;
   const auto no = [&](const std::string&) { return ++asked, false; };
   const auto third = [&](const DeviceStatus& status) {
@@ -145,8 +144,8 @@ TEST_CASE("interrupted in a pull: no force in the next ticks, and all that is le
 }
 
 TEST_CASE(
-    "the plug: pulled out when that is asked, no force while it is away, softly back when it is in again; where nobody "
-    "pulls it it is left out") {
+    "the plug: pulled on request, no force while unplugged, a soft return when it is plugged in "
+    "again; the part is skipped if it is not pulled") {
   auto device = std::make_unique<AskingDevice>();
   AskingDevice* const raw = device.get();
   raw->calibrate();

@@ -1,5 +1,5 @@
-// What the fault suite has felt beside the methods: a tracker that answers with what no place is, and a rigid body whose
-// springs are known. Units: angstrom.
+// The interactions of the fault suite besides the methods: a tracker with invalid answers, and a rigid body with known
+// springs. Unit: angstrom.
 #pragma once
 
 #include <memory>
@@ -13,7 +13,7 @@
 
 namespace moltact::test {
 
-/// A method that answers with what no place is.
+/// A method that returns invalid positions.
 class BadTracker final : public WithoutMemory<Tracker> {
  public:
   explicit BadTracker(Vec3 scp) : scp_(scp) {}
@@ -27,8 +27,8 @@ class BadTracker final : public WithoutMemory<Tracker> {
   Vec3 scp_;
 };
 
-/// A rigid body in the hand of two to six spheres, and beside it a tracker for each of them that is led by the same
-/// poses, for what it stores.
+/// A rigid body of two to six spheres in the hand, and a separate tracker with the same poses for each of them, to
+/// compute the stored energy.
 class WatchedBody final : public WrappedInteraction {
  public:
   static constexpr double kArm_A = 1.5;
@@ -49,7 +49,7 @@ class WatchedBody final : public WrappedInteraction {
     if (out.contact.fault == moltact::Fault::StartedInside) resetAtoms();
     return out;
   }
-  /// What the springs hold with the SCPs where they are, over the stiffness.
+  /// The energy of the springs for the present SCPs, divided by the stiffness.
   double potential_A2(PointA place, const Quat& orientation) const {
     double sum = 0;
     for (const Atom& a : atoms_) {

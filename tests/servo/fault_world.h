@@ -1,5 +1,5 @@
-// A hand, a device model, molecules and the servo step on a virtual clock: what the faults of the fault suite are done
-// to, and the judge of the force after every tick. Units: millimetre, newton, second, joule.
+// The environment of the fault suite: a hand, a device model, molecules and the servo step on a virtual clock, and the
+// judge of the force after every tick. Units: millimetre, newton, second, joule.
 #pragma once
 
 #include <memory>
@@ -17,17 +17,17 @@
 
 namespace moltact::test {
 
-/// What a tick of the loop meets.
+/// The input of a tick.
 struct TickInput {
   TickTime time = {};
-  std::optional<Vec3> place_mm = {};     ///< instead of the device's
-  std::optional<Quat> orientation = {};  ///< likewise
+  std::optional<Vec3> place_mm = {};     ///< instead of the device's position
+  std::optional<Quat> orientation = {};  ///< instead of the device's orientation
   bool fresh = true, connected = true;
-  bool moves = true;     ///< false: no time passes for the device
-  bool to_model = true;  ///< false: the force is for another device
-  bool leaps = false;    ///< the place is far from the one before
+  bool moves = true;     ///< false: the device's time stands still
+  bool to_model = true;  ///< false: the force goes to another device
+  bool leaps = false;    ///< the position is far from the previous one
 
-  /// Something is wrong that no force may outlast, not even for a tick.
+  /// Whether the input has a fault after which no force is permitted, not even for a tick.
   bool wrong() const;
 };
 
@@ -35,42 +35,42 @@ class FaultWorld {
  public:
   explicit FaultWorld(std::uint64_t seed);
 
-  /// One tick of the loop, judged; then one millisecond of the world.
+  /// Runs one tick and judges it; then advances the world by one millisecond.
   void tick(const TickInput& how = {});
   void ticks(int count, const TickInput& how = {}) {
     for (int k = 0; k < count; ++k) tick(how);
   }
-  /// So many milliseconds in which the loop does nothing.
+  /// The loop does nothing for this time.
   void idle(int ms);
-  /// From the next tick on no more than a soft start is allowed.
+  /// From the next tick on, at most a soft start is permitted.
   void expectSoft() { judge_.expectSoft(); }
-  /// As many ticks, in all of which a fault lasts.
+  /// Runs `count` ticks during which a fault lasts.
   void lasting(int count, const TickInput& how);
 
-  /// The hand goes from outside to some place under the surface, slides a little, and waits.
+  /// Moves the hand from outside to some place under the surface, slides a little, and waits.
   void approach();
-  /// A fault of this name begins.
+  /// Begins a fault of this name.
   void begin(const char* fault);
-  /// The hand is held still: what moves the device comes to rest, or slides off on energy that was there.
+  /// Holds the hand still: the device must come to rest, or slide off with existing energy.
   void restAfter();
 
   void newScene();
   void newTracker();
-  /// The spheres go to these places within so many ticks.
+  /// Moves the spheres to these places within `in_ticks` ticks.
   void moveSpheres(const std::vector<Sphere>& to, int in_ticks);
-  /// Nothing has been given to it yet.
+  /// Another device that has not received any force yet.
   void otherDevice(const DeviceInfo& info);
   DeviceInfo info() const;
 
   const FaultRunResult& result() const { return out_; }
-  PointMm placed() const { return model_.sensed(); }  ///< where the device says that it is now
-  PointMm sensed() const { return sensed_; }          ///< where it said so in the last tick
+  PointMm placed() const { return model_.sensed(); }  ///< the position that the device reports now
+  PointMm sensed() const { return sensed_; }          ///< the position that it reported in the last tick
   const Quat& orientation() const { return orientation_; }
   const std::vector<Sphere>& spheres() const { return scene_.spheres; }
 
   scenes::Random random;
   ServoSettings settings;
-  std::unique_ptr<Interaction> bad;  ///< felt instead of the molecule, where there is one
+  std::unique_ptr<Interaction> bad;  ///< felt instead of the molecule if it is set
   bool unsound_settings = false;     ///< they may end the force at once
 
  private:
@@ -90,11 +90,11 @@ class FaultWorld {
   ServoStep step_;
   scenes::Scene scene_;
   std::unique_ptr<Interaction> tracker_;
-  std::vector<std::unique_ptr<const SphereMotion>> frames_;  // of tracker_; the last is in force
-  double fraction_ = 1.0;                                    // of it
-  bool follows_ = true;                                      // tracker_ goes with the spheres
-  bool summed_ = false;                                      // it stores in a spring for each sphere
-  WatchedBody* body_ = nullptr;                              // of tracker_, where it is one
+  std::vector<std::unique_ptr<const SphereMotion>> frames_;  // of tracker_; the last one is in force
+  double fraction_ = 1.0;                                    // of the last frame's motion
+  bool follows_ = true;                                      // tracker_ follows the spheres
+  bool summed_ = false;                                      // its energy is the sum of one spring per sphere
+  WatchedBody* body_ = nullptr;                              // tracker_, if it is such a body
   Quat orientation_ = kNoRotation;
   Vec3 axis_ = glm::normalize(Vec3(0.3, 0.8, 0.5));
   std::string_view method_;
@@ -102,9 +102,9 @@ class FaultWorld {
   Vec3 target_mm_{40, 0, 0};
   ForceN command_;
   PointMm sensed_;
-  double stretch_mm_ = 0, bent_mm_ = 0;  // the latter where the force began to be cut
-  double potential_mm2_ = 0;             // what is stored, over the stiffness
-  double felt_N_per_mm_ = -1;            // negative: none, or the force is cut
+  double stretch_mm_ = 0, bent_mm_ = 0;  // bent_mm_: the stretch at which the force began to be cut
+  double potential_mm2_ = 0;             // stored energy divided by the stiffness
+  double felt_N_per_mm_ = -1;            // negative: no force, or the force is cut
   ForceMonitor judge_;
   std::uint64_t cuts_ = 0;
   FaultRunResult out_;

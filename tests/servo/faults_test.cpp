@@ -1,5 +1,5 @@
-// Seeded faults against the whole servo step: 100 seeds here; MOLTACT_FAULT_SEEDS=10000 for more, from the seed
-// MOLTACT_FAULT_FIRST on; MOLTACT_SOAK_S=600 to go on for so many seconds of the wall's clock.
+// Random faults in the whole servo step: 100 seeds by default; MOLTACT_FAULT_SEEDS=10000 sets their number,
+// MOLTACT_FAULT_FIRST the first seed; MOLTACT_SOAK_S=600 runs for that many seconds of wall time.
 #include <doctest/doctest.h>
 
 #include <chrono>

@@ -1,5 +1,5 @@
-// Fields in the servo loop: the slider of the springs does not change them, an honest one is neither cut nor braked, a
-// dishonest one is, a stiff one is scaled to what the device bears, and their force is felt without touching.
+// Fields in the servo loop: the stiffness slider does not change them. A conservative field is neither cut nor damped,
+// one that creates energy is. A stiff one is scaled to what the device permits. Their force is felt without contact.
 #include <doctest/doctest.h>
 
 #include <cmath>
@@ -237,8 +237,9 @@ TEST_CASE("where the energy of a field has its zero changes no force: with 1 J m
 }
 
 TEST_CASE(
-    "a harmonic well of 3 N/mm round a slippery device in a hand of 100 N/m is scaled to half of the bound, and the "
-    "device rests below 2 mm/s; with its stiffness told as none it shakes at more than 0.1 m/s or is cut") {
+    "a harmonic well of 3 N/mm round a slippery device in a hand of 100 N/m is scaled to half of the "
+    "bound, and the device rests below 2 mm/s; with its stiffness given as zero it shakes at more "
+    "than 0.1 m/s or is cut") {
   struct Soft final : WrappedInteraction {
     using WrappedInteraction::WrappedInteraction;
     Response respond(const PoseA& pose) noexcept override {

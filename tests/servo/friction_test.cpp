@@ -1,5 +1,5 @@
-// A friction as an interaction round a tracker: Coulomb's, at the SCP. It stands here as the example of what changes the
-// force whatever method the probe is felt with, and as the test that the servo step bears it: its energy, its calls, its limits.
+// Coulomb friction at the SCP as an interaction around a tracker. An example of a change of the force for every method,
+// and a test of its energy, calls and limits in the servo step.
 #include <doctest/doctest.h>
 
 #include <cmath>

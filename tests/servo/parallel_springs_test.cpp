@@ -1,5 +1,5 @@
-// Springs that pull together: what the penalty method answers is as stiff as all the spheres that push, and the loop's
-// bound has to hold for the sum. The device is a model in a hand, in a closed loop through the servo step.
+// Parallel springs: the penalty method is as stiff as the sum of all spheres that push, and the loop's bound must hold
+// for the sum. The device is a model in a hand, in a closed loop through the servo step.
 #include <doctest/doctest.h>
 
 #include <cmath>

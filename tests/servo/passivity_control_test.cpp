@@ -1,4 +1,4 @@
-// The observer of the energy that a device was given, where its forces are felt late.
+// The observer of a device's energy when its forces take effect late.
 #include "engine/servo/passivity_control.h"
 
 #include <doctest/doctest.h>

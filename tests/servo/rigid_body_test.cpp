@@ -1,5 +1,5 @@
-// A rigid body in the hand, felt through the servo step as a point is: a bar with a spring at either end over a wall,
-// and a torsion spring. What they give is known in closed form.
+// A rigid body in the hand through the servo step: a bar with a spring at either end above a wall, and a torsion
+// spring. Their forces and torques are known in closed form.
 #include <doctest/doctest.h>
 
 #include <cmath>

@@ -1,4 +1,4 @@
-// Each limit of the safety stage by itself, against its closed form. Every tick is a call; time is what the call says.
+// Each limit of the safety stage separately, against its closed form. Every tick is a call with its own time.
 #include "engine/servo/safety_stage.h"
 
 #include <doctest/doctest.h>

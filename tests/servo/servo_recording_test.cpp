@@ -1,5 +1,5 @@
-// Recordings: what is written comes back to the last bit and gives the same forces; what is torn or no recording is
-// told.
+// Recordings: what is written is read to the last bit and reproduces the forces. Torn files and other files are
+// reported.
 #include "engine/servo/servo_recording.h"
 
 #include <doctest/doctest.h>
@@ -260,7 +260,7 @@ TEST_CASE(
   std::filesystem::remove(file);
 }
 
-TEST_CASE("what is no recording is told so: an empty file, a text, a folder, a missing file") {
+TEST_CASE("what is no recording is reported: an empty file, a text, a folder, a missing file") {
   const auto file = scratch("none");
   for (const std::string& bytes :
        {std::string(), std::string("ATOM      1  N   ALA"), std::string("MOLTRAC2"), std::string(100, '\xff')}) {
@@ -390,7 +390,7 @@ TEST_CASE("a recording of the version before, which knew places alone, is read a
   std::filesystem::remove(file);
 }
 
-TEST_CASE("a full disk is told in the first tick that it does not take, not at the end") {
+TEST_CASE("a full disk is reported in the first tick that it does not take, not at the end") {
   auto writer = ServoRecordingWriter::create("/dev/full", true);
   REQUIRE(writer);
   const auto problem = writer->begin({}, ServoStep());
@@ -403,8 +403,8 @@ TEST_CASE("a full disk is told in the first tick that it does not take, not at t
 }
 
 TEST_CASE(
-    "a rigid body's recording keeps its pose and torque, and what it says of the scene gives the body back: the replay "
-    "gives both to the last bit, and tells a torque that differs") {
+    "a rigid body's recording stores its pose and torque, and its labels restore the body: the "
+    "replay gives both to the last bit, and reports a torque that differs") {
   const std::vector<Sphere> spheres{{{0, 0, 0}, 3.0}, {{10, 0, 0}, 1.6}, {{12, 0, 0}, 1.6}, {{12, 2, 0}, 1.6}};
   const std::vector<std::uint32_t> held{1, 2, 3};
   const auto scene = std::make_shared<const SphereGrid>(spheres, held);

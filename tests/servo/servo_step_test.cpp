@@ -1,4 +1,4 @@
-// The servo loop's logic on a virtual clock: every tick is a call, time passes by ticks.
+// The servo loop's logic on a virtual clock: every tick is a call, which advances the time.
 #include "engine/servo/servo_step.h"
 
 #include <doctest/doctest.h>

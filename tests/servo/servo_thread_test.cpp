@@ -1,4 +1,4 @@
-// The haptic thread itself: hand-over of trackers and samples. Nothing here depends on how punctual the machine is.
+// The haptic thread: handing over trackers and samples. Independent of the machine's timing.
 #include "engine/servo/servo_thread.h"
 
 #include <doctest/doctest.h>
@@ -228,8 +228,8 @@ TEST_CASE("a device with its own clock ticks the loop by it; when that clock sto
 }
 
 TEST_CASE(
-    "nobody takes up a sample for 6000 ticks, as when the window stands: the loop goes on, the force too, and 4096 "
-    "ticks wait whole") {
+    "no sample is read for 6000 ticks, as when the window stalls: the loop continues, the force too, "
+    "and 4096 ticks are kept complete") {
   StillDevice fallback;
   std::atomic<int> alive{0};
   std::thread::id destroyed_on;
@@ -293,9 +293,8 @@ TEST_CASE("a ring of 4 takes 4 samples, drops and counts the fifth, and gives th
 }
 
 TEST_CASE(
-    "an owner that hands nothing over any more, as a window that stands, cannot stop the force: after 1 s there is "
-    "none, and with the next settings it "
-    "comes back") {
+    "an owner that stops handing over, such as a stalled window, cannot keep the force on: after 1 s "
+    "there is none, and with the next settings it returns") {
   std::atomic<int> alive{0};
   std::thread::id destroyed_on;
   StillDevice device;

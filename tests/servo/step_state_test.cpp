@@ -1,5 +1,5 @@
-// The state that a recording begins from: it comes back to the last bit, and no text makes a step that the loop cannot
-// be in.
+// The initial state of a recording: it is restored to the last bit, and no text gives a state that the loop cannot
+// have.
 #include "engine/servo/step_state.h"
 
 #include <doctest/doctest.h>
@@ -121,8 +121,8 @@ TEST_CASE(
 }
 
 TEST_CASE(
-    "a state with an index out of its ring, a bool of 2, a NaN, a value twice, missing or unknown is told by its "
-    "name") {
+    "a state with an index out of its ring, a bool of 2, a NaN, a value twice, missing or unknown is "
+    "reported by its name") {
   const std::string whole = stateText(ServoStep());
   REQUIRE(stepFromText(whole));
   const auto with = [&](const std::string& name, const std::string& value) {

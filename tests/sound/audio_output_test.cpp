@@ -1,5 +1,5 @@
-// The real output stage, each case in a process of its own, for OpenAL reads its drivers once: with no driver at all,
-// and with the one that writes a file at the pace of a sound card.
+// The real audio output, each case in a process of its own, because OpenAL reads its drivers once: without a driver,
+// and with one that writes a file at a sound card's rate.
 #include "engine/platform/audio_output.h"
 
 #include <doctest/doctest.h>

@@ -1,5 +1,5 @@
-// Oracles: the pitch from counted zero crossings, single frequencies by correlation with sine and cosine, and bounds
-// that follow from amplitude and frequency. None shares code with the synthesis.
+// Oracles: the pitch by counting zero crossings, single frequencies by correlation with sine and cosine, and bounds
+// from amplitude and frequency. None shares code with the synthesizer.
 #include "engine/sound/touch_synth.h"
 
 #include <doctest/doctest.h>

@@ -1,4 +1,4 @@
-// Charges of atoms by their source, against counts made by hand.
+// Atomic charges by source, against manual counts.
 #include "engine/structure/atom_charges.h"
 
 #include <doctest/doctest.h>

@@ -1,4 +1,4 @@
-// Shades that every kind of colour vision tells apart.
+// Shades that are distinguishable with every kind of colour vision.
 #include "engine/structure/colour_sight.h"
 
 #include <doctest/doctest.h>
@@ -44,7 +44,9 @@ TEST_CASE("named colours that are nearer than 10 by one simulation of sight are 
     }
 }
 
-TEST_CASE("colours that keep apart stay as they are; green and red are shaded until all eyes tell them apart by 10") {
+TEST_CASE(
+    "colours that are distinct stay unchanged; green and red are shaded until they differ by 10 for "
+    "every kind of colour vision") {
   const Rgb8 apart[] = {named("sky"), named("yellow")};
   CHECK(shadesApart(apart, {}, {}) == std::vector<Rgb8>{named("sky"), named("yellow")});
   const Rgb8 near[] = {named("green"), named("red")};

@@ -1,4 +1,4 @@
-// Colours of atoms and what the legend says of them.
+// Colours of atoms and their legend.
 #include "engine/structure/colouring.h"
 
 #include <set>
@@ -52,7 +52,7 @@ TEST_CASE("every scheme colours every atom, and every colour of a scheme of clas
     }
 }
 
-TEST_CASE("no two things that a legend tells apart look alike, nor like a target") {
+TEST_CASE("no two entries of a legend look alike, nor like a target") {
   // The colours of targets on a dark and on a light ground (engine/render/view_scene.cpp).
   const Rgb8 targets[] = {{0xFF, 0xB0, 0x00}, {0xFF, 0x5A, 0x00}};
   for (const char* file : {"1ubq.pdb", "1hel.pdb", "2hhb.pdb", "b-dna.pdb", "1hpv.pdb"})
@@ -169,7 +169,7 @@ TEST_CASE("parts have their own colour over the scheme's, the later over the ear
   CHECK(c.legend.parts[0].name == "one side");
 }
 
-TEST_CASE("a scheme that is not there is told with those that are") {
+TEST_CASE("an unknown scheme is reported with the known ones") {
   const auto found = findColouringScheme("colour");
   REQUIRE_FALSE(found);
   CHECK(found.problem().text() ==

@@ -1,4 +1,4 @@
-// Molecules of the library, read for a test.
+// Reads molecules of the library for tests.
 #pragma once
 
 #include <doctest/doctest.h>

@@ -1,4 +1,4 @@
-// Helices and strands: those of the depositors' records, and those of hydrogen bonds against another program.
+// Helices and strands: from the depositors' records, and from hydrogen bonds compared with another program.
 #include "engine/structure/secondary_structure.h"
 
 #include <algorithm>
@@ -155,7 +155,8 @@ TEST_CASE("two helices that follow upon one another stay two; a strand of two sh
 }
 
 TEST_CASE(
-    "records that name what is not there, or nothing, are told and left out; hydrogen bonds then take their place") {
+    "records that name what is not there, or nothing, are reported and left out; hydrogen bonds then "
+    "take their place") {
   const Molecule m = moleculeOf(
       "HELIX    1  H1 ILE B   23  GLU B   34  1                                  12    \n"
       "HELIX    2  H2 ILE A  xx3  GLU A   34  1                                  12    \n" +

@@ -1,5 +1,6 @@
-// How far apart two colours look to each kind of colour vision, with code of its own. Sight is simulated by Brettel, Viénot and Mollon (1997) for tritanopia and Viénot, Brettel and Mollon (1999) for protanopia
-// and deuteranopia; engine/structure/colour_sight.cpp goes by Machado, Oliveira and Fernandes (2009) first.
+// Colour differences for each kind of colour vision, computed independently. Colour vision is simulated after Brettel,
+// Viénot and Mollon (1997) for tritanopia and Viénot, Brettel and Mollon (1999) for protanopia and deuteranopia;
+// engine/structure/colour_sight.cpp uses Machado, Oliveira and Fernandes (2009).
 #pragma once
 
 #include <algorithm>
@@ -22,9 +23,9 @@ inline Three times(const double (&m)[9], const Three& v) {
           m[6] * v[0] + m[7] * v[1] + m[8] * v[2]};
 }
 
-/// A colour of linear sRGB as that sight sees it, in the same space.
+/// A colour in linear sRGB as this kind of vision perceives it, in the same space.
 inline Three simulated(Sight sight, const Three& rgb) {
-  // The matrices are those of the cone fundamentals of Smith and Pokorny (1975) and the primaries of sRGB.
+  // The matrices for the cone fundamentals of Smith and Pokorny (1975) and the primaries of sRGB.
   constexpr double protan[9] = {0.11238, 0.88762, 0, 0.11238, 0.88762, 0, 0.00401, -0.00401, 1};
   constexpr double deutan[9] = {0.29275, 0.70725, 0, 0.29275, 0.70725, 0, -0.02234, 0.02234, 1};
   constexpr double tritan_1[9] = {1.01277, 0.13548, -0.14826, -0.01243, 0.86812, 0.14431, 0.07589, 0.80500, 0.11911};

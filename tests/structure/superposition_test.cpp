@@ -1,4 +1,4 @@
-// Two states laid on one another, against a turn that is known and another way of finding the fit.
+// Two superposed structures, against a known rotation and an independent computation of the fit.
 #include "engine/structure/superposition.h"
 
 #include <cmath>
@@ -146,7 +146,7 @@ TEST_CASE("between two states each ball goes straight; an atom that the other la
   CHECK(glm::distance((**motion).at(0.5)[3].centre_A, half[3].centre_A) < 1e-12);
 }
 
-TEST_CASE("what cannot be laid on one another is told: nothing in common, atoms on a line") {
+TEST_CASE("what cannot be superposed is reported: nothing in common, atoms on a line") {
   const Molecule m = libraryMolecule("1ubq.pdb");
   const auto other = twoStates(m, libraryMolecule("argon.pdb"));
   REQUIRE_FALSE(other);

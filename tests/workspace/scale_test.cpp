@@ -1,4 +1,4 @@
-// Scales between a device and a molecule, and what a person reads of them, in closed form.
+// Scales between a device and a molecule, and their description for users, in closed form.
 #include "engine/workspace/scale.h"
 
 #include <doctest/doctest.h>
@@ -31,7 +31,9 @@ TEST_CASE("a spring of 0.5 N/mm that is pressed 0.4 A deep at 0.2 A a mm, so by 
   CHECK(springEnergy_J(0.5 * 0.4 * 0.4, 0.5, 0.2) == doctest::Approx(1e-3));
 }
 
-TEST_CASE("the scale tells a way and a force with two digits that count: 0.2 A a mm under 0.5 N/mm is 71 pN a newton") {
+TEST_CASE(
+    "the scale is described by a length and a force with two significant digits: 0.2 A a mm under "
+    "0.5 N/mm is 71 pN a newton") {
   Workspace workspace;
   workspace.A_per_mm = 0.2;  // 1 N: 2 mm, 0.4 A
   CHECK(scaleSentence(workspace, 0.5) ==

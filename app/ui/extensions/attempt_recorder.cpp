@@ -20,8 +20,8 @@
 namespace moltact {
 namespace {
 
-constexpr double kLongestFrame_s = 2.0;  // a computer that slept was not used
-constexpr double kView_s = 0.2;          // views are told at most so often
+constexpr double kLongestFrame_s = 2.0;  // longer frames are cut: the computer was asleep
+constexpr double kView_s = 0.2;          // minimum interval between two recorded views
 
 std::string now() { return utcText(std::chrono::system_clock::now()); }
 
@@ -29,10 +29,10 @@ bool gaveForce(const HapticSession& scene) { return scene.servo().device().gives
 
 std::string deviceName(const HapticSession& scene) { return scene.servo().device().name; }
 
-// The stand-in led by mouse or keyboard, or a device in the hand.
+// True for a haptic device, false for the mouse or the keyboard.
 bool realDevice(HapticSession& scene) { return &scene.servo().device() != &scene.servo().mouse().info(); }
 
-// An attempt goes to other computers.
+// An attempt is copied to other computers, so paths are reduced to file names.
 ReadOptions withoutFolders(ReadOptions reading) {
   reading.beside = std::filesystem::path(reading.beside).filename().string();
   return reading;
@@ -86,7 +86,7 @@ void AttemptRecorder::beginNew() {
 void AttemptRecorder::lessonChanged() {
   if (log_ && session_ == lesson_.session()) {
     const Expected<std::string> bytes = readFile(lesson_.file(), kLargestAttempt, "");
-    // The same attempt goes on, and in a pause too its outline is to be the lesson's.
+    // The attempt continues. Its outline must match the lesson, even while recording is paused.
     log_->add(
         {now_s_, LessonReread{outlineOf(lesson_.session()->lesson(), bytes ? contentHash(*bytes) : std::string())}});
     return;
@@ -105,7 +105,7 @@ void AttemptRecorder::resume(const std::filesystem::path& lesson_file, const std
     messages_.warning(trf("{0}. The lesson begins anew.", attempt.problem().text()));
     return;
   }
-  if (paused_) return;  // whose work it is will be asked first
+  if (paused_) return;  // the student is asked for a name first
   lesson_.session()->restore(memoryOf(inTermsOf(outlineOf(lesson_.session()->lesson(), hash_), *attempt)));
   lesson_.session()->setOrderSeed(orderSeed(attempt->header), sittingsOf(*attempt));
   if (!log_) return;
@@ -158,7 +158,7 @@ void AttemptRecorder::endAttempt() {
   touch_watch_.breakOff();
   for (AttemptEvent& e : touch_watch_.take(now_s_)) add(std::move(e));
   add(SessionClosed{now()});
-  // Its name is known once the file has been opened.
+  // Opening the file determines its name, so the log is flushed first.
   log_->flush();
   if (const std::filesystem::path kept = log_->file(); !kept.empty() && !lesson_file_.empty()) {
     std::erase_if(turns_, [&](const Turn& t) { return t.student == student_ && t.lesson == lesson_file_; });
@@ -213,7 +213,7 @@ void AttemptRecorder::lookAtStates() {
   if (!moving_states_.there()) return states_.reset();
   StatesMoved is{moving_states_.file().filename().string(), moving_states_.then().superposed_on.text(),
                  moving_states_.share()};
-  // What does not move any more is told at once.
+  // The end of a motion is recorded at once.
   if (states_ == is || (moving_states_.share() != moving_states_.wanted() && now_s_ - states_told_s_ < kView_s)) return;
   add(is);
   states_ = std::move(is);
@@ -241,7 +241,7 @@ void AttemptRecorder::afterPanels() {
   for (AttemptEvent& e : touch_watch_.take(now_s_)) add(std::move(e));
   for (AttemptEvent& e : session_watch_.look(*session, now_s_, input_.way())) {
     further = true;
-    // A task is done by touch.
+    // Tasks are solved by touch, so the input device is recorded with them.
     if (auto* done = std::get_if<TaskDone>(&e.what)) done->by = way_->by;
     add(std::move(e));
   }

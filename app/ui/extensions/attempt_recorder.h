@@ -1,7 +1,7 @@
-// Keeps what a student does in a lesson: steps, answers, hints, tasks, touches and the way of the hand, as it happens.
-// It only watches; a failure to write is reported once in a message and the lesson goes on. Window's thread.
+// Records a student's work on a lesson as it happens: steps, answers, hints, tasks, touches and the hand's path. It
+// only observes. A failure to write is reported once in a message, and the lesson continues. Window's thread.
 //
-// A lesson that is opened begins a new attempt; resume() goes on with an old one:
+// Opening a lesson begins a new attempt; resume() continues an earlier one:
 //   app.extensions().recorder.resume(lesson_file, progress.file);      // progress: engine/results/progress.h
 #pragma once
 
@@ -48,31 +48,31 @@ class AttemptRecorder : public Extension {
   void lessonChanged() override;
   void atEnd() override;
 
-  /// Opens the lesson where the attempt was left, with what was done; what comes goes into the same file. An attempt
-  /// that cannot be read is reported, and the lesson starts from its beginning.
+  /// Opens the lesson at the point where the attempt ended and restores its work; new events are appended to the same
+  /// file. An attempt that cannot be read is reported, and the lesson starts from its beginning.
   void resume(const std::filesystem::path& lesson_file, const std::filesystem::path& attempt_file);
 
-  /// From here on another student (a name or code; empty: none is kept) works: the lesson starts from its beginning for
-  /// him, in an attempt of his own, at the step that is shown; what he has done under this name since the program began
-  /// is taken up.
+  /// Switches to another student (a name or code; empty: no name is recorded), who starts the lesson at the present
+  /// step in an attempt of his own. If he has already worked under this name since the program started, that attempt is
+  /// continued.
   void passTo(const std::string& student);
   const std::string& student() const { return student_; }
-  /// Ends the attempt that goes on; of what is opened from here on no name is kept.
+  /// Ends the current attempt. The next attempts have no student's name.
   void forgetStudent() {
     endAttempt();
     student_.clear();
   }
-  /// Ends the attempt that goes on.
+  /// Ends the current attempt.
   void finish() { endAttempt(); }
 
-  /// A guess of someone who waits, kept with the attempt that goes on.
+  /// Records a prediction of a waiting student in the current attempt.
   void keepPrediction(Predicted prediction);
 
-  /// The file of the attempt; empty before it is there, and where nothing is kept.
+  /// The attempt's file; empty before it exists and if nothing is recorded.
   std::filesystem::path file() const { return log_ ? log_->file() : std::filesystem::path(); }
-  /// Waits until all is written.
+  /// Waits until everything is written. Returns false after a failure to write.
   bool flush() { return !log_ || log_->flush(); }
-  /// While something is played back nothing is kept.
+  /// Stops recording, for example during playback, or continues it.
   void pause(bool on);
 
  private:
@@ -100,23 +100,24 @@ class AttemptRecorder : public Extension {
   void tell();
 
   std::string student_;
-  std::vector<Predicted> predictions_;  // made while there was no attempt
-  std::vector<Turn> turns_;  // attempts of this run, by student, so that a turn goes on where the last one ended
+  std::vector<Predicted> predictions_;  // made before there was an attempt
+  std::vector<Turn> turns_;  // attempts since the program started, by student, so that a turn continues the student's
+                             // last one
   std::optional<AttemptLog> log_;
-  MessageId unkept_ = 0;               // the message that it is not kept on the disk, as long as that holds
-  const void* session_ = nullptr;      // whose attempt it is
+  MessageId unkept_ = 0;               // the message that the attempt is not stored on disk, while this is the case
+  const void* session_ = nullptr;      // the session of the attempt
   std::filesystem::path lesson_file_;  // its file
   std::string hash_;
   SessionWatch session_watch_;
   TouchWatch touch_watch_;
   InputWayWatch input_;
-  double now_s_ = 0.0;  // of use since log_ began
+  double now_s_ = 0.0;  // time in use since log_ began
   double view_told_s_ = -1.0, states_told_s_ = -1.0;
   std::optional<InputChanged> way_;
   std::optional<StageChanged> stage_;
   std::optional<StatesMoved> states_;
   std::optional<Camera> view_;
-  std::size_t hints_ = 0;  // open in the last frame
+  std::size_t hints_ = 0;  // number of open hints in the last frame
   bool paused_ = false, mending_begun_ = false;
   std::future<std::size_t> mended_;
 };

@@ -28,7 +28,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Raised when pictures of the same subject come out differently.
+// Increase this version when pictures of the same subject change.
 constexpr std::string_view kDrawnAs = "5";
 constexpr std::size_t kMaxKept = 400;
 constexpr std::size_t kLargestFile = std::size_t{1} << 30;  // unit: byte
@@ -40,7 +40,7 @@ std::uint64_t fnv1a(std::string_view bytes, std::uint64_t hash = 146959810393466
 
 std::string sceneKey(const CardSubject& subject) {
   const SceneSpec& s = subject.scene;
-  // A lesson's protein is drawn otherwise than a molecule by itself.
+  // A lesson's protein has another default style than a single molecule.
   std::string styles = s.molecule.name.empty() ? "alone," : "in a lesson,";
   for (const StyleSpec& style : s.styles)
     styles += std::string(nameOf(style.style)) + ' ' + std::to_string(style.opacity) + ' ' + style.atoms.text() + ',';
@@ -51,7 +51,7 @@ std::string sceneKey(const CardSubject& subject) {
          '|' + std::to_string(s.near_A);
 }
 
-// Where a probe that comes in along a ray from the viewer's upper right meets the surface.
+// The first contact of a probe that approaches along a ray from the viewer's upper right.
 PointA restingPlace(const SphereGrid& spheres, const Camera& camera, double probe_A) {
   constexpr double kClose_A = 0.02;
   const Vec3 outward = glm::normalize(0.6 * camera.right() + 0.5 * camera.up() + 0.6 * camera.back());
@@ -66,7 +66,7 @@ PointA restingPlace(const SphereGrid& spheres, const Camera& camera, double prob
   return place;
 }
 
-// The scene as a lesson turns and marks it, with the probe at the surface.
+// The scene with a lesson's view and marks, and the probe at the surface.
 ViewScene sceneOf(Molecule read, const SceneSpec& spec) {
   ViewScene scene;
   const SphereGrid spheres(read.spheres, untouchableAtoms(spec, read));
@@ -92,7 +92,7 @@ ViewScene sceneOf(Molecule read, const SceneSpec& spec) {
   return scene;
 }
 
-// The newest stay.
+// Deletes all but the newest pictures.
 void tidy(const fs::path& folder) {
   std::error_code error;
   std::vector<std::pair<fs::file_time_type, fs::path>> files;
@@ -144,10 +144,10 @@ void CardPictures::afterPanels() {
   const std::string now = std::string(themeName(settings_.theme)) + (settings_.colour_blind_safe ? "|safe|" : "|");
   if (now != look_) {
     look_ = now;
-    queue_.clear();  // of the look before
+    queue_.clear();  // of the previous theme
     std::erase_if(cards_, [](const auto& c) { return c.second->texture == 0; });
   }
-  const bool wait = options_.clock == ServoClock::Frames;  // the same in every run
+  const bool wait = options_.clock == ServoClock::Frames;  // deterministic on the frames' clock
   if (job_.valid() && (wait || job_.wait_for(std::chrono::seconds(0)) == std::future_status::ready)) finish(job_.get());
   if (job_.valid()) return;
   if (queue_.empty()) {
@@ -177,7 +177,7 @@ void CardPictures::afterPanels() {
       if (Expected<Molecule> molecule = readMolecule(job.subject.molecule))
         job.scene = sceneOf(*std::move(molecule), job.subject.scene);
     } catch (const std::exception&) {
-      // A card without a picture; opening the lesson tells why.
+      // A card without a picture; opening the lesson reports the fault.
     }
     return job;
   });
@@ -200,7 +200,7 @@ void CardPictures::finish(Job job) {
     if (!job.kept.empty()) {
       std::error_code ignored;
       fs::create_directories(job.kept.parent_path(), ignored);
-      // A full disk costs only the next start's time.
+      // A failure to write, for example on a full disk, only slows the next start.
       writePng(job.kept, *job.picture);
       tidy(job.kept.parent_path());
     }

@@ -1,6 +1,6 @@
-// Small pictures of molecules for the welcome page, drawn by the program itself: one at a time, read in the background,
-// and kept in the cache folder under what they show, so that the next start finds them. Window's thread, with the GL
-// context.
+// Small pictures of molecules for the welcome page, rendered by the program. Molecules are read one at a time in the
+// background. The pictures are stored in the cache folder under their contents, so that the next start finds them.
+// Window's thread, with the GL context.
 #pragma once
 
 #include <imgui.h>
@@ -25,7 +25,7 @@ struct Settings;
 
 class Renderer;
 
-/// The contents of a picture: a molecule as a lesson's scene turns and marks it.
+/// The contents of a picture: a molecule with the view and the marks of a lesson's scene.
 struct CardSubject {
   MoleculeKey molecule;
   SceneSpec scene;
@@ -38,32 +38,32 @@ class CardPictures : public Extension {
 
   static constexpr int kWidth_px = 512, kHeight_px = 288;
 
-  /// The picture as a texture, its first row at the top; null until it has been drawn. Asking for it puts it in the
+  /// The picture as a texture, first row at the top; null until it has been drawn. The first call puts it into the
   /// queue.
   ImTextureID find(const CardSubject& subject);
 
   void afterPanels() override;
   bool live() const override { return !queue_.empty() || job_.valid(); }
 
-  /// Drawn since the start and not taken from the cache.
+  /// The number of pictures drawn since the start, not taken from the cache.
   std::size_t drawn() const { return drawn_; }
 
  private:
   const Settings& settings_;
   const ApplicationOptions& options_;
-  // The background's result for a picture: found in the cache, or the molecule read for drawing.
+  // The result of the background job: the picture from the cache, or the molecule to draw.
   struct Job {
     std::string key;
     CardSubject subject;
-    std::filesystem::path kept;  // where it belongs in the cache; empty: nowhere
+    std::filesystem::path kept;  // its path in the cache; empty: not cached
     std::optional<Picture> picture;
-    std::optional<ViewScene> scene;  // what is to be drawn, but for the colours
+    std::optional<ViewScene> scene;  // the scene to draw, without colours
   };
   struct Card;
 
   void finish(Job job);
 
-  std::map<std::string, std::unique_ptr<Card>> cards_;  // by what was asked for in this look
+  std::map<std::string, std::unique_ptr<Card>> cards_;  // by their subjects, in the present theme
   std::vector<std::pair<std::string, CardSubject>> queue_;
   std::future<Job> job_;
   std::unique_ptr<Renderer> renderer_;

@@ -76,7 +76,7 @@ bool ClassTurns::predict(const std::string& name, const std::string& text) {
 void ClassTurns::beforeTicks() {
   if (!on()) return;
   if (turns_.tick(time_.dt_s)) call();
-  // Nothing in anyone's hand: no force, no touch.
+  // No force and no touch during a hand-over.
   if (turns_.state() == Turns::State::HandOver) scene_.play(ServoSample());
 }
 

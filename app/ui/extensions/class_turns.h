@@ -1,5 +1,5 @@
-// One device for a class, in the window: whose turn it is, handing over, and what those who wait predict meanwhile.
-// While the device changes hands no force is given and nothing is felt. Window's thread.
+// Turns of a class at one device: whose turn it is, the hand-over, and the predictions of those who wait. During a
+// hand-over the device gives no force and nothing is felt. Window's thread.
 #pragma once
 
 #include <string>
@@ -23,29 +23,30 @@ class ClassTurns : public Extension {
   const Turns& turns() const { return turns_; }
   bool on() const { return turns_.on(); }
 
-  /// Calls the first of the names.
+  /// Starts with the first of the names. `turn_s`: the length of a turn.
   void begin(std::vector<std::string> names, double turn_s);
-  /// The student who was called has the device: his attempt goes on, or begins.
+  /// The called student has the device; the student's attempt continues or begins.
   void start();
   void passOn();
-  /// The one who was called is not here.
+  /// The called student is absent: calls the next one.
   void skip();
   void pause() { turns_.pause(); }
   void goOn() { turns_.goOn(); }
   void extend(double by_s) { turns_.extend(by_s); }
   void end();
 
-  /// The question for those who wait: about the task or the question that the class is at.
+  /// The question for those who wait, about the current task or question.
   std::string prompt(const LessonGuide& lesson) const;
-  /// Keeps what one of them predicts. False, keeping nothing, for an empty text or a name that does not wait.
+  /// Stores a prediction. Returns false and stores nothing if the text is empty or the name is not among those who
+  /// wait.
   bool predict(const std::string& name, const std::string& text);
   std::size_t predictionsKept() const { return predictions_; }
 
-  /// The texts of the page and of the strip while a person fills them in.
+  /// The contents of the input fields on the page and the strip.
   struct Draft {
     std::string names, prediction;
     double minutes = 3.0;
-    std::size_t who = 0;  ///< of those who wait
+    std::size_t who = 0;  ///< index among those who wait
   } draft;
 
   void beforeTicks() override;

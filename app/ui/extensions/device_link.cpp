@@ -16,12 +16,12 @@
 namespace moltact {
 namespace {
 
-constexpr double kAsk_s = 0.25;  // between two questions for the device's state
+constexpr double kAsk_s = 0.25;  // interval between two queries of the device's state
 constexpr double kTurn_rad_per_s = 1.5, kPan_heights_per_s = 0.5,
-                 kCloser_per_s = 2.2;       // of a view that a device leads fully
-constexpr float kForgetTick = 1.0f / 3000;  // so the classes stand for the last 3 s
-constexpr const char* kLent = "";           // the name of a device that no driver has
-constexpr std::uint32_t kClutchButton = 2;  // the stylus's second
+                 kCloser_per_s = 2.2;       // the speed of the view at full deflection of the device
+constexpr float kForgetTick = 1.0f / 3000;  // forgetting factor: the classes cover the last 3 s
+constexpr const char* kLent = "";           // the name of a device without a driver
+constexpr std::uint32_t kClutchButton = 2;  // the second button of a stylus
 
 }  // namespace
 
@@ -56,7 +56,7 @@ void DeviceLink::wish(const std::string& name, For purpose) {
   opening_title_ = purpose == For::Choice && name != "mouse" && name != chosen_ ? titleOf(name) : "";
 }
 
-// Between two frames. A script waits, for its clock is not the driver's.
+// Runs between two frames. On the frames' clock it waits, so that scripts are deterministic.
 void DeviceLink::openWished() {
   const bool waits = scene_.servo().clock() == ServoClock::Frames;
   if (opening_ && (waits || opening_->done())) finishOpening();
@@ -85,7 +85,7 @@ void DeviceLink::finishOpening() {
   if (!result.in_use && !result.device) return failed(opened_for_, result);
   const std::string& name = opened_for_.name;
   if (result.in_use) {
-    chosen_ = name;  // the list has another name for it now
+    chosen_ = name;  // the device has another name in the list now
   } else {
     use(name, *std::move(result.device));
     hardware_ = result.hardware;
@@ -111,11 +111,11 @@ void DeviceLink::failed(const Wish& wish, const PendingDeviceOpen::Opened& resul
       messages_.error(result.device.problem().text());
       return;
     case For::Start: {
-      // A name that no driver has any more is forgotten.
+      // A name without a driver is dropped.
       const DeviceDriver* const driver = findDriver(wish.name);
       if (!result.found && !driver) return;
       await(wish.name, result.found ? tr(result.found->title.c_str()) : wish.name);
-      // Only opening shows whether something listens at an address.
+      // Only opening the address shows whether a server answers there.
       std::string why = result.found ? result.found->why : "";
       if (why.empty() && driver && driver->find_at) why = result.device.problem().message;
       messages_.notice(!why.empty() ? trf("{0} is not there ({1}). Until it is, the mouse leads.", awaited_title_, why)
@@ -135,7 +135,7 @@ void DeviceLink::use(const std::string& name, std::unique_ptr<Device> device) {
   stopTrying();
   scene_.servo().setDevice(std::move(device));
   taken(name);
-  // A hand that is held has an edge to its room, and a button to reach beyond it.
+  // A haptic device has a limited workspace and a button for the clutch.
   scene_.servo_settings.clutch =
       name == "mouse" ? ClutchSettings() : ClutchSettings{.buttons = kClutchButton, .at_edge = true};
   scene_.fitRoomOfDevice();
@@ -159,7 +159,7 @@ void DeviceLink::lend(std::unique_ptr<Device> device) {
   taken(kLent);
 }
 
-// The mouse leads until the device is open again. The caller no longer looks at the device that it lent.
+// The mouse is used until the device is open again. The caller must no longer access the lent device.
 void DeviceLink::giveBack(const std::string& before) {
   use("mouse", nullptr);
   if (before == "mouse" || before == kLent) return;
@@ -190,7 +190,7 @@ void DeviceLink::look() {
   lister_.begin(scene_.servo().clock() == ServoClock::Frames);
 }
 
-// At the start what is there is taken. Later nothing changes under the hand by itself.
+// Only at the start is a device used without being chosen. Later nothing changes without the user.
 void DeviceLink::offer() {
   if (!nobodyChose() || !options_.devices_unasked) return;
   if (std::exchange(takes_default_, false)) {
@@ -221,7 +221,7 @@ void DeviceLink::stopTrying() {
   scene_.endTry();
 }
 
-// A cap or a stick that leads the view; not while a task keeps the screen dark.
+// Lets a 6-DOF mouse or stick move the view, except while a task keeps the screen dark.
 void DeviceLink::leadView() {
   Device* device = scene_.servo().chosen();
   if (!device || !scene_.stage() || scene_.servo().fallenBack() || stager_.dark()) return;
@@ -248,13 +248,13 @@ void DeviceLink::beforeTicks() {
   scene_.followView();
   if (chosen_ != "mouse") scene_.servo_settings.clutch.buttons = stager_.takesSecondButton() ? 0 : kClutchButton;
   for (double& left : limit_left_s_) left = std::max(0.0, left - time_.dt_s);
-  // The panic key, another scene and a hand that is played end a try by themselves.
+  // The panic key, another scene and the playback of a recording end the test force.
   trying_s_ = scene_.trying() ? trying_s_ - time_.dt_s : 0.0;
   if (trying_s_ <= 0.0) stopTrying();
   ask();
 }
 
-// The device's own words, for as long as they hold, with what to do about it at hand.
+// Shows the device's message while it holds, with actions.
 void DeviceLink::ask() {
   Device* device = scene_.servo().chosen();
   if (!device || (asked_s_ >= 0.0 && time_.now_s - asked_s_ < kAsk_s)) return;
@@ -320,7 +320,7 @@ std::vector<std::string> DeviceLink::limitNotices() const {
   for (const LimitWords* one : actingLimits()) {
     if (!gives_force && (one->limit != Limit::LateLoop || !scene_.controls.pressing())) continue;
     if (one->limit == Limit::Panic || (one->limit == Limit::SoftStart && soft_start_s_ < kLongStart_s)) continue;
-    // The device knows better what is wrong; it is told once.
+    // The device's message is more precise; it is shown only once.
     const bool own_words = one->limit == Limit::DeviceFault && !told_.empty();
     if (!own_words)
       out.emplace_back(tr(one->sentence));

@@ -1,6 +1,6 @@
-// The device in the person's hand: which there are, which is chosen, how it is, and what its safety limits did. At the
-// start the one that was chosen last is opened, or is waited for; where nobody ever chose, the default. Where it leads,
-// its axes are the screen's. Window's thread. Units: second, millimetre.
+// The haptic device: the devices found, the chosen one, its state and the limits of the safety stage. At the start, the
+// last chosen device is opened or waited for; if none was ever chosen, the default one is opened. While a device is
+// used, its axes are those of the screen. Window's thread. Units: second, millimetre.
 #pragma once
 
 #include <array>
@@ -37,57 +37,58 @@ class DeviceLink : public Extension {
         time_(time),
         stager_(stager) {}
 
-  static constexpr double kShowLimit_s = 1.0;  ///< a limit that acted is shown for so long
-  static constexpr double kLongStart_s = 1.5;  ///< a soft start that lasts longer is shown over the view
-  static constexpr double kTry_s = 4.0;        ///< the gentle force is tried for so long
+  static constexpr double kShowLimit_s = 1.0;  ///< a limit is displayed for this time after it acted
+  static constexpr double kLongStart_s = 1.5;  ///< a soft start that lasts longer is displayed over the view
+  static constexpr double kTry_s = 4.0;        ///< duration of the test force
   static constexpr double kTry_N = 0.4;
-  /// Ticks began no later than so many microseconds after their time, by class; the last class is the rest.
+  /// Upper limits of the classes of lateness: how long after its nominal time a tick began. The last class holds all
+  /// later ticks. Unit: microsecond.
   static constexpr std::array<double, 8> kLate_us{20, 50, 100, 200, 500, 1000, 2000, 5000};
 
-  /// The devices found at the last search, which runs every kLook_s while the page is open or a device is waited for,
-  /// and where nobody ever chose one, every kLookForOffer_s.
+  /// The devices found at the last search. A search runs every kLook_s while the page is open or a device is awaited,
+  /// and every kLookForOffer_s if none was ever chosen.
   const std::vector<FoundDevice>& found() const { return found_; }
   static constexpr double kLook_s = 2.0, kLookForOffer_s = 5.0;
-  /// Looks by `find` from now on.
+  /// Sets the function for later searches.
   void lookBy(DeviceLister::Find find) { lister_ = DeviceLister(std::move(find)); }
-  /// Takes it into use, now and at the next start, as soon as it has been opened beside the window, and never within the
-  /// frame that asks: what is drawn may show the device that goes. "mouse" goes back to the mouse alone. A device that
-  /// cannot be opened gives a message and changes nothing.
+  /// Chooses a device for now and for the next start. It is opened in the background and used as soon as it is open,
+  /// never within the calling frame, whose drawing may show the old device. "mouse" returns to the mouse. If the device
+  /// cannot be opened, a message says so and nothing changes.
   void choose(const std::string& name);
-  /// The title of the device that is being opened because it was chosen; empty: none is.
+  /// The title of the chosen device that is being opened, or empty.
   const std::string& opening() const { return opening_title_; }
   const std::string& chosen() const { return chosen_; }
-  /// The address that the person writes for a driver that takes one; at first the one that was used last.
+  /// The address typed for a driver that takes one; initially the last one used.
   std::string& address(const DeviceDriver& driver);
-  /// A device that is none of those found leads until another is chosen, or until what led before gets it back. It is
-  /// not remembered for the next start.
+  /// Uses a device that is not among those found until another is chosen or giveBack() restores the previous one. It is
+  /// not stored for the next start.
   void lend(std::unique_ptr<Device> device);
   void giveBack(const std::string& before);
-  /// The name of the device that was chosen earlier and is not there; empty: none is waited for.
+  /// The title of the awaited device, which was chosen earlier and is not present; empty if none.
   const std::string& awaited() const { return awaited_title_; }
   const DeviceStatus& status() const { return status_; }
 
-  /// Pulls gently to the right for kTry_s, whatever is on the stage.
+  /// Applies a gentle force to the right for kTry_s, independent of the scene.
   void tryForce();
   double tryingLeft_s() const { return trying_s_; }
 
-  /// The length and the force in the molecule that a length and a newton at the hand stand for, and the reason. In a
-  /// task's dark the length alone: the surface may be softer or harder there, which is for the hand to find.
+  /// What a length and a newton at the hand correspond to in the molecule, and why. In a task's dark, only the length:
+  /// the stiffness may be part of the task.
   struct ScaleWords {
     std::string sentence, reason;
   };
   ScaleWords scaleWords(const HapticSession& scene) const;
 
-  /// Whether it waits for its calibrate(), when the person has done what status() says.
+  /// Whether the device waits for calibrate() after the user has followed the instruction in status().
   bool wantsCalibration(const ServoLink& servo) const;
 
-  /// The limits that acted within the last kShowLimit_s, in whatever scene.
+  /// The limits that acted within the last kShowLimit_s, in any scene.
   std::vector<const LimitWords*> actingLimits() const;
-  /// The part of them that is shown over the view: a soft start, which every touch begins with, only where it does not
-  /// end; the panic key has words of its own. With a mouse, of which no motor needs care, only that the computer was
-  /// late, while the hand pushes: the force that is shown falls then.
+  /// The limits that are displayed over the view. A soft start, which begins every touch, is included only if it does
+  /// not end; the panic key has its own message. With a mouse, which has no motors, only lateness of the computer
+  /// during a push is included: it reduces the displayed force.
   std::vector<std::string> limitNotices() const;
-  /// The fraction of the last thousand or so ticks in each class of kLate_us and beyond.
+  /// The fraction of about the last thousand ticks in each class of kLate_us and beyond.
   const std::array<float, kLate_us.size() + 1>& lateness() const { return lateness_; }
 
   void beforeTicks() override;
@@ -102,8 +103,8 @@ class DeviceLink : public Extension {
   const Layout& layout_;
   const ApplicationOptions& options_;
   const FrameTime& time_;
-  const TaskStager& stager_;  // in the dark nothing may tell what is touched
-  /// Why a device is opened.
+  const TaskStager& stager_;  // in the dark, no text may reveal what is touched
+  /// The reason for opening a device.
   enum class For { Choice, Start, Default, GiveBack, Awaited };
   struct Wish {
     std::string name;
@@ -131,21 +132,21 @@ class DeviceLink : public Extension {
   std::vector<FoundDevice> found_;
   std::string chosen_ = "mouse";
   std::string awaited_, awaited_title_;
-  std::map<std::string, std::string> addresses_;  // by the driver's name
+  std::map<std::string, std::string> addresses_;  // by driver name
   std::optional<Wish> wish_;                      // to be opened next
   std::unique_ptr<PendingDeviceOpen> opening_;    // one at a time, so that no hardware is opened twice
   Wish opened_for_;
-  bool unwanted_ = false;  // what is being opened is closed again at once
+  bool unwanted_ = false;  // closes the device immediately after it has been opened
   std::string opening_title_;
   PendingDeviceOpen::Hardware hardware_;  // of the device in use
   double searched_s_ = 0.0;
   DeviceLister lister_;
   bool begun_ = false, takes_default_ = false;
-  double looked_s_ = -1.0;                // none yet: negative
-  std::string offered_;                   // the device that nobody chose and could
-  MessageId offer_id_ = 0, told_id_ = 0;  // the messages that offer it and tell the state
+  double looked_s_ = -1.0;                // negative: not yet
+  std::string offered_;                   // a device that is present while none was ever chosen
+  MessageId offer_id_ = 0, told_id_ = 0;  // the messages that offer a device and report its state
   DeviceStatus status_;
-  std::string told_;  // of the device's state
+  std::string told_;  // the reported state of the device
   double asked_s_ = -1.0, trying_s_ = 0.0, soft_start_s_ = 0.0;
   std::array<double, 32> limit_left_s_{};
   std::array<float, kLate_us.size() + 1> lateness_{};

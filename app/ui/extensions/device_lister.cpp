@@ -9,7 +9,7 @@ namespace moltact {
 
 void DeviceLister::begin(bool waits) {
   if (seen_.valid()) return;
-  // A look that fails has seen nothing new.
+  // A failed search returns no devices.
   const auto guarded = [find = find_]() -> std::vector<FoundDevice> {
     try {
       return find();

@@ -1,5 +1,5 @@
-// Looks which devices there are away from the window's thread, for it takes some tens of milliseconds. Window's thread,
-// but for the looking itself.
+// Searches for devices in a background thread, because a search takes some tens of milliseconds. Window's thread,
+// except for the search itself.
 #pragma once
 
 #include <functional>
@@ -16,9 +16,9 @@ class DeviceLister {
   using Find = std::function<std::vector<FoundDevice>()>;
   explicit DeviceLister(Find find = findDevices) : find_(std::move(find)) {}
 
-  /// Begins to look; while it is looking it goes on with that. `waits`: until it has seen, as on the frames' clock.
+  /// Starts a search unless one is running. `waits`: blocks until it is done, as on the frames' clock.
   void begin(bool waits);
-  /// The devices found, once; nothing while the search runs.
+  /// Returns the devices found, once; nothing while the search runs.
   std::optional<std::vector<FoundDevice>> take();
 
  private:

@@ -39,7 +39,7 @@ float Extensions::stripHeight() const {
   return turns.turns().waiting().empty() ? kTurn : kTurnAndPrediction;
 }
 
-// The application knows no more than the set; every program of ours is made with these (shell/application_parts.h).
+// The application knows only the base class. Every program constructs it with this class (shell/application_parts.h).
 Extensions& Application::extensions() { return static_cast<Extensions&>(*extensions_); }
 const Extensions& Application::extensions() const { return static_cast<const Extensions&>(*extensions_); }
 

@@ -1,4 +1,4 @@
-// The extensions of the window: one member each. Window's thread.
+// The extensions of the window, one member each. Window's thread.
 #pragma once
 
 #include <array>
@@ -33,10 +33,10 @@ class Application;
 
 struct Extensions final : ExtensionSet {
   explicit Extensions(Application& app);
-  Extensions(const Extensions&) = delete;  // all_ holds the places of the members
+  Extensions(const Extensions&) = delete;  // all_ holds the addresses of the members
   Extensions& operator=(const Extensions&) = delete;
 
-  // Each is given the others that it uses, which stand above it.
+  // Each receives references to the extensions that it uses, which are declared above it.
   SettingsKeeper settings_keeper;
   LessonWatch lesson_watch;
   LessonLocks lesson_locks;
@@ -65,9 +65,9 @@ struct Extensions final : ExtensionSet {
   std::span<Extension* const> all() const override { return all_; }
 
  private:
-  // The order of the calls. Locks come before the history, which then never sees what is locked change, and the history
-  // before the scene change, whose glide it asks about; a name is asked for before the recorder begins; the device
-  // comes before the hand recorder, which replaces the clutch and scale of the device by those of the recording.
+  // The order of the calls. Locks precede the history, so that it never records a change of a locked value. The history
+  // precedes the scene change, whose glide it queries. The name is asked for before the recorder begins. The device
+  // precedes the hand recorder, which replaces the device's clutch and scale by those of the recording.
   std::array<Extension*, 23> all_{&settings_keeper, &lesson_watch,    &lesson_locks, &name_asker,   &recorder,
                                   &turns,           &playback,        &history,      &scene_change, &hand_model,
                                   &shelf,           &card_pictures,   &task_stager,  &unseen,       &moving_states,

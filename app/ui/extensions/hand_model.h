@@ -1,5 +1,4 @@
-// The model that stands for the hand in the view, as the person chose it: read when it is first wanted. Window's
-// thread.
+// The chosen model of the hand in the view, read when it is first needed. Window's thread.
 #pragma once
 
 #include <memory>
@@ -16,10 +15,10 @@ class HandModel : public Extension {
  public:
   HandModel(const Settings& settings, Messages& messages) : settings_(settings), messages_(messages) {}
 
-  /// Reads another model where another was chosen; one that cannot be read is reported once, and no model is shown.
+  /// Reads the model after a change of the choice. A model that cannot be read is reported once and not shown.
   void beforeTicks() override;
 
-  /// Null where the probe alone is shown.
+  /// Null if only the probe is shown.
   const std::shared_ptr<const SolidModel>& model() const { return model_; }
 
  private:

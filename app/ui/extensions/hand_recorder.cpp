@@ -121,7 +121,8 @@ std::string HandRecorder::label(const char* key) const {
 
 void HandRecorder::begin() {
   panels_.welcome = false;
-  // What the recorded hand felt and held, where the molecule is the same to the last bit; else what the open scene has.
+  // The recorded touch settings and held body if the molecule is identical to the last bit; otherwise those of the open
+  // scene.
   if (const RecordedScene was = recordedScene(waiting_->labels, scene_.restingModel().molecule->spheres);
       label("balls") == fingerprint(*was.spheres))
     body_.hold(was.spheres->untouchable(), was.body ? was.body->atoms : std::vector<std::uint32_t>());
@@ -143,7 +144,7 @@ void HandRecorder::begin() {
   lead();
 }
 
-// With what it was recorded with at this tick.
+// Applies the settings that were recorded at this tick.
 void HandRecorder::lead() {
   const ServoSettings& now = device_->recording().ticks[device_->at()].settings;
   scene_.leadBy(&now);
@@ -153,7 +154,7 @@ void HandRecorder::endPlay() {
   waiting_.reset();
   if (!playing_) return;
   playing_ = false;
-  // Another device may have been chosen meanwhile, and this one is gone.
+  // If another device has been chosen meanwhile, this one no longer exists.
   const bool leads = scene_.servo().chosen() == device_;
   device_ = nullptr;
   scene_.leadBy(nullptr);

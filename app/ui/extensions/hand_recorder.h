@@ -1,6 +1,6 @@
-// The hand as a file: what a device's hand did on the molecule is recorded, every tick of it, and a recording leads the
-// hand again, with the scale, the turn and the surface it was recorded with. While one plays no device is open, so that
-// no force goes anywhere, and nothing is kept of a lesson's attempt. Window's thread. Unit: second.
+// Records every tick of a hand on the molecule to a file, and plays such recordings. A playback moves the hand and sets
+// the scale, orientation and surface as recorded. During a playback no device is open, so that no force is given, and
+// the attempt records nothing. Window's thread. Unit: second.
 #pragma once
 
 #include <filesystem>
@@ -35,16 +35,17 @@ class HandRecorder : public Extension {
         link_(device),
         body_(scene) {}
 
-  /// Asks for a file, then records until stop(), or until another molecule or method is on the stage.
+  /// Asks for a file, then records until stop() or until the molecule or the method changes.
   void askToRecord();
   void record(const std::filesystem::path& file);
   void stop();
   bool recording() const { return writer_.has_value(); }
   double recorded_s() const { return double(ticks_) * kTick_s; }
 
-  /// Opens its molecule and leads the hand by it. A file that is no recording gives a message and changes nothing.
+  /// Opens the recording's molecule and moves the hand as recorded. A file that is not a recording gives a message and
+  /// changes nothing.
   void play(const std::filesystem::path& file);
-  /// The device that led before leads again.
+  /// Restores the device used before.
   void endPlay();
   bool playing() const { return playing_ && scene_.servo().chosen() == device_; }
   double at_s() const;
@@ -66,25 +67,25 @@ class HandRecorder : public Extension {
   PanelState& panels_;
   FileDialog& file_dialog_;
   const ApplicationOptions& options_;
-  AttemptRecorder& attempts_;  // rests while a recording plays
-  DeviceLink& link_;           // gets the playing hand as a device
-  PlayedBody body_;            // what the playing hand holds
+  AttemptRecorder& attempts_;  // paused during a playback
+  DeviceLink& link_;           // receives the played hand as a device
+  PlayedBody body_;            // the body that the played hand holds
   void drain();
   void begin();
   void lead();
   std::string label(const char* key) const;
 
-  std::filesystem::path file_;  // the one that is written or played
-  // For a recording that grows:
+  std::filesystem::path file_;  // the file that is written or played
+  // While recording:
   std::optional<ServoRecordingWriter> writer_;
   std::uint64_t ticks_ = 0;
-  std::uint32_t tracker_ = 0;  // the scene's, by its number, when it began
-  MessageId told_ = 0;         // the message that says so
-  // For one that is played:
-  std::optional<ServoRecording> waiting_;  // for its molecule
-  PlaybackDevice* device_ = nullptr;       // the servo loop's, while that one leads
+  std::uint32_t tracker_ = 0;  // the number of the scene's interaction when the recording began
+  MessageId told_ = 0;         // the message about the recording
+  // While playing:
+  std::optional<ServoRecording> waiting_;  // until its molecule is open
+  PlaybackDevice* device_ = nullptr;       // owned by the servo loop while it is in use
   bool playing_ = false;
-  std::string before_;  // the device that led before
+  std::string before_;  // the device used before
 };
 
 }  // namespace moltact

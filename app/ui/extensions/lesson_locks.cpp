@@ -8,7 +8,7 @@ namespace moltact {
 void LessonLocks::afterPanels() {
   if (!lesson_.session()) return;
   const SceneSpec& spec = lesson_.session()->scene();
-  // A task may change the scene while it is under way.
+  // The current task may change the scene.
   const TaskStage stage = lesson_.session()->taskStage();
   const TouchSetup set = stage.touch.over(spec.touch);
   TouchSetup touch = scene_.touch();

@@ -1,5 +1,5 @@
-// Keeps what the lesson's author has locked as the lesson sets it, whatever menu, shortcut or panel would change it:
-// once a frame, when all of them have done their work. Window's thread.
+// Resets locked settings to the lesson's values, whatever menu, shortcut or panel has changed them. Runs once per frame
+// after all of these. Window's thread.
 #pragma once
 
 #include "app/ui/application/extension.h"

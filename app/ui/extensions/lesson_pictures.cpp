@@ -14,8 +14,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double kPictureAgain_s = 2.0;  // a picture that was missing may have been put there
-constexpr int kLongest_px = 2048;        // every WebGL 2 has textures of this size
+constexpr double kPictureAgain_s = 2.0;  // a missing picture is looked for again at this interval
+constexpr int kLongest_px = 2048;        // every WebGL 2 supports textures of this size
 
 GLuint textureFor(const LessonPicture& p) {
   GLuint texture = 0;
@@ -25,7 +25,7 @@ GLuint textureFor(const LessonPicture& p) {
   glBindTexture(GL_TEXTURE_2D, texture);
   glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
   glTexImage2D(GL_TEXTURE_2D, 0, GL_RGB8, p.width_px, p.height_px, 0, GL_RGB, GL_UNSIGNED_BYTE, p.rgb.data());
-  // A panel is narrower than most pictures.
+  // Mipmaps, because a panel is narrower than most pictures.
   glGenerateMipmap(GL_TEXTURE_2D);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
@@ -40,7 +40,7 @@ GLuint textureFor(const LessonPicture& p) {
 struct LessonPictures::Kept {
   Shown shown;
   GLuint texture = 0;
-  double failed_s = 0.0;  // when it could not be read
+  double failed_s = 0.0;  // the time when it could not be read
   Kept() = default;
   Kept(const Kept&) = delete;
   Kept& operator=(const Kept&) = delete;
@@ -69,7 +69,7 @@ void LessonPictures::lessonChanged() {
 }
 
 void LessonPictures::afterPanels() {
-  const bool wait = options_.clock == ServoClock::Frames;  // the same in every run
+  const bool wait = options_.clock == ServoClock::Frames;  // deterministic on the frames' clock
   if (job_.valid() && (wait || job_.wait_for(std::chrono::seconds(0)) == std::future_status::ready)) {
     Job done = job_.get();
     if (const auto at = kept_.find(done.file); at != kept_.end()) {

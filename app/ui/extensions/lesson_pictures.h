@@ -1,5 +1,5 @@
-// The pictures of the lesson that is open, as textures: each is read when it is first to be shown, one at a time in the
-// background. Window's thread, with the GL context.
+// The open lesson's pictures as textures. Each is read when it is first needed, one at a time in the background.
+// Window's thread, with the GL context.
 #pragma once
 
 #include <imgui.h>
@@ -26,15 +26,15 @@ class LessonPictures : public Extension {
   ~LessonPictures() override;
 
   struct Shown {
-    ImTextureID texture{};            ///< its first row at the top; null until it has been read
-    int width_px = 0, height_px = 0;  ///< of the file
-    std::string fault;                ///< why it cannot be shown; empty where it can, or is not known yet
+    ImTextureID texture{};            ///< first row at the top; null until it has been read
+    int width_px = 0, height_px = 0;  ///< of the picture in the file
+    std::string fault;                ///< why it cannot be shown; empty if it can or is not yet known
   };
-  /// Asking for a file's picture has it read.
+  /// The first call for a file puts its picture into the queue.
   const Shown& find(const std::filesystem::path& file);
 
   void afterPanels() override;
-  /// Files may have changed with the lesson.
+  /// The files may have changed with the lesson.
   void lessonChanged() override;
   bool live() const override { return !queue_.empty() || job_.valid(); }
 

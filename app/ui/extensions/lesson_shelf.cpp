@@ -73,7 +73,7 @@ void LessonShelf::list() {
   if (const fs::path own = lessonFolderOf(settings_); !own.empty())
     for (const LibraryItem& item : lessonItems(own)) cards_.push_back(cardOf(item, true));
   for (const LibraryItem& item : packedLessons(packsFolderOf(options_))) cards_.push_back(cardOf(item, true));
-  // Opened from anywhere else: once something was done in it, and unless the same lesson is there already.
+  // Lessons opened from other folders are listed once work on them has begun, unless the same lesson is already listed.
   for (const LibraryItem& item : lessonsAmong(settings_.recent)) {
     LessonCard card = cardOf(item, true);
     const bool there = std::any_of(cards_.begin(), cards_.end(), [&](const LessonCard& c) {
@@ -84,7 +84,7 @@ void LessonShelf::list() {
   sort();
 }
 
-// What decides the order stands at the head of each file, so that it is the same before the lessons are read and after.
+// The order depends only on each file's front matter, so that it is the same before and after the lessons are read.
 void LessonShelf::sort() {
   std::stable_sort(cards_.begin(), cards_.end(), [](const LessonCard& a, const LessonCard& b) {
     if (a.own != b.own) return b.own;
@@ -116,7 +116,7 @@ fs::path LessonShelf::add(const fs::path& file) {
 
 bool LessonShelf::open(FileKind kind, const fs::path& file) {
   if (kind != FileKind::Pack) return false;
-  recorder_.flush();  // the lesson may be the one that is open
+  recorder_.flush();  // the open lesson may be among them
   const fs::path lesson = add(file);
   const auto card = std::find_if(cards_.begin(), cards_.end(), [&](const LessonCard& c) { return c.file == lesson; });
   if (card != cards_.end())
@@ -130,7 +130,7 @@ bool LessonShelf::open(FileKind kind, const fs::path& file) {
 
 const LessonCard* LessonShelf::after(const fs::path& file) const {
   if (next_ < cards_.size()) return nullptr;
-  // The same file may have been opened by another of its names.
+  // The file may have been opened under another path.
   std::error_code error;
   for (std::size_t k = 0; k + 1 < cards_.size(); ++k)
     if (cards_[k + 1].fault.empty() && (cards_[k].file == file || fs::equivalent(cards_[k].file, file, error)))

@@ -1,6 +1,6 @@
-// The lessons that can be begun, as the welcome page shows them: the program's, and the person's own, which are those
-// in a folder of theirs, those of packs that were opened or added, and those that were begun from anywhere else.
-// Lessons are read one a frame while the page is open, so that a full shelf does not stop it. Window's thread.
+// The lessons on the welcome page: the program's and the user's own. The user's own are those in the lesson folder,
+// those from packs that were opened or added, and others that were begun. Lessons are read one per frame while the page
+// is open, so that many lessons do not block it. Window's thread.
 #pragma once
 
 #include <filesystem>
@@ -17,18 +17,18 @@ namespace moltact {
 
 struct LessonCard {
   std::filesystem::path file;
-  std::string id;           ///< the file's name without its ending and language
-  std::string title;        ///< the file's name until it has been read
-  std::string level;        ///< as the author wrote it; may be empty
-  std::string description;  ///< one line of the author's; may be empty
-  int order = 0;            ///< its place among the others, 0: none
-  int minutes = 0;          ///< of its core; 0 until it has been read
-  bool own = false;         ///< the person's own
+  std::string id;           ///< the file's name without extension and language
+  std::string title;        ///< the file's name until the lesson has been read
+  std::string level;        ///< the author's text; may be empty
+  std::string description;  ///< one line by the author; may be empty
+  int order = 0;            ///< position among the lessons; 0: not given
+  int minutes = 0;          ///< duration of its core; 0 until the lesson has been read
+  bool own = false;         ///< one of the user's own lessons
   bool read = false;
-  std::string fault;                       ///< why it cannot be opened; empty when it can
+  std::string fault;                       ///< why it cannot be opened; empty if it can
   std::optional<SceneSpec> scene;          ///< of its first step
-  MoleculeKey molecule;                    ///< the scene's; empty where its file is not found
-  std::optional<LessonProgress> progress;  ///< none: never begun
+  MoleculeKey molecule;                    ///< the scene's molecule; empty if its file is not found
+  std::optional<LessonProgress> progress;  ///< nothing: never begun
 };
 
 struct ApplicationOptions;
@@ -50,24 +50,24 @@ class LessonShelf : public Extension {
         options_(options),
         recorder_(recorder) {}
 
-  /// The program's lessons, then the person's own; of each first those to which their authors gave a place, in that
-  /// order, then the program's by level and the own by title. Each in the language in use where it has it.
+  /// The program's lessons, then the user's own. In each group, lessons with a position come first in that order; then
+  /// the program's lessons by level and the user's own by title. Each is in the language in use if available.
   const std::vector<LessonCard>& cards() const { return cards_; }
-  /// The lesson to go on with: the one touched last, where it was not finished. Null without one.
+  /// The unfinished lesson that was touched last, or null.
   const LessonCard* latest() const;
 
-  /// Opens a lesson where it was left, or at its beginning. One that asks for a name goes on when that is given.
+  /// Opens a lesson where it was left, or at its beginning. A lesson that asks for a name continues after the answer.
   void begin(const LessonCard& card);
-  /// Puts a pack, or a lesson file with all that it needs, on the shelf; tells what came of it. Empty where that cannot
-  /// be.
+  /// Adds a pack, or a lesson's file with all files that it needs, and reports the result in a message. Returns the
+  /// lesson's file, empty on failure.
   std::filesystem::path add(const std::filesystem::path& file);
 
-  /// A pack: put on the shelf and begun.
+  /// Adds a pack and begins its lesson.
   bool open(FileKind kind, const std::filesystem::path& file) override;
-  /// The lesson that stands after this file's; null where none does, or the shelf has not been read yet.
+  /// The lesson that follows this file's lesson; null if there is none or the lessons have not been read yet.
   const LessonCard* after(const std::filesystem::path& file) const;
-  /// Reads the lessons again while the welcome page is open, starting when it is opened; once too for the closing
-  /// page of a lesson, which tells what comes next.
+  /// Reads the lessons whenever the welcome page is opened, one per frame, and once for a lesson's closing page, which
+  /// suggests the next lesson.
   void afterPanels() override;
   bool live() const override { return next_ < cards_.size(); }
 
@@ -83,14 +83,14 @@ class LessonShelf : public Extension {
 
   AttemptRecorder& recorder_;
   std::vector<LessonCard> cards_;
-  std::size_t next_ = 0;   // the card to be read
-  std::string listed_in_;  // the language
+  std::size_t next_ = 0;   // the next card to read
+  std::string listed_in_;  // the language of the list
   bool open_ = false;      // the page was open in the last frame
 };
 
-/// Where the person's own lessons are looked for: the folder of the settings, else ownLessonsFolder().
+/// The folder of the user's own lessons: that of the settings, else ownLessonsFolder().
 std::filesystem::path lessonFolderOf(const Settings& settings);
-/// Where packs are unpacked: the folder of the options, else packsFolder().
+/// The folder for unpacked packs: that of the options, else packsFolder().
 std::filesystem::path packsFolderOf(const ApplicationOptions& options);
 
 }  // namespace moltact

@@ -17,8 +17,8 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr double kPoll_s = 0.25;
-constexpr double kGone_s = 3.0;       // editors that save by way of another file leave none for a moment
-constexpr double kLookAgain_s = 2.0;  // a picture or molecule that was missing may have been put there
+constexpr double kGone_s = 3.0;       // editors that save via another file remove it for a moment
+constexpr double kLookAgain_s = 2.0;  // a missing picture or molecule is looked for again at this interval
 constexpr const char* kSaveAgain = N_("save it again, or open another lesson");
 
 LessonCheck checkNow(const std::string& name, const std::string& bytes, LessonMolecules& molecules) {
@@ -54,7 +54,7 @@ void LessonWatch::watch(const fs::path& file) {
 void LessonWatch::lessonChanged() {
   if (lesson_.openings() == own_opening_ && lesson_.file() == file_) return;
   watch(lesson_.file());
-  // Where nothing can be done beside the picture, what comes with the program is taken as it is until it changes.
+  // Without background threads, the program's own lessons are not checked until they change.
   if (!threadsAvailable() && file_.parent_path() == lessonsFolder()) {
     read_ = seen_;
     return;
@@ -64,7 +64,7 @@ void LessonWatch::lessonChanged() {
 
 void LessonWatch::lessonRefused(const fs::path& file) {
   watch(file);
-  // What is wrong with a file that a person has just chosen is told at once.
+  // A file that the user has just chosen is reported at once.
   const Expected<std::string> bytes = readLessonFile(file);
   if (bytes && !bytes->empty()) return begin();
   list({{}, {bytes ? Problem{file.string(), 0, 0, tr("the file is empty"), tr(kSaveAgain)} : bytes.problem()}, {}});
@@ -98,17 +98,17 @@ void LessonWatch::poll() {
     return;
   }
   unreadable_s_ = 0.0;
-  // A file that still grows is being written.
+  // Wait while the file still changes.
   if (!settled) return;
   if (now != read_ || (errors_ > 0 && since_check_s_ > kLookAgain_s)) begin();
 }
 
 void LessonWatch::begin() {
-  // A check that is under way ends first: the next poll begins anew.
+  // Let a running check finish first; the next poll starts another.
   if (running_.valid()) return;
   const Look before = lookAt(file_);
   Expected<std::string> bytes = readLessonFile(file_);
-  // Gone or half written again in the meantime: the next poll sees it.
+  // The file is missing or has changed meanwhile; the next poll sees it.
   if (!bytes || bytes->empty() || lookAt(file_) != before) return;
   read_ = before;
   checking_ = file_;
@@ -123,7 +123,7 @@ void LessonWatch::begin() {
 void LessonWatch::onLoaded(LessonCheck check) {
   const bool is_shown = shown(lesson_), first = is_shown && bytes_.empty() && !changed_;
   if (first) {
-    // The lesson that has just been opened: it is the text on the screen, whatever is wrong with it.
+    // The lesson was just opened: its text is on the screen, even with faults.
     bytes_ = pending_bytes_;
     list(check);
     return;
@@ -134,7 +134,7 @@ void LessonWatch::onLoaded(LessonCheck check) {
   list(check);
   if (!check.errors.empty() || !check.lesson) return;
   if (!is_shown) {
-    // A copy: opening it makes this watch look at it anew.
+    // A copy, because opening the file changes file_.
     opener_.open(fs::path(file_));
     return;
   }
@@ -154,7 +154,7 @@ void LessonWatch::list(const LessonCheck& check) {
     for (const Problem& p : check.warnings) faults_.push_back({false, p});
   std::stable_sort(faults_.begin(), faults_.end(),
                    [](const Fault& a, const Fault& b) { return a.problem.line < b.problem.line; });
-  // Nothing more to check soon: the molecules need not be kept.
+  // No further check is expected soon, so the molecules are released.
   if (faults_.empty() && !changed_) molecules_ = std::make_shared<LessonMolecules>();
 }
 

@@ -1,7 +1,6 @@
-// Watches the lesson's file while it is open, so that an author sees what was written as soon as it is saved: the
-// lesson is read again, the student stays on the same step, and the force starts from nothing. With errors the last
-// good lesson stays, and the panel of lesson problems lists them until they are mended. Window's thread; the checking
-// has its own.
+// Watches the open lesson's file, so that an author sees changes as soon as they are saved. The lesson is read again,
+// the student stays on the same step, and the force restarts from zero. If the file has errors, the last valid lesson
+// stays and the panel of lesson problems lists them. Window's thread; the checks run in a thread of their own.
 #pragma once
 
 #include <filesystem>
@@ -32,18 +31,18 @@ class LessonWatch : public Extension {
     Problem problem;
   };
 
-  /// The faults of the file as it is now, in its order: all of them where there are errors, else none; with warnings
-  /// too once the file has changed while it was open, for then its author is at work.
+  /// The faults of the file in its order. Without errors the list is empty, unless the file has changed since it was
+  /// opened: then an author is at work and warnings are listed too.
   const std::vector<Fault>& faults() const { return faults_; }
   std::size_t errors() const { return errors_; }
-  /// The file that `faults` are of: the open lesson's, or one that could not be opened.
+  /// The file of faults(): the open lesson's, or one that could not be opened.
   const std::filesystem::path& file() const { return file_; }
-  /// The lesson on the screen is not the file as it is now, but as it was before it had errors.
+  /// Whether the lesson on the screen is older than the file, because the file has errors now.
   bool stale() const { return errors_ > 0 && stale_; }
-  /// The file is the one of the lesson that is shown.
+  /// Whether the file is that of the lesson on the screen.
   bool shown(const LessonGuide& lesson) const;
 
-  /// It is watched, and opened once it can be.
+  /// Watches the rejected file and opens it once it is valid.
   void lessonRefused(const std::filesystem::path& file) override;
   void beforeTicks() override;
   void lessonChanged() override;
@@ -56,7 +55,7 @@ class LessonWatch : public Extension {
   Messages& messages_;
   const ApplicationOptions& options_;
   const FrameTime& time_;
-  /// How a file looks from outside; editors change at least one of these when they save.
+  /// The file's properties that change when an editor saves it.
   struct Look {
     std::filesystem::file_time_type written{};
     std::uintmax_t bytes = 0;
@@ -72,16 +71,16 @@ class LessonWatch : public Extension {
   void list(const LessonCheck& check);
 
   std::filesystem::path file_, checking_;
-  Look read_, seen_;           // as it was when it was last read, and at the last poll
-  std::string bytes_;          // of the lesson that is shown, to tell a change from a mere touch
-  std::string pending_bytes_;  // of the one that is being checked
+  Look read_, seen_;           // at the last reading, and at the last poll
+  std::string bytes_;          // contents of the shown lesson, to detect real changes
+  std::string pending_bytes_;  // contents of the lesson that is being checked
   double since_poll_s_ = 0.0, unreadable_s_ = 0.0, since_check_s_ = 0.0;
-  std::size_t own_opening_ = 0;  // of the lesson guide, when it was this watch that put the lesson there
+  std::size_t own_opening_ = 0;  // the lesson guide's count of openings after this watch opened the lesson
   bool changed_ = false;         // since it was opened
   bool stale_ = false;
   std::vector<Fault> faults_;
   std::size_t errors_ = 0;
-  std::shared_ptr<LessonMolecules> molecules_ = std::make_shared<LessonMolecules>();  // the check's, while it runs
+  std::shared_ptr<LessonMolecules> molecules_ = std::make_shared<LessonMolecules>();  // used by the check while it runs
   std::future<LessonCheck> running_;
 };
 

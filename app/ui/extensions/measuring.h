@@ -1,5 +1,5 @@
-// Lengths and angles that a person measures: places are atoms that were clicked or are touched, two for a length, three
-// for an angle, four for a torsion. Window's thread.
+// Measures lengths and angles between atoms that the user clicks or touches: two atoms give a length, three an angle,
+// four a torsion. Window's thread.
 #pragma once
 
 #include <memory>
@@ -12,30 +12,30 @@
 
 namespace moltact {
 
-/// The atom that is seen at a place of the view (unit: pixel from its upper left corner); none: beside the molecule.
+/// The atom visible at a place of the view (unit: pixel from its upper left corner), or nothing beside the molecule.
 std::optional<std::uint32_t> atomAt(const HapticSession& scene, glm::dvec2 px, glm::dvec2 view_px);
 
 class Measuring final : public Extension {
  public:
   explicit Measuring(const HapticSession& scene) : scene_(scene) {}
 
-  /// While it is on, clicks in the view are places and do not push.
+  /// While on, clicks in the view select atoms and do not push.
   bool on() const { return on_; }
   void switchOn(bool on);
 
-  /// The next place. The last one once more, or a fifth, ends the measure; what comes then begins another.
+  /// Adds an atom. The last atom again ends the measurement; a fifth atom begins another one.
   void take(const Molecule& molecule, std::uint32_t atom);
-  /// What comes next begins another measure.
+  /// Ends the measurement; the next atom begins another.
   void finish() { atoms_.clear(); }
   void clear();
   bool any() const { return drawn_ != nullptr; }
 
-  /// What is drawn; null where nothing has been measured.
+  /// The measurements as annotations; null if there are none.
   const std::shared_ptr<const Annotations>& drawn() const { return drawn_; }
-  /// What was measured last, in words; empty where nothing was.
+  /// The last measurement in words; empty if there is none.
   const std::string& text() const { return text_; }
 
-  /// Measures belong to a molecule.
+  /// Removes all measurements, because they belong to a molecule.
   void sceneChanged() override;
 
  private:
@@ -43,8 +43,8 @@ class Measuring final : public Extension {
   void write(const Molecule& molecule);
 
   bool on_ = false;
-  std::vector<std::vector<std::uint32_t>> measures_;  // all that have a value, the last perhaps unfinished
-  std::vector<std::uint32_t> atoms_;                  // of the one that has begun
+  std::vector<std::vector<std::uint32_t>> measures_;  // all with a value; the last may be unfinished
+  std::vector<std::uint32_t> atoms_;                  // of the current measurement
   std::shared_ptr<const Annotations> drawn_;
   std::shared_ptr<const Molecule> molecule_;
   std::string text_;

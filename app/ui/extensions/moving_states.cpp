@@ -15,7 +15,7 @@
 namespace moltact {
 namespace {
 
-constexpr int kMotion_ticks = 33;  // some thirty motions a second
+constexpr int kMotion_ticks = 33;  // about thirty motions per second
 
 Expected<TwoStates> readStates(const SceneSpec& scene, const std::shared_ptr<const Molecule>& molecule,
                                const MoleculeKey& key) {
@@ -50,7 +50,7 @@ void MovingStates::sceneChanged() {
                      then_.superposed_on == scene.then.superposed_on;
   then_ = scene.then;
   if (known) {
-    // The scene has begun anew, with the atoms at rest in the first state.
+    // The scene has restarted with the atoms in the first structure.
     begin();
     return;
   }
@@ -86,7 +86,7 @@ void MovingStates::begin() {
   if (share_ == 0.0) return;
   const std::vector<Sphere> places = states_->at(share_);
   scene_.placeAtoms(places);
-  // The same each time the scene begins again, so that its tasks stay.
+  // The same object each time the scene restarts, so that its tasks are kept.
   if (!begins_ || begins_share_ != share_) begins_ = std::make_shared<const Molecule>(molecule_->movedTo(places));
   begins_share_ = share_;
   lesson_.beginFrom(begins_);
@@ -119,7 +119,7 @@ void MovingStates::beforeTicks() {
   if (std::optional<Expected<TwoStates>> read = reading_.take()) take(*std::move(read));
   if (!states_ || share_ == wanted_ || scene_.stage().molecule != molecule_) return;
   const double most = per_s_ * kMotion_ticks * kTick_s, next = share_ + std::clamp(wanted_ - share_, -most, most);
-  // Until the motion before has begun there is no room for another.
+  // A motion can only be queued after the previous one has begun.
   if (scene_.moveAtoms(states_->at(next), kMotion_ticks)) share_ = next;
 }
 

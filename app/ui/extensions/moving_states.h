@@ -1,5 +1,5 @@
-// The two structures of a lesson's scene (its key `then`): reads the second one, and leads the atoms between the two
-// where the student's slider wants them, while they are touched. Window's thread. Units: angstrom, second.
+// The two structures of a lesson's scene (its key `then`): reads the second one and moves the atoms between the two as
+// the student's slider requests, also during contact. Window's thread. Units: angstrom, second.
 #pragma once
 
 #include <array>
@@ -23,7 +23,7 @@ class MovingStates : public Extension {
   MovingStates(HapticSession& scene, LessonGuide& lesson, Messages& messages, const ApplicationOptions& options)
       : scene_(scene), lesson_(lesson), messages_(messages), options_(options) {}
 
-  /// No atom that can be felt moves faster, and the whole way takes at least so long.
+  /// The maximum speed of any touchable atom, and the minimum duration of the whole motion.
   static constexpr double kMaxSpeed_A_per_s = 8.0, kMin_s = 1.5;
 
   void sceneChanged() override;
@@ -31,20 +31,19 @@ class MovingStates : public Extension {
   void beforeTicks() override;
   bool live() const override { return reading_.busy() || (states_ && share_ != wanted_); }
 
-  /// Whether the scene has two states, and both have been read.
+  /// Whether the scene has two structures and both have been read.
   bool there() const { return states_ != nullptr; }
-  /// Where the atoms are on their way (0 the first state, 1 the second), and where they are to go.
+  /// The present position of the atoms (0: first structure, 1: second), and the requested one.
   double share() const { return share_; }
   double wanted() const { return wanted_; }
   void goTo(double share);
-  /// What the scene's second structure is and how it lies on the first; without a molecule where there() is false.
+  /// The second structure and how it is superposed on the first; has no molecule if there() is false.
   const SecondState& then() const { return then_; }
   /// The file of the second structure.
   const std::filesystem::path& file() const { return file_; }
-  /// In a playback: the atoms of the molecule on the stage stand at this share of the way to another structure, once
-  /// that has been read.
+  /// For playback: moves the molecule's atoms to this share of the way to another structure, once that has been read.
   void show(const MoleculeKey& other, const SecondState& then);
-  /// What the two are called.
+  /// The names of the two structures.
   const std::string& name(int state) const { return names_[std::size_t(state)]; }
 
  private:
@@ -57,11 +56,11 @@ class MovingStates : public Extension {
   void begin();
 
   std::filesystem::path file_;                // of the second structure
-  SecondState then_;                          // what states_ was made of, with
-  std::shared_ptr<const Molecule> molecule_;  // the first state's
+  SecondState then_;                          // from which states_ was computed
+  std::shared_ptr<const Molecule> molecule_;  // the first structure
   NewestWork<Expected<TwoStates>> reading_;
   std::shared_ptr<const TwoStates> states_;
-  std::shared_ptr<const Molecule> begins_;  // with its atoms where a scene began that does not begin in the first state
+  std::shared_ptr<const Molecule> begins_;  // its atoms where a scene starts at another share than 0
   double begins_share_ = 0.0;
   std::array<std::string, 2> names_;
   double share_ = 0.0, wanted_ = 0.0, per_s_ = 0.0;

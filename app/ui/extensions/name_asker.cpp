@@ -35,18 +35,18 @@ std::optional<LessonProgress> NameAsker::lastAttempt(const std::optional<std::st
   return std::nullopt;
 }
 
-// Whatever else has paused the recorder and lets it go on: not before the answer.
+// Keeps the recorder paused until the answer, even if another extension has resumed it.
 void NameAsker::beforeTicks() {
   if (asking_) recorder_.pause(true);
 }
 
 void NameAsker::lessonChanged() {
-  const bool same = session_ == lesson_.session();  // read again
+  const bool same = session_ == lesson_.session();  // the lesson was only read again
   session_ = lesson_.session();
   if (!same && std::exchange(asking_, false)) recorder_.pause(false);
   if (same || giving_ || turns_.on() || playback_.on() || options_.attempts_folder.empty()) return;
   const Lesson& lesson = lesson_.session()->lesson();
-  // A lesson that does not ask does not get a name that was given to another.
+  // A lesson that does not ask must not record the name given for another lesson.
   if (!recorder_.student().empty() && recorder_.student() == given_) recorder_.forgetStudent();
   if (!lesson.ask.empty()) ask(lesson.ask == "code");
 }
@@ -59,7 +59,7 @@ void NameAsker::ask(bool code) {
   draft = given_;
   if (draft.empty())
     if (const auto last = lastAttempt()) draft = last->student;
-  recorder_.pause(true);  // what comes before the answer is nobody's
+  recorder_.pause(true);  // events before the answer belong to no student
 }
 
 void NameAsker::give(const std::string& name) {

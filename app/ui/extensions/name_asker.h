@@ -1,6 +1,6 @@
-// Asks a student for a name or code when a lesson is opened that wants one (front matter "ask"), and takes up what was
-// done under it before. Nothing is kept until there is an answer; none is an answer too. app/ui/panels/lesson/name_question.cpp
-// draws it. Window's thread.
+// Asks the student for a name or code when a lesson that requires one is opened (front matter "ask"), and restores the
+// earlier work under it. Nothing is recorded before the answer, which may be empty.
+// app/ui/panels/lesson/name_question.cpp draws it. Window's thread.
 #pragma once
 
 #include <optional>
@@ -31,17 +31,17 @@ class NameAsker : public Extension {
         turns_(turns),
         playback_(playback) {}
 
-  /// Asks for a name, or with `code` for a code, about the lesson that is open; what was done in it until now is over.
+  /// Asks for a name, or with `code` for a code, for the open lesson. Ends the attempt so far.
   void ask(bool code);
   bool asking() const { return asking_; }
   bool asksForCode() const { return code_; }
-  /// What is being written; at first the name that was given last, here or in this lesson's last attempt.
+  /// The text being typed; initially the last answer, here or in this lesson's last attempt.
   std::string draft;
 
-  /// The student's answer; empty: works without a name. The lesson goes on where this name left it, or begins.
+  /// The student's answer; empty: works without a name. The lesson continues where this name left it, or begins.
   void give(const std::string& name);
 
-  static constexpr std::size_t kLongest = 60;  ///< of a name; what is longer is cut (unit: character)
+  static constexpr std::size_t kLongest = 60;  ///< maximum length of a name; longer ones are cut (unit: character)
 
   void beforeTicks() override;
   void lessonChanged() override;
@@ -54,13 +54,13 @@ class NameAsker : public Extension {
   AttemptRecorder& recorder_;
   const ClassTurns& turns_;
   const Playback& playback_;
-  // At the open lesson, of this student; without one, of whoever it was.
+  // The last attempt at the open lesson by this student, or by any student.
   std::optional<LessonProgress> lastAttempt(const std::optional<std::string>& student = {}) const;
 
   bool asking_ = false, code_ = false;
-  bool giving_ = false;            // opens the lesson anew for the name
-  const void* session_ = nullptr;  // that was met last
-  std::string given_;              // last
+  bool giving_ = false;            // give() is reopening the lesson for the name
+  const void* session_ = nullptr;  // the session of the last call
+  std::string given_;              // the last answer
 };
 
 }  // namespace moltact

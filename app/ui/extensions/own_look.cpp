@@ -14,7 +14,7 @@ namespace {
 
 struct Key : OwnLookKey {
   void (*take)(const Value&, SceneSpec&);
-  // The selections of a value, each of which has to find atoms.
+  // The selections in a value; each must match at least one atom.
   std::vector<Selection> (*atoms)(const Value&);
 };
 
@@ -65,7 +65,7 @@ std::optional<Problem> faultOf(std::size_t key, const std::string& text, const M
   if (trimmed(text).empty()) return std::nullopt;
   const Expected<Value> value = read(key, text);
   const auto told = [](Problem why) {
-    why.line = why.column = 0;  // there is one line
+    why.line = why.column = 0;  // a value has a single line
     return why;
   };
   if (!value) return told(value.problem());

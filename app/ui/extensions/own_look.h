@@ -1,5 +1,5 @@
-// How a person wants the atoms of a molecule of their own drawn, in the words of a scene: what `style: …`, `hide: …` and
-// others say there. Window's thread.
+// The user's own style for the atoms of a molecule, in the words of a scene: the values of `style`, `hide` and other
+// keys. Window's thread.
 #pragma once
 
 #include <array>
@@ -14,9 +14,9 @@ namespace moltact {
 
 /// A key of a scene that the page offers.
 struct OwnLookKey {
-  std::string_view key;  ///< as a scene writes it
+  std::string_view key;  ///< as in a scene
   const char* label;     ///< what it does, in English
-  const char* example;   ///< a value of it
+  const char* example;   ///< an example of a value
 };
 
 class OwnLook final : public Extension {
@@ -26,21 +26,21 @@ class OwnLook final : public Extension {
   static std::span<const OwnLookKey> keys();
   static constexpr std::size_t kKeys = 6;
 
-  /// As they stand on the page. Without a style or colours the picture keeps those that it has.
+  /// The values on the page. Without a style or colours, the picture keeps its own.
   std::array<std::string, kKeys> values;
 
-  /// What is wrong with each value for this molecule; empty where it can be shown.
+  /// What is wrong with each value for this molecule; empty if it is valid.
   const std::array<std::string, kKeys>& faults(const std::shared_ptr<const Molecule>& molecule);
-  /// Shows all that is written; nothing where a value has a fault.
+  /// Applies all values; does nothing if any of them is invalid.
   void show(HapticSession& scene);
 
-  /// What is written belongs to a molecule.
+  /// Clears the values, because they belong to a molecule.
   void sceneChanged() override;
 
  private:
   const HapticSession& scene_;
   std::shared_ptr<const Molecule> molecule_;
-  // What the faults are of: selections are worked out when a value is another, not in each frame.
+  // The input of faults_: selections are evaluated only when a value changes, not in every frame.
   std::shared_ptr<const Molecule> checked_molecule_;
   std::array<std::string, kKeys> checked_, faults_;
 };

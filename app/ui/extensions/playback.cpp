@@ -20,7 +20,7 @@ namespace moltact {
 namespace fs = std::filesystem;
 namespace {
 
-// An attempt names a molecule by its file without folders.
+// An attempt names a molecule's file without folders.
 NamedMolecule namedOf(const StageChanged& stage) { return {stage.file, stage.reading}; }
 NamedMolecule namedOf(const MoleculeKey& key) {
   NamedMolecule out{key.file.filename().string(), key.reading};
@@ -81,7 +81,7 @@ void Playback::close(bool back) {
   body_.release();
   recorder_.pause(false);
   if (!back) return;
-  // The view is where the attempt's last moment had it, which may be anywhere.
+  // The playback has moved the view.
   if (lesson_.session())
     lesson_.askForScene();
   else if (!before_.empty() && before_ != scene_.molecule())
@@ -104,7 +104,7 @@ void Playback::seek(double t_s) {
 
 void Playback::seekMark(int direction) {
   if (!on()) return;
-  constexpr double kSame_s = 0.5;  // a second press goes farther back than the mark just passed
+  constexpr double kSame_s = 0.5;  // a second press soon after a mark goes to the mark before it
   const auto& marks = timeline_->marks();
   if (direction > 0) {
     for (const TimelineMark& m : marks)
@@ -130,19 +130,19 @@ void Playback::stageFor() {
   shown_stage_ = namedOf(*stage);
   if (scene_.stage() && namedOf(scene_.molecule()) == shown_stage_) return;
   ReadOptions reading = stage->reading;
-  // A name of the library stays one.
+  // A library name is kept as it is.
   if (reading.beside.find('.') != std::string::npos)
     if (const fs::path beside = fileOf(reading.beside); !beside.empty()) reading.beside = beside.string();
   if (const fs::path file = fileOf(stage->file); !file.empty()) opener_.showMolecule({file, reading});
 }
 
-// The file that an attempt names without its folders: beside it, of the library or fetched, or beside its lesson; told
-// where it is not there.
+// Finds a file that the attempt names without folders: beside the attempt, in the library, among fetched ones, or
+// beside its lesson. Reports a missing one.
 fs::path Playback::fileOf(const std::string& name) {
   std::error_code error;
   for (const fs::path& folder : {file_.parent_path(), lessonsFolder()})
     if (fs::is_regular_file(folder / name, error)) return folder / name;
-  // The library and what has been fetched are asked by the molecule's name: its file without its endings.
+  // The library and fetched molecules are searched by the molecule's name, the file name without extensions.
   const Expected<MoleculeKey> found =
       findMoleculeKey(name.substr(0, name.find('.')), MoleculeFolders::ofThisComputer());
   if (found) return found->file;
@@ -157,7 +157,7 @@ fs::path Playback::fileOf(const std::string& name) {
   return {};
 }
 
-// The atoms where they were between two structures.
+// Moves the atoms to their recorded place between two structures.
 void Playback::showStates() {
   const StatesMoved* states = timeline_->states(at_s_);
   if (!states || !staged()) return;
@@ -171,14 +171,14 @@ void Playback::showStates() {
   moving_states_.show({second_.second, timeline_->stage(at_s_)->reading}, then);
 }
 
-// The molecule of this moment is on the stage.
+// Whether the molecule of the present time is loaded.
 bool Playback::staged() const {
   const StageChanged* stage = timeline_->stage(at_s_);
   return stage && scene_.stage() && namedOf(scene_.molecule()) == namedOf(*stage) &&
          scene_.stage().molecule->atoms.size() == stage->atoms;
 }
 
-// The atoms of a body leave their place in the molecule for the hand.
+// Moves the atoms of a held body from the molecule to the hand.
 void Playback::showHeld() {
   if (!staged()) return;
   const std::vector<std::uint32_t>& held = timeline_->stage(at_s_)->held;

@@ -1,5 +1,5 @@
-// Plays an attempt back in the 3-D view: probe, force arrow and the words for them move as they did. The hand that
-// holds the device feels nothing meanwhile, and nothing is kept. Window's thread. Unit: second of use.
+// Plays an attempt in the 3-D view with its probe, force arrow and texts. Meanwhile the device gives no force and
+// nothing is recorded. Window's thread. Unit: second of use.
 #pragma once
 
 #include <filesystem>
@@ -40,28 +40,29 @@ class Playback : public Extension {
         recorder_(recorder),
         body_(scene) {}
 
-  /// Begins to play a file; one that cannot be read gives a message and changes nothing.
+  /// Starts the playback of a file. One that cannot be read gives a message and changes nothing.
   void open(const std::filesystem::path& file);
-  /// Back to the lesson or molecule that was there before; with `back` false, something else is about to be opened.
+  /// Ends the playback and returns to the previous lesson or molecule. `back` false: something else is about to be
+  /// opened.
   void close(bool back = true);
 
   bool on() const { return timeline_.has_value(); }
-  /// While on() only.
+  /// Requires on().
   const Timeline& timeline() const { return *timeline_; }
   double at_s() const { return at_s_; }
   bool running() const { return on() && running_; }
 
-  /// At the end it starts from the beginning.
+  /// At the end of the attempt, running starts again from the beginning.
   void setRunning(bool run);
   void seek(double t_s);
-  /// The next or the last mark before; nothing where there is none.
+  /// Moves to the next (direction > 0) or previous mark; without one, to the end or the start.
   void seekMark(int direction);
-  /// The last event, for the bar: empty before the first mark.
+  /// The text of the last mark for the bar; empty before the first.
   std::string lastMark() const;
 
-  double speed = 1.0;        ///< times as fast as it was
-  bool follows_view = true;  ///< the view turns as it did; off once the person turns it
-  bool skips_rests = true;   ///< passes over times when the hand lay still
+  double speed = 1.0;        ///< relative to the recorded speed
+  bool follows_view = true;  ///< follows the recorded view; off once the user rotates the view
+  bool skips_rests = true;   ///< skips times without motion of the hand
 
   void beforeOpening(FileKind kind) override;
   bool open(FileKind kind, const std::filesystem::path& file) override;
@@ -70,7 +71,7 @@ class Playback : public Extension {
   bool live() const override { return running(); }
   bool hidesLesson() const override { return on(); }
 
-  static constexpr double kRest_s = 3.0;  ///< a longer rest is passed over
+  static constexpr double kRest_s = 3.0;  ///< longer rests are skipped
 
  private:
   Opener& opener_;
@@ -82,7 +83,7 @@ class Playback : public Extension {
   const ApplicationOptions& options_;
   const FrameTime& time_;
   MovingStates& moving_states_;
-  AttemptRecorder& recorder_;  // rests meanwhile
+  AttemptRecorder& recorder_;  // paused meanwhile
   void stageFor();
   std::filesystem::path fileOf(const std::string& name);
   void showStates();
@@ -93,11 +94,12 @@ class Playback : public Extension {
 
   std::optional<Timeline> timeline_;
   std::filesystem::path file_;                            // the attempt
-  MoleculeKey before_;                                    // on the stage before
-  Camera seen_before_;                                    // how that was looked at
-  NamedMolecule shown_stage_;                             // asked for, by its file's name without folders
-  std::pair<std::string, std::filesystem::path> second_;  // the second structure's file, as named and as found
-  std::string missing_;                                   // the name of a molecule's file that was reported as missing
+  MoleculeKey before_;                                    // the molecule before the playback
+  Camera seen_before_;                                    // the camera before the playback
+  NamedMolecule shown_stage_;                             // the requested molecule, by file name without folders
+  std::pair<std::string, std::filesystem::path> second_;  // the second structure's file: its recorded name, and the
+                                                          // file found
+  std::string missing_;                                   // the last molecule's file reported as missing
   const ViewChanged* shown_view_ = nullptr;
   PlayedBody body_;
   double at_s_ = 0.0;

@@ -39,7 +39,7 @@ void SceneChange::glide(const Camera& seen) {
 void SceneChange::beforeTicks() {
   fade_s_ = std::min(kFade_s, fade_s_ + time_.dt_s);
   if (!gliding()) return;
-  // Who takes the camera has it.
+  // A camera motion by the user ends the glide.
   if (scene_.controls.cameraMoved()) {
     glide_s_ = kGlide_s;
     return;

@@ -1,5 +1,5 @@
-// From one scene to the next without a jump: over the same molecule the camera glides, to another one the old picture
-// fades away over the new. At once where the person prefers it so. Window's thread. Unit: second.
+// Smooth transitions between scenes: with the same molecule the camera glides, otherwise the old picture fades out over
+// the new one. With reduced motion the change is immediate. Window's thread. Unit: second.
 #pragma once
 
 #include <memory>
@@ -14,8 +14,8 @@ class ViewPicture;
 
 struct Molecule;
 
-/// The camera a share `t` (0 to 1) of the way from `a` to `b`: the target moves straight, the turn takes the shorter
-/// way, the distance changes by equal factors.
+/// The camera at the share `t` (0 to 1) of the way from `a` to `b`: the target moves on a straight line, the rotation
+/// takes the shorter way, the distance changes exponentially.
 Camera between(const Camera& a, const Camera& b, double t);
 
 class SceneChange : public Extension {
@@ -31,12 +31,12 @@ class SceneChange : public Extension {
   void afterPanels() override;
   bool live() const override { return glide_s_ < kGlide_s || fade_s_ < kFade_s; }
 
-  /// From the view that is seen to the scene's camera, which has been set. At once where the person prefers it so.
+  /// Glides from the visible view to the scene's camera, which has already been set. Immediate with reduced motion.
   void glide(const Camera& seen);
-  /// Where the camera is going; `now` where it rests.
+  /// The destination of the camera's glide; `now` if there is none.
   Camera bound(const Camera& now) const { return gliding() ? to_ : now; }
 
-  /// How strongly the picture of the scene before still shows over the new one (1 to 0).
+  /// The opacity of the old picture over the new one (1 to 0).
   double oldPicture() const { return 1.0 - fade_s_ / kFade_s; }
   bool gliding() const { return glide_s_ < kGlide_s; }
 
@@ -46,7 +46,7 @@ class SceneChange : public Extension {
   ViewPicture& picture_;
   const FrameTime& time_;
   Camera seen_, from_, to_;
-  std::shared_ptr<const Molecule> molecule_;  // of the frame before
+  std::shared_ptr<const Molecule> molecule_;  // of the previous frame
   double glide_s_ = kGlide_s, fade_s_ = kFade_s;
 };
 

@@ -38,7 +38,7 @@ void SceneHistory::redo() {
   apply(done_.back().after, done_.back().camera_after);
 }
 
-// Undo brings back the camera as it was, or where it was on its way to.
+// Undo restores the camera before the reset, or the destination of its glide.
 void SceneHistory::viewReset(const Camera& seen) {
   const Camera before = change_.bound(seen);
   if (!(before == scene_.camera)) view_ = {before, scene_.camera};

@@ -1,5 +1,5 @@
-// Undo and redo of what a person changed about the scene by hand: what it is felt with, parts shown, what was
-// magnified, the view that was reset. A step of a lesson that sets them starts a new history. Window's thread.
+// Undo and redo of the user's changes to the scene: touch settings, visible parts, magnification, and resets of the
+// view. A lesson's step that sets them starts a new history. Window's thread.
 #pragma once
 
 #include <optional>
@@ -17,13 +17,13 @@ class SceneHistory : public Extension {
  public:
   SceneHistory(SceneChange& change, HapticSession& scene) : scene_(scene), change_(change) {}
 
-  static constexpr std::size_t kMax = 100;  ///< the oldest changes are forgotten beyond this
+  static constexpr std::size_t kMax = 100;  ///< the oldest changes beyond this number are dropped
 
   bool canUndo() const { return !done_.empty(); }
   bool canRedo() const { return !undone_.empty(); }
   void undo();
   void redo();
-  /// Takes up a change once the mouse rests, so that a slider's whole drag is one.
+  /// Records a change once the mouse button is released, so that a whole drag of a slider is one change.
   void afterPanels() override;
   void sceneChanged() override { begin(); }
   void stepChanged() override { begin(); }
@@ -31,7 +31,7 @@ class SceneHistory : public Extension {
 
  private:
   HapticSession& scene_;
-  SceneChange& change_;  // leads the camera to what is brought back
+  SceneChange& change_;  // moves the camera on undo and redo
   struct Choices {
     TouchSetup touch;
     bool magnified = false;
@@ -49,8 +49,8 @@ class SceneHistory : public Extension {
   Choices choices() const;
   void apply(const Choices& choices, const std::optional<Camera>& camera);
 
-  std::optional<Choices> current_;                 // none: what the scene has at the end of the frame
-  std::optional<std::pair<Camera, Camera>> view_;  // before and after
+  std::optional<Choices> current_;                 // nothing: read it from the scene at the end of the frame
+  std::optional<std::pair<Camera, Camera>> view_;  // before and after a reset
   std::vector<Change> done_, undone_;
 };
 

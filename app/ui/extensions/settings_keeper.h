@@ -1,4 +1,4 @@
-// Writes the settings to their file once they have rested for a second, and at the end. Window's thread.
+// Writes the settings to their file one second after the last change, and at the end. Window's thread.
 #pragma once
 
 #include "app/ui/application/extension.h"
@@ -14,7 +14,7 @@ class SettingsKeeper : public Extension {
   SettingsKeeper(Settings& settings, Messages& messages, const ApplicationOptions& options, const FrameTime& time)
       : settings_(settings), messages_(messages), options_(options), time_(time) {}
 
-  /// The settings are as they are in the file: from here on changes are kept.
+  /// The settings equal the file's; later changes are stored.
   void atStart() override;
   void afterPanels() override;
   void atEnd() override;

@@ -11,7 +11,7 @@
 namespace moltact {
 namespace {
 
-// What is touched, or why nothing is, without the force that trembles.
+// Describes the contact, or why there is none, without the force, which fluctuates.
 std::string whatOf(const Molecule* molecule, const ServoSample& now) {
   if (molecule && now.contact.touching()) return touchedText(*molecule, now.contact);
   return now.felt() ? unnamedContactText(now.contact, true) : contactText(molecule, now.contact, 0);
@@ -23,7 +23,7 @@ std::optional<Problem> StateText::writeTo(const std::filesystem::path& file) {
   to_terminal_ = file == "-";
   if (to_terminal_) return std::nullopt;
   std::error_code error;
-  // Not put in its place by a rename as other files are: who follows it has it open.
+  // Appends instead of replacing the file by a rename, because a reader has it open.
   const bool there = std::filesystem::exists(file, error);
   Expected<AppendFile> opened = AppendFile::open(file, there ? AppendFile::Begin::Continue : AppendFile::Begin::New);
   if (!opened) return opened.problem();
@@ -33,13 +33,13 @@ std::optional<Problem> StateText::writeTo(const std::filesystem::path& file) {
   return std::nullopt;
 }
 
-// Each line at once: whoever follows it waits for it.
+// Every line is flushed at once for the reader.
 void StateText::write(const std::string& line) {
   if (to_terminal_) {
     out() << line << '\n';
     out().flush();
   }
-  if (file_) file_->append(oneLine(line) + '\n');  // a full disk loses a line and not the window
+  if (file_) file_->append(oneLine(line) + '\n');  // a full disk loses a line but does not stop the window
 }
 
 void StateText::stepChanged() {

@@ -1,6 +1,6 @@
-// The state in words for those who cannot see the view well: a line at a pace that can be read, and lines in a terminal
-// or a file that a screen reader or speech follows. To a screen reader the window itself is a picture; printed text is
-// what works with each of them (Orca or BRLTTY in a terminal, `moltact --state-text - | spd-say -e`). Window's thread.
+// The contact in words, for users who cannot see the view well: a line in the window that changes at a readable pace,
+// and lines in a terminal or file for speech output. To a screen reader the window is only a picture; printed text
+// works with each of them (Orca or BRLTTY in a terminal, `moltact --state-text - | spd-say -e`). Window's thread.
 #pragma once
 
 #include <array>
@@ -27,19 +27,19 @@ class StateText : public Extension {
             const FrameTime& time)
       : scene_(scene), lesson_(lesson), panels_(panels), time_(time), unseen_(unseen) {}
 
-  /// From now on lines go to this file, which is emptied first, or to standard output for "-": the step, what its task
-  /// asks for, what is touched. Returns what went wrong, or nothing.
+  /// Writes lines to this file, which is emptied first, or to standard output for "-": the step, the task's
+  /// instruction, the contact. Returns a Problem on failure.
   std::optional<Problem> writeTo(const std::filesystem::path& file);
 
   void stepChanged() override;
   void afterPanels() override;
   bool live() const override { return owing_; }
 
-  /// The contact in words, updated at a pace that can be read, with the figure of the force that the window shows.
+  /// The contact in words, updated at a readable pace, with the force that the window displays.
   std::string line(const HapticSession& scene) const;
-  /// line() tells of a contact, and not that there is none or why.
+  /// Whether line() describes a contact, not its absence.
   bool tellsContact() const { return tells_contact_; }
-  /// The atoms that line() names; none where it names none.
+  /// The atoms that line() names, or nothing.
   std::optional<std::array<std::int32_t, 3>> namedAtoms() const {
     return tells_contact_ && !tells_unnamed_ ? std::optional(named_atoms_) : std::nullopt;
   }
@@ -54,11 +54,11 @@ class StateText : public Extension {
 
   StateLine reading_{StateLine::reading()}, speaking_{StateLine::speaking()}, task_{StateLine::speaking()};
   std::optional<AppendFile> file_;
-  std::string word_;  // whose meaning was told last
+  std::string word_;  // the glossary word explained last
   bool to_terminal_ = false;
   bool tells_contact_ = false, tells_unnamed_ = false;
   std::array<std::int32_t, 3> named_atoms_{-1, -1, -1};
-  bool owing_ = false;  // a change has not been written yet
+  bool owing_ = false;  // a change is not written yet
 };
 
 }  // namespace moltact

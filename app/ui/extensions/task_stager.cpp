@@ -23,7 +23,7 @@ void TaskStager::beforeTicks() {
     return;
   }
   change(stage_.touch, wanted.touch);
-  // What was found in the dark is seen where it lies: the light comes on and nothing else changes.
+  // A place found in the dark stays where it is: the molecule becomes visible and nothing else changes.
   const bool found = stage_.turned && wanted == TaskStage();
   const bool anew = !found && (wanted.presentation != stage_.presentation || wanted.turned != stage_.turned);
   stage_ = wanted;
@@ -32,7 +32,7 @@ void TaskStager::beforeTicks() {
   scene_.controls.letGo();
 }
 
-// Not under a hand that presses: the place would move away from it.
+// Not while the hand presses, because the place would move away from it.
 void TaskStager::comeClose(const std::optional<PointA>& place) {
   if (place == came_close_ || (place && scene_.controls.pressing())) return;
   came_close_ = place;

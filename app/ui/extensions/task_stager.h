@@ -1,5 +1,6 @@
-// Sets the scene as the lesson's current task asks for it (a dark screen, another probe, a place turned to the front)
-// and back again when the task is done or left; lets a device's buttons give a task's answers. Window's thread.
+// Applies the changes of the scene that the lesson's current task requires (a dark screen, another probe, a turned
+// place) and reverts them when the task is done or left. Passes a device's buttons to the task as answers. Window's
+// thread.
 #pragma once
 
 #include <cstdint>
@@ -20,18 +21,19 @@ class TaskStager final : public Extension {
 
   void beforeTicks() override;
   void ticks(const FeltTicks& felt) override;
-  // The step's own scene, without what a task of another step, or of the lesson as it was before, asked for.
+  // Restores the step's own scene, without the changes of another step's task or of the lesson before it was read
+  // again.
   void stepChanged() override;
 
-  /// The molecule is not to be seen.
+  /// The molecule must not be visible.
   bool dark() const { return stage_.dark; }
-  /// The task asks what is touched.
+  /// The task asks what is touched, so texts must not name it.
   bool asksWhat() const { return stage_.unnamed; }
-  /// In the dark, whether the force is shown.
+  /// Whether the force is displayed in the dark.
   bool showsForce() const { return stage_.force_meter; }
-  /// The current task has two answers, and a device's second button gives the second: it is no clutch meanwhile.
+  /// The current task has two answers, and a device's second button gives the second one. It is not a clutch meanwhile.
   bool takesSecondButton() const { return two_answers_; }
-  /// A task has made the surface softer or harder than the lesson's scene.
+  /// The current task has changed the scene's stiffness.
   bool changesStiffness() const { return stage_.touch.has(&TouchSetup::stiffness_N_per_mm); }
 
  private:

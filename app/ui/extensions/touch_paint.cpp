@@ -7,8 +7,8 @@ namespace moltact {
 namespace {
 
 constexpr double kSpacing_A = 0.15;
-constexpr std::size_t kMaxPoints = 20'000;  // beyond it every second one is left out
-constexpr std::size_t kMaxFresh = 40;       // drawn one by one; beyond it the molecule is drawn again
+constexpr std::size_t kMaxPoints = 20'000;  // beyond this number, every second point is dropped
+constexpr std::size_t kMaxFresh = 40;       // drawn individually; beyond this number the molecule is redrawn
 
 AtomList listOf(const std::set<std::uint32_t>& atoms) {
   return atoms.empty() ? nullptr : std::make_shared<const std::vector<std::uint32_t>>(atoms.begin(), atoms.end());
@@ -23,7 +23,7 @@ bool TouchPaint::paints() const {
 void TouchPaint::beforeTicks() {
   const bool dark = unseen_.all();
   if (dark && !dark_) {
-    // Who has looked in between goes on where it was dark before.
+    // After a look in between, the path of the same task is continued.
     const std::size_t task = lesson_.session() ? lesson_.session()->currentTask() : 0;
     if (trail_ && task == dark_task_) {
       way_ = trail_->trail;
@@ -57,7 +57,7 @@ void TouchPaint::ticks(const FeltTicks& felt) {
     for (const std::int32_t a : s.contact.atoms)
       if (a >= 0 && !touched_.contains(std::uint32_t(a))) since_.insert(std::uint32_t(a));
   }
-  // The molecule is drawn again for them once the probe has left it.
+  // The molecule is redrawn with them once the probe has left it.
   if (!since_.empty() && (!touching || since_.size() > kMaxFresh)) {
     touched_.insert(since_.begin(), since_.end());
     since_.clear();
@@ -85,7 +85,7 @@ void TouchPaint::goOn(const PointA& place, bool anew) {
     points_ += kept;
   }
   spacing_A_ *= 2.0;
-  // A hand that was only ever put down leaves nothing to be thinned out: its first places go.
+  // A path of many short parts cannot be thinned out; its first parts are dropped.
   while (points_ > kMaxPoints / 2 && way_.size() > 1) {
     points_ -= way_.front().size();
     way_.erase(way_.begin());

@@ -1,5 +1,5 @@
-// What a touch leaves in the picture: atoms lightly painted, where the scene asks for it, and after the
-// molecule was felt unseen the way that the probe took. Window's thread.
+// Traces of the touch in the picture: painted atoms if the scene requests it, and the probe's path after the molecule
+// was felt unseen. Window's thread.
 #pragma once
 
 #include <memory>
@@ -19,10 +19,10 @@ class TouchPaint final : public Extension {
   TouchPaint(const Unseen& unseen, const HapticSession& scene, const LessonGuide& lesson)
       : scene_(scene), lesson_(lesson), unseen_(unseen) {}
 
-  /// Atoms that were touched before the probe left the surface last, and since; null: none.
+  /// The touched atoms before the probe last left the surface, and since then; null: none.
   const AtomList& painted() const { return painted_; }
   const AtomList& fresh() const { return fresh_; }
-  /// The way of the probe while the molecule was unseen last; null until it is seen again.
+  /// The probe's path during the last unseen phase; null until the molecule is visible again.
   const std::shared_ptr<const Annotations>& trail() const { return trail_; }
 
   void beforeTicks() override;
@@ -40,11 +40,11 @@ class TouchPaint final : public Extension {
   std::set<std::uint32_t> touched_, since_;
   AtomList painted_, fresh_;
   std::shared_ptr<const Annotations> trail_;
-  std::vector<std::vector<PointA>> way_;  // in the dark, in pieces where the hand was placed elsewhere
+  std::vector<std::vector<PointA>> way_;  // in the dark; a new part starts where the hand was moved elsewhere
   std::size_t points_ = 0;
   double spacing_A_ = 0.0;
   std::shared_ptr<const Molecule> molecule_;
-  std::size_t dark_task_ = 0;  // which task of the step made it dark
+  std::size_t dark_task_ = 0;  // the index of the task that made the screen dark
   bool dark_ = false;
 };
 

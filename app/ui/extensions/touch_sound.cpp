@@ -13,18 +13,18 @@
 namespace moltact {
 namespace {
 
-// What is held for longer than this without news is let go: the window is busy with something else.
+// A contact without news for longer than this is ended: the window is blocked.
 constexpr int kStale_samples = kSamples_per_s / 2;
-constexpr double kFelt_s = 0.6;  // after so much of a first touch the person is asked
+constexpr double kFelt_s = 0.6;  // the user is asked after this time of the first touch
 
 }  // namespace
 
-// The window's thread writes the moments; the loudspeaker's thread owns the synthesis.
+// The window's thread writes the moments; the audio thread owns the synthesizer.
 struct TouchSound::Playing {
   SampleRing<TouchMoment, 4096> moments;
   TouchSynth synth;
   std::atomic<float> volume{0.0f};
-  float played = 0.0f;  // goes evenly to the volume
+  float played = 0.0f;  // ramps to the volume
   int stale = 0;
   AudioOutput output{kSamples_per_s, [this](std::span<float> out) {
                        stale += int(out.size());
@@ -66,7 +66,7 @@ void TouchSound::ticks(const FeltTicks& felt) {
   }
 }
 
-// Where no settings are kept nobody could be asked only once.
+// Without stored settings, the question would be asked at every start.
 void TouchSound::ask() {
   Settings& s = settings_;
   if (s.sound) s.sound_asked = true;
@@ -108,7 +108,7 @@ void TouchSound::switchOnOff() {
     heard_.clear();
     synth_ = {};
     last_A_.reset();
-    // A card that was not there may have been plugged in since.
+    // A sound card may have been connected since.
     const bool play = options_.clock != ServoClock::Frames;
     if (play && (!playing_ || playing_->output.state() == AudioOutput::State::Silent))
       playing_ = std::make_unique<Playing>();

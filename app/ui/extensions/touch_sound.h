@@ -1,7 +1,7 @@
-// Sound for the touch: fed with every tick, silent where there is no sound card. Who feels with a mouse or keys is asked
-// once, at the first touch, whether it is to be heard; it is quiet until the person wants it louder. On the frames'
-// clock nothing is played; what would have been heard is kept, for scripts and tests. Where a task asks what is touched it
-// goes on with the force and the speed alone (unseen.h). Window's thread.
+// Plays the sound of touch, computed from every tick; silent without a sound card. Users of a mouse or keys are asked
+// once, at the first touch, whether to play it. On the frames' clock the samples are stored instead of played, for
+// scripts and tests. If a task asks what is touched, the sound depends only on force and speed (unseen.h). Window's
+// thread.
 #pragma once
 
 #include <memory>
@@ -26,15 +26,15 @@ class TouchSound : public Extension {
   ~TouchSound() override;
 
   void ticks(const FeltTicks& felt) override;
-  /// The contact has ended.
+  /// Ends the contact's sound.
   void sceneChanged() override;
-  /// Sound is switched on and off; a missing sound card is reported once each time that sound is switched on.
+  /// Applies changes of the setting. A missing sound card is reported once each time that sound is switched on.
   void afterPanels() override;
 
-  /// The person's answer to the question; it is not asked again.
+  /// The user's answer to the question, which is not asked again.
   void answer(bool on);
 
-  /// The sound since it was switched on (frames' clock only, at kSamples_per_s).
+  /// The samples since sound was switched on (frames' clock only, at kSamples_per_s).
   const std::vector<float>& heard() const { return heard_; }
 
  private:
@@ -52,9 +52,9 @@ class TouchSound : public Extension {
   std::unique_ptr<Playing> playing_;
   bool on_ = false, told_ = false;
   MessageId question_ = 0;
-  double felt_s_ = 0.0;         // of touch, before the question
-  std::optional<Vec3> last_A_;  // where the contact point was in the last tick
-  TouchSynth synth_;            // of the frames' clock
+  double felt_s_ = 0.0;         // time of touch before the question
+  std::optional<Vec3> last_A_;  // the contact point in the last tick
+  TouchSynth synth_;            // for the frames' clock
   std::vector<float> heard_;
 };
 

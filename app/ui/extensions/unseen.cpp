@@ -28,8 +28,8 @@ void Unseen::stepChanged() {
   hidden_ = revealed_ = nullptr;
 }
 
-// A picture is the answer to questions that were asked about what was felt without it. What is right or wrong in neither
-// a prediction nor a free answer does not hang on it.
+// Showing the molecule would answer questions about what was felt. Predictions and free answers have no right answer
+// and do not count.
 bool Unseen::dependsOnUnseen() const {
   const LessonSession& session = *lesson_.session();
   for (std::size_t k = 0; k < session.step().tasks.size(); ++k)
@@ -41,14 +41,14 @@ bool Unseen::dependsOnUnseen() const {
   return false;
 }
 
-// A scene that draws nothing is shown, and unseen again where a task of it is begun anew.
+// A scene that draws nothing is shown at the end, and hidden again when a task of it restarts.
 void Unseen::followScene() {
   const LessonSession* session = lesson_.session();
   if (!session || !lesson_.onStage() || !scene_.stage() || session->step().tasks.empty()) return;
   const AtomList hidden = lesson_.looks().hidden;
   const bool depends = dependsOnUnseen();
   if (!depends && hidden && hidden->size() == scene_.stage().molecule->atoms.size()) {
-    // What the hand does not feel either stays away.
+    // Hidden atoms that are not touchable either stay hidden.
     const std::vector<std::uint32_t> unfelt = scene_.stage().spheres->untouchable();
     std::vector<std::uint32_t> still;
     std::set_intersection(hidden->begin(), hidden->end(), unfelt.begin(), unfelt.end(), std::back_inserter(still));
@@ -91,7 +91,7 @@ std::string Unseen::unnamedText(bool spoken) const {
 TouchMoment Unseen::heard(const ServoSample& sample, double slide_A_per_s) const {
   const double force_N = glm::length(sample.force.N);
   if (names(sample.contact)) return {sample.contact.feature, sample.contact.atoms, force_N, slide_A_per_s};
-  // As one atom sounds, always the same one.
+  // Always the sound of the same single atom.
   if (sample.contact.touching()) return {Feature::Sphere, {0, -1, -1}, force_N, slide_A_per_s};
   return {Feature::Free, {-1, -1, -1}, force_N, slide_A_per_s};
 }

@@ -1,7 +1,7 @@
-// What may be told of a contact, and when a molecule that was felt unseen is shown. Each panel, sound and text asks here.
-// A task may ask what is touched, the screen may be dark, or the scene may draw nothing: then nothing that is written,
-// spoken, sounded or outlined says more of a contact than its force does. What was unseen fades in once no task and no
-// question depends on it. Window's thread.
+// Decides what may be revealed of a contact, and when a molecule that was felt unseen is shown. All panels, sounds and
+// texts query it. A task may ask what is touched, the screen may be dark, or the scene may draw nothing. Then no text,
+// sound or outline reveals more of a contact than its force. The molecule fades in once no task and no question depends
+// on it. Window's thread.
 #pragma once
 
 #include <memory>
@@ -30,23 +30,21 @@ class Unseen final : public Extension {
   void stepChanged() override;
   bool live() const override { return veil_s_ < kFade_s; }
 
-  /// Whether the atoms of a contact, or how many of them hold the probe, may be told in words, by outlines or by sound.
+  /// Whether words, outlines or sound may reveal the contact's atoms or their number.
   bool names(const Contact& contact) const;
-  /// Nothing of the step's molecule is to be seen, and the hand finds its way without: in the dark, and in a scene of a
-  /// lesson that draws nothing.
+  /// Whether the step's molecule is invisible: in the dark, and in a lesson's scene that draws nothing.
   bool all() const { return unseen_; }
-  /// The contact in words as far as it may be told where `names` is false: "touching", and where the force is shown how
-  /// great it is and whereto it pushes. `spoken` leaves the force's figure out, which trembles.
+  /// The contact in words if names() is false: "touching" and, if the force is displayed, its magnitude and direction.
+  /// `spoken` omits the magnitude, which fluctuates.
   std::string unnamedText(bool spoken) const;
-  /// What may be heard of a tick: its force and the speed of its contact point, and what holds the probe where that may be
-  /// told.
+  /// The sound's input for a tick: force and speed of the contact point, and the feature if it may be revealed.
   TouchMoment heard(const ServoSample& sample, double slide_A_per_s) const;
-  /// The parts of the picture without those that outline what may not be told.
+  /// The visible parts, without those that outline what must not be revealed.
   ViewPartSet shownParts() const;
 
-  /// How strongly what was there before still covers the picture (1 to 0) while the molecule fades in.
+  /// The opacity of the previous picture while the molecule fades in (1 to 0).
   double veil() const { return 1.0 - veil_s_ / kFade_s; }
-  /// What covers it: the ground of the dark; else the picture that was kept.
+  /// Whether the veil is the dark background; otherwise it is the stored picture.
   bool veilIsDark() const { return dark_veil_; }
 
  private:
@@ -61,7 +59,7 @@ class Unseen final : public Extension {
   const Settings& settings_;
   ViewPicture& picture_;
   const FrameTime& time_;
-  AtomList hidden_, revealed_;  // what the scene hides, where it is shown; and what stays hidden of it
+  AtomList hidden_, revealed_;  // atoms that the scene hides, where they are shown; those that stay hidden
   double veil_s_ = kFade_s;
   bool unseen_ = false, dark_ = false, dark_veil_ = false;
 };

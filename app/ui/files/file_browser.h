@@ -1,4 +1,4 @@
-// A folder as dialogs list it: its folders, and the files that may be chosen. Window's thread.
+// The entries of a folder for file dialogs: its subfolders and the files that may be chosen. Window's thread.
 #pragma once
 
 #include <filesystem>
@@ -17,18 +17,18 @@ struct FileEntry {
 class FileBrowser {
  public:
   using Accept = std::function<bool(const std::filesystem::path&)>;
-  /// Which files are listed beside the folders (default: every kind of file_kinds.h).
+  /// Sets which files are listed besides the folders (default: every kind in file_kinds.h).
   void accept(Accept files) { accept_ = std::move(files); }
 
-  /// Looks into a folder; one that cannot be read leaves the last, and fault() says why.
+  /// Lists a folder. If it cannot be read, the previous folder stays and fault() gives the reason.
   void look(const std::filesystem::path& where);
 
-  const std::filesystem::path& folder() const { return folder_; }     ///< empty until one has been read
+  const std::filesystem::path& folder() const { return folder_; }     ///< empty until a folder has been read
   const std::vector<FileEntry>& entries() const { return entries_; }  ///< folders first, then by name
   const std::string& fault() const { return fault_text_; }
 
-  std::string typed;  ///< what is being written in the page's field
-  bool open = false;  ///< the page was open in the last frame
+  std::string typed;  ///< the contents of the page's text field
+  bool open = false;  ///< whether the page was open in the last frame
 
  private:
   Accept accept_;

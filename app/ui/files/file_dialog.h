@@ -1,5 +1,5 @@
-// Asks the person for a file to be written or for a folder, and hands the answer to whoever asked (panels/file_page.cpp
-// draws it). Window's thread.
+// Asks the user for an output file or for a folder and passes the answer to the caller. panels/file_page.cpp draws the
+// dialog. Window's thread.
 #pragma once
 
 #include <filesystem>
@@ -13,28 +13,29 @@ namespace moltact {
 
 struct FileQuestion {
   std::string title;        ///< "Save the view as a picture"
-  std::string name = {};    ///< what is offered; empty: a folder is asked for
-  std::string ending = {};  ///< ".png": put behind a name that has none
+  std::string name = {};    ///< the suggested name; empty: ask for a folder
+  std::string ending = {};  ///< ".png": appended to a name without it
   std::function<void(const std::filesystem::path&)> chosen;
 };
 
 class FileDialog {
  public:
-  /// Opens the dialog in a folder, in place of one that is open. In a page, where files are handed over
-  /// (engine/platform/hand_over.h), a file that is to be written is chosen at once, and no dialog opens.
+  /// Opens the dialog in `folder` and replaces a dialog that is open. In a browser, files are downloaded
+  /// (engine/platform/hand_over.h): the suggested file is chosen at once and no dialog opens.
   void ask(FileQuestion question, const std::filesystem::path& folder);
   bool open() const { return question_.has_value(); }
   void close() { question_.reset(); }
 
-  const FileQuestion& question() const { return *question_; }  ///< only while open()
+  const FileQuestion& question() const { return *question_; }  ///< requires open()
   bool asksForFolder() const { return open() && question_->name.empty(); }
-  /// The file that would be chosen now: the name, with its ending, in the folder; empty where no name is written.
+  /// The file that choose() would choose now: the typed name with its extension, in the folder; empty if no name is
+  /// typed.
   std::filesystem::path answer() const;
-  /// Hands the answer over and closes.
+  /// Passes answer() to the caller and closes the dialog.
   void choose();
 
   FileBrowser browser;
-  std::string written;  ///< the name in the dialog's field
+  std::string written;  ///< the name in the dialog's text field
 
  private:
   std::optional<FileQuestion> question_;

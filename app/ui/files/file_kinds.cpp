@@ -14,7 +14,7 @@ struct EndingOfKind {
   FileKind kind;
 };
 
-// A kind of file is added with one line here, and with the one that opens it (Extension::open).
+// A new kind of file needs one line here and an extension that opens it (Extension::open).
 constexpr EndingOfKind kEndings[] = {{".md", FileKind::Lesson},
                                      {kPackEnding, FileKind::Pack},
                                      {".jsonl", FileKind::Attempt},

@@ -1,5 +1,5 @@
-// The kinds of file that the window opens, distinguished by their names: what the file browser lists, and what
-// Application::open hands to whom. Any thread.
+// The kinds of files that the window opens, distinguished by name. The file browser lists them; Application::open
+// selects the code that opens them. Any thread.
 #pragma once
 
 #include <filesystem>
@@ -8,17 +8,17 @@
 namespace moltact {
 
 enum class FileKind {
-  Molecule,   ///< what engine/molecule/reader.cpp has a format for
+  Molecule,   ///< a format of engine/molecule/reader.cpp
   Lesson,     ///< ".md"
-  Pack,       ///< ".moltact": a lesson with all that it needs
-  Attempt,    ///< ".jsonl": what a student did in a lesson
-  Recording,  ///< ".recording": a hand, every tick of it
+  Pack,       ///< ".moltact": a lesson with all files that it needs
+  Attempt,    ///< ".jsonl": a student's work on a lesson
+  Recording,  ///< ".recording": every tick of a hand's motion
 };
 
-/// The ending of a recording's name.
+/// The extension of a recording's name.
 inline constexpr const char* kRecordingEnding = ".recording";
 
-/// By the name alone; nothing for a file that is none of these.
+/// The kind by the name alone, or nothing for other files.
 std::optional<FileKind> fileKind(const std::filesystem::path& file);
 
 }  // namespace moltact

@@ -1,4 +1,4 @@
-// A folder's entries as rows that can be clicked. Window's thread.
+// Draws a folder's entries as clickable rows. Window's thread.
 #pragma once
 
 #include <filesystem>
@@ -10,15 +10,15 @@
 namespace moltact {
 
 enum class RowLabel {
-  Cut,    ///< on one line, cut where it is too long
-  Whole,  ///< on as many lines as it needs
+  Cut,    ///< on one line, cut if it is too long
+  Whole,  ///< wrapped onto as many lines as it needs
 };
 
-/// A row with a sign and a label; recorded as `name`. True when it was clicked.
+/// Draws a row with an icon and a label, recorded as `name`. Returns whether it was clicked.
 bool fileRow(const std::string& name, Icon icon, const std::string& label, RowLabel shows = RowLabel::Cut);
 
-/// The browser's folder; folders that are clicked are looked into. Returns a file that was clicked, else an empty path.
-/// Rows are recorded as prefix/up and prefix/entry/<name>; `nothing` is said where there are none.
+/// Draws the browser's folder; a click on a subfolder opens it. Returns a file that was clicked, or an empty path. Rows
+/// are recorded as prefix/up and prefix/entry/<name>. `nothing` is the text for an empty list.
 std::filesystem::path drawFileList(FileBrowser& browser, const std::string& prefix, const char* nothing);
 
 }  // namespace moltact

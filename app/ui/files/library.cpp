@@ -28,7 +28,7 @@ std::vector<LibraryItem> readLibrary() {
   return items;
 }
 
-// What stands behind a key at the line's beginning; empty for another line.
+// Returns the text after `key` if the line begins with the key, else an empty text.
 std::string valueIn(const std::string& line, std::string_view key) {
   if (!line.starts_with(key)) return {};
   const std::size_t from = line.find_first_not_of(" \t", key.size()), to = line.find_last_not_of(" \t\r");
@@ -62,7 +62,7 @@ bool standsBefore(const LibraryItem& a, const LibraryItem& b) {
   return order(a) < order(b);
 }
 
-// Without reading the whole lesson.
+// Reads only the front matter, not the whole lesson.
 LibraryItem lessonItem(const fs::path& file) {
   constexpr int kFrontMatterLines = 30;
   LibraryItem out{lessonName(file).id, file.stem().string(), file, "beginner"};

@@ -1,5 +1,5 @@
-// The molecules and lessons that come with the program, as menus list them, read once in each language; and lesson
-// folders. Window's thread.
+// The program's molecules and lessons as menus list them, read once per language; and folders of lessons. Window's
+// thread.
 #pragma once
 
 #include <filesystem>
@@ -10,35 +10,35 @@
 namespace moltact {
 
 struct LibraryItem {
-  std::string id;     ///< "1ubq"; of a lesson its name without the language
+  std::string id;     ///< "1ubq"; for a lesson its name without the language
   std::string label;  ///< "Ubiquitin (1UBQ)"
   std::filesystem::path file;
-  std::string level = {};  ///< of a lesson, in English: "beginner"
-  int minutes = 0;         ///< of a lesson; 0: it says none
-  int order = 0;           ///< of a lesson: its place among the others; 0: it says none
+  std::string level = {};  ///< lessons only, in English: "beginner"
+  int minutes = 0;         ///< lessons only; 0: not given
+  int order = 0;           ///< lessons only: the position among the lessons that the author gives; 0: not given
 };
 
-/// How two lessons stand to each other wherever lessons are listed: those to which their authors gave a place, in that
-/// order, then by level, the newcomer's first, by length and name.
+/// The order of lessons in every list. Lessons with a position come first, in that order; the others follow by level
+/// (beginners first), duration and name.
 bool standsBefore(const LibraryItem& a, const LibraryItem& b);
 
-/// Where a level's lessons stand in a list: 0 first. The level in English.
+/// The rank of a level (its English name) in a list; 0 is first.
 int levelRank(std::string_view level);
 
-/// The lesson that a newcomer begins with.
+/// The lesson for newcomers.
 inline constexpr std::string_view kFirstLesson = "first-touch";
 
-/// The molecules of the catalogue, their titles in the language in use; empty where the program's data are not found.
+/// The molecules of the catalogue, with titles in the language in use. Empty if the program's data are not found.
 const std::vector<LibraryItem>& library();
-/// The lessons of this computer in the order of standsBefore(): those in `lessons` of sharedDataFolders(), and the program's; each once, in the
-/// language in use.
+/// The lessons on this computer in the order of standsBefore(), each once, in the language in use. They come from
+/// `lessons` in each of sharedDataFolders() and from the program's own folder.
 const std::vector<LibraryItem>& lessons();
-/// The lessons in a folder, by name; each once, in the language in use. Empty where it cannot be read.
+/// The lessons in a folder by name, each once, in the language in use. Empty if the folder cannot be read.
 std::vector<LibraryItem> lessonItems(const std::filesystem::path& folder);
-/// The lessons in several folders in the order of standsBefore(). Of lessons with the same name that in the first folder counts: a newer
-/// version, or one for this school.
+/// The lessons in several folders in the order of standsBefore(). Of lessons with the same name, the one in the first
+/// folder counts, so that a school can replace a lesson by its own version.
 std::vector<LibraryItem> lessonsOf(const std::vector<std::filesystem::path>& folders);
-/// One lesson, with what its front matter says at a glance.
+/// One lesson, with the properties that its front matter gives.
 LibraryItem lessonItem(const std::filesystem::path& file);
 
 }  // namespace moltact

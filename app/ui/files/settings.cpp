@@ -38,7 +38,7 @@ void readSwitch(const nlohmann::json& from, const char* key, bool& to) {
   if (const auto it = from.find(key); it != from.end() && it->is_boolean()) to = it->get<bool>();
 }
 
-// A unit that the dimension is not shown in counts as none chosen.
+// Ignores a unit that does not belong to the dimension.
 void readUnit(const std::string& dimension, const nlohmann::json& unit, std::map<std::string, std::string>& to) {
   if (unit.is_string() && UnitSet().choose(dimension, unit.get<std::string>())) to[dimension] = unit.get<std::string>();
 }
@@ -89,13 +89,13 @@ LoadedSettings loadSettings(const fs::path& file) {
   readSwitch(json, "left_handed", s.left_handed);
   if (const auto code = json.find("language"); code != json.end() && code->is_string())
     s.language = code->get<std::string>().substr(0, 8);
-  // Before there was a choice of three the file said whether it was a comma.
+  // Older files have a boolean in place of the choice of three decimal signs.
   bool comma = false;
   readSwitch(json, "decimal_comma", comma);
   if (comma) s.decimal_sign = DecimalSign::Comma;
   if (const auto sign = json.find("decimal_sign"); sign != json.end() && sign->is_string())
     s.decimal_sign = decimalSignNamed(sign->get<std::string>()).value_or(s.decimal_sign);
-  // Before each dimension had a choice the file had one for lengths.
+  // Older files have a unit of length only.
   if (const auto chosen = json.find("units"); chosen != json.end() && chosen->is_object()) {
     for (const auto& [name, unit] : chosen->items()) readUnit(name, unit, s.units);
   } else if (const auto unit = json.find("length_unit"); unit != json.end()) {
@@ -153,7 +153,7 @@ nlohmann::json written(const Settings& s) {
 std::string saveSettings(const Settings& settings, const fs::path& file, const Settings& before) {
   std::error_code error;
   fs::create_directories(file.parent_path(), error);
-  // Paths may hold bytes that are no UTF-8; they are replaced and not thrown over.
+  // Paths may contain bytes that are not UTF-8; they are replaced instead of throwing.
   nlohmann::json kept;
   if (std::ifstream in(file, std::ios::binary); in) kept = nlohmann::json::parse(in, nullptr, false);
   nlohmann::json json = written(settings);

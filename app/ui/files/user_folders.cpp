@@ -29,7 +29,7 @@ std::filesystem::path cacheFolder() {
 
 namespace {
 
-// XDG_PICTURES_DIR="$HOME/Bilder", as xdg-user-dirs writes it; empty where there is no such line.
+// Reads XDG_PICTURES_DIR="$HOME/Bilder" as xdg-user-dirs writes it; empty if there is no such line.
 std::filesystem::path desktopsPictures(const std::filesystem::path& home) {
   constexpr std::size_t kMax_bytes = 1 << 16;
   constexpr std::string_view kKey = "XDG_PICTURES_DIR=\"", kHome = "$HOME";

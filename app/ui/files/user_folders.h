@@ -1,4 +1,4 @@
-// Where the window keeps what belongs to the person, after the XDG base directories.
+// The folders of the user's data, according to the XDG base directories.
 #pragma once
 
 #include <filesystem>
@@ -6,18 +6,17 @@
 
 namespace moltact {
 
-/// $XDG_CONFIG_HOME/moltact/settings.json, or under ~/.config; empty where there is no home.
+/// $XDG_CONFIG_HOME/moltact/settings.json, or under ~/.config; empty if there is no home folder.
 std::filesystem::path settingsFile();
-/// userDataFolder()/lessons: where a person's own lessons are looked for unless the settings say otherwise; may not
-/// exist.
+/// userDataFolder()/lessons: the default folder of the user's own lessons. It may not exist.
 std::filesystem::path ownLessonsFolder();
-/// $XDG_CACHE_HOME/moltact, or under ~/.cache: what can be made again; empty where there is no home.
+/// $XDG_CACHE_HOME/moltact, or under ~/.cache: files that can be regenerated; empty if there is no home folder.
 std::filesystem::path cacheFolder();
-/// Where the desktop keeps pictures (XDG_PICTURES_DIR of user-dirs.dirs: ~/Bilder on a German one), else ~/Pictures, the
-/// first that is there; else the home folder, and only without one the current folder.
+/// The desktop's picture folder (XDG_PICTURES_DIR in user-dirs.dirs, for example ~/Bilder on a German desktop), else
+/// ~/Pictures; the first that exists. Otherwise the home folder, or without one the current folder.
 std::filesystem::path pictureFolder();
 
-/// A path as a person typed it: ~/ is the home folder.
+/// A path as the user typed it; ~/ is replaced by the home folder.
 std::filesystem::path typedPath(const std::string& typed);
 
 }  // namespace moltact

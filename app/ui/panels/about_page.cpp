@@ -1,4 +1,4 @@
-// Help: what the program is and on whose work it stands.
+// Help > About: the program's purpose and version, its method, its licence and the libraries that it uses.
 #include "app/ui/application/application.h"
 #include "app/ui/widgets/controls.h"
 #include "app/ui/widgets/theme.h"

@@ -24,13 +24,13 @@ using App = Application;
 
 bool hasStage(const App& a) { return bool(a.scene.stage()) && !a.panels.welcome; }
 bool inLesson(const App& a) { return a.lesson.session() && !a.panels.welcome; }
-// While students take turns the screen is theirs.
+// Teachers' notes are hidden while students take turns at the screen.
 bool mayTeacherNotes(const App& a) {
   return inLesson(a) && !a.extensions().turns.on() && !a.extensions().name_asker.asking() &&
          hasTeacherNotes(a.lesson.session()->lesson());
 }
 bool atWork(const App& a) { return !a.panels.welcome; }
-// Where a lesson locks its panels, a narrow window still shows the one or the other.
+// If a lesson locks its panels, a narrow window can still switch between the two panels.
 bool mayTouchPanel(const App& a) { return atWork(a) && (a.panels.touch || !a.lesson.locks("panels")); }
 bool mayMethods(const App& a) { return atWork(a) && !a.lesson.locks("panels"); }
 
@@ -47,14 +47,14 @@ void measureTouched(App& a) {
   a.extensions().measuring.take(*a.scene.stage().molecule, std::uint32_t(contact.atoms[0]));
 }
 
-// Where only one side panel has room, showing one hides the other.
+// If only one side panel has room, showing one hides the other.
 void switchPanel(App& a, bool& wanted, const Rectangle& place, bool lesson) {
   const bool seen = !place.empty();
   wanted = !seen;
   if (!seen) a.panels.lesson_first = lesson;
 }
 
-// The plane faces the viewer as the molecule is seen now.
+// The cutting plane faces the viewer in the present orientation of the molecule.
 void switchCut(App& a) {
   if (a.scene.look.cut) {
     a.scene.look.cut.reset();
@@ -64,7 +64,7 @@ void switchCut(App& a) {
   a.scene.look.cut = CutPlane{normal, glm::dot(normal, a.scene.stage().middle.A)};
 }
 
-// As the key of a scene: "view: turned 30 10 0".
+// Copies the view as a line of a scene: "view: turned 30 10 0".
 void copyView(App& app) {
   const std::string line = "view: " + viewText(app.scene.camera);
   ImGui::SetClipboardText(line.c_str());
@@ -243,7 +243,7 @@ constexpr std::array kActions{
            .run = [](App& a) { switchCut(a); },
            .enabled = [](const App& a) { return hasStage(a) && !a.lesson.locks("show"); },
            .on = [](const App& a) { return a.scene.look.cut.has_value(); }},
-    // Not where a lesson's scene stands: names and marks could answer what it asks for.
+    // Disabled in a lesson's scene, because names and marks could give away answers.
     Action{.name = "look",
            .menu = Menu::View,
            .label = N_("How atoms are drawn …"),
@@ -450,7 +450,7 @@ void runShortcuts(Application& app) {
     if ((page || io.WantTextInput) && !action.while_writing) continue;
     if ((keysPressed(action.shortcut) || keysPressed(action.also)) && enabled(action, app)) action.run(app);
   }
-  // Escape closes what is open. It leads back from the welcome page, and never away from a molecule or a lesson.
+  // Escape closes an open page. It also leaves the welcome page, but never a molecule or a lesson.
   if (!page && !io.WantTextInput && !ImGui::IsAnyMouseDown() && app.panels.welcome && app.hasWork() &&
       keysPressed("Escape"))
     findAction("welcome")->run(app);

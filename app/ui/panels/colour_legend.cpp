@@ -1,5 +1,5 @@
-// In the view's upper left corner: what the colours of the atoms are. Where it would hide the molecule it is a closed
-// line that opens by a click.
+// The legend of the atoms' colours in the view's upper left corner. If it would hide the molecule, it is a closed line
+// that a click opens.
 #include "engine/render/colour_legend.h"
 
 #include <algorithm>
@@ -18,14 +18,15 @@
 namespace moltact {
 namespace {
 
-constexpr float kWidthShare = 1.0f / 3.0f, kHeightShare = 0.5f;  // of the view: a larger one is closed at first
+constexpr float kWidthShare = 1.0f / 3.0f, kHeightShare = 0.5f;  // shares of the view; a larger legend is closed at
+                                                                 // first
 
 bool namesMarks(const Application& app) {
   const auto& marks = app.scene.look.marks;
   return marks && std::any_of(marks->begin(), marks->end(), [](const OwnColour& m) { return !m.name.empty(); });
 }
 
-// Of one element alone, in its customary colour, there is nothing to tell.
+// A single element in its customary colour needs no legend.
 std::vector<LegendEntry> entriesOf(Application& app) {
   const std::vector<LegendEntry>& of_atoms = app.panels.colours.of(app.scene.stage().molecule, app.scene.colour_by,
                                                                    elementColoursOf(app.settings), app.scene.look);
@@ -48,7 +49,7 @@ ImVec2 sizeOfLine() {
   return {l.px(38) + ImGui::CalcTextSize(tr("Colours")).x, ImGui::GetFontSize() + l.px(12)};
 }
 
-// The line that stands for it while it is closed, and above it once it is open. Returns where it ends.
+// Draws the line that opens and closes the legend. Returns its lower edge.
 float drawLine(Application& app, ImVec2 low) {
   const Look& l = look();
   const char* const label = tr("Colours");
@@ -86,7 +87,7 @@ void drawColourLegend(Application& app, ViewRoom& room) {
   ImVec2 low{view.low.x + l.px(14), view.low.y + l.px(14)};
   const float width = indent + wide + 2 * pad;
   const bool large = width > kWidthShare * view.size().x || heightOf(entries.size()) > kHeightShare * view.size().y;
-  // What stands at the top of the view keeps its place.
+  // Overlays at the top of the view keep their place.
   const float stands = !large ? width : app.panels.legend ? std::max(width, sizeOfLine().x) : sizeOfLine().x;
   if (!kept_free.empty() && low.x + stands > kept_free.low.x) low.y = kept_free.high.y + l.px(8);
   const float most_x = view.high.x - l.px(60), most_y = std::min(view.high.y - l.px(80), room.words_top);

@@ -1,4 +1,4 @@
-// Help: what mouse and keys do, over the molecule and in the program.
+// Help > Mouse and keys: the controls of the view and of the program.
 #include <array>
 #include <string>
 
@@ -16,9 +16,9 @@ namespace {
 struct Row {
   const char *what, *mouse, *keys;
   const char* left_handed = nullptr;  // with a left-handed mouse; null: the same
-  bool of_body = false;               // told where the hand holds one
+  bool of_body = false;               // shown only while the hand holds a body
 };
-// What is no command but a movement.
+// Controls that are movements and not commands.
 constexpr std::array kRows{
     Row{N_("Move the probe"), N_("move"), N_("arrows")},
     Row{N_("Push it in"), N_("hold left button"), N_("hold Space"), N_("hold right button")},
@@ -60,7 +60,7 @@ std::string menuLetters() {
   return out;
 }
 
-// An empty text is nobody's to translate.
+// An empty text must not be passed to the translation.
 const char* shown(const char* text) { return *text ? tr(text) : text; }
 
 void drawMovements(const Application& app) {

@@ -18,13 +18,13 @@
 namespace moltact {
 namespace {
 
-// The same in both themes: it is dark.
+// The same colours in every theme.
 constexpr ImU32 kGround = IM_COL32(13, 15, 19, 255), kTrack = IM_COL32(46, 51, 61, 255),
                 kBright = IM_COL32(232, 236, 242, 255);
 constexpr ImU32 kQuiet = IM_COL32(152, 160, 173, 255), kFill = IM_COL32(72, 199, 182, 255);
 
 constexpr float kPi = std::numbers::pi_v<float>;
-constexpr float kFrom = 0.75f * kPi, kTo = 2.25f * kPi;  // of the meter's arc: open below
+constexpr float kFrom = 0.75f * kPi, kTo = 2.25f * kPi;  // of the meter's arc, which is open at the bottom
 
 void centred(const char* name, ImFont* font, const std::string& text, ImVec2 middle, float width, ImU32 colour) {
   const ImVec2 size = font->CalcTextSizeA(font->FontSize, 1e9f, width, text.c_str());
@@ -33,7 +33,7 @@ void centred(const char* name, ImFont* font, const std::string& text, ImVec2 mid
   recordRectangle(name, {low.x, low.y}, {low.x + size.x, low.y + size.y}, text);
 }
 
-// An arc that fills up to the largest force that the hand is ever given.
+// An arc that is full at the largest force that the hand can receive.
 void drawMeter(double force_N, double most_N, ImVec2 middle, float radius) {
   ImDrawList* draw = ImGui::GetWindowDrawList();
   const float thick = 0.13f * radius;
@@ -51,8 +51,8 @@ void drawMeter(double force_N, double most_N, ImVec2 middle, float radius) {
   centred("view/force meter", look().font(Font::Title), text, {middle.x, middle.y + 0.86f * radius}, 0.0f, kBright);
 }
 
-// Whereto the surface pushes, as a hand at a force-feedback device feels it: an arrow as long as it goes sideways, on a
-// ring that it reaches when it goes nowhere else; straight toward the person it is the dot in the middle.
+// The direction of the surface's push as a force-feedback device renders it. The arrow is the lateral part; a purely
+// lateral push reaches the ring. A push straight toward the user is a dot in the middle.
 void drawDirection(const Vec3& direction, ImVec2 middle, float radius) {
   ImDrawList* draw = ImGui::GetWindowDrawList();
   draw->AddCircle(middle, radius, kTrack, 64, look().px(1.5f));

@@ -1,4 +1,4 @@
-// The view while the screen is dark: no molecule, only what is felt. Window's thread.
+// The view while the screen is dark: the molecule is hidden and can only be felt. Window's thread.
 #pragma once
 
 #include "app/ui/widgets/layout.h"
@@ -7,14 +7,14 @@ namespace moltact {
 
 class Application;
 
-/// In the view's place: where the task shows it a meter of the force and an arrow in the direction of its push, as a
-/// force-feedback hand would feel both; and whether there is contact.
+/// Draws the dark view in place of the view: whether there is contact and, if the task shows them, a meter of the force
+/// and an arrow of its direction. The arrow shows what a hand at a force-feedback device would feel.
 void drawDarkView(Application& app, const Rectangle& view);
 
-/// The ground of the dark over the view, as strongly as it is still there (1 to 0).
+/// Draws the dark background over the view; `strength` fades it out from 1 to 0.
 void drawDarkVeil(const Rectangle& view, float strength);
 
-/// In the dark: writes into a panel that it is hidden, and gives true. Otherwise does nothing and gives false.
+/// In the dark: writes into the panel that it is hidden, and returns true. Otherwise returns false.
 bool drawnDark(Application& app);
 
 }  // namespace moltact

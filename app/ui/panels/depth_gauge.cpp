@@ -1,5 +1,5 @@
-// In the view's lower right corner while the probe touches: from the side, how deep the hand is pressed under the surface
-// on which the probe rests. In the view itself that way mostly runs along the line of sight.
+// In the view's lower right corner while the probe touches: the depth of the hand under the surface, seen from the
+// side. In the view itself, the depth mostly lies along the line of sight.
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -19,7 +19,7 @@ void drawDepthGauge(Application& app, ViewRoom& room, float bottom_px) {
   const Rectangle& view = room.view;
   const ServoSample& now = app.scene.log().latest();
   const double depth_A = glm::length(now.contact.displacement_A);
-  // A body rests on many places at once and has no one depth under a surface.
+  // A body has several contacts and no single depth.
   if (!app.settings.depth_gauge || app.scene.stage().body || !app.scene.shown.has(ViewPart::Hip) ||
       !now.contact.touching() || !(depth_A > 0.0) || !std::isfinite(depth_A))
     return;
@@ -36,7 +36,7 @@ void drawDepthGauge(Application& app, ViewRoom& room, float bottom_px) {
   ImDrawList* draw = ImGui::GetWindowDrawList();
   draw->AddRectFilled(low, high, faded(l.palette.panel, 0.85f), l.px(8));
 
-  // The probe as large as it is beside the depth; both smaller where they do not fit.
+  // The probe at the same scale as the depth; both shrink if they do not fit.
   const float inside = size.y - l.px(44), middle = 0.5f * (low.x + high.x);
   const double whole_A = 2.0 * now.probe_A + std::max(depth_A, 2.0);
   const float px_per_A = std::min(saturateToFloat(inside / whole_A), l.px(16));

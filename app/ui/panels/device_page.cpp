@@ -1,5 +1,5 @@
-// View > Device: which devices there are, the one in use live, its calibration, a gentle force to try it with, the
-// limits in force, how punctual the loop is, and what its scale means.
+// View > Device: the list of devices; for the one in use its live state, calibration, a gentle test force, the limits
+// in force, the timing of the loop and the meaning of the scale.
 #include <imgui.h>
 #include <imgui_stdlib.h>
 
@@ -30,7 +30,7 @@ void words(const char* name, const std::string& text, ImU32 colour) {
   recordItem(name, text);
 }
 
-// Above all that scrolls.
+// Above the scrolled part.
 void drawStop(Application& app, DeviceLink& link) {
   const Palette& p = look().palette;
   const bool panic = app.scene.servo_settings.panic;
@@ -65,7 +65,7 @@ void drawUsable(DeviceLink& link) {
     askForDevice();
 }
 
-// A field for each driver that takes an address.
+// One field for each driver that takes an address.
 void drawAddresses(DeviceLink& link) {
   const Look& l = look();
   for (const DeviceDriver& driver : deviceDrivers()) {
@@ -96,7 +96,7 @@ void drawAddresses(DeviceLink& link) {
   }
 }
 
-// Those that the page cannot offer otherwise.
+// Devices that are listed although they cannot be used.
 bool listedUnusable(const FoundDevice& one) {
   const DeviceDriver* const driver = findDriver(one.name);
   return !one.usable && !(driver && driver->find_at);
@@ -114,7 +114,7 @@ void drawUnusable(const DeviceLink& link) {
   }
 }
 
-// The device's room seen along one of its axes, `scale` pixels a millimetre: the hand in it, and the force on it.
+// The device's workspace along one of its axes, `scale` pixels per millimetre, with the hand and its force.
 void drawRoom(const char* name, const char* label, ImVec2 low, ImVec2 size, float scale, glm::dvec2 room_mm,
               glm::dvec2 hand_mm, glm::dvec2 force_N) {
   constexpr float kForce_px_per_N = 14.0f;
@@ -138,11 +138,11 @@ void drawRoom(const char* name, const char* label, ImVec2 low, ImVec2 size, floa
   draw->AddText({middle.x - 0.5f * ImGui::CalcTextSize(label).x, low.y + size.y + l.px(4)}, p.quiet, label);
 }
 
-// From the front and from above, where a device in the hand leads.
+// The front view and the view from above, if a haptic device is in use.
 void drawRooms(const ServoSample& now, const DeviceInfo& info) {
   const Look& l = look();
   const Vec3& room = info.workspace_mm;
-  // A recording may tell of any room, and of a hand anywhere.
+  // A recording may contain any workspace and any position of the hand.
   const auto drawn = [](double side_mm) { return side_mm >= 1.0 && side_mm <= 1e5; };
   if (!drawn(room.x) || !drawn(room.y) || !drawn(room.z)) return;
   const float gap = l.px(16), width = 0.5f * (ImGui::GetContentRegionAvail().x - gap);
@@ -169,7 +169,7 @@ void drawLive(Application& app, DeviceLink& link) {
     words("device/awaited", trf("{0} leads as soon as it can be reached.", link.awaited()), p.warn);
   if (!link.status().text.empty()) words("device/status", link.status().text, p.warn);
   if (link.wantsCalibration(servo) && button("device/calibrate", tr("Calibrate"))) servo.chosen()->calibrate();
-  // What is no place in any device's reach has no number here: one of 300 digits would push the rest off the page.
+  // Positions far outside any device's workspace are shown without a number; one of 300 digits would not fit.
   const auto shown_mm = [](double mm) { return std::abs(mm) <= 1e6 ? mm : std::nan(""); };
   const auto place = [&](double mm) { return quantityNumber(shown_mm(mm), Dimension::HandLength); };
   std::string line = trf("Hand at {0}, {1}, {2}; force {3}", place(now.hand.mm.x), place(now.hand.mm.y),
@@ -217,7 +217,7 @@ void drawLimits(Application& app) {
   words("device/limits", text, p.quiet);
 }
 
-// A hand as a file: recorded here, played by opening it.
+// Recording a hand to a file. Opening the file plays it.
 void drawRecording(Application& app) {
   HandRecorder& recorder = app.extensions().hand_recorder;
   const Palette& p = look().palette;
@@ -246,7 +246,7 @@ void drawRecording(Application& app) {
   }
 }
 
-// A bar a class of lateness.
+// One bar per class of lateness.
 void drawLateness(const DeviceLink& link) {
   const Look& l = look();
   sectionTitle(tr("How late ticks begin"));
@@ -265,7 +265,7 @@ void drawLateness(const DeviceLink& link) {
   WithFont small(Font::Small);
   WithText quiet(l.palette.quiet);
   const ImVec2 below = ImGui::GetCursorScreenPos();
-  // "20 µs", "50", "100", "200", "500", "1 ms", "2", "5", "more": a unit where it begins.
+  // "20 µs", "50", "100", "200", "500", "1 ms", "2", "5", "more": the unit only where it changes.
   for (std::size_t k = 0; k < share.size(); ++k) {
     std::string label = tr("more");
     if (k < DeviceLink::kLate_us.size()) {

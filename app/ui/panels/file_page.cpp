@@ -1,4 +1,4 @@
-// A file is to be written, or a folder chosen: where, and under which name.
+// The dialog for an output file or a folder: place and name.
 #include <imgui.h>
 #include <imgui_stdlib.h>
 

@@ -1,5 +1,5 @@
-// What safety does to the force: that all force is stopped, and which limit acts; where
-// the force is only shown, the limits that take it away from under a hand that pushes.
+// Describes the limits of the safety stage: that all force is stopped, and which limit acts. If the force is only
+// drawn, it lists the limits that remove force while the user pushes.
 #include <algorithm>
 #include <string>
 
@@ -16,14 +16,14 @@
 namespace moltact {
 
 std::string limitText(const Application& app) {
-  if (app.panels.device_page) return {};  // which tells them itself
+  if (app.panels.device_page) return {};  // that page shows the limits itself
   if (app.scene.servo_settings.panic) return tr("All force is stopped. F9 allows it again.");
   std::string text;
   for (const std::string& words : app.extensions().device.limitNotices()) text += (text.empty() ? "" : "\n") + words;
   return text;
 }
 
-// Over a view that is dark or empty; else the lines at the view's lower edge have it (view_overlays.cpp).
+// Over a dark or empty view; otherwise the lines at the view's lower edge contain it (view_overlays.cpp).
 void drawLimitNotice(Application& app) {
   const Rectangle& view = app.layout().view;
   const bool stopped = app.scene.servo_settings.panic;

@@ -1,4 +1,4 @@
-// How the atoms are drawn, in the words of a lesson's scene: a field for each key, and what is wrong with it below.
+// How the atoms are drawn, in the words of a lesson's scene: a field for each key, and its error below.
 #include <imgui.h>
 #include <imgui_stdlib.h>
 
@@ -39,7 +39,7 @@ void drawLookPage(Application& app) {
     if (appears && k == 0) writeInLastField(id.c_str());
     const std::string& fault = faults[k];
     faulty = faulty || !fault.empty();
-    // Room for a line, so that nothing below moves while one writes.
+    // Reserves a line, so that nothing below moves during typing.
     const float y = ImGui::GetCursorPosY();
     ImGui::SetCursorPosX(l.tx(206));
     {

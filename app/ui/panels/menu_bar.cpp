@@ -1,4 +1,4 @@
-// Top: the menus, made from the table of actions; lists of files and parts have menus of their own within them.
+// The menu bar, generated from the table of actions, with submenus for lists of files and parts.
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -30,7 +30,7 @@ bool item(const std::string& name, const char* label, const char* shortcut = nul
   return chosen;
 }
 
-// As if it had been clicked; its first line is where the keys are.
+// Opens the menu as a click would and gives its first line the focus.
 void openByKeys(const char* label) {
   ImGui::OpenPopup(label);
   showKeysPlace(true);
@@ -39,7 +39,7 @@ void openByKeys(const char* label) {
 
 bool beginMenu(const std::string& name, const char* label, bool enabled = true) {
   const bool open = ImGui::BeginMenu(label, enabled);
-  // Within an open menu the last item is the menu's own window, so its head is recorded only while it is closed.
+  // While a menu is open, the last item is the menu's window, so its title is recorded only while it is closed.
   if (!open) recordItem(name, label);
   return open;
 }
@@ -83,8 +83,8 @@ bool showsWhatIsBound(const std::vector<StyledAtoms>& styles) {
   return styles.size() == 2 && styles[0].style == DrawStyle::Surface && styles[1].style == DrawStyle::BallAndStick;
 }
 
-// All atoms in one style. A surface hides what is bound in it: there the ligands are drawn as balls and sticks, and the
-// surface of all else lets them be seen.
+// All atoms in one style. A surface would hide bound molecules: ligands are drawn as balls and sticks, and the surface
+// of all other atoms is translucent.
 std::vector<StyledAtoms> stylesOf(DrawStyle style, const Molecule* molecule) {
   std::vector<std::uint32_t> bound, others;
   if (style == DrawStyle::Surface && molecule)
@@ -100,7 +100,7 @@ std::vector<StyledAtoms> stylesOf(DrawStyle style, const Molecule* molecule) {
           {.style = DrawStyle::BallAndStick, .atoms = listOf(std::move(bound))}};
 }
 
-// With the shapes it begins the group of what is drawn.
+// The separator begins the group of drawing options, which also contains the shapes.
 void styleMenu(Application& app) {
   ImGui::Separator();
   if (!beginSubmenu(app, "menu/view/style", tr("Style"), !app.panels.welcome && !app.lesson.locks("show"))) return;
@@ -118,7 +118,7 @@ void colourMenu(Application& app) {
   if (!beginSubmenu(app, "menu/view/colours", tr("Colours"), app.scene.stage() && !app.lesson.locks("show"))) return;
   const Colouring* const now = app.scene.look.colouring.get();
   for (const ColouringScheme& scheme : colouringSchemes()) {
-    // In a lesson's scene charge, hydrophobicity and others could answer what it asks for.
+    // In a lesson's scene, charge, hydrophobicity and others could give away answers.
     const bool plain = scheme.name == "element" || scheme.name == "chain";
     if (!plain && app.lesson.onStage()) continue;
     SceneSpec asked;
@@ -132,7 +132,7 @@ void colourMenu(Application& app) {
   ImGui::EndMenu();
 }
 
-// Those that the lesson's scene names.
+// The views that the lesson's scene names.
 void viewsMenu(Application& app) {
   if (app.panels.welcome || !app.lesson.session() || app.lesson.session()->scene().views.empty()) return;
   if (!beginSubmenu(app, "menu/view/views", tr("Views"), app.scene.stage() && !app.extensions().task_stager.dark()))
@@ -154,13 +154,13 @@ void sizeMenu(Application& app) {
 }
 
 void lessonList(Application& app) {
-  // A line parts the levels.
+  // A separator divides the levels.
   ImGui::Separator();
   for (const LibraryItem& entry : lessons())
     if (item("menu/lesson/" + entry.id, entry.label.c_str())) app.open(entry.file);
 }
 
-// What stands in a menu after one of its actions.
+// A submenu that follows an action.
 struct Inset {
   std::string_view after;
   void (*draw)(Application&);
@@ -197,7 +197,7 @@ void drawMenuBar(Application& app) {
       beginPanel("menu bar", app.layout().menu,
                  ImGuiWindowFlags_MenuBar | ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
   if (shown && ImGui::BeginMenuBar()) {
-    // The bar's own paddings are not the menus'.
+    // The bar's paddings do not apply to its menus.
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {l.px(12), l.px(10)});
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {l.px(16), l.px(10)});
     app.panels.menu_open = -1;

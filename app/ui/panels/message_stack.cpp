@@ -12,8 +12,8 @@
 namespace moltact {
 namespace {
 
-// Buttons in a row below the text; what cannot be done now is greyed. The one that was pressed: it may take the message
-// back, so it runs once all are drawn.
+// Draws the buttons in a row below the text; unavailable actions are disabled. Returns the pressed one, which the
+// caller runs after all are drawn, because it may remove the message.
 const Action* drawActions(Application& app, const Message& message, const std::string& name) {
   const Action* pressed = nullptr;
   for (std::size_t k = 0; k < message.actions.size(); ++k) {
@@ -38,7 +38,7 @@ void drawMessageStack(Application& app) {
                                                    : Rectangle{{0, app.layout().menu.high.y},
                                                                {app.layout().menu.high.x, app.layout().status.low.y}};
   const float margin = l.px(12), width = std::min(room.size().x - 2 * margin, l.tx(560));
-  constexpr float kMax = 0.45f;  // of the room's height
+  constexpr float kMax = 0.45f;  // share of the room's height
   float y = room.low.y + margin;
   std::optional<std::size_t> dismissed;
   const Action* chosen = nullptr;
@@ -54,7 +54,7 @@ void drawMessageStack(Application& app) {
     const float text_h = ImGui::CalcTextSize(lines.c_str(), nullptr, false, text_w).y;
     const float actions_h = m.actions.empty() ? 0.0f : l.px(8) + l.tx(34);
     const float height = std::min(std::max(text_h, l.tx(22)) + actions_h + 2 * pad, room.high.y - y - margin);
-    // What lies below them in the view needs room too: later messages wait until there is some.
+    // The view below needs room too: later messages wait.
     if (height < l.px(30) || (k > 0 && y + height - room.low.y > kMax * room.size().y)) break;
     const std::string name = "message/" + std::to_string(k);
     ImGui::SetNextWindowPos({0.5f * (room.low.x + room.high.x - width), y});

@@ -15,8 +15,8 @@
 namespace moltact {
 namespace {
 
-constexpr double kMinError_A = 1e-4, kMaxError_A = 10.0;  // smaller errors stand on the lowest line, marked 0
-constexpr float kLeftMargin = 38.0f;                      // for the numbers of the upright axis, in both pictures
+constexpr double kMinError_A = 1e-4, kMaxError_A = 10.0;  // smaller errors are drawn on the lowest line, labelled 0
+constexpr float kLeftMargin = 38.0f;                      // for the labels of the vertical axis, in both charts
 
 struct Frame {
   ImVec2 low, high;  // of the plotting area
@@ -44,7 +44,7 @@ std::string errorText(double error_A) {
   return quantityText(error_A, Dimension::Length, plain(error_A < 1e-3 ? 1 : 2));
 }
 
-// A head line with a title and a reading, the area below it on a raised ground, and the numbers of the time axis.
+// Draws a title line with a value, the plotting area below it on a raised background, and the numbers of the time axis.
 Frame begin(const char* title, const std::string& reading, float height) {
   const Look& l = look();
   const Palette& p = l.palette;
@@ -126,7 +126,7 @@ void speedAccuracyChart(const char* name, const MethodWatch& watch, const std::s
   std::vector<Box> taken;
   const float dot = l.px(3.5f), label_size = f.small * 0.92f;
   ImFont* font = l.font(Font::Small);
-  // All marks first, so that no name lies on one; then the names, the live one's before the others'.
+  // All marks first, so that no name covers one; then the names, that of the method in use first.
   std::vector<const MethodRecord*> shown;
   for (const MethodRecord& r : watch.tried())
     if (r.ticks >= MethodWatch::kJudged_ticks && !r.times.empty()) shown.push_back(&r);
@@ -155,7 +155,7 @@ void speedAccuracyChart(const char* name, const MethodWatch& watch, const std::s
       const bool inside = box.low.x >= f.low.x + l.px(2) && box.high.x <= f.high.x - l.px(2) && box.low.y >= f.low.y &&
                           box.high.y <= f.high.y;
       const Box own{{c.x - dot, c.y - dot}, {c.x + dot, c.y + dot}};
-      // A name may lie on a mark only where that mark and its own lie on each other; on a name never.
+      // A name may cover a mark only if that mark overlaps its own, and never another name.
       const auto marks_end = taken.begin() + std::ptrdiff_t(shown.size());
       if (!inside ||
           std::any_of(taken.begin(), marks_end, [&](const Box& b) { return b.meets(box) && !b.meets(own); }) ||

@@ -1,5 +1,5 @@
-// Pictures of what methods cost and how true they are, on ImGui's draw list. Time runs along the same logarithmic axis
-// in both, so that they may stand under each other. Window's thread.
+// Charts of the methods' times and errors, on ImGui's draw list. Both have the same logarithmic time axis, so that they
+// can be stacked. Window's thread.
 #pragma once
 
 #include <string>
@@ -8,12 +8,12 @@
 
 namespace moltact {
 
-/// Tick times by decades, with the median as the reading; recorded as `name`. `record` may be null: nothing measured
-/// yet.
+/// A histogram of tick times by decades, with the median as its value. Recorded as `name`. `record` null: nothing
+/// measured yet.
 void tickHistogram(const char* name, const MethodRecord* record, float height);
 
-/// A mark for each method tried, time against error, both logarithmic; the one in use stands out. Recorded as `name`,
-/// and each mark as name/<method>.
+/// Plots error against time for each method tried, both logarithmic; the method in use is highlighted. Recorded as
+/// `name`, each mark as name/<method>.
 void speedAccuracyChart(const char* name, const MethodWatch& watch, const std::string& in_use, float height);
 
 }  // namespace moltact

@@ -19,7 +19,7 @@ using Field = std::string (*)(const Method&);
 std::string familyOf(const Method& m) { return std::string(m.family.name); }
 std::string variantOf(const Method& m) { return std::string(m.variant); }
 
-// The different values of a field among some methods, in their order.
+// The distinct values of a field among some methods, in their order.
 std::vector<std::string> valuesOf(const std::vector<const Method*>& among, Field field) {
   std::vector<std::string> values;
   for (const Method* m : among)
@@ -34,7 +34,8 @@ std::vector<const Method*> those(const std::vector<const Method*>& among, Field 
   return out;
 }
 
-// One row of segments; `among` becomes the methods of the chosen value. True when another was chosen.
+// Draws one row of segments and reduces `among` to the methods with the chosen value. Returns whether another one was
+// chosen.
 bool row(const char* name, std::vector<const Method*>& among, Field field, const Method& now) {
   const std::vector<std::string> values = valuesOf(among, field);
   bool changed = false;
@@ -44,7 +45,7 @@ bool row(const char* name, std::vector<const Method*>& among, Field field, const
   return changed;
 }
 
-// The middle grade, and of that the first: neither the crudest nor the finest.
+// The first method of the middle grade.
 const Method* middleOf(const std::vector<const Method*>& among) {
   const std::vector<std::string> grades = valuesOf(among, gradeText);
   return those(among, gradeText, grades[grades.size() / 2]).front();

@@ -1,5 +1,5 @@
-// Right, in the touch panel's place when it is asked for: the haptic method under the hand is switched while touching,
-// and what it costs and how true it is are seen at once.
+// On request in the place of the touch panel: switches the haptic method during touch and shows its time and error at
+// once.
 #include "app/ui/application/application.h"
 #include "app/ui/panels/dark_view.h"
 #include "app/ui/panels/method_charts.h"

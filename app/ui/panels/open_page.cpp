@@ -1,4 +1,4 @@
-// File > Open: folders and files that can be read, what was opened last, and the library.
+// File > Open: folders and readable files, recent files, and the library.
 #include <imgui.h>
 #include <imgui_stdlib.h>
 

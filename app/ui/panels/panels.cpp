@@ -4,8 +4,8 @@
 
 #include "app/ui/application/panel_state.h"
 
-// One line a panel: its function is draw<Name>(Application&), in its own file. A page names the member of PanelState
-// that opens it; FilePage is opened by the dialog that it draws (app/ui/files/file_dialog.h).
+// One line per panel; the function draw<Name>(Application&) is in the panel's own file. A page names the member of
+// PanelState that opens it. The dialog that FilePage draws opens it (app/ui/files/file_dialog.h).
 #define MOLTACT_PANELS(PANEL, PAGE)       \
   PANEL(MenuBar)                          \
   PAGE(WelcomePage, welcome)              \

@@ -1,5 +1,6 @@
-// The panels of the window: a file each, here or in panels/lesson, and a row in panels.cpp; the other files are parts of them.
-// A panel draws the application's state with the controls of app/ui/widgets/controls.h and calls it to change it.
+// The panels of the window: one file each, here or in panels/lesson, and one row in panels.cpp. Other files hold parts
+// of panels. A panel draws the application's state with the controls of app/ui/widgets/controls.h and changes it by
+// calls.
 #pragma once
 
 #include <span>
@@ -12,9 +13,9 @@ struct PanelState;
 
 struct Panel {
   std::string_view name;
-  void (*draw)(Application& app);  ///< draws nothing where it is closed or has no room
-  bool PanelState::*page;          ///< of a page: its flag, which opens it; null for a panel, and for FilePage, which
-                                   ///< FileDialog opens
+  void (*draw)(Application& app);  ///< draws nothing if the panel is closed or has no room
+  bool PanelState::*page;          ///< the flag that opens a page; null for a panel, and for FilePage, which FileDialog
+                                   ///< opens
 };
 
 /// In the order in which they are drawn.

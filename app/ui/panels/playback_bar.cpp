@@ -1,4 +1,4 @@
-// Under the view while an attempt is played back: play, a bar of time with marks, what happened last, speed, close.
+// Below the view during the playback of an attempt: play, a timeline with marks, the last event, speed, close.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -36,8 +36,8 @@ ImU32 colourOf(TimelineMark::Kind kind) {
   return p.quiet;
 }
 
-// A step is a line across the bar, an answer a disc or a cross, a task a square, a hint a triangle: shapes, for those
-// who see no difference of colour.
+// A step is a line across the bar, an answer a disc or a cross, a task a square, a hint a triangle. The shapes do not
+// depend on colour vision.
 void drawMark(ImDrawList* draw, const TimelineMark& m, float x, float y, float half) {
   const ImU32 colour = colourOf(m.kind);
   const float r = look().px(4);
@@ -151,7 +151,7 @@ void drawPlaybackBar(Application& app) {
   ImGui::SameLine();
   const std::string length = clockText(saturateToInteger<int>(playback.timeline().length_s())),
                     time = clockText(saturateToInteger<int>(playback.at_s())) + " / " + length;
-  // Where there is little room the time stands before the words.
+  // If room is short, the time has priority over the words.
   const bool wide = whole > l.tx(430);
   const float time_w = wide ? ImGui::CalcTextSize((length + " / " + length).c_str()).x + l.px(6) + gap : 0.0f;
   drawScrubber(playback, whole - l.tx(72) - l.tx(58) - time_w - 2 * gap);
@@ -167,7 +167,7 @@ void drawPlaybackBar(Application& app) {
   ImGui::SetCursorPosY(y);
   drawSpeed(playback);
 
-  // What happened last stands where there is room beside the switches.
+  // The last event is shown if there is room beside the switches.
   const float switches = l.tx(350), close_w = l.tx(72);
   const bool roomy = whole > switches + l.tx(120);
   const std::string words = (wide ? "" : time + "  ") + told(playback);

@@ -1,4 +1,4 @@
-// Edit > Preferences: what suits a person and not a scene. Every change takes effect at once and is kept.
+// Edit > Preferences: settings of the user, not of a scene. Every change takes effect at once and is stored.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -51,7 +51,7 @@ void drawSize(Settings& s) {
   ImGui::Dummy({0, look().px(8)});
   sectionTitle(tr("Size of everything"));
   double percent = std::round(s.scale * 100.0);
-  // The page grows under the pointer: the size is taken when the button is let go.
+  // The page would grow under the pointer, so the size is applied when the button is released.
   static constexpr double kSteps[] = {75, 90, 100, 125, 150, 175, 200, 250, 300};
   std::size_t at = 0;
   for (std::size_t k = 0; k < std::size(kSteps); ++k)

@@ -9,7 +9,7 @@
 namespace moltact {
 namespace {
 
-constexpr float kSize = 52.0f, kGap = 12.0f;  // at 96 dpi: a finger's tip
+constexpr float kSize = 52.0f, kGap = 12.0f;  // at 96 dpi; a finger's tip
 
 void drawPad(const char* name, ImVec2 low, float size, bool harder) {
   const Look& l = look();

@@ -1,5 +1,5 @@
-// On the view's right edge, while fingers lead: two pads that make the push of another finger harder and lighter, as the wheel
-// does for a mouse. What they do is in app/ui/widgets/fingers.h. Window's thread.
+// Two pads on the view's right edge while fingers are used. They change the push of another finger, as the wheel does
+// for a mouse. app/ui/widgets/fingers.h implements them. Window's thread.
 #pragma once
 
 #include "app/ui/widgets/layout.h"
@@ -8,11 +8,11 @@ namespace moltact {
 
 class Application;
 
-/// Where they stand; empty where they are not shown.
+/// The rectangle of the pads; empty if they are hidden.
 Rectangle pushPadsPlace(const Application& app, const Rectangle& view);
 void drawPushPads(Application& app, const Rectangle& view);
 
-inline constexpr const char* kHarderPad = "view/harder";  ///< as the widgets' map names them
+inline constexpr const char* kHarderPad = "view/harder";  ///< names in the widget map
 inline constexpr const char* kLighterPad = "view/lighter";
 
 }  // namespace moltact

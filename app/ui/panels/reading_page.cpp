@@ -1,5 +1,5 @@
-// How the molecule's file is read: which model, with its waters, as which biological assembly, beside which other
-// molecule. From the table of readings.
+// How the molecule's file is read: its model, waters, biological assembly and second molecule. Generated from the table
+// of reading options.
 #include <imgui.h>
 #include <imgui_stdlib.h>
 

@@ -1,4 +1,4 @@
-// The edges between the panels and the view, which can be dragged.
+// The draggable edges between the panels and the view.
 #include "app/ui/panels/splitters.h"
 
 #include <algorithm>
@@ -30,7 +30,7 @@ void splitter(const char* name, const Rectangle& panel, bool on_its_right, doubl
   endPanel();
 }
 
-// Above a panel that stands below the view.
+// The edge above a panel below the view.
 void levelSplitter(const char* name, const Layout& layout, const Rectangle& panel, float& share) {
   constexpr float kMin = 0.2f, kMax = 0.8f;
   const Look& l = look();

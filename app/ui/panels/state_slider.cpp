@@ -1,4 +1,4 @@
-// At the top of the view, where a scene has two structures: a slider between them, and a button for each.
+// At the top of the view for a scene with two structures: a slider between them, and a button for each.
 #include <imgui.h>
 
 #include <algorithm>
@@ -17,10 +17,10 @@ namespace moltact {
 
 Rectangle drawStateSlider(Application& app, const Rectangle& view) {
   MovingStates& states = app.extensions().moving_states;
-  // In a playback they go as they went.
+  // During playback, the recording moves them.
   if (!states.there() || app.extensions().playback.on()) return {};
   const Look& l = look();
-  // The button that resets the view stands in the corner beside it.
+  // The button that resets the view is in the corner beside it.
   const float room = view.size().x - l.px(120), pad = l.px(8), gap = l.px(8), high = l.tx(30);
   if (room < l.tx(140)) return {};
   const auto widthOf = [&](int state) {
@@ -44,7 +44,7 @@ Rectangle drawStateSlider(Application& app, const Rectangle& view) {
   float wanted = float(states.wanted());
   if (ImGui::SliderFloat("##states", &wanted, 0.0f, 1.0f, "", ImGuiSliderFlags_AlwaysClamp))
     states.goTo(double(wanted));
-  // Where the atoms are on their way there.
+  // The present position of the atoms between the structures.
   const ImVec2 a = ImGui::GetItemRectMin(), b = ImGui::GetItemRectMax();
   const float x = a.x + l.px(4) + float(states.share()) * (b.x - a.x - l.px(8));
   ImGui::GetWindowDrawList()->AddLine({x, b.y + l.px(1)}, {x, b.y + l.px(4)}, l.palette.accent, l.px(2));

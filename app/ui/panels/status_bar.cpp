@@ -1,5 +1,5 @@
-// Bottom: the device, the molecule, and for experts how the 1 kHz loop keeps its time and how much of the molecule is
-// modelled. What has no room is left out, the least needed first.
+// The status bar: the device, the molecule, and for experts the timing of the 1 kHz loop and how much of the molecule
+// is modelled. If room is short, the least important parts are left out first.
 #include <optional>
 #include <string>
 #include <vector>
@@ -20,7 +20,7 @@ struct Segment {
   const char* name;
   std::string text;
   std::string tip;
-  int need;       ///< 0 is kept longest
+  int need;       ///< 0: shown longest
   ImU32 dot = 0;  ///< a coloured dot before the text; 0: none
 };
 
@@ -61,7 +61,8 @@ Segment loopSegment(const Application& app) {
   return {"status/loop", text, tip, 3, well ? p.good : p.warn};
 }
 
-// What a way of the hand is in the molecule: where a hand is felt with, or the scale is not the molecule's own.
+// The ratio between the hand's motion and the molecule: shown with a haptic device, or if the scale is not the
+// molecule's default.
 std::optional<Segment> scaleSegment(const Application& app) {
   const HapticSession& scene = app.scene;
   const bool magnified = scene.magnification() > 1.005;
@@ -107,11 +108,10 @@ void drawStatusBar(Application& app) {
                           : tr("No force-feedback device is connected; the mouse or keyboard stands in for it."),
                       2});
   if (std::optional<Segment> scale = scaleSegment(app)) segments.push_back(*scale);
-  // How long ticks take, and of how many atoms, would tell what is touched.
-  // Who compares methods wants the figures too.
+  // Tick times and the number of atoms would give away what is touched. They are also shown while methods are compared.
   const bool expert = app.settings.expert || app.panels.methods;
   if (!unseen.all() && expert) segments.push_back(loopSegment(app));
-  // Nor is what is not drawn named.
+  // A molecule that is not drawn is not named.
   if (app.scene.stage() && !unseen.all() && !app.scene.drawsNothing()) {
     const Molecule& m = *app.scene.stage().molecule;
     segments.push_back(

@@ -1,5 +1,5 @@
-// Right end of the top line: the actions that have a place there, as signs with tool tips. Where there is little room
-// the less needed ones are left out.
+// The tool bar at the right end of the top line: icons with tool tips for the actions that have a place there. If room
+// is short, the less important ones are left out.
 #include <algorithm>
 #include <string>
 #include <vector>

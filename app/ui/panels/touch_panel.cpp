@@ -1,4 +1,5 @@
-// Right: what is felt and how: force over time, the probe, what is shown; the method and the loop behind "More".
+// The right panel: what is felt and how: the force over time, the probe, the visible parts; the method and the loop
+// behind "More".
 #include <algorithm>
 #include <string>
 #include <vector>
@@ -19,13 +20,13 @@
 namespace moltact {
 namespace {
 
-// The controls of what the scene is felt with: those at the panel's head, or those among the details.
+// Draws the controls of the scene's touch: the main ones (`first`), or those among the details.
 void drawTouchControls(Application& app, bool first) {
   TouchSetup touch = app.scene.touch();
   for (const TouchProperty& p : touchProperties()) {
     const TouchControl& c = p.control;
     if (c.title.empty() || c.first != first || !isChoice(p)) continue;
-    if (p.member == TouchMember(&TouchSetup::probe_A) && app.scene.stage().body) continue;  // a body has none
+    if (p.member == TouchMember(&TouchSetup::probe_A) && app.scene.stage().body) continue;  // a body has no probe
     const WhileLocked locked(app, p.key);
     const std::string name(p.key), title(tr(c.title));
     const auto tip = [&](const std::string& usual) { return c.tip.empty() ? std::string() : trf(c.tip.data(), usual); };

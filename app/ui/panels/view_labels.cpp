@@ -1,4 +1,4 @@
-// Names, arrows and measures over the view; while a person measures, what was measured last or how it is done.
+// Names, arrows and measures over the view. While the user measures: the last measurement or instructions.
 #include <string>
 
 #include "app/ui/application/application.h"

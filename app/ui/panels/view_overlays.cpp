@@ -22,9 +22,9 @@
 namespace moltact {
 namespace {
 
-constexpr float kBeside_px = 40;  // at 96 dpi: the label keeps so far from the marks at the contact
+constexpr float kBeside_px = 40;  // at 96 dpi: distance of the label from the marks at the contact
 
-// Half a pixel of two that meet covers nothing.
+// An overlap of half a pixel is ignored.
 bool overlap(const Rectangle& a, const Rectangle& b) {
   constexpr float kNone = 0.5f;
   return a.low.x < b.high.x - kNone && b.low.x < a.high.x - kNone && a.low.y < b.high.y - kNone &&
@@ -37,8 +37,8 @@ ImVec2 pillSize(const std::string& lines, float width) {
   return {size.x + 2 * l.px(12), size.y + 2 * l.px(7)};
 }
 
-// A line of text on a rounded ground, wrapped at `width`, whose place is then taken; returns its height.
-// What has no room in the view is left out.
+// Draws a line of text on a rounded background, wrapped at `width`, and takes its place; returns its height. Text that
+// does not fit in the view is left out.
 float drawPill(ViewRoom& room, const char* name, const std::string& text, ImVec2 anchor, ImVec2 pivot, float width,
                ImU32 ground, ImU32 colour, float alpha = 1.0f) {
   const Look& l = look();
@@ -90,8 +90,8 @@ void scaleBar(const Application& app, ViewRoom& room) {
   room.take({{middle - half - pad, y - tick - size.y - 0.5f * pad}, {middle + half + pad, y + tick + pad}});
 }
 
-// The force in newtons, a little beyond the arrow's head; beside the contact where the arrow points at the viewer. Where
-// something stands there already it goes to the other sides of the contact; the line below tells the force too.
+// The force in newtons, a little beyond the arrow's head, or beside the contact if the arrow points at the viewer. If
+// that place is taken, the other sides of the contact are tried; the line below shows the force too.
 void forceLabel(const Application& app, const ServoSample& now, ViewRoom& room) {
   const Rectangle& view = room.view;
   const double force_N = app.scene.log().force_N();
@@ -141,7 +141,8 @@ const char* hintText(bool has_pressed, bool left_handed, bool fingers, bool body
                      : tr("Hold the left button, or Space, to push against the molecule");
 }
 
-// A press that has come to rest tells how it goes on: until the person has done so once, and wherever a task waits for it.
+// Once a press has come to rest, a hint explains the next control. It is shown until the user has used it once, and
+// whenever a task waits for it.
 bool wantsPushHint(const Application& app) {
   constexpr double kAtRest_s = 1.2;
   const ViewControls& controls = app.scene.controls;
@@ -153,7 +154,7 @@ bool wantsPushHint(const Application& app) {
   return !controls.hasPushed() || (task && task->wantsHarderPush());
 }
 
-// Where the scene marks the place of what the hand holds: how much of it is back.
+// How much of the held body is back at the place that the scene marks.
 std::string inPlaceText(const Application& app) {
   const HapticSession& scene = app.scene;
   const LessonSession* session = app.lesson.session();
@@ -170,8 +171,7 @@ std::string inPlaceText(const Application& app) {
   return text;
 }
 
-// A press beside the molecule meets nothing: it is told where the eyes are, or above the pointer where the place below
-// it is taken.
+// A press beside the molecule touches nothing. The notice is below the pointer, or above it if that place is taken.
 void emptyPlaceNotice(const Application& app, ViewRoom& room) {
   constexpr double kSoon_s = 0.25;
   const ViewControls& controls = app.scene.controls;
@@ -196,7 +196,7 @@ void emptyPlaceNotice(const Application& app, ViewRoom& room) {
   }
 }
 
-// Nothing is asked now that the name of an atom would answer: no lesson, or a step in which all is done.
+// Whether the name of an atom gives no answer away: there is no lesson, or everything in the step is done.
 bool mayNameAtoms(const Application& app) {
   if (app.extensions().task_stager.dark() || app.extensions().unseen.all() || app.scene.playing() ||
       app.extensions().playback.on())
@@ -204,7 +204,7 @@ bool mayNameAtoms(const Application& app) {
   return !app.lesson.session() || !app.lesson.onStage() || app.lesson.session()->stepDone();
 }
 
-// The name of the atom under a pointer that does not push.
+// Shows the name of the atom under the pointer while it does not push.
 void hoveredAtom(const Application& app, ViewRoom& room) {
   const ImGuiIO& io = ImGui::GetIO();
   if (!mayNameAtoms(app) || app.panels.fingers || app.scene.controls.pressing() || ImGui::IsAnyMouseDown() ||
@@ -231,7 +231,7 @@ void hoveredAtom(const Application& app, ViewRoom& room) {
   }
 }
 
-// What takes long is seen to go on: a bar that runs to and fro.
+// An animated bar during slow loading.
 void loadingSign(const Application& app, ViewRoom& room) {
   const Rectangle& view = room.view;
   constexpr double kLong_s = 0.5, kRound_s = 1.6;
@@ -262,13 +262,13 @@ void drawReset(Application& app, ViewRoom& room) {
     app.resetViewByHand();
 }
 
-// Messages lie over the upper edge of the view: what is drawn in it begins below them.
+// The view's part below the messages, which cover its upper edge.
 Rectangle belowMessages(const Application& app, Rectangle view) {
   view.low.y = std::clamp(app.panels.messages_end, view.low.y, std::max(view.low.y, view.high.y - 1.0f));
   return view;
 }
 
-// The picture shows the former style meanwhile.
+// Meanwhile the picture shows the previous style.
 void surfaceSign(Application& app, ViewRoom& room, float width) {
   const std::optional<float> share = app.picture().surfaceProgress();
   if (!share) return;
@@ -308,18 +308,18 @@ void drawViewOverlays(Application& app, const Rectangle& whole_view) {
   }
   if (const Rectangle pads = pushPadsPlace(app, whole_view); !pads.empty()) room.take(pads);
   surfaceSign(app, room, width);
-  // Words stand left of the scale bar; in a narrow view they need all of it.
+  // Text is left of the scale bar; in a narrow view it needs the whole width.
   const bool roomy = width > l.tx(320);
   if (roomy) scaleBar(app, room);
   const float bottom = view.high.y - margin, words = roomy ? width - l.tx(150) : width;
   const std::string measured = measuringText(app);
-  float above = bottom;  // where the next pill ends
+  float above = bottom;  // lower edge of the next pill
   if (now.contact.fault == Fault::StartedInside) {
     above -= l.px(8) + pill("view/state", contactText(app.scene.stage().molecule.get(), now.contact, 0.0),
                             ImVec2(view.low.x + margin, bottom), ImVec2(0, 1), words, p.warn_soft, p.warn);
   } else if (now.felt()) {
     const WithFont font(app.settings.large_state_text ? Font::Heading : Font::Body);
-    // The line rests a moment before it tells something new; by then it may be the first touch.
+    // The text lags a moment behind the state. The present state may already be the first touch.
     const StateText& state = app.extensions().state_text;
     above -= l.px(8) + pill("view/state",
                             state.tellsContact() ? state.line(app.scene)

@@ -1,4 +1,4 @@
-// The overlays of the 3-D view: the state in words, the scale bar, the hint of controls. Window's thread.
+// The overlays of the 3-D view: the contact in words, the scale bar, the hint of controls. Window's thread.
 #pragma once
 
 #include <string>
@@ -11,27 +11,27 @@ namespace moltact {
 
 class Application;
 
-/// How long the force arrow is on the screen (unit: pixel at 96 dpi for 1 N): as long for a protein as for one atom,
-/// because what the hand gives does not depend on the zoom.
+/// The length of the force arrow on the screen (unit: pixel at 96 dpi per newton). It does not depend on the zoom or
+/// the molecule's size, as the force does not either.
 inline constexpr float kArrow_px_per_N = 70.0f;
 
 /// The scene that the 3-D view shows now.
 ViewScene seenScene(const Application& app);
 
-/// Names, arrows and measures of the scene that is shown.
+/// Draws names, arrows and measures of the scene.
 void drawViewLabels(Application& app, const ViewScene& scene, const Rectangle& view);
 
-/// While a person measures: what was measured last, else how it is done; empty while nobody does.
+/// While the user measures: the last measurement, or instructions before the first. Empty otherwise.
 std::string measuringText(const Application& app);
 
-/// The part of the view that overlays may use in this frame, and what already stands in it: nothing covers anything.
+/// The room for overlays in this frame and the places that are taken, so that overlays do not overlap.
 struct ViewRoom {
   ViewRoom(const Rectangle& picture, const Rectangle& below_messages) : whole(picture), view(below_messages) {}
 
   Rectangle whole;         ///< the picture
-  Rectangle view;          ///< of it what lies below the messages
-  Rectangle slider = {};   ///< of a scene's two structures; empty where there is none
-  float words_top = 0.0f;  ///< where the lines at the lower edge begin (unit: pixel)
+  Rectangle view;          ///< its part below the messages
+  Rectangle slider = {};   ///< the slider of a scene's two structures; empty if there is none
+  float words_top = 0.0f;  ///< top of the lines at the lower edge (unit: pixel)
 
   void take(const Rectangle& place) { taken_.push_back(place); }
   bool isFree(const Rectangle& place) const;
@@ -42,19 +42,19 @@ struct ViewRoom {
 
 void drawViewOverlays(Application& app, const Rectangle& whole_view);
 
-/// What safety does to the force, in words; empty where it does nothing that is to be told over the view.
+/// Describes in words how the safety stage limits the force; empty if there is nothing to report over the view.
 std::string limitText(const Application& app);
 
-/// The slider between a scene's two structures. Returns where it stands; empty where there is none.
+/// Draws the slider between a scene's two structures. Returns its rectangle; empty if there is none.
 Rectangle drawStateSlider(Application& app, const Rectangle& view);
 
-/// How deep the hand is pressed, seen from the side: at the view's right edge, ending at `bottom_px`. It is left out where
+/// Draws the depth of the hand seen from the side, at the view's right edge, ending at `bottom_px`. Draws nothing if
 /// that place is taken.
 void drawDepthGauge(Application& app, ViewRoom& room, float bottom_px);
 
-/// The legend of the atoms' colours, where there is more than one or they tell more than the elements.
-/// Where it would take more than a third of the view's width or half of its height it is closed at first. It stands
-/// below the slider where both would meet, and ends above the lines at the lower edge.
+/// Draws the legend of the atoms' colours if there is more than one colour, or if the colours do not only stand for
+/// elements. A legend larger than a third of the view's width or half of its height is closed at first. It is below the
+/// slider where both would overlap, and ends above the lines at the lower edge.
 void drawColourLegend(Application& app, ViewRoom& room);
 
 }  // namespace moltact

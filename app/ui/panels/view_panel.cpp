@@ -1,4 +1,4 @@
-// Centre: the molecule and the probe, what is touched in words, a scale bar, and what the mouse and keys do over it.
+// The centre: the molecule and the probe, the contact in words, a scale bar, and the input of mouse and keys.
 #include <cmath>
 #include <cstddef>
 #include <cstdio>
@@ -35,7 +35,7 @@ glm::dvec2 arrows() {
 
 bool pressed(ImGuiKey key, bool repeat = false) { return ImGui::IsKeyPressed(key, repeat); }
 
-// The method so many places on in the list, round and round. The key works where the panel has no room, too.
+// Switches to the method `by` places further in the list, cyclically. The key also works if the panel has no room.
 void switchMethod(Application& app, int by) {
   const auto all = methods();
   const auto count = static_cast<std::ptrdiff_t>(all.size());
@@ -45,7 +45,7 @@ void switchMethod(Application& app, int by) {
 
 void readKeys(Application& app, ViewInput& in) {
   const ImGuiIO& io = ImGui::GetIO();
-  // Keys belong to a text field, an open page or a panel before they belong to the view.
+  // A text field, an open page or a panel with the focus receives the keys first.
   if (!keysFree()) return;
   if (io.KeyCtrl && io.KeyShift && !io.KeyAlt && app.scene.servo().hasOrientation())
     in.hand_keys = arrows();
@@ -57,13 +57,13 @@ void readKeys(Application& app, ViewInput& in) {
     in.pan_keys = arrows();
   else if (!io.KeyAlt && !app.panels.arrows_draw)
     in.probe_keys = arrows();
-  // A press that has begun goes on while Ctrl and the arrows turn the molecule.
+  // A press continues while Ctrl and the arrows rotate the molecule.
   in.press =
       in.press || (ImGui::IsKeyDown(ImGuiKey_Space) && !io.KeyAlt && (!io.KeyCtrl || app.scene.controls.pressing()));
   if (!io.KeyCtrl) {
     if (pressed(ImGuiKey_Equal, true) || pressed(ImGuiKey_KeypadAdd, true)) in.push_notches += 1.0;
     if (pressed(ImGuiKey_Minus, true) || pressed(ImGuiKey_KeypadSubtract, true)) in.push_notches -= 1.0;
-    // Where another key writes the plus or the minus, it comes as a character alone.
+    // On layouts where another key writes plus or minus, only the character arrives.
     for (const ImWchar c : io.InputQueueCharacters) {
       if (c == '+' && !ImGui::IsKeyDown(ImGuiKey_Equal) && !ImGui::IsKeyDown(ImGuiKey_KeypadAdd))
         in.push_notches += 1.0;
@@ -79,9 +79,9 @@ void readKeys(Application& app, ViewInput& in) {
     switchMethod(app, io.KeyShift ? -1 : 1);
 }
 
-// The wheel and the keys Page Up and Page Down move the cut away from the eye and toward it.
+// The wheel and the keys Page Up and Page Down move the cutting plane away from the viewer and back.
 void moveCut(Application& app, double notches) {
-  constexpr double kNotch = 0.02, kKeys_per_s = 0.25;  // of the molecule's reach
+  constexpr double kNotch = 0.02, kKeys_per_s = 0.25;  // shares of the molecule's extent
   if (keysFree())
     notches +=
         (ImGui::IsKeyDown(ImGuiKey_PageUp) - ImGui::IsKeyDown(ImGuiKey_PageDown)) * (kKeys_per_s / kNotch) * app.dt_s();
@@ -110,7 +110,7 @@ ViewInput readInput(Application& app, ImVec2 low, glm::dvec2 size) {
     else
       tool.finish();
   }
-  // Two clicks on an atom bring the camera close to it.
+  // A double click on an atom moves the camera close to it.
   if (!measuring && !app.extensions().task_stager.dark() && hovered && app.scene.stage() && !app.scene.playing() &&
       ImGui::IsMouseReleased(push) && io.MouseClickedLastCount[push] == 2 &&
       io.MouseDragMaxDistanceSqr[push] < look().px(4) * look().px(4))
@@ -118,7 +118,7 @@ ViewInput readInput(Application& app, ImVec2 low, glm::dvec2 size) {
       const std::uint32_t only[] = {*atom};
       app.zoomTo(only);
     }
-  // The way to the place where the button went down is none of the drag's.
+  // The motion up to the place where the button was pressed is not part of the drag.
   const bool begins = ImGui::IsMouseClicked(turn) || ImGui::IsMouseClicked(2) ||
                       (view_fingers && ImGui::IsMouseClicked(Fingers::kViewButton));
   const glm::dvec2 drag = begins ? glm::dvec2(0.0) : glm::dvec2(io.MouseDelta.x, io.MouseDelta.y);
@@ -130,7 +130,7 @@ ViewInput readInput(Application& app, ImVec2 low, glm::dvec2 size) {
   if ((hovered || in.press) && !panning && !turning && ImGui::IsMousePosValid())
     in.pointer_px = glm::dvec2(io.MousePos.x - low.x, io.MousePos.y - low.y);
   readKeys(app, in);
-  // A surface that a task makes softer or harder is to be felt as that: the hand presses as deep as before.
+  // If a task changes the stiffness, the hand keeps the depth of its press, so that the change is felt.
   if (app.extensions().task_stager.changesStiffness())
     in.expected_N_per_mm = app.lesson.session()->scene().touch.stiffness_N_per_mm;
   if (app.scene.look.cut && io.KeyCtrl && !in.press && !app.lesson.locks("show")) {
@@ -204,7 +204,7 @@ void savePicture(Application& app, glm::dvec2 size, std::filesystem::path file) 
 
 void drawViewPanel(Application& app) {
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
-  // The picture covers it all: a background below would cost as much as the picture where graphics are software.
+  // The picture covers the whole view; a background would double the cost with software rendering.
   const bool shown =
       beginPanel("view", app.layout().view,
                  ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);

@@ -1,5 +1,5 @@
-// What the program shows when nothing is named: lessons as cards, where one left off, and molecules to explore freely.
-// The arrow keys move from card to card and Enter opens one.
+// The start page: lessons as cards, the last lesson, and molecules to explore. The arrow keys select a card and Enter
+// opens it.
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -24,25 +24,25 @@ constexpr float kWidest = 1160.0f, kLessonWidth = 262.0f, kMoleculeWidth = 178.0
 
 struct CardText {
   std::string name, title, line, tip;
-  std::string about = {};  ///< two small lines of what it is about, where the section's cards have them
+  std::string about = {};  ///< two small lines of summary, if the section's cards have them
   float progress = -1.0f;  ///< negative: no bar
   bool done = false, bad = false;
 };
 
-// Where a card is among all of them, for the keys.
+// The position of a card among all cards, for the keys.
 struct Grid {
   explicit Grid(PanelState& p) : panels(p) {}
 
   PanelState& panels;
   float width = 0.0f;  ///< of the page's content
   std::size_t count = 0;
-  std::vector<std::size_t> columns;  ///< of each card's own rows
+  std::vector<std::size_t> columns;  ///< of each card's section
   bool enter = false;
 
   bool selected() const { return panels.card.card == count; }
 };
 
-// Two lines of a title at most.
+// At most two lines of a title.
 std::string twoLines(const std::string& text, float width) {
   const char* end = ImGui::GetFont()->CalcWordWrapPositionA(1.0f, text.c_str(), text.c_str() + text.size(), width);
   const std::size_t first = std::size_t(end - text.c_str());
@@ -177,7 +177,7 @@ void drawLessons(Application& app, Grid& grid, bool own) {
   if (chosen) e.shelf.begin(*chosen);
 }
 
-// The lesson that is open is set aside until its panel is opened again, or another lesson.
+// Sets the open lesson aside until its panel or another lesson is opened.
 void explore(Application& app, const std::filesystem::path& molecule) {
   app.open(molecule);
   const LessonSession* session = app.lesson.session();
@@ -200,7 +200,7 @@ void drawMolecules(Application& app, Grid& grid) {
   });
 }
 
-// What one would most likely do next.
+// Suggests the most likely next step.
 void drawNext(Application& app, float most) {
   const LessonCard* latest = app.extensions().shelf.latest();
   const LessonSession* session = app.lesson.session();
@@ -222,7 +222,7 @@ void drawNext(Application& app, float most) {
     if (most > look().px(560)) ImGui::SameLine();
   }
   if (button("welcome/open", tr("Open a file …"))) findAction("open")->run(app);
-  // Beside it where there is room.
+  // Beside it if there is room.
   const ImGuiStyle& style = ImGui::GetStyle();
   const float end = ImGui::GetItemRectMax().x + style.ItemSpacing.x + 2 * style.FramePadding.x +
                     ImGui::CalcTextSize(tr("Add a lesson …")).x + look().px(16);

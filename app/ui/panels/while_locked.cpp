@@ -10,7 +10,7 @@ WhileLocked::WhileLocked(const Application& app, std::string_view key) : locked_
   if (!locked_) return;
   low_ = ImGui::GetCursorScreenPos();
   width_ = ImGui::GetContentRegionAvail().x;
-  // Its ground greys everything alike; ImGui would fade texts a second time.
+  // The panel's colour is drawn over everything; ImGui would fade texts additionally.
   ImGui::PushStyleVar(ImGuiStyleVar_DisabledAlpha, 1.0f);
   ImGui::BeginDisabled();
 }
@@ -20,7 +20,7 @@ WhileLocked::~WhileLocked() {
   ImGui::EndDisabled();
   ImGui::PopStyleVar();
   const ImVec2 high{low_.x + width_, ImGui::GetCursorScreenPos().y - ImGui::GetStyle().ItemSpacing.y};
-  // The controls draw in the palette's own colours, which a disabled item keeps.
+  // The controls use the palette's own colours, which ImGui does not fade for disabled items.
   ImGui::GetWindowDrawList()->AddRectFilled(low_, high, faded(look().palette.panel, 0.5f));
   if (ImGui::IsWindowHovered() && ImGui::IsMouseHoveringRect(low_, high))
     ImGui::SetTooltip("%s", tr("The lesson keeps this as it is."));

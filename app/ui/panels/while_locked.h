@@ -1,5 +1,5 @@
-// Greys out and switches off the controls that are drawn while it lives, where the lesson locks what they set: the
-// student sees how it is, and that it is not to be changed. Window's thread.
+// While this object lives, the controls that are drawn are disabled if the lesson locks their key. The student sees
+// their values but cannot change them. Window's thread.
 #pragma once
 
 #include <imgui.h>
@@ -12,7 +12,7 @@ class Application;
 
 class WhileLocked {
  public:
-  /// `key` is that of a scene: "force", "probe".
+  /// `key`: the key of a scene: "force", "probe".
   WhileLocked(const Application& app, std::string_view key);
   ~WhileLocked();
   WhileLocked(const WhileLocked&) = delete;

@@ -1,4 +1,4 @@
-// The atoms that the view is to come close to: written as a selection, or one of those at hand.
+// View > Come close: the atoms to zoom to, typed as a selection or chosen from a list.
 #include <imgui.h>
 #include <imgui_stdlib.h>
 
@@ -33,8 +33,8 @@ std::vector<std::string> ligandsOf(const Molecule& molecule) {
   return out;
 }
 
-// A selection's words for the name of an element, as a student writes it in the language in use or in English ("iron",
-// "Eisen"); empty where it is none.
+// The selection for an element's name in the language in use or in English ("iron", "Eisen"); empty if it is not an
+// element.
 std::string elementNamed(std::string_view written) {
   const std::string name = lower(std::string(written));
   for (int k = 1; k <= kElementCount; ++k)
@@ -71,7 +71,7 @@ void drawZoomPage(Application& app) {
       fault = why.text();
     }
   }
-  // Room for two lines, so that nothing below moves while one writes.
+  // Reserves two lines, so that nothing below moves during typing.
   const float y = ImGui::GetCursorPosY();
   {
     const WithText bad(look().palette.bad);

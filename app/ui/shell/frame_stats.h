@@ -1,4 +1,4 @@
-// How long frames took, for `--frame-stats`. Unit: millisecond.
+// Statistics of frame times, for `--frame-stats`. Unit: millisecond.
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@ namespace moltact {
 class FrameStats {
  public:
   void add(double frame_ms) { frames_ms_.push_back(frame_ms); }
-  /// One JSON object: frames, mean, p50, p95 and max of their times, and frames a second.
+  /// One JSON object: the number of frames, mean, p50, p95 and max of their times, and frames per second.
   std::string json() const;
 
  private:

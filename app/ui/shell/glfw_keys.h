@@ -1,14 +1,14 @@
-// The keys of a window of GLFW's as ImGui names them.
+// Converts between the keys of GLFW and of ImGui.
 #pragma once
 
 #include "app/ui/widgets/imgui_versions.h"
 
 namespace moltact {
 
-/// For one of GLFW_KEY_…; ImGuiKey_None for a key that ImGui has no name for. Both name keys by their place on a
-/// keyboard of the United States.
+/// The key for one of GLFW_KEY_…, or ImGuiKey_None if ImGui has no name for it. Both libraries name keys by their place
+/// on a US keyboard.
 ImGuiKey keyOfGlfw(int glfw_key);
-/// The other way round; GLFW_KEY_UNKNOWN for a key that GLFW has no name for.
+/// The inverse; GLFW_KEY_UNKNOWN if GLFW has no name for the key.
 int glfwKeyOf(ImGuiKey key);
 
 }  // namespace moltact

@@ -8,7 +8,7 @@
 namespace moltact {
 namespace {
 
-// A key that writes, and what it writes on a keyboard of the United States.
+// A key, and the character that it writes on a US keyboard.
 struct WritingKey {
   ImGuiKey key;
   char character;
@@ -26,7 +26,7 @@ std::vector<WritingKey> writingKeys() {
 
 bool isDigit(char c) { return c >= '0' && c <= '9'; }
 
-// Null: none of ImGui's.
+// Null if ImGui has no such key.
 const WritingKey* keyThatWrites(const std::vector<WritingKey>& keys, std::string_view text) {
   if (text.size() != 1) return nullptr;
   const char c = text[0] >= 'A' && text[0] <= 'Z' ? char(text[0] - 'A' + 'a') : text[0];

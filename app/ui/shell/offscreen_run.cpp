@@ -35,7 +35,7 @@ int runOffscreen(const OffscreenOptions& options) {
     user.app().panels.welcome = true;
   else
     user.app().open(options.file);
-  constexpr int kSettle_frames = 20;  // the hand glides to its place, the picture becomes smooth
+  constexpr int kSettle_frames = 20;  // the hand reaches its place and the picture is smoothed
   user.frames(kSettle_frames);
   user.stats() = FrameStats();
   if (!options.script.empty()) {

@@ -1,4 +1,4 @@
-// The application without a window, for pictures of itself and for measuring frames: `moltact --screenshot`.
+// Runs the application without a window, for screenshots and for measuring frame times: `moltact --screenshot`.
 #pragma once
 
 #include <filesystem>
@@ -7,18 +7,18 @@ namespace moltact {
 
 struct OffscreenOptions {
   std::filesystem::path file;        ///< opened at the start; empty: the welcome page
-  std::filesystem::path screenshot;  ///< where the last frame goes; empty: nowhere
-  std::filesystem::path script;      ///< acts before that, see scripted_user_steps.cpp; empty: none
+  std::filesystem::path screenshot;  ///< output file of the last frame; empty: none
+  std::filesystem::path script;      ///< script that runs before it, see scripted_user_steps.cpp; empty: none
   int width = 1280, height = 800;
   double content_scale = 1.0;
-  bool frame_stats = false;        ///< tell the frame times on stdout
+  bool frame_stats = false;        ///< print the frame times to stdout
   std::string language;            ///< as in ApplicationOptions
   std::string device;              ///< as in ApplicationOptions
   std::string state_text;          ///< as in WindowOptions
-  std::filesystem::path attempts;  ///< where what is done in a lesson is kept; empty: nowhere
+  std::filesystem::path attempts;  ///< folder for the attempts at lessons; empty: attempts are not kept
 };
 
-/// Returns the program's exit status; errors are printed on stderr.
+/// Returns the program's exit status. Errors are printed to stderr.
 int runOffscreen(const OffscreenOptions& options);
 
 }  // namespace moltact

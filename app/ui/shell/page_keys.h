@@ -1,4 +1,4 @@
-// The keys of a page's keyboard events as ImGui names them.
+// Converts keys of a browser's keyboard events to keys of ImGui.
 #pragma once
 
 #include <string_view>
@@ -7,8 +7,8 @@
 
 namespace moltact {
 
-/// For a KeyboardEvent's `code` ("KeyA", "ArrowLeft"); ImGuiKey_None for a key that ImGui has no name for. Both name
-/// keys by their place on a keyboard of the United States.
+/// The key for a KeyboardEvent's `code` ("KeyA", "ArrowLeft"), or ImGuiKey_None if ImGui has no name for it. Both name
+/// keys by their place on a US keyboard.
 ImGuiKey keyOfPage(std::string_view code);
 
 }  // namespace moltact

@@ -20,7 +20,7 @@ struct ScriptedUser::Target {
 ApplicationOptions ScriptedUser::framesClock() {
   ApplicationOptions options;
   options.clock = ServoClock::Frames;
-  options.devices_unasked = false;  // what happens to be plugged in is none of a script's business
+  options.devices_unasked = false;  // a script does not depend on connected devices
   return options;
 }
 
@@ -38,7 +38,7 @@ Expected<std::unique_ptr<ScriptedUser>> ScriptedUser::create(Options options) {
 }
 
 ScriptedUser::~ScriptedUser() {
-  // Each holds objects of the context that goes last.
+  // In this order: each holds objects of the GL context, which is destroyed last.
   app_.reset();
   shell_.reset();
   target_.reset();
@@ -82,7 +82,7 @@ void ScriptedUser::resize(int width, int height) {
 const WidgetRecord* ScriptedUser::seen(std::string_view widget) {
   const WidgetRecord* record = widgets().find(widget);
   if (record && !record->visible() && record->scrolls) {
-    // Scrolled out of sight: brought into it by the wheel, as a person would.
+    // Scrolls to a widget that is out of view with the wheel, as a user would.
     for (int tries = 0; tries < 60 && record && !record->visible(); ++tries) {
       const glm::vec2 inside = 0.5f * (record->clip_low + record->clip_high);
       shell_->input().pointer(inside.x, inside.y);

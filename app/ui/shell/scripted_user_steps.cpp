@@ -1,14 +1,14 @@
-// A script's language: one act a line, words parted by spaces, "#" begins a comment.
+// The script language: one command per line, words separated by spaces, "#" begins a comment.
 //
 //   open FILE | drop FILE        size WIDTH HEIGHT             theme light|dark|high-contrast
-//   scale FACTOR                 text-size FACTOR: of letters alone
+//   scale FACTOR                 text-size FACTOR: of the text only
 //   click WIDGET [right]         drag WIDGET DX DY [right]     point WIDGET [X Y]        press | release
 //   wheel NOTCHES                key NAMES                     hold NAMES | let-go NAMES type TEXT
-//   plug out|in: the simulated stylus, where it is in use
-//   sound on|off                 heard FILE.wav: what would have been heard since sound was switched on
+//   plug out|in: the simulated stylus, if it is in use
+//   sound on|off                 heard FILE.wav: the sound since it was switched on
 //   wait FRAMES                  expect WIDGET TEXT            expect-not WIDGET TEXT    picture FILE.png
 //
-// `expect` passes where the widget is on the screen and its text contains TEXT.
+// `expect` passes if the widget is on the screen and its text contains TEXT.
 #include <algorithm>
 #include <charconv>
 #include <sstream>
@@ -24,7 +24,7 @@
 namespace moltact {
 namespace {
 
-// The numbers of an act begin at this word and are in this range.
+// The numeric arguments of a command: the index of the first one, and their range.
 struct Numbers {
   std::string_view verb;
   std::size_t first, count;
@@ -44,7 +44,7 @@ std::optional<double> numberOf(const std::string& word) {
 struct Act {
   std::string verb;
   std::vector<std::string> words;
-  std::string rest;  ///< of the line, after the verb
+  std::string rest;  ///< of the line, after the command's name
 
   const std::string& word(std::size_t k) const {
     static const std::string kNone;
@@ -69,7 +69,7 @@ Act parse(const std::string& line) {
   return act;
 }
 
-// The first word that is no number where one belongs, or one out of range; empty where there is none.
+// The first argument that should be a number and is not, or is out of range; empty if there is none.
 std::string wrongNumber(const Act& a) {
   for (const Numbers& n : kNumbers) {
     if (n.verb != a.verb) continue;
@@ -83,7 +83,7 @@ std::string wrongNumber(const Act& a) {
   return {};
 }
 
-// Empty when the act was done, else why not.
+// Runs a command. Returns why it failed, empty on success.
 std::string perform(ScriptedUser& d, const Act& a) {
   if (std::string wrong = wrongNumber(a); !wrong.empty()) return wrong;
   const std::string absent = "'" + a.word(0) + "' is not on the screen";

@@ -46,10 +46,10 @@ void Shell::frame(int width, int height, double dt_s, const std::function<void()
     if (another) ImGui_ImplOpenGL3_DestroyFontsTexture();
     std::string fault = applyLook(theme_, scale_, text_);
     if (!fault.empty()) fault_text_ = std::move(fault);
-    ImGui_ImplOpenGL3_NewFrame();  // makes the device objects at the first frame, the font's picture with them
+    ImGui_ImplOpenGL3_NewFrame();  // in the first frame, creates the device objects, including the font texture
     if (another) ImGui_ImplOpenGL3_CreateFontsTexture();
     loaded_ = scale_ * text_;
-    damage_.forget();  // the same letters may stand elsewhere in the font's picture
+    damage_.forget();  // the same letters may have moved in the font texture
   }
   ImGuiIO& io = ImGui::GetIO();
   io.DisplaySize = {float(width), float(height)};

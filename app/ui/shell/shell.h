@@ -1,5 +1,5 @@
-// Dear ImGui in whatever picture is bound: what the real window and the off-screen run have in common.
-// Window's thread, with a current GL context, which must outlive the shell. Units: pixel of the framebuffer.
+// Dear ImGui in the bound framebuffer: the common part of the window and the off-screen run. Window's thread, with a
+// current GL context, which must outlive the shell. Units: pixel of the framebuffer.
 #pragma once
 
 #include <functional>
@@ -20,22 +20,22 @@ class Shell {
 
   InputQueue& input() { return *input_; }
 
-  /// Asks for a theme, a scale and a size of letters (1: the scale's own) from the next frame on.
+  /// Sets the theme, the scale and the text size (1: that of the scale) from the next frame on.
   void setLook(ThemeChoice theme, float scale, float text);
-  /// A message about fonts that could not be loaded, given once; empty when all is well.
+  /// A message about fonts that could not be loaded, or empty.
   const std::string& fault() const { return fault_text_; }
 
-  /// The bound framebuffer is the same one in every frame and holds what was drawn before: of the next frames only that
-  /// which differs is drawn. False where that is not known, as behind a window whose buffers are swapped.
+  /// With true, the bound framebuffer is the same in every frame and keeps its contents, so that only changes are
+  /// drawn. Pass false if this is not known, as for a window with swapped buffers.
   void framebufferKept(bool kept);
-  /// One frame: feeds the input, calls `panels`, and draws into the bound framebuffer where `drawn`.
+  /// Runs one frame: feeds the input, calls `panels`, and draws into the bound framebuffer if `drawn`.
   void frame(int width, int height, double dt_s, const std::function<void()>& panels, bool drawn = true);
 
  private:
   std::unique_ptr<InputQueue> input_;
   ThemeChoice theme_ = ThemeChoice::Light;
   bool look_changed_ = true;
-  float scale_ = 1.0f, text_ = 1.0f, loaded_ = 0.0f;  // loaded_: of the letters
+  float scale_ = 1.0f, text_ = 1.0f, loaded_ = 0.0f;  // loaded_: scale of the loaded fonts
   std::string fault_text_;
   Damage damage_;
   bool kept_ = false;

@@ -1,4 +1,4 @@
-// A window system of which no fingers are heard.
+// For window systems whose fingers are not reported.
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 

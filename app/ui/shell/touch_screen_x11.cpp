@@ -6,14 +6,15 @@
 
 #include "app/ui/shell/touch_screen.h"
 
-// Xlib's macros have common words for names (None, Bool, Status): its headers come last, and no other source is compiled
-// together with this one.
+// Xlib's macros are common words (None, Bool, Status). Its headers are therefore included last, and this file is
+// excluded from unity builds.
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 #include <X11/Xlib.h>
 #include <X11/extensions/XInput2.h>
 
-// As GLFW's header for this has them, which includes Xrandr's headers too; a GLFW 3.3 made for Wayland alone has neither.
+// Declared as in GLFW's native header, which would also include Xrandr's headers. A GLFW 3.3 built only for Wayland has
+// neither function.
 extern "C" {
 __attribute__((weak)) Display* glfwGetX11Display();
 __attribute__((weak)) Window glfwGetX11Window(GLFWwindow*);
@@ -24,7 +25,7 @@ namespace {
 
 bool refused = false;
 
-// Without a handler of ours Xlib ends the program at the first request that the server refuses.
+// Without this error handler, Xlib ends the program at the first request that the server rejects.
 class CatchRefusals {
  public:
   CatchRefusals() {
@@ -58,7 +59,7 @@ std::optional<FingerEvent::Kind> kindOf(int xi_event) {
 }  // namespace
 
 struct TouchScreen::Connection {
-  Display* window_system = nullptr;  // GLFW's
+  Display* window_system = nullptr;  // GLFW's connection
   Display* display = nullptr;
   int extension = 0;
 
@@ -81,14 +82,14 @@ struct TouchScreen::Connection {
     std::array<unsigned char, XIMaskLen(XI_LASTEVENT)> wanted{};
     for (const int event : {XI_TouchBegin, XI_TouchUpdate, XI_TouchEnd}) XISetMask(wanted.data(), event);
     XIEventMask mask{XIAllMasterDevices, int(wanted.size()),
-                     wanted.data()};  // one that is plugged in later is among them
+                     wanted.data()};  // includes devices that are plugged in later
     const CatchRefusals refusals;
     XISelectEvents(display, glfwGetX11Window(window), &mask, 1);
     XSync(display, False);
     return !refused;
   }
 
-  // Not a touchpad, whose fingers are nowhere in the window.
+  // False for a touchpad, whose fingers have no place in the window.
   bool isScreen(int device) {
     int count = 0;
     XIDeviceInfo* all = XIQueryDevice(display, XIAllDevices, &count);
@@ -120,7 +121,7 @@ std::vector<FingerEvent> TouchScreen::take() {
       continue;
     if (const auto kind = kindOf(event.xcookie.evtype)) {
       const auto& touch = *static_cast<const XIDeviceEvent*>(event.xcookie.data);
-      // A window's unit is a pixel of its framebuffer here.
+      // Here a window's unit is a pixel of its framebuffer.
       if (*kind != FingerEvent::Kind::Down || connection_->isScreen(touch.sourceid))
         out.push_back({*kind, touch.detail, {touch.event_x, touch.event_y}});
     }

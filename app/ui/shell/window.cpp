@@ -34,11 +34,11 @@
 namespace moltact {
 namespace {
 
-constexpr double kIdle_s = 0.2;     // between two frames while nothing moves: plots and figures go on
-constexpr double kFinger_s = 0.05;  // the same while a finger is down, which may come to rest for long
-constexpr int kSettle_frames = 3;   // drawn after the last event, until hovers and popups have come to rest
+constexpr double kIdle_s = 0.2;     // interval between two frames while nothing moves; plots and figures still advance
+constexpr double kFinger_s = 0.05;  // the same while a finger is down, to detect a long rest
+constexpr int kSettle_frames = 3;   // frames drawn after the last event, until hovers and popups are settled
 
-// What the callbacks reach through the window's pointer.
+// The objects that the callbacks reach through the window's user pointer.
 struct Link {
   Shell& shell;
   Application& app;
@@ -52,7 +52,7 @@ Link& linkOf(GLFWwindow* w) {
   return link;
 }
 
-// From the window's units to pixels of the framebuffer, which differ on some systems.
+// Pixels of the framebuffer per unit of the window; not 1 on some systems.
 glm::dvec2 pixelsPerUnit(GLFWwindow* w) {
   int units_x = 1, units_y = 1, px_x = 1, px_y = 1;
   glfwGetWindowSize(w, &units_x, &units_y);
@@ -60,14 +60,14 @@ glm::dvec2 pixelsPerUnit(GLFWwindow* w) {
   return {double(px_x) / std::max(1, units_x), double(px_y) / std::max(1, units_y)};
 }
 
-// The display server's, as it is at this moment: a person may change it while the program runs.
+// Queries the display server each time, because the user may change the layout while the program runs.
 std::string_view layoutInUse(ImGuiKey place) {
   const char* name = glfwGetKeyName(glfwKeyOf(place), 0);
   return name ? name : "";
 }
 
-// An X server moves the mouse along with the first finger, in and out of the window too: while one is down no mouse is
-// listened to.
+// An X server moves the mouse with the first finger, also into and out of the window. Mouse events are ignored while a
+// finger is down.
 void connect(GLFWwindow* window) {
   glfwSetCursorPosCallback(window, [](GLFWwindow* w, double x, double y) {
     const glm::dvec2 px = pixelsPerUnit(w);
@@ -115,7 +115,7 @@ class Cursors {
     shapes_[ImGuiMouseCursor_ResizeNS] = glfwCreateStandardCursor(GLFW_VRESIZE_CURSOR);
     shapes_[ImGuiMouseCursor_Hand] = glfwCreateStandardCursor(GLFW_HAND_CURSOR);
   }
-  // Hidden, not captured: a captured pointer jumps under some servers.
+  // Hides the pointer instead of capturing it: under some servers a captured pointer jumps.
   void show(GLFWwindow* window) {
     const int wanted = ImGui::GetMouseCursor();
     if (wanted == shown_) return;
@@ -130,7 +130,7 @@ class Cursors {
   int shown_ = ImGuiMouseCursor_Arrow;
 };
 
-// The whole of the monitor on which the window stands, and back to its place.
+// Fills the monitor that shows the window, and restores the window's place afterwards.
 class FullScreen {
  public:
   void show(GLFWwindow* window, bool wanted) {
@@ -170,7 +170,7 @@ GLFWwindow* openWindow() {
   glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
   glfwWindowHintString(GLFW_X11_CLASS_NAME, "Moltact");
   glfwWindowHintString(GLFW_X11_INSTANCE_NAME, "moltact");
-#ifdef GLFW_WAYLAND_APP_ID  // from GLFW 3.4 on
+#ifdef GLFW_WAYLAND_APP_ID  // since GLFW 3.4
   glfwWindowHintString(GLFW_WAYLAND_APP_ID, "org.moltact.Moltact");
 #endif
   GLFWwindow* window = glfwCreateWindow(1280, 800, "Moltact", nullptr, nullptr);
@@ -178,7 +178,7 @@ GLFWwindow* openWindow() {
   return window;
 }
 
-// The server's own picture stays where the file is missing or the server takes none.
+// Without the file, or if the server takes no icons, the server's default icon stays.
 void setIcon(GLFWwindow* window) {
   const Expected<Picture> icon = readPng(assetsFolder() / "icon.png");
   if (!icon) return;
@@ -205,7 +205,7 @@ const char* lastGlfwError() {
   return why ? why : tr("the display server gives no reason");
 }
 
-// The application that runs, for exit(): a display server that dies makes its library call that in the middle of a
+// Stores the running application for exit(): when the display server dies, its library calls exit() in the middle of a
 // frame.
 class AtExit {
  public:
@@ -239,7 +239,7 @@ int runWindow(const WindowOptions& options) {
   glfwSwapInterval(1);
   FrameStats stats;
   {
-    const InterruptWatch interrupt;  // outlives the device
+    const InterruptWatch interrupt;  // must outlive the device
     Shell shell;
     Application app({.language = options.language,
                      .device = options.device,
@@ -291,7 +291,7 @@ int runWindow(const WindowOptions& options) {
       glfwGetFramebufferSize(window, &width, &height);
       float content_x = 1, content_y = 1;
       glfwGetWindowContentScale(window, &content_x, &content_y);
-      if (width > 0 && height > 0) {  // a window put away has no size
+      if (width > 0 && height > 0) {  // a minimized window has no size
         shell.setLook(app.settings.theme, float(double(content_x) * app.settings.scale), float(app.settings.text_size));
         shell.frame(width, height, dt_s, [&] { app.frame(dt_s, {width, height}); });
         cursors.show(window);
@@ -299,7 +299,7 @@ int runWindow(const WindowOptions& options) {
       }
       if (busy) stats.add(std::chrono::duration<double, std::milli>(Clock::now() - now).count());
     }
-    app.end();  // before anything that may take its time
+    app.end();  // before anything slow
     glfwSetWindowUserPointer(window, nullptr);
     glfwHideWindow(window);
   }

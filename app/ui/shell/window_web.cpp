@@ -1,5 +1,6 @@
-// The window in a page: a canvas with WebGL 2. app/web/page.js hears the mouse, keys, fingers and pens, asks for a
-// frame whenever the browser draws, and calls the functions below; everything is on the page's one thread.
+// The window in a browser page: a canvas with WebGL 2. app/web/page.js receives the events of mouse, keys, fingers and
+// pens, requests a frame whenever the browser draws, and calls the functions below. Everything runs on the page's only
+// thread.
 #include <emscripten.h>
 #include <emscripten/html5.h>
 #include <imgui.h>
@@ -28,7 +29,7 @@
 #include "engine/render/gl.h"
 #include "engine/results/attempt_file.h"
 
-// What page.js does for the program.
+// Functions of page.js that the program calls.
 EM_JS(void, copyText, (const char* text), { Module.page.copy(UTF8ToString(text)); })
 EM_JS(void, showCursor, (int shape), { Module.page.cursor(shape); })
 EM_JS(void, vibrate, (int ms), { Module.page.vibrate(ms); })
@@ -43,9 +44,9 @@ struct Page {
   Application app;
   Pointers pointers{app, shell.input()};
   std::string clipboard, words;
-  std::map<ImGuiKey, std::string> layout;  // what keys write, as far as the person has pressed them
+  std::map<ImGuiKey, std::string> layout;  // the characters of the keys that the user has pressed so far
   std::array<std::int32_t, 3> touched{-1, -1, -1};
-  double pen_N = 0.0;  // what the pen's pressure asks for now; 0: it does not press
+  double pen_N = 0.0;  // the force for the pen's present pressure; 0: no pressure
   int cursor = ImGuiMouseCursor_Arrow;
 
   explicit Page(const WindowOptions& options)
@@ -61,7 +62,7 @@ struct Page {
 
 std::unique_ptr<Page> page;
 
-// Where the device can vibrate, a contact and each crossing to other atoms is felt.
+// If the device can vibrate, it signals a contact and each crossing to other atoms.
 void feel() {
   const Contact& contact = page->app.scene.log().latest().contact;
   const std::array<std::int32_t, 3> now = contact.touching() ? contact.atoms : std::array<std::int32_t, 3>{-1, -1, -1};
@@ -76,7 +77,7 @@ bool makeContext() {
   emscripten_webgl_init_context_attributes(&wanted);
   wanted.majorVersion = 2;
   wanted.alpha = wanted.depth = wanted.antialias = false;
-  wanted.preserveDrawingBuffer = true;  // of a frame only that is drawn which differs from the one before
+  wanted.preserveDrawingBuffer = true;  // only the changes of a frame are drawn
   const EMSCRIPTEN_WEBGL_CONTEXT_HANDLE made = emscripten_webgl_create_context("#view", &wanted);
   return made > 0 && emscripten_webgl_make_context_current(made) == EMSCRIPTEN_RESULT_SUCCESS;
 }
@@ -108,11 +109,12 @@ using moltact::page;
 
 extern "C" {
 
-// One frame of so many pixels; bits: 1 the next one would look different, 2 text is being written.
+// Runs one frame of the given size. Returns bits: 1 the next frame will differ, 2 a text field has the focus.
 EMSCRIPTEN_KEEPALIVE int moltact_frame(int width, int height, double content_scale, double dt_s) {
   moltact::Application& app = page->app;
   if (const std::string fault = moltact::takeStorageFault(); !fault.empty())
-    app.messages.ask(moltact::MessageKind::Warning, fault, {});  // no error: those go when another scene opens
+    app.messages.ask(moltact::MessageKind::Warning, fault, {});  // a warning, because errors disappear when another
+                                                                 // scene opens
   page->shell.setLook(app.settings.theme, float(content_scale * app.settings.scale), float(app.settings.text_size));
   page->shell.frame(width, height, dt_s, [&] { app.frame(dt_s, {float(width), float(height)}); });
   moltact::feel();
@@ -128,8 +130,8 @@ EMSCRIPTEN_KEEPALIVE void moltact_button(int button, int down) { page->shell.inp
 EMSCRIPTEN_KEEPALIVE void moltact_wheel(double x, double y) { page->shell.input().wheel(x, y); }
 EMSCRIPTEN_KEEPALIVE void moltact_focus_lost() { page->shell.input().focusLost(); }
 
-// `writes`: the character that the key writes without Shift, Ctrl or Alt; empty where that is not known. True where the
-// program takes the key, so that the browser is not to.
+// `writes`: the character that the key writes without Shift, Ctrl or Alt; empty if unknown. Returns true if the program
+// handles the key, so that the browser must not.
 EMSCRIPTEN_KEEPALIVE int moltact_key(const char* code, const char* writes, int down) {
   const ImGuiKey place = moltact::keyOfPage(code);
   if (!moltact::isKey(place)) return 0;
@@ -159,7 +161,7 @@ EMSCRIPTEN_KEEPALIVE void moltact_finger_move(int id, double x, double y, double
 EMSCRIPTEN_KEEPALIVE void moltact_finger_up(int id, double) { page->pointers.fingerUp(id); }
 EMSCRIPTEN_KEEPALIVE void moltact_fingers(double now_s) { page->pointers.advance(now_s); }
 
-// A pen's pressure, 0 to 1, while it pushes on the view: the force at which the push comes to rest.
+// A pen's pressure, 0 to 1, while it pushes on the view. It sets the force at which the push comes to rest.
 EMSCRIPTEN_KEEPALIVE void moltact_pen(double pressure) {
   if (!page->app.scene.controls.pressing()) {
     page->pen_N = moltact::PointerHand::kRest_N;
@@ -171,8 +173,8 @@ EMSCRIPTEN_KEEPALIVE void moltact_pen(double pressure) {
   page->pen_N = wanted_N;
 }
 
-// What stands on the screen, and what can be scrolled there, in the order of reading: JSON of [text, x, y]; x is -1 for
-// what cannot be pressed.
+// The texts on the screen and those that scrolling would show, in reading order: JSON of [text, x, y]; x is -1 for
+// texts that cannot be pressed.
 EMSCRIPTEN_KEEPALIVE const char* moltact_words() {
   std::vector<const moltact::WidgetRecord*> seen;
   for (const auto& [name, record] : moltact::widgets().all())
@@ -188,8 +190,8 @@ EMSCRIPTEN_KEEPALIVE const char* moltact_words() {
   return page->words.c_str();
 }
 
-// Where each named widget stands, for scripts that try the page: JSON of {name: [low x, low y, high x, high y, text,
-// visible]}.
+// The rectangles of all named widgets, for scripts that test the page: JSON of {name: [low x, low y, high x, high y,
+// text, visible]}.
 EMSCRIPTEN_KEEPALIVE const char* moltact_widgets() {
   nlohmann::json all = nlohmann::json::object();
   for (const auto& [name, r] : moltact::widgets().all())
@@ -198,17 +200,17 @@ EMSCRIPTEN_KEEPALIVE const char* moltact_widgets() {
   return page->words.c_str();
 }
 
-// What was asked for from a server and did not come.
+// Reports a download that failed.
 EMSCRIPTEN_KEEPALIVE void moltact_fault(const char* url, const char* why) {
   page->app.messages.error(moltact::trf("{0} cannot be fetched: {1}", url, why));
 }
 
-// A file that the person dropped or chose, which page.js has put there.
+// Opens a file that the user dropped or chose and that page.js has stored there.
 EMSCRIPTEN_KEEPALIVE void moltact_open(const char* file) { page->app.drop({file}); }
 
-// The page is being left or put away.
+// The page loses the focus or is hidden.
 EMSCRIPTEN_KEEPALIVE void moltact_rest() { page->shell.input().focusLost(); }
 
-// The whole screen was left by the browser's own way.
+// The user has left full screen by the browser's own control.
 EMSCRIPTEN_KEEPALIVE void moltact_full_screen(int on) { page->app.panels.full_screen = on != 0; }
 }

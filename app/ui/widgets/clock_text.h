@@ -1,4 +1,4 @@
-// Times as a clock shows them.
+// Formats times as a clock shows them.
 #pragma once
 
 #include <cstdlib>

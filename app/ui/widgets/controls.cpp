@@ -45,7 +45,7 @@ bool button(const char* name, const char* label, ButtonLook kind, float width, b
   ImGui::PushID(name);
   const float high = buttonHeight();
   if (kind == ButtonLook::Primary) ImGui::PushFont(look().font(Font::Strong));
-  // A label that fills its button stands in the middle and has less air on either side; ImGui would cut its end.
+  // A label that fills its button is centred and has less padding on both sides; ImGui would cut its end.
   const ImVec2 air = ImGui::GetStyle().FramePadding;
   const float text_w = ImGui::CalcTextSize(label, nullptr, true).x,
               given = width < 0.0f ? ImGui::GetContentRegionAvail().x + width : width;
@@ -143,7 +143,7 @@ bool slider(const char* name, const char* label, double& value, double least, do
   if (hovered || held) draw->AddCircleFilled({at, y}, knob + look().px(3), faded(p.accent, 0.2f), 32);
   draw->AddCircleFilled({at, y}, knob, p.accent, 32);
   draw->AddCircleFilled({at, y}, knob - look().px(2.5f), p.panel, 32);
-  // A script aims at the track and not at the label.
+  // A script aims at the track, not at the label.
   recordControl(name, {x0, y - knob}, {x1, y + knob}, shown);
   if (!held) tip(text);
   return value != before;
@@ -155,8 +155,8 @@ bool segments(const char* name, std::span<const std::string> labels, std::size_t
   const ImVec2 low = ImGui::GetCursorScreenPos();
   ImDrawList* draw = ImGui::GetWindowDrawList();
   draw->AddRectFilled(low, low + ImVec2(width, high), p.raised, look().px(7));
-  // Each as wide as its label and an equal share of the rest; where that is little, in small letters; where the labels
-  // have no room at all, all are equal.
+  // Each choice has the width of its label and an equal share of the rest. If little room is left, labels are in small
+  // type. If the labels do not fit, all widths are equal.
   const auto wordsWide = [&] {
     float words = 0.0f;
     for (const std::string& label : labels) words += ImGui::CalcTextSize(tr(label.c_str())).x;
@@ -244,8 +244,8 @@ void sectionTitle(const char* label) {
 
 namespace {
 
-// Where a tip covers none of its item's neighbours: beside the panel, or below or above a bar; where none has room, where
-// ImGui puts it.
+// Places a tool tip where it covers no neighbour of its item: beside the panel, or below or above a bar. Without room
+// there, ImGui places it.
 void placeBesidePanel(const char* text) {
   const Look& l = look();
   const ImVec2 words = ImGui::CalcTextSize(text, nullptr, false, l.tx(280)), all = ImGui::GetIO().DisplaySize;

@@ -40,15 +40,15 @@ Rectangle around(const Rectangle& a, const Rectangle& b) {
 
 float areaOf(const Rectangle& r) { return r.empty() ? 0.0f : r.size().x * r.size().y; }
 
-// The whole pixels that ImGui's OpenGL backend leaves of a command's clip rectangle: it cuts off the fractions of place
-// and size, from the lower left corner.
+// The whole pixels inside a command's clip rectangle as ImGui's OpenGL backend computes them. It truncates place and
+// size, measured from the lower left corner.
 Rectangle scissorOf(const ImDrawCmd& c, float window_height) {
   const float left = std::trunc(c.ClipRect.x), bottom = window_height - std::trunc(window_height - c.ClipRect.w);
   return {{left, bottom - std::trunc(c.ClipRect.w - c.ClipRect.y)},
           {left + std::trunc(c.ClipRect.z - c.ClipRect.x), bottom}};
 }
 
-// Adds a rectangle, so that all stay disjoint and few; those that would waste least are put together.
+// Adds a rectangle so that all stay disjoint and few. The pair whose union wastes the fewest pixels is merged.
 void add(std::vector<Rectangle>& all, Rectangle more) {
   if (more.empty()) return;
   for (std::size_t k = 0; k < all.size();) {
@@ -58,7 +58,7 @@ void add(std::vector<Rectangle>& all, Rectangle more) {
     }
     more = around(more, all[k]);
     all.erase(all.begin() + std::ptrdiff_t(k));
-    k = 0;  // what was apart before may overlap the larger one
+    k = 0;  // disjoint rectangles may overlap the merged one
   }
   all.push_back(more);
   if (all.size() <= Damage::kMaxRectangles) return;
@@ -109,7 +109,7 @@ std::vector<Rectangle> Damage::since(const ImDrawData& now) {
         bounds.high = glm::max(bounds.high, glm::vec2(v.pos.x, v.pos.y));
       }
       bounds = {glm::floor(bounds.low), glm::ceil(bounds.high)};
-      // What follows the callback may be another picture: anywhere in the room that is left to the command.
+      // After a callback the command may draw another picture anywhere in its clip rectangle.
       if (c.UserCallback) bounds = clip;
       commands.push_back({hash.value(), common(common(bounds, clip), whole)});
     }
@@ -128,7 +128,7 @@ std::vector<Rectangle> Damage::since(const ImDrawData& now) {
 }
 
 void addPicture(ImDrawList& list, ImTextureID texture, const Rectangle& where, std::uint64_t version) {
-  // The data is never followed, only compared.
+  // The pointer is only compared, never dereferenced.
   list.AddCallback(withoutBlending, std::bit_cast<void*>(std::uintptr_t(version)));
   list.AddImage(texture, {where.low.x, where.low.y}, {where.high.x, where.high.y}, {0, 1}, {1, 0});
   list.AddCallback(ImDrawCallback_ResetRenderState, nullptr);

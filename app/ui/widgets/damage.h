@@ -1,6 +1,6 @@
-// Damage tracking, as compositors do it: which rectangles of the window look other than in the frame before, so that only
-// they are drawn again where the framebuffer keeps what was drawn. Window's thread. Units: pixel of the framebuffer, from
-// its upper left corner.
+// Damage tracking as in compositors: finds the rectangles of the window that differ from the previous frame. Where the
+// framebuffer keeps its contents, only these are redrawn. Window's thread. Units: pixel of the framebuffer, from its
+// upper left corner.
 #pragma once
 
 #include <imgui.h>
@@ -16,11 +16,11 @@ class Damage {
  public:
   static constexpr std::size_t kMaxRectangles = 4;
 
-  /// What `now` draws otherwise than the last call's data: whole pixels, disjoint, at most kMaxRectangles; empty where
-  /// nothing differs. The whole window at the first call, after forget(), after a change of size and where windows open,
-  /// close or change their order.
+  /// The rectangles in which `now` differs from the data of the last call: whole pixels, disjoint, at most
+  /// kMaxRectangles; empty if nothing differs. Returns the whole window at the first call, after forget(), after a
+  /// change of size, and when windows open, close or change their order.
   std::vector<Rectangle> since(const ImDrawData& now);
-  /// The framebuffer holds nothing of use any more.
+  /// Call this when the contents of the framebuffer are no longer valid.
   void forget() { width_ = height_ = 0; }
 
  private:
@@ -36,11 +36,11 @@ class Damage {
   float width_ = 0, height_ = 0;
 };
 
-/// Adds a picture without blending, its first row at the bottom. Its pixels may change while the texture's name stays:
-/// then `version` is another.
+/// Adds a picture without blending, its first row at the bottom. If its pixels change while the texture's name stays
+/// the same, pass another `version`.
 void addPicture(ImDrawList& list, ImTextureID texture, const Rectangle& where, std::uint64_t version);
 
-/// Draws the part of `data` that lies in `area` into the bound framebuffer, on `ground`.
+/// Draws the part of `data` inside `area` into the bound framebuffer, on the background `ground`.
 void drawWithin(const Rectangle& area, ImDrawData& data, ImU32 ground);
 
 }  // namespace moltact

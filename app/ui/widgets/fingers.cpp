@@ -18,13 +18,14 @@ glm::dvec2 Fingers::middle() const {
 
 double Fingers::spread() const { return glm::distance(fingers_[0].place, fingers_[1].place); }
 
-// Of the line from the first finger to the second: clockwise positive, as the pixels' y goes down (unit: radian).
+// The direction of the line from the first finger to the second: clockwise positive, because y points down in pixels
+// (unit: radian).
 double Fingers::direction() const {
   const glm::dvec2 line = fingers_[1].place - fingers_[0].place;
   return std::atan2(line.y, line.x);
 }
 
-// Ends what goes on, with the pointer nowhere: a screen without a finger on it points at nothing.
+// Ends the gesture and removes the pointer: without a finger, nothing is hovered.
 void Fingers::letGo() {
   if (way_ == Way::Pushing || way_ == Way::Dragging) to_.button(kLeft, false);
   if (way_ == Way::Turning) to_.button(kRight, false);
@@ -32,7 +33,7 @@ void Fingers::letGo() {
   if (way_ != Way::Ended && way_ != Way::None) to_.pointerLeft();
 }
 
-// The wheel pushes where a push is under way.
+// During a push, the wheel changes the push.
 void Fingers::pushNotch(double now_s) {
   if (way_ != Way::Pushing) return;
   to_.wheel(0.0, pad_->notches);
@@ -101,7 +102,7 @@ void Fingers::move(int id, glm::dvec2 place) {
       last_ = middle();
       to_.pointer(last_.x, last_.y);
       const double now = std::max(1.0, spread()), before = std::max(1.0, last_spread_);
-      // Fingers that touch each other have no direction.
+      // The direction is undefined if the fingers are too close.
       const bool apart = std::min(now, before) > kStill_lines * line_px_;
       const double twist_rad = apart ? std::remainder(direction() - last_direction_, kTwoPi) : 0.0;
       to_.wheel(twist_rad / kTwistNotch_rad, std::log(now / before) / std::log(kNotch));
@@ -132,7 +133,7 @@ void Fingers::up(int id) {
   way_ = fingers_.empty() ? Way::None : Way::Ended;
 }
 
-// The pointer stands there already, without a button: the panel shows its tool tip by itself.
+// The pointer is already there without a button, so the panel shows its tool tip.
 void Fingers::advance(double now_s) {
   if (pad_ && now_s - pad_->last_s >= kRepeat_s) pushNotch(now_s);
   if (way_ == Way::Waiting && now_s - begun_s_ > kLong_s) way_ = Way::Telling;

@@ -1,9 +1,9 @@
-// Fingers on a touch screen, turned into what a mouse does. In the view one finger pushes. Two turn what the hand holds,
-// by the way of their middle and by their twist, or the molecule where it holds the probe, and magnify as they part;
-// three turn the molecule. Beside the finger that pushes another one on a pad of the view's edge pushes harder or lighter. On the panels
-// a finger that stays is a click, one that moves up or down scrolls, one that moves sideways drags, and one that rests
-// for long tells what lies under it, as a mouse does that hovers; the edge between two panels follows a finger at once.
-// Window's thread. Units: pixel of the framebuffer, second.
+// Converts fingers on a touch screen to mouse input. In the view, one finger pushes. Two fingers rotate the held body,
+// or with a probe the molecule, by the motion of their centre and by their twist. They zoom when they move apart. Three
+// fingers rotate the molecule. While one finger pushes, a second one on a pad at the view's edge changes the push. On
+// the panels, a short touch is a click, a vertical motion scrolls and a horizontal one drags. A finger that rests long
+// shows the tool tip, as a hovering mouse does. The edge between two panels follows a finger at once. Window's thread.
+// Units: pixel of the framebuffer, second.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -21,41 +21,41 @@ class Fingers {
 
   enum class On {
     Panel,
-    View,  ///< the molecule's picture
-    Edge,  ///< between two panels: dragged whichever way the finger goes
+    View,  ///< the view of the molecule
+    Edge,  ///< between two panels; any motion drags it
     Harder,
-    Lighter,  ///< the pads of the view's edge
+    Lighter,  ///< the pads at the view's edge
   };
 
-  /// `line_px`: the height of a line of text.
+  /// A finger touches the screen. `line_px` is the height of a line of text.
   void down(int id, glm::dvec2 place_px, On on, double now_s, double line_px);
   void move(int id, glm::dvec2 place_px);
   void up(int id);
-  /// Once a frame.
+  /// Called once per frame.
   void advance(double now_s);
-  /// On the screen, whatever it does there.
+  /// Whether any finger is on the screen, also after its gesture has ended.
   bool any() const { return pad_ || !fingers_.empty(); }
 
-  static constexpr double kStill_lines = 0.6;  ///< a finger that moves less stays where it is
-  static constexpr double kLong_s = 0.5;       ///< so long a finger rests until it tells what lies there
-  static constexpr double kNotch_lines = 5.0;  ///< a notch of the wheel scrolls so far
-  static constexpr double kNotch = 1.12;       ///< and magnifies so much
-  /// The angle by which two fingers twist in a notch of the wheel's second axis, clockwise positive (unit: radian).
+  static constexpr double kStill_lines = 0.6;  ///< shorter motions count as rest
+  static constexpr double kLong_s = 0.5;       ///< resting time until the tool tip appears
+  static constexpr double kNotch_lines = 5.0;  ///< scrolling distance of one wheel notch
+  static constexpr double kNotch = 1.12;       ///< zoom factor of one wheel notch
+  /// The twist of two fingers per notch of the wheel's second axis, clockwise positive (unit: radian).
   static constexpr double kTwistNotch_rad = kTwoPi / 24.0;
-  static constexpr int kViewButton = 3;      ///< of the mouse, held while three fingers turn the molecule
-  static constexpr double kRepeat_s = 0.25;  ///< a pad that is held gives a notch of push each
+  static constexpr int kViewButton = 3;      ///< mouse button that is held while three fingers rotate the molecule
+  static constexpr double kRepeat_s = 0.25;  ///< a held pad sends one notch of push per interval
 
  private:
   enum class Way {
     None,
-    Waiting,  ///< on a panel; what it does is not known yet
+    Waiting,  ///< on a panel; the gesture is not yet known
     Scrolling,
     Dragging,
     Telling,
     Pushing,
     Turning,
     TurningView,
-    Ended,  ///< fingers that are still down after a gesture of several do nothing more
+    Ended,  ///< after a gesture of several fingers, the fingers that remain have no effect
   };
   struct Finger {
     int id;
@@ -71,8 +71,8 @@ class Fingers {
   std::vector<Finger> fingers_;
   struct Pad {
     int id;
-    double notches;  ///< of each repeat
-    double last_s;   ///< of the last one
+    double notches;  ///< per repeat
+    double last_s;   ///< of the last repeat
   };
   std::optional<Pad> pad_;
   Way way_ = Way::None;

@@ -1,4 +1,4 @@
-// The few signs of the program, drawn with lines so that they fit every scale and theme.
+// The program's icons, drawn with lines so that they fit every scale and theme.
 #include <algorithm>
 #include <cmath>
 

@@ -37,8 +37,8 @@ void feedModifiers(ImGuiIO& io, const Modifiers& held) {
 
 void prepareInput(ImGuiIO& io) { io.ConfigInputTrickleEventQueue = false; }
 
-// A key that somebody owns ImGui itself leaves alone, while IsKeyPressed answers as ever. An owner has it until the
-// next frame.
+// ImGui itself ignores a key that has an owner, while IsKeyPressed still reports it. The ownership lasts until the next
+// frame.
 void keepTab() { ImGui::SetKeyOwner(ImGuiKey_Tab, ImHashStr("moltact/tab")); }
 
 void feedPointer(ImGuiIO& io, float x, float y) { io.AddMousePosEvent(x, y); }
@@ -62,7 +62,7 @@ void feedPointerLeft(ImGuiIO& io) { feedPointer(io, -FLT_MAX, -FLT_MAX); }
 
 bool takeKey(ImGuiKey key) {
   if (!ImGui::IsKeyPressed(key, false)) return false;
-  // As if it had been held for a while.
+  // Marks the key as already held for a while.
   constexpr float kHeld_s = 1e-6f;
 #if IMGUI_VERSION_NUM < 18700
   ImGui::GetIO().KeysDownDuration[key] = kHeld_s;
@@ -121,8 +121,8 @@ ItemForKeys lastItemForKeys() {
   return {!(flags & (ImGuiItemFlags_Disabled | ImGuiItemFlags_NoNav)), bool(flags & ImGuiItemFlags_Inputable)};
 }
 
-// SetNextItemAllowOverlap (1.89.7) would tell of the mouse one frame late, and a hand would press where it was before. From
-// 1.89 on the first item that a click meets owns the mouse's button.
+// With SetNextItemAllowOverlap (1.89.7), hovering is known one frame late, so a press would act at the previous place.
+// From 1.89 on, the first item under a click owns the mouse button.
 void buttonUnderOthers(const char* id, ImVec2 size, ImGuiButtonFlags flags) {
 #if IMGUI_VERSION_NUM >= 18940
   flags |= ImGuiButtonFlags_NoSetKeyOwner;

@@ -1,6 +1,5 @@
-// The differences between the versions of Dear ImGui that Debian 12 (1.86) and Debian 13 (1.90.1) have stand here and
-// nowhere else; everything else uses what they share. Keys are ImGuiKey everywhere. Window's thread. Units: pixel,
-// wheel notch.
+// The only place for differences between the versions of Dear ImGui in Debian 12 (1.86) and Debian 13 (1.90.1). All
+// other code uses what both versions share. Keys are ImGuiKey everywhere. Window's thread. Units: pixel, wheel notch.
 #pragma once
 
 #include <imgui.h>
@@ -9,9 +8,8 @@
 #include <cstdint>
 
 #if IMGUI_VERSION_NUM < 18700
-// Keys were numbers of the program's own choice, and ImGuiKey the few that ImGui itself asked for. Our numbers are
-// ImGuiKey's values, which go on here where that list ends, so that IsKeyDown and IsKeyPressed take them as later
-// versions do.
+// In old versions the application numbers the keys, and ImGuiKey lists only the few that ImGui needs. These numbers
+// continue that list, so that IsKeyDown and IsKeyPressed accept them as in later versions.
 enum MoltactImGuiKey : int {
   ImGuiKey_None = -1,
   ImGuiKey_NamedKey_BEGIN = ImGuiKey_Tab,
@@ -99,13 +97,13 @@ enum MoltactImGuiKey : int {
   ImGuiKey_KeypadSubtract,
   ImGuiKey_KeypadAdd,
   ImGuiKey_KeypadEqual,
-  ImGuiKey_GamepadStart  // what follows the keyboard's keys
+  ImGuiKey_GamepadStart  // the first value after the keyboard's keys
 };
 #endif
 
 namespace moltact {
 
-/// The keyboard's keys, counted from 0.
+/// The keyboard's keys, indexed from 0.
 constexpr std::size_t kKeyCount = std::size_t(int(ImGuiKey_GamepadStart) - int(ImGuiKey_NamedKey_BEGIN));
 constexpr ImGuiKey keyAt(std::size_t index) { return ImGuiKey(int(ImGuiKey_NamedKey_BEGIN) + int(index)); }
 constexpr std::size_t indexOf(ImGuiKey key) { return std::size_t(int(key) - int(ImGuiKey_NamedKey_BEGIN)); }
@@ -116,14 +114,14 @@ constexpr bool isModifier(ImGuiKey key) {
   return int(key) >= int(ImGuiKey_LeftCtrl) && int(key) <= int(ImGuiKey_RightSuper);
 }
 
-// Hands a person's input to ImGui for the next frame; InputQueue alone calls these.
-/// Once a context: what is fed takes effect in the very next frame, all of it. Tab leads where key_focus.h says, not
-/// where ImGui would.
+// Pass the user's input to ImGui for the next frame. Only InputQueue calls these functions.
+/// Called once per context. Afterwards all input takes effect in the next frame, and Tab follows key_focus.h instead of
+/// ImGui.
 void prepareInput(ImGuiIO& io);
-/// Before every frame.
+/// Called before every frame.
 void keepTab();
 void feedPointer(ImGuiIO& io, float x, float y);
-/// No place on the screen.
+/// The pointer has left the window.
 void feedPointerLeft(ImGuiIO& io);
 void feedButton(ImGuiIO& io, int button, bool down);
 void feedWheel(ImGuiIO& io, float x, float y);
@@ -133,31 +131,32 @@ struct Modifiers {
 };
 void feedModifiers(ImGuiIO& io, const Modifiers& held);
 
-/// The key was pressed in this frame; later callers in the same frame get false.
+/// Returns whether the key was pressed in this frame and consumes it: later callers in the same frame get false.
 bool takeKey(ImGuiKey key);
 
-/// As if it had been pressed, in the next frame.
+/// Activates the item in the next frame, as if it had been pressed.
 void activateItem(ImGuiID id);
-/// Between frames: the next one activates an item.
+/// Called between frames: whether the next frame will activate an item.
 bool itemAwaitsActivation();
-/// Enter presses the item that the keys are at. Later versions do that by themselves.
+/// Lets Enter press the focused item. Later versions do this themselves.
 void pressByEnter(ImGuiID id);
-/// Whether the item that the keys are at is marked; a mouse that moves ends it.
+/// Whether the focused item is highlighted. A mouse motion ends the highlight.
 bool keysPlaceShown();
 void showKeysPlace(bool on);
-/// Until the mouse moves it points at nothing.
+/// The mouse hovers nothing until it moves.
 void ignoreRestingMouse();
-/// ImGui's last item as the keys see it: `usable` unless it is greyed out or left out of their way.
+/// ImGui's last item as keyboard navigation sees it. `usable` is false for an item that is disabled or excluded from
+/// navigation.
 struct ItemForKeys {
   bool usable = false;
-  bool field = false;  ///< text is written there
+  bool field = false;  ///< it is a text field
 };
 ItemForKeys lastItemForKeys();
 
-/// An invisible button on which others, drawn later, may lie, which then have the mouse.
+/// An invisible button that items drawn later may overlap. The overlapping item gets the mouse.
 void buttonUnderOthers(const char* id, ImVec2 size, ImGuiButtonFlags flags);
 
-/// An OpenGL texture; 0: none.
+/// Converts an OpenGL texture; 0: none.
 inline ImTextureID textureOf(unsigned gl_name) { return ImTextureID(std::intptr_t(gl_name)); }
 inline unsigned nameOf(ImTextureID texture) { return unsigned(std::intptr_t(texture)); }
 

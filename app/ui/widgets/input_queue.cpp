@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::size_t kButtons = std::extent_v<decltype(ImGuiIO::MouseDown)>;
 
-// Keys that write a character of their own.
+// Keys that produce a character.
 std::bitset<kKeyCount> writingKeys() {
   std::bitset<kKeyCount> out;
   out.set(indexOf(ImGuiKey_Space));
@@ -40,9 +40,9 @@ void InputQueue::tell(ImGuiIO& io, ImGuiKey key, bool down) {
 
 void InputQueue::feed(ImGuiIO& io) {
   keepTab();
-  // The next frame gives the keys to a field; what was done after it was asked for is for that field.
+  // The next frame activates a field. Later input is for that field, so it waits.
   if (itemAwaitsActivation()) return;
-  // Within a frame nothing changes twice, and nothing that was done after a change takes effect before it.
+  // Within a frame, no key or button changes twice, and no event overtakes an earlier change.
   std::bitset<kKeyCount> keys_changed;
   std::bitset<kButtons> buttons_changed;
   bool wheeled = false, wrote = false;
@@ -74,7 +74,7 @@ void InputQueue::feed(ImGuiIO& io) {
           const bool after_others = isModifier(e.key) && keys_changed.any();
           if (keys_changed[indexOf(e.key)] || after_others || buttons_changed.any() || (wrote && !writes(e.key)))
             return;
-          // An auto-repeat of a key that is down already changes nothing: ImGui repeats by itself.
+          // Auto-repeat of a key that is already down is ignored, because ImGui repeats keys itself.
           if (held_[indexOf(e.key)] == e.down) break;
           keys_changed.set(indexOf(e.key));
           tell(io, e.key, e.down);

@@ -19,10 +19,10 @@ struct KeyStop {
   ImGuiID id = 0;
   ImGuiWindow* window = nullptr;
   ImRect place;
-  bool field = false;  // text is written there
+  bool field = false;  // it is a text field
 };
 
-// In the order of drawing: of this frame so far, and of the one before.
+// In the order of drawing: of the current frame so far, and of the previous frame.
 struct KeyStops {
   std::vector<KeyStop> now, before;
 };
@@ -33,7 +33,7 @@ KeyStops& stops() {
 
 bool popupOpen() { return ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel); }
 
-// The controls that Tab goes round: those of the page that is open, else those of the panels.
+// The controls that Tab cycles through: those of the open page, else those of the panels.
 std::vector<KeyStop> ring() {
   const ImGuiWindow* page = ImGui::GetTopMostPopupModal();
   std::vector<KeyStop> out;
@@ -54,8 +54,8 @@ void leadTo(const KeyStop& s) {
   activateItem(s.id);
 }
 
-// From the control that the keys are at to the next, or with `panel` to the first of another panel. False past the
-// last.
+// Moves the focus from the current control to the next, or with `panel` to the first control of another panel. Returns
+// false past the last.
 bool move(int by, bool panel, bool round) {
   const ImGuiContext& g = *GImGui;
   const std::vector<KeyStop> all = ring();
@@ -63,7 +63,7 @@ bool move(int by, bool panel, bool round) {
   const int count = int(all.size());
   const ImGuiID at_id = g.ActiveId ? g.ActiveId : keysLeadControls() ? g.NavId : 0;
   int at = int(std::find_if(all.begin(), all.end(), [&](const KeyStop& s) { return s.id == at_id; }) - all.begin());
-  if (at == count) at = by > 0 ? -1 : count;  // nowhere yet, or at what is gone
+  if (at == count) at = by > 0 ? -1 : count;  // no focus yet, or its item no longer exists
   const auto rootOf = [&](int k) { return k >= 0 && k < count ? all[std::size_t(k)].window->RootWindow : nullptr; };
   const ImGuiWindow* from = rootOf(at);
   do at += by;
@@ -76,7 +76,7 @@ bool move(int by, bool panel, bool round) {
   return true;
 }
 
-// Alt pressed and let go with nothing in between.
+// Alt was pressed and released with no other key in between.
 bool altTapped(KeyFocus& panels) {
   const ImGuiIO& io = ImGui::GetIO();
   const auto isAlt = [](ImGuiKey key) { return key == ImGuiKey_LeftAlt || key == ImGuiKey_RightAlt; };
@@ -101,13 +101,13 @@ void openMenus(KeyFocus& panels, std::string_view menu_letters) {
   const bool tapped = altTapped(panels);
   if (ImGui::GetTopMostPopupModal()) return;
   if (tapped || (!io.KeyCtrl && !io.KeyAlt && !io.KeyShift && takeKey(ImGuiKey_F10))) {
-    // The second time they close.
+    // A second press closes the menus.
     if (popupOpen())
       ImGui::ClosePopupToLevel(0, true);
     else
       panels.menu_wanted = 0;
   }
-  // From menu to menu, unless the arrow opens or closes one within.
+  // The arrows switch between menus, unless they open or close a submenu.
   if (panels.menu_open >= 0 && GImGui->OpenPopupStack.Size == 1) {
     const int by = int(ImGui::IsKeyPressed(ImGuiKey_RightArrow, true) && !panels.at_submenu) -
                    int(ImGui::IsKeyPressed(ImGuiKey_LeftArrow, true));
@@ -131,9 +131,9 @@ void leadByKeys(KeyFocus& panels, std::string_view menu_letters) {
   ImGuiContext& g = *GImGui;
   ImGuiIO& io = g.IO;
   bool& in_panels = panels.keys_in_panels;
-  if (ImGui::GetFrameCount() <= 1) stops() = {};  // of another context
+  if (ImGui::GetFrameCount() <= 1) stops() = {};  // left from another ImGui context
   stops().before = std::exchange(stops().now, {});
-  // Escape has closed a menu or list before this frame's first line.
+  // Escape has closed a menu or list before the first line of this frame.
   if (panels.popup_open && !popupOpen()) takeKey(ImGuiKey_Escape);
   openMenus(panels, menu_letters);
   const bool page = ImGui::GetTopMostPopupModal() != nullptr, menu = popupOpen() && !page;
@@ -165,7 +165,7 @@ unsigned keyStop() {
     return 0;
   std::vector<KeyStop>& all = stops().now;
   if (all.empty() || all.back().id != item.ID) all.push_back({item.ID, window, item.Rect, for_keys.field});
-  // What is chosen in a menu or a list is seen by its ground.
+  // In a menu or list, the background marks the focused line.
   const bool menu = window->Flags & ImGuiWindowFlags_Popup && !(window->Flags & ImGuiWindowFlags_Modal);
   if (keysAtItem() && !menu) {
     const float off = look().px(2);
@@ -178,7 +178,7 @@ unsigned keyStop() {
 
 namespace {
 
-// ImGui 1.86 leaves a group there: without a name, or, while it is written in, with the field's and not its kind.
+// ImGui 1.86 leaves a group behind: without a name or, during input, with the field's name but not its type.
 void nameLinesItem(const char* label) {
   if (const ImGuiLastItemData item = GImGui->LastItemData; !(item.InFlags & ImGuiItemFlags_Inputable))
     ImGui::SetLastItemData(ImGui::GetID(label), GImGui->CurrentItemFlags | ImGuiItemFlags_Inputable, item.StatusFlags,
@@ -195,13 +195,13 @@ bool inputLines(const char* label, std::string& text, ImVec2 size, ImGuiInputTex
 
 namespace {
 
-// A line end that breakLines has made stands behind a space.
+// A line end that breakLines() has inserted follows a space.
 bool isBreak(std::string_view text, std::size_t k) { return k > 0 && text[k] == '\n' && text[k - 1] == ' '; }
 
-// Puts a line end behind the last space of each line that is wider than that.
+// Inserts a line end after the last space of each line that is wider than `width`.
 std::string breakLines(std::string_view text, float width) {
   std::string out;
-  std::size_t line = 0, space = 0;  // where the line begins, and behind its last space; 0: it has none
+  std::size_t line = 0, space = 0;  // the start of the line, and the place after its last space; 0: it has none
   for (const char c : text) {
     out += c;
     if (c == '\n') {
@@ -230,7 +230,7 @@ int wrapAsTyped(ImGuiInputTextCallbackData* data) {
     return 0;
   }
   const std::string_view now(data->Buf, std::size_t(data->BufTextLen));
-  // The cursor among the letters alone, and among them again.
+  // Converts the cursor's position to one without inserted line ends, and back.
   std::size_t letters = 0;
   for (std::size_t k = 0; k < std::size_t(data->CursorPos); ++k) letters += !isBreak(now, k);
   const std::string next = breakLines(unbrokenLines(now), of.width);
@@ -271,7 +271,7 @@ void keepOnEscape(std::string& text, const std::string& before) {
 }
 
 void writeInLastField(const char* label) {
-  // By its label: ImGui 1.86 forgets the identity of a field of several lines, which is a group to it.
+  // By the label: ImGui 1.86 treats a multi-line field as a group and does not keep its id.
   ImGuiWindow* window = GImGui->CurrentWindow;
   leadTo({window->GetID(label), window, GImGui->LastItemData.Rect, true});
 }

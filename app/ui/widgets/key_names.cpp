@@ -67,7 +67,7 @@ std::vector<ImGuiKey> keysNamed(std::string_view names) {
 }
 
 std::string keysText(std::string_view names) {
-  // As they are printed on keyboards; what is not among them is the same everywhere.
+  // The printed names that differ between languages; all others are the same everywhere.
   static constexpr std::array<std::string_view, 15> kPrinted{
       NC_("key", "Ctrl"), NC_("key", "Shift"), NC_("key", "Alt"),     NC_("key", "Space"),     NC_("key", "Escape"),
       NC_("key", "Esc"),  NC_("key", "Enter"), NC_("key", "Tab"),     NC_("key", "Left"),      NC_("key", "Right"),

@@ -5,8 +5,8 @@
 
 namespace moltact {
 namespace {
-constexpr float kMinView = 380.0f;        // at 96 dpi, beside two panels
-constexpr float kMinViewNarrow = 200.0f;  // beside one
+constexpr float kMinView = 380.0f;        // at 96 dpi, between two panels
+constexpr float kMinViewNarrow = 200.0f;  // beside one panel
 constexpr float kMinPanel = 220.0f;
 }  // namespace
 
@@ -20,7 +20,7 @@ Layout layOut(const LayoutWish& w, bool lesson_first) {
 
   out.narrow = width < left + right + kMinView * s;
   if (out.narrow && width >= (2 * kMinPanel + kMinView + 60.0f) * s) {
-    // The widths asked for do not fit, but narrower ones do.
+    // The wanted widths do not fit, but narrower panels do.
     const float give = std::min(1.0f, (width - kMinView * s) / (left + right));
     left = std::max(kMinPanel * s, std::floor(left * give));
     right = std::max(kMinPanel * s, std::floor(right * give));

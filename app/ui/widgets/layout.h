@@ -1,6 +1,5 @@
-// Where the panels stand: columns beside the view where there is room, one at a time where there is little, and below the
-// view where the window is taller than wide besides.
-// Pure arithmetic. Units: pixel of the framebuffer.
+// Places the panels in the window. With enough room they are columns beside the view; otherwise one panel at a time is
+// shown. In a window taller than wide, that panel is below the view. Pure arithmetic. Units: pixel of the framebuffer.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -15,22 +14,22 @@ struct Rectangle {
 
 struct LayoutWish {
   glm::vec2 window{1280, 800};
-  float scale = 1.0f;                                 ///< of what holds text
-  bool lesson = true, touch = true;                   ///< panels that are wanted
-  bool page = false;                                  ///< a page stands in the place of view and panels
+  float scale = 1.0f;                                 ///< of areas that hold text
+  bool lesson = true, touch = true;                   ///< panels that should be shown
+  bool page = false;                                  ///< a page replaces view and panels
   float lesson_width = 350.0f, touch_width = 288.0f;  ///< at 96 dpi
   float strip_height = 0.0f;                          ///< at 96 dpi; 0: no strip
-  float below_share = 0.46f;                          ///< of the height, for a panel below the view
+  float below_share = 0.46f;                          ///< share of the height for a panel below the view
 };
 
 struct Layout {
-  Rectangle menu, lesson, view, touch, page, status;  ///< a panel without room, or not wanted, is empty
-  Rectangle strip;                                    ///< under the view: playback, turns
-  bool narrow = false;                                ///< only one side panel has room
-  bool tall = false;                                  ///< that one stands below the view
+  Rectangle menu, lesson, view, touch, page, status;  ///< a panel that has no room or is not wanted is empty
+  Rectangle strip;                                    ///< below the view: playback, turns
+  bool narrow = false;                                ///< only one side panel fits
+  bool tall = false;                                  ///< the side panel is below the view
 };
 
-/// `lesson_first`: which side panel is kept where only one has room.
+/// Computes the layout. `lesson_first`: where only one side panel fits, keep the lesson instead of the touch panel.
 Layout layOut(const LayoutWish& wish, bool lesson_first);
 
 inline constexpr float kMenuHeight = 36.0f, kStatusHeight = 32.0f;  // at 96 dpi

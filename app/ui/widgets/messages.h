@@ -1,5 +1,5 @@
-// Short messages to the person, shown over the view. Notices and warnings go by themselves once there was time to read
-// them; errors, and messages that ask for something, stay until they are dismissed or no longer true. Window's thread.
+// Short messages over the view. Notices and warnings disappear after a reading time. Errors, and messages that need an
+// answer, stay until the user dismisses them or they no longer apply. Window's thread.
 #pragma once
 
 #include <algorithm>
@@ -11,36 +11,36 @@ namespace moltact {
 
 enum class MessageKind { Notice, Warning, Error };
 
-/// The id of a message that was given; 0 belongs to none.
+/// Identifies a message; 0 is no message.
 using MessageId = unsigned;
 
 struct Message {
   MessageKind kind = MessageKind::Notice;
   std::string text;
-  double left_s = -1.0;                        ///< goes by itself after so long; negative: stays until dismissed
-  std::vector<std::string_view> actions = {};  ///< names of actions (actions.h) that are offered with it
+  double left_s = -1.0;                        ///< remaining time until it disappears; negative: stays until dismissed
+  std::vector<std::string_view> actions = {};  ///< names of the actions (actions.h) that it offers
   MessageId id = 0;
 };
 
 class Messages {
  public:
-  static constexpr std::size_t kMax = 4;                       ///< the oldest goes when there are more
-  static constexpr double kNotice_s = 6.0, kWarning_s = 14.0;  ///< the shortest time that they are shown
-  static constexpr double kRead_bytes_per_s = 14.0;            ///< how fast a text is read by who reads slowly
+  static constexpr std::size_t kMax = 4;                       ///< beyond this number, the oldest is removed
+  static constexpr double kNotice_s = 6.0, kWarning_s = 14.0;  ///< the shortest display times
+  static constexpr double kRead_bytes_per_s = 14.0;            ///< the speed of a slow reader
 
   void notice(std::string text) { addForAWhile(MessageKind::Notice, std::move(text), kNotice_s); }
   void warning(std::string text) { addForAWhile(MessageKind::Warning, std::move(text), kWarning_s); }
-  /// Stays until dismissed or taken back, with actions at hand.
+  /// Adds a message that stays until it is dismissed or taken back, with buttons for the actions.
   MessageId ask(MessageKind kind, std::string text, std::vector<std::string_view> actions) {
     add({kind, std::move(text), -1.0, std::move(actions)});
     return all_.back().id;
   }
-  /// The message is no longer true: removes it and sets `id` to 0.
+  /// Removes a message that no longer applies and sets `id` to 0.
   void takeBack(MessageId& id) {
     std::erase_if(all_, [&](const Message& m) { return id != 0 && m.id == id; });
     id = 0;
   }
-  /// It has not been dismissed, nor pushed out by newer ones.
+  /// Whether the message is still shown: neither dismissed nor displaced by newer ones.
   bool tells(MessageId id) const {
     return std::any_of(all_.begin(), all_.end(), [&](const Message& m) { return id != 0 && m.id == id; });
   }

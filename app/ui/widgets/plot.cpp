@@ -14,7 +14,7 @@
 namespace moltact {
 namespace {
 
-// The next of 1, 2, 5, 10, 20, … that is not less.
+// The smallest of 1, 2, 5, 10, 20, … that is not less than the value.
 float roundUp(float value) {
   const float ten = std::pow(10.0f, std::floor(std::log10(std::max(value, 1e-6f))));
   for (const float step : {1.0f, 2.0f, 5.0f, 10.0f})
@@ -50,7 +50,7 @@ void plot(const char* name, const PlotBuffer& buffer, double newest, const PlotL
   const auto y = [&](float v) { return y0 - (y0 - y1) * std::clamp(v / top, 0.0f, 1.0f); };
   for (const float part : {0.5f, 1.0f}) draw->AddLine({a.x, y(part * top)}, {b.x, y(part * top)}, p.line, 1.0f);
 
-  // One point a pixel column: the largest of the values that fall on it.
+  // One point per pixel column: the largest of the values in that column.
   if (buffer.size() > 1) {
     draw->PushClipRect(a, b, true);
     const std::size_t columns = std::min<std::size_t>(std::max<std::size_t>(2, std::size_t(width)), buffer.capacity());
@@ -71,7 +71,7 @@ void plot(const char* name, const PlotBuffer& buffer, double newest, const PlotL
     }
     draw->PopClipRect();
   }
-  // Over the curve, which may run behind it.
+  // Drawn above the curve, which may pass behind it.
   const std::string most = numberText(double(top), top < 1.0f ? plain(2) : decimals(0));
   const ImVec2 size = font->CalcTextSizeA(small * 0.86f, 1e9f, 0.0f, most.c_str()), at{a.x + l.px(6), y(top) + l.px(1)};
   draw->AddRectFilled({at.x - l.px(2), at.y}, {at.x + size.x + l.px(2), at.y + size.y}, faded(p.raised, 0.85f),

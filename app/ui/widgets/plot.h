@@ -1,4 +1,4 @@
-// A live plot of the last values of a buffer, on ImGui's draw list. Window's thread.
+// Draws a live plot of a buffer's newest values on ImGui's draw list. Window's thread.
 #pragma once
 
 #include "app/ui/widgets/controls.h"
@@ -8,13 +8,13 @@ namespace moltact {
 
 struct PlotLook {
   const char* title = "";
-  float least_top = 1.0f;  ///< the scale's upper end is at least this
+  float least_top = 1.0f;  ///< lower bound of the scale's upper end
   float height = 86.0f;    ///< unit: pixel at 96 dpi
-  double span_s = 5.0;     ///< from the oldest value to the newest
-  ShownAs shown_as{};      ///< the newest value
+  double span_s = 5.0;     ///< time from the oldest value to the newest
+  ShownAs shown_as{};      ///< format of the newest value
 };
 
-/// As wide as there is room, recorded as `name` with the newest value as its text.
+/// Draws the plot as wide as there is room. Recorded as `name`, with the newest value as its text.
 void plot(const char* name, const PlotBuffer& buffer, double newest, const PlotLook& how);
 
 }  // namespace moltact

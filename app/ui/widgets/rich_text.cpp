@@ -19,25 +19,25 @@ ImFont* fontOf(const TextRun& run) {
   return look().font(run.bold || run.code ? Font::Strong : run.italic ? Font::Italic : Font::Body);
 }
 
-constexpr float kLineHeight = 1.28f;                // of a line, by the letters' size
-constexpr float kScriptSize = 0.72f;                // the same of sub- and superscripts
-constexpr float kLowered = 0.17f, kRaised = 0.36f;  // their baselines
+constexpr float kLineHeight = 1.28f;                // relative to the font size
+constexpr float kScriptSize = 0.72f;                // font size of sub- and superscripts, relative to the text
+constexpr float kLowered = 0.17f, kRaised = 0.36f;  // offsets of their baselines, relative to the font size
 
-/// A word, or a part of one, where it is drawn: all of it in one style.
+/// A word or a part of one, in a single style, at the place where it is drawn.
 struct TextPiece {
   std::size_t run = 0;
   std::string text;
   ImFont* font = nullptr;
   float size = 0.0f;
-  ImVec2 low{}, high{};  ///< from the text's upper left corner
-  float down = 0.0f;     ///< so much lower than `low` its letters stand
+  ImVec2 low{}, high{};  ///< relative to the text's upper left corner
+  float down = 0.0f;     ///< offset of its letters below `low`
 };
 
-/// What stands between two places where a line may break: words of several runs may touch each other.
+/// The text between two possible line breaks. It may contain parts of several runs without a space between them.
 struct TextWord {
-  float space = 0.0f;  ///< before it, where it does not begin a line
+  float space = 0.0f;  ///< before the word, unless it begins a line
   float width = 0.0f;
-  bool new_line = false;  ///< it begins one, as the author asked
+  bool new_line = false;  ///< the author has put a line break before it
   std::vector<TextPiece> pieces;
 };
 
@@ -55,7 +55,7 @@ float widthOf(const TextPiece& p) {
 
 std::vector<TextWord> wordsOf(const RichText& text) {
   std::vector<TextWord> out;
-  bool apart = true, new_line = false;  // what comes next begins a word
+  bool apart = true, new_line = false;  // the next text begins a word
   float space = 0.0f;
   for (std::size_t r = 0; r < text.size(); ++r) {
     const TextRun& run = text[r];
@@ -94,7 +94,7 @@ std::vector<TextWord> wordsOf(const RichText& text) {
   return out;
 }
 
-// Where the next word goes.
+// The place of the next word.
 struct TextPen {
   float width;
   float x = 0.0f;
@@ -123,11 +123,11 @@ LaidText layOut(const RichText& text, float width) {
       pen.x += pen.x > 0 ? word.space : 0.0f;
     const bool breaks = word.width > width;
     for (TextPiece& piece : word.pieces) {
-      // A word wider than the panel is broken within.
+      // A word wider than the panel is broken inside.
       while (breaks && pen.x + (piece.high.x - piece.low.x) > width && piece.text.size() > 1) {
         const char *begin = piece.text.data(), *end = begin + piece.text.size(), *cut = nullptr;
         piece.font->CalcTextSizeA(piece.size, std::max(width - pen.x, piece.size), 0, begin, end, &cut);
-        // Not within a character.
+        // Do not break inside a UTF-8 character.
         std::size_t n = std::max<std::size_t>(1, std::size_t(cut - begin));
         while (n < piece.text.size() && (static_cast<unsigned char>(piece.text[n]) & 0xC0) == 0x80) ++n;
         if (n >= piece.text.size()) break;
@@ -167,10 +167,10 @@ void underline(ImDrawList* draw, ImVec2 a, ImVec2 b, ImU32 ink, bool dotted) {
 std::string wrapped(const std::string& text, float width) {
   const std::string kept = withUnitsKept(text);
   std::string out;
-  std::size_t line = 0;  // where the last line of `out` begins
+  std::size_t line = 0;  // start of the last line of `out`
   for (std::size_t at = 0; at < kept.size();) {
     const std::size_t end = std::min(kept.find_first_of(" \n", at + 1), kept.size());
-    const std::string word = kept.substr(at, end - at);  // with what is before it
+    const std::string word = kept.substr(at, end - at);  // including the blank before it
     if (word.front() == '\n') line = out.size() + 1;
     const bool first = out.size() <= line;
     if (!first && word.front() == ' ' && ImGui::CalcTextSize((out.substr(line) + word).c_str()).x > width) {
@@ -209,7 +209,7 @@ std::string drawRichText(const char* name, const RichText& text, ImU32 colour, f
       if (!first) first = &p;
     }
     if (first) {
-      // An item only for the keys: the mouse may point at any of its words.
+      // An item for the keyboard only; the mouse can point at each of its words.
       const ImVec2 a{start.x + first->low.x, start.y + first->low.y},
           b{start.x + first->high.x, start.y + first->high.y};
       const ImGuiID id = ImGui::GetID((std::string(name) + "/" + run.text).c_str());
@@ -267,7 +267,8 @@ std::string drawRichTable(const char* name, const Table& table, ImU32 colour, fl
   std::vector<float> wide(columns);
   for (std::size_t c = 0; c < columns; ++c) {
     const RichTextWidths& w = wanted[c];
-    // All on one line; else what is left over the words goes to the columns with more to say; else words are broken.
+    // If all texts fit on one line, each column has its full width. Otherwise the room beyond the widest words is
+    // divided by the lengths of the texts. If even the widest words do not fit, words are broken.
     wide[c] = whole <= room   ? w.whole
               : least <= room ? w.least + (room - least) * (w.whole - w.least) / std::max(1.0f, whole - least)
                               : room * w.least / least;

@@ -1,4 +1,5 @@
-// Wrapped text with bold, italic and code runs, scripts and links, as a lesson holds it. Window's thread. Unit: pixel.
+// Draws wrapped text with bold, italic and code runs, sub- and superscripts and links, as in lessons. Window's thread.
+// Unit: pixel.
 #pragma once
 
 #include <imgui.h>
@@ -9,28 +10,29 @@
 
 namespace moltact {
 
-/// Plain text with line ends where it is to be broken to fit the width in the current font: only between words, and
-/// never between a number and its unit. A word that is wider than the width stays whole.
+/// Inserts line ends into plain text so that it fits the width in the current font. Lines break only between words,
+/// never between a number and its unit. A word wider than the width stays whole.
 std::string wrapped(const std::string& text, float width);
 
-/// Draws the text from the cursor on, wrapped at `width` (0: the rest of the line), and moves the cursor below it.
-/// Returns the link that was clicked, or an empty text. `name` records it and its links ("name/link text"). Numbers
-/// outside code are written as the person prefers. Words of a glossary have a dotted line, other links a whole one.
+/// Draws the text at the cursor, wrapped at `width` (0: the rest of the line), and moves the cursor below it. Returns
+/// the link that was clicked, or an empty text. The widget map records the text as `name` and its links as "name/link
+/// text". Numbers outside code follow the user's choice of the decimal sign. Glossary words are underlined with dots,
+/// other links with a line.
 std::string drawRichText(const char* name, const RichText& text, ImU32 colour, float width = 0.0f);
 
-/// The same for a label: painted at a place, without links, item or record.
+/// Paints a label at a place, without links, ImGui item or record in the widget map.
 void paintRichText(ImDrawList* draw, ImVec2 at, const RichText& text, ImU32 colour, float width);
-/// From the top of its first line's letters to the bottom of the last one's.
+/// The height from the top of the first line's letters to the bottom of the last line's.
 float richTextHeight(const RichText& text, float width);
 
-/// How wide it is on one line, and its widest word, below which it is broken within words.
+/// The width of the text on one line (`whole`) and of its widest word (`least`). Below `least`, words are broken.
 struct RichTextWidths {
   float least = 0.0f, whole = 0.0f;
 };
 RichTextWidths richTextWidths(const RichText& text);
 
-/// A table in columns as wide as their texts need, wrapped where the width (0: the rest of the line) does not hold them.
-/// Returns the link that was clicked. Cells are recorded as "name/row/column".
+/// Draws a table; its columns have the widths of their texts, which wrap if `width` (0: the rest of the line) is too
+/// small. Returns the link that was clicked. Cells are recorded as "name/row/column".
 std::string drawRichTable(const char* name, const Table& table, ImU32 colour, float width = 0.0f);
 
 }  // namespace moltact

@@ -1,5 +1,6 @@
-// Which parts of a text that scrolls a person has had the time to see: a part counts once it has been in view, wholly or
-// as much of it as the view holds, for a moment without a break. Arithmetic only; window's thread. Units: pixel, second.
+// Tracks which parts of a scrolled text the user has had time to see. A part counts after it has been in view without
+// interruption for kMoment_s. A part higher than the view must fill it. Arithmetic only; window's thread. Units: pixel,
+// second.
 #pragma once
 
 #include <algorithm>
@@ -14,13 +15,13 @@ class SeenParts {
  public:
   static constexpr double kMoment_s = 0.3;
 
-  /// A stretch of the window from top to bottom.
+  /// A vertical range of the window.
   struct Span {
     float low = 0.0f, high = 0.0f;
   };
 
-  /// Once a frame for each part that is drawn. `view` is what the window shows. The frames of one part follow on one
-  /// another, or it begins anew.
+  /// Called once per frame for each part that is drawn. `view` is the visible range. If a part misses a frame, its time
+  /// starts again.
   void note(std::string_view name, Span part, Span view, int frame, double now_s) {
     constexpr float kRounded_px = 1.0f;
     const float shown = std::min(part.high, view.high) - std::max(part.low, view.low);
@@ -31,12 +32,12 @@ class SeenParts {
     p.frame = frame;
     p.ever = p.ever || (in_view && now_s - p.since_s >= kMoment_s);
   }
-  /// It is in view and has been for a moment, as of its last note.
+  /// Whether the part is in view and has been for kMoment_s, as of its last note().
   bool now(std::string_view name, double now_s) const {
     const auto at = parts_.find(name);
     return at != parts_.end() && at->second.in_view && now_s - at->second.since_s >= kMoment_s;
   }
-  /// It has been at some time since the last clear().
+  /// Whether the part has been in view for kMoment_s at any time since the last clear().
   bool ever(std::string_view name) const {
     const auto at = parts_.find(name);
     return at != parts_.end() && at->second.ever;

@@ -63,7 +63,7 @@ Palette lightPalette() {
           .bad_soft = rgb(0xFBE3E1)};
 }
 
-// Black and white, with edges round everything that can be used, and yellow for what is in use.
+// Black and white, with borders around every control, and yellow for active ones.
 Palette highContrastPalette() {
   return {.ground = rgb(0x000000),
           .panel = rgb(0x000000),
@@ -150,20 +150,21 @@ void applySpacing(ImGuiStyle& style, const Look& l) {
   style.MouseCursorScale = 1.0f;
 }
 
-// The signs of English, other Latin languages, Greek, primes, sub- and superscripts, arrows and simple mathematics.
+// The characters of English, other Latin languages, Greek, primes, sub- and superscripts, arrows and simple
+// mathematics.
 constexpr ImWchar kText[] = {0x20, 0xFF, 0x100, 0x17F, 0x2010, 0x2044, 0};
 constexpr ImWchar kSigns[] = {0x370,  0x3FF,  0x2070, 0x209C, 0x2190, 0x21FF, 0x2200,
                               0x2265, 0x25A0, 0x25FF, 0x2713, 0x2717, 0};
 
-// What titles need of these: H₂O.
+// The subset that titles need: H₂O.
 constexpr ImWchar kScripts[] = {0x2070, 0x209C, 0};
 
-// What other texts hold is loaded by pages of 128 characters, when the first of a page is to be shown.
+// Other characters are loaded in pages of 128 when the first of a page is needed.
 constexpr unsigned kPage = 128;
 std::array<bool, 0x10000 / kPage> g_pages{};
 bool g_pages_changed = false;
 
-// ImGui's ranges of the wanted pages, closed by 0, in front of them those that are always there.
+// ImGui's ranges: those that are always loaded, then the requested pages, terminated by 0.
 std::vector<ImWchar> withPages(const ImWchar* always) {
   std::vector<ImWchar> out;
   for (; *always; ++always) out.push_back(*always);
@@ -199,7 +200,7 @@ std::string loadFonts(Look& l) {
   io.Fonts->Clear();
   io.Fonts->FontBuilderIO = ImGuiFreeType::GetBuilderForFreeType();
   io.Fonts->FontBuilderFlags = ImGuiFreeTypeBuilderFlags_LightHinting;
-  // ImGui reads the ranges when the atlas is built.
+  // static, because ImGui reads the ranges later, when the atlas is built.
   static std::vector<ImWchar> text, signs, scripts;
   text = withPages(kText);
   signs = withPages(kSigns);
@@ -208,7 +209,7 @@ std::string loadFonts(Look& l) {
   const std::string deja_vu = dejaVuFile().string();
   for (std::size_t k = 0; k < kFaces.size(); ++k) {
     const std::string file = interFile(kFaces[k].file).string();
-    // ImGui's font size is the height of ascent and descent together; Inter's em is 1 / 1.21 of it.
+    // ImGui's font size is ascent plus descent; Inter's em is 1 / 1.21 of it.
     const float size = std::round(kFaces[k].size * 1.19f * l.scale * l.text);
     ImFont* font = nullptr;
     if (std::filesystem::exists(file)) font = io.Fonts->AddFontFromFileTTF(file.c_str(), size, nullptr, text.data());
@@ -254,7 +255,7 @@ Theme Look::viewTheme() const {
 }
 
 void requestGlyphs(std::string_view utf8) {
-  // Below U+0200 all is there.
+  // Characters below U+0200 are always loaded.
   if (std::none_of(utf8.begin(), utf8.end(), [](char c) { return static_cast<unsigned char>(c) >= 0xC8; })) return;
   for (const char32_t c : charactersOf(utf8)) {
     if (c < 0x180 || c > 0xFFFF || g_pages[c / kPage] || always(c)) continue;

@@ -1,4 +1,4 @@
-// The look: colours, spacing and fonts in one place. Window's thread. Units: pixel at 96 dpi, multiplied by the scale.
+// Colours, spacing and fonts of the window. Window's thread. Units: pixel at 96 dpi, multiplied by the scale.
 #pragma once
 
 #include <imgui.h>
@@ -11,14 +11,14 @@
 
 namespace moltact {
 
-/// The colours that the panels draw with themselves; ImGui's own style is made from the same ones.
+/// The colours that the panels use directly. ImGui's style is made from the same colours.
 struct Palette {
-  ImU32 ground;  ///< behind everything
-  ImU32 panel;   ///< of a panel
+  ImU32 ground;  ///< the window's background
+  ImU32 panel;   ///< a panel's background
   ImU32 raised;  ///< cards, buttons, fields
   ImU32 hovered, pressed;
   ImU32 line;                ///< borders and separators
-  ImU32 text, quiet, faint;  ///< from first to last to be read
+  ImU32 text, quiet, faint;  ///< in order of importance
   ImU32 accent, accent_text, accent_soft;
   ImU32 good, good_soft, warn, warn_soft, bad, bad_soft;
 };
@@ -27,14 +27,14 @@ enum class Font { Body, Strong, Italic, Small, Title, Heading, kCount };
 
 struct Look {
   ThemeChoice theme = ThemeChoice::Light;
-  float scale = 1.0f;  ///< the monitor's content scale times the person's preference
-  float text = 1.0f;   ///< how much larger letters are than the scale alone makes them
+  float scale = 1.0f;  ///< the monitor's content scale times the user's setting
+  float text = 1.0f;   ///< additional factor for the size of text
   Palette palette{};
   ImFont* fonts[int(Font::kCount)] = {};
 
-  /// Pixels at this scale, whole.
+  /// Converts to whole pixels at this scale.
   float px(float at_96_dpi) const;
-  /// The same for what holds text: it grows with the letters, too.
+  /// The same for controls that hold text: they grow with the text size too.
   float tx(float at_96_dpi) const;
   ImFont* font(Font f) const { return fonts[int(f)]; }
   /// The colours of the 3-D view.
@@ -44,14 +44,14 @@ struct Look {
 /// The look of the current frame.
 const Look& look();
 
-/// Has the signs of a text loaded, where the fonts hold them, before the next frame: of other scripts than those that
-/// are always there. Cheap for what is.
+/// Loads the characters of a text before the next frame if the fonts contain them. Needed for scripts that are not
+/// loaded by default; cheap for characters that are.
 void requestGlyphs(std::string_view utf8);
-/// Whether there are signs that applyLook() is to load.
+/// Whether applyLook() has characters to load.
 bool signsWanted();
 
-/// Sets ImGui's style for a theme, a scale and a size of letters; loads the fonts again when these have changed.
-/// Returns what could not be loaded (empty: all well); the built-in font stands in.
+/// Sets ImGui's style for a theme, a scale and a text size; reloads the fonts if these have changed. Returns a message
+/// about fonts that could not be loaded, empty on success; the built-in font replaces them.
 std::string applyLook(ThemeChoice theme, float scale, float text);
 
 /// The same colour, more transparent.

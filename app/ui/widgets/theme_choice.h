@@ -1,4 +1,4 @@
-// The themes that a person can choose from, and their names in files. Plain data; any thread.
+// The available themes and their names in files. Plain data; any thread.
 #pragma once
 
 #include <algorithm>

@@ -1,5 +1,5 @@
-// Where each named widget stood in the last frame, and what it said: how a script finds what a person would see.
-// Window's thread. Units: pixel of the framebuffer.
+// Records the rectangle and the text of each named widget in the last frame, so that scripts can find widgets. Window's
+// thread. Units: pixel of the framebuffer.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -12,13 +12,13 @@ namespace moltact {
 
 struct WidgetRecord {
   glm::vec2 low{0.0f}, high{0.0f};            ///< the whole rectangle
-  glm::vec2 clip_low{0.0f}, clip_high{0.0f};  ///< of the window that it stands in: what lies outside is not seen
-  std::string text;                           ///< its value or label as shown; may be empty
-  bool scrolls = false;                       ///< it stands in a window that can be scrolled up and down
-  unsigned key_stop = 0;                      ///< the keys lead to it, as ImGui's item of this id; 0: they do not
+  glm::vec2 clip_low{0.0f}, clip_high{0.0f};  ///< of its window; parts outside are not visible
+  std::string text;                           ///< the value or label on the screen; may be empty
+  bool scrolls = false;                       ///< its window can be scrolled vertically
+  unsigned key_stop = 0;                      ///< the id of the ImGui item that can have the keyboard focus; 0: none
 
   glm::vec2 centre() const { return 0.5f * (low + high); }
-  /// Its middle is seen.
+  /// Whether its centre is visible.
   bool visible() const {
     const glm::vec2 c = centre();
     return c.x >= clip_low.x && c.x < clip_high.x && c.y >= clip_low.y && c.y < clip_high.y;
@@ -40,7 +40,7 @@ class WidgetMap {
   }
   const std::map<std::string, WidgetRecord, std::less<>>& all() const { return records_; }
 
-  /// The texts that had no room and were shown cut off, each once.
+  /// The texts that did not fit and were cut off, each once.
   const std::set<std::string>& cut() const { return cut_; }
   void noteCut(std::string text) { cut_.insert(std::move(text)); }
 
@@ -49,14 +49,14 @@ class WidgetMap {
   std::map<std::string, WidgetRecord, std::less<>> records_;
 };
 
-/// The map that the panels write to; the shell clears it before each frame.
+/// The map that the panels fill. The shell clears it before each frame.
 WidgetMap& widgets();
 
-/// Records ImGui's last item under a name, with the text it shows.
+/// Records ImGui's last item under a name, with its text on the screen.
 void recordItem(std::string_view name, std::string text = {});
-/// The same with a rectangle of its own, where a script aims at a part of the item.
+/// The same with its own rectangle, so that a script aims at a part of the item.
 void recordControl(std::string_view name, glm::vec2 low, glm::vec2 high, std::string text);
-/// Records a rectangle of the current window that is no item.
+/// Records a rectangle of the current window that is not an ImGui item.
 void recordRectangle(std::string_view name, glm::vec2 low, glm::vec2 high, std::string text = {});
 
 }  // namespace moltact

@@ -22,9 +22,9 @@ inline constexpr std::size_t kMaxHeldAtoms = 200;
 /// Atoms that move as one rigid body with the hand's pose.
 struct HeldBody {
   std::vector<std::uint32_t> atoms;  ///< their indices in the molecule, ascending; empty for bodyOfSpheres()
-  std::vector<Sphere> spheres;  ///< one per atom, relative to the middle, in the molecule's axes; radii as felt
-  PointA middle;                ///< mean of their centres, in the molecule
-  double reach_A = 0.0;         ///< radius of the sphere about the middle that contains the body
+  std::vector<Sphere> spheres;       ///< one per atom, relative to the middle, in the molecule's axes; radii as felt
+  PointA middle;                     ///< mean of their centres, in the molecule
+  double reach_A = 0.0;              ///< radius of the sphere about the middle that contains the body
 };
 
 /// Builds the body from the given indices of a scene's spheres (ascending). Returns null if no index is valid or there

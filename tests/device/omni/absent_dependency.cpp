@@ -1,2 +1,2 @@
-// A library that needy_library.cpp needs and does not find, for nothing says where it is.
+// A library on which needy_library.cpp depends and which the loader does not find.
 extern "C" int absentFunction() { return 1; }

@@ -1,3 +1,3 @@
-// A library that cannot be loaded because of another that it needs.
+// A library that cannot be loaded because a dependency is missing.
 extern "C" int absentFunction();
 extern "C" int neededFunction() { return absentFunction(); }

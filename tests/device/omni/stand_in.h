@@ -1,5 +1,5 @@
-// The stand-in libHD.so for the tests of the Omni's driver, and the servo loop over it whose clock a test steps by
-// hand: a tick is a millisecond, also for the guard, however long the machine takes over it.
+// The stand-in libHD.so for tests of the Omni's driver, and a servo loop whose clock the test advances. A tick is one
+// millisecond, also for the guard, at any speed of the machine.
 #pragma once
 
 #include <doctest/doctest.h>
@@ -22,7 +22,7 @@
 
 namespace moltact::test {
 
-// The stand-in, as the driver will load it, and the test's own functions in it.
+// The stand-in as the driver will load it, and its functions for tests.
 struct StandIn {
   explicit StandIn(bool manual = true) {
     setenv("MOLTACT_LIBHD", MOLTACT_STAND_IN_LIBHD, 1);
@@ -41,10 +41,10 @@ struct StandIn {
   F* call(const char* name) const {
     return reinterpret_cast<F*>(library->symbol(name));
   }
-  /// Time since the program's start, by the ticks that were stepped.
+  /// Time since the program's start, by ticks.
   static inline std::atomic<std::int64_t> stepped_ns{0};
   static std::int64_t now_ns() noexcept { return stepped_ns; }
-  /// Time goes on and no tick comes.
+  /// Advances the time without a tick.
   static void stand(int ms) { stepped_ns += std::int64_t(ms) * 1'000'000; }
   void step(int ticks) const {
     const auto step_stand_in = call<void(int)>("standInStep");
@@ -74,7 +74,7 @@ struct StandIn {
   SharedLibrary* library = nullptr;
 };
 
-// What the haptic thread does with a device that brings its clock, without the thread.
+// Does what the haptic thread does with a device that supplies its clock, without the thread.
 struct Loop final : ClockListener {
   explicit Loop(Device& device) : stylus(device), devices(mouse, &device) {
     std::vector<Sphere> spheres;
@@ -107,13 +107,13 @@ inline std::unique_ptr<OmniDevice> opened() {
   return std::move(*device);
 }
 
-// Steps until the hand presses with some force.
+// Runs ticks until the hand presses with some force.
 inline void press(const StandIn& omni, Loop& loop) {
   for (int k = 0; k < 20'000 && glm::length(loop.last.force.N) < 0.7; ++k) omni.step(1);
   REQUIRE(glm::length(loop.last.force.N) >= 0.7);
 }
 
-// Asks until it is there, at most some seconds; what it waits for is checked afterwards.
+// Polls for a few seconds until the device is there; the caller checks the result.
 inline void untilThere(Device& device) {
   for (int k = 0; k < 1000 && !device.status().connected; ++k)
     std::this_thread::sleep_for(std::chrono::milliseconds(10));

@@ -1,12 +1,12 @@
 // A stand-in for OpenHaptics' libHD.so, built from its published documentation, with the device model in the scripted
-// hand behind it. It is strict where the documentation is: what is asked outside a frame or by the getter of another
-// type, a second begin, a second frame in a tick, a bad handle end as errors on the stack, newest first. The callback
-// runs without its lock. The functions standIn… are for the tests: they step its clock by hand or let it run at 1 kHz,
-// and do to it what a device does. In a program of its own (STAND_IN_LOG, a file) it runs at 1 kHz from the start, asks
-// for the calibration style STAND_IN_STYLE if that is set, has the middle of its room STAND_IN_ROOM_Z mm before its
-// hand's, and writes how the device was closed. Into the file STAND_IN_FORCES it writes each force that it is given, in
-// N, and "off" and "on" for its output, each in one line behind the monotonic time in ns: they are there however the
-// process ends. While the file STAND_IN_FRAMES_FAIL exists, no frame can be begun.
+// hand behind it. It is as strict as the documentation. Calls outside a frame, getters of the wrong type, nested
+// begins, a second frame per tick and bad handles push errors onto the stack, newest first. The callback runs without
+// its lock. The functions standIn… are for tests: they advance its clock or let it run at 1 kHz, and simulate events of
+// a device. In a separate process (STAND_IN_LOG, a file) it runs at 1 kHz from the start and logs how the device was
+// closed. STAND_IN_STYLE sets the calibration style. STAND_IN_ROOM_Z shifts the centre of its workspace that many mm in
+// front of its hand's. It appends each force, in N, to the file STAND_IN_FORCES, and "off" and "on" for its output, one
+// line each after the monotonic time in ns; the lines survive any end of the process. While the file
+// STAND_IN_FRAMES_FAIL exists, no frame can begin.
 #include <fcntl.h>
 #include <time.h>
 #include <unistd.h>

@@ -1,7 +1,7 @@
-// Three students who do not feel: a looker, who presses where the picture shows the place; a guesser, who answers by
-// tossing a coin or by counting; a jabber, who is put down here and there without sliding. Against every task of the
-// shipped lessons that is done in the dark, along a way, or by size and distance, none passes more often than chance has
-// it. How often each passed is printed.
+// Three students without touch: a looker, who presses where the picture shows the place; a guesser, who tosses a coin
+// or counts; and a jabber, who touches here and there without sliding. In every task of the program's lessons that is
+// done in the dark, along a path, or by size and distance, none passes more often than by chance. The test prints how
+// often each passed.
 #include <cmath>
 
 #include "engine/core/random.h"
@@ -14,8 +14,7 @@ namespace {
 constexpr unsigned kSeed = 20261122;
 }  // namespace
 
-TEST_CASE(
-    "whoever answers 'same' by a coin, always alike, or so that half differ, passes a round as often as coins do") {
+TEST_CASE("answers to 'same' by a coin, always the same, or half of each pass a round as often as coins do") {
   std::vector<Found> found = tasksOfKind("same");
   // What is asked before is a measurement: one round, which nobody passes or fails.
   std::erase_if(found, [](const Found& f) { return f.spec().values["asked"].text == "before"; });
@@ -236,7 +235,7 @@ TEST_CASE(
   table.print();
 }
 
-TEST_CASE("nobody measures by marking what was not touched, the same place twice, or places met by jabs") {
+TEST_CASE("marking what was not touched, the same place twice, or places met by jabs does not measure anything") {
   const std::vector<Found> found = tasksOfKind("measure");
   Passes table;
   for (const Found& f : found) {

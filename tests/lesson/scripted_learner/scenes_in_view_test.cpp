@@ -1,4 +1,5 @@
-// What the scenes of the shipped lessons mark is in the picture as a step begins, and not all of it under the probe.
+// At the start of a step of the program's lessons, the marks of its scene are in the picture and not all under the
+// probe.
 #include <doctest/doctest.h>
 
 #include <filesystem>

@@ -87,9 +87,8 @@ using Kind = LearnerEvent::Kind;
 }  // namespace
 
 TEST_CASE(
-    "an answer to a question that is answered, or one that is no number, is not taken: it is neither right nor wrong, "
-    "and "
-    "the reason is told") {
+    "an answer to a question that is answered, or one that is no number, is not taken: it is neither "
+    "right nor wrong, and the reason is reported") {
   const std::string questions = step("") +
                                 "### Question: Which?\n\n- [x] This → Right so.\n- [ ] That → No.\n\n### Question: How "
                                 "many?\n\n```answer\nnumber: 3\ntolerance: 0\nright: Right so.\n```\n";
@@ -243,7 +242,7 @@ TEST_CASE(
   CHECK(p.find(Kind::Question, 2)->right);
 }
 
-TEST_CASE("a script finds in the dark, tells same from different and draws a curve") {
+TEST_CASE("a script finds in the dark, distinguishes same from different and draws a curve") {
   const Played p =
       play(step(touch("find: atom 1") + touch("same: atom 0\nplace: atom 1\ntrials: 2\nright: 1\nfor: 0.2 s") +
                 touch("predict: atom 0\ndeep: 1 Å")),
@@ -255,7 +254,7 @@ TEST_CASE("a script finds in the dark, tells same from different and draws a cur
   CHECK(p.finished);
 }
 
-TEST_CASE("what a script asks for and the lesson has not is told at its line, and the rest goes on") {
+TEST_CASE("what a script refers to and the lesson lacks is reported at its line, and the rest continues") {
   const Played p = play(
       step(touch("reach: atom 0")) + "### Question: Q?\n- [x] a\n- [ ] b\n",
       "slide atom 0\nanswer what: a\nanswer q: c\nsay here\ntouch element Xe\nnext\ndraw 1 N\ndo\ndo\nanswer q: a\n");
@@ -273,7 +272,7 @@ TEST_CASE("what a script asks for and the lesson has not is told at its line, an
   CHECK(p.finished);
 }
 
-TEST_CASE("faults in the text of a script are all told, with line, column and remedy") {
+TEST_CASE("faults in the text of a script are all reported, with line, column and remedy") {
   const AnswersReading read = readAnswers(
       "a.txt",
       "tuch atom 0\n\npress 4\npress 1 N on elment O\n# only a comment\nmethod exakt\nanswer q\nwait\ndo it\n");

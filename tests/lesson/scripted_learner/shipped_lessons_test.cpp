@@ -1,4 +1,5 @@
-// Every lesson in lessons/ can be finished: a scripted learner follows each task's demonstration and answers rightly.
+// Every lesson in lessons/ can be finished: a scripted learner follows each task's demonstration and gives right
+// answers.
 #include <doctest/doctest.h>
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// What a student sees of a step of a shipped lesson, and what a press at a place of the picture meets there.
+// The picture of a step of one of the program's lessons, and the contact of a press at a place in it.
 #pragma once
 
 #include <algorithm>
@@ -14,7 +14,7 @@
 
 namespace moltact::test {
 
-/// Read once for all steps.
+/// Reads each molecule once for all steps.
 inline Expected<std::shared_ptr<const Molecule>> knownMolecule(const NamedMolecule& named) {
   static std::map<NamedMolecule, std::shared_ptr<const Molecule>> read;
   if (const auto known = read.find(named); known != read.end()) return known->second;
@@ -34,7 +34,7 @@ struct StepPicture {
     if (!part) part = magnifiedRegion(scene, *molecule);
   }
 
-  /// As the step begins; or with the molecule turned, as in the dark.
+  /// The camera at the start of the step, or with the molecule rotated as in the dark.
   const Camera& camera(const std::optional<Quat>& turned = std::nullopt) const {
     if (camera_ && of_ == turned) return *camera_;
     Camera c;
@@ -57,7 +57,7 @@ struct StepPicture {
     return sum;
   }
 
-  /// Where the middle of these atoms appears as the step begins.
+  /// The place of these atoms' centre in the picture at the start of the step.
   glm::dvec2 seen(std::span<const std::uint32_t> atoms) const {
     const Vec3 at = camera().project({middle(atoms)}, kSize_px, kSize_px);
     return {at.x, at.y};
@@ -74,7 +74,7 @@ struct StepPicture {
   SceneSpec scene;
   std::shared_ptr<const Molecule> molecule;
   SphereGrid spheres;
-  std::optional<Region> part;  // that fills the view
+  std::optional<Region> part;  // the part that fills the view
 
  private:
   void face(Camera& c) const {

@@ -1,5 +1,5 @@
-// The shipped lesson on HIV protease, in the dark: the tunnel with the drug against the tunnel without it, as a hand feels
-// them that pushes where the student is told to.
+// The program's lesson on HIV protease in the dark: the tunnel with the drug against the tunnel without it, as felt by
+// a hand that pushes where the student is told to.
 #include <algorithm>
 #include <cmath>
 #include <utility>

@@ -1,5 +1,5 @@
-// Students who do not feel, for tests of fairness: what a looker, a guesser and a jabber have to go by, and how often they
-// pass. Shared by tests of the shipped lessons' tasks.
+// Students without touch, for tests of fairness: the information that a looker, a guesser and a jabber have, and how
+// often they pass. Shared by tests of the lessons' tasks.
 #pragma once
 
 #include <doctest/doctest.h>
@@ -18,7 +18,7 @@
 
 namespace moltact::test {
 
-/// A touch task of a shipped lesson.
+/// A touch task of one of the program's lessons.
 struct Found {
   const Lesson* lesson = nullptr;
   const Step* step = nullptr;
@@ -62,7 +62,7 @@ inline double figure(const Task& task, std::string_view name) {
   return std::nan("");
 }
 
-/// How often at least `needed` of `n` coins fall right.
+/// The probability that at least `needed` of `n` fair coins show heads.
 inline double coins(int n, int needed) {
   double sum = 0.0, ways = 1.0;
   for (int k = 0; k <= n; ++k) {
@@ -72,10 +72,10 @@ inline double coins(int n, int needed) {
   return sum * std::pow(0.5, n);
 }
 
-/// Four standard deviations of a share that is counted in n trials.
+/// Four standard deviations of a share counted in n trials.
 inline double noise(double share, int n) { return 4.0 * std::sqrt(std::max(share * (1 - share), 1.0 / n) / n); }
 
-/// How often each of the three passed, in percent of the rounds; NaN where one of them has nothing to try.
+/// The share of rounds that each of the three passed, in percent; NaN if the task gives one of them nothing to try.
 class Passes {
  public:
   void row(const Found& f, double looker, double guesser, double jabber, double chance) {
@@ -97,7 +97,7 @@ class Passes {
 
 inline constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
-/// A touch of atoms for a while, as the task is told of it; then the hand is away.
+/// Reports a touch of atoms for a while to the task, then releases.
 inline void touch(Task& task, double& time_s, const std::array<std::int32_t, 3>& atoms, const Vec3& scp_A,
                   double probe_A, double for_s, double tick_s = 0.02) {
   TouchSample s;
@@ -118,8 +118,8 @@ inline void touch(Task& task, double& time_s, const std::array<std::int32_t, 3>&
   }
 }
 
-/// Says "here" after pressing at places of the picture that `where` chooses, as often as a round lets, or rests there
-/// where the task asks for that. True: found.
+/// Presses at places of the picture that `where` chooses and says "here", as often as a round permits; or rests there
+/// if the task asks for that. Returns whether it was found.
 template <class Where>
 bool findBy(const StepPicture& picture, const TaskSpec& spec, Task& task, std::uint64_t seed, Where where) {
   task.reset();
@@ -140,12 +140,12 @@ bool findBy(const StepPicture& picture, const TaskSpec& spec, Task& task, std::u
     CHECK(task.done() == false);
     task.answer({.word = "here"});
   }
-  // Resting on one place twice is one guess.
+  // Resting at the same place twice counts as one guess.
   if (!rests) CHECK((task.done() || figure(task, "rounds") == 2.0));
   return task.done();
 }
 
-/// One task of a lesson alone, under a student who acts by plans.
+/// A single task of a lesson, with a student who follows plans.
 struct Alone {
   explicit Alone(const Found& f, std::uint64_t seed) : random(seed), learner(lessonOf(f), knownMolecule, ignore) {
     REQUIRE(learner.enterStep());
@@ -155,7 +155,7 @@ struct Alone {
     alone->steps = {*f.step};
     alone->steps[0].tasks = {f.spec()};
     alone->steps[0].questions.clear();
-    alone->steps[0].aside = false;  // a side path is never what a lesson waits for
+    alone->steps[0].aside = false;  // asides are optional for a lesson
     return alone;
   }
   static void ignore(const LearnerEvent&) {}
@@ -168,7 +168,7 @@ struct Alone {
     return std::any_of(buttons.begin(), buttons.end(), [&](const TaskButton& b) { return b.word == word; });
   }
 
-  /// From outside straight on, where a place of the picture is pressed, with 0.6 N; through, where nothing is there.
+  /// A press with 0.6 N straight from outside at a place of the picture; it passes through if nothing is there.
   void jab(const StepPicture& picture, const Camera& camera, glm::dvec2 at_px, double wait_s = 0.2) {
     if (done()) return;
     Vec3 scp(0.0);
@@ -189,7 +189,7 @@ struct Alone {
 
   double fraction() { return std::uniform_real_distribution<double>(0.0, 1.0)(random); }
 
-  /// Somewhere on the picture of these atoms.
+  /// A random place on the picture of these atoms.
   glm::dvec2 somewhere(const StepPicture& picture, const Camera& camera, std::span<const std::uint32_t> atoms) {
     const PlacedAtom a = picture.molecule->at(atoms[std::size_t(fraction() * double(atoms.size()))]);
     const Vec3 at = camera.project(a.position, StepPicture::kSize_px, StepPicture::kSize_px);
@@ -197,7 +197,7 @@ struct Alone {
     return glm::dvec2(at.x, at.y) + reach_px * glm::dvec2(2.0 * fraction() - 1.0, 2.0 * fraction() - 1.0);
   }
 
-  /// The step's own view, and others from which one may jab.
+  /// The step's own view, or another one for jabbing.
   Camera someView(const StepPicture& picture, std::span<const std::uint32_t> atoms) {
     Camera c = picture.camera();
     c.target = {picture.middle(atoms)};

@@ -41,7 +41,7 @@ TEST_CASE(
   CHECK(figure(*t, "error of the first guess") == doctest::Approx(2.9));
 }
 
-TEST_CASE("told by resting: 1.9 s in one place says nothing, 2.0 s says here once") {
+TEST_CASE("answering by resting: 1.9 s in one place says nothing, 2.0 s says here once") {
   auto t = task("find", {{"find", "atom 0"}, {"by", "hold"}, {"meter", "off"}});
   Hand hand{*t};
   CHECK_FALSE(t->stage().force_meter);
@@ -55,8 +55,8 @@ TEST_CASE("told by resting: 1.9 s in one place says nothing, 2.0 s says here onc
 }
 
 TEST_CASE(
-    "a wrong guess is warmer or colder than the one before by 1 A, where the author asks; a hand that slides is told "
-    "nothing") {
+    "a wrong guess is warmer or colder than the one before by 1 A if the author requests it; a "
+    "sliding hand gets no hint") {
   for (const bool asked : {true, false}) {
     auto t = task("find", {{"find", "atom 0"}, {"hints", asked ? "warmer" : "none"}, {"guesses", "9"}});
     Hand hand{*t};

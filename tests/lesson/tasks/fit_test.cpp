@@ -1,4 +1,5 @@
-// fit: what the search for the largest probe takes for there. An atom in a cage of six, whose windows have a closed form.
+// The task kind fit: which places the search for the largest probe counts as reached. An atom in a cage of six, whose
+// windows have a closed form.
 #include <cmath>
 
 #include "tests/lesson/task_hand.h"

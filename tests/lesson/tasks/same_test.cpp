@@ -111,8 +111,8 @@ TEST_CASE("who answers 5 of 8 rightly feels another round of other pairs, and so
 }
 
 TEST_CASE(
-    "a task that is asked before is one round of 8 pairs, done whatever the answers were, and tells nothing; its d' is "
-    "that of hits and false alarms by the log-linear correction") {
+    "a task that is asked before is one round of 8 pairs, done with any answers, without feedback; "
+    "its d' is that of hits and false alarms by the log-linear correction") {
   Keys keys = kProbes;
   keys.emplace_back("asked", "before");
   keys.emplace_back("praise", "Kept.");

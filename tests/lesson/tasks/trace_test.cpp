@@ -1,4 +1,4 @@
-// Ways along atoms on the x axis and round the crease of two equal spheres, where coverage and deviation have closed
+// Paths along atoms on the x axis and around the crease of two equal spheres, where coverage and deviation have closed
 // forms.
 #include <numbers>
 
@@ -41,7 +41,7 @@ TEST_CASE(
   CHECK(t->done());
 }
 
-TEST_CASE("a circle 0.5 A outside the crease is off by 0.5 A, covers nothing within 0.3 A and is told") {
+TEST_CASE("a circle 0.5 A outside the crease is off by 0.5 A, covers nothing within 0.3 A and is reported") {
   auto t = task("trace", {{"trace", "crease"}, {"of", "all"}, {"within", "0.3 Å"}}, pair());
   Hand hand{*t};
   round(hand, 0, 20);
@@ -71,7 +71,7 @@ TEST_CASE(
   CHECK(figure(*t, "coverage") == doctest::Approx(90.0).epsilon(0.01));
 }
 
-TEST_CASE("whoever touches the start, lifts and touches the end has not traced the way; the lift is counted") {
+TEST_CASE("touching the start, lifting and touching the end does not trace the path; the lift is counted") {
   auto t = task("trace", {{"trace", "atom 0-3"}});
   Hand hand{*t};
   hand.touch({0}, 0.1, 0.5, {0, 3, 0});
@@ -154,7 +154,7 @@ TEST_CASE("in either direction the way may begin at its end; forward it may not"
   }
 }
 
-TEST_CASE("keys of a trace that do not go together are told") {
+TEST_CASE("keys of a trace that do not go together are reported") {
   CHECK(problemOf("trace", {{"trace", "atom 0-3"}, {"of", "all"}}) == "'of' belongs to 'trace: crease'");
   CHECK(problemOf("trace", {{"trace", "crease"}}) == "nothing says between which atoms the creases lie");
   CHECK(problemOf("trace", {{"trace", "crease"}, {"of", "all"}, {"direction", "either"}}) ==

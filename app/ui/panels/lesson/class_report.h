@@ -1,11 +1,11 @@
-// Lesson, Report on a class: a page of all attempts in a folder. Window's thread.
+// Lesson > Report on a class: writes a page about all attempts in a folder. Window's thread.
 #pragma once
 
 namespace moltact {
 
 class Application;
 
-/// Asks for the folder in which a class's files lie, with folders in it or without, and writes the page beside them.
+/// Asks for the folder with a class's files, also in subfolders, and writes the page into it.
 void reportOnClass(Application& app);
 
 }  // namespace moltact

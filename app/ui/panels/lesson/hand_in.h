@@ -1,14 +1,14 @@
-// What a student hands in: the file of the attempt that is open, as it is kept (docs/results.md). Window's thread.
+// Handing in: a copy of the open attempt's file (docs/results.md). Window's thread.
 #pragma once
 
 namespace moltact {
 
 class Application;
 
-/// Whether there is anything to hand in.
+/// Whether an attempt is open.
 bool canHandIn(const Application& app);
 
-/// Asks where a copy of the attempt is to go; in a page it is downloaded.
+/// Asks where to save a copy of the attempt. A browser downloads it.
 void handIn(Application& app);
 
 }  // namespace moltact

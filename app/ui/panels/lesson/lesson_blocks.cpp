@@ -18,7 +18,7 @@
 namespace moltact {
 namespace {
 
-/// Draws `inner` with a margin on a ground whose height is known only afterwards; it is given the width that it has.
+/// Draws `inner` with a margin on a background whose height is known only afterwards. `inner` receives its width.
 template <class Inner>
 void onGround(ImU32 ground, const Inner& inner) {
   const Look& l = look();
@@ -38,7 +38,7 @@ void onGround(ImU32 ground, const Inner& inner) {
   ImGui::Dummy({width, l.px(2)});
 }
 
-/// The meaning of the word that was asked for. Returns a link that was clicked in it.
+/// Draws the meaning of a glossary word. Returns a link that was clicked in it.
 std::string drawWord(Application& app, const std::string& name, const GlossaryWord& word) {
   std::string link;
   bool closed = false;
@@ -56,11 +56,11 @@ std::string drawWord(Application& app, const std::string& name, const GlossaryWo
   return link;
 }
 
-// Draws one block; each kind has its overload.
+// Draws one block; one overload per kind of block.
 struct BlockPainter {
   Application& app;
   std::string name;
-  std::size_t& hint;  // the number of the next one
+  std::size_t& hint;  // the index of the next hint
   std::string link;
 
   void text(const RichText& t, ImU32 colour, float indent = 0.0f) {
@@ -98,7 +98,7 @@ struct BlockPainter {
     const Look& l = look();
     const std::size_t mine = hint++;
     bool open = mine < app.panels.hints;
-    // The key opens the next one; a click this one and those before it.
+    // The key opens the next hint; a click opens this one and those before it.
     const std::string label = mine == app.panels.hints ? withKey(tr("Hint"), "H") : std::string(tr("Hint"));
     if (disclosure((name + "/hint").c_str(), label.c_str(), open)) app.panels.hints = open ? mine + 1 : mine;
     if (!open) return;
@@ -144,7 +144,7 @@ struct BlockPainter {
     const std::optional<FileLink> file = fileLink(app.lesson.file(), image.path);
     const LessonPictures::Shown* shown = file ? &app.extensions().lesson_pictures.find(file->file) : nullptr;
     if (!shown || !shown->texture) {
-      // Until it is read, and where it cannot be: what it shows, in words.
+      // The description is shown until the picture is loaded, and if it cannot be loaded.
       text({TextRun{.text = image.description, .italic = true}}, l.palette.quiet);
       if (shown && !shown->fault.empty())
         drawRichText((name + "/fault").c_str(), {TextRun{.text = shown->fault}}, l.palette.bad);
@@ -207,7 +207,7 @@ std::string drawLessonBlocks(Application& app, const std::vector<Block>& blocks,
       if (const GlossaryWord* word = findWord(app.lesson.session()->lesson(), open.id))
         if (std::string clicked = drawWord(app, painter.name, *word); !clicked.empty())
           painter.link = std::move(clicked);
-    // A word's meaning opens below the block in which it was asked for; asked for again, it closes.
+    // A click on a word opens its meaning below the block; a second click closes it.
     if (const auto id = wordLink(painter.link)) {
       open = open == PanelState::Word{painter.name, *id} ? PanelState::Word{} : PanelState::Word{painter.name, *id};
       painter.link.clear();

@@ -1,4 +1,4 @@
-// The page that closes a lesson, however much of it was done.
+// The closing page of a lesson, at any progress.
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -19,7 +19,7 @@
 namespace moltact {
 namespace {
 
-constexpr std::size_t kMaxItems = 10;  // more that is left is listed by steps
+constexpr std::size_t kMaxItems = 10;  // if more items are open, steps are listed instead
 
 void line(const std::string& name, const std::string& text, ImU32 colour, bool bold = false) {
   drawRichText(name.c_str(), {TextRun{.text = text, .bold = bold}}, colour);
@@ -31,7 +31,7 @@ struct Item {
   bool task = false;
 };
 
-/// What counts for the lesson: in steps on the way, in the order of the text.
+/// The tasks and questions that count for the lesson: in steps of the core, in the order of the text.
 std::vector<Item> itemsOf(const LessonSession& session) {
   std::vector<Item> out;
   const std::vector<Step>& steps = session.lesson().steps;
@@ -55,7 +55,7 @@ const std::vector<std::size_t>& goalsOf(const LessonSession& session, const Item
   return item.task ? step.tasks[item.index].goals : step.questions[item.index].goals;
 }
 
-/// A mark in the place of a list's bullet; the text after it stands beside it.
+/// Draws an icon in place of a list's bullet; the text follows beside it.
 void mark(Icon icon, ImU32 colour) {
   const Look& l = look();
   const ImVec2 at = ImGui::GetCursorScreenPos();
@@ -69,7 +69,8 @@ void mark(Icon icon, ImU32 colour) {
   ImGui::SetCursorPosX(ImGui::GetCursorPosX() + l.px(24));
 }
 
-/// A goal counts as reached once all that serves it is done; one that nothing serves, with the lesson.
+/// A goal is reached once all tasks and questions that serve it are done. A goal that none serves is reached with the
+/// lesson.
 void drawGoals(const LessonSession& session, const std::vector<Item>& items) {
   if (session.lesson().goals.empty()) return;
   sectionTitle(session.finished() ? tr("What you can do now") : tr("What the lesson is for"));
@@ -94,7 +95,7 @@ void drawGoals(const LessonSession& session, const std::vector<Item>& items) {
   ImGui::Spacing();
 }
 
-/// A card as wide as the text that leads elsewhere: a mark, its words, an arrow. True when it was clicked.
+/// A card with an icon, a text and an arrow; its width fits the text. Returns whether it was clicked.
 bool leadingCard(const std::string& name, const std::string& text, const std::string& below) {
   const Look& l = look();
   const Palette& p = l.palette;
@@ -128,7 +129,7 @@ void goTo(Application& app, const Item& item) {
   app.panels.lesson_wanted = {item.task, item.index};
 }
 
-/// What is left, each with a card that leads there; of much, by steps. True when one was clicked.
+/// Draws a card for each open item, or for each step if there are many. Returns whether one was clicked.
 bool drawLeft(Application& app, const LessonSession& session, const std::vector<Item>& items) {
   std::vector<Item> left;
   for (const Item& item : items)
@@ -161,7 +162,7 @@ std::string givenTo(const Question& asked, const QuestionStatus& status) {
   return out;
 }
 
-/// The predictions that have been told, beside what was felt.
+/// The predictions whose results are known, beside what was felt.
 void drawPredictions(const LessonSession& session) {
   const Palette& p = look().palette;
   const std::vector<Step>& steps = session.lesson().steps;
@@ -224,7 +225,7 @@ Done doneIn(const LessonSession& session) {
   return out;
 }
 
-// The steps by their titles in the order in which they were met; what was passed over stands where it would have come.
+// The titles of the steps in the order of the visits. A skipped step is listed at its regular position.
 RichText wayOf(const LessonSession& session) {
   const std::vector<Step>& steps = session.lesson().steps;
   std::vector<std::size_t> way = session.met();
@@ -249,7 +250,7 @@ RichText wayOf(const LessonSession& session) {
   return out;
 }
 
-/// What was done and felt, in figures.
+/// Figures of the work and the touch.
 void drawFigures(const LessonSession& session) {
   const Palette& p = look().palette;
   const Done done = doneIn(session);
@@ -259,7 +260,7 @@ void drawFigures(const LessonSession& session) {
   if (done.questions > 0)
     line("lesson/end/questions", trf("{0} of {1} answers right at the first try.", done.first_right, done.questions),
          p.text);
-  // Only of what was done since the lesson was taken up: earlier figures are in the attempt's file.
+  // Only figures since the lesson was resumed; earlier ones are in the attempt's file.
   if (done.touched_s >= 1.0)
     line("lesson/end/felt",
          trf("In the tasks of today you touched for {0}, over {1} of surface.",
@@ -282,7 +283,7 @@ void drawFigures(const LessonSession& session) {
          p.quiet);
 }
 
-/// Whether all is done, on a ground of its own.
+/// Whether everything is done, on a background of its own.
 void drawVerdict(const LessonSession& session) {
   const Look& l = look();
   const LessonSession::Parts parts = session.parts();
@@ -328,7 +329,7 @@ std::string drawLessonClosing(Application& app, const LessonSession& session) {
   ImGui::Spacing();
   drawVerdict(session);
   const std::vector<Item> items = itemsOf(session);
-  // Whoever went to what is left is in another step now.
+  // The click has opened another step.
   if (drawLeft(app, session, items)) return {};
   drawGoals(session, items);
   drawPredictions(session);

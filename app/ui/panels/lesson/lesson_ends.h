@@ -1,5 +1,4 @@
-// What stands at the two ends of a lesson: its goals before the first step, and the page that closes it. Window's
-// thread.
+// The start and end of a lesson: its goals before the first step, and the closing page. Window's thread.
 #pragma once
 
 #include <string>
@@ -9,17 +8,17 @@ namespace moltact {
 class Application;
 class LessonSession;
 
-/// What a student can do afterwards, as the author wrote it.
+/// Draws the author's goals: what a student can do afterwards.
 void drawLessonGoals(Application& app, const LessonSession& session);
-/// Opens them at the lesson's start, as long as nothing is done, unless that would push its first task or question out of
-/// sight. `width`, `text_height`: of the lesson's text (unit: pixel). After the text was drawn once.
+/// Called after the text was drawn once. Opens the goals at the lesson's start, before any work, unless they would push
+/// its first task or question out of view. `width`, `text_height`: of the lesson's text (unit: pixel).
 void settleLessonGoals(Application& app, const LessonSession& session, float width, float text_height);
 
-/// The page after the last step, however much was done: the goals with what is reached of them, what is left with a
-/// button to each, the student's predictions beside what was felt, the way taken, and what comes next.
-/// Gives the link that was clicked, or nothing.
+/// Draws the page after the last step, at any progress. It lists the goals reached, links to the open tasks, the
+/// student's predictions beside what was felt, the steps taken, and what comes next. Returns the link that was clicked,
+/// or an empty text.
 std::string drawLessonClosing(Application& app, const LessonSession& session);
-/// Its foot: back, and the lesson that comes next.
+/// Draws the foot of the closing page: Back, and the next lesson.
 void drawClosingFoot(Application& app);
 
 }  // namespace moltact

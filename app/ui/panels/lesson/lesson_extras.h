@@ -1,5 +1,5 @@
-// Extra steps, beside the core: each step of the core offers those that belong to it, and the lesson's end lists all that
-// the student has not seen. Window's thread.
+// Extra steps, outside the core. Each step of the core offers the extra steps that belong to it; the lesson's end lists
+// those that the student has not seen. Window's thread.
 #pragma once
 
 #include <string>
@@ -8,9 +8,10 @@ namespace moltact {
 
 class LessonSession;
 
-/// "More on this:" and a link to each, below the text of a step of the core. Gives the link that was clicked, or nothing.
+/// Draws "More on this:" with a link to each extra step, below the text of a step of the core. Returns the link that
+/// was clicked, or an empty text.
 std::string drawExtrasOffered(const LessonSession& session);
-/// On the closing page, those that were not seen. Gives the link that was clicked, or nothing.
+/// Draws the extra steps that were not seen, on the closing page. Returns the link that was clicked, or an empty text.
 std::string drawExtrasLeft(const LessonSession& session);
 
 }  // namespace moltact

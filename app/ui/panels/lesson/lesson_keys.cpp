@@ -22,7 +22,7 @@ bool lessonKeysFree() {
 
 bool lessonKeyPressed(char key) {
   if (!lessonKeysFree()) return false;
-  // Where Tab has led the keys to a control, Enter presses that one.
+  // If Tab has given a control the focus, Enter presses that control.
   if (key == '\n') return !keysLeadControls() && (takeKey(ImGuiKey_Enter) || takeKey(ImGuiKey_KeypadEnter));
   return takeKey(keyOf(key));
 }
@@ -62,7 +62,7 @@ void watchDone(Application& app) {
 }
 
 void scrollByKeys() {
-  constexpr float kPage = 0.7f;  // of the window's height
+  constexpr float kPage = 0.7f;  // share of the window's height
   if (!ImGui::GetIO().KeyCtrl || pageOpen()) return;
   const float pages = (ImGui::IsKeyPressed(ImGuiKey_PageDown, true) ? 1.0f : 0.0f) -
                       (ImGui::IsKeyPressed(ImGuiKey_PageUp, true) ? 1.0f : 0.0f);

@@ -1,4 +1,4 @@
-// Left: the lesson's step, its text, tasks and questions; Back and Next below.
+// The left panel: the lesson's step with text, tasks and questions; Back and Next below.
 #include <algorithm>
 #include <optional>
 #include <string>
@@ -25,7 +25,7 @@ namespace {
 
 void drawHead(Application& app, const LessonSession& session) {
   const Look& l = look();
-  // Asides lie beside the way: they neither count nor have a bar.
+  // Asides are outside the core: they do not count and have no bar.
   const std::vector<std::size_t> way = session.way();
   const std::size_t at = session.mainStepIndex(), count = way.size();
   {
@@ -41,7 +41,7 @@ void drawHead(Application& app, const LessonSession& session) {
     ImGui::TextUnformatted(place.c_str());
     recordItem("lesson/place", place);
   }
-  // A bar of steps: done, here, to come.
+  // A bar per step: done, current or open.
   const float width = ImGui::GetContentRegionAvail().x, gap = l.px(3), high = l.px(4);
   const float each = (width - gap * float(count - 1)) / float(count);
   const ImVec2 low = ImGui::GetCursorScreenPos();
@@ -79,7 +79,7 @@ void drawFoot(Application& app, const LessonSession& session) {
   if (button("lesson/next", label, waits ? ButtonLook::Plain : kind, width - back_w - gap, !waits)) app.lesson.next();
 }
 
-/// A link that changes what the scene shows. In the dark there is nothing to show.
+/// Follows a link that changes the scene. Ignored in the dark.
 void followInScene(Application& app, const SceneLink& link) {
   const SceneSpec& scene = app.lesson.session()->scene();
   if (!app.lesson.onStage() || app.extensions().task_stager.dark()) return;
@@ -101,7 +101,7 @@ std::size_t hintsIn(const std::vector<Block>& blocks) {
       std::count_if(blocks.begin(), blocks.end(), [](const Block& b) { return std::holds_alternative<Tip>(b); }));
 }
 
-/// What the strip under the text says while some of it lies below; the task at hand goes before all else.
+/// The text of the strip below the panel while some content is below its edge. The current task has priority.
 struct Below {
   std::string text;
   bool task = false, asks = false;
@@ -119,7 +119,7 @@ Below standsBelow(const Application& app, const LessonSession& session, float sh
   return {tr("More below"), false, false};
 }
 
-/// Its text in at most three lines, as far as this width allows.
+/// Wraps its text to at most three lines of this width.
 std::string linesBelow(const Below& below, float wide) {
   const Look& l = look();
   const WithFont small(Font::Small);
@@ -134,7 +134,7 @@ float heightBelow(const std::string& lines) {
   return ImGui::CalcTextSize(lines.c_str()).y + look().px(12);
 }
 
-/// In a strip of its own under the text while some of it lies below: what stands there; a click goes on by a page.
+/// Draws the strip that announces content below the panel's edge; a click scrolls by a page.
 void drawMoreBelow(Application& app, const Below& below, const std::string& lines, const Rectangle& text_shown) {
   const Look& l = look();
   const WithFont small(Font::Small);
@@ -157,12 +157,12 @@ void drawMoreBelow(Application& app, const Below& below, const std::string& line
   recordRectangle("lesson/more", {x, y}, {x + wide, y + high}, below.text);
 }
 
-/// The step's head and text with its tasks and questions; the link that was clicked, or an empty text.
+/// Draws the step's head, text, tasks and questions. Returns the link that was clicked, or an empty text.
 std::string drawStep(Application& app, LessonSession& session) {
   const bool first = session.stepIndex() == 0;
   const std::size_t introduced = first ? hintsIn(session.lesson().introduction) : 0;
   const std::size_t hints = introduced + hintsIn(session.step().blocks);
-  // One after the other; behind the last one they close again.
+  // Opens the hints one by one; after the last one, closes all.
   if (lessonKeyPressed('H')) app.panels.hints = app.panels.hints < hints ? app.panels.hints + 1 : 0;
   drawHead(app, session);
   ImGui::Spacing();
@@ -178,7 +178,7 @@ std::string drawStep(Application& app, LessonSession& session) {
   return link;
 }
 
-/// A link that leads to no step: to another lesson, or out of the program.
+/// Follows a link that leads to no step: to another lesson, or out of the program.
 void followOut(Application& app, const std::string& link) {
   const std::optional<FileLink> file = fileLink(app.lesson.file(), link);
   if (!file || file->file.extension() != ".md") {
@@ -201,7 +201,7 @@ void drawLessonPanel(Application& app) {
   const std::size_t before = session->stepIndex();
   const bool more_below = app.panels.lesson_more_below;
   const bool closing = app.lesson.closing();
-  // By where things stood in the last frame.
+  // From the positions of the last frame.
   const Below below =
       closing ? Below{.text = tr("More below")} : standsBelow(app, *session, app.panels.lesson_text_end);
   const std::string below_lines = linesBelow(below, ImGui::GetContentRegionAvail().x);
@@ -245,7 +245,7 @@ void drawLessonPanel(Application& app) {
   else
     drawFoot(app, *session);
   endPanel();
-  // Another lesson may take this one's place, so it comes last.
+  // Last, because it may open another lesson.
   if (link.empty()) return;
   if (const auto in_scene = sceneLink(link))
     followInScene(app, *in_scene);

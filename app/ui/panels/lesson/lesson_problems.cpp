@@ -1,6 +1,5 @@
-// Over the view's lower edge while the lesson's file has faults: a quiet bar that says so, and on demand the list of
-// them with line, what is wrong and what would mend it. For authors; a lesson without errors never shows it to a
-// student.
+// Over the view's lower edge if the lesson's file has faults: a bar that opens the list of them, with line, problem and
+// remedy. For authors; students do not see it in a lesson without errors.
 #include <algorithm>
 #include <string>
 
@@ -70,7 +69,7 @@ void drawLessonProblems(Application& app) {
   const std::string text = headline(app, watch);
   const float text_w = width - 2 * side - button_w - l.px(12);
   const float text_h = ImGui::CalcTextSize(text.c_str(), nullptr, false, text_w).y, head = std::max(l.tx(34), text_h);
-  // Below it the view says what is touched.
+  // Keeps the line free in which the view describes the contact.
   const float bottom = view.high.y - (view.size().x > l.px(400) ? l.tx(62) : l.tx(84));
   const bool open = app.panels.lesson_problems;
   const float most = std::max(l.px(90), 0.5f * view.size().y);

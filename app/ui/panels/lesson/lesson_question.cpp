@@ -1,4 +1,4 @@
-// A question in the lesson: choices or a field, and what is said to the answer.
+// A question of a lesson: choices or a field, and the feedback.
 #include <imgui.h>
 #include <imgui_stdlib.h>
 
@@ -27,12 +27,12 @@ bool holds(const std::vector<std::size_t>& list, std::size_t value) {
   return std::find(list.begin(), list.end(), value) != list.end();
 }
 
-// How a choice stands: what is said of it is not to be seen before it may be.
+// The mark on a choice. It is hidden until the feedback may be shown.
 enum class Mark { None, Right, Wrong };
 
 const char* wordOf(Mark told) { return told == Mark::Right ? tr("right") : tr("wrong"); }
 
-// What is right has a tick in a disc, what is wrong a cross in a square: the sign says it without its colour.
+// A tick in a disc for right, a cross in a square for wrong: distinguishable without colour.
 void drawVerdict(ImDrawList* draw, Mark told, ImVec2 centre, float half) {
   const Palette& p = look().palette;
   if (told == Mark::Right)
@@ -43,7 +43,7 @@ void drawVerdict(ImDrawList* draw, Mark told, ImVec2 centre, float half) {
   drawIcon(draw, told == Mark::Right ? Icon::Check : Icon::Close, centre, 1.5f * half, p.panel);
 }
 
-// One choice: a card with a mark, and once it is told whether it is right, a sign and a word. True when it was chosen.
+// A choice: a card, with an icon and a word once its result is shown. Returns whether it was chosen.
 bool drawChoice(const std::string& name, const Choice& choice, bool round, bool ticked, Mark told) {
   const Look& l = look();
   const Palette& p = l.palette;
@@ -88,14 +88,14 @@ bool drawChoice(const std::string& name, const Choice& choice, bool round, bool 
   return clicked;
 }
 
-// The question and each of its choices have been in view.
+// Whether the question and each of its choices have been in view.
 bool wasRead(const Application& app, const Question& question, const std::string& name) {
   bool read = wasSeen(app, name);
   for (std::size_t k = 0; k < question.choices.size(); ++k) read = read && wasSeen(app, name + "/" + std::to_string(k));
   return read;
 }
 
-// The first question of the step that is not yet answered takes the number keys, unless the current task waits for them.
+// The number keys belong to the first unanswered question of the step, unless the current task uses them.
 bool takesKeys(const LessonSession& session, std::size_t index) {
   if (const Task* task = session.taskAt(session.currentTask())) {
     const std::vector<TaskButton> offered = task->buttons();
@@ -107,7 +107,7 @@ bool takesKeys(const LessonSession& session, std::size_t index) {
   return session.takesAnswer(index);
 }
 
-// Enter belongs to the current task where that waits for it.
+// Enter belongs to the current task if it uses the key.
 bool enterIsFree(const LessonSession& session) {
   const Task* task = session.taskAt(session.currentTask());
   if (!task) return true;
@@ -116,14 +116,14 @@ bool enterIsFree(const LessonSession& session) {
   return std::none_of(offered.begin(), offered.end(), [](const TaskButton& b) { return b.key == '\n'; });
 }
 
-// The first question with a field that is not yet answered takes the key that begins to write.
+// The key that starts writing belongs to the first unanswered question with a field.
 bool takesWriting(const LessonSession& session, std::size_t index) {
   for (std::size_t k = 0; k < index; ++k)
     if (!session.question(k).done() && session.step().questions[k].choices.empty()) return false;
   return !session.question(index).done();
 }
 
-// `asked_y`: where the question begins.
+// `asked_y`: the top of the question.
 void drawChoices(Application& app, std::size_t index, const std::string& name, float asked_y) {
   LessonGuide& lesson = app.lesson;
   LessonSession& session = *lesson.session();
@@ -145,7 +145,7 @@ void drawChoices(Application& app, std::size_t index, const std::string& name, f
   for (std::size_t place = 0; place < order.size(); ++place) {
     const std::size_t k = order[place];
     const bool given = status.attempts > 0 && holds(status.chosen, k), right = question.choices[k].right;
-    // After a prediction has been told, or the last try, what was right stands there too.
+    // After the result of a prediction or the last try, the right choices are marked too.
     const bool marked = told && (given || ((question.prediction || status.shown) && right));
     const bool is_ticked = one ? given : holds(ticked, k);
     const std::string choice = name + "/" + std::to_string(k);
@@ -209,7 +209,7 @@ void drawField(Application& app, std::size_t index, const std::string& name, flo
     recordItem(name + "/field", written);
     if (begins()) writeInLastField("##answer");
     if (!answer.unit.empty()) {
-      // Beside the field, so that a number without it means what it should.
+      // The unit is beside the field, so that a number without a unit is understood.
       ImGui::SameLine();
       ImGui::AlignTextToFramePadding();
       ImGui::TextUnformatted(answer.unit.c_str());
@@ -222,12 +222,12 @@ void drawField(Application& app, std::size_t index, const std::string& name, flo
     session.write(index, answer.kind == AnswerSpec::Kind::Number ? numberAsTyped(written) : unbrokenLines(written));
 }
 
-// What is said to an answer, with its colour; before it may be said whether it was right, that it is kept.
+// The feedback to an answer and its colour. Until the result may be shown, it says only that the answer is stored.
 struct Said {
   std::vector<RichText> lines;
   ImU32 colour;
   Mark verdict = Mark::None;
-  bool own_words = false;  // the program's, where the author wrote none
+  bool own_words = false;  // the program's sentence, because the author wrote none
 };
 
 Said saidTo(const LessonSession& session, std::size_t index) {
@@ -254,8 +254,8 @@ Said saidTo(const LessonSession& session, std::size_t index) {
   return out;
 }
 
-// Of a field, which has no card to carry it: the sign, and the word where the author wrote what is said. What is said
-// follows in the next line, or beside the sign where that is the program's own sentence.
+// The verdict on an answer in a field, which has no card: the icon, and the word if the author wrote the feedback. The
+// author's feedback follows in the next line; the program's sentence is beside the icon.
 void drawFieldVerdict(const std::string& name, const Said& said) {
   const Look& l = look();
   const ImVec2 low = ImGui::GetCursorScreenPos();
@@ -269,7 +269,7 @@ void drawFieldVerdict(const std::string& name, const Said& said) {
   ImGui::TextUnformatted(wordOf(said.verdict));
 }
 
-// Where the answer leads: Next goes there too.
+// The step to which the answer leads; Next leads there too.
 void drawGoOn(Application& app, std::size_t index, const std::string& name) {
   const LessonSession& session = *app.lesson.session();
   const auto to = session.leadsTo(index);
@@ -337,7 +337,7 @@ std::string drawLessonQuestion(Application& app, std::size_t index) {
             lessonKeyActs(app, 'G', {name + "/feedback", said_y, ImGui::GetCursorScreenPos().y}))
           link = question.choices[k].link;
     drawGoOn(app, index, name);
-    // What is said to an answer is not to be missed below the panel's edge.
+    // Scrolls so that the feedback is not below the panel's edge.
     if ((status.attempts != attempts || asked_again == status.again.empty()) &&
         ImGui::GetCursorScreenPos().y > ImGui::GetWindowPos().y + ImGui::GetWindowHeight())
       ImGui::SetScrollHereY(1.0f);

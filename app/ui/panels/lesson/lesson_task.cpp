@@ -1,4 +1,4 @@
-// A touch task in the lesson: a card with a mark, what is asked, what to do next, and how far the student has come.
+// A touch task in the lesson: a card with its state, the instruction, the next action and the progress.
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -19,17 +19,17 @@
 namespace moltact {
 namespace {
 
-// Figures are for those who work with them: not in a lesson for beginners, unless the details of the touch panel are open.
+// Figures are shown in lessons above beginners' level, or if the details of the touch panel are open.
 bool showsFigures(const Application& app) {
   const std::string& level = app.lesson.session()->lesson().level;
   return (!level.empty() && levelRank(level) > 0) || app.panels.touch_details;
 }
 
-// What the task's own kind has measured, in one quiet line; time and force are for the teacher's report.
+// The measurements of this kind of task in one line. Time and force are left to the teacher's report.
 void drawFigures(const std::string& name, const Task& task) {
   std::string line;
   for (const TaskFigure& f : task.ownFigures()) {
-    if (f.value == 0.0 && f.unit.empty()) continue;  // nothing was counted: no slip, no wrong turn
+    if (f.value == 0.0 && f.unit.empty()) continue;  // no errors were counted
     line += (line.empty() ? "" : "  ·  ") + std::string(tr(f.name)) + " " +
             quantityIn(f.value, f.unit, decimals(f.value == std::round(f.value) ? 0 : 2));
   }
@@ -43,7 +43,7 @@ void drawFigures(const std::string& name, const Task& task) {
   recordItem(name + "/figures", line);
 }
 
-// A mark for each of several trials: right, wrong, or still to come.
+// One mark per trial: right, wrong or open.
 void drawTrials(const std::string& name, const TaskTrials& trials) {
   if (trials.of == 0 || trials.right.empty()) return;
   const Look& l = look();
@@ -92,7 +92,7 @@ void drawLessonTask(Application& app, std::size_t index) {
   const float say_y = std::max(0.0f, mark - 0.5f * ImGui::GetFontSize() - l.px(1));
   float height = std::max(say_y + say_h + gap + next_h, 2 * mark) + 2 * pad + (bar ? l.px(13) : 0.0f);
   if (status.current) {
-    // What stands below it does not go up and down with what is told.
+    // The card keeps its height, so that content below does not move when the text changes.
     PanelState& panels = app.panels;
     const bool same = panels.lesson_task == index && panels.lesson_task_width == width;
     if (same) height = std::max(height, panels.lesson_task_height);
@@ -105,7 +105,7 @@ void drawLessonTask(Application& app, std::size_t index) {
 
   const ImVec2 centre{low.x + pad + mark, low.y + pad + mark};
   if (status.done) {
-    // Where the tries are used up the task is done with, and not solved.
+    // If the tries are used up, the task is closed but not solved.
     draw->AddCircleFilled(centre, mark, status.solved ? p.good : p.faint, 32);
     drawIcon(draw, status.solved ? Icon::Check : Icon::Close, centre, l.px(15), p.panel);
   } else {
@@ -140,7 +140,7 @@ void drawLessonTask(Application& app, std::size_t index) {
     ImGui::SetScrollHereY(0.3f);
     app.panels.lesson_wanted.reset();
   }
-  // The task whose turn has come is brought into sight, but a step begins at its top.
+  // A task that becomes current is scrolled into view, except at the start of a step.
   if (status.current && app.panels.lesson_task != index) {
     if (index > app.panels.lesson_task && !ImGui::IsItemVisible()) ImGui::SetScrollHereY(0.3f);
     app.panels.lesson_task = index;

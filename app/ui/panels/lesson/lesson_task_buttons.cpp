@@ -25,7 +25,7 @@ bool drawTaskButtons(Application& app, std::size_t index, const Task& task) {
     labels.push_back(withKey(tr(b.label), b.key == '\n' ? "Enter" : std::string_view(&b.key, 1)));
     widest = std::max(widest, ImGui::CalcTextSize(labels.back().c_str()).x + l.px(28));
   }
-  // Side by side where they have room, else one below the other.
+  // Side by side if they fit, otherwise one below the other.
   const float count = float(offered.size()), each = (room - gap * (count - 1)) / count;
   const bool beside = widest <= each;
   for (std::size_t k = 0; k < offered.size(); ++k) {

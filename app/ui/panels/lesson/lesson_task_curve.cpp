@@ -19,7 +19,7 @@
 namespace moltact {
 namespace {
 
-constexpr double kStep = 0.025;  // of the axis, by which a press of an arrow raises or lowers the pen
+constexpr double kStep = 0.025;  // share of the axis that one press of an arrow moves the pen up or down
 
 // The plotted area and its axes.
 struct Area {
@@ -89,7 +89,7 @@ void drawLegend(ImVec2 at, bool felt, ImU32 drawn_colour, ImU32 felt_colour) {
   if (felt) entry(tr("felt"), felt_colour);
 }
 
-// The mouse draws from where it was to where it is, so that a quick stroke leaves no holes.
+// Draws from the last position of the mouse to the present one, so that a quick stroke has no gaps.
 void drawWithMouse(const Area& area, CurveDraft& draft) {
   if (!ImGui::IsItemActive()) return;
   const ImGuiIO& io = ImGui::GetIO();
@@ -103,8 +103,7 @@ void drawWithMouse(const Area& area, CurveDraft& draft) {
   draft.pen = b;
 }
 
-// Left and right lead the pen, up and down raise and lower it; it leaves its height behind wherever nothing was drawn
-// yet.
+// Left and right move the pen along, up and down change its height. It draws only where nothing is drawn yet.
 void drawWithArrows(const Area& area, CurveDraft& draft) {
   const auto times = [](ImGuiKey key) { return ImGui::IsKeyPressed(key, true) ? 1 : 0; };
   if (ImGui::GetIO().KeyShift) return;
@@ -119,7 +118,7 @@ void drawWithArrows(const Area& area, CurveDraft& draft) {
   if (!std::isfinite(draft.values[draft.pen])) draft.values[draft.pen] = left_behind;
 }
 
-// Holes are bridged and the ends carried on: what is handed in has a value everywhere.
+// Fills gaps and extends the ends, so that the curve has a value everywhere when it is handed in.
 std::vector<double> whole(std::vector<double> values) {
   std::size_t last = values.size();
   for (std::size_t k = 0; k < values.size(); ++k) {
@@ -156,11 +155,11 @@ void drawTaskCurve(Application& app, std::size_t index, const TaskCurves& curves
   if (drawing) {
     if (ImGui::IsItemHovered()) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeAll);
     drawWithMouse(area, draft);
-    // The arrows draw while nothing else wants them.
+    // The arrows draw while no other control uses them.
     app.panels.arrows_draw = lessonKeysFree() && keysFree();
     const CurveDraft before = draft;
     if (app.panels.arrows_draw) drawWithArrows(area, draft);
-    // Whoever draws with the keys may not see all of the area.
+    // With keys, the area may be partly out of view; scroll to it.
     const bool below = high.y > ImGui::GetWindowPos().y + ImGui::GetWindowHeight();
     if (below && draft.pen != before.pen) ImGui::SetScrollHereY(1.0f);
   }

@@ -1,5 +1,5 @@
-// The parts of a task's card beside its text: the buttons for the student's answers, the number that is set, and the
-// curve that is drawn and felt. Window's thread.
+// Controls on a task's card: buttons for answers, a slider for a number, and curves that are drawn and felt. Window's
+// thread.
 #pragma once
 
 #include <cstddef>
@@ -11,13 +11,14 @@ namespace moltact {
 
 class Application;
 
-/// The buttons of the current task, each with its key. True when one was pressed and its answer given to the task.
+/// Draws the buttons of the current task, each with its key. Returns true if one was pressed; its answer has then been
+/// given to the task.
 bool drawTaskButtons(Application& app, std::size_t index, const Task& task);
 
-/// The number that the current task lets set.
+/// Draws the slider for the number that the current task asks for.
 void drawTaskSlider(Application& app, std::size_t index, const TaskSlider& asked);
 
-/// The curves of a task; the current one's can be drawn with the mouse or the arrow keys.
+/// Draws the curves of a task. The student can draw the current task's curve with the mouse or the arrow keys.
 void drawTaskCurve(Application& app, std::size_t index, const TaskCurves& curves, bool current);
 
 }  // namespace moltact

@@ -16,7 +16,7 @@ void drawTaskSlider(Application& app, std::size_t index, const TaskSlider& asked
   if (!slider(name.c_str(), tr(std::string(asked.name).c_str()), value, asked.least, asked.most, asked.step,
               {asked.dimension, {decimals(1), {}}}))
     return;
-  // The steps are counted from zero, so that the number that is shown is the one that is set.
+  // Steps are multiples from zero, so that the displayed number is exactly the stored one.
   value = std::clamp(std::round(value / asked.step) * asked.step, asked.least, asked.most);
   app.lesson.session()->answerTask({.number = value});
 }

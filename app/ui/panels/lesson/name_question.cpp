@@ -1,4 +1,4 @@
-// A lesson has been opened that asks for a name or code.
+// Asks for a name or code when a lesson that requires one is opened.
 #include <imgui.h>
 #include <imgui_stdlib.h>
 
@@ -43,7 +43,7 @@ void drawNameQuestion(Application& app) {
   given = given && written;
   if (given || without) ImGui::CloseCurrentPopup();
   endPage();
-  // The lesson is opened anew, so it comes last. Who closes the page gives none.
+  // Last, because the lesson is opened again. Closing the page gives no name.
   if (given)
     asker.give(std::string(asker.draft));
   else if (without || !open)

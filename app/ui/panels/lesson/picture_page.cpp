@@ -1,4 +1,4 @@
-// A picture of the lesson as large as the window allows, which the lesson's panel has no room for.
+// A lesson's picture, as large as the window allows.
 #include <imgui.h>
 
 #include <algorithm>
@@ -23,7 +23,7 @@ void drawPicturePage(Application& app) {
   const ImVec2 room = ImGui::GetContentRegionAvail();
   const float words = ImGui::CalcTextSize(picture.description.c_str(), nullptr, false, room.x).y + l.px(12);
   if (shown && shown->texture) {
-    // Not larger than four of its pixels to one of the screen's: beyond that it shows nothing more.
+    // At most four screen pixels per pixel of the picture; beyond that no detail is gained.
     const float wide = float(shown->width_px), high = float(shown->height_px);
     const float scale = std::min({room.x / wide, std::max(1.0f, room.y - words) / high, 4.0f * l.scale});
     const ImVec2 size{wide * scale, high * scale};

@@ -1,4 +1,4 @@
-// Lesson, Take turns: the names of a class that shares one device; and the page between two turns.
+// Lesson > Take turns: the names of a class that shares one device, and the page between two turns.
 #include <imgui.h>
 #include <imgui_stdlib.h>
 

@@ -1,5 +1,5 @@
-// Under the view while a class takes turns: who is at the device and for how long, who is next, and what those who wait
-// predict.
+// Below the view while a class takes turns: who is at the device and for how long, who is next, and the predictions of
+// those who wait.
 #include <imgui.h>
 #include <imgui_stdlib.h>
 
@@ -20,7 +20,7 @@
 namespace moltact {
 namespace {
 
-// Text in the middle of a row of buttons.
+// Text vertically centred in a row of buttons.
 void rowText(const char* name, const std::string& text, ImU32 colour) {
   const float y = ImGui::GetCursorPosY();
   ImGui::SetCursorPosY(y + std::round(0.5f * (look().tx(34) - ImGui::GetFontSize())));
