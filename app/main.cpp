@@ -22,7 +22,7 @@ int run(int argc, char** argv) {
   app.failure_message([](const CLI::App*, const CLI::Error& e) {
     return moltact::oneLine(e.what()) + "\nRun with --help for more information.\n";
   });
-  moltact::speakAsAsked();
+  moltact::selectLanguage();
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& e) {
@@ -33,7 +33,7 @@ int run(int argc, char** argv) {
 }
 
 // What a command threw becomes a message and an exit status.
-int told(int argc, char** argv) {
+int runCommand(int argc, char** argv) {
   try {
     return run(argc, argv);
   } catch (const moltact::CommandError& e) {
@@ -55,7 +55,7 @@ int told(int argc, char** argv) {
 int main(int argc, char** argv) {
   const moltact::CrashStack crash_stack;
   moltact::takeSizeLimitsAsErrors();
-  const int status = told(argc, argv);
+  const int status = runCommand(argc, argv);
   if (moltact::terminalWritten()) return status;
   moltact::err() << "moltact: not all of this could be printed; is there room on the disk that it goes to?\n";
   return status ? status : 1;

@@ -15,7 +15,7 @@ constexpr const char* kHelp = "The language of what is said: en, de; without it 
 
 }  // namespace
 
-void speakAsAsked() {
+void selectLanguage() {
   if (const auto problem = useLanguage({})) err() << "moltact: " << problem->text() << '\n';
 }
 

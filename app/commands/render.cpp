@@ -214,9 +214,9 @@ void render(const RenderArguments& arguments) {
   if (!written)
     throw CommandError{"names cannot be written: there is no font " + interFile("Inter-Regular.otf").string()};
   if (const auto problem = writePng(arguments.out, picture)) throw CommandError{problem->text()};
-  if (const std::string told = residueSpheresNotice(scene.molecule->atoms.size(), scene.max_single_atoms);
-      !told.empty())
-    err() << "moltact: " << trf("note: {0}", told) << '\n';
+  if (const std::string notice = residueSpheresNotice(scene.molecule->atoms.size(), scene.max_single_atoms);
+      !notice.empty())
+    err() << "moltact: " << trf("note: {0}", notice) << '\n';
 }
 
 }  // namespace

@@ -29,7 +29,7 @@ struct ReplayOptions {
   MoleculeArgument molecule;
   std::string path, out, in_hand;
   std::vector<std::string> spheres;  // files of the scene and of the body, used without a molecule
-  LeftOutAtoms left_out;
+  ExcludedAtoms left_out;
   TouchSetup touch;
   double stiffness_N_per_A = 1.0, rotational_stiffness_N_A = 0.0;
   bool time = false;

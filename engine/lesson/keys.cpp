@@ -12,7 +12,7 @@
 namespace moltact {
 namespace {
 
-/// What a student may be kept from changing: keys of a scene, by their names.
+/// The keys of a scene that can be locked against changes by the student.
 std::vector<std::string_view> lockable() {
   std::vector<std::string_view> out{"panels"};
   for (const KeySpec& k : touchSceneKeys()) out.push_back(k.name);
@@ -56,8 +56,8 @@ std::vector<KeySpec> frontMatterKeys() {
        .type = ValueType::Count,
        .meaning = "How many minutes the core takes a student. Left out, they are worked out from the lesson, by the "
                   "[table below](#minutes).",
-       .least = 1,
-       .most = 600},
+       .min = 1,
+       .max = 600},
       {.name = "level",
        .type = ValueType::Word,
        .meaning = "Whom the lesson is for.",
@@ -92,15 +92,15 @@ std::vector<KeySpec> frontMatterKeys() {
        .type = ValueType::Count,
        .meaning = "The lesson's place among those on the shelf: 1 stands first. The card at the end of a lesson offers "
                   "the one that follows. Lessons without it stand behind those with it.",
-       .least = 1,
-       .most = 1000},
+       .min = 1,
+       .max = 1000},
       {.name = "card",
        .type = ValueType::Count,
        .meaning =
            "The step whose scene the picture of the lesson's card shows, counted from 1 without asides; without it "
            "the first.",
-       .least = 1,
-       .most = 1000},
+       .min = 1,
+       .max = 1000},
       {.name = "required",
        .type = ValueType::Word,
        .meaning = "Whether every step must be finished before the student goes on; a step may say otherwise in a block "
@@ -122,8 +122,8 @@ const KeySpec& goalKey() {
       .meaning =
           "Which of the lesson's goals it serves, by its number in the front matter, counted from 1; several "
           "parted by commas. The report tells by goals what was done and answered rightly.",
-      .least = 1,
-      .most = 100};
+      .min = 1,
+      .max = 100};
   return key;
 }
 
@@ -192,7 +192,7 @@ std::vector<KeySpec> sceneKeys() {
        .meaning = "Where another style hides the spheres: atoms as near to the probe are drawn as spheres too.",
        .fallback = "4 Å",
        .dimension = Dimension::Length,
-       .most = 20.0},
+       .max = 20.0},
       {.name = "colour",
        .type = ValueType::Word,
        .meaning = "What the atoms' colours tell. In 'chain' all that is neither protein nor nucleic acid has its "
@@ -223,14 +223,14 @@ std::vector<KeySpec> sceneKeys() {
        .type = ValueType::Places,
        .meaning = "Lengths that are shown, between the middles of two selections, as in 'atom 3 - atom 9'. 'none' "
                   "ends earlier ones.",
-       .least = 2,
-       .most = 2},
+       .min = 2,
+       .max = 2},
       {.name = "angle",
        .type = ValueType::Places,
        .meaning = "Angles that are shown: of three selections at the middle one, of four the torsion round the two in "
                   "the middle. 'none' ends earlier ones.",
-       .least = 3,
-       .most = 4},
+       .min = 3,
+       .max = 4},
       {.name = "hydrogen-bonds",
        .type = ValueType::Target,
        .meaning = "Hydrogen bonds that have an end in the selection, as dashed lines between their heavy atoms; 'all' "
@@ -350,8 +350,8 @@ std::vector<KeySpec> answerKeys() {
        .type = ValueType::Count,
        .meaning = "How many tries there are: after the last wrong one the right answer is shown, and the student goes "
                   "on. Left out, as many as need be.",
-       .least = 1,
-       .most = 20},
+       .min = 1,
+       .max = 20},
       {.name = "after N wrong",
        .type = ValueType::Way,
        .meaning = "Where so many wrong answers lead: 'after 2 wrong: go to #aside-what-a-crease-is'.",

@@ -43,11 +43,11 @@ std::string someOf(const std::vector<std::string_view>& words) {
 
 /// ", 0.1 s to 600 s" or ", at most 20 Å"; empty without limits.
 std::string limits(const KeySpec& key) {
-  const bool top = key.most < std::numeric_limits<double>::max();
+  const bool top = key.max < std::numeric_limits<double>::max();
   const std::string unit = key.dimension == Dimension::None ? "" : ' ' + std::string(codeUnit(key.dimension));
-  if (key.least > 0.0 && top) return ", " + number(key.least) + unit + " to " + number(key.most) + unit;
-  if (key.least > 0.0) return ", at least " + number(key.least) + unit;
-  return top ? ", at most " + number(key.most) + unit : "";
+  if (key.min > 0.0 && top) return ", " + number(key.min) + unit + " to " + number(key.max) + unit;
+  if (key.min > 0.0) return ", at least " + number(key.min) + unit;
+  return top ? ", at most " + number(key.max) + unit : "";
 }
 
 std::string valueOf(const KeySpec& key) {

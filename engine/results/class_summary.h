@@ -16,7 +16,7 @@
 
 namespace moltact {
 
-inline constexpr std::size_t kWays = 3;  ///< number of InputWay's values
+inline constexpr std::size_t kWays = 3;  ///< number of InputKind's values
 using WayShares = std::array<double, kWays>;
 
 /// A person's first answer to a question, and the further tries. For predictions and free answers, the last answer
@@ -26,14 +26,14 @@ struct AnswerScore {
   std::vector<std::size_t> chosen;  ///< of the first answer
   std::string written;
   bool first_right = false, right = false;
-  int tries = 0;                  ///< up to the first right one, or all if there is none
-  InputWay by = InputWay::Mouse;  ///< of the first answer
+  int tries = 0;                    ///< up to the first right one, or all if there is none
+  InputKind by = InputKind::Mouse;  ///< of the first answer
 };
 
 struct TaskScore {
   bool begun = false, done = false;
   double took_s = 0.0;
-  InputWay by = InputWay::Mouse;
+  InputKind by = InputKind::Mouse;
   std::vector<LoggedFigure> figures;
   /// The first curve drawn and the last one felt; null in most tasks, because there may be a hundred thousand attempts.
   std::shared_ptr<const CurveKept> drawn, felt;
@@ -59,7 +59,7 @@ struct PersonScore {
   std::map<std::pair<std::string, std::size_t>, TaskScore> tasks;      ///< by step id and index
   std::vector<Predicted> predictions;
   std::vector<std::string> steps_taken;               ///< ids of the steps in the order of entry
-  std::vector<WayTaken> rules;                        ///< the rules by which answers changed the order of the steps
+  std::vector<RuleApplied> rules;                     ///< the rules by which answers changed the order of the steps
   std::map<std::string, std::size_t> misconceptions;  ///< number of choices with each tag
 
   double share() const { return of ? double(done) / double(of) : 0.0; }
@@ -68,7 +68,7 @@ struct PersonScore {
   std::size_t answered() const;
   std::size_t firstRight() const;
   /// The way of input with the longest touch, or without touch the one with the most answers. No value without both.
-  std::optional<InputWay> way() const;
+  std::optional<InputKind> way() const;
 };
 
 /// The results of one or more people for one of the lesson's goals.

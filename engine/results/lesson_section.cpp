@@ -17,7 +17,7 @@ namespace {
 
 using namespace page;
 
-InputWay wayOf(const PersonScore& p) { return p.way().value_or(InputWay::Mouse); }
+InputKind wayOf(const PersonScore& p) { return p.way().value_or(InputKind::Mouse); }
 
 template <class Value>
 std::vector<double> sorted(const std::vector<const PersonScore*>& people, Value value) {
@@ -62,8 +62,8 @@ std::string legend(const std::vector<PersonScore>& people) {
   for (std::size_t w = 0; w < kWays; ++w)
     if (used[w]) {
       Svg svg;
-      svg.rect(1, 1, 14, 12, "class=\"bar " + wayClass(InputWay(w)) + "\"");
-      drawMark(svg, InputWay(w), 24, 7);
+      svg.rect(1, 1, 14, 12, "class=\"bar " + wayClass(InputKind(w)) + "\"");
+      drawMark(svg, InputKind(w), 24, 7);
       out += "<span>" + std::move(svg).within("viewBox=\"0 0 30 14\" aria-hidden=\"true\"") + tr(kNames[w]) + "</span>";
     }
   return out + "</div>";
@@ -109,7 +109,7 @@ void byWay(std::string& out, const LessonSummary& lesson) {
     std::size_t finished = 0, answers = 0, right = 0;
     for (const PersonScore* p : group) finished += p->finished(), answers += p->answered(), right += p->firstRight();
     const auto median = [&](auto value) { return quantile(sorted(group, value), 0.5); };
-    out += "<tr><td class=\"name\">" + shownName(InputWay(w)) + "</td><td>" + std::to_string(group.size()) +
+    out += "<tr><td class=\"name\">" + shownName(InputKind(w)) + "</td><td>" + std::to_string(group.size()) +
            "</td><td>" + std::to_string(finished) + "</td><td>" +
            percent(median([](const PersonScore& p) { return p.share(); })) + "</td><td>" +
            (answers ? percent(double(right) / double(answers)) : "–") + "</td><td>" +
@@ -214,7 +214,7 @@ void question(std::string& out, const LessonSummary& lesson, const StepOutline& 
   std::string by;
   for (std::size_t w = 0; w < kWays; ++w)
     if (ways[w].second)
-      by += (by.empty() ? "" : ", ") + trf("{0} {1} of {2}", shownName(InputWay(w)), ways[w].first, ways[w].second);
+      by += (by.empty() ? "" : ", ") + trf("{0} {1} of {2}", shownName(InputKind(w)), ways[w].first, ways[w].second);
   if (marked && !by.empty()) out += " " + trf("Right at first try by input: {0}.", by);
   if (const auto r = marked ? discrimination(lesson, step.id, q.id) : std::nullopt)
     out += " " + trf("Who was right here was right elsewhere too: r = {0}.", numberText(*r, decimals(2)));
@@ -324,7 +324,7 @@ void tasks(std::string& out, const LessonSummary& lesson) {
       std::vector<std::pair<std::string, std::vector<Measured>>> figures;  // by "name, unit", in the order of first
                                                                            // occurrence
       std::map<std::string, std::size_t> places;
-      const auto add = [&](const std::string& name, const std::string& unit, double value, InputWay by) {
+      const auto add = [&](const std::string& name, const std::string& unit, double value, InputKind by) {
         const FigureShown shown = figureShown(name, unit);
         const auto [place, made] = places.try_emplace(shown.title, figures.size());
         if (made) figures.emplace_back(shown.title, std::vector<Measured>());

@@ -18,9 +18,9 @@ using namespace line_values;
 
 std::int32_t atom(const Json& value) { return static_cast<std::int32_t>(number(value, "atoms")); }
 
-InputWay way(const Json& from) {
+InputKind way(const Json& from) {
   const std::string name = text(from, "by", true);
-  for (const InputWay w : {InputWay::Device, InputWay::Mouse, InputWay::Keyboard})
+  for (const InputKind w : {InputKind::Device, InputKind::Mouse, InputKind::Keyboard})
     if (name == nameOf(w)) return w;
   throw LineError{tr("'by' is none of device, mouse and keyboard")};
 }
@@ -161,9 +161,9 @@ ReadOptions reading(const Json& from) {
   ReadOptions out;
   for (const ReadingOption& option : readingOptions()) {
     if (!from.contains(option.name)) continue;
-    ReadOptions told;
-    std::visit([&](const auto member) { take(told.*member, from, option.name); }, option.member);
-    readText(out, option, textOf(told, option));  // missing keys keep their defaults
+    ReadOptions options;
+    std::visit([&](const auto member) { take(options.*member, from, option.name); }, option.member);
+    readText(out, option, textOf(options, option));  // missing keys keep their defaults
   }
   return out;
 }
@@ -250,7 +250,7 @@ std::optional<AttemptFact> factOf(const std::string& kind, const Json& j) {
   if (kind == "still") return Heartbeat{};
   if (kind == "state") return StatesMoved{text(j, "file", true), text(j, "superposed_on", false), numberAt(j, "share")};
   if (kind == "way") {
-    WayTaken w{
+    RuleApplied w{
         text(j, "step", true), text(j, "question", true), text(j, "rule", true), text(j, "does", true) == "skip", {}};
     for (const Json& s : list(j, "steps", kMaxSteps)) w.steps.push_back(text(s, "steps"));
     return w;

@@ -31,7 +31,7 @@ void SessionWatch::begin(const LessonSession& session) {
   }
 }
 
-std::vector<AttemptEvent> SessionWatch::look(const LessonSession& session, double t_s, InputWay by) {
+std::vector<AttemptEvent> SessionWatch::look(const LessonSession& session, double t_s, InputKind by) {
   std::vector<AttemptEvent> out;
   const Lesson& lesson = session.lesson();
   if (&lesson == lesson_ && session.stepIndex() == step_) lookAtCurves(session, t_s, out);
@@ -47,11 +47,11 @@ std::vector<AttemptEvent> SessionWatch::look(const LessonSession& session, doubl
       if (status.attempts == seen_[s].attempts[q]) continue;
       seen_[s].attempts[q] = status.attempts;
       for (std::size_t r = 0; r < seen_[s].rules[q].size(); ++r) {
-        const WayRule& rule = step.questions[q].rules[r];
+        const StepRule& rule = step.questions[q].rules[r];
         const bool holds = session.ruleHolds(s, q, r);
         if (holds && !seen_[s].rules[q][r])
-          out.push_back(
-              {t_s, WayTaken{step.id, step.questions[q].id, rule.key(), rule.then == WayRule::Then::Skip, rule.steps}});
+          out.push_back({t_s, RuleApplied{step.id, step.questions[q].id, rule.key(), rule.then == StepRule::Then::Skip,
+                                          rule.steps}});
         seen_[s].rules[q][r] = holds;
       }
     }
@@ -95,7 +95,7 @@ void SessionWatch::lookAtCurves(const LessonSession& session, double t_s, std::v
     const CurveSeen seen = now ? CurveSeen{now->drawing, now->agreement.has_value()} : CurveSeen();
     const auto tell = [&](bool felt, const std::vector<double>& force_N) {
       out.push_back(
-          {t_s, CurveKept{session.step().id, t, felt, std::string(now->x_name), now->x_most, now->most_N, force_N}});
+          {t_s, CurveKept{session.step().id, t, felt, std::string(now->x_name), now->x_max_A, now->max_N, force_N}});
     };
     if (before.drawing && !seen.drawing) tell(false, now->drawn);
     if (seen.compared && !before.compared) tell(true, now->felt);

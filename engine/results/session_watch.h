@@ -15,7 +15,7 @@ class SessionWatch {
   void begin(const LessonSession& session);
 
   /// The events since the last look. `by`: the input that led the probe and gave answers meanwhile.
-  std::vector<AttemptEvent> look(const LessonSession& session, double t_s, InputWay by);
+  std::vector<AttemptEvent> look(const LessonSession& session, double t_s, InputKind by);
 
   /// As a line of the log tells it.
   static ProgressMade progressOf(const LessonSession& session);

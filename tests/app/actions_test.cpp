@@ -184,9 +184,9 @@ TEST_CASE(
   const double force_N = d->app().scene.log().force_N();
   REQUIRE(force_N > 0.3);
   const double mJ = force_N * force_N / (2.0 * d->app().scene.servo_settings.stiffness_N_per_mm);  // N mm
-  const std::string told = d->text("energy"), before = "Energy in the spring: ";
-  REQUIRE(told.starts_with(before));
-  CHECK(std::strtod(told.c_str() + before.size(), nullptr) == doctest::Approx(mJ).epsilon(0.05));
+  const std::string reported = d->text("energy"), before = "Energy in the spring: ";
+  REQUIRE(reported.starts_with(before));
+  CHECK(std::strtod(reported.c_str() + before.size(), nullptr) == doctest::Approx(mJ).epsilon(0.05));
   d->app().scene.servo_settings.force_on = false;
   d->frames(3);
   CHECK(d->text("energy") == "Energy in the spring: 0.00\u00a0mJ");

@@ -104,8 +104,8 @@ TEST_CASE("a lesson whose held body has 1516 atoms, or none that exist, is repor
     auto d = startWith(file.string());
     CHECK_FALSE(d->app().scene.stage().body);
     CHECK(d->app().scene.touch().interaction == "probe");
-    const auto& told = d->app().messages.all();
-    CHECK(std::any_of(told.begin(), told.end(), [](const auto& m) {
+    const auto& reported = d->app().messages.all();
+    CHECK(std::any_of(reported.begin(), reported.end(), [](const auto& m) {
             return contains(m.text, "1516 atoms are more than a hand can hold; 200 are the most");
           }) == (atoms[0] == 'p'));
     const test::Run play = test::CommandPlace().run("play '" + file.string() + "' --demonstrate");

@@ -61,9 +61,9 @@ std::unique_ptr<Tracker> pull(ScriptedUser& d, double N) {
 }
 
 // A method as the test says.
-class Told final : public PlainTracker {
+class ScriptedScp final : public PlainTracker {
  public:
-  explicit Told(std::function<Vec3(Vec3)> scp) : scp_(std::move(scp)) {}
+  explicit ScriptedScp(std::function<Vec3(Vec3)> scp) : scp_(std::move(scp)) {}
   Contact step(PointA hip) noexcept override {
     Contact out{.scp = {scp_(hip.A)}, .atoms = {0, -1, -1}, .feature = Feature::Sphere};
     stretchToScp(out, hip);
@@ -81,7 +81,7 @@ std::string message(ScriptedUser& d, const std::string& part) {
   return {};
 }
 
-bool told(ScriptedUser& d, const std::string& part) { return !message(d, part).empty(); }
+bool reported(ScriptedUser& d, const std::string& part) { return !message(d, part).empty(); }
 
 }  // namespace
 
@@ -217,7 +217,7 @@ TEST_CASE("each limit is named on the device page and says its sentence over the
     return [N](ScriptedUser& d) { d.app().scene.servo().setInteraction(pull(d, N)); };
   };
   const auto method = [](std::function<Vec3(Vec3)> scp) {
-    return [scp](ScriptedUser& d) { d.app().scene.servo().setInteraction(std::make_unique<Told>(scp)); };
+    return [scp](ScriptedUser& d) { d.app().scene.servo().setInteraction(std::make_unique<ScriptedScp>(scp)); };
   };
   const Led::Path still = [](double) { return DevicePose{}; };
   // To and fro along x, up to `fast_mm_per_s`.
@@ -322,7 +322,7 @@ TEST_CASE(
   d->app().scene.servo().setInteraction(pull(*d, 1.0));
   stylus.said = {.ready = false, .text = "Put the stylus into the inkwell.", .asks_calibrate = true};
   d->frames(20);
-  CHECK(told(*d, "Led stylus gives no force yet. Put the stylus into the inkwell."));
+  CHECK(reported(*d, "Led stylus gives no force yet. Put the stylus into the inkwell."));
   // Once, not in the notice below as well.
   CHECK_FALSE(contains(d->text("limits"), "calibrated"));
   CHECK(d->click(message(*d, "inkwell") + "/calibrate"));
@@ -338,14 +338,14 @@ TEST_CASE(
   CHECK(contains(d->text("limits"), "Put the stylus into the inkwell."));
   stylus.said = {};
   d->frames(150);
-  CHECK_FALSE(told(*d, "inkwell"));
+  CHECK_FALSE(reported(*d, "inkwell"));
   CHECK_FALSE(d->shows("limits"));
   stylus.said = {.ready = false, .text = "Put the stylus into the inkwell.", .asks_calibrate = true};
   d->frames(20);
   stylus.said = {};
   d->frames(20);
-  CHECK(told(*d, "Led stylus is ready."));
-  CHECK_FALSE(told(*d, "inkwell"));
+  CHECK(reported(*d, "Led stylus is ready."));
+  CHECK_FALSE(reported(*d, "inkwell"));
 }
 
 TEST_CASE("a fault that a device reports is displayed for as long as it lasts") {
@@ -353,10 +353,10 @@ TEST_CASE("a fault that a device reports is displayed for as long as it lasts") 
   Led& stylus = lead(*d);
   stylus.said.text = "The motors are too warm.";
   d->frames(20);
-  CHECK(told(*d, "The motors are too warm."));
+  CHECK(reported(*d, "The motors are too warm."));
   stylus.said.text.clear();
   d->frames(20);
-  CHECK_FALSE(told(*d, "The motors are too warm."));
+  CHECK_FALSE(reported(*d, "The motors are too warm."));
 }
 
 }  // namespace moltact

@@ -122,10 +122,10 @@ TEST_CASE("the arrow, its label and the line of the state show the force of the 
   std::snprintf(newtons, sizeof newtons, "%.1f\u00a0N", glm::length(s.force.N));
   CHECK(label->text == newtons);
   // The line of the state tells another force only where it differs by 0.1 N or more.
-  const auto told_N = [](const std::string& text) { return std::stod(text.substr(text.rfind(", ") + 2)); };
+  const auto shown_N = [](const std::string& text) { return std::stod(text.substr(text.rfind(", ") + 2)); };
   CAPTURE(d.text("view/state"));
-  CHECK(std::abs(told_N(d.text("view/state")) - glm::length(s.force.N)) < 0.1 + 0.05);
-  CHECK(std::abs(told_N(d.app().extensions().state_text.line(d.app().scene)) - glm::length(s.force.N)) < 0.1 + 0.05);
+  CHECK(std::abs(shown_N(d.text("view/state")) - glm::length(s.force.N)) < 0.1 + 0.05);
+  CHECK(std::abs(shown_N(d.app().extensions().state_text.line(d.app().scene)) - glm::length(s.force.N)) < 0.1 + 0.05);
 }
 
 TEST_CASE("in the dark the words and the meter show the force of the servo loop, not SCP - HIP") {
@@ -167,7 +167,7 @@ TEST_CASE("sound, the attempt's samples and `moltact replay` have the force that
   std::vector<float> wanted(felt.ticks.size() * a_tick);
   for (std::size_t k = 0; k < felt.ticks.size(); ++k) {
     const ServoSample& s = felt.ticks[k];
-    const bool slides = k > 0 && !s.placed && s.contact.touching() && felt.ticks[k - 1].contact.touching();
+    const bool slides = k > 0 && !s.contact_reset && s.contact.touching() && felt.ticks[k - 1].contact.touching();
     const double slide_A = slides ? glm::distance(s.contact.scp.A, felt.ticks[k - 1].contact.scp.A) : 0.0;
     synth.take({s.contact.feature, s.contact.atoms, glm::length(s.force.N), 1000.0 * slide_A});
     synth.render(std::span(wanted).subspan(k * a_tick, a_tick));

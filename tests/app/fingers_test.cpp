@@ -65,7 +65,7 @@ class TouchScreen {
 };
 
 constexpr double kLine_px = 20.0;
-constexpr Fingers::On kView = Fingers::On::View, kPanel = Fingers::On::Panel;
+constexpr Fingers::Target kView = Fingers::Target::View, kPanel = Fingers::Target::Panel;
 
 }  // namespace
 
@@ -138,7 +138,7 @@ TEST_CASE("a finger that moves sideways on a panel drags what it began on, and l
 
 TEST_CASE("a finger on the edge between two panels drags it straight up, from its first moment to its last") {
   TouchScreen screen;
-  screen.fingers->down(1, {50, 400}, Fingers::On::Edge, 0.0, kLine_px);
+  screen.fingers->down(1, {50, 400}, Fingers::Target::Edge, 0.0, kLine_px);
   Heard now = screen.last();
   CHECK(now.left);
   CHECK(now.place == glm::dvec2(50, 400));
@@ -276,7 +276,7 @@ TEST_CASE("a pad held for 0.6 s beside the finger that pushes gives three notche
         CHECK(h.place == glm::dvec2(300, 400));
       }
     };
-    screen.fingers->down(2, {900, 700}, harder ? Fingers::On::Harder : Fingers::On::Lighter, 1.0, kLine_px);
+    screen.fingers->down(2, {900, 700}, harder ? Fingers::Target::Harder : Fingers::Target::Lighter, 1.0, kLine_px);
     hear();
     for (int k = 1; k <= 60; ++k) {
       screen.fingers->advance(1.0 + 0.01 * k);
@@ -289,7 +289,7 @@ TEST_CASE("a pad held for 0.6 s beside the finger that pushes gives three notche
     // One more turn of the same fingers: the pad alone does nothing.
     screen.fingers->up(1);
     screen.frames();
-    screen.fingers->down(3, {900, 700}, Fingers::On::Harder, 10.0, kLine_px);
+    screen.fingers->down(3, {900, 700}, Fingers::Target::Harder, 10.0, kLine_px);
     screen.fingers->advance(11.0);
     for (const Heard& h : screen.frames()) {
       CHECK(h.wheel == 0.0);

@@ -32,7 +32,7 @@ auto taskDone(ScriptedUser& d, std::size_t task) {
 }
 
 /// Leaves the surface and goes to the next step.
-void goOn(ScriptedUser& d, const char* id) {
+void advanceTo(ScriptedUser& d, const char* id) {
   REQUIRE_MESSAGE(session(d).stepDone(), session(d).step().id);
   d.tap("Alt+Right");
   d.frames(10);
@@ -85,7 +85,7 @@ TEST_CASE("a lesson with every kind of task and question is finished with the ke
   CHECK(session(*d).question(2).answered_right);
 
   // Hold the crease, which lies under the hand; slide to one atom and over to the other; feel both kinds of place.
-  goOn(*d, "hold-and-cross");
+  advanceTo(*d, "hold-and-cross");
   CHECK(holdUntil(*d, "Space", taskDone(*d, 0)));
   d->frames(10);
   const auto cross = [&](const char* first, const char* second) {
@@ -113,7 +113,7 @@ TEST_CASE("a lesson with every kind of task and question is finished with the ke
   CHECK(session(*d).task(2).done);
 
   // Off the left atom; then one atom after the other.
-  goOn(*d, "avoid-and-compare");
+  advanceTo(*d, "avoid-and-compare");
   d->hold("Right");
   d->frames(40);
   d->letGo("Right");
@@ -126,7 +126,7 @@ TEST_CASE("a lesson with every kind of task and question is finished with the ke
   CHECK(holdUntil(*d, "Space", taskDone(*d, 1)));
 
   // Along the crease: pressing on while the molecule is turned under the hand.
-  goOn(*d, "trace");
+  advanceTo(*d, "trace");
   d->hold("Space");
   d->frames(60);
   REQUIRE(d->app().scene.log().latest().contact.feature == Feature::Circle);
@@ -135,7 +135,7 @@ TEST_CASE("a lesson with every kind of task and question is finished with the ke
   d->letGo("Space");
 
   // In the dark.
-  goOn(*d, "find");
+  advanceTo(*d, "find");
   CHECK(d->app().extensions().task_stager.dark());
   CHECK(d->shows("view/dark"));
   CHECK(d->text("view/state") == "not touching");
@@ -171,7 +171,7 @@ TEST_CASE("a lesson with every kind of task and question is finished with the ke
   CHECK(length_A > 2.0);
 
   // A curve by the arrows, which then lead the probe again.
-  goOn(*d, "predict");
+  advanceTo(*d, "predict");
   CHECK_FALSE(d->app().extensions().touch_paint.trail());
   const PointA hand = d->app().scene.controls.lead();
   for (int k = 0; k < 10; ++k) d->tap("Up");
@@ -197,7 +197,7 @@ TEST_CASE("a lesson with every kind of task and question is finished with the ke
   CHECK(contains(d->text("task/0/curve"), "\u00a0%"));
 
   // Same or different: told by the meter, 0.1 N/mm against 0.5 N/mm.
-  goOn(*d, "same-or-different");
+  advanceTo(*d, "same-or-different");
   for (int pair = 0; pair < 2 && !session(*d).task(0).done; ++pair) {
     bool soft[2] = {};
     for (int k = 0; k < 2; ++k) {
@@ -221,7 +221,7 @@ TEST_CASE("a lesson with every kind of task and question is finished with the ke
   CHECK(d->app().scene.servo_settings.stiffness_N_per_mm == 0.5);
 
   // Other methods, and a free answer.
-  goOn(*d, "methods");
+  advanceTo(*d, "methods");
   CHECK(d->app().scene.method() == "mesh80");
   d->hold("Right");
   d->frames(50);
@@ -264,7 +264,7 @@ TEST_CASE("a curve is drawn with the mouse, holes and ends are filled, and wipin
   const TaskCurves& curves = *session(*d).taskAt(0)->curves();
   REQUIRE_FALSE(curves.drawing);
   // Begun in the middle of the area: half of the force axis, everywhere.
-  for (const double force_N : curves.drawn) CHECK(force_N == doctest::Approx(0.5 * curves.most_N).epsilon(0.02));
+  for (const double force_N : curves.drawn) CHECK(force_N == doctest::Approx(0.5 * curves.max_N).epsilon(0.02));
 }
 
 TEST_CASE("with the mouse alone a place is found in the dark and a pair is judged") {

@@ -100,9 +100,9 @@ TEST_CASE("a hand that is placed anew takes the exact tracker with it") {
   };
   tick({0, 0, 4});
   CHECK(tick({0, 0, 0}).touching());
-  s.placed = true;
+  s.contact_reset = true;
   CHECK_FALSE(tick({0, 0, -4}).touching());
-  s.placed = false;
+  s.contact_reset = false;
   CHECK_FALSE(tick({0, 0, -4}).touching());
 }
 

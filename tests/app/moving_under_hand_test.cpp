@@ -36,7 +36,7 @@ TEST_CASE(
   Application& app = d->app();
   d->frames(10);
   MovingStates& states = app.extensions().moving_states;
-  REQUIRE(states.there());
+  REQUIRE(states.ready());
   scenes::Random random(26);
   int touching = 0, moving = 0;
   double deepest_A = 0.0, greatest_N = 0.0;

@@ -94,7 +94,7 @@ TEST_CASE(
   d->app().panels.welcome = true;
   d->frames(60);
   std::size_t cards = 0;
-  for (const LessonCard& c : d->app().extensions().shelf.cards()) cards += c.own;
+  for (const LessonCard& c : d->app().extensions().lesson_list.cards()) cards += c.own;
   CHECK(cards == 1);
   CHECK(std::distance(fs::directory_iterator(h.packs), fs::directory_iterator()) == 2);
 }
@@ -158,7 +158,7 @@ TEST_CASE("Add a lesson puts a pack on the shelf without opening it; of a lesson
   CHECK(contains(d->text("welcome/own/packed"), "A pack"));
 
   writeFile(h.teacher / "file.md", lessonText("A file"));
-  d->app().extensions().shelf.add(h.teacher / "file.md");
+  d->app().extensions().lesson_list.add(h.teacher / "file.md");
   fs::remove_all(h.teacher);
   d->frames(60);
   CHECK(contains(d->text("welcome/own/file"), "A file"));
@@ -182,7 +182,7 @@ TEST_CASE("a damaged pack and a lesson with a fault are reported and change noth
     CAPTURE(file);
     d->app().messages = {};
     if (file.extension() == ".md")
-      d->app().extensions().shelf.add(file);
+      d->app().extensions().lesson_list.add(file);
     else
       d->app().open(file);
     d->frames(5);

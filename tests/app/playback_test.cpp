@@ -217,7 +217,7 @@ TEST_CASE("an attempt keeps where the slider between two structures was, and its
     const auto driver = startWith((scratch.path / "mine.md").string(), small(scratch.path));
     Application& app = driver->app();
     driver->frames(10);
-    REQUIRE(app.extensions().moving_states.there());
+    REQUIRE(app.extensions().moving_states.ready());
     first_z = last_z(*driver);
     app.panels.hints = 1;  // of an attempt at nothing no file is kept
     driver->frames(5);
@@ -311,13 +311,13 @@ TEST_CASE(
   app.finishLoading();
   Playback& playback = app.extensions().playback;
   REQUIRE(playback.on());
-  const auto told = [&](const std::string& part) {
+  const auto reported = [&](const std::string& part) {
     return std::any_of(app.messages.all().begin(), app.messages.all().end(),
                        [&](const Message& m) { return contains(m.text, part); });
   };
-  CHECK(
-      told("2 lines of far.jsonl could not be read and are left out. The first: line 6, 'force' is a number that no "
-           "Moltact writes."));
+  CHECK(reported(
+      "2 lines of far.jsonl could not be read and are left out. The first: line 6, 'force' is a number that no "
+      "Moltact writes."));
   playback.skips_rests = false;
   for (const double t_s : {0.0, 0.15, 0.25, 0.31, 0.4, 0.45, 0.55, 0.65, 1e7, 3e7}) {
     playback.seek(t_s);

@@ -132,7 +132,7 @@ TEST_CASE("in every language the title and the line of each shipped lesson are w
     REQUIRE(moltact::language() == language.code);
     CAPTURE(language.code);
     std::size_t cards = 0;
-    for (const LessonCard& card : d->app().extensions().shelf.cards()) {
+    for (const LessonCard& card : d->app().extensions().lesson_list.cards()) {
       if (card.own) continue;
       ++cards;
       // What is cut is the rest of a text, from where its second line begins.

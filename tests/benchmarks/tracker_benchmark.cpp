@@ -117,7 +117,7 @@ void body(benchmark::State& state) {
     const Quat turned = glm::angleAxis(2e-4 * double(k), Vec3(0, 0, 1));
     const Response answer = felt.respond({{hips[k]}, turned});
     touching += answer.contact.touching();
-    springs += answer.springs;
+    springs += answer.stiffness_factor;
     next(state, k, hips.size(), begin);
   }
   state.counters["touching"] = double(touching) / double(state.iterations());

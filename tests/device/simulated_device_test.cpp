@@ -74,14 +74,14 @@ TEST_CASE(
   ServoSample s = rig.tick();
   CHECK(rig.devices.fallenBack());
   CHECK(s.hand.mm == Vec3(50, 0, 0));
-  CHECK(s.placed);
+  CHECK(s.contact_reset);
   for (int k = 0; k < 3; ++k) s = rig.tick();
   CHECK(s.force.N == Vec3(0));
   for (int k = 0; k < 500; ++k) s = rig.tick();
   rig.stylus.plug(true);
   s = rig.tick();
   CHECK_FALSE(rig.devices.fallenBack());
-  CHECK(s.placed);
+  CHECK(s.contact_reset);
   CHECK(s.hand.mm != Vec3(50, 0, 0));
   CHECK(glm::length(s.force.N) < 0.01);
 }

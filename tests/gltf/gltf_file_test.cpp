@@ -228,7 +228,7 @@ TEST_CASE(
     "a missing file, an empty one, plain text, JSON that is no glTF and one without triangles are "
     "reported, not drawn") {
   const Scratch scratch;
-  const auto told = [&](const std::string& bytes) {
+  const auto reported = [&](const std::string& bytes) {
     const fs::path file = scratch.folder / "bad.gltf";
     std::ofstream(file, std::ios::binary) << bytes;
     const auto model = readGltf(file);
@@ -237,16 +237,15 @@ TEST_CASE(
     return model.problem().text();
   };
   CHECK(readGltf(scratch.folder / "none.glb").problem().text().find("cannot be read") != std::string::npos);
-  CHECK(told("").find("no sound glTF") != std::string::npos);
-  CHECK(told("a pen").find("no sound glTF") != std::string::npos);
-  CHECK(told("[1, 2]").find("no sound glTF") != std::string::npos);
-  CHECK(told(R"({"asset": {"version": "2.0"}})").find("has no scene") != std::string::npos);
-  CHECK(
-      told(R"({"asset": {"version": "2.0"}, "scenes": [{"nodes": [0]}], "nodes": [{}]})").find("holds no triangles") !=
-      std::string::npos);
-  CHECK(told(R"({"asset": {"version": "2.0"}, "scenes": [{"nodes": [0]}], "nodes": [{"children": [0]}]})")
+  CHECK(reported("").find("no sound glTF") != std::string::npos);
+  CHECK(reported("a pen").find("no sound glTF") != std::string::npos);
+  CHECK(reported("[1, 2]").find("no sound glTF") != std::string::npos);
+  CHECK(reported(R"({"asset": {"version": "2.0"}})").find("has no scene") != std::string::npos);
+  CHECK(reported(R"({"asset": {"version": "2.0"}, "scenes": [{"nodes": [0]}], "nodes": [{}]})")
+            .find("holds no triangles") != std::string::npos);
+  CHECK(reported(R"({"asset": {"version": "2.0"}, "scenes": [{"nodes": [0]}], "nodes": [{"children": [0]}]})")
             .find("without end") != std::string::npos);
-  CHECK(told(R"({"asset": {"version": "2.0"}, "scenes": [{"nodes": [7]}], "nodes": [{}]})").find("names a node") !=
+  CHECK(reported(R"({"asset": {"version": "2.0"}, "scenes": [{"nodes": [7]}], "nodes": [{}]})").find("names a node") !=
         std::string::npos);
 }
 

@@ -75,7 +75,7 @@ TEST_CASE("a body of one atom is a probe of its radius in each method, over 1500
       touching += c.touching();
       different += r.contact.displacement_A != c.displacement_A || r.contact.energy_A2 != c.energy_A2 ||
                    r.contact.atoms != c.atoms || r.contact.feature != c.feature || r.torque_A2 != Vec3(0.0) ||
-                   r.springs != alone.springs;
+                   r.stiffness_factor != alone.stiffness_factor;
     }
     CHECK(touching > 400);
     CHECK(different == 0);
@@ -113,7 +113,7 @@ TEST_CASE("force, torque and energy of three atoms on one ball are their springs
     REQUIRE(r.contact.fault == Fault::None);
     worst = std::max({worst, glm::distance(r.contact.displacement_A, force), glm::distance(r.torque_A2, torque),
                       std::abs(r.contact.energy_A2 - energy)});
-    CHECK(r.springs == std::max(1, springs));
+    CHECK(r.stiffness_factor == std::max(1, springs));
     CHECK(glm::distance(r.contact.scp.A, place + force / double(std::max(1, springs))) < 1e-9);
     CHECK(r.contact.touching() == (springs > 0));
     if (springs) CHECK(r.contact.atoms == std::array<std::int32_t, 3>{0, -1, -1});

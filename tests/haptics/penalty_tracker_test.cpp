@@ -35,8 +35,8 @@ TEST_CASE(
     "1 of three at right angles, and of 2000 random places what a search over directions finds") {
   const auto at = [](std::vector<Sphere> spheres, const Vec3& hip) {
     PenaltyTracker tracker(makeScene(std::move(spheres)), 1.4);
-    CHECK(tracker.respond({{{0, 0, 50}}}).springs == 1.0);
-    return tracker.respond({{hip}}).springs;
+    CHECK(tracker.respond({{{0, 0, 50}}}).stiffness_factor == 1.0);
+    return tracker.respond({{hip}}).stiffness_factor;
   };
   for (const double angle : {0.3, 1.0, std::acos(0.0), 2.0, 3.0}) {
     CAPTURE(angle);
@@ -76,7 +76,7 @@ TEST_CASE(
       found = glm::length(next);
       way = next / found;
     }
-    CHECK(r.springs == doctest::Approx(std::max(1.0, found)).epsilon(1e-3));
+    CHECK(r.stiffness_factor == doctest::Approx(std::max(1.0, found)).epsilon(1e-3));
     most = std::max(most, found);
   }
   CHECK(most > 3.0);

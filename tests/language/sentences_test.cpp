@@ -98,7 +98,7 @@ TEST_CASE(
       {"engine/lesson/selection_parser.cpp", 9},  // words of the selection language, told in that page
       {"engine/lesson/selection_slips.cpp", 2},   // words of it
       {"engine/lesson/keys.cpp", 2},              // keys that authors write
-      {"engine/lesson/way_rules.cpp", 3},         // the same, and words of theirs
+      {"engine/lesson/step_rules.cpp", 3},        // the same, and words of theirs
       {"engine/lesson/answer_reader.cpp", 2},
       {"engine/lesson/values.cpp", 1},
       {"engine/lesson/second_state.cpp", 1},  // a key in which it stands

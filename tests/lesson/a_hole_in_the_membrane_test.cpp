@@ -207,8 +207,8 @@ TEST_CASE(
   const auto ring = ringOf(porin.spheres, porin.select(spec.values["fit"].selection.text()));
   REQUIRE(ring);
   CHECK(ring->centre_A.z == doctest::Approx(24.0).epsilon(0.1));
-  CHECK(wayThrough(porin.spheres, *ring, 3.85));
-  CHECK_FALSE(wayThrough(porin.spheres, *ring, 3.95));
+  CHECK(pathThrough(porin.spheres, *ring, 3.85));
+  CHECK_FALSE(pathThrough(porin.spheres, *ring, 3.95));
 }
 
 TEST_CASE("the twelve atoms of the belt are felt on greasy amino acids of which each has atoms that look outward") {

@@ -42,21 +42,21 @@ TEST_CASE(
   CAPTURE(lineSaying(kLesson, "His 149 holds guanine 6 (2.9 Å)"));
   CAPTURE(lineSaying(kLesson, "Arginines 174, 146 and 124 hold guanines 4, 7 and 8"));
   const ShippedScene complex("1a1f");
-  for (const auto& [one, other, told_A] : {std::tuple{"residue 180 and name NH1", "residue 2 and name O6", 2.8},
-                                           std::tuple{"residue 180 and name NH2", "residue 2 and name N7", 2.8},
-                                           std::tuple{"residue 174 and name NH1", "residue 4 and name N7", 2.9},
-                                           std::tuple{"residue 174 and name NH2", "residue 4 and name O6", 2.9},
-                                           std::tuple{"residue 146 and name NH2", "residue 7 and name O6", 3.0},
-                                           std::tuple{"residue 146 and name NH1", "residue 7 and name N7", 3.1},
-                                           std::tuple{"residue 124 and name NH1", "residue 8 and name O6", 3.0},
-                                           std::tuple{"residue 124 and name NH2", "residue 8 and name N7", 2.9},
-                                           std::tuple{"residue 149 and name NE2", "residue 6 and name N7", 2.9},
-                                           std::tuple{"residue 121 and name OD1", "residue 9 and name N6", 3.0},
-                                           std::tuple{"residue 121 and name ND2", "residue 9 and name N7", 3.0},
-                                           std::tuple{"residue 118 and name OD2", "residue 10 and name N4", 2.9}}) {
+  for (const auto& [one, other, stated_A] : {std::tuple{"residue 180 and name NH1", "residue 2 and name O6", 2.8},
+                                             std::tuple{"residue 180 and name NH2", "residue 2 and name N7", 2.8},
+                                             std::tuple{"residue 174 and name NH1", "residue 4 and name N7", 2.9},
+                                             std::tuple{"residue 174 and name NH2", "residue 4 and name O6", 2.9},
+                                             std::tuple{"residue 146 and name NH2", "residue 7 and name O6", 3.0},
+                                             std::tuple{"residue 146 and name NH1", "residue 7 and name N7", 3.1},
+                                             std::tuple{"residue 124 and name NH1", "residue 8 and name O6", 3.0},
+                                             std::tuple{"residue 124 and name NH2", "residue 8 and name N7", 2.9},
+                                             std::tuple{"residue 149 and name NE2", "residue 6 and name N7", 2.9},
+                                             std::tuple{"residue 121 and name OD1", "residue 9 and name N6", 3.0},
+                                             std::tuple{"residue 121 and name ND2", "residue 9 and name N7", 3.0},
+                                             std::tuple{"residue 118 and name OD2", "residue 10 and name N4", 2.9}}) {
     CAPTURE(one);
     CAPTURE(other);
-    CHECK(std::abs(complex.between(one, other) - told_A) < 0.061);
+    CHECK(std::abs(complex.between(one, other) - stated_A) < 0.061);
   }
   for (const char* arginine : {"180", "174", "146", "124"})
     CHECK(complex.select(std::string("resname ARG and name CA and residue ") + arginine).size() == 1);

@@ -95,9 +95,9 @@ TEST_CASE(
         least = std::min(least, glm::distance(whole.spheres[a].centre_A, whole.spheres[b].centre_A));
     return least;
   };
-  for (const auto& [chain, told_A] : {std::pair{"B", 2.8}, std::pair{"D", 2.7}}) {
+  for (const auto& [chain, stated_A] : {std::pair{"B", 2.8}, std::pair{"D", 2.7}}) {
     const std::string c = std::string("chain ") + chain + " and protein and residue ";
-    CHECK(std::abs(whole.between(c + "146 and name NE2", c + "94 and name OD1") - told_A) < 0.05);
+    CHECK(std::abs(whole.between(c + "146 and name NE2", c + "94 and name OD1") - stated_A) < 0.05);
     CHECK(whole.select(c + "147").empty());
   }
   CHECK(std::abs(nearest_A("chain B and protein and residue 146 and name O OXT", "chain C and residue 40 and name NZ") -

@@ -215,9 +215,9 @@ TEST_CASE(
     // A looker who clicks the middle of what he sees, and a hand that goes from COO- to NH3+ first.
     CHECK_FALSE(passed({named("HA"), named("CA")}, false));
     for (const std::vector<const char*>& names : r.astray) {
-      std::string told;
-      for (const char* name : names) told += std::string(name) + " ";
-      CAPTURE(told);
+      std::string reported;
+      for (const char* name : names) reported += std::string(name) + " ";
+      CAPTURE(reported);
       CHECK_FALSE(passed(all(names), false));
     }
   }

@@ -44,8 +44,8 @@ TEST_CASE("a misspelt key and a bare number are reported at once, at 14:1 and 19
 }
 
 TEST_CASE("a fault behind a tab is reported at its second character") {
-  const Texts told = errors(kHead + kStep + "```touch\n\tnonsense\n```\n");
-  CHECK(std::any_of(told.begin(), told.end(),
+  const Texts reported = errors(kHead + kStep + "```touch\n\tnonsense\n```\n");
+  CHECK(std::any_of(reported.begin(), reported.end(),
                     [](const std::string& t) { return t.starts_with("l.md:14:2: 'nonsense'"); }));
 }
 

@@ -22,7 +22,7 @@ std::size_t fromAbove(const ShippedScene& pocket, double probe_A) {
 
 /// Whether a sphere comes from outside to the iron's distal side in the frozen molecule: space is filled on a grid of
 /// 0.2 A from the rim of a box of 36 A round the iron inward.
-bool ballComesToIron(const ShippedScene& whole, const std::string& chain, double sphere_A) {
+bool probeReachesIron(const ShippedScene& whole, const std::string& chain, double sphere_A) {
   const bool alpha = chain == "A" || chain == "C";
   const auto at = [&](const std::string& text) { return whole.atom("chain " + chain + " and " + text).position.A; };
   const Vec3 iron = at("element Fe");
@@ -106,12 +106,12 @@ TEST_CASE(
   const ShippedScene whole("2hhb");
   for (const char* chain : {"A", "B", "C", "D"}) {
     CAPTURE(chain);
-    CHECK(ballComesToIron(whole, chain, 0.8));
-    CHECK_FALSE(ballComesToIron(whole, chain, 1.3));
+    CHECK(probeReachesIron(whole, chain, 0.8));
+    CHECK_FALSE(probeReachesIron(whole, chain, 1.3));
   }
   // By how much the chains differ.
-  CHECK_FALSE(ballComesToIron(whole, "A", 1.0));
-  CHECK(ballComesToIron(whole, "D", 1.05));
+  CHECK_FALSE(probeReachesIron(whole, "A", 1.0));
+  CHECK(probeReachesIron(whole, "D", 1.05));
 }
 
 TEST_CASE("the valine over the iron is 4.1 A from it in the beta pocket and 5.2 A in the alpha pocket") {
@@ -155,7 +155,7 @@ TEST_CASE(
   const TouchLimits above(fit, "fit", *beta.molecule);
   const auto iron = beta.select(fit.values["fit"].selection.text());
   const auto limit = largestProbe(fit.values["least"].number, fit.values["most"].number, [&](double probe_A) {
-    return !comesTo(beta.spheres, iron, probe_A, true, [&](const SurfacePlace& p) {
+    return !reachablePlaces(beta.spheres, iron, probe_A, true, [&](const SurfacePlace& p) {
               return above.allow(p.scp_A, probe_A);
             }).empty();
   });

@@ -215,7 +215,7 @@ TEST_CASE("near a probe the atoms themselves are drawn beside the residues' ball
 
 TEST_CASE("drawing by residues is announced from the first atom above the limit") {
   CHECK(residueSpheresNotice(kMaxSingleAtoms).empty());
-  const std::string told = residueSpheresNotice(16'289'280);
-  CHECK(told.find("16289280") != std::string::npos);
-  CHECK(told.find("one ball for each residue") != std::string::npos);
+  const std::string reported = residueSpheresNotice(16'289'280);
+  CHECK(reported.find("16289280") != std::string::npos);
+  CHECK(reported.find("one ball for each residue") != std::string::npos);
 }

@@ -97,7 +97,7 @@ TEST_CASE("whatever a file ends with, what goes on with it begins a line of its 
     CAPTURE(before);
     writeFile(file, before);
     {
-      AttemptWriter writer = AttemptWriter::goOn(file);
+      AttemptWriter writer = AttemptWriter::resume(file);
       writer.append(hint);
       CHECK(writer.flush());
     }

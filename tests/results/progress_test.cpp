@@ -25,7 +25,7 @@ TEST_CASE("a session that goes on after a shutdown has its step, tasks, answers 
   header.lesson = outlineOf(*lesson, "0");
   std::string file = lineOf(header);
   const auto keep = [&](double t) {
-    for (const AttemptEvent& e : watch.look(before, t, InputWay::Mouse)) file += lineOf(e);
+    for (const AttemptEvent& e : watch.look(before, t, InputKind::Mouse)) file += lineOf(e);
   };
   keep(0);
   touchFor150ms(before, 0, 1.0);
@@ -81,7 +81,7 @@ TEST_CASE(
   header.lesson = outlineOf(*english, "0");
   std::string file = lineOf(header);
   const auto keep = [&](double t) {
-    for (const AttemptEvent& e : watch.look(before, t, InputWay::Mouse)) file += lineOf(e);
+    for (const AttemptEvent& e : watch.look(before, t, InputKind::Mouse)) file += lineOf(e);
   };
   keep(0);
   touchFor150ms(before, 0, 1.0);

@@ -82,7 +82,7 @@ TEST_CASE("9.5 s with 7 marks: steps, a task, answers and a hint, each with its 
   CHECK(line.nextAfter(2.0) == 3.0);
   CHECK(line.nextAfter(3.2) == 4.0);
   CHECK(line.nextAfter(9.2) == 9.5);
-  CHECK(line.input(9.0) == InputWay::Mouse);
+  CHECK(line.input(9.0) == InputKind::Mouse);
 }
 
 TEST_CASE("an attempt without HIP samples has no hand and no stage, and still its length") {

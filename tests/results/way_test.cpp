@@ -42,7 +42,7 @@ struct Student {
     keep();
   }
   void keep() {
-    for (const AttemptEvent& e : watch.look(session, t_s += 1.0, InputWay::Mouse)) file += lineOf(e);
+    for (const AttemptEvent& e : watch.look(session, t_s += 1.0, InputKind::Mouse)) file += lineOf(e);
     file += lineOf({t_s, SessionWatch::progressOf(session)});
   }
   void choose(std::size_t choice) {

@@ -297,7 +297,7 @@ TEST_CASE("a contact beside a field has what the field leaves of the bound, 0.73
   CHECK(stage.acted().has(Limit::Stiffness));
   CHECK(stage.stiffness(5.0, {.field = true, .field_N_per_mm = std::nan("")}) == 0.0);
   CHECK(stage.fieldShare() == 0.0);
-  CHECK(stage.stiffness(5.0, {.springs = 2.0}) == doctest::Approx(0.5 * bound));
+  CHECK(stage.stiffness(5.0, {.stiffness_factor = 2.0}) == doctest::Approx(0.5 * bound));
   CHECK(stage.fieldShare() == 1.0);
 }
 

@@ -29,12 +29,12 @@ std::unique_ptr<Tracker> penalty(const std::vector<Sphere>& spheres) {
 }
 
 // As if a single spring pulled.
-class ToldAsOne final : public WrappedInteraction {
+class ReportedAsOne final : public WrappedInteraction {
  public:
   using WrappedInteraction::WrappedInteraction;
   Response respond(const PoseA& pose) noexcept override {
     Response out = inner().respond(pose);
-    out.springs = 1.0;
+    out.stiffness_factor = 1.0;
     return out;
   }
 };
@@ -76,7 +76,7 @@ Pressed press(Interaction& felt, const DeviceParameters& device, const HandParam
     const double stretch_mm = glm::length(sample.contact.displacement_A) / settings.workspace.A_per_mm;
     if (stretch_mm > 0.0 && !sample.limits.has(Limit::Clamp) && !sample.limits.has(Limit::Damping))
       out.spring_N_per_mm = glm::length(sample.force.N) / stretch_mm;
-    out.parallel = sample.springs;
+    out.parallel = sample.stiffness_factor;
   }
   return out;
 }
@@ -99,7 +99,7 @@ TEST_CASE(
     CHECK(rests.cut == 0);
     const double bound = steadyStiffness_N_per_mm(0.5, describe(device));
     CHECK(rests.spring_N_per_mm == doctest::Approx(bound / rests.parallel).epsilon(0.01));
-    ToldAsOne as_one(penalty(heap(12)));
+    ReportedAsOne as_one(penalty(heap(12)));
     const Pressed shakes = press(as_one, device, hand);
     CHECK(shakes.greatest_m_per_s > 0.1);
     CHECK(shakes.cut > 0);

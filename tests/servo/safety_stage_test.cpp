@@ -319,17 +319,17 @@ TEST_CASE(
                   .stiffness_N_per_mm = stiffness});
     stage.beginTick({}, {});
   };
-  CHECK(stage.stiffness(0.5, {.springs = 1.0}) == 0.5);
+  CHECK(stage.stiffness(0.5, {.stiffness_factor = 1.0}) == 0.5);
   felt(0.5);
-  CHECK(stage.stiffness(0.5, {.springs = 1.4}) == 0.5);  // 0.7 N/mm together
+  CHECK(stage.stiffness(0.5, {.stiffness_factor = 1.4}) == 0.5);  // 0.7 N/mm together
   CHECK_FALSE(stage.acted().has(Limit::Stiffness));
-  CHECK(stage.stiffness(0.5, {.springs = 4.0}) == doctest::Approx(bound / 4));
+  CHECK(stage.stiffness(0.5, {.stiffness_factor = 4.0}) == doctest::Approx(bound / 4));
   CHECK(stage.acted().has(Limit::Stiffness));
   felt(bound / 4);
-  CHECK(stage.stiffness(0.5, {.springs = 1.0}) == doctest::Approx(bound / 4 + 0.001));
-  CHECK(stage.stiffness(0.5, {.springs = std::nan("")}) == 0.0);
+  CHECK(stage.stiffness(0.5, {.stiffness_factor = 1.0}) == doctest::Approx(bound / 4 + 0.001));
+  CHECK(stage.stiffness(0.5, {.stiffness_factor = std::nan("")}) == 0.0);
   SafetyStage mouse = ready(DeviceInfo{shownForceFigures()});
-  CHECK(mouse.stiffness(0.5, {.springs = 40.0}) == 0.5);
+  CHECK(mouse.stiffness(0.5, {.stiffness_factor = 40.0}) == 0.5);
 }
 
 TEST_CASE(

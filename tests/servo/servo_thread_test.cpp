@@ -210,14 +210,14 @@ TEST_CASE("a device with its own clock ticks the loop by it; when that clock sto
   while (clocked->own_ticks.load() < 50) std::this_thread::sleep_for(std::chrono::milliseconds(1));
   CHECK(servo.loop().latest().hand.mm == Vec3(4, 5, 6));
   // It ticks every 2 ms: a millisecond late, at the least, but where the loop's own clock stood in.
-  std::size_t told = 0, late = 0;
+  std::size_t reported = 0, late = 0;
   servo.loop().drain([&](const ServoSample& s) {
     if (s.hand.mm != Vec3(4, 5, 6)) return;
-    ++told;
+    ++reported;
     late += s.late_us >= 900.0f;
   });
-  CHECK(told > 40);
-  CHECK(2 * late > told);
+  CHECK(reported > 40);
+  CHECK(2 * late > reported);
   clocked->stopped.store(true);
   const long then = clocked->own_ticks.load();
   waitForTicks(servo, 50);

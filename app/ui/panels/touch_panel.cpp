@@ -67,7 +67,7 @@ void drawTouchPanel(Application& app) {
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {look().px(8), look().px(10)});
   drawTouchHead(app);
   plot("plot/force", app.scene.log().force(), app.scene.log().shownForce_N(),
-       {.title = tr("Force"), .least_top = 1.0f, .shown_as = {Dimension::Force, {decimals(1), {}}}});
+       {.title = tr("Force"), .min_top = 1.0f, .shown_as = {Dimension::Force, {decimals(1), {}}}});
   ImGui::Spacing();
   drawTouchControls(app, true);
   ImGui::Spacing();
@@ -98,11 +98,9 @@ void drawTouchPanel(Application& app) {
     if (!app.panels.methods && !app.lesson.locks("panels") &&
         button("compare", tr("Compare the methods …"), ButtonLook::Plain, -1.0f))
       app.panels.showMethods(true);
-    if (!app.extensions().unseen.all() && (app.settings.expert || app.panels.methods))
+    if (!app.extensions().reveal_policy.all() && (app.settings.expert || app.panels.methods))
       plot("plot/tick", app.scene.log().work(), app.scene.log().health().work_mean_us,
-           {.title = tr("Time for a tick"),
-            .least_top = 2.0f,
-            .shown_as = {Dimension::Time, {decimals(1), "µs"}, 1e-6}});
+           {.title = tr("Time for a tick"), .min_top = 2.0f, .shown_as = {Dimension::Time, {decimals(1), "µs"}, 1e-6}});
   }
   ImGui::PopStyleVar();
   endPanel();

@@ -27,7 +27,7 @@ float richTextHeight(const RichText& text, float width);
 
 /// The width of the text on one line (`whole`) and of its widest word (`least`). Below `least`, words are broken.
 struct RichTextWidths {
-  float least = 0.0f, whole = 0.0f;
+  float min = 0.0f, whole = 0.0f;
 };
 RichTextWidths richTextWidths(const RichText& text);
 

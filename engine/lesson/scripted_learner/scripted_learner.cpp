@@ -89,17 +89,17 @@ void ScriptedLearner::follow(const HandPlan& plan) {
   if (!enterStep()) return;
   const std::size_t task = session_.currentTask();
   for (const HandAct& act : plan) {
-    const auto goesOn = [&] { return session_.currentTask() == task && !timeIsUp(); };
-    if (!goesOn()) return;
+    const auto running = [&] { return session_.currentTask() == task && !timeIsUp(); };
+    if (!running()) return;
     if (!act.method.empty()) touch_.useMethod(act.method);
     const HandWay way = wayOf(act, touch_.hand(), kTick_s);
     if (act.placed)
       touch_.place(way.to);
     else
-      for (std::size_t k = 1; k <= way.ticks && goesOn(); ++k) tick(way.at(k));
+      for (std::size_t k = 1; k <= way.ticks && running(); ++k) tick(way.at(k));
     const auto rest = static_cast<long>(std::lround(act.wait_s / kTick_s));
-    for (long k = 0; k < rest && goesOn(); ++k) tick(touch_.hand());
-    if (act.answer && goesOn()) tell(*act.answer);
+    for (long k = 0; k < rest && running(); ++k) tick(touch_.hand());
+    if (act.answer && running()) tell(*act.answer);
   }
 }
 
@@ -119,7 +119,7 @@ bool ScriptedLearner::doTask() {
     }
     follow(plan);
     if (session_.currentTask() != task) return true;
-    // Whoever gets further, by progress or by an answer, may go on trying.
+    // An attempt that advances the progress or gives an answer does not count as failed.
     const double progress = session_.task(task).progress;
     if (progress > best) {
       best = progress;
@@ -215,7 +215,7 @@ void ScriptedLearner::demonstrateStepsLeft() {
 
 void ScriptedLearner::demonstrateStep() {
   enterStep();
-  // A task that cannot be done stands before those after it; the questions and the other steps can still be seen.
+  // A task that cannot be done blocks those after it; the questions and the other steps are still reachable.
   while (session_.currentTask() < session_.step().tasks.size())
     if (!doTask()) break;
   for (std::size_t q = 0; q < session_.step().questions.size(); ++q)

@@ -75,12 +75,12 @@ TouchSample VirtualTouch::tick(const PoseA& hand) {
   pose_.orientation = glm::conjugate(glm::quat_cast(settings_.workspace.rotation)) * hand.orientation;
   const ServoSample s = step_.tick(settings_, felt_.get(), pose_);
   ++ticks_;
-  if (s.placed) exact_->reset();
+  if (s.contact_reset) exact_->reset();
   exact_->setProbe(s.probe_A);
-  // No method is judged with a body.
+  // Methods are not judged with a held body.
   TouchSample sample =
       touchSampleOf(s, method_, is_reference_ || body_ ? s.contact : exact_->respond({s.hip, s.orientation}).contact);
-  sample.time_s = time_s();  // of this clock, which goes on from scene to scene
+  sample.time_s = time_s();  // on the virtual clock, which continues across scenes
   return sample;
 }
 

@@ -78,8 +78,8 @@ TaskKind avoidKind() {
             .meaning = "How long the rest of the surface is to be touched; moving through free space does not count.",
             .fallback = "10 s",
             .dimension = Dimension::Time,
-            .least = 0.1,
-            .most = 600.0}},
+            .min = 0.1,
+            .max = 600.0}},
           [](const TaskSpec& s, const Molecule& m) -> std::unique_ptr<Task> { return std::make_unique<Avoid>(s, m); }};
 }
 

@@ -1,4 +1,4 @@
-// measure: touch two places one after the other, mark each, and read the distance between the two points of the surface.
+// measure: touch two places in turn, mark each, and read the distance between the two points on the surface.
 #include <algorithm>
 #include <limits>
 #include <optional>
@@ -38,7 +38,7 @@ class Measure : public Task {
 
  private:
   struct Touch {
-    Vec3 surface_A{0.0};  // the point of the surface under the probe
+    Vec3 surface_A{0.0};  // the contact point on the surface
     bool on_from = false, on_to = false;
     std::string author_says;
   };
@@ -50,7 +50,7 @@ class Measure : public Task {
       return;
     }
     held_s_ += dt_s;
-    // A mouse lets go before it clicks: the place that was touched last is meant.
+    // With a mouse the student has to let go before clicking, so the place touched last counts.
     if (held_s_ < kTouch_s) return;
     const double depth_A = glm::length(s.contact.displacement_A);
     const Vec3 outward = depth_A > 1e-9 ? s.contact.displacement_A / depth_A : Vec3(0.0);
@@ -129,7 +129,7 @@ class Measure : public Task {
   HandPlan demonstrate(const HandPlanInput& view) const override {
     HandPlan plan;
     const std::vector<SurfacePlace> ones = placesToTouch(view, from_), others = placesToTouch(view, to_);
-    // The pairs whose points are as far apart as is asked for; another attempt takes another.
+    // The pairs of points with the required distance; another attempt uses another pair.
     std::vector<std::pair<const SurfacePlace*, const SurfacePlace*>> pairs;
     for (const SurfacePlace& a : ones)
       for (const SurfacePlace& b : others) {
@@ -187,7 +187,7 @@ TaskKind measureKind() {
         .meaning = "What may be measured, from surface to surface; otherwise both are marked anew. Without it "
                    "any two touches of the places will do.",
         .dimension = Dimension::Length,
-        .most = 1000.0},
+        .max = 1000.0},
        WrongTouches::key(),
        attemptsKey("How many wrong marks and measures there may be: after the last one the answer is shown, and the "
                    "student goes on. Left out, as many as need be.")},

@@ -94,7 +94,7 @@ TaskKind reachKind() {
                              .type = ValueType::Quantity,
                              .meaning = "A touch counts within this distance of a selected atom's centre as well.",
                              .dimension = Dimension::Length,
-                             .most = 1000.0}};
+                             .max = 1000.0}};
   for (KeySpec& key : TouchLimits::keys()) keys.push_back(std::move(key));
   keys.push_back(WrongTouches::key());
   return {.name = "reach",

@@ -104,16 +104,16 @@ TEST_CASE(
   for (const auto& [keys, says] : refused) {
     CAPTURE(keys);
     const std::vector<std::string> errors = errorsOf(step(keys));
-    std::size_t told = 0;
+    std::size_t reported = 0;
     for (const std::string& e : errors) {
       CAPTURE(e);
       if (!e.starts_with("l.md:14:1: " + says +
                          " judges a probe, and here the hand holds a body; write 'in-hand: none'"))
         continue;
       CHECK(e.find("reach, hold, press, feel, compare") != std::string::npos);
-      ++told;
+      ++reported;
     }
-    CHECK(told == 1);
+    CHECK(reported == 1);
     for (const std::string& e : errorsOf(step(keys, ""))) CHECK(e.find("judges a probe") == std::string::npos);
   }
 }

@@ -1,5 +1,5 @@
 // Conditions, tries and required steps: the effects of answers on the order of steps, and the messages for authors.
-#include "engine/lesson/way_rules.h"
+#include "engine/lesson/step_rules.h"
 
 #include <doctest/doctest.h>
 
@@ -267,8 +267,8 @@ TEST_CASE("each mistake in a condition is reported at its line") {
     CAPTURE(m.lines);
     const std::string body = withRules(m.lines) + "[why](#aside-why)\n";
     const LessonCheck found = checked(body);
-    const std::vector<Problem>& told = m.warning ? found.warnings : found.errors;
-    CHECK(std::any_of(told.begin(), told.end(), [&](const Problem& p) {
+    const std::vector<Problem>& reported = m.warning ? found.warnings : found.errors;
+    CHECK(std::any_of(reported.begin(), reported.end(), [&](const Problem& p) {
       return p.line == lineOf(body, m.lines) + (m.lines.starts_with(m.at) ? 0 : 1) &&
              (p.message + p.remedy).find(m.says) != std::string::npos && !p.remedy.empty();
     }));
@@ -281,8 +281,8 @@ TEST_CASE(
     "step without anything to do") {
   const auto line = [](const std::string& body, std::string_view at, bool warning = false) {
     const LessonCheck found = checked(body);
-    const std::vector<Problem>& told = warning ? found.warnings : found.errors;
-    return std::any_of(told.begin(), told.end(), [&](const Problem& p) { return p.line == lineOf(body, at); });
+    const std::vector<Problem>& reported = warning ? found.warnings : found.errors;
+    return std::any_of(reported.begin(), reported.end(), [&](const Problem& p) { return p.line == lineOf(body, at); });
   };
   CHECK(line("## A\n" + kScene + "### Question: F?\n" + answer("free: yes\nattempts: 2\n"), "attempts: 2"));
   CHECK(line("## A\n" + kScene + "### Prediction: F?\n- [ ] a\n- [x] b\n" + answer("if right: skip B\n") + "## B\nT.\n",
