@@ -272,7 +272,7 @@ void addRender(CLI::App& app) {
       ->capture_default_str();
   command
       ->add_option("--single-atoms", a.max_single_atoms,
-                   "Draw one ball per residue if the molecule has more atoms than this")
+                   "Draw one sphere per residue if the molecule has more atoms than this")
       ->check(CLI::Range(std::size_t(0), std::size_t(1'000'000'000)))
       ->capture_default_str();
   command->add_option("--time", a.time, "Also draw this many pictures and print the times as JSON")

@@ -32,7 +32,7 @@ std::optional<AtomRing> ringOf(const SphereGrid& scene, std::span<const std::uin
 /// the ring's plane. Returns the widest line found; nothing if none is free.
 std::optional<Vec3> pathThrough(const SphereGrid& scene, const AtomRing& ring, double probe_A);
 
-/// The largest probe from `least_A` to `most_A` for which `fits` returns true, to 0.01; `most_A` itself if it fits.
+/// The largest probe from `min_A` to `max_A` for which `fits` returns true, to 0.01; `max_A` itself if it fits.
 /// Nothing if none fits. Wherever a probe fits, smaller ones must fit too.
 template <class Fits>
 std::optional<double> largestProbe(double min_A, double max_A, Fits&& fits) {

@@ -63,7 +63,7 @@ class Inflater {
   Inflater(const Inflater&) = delete;
   Inflater& operator=(const Inflater&) = delete;
 
-  /// Returns false if the bytes are not deflate data, or inflate to more than `most`.
+  /// Returns false if the bytes are not deflate data, or inflate to more than `max`.
   bool take(std::string_view bytes, std::uint64_t max) {
     stream_.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(bytes.data()));
     stream_.avail_in = uInt(bytes.size());

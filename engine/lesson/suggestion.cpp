@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::size_t kLongest = 64;
 
-/// The editDistance, or any number above `most` if it exceeds that.
+/// The editDistance, or any number above `max` if it exceeds that.
 std::size_t distanceUpTo(std::string_view a, std::string_view b, std::size_t max) {
   if (a.size() > kLongest || b.size() > kLongest) return kLongest;
   while (!a.empty() && !b.empty() && a.front() == b.front()) a.remove_prefix(1), b.remove_prefix(1);

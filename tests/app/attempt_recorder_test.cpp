@@ -89,7 +89,7 @@ TEST_CASE(
   CHECK(held > 10);
 }
 
-TEST_CASE("a program that ends in the middle goes on where it was: same file, same step, same answers") {
+TEST_CASE("a program that ends in the middle continues where it was: same file, same step, same answers") {
   const ScratchFolder scratch;
   {
     const auto driver = startWith(kLesson, keeping(scratch.path));

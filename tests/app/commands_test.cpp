@@ -79,7 +79,7 @@ constexpr const char* kOneSphere = "0 0 0 1.6\n";
 }  // namespace
 
 TEST_CASE(
-    "replay on one ball of 3 A writes the SCP 3 A from the centre, 17 digits that read back the same, and k (SCP - "
+    "replay on one sphere of 3 A writes the SCP 3 A from the centre, 17 digits that read back the same, and k (SCP - "
     "HIP)") {
   const Folder folder;
   write(folder / "one.xyzr", kOneSphere);

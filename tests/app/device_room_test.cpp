@@ -150,7 +150,8 @@ TEST_CASE("a view that is moved aside brings another part before the hand; broug
 }
 
 TEST_CASE(
-    "a front that lies farther to the side than the room is reached by the edge: held there the probe goes on until it "
+    "a front that lies farther to the side than the room is reached by the edge: held there the probe continues until "
+    "it "
     "meets nothing more") {
   auto d = startWith("1ubq");
   Held& stylus = hold(*d);

@@ -54,7 +54,7 @@ TEST_CASE(
   }
 }
 
-TEST_CASE("Tab goes round every control of each page, and Enter presses the one that it is at") {
+TEST_CASE("Tab visits every control of each page, and Enter presses the one that it is at") {
   for (const char* keys : {"Ctrl+,", "Ctrl+D", "Ctrl+O"}) {
     CAPTURE(keys);
     auto d = startWith("argon");

@@ -14,7 +14,7 @@ namespace moltact {
 namespace {
 
 constexpr int kAttempts = 24;       // in a row that bring a task no further
-constexpr double kSeen = 0.5;       // a slide goes on while the surface looks at the student so much (cosine)
+constexpr double kSeen = 0.5;       // a slide continues while the surface looks at the student so much (cosine)
 constexpr double kAsItIs = 0.95;    // it need not be turned to look from so near to where one looks from (cosine)
 constexpr double kPastRim_A = 3.0;  // a hand that is so far from its place is on something else
 constexpr double kSame_A = 0.1;     // sideways: nearer than this a plan only pushes deeper
@@ -352,7 +352,7 @@ void LessonHand::slideTo(std::size_t task, double value) {
   if (!asked) return;
   const std::string name = "task/" + std::to_string(task) + "/slider";
   if (mouse()) {
-    d_.point(name, (value - asked->least) / (asked->most - asked->least), 0.5);
+    d_.point(name, (value - asked->min) / (asked->max - asked->min), 0.5);
     d_.press();
     d_.frames(2);
     d_.release();

@@ -250,7 +250,7 @@ TEST_CASE("a lesson with every kind of task and question is finished with the ke
   CHECK(d->missing().empty());
 }
 
-TEST_CASE("a curve is drawn with the mouse, holes and ends are filled, and wiping begins anew") {
+TEST_CASE("a curve is drawn with the mouse, holes and ends are filled, and wiping begins again") {
   auto d = startWith(kLesson);
   REQUIRE(session(*d).goTo("predict"));
   d->frames(10);

@@ -116,7 +116,7 @@ TEST_CASE("the legend of no scene of a lesson shows a colour twice, and the viru
   }
 }
 
-TEST_CASE("every atom that a lesson highlights in a ribbon is drawn as a ball of its own size") {
+TEST_CASE("every atom that a lesson highlights in a ribbon is drawn as a sphere of its own size") {
   std::size_t seen = 0;
   for (const ShownScene& shown : scenes()) {
     if (!shown.scene.highlight.given()) continue;

@@ -73,7 +73,8 @@ TEST_CASE("a pack that is dropped shows its lesson with its own molecule, and ha
 }
 
 TEST_CASE(
-    "a lesson that was left goes on when its pack is opened again, and from its card; a newer version has its place") {
+    "a lesson that was left continues when its pack is opened again, and from its card; a newer version has its "
+    "place") {
   const Handed h;
   const fs::path pack = h.pack(lessonText("Haem pockets"));
   {
@@ -99,7 +100,7 @@ TEST_CASE(
   CHECK(std::distance(fs::directory_iterator(h.packs), fs::directory_iterator()) == 2);
 }
 
-TEST_CASE("a lesson opened from anywhere has a card once something was done in it, which goes on where it was left") {
+TEST_CASE("a lesson opened from anywhere has a card once something was done in it, which continues where it was left") {
   const Handed h;
   h.pack(lessonText("Elsewhere"));
   auto d = startWith("", h.options());
@@ -194,7 +195,7 @@ TEST_CASE("a damaged pack and a lesson with a fault are reported and change noth
   }
 }
 
-TEST_CASE("a lesson that asks for a name keeps it with the attempt, offers it next time and goes on under it") {
+TEST_CASE("a lesson that asks for a name keeps it with the attempt, offers it next time and continues under it") {
   const Handed h;
   const fs::path pack = h.pack(lessonText("Haem pockets", "ask: name\n"));
   {

@@ -21,7 +21,7 @@ ScriptedUser::Options small(const fs::path& folder = {}) {
   return options;
 }
 
-// Touches the first lesson's atom, goes on a step; gives the file.
+// Touches the first lesson's atom, continues a step; gives the file.
 fs::path recorded(const fs::path& folder) {
   const auto driver = startWith(kLesson, small(folder));
   driver->point("view", 0.5, 0.5);
@@ -169,7 +169,7 @@ TEST_CASE(
   CHECK(app.scene.look.hidden == hidden_before);
 }
 
-TEST_CASE("a lesson that was open goes on after the playback as if nothing had been touched meanwhile") {
+TEST_CASE("a lesson that was open continues after the playback as if nothing had been touched meanwhile") {
   const ScratchFolder scratch;
   const fs::path file = recorded(scratch.path);
   const auto driver = startWith(kLesson, small(scratch.path / "own"));

@@ -298,7 +298,7 @@ TEST_CASE(
     REQUIRE_FALSE(d->text("device/recording").empty());  // the page draws it, in view or below
   };
   playOnPage();
-  // What a click does within its frame: the page goes on to draw the hand that plays.
+  // What a click does within its frame: the page continues to draw the hand that plays.
   const Device* const plays = d->app().scene.servo().chosen();
   d->app().extensions().device.choose("simulated");
   CHECK(d->app().scene.servo().chosen() == plays);

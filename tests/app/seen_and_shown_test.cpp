@@ -263,7 +263,7 @@ TEST_CASE(
   CHECK(differenceIn(view, before, d->picture()) > 0.2);
 }
 
-TEST_CASE("with reduced motion the molecule is shown at once; begun anew, its task is done unseen again") {
+TEST_CASE("with reduced motion the molecule is shown at once; begun again, its task is done unseen again") {
   auto d = firstTouchAt("a-molecule-that-you-cannot-see");
   SessionMemory memory{.step = session(*d).step().id, .steps = {{.step = session(*d).step().id, .tasks_done = {0}}}};
   session(*d).restore(memory);

@@ -99,7 +99,7 @@ TEST_CASE("while the welcome page is open the hand feels nothing") {
   CHECK(d->app().scene.servo_settings.force_on);
 }
 
-TEST_CASE("pictures of cards are drawn once and found in the cache at the next start; a broken one is drawn anew") {
+TEST_CASE("pictures of cards are drawn once and found in the cache at the next start; a broken one is drawn again") {
   Scratch scratch;
   ScriptedUser::Options options;
   options.application.cache_folder = scratch.folder / "cache";
@@ -160,7 +160,7 @@ TEST_CASE("lessons of one's own have cards, and one that cannot be read says why
   CHECK(contains(d->text("lesson/title"), "My own"));
 }
 
-TEST_CASE("a lesson that was left at its third step is offered first and goes on there") {
+TEST_CASE("a lesson that was left at its third step is offered first and continues there") {
   Scratch scratch;
   LessonReading reading = readLesson(std::string(MOLTACT_SOURCE_DIR) + "/lessons/first-touch.md");
   REQUIRE(reading.lesson);

@@ -162,7 +162,7 @@ TEST_CASE(
 }
 
 TEST_CASE(
-    "Omni: a process that is stopped by Ctrl-Z gives no force while it stands, and begins softly when it goes on") {
+    "Omni: a process that is stopped by Ctrl-Z gives no force while it stands, and begins softly when it continues") {
   const StandInProcess omni;
   Dying child("omni", "wait");
   REQUIRE(child.line(20'000) == "pressing");

@@ -172,7 +172,7 @@ TEST_CASE(
 }
 
 TEST_CASE(
-    "a body of three balls in the hand, pressed into another ball: with 400 random reports between sound ones, and "
+    "a body of three spheres in the hand, pressed into another sphere: with 400 random reports between sound ones, and "
     "unplugged in contact, force and torque stay finite and limited, and plugged in again it begins softly; seed 26") {
   HidTestbed bed;
   bed.plug(kWoodenHaptics);

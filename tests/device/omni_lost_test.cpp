@@ -12,7 +12,7 @@ using namespace moltact;
 using namespace moltact::test;
 
 TEST_CASE(
-    "unplugged in contact: no force in that tick, words about the cable; plugged in again it is opened anew and leads "
+    "unplugged in contact: no force in that tick, words about the cable; plugged in again it is opened again and leads "
     "again") {
   const StandIn omni;
   const auto device = opened();
@@ -202,7 +202,7 @@ TEST_CASE(
 }
 
 TEST_CASE(
-    "while a lost device is opened anew, 300 ms here, the window is answered at once and the loop goes on with the "
+    "while a lost device is opened again, 300 ms here, the window is answered at once and the loop continues with the "
     "mouse") {
   const StandIn omni;
   const auto device = opened();

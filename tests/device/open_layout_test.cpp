@@ -266,7 +266,8 @@ TEST_CASE(
 }
 
 TEST_CASE(
-    "60 ms of lost force reports while places go on: the firmware cuts, and afterwards the force of 0.8 N comes back "
+    "60 ms of lost force reports while places continue: the firmware cuts, and afterwards the force of 0.8 N comes "
+    "back "
     "within half a second, not at once") {
   OpenLayoutProtocol open = opened();
   test::OpenFirmware firmware;

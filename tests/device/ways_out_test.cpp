@@ -253,7 +253,7 @@ TEST_CASE("every driver is in the table of those whose last force is checked") {
 
 TEST_CASE(
     "every driver by every way out: within two ticks the last that was written is no force, and none follows though "
-    "the loop goes on asking") {
+    "the loop continues asking") {
   double worst_ms = 0;
   int ways = 0;
   for (const Row& row : kRows) {

@@ -52,7 +52,7 @@ std::string bytesOf(const fs::path& file) {
 
 }  // namespace
 
-TEST_CASE("water as balls reads back as 3 x 1280 triangles, 0.3152 nm wide in x, red and white, in nanometres") {
+TEST_CASE("water as spheres reads back as 3 x 1280 triangles, 0.3152 nm wide in x, red and white, in nanometres") {
   const Scratch scratch;
   const Molecule water = library("water.pdb");
   REQUIRE(water.atoms.size() == 3);
@@ -81,7 +81,8 @@ TEST_CASE("water as balls reads back as 3 x 1280 triangles, 0.3152 nm wide in x,
 }
 
 TEST_CASE(
-    "benzene as a surface inflated by 1.4 A reads back with the size of its inflated balls to 1 step, in two colours") {
+    "benzene as a surface inflated by 1.4 A reads back with the size of its inflated spheres to 1 step, in two "
+    "colours") {
   const Scratch scratch;
   const Molecule benzene = library("benzene.pdb");
   const ExportOptions options{.print = true, .probe_A = 1.4, .step_A = 0.25};
@@ -106,7 +107,8 @@ TEST_CASE(
 }
 
 TEST_CASE(
-    "a protein of 602 atoms as balls stores its ball once: a file below 400 kB with a node for each atom and chain") {
+    "a protein of 602 atoms as spheres stores its sphere once: a file below 400 kB with a node for each atom and "
+    "chain") {
   const Scratch scratch;
   const GltfScene scene = exported(library("1ubq.pdb"), {});
   CHECK(scene.nodes.size() == 602 + 1 + 1);

@@ -82,7 +82,8 @@ TEST_CASE("a body of one atom is a probe of its radius in each method, over 1500
   }
 }
 
-TEST_CASE("force, torque and energy of three atoms on one ball are their springs' sums in closed form, at 2000 poses") {
+TEST_CASE(
+    "force, torque and energy of three atoms on one sphere are their springs' sums in closed form, at 2000 poses") {
   std::mt19937 random(20261123);
   CAPTURE("seed 20261123");
   const auto body = heldBody(kSpheres, kHeld);
@@ -177,7 +178,7 @@ TEST_CASE(
   CHECK(sweep(*spheres, HandShape(1.4), Vec3(50, 0, 0), Vec3(0)).t == sweep(*spheres, 1.4, Vec3(50, 0, 0), Vec3(0)).t);
 }
 
-TEST_CASE("a body goes with spheres that move where its method does: a ball that comes by 0.5 A pushes it by 0.5 A") {
+TEST_CASE("a body follows spheres that move where its method does: a sphere that comes by 0.5 A pushes it by 0.5 A") {
   std::vector<Sphere> to = kSpheres;
   to[0].centre_A.x = 0.5;
   const auto motion = SphereMotion::make(kSpheres, to, 10, kHeld);

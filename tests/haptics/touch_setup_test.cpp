@@ -116,7 +116,7 @@ TEST_CASE("a task's changes are taken back to the scene's values one by one, and
   CHECK((now.stiffness_N_per_mm == 0.1 && now.probe_A == 2.5 && now.method == "exact"));
   method.replace(softer, scene, now);
   CHECK((now.stiffness_N_per_mm == 0.3 && now.probe_A == 2.5 && now.method == "penalty"));
-  now.method = "paper";  // by hand, while the task goes on
+  now.method = "paper";  // by hand, while the task continues
   method.replace(method, scene, now);
   CHECK(now.method == "paper");
   none.replace(method, scene, now);

@@ -199,7 +199,8 @@ TEST_CASE("what counts as found on the floor of one groove lies in that groove, 
 }
 
 TEST_CASE(
-    "a ball of 5 A, as an alpha helix with its side chains, still touches N7, N6, O4 and C7 on the major floor; of the "
+    "a sphere of 5 A, as an alpha helix with its side chains, still touches N7, N6, O4 and C7 on the major floor; of "
+    "the "
     "minor floor even one of 2.5 A touches no atom") {
   const std::string says = linesSaying("dna-grooves-blind", {"a ball of 5 Å still touches the edges of the bases there",
                                                              "A ball of 5 Å still touches N7, N6, O4 and C7"});

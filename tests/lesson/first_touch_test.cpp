@@ -133,7 +133,7 @@ TEST_CASE("an oxygen is 1.52 A, argon 1.88 A; a push of 0.5 N is 5 thousand mill
   CHECK(0.5 / 0.1e-9 == doctest::Approx(5e9));
 }
 
-TEST_CASE("two argon atoms are 3.76 A apart, so the balls just touch") {
+TEST_CASE("two argon atoms are 3.76 A apart, so the spheres just touch") {
   const std::string line = lineSaying(kLesson, "Their centres are 3.76 Å (0.376 nm) apart");
   CAPTURE(line);
   const ShippedScene s("argon-pair");

@@ -89,7 +89,9 @@ TEST_CASE("a prediction without a task is warned of, one that is a free answer i
   CHECK(errors[0].line == 13);
 }
 
-TEST_CASE("what is no number is asked again and is no attempt: words, another quantity, nothing; a comma is one") {
+TEST_CASE(
+    "an answer that is not a number is asked again and is not an attempt: words, another quantity, nothing; a comma is "
+    "one") {
   LessonSession session(lesson(kScene + "### Question: N?\n```answer\nnumber: 1.4 Å\ntolerance: 0.1 Å\n```\n"));
   for (const char* none : {"about 1.4", "1.4 N", "so wide"}) {
     CHECK_FALSE(session.write(0, none));

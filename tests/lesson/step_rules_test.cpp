@@ -51,7 +51,8 @@ const std::vector<std::size_t> kWrong{0}, kRight{1};
 
 }  // namespace
 
-TEST_CASE("after two wrong answers Next leads into the aside once; the question waits for it, and goes on afterwards") {
+TEST_CASE(
+    "after two wrong answers Next leads into the aside once; the question waits for it, and continues afterwards") {
   LessonSession s(lesson(withRules("after 2 wrong: go to #aside-why\n")));
   s.next();
   s.choose(0, kWrong);
@@ -105,7 +106,7 @@ TEST_CASE(
     }
 }
 
-TEST_CASE("leading forward passes over what stands between, also when one comes back and goes on by Next") {
+TEST_CASE("leading forward passes over what stands between, also when one comes back and continues by Next") {
   LessonSession s(lesson(withRules("if right: go to #d\n")));
   s.next();
   s.choose(0, kRight);
@@ -118,7 +119,7 @@ TEST_CASE("leading forward passes over what stands between, also when one comes 
   CHECK(s.finished());
 }
 
-TEST_CASE("after the last try the right answer stands there and one goes on; it counts as done and not as right") {
+TEST_CASE("after the last try the right answer stands there and one continues; it counts as done and not as right") {
   LessonSession s(lesson("## A\n" + kScene + kChoices + answer("attempts: 2\n") + "### Question: N?\n" +
                          answer("number: 1.4 Å\ntolerance: 0.1 Å\nattempts: 1\n") + "### Question: W?\n" +
                          answer("text: crease, groove\nattempts: 1\nwrong: No.\n") + "## Aside: Why\nText.\n"));

@@ -98,7 +98,7 @@ TEST_CASE(
 }
 
 TEST_CASE(
-    "in the frozen molecule a ball of 0.8 A comes from outside to the distal side of every iron, one of 1.3 A to "
+    "in the frozen molecule a sphere of 0.8 A comes from outside to the distal side of every iron, one of 1.3 A to "
     "none") {
   const std::string line =
       lineSaying("the-haem-in-its-pocket", "a ball of 0.8 Å comes from outside to the distal side of every iron");

@@ -55,7 +55,7 @@ TEST_CASE(
 }
 
 TEST_CASE(
-    "Gln 57 on the floor of lysozyme's cleft is met by balls of up to 3.05 A from outside and by none of 3.1 A and "
+    "Gln 57 on the floor of lysozyme's cleft is met by spheres of up to 3.05 A from outside and by none of 3.1 A and "
     "more; the two that cut are met by 1.4 A and by 3.5 A") {
   const std::string says = linesSaying("the-probe-decides", {"From about 3.1 Å on, no ball comes down to it",
                                                              "narrow window, which closes at about 3.1 Å",
@@ -80,7 +80,7 @@ TEST_CASE(
 }
 
 TEST_CASE(
-    "a ball of 3.5 A pushed into the middle of the cleft rests on Glu 35 and Asp 52 at once, straight from outside, "
+    "a sphere of 3.5 A pushed into the middle of the cleft rests on Glu 35 and Asp 52 at once, straight from outside, "
     "and "
     "these are 5.8 A apart, from oxygen to oxygen") {
   const std::string line = lineSaying("the-probe-decides", "it is 5.8 Å, from oxygen to oxygen");

@@ -56,7 +56,8 @@ const char* const kTwelve = "(residue 2 4 6 7 8 and name N7 O6) or (residue 9 an
 }  // namespace
 
 TEST_CASE(
-    "adenylate kinase: of sixteen nitrogens a ball of 1.4 A touches 16 straight in the open form, 3 in the shut one, 4 "
+    "adenylate kinase: of sixteen nitrogens a sphere of 1.4 A touches 16 straight in the open form, 3 in the shut one, "
+    "4 "
     "without "
     "AP5A; crooked ways add 3, each by less than 1 % of its sphere") {
   CAPTURE(linesSaying("an-enzymes-door",
@@ -77,7 +78,8 @@ TEST_CASE(
 }
 
 TEST_CASE(
-    "of the 57 atoms of AP5A a ball of 1.4 A touches 5 straight and 11 by crooked ways, 8 of these of the phosphates; "
+    "of the 57 atoms of AP5A a sphere of 1.4 A touches 5 straight and 11 by crooked ways, 8 of these of the "
+    "phosphates; "
     "one of "
     "2 A none of the phosphates; two of one adenine are touched head-on") {
   CAPTURE(linesSaying("an-enzymes-door",
@@ -147,7 +149,8 @@ TEST_CASE("of the side chains 23, 26 and 30 of ubiquitin one of eleven atoms is 
 }
 
 TEST_CASE(
-    "of lysozyme's 1001 atoms a ball of 1.4 A touches about 570 and one of 3.5 A about 330, straight as well as by any "
+    "of lysozyme's 1001 atoms a sphere of 1.4 A touches about 570 and one of 3.5 A about 330, straight as well as by "
+    "any "
     "way, and "
     "the larger one no atom of Gln 57 but some of Glu 35 and Asp 52") {
   CAPTURE(linesSaying("the-probe-decides", {"the probe of 1.4 Å can touch about 570", "- [x] About 330",

@@ -54,7 +54,7 @@ TEST_CASE("behind a lid before the hole an atom is touched round the corner and 
 }
 
 TEST_CASE(
-    "of one of two equal atoms 3 A apart a ball of 1.4 A can rest on 74 % of the sphere, as the cap that the other "
+    "of one of two equal atoms 3 A apart a sphere of 1.4 A can rest on 74 % of the sphere, as the cap that the other "
     "covers says") {
   const double grid_spacing_A = 3.0, grown_A = kAtom_A + kSphere_A;
   const WaysIn pair(std::vector<Sphere>{{Vec3(0.0), kAtom_A}, {Vec3(grid_spacing_A, 0, 0), kAtom_A}}, kSphere_A);

@@ -198,7 +198,7 @@ TEST_CASE("names that are taken get -2 and -3, and 2 programs never write the sa
   CHECK(mendAttempts(scratch.path).empty());
 }
 
-TEST_CASE("an attempt that goes on has its new lines after the old ones") {
+TEST_CASE("an attempt that continues has its new lines after the old ones") {
   const ScratchFolder scratch;
   const fs::path file = scratch.path / "a.jsonl";
   writeFile(file, sampleFile() + "{\"kind\":\"hi");

@@ -78,7 +78,7 @@ TEST_CASE(
     }
     if (t_s > 32.0 && !before) before = fs::file_size(killed);
   }
-  // Reading alone: 27 bytes each 0.9 s. (The way of the hand, which goes on moving here, is told in lines of its own.)
+  // Reading alone: 27 bytes each 0.9 s. (The way of the hand, which continues moving here, is told in lines of its own.)
   std::size_t still = 0, touching = 0;
   const Attempt attempt = *readAttempt(window.log.file(), ReadDepth::NoHipSamples);
   for (const AttemptEvent& e : attempt.events) {
@@ -118,7 +118,7 @@ TEST_CASE(
   CHECK(score.touches == 2);
   CHECK(score.touch_s == doctest::Approx(15.0).epsilon(0.07));
   CHECK(score.time_s == doctest::Approx(end_s + 8.0).epsilon(0.12));
-  // The hand's way goes on in time, too.
+  // The hand's way continues in time, too.
   const Attempt whole = *readAttempt(again);
   double last_s = 0.0;
   for (const AttemptEvent& e : whole.events)

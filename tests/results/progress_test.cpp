@@ -14,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-TEST_CASE("a session that goes on after a shutdown has its step, tasks, answers and attempts as they were") {
+TEST_CASE("a session that continues after a shutdown has its step, tasks, answers and attempts as they were") {
   const auto lesson = smallLesson();
   LessonSession before(lesson);
   before.setMolecule(std::make_shared<const Molecule>(mixedMolecule()));

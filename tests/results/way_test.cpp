@@ -158,7 +158,7 @@ TEST_CASE("the report lists the steps of each student, with the rules that led t
   CHECK(classCsv(summary).find("1 (after 2 wrong: goes to a1) a1 1 2 3") != std::string::npos);
 }
 
-TEST_CASE("who skips a step is finished without it; who used up the tries went on without being right") {
+TEST_CASE("who skips a step is finished without it; who used up the tries continued without being right") {
   const ClassSummary summary = summarise({quick().attempt(), winding().attempt(), stuck().attempt()});
   for (const PersonScore& p : summary.lessons[0].people) {
     CAPTURE(p.person);

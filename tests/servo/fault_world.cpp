@@ -243,7 +243,7 @@ void FaultWorld::restAfter() {
     return judge_.expectAny();
   }
   out_.cuts += cuts_;
-  // What slides off a sphere sets out on energy that was there, or goes on while its energy falls by more than the
+  // What slides off a sphere sets out on energy that was there, or continues while its energy falls by more than the
   // speed is; what buzzes does neither.
   const bool slides = (faster && !grown) || energy[0] - energy[1] > 0.5 * device_.mass_kg * fastest[1] * fastest[1];
   if (!slides) out_.restless_m_per_s = std::max(out_.restless_m_per_s, fastest[1]);

@@ -354,7 +354,8 @@ TEST_CASE(
 }
 
 TEST_CASE(
-    "a step that is written as text in a field and read again goes on with the same forces to the last bit, at any of "
+    "a step that is written as text in a field and read again continues with the same forces to the last bit, at any "
+    "of "
     "16 ticks") {
   DeviceSpecs info = phantomOmniFigures();
   info.gives_force = true;

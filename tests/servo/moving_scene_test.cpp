@@ -78,7 +78,7 @@ TEST_CASE(
 }
 
 TEST_CASE(
-    "a ball that rises by 0.4 A in ten frames raises the force on a still hand evenly by 0.8 N, and no limit acts") {
+    "a sphere that rises by 0.4 A in ten frames raises the force on a still hand evenly by 0.8 N, and no limit acts") {
   std::vector<Sphere> spheres{{{0, 0, 0}, 1.6}};
   for (const std::string_view method : {"exact", "penalty"}) {
     CAPTURE(method);
@@ -201,7 +201,7 @@ TEST_CASE("frames handed over as fast as they are taken begin one after the othe
 }
 
 TEST_CASE(
-    "two walls of balls that close on a hand between them in 2 s, as a molecule's lid does, and go through it, never "
+    "two walls of spheres that close on a hand between them in 2 s, as a molecule's lid does, and go through it, never "
     "give "
     "more than the device's force nor change it by more than 1000 N/s") {
   std::vector<Sphere> open, shut;

@@ -84,7 +84,7 @@ Pressed press(Interaction& felt, const DeviceParameters& device, const HandParam
 }  // namespace
 
 TEST_CASE(
-    "twelve balls round one centre, pressed 8 mm deep with a slippery device in a hand of 100 or 300 N/m: with all "
+    "twelve spheres round one centre, pressed 8 mm deep with a slippery device in a hand of 100 or 300 N/m: with all "
     "twelve "
     "springs within the bound the device rests below 2 mm/s; taken for one they drive it at more than 0.1 m/s until "
     "the "
@@ -106,7 +106,9 @@ TEST_CASE(
   }
 }
 
-TEST_CASE("a single ball is pressed with the stiffness that is asked, whoever counts, and so are two that bear it") {
+TEST_CASE(
+    "a single sphere is pressed with the stiffness that is asked, however they are counted, and so are two that bear "
+    "it") {
   const std::unique_ptr<Interaction> one = penalty(heap(1));
   const Pressed alone = press(*one, {}, {300, 5});
   CHECK(alone.parallel == doctest::Approx(1.0));

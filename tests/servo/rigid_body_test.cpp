@@ -191,7 +191,7 @@ TEST_CASE(
   CHECK(stopped.torque_N_mm == Vec3(0.0));
 }
 
-TEST_CASE("a hand that is turned by 1 rad in a tick, or by what is no rotation, is given nothing in that tick") {
+TEST_CASE("a hand that is turned by 1 rad in a tick, or by an invalid rotation, gets no force in that tick") {
   const Quat bad[] = {glm::angleAxis(1.4, Vec3(0, 1, 0)), Quat(std::nan(""), 0, 0, 0), Quat(0, 0, 0, 0),
                       Quat(2, 0, 0, 0)};
   for (const Quat& q : bad) {

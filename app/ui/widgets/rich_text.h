@@ -25,7 +25,7 @@ void paintRichText(ImDrawList* draw, ImVec2 at, const RichText& text, ImU32 colo
 /// The height from the top of the first line's letters to the bottom of the last line's.
 float richTextHeight(const RichText& text, float width);
 
-/// The width of the text on one line (`whole`) and of its widest word (`least`). Below `least`, words are broken.
+/// The width of the text on one line (`whole`) and of its widest word (`min`). Below `min`, words are broken.
 struct RichTextWidths {
   float min = 0.0f, whole = 0.0f;
 };

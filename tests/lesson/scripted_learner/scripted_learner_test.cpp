@@ -104,7 +104,7 @@ TEST_CASE(
   CHECK(played.finished);
 }
 
-TEST_CASE("each kind of task is done on two balls by the student who follows its demonstration, in at most 30 s") {
+TEST_CASE("each kind of task is done on two spheres by the student who follows its demonstration, in at most 30 s") {
   const std::vector<std::pair<std::string, std::string>> all{
       {"reach", "reach: atom 1"},
       {"hold", "hold: crease\nfor: 1 s\nforce: 0.3 N to 1 N"},

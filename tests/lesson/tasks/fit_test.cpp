@@ -51,7 +51,7 @@ std::string reported(const std::vector<std::uint32_t>& untouchable) {
 }  // namespace
 
 TEST_CASE(
-    "through the window of three balls of 1.7 A, 2.449 A from its middle, a probe of 0.749 A gets and no larger") {
+    "through the window of three spheres of 1.7 A, 2.449 A from its middle, a probe of 0.749 A gets and no larger") {
   const double window_A = kCage_A * std::sqrt(2.0 / 3.0) - kRadius_A;
   REQUIRE(window_A == doctest::Approx(0.7495).epsilon(1e-3));
   const auto t = task("fit", kKeys, cage());
