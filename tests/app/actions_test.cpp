@@ -250,7 +250,7 @@ TEST_CASE(
   d->frames(2);
   CHECK(d->text("view/legend") == "carbon, oxygen, nitrogen");
   d->app().scene.look.hidden = nullptr;
-  // A ribbon has one colour, which tells no element.
+  // A cartoon has one colour per residue, which does not identify elements.
   d->app().scene.look.styles = {{.style = DrawStyle::Cartoon}};
   d->app().scene.look.spheres_near_A = 0.0;
   d->frames(2);

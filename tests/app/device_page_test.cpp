@@ -31,7 +31,7 @@ class Cap final : public Device {
   ViewMotion& wish_;
 };
 
-// A stylus that tells of any room, and of a hand anywhere, as a recording may.
+// A stylus that reports an arbitrary workspace and position, as a recording may.
 class Odd final : public Device {
  public:
   Odd(Vec3 room_mm, Vec3 hand_mm) : hand_mm_(hand_mm) {

@@ -16,7 +16,7 @@ namespace {
 class Led final : public Device {
  public:
   using Path = std::function<DevicePose(double t_s)>;
-  /// First the hand goes so deep behind the middle of its room, in the second second; then it is led.
+  /// In the second second, the hand moves this far behind the middle of its workspace; then it is led.
   explicit Led(Path path = {}, double deep_mm = 0.0) : path_(std::move(path)), deep_mm_(deep_mm) {
     info_.name = "Led stylus";
     info_.gives_force = true;
@@ -51,10 +51,10 @@ Led& lead(ScriptedUser& d, Led::Path path = {}, double deep_mm = 0.0) {
   return led;
 }
 
-// So deep that the hand is within the molecule and a method that pulls there is no contact left behind.
+// So deep that the hand is inside the molecule and a pulling method is not taken for a contact left behind.
 constexpr double kDeep_mm = 80.0;
 
-// Pulls to the molecule's +x with so many newtons at the scene's own spring.
+// Pulls toward the molecule's +x with this force at the scene's own stiffness.
 std::unique_ptr<Tracker> pull(ScriptedUser& d, double N) {
   const ServoSettings& s = d.app().scene.servo_settings;
   return std::make_unique<ConstantForceTracker>(N / s.stiffness_N_per_mm * s.workspace.A_per_mm);
@@ -238,7 +238,7 @@ TEST_CASE("each limit is named on the device page and says its sentence over the
          d.app().scene.servo().setInteraction(pull(d, 1.0));
        },
        still},
-      // A force along the hand's way, wherever it goes, makes energy without end.
+      // A force along the hand's motion in every direction generates energy without limit.
       {Limit::Damping, strong(1.0),
        [](double t) {
          return DevicePose{.position = {{20 * t, 0, 0}}};
@@ -332,7 +332,7 @@ TEST_CASE(
   CHECK(d->app().panels.device_page);
   d->tap("Escape");
   d->frames(3);
-  // Dismissed, the words stay where the limit is told.
+  // After the notice is dismissed, the limit still displays the words.
   d->click(message(*d, "inkwell") + "/dismiss");
   d->frames(3);
   CHECK(contains(d->text("limits"), "Put the stylus into the inkwell."));

@@ -138,7 +138,7 @@ void checkAllPages(ScriptedUser& d, glm::vec2 window) {
   }
 }
 
-// What is drawn over the view, two of which lie on each other; names at atoms stand in the picture and are left out.
+// The first two overlapping items over the view; names at atoms are part of the picture and excluded.
 std::string covered() {
   std::vector<std::pair<std::string, WidgetRecord>> over;
   for (const auto& [name, r] : widgets().all())

@@ -197,7 +197,7 @@ TEST_CASE("what is piped into a full disk or past a limit on files is reported, 
   CHECK(contents(place.folder / "status") == "1\n");
 }
 
-// The same by the sources: nothing else writes to the terminal, and nothing else writes files whole.
+// The same by the sources: no other code writes to the terminal or writes whole files.
 TEST_CASE(
     "in app and engine only engine/platform/terminal_linux.cpp writes to the terminal, and only engine/platform opens "
     "files for writing") {

@@ -178,7 +178,7 @@ TEST_CASE(
   CHECK(d->app().settings.theme == ThemeChoice::Dark);
   CHECK_FALSE(d->shows("menu/view/dark"));
 
-  // Alt with another key, or held while the mouse works, is no tap.
+  // Alt with another key, or held during mouse input, is not a tap.
   d->tap("Alt+Right");
   d->frames(3);
   CHECK_FALSE(d->shows("menu/file/open"));

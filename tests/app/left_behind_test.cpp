@@ -43,7 +43,7 @@ struct Touched {
       }
     }
   }
-  /// The one sphere goes to z within 30 ticks.
+  /// Moves the only sphere to z within 30 ticks.
   void moveTo(double z_A) {
     const std::vector<Sphere> to{{{0, 0, z_A}, 1.6}};
     auto next = motion ? SphereMotion::after(*motion, to, 30)
@@ -109,7 +109,7 @@ TEST_CASE("a body whose one end presses on a sphere while its middle is in the o
   CHECK(t.scene.log().touching());
   CHECK(glm::length(t.now().contact.displacement_A) == doctest::Approx(0.5).epsilon(0.01));
   CHECK(t.now().discontinuities == placed);
-  CHECK(t.scene.watch().tried().empty());  // and no method's error is told of it
+  CHECK(t.scene.watch().tried().empty());  // and no error is recorded for any method
 }
 
 TEST_CASE(

@@ -129,7 +129,7 @@ TEST_CASE(
     d->frames(5);
   }
   REQUIRE(d->app().scene.servo_settings.probe_A == 3.0);
-  // The task is gone.
+  // The task has been deleted.
   save(file, kHead + kOne);
   d->frames(kSeen_frames);
   CHECK(d->app().scene.servo_settings.probe_A == 1.4);

@@ -14,9 +14,9 @@ namespace moltact {
 namespace {
 
 constexpr int kAttempts = 24;       // in a row that bring a task no further
-constexpr double kSeen = 0.5;       // a slide continues while the surface looks at the student so much (cosine)
-constexpr double kAsItIs = 0.95;    // it need not be turned to look from so near to where one looks from (cosine)
-constexpr double kPastRim_A = 3.0;  // a hand that is so far from its place is on something else
+constexpr double kSeen = 0.5;       // a slide continues while the surface faces the viewer this much (cosine)
+constexpr double kAsItIs = 0.95;    // the view is kept if the place faces the viewer this much (cosine)
+constexpr double kPastRim_A = 3.0;  // a hand farther from its place than this is on another atom
 constexpr double kSame_A = 0.1;     // sideways: nearer than this a plan only pushes deeper
 
 // With MOLTACT_LESSON_PICTURES a picture of each task as it was done, for people to look at.
@@ -332,7 +332,7 @@ void LessonHand::answerRightly(std::size_t q) {
 void LessonHand::tell(std::size_t task, const TaskAnswer& answer) {
   const std::string name = "task/" + std::to_string(task);
   if (answer.word.empty()) return draw(name, answer.curve, session().taskAt(task)->curves()->max_N);
-  // A mouse lets go before it clicks.
+  // With a mouse the hand has to let go before clicking.
   if (mouse()) lift();
   for (const TaskButton& b : session().taskAt(task)->buttons()) {
     if (b.word != answer.word) continue;

@@ -38,7 +38,7 @@ double greatest_N(ScriptedUser& d) {
   return most;
 }
 
-// Moves the pointer evenly, in so many frames, and does something after each.
+// Moves the pointer at constant speed in this number of frames and calls a function after each.
 template <typename Each>
 void moveBy(ScriptedUser& d, glm::dvec2 way_px, int frames, const Each& each) {
   const glm::dvec2 from = pointer_px(d), size = d.app().layout().view.size();

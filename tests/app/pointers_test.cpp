@@ -17,7 +17,7 @@ namespace {
 struct Screen {
   explicit Screen(const std::string& what = "1ubq") : user(startWith(what)), pointers(user->app(), queue) {}
 
-  /// Until all has been heard, and for so many frames more.
+  /// Runs until all input has been processed, and for this number of further frames.
   void frames(int n = 3) {
     while (!queue.empty()) {
       queue.feed(ImGui::GetIO());

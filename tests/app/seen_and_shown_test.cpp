@@ -40,7 +40,7 @@ double differenceIn(const Rectangle& view, const Picture& a, const Picture& b) {
   return double(differ) / double(all);
 }
 
-// Presses in the middle of the view by the keys for so long, and says which of the four groups was there.
+// Presses in the middle of the view by keys for this time and returns which of the four groups was there.
 std::string feelInTheMiddle(ScriptedUser& d, double time_s) {
   d.hold("Space");
   std::string group;
@@ -222,7 +222,7 @@ TEST_CASE(
   d->point("view", 0.1, 0.1);
   d->frames(60);
   const Picture before = d->picture();
-  // The hand goes over it and answers.
+  // The hand moves over it and answers.
   d->point("view", 0.48, 0.5);
   d->press();
   d->frames(60);

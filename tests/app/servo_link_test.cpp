@@ -25,7 +25,7 @@ struct Log {
   std::vector<std::string> calls;
   bool plugged = true;
   int reads = 0;
-  ClockListener* clock = nullptr;  // whoever is to be ticked by it
+  ClockListener* clock = nullptr;  // called at each tick
 };
 
 class Logged final : public Device {
@@ -107,7 +107,7 @@ void play(const Loop& loop, Log& log) {
   ticks(700);
   ticks(1400, false);  // the window stands: the watchdog
   ticks(700);
-  log.plugged = false;  // the mouse stands in
+  log.plugged = false;  // the mouse is the fallback
   ticks(60);
   log.plugged = true;
   ticks(700);

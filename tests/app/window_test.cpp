@@ -251,7 +251,7 @@ TEST_CASE("two windows that change different settings keep both, and what a newe
   CHECK(now.theme == ThemeChoice::Dark);
   std::ifstream in(file);
   CHECK(contains({std::istreambuf_iterator<char>(in), {}}, "of a newer one"));
-  // What cannot be written is told.
+  // A failure to write is reported.
   CHECK(contains(saveSettings(two, scratch.folder / "settings.json" / "x" / "settings.json"), "could not be saved"));
 }
 

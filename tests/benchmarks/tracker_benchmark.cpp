@@ -40,7 +40,7 @@ const std::vector<Vec3>& path(std::size_t count, bool contact) {
   return one;
 }
 
-// The path's next place; behind the last it begins anew, which is not timed.
+// The path's next position; after the last it restarts, which is not timed.
 template <class Begin>
 void next(benchmark::State& state, std::size_t& k, std::size_t places, const Begin& begin) {
   if (++k < places) return;

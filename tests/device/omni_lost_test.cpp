@@ -48,7 +48,7 @@ TEST_CASE(
   const DevicePose stale = device->read(kTick_s);
   CHECK_FALSE(stale.fresh);
   CHECK(stale.age_s == doctest::Approx(0.102));
-  CHECK(device->status().connected);  // a short stop is not told
+  CHECK(device->status().connected);  // a short interruption is not reported
   omni.step(1);
   CHECK_FALSE(loop.devices.fallenBack());
 }

@@ -353,7 +353,7 @@ TEST_CASE(
     student.frames(1);
     CHECK(glm::distance(student.place_A, middle) < 0.02);
   }
-  // The pointer carries it out: the force then leads back, and let go it hovers under the pointer again.
+  // The pointer moves it out; the force then points back. After the release it hovers under the pointer again.
   for (int k = 0; k < 40; ++k) {
     student.in.pointer_px = *student.in.pointer_px + glm::dvec2(6, 0);
     student.frames(1);

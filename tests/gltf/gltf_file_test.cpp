@@ -115,7 +115,7 @@ TEST_CASE(
   CHECK(scene.nodes.back().name.find(" of ") != std::string::npos);
   REQUIRE_FALSE(writeGlb(scratch.folder / "p.glb", scene));
   CHECK(fs::file_size(scratch.folder / "p.glb") < 400000);
-  // 770 000 triangles: too many for a model that stands in the view, and told so.
+  // 770 000 triangles: too many for a model in the view, which is reported.
   CHECK(readGltf(scratch.folder / "p.glb").problem().text().find("more than 50000 triangles") != std::string::npos);
 }
 

@@ -411,8 +411,8 @@ TEST_CASE(
     const Vec3 hip = at + 0.5 * between + hip_off * sideways;
     const Contact c = tracker.step({hip});
     cut += tracker.cutShort() > 0;
-    // The HIP as rounded, in the plane between the centres: the SCP lies straight over it. Rounding tells the plane and
-    // the HIP's direction to some 1e-13 A at 400 A.
+    // The HIP, rounded, in the plane between the centres: the SCP lies straight above it. At 400 A, rounding limits the
+    // plane and the HIP's direction to about 1e-13 A.
     const Vec3 m = hip - (spheres[0].centre_A + 0.5 * between), u = glm::normalize(between),
                out = m - u * glm::dot(m, u);
     off_way += glm::distance(c.scp.A, at + 0.5 * between + 3.0 * glm::normalize(out)) >

@@ -27,7 +27,7 @@ std::unique_ptr<const SphereMotion> frame(const std::vector<Sphere>& from, const
   return *std::move(made);
 }
 
-// Frames in which every sphere goes to and fro by its own direction, up to `way_A`, and its radius by a tenth of that.
+// Frames in which every sphere oscillates in its own direction by up to `way_A`, and its radius by a tenth of that.
 Frames shaken(const std::vector<Sphere>& spheres, int count, double way_A, std::uint64_t seed) {
   scenes::Random random(seed);
   std::vector<Vec3> way(spheres.size());
@@ -169,7 +169,7 @@ TEST_CASE(
         for (int part = 1; part < 100; part += k < 2 ? 1 : 20)
           flow(frames[k]->at(fraction - (1.0 - 0.01 * part) / 33.0), hip);
         const bool contact = flow(spheres, hip);
-        // Both rest in the same local minimum of |x - h|, wherever it has gone.
+        // Both rest in the same local minimum of |x - h|, wherever it has moved.
         const bool same = contact == c.touching() && glm::distance(at, c.scp.A) < 1e-6;
         agree += same;
         if (!same) at = c.scp.A;

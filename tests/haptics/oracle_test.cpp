@@ -62,7 +62,7 @@ TEST_CASE(
   CHECK(glm::distance(in.scp_A, {0, 0, 4}) < 1e-13);
   const auto along = o.step({0.1, 1, 1});
   CHECK(glm::distance(along.scp_A, Vec3(0, 1, 1) * (4 / std::sqrt(2.0))) < 1e-13);
-  // Past the triangle (SCP, centre, centre) the crease lets go: the SCP is over the HIP on the right sphere.
+  // Beyond the triangle (SCP, centre, centre) the crease is left: the SCP is above the HIP on the right sphere.
   const auto out = o.step({4, 0, 2});
   CHECK(glm::distance(out.scp_A, Vec3(3, 0, 0) + Vec3(1, 0, 2) * (5 / std::sqrt(5.0))) < 1e-13);
 }

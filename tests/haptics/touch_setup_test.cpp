@@ -37,7 +37,7 @@ TEST_CASE(
     CHECK(fields.insert(p.field).second);
     CHECK_FALSE(p.meaning.empty());
     CHECK_FALSE(p.fallback.empty());
-    // What an interaction is made with stands in a recording's labels, all else in its ticks.
+    // Properties that require a rebuild are labels of a recording; all others are in its ticks.
     CHECK(p.label.empty() != p.requires_rebuild);
     const TouchValue usual = touchValue(TouchSetup(), p);
     if (const auto* number = std::get_if<double>(&usual)) {

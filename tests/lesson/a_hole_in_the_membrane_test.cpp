@@ -180,7 +180,7 @@ TEST_CASE("of the belt between 6 A and 30 A over two thirds are greasy and less 
   std::string line;
   int strands = 0;
   for (; std::getline(in, line);) strands += line.rfind("SHEET ", 0) == 0;
-  CHECK(strands - 1 == 16);  // the first strand stands at the end again, for the sheet is closed
+  CHECK(strands - 1 == 16);  // the first strand is repeated at the end, because the sheet is closed
 }
 
 TEST_CASE(

@@ -83,8 +83,8 @@ wrong: No.
 struct Mistake {
   const char* kind;
   std::string good, bad;  // the first text of the lesson is replaced by the second
-  std::string words;      // in what is told at that line
-  int below = 0;          // the line told stands so many below that where the texts begin
+  std::string words;      // words in the message at that line
+  int below = 0;          // distance in lines of the reported line from the beginning of the texts
 };
 
 const std::vector<Mistake>& mistakes() {
@@ -282,7 +282,7 @@ TEST_CASE(
   const LessonCheck good = checkLesson("l.md", kGood, onlyMix);
   for (const Problem& p : good.errors) FAIL_CHECK(p.text());
   for (const Problem& p : good.warnings) FAIL_CHECK(p.text());
-  std::map<std::string, std::pair<int, int>> reported;  // of each kind: told rightly, of
+  std::map<std::string, std::pair<int, int>> reported;  // of each kind: correctly reported, total
   for (const Mistake& m : mistakes()) {
     CAPTURE(m.kind);
     CAPTURE(m.bad);

@@ -51,7 +51,7 @@ bool probeReachesIron(const ShippedScene& whole, const std::string& chain, doubl
     }
   };
   shut(sphere_A, cells);
-  // Outside is where a sphere of 2.9 A has room on the rim of the box; no hollow inside the protein is so large.
+  // Outside is where a sphere of 2.9 A fits at the rim of the box; no cavity of the protein is so large.
   std::vector<char> large(cells.size(), Free);
   shut(2.9, large);
   std::vector<std::array<int, 3>> open;
@@ -237,7 +237,7 @@ TEST_CASE(
   };
   // Were it enough to touch the iron, most of the ways to it would be the wrong ones.
   CHECK(beta.places("element Fe", 0.6).size() > 2 * fromAbove(beta, 0.6));
-  // The hand is on the iron and on nothing else only after it was on the iron and a residue at once.
+  // The hand touches the iron alone only after it has touched the iron and a residue at once.
   std::vector<std::uint32_t> both = from;
   both.push_back(iron[0]);
   int above = 0;
@@ -247,7 +247,7 @@ TEST_CASE(
     ++above;
   }
   CHECK(above > 10);
-  // The faces of the iron above and below the ring are apart: nobody slides from one to the other on the iron alone.
+  // The faces of the iron above and below the ring are separate: no slide on the iron alone connects them.
   for (const SurfacePlace& p : beta.places("element Fe", 0.6, 20'000)) CHECK(std::abs(glm::dot(p.outward, up)) > 0.2);
 }
 

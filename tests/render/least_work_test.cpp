@@ -1,5 +1,5 @@
 // Pictures avoid unnecessary work: unchanged parts are reused, hidden ones are skipped, and a rotating view is coarser
-// on a slow machine. The oracle is the same picture drawn anew or completely.
+// on a slow machine. The oracle is the same picture, redrawn or drawn completely.
 #include <random>
 #include <set>
 

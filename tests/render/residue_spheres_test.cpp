@@ -23,7 +23,7 @@ std::shared_ptr<const Molecule> haemoglobin() {
   return read;
 }
 
-// What is no amino acid: it is coloured by its elements, of which a sphere has the mean.
+// Residues that are not amino acids are coloured by element; a sphere has the mean colour.
 AtomList others(const Molecule& m) {
   std::vector<std::uint32_t> out;
   for (std::uint32_t a = 0; a < m.atoms.size(); ++a)
@@ -127,7 +127,7 @@ TEST_CASE(
     "spheres; "
     "at that number each atom is drawn") {
   ViewScene scene = byResidue();
-  scene.theme.fade = 0.0f;  // which goes by how far the atoms reach
+  scene.theme.fade = 0.0f;  // which depends on the extent of the atoms
   scene.look.hidden = others(*scene.molecule);
   const Picture coarser = drawn(scene, 300, 200);
   CHECK(renderer().count().atoms == residueSpheres(*scene.molecule).spheres.size());

@@ -89,7 +89,7 @@ TEST_CASE(
     if (!writer.takeFault()) return 4;
     for (int k = 250; k < 500; ++k) writer.append(hint(k));
     if (writer.flush()) return 5;
-    if (writer.takeFault()) return 6;  // told already
+    if (writer.takeFault()) return 6;  // already reported
     limit.rlim_cur = free_again;
     ::setrlimit(RLIMIT_FSIZE, &limit);
     if (!writer.flush() || !writer.takeRecovered()) return 7;

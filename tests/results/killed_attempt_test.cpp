@@ -78,7 +78,7 @@ TEST_CASE(
     }
     if (t_s > 32.0 && !before) before = fs::file_size(killed);
   }
-  // Reading alone: 27 bytes each 0.9 s. (The way of the hand, which continues moving here, is told in lines of its own.)
+  // Reading alone: 27 bytes each 0.9 s. (The hand's continuing motion is written in lines of its own.)
   std::size_t still = 0, touching = 0;
   const Attempt attempt = *readAttempt(window.log.file(), ReadDepth::NoHipSamples);
   for (const AttemptEvent& e : attempt.events) {

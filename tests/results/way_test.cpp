@@ -127,7 +127,7 @@ TEST_CASE(
       }
     }
   }
-  // In the middle: sent to the aside and not gone yet, then gone.
+  // In the middle: sent to the aside but not there yet, then there.
   Student waits("Waits");
   waits.choose(1);
   waits.choose(1);

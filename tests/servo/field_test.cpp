@@ -29,7 +29,7 @@ struct LedDevice final : Device {
   void write(ForceN force) noexcept override { given_N = force.N; }
 };
 
-// A loop on a virtual clock with a hand that goes where it is led.
+// A loop on a virtual clock with a hand that follows its target.
 class Led {
  public:
   LedDevice device;

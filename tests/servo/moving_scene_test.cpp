@@ -122,7 +122,7 @@ TEST_CASE(
 }
 
 TEST_CASE("energy that a method makes is still a debt while the surface moves: a wall twice as stiff on the way out") {
-  // The same sphere grows all the while; the hand goes 2 mm in and out, and on the way out twice the force is wanted.
+  // The same sphere grows steadily while the hand moves 2 mm in and out; on the way out, twice the force is requested.
   class Dishonest final : public Tracker {
    public:
     explicit Dishonest(std::unique_ptr<Tracker> of) : of_(std::move(of)) {}
@@ -158,7 +158,8 @@ TEST_CASE("energy that a method makes is still a debt while the surface moves: a
       hand.tick(10.5 + std::cos(phase), {grows.get(), k / 2000.0});
       debt_J = std::max(debt_J, hand.step.safety().debt_J());
     }
-    // 2 mm at 0.5 N/mm hold 1 mJ, of which half more comes out than went in, less what the device's friction takes.
+    // 2 mm at 0.5 N/mm store 1 mJ; half more is returned than was stored, less the dissipation by the device's
+    // friction.
     if (dishonest)
       CHECK(debt_J > 2e-4);
     else

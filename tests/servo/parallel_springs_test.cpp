@@ -56,7 +56,7 @@ DeviceParameters slippery() {
   return device;
 }
 
-// A hand comes in along z to 8 mm under the heap's surface within 0.8 s and stands for 1.2 s.
+// A hand moves along z to 8 mm below the heap's surface within 0.8 s and rests there for 1.2 s.
 Pressed press(Interaction& felt, const DeviceParameters& device, const HandParameters& hand,
               double asked_N_per_mm = 0.5) {
   ServoSettings settings;

@@ -103,7 +103,7 @@ TEST_CASE(
   const ServoSample flat = hand.to(bar, {0, 0, -0.5 / s}, kNoRotation);
   CHECK(flat.force.N.z == doctest::Approx(k / s * 2 * 0.5).epsilon(1e-9));
   CHECK(glm::length(flat.torque_N_mm) < 1e-9);
-  // Turned about y, the end on +x goes down by 2 A sin 0.4, the other comes up and out.
+  // After a rotation about y, the end on +x moves down by 2 A sin 0.4; the other end moves up and out.
   const ServoSample tilted = hand.to(bar, {0, 0, -0.5 / s}, kTilted);
   const double down = Bar::kArm_A * std::sin(0.4), deep = 0.5 + down, across = Bar::kArm_A * std::cos(0.4);
   REQUIRE(down > 0.5);

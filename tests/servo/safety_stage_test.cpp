@@ -156,7 +156,8 @@ TEST_CASE("jump: 6 mm in a tick forget the contact, 4 mm do not; nor do 60 mm af
   for (int k = 0; k < 14; ++k) tick(stage, push(1), {.position = {{10, 0, 0}}, .fresh = false});
   CHECK_FALSE(stage.beginTick({.position = {{70, 0, 0}}}, {}));
   CHECK(stage.beginTick({.position = {{170, 0, 0}}}, {}));
-  CHECK_FALSE(stage.beginTick({.position = {{-170, 0, 0}}, .discontinuities = 1}, {}));  // placed anew: no way between
+  // repositioned: no displacement
+  CHECK_FALSE(stage.beginTick({.position = {{-170, 0, 0}}, .discontinuities = 1}, {}));
 }
 
 TEST_CASE("unplugged: no force in the very tick, the contact forgotten when it goes and when it comes back") {
@@ -192,7 +193,7 @@ TEST_CASE(
       last_N = force_N;
     }
     CHECK(last_N == doctest::Approx(next->max_force_N));
-    // Behind a mouse no motor warms; the stylus comes back hardly cooler than it went.
+    // With the mouse no motor heats; the stylus returns almost as warm as before.
     stage.setDevice(omni());
     stage.beginTick({}, {});
     if (next == &mouse) CHECK(stage.heat() == doctest::Approx(warm * std::exp(-0.5 / 30)).epsilon(0.01));

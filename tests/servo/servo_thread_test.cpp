@@ -15,7 +15,7 @@ using namespace moltact;
 
 namespace {
 
-// A device whose hand stays at one place and that counts what it is told.
+// A device whose hand is at rest and that counts its outputs.
 class StillDevice final : public Device {
  public:
   const DeviceInfo& info() const noexcept override { return info_; }
@@ -67,7 +67,7 @@ class ClockedDevice final : public Device {
   std::thread clock_;
 };
 
-// A tracker that always pushes along x and tells which thread it is destroyed on.
+// A tracker that always pushes along x and records the thread of its destruction.
 class PushingTracker final : public test::WithoutMemory<Tracker> {
  public:
   explicit PushingTracker(std::atomic<int>& alive, std::thread::id& destroyed_on)
@@ -89,7 +89,7 @@ class PushingTracker final : public test::WithoutMemory<Tracker> {
   std::thread::id& destroyed_on_;
 };
 
-// A tracker whose SCP tells which one it is.
+// A tracker whose SCP identifies it.
 class MarkedTracker final : public test::WithoutMemory<Tracker> {
  public:
   explicit MarkedTracker(std::uint32_t mark) : mark_(mark) {}

@@ -55,7 +55,7 @@ SceneSpec heldScene() { return lesson(step(""))->steps[0].scene; }
 Quat aboutZ(double deg) { return glm::angleAxis(glm::radians(deg), Vec3(0, 0, 1)); }
 double apart_deg(const Quat& a, const Quat& b) { return glm::degrees(glm::length(rotationBetween(a, b))); }
 
-// Samples of a hand that presses these atoms with the body, for so long.
+// Samples of a hand that presses the body against these atoms for this time.
 void pressWithBody(Task& task, double& time_s, std::array<std::int32_t, 3> atoms, double force_N, double for_s,
                    const Vec3& middle_A = Vec3(0.0)) {
   TouchSample s;

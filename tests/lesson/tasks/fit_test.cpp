@@ -26,7 +26,7 @@ Molecule cage() {
 
 const Keys kKeys{{"fit", "name C"}, {"least", "0.2 Å"}, {"most", "4 Å"}, {"attempts", "1"}};
 
-// The limit is told when the one guess that there is was wrong.
+// The limit as reported after the only guess was wrong.
 std::string limitOf(Task& task) {
   constexpr double kProven_A = 0.3;
   task.answer({.number = kProven_A});

@@ -9,7 +9,7 @@ namespace {
 
 const Keys kProbes{{"same", "anywhere"}, {"probe", "2 Å"}, {"trials", "8"}, {"for", "0.2 s"}};
 
-/// What one pair was, as only an omniscient observer knows it.
+/// The true values of one pair, which no student can see.
 struct Pair {
   bool differ = false;
   std::string order;
