@@ -172,7 +172,7 @@ class Check {
                       tr("name other atoms, or change the scene's 'untouchable' or 'remove'"));
       return;
     }
-    for (Problem& idle : selection.idleNames(molecule))
+    for (Problem& idle : selection.unmatchedNames(molecule))
       findings_.warning(at(idle), std::move(idle.message), std::move(idle.remedy));
   }
 

@@ -325,7 +325,7 @@ LessonReading readLessonText(const std::string& name, std::string bytes) {
   const std::vector<Place> open_fences = reading::findOpenFences(source, body);
   if (tree) {
     const bool whole = Walk(reading, lesson).run(*tree);
-    if (whole && open_fences.empty()) reading::finishWays(reading, lesson);
+    if (whole && open_fences.empty()) reading::resolveGoalsAndRules(reading, lesson);
     if (open_fences.empty()) reading::findLineSlips(reading, body);
     if (whole && open_fences.empty()) reading::checkLinks(reading, lesson);
   } else {

@@ -67,7 +67,7 @@ void readStep(Reading& reading, const MarkdownBlock& block, const Lesson& lesson
   step.goals = readGoals(reading, values["goal"], lesson);
 }
 
-void finishWays(Reading& reading, Lesson& lesson) {
+void resolveGoalsAndRules(Reading& reading, Lesson& lesson) {
   for (Step& step : lesson.steps) {
     for (TaskSpec& task : step.tasks)
       if (task.goals.empty()) task.goals = step.goals;

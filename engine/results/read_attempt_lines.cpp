@@ -319,7 +319,7 @@ class BeganReader : public nlohmann::json_sax<Json> {
 
 }  // namespace
 
-std::string beganOf(std::string_view line) {
+std::string beginTimeOf(std::string_view line) {
   BeganReader reader;
   Json::sax_parse(line.begin(), line.end(), &reader);
   return reader.began;

@@ -74,7 +74,7 @@ bool LessonHand::finishLesson() {
     }
     for (std::size_t q = 0; q < session().step().questions.size(); ++q) {
       if (errs_) answerWrongly(q);
-      answerRightly(q);
+      answerCorrectly(q);
     }
     if (!session().hasNext()) return session().finished();
     if (mouse())
@@ -314,7 +314,7 @@ void LessonHand::answerWrongly(std::size_t q) {
   }
 }
 
-void LessonHand::answerRightly(std::size_t q) {
+void LessonHand::answerCorrectly(std::size_t q) {
   if (session().question(q).answered_right) return;
   const Question& asked = session().step().questions[q];
   if (asked.choices.empty()) {

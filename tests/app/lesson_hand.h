@@ -44,7 +44,7 @@ class LessonHand {
   bool doTask(std::size_t task);
   bool isCurrent(std::size_t task) const;
 
-  void answerRightly(std::size_t question);
+  void answerCorrectly(std::size_t question);
   void answerWrongly(std::size_t question);
   /// Makes the mistakes possible in this kind of task: a guess elsewhere, the first pair inverted, a probe that is too
   /// small, the other end marked first. Does nothing for other kinds.

@@ -140,7 +140,8 @@ TEST_CASE("names and numbers that select nothing beside others that do are repor
   const Molecule m = mixedMolecule();
   const auto idle = [&](const char* text) {
     std::string out;
-    for (const Problem& p : parseSelection(text)->idleNames(m)) out += std::to_string(p.column) + " " + p.message + "|";
+    for (const Problem& p : parseSelection(text)->unmatchedNames(m))
+      out += std::to_string(p.column) + " " + p.message + "|";
     return out;
   };
   CHECK(

@@ -215,11 +215,11 @@ TEST_CASE("4 attempts without a name are 4 attempts and no students; beside 1 na
 }
 
 TEST_CASE("an attempt's beginning is read from its first line alone, whatever else the line holds") {
-  CHECK(beganOf(R"({"kind":"attempt","began":"2026-11-21T10:58:14Z","lesson":)") == "2026-11-21T10:58:14Z");
-  CHECK(beganOf(R"({"lesson":{"began":"x"},"student":"\"began\":\"y\"", "began" : "z"})") == "z");
-  CHECK(beganOf(R"({"began":7})").empty());
-  CHECK(beganOf("[\"began\",\"x\"]").empty());
-  CHECK(beganOf("").empty());
+  CHECK(beginTimeOf(R"({"kind":"attempt","began":"2026-11-21T10:58:14Z","lesson":)") == "2026-11-21T10:58:14Z");
+  CHECK(beginTimeOf(R"({"lesson":{"began":"x"},"student":"\"began\":\"y\"", "began" : "z"})") == "z");
+  CHECK(beginTimeOf(R"({"began":7})").empty());
+  CHECK(beginTimeOf("[\"began\",\"x\"]").empty());
+  CHECK(beginTimeOf("").empty());
 }
 
 TEST_CASE("two lessons of one file name and different titles stay two, with columns of their own") {

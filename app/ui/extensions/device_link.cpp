@@ -32,7 +32,7 @@ std::string DeviceLink::titleOf(const std::string& name) const {
   return driver && driver->find_at ? tr(driver->find_at("").title.c_str()) : name;
 }
 
-bool DeviceLink::nobodyChose() const { return settings_.device.empty() && options_.device.empty(); }
+bool DeviceLink::noneChosen() const { return settings_.device.empty() && options_.device.empty(); }
 
 std::string& DeviceLink::address(const DeviceDriver& driver) {
   const std::string own = std::string(driver.name) + ':';
@@ -176,7 +176,7 @@ void DeviceLink::begin() {
 
 double DeviceLink::lookEvery_s() const {
   if (panels_.device_page) return kLook_s;
-  return nobodyChose() && options_.devices_unasked ? kLookForOffer_s : 0.0;
+  return noneChosen() && options_.devices_unasked ? kLookForOffer_s : 0.0;
 }
 
 void DeviceLink::look() {
@@ -192,7 +192,7 @@ void DeviceLink::look() {
 
 // Only at the start is a device used without being chosen. Later nothing changes without the user.
 void DeviceLink::offer() {
-  if (!nobodyChose() || !options_.devices_unasked) return;
+  if (!noneChosen() || !options_.devices_unasked) return;
   if (std::exchange(takes_default_, false)) {
     const std::string name = defaultDevice(found_).name;
     if (name != "mouse") wish(name, For::Default);

@@ -118,7 +118,7 @@ class DeviceLink : public Extension {
   void use(const std::string& name, std::unique_ptr<Device> device);
   void taken(const std::string& name);
   std::string titleOf(const std::string& name) const;
-  bool nobodyChose() const;
+  bool noneChosen() const;
   void await(const std::string& name, const std::string& title);
   void begin();
   void look();

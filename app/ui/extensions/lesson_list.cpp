@@ -91,7 +91,7 @@ void LessonList::sort() {
     const auto item = [](const LessonCard& c) {
       return LibraryItem{c.own ? c.title : c.id, c.title, c.file, c.own ? "" : c.level, c.own ? 0 : c.minutes, c.order};
     };
-    return standsBefore(item(a), item(b));
+    return precedes(item(a), item(b));
   });
 }
 

@@ -79,7 +79,7 @@ void StateText::afterPanels() {
   }
   if (reading_.text() == what) named_atoms_ = contact.atoms;
   if (speaking_.update(what, whole, force_N, time_.now_s)) write(whole);
-  owing_ = reading_.owes(what) || ((to_terminal_ || file_) && speaking_.owes(what));
+  owing_ = reading_.hasUnreported(what) || ((to_terminal_ || file_) && speaking_.hasUnreported(what));
 }
 
 }  // namespace moltact

@@ -25,7 +25,7 @@ class StateLine {
 
   const std::string& text() const { return text_; }
   /// Whether `what` has not been reported yet.
-  bool owes(const std::string& what) const { return what != reported_; }
+  bool hasUnreported(const std::string& what) const { return what != reported_; }
 
  private:
   Pace pace_;

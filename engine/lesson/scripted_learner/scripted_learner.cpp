@@ -59,10 +59,10 @@ bool ScriptedLearner::timeIsUp() const { return touch_.time_s() - task_begun_s_ 
 void ScriptedLearner::tick(const PoseA& hand) {
   const std::size_t task = session_.currentTask();
   session_.feed(touch_.tick(hand));
-  if (session_.currentTask() != task) tellDone(task);
+  if (session_.currentTask() != task) reportDone(task);
 }
 
-void ScriptedLearner::tellDone(std::size_t task) {
+void ScriptedLearner::reportDone(std::size_t task) {
   const bool solved = session_.task(task).solved;
   LearnerEvent e = event(solved ? LearnerEvent::Kind::Task : LearnerEvent::Kind::GaveUp);
   e.index = task;
@@ -80,7 +80,7 @@ void ScriptedLearner::tell(const TaskAnswer& answer) {
   const std::size_t task = session_.currentTask();
   session_.answerTask(answer);
   if (session_.currentTask() != task)
-    tellDone(task);
+    reportDone(task);
   else
     touch_.setStage(session_.taskStage());
 }
@@ -141,7 +141,7 @@ bool ScriptedLearner::doTask() {
   return false;
 }
 
-void ScriptedLearner::tellAnswer(std::size_t question, const std::string& answer, bool right, int attempts_before) {
+void ScriptedLearner::reportAnswer(std::size_t question, const std::string& answer, bool right, int attempts_before) {
   LearnerEvent e = event(LearnerEvent::Kind::Question);
   e.index = question;
   e.place = session_.step().questions[question].place;
@@ -167,15 +167,15 @@ void ScriptedLearner::choose(std::size_t question, const std::vector<std::size_t
   for (const std::size_t k : choices)
     if (const auto& there = session_.step().questions[question].choices; k < there.size())
       answer += (answer.empty() ? "" : "; ") + plainText(there[k].text);
-  tellAnswer(question, answer, right, before);
+  reportAnswer(question, answer, right, before);
 }
 
 void ScriptedLearner::write(std::size_t question, const std::string& text) {
   const int before = session_.question(question).attempts;
-  tellAnswer(question, text, session_.write(question, text), before);
+  reportAnswer(question, text, session_.write(question, text), before);
 }
 
-void ScriptedLearner::answerRightly(std::size_t question) {
+void ScriptedLearner::answerCorrectly(std::size_t question) {
   const Question& asked = session_.step().questions[question];
   if (asked.choices.empty() && asked.answer) {
     const AnswerSpec& answer = *asked.answer;
@@ -219,7 +219,7 @@ void ScriptedLearner::demonstrateStep() {
   while (session_.currentTask() < session_.step().tasks.size())
     if (!doTask()) break;
   for (std::size_t q = 0; q < session_.step().questions.size(); ++q)
-    if (session_.takesAnswer(q)) answerRightly(q);
+    if (session_.takesAnswer(q)) answerCorrectly(q);
 }
 
 }  // namespace moltact

@@ -58,7 +58,7 @@ class ScriptedLearner {
   bool doTask();
   /// Gives the right answer to a question of the step: all right choices, the number or the first of the words; for a
   /// free question, a sentence.
-  void answerRightly(std::size_t question);
+  void answerCorrectly(std::size_t question);
   /// Answers a question with choices by their index, or with text.
   void choose(std::size_t question, const std::vector<std::size_t>& choices);
   void write(std::size_t question, const std::string& text);
@@ -83,8 +83,8 @@ class ScriptedLearner {
   void demonstrateStep();
   void tick(const PoseA& hand);
   bool timeIsUp() const;
-  void tellDone(std::size_t task);
-  void tellAnswer(std::size_t question, const std::string& answer, bool right, int attempts_before);
+  void reportDone(std::size_t task);
+  void reportAnswer(std::size_t question, const std::string& answer, bool right, int attempts_before);
   LearnerEvent event(LearnerEvent::Kind kind) const;
 
   LessonSession session_;
