@@ -8,8 +8,8 @@
 
 namespace moltact {
 
-std::string_view nameOf(InputKind way) {
-  switch (way) {
+std::string_view nameOf(InputKind input) {
+  switch (input) {
     case InputKind::Device:
       return N_("device");
     case InputKind::Mouse:
@@ -20,7 +20,7 @@ std::string_view nameOf(InputKind way) {
   return N_("mouse");
 }
 
-std::string shownName(InputKind way) { return std::string(tr(nameOf(way))); }
+std::string shownName(InputKind input) { return std::string(tr(nameOf(input))); }
 
 std::size_t LessonOutline::parts() const {
   std::size_t n = 0;

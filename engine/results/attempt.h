@@ -24,9 +24,9 @@ namespace moltact {
 /// The input that moved the probe or gave an answer.
 enum class InputKind : std::uint8_t { Device, Mouse, Keyboard };
 /// "device", "mouse" or "keyboard".
-std::string_view nameOf(InputKind way);
+std::string_view nameOf(InputKind input);
 /// The same in the language in use.
-std::string shownName(InputKind way);
+std::string shownName(InputKind input);
 
 /// The kinds of answers: right or wrong (Marked), expectations before the touch (Prediction), or unassessed (Free).
 /// Only the first kind is scored.

@@ -152,7 +152,7 @@ class Counting {
     p_.touch_s += lasted_s;
     p_.peak_N = std::max(p_.peak_N, e.peak_N);
     p_.path_A += e.path_A;
-    p_.touch_ways_s[static_cast<std::size_t>(e.by)] += lasted_s;
+    p_.touch_by_input_s[static_cast<std::size_t>(e.by)] += lasted_s;
   }
   // Counts a touch without a recorded end: the program was killed.
   void endOpenTouch() {
@@ -185,8 +185,8 @@ std::size_t PersonScore::firstRight() const {
   }));
 }
 
-std::optional<InputKind> PersonScore::way() const {
-  WayShares shares = touch_ways_s;
+std::optional<InputKind> PersonScore::input() const {
+  InputShares shares = touch_by_input_s;
   if (touches == 0)
     for (const auto& [question, answer] : answers) shares[static_cast<std::size_t>(answer.by)] += 1.0;
   const auto most = std::max_element(shares.begin(), shares.end());

@@ -16,8 +16,8 @@
 
 namespace moltact {
 
-inline constexpr std::size_t kWays = 3;  ///< number of InputKind's values
-using WayShares = std::array<double, kWays>;
+inline constexpr std::size_t kInputKinds = 3;  ///< number of InputKind's values
+using InputShares = std::array<double, kInputKinds>;
 
 /// A person's first answer to a question, and the further tries. For predictions and free answers, the last answer
 /// counts instead.
@@ -51,8 +51,8 @@ struct PersonScore {
   double time_s = 0.0;
   std::size_t hints = 0, touches = 0, crossings = 0;
   double touch_s = 0.0, peak_N = 0.0, mean_N = 0.0, path_A = 0.0;
-  WayShares touch_ways_s{};  ///< time of touch by way of input
-  std::string device;        ///< of the last attempt
+  InputShares touch_by_input_s{};  ///< time of touch by way of input
+  std::string device;              ///< of the last attempt
   bool gives_force = false;
   std::map<std::string, double> step_s;                                ///< by step id
   std::map<std::pair<std::string, std::string>, AnswerScore> answers;  ///< by step and question id
@@ -68,7 +68,7 @@ struct PersonScore {
   std::size_t answered() const;
   std::size_t firstRight() const;
   /// The way of input with the longest touch, or without touch the one with the most answers. No value without both.
-  std::optional<InputKind> way() const;
+  std::optional<InputKind> input() const;
 };
 
 /// The results of one or more people for one of the lesson's goals.

@@ -10,7 +10,7 @@
 namespace moltact::page {
 namespace {
 
-constexpr std::array kWayOrder{InputKind::Device, InputKind::Mouse, InputKind::Keyboard};
+constexpr std::array kInputOrder{InputKind::Device, InputKind::Mouse, InputKind::Keyboard};
 
 // The range of the scales: no value of an attempt exceeds it (attempt_ranges.h), nor do sums of them.
 constexpr double kGreatest = 1e15, kMin = 1e-12;
@@ -37,11 +37,11 @@ std::vector<double> sortedValues(const std::vector<Measured>& values) {
 }  // namespace
 
 // Disc, square, triangle.
-void drawMark(Svg& svg, InputKind way, double x, double y) {
-  const std::string look = "class=\"mark " + wayClass(way) + "\"";
-  if (way == InputKind::Device)
+void drawMark(Svg& svg, InputKind input, double x, double y) {
+  const std::string look = "class=\"mark " + inputClass(input) + "\"";
+  if (input == InputKind::Device)
     svg.circle(x, y, 3.2, look);
-  else if (way == InputKind::Mouse)
+  else if (input == InputKind::Mouse)
     svg.rect(x - 2.8, y - 2.8, 5.6, 5.6, look);
   else
     svg.path(svgPoint('M', x, y - 3.4) + "l3.4 6h-6.8z", look);
@@ -56,15 +56,15 @@ std::string duration(double time_s) {
   return numberText(time_s / 60.0, decimals(time_s < 600 ? 1 : 0)) + "\u00a0min";
 }
 
-std::string wayClass(InputKind way) { return "way-" + std::string(nameOf(way)); }
+std::string inputClass(InputKind input) { return "way-" + std::string(nameOf(input)); }
 
-std::string waysText(const PersonScore& person) {
+std::string inputsText(const PersonScore& person) {
   std::vector<std::pair<double, InputKind>> shares;
-  for (const InputKind w : kWayOrder)
-    if (const double s = person.touch_ways_s[std::size_t(w)]; s > 0) shares.emplace_back(s, w);
+  for (const InputKind w : kInputOrder)
+    if (const double s = person.touch_by_input_s[std::size_t(w)]; s > 0) shares.emplace_back(s, w);
   if (shares.empty()) {
-    const auto way = person.way();
-    return way ? shownName(*way) : "–";
+    const auto input = person.input();
+    return input ? shownName(*input) : "–";
   }
   std::stable_sort(shares.begin(), shares.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
   if (shares.size() == 1) return shownName(shares[0].second);
@@ -92,7 +92,7 @@ std::string histogram(const std::string& title, const std::string& unit, std::ve
   const double first = counted ? 0.0 : std::floor(sorted.front() / width) * width;
   const auto binOf = [&](double value) { return static_cast<std::size_t>((value - first) / width + 1e-9); };
   const std::size_t bins = binOf(sorted.back()) + 1;
-  std::vector<std::array<int, kWays>> counts(bins);
+  std::vector<std::array<int, kInputKinds>> counts(bins);
   for (const Measured& m : values) ++counts[binOf(m.value)][std::size_t(m.by)];
   int max = 1;
   for (const auto& c : counts) max = std::max(max, c[0] + c[1] + c[2]);
@@ -108,11 +108,11 @@ std::string histogram(const std::string& title, const std::string& unit, std::ve
   }
   for (std::size_t b = 0; b < bins; ++b) {
     double y = kTop + kHigh;
-    for (const InputKind w : kWayOrder) {
+    for (const InputKind w : kInputOrder) {
       const double high = counts[b][std::size_t(w)] * unit_high;
       if (high <= 0) continue;
       y -= high;
-      svg.rect(kLeft + each * double(b) + 1, y, each - 2, high, "class=\"bar " + wayClass(w) + "\"");
+      svg.rect(kLeft + each * double(b) + 1, y, each - 2, high, "class=\"bar " + inputClass(w) + "\"");
     }
   }
   const int digits = digitsFor(width);

@@ -22,11 +22,11 @@ std::string percent(double share);
 std::string duration(double time_s);
 
 /// The CSS class of the fill for a way of input, "way-mouse".
-std::string wayClass(InputKind way);
+std::string inputClass(InputKind input);
 /// Draws the mark of a way of input around a place: disc, square or triangle.
-void drawMark(Svg& svg, InputKind way, double x, double y);
+void drawMark(Svg& svg, InputKind input, double x, double y);
 /// "mouse 80 %, keyboard 20 %", in descending order; "–" without touch.
-std::string waysText(const PersonScore& person);
+std::string inputsText(const PersonScore& person);
 
 /// A value and the way of input by which it was measured.
 struct Measured {

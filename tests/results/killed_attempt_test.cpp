@@ -74,7 +74,7 @@ TEST_CASE(
       CHECK(score.touches == 1);
       CHECK(score.peak_N == 2.0);
       CHECK(score.mean_N == 2.0);
-      CHECK(score.way() == InputKind::Device);
+      CHECK(score.input() == InputKind::Device);
     }
     if (t_s > 32.0 && !before) before = fs::file_size(killed);
   }

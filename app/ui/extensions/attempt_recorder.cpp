@@ -182,7 +182,7 @@ void AttemptRecorder::beforeTicks() {
 void AttemptRecorder::ticks(const FeltTicks& felt) {
   if (!log_ || paused_) return;
   const double last_s = felt.ticks.back().sample.time_s;
-  const InputKind way = realDevice(scene_) ? InputKind::Device : input_.way();
+  const InputKind way = realDevice(scene_) ? InputKind::Device : input_.kind();
   for (const FeltTick& tick : felt.ticks) {
     const ServoSample& s = tick.sample;
     if (!s.has_interaction) continue;
@@ -194,7 +194,7 @@ void AttemptRecorder::ticks(const FeltTicks& felt) {
 void AttemptRecorder::sceneChanged() { touch_watch_.breakOff(); }
 
 void AttemptRecorder::lookAtWay() {
-  InputChanged is{realDevice(scene_) ? InputKind::Device : input_.way(), deviceName(scene_), gaveForce(scene_)};
+  InputChanged is{realDevice(scene_) ? InputKind::Device : input_.kind(), deviceName(scene_), gaveForce(scene_)};
   if (way_ == is) return;
   add(is);
   way_ = std::move(is);
@@ -240,7 +240,7 @@ void AttemptRecorder::afterPanels() {
   lookAtView();
   bool further = false;
   for (AttemptEvent& e : touch_watch_.take(now_s_)) add(std::move(e));
-  for (AttemptEvent& e : session_watch_.look(*session, now_s_, input_.way())) {
+  for (AttemptEvent& e : session_watch_.look(*session, now_s_, input_.kind())) {
     further = true;
     // Tasks are solved by touch, so the input device is recorded with them.
     if (auto* done = std::get_if<TaskDone>(&e.what)) done->by = way_->by;

@@ -14,11 +14,11 @@ void InputKindWatch::look(const ImGuiIO& io) {
   const bool button = std::any_of(std::begin(io.MouseDown), std::end(io.MouseDown), [](bool down) { return down; });
   // Motion alone does not count, because a hand may lean on the mouse while typing.
   if (button || io.MouseWheel != 0.0f)
-    way_ = InputKind::Mouse;
+    kind_ = InputKind::Mouse;
   else if (key)
-    way_ = InputKind::Keyboard;
+    kind_ = InputKind::Keyboard;
   else if (io.MouseDelta.x != 0.0f || io.MouseDelta.y != 0.0f)
-    way_ = InputKind::Mouse;
+    kind_ = InputKind::Mouse;
 }
 
 }  // namespace moltact

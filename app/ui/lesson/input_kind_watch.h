@@ -11,10 +11,10 @@ class InputKindWatch {
  public:
   /// Called once per frame while the frame's input is available.
   void look(const ImGuiIO& io);
-  InputKind way() const { return way_; }
+  InputKind kind() const { return kind_; }
 
  private:
-  InputKind way_ = InputKind::Mouse;
+  InputKind kind_ = InputKind::Mouse;
 };
 
 }  // namespace moltact
