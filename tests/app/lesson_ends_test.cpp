@@ -136,7 +136,7 @@ TEST_CASE("H opens the first hint, then the second, then closes both") {
   for (const std::size_t open : {1u, 2u, 0u}) {
     o.driver->tap("H");
     o.driver->frames(2);
-    CHECK(o.driver->app().panels.hints == open);
+    CHECK(o.driver->app().lesson.session()->hintsOpen() == open);
   }
 }
 

@@ -219,7 +219,7 @@ TEST_CASE("an attempt keeps where the slider between two structures was, and its
     driver->frames(10);
     REQUIRE(app.extensions().moving_states.there());
     first_z = last_z(*driver);
-    app.panels.hints = 1;  // of an attempt at nothing no file is kept
+    app.lesson.session()->openHints(1);  // of an attempt at nothing no file is kept
     driver->frames(5);
     app.extensions().moving_states.goTo(0.5);
     driver->frames(240);

@@ -115,7 +115,6 @@ void Application::enterScene() {
   notifyStepChanged();
   const SceneSpec* spec = lesson.takeNewScene();
   if (!spec) return;
-  panels.hints = 0;
   scene.setTouch(spec->touch);
   scene.shown = lesson.shownParts();
   scene.colour_by = colourBy(*spec);
@@ -323,6 +322,9 @@ void Application::frame(double dt_s, glm::vec2 window_px) {
   layPanelsOut(window_px);
   panels_(*this);
   enterScene();
+  if (LessonSession* session = lesson.session())
+    if (const std::vector<SessionEvent> events = session->takeEvents(); !events.empty())
+      for (Extension* e : extensions) e->lessonEvents(events);
   for (Extension* e : extensions) e->afterPanels();
 }
 

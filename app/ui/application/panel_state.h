@@ -30,7 +30,6 @@ struct PanelState : KeyFocus {
   bool methods = false;        ///< in the touch panel's place, behind a tab
   bool methods_first = false;  ///< which of the two is in front
   bool set_by_lesson = false;  ///< the lesson's step set touch and methods, so that another sets them back
-  std::size_t hints = 0;       ///< so many of the current step's hints are open, the first ones
   bool teacher_notes = false;  ///< the lesson's notes for the teacher are shown; never to the next student
   float messages_end = 0.0f;   ///< where the messages over the view ended in the last frame (unit: pixel); 0: none
   bool legend = false;         ///< the legend of colours is open where it is too large for the view
@@ -47,7 +46,6 @@ struct PanelState : KeyFocus {
   float lesson_question_y = 0.0f;       ///< where the step's last unanswered question begins (unit: pixel); 0: none
   float lesson_text_end = 0.0f;         ///< of what is shown of the lesson's text (unit: pixel)
   SeenParts lesson_seen;                ///< of the step: what the student has had the time to see
-  std::size_t lesson_done = 0;          ///< its tasks and questions done when it was last drawn
   double lesson_done_s = -1.0;          ///< when one was done last, by the frames' clock
   struct LessonPart {
     bool task = false;  ///< a task, else a question

@@ -97,10 +97,11 @@ struct BlockPainter {
   void operator()(const Tip& tip) {
     const Look& l = look();
     const std::size_t mine = hint++;
-    bool open = mine < app.panels.hints;
+    LessonSession& session = *app.lesson.session();
+    bool open = mine < session.hintsOpen();
     // The key opens the next hint; a click opens this one and those before it.
-    const std::string label = mine == app.panels.hints ? withKey(tr("Hint"), "H") : std::string(tr("Hint"));
-    if (disclosure((name + "/hint").c_str(), label.c_str(), open)) app.panels.hints = open ? mine + 1 : mine;
+    const std::string label = mine == session.hintsOpen() ? withKey(tr("Hint"), "H") : std::string(tr("Hint"));
+    if (disclosure((name + "/hint").c_str(), label.c_str(), open)) session.openHints(open ? mine + 1 : mine);
     if (!open) return;
     onGround(l.palette.warn_soft, [&](float x, float width) {
       for (const RichText& p : tip.paragraphs) {

@@ -52,13 +52,12 @@ bool lessonKeyOnItem(Application& app, char key, std::string name) {
   return lessonKeyActs(app, key, {std::move(name), ImGui::GetItemRectMin().y, ImGui::GetItemRectMax().y});
 }
 
-void watchDone(Application& app) {
-  const LessonSession& session = *app.lesson.session();
-  std::size_t done = 0;
-  for (std::size_t k = 0; k < session.step().tasks.size(); ++k) done += session.taskDone(session.stepIndex(), k);
-  for (std::size_t k = 0; k < session.step().questions.size(); ++k) done += session.question(k).done();
-  if (done > app.panels.lesson_done) app.panels.lesson_done_s = app.now_s();
-  app.panels.lesson_done = done;
+void noteDone(Application& app) {
+  for (const SessionEvent& e : app.lesson.session()->events()) {
+    const AnswerJudged* answer = std::get_if<AnswerJudged>(&e);
+    if (std::holds_alternative<TaskFinished>(e) || (answer && answer->completes))
+      app.panels.lesson_done_s = app.now_s();
+  }
 }
 
 void scrollByKeys() {

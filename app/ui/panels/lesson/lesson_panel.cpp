@@ -163,17 +163,17 @@ std::string drawStep(Application& app, LessonSession& session) {
   const std::size_t introduced = first ? hintsIn(session.lesson().introduction) : 0;
   const std::size_t hints = introduced + hintsIn(session.step().blocks);
   // Opens the hints one by one; after the last one, closes all.
-  if (lessonKeyPressed('H')) app.panels.hints = app.panels.hints < hints ? app.panels.hints + 1 : 0;
+  if (lessonKeyPressed('H')) session.openHints(session.hintsOpen() < hints ? session.hintsOpen() + 1 : 0);
   drawHead(app, session);
   ImGui::Spacing();
   std::string link;
-  watchDone(app);
+  noteDone(app);
   app.panels.lesson_question_y = app.panels.lesson_task_y = 0.0f;
   if (first) drawLessonGoals(app, session);
   if (first) link = drawLessonBlocks(app, session.lesson().introduction, "lesson/intro", 0);
   if (const std::string other = drawLessonBlocks(app, session.step().blocks, "lesson", introduced); !other.empty())
     link = other;
-  watchDone(app);
+  noteDone(app);
   if (const std::string extra = drawExtrasOffered(session); !extra.empty()) link = extra;
   return link;
 }
