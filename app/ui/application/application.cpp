@@ -140,7 +140,7 @@ void Application::beginSceneAgain(std::optional<PointA> before, const std::optio
                                   const std::vector<std::uint32_t>& removed) {
   // What is felt is made anew where other atoms are taken from the hand.
   if (TouchableModel felt =
-          withUntouchable(scene.restingModel(), atomsOfEither(lesson.untouchable(), removed), lesson.held());
+          withUntouchable(scene.atoms().resting(), atomsOfEither(lesson.untouchable(), removed), lesson.held());
       felt.spheres != scene.stage().spheres)
     scene.show(std::move(felt), scene.molecule(), facing());
   if (before)
@@ -219,7 +219,7 @@ void Application::cutOpen() {
 
 void Application::showView(const ViewSpec& view) {
   if (!scene.stage()) return;
-  const Molecule& molecule = *scene.seenMolecule();
+  const Molecule& molecule = *scene.atoms().seen();
   const SceneSpec spec = lesson.session() && lesson.onStage() ? lesson.session()->scene() : SceneSpec();
   const Camera seen = scene.camera;
   scene.camera = scene.cameraFor([&](Camera& camera, const Molecule& m) { faceView(camera, m, view, spec); },
@@ -229,7 +229,7 @@ void Application::showView(const ViewSpec& view) {
 
 void Application::zoomTo(std::span<const std::uint32_t> atoms) {
   const TouchableModel& stage = scene.stage();
-  const auto part = stage ? regionAround(atoms, *scene.seenMolecule(), scene.servo_settings.probe_A) : std::nullopt;
+  const auto part = stage ? regionAround(atoms, *scene.atoms().seen(), scene.servo_settings.probe_A) : std::nullopt;
   if (!part) return;
   const Camera seen = scene.camera;
   // Seen from outside: where they lie deep, whatever is before them.

@@ -123,7 +123,7 @@ void HandRecorder::begin() {
   panels_.welcome = false;
   // The recorded touch settings and held body if the molecule is identical to the last bit; otherwise those of the open
   // scene.
-  if (const RecordedScene was = recordedScene(waiting_->labels, scene_.restingModel().molecule->spheres);
+  if (const RecordedScene was = recordedScene(waiting_->labels, scene_.atoms().resting().molecule->spheres);
       label("balls") == fingerprint(*was.spheres))
     body_.hold(was.spheres->untouchable(), was.body ? was.body->atoms : std::vector<std::uint32_t>());
   const auto labels = sceneLabels(*scene_.stage().spheres, scene_.stage().body.get());

@@ -146,7 +146,7 @@ ViewInput readInput(Application& app, ImVec2 low, glm::dvec2 size) {
 ViewScene seenScene(const Application& app) {
   ViewScene scene;
   const ServoSample& now = app.scene.log().latest();
-  scene.molecule = app.scene.seenMolecule();
+  scene.molecule = app.scene.atoms().seen();
   scene.camera = app.scene.camera;
   scene.shown = app.extensions().unseen.shownParts();
   scene.theme = look().viewTheme();
@@ -234,7 +234,7 @@ void drawViewPanel(Application& app) {
   const SceneChange& change = app.extensions().scene_change;
   const ViewScene scene = seenScene(app);
   picture.draw(scene, int(size.x), int(size.y),
-               app.scene.controls.cameraMoved() || change.gliding() || app.scene.atomsMove(), look().scale);
+               app.scene.controls.cameraMoved() || change.gliding() || app.scene.atoms().moving(), look().scale);
   if (picture.texture()) addPicture(*ImGui::GetWindowDrawList(), picture.texture(), r, picture.version());
   if (change.oldPicture() > 0 && picture.kept())
     ImGui::GetWindowDrawList()->AddImage(picture.kept(), low, high, {0, 1}, {1, 0},

@@ -43,16 +43,13 @@ bool inTheOpen(const TouchableModel& stage, const ServoSample& now, const Sphere
 HapticSession::HapticSession(ServoClock clock) : servo_(clock) {}
 
 void HapticSession::show(TouchableModel next, const MoleculeKey& molecule, const Facing& facing) {
-  stage_ = resting_model_ = std::move(next);
-  seen_.reset();
-  motion_.reset();
-  seen_motion_ = 0;
+  atoms_.begin(std::move(next));
   molecule_ = molecule;
   made_with_.interaction = wanted_interaction_;
-  made_with_ = resolveInteraction(made_with_, stage_.body != nullptr);
-  servo_settings.workspace = stage_.workspace;
+  made_with_ = resolveInteraction(made_with_, stage().body != nullptr);
+  servo_settings.workspace = stage().workspace;
   log_.clear();
-  watch_.begin(stage_, touch());
+  watch_.begin(stage(), touch());
   // Made before the workspace is handed over: until then the molecule before it is felt, where it was.
   std::unique_ptr<Interaction> felt = freshInteraction();
   resetView(facing);
@@ -60,14 +57,14 @@ void HapticSession::show(TouchableModel next, const MoleculeKey& molecule, const
 }
 
 std::unique_ptr<Interaction> HapticSession::freshInteraction() const {
-  return played_ ? nullptr : interactionAt(stage_, touch(), Contact{}, PoseA{});
+  return played_ ? nullptr : interactionAt(stage(), touch(), Contact{}, PoseA{});
 }
 
 void HapticSession::play(const std::optional<ServoSample>& sample) {
   const bool was = playing();
   played_ = sample;
   if (was == playing()) return;
-  motion_.reset();  // of the scene that ends here
+  atoms_.stop();
   log_.clear();
   ++servo_settings.discontinuities;
   servo_.begin(effectiveSettings(false), freshInteraction());
@@ -139,7 +136,7 @@ Vec3 HapticSession::pushInView() const {
 }
 
 bool HapticSession::drawsNothing() const {
-  return look.hidden && stage_ && look.hidden->size() == stage_.molecule->atoms.size();
+  return look.hidden && stage() && look.hidden->size() == stage().molecule->atoms.size();
 }
 
 Camera HapticSession::cameraFor(const Facing& facing, const std::optional<Region>& part) const {
@@ -149,14 +146,14 @@ Camera HapticSession::cameraFor(const Facing& facing, const std::optional<Region
   // What is neither seen nor felt needs none.
   std::vector<std::uint32_t> removed;
   if (look.hidden) {
-    const std::vector<std::uint32_t> unfelt = stage_.spheres->untouchable();
+    const std::vector<std::uint32_t> unfelt = stage().spheres->untouchable();
     std::set_intersection(look.hidden->begin(), look.hidden->end(), unfelt.begin(), unfelt.end(),
                           std::back_inserter(removed));
   }
-  const double room_A = stage_.body ? kBodyRoom * stage_.body->reach_A : kProbeRoom * servo_settings.probe_A;
-  const auto fit = [&] { out.fit(*stage_.molecule, view_aspect_, 0.08, room_A, removed); };
+  const double room_A = stage().body ? kBodyRoom * stage().body->reach_A : kProbeRoom * servo_settings.probe_A;
+  const auto fit = [&] { out.fit(*stage().molecule, view_aspect_, 0.08, room_A, removed); };
   fit();
-  facing(out, *stage_.molecule);
+  facing(out, *stage().molecule);
   // Another side of the molecule may be wider.
   fit();
   if (part) out.fit(part->centre, part->radius_A, view_aspect_);
@@ -164,16 +161,16 @@ Camera HapticSession::cameraFor(const Facing& facing, const std::optional<Region
 }
 
 void HapticSession::resetView(const Facing& facing) {
-  if (!stage_) return;
+  if (!stage()) return;
   const std::optional<Region>& part = zoomed_ ? zoomed_ : region_;
   camera = cameraFor(facing, part);
   by_hand_ = false;
   layBeforeHand(camera.target);
-  handBegins(part ? part->centre : stage_.middle);
+  handBegins(part ? part->centre : stage().middle);
 }
 
 Workspace HapticSession::sceneWorkspace() const {
-  return region_ ? magnified(stage_.workspace, *region_, servo_.device()) : stage_.workspace;
+  return region_ ? magnified(stage().workspace, *region_, servo_.device()) : stage().workspace;
 }
 
 double HapticSession::byHand_A_per_mm() const {
@@ -183,7 +180,7 @@ double HapticSession::byHand_A_per_mm() const {
 }
 
 void HapticSession::magnify(bool on) {
-  if (!stage_ || played_ || recorded_ || on == by_hand_) return;
+  if (!stage() || played_ || recorded_ || on == by_hand_) return;
   const ServoSample& now = log_.latest();
   const double wanted = on ? byHand_A_per_mm() : sceneWorkspace().A_per_mm;
   const double closer = servo_settings.workspace.A_per_mm / wanted;
@@ -197,14 +194,14 @@ void HapticSession::magnify(bool on) {
 }
 
 void HapticSession::fitRoomOfDevice() {
-  if (!stage_) return;
+  if (!stage()) return;
   const PointA toward = by_hand_ ? log_.latest().hip : camera.target;
   layBeforeHand(toward);
   handBegins(toward);
 }
 
 void HapticSession::followView() {
-  if (!stage_ || recorded_ || (device_leads_ == servo_.deviceLeads() && (!device_leads_ || sameView(camera, fitted_))))
+  if (!stage() || recorded_ || (device_leads_ == servo_.deviceLeads() && (!device_leads_ || sameView(camera, fitted_))))
     return;
   layBeforeHand(camera.target);
   ++servo_settings.discontinuities;
@@ -224,7 +221,7 @@ void HapticSession::layBeforeHand(PointA toward) {
     // As the hand is held now, along the axes of this view.
     const Quat held = glm::quat_cast(axes(camera)) * glm::conjugate(glm::quat_cast(servo_settings.workspace.rotation)) *
                       log_.latest().orientation;
-    fitted = fitToDevice(fitted, *stage_.spheres, handShape(stage_, servo_settings.probe_A, held), toward, axes(camera),
+    fitted = fitToDevice(fitted, *stage().spheres, handShape(stage(), servo_settings.probe_A, held), toward, axes(camera),
                          servo_.device());
   }
   servo_settings.workspace = fitted;
@@ -240,17 +237,17 @@ void HapticSession::drawBack(double dt_s) {
       now.contact.fault != Fault::StartedInside)
     return;
   servo_settings.workspace =
-      retracted(servo_settings.workspace, *stage_.spheres, handShape(stage_, now.probe_A, now.orientation), now.hand);
+      retracted(servo_settings.workspace, *stage().spheres, handShape(stage(), now.probe_A, now.orientation), now.hand);
   ++servo_settings.discontinuities;
 }
 
 double HapticSession::magnification() const {
-  return stage_ ? stage_.workspace.A_per_mm / servo_settings.workspace.A_per_mm : 1.0;
+  return stage() ? stage().workspace.A_per_mm / servo_settings.workspace.A_per_mm : 1.0;
 }
 
 void HapticSession::handBegins(PointA before) {
   ++servo_settings.discontinuities;
-  controls.begin(camera, before, servo_settings.workspace, std::min(stage_.reach_A, camera.distance_A), servo_.mouse());
+  controls.begin(camera, before, servo_settings.workspace, std::min(stage().reach_A, camera.distance_A), servo_.mouse());
   servo_.setSettings(effectiveSettings(trying()));
 }
 
@@ -265,7 +262,7 @@ void HapticSession::setTouch(const TouchSetup& wanted) {
   if (!findMethod(next.method)) next.method = made_with_.method;
   if (!findInteractionKind(next.interaction)) next.interaction = made_with_.interaction;
   wanted_interaction_ = next.interaction;
-  next = resolveInteraction(std::move(next), stage_.body != nullptr);
+  next = resolveInteraction(std::move(next), stage().body != nullptr);
   const bool alike = sameConstruction(next, made_with_);
   servo_settings.take(next);
   made_with_ = std::move(next);
@@ -284,7 +281,7 @@ void HapticSession::rebuildInteraction() {
   // Each method goes on from the true contact, so that none inherits what another got wrong.
   const Contact& contact = watch_.exact().touching() ? watch_.exact() : log_.latest().contact;
   if (!played_)
-    servo_.setInteraction(interactionAt(stage_, touch(), contact, {log_.latest().hip, log_.latest().orientation}));
+    servo_.setInteraction(interactionAt(stage(), touch(), contact, {log_.latest().hip, log_.latest().orientation}));
 }
 
 void HapticSession::leadBy(const ServoSettings* recorded) {
@@ -314,7 +311,7 @@ void HapticSession::leadBy(const ServoSettings* recorded) {
 }
 
 bool HapticSession::beginRecording() {
-  if (!stage_ || played_ || trying() || recorded_) return false;
+  if (!stage() || played_ || trying() || recorded_) return false;
   ++servo_settings.discontinuities;
   servo_.setSettings(effectiveSettings(false));
   servo_.record(true);
@@ -322,46 +319,20 @@ bool HapticSession::beginRecording() {
   return true;
 }
 
-bool HapticSession::moveAtoms(const std::vector<Sphere>& to, int ticks) {
-  if (!stage_ || played_ || trying()) return false;
-  auto next = motion_ ? SphereMotion::after(*motion_, to, ticks)
-                      : SphereMotion::make(stage_.spheres->spheres(), to, ticks, stage_.spheres->untouchable());
-  if (!next) return false;
-  std::shared_ptr<const SphereMotion> motion = *std::move(next);
-  if (!servo_.setMotion(motion)) return false;
-  motion_ = std::move(motion);
-  return true;
+bool HapticSession::moveAtoms(const MotionSource& source, const std::vector<Sphere>& to, int ticks) {
+  return source.owns() && stage() && !played_ && !trying() && atoms_.move(to, ticks);
 }
 
-void HapticSession::placeAtoms(SharedArray<Sphere> at) {
-  if (!stage_) return;
-  seen_ = std::make_shared<const Molecule>(stage_.molecule->movedTo(at));
-  stage_ = movedModel(resting_model_, std::move(at));
-  motion_.reset();
-  seen_motion_ = 0;
+bool HapticSession::placeAtoms(const MotionSource& source, SharedArray<Sphere> at) {
+  if (!source.owns() || !stage()) return false;
+  atoms_.place(std::move(at));
   log_.clear();
-  watch_.begin(stage_, touch());
+  watch_.begin(stage(), touch());
   std::unique_ptr<Interaction> felt = freshInteraction();
   layBeforeHand(camera.target);
   handBegins(camera.target);
   servo_.begin(effectiveSettings(false), std::move(felt));
-}
-
-// The picture goes with the newest tick, and costs at most half of the window's time: shapes that take long to make
-// follow less often.
-void HapticSession::followMotion(double dt_s) {
-  if (since_seen_s_ == 0.0) frame_after_s_ = dt_s;
-  since_seen_s_ += dt_s;
-  const ServoSample& now = servo_.newest();
-  const std::shared_ptr<const SphereMotion> motion = servo_.motionOf(now);
-  if (!motion || (now.motion == seen_motion_ && now.fraction == seen_fraction_) || since_seen_s_ < 2.0 * frame_after_s_)
-    return;
-  seen_motion_ = now.motion;
-  seen_fraction_ = now.fraction;
-  since_seen_s_ = 0.0;
-  const SharedArray<Sphere> places = motion->at(now.fraction);
-  seen_ = std::make_shared<const Molecule>(stage_.molecule->movedTo(places));
-  stage_ = movedModel(stage_, *motion, places);
+  return true;
 }
 
 FeltTicks HapticSession::advance(double dt_s, double now_s, bool timed) {
@@ -381,7 +352,7 @@ FeltTicks HapticSession::advance(double dt_s, double now_s, bool timed) {
       felt_.push_back(
           {sample, servo_.hasOrientation() ? sample.contact : watch_.add(sample, m, servo_.motionOf(sample))});
     }
-    followMotion(dt_s);
+    atoms_.follow(dt_s);
     log_.measure(now_s);
     servo_.timeTicks(timed);
     hand_moved_ = glm::distance(hand_before.A, log_.latest().hip.A) > kStill_A;
@@ -396,7 +367,7 @@ FeltTicks HapticSession::advance(double dt_s, double now_s, bool timed) {
 
 void HapticSession::watchLeftBehind(double dt_s) {
   const ServoSample& now = log_.latest();
-  const bool free = stage_ && log_.touching() && inTheOpen(stage_, now, servo_.motionOf(now).get());
+  const bool free = stage() && log_.touching() && inTheOpen(stage(), now, servo_.motionOf(now).get());
   log_.countLeftBehind(free && !controls.pressing(), dt_s);
   if (log_.leftBehind_s() <= kLeftBehind_s) return;
   ++servo_settings.discontinuities;

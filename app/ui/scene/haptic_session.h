@@ -10,6 +10,7 @@
 #include <string_view>
 #include <vector>
 
+#include "app/ui/scene/atom_motion.h"
 #include "app/ui/scene/method_watch.h"
 #include "app/ui/scene/servo_link.h"
 #include "app/ui/scene/touch_log.h"
@@ -48,12 +49,11 @@ class HapticSession {
   ColourBy colour_by = ColourBy::Element;
   ViewControls controls;
 
-  /// Its spheres are where the atoms are now; its molecule is as it was read.
-  const TouchableModel& stage() const { return stage_; }
-  /// As it was shown, before its atoms moved.
-  const TouchableModel& restingModel() const { return resting_model_; }
-  /// The molecule with its atoms where they are now, as it is drawn; null without one.
-  const std::shared_ptr<const Molecule>& seenMolecule() const { return seen_ ? seen_ : stage_.molecule; }
+  /// Where the atoms are, and which source moves them.
+  AtomMotion& atoms() { return atoms_; }
+  const AtomMotion& atoms() const { return atoms_; }
+  /// What is touched: its spheres are where the atoms are now.
+  const TouchableModel& stage() const { return atoms_.model(); }
   const MoleculeKey& molecule() const { return molecule_; }  ///< which molecule is on the stage
   ServoLink& servo() { return servo_; }
   const ServoLink& servo() const { return servo_; }
@@ -98,12 +98,13 @@ class HapticSession {
   /// The view's width over its height: what the camera is fitted to.
   void setViewAspect(double aspect) { view_aspect_ = aspect; }
 
-  /// The atoms go evenly to these places (a sphere for each) in so many ticks, while they are touched; the picture follows.
-  /// False while an earlier motion waits to begin, or where the places are none: ask again a frame later; and without a
-  /// stage, while a hand is played or a force is tried.
-  bool moveAtoms(const std::vector<Sphere>& to, int ticks);
-  /// The atoms are there at once, and what is felt begins anew.
-  void placeAtoms(SharedArray<Sphere> at);
+  /// Moves the atoms evenly to these places (a sphere for each) in so many ticks, while they are touched; the picture
+  /// follows. False where `source` does not own the atoms, and while an earlier motion waits to begin: try again in a later
+  /// frame. False also without a stage, while a hand is played or a force is tried.
+  bool moveAtoms(const MotionSource& source, const std::vector<Sphere>& to, int ticks);
+  /// The atoms are there at once, and what is felt begins anew. False, without any change, where `source` does not own the
+  /// atoms, and without a stage.
+  bool placeAtoms(const MotionSource& source, SharedArray<Sphere> at);
 
   /// While nobody looks at the scene the hand feels nothing.
   void rest(bool on) { resting_ = on; }
@@ -139,9 +140,7 @@ class HapticSession {
   /// The scene draws no atom of its molecule.
   bool drawsNothing() const;
   /// The next frame would look different by itself.
-  bool live() const { return log_.felt() || controls.live() || hand_moved_ || atomsMove(); }
-  /// Atoms are on a way that has not been drawn to its end.
-  bool atomsMove() const { return motion_ && !(seen_motion_ == motion_->serial() && seen_fraction_ == 1.0); }
+  bool live() const { return log_.felt() || controls.live() || hand_moved_ || atoms_.moving(); }
 
  private:
   void handBegins(PointA before);
@@ -150,18 +149,13 @@ class HapticSession {
   Workspace sceneWorkspace() const;
   double byHand_A_per_mm() const;
   void watchLeftBehind(double dt_s);
-  void followMotion(double dt_s);
   std::unique_ptr<Interaction> freshInteraction() const;
   void rebuildInteraction();
   ServoSettings effectiveSettings(bool trying) const;
 
-  TouchableModel stage_, resting_model_;
-  std::shared_ptr<const Molecule> seen_;        // with its atoms where they are now; null: as it was read
-  std::shared_ptr<const SphereMotion> motion_;  // the one handed over last
-  std::uint64_t seen_motion_ = 0;               // where seen_ was taken from, and when
-  double seen_fraction_ = 0.0, since_seen_s_ = 0.0, frame_after_s_ = 0.0;
   MoleculeKey molecule_;
   ServoLink servo_;
+  AtomMotion atoms_{servo_};
   TouchSetup made_with_;  // what the servo loop does itself of it is in servo_settings only
   std::string wanted_interaction_ = made_with_.interaction;  // which the stage may not bear yet, or no more
   TouchLog log_;
