@@ -10,6 +10,7 @@
 #include "app/ui/extensions/extensions.h"
 #include "app/ui/panels/actions.h"
 #include "app/ui/panels/panels.h"
+#include "app/ui/panels/side_panel.h"
 #include "app/ui/widgets/rich_text.h"
 #include "engine/core/text.h"
 #include "engine/language/catalogue.h"
@@ -71,11 +72,10 @@ void beginTurns(ScriptedUser& d) {
   d.frames(3);
 }
 
-// What a flag of its own opens comes from the table of panels.
+// Pages that a flag opens and tabs beside the view come from their tables.
 const Page kStates[] = {
     {"lesson", [](ScriptedUser&) {}},
     {"touch details", [](ScriptedUser& d) { d.app().panels.touch_details = true; }},
-    {"methods", [](ScriptedUser& d) { d.app().panels.showMethods(true); }},
     {"message",
      [](ScriptedUser& d) {
        d.app().messages.error("benzene.pdb:12:3: this is no number; write one there and open the file again");
@@ -105,6 +105,8 @@ std::vector<Page> pages() {
   for (const Panel& panel : allPanels())
     if (panel.page)
       out.push_back({std::string(panel.name), [&panel](ScriptedUser& d) { d.app().panels.*panel.page = true; }});
+  for (const SideTab& tab : sideTabs())
+    out.push_back({tab.key, [&tab](ScriptedUser& d) { d.app().panels.tabs.open(tab.key); }});
   return out;
 }
 
@@ -118,7 +120,7 @@ void closeAll(ScriptedUser& d) {
   }
   closePages(p);
   p.lesson_problems = false;
-  p.showMethods(false);
+  for (const SideTab& tab : sideTabs()) p.tabs.close(tab.key);
   d.app().settings.colour_blind_safe = d.app().scene.servo_settings.panic = false;
   if (d.app().extensions().turns.on()) d.app().extensions().turns.end();
   d.app().extensions().playback.close(false);
@@ -315,7 +317,7 @@ TEST_CASE("in every language no text of a page at 1280x800 sticks out, nor is on
   std::map<std::string, std::set<std::string>> in_english;
   for (const Language& language : languages(translationsFolder())) {
     d->app().settings.language = language.code;
-    d->app().panels.touch = true;
+    d->app().panels.tabs.show(true);
     d->frames(3);
     REQUIRE(moltact::language() == language.code);
     CAPTURE(language.code);

@@ -118,7 +118,7 @@ void Application::enterScene() {
   scene.setTouch(spec->touch);
   scene.shown = lesson.shownParts();
   scene.colour_by = colourBy(*spec);
-  panels.applyLessonPanels(spec->panels);
+  panels.tabs.applyLesson(spec->panels);
   measureView();
   if (scene.stage()) lesson.meet(scene.stage().molecule, scene.molecule());
   scene.look = lesson.looks();
@@ -273,7 +273,7 @@ Layout Application::layoutNow() const {
   return layOut({.window = window_px_,
                  .scale = look().scale * look().text,
                  .lesson = panels.lesson && lesson.session() && !anyOf(extensions_->all(), &Extension::hidesLesson),
-                 .touch = panels.touch,
+                 .touch = panels.tabs.shown(),
                  .page = panels.welcome,
                  .lesson_width = float(settings.lesson_width),
                  .touch_width = float(settings.touch_width),
@@ -309,7 +309,7 @@ void Application::frame(double dt_s, glm::vec2 window_px) {
   const std::span<Extension* const> extensions = extensions_->all();
   for (Extension* e : extensions) e->beforeTicks();
   scene.rest(panels.welcome);
-  const FeltTicks felt = scene.advance(dt_s, time_.now_s, panels.methodsInFront());
+  const FeltTicks felt = scene.advance(dt_s, time_.now_s, panels.tabs.front() == "methods");
   // A recorded hand does nobody's task.
   if (!anyOf(extensions, &Extension::leadsHand))
     for (const FeltTick& t : felt.ticks) lesson.feed(t.sample, felt.method.name, t.exact);

@@ -1,13 +1,11 @@
 // Which panels and pages are open, and what a panel remembers from frame to frame. Window's thread.
 #pragma once
 
-#include <algorithm>
 #include <cstddef>
 #include <optional>
 #include <string>
-#include <utility>
-#include <vector>
 
+#include "app/ui/application/side_tabs.h"
 #include "app/ui/widgets/key_focus.h"
 #include "app/ui/widgets/seen_parts.h"
 #include "engine/molecule/molecule_key.h"
@@ -24,12 +22,10 @@ struct CardFocus {
 };
 
 struct PanelState : KeyFocus {
-  bool lesson = true, touch = true;
+  bool lesson = true;
+  SideTabs tabs;               ///< of the panel beside the view
   bool lesson_first = true;    ///< where only one side panel has room
   bool touch_details = false;  ///< the touch panel's second half
-  bool methods = false;        ///< in the touch panel's place, behind a tab
-  bool methods_first = false;  ///< which of the two is in front
-  bool set_by_lesson = false;  ///< the lesson's step set touch and methods, so that another sets them back
   bool teacher_notes = false;  ///< the lesson's notes for the teacher are shown; never to the next student
   float messages_end = 0.0f;   ///< where the messages over the view ended in the last frame (unit: pixel); 0: none
   bool legend = false;         ///< the legend of colours is open where it is too large for the view
@@ -77,40 +73,6 @@ struct PanelState : KeyFocus {
   bool fingers = false;       ///< a finger on a touch screen is what points; false: a mouse
   float below_share = 0.46f;  ///< of the room, for the panel below the view where the window is tall
   std::size_t lesson_step = ~std::size_t{0};  ///< whose text stands in the lesson panel: another begins at its top
-
-  /// Opens the panel that compares methods, or closes it.
-  void showMethods(bool on) {
-    methods = methods_first = on;
-    set_by_lesson = false;
-    if (on) touch = true;
-  }
-  /// As a scene asks for: "touch", "methods", or "none". Nothing gives back what the student had before.
-  void applyLessonPanels(const std::vector<std::string>& asked) {
-    if (!asked.empty()) {
-      if (!set_by_lesson) own_touch = touch, own_methods = methods;
-      set_by_lesson = true;
-      set(asked);
-    } else if (std::exchange(set_by_lesson, false)) {
-      touch = own_touch;
-      methods = methods_first = own_methods;
-    }
-  }
-  /// The same for a scene that locks its panels: whatever the student did is undone.
-  void enforceLessonPanels(const std::vector<std::string>& asked) {
-    lesson = true;
-    set_by_lesson = set_by_lesson || !asked.empty();
-    const bool front = methods_first;
-    set(asked.empty() ? std::vector<std::string>{"touch"} : asked);
-    methods_first = methods && front;
-  }
-  bool methodsInFront() const { return methods && methods_first; }
-
- private:
-  void set(const std::vector<std::string>& asked) {
-    methods = methods_first = std::find(asked.begin(), asked.end(), "methods") != asked.end();
-    touch = methods || std::find(asked.begin(), asked.end(), "touch") != asked.end();
-  }
-  bool own_touch = true, own_methods = false;  // as the student had them
 };
 
 }  // namespace moltact

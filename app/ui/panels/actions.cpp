@@ -10,6 +10,7 @@
 #include "app/ui/extensions/extensions.h"
 #include "app/ui/panels/lesson/class_report.h"
 #include "app/ui/panels/lesson/hand_in.h"
+#include "app/ui/panels/side_panel.h"
 #include "app/ui/panels/view_overlays.h"
 #include "app/ui/widgets/key_focus.h"
 #include "app/ui/widgets/key_names.h"
@@ -31,8 +32,8 @@ bool mayTeacherNotes(const App& a) {
 }
 bool atWork(const App& a) { return !a.panels.welcome; }
 // If a lesson locks its panels, a narrow window can still switch between the two panels.
-bool mayTouchPanel(const App& a) { return atWork(a) && (a.panels.touch || !a.lesson.locks("panels")); }
-bool mayMethods(const App& a) { return atWork(a) && !a.lesson.locks("panels"); }
+bool mayTouchPanel(const App& a) { return atWork(a) && (a.panels.tabs.shown() || !a.lesson.locks("panels")); }
+bool maySideTab(const App& a) { return atWork(a) && !a.lesson.locks("panels"); }
 
 bool mayMagnify(const App& a) {
   return hasStage(a) && !a.scene.playing() && !a.lesson.locks("magnify") && !a.extensions().task_stager.dark();
@@ -48,10 +49,20 @@ void measureTouched(App& a) {
 }
 
 // If only one side panel has room, showing one hides the other.
-void switchPanel(App& a, bool& wanted, const Rectangle& place, bool lesson) {
-  const bool seen = !place.empty();
-  wanted = !seen;
-  if (!seen) a.panels.lesson_first = lesson;
+void switchPanels(App& a, bool lesson) {
+  const bool shows = (lesson ? a.layout().lesson : a.layout().touch).empty();
+  if (lesson)
+    a.panels.lesson = shows;
+  else
+    a.panels.tabs.show(shows);
+  if (shows) a.panels.lesson_first = lesson;
+}
+
+void switchTab(App& a, std::string_view tab) {
+  if (a.panels.tabs.has(tab))
+    a.panels.tabs.close(tab);
+  else
+    a.panels.tabs.open(tab);
 }
 
 // The cutting plane faces the viewer in the present orientation of the molecule.
@@ -216,7 +227,7 @@ constexpr std::array kActions{
            .sentence = N_("Lesson panel"),
            .icon = Icon::LeftPanel,
            .tool = 1,
-           .run = [](App& a) { switchPanel(a, a.panels.lesson, a.layout().lesson, true); },
+           .run = [](App& a) { switchPanels(a, true); },
            .enabled = inLesson,
            .on = [](const App& a) { return !a.layout().lesson.empty(); }},
     Action{.name = "touch",
@@ -226,23 +237,26 @@ constexpr std::array kActions{
            .sentence = N_("Touch panel"),
            .icon = Icon::RightPanel,
            .tool = 1,
-           .run = [](App& a) { switchPanel(a, a.panels.touch, a.layout().touch, false); },
+           .run = [](App& a) { switchPanels(a, false); },
            .enabled = mayTouchPanel,
            .on = [](const App& a) { return !a.layout().touch.empty(); }},
-    Action{.name = "methods",
-           .menu = Menu::View,
-           .label = N_("Methods panel"),
-           .shortcut = "Ctrl+M",
-           .run = [](App& a) { a.panels.showMethods(!a.panels.methods); },
-           .enabled = mayMethods,
-           .on = [](const App& a) { return a.panels.methods; }},
-    Action{.name = "cut",
-           .menu = Menu::View,
-           .label = N_("Cut open"),
-           .sentence = N_("Cut the molecule open through its middle; Ctrl with the wheel moves the cut"),
-           .run = [](App& a) { switchCut(a); },
-           .enabled = [](const App& a) { return hasStage(a) && !a.lesson.locks("show"); },
-           .on = [](const App& a) { return a.scene.look.cut.has_value(); }},
+#define MOLTACT_TAB_ACTION(Name, key, title, item, keys) \
+  Action{.name = key,                                    \
+         .menu = Menu::View,                             \
+         .label = item,                                  \
+         .shortcut = keys,                               \
+         .run = [](App& a) { switchTab(a, key); },       \
+         .enabled = maySideTab,                          \
+         .on = [](const App& a) { return a.panels.tabs.has(key); }},
+    MOLTACT_SIDE_TABS(MOLTACT_TAB_ACTION)
+#undef MOLTACT_TAB_ACTION
+        Action{.name = "cut",
+               .menu = Menu::View,
+               .label = N_("Cut open"),
+               .sentence = N_("Cut the molecule open through its middle; Ctrl with the wheel moves the cut"),
+               .run = [](App& a) { switchCut(a); },
+               .enabled = [](const App& a) { return hasStage(a) && !a.lesson.locks("show"); },
+               .on = [](const App& a) { return a.scene.look.cut.has_value(); }},
     // Disabled in a lesson's scene, because names and marks could give away answers.
     Action{.name = "look",
            .menu = Menu::View,

@@ -11,8 +11,7 @@
   PAGE(WelcomePage, welcome)              \
   PANEL(LessonPanel)                      \
   PANEL(ViewPanel)                        \
-  PANEL(TouchPanel)                       \
-  PANEL(MethodsPanel)                     \
+  PANEL(SidePanel)                        \
   PANEL(Splitters)                        \
   PANEL(PlaybackBar)                      \
   PANEL(TurnsStrip)                       \

@@ -109,7 +109,7 @@ void drawStatusBar(Application& app) {
                       2});
   if (std::optional<Segment> scale = scaleSegment(app)) segments.push_back(*scale);
   // Tick times and the number of atoms would give away what is touched. They are also shown while methods are compared.
-  const bool expert = app.settings.expert || app.panels.methods;
+  const bool expert = app.settings.expert || app.panels.tabs.has("methods");
   if (!unseen.all() && expert) segments.push_back(loopSegment(app));
   // A molecule that is not drawn is not named.
   if (app.scene.stage() && !unseen.all() && !app.scene.drawsNothing()) {

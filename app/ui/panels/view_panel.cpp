@@ -74,7 +74,7 @@ void readKeys(Application& app, ViewInput& in) {
   if (!io.KeyCtrl)
     in.zoom_keys = (ImGui::IsKeyDown(ImGuiKey_PageUp) ? 1.0 : 0.0) - (ImGui::IsKeyDown(ImGuiKey_PageDown) ? 1.0 : 0.0);
   in.release = ImGui::IsKeyDown(ImGuiKey_Escape);
-  if (app.panels.methods && !app.lesson.locks("method") && !app.extensions().task_stager.dark() &&
+  if (app.panels.tabs.has("methods") && !app.lesson.locks("method") && !app.extensions().task_stager.dark() &&
       lessonKeyPressed('M'))
     switchMethod(app, io.KeyShift ? -1 : 1);
 }

@@ -221,8 +221,8 @@ void HapticSession::layBeforeHand(PointA toward) {
     // As the hand is held now, along the axes of this view.
     const Quat held = glm::quat_cast(axes(camera)) * glm::conjugate(glm::quat_cast(servo_settings.workspace.rotation)) *
                       log_.latest().orientation;
-    fitted = fitToDevice(fitted, *stage().spheres, handShape(stage(), servo_settings.probe_A, held), toward, axes(camera),
-                         servo_.device());
+    fitted = fitToDevice(fitted, *stage().spheres, handShape(stage(), servo_settings.probe_A, held), toward,
+                         axes(camera), servo_.device());
   }
   servo_settings.workspace = fitted;
   fitted_ = camera;
@@ -247,7 +247,8 @@ double HapticSession::magnification() const {
 
 void HapticSession::handBegins(PointA before) {
   ++servo_settings.discontinuities;
-  controls.begin(camera, before, servo_settings.workspace, std::min(stage().reach_A, camera.distance_A), servo_.mouse());
+  controls.begin(camera, before, servo_settings.workspace, std::min(stage().reach_A, camera.distance_A),
+                 servo_.mouse());
   servo_.setSettings(effectiveSettings(trying()));
 }
 
