@@ -41,7 +41,7 @@ void HandRecorder::drain() {
   ServoLink& servo = scene_.servo();
   ServoStep start;
   std::optional<Problem> problem;
-  servo.drainRecording(start, [&](const RecordedTick& tick) {
+  servo.loop().drainRecording(start, [&](const RecordedTick& tick) {
     if (problem) return;
     if (ticks_ == 0) {
       auto labels = moleculeLabels(lastingName(scene_.molecule(), MoleculeFolders::ofThisComputer()));
@@ -53,7 +53,7 @@ void HandRecorder::drain() {
     if (!problem) problem = writer_->add(tick);
     ++ticks_;
   });
-  if (!problem && servo.lostOfRecording())
+  if (!problem && servo.loop().lostOfRecording())
     problem = Problem{file_.string(), 0, 0, tr("the window stood too long and ticks are missing from here on"),
                       tr("end other programs, and record again")};
   if (!problem) return;
@@ -155,7 +155,7 @@ void HandRecorder::endPlay() {
   if (!playing_) return;
   playing_ = false;
   // If another device has been chosen meanwhile, this one no longer exists.
-  const bool leads = scene_.servo().chosen() == device_;
+  const bool leads = scene_.servo().loop().device() == device_;
   device_ = nullptr;
   scene_.leadBy(nullptr);
   body_.release();
@@ -169,7 +169,7 @@ double HandRecorder::length_s() const { return playing() ? double(device_->recor
 void HandRecorder::beforeTicks() {
   if (waiting_ && !opener_.loading() && scene_.stage()) begin();
   if (!playing_) return;
-  if (scene_.servo().chosen() != device_) return endPlay();
+  if (scene_.servo().loop().device() != device_) return endPlay();
   if (!device_->ended()) return lead();
   const std::string name = file_.filename().string();
   endPlay();

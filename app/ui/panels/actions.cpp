@@ -327,7 +327,7 @@ constexpr std::array kActions{
     Action{.name = "calibrate",
            .menu = Menu::View,
            .label = N_("Calibrate the device"),
-           .run = [](App& a) { a.scene.servo().chosen()->calibrate(); },
+           .run = [](App& a) { a.scene.servo().loop().device()->calibrate(); },
            .enabled = [](const App& a) { return a.extensions().device.wantsCalibration(a.scene.servo()); }},
     Action{.name = "stop-force",
            .menu = Menu::View,

@@ -168,7 +168,7 @@ void drawLive(Application& app, DeviceLink& link) {
   if (!link.awaited().empty())
     words("device/awaited", trf("{0} leads as soon as it can be reached.", link.awaited()), p.warn);
   if (!link.status().text.empty()) words("device/status", link.status().text, p.warn);
-  if (link.wantsCalibration(servo) && button("device/calibrate", tr("Calibrate"))) servo.chosen()->calibrate();
+  if (link.wantsCalibration(servo) && button("device/calibrate", tr("Calibrate"))) servo.loop().device()->calibrate();
   // Positions far outside any device's workspace are shown without a number; one of 300 digits would not fit.
   const auto shown_mm = [](double mm) { return std::abs(mm) <= 1e6 ? mm : std::nan(""); };
   const auto place = [&](double mm) { return quantityNumber(shown_mm(mm), Dimension::HandLength); };

@@ -40,7 +40,8 @@ Segment loopSegment(const Application& app) {
             tr("In a browser the touch loop runs with the picture: each frame runs one tick per elapsed millisecond."),
             3, p.good};
   const LoopHealth& h = app.scene.log().health();
-  const RealtimeStatus status = app.scene.servo().realtime();
+  const ServoThread& thread = *app.scene.servo().thread();
+  const RealtimeStatus status = thread.realtime();
   const char* kind = status == RealtimeStatus::Realtime   ? tr("real-time")
                      : status == RealtimeStatus::Ordinary ? tr("ordinary priority")
                                                           : tr("starting");
@@ -53,7 +54,7 @@ Segment loopSegment(const Application& app) {
   std::string tip = trf(
       "The touch loop should run 1000 times a second. 99 of 100 ticks began at most {0} late; the longest took {1}; "
       "{2} were left out.",
-      late, micro(h.work_max_us, 1), app.scene.servo().missedTicks());
+      late, micro(h.work_max_us, 1), thread.missedTicks());
   if (status == RealtimeStatus::Ordinary)
     tip += std::string(" ") + tr("The system does not allow this program real-time priority, so ticks may come late "
                                  "while the picture is drawn.");
@@ -66,7 +67,7 @@ Segment loopSegment(const Application& app) {
 std::optional<Segment> scaleSegment(const Application& app) {
   const HapticSession& scene = app.scene;
   const bool magnified = scene.magnification() > 1.005;
-  if (!scene.stage() || !(scene.servo().chosen() || magnified)) return {};
+  if (!scene.stage() || !(scene.servo().loop().device() || magnified)) return {};
   const DeviceLink::ScaleWords scale = app.extensions().device.scaleWords(app.scene);
   std::string text = scale.sentence;
   if (text.ends_with('.')) text.pop_back();

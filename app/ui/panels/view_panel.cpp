@@ -47,7 +47,7 @@ void readKeys(Application& app, ViewInput& in) {
   const ImGuiIO& io = ImGui::GetIO();
   // A text field, an open page or a panel with the focus receives the keys first.
   if (!keysFree()) return;
-  if (io.KeyCtrl && io.KeyShift && !io.KeyAlt && app.scene.servo().hasOrientation())
+  if (io.KeyCtrl && io.KeyShift && !io.KeyAlt && app.scene.servo().loop().hasOrientation())
     in.hand_keys = arrows();
   else if (io.KeyCtrl && !io.KeyAlt)
     in.orbit_keys = arrows();
@@ -124,7 +124,7 @@ ViewInput readInput(Application& app, ImVec2 low, glm::dvec2 size) {
   const glm::dvec2 drag = begins ? glm::dvec2(0.0) : glm::dvec2(io.MouseDelta.x, io.MouseDelta.y);
   if (panning) in.pan_px = drag;
   const bool turns_hand = turning && !view_fingers && (io.KeyCtrl || app.panels.fingers) &&
-                          app.scene.servo().hasOrientation() && !app.scene.playing();
+                          app.scene.servo().loop().hasOrientation() && !app.scene.playing();
   if (turning) (turns_hand ? in.hand_px : in.orbit_px) = drag;
   if (turns_hand && app.panels.fingers) in.hand_roll_rad = double(io.MouseWheelH) * Fingers::kTwistNotch_rad;
   if ((hovered || in.press) && !panning && !turning && ImGui::IsMousePosValid())

@@ -86,12 +86,12 @@ ServoSettings HapticSession::effectiveSettings(bool trying) const {
 void HapticSession::stopForce(bool stopped) {
   servo_settings.panic = stopped;
   if (stopped) endTry();
-  servo_.setSettings(effectiveSettings(trying()));
+  servo_.loop().setSettings(effectiveSettings(trying()));
 }
 
 bool HapticSession::tryForce(double force_N) {
   if (played_ || servo_settings.panic) return false;
-  servo_.setSettings(effectiveSettings(true));
+  servo_.loop().setSettings(effectiveSettings(true));
   servo_.tryInteraction(std::make_unique<ConstantForceTracker>(force_N / kTry_N_per_mm * Workspace().A_per_mm));
   return true;
 }
@@ -99,7 +99,7 @@ bool HapticSession::tryForce(double force_N) {
 void HapticSession::endTry() {
   if (!trying()) return;
   ++servo_settings.discontinuities;
-  servo_.setSettings(effectiveSettings(false));
+  servo_.loop().setSettings(effectiveSettings(false));
   servo_.setInteraction(freshInteraction());
 }
 
@@ -190,7 +190,7 @@ void HapticSession::magnify(bool on) {
   camera.distance_A /= closer;
   fitted_ = camera;
   by_hand_ = on;
-  servo_.setSettings(effectiveSettings(trying()));
+  servo_.loop().setSettings(effectiveSettings(trying()));
 }
 
 void HapticSession::fitRoomOfDevice() {
@@ -207,7 +207,7 @@ void HapticSession::followView() {
   ++servo_settings.discontinuities;
   // The mouse stays where it is in the molecule.
   if (!device_leads_) servo_.mouse().place(servo_settings.workspace.toDevice(controls.lead()));
-  servo_.setSettings(effectiveSettings(trying()));
+  servo_.loop().setSettings(effectiveSettings(trying()));
 }
 
 void HapticSession::layBeforeHand(PointA toward) {
@@ -249,7 +249,7 @@ void HapticSession::handBegins(PointA before) {
   ++servo_settings.discontinuities;
   controls.begin(camera, before, servo_settings.workspace, std::min(stage().reach_A, camera.distance_A),
                  servo_.mouse());
-  servo_.setSettings(effectiveSettings(trying()));
+  servo_.loop().setSettings(effectiveSettings(trying()));
 }
 
 TouchSetup HapticSession::touch() const {
@@ -314,7 +314,7 @@ void HapticSession::leadBy(const ServoSettings* recorded) {
 bool HapticSession::beginRecording() {
   if (!stage() || played_ || trying() || recorded_) return false;
   ++servo_settings.discontinuities;
-  servo_.setSettings(effectiveSettings(false));
+  servo_.loop().setSettings(effectiveSettings(false));
   servo_.record(true);
   servo_.setInteraction(freshInteraction());
   return true;
@@ -351,7 +351,7 @@ FeltTicks HapticSession::advance(double dt_s, double now_s, bool timed) {
       log_.add(sample);
       // A body has no SCP that a sphere's could be held against.
       felt_.push_back(
-          {sample, servo_.hasOrientation() ? sample.contact : watch_.add(sample, m, servo_.motionOf(sample))});
+          {sample, servo_.loop().hasOrientation() ? sample.contact : watch_.add(sample, m, servo_.motionOf(sample))});
     }
     atoms_.follow(dt_s);
     log_.measure(now_s);
@@ -362,7 +362,7 @@ FeltTicks HapticSession::advance(double dt_s, double now_s, bool timed) {
   }
   log_.figureForce(now_s);
   // Whatever is shown: the panic key is among the settings.
-  servo_.setSettings(effectiveSettings(trying()));
+  servo_.loop().setSettings(effectiveSettings(trying()));
   return {felt_, m};
 }
 
