@@ -128,8 +128,8 @@ void Application::enterScene() {
     return;
   }
   if (*molecule == scene.molecule() && scene.stage() && !loader_.busy()) {
-    scene.setRegion(lesson.region());
-    scene.setZoomed(lesson.zoomed());
+    scene.fit().region = lesson.region();
+    scene.fit().zoomed = lesson.zoomed();
     beginSceneAgain();
     return;
   }
@@ -199,15 +199,15 @@ void Application::onLoaded(Loaded loaded) {
   measureView();
   lesson.meet(loaded.stage->molecule, loaded.key);
   scene.look = lesson.looks();
-  scene.setRegion(lesson.region());
-  scene.setZoomed(lesson.zoomed());
+  scene.fit().region = lesson.region();
+  scene.fit().zoomed = lesson.zoomed();
   scene.show(withUntouchable(*loaded.stage, lesson.untouchable(), lesson.held()), loaded.key, facing());
   cutOpen();
   warnBodyTooLarge();
   for (Extension* e : extensions_->all()) e->sceneChanged();
 }
 
-HapticSession::Facing Application::facing() const {
+Facing Application::facing() const {
   return [this](Camera& camera, const Molecule& molecule) { lesson.face(camera, molecule); };
 }
 
@@ -287,7 +287,7 @@ Layout Application::layoutNow() const {
 void Application::measureView() {
   if (!(window_px_.x > 0.0f)) return;
   const glm::vec2 view = layoutNow().view.size();
-  scene.setViewAspect(view.y > 0 ? double(view.x) / double(view.y) : 1.0);
+  scene.fit().view_aspect = view.y > 0 ? double(view.x) / double(view.y) : 1.0;
 }
 
 void Application::layPanelsOut(glm::vec2 window_px) {

@@ -66,12 +66,12 @@ Segment loopSegment(const Application& app) {
 // molecule's default.
 std::optional<Segment> scaleSegment(const Application& app) {
   const HapticSession& scene = app.scene;
-  const bool magnified = scene.magnification() > 1.005;
+  const bool magnified = scene.fit().magnification(scene.servo_settings.workspace) > 1.005;
   if (!scene.stage() || !(scene.servo().loop().device() || magnified)) return {};
   const DeviceLink::ScaleWords scale = app.extensions().device.scaleWords(app.scene);
   std::string text = scale.sentence;
   if (text.ends_with('.')) text.pop_back();
-  if (magnified) text = trf("{0}, magnified {1} times", text, numberText(scene.magnification(), decimals(1)));
+  if (magnified) text = trf("{0}, magnified {1} times", text, numberText(scene.fit().magnification(scene.servo_settings.workspace), decimals(1)));
   return Segment{"status/scale", text, scale.reason, 2, magnified ? look().palette.accent : 0};
 }
 

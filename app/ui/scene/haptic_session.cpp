@@ -1,33 +1,16 @@
 #include "app/ui/scene/haptic_session.h"
 
 #include <algorithm>
-#include <iterator>
 
 #include "engine/lesson/second_state.h"
 #include "engine/servo/plain_trackers.h"
-#include "engine/workspace/fit_workspace.h"
 
 namespace moltact {
 namespace {
 
 constexpr double kLeftBehind_s = 0.4;  // contact without cause for so long is let go
-constexpr double kProbeRoom = 2.0;     // so many radii of the probe are seen round the molecule,
-constexpr double kBodyRoom = 0.5;      // or so much of a body's reach
-constexpr double kTurned = 1e-9;       // a view that has turned or moved by less has not
-constexpr double kSettle_s = 0.5;      // in which a device that was just chosen tells where its hand is
-constexpr double kByHand_A = 3.5;      // the radius of what is magnified round the probe
-constexpr double kAtLeast = 2.0;       // and at least so much more than the scene
 constexpr double kTry_N_per_mm = 0.2;  // the spring of a force that is tried
 constexpr double kStill_A = 2e-3;      // a hand slower than this in a frame is at rest
-
-glm::dmat3 axes(const Camera& camera) { return {camera.right(), camera.up(), camera.back()}; }
-
-bool sameView(const Camera& a, const Camera& b) {
-  const glm::dmat3 of_a = axes(a), of_b = axes(b);
-  double off = glm::distance(a.target.A, b.target.A);
-  for (int k = 0; k < 3; ++k) off = std::max(off, glm::distance(of_a[k], of_b[k]));
-  return off <= kTurned;
-}
 
 // Nothing that the hand holds, where it is, is inside a sphere.
 bool inTheOpen(const TouchableModel& stage, const ServoSample& now, const SphereMotion* motion) {
@@ -118,7 +101,7 @@ void HapticSession::startSoftly() {
 void HapticSession::beginAgainAt(PointA place) {
   beginAgain([&](Camera& turned, const Molecule&) { turned.face(place); });
   camera.target = place;
-  layBeforeHand(place);
+  fitRoom(place);
   handBegins(place);
 }
 
@@ -140,109 +123,49 @@ bool HapticSession::drawsNothing() const {
 }
 
 Camera HapticSession::cameraFor(const Facing& facing, const std::optional<Region>& part) const {
-  Camera out = camera;
-  out.orientation = glm::dquat(1, 0, 0, 0);
-  // Round the molecule there is room for the probe, which hovers before it and beside it.
-  // What is neither seen nor felt needs none.
-  std::vector<std::uint32_t> removed;
-  if (look.hidden) {
-    const std::vector<std::uint32_t> unfelt = stage().spheres->untouchable();
-    std::set_intersection(look.hidden->begin(), look.hidden->end(), unfelt.begin(), unfelt.end(),
-                          std::back_inserter(removed));
-  }
-  const double room_A = stage().body ? kBodyRoom * stage().body->reach_A : kProbeRoom * servo_settings.probe_A;
-  const auto fit = [&] { out.fit(*stage().molecule, view_aspect_, 0.08, room_A, removed); };
-  fit();
-  facing(out, *stage().molecule);
-  // Another side of the molecule may be wider.
-  fit();
-  if (part) out.fit(part->centre, part->radius_A, view_aspect_);
-  return out;
+  return fit_.cameraFor(camera, facing, part, look.hidden, servo_settings.probe_A);
 }
 
 void HapticSession::resetView(const Facing& facing) {
   if (!stage()) return;
-  const std::optional<Region>& part = zoomed_ ? zoomed_ : region_;
-  camera = cameraFor(facing, part);
-  by_hand_ = false;
-  layBeforeHand(camera.target);
-  handBegins(part ? part->centre : stage().middle);
-}
-
-Workspace HapticSession::sceneWorkspace() const {
-  return region_ ? magnified(stage().workspace, *region_, servo_.device()) : stage().workspace;
-}
-
-double HapticSession::byHand_A_per_mm() const {
-  const Workspace whole = sceneWorkspace();
-  return std::min(magnified(whole, {log_.latest().hip, kByHand_A}, servo_.device()).A_per_mm,
-                  whole.A_per_mm / kAtLeast);
+  camera = cameraFor(facing, fit_.part());
+  fit_.by_hand = false;
+  fitRoom(camera.target);
+  handBegins(fit_.part() ? fit_.part()->centre : stage().middle);
 }
 
 void HapticSession::magnify(bool on) {
-  if (!stage() || played_ || recorded_ || on == by_hand_) return;
-  const ServoSample& now = log_.latest();
-  const double wanted = on ? byHand_A_per_mm() : sceneWorkspace().A_per_mm;
-  const double closer = servo_settings.workspace.A_per_mm / wanted;
-  servo_settings.workspace = rescaled(servo_settings.workspace, wanted, now.hand, now.hip);
-  // The probe stays where it is in the picture.
-  camera.target.A = now.hip.A + (camera.target.A - now.hip.A) / closer;
-  camera.distance_A /= closer;
-  fitted_ = camera;
-  by_hand_ = on;
+  if (!stage() || played_ || recorded_ || on == fit_.by_hand) return;
+  servo_settings.workspace = fit_.magnified(servo_settings.workspace, camera, on, log_.latest());
   servo_.loop().setSettings(effectiveSettings(trying()));
 }
 
 void HapticSession::fitRoomOfDevice() {
   if (!stage()) return;
-  const PointA toward = by_hand_ ? log_.latest().hip : camera.target;
-  layBeforeHand(toward);
+  const PointA toward = fit_.by_hand ? log_.latest().hip : camera.target;
+  fitRoom(toward);
   handBegins(toward);
 }
 
 void HapticSession::followView() {
-  if (!stage() || recorded_ || (device_leads_ == servo_.deviceLeads() && (!device_leads_ || sameView(camera, fitted_))))
-    return;
-  layBeforeHand(camera.target);
+  if (!stage() || recorded_ || !fit_.outdated(camera)) return;
+  fitRoom(camera.target);
   ++servo_settings.discontinuities;
   // The mouse stays where it is in the molecule.
-  if (!device_leads_) servo_.mouse().place(servo_settings.workspace.toDevice(controls.lead()));
+  if (!fit_.deviceLeads()) servo_.mouse().place(servo_settings.workspace.toDevice(controls.lead()));
   servo_.loop().setSettings(effectiveSettings(trying()));
 }
 
-void HapticSession::layBeforeHand(PointA toward) {
-  Workspace fitted = sceneWorkspace();
-  if (by_hand_) {
-    fitted.A_per_mm = byHand_A_per_mm();
-    fitted.centre_A = toward.A;
-  }
-  device_leads_ = servo_.deviceLeads();
-  if (device_leads_) {
-    // As the hand is held now, along the axes of this view.
-    const Quat held = glm::quat_cast(axes(camera)) * glm::conjugate(glm::quat_cast(servo_settings.workspace.rotation)) *
-                      log_.latest().orientation;
-    fitted = fitToDevice(fitted, *stage().spheres, handShape(stage(), servo_settings.probe_A, held), toward,
-                         axes(camera), servo_.device());
-  }
-  servo_settings.workspace = fitted;
-  fitted_ = camera;
-  fit_left_s_ = kSettle_s;
-}
-
-// Where the hand is shows only once its device has told it: a molecule that was put onto it goes back until it is free.
-void HapticSession::drawBack(double dt_s) {
-  const ServoSample& now = log_.latest();
-  fit_left_s_ -= dt_s;
-  if (!device_leads_ || recorded_ || fit_left_s_ <= 0.0 || now.discontinuities != servo_settings.discontinuities ||
-      now.contact.fault != Fault::StartedInside)
-    return;
+void HapticSession::fitRoom(PointA toward) {
   servo_settings.workspace =
-      retracted(servo_settings.workspace, *stage().spheres, handShape(stage(), now.probe_A, now.orientation), now.hand);
-  ++servo_settings.discontinuities;
+      fit_.fitted(servo_settings.workspace, camera, toward, servo_settings.probe_A, log_.latest());
 }
 
-double HapticSession::magnification() const {
-  return stage() ? stage().workspace.A_per_mm / servo_settings.workspace.A_per_mm : 1.0;
+void HapticSession::retract(double dt_s) {
+  const auto back = fit_.retracted(servo_settings, log_.latest(), dt_s);
+  if (!back || recorded_) return;
+  servo_settings.workspace = *back;
+  ++servo_settings.discontinuities;
 }
 
 void HapticSession::handBegins(PointA before) {
@@ -330,7 +253,7 @@ bool HapticSession::placeAtoms(const MotionSource& source, SharedArray<Sphere> a
   log_.clear();
   watch_.begin(stage(), touch());
   std::unique_ptr<Interaction> felt = freshInteraction();
-  layBeforeHand(camera.target);
+  fitRoom(camera.target);
   handBegins(camera.target);
   servo_.begin(effectiveSettings(false), std::move(felt));
   return true;
@@ -358,7 +281,7 @@ FeltTicks HapticSession::advance(double dt_s, double now_s, bool timed) {
     servo_.timeTicks(timed);
     hand_moved_ = glm::distance(hand_before.A, log_.latest().hip.A) > kStill_A;
     watchLeftBehind(dt_s);
-    drawBack(dt_s);
+    retract(dt_s);
   }
   log_.figureForce(now_s);
   // Whatever is shown: the panic key is among the settings.
