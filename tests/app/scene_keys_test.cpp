@@ -130,7 +130,7 @@ TEST_CASE("the page for zooming to atoms shows errors during typing, and zooms t
   d->frames(2);
   CHECK(d->click("zoom/go"));
   d->frames(3);
-  CHECK_FALSE(d->app().panels.zoom_page);
+  CHECK_FALSE(d->app().panels.pages.zoom);
   CHECK(d->app().scene.camera.distance_A < 0.7 * far_A);
 }
 

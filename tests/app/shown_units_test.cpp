@@ -71,10 +71,10 @@ TEST_CASE(
     for (const Panel& panel : allPanels()) {
       if (!panel.page) continue;
       CAPTURE(panel.name);
-      d->app().panels.*panel.page = true;
+      d->app().panels.pages.*panel.page = true;
       d->frames(3);
       CHECK(shownWith("Å") == "");
-      d->app().panels.*panel.page = false;
+      d->app().panels.pages.*panel.page = false;
     }
     d->app().panels.tabs.close("methods");
     d->app().settings.units["length"] = "pm";
@@ -134,10 +134,10 @@ TEST_CASE(
   for (const Panel& panel : allPanels()) {
     if (!panel.page) continue;
     CAPTURE(panel.name);
-    d->app().panels.*panel.page = true;
+    d->app().panels.pages.*panel.page = true;
     d->frames(3);
     noOwnUnit();
-    d->app().panels.*panel.page = false;
+    d->app().panels.pages.*panel.page = false;
     d->frames(1);
   }
 }

@@ -73,7 +73,7 @@ void Application::open(const std::filesystem::path& file) {
   const Expected<std::filesystem::path> found = findMolecule(file.string(), MoleculeFolders::ofThisComputer());
   if (!found) {
     messages.error(found.problem().text());
-    panels.welcome = panels.welcome || !hasWork();
+    panels.pages.welcome = panels.pages.welcome || !hasWork();
     return;
   }
   openMolecule({*found});
@@ -88,14 +88,14 @@ void Application::openMolecule(const MoleculeKey& key) {
 void Application::openLesson(const std::filesystem::path& file) {
   if (!lesson.open(file)) {
     for (Extension* e : extensions_->all()) e->lessonRefused(file);
-    panels.welcome = panels.welcome || !hasWork();
+    panels.pages.welcome = panels.pages.welcome || !hasWork();
     return;
   }
   messages.clearErrors();
   settings.remember(file);
   panels.lesson = panels.lesson_first = true;
-  panels.welcome = panels.teacher_notes = false;
-  panels.lesson_goals.reset();
+  panels.pages.welcome = panels.lesson_memory.teacher_notes = false;
+  panels.lesson_memory.goals.reset();
   enterScene();
 }
 
@@ -183,7 +183,7 @@ void Application::onLoaded(Loaded loaded) {
   const bool from_step = std::exchange(step_scene_, false);
   if (!loaded.stage) {
     messages.error(loaded.stage.problem().text());
-    panels.welcome = panels.welcome || !hasWork();
+    panels.pages.welcome = panels.pages.welcome || !hasWork();
     return;
   }
   messages.clearErrors();
@@ -195,7 +195,7 @@ void Application::onLoaded(Loaded loaded) {
     settings.remember(loaded.key.file);
     scene.colour_by = usualColourBy(*loaded.stage->molecule);
   }
-  panels.welcome = false;
+  panels.pages.welcome = false;
   measureView();
   lesson.meet(loaded.stage->molecule, loaded.key);
   scene.look = lesson.looks();
@@ -274,11 +274,11 @@ Layout Application::layoutNow() const {
                  .scale = look().scale * look().text,
                  .lesson = panels.lesson && lesson.session() && !anyOf(extensions_->all(), &Extension::hidesLesson),
                  .touch = panels.tabs.shown(),
-                 .page = panels.welcome,
+                 .page = panels.pages.welcome,
                  .lesson_width = float(settings.lesson_width),
                  .touch_width = float(settings.touch_width),
                  .strip_height = extensions_->stripHeight(),
-                 .below_share = panels.below_share},
+                 .below_share = panels.window.below_share},
                 panels.lesson_first);
 }
 
@@ -293,7 +293,7 @@ void Application::measureView() {
 void Application::layPanelsOut(glm::vec2 window_px) {
   window_px_ = window_px;
   layout_ = layoutNow();
-  if (panels.welcome) return;
+  if (panels.pages.welcome) return;
   measureView();
   // The first picture of a scene is fitted to the view as it really is.
   if (aspect_guessed_ && scene.stage()) {
@@ -308,7 +308,7 @@ void Application::frame(double dt_s, glm::vec2 window_px) {
   loading_s_ = loader_.busy() ? loading_s_ + dt_s : 0.0;
   const std::span<Extension* const> extensions = extensions_->all();
   for (Extension* e : extensions) e->beforeTicks();
-  scene.rest(panels.welcome);
+  scene.rest(panels.pages.welcome);
   const FeltTicks felt = scene.advance(dt_s, time_.now_s, panels.tabs.front() == "methods");
   // A recorded hand does nobody's task.
   if (!anyOf(extensions, &Extension::leadsHand))

@@ -177,7 +177,7 @@ void AttemptRecorder::beforeTicks() {
     mending_begun_ = true;
     mended_ = inBackground([folder] { return mendAttempts(folder).size(); });
   }
-  if (!paused_ && !panels_.welcome) now_s_ += std::clamp(time_.dt_s, 0.0, kLongestFrame_s);
+  if (!paused_ && !panels_.pages.welcome) now_s_ += std::clamp(time_.dt_s, 0.0, kLongestFrame_s);
 }
 
 void AttemptRecorder::ticks(const FeltTicks& felt) {

@@ -175,7 +175,7 @@ void DeviceLink::begin() {
 }
 
 double DeviceLink::lookEvery_s() const {
-  if (panels_.device_page) return kLook_s;
+  if (panels_.pages.device) return kLook_s;
   return nobodyChose() && options_.devices_unasked ? kLookForOffer_s : 0.0;
 }
 
@@ -296,7 +296,7 @@ void DeviceLink::watchTicks(const std::vector<ServoSample>& ticks) {
 }
 
 void DeviceLink::afterPanels() {
-  if (!panels_.device_page) stopTrying();
+  if (!panels_.pages.device) stopTrying();
   watchTicks(scene_.servo().everyTick());
 }
 

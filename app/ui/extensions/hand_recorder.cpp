@@ -120,7 +120,7 @@ std::string HandRecorder::label(const char* key) const {
 }
 
 void HandRecorder::begin() {
-  panels_.welcome = false;
+  panels_.pages.welcome = false;
   // The recorded touch settings and held body if the molecule is identical to the last bit; otherwise those of the open
   // scene.
   if (const RecordedScene was = recordedScene(waiting_->labels, scene_.atoms().resting().molecule->spheres);

@@ -65,7 +65,7 @@ void Playback::open(const fs::path& file) {
   recorder_.pause(true);
   motion_.claim();
   messages_.clearErrors();
-  panels_.welcome = false;
+  panels_.pages.welcome = false;
   if (passed_over)
     messages_.notice(trnf("{0} line of {1} could not be read and is left out. The first: {2}.",
                           "{0} lines of {1} could not be read and are left out. The first: {2}.", passed_over,

@@ -23,14 +23,14 @@ namespace {
 
 using App = Application;
 
-bool hasStage(const App& a) { return bool(a.scene.stage()) && !a.panels.welcome; }
-bool inLesson(const App& a) { return a.lesson.session() && !a.panels.welcome; }
+bool hasStage(const App& a) { return bool(a.scene.stage()) && !a.panels.pages.welcome; }
+bool inLesson(const App& a) { return a.lesson.session() && !a.panels.pages.welcome; }
 // Teachers' notes are hidden while students take turns at the screen.
 bool mayTeacherNotes(const App& a) {
   return inLesson(a) && !a.extensions().turns.on() && !a.extensions().name_asker.asking() &&
          hasTeacherNotes(a.lesson.session()->lesson());
 }
-bool atWork(const App& a) { return !a.panels.welcome; }
+bool atWork(const App& a) { return !a.panels.pages.welcome; }
 // If a lesson locks its panels, a narrow window can still switch between the two panels.
 bool mayTouchPanel(const App& a) { return atWork(a) && (a.panels.tabs.shown() || !a.lesson.locks("panels")); }
 bool maySideTab(const App& a) { return atWork(a) && !a.lesson.locks("panels"); }
@@ -114,8 +114,8 @@ constexpr std::array kActions{
            .sentence = N_("All lessons and molecules"),
            .icon = Icon::Home,
            .tool = 1,
-           .run = [](App& a) { a.panels.welcome = !a.panels.welcome || !a.hasWork(); },
-           .on = [](const App& a) { return a.panels.welcome; }},
+           .run = [](App& a) { a.panels.pages.welcome = !a.panels.pages.welcome || !a.hasWork(); },
+           .on = [](const App& a) { return a.panels.pages.welcome; }},
     Action{.name = "open",
            .menu = Menu::File,
            .label = N_("Open …"),
@@ -125,13 +125,13 @@ constexpr std::array kActions{
            .tool = 2,
            .run =
                [](App& a) {
-                 if (!askForFile()) a.panels.open_page = true;
+                 if (!askForFile()) a.panels.pages.open = true;
                }},
     Action{.name = "reading",
            .menu = Menu::File,
            .label = N_("Models, waters, assembly …"),
            .sentence = N_("How the molecule's file is read: which model, with its waters, as which assembly"),
-           .run = [](App& a) { a.panels.reading_page = true; },
+           .run = [](App& a) { a.panels.pages.reading = true; },
            .enabled = [](const App& a) { return hasStage(a) && !a.lesson.onStage() && !a.scene.playing(); }},
     Action{.name = "picture",
            .menu = Menu::File,
@@ -218,7 +218,7 @@ constexpr std::array kActions{
            .sentence = N_("Colours, sizes, mouse and numbers"),
            .icon = Icon::Gear,
            .tool = 4,
-           .run = [](App& a) { a.panels.preferences_page = true; }},
+           .run = [](App& a) { a.panels.pages.preferences = true; }},
 
     Action{.name = "lesson",
            .menu = Menu::View,
@@ -262,7 +262,7 @@ constexpr std::array kActions{
            .menu = Menu::View,
            .label = N_("How atoms are drawn …"),
            .sentence = N_("Style, colours, names, marks and hydrogen bonds of the atoms that you name"),
-           .run = [](App& a) { a.panels.look_page = true; },
+           .run = [](App& a) { a.panels.pages.look = true; },
            .enabled = [](const App& a) { return hasStage(a) && !a.lesson.onStage() && !a.lesson.locks("show"); }},
     Action{.name = "legend",
            .menu = Menu::View,
@@ -281,7 +281,7 @@ constexpr std::array kActions{
            .label = N_("Come close to …"),
            .shortcut = "Ctrl+F",
            .sentence = N_("Turn atoms that you name to the front and come close to them"),
-           .run = [](App& a) { a.panels.zoom_page = true; },
+           .run = [](App& a) { a.panels.pages.zoom = true; },
            .enabled = [](const App& a) { return hasStage(a) && !a.extensions().task_stager.dark(); }},
     Action{.name = "magnify",
            .menu = Menu::View,
@@ -323,7 +323,7 @@ constexpr std::array kActions{
            .label = N_("Device …"),
            .shortcut = "Ctrl+D",
            .sentence = N_("The device in your hand: choose it, try it, see its limits"),
-           .run = [](App& a) { a.panels.device_page = true; }},
+           .run = [](App& a) { a.panels.pages.device = true; }},
     Action{.name = "calibrate",
            .menu = Menu::View,
            .label = N_("Calibrate the device"),
@@ -359,8 +359,8 @@ constexpr std::array kActions{
            .sentence = N_("Full screen, for a projector"),
            .icon = Icon::FullScreen,
            .tool = 5,
-           .run = [](App& a) { a.panels.full_screen = !a.panels.full_screen; },
-           .on = [](const App& a) { return a.panels.full_screen; }},
+           .run = [](App& a) { a.panels.window.full_screen = !a.panels.window.full_screen; },
+           .on = [](const App& a) { return a.panels.window.full_screen; }},
 
     Action{.name = "next",
            .menu = Menu::Lesson,
@@ -385,16 +385,16 @@ constexpr std::array kActions{
            .parted = true,
            .label = N_("Take turns at one device …"),
            .sentence = N_("Turns of set length for a class that shares a device"),
-           .run = [](App& a) { a.panels.turns_page = true; },
+           .run = [](App& a) { a.panels.pages.turns = true; },
            .enabled = [](const App& a) { return !a.extensions().turns.on(); },
            .on = [](const App& a) { return a.extensions().turns.on(); }},
     Action{.name = "teacher-notes",
            .menu = Menu::Lesson,
            .label = N_("Teacher's notes"),
            .sentence = N_("The lesson's notes for the teacher, among its text, until another student begins"),
-           .run = [](App& a) { a.panels.teacher_notes = !a.panels.teacher_notes; },
+           .run = [](App& a) { a.panels.lesson_memory.teacher_notes = !a.panels.lesson_memory.teacher_notes; },
            .enabled = mayTeacherNotes,
-           .on = [](const App& a) { return a.panels.teacher_notes; }},
+           .on = [](const App& a) { return a.panels.lesson_memory.teacher_notes; }},
     Action{.name = "report",
            .menu = Menu::Lesson,
            .label = N_("Report on a class …"),
@@ -409,11 +409,11 @@ constexpr std::array kActions{
            .sentence = N_("What mouse and keys do"),
            .icon = Icon::Question,
            .tool = 5,
-           .run = [](App& a) { a.panels.controls_page = true; }},
+           .run = [](App& a) { a.panels.pages.controls = true; }},
     Action{.name = "about",
            .menu = Menu::Help,
            .label = N_("About Moltact"),
-           .run = [](App& a) { a.panels.about_page = true; }},
+           .run = [](App& a) { a.panels.pages.about = true; }},
 
     Action{.name = "sound-yes",
            .menu = Menu::None,
@@ -465,7 +465,7 @@ void runShortcuts(Application& app) {
     if ((keysPressed(action.shortcut) || keysPressed(action.also)) && enabled(action, app)) action.run(app);
   }
   // Escape closes an open page. It also leaves the welcome page, but never a molecule or a lesson.
-  if (!page && !io.WantTextInput && !ImGui::IsAnyMouseDown() && app.panels.welcome && app.hasWork() &&
+  if (!page && !io.WantTextInput && !ImGui::IsAnyMouseDown() && app.panels.pages.welcome && app.hasWork() &&
       keysPressed("Escape"))
     findAction("welcome")->run(app);
 }

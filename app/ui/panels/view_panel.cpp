@@ -96,9 +96,9 @@ ViewInput readInput(Application& app, ImVec2 low, glm::dvec2 size) {
   in.size_px = size;
   in.dt_s = app.dt_s();
   const bool active = ImGui::IsItemActive(), hovered = ImGui::IsItemHovered();
-  const int push = app.settings.left_handed && !app.panels.fingers ? 1 : 0, turn = 1 - push;
+  const int push = app.settings.left_handed && !app.panels.window.fingers ? 1 : 0, turn = 1 - push;
   const bool panning = active && (ImGui::IsMouseDown(2) || (ImGui::IsMouseDown(turn) && io.KeyShift));
-  const bool view_fingers = hovered && app.panels.fingers && ImGui::IsMouseDown(Fingers::kViewButton);
+  const bool view_fingers = hovered && app.panels.window.fingers && ImGui::IsMouseDown(Fingers::kViewButton);
   const bool turning = !panning && ((active && ImGui::IsMouseDown(turn)) || view_fingers);
   Measuring& tool = app.extensions().measuring;
   const bool measuring = tool.on() && !app.extensions().task_stager.dark();
@@ -123,10 +123,10 @@ ViewInput readInput(Application& app, ImVec2 low, glm::dvec2 size) {
                       (view_fingers && ImGui::IsMouseClicked(Fingers::kViewButton));
   const glm::dvec2 drag = begins ? glm::dvec2(0.0) : glm::dvec2(io.MouseDelta.x, io.MouseDelta.y);
   if (panning) in.pan_px = drag;
-  const bool turns_hand = turning && !view_fingers && (io.KeyCtrl || app.panels.fingers) &&
+  const bool turns_hand = turning && !view_fingers && (io.KeyCtrl || app.panels.window.fingers) &&
                           app.scene.servo().loop().hasOrientation() && !app.scene.playing();
   if (turning) (turns_hand ? in.hand_px : in.orbit_px) = drag;
-  if (turns_hand && app.panels.fingers) in.hand_roll_rad = double(io.MouseWheelH) * Fingers::kTwistNotch_rad;
+  if (turns_hand && app.panels.window.fingers) in.hand_roll_rad = double(io.MouseWheelH) * Fingers::kTwistNotch_rad;
   if ((hovered || in.press) && !panning && !turning && ImGui::IsMousePosValid())
     in.pointer_px = glm::dvec2(io.MousePos.x - low.x, io.MousePos.y - low.y);
   readKeys(app, in);

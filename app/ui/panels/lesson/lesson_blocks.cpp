@@ -52,7 +52,7 @@ std::string drawWord(Application& app, const std::string& name, const GlossaryWo
     ImGui::SetCursorScreenPos({x, below.y - look().px(4)});
     link = drawRichText((name + "/meaning").c_str(), word.meaning, look().palette.text, width);
   });
-  if (closed) app.panels.word = {};
+  if (closed) app.panels.lesson_memory.word = {};
   return link;
 }
 
@@ -114,7 +114,7 @@ struct BlockPainter {
   }
 
   void operator()(const TeacherNote& note) {
-    if (!app.panels.teacher_notes) return;
+    if (!app.panels.lesson_memory.teacher_notes) return;
     const Look& l = look();
     onGround(l.palette.raised, [&](float x, float width) {
       {
@@ -155,8 +155,8 @@ struct BlockPainter {
     const float width = std::min(room, l.px(float(shown->width_px)));
     const ImVec2 size{width, std::round(width * float(shown->height_px) / float(shown->width_px))};
     if (ImGui::InvisibleButton("picture", size)) {
-      app.panels.picture = {image.path, image.description};
-      app.panels.picture_page = true;
+      app.panels.lesson_memory.picture = {image.path, image.description};
+      app.panels.pages.picture = true;
     }
     const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
     ImGui::GetWindowDrawList()->AddImageRounded(shown->texture, low, high, {0, 0}, {1, 1}, IM_COL32_WHITE, l.px(6));
@@ -203,14 +203,15 @@ std::string drawLessonBlocks(Application& app, const std::vector<Block>& blocks,
     ImGui::PushID(int(k));
     BlockPainter painter{app, prefix + "/" + std::to_string(k), hint, {}};
     std::visit(painter, blocks[k]);
-    PanelState::Word& open = app.panels.word;
+    LessonPanelMemory::Word& open = app.panels.lesson_memory.word;
     if (open.below == painter.name)
       if (const GlossaryWord* word = findWord(app.lesson.session()->lesson(), open.id))
         if (std::string clicked = drawWord(app, painter.name, *word); !clicked.empty())
           painter.link = std::move(clicked);
     // A click on a word opens its meaning below the block; a second click closes it.
     if (const auto id = wordLink(painter.link)) {
-      open = open == PanelState::Word{painter.name, *id} ? PanelState::Word{} : PanelState::Word{painter.name, *id};
+      open = open == LessonPanelMemory::Word{painter.name, *id} ? LessonPanelMemory::Word{}
+                                                                : LessonPanelMemory::Word{painter.name, *id};
       painter.link.clear();
     }
     ImGui::PopID();
