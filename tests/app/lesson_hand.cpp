@@ -292,7 +292,7 @@ void LessonHand::answerWrongly(std::size_t q) {
   const auto reported = [&](const std::string& what) {
     d_.frames(3);
     const QuestionStatus& now = session().question(q);
-    expect(now.attempts > 0 && !now.last_right && !now.answered_right && session().told(q),
+    expect(now.attempts > 0 && !now.last_right && !now.answered_right && session().feedbackVisible(q),
            "question " + std::to_string(q + 1) + ": " + what + " is not told to be wrong");
   };
   if (asked.choices.empty()) {

@@ -24,22 +24,21 @@ class ServoLink {
   explicit ServoLink(ServoClock clock);
   ~ServoLink();
 
-  /// The fallback device, which the pointer's hand leads.
+  /// The loop of this link, for the exchange that needs nothing of the window: settings, the chosen device, a recording.
+  /// What has a function here must be called here.
+  ServoLoop& loop() { return thread_ ? thread_->loop() : *frames_; }
+  const ServoLoop& loop() const { return thread_ ? thread_->loop() : *frames_; }
+
+  /// The stand-in device, which the hand leads.
   MouseDevice& mouse() { return mouse_; }
   /// Sets the device to be used from now on; null: only the mouse. The old device's force ends along the slew, then it
   /// is closed.
   void setDevice(std::unique_ptr<Device> device);
-  /// The chosen device, for its status; null if only the mouse is used.
-  Device* chosen() const { return loop().device(); }
-  /// Whether the mouse is used because the chosen device is disconnected.
-  bool fallenBack() const { return loop().fallenBack(); }
-  /// Whether a chosen device leads the hand.
-  bool deviceLeads() const { return chosen() && !fallenBack(); }
-  /// The device that leads the hand.
-  const DeviceInfo& device() const { return deviceLeads() ? chosen()->info() : mouse_.info(); }
-  /// Whether the orientation of the hand is felt.
-  bool hasOrientation() const { return loop().hasOrientation(); }
-  /// Ends the force permanently along the slew; it is zero on return.
+  /// A chosen device leads, and not the mouse.
+  bool deviceLeads() const { return loop().device() && !loop().fallenBack(); }
+  /// The one that leads.
+  const DeviceInfo& device() const { return deviceLeads() ? loop().device()->info() : mouse_.info(); }
+  /// Lets the force go along the slew, for good; there is none when it returns.
   void endForce();
   /// Replaces the scene's interaction for a test of the device. Its ticks appear only in newest(). setInteraction()
   /// restores the scene's.
@@ -48,8 +47,7 @@ class ServoLink {
   /// The newest tick, of any scene.
   const ServoSample& newest() const { return newest_; }
 
-  void setSettings(const ServoSettings& settings) { loop().setSettings(settings); }
-  /// Sets another interaction, or another method of it, in the same scene.
+  /// Another interaction, or another method of it, in the same scene.
   void setInteraction(std::unique_ptr<Interaction> felt);
   /// Passes the next motion of this scene's spheres to the loop (ServoLoop::setMotion). Returns false while the
   /// previous one is waiting.
@@ -64,14 +62,7 @@ class ServoLink {
 
   /// Records every tick from the next interaction on, until called with false.
   void record(bool on);
-  /// Calls take(tick) for each recorded tick since the last call. `start` receives the state before the first one.
-  template <class Take>
-  void drainRecording(ServoStep& start, Take&& take) {
-    loop().drainRecording(start, take);
-  }
-  /// Number of ticks that were not recorded because the ring was full.
-  std::size_t lostOfRecording() const { return loop().lostOfRecording(); }
-  /// Number of interactions passed to the loop so far.
+  /// How many interactions were handed over so far.
   std::uint32_t handedOver() const { return handed_over_; }
 
   /// On the frames' clock, ticks are only timed if this is on.
@@ -85,13 +76,11 @@ class ServoLink {
   /// On the frames' clock: delays the next tick by this time, to simulate a busy computer.
   void simulateStall(double s) { stall_s_ = s; }
 
-  RealtimeStatus realtime() const { return thread_ ? thread_->realtime() : RealtimeStatus::Ordinary; }
-  std::uint64_t missedTicks() const { return thread_ ? thread_->missedTicks() : 0; }
+  /// The thread at the wall's clock; null where frames make the ticks.
+  const ServoThread* thread() const { return thread_.get(); }
   ServoClock clock() const { return clock_; }
 
  private:
-  ServoLoop& loop() { return thread_ ? thread_->loop() : *frames_; }
-  const ServoLoop& loop() const { return thread_ ? thread_->loop() : *frames_; }
   bool ofThisScene(const ServoSample& sample) const;
   void handOver(std::unique_ptr<Interaction> felt, std::uint32_t scene);
   void take(const ServoSample& sample);

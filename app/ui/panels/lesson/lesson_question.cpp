@@ -130,7 +130,7 @@ void drawChoices(Application& app, std::size_t index, const std::string& name, f
   const Question& question = session.step().questions[index];
   const QuestionStatus& status = session.question(index);
   std::vector<std::size_t>& ticked = lesson.drafts().ticked[index];
-  const bool one = question.rightChoices() <= 1, keys = takesKeys(session, index), verdict = session.told(index),
+  const bool one = question.rightChoices() <= 1, keys = takesKeys(session, index), verdict = session.feedbackVisible(index),
              open = session.takesAnswer(index);
   if (ticked.empty() && status.attempts > 0 && status.done()) ticked = status.chosen;
   if (!one)
@@ -237,7 +237,7 @@ Said saidTo(const LessonSession& session, std::size_t index) {
   const auto line = [](std::string text) { return RichText{TextRun{.text = std::move(text)}}; };
   if (!status.again.empty()) return {{line(status.again)}, p.text};
   if (status.attempts == 0) return {{}, p.text};
-  if (!session.told(index)) return {{line(tr("Kept. Now touch, and see whether it is so."))}, p.text};
+  if (!session.feedbackVisible(index)) return {{line(tr("Kept. Now touch, and see whether it is so."))}, p.text};
   Said out{session.feedback(index), status.last_right ? p.good : p.bad, status.last_right ? Mark::Right : Mark::Wrong};
   if (question.free()) {
     out.colour = p.text;
@@ -293,7 +293,7 @@ std::string drawLessonQuestion(Application& app, std::size_t index) {
     if (!clicked.empty()) link = std::move(clicked);
   };
   const Question& question = session.step().questions[index];
-  if (session.question(index).attempts == 0) app.panels.lesson_question_y = ImGui::GetCursorScreenPos().y;
+  if (session.question(index).attempts == 0) app.panels.lesson_memory.question_y = ImGui::GetCursorScreenPos().y;
   ImGui::PushID(int(index));
   ImGui::Dummy({0, l.px(2)});
   if (question.prediction)
@@ -301,9 +301,9 @@ std::string drawLessonQuestion(Application& app, std::size_t index) {
   RichText title = question.title;
   for (TextRun& run : title) run.bold = true;
   const float asked_y = ImGui::GetCursorScreenPos().y;
-  if (const auto& wanted = app.panels.lesson_wanted; wanted && !wanted->task && wanted->index == index) {
+  if (const auto& wanted = app.panels.lesson_memory.wanted; wanted && !wanted->task && wanted->index == index) {
     ImGui::SetScrollHereY(0.2f);
-    app.panels.lesson_wanted.reset();
+    app.panels.lesson_memory.wanted.reset();
   }
   follow(drawRichText(name.c_str(), title, l.palette.text));
   for (const RichText& p : question.prompt) follow(drawRichText((name + "/prompt").c_str(), p, l.palette.text));
@@ -331,7 +331,7 @@ std::string drawLessonQuestion(Application& app, std::size_t index) {
                       {from.x + ImGui::GetContentRegionAvail().x, ImGui::GetCursorScreenPos().y},
                       plainText(said.lines[k]));
     }
-    if (session.told(index))
+    if (session.feedbackVisible(index))
       for (const std::size_t k : status.chosen)
         if (!question.choices[k].link.empty() &&
             lessonKeyActs(app, 'G', {name + "/feedback", said_y, ImGui::GetCursorScreenPos().y}))
