@@ -1,4 +1,4 @@
-// The program's entry: a command on the line runs without a window; none opens the window.
+// The entry point: runs a command without a window, or opens the window if there is none.
 #include <exception>
 #include <new>
 
@@ -18,7 +18,7 @@ int run(int argc, char** argv) {
   moltact::WindowArguments window;
   moltact::addWindowArguments(app, window);
   moltact::addAllCommands(app);
-  // What was typed stands in what is told of it.
+  // Error messages contain the text that was typed.
   app.failure_message([](const CLI::App*, const CLI::Error& e) {
     return moltact::oneLine(e.what()) + "\nRun with --help for more information.\n";
   });
@@ -32,7 +32,7 @@ int run(int argc, char** argv) {
   return 0;
 }
 
-// What a command threw becomes a message and an exit status.
+// Converts an exception of a command to a message and an exit status.
 int runCommand(int argc, char** argv) {
   try {
     return run(argc, argv);

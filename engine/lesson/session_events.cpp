@@ -1,4 +1,4 @@
-// How a session reports what happens in it.
+// Adds the events of a session.
 
 #include "engine/lesson/session_events.h"
 

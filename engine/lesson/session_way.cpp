@@ -1,4 +1,4 @@
-// Which steps of a lesson a student meets, and in which order.
+// Determines which steps of a lesson a student visits, and in which order.
 
 #include <algorithm>
 
@@ -18,7 +18,7 @@ bool LessonSession::ruleHolds(std::size_t step, std::size_t question, std::size_
   return lesson_->steps[step].questions[question].rules[rule].holds(status.attempts, status.answered_right);
 }
 
-// What a rule names, and all between a question and the step to which its answer leads forward.
+// The steps that a rule names, and all between a question and the step to which its answer leads forward.
 std::vector<char> LessonSession::skippedSteps() const {
   std::vector<char> out(lesson_->steps.size(), 0);
   for (std::size_t s = 0; s < lesson_->steps.size(); ++s)
@@ -46,7 +46,7 @@ std::optional<std::size_t> LessonSession::leadsTo(std::size_t question) const {
     const auto to = rules[r].steps.empty() ? std::nullopt : lesson_->find(rules[r].steps[0]);
     if (!to || *to == step_) continue;
     const bool forward = *to > step_ && !lesson_->steps[*to].aside && !step().aside;
-    // Back and aside once: by the answer with which it came true, as long as the student has not gone.
+    // Rules that lead back or to an aside apply once: by the answer that triggered them, until the student has gone.
     const bool just_now = rules[r].when != StepRule::When::Wrong
                               ? status.last_right
                               : !status.answered_right && status.attempts == rules[r].wrong;
@@ -93,7 +93,7 @@ void LessonSession::next() {
 void LessonSession::back() {
   if (!hasBack()) return;
   if (step().aside) return enter(main_step_);
-  // The first step is no aside, and nothing before it could let it be skipped.
+  // The first step is not an aside, and no question precedes it, so it cannot be skipped.
   const std::vector<char> skipped = skippedSteps();
   std::size_t before = step_;
   do --before;

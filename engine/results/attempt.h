@@ -211,7 +211,7 @@ struct LessonReread {
   LessonOutline lesson;
 };
 /// An answer has changed the order of the steps.
-struct RuleApplied {
+struct OrderChanged {
   std::string step, question;      ///< ids
   std::string rule;                ///< the author's text: "after 2 wrong"
   bool skips = false;              ///< false: goes to `steps`
@@ -246,7 +246,7 @@ inline constexpr double kHeartbeat_s = 0.9;
 using AttemptFact =
     std::variant<StepEntered, Answered, HintOpened, TaskBegun, TaskDone, CurveKept, TouchBegan, TouchEnded,
                  InputChanged, StageChanged, ViewChanged, HipChunk, LessonReread, Resumed, ProgressMade, Predicted,
-                 SessionClosed, TouchSoFar, Heartbeat, StatesMoved, RuleApplied>;
+                 SessionClosed, TouchSoFar, Heartbeat, StatesMoved, OrderChanged>;
 
 struct AttemptEvent {
   double t_s = 0.0;

@@ -90,7 +90,7 @@ class Counting {
     a.right = a.right || e.right;
   }
   void operator()(const LessonReread& e) { learn(e.lesson); }
-  void operator()(const RuleApplied& e) { p_.rules.push_back(e); }
+  void operator()(const OrderChanged& e) { p_.rules.push_back(e); }
   void operator()(const HintOpened&) { ++p_.hints; }
   void operator()(const TaskBegun& e) { p_.tasks[{e.step, e.task}].begun = true; }
   void operator()(const TaskDone& e) {
@@ -408,7 +408,7 @@ std::string wayText(const LessonOutline& lesson, const PersonScore& person) {
   for (const std::string& id : person.steps_taken) {
     out += (out.empty() ? "" : " ") + numberOf(id);
     if (!counted.insert(id).second) continue;
-    for (const RuleApplied& rule : person.rules) {
+    for (const OrderChanged& rule : person.rules) {
       if (rule.step != id) continue;
       std::string to;
       for (const std::string& s : rule.steps) to += (to.empty() ? "" : ", ") + numberOf(s);

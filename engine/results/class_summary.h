@@ -59,7 +59,7 @@ struct PersonScore {
   std::map<std::pair<std::string, std::size_t>, TaskScore> tasks;      ///< by step id and index
   std::vector<Predicted> predictions;
   std::vector<std::string> steps_taken;               ///< ids of the steps in the order of entry
-  std::vector<RuleApplied> rules;                     ///< the rules by which answers changed the order of the steps
+  std::vector<OrderChanged> rules;                    ///< the rules by which answers changed the order of the steps
   std::map<std::string, std::size_t> misconceptions;  ///< number of choices with each tag
 
   double share() const { return of ? double(done) / double(of) : 0.0; }

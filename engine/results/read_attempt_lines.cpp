@@ -250,7 +250,7 @@ std::optional<AttemptFact> factOf(const std::string& kind, const Json& j) {
   if (kind == "still") return Heartbeat{};
   if (kind == "state") return StatesMoved{text(j, "file", true), text(j, "superposed_on", false), numberAt(j, "share")};
   if (kind == "way") {
-    RuleApplied w{
+    OrderChanged w{
         text(j, "step", true), text(j, "question", true), text(j, "rule", true), text(j, "does", true) == "skip", {}};
     for (const Json& s : list(j, "steps", kMaxSteps)) w.steps.push_back(text(s, "steps"));
     return w;

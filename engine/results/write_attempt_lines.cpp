@@ -227,7 +227,7 @@ struct FactWriter {
     if (!e.superposed_on.empty()) out["superposed_on"] = e.superposed_on;
     out["share"] = rounded(e.share);
   }
-  void operator()(const RuleApplied& e) {
+  void operator()(const OrderChanged& e) {
     out["step"] = e.step;
     out["question"] = e.question;
     out["rule"] = e.rule;

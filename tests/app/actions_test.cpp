@@ -104,7 +104,7 @@ TEST_CASE("every change of a touch property is undone and redone; an unknown wor
     d->tap("Ctrl+Shift+Z");
     CHECK(d->app().scene.touch() == after);
   }
-  // A word that is not known stays as it was.
+  // An unknown word changes nothing.
   auto d = startWith("argon");
   TouchSetup wrong;
   wrong.method = "none";

@@ -12,7 +12,7 @@
 namespace moltact {
 namespace {
 
-// A stylus with an Omni's figures that is led as the test says and keeps the force it was given.
+// A stylus with an Omni's properties that follows the test's path and records its force.
 class Led final : public Device {
  public:
   using Path = std::function<DevicePose(double t_s)>;
@@ -60,7 +60,7 @@ std::unique_ptr<Tracker> pull(ScriptedUser& d, double N) {
   return std::make_unique<ConstantForceTracker>(N / s.stiffness_N_per_mm * s.workspace.A_per_mm);
 }
 
-// A method as the test says.
+// A method whose SCP the test defines.
 class ScriptedScp final : public PlainTracker {
  public:
   explicit ScriptedScp(std::function<Vec3(Vec3)> scp) : scp_(std::move(scp)) {}
@@ -74,7 +74,7 @@ class ScriptedScp final : public PlainTracker {
   std::function<Vec3(Vec3)> scp_;
 };
 
-// The widget of the message that says so; empty where none does.
+// The widget of the message that contains `part`; empty if there is none.
 std::string message(ScriptedUser& d, const std::string& part) {
   for (std::size_t k = 0; k < d.app().messages.all().size(); ++k)
     if (contains(d.app().messages.all()[k].text, part)) return "message/" + std::to_string(k);

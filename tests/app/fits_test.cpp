@@ -21,7 +21,7 @@
 namespace moltact {
 namespace {
 
-// The names of widgets that stick out of their window sideways, or upward and downward where it cannot be scrolled.
+// The names of widgets that extend beyond their window sideways, or vertically if it cannot be scrolled.
 std::string cutOff(glm::vec2 window) {
   std::string out;
   for (const auto& [name, r] : widgets().all()) {

@@ -56,7 +56,7 @@ TEST_CASE("a lesson that is saved again is shown at once, on the same step and w
   CHECK(d->text("lesson/place") == "Step 3 of 3");
   CHECK(d->app().lesson.session()->question(0).answered_right);
   CHECK(contains(d->text("message/0"), "Read again: mine.md"));
-  // The force begins from nothing, and the view stays as it was.
+  // The force starts from zero, and the view is unchanged.
   CHECK(d->app().scene.servo_settings.discontinuities == discontinuities + 1);
   CHECK(d->app().scene.camera.orientation == camera);
   // A mere touch of the file changes nothing.

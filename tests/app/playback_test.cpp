@@ -252,7 +252,7 @@ TEST_CASE("an attempt keeps where the slider between two structures was, and its
   driver->app().finishLoading();
   driver->frames(5);
   CHECK(last_z(*driver) == doctest::Approx(first_z + 2.0).epsilon(0.01));
-  // The playback owns the atoms: what the slider asks for does not move them.
+  // The playback owns the atoms, so the slider does not move them.
   driver->app().extensions().moving_states.goTo(1.0);
   driver->frames(60);
   CHECK(last_z(*driver) == doctest::Approx(first_z + 2.0).epsilon(0.01));

@@ -49,7 +49,7 @@ TEST_CASE("a finger touches one of five parts: the view, a panel, the edge betwe
   screen.frames();
   CHECK(screen.on(screen.middle(kHarderPad)) == Fingers::Target::Harder);
   CHECK(screen.on(screen.middle(kLighterPad)) == Fingers::Target::Lighter);
-  // A page over everything is a panel, wherever its finger lies.
+  // A page over the window counts as a panel everywhere.
   screen.user->app().panels.pages.welcome = true;
   CHECK(screen.on(screen.view()) == Fingers::Target::Panel);
 }

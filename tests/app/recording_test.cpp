@@ -298,7 +298,7 @@ TEST_CASE(
     REQUIRE_FALSE(d->text("device/recording").empty());  // the page draws it, in view or below
   };
   playOnPage();
-  // What a click does within its frame: the page goes on to draw the hand that plays.
+  // Simulates a click within a frame: the page continues and draws the hand that plays.
   const Device* const plays = d->app().scene.servo().loop().device();
   d->app().extensions().device.choose("simulated");
   CHECK(d->app().scene.servo().loop().device() == plays);

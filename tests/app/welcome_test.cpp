@@ -135,7 +135,7 @@ TEST_CASE("in every language the title and the line of each shipped lesson are w
     for (const LessonCard& card : d->app().extensions().lesson_list.cards()) {
       if (card.own) continue;
       ++cards;
-      // What is cut is the rest of a text, from where its second line begins.
+      // Only the end of a text is cut, from its second line.
       for (const std::string& cut : widgets().cut())
         CHECK_MESSAGE((!card.title.ends_with(cut) && !card.description.ends_with(cut)), card.title << ": " << cut);
     }

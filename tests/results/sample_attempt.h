@@ -95,7 +95,7 @@ inline std::vector<AttemptEvent> sampleEvents() {
       {5.0, Answered{"one", "which", 2, {1}, "", true, InputKind::Mouse}},
       {5.0, ProgressMade{"one", 2, 3}},
       {6.0, LessonReread{sampleHeader().lesson}},
-      {6.5, RuleApplied{"one", "which", "after 2 wrong", false, {"aside-why"}}},
+      {6.5, OrderChanged{"one", "which", "after 2 wrong", false, {"aside-why"}}},
       {7.0, Predicted{"Bo", "one", "What will you feel?", "a bump"}},
       {8.0, StepEntered{"two"}},
       {8.5, StatesMoved{"1ake.pdb", "chain A", 0.375}},

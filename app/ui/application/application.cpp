@@ -310,7 +310,7 @@ void Application::frame(double dt_s, glm::vec2 window_px) {
   for (Extension* e : extensions) e->beforeTicks();
   scene.rest(panels.pages.welcome);
   const FeltTicks felt = scene.advance(dt_s, time_.now_s, panels.tabs.front() == "methods");
-  // A recorded hand does nobody's task.
+  // A recorded hand does no task.
   if (!anyOf(extensions, &Extension::leadsHand))
     for (const FeltTick& t : felt.ticks) lesson.feed(t.sample, felt.method.name, t.exact);
   if (!felt.ticks.empty())

@@ -1,5 +1,4 @@
-// The tab of touch, beside the view: what is felt and how: the force over time, the probe, the visible parts; the method and the loop
-// behind "More".
+// The touch tab beside the view: the force over time, the probe, the visible parts; method and loop under "More".
 #include <algorithm>
 #include <string>
 #include <vector>

@@ -24,21 +24,21 @@ class ServoLink {
   explicit ServoLink(ServoClock clock);
   ~ServoLink();
 
-  /// The loop of this link, for the exchange that needs nothing of the window: settings, the chosen device, a recording.
-  /// What has a function here must be called here.
+  /// The loop, for exchanges that do not involve the window: settings, the chosen device, a recording. Functions that
+  /// exist here must be called here.
   ServoLoop& loop() { return thread_ ? thread_->loop() : *frames_; }
   const ServoLoop& loop() const { return thread_ ? thread_->loop() : *frames_; }
 
-  /// The stand-in device, which the hand leads.
+  /// The fallback device, which the pointer's hand leads.
   MouseDevice& mouse() { return mouse_; }
   /// Sets the device to be used from now on; null: only the mouse. The old device's force ends along the slew, then it
   /// is closed.
   void setDevice(std::unique_ptr<Device> device);
-  /// A chosen device leads, and not the mouse.
+  /// Whether a chosen device leads the hand, and not the mouse.
   bool deviceLeads() const { return loop().device() && !loop().fallenBack(); }
-  /// The one that leads.
+  /// The device that leads the hand.
   const DeviceInfo& device() const { return deviceLeads() ? loop().device()->info() : mouse_.info(); }
-  /// Lets the force go along the slew, for good; there is none when it returns.
+  /// Ends the force permanently along the slew; it is zero on return.
   void endForce();
   /// Replaces the scene's interaction for a test of the device. Its ticks appear only in newest(). setInteraction()
   /// restores the scene's.
@@ -47,7 +47,7 @@ class ServoLink {
   /// The newest tick, of any scene.
   const ServoSample& newest() const { return newest_; }
 
-  /// Another interaction, or another method of it, in the same scene.
+  /// Sets another interaction, or another method of it, in the same scene.
   void setInteraction(std::unique_ptr<Interaction> felt);
   /// Passes the next motion of this scene's spheres to the loop (ServoLoop::setMotion). Returns false while the
   /// previous one is waiting.
@@ -62,7 +62,7 @@ class ServoLink {
 
   /// Records every tick from the next interaction on, until called with false.
   void record(bool on);
-  /// How many interactions were handed over so far.
+  /// Number of interactions passed to the loop so far.
   std::uint32_t handedOver() const { return handed_over_; }
 
   /// On the frames' clock, ticks are only timed if this is on.
@@ -76,7 +76,7 @@ class ServoLink {
   /// On the frames' clock: delays the next tick by this time, to simulate a busy computer.
   void simulateStall(double s) { stall_s_ = s; }
 
-  /// The thread at the wall's clock; null where frames make the ticks.
+  /// The thread on the wall clock; null if frames execute the ticks.
   const ServoThread* thread() const { return thread_.get(); }
   ServoClock clock() const { return clock_; }
 
