@@ -180,7 +180,7 @@ struct Project {
   std::set<std::string> words;  // of code and literals
 
   Project() {
-    for (const char* top : {"app", "engine", "tests", "assets", "molecules"})
+    for (const char* top : {"app", "engine", "tests", "assets", "molecules", "docs"})
       for (const auto& entry : fs::recursive_directory_iterator(kSource / top)) {
         const std::string ending = entry.path().extension().string();
         if (ending != ".h" && ending != ".cpp") continue;
