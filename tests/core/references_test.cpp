@@ -183,6 +183,9 @@ struct Project {
     for (const char* top : {"app", "engine", "tests", "assets", "molecules", "docs"})
       for (const auto& entry : fs::recursive_directory_iterator(kSource / top)) {
         const std::string ending = entry.path().extension().string();
+        if (ending == ".py" || ending == ".pyi")
+          for (const std::string& token : tokensOf(textOf(entry.path())))
+            if (isWord(token)) words.insert(token);
         if (ending != ".h" && ending != ".cpp") continue;
         const std::string file = fs::relative(entry.path(), kSource).generic_string();
         std::string source = textOf(entry.path());
