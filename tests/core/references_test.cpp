@@ -171,7 +171,8 @@ std::string lineOf(const std::string& text, std::size_t at) {
 }
 
 // Others' types and headers, of which this knows no members.
-const std::set<std::string> kForeignScopes{"std", "glm", "ImGui", "gemmi", "doctest"};
+const std::set<std::string> kForeignScopes{"std",   "glm",     "ImGui",
+                                           "gemmi", "doctest", "moltact"};  // moltact::haptics is a target of CMake
 
 struct Project {
   std::vector<std::string> files;            // "engine/core/units.h"
