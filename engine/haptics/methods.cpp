@@ -70,7 +70,7 @@ constexpr std::array kTable{
            .plain_variant = true,
            .triangles = 960,
            .follows_motion = true,
-           .former = "mesh960-tree"},
+           .former_name = "mesh960-tree"},
     Method{.name = "mesh1280",
            .sentence = N_("a god-object on 1280 triangles a ball"),
            .make = &makeMesh<1280>,
@@ -125,7 +125,7 @@ std::span<const Method> methods() { return kTable; }
 
 const Method* findMethod(std::string_view name) {
   for (const Method& m : methods())
-    if (m.name == name || (!m.former.empty() && m.former == name)) return &m;
+    if (m.name == name || (!m.former_name.empty() && m.former_name == name)) return &m;
   return nullptr;
 }
 

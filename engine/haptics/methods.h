@@ -37,7 +37,7 @@ struct Method {
   bool follows_motion = false;    ///< follows moving spheres (Interaction::setMotion)
   bool reference = false;         ///< the method against which all others are measured; exactly one
   /// A name under which files of earlier versions know the method; empty: none.
-  std::string_view former = {};
+  std::string_view former_name = {};
 };
 
 /// The methods offered by the window, lessons and commands, the default first. Each accepts every scene and probe.

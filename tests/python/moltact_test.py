@@ -102,14 +102,16 @@ class Bodies(unittest.TestCase):
     def test_atoms_of_a_molecule_are_held_by_index_and_feel_the_rest_of_it(self):
         molecule = moltact.load(SOURCE / "molecules" / "1hpv.pdb")
         drug = [k for k, residue in enumerate(molecule.residues) if residue == "478"]
-        body = moltact.HeldBody(molecule, drug)
-        np.testing.assert_allclose(body.middle, molecule.positions[drug].mean(axis=0), atol=1e-9)
-        self.assertEqual(body.spheres.shape, (35, 4))
-        far = body.middle + [200.0, 0.0, 0.0]
-        felt = body.feel(np.linspace(far, body.middle, 2000))
-        self.assertTrue(felt.touching.any())
-        blocking = np.unique(felt.contacts[felt.contacts >= 0])
-        self.assertFalse(set(blocking) & set(drug))
+        for interaction in moltact.interactions():
+            with self.subTest(interaction):
+                body = moltact.HeldBody(molecule, drug, interaction=interaction)
+                self.assertEqual((body.interaction, body.spheres.shape), (interaction, (35, 4)))
+                np.testing.assert_allclose(body.middle, molecule.positions[drug].mean(axis=0), atol=1e-9)
+                far = body.middle + [80.0, 0.0, 0.0]
+                felt = body.feel(np.linspace(far, body.middle + [20.0, 0.0, 0.0], 600))
+                self.assertTrue(felt.touching.any())
+                self.assertGreater(felt.forces[felt.touching][-1, 0], 0.0)
+                self.assertFalse(set(felt.contacts[felt.contacts >= 0]) & set(drug))
 
 
 class Calls(unittest.TestCase):
