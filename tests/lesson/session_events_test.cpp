@@ -12,11 +12,11 @@ std::shared_ptr<const Lesson> lessonOfThreeSteps() {
   LessonReading read = readLessonText(
       "l.md",
       "---\ntitle: T\nminutes: 1\ngoals: G\nmolecules: mix\nauthor: A\nlicence: L\n---\n"
-      "## One\n```scene\nmolecule: mix\n```\n```touch\nreach: anywhere\nsay: S\n```\n```touch\nreach: anywhere\nsay: "
+      "## One\n```scene\nmolecule: mix\n```\n```touch\nreach: atom 0\nsay: S\n```\n```touch\nreach: atom 0\nsay: "
       "Again.\n```\n"
       "### Question: Which?\n- [x] yes → Good.\n- [ ] no → Bad.\n```answer\nattempts: 2\nif right at first: skip "
       "#two\n```\n"
-      "## Two\nText.\n## Three\n### Question: Why?\n```answer\nfree\n```\n");
+      "## Two\nText.\n## Three\n### Question: Why?\n```answer\nfree: yes\n```\n");
   for (const Problem& p : read.errors) MESSAGE(p.text());
   REQUIRE(read.lesson);
   return std::make_shared<const Lesson>(*std::move(read.lesson));
