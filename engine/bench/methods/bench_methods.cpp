@@ -38,7 +38,7 @@ constexpr MethodFamily kMesh{"Mesh", ""}, kGrid{"Grid", ""}, kSurfaceMesh{"Surfa
 // The bench's reports are in English, so that these words are not translated.
 constexpr std::array kTable{
     Row{{.name = "mesh960-tree",
-         .sentence = "a god-object on 960 triangles a ball, with a full tree search in every tick",
+         .sentence = "a god-object on 960 triangles per sphere, with a full tree search in every tick",
          .make = &makeTreeMesh,
          .family = kMesh,
          .grade = "960",
