@@ -8,9 +8,10 @@
 namespace moltact {
 namespace {
 
-constexpr double kLeftBehind_s = 0.4;  // contact without cause for so long is let go
-constexpr double kTry_N_per_mm = 0.2;  // the spring of a force that is tried
-constexpr double kStill_A = 2e-3;      // a hand slower than this in a frame is at rest
+constexpr double kLeftBehind_s = 0.4;   // contact without cause for so long is let go
+constexpr double kTry_N_per_mm = 0.2;   // the spring of a force that is tried
+constexpr double kSameView_rad = 1e-9;  // a recorded view within this of the present one is the same
+constexpr double kStill_A = 2e-3;       // a hand slower than this in a frame is at rest
 
 // Nothing that the hand holds, where it is, is inside a sphere.
 bool inTheOpen(const TouchableModel& stage, const ServoSample& now, const SphereMotion* motion) {
@@ -219,9 +220,11 @@ void HapticSession::leadBy(const ServoSettings* recorded) {
   if (recorded && !recorded_) before_recorded_ = servo_settings;
   const bool anew = !recorded || !recorded_ || recorded_->discontinuities != recorded->discontinuities;
   if (recorded) {
-    // Seen as it was felt.
-    if (anew || recorded_->workspace.rotation != recorded->workspace.rotation)
-      camera.orientation = glm::normalize(glm::quat_cast(recorded->workspace.rotation));
+    // Seen as it was felt. A view that differs by rounding only stays as it is.
+    const Quat felt = glm::normalize(glm::quat_cast(recorded->workspace.rotation));
+    if ((anew || recorded_->workspace.rotation != recorded->workspace.rotation) &&
+        glm::length(rotationBetween(camera.orientation, felt)) > kSameView_rad)
+      camera.orientation = felt;
     take(*recorded);
     servo_settings.workspace = recorded->workspace;
     servo_settings.clutch = recorded->clutch;
