@@ -183,7 +183,8 @@ TouchSetup HapticSession::touch() const {
 
 void HapticSession::setTouch(const TouchSetup& wanted) {
   TouchSetup next = wanted;
-  if (!findMethod(next.method)) next.method = made_with_.method;
+  const Method* method = findMethod(next.method);
+  next.method = method ? method->name : made_with_.method;
   if (!findInteractionKind(next.interaction)) next.interaction = made_with_.interaction;
   wanted_interaction_ = next.interaction;
   next = resolveInteraction(std::move(next), stage().body != nullptr);
