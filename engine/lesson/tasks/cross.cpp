@@ -166,17 +166,20 @@ void checkSides(const TaskSpec& task, const Molecule& molecule, std::span<const 
 
 TaskKind crossKind() {
   std::vector<KeySpec> keys{
-      {.name = "cross", .type = ValueType::Selection, .meaning = "The atoms to start on.", .required = true},
+      {.name = "cross",
+       .type = ValueType::Selection,
+       .meaning = "The atoms on which the slide starts.",
+       .required = true},
       {.name = "to",
        .type = ValueType::Selection,
-       .meaning = "The atoms to arrive on; resting on them alone counts.",
+       .meaning = "The atoms on which it must end; resting on them alone counts.",
        .required = true},
       {.name = "arrival",
        .type = ValueType::Text,
-       .meaning = "What the atoms of 'to' are called in the middle of a sentence, as 'called' does for the start."},
+       .meaning = "The name of the atoms of 'to' inside a sentence, like 'called' for the start."},
       {.name = "direction",
        .type = ValueType::Word,
-       .meaning = "Whether the way back counts as well; 'either' suits atoms that look the same.",
+       .meaning = "Whether the opposite direction also counts; 'either' suits atoms that look alike.",
        .fallback = "forward",
        .words = {"forward", "either"}},
       {.name = "times", .type = ValueType::Count, .meaning = "How often.", .fallback = "1", .min = 1, .max = 100}};

@@ -263,16 +263,16 @@ TaskKind feelKind() {
       {{.name = "feel",
         .type = ValueType::WordList,
         .meaning =
-            "What to find: sphere (one atom), crease (where two meet), pit (where three meet), in any order; or atoms.",
+            "What to find, in any order: sphere (one atom), crease (two atoms meet), pit (three atoms meet); or atoms.",
         .required = true,
         .words = {"sphere", "crease", "pit", "atoms"}},
        {.name = "count",
         .type = ValueType::Count,
-        .meaning = "How many different atoms 'feel: atoms' asks for.",
+        .meaning = "For 'feel: atoms': the number of different atoms.",
         .fallback = "3",
         .min = 1,
         .max = 1000},
-       {.name = "of", .type = ValueType::Selection, .meaning = "Only places that are made by these atoms count."}},
+       {.name = "of", .type = ValueType::Selection, .meaning = "Only places formed by these atoms count."}},
       [](const TaskSpec& s, const Molecule& m) -> std::unique_ptr<Task> {
         if (feelsAtoms(s)) return std::make_unique<FeelAtoms>(s, m);
         return std::make_unique<FeelPlaces>(s, m);

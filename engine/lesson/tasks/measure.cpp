@@ -173,24 +173,24 @@ TaskKind measureKind() {
       "Measure a distance by touching two places and marking them.",
       {{.name = "measure",
         .type = ValueType::Selection,
-        .meaning = "The atoms of which one is touched first.",
+        .meaning = "The atoms, one of which is touched first.",
         .required = true},
        {.name = "to",
         .type = ValueType::Selection,
-        .meaning = "The atoms of which one is touched then.",
+        .meaning = "The atoms, one of which is touched second.",
         .required = true},
        {.name = "arrival",
         .type = ValueType::Text,
-        .meaning = "What the atoms of 'to' are called in the middle of a sentence, as 'called' does for the first."},
+        .meaning = "The name of the atoms of 'to' inside a sentence, like 'called' for the first."},
        {.name = "between",
         .type = ValueType::Range,
-        .meaning = "What may be measured, from surface to surface; otherwise both are marked anew. Without it "
-                   "any two touches of the places will do.",
+        .meaning = "The permitted result, from surface to surface; otherwise both places must be marked again. By "
+                   "default any two touches of the places count.",
         .dimension = Dimension::Length,
         .max = 1000.0},
        WrongTouches::key(),
-       attemptsKey("How many wrong marks and measures there may be: after the last one the answer is shown, and the "
-                   "student goes on. Left out, as many as need be.")},
+       attemptsKey("How many wrong marks and measurements are permitted; by default unlimited. After the last one the "
+                   "answer is shown, and the student continues.")},
       [](const TaskSpec& s, const Molecule& m) -> std::unique_ptr<Task> { return std::make_unique<Measure>(s, m); }};
 }
 

@@ -104,17 +104,16 @@ class Meet : public Task {
 
 TaskKind meetKind() {
   return {"meet",
-          "Come upon a failure of the haptic method in use, judged against the exact tracker.",
+          "Provoke a failure of the haptic method in use, judged against the exact tracker.",
           {{.name = "meet",
             .type = ValueType::Word,
-            .meaning = "The failure: the force turns with a jerk, the surface is lost, the force points out of the far "
-                       "side, or the "
-                       "contact point lies off the surface.",
+            .meaning = "The failure: the force changes its direction abruptly, the surface is lost, the force points "
+                       "out of the far side, or the contact point is off the surface.",
             .required = true,
             .words = {"jump", "lost", "wrong-side", "off"}},
            {.name = "by",
             .type = ValueType::Quantity,
-            .meaning = "For 'off': how far the contact point must lie from the true one.",
+            .meaning = "For 'off': the minimum distance of the contact point from the true one.",
             .fallback = "0.1 Å",
             .dimension = Dimension::Length,
             .min = 0.001,

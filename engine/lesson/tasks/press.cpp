@@ -64,7 +64,7 @@ class Press : public Task {
 
 TaskKind pressKind() {
   return {"press",
-          "Push until the surface pushes back with a force.",
+          "Push until the reaction of the surface reaches a force.",
           {{.name = "press",
             .type = ValueType::Target,
             .meaning = "Where to push: atoms, a kind of place, or anywhere on the surface.",
@@ -72,7 +72,7 @@ TaskKind pressKind() {
             .words = {"sphere", "crease", "pit", "anywhere"}},
            {.name = "until",
             .type = ValueType::Quantity,
-            .meaning = "The force to reach.",
+            .meaning = "The required force.",
             .required = true,
             .dimension = Dimension::Force,
             .min = 0.01,

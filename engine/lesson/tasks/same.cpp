@@ -336,25 +336,25 @@ TaskKind sameKind() {
       {.name = kPlace, .type = ValueType::Selection, .meaning = "The second thing is these atoms."},
       {.name = kRemove,
        .type = ValueType::Selection,
-       .meaning = "The second thing is the scene without these atoms, which are not felt. The view stays the scene's."},
+       .meaning =
+           "The second thing is the scene without these atoms, which are not felt. The view is that of the scene."},
       {.name = "trials",
        .type = ValueType::Count,
-       .meaning = "How many pairs are felt. Each is drawn for itself: it differs as often as not.",
+       .meaning = "The number of pairs. Each is drawn independently and differs with a probability of one half.",
        .fallback = "8",
        .min = 2,
        .max = 100},
       {.name = "right",
        .type = ValueType::Count,
-       .meaning = "How many answers must be right, the others are forgiven; without it three of four. With fewer "
-                  "another round begins, of other pairs.",
+       .meaning = "How many answers must be right; by default three quarters. Otherwise another round with other pairs "
+                  "begins.",
        .min = 1,
        .max = 100},
-      attemptsKey(
-          "How many rounds there are: after the last one the student goes on without having solved it. Left out, "
-          "as many as need be."),
+      attemptsKey("The number of rounds; by default unlimited. After the last one the student continues without having "
+                  "solved the task."),
       {.name = "for",
        .type = ValueType::Quantity,
-       .meaning = "How long each thing is touched at least.",
+       .meaning = "The minimum time to touch each thing.",
        .fallback = "1 s",
        .dimension = Dimension::Time,
        .min = 0.1,
@@ -366,20 +366,20 @@ TaskKind sameKind() {
        .words = {"yes", "no"}},
       {.name = "meter",
        .type = ValueType::Word,
-       .meaning = "Whether the force is shown, how great and whereto; without a force-feedback device it is all "
-                  "there is to feel.",
+       .meaning = "Whether magnitude and direction of the force are displayed. Without a force-feedback device this "
+                  "display is the only information.",
        .fallback = "on",
        .words = {"on", "off"}},
       {.name = "asked",
        .type = ValueType::Word,
-       .meaning = "For a lesson that measures itself: it asks the same task in two steps, `before` and `after` its "
-                  "explanation, each time with other pairs. Before is one round, whose answers are not judged. The "
-                  "report gives the gain in d' from the first round of each.",
+       .meaning = "For a lesson that measures its effect: it asks the same task in two steps, `before` (one round "
+                  "without judgement) and `after` its explanation, with other pairs. The report gives the gain in d' "
+                  "between the first rounds.",
        .words = {"before", "after"}},
       {.name = "seed",
        .type = ValueType::Count,
-       .meaning = "For studies: all students and attempts get the pairs that this number draws; without it each gets "
-                  "others.",
+       .meaning = "For studies: the seed of the pairs, which are then the same for all students and attempts; by "
+                  "default they differ.",
        .max = 1e6}};
   keys.insert(keys.end(), std::begin(others), std::end(others));
   return {"same",

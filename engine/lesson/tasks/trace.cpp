@@ -224,47 +224,46 @@ void checkTrace(const TaskSpec& spec, std::vector<Problem>& problems) {
 }  // namespace
 
 TaskKind traceKind() {
-  return {
-      "trace",
-      "Follow a way over the surface without letting go.",
-      {{.name = "trace",
-        .type = ValueType::Path,
-        .meaning = "The way: one selection, whose atoms are followed in the order of the file; places parted by "
-                   "'then'; or 'crease'.",
-        .required = true,
-        .words = {"crease"}},
-       {.name = "of",
-        .type = ValueType::Selection,
-        .meaning = "For 'trace: crease': the atoms between which the creases lie."},
-       {.name = "within",
-        .type = ValueType::Quantity,
-        .meaning = "How far off the way the contact point may be.",
-        .fallback = "1 Å",
-        .dimension = Dimension::Length,
-        .min = 0.05,
-        .max = 50.0},
-       {.name = "cover",
-        .type = ValueType::Count,
-        .meaning = "How much of the way is to be followed, in percent.",
-        .fallback = "90",
-        .min = 1,
-        .max = 100},
-       {.name = "direction",
-        .type = ValueType::Word,
-        .meaning = "Whether the way may be begun at its end as well.",
-        .fallback = "forward",
-        .words = {"forward", "either"}},
-       {.name = "lifts",
-        .type = ValueType::Count,
-        .meaning = "How often the student may let go before the way begins again; without it as often as need be.",
-        .max = 100},
-       attemptsKey("Goes with 'lifts': how often the way may be begun; where the last time is let go of too often as "
-                   "well, the student goes on, and a way from atom to atom is marked. Left out, as often as need be.")},
-      [](const TaskSpec& s, const Molecule& m) -> std::unique_ptr<Task> {
-        if (!s.values["trace"].words.empty()) return makeTraceCrease(s, m);
-        return std::make_unique<TraceAtoms>(s, m);
-      },
-      &checkTrace};
+  return {"trace",
+          "Follow a path over the surface without losing contact.",
+          {{.name = "trace",
+            .type = ValueType::Path,
+            .meaning = "The path: one selection, whose atoms are followed in the order of the file; places separated "
+                       "by 'then'; or 'crease'.",
+            .required = true,
+            .words = {"crease"}},
+           {.name = "of",
+            .type = ValueType::Selection,
+            .meaning = "For 'trace: crease': the atoms between which the creases lie."},
+           {.name = "within",
+            .type = ValueType::Quantity,
+            .meaning = "The largest distance of the contact point from the path.",
+            .fallback = "1 Å",
+            .dimension = Dimension::Length,
+            .min = 0.05,
+            .max = 50.0},
+           {.name = "cover",
+            .type = ValueType::Count,
+            .meaning = "The share of the path that must be followed, in percent.",
+            .fallback = "90",
+            .min = 1,
+            .max = 100},
+           {.name = "direction",
+            .type = ValueType::Word,
+            .meaning = "Whether the path may also be begun at its end.",
+            .fallback = "forward",
+            .words = {"forward", "either"}},
+           {.name = "lifts",
+            .type = ValueType::Count,
+            .meaning = "How often the student may lose contact before the path restarts; by default unlimited.",
+            .max = 100},
+           attemptsKey("For 'lifts': how often the path may be begun; by default unlimited. If contact is lost too "
+                       "often the last time as well, the student continues, and a path from atom to atom is marked.")},
+          [](const TaskSpec& s, const Molecule& m) -> std::unique_ptr<Task> {
+            if (!s.values["trace"].words.empty()) return makeTraceCrease(s, m);
+            return std::make_unique<TraceAtoms>(s, m);
+          },
+          &checkTrace};
 }
 
 }  // namespace moltact
