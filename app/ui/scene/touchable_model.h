@@ -8,6 +8,7 @@
 
 #include "engine/core/problem.h"
 #include "engine/core/units.h"
+#include "engine/device/device.h"
 #include "engine/haptics/interactions.h"
 #include "engine/haptics/sphere_grid.h"
 #include "engine/haptics/sphere_motion.h"
@@ -45,8 +46,9 @@ void leadToContact(Interaction& made, const Contact& contact, const PoseA& hand)
 HandShape handShape(const TouchableModel& stage, double probe_A, const Quat& orientation);
 
 /// The interaction for the model. If there is a contact at the hand it continues with it, so that a change of method is
-/// not felt as a release. Null without a model, or if the setup names something unknown.
+/// not felt as a release. The rotational spring of a held body suits the device. Null without a model, or if the setup
+/// names something unknown.
 std::unique_ptr<Interaction> interactionAt(const TouchableModel& stage, const TouchSetup& touch, const Contact& contact,
-                                           const PoseA& hand);
+                                           const PoseA& hand, const DeviceSpecs& device);
 
 }  // namespace moltact
