@@ -122,7 +122,10 @@ Computed largest(Subject& s, const std::vector<Atoms>& of) {
     const WaysIn ways(s.spheres, ball_A);
     return std::any_of(atoms.begin(), atoms.end(), [&](std::uint32_t a) { return ways.straight(a); });
   };
-  const std::optional<double> found = largestProbe(0.0, kLargestBall_A, touches);
+  // From below, for the searches take longer the larger the ball is.
+  double least_A = 0.0, most_A = 0.5;
+  for (; most_A < kLargestBall_A && touches(most_A); most_A = std::min(2.0 * most_A, kLargestBall_A)) least_A = most_A;
+  const std::optional<double> found = largestProbe(least_A, most_A, touches);
   if (!found) return Problem{{}, 0, 0, tr("not even a point touches these atoms from outside"), tr("select others")};
   return *found;
 }

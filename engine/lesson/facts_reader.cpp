@@ -12,6 +12,7 @@ FactsSpec readFacts(Reading& reading, const MarkdownBlock& block, const Lesson& 
   const std::vector<KeySpec>& table = keysOf(KeyBlock::Facts);
   const KeyValues values = readKeyValues(splitKeyLines(block.lines, problems), pointersTo(table),
                                          blockName(KeyBlock::Facts), block.place, problems);
+  const bool understood = problems.empty();
   reading.add(std::move(problems));
   FactsSpec out;
   const bool own = values.has("molecule");
@@ -39,7 +40,7 @@ FactsSpec readFacts(Reading& reading, const MarkdownBlock& block, const Lesson& 
     for (const FactSpec& fact : values[key.name].facts) out.facts.emplace_back(key.name, fact);
   std::stable_sort(out.facts.begin(), out.facts.end(),
                    [](const auto& a, const auto& b) { return a.second.place.line < b.second.place.line; });
-  if (out.facts.empty())
+  if (understood && out.facts.empty())
     reading.warning(block.place, tr("this block states no fact"), tr("add one, or take the block out"));
   return out;
 }
