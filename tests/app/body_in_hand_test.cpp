@@ -22,7 +22,7 @@ TEST_CASE(
   REQUIRE(scene.stage().body);
   CHECK(scene.stage().body->atoms == scene.stage().spheres->untouchable());
   CHECK(*scene.look.hidden == scene.stage().body->atoms);
-  CHECK(scene.touch().interaction == "body");
+  CHECK(scene.touch().interaction == "springs");
   d->point("view");
   d->frames(30);
   CHECK_FALSE(scene.log().touching());
@@ -53,7 +53,7 @@ TEST_CASE(
   d->app().lesson.back();
   d->frames(20);
   CHECK(scene.stage().body);
-  CHECK(scene.touch().interaction == "body");
+  CHECK(scene.touch().interaction == "springs");
   // Another molecule, opened by hand, is touched with the probe.
   d->app().open("1ubq");
   d->app().finishLoading();

@@ -9,6 +9,7 @@
 #include <string>
 
 #include "engine/bench/scenes.h"
+#include "engine/haptics/body/exact_body.h"
 #include "engine/haptics/body/rigid_body.h"
 #include "engine/haptics/methods.h"
 #include "engine/haptics/touch_setup.h"
@@ -50,7 +51,9 @@ TEST_CASE("no method allocates in 3000 ticks of walking, jumping out and changin
   }
 }
 
-TEST_CASE("neither an answer nor its reactions allocate, over 2000 poses: each method, and a body of six atoms") {
+TEST_CASE(
+    "neither an answer nor its reactions allocate, over 2000 poses: each method, and a body of six atoms in both "
+    "ways") {
   const scenes::Scene scene = scenes::cluster(50, 3);
   const auto spheres = makeScene(scene.spheres);
   const std::vector<Sphere> atoms{{{0, 0, 0}, 1.7},   {{1.5, 0, 0}, 1.7}, {{3, 0, 0}, 1.7},
@@ -60,6 +63,7 @@ TEST_CASE("neither an answer nor its reactions allocate, over 2000 poses: each m
   for (const Method& method : benchMethods()) made.push_back(method.make(spheres, scene.probe_A));
   made.push_back(std::make_unique<RigidBody>(
       heldBody(atoms, all), [&](double radius_A) { return referenceMethod().make(spheres, radius_A); }));
+  made.push_back(std::make_unique<ExactBody>(spheres, heldBody(atoms, all)));
   const scenes::Path path = scenes::jumps(scene, 2000, 8);
   for (const auto& felt : made) {
     std::vector<AtomForce> room(felt->maxReactionCount());
