@@ -11,6 +11,7 @@
 #include <string_view>
 
 #include "engine/bench/hip_paths.h"
+#include "engine/bench/methods/bench_methods.h"
 #include "engine/bench/scenes.h"
 #include "engine/haptics/body/rigid_body.h"
 #include "engine/haptics/exact/exact_tracker.h"
@@ -236,7 +237,7 @@ std::vector<Sphere> within(double radius_A, int count) {
 
 int main(int argc, char** argv) {
   // One resolution of each method; the others differ in accuracy, which `moltact bench` charts.
-  for (const Method& method : methods()) {
+  for (const Method& method : bench::benchMethods()) {
     constexpr std::string_view kShown[] = {"exact", "paper", "mesh960", "mesh960-tree", "grid04", "penalty"};
     if (std::find(std::begin(kShown), std::end(kShown), method.name) == std::end(kShown)) continue;
     for (const bool contact : {true, false}) {

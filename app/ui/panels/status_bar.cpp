@@ -71,7 +71,9 @@ std::optional<Segment> scaleSegment(const Application& app) {
   const DeviceLink::ScaleWords scale = app.extensions().device.scaleWords(app.scene);
   std::string text = scale.sentence;
   if (text.ends_with('.')) text.pop_back();
-  if (magnified) text = trf("{0}, magnified {1} times", text, numberText(scene.fit().magnification(scene.servo_settings.workspace), decimals(1)));
+  if (magnified)
+    text = trf("{0}, magnified {1} times", text,
+               numberText(scene.fit().magnification(scene.servo_settings.workspace), decimals(1)));
   return Segment{"status/scale", text, scale.reason, 2, magnified ? look().palette.accent : 0};
 }
 
