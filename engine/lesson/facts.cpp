@@ -85,8 +85,11 @@ std::vector<KeySpec> factKeys() {
       {.name = "molecule",
        .type = ValueType::Text,
        .meaning = "The molecule that the facts are about, read and whole as the keys here say. Left out, the scene's, "
-                  "as the scene reads it, without the atoms that the scene removes."}};
-  for (const ReadingOption& option : readingOptions()) out.push_back(readingKey(option));
+                  "with the scene's keys about reading it and without the atoms that the scene removes."}};
+  for (const ReadingOption& option : readingOptions()) {
+    out.push_back(readingKey(option));
+    out.back().fallback = {};  // the scene's
+  }
   const KeySpec others[]{
       {.name = "remove",
        .type = ValueType::Target,
