@@ -40,7 +40,7 @@ void HapticSession::show(TouchableModel next, const MoleculeKey& molecule, const
 }
 
 std::unique_ptr<Interaction> HapticSession::freshInteraction() const {
-  return played_ ? nullptr : interactionAt(stage(), touch(), Contact{}, PoseA{});
+  return played_ ? nullptr : interactionAt(stage(), touch(), Contact{}, PoseA{}, servo_.device());
 }
 
 void HapticSession::play(const std::optional<ServoSample>& sample) {
@@ -205,8 +205,16 @@ void HapticSession::rebuildInteraction() {
   if (trying()) return endTry();
   // Each method goes on from the true contact, so that none inherits what another got wrong.
   const Contact& contact = watch_.exact().touching() ? watch_.exact() : log_.latest().contact;
-  if (!played_)
-    servo_.setInteraction(interactionAt(stage(), touch(), contact, {log_.latest().hip, log_.latest().orientation}));
+  if (played_) return;
+  const ServoSample& latest = log_.latest();
+  const PoseA hand{latest.hip, latest.orientation};
+  std::unique_ptr<Interaction> made = interactionAt(stage(), touch(), contact, hand, servo_.device());
+  if (made && latest.body_pose && contact.touching()) {  // a body goes on from its rest pose, where it overlaps nothing
+    made->reset();
+    made->respond(*latest.body_pose);
+    made->respond(hand);
+  }
+  servo_.setInteraction(std::move(made));
 }
 
 void HapticSession::leadBy(const ServoSettings* recorded) {
