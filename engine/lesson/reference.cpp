@@ -91,6 +91,14 @@ std::string valueOf(const KeySpec& key) {
     case ValueType::Way:
       return "`go to` and a step, or `skip` and one or more steps separated by commas: by their links "
              "(`#its-heading`), or one by its heading";
+    case ValueType::Facts: {
+      const int min = int(key.min);
+      const std::string many = min == 1 ? "a [selection](#selections)"
+                                        : std::string(min == 2 ? "two" : "three or four") +
+                                              " [selections](#selections) with ` - ` between them";
+      return "lines `- … = …`: " + many + ", and " +
+             (key.dimension == Dimension::None ? "a whole number" : dimensionName(key.dimension));
+    }
     case ValueType::Styles:
       return someOf(key.words) +
              ", each optionally followed by its opacity (`surface 40%`), and by `for` and a [selection](#selections)";
@@ -129,6 +137,22 @@ void tasks(std::ostream& out) {
     table(out, kind.keys);
     if (!kind.of_body.empty()) out << "With a body in the hand (`in-hand`): " << kind.of_body << "\n\n";
   }
+}
+
+void facts(std::ostream& out) {
+  out << R"(## Facts
+
+A fenced block `facts` states what the lesson says about its molecule, so that `moltact check` can compute it. Nothing of the block is
+ever shown to students. A line names its atoms and the number, with one of three signs:
+
+* `=`: the computed value, rounded to the digits of the stated one, is equal to it; `= 2.0 Å to 2.2 Å` states a range;
+* `<` and `>`: the computed value is smaller or larger.
+
+A false fact is an error of `check`, with its line, the stated and the computed value. The window does not compute facts, because
+some searches take seconds.
+
+)";
+  table(out, keysOf(KeyBlock::Facts));
 }
 
 void minutes(std::ostream& out) {
@@ -212,6 +236,7 @@ no answer before that. A condition that leads forward makes *Next* skip the step
 do not count for the progress. No conditions can trap a student.
 
 )";
+  facts(out);
   minutes(out);
   units(out);
   selections(out);

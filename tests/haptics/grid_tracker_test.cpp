@@ -25,7 +25,7 @@ double distanceTo(const std::vector<Sphere>& spheres, const Vec3& p) {
 
 }  // namespace
 
-TEST_CASE("aaround one sphere the field is the distance but for an error that falls by 8 with half the spacing") {
+TEST_CASE("aaaround one sphere the field is the distance but for an error that falls by 8 with half the spacing") {
   const std::vector<Sphere> spheres{{{0.1, 0.2, 0.3}, 1.6}};
   double before = 0;
   for (const double spacing : {0.8, 0.4, 0.2, 0.1}) {
