@@ -41,12 +41,12 @@ std::unique_ptr<Interaction> makeExactBody(const InteractionInput& input) {
 constexpr std::array kKinds{
     InteractionKind{"probe", N_("Probe"), N_("a sphere at the hand, which a haptic method keeps outside every atom"),
                     &makeProbe},
-    InteractionKind{"springs", N_("Springs of a rigid body"),
-                    N_("atoms that follow the hand, each kept outside by a haptic method"), &makeSprings, true, false,
-                    "body"},
     InteractionKind{"exact-body", N_("Exact rigid body"),
                     N_("a rigid body that rests where its springs are in balance and overlaps no atom"), &makeExactBody,
                     true},
+    InteractionKind{"springs", N_("Springs of a rigid body"),
+                    N_("atoms that follow the hand, each kept outside by a haptic method"), &makeSprings, true, false,
+                    "body"},
 };
 
 }  // namespace

@@ -350,6 +350,9 @@ Expected<Value> parseValue(const KeySpec& key, std::string_view text) {
     case ValueType::Remarks:
       if (auto problem = addRemark(value, text)) return *std::move(problem);
       return value;
+    case ValueType::Facts:
+      if (auto problem = addFact(key, value, text)) return *std::move(problem);
+      return value;
     case ValueType::Counts:
       for (const std::string_view part : commaParts(text)) {
         const auto one = countValue(key, part, {});

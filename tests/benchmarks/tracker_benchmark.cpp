@@ -261,7 +261,7 @@ int main(int argc, char** argv) {
     worst(s, bench::proteinLike(14'000, 1), 20.0);
   })->Unit(benchmark::kMillisecond);
   benchmark::RegisterBenchmark("servo/contact", servoTicks)->Arg(3'000);
-  benchmark::RegisterBenchmark("body/contact", body)->Arg(1)->Arg(35)->Arg(std::int64_t(kMaxHeldAtoms));
+  benchmark::RegisterBenchmark("body/contact", body)->Arg(1)->Arg(35)->Arg(200);
   benchmark::RegisterBenchmark("ready", ready)->Arg(3'000)->Arg(14'000)->Arg(1'000'000)->Unit(benchmark::kMillisecond);
   benchmark::Initialize(&argc, argv);
   if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;

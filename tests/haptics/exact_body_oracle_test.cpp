@@ -108,6 +108,21 @@ TEST_CASE("the oracle finds the same with jumps of the hand and passes at 2 A an
   CHECK(pressed > 300);
 }
 
+TEST_CASE("the oracle finds the same in every degenerate scene, with jumps, also a million angstroms from the origin") {
+  int pressed = 0;
+  for (const scenes::Scene& scene : scenes::all()) {
+    CAPTURE(scene.name);
+    const auto body = test::chainBody(5, 3);
+    const Verdict v = judge(scene.spheres, body,
+                            test::bodyPath(scene.spheres, body->reach_A, ticksPerScene(), 5, 0.05, 0.01, 2.5, 53), 7);
+    CHECK(double(v.least_gap_A) > 0.0);
+    CHECK(double(v.residual) < 1e-6);
+    CHECK(double(v.energy_gained_A2) < 1e-9);
+    pressed += v.pressed;
+  }
+  CHECK(pressed > 3000);
+}
+
 TEST_CASE("a body in a scene that breathes by 0.3 A overlaps nothing in any tick, and rests in 19 of 20") {
   const auto spheres = scenes::cluster(150, 4).spheres;
   const auto body = test::chainBody(10, 4);

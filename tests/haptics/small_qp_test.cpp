@@ -138,7 +138,7 @@ TEST_CASE("opposing constraints that leave no room are not feasible, and equal o
   CHECK(same.step[0] == 1.0);
 }
 
-TEST_CASE("a definite matrix gets its own factor, another that of the absolute values of its eigenvalues") {
+TEST_CASE("a definite matrix gets its own factor, another that with half the absolute values of negative eigenvalues") {
   std::mt19937_64 random(3);
   std::normal_distribution<double> any;
   int modified = 0;
@@ -156,7 +156,7 @@ TEST_CASE("a definite matrix gets its own factor, another that of the absolute v
     for (std::size_t i = 0; i < 6; ++i)
       for (std::size_t j = 0; j < 6; ++j)
         for (std::size_t k = 0; k < 6; ++k) product.row[i][j] += factor.lower.row[i][k] * factor.lower.row[j][k];
-    // B v = mu v becomes |mu| v.
+    // B v = mu v becomes mu' v.
     Matrix6 axes;
     const Six values = eigenvalues(b, 6, axes);
     double worst = 0.0;
@@ -164,7 +164,7 @@ TEST_CASE("a definite matrix gets its own factor, another that of the absolute v
       Six axis;
       for (std::size_t i = 0; i < 6; ++i) axis[i] = axes.row[i][j];
       CHECK(length(axis) == doctest::Approx(1.0));
-      const double size = factor.definite ? values[j] : std::max(0.05, std::abs(values[j]));
+      const double size = factor.definite ? values[j] : std::max(0.05, values[j] < 0.0 ? -0.5 * values[j] : values[j]);
       for (std::size_t i = 0; i < 6; ++i) {
         worst = std::max(worst, std::abs(dot(b.row[i], axis) - values[j] * axis[i]));
         worst = std::max(worst, std::abs(dot(product.row[i], axis) - size * axis[i]));

@@ -85,9 +85,10 @@ class Probes(unittest.TestCase):
 
 
 class Bodies(unittest.TestCase):
-    def test_a_body_beside_a_wall_is_pushed_and_turned_by_the_atom_that_touches(self):
+    def test_springs_of_a_body_beside_a_wall_push_and_turn_it_by_the_atom_that_touches(self):
         # Two atoms 6 A apart; the one at x = 3 meets an atom of radius 2 A, the other nothing.
-        body = moltact.HeldBody([[3.0, 0.0, 0.0, 2.0]], spheres=[[3.0, 0, 0, 1.0], [-3.0, 0, 0, 1.0]])
+        body = moltact.HeldBody([[3.0, 0.0, 0.0, 2.0]], spheres=[[3.0, 0, 0, 1.0], [-3.0, 0, 0, 1.0]],
+                                interaction="springs")
         hand = np.linspace([0.0, 0.0, 6.0], [0.0, 0.0, 2.5], 36)
         felt = body.feel(hand)
         self.assertEqual((felt.forces.shape, felt.orientations.shape), ((36, 3), (36, 4)))

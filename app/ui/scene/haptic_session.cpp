@@ -40,7 +40,7 @@ void HapticSession::show(TouchableModel next, const MoleculeKey& molecule, const
 }
 
 std::unique_ptr<Interaction> HapticSession::freshInteraction() const {
-  return played_ ? nullptr : interactionAt(stage(), touch(), Contact{}, PoseA{});
+  return played_ ? nullptr : interactionAt(stage(), touch(), Contact{}, PoseA{}, servo_.device());
 }
 
 void HapticSession::play(const std::optional<ServoSample>& sample) {
@@ -135,7 +135,7 @@ void HapticSession::resetView(const Facing& facing) {
 }
 
 void HapticSession::magnify(bool on) {
-  if (!stage() || played_ || recorded_ || on == fit_.by_hand) return;
+  if (!stage() || played_ || recorded_.on() || on == fit_.by_hand) return;
   servo_settings.workspace = fit_.magnified(servo_settings.workspace, camera, on, log_.latest());
   servo_.loop().setSettings(effectiveSettings(trying()));
 }
@@ -148,7 +148,7 @@ void HapticSession::fitRoomOfDevice() {
 }
 
 void HapticSession::followView() {
-  if (!stage() || recorded_ || !fit_.outdated(camera)) return;
+  if (!stage() || recorded_.on() || !fit_.outdated(camera)) return;
   fitRoom(camera.target);
   ++servo_settings.discontinuities;
   // The mouse stays where it is in the molecule.
@@ -163,7 +163,7 @@ void HapticSession::fitRoom(PointA toward) {
 
 void HapticSession::retract(double dt_s) {
   const auto back = fit_.retracted(servo_settings, log_.latest(), dt_s);
-  if (!back || recorded_) return;
+  if (!back || recorded_.on()) return;
   servo_settings.workspace = *back;
   ++servo_settings.discontinuities;
 }
@@ -205,38 +205,29 @@ void HapticSession::rebuildInteraction() {
   if (trying()) return endTry();
   // Each method goes on from the true contact, so that none inherits what another got wrong.
   const Contact& contact = watch_.exact().touching() ? watch_.exact() : log_.latest().contact;
-  if (!played_)
-    servo_.setInteraction(interactionAt(stage(), touch(), contact, {log_.latest().hip, log_.latest().orientation}));
+  if (played_) return;
+  const ServoSample& latest = log_.latest();
+  const PoseA hand{latest.hip, latest.orientation};
+  std::unique_ptr<Interaction> made = interactionAt(stage(), touch(), contact, hand, servo_.device());
+  if (made && latest.body_pose && contact.touching()) {  // a body goes on from its rest pose, where it overlaps nothing
+    made->reset();
+    made->respond(*latest.body_pose);
+    made->respond(hand);
+  }
+  servo_.setInteraction(std::move(made));
 }
 
 void HapticSession::leadBy(const ServoSettings* recorded) {
-  // Whether the force is on stays the choice of who sits there.
-  const auto take = [&](const ServoSettings& from) {
-    TouchSetup led;
-    from.giveTo(led);
-    led.force_on = servo_settings.force_on;
-    servo_settings.take(led);
-  };
-  if (recorded && !recorded_) before_recorded_ = servo_settings;
-  const bool anew = !recorded || !recorded_ || recorded_->discontinuities != recorded->discontinuities;
-  if (recorded) {
-    // Seen as it was felt.
-    if (anew || recorded_->workspace.rotation != recorded->workspace.rotation)
-      camera.orientation = glm::normalize(glm::quat_cast(recorded->workspace.rotation));
-    take(*recorded);
-    servo_settings.workspace = recorded->workspace;
-    servo_settings.clutch = recorded->clutch;
-    recorded_ = *recorded;
-  } else if (recorded_) {
-    take(*before_recorded_);
-    recorded_.reset();
+  bool anew = true;
+  if (recorded)
+    anew = recorded_.lead(*recorded, servo_settings, camera);
+  else if (recorded_.end(servo_settings))
     fitRoomOfDevice();
-  }
   if (anew) ++servo_settings.discontinuities;
 }
 
 bool HapticSession::beginRecording() {
-  if (!stage() || played_ || trying() || recorded_) return false;
+  if (!stage() || played_ || trying() || recorded_.on()) return false;
   ++servo_settings.discontinuities;
   servo_.loop().setSettings(effectiveSettings(false));
   servo_.record(true);

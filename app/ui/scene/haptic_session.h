@@ -11,6 +11,7 @@
 
 #include "app/ui/scene/atom_motion.h"
 #include "app/ui/scene/method_watch.h"
+#include "app/ui/scene/recorded_conditions.h"
 #include "app/ui/scene/servo_link.h"
 #include "app/ui/scene/touch_log.h"
 #include "app/ui/scene/touchable_model.h"
@@ -152,7 +153,7 @@ class HapticSession {
   std::vector<FeltTick> felt_;
   std::optional<ServoSample> played_;
   double played_owed_s_ = 0.0;
-  std::optional<ServoSettings> recorded_, before_recorded_;
+  RecordedConditions recorded_;
   bool hand_moved_ = false, resting_ = false;
 };
 

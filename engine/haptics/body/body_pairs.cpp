@@ -9,6 +9,7 @@ constexpr std::int32_t kLeaf = 8;  // spheres of a leaf
 // The near list is made anew where it covers less than this, the far list where it covers less than the near list needs.
 constexpr double kLeastCovered_A = 0.12;
 constexpr double kMinRange_A = 1e-6;
+constexpr double kMaxSearch_A = 16.0, kMaxSearchedRadius_A = 8.0;
 
 }  // namespace
 
@@ -100,6 +101,22 @@ bool BodyPairs::overlaps(const BodyPose& pose) const noexcept {
   return false;
 }
 
+// A lower bound of the gap between the scene and the node's sphere at `centre`. Where a search finds nothing, the next one
+// of the same node looks twice as far, so that a node far from the scene is searched for seldom.
+double BodyPairs::nodeClearance_A(Node& node, const Vec3& centre, double range) noexcept {
+  const double to_box = distanceToBox(grid(), node.radius, origin_ + centre);
+  if (to_box > range || node.radius > kMaxSearchedRadius_A) return to_box;
+  const double search = std::max(node.search, 2.0 * range);
+  double best = search;
+  grid().visitNear(origin_ + centre, node.radius + search, [&](std::uint32_t, const Sphere& b) {
+    ++work_count_;
+    reduceGap(best, centre - (b.centre_A - origin_), b.radius_A + node.radius);
+    return best > range;
+  });
+  node.search = best < search ? std::max(0.0, best) : std::min(2.0 * search, kMaxSearch_A);
+  return best;
+}
+
 // Lists the pairs within `range` at the pose; false if they exceed the capacity. During a motion, those that come within
 // it at any time of the motion.
 bool BodyPairs::gatherFar(const BodyPose& pose, double range) noexcept {
@@ -108,17 +125,14 @@ bool BodyPairs::gatherFar(const BodyPose& pose, double range) noexcept {
   far_range_ = range;
   max_motion_ = 0.0;
   const SphereGrid& in = grid();
-  const double sure = 0.5 * in.cell_A();  // clearance() is exact up to this
   const auto last = std::int32_t(nodes_.size());
   for (std::int32_t at = 0; at < last;) {
     Node& node = nodes_[std::size_t(at)];
     ++work_count_;
     const Vec3 centre = pose.place + pose.axes * node.centre;
     if (node.clear - glm::distance(centre, node.seen_from) <= range) {
-      const bool small = node.leaf || node.radius < 2.0 * sure;
       node.seen_from = centre;
-      node.clear = small && sure > range ? clearance(in, node.radius, origin_ + centre)
-                                         : distanceToBox(in, node.radius, origin_ + centre);
+      node.clear = nodeClearance_A(node, centre, range);
     }
     if (node.clear - glm::distance(centre, node.seen_from) > range) {
       at = node.next;

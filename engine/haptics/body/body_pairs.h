@@ -47,7 +47,7 @@ struct BodyPair {
 
 class BodyPairs {
  public:
-  static constexpr std::size_t kMaxFar = 4096, kMaxNear = 512;
+  static constexpr std::size_t kMaxFar = 16384, kMaxNear = 512;
   static constexpr double kFar_A = 1.6, kNear_A = 0.4;
 
   BodyPairs(std::shared_ptr<const SphereGrid> scene, const HeldBody& body);
@@ -91,6 +91,7 @@ class BodyPairs {
     // At `seen_from` (the node's centre) every sphere of the scene was at least `clear` from the node's sphere.
     Vec3 seen_from{0.0};
     double clear = -1.0;
+    double search = 0.0;  // how far the next search looks
   };
   const SphereGrid& grid() const noexcept { return motion_ ? motion_->sweptSpheres() : *scene_; }
   Sphere now(std::int32_t atom) const noexcept {
@@ -98,6 +99,7 @@ class BodyPairs {
     return {b.centre_A - origin_, b.radius_A};
   }
   double sceneMotion_A(double since) const noexcept { return std::abs(fraction_ - since) * maxMotion_A(); }
+  double nodeClearance_A(Node& node, const Vec3& centre, double range) noexcept;
   void makeTree(std::int32_t begin, std::int32_t end);
   bool gatherFar(const BodyPose& pose, double range) noexcept;
   bool gatherNear(const BodyPose& pose, double range) noexcept;

@@ -11,13 +11,6 @@ constexpr double kMinLever_A = 0.5;
 constexpr double kScenePiece_A = 0.02;  // largest motion of the scene's spheres before the body is moved out of them
 constexpr double kMaxScenePieces = 64.0;
 
-// Root of the mean squared distance of the spheres from the middle.
-double radiusOfGyration_A(const HeldBody& body) {
-  double sum = 0.0;
-  for (const Sphere& s : body.spheres) sum += glm::dot(s.centre_A, s.centre_A);
-  return std::sqrt(sum / double(std::max<std::size_t>(1, body.spheres.size())));
-}
-
 }  // namespace
 
 ExactBody::ExactBody(std::shared_ptr<const SphereGrid> scene, std::shared_ptr<const HeldBody> body,

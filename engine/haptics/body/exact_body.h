@@ -122,6 +122,7 @@ class ExactBody final : public Interaction {
   std::array<Held, 6> held_{};
   int held_count_ = 0;
   double rotation_ = 0.0;        // bound of the next step's rotation, which the constraints allow for
+  double last_turned_ = 0.0;     // rotation of the last step of this tick
   double first_rotation_ = 0.0;  // of the first step of a tick
   int steps_ = 0, changes_ = 0;
 

@@ -18,6 +18,8 @@ constexpr std::array<double, 4> kKicks_A{1e-2, 1e-3, 1e-2,
 constexpr int kClosing = 2;                      // last steps of a tick, which close the gaps that Newton's steps leave
 constexpr double kSink_A = 1e-7;                 // a squeezed body's path may sink this far between two free poses
 constexpr double kNextRotation = 0.2;  // bound of the next rotation relative to the last, which converges faster
+constexpr double kMargin = 1.4,
+                 kMaxGrowth = 2.5;  // of the bound of the next rotation while the rotations do not shrink
 constexpr double kMinRotation = 1e-13;
 
 }  // namespace
@@ -63,6 +65,7 @@ void ExactBody::seekRest() noexcept {
   Saved saddle;
   at_rest_ = false;
   rotation_ = std::max(first_rotation_, kMinRotation);
+  part_ = 1.0;
   while (steps_ < kMaxSteps && changes_ < kMaxChanges) {
     lookAround();
     const Six d = pull();
@@ -143,8 +146,10 @@ bool ExactBody::advance(const Six& pull) noexcept {
   if (!closes && found && !accepted(pull)) found = regulated(nullptr, pull);
   if (!found) return squeezed(pull);
   const double turned = glm::length(solution_.step.rotation()) / lever_;
-  if (steps_ == 1) first_rotation_ = 1.4 * turned;
-  rotation_ = std::max(kNextRotation * turned, kMinRotation);
+  if (steps_ == 1) first_rotation_ = kMargin * turned;
+  const double grows = steps_ > 1 && last_turned_ > 0.0 ? turned / last_turned_ : 0.0;
+  last_turned_ = turned;
+  rotation_ = std::max((grows > 0.5 ? std::min(kMargin * grows, kMaxGrowth) : kNextRotation) * turned, kMinRotation);
   const BodyPose to = moved(solution_.step);
   hold(solution_, part_);
   go(to);
@@ -156,7 +161,9 @@ bool ExactBody::advance(const Six& pull) noexcept {
 bool ExactBody::regulated(const Factor6* metric, Six pull) noexcept {
   const double cap = row_count_ == 0 ? std::max(room_, 0.0) : std::min(kStep_A, std::max(room_, 0.0));
   int shrunk = 0;
-  part_ = 1.0;
+  // After a step that was cut to the cap, the next begins with a similar share of the pull.
+  part_ = metric ? std::min(1.0, kMargin * part_) : 1.0;
+  pull.scale(part_);
   for (int tries = 0; tries < 16 && changes_ < 2 * kMaxChanges; ++tries) {
     solution_ = solve(metric, pull, rotation_);
     if (!solution_.feasible) {
@@ -173,11 +180,17 @@ bool ExactBody::regulated(const Factor6* metric, Six pull) noexcept {
       pull.scale(part);
       part_ *= part;
       turned *= part;
-      if (turned > rotation_) rotation_ = 1.4 * turned;
+      if (turned > rotation_) rotation_ = kMargin * turned;
+      continue;
+    }
+    if (part_ < 1.0 && shrunk == 0 && motion < 0.4 * cap) {
+      const double more = std::min(1.0 / part_, 0.8 * cap / std::max(motion, 1e-12));
+      pull.scale(more);
+      part_ *= more;
       continue;
     }
     if (turned <= rotation_) return true;
-    rotation_ = 1.4 * turned;
+    rotation_ = kMargin * turned;
   }
   return false;
 }

@@ -130,8 +130,8 @@ inline double smallestEigenvalue(const Matrix6& a, std::size_t n, Six& vector) {
 }
 
 /// Factors the matrix of which `b` holds the lower triangle. If a pivot is at most `least_pivot`, the factor is that of
-/// the matrix with the absolute values of the eigenvalues, each at least `least_modified`, so that a step of Newton's
-/// method leads away from a saddle.
+/// the matrix with other eigenvalues, so that a step of Newton's method leads away from a saddle: half of the absolute
+/// value of a negative one, and each at least `least_modified`.
 inline Factor6 factored(Matrix6 b, double least_pivot, double least_modified) {
   Factor6 out;
   const auto run = [&] {
@@ -159,7 +159,7 @@ inline Factor6 factored(Matrix6 b, double least_pivot, double least_modified) {
   for (std::size_t j = 0; j < 6; ++j) {
     Six axis;
     for (std::size_t i = 0; i < 6; ++i) axis[i] = axes.row[i][j];
-    b.addOuter(std::max(least_modified, std::abs(values[j])), axis);
+    b.addOuter(std::max(least_modified, values[j] < 0.0 ? -0.5 * values[j] : values[j]), axis);
   }
   least_pivot = 0.0;
   run();
