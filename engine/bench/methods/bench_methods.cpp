@@ -37,30 +37,8 @@ constexpr MethodFamily kMesh{"Mesh", ""}, kGrid{"Grid", ""}, kSurfaceMesh{"Surfa
 
 // The bench's reports are in English, so that these words are not translated.
 constexpr std::array kTable{
-<<<<<<< HEAD
-    Row{{.name = "mesh960-tree",
-         .sentence = "a god-object on 960 triangles per sphere, with a full tree search in every tick",
-         .make = &makeTreeMesh,
-         .family = kMesh,
-         .grade = "960",
-         .triangles = 960,
-         .follows_motion = true}},
-    Row{{.name = "grid02-ready",
-         .sentence = "the grid 0.2 A apart, made beforehand wherever the surface is",
-         .make = &makeReadyGrid<2>,
-         .family = kGrid,
-         .grid_spacing_A = 0.2},
-        {.max_spheres = kMaxPrepared}},
-    Row{{.name = "grid04-ready",
-         .sentence = "the grid 0.4 A apart, made beforehand wherever the surface is",
-         .make = &makeReadyGrid<4>,
-         .family = kGrid,
-         .grid_spacing_A = 0.4},
-        {.max_spheres = kMaxPrepared}},
-    Row{{.name = "sasmesh05",
-=======
     MeasuredMethod{{.name = "mesh960-tree",
-                    .sentence = "a god-object on 960 triangles a ball, with a full tree search in every tick",
+                    .sentence = "a god-object on 960 triangles per sphere, with a full tree search in every tick",
                     .make = &makeTreeMesh,
                     .family = kMesh,
                     .grade = "960",
@@ -80,7 +58,6 @@ constexpr std::array kTable{
                    {.max_spheres = kMaxPrepared}},
     MeasuredMethod{
         {.name = "sasmesh05",
->>>>>>> main
          .sentence = "a god-object on one manifold mesh of the surface, made beforehand on a grid 0.5 A apart",
          .make = &makeSasMesh<50>,
          .family = kSurfaceMesh,
