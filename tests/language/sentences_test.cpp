@@ -95,6 +95,7 @@ TEST_CASE(
       {"engine/lesson/new_lesson.cpp", 99},       // the lesson that an author begins with
       {"engine/lesson/reference.cpp", 99},        // a page of docs
       {"engine/lesson/minutes.cpp", 1},           // a row of that page
+      {"engine/lesson/facts.cpp", 16},            // the table of its kinds on that page
       {"engine/lesson/selection_parser.cpp", 9},  // words of the selection language, explained on that page
       {"engine/lesson/selection_slips.cpp", 2},   // words of it
       {"engine/lesson/keys.cpp", 2},              // keys that authors write
