@@ -42,6 +42,10 @@ class ViewControls {
   /// the viewer, and aims at that place until the pointer or the keys lead it.
   void begin(const Camera& camera, PointA before, const Workspace& workspace, double outside_A, MouseDevice& mouse);
 
+  /// The orientation, in the molecule's space, with which the hand starts from the next begin() on; empty: that of the
+  /// device's axes.
+  void startTurned(const std::optional<Quat>& orientation) { start_ = orientation; }
+
   /// Ends a press as Escape does: it begins again when the button or key has been released.
   void letGo() { let_go_ = true; }
 
@@ -68,6 +72,7 @@ class ViewControls {
  private:
   PointerHand hand_;
   Quat orientation_ = kNoRotation;  // of the hand, from the device's axes
+  std::optional<Quat> start_;       // in the molecule's space
   PointA lead_;
   std::optional<PointA> first_aim_;  // of a scene of which no frame has been led
   double hint_left_s_ = 2.0, press_rested_s_ = 0.0;

@@ -10,6 +10,7 @@
 //                                 leads the hand straight there (angstrom), and evenly to the orientation of that
 //                                 quaternion relative to the molecule's file; without one it keeps its orientation. A
 //                                 body in the hand has its middle there
+//   state 1                       moves the scene's atoms to this share of the way to its second structure, 0 to 1
 //   lift                          lets go
 //   method NAME                   chooses a haptic method
 //   say WORD                      presses a button of the task: here, next, same, different, mark, this
@@ -33,7 +34,7 @@
 namespace moltact {
 
 struct LearnerAct {
-  enum class Kind { Do, Touch, Press, Slide, Pose, Wait, Lift, Method, Say, Set, Draw, Answer, Next, Back, Go };
+  enum class Kind { Do, Touch, Press, Slide, Pose, State, Wait, Lift, Method, Say, Set, Draw, Answer, Next, Back, Go };
   Kind kind = Kind::Do;
   std::string word;           ///< method, button, step, question, or a kind of place
   std::string text;           ///< the answer

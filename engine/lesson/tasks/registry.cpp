@@ -16,7 +16,10 @@
   X(same)                \
   X(fit)                 \
   X(measure)             \
-  X(order)
+  X(order)               \
+  X(dock)                \
+  X(pass)                \
+  X(contacts)
 
 namespace moltact {
 

@@ -29,6 +29,10 @@ struct TaskKind {
   std::string_view of_body = {};
   /// Whether a body is judged in the form that `spec` gives the task; null: in every form, if `of_body` says so.
   bool (*form_judges_body)(const TaskSpec& spec) = nullptr;
+  /// Adds problems with what the scene's hand holds, in the scene's structures; not called where it holds the probe; may be
+  /// null.
+  void (*check_body)(const TaskSpec& spec, const std::shared_ptr<const HeldBody>& body,
+                     std::span<const StructureChoice> structures, std::vector<Problem>& problems) = nullptr;
 
   bool judgesBody(const TaskSpec& spec) const {
     return !of_body.empty() && (!form_judges_body || form_judges_body(spec));

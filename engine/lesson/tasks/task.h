@@ -54,6 +54,9 @@ struct TaskStage {
   std::optional<PointA> facing = {};        ///< a place to be turned to the front, in the middle of the view
   std::optional<PointA> close_to = {};      ///< a place that the view comes close to, once no hand presses
   std::optional<Quat> turned = {};          ///< the molecule is seen turned so: the screen's axes in its own
+  std::optional<Quat> body_turned = {};     ///< a hand that has no orientation of its own (mouse, keys, fingers) begins
+                                            ///< with it, also after the view was reset: of what it holds, relative to
+                                            ///< the molecule's file
   int presentation = 0;  ///< another number, or another turn, begins a new presentation: the hand lets go and starts
                          ///< outside again, so that nothing but the touch shows whether something has changed
 
@@ -138,12 +141,17 @@ class Task {
   /// The plan by which a hand carries it out from here; empty where no place for it is open to a probe from outside. It
   /// is asked for again when the plan has been followed and the task is not done.
   virtual HandPlan demonstrate(const HandPlanInput& view) const = 0;
+  /// Why there is no plan, as a part of a sentence in English.
+  virtual std::string_view noPlan() const { return N_("no place for it is open to the probe from outside"); }
 
   /// Forgets everything, as at the start.
   virtual void reset();
 
   /// Atoms of the molecule that the scene takes from the hand (scene_atoms.h), told once, before the first tick.
   virtual void leaveOut(std::span<const std::uint32_t> /*untouchable*/) {}
+  /// What the scene gives the hand to hold, in its pose of the molecule's file; never null. Told like the above, and
+  /// not at all where the hand holds the probe.
+  virtual void takeInHand(std::shared_ptr<const HeldBody> /*body*/) {}
 
  protected:
   explicit Task(const TaskSpec& spec)
