@@ -57,20 +57,6 @@ inline void stretchToScp(Contact& contact, PointA hip) {
   contact.energy_A2 = 0.5 * glm::dot(contact.displacement_A, contact.displacement_A);
 }
 
-/// The scene's atoms that the hand touches at once, each once. A point touches up to three.
-struct TouchedAtoms {
-  static constexpr std::size_t kMax = 24;  ///< of a body that touches more, the others are left out
-  std::array<std::int32_t, kMax> atoms{};
-  std::uint8_t count = 0;
-
-  void add(std::int32_t atom) {
-    if (atom < 0 || count == kMax) return;
-    for (std::size_t k = 0; k < count; ++k)
-      if (atoms[k] == atom) return;
-    atoms[count++] = atom;
-  }
-};
-
 /// The largest probe radius that a tracker accepts (unit: angstrom).
 inline constexpr double kMaxProbe_A = 20.0;
 

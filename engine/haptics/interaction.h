@@ -102,14 +102,6 @@ class Interaction {
   /// Upper bound of the number of reactions in every state, for allocating `out` in advance.
   virtual std::size_t maxReactionCount() const noexcept { return 3; }
 
-  /// The scene's atoms that were touched in the last response. Haptic thread, like `respond`. The default: those that
-  /// block the contact's SCP.
-  virtual TouchedAtoms touchedAtoms(const Response& last) const noexcept {
-    TouchedAtoms out;
-    for (const std::int32_t atom : last.contact.atoms) out.add(atom);
-    return out;
-  }
-
   /// Switches to the spheres of a motion, at its beginning; null: to the spheres given at construction. The motion has
   /// the same number of spheres and stays in use until another is set. Setting the motion in use changes nothing.
   /// Returns false, without any change, if the interaction cannot follow moving spheres.

@@ -24,7 +24,6 @@ class WrappedInteraction : public Interaction {
     return inner_->reactions(last, spring_N_per_A, field_share, out);
   }
   std::size_t maxReactionCount() const noexcept override { return inner_->maxReactionCount(); }
-  TouchedAtoms touchedAtoms(const Response& last) const noexcept override { return inner_->touchedAtoms(last); }
   bool setMotion(const SphereMotion* motion) noexcept override { return inner_->setMotion(motion); }
   void advanceTo(double fraction) noexcept override { inner_->advanceTo(fraction); }
   MemoryUsage memoryUsage() const noexcept override { return inner_->memoryUsage(); }

@@ -22,7 +22,6 @@ struct TouchSample {
   Quat orientation = kNoRotation;  ///< of the hand, in the molecule's space
   std::optional<PoseA> body = {};  ///< where the held body is shown: the place of its middle and its orientation
                                    ///< relative to the molecule's file; empty: the hand holds the probe
-  TouchedAtoms touched = {};       ///< at once, by the probe or by any atom of the body
   bool placed = false;             ///< the hand was put down here, without a path from the tick before
   Vec3 torque_N_mm{0.0};           ///< on the hand, in the device's space; zero for a device that drives none
 
@@ -43,7 +42,6 @@ TouchSample touchSampleOf(const ServoTick& tick, std::string_view method = {}, c
           .exact = exact,
           .orientation = tick.orientation,
           .body = tick.holds_body ? std::optional(tick.shownBody()) : std::nullopt,
-          .touched = tick.touched,
           .placed = tick.placed,
           .torque_N_mm = tick.torque_N_mm};
 }

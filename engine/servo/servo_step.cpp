@@ -104,7 +104,6 @@ ServoSample ServoStep::tick(const ServoSettings& settings, Interaction* interact
     if (response.field) out.field = response.field;
     if (response.body_pose) out.body_pose = response.body_pose;
     out.at_rest = response.at_rest;
-    if (response.contact.touching()) out.touched = interaction->touchedAtoms(response);
     if (reactions && wanted.on && response.acts())
       reactions->count = interaction->reactions(response, k / settings.workspace.A_per_mm, share, reactions->room);
     last_at_ = at;

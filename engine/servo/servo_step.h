@@ -71,7 +71,6 @@ struct ServoSample {
   std::optional<FeltForce> field = std::nullopt;  ///< as returned by the interaction
   std::optional<PoseA> body_pose = std::nullopt;  ///< as in Response
   bool at_rest = true;                            ///< as in Response
-  TouchedAtoms touched;                           ///< of the interaction, in contact
   ForceN force;                                   ///< as given to the device, after all limits
   Vec3 torque_N_mm{0.0};                          ///< the same; zero for a device without torque
   LimitFlags limits;                              ///< those that changed the force of this tick

@@ -292,8 +292,7 @@ TEST_CASE("100000 random samples of every kind keep progress within 0 to 1 and r
       {"measure", {{"measure", "atom 0"}, {"to", "atom 9"}}},
       {"order", {{"order", "atom 0 then atom 4 then atom 9"}, {"first", "the left one"}, {"for", "0.1 s"}}},
       {"dock", {{"dock", "file"}}},
-      {"pass", {{"pass", "atom 0-5"}}},
-      {"contacts", {{"contacts", "anywhere"}}}};
+      {"pass", {{"pass", "atom 0-5"}}}};
   CHECK(all.size() == taskKinds().size());
   for (const auto& [kind, keys] : all) {
     auto t = task(kind, keys);
@@ -313,7 +312,6 @@ TEST_CASE("100000 random samples of every kind keep progress within 0 to 1 and r
       s.force.N.x =
           random() % 50 == 0 ? std::numeric_limits<double>::quiet_NaN() : static_cast<double>(random() % 400) * 0.01;
       s.contact.scp.A = s.exact.scp.A;
-      for (const std::int32_t a : s.contact.atoms) s.touched.add(a);
       if (kind == "dock") s.body = PoseA{s.contact.scp, kNoRotation};
       t->feed(s);
       // A person who presses whatever button there is, and draws whatever is asked for.

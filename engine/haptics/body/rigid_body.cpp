@@ -96,13 +96,6 @@ std::size_t RigidBody::reactions(const Response&, double spring_N_per_A, double 
   return count;
 }
 
-TouchedAtoms RigidBody::touchedAtoms(const Response&) const noexcept {
-  TouchedAtoms out;
-  for (const Held& h : std::span(answers_).first(held_))
-    for (const std::int32_t atom : h.answer.contact.atoms) out.add(atom);
-  return out;
-}
-
 void RigidBody::reset() noexcept {
   for (const auto& sphere : spheres_) sphere->reset();
 }

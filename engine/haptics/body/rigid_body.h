@@ -41,8 +41,6 @@ class RigidBody final : public Interaction {
   std::size_t reactions(const Response& last, double spring_N_per_A, double field_share,
                         std::span<AtomForce> out) const noexcept override;
   std::size_t maxReactionCount() const noexcept override { return max_reaction_count_; }
-  /// Those that any atom of the body touches.
-  TouchedAtoms touchedAtoms(const Response& last) const noexcept override;
   bool setMotion(const SphereMotion* motion) noexcept override;
   void advanceTo(double fraction) noexcept override;
   MemoryUsage memoryUsage() const noexcept override;

@@ -18,8 +18,7 @@
   X(measure)             \
   X(order)               \
   X(dock)                \
-  X(pass)                \
-  X(contacts)
+  X(pass)
 
 namespace moltact {
 

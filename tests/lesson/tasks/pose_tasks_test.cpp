@@ -1,4 +1,4 @@
-// The tasks that judge where something is led: dock, pass and contacts, fed with samples made by hand. Oracles: poses
+// The tasks that judge where something is led: dock and pass, fed with samples made by hand. Oracles: poses
 // whose distance from the goal has a closed form.
 #include <cmath>
 #include <numbers>
@@ -251,40 +251,4 @@ TEST_CASE(
     CHECK_FALSE(t->done());
   }
   CHECK(problemOf("pass", {}) == "touch needs the key 'pass'");
-}
-
-TEST_CASE(
-    "contacts is solved by three of its atoms touched at once for 1 s; not by two, by three one after the other, by "
-    "atoms that do not count, or for 0.9 s") {
-  const auto touches = [](Task& t, std::vector<std::vector<int>> ticks, double each_s) {
-    Leader hand{t};
-    hand.next.contact.feature = Feature::Sphere;
-    for (const auto& atoms : ticks) {
-      hand.next.touched = {};
-      for (const int a : atoms) hand.next.touched.add(a);
-      hand.stay(each_s);
-    }
-  };
-  const auto asked = [] { return task("contacts", {{"contacts", "chain A"}}, scene()); };
-  const std::vector<std::pair<std::vector<std::vector<int>>, double>> wrong{{{{2, 3}}, 5.0},
-                                                                            {{{2}, {3}, {4}, {2}, {3}, {4}}, 0.5},
-                                                                            {{{0, 1, 2, 3}}, 5.0},
-                                                                            {{{2, 2, 2, 3}}, 5.0},
-                                                                            {{{2, 3, 4}}, 0.9}};
-  for (const auto& [ticks, each_s] : wrong) {
-    const auto t = asked();
-    touches(*t, ticks, each_s);
-    CHECK_FALSE(t->done());
-  }
-  const auto t = asked();
-  touches(*t, {{2, 3, 4}}, 1.1);
-  CHECK(t->solved());
-  CHECK(figure(*t, "most atoms at once") == 3.0);
-}
-
-TEST_CASE("a list of touched atoms has each once, and 24 at most") {
-  TouchedAtoms all;
-  for (int k = -3; k < 60; ++k) all.add(k / 2);
-  CHECK(all.count == TouchedAtoms::kMax);
-  for (std::size_t k = 0; k < all.count; ++k) CHECK(all.atoms[k] == std::int32_t(k));
 }
