@@ -3,7 +3,7 @@
 #   ./run.sh                    opens the window
 #   ./run.sh info 1ubq          a command without a window; ./run.sh --help lists them
 #   ./run.sh web                builds the browser edition, build/web/moltact.html, and says where it is
-#   ./run.sh package            makes the Debian package and says where it is
+#   ./run.sh package            makes the Debian packages and says where they are
 set -eu
 here=$PWD
 cd "$(dirname "$0")"
@@ -19,7 +19,7 @@ fi
 if [ "${1:-}" = package ]; then
   install_missing .ci/packages-package >&2
   make_package >&2
-  ls "$root"/build/package/moltact_*.deb
+  ls "$root"/build/package/*moltact*.deb
   exit 0
 fi
 [ -x build/release/moltact ] || echo "Building Moltact; the first time this takes a few minutes." >&2

@@ -2,7 +2,7 @@
 # Installs what is missing, builds Moltact and runs every test.
 #   ./test.sh                   the release build
 #   ./test.sh release asan tsan the builds of CMakePresets.json that are named
-#   ./test.sh package           the Debian package: made, judged, installed on a bare system, used, removed (tests/package)
+#   ./test.sh package           the Debian packages: made, judged, installed on a bare system, used, removed (tests/package)
 #   ./test.sh web               the browser edition in headless Chromium (tests/web)
 #   ./test.sh windows           the build for Windows, under Wine (tests/windows, docs/windows.md)
 #   ./test.sh fuzz              every reader of files under libFuzzer, 20 s each (tests/fuzz)
@@ -16,7 +16,7 @@ for preset in "${@:-release}"; do
   if [ "$preset" = package ]; then
     install_missing .ci/packages-package
     make_package
-    timeout 30m tests/package/run.sh build/package/moltact_*.deb
+    timeout 30m tests/package/run.sh build/package/*moltact*.deb
     continue
   fi
   if [ "$preset" = web ]; then

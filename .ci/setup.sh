@@ -33,9 +33,9 @@ build_preset() {
   cmake --build --preset "$1" ${2:+--target "$2"}
 }
 
-# make_package: the Debian package build/package/moltact_*.deb, and no older one beside it.
+# make_package: the Debian packages build/package/*moltact*.deb, and no older one beside them.
 make_package() {
   build_preset package
-  rm -rf build/package/moltact_*.deb build/package/_CPack_Packages
+  rm -rf build/package/*moltact*.deb build/package/_CPack_Packages
   cpack --preset package >build/package/cpack.log 2>&1 || { cat build/package/cpack.log; return 1; }
 }

@@ -1,12 +1,18 @@
-# Strips the program in the package, as Debian's own packages do.
-file(GLOB programs ${CPACK_TEMPORARY_DIRECTORY}/usr/bin/*)
+# Strips what the packages contain, as Debian's own packages do.
+file(GLOB programs ${CPACK_TEMPORARY_DIRECTORY}/*/usr/bin/* ${CPACK_TEMPORARY_DIRECTORY}/*/usr/lib/python3/dist-packages/*/*.so)
 foreach(program ${programs})
   execute_process(COMMAND strip --remove-section=.comment --remove-section=.note ${program} COMMAND_ERROR_IS_FATAL ANY)
 endforeach()
+file(GLOB_RECURSE archives ${CPACK_TEMPORARY_DIRECTORY}/*.a)
+foreach(archive ${archives})
+  execute_process(COMMAND strip --strip-debug --remove-section=.comment --remove-section=.note --enable-deterministic-archives ${archive}
+    COMMAND_ERROR_IS_FATAL ANY)
+endforeach()
 
 # Without the browser edition, its lintian overrides would be unused.
-if(NOT EXISTS ${CPACK_TEMPORARY_DIRECTORY}/usr/share/moltact/moltact.html)
-  set(overrides ${CPACK_TEMPORARY_DIRECTORY}/usr/share/lintian/overrides/moltact)
+set(folder ${CPACK_TEMPORARY_DIRECTORY}/program/usr/share)
+if(NOT EXISTS ${folder}/moltact/moltact.html)
+  set(overrides ${folder}/lintian/overrides/moltact)
   file(READ ${overrides} text)
   string(REGEX REPLACE "[^\n]*(moltact\\.html|big-usr-share)[^\n]*\n" "" text "${text}")
   file(WRITE ${overrides} "${text}")

@@ -12,7 +12,7 @@ if [ -z "$format" ]; then
   exit 77
 fi
 # GNU xargs exits with 123 where a run failed and with more where one could not be made.
-differ=$(find app assets engine molecules tests \( -name '*.h' -o -name '*.cpp' \) -print0 |
+differ=$(find app assets docs engine molecules tests \( -name '*.h' -o -name '*.cpp' \) -print0 |
   xargs -0 -P "$(nproc)" -n 32 "$format" --dry-run -Werror 2>&1)
 status=$?
 [ $status = 0 ] && exit 0

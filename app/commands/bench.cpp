@@ -15,6 +15,7 @@
 #include "engine/bench/hand_replay.h"
 #include "engine/bench/hip_paths.h"
 #include "engine/bench/many_threads.h"
+#include "engine/bench/methods/bench_methods.h"
 #include "engine/bench/report_table.h"
 #include "engine/bench/smaller_probe.h"
 #include "engine/bench/stability.h"
@@ -113,10 +114,10 @@ std::vector<const Method*> chosen(const std::vector<std::string>& names, bool qu
   return out;
 }
 
-// The stability bench creates thousands of trackers and changes the probe during contact. It covers only the methods
-// that the program offers.
-std::vector<const Method*> offeredOf(std::vector<const Method*> methods) {
-  std::erase_if(methods, [](const Method* m) { return !findMethod(m->name); });
+// The stability bench creates thousands of trackers and changes the probe during contact. It covers only methods that
+// need no preparation.
+std::vector<const Method*> unlimited(std::vector<const Method*> methods) {
+  std::erase_if(methods, [](const Method* m) { return !limitsOf(*m).none(); });
   return methods;
 }
 
@@ -330,9 +331,9 @@ void run(const BenchArguments& arguments) {
   Report report;
   if (all || arguments.part == "tables") addTables(arguments, methods, report);
   if (all || arguments.part == "chart") addChart(arguments, methods, report);
-  if (all || arguments.part == "feel") addFeel(arguments, offeredOf(methods), report);
-  if (all || arguments.part == "hands") addHands(arguments, offeredOf(methods), report);
-  if (all || arguments.part == "stability") addStability(arguments, offeredOf(methods), report);
+  if (all || arguments.part == "feel") addFeel(arguments, unlimited(methods), report);
+  if (all || arguments.part == "hands") addHands(arguments, unlimited(methods), report);
+  if (all || arguments.part == "stability") addStability(arguments, unlimited(methods), report);
 
   for (const ReportTable& t : report.tables)
     if (!t.name.ends_with("_figures"))

@@ -65,6 +65,8 @@ Checked checkFile(const fs::path& file, LessonMolecules& molecules, bool play) {
   out.text = *bytes;
   LessonCheck check =
       checkLesson(out.file, *std::move(bytes), [&](const NamedMolecule& named) { return molecules.find(file, named); });
+  if (check.lesson && check.errors.empty())
+    check.errors = checkFacts(*check.lesson, [&](const NamedMolecule& named) { return molecules.find(file, named); });
   if (play && check.lesson && check.errors.empty()) playLesson(file, *check.lesson, molecules, check.errors);
   if (check.lesson) out.minutes = shownMinutes(*check.lesson);
   out.errors = std::move(check.errors);

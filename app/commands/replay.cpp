@@ -28,7 +28,8 @@ namespace {
 struct ReplayOptions {
   MoleculeArgument molecule;
   std::string path, out, in_hand;
-  std::vector<std::string> spheres;  // files of the scene and of the body, used without a molecule
+  std::vector<std::string> from_spheres;  // files of the scene and of the body, read in place of a molecule
+  std::vector<std::string> spheres;       // files of the scene and of the body, written
   LeftOutAtoms left_out;
   TouchSetup touch;
   double stiffness_N_per_A = 1.0, rotational_stiffness_N_A = 0.0;
@@ -142,10 +143,10 @@ std::vector<char> replayProbe(const InteractionInput& input, const HipPath& path
 // The molecule and its held atoms, or the spheres of two files.
 InteractionInput inputOf(const ReplayOptions& options) {
   InteractionInput input{.touch = options.touch};
-  if (!options.spheres.empty()) {
+  if (!options.from_spheres.empty()) {
     constexpr std::size_t kMaxSpheres = 25'000'000;
-    input.spheres = std::make_shared<const SphereGrid>(readSpheres(options.spheres[0], kMaxSpheres));
-    input.body = bodyOfSpheres(readSpheres(options.spheres[1], kMaxHeldAtoms));
+    input.spheres = std::make_shared<const SphereGrid>(readSpheres(options.from_spheres[0], kMaxSpheres));
+    input.body = bodyOfSpheres(readSpheres(options.from_spheres[1], kMaxHeldAtoms));
   } else {
     const Molecule molecule = options.molecule.load();
     std::vector<std::uint32_t> not_felt = options.left_out.notFelt(molecule);
@@ -172,7 +173,13 @@ void run(const ReplayOptions& options) {
   if (!path->orientations.empty() && !input.body)
     throw CommandError{options.path + ":1:7: " + tr("the probe has no orientation") + "; " +
                        tr("write the header x,y,z, or name what the hand holds with --in-hand")};
-  checkOutputs({{"--out", options.out}});
+  std::vector<NamedOutput> outputs{{"--out", options.out}};
+  for (const std::string& file : options.spheres) outputs.push_back({"--spheres", file});
+  checkOutputs(outputs);
+  if (!options.spheres.empty()) {
+    writeSpheres(options.spheres[0], touchableSpheres(*input.spheres));
+    writeSpheres(options.spheres[1], input.body->spheres);
+  }
   const std::vector<char> touches = input.body ? replayBody(input, *path, options.stiffness_N_per_A, options.out)
                                                : replayProbe(input, *path, options);
   if (options.time) printDocument(timePath(input, *path, touches));
@@ -201,15 +208,22 @@ void addReplay(CLI::App& app) {
   CLI::Option* in_hand = command->add_option("--in-hand", options->in_hand,
                                              "Selection of atoms that the hand holds as one rigid body: 'ligand'");
   command
-      ->add_option(
-          "--spheres", options->spheres,
-          "In place of MOLECULE: two CSV files with the header x,y,z,r (angstrom), the spheres of the scene and "
-          "those of the body in the hand, given from its centre")
+      ->add_option("--spheres", options->spheres,
+                   "Write the spheres that are felt to two CSV files with the header x,y,z,r (angstrom): those of the "
+                   "scene, and those of the body in the hand, given from its centre")
       ->type_name("SCENE.csv BODY.csv")
       ->expected(2)
-      ->excludes(molecule)
-      ->excludes(in_hand);
+      ->needs(in_hand);
+  CLI::Option* from_spheres =
+      command
+          ->add_option("--from-spheres", options->from_spheres,
+                       "In place of MOLECULE: read the spheres of the scene and of the body from two such files")
+          ->type_name("SCENE.csv BODY.csv")
+          ->expected(2)
+          ->excludes(molecule)
+          ->excludes(in_hand);
   options->left_out.addTo(*command);
+  for (const char* of_molecule : {"--untouchable", "--remove"}) from_spheres->excludes(of_molecule);
   addTouchOptions(*command, options->touch);
   addProbeOption(*command, options->touch);
   command->add_option("--stiffness", options->stiffness_N_per_A, "Stiffness of the spring, in N per angstrom")
@@ -224,8 +238,8 @@ void addReplay(CLI::App& app) {
   command->add_flag("--time", options->time,
                     "Print the time of the ticks as JSON (ns): the minimum of three passes for each tick");
   command->callback([options] {
-    if (options->molecule.named.name.empty() && options->spheres.empty())
-      throw CLI::RequiredError("MOLECULE (or --spheres)");
+    if (options->molecule.named.name.empty() && options->from_spheres.empty())
+      throw CLI::RequiredError("MOLECULE (or --from-spheres)");
     if (options->out.empty() && !options->time) throw CLI::RequiredError("--out (or --time)");
     run(*options);
   });

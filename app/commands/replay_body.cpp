@@ -51,6 +51,28 @@ std::vector<Sphere> readSpheres(const std::filesystem::path& file, std::size_t m
   return out;
 }
 
+void writeSpheres(const std::string& file, std::span<const Sphere> spheres) {
+  Expected<Draft> draft = Draft::begin(file);
+  if (!draft) throw CommandError{draft.problem().text()};
+  check(draft->append(std::string(kSphereHeader[0]) + '\n'));
+  std::string row;
+  for (const Sphere& sphere : spheres) {
+    row.clear();
+    appendNumbers(row, sphere.centre_A);
+    appendNumber(row, sphere.radius_A);
+    row += '\n';
+    check(draft->append(std::string_view(row).substr(1)));  // each number follows a comma
+  }
+  check(draft->commit());
+}
+
+std::vector<Sphere> touchableSpheres(const SphereGrid& scene) {
+  std::vector<Sphere> out;
+  for (std::size_t k = 0; k < scene.size(); ++k)
+    if (scene.touchable(k)) out.push_back(scene[k]);
+  return out;
+}
+
 std::vector<char> replayBody(const InteractionInput& input, const HipPath& path, double stiffness_N_per_A,
                              const std::string& out) {
   const auto felt = makeInteraction(input);

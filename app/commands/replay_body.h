@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -14,6 +15,12 @@ namespace moltact {
 /// Reads the spheres of a file with the header `x,y,z,r` (angstrom). Throws CommandError with file, line and remedy if
 /// the file is malformed, has more than `most` spheres, or a number that is invalid for a sphere.
 std::vector<Sphere> readSpheres(const std::filesystem::path& file, std::size_t most);
+
+/// Writes spheres in the same format. Throws CommandError if the file cannot be written.
+void writeSpheres(const std::string& file, std::span<const Sphere> spheres);
+
+/// The spheres of the scene that can be felt.
+std::vector<Sphere> touchableSpheres(const SphereGrid& scene);
 
 /// Moves a body along the path. If `out` is not empty, writes one row per tick: pose of the hand, pose of the body,
 /// force and torque of springs with that stiffness, and whether the body is at rest. Returns for each tick whether it

@@ -7,13 +7,13 @@
 #include <vector>
 
 #include "engine/bench/chart_svg.h"
+#include "engine/bench/methods/bench_methods.h"
 #include "engine/core/text.h"
-#include "engine/haptics/methods.h"
 
 namespace moltact::bench {
 namespace {
 
-// One mark per family, in the order of the table of methods.
+// One mark per family, in the order of benchMethods().
 Mark markOf(const MethodFamily& family) {
   constexpr std::array kMarks{Mark::Diamond, Mark::Disc, Mark::Triangle, Mark::Square, Mark::Cross, Mark::Circle};
   std::vector<std::string_view> before;

@@ -4,6 +4,7 @@
 
 #include "engine/bench/clock_step.h"
 #include "engine/bench/hip_paths.h"
+#include "engine/bench/methods/bench_methods.h"
 #include "engine/bench/scenes.h"
 
 namespace moltact::bench {
@@ -63,8 +64,10 @@ std::vector<TableScene> madeScenes(bool quick, std::uint64_t seed) {
 std::vector<const Method*> methodsForSize(const std::vector<const Method*>& methods, std::size_t spheres,
                                           std::size_t min_prepared) {
   std::vector<const Method*> out;
-  for (const Method* m : methods)
-    if (m->max_spheres == 0 || (spheres <= m->max_spheres && spheres >= min_prepared)) out.push_back(m);
+  for (const Method* m : methods) {
+    const std::size_t max_spheres = limitsOf(*m).max_spheres;
+    if (max_spheres == 0 || (spheres <= max_spheres && spheres >= min_prepared)) out.push_back(m);
+  }
   return out;
 }
 

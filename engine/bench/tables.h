@@ -47,7 +47,7 @@ struct SceneTimes {
   std::vector<TickTimes> free, contact;  ///< one element per method suitable for this size, in the order of the options
 };
 
-/// The methods suitable for this number of spheres (Method::max_spheres); methods that prepare the whole scene only
+/// The methods suitable for this number of spheres (MethodLimits::max_spheres); methods that prepare the whole scene only
 /// from `min_prepared` spheres.
 std::vector<const Method*> methodsForSize(const std::vector<const Method*>& methods, std::size_t spheres,
                                           std::size_t min_prepared = 0);

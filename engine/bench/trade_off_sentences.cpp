@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "engine/bench/methods/bench_methods.h"
+
 namespace moltact::bench {
 namespace {
 
@@ -77,8 +79,8 @@ std::string sizeSentences(const std::vector<SceneTimes>& times) {
     if (!row || !(row->mean_ns > 0)) continue;
     if (!smallest || s.spheres < smallest->spheres) smallest = &s;
     if (!largest || s.spheres > largest->spheres) largest = &s;
-    const bool any =
-        std::any_of(s.contact.begin(), s.contact.end(), [](const TickTimes& t) { return t.method->max_spheres > 0; });
+    const bool any = std::any_of(s.contact.begin(), s.contact.end(),
+                                 [](const TickTimes& t) { return limitsOf(*t.method).max_spheres > 0; });
     if (any && (!prepared || s.spheres > prepared->spheres)) prepared = &s;
   }
   if (!smallest) return "";
@@ -97,7 +99,7 @@ std::string sizeSentences(const std::vector<SceneTimes>& times) {
   out += "* Preparation on " + readable(double(prepared->spheres)) + " spheres: `exact` is ready after " +
          seconds(ready(*exact)) + ", with " + bytes(exact->memory_usage.bytes) + " after the strokes";
   for (const TickTimes& t : prepared->contact)
-    if (t.method->max_spheres > 0)
+    if (limitsOf(*t.method).max_spheres > 0)
       out += "; " + quoted(t.method) + ", which preprocesses the whole scene for one probe, after " +
              seconds(ready(t)) + " (" + readable(ready(t) / ready(*exact)) + " times), with " +
              bytes(t.memory_usage.bytes) + " (" +

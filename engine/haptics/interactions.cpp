@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "engine/haptics/body/exact_body.h"
 #include "engine/haptics/body/rigid_body.h"
 #include "engine/haptics/methods.h"
 #include "engine/language/catalogue.h"
@@ -21,18 +22,31 @@ std::unique_ptr<Interaction> makeProbe(const InteractionInput& input) {
   return method ? makeSphere(input, *method, input.touch.probe_A) : nullptr;
 }
 
-std::unique_ptr<Interaction> makeBody(const InteractionInput& input) {
+std::unique_ptr<Interaction> makeSprings(const InteractionInput& input) {
   const Method* method = findMethod(input.touch.method);
   if (!method || !input.body) return nullptr;
   const auto make = [&](double radius_A) { return makeSphere(input, *method, radius_A); };
   return std::make_unique<RigidBody>(input.body, make, input.spheres->bytes());
 }
 
+// A single sphere about the middle has no lever: the exact tracker, which needs no search, is its exact body.
+std::unique_ptr<Interaction> makeExactBody(const InteractionInput& input) {
+  if (!input.body) return nullptr;
+  if (input.body->spheres.size() > 1 || glm::length(input.body->spheres.front().centre_A) > 1e-9)
+    return std::make_unique<ExactBody>(input.spheres, input.body, input.rotational_stiffness_N_A);
+  const auto make = [&](double radius_A) { return makeSphere(input, referenceMethod(), radius_A); };
+  return std::make_unique<RigidBody>(input.body, make, input.spheres->bytes());
+}
+
 constexpr std::array kKinds{
     InteractionKind{"probe", N_("Probe"), N_("a sphere at the hand, which a haptic method keeps outside every atom"),
                     &makeProbe},
-    InteractionKind{"body", N_("Rigid body"), N_("atoms that follow the hand, each kept outside by a haptic method"),
-                    &makeBody, true},
+    InteractionKind{"exact-body", N_("Exact rigid body"),
+                    N_("a rigid body that rests where its springs are in balance and overlaps no atom"), &makeExactBody,
+                    true},
+    InteractionKind{"springs", N_("Springs of a rigid body"),
+                    N_("atoms that follow the hand, each kept outside by a haptic method"), &makeSprings, true, false,
+                    "body"},
 };
 
 }  // namespace
@@ -41,7 +55,7 @@ std::span<const InteractionKind> interactionKinds() { return kKinds; }
 
 const InteractionKind* findInteractionKind(std::string_view name) {
   for (const InteractionKind& k : kKinds)
-    if (k.name == name) return &k;
+    if (k.name == name || (!k.former_name.empty() && k.former_name == name)) return &k;
   return nullptr;
 }
 

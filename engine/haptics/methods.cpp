@@ -9,7 +9,6 @@
 #include "engine/haptics/mesh/sphere_mesh.h"
 #include "engine/haptics/paper/paper_tracker.h"
 #include "engine/haptics/penalty/penalty_tracker.h"
-#include "engine/haptics/sas_mesh/sas_mesh_tracker.h"
 #include "engine/language/catalogue.h"
 #include "engine/language/quantity_text.h"
 
@@ -21,29 +20,21 @@ std::unique_ptr<Tracker> make(std::shared_ptr<const SphereGrid> scene, double pr
   return std::make_unique<T>(std::move(scene), probe_A);
 }
 
-template <int triangles, bool smooth = false, bool coherent = true>
+template <int triangles, bool smooth = false>
 std::unique_ptr<Tracker> makeMesh(std::shared_ptr<const SphereGrid> scene, double probe_A) {
-  return std::make_unique<MeshTracker>(std::move(scene), probe_A, MeshTracker::Options{triangles, smooth, coherent});
+  return std::make_unique<MeshTracker>(std::move(scene), probe_A, MeshTracker::Options{triangles, smooth});
 }
 
-template <int tenths_A, bool prepared = false>
+template <int tenths_A>
 std::unique_ptr<Tracker> makeGrid(std::shared_ptr<const SphereGrid> scene, double probe_A) {
-  return std::make_unique<GridTracker>(std::move(scene), probe_A, 0.1 * tenths_A, prepared);
+  return std::make_unique<GridTracker>(std::move(scene), probe_A, 0.1 * tenths_A);
 }
-
-template <int hundredths_A>
-std::unique_ptr<Tracker> makeSasMesh(std::shared_ptr<const SphereGrid> scene, double probe_A) {
-  return std::make_unique<SasMeshTracker>(std::move(scene), probe_A, 0.01 * hundredths_A);
-}
-
-constexpr std::size_t kMaxPrepared = 20'000;  // scenes up to this size are prepared in seconds, in about 100 MB
 
 constexpr MethodFamily kExact{N_("Exact"), N_("Follows the spheres themselves, without error.")},
     kPaper{N_("Paper"), N_("The steps of Stocks and Laycock, 2008, as they were published.")},
     kMesh{N_("Mesh"), N_("Triangles stand in for each sphere. The fewer there are, the more you feel their edges.")},
     kGrid{N_("Grid"), N_("Distances are stored on a grid. The wider apart, the rounder its creases become.")},
-    kPenalty{N_("Penalty"), N_("Each atom pushes for itself, and nothing remembers from which side you came.")},
-    kSurfaceMesh{N_("Surface mesh"), N_("One mesh of the whole surface, made beforehand.")};
+    kPenalty{N_("Penalty"), N_("Each atom pushes for itself, and nothing remembers from which side you came.")};
 
 constexpr std::array kTable{
     Method{.name = "exact",
@@ -78,7 +69,8 @@ constexpr std::array kTable{
            .variant = N_("Flat"),
            .plain_variant = true,
            .triangles = 960,
-           .follows_motion = true},
+           .follows_motion = true,
+           .former_name = "mesh960-tree"},
     Method{.name = "mesh1280",
            .sentence = N_("a god-object on 1280 triangles a ball"),
            .make = &makeMesh<1280>,
@@ -102,14 +94,6 @@ constexpr std::array kTable{
            .triangles = 960,
            .shaded = true,
            .follows_motion = true},
-    Method{.name = "mesh960-tree",
-           .sentence = N_("the same on 960 triangles, with a full tree search in every tick"),
-           .make = &makeMesh<960, false, false>,
-           .family = kMesh,
-           .grade = "960",
-           .variant = N_("No memory"),
-           .triangles = 960,
-           .follows_motion = true},
     Method{.name = "grid02",
            .sentence = N_("a signed-distance grid, smoothly interpolated, 0.2 A apart"),
            .make = &makeGrid<2>,
@@ -131,69 +115,17 @@ constexpr std::array kTable{
            .family = kPenalty,
            .summed = true,
            .follows_motion = true},
-    Method{.name = "grid02-ready",
-           .sentence = N_("the grid 0.2 A apart, made beforehand wherever the surface is"),
-           .make = &makeGrid<2, true>,
-           .family = kGrid,
-           .variant = N_("Ready"),
-           .grid_spacing_A = 0.2,
-           .max_spheres = kMaxPrepared,
-           .offered = false},
-    Method{.name = "grid04-ready",
-           .sentence = N_("the grid 0.4 A apart, made beforehand wherever the surface is"),
-           .make = &makeGrid<4, true>,
-           .family = kGrid,
-           .variant = N_("Ready"),
-           .grid_spacing_A = 0.4,
-           .max_spheres = kMaxPrepared,
-           .offered = false},
-    Method{.name = "sasmesh05",
-           .sentence = N_("a god-object on one manifold mesh of the surface, made beforehand on a grid 0.5 A apart"),
-           .make = &makeSasMesh<50>,
-           .family = kSurfaceMesh,
-           .grid_spacing_A = 0.5,
-           .max_spheres = kMaxPrepared,
-           .one_probe = true,
-           .offered = false},
-    Method{.name = "sasmesh025",
-           .sentence = N_("a god-object on one manifold mesh of the surface, made beforehand on a grid 0.25 A apart"),
-           .make = &makeSasMesh<25>,
-           .family = kSurfaceMesh,
-           .grid_spacing_A = 0.25,
-           .max_spheres = kMaxPrepared,
-           .one_probe = true,
-           .offered = false},
 };
 
-// The offered methods first, each group in the order of the table.
-constexpr auto kMethods = [] {
-  auto out = kTable;
-  std::size_t n = 0;
-  for (const bool offered : {true, false})
-    for (const Method& m : kTable)
-      if (m.offered == offered) out[n++] = m;
-  return out;
-}();
-
-constexpr auto kOffered =
-    std::size_t(std::count_if(kMethods.begin(), kMethods.end(), [](const Method& m) { return m.offered; }));
-static_assert(std::count_if(kMethods.begin(), kMethods.end(), [](const Method& m) { return m.reference; }) == 1);
+static_assert(std::count_if(kTable.begin(), kTable.end(), [](const Method& m) { return m.reference; }) == 1);
 
 }  // namespace
 
-std::span<const Method> methods() { return benchMethods().first(kOffered); }
-
-std::span<const Method> benchMethods() { return kMethods; }
+std::span<const Method> methods() { return kTable; }
 
 const Method* findMethod(std::string_view name) {
   for (const Method& m : methods())
-    if (m.name == name) return &m;
-  return nullptr;
-}
-
-const Method* findBenchMethod(std::string_view name) {
-  for (const Method& m : benchMethods())
-    if (m.name == name) return &m;
+    if (m.name == name || (!m.former_name.empty() && m.former_name == name)) return &m;
   return nullptr;
 }
 
@@ -209,7 +141,7 @@ std::shared_ptr<const SphereMesh> feltFacets(std::string_view method) {
 }
 
 const Method& referenceMethod() {
-  return *std::find_if(kMethods.begin(), kMethods.end(), [](const Method& m) { return m.reference; });
+  return *std::find_if(kTable.begin(), kTable.end(), [](const Method& m) { return m.reference; });
 }
 
 std::string_view motionSentence(const Method& method) {
@@ -223,7 +155,7 @@ std::string gradeText(const Method& method) {
 }
 
 std::string methodTitle(std::string_view name) {
-  const Method* m = findBenchMethod(name);
+  const Method* m = findMethod(name);
   if (!m) return std::string(name);
   std::string title(tr(m->family.name));
   if (const std::string grade = gradeText(*m); !grade.empty()) title.append(" ").append(grade);

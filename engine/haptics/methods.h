@@ -1,4 +1,4 @@
-// The table of haptic methods. A new method needs its own files and a row in methods.cpp.
+// The table of haptic methods that the program offers. A new method needs its own files and a row in methods.cpp.
 #pragma once
 
 #include <memory>
@@ -32,30 +32,23 @@ struct Method {
   bool plain_variant = false;     ///< the title omits the variant: "Mesh 960" means this method
   int triangles = 0;              ///< triangles per sphere, for a method on triangles; else 0
   double grid_spacing_A = 0.0;    ///< spacing of the grid that samples the surface; 0: no grid
-  std::size_t max_spheres = 0;  ///< largest scene in the bench, for a method that prepares the whole scene; 0: no limit
-  bool one_probe = false;       ///< works only with the probe radius given at construction
-  bool shaded = false;          ///< the force does not point to the SCP (Contact::displacement_A)
-  bool summed = false;          ///< the force is the sum of all spheres' pushes; there is no SCP on the surface
-  bool follows_motion = false;  ///< follows moving spheres (Interaction::setMotion)
-  bool offered = true;          ///< offered to users; false: only for comparison in the bench
-  bool reference = false;       ///< the method against which all others are measured; exactly one
+  bool shaded = false;            ///< the force does not point to the SCP (Contact::displacement_A)
+  bool summed = false;            ///< the force is the sum of all spheres' pushes; there is no SCP on the surface
+  bool follows_motion = false;    ///< follows moving spheres (Interaction::setMotion)
+  bool reference = false;         ///< the method against which all others are measured; exactly one
+  /// A name under which files of earlier versions know the method; empty: none.
+  std::string_view former_name = {};
 };
 
 /// The methods offered by the window, lessons and commands, the default first. Each accepts every scene and probe.
 std::span<const Method> methods();
 
-/// methods(), followed by the methods for comparison only; those may have restrictions (max_spheres, one_probe).
-std::span<const Method> benchMethods();
-
 /// The reference: the method without an error of its own.
 const Method& referenceMethod();
 inline bool isReference(const Method& method) { return method.reference; }
 
-/// Finds a method by name among methods(); nullptr if there is none.
+/// Finds a method by its name or former name; nullptr if there is none.
 const Method* findMethod(std::string_view name);
-
-/// Finds a method by name among benchMethods(); nullptr if there is none.
-const Method* findBenchMethod(std::string_view name);
 
 /// The names of methods(), in the same order.
 std::vector<std::string_view> methodNames();

@@ -80,11 +80,7 @@ void takeSecondState(Reading& reading, const KeyValues& values, bool takes_state
     if (!then.molecule.empty() && !scene.molecule.reading.beside.empty())
       reading.error(value.place, tr("a scene has a second structure or a molecule beside it, not both"),
                     tr("take 'then' or 'beside' out"));
-    const std::vector<std::string_view> known(lesson.molecules.begin(), lesson.molecules.end());
-    if (!then.molecule.empty() && !known.empty() && !reading.enough() &&
-        std::find(known.begin(), known.end(), then.molecule) == known.end())
-      reading.error(value.place, trf("'{0}' is not among the lesson's molecules", then.molecule),
-                    suggest(then.molecule, known, tr("add it to the front matter or take one of")));
+    if (!then.molecule.empty()) mustBeListed(reading, lesson, then.molecule, value.place);
   }
   if (values.has("states")) {
     const Value& value = values["states"];
@@ -140,6 +136,17 @@ void readMarks(const KeyValues& values, const Takes& takes, SceneSpec& scene) {
 }
 
 }  // namespace
+
+void mustBeListed(Reading& reading, const Lesson& lesson, const std::string& name, Place place) {
+  const std::vector<std::string_view> known(lesson.molecules.begin(), lesson.molecules.end());
+  if (known.empty() || reading.enough() || std::find(known.begin(), known.end(), name) != known.end()) return;
+  // '1hel.pdb' of an author who means the library's.
+  const std::string_view stem = std::string_view(name).substr(0, name.find('.'));
+  const bool meant = std::find(known.begin(), known.end(), stem) != known.end();
+  reading.error(
+      place, trf("'{0}' is not among the lesson's molecules", name),
+      meant ? trf("write '{0}'", stem) : suggest(name, known, tr("add it to the front matter or take one of")));
+}
 
 std::size_t readFrontMatter(Reading& reading, Lesson& lesson) {
   const SourceText& source = reading.source;
@@ -208,16 +215,7 @@ SceneSpec readScene(Reading& reading, const MarkdownBlock& block, const SceneSpe
   if (values.has("molecule")) {
     scene.molecule.name = values["molecule"].text;
     scene.places.molecule = values["molecule"].place;
-    const std::vector<std::string_view> known(lesson.molecules.begin(), lesson.molecules.end());
-    if (!known.empty() && std::find(known.begin(), known.end(), scene.molecule.name) == known.end() &&
-        !reading.enough()) {
-      // '1hel.pdb' of an author who means the library's.
-      const std::string_view stem = std::string_view(scene.molecule.name).substr(0, scene.molecule.name.find('.'));
-      const bool meant = std::find(known.begin(), known.end(), stem) != known.end();
-      reading.error(scene.places.molecule, trf("'{0}' is not among the lesson's molecules", scene.molecule.name),
-                    meant ? trf("write '{0}'", stem)
-                          : suggest(scene.molecule.name, known, tr("add it to the front matter or take one of")));
-    }
+    mustBeListed(reading, lesson, scene.molecule.name, scene.places.molecule);
   } else if (!before &&
              std::none_of(lines.begin(), lines.end(), [](const KeyLine& l) { return l.key == "molecule"; })) {
     reading.error(block.place, tr("the lesson's first scene needs the key 'molecule'"), tr("add a line 'molecule: …'"));
@@ -227,12 +225,8 @@ SceneSpec readScene(Reading& reading, const MarkdownBlock& block, const SceneSpe
     if (takes(option.name)) readValue(scene.molecule.reading, option, value);
     if (value.place.line > scene.places.reading.line) scene.places.reading = value.place;
   }
-  if (const std::string& beside = scene.molecule.reading.beside; !beside.empty() && values["beside"].place.line) {
-    const std::vector<std::string_view> known(lesson.molecules.begin(), lesson.molecules.end());
-    if (!known.empty() && std::find(known.begin(), known.end(), beside) == known.end() && !reading.enough())
-      reading.error(values["beside"].place, trf("'{0}' is not among the lesson's molecules", beside),
-                    suggest(beside, known, tr("add it to the front matter or take one of")));
-  }
+  if (const std::string& beside = scene.molecule.reading.beside; !beside.empty() && values["beside"].place.line)
+    mustBeListed(reading, lesson, beside, values["beside"].place);
   if (takes("captions")) takeCaptions(reading, values["captions"], scene);
   for (const TouchProperty& property : touchProperties())
     if (takes(property.key)) setTouchValue(scene.touch, property, touchValueOf(property, values[property.key]));

@@ -31,4 +31,8 @@ LessonCheck checkLesson(const std::string& name, std::string bytes, const Molecu
 /// Only the checks of a lesson against its molecules: every error, in the order of the file.
 std::vector<Problem> checkAgainstMolecules(const Lesson& lesson, const MoleculeByName& molecule);
 
+/// Computes the facts that the lesson states from its molecules and returns the false ones, in the order of the file.
+/// Their searches may take seconds: for `moltact check`, not for a window.
+std::vector<Problem> checkFacts(const Lesson& lesson, const MoleculeByName& molecule);
+
 }  // namespace moltact

@@ -27,18 +27,33 @@ const KeySpec* find(std::span<const KeySpec* const> keys, std::string_view name)
   return nullptr;
 }
 
+// Convert a place within a text to the place in the file, where the text begins at `start`.
+Place inFile(Place place, Place start) { return {start.line, start.column + (place.column ? place.column - 1 : 0)}; }
+
+Problem inFile(Problem problem, Place start) {
+  const Place place = inFile(Place{0, problem.column}, start);
+  problem.line = place.line;
+  problem.column = place.column;
+  return problem;
+}
+
+void inFile(FactSpec& fact, Place start) {
+  fact.place = inFile(fact.place, start);
+  for (Place& place : fact.places) place = inFile(place, start);
+}
+
 Expected<Value> listValue(const KeySpec& key, const KeyLine& line) {
   Value value;
   value.text = line.value;
   for (const ListItem& item : line.items) {
     if (key.type == ValueType::Remarks) {
-      if (auto problem = addRemark(value, item.text)) {
-        // Converts the place within the item to the place in the file.
-        problem->line = item.place.line;
-        problem->column = item.place.column + (problem->column ? problem->column - 1 : 0);
-        return *std::move(problem);
-      }
+      if (auto problem = addRemark(value, item.text)) return inFile(*std::move(problem), item.place);
       value.remarks.back().place = {item.place.line, item.place.column + value.remarks.back().place.column - 1};
+      continue;
+    }
+    if (key.type == ValueType::Facts) {
+      if (auto problem = addFact(key, value, item.text)) return inFile(*std::move(problem), item.place);
+      inFile(value.facts.back(), item.place);
       continue;
     }
     value.words.push_back(item.text);
@@ -98,7 +113,8 @@ KeyValues readKeyValues(std::span<const KeyLine> lines, std::span<const KeySpec*
       continue;
     }
     seen.push_back(name);
-    const bool takes_list = key->type == ValueType::TextList || key->type == ValueType::Remarks;
+    const bool takes_list =
+        key->type == ValueType::TextList || key->type == ValueType::Remarks || key->type == ValueType::Facts;
     if (!line.items.empty() && (!takes_list || !line.value.empty())) {
       problems.push_back(problemAt(line.items[0].place, trf("'{0}' takes no list here", line.key),
                                    takes_list ? tr("write every item on a line of its own that starts with '- '")
@@ -107,28 +123,24 @@ KeyValues readKeyValues(std::span<const KeyLine> lines, std::span<const KeySpec*
     }
     Expected<Value> value = line.items.empty() ? parseValue(*key, line.value) : listValue(*key, line);
     if (!value) {
-      Problem p = value.problem();
-      if (!p.line) {
-        p.line = line.value_place.line;
-        p.column = line.value_place.column + (p.column ? p.column - 1 : 0);
-      }
-      problems.push_back(std::move(p));
+      const Problem& p = value.problem();
+      problems.push_back(p.line ? p : inFile(p, line.value_place));
       continue;
     }
     value->place = line.items.empty() ? line.value_place : line.items[0].place;
-    for (Place& place : value->places)
-      if (place.line == 0) place = {line.value_place.line, line.value_place.column + place.column - 1};
-    const auto inFile = [&](Place& place) {
-      if (place.column) place = {line.value_place.line, line.value_place.column + place.column - 1};
+    // What stands behind the colon has places within the value so far; items have those in the file.
+    const auto place = [&](Place& p) {
+      if (p.line == 0 && p.column) p = inFile(p, line.value_place);
     };
-    for (Place* place : {&value->view.facing_place, &value->view.zoom_place}) inFile(*place);
-    for (StyleSpec& style : value->styles) inFile(style.place);
-    for (MarkSpec& mark : value->marks) inFile(mark.place);
+    for (Place& p : value->places) place(p);
+    for (Place* p : {&value->view.facing_place, &value->view.zoom_place}) place(*p);
+    for (StyleSpec& style : value->styles) place(style.place);
+    for (MarkSpec& mark : value->marks) place(mark.place);
     for (PlacesSpec& measure : value->measures)
-      for (Place& place : measure.places) inFile(place);
-    for (SelectionRemark& remark : value->remarks)
-      if (remark.place.line == 0)
-        remark.place = {line.value_place.line, line.value_place.column + remark.place.column - 1};
+      for (Place& p : measure.places) place(p);
+    for (SelectionRemark& remark : value->remarks) place(remark.place);
+    for (FactSpec& fact : value->facts)
+      if (fact.place.line == 0) inFile(fact, line.value_place);
     out.set(name, *std::move(value));
   }
   for (const KeySpec* key : keys) {

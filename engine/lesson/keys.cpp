@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "engine/language/catalogue.h"
+#include "engine/lesson/facts.h"
 #include "engine/lesson/reading_keys.h"
 #include "engine/lesson/touch_keys.h"
 #include "engine/molecule/view_part.h"
@@ -379,13 +380,16 @@ const char* blockName(KeyBlock block) {
     case KeyBlock::Touch:
       return NC_("block", "touch");
     case KeyBlock::Answer:
+      return NC_("block", "answer");
+    case KeyBlock::Facts:
       break;
   }
-  return NC_("block", "answer");
+  return NC_("block", "facts");
 }
 
 const std::vector<KeySpec>& keysOf(KeyBlock block) {
-  static const std::vector<KeySpec> tables[] = {frontMatterKeys(), stepKeys(), sceneKeys(), touchKeys(), answerKeys()};
+  static const std::vector<KeySpec> tables[] = {frontMatterKeys(), stepKeys(),   sceneKeys(),
+                                                touchKeys(),       answerKeys(), factKeys()};
   return tables[static_cast<int>(block)];
 }
 

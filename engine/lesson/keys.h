@@ -20,9 +20,9 @@
 
 namespace moltact {
 
-enum class KeyBlock : std::uint8_t { FrontMatter, Step, Scene, Touch, Answer };
+enum class KeyBlock : std::uint8_t { FrontMatter, Step, Scene, Touch, Answer, Facts };
 
-/// "front matter", "step", "scene", "touch", "answer" in English; `trc("block", …)` where a message names it.
+/// "front matter", "step", "scene", "touch", "answer", "facts" in English; `trc("block", …)` where a message names it.
 const char* blockName(KeyBlock block);
 
 enum class ValueType : std::uint8_t {
@@ -44,6 +44,8 @@ enum class ValueType : std::uint8_t {
   Counts,  ///< whole numbers, parted by commas
   Way,     ///< "go to #a-step", "skip #a-step, #another": steps by their links or headings
   Places,  ///< `least` to `most` selections with " - " between them, several parted by commas; or "none"
+  Facts,   ///< "- PLACES = NUMBER" lines, or one of them behind the colon: `least` to `most` selections with " - "
+           ///< between them, and a number in the key's dimension (None: a count)
 };
 
 /// One key: the whole truth about it.
@@ -105,6 +107,21 @@ struct PlacesSpec {
   friend bool operator==(const PlacesSpec& a, const PlacesSpec& b) { return a.atoms == b.atoms; }
 };
 
+/// What an author states about a molecule: "chain A - chain B = 9.3 Å".
+struct FactSpec {
+  enum class Relation : std::uint8_t { Equal, Less, More };
+  std::vector<Selection> atoms;
+  std::vector<Place> places;  ///< of each selection
+  Relation relation = Relation::Equal;
+  std::string stated;            ///< the number as written: "9.3 Å"
+  double low = 0.0, high = 0.0;  ///< the stated number, or its range (Å, degree, or 1)
+  double half_digit = 0.0;       ///< half a unit of its last digit: what rounding may hide; 0 for counts
+  Place place;                   ///< of the line
+
+  /// Whether a computed value agrees with the stated one.
+  bool holds(double computed) const;
+};
+
 /// What an author says to a touch of these atoms.
 struct SelectionRemark {
   Selection atoms;
@@ -133,6 +150,7 @@ struct Value {
   std::vector<MarkSpec> marks = {};
   std::vector<PlacesSpec> measures = {};
   std::vector<SelectionRemark> remarks = {};
+  std::vector<FactSpec> facts = {};
 };
 
 /// Where the selection of a value begins.
@@ -172,5 +190,8 @@ Expected<Value> parseValue(const KeySpec& key, std::string_view text);
 
 /// Adds what a line "SELECTION -> text" says to the remarks of `value`; else the problem, as above.
 std::optional<Problem> addRemark(Value& value, std::string_view line);
+
+/// Adds what a line "PLACES = NUMBER" states to the facts of `value`; else the problem, as above.
+std::optional<Problem> addFact(const KeySpec& key, Value& value, std::string_view line);
 
 }  // namespace moltact

@@ -198,6 +198,15 @@ struct Question {
   }
 };
 
+/// Statements about a molecule, which checkFacts() computes. Never shown.
+struct FactsSpec {
+  NamedMolecule molecule;
+  Selection remove;  ///< atoms that are taken out before anything is computed; may select nothing
+  double probe_A = 0.0;
+  std::vector<std::pair<std::string_view, FactSpec>> facts;  ///< by their keys, in the order of the file
+  Place molecule_place, remove_place;                        ///< of the names, or of the block
+};
+
 struct Step {
   std::string id;      ///< slug of its heading, unique within the lesson
   std::string title;   ///< without the "Aside:" of an aside
@@ -206,6 +215,7 @@ struct Step {
   std::vector<Block> blocks;
   std::vector<TaskSpec> tasks;
   std::vector<Question> questions;
+  std::vector<FactsSpec> facts;
   SceneSpec scene;                 ///< the scene during this step
   bool states_scene = false;       ///< false: the scene of the previous step continues
   bool required = false;           ///< must be finished before the next step

@@ -33,7 +33,7 @@ std::optional<Fence> fenceOf(std::string_view line, std::size_t number) {
 }
 
 bool ofLesson(const Fence& f) {
-  constexpr std::array<std::string_view, 4> kFences{"step", "scene", "touch", "answer"};
+  constexpr std::array<std::string_view, 5> kFences{"step", "scene", "touch", "answer", "facts"};
   return std::find(kFences.begin(), kFences.end(), f.info) != kFences.end();
 }
 

@@ -57,10 +57,12 @@ DimensionWords wordsOf(Dimension dimension) {
       return {N_("a time"), N_("'{0}' is no unit of time")};
     case Dimension::Stiffness:
       return {N_("a stiffness"), N_("'{0}' is no unit of stiffness")};
+    case Dimension::Angle:
+      return {N_("an angle"), N_("'{0}' is no unit of angle")};
+    case Dimension::Share:
+      return {N_("a share"), N_("'{0}' is no unit of a share")};
     case Dimension::None:
     case Dimension::HandLength:
-    case Dimension::Angle:
-    case Dimension::Share:
     case Dimension::Frequency:
     case Dimension::Energy:
     case Dimension::Other:

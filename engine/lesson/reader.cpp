@@ -66,6 +66,7 @@ class Walk {
         if (block.info == "scene") return scene(block);
         if (block.info == "touch") return touch(block);
         if (block.info == "answer") return answer(block);
+        if (block.info == "facts") return facts(block);
         if (!block.info.empty()) unknownFence(block);
         break;
       case Kind::List:
@@ -259,8 +260,13 @@ class Walk {
     reading::readAnswer(reading_, block, lesson_, step()->questions.back());
   }
 
+  void facts(const MarkdownBlock& block) {
+    if (outsideStep(block)) return;
+    step()->facts.push_back(reading::readFacts(reading_, block, lesson_, step()->scene));
+  }
+
   void unknownFence(const MarkdownBlock& block) {
-    constexpr std::string_view kFences[] = {"step", "scene", "touch", "answer"};
+    constexpr std::string_view kFences[] = {"step", "scene", "touch", "answer", "facts"};
     reading_.warning(block.place, trf("'{0}' is not a block of a lesson and is shown unchanged", block.info),
                      suggest(block.info, kFences, tr("blocks")));
   }

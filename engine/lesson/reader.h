@@ -7,6 +7,7 @@
 //   ```step                                  whether the step must be finished, and which goals it serves
 //   ```scene                                 the scene of the step
 //   ```touch                                 a touch task; its first key is a task kind (tasks/registry.h)
+//   ```facts                                 numbers that `check` computes from the molecule; never shown
 //   ### Question: …                          with a task list ("- [x] right → feedback") or an ```answer block
 //   > [!TIP]                                 a hint
 //   > [!NOTE] Teacher: …                     for the teacher only

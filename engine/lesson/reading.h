@@ -42,6 +42,9 @@ std::vector<Place> findOpenFences(const SourceText& source, std::size_t from);
 /// Adds problems for lines that lack a blank to be a heading or a choice.
 void findLineSlips(Reading& reading, std::size_t from);
 
+/// Adds a problem for a molecule that the front matter does not list.
+void mustBeListed(Reading& reading, const Lesson& lesson, const std::string& name, Place place);
+
 /// Reads a scene block. `before` is the previous step's scene, from which it starts (nullptr for the first).
 SceneSpec readScene(Reading& reading, const MarkdownBlock& block, const SceneSpec* before, const Lesson& lesson);
 
@@ -56,6 +59,9 @@ void readStep(Reading& reading, const MarkdownBlock& block, const Lesson& lesson
 
 /// Reads a question's answer block into it: the right answer, if it gives one, and the effects of answers.
 void readAnswer(Reading& reading, const MarkdownBlock& block, const Lesson& lesson, Question& question);
+
+/// Reads a block of facts. Those about the scene's own molecule start from `scene`.
+FactsSpec readFacts(Reading& reading, const MarkdownBlock& block, const Lesson& lesson, const SceneSpec& scene);
 
 /// Called after the whole lesson has been read. Passes the steps' goals to their tasks and questions, and replaces the
 /// steps in rules by ids. Adds a problem for each unknown step.

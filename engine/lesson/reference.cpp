@@ -92,6 +92,14 @@ std::string valueOf(const KeySpec& key) {
     case ValueType::Way:
       return "`go to` and a step, or `skip` and one or more steps parted by commas: by their links (`#its-heading`) or "
              "one by its heading";
+    case ValueType::Facts: {
+      const int least = int(key.least);
+      const std::string many = least == 1 ? "a [selection](#selections)"
+                                          : std::string(least == 2 ? "two" : "three or four") +
+                                                " [selections](#selections) with ` - ` between them";
+      return "lines `- … = …`: " + many + ", and " +
+             (key.dimension == Dimension::None ? "a whole number" : dimensionName(key.dimension));
+    }
     case ValueType::Styles:
       return someOf(key.words) +
              ", each with its opacity (`surface 40%`) and, behind `for`, a [selection](#selections) if it is not for "
@@ -132,6 +140,22 @@ void tasks(std::ostream& out) {
     table(out, kind.keys);
     if (!kind.of_body.empty()) out << "With a body in the hand (`in-hand`): " << kind.of_body << "\n\n";
   }
+}
+
+void facts(std::ostream& out) {
+  out << R"(## Facts
+
+A fenced block `facts` states what the lesson says about its molecule, so that `moltact check` can compute it. Nothing of the block is
+ever shown to students. A line names its atoms and the number, with one of three signs:
+
+* `=`: the computed value, rounded to the digits of the stated one, is equal to it; `= 2.0 Å to 2.2 Å` states a range;
+* `<` and `>`: the computed value is smaller or larger.
+
+A false fact is an error of `check`, with its line, the stated and the computed value. The window does not compute facts, because
+some searches take seconds.
+
+)";
+  table(out, keysOf(KeyBlock::Facts));
 }
 
 void minutes(std::ostream& out) {
@@ -221,6 +245,7 @@ question takes no answer before that. Leading forward, it lets *Next* pass over 
 names; what is passed over does not count for the progress. No condition can hold a student for ever.
 
 )";
+  facts(out);
   minutes(out);
   units(out);
   selections(out);

@@ -78,8 +78,10 @@ void LessonSession::enter(std::size_t step) {
   step_ = step;
   if (!lesson_->steps[step].aside) main_step_ = step;
   ++scene_number_;
+  hints_ = 0;
   meet(step);
   makeTasks();
+  reportStep();
 }
 
 void LessonSession::meet(std::size_t step) {
@@ -132,15 +134,21 @@ void LessonSession::feed(const TouchSample& sample) {
   std::size_t i = currentTask();
   if (i >= tasks_.size() || !tasks_[i]) return;
   keepSlide(sample);
-  tasks_[i]->feed(sample);
+  feedTask(i, sample);
   keepIfDone(i);
   // One slide may fulfil several tasks: the next one begins where the slide did.
   for (std::size_t next = currentTask(); next != i && next < tasks_.size() && tasks_[next]; next = currentTask()) {
     i = next;
     if (!tasks_[i]->takesUpSlide() || tasks_[i]->stage() != TaskStage()) return;
-    for (const TouchSample& s : slid_) tasks_[i]->feed(s);
+    for (const TouchSample& s : slid_) feedTask(i, s);
     keepIfDone(i);
   }
+}
+
+void LessonSession::feedTask(std::size_t task, const TouchSample& sample) {
+  const CurveState before = curveState(*tasks_[task]);
+  tasks_[task]->feed(sample);
+  reportCurves(task, before);
 }
 
 void LessonSession::keepSlide(const TouchSample& sample) {
@@ -157,6 +165,7 @@ void LessonSession::keepIfDone(std::size_t task) {
   if (!tasks_[task]->done()) return;
   state().tasks_done[task] = tasks_[task]->solved() ? kSolved : kShown;
   state().finished[task] = tasks_[task];
+  reportFinished(task);
 }
 
 std::vector<std::uint32_t> LessonSession::shownAtoms() const {
@@ -188,7 +197,9 @@ TaskStage LessonSession::taskStage() const {
 void LessonSession::answerTask(const TaskAnswer& answer) {
   const std::size_t i = currentTask();
   if (i >= tasks_.size() || !tasks_[i]) return;
+  const CurveState before = curveState(*tasks_[i]);
   tasks_[i]->answer(answer);
+  reportCurves(i, before);
   keepIfDone(i);
 }
 
@@ -229,6 +240,7 @@ void LessonSession::restartTask(std::size_t index) {
   state().tasks_done[index] = 0;
   state().finished[index].reset();
   if (tasks_[index]) tasks_[index]->reset();
+  reportTask();
 }
 
 std::vector<std::size_t> LessonSession::choiceOrder(std::size_t question) const {
@@ -263,6 +275,10 @@ std::optional<int> LessonSession::triesLeft(std::size_t question) const {
 
 void LessonSession::record(std::size_t question, bool right) {
   QuestionStatus& status = state().questions[question];
+  const bool done_before = status.done();
+  std::vector<char> rules;  // those that hold
+  for (std::size_t r = 0; r < step().questions[question].rules.size(); ++r)
+    rules.push_back(ruleHolds(step_, question, r));
   ++status.attempts;
   status.last_right = right;
   status.answered_right = status.answered_right || right || step().questions[question].prediction;
@@ -270,6 +286,7 @@ void LessonSession::record(std::size_t question, bool right) {
   status.gone = false;
   const int limit = step().questions[question].attempts;
   status.shown = limit > 0 && !status.answered_right && status.attempts >= limit;
+  reportAnswer(question, done_before, rules);
 }
 
 bool LessonSession::choose(std::size_t question, std::vector<std::size_t> choices) {
@@ -407,12 +424,14 @@ void LessonSession::replaceLesson(std::shared_ptr<const Lesson> lesson) {
   for (const std::size_t step : std::exchange(met_, {}))
     if (const auto now = lesson_->find(old->steps[step].id); now && states_[*now].seen) met_.push_back(*now);
   const Step& was = old->steps[step_];
+  const std::size_t hints = hints_;
   const std::size_t now = lesson_->find(was.id).value_or(std::min(step_, lesson_->steps.size() - 1));
   if (lesson_->steps[now].scene.molecule != was.scene.molecule) molecule_ = nullptr;
   main_step_ = lesson_->find(old->steps[main_step_].id).value_or(0);
   if (lesson_->steps[main_step_].aside) main_step_ = 0;
   step_ = now;
   enter(now);
+  if (lesson_->steps[now].id == was.id) hints_ = hints;
 }
 
 }  // namespace moltact

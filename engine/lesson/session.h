@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "engine/lesson/lesson.h"
+#include "engine/lesson/session_events.h"
 #include "engine/lesson/tasks/task.h"
 #include "engine/molecule/molecule.h"
 
@@ -101,6 +102,16 @@ class LessonSession {
   bool skipped(std::size_t step) const { return skippedSteps()[step] != 0; }
   /// Whether a rule of a question of any step has come true.
   bool ruleHolds(std::size_t step, std::size_t question, std::size_t rule) const;
+
+  /// What happened since the events were last taken, oldest first.
+  const std::vector<SessionEvent>& events() const { return events_; }
+  std::vector<SessionEvent> takeEvents();
+  /// Drops the events and reports the present step and task again, for an observer that begins here.
+  void restartEvents();
+
+  /// The number of hints of the step that are open, the first ones.
+  std::size_t hintsOpen() const { return hints_; }
+  void openHints(std::size_t count);
 
   /// The molecule on the stage, once it has been read: the tasks of the step need it to know their atoms. Null while
   /// there is none; tasks then wait. Keeps what has been done.
@@ -210,6 +221,7 @@ class LessonSession {
   std::size_t mainStepAfter(std::size_t step) const;  // the number of steps where there is none
   std::vector<char> skippedSteps() const;
   bool waits(std::size_t step) const;  // it must be finished first, and no answer leads away from it
+  void feedTask(std::size_t task, const TouchSample& sample);
   void keepIfDone(std::size_t task);
   void keepSlide(const TouchSample& sample);
   void enter(std::size_t step);
@@ -217,6 +229,18 @@ class LessonSession {
   void makeTasks();
   std::uint64_t drawSeed(std::size_t task) const;
   void record(std::size_t question, bool right);
+
+  // session_events.cpp
+  struct CurveState {
+    bool drawing = true, compared = false;
+  };
+  static CurveState curveState(const Task& task);
+  void reportStep();
+  void reportTask();
+  void dropStartedTask();  // the event of a task that is over before anybody saw it begin
+  void reportFinished(std::size_t task);
+  void reportCurves(std::size_t task, CurveState before);
+  void reportAnswer(std::size_t question, bool done_before, const std::vector<char>& rules_before);
 
   std::shared_ptr<const Lesson> lesson_;
   std::shared_ptr<const Molecule> molecule_;
@@ -229,6 +253,9 @@ class LessonSession {
   std::size_t main_step_ = 0;  // the last one that is no aside
   std::uint64_t order_seed_ = 0;
   std::size_t sitting_ = 0;
+  std::vector<SessionEvent> events_;
+  std::optional<std::size_t> reported_task_;  // the last one in an event of this step
+  std::size_t hints_ = 0;
 };
 
 }  // namespace moltact

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <sstream>
 
+#include "engine/haptics/methods.h"
 #include "engine/language/catalogue.h"
 #include "engine/lesson/keys.h"
 #include "engine/lesson/selection_slips.h"
@@ -97,13 +98,20 @@ Expected<Value> numberValue(std::string_view text, Value value) {
   return bare.problem();
 }
 
+// The present word for one that lessons of earlier versions contain: a method's former name.
+std::string_view presentWord(const KeySpec& key, std::string_view word) {
+  const Method* method = findMethod(word);
+  return method && std::find(key.words.begin(), key.words.end(), method->name) != key.words.end() ? method->name : word;
+}
+
 Expected<Value> wordsValue(const KeySpec& key, std::string_view text, Value value, bool list) {
   const std::vector<std::string_view> parts = list ? commaParts(text) : std::vector<std::string_view>{text};
   for (const std::string_view part : parts) {
     if (part.empty()) return at(text, part, tr("a word is missing"), tr("take out the comma"));
-    if (std::find(key.words.begin(), key.words.end(), part) == key.words.end())
+    const std::string_view word = presentWord(key, part);
+    if (std::find(key.words.begin(), key.words.end(), word) == key.words.end())
       return at(text, part, trf("'{0}' cannot be '{1}'", key.name, part), suggest(part, key.words, tr("known")));
-    value.words.emplace_back(part);
+    value.words.emplace_back(word);
     value.places.push_back({0, at(text, part, {}).column});
   }
   return value;
@@ -341,6 +349,9 @@ Expected<Value> parseValue(const KeySpec& key, std::string_view text) {
       return viewValue(key, text, std::move(value));
     case ValueType::Remarks:
       if (auto problem = addRemark(value, text)) return *std::move(problem);
+      return value;
+    case ValueType::Facts:
+      if (auto problem = addFact(key, value, text)) return *std::move(problem);
       return value;
     case ValueType::Counts:
       for (const std::string_view part : commaParts(text)) {

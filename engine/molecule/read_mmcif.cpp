@@ -1,7 +1,8 @@
 // Reads mmCIF files as a stream: row by row of _atom_site, so that messages name the row and the item of an invalid
 // number, and only the molecule needs memory. Of the rest it keeps what names the entry and describes its assemblies.
 // gemmi takes 0.79 s and 1 097 MB for a million atoms, this reader 0.28 s and 55 MB (build/release/reading_benchmark).
-// Files written by gemmi give the same atoms (tests/molecule/gemmi_agrees_test.cpp).
+// Files written by gemmi give the same atoms (tests/molecule/gemmi_agrees_test.cpp). Words, loops and pairs are those of
+// every CIF (cif_words.h, cif_document.h).
 #include <algorithm>
 #include <array>
 #include <gemmi/elem.hpp>
@@ -12,14 +13,12 @@
 #include "engine/core/printable.h"
 #include "engine/core/text.h"
 #include "engine/language/catalogue.h"
-#include "engine/molecule/cif_words.h"
+#include "engine/molecule/cif_document.h"
 #include "engine/molecule/mmcif_operators.h"
 #include "engine/molecule/parsed_structure.h"
 
 namespace moltact {
 namespace {
-
-using Kind = CifWords::Kind;
 
 enum Column {
   kX,
@@ -110,12 +109,6 @@ struct Cell {
 };
 using Row = std::array<Cell, std::size(kAtomTags)>;
 
-/// A CIF number, possibly with its uncertainty in brackets: "1.234(5)".
-bool cifNumber(std::string_view word, double& value) {
-  if (!word.empty() && word.back() == ')') word = word.substr(0, word.find('('));
-  return parseNumber(word, value);
-}
-
 Problem noTable(const std::string& file) {
   return {file, 0, 0, tr("there is no _atom_site table with Cartn_x, Cartn_y and Cartn_z in it"),
           tr("take a coordinate file from the PDB (www.rcsb.org)")};
@@ -130,42 +123,56 @@ class Reader {
       : text_(text), file_(text.file()), options_(options), words_(text), builder_(text, options) {}
 
   Expected<Molecule> run() {
-    if (auto problem = readAll()) return *problem;
-    if (words_.problem()) return *words_.problem();
+    if (auto problem = readCifDocument(text_, words_, *this)) return *problem;
     if (!done_) return noTable(file_);
     if (options_.model < 1 || options_.model > head_.models) return noSuchModel(file_, options_.model, head_.models);
     return builder_.finish(std::move(head_));
   }
 
- private:
-  std::optional<Problem> readAll() {
-    Kind kind = words_.next();
-    if (kind != Kind::Data && kind != Kind::End)
-      return words_.problemHere(tr("a data block 'data_…' is to come first"));
-    while (kind != Kind::End) {
-      switch (kind) {
-        case Kind::Data:
-          if (auto problem = endBlock()) return problem;
-          kind = words_.next();
-          break;
-        case Kind::Loop:
-          if (auto problem = readLoop(kind)) return problem;
-          break;
-        case Kind::Tag: {
-          if (auto problem = readPair(kind)) return problem;
-          break;
-        }
-        case Kind::Save:
-          kind = words_.next();
-          break;  // save frames occur in dictionaries, not in a molecule's file
-        default:
-          return words_.problemHere(trf("a value without a tag: {0}", inQuotes(words_.text())));
-      }
+  // The parts of the file, from readCifDocument().
+  std::optional<Problem> block(std::string_view) { return end(); }
+
+  // A cell of a table with one row, which ends with the block.
+  std::optional<Problem> pair(const std::string& tag) {
+    const auto table = done_ ? std::nullopt : tableOf(tag);
+    if (const auto column = table ? columnOf(*table, tag) : std::nullopt) {
+      Cell& cell = single_[static_cast<std::size_t>(*table)][*column];
+      if (!cell.there) take(cell);
     }
-    if (words_.problem() || text_.problem()) return std::nullopt;
-    return endBlock();
+    return std::nullopt;
   }
 
+  void loop(const std::vector<std::string>& tags) {
+    table_ = done_ ? std::nullopt : tableOf(tags.front());
+    columns_.clear();
+    for (const std::string& tag : tags) columns_.push_back(table_ ? columnOf(*table_, tag) : std::nullopt);
+    row_ = {};
+  }
+  std::optional<Problem> cell(std::size_t column) {
+    if (columns_[column]) take(row_[*columns_[column]]);
+    return std::nullopt;
+  }
+  std::optional<Problem> row() { return table_ ? readRow(*table_, row_) : std::nullopt; }
+
+  // The first block with atoms is the molecule; blocks without atoms are ignored.
+  std::optional<Problem> end() {
+    if (done_) return std::nullopt;
+    for (std::size_t t = 0; t < std::size(kTables); ++t) {
+      const Row row = std::exchange(single_[t], {});
+      if (std::any_of(row.begin(), row.end(), [](const Cell& c) { return c.there; }))
+        if (auto problem = readRow(static_cast<Table>(t), row)) return problem;
+    }
+    if (place_of_.empty()) {
+      head_ = {};
+      operators_.clear();
+      generators_.clear();
+      return std::nullopt;
+    }
+    done_ = true;
+    return assemblies();
+  }
+
+ private:
   static std::optional<Table> tableOf(std::string_view tag) {
     for (std::size_t t = 0; t < std::size(kTables); ++t)
       if (tag.starts_with(kTables[t].category)) return static_cast<Table>(t);
@@ -181,49 +188,6 @@ class Reader {
     cell.text = words_.text();
     cell.there = true;
     cell.null = words_.null();
-  }
-
-  // A tag and its value: a cell of a table with one row, which ends with the block.
-  std::optional<Problem> readPair(Kind& kind) {
-    const std::string tag(words_.text());
-    kind = words_.next();
-    if (kind == Kind::End)
-      return words_.problem() || text_.problem()
-                 ? std::nullopt
-                 : std::optional(words_.problemHere(trf("the tag {0} has no value", inQuotes(tag))));
-    if (kind != Kind::Value) return words_.problemHere(trf("the tag {0} has no value", inQuotes(tag)));
-    const auto table = done_ ? std::nullopt : tableOf(tag);
-    if (const auto column = table ? columnOf(*table, tag) : std::nullopt) {
-      Cell& cell = single_[static_cast<std::size_t>(*table)][*column];
-      if (!cell.there) take(cell);
-    }
-    kind = words_.next();
-    return std::nullopt;
-  }
-
-  std::optional<Problem> readLoop(Kind& kind) {
-    std::vector<std::optional<std::size_t>> columns;
-    std::optional<Table> table;
-    kind = words_.next();
-    for (; kind == Kind::Tag; kind = words_.next()) {
-      if (columns.empty() && !done_) table = tableOf(words_.text());
-      columns.push_back(table ? columnOf(*table, words_.text()) : std::nullopt);
-    }
-    if (columns.empty())
-      return words_.problem() || text_.problem() ? std::nullopt
-                                                 : std::optional(words_.problemHere(tr("a loop without tags")));
-    Row row;
-    std::size_t at = 0;
-    for (; kind == Kind::Value; kind = words_.next()) {
-      if (columns[at]) take(row[*columns[at]]);
-      if (++at < columns.size()) continue;
-      at = 0;
-      if (table)
-        if (auto problem = readRow(*table, row)) return problem;
-    }
-    if (at != 0 && !words_.problem() && !text_.problem())
-      return words_.problemHere(tr("the values of a loop do not fill its last row"));
-    return std::nullopt;
   }
 
   std::optional<Problem> readRow(Table table, const Row& row) {
@@ -248,24 +212,6 @@ class Reader {
     return std::nullopt;
   }
 
-  // The first block with atoms is the molecule; blocks without atoms are ignored.
-  std::optional<Problem> endBlock() {
-    if (done_) return std::nullopt;
-    for (std::size_t t = 0; t < std::size(kTables); ++t) {
-      const Row row = std::exchange(single_[t], {});
-      if (std::any_of(row.begin(), row.end(), [](const Cell& c) { return c.there; }))
-        if (auto problem = readRow(static_cast<Table>(t), row)) return problem;
-    }
-    if (place_of_.empty()) {
-      head_ = {};
-      operators_.clear();
-      generators_.clear();
-      return std::nullopt;
-    }
-    done_ = true;
-    return assemblies();
-  }
-
   Problem rowProblem(const std::string& what) const {
     return {file_, 0, 0, trf("row {0} of the _atom_site table: {1}", rows_, what), tr(kRemedy)};
   }
@@ -286,7 +232,7 @@ class Reader {
     ParsedAtom out;
     for (int k = 0; k < 3; ++k)
       if (const Cell& cell = row[static_cast<std::size_t>(kX + k)];
-          cell.null || !cifNumber(cell.text, out.position_A[k]))
+          cell.null || !parseCifNumber(cell.text, out.position_A[k]))
         return rowProblem(trf("{0} is not a number: {1}", std::string("Cartn_") + "xyz"[k], inQuotes(cell.text)));
     out.name = firstOf(row[kAuthName], row[kName]);
     out.residue = firstOf(row[kAuthComp], row[kComp]);
@@ -304,14 +250,14 @@ class Reader {
     if (!number.empty() && !parseInteger(number, out.number))
       return rowProblem(trf("the residue number is not a number: {0}", inQuotes(number)));
     if (const std::string_view alternate = row[kAlternate].said(); !alternate.empty()) out.alternate = alternate[0];
-    if (row[kOccupancy].says() && !cifNumber(row[kOccupancy].text, out.occupancy)) {
+    if (row[kOccupancy].says() && !parseCifNumber(row[kOccupancy].text, out.occupancy)) {
       if (head_.warnings.size() < 20)
         head_.warnings.push_back(
             trf("Row {0} of the _atom_site table: the occupancy {1} is not a number and was taken as 1.", rows_,
                 inQuotes(row[kOccupancy].text)));
       out.occupancy = 1.0;
     }
-    if (row[kBFactor].says() && !cifNumber(row[kBFactor].text, out.b_factor_A2)) {
+    if (row[kBFactor].says() && !parseCifNumber(row[kBFactor].text, out.b_factor_A2)) {
       if (head_.warnings.size() < 20)
         head_.warnings.push_back(
             trf("Row {0} of the _atom_site table: the B factor {1} is not a number and was taken as 0.", rows_,
@@ -365,8 +311,8 @@ class Reader {
       if (!row[k].there) return std::nullopt;  // an incomplete table
     for (int i = 0; i < 3; ++i) {
       for (int j = 0; j < 3; ++j)
-        sound &= cifNumber(row[static_cast<std::size_t>(1 + 3 * i + j)].text, op.rotation[j][i]);
-      sound &= cifNumber(row[static_cast<std::size_t>(10 + i)].text, op.shift_A[i]);
+        sound &= parseCifNumber(row[static_cast<std::size_t>(1 + 3 * i + j)].text, op.rotation[j][i]);
+      sound &= parseCifNumber(row[static_cast<std::size_t>(10 + i)].text, op.shift_A[i]);
     }
     if (sound) {
       operators_.emplace(row[0].said(), op);
@@ -429,6 +375,9 @@ class Reader {
   std::unordered_map<std::string, int> place_of_;  // models by name; numbers in file order, from 1
   std::string last_model_;
   int current_ = 0;
+  std::optional<Table> table_;                       // of this loop
+  std::vector<std::optional<std::size_t>> columns_;  // of this loop, in the table
+  Row row_;
   bool done_ = false;  // the block with the atoms has been read
 };
 

@@ -13,13 +13,11 @@
 #include <numbers>
 
 #include "engine/language/catalogue.h"
-#include "engine/molecule/cif_words.h"
+#include "engine/molecule/cif_document.h"
 #include "engine/molecule/parsed_structure.h"
 
 namespace moltact {
 namespace {
-
-using Kind = CifWords::Kind;
 
 constexpr std::string_view kSmallResidue = "UNL", kSmallChain = "A";
 constexpr std::size_t kMaxSites = 1'000'000, kMaxSymmetry = 1'000;
@@ -42,9 +40,6 @@ template <std::size_t N>
 std::size_t indexIn(const std::string_view (&tags)[N], const std::string& tag) {
   return std::size_t(std::find(std::begin(tags), std::end(tags), tag) - std::begin(tags));
 }
-
-/// A CIF number, possibly with its uncertainty in brackets: "1.234(5)".
-bool smallNumber(std::string_view word, double& value) { return parseNumber(word.substr(0, word.find('(')), value); }
 
 /// The element denoted by the leading letters of "Fe3+", "C12", "O1W"; 0 if there is none.
 int siteElement(std::string_view symbol) {
@@ -90,57 +85,29 @@ class SmallCifReader {
       : text_(text), file_(text.file()), options_(options), words_(text) {}
 
   Expected<Molecule> run() {
-    if (auto problem = readBlocks()) return *problem;
-    if (words_.problem()) return *words_.problem();
-    if (text_.problem()) return *text_.problem();
+    if (auto problem = readCifDocument(text_, words_, *this)) return *problem;
     if (models_ == 0)
       return Problem{file_, 0, 0, tr("there is no atom with _atom_site_fract_x, _y and _z in it"), tr(kSmallRemedy)};
     if (options_.model < 1 || options_.model > models_) return noSuchModel(file_, options_.model, models_);
     return molecule();
   }
 
- private:
-  std::optional<Problem> readBlocks() {
-    Kind kind = words_.next();
-    if (kind != Kind::Data && kind != Kind::End)
-      return words_.problemHere(tr("a data block 'data_…' is to come first"));
-    while (kind != Kind::End) {
-      if (kind == Kind::Data) {
-        endBlock();
-        block_.name = words_.text();
-        kind = words_.next();
-      } else if (kind == Kind::Loop) {
-        if (auto problem = readLoop(kind)) return problem;
-      } else if (kind == Kind::Tag) {
-        const std::string tag = lower(std::string(words_.text()));
-        kind = words_.next();
-        if (kind != Kind::Value) {
-          if (words_.problem() || text_.problem()) return std::nullopt;
-          return words_.problemHere(trf("the tag {0} has no value", inQuotes(tag)));
-        }
-        if (auto problem = take(tag)) return problem;
-        kind = words_.next();
-      } else if (kind == Kind::Save) {
-        kind = words_.next();
-      } else {
-        return words_.problemHere(trf("a value without a tag: {0}", inQuotes(words_.text())));
-      }
-    }
+  // The parts of the file, from readCifDocument().
+  std::optional<Problem> block(std::string_view name) {
+    endBlock();
+    block_.name = name;
+    return std::nullopt;
+  }
+  std::optional<Problem> end() {
     endBlock();
     return std::nullopt;
   }
 
-  void endBlock() {
-    Block block = std::exchange(block_, {});
-    if (block.sites.empty()) return;
-    if (++models_ == options_.model) kept_ = std::move(block);
-  }
-
-  // Reads a single value.
-  std::optional<Problem> take(const std::string& tag) {
+  std::optional<Problem> pair(const std::string& written) {
     if (words_.null()) return std::nullopt;
+    const std::string tag = lower(written);
     if (const std::size_t k = indexIn(kCellTags, tag); k < std::size(kCellTags)) {
-      if (!smallNumber(words_.text(), block_.cell[k]))
+      if (!parseCifNumber(words_.text(), block_.cell[k]))
         return words_.problemHere(trf("{0} is not a number: {1}", tag, inQuotes(words_.text())));
       block_.has_cell[k] = true;
     } else if (const std::size_t n = indexIn(kNameTags, tag); n < block_.title_rank) {
@@ -155,63 +122,61 @@ class SmallCifReader {
     return std::nullopt;
   }
 
+  void loop(const std::vector<std::string>& tags) {
+    columns_.clear();
+    of_sites_ = of_symmetry_ = false;
+    site_ = {};
+    placed_ = true;
+    for (const std::string& written : tags) {
+      const std::string tag = lower(written);
+      std::size_t column = indexIn(kSiteTags, tag);
+      of_sites_ = of_sites_ || (column >= kFractX && column <= kFractZ);
+      if (indexIn(kSymmetryTags, tag) < std::size(kSymmetryTags)) {
+        of_symmetry_ = true;
+        column = 0;
+      } else if (of_symmetry_) {
+        column = 1;
+      }
+      columns_.push_back(column);
+    }
+  }
+
+  std::optional<Problem> cell(std::size_t column) {
+    if (of_sites_) return siteCell(site_, placed_, columns_[column]);
+    return of_symmetry_ && columns_[column] == 0 ? takeSymmetry() : std::nullopt;
+  }
+
+  std::optional<Problem> row() {
+    if (!of_sites_) return std::nullopt;
+    if (block_.sites.size() >= kMaxSites) return words_.problemHere(tr("more than a million atoms"));
+    site_.line = words_.line();
+    if (site_.element == 0) site_.element = siteElement(site_.label);
+    if (placed_)
+      block_.sites.push_back(std::move(site_));
+    else
+      ++block_.without_place;
+    site_ = {};
+    placed_ = true;
+    return std::nullopt;
+  }
+
+ private:
+  void endBlock() {
+    Block block = std::exchange(block_, {});
+    if (block.sites.empty()) return;
+    if (++models_ == options_.model) kept_ = std::move(block);
+  }
+
   std::optional<Problem> takeSymmetry() {
     if (block_.symmetry.size() >= kMaxSymmetry) return words_.problemHere(tr("more than 1000 symmetry operations"));
     block_.symmetry.emplace_back(words_.text());
     return std::nullopt;
   }
 
-  std::optional<Problem> readLoop(Kind& kind) {
-    std::vector<std::size_t> columns;
-    bool sites = false, symmetry = false;
-    kind = words_.next();
-    for (; kind == Kind::Tag; kind = words_.next()) {
-      const std::string tag = lower(std::string(words_.text()));
-      std::size_t column = indexIn(kSiteTags, tag);
-      sites = sites || (column >= kFractX && column <= kFractZ);
-      if (indexIn(kSymmetryTags, tag) < std::size(kSymmetryTags)) {
-        symmetry = true;
-        column = 0;
-      } else if (symmetry) {
-        column = 1;
-      }
-      columns.push_back(column);
-    }
-    if (columns.empty()) {
-      if (words_.problem() || text_.problem()) return std::nullopt;
-      return words_.problemHere(tr("a loop without tags"));
-    }
-    Site site;
-    bool placed = true;
-    std::size_t at = 0;
-    for (; kind == Kind::Value; kind = words_.next()) {
-      if (sites) {
-        if (auto problem = takeCell(site, placed, columns[at])) return problem;
-      } else if (symmetry && columns[at] == 0) {
-        if (auto problem = takeSymmetry()) return problem;
-      }
-      if (++at < columns.size()) continue;
-      at = 0;
-      if (!sites) continue;
-      if (block_.sites.size() >= kMaxSites) return words_.problemHere(tr("more than a million atoms"));
-      site.line = words_.line();
-      if (site.element == 0) site.element = siteElement(site.label);
-      if (placed)
-        block_.sites.push_back(std::move(site));
-      else
-        ++block_.without_place;
-      site = {};
-      placed = true;
-    }
-    if (at != 0 && !words_.problem() && !text_.problem())
-      return words_.problemHere(tr("the values of a loop do not fill its last row"));
-    return std::nullopt;
-  }
-
-  std::optional<Problem> takeCell(Site& site, bool& placed, std::size_t column) {
+  std::optional<Problem> siteCell(Site& site, bool& placed, std::size_t column) {
     const std::string_view value = words_.text();
     const auto number = [&](double& to) -> std::optional<Problem> {
-      if (smallNumber(value, to)) return std::nullopt;
+      if (parseCifNumber(value, to)) return std::nullopt;
       return words_.problemHere(trf("{0} is not a number: {1}", kSiteTags[column], inQuotes(value)));
     };
     switch (column) {
@@ -379,6 +344,10 @@ class SmallCifReader {
   CifWords words_;
   Block block_, kept_;
   int models_ = 0;
+  std::vector<std::size_t> columns_;  // of this loop
+  bool of_sites_ = false, of_symmetry_ = false;
+  Site site_;  // of this row
+  bool placed_ = true;
 };
 
 }  // namespace

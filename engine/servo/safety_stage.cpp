@@ -353,6 +353,13 @@ Wrench SafetyStage::output(const WantedWrench& wanted) noexcept {
   return {{force}, torque};
 }
 
+double springLever_A(double gyration_A, double A_per_mm, double asked_N_per_mm, const DeviceSpecs& device) noexcept {
+  const double bound = SafetyStage(device).rotationalBound_N_mm(),
+               stiffness = steadyStiffness_N_per_mm(asked_N_per_mm, device);
+  if (!(bound > 0.0) || !(stiffness > 0.0)) return gyration_A;
+  return std::min(gyration_A, A_per_mm * std::sqrt(bound / stiffness));
+}
+
 double steadyStiffness_N_per_mm(double asked_N_per_mm, const DeviceSpecs& device) noexcept {
   return std::min(asked_N_per_mm, SafetyStage(device).stiffnessBound_N_per_mm());
 }

@@ -95,9 +95,12 @@ class SafetyStage {
   /// Panic stop: zero force from this tick on, without a ramp, until called with false.
   void stop(bool stopped) noexcept { stopped_ = stopped; }
 
-  LimitFlags acted() const noexcept { return acted_; }                ///< limits that acted in this tick
-  double debt_J() const noexcept { return passivity_.debt_J(); }      ///< generated energy that is not dissipated yet
-  double stiffnessBound_N_per_mm() const noexcept;                    ///< with the recently measured delay
+  LimitFlags acted() const noexcept { return acted_; }            ///< limits that acted in this tick
+  double debt_J() const noexcept { return passivity_.debt_J(); }  ///< generated energy that is not dissipated yet
+  double stiffnessBound_N_per_mm() const noexcept;                ///< with the recently measured delay
+  /// The bound of the rotational stiffness that a driven torque shows (unit: N mm per radian): the damping is taken at
+  /// the lever on which the peak force gives the peak torque. 0: not known, because the device drives no torque.
+  double rotationalBound_N_mm() const noexcept;
   double heat() const noexcept { return heat_.used(continuous_N_); }  ///< 0 cold, 1 maximum temperature
 
  private:
@@ -108,7 +111,6 @@ class SafetyStage {
   double fieldRise_J(const Stored& from, const Stored& to, double stiffness_N_per_mm, double max_N) const noexcept;
   double sharedBound_N_per_mm(const LocalStiffness& felt) noexcept;
   double maxField_N_per_mm() const noexcept;
-  double rotationalBound_N_mm() const noexcept;
   Vec3 slowed(Vec3 force) noexcept;
   Vec3 slowedTorque(Vec3 torque) noexcept;
   Vec3 braked(Vec3 force, const Vec3& torque, const WantedWrench& wanted, bool begins) noexcept;
@@ -145,5 +147,10 @@ class SafetyStage {
 
 /// The stationary stiffness for a requested one, with the delay of the device's published figures (unit: N/mm).
 double steadyStiffness_N_per_mm(double asked_N_per_mm, const DeviceSpecs& device) noexcept;
+
+/// The lever L of the rotational spring of a held body, k_r = k L^2 (unit: angstrom): the body's radius of gyration, or
+/// less where the device could not show the rotational stiffness K (L / A_per_mm)^2 of a spring of K. Where the bound is
+/// not known, because the device drives no torque, it is the radius of gyration.
+double springLever_A(double gyration_A, double A_per_mm, double asked_N_per_mm, const DeviceSpecs& device) noexcept;
 
 }  // namespace moltact

@@ -454,9 +454,9 @@ TEST_CASE("a settings file from before the choice of three that wanted a decimal
 TEST_CASE("F11 enters and leaves full screen") {
   auto d = startWith("argon");
   d->tap("F11");
-  CHECK(d->app().panels.full_screen);
+  CHECK(d->app().panels.window.full_screen);
   d->tap("F11");
-  CHECK_FALSE(d->app().panels.full_screen);
+  CHECK_FALSE(d->app().panels.window.full_screen);
 }
 
 }  // namespace moltact

@@ -26,7 +26,7 @@ TEST_CASE(
   Application& app = driver->app();
   ClassTurns& turns = app.extensions().turns;
   CHECK_FALSE(driver->shows("turns/current"));
-  app.panels.turns_page = true;
+  app.panels.pages.turns = true;
   driver->frames(3);
   CHECK(driver->click("turns/names"));
   driver->type("K1");

@@ -129,9 +129,9 @@ TEST_CASE(
   REQUIRE(moltact(folder, "replay '" + (folder / "scene.xyzr") + "' --path '" + (folder / "hip.csv") +
                               "' --probe 1.4 --stiffness 2 --out '" + (folder / "probe.csv") + "'")
               .status == 0);
-  const Run run =
-      moltact(folder, "replay --spheres '" + (folder / "scene.csv") + "' '" + (folder / "body.csv") + "' --path '" +
-                          (folder / "pose.csv") + "' --stiffness 2 --out '" + (folder / "bodied.csv") + "'");
+  const Run run = moltact(folder, "replay --from-spheres '" + (folder / "scene.csv") + "' '" + (folder / "body.csv") +
+                                      "' --path '" + (folder / "pose.csv") + "' --stiffness 2 --out '" +
+                                      (folder / "bodied.csv") + "'");
   CAPTURE(run.err);
   REQUIRE(run.status == 0);
   const std::string text = contents(folder / "bodied.csv");
@@ -185,6 +185,18 @@ TEST_CASE(
   CHECK(std::stod(out[3][9]) == doctest::Approx(3.0).epsilon(1e-9));
   CHECK(moltact(folder, replay + "--time").status == 0);
 
+  // The spheres that it writes are those that are felt: the held ones 0.5 A smaller, and replayed alone they feel alike.
+  const std::string files = "'" + (folder / "scene.csv") + "' '" + (folder / "body.csv") + "'";
+  REQUIRE(moltact(folder, replay + "--stiffness 3 --out '" + (folder / "out.csv") + "' --spheres " + files).status ==
+          0);
+  CHECK(contents(folder / "scene.csv") == "x,y,z,r\n1.5,0,0,2\n");
+  CHECK(contents(folder / "body.csv") == "x,y,z,r\n-1.5,0,0,1\n1.5,0,0,1\n");
+  REQUIRE(moltact(folder, "replay --from-spheres " + files + " --path '" + (folder / "pose.csv") +
+                              "' --stiffness 3 --out '" + (folder / "again.csv") + "'")
+              .status == 0);
+  CHECK(contents(folder / "again.csv") == contents(folder / "out.csv"));
+  CHECK(moltact(folder, replay + "--time --spheres '" + (folder / "pose.csv") + "' x.csv").status == 1);  // an input
+
   const std::string path = " --path '" + (folder / "pose.csv") + "' --time";
   const Run probe = moltact(folder, "replay '" + (folder / "three.xyzr") + "'" + path);
   CHECK(probe.status == 1);
@@ -192,6 +204,8 @@ TEST_CASE(
             "pose.csv:1:7: the probe has no orientation; write the header x,y,z, or name what the hand holds") !=
         std::string::npos);
   CHECK(moltact(folder, "replay" + path).status == 2);
+  CHECK(moltact(folder, "replay '" + (folder / "three.xyzr") + "' --from-spheres a.csv b.csv" + path).status == 2);
+  CHECK(moltact(folder, "replay --from-spheres a.csv b.csv --remove 'atom 1'" + path).status == 2);
   CHECK(moltact(folder, "replay '" + (folder / "three.xyzr") + "' --spheres a.csv b.csv" + path).status == 2);
   CHECK(moltact(folder, "replay '" + (folder / "three.xyzr") + "' --in-hand 'atom 9'" + path).status == 2);
   CHECK(moltact(folder, "replay '" + (folder / "three.xyzr") + "' --in-hand 'atom 1' --rotational-stiffness -1" + path)
@@ -216,7 +230,7 @@ TEST_CASE("broken poses and lists of spheres end with 1 and name file, line, col
       {"x,y,z,qw,qx,qy,qz\n", ":", "there is no row in this file"},
   };
   const auto replay = [&](const std::string& scene, const std::string& body, const std::string& path) {
-    return moltact(folder, "replay --spheres '" + (folder / scene) + "' '" + (folder / body) + "' --path '" +
+    return moltact(folder, "replay --from-spheres '" + (folder / scene) + "' '" + (folder / body) + "' --path '" +
                                (folder / path) + "' --out '" + (folder / "t.csv") + "'");
   };
   for (const auto& one : poses) {

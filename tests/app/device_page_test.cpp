@@ -15,7 +15,9 @@
 namespace moltact {
 namespace {
 
-SimulatedDevice& stylus(ScriptedUser& d) { return dynamic_cast<SimulatedDevice&>(*d.app().scene.servo().chosen()); }
+SimulatedDevice& stylus(ScriptedUser& d) {
+  return dynamic_cast<SimulatedDevice&>(*d.app().scene.servo().loop().device());
+}
 
 // A device whose hand rests and that asks for the view.
 class Cap final : public Device {
@@ -144,7 +146,7 @@ TEST_CASE("unplugging in contact: the mouse leads, a message says so; plugged in
   auto d = pressing();
   stylus(*d).plug(false);
   d->frames(1);
-  CHECK(d->app().scene.servo().fallenBack());
+  CHECK(d->app().scene.servo().loop().fallenBack());
   d->frames(20);
   CHECK(d->text("status/device") == "Mouse");
   CHECK(contains(d->text("message/0") + d->text("message/1"), "Until then the mouse leads"));
@@ -152,7 +154,7 @@ TEST_CASE("unplugging in contact: the mouse leads, a message says so; plugged in
   stylus(*d).plug(true);
   d->frames(20);
   CHECK(d->text("status/device") == "Simulated stylus");
-  CHECK_FALSE(d->app().scene.servo().fallenBack());
+  CHECK_FALSE(d->app().scene.servo().loop().fallenBack());
 }
 
 TEST_CASE("F9 stops all force at once and says so over the view; F9 again allows it, softly") {

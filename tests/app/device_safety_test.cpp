@@ -145,12 +145,12 @@ TEST_CASE(
        [](ScriptedUser& d) {
          d.app().extensions().turns.begin({"K1", "K2"}, 30.0);
        }},
-      {"welcome", [](ScriptedUser& d) { d.app().panels.welcome = true; }},
-      {"open page", [](ScriptedUser& d) { d.app().panels.open_page = true; }},
-      {"preferences", [](ScriptedUser& d) { d.app().panels.preferences_page = true; }},
+      {"welcome", [](ScriptedUser& d) { d.app().panels.pages.welcome = true; }},
+      {"open page", [](ScriptedUser& d) { d.app().panels.pages.open = true; }},
+      {"preferences", [](ScriptedUser& d) { d.app().panels.pages.preferences = true; }},
       {"a field",
        [](ScriptedUser& d) {
-         d.app().panels.turns_page = true;
+         d.app().panels.pages.turns = true;
          d.frames(3);
          d.click("turns/names");
          d.type("K");
@@ -164,7 +164,7 @@ TEST_CASE(
     CAPTURE(std::string(c.name));
     auto d = startWith(MOLTACT_SOURCE_DIR "/lessons/first-touch.md");
     Led& stylus = lead(*d);
-    d->app().panels.device_page = std::string(c.name) == "a try";
+    d->app().panels.pages.device = std::string(c.name) == "a try";
     c.begin(*d);
     d->frames(3);
     // A method that pulls hard, so that nothing but the key holds it back.
@@ -189,7 +189,7 @@ TEST_CASE(
   d->drag("view", 200, 60, 1);
   d->app().scene.servo_settings.stiffness_N_per_mm = 0.05;
   d->app().scene.servo_settings.force_on = false;
-  d->app().panels.welcome = true;
+  d->app().panels.pages.welcome = true;
   d->tap("Ctrl+D");
   d->frames(3);
   REQUIRE(d->click("device/try"));
@@ -262,7 +262,7 @@ TEST_CASE("each limit is named on the device page and says its sentence over the
     CAPTURE(words->name);
     for (const bool page : {true, false}) {
       auto d = startWith();
-      d->app().panels.device_page = page;
+      d->app().panels.pages.device = page;
       lead(*d, c.path, kDeep_mm);
       c.set(*d);
       bool seen = false;
@@ -329,7 +329,7 @@ TEST_CASE(
   CHECK(stylus.calibrated);
   CHECK(d->click(message(*d, "inkwell") + "/device"));
   d->frames(3);
-  CHECK(d->app().panels.device_page);
+  CHECK(d->app().panels.pages.device);
   d->tap("Escape");
   d->frames(3);
   // Dismissed, the words stay where the limit is told.

@@ -87,7 +87,7 @@ TEST_CASE("two clicks on an atom bring the camera closer than half of its way an
 TEST_CASE("'iron', 'Eisen' and 'IRON' are the iron of haemoglobin; 'ion' and an unknown word are no element") {
   auto d = startWith("2hhb");
   const auto faultOf = [&](const char* written) {
-    d->app().panels.zoom_page = true;
+    d->app().panels.pages.zoom = true;
     d->app().panels.zoom_atoms = written;
     d->frames(4);
     const std::string fault = d->text("zoom/fault");

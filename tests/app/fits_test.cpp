@@ -10,6 +10,7 @@
 #include "app/ui/extensions/extensions.h"
 #include "app/ui/panels/actions.h"
 #include "app/ui/panels/panels.h"
+#include "app/ui/panels/side_panel.h"
 #include "app/ui/widgets/rich_text.h"
 #include "engine/core/text.h"
 #include "engine/language/catalogue.h"
@@ -71,11 +72,10 @@ void beginTurns(ScriptedUser& d) {
   d.frames(3);
 }
 
-// What a flag of its own opens comes from the table of panels.
+// Pages that a flag opens and tabs beside the view come from their tables.
 const Page kStates[] = {
     {"lesson", [](ScriptedUser&) {}},
     {"touch details", [](ScriptedUser& d) { d.app().panels.touch_details = true; }},
-    {"methods", [](ScriptedUser& d) { d.app().panels.showMethods(true); }},
     {"message",
      [](ScriptedUser& d) {
        d.app().messages.error("benzene.pdb:12:3: this is no number; write one there and open the file again");
@@ -83,7 +83,7 @@ const Page kStates[] = {
     {"file", [](ScriptedUser& d) { d.app().askForPictureAs(); }},
     {"legend", [](ScriptedUser& d) { d.app().settings.colour_blind_safe = true; }},
     {"all force stopped", [](ScriptedUser& d) { d.app().scene.servo_settings.panic = true; }},
-    {"add a lesson", [](ScriptedUser& d) { d.app().panels.open_page = d.app().panels.open_adds = true; }},
+    {"add a lesson", [](ScriptedUser& d) { d.app().panels.pages.open = d.app().panels.open_adds = true; }},
     {"name", [](ScriptedUser& d) { d.app().extensions().name_asker.ask(false); }},
     {"code", [](ScriptedUser& d) { d.app().extensions().name_asker.ask(true); }},
     {"hand over", beginTurns},
@@ -92,19 +92,22 @@ const Page kStates[] = {
     {"locks, touch",
      [](ScriptedUser& d) { d.app().open(fileOf(&Files::lesson)), d.app().panels.lesson_first = false; }},
     {"aside", [](ScriptedUser& d) { d.app().open(fileOf(&Files::lesson)), d.app().lesson.follow("#aside-more"); }},
-    {"mistakes", [](ScriptedUser& d) { d.app().open(fileOf(&Files::wrong)), d.app().panels.lesson_problems = true; }},
+    {"mistakes",
+     [](ScriptedUser& d) { d.app().open(fileOf(&Files::wrong)), d.app().panels.lesson_memory.problems = true; }},
 };
 
 void closePages(PanelState& panels) {
   for (const Panel& panel : allPanels())
-    if (panel.page) panels.*panel.page = false;
+    if (panel.page) panels.pages.*panel.page = false;
 }
 
 std::vector<Page> pages() {
   std::vector<Page> out(std::begin(kStates), std::end(kStates));
   for (const Panel& panel : allPanels())
     if (panel.page)
-      out.push_back({std::string(panel.name), [&panel](ScriptedUser& d) { d.app().panels.*panel.page = true; }});
+      out.push_back({std::string(panel.name), [&panel](ScriptedUser& d) { d.app().panels.pages.*panel.page = true; }});
+  for (const SideTab& tab : sideTabs())
+    out.push_back({tab.key, [&tab](ScriptedUser& d) { d.app().panels.tabs.open(tab.key); }});
   return out;
 }
 
@@ -117,8 +120,8 @@ void closeAll(ScriptedUser& d) {
     d.frames(2);
   }
   closePages(p);
-  p.lesson_problems = false;
-  p.showMethods(false);
+  p.lesson_memory.problems = false;
+  for (const SideTab& tab : sideTabs()) p.tabs.close(tab.key);
   d.app().settings.colour_blind_safe = d.app().scene.servo_settings.panic = false;
   if (d.app().extensions().turns.on()) d.app().extensions().turns.end();
   d.app().extensions().playback.close(false);
@@ -221,7 +224,7 @@ TEST_CASE("a figure over the view is broken neither at its decimal point nor fro
 
 TEST_CASE("each page but the file dialog's is opened by a flag of its own, which shows widgets, and Escape closes it") {
   auto d = startWith("argon");
-  std::vector<bool PanelState::*> flags;
+  std::vector<bool OpenPages::*> flags;
   for (const Panel& panel : allPanels()) {
     CAPTURE(panel.name);
     CHECK(bool(panel.page) == (panel.name.ends_with("Page") && panel.name != "FilePage"));
@@ -230,14 +233,14 @@ TEST_CASE("each page but the file dialog's is opened by a flag of its own, which
     flags.push_back(panel.page);
     std::set<std::string> before;
     for (const auto& [name, record] : widgets().all()) before.insert(name);
-    d->app().panels.*panel.page = true;
+    d->app().panels.pages.*panel.page = true;
     d->frames(5);
     std::size_t fresh = 0;
     for (const auto& [name, record] : widgets().all()) fresh += !before.contains(name);
     CHECK(fresh > 0);
     d->tap("Escape");
     d->frames(3);
-    CHECK_FALSE(d->app().panels.*panel.page);
+    CHECK_FALSE(d->app().panels.pages.*panel.page);
   }
   CHECK(flags.size() >= 7);
 }
@@ -315,7 +318,7 @@ TEST_CASE("in every language no text of a page at 1280x800 sticks out, nor is on
   std::map<std::string, std::set<std::string>> in_english;
   for (const Language& language : languages(translationsFolder())) {
     d->app().settings.language = language.code;
-    d->app().panels.touch = true;
+    d->app().panels.tabs.show(true);
     d->frames(3);
     REQUIRE(moltact::language() == language.code);
     CAPTURE(language.code);

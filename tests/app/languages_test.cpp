@@ -93,7 +93,7 @@ TEST_CASE("the shelf has one card for a lesson in two languages, in the language
   scratch.file("mine.de.md", text("Meine"));
   auto d = startWith("argon");
   d->app().settings.lesson_folder = scratch.folder.string();
-  d->app().panels.welcome = true;
+  d->app().panels.pages.welcome = true;
   d->frames(60);
   CHECK(d->text("welcome/own/mine").starts_with("Mine\n"));
   CHECK(d->text("welcome/own/mine.de").empty());

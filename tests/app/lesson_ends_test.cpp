@@ -65,7 +65,7 @@ TEST_CASE("two goals stand at the start, and at the end with what was done: 1 ta
   CHECK(o.driver->text("lesson/end/way") == "1 of 1 steps seen.");
   CHECK(o.driver->click("lesson/end/more"));
   o.driver->frames(3);
-  CHECK(o.driver->app().panels.welcome);
+  CHECK(o.driver->app().panels.pages.welcome);
 }
 
 TEST_CASE(
@@ -101,7 +101,7 @@ TEST_CASE(
   SessionMemory memory{.step = "one-step",
                        .steps = {{.step = "one-step", .tasks_done = {0}, .tasks_shown = {}, .questions = {}}}};
   d->app().lesson.session()->restore(memory);
-  d->app().panels.lesson_goals.reset();
+  d->app().panels.lesson_memory.goals.reset();
   d->frames(5);
   CHECK_FALSE(d->shows("lesson/goal/2"));
 }
@@ -136,7 +136,7 @@ TEST_CASE("H opens the first hint, then the second, then closes both") {
   for (const std::size_t open : {1u, 2u, 0u}) {
     o.driver->tap("H");
     o.driver->frames(2);
-    CHECK(o.driver->app().panels.hints == open);
+    CHECK(o.driver->app().lesson.session()->hintsOpen() == open);
   }
 }
 
@@ -157,7 +157,7 @@ TEST_CASE("Escape does not leave a lesson") {
   Opened o;
   o.driver->tap("Escape");
   o.driver->frames(3);
-  CHECK_FALSE(o.driver->app().panels.welcome);
+  CHECK_FALSE(o.driver->app().panels.pages.welcome);
   CHECK(o.driver->app().panels.lesson);
 }
 

@@ -244,7 +244,7 @@ TEST_CASE("what a lesson locks stays as it is set, whatever changes it") {
   app.scene.servo_settings.stiffness_N_per_mm = 1.0;
   app.scene.useMethod("penalty");
   app.scene.shown.set(ViewPart::Cones, true);
-  app.panels.showMethods(true);
+  app.panels.tabs.open("methods");
   app.panels.lesson = false;
   d->frames(2);
   CHECK_FALSE(app.scene.servo_settings.force_on);

@@ -52,9 +52,9 @@ TEST_CASE("a lesson with every kind of task and question is finished with the ke
   auto d = startWith(kLesson);
   REQUIRE(d->app().lesson.onStage());
   // Reach and press.
-  CHECK_FALSE(d->app().panels.hints);
+  CHECK_FALSE(d->app().lesson.session()->hintsOpen());
   d->tap("H");
-  CHECK(d->app().panels.hints);
+  CHECK(d->app().lesson.session()->hintsOpen());
   CHECK(holdUntil(*d, "Space", taskDone(*d, 0)));
   d->hold("Space");
   d->frames(20);

@@ -29,7 +29,7 @@ TEST_CASE("the methods panel is closed until the View menu opens it, and a tab l
 
 TEST_CASE("switching through families and grades while pressing keeps the contact and leaves a mark for each") {
   auto d = startWith("argon-pair");
-  d->app().panels.showMethods(true);
+  d->app().panels.tabs.open("methods");
   d->frames(2);
   d->point("view", 0.45, 0.5);
   d->hold("Space");
@@ -62,7 +62,7 @@ TEST_CASE("switching through families and grades while pressing keeps the contac
 
 TEST_CASE("facets are drawn with a mesh and its switch on, and with no other method") {
   auto d = startWith("argon");
-  d->app().panels.showMethods(true);
+  d->app().panels.tabs.open("methods");
   d->app().scene.useMethod("mesh80");
   d->frames(20);
   REQUIRE(d->text("show/facets") == "on");

@@ -74,7 +74,7 @@ TEST_CASE(
   d->frames(300);
   REQUIRE(states.share() == 0.0);
   const auto spheres = app.scene.stage().spheres->spheres();
-  const auto& atoms = app.scene.restingModel().molecule->atoms;
+  const auto& atoms = app.scene.atoms().resting().molecule->atoms;
   REQUIRE(spheres.size() == atoms.size());
   double farthest_A = 0.0;
   for (std::size_t k = 0; k < atoms.size(); ++k)

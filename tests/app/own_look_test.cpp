@@ -27,7 +27,7 @@ TEST_CASE(
   }
   REQUIRE(d->click("look/show"));
   d->frames(10);
-  CHECK_FALSE(app.panels.look_page);
+  CHECK_FALSE(app.panels.pages.look);
   // The ribbon, and lysine 48 with its 9 atoms as spheres: in a ribbon a mark would be a spot.
   REQUIRE(app.scene.look.styles.size() == 2);
   CHECK(app.scene.look.styles[0].style == DrawStyle::Cartoon);
@@ -120,14 +120,14 @@ TEST_CASE("where a lesson locks what is shown the page stays shut, with another 
 TEST_CASE("the page says what is wrong with a value, and shows nothing then") {
   auto d = startWith("1ubq");
   Application& app = d->app();
-  app.panels.look_page = true;
+  app.panels.pages.look = true;
   d->frames(3);
   d->type("cartoons");
   d->frames(3);
   CHECK(contains(d->text("look/style/fault"), "cartoon"));
   d->tap("Enter");
   d->frames(3);
-  CHECK(app.panels.look_page);
+  CHECK(app.panels.pages.look);
   CHECK(app.scene.look.styles.empty());
   app.extensions().own_look.values = {"", "chain Q", "", "", "", ""};
   d->frames(3);
@@ -155,7 +155,7 @@ TEST_CASE("colours are chosen in the menu; in a lesson only those that reveal no
   d->frames(3);
   d->click("menu/view/look");
   d->frames(3);
-  CHECK_FALSE(d->app().panels.look_page);
+  CHECK_FALSE(d->app().panels.pages.look);
   d->click("menu/view/colours");
   d->frames(3);
   CHECK(d->shows("menu/view/colours/chain"));

@@ -67,7 +67,7 @@ TEST_CASE("a pack that is dropped shows its lesson with its own molecule, and ha
   CHECK(d->app().scene.molecule().file.string().starts_with(h.packs.string()));
   fs::remove(pack);
   fs::remove_all(h.teacher);
-  d->app().panels.welcome = true;
+  d->app().panels.pages.welcome = true;
   d->frames(60);
   CHECK(contains(d->text("welcome/own/haem"), "Haem pockets"));
 }
@@ -91,7 +91,7 @@ TEST_CASE(
   auto d = startWith(pack.string(), h.options());
   d->app().settings.lesson_folder = (h.scratch.path / "none").string();
   CHECK(contains(d->text("lesson/place"), "Step 2 of 2"));
-  d->app().panels.welcome = true;
+  d->app().panels.pages.welcome = true;
   d->frames(60);
   std::size_t cards = 0;
   for (const LessonCard& c : d->app().extensions().shelf.cards()) cards += c.own;
@@ -106,10 +106,10 @@ TEST_CASE("a lesson opened from anywhere has a card once something was done in i
   d->app().settings.lesson_folder = (h.scratch.path / "none").string();
   d->app().open(h.teacher / "haem.md");
   d->frames(5);
-  d->app().panels.welcome = true;
+  d->app().panels.pages.welcome = true;
   d->frames(60);
   CHECK(d->text("welcome/own/haem").empty());
-  d->app().panels.welcome = false;
+  d->app().panels.pages.welcome = false;
   d->frames(5);
   answer(*d);
   d->app().lesson.next();
@@ -117,7 +117,7 @@ TEST_CASE("a lesson opened from anywhere has a card once something was done in i
   d->app().extensions().recorder.flush();
   d->app().open("argon");
   d->frames(5);
-  d->app().panels.welcome = true;
+  d->app().panels.pages.welcome = true;
   d->frames(60);
   CHECK(contains(d->text("welcome/own/haem"), "Elsewhere"));
   CHECK(d->click("welcome/own/haem"));
@@ -145,7 +145,7 @@ TEST_CASE("Add a lesson puts a pack on the shelf without opening it; of a lesson
   auto d = startWith("", h.options());
   d->app().settings.lesson_folder = (h.scratch.path / "none").string();
   d->app().files.look(h.scratch.path);
-  d->app().panels.welcome = true;
+  d->app().panels.pages.welcome = true;
   d->frames(60);
   CHECK(d->click("welcome/add"));
   d->frames(5);

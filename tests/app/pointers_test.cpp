@@ -50,7 +50,7 @@ TEST_CASE("a finger touches one of five parts: the view, a panel, the edge betwe
   CHECK(screen.on(screen.middle(kHarderPad)) == Fingers::On::Harder);
   CHECK(screen.on(screen.middle(kLighterPad)) == Fingers::On::Lighter);
   // A page over everything is a panel, wherever its finger lies.
-  screen.user->app().panels.welcome = true;
+  screen.user->app().panels.pages.welcome = true;
   CHECK(screen.on(screen.view()) == Fingers::On::Panel);
 }
 

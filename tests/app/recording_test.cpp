@@ -299,13 +299,13 @@ TEST_CASE(
   };
   playOnPage();
   // What a click does within its frame: the page goes on to draw the hand that plays.
-  const Device* const plays = d->app().scene.servo().chosen();
+  const Device* const plays = d->app().scene.servo().loop().device();
   d->app().extensions().device.choose("simulated");
-  CHECK(d->app().scene.servo().chosen() == plays);
+  CHECK(d->app().scene.servo().loop().device() == plays);
   CHECK(recorder.playing());
   CHECK(recorder.length_s() > 0.0);
   d->frames(1);
-  CHECK(d->app().scene.servo().chosen() != plays);
+  CHECK(d->app().scene.servo().loop().device() != plays);
   CHECK_FALSE(recorder.playing());
   CHECK(recorder.at_s() == 0.0);
   // The click itself.

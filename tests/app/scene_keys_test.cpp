@@ -130,7 +130,7 @@ TEST_CASE("the page for zooming to atoms shows errors during typing, and zooms t
   d->frames(2);
   CHECK(d->click("zoom/go"));
   d->frames(3);
-  CHECK_FALSE(d->app().panels.zoom_page);
+  CHECK_FALSE(d->app().panels.pages.zoom);
   CHECK(d->app().scene.camera.distance_A < 0.7 * far_A);
 }
 
@@ -168,7 +168,7 @@ TEST_CASE(
       "open.pdb\n```\nText.\n");
   auto d = startWith(file.string());
   Application& app = d->app();
-  const auto last = [&] { return app.scene.seenMolecule()->spheres[9].centre_A; };
+  const auto last = [&] { return app.scene.atoms().seen()->spheres[9].centre_A; };
   const Vec3 open = app.scene.stage().molecule->spheres[9].centre_A;
   REQUIRE(d->shows("view/states"));
   CHECK(glm::distance(last(), open) == 0.0);
@@ -195,7 +195,7 @@ TEST_CASE(
   CHECK(d->text("view/states") == "100\u00a0%");
   const SphereGrid& spheres = *app.scene.stage().spheres;
   for (std::size_t i = 0; i < spheres.size(); ++i)
-    CHECK(glm::distance(spheres[i].centre_A, app.scene.seenMolecule()->spheres[i].centre_A) == 0.0);
+    CHECK(glm::distance(spheres[i].centre_A, app.scene.atoms().seen()->spheres[i].centre_A) == 0.0);
   app.lesson.next();
   d->frames(5);
   CHECK(glm::distance(last(), open + Vec3(0, 0, 6)) < 1e-3);  // it begins there

@@ -174,7 +174,7 @@ std::vector<std::string> ofTheFrames() {
   Log log;
   {
     ServoLink link(ServoClock::Frames);
-    play({[&](const ServoSettings& s) { link.setSettings(s); },
+    play({[&](const ServoSettings& s) { link.loop().setSettings(s); },
           [&](std::unique_ptr<Interaction> felt) { link.setInteraction(std::move(felt)); },
           [&](std::shared_ptr<const SphereMotion> frame) { return link.setMotion(std::move(frame)); },
           [&](std::unique_ptr<Device> device) { link.setDevice(std::move(device)); }, [&](bool on) { link.record(on); },
@@ -212,14 +212,14 @@ TEST_CASE(
   };
   ServoLink link(ServoClock::Frames);
   link.setInteraction(std::make_unique<WallTracker>(0.0));
-  CHECK_FALSE(link.hasOrientation());
+  CHECK_FALSE(link.loop().hasOrientation());
   link.setInteraction(std::make_unique<Body>());
-  REQUIRE(link.hasOrientation());
+  REQUIRE(link.loop().hasOrientation());
   const SphereGrid spheres({{{0, 0, 0}, 1.6}});
   ServoSettings settings;
   // The device's axes are the molecule's turned by a quarter round z; the camera looks as it is made.
   settings.workspace.rotation = glm::dmat3(Vec3(0, 1, 0), Vec3(-1, 0, 0), Vec3(0, 0, 1));
-  link.setSettings(settings);
+  link.loop().setSettings(settings);
   ViewControls controls;
   Camera camera;
   controls.begin(camera, {}, settings.workspace, 10.0, link.mouse());

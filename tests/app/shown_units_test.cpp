@@ -64,19 +64,19 @@ TEST_CASE(
     CHECK(d->text("probe") == "0.14\u00a0nm");
     CHECK(contains(scaleSentence(d->app().scene.servo_settings.workspace, 0.5), "\u00a0nm there"));
     CHECK(shownWith("Å") == "");
-    d->app().panels.showMethods(true);
+    d->app().panels.tabs.open("methods");
     d->frames(3);
     CHECK(d->shows("grade/0.02\u00a0nm"));
     CHECK(shownWith("Å") == "");
     for (const Panel& panel : allPanels()) {
       if (!panel.page) continue;
       CAPTURE(panel.name);
-      d->app().panels.*panel.page = true;
+      d->app().panels.pages.*panel.page = true;
       d->frames(3);
       CHECK(shownWith("Å") == "");
-      d->app().panels.*panel.page = false;
+      d->app().panels.pages.*panel.page = false;
     }
-    d->app().panels.showMethods(false);
+    d->app().panels.tabs.close("methods");
     d->app().settings.units["length"] = "pm";
     d->frames(2);
     CHECK(d->text("probe") == "140\u00a0pm");
@@ -134,10 +134,10 @@ TEST_CASE(
   for (const Panel& panel : allPanels()) {
     if (!panel.page) continue;
     CAPTURE(panel.name);
-    d->app().panels.*panel.page = true;
+    d->app().panels.pages.*panel.page = true;
     d->frames(3);
     noOwnUnit();
-    d->app().panels.*panel.page = false;
+    d->app().panels.pages.*panel.page = false;
     d->frames(1);
   }
 }

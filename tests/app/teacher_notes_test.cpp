@@ -62,7 +62,7 @@ TEST_CASE(
 TEST_CASE("a lesson without notes for the teacher, and the welcome page, offer no such view") {
   Opened o("> [!TIP]\n> A hint.\n\n> [!NOTE]\n> A note for all.\n");
   CHECK_FALSE(o.offered());
-  o.driver->app().panels.welcome = true;
+  o.driver->app().panels.pages.welcome = true;
   CHECK_FALSE(o.offered());
 }
 

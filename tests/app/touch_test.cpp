@@ -146,7 +146,7 @@ TEST_CASE("a hand that is placed inside gets one message to come out") {
   auto d = startWith("argon");
   d->app().scene.servo().mouse().place(d->app().scene.stage().workspace.toDevice({Vec3(0.0)}));
   ++d->app().scene.servo_settings.discontinuities;
-  d->app().scene.servo().setSettings(d->app().scene.servo_settings);
+  d->app().scene.servo().loop().setSettings(d->app().scene.servo_settings);
   // One tick before the hand is led out again by the pointer's place.
   d->app().scene.advance(0.001, 0.0, false);
   CHECK(d->app().scene.log().latest().contact.fault == Fault::StartedInside);

@@ -84,7 +84,7 @@ TEST_CASE(
   options.application.attempts_folder = klass.attempts;
   auto d = startWith("", options);
   d->app().settings.lesson_folder = klass.lesson.parent_path().string();
-  d->app().panels.welcome = true;
+  d->app().panels.pages.welcome = true;
   runAll(*d, R"(
 wait 40
 point welcome/own/first-touch

@@ -72,7 +72,7 @@ TEST_CASE(
 TEST_CASE(
     "the lessons of the program stand by the places that their authors gave; the card at the end names the next one") {
   const auto d = startWith("");
-  d->app().panels.welcome = true;
+  d->app().panels.pages.welcome = true;
   d->frames(5);
   for (int k = 0; k < 600 && (k < 60 || d->app().extensions().shelf.live()); ++k) d->frames(1);
   const std::vector<LessonCard>& cards = d->app().extensions().shelf.cards();

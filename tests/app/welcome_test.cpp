@@ -16,7 +16,7 @@ namespace {
 
 std::unique_ptr<ScriptedUser> startAtWelcome(ScriptedUser::Options options = {}) {
   auto d = startWith("", std::move(options));
-  d->app().panels.welcome = true;
+  d->app().panels.pages.welcome = true;
   d->frames(60);
   return d;
 }
@@ -93,7 +93,7 @@ TEST_CASE("while the welcome page is open the hand feels nothing") {
   d->hold("Space");
   d->frames(60);
   REQUIRE(d->app().scene.log().force_N() > 0.1);
-  d->app().panels.welcome = true;
+  d->app().panels.pages.welcome = true;
   d->frames(10);
   CHECK(d->app().scene.log().force_N() == 0.0);
   CHECK(d->app().scene.servo_settings.force_on);
@@ -151,7 +151,7 @@ TEST_CASE("lessons of one's own have cards, and one that cannot be read says why
   scratch.file("broken.md", "---\ntitle: Broken\n---\n\n## Step\n\n```touch\npress: all\nuntil: 0.5\n```\n");
   auto d = startWith("");
   d->app().settings.lesson_folder = scratch.folder.string();
-  d->app().panels.welcome = true;
+  d->app().panels.pages.welcome = true;
   d->frames(60);
   CHECK(contains(d->text("welcome/own/mine"), "My own"));
   CHECK(contains(d->text("welcome/own/broken"), "cannot be opened"));

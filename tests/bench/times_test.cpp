@@ -8,6 +8,7 @@
 
 #include "engine/bench/clock_step.h"
 #include "engine/bench/cold_cache_ticks.h"
+#include "engine/bench/methods/bench_methods.h"
 #include "engine/bench/tables.h"
 #include "engine/bench/trade_off_sentences.h"
 

@@ -11,6 +11,7 @@
 #include <string_view>
 
 #include "engine/bench/hip_paths.h"
+#include "engine/bench/methods/bench_methods.h"
 #include "engine/bench/scenes.h"
 #include "engine/haptics/body/rigid_body.h"
 #include "engine/haptics/exact/exact_tracker.h"
@@ -236,7 +237,7 @@ std::vector<Sphere> within(double radius_A, int count) {
 
 int main(int argc, char** argv) {
   // One resolution of each method; the others differ in accuracy, which `moltact bench` charts.
-  for (const Method& method : methods()) {
+  for (const Method& method : bench::benchMethods()) {
     constexpr std::string_view kShown[] = {"exact", "paper", "mesh960", "mesh960-tree", "grid04", "penalty"};
     if (std::find(std::begin(kShown), std::end(kShown), method.name) == std::end(kShown)) continue;
     for (const bool contact : {true, false}) {
@@ -260,7 +261,7 @@ int main(int argc, char** argv) {
     worst(s, bench::proteinLike(14'000, 1), 20.0);
   })->Unit(benchmark::kMillisecond);
   benchmark::RegisterBenchmark("servo/contact", servoTicks)->Arg(3'000);
-  benchmark::RegisterBenchmark("body/contact", body)->Arg(1)->Arg(35)->Arg(std::int64_t(kMaxHeldAtoms));
+  benchmark::RegisterBenchmark("body/contact", body)->Arg(1)->Arg(35)->Arg(200);
   benchmark::RegisterBenchmark("ready", ready)->Arg(3'000)->Arg(14'000)->Arg(1'000'000)->Unit(benchmark::kMillisecond);
   benchmark::Initialize(&argc, argv);
   if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;

@@ -171,7 +171,8 @@ std::string lineOf(const std::string& text, std::size_t at) {
 }
 
 // Others' types and headers, of which this knows no members.
-const std::set<std::string> kForeignScopes{"std", "glm", "ImGui", "gemmi", "doctest"};
+const std::set<std::string> kForeignScopes{"std",   "glm",     "ImGui",
+                                           "gemmi", "doctest", "moltact"};  // moltact::haptics is a target of CMake
 
 struct Project {
   std::vector<std::string> files;            // "engine/core/units.h"
@@ -180,9 +181,12 @@ struct Project {
   std::set<std::string> words;  // of code and literals
 
   Project() {
-    for (const char* top : {"app", "engine", "tests", "assets", "molecules"})
+    for (const char* top : {"app", "engine", "tests", "assets", "molecules", "docs"})
       for (const auto& entry : fs::recursive_directory_iterator(kSource / top)) {
         const std::string ending = entry.path().extension().string();
+        if (ending == ".py" || ending == ".pyi")
+          for (const std::string& token : tokensOf(textOf(entry.path())))
+            if (isWord(token)) words.insert(token);
         if (ending != ".h" && ending != ".cpp") continue;
         const std::string file = fs::relative(entry.path(), kSource).generic_string();
         std::string source = textOf(entry.path());

@@ -12,19 +12,25 @@
 
 namespace moltact::fuzz {
 
+constexpr std::size_t kMaxFactsComputed = 3;  // a search on every path takes a second
+
 void lesson(std::string_view bytes) {
   static const auto molecule = std::make_shared<const Molecule>(mixedMolecule());
-  const LessonCheck check =
-      checkLesson("/nowhere/x.md", std::string(bytes),
-                  [](const NamedMolecule& molecule_named) -> Expected<std::shared_ptr<const Molecule>> {
-                    if (molecule_named.name.size() > 6)
-                      return Problem{{}, 0, 0, "there is no such molecule", "take another"};
-                    return molecule;
-                  });
+  const auto by_name = [](const NamedMolecule& named) -> Expected<std::shared_ptr<const Molecule>> {
+    if (named.name.size() > 6) return Problem{{}, 0, 0, "there is no such molecule", "take another"};
+    return molecule;
+  };
+  const LessonCheck check = checkLesson("/nowhere/x.md", std::string(bytes), by_name);
   mustBe(check.lesson || !check.errors.empty(), "a lesson or an error");
   mustBe(check.errors.size() <= kMaxLessonProblems + 1 && check.warnings.size() <= kMaxLessonProblems + 1,
          "no more problems than are told");
   for (const Problem& p : check.errors) mustBe(!p.message.empty(), "a message");
+  std::size_t facts = 0;
+  if (check.lesson)
+    for (const Step& step : check.lesson->steps)
+      for (const FactsSpec& block : step.facts) facts += block.facts.size();
+  if (facts > 0 && facts <= kMaxFactsComputed)
+    for (const Problem& p : checkFacts(*check.lesson, by_name)) mustBe(!p.message.empty() && p.line > 0, "a line");
   if (check.lesson)
     mustBe(!check.lesson->steps.empty() && check.lesson->steps.size() <= kMaxLessonSteps, "1 to 1000 steps");
 }

@@ -8,13 +8,16 @@
 #include <new>
 #include <string>
 
+#include "engine/bench/methods/bench_methods.h"
 #include "engine/bench/scenes.h"
+#include "engine/haptics/body/exact_body.h"
 #include "engine/haptics/body/rigid_body.h"
 #include "engine/haptics/methods.h"
 #include "engine/haptics/touch_setup.h"
 #include "tests/haptics/walk.h"
 
 using namespace moltact;
+using bench::benchMethods;
 using test::makeScene;
 using test::walkTo;
 
@@ -50,7 +53,9 @@ TEST_CASE("no method allocates in 3000 ticks of walking, jumping out and changin
   }
 }
 
-TEST_CASE("neither an answer nor its reactions allocate, over 2000 poses: each method, and a body of six atoms") {
+TEST_CASE(
+    "neither an answer nor its reactions allocate, over 2000 poses: each method, and a body of six atoms in both "
+    "ways") {
   const scenes::Scene scene = scenes::cluster(50, 3);
   const auto spheres = makeScene(scene.spheres);
   const std::vector<Sphere> atoms{{{0, 0, 0}, 1.7},   {{1.5, 0, 0}, 1.7}, {{3, 0, 0}, 1.7},
@@ -60,6 +65,7 @@ TEST_CASE("neither an answer nor its reactions allocate, over 2000 poses: each m
   for (const Method& method : benchMethods()) made.push_back(method.make(spheres, scene.probe_A));
   made.push_back(std::make_unique<RigidBody>(
       heldBody(atoms, all), [&](double radius_A) { return referenceMethod().make(spheres, radius_A); }));
+  made.push_back(std::make_unique<ExactBody>(spheres, heldBody(atoms, all)));
   const scenes::Path path = scenes::jumps(scene, 2000, 8);
   for (const auto& felt : made) {
     std::vector<AtomForce> room(felt->maxReactionCount());
@@ -186,7 +192,7 @@ TEST_CASE("every method handles a scene without balls, one ball, and a probe tha
     CHECK(one->memoryUsage().bytes > 0);
     one->setProbe(std::nan(""));
     CHECK(one->probe_A() == 1.4);
-    if (method.one_probe) {
+    if (bench::limitsOf(method).one_probe) {
       one->setProbe(2.0);
       CHECK(one->probe_A() == 1.4);
       continue;
@@ -200,17 +206,34 @@ TEST_CASE("every method handles a scene without balls, one ball, and a probe tha
 
 TEST_CASE("methods in the window and in lessons handle any scene and probe; others are only in the bench") {
   CHECK(benchMethods().size() > methods().size());
-  CHECK(benchMethods().data() == methods().data());
+  for (const Method& method : methods()) CHECK(bench::limitsOf(method).none());
   for (const Method& method : benchMethods()) {
     CAPTURE(std::string(method.name));
-    const bool offered = findMethod(method.name) != nullptr;
-    CHECK(offered == method.offered);
-    if (offered) CHECK((method.max_spheres == 0 && !method.one_probe));
     CHECK(motionSentence(method).empty() == method.follows_motion);
-    CHECK(findBenchMethod(method.name) == &method);
+    CHECK(bench::findBenchMethod(method.name) == &method);
   }
   CHECK(findMethod("sasmesh05") == nullptr);
+  CHECK(bench::limitsOf(*bench::findBenchMethod("sasmesh05")).one_probe);
   CHECK(methods().front().name == TouchSetup().method);
+}
+
+TEST_CASE("a method that files of earlier versions name is read as the one that answers alike, and never written") {
+  const Method* method = findMethod("mesh960-tree");
+  REQUIRE(method != nullptr);
+  CHECK(method->name == "mesh960");
+  for (const std::string_view name : methodNames()) CHECK(name != "mesh960-tree");
+  const scenes::Scene scene = scenes::cluster(50, 3);
+  const auto shared = makeScene(scene.spheres);
+  const auto now = method->make(shared, scene.probe_A),
+             then = bench::findBenchMethod("mesh960-tree")->make(shared, scene.probe_A);
+  int touching = 0, other = 0;
+  for (const Vec3& hip : scenes::walk(scene, 2000, 8)) {
+    const Contact one = now->step({hip}), two = then->step({hip});
+    touching += one.touching();
+    other += one != two;
+  }
+  CHECK(touching > 500);
+  CHECK(other == 0);
 }
 
 TEST_CASE("one method is the reference, and only a variant that is not plain stands in a title") {

@@ -21,6 +21,7 @@ TEST_CASE("every interaction has a name of its own, is made over a scene and say
     const auto spheres = test::makeScene({{{0, 0, 0}, 1.6}});
     const auto felt = kind.make({spheres, {}, heldBody(spheres->spheres(), std::vector<std::uint32_t>{0})});
     REQUIRE(felt);
+    if (!kind.former_name.empty()) CHECK(findInteractionKind(kind.former_name) == &kind);
     // What has no probe says 0 and passes another radius over.
     const bool has_probe = felt->probe_A() != 0.0;
     if (&kind == &interactionKinds().front()) CHECK(has_probe);
@@ -94,7 +95,7 @@ TEST_CASE(
   wanted.method = "penalty";
   wanted.probe_A = 2.5;
   for (const bool body : {false, true})
-    for (const char* interaction : {"probe", "body", "none"}) {
+    for (const char* interaction : {"probe", "springs", "exact-body", "body", "none"}) {
       wanted.interaction = interaction;
       const TouchSetup now = resolveInteraction(wanted, body);
       CHECK(findInteractionKind(now.interaction)->holds_body == body);

@@ -4,6 +4,7 @@
 
 #include <string>
 
+#include "engine/bench/methods/bench_methods.h"
 #include "engine/bench/scenes.h"
 #include "engine/haptics/methods.h"
 #include "engine/haptics/sphere_motion.h"
@@ -11,6 +12,7 @@
 #include "tests/haptics/walk.h"
 
 using namespace moltact;
+using bench::benchMethods;
 
 namespace {
 

@@ -1,4 +1,4 @@
-// The program's lesson on HIV protease: what can be touched with the drug in the tunnel, and without it.
+// The program's lesson on HIV protease: how far the drug moves in its tunnel,.
 #include <algorithm>
 #include <array>
 #include <map>
@@ -14,14 +14,6 @@ using namespace moltact::test;
 namespace {
 
 constexpr const char* kDrug = "a-drug-in-its-tunnel";
-
-double nearest_A(const ShippedScene& s, const std::string& one, const std::string& other) {
-  double least = 1e9;
-  for (const std::uint32_t a : s.select(one))
-    for (const std::uint32_t b : s.select(other))
-      least = std::min(least, glm::distance(s.molecule->spheres[a].centre_A, s.molecule->spheres[b].centre_A));
-  return least;
-}
 
 }  // namespace
 
@@ -49,55 +41,17 @@ TEST_CASE("the empty tunnel and the drug are atoms of 1hpv in their places, and 
 }
 
 TEST_CASE(
-    "the drug's O3 lies 2.6 A and 3.1 A from the oxygens of Asp 25 in chain A, 2.7 A and 2.8 A in chain B; Ile 50, Val "
-    "82 and Ile 84 lie within 4 A of the drug") {
-  const std::string
-      key = lineSaying(kDrug, "within 2.6 Å to 3.1 Å of all four oxygens"),
-      note = lineSaying(
-          kDrug, "lies 2.6 Å and 3.1 Å from the carboxylate oxygens of Asp 25 in chain A, 2.7 Å and 2.8 Å in chain B"),
-      walls = lineSaying(kDrug, "Ile 50 3.4 Å, Val 82 3.9 Å, Ile 84 3.6 Å");
-  CAPTURE(key);
-  CAPTURE(note);
-  CAPTURE(walls);
-  const ShippedScene s("1hpv");
-  const auto away = [&](const char* oxygen) {
-    return s.between("ligand and name O3", std::string("residue 25 and ") + oxygen);
-  };
-  CHECK(away("chain A and name OD1") == doctest::Approx(2.6).epsilon(0.015));
-  CHECK(away("chain A and name OD2") == doctest::Approx(3.1).epsilon(0.015));
-  CHECK(away("chain B and name OD1") == doctest::Approx(2.7).epsilon(0.02));
-  CHECK(away("chain B and name OD2") == doctest::Approx(2.8).epsilon(0.015));
-  CHECK(nearest_A(s, "residue 50", "ligand") == doctest::Approx(3.4).epsilon(0.015));
-  CHECK(nearest_A(s, "residue 82", "ligand") == doctest::Approx(3.9).epsilon(0.015));
-  CHECK(nearest_A(s, "residue 84", "ligand") == doctest::Approx(3.6).epsilon(0.015));
-}
-
-TEST_CASE(
-    "held as a body 0.5 A smaller, amprenavir touches nothing in its own place, where O3 and OD1 of Asp 25 overlap by "
-    "0.46 "
-    "A; 400 000 small moves and turns from there lead it no farther than 2 A, seed 1") {
+    "held as a body 0.5 A smaller, amprenavir touches nothing in its own place; 400 000 small moves and turns from "
+    "there lead it no farther than 2 A, seed 1") {
   const std::string says =
-      linesSaying(kDrug, {"all 35 atoms of the medicine", "is felt 0.5 Å smaller", "by up to 0.46 Å",
-                          "400 000 small moves and turns, came no further than 2 Å"});
+      linesSaying(kDrug, {"is felt 0.5 Å smaller", "400 000 small moves and turns, came no further than 2 Å"});
   CAPTURE(says);
   const ShippedScene s("1hpv");
   const SharedArray<Sphere>& spheres = s.molecule->spheres;
   const std::vector<std::uint32_t> held = s.select("ligand");
-  CHECK(held.size() == 35);
   const auto body = heldBody(spheres, held);
   REQUIRE(body);
   const SphereGrid protein(spheres, held);
-  double most_A = 0.0;
-  std::string pair;
-  for (const std::uint32_t a : held)
-    protein.visitNear(spheres[a].centre_A, spheres[a].radius_A, [&](std::uint32_t b, const Sphere& sphere) {
-      const double over = sphere.radius_A + spheres[a].radius_A - glm::distance(sphere.centre_A, spheres[a].centre_A);
-      if (over <= most_A) return;
-      most_A = over;
-      pair = std::string(s.molecule->atoms[a].nameText()) + ' ' + std::string(s.molecule->atoms[b].nameText());
-    });
-  CHECK(most_A == doctest::Approx(0.46).epsilon(0.01));
-  CHECK(pair == "O3 OD1");
   const auto fits = [&](const Vec3& place, const Quat& turned) {
     bool free = true;
     for (const Sphere& b : body->spheres) {

@@ -1,4 +1,4 @@
-// The program's lesson on bonds and contacts: its angles, depths and distances follow from the molecules' coordinates.
+// The program's lesson on bonds and contacts: its depths and pits follow from the molecules' coordinates.
 #include <algorithm>
 #include <memory>
 
@@ -23,34 +23,12 @@ TEST_CASE(
   }
 }
 
-TEST_CASE(
-    "the force turns by 70 degrees between argon atoms, 19 at O-H, 26 at C-C of benzene, 57 between its hydrogens, 28 "
-    "at CA-CB") {
-  CHECK(ShippedScene("argon-pair").turn_deg("atom 0", "atom 1", 1.4) == doctest::Approx(70).epsilon(0.007));
-  CHECK(ShippedScene("water").turn_deg("atom 0", "atom 1", 1.4) == doctest::Approx(19).epsilon(0.02));
-  const ShippedScene benzene("benzene");
-  CHECK(benzene.turn_deg("atom 0", "atom 1", 1.4) == doctest::Approx(26).epsilon(0.01));
-  CHECK(benzene.turn_deg("atom 0", "atom 6", 1.4) == doctest::Approx(19.5).epsilon(0.01));
-  CHECK(benzene.turn_deg("atom 6", "atom 7", 1.4) == doctest::Approx(57).epsilon(0.01));
-  CHECK(ShippedScene("alpha-helix").turn_deg("residue 10 and name CA", "residue 10 and name CB", 1.4) ==
-        doctest::Approx(28).epsilon(0.02));
-}
-
 TEST_CASE("two hydrogens that just touch turn the force by 55 degrees") {
   const std::string touching = lineSaying("hydrogen-bonds", "Two that only lie side by side turn the force by 55°"),
                     model = lineSaying("bond-or-contact", "If it turns by 55° or more, they only lie side by side");
   CAPTURE(touching);
   CAPTURE(model);
   CHECK(2.0 * std::asin(1.20 / (1.20 + 1.4)) * 180 / std::numbers::pi == doctest::Approx(55).epsilon(0.002));
-}
-
-TEST_CASE("the turns hold for a probe of 1.4 A: for a point CA-CB turns the force by 53 degrees, for 3 A argon by 45") {
-  const std::string says =
-      linesSaying("bond-or-contact", {"between two carbons turns the force by 53°", "turns it by 45° only"});
-  CAPTURE(says);
-  CHECK(ShippedScene("alpha-helix").turn_deg("residue 10 and name CA", "residue 10 and name CB", 0.0) ==
-        doctest::Approx(53).epsilon(0.01));
-  CHECK(ShippedScene("argon-pair").turn_deg("atom 0", "atom 1", 3.0) == doctest::Approx(45).epsilon(0.01));
 }
 
 TEST_CASE(
@@ -101,20 +79,6 @@ TEST_CASE(
   CHECK(settles(0.0, 0.1) == 24);
   CHECK(settles(0.0, 0.5) == 24);
   CHECK(settles(1.4, 0.35) == 0);
-}
-
-TEST_CASE(
-    "in the helix the peptide bond is 1.33 A, the hydrogen bond 2.88 A, and a water-sized probe reaches both ends of "
-    "either") {
-  const ShippedScene helix("alpha-helix");
-  CHECK(helix.between("residue 10 and name C", "residue 11 and name N") == doctest::Approx(1.33).epsilon(0.002));
-  CHECK(helix.between("residue 10 and name O", "residue 14 and name N") == doctest::Approx(2.88).epsilon(0.003));
-  const std::string share = lineSaying("bond-or-contact", "chain's carbon it is 36 %");
-  CAPTURE(share);
-  CHECK(helix.openPlaces("residue 10 and name C", 1.4) > 10);
-  CHECK(helix.openPlaces("residue 11 and name N", 1.4) > 10);
-  CHECK(helix.openPlaces("residue 10 and name O", 1.4) > 100);
-  CHECK(double(helix.places("residue 10 and name CB", 1.4).size()) / 3000 == doctest::Approx(0.364).epsilon(0.015));
 }
 
 TEST_CASE(

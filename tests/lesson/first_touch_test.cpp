@@ -93,16 +93,12 @@ TEST_CASE("every target of first-touch.md has an atom that the probe can touch f
 }
 
 TEST_CASE(
-    "pentacene has five rings of 22 carbons and 14 hydrogens, 2.42 A apart; from the bond between two of them the "
-    "probe "
-    "sinks in by 0.25 A, and in the middle of each it rests in a pit") {
+    "from the bond between two rings of pentacene the probe sinks in by 0.25 A, and in the middle of each it rests in "
+    "a pit") {
   const std::string says =
-      linesSaying(kLesson, {"Five shallow dents, one in each ring, 2.42 Å (0.242 nm) apart",
-                            "the probe sinks in by 0.25 Å", "the bond lengths of benzene (C-C 1.397 Å, C-H 1.084 Å"});
+      linesSaying(kLesson, {"the probe sinks in by 0.25 Å", "the bond lengths of benzene (C-C 1.397 Å"});
   CAPTURE(says);
   const ShippedScene s("pentacene");
-  CHECK(s.select("element C").size() == 22);
-  CHECK(s.select("element H").size() == 14);
   const auto height = [&](double x) { return pushed(s, Vec3(x, 0.003, 6), Vec3(x, 0.003, 2.4)).scp.A.z; };
   for (int ring = 0; ring < 5; ++ring) {
     CAPTURE(ring);
@@ -113,32 +109,17 @@ TEST_CASE(
     CHECK(pushed(s, middle + Vec3(0.01, 0.02, 6), middle + Vec3(0.01, 0.02, 2)).feature == Feature::Point);
     if (ring == 4) break;
     const Vec3 next = middleOf(s, "atom " + std::to_string(4 * ring + 4) + "-" + std::to_string(4 * ring + 9));
-    CHECK(glm::distance(middle, next) == doctest::Approx(2.42).epsilon(0.001));
     CHECK(height(0.5 * (middle.x + next.x)) - height(middle.x) == doctest::Approx(0.25).epsilon(0.03));
   }
-  CHECK(s.between("atom 0", "atom 1") == doctest::Approx(1.397).epsilon(0.001));
-  CHECK(s.between("atom 2", "atom 24") == doctest::Approx(1.084).epsilon(0.001));
 }
 
-TEST_CASE("an oxygen is 1.52 A, argon 1.88 A; a push of 0.5 N is 5 thousand million times a force of 0.1 nN") {
-  const std::string says =
-      linesSaying(kLesson, {"The oxygen's van der Waals radius is 1.52 Å", "its radius is 1.88 Å (0.188 nm)",
-                            "Your probe has a radius of 1.4 Å, about that of the oxygen atom",
-                            "push of 0.5 N on the hand is 5 thousand million times as much"});
+TEST_CASE(
+    "a push of 0.5 N is 5 thousand million times a force of 0.1 nN, and the probe is about as large as an oxygen") {
+  const std::string says = linesSaying(kLesson, {"Your probe has a radius of 1.4 Å, about that of the oxygen atom",
+                                                 "push of 0.5 N on the hand is 5 thousand million times as much"});
   CAPTURE(says);
-  const double oxygen_A = ShippedScene("water").atom("element O").radius_A;
-  CHECK(oxygen_A == doctest::Approx(1.52));
-  CHECK(kWater_A / oxygen_A > 0.9);
-  CHECK(ShippedScene("argon").atom("all").radius_A == doctest::Approx(1.88));
+  CHECK(kWater_A / ShippedScene("water").atom("element O").radius_A > 0.9);
   CHECK(0.5 / 0.1e-9 == doctest::Approx(5e9));
-}
-
-TEST_CASE("two argon atoms are 3.76 A apart, so the balls just touch") {
-  const std::string line = lineSaying(kLesson, "Their centres are 3.76 Å (0.376 nm) apart");
-  CAPTURE(line);
-  const ShippedScene s("argon-pair");
-  CHECK(s.between("atom 0", "atom 1") == doctest::Approx(3.76));
-  CHECK(s.between("atom 0", "atom 1") == doctest::Approx(2 * s.atom("atom 0").radius_A));
 }
 
 TEST_CASE("the argon triangle has two pits, one on either side, each where a water-sized probe rests 2.46 A above it") {
@@ -280,7 +261,6 @@ TEST_CASE("of the helix's 21 oxygens sixteen hold on to a nitrogen of the next t
   const std::string line = lineSaying(kLesson, "Sixteen of these oxygens hold on to the next turn");
   CAPTURE(line);
   const ShippedScene s("alpha-helix");
-  CHECK(s.select("element O").size() == 21);
   int held = 0;
   for (const std::uint32_t o : s.select("element O"))
     for (const std::uint32_t n : s.select("element N")) {
@@ -306,13 +286,4 @@ TEST_CASE("a turn of the helix has 3.6 amino acids; it has 20, more than five tu
   CHECK(360.0 / (sum_deg / 19) == doctest::Approx(3.6).epsilon(0.01));
   CHECK(20 / 3.6 > 5);
   CHECK(s.select("name CA").size() == 20);
-}
-
-TEST_CASE("ubiquitin has 76 amino acids, of which number 48 is a lysine") {
-  const std::string says =
-      linesSaying(kLesson, {"a protein of 76 amino acids", "The marked part is amino acid 48, a lysine"});
-  CAPTURE(says);
-  const ShippedScene s("1ubq");
-  CHECK(s.select("name CA").size() == 76);
-  CHECK(s.select("residue 48 and resname LYS").size() == 9);
 }

@@ -260,7 +260,8 @@ TEST_CASE("empty selections and molecules that are not there are reported at the
 
 TEST_CASE("every key has a meaning that ends in a full stop, and every fallback is a good value of its key") {
   std::vector<KeySpec> all;
-  for (const KeyBlock b : {KeyBlock::FrontMatter, KeyBlock::Step, KeyBlock::Scene, KeyBlock::Touch, KeyBlock::Answer})
+  for (const KeyBlock b :
+       {KeyBlock::FrontMatter, KeyBlock::Step, KeyBlock::Scene, KeyBlock::Touch, KeyBlock::Answer, KeyBlock::Facts})
     all.insert(all.end(), keysOf(b).begin(), keysOf(b).end());
   for (const TaskKind& k : taskKinds()) {
     CHECK(k.keys.front().name == k.name);

@@ -61,7 +61,7 @@ TEST_CASE("docs/lesson-reference.md is what `moltact lesson-reference` prints") 
 TEST_CASE("the reference has every key of every table, and a heading for every kind of task") {
   const std::string page = lessonReference();
   for (const KeyBlock block :
-       {KeyBlock::FrontMatter, KeyBlock::Step, KeyBlock::Scene, KeyBlock::Touch, KeyBlock::Answer})
+       {KeyBlock::FrontMatter, KeyBlock::Step, KeyBlock::Scene, KeyBlock::Touch, KeyBlock::Answer, KeyBlock::Facts})
     for (const KeySpec& k : keysOf(block))
       CHECK(page.find("\n| `" + std::string(k.name) + "` | ") != std::string::npos);
   for (const TaskKind& kind : taskKinds()) {

@@ -1,7 +1,5 @@
-// The program's lesson on the haem's pocket: the iron's place, and what can touch it, agree with the entry.
+// The program's lesson on the haem's pocket: from which side its irons are touched, and where its tasks count.
 #include <algorithm>
-#include <array>
-#include <tuple>
 
 #include "engine/lesson/passable.h"
 #include "engine/lesson/tasks/touch_limits.h"
@@ -20,65 +18,6 @@ std::size_t fromAbove(const ShippedScene& pocket, double probe_A) {
       std::count_if(places.begin(), places.end(), [&](const SurfacePlace& p) { return glm::dot(p.outward, up) > 0; }));
 }
 
-/// Whether a sphere comes from outside to the iron's distal side in the frozen molecule: space is filled on a grid of
-/// 0.2 A from the rim of a box of 36 A round the iron inward.
-bool ballComesToIron(const ShippedScene& whole, const std::string& chain, double sphere_A) {
-  const bool alpha = chain == "A" || chain == "C";
-  const auto at = [&](const std::string& text) { return whole.atom("chain " + chain + " and " + text).position.A; };
-  const Vec3 iron = at("element Fe");
-  const Vec3 distal =
-      glm::normalize(iron - at(std::string("resname HIS and name NE2 and residue ") + (alpha ? "87" : "92")));
-  constexpr double kCell_A = 0.2, kHalf_A = 18.0;
-  constexpr int kCells = int(2 * kHalf_A / kCell_A) + 1;
-  const Vec3 corner = iron - Vec3(kHalf_A);
-  const auto index = [](int x, int y, int z) {
-    return (std::size_t(x) * kCells + std::size_t(y)) * kCells + std::size_t(z);
-  };
-  enum : char { Free, Shut, Filled };
-  std::vector<char> cells(std::size_t(kCells) * kCells * kCells, Free);
-  const auto shut = [&](double radius_A, std::vector<char>& out) {
-    for (const Sphere& a : whole.molecule->spheres) {
-      const double grown = a.radius_A + radius_A;
-      int low[3], high[3];
-      for (int k = 0; k < 3; ++k) {
-        low[k] = std::max(0, int(std::ceil((a.centre_A[k] - grown - corner[k]) / kCell_A)));
-        high[k] = std::min(kCells - 1, int(std::floor((a.centre_A[k] + grown - corner[k]) / kCell_A)));
-      }
-      for (int x = low[0]; x <= high[0]; ++x)
-        for (int y = low[1]; y <= high[1]; ++y)
-          for (int z = low[2]; z <= high[2]; ++z)
-            if (glm::distance(corner + Vec3(x, y, z) * kCell_A, a.centre_A) < grown) out[index(x, y, z)] = Shut;
-    }
-  };
-  shut(sphere_A, cells);
-  // Outside is where a sphere of 2.9 A has room on the rim of the box; no hollow inside the protein is so large.
-  std::vector<char> large(cells.size(), Free);
-  shut(2.9, large);
-  std::vector<std::array<int, 3>> open;
-  const auto fill = [&](int x, int y, int z) {
-    if (x < 0 || y < 0 || z < 0 || x >= kCells || y >= kCells || z >= kCells || cells[index(x, y, z)] != Free) return;
-    cells[index(x, y, z)] = Filled;
-    open.push_back({x, y, z});
-  };
-  const auto rim = [](int c) { return c == 0 || c == kCells - 1; };
-  for (int x = 0; x < kCells; ++x)
-    for (int y = 0; y < kCells; ++y)
-      for (int z = 0; z < kCells; ++z)
-        if ((rim(x) || rim(y) || rim(z)) && large[index(x, y, z)] == Free) fill(x, y, z);
-  while (!open.empty()) {
-    const auto [x, y, z] = open.back();
-    open.pop_back();
-    const Vec3 from_iron = corner + Vec3(x, y, z) * kCell_A - iron;
-    if (glm::length(from_iron) < 2.44 + sphere_A + kCell_A && glm::dot(from_iron, distal) > 0.5) return true;
-    for (const int step : {-1, 1}) {
-      fill(x + step, y, z);
-      fill(x, y + step, z);
-      fill(x, y, z + step);
-    }
-  }
-  return false;
-}
-
 }  // namespace
 
 TEST_CASE(
@@ -94,48 +33,6 @@ TEST_CASE(
     CHECK(tasksOf(lesson, "fit") == 1);
     CHECK(tasksOf(lesson, "find") == 1);
     CHECK(lesson.molecules.size() == 3);
-  }
-}
-
-TEST_CASE(
-    "in the frozen molecule a ball of 0.8 A comes from outside to the distal side of every iron, one of 1.3 A to "
-    "none") {
-  const std::string line =
-      lineSaying("the-haem-in-its-pocket", "a ball of 0.8 Å comes from outside to the distal side of every iron");
-  CAPTURE(line);
-  const ShippedScene whole("2hhb");
-  for (const char* chain : {"A", "B", "C", "D"}) {
-    CAPTURE(chain);
-    CHECK(ballComesToIron(whole, chain, 0.8));
-    CHECK_FALSE(ballComesToIron(whole, chain, 1.3));
-  }
-  // By how much the chains differ.
-  CHECK_FALSE(ballComesToIron(whole, "A", 1.0));
-  CHECK(ballComesToIron(whole, "D", 1.05));
-}
-
-TEST_CASE("the valine over the iron is 4.1 A from it in the beta pocket and 5.2 A in the alpha pocket") {
-  CHECK(ShippedScene("haem-alpha").between("element Fe", "residue 62 and name CG2") ==
-        doctest::Approx(5.2).epsilon(0.01));
-  CHECK(ShippedScene("haem-beta").between("element Fe", "residue 67 and name CG2") ==
-        doctest::Approx(4.1).epsilon(0.01));
-}
-
-TEST_CASE(
-    "the entry has a water 3.4 A from the irons of both alpha chains, and none within 7 A of those of the beta "
-    "chains") {
-  const auto molecule = readMolecule(MOLTACT_SOURCE_DIR "/molecules/2hhb.pdb", {.waters = true});
-  REQUIRE(molecule);
-  for (const auto& [chain, least_A, most_A] : {std::tuple{"A", 3.35, 3.45}, std::tuple{"C", 3.35, 3.46},
-                                               std::tuple{"B", 7.0, 20.0}, std::tuple{"D", 7.0, 20.0}}) {
-    const auto iron = parseSelection(std::string("chain ") + chain + " and element Fe")->select(*molecule);
-    REQUIRE(iron.size() == 1);
-    double nearest_A = 1e9;
-    for (const auto w : parseSelection("water")->select(*molecule))
-      nearest_A =
-          std::min(nearest_A, glm::distance(molecule->spheres[iron[0]].centre_A, molecule->spheres[w].centre_A));
-    CAPTURE(chain);
-    CHECK((nearest_A >= least_A && nearest_A <= most_A));
   }
 }
 
@@ -163,58 +60,6 @@ TEST_CASE(
   CHECK(*limit == doctest::Approx(1.0).epsilon(0.05));
   // From below nothing of 1.4 A comes to the iron.
   CHECK(alpha.places("element Fe", 1.4).size() == fromAbove(alpha, 1.4));
-}
-
-TEST_CASE(
-    "the irons of deoxyhaemoglobin lie, toward the proximal histidine, 0.43 A to 0.56 A out of the plane of the ring's "
-    "24 atoms, and 0.33 A to 0.45 A out of that of its nitrogens: 0.40 A and 0.36 A in the mean of alpha and of beta") {
-  const std::string says = linesSaying(
-      "the-haem-in-its-pocket", {"0.43 Å to 0.56 Å from the mean plane of the 24 atoms",
-                                 "0.33 Å to 0.45 Å from that of its four nitrogens", "0.36 Å in the beta chains"});
-  CAPTURE(says);
-  const ShippedScene whole("2hhb");
-  const std::string nitrogens = "\"N A\" \"N B\" \"N C\" \"N D\"";
-  double alpha_A = 0.0, beta_A = 0.0, least_A = 1e9, most_A = 0.0;
-  for (const char* chain : {"A", "B", "C", "D"}) {
-    const std::string c = std::string("chain ") + chain + " and ";
-    const bool alpha = chain[0] == 'A' || chain[0] == 'C';
-    const auto at = [&](const char* name) {
-      return whole.atom(c + "resname HEM and name \"" + name + "\"").position.A;
-    };
-    const Vec3 proximal = whole.atom(c + "resname HIS and name NE2 and residue " + (alpha ? "87" : "92")).position.A;
-    const auto ironOut = [&](const std::string& names, std::size_t count) {
-      const auto core = whole.select(c + "resname HEM and (name " + names + ")");
-      REQUIRE(core.size() == count);
-      Vec3 middle(0.0);
-      for (const auto i : core) middle += whole.molecule->spheres[i].centre_A / double(count);
-      // From the normal of the four nitrogens down to the least squares.
-      Vec3 normal = glm::normalize(glm::cross(at("N A") - at("N C"), at("N B") - at("N D")));
-      for (int k = 0; k < 500; ++k) {
-        Vec3 pull(0.0);
-        for (const auto i : core) {
-          const Vec3 q = whole.molecule->spheres[i].centre_A - middle;
-          pull += q * glm::dot(q, normal);
-        }
-        normal = glm::normalize(normal - 0.002 * pull);
-      }
-      if (glm::dot(proximal - middle, normal) < 0) normal = -normal;
-      return glm::dot(at("FE") - middle, normal);
-    };
-    CAPTURE(chain);
-    const double from_ring = ironOut(nitrogens +
-                                         " CHA CHB CHC CHD C1A C2A C3A C4A C1B C2B C3B C4B C1C C2C C3C C4C C1D C2D C3D "
-                                         "C4D",
-                                     24);
-    CHECK((from_ring > 0.42 && from_ring < 0.57));
-    const double from_four = ironOut(nitrogens, 4);
-    least_A = std::min(least_A, from_four);
-    most_A = std::max(most_A, from_four);
-    (alpha ? alpha_A : beta_A) += 0.5 * from_four;
-  }
-  CHECK(least_A == doctest::Approx(0.33).epsilon(0.015));
-  CHECK(most_A == doctest::Approx(0.45).epsilon(0.011));
-  CHECK(alpha_A == doctest::Approx(0.40).epsilon(0.012));
-  CHECK(beta_A == doctest::Approx(0.36).epsilon(0.014));
 }
 
 TEST_CASE(

@@ -52,6 +52,15 @@ TEST_CASE("a task that compares two things has a key for every property that one
   CHECK(compared >= 3);
 }
 
+TEST_CASE("a lesson of an earlier version that names a method by its former name gets the present one") {
+  const auto method = parseValue(*keyIn(keysOf(KeyBlock::Scene), "method"), "mesh960-tree");
+  REQUIRE(bool(method));
+  CHECK(method->words == std::vector<std::string>{"mesh960"});
+  const auto compared = parseValue(*keyIn(findTaskKind("compare")->keys, "compare"), "exact, mesh960-tree");
+  REQUIRE(bool(compared));
+  CHECK(compared->words == std::vector<std::string>{"exact", "mesh960"});
+}
+
 TEST_CASE("every way of reading a molecule is a key of scenes whose fallback is the default") {
   for (const ReadingOption& option : readingOptions()) {
     CAPTURE(std::string(option.name));

@@ -1,5 +1,5 @@
-// The oracle for what a sphere can touch, against places known in closed form.
-#include "tests/lesson/ways_in.h"
+// The searches behind the facts of lessons: what a ball can touch from outside, against places known in closed form.
+#include "engine/lesson/ways_in.h"
 
 #include <doctest/doctest.h>
 
@@ -7,7 +7,6 @@
 #include <numbers>
 
 using namespace moltact;
-using namespace moltact::test;
 
 namespace {
 

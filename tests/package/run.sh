@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
-# Tries a Debian package of Moltact: what Debian's own checkers say of it; unpacked under a prefix of its own; installed,
-# used by an ordinary user without and with a window, and removed, after which nothing of it is left.
-#   tests/package/run.sh PACKAGE.deb [PICTURE.png]    the second: where a picture of its window goes
+# Tries the Debian packages of Moltact: what Debian's own checkers say of them; the program unpacked under a prefix of its
+# own; all installed, used by an ordinary user without and with a window, from Python and from C++, and removed, after
+# which nothing of them is left.
+#   tests/package/run.sh PACKAGE.deb… [PICTURE.png]    moltact and any of the others; where a picture of its window goes
 # Where it is installed is told in the first lines, the first of these that can be:
 #   1. in a bare Debian that debootstrap made, in the folder BARE (default /var/tmp/moltact-bare-CODENAME, kept for the next time):
 #      as root where debootstrap is installed. Nothing is there but what the package itself asks for: no compiler, no fonts.
@@ -9,7 +10,17 @@
 #   3. nowhere: the trial under a prefix of its own has to do.
 set -eu
 here=$(cd "$(dirname "$0")" && pwd)
-package=$(realpath "$1") picture=${2:-}
+package= python= library= picture=
+for file; do
+  case $(basename "$file") in
+  moltact_*.deb) package=$(realpath "$file") ;;
+  python3-moltact_*.deb) python=$(realpath "$file") ;;
+  libmoltact-dev_*.deb) library=$(realpath "$file") ;;
+  *.png) picture=$file ;;
+  *) echo "$file is no package of Moltact" >&2; exit 2 ;;
+  esac
+done
+[ -n "$package" ] || { echo "the package moltact is missing" >&2; exit 2; }
 work=$(mktemp -d)
 chmod 755 "$work"
 display_server=
@@ -25,7 +36,7 @@ step() { echo "-- $*"; }
 
 step "what Debian's checkers say"
 # Of every kind but the experimental ones; what is to be so is told, with its reason, in package/linux/lintian-overrides.
-lintian --fail-on error,warning,info,pedantic --display-info --pedantic --tag-display-limit 0 "$package"
+lintian --fail-on error,warning,info,pedantic --display-info --pedantic --tag-display-limit 0 $package $python $library
 
 step "under a prefix of its own"
 dpkg -x "$package" "$work/apart"
@@ -42,7 +53,9 @@ for command in $(env -i "$apart/bin/moltact" --help | sed -n '/^Subcommands:/,$s
   zcat "$apart/share/man/man1/moltact.1.gz" | sed 's/\\-/-/g' | grep -q "^.SS \"moltact $command" || fail "the manual page leaves out $command"
 done
 bash "$here/completion_test.sh" "$apart/share/bash-completion/completions/moltact"
-if strings -a "$apart/bin/moltact" | grep -F "$(cd "$here/../.." && pwd)"; then fail "the program knows the folder that it was built in"; fi
+for part in $python $library; do dpkg -x "$part" "$work/apart"; done
+if find "$apart" -type f \( -path '*/bin/*' -o -name '*.so' -o -name '*.a' -o -name '*.cmake' \) -exec strings -a {} + |
+  grep -F "$(cd "$here/../.." && pwd)"; then fail "a package knows the folder that it was built in"; fi
 # Moved, it finds its data still; nothing of the environment helps it.
 mv "$apart" "$work/elsewhere"
 cd /
@@ -74,8 +87,11 @@ if [ -n "$bare" ]; then
   for folder in proc dev; do
     mountpoint -q "$bare/$folder" || { mount --rbind "/$folder" "$bare/$folder"; mount --make-rslave "$bare/$folder"; }
   done
-  cp "$package" "$bare/var/tmp/moltact.deb"
-  package=/var/tmp/moltact.deb
+  for part in package python library; do
+    [ -n "${!part}" ] || continue
+    cp "${!part}" "$bare/var/tmp/$part.deb"
+    printf -v "$part" %s "/var/tmp/$part.deb"
+  done
   rm -rf "$bare/home/trial"
 fi
 root=${bare:-/}
@@ -99,7 +115,7 @@ files() {
 }
 
 if [ -n "$bare" ]; then
-  as_root apt-get purge -y -qq moltact >/dev/null 2>&1 || true
+  as_root apt-get purge -y -qq moltact python3-moltact libmoltact-dev >/dev/null 2>&1 || true
   as_root apt-get autoremove --purge -y -qq >/dev/null
   as_root apt-get update -qq
 fi
@@ -162,8 +178,30 @@ grep -q 'First touch' "$bare$home/class.csv" || fail "the table: $(cat "$bare$ho
 [ "$(grep -c '' "$bare$home/class.csv")" = 2 ] || fail "the table has not two lines"
 grep -q '</html>' "$bare$home/class.html" || fail "the page is not whole"
 
+if [ -n "$python" ]; then
+  step "from Python"
+  as_root apt-get install -y -qq --no-install-recommends "$python" >"$work/install.log" 2>&1 || fail "$(cat "$work/install.log")"
+  as_user python3 -c '
+import moltact
+felt = moltact.Tracker(moltact.load("argon")).feel([[0, 0, 6], [0, 0, 2]])
+print(felt.forces[1], len(moltact.load("1ubq")))' >"$work/felt" || fail "the Python module"
+  grep -q '1\.28.* 602$' "$work/felt" || fail "the Python module feels $(cat "$work/felt")"
+  as_user python3 /usr/share/doc/python3-moltact/examples/feel_a_groove.py --save "" | grep -q '^major groove: ' || fail "the example in Python"
+fi
+
+if [ -n "$library" ]; then
+  step "from C++"
+  # Counted as wanted by nobody, so that they leave with what they were installed for.
+  as_root apt-get install -y -qq --no-install-recommends "$library" g++ cmake make >"$work/install.log" 2>&1 || fail "$(cat "$work/install.log")"
+  [ -z "$bare" ] || as_root apt-mark auto g++ cmake make >/dev/null
+  as_user cp -r /usr/share/doc/libmoltact-dev/examples samples
+  as_user cmake -S samples -B samples/build >"$work/samples.log" 2>&1 || fail "$(cat "$work/samples.log")"
+  as_user cmake --build samples/build >"$work/samples.log" 2>&1 || fail "$(cat "$work/samples.log")"
+  as_user samples/build/feel_a_path /usr/share/moltact/molecules/argon.pdb exact 0,0,6 0,0,2 | grep -q ' 0.000 0.000 1.280  ' || fail "feel_a_path"
+fi
+
 step "removed"
-as_root apt-get purge -y -qq moltact >"$work/purge.log" 2>&1 || fail "$(cat "$work/purge.log")"
+as_root apt-get purge -y -qq moltact ${python:+python3-moltact} ${library:+libmoltact-dev} >"$work/purge.log" 2>&1 || fail "$(cat "$work/purge.log")"
 [ -z "$bare" ] || as_root apt-get autoremove --purge -y -qq >/dev/null
 files >"$work/after"
 left=$(comm -13 "$work/before" "$work/after")
@@ -173,4 +211,4 @@ lost=$(comm -23 "$work/before" "$work/after")
 left=$(grep -rlis moltact "$root"/usr/share/mime "$root"/usr/share/applications "$root"/var/lib/dpkg/info | head)
 [ -z "$left" ] || fail "named still in: $left"
 [ -n "$(ls "$attempts")" ] || fail "the user's results are gone"
-echo "The package is sound."
+echo "The packages are sound."

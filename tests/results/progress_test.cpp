@@ -5,7 +5,7 @@
 
 #include "engine/results/class_summary.h"
 #include "engine/results/lesson_language.h"
-#include "engine/results/session_watch.h"
+#include "engine/results/session_facts.h"
 #include "tests/results/sample_attempt.h"
 #include "tests/results/small_lesson.h"
 
@@ -18,14 +18,13 @@ TEST_CASE("a session that goes on after a shutdown has its step, tasks, answers 
   const auto lesson = smallLesson();
   LessonSession before(lesson);
   before.setMolecule(std::make_shared<const Molecule>(mixedMolecule()));
-  SessionWatch watch;
-  watch.begin(before);
+  SessionFacts facts;
   AttemptHeader header;
   header.began = "2026-11-21T10:58:14Z";
   header.lesson = outlineOf(*lesson, "0");
   std::string file = lineOf(header);
   const auto keep = [&](double t) {
-    for (const AttemptEvent& e : watch.look(before, t, InputWay::Mouse)) file += lineOf(e);
+    for (const SessionEvent& e : before.takeEvents()) file += lineOf(facts.factOf(e, t, InputWay::Mouse));
   };
   keep(0);
   touchFor150ms(before, 0, 1.0);
@@ -74,14 +73,13 @@ TEST_CASE(
   const auto english = smallLesson(), german = smallLessonInGerman();
   LessonSession before(english);
   before.setMolecule(std::make_shared<const Molecule>(mixedMolecule()));
-  SessionWatch watch;
-  watch.begin(before);
+  SessionFacts facts;
   AttemptHeader header;
   header.began = "2026-11-21T10:58:14Z";
   header.lesson = outlineOf(*english, "0");
   std::string file = lineOf(header);
   const auto keep = [&](double t) {
-    for (const AttemptEvent& e : watch.look(before, t, InputWay::Mouse)) file += lineOf(e);
+    for (const SessionEvent& e : before.takeEvents()) file += lineOf(facts.factOf(e, t, InputWay::Mouse));
   };
   keep(0);
   touchFor150ms(before, 0, 1.0);

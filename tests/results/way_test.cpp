@@ -7,7 +7,7 @@
 #include "engine/results/class_csv.h"
 #include "engine/results/class_page.h"
 #include "engine/results/progress.h"
-#include "engine/results/session_watch.h"
+#include "engine/results/session_facts.h"
 #include "tests/results/sample_attempt.h"
 #include "tests/results/small_lesson.h"
 
@@ -33,7 +33,6 @@ std::shared_ptr<const Lesson> branchingLesson() {
 struct Student {
   explicit Student(const std::string& name) : session(lesson) {
     session.setMolecule(std::make_shared<const Molecule>(mixedMolecule()));
-    watch.begin(session);
     AttemptHeader header;
     header.began = "2026-11-21T10:58:14Z";
     header.student = name;
@@ -42,8 +41,9 @@ struct Student {
     keep();
   }
   void keep() {
-    for (const AttemptEvent& e : watch.look(session, t_s += 1.0, InputWay::Mouse)) file += lineOf(e);
-    file += lineOf({t_s, SessionWatch::progressOf(session)});
+    t_s += 1.0;
+    for (const SessionEvent& e : session.takeEvents()) file += lineOf(facts.factOf(e, t_s, InputWay::Mouse));
+    file += lineOf({t_s, SessionFacts::progressOf(session)});
   }
   void choose(std::size_t choice) {
     session.choose(0, {choice});
@@ -64,7 +64,7 @@ struct Student {
 
   std::shared_ptr<const Lesson> lesson = branchingLesson();
   LessonSession session;
-  SessionWatch watch;
+  SessionFacts facts;
   std::string file;
   double t_s = 0.0;
 };

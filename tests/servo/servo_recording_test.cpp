@@ -431,7 +431,7 @@ TEST_CASE(
     const ServoSample s = step.tick(settings, felt.get(), pose);
     most_N_mm = std::max(most_N_mm, glm::length(s.torque_N_mm));
     last = s.torque_N_mm;
-    CHECK_FALSE(writer->add({settings, pose, {}, device, k == 0, s.force, s.torque_N_mm}));
+    CHECK_FALSE(writer->add({settings, pose, {}, device, k == 0, s.force, s.torque_N_mm, s.body_pose, s.at_rest}));
   }
   CHECK_FALSE(writer->finish());
   CHECK(most_N_mm > 0.5);

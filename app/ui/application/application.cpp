@@ -73,7 +73,7 @@ void Application::open(const std::filesystem::path& file) {
   const Expected<std::filesystem::path> found = findMolecule(file.string(), MoleculeFolders::ofThisComputer());
   if (!found) {
     messages.error(found.problem().text());
-    panels.welcome = panels.welcome || !hasWork();
+    panels.pages.welcome = panels.pages.welcome || !hasWork();
     return;
   }
   openMolecule({*found});
@@ -88,14 +88,14 @@ void Application::openMolecule(const MoleculeKey& key) {
 void Application::openLesson(const std::filesystem::path& file) {
   if (!lesson.open(file)) {
     for (Extension* e : extensions_->all()) e->lessonRefused(file);
-    panels.welcome = panels.welcome || !hasWork();
+    panels.pages.welcome = panels.pages.welcome || !hasWork();
     return;
   }
   messages.clearErrors();
   settings.remember(file);
   panels.lesson = panels.lesson_first = true;
-  panels.welcome = panels.teacher_notes = false;
-  panels.lesson_goals.reset();
+  panels.pages.welcome = panels.lesson_memory.teacher_notes = false;
+  panels.lesson_memory.goals.reset();
   enterScene();
 }
 
@@ -115,11 +115,10 @@ void Application::enterScene() {
   notifyStepChanged();
   const SceneSpec* spec = lesson.takeNewScene();
   if (!spec) return;
-  panels.hints = 0;
   scene.setTouch(spec->touch);
   scene.shown = lesson.shownParts();
   scene.colour_by = colourBy(*spec);
-  panels.applyLessonPanels(spec->panels);
+  panels.tabs.applyLesson(spec->panels);
   measureView();
   if (scene.stage()) lesson.meet(scene.stage().molecule, scene.molecule());
   scene.look = lesson.looks();
@@ -129,8 +128,8 @@ void Application::enterScene() {
     return;
   }
   if (*molecule == scene.molecule() && scene.stage() && !loader_.busy()) {
-    scene.setRegion(lesson.region());
-    scene.setZoomed(lesson.zoomed());
+    scene.fit().region = lesson.region();
+    scene.fit().zoomed = lesson.zoomed();
     beginSceneAgain();
     return;
   }
@@ -141,7 +140,7 @@ void Application::beginSceneAgain(std::optional<PointA> before, const std::optio
                                   const std::vector<std::uint32_t>& removed) {
   // What is felt is made anew where other atoms are taken from the hand.
   if (TouchableModel felt =
-          withUntouchable(scene.restingModel(), atomsOfEither(lesson.untouchable(), removed), lesson.held());
+          withUntouchable(scene.atoms().resting(), atomsOfEither(lesson.untouchable(), removed), lesson.held());
       felt.spheres != scene.stage().spheres)
     scene.show(std::move(felt), scene.molecule(), facing());
   if (before)
@@ -184,7 +183,7 @@ void Application::onLoaded(Loaded loaded) {
   const bool from_step = std::exchange(step_scene_, false);
   if (!loaded.stage) {
     messages.error(loaded.stage.problem().text());
-    panels.welcome = panels.welcome || !hasWork();
+    panels.pages.welcome = panels.pages.welcome || !hasWork();
     return;
   }
   messages.clearErrors();
@@ -196,19 +195,19 @@ void Application::onLoaded(Loaded loaded) {
     settings.remember(loaded.key.file);
     scene.colour_by = usualColourBy(*loaded.stage->molecule);
   }
-  panels.welcome = false;
+  panels.pages.welcome = false;
   measureView();
   lesson.meet(loaded.stage->molecule, loaded.key);
   scene.look = lesson.looks();
-  scene.setRegion(lesson.region());
-  scene.setZoomed(lesson.zoomed());
+  scene.fit().region = lesson.region();
+  scene.fit().zoomed = lesson.zoomed();
   scene.show(withUntouchable(*loaded.stage, lesson.untouchable(), lesson.held()), loaded.key, facing());
   cutOpen();
   warnBodyTooLarge();
   for (Extension* e : extensions_->all()) e->sceneChanged();
 }
 
-HapticSession::Facing Application::facing() const {
+Facing Application::facing() const {
   return [this](Camera& camera, const Molecule& molecule) { lesson.face(camera, molecule); };
 }
 
@@ -220,7 +219,7 @@ void Application::cutOpen() {
 
 void Application::showView(const ViewSpec& view) {
   if (!scene.stage()) return;
-  const Molecule& molecule = *scene.seenMolecule();
+  const Molecule& molecule = *scene.atoms().seen();
   const SceneSpec spec = lesson.session() && lesson.onStage() ? lesson.session()->scene() : SceneSpec();
   const Camera seen = scene.camera;
   scene.camera = scene.cameraFor([&](Camera& camera, const Molecule& m) { faceView(camera, m, view, spec); },
@@ -230,7 +229,7 @@ void Application::showView(const ViewSpec& view) {
 
 void Application::zoomTo(std::span<const std::uint32_t> atoms) {
   const TouchableModel& stage = scene.stage();
-  const auto part = stage ? regionAround(atoms, *scene.seenMolecule(), scene.servo_settings.probe_A) : std::nullopt;
+  const auto part = stage ? regionAround(atoms, *scene.atoms().seen(), scene.servo_settings.probe_A) : std::nullopt;
   if (!part) return;
   const Camera seen = scene.camera;
   // Seen from outside: where they lie deep, whatever is before them.
@@ -274,12 +273,12 @@ Layout Application::layoutNow() const {
   return layOut({.window = window_px_,
                  .scale = look().scale * look().text,
                  .lesson = panels.lesson && lesson.session() && !anyOf(extensions_->all(), &Extension::hidesLesson),
-                 .touch = panels.touch,
-                 .page = panels.welcome,
+                 .touch = panels.tabs.shown(),
+                 .page = panels.pages.welcome,
                  .lesson_width = float(settings.lesson_width),
                  .touch_width = float(settings.touch_width),
                  .strip_height = extensions_->stripHeight(),
-                 .below_share = panels.below_share},
+                 .below_share = panels.window.below_share},
                 panels.lesson_first);
 }
 
@@ -288,13 +287,13 @@ Layout Application::layoutNow() const {
 void Application::measureView() {
   if (!(window_px_.x > 0.0f)) return;
   const glm::vec2 view = layoutNow().view.size();
-  scene.setViewAspect(view.y > 0 ? double(view.x) / double(view.y) : 1.0);
+  scene.fit().view_aspect = view.y > 0 ? double(view.x) / double(view.y) : 1.0;
 }
 
 void Application::layPanelsOut(glm::vec2 window_px) {
   window_px_ = window_px;
   layout_ = layoutNow();
-  if (panels.welcome) return;
+  if (panels.pages.welcome) return;
   measureView();
   // The first picture of a scene is fitted to the view as it really is.
   if (aspect_guessed_ && scene.stage()) {
@@ -309,8 +308,8 @@ void Application::frame(double dt_s, glm::vec2 window_px) {
   loading_s_ = loader_.busy() ? loading_s_ + dt_s : 0.0;
   const std::span<Extension* const> extensions = extensions_->all();
   for (Extension* e : extensions) e->beforeTicks();
-  scene.rest(panels.welcome);
-  const FeltTicks felt = scene.advance(dt_s, time_.now_s, panels.methodsInFront());
+  scene.rest(panels.pages.welcome);
+  const FeltTicks felt = scene.advance(dt_s, time_.now_s, panels.tabs.front() == "methods");
   // A recorded hand does nobody's task.
   if (!anyOf(extensions, &Extension::leadsHand))
     for (const FeltTick& t : felt.ticks) lesson.feed(t.sample, felt.method.name, t.exact);
@@ -323,6 +322,9 @@ void Application::frame(double dt_s, glm::vec2 window_px) {
   layPanelsOut(window_px);
   panels_(*this);
   enterScene();
+  if (LessonSession* session = lesson.session())
+    if (const std::vector<SessionEvent> events = session->takeEvents(); !events.empty())
+      for (Extension* e : extensions) e->lessonEvents(events);
   for (Extension* e : extensions) e->afterPanels();
 }
 

@@ -104,7 +104,7 @@ class Application final : public Opener {
   double now_s() const { return time_.now_s; }
 
  private:
-  HapticSession::Facing facing() const;
+  Facing facing() const;
   void onLoaded(Loaded loaded);
   void openLesson(const std::filesystem::path& file);
   void cutOpen();     // as the lesson's step asks for

@@ -3,7 +3,7 @@
 // with the parts of the application that it uses (the scene, the settings, …) and the other extensions that it uses, and
 // overrides the points that it needs. Panels reach it through app.extensions(). Window's thread.
 //
-// A frame calls, in this order: beforeTicks, ticks, the panels, afterPanels. lessonChanged, stepChanged and
+// A frame calls, in this order: beforeTicks, ticks, the panels, lessonEvents, afterPanels. lessonChanged, stepChanged and
 // sceneChanged come in between, in this order, as soon as the thing has happened.
 #pragma once
 
@@ -12,6 +12,7 @@
 
 #include "app/ui/files/file_kinds.h"
 #include "app/ui/scene/haptic_session.h"
+#include "engine/lesson/session_events.h"
 
 namespace moltact {
 
@@ -32,6 +33,9 @@ class Extension {
   virtual void beforeTicks() {}
   /// Every tick since the last frame, oldest first; not called where there is none.
   virtual void ticks(const FeltTicks&) {}
+  /// What happened in the lesson's session since the last frame, oldest first; after the panels and before afterPanels,
+  /// and not called where there is nothing.
+  virtual void lessonEvents(std::span<const SessionEvent>) {}
   /// Every panel has been drawn, so every click and key of the frame has done its work. The GL context is current.
   virtual void afterPanels() {}
 

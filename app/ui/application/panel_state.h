@@ -1,13 +1,11 @@
 // Which panels and pages are open, and what a panel remembers from frame to frame. Window's thread.
 #pragma once
 
-#include <algorithm>
 #include <cstddef>
 #include <optional>
 #include <string>
-#include <utility>
-#include <vector>
 
+#include "app/ui/application/side_tabs.h"
 #include "app/ui/widgets/key_focus.h"
 #include "app/ui/widgets/seen_parts.h"
 #include "engine/molecule/molecule_key.h"
@@ -23,41 +21,38 @@ struct CardFocus {
   bool scroll = false;                 ///< the card is to be scrolled into sight
 };
 
-struct PanelState : KeyFocus {
-  bool lesson = true, touch = true;
-  bool lesson_first = true;    ///< where only one side panel has room
-  bool touch_details = false;  ///< the touch panel's second half
-  bool methods = false;        ///< in the touch panel's place, behind a tab
-  bool methods_first = false;  ///< which of the two is in front
-  bool set_by_lesson = false;  ///< the lesson's step set touch and methods, so that another sets them back
-  std::size_t hints = 0;       ///< so many of the current step's hints are open, the first ones
-  bool teacher_notes = false;  ///< the lesson's notes for the teacher are shown; never to the next student
-  float messages_end = 0.0f;   ///< where the messages over the view ended in the last frame (unit: pixel); 0: none
-  bool legend = false;         ///< the legend of colours is open where it is too large for the view
-  LegendMemory colours;        ///< what it says
-  /// Whether the goals at the lesson's start are open; no value: as there is room.
-  std::optional<bool> lesson_goals;
-  bool lesson_problems = false;         ///< the list of what is wrong with the lesson's file
-  float lesson_problems_height = 0.0f;  ///< of that list, as it was last drawn (unit: pixel)
-  bool arrows_draw = false;             ///< in this frame the arrow keys lead a pen in the lesson and not the probe
-  std::size_t lesson_task = 0;          ///< the step's current task when it was last drawn
-  float lesson_task_height = 0.0f;      ///< of its card, which does not shrink while the task goes on (unit: pixel)
-  float lesson_task_width = 0.0f;       ///< with which that height was needed
-  float lesson_task_y = 0.0f;           ///< where the current task's own words end (unit: pixel); 0: none
-  float lesson_question_y = 0.0f;       ///< where the step's last unanswered question begins (unit: pixel); 0: none
-  float lesson_text_end = 0.0f;         ///< of what is shown of the lesson's text (unit: pixel)
-  SeenParts lesson_seen;                ///< of the step: what the student has had the time to see
-  std::size_t lesson_done = 0;          ///< its tasks and questions done when it was last drawn
-  double lesson_done_s = -1.0;          ///< when one was done last, by the frames' clock
-  struct LessonPart {
+/// The pages that are open.
+struct OpenPages {
+  bool welcome = false;  ///< stands in the place of view and panels
+  bool open = false, controls = false, about = false, preferences = false, device = false, turns = false, zoom = false,
+       look = false, reading = false, picture = false;
+};
+
+/// What the lesson's panel remembers from frame to frame, most of it of the step that is shown. Heights and places: pixel.
+struct LessonPanelMemory {
+  bool teacher_notes = false;          ///< the lesson's notes for the teacher are shown; never to the next student
+  std::optional<bool> goals;           ///< the goals at the lesson's start are open; no value: as there is room
+  bool problems = false;               ///< the list of what is wrong with the lesson's file is open
+  float problems_height = 0.0f;        ///< of that list, as it was last drawn
+  std::size_t step = ~std::size_t{0};  ///< whose text stands there: another begins at its top
+  bool closed = false;                 ///< the closing page stood there in the last frame
+  std::size_t task = 0;                ///< the step's current task when it was last drawn
+  float task_height = 0.0f;            ///< of its card, which does not shrink while the task goes on
+  float task_width = 0.0f;             ///< with which that height was needed
+  float task_y = 0.0f;                 ///< where the current task's own words end; 0: none
+  float question_y = 0.0f;             ///< where the step's last unanswered question begins; 0: none
+  float text_end = 0.0f;               ///< of what is shown of the text
+  bool more_below = false;             ///< some of the text lies below what is shown of it
+  float scroll = 0.0f;                 ///< the text is to go on by so much
+  SeenParts seen;                      ///< what the student has had the time to see
+  double done_s = -1.0;                ///< when a task or question was done last, by the frames' clock
+  struct Part {
     bool task = false;  ///< a task, else a question
     std::size_t index = 0;
   };
-  std::optional<LessonPart> lesson_wanted;  ///< of the step, to be scrolled into sight
-  bool lesson_closed = false;               ///< the closing page stood in the lesson panel in the last frame
-  bool lesson_more_below = false;           ///< some of the lesson's text lies below what is shown of it
+  std::optional<Part> wanted;  ///< to be scrolled into sight
   struct Word {
-    std::string below;  ///< the block of the lesson's text below which its meaning stands, as it is recorded
+    std::string below;  ///< the block of the text below which its meaning stands, as it is recorded
     std::string id;     ///< as links write it
     friend bool operator==(const Word&, const Word&) = default;
   };
@@ -65,54 +60,33 @@ struct PanelState : KeyFocus {
   struct LargePicture {
     std::string path, description;  ///< as the lesson names it
   };
-  LargePicture picture;        ///< of the lesson, on its page
-  float lesson_scroll = 0.0f;  ///< the lesson's text is to go on by so much (unit: pixel)
-  bool open_page = false, controls_page = false, about_page = false, preferences_page = false, device_page = false,
-       turns_page = false, zoom_page = false, look_page = false, reading_page = false, picture_page = false;
-  ReadOptions reading;     ///< as it is chosen on the page for it
-  std::string zoom_atoms;  ///< what was written last on the page that comes close to atoms
-  bool open_adds = false;  ///< what is chosen on the page that opens files is put on the shelf
-  bool welcome = false;    ///< the welcome page stands in the place of view and panels
-  CardFocus card;
-  float menus_end = 0.0f;     ///< where the menus end (unit: pixel): the tool bar has room from there on
+  LargePicture picture;  ///< on its page
+};
+
+/// The window itself, and what its bars report to each other.
+struct WindowState {
   bool full_screen = false;   ///< as the window is to be
   bool fingers = false;       ///< a finger on a touch screen is what points; false: a mouse
   float below_share = 0.46f;  ///< of the room, for the panel below the view where the window is tall
-  std::size_t lesson_step = ~std::size_t{0};  ///< whose text stands in the lesson panel: another begins at its top
+  float menus_end = 0.0f;     ///< where the menus end (unit: pixel): the tool bar has room from there on
+  float messages_end = 0.0f;  ///< where the messages over the view ended in the last frame (unit: pixel); 0: none
+};
 
-  /// Opens the panel that compares methods, or closes it.
-  void showMethods(bool on) {
-    methods = methods_first = on;
-    set_by_lesson = false;
-    if (on) touch = true;
-  }
-  /// As a scene asks for: "touch", "methods", or "none". Nothing gives back what the student had before.
-  void applyLessonPanels(const std::vector<std::string>& asked) {
-    if (!asked.empty()) {
-      if (!set_by_lesson) own_touch = touch, own_methods = methods;
-      set_by_lesson = true;
-      set(asked);
-    } else if (std::exchange(set_by_lesson, false)) {
-      touch = own_touch;
-      methods = methods_first = own_methods;
-    }
-  }
-  /// The same for a scene that locks its panels: whatever the student did is undone.
-  void enforceLessonPanels(const std::vector<std::string>& asked) {
-    lesson = true;
-    set_by_lesson = set_by_lesson || !asked.empty();
-    const bool front = methods_first;
-    set(asked.empty() ? std::vector<std::string>{"touch"} : asked);
-    methods_first = methods && front;
-  }
-  bool methodsInFront() const { return methods && methods_first; }
-
- private:
-  void set(const std::vector<std::string>& asked) {
-    methods = methods_first = std::find(asked.begin(), asked.end(), "methods") != asked.end();
-    touch = methods || std::find(asked.begin(), asked.end(), "touch") != asked.end();
-  }
-  bool own_touch = true, own_methods = false;  // as the student had them
+struct PanelState : KeyFocus {
+  bool lesson = true;        ///< the lesson's panel is open
+  bool lesson_first = true;  ///< where only one side panel has room
+  SideTabs tabs;             ///< of the panel beside the view
+  OpenPages pages;
+  LessonPanelMemory lesson_memory;
+  WindowState window;
+  bool touch_details = false;  ///< the second half of the tab of touch
+  bool legend = false;         ///< the legend of colours is open where it is too large for the view
+  LegendMemory colours;        ///< what it says
+  bool arrows_draw = false;    ///< in this frame the arrow keys lead a pen in the lesson and not the probe
+  ReadOptions reading;         ///< as it is chosen on the page for it
+  std::string zoom_atoms;      ///< what was written last on the page that comes close to atoms
+  bool open_adds = false;      ///< what is chosen on the page that opens files is put on the shelf
+  CardFocus card;
 };
 
 }  // namespace moltact

@@ -54,7 +54,9 @@ StageChanged stageOf(const HapticSession& scene) {
 void AttemptRecorder::beginParts() {
   session_ = lesson_.session();
   lesson_file_ = lesson_.file();
-  session_watch_.begin(*lesson_.session());
+  session_facts_ = {};
+  happened_.clear();
+  lesson_.session()->restartEvents();
   touch_watch_ = TouchWatch();
   now_s_ = 0.0;
   view_told_s_ = states_told_s_ = -1.0;
@@ -62,7 +64,6 @@ void AttemptRecorder::beginParts() {
   stage_.reset();
   states_.reset();
   view_.reset();
-  hints_ = 0;
 }
 
 void AttemptRecorder::beginNew() {
@@ -176,7 +177,7 @@ void AttemptRecorder::beforeTicks() {
     mending_begun_ = true;
     mended_ = inBackground([folder] { return mendAttempts(folder).size(); });
   }
-  if (!paused_ && !panels_.welcome) now_s_ += std::clamp(time_.dt_s, 0.0, kLongestFrame_s);
+  if (!paused_ && !panels_.pages.welcome) now_s_ += std::clamp(time_.dt_s, 0.0, kLongestFrame_s);
 }
 
 void AttemptRecorder::ticks(const FeltTicks& felt) {
@@ -228,6 +229,10 @@ void AttemptRecorder::lookAtView() {
   view_told_s_ = now_s_;
 }
 
+void AttemptRecorder::lessonEvents(std::span<const SessionEvent> events) {
+  if (log_ && lesson_.session() == session_) happened_.insert(happened_.end(), events.begin(), events.end());
+}
+
 void AttemptRecorder::afterPanels() {
   input_.look(ImGui::GetIO());
   tell();
@@ -237,17 +242,14 @@ void AttemptRecorder::afterPanels() {
   lookAtStage();
   lookAtStates();
   lookAtView();
-  bool further = false;
   for (AttemptEvent& e : touch_watch_.take(now_s_)) add(std::move(e));
-  for (AttemptEvent& e : session_watch_.look(*session, now_s_, input_.way())) {
-    further = true;
+  bool further = false;
+  for (const SessionEvent& e : std::exchange(happened_, {})) {
     // Tasks are solved by touch, so the input device is recorded with them.
-    if (auto* done = std::get_if<TaskDone>(&e.what)) done->by = way_->by;
-    add(std::move(e));
+    add(session_facts_.factOf(e, now_s_, std::holds_alternative<TaskFinished>(e) ? way_->by : input_.way()));
+    further = further || SessionFacts::changesProgress(e);
   }
-  for (; hints_ < panels_.hints; ++hints_) add(HintOpened{session->step().id});
-  hints_ = panels_.hints;
-  if (further) add(SessionWatch::progressOf(*session));
+  if (further) add(SessionFacts::progressOf(*session));
   log_->heartbeat(now_s_);
 }
 

@@ -16,7 +16,7 @@
 #include "app/ui/widgets/messages.h"
 #include "engine/render/camera.h"
 #include "engine/results/attempt_log.h"
-#include "engine/results/session_watch.h"
+#include "engine/results/session_facts.h"
 #include "engine/results/touch_watch.h"
 
 namespace moltact {
@@ -43,6 +43,7 @@ class AttemptRecorder : public Extension {
 
   void beforeTicks() override;
   void ticks(const FeltTicks& felt) override;
+  void lessonEvents(std::span<const SessionEvent> events) override;
   void afterPanels() override;
   void sceneChanged() override;
   void lessonChanged() override;
@@ -108,7 +109,8 @@ class AttemptRecorder : public Extension {
   const void* session_ = nullptr;      // the session of the attempt
   std::filesystem::path lesson_file_;  // its file
   std::string hash_;
-  SessionWatch session_watch_;
+  SessionFacts session_facts_;
+  std::vector<SessionEvent> happened_;  // in the session of the attempt, and not recorded yet
   TouchWatch touch_watch_;
   InputWayWatch input_;
   double now_s_ = 0.0;  // time in use since log_ began
@@ -117,7 +119,6 @@ class AttemptRecorder : public Extension {
   std::optional<StageChanged> stage_;
   std::optional<StatesMoved> states_;
   std::optional<Camera> view_;
-  std::size_t hints_ = 0;  // number of open hints in the last frame
   bool paused_ = false, mending_begun_ = false;
   std::future<std::size_t> mended_;
 };

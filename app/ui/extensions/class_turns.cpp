@@ -13,7 +13,7 @@ void ClassTurns::begin(std::vector<std::string> names, double turn_s) {
   turns_.begin(std::move(names), turn_s);
   predictions_ = 0;
   if (!on()) return;
-  panels_.welcome = panels_.teacher_notes = false;
+  panels_.pages.welcome = panels_.lesson_memory.teacher_notes = false;
   call();
 }
 

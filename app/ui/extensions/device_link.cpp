@@ -96,7 +96,7 @@ void DeviceLink::finishOpening() {
 
 void DeviceLink::settled(const Wish& wish) {
   if (wish.purpose == For::Awaited)
-    messages_.notice(trf("{0} is there and leads.", tr(scene_.servo().chosen()->info().name.c_str())));
+    messages_.notice(trf("{0} is there and leads.", tr(scene_.servo().loop().device()->info().name.c_str())));
   await("", "");
   if (wish.purpose != For::Choice) return;
   settings_.device = wish.name;
@@ -175,7 +175,7 @@ void DeviceLink::begin() {
 }
 
 double DeviceLink::lookEvery_s() const {
-  if (panels_.device_page) return kLook_s;
+  if (panels_.pages.device) return kLook_s;
   return nobodyChose() && options_.devices_unasked ? kLookForOffer_s : 0.0;
 }
 
@@ -198,7 +198,7 @@ void DeviceLink::offer() {
     if (name != "mouse") wish(name, For::Default);
     return;
   }
-  if (scene_.servo().chosen() && scene_.servo().chosen()->info().gives_force) return;
+  if (scene_.servo().loop().device() && scene_.servo().loop().device()->info().gives_force) return;
   const auto best = std::find_if(found_.begin(), found_.end(), [](const FoundDevice& one) {
     return one.usable && one.auto_selectable && one.gives_force;
   });
@@ -223,8 +223,8 @@ void DeviceLink::stopTrying() {
 
 // Lets a 6-DOF mouse or stick move the view, except while a task keeps the screen dark.
 void DeviceLink::leadView() {
-  Device* device = scene_.servo().chosen();
-  if (!device || !scene_.stage() || scene_.servo().fallenBack() || stager_.dark()) return;
+  Device* device = scene_.servo().loop().device();
+  if (!device || !scene_.stage() || scene_.servo().loop().fallenBack() || stager_.dark()) return;
   const ViewMotion wish = device->viewMotion();
   const double dt = time_.dt_s;
   Camera& camera = scene_.camera;
@@ -256,7 +256,7 @@ void DeviceLink::beforeTicks() {
 
 // Shows the device's message while it holds, with actions.
 void DeviceLink::ask() {
-  Device* device = scene_.servo().chosen();
+  Device* device = scene_.servo().loop().device();
   if (!device || (asked_s_ >= 0.0 && time_.now_s - asked_s_ < kAsk_s)) return;
   asked_s_ = time_.now_s;
   const DeviceStatus was = std::exchange(status_, device->status());
@@ -280,7 +280,7 @@ void DeviceLink::ask() {
 }
 
 bool DeviceLink::wantsCalibration(const ServoLink& servo) const {
-  return servo.chosen() && status_.connected && status_.asks_calibrate;
+  return servo.loop().device() && status_.connected && status_.asks_calibrate;
 }
 
 void DeviceLink::watchTicks(const std::vector<ServoSample>& ticks) {
@@ -296,7 +296,7 @@ void DeviceLink::watchTicks(const std::vector<ServoSample>& ticks) {
 }
 
 void DeviceLink::afterPanels() {
-  if (!panels_.device_page) stopTrying();
+  if (!panels_.pages.device) stopTrying();
   watchTicks(scene_.servo().everyTick());
 }
 

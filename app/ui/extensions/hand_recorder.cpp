@@ -41,7 +41,7 @@ void HandRecorder::drain() {
   ServoLink& servo = scene_.servo();
   ServoStep start;
   std::optional<Problem> problem;
-  servo.drainRecording(start, [&](const RecordedTick& tick) {
+  servo.loop().drainRecording(start, [&](const RecordedTick& tick) {
     if (problem) return;
     if (ticks_ == 0) {
       auto labels = moleculeLabels(lastingName(scene_.molecule(), MoleculeFolders::ofThisComputer()));
@@ -53,7 +53,7 @@ void HandRecorder::drain() {
     if (!problem) problem = writer_->add(tick);
     ++ticks_;
   });
-  if (!problem && servo.lostOfRecording())
+  if (!problem && servo.loop().lostOfRecording())
     problem = Problem{file_.string(), 0, 0, tr("the window stood too long and ticks are missing from here on"),
                       tr("end other programs, and record again")};
   if (!problem) return;
@@ -120,10 +120,10 @@ std::string HandRecorder::label(const char* key) const {
 }
 
 void HandRecorder::begin() {
-  panels_.welcome = false;
+  panels_.pages.welcome = false;
   // The recorded touch settings and held body if the molecule is identical to the last bit; otherwise those of the open
   // scene.
-  if (const RecordedScene was = recordedScene(waiting_->labels, scene_.restingModel().molecule->spheres);
+  if (const RecordedScene was = recordedScene(waiting_->labels, scene_.atoms().resting().molecule->spheres);
       label("balls") == fingerprint(*was.spheres))
     body_.hold(was.spheres->untouchable(), was.body ? was.body->atoms : std::vector<std::uint32_t>());
   const auto labels = sceneLabels(*scene_.stage().spheres, scene_.stage().body.get());
@@ -155,7 +155,7 @@ void HandRecorder::endPlay() {
   if (!playing_) return;
   playing_ = false;
   // If another device has been chosen meanwhile, this one no longer exists.
-  const bool leads = scene_.servo().chosen() == device_;
+  const bool leads = scene_.servo().loop().device() == device_;
   device_ = nullptr;
   scene_.leadBy(nullptr);
   body_.release();
@@ -169,7 +169,7 @@ double HandRecorder::length_s() const { return playing() ? double(device_->recor
 void HandRecorder::beforeTicks() {
   if (waiting_ && !opener_.loading() && scene_.stage()) begin();
   if (!playing_) return;
-  if (scene_.servo().chosen() != device_) return endPlay();
+  if (scene_.servo().loop().device() != device_) return endPlay();
   if (!device_->ended()) return lead();
   const std::string name = file_.filename().string();
   endPlay();

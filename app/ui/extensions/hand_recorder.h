@@ -47,7 +47,7 @@ class HandRecorder : public Extension {
   void play(const std::filesystem::path& file);
   /// Restores the device used before.
   void endPlay();
-  bool playing() const { return playing_ && scene_.servo().chosen() == device_; }
+  bool playing() const { return playing_ && scene_.servo().loop().device() == device_; }
   double at_s() const;
   double length_s() const;
   std::string name() const { return file_.filename().string(); }

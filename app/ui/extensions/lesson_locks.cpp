@@ -20,7 +20,10 @@ void LessonLocks::afterPanels() {
     scene_.look = lesson_.looks();
     scene_.colour_by = colourBy(spec);
   }
-  if (spec.locks("panels")) panels_.enforceLessonPanels(spec.panels);
+  if (spec.locks("panels")) {
+    panels_.lesson = true;
+    panels_.tabs.enforceLesson(spec.panels);
+  }
 }
 
 }  // namespace moltact

@@ -124,7 +124,7 @@ bool LessonShelf::open(FileKind kind, const fs::path& file) {
   else if (!lesson.empty())
     opener_.open(lesson);
   else
-    panels_.welcome = panels_.welcome || !opener_.hasWork();
+    panels_.pages.welcome = panels_.pages.welcome || !opener_.hasWork();
   return true;
 }
 
@@ -146,8 +146,8 @@ const LessonCard* LessonShelf::latest() const {
 }
 
 void LessonShelf::afterPanels() {
-  const bool opened = panels_.welcome && !open_, other_language = listed_in_ != language();
-  open_ = panels_.welcome;
+  const bool opened = panels_.pages.welcome && !open_, other_language = listed_in_ != language();
+  open_ = panels_.pages.welcome;
   const bool asked = !open_ && lesson_.closing();
   if (opened || ((open_ || asked) && other_language)) list();
   if ((!open_ && !asked) || next_ >= cards_.size()) return;

@@ -31,6 +31,7 @@ Expected<TwoStates> readStates(const SceneSpec& scene, const std::shared_ptr<con
 }  // namespace
 
 void MovingStates::forget() {
+  own_.release();
   reading_.drop();
   states_.reset();
   molecule_.reset();
@@ -81,18 +82,26 @@ void MovingStates::take(Expected<TwoStates> states) {
   begin();
 }
 
+// The scene begins at its share, unless another source moves the atoms.
 void MovingStates::begin() {
-  share_ = wanted_ = then_.share;
-  if (share_ == 0.0) return;
-  const std::vector<Sphere> places = states_->at(share_);
-  scene_.placeAtoms(places);
+  share_ = 0.0;
+  wanted_ = then_.share;
+  if (share_ == wanted_ || !own_.claim() || !place(own_)) return;
   // The same object each time the scene restarts, so that its tasks are kept.
-  if (!begins_ || begins_share_ != share_) begins_ = std::make_shared<const Molecule>(molecule_->movedTo(places));
+  if (!begins_ || begins_share_ != share_)
+    begins_ = std::make_shared<const Molecule>(molecule_->movedTo(states_->at(share_)));
   begins_share_ = share_;
   lesson_.beginFrom(begins_);
 }
 
-void MovingStates::show(const MoleculeKey& other, const SecondState& then) {
+// The atoms are at the requested share at once.
+bool MovingStates::place(const MotionSource& source) {
+  if (!scene_.placeAtoms(source, states_->at(wanted_))) return false;
+  share_ = wanted_;
+  return true;
+}
+
+void MovingStates::show(const MotionSource& source, const MoleculeKey& other, const SecondState& then) {
   const std::shared_ptr<const Molecule>& molecule = scene_.stage().molecule;
   const bool known = molecule == molecule_ && file_ == other.file && then_.superposed_on == then.superposed_on;
   if (!known) {
@@ -104,11 +113,10 @@ void MovingStates::show(const MoleculeKey& other, const SecondState& then) {
     scene.then = then;
     reading_.begin(inBackground(readStates, scene, molecule, other));
     if (options_.clock == ServoClock::Frames) take(*reading_.wait());
-    return;
   }
   if (!states_ || share_ == then.share) return;
-  share_ = wanted_ = then.share;
-  scene_.placeAtoms(states_->at(share_));
+  wanted_ = then.share;
+  place(source);
 }
 
 void MovingStates::goTo(double share) {
@@ -120,7 +128,7 @@ void MovingStates::beforeTicks() {
   if (!states_ || share_ == wanted_ || scene_.stage().molecule != molecule_) return;
   const double most = per_s_ * kMotion_ticks * kTick_s, next = share_ + std::clamp(wanted_ - share_, -most, most);
   // A motion can only be queued after the previous one has begun.
-  if (scene_.moveAtoms(states_->at(next), kMotion_ticks)) share_ = next;
+  if (own_.claim() && scene_.moveAtoms(own_, states_->at(next), kMotion_ticks)) share_ = next;
 }
 
 }  // namespace moltact

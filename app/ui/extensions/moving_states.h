@@ -21,7 +21,11 @@ class Messages;
 class MovingStates : public Extension {
  public:
   MovingStates(HapticSession& scene, LessonGuide& lesson, Messages& messages, const ApplicationOptions& options)
-      : scene_(scene), lesson_(lesson), messages_(messages), options_(options) {}
+      : scene_(scene),
+        lesson_(lesson),
+        messages_(messages),
+        options_(options),
+        own_(scene.atoms().owner, MotionRank::Scene) {}
 
   /// The maximum speed of any touchable atom, and the minimum duration of the whole motion.
   static constexpr double kMaxSpeed_A_per_s = 8.0, kMin_s = 1.5;
@@ -42,7 +46,8 @@ class MovingStates : public Extension {
   /// The file of the second structure.
   const std::filesystem::path& file() const { return file_; }
   /// For playback: moves the molecule's atoms to this share of the way to another structure, once that has been read.
-  void show(const MoleculeKey& other, const SecondState& then);
+  /// `source` must own the atoms until it is released.
+  void show(const MotionSource& source, const MoleculeKey& other, const SecondState& then);
   /// The names of the two structures.
   const std::string& name(int state) const { return names_[std::size_t(state)]; }
 
@@ -51,9 +56,11 @@ class MovingStates : public Extension {
   LessonGuide& lesson_;
   Messages& messages_;
   const ApplicationOptions& options_;
+  MotionSource own_;
   void forget();
   void take(Expected<TwoStates> states);
   void begin();
+  bool place(const MotionSource& source);
 
   std::filesystem::path file_;                // of the second structure
   SecondState then_;                          // from which states_ was computed

@@ -53,7 +53,7 @@ void NameAsker::lessonChanged() {
 
 void NameAsker::ask(bool code) {
   recorder_.finish();
-  panels_.teacher_notes = false;
+  panels_.lesson_memory.teacher_notes = false;
   asking_ = true;
   code_ = code;
   draft = given_;

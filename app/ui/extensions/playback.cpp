@@ -63,8 +63,9 @@ void Playback::open(const fs::path& file) {
   at_s_ = 0.0;
   running_ = true;
   recorder_.pause(true);
+  motion_.claim();
   messages_.clearErrors();
-  panels_.welcome = false;
+  panels_.pages.welcome = false;
   if (passed_over)
     messages_.notice(trnf("{0} line of {1} could not be read and is left out. The first: {2}.",
                           "{0} lines of {1} could not be read and are left out. The first: {2}.", passed_over,
@@ -79,6 +80,7 @@ void Playback::close(bool back) {
   running_ = false;
   scene_.play(std::nullopt);
   body_.release();
+  motion_.release();
   recorder_.pause(false);
   if (!back) return;
   // The playback has moved the view.
@@ -168,7 +170,7 @@ void Playback::showStates() {
   then.share = states->share;
   if (!states->superposed_on.empty())
     if (auto atoms = parseSelection(states->superposed_on)) then.superposed_on = *std::move(atoms);
-  moving_states_.show({second_.second, timeline_->stage(at_s_)->reading}, then);
+  moving_states_.show(motion_, {second_.second, timeline_->stage(at_s_)->reading}, then);
 }
 
 // Whether the molecule of the present time is loaded.

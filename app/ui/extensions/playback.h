@@ -38,6 +38,7 @@ class Playback : public Extension {
         time_(time),
         moving_states_(moving_states),
         recorder_(recorder),
+        motion_(scene.atoms().owner, MotionRank::Playback),
         body_(scene) {}
 
   /// Starts the playback of a file. One that cannot be read gives a message and changes nothing.
@@ -84,6 +85,7 @@ class Playback : public Extension {
   const FrameTime& time_;
   MovingStates& moving_states_;
   AttemptRecorder& recorder_;  // paused meanwhile
+  MotionSource motion_;        // owns the atoms meanwhile
   void stageFor();
   std::filesystem::path fileOf(const std::string& name);
   void showStates();

@@ -7,7 +7,7 @@
 namespace moltact {
 
 SceneHistory::Choices SceneHistory::choices() const {
-  return {scene_.touch(), scene_.magnifiedByHand(), scene_.shown, scene_.look, scene_.colour_by};
+  return {scene_.touch(), scene_.fit().by_hand, scene_.shown, scene_.look, scene_.colour_by};
 }
 
 void SceneHistory::apply(const Choices& c, const std::optional<Camera>& camera) {

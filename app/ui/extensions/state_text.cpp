@@ -60,7 +60,7 @@ void StateText::afterPanels() {
     const std::string sentence = session->task(at).sentence;
     if (!sentence.empty() && task_.update(sentence, sentence, 0, time_.now_s)) write(sentence);
   }
-  if (const PanelState::Word& open = panels_.word; open.id != word_) {
+  if (const LessonPanelMemory::Word& open = panels_.lesson_memory.word; open.id != word_) {
     word_ = open.id;
     if (const GlossaryWord* word = session ? findWord(session->lesson(), word_) : nullptr)
       write(trf("{0}: {1}", word->word, plainText(word->meaning)));

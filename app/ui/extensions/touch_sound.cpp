@@ -74,7 +74,7 @@ void TouchSound::ask() {
     messages_.takeBack(question_);
     s.sound_asked = true;
   }
-  if (s.sound_asked || question_ != 0 || felt_s_ < kFelt_s || options_.settings_file.empty() || panels_.welcome ||
+  if (s.sound_asked || question_ != 0 || felt_s_ < kFelt_s || options_.settings_file.empty() || panels_.pages.welcome ||
       scene_.servo().device().gives_force)
     return;
   question_ = messages_.ask(

@@ -7,7 +7,7 @@
 namespace moltact {
 
 void drawAboutPage(Application& app) {
-  if (!beginPage("about", "Moltact " MOLTACT_VERSION, app.panels.about_page, 520, 380)) return;
+  if (!beginPage("about", "Moltact " MOLTACT_VERSION, app.panels.pages.about, 520, 380)) return;
   ImGui::PushTextWrapPos(0.0f);
   ImGui::TextUnformatted(
       tr("Learn structural biology by touching molecules with a haptic probe, or with the mouse standing in for one."));

@@ -10,6 +10,7 @@
 #include "app/ui/extensions/extensions.h"
 #include "app/ui/panels/lesson/class_report.h"
 #include "app/ui/panels/lesson/hand_in.h"
+#include "app/ui/panels/side_panel.h"
 #include "app/ui/panels/view_overlays.h"
 #include "app/ui/widgets/key_focus.h"
 #include "app/ui/widgets/key_names.h"
@@ -22,17 +23,17 @@ namespace {
 
 using App = Application;
 
-bool hasStage(const App& a) { return bool(a.scene.stage()) && !a.panels.welcome; }
-bool inLesson(const App& a) { return a.lesson.session() && !a.panels.welcome; }
+bool hasStage(const App& a) { return bool(a.scene.stage()) && !a.panels.pages.welcome; }
+bool inLesson(const App& a) { return a.lesson.session() && !a.panels.pages.welcome; }
 // Teachers' notes are hidden while students take turns at the screen.
 bool mayTeacherNotes(const App& a) {
   return inLesson(a) && !a.extensions().turns.on() && !a.extensions().name_asker.asking() &&
          hasTeacherNotes(a.lesson.session()->lesson());
 }
-bool atWork(const App& a) { return !a.panels.welcome; }
+bool atWork(const App& a) { return !a.panels.pages.welcome; }
 // If a lesson locks its panels, a narrow window can still switch between the two panels.
-bool mayTouchPanel(const App& a) { return atWork(a) && (a.panels.touch || !a.lesson.locks("panels")); }
-bool mayMethods(const App& a) { return atWork(a) && !a.lesson.locks("panels"); }
+bool mayTouchPanel(const App& a) { return atWork(a) && (a.panels.tabs.shown() || !a.lesson.locks("panels")); }
+bool maySideTab(const App& a) { return atWork(a) && !a.lesson.locks("panels"); }
 
 bool mayMagnify(const App& a) {
   return hasStage(a) && !a.scene.playing() && !a.lesson.locks("magnify") && !a.extensions().task_stager.dark();
@@ -48,10 +49,20 @@ void measureTouched(App& a) {
 }
 
 // If only one side panel has room, showing one hides the other.
-void switchPanel(App& a, bool& wanted, const Rectangle& place, bool lesson) {
-  const bool seen = !place.empty();
-  wanted = !seen;
-  if (!seen) a.panels.lesson_first = lesson;
+void switchPanels(App& a, bool lesson) {
+  const bool shows = (lesson ? a.layout().lesson : a.layout().touch).empty();
+  if (lesson)
+    a.panels.lesson = shows;
+  else
+    a.panels.tabs.show(shows);
+  if (shows) a.panels.lesson_first = lesson;
+}
+
+void switchTab(App& a, std::string_view tab) {
+  if (a.panels.tabs.has(tab))
+    a.panels.tabs.close(tab);
+  else
+    a.panels.tabs.open(tab);
 }
 
 // The cutting plane faces the viewer in the present orientation of the molecule.
@@ -103,8 +114,8 @@ constexpr std::array kActions{
            .sentence = N_("All lessons and molecules"),
            .icon = Icon::Home,
            .tool = 1,
-           .run = [](App& a) { a.panels.welcome = !a.panels.welcome || !a.hasWork(); },
-           .on = [](const App& a) { return a.panels.welcome; }},
+           .run = [](App& a) { a.panels.pages.welcome = !a.panels.pages.welcome || !a.hasWork(); },
+           .on = [](const App& a) { return a.panels.pages.welcome; }},
     Action{.name = "open",
            .menu = Menu::File,
            .label = N_("Open …"),
@@ -114,13 +125,13 @@ constexpr std::array kActions{
            .tool = 2,
            .run =
                [](App& a) {
-                 if (!askForFile()) a.panels.open_page = true;
+                 if (!askForFile()) a.panels.pages.open = true;
                }},
     Action{.name = "reading",
            .menu = Menu::File,
            .label = N_("Models, waters, assembly …"),
            .sentence = N_("How the molecule's file is read: which model, with its waters, as which assembly"),
-           .run = [](App& a) { a.panels.reading_page = true; },
+           .run = [](App& a) { a.panels.pages.reading = true; },
            .enabled = [](const App& a) { return hasStage(a) && !a.lesson.onStage() && !a.scene.playing(); }},
     Action{.name = "picture",
            .menu = Menu::File,
@@ -207,7 +218,7 @@ constexpr std::array kActions{
            .sentence = N_("Colours, sizes, mouse and numbers"),
            .icon = Icon::Gear,
            .tool = 4,
-           .run = [](App& a) { a.panels.preferences_page = true; }},
+           .run = [](App& a) { a.panels.pages.preferences = true; }},
 
     Action{.name = "lesson",
            .menu = Menu::View,
@@ -216,7 +227,7 @@ constexpr std::array kActions{
            .sentence = N_("Lesson panel"),
            .icon = Icon::LeftPanel,
            .tool = 1,
-           .run = [](App& a) { switchPanel(a, a.panels.lesson, a.layout().lesson, true); },
+           .run = [](App& a) { switchPanels(a, true); },
            .enabled = inLesson,
            .on = [](const App& a) { return !a.layout().lesson.empty(); }},
     Action{.name = "touch",
@@ -226,29 +237,32 @@ constexpr std::array kActions{
            .sentence = N_("Touch panel"),
            .icon = Icon::RightPanel,
            .tool = 1,
-           .run = [](App& a) { switchPanel(a, a.panels.touch, a.layout().touch, false); },
+           .run = [](App& a) { switchPanels(a, false); },
            .enabled = mayTouchPanel,
            .on = [](const App& a) { return !a.layout().touch.empty(); }},
-    Action{.name = "methods",
-           .menu = Menu::View,
-           .label = N_("Methods panel"),
-           .shortcut = "Ctrl+M",
-           .run = [](App& a) { a.panels.showMethods(!a.panels.methods); },
-           .enabled = mayMethods,
-           .on = [](const App& a) { return a.panels.methods; }},
-    Action{.name = "cut",
-           .menu = Menu::View,
-           .label = N_("Cut open"),
-           .sentence = N_("Cut the molecule open through its middle; Ctrl with the wheel moves the cut"),
-           .run = [](App& a) { switchCut(a); },
-           .enabled = [](const App& a) { return hasStage(a) && !a.lesson.locks("show"); },
-           .on = [](const App& a) { return a.scene.look.cut.has_value(); }},
+#define MOLTACT_TAB_ACTION(Name, key, title, item, keys) \
+  Action{.name = key,                                    \
+         .menu = Menu::View,                             \
+         .label = item,                                  \
+         .shortcut = keys,                               \
+         .run = [](App& a) { switchTab(a, key); },       \
+         .enabled = maySideTab,                          \
+         .on = [](const App& a) { return a.panels.tabs.has(key); }},
+    MOLTACT_SIDE_TABS(MOLTACT_TAB_ACTION)
+#undef MOLTACT_TAB_ACTION
+        Action{.name = "cut",
+               .menu = Menu::View,
+               .label = N_("Cut open"),
+               .sentence = N_("Cut the molecule open through its middle; Ctrl with the wheel moves the cut"),
+               .run = [](App& a) { switchCut(a); },
+               .enabled = [](const App& a) { return hasStage(a) && !a.lesson.locks("show"); },
+               .on = [](const App& a) { return a.scene.look.cut.has_value(); }},
     // Disabled in a lesson's scene, because names and marks could give away answers.
     Action{.name = "look",
            .menu = Menu::View,
            .label = N_("How atoms are drawn …"),
            .sentence = N_("Style, colours, names, marks and hydrogen bonds of the atoms that you name"),
-           .run = [](App& a) { a.panels.look_page = true; },
+           .run = [](App& a) { a.panels.pages.look = true; },
            .enabled = [](const App& a) { return hasStage(a) && !a.lesson.onStage() && !a.lesson.locks("show"); }},
     Action{.name = "legend",
            .menu = Menu::View,
@@ -267,16 +281,16 @@ constexpr std::array kActions{
            .label = N_("Come close to …"),
            .shortcut = "Ctrl+F",
            .sentence = N_("Turn atoms that you name to the front and come close to them"),
-           .run = [](App& a) { a.panels.zoom_page = true; },
+           .run = [](App& a) { a.panels.pages.zoom = true; },
            .enabled = [](const App& a) { return hasStage(a) && !a.extensions().task_stager.dark(); }},
     Action{.name = "magnify",
            .menu = Menu::View,
            .label = N_("Magnify round the probe"),
            .shortcut = "Ctrl+G",
            .sentence = N_("What lies round the probe fills the room of your hand"),
-           .run = [](App& a) { a.scene.magnify(!a.scene.magnifiedByHand()); },
+           .run = [](App& a) { a.scene.magnify(!a.scene.fit().by_hand); },
            .enabled = mayMagnify,
-           .on = [](const App& a) { return a.scene.magnifiedByHand(); }},
+           .on = [](const App& a) { return a.scene.fit().by_hand; }},
     Action{.name = "depth",
            .menu = Menu::View,
            .parted = true,
@@ -309,11 +323,11 @@ constexpr std::array kActions{
            .label = N_("Device …"),
            .shortcut = "Ctrl+D",
            .sentence = N_("The device in your hand: choose it, try it, see its limits"),
-           .run = [](App& a) { a.panels.device_page = true; }},
+           .run = [](App& a) { a.panels.pages.device = true; }},
     Action{.name = "calibrate",
            .menu = Menu::View,
            .label = N_("Calibrate the device"),
-           .run = [](App& a) { a.scene.servo().chosen()->calibrate(); },
+           .run = [](App& a) { a.scene.servo().loop().device()->calibrate(); },
            .enabled = [](const App& a) { return a.extensions().device.wantsCalibration(a.scene.servo()); }},
     Action{.name = "stop-force",
            .menu = Menu::View,
@@ -345,8 +359,8 @@ constexpr std::array kActions{
            .sentence = N_("Full screen, for a projector"),
            .icon = Icon::FullScreen,
            .tool = 5,
-           .run = [](App& a) { a.panels.full_screen = !a.panels.full_screen; },
-           .on = [](const App& a) { return a.panels.full_screen; }},
+           .run = [](App& a) { a.panels.window.full_screen = !a.panels.window.full_screen; },
+           .on = [](const App& a) { return a.panels.window.full_screen; }},
 
     Action{.name = "next",
            .menu = Menu::Lesson,
@@ -371,16 +385,16 @@ constexpr std::array kActions{
            .parted = true,
            .label = N_("Take turns at one device …"),
            .sentence = N_("Turns of set length for a class that shares a device"),
-           .run = [](App& a) { a.panels.turns_page = true; },
+           .run = [](App& a) { a.panels.pages.turns = true; },
            .enabled = [](const App& a) { return !a.extensions().turns.on(); },
            .on = [](const App& a) { return a.extensions().turns.on(); }},
     Action{.name = "teacher-notes",
            .menu = Menu::Lesson,
            .label = N_("Teacher's notes"),
            .sentence = N_("The lesson's notes for the teacher, among its text, until another student begins"),
-           .run = [](App& a) { a.panels.teacher_notes = !a.panels.teacher_notes; },
+           .run = [](App& a) { a.panels.lesson_memory.teacher_notes = !a.panels.lesson_memory.teacher_notes; },
            .enabled = mayTeacherNotes,
-           .on = [](const App& a) { return a.panels.teacher_notes; }},
+           .on = [](const App& a) { return a.panels.lesson_memory.teacher_notes; }},
     Action{.name = "report",
            .menu = Menu::Lesson,
            .label = N_("Report on a class …"),
@@ -395,11 +409,11 @@ constexpr std::array kActions{
            .sentence = N_("What mouse and keys do"),
            .icon = Icon::Question,
            .tool = 5,
-           .run = [](App& a) { a.panels.controls_page = true; }},
+           .run = [](App& a) { a.panels.pages.controls = true; }},
     Action{.name = "about",
            .menu = Menu::Help,
            .label = N_("About Moltact"),
-           .run = [](App& a) { a.panels.about_page = true; }},
+           .run = [](App& a) { a.panels.pages.about = true; }},
 
     Action{.name = "sound-yes",
            .menu = Menu::None,
@@ -451,7 +465,7 @@ void runShortcuts(Application& app) {
     if ((keysPressed(action.shortcut) || keysPressed(action.also)) && enabled(action, app)) action.run(app);
   }
   // Escape closes an open page. It also leaves the welcome page, but never a molecule or a lesson.
-  if (!page && !io.WantTextInput && !ImGui::IsAnyMouseDown() && app.panels.welcome && app.hasWork() &&
+  if (!page && !io.WantTextInput && !ImGui::IsAnyMouseDown() && app.panels.pages.welcome && app.hasWork() &&
       keysPressed("Escape"))
     findAction("welcome")->run(app);
 }

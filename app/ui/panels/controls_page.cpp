@@ -121,7 +121,7 @@ void drawCommands() {
 }  // namespace
 
 void drawControlsPage(Application& app) {
-  if (!beginPage("controls", tr("Mouse and keys"), app.panels.controls_page, 640, 700)) return;
+  if (!beginPage("controls", tr("Mouse and keys"), app.panels.pages.controls, 640, 700)) return;
   ImGui::BeginChild("sheet");
   drawMovements(app);
   ImGui::Dummy({0, look().px(10)});

@@ -95,10 +95,10 @@ void drawDarkView(Application& app, const Rectangle& view) {
   }
   centred("view/state", l.font(Font::Body), unnamedContactText(log.latest().contact, log.felt()),
           {middle.x, below + l.px(14)}, width, log.felt() ? kBright : kQuiet);
-  const std::string hint = app.panels.fingers ? (log.touching() ? tr("Slide with the finger; + and − push")
-                                                                : tr("Put a finger here to push"))
-                           : log.touching()   ? tr("Slide with the mouse or the arrow keys; wheel, + and − push")
-                                              : tr("Hold the left button, or Space, to push");
+  const std::string hint = app.panels.window.fingers ? (log.touching() ? tr("Slide with the finger; + and − push")
+                                                                       : tr("Put a finger here to push"))
+                           : log.touching() ? tr("Slide with the mouse or the arrow keys; wheel, + and − push")
+                                            : tr("Hold the left button, or Space, to push");
   centred("view/hint", l.font(Font::Small), hint, {middle.x, view.high.y - l.px(26)}, width, kQuiet);
 }
 

@@ -168,7 +168,7 @@ void drawLive(Application& app, DeviceLink& link) {
   if (!link.awaited().empty())
     words("device/awaited", trf("{0} leads as soon as it can be reached.", link.awaited()), p.warn);
   if (!link.status().text.empty()) words("device/status", link.status().text, p.warn);
-  if (link.wantsCalibration(servo) && button("device/calibrate", tr("Calibrate"))) servo.chosen()->calibrate();
+  if (link.wantsCalibration(servo) && button("device/calibrate", tr("Calibrate"))) servo.loop().device()->calibrate();
   // Positions far outside any device's workspace are shown without a number; one of 300 digits would not fit.
   const auto shown_mm = [](double mm) { return std::abs(mm) <= 1e6 ? mm : std::nan(""); };
   const auto place = [&](double mm) { return quantityNumber(shown_mm(mm), Dimension::HandLength); };
@@ -236,12 +236,12 @@ void drawRecording(Application& app) {
   } else {
     const bool may = app.scene.stage() && !app.scene.playing() && !app.scene.trying();
     if (button("device/record", tr("Record …"), ButtonLook::Plain, 0.0f, may)) {
-      app.panels.device_page = false;  // one page at a time
+      app.panels.pages.device = false;  // one page at a time
       recorder.askToRecord();
     }
     tip(tr("Every position and force, 1000 per second, until the molecule or the method changes."));
     ImGui::SameLine(0, look().px(8));
-    if (button("device/play", tr("Play one …"))) app.panels.device_page = false, app.panels.open_page = true;
+    if (button("device/play", tr("Play one …"))) app.panels.pages.device = false, app.panels.pages.open = true;
     tip(tr("Leads the hand on its molecule as it was recorded. No force is given meanwhile."));
   }
 }
@@ -286,7 +286,7 @@ void drawLateness(const DeviceLink& link) {
 
 void drawDevicePage(Application& app) {
   DeviceLink& link = app.extensions().device;
-  if (!beginPage("device page", tr("Device"), app.panels.device_page, 560, 700)) return;
+  if (!beginPage("device page", tr("Device"), app.panels.pages.device, 560, 700)) return;
   drawStop(app, link);
   ImGui::BeginChild("list");
   const auto part = [] { ImGui::Dummy({0, look().px(8)}); };

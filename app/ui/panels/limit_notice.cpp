@@ -16,7 +16,7 @@
 namespace moltact {
 
 std::string limitText(const Application& app) {
-  if (app.panels.device_page) return {};  // that page shows the limits itself
+  if (app.panels.pages.device) return {};  // that page shows the limits itself
   if (app.scene.servo_settings.panic) return tr("All force is stopped. F9 allows it again.");
   std::string text;
   for (const std::string& words : app.extensions().device.limitNotices()) text += (text.empty() ? "" : "\n") + words;
@@ -28,7 +28,8 @@ void drawLimitNotice(Application& app) {
   const Rectangle& view = app.layout().view;
   const bool stopped = app.scene.servo_settings.panic;
   const std::string text = limitText(app);
-  if (text.empty() || view.empty() || app.panels.welcome || (app.scene.stage() && !app.extensions().task_stager.dark()))
+  if (text.empty() || view.empty() || app.panels.pages.welcome ||
+      (app.scene.stage() && !app.extensions().task_stager.dark()))
     return;
 
   const Look& l = look();

@@ -16,8 +16,8 @@ namespace moltact {
 
 void drawLookPage(Application& app) {
   PanelState& panels = app.panels;
-  const bool appears = panels.look_page && !ImGui::IsPopupOpen("look");
-  if (!beginPage("look", tr("How the atoms are drawn"), panels.look_page, 600, 620)) return;
+  const bool appears = panels.pages.look && !ImGui::IsPopupOpen("look");
+  if (!beginPage("look", tr("How the atoms are drawn"), panels.pages.look, 600, 620)) return;
   OwnLook& own = app.extensions().own_look;
   const Look& l = look();
   ImGui::TextWrapped("%s", tr("In the words of a lesson's scene: what works here works there. Without a style or "
@@ -53,7 +53,7 @@ void drawLookPage(Application& app) {
   asked = button("look/show", tr("Show it so"), ButtonLook::Primary, -1.0f, !faulty) || asked;
   if (asked && !faulty) {
     own.show(app.scene);
-    panels.look_page = false;
+    panels.pages.look = false;
     ImGui::CloseCurrentPopup();
   }
   endPage();

@@ -67,7 +67,8 @@ void recentMenu(Application& app) {
 }
 
 void shapesMenu(Application& app) {
-  if (!beginSubmenu(app, "menu/view/shapes", tr("Shapes"), !app.panels.welcome && !app.lesson.locks("show"))) return;
+  if (!beginSubmenu(app, "menu/view/shapes", tr("Shapes"), !app.panels.pages.welcome && !app.lesson.locks("show")))
+    return;
   for (const ViewPartInfo& part : viewParts()) {
     const bool on = app.scene.shown.has(part.part);
     if (part.expert && !on && !app.settings.expert) continue;
@@ -103,7 +104,8 @@ std::vector<StyledAtoms> stylesOf(DrawStyle style, const Molecule* molecule) {
 // The separator begins the group of drawing options, which also contains the shapes.
 void styleMenu(Application& app) {
   ImGui::Separator();
-  if (!beginSubmenu(app, "menu/view/style", tr("Style"), !app.panels.welcome && !app.lesson.locks("show"))) return;
+  if (!beginSubmenu(app, "menu/view/style", tr("Style"), !app.panels.pages.welcome && !app.lesson.locks("show")))
+    return;
   for (const DrawStyleInfo& style : drawStyles()) {
     const std::vector<StyledAtoms>& now = app.scene.look.styles;
     const bool on = now.empty() ? style.style == DrawStyle::Spheres
@@ -134,7 +136,7 @@ void colourMenu(Application& app) {
 
 // The views that the lesson's scene names.
 void viewsMenu(Application& app) {
-  if (app.panels.welcome || !app.lesson.session() || app.lesson.session()->scene().views.empty()) return;
+  if (app.panels.pages.welcome || !app.lesson.session() || app.lesson.session()->scene().views.empty()) return;
   if (!beginSubmenu(app, "menu/view/views", tr("Views"), app.scene.stage() && !app.extensions().task_stager.dark()))
     return;
   for (const NamedView& v : app.lesson.session()->scene().views)
@@ -204,7 +206,7 @@ void drawMenuBar(Application& app) {
     app.panels.at_submenu = false;
     for (int menu = 0; menu < kMenus; ++menu) drawMenu(app, Menu(menu));
     app.panels.menu_wanted = -1;
-    app.panels.menus_end = ImGui::GetCursorScreenPos().x;
+    app.panels.window.menus_end = ImGui::GetCursorScreenPos().x;
     ImGui::PopStyleVar(2);
     ImGui::EndMenuBar();
   }

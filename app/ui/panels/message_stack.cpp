@@ -32,7 +32,7 @@ const Action* drawActions(Application& app, const Message& message, const std::s
 void drawMessageStack(Application& app) {
   const Look& l = look();
   const Rectangle& view = app.layout().view;
-  app.panels.messages_end = 0.0f;
+  app.panels.window.messages_end = 0.0f;
   if (app.messages.all().empty()) return;
   const Rectangle room = view.size().x > l.px(260) ? view
                                                    : Rectangle{{0, app.layout().menu.high.y},
@@ -82,7 +82,7 @@ void drawMessageStack(Application& app) {
     ImGui::PopStyleColor(2);
     y += height + l.px(8);
   }
-  app.panels.messages_end = y;
+  app.panels.window.messages_end = y;
   if (dismissed) app.messages.dismiss(*dismissed);
   if (chosen) chosen->run(app);
 }

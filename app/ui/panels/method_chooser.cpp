@@ -81,15 +81,4 @@ void drawMethodChooser(Application& app) {
   if (next) app.scene.useMethod(next->name);
 }
 
-void drawTouchHead(Application& app) {
-  if (!app.panels.methods) {
-    WithFont title(Font::Title);
-    ImGui::TextUnformatted(tr("Touch"));
-    return;
-  }
-  const std::vector<std::string> tabs{N_("Touch"), N_("Methods")};
-  std::size_t front = app.panels.methods_first ? 1 : 0;
-  if (segments("tab", tabs, front)) app.panels.methods_first = front == 1;
-}
-
 }  // namespace moltact

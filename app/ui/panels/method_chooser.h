@@ -9,7 +9,4 @@ class Application;
 /// Recorded as "method/<family>", "grade/<grade>", "variant/<variant>" and "method/sentence".
 void drawMethodChooser(Application& app);
 
-/// Draws "Touch | Methods" if methods are compared, else the panel's title.
-void drawTouchHead(Application& app);
-
 }  // namespace moltact

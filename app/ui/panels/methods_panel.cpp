@@ -1,7 +1,6 @@
-// On request in the place of the touch panel: switches the haptic method during touch and shows its time and error at
+// A tab beside the view, on request: switches the haptic method during touch and shows its time and error at
 // once.
 #include "app/ui/application/application.h"
-#include "app/ui/panels/dark_view.h"
 #include "app/ui/panels/method_charts.h"
 #include "app/ui/panels/method_chooser.h"
 #include "app/ui/panels/while_locked.h"
@@ -12,14 +11,7 @@
 
 namespace moltact {
 
-void drawMethodsPanel(Application& app) {
-  if (!app.panels.methodsInFront() || !beginPanel("methods", app.layout().touch)) return;
-  if (drawnDark(app)) {
-    endPanel();
-    return;
-  }
-  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {look().px(8), look().px(10)});
-  drawTouchHead(app);
+void drawMethodsTab(Application& app) {
   drawMethodChooser(app);
   if (feltFacets(app.scene.method())) {
     const WhileLocked locked(app, "show");
@@ -38,8 +30,6 @@ void drawMethodsPanel(Application& app) {
   const MethodRecord* record = app.scene.watch().find(app.scene.method());
   tickHistogram("plot/times", record, 56.0f);
   speedAccuracyChart("plot/tradeoff", app.scene.watch(), app.scene.method(), 140.0f);
-  ImGui::PopStyleVar();
-  endPanel();
 }
 
 }  // namespace moltact

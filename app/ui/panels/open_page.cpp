@@ -32,7 +32,7 @@ void chooseFile(Application& app, const fs::path& file) {
     app.extensions().shelf.add(file);
   else
     app.open(file);
-  app.panels.open_page = false;
+  app.panels.pages.open = false;
   ImGui::CloseCurrentPopup();
 }
 
@@ -66,9 +66,9 @@ void drawOpenPage(Application& app) {
   PanelState& panels = app.panels;
   FileBrowser& b = app.files;
   const bool adds = panels.open_adds;
-  if (!beginPage("open", adds ? tr("Add a lesson to your shelf") : tr("Open a molecule or a lesson"), panels.open_page,
+  if (!beginPage("open", adds ? tr("Add a lesson to your shelf") : tr("Open a molecule or a lesson"), panels.pages.open,
                  900, 660)) {
-    panels.open_adds = panels.open_adds && panels.open_page;
+    panels.open_adds = panels.open_adds && panels.pages.open;
     b.open = false;
     return;
   }
@@ -123,7 +123,7 @@ void drawOpenPage(Application& app) {
   if (!file.empty()) chooseFile(app, file);
   ImGui::EndChild();
   ImGui::PopStyleVar();
-  panels.open_adds = panels.open_adds && panels.open_page;
+  panels.open_adds = panels.open_adds && panels.pages.open;
   endPage();
 }
 

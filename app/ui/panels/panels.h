@@ -9,12 +9,12 @@
 namespace moltact {
 
 class Application;
-struct PanelState;
+struct OpenPages;
 
 struct Panel {
   std::string_view name;
   void (*draw)(Application& app);  ///< draws nothing if the panel is closed or has no room
-  bool PanelState::*page;          ///< the flag that opens a page; null for a panel, and for FilePage, which FileDialog
+  bool OpenPages::*page;           ///< the flag that opens a page; null for a panel, and for FilePage, which FileDialog
                                    ///< opens
 };
 

@@ -107,12 +107,12 @@ void drawOwnLessons(Application& app) {
   quietText(folder.empty() ? tr("No folder is set.") : folder.string());
   recordItem("preferences/lesson-folder", folder.string());
   if (!button("preferences/choose-folder", tr("Choose another folder …"))) return;
-  app.panels.preferences_page = false;
+  app.panels.pages.preferences = false;
   app.file_dialog.ask({.title = tr("The folder with your lessons"),
                        .chosen =
                            [&app](const std::filesystem::path& chosen) {
                              app.settings.lesson_folder = chosen.string();
-                             app.panels.preferences_page = true;
+                             app.panels.pages.preferences = true;
                            }},
                       folder);
 }
@@ -120,7 +120,7 @@ void drawOwnLessons(Application& app) {
 }  // namespace
 
 void drawPreferencesPage(Application& app) {
-  if (!beginPage("preferences", tr("Preferences"), app.panels.preferences_page, 520, 740)) return;
+  if (!beginPage("preferences", tr("Preferences"), app.panels.pages.preferences, 520, 740)) return;
   ImGui::BeginChild("list");
   Settings& s = app.settings;
   const auto part = [] { ImGui::Dummy({0, look().px(8)}); };

@@ -31,7 +31,8 @@ void drawPad(const char* name, ImVec2 low, float size, bool harder) {
 }  // namespace
 
 Rectangle pushPadsPlace(const Application& app, const Rectangle& view) {
-  if (!app.panels.fingers || !app.scene.stage() || app.scene.playing() || app.scene.servo().deviceLeads()) return {};
+  if (!app.panels.window.fingers || !app.scene.stage() || app.scene.playing() || app.scene.servo().deviceLeads())
+    return {};
   const Look& l = look();
   const float size = l.px(kSize), gap = l.px(kGap), margin = l.px(14);
   if (view.size().x < 3 * size || view.size().y < 2 * size + 5 * gap) return {};

@@ -45,9 +45,9 @@ void drawOption(const ReadingOption& option, const Molecule& molecule, ReadOptio
 
 void drawReadingPage(Application& app) {
   PanelState& panels = app.panels;
-  const bool appears = panels.reading_page && !ImGui::IsPopupOpen("reading");
+  const bool appears = panels.pages.reading && !ImGui::IsPopupOpen("reading");
   if (appears) panels.reading = app.scene.molecule().reading;
-  if (!beginPage("reading", tr("Models, waters, assembly"), panels.reading_page, 520, 560)) return;
+  if (!beginPage("reading", tr("Models, waters, assembly"), panels.pages.reading, 520, 560)) return;
   const TouchableModel& stage = app.scene.stage();
   bool goes = false;
   if (stage) {
@@ -66,7 +66,7 @@ void drawReadingPage(Application& app) {
     if (goes) panels.reading = wanted;
   }
   if (goes) {
-    panels.reading_page = false;
+    panels.pages.reading = false;
     ImGui::CloseCurrentPopup();
   }
   endPage();

@@ -58,7 +58,7 @@ void drawSplitters(Application& app) {
   const Layout& layout = app.layout();
   if (layout.tall) {
     const Rectangle& panel = layout.lesson.empty() ? layout.touch : layout.lesson;
-    if (!panel.empty()) levelSplitter(kEdgeBelow, layout, panel, app.panels.below_share);
+    if (!panel.empty()) levelSplitter(kEdgeBelow, layout, panel, app.panels.window.below_share);
     return;
   }
   splitter(kLessonEdge, app.layout().lesson, true, app.settings.lesson_width, 240.0, 700.0);

@@ -40,7 +40,8 @@ Segment loopSegment(const Application& app) {
             tr("In a browser the touch loop runs with the picture: each frame runs one tick per elapsed millisecond."),
             3, p.good};
   const LoopHealth& h = app.scene.log().health();
-  const RealtimeStatus status = app.scene.servo().realtime();
+  const ServoThread& thread = *app.scene.servo().thread();
+  const RealtimeStatus status = thread.realtime();
   const char* kind = status == RealtimeStatus::Realtime   ? tr("real-time")
                      : status == RealtimeStatus::Ordinary ? tr("ordinary priority")
                                                           : tr("starting");
@@ -53,7 +54,7 @@ Segment loopSegment(const Application& app) {
   std::string tip = trf(
       "The touch loop should run 1000 times a second. 99 of 100 ticks began at most {0} late; the longest took {1}; "
       "{2} were left out.",
-      late, micro(h.work_max_us, 1), app.scene.servo().missedTicks());
+      late, micro(h.work_max_us, 1), thread.missedTicks());
   if (status == RealtimeStatus::Ordinary)
     tip += std::string(" ") + tr("The system does not allow this program real-time priority, so ticks may come late "
                                  "while the picture is drawn.");
@@ -65,12 +66,14 @@ Segment loopSegment(const Application& app) {
 // molecule's default.
 std::optional<Segment> scaleSegment(const Application& app) {
   const HapticSession& scene = app.scene;
-  const bool magnified = scene.magnification() > 1.005;
-  if (!scene.stage() || !(scene.servo().chosen() || magnified)) return {};
+  const bool magnified = scene.fit().magnification(scene.servo_settings.workspace) > 1.005;
+  if (!scene.stage() || !(scene.servo().loop().device() || magnified)) return {};
   const DeviceLink::ScaleWords scale = app.extensions().device.scaleWords(app.scene);
   std::string text = scale.sentence;
   if (text.ends_with('.')) text.pop_back();
-  if (magnified) text = trf("{0}, magnified {1} times", text, numberText(scene.magnification(), decimals(1)));
+  if (magnified)
+    text = trf("{0}, magnified {1} times", text,
+               numberText(scene.fit().magnification(scene.servo_settings.workspace), decimals(1)));
   return Segment{"status/scale", text, scale.reason, 2, magnified ? look().palette.accent : 0};
 }
 
@@ -109,7 +112,7 @@ void drawStatusBar(Application& app) {
                       2});
   if (std::optional<Segment> scale = scaleSegment(app)) segments.push_back(*scale);
   // Tick times and the number of atoms would give away what is touched. They are also shown while methods are compared.
-  const bool expert = app.settings.expert || app.panels.methods;
+  const bool expert = app.settings.expert || app.panels.tabs.has("methods");
   if (!unseen.all() && expert) segments.push_back(loopSegment(app));
   // A molecule that is not drawn is not named.
   if (app.scene.stage() && !unseen.all() && !app.scene.drawsNothing()) {

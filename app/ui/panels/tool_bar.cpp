@@ -15,7 +15,7 @@ void drawToolBar(Application& app) {
   const Look& l = look();
   const float size = l.px(30), gap = l.px(4), margin = l.px(8);
   const Rectangle& bar = app.layout().menu;
-  const float room = bar.size().x - app.panels.menus_end - 2 * margin;
+  const float room = bar.size().x - app.panels.window.menus_end - 2 * margin;
   std::vector<const Action*> shown;
   for (const Action& a : allActions())
     if (a.tool > 0) shown.push_back(&a);

@@ -1,4 +1,4 @@
-// The right panel: what is felt and how: the force over time, the probe, the visible parts; the method and the loop
+// The tab of touch, beside the view: what is felt and how: the force over time, the probe, the visible parts; the method and the loop
 // behind "More".
 #include <algorithm>
 #include <string>
@@ -6,7 +6,6 @@
 
 #include "app/ui/application/application.h"
 #include "app/ui/extensions/extensions.h"
-#include "app/ui/panels/dark_view.h"
 #include "app/ui/panels/method_chooser.h"
 #include "app/ui/panels/while_locked.h"
 #include "app/ui/widgets/controls.h"
@@ -58,14 +57,7 @@ void drawPartSwitches(Application& app) {
 
 }  // namespace
 
-void drawTouchPanel(Application& app) {
-  if (app.panels.methodsInFront() || !beginPanel("touch", app.layout().touch)) return;
-  if (drawnDark(app)) {
-    endPanel();
-    return;
-  }
-  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {look().px(8), look().px(10)});
-  drawTouchHead(app);
+void drawTouchTab(Application& app) {
   plot("plot/force", app.scene.log().force(), app.scene.log().shownForce_N(),
        {.title = tr("Force"), .least_top = 1.0f, .shown_as = {Dimension::Force, {decimals(1), {}}}});
   ImGui::Spacing();
@@ -95,17 +87,15 @@ void drawTouchPanel(Application& app) {
     recordItem("energy", energy);
     ImGui::TextUnformatted(tr("Tracker"));
     drawMethodChooser(app);
-    if (!app.panels.methods && !app.lesson.locks("panels") &&
+    if (!app.panels.tabs.has("methods") && !app.lesson.locks("panels") &&
         button("compare", tr("Compare the methods …"), ButtonLook::Plain, -1.0f))
-      app.panels.showMethods(true);
-    if (!app.extensions().unseen.all() && (app.settings.expert || app.panels.methods))
+      app.panels.tabs.open("methods");
+    if (!app.extensions().unseen.all() && (app.settings.expert || app.panels.tabs.has("methods")))
       plot("plot/tick", app.scene.log().work(), app.scene.log().health().work_mean_us,
            {.title = tr("Time for a tick"),
             .least_top = 2.0f,
             .shown_as = {Dimension::Time, {decimals(1), "µs"}, 1e-6}});
   }
-  ImGui::PopStyleVar();
-  endPanel();
 }
 
 }  // namespace moltact

@@ -146,11 +146,11 @@ const char* hintText(bool has_pressed, bool left_handed, bool fingers, bool body
 bool wantsPushHint(const Application& app) {
   constexpr double kAtRest_s = 1.2;
   const ViewControls& controls = app.scene.controls;
-  if (app.panels.fingers || app.scene.playing() || app.scene.servo().deviceLeads() ||
+  if (app.panels.window.fingers || app.scene.playing() || app.scene.servo().deviceLeads() ||
       controls.pressRested_s() < kAtRest_s)
     return false;
   const LessonSession* session = app.lesson.session();
-  const Task* task = session && !app.panels.welcome ? session->taskAt(session->currentTask()) : nullptr;
+  const Task* task = session && !app.panels.pages.welcome ? session->taskAt(session->currentTask()) : nullptr;
   return !controls.hasPushed() || (task && task->wantsHarderPush());
 }
 
@@ -207,7 +207,7 @@ bool mayNameAtoms(const Application& app) {
 // Shows the name of the atom under the pointer while it does not push.
 void hoveredAtom(const Application& app, ViewRoom& room) {
   const ImGuiIO& io = ImGui::GetIO();
-  if (!mayNameAtoms(app) || app.panels.fingers || app.scene.controls.pressing() || ImGui::IsAnyMouseDown() ||
+  if (!mayNameAtoms(app) || app.panels.window.fingers || app.scene.controls.pressing() || ImGui::IsAnyMouseDown() ||
       app.scene.log().touching() || !ImGui::IsMousePosValid() || !ImGui::IsWindowHovered() || ImGui::IsAnyItemActive())
     return;
   const glm::dvec2 at(double(io.MousePos.x - room.whole.low.x), double(io.MousePos.y - room.whole.low.y));
@@ -264,7 +264,7 @@ void drawReset(Application& app, ViewRoom& room) {
 
 // The view's part below the messages, which cover its upper edge.
 Rectangle belowMessages(const Application& app, Rectangle view) {
-  view.low.y = std::clamp(app.panels.messages_end, view.low.y, std::max(view.low.y, view.high.y - 1.0f));
+  view.low.y = std::clamp(app.panels.window.messages_end, view.low.y, std::max(view.low.y, view.high.y - 1.0f));
   return view;
 }
 
@@ -330,8 +330,8 @@ void drawViewOverlays(Application& app, const Rectangle& whole_view) {
   } else if (const float hint = float(app.scene.controls.hintStrength());
              hint > 0.0f && measured.empty() && !app.scene.playing() && !app.scene.servo().deviceLeads()) {
     above -= l.px(8) + pill("view/hint",
-                            hintText(app.scene.controls.hasPressed(), app.settings.left_handed, app.panels.fingers,
-                                     app.scene.stage().body != nullptr),
+                            hintText(app.scene.controls.hasPressed(), app.settings.left_handed,
+                                     app.panels.window.fingers, app.scene.stage().body != nullptr),
                             ImVec2(view.low.x + margin, bottom), ImVec2(0, 1), words, p.panel, p.quiet, hint);
   }
   if (const std::string limits = limitText(app); !limits.empty()) {

@@ -47,7 +47,7 @@ void readKeys(Application& app, ViewInput& in) {
   const ImGuiIO& io = ImGui::GetIO();
   // A text field, an open page or a panel with the focus receives the keys first.
   if (!keysFree()) return;
-  if (io.KeyCtrl && io.KeyShift && !io.KeyAlt && app.scene.servo().hasOrientation())
+  if (io.KeyCtrl && io.KeyShift && !io.KeyAlt && app.scene.servo().loop().hasOrientation())
     in.hand_keys = arrows();
   else if (io.KeyCtrl && !io.KeyAlt)
     in.orbit_keys = arrows();
@@ -74,7 +74,7 @@ void readKeys(Application& app, ViewInput& in) {
   if (!io.KeyCtrl)
     in.zoom_keys = (ImGui::IsKeyDown(ImGuiKey_PageUp) ? 1.0 : 0.0) - (ImGui::IsKeyDown(ImGuiKey_PageDown) ? 1.0 : 0.0);
   in.release = ImGui::IsKeyDown(ImGuiKey_Escape);
-  if (app.panels.methods && !app.lesson.locks("method") && !app.extensions().task_stager.dark() &&
+  if (app.panels.tabs.has("methods") && !app.lesson.locks("method") && !app.extensions().task_stager.dark() &&
       lessonKeyPressed('M'))
     switchMethod(app, io.KeyShift ? -1 : 1);
 }
@@ -96,9 +96,9 @@ ViewInput readInput(Application& app, ImVec2 low, glm::dvec2 size) {
   in.size_px = size;
   in.dt_s = app.dt_s();
   const bool active = ImGui::IsItemActive(), hovered = ImGui::IsItemHovered();
-  const int push = app.settings.left_handed && !app.panels.fingers ? 1 : 0, turn = 1 - push;
+  const int push = app.settings.left_handed && !app.panels.window.fingers ? 1 : 0, turn = 1 - push;
   const bool panning = active && (ImGui::IsMouseDown(2) || (ImGui::IsMouseDown(turn) && io.KeyShift));
-  const bool view_fingers = hovered && app.panels.fingers && ImGui::IsMouseDown(Fingers::kViewButton);
+  const bool view_fingers = hovered && app.panels.window.fingers && ImGui::IsMouseDown(Fingers::kViewButton);
   const bool turning = !panning && ((active && ImGui::IsMouseDown(turn)) || view_fingers);
   Measuring& tool = app.extensions().measuring;
   const bool measuring = tool.on() && !app.extensions().task_stager.dark();
@@ -123,10 +123,10 @@ ViewInput readInput(Application& app, ImVec2 low, glm::dvec2 size) {
                       (view_fingers && ImGui::IsMouseClicked(Fingers::kViewButton));
   const glm::dvec2 drag = begins ? glm::dvec2(0.0) : glm::dvec2(io.MouseDelta.x, io.MouseDelta.y);
   if (panning) in.pan_px = drag;
-  const bool turns_hand = turning && !view_fingers && (io.KeyCtrl || app.panels.fingers) &&
-                          app.scene.servo().hasOrientation() && !app.scene.playing();
+  const bool turns_hand = turning && !view_fingers && (io.KeyCtrl || app.panels.window.fingers) &&
+                          app.scene.servo().loop().hasOrientation() && !app.scene.playing();
   if (turning) (turns_hand ? in.hand_px : in.orbit_px) = drag;
-  if (turns_hand && app.panels.fingers) in.hand_roll_rad = double(io.MouseWheelH) * Fingers::kTwistNotch_rad;
+  if (turns_hand && app.panels.window.fingers) in.hand_roll_rad = double(io.MouseWheelH) * Fingers::kTwistNotch_rad;
   if ((hovered || in.press) && !panning && !turning && ImGui::IsMousePosValid())
     in.pointer_px = glm::dvec2(io.MousePos.x - low.x, io.MousePos.y - low.y);
   readKeys(app, in);
@@ -146,7 +146,7 @@ ViewInput readInput(Application& app, ImVec2 low, glm::dvec2 size) {
 ViewScene seenScene(const Application& app) {
   ViewScene scene;
   const ServoSample& now = app.scene.log().latest();
-  scene.molecule = app.scene.seenMolecule();
+  scene.molecule = app.scene.atoms().seen();
   scene.camera = app.scene.camera;
   scene.shown = app.extensions().unseen.shownParts();
   scene.theme = look().viewTheme();
@@ -234,7 +234,7 @@ void drawViewPanel(Application& app) {
   const SceneChange& change = app.extensions().scene_change;
   const ViewScene scene = seenScene(app);
   picture.draw(scene, int(size.x), int(size.y),
-               app.scene.controls.cameraMoved() || change.gliding() || app.scene.atomsMove(), look().scale);
+               app.scene.controls.cameraMoved() || change.gliding() || app.scene.atoms().moving(), look().scale);
   if (picture.texture()) addPicture(*ImGui::GetWindowDrawList(), picture.texture(), r, picture.version());
   if (change.oldPicture() > 0 && picture.kept())
     ImGui::GetWindowDrawList()->AddImage(picture.kept(), low, high, {0, 1}, {1, 0},

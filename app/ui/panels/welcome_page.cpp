@@ -215,7 +215,7 @@ void drawNext(Application& app, float most) {
     const std::string shown = elided(label, most - look().px(40));
     if (button("welcome/next", shown.c_str(), ButtonLook::Primary)) {
       if (app.hasWork())
-        app.panels.welcome = false;
+        app.panels.pages.welcome = false;
       else
         app.extensions().shelf.begin(*latest);
     }
@@ -227,7 +227,7 @@ void drawNext(Application& app, float most) {
   const float end = ImGui::GetItemRectMax().x + style.ItemSpacing.x + 2 * style.FramePadding.x +
                     ImGui::CalcTextSize(tr("Add a lesson …")).x + look().px(16);
   if (end <= ImGui::GetWindowPos().x + ImGui::GetContentRegionMax().x) ImGui::SameLine();
-  if (button("welcome/add", tr("Add a lesson …"))) app.panels.open_page = app.panels.open_adds = true;
+  if (button("welcome/add", tr("Add a lesson …"))) app.panels.pages.open = app.panels.open_adds = true;
   tip(tr("Puts a lesson that you were given (.moltact) or wrote (.md) on this page"));
 }
 

@@ -47,8 +47,8 @@ std::string elementNamed(std::string_view written) {
 
 void drawZoomPage(Application& app) {
   PanelState& panels = app.panels;
-  const bool appears = panels.zoom_page && !ImGui::IsPopupOpen("zoom");
-  if (!beginPage("zoom", tr("Come close to atoms"), panels.zoom_page, 520, 400)) return;
+  const bool appears = panels.pages.zoom && !ImGui::IsPopupOpen("zoom");
+  if (!beginPage("zoom", tr("Come close to atoms"), panels.pages.zoom, 520, 400)) return;
   const TouchableModel& stage = app.scene.stage();
   ImGui::TextWrapped(
       "%s",
@@ -96,7 +96,7 @@ void drawZoomPage(Application& app) {
   if (!chosen.empty()) panels.zoom_atoms = chosen;
   const bool goes = asked && !atoms.empty();
   if (goes) {
-    panels.zoom_page = false;
+    panels.pages.zoom = false;
     ImGui::CloseCurrentPopup();
   }
   endPage();

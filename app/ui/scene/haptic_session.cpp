@@ -1,33 +1,16 @@
 #include "app/ui/scene/haptic_session.h"
 
 #include <algorithm>
-#include <iterator>
 
 #include "engine/lesson/second_state.h"
 #include "engine/servo/plain_trackers.h"
-#include "engine/workspace/fit_workspace.h"
 
 namespace moltact {
 namespace {
 
 constexpr double kLeftBehind_s = 0.4;  // contact without cause for so long is let go
-constexpr double kProbeRoom = 2.0;     // so many radii of the probe are seen round the molecule,
-constexpr double kBodyRoom = 0.5;      // or so much of a body's reach
-constexpr double kTurned = 1e-9;       // a view that has turned or moved by less has not
-constexpr double kSettle_s = 0.5;      // in which a device that was just chosen tells where its hand is
-constexpr double kByHand_A = 3.5;      // the radius of what is magnified round the probe
-constexpr double kAtLeast = 2.0;       // and at least so much more than the scene
 constexpr double kTry_N_per_mm = 0.2;  // the spring of a force that is tried
 constexpr double kStill_A = 2e-3;      // a hand slower than this in a frame is at rest
-
-glm::dmat3 axes(const Camera& camera) { return {camera.right(), camera.up(), camera.back()}; }
-
-bool sameView(const Camera& a, const Camera& b) {
-  const glm::dmat3 of_a = axes(a), of_b = axes(b);
-  double off = glm::distance(a.target.A, b.target.A);
-  for (int k = 0; k < 3; ++k) off = std::max(off, glm::distance(of_a[k], of_b[k]));
-  return off <= kTurned;
-}
 
 // Nothing that the hand holds, where it is, is inside a sphere.
 bool inTheOpen(const TouchableModel& stage, const ServoSample& now, const SphereMotion* motion) {
@@ -43,16 +26,13 @@ bool inTheOpen(const TouchableModel& stage, const ServoSample& now, const Sphere
 HapticSession::HapticSession(ServoClock clock) : servo_(clock) {}
 
 void HapticSession::show(TouchableModel next, const MoleculeKey& molecule, const Facing& facing) {
-  stage_ = resting_model_ = std::move(next);
-  seen_.reset();
-  motion_.reset();
-  seen_motion_ = 0;
+  atoms_.begin(std::move(next));
   molecule_ = molecule;
   made_with_.interaction = wanted_interaction_;
-  made_with_ = resolveInteraction(made_with_, stage_.body != nullptr);
-  servo_settings.workspace = stage_.workspace;
+  made_with_ = resolveInteraction(made_with_, stage().body != nullptr);
+  servo_settings.workspace = stage().workspace;
   log_.clear();
-  watch_.begin(stage_, touch());
+  watch_.begin(stage(), touch());
   // Made before the workspace is handed over: until then the molecule before it is felt, where it was.
   std::unique_ptr<Interaction> felt = freshInteraction();
   resetView(facing);
@@ -60,14 +40,14 @@ void HapticSession::show(TouchableModel next, const MoleculeKey& molecule, const
 }
 
 std::unique_ptr<Interaction> HapticSession::freshInteraction() const {
-  return played_ ? nullptr : interactionAt(stage_, touch(), Contact{}, PoseA{});
+  return played_ ? nullptr : interactionAt(stage(), touch(), Contact{}, PoseA{}, servo_.device());
 }
 
 void HapticSession::play(const std::optional<ServoSample>& sample) {
   const bool was = playing();
   played_ = sample;
   if (was == playing()) return;
-  motion_.reset();  // of the scene that ends here
+  atoms_.stop();
   log_.clear();
   ++servo_settings.discontinuities;
   servo_.begin(effectiveSettings(false), freshInteraction());
@@ -89,12 +69,12 @@ ServoSettings HapticSession::effectiveSettings(bool trying) const {
 void HapticSession::stopForce(bool stopped) {
   servo_settings.panic = stopped;
   if (stopped) endTry();
-  servo_.setSettings(effectiveSettings(trying()));
+  servo_.loop().setSettings(effectiveSettings(trying()));
 }
 
 bool HapticSession::tryForce(double force_N) {
   if (played_ || servo_settings.panic) return false;
-  servo_.setSettings(effectiveSettings(true));
+  servo_.loop().setSettings(effectiveSettings(true));
   servo_.tryInteraction(std::make_unique<ConstantForceTracker>(force_N / kTry_N_per_mm * Workspace().A_per_mm));
   return true;
 }
@@ -102,7 +82,7 @@ bool HapticSession::tryForce(double force_N) {
 void HapticSession::endTry() {
   if (!trying()) return;
   ++servo_settings.discontinuities;
-  servo_.setSettings(effectiveSettings(false));
+  servo_.loop().setSettings(effectiveSettings(false));
   servo_.setInteraction(freshInteraction());
 }
 
@@ -121,7 +101,7 @@ void HapticSession::startSoftly() {
 void HapticSession::beginAgainAt(PointA place) {
   beginAgain([&](Camera& turned, const Molecule&) { turned.face(place); });
   camera.target = place;
-  layBeforeHand(place);
+  fitRoom(place);
   handBegins(place);
 }
 
@@ -139,119 +119,60 @@ Vec3 HapticSession::pushInView() const {
 }
 
 bool HapticSession::drawsNothing() const {
-  return look.hidden && stage_ && look.hidden->size() == stage_.molecule->atoms.size();
+  return look.hidden && stage() && look.hidden->size() == stage().molecule->atoms.size();
 }
 
 Camera HapticSession::cameraFor(const Facing& facing, const std::optional<Region>& part) const {
-  Camera out = camera;
-  out.orientation = glm::dquat(1, 0, 0, 0);
-  // Round the molecule there is room for the probe, which hovers before it and beside it.
-  // What is neither seen nor felt needs none.
-  std::vector<std::uint32_t> removed;
-  if (look.hidden) {
-    const std::vector<std::uint32_t> unfelt = stage_.spheres->untouchable();
-    std::set_intersection(look.hidden->begin(), look.hidden->end(), unfelt.begin(), unfelt.end(),
-                          std::back_inserter(removed));
-  }
-  const double room_A = stage_.body ? kBodyRoom * stage_.body->reach_A : kProbeRoom * servo_settings.probe_A;
-  const auto fit = [&] { out.fit(*stage_.molecule, view_aspect_, 0.08, room_A, removed); };
-  fit();
-  facing(out, *stage_.molecule);
-  // Another side of the molecule may be wider.
-  fit();
-  if (part) out.fit(part->centre, part->radius_A, view_aspect_);
-  return out;
+  return fit_.cameraFor(camera, facing, part, look.hidden, servo_settings.probe_A);
 }
 
 void HapticSession::resetView(const Facing& facing) {
-  if (!stage_) return;
-  const std::optional<Region>& part = zoomed_ ? zoomed_ : region_;
-  camera = cameraFor(facing, part);
-  by_hand_ = false;
-  layBeforeHand(camera.target);
-  handBegins(part ? part->centre : stage_.middle);
-}
-
-Workspace HapticSession::sceneWorkspace() const {
-  return region_ ? magnified(stage_.workspace, *region_, servo_.device()) : stage_.workspace;
-}
-
-double HapticSession::byHand_A_per_mm() const {
-  const Workspace whole = sceneWorkspace();
-  return std::min(magnified(whole, {log_.latest().hip, kByHand_A}, servo_.device()).A_per_mm,
-                  whole.A_per_mm / kAtLeast);
+  if (!stage()) return;
+  camera = cameraFor(facing, fit_.part());
+  fit_.by_hand = false;
+  fitRoom(camera.target);
+  handBegins(fit_.part() ? fit_.part()->centre : stage().middle);
 }
 
 void HapticSession::magnify(bool on) {
-  if (!stage_ || played_ || recorded_ || on == by_hand_) return;
-  const ServoSample& now = log_.latest();
-  const double wanted = on ? byHand_A_per_mm() : sceneWorkspace().A_per_mm;
-  const double closer = servo_settings.workspace.A_per_mm / wanted;
-  servo_settings.workspace = rescaled(servo_settings.workspace, wanted, now.hand, now.hip);
-  // The probe stays where it is in the picture.
-  camera.target.A = now.hip.A + (camera.target.A - now.hip.A) / closer;
-  camera.distance_A /= closer;
-  fitted_ = camera;
-  by_hand_ = on;
-  servo_.setSettings(effectiveSettings(trying()));
+  if (!stage() || played_ || recorded_.on() || on == fit_.by_hand) return;
+  servo_settings.workspace = fit_.magnified(servo_settings.workspace, camera, on, log_.latest());
+  servo_.loop().setSettings(effectiveSettings(trying()));
 }
 
 void HapticSession::fitRoomOfDevice() {
-  if (!stage_) return;
-  const PointA toward = by_hand_ ? log_.latest().hip : camera.target;
-  layBeforeHand(toward);
+  if (!stage()) return;
+  const PointA toward = fit_.by_hand ? log_.latest().hip : camera.target;
+  fitRoom(toward);
   handBegins(toward);
 }
 
 void HapticSession::followView() {
-  if (!stage_ || recorded_ || (device_leads_ == servo_.deviceLeads() && (!device_leads_ || sameView(camera, fitted_))))
-    return;
-  layBeforeHand(camera.target);
+  if (!stage() || recorded_.on() || !fit_.outdated(camera)) return;
+  fitRoom(camera.target);
   ++servo_settings.discontinuities;
   // The mouse stays where it is in the molecule.
-  if (!device_leads_) servo_.mouse().place(servo_settings.workspace.toDevice(controls.lead()));
-  servo_.setSettings(effectiveSettings(trying()));
+  if (!fit_.deviceLeads()) servo_.mouse().place(servo_settings.workspace.toDevice(controls.lead()));
+  servo_.loop().setSettings(effectiveSettings(trying()));
 }
 
-void HapticSession::layBeforeHand(PointA toward) {
-  Workspace fitted = sceneWorkspace();
-  if (by_hand_) {
-    fitted.A_per_mm = byHand_A_per_mm();
-    fitted.centre_A = toward.A;
-  }
-  device_leads_ = servo_.deviceLeads();
-  if (device_leads_) {
-    // As the hand is held now, along the axes of this view.
-    const Quat held = glm::quat_cast(axes(camera)) * glm::conjugate(glm::quat_cast(servo_settings.workspace.rotation)) *
-                      log_.latest().orientation;
-    fitted = fitToDevice(fitted, *stage_.spheres, handShape(stage_, servo_settings.probe_A, held), toward, axes(camera),
-                         servo_.device());
-  }
-  servo_settings.workspace = fitted;
-  fitted_ = camera;
-  fit_left_s_ = kSettle_s;
-}
-
-// Where the hand is shows only once its device has told it: a molecule that was put onto it goes back until it is free.
-void HapticSession::drawBack(double dt_s) {
-  const ServoSample& now = log_.latest();
-  fit_left_s_ -= dt_s;
-  if (!device_leads_ || recorded_ || fit_left_s_ <= 0.0 || now.discontinuities != servo_settings.discontinuities ||
-      now.contact.fault != Fault::StartedInside)
-    return;
+void HapticSession::fitRoom(PointA toward) {
   servo_settings.workspace =
-      retracted(servo_settings.workspace, *stage_.spheres, handShape(stage_, now.probe_A, now.orientation), now.hand);
-  ++servo_settings.discontinuities;
+      fit_.fitted(servo_settings.workspace, camera, toward, servo_settings.probe_A, log_.latest());
 }
 
-double HapticSession::magnification() const {
-  return stage_ ? stage_.workspace.A_per_mm / servo_settings.workspace.A_per_mm : 1.0;
+void HapticSession::retract(double dt_s) {
+  const auto back = fit_.retracted(servo_settings, log_.latest(), dt_s);
+  if (!back || recorded_.on()) return;
+  servo_settings.workspace = *back;
+  ++servo_settings.discontinuities;
 }
 
 void HapticSession::handBegins(PointA before) {
   ++servo_settings.discontinuities;
-  controls.begin(camera, before, servo_settings.workspace, std::min(stage_.reach_A, camera.distance_A), servo_.mouse());
-  servo_.setSettings(effectiveSettings(trying()));
+  controls.begin(camera, before, servo_settings.workspace, std::min(stage().reach_A, camera.distance_A),
+                 servo_.mouse());
+  servo_.loop().setSettings(effectiveSettings(trying()));
 }
 
 TouchSetup HapticSession::touch() const {
@@ -262,10 +183,11 @@ TouchSetup HapticSession::touch() const {
 
 void HapticSession::setTouch(const TouchSetup& wanted) {
   TouchSetup next = wanted;
-  if (!findMethod(next.method)) next.method = made_with_.method;
+  const Method* method = findMethod(next.method);
+  next.method = method ? method->name : made_with_.method;
   if (!findInteractionKind(next.interaction)) next.interaction = made_with_.interaction;
   wanted_interaction_ = next.interaction;
-  next = resolveInteraction(std::move(next), stage_.body != nullptr);
+  next = resolveInteraction(std::move(next), stage().body != nullptr);
   const bool alike = sameConstruction(next, made_with_);
   servo_settings.take(next);
   made_with_ = std::move(next);
@@ -283,85 +205,50 @@ void HapticSession::rebuildInteraction() {
   if (trying()) return endTry();
   // Each method goes on from the true contact, so that none inherits what another got wrong.
   const Contact& contact = watch_.exact().touching() ? watch_.exact() : log_.latest().contact;
-  if (!played_)
-    servo_.setInteraction(interactionAt(stage_, touch(), contact, {log_.latest().hip, log_.latest().orientation}));
+  if (played_) return;
+  const ServoSample& latest = log_.latest();
+  const PoseA hand{latest.hip, latest.orientation};
+  std::unique_ptr<Interaction> made = interactionAt(stage(), touch(), contact, hand, servo_.device());
+  if (made && latest.body_pose && contact.touching()) {  // a body goes on from its rest pose, where it overlaps nothing
+    made->reset();
+    made->respond(*latest.body_pose);
+    made->respond(hand);
+  }
+  servo_.setInteraction(std::move(made));
 }
 
 void HapticSession::leadBy(const ServoSettings* recorded) {
-  // Whether the force is on stays the choice of who sits there.
-  const auto take = [&](const ServoSettings& from) {
-    TouchSetup led;
-    from.giveTo(led);
-    led.force_on = servo_settings.force_on;
-    servo_settings.take(led);
-  };
-  if (recorded && !recorded_) before_recorded_ = servo_settings;
-  const bool anew = !recorded || !recorded_ || recorded_->discontinuities != recorded->discontinuities;
-  if (recorded) {
-    // Seen as it was felt.
-    if (anew || recorded_->workspace.rotation != recorded->workspace.rotation)
-      camera.orientation = glm::normalize(glm::quat_cast(recorded->workspace.rotation));
-    take(*recorded);
-    servo_settings.workspace = recorded->workspace;
-    servo_settings.clutch = recorded->clutch;
-    recorded_ = *recorded;
-  } else if (recorded_) {
-    take(*before_recorded_);
-    recorded_.reset();
+  bool anew = true;
+  if (recorded)
+    anew = recorded_.lead(*recorded, servo_settings, camera);
+  else if (recorded_.end(servo_settings))
     fitRoomOfDevice();
-  }
   if (anew) ++servo_settings.discontinuities;
 }
 
 bool HapticSession::beginRecording() {
-  if (!stage_ || played_ || trying() || recorded_) return false;
+  if (!stage() || played_ || trying() || recorded_.on()) return false;
   ++servo_settings.discontinuities;
-  servo_.setSettings(effectiveSettings(false));
+  servo_.loop().setSettings(effectiveSettings(false));
   servo_.record(true);
   servo_.setInteraction(freshInteraction());
   return true;
 }
 
-bool HapticSession::moveAtoms(const std::vector<Sphere>& to, int ticks) {
-  if (!stage_ || played_ || trying()) return false;
-  auto next = motion_ ? SphereMotion::after(*motion_, to, ticks)
-                      : SphereMotion::make(stage_.spheres->spheres(), to, ticks, stage_.spheres->untouchable());
-  if (!next) return false;
-  std::shared_ptr<const SphereMotion> motion = *std::move(next);
-  if (!servo_.setMotion(motion)) return false;
-  motion_ = std::move(motion);
-  return true;
+bool HapticSession::moveAtoms(const MotionSource& source, const std::vector<Sphere>& to, int ticks) {
+  return source.owns() && stage() && !played_ && !trying() && atoms_.move(to, ticks);
 }
 
-void HapticSession::placeAtoms(SharedArray<Sphere> at) {
-  if (!stage_) return;
-  seen_ = std::make_shared<const Molecule>(stage_.molecule->movedTo(at));
-  stage_ = movedModel(resting_model_, std::move(at));
-  motion_.reset();
-  seen_motion_ = 0;
+bool HapticSession::placeAtoms(const MotionSource& source, SharedArray<Sphere> at) {
+  if (!source.owns() || !stage()) return false;
+  atoms_.place(std::move(at));
   log_.clear();
-  watch_.begin(stage_, touch());
+  watch_.begin(stage(), touch());
   std::unique_ptr<Interaction> felt = freshInteraction();
-  layBeforeHand(camera.target);
+  fitRoom(camera.target);
   handBegins(camera.target);
   servo_.begin(effectiveSettings(false), std::move(felt));
-}
-
-// The picture goes with the newest tick, and costs at most half of the window's time: shapes that take long to make
-// follow less often.
-void HapticSession::followMotion(double dt_s) {
-  if (since_seen_s_ == 0.0) frame_after_s_ = dt_s;
-  since_seen_s_ += dt_s;
-  const ServoSample& now = servo_.newest();
-  const std::shared_ptr<const SphereMotion> motion = servo_.motionOf(now);
-  if (!motion || (now.motion == seen_motion_ && now.fraction == seen_fraction_) || since_seen_s_ < 2.0 * frame_after_s_)
-    return;
-  seen_motion_ = now.motion;
-  seen_fraction_ = now.fraction;
-  since_seen_s_ = 0.0;
-  const SharedArray<Sphere> places = motion->at(now.fraction);
-  seen_ = std::make_shared<const Molecule>(stage_.molecule->movedTo(places));
-  stage_ = movedModel(stage_, *motion, places);
+  return true;
 }
 
 FeltTicks HapticSession::advance(double dt_s, double now_s, bool timed) {
@@ -379,24 +266,24 @@ FeltTicks HapticSession::advance(double dt_s, double now_s, bool timed) {
       log_.add(sample);
       // A body has no SCP that a sphere's could be held against.
       felt_.push_back(
-          {sample, servo_.hasOrientation() ? sample.contact : watch_.add(sample, m, servo_.motionOf(sample))});
+          {sample, servo_.loop().hasOrientation() ? sample.contact : watch_.add(sample, m, servo_.motionOf(sample))});
     }
-    followMotion(dt_s);
+    atoms_.follow(dt_s);
     log_.measure(now_s);
     servo_.timeTicks(timed);
     hand_moved_ = glm::distance(hand_before.A, log_.latest().hip.A) > kStill_A;
     watchLeftBehind(dt_s);
-    drawBack(dt_s);
+    retract(dt_s);
   }
   log_.figureForce(now_s);
   // Whatever is shown: the panic key is among the settings.
-  servo_.setSettings(effectiveSettings(trying()));
+  servo_.loop().setSettings(effectiveSettings(trying()));
   return {felt_, m};
 }
 
 void HapticSession::watchLeftBehind(double dt_s) {
   const ServoSample& now = log_.latest();
-  const bool free = stage_ && log_.touching() && inTheOpen(stage_, now, servo_.motionOf(now).get());
+  const bool free = stage() && log_.touching() && inTheOpen(stage(), now, servo_.motionOf(now).get());
   log_.countLeftBehind(free && !controls.pressing(), dt_s);
   if (log_.leftBehind_s() <= kLeftBehind_s) return;
   ++servo_settings.discontinuities;

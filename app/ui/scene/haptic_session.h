@@ -3,22 +3,23 @@
 // Window's thread.
 #pragma once
 
-#include <functional>
 #include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "app/ui/scene/atom_motion.h"
 #include "app/ui/scene/method_watch.h"
+#include "app/ui/scene/recorded_conditions.h"
 #include "app/ui/scene/servo_link.h"
 #include "app/ui/scene/touch_log.h"
 #include "app/ui/scene/touchable_model.h"
 #include "app/ui/scene/view_controls.h"
+#include "app/ui/scene/workspace_fit.h"
 #include "engine/haptics/methods.h"
 #include "engine/molecule/molecule_key.h"
 #include "engine/render/view_scene.h"
-#include "engine/workspace/scale.h"
 
 namespace moltact {
 
@@ -36,9 +37,6 @@ struct FeltTicks {
 
 class HapticSession {
  public:
-  /// Turns a camera that has been fitted to the molecule the way it is to be seen.
-  using Facing = std::function<void(Camera&, const Molecule&)>;
-
   explicit HapticSession(ServoClock clock);
 
   ServoSettings servo_settings;  ///< as they are handed to the servo loop each frame
@@ -48,12 +46,11 @@ class HapticSession {
   ColourBy colour_by = ColourBy::Element;
   ViewControls controls;
 
-  /// Its spheres are where the atoms are now; its molecule is as it was read.
-  const TouchableModel& stage() const { return stage_; }
-  /// As it was shown, before its atoms moved.
-  const TouchableModel& restingModel() const { return resting_model_; }
-  /// The molecule with its atoms where they are now, as it is drawn; null without one.
-  const std::shared_ptr<const Molecule>& seenMolecule() const { return seen_ ? seen_ : stage_.molecule; }
+  /// Where the atoms are, and which source moves them.
+  AtomMotion& atoms() { return atoms_; }
+  const AtomMotion& atoms() const { return atoms_; }
+  /// What is touched: its spheres are where the atoms are now.
+  const TouchableModel& stage() const { return atoms_.model(); }
   const MoleculeKey& molecule() const { return molecule_; }  ///< which molecule is on the stage
   ServoLink& servo() { return servo_; }
   const ServoLink& servo() const { return servo_; }
@@ -71,39 +68,34 @@ class HapticSession {
   void startSoftly();
   /// The same, with a place turned to the front and in the middle of the view; the hand begins before it.
   void beginAgainAt(PointA place);
-  /// The part of the molecule that the scenes shown from now on magnify; nothing: none.
-  void setRegion(const std::optional<Region>& region) { region_ = region; }
-  /// What the view comes close to when a scene is opened or the view is reset; nothing: what is magnified, or the whole.
-  void setZoomed(const std::optional<Region>& part) { zoomed_ = part; }
+  /// How the scene lies in the room of the hand.
+  WorkspaceFit& fit() { return fit_; }
+  const WorkspaceFit& fit() const { return fit_; }
   /// The camera turned by `facing` and as near as the whole molecule, or this part of it, needs.
   Camera cameraFor(const Facing& facing, const std::optional<Region>& part) const;
   /// By hand, until the view is reset or another scene begins: what lies round the probe fills the room of the hand,
   /// and is seen that much larger. Hand and probe stay, the force begins softly.
   void magnify(bool on);
-  bool magnifiedByHand() const { return by_hand_; }
   /// Another device leads: the molecule, or what is magnified, lies in its room, and the hand begins before it.
   void fitRoomOfDevice();
   /// Once a frame. With a device in the hand its axes are the screen's, and what is in the middle of the view lies
   /// behind the middle of its room; where view or device have changed the hand is placed again, so that nothing is
   /// dragged along.
   void followView();
-  /// How many times larger than the whole molecule's scale.
-  double magnification() const;
   /// Camera and scale as they are when a scene is opened. Does nothing without a molecule.
   void resetView(const Facing& facing);
   /// Feels the scene with something else, keeping a contact that there is. A word that is not known stays as it was.
   void setTouch(const TouchSetup& wanted);
   /// The same with another haptic method.
   void useMethod(std::string_view name);
-  /// The view's width over its height: what the camera is fitted to.
-  void setViewAspect(double aspect) { view_aspect_ = aspect; }
 
-  /// The atoms go evenly to these places (a sphere for each) in so many ticks, while they are touched; the picture follows.
-  /// False while an earlier motion waits to begin, or where the places are none: ask again a frame later; and without a
-  /// stage, while a hand is played or a force is tried.
-  bool moveAtoms(const std::vector<Sphere>& to, int ticks);
-  /// The atoms are there at once, and what is felt begins anew.
-  void placeAtoms(SharedArray<Sphere> at);
+  /// Moves the atoms evenly to these places (a sphere for each) in so many ticks, while they are touched; the picture
+  /// follows. False where `source` does not own the atoms, and while an earlier motion waits to begin: try again in a later
+  /// frame. False also without a stage, while a hand is played or a force is tried.
+  bool moveAtoms(const MotionSource& source, const std::vector<Sphere>& to, int ticks);
+  /// The atoms are there at once, and what is felt begins anew. False, without any change, where `source` does not own the
+  /// atoms, and without a stage.
+  bool placeAtoms(const MotionSource& source, SharedArray<Sphere> at);
 
   /// While nobody looks at the scene the hand feels nothing.
   void rest(bool on) { resting_ = on; }
@@ -139,29 +131,21 @@ class HapticSession {
   /// The scene draws no atom of its molecule.
   bool drawsNothing() const;
   /// The next frame would look different by itself.
-  bool live() const { return log_.felt() || controls.live() || hand_moved_ || atomsMove(); }
-  /// Atoms are on a way that has not been drawn to its end.
-  bool atomsMove() const { return motion_ && !(seen_motion_ == motion_->serial() && seen_fraction_ == 1.0); }
+  bool live() const { return log_.felt() || controls.live() || hand_moved_ || atoms_.moving(); }
 
  private:
   void handBegins(PointA before);
-  void layBeforeHand(PointA toward);
-  void drawBack(double dt_s);
-  Workspace sceneWorkspace() const;
-  double byHand_A_per_mm() const;
+  void fitRoom(PointA toward);
+  void retract(double dt_s);
   void watchLeftBehind(double dt_s);
-  void followMotion(double dt_s);
   std::unique_ptr<Interaction> freshInteraction() const;
   void rebuildInteraction();
   ServoSettings effectiveSettings(bool trying) const;
 
-  TouchableModel stage_, resting_model_;
-  std::shared_ptr<const Molecule> seen_;        // with its atoms where they are now; null: as it was read
-  std::shared_ptr<const SphereMotion> motion_;  // the one handed over last
-  std::uint64_t seen_motion_ = 0;               // where seen_ was taken from, and when
-  double seen_fraction_ = 0.0, since_seen_s_ = 0.0, frame_after_s_ = 0.0;
   MoleculeKey molecule_;
   ServoLink servo_;
+  AtomMotion atoms_{servo_};
+  WorkspaceFit fit_{atoms_.model(), servo_};
   TouchSetup made_with_;  // what the servo loop does itself of it is in servo_settings only
   std::string wanted_interaction_ = made_with_.interaction;  // which the stage may not bear yet, or no more
   TouchLog log_;
@@ -169,13 +153,8 @@ class HapticSession {
   std::vector<FeltTick> felt_;
   std::optional<ServoSample> played_;
   double played_owed_s_ = 0.0;
-  std::optional<ServoSettings> recorded_, before_recorded_;
-  bool device_leads_ = false;  // a device in the hand leads, and the workspace is fitted to it
-  Camera fitted_;              // to this view
-  double fit_left_s_ = 0.0;    // so long a hand that turns out to be inside is taken out
-  double view_aspect_ = 1.0;
-  std::optional<Region> region_, zoomed_;
-  bool hand_moved_ = false, resting_ = false, by_hand_ = false;
+  RecordedConditions recorded_;
+  bool hand_moved_ = false, resting_ = false;
 };
 
 }  // namespace moltact

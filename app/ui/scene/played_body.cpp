@@ -17,7 +17,7 @@ PlayedBody::Held PlayedBody::now() const {
 
 void PlayedBody::restage(const Held& wanted) {
   const Camera seen = scene_.camera;
-  scene_.show(withUntouchable(scene_.restingModel(), wanted.untouchable, wanted.held), wanted.molecule,
+  scene_.show(withUntouchable(scene_.atoms().resting(), wanted.untouchable, wanted.held), wanted.molecule,
               [](Camera&, const Molecule&) {});
   scene_.camera = seen;
   scene_.look.hidden = wanted.hidden;

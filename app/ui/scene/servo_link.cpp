@@ -97,7 +97,7 @@ void ServoLink::begin(const ServoSettings& settings, std::unique_ptr<Interaction
 
 void ServoLink::beginAgain(const ServoSettings& settings) {
   first_placement_ = settings.discontinuities;
-  setSettings(settings);
+  loop().setSettings(settings);
 }
 
 bool ServoLink::ofThisScene(const ServoSample& sample) const {

@@ -23,21 +23,20 @@ class ServoLink {
   explicit ServoLink(ServoClock clock);
   ~ServoLink();
 
+  /// The loop of this link, for the exchange that needs nothing of the window: settings, the chosen device, a recording.
+  /// What has a function here must be called here.
+  ServoLoop& loop() { return thread_ ? thread_->loop() : *frames_; }
+  const ServoLoop& loop() const { return thread_ ? thread_->loop() : *frames_; }
+
   /// The stand-in device, which the hand leads.
   MouseDevice& mouse() { return mouse_; }
   /// The device to be felt with from now on; null: the mouse alone. The old one's force goes along the slew, then it is
   /// closed.
   void setDevice(std::unique_ptr<Device> device);
-  /// The chosen device, for its status; null where the mouse leads alone.
-  Device* chosen() const { return loop().device(); }
-  /// Whether the mouse stands in for a chosen device that is gone.
-  bool fallenBack() const { return loop().fallenBack(); }
-  /// A chosen device leads.
-  bool deviceLeads() const { return chosen() && !fallenBack(); }
+  /// A chosen device leads, and not the mouse.
+  bool deviceLeads() const { return loop().device() && !loop().fallenBack(); }
   /// The one that leads.
-  const DeviceInfo& device() const { return deviceLeads() ? chosen()->info() : mouse_.info(); }
-  /// It is felt how the hand is turned.
-  bool hasOrientation() const { return loop().hasOrientation(); }
+  const DeviceInfo& device() const { return deviceLeads() ? loop().device()->info() : mouse_.info(); }
   /// Lets the force go along the slew, for good; there is none when it returns.
   void endForce();
   /// An interaction that is no part of the scene, to try a device with: its ticks are seen in newest() alone. The
@@ -47,7 +46,6 @@ class ServoLink {
   /// The newest tick of all, of whatever scene.
   const ServoSample& newest() const { return newest_; }
 
-  void setSettings(const ServoSettings& settings) { loop().setSettings(settings); }
   /// Another interaction, or another method of it, in the same scene.
   void setInteraction(std::unique_ptr<Interaction> felt);
   /// The next motion of this scene's spheres (ServoLoop::setMotion); false while the one before waits.
@@ -63,13 +61,6 @@ class ServoLink {
 
   /// Records every tick from the next interaction on, until false.
   void record(bool on);
-  /// Calls take(tick) for each recorded tick since the last call, and tells the state that the first began from.
-  template <class Take>
-  void drainRecording(ServoStep& start, Take&& take) {
-    loop().drainRecording(start, take);
-  }
-  /// Ticks that were not recorded because nobody drained them in time.
-  std::size_t lostOfRecording() const { return loop().lostOfRecording(); }
   /// How many interactions were handed over so far.
   std::uint32_t handedOver() const { return handed_over_; }
 
@@ -83,13 +74,11 @@ class ServoLink {
   /// On the frames' clock: the loop stands for so long before its next tick, as a busy computer lets it.
   void simulateStall(double s) { stall_s_ = s; }
 
-  RealtimeStatus realtime() const { return thread_ ? thread_->realtime() : RealtimeStatus::Ordinary; }
-  std::uint64_t missedTicks() const { return thread_ ? thread_->missedTicks() : 0; }
+  /// The thread at the wall's clock; null where frames make the ticks.
+  const ServoThread* thread() const { return thread_.get(); }
   ServoClock clock() const { return clock_; }
 
  private:
-  ServoLoop& loop() { return thread_ ? thread_->loop() : *frames_; }
-  const ServoLoop& loop() const { return thread_ ? thread_->loop() : *frames_; }
   bool ofThisScene(const ServoSample& sample) const;
   void handOver(std::unique_ptr<Interaction> felt, std::uint32_t scene);
   void take(const ServoSample& sample);

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "engine/language/catalogue.h"
+#include "engine/servo/safety_stage.h"
 #include "engine/structure/atom_charges.h"
 #include "engine/workspace/fit_workspace.h"
 
@@ -76,10 +77,15 @@ void leadToContact(Interaction& made, const Contact& contact, const PoseA& hand)
 }
 
 std::unique_ptr<Interaction> interactionAt(const TouchableModel& stage, const TouchSetup& touch, const Contact& contact,
-                                           const PoseA& hand) {
+                                           const PoseA& hand, const DeviceSpecs& device) {
   if (!stage) return nullptr;
-  std::unique_ptr<Interaction> felt =
-      makeInteraction({stage.spheres, touch, stage.body, chemistryFor(touch, *stage.molecule)});
+  InteractionInput input{stage.spheres, touch, stage.body, chemistryFor(touch, *stage.molecule)};
+  if (stage.body) {
+    const double lever_A =
+        springLever_A(radiusOfGyration_A(*stage.body), stage.workspace.A_per_mm, touch.stiffness_N_per_mm, device);
+    input.rotational_stiffness_N_A = lever_A * lever_A;
+  }
+  std::unique_ptr<Interaction> felt = makeInteraction(input);
   if (felt) leadToContact(*felt, contact, hand);
   return felt;
 }

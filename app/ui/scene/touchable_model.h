@@ -8,6 +8,7 @@
 
 #include "engine/core/problem.h"
 #include "engine/core/units.h"
+#include "engine/device/device.h"
 #include "engine/haptics/interactions.h"
 #include "engine/haptics/sphere_grid.h"
 #include "engine/haptics/sphere_motion.h"
@@ -45,8 +46,8 @@ void leadToContact(Interaction& made, const Contact& contact, const PoseA& hand)
 HandShape handShape(const TouchableModel& stage, double probe_A, const Quat& orientation);
 
 /// The interaction for the stage, continuing with `contact` where the hand is if there is one, so that a change of
-/// method is not felt as letting go. Null without a stage, and where the setup names what there is not.
+/// method is not felt as letting go. The rotational spring of a held body is one that the device can show. Null without a stage, and where the setup names what there is not.
 std::unique_ptr<Interaction> interactionAt(const TouchableModel& stage, const TouchSetup& touch, const Contact& contact,
-                                           const PoseA& hand);
+                                           const PoseA& hand, const DeviceSpecs& device);
 
 }  // namespace moltact

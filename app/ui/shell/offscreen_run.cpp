@@ -32,7 +32,7 @@ int runOffscreen(const OffscreenOptions& options) {
   if (!options.state_text.empty())
     if (const auto problem = user.app().extensions().state_text.writeTo(options.state_text)) return fail(*problem);
   if (options.file.empty())
-    user.app().panels.welcome = true;
+    user.app().panels.pages.welcome = true;
   else
     user.app().open(options.file);
   constexpr int kSettle_frames = 20;  // the hand reaches its place and the picture is smoothed

@@ -17,7 +17,7 @@ bool within(glm::dvec2 at, glm::vec2 low, glm::vec2 high) {
 }  // namespace
 
 Fingers::On fingerOn(const Application& app, glm::dvec2 at) {
-  if (app.panels.welcome || ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel))
+  if (app.panels.pages.welcome || ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel))
     return Fingers::On::Panel;
   const auto& all = widgets().all();
   const auto on = [&](const char* name) {
@@ -32,13 +32,13 @@ Fingers::On fingerOn(const Application& app, glm::dvec2 at) {
 }
 
 void Pointers::mouse(glm::dvec2 place) {
-  app_.panels.fingers = false;
+  app_.panels.window.fingers = false;
   to_.pointer(place.x, place.y);
 }
 
 void Pointers::fingerDown(int id, glm::dvec2 place, double now_s) {
   const Fingers::On on = fingerOn(app_, place);
-  app_.panels.fingers = true;
+  app_.panels.window.fingers = true;
   fingers_.down(id, place, on, now_s, double(ImGui::GetFontSize()));
 }
 

@@ -124,7 +124,7 @@ std::string perform(ScriptedUser& d, const Act& a) {
   else if (a.verb == "type")
     d.type(a.rest);
   else if (a.verb == "plug") {
-    SimulatedDevice* stylus = dynamic_cast<SimulatedDevice*>(d.app().scene.servo().chosen());
+    SimulatedDevice* stylus = dynamic_cast<SimulatedDevice*>(d.app().scene.servo().loop().device());
     if (!stylus) return "the simulated stylus is not in use";
     stylus->plug(a.rest == "in");
     d.frames(1);

@@ -266,7 +266,7 @@ int runWindow(const WindowOptions& options) {
       if (const auto problem = app.extensions().state_text.writeTo(options.state_text))
         app.messages.error(problem->text());
     if (options.file.empty())
-      app.panels.welcome = true;
+      app.panels.pages.welcome = true;
     else
       app.open(options.file);
     using Clock = std::chrono::steady_clock;
@@ -286,7 +286,7 @@ int runWindow(const WindowOptions& options) {
 
       const double dt_s = std::chrono::duration<double>(now - before).count();
       before = now;
-      full_screen.show(window, app.panels.full_screen);
+      full_screen.show(window, app.panels.window.full_screen);
       int width = 1, height = 1;
       glfwGetFramebufferSize(window, &width, &height);
       float content_x = 1, content_y = 1;

@@ -95,9 +95,9 @@ int runWindow(const WindowOptions& options) {
   io.GetClipboardTextFn = [](void*) { return page->clipboard.c_str(); };
   page->shell.framebufferKept(true);
   page->app.extensions().state_text.writeTo("-");
-  page->app.panels.fingers = hasTouchScreen() != 0;
+  page->app.panels.window.fingers = hasTouchScreen() != 0;
   if (options.file.empty())
-    page->app.panels.welcome = true;
+    page->app.panels.pages.welcome = true;
   else
     page->app.open(options.file);
   return 0;
@@ -120,7 +120,7 @@ EMSCRIPTEN_KEEPALIVE int moltact_frame(int width, int height, double content_sca
   moltact::feel();
   if (const int cursor = ImGui::GetMouseCursor(); cursor != page->cursor) showCursor(page->cursor = cursor);
   static bool full_screen = false;
-  if (app.panels.full_screen != full_screen) showFullScreen(full_screen = app.panels.full_screen);
+  if (app.panels.window.full_screen != full_screen) showFullScreen(full_screen = app.panels.window.full_screen);
   return (app.live() || !page->shell.input().empty() ? 1 : 0) | (ImGui::GetIO().WantTextInput ? 2 : 0);
 }
 
@@ -212,5 +212,5 @@ EMSCRIPTEN_KEEPALIVE void moltact_open(const char* file) { page->app.drop({file}
 EMSCRIPTEN_KEEPALIVE void moltact_rest() { page->shell.input().focusLost(); }
 
 // The user has left full screen by the browser's own control.
-EMSCRIPTEN_KEEPALIVE void moltact_full_screen(int on) { page->app.panels.full_screen = on != 0; }
+EMSCRIPTEN_KEEPALIVE void moltact_full_screen(int on) { page->app.panels.window.full_screen = on != 0; }
 }

@@ -1,6 +1,7 @@
 #include "engine/haptics/body/held_body.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace moltact {
@@ -26,6 +27,12 @@ std::shared_ptr<const HeldBody> bodyOfSpheres(std::vector<Sphere> spheres) {
   for (const Sphere& s : spheres) out->reach_A = std::max(out->reach_A, glm::length(s.centre_A) + s.radius_A);
   out->spheres = std::move(spheres);
   return out;
+}
+
+double radiusOfGyration_A(const HeldBody& body) {
+  double sum = 0.0;
+  for (const Sphere& s : body.spheres) sum += glm::dot(s.centre_A, s.centre_A);
+  return std::sqrt(sum / double(std::max<std::size_t>(1, body.spheres.size())));
 }
 
 Hit sweep(const SphereGrid& scene, const HandShape& hand, const Vec3& from, const Vec3& to) noexcept {

@@ -16,8 +16,8 @@ namespace moltact {
 /// that close, and a drug then fits into its binding site without contact (amprenavir in 1HPV overlaps by up to 0.46
 /// A). The value is tuned to the radii of Bondi.
 inline constexpr double kBodyOverlap_A = 0.5;
-/// The largest body. Each of its atoms costs one contact computation per tick.
-inline constexpr std::size_t kMaxHeldAtoms = 200;
+/// The largest body.
+inline constexpr std::size_t kMaxHeldAtoms = 5'000;
 
 /// Atoms that move as one rigid body with the hand's pose.
 struct HeldBody {
@@ -34,6 +34,9 @@ std::shared_ptr<const HeldBody> heldBody(std::span<const Sphere> scene, std::spa
 /// Builds a body from spheres that are not atoms of a molecule, given relative to its middle; their radii are felt
 /// unchanged. Returns null if there are none or more than kMaxHeldAtoms.
 std::shared_ptr<const HeldBody> bodyOfSpheres(std::vector<Sphere> spheres);
+
+/// Root of the mean squared distance of the spheres' centres from the middle.
+double radiusOfGyration_A(const HeldBody& body);
 
 /// The shape that a sweep moves: the probe, or a body in its present orientation.
 struct HandShape {

@@ -152,10 +152,11 @@ class LineReader {
       case Kind::Set:
         return quantity(act.number, rest, Dimension::Length);
       case Kind::Method:
-        if (!findMethod(rest))
+        if (const Method* method = findMethod(rest))
+          act.word = method->name;
+        else
           return at(rest.empty() ? body : rest, trf("there is no haptic method '{0}'", rest),
                     suggest(rest, methodNames(), tr("known")));
-        act.word = rest;
         return std::nullopt;
       case Kind::Say:
       case Kind::Go:

@@ -52,7 +52,7 @@ std::string drawWord(Application& app, const std::string& name, const GlossaryWo
     ImGui::SetCursorScreenPos({x, below.y - look().px(4)});
     link = drawRichText((name + "/meaning").c_str(), word.meaning, look().palette.text, width);
   });
-  if (closed) app.panels.word = {};
+  if (closed) app.panels.lesson_memory.word = {};
   return link;
 }
 
@@ -97,10 +97,11 @@ struct BlockPainter {
   void operator()(const Tip& tip) {
     const Look& l = look();
     const std::size_t mine = hint++;
-    bool open = mine < app.panels.hints;
+    LessonSession& session = *app.lesson.session();
+    bool open = mine < session.hintsOpen();
     // The key opens the next hint; a click opens this one and those before it.
-    const std::string label = mine == app.panels.hints ? withKey(tr("Hint"), "H") : std::string(tr("Hint"));
-    if (disclosure((name + "/hint").c_str(), label.c_str(), open)) app.panels.hints = open ? mine + 1 : mine;
+    const std::string label = mine == session.hintsOpen() ? withKey(tr("Hint"), "H") : std::string(tr("Hint"));
+    if (disclosure((name + "/hint").c_str(), label.c_str(), open)) session.openHints(open ? mine + 1 : mine);
     if (!open) return;
     onGround(l.palette.warn_soft, [&](float x, float width) {
       for (const RichText& p : tip.paragraphs) {
@@ -113,7 +114,7 @@ struct BlockPainter {
   }
 
   void operator()(const TeacherNote& note) {
-    if (!app.panels.teacher_notes) return;
+    if (!app.panels.lesson_memory.teacher_notes) return;
     const Look& l = look();
     onGround(l.palette.raised, [&](float x, float width) {
       {
@@ -154,8 +155,8 @@ struct BlockPainter {
     const float width = std::min(room, l.px(float(shown->width_px)));
     const ImVec2 size{width, std::round(width * float(shown->height_px) / float(shown->width_px))};
     if (ImGui::InvisibleButton("picture", size)) {
-      app.panels.picture = {image.path, image.description};
-      app.panels.picture_page = true;
+      app.panels.lesson_memory.picture = {image.path, image.description};
+      app.panels.pages.picture = true;
     }
     const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
     ImGui::GetWindowDrawList()->AddImageRounded(shown->texture, low, high, {0, 0}, {1, 1}, IM_COL32_WHITE, l.px(6));
@@ -202,14 +203,15 @@ std::string drawLessonBlocks(Application& app, const std::vector<Block>& blocks,
     ImGui::PushID(int(k));
     BlockPainter painter{app, prefix + "/" + std::to_string(k), hint, {}};
     std::visit(painter, blocks[k]);
-    PanelState::Word& open = app.panels.word;
+    LessonPanelMemory::Word& open = app.panels.lesson_memory.word;
     if (open.below == painter.name)
       if (const GlossaryWord* word = findWord(app.lesson.session()->lesson(), open.id))
         if (std::string clicked = drawWord(app, painter.name, *word); !clicked.empty())
           painter.link = std::move(clicked);
     // A click on a word opens its meaning below the block; a second click closes it.
     if (const auto id = wordLink(painter.link)) {
-      open = open == PanelState::Word{painter.name, *id} ? PanelState::Word{} : PanelState::Word{painter.name, *id};
+      open = open == LessonPanelMemory::Word{painter.name, *id} ? LessonPanelMemory::Word{}
+                                                                : LessonPanelMemory::Word{painter.name, *id};
       painter.link.clear();
     }
     ImGui::PopID();

@@ -126,7 +126,7 @@ std::string wordsOf(const LessonSession& session, const Item& item) {
 
 void goTo(Application& app, const Item& item) {
   app.lesson.follow('#' + app.lesson.session()->lesson().steps[item.step].id);
-  app.panels.lesson_wanted = {item.task, item.index};
+  app.panels.lesson_memory.wanted = {item.task, item.index};
 }
 
 /// Draws a card for each open item, or for each step if there are many. Returns whether one was clicked.
@@ -351,7 +351,7 @@ void drawClosingFoot(Application& app) {
     tip(card.description.c_str());
     if (go) app.extensions().shelf.begin(card);
   } else if (button("lesson/end/more", tr("More lessons"), ButtonLook::Primary, next_w)) {
-    app.panels.welcome = true;
+    app.panels.pages.welcome = true;
   }
 }
 

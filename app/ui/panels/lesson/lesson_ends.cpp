@@ -27,22 +27,23 @@ void drawGoals(const LessonSession& session) {
 
 void drawLessonGoals(Application& app, const LessonSession& session) {
   if (session.lesson().goals.empty()) return;
-  bool open = app.panels.lesson_goals.value_or(false);
-  if (disclosure("lesson/goals", tr("What you can do afterwards"), open)) app.panels.lesson_goals = open;
+  bool open = app.panels.lesson_memory.goals.value_or(false);
+  if (disclosure("lesson/goals", tr("What you can do afterwards"), open)) app.panels.lesson_memory.goals = open;
   if (open) drawGoals(session);
   ImGui::Spacing();
 }
 
 void settleLessonGoals(Application& app, const LessonSession& session, float width, float text_height) {
   PanelState& panels = app.panels;
-  if (panels.lesson_goals) return;
+  if (panels.lesson_memory.goals) return;
   const bool begins = session.stepIndex() == 0 && session.met().size() == 1 && session.parts().done == 0;
   float height = 0.0f;
   for (const std::string& goal : session.lesson().goals)
     height += richTextHeight({TextRun{.text = goal}}, width - look().px(22)) + ImGui::GetStyle().ItemSpacing.y;
-  const float work = panels.lesson_task_y > 0.0f ? panels.lesson_task_y : panels.lesson_question_y;
-  const bool seen = work > 0.0f && work <= panels.lesson_text_end;
-  panels.lesson_goals = begins && height <= 0.5f * text_height && (!seen || work + height <= panels.lesson_text_end);
+  const float work = panels.lesson_memory.task_y > 0.0f ? panels.lesson_memory.task_y : panels.lesson_memory.question_y;
+  const bool seen = work > 0.0f && work <= panels.lesson_memory.text_end;
+  panels.lesson_memory.goals =
+      begins && height <= 0.5f * text_height && (!seen || work + height <= panels.lesson_memory.text_end);
 }
 
 }  // namespace moltact

@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "app/ui/widgets/controls.h"
 #include "app/ui/widgets/rich_text.h"
 #include "app/ui/widgets/theme.h"
 #include "engine/language/catalogue.h"

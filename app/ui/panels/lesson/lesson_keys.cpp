@@ -29,22 +29,22 @@ bool lessonKeyPressed(char key) {
 
 void noteSeen(Application& app, const KeyPart& part) {
   const float top = ImGui::GetWindowPos().y;
-  app.panels.lesson_seen.note(part.name, {part.low, part.high}, {top, top + ImGui::GetWindowHeight()},
-                              ImGui::GetFrameCount(), app.now_s());
+  app.panels.lesson_memory.seen.note(part.name, {part.low, part.high}, {top, top + ImGui::GetWindowHeight()},
+                                     ImGui::GetFrameCount(), app.now_s());
 }
 
-bool wasSeen(const Application& app, std::string_view name) { return app.panels.lesson_seen.ever(name); }
+bool wasSeen(const Application& app, std::string_view name) { return app.panels.lesson_memory.seen.ever(name); }
 
 bool lessonKeyActs(Application& app, char key, const KeyPart& part) {
   noteSeen(app, part);
   PanelState& panels = app.panels;
   if (!lessonKeyPressed(key)) return false;
-  if (panels.lesson_done_s >= 0.0 && app.now_s() - panels.lesson_done_s < kAfterDone_s) return false;
-  if (part.read && panels.lesson_seen.now(part.name, app.now_s())) return true;
+  if (panels.lesson_memory.done_s >= 0.0 && app.now_s() - panels.lesson_memory.done_s < kAfterDone_s) return false;
+  if (part.read && panels.lesson_memory.seen.now(part.name, app.now_s())) return true;
   const float top = ImGui::GetWindowPos().y, high = ImGui::GetWindowHeight(), margin = look().px(12);
   const bool whole = part.with >= 0.0f && part.high - part.with <= high - 2 * margin;
   const float from = whole ? part.with : part.low;
-  if (from < top || part.high > top + high) panels.lesson_scroll = from - top - margin;
+  if (from < top || part.high > top + high) panels.lesson_memory.scroll = from - top - margin;
   return false;
 }
 
@@ -52,13 +52,12 @@ bool lessonKeyOnItem(Application& app, char key, std::string name) {
   return lessonKeyActs(app, key, {std::move(name), ImGui::GetItemRectMin().y, ImGui::GetItemRectMax().y});
 }
 
-void watchDone(Application& app) {
-  const LessonSession& session = *app.lesson.session();
-  std::size_t done = 0;
-  for (std::size_t k = 0; k < session.step().tasks.size(); ++k) done += session.taskDone(session.stepIndex(), k);
-  for (std::size_t k = 0; k < session.step().questions.size(); ++k) done += session.question(k).done();
-  if (done > app.panels.lesson_done) app.panels.lesson_done_s = app.now_s();
-  app.panels.lesson_done = done;
+void noteDone(Application& app) {
+  for (const SessionEvent& e : app.lesson.session()->events()) {
+    const AnswerJudged* answer = std::get_if<AnswerJudged>(&e);
+    if (std::holds_alternative<TaskFinished>(e) || (answer && answer->completes))
+      app.panels.lesson_memory.done_s = app.now_s();
+  }
 }
 
 void scrollByKeys() {

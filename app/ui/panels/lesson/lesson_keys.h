@@ -41,8 +41,8 @@ bool wasSeen(const Application& app, std::string_view name);
 bool lessonKeyActs(Application& app, char key, const KeyPart& part);
 /// The same for ImGui's last item.
 bool lessonKeyOnItem(Application& app, char key, std::string name);
-/// Called before and after the lesson's text is drawn: detects whether a task or question of the step has been done.
-void watchDone(Application& app);
+/// Called before and after the lesson's text is drawn: notes that a task or question was done in this frame.
+void noteDone(Application& app);
 /// Called within the window that scrolls the lesson's text: scrolls it by keys.
 void scrollByKeys();
 

@@ -111,10 +111,11 @@ Below standsBelow(const Application& app, const LessonSession& session, float sh
   const PanelState& panels = app.panels;
   for (std::size_t k = 0; k < session.step().tasks.size(); ++k) {
     const TaskStatus status = session.task(k);
-    if (status.current && panels.lesson_task == k && panels.lesson_task_y > shown_to) return {status.say, true, true};
+    if (status.current && panels.lesson_memory.task == k && panels.lesson_memory.task_y > shown_to)
+      return {status.say, true, true};
   }
   for (std::size_t q = 0; q < session.step().questions.size(); ++q)
-    if (session.question(q).attempts == 0 && panels.lesson_question_y > shown_to)
+    if (session.question(q).attempts == 0 && panels.lesson_memory.question_y > shown_to)
       return {tr("A question stands below"), false, true};
   return {tr("More below"), false, false};
 }
@@ -144,7 +145,7 @@ void drawMoreBelow(Application& app, const Below& below, const std::string& line
               x = 0.5f * (text_shown.low.x + text_shown.high.x - wide), y = text_shown.high.y + l.px(2);
   ImGui::SetCursorScreenPos({x, y});
   if (ImGui::InvisibleButton("more below", {wide, high}))
-    app.panels.lesson_scroll = 0.7f * (text_shown.high.y - text_shown.low.y);
+    app.panels.lesson_memory.scroll = 0.7f * (text_shown.high.y - text_shown.low.y);
   ImDrawList* draw = ImGui::GetWindowDrawList();
   const float round = below.task ? l.px(8) : 0.5f * high;
   draw->AddRectFilled({x, y}, {x + wide, y + high}, below.asks ? l.palette.accent_soft : l.palette.raised, round);
@@ -163,17 +164,17 @@ std::string drawStep(Application& app, LessonSession& session) {
   const std::size_t introduced = first ? hintsIn(session.lesson().introduction) : 0;
   const std::size_t hints = introduced + hintsIn(session.step().blocks);
   // Opens the hints one by one; after the last one, closes all.
-  if (lessonKeyPressed('H')) app.panels.hints = app.panels.hints < hints ? app.panels.hints + 1 : 0;
+  if (lessonKeyPressed('H')) session.openHints(session.hintsOpen() < hints ? session.hintsOpen() + 1 : 0);
   drawHead(app, session);
   ImGui::Spacing();
   std::string link;
-  watchDone(app);
-  app.panels.lesson_question_y = app.panels.lesson_task_y = 0.0f;
+  noteDone(app);
+  app.panels.lesson_memory.question_y = app.panels.lesson_memory.task_y = 0.0f;
   if (first) drawLessonGoals(app, session);
   if (first) link = drawLessonBlocks(app, session.lesson().introduction, "lesson/intro", 0);
   if (const std::string other = drawLessonBlocks(app, session.step().blocks, "lesson", introduced); !other.empty())
     link = other;
-  watchDone(app);
+  noteDone(app);
   if (const std::string extra = drawExtrasOffered(session); !extra.empty()) link = extra;
   return link;
 }
@@ -199,26 +200,26 @@ void drawLessonPanel(Application& app) {
   const Look& l = look();
   const float foot = l.tx(34) + l.px(12);
   const std::size_t before = session->stepIndex();
-  const bool more_below = app.panels.lesson_more_below;
+  const bool more_below = app.panels.lesson_memory.more_below;
   const bool closing = app.lesson.closing();
   // From the positions of the last frame.
   const Below below =
-      closing ? Below{.text = tr("More below")} : standsBelow(app, *session, app.panels.lesson_text_end);
+      closing ? Below{.text = tr("More below")} : standsBelow(app, *session, app.panels.lesson_memory.text_end);
   const std::string below_lines = linesBelow(below, ImGui::GetContentRegionAvail().x);
   const float below_height = more_below ? heightBelow(below_lines) : 0.0f;
   ImGui::BeginChild("text", {0, -foot - below_height});
-  if (app.panels.lesson_step != before || app.panels.lesson_closed != closing) {
+  if (app.panels.lesson_memory.step != before || app.panels.lesson_memory.closed != closing) {
     ImGui::SetScrollY(0.0f);
-    app.panels.lesson_task = 0;
-    app.panels.lesson_task_height = 0.0f;
-    app.panels.word = {};
-    app.panels.lesson_seen.clear();
+    app.panels.lesson_memory.task = 0;
+    app.panels.lesson_memory.task_height = 0.0f;
+    app.panels.lesson_memory.word = {};
+    app.panels.lesson_memory.seen.clear();
   }
-  app.panels.lesson_step = before;
-  app.panels.lesson_closed = closing;
+  app.panels.lesson_memory.step = before;
+  app.panels.lesson_memory.closed = closing;
   scrollByKeys();
-  if (app.panels.lesson_scroll != 0.0f)
-    ImGui::SetScrollY(ImGui::GetScrollY() + std::exchange(app.panels.lesson_scroll, 0.0f));
+  if (app.panels.lesson_memory.scroll != 0.0f)
+    ImGui::SetScrollY(ImGui::GetScrollY() + std::exchange(app.panels.lesson_memory.scroll, 0.0f));
   const std::string link = closing ? drawLessonClosing(app, *session) : drawStep(app, *session);
   ImGui::Dummy({0, l.px(10)});
   const float hidden = ImGui::GetScrollMaxY() - ImGui::GetScrollY(), text_width = ImGui::GetContentRegionAvail().x;
@@ -230,8 +231,8 @@ void drawLessonPanel(Application& app) {
                   {{text_low.x, text_low.y}, {text_low.x + text_size.x, text_low.y + text_size.y}});
     ImGui::SetCursorScreenPos({foot_at.x, foot_at.y + below_height});
   }
-  app.panels.lesson_more_below = hidden >= l.px(24);
-  app.panels.lesson_text_end = text_low.y + text_size.y;
+  app.panels.lesson_memory.more_below = hidden >= l.px(24);
+  app.panels.lesson_memory.text_end = text_low.y + text_size.y;
   settleLessonGoals(app, *session, text_width, text_size.y);
   const float edge = ImGui::GetCursorScreenPos().y - l.px(3);
   ImDrawList* draw = ImGui::GetWindowDrawList();

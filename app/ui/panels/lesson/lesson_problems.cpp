@@ -71,9 +71,10 @@ void drawLessonProblems(Application& app) {
   const float text_h = ImGui::CalcTextSize(text.c_str(), nullptr, false, text_w).y, head = std::max(l.tx(34), text_h);
   // Keeps the line free in which the view describes the contact.
   const float bottom = view.high.y - (view.size().x > l.px(400) ? l.tx(62) : l.tx(84));
-  const bool open = app.panels.lesson_problems;
+  const bool open = app.panels.lesson_memory.problems;
   const float most = std::max(l.px(90), 0.5f * view.size().y);
-  const float height = open ? std::min(most, head + app.panels.lesson_problems_height + 3 * pad) : head + 2 * pad;
+  const float height =
+      open ? std::min(most, head + app.panels.lesson_memory.problems_height + 3 * pad) : head + 2 * pad;
 
   ImGui::SetNextWindowPos({0.5f * (view.low.x + view.high.x - width), bottom - height});
   ImGui::SetNextWindowSize({width, height});
@@ -93,7 +94,7 @@ void drawLessonProblems(Application& app) {
   recordItem("lesson-problems", text);
   ImGui::SetCursorPos({width - side - button_w, top + 0.5f * (head - l.tx(34))});
   if (button("lesson-problems/show", open ? tr("Hide") : tr("Show"), ButtonLook::Plain, button_w))
-    app.panels.lesson_problems = !open;
+    app.panels.lesson_memory.problems = !open;
   if (open) {
     ImGui::SetCursorPosY(top + head + pad);
     ImGui::BeginChild("list", {0, 0});
@@ -102,7 +103,7 @@ void drawLessonProblems(Application& app) {
     for (const LessonWatch::Fault& f : watch.faults()) most_line = std::max(most_line, f.problem.line);
     const float place_w = ImGui::CalcTextSize(placeText(most_line).c_str()).x;
     for (std::size_t k = 0; k < watch.faults().size(); ++k) drawFault(watch.faults()[k], k, place_w);
-    app.panels.lesson_problems_height = ImGui::GetCursorPosY() - before;
+    app.panels.lesson_memory.problems_height = ImGui::GetCursorPosY() - before;
     ImGui::EndChild();
   }
   ImGui::End();

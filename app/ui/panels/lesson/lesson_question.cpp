@@ -293,7 +293,7 @@ std::string drawLessonQuestion(Application& app, std::size_t index) {
     if (!clicked.empty()) link = std::move(clicked);
   };
   const Question& question = session.step().questions[index];
-  if (session.question(index).attempts == 0) app.panels.lesson_question_y = ImGui::GetCursorScreenPos().y;
+  if (session.question(index).attempts == 0) app.panels.lesson_memory.question_y = ImGui::GetCursorScreenPos().y;
   ImGui::PushID(int(index));
   ImGui::Dummy({0, l.px(2)});
   if (question.prediction)
@@ -301,9 +301,9 @@ std::string drawLessonQuestion(Application& app, std::size_t index) {
   RichText title = question.title;
   for (TextRun& run : title) run.bold = true;
   const float asked_y = ImGui::GetCursorScreenPos().y;
-  if (const auto& wanted = app.panels.lesson_wanted; wanted && !wanted->task && wanted->index == index) {
+  if (const auto& wanted = app.panels.lesson_memory.wanted; wanted && !wanted->task && wanted->index == index) {
     ImGui::SetScrollHereY(0.2f);
-    app.panels.lesson_wanted.reset();
+    app.panels.lesson_memory.wanted.reset();
   }
   follow(drawRichText(name.c_str(), title, l.palette.text));
   for (const RichText& p : question.prompt) follow(drawRichText((name + "/prompt").c_str(), p, l.palette.text));

@@ -94,10 +94,10 @@ void drawLessonTask(Application& app, std::size_t index) {
   if (status.current) {
     // The card keeps its height, so that content below does not move when the text changes.
     PanelState& panels = app.panels;
-    const bool same = panels.lesson_task == index && panels.lesson_task_width == width;
-    if (same) height = std::max(height, panels.lesson_task_height);
-    panels.lesson_task_height = height;
-    panels.lesson_task_width = width;
+    const bool same = panels.lesson_memory.task == index && panels.lesson_memory.task_width == width;
+    if (same) height = std::max(height, panels.lesson_memory.task_height);
+    panels.lesson_memory.task_height = height;
+    panels.lesson_memory.task_width = width;
   }
   const ImVec2 low = ImGui::GetCursorScreenPos(), high{low.x + width, low.y + height};
   ImDrawList* draw = ImGui::GetWindowDrawList();
@@ -133,17 +133,17 @@ void drawLessonTask(Application& app, std::size_t index) {
     ImGui::PopItemWidth();
     ImGui::EndGroup();
   }
-  if (status.current) app.panels.lesson_task_y = at.y + say_h;
+  if (status.current) app.panels.lesson_memory.task_y = at.y + say_h;
   ImGui::SetCursorScreenPos(low);
   ImGui::Dummy({width, height});
-  if (const auto& wanted = app.panels.lesson_wanted; wanted && wanted->task && wanted->index == index) {
+  if (const auto& wanted = app.panels.lesson_memory.wanted; wanted && wanted->task && wanted->index == index) {
     ImGui::SetScrollHereY(0.3f);
-    app.panels.lesson_wanted.reset();
+    app.panels.lesson_memory.wanted.reset();
   }
   // A task that becomes current is scrolled into view, except at the start of a step.
-  if (status.current && app.panels.lesson_task != index) {
-    if (index > app.panels.lesson_task && !ImGui::IsItemVisible()) ImGui::SetScrollHereY(0.3f);
-    app.panels.lesson_task = index;
+  if (status.current && app.panels.lesson_memory.task != index) {
+    if (index > app.panels.lesson_memory.task && !ImGui::IsItemVisible()) ImGui::SetScrollHereY(0.3f);
+    app.panels.lesson_memory.task = index;
   }
   recordItem(name, (status.solved    ? "done: "
                     : status.done    ? "not solved: "

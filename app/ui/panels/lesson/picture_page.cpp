@@ -15,9 +15,9 @@
 namespace moltact {
 
 void drawPicturePage(Application& app) {
-  if (!beginPage("picture", tr("Picture"), app.panels.picture_page, 2000, 2000)) return;
+  if (!beginPage("picture", tr("Picture"), app.panels.pages.picture, 2000, 2000)) return;
   const Look& l = look();
-  const PanelState::LargePicture& picture = app.panels.picture;
+  const LessonPanelMemory::LargePicture& picture = app.panels.lesson_memory.picture;
   const std::optional<FileLink> file = fileLink(app.lesson.file(), picture.path);
   const LessonPictures::Shown* shown = file ? &app.extensions().lesson_pictures.find(file->file) : nullptr;
   const ImVec2 room = ImGui::GetContentRegionAvail();

@@ -50,7 +50,7 @@ void drawHandOver(Application& app, ClassTurns& turns) {
 }
 
 void drawSetUp(Application& app, ClassTurns& turns) {
-  if (!beginPage("turns page", tr("Take turns at one device"), app.panels.turns_page, 520, 560)) return;
+  if (!beginPage("turns page", tr("Take turns at one device"), app.panels.pages.turns, 520, 560)) return;
   const Look& l = look();
   ClassTurns::Draft& draft = turns.draft;
   ImGui::TextWrapped("%s", tr("Each student works for the same time; what each does is kept under the name. Those who "
@@ -76,7 +76,7 @@ void drawSetUp(Application& app, ClassTurns& turns) {
   const std::string label = names.empty() ? tr("Begin") : trf("Begin with {0}", elided(names.front(), l.tx(200)));
   const bool begun = button("turns/begin", label.c_str(), ButtonLook::Primary, -1.0f, !names.empty());
   if (begun) {
-    app.panels.turns_page = false;
+    app.panels.pages.turns = false;
     ImGui::CloseCurrentPopup();
   }
   endPage();

@@ -6,8 +6,8 @@
 #include <numbers>
 
 #include "engine/bench/hip_paths.h"
+#include "engine/bench/methods/sas_mesh_tracker.h"
 #include "engine/haptics/exact/exact_tracker.h"
-#include "engine/haptics/sas_mesh/sas_mesh_tracker.h"
 #include "tests/haptics/judge.h"
 #include "tests/haptics/walk.h"
 

@@ -1,11 +1,11 @@
-#include "engine/haptics/sas_mesh/surface_mesh.h"
+#include "engine/bench/methods/surface_mesh.h"
 
 #include <algorithm>
 #include <cmath>
 #include <map>
 #include <mutex>
 
-#include "engine/haptics/sas_mesh/union_surface.h"
+#include "engine/bench/methods/union_surface.h"
 
 namespace moltact {
 namespace {

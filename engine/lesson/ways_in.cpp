@@ -1,11 +1,11 @@
-#include "tests/lesson/ways_in.h"
+#include "engine/lesson/ways_in.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
 
-namespace moltact::test {
+namespace moltact {
 namespace {
 
 constexpr double kRounding_A = 1e-9;
@@ -36,6 +36,19 @@ bool meets(const Sphere& sphere, const Vec3& from, const Vec3& way, double lengt
   return glm::dot(off, off) < (sphere.radius_A - kRounding_A) * (sphere.radius_A - kRounding_A);
 }
 
+// The directions from a place in which lines meet a sphere.
+struct Cone {
+  Vec3 axis;
+  double cosine;  // slightly too narrow, so that it holds no direction that is free
+};
+constexpr std::size_t kCones = 60;
+
+Cone shadow(const Sphere& sphere, const Vec3& from) {
+  const Vec3 to = sphere.centre_A - from;
+  const double away_A = glm::length(to), part = std::min(1.0, sphere.radius_A / away_A);
+  return {to / away_A, std::sqrt(1.0 - part * part) + 1e-9};
+}
+
 }  // namespace
 
 WaysIn::WaysIn(std::span<const Sphere> spheres, double sphere_A) : grown_(spheres.begin(), spheres.end()) {
@@ -46,7 +59,12 @@ WaysIn::WaysIn(std::span<const Sphere> spheres, double sphere_A) : grown_(sphere
     low_A_ = glm::min(low_A_, b.centre_A - Vec3(b.radius_A + 2 * kCell_A));
     high = glm::max(high, b.centre_A + Vec3(b.radius_A + 2 * kCell_A));
   }
-  for (int k = 0; k < 3; ++k) count_[k] = 2 + static_cast<int>((high[k] - low_A_[k]) / kCell_A);
+  for (int k = 0; k < 3; ++k)
+    count_[k] = 2 + static_cast<int>(std::clamp((high[k] - low_A_[k]) / kCell_A, 0.0, double(kMaxCells)));
+}
+
+bool WaysIn::searchable() const {
+  return double(count_[0]) * double(count_[1]) * double(count_[2]) <= double(kMaxCells);
 }
 
 std::vector<std::uint32_t> WaysIn::nearestTo(std::uint32_t atom) const {
@@ -85,14 +103,24 @@ bool WaysIn::straight(std::uint32_t atom) const {
   for (const Vec3& rest : rests)
     if (open(rest, glm::normalize(rest - centre))) return true;
   static const std::vector<Vec3> kWays = directions(2 * kLines);
-  for (std::size_t k = 0; k < rests.size(); k += rests.size() < 1000 ? 1 : 10)
+  std::vector<Cone> cones;
+  for (std::size_t k = 0; k < rests.size(); k += rests.size() < 1000 ? 1 : 10) {
+    // Most lines meet a near sphere, which a cone finds in one product.
+    cones.clear();
+    for (std::size_t n = 0; n < std::min(nearest.size(), kCones); ++n)
+      cones.push_back(shadow(grown_[nearest[n]], rests[k]));
+    std::sort(cones.begin(), cones.end(), [](const Cone& a, const Cone& b) { return a.cosine < b.cosine; });
     for (const Vec3& way : kWays)
-      if (glm::dot(way, rests[k] - centre) > 0.0 && open(rests[k], way)) return true;
+      if (glm::dot(way, rests[k] - centre) > 0.0 &&
+          std::none_of(cones.begin(), cones.end(), [&](const Cone& c) { return glm::dot(way, c.axis) > c.cosine; }) &&
+          open(rests[k], way))
+        return true;
+  }
   return false;
 }
 
 void WaysIn::fill() const {
-  if (!cells_.empty()) return;
+  if (!cells_.empty() || !searchable()) return;
   cells_.assign(std::size_t(count_[0]) * std::size_t(count_[1]) * std::size_t(count_[2]), Free);
   for (const Sphere& b : grown_) {
     const auto low = [&](double from, int k) { return static_cast<int>(std::ceil((from - low_A_[k]) / kCell_A)); };
@@ -156,6 +184,7 @@ bool WaysIn::reached(const Vec3& rest, std::uint32_t atom, const std::vector<std
 
 bool WaysIn::crooked(std::uint32_t atom) const {
   fill();
+  if (cells_.empty()) return false;
   const std::vector<std::uint32_t> nearest = nearestTo(atom);
   const std::vector<Vec3> rests = freeRests(atom, nearest);
   return std::any_of(rests.begin(), rests.end(), [&](const Vec3& r) { return reached(r, atom, nearest); });
@@ -163,6 +192,7 @@ bool WaysIn::crooked(std::uint32_t atom) const {
 
 double WaysIn::share(std::uint32_t atom) const {
   fill();
+  if (cells_.empty()) return 0.0;
   const std::vector<std::uint32_t> nearest = nearestTo(atom);
   const std::vector<Vec3> rests = freeRests(atom, nearest);
   const auto n = std::count_if(rests.begin(), rests.end(), [&](const Vec3& r) { return reached(r, atom, nearest); });
@@ -181,4 +211,4 @@ std::vector<std::uint32_t> WaysIn::crooked(std::span<const std::uint32_t> atoms)
   return out;
 }
 
-}  // namespace moltact::test
+}  // namespace moltact

@@ -1,4 +1,4 @@
-#include "engine/haptics/sas_mesh/sas_mesh_tracker.h"
+#include "engine/bench/methods/sas_mesh_tracker.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,14 +1,14 @@
-// The atoms that a sphere can touch from outside, on a straight line or on any path. The oracle for statements of
-// lessons such as "so many of these atoms can be touched"; shares no code with trackers and surface places. Unit:
+// The atoms that a ball can touch from outside, on a straight line or on any path: the searches behind the facts of a
+// lesson. They are more thorough than a task's (passable.h) and share no code with it. Not for the haptic thread. Unit:
 // angstrom.
 //
-// Straight: the sphere's centre moves along a line from far away and touches no other atom before it rests on this one.
-// The test tries `kRests` evenly distributed rests on the atom's grown sphere, each checked against every other sphere
+// Straight: the ball's centre moves along a line from far away and touches no other atom before it rests on this one.
+// The search tries kRests evenly distributed rests on the atom's grown sphere, each checked against every other sphere
 // in closed form. From each free rest it tries the line outward, and from every tenth rest also kLines even directions
 // of the half space above. A line that is found is exact; a window of less than about 1 part in kRests may be missed.
 //
-// Crooked: the free space of the centre is filled from outside on a grid of kCell_A, between cells that share a face.
-// The path between two cells enters an atom by less than kClip_A. A path that is wider than the sphere by kMissed_A,
+// Any path: the free space of the centre is filled from outside on a grid of kCell_A, between cells that share a face.
+// The path between two cells enters an atom by less than kClip_A. A path that is wider than the ball by kMissed_A,
 // half a cell's diagonal, is never missed. An atom counts if a line without contact joins a free rest on it to a filled
 // cell beside it.
 #pragma once
@@ -21,21 +21,26 @@
 #include "engine/core/sphere.h"
 #include "engine/core/units.h"
 
-namespace moltact::test {
+namespace moltact {
 
 class WaysIn {
  public:
   static constexpr int kRests = 20'000, kLines = 400;
   static constexpr double kCell_A = 0.15, kClip_A = 0.002, kMissed_A = 0.13;
 
+  /// The search on any path needs one byte per cell of the box round the molecule; in a larger box it finds nothing.
+  static constexpr std::size_t kMaxCells = 400'000'000;
+
   WaysIn(std::span<const Sphere> spheres, double sphere_A);
+
+  /// Whether the box is small enough for crooked() and share().
+  bool searchable() const;
 
   /// Whether the sphere reaches this atom on a straight line.
   bool straight(std::uint32_t atom) const;
   /// Whether the sphere reaches it on any path.
   bool crooked(std::uint32_t atom) const;
-  /// The share of the free rests on this atom that the sphere reaches on any path, in thousandths of a sphere: how much
-  /// of it can be touched (unit: 1).
+  /// The part of this atom's grown sphere on which the ball can rest and that it reaches on any path, 0 to 1.
   double share(std::uint32_t atom) const;
 
   /// Those of these atoms that the sphere reaches on a straight line.
@@ -60,4 +65,4 @@ class WaysIn {
   mutable std::vector<char> cells_;  // computed on the first request
 };
 
-}  // namespace moltact::test
+}  // namespace moltact

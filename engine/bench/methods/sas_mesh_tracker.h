@@ -13,7 +13,7 @@
 
 #include <memory>
 
-#include "engine/haptics/sas_mesh/surface_mesh.h"
+#include "engine/bench/methods/surface_mesh.h"
 #include "engine/haptics/tracker.h"
 
 namespace moltact {

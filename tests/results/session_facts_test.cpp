@@ -1,5 +1,5 @@
 // Oracle: the student's actions, in order.
-#include "engine/results/session_watch.h"
+#include "engine/results/session_facts.h"
 
 #include <doctest/doctest.h>
 
@@ -7,6 +7,13 @@
 
 namespace moltact {
 namespace {
+
+// What an attempt records of a session in a frame.
+std::vector<AttemptEvent> factsOf(LessonSession& session, SessionFacts& facts, double t_s, InputWay by) {
+  std::vector<AttemptEvent> out;
+  for (const SessionEvent& e : session.takeEvents()) out.push_back(facts.factOf(e, t_s, by));
+  return out;
+}
 
 // The kinds of the events as one word: "enter begin".
 std::string told(const std::vector<AttemptEvent>& events) {
@@ -22,16 +29,15 @@ std::string told(const std::vector<AttemptEvent>& events) {
   return out;
 }
 
-TEST_CASE("a way through a lesson of 3 steps gives each of its events once, at the look after it happened") {
+TEST_CASE("a way through a lesson of 3 steps gives each of its events once, in the frame after it happened") {
   LessonSession session(smallLesson());
   session.setMolecule(std::make_shared<const Molecule>(mixedMolecule()));
-  SessionWatch watch;
-  watch.begin(session);
-  CHECK(told(watch.look(session, 1.0, InputWay::Mouse)) == "enter begin");
-  CHECK(watch.look(session, 2.0, InputWay::Mouse).empty());
+  SessionFacts facts;
+  CHECK(told(factsOf(session, facts, 1.0, InputWay::Mouse)) == "enter begin");
+  CHECK(factsOf(session, facts, 2.0, InputWay::Mouse).empty());
 
   touchFor150ms(session, 0, 2.0);
-  auto events = watch.look(session, 4.5, InputWay::Keyboard);
+  auto events = factsOf(session, facts, 4.5, InputWay::Keyboard);
   CHECK(told(events) == "done begin");
   const auto& done = std::get<TaskDone>(events[0].what);
   CHECK(done.step == "one");
@@ -41,26 +47,26 @@ TEST_CASE("a way through a lesson of 3 steps gives each of its events once, at t
   CHECK_FALSE(done.figures.empty());
 
   session.choose(0, {1});
-  events = watch.look(session, 5.0, InputWay::Mouse);
+  events = factsOf(session, facts, 5.0, InputWay::Mouse);
   REQUIRE(told(events) == "answer");
   CHECK_FALSE(std::get<Answered>(events[0].what).right);
   session.choose(0, {0});
-  events = watch.look(session, 6.0, InputWay::Mouse);
+  events = factsOf(session, facts, 6.0, InputWay::Mouse);
   REQUIRE(told(events) == "answer");
   CHECK(std::get<Answered>(events[0].what).right);
   CHECK(std::get<Answered>(events[0].what).attempt == 2);
   CHECK(std::get<Answered>(events[0].what).question == "which");
 
-  // Done and gone on between two looks.
+  // Done and gone on between two frames.
   touchFor150ms(session, 1, 7.0);
   session.next();
-  CHECK(told(watch.look(session, 8.0, InputWay::Mouse)) == "done enter");
+  CHECK(told(factsOf(session, facts, 8.0, InputWay::Mouse)) == "done enter");
   session.write(0, "1.45 Å");
   session.next();
-  events = watch.look(session, 9.0, InputWay::Mouse);
+  events = factsOf(session, facts, 9.0, InputWay::Mouse);
   REQUIRE(told(events) == "answer enter");
   CHECK(std::get<Answered>(events[0].what).written == "1.45 Å");
-  const ProgressMade progress = SessionWatch::progressOf(session);
+  const ProgressMade progress = SessionFacts::progressOf(session);
   CHECK(progress.done == 4);
   CHECK(progress.of == 4);
   CHECK(progress.step == "three");
@@ -77,14 +83,13 @@ TEST_CASE(
   REQUIRE(read.lesson);
   LessonSession session(std::make_shared<const Lesson>(*std::move(read.lesson)));
   session.setMolecule(std::make_shared<const Molecule>(mixedMolecule()));
-  SessionWatch watch;
-  watch.begin(session);
-  watch.look(session, 0.0, InputWay::Mouse);
+  SessionFacts facts;
+  factsOf(session, facts, 0.0, InputWay::Mouse);
   double time_s = 0.0;
   // 2 N for each A, against a drawn curve of so much at every depth.
   const auto predict = [&](double drawn_N, double N_per_A) {
     session.answerTask({{}, std::vector<double>(session.taskAt(0)->curves()->drawn.size(), drawn_N)});
-    const auto drawn = watch.look(session, 1.0, InputWay::Mouse);
+    const auto drawn = factsOf(session, facts, 1.0, InputWay::Mouse);
     REQUIRE(drawn.size() == 1);
     CHECK_FALSE(std::get<CurveKept>(drawn[0].what).felt);
     CHECK(std::get<CurveKept>(drawn[0].what).force_N.front() == drawn_N);
@@ -94,7 +99,7 @@ TEST_CASE(
       stretchToScp(s.contact, s.hip);
       session.feed(s);
     }
-    return watch.look(session, 2.0, InputWay::Mouse);
+    return factsOf(session, facts, 2.0, InputWay::Mouse);
   };
   auto events = predict(2.0, 2.0);
   REQUIRE(events.size() == 1);
@@ -107,36 +112,35 @@ TEST_CASE(
   CHECK_FALSE(session.task(0).done);
   // Predicted anew, and now right: the felt one is constant, too.
   session.answerTask({{}, std::vector<double>(felt.force_N.size(), 1.0)});
-  CHECK(watch.look(session, 3.0, InputWay::Mouse).size() == 1);
+  CHECK(factsOf(session, facts, 3.0, InputWay::Mouse).size() == 1);
   for (int k = 0; k <= 500; ++k) {
     TouchSample s = touching(0, time_s += 0.001, 1.0);
     s.hip.A.z = -0.001 * k;
     stretchToScp(s.contact, s.hip);
     session.feed(s);
   }
-  events = watch.look(session, 4.0, InputWay::Mouse);
+  events = factsOf(session, facts, 4.0, InputWay::Mouse);
   REQUIRE(events.size() == 2);
   CHECK(std::get<CurveKept>(events[0].what).felt);
   CHECK(std::holds_alternative<TaskDone>(events[1].what));
-  CHECK(watch.look(session, 5.0, InputWay::Mouse).empty());
+  CHECK(factsOf(session, facts, 5.0, InputWay::Mouse).empty());
 }
 
 TEST_CASE("a task begun again is recorded as begun, and a lesson that was read again repeats no events") {
   LessonSession session(smallLesson());
   session.setMolecule(std::make_shared<const Molecule>(mixedMolecule()));
-  SessionWatch watch;
-  watch.begin(session);
-  watch.look(session, 0.0, InputWay::Mouse);
+  SessionFacts facts;
+  factsOf(session, facts, 0.0, InputWay::Mouse);
   touchFor150ms(session, 0, 0.0);
-  watch.look(session, 1.0, InputWay::Mouse);
+  factsOf(session, facts, 1.0, InputWay::Mouse);
   session.restartTask(0);
-  const auto events = watch.look(session, 2.0, InputWay::Mouse);
+  const auto events = factsOf(session, facts, 2.0, InputWay::Mouse);
   REQUIRE(told(events) == "begin");
   CHECK(std::get<TaskBegun>(events[0].what).task == 0);
   session.choose(0, {0});
-  watch.look(session, 3.0, InputWay::Mouse);
+  factsOf(session, facts, 3.0, InputWay::Mouse);
   session.replaceLesson(smallLesson());
-  CHECK(told(watch.look(session, 4.0, InputWay::Mouse)) == "enter begin");
+  CHECK(told(factsOf(session, facts, 4.0, InputWay::Mouse)) == "enter begin");
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include "engine/haptics/sas_mesh/union_surface.h"
+#include "engine/bench/methods/union_surface.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,0 +1,218 @@
+#include "engine/haptics/body/body_pairs.h"
+
+#include <cmath>
+
+namespace moltact {
+namespace {
+
+constexpr std::int32_t kLeaf = 8;  // spheres of a leaf
+// The near list is made anew where it covers less than this, the far list where it covers less than the near list needs.
+constexpr double kLeastCovered_A = 0.12;
+constexpr double kMinRange_A = 1e-6;
+constexpr double kMaxSearch_A = 16.0, kMaxSearchedRadius_A = 8.0;
+
+}  // namespace
+
+BodyPairs::BodyPairs(std::shared_ptr<const SphereGrid> scene, const HeldBody& body)
+    : scene_(std::move(scene)),
+      origin_(1024.0 * glm::round((scene_->low_A() + scene_->high_A()) / 2048.0)),
+      spheres_(body.spheres),
+      bound_(body.reach_A),
+      far_(kMaxFar),
+      near_(kMaxNear),
+      near_from_(kMaxNear) {
+  for (const Sphere& s : spheres_) reach_ = std::max(reach_, glm::length(s.centre_A));
+  if (!spheres_.empty()) makeTree(0, std::int32_t(spheres_.size()));
+}
+
+void BodyPairs::makeTree(std::int32_t begin, std::int32_t end) {
+  Vec3 low = spheres_[std::size_t(begin)].centre_A, high = low;
+  for (std::int32_t k = begin; k < end; ++k) {
+    low = glm::min(low, spheres_[std::size_t(k)].centre_A);
+    high = glm::max(high, spheres_[std::size_t(k)].centre_A);
+  }
+  const std::size_t at = nodes_.size();
+  Node node{.centre = 0.5 * (low + high), .begin = begin, .end = end, .leaf = end - begin <= kLeaf};
+  for (std::int32_t k = begin; k < end; ++k)
+    node.radius = std::max(
+        node.radius, glm::distance(node.centre, spheres_[std::size_t(k)].centre_A) + spheres_[std::size_t(k)].radius_A);
+  node.radius += 1e-9;
+  nodes_.push_back(node);
+  if (!node.leaf) {
+    const Vec3 side = high - low;
+    const int axis = side.x >= side.y ? (side.x >= side.z ? 0 : 2) : (side.y >= side.z ? 1 : 2);
+    const std::int32_t middle = begin + (end - begin) / 2;
+    std::nth_element(spheres_.begin() + begin, spheres_.begin() + middle, spheres_.begin() + end,
+                     [&](const Sphere& a, const Sphere& b) { return a.centre_A[axis] < b.centre_A[axis]; });
+    makeTree(begin, middle);
+    makeTree(middle, end);
+  }
+  nodes_[at].next = std::int32_t(nodes_.size());
+}
+
+std::size_t BodyPairs::bytes() const noexcept {
+  return spheres_.capacity() * sizeof(Sphere) + nodes_.capacity() * sizeof(Node) +
+         (far_.capacity() + near_.capacity()) * sizeof(BodyPair);
+}
+
+void BodyPairs::setMotion(const SphereMotion* motion) noexcept {
+  motion_ = motion;
+  motion_serial_ = motion ? motion->serial() : 0;
+  fraction_ = 0.0;
+  far_range_ = near_range_ = -1.0;
+  far_count_ = near_count_ = 0;
+  for (Node& n : nodes_) n.clear = -1.0;
+}
+
+void BodyPairs::advanceTo(double fraction) noexcept {
+  fraction_ = fraction;
+  stale_ = motion_ != nullptr;
+}
+
+double BodyPairs::clearance_A(const BodyPose& pose) const noexcept {
+  return clearance(grid(), bound_, origin_ + pose.place);
+}
+
+bool BodyPairs::overlaps(const BodyPose& pose) const noexcept {
+  const auto last = std::int32_t(nodes_.size());
+  for (std::int32_t at = 0; at < last;) {
+    const Node& node = nodes_[std::size_t(at)];
+    const Vec3 centre = pose.place + pose.axes * node.centre;
+    if (distanceToBox(grid(), node.radius, origin_ + centre) > 0.0) {
+      at = node.next;
+      continue;
+    }
+    ++at;
+    if (!node.leaf) continue;
+    for (std::int32_t k = node.begin; k < node.end; ++k) {
+      const Sphere& s = spheres_[std::size_t(k)];
+      const Vec3 c = pose.place + pose.axes * s.centre_A;
+      bool found = false;
+      grid().visitNear(origin_ + c, s.radius_A, [&](std::uint32_t i, const Sphere&) {
+        const Sphere b = now(std::int32_t(i));
+        const Vec3 m = c - b.centre_A;
+        const double radii = s.radius_A + b.radius_A;
+        found = glm::dot(m, m) < radii * radii;
+        return !found;
+      });
+      if (found) return true;
+    }
+  }
+  return false;
+}
+
+// A lower bound of the gap between the scene and the node's sphere at `centre`. Where a search finds nothing, the next one
+// of the same node looks twice as far, so that a node far from the scene is searched for seldom.
+double BodyPairs::nodeClearance_A(Node& node, const Vec3& centre, double range) noexcept {
+  const double to_box = distanceToBox(grid(), node.radius, origin_ + centre);
+  if (to_box > range || node.radius > kMaxSearchedRadius_A) return to_box;
+  const double search = std::max(node.search, 2.0 * range);
+  double best = search;
+  grid().visitNear(origin_ + centre, node.radius + search, [&](std::uint32_t, const Sphere& b) {
+    ++work_count_;
+    reduceGap(best, centre - (b.centre_A - origin_), b.radius_A + node.radius);
+    return best > range;
+  });
+  node.search = best < search ? std::max(0.0, best) : std::min(2.0 * search, kMaxSearch_A);
+  return best;
+}
+
+// Lists the pairs within `range` at the pose; false if they exceed the capacity. During a motion, those that come within
+// it at any time of the motion.
+bool BodyPairs::gatherFar(const BodyPose& pose, double range) noexcept {
+  far_count_ = 0;
+  far_pose_ = pose;
+  far_range_ = range;
+  max_motion_ = 0.0;
+  const SphereGrid& in = grid();
+  const auto last = std::int32_t(nodes_.size());
+  for (std::int32_t at = 0; at < last;) {
+    Node& node = nodes_[std::size_t(at)];
+    ++work_count_;
+    const Vec3 centre = pose.place + pose.axes * node.centre;
+    if (node.clear - glm::distance(centre, node.seen_from) <= range) {
+      node.seen_from = centre;
+      node.clear = nodeClearance_A(node, centre, range);
+    }
+    if (node.clear - glm::distance(centre, node.seen_from) > range) {
+      at = node.next;
+      continue;
+    }
+    ++at;
+    if (!node.leaf) continue;
+    for (std::int32_t k = node.begin; k < node.end; ++k) {
+      const Sphere& s = spheres_[std::size_t(k)];
+      const Vec3 c = pose.place + pose.axes * s.centre_A;
+      bool fits = true;
+      in.visitNear(origin_ + c, s.radius_A + range, [&](std::uint32_t i, const Sphere& b) {
+        ++work_count_;
+        const Vec3 m = c - (b.centre_A - origin_);
+        const double within = s.radius_A + b.radius_A + range;
+        if (glm::dot(m, m) > within * within) return true;
+        fits = far_count_ < kMaxFar;
+        if (!fits) return false;
+        const Sphere is = now(std::int32_t(i));
+        far_[far_count_++] = {is.centre_A, s.radius_A + is.radius_A, k, std::int32_t(i)};
+        if (motion_) max_motion_ = std::max(max_motion_, (*motion_)[i].moved_A());
+        return true;
+      });
+      if (!fits) return false;
+    }
+  }
+  stale_ = false;
+  return true;
+}
+
+bool BodyPairs::gatherNear(const BodyPose& pose, double range) noexcept {
+  near_count_ = 0;
+  near_pose_ = pose;
+  near_range_ = range;
+  near_fraction_ = fraction_;
+  work_count_ += far_count_;
+  std::int32_t sphere = -1;
+  Vec3 c(0.0);
+  for (std::size_t k = 0; k < far_count_; ++k) {
+    const BodyPair& pair = far_[k];
+    if (pair.sphere != sphere) {
+      sphere = pair.sphere;
+      c = pose.place + pose.axes * spheres_[std::size_t(sphere)].centre_A;
+    }
+    const Vec3 m = c - pair.centre;
+    const double within = pair.radii + range;
+    if (glm::dot(m, m) > within * within) continue;
+    if (near_count_ == kMaxNear) return false;
+    near_from_[near_count_] = std::int32_t(k);
+    near_[near_count_++] = pair;
+  }
+  return true;
+}
+
+// Recomputes the listed spheres of the scene at the present fraction.
+void BodyPairs::refresh() noexcept {
+  stale_ = false;
+  work_count_ += far_count_;
+  for (std::size_t k = 0; k < far_count_; ++k) {
+    BodyPair& pair = far_[k];
+    const Sphere b = now(pair.atom);
+    pair.centre = b.centre_A;
+    pair.radii = spheres_[std::size_t(pair.sphere)].radius_A + b.radius_A;
+  }
+  for (std::size_t k = 0; k < near_count_; ++k) near_[k] = far_[std::size_t(near_from_[k])];
+}
+
+void BodyPairs::look(const BodyPose& pose) noexcept {
+  if (stale_) refresh();
+  if (near_range_ >= 0.0 && covered_A(pose) >= std::min(kLeastCovered_A, 0.3 * near_range_)) return;
+  // The far list holds every pair that comes within far_range_ of its pose at any time of the motion.
+  double range = far_range_ - surfaceMotion_A(far_pose_, pose, reach_);
+  if (!(far_range_ >= 0.0 && range >= std::min(kNear_A, 0.25 * far_range_))) {
+    range = kFar_A;
+    while (!gatherFar(pose, range) && range > kMinRange_A) range *= 0.5;
+    if (range <= kMinRange_A) range = far_range_ = 0.0;  // too many spheres at one point: nothing around is known
+  }
+  double near = std::min(range, kNear_A);
+  while (!gatherNear(pose, near) && near > kMinRange_A) near *= 0.5;
+  if (near <= kMinRange_A) near_range_ = 0.0;
+}
+
+}  // namespace moltact

@@ -1,0 +1,127 @@
+// The pairs of a held body's sphere and a scene's sphere whose surfaces are near each other, in two lists: `far` within
+// 1.6 A, `near` within 0.4 A and made from it. A list stays in use while the motion of the body and of the scene's
+// spheres since it was made is smaller than its range. A tree of bounding spheres over the body excludes the parts that
+// are far from the scene. Haptic thread; no allocation after construction. Units: angstrom. Positions are relative to
+// origin(), which preserves precision in a scene far from the zero point.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "engine/haptics/body/held_body.h"
+#include "engine/haptics/sphere_grid.h"
+#include "engine/haptics/sphere_motion.h"
+
+namespace moltact {
+
+/// The position of a body's middle and its orientation, also as a matrix.
+struct BodyPose {
+  Vec3 place{0.0};
+  Quat orientation = kNoRotation;
+  glm::dmat3 axes{1.0};
+
+  BodyPose() = default;
+  BodyPose(const Vec3& at, const Quat& oriented)
+      : place(at), orientation(glm::normalize(oriented)), axes(glm::mat3_cast(orientation)) {}
+};
+
+/// Upper bound of the motion of a point of the body that is at most `reach_A` from its middle.
+inline double surfaceMotion_A(const BodyPose& from, const BodyPose& to, double reach_A) {
+  // The chord of a rotation by an angle is 2 sin(angle / 2) <= 2 |difference of the quaternions|.
+  const Quat &p = from.orientation, &q = to.orientation;
+  const Quat minus = q - p, plus = q + p;
+  return glm::distance(from.place, to.place) +
+         2.0 * reach_A * std::sqrt(std::min(glm::dot(minus, minus), glm::dot(plus, plus)));
+}
+
+/// A sphere of the body beside a sphere of the scene.
+struct BodyPair {
+  Vec3 centre;          ///< of the scene's sphere at present
+  double radii = 0.0;   ///< sum of both radii
+  std::int32_t sphere;  ///< of the body: index in spheres()
+  std::int32_t atom;    ///< of the scene
+};
+
+class BodyPairs {
+ public:
+  static constexpr std::size_t kMaxFar = 16384, kMaxNear = 512;
+  static constexpr double kFar_A = 1.6, kNear_A = 0.4;
+
+  BodyPairs(std::shared_ptr<const SphereGrid> scene, const HeldBody& body);
+
+  const Vec3& origin() const noexcept { return origin_; }
+  /// Spheres of the body relative to its middle, in the order of the pairs' indices.
+  std::span<const Sphere> spheres() const noexcept { return spheres_; }
+  double reach_A() const noexcept { return reach_; }  ///< largest distance of a sphere's centre from the middle
+
+  /// Brings the lists up to date for a pose.
+  void look(const BodyPose& pose) noexcept;
+  std::span<const BodyPair> near() const noexcept { return {near_.data(), near_count_}; }
+  /// After look(): every pair that is not in near() has at least this gap at the pose, and during a motion of the body
+  /// by less than it.
+  double covered_A(const BodyPose& pose) const noexcept {
+    return near_range_ - surfaceMotion_A(near_pose_, pose, reach_) - sceneMotion_A(near_fraction_);
+  }
+  /// A lower bound of the gap between the body as a whole and the scene, from its bounding sphere.
+  double clearance_A(const BodyPose& pose) const noexcept;
+  /// True if a sphere of the body overlaps one of the scene.
+  bool overlaps(const BodyPose& pose) const noexcept;
+
+  void setMotion(const SphereMotion* motion) noexcept;
+  bool has(const SphereMotion* motion) const noexcept { return (motion ? motion->serial() : 0) == motion_serial_; }
+  void advanceTo(double fraction) noexcept;
+  double fraction() const noexcept { return fraction_; }
+  /// Upper bound of the motion of a listed sphere during the whole motion.
+  double maxMotion_A() const noexcept { return motion_ ? max_motion_ : 0.0; }
+
+  std::size_t farCount() const noexcept { return far_count_; }
+  std::uint64_t workCount() const noexcept { return work_count_; }  ///< spheres and nodes examined since the start
+  std::size_t bytes() const noexcept;
+
+ private:
+  struct Node {
+    Vec3 centre{0.0};  // in the body's axes
+    double radius = 0.0;
+    std::int32_t begin = 0, end = 0;  // range in spheres_
+    std::int32_t next = 0;            // the next node outside this subtree
+    bool leaf = false;
+    // At `seen_from` (the node's centre) every sphere of the scene was at least `clear` from the node's sphere.
+    Vec3 seen_from{0.0};
+    double clear = -1.0;
+    double search = 0.0;  // how far the next search looks
+  };
+  const SphereGrid& grid() const noexcept { return motion_ ? motion_->sweptSpheres() : *scene_; }
+  Sphere now(std::int32_t atom) const noexcept {
+    const Sphere b = motion_ ? (*motion_)[std::size_t(atom)].at(fraction_) : (*scene_)[std::size_t(atom)];
+    return {b.centre_A - origin_, b.radius_A};
+  }
+  double sceneMotion_A(double since) const noexcept { return std::abs(fraction_ - since) * maxMotion_A(); }
+  double nodeClearance_A(Node& node, const Vec3& centre, double range) noexcept;
+  void makeTree(std::int32_t begin, std::int32_t end);
+  bool gatherFar(const BodyPose& pose, double range) noexcept;
+  bool gatherNear(const BodyPose& pose, double range) noexcept;
+  void refresh() noexcept;
+
+  std::shared_ptr<const SphereGrid> scene_;
+  Vec3 origin_;
+  std::vector<Sphere> spheres_;
+  double reach_ = 0.0, bound_ = 0.0;  // of the centres; of the whole body
+  std::vector<Node> nodes_;           // in preorder
+
+  const SphereMotion* motion_ = nullptr;
+  std::uint64_t motion_serial_ = 0;
+  double fraction_ = 0.0, max_motion_ = 0.0;
+  bool stale_ = false;  // the scene's spheres have moved since refresh()
+
+  std::vector<BodyPair> far_, near_;  // allocated for kMaxFar and kMaxNear
+  std::size_t far_count_ = 0, near_count_ = 0;
+  std::vector<std::int32_t> near_from_;  // index in far_ of each entry of near_
+  BodyPose far_pose_, near_pose_;
+  double far_range_ = -1.0, near_range_ = -1.0, near_fraction_ = 0.0;
+  std::uint64_t work_count_ = 0;
+};
+
+}  // namespace moltact

@@ -1,0 +1,159 @@
+// The exact rigid body against an oracle over all pairs: no overlap, balance of forces, second order, energy. Longer
+// runs: MOLTACT_BODY_TICKS=100000 build/release/test_haptics -tc='*body*oracle*'.
+#include <doctest/doctest.h>
+
+#include <cstdlib>
+#include <random>
+
+#include "engine/haptics/body/exact_body.h"
+#include "engine/haptics/sphere_motion.h"
+#include "tests/haptics/body_oracle.h"
+#include "tests/haptics/body_paths.h"
+#include "tests/haptics/walk.h"
+
+using namespace moltact;
+using test::BodyOracle;
+
+namespace {
+
+int ticksPerScene() {
+  const char* const set = std::getenv("MOLTACT_BODY_TICKS");
+  return set ? std::max(1, std::atoi(set)) : 300;
+}
+
+struct Verdict {
+  int ticks = 0, pressed = 0, unrested = 0, lower = 0;
+  long double least_gap_A = 1.0L, residual = 0.0L, energy_gained_A2 = 0.0L, off_force = 0.0L;
+};
+
+Verdict judge(const std::vector<Sphere>& spheres, const std::shared_ptr<const HeldBody>& body,
+              const std::vector<PoseA>& path, int second_order_every) {
+  ExactBody felt(test::makeScene(spheres), body);
+  const BodyOracle oracle(spheres, body->spheres, felt.lever_A());
+  std::mt19937_64 random(5);
+  Verdict out;
+  std::optional<PoseA> before;
+  for (const PoseA& hand : path) {
+    const Response r = felt.respond(hand);
+    if (r.contact.fault != Fault::None) {
+      before.reset();
+      continue;
+    }
+    REQUIRE(r.body_pose);
+    const BodyOracle::Pose at = BodyOracle::pose(*r.body_pose), to = BodyOracle::pose(felt.coupledHand());
+    ++out.ticks;
+    out.pressed += r.contact.touching();
+    out.unrested += !r.at_rest;
+    out.least_gap_A = std::min(out.least_gap_A, oracle.leastGap_A(at));
+    if (before)
+      out.energy_gained_A2 =
+          std::max(out.energy_gained_A2, oracle.energy_A2(at, to) - oracle.energy_A2(BodyOracle::pose(*before), to));
+    before = r.body_pose;
+    if (!r.at_rest) continue;
+    out.residual = std::max(out.residual, oracle.residual(at, to));
+    if (out.ticks % second_order_every == 0) out.lower += oracle.hasLowerNeighbour(at, to, 16, random);
+    if (!r.contact.touching()) continue;
+    const auto pull = oracle.pull(at, to);
+    for (std::size_t i = 0; i < 3; ++i) {
+      out.off_force = std::max(out.off_force, std::abs(pull[i] + r.contact.displacement_A[int(i)]));
+      out.off_force = std::max(out.off_force, std::abs(pull[3 + i] * felt.lever_A() + r.torque_A2[int(i)]));
+    }
+  }
+  return out;
+}
+
+void check(const Verdict& v) {
+  CHECK(double(v.least_gap_A) > -1e-9);
+  CHECK(double(v.residual) < 1e-6);
+  CHECK(double(v.energy_gained_A2) < 1e-9);
+  CHECK(double(v.off_force) < 1e-9);
+  CHECK(v.lower == 0);
+}
+
+}  // namespace
+
+TEST_CASE(
+    "the oracle finds neither overlap nor imbalance nor a lower neighbour of the exact body's rest, and no tick makes "
+    "energy: bodies of 1 to 35 spheres on random clusters") {
+  int pressed = 0, unrested = 0, ticks = 0;
+  for (const int n : {1, 2, 3, 6, 12, 35}) {
+    CAPTURE(n);
+    const auto spheres = scenes::cluster(120, std::uint64_t(n)).spheres;
+    const auto body = test::chainBody(n, std::uint64_t(n));
+    const Verdict v =
+        judge(spheres, body,
+              test::bodyPath(spheres, body->reach_A, 300 + ticksPerScene(), std::uint64_t(n), 0.04, 0.004, 3.0), 7);
+    check(v);
+    pressed += v.pressed, unrested += v.unrested, ticks += v.ticks;
+  }
+  CHECK(pressed > ticks / 4);
+  CHECK(unrested < ticks / 20);
+}
+
+TEST_CASE("the oracle finds the same with jumps of the hand and passes at 2 A and 0.1 rad a tick") {
+  int pressed = 0;
+  for (const int n : {2, 8, 20}) {
+    CAPTURE(n);
+    const auto spheres = scenes::cluster(150, std::uint64_t(10 + n)).spheres;
+    const auto body = test::chainBody(n, std::uint64_t(n));
+    for (const int jump_every : {0, 29}) {
+      const Verdict v = judge(spheres, body,
+                              test::bodyPath(spheres, body->reach_A, ticksPerScene(), std::uint64_t(n),
+                                             jump_every ? 0.04 : 2.0, jump_every ? 0.01 : 0.1, 4.0, jump_every),
+                              7);
+      check(v);
+      pressed += v.pressed;
+    }
+  }
+  CHECK(pressed > 300);
+}
+
+TEST_CASE("the oracle finds the same in every degenerate scene, with jumps, also a million angstroms from the origin") {
+  int pressed = 0;
+  for (const scenes::Scene& scene : scenes::all()) {
+    CAPTURE(scene.name);
+    const auto body = test::chainBody(5, 3);
+    const Verdict v = judge(scene.spheres, body,
+                            test::bodyPath(scene.spheres, body->reach_A, ticksPerScene(), 5, 0.05, 0.01, 2.5, 53), 7);
+    CHECK(double(v.least_gap_A) > 0.0);
+    CHECK(double(v.residual) < 1e-6);
+    CHECK(double(v.energy_gained_A2) < 1e-9);
+    pressed += v.pressed;
+  }
+  CHECK(pressed > 3000);
+}
+
+TEST_CASE("a body in a scene that breathes by 0.3 A overlaps nothing in any tick, and rests in 19 of 20") {
+  const auto spheres = scenes::cluster(150, 4).spheres;
+  const auto body = test::chainBody(10, 4);
+  std::vector<Sphere> swollen = spheres;
+  scenes::Random random(9);
+  for (Sphere& s : swollen) s.radius_A += random.uniform(-0.1, 0.2), s.centre_A += 0.2 * random.direction();
+  ExactBody felt(test::makeScene(spheres), body);
+  const auto path = test::bodyPath(spheres, body->reach_A, 300 + ticksPerScene(), 6, 0.04, 0.004, 2.0);
+  std::unique_ptr<const SphereMotion> motion;
+  int ticks = 0, pressed = 0, unrested = 0;
+  long double least = 1.0L;
+  for (std::size_t k = 0; k < path.size(); ++k) {
+    if (k % 40 == 0) {
+      auto made = !motion ? SphereMotion::make(spheres, swollen, 40)
+                          : SphereMotion::after(*motion, (k / 40) % 2 ? spheres : swollen, 40);
+      REQUIRE(made);
+      felt.setMotion(made->get());
+      motion = std::move(*made);
+    }
+    const double fraction = double(k % 40 + 1) / 40.0;
+    felt.advanceTo(fraction);
+    const Response r = felt.respond(path[k]);
+    if (r.contact.fault != Fault::None) continue;
+    ++ticks;
+    pressed += r.contact.touching();
+    unrested += !r.at_rest;
+    least = std::min(
+        least,
+        BodyOracle(motion->at(fraction), body->spheres, felt.lever_A()).leastGap_A(BodyOracle::pose(*r.body_pose)));
+  }
+  CHECK(double(least) > -1e-9);
+  CHECK(pressed > ticks / 4);
+  CHECK(unrested * 20 < ticks);
+}

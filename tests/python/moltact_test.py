@@ -1,0 +1,186 @@
+"""The Python module, against closed forms: one argon atom has a radius of 1.88 A, the probe 1.4 A."""
+
+import ast
+import pathlib
+import subprocess
+import sys
+import threading
+import unittest
+
+import moltact
+import numpy as np
+
+SOURCE = pathlib.Path(__file__).resolve().parents[2]
+CONTACT_A = 1.88 + 1.4
+
+
+def argon():
+    return moltact.load(SOURCE / "molecules" / "argon.pdb")
+
+
+class Molecules(unittest.TestCase):
+    def test_a_molecule_of_a_file_has_its_atoms_as_arrays_of_one_row_each(self):
+        molecule = moltact.load(SOURCE / "molecules" / "1ubq.pdb")
+        self.assertEqual((len(molecule), molecule.id), (602, "1UBQ"))
+        self.assertEqual(molecule.spheres.shape, (602, 4))
+        np.testing.assert_array_equal(molecule.spheres[:, :3], molecule.positions)
+        np.testing.assert_array_equal(molecule.spheres[:, 3], molecule.radii)
+        self.assertEqual((molecule.elements[0], molecule.names[1], molecule.residues[0]), ("N", "CA", "MET"))
+        self.assertEqual((molecule.atomic_numbers[0], molecule.residue_numbers[-1]), (7, 76))
+        self.assertEqual(molecule.describe(-1), molecule.describe(601))
+        self.assertGreater(len(moltact.load(SOURCE / "molecules" / "1ubq.pdb", waters=True)), 602)
+
+    def test_a_file_that_is_absent_or_of_no_format_raises_with_its_name_and_a_remedy(self):
+        with self.assertRaisesRegex(moltact.MoleculeError, "absent.pdb: there is no such file; check the name"):
+            moltact.load("absent.pdb")
+        with self.assertRaisesRegex(ValueError, "README.md"):
+            moltact.load(SOURCE / "README.md")
+        with self.assertRaisesRegex(ValueError, "model must be"):
+            moltact.load(SOURCE / "molecules" / "argon.pdb", model=0)
+        with self.assertRaisesRegex(IndexError, "no atom 1 among 1"):
+            argon().describe(1)
+
+
+class Probes(unittest.TestCase):
+    def test_a_probe_on_one_atom_stays_at_the_sum_of_the_radii_and_is_pushed_out_by_its_depth(self):
+        hand = np.linspace([0.0, 0.0, 6.0], [0.0, 0.0, 1.0], 101)
+        felt = moltact.Tracker(argon(), stiffness_N_per_A=2.0).feel(hand)
+        depth = np.maximum(0.0, CONTACT_A - hand[:, 2])
+        self.assertEqual(len(felt), 101)
+        np.testing.assert_array_equal(felt.touching, depth > 0.0)
+        np.testing.assert_allclose(felt.positions[:, 2], np.maximum(hand[:, 2], CONTACT_A), atol=1e-12)
+        np.testing.assert_allclose(felt.forces, np.outer(2.0 * depth, [0.0, 0.0, 1.0]), atol=1e-12)
+        np.testing.assert_allclose(felt.energies, depth**2, atol=1e-12)
+        np.testing.assert_array_equal(felt.contacts[:, 0], np.where(felt.touching, 0, -1))
+        self.assertTrue((felt.contacts[:, 1:] == -1).all() and (felt.torques == 0.0).all() and felt.at_rest.all())
+
+    def test_every_method_feels_a_path_over_a_protein_and_is_the_same_in_parts_as_in_one(self):
+        molecule = moltact.load(SOURCE / "molecules" / "1ubq.pdb")
+        middle = molecule.positions.mean(axis=0)
+        hand = np.linspace(middle + [40.0, 0.0, 0.0], middle + [8.0, 6.0, 0.0], 400)
+        for method in moltact.methods():
+            with self.subTest(method):
+                whole = moltact.Tracker(molecule, method).feel(hand)
+                parts = moltact.Tracker(molecule, method)
+                first, second = parts.feel(hand[:150]), parts.feel(hand[150:])
+                self.assertGreater(whole.touching.sum(), 20)
+                np.testing.assert_array_equal(whole.forces, np.vstack([first.forces, second.forces]))
+
+    def test_a_hand_that_starts_inside_gets_no_force_until_it_has_been_outside_once(self):
+        probe = moltact.Tracker(argon())
+        inside, outside = [0.0, 0.0, 1.0], [0.0, 0.0, 6.0]
+        felt = probe.feel([inside, inside, outside, inside])
+        np.testing.assert_array_equal(felt.started_inside, [True, True, False, False])
+        np.testing.assert_array_equal(felt.touching, [False, False, False, True])
+        probe.reset()
+        self.assertTrue(probe.feel([inside]).started_inside[0])
+
+    def test_an_atom_that_is_untouchable_is_not_felt_and_spheres_of_an_array_are(self):
+        spheres = [[0.0, 0.0, 0.0, 1.0], [0.0, 0.0, 4.0, 1.0]]
+        hand = [[0.0, 0.0, 9.0], [0.0, 0.0, 4.5], [0.0, 0.0, 1.5]]
+        felt = moltact.Tracker(spheres, probe_A=1.0, untouchable=[1]).feel(hand)
+        np.testing.assert_array_equal(felt.contacts[:, 0], [-1, -1, 0])
+        np.testing.assert_allclose(felt.positions[:, 2], [9.0, 4.5, 2.0], atol=1e-12)
+        self.assertEqual(moltact.Tracker(spheres, probe_A=1.0, untouchable=[0, 1]).feel(hand).touching.sum(), 0)
+
+
+class Bodies(unittest.TestCase):
+    def test_springs_of_a_body_beside_a_wall_push_and_turn_it_by_the_atom_that_touches(self):
+        # Two atoms 6 A apart; the one at x = 3 meets an atom of radius 2 A, the other nothing.
+        body = moltact.HeldBody([[3.0, 0.0, 0.0, 2.0]], spheres=[[3.0, 0, 0, 1.0], [-3.0, 0, 0, 1.0]],
+                                interaction="springs")
+        hand = np.linspace([0.0, 0.0, 6.0], [0.0, 0.0, 2.5], 36)
+        felt = body.feel(hand)
+        self.assertEqual((felt.forces.shape, felt.orientations.shape), ((36, 3), (36, 4)))
+        np.testing.assert_array_equal(felt.touching, hand[:, 2] < 3.0 - 1e-9)
+        np.testing.assert_allclose(felt.forces[-1], [0.0, 0.0, 0.5], atol=1e-9)
+        np.testing.assert_allclose(felt.torques[-1], [0.0, -1.5, 0.0], atol=1e-9)
+        # Turned by a quarter round x, it touches at the same height.
+        turned = np.hstack([hand, np.tile([1.0, 1.0, 0.0, 0.0], (36, 1))])
+        body.reset()
+        np.testing.assert_allclose(body.feel(turned).forces, felt.forces, atol=1e-9)
+
+    def test_atoms_of_a_molecule_are_held_by_index_and_feel_the_rest_of_it(self):
+        molecule = moltact.load(SOURCE / "molecules" / "1hpv.pdb")
+        drug = [k for k, residue in enumerate(molecule.residues) if residue == "478"]
+        for interaction in moltact.interactions():
+            with self.subTest(interaction):
+                body = moltact.HeldBody(molecule, drug, interaction=interaction)
+                self.assertEqual((body.interaction, body.spheres.shape), (interaction, (35, 4)))
+                np.testing.assert_allclose(body.middle, molecule.positions[drug].mean(axis=0), atol=1e-9)
+                far = body.middle + [80.0, 0.0, 0.0]
+                felt = body.feel(np.linspace(far, body.middle + [20.0, 0.0, 0.0], 600))
+                self.assertTrue(felt.touching.any())
+                self.assertGreater(felt.forces[felt.touching][-1, 0], 0.0)
+                self.assertFalse(set(felt.contacts[felt.contacts >= 0]) & set(drug))
+
+
+class Calls(unittest.TestCase):
+    def test_bad_input_raises_with_the_place_and_what_is_wanted(self):
+        probe = moltact.Tracker(argon())
+        for error, words, call in [
+            (ValueError, r"shape \(n, 3\) or \(n, 7\), not \(1, 2\)", lambda: probe.feel([[0.0, 0.0]])),
+            (ValueError, r"poses\[1\] is not finite", lambda: probe.feel([[0, 0, 9], [0, np.nan, 0]])),
+            (ValueError, r"poses\[0\] is farther than 1e9", lambda: probe.feel([[0, 0, 1e10]])),
+            (ValueError, "quaternion of length zero", lambda: probe.feel([[0, 0, 9, 0, 0, 0, 0]])),
+            (TypeError, "array of numbers", lambda: probe.feel("nowhere")),
+            (ValueError, "no method 'exakt'; choose from 'exact'", lambda: moltact.Tracker(argon(), "exakt")),
+            (ValueError, "probe_A must be", lambda: moltact.Tracker(argon(), probe_A=-1.0)),
+            (ValueError, "stiffness_N_per_A must be", lambda: moltact.Tracker(argon(), stiffness_N_per_A=0.0)),
+            (ValueError, r"spheres\[0\] has a negative radius", lambda: moltact.Tracker([[0, 0, 0, -1]])),
+            (ValueError, r"shape \(n, 4\)", lambda: moltact.Tracker([[0, 0, 0]])),
+            (IndexError, "no atom 7 among 1", lambda: moltact.HeldBody(argon(), [7])),
+            (TypeError, "whole numbers", lambda: moltact.HeldBody(argon(), [0.5])),
+            (ValueError, "1 to 200 atoms", lambda: moltact.HeldBody(argon(), [])),
+            (ValueError, "either atoms or spheres", lambda: moltact.HeldBody(argon())),
+            (ValueError, "no interaction 'probe'", lambda: moltact.HeldBody(argon(), [0], interaction="probe")),
+        ]:
+            with self.subTest(words), self.assertRaisesRegex(error, words):
+                call()
+        # Nothing of it moved the probe.
+        self.assertFalse(probe.feel([[0.0, 0.0, 6.0]]).started_inside[0])
+
+    def test_threads_feel_at_the_same_time_and_each_what_it_would_alone(self):
+        hand = np.linspace([0.0, 0.0, 6.0], [0.0, 0.5, 1.0], 20000)
+        alone = moltact.Tracker(argon()).feel(hand).forces
+        found = [None] * 4
+
+        def work(k):
+            found[k] = moltact.Tracker(argon()).feel(hand).forces
+
+        threads = [threading.Thread(target=work, args=(k,)) for k in range(4)]
+        for thread in threads:
+            thread.start()
+        for thread in threads:
+            thread.join()
+        for forces in found:
+            np.testing.assert_array_equal(forces, alone)
+
+
+class Documents(unittest.TestCase):
+    def test_the_stubs_list_what_the_module_offers_and_everything_has_a_docstring(self):
+        stubs = ast.parse((pathlib.Path(moltact.__file__).parent / "__init__.pyi").read_text())
+        typed = {node.name: node for node in stubs.body if isinstance(node, (ast.ClassDef, ast.FunctionDef))}
+        self.assertEqual(set(typed) - {"_Feeler"}, set(moltact.__all__))
+        for name in moltact.__all__:
+            self.assertTrue(getattr(moltact, name).__doc__, name)
+        for name in ("Molecule", "Felt", "Tracker", "HeldBody"):
+            offered = {k for k, value in vars(getattr(moltact, name)).items() if not k.startswith("_")}
+            stubbed = {node.name for node in typed[name].body if isinstance(node, ast.FunctionDef)}
+            self.assertEqual({k for k in stubbed if not k.startswith("_")}, offered, name)
+            for member in offered:
+                self.assertTrue(getattr(moltact, name).__dict__[member].__doc__, f"{name}.{member}")
+
+    def test_the_example_runs_and_finds_the_grooves_of_dna(self):
+        try:
+            import matplotlib  # noqa: F401
+        except ImportError:
+            self.skipTest("matplotlib is not installed (Debian: python3-matplotlib)")
+        example = SOURCE / "docs" / "samples" / "feel_a_groove.py"
+        run = subprocess.run([sys.executable, example, "--save", ""], capture_output=True, text=True, check=True)
+        minor, major = (float(line.split()[-2]) for line in run.stdout.splitlines()[-2:])
+        self.assertLess(minor, major)
+
+
+if __name__ == "__main__":
+    unittest.main(verbosity=1)
