@@ -77,14 +77,14 @@ TEST_CASE("the gap is the smallest of all pairs to 1e-12 A up to 2 A, a lower bo
 }
 
 TEST_CASE(
-    "a stick of five balls, 1.4 A in radius and 10.8 A long, finds its way through a hole of 2.2 A in a wall, turning "
+    "a stick of five balls, 1.4 A in radius and 10.8 A long, finds its way through a hole of 3.2 A in a wall, turning "
     "into "
     "it; no place of the path, sampled every 0.01 A, overlaps by 0.03 A; through a hole of 1.35 A there is none") {
   std::vector<Sphere> stick;
   for (int k = -2; k <= 2; ++k) stick.push_back({{2.0 * k, 0, 0}, 1.4});
   const auto body = bodyOfSpheres(stick);
   for (const bool wide : {true, false}) {
-    const std::vector<Sphere> scene = wall(wide ? 2.2 : 1.35);
+    const std::vector<Sphere> scene = wall(wide ? 3.2 : 1.35);
     const SphereGrid grid(scene);
     const PoseSpace space(grid, *body);
     // It lies across on one side, and is to come to the other.

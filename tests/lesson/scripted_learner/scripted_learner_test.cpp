@@ -150,7 +150,7 @@ TEST_CASE("each kind of task is done on two balls by the student who follows its
   if (const LearnerEvent* gave_up = passes.find(Kind::GaveUp)) MESSAGE(gave_up->note);
   CHECK(passes.finished);
   const Played docks =
-      demonstrate("## A\n```scene\nmolecule: well\nin-hand: atom 6\n```\n" + touch("dock: file\nwithin: 1 Å"));
+      demonstrate("## A\n```scene\nmolecule: ring\nin-hand: atom 0\n```\n" + touch("dock: file\nwithin: 1 Å"));
   if (const LearnerEvent* gave_up = docks.find(Kind::GaveUp)) MESSAGE(gave_up->note);
   CHECK(docks.finished);
   for (const TaskKind& kind : taskKinds()) CHECK_MESSAGE(kinds.contains(kind.name), std::string(kind.name));
