@@ -1,4 +1,4 @@
-// The program's entry: a command on the line runs without a window; none opens the window.
+// The entry point: runs a command without a window, or opens the window if there is none.
 #include <exception>
 #include <new>
 
@@ -18,11 +18,11 @@ int run(int argc, char** argv) {
   moltact::WindowArguments window;
   moltact::addWindowArguments(app, window);
   moltact::addAllCommands(app);
-  // What was typed stands in what is told of it.
+  // Error messages contain the text that was typed.
   app.failure_message([](const CLI::App*, const CLI::Error& e) {
     return moltact::oneLine(e.what()) + "\nRun with --help for more information.\n";
   });
-  moltact::speakAsAsked();
+  moltact::selectLanguage();
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& e) {
@@ -32,8 +32,8 @@ int run(int argc, char** argv) {
   return 0;
 }
 
-// What a command threw becomes a message and an exit status.
-int told(int argc, char** argv) {
+// Converts an exception of a command to a message and an exit status.
+int runCommand(int argc, char** argv) {
   try {
     return run(argc, argv);
   } catch (const moltact::CommandError& e) {
@@ -55,7 +55,7 @@ int told(int argc, char** argv) {
 int main(int argc, char** argv) {
   const moltact::CrashStack crash_stack;
   moltact::takeSizeLimitsAsErrors();
-  const int status = told(argc, argv);
+  const int status = runCommand(argc, argv);
   if (moltact::terminalWritten()) return status;
   moltact::err() << "moltact: not all of this could be printed; is there room on the disk that it goes to?\n";
   return status ? status : 1;

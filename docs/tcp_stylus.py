@@ -20,7 +20,7 @@ def send(host, report):
 def serve(host):
     place, speed, force = [0.0, 0.0, 0.05], [0.0] * 3, [0.0] * 3      # metres, metres per second, newtons
     received, number, force_number = b"", 0, 0
-    start = tick = heard = told = time.monotonic()
+    start = tick = received_at = printed_at = time.monotonic()
     motors_off_at = 0.0
     while True:
         wait = max(0.0, tick - time.monotonic())
@@ -31,15 +31,15 @@ def serve(host):
             received += data
         while received and len(received) > received[0]:
             report, received = received[1:1 + received[0]], received[1 + received[0]:]
-            heard = time.monotonic()
+            received_at = time.monotonic()
             if report[:1] == b"\x03":
                 send(host, DESCRIPTION)
             elif report[:1] == b"\x02" and len(report) == 11:
                 _, force_number, x, y, z, motors_on, watchdog_ms = struct.unpack("<BH3hBB", report)
                 force = [max(-PEAK_N, min(PEAK_N, mN / 1000)) * motors_on for mN in (x, y, z)]
-                motors_off_at = heard + (watchdog_ms or 50) / 1000
+                motors_off_at = received_at + (watchdog_ms or 50) / 1000
         now = time.monotonic()
-        if now > heard + 2.0:
+        if now > received_at + 2.0:
             return                                                    # the host is silent
         if now > motors_off_at:
             force = [0.0] * 3                                         # the watchdog
@@ -55,8 +55,8 @@ def serve(host):
         number = (number + 1) % 65536
         steps = [max(-32767, min(32767, round(1000 * p / UNIT_MM))) for p in place]
         send(host, struct.pack("<BHI3h4hBBH", 1, number, int(t * 1e6) % 2**32, *steps, 0, 0, 0, 32767, 0, 0, force_number))
-        if now > told + 0.1:
-            told = now
+        if now > printed_at + 0.1:
+            printed_at = now
             print("place %.1f %.1f %.1f mm, force %.3f %.3f %.3f N" % (*(1000 * p for p in place), *force), flush=True)
 
 with socket.create_server(("127.0.0.1", int(sys.argv[1]) if len(sys.argv) > 1 else 7010)) as listener:

@@ -11,8 +11,8 @@ endforeach()
 
 # Without the browser edition, its lintian overrides would be unused.
 set(folder ${CPACK_TEMPORARY_DIRECTORY}/program/usr/share)
-if(NOT EXISTS ${folder}/moltact/moltact.html)
-  set(overrides ${folder}/lintian/overrides/moltact)
+set(overrides ${folder}/lintian/overrides/moltact)
+if(EXISTS ${overrides} AND NOT EXISTS ${folder}/moltact/moltact.html)
   file(READ ${overrides} text)
   string(REGEX REPLACE "[^\n]*(moltact\\.html|big-usr-share)[^\n]*\n" "" text "${text}")
   file(WRITE ${overrides} "${text}")

@@ -20,13 +20,13 @@ CLI::ValidationError tooManyHeld(std::size_t atoms) {
       "--in-hand", "it holds " + std::to_string(atoms) + " atoms; the most are " + std::to_string(kMaxHeldAtoms));
 }
 
-void LeftOutAtoms::addTo(CLI::App& command) {
+void ExcludedAtoms::addTo(CLI::App& command) {
   command.add_option("--untouchable", untouchable,
                      "Selection of atoms that are not felt: 'ligand'; the probe passes through them");
   command.add_option("--remove", remove, "Selection of atoms that are removed: neither felt nor drawn");
 }
 
-std::vector<std::uint32_t> LeftOutAtoms::notFelt(const Molecule& molecule) const {
+std::vector<std::uint32_t> ExcludedAtoms::notFelt(const Molecule& molecule) const {
   return atomsOfEither(selectedAtoms("--untouchable", untouchable, molecule), removed(molecule));
 }
 

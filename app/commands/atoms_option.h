@@ -18,7 +18,7 @@ std::vector<std::uint32_t> selectedAtoms(const char* option, const std::string& 
 CLI::ValidationError tooManyHeld(std::size_t atoms);
 
 /// The options --untouchable (drawn but not felt) and --remove (neither drawn nor felt).
-struct LeftOutAtoms {
+struct ExcludedAtoms {
   std::string untouchable, remove;
 
   /// Adds both options. This object must outlive the parsing.

@@ -278,7 +278,7 @@ HandOnMolecule handFrom(const fs::path& file, const std::string& otherwise) {
   if (!molecule) throw CommandError{molecule.problem().text()};
   hand.scene = std::make_shared<const SphereGrid>(molecule->spheres);
   if (!path->label("balls").empty() && path->label("balls") != fingerprint(*hand.scene))
-    err() << "moltact: " << file.string() << " was recorded on other balls than " << hand.molecule << " has here\n";
+    err() << "moltact: " << file.string() << " was recorded on other spheres than " << hand.molecule << " has here\n";
   hand.path = mappedTo(*path, *hand.scene, Workspace().A_per_mm);
   return hand;
 }

@@ -73,16 +73,16 @@ bool askOnTerminal(const std::string& question, const InterruptWatch& interrupt)
 class GuideOnTerminal {
  public:
   bool operator()(const DeviceStatus& status) {
-    if (status.text != told_) {
-      told_ = status.text;
-      tell(told_ + (status.asks_calibrate ? " Then press Enter." : ""));
+    if (status.text != reported_) {
+      reported_ = status.text;
+      tell(reported_ + (status.asks_calibrate ? " Then press Enter." : ""));
     }
     std::string line;
     return typedLine(line, 0) == Typed::Line && status.asks_calibrate;
   }
 
  private:
-  std::string told_;
+  std::string reported_;
 };
 
 void check(const Options& options) {

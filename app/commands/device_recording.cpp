@@ -79,7 +79,7 @@ class DeviceWatch {
   std::size_t touching() const { return touching_; }
 
   /// One line per exceeded limit; empty if there was none.
-  std::string told() const {
+  std::string reported() const {
     std::string out;
     const auto line = [&](std::size_t ticks, std::string_view words) {
       char time[32];
@@ -179,7 +179,7 @@ class Recorder {
                " ticks are missing, so the recording cannot be replayed",
            "end other programs, or write to another disk");
     out() << kept << " in " << options_.file << ", " << watch_.touching() << " of them in contact\n"
-          << Lines{watch_.told()};
+          << Lines{watch_.reported()};
     if (watch_.led()) return;
     fail("the device led no tick of this recording", last_said_.empty() ? "see `moltact devices`" : last_said_);
   }

@@ -11,11 +11,11 @@ void follow(const std::string& code) {
   if (const auto problem = useLanguage(code)) throw CLI::ValidationError("--language", problem->text());
 }
 
-constexpr const char* kHelp = "The language of what is said: en, de; without it that of the system";
+constexpr const char* kHelp = "Language of the output: en, de; default: that of the system";
 
 }  // namespace
 
-void speakAsAsked() {
+void selectLanguage() {
   if (const auto problem = useLanguage({})) err() << "moltact: " << problem->text() << '\n';
 }
 

@@ -8,7 +8,7 @@ namespace moltact {
 
 /// Selects $MOLTACT_LANGUAGE or the system's language before the arguments are parsed. Reports a fault in it and then
 /// uses English.
-void speakAsAsked();
+void selectLanguage();
 
 /// Adds --language, which takes effect as soon as it is parsed. A code that is not a language or has no translations is
 /// a parse error.

@@ -13,7 +13,7 @@ namespace moltact {
 
 struct LookOptions {
   std::string style = "spheres", hide, colour;
-  LeftOutAtoms left_out;
+  ExcludedAtoms left_out;
 
   /// Adds --style, --hide, --untouchable, --remove and --colour. This object must outlive the parsing.
   void addTo(CLI::App& command);

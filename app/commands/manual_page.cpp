@@ -61,18 +61,18 @@ void putCommand(std::ostream& page, const CLI::App& command) {
 constexpr const char* kRest = R"(.SH ENVIRONMENT
 .TP
 .B MOLTACT_LANGUAGE
-The language of what is said, where
+The language of the output, en or de, unless
 .B \-\-language
-does not say it: en, de. Without either it is the system's.
+gives it. The default is the language of the system.
 .TP
 .B MOLTACT_HOME
-The folder that holds the program's molecules, lessons and assets, where it is not that of the installation.
+The folder of the program's molecules, lessons and assets, if it is not that of the installation.
 .TP
 .B MOLTACT_LIBHD
-The file libHD.so of the driver of an Omni or Touch, where the system does not find it by itself.
+The driver's file libHD.so for an Omni or Touch, if the system does not find it.
 .TP
 .BR XDG_CONFIG_HOME ", " XDG_DATA_HOME ", " XDG_CACHE_HOME
-The folders in which the files below are kept.
+The base folders of the files below.
 .TP
 .B XDG_DATA_DIRS
 Where lessons for everyone on this computer are looked for: in

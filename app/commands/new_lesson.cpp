@@ -56,7 +56,7 @@ void run(const NewLessonArguments& arguments) {
         << "  moltact check " << word << "    what is wrong with it, and what would mend it\n"
         << "  moltact info MOLECULE" << std::string(word.size() > 8 ? word.size() - 8 : 0, ' ')
         << "    the chains, residues and ligands that you can name\n"
-        << "How lessons are written is told in docs/write-a-lesson.md.\n";
+        << "docs/write-a-lesson.md explains how to write lessons.\n";
 }
 
 }  // namespace

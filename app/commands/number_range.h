@@ -5,7 +5,7 @@
 
 namespace moltact {
 
-/// Accepts a finite number from `least` to `most`. Anything else ends the command with exit status 2.
-CLI::Validator numberFrom(double least, double most);
+/// Accepts a finite number from `min` to `max`. Anything else ends the command with exit status 2.
+CLI::Validator numberFrom(double min, double max);
 
 }  // namespace moltact

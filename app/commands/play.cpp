@@ -64,7 +64,7 @@ void print(const Lesson& lesson, const LearnerEvent& e) {
     case Kind::Question:
       out() << "  question " << e.index + 1 << ": " << e.text << '\n';
       out() << "    " << (!e.taken ? "not taken: " : e.right ? "right: " : "wrong: ") << e.answer << '\n';
-      if (!e.note.empty()) out() << "    told: " << e.note << '\n';
+      if (!e.note.empty()) out() << "    note: " << e.note << '\n';
       break;
     case Kind::Fault:
       out() << "  " << lineOf(lesson, e) << e.note << '\n';

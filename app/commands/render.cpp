@@ -214,9 +214,9 @@ void render(const RenderArguments& arguments) {
   if (!written)
     throw CommandError{"names cannot be written: there is no font " + interFile("Inter-Regular.otf").string()};
   if (const auto problem = writePng(arguments.out, picture)) throw CommandError{problem->text()};
-  if (const std::string told = residueSpheresNotice(scene.molecule->atoms.size(), scene.max_single_atoms);
-      !told.empty())
-    err() << "moltact: " << trf("note: {0}", told) << '\n';
+  if (const std::string notice = residueSpheresNotice(scene.molecule->atoms.size(), scene.max_single_atoms);
+      !notice.empty())
+    err() << "moltact: " << trf("note: {0}", notice) << '\n';
 }
 
 }  // namespace
@@ -272,7 +272,7 @@ void addRender(CLI::App& app) {
       ->capture_default_str();
   command
       ->add_option("--single-atoms", a.max_single_atoms,
-                   "Draw one ball per residue if the molecule has more atoms than this")
+                   "Draw one sphere per residue if the molecule has more atoms than this")
       ->check(CLI::Range(std::size_t(0), std::size_t(1'000'000'000)))
       ->capture_default_str();
   command->add_option("--time", a.time, "Also draw this many pictures and print the times as JSON")

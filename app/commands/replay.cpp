@@ -30,7 +30,7 @@ struct ReplayOptions {
   std::string path, out, in_hand;
   std::vector<std::string> from_spheres;  // files of the scene and of the body, read in place of a molecule
   std::vector<std::string> spheres;       // files of the scene and of the body, written
-  LeftOutAtoms left_out;
+  ExcludedAtoms left_out;
   TouchSetup touch;
   double stiffness_N_per_A = 1.0, rotational_stiffness_N_A = 0.0;
   bool time = false;

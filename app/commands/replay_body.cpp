@@ -33,7 +33,7 @@ void append(std::string& row, const PoseA& pose) {
 
 }  // namespace
 
-std::vector<Sphere> readSpheres(const std::filesystem::path& file, std::size_t most) {
+std::vector<Sphere> readSpheres(const std::filesystem::path& file, std::size_t max) {
   std::vector<Sphere> out;
   check(readNumberRows(
       file, kSphereHeader, tr("leave some of them out"), [&](const NumberRow& row) -> std::optional<Problem> {
@@ -43,8 +43,8 @@ std::vector<Sphere> readSpheres(const std::filesystem::path& file, std::size_t m
             return Problem{file.string(), row.line, row.columns[k], tr("no sphere has this number"),
                            trf("coordinates lie within {0} of the origin; a radius is greater than 0",
                                quantityText(kMaxPosition_A, Dimension::Length, plain()))};
-        if (out.size() == most)
-          return Problem{file.string(), row.line, 1, trf("more than {0} spheres", most), tr("leave some of them out")};
+        if (out.size() == max)
+          return Problem{file.string(), row.line, 1, trf("more than {0} spheres", max), tr("leave some of them out")};
         out.push_back({{n[0], n[1], n[2]}, n[3]});
         return std::nullopt;
       }));

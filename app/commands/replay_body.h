@@ -13,8 +13,8 @@
 namespace moltact {
 
 /// Reads the spheres of a file with the header `x,y,z,r` (angstrom). Throws CommandError with file, line and remedy if
-/// the file is malformed, has more than `most` spheres, or a number that is invalid for a sphere.
-std::vector<Sphere> readSpheres(const std::filesystem::path& file, std::size_t most);
+/// the file is malformed, has more than `max` spheres, or a number that is invalid for a sphere.
+std::vector<Sphere> readSpheres(const std::filesystem::path& file, std::size_t max);
 
 /// Writes spheres in the same format. Throws CommandError if the file cannot be written.
 void writeSpheres(const std::string& file, std::span<const Sphere> spheres);

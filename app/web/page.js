@@ -155,7 +155,7 @@
     },
   };
 
-  // ---- words: news for screen readers, and what stands on the screen ---------------------------------------------------
+  // ---- words: messages for screen readers, and the text on the screen ---------------------------------------------------
 
   const kMostNews = 60;
   function news(line) {

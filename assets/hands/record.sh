@@ -1,5 +1,5 @@
 #!/bin/sh
-# Makes the strokes of this folder anew: assets/hands/record.sh [PROGRAM], in the source folder. No person moves a hand
+# Regenerates the strokes of this folder: assets/hands/record.sh [PROGRAM], in the source folder. No person moves a hand
 # here: a script moves the mouse's pointer over the program's own window, drawn off-screen, and the simulated stylus
 # is moved by its scripted hand. What both do on the molecule is recorded by the program as any hand is.
 set -eu

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# Reports how much of each language is translated. Fails where a language that the file `complete` lists lacks a sentence
-# or has one that nobody has reviewed since the English changed (fuzzy), where any language has other placeholders or plural
-# forms than the English, and where moltact.pot differs from the sources. Lists each fault.
+# Reports the translated share of each language, and lists each fault. Fails if a language in the file `complete` lacks a
+# sentence or has one that was not reviewed after a change of the English (fuzzy). Also fails if placeholders or plural
+# forms differ from the English, or moltact.pot from the sources.
 # check.sh FOLDER checks the languages and the file `complete` of that folder instead.
 set -uo pipefail
 own=$(cd "$(dirname "$0")" && pwd)

@@ -1,5 +1,5 @@
 #!/bin/sh
-# Draws the pictures of docs/pages.md and of README.md anew, off-screen. Run in the source folder: docs/pictures/draw_pages.sh [PROGRAM]
+# Regenerates the pictures of docs/pages.md and README.md off-screen. Run in the source folder: docs/pictures/draw_pages.sh [PROGRAM]
 # The class's report is drawn where there is chromium; its class is the one that the tests make up.
 set -eu
 program=${1:-build/release/moltact}

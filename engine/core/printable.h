@@ -15,7 +15,7 @@ inline constexpr std::string_view kReplacement = "\xEF\xBF\xBD";  ///< U+FFFD, r
 
 /// True for a code point that controls the display: C0 and C1 controls except tab and line end, DEL, and characters
 /// that change the direction of the surrounding text (embeddings, overrides, isolates).
-constexpr bool steersTerminal(std::uint32_t code) {
+constexpr bool isTerminalControl(std::uint32_t code) {
   return (code < 0x20 && code != '\t' && code != '\n') || (code >= 0x7F && code < 0xA0) ||
          (code >= 0x202A && code <= 0x202E) || (code >= 0x2066 && code <= 0x2069);
 }
@@ -30,7 +30,7 @@ void splitHarmful(std::string_view text, Keep&& keep, Harmful&& harmful, Also&& 
   };
   while (at < text.size()) {
     const CodePoint c = firstCodePoint(text.substr(at));
-    if (c.valid && !steersTerminal(c.code) && !also(c.code)) {
+    if (c.valid && !isTerminalControl(c.code) && !also(c.code)) {
       at += c.bytes;
       continue;
     }

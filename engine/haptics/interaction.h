@@ -32,7 +32,7 @@ struct Response {
   /// Combined stiffness of the springs along the stiffest direction, as a multiple of one spring (1 or more). It
   /// exceeds 1 where several spheres push at once or a body is held at several points. The loop's stability depends on
   /// it.
-  double springs = 1.0;
+  double stiffness_factor = 1.0;
   /// Rotational stiffness about the stiffest axis, divided by the stiffness of one spring.
   double rotational_A2 = 0.0;
   std::optional<FeltForce> field = std::nullopt;  ///< force besides the contact; empty: none
@@ -65,7 +65,7 @@ struct Response {
       out.rotational_stiffness_N_A = field_share * field->rotational_stiffness_N_A;
     }
     if (springsPull()) {
-      out.stiffness_N_per_A += springs * spring_N_per_A;
+      out.stiffness_N_per_A += stiffness_factor * spring_N_per_A;
       out.rotational_stiffness_N_A += rotational_A2 * spring_N_per_A;
     }
     return out;

@@ -68,11 +68,11 @@ class NearbySpheres {
   /// number of spheres and must live until another is set.
   void setMotion(const SphereMotion* motion) noexcept {
     // A motion that continues the last one brings distant spheres nearer by at most its largest displacement.
-    const bool goes_on = motion && motion_ && fraction_ == 1.0 && motion->continues(*motion_) && fits_ && !shrunk_;
+    const bool continued = motion && motion_ && fraction_ == 1.0 && motion->continues(*motion_) && fits_ && !shrunk_;
     motion_ = motion;
     motion_serial_ = motion ? motion->serial() : 0;
     fraction_ = 0.0;
-    reach_ = goes_on ? reach_ - motion->maxMotion_A() : -1.0;
+    reach_ = continued ? reach_ - motion->maxMotion_A() : -1.0;
     if (reach_ < 0.0) count_ = 0;
     stale_ = count_ > 0;
     max_motion_ = maxMotionOfList_A();

@@ -48,7 +48,7 @@ constexpr std::array kProperties{
                               .decimals = 1,
                               .first = true},
                   .fallback = "1.4 Å",
-                  .meaning = "The probe's radius, by which every atom grows.",
+                  .meaning = "The radius of the probe, by which every atom is inflated.",
                   .compared = "The second thing has a probe of this radius."},
     TouchProperty{.member = &TouchSetup::stiffness_N_per_mm,
                   .key = "stiffness",
@@ -63,7 +63,7 @@ constexpr std::array kProperties{
                               .range = {0.05, 2.0},
                               .step = 0.05},
                   .fallback = "500 N/m",
-                  .meaning = "How hard the surface pushes back for the way pushed in.",
+                  .meaning = "The force of the surface per depth of the push.",
                   .compared = "The second thing pushes back so hard."},
     TouchProperty{.member = &TouchSetup::method,
                   .key = "method",
@@ -89,7 +89,7 @@ constexpr std::array kProperties{
                   .words = &interactionWords,
                   .control = {.title = N_("In the hand")},
                   .fallback = "probe",
-                  .meaning = "What the hand feels the molecule with.",
+                  .meaning = "What the hand uses to feel the molecule.",
                   .compared = "The second thing is felt with this in the hand."},
     TouchProperty{.member = &TouchSetup::charges,
                   .key = "charges",
@@ -97,8 +97,8 @@ constexpr std::array kProperties{
                   .label = "charges",
                   .words = &chargeWords,
                   .fallback = "none",
-                  .meaning = "Where the charges of the atoms come from: 'file' from a PQR file, 'formal' from the "
-                             "residues at pH 7. Interactions with electrostatic forces use them; contact does not."},
+                  .meaning = "The source of the atoms' charges: 'file' from a PQR file, 'formal' from the residues at "
+                             "pH 7. Interactions with electrostatic forces use them; contact does not."},
 };
 
 std::string textOf(const TouchValue& value) {

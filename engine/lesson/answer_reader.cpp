@@ -20,11 +20,11 @@ std::string conditionMeant(std::string_view key) {
 
 void readRules(Reading& reading, const KeyValues& values, Question& question) {
   for (const auto& [key, value] : values) {
-    WayRule rule;
+    StepRule rule;
     if (key == "if right") {
-      rule.when = WayRule::When::Right;
+      rule.when = StepRule::When::Right;
     } else if (key == "if right at first") {
-      rule.when = WayRule::When::RightAtFirst;
+      rule.when = StepRule::When::RightAtFirst;
     } else if (key.starts_with(kAfter) && key.ends_with(kWrong)) {
       const std::string_view count =
           stripped(std::string_view(key).substr(kAfter.size(), key.size() - kAfter.size() - kWrong.size()));
@@ -34,19 +34,19 @@ void readRules(Reading& reading, const KeyValues& values, Question& question) {
                       tr("write a whole number from 1 to 20, as in 'after 2 wrong: go to …'"));
         continue;
       }
-      rule.when = WayRule::When::Wrong;
+      rule.when = StepRule::When::Wrong;
       rule.wrong = static_cast<int>(*number);
     } else {
       continue;
     }
-    rule.then = value.skips ? WayRule::Then::Skip : WayRule::Then::GoTo;
+    rule.then = value.skips ? StepRule::Then::Skip : StepRule::Then::GoTo;
     rule.steps = value.words;
     rule.step_places = value.places;
     rule.place = value.place;
     question.rules.push_back(std::move(rule));
   }
   std::sort(question.rules.begin(), question.rules.end(),
-            [](const WayRule& a, const WayRule& b) { return a.place.line < b.place.line; });
+            [](const StepRule& a, const StepRule& b) { return a.place.line < b.place.line; });
 }
 
 void readWhatIsRight(Reading& reading, const KeyValues& values, const MarkdownBlock& block, Question& question) {
@@ -116,7 +116,7 @@ void readAnswer(Reading& reading, const MarkdownBlock& block, const Lesson& less
   };
   if (!question.prediction && !question.free()) return;
   if (values.has("attempts")) notJudged("attempts", values["attempts"].place);
-  for (const WayRule& rule : question.rules) notJudged(rule.key(), rule.place);
+  for (const StepRule& rule : question.rules) notJudged(rule.key(), rule.place);
 }
 
 }  // namespace moltact::reading

@@ -1,4 +1,4 @@
-// Front matter and the fenced blocks scene and touch.
+// Reads the front matter and the fenced blocks scene and touch.
 #include <algorithm>
 #include <optional>
 #include <utility>
@@ -25,7 +25,7 @@ KeyValues readBlock(Reading& reading, std::span<const KeyLine> lines, std::span<
   return values;
 }
 
-/// Whose a key is that the task at hand does not have; empty where no kind of task has it.
+/// The kinds of task that have a key which this task lacks; empty if none has it.
 std::string ownersOf(std::string_view key) {
   std::string owners;
   for (const TaskKind& kind : taskKinds())
@@ -41,7 +41,7 @@ std::vector<KeyLine> linesOf(Reading& reading, std::span<const BlockLine> lines)
   return out;
 }
 
-// A view of a name that an earlier scene gave takes its place.
+// A view with the name of an earlier one replaces it.
 void takeViews(Reading& reading, const KeyValues& values, SceneSpec& scene) {
   constexpr std::string_view kStart = "view ";
   std::vector<std::pair<std::string_view, const Value*>> given;
@@ -65,7 +65,7 @@ void takeViews(Reading& reading, const KeyValues& values, SceneSpec& scene) {
   }
 }
 
-// "1ake", "1ake, superposed on chain A"; the names of the two states, and which of them the scene begins with.
+// "1ake", "1ake, superposed on chain A"; the names of the two states, and the one with which the scene begins.
 void takeSecondState(Reading& reading, const KeyValues& values, bool takes_state, const Lesson& lesson,
                      SceneSpec& scene) {
   SecondState& then = scene.then;
@@ -105,7 +105,7 @@ void takeSecondState(Reading& reading, const KeyValues& values, bool takes_state
   }
 }
 
-// What stands below two molecules that are compared.
+// The captions of two molecules that are compared.
 void takeCaptions(Reading& reading, const Value& value, SceneSpec& scene) {
   scene.captions = value.words;
   if (scene.molecule.reading.beside.empty())
@@ -115,7 +115,7 @@ void takeCaptions(Reading& reading, const Value& value, SceneSpec& scene) {
     reading.error(value.place, tr("there are two molecules to name"), tr("write two names, as in 'wool, silk'"));
 }
 
-// What a scene names, points at and measures; "none" leaves nothing of what an earlier scene did.
+// The names, markers and measurements of a scene; "none" removes those of an earlier scene.
 template <class Takes>
 void readMarks(const KeyValues& values, const Takes& takes, SceneSpec& scene) {
   if (takes("label")) scene.labels = values["label"].marks;
@@ -157,17 +157,17 @@ std::size_t readFrontMatter(Reading& reading, Lesson& lesson) {
   }
   std::vector<BlockLine> lines;
   std::size_t end = 2;
-  // A step or a block means that the end was forgotten: the lesson goes on there.
-  const auto goesOn = [](std::string_view line) { return line.starts_with("## ") || line.starts_with("```"); };
-  while (end <= source.lineCount() && stripped(source.line(end)) != "---" && !goesOn(source.line(end))) {
+  // A step or a block means that the closing line was forgotten; the lesson continues there.
+  const auto endsFrame = [](std::string_view line) { return line.starts_with("## ") || line.starts_with("```"); };
+  while (end <= source.lineCount() && stripped(source.line(end)) != "---" && !endsFrame(source.line(end))) {
     lines.push_back({std::string(source.line(end)), {end, 1}});
     ++end;
   }
-  const bool forgotten = end > source.lineCount() || goesOn(source.line(end));
+  const bool forgotten = end > source.lineCount() || endsFrame(source.line(end));
   if (forgotten) {
     reading.error({1, 1}, tr("the front matter has no end"), tr("close it with a line '---'"));
     if (end > source.lineCount()) return source.bytes().size();
-    // Prose between it and the first step is no list of keys.
+    // Prose between the front matter and the first step is not a list of keys.
     const auto prose =
         std::find_if(lines.begin(), lines.end(), [](const BlockLine& l) { return stripped(l.text).empty(); });
     lines.erase(prose, lines.end());
@@ -196,7 +196,7 @@ std::size_t readFrontMatter(Reading& reading, Lesson& lesson) {
   lesson.molecule_places = values["molecules"].places;
   lesson.locked = values["locked"].words;
   lesson.ask = values["ask"].text;
-  // A goal is a sentence and may hold commas; only a "- " list parts goals.
+  // A goal is a sentence and may contain commas; only "- " lines separate goals.
   if (!values["goals"].text.empty()) lesson.goals = {values["goals"].text};
   return end < source.lineCount() ? source.lineStart(end + 1) : source.bytes().size();
 }
@@ -206,7 +206,7 @@ SceneSpec readScene(Reading& reading, const MarkdownBlock& block, const SceneSpe
   const auto keys = pointersTo(keysOf(KeyBlock::Scene));
   const KeyValues values = readBlock(reading, lines, keys, blockName(KeyBlock::Scene), block.place);
   const bool anew = values.has("molecule") || !before;
-  // Only what the author wrote has a place; a fallback counts in a scene that starts anew.
+  // Only values written by the author have a position; defaults apply only in a scene that starts anew.
   const auto takes = [&](std::string_view key) { return values.has(key) && (anew || values[key].place.line); };
 
   SceneSpec scene = anew ? SceneSpec{} : *before;
@@ -291,14 +291,14 @@ TaskSpec readTouch(Reading& reading, const MarkdownBlock& block, const Lesson& l
     task.values = readKeyValues(lines, keys, blockName(KeyBlock::Touch), block.place, problems, &ownersOf);
     const bool good = problems.empty();
     if (good && kind->check) kind->check({std::string(kind->name), task.values, task.place, {}}, problems);
-    // With errors too: the lesson cannot be used then, but more can be told of it.
+    // Stored despite errors: the lesson is not usable then, but further checks can report more.
     task.kind = kind->name;
     reading.add(std::move(problems));
     task.goals = readGoals(reading, task.values["goal"], lesson);
     return task;
   }
 
-  // Without a kind, a misspelt one is the likeliest cause: each unknown key is told, with the kinds among the
+  // Without a kind, a misspelt kind is the likeliest cause. Each unknown key is reported, with the kinds among the
   // suggestions.
   std::vector<std::string_view> names;
   for (const TaskKind& k : taskKinds()) names.push_back(k.name);
@@ -307,14 +307,14 @@ TaskSpec readTouch(Reading& reading, const MarkdownBlock& block, const Lesson& l
   for (const TaskKind& k : taskKinds())
     for (const KeySpec& key : k.keys)
       if (std::find(names.begin(), names.end(), key.name) == names.end()) names.push_back(key.name);
-  bool told = false;
+  bool reported = false;
   for (const KeyLine& line : lines)
     if (std::find(names.begin(), names.end(), line.key) == names.end()) {
       reading.error(line.key_place, trf("{0} has no key '{1}'", trc("block", blockName(KeyBlock::Touch)), line.key),
-                    suggest(line.key, told ? names : kinds, tr("tasks")));
-      told = true;
+                    suggest(line.key, reported ? names : kinds, tr("tasks")));
+      reported = true;
     }
-  if (!told)
+  if (!reported)
     reading.error(block.place, tr("the touch block names no task"),
                   trf("add a line that starts with {0} and a colon", joined(kinds, tr(" or "))));
   return {};

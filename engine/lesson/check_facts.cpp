@@ -118,7 +118,7 @@ Computed outOfPlane(Subject& s, const std::vector<Atoms>& of) {
 Computed largest(Subject& s, const std::vector<Atoms>& of) {
   const Atoms atoms = s.inSpheres(of[0]);
   const auto touches = [&](double ball_A) {
-    if (!comesTo(s.sphereGrid(), atoms, ball_A, true).empty()) return true;
+    if (!reachablePlaces(s.sphereGrid(), atoms, ball_A, true).empty()) return true;
     const WaysIn ways(s.spheres, ball_A);
     return std::any_of(atoms.begin(), atoms.end(), [&](std::uint32_t a) { return ways.straight(a); });
   };

@@ -166,7 +166,8 @@ class Check {
       place = reading_place;
     }
     // A scene that continues the previous one must not repeat its errors.
-    if (told_.insert({named.name, place.line, place.column}).second) findings_.error(place, why.message, why.remedy);
+    if (reported_.insert({named.name, place.line, place.column}).second)
+      findings_.error(place, why.message, why.remedy);
     return nullptr;
   }
 
@@ -175,7 +176,7 @@ class Check {
                const std::vector<std::uint32_t>& untouchable = {}) {
     if (!selection.given() || findings_.enough()) return;
     // A scene that continues the previous one must not repeat its errors.
-    if (!told_.insert({selection.text(), place.line, place.column}).second) return;
+    if (!reported_.insert({selection.text(), place.line, place.column}).second) return;
     const auto at = [&](const Problem& p) { return Place{place.line, place.column + p.column - 1}; };
     const std::vector<std::uint32_t> atoms = selection.select(molecule);
     if (atoms.empty()) {
@@ -188,7 +189,7 @@ class Check {
                       tr("name other atoms, or change the scene's 'untouchable' or 'remove'"));
       return;
     }
-    for (Problem& idle : selection.idleNames(molecule))
+    for (Problem& idle : selection.unmatchedNames(molecule))
       findings_.warning(at(idle), std::move(idle.message), std::move(idle.remedy));
   }
 
@@ -197,9 +198,9 @@ class Check {
   Findings& findings_;
   std::map<std::pair<std::string, std::string>, Expected<std::shared_ptr<const Molecule>>> found_;  // by name and
                                                                                                     // reading options
-  std::set<std::pair<std::size_t, std::size_t>> undirected_;          // places of 'facing' with a warning so far
-  std::set<std::tuple<std::string, std::size_t, std::size_t>> told_;  // selections and names reported so far, with
-                                                                      // their places
+  std::set<std::pair<std::size_t, std::size_t>> undirected_;              // places of 'facing' with a warning so far
+  std::set<std::tuple<std::string, std::size_t, std::size_t>> reported_;  // selections and names reported so far, with
+                                                                          // their places
 };
 
 }  // namespace

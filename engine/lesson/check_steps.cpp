@@ -34,9 +34,9 @@ std::vector<char> reached(const Lesson& lesson) {
     if (!lesson.steps[i].aside || lesson.steps[i].extra) reach(i);
   const auto followRules = [&](const Step& step) {
     for (const Question& q : step.questions)
-      for (const WayRule& rule : q.rules)
+      for (const StepRule& rule : q.rules)
         for (const std::string& id : rule.steps)
-          if (const auto to = step_of.find(id); rule.then == WayRule::Then::GoTo && to != step_of.end())
+          if (const auto to = step_of.find(id); rule.then == StepRule::Then::GoTo && to != step_of.end())
             reach(to->second);
   };
   forEachText(lesson.introduction, follow);

@@ -22,8 +22,8 @@ KeySpec fact(std::string_view name, std::string_view meaning, Dimension dimensio
           .type = ValueType::Facts,
           .meaning = meaning,
           .dimension = dimension,
-          .least = double(least),
-          .most = double(std::max(least, most))};
+          .min = double(least),
+          .max = double(std::max(least, most))};
 }
 
 struct Stated {
@@ -61,8 +61,7 @@ std::size_t relationIn(std::string_view line) {
 const char* example(const KeySpec& key) {
   switch (key.dimension) {
     case Dimension::Length:
-      return key.least > 1 ? N_("write it as 'residue 35 - residue 52 = 5.8 Å'")
-                           : N_("write it as 'residue 35 = 1.4 Å'");
+      return key.min > 1 ? N_("write it as 'residue 35 - residue 52 = 5.8 Å'") : N_("write it as 'residue 35 = 1.4 Å'");
     case Dimension::Angle:
       return N_("write it as 'name N - name CA - name C = 110°'");
     case Dimension::Share:
@@ -99,7 +98,7 @@ std::vector<KeySpec> factKeys() {
        .type = ValueType::Quantity,
        .meaning = "The radius of the ball of `turn`, `touched`, `reached` and `share`. Left out, the scene's probe.",
        .dimension = Dimension::Length,
-       .most = 20.0},
+       .max = 20.0},
       fact("atoms", "The number of atoms.", Dimension::None),
       fact("residues", "The number of residues that have such an atom.", Dimension::None),
       fact("chains", "The number of chains that have such an atom.", Dimension::None),
@@ -145,9 +144,9 @@ std::optional<Problem> addFact(const KeySpec& key, Value& value, std::string_vie
     out.atoms.push_back(*std::move(read));
     out.places.push_back({0, at(line, part, {}).column});
   }
-  if (double(out.atoms.size()) < key.least || double(out.atoms.size()) > key.most)
+  if (double(out.atoms.size()) < key.min || double(out.atoms.size()) > key.max)
     return at(line, line,
-              trf("'{0}' is computed from {1} selections, not from {2}", key.name, int(key.least), out.atoms.size()),
+              trf("'{0}' is computed from {1} selections, not from {2}", key.name, int(key.min), out.atoms.size()),
               tr(example(key)));
   const std::size_t to = out.relation == FactSpec::Relation::Equal ? number.find(" to ") : std::string_view::npos;
   const std::string_view high = to == std::string_view::npos ? number : stripped(number.substr(to + 4));

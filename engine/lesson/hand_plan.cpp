@@ -10,51 +10,53 @@
 namespace moltact {
 namespace {
 
-constexpr double kBefore_A = 1.0;       // the hand begins so far before a place
-constexpr double kSettle_s = 0.3;       // in which the force after a new beginning has grown to its full size
-constexpr double kApart_A = 0.5;        // places nearer to each other than this are one
-constexpr double kStep_A = 0.4;         // of a slide, between two looks for the surface
-constexpr int kMaxSteps = 20'000;       // longer on ways that are no molecule's
-constexpr double kRoom_A = 1.5;         // more room than this round a place is no better
-constexpr int kDirections = 60;         // in which an atom's face is looked at
-constexpr double kHandSpacing_A = 0.4;  // of places in a crease
+constexpr double kBefore_A = 1.0;       // distance from the place at which the hand begins
+constexpr double kSettle_s = 0.3;       // time for the force to reach its full size after a soft start
+constexpr double kApart_A = 0.5;        // minimum distance of two places
+constexpr double kStep_A = 0.4;         // step of a slide between two tests of the surface
+constexpr int kMaxSteps = 20'000;       // upper limit for paths longer than any molecule
+constexpr double kRoom_A = 1.5;         // clearance beyond which a place is not better
+constexpr int kDirections = 60;         // number of directions tested for an atom's face
+constexpr double kHandSpacing_A = 0.4;  // spacing of places in a crease
 constexpr double kGoldenAngle = 2.399963229728653;
 
-// How far the nearest atom that does not hold the probe is away from it there.
+// The distance from the probe, at this place, to the nearest atom outside the active set.
 double room(const HandPlanInput& view, const SurfacePlace& place) {
-  double least = kRoom_A;
+  double min = kRoom_A;
   view.spheres.visitNear(place.scp_A, view.probe_A + kRoom_A, [&](std::uint32_t i, const Sphere& b) {
     const auto atom = static_cast<std::int32_t>(i);
     if (atom == place.atoms[0] || atom == place.atoms[1] || atom == place.atoms[2]) return;
-    least = std::min(least, glm::distance(place.scp_A, b.centre_A) - b.radius_A - view.probe_A);
+    min = std::min(min, glm::distance(place.scp_A, b.centre_A) - b.radius_A - view.probe_A);
   });
-  return least;
+  return min;
 }
 
-constexpr int kBodyDirections = 100, kFewBodyDirections = 12;  // from which a body comes to an atom
-constexpr double kFrontal = 0.5;  // cosine of the angle between its way and the normal; it slides off beyond
+// number of directions from which a body approaches an atom
+constexpr int kBodyDirections = 100, kFewBodyDirections = 12;
+// cosine of the largest angle between the motion and the normal; beyond, the body slides off
+constexpr double kFrontal = 0.5;
 
-// The direction from a scene's atom to the nearest of the body's atoms, with its middle there.
+// The direction from the scene's atom to the nearest of the body's atoms, for a body whose middle is at that position.
 Vec3 contactNormal(const HandPlanInput& view, std::int32_t atom, const Vec3& middle_A) {
   const Vec3 centre = view.spheres[std::size_t(atom)].centre_A;
   const glm::dmat3 axes = glm::mat3_cast(view.orientation);
   Vec3 nearest(0.0, 0.0, 1.0);
-  double least_A = 1e300;
+  double min_A = 1e300;
   for (const Sphere& sphere : view.body->spheres) {
     const Vec3 from = middle_A + axes * sphere.centre_A - centre;
     const double gap_A = glm::length(from) - sphere.radius_A;
-    if (gap_A >= least_A || glm::length(from) == 0.0) continue;
-    least_A = gap_A;
+    if (gap_A >= min_A || glm::length(from) == 0.0) continue;
+    min_A = gap_A;
     nearest = glm::normalize(from);
   }
   return nearest;
 }
 
-// Where the body meets one of these atoms first, on straight ways from many directions: on each of them the body's
+// Where the body first meets one of these atoms on straight paths from many directions. On each path, the body's
 // foremost atom is aimed at the atom's centre.
 std::vector<SurfacePlace> bodyPlaces(const HandPlanInput& view, std::span<const std::uint32_t> atoms,
-                                     std::size_t at_most, const std::function<bool(const SurfacePlace&)>& wanted) {
-  // Of many atoms every so-and-so-many-th is aimed at, from fewer directions: each aim sweeps the whole body.
+                                     std::size_t max_count, const std::function<bool(const SurfacePlace&)>& wanted) {
+  // Of many atoms only every n-th is aimed at, from fewer directions, because each aim sweeps the whole body.
   constexpr std::size_t kMaxAims = 6000;
   const std::size_t each = std::max<std::size_t>(1, atoms.size());
   const int directions = int(std::clamp<std::size_t>(kMaxAims / each, kFewBodyDirections, kBodyDirections));
@@ -70,7 +72,7 @@ std::vector<SurfacePlace> bodyPlaces(const HandPlanInput& view, std::span<const 
     for (int k = 0; k < directions; ++k) {
       const double z = 1.0 - (2.0 * k + 1.0) / directions, r = std::sqrt(1.0 - z * z), turn = kGoldenAngle * k;
       const Vec3 out(r * std::cos(turn), r * std::sin(turn), z);
-      // The body's atom that is foremost on this way meets what it is aimed at before the others do, if any does.
+      // The body's foremost atom on this path meets the target before its other atoms do, if any does.
       std::size_t foremost = 0;
       const auto ahead = [&](std::size_t i) {
         return view.body->spheres[i].radius_A - glm::dot(out, axes * view.body->spheres[i].centre_A);
@@ -90,7 +92,7 @@ std::vector<SurfacePlace> bodyPlaces(const HandPlanInput& view, std::span<const 
   std::stable_sort(found.begin(), found.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
   std::vector<SurfacePlace> out;
   for (const auto& [frontal, place] : found) {
-    if (out.size() >= at_most) break;
+    if (out.size() >= max_count) break;
     const Vec3 here = place.scp_A;
     const auto near = [&](const SurfacePlace& p) { return glm::distance(p.scp_A, here) < kApart_A; };
     if (std::none_of(out.begin(), out.end(), near)) out.push_back(place);
@@ -122,9 +124,9 @@ std::vector<std::uint32_t> everyAtom(const SphereGrid& spheres) {
 }
 
 std::vector<SurfacePlace> openPlaces(const HandPlanInput& view, std::span<const std::uint32_t> atoms, Feature feature,
-                                     std::size_t at_most, const std::function<bool(const SurfacePlace&)>& wanted) {
+                                     std::size_t max_count, const std::function<bool(const SurfacePlace&)>& wanted) {
   if (view.body)
-    return feature == Feature::Sphere ? bodyPlaces(view, atoms, at_most, wanted) : std::vector<SurfacePlace>();
+    return feature == Feature::Sphere ? bodyPlaces(view, atoms, max_count, wanted) : std::vector<SurfacePlace>();
   std::vector<SurfacePlace> found;
   if (feature == Feature::Sphere)
     found = facePlaces(view.spheres, atoms, view.probe_A, kDirections);
@@ -138,8 +140,9 @@ std::vector<SurfacePlace> openPlaces(const HandPlanInput& view, std::span<const 
   std::sort(order.begin(), order.end());
   std::vector<SurfacePlace> out;
   for (const auto& ordered : order) {
-    const std::size_t k = ordered.second;  // no binding, which clang before 16 lets no lambda take
-    if (out.size() >= at_most) break;
+    // a variable instead of a structured binding, which lambdas cannot capture in clang before 16
+    const std::size_t k = ordered.second;
+    if (out.size() >= max_count) break;
     const auto near = [&](const SurfacePlace& p) { return glm::distance(p.scp_A, found[k].scp_A) < kApart_A; };
     if (std::none_of(out.begin(), out.end(), near) && openFromOutside(view.spheres, found[k], view.probe_A))
       out.push_back(found[k]);
@@ -169,7 +172,7 @@ void slide(HandPlan& plan, const HandPlanInput& view, const SurfacePlace& from, 
     const Vec3 mixed = from.outward * (1.0 - part) + to.outward * part;
     const Vec3 out = glm::length(mixed) > 1e-6 ? glm::normalize(mixed) : to.outward;
     const Vec3 between = from.scp_A * (1.0 - part) + to.scp_A * part;
-    // The surface as it is met from outside there; where nothing is met the straight way will do.
+    // The surface as met from outside at this point; if nothing is met, the straight path is used.
     const Vec3 start = between + out * far, end = between - out * (0.5 * length + depth_A);
     const Hit hit = sweep(view.spheres, view.hand(), start, end);
     const Vec3 surface = k == steps ? to.scp_A : hit.sphere >= 0 ? start + (end - start) * hit.t : between;

@@ -1,6 +1,6 @@
-// The movements by which a hand carries out a task: the scripted learner follows it (engine/lesson/scripted_learner),
-// and each kind of task offers it. A plan may fail, for the molecule's shape is judged only roughly; the next attempt
-// then takes other places. Not for the haptic thread. Units: angstrom, second, newton.
+// Plans by which a scripted hand carries out a task. Each kind of task makes them; the scripted learner follows them
+// (engine/lesson/scripted_learner). A plan may fail, because the molecule's shape is judged only roughly; the next
+// attempt then uses other places. Not for the haptic thread. Units: angstrom, second, newton.
 #pragma once
 
 #include <cstdint>
@@ -18,14 +18,14 @@
 
 namespace moltact {
 
-/// One thing to do. The hand first goes, then waits, then answers.
+/// One act: the hand first moves, then waits, then answers.
 struct HandAct {
-  std::optional<PointA> to = {};  ///< where the HIP goes in a straight line
+  std::optional<PointA> to = {};  ///< target of the HIP, in a straight line
   double speed_A_per_s = 3.0;
-  /// How the hand is turned at the end: evenly on the way there, by the shorter arc. Empty: it is not turned.
+  /// The orientation at the end, by the shorter arc at constant speed. Empty: unchanged.
   std::optional<Quat> turned_to = {};
   double turn_deg_per_s = 60.0;
-  bool placed = false;  ///< it is there at once, as a mouse's hand that hovers over another place
+  bool placed = false;  ///< the hand jumps there, as a mouse that hovers over another place does
   double wait_s = 0.0;
   /// The scene's atoms move first to this share of the way to its second structure (0 to 1), while the hand stays.
   std::optional<double> share = {};
@@ -45,10 +45,10 @@ struct StructureChoice {
 struct HandPlanInput {
   const SphereGrid& spheres;
   double probe_A = kWaterProbe_A;
-  double N_per_A = 1.0;  ///< the spring's force for a HIP so deep under the surface
+  double N_per_A = 1.0;  ///< the spring's force per depth of the HIP under the surface
   PointA hip{};
   int attempt = 0;                 ///< 0 for the first plan of a task; each further one should differ
-  const HeldBody* body = nullptr;  ///< what the hand holds; null: the probe
+  const HeldBody* body = nullptr;  ///< what the hand holds; null: a probe
   Quat orientation = kNoRotation;  ///< of the hand
   /// The scene's structures; empty where it has only one.
   std::vector<StructureChoice> structures = {};
@@ -56,13 +56,13 @@ struct HandPlanInput {
   HandShape hand() const { return body ? HandShape(*body, orientation) : HandShape(probe_A); }
 };
 
-/// The way of the hand in an act that does not place it: straight and evenly, place and orientation together, in so
-/// many ticks.
+/// The path of the hand in an act without a jump: position and orientation change together at constant speed, in this
+/// number of ticks.
 struct HandWay {
   PoseA from, to;
-  std::size_t ticks = 0;  ///< 0: the hand stays
+  std::size_t ticks = 0;  ///< 0: the hand does not move
 
-  /// After tick `k`, 1 to `ticks`; the last one is `to` exactly.
+  /// The pose after tick `k`, 1 to `ticks`; the last one is exactly `to`.
   PoseA at(std::size_t k) const;
 };
 HandWay wayOf(const HandAct& act, const PoseA& from, double tick_s);
@@ -70,25 +70,25 @@ HandWay wayOf(const HandAct& act, const PoseA& from, double tick_s);
 /// The atoms of the scene, 0 to n - 1.
 std::vector<std::uint32_t> everyAtom(const SphereGrid& spheres);
 
-/// Places of this kind that these atoms alone make and a probe reaches straight from outside, the roomiest first and no
-/// two within 0.5 A. `at_most` of them; where `wanted` is given, of those for which it says true.
-/// With a body in the hand: where the body, oriented as it is, first meets one of these atoms on a straight way of its
-/// middle from outside, the most frontal first; `scp_A` is then the place of its middle. A body has places of
-/// Feature::Sphere only.
+/// Up to `max_count` places of this kind that only these atoms form and that a probe reaches from outside in a straight
+/// line, those with most clearance first, at least 0.5 A apart. With `wanted`, only places for which it returns true.
+/// With a body in the hand: places where the body, in its present orientation, first meets one of these atoms on a
+/// straight path from outside, the most frontal first; `scp_A` is then the position of its middle. A body has only
+/// places of Feature::Sphere.
 std::vector<SurfacePlace> openPlaces(const HandPlanInput& view, std::span<const std::uint32_t> atoms, Feature feature,
-                                     std::size_t at_most = 40,
+                                     std::size_t max_count = 40,
                                      const std::function<bool(const SurfacePlace&)>& wanted = {});
 
-/// The place for an attempt: the first, then others in turn. Nothing where there is none.
+/// The place for an attempt: the first one, then the others in turn. Empty if there is none.
 std::optional<SurfacePlace> placeFor(const HandPlanInput& view, const std::vector<SurfacePlace>& places);
 
-/// How deep under the surface the spring gives so much force.
+/// The depth under the surface at which the spring exerts this force.
 double depthFor(const HandPlanInput& view, double force_N);
 
-/// Puts the hand before the place, brings it down and `depth_A` under the surface, and waits there.
+/// Appends acts that put the hand before the place, move it to `depth_A` under the surface, and wait there.
 void comeTo(HandPlan& plan, const SurfacePlace& place, double depth_A, double wait_s);
 
-/// From one place to another over the surface, `depth_A` under it all the way.
+/// Appends acts that lead the hand over the surface from one place to another, at `depth_A` under it.
 void slide(HandPlan& plan, const HandPlanInput& view, const SurfacePlace& from, const SurfacePlace& to, double depth_A,
            double speed_A_per_s = 3.0);
 

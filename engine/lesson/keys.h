@@ -1,6 +1,6 @@
-// Every key that a lesson may use: one table, from which the reader checks and the authors' reference is made.
-// The keys of a touch block are the common ones here and those of its task kind (tasks/registry.h).
-// Plain data; any thread but the haptic one.
+// Every key that a lesson may use, in one table. The reader checks lessons against it, and the authors' reference is
+// generated from it. A touch block has the common keys here and those of its task kind (tasks/registry.h). Plain data;
+// any thread but the haptic one.
 #pragma once
 
 #include <array>
@@ -30,44 +30,47 @@ enum class ValueType : std::uint8_t {
   TextList,   ///< texts: "- " lines, or separated by commas
   Count,      ///< a whole number
   Number,     ///< any number, with or without a unit (the answer to a question)
-  Quantity,   ///< a number with its unit, or without one where the key has no dimension
+  Quantity,   ///< a number with its unit; without one if the key has no dimension
   Range,      ///< "0.2 N to 0.6 N"
   Word,       ///< one of `words`
   WordList,   ///< some of `words`, separated by commas
   Selection,  ///< atoms (selection.h)
   Target,     ///< one of `words`, or a selection
   Path,       ///< selections in order, separated by "then"; or one of `words`
-  View,       ///< "front", "facing residue 35", "turned 30 10", each with ", zoom ligand" behind it
-  Remarks,    ///< "- SELECTION -> text" lines, or one of them behind the colon
+  View,       ///< "front", "facing residue 35", "turned 30 10", each optionally followed by ", zoom ligand"
+  Remarks,    ///< "- SELECTION -> text" lines, or a single one after the colon
   Styles,     ///< "cartoon, surface 40% for chain A": styles of `words`, each with its opacity and its atoms
-  Marks,  ///< `words` and names in double quotes, each for its atoms: 'residue for chain A, "the cleft" for residue 35'; or "none"
-  Counts,  ///< whole numbers, parted by commas
+  /// `words` and names in double quotes, each for its atoms: 'residue for chain A, "the cleft" for residue 35'; or
+  /// "none"
+  Marks,
+  Counts,  ///< whole numbers, separated by commas
   Way,     ///< "go to #a-step", "skip #a-step, #another": steps by their links or headings
   Places,  ///< `least` to `most` selections with " - " between them, several parted by commas; or "none"
   Facts,   ///< "- PLACES = NUMBER" lines, or one of them behind the colon: `least` to `most` selections with " - "
            ///< between them, and a number in the key's dimension (None: a count)
 };
 
-/// One key: the whole truth about it.
+/// The complete description of one key.
 struct KeySpec {
   std::string_view name;
   ValueType type = ValueType::Text;
   std::string_view meaning;  ///< one sentence for authors
-  std::string_view fallback =
-      {};  ///< the value taken where the key is missing, as an author would write it; may be empty
+  /// The value used if the key is missing, as an author would write it; may be empty.
+  std::string_view fallback = {};
   bool required = false;
   Dimension dimension = Dimension::None;  ///< of Quantity and Range
-  double least = 0.0;                     ///< smallest value (in the code's unit), for Count, Quantity and Range
-  double most = std::numeric_limits<double>::max();
+  /// smallest and largest value (in the code's unit), for Count, Quantity and Range
+  double min = 0.0;
+  double max = std::numeric_limits<double>::max();
   std::vector<std::string_view> words = {};
-  /// The word in capitals in `name` stands for what the author chooses: "view NAME", "after N wrong".
+  /// The word in capitals in `name` is a placeholder: "view NAME", "after N wrong".
   bool named = false;
 };
 
-/// The keys of a block; for Touch those that every task kind has.
+/// The keys of a block; for Touch, those common to all task kinds.
 const std::vector<KeySpec>& keysOf(KeyBlock block);
 
-/// How some atoms are drawn, as an author wrote it.
+/// How some atoms are drawn, as the author wrote it.
 struct StyleSpec {
   DrawStyle style = DrawStyle::Spheres;
   double opacity = 1.0;  ///< 0.05 to 1
@@ -78,19 +81,19 @@ struct StyleSpec {
   }
 };
 
-/// From where a molecule is seen, as an author wrote it.
+/// The direction from which a molecule is viewed, as the author wrote it.
 struct ViewSpec {
   std::string text = "side";  ///< as written
-  std::string side = "side";  ///< one of the key's words; empty where another way is given
-  Selection facing;           ///< atoms to be turned to the front
-  /// To the right, above, and round the line of sight (unit: degree), as the camera is turned from the front.
+  std::string side = "side";  ///< one of the key's words; empty if the view is given otherwise
+  Selection facing;           ///< atoms to be rotated to the front
+  /// Rotations to the right, upwards and around the line of sight, relative to the front view (unit: degree).
   std::optional<std::array<double, 3>> turned_deg = {};
-  Selection zoom;                  ///< atoms that are to fill the view
+  Selection zoom;                  ///< atoms that fill the view
   Place facing_place, zoom_place;  ///< of the selections
   friend bool operator==(const ViewSpec& a, const ViewSpec& b) { return a.text == b.text; }
 };
 
-/// A word of a Marks value, or a name in quotes, or both, and what it is for.
+/// A word of a Marks value, a name in quotes, or both, with the atoms that it marks.
 struct MarkSpec {
   std::string word, name;  ///< one of them may be empty
   Selection atoms;         ///< not given: all
@@ -102,7 +105,7 @@ struct MarkSpec {
 
 /// Places between which something is measured.
 struct PlacesSpec {
-  std::vector<Selection> atoms;  ///< each is the middle of what it selects
+  std::vector<Selection> atoms;  ///< each place is the centre of its selection
   std::vector<Place> places;     ///< of each selection
   friend bool operator==(const PlacesSpec& a, const PlacesSpec& b) { return a.atoms == b.atoms; }
 };
@@ -132,9 +135,9 @@ struct SelectionRemark {
   }
 };
 
-/// A value as read. Which members are filled follows from the key's type.
+/// A parsed value. The key's type determines which members are set.
 struct Value {
-  Place place;                     ///< where the value stands; line 0 for a fallback
+  Place place;                     ///< position of the value; line 0 for a default
   std::string text;                ///< as written
   double number = 0.0;             ///< Count, Number, Quantity (in the code's unit)
   double low = 0.0, high = 0.0;    ///< Range (in the code's unit)
@@ -143,8 +146,8 @@ struct Value {
   std::vector<Place> places;  ///< of each of `words`, for WordList, TextList and Way; of each of `path`, of `counts`
   std::vector<std::size_t> counts = {};  ///< Counts
   bool skips = false;                    ///< of a Way: "skip", else "go to"
-  Selection selection;                   ///< Selection and Target where atoms were given
-  std::vector<Selection> path = {};      ///< Path where atoms were given, in order
+  Selection selection;                   ///< Selection, and Target with atoms
+  std::vector<Selection> path = {};      ///< Path with atoms, in order
   std::vector<StyleSpec> styles = {};
   ViewSpec view = {};
   std::vector<MarkSpec> marks = {};
@@ -156,7 +159,7 @@ struct Value {
 /// Where the selection of a value begins.
 Place selectionPlace(const Value& value);
 
-/// A text for students: as the author wrote it, or the key's fallback in the language in use.
+/// A text for students: the author's, or the key's default in the language in use.
 class AuthorsText {
  public:
   AuthorsText() = default;
@@ -170,13 +173,13 @@ class AuthorsText {
   bool own_ = false;
 };
 
-/// Values by key, that of a named one as the author wrote it ("view the cleft"). A key that was neither given nor has a
-/// fallback is not in it.
+/// Values by key; a named key is stored as the author wrote it ("view the cleft"). Contains no key that is neither
+/// given nor has a default.
 class KeyValues {
  public:
   void set(std::string_view key, Value value) { values_.insert_or_assign(std::string(key), std::move(value)); }
   bool has(std::string_view key) const { return values_.contains(key); }
-  /// The value of a key; an empty Value where there is none.
+  /// The value of a key; an empty Value if there is none.
   const Value& operator[](std::string_view key) const;
   auto begin() const { return values_.begin(); }
   auto end() const { return values_.end(); }
@@ -185,10 +188,10 @@ class KeyValues {
   std::map<std::string, Value, std::less<>> values_;
 };
 
-/// Reads one value. A problem and `places` have line 0 and the column within `text`.
+/// Parses one value. A Problem and `places` have line 0 and the column within `text`.
 Expected<Value> parseValue(const KeySpec& key, std::string_view text);
 
-/// Adds what a line "SELECTION -> text" says to the remarks of `value`; else the problem, as above.
+/// Adds the remark of a line "SELECTION -> text" to `value`; otherwise returns the problem, as above.
 std::optional<Problem> addRemark(Value& value, std::string_view line);
 
 /// Adds what a line "PLACES = NUMBER" states to the facts of `value`; else the problem, as above.

@@ -14,7 +14,7 @@
 #include "engine/lesson/keys.h"
 #include "engine/lesson/selection.h"
 #include "engine/lesson/source_text.h"
-#include "engine/lesson/way_rules.h"
+#include "engine/lesson/step_rules.h"
 #include "engine/molecule/molecule_key.h"
 
 namespace moltact {
@@ -185,7 +185,7 @@ struct Question {
   bool prediction = false;         ///< "Prediction:": resolved when the step's tasks are done, and never scored
   bool in_order = false;           ///< choices keep the order of the file
   int attempts = 0;                ///< the number of wrong answers after which the right one is shown; 0: never
-  std::vector<WayRule> rules;      ///< the effects of its answers on the order of the steps
+  std::vector<StepRule> rules;     ///< the effects of its answers on the order of the steps
   std::vector<std::size_t> goals;  ///< indices of the lesson's goals that it serves
   Place place, block_place;        ///< of its heading, and of its answer block (line 0: none)
 

@@ -82,11 +82,11 @@ Expected<Value> placesValue(const KeySpec& key, std::string_view text, Value val
       spec.places.push_back({0, at(text, atoms, {}).column});
     }
     const auto count = double(spec.atoms.size());
-    if (count < key.least || count > key.most)
-      return key.most > key.least ? at(text, part, trf("'{0}' is between three places or four", key.name),
-                                       tr("write three for an angle, four for a torsion, with ' - ' between them"))
-                                  : at(text, part, trf("'{0}' is between two places", key.name),
-                                       tr("write two with ' - ' between them"));
+    if (count < key.min || count > key.max)
+      return key.max > key.min ? at(text, part, trf("'{0}' is between three places or four", key.name),
+                                    tr("write three for an angle, four for a torsion, with ' - ' between them"))
+                               : at(text, part, trf("'{0}' is between two places", key.name),
+                                    tr("write two with ' - ' between them"));
     if (value.measures.size() == kMaxItems) return at(text, part, tr("more than 200 of them"), tr("take some out"));
     value.measures.push_back(std::move(spec));
   }

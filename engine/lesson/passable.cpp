@@ -41,8 +41,8 @@ bool rests(const SurfacePlace& place, const std::vector<char>& in) {
 
 }  // namespace
 
-std::vector<SurfacePlace> comesTo(const SphereGrid& scene, std::span<const std::uint32_t> atoms, double probe_A,
-                                  bool first_only, const std::function<bool(const SurfacePlace&)>& wanted) {
+std::vector<SurfacePlace> reachablePlaces(const SphereGrid& scene, std::span<const std::uint32_t> atoms, double probe_A,
+                                          bool first_only, const std::function<bool(const SurfacePlace&)>& wanted) {
   std::vector<SurfacePlace> out;
   std::vector<char> in(scene.size(), 0), near(scene.size(), 0);
   for (const std::uint32_t a : atoms) in[a] = near[a] = 1;
@@ -85,7 +85,7 @@ std::optional<AtomRing> ringOf(const SphereGrid& scene, std::span<const std::uin
   return ring;
 }
 
-std::optional<Vec3> wayThrough(const SphereGrid& scene, const AtomRing& ring, double probe_A) {
+std::optional<Vec3> pathThrough(const SphereGrid& scene, const AtomRing& ring, double probe_A) {
   const Vec3 x = glm::normalize(glm::cross(ring.axis, std::abs(ring.axis.x) < 0.7 ? Vec3(1, 0, 0) : Vec3(0, 1, 0))),
              y = glm::cross(ring.axis, x);
   const double before_A = ring.radius_A + probe_A + 2.0;

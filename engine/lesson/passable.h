@@ -16,8 +16,9 @@ namespace moltact {
 
 /// The places where a probe rests on at least one of these atoms and which it reaches from far outside in a straight
 /// line. With `wanted`, only places for which it returns true. With `first_only`, at most one.
-std::vector<SurfacePlace> comesTo(const SphereGrid& scene, std::span<const std::uint32_t> atoms, double probe_A,
-                                  bool first_only = false, const std::function<bool(const SurfacePlace&)>& wanted = {});
+std::vector<SurfacePlace> reachablePlaces(const SphereGrid& scene, std::span<const std::uint32_t> atoms, double probe_A,
+                                          bool first_only = false,
+                                          const std::function<bool(const SurfacePlace&)>& wanted = {});
 
 /// A ring of atoms, as a probe that passes through it needs it.
 struct AtomRing {
@@ -29,19 +30,19 @@ std::optional<AtomRing> ringOf(const SphereGrid& scene, std::span<const std::uin
 
 /// A line parallel to the ring's axis on which the probe passes through without touching an atom, given by its point in
 /// the ring's plane. Returns the widest line found; nothing if none is free.
-std::optional<Vec3> wayThrough(const SphereGrid& scene, const AtomRing& ring, double probe_A);
+std::optional<Vec3> pathThrough(const SphereGrid& scene, const AtomRing& ring, double probe_A);
 
-/// The largest probe from `least_A` to `most_A` for which `fits` returns true, to 0.01; `most_A` itself if it fits.
+/// The largest probe from `min_A` to `max_A` for which `fits` returns true, to 0.01; `max_A` itself if it fits.
 /// Nothing if none fits. Wherever a probe fits, smaller ones must fit too.
 template <class Fits>
-std::optional<double> largestProbe(double least_A, double most_A, Fits&& fits) {
-  if (!fits(least_A)) return std::nullopt;
-  if (fits(most_A)) return most_A;
-  while (most_A - least_A > 0.01) {
-    const double middle_A = 0.5 * (least_A + most_A);
-    (fits(middle_A) ? least_A : most_A) = middle_A;
+std::optional<double> largestProbe(double min_A, double max_A, Fits&& fits) {
+  if (!fits(min_A)) return std::nullopt;
+  if (fits(max_A)) return max_A;
+  while (max_A - min_A > 0.01) {
+    const double middle_A = 0.5 * (min_A + max_A);
+    (fits(middle_A) ? min_A : max_A) = middle_A;
   }
-  return least_A;
+  return min_A;
 }
 
 }  // namespace moltact

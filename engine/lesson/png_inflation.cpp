@@ -63,12 +63,12 @@ class Inflater {
   Inflater(const Inflater&) = delete;
   Inflater& operator=(const Inflater&) = delete;
 
-  /// Returns false if the bytes are not deflate data, or inflate to more than `most`.
-  bool take(std::string_view bytes, std::uint64_t most) {
+  /// Returns false if the bytes are not deflate data, or inflate to more than `max`.
+  bool take(std::string_view bytes, std::uint64_t max) {
     stream_.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(bytes.data()));
     stream_.avail_in = uInt(bytes.size());
     int status = Z_OK;
-    while (ready_ && status == Z_OK && count_ <= most) {
+    while (ready_ && status == Z_OK && count_ <= max) {
       std::array<Bytef, 32768> buffer;
       stream_.next_out = buffer.data();
       stream_.avail_out = uInt(buffer.size());
@@ -106,9 +106,9 @@ PngRows inflatedRows(std::string_view png) {
     if (!need) return PngRows::Damaged;
     const std::size_t skipped = chunk->data.size() < frame ? chunk->data.size() : frame;
     frame -= skipped;
-    const std::uint64_t most = *need + kSlack_bytes;
-    const bool taken = inflater.take(chunk->data.substr(skipped), most);
-    if (inflater.count() > most) return PngRows::TooMany;
+    const std::uint64_t max = *need + kSlack_bytes;
+    const bool taken = inflater.take(chunk->data.substr(skipped), max);
+    if (inflater.count() > max) return PngRows::TooMany;
     if (!taken) return PngRows::Damaged;
   }
   return need ? PngRows::Fit : PngRows::Damaged;

@@ -20,21 +20,21 @@ using reading::Reading;
 constexpr std::string_view kQuestion = "Question:", kPrediction = "Prediction:";
 constexpr std::string_view kAside = "Aside:";
 
-/// Walks the document from top to bottom and puts each block where it belongs.
+/// Walks through the document from top to bottom and adds each block to its step.
 class Walk {
  public:
   Walk(Reading& reading, Lesson& lesson) : reading_(reading), lesson_(lesson) {}
 
-  /// False where there are more steps than are read.
+  /// Returns false if there are more steps than the limit.
   bool run(const MarkdownBlock& root) {
     for (const MarkdownBlock& block : root.children) {
       if (too_many_) break;
       take(block);
     }
     endQuestion();
-    std::size_t told = 0;
+    std::size_t reported = 0;
     for (const BlockLine& tag : root.lines)
-      if (!tag.text.starts_with("<!--") && tag.place.line != std::exchange(told, tag.place.line))
+      if (!tag.text.starts_with("<!--") && tag.place.line != std::exchange(reported, tag.place.line))
         reading_.warning(tag.place, tr("HTML is not shown"), tr("write it in Markdown"));
     for (const Problem& slip : root.slips) reading_.warning({slip.line, slip.column}, slip.message, slip.remedy);
     if (lesson_.steps.empty()) {
@@ -98,7 +98,7 @@ class Walk {
       reading_.error(block.place, tr("a question on the wrong level of heading"),
                      question ? tr("write it as '### Question: …'") : tr("write it as '### Prediction: …'"));
     if (block.level == 1) {
-      // Many editors want a first heading; the title in the front matter is the one that is shown.
+      // Many editors require a first heading; the title in the front matter is displayed.
       if (step())
         reading_.error(block.place, tr("a heading of the first level inside the lesson"),
                        tr("start each step with '## …'"));
@@ -111,7 +111,7 @@ class Walk {
     if (block.level == 2) return startStep(block, title);
     if (question || prediction) return startQuestion(block, title, prediction ? kPrediction : kQuestion);
     blocks().push_back(Subheading{block.text});
-    // What was done above it may make it a step that was meant.
+    // Content above the heading indicates that a step was intended.
     if (step() && (!step()->tasks.empty() || !step()->questions.empty())) part_ = Part{block.place, title};
   }
 
@@ -123,7 +123,7 @@ class Walk {
       return;
     }
     Step next;
-    // The id is that of the whole heading, so that links work on Git hosts too.
+    // The id is derived from the whole heading, so that links also work on Git hosts.
     next.id = slug(bareText(block.text));
     next.aside = title.starts_with(kAside);
     next.title = next.aside ? stripped(std::string_view(title).substr(kAside.size())) : title;
@@ -136,7 +136,7 @@ class Walk {
       reading_.error(block.place, trf("two steps are called '{0}'", title),
                      trf("rename one; the other is on line {0}", twin->second));
     question_lines_.clear();
-    // What an aside puts on the stage is gone where the student has passed it over.
+    // The scene of an aside ends with it, because a student may not have visited it.
     if (step()) next.scene = next.aside || !lastMainStep() ? step()->scene : lastMainStep()->scene;
     main_before_ = last_main_;
     if (!next.aside) last_main_ = lesson_.steps.size();
@@ -189,7 +189,7 @@ class Walk {
   void scene(const MarkdownBlock& block) {
     if (outsideStep(block)) return;
     if (step()->states_scene) {
-      // Most often the heading above was meant to begin a step.
+      // Usually the heading above was intended to begin a step.
       std::string heading;
       for (const Block& b : step()->blocks)
         if (const auto* s = std::get_if<Subheading>(&b)) heading = plainText(s->text);
@@ -213,7 +213,7 @@ class Walk {
     if (step()->extra) makeExtra(block.place);
   }
 
-  /// What an extra step puts on the stage is gone in the next step of the core, as it is after an aside.
+  /// The scene of an extra step ends with it, as that of an aside does.
   void makeExtra(Place place) {
     if (lesson_.steps.size() == 1) {
       reading_.error(place, tr("the first step cannot be an extra step"),
@@ -233,7 +233,7 @@ class Walk {
   void touch(const MarkdownBlock& block) {
     if (outsideStep(block)) return;
     if (!scene_stated_) {
-      // A later step's scene does not help the student who is here now.
+      // A scene of a later step does not help at this one.
       reading_.error(block.place, tr("a touch task without anything on the stage"), tr("put a scene block above it"));
       scene_stated_ = true;
     }
@@ -278,12 +278,12 @@ class Walk {
     Place place;
     std::string title;
   };
-  std::optional<Part> part_;  // the heading within a step below which no task has come, with others above it
-  std::optional<std::size_t> last_main_, main_before_;  // the last step that is no aside; that of the step before
-  std::unordered_map<std::string, std::size_t> step_lines_, question_lines_;  // by id; the questions of this step
+  std::optional<Part> part_;  // the heading within a step that no task follows, with the headings above it
+  std::optional<std::size_t> last_main_, main_before_;  // the last step that is not an aside; the one before it
+  std::unordered_map<std::string, std::size_t> step_lines_, question_lines_;  // by id; of the questions of this step
 };
 
-/// Problems with the bytes themselves, after which nothing else can be read.
+/// Problems with the bytes themselves, after which no further reading is possible.
 std::optional<Problem> badBytes(const SourceText& source) {
   if (source.bytes().size() > kLargestLesson)
     return Problem{source.name(), 0, 0, tr("a lesson of more than 1 MiB"), tr("split it into several lessons")};
@@ -331,14 +331,14 @@ LessonReading readLessonText(const std::string& name, std::string bytes) {
   const std::vector<Place> open_fences = reading::findOpenFences(source, body);
   if (tree) {
     const bool whole = Walk(reading, lesson).run(*tree);
-    if (whole && open_fences.empty()) reading::finishWays(reading, lesson);
+    if (whole && open_fences.empty()) reading::resolveGoalsAndRules(reading, lesson);
     if (open_fences.empty()) reading::findLineSlips(reading, body);
     if (whole && open_fences.empty()) reading::checkLinks(reading, lesson);
   } else {
     reading.errors.push_back(tree.problem());
   }
   if (!open_fences.empty()) {
-    // What follows was read as part of the block, so most of what could be told of it would be wrong.
+    // The following text was parsed as part of the block, so most findings about it would be wrong.
     const auto follows = [&](const Problem& p) { return p.line >= open_fences.front().line; };
     std::erase_if(reading.errors, follows);
     std::erase_if(reading.warnings, follows);

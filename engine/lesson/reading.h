@@ -65,7 +65,7 @@ FactsSpec readFacts(Reading& reading, const MarkdownBlock& block, const Lesson& 
 
 /// Called after the whole lesson has been read. Passes the steps' goals to their tasks and questions, and replaces the
 /// steps in rules by ids. Adds a problem for each unknown step.
-void finishWays(Reading& reading, Lesson& lesson);
+void resolveGoalsAndRules(Reading& reading, Lesson& lesson);
 
 /// Reads the task list of a question.
 std::vector<Choice> readChoices(Reading& reading, const MarkdownBlock& list);

@@ -9,8 +9,8 @@ KeySpec readingKey(const ReadingOption& option) {
   KeySpec key{.name = option.name, .meaning = option.meaning, .fallback = option.fallback};
   if (std::holds_alternative<int ReadOptions::*>(option.member)) {
     key.type = ValueType::Count;
-    key.least = 1;
-    key.most = kMaxReadNumber;
+    key.min = 1;
+    key.max = kMaxReadNumber;
   } else if (std::holds_alternative<bool ReadOptions::*>(option.member)) {
     key.type = ValueType::Word;
     key.words = {"yes", "no"};

@@ -13,11 +13,11 @@ namespace {
 
 constexpr std::string_view kHead = R"(# Every key of a lesson
 
-This page is made by `moltact lesson-reference > docs/lesson-reference.md` from the tables with which lessons are read; a
-test fails where it differs from them. How to write a lesson is told in [Write a lesson](write-a-lesson.md).
+`moltact lesson-reference > docs/lesson-reference.md` generates this page from the tables of the lesson reader; a test checks that they agree.
+[Write a lesson](write-a-lesson.md) explains how to write lessons.
 
-In the tables, *needed* stands where a key must be given; otherwise that column says what is taken where it is left
-out, and — that it then plays no part. A line that starts with `#` inside a block or the front matter is a note to yourself.
+In the tables, *needed* marks a required key; for other keys the column gives the default, or — if the key then has no effect. A line that
+starts with `#` inside a block or the front matter is a comment.
 )";
 
 std::string number(double value) {
@@ -38,16 +38,16 @@ std::string codeList(const std::vector<std::string_view>& words) {
 
 /// The same for a key that accepts several words.
 std::string someOf(const std::vector<std::string_view>& words) {
-  return words.size() == 1 ? codeList(words) : "one or more of " + codeList(words) + ", parted by commas";
+  return words.size() == 1 ? codeList(words) : "one or more of " + codeList(words) + ", separated by commas";
 }
 
 /// ", 0.1 s to 600 s" or ", at most 20 Å"; empty without limits.
 std::string limits(const KeySpec& key) {
-  const bool top = key.most < std::numeric_limits<double>::max();
+  const bool top = key.max < std::numeric_limits<double>::max();
   const std::string unit = key.dimension == Dimension::None ? "" : ' ' + std::string(codeUnit(key.dimension));
-  if (key.least > 0.0 && top) return ", " + number(key.least) + unit + " to " + number(key.most) + unit;
-  if (key.least > 0.0) return ", at least " + number(key.least) + unit;
-  return top ? ", at most " + number(key.most) + unit : "";
+  if (key.min > 0.0 && top) return ", " + number(key.min) + unit + " to " + number(key.max) + unit;
+  if (key.min > 0.0) return ", at least " + number(key.min) + unit;
+  return top ? ", at most " + number(key.max) + unit : "";
 }
 
 std::string valueOf(const KeySpec& key) {
@@ -55,7 +55,7 @@ std::string valueOf(const KeySpec& key) {
     case ValueType::Text:
       return "a line of text";
     case ValueType::TextList:
-      return "texts, each on a line of its own that starts with `- `, or parted by commas";
+      return "texts, separated by commas, or each on a line of its own that starts with `- `";
     case ValueType::Count:
       return "a whole number" + limits(key);
     case ValueType::Number:
@@ -77,33 +77,31 @@ std::string valueOf(const KeySpec& key) {
              "[selections](#selections) with `then` between them";
     case ValueType::View:
       return codeList(key.words) +
-             ", or `facing` and a [selection](#selections), or `turned` and two or three angles in degrees; behind a "
-             "comma "
-             "`zoom` and a selection, which fills the view";
+             ", or `facing` and a [selection](#selections), or `turned` and two or three angles in degrees; optionally "
+             "followed by a comma, `zoom` and a selection";
     case ValueType::Marks:
       return (key.words.empty() ? "" : someOf(key.words) + ", ") +
              std::string("names in double quotes, and `for` with a [selection](#selections); or `none`");
     case ValueType::Places:
-      return "[selections](#selections) with ` - ` between them, several parted by commas; or `none`";
+      return "[selections](#selections) with ` - ` between them, several separated by commas; or `none`";
     case ValueType::Remarks:
-      return "lines `- selection -> what is said`, each with a [selection](#selections)";
+      return "lines `- selection -> text`, each with a [selection](#selections)";
     case ValueType::Counts:
-      return "whole numbers" + limits(key) + ", parted by commas";
+      return "whole numbers" + limits(key) + ", separated by commas";
     case ValueType::Way:
-      return "`go to` and a step, or `skip` and one or more steps parted by commas: by their links (`#its-heading`) or "
-             "one by its heading";
+      return "`go to` and a step, or `skip` and one or more steps separated by commas: by their links "
+             "(`#its-heading`), or one by its heading";
     case ValueType::Facts: {
-      const int least = int(key.least);
-      const std::string many = least == 1 ? "a [selection](#selections)"
-                                          : std::string(least == 2 ? "two" : "three or four") +
-                                                " [selections](#selections) with ` - ` between them";
+      const int min = int(key.min);
+      const std::string many = min == 1 ? "a [selection](#selections)"
+                                        : std::string(min == 2 ? "two" : "three or four") +
+                                              " [selections](#selections) with ` - ` between them";
       return "lines `- … = …`: " + many + ", and " +
              (key.dimension == Dimension::None ? "a whole number" : dimensionName(key.dimension));
     }
     case ValueType::Styles:
       return someOf(key.words) +
-             ", each with its opacity (`surface 40%`) and, behind `for`, a [selection](#selections) if it is not for "
-             "all";
+             ", each optionally followed by its opacity (`surface 40%`), and by `for` and a [selection](#selections)";
   }
   return {};
 }
@@ -116,7 +114,7 @@ std::string cell(std::string_view text) {
 }
 
 void table(std::ostream& out, const std::vector<KeySpec>& keys) {
-  out << "| key | left out | value | what it is |\n| --- | --- | --- | --- |\n";
+  out << "| key | default | value | meaning |\n| --- | --- | --- | --- |\n";
   for (const KeySpec& k : keys)
     out << "| `" << k.name << "` | "
         << (k.required           ? "*needed*"
@@ -127,11 +125,10 @@ void table(std::ostream& out, const std::vector<KeySpec>& keys) {
 }
 
 void tasks(std::ostream& out) {
-  out << "## Touch tasks\n\nA fenced block `touch` holds one task. Its kind is the key with which the block's first "
-         "line usually starts; a block has the "
-         "keys of its kind and these, which every kind has:\n\n";
+  out << "## Touch tasks\n\nA fenced block `touch` defines one task. Its kind is one of the keys, usually that of the "
+         "first line. A block has the keys of its kind and the following common ones:\n\n";
   table(out, keysOf(KeyBlock::Touch));
-  out << "These are the kinds:\n\n| kind | what the student does |\n| --- | --- |\n";
+  out << "The kinds are:\n\n| kind | what the student does |\n| --- | --- |\n";
   for (const TaskKind& kind : taskKinds())
     out << "| [`" << kind.name << "`](#" << kind.name << ") | " << cell(kind.meaning) << " |\n";
   out << '\n';
@@ -159,21 +156,21 @@ some searches take seconds.
 }
 
 void minutes(std::ostream& out) {
-  out << "## Minutes\n\nThe program works out how long a lesson takes. A student reads " << number(kWordsAMinute)
-      << " words a minute: the text, what tasks and questions say, all choices and the feedback to the right one; not "
-         "hints, teacher's notes and the glossary. A question takes "
+  out << "## Minutes\n\nThe program estimates the duration of a lesson. It assumes that a student reads "
+      << number(kWordsAMinute)
+      << " words per minute. This includes the text, the sentences of tasks and questions, all choices and the "
+         "feedback on the right one, but not hints, teacher's notes and the glossary. A question takes "
       << number(kQuestion_s) << " s more, a free answer " << number(kFreeAnswer_s)
-      << " s. A task takes the time of its kind, and the time for which `for` asks the hand to stay.\n\n"
-         "| kind | time |\n| --- | --- |\n";
+      << " s. A task takes the time of its kind, plus the time given by `for`.\n\n| kind | time |\n| --- | --- |\n";
   for (const TaskTime& t : taskTimes()) {
     out << "| `" << t.kind << "` | ";
     if (t.base_s > 0.0) out << number(t.base_s) << " s" << (t.each_s > 0.0 ? " and " : "");
     if (t.each_s > 0.0) out << number(t.each_s) << " s for each " << t.each_what;
     out << " |\n";
   }
-  out << "\n`moltact info` and `moltact check` show the minutes of the core and of all steps. `check` warns where the "
-         "front matter states minutes that differ from those of the core by more than "
-      << number(100.0 * kMinutesOff) << " %, and where the core takes more than " << number(kMaxCoreMinutes)
+  out << "\n`moltact info` and `moltact check` show the minutes of the core and of all steps. `check` warns if the "
+         "`minutes` of the front matter differ from the estimate for the core by more than "
+      << number(100.0 * kMinutesOff) << " %, and if the core takes more than " << number(kMaxCoreMinutes)
       << " minutes.\n\n";
 }
 
@@ -187,23 +184,23 @@ void units(std::ostream& out) {
     for (const std::string_view symbol : namedUnits(d)) out << std::exchange(before, " or ") << symbol;
     out << " |\n";
   }
-  out << "\nA range has both ends: `0.2 N to 0.6 N`.\n\n";
+  out << "\nA range has two ends: `0.2 N to 0.6 N`.\n\n";
 }
 
 void selections(std::ostream& out) {
-  out << "## Selections\n\nA selection names atoms, in the words that molecular viewers share. Names are written as in "
-         "the molecule's file; the words of "
-         "the language in small letters.\n\n| words | atoms |\n| --- | --- |\n";
+  out << "## Selections\n\nA selection specifies atoms, in the language that molecular viewers share. Names are "
+         "written as in the molecule's file; the words of the language are in lower case.\n\n| words | atoms |\n| --- "
+         "| --- |\n";
   for (const SelectionWord& w : selectionWords()) out << "| `" << w.word << "` | " << cell(w.meaning) << " |\n";
-  out << R"(| `within` | atoms near others, those included: `within 5 Å of (ligand HEM)` |
+  out << R"(| `within` | atoms near others, including those: `within 5 Å of (ligand HEM)` |
 | `bonded` | atoms with a bond to a selected atom: `bonded to (element Fe)` |
 | `not` | all others: `not water` |
 | `and` | atoms that are both: `chain A and name CA` |
 | `or` | atoms that are either: `resname ASP or resname GLU` |
 
-`not` binds first, then `and`, then `or`; round brackets group. A name that is also a word of the language, or has a space or
-bracket in it, stands in double quotes: `name "CA 1"`. `moltact info MOLECULE` tells which chains, elements and ligands a
-molecule has. A selection of no atoms is an error.
+`not` has the highest precedence, then `and`, then `or`; parentheses group. A name that is also a word of the language, or that contains a
+space or a parenthesis, requires double quotes: `name "CA 1"`. `moltact info MOLECULE` lists the chains, elements and ligands of a molecule. A
+selection without atoms is an error.
 )";
 }
 
@@ -213,36 +210,30 @@ std::string lessonReference() {
   std::ostringstream out;
   out << kHead << "\n## Front matter\n\nBetween two lines `---` at the start of the file.\n\n";
   table(out, keysOf(KeyBlock::FrontMatter));
-  out << "## Steps\n\nA fenced block `step` below a step's heading; most steps need none.\n\n";
+  out << "## Steps\n\nAn optional fenced block `step` below a step's heading.\n\n";
   table(out, keysOf(KeyBlock::Step));
-  out << "A step that is required shows *Finish this step first* in the place of *Next* until its tasks are done and "
-         "its questions answered (or their tries used up); links to later steps do not lead there before, links back "
-         "and to asides do.\n\n";
-  out << "## Scenes\n\nA fenced block `scene` says what is on the stage in its step and those after it. A scene that "
-         "names a molecule starts anew; one that "
-         "does not keeps all that it does not say.\n\n";
+  out << "A required step shows *Finish this step first* instead of *Next* until its tasks are done and its questions "
+         "answered, or their tries are used up. Until then links to later steps have no effect; links back and to "
+         "asides work.\n\n";
+  out << "## Scenes\n\nA fenced block `scene` sets the scene of its step and of those after it. A scene that names a "
+         "molecule starts from the defaults. One without a molecule changes only the keys that it contains.\n\n";
   table(out, keysOf(KeyBlock::Scene));
   tasks(out);
-  out << "## Answers\n\nA fenced block `answer` below `### Question: …` asks for a number or for words, where a list "
-         "of choices would give the answer away. It "
-         "has one of `number`, `text` and `free`. A student who writes what is no number is asked again, which does "
-         "not "
-         "count as a try; the unit stands beside the field.\n\nThe choices of a question stand in another order for "
-         "each attempt; those of "
-         "a numbered list (`1. [ ] …`) stay as they are written. `### Prediction: …` asks before the touch: what is "
-         "chosen can be "
-         "changed until the tasks of the step are done, only then is it told what is right, and a report does not "
-         "score "
-         "it.\n\n";
+  out << "## Answers\n\nA fenced block `answer` below `### Question: …` asks for a number or for words, if a list of "
+         "choices would reveal the answer. It has one of the keys `number`, `text` and `free`. If a student enters "
+         "text where a number is required, the program asks again and does not count a try. The unit is shown beside "
+         "the field.\n\nEach attempt shows the choices of a question in another order; those of a numbered list (`1. [ "
+         "] …`) keep their order. `### Prediction: …` asks before the touch. The student may change the choice until "
+         "the tasks of the step are done; only then the right answer is shown. Reports do not score predictions.\n\n";
   table(out, keysOf(KeyBlock::Answer));
-  out << R"(Behind a second arrow of a wrong choice (`- [ ] Two → Feel again. → pit taken for crease`) stands the tag of the misconception that it
-shows, which students do not see and the report counts.
+  out << R"(A wrong choice may have a second arrow with the tag of the misconception that it indicates (`- [ ] Two → Feel again. → pit taken for crease`).
+Students do not see tags; the report counts them.
 
-Below choices a block `answer` may hold `attempts`, `goal` and the conditions alone; what is right stands in the choices then.
+A block `answer` below choices may contain only `attempts`, `goal` and conditions, because the choices define the right answer.
 
-A condition leads back, or into an aside, once: it shows *Go on* under what is said to the answer, and *Next* leads there too; the
-question takes no answer before that. Leading forward, it lets *Next* pass over what stands between, and `skip` over the steps that it
-names; what is passed over does not count for the progress. No condition can hold a student for ever.
+A condition that leads back or into an aside applies once. It shows *Go on* below the feedback, *Next* leads there too, and the question accepts
+no answer before that. A condition that leads forward makes *Next* skip the steps in between; `skip` makes it skip the named steps. Skipped steps
+do not count for the progress. No conditions can trap a student.
 
 )";
   facts(out);

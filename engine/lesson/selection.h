@@ -62,7 +62,7 @@ class Selection {
 
   /// The names and numbers that match no atom although the whole selection does: "resname HEM HEX" in a molecule
   /// without HEX. Most are typing errors. Places as in whyEmpty().
-  std::vector<Problem> idleNames(const Molecule& molecule) const;
+  std::vector<Problem> unmatchedNames(const Molecule& molecule) const;
 
   /// Compares the texts.
   friend bool operator==(const Selection& a, const Selection& b) { return a.text_ == b.text_; }

@@ -134,7 +134,7 @@ Problem Selection::whyEmpty(const Molecule& molecule) const {
   return {{}, 0, 1, trf("no atom of {0} is '{1}'", placeOf(molecule), text_), nameOther()};
 }
 
-std::vector<Problem> Selection::idleNames(const Molecule& molecule) const {
+std::vector<Problem> Selection::unmatchedNames(const Molecule& molecule) const {
   std::vector<Problem> out;
   const std::function<void(const Node&)> visit = [&](const Node& node) {
     for (const Node* child : {node.left.get(), node.right.get()})

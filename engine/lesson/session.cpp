@@ -24,7 +24,7 @@ std::string folded(std::string_view text) {
   return out;
 }
 
-// What was written, in the answer's unit.
+// The number in the text, in the answer's unit.
 std::optional<double> numberIn(const AnswerSpec& answer, const std::string& text) {
   auto number = parseNumber(text);
   if (!number)
@@ -73,7 +73,7 @@ LessonSession::LessonSession(std::shared_ptr<const Lesson> lesson) : lesson_(std
 void LessonSession::enter(std::size_t step) {
   if (step != step_)
     for (QuestionStatus& q : state().questions) q.gone = true;
-  // Another molecule is on its way: the tasks wait until it is there.
+  // Another molecule is being read; the tasks wait for it.
   if (step != step_ && lesson_->steps[step].scene.molecule != scene().molecule) molecule_ = nullptr;
   step_ = step;
   if (!lesson_->steps[step].aside) main_step_ = step;
@@ -107,7 +107,7 @@ void LessonSession::makeTasks() {
     if (tasks_[k]) tasks_[k]->drawBy(drawSeed(k));
 }
 
-// Whoever comes back to a step, or takes the lesson up again, does not meet the order that was met before.
+// A student who returns to a step or resumes the lesson meets another order than before.
 std::uint64_t LessonSession::drawSeed(std::size_t task) const {
   return mixedSeed(mixedSeed(order_seed_, hash64(step().id) + task), (std::uint64_t(sitting_) << 32) + state().made);
 }
@@ -136,7 +136,7 @@ void LessonSession::feed(const TouchSample& sample) {
   keepSlide(sample);
   feedTask(i, sample);
   keepIfDone(i);
-  // One slide may fulfil several tasks: the next one begins where the slide did.
+  // One slide may complete several tasks: the next task starts where the slide began.
   for (std::size_t next = currentTask(); next != i && next < tasks_.size() && tasks_[next]; next = currentTask()) {
     i = next;
     if (!tasks_[i]->takesUpSlide() || tasks_[i]->stage() != TaskStage()) return;
@@ -249,19 +249,19 @@ std::vector<std::size_t> LessonSession::choiceOrder(std::size_t question) const 
   std::iota(out.begin(), out.end(), std::size_t{0});
   if (order_seed_ == 0 || asked.in_order) return out;
   std::uint64_t state = order_seed_ ^ hash64(step().id + '/' + asked.id);
-  // Fisher & Yates.
+  // Fisher-Yates shuffle.
   for (std::size_t k = out.size(); k > 1; --k) std::swap(out[k - 1], out[nextRandom(state) % k]);
   return out;
 }
 
-bool LessonSession::told(std::size_t question) const {
+bool LessonSession::feedbackVisible(std::size_t question) const {
   if (this->question(question).attempts == 0) return false;
   const std::vector<char>& done = state().tasks_done;
   return !step().questions[question].prediction || std::all_of(done.begin(), done.end(), [](char d) { return d != 0; });
 }
 
 bool LessonSession::takesAnswer(std::size_t question) const {
-  if (step().questions[question].prediction) return !told(question);
+  if (step().questions[question].prediction) return !feedbackVisible(question);
   const QuestionStatus& status = this->question(question);
   const auto leads = leadsTo(question);
   return !status.done() && !(leads && !status.gone && status.attempts > 0);
@@ -306,7 +306,7 @@ bool LessonSession::choose(std::size_t question, std::vector<std::size_t> choice
 bool LessonSession::write(std::size_t question, std::string text) {
   const auto& answer = step().questions[question].answer;
   if (!answer || stripped(text).empty()) return false;
-  // A free answer can be written anew.
+  // A free answer may be changed.
   if (!step().questions[question].free() && !takesAnswer(question)) return false;
   bool right = true;
   if (answer->kind == AnswerSpec::Kind::Number) {
@@ -332,14 +332,14 @@ std::vector<RichText> LessonSession::feedback(std::size_t question) const {
   std::vector<RichText> out;
   const QuestionStatus& status = state().questions[question];
   const Question& asked = step().questions[question];
-  if (!told(question)) return out;
+  if (!feedbackVisible(question)) return out;
   if (asked.free()) {
     if (!asked.answer->model.empty()) out.push_back({TextRun{.text = asked.answer->model}});
     return out;
   }
   const auto say = [&](std::string text) { out.push_back({TextRun{.text = std::move(text)}}); };
   if (asked.answer) {
-    // Where no try is left, nobody is asked to try again in the program's own words.
+    // When the tries are used up, the program's own words must not ask for another try.
     if (status.last_right)
       say(asked.answer->right.text());
     else if (!status.shown || asked.answer->wrong.own())

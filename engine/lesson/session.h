@@ -1,4 +1,4 @@
-// A student's way through a lesson: the step, the tasks done, the questions answered. Used on the screen's thread.
+// The state of a student in a lesson: the step, the tasks done, the questions answered. Window's thread.
 #pragma once
 
 #include <cstdint>
@@ -17,43 +17,44 @@
 
 namespace moltact {
 
-/// How a task stands.
+/// The state of a task.
 struct TaskStatus {
   bool done = false;  ///< solved, or its tries are used up
   bool solved = false;
-  bool current = false;   ///< the one that the student is at now; at most one in a step
+  bool current = false;   ///< the student's current one; at most one in a step
   double progress = 0.0;  ///< 0 to 1
-  std::string say;        ///< what the lesson asks for
-  std::string sentence;   ///< what to do next, or the praise; empty for tasks whose turn has not come
+  std::string say;        ///< the instruction
+  std::string sentence;   ///< what to do next, or the praise; empty for later tasks
 };
 
-/// How a question stands.
+/// The state of a question.
 struct QuestionStatus {
-  bool answered_right = false;  ///< stays once it is so; a free answer and a prediction count as right
+  bool answered_right = false;  ///< once true it stays true; a free answer and a prediction count as right
   int attempts = 0;
   std::vector<std::size_t> chosen;  ///< the choices of the last attempt, ascending
   std::string written;              ///< the text of the last attempt
   bool last_right = false;          ///< of the last attempt
-  std::string again;                ///< why what was written since is no attempt, and what would be one; else empty
-  bool shown = false;               ///< the tries are used up: what is right stands there, and nothing is left to do
-  bool gone = false;                ///< the student has left the step since the last answer
+  /// why the last text was not accepted as an answer, and what would be; otherwise empty
+  std::string again;
+  bool shown = false;  ///< the tries are used up: the right answer is shown, and nothing is left to do
+  bool gone = false;   ///< the student has left the step since the last answer
 
   bool done() const { return answered_right || shown; }
 };
 
-/// The work done in a lesson, by the ids of its steps and questions: a session is resumed from it.
+/// The work done in a lesson, by the ids of its steps and questions; a session is resumed from it.
 struct SessionMemory {
   struct StepMemory {
     std::string step{};                                               ///< id
     std::vector<std::size_t> tasks_done{};                            ///< indices of tasks that were solved
-    std::vector<std::size_t> tasks_shown{};                           ///< of those whose tries were used up
+    std::vector<std::size_t> tasks_shown{};                           ///< of tasks whose tries were used up
     std::vector<std::pair<std::string, QuestionStatus>> questions{};  ///< by the question's id
   };
   std::string step;               ///< id of the step to begin at
   std::vector<StepMemory> steps;  ///< in the order in which they were first entered
 };
 
-/// What is right, as one line; empty for a free answer.
+/// The right answer as one line; empty for a free answer.
 std::string rightAnswer(const Question& asked);
 
 class LessonSession {
@@ -64,43 +65,42 @@ class LessonSession {
   const Lesson& lesson() const { return *lesson_; }
   std::size_t stepIndex() const { return step_; }
   const Step& step() const { return lesson_->steps[step_]; }
-  /// The same, but in an aside the step that it belongs to: the last one that is no aside.
+  /// The same; in an aside, the step to which it belongs: the last one before it that is not an aside.
   std::size_t mainStepIndex() const { return main_step_; }
 
-  /// The steps that count, in order: asides do not, nor what is skipped; mainStepIndex() is always among them.
+  /// The steps on the student's route, in order: without asides and skipped steps, but always with mainStepIndex().
   std::vector<std::size_t> way() const;
-  /// The number, from 1, that students read for a step of way().
+  /// The number that is displayed for a step of way(), from 1.
   std::size_t numberOf(std::size_t step) const;
 
-  /// The scene on the stage now. `sceneNumber` grows whenever it may have changed, so the screen can compare it
-  /// cheaply.
+  /// The present scene. `sceneNumber` is incremented whenever it may have changed, so that a comparison is cheap.
   const SceneSpec& scene() const { return step().scene; }
   std::size_t sceneNumber() const { return scene_number_; }
 
   bool hasNext() const;
   bool hasBack() const { return step().aside || step_ > 0; }
-  /// Moves on or back, passing over asides and what is skipped; does nothing at the ends. From an aside both lead to
-  /// the step from which the student came to it. Next goes where an answer leads (leadsTo), and does not leave a step
-  /// that must be finished first.
+  /// Moves to the next or previous step of the route; does nothing at its ends. From an aside, both return to the step
+  /// from which the student came. next() follows the effect of an answer (leadsTo) and does not leave a step that must
+  /// be finished first.
   void next();
   void back();
-  /// Goes to "#step-id" (or the id alone), whatever must be finished first: `mayGoTo` says that. False, without moving,
-  /// where there is no such step.
+  /// Enters the step "#step-id" (or "step-id"), even if another must be finished first; see mayGoTo. Returns false and
+  /// stays if there is no such step.
   bool goTo(std::string_view link);
 
-  /// Whether Next leads on: the step need not be finished, or is, or an answer leads away from it.
+  /// Whether next() moves: the step need not be finished, is finished, or an answer leads elsewhere.
   bool mayGoOn() const;
-  /// Whether a link leads there: no step before it, from where the student is, must be finished first. True where there
-  /// is no such step.
+  /// Whether a link may be followed: no step between the present one and its target must be finished first. True if
+  /// there is no such step.
   bool mayGoTo(std::string_view link) const;
-  /// The step to which an answer in this one leads: back or into an aside once, until the student has gone; forward
-  /// from then on.
+  /// The step to which an answer in this one leads. A rule that leads back or into an aside applies once, until the
+  /// student has gone; one that leads forward stays in force.
   std::optional<std::size_t> leadsTo() const;
   /// The same for one question of the step.
   std::optional<std::size_t> leadsTo(std::size_t question) const;
-  /// Whether an answer lets Next pass a step over. It does not count for the progress then.
+  /// Whether an answer makes next() skip a step. Skipped steps do not count for the progress.
   bool skipped(std::size_t step) const { return skippedSteps()[step] != 0; }
-  /// Whether a rule of a question of any step has come true.
+  /// Whether a rule of a question in any step applies.
   bool ruleHolds(std::size_t step, std::size_t question, std::size_t rule) const;
 
   /// What happened since the events were last taken, oldest first.
@@ -113,14 +113,14 @@ class LessonSession {
   std::size_t hintsOpen() const { return hints_; }
   void openHints(std::size_t count);
 
-  /// The molecule on the stage, once it has been read: the tasks of the step need it to know their atoms. Null while
-  /// there is none; tasks then wait. Keeps what has been done.
+  /// Sets the step's molecule once it has been read; the tasks need its atoms. Null: none yet, and the tasks wait.
+  /// Keeps the work done.
   void setMolecule(std::shared_ptr<const Molecule> molecule);
 
-  /// Null while there is none.
+  /// Null if there is none.
   const Molecule* molecule() const { return molecule_.get(); }
 
-  /// Feeds the current task of the step. Tasks are done in their order, one at a time.
+  /// Passes a sample to the current task of the step. Tasks are done in order, one at a time.
   void feed(const TouchSample& sample);
   void feed(std::span<const TouchSample> samples);
 
@@ -128,71 +128,71 @@ class LessonSession {
   TaskStatus task(std::size_t index) const;
   const QuestionStatus& question(std::size_t index) const { return state().questions[index]; }
 
-  /// A task of the current step, for its buttons, curves and figures; null while there is no molecule and it is not
-  /// done.
+  /// A task of the current step, for its buttons, curves and figures; null if it is not done and there is no molecule.
   const Task* taskAt(std::size_t index) const;
-  /// The index of the task that the student is at; the number of tasks when all are done.
+  /// The index of the current task; the number of tasks if all are done.
   std::size_t currentTask() const;
-  /// The changes of the scene that the current task asks for; none where there is no task.
+  /// The changes of the scene that the current task requests; none without a task.
   TaskStage taskStage() const;
-  /// Tells the current task something.
+  /// Gives an answer to the current task.
   void answerTask(const TaskAnswer& answer);
-  /// The figures that a task of the current step has measured so far, or until it was done; empty while there is no
+  /// The quantities that a task of the current step has measured so far, or until it was done; empty without a
   /// molecule.
   std::vector<TaskFigure> taskFigures(std::size_t index) const;
 
-  /// Begins a task of the current step again, done or not.
+  /// Restarts a task of the current step, done or not.
   void restartTask(std::size_t index);
 
-  /// The order in which the choices of a question of the current step stand: as they are written, or another for each
-  /// seed but 0, the same for the same one.
+  /// The order of the choices of a question in the current step: the author's for seed 0, otherwise a permutation that
+  /// depends only on the seed.
   std::vector<std::size_t> choiceOrder(std::size_t question) const;
-  /// Also what tasks draw by (Task::drawBy): that is another in each sitting, for which 0, 1, 2 … are counted where an
-  /// attempt is taken up again, and whenever a step is entered anew. To be called before a task is begun.
+  /// Sets the seed of the choices' order and of the tasks' random draws (Task::drawBy). The draws also depend on
+  /// `sitting` (0, 1, 2 … each time an attempt is resumed) and on how often the step was entered. Call it before a task
+  /// begins.
   void setOrderSeed(std::uint64_t seed, std::size_t sitting = 0);
 
-  /// Whether a question of the current step takes an answer: until one was right or the tries are used up, a prediction
-  /// until it is told; not while an answer leads the student elsewhere first.
+  /// Whether a question of the current step accepts an answer. It does until one was right or the tries are used up; a
+  /// prediction does until its result is revealed. It does not while an answer leads the student elsewhere first.
   bool takesAnswer(std::size_t question) const;
-  /// Whether it may be said if the last attempt was right: there is one, and for a prediction all tasks of the step are
-  /// done.
-  bool told(std::size_t question) const;
+  /// Whether the result of the last attempt may be shown: there is an attempt and, for a prediction, all tasks of the
+  /// step are done.
+  bool feedbackVisible(std::size_t question) const;
 
-  /// Answers a question of the current step with choices. Gives whether it is right: exactly the right ones. An index
-  /// out of range makes the answer wrong. False, without an attempt, where it takes none.
+  /// Answers a question of the current step with choices. Returns true if they are exactly the right ones. An index out
+  /// of range makes the answer wrong. If the question accepts none, returns false without counting an attempt.
   bool choose(std::size_t question, std::vector<std::size_t> choices);
-  /// Answers a question that has an answer block. Numbers may have their unit or leave it out; words are compared
-  /// without capitals and outer spaces. A text that is empty, or no number where one is asked for, is no attempt and
-  /// gives false; QuestionStatus::again says why.
+  /// Answers a question with an answer block. Numbers may omit their unit; words are compared without regard to case
+  /// and outer spaces. Empty text, or text that is not a number where one is required, is not an attempt: returns
+  /// false, and QuestionStatus::again gives the reason.
   bool write(std::size_t question, std::string text);
-  /// How many tries a question of the current step leaves; no value where there is no limit.
+  /// The remaining tries of a question in the current step; no value without a limit.
   std::optional<int> triesLeft(std::size_t question) const;
-  /// The feedback to the last attempt at a question: the feedback of each chosen choice, or of the answer block, and
-  /// where the tries are used up what is right; to a free answer the author's own. Empty where nothing is told yet.
+  /// The feedback on the last attempt at a question: that of each choice, or of the answer block; when the tries are
+  /// used up, with the right answer; for a free answer, the author's model. Empty if nothing may be shown yet.
   std::vector<RichText> feedback(std::size_t question) const;
 
-  /// The same of any step, whether it is shown or not.
+  /// The same for any step.
   bool taskDone(std::size_t step, std::size_t task) const { return states_[step].tasks_done[task] != kOpen; }
   bool taskSolved(std::size_t step, std::size_t task) const { return states_[step].tasks_done[task] == kSolved; }
-  /// Atoms that show the answer to tasks of the current step whose tries were used up in this sitting, and examples of
-  /// what the current task asks for once it has been tried for long; ascending.
+  /// Atoms that show the answers of tasks in the current step whose tries were used up in this sitting, and examples
+  /// for a current task that has been tried for long; ascending.
   std::vector<std::uint32_t> shownAtoms() const;
   const QuestionStatus& question(std::size_t step, std::size_t index) const { return states_[step].questions[index]; }
-  /// Figures of a task that was done, of any step; empty where it was done before the session was taken up.
+  /// The quantities of a completed task of any step; empty if it was completed before the session was resumed.
   std::vector<TaskFigure> figuresOf(std::size_t step, std::size_t task) const;
   bool stepSeen(std::size_t step) const { return states_[step].seen; }
-  /// The steps that were entered, asides too, each once, in the order in which the student first met them.
+  /// The steps entered, including asides, each once, in the order of the first visit.
   const std::vector<std::size_t>& met() const { return met_; }
 
-  /// Takes up what was done before, as far as the lesson still has it, and goes to the step where that ended. Ids and
-  /// indices that the lesson does not have are passed over.
+  /// Restores earlier work as far as the lesson still contains it, and enters the step where it ended. Ignores unknown
+  /// ids and indices.
   void restore(const SessionMemory& memory);
 
-  /// Every task of the step is done and every question answered rightly, or the tries are used up.
+  /// Whether every task of the step is done and every question answered correctly, or their tries are used up.
   bool stepDone() const { return stepDone(step_); }
   bool stepDone(std::size_t step) const;
-  /// Tasks and questions done, of all on the way; steps seen where there are none. Neither asides count nor what is
-  /// skipped.
+  /// The numbers of tasks and questions done and of all on the route; of steps if there are none. Asides and skipped
+  /// steps do not count.
   struct Parts {
     std::size_t done = 0, of = 0;
   };
@@ -201,26 +201,26 @@ class LessonSession {
   double progress() const;
   bool finished() const;
 
-  /// Takes a lesson that was read again: the student stays on the step of the same id (else of the same number), and
-  /// keeps what was done in steps whose tasks and questions are the same in number and kind.
+  /// Replaces the lesson after it was read again. The student stays at the step with the same id (otherwise the same
+  /// number). Work is kept in steps whose tasks and questions agree in number and kind.
   void replaceLesson(std::shared_ptr<const Lesson> lesson);
 
  private:
-  static constexpr char kOpen = 0, kSolved = 1, kShown = 2;  // how a task stands
+  static constexpr char kOpen = 0, kSolved = 1, kShown = 2;  // the states of a task
   struct StepState {
     explicit StepState(const Step& step);
     std::vector<char> tasks_done;
-    std::vector<std::shared_ptr<const Task>> finished;  // as they were when done; null where not done
+    std::vector<std::shared_ptr<const Task>> finished;  // as they were when completed; null if not done
     std::vector<QuestionStatus> questions;
     bool seen = false;
-    std::uint32_t made = 0;  // how often its tasks were made
+    std::uint32_t made = 0;  // how often its tasks were constructed
   };
 
   StepState& state() { return states_[step_]; }
   const StepState& state() const { return states_[step_]; }
-  std::size_t mainStepAfter(std::size_t step) const;  // the number of steps where there is none
+  std::size_t mainStepAfter(std::size_t step) const;  // the number of steps if there is none
   std::vector<char> skippedSteps() const;
-  bool waits(std::size_t step) const;  // it must be finished first, and no answer leads away from it
+  bool waits(std::size_t step) const;  // whether it must be finished first and no answer leads away from it
   void feedTask(std::size_t task, const TouchSample& sample);
   void keepIfDone(std::size_t task);
   void keepSlide(const TouchSample& sample);
@@ -245,12 +245,12 @@ class LessonSession {
   std::shared_ptr<const Lesson> lesson_;
   std::shared_ptr<const Molecule> molecule_;
   std::vector<StepState> states_;
-  std::vector<std::shared_ptr<Task>> tasks_;  // of the current step; null while there is no molecule
-  Slide slide_;                               // that the hand is at, whichever task it belongs to,
+  std::vector<std::shared_ptr<Task>> tasks_;  // of the current step; null without a molecule
+  Slide slide_;                               // the present slide, of whichever task
   std::vector<TouchSample> slid_;             // and its samples, thinned
   std::vector<std::size_t> met_;
   std::size_t step_ = 0, scene_number_ = 0;
-  std::size_t main_step_ = 0;  // the last one that is no aside
+  std::size_t main_step_ = 0;  // the last one that is not an aside
   std::uint64_t order_seed_ = 0;
   std::size_t sitting_ = 0;
   std::vector<SessionEvent> events_;

@@ -1,4 +1,4 @@
-// How a session reports what happens in it.
+// Adds the events of a session.
 
 #include "engine/lesson/session_events.h"
 
@@ -51,7 +51,7 @@ void LessonSession::reportCurves(std::size_t task, CurveState before) {
   const CurveState now = curveState(*tasks_[task]);
   const auto report = [&](bool felt) {
     const TaskCurves& c = *tasks_[task]->curves();
-    events_.push_back(CurveKnown{step().id, task, felt, c.x_name, c.x_most, c.most_N, felt ? c.felt : c.drawn});
+    events_.push_back(CurveKnown{step().id, task, felt, c.x_name, c.x_max_A, c.max_N, felt ? c.felt : c.drawn});
   };
   if (before.drawing && !now.drawing) report(false);
   if (now.compared && !before.compared) report(true);
@@ -63,9 +63,9 @@ void LessonSession::reportAnswer(std::size_t question, bool done_before, const s
   events_.push_back(AnswerJudged{step().id, asked.id, status.attempts, status.chosen, status.written, status.last_right,
                                  status.done() && !done_before});
   for (std::size_t r = 0; r < asked.rules.size(); ++r) {
-    const WayRule& rule = asked.rules[r];
+    const StepRule& rule = asked.rules[r];
     if (!rules_before[r] && ruleHolds(step_, question, r))
-      events_.push_back(RuleApplied{step().id, asked.id, rule.key(), rule.then == WayRule::Then::Skip, rule.steps});
+      events_.push_back(RuleApplied{step().id, asked.id, rule.key(), rule.then == StepRule::Then::Skip, rule.steps});
   }
 }
 

@@ -1,4 +1,4 @@
-// Which steps of a lesson a student meets, and in which order.
+// Determines which steps of a lesson a student visits, and in which order.
 
 #include <algorithm>
 
@@ -18,18 +18,18 @@ bool LessonSession::ruleHolds(std::size_t step, std::size_t question, std::size_
   return lesson_->steps[step].questions[question].rules[rule].holds(status.attempts, status.answered_right);
 }
 
-// What a rule names, and all between a question and the step to which its answer leads forward.
+// The steps that a rule names, and all between a question and the step to which its answer leads forward.
 std::vector<char> LessonSession::skippedSteps() const {
   std::vector<char> out(lesson_->steps.size(), 0);
   for (std::size_t s = 0; s < lesson_->steps.size(); ++s)
     for (std::size_t q = 0; q < lesson_->steps[s].questions.size(); ++q)
       for (std::size_t r = 0; r < lesson_->steps[s].questions[q].rules.size(); ++r) {
-        const WayRule& rule = lesson_->steps[s].questions[q].rules[r];
+        const StepRule& rule = lesson_->steps[s].questions[q].rules[r];
         if (!ruleHolds(s, q, r)) continue;
         for (const std::string& id : rule.steps) {
           const auto to = lesson_->find(id);
           if (!to) continue;
-          if (rule.then == WayRule::Then::Skip)
+          if (rule.then == StepRule::Then::Skip)
             out[*to] = 1;
           else if (!lesson_->steps[*to].aside)
             for (std::size_t between = s + 1; between < *to; ++between) out[between] = 1;
@@ -40,14 +40,14 @@ std::vector<char> LessonSession::skippedSteps() const {
 
 std::optional<std::size_t> LessonSession::leadsTo(std::size_t question) const {
   const QuestionStatus& status = state().questions[question];
-  const std::vector<WayRule>& rules = step().questions[question].rules;
+  const std::vector<StepRule>& rules = step().questions[question].rules;
   for (std::size_t r = 0; r < rules.size(); ++r) {
-    if (rules[r].then != WayRule::Then::GoTo || !ruleHolds(step_, question, r)) continue;
+    if (rules[r].then != StepRule::Then::GoTo || !ruleHolds(step_, question, r)) continue;
     const auto to = rules[r].steps.empty() ? std::nullopt : lesson_->find(rules[r].steps[0]);
     if (!to || *to == step_) continue;
     const bool forward = *to > step_ && !lesson_->steps[*to].aside && !step().aside;
-    // Back and aside once: by the answer with which it came true, as long as the student has not gone.
-    const bool just_now = rules[r].when != WayRule::When::Wrong
+    // Rules that lead back or to an aside apply once: by the answer that triggered them, until the student has gone.
+    const bool just_now = rules[r].when != StepRule::When::Wrong
                               ? status.last_right
                               : !status.answered_right && status.attempts == rules[r].wrong;
     if (forward || (just_now && !status.gone)) return to;
@@ -93,7 +93,7 @@ void LessonSession::next() {
 void LessonSession::back() {
   if (!hasBack()) return;
   if (step().aside) return enter(main_step_);
-  // The first step is no aside, and nothing before it could let it be skipped.
+  // The first step is not an aside, and no question precedes it, so it cannot be skipped.
   const std::vector<char> skipped = skippedSteps();
   std::size_t before = step_;
   do --before;

@@ -8,8 +8,8 @@ KeySpec keyOf(const TouchProperty& property) {
   if (std::holds_alternative<double TouchSetup::*>(property.member)) {
     key.type = ValueType::Quantity;
     key.dimension = property.dimension;
-    key.least = property.in_scenes.min;
-    key.most = property.in_scenes.max;
+    key.min = property.in_scenes.min;
+    key.max = property.in_scenes.max;
     return key;
   }
   key.type = ValueType::Word;

@@ -42,7 +42,7 @@ TouchSample touchSampleOf(const ServoTick& tick, std::string_view method = {}, c
           .exact = exact,
           .orientation = tick.orientation,
           .body = tick.holds_body ? std::optional(tick.shownBody()) : std::nullopt,
-          .placed = tick.placed,
+          .placed = tick.contact_reset,
           .torque_N_mm = tick.torque_N_mm};
 }
 

@@ -64,10 +64,10 @@ std::vector<std::string_view> commaParts(std::string_view text) {
 }
 
 Expected<Value> bounded(const KeySpec& key, std::string_view text, Value value, double low, double high) {
-  if (low < key.least)
-    return at(text, text, trf("'{0}' is too small", text), trf("the smallest is {0}", plain(key.least, key.dimension)));
-  if (high > key.most)
-    return at(text, text, trf("'{0}' is too large", text), trf("the largest is {0}", plain(key.most, key.dimension)));
+  if (low < key.min)
+    return at(text, text, trf("'{0}' is too small", text), trf("the smallest is {0}", plain(key.min, key.dimension)));
+  if (high > key.max)
+    return at(text, text, trf("'{0}' is too large", text), trf("the largest is {0}", plain(key.max, key.dimension)));
   return value;
 }
 

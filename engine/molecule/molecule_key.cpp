@@ -18,7 +18,7 @@ constexpr std::array kOptions{
                   .member = &ReadOptions::model,
                   .label_format = N_("model {0}"),
                   .fallback = "1",
-                  .meaning = "Which model of the molecule's file is shown, counted from 1.",
+                  .meaning = "The number of the model in the molecule's file, from 1.",
                   .option_help = "Which model of the file, from 1",
                   .label = N_("Model"),
                   .max = [](const Molecule& molecule) { return modelsIn(molecule); },
@@ -31,42 +31,38 @@ constexpr std::array kOptions{
                   .member = &ReadOptions::waters,
                   .label_format = N_("with waters"),
                   .fallback = "no",
-                  .meaning = "Whether the water molecules of the file are there too.",
+                  .meaning = "Whether the water molecules of the file are kept.",
                   .option_help = "Keep the water molecules",
                   .label = N_("Water molecules of the file")},
-    ReadingOption{
-        .name = "assembly",
-        .member = &ReadOptions::assembly,
-        .label_format = N_("assembly {0}"),
-        .fallback = "none",
-        .meaning =
-            "The name of a biological assembly that is built from the molecule's file, for example '1'; 'none' takes "
-            "the coordinates as they stand in the file.",
-        .option_help = "Build this biological assembly (1)",
-        .label = N_("Biological assembly"),
-        .hint = N_("none: the coordinates as they stand in the file"),
-        .note =
-            [](const Molecule&) {
-              return std::string(
-                  tr("Its name in the file, mostly 1. Copies of the chains are made as they are in the cell."));
-            }},
-    ReadingOption{
-        .name = "beside",
-        .member = &ReadOptions::beside,
-        .label_format = N_("beside {0}"),
-        .fallback = "none",
-        .meaning =
-            "A second molecule, by its name, that stands at the right of the first for comparison; both are touched. "
-            "Its "
-            "chains have a 2 behind their names: 'chain A2'. Where the two have the same residues it is turned as the "
-            "first is. 'none' leaves the first alone.",
-        .option_help = "Put this molecule beside it, for comparison",
-        .label = N_("Molecule beside it"),
-        .hint = N_("none: the molecule alone"),
-        .note =
-            [](const Molecule&) {
-              return std::string(tr("For comparison: one of the library by its name, or a file in the same folder."));
-            }},
+    ReadingOption{.name = "assembly",
+                  .member = &ReadOptions::assembly,
+                  .label_format = N_("assembly {0}"),
+                  .fallback = "none",
+                  .meaning = "The name of a biological assembly in the molecule's file, for example '1'; 'none' keeps "
+                             "the coordinates of the file.",
+                  .option_help = "Build this biological assembly (1)",
+                  .label = N_("Biological assembly"),
+                  .hint = N_("none: the coordinates as they stand in the file"),
+                  .note =
+                      [](const Molecule&) {
+                        return std::string(tr(
+                            "Its name in the file, mostly 1. Copies of the chains are made as they are in the cell."));
+                      }},
+    ReadingOption{.name = "beside",
+                  .member = &ReadOptions::beside,
+                  .label_format = N_("beside {0}"),
+                  .fallback = "none",
+                  .meaning = "A second molecule, by its name, to the right of the first for comparison, rotated like "
+                             "the first if both have equal residues; 'none' removes it. Both can be touched; its "
+                             "chains have a 2 after their names: 'chain A2'.",
+                  .option_help = "Put this molecule beside it, for comparison",
+                  .label = N_("Molecule beside it"),
+                  .hint = N_("none: the molecule alone"),
+                  .note =
+                      [](const Molecule&) {
+                        return std::string(
+                            tr("For comparison: one of the library by its name, or a file in the same folder."));
+                      }},
 };
 
 }  // namespace

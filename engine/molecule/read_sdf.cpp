@@ -149,11 +149,11 @@ class SdfReader {
         return true;
       }
       line.remove_prefix(kMark.size());
-      const bool goes_on = !line.empty() && line.back() == '-';
-      if (goes_on) line.remove_suffix(1);
+      const bool continued = !line.empty() && line.back() == '-';
+      if (continued) line.remove_suffix(1);
       if (out.size() + line.size() > kMaxMoleculeLineBytes) return false;
       out += line;
-      if (!goes_on) return true;
+      if (!continued) return true;
     }
     return false;
   }

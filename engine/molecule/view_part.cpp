@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::array kParts{
     ViewPartInfo{ViewPart::Atoms, "atoms", NC_("part of the picture", "Atoms"),
-                 N_("the atoms as balls of their van der Waals radii"), false},
+                 N_("the atoms as spheres of their van der Waals radii"), false},
     ViewPartInfo{ViewPart::Spheres, "spheres", NC_("part of the picture", "Faces"),
                  N_("the atoms' spheres inflated by the probe, which the hand feels"), true},
     ViewPartInfo{ViewPart::Circles, "circles", NC_("part of the picture", "Creases"),
@@ -20,17 +20,17 @@ constexpr std::array kParts{
     ViewPartInfo{ViewPart::Cones, "cones", NC_("part of the picture", "Cones"),
                  N_("the two cones that share the circle in use, with the atoms' centres as apexes"), true, true},
     ViewPartInfo{ViewPart::Facets, "facets", NC_("part of the picture", "Facets"),
-                 N_("the triangles round the contact, while a method that feels triangles is in use"), true, true},
+                 N_("the triangles around the contact, for methods that use triangles"), true, true},
     ViewPartInfo{ViewPart::Hip, "hip", NC_("part of the picture", "Hand"),
-                 N_("where the hand is (haptic interface point, HIP)"), true},
+                 N_("the position of the hand (haptic interface point, HIP)"), true},
     ViewPartInfo{ViewPart::Scp, "scp", NC_("part of the picture", "Contact point"),
-                 N_("where the probe rests on the surface (surface contact point, SCP)"), true},
+                 N_("the position of the probe on the surface (surface contact point, SCP)"), true},
     ViewPartInfo{ViewPart::Force, "force", NC_("part of the picture", "Force"),
                  N_("an arrow for the force on the hand"), false},
     ViewPartInfo{ViewPart::Probe, "probe", NC_("part of the picture", "Probe"),
                  N_("the probe: a water molecule in its sphere"), false},
     ViewPartInfo{ViewPart::Target, "target", NC_("part of the picture", "Target"),
-                 N_("what a task asks for: places to reach and marked atoms"), false},
+                 N_("the targets of a task: places to reach and marked atoms"), false},
 };
 
 }  // namespace

@@ -52,7 +52,8 @@ ResidueSpheres residueSpheres(const Molecule& molecule) {
 std::string residueSpheresNotice(std::size_t atoms, std::size_t max_single) {
   if (atoms <= max_single) return {};
   return trf(
-      "Drawn as one ball for each residue, in every style, since {0} atoms are more than {1}. Every atom is felt.",
+      "Drawn as one sphere per residue in every style, because there are more than {1} atoms ({0}). Every atom is "
+      "felt.",
       numberText(double(atoms), decimals(0)), numberText(double(max_single), decimals(0)));
 }
 

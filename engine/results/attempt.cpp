@@ -8,19 +8,19 @@
 
 namespace moltact {
 
-std::string_view nameOf(InputWay way) {
-  switch (way) {
-    case InputWay::Device:
+std::string_view nameOf(InputKind input) {
+  switch (input) {
+    case InputKind::Device:
       return N_("device");
-    case InputWay::Mouse:
+    case InputKind::Mouse:
       return N_("mouse");
-    case InputWay::Keyboard:
+    case InputKind::Keyboard:
       return N_("keyboard");
   }
   return N_("mouse");
 }
 
-std::string shownName(InputWay way) { return std::string(tr(nameOf(way))); }
+std::string shownName(InputKind input) { return std::string(tr(nameOf(input))); }
 
 std::size_t LessonOutline::parts() const {
   std::size_t n = 0;

@@ -22,11 +22,11 @@
 namespace moltact {
 
 /// The input that moved the probe or gave an answer.
-enum class InputWay : std::uint8_t { Device, Mouse, Keyboard };
+enum class InputKind : std::uint8_t { Device, Mouse, Keyboard };
 /// "device", "mouse" or "keyboard".
-std::string_view nameOf(InputWay way);
+std::string_view nameOf(InputKind input);
 /// The same in the language in use.
-std::string shownName(InputWay way);
+std::string shownName(InputKind input);
 
 /// The kinds of answers: right or wrong (Marked), expectations before the touch (Prediction), or unassessed (Free).
 /// Only the first kind is scored.
@@ -104,7 +104,7 @@ struct Answered {
   std::vector<std::size_t> chosen;  ///< indices of choices
   std::string written;              ///< the text of a typed answer
   bool right = false;
-  InputWay by = InputWay::Mouse;
+  InputKind by = InputKind::Mouse;
 };
 struct HintOpened {
   std::string step;
@@ -117,7 +117,7 @@ struct TaskDone {
   std::string step;
   std::size_t task = 0;
   double took_s = 0.0;  ///< since the task began
-  InputWay by = InputWay::Mouse;
+  InputKind by = InputKind::Mouse;
   std::vector<LoggedFigure> figures;
   bool solved = true;  ///< false: its tries were used up
 };
@@ -126,9 +126,9 @@ struct TaskDone {
 struct CurveKept {
   std::string step;
   std::size_t task = 0;
-  bool felt = false;                ///< false: drawn
-  std::string axis;                 ///< "depth" or "way"
-  double to_A = 1.0, most_N = 1.0;  ///< the ends of the axes
+  bool felt = false;               ///< false: drawn
+  std::string axis;                ///< "depth" or "way"
+  double to_A = 1.0, max_N = 1.0;  ///< the ends of the axes
   std::vector<double> force_N;
 };
 /// A contact begins. Gaps shorter than kTouchGap_s do not end it.
@@ -142,7 +142,7 @@ struct TouchEnded {
   std::size_t crossings = 0;  ///< how often the set of contacting atoms changed to another one
   double peak_N = 0.0, mean_N = 0.0;
   double path_A = 0.0;  ///< length of the SCP's path
-  InputWay by = InputWay::Mouse;
+  InputKind by = InputKind::Mouse;
 };
 /// Figures of a touch in progress, which remain if the program is killed. A later TouchEnded with the same `from_s`
 /// replaces it.
@@ -150,13 +150,13 @@ struct TouchSoFar {
   double from_s = 0.0;
   std::size_t crossings = 0;
   double peak_N = 0.0, mean_N = 0.0, path_A = 0.0;
-  InputWay by = InputWay::Mouse;
+  InputKind by = InputKind::Mouse;
 };
 inline constexpr double kTouchGap_s = 0.1;
 inline constexpr std::size_t kMaxTouched = 256;
 
 struct InputChanged {
-  InputWay by = InputWay::Mouse;
+  InputKind by = InputKind::Mouse;
   std::string device;
   bool gives_force = false;
   friend bool operator==(const InputChanged&, const InputChanged&) = default;
@@ -211,7 +211,7 @@ struct LessonReread {
   LessonOutline lesson;
 };
 /// An answer has changed the order of the steps.
-struct WayTaken {
+struct OrderChanged {
   std::string step, question;      ///< ids
   std::string rule;                ///< the author's text: "after 2 wrong"
   bool skips = false;              ///< false: goes to `steps`
@@ -243,9 +243,10 @@ struct Heartbeat {};
 /// The end of a killed program's attempt is known with this accuracy (unit: second of use).
 inline constexpr double kHeartbeat_s = 0.9;
 
-using AttemptFact = std::variant<StepEntered, Answered, HintOpened, TaskBegun, TaskDone, CurveKept, TouchBegan,
-                                 TouchEnded, InputChanged, StageChanged, ViewChanged, HipChunk, LessonReread, Resumed,
-                                 ProgressMade, Predicted, SessionClosed, TouchSoFar, Heartbeat, StatesMoved, WayTaken>;
+using AttemptFact =
+    std::variant<StepEntered, Answered, HintOpened, TaskBegun, TaskDone, CurveKept, TouchBegan, TouchEnded,
+                 InputChanged, StageChanged, ViewChanged, HipChunk, LessonReread, Resumed, ProgressMade, Predicted,
+                 SessionClosed, TouchSoFar, Heartbeat, StatesMoved, OrderChanged>;
 
 struct AttemptEvent {
   double t_s = 0.0;

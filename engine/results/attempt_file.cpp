@@ -184,7 +184,7 @@ std::string attemptBegan(const fs::path& file) {
   std::string line;
   if (!open || !std::getline(open->in, line)) return {};
   if (line.ends_with('\r')) line.pop_back();
-  return beganOf(line);
+  return beginTimeOf(line);
 }
 
 Expected<std::vector<fs::path>> attemptFiles(const fs::path& named, bool deep) {

@@ -27,10 +27,10 @@ bool mayBeginAttempt(std::string_view line);
 /// if the first key is not "kind", as after a program that sorts keys; then the line must be parsed.
 std::string_view leadingKind(std::string_view line);
 
-/// Two readers of a file's first line. beganOf() returns the time at which the attempt began, without parsing the rest;
+/// Two readers of a file's first line. beginTimeOf() returns the time at which the attempt began, without parsing the rest;
 /// empty if it is missing. readHeaderLine() returns a Problem (without file and line) if the line is not a header. It
 /// ignores unknown keys.
-std::string beganOf(std::string_view line);
+std::string beginTimeOf(std::string_view line);
 Expected<AttemptHeader> readHeaderLine(std::string_view line);
 
 /// Reads any other line. Returns no value for an unknown kind (of a newer format). Returns a Problem (without file and

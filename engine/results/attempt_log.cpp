@@ -46,7 +46,7 @@ AttemptLog::AttemptLog(std::filesystem::path folder, AttemptHeader header)
     : folder_(std::move(folder)), name_(fileName(header)), before_(lineOf(header)) {}
 
 AttemptLog::AttemptLog(std::filesystem::path file, double end_s, const Resumed& resumed)
-    : from_s_(end_s), told_s_(end_s), writer_(AttemptWriter::goOn(std::move(file))) {
+    : from_s_(end_s), written_s_(end_s), writer_(AttemptWriter::resume(std::move(file))) {
   write(lineOf(AttemptEvent{from_s_, resumed}));
 }
 
@@ -56,14 +56,14 @@ void AttemptLog::write(std::string line) {
 }
 
 void AttemptLog::heartbeat(double t_s) {
-  if (writer_ && t_s + from_s_ - told_s_ >= kHeartbeat_s) add({t_s, Heartbeat{}});
+  if (writer_ && t_s + from_s_ - written_s_ >= kHeartbeat_s) add({t_s, Heartbeat{}});
 }
 
 void AttemptLog::add(AttemptEvent event) {
   if (!writer_ && folder_.empty()) return;
   moveBy(from_s_, event);
   if (!std::holds_alternative<HipChunk>(event.what) && !std::holds_alternative<ViewChanged>(event.what))
-    told_s_ = std::max(told_s_, event.t_s);
+    written_s_ = std::max(written_s_, event.t_s);
   const bool step = std::holds_alternative<StepEntered>(event.what),
              gone_on = step && before_.find(R"({"kind":"step")") != std::string::npos;  // of lines written by this
                                                                                         // program

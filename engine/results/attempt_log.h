@@ -44,7 +44,7 @@ class AttemptLog {
   std::string name_;    // of the new file
   std::string before_;  // lines before the first action
   double from_s_ = 0.0;
-  double told_s_ = 0.0;  // the latest time written in an event that reports read, including from_s_
+  double written_s_ = 0.0;  // the latest time written in an event that reports read, including from_s_
   std::size_t since_progress_ = 0;
   std::optional<AttemptEvent> progress_;
   std::optional<AttemptWriter> writer_;

@@ -10,7 +10,7 @@ namespace moltact {
 
 struct AttemptRange {
   std::string_view key;
-  double least = 0.0, most = 0.0;
+  double min = 0.0, max = 0.0;
   bool whole = false;  ///< only whole numbers
 };
 

@@ -167,7 +167,7 @@ AttemptWriter AttemptWriter::startNew(fs::path folder, std::string name) {
   return AttemptWriter(std::move(impl));
 }
 
-AttemptWriter AttemptWriter::goOn(fs::path file) {
+AttemptWriter AttemptWriter::resume(fs::path file) {
   auto impl = std::make_unique<Impl>();
   impl->wanted = std::move(file);
   return AttemptWriter(std::move(impl));

@@ -19,7 +19,7 @@ class AttemptWriter {
   /// Creates `name`.jsonl in `folder`, and the folder if necessary. If the name is taken, "-2", "-3" … is appended.
   static AttemptWriter startNew(std::filesystem::path folder, std::string name);
   /// Resumes an attempt: appends lines to the file.
-  static AttemptWriter goOn(std::filesystem::path file);
+  static AttemptWriter resume(std::filesystem::path file);
 
   AttemptWriter(AttemptWriter&&) noexcept;
   AttemptWriter& operator=(AttemptWriter&&) noexcept;

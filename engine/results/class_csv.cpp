@@ -219,9 +219,9 @@ void person(std::string& out, const ClassSummary& summary, std::span<const Colum
   row.value(p.mean_N, 3);
   row.value(p.path_A, 2);
   row.whole(p.crossings);
-  const auto way = p.way();
+  const auto way = p.input();
   row.text(way ? shownName(*way) : "");
-  for (const double s : p.touch_ways_s) {
+  for (const double s : p.touch_by_input_s) {
     if (p.touch_s > 0)
       row.value(100.0 * s / p.touch_s, 1);
     else

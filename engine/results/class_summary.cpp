@@ -90,7 +90,7 @@ class Counting {
     a.right = a.right || e.right;
   }
   void operator()(const LessonReread& e) { learn(e.lesson); }
-  void operator()(const WayTaken& e) { p_.rules.push_back(e); }
+  void operator()(const OrderChanged& e) { p_.rules.push_back(e); }
   void operator()(const HintOpened&) { ++p_.hints; }
   void operator()(const TaskBegun& e) { p_.tasks[{e.step, e.task}].begun = true; }
   void operator()(const TaskDone& e) {
@@ -142,8 +142,8 @@ class Counting {
         tags_[{s.id, q.id}] = q.tags;
       }
   }
-  template <class TouchTold>
-  void count(const TouchTold& e, double until_s) {
+  template <class TouchEvent>
+  void count(const TouchEvent& e, double until_s) {
     const double lasted_s = std::max(0.0, until_s - e.from_s);
     ++p_.touches;
     p_.crossings += e.crossings;
@@ -152,7 +152,7 @@ class Counting {
     p_.touch_s += lasted_s;
     p_.peak_N = std::max(p_.peak_N, e.peak_N);
     p_.path_A += e.path_A;
-    p_.touch_ways_s[static_cast<std::size_t>(e.by)] += lasted_s;
+    p_.touch_by_input_s[static_cast<std::size_t>(e.by)] += lasted_s;
   }
   // Counts a touch without a recorded end: the program was killed.
   void endOpenTouch() {
@@ -185,13 +185,13 @@ std::size_t PersonScore::firstRight() const {
   }));
 }
 
-std::optional<InputWay> PersonScore::way() const {
-  WayShares shares = touch_ways_s;
+std::optional<InputKind> PersonScore::input() const {
+  InputShares shares = touch_by_input_s;
   if (touches == 0)
     for (const auto& [question, answer] : answers) shares[static_cast<std::size_t>(answer.by)] += 1.0;
   const auto most = std::max_element(shares.begin(), shares.end());
   if (touches == 0 && *most == 0.0) return std::nullopt;
-  return static_cast<InputWay>(most - shares.begin());
+  return static_cast<InputKind>(most - shares.begin());
 }
 
 std::optional<double> discrimination(const LessonSummary& lesson, const std::string& step,
@@ -404,11 +404,11 @@ std::string wayText(const LessonOutline& lesson, const PersonScore& person) {
     return known == numbers.end() ? "?" : known->second;
   };
   std::string out;
-  std::set<std::string> told;
+  std::set<std::string> counted;
   for (const std::string& id : person.steps_taken) {
     out += (out.empty() ? "" : " ") + numberOf(id);
-    if (!told.insert(id).second) continue;
-    for (const WayTaken& rule : person.rules) {
+    if (!counted.insert(id).second) continue;
+    for (const OrderChanged& rule : person.rules) {
       if (rule.step != id) continue;
       std::string to;
       for (const std::string& s : rule.steps) to += (to.empty() ? "" : ", ") + numberOf(s);

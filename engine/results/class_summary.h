@@ -16,8 +16,8 @@
 
 namespace moltact {
 
-inline constexpr std::size_t kWays = 3;  ///< number of InputWay's values
-using WayShares = std::array<double, kWays>;
+inline constexpr std::size_t kInputKinds = 3;  ///< number of InputKind's values
+using InputShares = std::array<double, kInputKinds>;
 
 /// A person's first answer to a question, and the further tries. For predictions and free answers, the last answer
 /// counts instead.
@@ -26,14 +26,14 @@ struct AnswerScore {
   std::vector<std::size_t> chosen;  ///< of the first answer
   std::string written;
   bool first_right = false, right = false;
-  int tries = 0;                  ///< up to the first right one, or all if there is none
-  InputWay by = InputWay::Mouse;  ///< of the first answer
+  int tries = 0;                    ///< up to the first right one, or all if there is none
+  InputKind by = InputKind::Mouse;  ///< of the first answer
 };
 
 struct TaskScore {
   bool begun = false, done = false;
   double took_s = 0.0;
-  InputWay by = InputWay::Mouse;
+  InputKind by = InputKind::Mouse;
   std::vector<LoggedFigure> figures;
   /// The first curve drawn and the last one felt; null in most tasks, because there may be a hundred thousand attempts.
   std::shared_ptr<const CurveKept> drawn, felt;
@@ -51,15 +51,15 @@ struct PersonScore {
   double time_s = 0.0;
   std::size_t hints = 0, touches = 0, crossings = 0;
   double touch_s = 0.0, peak_N = 0.0, mean_N = 0.0, path_A = 0.0;
-  WayShares touch_ways_s{};  ///< time of touch by way of input
-  std::string device;        ///< of the last attempt
+  InputShares touch_by_input_s{};  ///< time of touch by way of input
+  std::string device;              ///< of the last attempt
   bool gives_force = false;
   std::map<std::string, double> step_s;                                ///< by step id
   std::map<std::pair<std::string, std::string>, AnswerScore> answers;  ///< by step and question id
   std::map<std::pair<std::string, std::size_t>, TaskScore> tasks;      ///< by step id and index
   std::vector<Predicted> predictions;
   std::vector<std::string> steps_taken;               ///< ids of the steps in the order of entry
-  std::vector<WayTaken> rules;                        ///< the rules by which answers changed the order of the steps
+  std::vector<OrderChanged> rules;                    ///< the rules by which answers changed the order of the steps
   std::map<std::string, std::size_t> misconceptions;  ///< number of choices with each tag
 
   double share() const { return of ? double(done) / double(of) : 0.0; }
@@ -68,7 +68,7 @@ struct PersonScore {
   std::size_t answered() const;
   std::size_t firstRight() const;
   /// The way of input with the longest touch, or without touch the one with the most answers. No value without both.
-  std::optional<InputWay> way() const;
+  std::optional<InputKind> input() const;
 };
 
 /// The results of one or more people for one of the lesson's goals.

@@ -17,7 +17,7 @@ namespace {
 
 using namespace page;
 
-InputWay wayOf(const PersonScore& p) { return p.way().value_or(InputWay::Mouse); }
+InputKind inputOf(const PersonScore& p) { return p.input().value_or(InputKind::Mouse); }
 
 template <class Value>
 std::vector<double> sorted(const std::vector<const PersonScore*>& people, Value value) {
@@ -52,18 +52,18 @@ std::string histogramOf(const std::string& title, Dimension dimension, std::vect
 }
 
 std::string legend(const std::vector<PersonScore>& people) {
-  std::array<bool, kWays> used{};
+  std::array<bool, kInputKinds> used{};
   for (const PersonScore& p : people) {
-    if (p.way()) used[std::size_t(*p.way())] = true;
-    for (std::size_t w = 0; w < kWays; ++w) used[w] = used[w] || p.touch_ways_s[w] > 0;
+    if (p.input()) used[std::size_t(*p.input())] = true;
+    for (std::size_t w = 0; w < kInputKinds; ++w) used[w] = used[w] || p.touch_by_input_s[w] > 0;
   }
   static constexpr std::array kNames{N_("haptic device"), N_("mouse"), N_("keyboard")};
   std::string out = std::string("<div class=\"legend\">") + tr("Way of input:");
-  for (std::size_t w = 0; w < kWays; ++w)
+  for (std::size_t w = 0; w < kInputKinds; ++w)
     if (used[w]) {
       Svg svg;
-      svg.rect(1, 1, 14, 12, "class=\"bar " + wayClass(InputWay(w)) + "\"");
-      drawMark(svg, InputWay(w), 24, 7);
+      svg.rect(1, 1, 14, 12, "class=\"bar " + inputClass(InputKind(w)) + "\"");
+      drawMark(svg, InputKind(w), 24, 7);
       out += "<span>" + std::move(svg).within("viewBox=\"0 0 30 14\" aria-hidden=\"true\"") + tr(kNames[w]) + "</span>";
     }
   return out + "</div>";
@@ -90,9 +90,9 @@ void tiles(std::string& out, const LessonSummary& lesson) {
 }
 
 void byWay(std::string& out, const LessonSummary& lesson) {
-  std::array<std::vector<const PersonScore*>, kWays> groups;
+  std::array<std::vector<const PersonScore*>, kInputKinds> groups;
   for (const PersonScore& p : lesson.people)
-    if (p.way()) groups[std::size_t(*p.way())].push_back(&p);
+    if (p.input()) groups[std::size_t(*p.input())].push_back(&p);
   if (std::count_if(groups.begin(), groups.end(), [](const auto& g) { return !g.empty(); }) < 2) return;
   out += section(tr("By way of input"), {{tr("Most touching with")},
                                          {tr("Students")},
@@ -103,13 +103,13 @@ void byWay(std::string& out, const LessonSummary& lesson) {
                                          {trf("Peak force<br>(median), {0}", unitText(Dimension::Force))},
                                          {trf("Mean force<br>(median), {0}", unitText(Dimension::Force))},
                                          {trf("Path<br>(median), {0}", unitText(Dimension::Length))}});
-  for (std::size_t w = 0; w < kWays; ++w) {
+  for (std::size_t w = 0; w < kInputKinds; ++w) {
     const auto& group = groups[w];
     if (group.empty()) continue;
     std::size_t finished = 0, answers = 0, right = 0;
     for (const PersonScore* p : group) finished += p->finished(), answers += p->answered(), right += p->firstRight();
     const auto median = [&](auto value) { return quantile(sorted(group, value), 0.5); };
-    out += "<tr><td class=\"name\">" + shownName(InputWay(w)) + "</td><td>" + std::to_string(group.size()) +
+    out += "<tr><td class=\"name\">" + shownName(InputKind(w)) + "</td><td>" + std::to_string(group.size()) +
            "</td><td>" + std::to_string(finished) + "</td><td>" +
            percent(median([](const PersonScore& p) { return p.share(); })) + "</td><td>" +
            (answers ? percent(double(right) / double(answers)) : "–") + "</td><td>" +
@@ -143,7 +143,7 @@ void peopleTable(std::string& out, const LessonSummary& lesson) {
         (p.finished() ? std::string("<span class=\"tick\">✓</span> ") + tr("finished") : escaped(p.last_step)) +
         "</td><td>" + duration(p.time_s) + "</td><td>" +
         (p.answered() == 0 ? "–" : std::to_string(p.firstRight()) + " / " + std::to_string(p.answered())) +
-        "</td><td>" + std::to_string(p.hints) + "</td><td class=\"left\">" + escaped(waysText(p)) +
+        "</td><td>" + std::to_string(p.hints) + "</td><td class=\"left\">" + escaped(inputsText(p)) +
         (p.gives_force ? "<br><span class=\"quiet small nowrap\">" + escaped(tr(p.device.c_str())) + "</span>" : "") +
         "</td></tr>";
   out += "</tbody></table></div>";
@@ -188,7 +188,7 @@ void question(std::string& out, const LessonSummary& lesson, const StepOutline& 
   std::vector<std::size_t> first(q.choices.size());
   std::map<std::string, std::pair<std::size_t, bool>> written;  // count, and whether right
   std::size_t answered = 0, right = 0, first_right = 0;
-  std::array<std::pair<std::size_t, std::size_t>, kWays> ways{};  // right at the first try, and total
+  std::array<std::pair<std::size_t, std::size_t>, kInputKinds> ways{};  // right at the first try, and total
   for (const PersonScore& p : lesson.people) {
     const auto given = p.answers.find({step.id, q.id});
     if (given == p.answers.end()) continue;
@@ -212,9 +212,9 @@ void question(std::string& out, const LessonSummary& lesson, const StepOutline& 
                  : trf("{0}. Predicted by {1} of {2}, before the touch.", escaped(step.title), answered,
                        lesson.people.size()));
   std::string by;
-  for (std::size_t w = 0; w < kWays; ++w)
+  for (std::size_t w = 0; w < kInputKinds; ++w)
     if (ways[w].second)
-      by += (by.empty() ? "" : ", ") + trf("{0} {1} of {2}", shownName(InputWay(w)), ways[w].first, ways[w].second);
+      by += (by.empty() ? "" : ", ") + trf("{0} {1} of {2}", shownName(InputKind(w)), ways[w].first, ways[w].second);
   if (marked && !by.empty()) out += " " + trf("Right at first try by input: {0}.", by);
   if (const auto r = marked ? discrimination(lesson, step.id, q.id) : std::nullopt)
     out += " " + trf("Who was right here was right elsewhere too: r = {0}.", numberText(*r, decimals(2)));
@@ -287,7 +287,7 @@ void steps(std::string& out, const LessonSummary& lesson) {
   for (const StepOutline& s : lesson.lesson.steps) {
     auto& [step, values] = rows.emplace_back(&s, std::vector<Measured>());
     for (const PersonScore& p : lesson.people)
-      if (const auto t = p.step_s.find(s.id); t != p.step_s.end()) values.push_back({t->second / 60.0, wayOf(p)});
+      if (const auto t = p.step_s.find(s.id); t != p.step_s.end()) values.push_back({t->second / 60.0, inputOf(p)});
     for (const Measured& m : values) most = std::max(most, m.value);
   }
   most = roundAbove(most);
@@ -324,7 +324,7 @@ void tasks(std::string& out, const LessonSummary& lesson) {
       std::vector<std::pair<std::string, std::vector<Measured>>> figures;  // by "name, unit", in the order of first
                                                                            // occurrence
       std::map<std::string, std::size_t> places;
-      const auto add = [&](const std::string& name, const std::string& unit, double value, InputWay by) {
+      const auto add = [&](const std::string& name, const std::string& unit, double value, InputKind by) {
         const FigureShown shown = figureShown(name, unit);
         const auto [place, made] = places.try_emplace(shown.title, figures.size());
         if (made) figures.emplace_back(shown.title, std::vector<Measured>());
@@ -370,13 +370,13 @@ void tasks(std::string& out, const LessonSummary& lesson) {
 void forces(std::string& out, const LessonSummary& lesson) {
   std::vector<Measured> peak, mean, path, touch, minutes, right;
   for (const PersonScore& p : lesson.people) {
-    minutes.push_back({p.time_s / 60.0, wayOf(p)});
-    if (p.answered() > 0) right.push_back({double(p.firstRight()), wayOf(p)});
+    minutes.push_back({p.time_s / 60.0, inputOf(p)});
+    if (p.answered() > 0) right.push_back({double(p.firstRight()), inputOf(p)});
     if (!p.touches) continue;
-    peak.push_back({p.peak_N, wayOf(p)});
-    mean.push_back({p.mean_N, wayOf(p)});
-    path.push_back({p.path_A, wayOf(p)});
-    touch.push_back({p.touch_s, wayOf(p)});
+    peak.push_back({p.peak_N, inputOf(p)});
+    mean.push_back({p.mean_N, inputOf(p)});
+    path.push_back({p.path_A, inputOf(p)});
+    touch.push_back({p.touch_s, inputOf(p)});
   }
   out += std::string("<h3>") + tr("Time, force and path") + "</h3><div class=\"histograms\">" +
          histogram(tr("Time for the lesson"), "min", minutes) +

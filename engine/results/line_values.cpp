@@ -28,7 +28,7 @@ double number(const Json& value, const char* key) {
   if (!value.is_number()) throw LineError{trf("'{0}' is no number", key)};
   const double number = value.get<double>();
   const AttemptRange* range = attemptRange(key);
-  if (range && number >= range->least && number <= range->most && (!range->whole || number == std::floor(number)))
+  if (range && number >= range->min && number <= range->max && (!range->whole || number == std::floor(number)))
     return number;
   if (range && range->whole) throw LineError{trf("'{0}' is no whole number that fits", key)};
   throw LineError{trf("'{0}' is a number that no Moltact writes", key)};
@@ -43,15 +43,15 @@ std::size_t count(const Json& value, const char* key) {
 }
 std::size_t countAt(const Json& from, const char* key) { return count(need(from, key), key); }
 
-const Json& list(const Json& from, const char* key, std::size_t most) {
+const Json& list(const Json& from, const char* key, std::size_t max) {
   const Json& value = need(from, key);
   if (!value.is_array()) throw LineError{trf("'{0}' is no list", key)};
-  if (value.size() > most) throw LineError{trf("'{0}' is longer than any that Moltact writes", key)};
+  if (value.size() > max) throw LineError{trf("'{0}' is longer than any that Moltact writes", key)};
   return value;
 }
-const Json& listOrNone(const Json& from, const char* key, std::size_t most) {
+const Json& listOrNone(const Json& from, const char* key, std::size_t max) {
   static const Json kNone = Json::array();
-  return from.contains(key) ? list(from, key, most) : kNone;
+  return from.contains(key) ? list(from, key, max) : kNone;
 }
 
 bool flag(const Json& from, const char* key) {

@@ -35,8 +35,8 @@ double numberOr(const Json& from, const char* key, double otherwise);
 std::size_t count(const Json& value, const char* key);
 std::size_t countAt(const Json& from, const char* key);
 
-const Json& list(const Json& from, const char* key, std::size_t most = kAnyLength);
-const Json& listOrNone(const Json& from, const char* key, std::size_t most = kAnyLength);
+const Json& list(const Json& from, const char* key, std::size_t max = kAnyLength);
+const Json& listOrNone(const Json& from, const char* key, std::size_t max = kAnyLength);
 /// The list must have exactly `size` numbers.
 std::vector<double> numbers(const Json& from, const char* key, std::size_t size);
 Vec3 vector(const Json& from, const char* key);

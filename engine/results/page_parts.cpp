@@ -10,18 +10,18 @@
 namespace moltact::page {
 namespace {
 
-constexpr std::array kWayOrder{InputWay::Device, InputWay::Mouse, InputWay::Keyboard};
+constexpr std::array kInputOrder{InputKind::Device, InputKind::Mouse, InputKind::Keyboard};
 
 // The range of the scales: no value of an attempt exceeds it (attempt_ranges.h), nor do sums of them.
 constexpr double kGreatest = 1e15, kMin = 1e-12;
 double onScale(double value) { return std::isfinite(value) ? std::clamp(value, -kGreatest, kGreatest) : 0.0; }
 
-// 1, 2 or 5 times a power of ten, not less than `least`.
-double roundStep(double least) {
-  least = std::clamp(onScale(least), kMin, kGreatest);
-  const double power = std::pow(10.0, std::floor(std::log10(least)));
+// 1, 2 or 5 times a power of ten, not less than `min`.
+double roundStep(double min) {
+  min = std::clamp(onScale(min), kMin, kGreatest);
+  const double power = std::pow(10.0, std::floor(std::log10(min)));
   for (const double m : {1.0, 2.0, 5.0})
-    if (m * power >= least * (1.0 - 1e-12)) return m * power;
+    if (m * power >= min * (1.0 - 1e-12)) return m * power;
   return 10.0 * power;
 }
 
@@ -37,11 +37,11 @@ std::vector<double> sortedValues(const std::vector<Measured>& values) {
 }  // namespace
 
 // Disc, square, triangle.
-void drawMark(Svg& svg, InputWay way, double x, double y) {
-  const std::string look = "class=\"mark " + wayClass(way) + "\"";
-  if (way == InputWay::Device)
+void drawMark(Svg& svg, InputKind input, double x, double y) {
+  const std::string look = "class=\"mark " + inputClass(input) + "\"";
+  if (input == InputKind::Device)
     svg.circle(x, y, 3.2, look);
-  else if (way == InputWay::Mouse)
+  else if (input == InputKind::Mouse)
     svg.rect(x - 2.8, y - 2.8, 5.6, 5.6, look);
   else
     svg.path(svgPoint('M', x, y - 3.4) + "l3.4 6h-6.8z", look);
@@ -56,15 +56,15 @@ std::string duration(double time_s) {
   return numberText(time_s / 60.0, decimals(time_s < 600 ? 1 : 0)) + "\u00a0min";
 }
 
-std::string wayClass(InputWay way) { return "way-" + std::string(nameOf(way)); }
+std::string inputClass(InputKind input) { return "way-" + std::string(nameOf(input)); }
 
-std::string waysText(const PersonScore& person) {
-  std::vector<std::pair<double, InputWay>> shares;
-  for (const InputWay w : kWayOrder)
-    if (const double s = person.touch_ways_s[std::size_t(w)]; s > 0) shares.emplace_back(s, w);
+std::string inputsText(const PersonScore& person) {
+  std::vector<std::pair<double, InputKind>> shares;
+  for (const InputKind w : kInputOrder)
+    if (const double s = person.touch_by_input_s[std::size_t(w)]; s > 0) shares.emplace_back(s, w);
   if (shares.empty()) {
-    const auto way = person.way();
-    return way ? shownName(*way) : "–";
+    const auto input = person.input();
+    return input ? shownName(*input) : "–";
   }
   std::stable_sort(shares.begin(), shares.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
   if (shares.size() == 1) return shownName(shares[0].second);
@@ -92,27 +92,27 @@ std::string histogram(const std::string& title, const std::string& unit, std::ve
   const double first = counted ? 0.0 : std::floor(sorted.front() / width) * width;
   const auto binOf = [&](double value) { return static_cast<std::size_t>((value - first) / width + 1e-9); };
   const std::size_t bins = binOf(sorted.back()) + 1;
-  std::vector<std::array<int, kWays>> counts(bins);
+  std::vector<std::array<int, kInputKinds>> counts(bins);
   for (const Measured& m : values) ++counts[binOf(m.value)][std::size_t(m.by)];
-  int most = 1;
-  for (const auto& c : counts) most = std::max(most, c[0] + c[1] + c[2]);
+  int max = 1;
+  for (const auto& c : counts) max = std::max(max, c[0] + c[1] + c[2]);
 
   constexpr double kLeft = 26, kTop = 8, kWide = 278, kHigh = 112;
-  const double each = kWide / double(bins), unit_high = kHigh / double(most);
+  const double each = kWide / double(bins), unit_high = kHigh / double(max);
   Svg svg;
-  const int tick = std::max(1, static_cast<int>(roundStep(std::max(1.0, most / 4.5))));
-  for (int n = 0; n <= most; n += tick) {
+  const int tick = std::max(1, static_cast<int>(roundStep(std::max(1.0, max / 4.5))));
+  for (int n = 0; n <= max; n += tick) {
     const double y = kTop + kHigh - n * unit_high;
     svg.path(svgPoint('M', kLeft, y) + "h" + svgNumber(kWide), "class=\"grid\"");
     svg.text(kLeft - 5, y + 3.5, "end", std::to_string(n), "class=\"axis\"");
   }
   for (std::size_t b = 0; b < bins; ++b) {
     double y = kTop + kHigh;
-    for (const InputWay w : kWayOrder) {
+    for (const InputKind w : kInputOrder) {
       const double high = counts[b][std::size_t(w)] * unit_high;
       if (high <= 0) continue;
       y -= high;
-      svg.rect(kLeft + each * double(b) + 1, y, each - 2, high, "class=\"bar " + wayClass(w) + "\"");
+      svg.rect(kLeft + each * double(b) + 1, y, each - 2, high, "class=\"bar " + inputClass(w) + "\"");
     }
   }
   const int digits = digitsFor(width);
@@ -133,18 +133,18 @@ std::string histogram(const std::string& title, const std::string& unit, std::ve
 
 namespace {
 constexpr double kStripWide = 420, kStripEdge = 6;
-double stripX(double value, double most) {
-  const double share = std::isfinite(value / most) ? std::clamp(value / most, 0.0, 1.0) : 0.0;
+double stripX(double value, double max) {
+  const double share = std::isfinite(value / max) ? std::clamp(value / max, 0.0, 1.0) : 0.0;
   return kStripEdge + (kStripWide - 2 * kStripEdge) * share;
 }
 }  // namespace
 
-std::string strip(const std::vector<Measured>& values, double most) {
+std::string strip(const std::vector<Measured>& values, double max) {
   Svg svg;
   svg.path("M6 11h408", "class=\"grid\"");
   const std::vector<double> sorted = sortedValues(values);
   if (sorted.size() >= 4) {
-    const double from = stripX(quantile(sorted, 0.25), most), to = stripX(quantile(sorted, 0.75), most);
+    const double from = stripX(quantile(sorted, 0.25), max), to = stripX(quantile(sorted, 0.75), max);
     svg.rect(from, 3, std::max(1.0, to - from), 16, "class=\"box\" rx=\"2\"");
   }
   // Marks that would overlap are moved up and down alternately.
@@ -155,26 +155,26 @@ std::string strip(const std::vector<Measured>& values, double most) {
   double last = -100;
   std::size_t row = 0;
   for (const Measured& m : by_value) {
-    const double x = stripX(m.value, most);
+    const double x = stripX(m.value, max);
     row = x - last < 6.0 ? (row + 1) % kShift.size() : 0;
     last = x;
     drawMark(svg, m.by, x, 11 + kShift[row]);
   }
-  if (!sorted.empty()) svg.path(svgPoint('M', stripX(quantile(sorted, 0.5), most), 1) + "v20", "class=\"median\"");
+  if (!sorted.empty()) svg.path(svgPoint('M', stripX(quantile(sorted, 0.5), max), 1) + "v20", "class=\"median\"");
   return std::move(svg).within("class=\"strip\" viewBox=\"0 0 420 22\" role=\"img\" aria-label=\"" +
                                trnf("{0} value", "{0} values", values.size(), values.size()) + "\"");
 }
 
-std::string stripScale(double most, const std::string& unit) {
+std::string stripScale(double max, const std::string& unit) {
   Svg svg;
-  most = std::clamp(onScale(most), kMin, kGreatest);
-  const double step = roundStep(most / 4.0);
-  const int steps = static_cast<int>(most / step + 1e-9);  // 1 to 4
+  max = std::clamp(onScale(max), kMin, kGreatest);
+  const double step = roundStep(max / 4.0);
+  const int steps = static_cast<int>(max / step + 1e-9);  // 1 to 4
   for (int k = 0; k <= steps; ++k) {
     const double v = step * k;
     const bool last = k == steps;
-    const std::string_view anchor = v == 0 ? "start" : v > most * 0.999 ? "end" : "middle";
-    svg.text(stripX(v, most), 12, anchor, number(v, digitsFor(step)) + (last ? " " + unit : ""), "class=\"axis\"");
+    const std::string_view anchor = v == 0 ? "start" : v > max * 0.999 ? "end" : "middle";
+    svg.text(stripX(v, max), 12, anchor, number(v, digitsFor(step)) + (last ? " " + unit : ""), "class=\"axis\"");
   }
   return std::move(svg).within("class=\"strip\" viewBox=\"0 0 420 16\" aria-hidden=\"true\"");
 }
@@ -182,15 +182,14 @@ std::string stripScale(double most, const std::string& unit) {
 namespace {
 
 // Path data of a curve in a box of the given size; a new subpath begins after each gap.
-std::string linePath(const std::vector<double>& values, double most, double left, double top, double wide,
-                     double high) {
+std::string linePath(const std::vector<double>& values, double max, double left, double top, double wide, double high) {
   std::string path;
   bool on = false;
   for (std::size_t k = 0; k < values.size(); ++k) {
     const bool there = std::isfinite(values[k]);
     if (there)
       path += svgPoint(on ? 'L' : 'M', left + wide * double(k) / double(std::max<std::size_t>(1, values.size() - 1)),
-                       top + high * (1.0 - std::clamp(values[k] / most, 0.0, 1.0)));
+                       top + high * (1.0 - std::clamp(values[k] / max, 0.0, 1.0)));
     on = there;
   }
   return path;
@@ -200,19 +199,19 @@ std::string linePath(const std::vector<double>& values, double most, double left
 
 std::string curves(const std::string& title, const CurveKept& drawn, const CurveKept* felt) {
   constexpr double kLeft = 24, kTop = 6, kWide = 166, kHigh = 84;
-  const double most = drawn.most_N > 0.0 ? drawn.most_N : 1.0;
+  const double max = drawn.max_N > 0.0 ? drawn.max_N : 1.0;
   constexpr std::string_view kAxis = "class=\"axis\"";
   Svg svg;
   for (const double part : {0.0, 0.5, 1.0})
     svg.path(svgPoint('M', kLeft, kTop + kHigh * part) + "h" + svgNumber(kWide), "class=\"grid\"");
-  svg.text(kLeft - 4, kTop + 8, "end", quantityNumber(most, Dimension::Force, significant(2)), kAxis);
+  svg.text(kLeft - 4, kTop + 8, "end", quantityNumber(max, Dimension::Force, significant(2)), kAxis);
   svg.text(kLeft - 4, kTop + kHigh + 3, "end", "0", kAxis);
   svg.text(kLeft + kWide, kTop + kHigh + 14, "end", quantityText(drawn.to_A, Dimension::Length, significant(2)), kAxis);
   svg.text(kLeft, kTop + kHigh + 14, "start",
            trf("{0} against {1}", unitText(Dimension::Force), tr(drawn.axis.empty() ? "depth" : drawn.axis.c_str())),
            kAxis);
-  if (felt) svg.path(linePath(felt->force_N, most, kLeft, kTop, kWide, kHigh), "class=\"felt\"");
-  svg.path(linePath(drawn.force_N, most, kLeft, kTop, kWide, kHigh), "class=\"drawn\"");
+  if (felt) svg.path(linePath(felt->force_N, max, kLeft, kTop, kWide, kHigh), "class=\"felt\"");
+  svg.path(linePath(drawn.force_N, max, kLeft, kTop, kWide, kHigh), "class=\"drawn\"");
   return "<figure class=\"curve\"><figcaption>" + escaped(title) +
          (felt ? "" : std::string(" <span>") + tr("not felt") + "</span>") + "</figcaption>" +
          std::move(svg).within("viewBox=\"0 0 196 108\" role=\"img\" aria-label=\"" + escaped(title) + "\"") +

@@ -22,25 +22,25 @@ std::string percent(double share);
 std::string duration(double time_s);
 
 /// The CSS class of the fill for a way of input, "way-mouse".
-std::string wayClass(InputWay way);
+std::string inputClass(InputKind input);
 /// Draws the mark of a way of input around a place: disc, square or triangle.
-void drawMark(Svg& svg, InputWay way, double x, double y);
+void drawMark(Svg& svg, InputKind input, double x, double y);
 /// "mouse 80 %, keyboard 20 %", in descending order; "–" without touch.
-std::string waysText(const PersonScore& person);
+std::string inputsText(const PersonScore& person);
 
 /// A value and the way of input by which it was measured.
 struct Measured {
   double value = 0.0;
-  InputWay by = InputWay::Mouse;
+  InputKind by = InputKind::Mouse;
 };
 
 /// A histogram of about eight bars of equal width, each divided by the way of input, with the median.
 std::string histogram(const std::string& title, const std::string& unit, std::vector<Measured> values);
 
-/// Draws each value as a mark on a line from 0 to `most`, the interquartile range as a box and the median as a bar.
-std::string strip(const std::vector<Measured>& values, double most);
+/// Draws each value as a mark on a line from 0 to `max`, the interquartile range as a box and the median as a bar.
+std::string strip(const std::vector<Measured>& values, double max);
 /// The scale below a column of strips.
-std::string stripScale(double most, const std::string& unit);
+std::string stripScale(double max, const std::string& unit);
 /// A round number that is not less than the value, for the end of a scale.
 double roundAbove(double value);
 

@@ -18,9 +18,9 @@ using namespace line_values;
 
 std::int32_t atom(const Json& value) { return static_cast<std::int32_t>(number(value, "atoms")); }
 
-InputWay way(const Json& from) {
+InputKind inputKind(const Json& from) {
   const std::string name = text(from, "by", true);
-  for (const InputWay w : {InputWay::Device, InputWay::Mouse, InputWay::Keyboard})
+  for (const InputKind w : {InputKind::Device, InputKind::Mouse, InputKind::Keyboard})
     if (name == nameOf(w)) return w;
   throw LineError{tr("'by' is none of device, mouse and keyboard")};
 }
@@ -161,9 +161,9 @@ ReadOptions reading(const Json& from) {
   ReadOptions out;
   for (const ReadingOption& option : readingOptions()) {
     if (!from.contains(option.name)) continue;
-    ReadOptions told;
-    std::visit([&](const auto member) { take(told.*member, from, option.name); }, option.member);
-    readText(out, option, textOf(told, option));  // missing keys keep their defaults
+    ReadOptions options;
+    std::visit([&](const auto member) { take(options.*member, from, option.name); }, option.member);
+    readText(out, option, textOf(options, option));  // missing keys keep their defaults
   }
   return out;
 }
@@ -178,14 +178,14 @@ std::optional<AttemptFact> factOf(const std::string& kind, const Json& j) {
                {},
                text(j, "written", false),
                flag(j, "right"),
-               way(j)};
+               inputKind(j)};
     for (const Json& c : listOrNone(j, "chosen")) a.chosen.push_back(count(c, "chosen"));
     return a;
   }
   if (kind == "hint") return HintOpened{text(j, "step", true)};
   if (kind == "task") return TaskBegun{text(j, "step", true), countAt(j, "task")};
   if (kind == "done") {
-    TaskDone d{text(j, "step", true), countAt(j, "task"), numberOr(j, "took_s", 0.0), way(j), {}};
+    TaskDone d{text(j, "step", true), countAt(j, "task"), numberOr(j, "took_s", 0.0), inputKind(j), {}};
     for (const Json& f : listOrNone(j, "figures", kMaxFigures))
       d.figures.push_back({text(object(f, "figures"), "name", true), numberAt(f, "value"), text(f, "unit", false)});
     if (j.contains("solved")) d.solved = flag(j, "solved");
@@ -211,8 +211,8 @@ std::optional<AttemptFact> factOf(const std::string& kind, const Json& j) {
                       numberAt(j, "peak_N"),
                       numberOr(j, "mean_N", 0.0),
                       numberOr(j, "path_A", 0.0),
-                      way(j)};
-  if (kind == "input") return InputChanged{way(j), text(j, "device", false), flag(j, "gives_force")};
+                      inputKind(j)};
+  if (kind == "input") return InputChanged{inputKind(j), text(j, "device", false), flag(j, "gives_force")};
   if (kind == "stage") {
     StageChanged s{text(j, "molecule", true), text(j, "file", true), countAt(j, "atoms"), {}, touch(j), reading(j)};
     s.workspace.A_per_mm = numberAt(j, "A_per_mm");
@@ -246,11 +246,11 @@ std::optional<AttemptFact> factOf(const std::string& kind, const Json& j) {
                      text(j, "text", true)};
   if (kind == "touching")
     return TouchSoFar{numberAt(j, "from"),   countAt(j, "crossings"), numberAt(j, "peak_N"),
-                      numberAt(j, "mean_N"), numberAt(j, "path_A"),   way(j)};
+                      numberAt(j, "mean_N"), numberAt(j, "path_A"),   inputKind(j)};
   if (kind == "still") return Heartbeat{};
   if (kind == "state") return StatesMoved{text(j, "file", true), text(j, "superposed_on", false), numberAt(j, "share")};
   if (kind == "way") {
-    WayTaken w{
+    OrderChanged w{
         text(j, "step", true), text(j, "question", true), text(j, "rule", true), text(j, "does", true) == "skip", {}};
     for (const Json& s : list(j, "steps", kMaxSteps)) w.steps.push_back(text(s, "steps"));
     return w;
@@ -319,7 +319,7 @@ class BeganReader : public nlohmann::json_sax<Json> {
 
 }  // namespace
 
-std::string beganOf(std::string_view line) {
+std::string beginTimeOf(std::string_view line) {
   BeganReader reader;
   Json::sax_parse(line.begin(), line.end(), &reader);
   return reader.began;

@@ -2,7 +2,7 @@
 
 namespace moltact {
 
-AttemptEvent SessionFacts::factOf(const SessionEvent& event, double t_s, InputWay by) {
+AttemptEvent SessionFacts::factOf(const SessionEvent& event, double t_s, InputKind by) {
   const auto convert = [&]<typename T>(const T& e) -> AttemptFact {
     if constexpr (std::is_same_v<T, StepShown>) {
       under_way_.reset();
@@ -20,7 +20,7 @@ AttemptEvent SessionFacts::factOf(const SessionEvent& event, double t_s, InputWa
     } else if constexpr (std::is_same_v<T, AnswerJudged>) {
       return Answered{e.step, e.question, e.attempt, e.chosen, e.written, e.right, by};
     } else if constexpr (std::is_same_v<T, RuleApplied>) {
-      return WayTaken{e.step, e.question, e.rule, e.skips, e.steps};
+      return OrderChanged{e.step, e.question, e.rule, e.skips, e.steps};
     } else {
       static_assert(std::is_same_v<T, HintOpen>);
       return HintOpened{e.step};

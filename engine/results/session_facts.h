@@ -13,9 +13,9 @@ namespace moltact {
 class SessionFacts {
  public:
   /// `t_s`: the time of use at which the event happened. `by`: the input that led the probe or gave the answer.
-  AttemptEvent factOf(const SessionEvent& event, double t_s, InputWay by);
+  AttemptEvent factOf(const SessionEvent& event, double t_s, InputKind by);
 
-  /// How far the student has come.
+  /// The student's progress.
   static ProgressMade progressOf(const LessonSession& session);
   /// Whether the event can change the progress.
   static bool changesProgress(const SessionEvent& event) { return !std::holds_alternative<HintOpen>(event); }

@@ -140,9 +140,9 @@ double Timeline::nextAfter(double t_s) const {
   return next;
 }
 
-InputWay Timeline::input(double t_s) const {
+InputKind Timeline::input(double t_s) const {
   const auto* found = lastUpTo(inputs_, t_s);
-  return found ? found->fact : InputWay::Mouse;
+  return found ? found->fact : InputKind::Mouse;
 }
 
 std::string Timeline::step(double t_s) const {

@@ -39,7 +39,7 @@ class Timeline {
   const ViewChanged* view(double t_s) const;
   /// The time of the next motion of the hand or of the next mark; the end if there is none.
   double nextAfter(double t_s) const;
-  InputWay input(double t_s) const;
+  InputKind input(double t_s) const;
   /// The title of the step.
   std::string step(double t_s) const;
 
@@ -54,7 +54,7 @@ class Timeline {
   std::vector<At<StageChanged>> stages_;
   std::vector<At<StatesMoved>> states_;
   std::vector<At<ViewChanged>> views_;
-  std::vector<At<InputWay>> inputs_;
+  std::vector<At<InputKind>> inputs_;
   std::vector<TimelineMark> marks_;
   double length_s_ = 0.0;
 };

@@ -11,7 +11,7 @@ double turned(const Quat& from, const Quat& to) { return glm::length(rotationBet
 
 }  // namespace
 
-void TouchWatch::add(const TouchSample& sample, double t_s, InputWay by) {
+void TouchWatch::add(const TouchSample& sample, double t_s, InputKind by) {
   if (!finite(sample.hip.A) || !finite(sample.contact.scp.A) || !finite(sample.contact.displacement_A) ||
       !finite(sample.force.N))
     return;
@@ -22,7 +22,7 @@ void TouchWatch::add(const TouchSample& sample, double t_s, InputWay by) {
   keepHip(sample, t_s);
 }
 
-void TouchWatch::follow(const TouchSample& s, double t_s, InputWay by) {
+void TouchWatch::follow(const TouchSample& s, double t_s, InputKind by) {
   if (!s.contact.touching()) {
     if (touching_ && t_s - touch_.last_s > kTouchGap_s) end();
     return;
@@ -34,26 +34,26 @@ void TouchWatch::follow(const TouchSample& s, double t_s, InputWay by) {
   if (!touching_) {
     touching_ = true;
     touch_ = Touch();
-    touch_.told.from_s = touch_.told_s = t_s;
+    touch_.event.from_s = touch_.written_s = t_s;
     touch_.scp_A = s.contact.scp.A;
     touch_.atoms = s.contact.atoms;
     TouchBegan began;
     each([&](std::int32_t a) { began.atoms.push_back(a); });
     ready_.push_back({t_s, std::move(began)});
   }
-  TouchEnded& told = touch_.told;
+  TouchEnded& event = touch_.event;
   if (s.contact.atoms != touch_.atoms) {
-    ++told.crossings;
+    ++event.crossings;
     touch_.atoms = s.contact.atoms;
   }
   each([&](std::int32_t a) {
-    if (told.atoms.size() < kMaxTouched && std::find(told.atoms.begin(), told.atoms.end(), a) == told.atoms.end())
-      told.atoms.push_back(a);
+    if (event.atoms.size() < kMaxTouched && std::find(event.atoms.begin(), event.atoms.end(), a) == event.atoms.end())
+      event.atoms.push_back(a);
   });
   const double force_N = glm::length(s.force.N);
-  told.peak_N = std::max(told.peak_N, force_N);
-  told.path_A += glm::distance(s.contact.scp.A, touch_.scp_A);
-  told.by = by;
+  event.peak_N = std::max(event.peak_N, force_N);
+  event.path_A += glm::distance(s.contact.scp.A, touch_.scp_A);
+  event.by = by;
   touch_.scp_A = s.contact.scp.A;
   touch_.force_sum_N += force_N;
   ++touch_.ticks;
@@ -64,8 +64,8 @@ double TouchWatch::mean_N() const { return touch_.force_sum_N / double(std::max<
 
 void TouchWatch::end() {
   touching_ = false;
-  touch_.told.mean_N = mean_N();
-  ready_.push_back({touch_.last_s, std::move(touch_.told)});
+  touch_.event.mean_N = mean_N();
+  ready_.push_back({touch_.last_s, std::move(touch_.event)});
 }
 
 void TouchWatch::keepHip(const TouchSample& s, double t_s) {
@@ -106,10 +106,10 @@ void TouchWatch::breakOff() {
 std::vector<AttemptEvent> TouchWatch::take(double t_s) {
   if (!hips_.empty() && t_s - hips_.front().t_s >= kHipChunk_s)
     ready_.push_back({hips_.back().t_s, HipChunk{std::exchange(hips_, {})}});
-  if (touching_ && touch_.last_s - touch_.told_s >= kHeartbeat_s) {
-    const TouchEnded& now = touch_.told;
+  if (touching_ && touch_.last_s - touch_.written_s >= kHeartbeat_s) {
+    const TouchEnded& now = touch_.event;
     ready_.push_back({touch_.last_s, TouchSoFar{now.from_s, now.crossings, now.peak_N, mean_N(), now.path_A, now.by}});
-    touch_.told_s = touch_.last_s;
+    touch_.written_s = touch_.last_s;
   }
   return std::exchange(ready_, {});
 }

@@ -12,7 +12,7 @@ namespace moltact {
 class TouchWatch {
  public:
   /// Adds one tick at the time of use `t_s`. Ticks with numbers that are not finite are ignored.
-  void add(const TouchSample& sample, double t_s, InputWay by);
+  void add(const TouchSample& sample, double t_s, InputKind by);
   /// Ends a touch in progress, because the scene or the attempt changes.
   void breakOff();
 
@@ -28,13 +28,13 @@ class TouchWatch {
 
  private:
   struct Touch {
-    TouchEnded told;
+    TouchEnded event;
     std::array<std::int32_t, 3> atoms{-1, -1, -1};
     Vec3 scp_A{0.0};
-    double last_s = 0.0, told_s = 0.0, force_sum_N = 0.0;
+    double last_s = 0.0, written_s = 0.0, force_sum_N = 0.0;
     std::size_t ticks = 0;
   };
-  void follow(const TouchSample& sample, double t_s, InputWay by);
+  void follow(const TouchSample& sample, double t_s, InputKind by);
   void keepHip(const TouchSample& sample, double t_s);
   void end();
   void endPath();

@@ -51,7 +51,7 @@ void Turns::pause() {
   if (state_ == State::Running) state_ = State::Paused;
 }
 
-void Turns::goOn() {
+void Turns::resume() {
   if (state_ == State::Paused) state_ = State::Running;
 }
 

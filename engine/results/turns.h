@@ -44,7 +44,7 @@ class Turns {
   /// Starts the time: the student has the device.
   void start();
   void pause();
-  void goOn();
+  void resume();
   /// Calls the next student.
   void passOn();
   /// Calls this student out of turn; the order then continues after this student. Unknown names change nothing.

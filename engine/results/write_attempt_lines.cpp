@@ -95,7 +95,7 @@ struct FactWriter {
     out["of"] = e.felt ? "felt" : "drawn";
     out["axis"] = e.axis;
     out["to_A"] = rounded(e.to_A);
-    out["most_N"] = rounded(e.most_N);
+    out["most_N"] = rounded(e.max_N);
     out["force_N"] = Json::array();
     for (const double f : e.force_N) out["force_N"].push_back(std::isfinite(f) ? Json(rounded(f)) : Json());
   }
@@ -227,7 +227,7 @@ struct FactWriter {
     if (!e.superposed_on.empty()) out["superposed_on"] = e.superposed_on;
     out["share"] = rounded(e.share);
   }
-  void operator()(const WayTaken& e) {
+  void operator()(const OrderChanged& e) {
     out["step"] = e.step;
     out["question"] = e.question;
     out["rule"] = e.rule;

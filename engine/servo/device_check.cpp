@@ -277,7 +277,7 @@ class Check {
     std::size_t placed = 0;
     const char* broken = nullptr;
     for (const ServoSample& s : ticks) {
-      if (s.placed) judge.expectSoft(), ++placed;
+      if (s.contact_reset) judge.expectSoft(), ++placed;
       if (const char* now = judge.judge(s.force.N, {.at_once = s.limits.has(Limit::LateLoop)}); now && !broken)
         broken = now;
     }

@@ -146,7 +146,7 @@ double SafetyStage::sharedBound_N_per_mm(const LocalStiffness& felt) noexcept {
   if (drivesTorque() && !(felt.field_rotational_N_mm <= max_rotational))
     field_share_ = std::min(field_share_, usable(max_rotational / felt.field_rotational_N_mm));
   if (field_share_ < 1.0) acted_.add(Limit::Stiffness);
-  bound = usable((bound - field_share_ * felt.field_N_per_mm) / std::max(1.0, felt.springs));
+  bound = usable((bound - field_share_ * felt.field_N_per_mm) / std::max(1.0, felt.stiffness_factor));
   if (!drivesTorque()) return bound;
   const double left = usable(rotational - field_share_ * felt.field_rotational_N_mm);
   return bound * felt.rotational_mm2 <= left ? bound : usable(left / felt.rotational_mm2);
@@ -157,9 +157,9 @@ double SafetyStage::stiffness(double asked_N_per_mm, const LocalStiffness& felt)
       std::isfinite(asked_N_per_mm) ? std::clamp(asked_N_per_mm, 0.0, safety::kMaxStiffness_N_per_mm) : 0.0;
   field_share_ = 1.0;
   const bool more = closes_loop_ && (felt.field || (drivesTorque() && felt.rotational_mm2 != 0.0));
-  const bool shared = more || (closes_loop_ && !(felt.springs <= 1.0));
+  const bool shared = more || (closes_loop_ && !(felt.stiffness_factor <= 1.0));
   const double bound = more     ? sharedBound_N_per_mm(felt)
-                       : shared ? usable(stiffnessBound_N_per_mm() / felt.springs)
+                       : shared ? usable(stiffnessBound_N_per_mm() / felt.stiffness_factor)
                                 : stiffnessBound_N_per_mm();
   if (asked > bound) acted_.add(Limit::Stiffness);
   const double goal = std::min(asked, bound), limit = safety::kStiffening_N_per_mm_s * dt_s_;

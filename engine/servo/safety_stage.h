@@ -45,10 +45,10 @@ struct Stored {
 
 /// The stiffness at the last pose, with springs and field separate.
 struct LocalStiffness {
-  double springs = 1.0;         ///< combined springs along the stiffest direction, as a multiple of one
-  double rotational_mm2 = 0.0;  ///< rotational stiffness of the springs about the stiffest axis / stiffness of one
-  bool field = false;           ///< a field acts; else the members below are unused
-  double field_N_per_mm = 0.0;  ///< of the field along its stiffest direction
+  double stiffness_factor = 1.0;  ///< combined springs along the stiffest direction, as a multiple of one
+  double rotational_mm2 = 0.0;    ///< rotational stiffness of the springs about the stiffest axis / stiffness of one
+  bool field = false;             ///< a field acts; else the members below are unused
+  double field_N_per_mm = 0.0;    ///< of the field along its stiffest direction
   double field_rotational_N_mm = 0.0;
 };
 

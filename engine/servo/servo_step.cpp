@@ -69,10 +69,10 @@ ServoSample ServoStep::tick(const ServoSettings& settings, Interaction* interact
 
   // A new interaction keeps the state in which it was handed over: one that was led to the hand keeps the contact over
   // a change of method.
-  out.placed = std::exchange(other_device_, false) || lost || settings.discontinuities != discontinuities_ ||
-               pose.discontinuities != hand_discontinuities_;
-  const bool changed = interaction != last_interaction_ || out.placed;
-  if (interaction && out.placed) interaction->reset();
+  out.contact_reset = std::exchange(other_device_, false) || lost || settings.discontinuities != discontinuities_ ||
+                      pose.discontinuities != hand_discontinuities_;
+  const bool changed = interaction != last_interaction_ || out.contact_reset;
+  if (interaction && out.contact_reset) interaction->reset();
   last_interaction_ = interaction;
   discontinuities_ = settings.discontinuities;
   hand_discontinuities_ = pose.discontinuities;
@@ -98,7 +98,7 @@ ServoSample ServoStep::tick(const ServoSettings& settings, Interaction* interact
     const double k = wanted.stiffness_N_per_mm, share = safety_.fieldShare();
     if (carried) wanted.before = &before;
     out.torque_A2 = response.torque_A2;
-    out.springs = response.springs;
+    out.stiffness_factor = response.stiffness_factor;
     out.spring_N_per_A = k / settings.workspace.A_per_mm;
     out.field_share = share;
     if (response.field) out.field = response.field;
@@ -157,7 +157,7 @@ void ServoStep::feel(const ServoSettings& settings, const Response& response, Wa
   wanted.stiffness_N_per_mm = settings.stiffness_N_per_mm;
   double field_share = 1.0;
   if (guarded_) {
-    LocalStiffness felt{.springs = response.springs};
+    LocalStiffness felt{.stiffness_factor = response.stiffness_factor};
     if (response.rotational_A2 != 0.0)
       felt.rotational_mm2 = response.rotational_A2 / (workspace.A_per_mm * workspace.A_per_mm);
     if (response.field) {

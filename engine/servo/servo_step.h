@@ -65,7 +65,7 @@ struct ServoSample {
   Quat orientation = kNoRotation;  ///< of the hand, in the molecule's space
   Contact contact;
   Vec3 torque_A2{0.0};                            ///< of the springs, as in Response
-  double springs = 1.0;                           ///< as in Response
+  double stiffness_factor = 1.0;                  ///< as in Response
   double spring_N_per_A = 0.0;                    ///< stiffness used for each spring
   double field_share = 1.0;                       ///< fraction used of the field
   std::optional<FeltForce> field = std::nullopt;  ///< as returned by the interaction
@@ -88,14 +88,14 @@ struct ServoSample {
   std::uint32_t scene = 0;            ///< number with which the interaction was handed over (0 from tick() itself)
   std::uint32_t discontinuities = 0;  ///< of the settings used in this tick
   /// True if the contact was discarded before this tick: hand or scene were placed elsewhere, or the hand was lost.
-  bool placed = false;
+  bool contact_reset = false;
 
   /// The pose in which the held body is drawn.
   PoseA shownBody() const { return Response{.contact = contact, .body_pose = body_pose}.shownBody({hip, orientation}); }
   /// The force of contact and field before all limits except those on the stiffness, in the molecule's space.
   FeltForce wanted() const {
-    return Response{.contact = contact, .torque_A2 = torque_A2, .springs = springs, .field = field}.total(
-        spring_N_per_A, field_share);
+    return Response{.contact = contact, .torque_A2 = torque_A2, .stiffness_factor = stiffness_factor, .field = field}
+        .total(spring_N_per_A, field_share);
   }
   /// The direction of the force in the molecule's space, of arbitrary length. Zero without a force.
   Vec3 forceDirection() const { return field ? wanted().force_N : contact.displacement_A; }

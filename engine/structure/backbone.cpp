@@ -68,21 +68,21 @@ template <class Atoms>
 std::vector<std::vector<Atoms>> stretches(const Molecule& m, ResidueKind kind,
                                           Atoms (*atomsOf)(const Molecule&, std::uint32_t)) {
   std::vector<std::vector<Atoms>> out;
-  bool goes_on = false;
+  bool continued = false;
   for (std::uint32_t r = 0; r < m.residues.size(); ++r) {
     if (m.residues[r].kind != kind) {
-      goes_on = false;
+      continued = false;
       continue;
     }
     const Atoms atoms = atomsOf(m, r);
     if (!there(atoms)) {
-      goes_on = false;
+      continued = false;
       continue;
     }
-    goes_on = goes_on && m.residues[r - 1].chain == m.residues[r].chain && follows(m, out.back().back(), atoms);
-    if (!goes_on) out.emplace_back();
+    continued = continued && m.residues[r - 1].chain == m.residues[r].chain && follows(m, out.back().back(), atoms);
+    if (!continued) out.emplace_back();
     out.back().push_back(atoms);
-    goes_on = true;
+    continued = true;
   }
   return out;
 }

@@ -146,20 +146,20 @@ class StructureFinder {
       const Bridge type = bridge(i, j);
       if (type == Bridge::None) continue;
       while (open < ladders.size() && ladders[open].i.back() + 1 < i) ++open;
-      bool goes_on = false;
-      for (std::size_t k = open; k < ladders.size() && !goes_on; ++k) {
+      bool continued = false;
+      for (std::size_t k = open; k < ladders.size() && !continued; ++k) {
         Ladder& l = ladders[k];
         if (l.type != type || l.i.back() + 1 != i) continue;
         if (type == Bridge::Parallel && l.j.back() + 1 == j) {
           l.j.push_back(j);
-          goes_on = true;
+          continued = true;
         } else if (type == Bridge::Antiparallel && l.j.front() == j + 1) {
           l.j.push_front(j);
-          goes_on = true;
+          continued = true;
         }
-        if (goes_on) l.i.push_back(i);
+        if (continued) l.i.push_back(i);
       }
-      if (!goes_on) ladders.push_back({type, {i}, {j}});
+      if (!continued) ladders.push_back({type, {i}, {j}});
     }
     joinByBulges(ladders);
     for (const Ladder& l : ladders) {

@@ -11,10 +11,10 @@ MoleculeStructure recordedStructure(const Molecule& m) {
   for (std::uint32_t r = 0; r < m.residues.size(); ++r) {
     const RecordedStructure now = m.residues[r].recorded;
     out.of_residue[r] = now.kind;
-    const bool goes_on = r > 0 && !now.begins && before.kind == now.kind && before.helix == now.helix &&
-                         m.residues[r].chain == m.residues[r - 1].chain;
+    const bool continued = r > 0 && !now.begins && before.kind == now.kind && before.helix == now.helix &&
+                           m.residues[r].chain == m.residues[r - 1].chain;
     if (now.kind != SecondaryStructure::Coil) {
-      if (goes_on)
+      if (continued)
         out.elements.back().last_residue = r;
       else
         out.elements.push_back({now.kind, now.helix, r, r});

@@ -104,7 +104,7 @@ TEST_CASE("every change of a touch property is undone and redone; an unknown wor
     d->tap("Ctrl+Shift+Z");
     CHECK(d->app().scene.touch() == after);
   }
-  // A word that is not known stays as it was.
+  // An unknown word changes nothing.
   auto d = startWith("argon");
   TouchSetup wrong;
   wrong.method = "none";
@@ -184,9 +184,9 @@ TEST_CASE(
   const double force_N = d->app().scene.log().force_N();
   REQUIRE(force_N > 0.3);
   const double mJ = force_N * force_N / (2.0 * d->app().scene.servo_settings.stiffness_N_per_mm);  // N mm
-  const std::string told = d->text("energy"), before = "Energy in the spring: ";
-  REQUIRE(told.starts_with(before));
-  CHECK(std::strtod(told.c_str() + before.size(), nullptr) == doctest::Approx(mJ).epsilon(0.05));
+  const std::string reported = d->text("energy"), before = "Energy in the spring: ";
+  REQUIRE(reported.starts_with(before));
+  CHECK(std::strtod(reported.c_str() + before.size(), nullptr) == doctest::Approx(mJ).epsilon(0.05));
   d->app().scene.servo_settings.force_on = false;
   d->frames(3);
   CHECK(d->text("energy") == "Energy in the spring: 0.00\u00a0mJ");
@@ -250,7 +250,7 @@ TEST_CASE(
   d->frames(2);
   CHECK(d->text("view/legend") == "carbon, oxygen, nitrogen");
   d->app().scene.look.hidden = nullptr;
-  // A ribbon has one colour, which tells no element.
+  // A cartoon has one colour per residue, which does not identify elements.
   d->app().scene.look.styles = {{.style = DrawStyle::Cartoon}};
   d->app().scene.look.spheres_near_A = 0.0;
   d->frames(2);

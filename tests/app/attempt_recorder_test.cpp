@@ -73,7 +73,7 @@ TEST_CASE(
   const auto done = all<TaskDone>(attempt);
   REQUIRE(done.size() >= 1);
   CHECK(done[0]->step == "five-rings-felt-by-a-tip");
-  CHECK(done[0]->by == InputWay::Mouse);
+  CHECK(done[0]->by == InputKind::Mouse);
   const auto touches = all<TouchEnded>(attempt);
   REQUIRE(touches.size() >= 1);
   // The middle of the middle ring, which six carbons make.
@@ -89,7 +89,7 @@ TEST_CASE(
   CHECK(held > 10);
 }
 
-TEST_CASE("a program that ends in the middle goes on where it was: same file, same step, same answers") {
+TEST_CASE("a program that ends in the middle continues where it was: same file, same step, same answers") {
   const ScratchFolder scratch;
   {
     const auto driver = startWith(kLesson, keeping(scratch.path));
@@ -165,9 +165,9 @@ TEST_CASE("a full disk is reported once with a remedy, and the lesson continues"
   driver->app().extensions().recorder.flush();
   driver->frames(5);
   const std::vector<Message>& messages = driver->app().messages.all();
-  const auto told = std::count_if(messages.begin(), messages.end(),
-                                  [](const Message& m) { return contains(m.text, "not being kept"); });
-  CHECK(told == 1);
+  const auto reported = std::count_if(messages.begin(), messages.end(),
+                                      [](const Message& m) { return contains(m.text, "not being kept"); });
+  CHECK(reported == 1);
   CHECK(driver->app().lesson.session()->taskDone(0, 0));
   driver->app().messages = {};
   push(*driver);

@@ -38,7 +38,7 @@ TEST_CASE("a user's recorded hand, rows of numbers placed on a molecule, is repl
   CHECK(csv.find("press,mesh80,") != std::string::npos);
   const std::string hands = contents(place.folder / "out" / "hands.csv");
   CHECK(hands.find("press,") != std::string::npos);
-  // More than the third that goes along, for the ways in and out end in the surface too.
+  // More than the third that slides, because the approaches also end in contact.
   const double touching = std::stod(hands.substr(hands.rfind(',') + 1));
   CHECK(touching > 33);
   CHECK(touching < 80);

@@ -107,8 +107,8 @@ TEST_CASE(
     auto d = startWith(file.string());
     CHECK_FALSE(d->app().scene.stage().body);
     CHECK(d->app().scene.touch().interaction == "probe");
-    const auto& told = d->app().messages.all();
-    CHECK(std::any_of(told.begin(), told.end(), [](const auto& m) {
+    const auto& reported = d->app().messages.all();
+    CHECK(std::any_of(reported.begin(), reported.end(), [](const auto& m) {
             return contains(m.text, "atoms are more than a hand can hold; 5000 are the most");
           }) == (atoms[0] == 'p'));
     const test::Run play = test::CommandPlace().run("play '" + file.string() + "' --demonstrate");

@@ -79,7 +79,7 @@ constexpr const char* kOneSphere = "0 0 0 1.6\n";
 }  // namespace
 
 TEST_CASE(
-    "replay on one ball of 3 A writes the SCP 3 A from the centre, 17 digits that read back the same, and k (SCP - "
+    "replay on one sphere of 3 A writes the SCP 3 A from the centre, 17 digits that read back the same, and k (SCP - "
     "HIP)") {
   const Folder folder;
   write(folder / "one.xyzr", kOneSphere);
@@ -120,7 +120,7 @@ TEST_CASE(
     const std::string place = std::to_string(0.01 * k - 1.0) + "," + std::to_string(0.2 + 0.001 * k) + "," +
                               std::to_string(4.0 - 0.006 * std::min(k, 300));
     path += place + "\n";
-    // Of length 2, which is no matter.
+    // The quaternion has length 2; the program normalizes it.
     turned += place + "," + std::to_string(2.0 * std::cos(0.005 * k)) + ",0,0," +
               std::to_string(2.0 * std::sin(0.005 * k)) + "\n";
   }

@@ -32,7 +32,7 @@ Contact on(Feature feature, std::array<std::int32_t, 3> atoms) {
 
 }  // namespace
 
-TEST_CASE("ball, crease and pit are described with element, atom, residue and newtons to one decimal") {
+TEST_CASE("sphere, crease and pit are described with element, atom, residue and newtons to one decimal") {
   const Molecule m = read(kTwoResidues, "two.pdb");
   CHECK(contactText(&m, on(Feature::Sphere, {2, -1, -1}), 0.449) == "touching: oxygen O of Asp 52, 0.4\u00a0N");
   CHECK(contactText(&m, on(Feature::Circle, {1, 2, -1}), 1.2) ==

@@ -20,7 +20,7 @@ ScriptedUser::Options keeping(const std::filesystem::path& settings) {
 }
 
 // Whether one of the messages says so.
-bool told(ScriptedUser& d, const std::string& part) {
+bool reported(ScriptedUser& d, const std::string& part) {
   for (const Message& m : d.app().messages.all())
     if (contains(m.text, part)) return true;
   return false;
@@ -127,8 +127,8 @@ TEST_CASE(
   LibHd lib("/nowhere/libHD.so");
   auto d = startWith("1ubq", keeping(file));
   CHECK(d->text("status/device") == "Mouse");
-  CHECK(told(*d, "Phantom Omni or Touch is not there"));
-  CHECK(told(*d, "Until it is, the mouse leads."));
+  CHECK(reported(*d, "Phantom Omni or Touch is not there"));
+  CHECK(reported(*d, "Until it is, the mouse leads."));
   d->tap("Ctrl+D");
   d->frames(3);
   CHECK(d->text("device/awaited") == "Phantom Omni or Touch leads as soon as it can be reached.");
@@ -136,7 +136,7 @@ TEST_CASE(
   lib.name(MOLTACT_STAND_IN_LIBHD);
   d->frames(150);
   CHECK(d->app().extensions().device.chosen() == "omni");
-  CHECK(told(*d, " is there and leads."));
+  CHECK(reported(*d, " is there and leads."));
   CHECK(d->app().extensions().device.awaited().empty());
   CHECK(d->app().settings.device == "omni");
 }
@@ -155,14 +155,14 @@ TEST_CASE(
   }
   auto d = startWith("1ubq", keeping(scratch.file("settings.json", R"({"device": "ouija"})")));
   CHECK(d->app().extensions().device.awaited().empty());
-  CHECK_FALSE(told(*d, "is not there"));
+  CHECK_FALSE(reported(*d, "is not there"));
   CHECK(d->text("status/device") == "Mouse");
 }
 
 TEST_CASE("the open device page shows within two seconds what was plugged in, and what was unplugged") {
   auto d = startWith();
   bool there = false;
-  d->app().extensions().device.lookBy([&] {
+  d->app().extensions().device.setFinder([&] {
     std::vector<FoundDevice> found{{.name = "mouse", .title = "Mouse", .usable = true, .auto_selectable = true}};
     if (there)
       found.insert(found.begin(),
@@ -181,7 +181,7 @@ TEST_CASE("the open device page shows within two seconds what was plugged in, an
   CHECK_FALSE(d->shows("device/omni"));
   // A script's window takes and offers nothing by itself.
   CHECK(d->text("status/device") == "Mouse");
-  CHECK_FALSE(told(*d, "plugged in"));
+  CHECK_FALSE(reported(*d, "plugged in"));
 }
 
 TEST_CASE(
@@ -198,7 +198,7 @@ TEST_CASE(
   d->frames(1);
   d->app().settings.device.clear();
   bool there = false;
-  d->app().extensions().device.lookBy([&] {
+  d->app().extensions().device.setFinder([&] {
     std::vector<FoundDevice> found{{.name = "mouse", .title = "Mouse", .usable = true, .auto_selectable = true}};
     if (there)
       found.insert(found.begin(),
@@ -206,17 +206,17 @@ TEST_CASE(
     return found;
   });
   d->frames(320);
-  CHECK_FALSE(told(*d, "plugged in"));
+  CHECK_FALSE(reported(*d, "plugged in"));
   there = true;
   d->frames(320);
-  CHECK(told(*d, "Touch is plugged in. Choose it on the device page to feel with it."));
+  CHECK(reported(*d, "Touch is plugged in. Choose it on the device page to feel with it."));
   CHECK(d->text("status/device") == "Mouse");
   there = false;
   d->frames(320);
-  CHECK_FALSE(told(*d, "plugged in"));
+  CHECK_FALSE(reported(*d, "plugged in"));
   there = true;
   d->frames(320);
-  REQUIRE(told(*d, "plugged in"));
+  REQUIRE(reported(*d, "plugged in"));
   for (std::size_t k = 0; k < d->app().messages.all().size(); ++k)
     if (contains(d->app().messages.all()[k].text, "plugged in"))
       CHECK(d->click("message/" + std::to_string(k) + "/device"));
@@ -224,7 +224,7 @@ TEST_CASE(
   CHECK(d->click("device/omni"));
   d->frames(3);
   CHECK(d->app().extensions().device.chosen() == "omni");
-  CHECK_FALSE(told(*d, "plugged in"));
+  CHECK_FALSE(reported(*d, "plugged in"));
 }
 
 TEST_CASE("a slow search for devices delays no frame") {
@@ -233,7 +233,7 @@ TEST_CASE("a slow search for devices delays no frame") {
   auto d = startWith("argon-pair", options);
   std::promise<void> gate;
   const std::shared_future<void> open = gate.get_future().share();
-  d->app().extensions().device.lookBy([open] {
+  d->app().extensions().device.setFinder([open] {
     open.wait();
     return std::vector<FoundDevice>{{.name = "mouse", .title = "Mouse", .usable = true, .auto_selectable = true}};
   });
@@ -308,7 +308,7 @@ TEST_CASE("a device at an address where nothing listens gives a message with the
   auto d = startWith();
   d->app().extensions().device.choose(gone);
   d->frames(3);
-  CHECK(told(*d, "there is no connection to 127.0.0.1:" + gone.substr(gone.find(':') + 1)));
+  CHECK(reported(*d, "there is no connection to 127.0.0.1:" + gone.substr(gone.find(':') + 1)));
   CHECK(d->text("status/device") == "Mouse");
 }
 

@@ -33,7 +33,7 @@ class Cap final : public Device {
   ViewMotion& wish_;
 };
 
-// A stylus that tells of any room, and of a hand anywhere, as a recording may.
+// A stylus that reports an arbitrary workspace and position, as a recording may.
 class Odd final : public Device {
  public:
   Odd(Vec3 room_mm, Vec3 hand_mm) : hand_mm_(hand_mm) {
@@ -94,7 +94,7 @@ TEST_CASE(
                  "1\u00a0mm here is 0.25\u00a0Å there, 1\u00a0N here would be 130\u00a0pN there."));
   CHECK(contains(d->text("device/scale reason"),
                  "Two carbon atoms pressed that far into each other would push back with "));
-  // A spring harder than the stylus can hold counts as hard as it is felt.
+  // A spring stiffer than the stylus can render counts with the rendered stiffness.
   const double bound = SafetyStage(d->app().scene.servo().device()).stiffnessBound_N_per_mm();
   d->app().scene.servo_settings.stiffness_N_per_mm = 2 * bound;
   d->frames(3);

@@ -9,7 +9,7 @@
 namespace moltact {
 namespace {
 
-// A stylus with an Omni's figures whose hand is where the test puts it: it goes there at no more than 100 mm/s.
+// A stylus with an Omni's properties. The test sets the target of its hand, which moves there at no more than 100 mm/s.
 class Held final : public Device {
  public:
   explicit Held(Vec3 at_mm) : place_mm(at_mm), goal_mm(at_mm) {
@@ -110,7 +110,7 @@ TEST_CASE(
       deep += gap_A(*d) < 5.0 * d->app().scene.servo_settings.workspace.A_per_mm + 1e-6;
     }
   }
-  CHECK(deep > 0);  // the molecule went back for some
+  CHECK(deep > 0);  // the molecule was moved back for some of them
 }
 
 TEST_CASE(
@@ -150,7 +150,8 @@ TEST_CASE("a view that is moved aside brings another part before the hand; broug
 }
 
 TEST_CASE(
-    "a front that lies farther to the side than the room is reached by the edge: held there the probe goes on until it "
+    "a front that lies farther to the side than the room is reached by the edge: held there the probe continues until "
+    "it "
     "meets nothing more") {
   auto d = startWith("1ubq");
   Held& stylus = hold(*d);

@@ -12,11 +12,11 @@
 namespace moltact {
 namespace {
 
-// A stylus with an Omni's figures that is led as the test says and keeps the force it was given.
+// A stylus with an Omni's properties that follows the test's path and records its force.
 class Led final : public Device {
  public:
   using Path = std::function<DevicePose(double t_s)>;
-  /// First the hand goes so deep behind the middle of its room, in the second second; then it is led.
+  /// In the second second, the hand moves this far behind the middle of its workspace; then it is led.
   explicit Led(Path path = {}, double deep_mm = 0.0) : path_(std::move(path)), deep_mm_(deep_mm) {
     info_.name = "Led stylus";
     info_.gives_force = true;
@@ -51,19 +51,19 @@ Led& lead(ScriptedUser& d, Led::Path path = {}, double deep_mm = 0.0) {
   return led;
 }
 
-// So deep that the hand is within the molecule and a method that pulls there is no contact left behind.
+// So deep that the hand is inside the molecule and a pulling method is not taken for a contact left behind.
 constexpr double kDeep_mm = 80.0;
 
-// Pulls to the molecule's +x with so many newtons at the scene's own spring.
+// Pulls toward the molecule's +x with this force at the scene's own stiffness.
 std::unique_ptr<Tracker> pull(ScriptedUser& d, double N) {
   const ServoSettings& s = d.app().scene.servo_settings;
   return std::make_unique<ConstantForceTracker>(N / s.stiffness_N_per_mm * s.workspace.A_per_mm);
 }
 
-// A method as the test says.
-class Told final : public PlainTracker {
+// A method whose SCP the test defines.
+class ScriptedScp final : public PlainTracker {
  public:
-  explicit Told(std::function<Vec3(Vec3)> scp) : scp_(std::move(scp)) {}
+  explicit ScriptedScp(std::function<Vec3(Vec3)> scp) : scp_(std::move(scp)) {}
   Contact step(PointA hip) noexcept override {
     Contact out{.scp = {scp_(hip.A)}, .atoms = {0, -1, -1}, .feature = Feature::Sphere};
     stretchToScp(out, hip);
@@ -74,14 +74,14 @@ class Told final : public PlainTracker {
   std::function<Vec3(Vec3)> scp_;
 };
 
-// The widget of the message that says so; empty where none does.
+// The widget of the message that contains `part`; empty if there is none.
 std::string message(ScriptedUser& d, const std::string& part) {
   for (std::size_t k = 0; k < d.app().messages.all().size(); ++k)
     if (contains(d.app().messages.all()[k].text, part)) return "message/" + std::to_string(k);
   return {};
 }
 
-bool told(ScriptedUser& d, const std::string& part) { return !message(d, part).empty(); }
+bool reported(ScriptedUser& d, const std::string& part) { return !message(d, part).empty(); }
 
 }  // namespace
 
@@ -217,7 +217,7 @@ TEST_CASE("each limit is named on the device page and says its sentence over the
     return [N](ScriptedUser& d) { d.app().scene.servo().setInteraction(pull(d, N)); };
   };
   const auto method = [](std::function<Vec3(Vec3)> scp) {
-    return [scp](ScriptedUser& d) { d.app().scene.servo().setInteraction(std::make_unique<Told>(scp)); };
+    return [scp](ScriptedUser& d) { d.app().scene.servo().setInteraction(std::make_unique<ScriptedScp>(scp)); };
   };
   const Led::Path still = [](double) { return DevicePose{}; };
   // To and fro along x, up to `fast_mm_per_s`.
@@ -238,7 +238,7 @@ TEST_CASE("each limit is named on the device page and says its sentence over the
          d.app().scene.servo().setInteraction(pull(d, 1.0));
        },
        still},
-      // A force along the hand's way, wherever it goes, makes energy without end.
+      // A force along the hand's motion in every direction generates energy without limit.
       {Limit::Damping, strong(1.0),
        [](double t) {
          return DevicePose{.position = {{20 * t, 0, 0}}};
@@ -322,7 +322,7 @@ TEST_CASE(
   d->app().scene.servo().setInteraction(pull(*d, 1.0));
   stylus.said = {.ready = false, .text = "Put the stylus into the inkwell.", .asks_calibrate = true};
   d->frames(20);
-  CHECK(told(*d, "Led stylus gives no force yet. Put the stylus into the inkwell."));
+  CHECK(reported(*d, "Led stylus gives no force yet. Put the stylus into the inkwell."));
   // Once, not in the notice below as well.
   CHECK_FALSE(contains(d->text("limits"), "calibrated"));
   CHECK(d->click(message(*d, "inkwell") + "/calibrate"));
@@ -332,20 +332,20 @@ TEST_CASE(
   CHECK(d->app().panels.pages.device);
   d->tap("Escape");
   d->frames(3);
-  // Dismissed, the words stay where the limit is told.
+  // After the notice is dismissed, the limit still displays the words.
   d->click(message(*d, "inkwell") + "/dismiss");
   d->frames(3);
   CHECK(contains(d->text("limits"), "Put the stylus into the inkwell."));
   stylus.said = {};
   d->frames(150);
-  CHECK_FALSE(told(*d, "inkwell"));
+  CHECK_FALSE(reported(*d, "inkwell"));
   CHECK_FALSE(d->shows("limits"));
   stylus.said = {.ready = false, .text = "Put the stylus into the inkwell.", .asks_calibrate = true};
   d->frames(20);
   stylus.said = {};
   d->frames(20);
-  CHECK(told(*d, "Led stylus is ready."));
-  CHECK_FALSE(told(*d, "inkwell"));
+  CHECK(reported(*d, "Led stylus is ready."));
+  CHECK_FALSE(reported(*d, "inkwell"));
 }
 
 TEST_CASE("a fault that a device reports is displayed for as long as it lasts") {
@@ -353,10 +353,10 @@ TEST_CASE("a fault that a device reports is displayed for as long as it lasts") 
   Led& stylus = lead(*d);
   stylus.said.text = "The motors are too warm.";
   d->frames(20);
-  CHECK(told(*d, "The motors are too warm."));
+  CHECK(reported(*d, "The motors are too warm."));
   stylus.said.text.clear();
   d->frames(20);
-  CHECK_FALSE(told(*d, "The motors are too warm."));
+  CHECK_FALSE(reported(*d, "The motors are too warm."));
 }
 
 }  // namespace moltact

@@ -12,7 +12,7 @@ TEST_CASE(
   for (const char* variable : {"env MOLTACT_LIBHD=''", "env -u MOLTACT_LIBHD"}) {
     const std::string out = place.run("devices", variable).out;
     CHECK(out.find("hdInitDevice") == std::string::npos);
-    // Where OpenHaptics is installed there is nothing to be told.
+    // With OpenHaptics installed, nothing is reported.
     if (out.find("could not be loaded") != std::string::npos)
       CHECK(out.find("MOLTACT_LIBHD=/path/libHD.so") != std::string::npos);
   }

@@ -126,7 +126,7 @@ TEST_CASE("the shelf has the order of the Lesson menu before the first lesson is
   auto d = startWith("1ubq");
   const auto shelf = [&] {
     std::vector<std::string> out;
-    for (const LessonCard& c : d->app().extensions().shelf.cards())
+    for (const LessonCard& c : d->app().extensions().lesson_list.cards())
       if (!c.own) out.push_back(c.id);
     return out;
   };
@@ -192,8 +192,8 @@ TEST_CASE("the rings lie round the atoms that the line below names, at a crease 
     contact.atoms = *named;
     contact.feature =
         static_cast<Feature>(std::count_if(named->begin(), named->end(), [](std::int32_t a) { return a >= 0; }));
-    const std::string told = touchedText(*d->app().scene.stage().molecule, contact);
-    if (d->shows("view/state")) CHECK(contains(d->text("view/state"), told));
+    const std::string reported = touchedText(*d->app().scene.stage().molecule, contact);
+    if (d->shows("view/state")) CHECK(contains(d->text("view/state"), reported));
   }
   CHECK(d->app().extensions().state_text.namedAtoms());
 }

@@ -25,7 +25,7 @@ int run(const std::string& arguments) {
 }  // namespace
 
 TEST_CASE(
-    "export leaves benzene as 12 balls or as a surface, which read back; wrong usage gives 2, a missing molecule 1, "
+    "export leaves benzene as 12 spheres or as a surface, which read back; wrong usage gives 2, a missing molecule 1, "
     "and no file") {
   const std::string out = " '" + kOut.string() + "'";
   REQUIRE(run("benzene" + out) == 0);

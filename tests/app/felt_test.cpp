@@ -74,7 +74,7 @@ struct Felt {
   /// The one sample, still, for as long as it is looked at.
   void hold() {
     driver->app().scene.play(shaded);
-    driver->frames(120);  // the lines of the state rest a while before they tell something new
+    driver->frames(120);  // the state lines wait a moment before they change
   }
 };
 
@@ -121,11 +121,11 @@ TEST_CASE("the arrow, its label and the line of the state show the force of the 
   char newtons[24];
   std::snprintf(newtons, sizeof newtons, "%.1f\u00a0N", glm::length(s.force.N));
   CHECK(label->text == newtons);
-  // The line of the state tells another force only where it differs by 0.1 N or more.
-  const auto told_N = [](const std::string& text) { return std::stod(text.substr(text.rfind(", ") + 2)); };
+  // The state line changes its force only by 0.1 N or more.
+  const auto shown_N = [](const std::string& text) { return std::stod(text.substr(text.rfind(", ") + 2)); };
   CAPTURE(d.text("view/state"));
-  CHECK(std::abs(told_N(d.text("view/state")) - glm::length(s.force.N)) < 0.1 + 0.05);
-  CHECK(std::abs(told_N(d.app().extensions().state_text.line(d.app().scene)) - glm::length(s.force.N)) < 0.1 + 0.05);
+  CHECK(std::abs(shown_N(d.text("view/state")) - glm::length(s.force.N)) < 0.1 + 0.05);
+  CHECK(std::abs(shown_N(d.app().extensions().state_text.line(d.app().scene)) - glm::length(s.force.N)) < 0.1 + 0.05);
 }
 
 TEST_CASE("in the dark the words and the meter show the force of the servo loop, not SCP - HIP") {
@@ -139,7 +139,7 @@ TEST_CASE("in the dark the words and the meter show the force of the servo loop,
   d.frames(10);
   REQUIRE(d.app().extensions().task_stager.dark());
   felt.hold();
-  // The one way is told as straight toward the person, by under 15 degrees, the other as aside.
+  // The first direction is reported as straight toward the viewer (below 15 degrees), the second as sideways.
   const Vec3 right = glm::normalize(s.contact.displacement_A), wrong = glm::normalize(straight(s)),
              axis = glm::normalize(glm::cross(wrong, right));
   const double back = 15.0 * kDegree - 0.5 * angle(right, wrong);
@@ -167,7 +167,7 @@ TEST_CASE("sound, the attempt's samples and `moltact replay` have the force that
   std::vector<float> wanted(felt.ticks.size() * a_tick);
   for (std::size_t k = 0; k < felt.ticks.size(); ++k) {
     const ServoSample& s = felt.ticks[k];
-    const bool slides = k > 0 && !s.placed && s.contact.touching() && felt.ticks[k - 1].contact.touching();
+    const bool slides = k > 0 && !s.contact_reset && s.contact.touching() && felt.ticks[k - 1].contact.touching();
     const double slide_A = slides ? glm::distance(s.contact.scp.A, felt.ticks[k - 1].contact.scp.A) : 0.0;
     synth.take({s.contact.feature, s.contact.atoms, glm::length(s.force.N), 1000.0 * slide_A});
     synth.render(std::span(wanted).subspan(k * a_tick, a_tick));

@@ -11,7 +11,7 @@
 namespace moltact {
 namespace {
 
-// What ImGui was told in one frame.
+// The input that ImGui received in one frame.
 struct Heard {
   glm::dvec2 place{0.0};
   bool left = false, right = false, view = false;
@@ -65,7 +65,7 @@ class TouchScreen {
 };
 
 constexpr double kLine_px = 20.0;
-constexpr Fingers::On kView = Fingers::On::View, kPanel = Fingers::On::Panel;
+constexpr Fingers::Target kView = Fingers::Target::View, kPanel = Fingers::Target::Panel;
 
 }  // namespace
 
@@ -138,7 +138,7 @@ TEST_CASE("a finger that moves sideways on a panel drags what it began on, and l
 
 TEST_CASE("a finger on the edge between two panels drags it straight up, from its first moment to its last") {
   TouchScreen screen;
-  screen.fingers->down(1, {50, 400}, Fingers::On::Edge, 0.0, kLine_px);
+  screen.fingers->down(1, {50, 400}, Fingers::Target::Edge, 0.0, kLine_px);
   Heard now = screen.last();
   CHECK(now.left);
   CHECK(now.place == glm::dvec2(50, 400));
@@ -175,7 +175,7 @@ TEST_CASE("two fingers on the view let go of the push, turn by the way of their 
   CHECK(now.right);
   CHECK(now.place == glm::dvec2(350, 400));
 
-  // Both 30 to the right: the middle goes as far, and their distance ends as it was.
+  // Both move 30 to the right: so does their centre, and their distance is unchanged in the end.
   screen.fingers->move(1, {330, 400});
   double wheel = screen.wheeled();
   screen.fingers->move(2, {430, 400});
@@ -192,7 +192,7 @@ TEST_CASE("two fingers on the view let go of the push, turn by the way of their 
   screen.fingers->up(1);
   now = screen.last();
   CHECK_FALSE(now.right);
-  // The finger that is left does not push: nobody meant that.
+  // The remaining finger does not push.
   screen.fingers->move(2, {500, 500});
   for (const Heard& h : screen.frames()) CHECK_FALSE((h.left || h.right));
   screen.fingers->up(2);
@@ -222,7 +222,7 @@ TEST_CASE("two fingers that twist by 50 degrees, through the half turn of their 
     screen.fingers->move(2, at(-20 + k));
     hear();
   }
-  CHECK(twist_deg == doctest::Approx(50.0).epsilon(1e-4));  // clockwise, as the pixels' y goes down
+  CHECK(twist_deg == doctest::Approx(50.0).epsilon(1e-4));  // clockwise, because the pixels' y axis points down
   CHECK(std::abs(wheel) < 1e-4);
   // And back.
   for (int k = 49; k >= 0; --k) {
@@ -231,7 +231,7 @@ TEST_CASE("two fingers that twist by 50 degrees, through the half turn of their 
     hear();
   }
   CHECK(std::abs(twist_deg) < 1e-3);
-  // Fingers that meet have no direction: passing through each other is no twist.
+  // Fingers at the same point have no direction: passing through each other is not a twist.
   screen.fingers->move(2, at(160));
   screen.fingers->move(1, at(-20));
   twist_deg = 0.0;
@@ -276,7 +276,7 @@ TEST_CASE("a pad held for 0.6 s beside the finger that pushes gives three notche
         CHECK(h.place == glm::dvec2(300, 400));
       }
     };
-    screen.fingers->down(2, {900, 700}, harder ? Fingers::On::Harder : Fingers::On::Lighter, 1.0, kLine_px);
+    screen.fingers->down(2, {900, 700}, harder ? Fingers::Target::Harder : Fingers::Target::Lighter, 1.0, kLine_px);
     hear();
     for (int k = 1; k <= 60; ++k) {
       screen.fingers->advance(1.0 + 0.01 * k);
@@ -289,7 +289,7 @@ TEST_CASE("a pad held for 0.6 s beside the finger that pushes gives three notche
     // One more turn of the same fingers: the pad alone does nothing.
     screen.fingers->up(1);
     screen.frames();
-    screen.fingers->down(3, {900, 700}, Fingers::On::Harder, 10.0, kLine_px);
+    screen.fingers->down(3, {900, 700}, Fingers::Target::Harder, 10.0, kLine_px);
     screen.fingers->advance(11.0);
     for (const Heard& h : screen.frames()) {
       CHECK(h.wheel == 0.0);

@@ -21,7 +21,7 @@
 namespace moltact {
 namespace {
 
-// The names of widgets that stick out of their window sideways, or upward and downward where it cannot be scrolled.
+// The names of widgets that extend beyond their window sideways, or vertically if it cannot be scrolled.
 std::string cutOff(glm::vec2 window) {
   std::string out;
   for (const auto& [name, r] : widgets().all()) {
@@ -141,7 +141,7 @@ void checkAllPages(ScriptedUser& d, glm::vec2 window) {
   }
 }
 
-// What is drawn over the view, two of which lie on each other; names at atoms stand in the picture and are left out.
+// The first two overlapping items over the view; names at atoms are part of the picture and excluded.
 std::string covered() {
   std::vector<std::pair<std::string, WidgetRecord>> over;
   for (const auto& [name, r] : widgets().all())

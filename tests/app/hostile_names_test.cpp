@@ -30,7 +30,7 @@ std::string fault(std::string_view printed) {
   for (std::size_t at = 0; at < printed.size();) {
     const CodePoint c = firstCodePoint(printed.substr(at));
     if (!c.valid) return "a byte that is no UTF-8 at " + std::to_string(at);
-    if (steersTerminal(c.code)) return "code point " + std::to_string(c.code) + " at " + std::to_string(at);
+    if (isTerminalControl(c.code)) return "code point " + std::to_string(c.code) + " at " + std::to_string(at);
     at += c.bytes;
   }
   if (printed.starts_with("forged") || printed.find("\nforged") != std::string_view::npos) return "a forged line";
@@ -197,7 +197,7 @@ TEST_CASE("what is piped into a full disk or past a limit on files is reported, 
   CHECK(contents(place.folder / "status") == "1\n");
 }
 
-// The same by the sources: nothing else writes to the terminal, and nothing else writes files whole.
+// The same by the sources: no other code writes to the terminal or writes whole files.
 TEST_CASE(
     "in app and engine only engine/platform/terminal_linux.cpp writes to the terminal, and only engine/platform opens "
     "files for writing") {

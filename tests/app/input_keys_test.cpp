@@ -199,7 +199,7 @@ TEST_CASE(
     ++named;
     CHECK_MESSAGE(from.emplace(key, code).second, code, " and ", from[key]);
   }
-  // 121 constants stand in GLFW's header, less GLFW_KEY_UNKNOWN, the two of other countries and thirteen function keys.
+  // GLFW's header has 121 constants, less GLFW_KEY_UNKNOWN, two keys of other countries and thirteen function keys.
   CHECK(named == 105);
   CHECK_FALSE(isKey(keyOfGlfw(GLFW_KEY_UNKNOWN)));
   CHECK_FALSE(isKey(keyOfGlfw(GLFW_KEY_WORLD_1)));

@@ -54,7 +54,7 @@ TEST_CASE(
   }
 }
 
-TEST_CASE("Tab goes round every control of each page, and Enter presses the one that it is at") {
+TEST_CASE("Tab visits every control of each page, and Enter presses the one that it is at") {
   for (const char* keys : {"Ctrl+,", "Ctrl+D", "Ctrl+O"}) {
     CAPTURE(keys);
     auto d = startWith("argon");
@@ -178,7 +178,7 @@ TEST_CASE(
   CHECK(d->app().settings.theme == ThemeChoice::Dark);
   CHECK_FALSE(d->shows("menu/view/dark"));
 
-  // Alt with another key, or held while the mouse works, is no tap.
+  // Alt with another key, or held during mouse input, is not a tap.
   d->tap("Alt+Right");
   d->frames(3);
   CHECK_FALSE(d->shows("menu/file/open"));

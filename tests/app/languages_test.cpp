@@ -38,7 +38,7 @@ TEST_CASE("German is chosen in the preferences and holds at once, with a decimal
   CHECK(d->text("probe") == "1,4\u00a0Å");
   CHECK(d->text("status/contact") == "frei");
   CHECK(keysText("Ctrl+Shift+S") == "Strg+Umschalt+S");
-  // A decimal sign of one's own stands before the language's.
+  // A decimal sign in the settings takes precedence over the language's.
   d->app().settings.decimal_sign = DecimalSign::Point;
   d->frames(2);
   CHECK(d->text("probe") == "1.4\u00a0Å");

@@ -43,7 +43,7 @@ struct Touched {
       }
     }
   }
-  /// The one sphere goes to z within 30 ticks.
+  /// Moves the only sphere to z within 30 ticks.
   void moveTo(double z_A) {
     const std::vector<Sphere> to{{{0, 0, z_A}, 1.6}};
     auto next = motion ? SphereMotion::after(*motion, to, 30)
@@ -62,7 +62,7 @@ struct Touched {
 
 }  // namespace
 
-TEST_CASE("a hand that has come out on a ball's far side is let go after 0.4 s") {
+TEST_CASE("the contact of a hand that has come out on a sphere's far side ends after 0.4 s") {
   Touched t;
   t.hold({0, 0, 5});
   t.hold({0, 0, 2.5}, 0.5);
@@ -74,7 +74,7 @@ TEST_CASE("a hand that has come out on a ball's far side is let go after 0.4 s")
 }
 
 TEST_CASE(
-    "a ball that has moved 3 A to a hand, who was in the open where it rested, stays felt for 1.5 s, and the exact "
+    "a sphere that has moved 3 A to a hand, who was in the open where it rested, stays felt for 1.5 s, and the exact "
     "contact beside it is the felt one to 1e-9 A; pulled through to its far side the hand is let go there too") {
   Touched t;
   t.hold({0, 0, 4.5});
@@ -100,7 +100,7 @@ TEST_CASE(
   CHECK_FALSE(t.scene.log().touching());
 }
 
-TEST_CASE("a body whose one end presses on a ball while its middle is in the open is not let go") {
+TEST_CASE("a body whose one end presses on a sphere while its middle is in the open is not let go") {
   Touched t({{1.5, 0, 0}, {-1.5, 0, 0}});
   t.hold({4.8, 0, 0});
   REQUIRE_FALSE(t.scene.log().touching());
@@ -109,11 +109,12 @@ TEST_CASE("a body whose one end presses on a ball while its middle is in the ope
   CHECK(t.scene.log().touching());
   CHECK(glm::length(t.now().contact.displacement_A) == doctest::Approx(0.5).epsilon(0.01));
   CHECK(t.now().discontinuities == placed);
-  CHECK(t.scene.watch().tried().empty());  // and no method's error is told of it
+  CHECK(t.scene.watch().tried().empty());  // and no error is recorded for any method
 }
 
 TEST_CASE(
-    "a body that was led straight through a ball, and whose atoms wait on its far side, is let go once it is outside") {
+    "a body that was led straight through a sphere, and whose atoms wait on its far side, is let go once it is "
+    "outside") {
   Touched t({{0, 0, 1.5}, {0, 0, -1.5}});
   t.hold({0, 0, 8});
   REQUIRE_FALSE(t.scene.log().touching());

@@ -56,7 +56,7 @@ TEST_CASE("a lesson that is saved again is shown at once, on the same step and w
   CHECK(d->text("lesson/place") == "Step 3 of 3");
   CHECK(d->app().lesson.session()->question(0).answered_right);
   CHECK(contains(d->text("message/0"), "Read again: mine.md"));
-  // The force begins from nothing, and the view stays as it was.
+  // The force starts from zero, and the view is unchanged.
   CHECK(d->app().scene.servo_settings.discontinuities == discontinuities + 1);
   CHECK(d->app().scene.camera.orientation == camera);
   // A mere touch of the file changes nothing.
@@ -65,7 +65,7 @@ TEST_CASE("a lesson that is saved again is shown at once, on the same step and w
   CHECK(d->app().scene.servo_settings.discontinuities == discontinuities + 1);
 }
 
-TEST_CASE("a step that gets another probe is set up anew when the lesson is read again") {
+TEST_CASE("a step that gets another probe is set up again when the lesson is read again") {
   AuthorFolder scratch;
   const fs::path file = scratch / "mine.md";
   save(file, kHead + kOne);
@@ -129,7 +129,7 @@ TEST_CASE(
     d->frames(5);
   }
   REQUIRE(d->app().scene.servo_settings.probe_A == 3.0);
-  // The task is gone.
+  // The task has been deleted.
   save(file, kHead + kOne);
   d->frames(kSeen_frames);
   CHECK(d->app().scene.servo_settings.probe_A == 1.4);
@@ -256,7 +256,7 @@ TEST_CASE("what a lesson locks stays as it is set, whatever changes it") {
   CHECK_FALSE(app.layout().lesson.empty());
   app.lesson.next();
   d->frames(3);
-  // The front matter's lock goes on; the scene's has ended, and the student's panel is back.
+  // The front matter's lock continues; the scene's has ended, and the student's panel is back.
   app.scene.useMethod("penalty");
   app.scene.servo_settings.probe_A = 1.0;
   d->frames(2);

@@ -14,9 +14,9 @@ namespace moltact {
 namespace {
 
 constexpr int kAttempts = 24;       // in a row that bring a task no further
-constexpr double kSeen = 0.5;       // a slide goes on while the surface looks at the student so much (cosine)
-constexpr double kAsItIs = 0.95;    // it need not be turned to look from so near to where one looks from (cosine)
-constexpr double kPastRim_A = 3.0;  // a hand that is so far from its place is on something else
+constexpr double kSeen = 0.5;       // a slide continues while the surface faces the viewer this much (cosine)
+constexpr double kAsItIs = 0.95;    // the view is kept if the place faces the viewer this much (cosine)
+constexpr double kPastRim_A = 3.0;  // a hand farther from its place than this is on another atom
 constexpr double kSame_A = 0.1;     // sideways: nearer than this a plan only pushes deeper
 
 // With MOLTACT_LESSON_PICTURES a picture of each task as it was done, for people to look at.
@@ -45,12 +45,12 @@ double LessonHand::N_per_A() const {
 }
 
 bool LessonHand::canBegin() {
-  std::string told;
-  for (const Message& m : d_.app().messages.all()) told += ": " + m.text;
+  std::string reported;
+  for (const Message& m : d_.app().messages.all()) reported += ": " + m.text;
   if (!d_.app().lesson.session())
-    failed_ += "no lesson is open" + told + '\n';
+    failed_ += "no lesson is open" + reported + '\n';
   else if (!d_.app().scene.stage())
-    failed_ += "nothing is on the stage" + told + '\n';
+    failed_ += "nothing is on the stage" + reported + '\n';
   else
     return true;
   return false;
@@ -74,7 +74,7 @@ bool LessonHand::finishLesson() {
     }
     for (std::size_t q = 0; q < session().step().questions.size(); ++q) {
       if (errs_) answerWrongly(q);
-      answerRightly(q);
+      answerCorrectly(q);
     }
     if (!session().hasNext()) return session().finished();
     if (mouse())
@@ -85,7 +85,7 @@ bool LessonHand::finishLesson() {
   }
 }
 
-bool LessonHand::goesOn(std::size_t task) const { return session().currentTask() == task; }
+bool LessonHand::isCurrent(std::size_t task) const { return session().currentTask() == task; }
 
 HandPlanInput LessonHand::planInput(int attempt) const {
   return {.spheres = *d_.app().scene.stage().spheres,
@@ -103,7 +103,7 @@ double LessonHand::figure(std::size_t task, std::string_view name) const {
 
 void LessonHand::expect(bool held, const std::string& what) {
   if (held)
-    ++told_wrong_;
+    ++wrong_answers_;
   else
     failed_ += session().step().id + ", " + what + '\n';
 }
@@ -162,18 +162,18 @@ void LessonHand::doWrongly(std::size_t task) {
   const bool same = spec.kind == "same";
   if (same && spec.values["right"].number + 1 > spec.values["trials"].number) return;
   constexpr int kTries = 4;
-  for (int tries = 0; tries < kTries && goesOn(task); ++tries) {
+  for (int tries = 0; tries < kTries && isCurrent(task); ++tries) {
     const HandPlan plan = wrongPlan(task);
     if (plan.empty()) return;
     const std::string before = session().task(task).sentence;
     follow(plan, task);
     lift();
     d_.frames(3);
-    if (!goesOn(task)) break;
-    const bool told = spec.kind == "measure" ? session().task(task).sentence != before
-                      : same                 ? figure(task, "trials") == 1.0 && figure(task, "right") == 0.0
-                                             : figure(task, "guesses") >= 1.0;
-    if (!told) continue;
+    if (!isCurrent(task)) break;
+    const bool reported = spec.kind == "measure" ? session().task(task).sentence != before
+                          : same                 ? figure(task, "trials") == 1.0 && figure(task, "right") == 0.0
+                                                 : figure(task, "guesses") >= 1.0;
+    if (!reported) continue;
     expect(session().task(task).progress < 1.0, "task done wrongly");
     return;
   }
@@ -182,17 +182,17 @@ void LessonHand::doWrongly(std::size_t task) {
 
 bool LessonHand::doTask(std::size_t task) {
   double best = -1.0;
-  for (int attempt = 0, idle = 0; goesOn(task) && idle < kAttempts; ++attempt, ++idle) {
+  for (int attempt = 0, idle = 0; isCurrent(task) && idle < kAttempts; ++attempt, ++idle) {
     follow(session().taskAt(task)->demonstrate(planInput(attempt)), task);
-    if (!goesOn(task)) return true;
+    if (!isCurrent(task)) return true;
     const double progress = session().task(task).progress;
     if (progress > best) best = progress, idle = -1;
   }
-  return !goesOn(task);
+  return !isCurrent(task);
 }
 
 void LessonHand::follow(const HandPlan& plan, std::size_t task) {
-  for (std::size_t k = 0; k < plan.size() && goesOn(task); ++k) {
+  for (std::size_t k = 0; k < plan.size() && isCurrent(task); ++k) {
     const HandAct& act = plan[k];
     if (!act.method.empty()) useMethod(act.method);
     if (act.to && act.placed) {
@@ -232,7 +232,7 @@ void LessonHand::follow(const HandPlan& plan, std::size_t task) {
         }
         lead(act.to->A, task);
         // Past a rim the pointer is on what lies behind: the place is looked at from straight before it.
-        if (goesOn(task) && glm::distance(d_.app().scene.controls.lead().A, act.to->A) > kPastRim_A) {
+        if (isCurrent(task) && glm::distance(d_.app().scene.controls.lead().A, act.to->A) > kPastRim_A) {
           lift();
           face(front);
           pointAt(act.to->A);
@@ -240,11 +240,11 @@ void LessonHand::follow(const HandPlan& plan, std::size_t task) {
         }
       }
     }
-    for (int n = 0; n < int(act.wait_s * 60.0) + 1 && goesOn(task); ++n) {
+    for (int n = 0; n < int(act.wait_s * 60.0) + 1 && isCurrent(task); ++n) {
       d_.frames(1);
       if (watch) watch();
     }
-    if (act.answer && goesOn(task)) tell(task, *act.answer);
+    if (act.answer && isCurrent(task)) tell(task, *act.answer);
   }
 }
 
@@ -289,10 +289,10 @@ void LessonHand::writeIn(std::size_t q, const std::string& text) {
 void LessonHand::answerWrongly(std::size_t q) {
   const Question& asked = session().step().questions[q];
   if (asked.prediction || asked.free() || session().question(q).done()) return;
-  const auto told = [&](const std::string& what) {
+  const auto reported = [&](const std::string& what) {
     d_.frames(3);
     const QuestionStatus& now = session().question(q);
-    expect(now.attempts > 0 && !now.last_right && !now.answered_right && session().told(q),
+    expect(now.attempts > 0 && !now.last_right && !now.answered_right && session().feedbackVisible(q),
            "question " + std::to_string(q + 1) + ": " + what + " is not told to be wrong");
   };
   if (asked.choices.empty()) {
@@ -300,7 +300,7 @@ void LessonHand::answerWrongly(std::size_t q) {
     char number[32];
     std::snprintf(number, sizeof number, "%.6g", answer.number + 2.0 * answer.tolerance + 1.0);
     writeIn(q, answer.kind == AnswerSpec::Kind::Number ? number : "nothing like it");
-    return told("another answer");
+    return reported("another answer");
   }
   const bool several = asked.rightChoices() > 1;
   for (std::size_t k = 0; k < asked.choices.size(); ++k) {
@@ -309,12 +309,12 @@ void LessonHand::answerWrongly(std::size_t q) {
       return;  // the last is the right one
     pick(q, k);
     if (several) handIn(q);
-    told(plainText(asked.choices[k].text));
+    reported(plainText(asked.choices[k].text));
     if (several) pick(q, k);
   }
 }
 
-void LessonHand::answerRightly(std::size_t q) {
+void LessonHand::answerCorrectly(std::size_t q) {
   if (session().question(q).answered_right) return;
   const Question& asked = session().step().questions[q];
   if (asked.choices.empty()) {
@@ -331,8 +331,8 @@ void LessonHand::answerRightly(std::size_t q) {
 
 void LessonHand::tell(std::size_t task, const TaskAnswer& answer) {
   const std::string name = "task/" + std::to_string(task);
-  if (answer.word.empty()) return draw(name, answer.curve, session().taskAt(task)->curves()->most_N);
-  // A mouse lets go before it clicks.
+  if (answer.word.empty()) return draw(name, answer.curve, session().taskAt(task)->curves()->max_N);
+  // With a mouse the hand has to let go before clicking.
   if (mouse()) lift();
   for (const TaskButton& b : session().taskAt(task)->buttons()) {
     if (b.word != answer.word) continue;
@@ -352,7 +352,7 @@ void LessonHand::slideTo(std::size_t task, double value) {
   if (!asked) return;
   const std::string name = "task/" + std::to_string(task) + "/slider";
   if (mouse()) {
-    d_.point(name, (value - asked->least) / (asked->most - asked->least), 0.5);
+    d_.point(name, (value - asked->min) / (asked->max - asked->min), 0.5);
     d_.press();
     d_.frames(2);
     d_.release();
@@ -372,12 +372,12 @@ void LessonHand::slideTo(std::size_t task, double value) {
   d_.frames(2);
 }
 
-void LessonHand::draw(const std::string& name, const std::vector<double>& curve, double most_N) {
+void LessonHand::draw(const std::string& name, const std::vector<double>& curve, double max_N) {
   const double last = double(curve.size() - 1);
   if (mouse()) {
     d_.point(name + "/hand in");  // with the whole of the curve in sight
     for (std::size_t k = 0; k < curve.size(); ++k) {
-      d_.point(name + "/curve", double(k) / last, 1.0 - curve[k] / most_N);
+      d_.point(name + "/curve", double(k) / last, 1.0 - curve[k] / max_N);
       if (k == 0) d_.press();
     }
     d_.release();
@@ -387,8 +387,8 @@ void LessonHand::draw(const std::string& name, const std::vector<double>& curve,
   constexpr double kStep = 0.025;
   double pen = 0.0;
   for (std::size_t k = 0; k < curve.size(); ++k) {
-    for (; pen < curve[k] / most_N - 0.5 * kStep; pen += kStep) d_.tap("Up");
-    for (; pen > curve[k] / most_N + 0.5 * kStep; pen -= kStep) d_.tap("Down");
+    for (; pen < curve[k] / max_N - 0.5 * kStep; pen += kStep) d_.tap("Up");
+    for (; pen > curve[k] / max_N + 0.5 * kStep; pen -= kStep) d_.tap("Down");
     d_.tap("Right");
   }
   lookAt(d_, name + "/hand in");

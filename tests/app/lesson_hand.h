@@ -34,7 +34,7 @@ class LessonHand {
   /// Called after each frame in which the hand rests at a place or slides over the surface.
   std::function<void()> watch;
   /// The number of wrong answers and acts that were rejected and solved nothing.
-  int toldWrong() const { return told_wrong_; }
+  int wrongAnswers() const { return wrong_answers_; }
 
  private:
   bool mouse() const { return by_ == By::Mouse; }
@@ -42,9 +42,9 @@ class LessonHand {
   bool canBegin();
   LessonSession& session() const;
   bool doTask(std::size_t task);
-  bool goesOn(std::size_t task) const;
+  bool isCurrent(std::size_t task) const;
 
-  void answerRightly(std::size_t question);
+  void answerCorrectly(std::size_t question);
   void answerWrongly(std::size_t question);
   /// Makes the mistakes possible in this kind of task: a guess elsewhere, the first pair inverted, a probe that is too
   /// small, the other end marked first. Does nothing for other kinds.
@@ -57,7 +57,7 @@ class LessonHand {
   void tell(std::size_t task, const TaskAnswer& answer);
   /// Sets a task's slider to the step nearest to this value.
   void slideTo(std::size_t task, double value);
-  void draw(const std::string& name, const std::vector<double>& curve, double most_N);
+  void draw(const std::string& name, const std::vector<double>& curve, double max_N);
   void useMethod(const std::string& name);
 
   /// The position of a place on the screen, as shares of the view's width and height.
@@ -79,7 +79,7 @@ class LessonHand {
   ScriptedUser& d_;
   By by_;
   bool errs_ = false;
-  int told_wrong_ = 0;
+  int wrong_answers_ = 0;
   bool pressing_ = false;
   double pushed_N_ = 0.0;
   glm::ivec2 arrows_{0};

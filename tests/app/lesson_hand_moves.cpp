@@ -127,7 +127,7 @@ void LessonHand::push(double force_N) {
 void LessonHand::lead(const Vec3& place_A, std::size_t task) {
   const glm::dvec2 size = d_.app().layout().view.size();
   constexpr double kNear_px = 2.0;
-  for (int k = 0; k < 400 && goesOn(task); ++k) {
+  for (int k = 0; k < 400 && isCurrent(task); ++k) {
     const glm::dvec2 way = (seen(place_A) - seen(d_.app().scene.controls.lead().A)) * size;
     if (glm::length(way) < kNear_px) break;
     if (mouse()) {

@@ -14,7 +14,7 @@ void walk(const std::string& lesson, LessonHand::By by) {
   CHECK(hand.finishLesson());
   CHECK(hand.failed() == "");
   CHECK(d->missing() == "");
-  if (errs) CHECK(hand.toldWrong() >= 4);
+  if (errs) CHECK(hand.wrongAnswers() >= 4);
 }
 
 }  // namespace

@@ -31,15 +31,15 @@ auto taskDone(ScriptedUser& d, std::size_t task) {
   return [&d, task] { return session(d).task(task).done; };
 }
 
-/// Leaves the surface and goes to the next step.
-void goOn(ScriptedUser& d, const char* id) {
+/// Leaves the surface and enters the next step.
+void advanceTo(ScriptedUser& d, const char* id) {
   REQUIRE_MESSAGE(session(d).stepDone(), session(d).step().id);
   d.tap("Alt+Right");
   d.frames(10);
   REQUIRE(session(d).step().id == id);
 }
 
-/// Finds the task's button under the key and tells it.
+/// Presses the task's button with this key.
 void tell(ScriptedUser& d, const char* key) {
   d.frames(36);  // it has been in view for a moment, and nothing was done just before
   d.tap(key);
@@ -85,7 +85,7 @@ TEST_CASE("a lesson with every kind of task and question is finished with the ke
   CHECK(session(*d).question(2).answered_right);
 
   // Hold the crease, which lies under the hand; slide to one atom and over to the other; feel both kinds of place.
-  goOn(*d, "hold-and-cross");
+  advanceTo(*d, "hold-and-cross");
   CHECK(holdUntil(*d, "Space", taskDone(*d, 0)));
   d->frames(10);
   const auto cross = [&](const char* first, const char* second) {
@@ -113,7 +113,7 @@ TEST_CASE("a lesson with every kind of task and question is finished with the ke
   CHECK(session(*d).task(2).done);
 
   // Off the left atom; then one atom after the other.
-  goOn(*d, "avoid-and-compare");
+  advanceTo(*d, "avoid-and-compare");
   d->hold("Right");
   d->frames(40);
   d->letGo("Right");
@@ -126,7 +126,7 @@ TEST_CASE("a lesson with every kind of task and question is finished with the ke
   CHECK(holdUntil(*d, "Space", taskDone(*d, 1)));
 
   // Along the crease: pressing on while the molecule is turned under the hand.
-  goOn(*d, "trace");
+  advanceTo(*d, "trace");
   d->hold("Space");
   d->frames(60);
   REQUIRE(d->app().scene.log().latest().contact.feature == Feature::Circle);
@@ -135,7 +135,7 @@ TEST_CASE("a lesson with every kind of task and question is finished with the ke
   d->letGo("Space");
 
   // In the dark.
-  goOn(*d, "find");
+  advanceTo(*d, "find");
   CHECK(d->app().extensions().task_stager.dark());
   CHECK(d->shows("view/dark"));
   CHECK(d->text("view/state") == "not touching");
@@ -162,7 +162,7 @@ TEST_CASE("a lesson with every kind of task and question is finished with the ke
   d->letGo("Space");
   d->frames(3);
   CHECK_FALSE(d->shows("view/dark"));
-  // In the light the way is shown that the probe took, before the look and after it, to where it was let go.
+  // Once visible, the probe's path is shown, before and after the look, up to its end.
   const auto& trail = d->app().extensions().touch_paint.trail();
   REQUIRE(trail);
   double length_A = 0.0;
@@ -171,7 +171,7 @@ TEST_CASE("a lesson with every kind of task and question is finished with the ke
   CHECK(length_A > 2.0);
 
   // A curve by the arrows, which then lead the probe again.
-  goOn(*d, "predict");
+  advanceTo(*d, "predict");
   CHECK_FALSE(d->app().extensions().touch_paint.trail());
   const PointA hand = d->app().scene.controls.lead();
   for (int k = 0; k < 10; ++k) d->tap("Up");
@@ -196,8 +196,8 @@ TEST_CASE("a lesson with every kind of task and question is finished with the ke
   CHECK(session(*d).task(0).done);
   CHECK(contains(d->text("task/0/curve"), "\u00a0%"));
 
-  // Same or different: told by the meter, 0.1 N/mm against 0.5 N/mm.
-  goOn(*d, "same-or-different");
+  // Same or different: distinguished by the meter, 0.1 N/mm against 0.5 N/mm.
+  advanceTo(*d, "same-or-different");
   for (int pair = 0; pair < 2 && !session(*d).task(0).done; ++pair) {
     bool soft[2] = {};
     for (int k = 0; k < 2; ++k) {
@@ -205,9 +205,9 @@ TEST_CASE("a lesson with every kind of task and question is finished with the ke
       d->hold("Space");
       CHECK(waitUntil(*d, [&] { return !session(*d).taskAt(0)->buttons().empty(); }));
       d->frames(60);
-      // The hand presses as deep on both: the meter tells a fifth of the force.
+      // The hand presses equally deep on both, and the meter shows a fifth of the force.
       soft[k] = d->app().scene.log().force_N() < 0.3;
-      // Two answers are asked for once both are felt: a stylus's second button then gives one, and is no clutch.
+      // Two answers are offered once both are felt. A stylus's second button then gives one of them and is no clutch.
       CHECK(d->app().extensions().task_stager.takesSecondButton() == (k == 1));
       if (k == 0) tell(*d, "Enter");
       d->letGo("Space");
@@ -221,7 +221,7 @@ TEST_CASE("a lesson with every kind of task and question is finished with the ke
   CHECK(d->app().scene.servo_settings.stiffness_N_per_mm == 0.5);
 
   // Other methods, and a free answer.
-  goOn(*d, "methods");
+  advanceTo(*d, "methods");
   CHECK(d->app().scene.method() == "mesh80");
   d->hold("Right");
   d->frames(50);
@@ -250,7 +250,7 @@ TEST_CASE("a lesson with every kind of task and question is finished with the ke
   CHECK(d->missing().empty());
 }
 
-TEST_CASE("a curve is drawn with the mouse, holes and ends are filled, and wiping begins anew") {
+TEST_CASE("a curve is drawn with the mouse, holes and ends are filled, and wiping begins again") {
   auto d = startWith(kLesson);
   REQUIRE(session(*d).goTo("predict"));
   d->frames(10);
@@ -264,7 +264,7 @@ TEST_CASE("a curve is drawn with the mouse, holes and ends are filled, and wipin
   const TaskCurves& curves = *session(*d).taskAt(0)->curves();
   REQUIRE_FALSE(curves.drawing);
   // Begun in the middle of the area: half of the force axis, everywhere.
-  for (const double force_N : curves.drawn) CHECK(force_N == doctest::Approx(0.5 * curves.most_N).epsilon(0.02));
+  for (const double force_N : curves.drawn) CHECK(force_N == doctest::Approx(0.5 * curves.max_N).epsilon(0.02));
 }
 
 TEST_CASE("with the mouse alone a place is found in the dark and a pair is judged") {
@@ -279,14 +279,14 @@ TEST_CASE("with the mouse alone a place is found in the dark and a pair is judge
   d->frames(60);
   REQUIRE(d->app().scene.log().touching());
   d->release();
-  // The place that was touched last is meant, for the mouse must let go to click.
+  // The place touched last counts, because the mouse has to let go before clicking.
   CHECK(d->click("task/0/here"));
   CHECK(session(*d).task(0).done);
 
   REQUIRE(session(*d).goTo("same-or-different"));
   d->frames(10);
   for (const char* button : {"task/0/next", "task/0/different"}) {
-    // The device page does not tell which of the two it is.
+    // The device page does not reveal which of the two it is.
     d->tap("Ctrl+D");
     d->frames(3);
     CHECK(contains(d->text("device/scale"), "\u00a0Å there."));

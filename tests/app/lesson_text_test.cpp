@@ -90,9 +90,9 @@ TEST_CASE("Tab and Enter open a word's meaning, and the lines for screen readers
   REQUIRE(user.shows("lesson/0/meaning"));
   user.frames(4);
   std::ifstream in(lines);
-  std::stringstream told;
-  told << in.rdbuf();
-  CHECK(contains(told.str(), "pit: Three atoms at once; see a crease."));
+  std::stringstream reported;
+  reported << in.rdbuf();
+  CHECK(contains(reported.str(), "pit: Three atoms at once; see a crease."));
 }
 
 TEST_CASE("the meaning closes with the step, and a lesson that is read again has the words of its file") {

@@ -80,7 +80,7 @@ TEST_CASE(
   CHECK(glm::distance(d->app().scene.camera.target.A, camera.target.A) < 0.2);
 }
 
-TEST_CASE("magnified in the middle of a press the contact stays, and the force grows anew from nothing") {
+TEST_CASE("magnified in the middle of a press the contact stays, and the force grows again from nothing") {
   auto d = startWith();
   d->point("view");
   d->press();
@@ -174,7 +174,7 @@ TEST_CASE(
   CHECK(contains(d->text("status/scale"), "magnified"));
   CHECK(d->app().scene.camera.distance_A < 0.6 * far_A);
   CHECK(glm::distance(d->app().scene.camera.target.A, region->centre.A) < 1e-9);
-  // By hand it goes on from there, and back to there.
+  // By hand it continues from there, and back to there.
   const double by_lesson = scale(*d);
   d->tap("Ctrl+G");
   CHECK(scale(*d) <= 0.5 * by_lesson + 1e-12);

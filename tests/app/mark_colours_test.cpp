@@ -65,11 +65,11 @@ TEST_CASE(
     const auto marks = marksOf(shown.scene, *shown.molecule);
     if (!marks) continue;
     CAPTURE(shown.where);
-    std::vector<std::pair<std::string, Rgb8>> told;
-    for (const OwnColour& m : *marks) told.emplace_back(m.name, m.colour);
-    const std::size_t count = told.size();
-    told.emplace_back("target, light", eightBits(lightTheme().target));
-    told.emplace_back("target, dark", eightBits(darkTheme().target));
+    std::vector<std::pair<std::string, Rgb8>> reported;
+    for (const OwnColour& m : *marks) reported.emplace_back(m.name, m.colour);
+    const std::size_t count = reported.size();
+    reported.emplace_back("target, light", eightBits(lightTheme().target));
+    reported.emplace_back("target, dark", eightBits(darkTheme().target));
     const auto check = [&](const std::string& one, const Rgb8& a, const std::string& other, const Rgb8& b,
                            double most) {
       CAPTURE(one);
@@ -83,8 +83,8 @@ TEST_CASE(
       ++pairs;
     };
     for (std::size_t j = 0; j < count; ++j)
-      for (std::size_t k = j + 1; k < told.size(); ++k)
-        check(told[j].first, told[j].second, told[k].first, told[k].second, kBetweenMarks);
+      for (std::size_t k = j + 1; k < reported.size(); ++k)
+        check(reported[j].first, reported[j].second, reported[k].first, reported[k].second, kBetweenMarks);
     if (shown.scene.colour != "element") continue;
     std::set<std::uint8_t> beside;
     std::vector<bool> marked(shown.molecule->atoms.size());
@@ -95,7 +95,7 @@ TEST_CASE(
     const ElementColours drawn = shownColours(ElementColours::Customary, shown.molecule->atoms.size());
     for (std::size_t j = 0; j < count; ++j)
       for (const std::uint8_t e : beside)
-        check(told[j].first, told[j].second, std::string(element(e).name), eightBits(elementColour(e, drawn)),
+        check(reported[j].first, reported[j].second, std::string(element(e).name), eightBits(elementColour(e, drawn)),
               kToElements);
   }
   MESSAGE("least distance between marks and targets: " << least << ", pairs: " << pairs);
@@ -116,7 +116,7 @@ TEST_CASE("the legend of no scene of a lesson shows a colour twice, and the viru
   }
 }
 
-TEST_CASE("every atom that a lesson highlights in a ribbon is drawn as a ball of its own size") {
+TEST_CASE("every atom that a lesson highlights in a ribbon is drawn as a sphere of its own size") {
   std::size_t seen = 0;
   for (const ShownScene& shown : scenes()) {
     if (!shown.scene.highlight.given()) continue;

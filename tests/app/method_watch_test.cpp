@@ -86,7 +86,7 @@ TEST_CASE("the error against the exact SCP is the distance of the two, and 0 whe
   CHECK(watch.tried().empty());
 }
 
-TEST_CASE("a hand that is placed anew takes the exact tracker with it") {
+TEST_CASE("a hand that is placed again takes the exact tracker with it") {
   const TouchableModel stage = oneSphere();
   MethodWatch watch;
   watch.begin(stage, {});
@@ -100,9 +100,9 @@ TEST_CASE("a hand that is placed anew takes the exact tracker with it") {
   };
   tick({0, 0, 4});
   CHECK(tick({0, 0, 0}).touching());
-  s.placed = true;
+  s.contact_reset = true;
   CHECK_FALSE(tick({0, 0, -4}).touching());
-  s.placed = false;
+  s.contact_reset = false;
   CHECK_FALSE(tick({0, 0, -4}).touching());
 }
 

@@ -29,14 +29,15 @@ std::string doorLesson(const ScratchFolder& scratch) {
 TEST_CASE(
     "a mouse presses anywhere on adenylate kinase while the slider jumps 40 times between open and shut: in 1 200 "
     "frames "
-    "the contact is never over 1e-6 A inside a ball as it is at that tick, the force is finite and at most 3.3 N, and "
-    "back at its beginning every ball is where it was read; seed 26") {
+    "the contact is never over 1e-6 A inside a sphere as it is at that tick, the force is finite and at most 3.3 N, "
+    "and "
+    "back at its beginning every sphere is where it was read; seed 26") {
   const ScratchFolder scratch;
   const auto d = startWith(doorLesson(scratch));
   Application& app = d->app();
   d->frames(10);
   MovingStates& states = app.extensions().moving_states;
-  REQUIRE(states.there());
+  REQUIRE(states.ready());
   scenes::Random random(26);
   int touching = 0, moving = 0;
   double deepest_A = 0.0, greatest_N = 0.0;

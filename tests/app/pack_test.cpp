@@ -73,7 +73,8 @@ TEST_CASE("a pack that is dropped shows its lesson with its own molecule, and ha
 }
 
 TEST_CASE(
-    "a lesson that was left goes on when its pack is opened again, and from its card; a newer version has its place") {
+    "a lesson that was left continues when its pack is opened again, and from its card; a newer version has its "
+    "place") {
   const Handed h;
   const fs::path pack = h.pack(lessonText("Haem pockets"));
   {
@@ -94,12 +95,12 @@ TEST_CASE(
   d->app().panels.pages.welcome = true;
   d->frames(60);
   std::size_t cards = 0;
-  for (const LessonCard& c : d->app().extensions().shelf.cards()) cards += c.own;
+  for (const LessonCard& c : d->app().extensions().lesson_list.cards()) cards += c.own;
   CHECK(cards == 1);
   CHECK(std::distance(fs::directory_iterator(h.packs), fs::directory_iterator()) == 2);
 }
 
-TEST_CASE("a lesson opened from anywhere has a card once something was done in it, which goes on where it was left") {
+TEST_CASE("a lesson opened from anywhere has a card once something was done in it, which continues where it was left") {
   const Handed h;
   h.pack(lessonText("Elsewhere"));
   auto d = startWith("", h.options());
@@ -158,7 +159,7 @@ TEST_CASE("Add a lesson puts a pack on the shelf without opening it; of a lesson
   CHECK(contains(d->text("welcome/own/packed"), "A pack"));
 
   writeFile(h.teacher / "file.md", lessonText("A file"));
-  d->app().extensions().shelf.add(h.teacher / "file.md");
+  d->app().extensions().lesson_list.add(h.teacher / "file.md");
   fs::remove_all(h.teacher);
   d->frames(60);
   CHECK(contains(d->text("welcome/own/file"), "A file"));
@@ -182,7 +183,7 @@ TEST_CASE("a damaged pack and a lesson with a fault are reported and change noth
     CAPTURE(file);
     d->app().messages = {};
     if (file.extension() == ".md")
-      d->app().extensions().shelf.add(file);
+      d->app().extensions().lesson_list.add(file);
     else
       d->app().open(file);
     d->frames(5);
@@ -194,7 +195,7 @@ TEST_CASE("a damaged pack and a lesson with a fault are reported and change noth
   }
 }
 
-TEST_CASE("a lesson that asks for a name keeps it with the attempt, offers it next time and goes on under it") {
+TEST_CASE("a lesson that asks for a name keeps it with the attempt, offers it next time and continues under it") {
   const Handed h;
   const fs::path pack = h.pack(lessonText("Haem pockets", "ask: name\n"));
   {

@@ -70,7 +70,7 @@ const std::vector<Named>& allCommands() {
   return all;
 }
 
-// What stands for something of the reader's.
+// Replaces placeholders for the reader's own values.
 std::string filledIn(std::string command) {
   for (const auto& [name, by] : {std::pair{"RESULTS…", "results"},
                                  {"FILE.jsonl", "a.jsonl"},
@@ -134,7 +134,7 @@ struct PagePlace : CommandPlace {
 std::vector<std::string> optionsIn(const std::string& arguments) {
   static const std::regex kOption(R"((^| )(--[a-z][a-z-]*))");
   std::vector<std::string> out;
-  // What stands in quotes is a value.
+  // Text in quotes is a value.
   const std::string plain = std::regex_replace(arguments, std::regex(R"("[^"]*"|'[^']*')"), "x");
   for (std::sregex_iterator it(plain.begin(), plain.end(), kOption), end; it != end; ++it) out.push_back((*it)[2]);
   return out;

@@ -91,7 +91,8 @@ TEST_CASE("a student sees no terms of the servo loop, its points and its ticks; 
 }
 
 TEST_CASE(
-    "the lessons' menu begins with the newcomer's lesson and goes on in the order that the lessons state, each number "
+    "the lessons' menu begins with the newcomer's lesson and continues in the order that the lessons state, each "
+    "number "
     "once") {
   const std::vector<LibraryItem>& all = lessons();
   REQUIRE(all.size() > 10);

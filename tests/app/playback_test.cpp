@@ -21,7 +21,7 @@ ScriptedUser::Options small(const fs::path& folder = {}) {
   return options;
 }
 
-// Touches the first lesson's atom, goes on a step; gives the file.
+// Touches the first lesson's atom, continues a step; gives the file.
 fs::path recorded(const fs::path& folder) {
   const auto driver = startWith(kLesson, small(folder));
   driver->point("view", 0.5, 0.5);
@@ -169,7 +169,7 @@ TEST_CASE(
   CHECK(app.scene.look.hidden == hidden_before);
 }
 
-TEST_CASE("a lesson that was open goes on after the playback as if nothing had been touched meanwhile") {
+TEST_CASE("a lesson that was open continues after the playback as if nothing had been touched meanwhile") {
   const ScratchFolder scratch;
   const fs::path file = recorded(scratch.path);
   const auto driver = startWith(kLesson, small(scratch.path / "own"));
@@ -217,7 +217,7 @@ TEST_CASE("an attempt keeps where the slider between two structures was, and its
     const auto driver = startWith((scratch.path / "mine.md").string(), small(scratch.path));
     Application& app = driver->app();
     driver->frames(10);
-    REQUIRE(app.extensions().moving_states.there());
+    REQUIRE(app.extensions().moving_states.ready());
     first_z = last_z(*driver);
     app.lesson.session()->openHints(1);  // of an attempt at nothing no file is kept
     driver->frames(5);
@@ -252,7 +252,7 @@ TEST_CASE("an attempt keeps where the slider between two structures was, and its
   driver->app().finishLoading();
   driver->frames(5);
   CHECK(last_z(*driver) == doctest::Approx(first_z + 2.0).epsilon(0.01));
-  // The playback owns the atoms: what the slider asks for does not move them.
+  // The playback owns the atoms, so the slider does not move them.
   driver->app().extensions().moving_states.goTo(1.0);
   driver->frames(60);
   CHECK(last_z(*driver) == doctest::Approx(first_z + 2.0).epsilon(0.01));
@@ -315,13 +315,13 @@ TEST_CASE(
   app.finishLoading();
   Playback& playback = app.extensions().playback;
   REQUIRE(playback.on());
-  const auto told = [&](const std::string& part) {
+  const auto reported = [&](const std::string& part) {
     return std::any_of(app.messages.all().begin(), app.messages.all().end(),
                        [&](const Message& m) { return contains(m.text, part); });
   };
-  CHECK(
-      told("2 lines of far.jsonl could not be read and are left out. The first: line 6, 'force' is a number that no "
-           "Moltact writes."));
+  CHECK(reported(
+      "2 lines of far.jsonl could not be read and are left out. The first: line 6, 'force' is a number that no "
+      "Moltact writes."));
   playback.skips_rests = false;
   for (const double t_s : {0.0, 0.15, 0.25, 0.31, 0.4, 0.45, 0.55, 0.65, 1e7, 3e7}) {
     playback.seek(t_s);

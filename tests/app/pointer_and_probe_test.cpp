@@ -38,7 +38,7 @@ double greatest_N(ScriptedUser& d) {
   return most;
 }
 
-// Moves the pointer evenly, in so many frames, and does something after each.
+// Moves the pointer at constant speed in this number of frames and calls a function after each.
 template <typename Each>
 void moveBy(ScriptedUser& d, glm::dvec2 way_px, int frames, const Each& each) {
   const glm::dvec2 from = pointer_px(d), size = d.app().layout().view.size();
@@ -166,11 +166,11 @@ TEST_CASE(
   d->frames(30);
   REQUIRE(d->shows("view/nothing here"));
   CHECK(contains(d->text("view/nothing here"), "nothing under the pointer"));
-  const WidgetRecord& told = *widgets().find("view/nothing here");
+  const WidgetRecord& reported = *widgets().find("view/nothing here");
   const Rectangle& view = d->app().layout().view;
-  CHECK(told.low.x >= view.low.x);
-  CHECK(told.high.y <= view.high.y);
-  CHECK(double(told.low.y) - double(view.low.y) - pointer_px(*d).y < 60.0);
+  CHECK(reported.low.x >= view.low.x);
+  CHECK(reported.high.y <= view.high.y);
+  CHECK(double(reported.low.y) - double(view.low.y) - pointer_px(*d).y < 60.0);
   // The same press, brought over the molecule, feels it and says nothing of the kind.
   moveBy(*d, {0.42 * double(view.size().x), 0.3 * double(view.size().y)}, 40, [] {});
   d->frames(60);
@@ -207,9 +207,9 @@ TEST_CASE("a press that slides does not show how to push harder: the words would
   auto d = startWith("1ubq");
   d->point("view", 0.4, 0.5);
   d->press();
-  bool told = false;
-  moveBy(*d, {120.0, 0.0}, 120, [&] { told = told || d->shows("view/push hint"); });
-  CHECK_FALSE(told);
+  bool reported = false;
+  moveBy(*d, {120.0, 0.0}, 120, [&] { reported = reported || d->shows("view/push hint"); });
+  CHECK_FALSE(reported);
   d->frames(90);
   CHECK(d->shows("view/push hint"));
 }
@@ -295,7 +295,7 @@ TEST_CASE("where the computer is late the shown force falls, and the screen says
   options.application.clock = ServoClock::RealThread;
   auto d = startWith("argon-pair", options);
   d->app().scene.servo().setInteraction(std::make_unique<StallingPull>());
-  const auto told = [&](int frames) {
+  const auto reported = [&](int frames) {
     bool out = false;
     for (int k = 0; k < frames && !out; ++k) {
       std::this_thread::sleep_for(std::chrono::milliseconds(5));
@@ -305,10 +305,10 @@ TEST_CASE("where the computer is late the shown force falls, and the screen says
     return out;
   };
   // A hand that does not push misses nothing.
-  CHECK_FALSE(told(200));
+  CHECK_FALSE(reported(200));
   d->point("view");
   d->press();
-  CHECK(told(4000));
+  CHECK(reported(4000));
   d->release();
   d->frames(2);
   CHECK_FALSE(d->shows("limits"));

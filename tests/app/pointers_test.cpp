@@ -17,7 +17,7 @@ namespace {
 struct Screen {
   explicit Screen(const std::string& what = "1ubq") : user(startWith(what)), pointers(user->app(), queue) {}
 
-  /// Until all has been heard, and for so many frames more.
+  /// Runs until all input has been processed, and for this number of further frames.
   void frames(int n = 3) {
     while (!queue.empty()) {
       queue.feed(ImGui::GetIO());
@@ -27,7 +27,7 @@ struct Screen {
   }
   glm::dvec2 middle(const std::string& widget) const { return widgets().all().at(widget).centre(); }
   glm::dvec2 view() const { return 0.5f * (user->app().layout().view.low + user->app().layout().view.high); }
-  Fingers::On on(glm::dvec2 at) const { return fingerOn(user->app(), at); }
+  Fingers::Target on(glm::dvec2 at) const { return fingerOn(user->app(), at); }
 
   std::unique_ptr<ScriptedUser> user;
   InputQueue queue;
@@ -42,16 +42,16 @@ double turnedBy_deg(const Quat& a, const Quat& b) {
 
 TEST_CASE("a finger touches one of five parts: the view, a panel, the edge between them, the pads + and -") {
   Screen screen(std::string(MOLTACT_SOURCE_DIR) + "/lessons/first-touch.md");
-  CHECK(screen.on(screen.view()) == Fingers::On::View);
-  CHECK(screen.on(screen.middle("lesson/next")) == Fingers::On::Panel);
-  CHECK(screen.on(screen.middle(kLessonEdge)) == Fingers::On::Edge);
+  CHECK(screen.on(screen.view()) == Fingers::Target::View);
+  CHECK(screen.on(screen.middle("lesson/next")) == Fingers::Target::Panel);
+  CHECK(screen.on(screen.middle(kLessonEdge)) == Fingers::Target::Edge);
   screen.pointers.fingerDown(1, screen.middle("lesson/next") - glm::dvec2(0, 60), 0.0);
   screen.frames();
-  CHECK(screen.on(screen.middle(kHarderPad)) == Fingers::On::Harder);
-  CHECK(screen.on(screen.middle(kLighterPad)) == Fingers::On::Lighter);
-  // A page over everything is a panel, wherever its finger lies.
+  CHECK(screen.on(screen.middle(kHarderPad)) == Fingers::Target::Harder);
+  CHECK(screen.on(screen.middle(kLighterPad)) == Fingers::Target::Lighter);
+  // A page over the window counts as a panel everywhere.
   screen.user->app().panels.pages.welcome = true;
-  CHECK(screen.on(screen.view()) == Fingers::On::Panel);
+  CHECK(screen.on(screen.view()) == Fingers::Target::Panel);
 }
 
 TEST_CASE(

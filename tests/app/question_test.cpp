@@ -71,7 +71,7 @@ std::vector<std::size_t> shownOrder(std::size_t choices) {
 }
 
 TEST_CASE(
-    "the order of choices is the attempt's and stays when it goes on; a number key takes the choice at its place") {
+    "the order of choices is the attempt's and stays when it continues; a number key takes the choice at its place") {
   Opened o;
   AttemptRecorder& recorder = o.driver->app().extensions().recorder;
   const auto order = shownOrder(4);
@@ -110,7 +110,8 @@ TEST_CASE(
   CHECK(o.session().question(0).chosen == std::vector<std::size_t>{1});
 }
 
-TEST_CASE("what is no number is asked again and not counted; Escape ends the writing and takes nothing back") {
+TEST_CASE(
+    "an answer that is not a number is asked again and not counted; Escape ends the writing and takes nothing back") {
   Opened o;
   o.driver->click("question/1/field");
   o.driver->type("about four");

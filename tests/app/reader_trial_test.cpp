@@ -61,7 +61,7 @@ class Reader {
     d_.app().settings.sound_volume = 1.0;
   }
 
-  // What stands on the screen in this frame, while the probe touches.
+  // Reads the words on the screen in this frame while the probe touches.
   void look(Words& words) const {
     if (!d_.app().scene.log().touching()) return;
     for (const auto& [name, record] : widgets().all()) {
@@ -97,7 +97,7 @@ class Reader {
   bool whole_;
 };
 
-// What tells one thing from another: words that are there for some things, in the same place of the row, and not for others.
+// What distinguishes two things: words that occur for one but not for the other at the same position of the row.
 std::string telling(const std::vector<std::pair<std::string, Words>>& presented) {
   std::map<std::string, std::vector<const Words*>> slots;
   for (const auto& [slot, words] : presented) slots[slot].push_back(&words);
@@ -127,7 +127,7 @@ void dwell(HandPlan& plan, double most_s) {
   for (HandAct& act : plan) act.wait_s = std::min(act.wait_s, most_s);
 }
 
-// Each thing of a row is felt for its time; the row is gone on with by `next` and answered rightly where it has to be.
+// Feels each thing of a row for the required time, continues with `next`, and answers correctly where required.
 Read readRow(ScriptedUser& d, int rounds) {
   LessonHand hand(d, LessonHand::By::Mouse);
   const Reader reader(d, true);

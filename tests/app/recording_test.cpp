@@ -11,7 +11,7 @@
 namespace moltact {
 namespace {
 
-bool told(ScriptedUser& d, const std::string& part) {
+bool reported(ScriptedUser& d, const std::string& part) {
   for (const Message& m : d.app().messages.all())
     if (contains(m.text, part)) return true;
   return false;
@@ -29,7 +29,7 @@ std::filesystem::path recorded(const Scratch& scratch) {
   CHECK(contains(d->text("device/recording"), "s recorded in hand.recording"));
   d->frames(180);
   CHECK(d->click("device/record"));
-  CHECK(told(*d, "of the hand are in"));
+  CHECK(reported(*d, "of the hand are in"));
   return file;
 }
 
@@ -99,7 +99,7 @@ TEST_CASE(
   HandRecorder& player = d->app().extensions().hand_recorder;
   REQUIRE(player.playing());
   CHECK(d->app().scene.molecule().file.stem() == "1ubq");
-  CHECK_FALSE(told(*d, "is not what the hand was recorded on"));
+  CHECK_FALSE(reported(*d, "is not what the hand was recorded on"));
   CHECK(d->text("status/device") == "Recorded hand");
   CHECK_FALSE(d->app().scene.servo().device().gives_force);
   CHECK(player.length_s() == doctest::Approx(double(trace.ticks.size()) * kTick_s));
@@ -122,7 +122,7 @@ TEST_CASE(
   CHECK(contains(d->text("device/recording"), "hand.recording. No force is given meanwhile."));
   d->frames(120);
   CHECK_FALSE(player.playing());
-  CHECK(told(*d, "hand.recording has been played to its end"));
+  CHECK(reported(*d, "hand.recording has been played to its end"));
   CHECK(d->text("status/device") == "Simulated stylus");
   CHECK(d->app().scene.servo_settings.stiffness_N_per_mm == stiffness);
   CHECK(d->app().scene.servo_settings.clutch.at_edge);
@@ -164,7 +164,7 @@ TEST_CASE(
   d->frames(3);
   HandRecorder& player = d->app().extensions().hand_recorder;
   REQUIRE(player.playing());
-  CHECK_FALSE(told(*d, "is not the one of this recording"));
+  CHECK_FALSE(reported(*d, "is not the one of this recording"));
   REQUIRE(d->app().scene.stage().body);
   CHECK(d->app().scene.stage().body->atoms == held);
   REQUIRE(d->app().scene.look.hidden);
@@ -248,7 +248,7 @@ TEST_CASE("a recording whose molecule has changed since says so, and is played a
   auto d = startWith("1ubq");
   d->app().open(other);
   d->frames(3);
-  CHECK(told(*d, "is not the one of this recording"));
+  CHECK(reported(*d, "is not the one of this recording"));
   CHECK(d->app().extensions().hand_recorder.playing());
 }
 
@@ -269,7 +269,7 @@ TEST_CASE(
   CHECK(d->app().scene.servo_settings.clutch.at_edge);
   d->app().open(scratch.file("text.recording", "no recording"));
   d->frames(3);
-  CHECK(told(*d, "no recording of a device"));
+  CHECK(reported(*d, "no recording of a device"));
   CHECK_FALSE(recorder.playing());
   CHECK(d->text("status/device") == "Simulated stylus");
 
@@ -298,7 +298,7 @@ TEST_CASE(
     REQUIRE_FALSE(d->text("device/recording").empty());  // the page draws it, in view or below
   };
   playOnPage();
-  // What a click does within its frame: the page goes on to draw the hand that plays.
+  // Simulates a click within a frame: the page continues and draws the hand that plays.
   const Device* const plays = d->app().scene.servo().loop().device();
   d->app().extensions().device.choose("simulated");
   CHECK(d->app().scene.servo().loop().device() == plays);

@@ -1,5 +1,5 @@
 // Keys that act only on what has been seen, the closing page of a lesson, and a molecule that is shown after it was
-// felt unseen.
+// felt policy.
 #include <algorithm>
 #include <fstream>
 #include <sstream>
@@ -40,7 +40,7 @@ double differenceIn(const Rectangle& view, const Picture& a, const Picture& b) {
   return double(differ) / double(all);
 }
 
-// Presses in the middle of the view by the keys for so long, and says which of the four groups was there.
+// Presses in the middle of the view by keys for this time and returns which of the four groups was there.
 std::string feelInTheMiddle(ScriptedUser& d, double time_s) {
   d.hold("Space");
   std::string group;
@@ -215,14 +215,14 @@ TEST_CASE(
     "a molecule that is not drawn fades in within 1 s, with the way of the hand on it, once the task and the question "
     "about it are done, and not before") {
   auto d = firstTouchAt("a-molecule-that-you-cannot-see", true);
-  const Unseen& unseen = d->app().extensions().unseen;
+  const RevealPolicy& policy = d->app().extensions().reveal_policy;
   const Rectangle view = d->app().layout().view;
   REQUIRE(d->app().scene.drawsNothing());
-  CHECK(unseen.all());
+  CHECK(policy.all());
   d->point("view", 0.1, 0.1);
   d->frames(60);
   const Picture before = d->picture();
-  // The hand goes over it and answers.
+  // The hand moves over it and answers.
   d->point("view", 0.48, 0.5);
   d->press();
   d->frames(60);
@@ -251,30 +251,30 @@ TEST_CASE(
   REQUIRE(session(*d).question(0).answered_right);
   d->frames(2);
   CHECK_FALSE(d->app().scene.drawsNothing());
-  CHECK_FALSE(unseen.all());
-  CHECK(unseen.veil() > 0.9);
+  CHECK_FALSE(policy.all());
+  CHECK(policy.veil() > 0.9);
   REQUIRE(d->app().extensions().touch_paint.trail());
   CHECK(d->app().extensions().touch_paint.trail()->trail.size() >= 1);
   d->frames(30);
-  CHECK(unseen.veil() > 0.4);
-  CHECK(unseen.veil() < 0.6);
+  CHECK(policy.veil() > 0.4);
+  CHECK(policy.veil() < 0.6);
   d->frames(40);
-  CHECK(unseen.veil() == 0.0);
+  CHECK(policy.veil() == 0.0);
   CHECK(differenceIn(view, before, d->picture()) > 0.2);
 }
 
-TEST_CASE("with reduced motion the molecule is shown at once; begun anew, its task is done unseen again") {
+TEST_CASE("with reduced motion the molecule is shown at once; begun again, its task is done unseen again") {
   auto d = firstTouchAt("a-molecule-that-you-cannot-see");
   SessionMemory memory{.step = session(*d).step().id, .steps = {{.step = session(*d).step().id, .tasks_done = {0}}}};
   session(*d).restore(memory);
   session(*d).choose(0, {3});
   d->frames(3);
-  CHECK(d->app().extensions().unseen.veil() == 0.0);
+  CHECK(d->app().extensions().reveal_policy.veil() == 0.0);
   CHECK_FALSE(d->app().scene.drawsNothing());
   session(*d).restartTask(0);
   d->frames(3);
   CHECK(d->app().scene.drawsNothing());
-  CHECK(d->app().extensions().unseen.all());
+  CHECK(d->app().extensions().reveal_policy.all());
 }
 
 TEST_CASE(
@@ -282,26 +282,26 @@ TEST_CASE(
     "s, "
     "and the way stands on the molecule") {
   auto d = firstTouchAt("eyes-closed", true);
-  const Unseen& unseen = d->app().extensions().unseen;
-  CHECK(unseen.all());
+  const RevealPolicy& policy = d->app().extensions().reveal_policy;
+  CHECK(policy.all());
   feelInTheMiddle(*d, 2.5);
   // The first is done, the second is dark as well.
   SessionMemory memory{.step = "eyes-closed", .steps = {{.step = "eyes-closed", .tasks_done = {0}}}};
   session(*d).restore(memory);
   d->frames(20);
-  CHECK(unseen.all());
-  CHECK(unseen.veil() == 0.0);
+  CHECK(policy.all());
+  CHECK(policy.veil() == 0.0);
   CHECK(d->shows("view/dark"));
   feelInTheMiddle(*d, 1.5);
   memory.steps[0].tasks_done = {0, 1};
   session(*d).restore(memory);
   d->frames(2);
   CHECK_FALSE(d->shows("view/dark"));
-  CHECK(unseen.veilIsDark());
-  CHECK(unseen.veil() > 0.9);
+  CHECK(policy.veilIsDark());
+  CHECK(policy.veil() > 0.9);
   const Picture first = d->picture();
   d->frames(70);
-  CHECK(unseen.veil() == 0.0);
+  CHECK(policy.veil() == 0.0);
   REQUIRE(d->app().extensions().touch_paint.trail());
   CHECK(difference(first, d->picture()) > 0.02);
 }

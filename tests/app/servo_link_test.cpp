@@ -25,7 +25,7 @@ struct Log {
   std::vector<std::string> calls;
   bool plugged = true;
   int reads = 0;
-  ClockListener* clock = nullptr;  // whoever is to be ticked by it
+  ClockListener* clock = nullptr;  // called at each tick
 };
 
 class Logged final : public Device {
@@ -61,7 +61,7 @@ class Logged final : public Device {
   Log& log_;
 };
 
-// The virtual clock of the thread: it stands still but for the owner, who has the device tick by it.
+// The virtual clock of the thread: it advances only with the owner, which makes the device tick.
 std::atomic<std::int64_t> now_ns{0};
 std::thread::id owner;
 Log* ticked = nullptr;
@@ -105,9 +105,9 @@ void play(const Loop& loop, Log& log) {
   ticks(30);
   settings.panic = false;
   ticks(700);
-  ticks(1400, false);  // the window stands: the watchdog
+  ticks(1400, false);  // the window hangs: the watchdog
   ticks(700);
-  log.plugged = false;  // the mouse stands in
+  log.plugged = false;  // the mouse is the fallback
   ticks(60);
   log.plugged = true;
   ticks(700);

@@ -116,25 +116,25 @@ TEST_CASE("without a sound card sound that is switched on is reported once, and 
   ScriptedUser::Options options;
   options.application.clock = ServoClock::RealThread;
   auto d = startWith("argon-pair", options);
-  const auto told = [&] {
+  const auto reported = [&] {
     int n = 0;
     for (const Message& m : d->app().messages.all()) n += contains(m.text, "There is no sound");
     return n;
   };
   const auto wait = [&] {
-    for (int k = 0; k < 12000 && told() == 0; ++k) {
+    for (int k = 0; k < 12000 && reported() == 0; ++k) {
       std::this_thread::sleep_for(std::chrono::milliseconds(5));
       d->frames(1);
     }
   };
-  CHECK(told() == 0);
+  CHECK(reported() == 0);
   for (int round = 0; round < 2; ++round) {
     d->app().settings.sound = true;
     wait();
-    CHECK(told() == 1);
+    CHECK(reported() == 1);
     d->app().messages.dismiss(0);
     d->frames(10);
-    CHECK(told() == 0);
+    CHECK(reported() == 0);
     d->app().settings.sound = false;
     d->frames(2);
   }

@@ -1,4 +1,4 @@
-// The lesson's notes for the teacher: who sees them, and when they are hidden.
+// The lesson's notes for the teacher: to whom they are visible, and when they are hidden.
 #include <algorithm>
 
 #include "app/ui/extensions/extensions.h"

@@ -74,8 +74,8 @@ TEST_CASE(
   const auto d = startWith("");
   d->app().panels.pages.welcome = true;
   d->frames(5);
-  for (int k = 0; k < 600 && (k < 60 || d->app().extensions().shelf.live()); ++k) d->frames(1);
-  const std::vector<LessonCard>& cards = d->app().extensions().shelf.cards();
+  for (int k = 0; k < 600 && (k < 60 || d->app().extensions().lesson_list.live()); ++k) d->frames(1);
+  const std::vector<LessonCard>& cards = d->app().extensions().lesson_list.cards();
   REQUIRE(cards.size() >= 16);
   for (int k = 0; k < 16; ++k) {
     CAPTURE(cards[std::size_t(k)].title);
@@ -83,8 +83,8 @@ TEST_CASE(
     CHECK_FALSE(cards[std::size_t(k)].description.empty());
   }
   CHECK(cards[0].id == "first-touch");
-  REQUIRE(d->app().extensions().shelf.after(cards[0].file));
-  CHECK(d->app().extensions().shelf.after(cards[0].file)->id == "bond-or-contact");
+  REQUIRE(d->app().extensions().lesson_list.after(cards[0].file));
+  CHECK(d->app().extensions().lesson_list.after(cards[0].file)->id == "bond-or-contact");
   CHECK(contains(d->text("welcome/lesson/first-touch"), cards[0].description));
 }
 

@@ -99,7 +99,7 @@ TEST_CASE("while the welcome page is open the hand feels nothing") {
   CHECK(d->app().scene.servo_settings.force_on);
 }
 
-TEST_CASE("pictures of cards are drawn once and found in the cache at the next start; a broken one is drawn anew") {
+TEST_CASE("pictures of cards are drawn once and found in the cache at the next start; a broken one is drawn again") {
   Scratch scratch;
   ScriptedUser::Options options;
   options.application.cache_folder = scratch.folder / "cache";
@@ -132,10 +132,10 @@ TEST_CASE("in every language the title and the line of each shipped lesson are w
     REQUIRE(moltact::language() == language.code);
     CAPTURE(language.code);
     std::size_t cards = 0;
-    for (const LessonCard& card : d->app().extensions().shelf.cards()) {
+    for (const LessonCard& card : d->app().extensions().lesson_list.cards()) {
       if (card.own) continue;
       ++cards;
-      // What is cut is the rest of a text, from where its second line begins.
+      // Only the end of a text is cut, from its second line.
       for (const std::string& cut : widgets().cut())
         CHECK_MESSAGE((!card.title.ends_with(cut) && !card.description.ends_with(cut)), card.title << ": " << cut);
     }
@@ -160,7 +160,7 @@ TEST_CASE("lessons of one's own have cards, and one that cannot be read says why
   CHECK(contains(d->text("lesson/title"), "My own"));
 }
 
-TEST_CASE("a lesson that was left at its third step is offered first and goes on there") {
+TEST_CASE("a lesson that was left at its third step is offered first and continues there") {
   Scratch scratch;
   LessonReading reading = readLesson(std::string(MOLTACT_SOURCE_DIR) + "/lessons/first-touch.md");
   REQUIRE(reading.lesson);

@@ -1,5 +1,5 @@
 #!/bin/sh
-# The real window under a virtual X server: starts, takes keys and the mouse, shows something, goes by what the keys write
+# The real window under a virtual X server: starts, accepts keys and the mouse, shows a picture, and interprets keys by their characters
 # on a French keyboard, and ends with status 0.
 # Arguments: the program, a molecule.
 set -eu
@@ -33,7 +33,7 @@ for attempt in $(seq 30); do
   sleep 1
 done
 [ "$colours" -gt 50 ] || { echo "the window shows only $colours colours"; kill "$pid"; exit 1; }
-# On AZERTY the A stands where a keyboard of the United States has the Q, and the other way round.
+# On AZERTY, A and Q are exchanged relative to a US keyboard.
 setxkbmap fr
 sleep 1
 xdotool key --window "$window" ctrl+a

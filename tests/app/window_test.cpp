@@ -67,9 +67,9 @@ TEST_CASE("an exception while a file is read becomes a problem that names the fi
   CHECK(contains(none->stage.problem().text(), "memory"));
   Loader failing([](const MoleculeKey&) -> Loaded { throw std::runtime_error("disk on fire"); });
   failing.begin({"a.pdb"});
-  const std::optional<Loaded> told = failing.wait();
-  REQUIRE(told);
-  CHECK(contains(told->stage.problem().text(), "disk on fire"));
+  const std::optional<Loaded> reported = failing.wait();
+  REQUIRE(reported);
+  CHECK(contains(reported->stage.problem().text(), "disk on fire"));
 }
 
 TEST_CASE("a broken lesson is reported with its line and leaves the one that is open") {
@@ -251,7 +251,7 @@ TEST_CASE("two windows that change different settings keep both, and what a newe
   CHECK(now.theme == ThemeChoice::Dark);
   std::ifstream in(file);
   CHECK(contains({std::istreambuf_iterator<char>(in), {}}, "of a newer one"));
-  // What cannot be written is told.
+  // A failure to write is reported.
   CHECK(contains(saveSettings(two, scratch.folder / "settings.json" / "x" / "settings.json"), "could not be saved"));
 }
 
@@ -268,10 +268,10 @@ TEST_CASE("settings come back as they were kept, and a broken file gives the def
   CHECK(again.fault.empty());
   CHECK(loadSettings(scratch.folder / "none.json").fault.empty());
   for (const char* broken : {"", "{", "[1,2]", "{\"scale\": 1e999}", "\xff\xfe"}) {
-    const LoadedSettings told = loadSettings(scratch.file("broken.json", broken));
-    CHECK(told.settings == Settings());
+    const LoadedSettings reported = loadSettings(scratch.file("broken.json", broken));
+    CHECK(reported.settings == Settings());
     CAPTURE(broken);
-    CHECK_FALSE(told.fault.empty());
+    CHECK_FALSE(reported.fault.empty());
   }
   const LoadedSettings odd =
       loadSettings(scratch.file("odd.json", R"({"scale": 900, "theme": 7, "recent": [1, "/x"]})"));

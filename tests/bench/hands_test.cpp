@@ -123,7 +123,7 @@ TEST_CASE("labels name columns, units and times: 0.1 m a column further is 100 m
 }
 
 TEST_CASE(
-    "a broken row is reported with its line: too few numbers, a word, a time that does not go on, "
+    "a broken row is reported with its line: too few numbers, a word, a time that does not continue, "
     "six numbers of unknown meaning, an unknown unit, no row") {
   CHECK(refused("1 2 3\n4 5\n").line == 2);
   CHECK(refused("1 2 3\n4 five 6\n").message.find("\"five\"") != std::string::npos);

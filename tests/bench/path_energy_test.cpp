@@ -114,7 +114,7 @@ TEST_CASE(
 TEST_CASE("an SCP that slips off an edge loses its stored energy and generates none") {
   const scenes::Scene scene = scenes::oneSphere();
   const double surface = scene.spheres[0].radius_A + scene.probe_A;
-  scenes::Path path;  // through the sphere beside its centre: the SCP goes round and lets go behind
+  scenes::Path path;  // through the sphere beside its centre: the SCP moves around it and loses contact behind
   for (double z = surface + 0.5; z > -surface - 0.5; z -= 0.01) path.push_back({0.3, 0, z});
   CHECK(made("exact", scene, path) < 1e-6);
 }

@@ -57,7 +57,7 @@ Shape shapeOf(const SurfaceMesh& mesh, const std::vector<Sphere>& spheres, doubl
 
 }  // namespace
 
-TEST_CASE("the mesh of one ball of 3 A has the sphere's volume and area to 1 in 100, less by 4 at half the spacing") {
+TEST_CASE("the mesh of one sphere of 3 A has the sphere's volume and area to 1 in 100, less by 4 at half the spacing") {
   const std::vector<Sphere> spheres{{{0, 0, 0}, 1.6}};
   const auto scene = makeScene(spheres);
   const double volume = 4.0 / 3 * std::numbers::pi * 27, area = 4 * std::numbers::pi * 9;
@@ -77,7 +77,7 @@ TEST_CASE("the mesh of one ball of 3 A has the sphere's volume and area to 1 in 
   }
 }
 
-TEST_CASE("the mesh of two balls has the volume of their union, the lens between them taken off once") {
+TEST_CASE("the mesh of two spheres has the volume of their union, the lens between them taken off once") {
   const double r = 3.0, d = 2.0;
   const std::vector<Sphere> spheres{{{0, 0, 0}, 1.6}, {{d, 0, 0}, 1.6}};
   const auto scene = makeScene(spheres);
@@ -88,7 +88,7 @@ TEST_CASE("the mesh of two balls has the volume of their union, the lens between
 }
 
 TEST_CASE(
-    "over every scene and 3000 protein-like balls each edge has two triangles, the other way round, and none is "
+    "over every scene and 3000 protein-like spheres each edge has two triangles, the other way round, and none is "
     "inner") {
   std::vector<scenes::Scene> all = scenes::all();
   all.push_back({"3000 protein-like", bench::proteinLike(3000, 1)});
@@ -108,7 +108,7 @@ TEST_CASE(
     }
 }
 
-TEST_CASE("a ray meets the triangle by the tree as by trying all, over 50 random balls") {
+TEST_CASE("a ray meets the triangle by the tree as by trying all, over 50 random spheres") {
   const scenes::Scene scene = scenes::cluster(50, 3);
   const auto spheres = makeScene(scene.spheres);
   const SurfaceMesh mesh(*spheres, scene.probe_A, 0.5, Vec3(0));
@@ -137,7 +137,7 @@ TEST_CASE("a ray meets the triangle by the tree as by trying all, over 50 random
 }
 
 TEST_CASE(
-    "on one ball of 3 A the SCP on a mesh of 0.25 A lies at most 0.006 A under the sphere, and the force is off by "
+    "on one sphere of 3 A the SCP on a mesh of 0.25 A lies at most 0.006 A under the sphere, and the force is off by "
     "less than 8 degrees") {
   SasMeshTracker tracker(makeScene({{{0, 0, 0}, 1.6}}), 1.4, 0.25);
   tracker.step({{0, 0, 5}});
@@ -177,7 +177,7 @@ TEST_CASE(
 }
 
 TEST_CASE(
-    "known failure: a HIP that turns 1 A deep under one ball by 0.03 degrees a tick: at a facet's edge the SCP leaps "
+    "known failure: a HIP that turns 1 A deep under one sphere by 0.03 degrees a tick: at a facet's edge the SCP leaps "
     "by 0.05 A and more, the force by 3 degrees") {
   SasMeshTracker mesh(makeScene({{{0, 0, 0}, 1.6}}), 1.4, 0.25);
   ExactTracker exact(makeScene({{{0, 0, 0}, 1.6}}), 1.4);
@@ -206,7 +206,8 @@ TEST_CASE(
 }
 
 TEST_CASE(
-    "known failure: a gap of 0.04 A between two balls is closed by a mesh of 0.25 A, and a ball of 0.1 A is missed") {
+    "known failure: a gap of 0.04 A between two spheres is closed by a mesh of 0.25 A, and a sphere of 0.1 A is "
+    "missed") {
   int closed = 0, missed = 0;
   for (int k = 0; k < 10; ++k) {
     CAPTURE(k);

@@ -17,7 +17,7 @@ using namespace moltact::bench;
 
 namespace {
 
-// Differences as a clock tells them that counts in steps of `step_ns` and rounds its readings to whole nanoseconds.
+// Differences read from a clock with steps of `step_ns` whose readings are rounded to whole nanoseconds.
 std::vector<double> readings(double step_ns, unsigned seed) {
   std::mt19937 random(seed);
   std::uniform_int_distribution<long> begins(0, 1'000'000'000), lasts(1, 40);

@@ -238,9 +238,9 @@ void compareSprings(const Task& task) {
     force += glm::length(right.contact.displacement_A), torque += glm::length(right.torque_A2);
     force_off += glm::distance(felt.contact.displacement_A, right.contact.displacement_A);
     torque_off += glm::distance(felt.torque_A2, right.torque_A2);
-    soft_force_off += glm::distance(felt.contact.displacement_A / felt.springs, right.contact.displacement_A);
-    soft_torque_off += glm::distance(felt.torque_A2 / felt.springs, right.torque_A2);
-    count += felt.springs;
+    soft_force_off += glm::distance(felt.contact.displacement_A / felt.stiffness_factor, right.contact.displacement_A);
+    soft_torque_off += glm::distance(felt.torque_A2 / felt.stiffness_factor, right.torque_A2);
+    count += felt.stiffness_factor;
     const PoseA shown = felt.shownBody(hand);
     double deepest = 0.0;
     for (const Sphere& b : task.body->spheres) {

@@ -41,7 +41,7 @@ const std::vector<Vec3>& path(std::size_t count, bool contact) {
   return one;
 }
 
-// The path's next place; behind the last it begins anew, which is not timed.
+// The path's next position; after the last it restarts, which is not timed.
 template <class Begin>
 void next(benchmark::State& state, std::size_t& k, std::size_t places, const Begin& begin) {
   if (++k < places) return;
@@ -118,7 +118,7 @@ void body(benchmark::State& state) {
     const Quat turned = glm::angleAxis(2e-4 * double(k), Vec3(0, 0, 1));
     const Response answer = felt.respond({{hips[k]}, turned});
     touching += answer.contact.touching();
-    springs += answer.springs;
+    springs += answer.stiffness_factor;
     next(state, k, hips.size(), begin);
   }
   state.counters["touching"] = double(touching) / double(state.iterations());

@@ -170,13 +170,13 @@ std::string lineOf(const std::string& text, std::size_t at) {
   return std::to_string(1 + std::count(text.begin(), text.begin() + std::ptrdiff_t(at), '\n'));
 }
 
-// Others' types and headers, of which this knows no members.
+// Types of other libraries, whose members are unknown here.
 const std::set<std::string> kForeignScopes{"std",   "glm",     "ImGui",
                                            "gemmi", "doctest", "moltact"};  // moltact::haptics is a target of CMake
 
 struct Project {
   std::vector<std::string> files;            // "engine/core/units.h"
-  std::map<std::string, std::string> texts;  // where names are told: comments, and whole pages
+  std::map<std::string, std::string> texts;  // where names occur: comments, and whole pages
   Scopes scopes;
   std::set<std::string> words;  // of code and literals
 
@@ -398,7 +398,7 @@ TEST_CASE("every place that a page or a comment names as FILE:LINE is there") {
   for (const auto& [where, text] : project().texts)
     for (std::sregex_iterator it(text.begin(), text.end(), place), end; it != end; ++it) {
       const fs::path file = (*it)[1].str();
-      // Files of the reader's own stand in examples: only those of the tree are looked at.
+      // Examples may name the reader's own files; only files of the tree are examined.
       const auto known = lines.find(file.filename().string());
       if (known == lines.end()) continue;
       const std::size_t longest = *std::max_element(known->second.begin(), known->second.end());
@@ -439,7 +439,7 @@ TEST_CASE("every path of the tree that a page has in backticks is there, and eve
       ++number;
       if (line.starts_with("```")) block = !block;
       if (block || line.starts_with("    ")) continue;
-      // What stands in backticks is an example.
+      // Text in backticks is an example.
       line = std::regex_replace(line, std::regex("`[^`]*`"), "x");
       for (std::sregex_iterator it(line.begin(), line.end(), link), end; it != end; ++it) {
         const std::string to = (*it)[1];

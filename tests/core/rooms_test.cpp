@@ -45,7 +45,7 @@ std::vector<Room> roomsOfPage() {
   return out;
 }
 
-// The room that a file "engine/servo/servo_loop.h" stands in: the longest one that its path begins with.
+// The room of a file such as "engine/servo/servo_loop.h": the longest one that is a prefix of its path.
 std::string roomOf(const std::vector<Room>& rooms, const std::string& file) {
   std::string best;
   for (const Room& r : rooms)

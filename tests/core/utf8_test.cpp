@@ -5,7 +5,7 @@
 
 using namespace moltact;
 
-TEST_CASE("every code point but the surrogates goes into UTF-8 and comes back, 1 112 064 of them") {
+TEST_CASE("every code point but the surrogates is encoded in UTF-8 and decoded again, 1 112 064 of them") {
   int wrong = 0, sound = 0;
   for (char32_t c = 0; c <= 0x10FFFF; ++c) {
     const bool surrogate = c >= 0xD800 && c < 0xE000;
@@ -35,7 +35,7 @@ TEST_CASE("of all pairs and triples of bytes as many are one code point as RFC 3
   CHECK(triples == 0x10000 - 0x800 - 0x800);
 }
 
-TEST_CASE("a text gives its characters, and what is no UTF-8 in it none") {
+TEST_CASE("a text gives its characters, and bytes that are not UTF-8 give none") {
   CHECK(charactersOf("aÅ中\U0001F600") == std::vector<char32_t>{U'a', U'Å', U'中', U'\U0001F600'});
   CHECK(charactersOf("\xff"
                      "b\xe4\xb8") == std::vector<char32_t>{U'b'});

@@ -42,7 +42,7 @@ volatile int& nowhere() {
 
 std::atomic<bool> tick_crashes{false};
 
-// Pulls, until it is told to break off in the middle of a tick.
+// Pulls until it is set to crash in the middle of a tick.
 class CrashingTracker final : public PlainTracker {
  public:
   Contact step(PointA hip) noexcept override {

@@ -20,7 +20,7 @@ namespace {
 // What the stand-in was given: forces, and whether its output was on, in the order of their times.
 struct ForceLog {
   double last_N = -1;    // what drives the motors at the end
-  double forced_ms = 0;  // from then on a force was still there for so long
+  double forced_ms = 0;  // time after the end during which a force was still present
   double peak_N = 0;
   double before_N = 0;    // what there was then
   double steepest_N = 0;  // the greatest change from then on, of forces that came within kLate_ns of each other
@@ -143,7 +143,7 @@ TEST_CASE(
   const StandInProcess omni;
   for (const char* way : {"close", "leave"}) {
     CAPTURE(std::string(way));
-    // A machine that stands for 20 ms in that moment ends the force at once, as it has to: then once more.
+    // If the machine stalls for 20 ms at that moment the force correctly ends at once; the run is then repeated.
     bool gently = false;
     for (int tries = 0; tries < 8 && !gently; ++tries) {
       fs::remove(omni.forces);
@@ -162,7 +162,7 @@ TEST_CASE(
 }
 
 TEST_CASE(
-    "Omni: a process that is stopped by Ctrl-Z gives no force while it stands, and begins softly when it goes on") {
+    "Omni: a process that is stopped by Ctrl-Z gives no force while it stands, and begins softly when it continues") {
   const StandInProcess omni;
   Dying child("omni", "wait");
   REQUIRE(child.line(20'000) == "pressing");

@@ -15,7 +15,7 @@ using namespace moltact::test;
 
 namespace {
 
-// What the far end of a device does: it sends its place, and knows the force in a report that it is sent.
+// The far end of a device: it sends its position and interprets the force in received reports.
 struct FarEnd {
   const char* driver;
   MockedHid listed;

@@ -172,13 +172,13 @@ TEST_CASE(
 }
 
 TEST_CASE(
-    "a body of three balls in the hand, pressed into another ball: with 400 random reports between sound ones, and "
+    "a body of three spheres in the hand, pressed into another sphere: with 400 random reports between sound ones, and "
     "unplugged in contact, force and torque stay finite and limited, and plugged in again it begins softly; seed 26") {
   HidTestbed bed;
   bed.plug(kWoodenHaptics);
   const auto device = opened("woodenhaptics");
   holdUpright(bed, *device);
-  // The hand begins 220 mm behind the middle and 40 mm below it, and goes to and fro through the last sphere.
+  // The hand begins 220 mm behind the middle and 40 mm below it, and moves back and forth through the last sphere.
   std::vector<Sphere> spheres{{{0, 0, 0}, 1.6}, {{2, 0, 0}, 1.6}, {{0, 2, 0}, 1.6}, {{0, -140, -45}, 60.0}};
   const std::uint32_t held[] = {0, 1, 2};
   InteractionInput input;
@@ -192,7 +192,7 @@ TEST_CASE(
   scenes::Random random(26);
   int felt = 0, garbled = 0;
   for (int k = 0; k < 1200; ++k) {
-    // Motor counts of a hand that goes to and fro through the surface.
+    // Motor counts of a hand that moves back and forth through the surface.
     const bool sound = k % 150 < 100;
     Bytes report(std::size_t(random.uniform(1, 65)));
     for (auto& byte : report) byte = std::uint8_t(random.uniform(0, 256));

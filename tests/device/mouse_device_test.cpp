@@ -21,7 +21,7 @@ TEST_CASE("after one time constant of 25 ms the hand has gone 63.2 % of a way of
   CHECK(pose.position.mm.x == doctest::Approx(1.0 - std::exp(-1.0)).epsilon(1e-9));
 }
 
-TEST_CASE("the hand goes no faster than 0.4 mm a tick") {
+TEST_CASE("the hand moves no faster than 0.4 mm a tick") {
   MouseDevice mouse;
   mouse.place({{0, 0, 0}});
   Vec3 before = mouse.read(kTick_s).position.mm;

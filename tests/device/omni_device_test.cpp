@@ -32,7 +32,7 @@ TEST_CASE(
   CHECK(info.max_stiffness_N_per_mm == 0.5);
   CHECK(info.max_damping_N_s_per_m == doctest::Approx(3.0));
   CHECK(info.workspace_mm == Vec3(160, 120, 70));
-  // What the driver cannot tell is the literature's.
+  // Values that the driver does not provide are from the literature.
   CHECK(info.friction_N == 0.26);
   CHECK(info.damping_N_s_per_m == 0.2);
   CHECK(info.resolution_mm == 0.055);

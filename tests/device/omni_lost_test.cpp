@@ -12,7 +12,7 @@ using namespace moltact;
 using namespace moltact::test;
 
 TEST_CASE(
-    "unplugged in contact: no force in that tick, words about the cable; plugged in again it is opened anew and leads "
+    "unplugged in contact: no force in that tick, words about the cable; plugged in again it is opened again and leads "
     "again") {
   const StandIn omni;
   const auto device = opened();
@@ -48,7 +48,7 @@ TEST_CASE(
   const DevicePose stale = device->read(kTick_s);
   CHECK_FALSE(stale.fresh);
   CHECK(stale.age_s == doctest::Approx(0.102));
-  CHECK(device->status().connected);  // a short stop is not told
+  CHECK(device->status().connected);  // a short interruption is not reported
   omni.step(1);
   CHECK_FALSE(loop.devices.fallenBack());
 }
@@ -202,7 +202,7 @@ TEST_CASE(
 }
 
 TEST_CASE(
-    "while a lost device is opened anew, 300 ms here, the window is answered at once and the loop goes on with the "
+    "while a lost device is opened again, 300 ms here, the window is answered at once and the loop continues with the "
     "mouse") {
   const StandIn omni;
   const auto device = opened();

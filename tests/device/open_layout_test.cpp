@@ -233,7 +233,7 @@ TEST_CASE("the quaternion turns the hand where the description says that it is m
     CHECK(open.parseReport(place, pose));
   };
   const double half = std::sqrt(0.5);
-  turned(1, 0, half, 0, half);  // a quarter round y: x goes to -z
+  turned(1, 0, half, 0, half);  // a quarter turn about y: x becomes -z
   CHECK(glm::distance(pose.orientation * Vec3(1, 0, 0), Vec3(0, 0, -1)) < 1e-4);
   CHECK(rotates(pose.orientation));
   turned(2, 0, 0, 0, 0);
@@ -266,7 +266,8 @@ TEST_CASE(
 }
 
 TEST_CASE(
-    "60 ms of lost force reports while places go on: the firmware cuts, and afterwards the force of 0.8 N comes back "
+    "60 ms of lost force reports while places continue: the firmware cuts, and afterwards the force of 0.8 N comes "
+    "back "
     "within half a second, not at once") {
   OpenLayoutProtocol open = opened();
   test::OpenFirmware firmware;

@@ -18,7 +18,7 @@ using namespace moltact::test;
 TEST_CASE(
     "WoodenHaptics: no force until the links were held upright and the person said so; where they were then is the "
     "place at rest, and it is "
-    "asked again when it was opened anew") {
+    "asked again when it was opened again") {
   const auto wire = std::make_shared<Wire>();
   auto opened = PacketDevice::open(over(wire), std::make_unique<WoodenHapticsProtocol>(), woodenHapticsInfo());
   REQUIRE(opened);

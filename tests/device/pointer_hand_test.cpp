@@ -126,7 +126,7 @@ TEST_CASE("a hand that is let go while it touches is lifted where it is, and fol
 }
 
 TEST_CASE(
-    "where a press comes to a surface 10 A nearer it waits before that one and sinks anew; back it goes by no leap") {
+    "where a press comes to a surface 10 A nearer it waits before that one and sinks again; back it goes by no leap") {
   const SphereGrid scene({{Vec3(0.0), kRadius_A}, {Vec3(6.0, 0.0, 10.0), kRadius_A}});
   PointerHand hand;
   PointerInput in = atMiddle();
@@ -273,7 +273,7 @@ TEST_CASE(
   CHECK(hand.aim_px().x == doctest::Approx(100).epsilon(1e-3));
 }
 
-TEST_CASE("beside the molecule the probe stays at the depth where the surface was last met, outside every ball") {
+TEST_CASE("beside the molecule the probe stays at the depth where the surface was last met, outside every sphere") {
   const SphereGrid scene = oneSphere();
   PointerHand hand;
   PointerInput in = atMiddle();
@@ -353,7 +353,7 @@ TEST_CASE(
     student.frames(1);
     CHECK(glm::distance(student.place_A, middle) < 0.02);
   }
-  // The pointer carries it out: the force then leads back, and let go it hovers under the pointer again.
+  // The pointer moves it out; the force then points back. After the release it hovers under the pointer again.
   for (int k = 0; k < 40; ++k) {
     student.in.pointer_px = *student.in.pointer_px + glm::dvec2(6, 0);
     student.frames(1);

@@ -24,7 +24,7 @@ struct Rig {
     std::vector<Sphere> spheres;
     for (int k = 0; k < 27; ++k) spheres.push_back({Vec3(k % 3 - 1, k / 3 % 3 - 1, k / 9 - 1) * 1.7, 1.6});
     settings.workspace.centre_A = {
-        0, 0, kSimulatedTargetDepth_mm * settings.workspace.A_per_mm};  // the spheres lie where the hand goes round
+        0, 0, kSimulatedTargetDepth_mm * settings.workspace.A_per_mm};  // the spheres lie on the circle of the hand
     tracker = methods().front().make(std::make_shared<const SphereGrid>(std::move(spheres)), kWaterProbe_A);
   }
   ServoSample tick() {
@@ -74,14 +74,14 @@ TEST_CASE(
   ServoSample s = rig.tick();
   CHECK(rig.devices.fallenBack());
   CHECK(s.hand.mm == Vec3(50, 0, 0));
-  CHECK(s.placed);
+  CHECK(s.contact_reset);
   for (int k = 0; k < 3; ++k) s = rig.tick();
   CHECK(s.force.N == Vec3(0));
   for (int k = 0; k < 500; ++k) s = rig.tick();
   rig.stylus.plug(true);
   s = rig.tick();
   CHECK_FALSE(rig.devices.fallenBack());
-  CHECK(s.placed);
+  CHECK(s.contact_reset);
   CHECK(s.hand.mm != Vec3(50, 0, 0));
   CHECK(glm::length(s.force.N) < 0.01);
 }

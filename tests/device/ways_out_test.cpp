@@ -39,7 +39,7 @@ class Bench {
   virtual void tick() = 0;
   /// A millisecond in which the loop is silent.
   virtual void wait() { std::this_thread::sleep_for(std::chrono::milliseconds(1)); }
-  /// What was written last, as a size: newton, or what stands for it.
+  /// The magnitude of the last output: newton, or the device's equivalent.
   virtual double last() const = 0;
   /// Of what was written since the last press().
   virtual int forcedSince() const { return 0; }
@@ -253,7 +253,7 @@ TEST_CASE("every driver is in the table of those whose last force is checked") {
 
 TEST_CASE(
     "every driver by every way out: within two ticks the last that was written is no force, and none follows though "
-    "the loop goes on asking") {
+    "the loop continues asking") {
   double worst_ms = 0;
   int ways = 0;
   for (const Row& row : kRows) {
@@ -273,7 +273,7 @@ TEST_CASE(
       if (own_thread) worst_ms = std::max(worst_ms, ms(std::chrono::steady_clock::now() - began));
       CHECK(bench->last() == 0.0);
       CHECK(bench->forcedSince() <= 2);
-      if (way == "an exception") continue;  // it is opened anew, and may be given force again
+      if (way == "an exception") continue;  // it is reopened and may receive force again
       for (int k = 0; k < 20; ++k) bench->tick();
       CHECK(bench->last() == 0.0);
       bench->close();
@@ -300,7 +300,7 @@ TEST_CASE(
     "every driver: while all force is held, as a signal's handler does, none is written, and after it the loop gives "
     "again") {
   for (const Row& row : kRows) {
-    if (!row.gives || row.driver == "simulated") continue;  // that one is no device
+    if (!row.gives || row.driver == "simulated") continue;  // the simulated one is not a real device
     CAPTURE(row.driver);
     const auto bench = row.make();
     bench->press();
@@ -411,7 +411,7 @@ TEST_CASE(
       std::this_thread::sleep_for(std::chrono::milliseconds(1));
     }
     CHECK(on());
-    CHECK(loop.cut);              // it was told as fault
+    CHECK(loop.cut);              // it was reported as a fault
     CHECK(omni.driven() == 0.0);  // and came back without force
     device->stopClock();
   }

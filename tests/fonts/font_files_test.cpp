@@ -11,7 +11,8 @@
 using namespace moltact;
 namespace fs = std::filesystem;
 
-TEST_CASE("a font beside the program's data goes before the system's; one that is not there is the system's") {
+TEST_CASE(
+    "a font beside the program's data takes precedence over the system's; one that is not there is the system's") {
   const fs::path home = fs::temp_directory_path() / ("moltact_fonts_" + std::to_string(getpid()));
   fs::create_directories(home / "fonts");
   std::ofstream(home / "fonts" / "Inter-Italic.otf") << "a font";

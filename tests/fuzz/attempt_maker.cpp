@@ -41,12 +41,12 @@ Json numberInRange(const std::string& key, Choices& choices) {
   const AttemptRange* range = attemptRange(key);
   if (!range) return choices.pick(2);
   const double share[] = {0.0, 1.0, 0.5, 0.999999, 1e-9};
-  const double number = range->least + share[choices.pick(std::size(share))] * (range->most - range->least);
+  const double number = range->min + share[choices.pick(std::size(share))] * (range->max - range->min);
   switch (choices.pick(4)) {
     case 0:
-      return range->least <= 0.0 ? 0.0 : range->least;
+      return range->min <= 0.0 ? 0.0 : range->min;
     case 1:
-      if (!range->whole && range->least < 0.0) return std::numeric_limits<double>::denorm_min();
+      if (!range->whole && range->min < 0.0) return std::numeric_limits<double>::denorm_min();
       [[fallthrough]];
     default:
       return range->whole ? Json(static_cast<long long>(number)) : Json(number);

@@ -29,7 +29,7 @@ class Describes final : public PacketPort {
   const Report& first_;
 };
 
-// The reports in the bytes, and whether something that is no report follows them.
+// The reports in the bytes, and whether bytes follow that are not a report.
 std::pair<std::vector<Report>, bool> parsed(std::string_view bytes) {
   std::vector<Report> out;
   while (!bytes.empty()) {

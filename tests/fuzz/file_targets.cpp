@@ -55,7 +55,7 @@ void settings(std::string_view bytes) {
 void translations(std::string_view bytes) {
   const auto texts = MoFile::parse(std::string(bytes));
   if (!texts) return mustBe(!texts.problem().message.empty(), "a message");
-  // What is in the file, and what is not.
+  // The parts of the file, and the rest.
   std::string_view rest = bytes;
   for (int k = 0; k < 50 && !rest.empty(); ++k) {
     const std::string_view word = rest.substr(0, rest.find('\0'));

@@ -113,7 +113,7 @@ bool playRecording(ScriptedUser& driver, const std::filesystem::path& file, Choi
   return plays;
 }
 
-// `play` tells whether the file could be opened.
+// `play` returns whether the file could be opened.
 struct Kind {
   const char* name;
   const char* ending;

@@ -72,7 +72,7 @@ void selection(std::string_view bytes) {
   if (atoms.empty())
     mustBe(!read->whyEmpty(molecule).message.empty(), "a reason");
   else
-    read->idleNames(molecule);
+    read->unmatchedNames(molecule);
   mustBe(!read->noun().empty(), "a noun");
 }
 

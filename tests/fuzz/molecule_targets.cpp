@@ -77,7 +77,7 @@ std::string packed(std::string_view bytes) {
 
 void pdb(std::string_view bytes) { read(bytes, "x.pdb"); }
 void mmcif(std::string_view bytes) { read(bytes, "x.cif"); }
-// The small-molecule dictionary is told by its first tags.
+// The small-molecule dictionary is recognized by its first tags.
 void smallCif(std::string_view bytes) {
   read(bytes, "x.cif");
   read("data_x\n_cell_length_a 5\n" + std::string(bytes), "x.cif");

@@ -48,7 +48,7 @@ double gap(const Vec3& p, const std::vector<Sphere>& spheres) {
 }  // namespace
 
 TEST_CASE(
-    "a ball of 1.7 A in steps of 0.1 A is one closed surface with its volume to 1 % and its corners within 0.003 A") {
+    "a sphere of 1.7 A in steps of 0.1 A is one closed surface with its volume to 1 % and its corners within 0.003 A") {
   const std::vector<Sphere> spheres{{Vec3(1e6, -3, 0.123), 1.7}};
   const ClosedSurface s = closedSurface(spheres, 0.1);
   CHECK(closedAndOriented(s));
@@ -63,7 +63,8 @@ TEST_CASE(
 }
 
 TEST_CASE(
-    "two balls that overlap are one surface of the volume of both less the lens; apart they are two, touching or not") {
+    "two spheres that overlap are one surface of the volume of both less the lens; apart they are two, touching or "
+    "not") {
   const double r = 1.5, d = 1.8, h = r - d / 2;
   const double lens = 2 * kPi * h * h * (3 * r - h) / 3, sphere = 4 * kPi / 3 * r * r * r;
   const ClosedSurface one = closedSurface(std::vector<Sphere>{{Vec3(0), r}, {Vec3(d, 0, 0), r}}, 0.08);
@@ -77,7 +78,8 @@ TEST_CASE(
 }
 
 TEST_CASE(
-    "heaps of 80 balls at random are closed, and each triangle lies on the ball that it is coloured by; seeds 1 to 4") {
+    "heaps of 80 spheres at random are closed, and each triangle lies on the sphere that it is coloured by; seeds 1 to "
+    "4") {
   for (const unsigned seed : {1u, 2u, 3u, 4u}) {
     CAPTURE(seed);
     std::mt19937 random(seed);
@@ -102,7 +104,7 @@ TEST_CASE(
   }
 }
 
-TEST_CASE("no ball gives no triangle, and 100 A in steps of 0.1 A are said to be 1e9 cells") {
+TEST_CASE("no sphere gives no triangle, and 100 A in steps of 0.1 A are reported as 1e9 cells") {
   CHECK(closedSurface({}, 0.1).triangles.empty());
   const std::vector<Sphere> wide{{Vec3(0), 50.0}};
   CHECK(cellCount(wide, 0.1) == doctest::Approx(1004.0 * 1004 * 1004));

@@ -52,7 +52,7 @@ std::string bytesOf(const fs::path& file) {
 
 }  // namespace
 
-TEST_CASE("water as balls reads back as 3 x 1280 triangles, 0.3152 nm wide in x, red and white, in nanometres") {
+TEST_CASE("water as spheres reads back as 3 x 1280 triangles, 0.3152 nm wide in x, red and white, in nanometres") {
   const Scratch scratch;
   const Molecule water = library("water.pdb");
   REQUIRE(water.atoms.size() == 3);
@@ -81,7 +81,8 @@ TEST_CASE("water as balls reads back as 3 x 1280 triangles, 0.3152 nm wide in x,
 }
 
 TEST_CASE(
-    "benzene as a surface inflated by 1.4 A reads back with the size of its inflated balls to 1 step, in two colours") {
+    "benzene as a surface inflated by 1.4 A reads back with the size of its inflated spheres to 1 step, in two "
+    "colours") {
   const Scratch scratch;
   const Molecule benzene = library("benzene.pdb");
   const ExportOptions options{.print = true, .probe_A = 1.4, .step_A = 0.25};
@@ -106,14 +107,15 @@ TEST_CASE(
 }
 
 TEST_CASE(
-    "a protein of 602 atoms as balls stores its ball once: a file below 400 kB with a node for each atom and chain") {
+    "a protein of 602 atoms as spheres stores its sphere once: a file below 400 kB with a node for each atom and "
+    "chain") {
   const Scratch scratch;
   const GltfScene scene = exported(library("1ubq.pdb"), {});
   CHECK(scene.nodes.size() == 602 + 1 + 1);
   CHECK(scene.nodes.back().name.find(" of ") != std::string::npos);
   REQUIRE_FALSE(writeGlb(scratch.folder / "p.glb", scene));
   CHECK(fs::file_size(scratch.folder / "p.glb") < 400000);
-  // 770 000 triangles: too many for a model that stands in the view, and told so.
+  // 770 000 triangles: too many for a model in the view, which is reported.
   CHECK(readGltf(scratch.folder / "p.glb").problem().text().find("more than 50000 triangles") != std::string::npos);
 }
 
@@ -228,7 +230,7 @@ TEST_CASE(
     "a missing file, an empty one, plain text, JSON that is no glTF and one without triangles are "
     "reported, not drawn") {
   const Scratch scratch;
-  const auto told = [&](const std::string& bytes) {
+  const auto reported = [&](const std::string& bytes) {
     const fs::path file = scratch.folder / "bad.gltf";
     std::ofstream(file, std::ios::binary) << bytes;
     const auto model = readGltf(file);
@@ -237,16 +239,15 @@ TEST_CASE(
     return model.problem().text();
   };
   CHECK(readGltf(scratch.folder / "none.glb").problem().text().find("cannot be read") != std::string::npos);
-  CHECK(told("").find("no sound glTF") != std::string::npos);
-  CHECK(told("a pen").find("no sound glTF") != std::string::npos);
-  CHECK(told("[1, 2]").find("no sound glTF") != std::string::npos);
-  CHECK(told(R"({"asset": {"version": "2.0"}})").find("has no scene") != std::string::npos);
-  CHECK(
-      told(R"({"asset": {"version": "2.0"}, "scenes": [{"nodes": [0]}], "nodes": [{}]})").find("holds no triangles") !=
-      std::string::npos);
-  CHECK(told(R"({"asset": {"version": "2.0"}, "scenes": [{"nodes": [0]}], "nodes": [{"children": [0]}]})")
+  CHECK(reported("").find("no sound glTF") != std::string::npos);
+  CHECK(reported("a pen").find("no sound glTF") != std::string::npos);
+  CHECK(reported("[1, 2]").find("no sound glTF") != std::string::npos);
+  CHECK(reported(R"({"asset": {"version": "2.0"}})").find("has no scene") != std::string::npos);
+  CHECK(reported(R"({"asset": {"version": "2.0"}, "scenes": [{"nodes": [0]}], "nodes": [{}]})")
+            .find("holds no triangles") != std::string::npos);
+  CHECK(reported(R"({"asset": {"version": "2.0"}, "scenes": [{"nodes": [0]}], "nodes": [{"children": [0]}]})")
             .find("without end") != std::string::npos);
-  CHECK(told(R"({"asset": {"version": "2.0"}, "scenes": [{"nodes": [7]}], "nodes": [{}]})").find("names a node") !=
+  CHECK(reported(R"({"asset": {"version": "2.0"}, "scenes": [{"nodes": [7]}], "nodes": [{}]})").find("names a node") !=
         std::string::npos);
 }
 

@@ -39,7 +39,7 @@ class BodyOracle {
   }
 
   /// The smallest gap of all pairs; negative where spheres overlap.
-  Real leastGap_A(const Pose& at) const {
+  Real minGap_A(const Pose& at) const {
     Real least = 1e30L;
     for (const Sphere& b : body_) {
       const Vec c = centre(at, b);

@@ -34,7 +34,7 @@ void* operator new(std::size_t size) {
 void operator delete(void* p) noexcept { std::free(p); }
 void operator delete(void* p, std::size_t) noexcept { std::free(p); }
 
-TEST_CASE("no method allocates in 3000 ticks of walking, jumping out and changing the probe over 50 random balls") {
+TEST_CASE("no method allocates in 3000 ticks of walking, jumping out and changing the probe over 50 random spheres") {
   const scenes::Scene scene = scenes::cluster(50, 3);
   const scenes::Path path = scenes::jumps(scene, 3000, 8);
   for (const Method& method : benchMethods()) {
@@ -94,7 +94,7 @@ TEST_CASE("every method gives no contact to a HIP that starts inside until it ha
   }
 }
 
-TEST_CASE("every method refuses NaN, infinity and places beyond 1e9 A, and goes on from where it was") {
+TEST_CASE("every method refuses NaN, infinity and places beyond 1e9 A, and continues from where it was") {
   const double nan = std::nan(""), inf = std::numeric_limits<double>::infinity();
   for (const Method& method : benchMethods()) {
     CAPTURE(std::string(method.name));
@@ -183,7 +183,7 @@ TEST_CASE(
   }
 }
 
-TEST_CASE("every method handles a scene without balls, one ball, and a probe that is not a number") {
+TEST_CASE("every method handles a scene without spheres, one sphere, and a probe that is not a number") {
   for (const Method& method : benchMethods()) {
     CAPTURE(std::string(method.name));
     const auto empty = method.make(makeScene({}), 1.4);

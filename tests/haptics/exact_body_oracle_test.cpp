@@ -44,7 +44,7 @@ Verdict judge(const std::vector<Sphere>& spheres, const std::shared_ptr<const He
     ++out.ticks;
     out.pressed += r.contact.touching();
     out.unrested += !r.at_rest;
-    out.least_gap_A = std::min(out.least_gap_A, oracle.leastGap_A(at));
+    out.least_gap_A = std::min(out.least_gap_A, oracle.minGap_A(at));
     if (before)
       out.energy_gained_A2 =
           std::max(out.energy_gained_A2, oracle.energy_A2(at, to) - oracle.energy_A2(BodyOracle::pose(*before), to));
@@ -151,7 +151,7 @@ TEST_CASE("a body in a scene that breathes by 0.3 A overlaps nothing in any tick
     unrested += !r.at_rest;
     least = std::min(
         least,
-        BodyOracle(motion->at(fraction), body->spheres, felt.lever_A()).leastGap_A(BodyOracle::pose(*r.body_pose)));
+        BodyOracle(motion->at(fraction), body->spheres, felt.lever_A()).minGap_A(BodyOracle::pose(*r.body_pose)));
   }
   CHECK(double(least) > -1e-9);
   CHECK(pressed > ticks / 4);

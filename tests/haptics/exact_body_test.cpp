@@ -45,7 +45,7 @@ double angleBetween(const Quat& a, const Quat& b) { return glm::length(rotationB
 
 }  // namespace
 
-TEST_CASE("a dumbbell across a ball rests where the derivative of its energy is zero: 24 hands, to 1e-9 A and rad") {
+TEST_CASE("a dumbbell across a sphere rests where the derivative of its energy is zero: 24 hands, to 1e-9 A and rad") {
   const double R = 3.0, r = 1.2, l = 1.5, rho = std::sqrt((R + r + kSkin) * (R + r + kSkin) - l * l);
   const auto scene = test::makeScene({{{0, 0, 0}, R}});
   double worst = 0.0;
@@ -72,7 +72,7 @@ TEST_CASE("a dumbbell across a ball rests where the derivative of its energy is 
 }
 
 TEST_CASE(
-    "a dumbbell pressed straight onto a ball stands until the hand has passed the ball's centre, then slides off") {
+    "a dumbbell pressed straight onto a sphere stands until the hand has passed the sphere's centre, then slides off") {
   const double R = 3.0, r = 1.2, l = 1.5, rho = std::sqrt((R + r + kSkin) * (R + r + kSkin) - l * l);
   const auto scene = test::makeScene({{{0, 0, 0}, R}});
   for (const double depth : {0.5, 0.9, 0.999}) {  // as a part of rho: the curvature across the stick is 1 - depth
@@ -89,7 +89,7 @@ TEST_CASE(
   CHECK(at.body_pose->place.A.z < 0.0);
 }
 
-TEST_CASE("a dumbbell turned about its middle between two balls stops at the angle at which both ends touch") {
+TEST_CASE("a dumbbell turned about its middle between two spheres stops at the angle at which both ends touch") {
   const double R = 1.5, r = 0.8, l = 3.0, H = 2.7, reach = R + r + kSkin;
   ExactBody felt(test::makeScene({{{0, 0, H}, R}, {{0, 0, -H}, R}}), dumbbell(l, r));
   const double a = std::asin((l * l + H * H - reach * reach) / (2.0 * H * l));
@@ -105,7 +105,7 @@ TEST_CASE("a dumbbell turned about its middle between two balls stops at the ang
 }
 
 TEST_CASE(
-    "a row of three balls passes a ring of six with 1.01e-10 A to spare, and stops at the exact height with less") {
+    "a row of three spheres passes a ring of six with 1.01e-10 A to spare, and stops at the exact height with less") {
   const auto row = bodyOfSpheres({{{0, 0, -2.4}, 1.4}, {{0, 0, 0}, 1.4}, {{0, 0, 2.4}, 1.4}});
   for (const double slack : {0.1, 1e-3, 1e-6, 1e-9, 1.01e-10, 1e-11, 0.0, -1e-9, -1e-3}) {
     CAPTURE(slack);
@@ -123,7 +123,7 @@ TEST_CASE(
   }
 }
 
-TEST_CASE("sixteen balls in the hollows of a lattice rest on 64 contacts at once, to 1e-9 A") {
+TEST_CASE("sixteen spheres in the hollows of a lattice rest on 64 contacts at once, to 1e-9 A") {
   std::vector<Sphere> lattice, body;
   const double apart = 2.6, R = 1.5, r = 1.2;
   for (int i = 0; i < 5; ++i)
@@ -140,7 +140,7 @@ TEST_CASE("sixteen balls in the hollows of a lattice rest on 64 contacts at once
   CHECK(felt.steps() <= 12);
 }
 
-TEST_CASE("sixteen balls on sixteen crests stand while they are pressed by less than the sum of radii, then slide") {
+TEST_CASE("sixteen spheres on sixteen crests stand while they are pressed by less than the sum of radii, then slide") {
   std::vector<Sphere> lattice, body;
   const double apart = 2.6, R = 1.5, r = 1.2, D = R + r + kSkin;
   for (int i = 0; i < 4; ++i)
@@ -234,7 +234,7 @@ TEST_CASE("a body that starts in the scene, or gets no pose, gives no force") {
 }
 
 TEST_CASE(
-    "a ball that comes by 1 A pushes the body along by as much; one that grows raises it; two that close let it go") {
+    "a sphere that comes by 1 A pushes the body along by as much; one that grows raises it; two that close let it go") {
   const std::vector<Sphere> from{{{0, 0, 0}, 3.0}, {{0, 0, 40}, 3.0}};
   const auto moved = [&](Vec3 by, double growth, Vec3 other) {
     std::vector<Sphere> to = from;
@@ -275,7 +275,7 @@ TEST_CASE(
     const auto held = dumbbell(1.0, 1.2);
     ExactBody felt(scene, held);
     pressed(felt);
-    // Flat between two balls whose gap becomes too narrow, while the way out is barred by nothing but the speed: the
+    // Flat between two spheres whose gap becomes too narrow, while the way out is barred by nothing but the speed: the
     // body is pressed out or let go, but never held in an overlap.
     const auto motion = moved(Vec3(0.0), 0.0, {0, 0, -36});
     CHECK(felt.setMotion(motion.get()));

@@ -201,7 +201,7 @@ TEST_CASE("degenerate scenes whose probe changes in every tick: no SCP deeper th
 }
 
 TEST_CASE(
-    "five balls of 3 A whose circle of 3 A closes the hole exactly: a HIP led through the middle leaves the SCP "
+    "five spheres of 3 A whose circle of 3 A closes the hole exactly: a HIP led through the middle leaves the SCP "
     "outside and at rest") {
   std::vector<Sphere> spheres;
   for (int k = 0; k < 5; ++k)
@@ -218,7 +218,8 @@ TEST_CASE(
 }
 
 TEST_CASE(
-    "rings of 3 to 12 balls that close to within 1e-15 A: 4000 jumps through the middle, no SCP deeper than 1e-11 A") {
+    "rings of 3 to 12 spheres that close to within 1e-15 A: 4000 jumps through the middle, no SCP deeper than 1e-11 "
+    "A") {
   const std::uint64_t seed = 7;
   CAPTURE(seed);
   scenes::Random random(seed);
@@ -239,7 +240,8 @@ TEST_CASE(
 }
 
 TEST_CASE(
-    "a ball of 2.4 A that touches one of 3.3 A from inside, to the last bit or nearly: the SCP follows the HIP on the "
+    "a sphere of 2.4 A that touches one of 3.3 A from inside, to the last bit or nearly: the SCP follows the HIP on "
+    "the "
     "larger") {
   for (const double x : {0.54, 0.5399999999999999, 0.5400000000000001}) {
     CAPTURE(x);
@@ -257,7 +259,7 @@ TEST_CASE(
 }
 
 TEST_CASE(
-    "every second of 60 balls copied at 1e-9 to 1e-14 A: over 12 000 gliding ticks the SCP is never frozen, and "
+    "every second of 60 spheres copied at 1e-9 to 1e-14 A: over 12 000 gliding ticks the SCP is never frozen, and "
     "outside to 1e-10 A") {
   const std::uint64_t seed = 11;
   CAPTURE(seed);
@@ -305,7 +307,8 @@ TEST_CASE(
 }
 
 TEST_CASE(
-    "100 000 balls within 0.1 A, and 14 000 with a probe of 20 A: a tick looks at no more than 30 000 things, and the "
+    "100 000 spheres within 0.1 A, and 14 000 with a probe of 20 A: a tick looks at no more than 30 000 things, and "
+    "the "
     "SCP is outside") {
   const std::uint64_t seed = 17;
   CAPTURE(seed);
@@ -389,7 +392,7 @@ TEST_CASE(
 }
 
 TEST_CASE(
-    "two balls of 3 A whose centres are 1e-4 to 1e-7 A apart, the HIP as near to both: the SCP goes round on their "
+    "two spheres of 3 A whose centres are 1e-4 to 1e-7 A apart, the HIP as near to both: the SCP goes round on their "
     "circle in one tick") {
   const std::uint64_t seed = 23;
   CAPTURE(seed);
@@ -408,8 +411,8 @@ TEST_CASE(
     const Vec3 hip = at + 0.5 * between + hip_off * sideways;
     const Contact c = tracker.step({hip});
     cut += tracker.cutShort() > 0;
-    // The HIP as rounded, in the plane between the centres: the SCP lies straight over it. Rounding tells the plane and
-    // the HIP's direction to some 1e-13 A at 400 A.
+    // The HIP, rounded, in the plane between the centres: the SCP lies straight above it. At 400 A, rounding limits the
+    // plane and the HIP's direction to about 1e-13 A.
     const Vec3 m = hip - (spheres[0].centre_A + 0.5 * between), u = glm::normalize(between),
                out = m - u * glm::dot(m, u);
     off_way += glm::distance(c.scp.A, at + 0.5 * between + 3.0 * glm::normalize(out)) >
@@ -422,7 +425,8 @@ TEST_CASE(
 }
 
 TEST_CASE(
-    "in the pit of four balls, the HIP behind the centre of one: 1e-9 A to one side lets the SCP go round that ball, "
+    "in the pit of four spheres, the HIP behind the centre of one: 1e-9 A to one side lets the SCP go round that "
+    "sphere, "
     "to the other holds it") {
   const double r = 3.0;
   const Vec3 pit(400, -300, 200), n = Vec3(-1, 1, 1) / std::sqrt(3.0), aside = Vec3(1, -1, 2) / std::sqrt(6.0);

@@ -32,7 +32,7 @@ void checkNear(const Vec3& a, const Vec3& b, double tolerance_A) {
 
 }  // namespace
 
-TEST_CASE("1 A deep in one ball of 1.6 + 1.4 A the SCP lies 3 A from the centre, straight above the HIP") {
+TEST_CASE("1 A deep in one sphere of 1.6 + 1.4 A the SCP lies 3 A from the centre, straight above the HIP") {
   ExactTracker tracker(makeScene({{{0, 0, 0}, 1.6}}), 1.4);
   CHECK(tracker.step({{0, 0, 5}}).feature == Feature::Free);
   const Contact c = tracker.step({{0, 1.2, 1.6}});  // 2 A from the centre
@@ -42,7 +42,7 @@ TEST_CASE("1 A deep in one ball of 1.6 + 1.4 A the SCP lies 3 A from the centre,
 }
 
 TEST_CASE(
-    "over 10 000 random places inside one ball, met in small steps, the SCP is the radial projection to 1e-12 A") {
+    "over 10 000 random places inside one sphere, met in small steps, the SCP is the radial projection to 1e-12 A") {
   ExactTracker tracker(makeScene({{{1, 2, 3}, 1.7}}), 1.4);
   std::mt19937_64 random(11);
   std::normal_distribution<double> normal;
@@ -61,7 +61,7 @@ TEST_CASE(
   CHECK(worst <= 1e-12);
 }
 
-TEST_CASE("pushed between two equal balls 2 A apart the SCP lies on their circle of radius sqrt(8) A") {
+TEST_CASE("pushed between two equal spheres 2 A apart the SCP lies on their circle of radius sqrt(8) A") {
   ExactTracker tracker(makeScene({{{-1, 0, 0}, 1.6}, {{1, 0, 0}, 1.6}}), 1.4);
   const Contact c = walkTo(tracker, {0, 0, 6}, {0.05, 0, 2.0}, 0.01);
   CHECK(c.feature == Feature::Circle);
@@ -75,7 +75,7 @@ TEST_CASE("pushed between two equal balls 2 A apart the SCP lies on their circle
       REQUIRE(glm::distance(round.scp.A, std::sqrt(8.0) * Vec3(0, std::sin(t), std::cos(t))) <= 1e-12);
     }
   }
-  SUBCASE("and is released to the second ball where the HIP leaves the triangle of the SCP and the two centres") {
+  SUBCASE("and is released to the second sphere where the HIP leaves the triangle of the SCP and the two centres") {
     // At height z the triangle's edge to the second centre lies at x = 1 - z / sqrt(8).
     const double edge = 1.0 - 2.0 / std::sqrt(8.0);
     CHECK(walkTo(tracker, {0.05, 0, 2}, {edge - 1e-9, 0, 2}, 0.01).feature == Feature::Circle);
@@ -85,7 +85,7 @@ TEST_CASE("pushed between two equal balls 2 A apart the SCP lies on their circle
   }
 }
 
-TEST_CASE("pushed into the pit of three balls the SCP holds in the point that has the same distance from all three") {
+TEST_CASE("pushed into the pit of three spheres the SCP holds in the point that has the same distance from all three") {
   const double d = 2.0;
   const std::vector<Sphere> spheres{{{0, 0, 0}, 1.6}, {{d, 0, 0}, 1.6}, {{d / 2, d * std::sqrt(3.0) / 2, 0}, 1.6}};
   ExactTracker tracker(makeScene(spheres), 1.4);
@@ -108,7 +108,7 @@ TEST_CASE("a HIP that starts inside gives no contact until it has been outside o
   CHECK(tracker.step({{0, 0, 2.5}}).touching());
 }
 
-TEST_CASE("NaN, infinity and places beyond 1e9 A are refused, and the contact goes on from where it was") {
+TEST_CASE("NaN, infinity and places beyond 1e9 A are refused, and the contact continues from where it was") {
   ExactTracker tracker(makeScene({{{0, 0, 0}, 1.6}}), 1.4);
   walkTo(tracker, {0, 0, 5}, {0, 0, 2}, 0.1);
   const double nan = std::nan(""), inf = std::numeric_limits<double>::infinity();
@@ -130,7 +130,7 @@ TEST_CASE("a HIP exactly on the centre, or on a circle's axis, leaves the SCP wh
   checkNear(two.step({{0, 0, 0}}).scp.A, {0, 0, std::sqrt(8.0)}, 1e-13);
 }
 
-TEST_CASE("passes of 0.05 to 12 A a tick straight through a row of balls never put the SCP in one of them") {
+TEST_CASE("passes of 0.05 to 12 A a tick straight through a row of spheres never put the SCP in one of them") {
   std::vector<Sphere> spheres;
   for (int k = 0; k < 8; ++k) spheres.push_back({{0, 0, 2.5 * k}, 1.6});
   for (const double step : {0.05, 0.3, 1.0, 3.0, 6.0, 12.0}) {
@@ -144,7 +144,7 @@ TEST_CASE("passes of 0.05 to 12 A a tick straight through a row of balls never p
   }
 }
 
-TEST_CASE("a path of a million angstroms in one tick meets the only ball on it") {
+TEST_CASE("a path of a million angstroms in one tick meets the only sphere on it") {
   ExactTracker tracker(makeScene({{{0, 0, 0}, 1.6}}), 1.4);
   tracker.step({{-1e6, 0.5, 0}});
   const Contact c = tracker.step({{1.0, 0.5, 0}});
@@ -152,7 +152,7 @@ TEST_CASE("a path of a million angstroms in one tick meets the only ball on it")
   CHECK(deepest_A({{{0, 0, 0}, 1.6}}, 1.4, c.scp.A) <= 1e-12);
 }
 
-TEST_CASE("two balls a billion angstroms apart: the way from one to the other is found in one look at both") {
+TEST_CASE("two spheres a billion angstroms apart: the way from one to the other is found in one look at both") {
   const std::vector<Sphere> spheres{{{-5e8, 0, 0}, 1.6}, {{5e8, 0, 0}, 1.6}};
   ExactTracker tracker(makeScene(spheres), 1.4);
   tracker.step({{-5e8 + 10, 0, 0}});
@@ -162,7 +162,8 @@ TEST_CASE("two balls a billion angstroms apart: the way from one to the other is
   CHECK(c.scp.A.x == doctest::Approx(5e8 - 3).epsilon(1e-14));
 }
 
-TEST_CASE("a ring of 12 balls with a hole 0.1 A smaller than the probe holds it above, 0.1 A larger lets it through") {
+TEST_CASE(
+    "a ring of 12 spheres with a hole 0.1 A smaller than the probe holds it above, 0.1 A larger lets it through") {
   for (const double gap : {-0.1, 0.1}) {
     CAPTURE(gap);
     std::vector<Sphere> spheres;  // the hole's radius is ring - 1.6; the probe's 1.4
@@ -181,7 +182,8 @@ TEST_CASE("a ring of 12 balls with a hole 0.1 A smaller than the probe holds it 
   }
 }
 
-TEST_CASE("balls that touch in one point or overlap by 1e-9 A: the SCP passes from one to the other without a fault") {
+TEST_CASE(
+    "spheres that touch in one point or overlap by 1e-9 A: the SCP passes from one to the other without a fault") {
   for (const double overlap : {0.0, 1e-9}) {
     CAPTURE(overlap);
     const std::vector<Sphere> spheres{{{-3.0 + overlap / 2, 0, 0}, 1.6}, {{3.0 - overlap / 2, 0, 0}, 1.6}};
@@ -196,7 +198,7 @@ TEST_CASE("balls that touch in one point or overlap by 1e-9 A: the SCP passes fr
   }
 }
 
-TEST_CASE("in a cubic lattice, where eight balls meet in each hollow's point, the hollow holds and lets go") {
+TEST_CASE("in a cubic lattice, where eight spheres meet in each hollow's point, the hollow holds and lets go") {
   std::vector<Sphere> spheres;
   for (int x = 0; x < 4; ++x)
     for (int y = 0; y < 4; ++y) spheres.push_back({{2.0 * x, 2.0 * y, 0}, 0.2});
@@ -210,7 +212,7 @@ TEST_CASE("in a cubic lattice, where eight balls meet in each hollow's point, th
   checkNear(next.scp.A, {5, 3, std::sqrt(0.56)}, 1e-12);
 }
 
-TEST_CASE("balls inside others and duplicates have no effect") {
+TEST_CASE("spheres inside others and duplicates have no effect") {
   const std::vector<Sphere> plain{{{0, 0, 0}, 1.6}, {{2, 0, 0}, 1.6}};
   std::vector<Sphere> doubled = plain;
   doubled.push_back(plain[0]);
@@ -257,7 +259,7 @@ TEST_CASE("when the probe swells from 1.4 to 2.4 A while touching, the SCP is ca
   CHECK(tracker.probe_A() == 1.4);
 }
 
-TEST_CASE("changing the probe every tick while sliding over 50 random balls never puts the SCP deeper than 1e-9 A") {
+TEST_CASE("changing the probe every tick while sliding over 50 random spheres never puts the SCP deeper than 1e-9 A") {
   const unsigned seed = 3;
   CAPTURE(seed);
   std::mt19937_64 random(seed);
@@ -293,7 +295,7 @@ TEST_CASE("a pocket that the growing surface closes over the SCP gives StartedIn
   CHECK_FALSE(c.touching());
 }
 
-TEST_CASE("nothing is modelled in free space, and after touching one ball of 2000 one is") {
+TEST_CASE("nothing is modelled in free space, and after touching one sphere of 2000 one is") {
   std::vector<Sphere> spheres;
   for (int k = 0; k < 2000; ++k) spheres.push_back({{4.0 * (k % 20), 4.0 * (k / 20 % 10), 4.0 * (k / 200)}, 1.6});
   ExactTracker tracker(makeScene(spheres), 1.0);

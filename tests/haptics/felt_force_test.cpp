@@ -144,7 +144,7 @@ TEST_CASE(
 TEST_CASE(
     "force, torque and energy of an answer are those of springs and field together; in a device's space at 0.25 A/mm "
     "force is the opposite of the energy's slope") {
-  Response answer{.contact = {}, .torque_A2 = {0, 0, 3}, .springs = 2.0, .rotational_A2 = 5.0};
+  Response answer{.contact = {}, .torque_A2 = {0, 0, 3}, .stiffness_factor = 2.0, .rotational_A2 = 5.0};
   answer.contact.displacement_A = {1, 0, 0};
   answer.contact.energy_A2 = 0.5;
   answer.field = FeltForce{{0, 2, 0}, {0, 0, 1}, -4.0, 6.0, 7.0};

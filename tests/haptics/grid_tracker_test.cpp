@@ -25,7 +25,7 @@ double distanceTo(const std::vector<Sphere>& spheres, const Vec3& p) {
 
 }  // namespace
 
-TEST_CASE("round one ball the field is the distance but for an error that falls by 8 with half the spacing") {
+TEST_CASE("aaaround one sphere the field is the distance but for an error that falls by 8 with half the spacing") {
   const std::vector<Sphere> spheres{{{0.1, 0.2, 0.3}, 1.6}};
   double before = 0;
   for (const double spacing : {0.8, 0.4, 0.2, 0.1}) {
@@ -93,7 +93,7 @@ TEST_CASE("from brick to brick and cell to cell value and gradient are continuou
   }
 }
 
-TEST_CASE("a brick is made once, named balls are counted once, and without leave to make one nothing is read") {
+TEST_CASE("a brick is made once, named spheres are counted once, and without leave to make one nothing is read") {
   DistanceBricks bricks(makeScene({{{0, 0, 0}, 1.6}, {{2, 0, 0}, 1.6}}), Vec3(0.0), 0.4, 4.0);
   DistanceBricks::Sample s{};
   int none = 0, one = 1;
@@ -111,7 +111,7 @@ TEST_CASE("a brick is made once, named balls are counted once, and without leave
 }
 
 TEST_CASE(
-    "on one ball of 3 A the SCP is off by less than 0.0005, 0.002 and 0.01 A at spacings of 0.2, 0.4 and 0.8 "
+    "on one sphere of 3 A the SCP is off by less than 0.0005, 0.002 and 0.01 A at spacings of 0.2, 0.4 and 0.8 "
     "A") {
   const double limits[] = {0.0005, 0.002, 0.01};
   for (int k = 0; k < 3; ++k) {
@@ -150,7 +150,7 @@ TEST_CASE(
 }
 
 TEST_CASE(
-    "known failure: in a crease of two balls the SCP floats above it by a share of the spacing, and the more "
+    "known failure: in a crease of two spheres the SCP floats above it by a share of the spacing, and the more "
     "the wider that is") {
   const double height = std::sqrt(8.0);
   double before = 0;
@@ -224,7 +224,7 @@ TEST_CASE(
 }
 
 TEST_CASE(
-    "with a probe of 12 A over 3000 balls the field at 0.4 A still is the distance to 0.01 A off the "
+    "with a probe of 12 A over 3000 spheres the field at 0.4 A still is the distance to 0.01 A off the "
     "creases") {
   scenes::Random random(3);
   std::vector<Sphere> spheres;
@@ -245,7 +245,7 @@ TEST_CASE(
 }
 
 TEST_CASE(
-    "made beforehand, the grid leaves fewer than 1 in 100 of its bricks to be made on 3000 ticks over 50 balls, and "
+    "made beforehand, the grid leaves fewer than 1 in 100 of its bricks to be made on 3000 ticks over 50 spheres, and "
     "gives the same places") {
   const scenes::Scene scene = scenes::cluster(50, 3);
   const auto spheres = makeScene(scene.spheres);

@@ -75,14 +75,15 @@ TEST_CASE("a body of one atom is a probe of its radius in each method, over 1500
       touching += c.touching();
       different += r.contact.displacement_A != c.displacement_A || r.contact.energy_A2 != c.energy_A2 ||
                    r.contact.atoms != c.atoms || r.contact.feature != c.feature || r.torque_A2 != Vec3(0.0) ||
-                   r.springs != alone.springs;
+                   r.stiffness_factor != alone.stiffness_factor;
     }
     CHECK(touching > 400);
     CHECK(different == 0);
   }
 }
 
-TEST_CASE("force, torque and energy of three atoms on one ball are their springs' sums in closed form, at 2000 poses") {
+TEST_CASE(
+    "force, torque and energy of three atoms on one sphere are their springs' sums in closed form, at 2000 poses") {
   std::mt19937 random(20261123);
   CAPTURE("seed 20261123");
   const auto body = heldBody(kSpheres, kHeld);
@@ -113,7 +114,7 @@ TEST_CASE("force, torque and energy of three atoms on one ball are their springs
     REQUIRE(r.contact.fault == Fault::None);
     worst = std::max({worst, glm::distance(r.contact.displacement_A, force), glm::distance(r.torque_A2, torque),
                       std::abs(r.contact.energy_A2 - energy)});
-    CHECK(r.springs == std::max(1, springs));
+    CHECK(r.stiffness_factor == std::max(1, springs));
     CHECK(glm::distance(r.contact.scp.A, place + force / double(std::max(1, springs))) < 1e-9);
     CHECK(r.contact.touching() == (springs > 0));
     if (springs) CHECK(r.contact.atoms == std::array<std::int32_t, 3>{0, -1, -1});
@@ -177,7 +178,7 @@ TEST_CASE(
   CHECK(sweep(*spheres, HandShape(1.4), Vec3(50, 0, 0), Vec3(0)).t == sweep(*spheres, 1.4, Vec3(50, 0, 0), Vec3(0)).t);
 }
 
-TEST_CASE("a body goes with spheres that move where its method does: a ball that comes by 0.5 A pushes it by 0.5 A") {
+TEST_CASE("a body follows spheres that move where its method does: a sphere that comes by 0.5 A pushes it by 0.5 A") {
   std::vector<Sphere> to = kSpheres;
   to[0].centre_A.x = 0.5;
   const auto motion = SphereMotion::make(kSpheres, to, 10, kHeld);

@@ -76,7 +76,7 @@ TEST_CASE("a ray finds its face by the tree as by trying all 5120") {
 }
 
 TEST_CASE(
-    "on one ball of 3 A the SCP lies on the mesh: never above the sphere, at most a sagitta under it, along "
+    "on one sphere of 3 A the SCP lies on the mesh: never above the sphere, at most a sagitta under it, along "
     "a face's normal") {
   for (const int count : kCounts) {
     CAPTURE(count);
@@ -116,7 +116,7 @@ TEST_CASE("the sagitta falls by about 4 with each subdivision, the tilt of the f
   }
 }
 
-TEST_CASE("sliding over one ball the error of the SCP falls by 3 to 5 with each subdivision") {
+TEST_CASE("sliding over one sphere the error of the SCP falls by 3 to 5 with each subdivision") {
   const scenes::Scene scene = scenes::oneSphere();
   const scenes::Path path = scenes::walk(scene, 1500, 7);
   double before = 0;
@@ -188,7 +188,7 @@ TEST_CASE(
   CHECK(on_points > 500);
 }
 
-TEST_CASE("where two meshes cross two faces hold the SCP, in the pit of three balls three") {
+TEST_CASE("where two meshes cross two faces hold the SCP, in the pit of three spheres three") {
   const std::vector<Sphere> two{{{-1, 0, 0}, 1.6}, {{1, 0, 0}, 1.6}};
   MeshTracker crease = make(two, 5120);
   const Contact c = walkTo(crease, {0.01, 0.02, 6}, {0.05, 0.02, 2.0}, 0.01);
@@ -220,7 +220,7 @@ TEST_CASE(
   }
 }
 
-TEST_CASE("changing the probe every tick over 50 random balls never puts the SCP deeper than the sagitta in any") {
+TEST_CASE("changing the probe every tick over 50 random spheres never puts the SCP deeper than the sagitta in any") {
   const scenes::Scene scene = scenes::cluster(50, 3);
   MeshTracker tracker(makeScene(scene.spheres), 1.4, {960, false, true});
   const double sagitta = SphereMesh::ofTriangles(960)->sagitta();
@@ -237,7 +237,7 @@ TEST_CASE("changing the probe every tick over 50 random balls never puts the SCP
 }
 
 TEST_CASE(
-    "known failure: over one ball the force of 80, 960 and 5120 flat triangles leaps by more than 15, 6 and "
+    "known failure: over one sphere the force of 80, 960 and 5120 flat triangles leaps by more than 15, 6 and "
     "3 degrees in a step of 0.02 A") {
   const auto worst = [](int count, bool smooth) {
     MeshTracker tracker = make({{{0, 0, 0}, 1.6}}, count, smooth);
@@ -263,7 +263,7 @@ TEST_CASE(
 }
 
 TEST_CASE(
-    "with force shading on one ball the force points along the sphere's own normal at the SCP, as long as "
+    "with force shading on one sphere the force points along the sphere's own normal at the SCP, as long as "
     "the depth") {
   MeshTracker tracker = make({{{1, 2, 3}, 1.6}}, 960, true);
   const Contact c = walkTo(tracker, {1.3, 2.2, 8}, {1.3, 2.2, 5}, 0.05);
@@ -283,7 +283,7 @@ TEST_CASE(
 }
 
 TEST_CASE(
-    "known failure: 80 triangles a ball open a ring, askew to the mesh, whose hole is 0.01 A too small for "
+    "known failure: 80 triangles a sphere open a ring, askew to the mesh, whose hole is 0.01 A too small for "
     "the probe") {
   scenes::Scene scene = scenes::ring(12, -0.01);
   const Vec3 axis = glm::normalize(Vec3(1, 2, 3)), x = glm::normalize(glm::cross(axis, Vec3(0, 0, 1))),

@@ -27,7 +27,7 @@ std::unique_ptr<const SphereMotion> frame(const std::vector<Sphere>& from, const
   return *std::move(made);
 }
 
-// Frames in which every sphere goes to and fro by its own direction, up to `way_A`, and its radius by a tenth of that.
+// Frames in which every sphere oscillates in its own direction by up to `way_A`, and its radius by a tenth of that.
 Frames shaken(const std::vector<Sphere>& spheres, int count, double way_A, std::uint64_t seed) {
   scenes::Random random(seed);
   std::vector<Vec3> way(spheres.size());
@@ -57,7 +57,7 @@ Frames shaken(const std::vector<Sphere>& spheres, int count, double way_A, std::
 
 }  // namespace
 
-TEST_CASE("a ball that moves evenly by 0.02 A a tick under a still HIP carries the SCP as geometry says, to 1e-9 A") {
+TEST_CASE("a sphere that moves evenly by 0.02 A a tick under a still HIP carries the SCP as geometry says, to 1e-9 A") {
   const std::vector<Sphere> from{{Vec3(0.0), 1.7}}, to{{Vec3(0.66, 0.1, 0.0), 1.9}};
   const auto moves = frame(from, to);
   ExactTracker tracker(makeScene(from), 1.4);
@@ -76,7 +76,7 @@ TEST_CASE("a ball that moves evenly by 0.02 A a tick under a still HIP carries t
 }
 
 TEST_CASE(
-    "two balls that part by 0.03 A a tick let the SCP sink between them, and let it through where they no longer "
+    "two spheres that part by 0.03 A a tick let the SCP sink between them, and let it through where they no longer "
     "meet") {
   // The inflated spheres of radius 3.1 meet while their centres are less than 6.2 A apart.
   const auto pair = [](double apart) {
@@ -106,7 +106,7 @@ TEST_CASE(
   }
 }
 
-TEST_CASE("a ball that grows over a free HIP by 0.05 A a tick pushes the SCP before it, and is felt") {
+TEST_CASE("a sphere that grows over a free HIP by 0.05 A a tick pushes the SCP before it, and is felt") {
   const std::vector<Sphere> from{{Vec3(0.0), 1.0}}, to{{Vec3(0.0), 2.65}};
   const auto grows = frame(from, to);
   ExactTracker tracker(makeScene(from), 1.4);
@@ -126,7 +126,8 @@ TEST_CASE("a ball that grows over a free HIP by 0.05 A a tick pushes the SCP bef
 }
 
 TEST_CASE(
-    "clusters of 12 balls shaken by 0.6 A: at rest and outside in every tick, and where a flow through every hundredth "
+    "clusters of 12 spheres shaken by 0.6 A: at rest and outside in every tick, and where a flow through every "
+    "hundredth "
     "of a tick is") {
   int ticks = 0, agree = 0, touching = 0, closed = 0;
   for (std::uint64_t seed = 1; seed <= 12; ++seed) {
@@ -168,7 +169,7 @@ TEST_CASE(
         for (int part = 1; part < 100; part += k < 2 ? 1 : 20)
           flow(frames[k]->at(fraction - (1.0 - 0.01 * part) / 33.0), hip);
         const bool contact = flow(spheres, hip);
-        // Both rest in the same local minimum of |x - h|, wherever it has gone.
+        // Both rest in the same local minimum of |x - h|, wherever it has moved.
         const bool same = contact == c.touching() && glm::distance(at, c.scp.A) < 1e-6;
         agree += same;
         if (!same) at = c.scp.A;
@@ -181,7 +182,7 @@ TEST_CASE(
   CHECK(agree > 0.99 * ticks);
 }
 
-TEST_CASE("a frame that goes on from the last one gives what one made anew gives: the same contacts in every tick") {
+TEST_CASE("a frame that continues from the last one gives what one made again gives: the same contacts in every tick") {
   const scenes::Scene scene = scenes::cluster(60, 5);
   const Frames frames = shaken(scene.spheres, 12, 0.5, 5);
   ExactTracker kept(makeScene(frames[0]->at(0.0)), 1.4), anew(makeScene(frames[0]->at(0.0)), 1.4);
@@ -205,7 +206,7 @@ TEST_CASE("a frame that goes on from the last one gives what one made anew gives
   CHECK(touching > 200);
 }
 
-TEST_CASE("a ball that leaps by 3 A within a tick over the hand ends in a contact outside it, or in none at all") {
+TEST_CASE("a sphere that leaps by 3 A within a tick over the hand ends in a contact outside it, or in none at all") {
   const std::vector<Sphere> from{{Vec3(0.0), 1.7}, {Vec3(0, 0, 9), 1.7}}, to{{Vec3(0.0), 1.7}, {Vec3(0, 0, 6), 1.7}};
   const auto leaps = frame(from, to, 1);
   for (const std::string_view name : {"exact", "mesh960", "penalty"}) {
@@ -223,7 +224,8 @@ TEST_CASE("a ball that leaps by 3 A within a tick over the hand ends in a contac
 }
 
 TEST_CASE(
-    "every method says whether it follows: exact, penalty and the meshes of single balls do, and go on with the balls "
+    "every method says whether it follows: exact, penalty and the meshes of single spheres do, and continue with the "
+    "spheres "
     "of the frame") {
   const std::vector<Sphere> from{{Vec3(0.0), 1.7}}, to{{Vec3(0, 0, 1.0), 1.7}};
   const auto moves = frame(from, to);

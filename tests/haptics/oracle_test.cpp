@@ -12,7 +12,7 @@ using oracle::atRest;
 using oracle::deepest;
 using oracle::Oracle;
 
-TEST_CASE("on one ball of radius 3.1 the SCP lies over the HIP at 3.1 and is gone when the HIP leaves") {
+TEST_CASE("on one sphere of radius 3.1 the SCP lies over the HIP at 3.1 and is gone when the HIP leaves") {
   Oracle o(scenes::oneSphere().spheres, 1.4);
   CHECK_FALSE(o.step({0, 0, 4}).contact);
   const auto in = o.step({0, 0, 2.5});
@@ -24,7 +24,7 @@ TEST_CASE("on one ball of radius 3.1 the SCP lies over the HIP at 3.1 and is gon
   CHECK_FALSE(o.step({4, 0, 0}).contact);
 }
 
-TEST_CASE("a jump from one side of a ball to the far side outside goes round it and ends without contact") {
+TEST_CASE("a jump from one side of a sphere to the far side outside goes round it and ends without contact") {
   Oracle o({{{0, 0, 0}, 3.0}}, 0);
   o.step({0.5, 0, 4});
   o.step({0.5, 0, 2});
@@ -53,7 +53,7 @@ TEST_CASE("a HIP on the centre keeps the last SCP") {
 }
 
 TEST_CASE(
-    "in the crease of two balls of radius 5, 6 apart, the SCP lies on the circle of radius 4 nearest the "
+    "in the crease of two spheres of radius 5, 6 apart, the SCP lies on the circle of radius 4 nearest the "
     "HIP") {
   Oracle o({{{-3, 0, 0}, 5.0}, {{3, 0, 0}, 5.0}}, 0);
   o.step({0.1, 0, 6});
@@ -62,13 +62,13 @@ TEST_CASE(
   CHECK(glm::distance(in.scp_A, {0, 0, 4}) < 1e-13);
   const auto along = o.step({0.1, 1, 1});
   CHECK(glm::distance(along.scp_A, Vec3(0, 1, 1) * (4 / std::sqrt(2.0))) < 1e-13);
-  // Past the triangle (SCP, centre, centre) the crease lets go: the SCP is over the HIP on the right sphere.
+  // Beyond the triangle (SCP, centre, centre) the crease is left: the SCP is above the HIP on the right sphere.
   const auto out = o.step({4, 0, 2});
   CHECK(glm::distance(out.scp_A, Vec3(3, 0, 0) + Vec3(1, 0, 2) * (5 / std::sqrt(5.0))) < 1e-13);
 }
 
 TEST_CASE(
-    "in the pit of three balls of radius 5 whose centres lie 3 from the axis the SCP is the point 4 up the "
+    "in the pit of three spheres of radius 5 whose centres lie 3 from the axis the SCP is the point 4 up the "
     "axis") {
   std::vector<Sphere> spheres;
   for (const double t : {0.0, 2.0943951023931953, 4.1887902047863905})
@@ -94,7 +94,7 @@ TEST_CASE("a HIP that starts inside has no contact until it has been outside onc
   CHECK(o.step({0, 0, 2}).contact);
 }
 
-TEST_CASE("between two patches of one ball the SCP stops at the ball that parts them") {
+TEST_CASE("between two patches of one sphere the SCP stops at the sphere that parts them") {
   // A thin neighbour across the top of a large sphere: the HIP slides under it from x = -1 to x = 1.
   const std::vector<Sphere> spheres{{{0, 0, 0}, 5.0}, {{0, 0, 5}, 0.5}, {{0, 0.6, 5}, 0.5}, {{0, -0.6, 5}, 0.5}};
   Oracle o(spheres, 0);
@@ -107,7 +107,7 @@ TEST_CASE("between two patches of one ball the SCP stops at the ball that parts 
   CHECK(atRest(spheres, 0, held.scp_A, {0.1, 0, 4}, 1e-12));
 }
 
-TEST_CASE("on every scene the oracle's SCP is in no ball and at rest, and nearly all of its ticks are decided") {
+TEST_CASE("on every scene the oracle's SCP is in no sphere and at rest, and nearly all of its ticks are decided") {
   const std::uint64_t seed = 11;
   CAPTURE(seed);
   for (const auto& scene : scenes::all(seed)) {

@@ -61,7 +61,7 @@ Agreement agreement(const scenes::Scene& scene, const scenes::Path& path) {
 
 }  // namespace
 
-TEST_CASE("Figure 4, case 1: on the left ball the SCP lies over the HIP at radius 5") {
+TEST_CASE("Figure 4, case 1: on the left sphere the SCP lies over the HIP at radius 5") {
   PaperTracker t = trackerOn(kCrease);
   t.step({{-3, 0, 6}});
   const Contact c = t.step({{-4, 0, 3}});
@@ -85,7 +85,7 @@ TEST_CASE("Figure 4, case 2: under the crease the SCP lies on the circle of radi
 }
 
 TEST_CASE(
-    "Figure 4, case 3: in the pit of three balls the SCP is the point 4 up the axis until a plane is "
+    "Figure 4, case 3: in the pit of three spheres the SCP is the point 4 up the axis until a plane is "
     "crossed") {
   PaperTracker t = trackerOn(pitSpheres());
   Contact c = slide(t, {0.3, 0.1, 6}, {0.3, 0.1, 2});
@@ -104,7 +104,7 @@ TEST_CASE(
 }
 
 TEST_CASE(
-    "a walk of 0.02 A a tick on one ball, a bond and a ball touching another agrees with the oracle on every "
+    "a walk of 0.02 A a tick on one sphere, a bond and a sphere touching another agrees with the oracle on every "
     "tick") {
   const std::uint64_t seed = 3;
   CAPTURE(seed);
@@ -136,7 +136,7 @@ TEST_CASE("a walk of 0.02 A a tick in the pit of three carbons agrees with the o
   CHECK(a.same > 0.99 * a.ticks);
 }
 
-TEST_CASE("fault kept: a HIP that leaves its ball for the next in one tick has no contact for one tick") {
+TEST_CASE("fault kept: a HIP that leaves its sphere for the next in one tick has no contact for one tick") {
   PaperTracker t = trackerOn(kCrease);
   t.step({{-6, 0, 6}});
   CHECK(t.step({{-4, 0, 4}}).touching());
@@ -147,7 +147,7 @@ TEST_CASE("fault kept: a HIP that leaves its ball for the next in one tick has n
   CHECK(t.step({{4, 0, 4}}).atoms == std::array{1, -1, -1});
 }
 
-TEST_CASE("fault kept: a fast HIP jumps over a wall's circles, and both patches of the ball are one state") {
+TEST_CASE("fault kept: a fast HIP jumps over a wall's circles, and both patches of the sphere are one state") {
   PaperTracker t = trackerOn(kWall);
   oracle::Oracle right(kWall, 0);
   for (const Vec3& hip : {Vec3(-2, 0.05, 6), Vec3(-2, 0.05, 4), Vec3(-1, 0.05, 4)}) {
@@ -206,7 +206,7 @@ TEST_CASE(
 }
 
 TEST_CASE(
-    "fault kept: a circle behind the atom's centre goes on to hold the SCP where the HIP is over the free "
+    "fault kept: a circle behind the atom's centre continues to hold the SCP where the HIP is over the free "
     "sphere") {
   // Radii 13 and 20, centres 11 apart: circle of radius 12, 5 behind the first centre. (-4.5, 9) lies under
   // the cap that the first sphere shows, for 4.5 / 9 is more than 5 / 12, but inside the second sphere's cone as
@@ -247,7 +247,7 @@ TEST_CASE(
 }
 
 TEST_CASE(
-    "fault kept: after a jump, buried circle and point hold the SCP 0.9 A inside a fourth ball, tick after "
+    "fault kept: after a jump, buried circle and point hold the SCP 0.9 A inside a fourth sphere, tick after "
     "tick") {
   // The pit with its bottom filled by a sphere of radius 1 round the point (0, 0, 4), which is not on the
   // surface then.

@@ -13,7 +13,7 @@ using namespace moltact;
 using test::makeScene;
 using test::walkTo;
 
-TEST_CASE("the force is the slope of the energy that is stored, also where three balls push") {
+TEST_CASE("the force is the slope of the energy that is stored, also where three spheres push") {
   PenaltyTracker tracker(makeScene({{{0, 0, 0}, 1.6}, {{2, 0, 0}, 1.7}, {{1, 1.8, 0}, 1.5}}), 1.4);
   tracker.step({{0, 0, 9}});
   for (const Vec3& hip : {Vec3(0.9, 0.6, 1.9), Vec3(-1, 0.2, 2.1), Vec3(1.1, 2.4, -1.2)}) {
@@ -35,8 +35,8 @@ TEST_CASE(
     "1 of three at right angles, and of 2000 random places what a search over directions finds") {
   const auto at = [](std::vector<Sphere> spheres, const Vec3& hip) {
     PenaltyTracker tracker(makeScene(std::move(spheres)), 1.4);
-    CHECK(tracker.respond({{{0, 0, 50}}}).springs == 1.0);
-    return tracker.respond({{hip}}).springs;
+    CHECK(tracker.respond({{{0, 0, 50}}}).stiffness_factor == 1.0);
+    return tracker.respond({{hip}}).stiffness_factor;
   };
   for (const double angle : {0.3, 1.0, std::acos(0.0), 2.0, 3.0}) {
     CAPTURE(angle);
@@ -76,13 +76,13 @@ TEST_CASE(
       found = glm::length(next);
       way = next / found;
     }
-    CHECK(r.springs == doctest::Approx(std::max(1.0, found)).epsilon(1e-3));
+    CHECK(r.stiffness_factor == doctest::Approx(std::max(1.0, found)).epsilon(1e-3));
     most = std::max(most, found);
   }
   CHECK(most > 3.0);
 }
 
-TEST_CASE("in one ball of 3 A the push is the depth along the radius, so that the SCP is exact to 1e-14 A") {
+TEST_CASE("in one sphere of 3 A the push is the depth along the radius, so that the SCP is exact to 1e-14 A") {
   PenaltyTracker tracker(makeScene({{{0, 0, 0}, 1.6}}), 1.4);
   CHECK_FALSE(tracker.step({{0, 0, 5}}).touching());
   const Contact c = tracker.step({{0, 1.2, 1.6}});
@@ -106,7 +106,7 @@ TEST_CASE(
   CHECK(glm::length(c.scp.A - h) / (std::sqrt(8.0) - 2.0) == doctest::Approx(1.65).epsilon(0.01));
 }
 
-TEST_CASE("of five balls that push, the three that push most are named, in ascending order") {
+TEST_CASE("of five spheres that push, the three that push most are named, in ascending order") {
   std::vector<Sphere> spheres;
   for (int k = 0; k < 5; ++k) spheres.push_back({{0, 0, -0.3 * k}, 1.6});
   PenaltyTracker tracker(makeScene(spheres), 1.4);
@@ -116,7 +116,7 @@ TEST_CASE("of five balls that push, the three that push most are named, in ascen
   CHECK(c.atoms == std::array<std::int32_t, 3>{0, 1, 2});
 }
 
-TEST_CASE("known failure: past the centre of a ball the push leads out on the far side, and the HIP is through") {
+TEST_CASE("known failure: past the centre of a sphere the push leads out on the far side, and the HIP is through") {
   PenaltyTracker tracker(makeScene({{{0, 0, 0}, 1.6}}), 1.4);
   CHECK(walkTo(tracker, {0, 0, 5}, {0, 0, 0.2}, 0.02).scp.A.z > 0);
   const Contact past = walkTo(tracker, {0, 0, 0.2}, {0, 0, -0.2}, 0.02);
@@ -125,7 +125,7 @@ TEST_CASE("known failure: past the centre of a ball the push leads out on the fa
 }
 
 TEST_CASE(
-    "known failure: a row of balls that a probe of 1.4 A cannot pass is passed in steps of 7 A without a "
+    "known failure: a row of spheres that a probe of 1.4 A cannot pass is passed in steps of 7 A without a "
     "tick of contact") {
   std::vector<Sphere> spheres;
   for (int k = 0; k < 8; ++k) spheres.push_back({{0, 0, 2.5 * k}, 1.6});
@@ -133,7 +133,7 @@ TEST_CASE(
   for (double x = -24.5; x < 25; x += 7.0) CHECK_FALSE(tracker.step({{x, 0, 8}}).touching());
 }
 
-TEST_CASE("known failure: midway between two balls the pushes cancel, and a HIP 1 A deep in both feels nothing") {
+TEST_CASE("known failure: midway between two spheres the pushes cancel, and a HIP 1 A deep in both feels nothing") {
   PenaltyTracker tracker(makeScene({{{-2, 0, 0}, 1.6}, {{2, 0, 0}, 1.6}}), 1.4);
   tracker.step({{0, 0, 5}});
   const Contact c = tracker.step({{0, 0, 0}});
@@ -158,7 +158,7 @@ TEST_CASE("when the probe swells by 1 A the push grows by 1 A") {
 }
 
 TEST_CASE(
-    "known failure: in walks over a cluster of 20 it is exact where one ball pushes and off by over 0.2 A in "
+    "known failure: in walks over a cluster of 20 it is exact where one sphere pushes and off by over 0.2 A in "
     "1 of 20 ticks") {
   const scenes::Scene scene = scenes::cluster(20, 2);
   PenaltyTracker tracker(makeScene(scene.spheres), scene.probe_A);

@@ -32,7 +32,7 @@ void checkAgainstLoop(const SphereGrid& scene, Vec3 p, double margin) {
 
 }  // namespace
 
-TEST_CASE("the grid finds every ball that a loop over 2000 random balls finds, each once, at 200 places") {
+TEST_CASE("the grid finds every sphere that a loop over 2000 random spheres finds, each once, at 200 places") {
   const unsigned seed = 7;
   CAPTURE(seed);
   std::mt19937_64 random(seed);
@@ -45,7 +45,7 @@ TEST_CASE("the grid finds every ball that a loop over 2000 random balls finds, e
     checkAgainstLoop(scene, Vec3(coordinate(random), coordinate(random), coordinate(random)) * 1.3, k % 5);
 }
 
-TEST_CASE("a scene of two balls a million angstroms apart takes less than 4 kB and finds each of them") {
+TEST_CASE("a scene of two spheres a million angstroms apart takes less than 4 kB and finds each of them") {
   const SphereGrid scene({{{0, 0, 0}, 1.5}, {{1e6, 1e6, -1e6}, 1.5}});
   CHECK(scene.bytes() < 4096);
   checkAgainstLoop(scene, {0.5, 0, 0}, 1.4);
@@ -53,7 +53,7 @@ TEST_CASE("a scene of two balls a million angstroms apart takes less than 4 kB a
   checkAgainstLoop(scene, {5e5, 5e5, 5e5}, 1.4);
 }
 
-TEST_CASE("of 3 equal balls among 200 in one cell only the first in the file is visited") {
+TEST_CASE("of 3 equal spheres among 200 in one cell only the first in the file is visited") {
   for (const int others : {5, 200}) {
     std::vector<Sphere> spheres;
     for (int k = 0; k < others; ++k) spheres.push_back({{0.001 * k, 0.5, 0.5}, 1.5});
@@ -69,7 +69,7 @@ TEST_CASE("of 3 equal balls among 200 in one cell only the first in the file is 
   }
 }
 
-TEST_CASE("a look over the whole of a small scene visits each of 3 different balls once, the doubled ones too") {
+TEST_CASE("a look over the whole of a small scene visits each of 3 different spheres once, the doubled ones too") {
   const Sphere a{{0, 0, 0}, 1.5}, b{{2, 0, 0}, 1.5}, c{{9, 9, 9}, 1.5};
   const SphereGrid scene({a, a, b, b, b, c, a});
   std::vector<std::uint32_t> seen;

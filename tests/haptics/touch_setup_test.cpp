@@ -37,7 +37,7 @@ TEST_CASE(
     CHECK(fields.insert(p.field).second);
     CHECK_FALSE(p.meaning.empty());
     CHECK_FALSE(p.fallback.empty());
-    // What an interaction is made with stands in a recording's labels, all else in its ticks.
+    // Properties that require a rebuild are labels of a recording; all others are in its ticks.
     CHECK(p.label.empty() != p.requires_rebuild);
     const TouchValue usual = touchValue(TouchSetup(), p);
     if (const auto* number = std::get_if<double>(&usual)) {
@@ -116,7 +116,7 @@ TEST_CASE("a task's changes are taken back to the scene's values one by one, and
   CHECK((now.stiffness_N_per_mm == 0.1 && now.probe_A == 2.5 && now.method == "exact"));
   method.replace(softer, scene, now);
   CHECK((now.stiffness_N_per_mm == 0.3 && now.probe_A == 2.5 && now.method == "penalty"));
-  now.method = "paper";  // by hand, while the task goes on
+  now.method = "paper";  // by hand, while the task continues
   method.replace(method, scene, now);
   CHECK(now.method == "paper");
   none.replace(method, scene, now);

@@ -25,7 +25,8 @@ std::shared_ptr<const SphereGrid> without(std::vector<Sphere> spheres, const std
 }  // namespace
 
 TEST_CASE(
-    "every method's probe goes through the middle of an untouchable ball, and rests on the other one by its index") {
+    "every method's probe passes through the middle of an untouchable sphere, and rests on the other one by its "
+    "index") {
   for (const Method& method : benchMethods()) {
     CAPTURE(std::string(method.name));
     const auto tracker = method.make(without(kPair, {0}), 1.4);
@@ -38,7 +39,7 @@ TEST_CASE(
 }
 
 TEST_CASE(
-    "along 3000 ticks over 50 random balls of which every third is untouchable, the exact tracker answers to 1e-9 A "
+    "along 3000 ticks over 50 random spheres of which every third is untouchable, the exact tracker answers to 1e-9 A "
     "as "
     "over the 33 others, with their indices in the whole") {
   const scenes::Scene scene = scenes::cluster(50, 3);
@@ -67,7 +68,7 @@ TEST_CASE(
   CHECK(touching > 500);
 }
 
-TEST_CASE("the box of a scene counts no untouchable ball, a sweep meets none, and one without any other has no box") {
+TEST_CASE("the box of a scene counts no untouchable sphere, a sweep meets none, and one without any other has no box") {
   const auto one = without(kPair, {1, 7, 1});
   CHECK(one->size() == 2);
   CHECK((one->touchable(0) && !one->touchable(1)));
@@ -81,7 +82,7 @@ TEST_CASE("the box of a scene counts no untouchable ball, a sweep meets none, an
   CHECK_FALSE(SphereGrid(kPair).hasUntouchable());
 }
 
-TEST_CASE("an untouchable ball that moves through a still probe is not felt on its way, nor in the motion after it") {
+TEST_CASE("an untouchable sphere that moves through a still probe is not felt on its way, nor in the motion after it") {
   const auto tracker = findMethod("exact")->make(without(kPair, {0}), 1.4);
   const PointA still{{-5, 0, 0}};
   tracker->step(still);

@@ -56,7 +56,7 @@ TEST_CASE("a rule that leaves its forms or divides by zero gives form 0") {
   CHECK(rule("nplurals=2; plural=7%(n-n);").form(2) == 0);
 }
 
-TEST_CASE("what is no rule is none: cut off, of no forms or 17, with words, deeper than 40, longer than 200") {
+TEST_CASE("invalid rules are rejected: cut off, of no forms or 17, with words, deeper than 40, longer than 200") {
   for (const char* text :
        {"", "nplurals=2", "nplurals=2; plural=", "nplurals=0; plural=0;", "nplurals=17; plural=0;",
         "nplurals=2; plural=n?1", "nplurals=2; plural=(n", "nplurals=2; plural=n==;", "nplurals=2; plural=m;",

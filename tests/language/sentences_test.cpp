@@ -68,8 +68,8 @@ bool prose(const std::string& literal) {
   return std::regex_search(literal, words) && !std::regex_search(literal, other);
 }
 
-// Whether the literal at `k` is an argument of a function that translates, or of what stays English: an assertion, or
-// what a key means, which is told in the authors' reference only.
+// Whether the literal at `k` is an argument of a function that translates, or text that remains English: an assertion,
+// or the meaning of a key, which only the authors' reference shows.
 bool looked(const std::vector<Token>& t, std::size_t k) {
   int depth = 0;
   for (std::size_t at = k; at-- > 0;) {
@@ -95,10 +95,10 @@ TEST_CASE(
       {"engine/lesson/new_lesson.cpp", 99},       // the lesson that an author begins with
       {"engine/lesson/reference.cpp", 99},        // a page of docs
       {"engine/lesson/minutes.cpp", 1},           // a row of that page
-      {"engine/lesson/selection_parser.cpp", 9},  // words of the selection language, told in that page
+      {"engine/lesson/selection_parser.cpp", 9},  // words of the selection language, explained on that page
       {"engine/lesson/selection_slips.cpp", 2},   // words of it
       {"engine/lesson/keys.cpp", 2},              // keys that authors write
-      {"engine/lesson/way_rules.cpp", 3},         // the same, and words of theirs
+      {"engine/lesson/step_rules.cpp", 3},        // the same, and words of theirs
       {"engine/lesson/answer_reader.cpp", 2},
       {"engine/lesson/values.cpp", 1},
       {"engine/lesson/second_state.cpp", 1},  // a key in which it stands
@@ -160,7 +160,7 @@ TEST_CASE(
   CHECK(bare("return \"a bare sentence\";") == 1);
   CHECK(bare("return few ? \"a bare one\" : tr(\"a marked one\");") == 1);
   CHECK(bare("f(tr(\"marked once\"), \"and bare\");") == 1);
-  CHECK(bare("Problem{file, 0, 0, \"in \" + x, tr(\"mend it\")};") == 0);  // one word: not told from a name
+  CHECK(bare("Problem{file, 0, 0, \"in \" + x, tr(\"mend it\")};") == 0);  // one word: it could be a name
   CHECK(bare("const Row k[] = {{N_(\"in a table\")}, {20'000, \"not marked\"}};") == 1);
   CHECK(bare("trf(\"two {0} \"\n \"lines of it\", x(\"k\")); // \"a comment\" \n#include \"no such file\"\n") == 0);
   CHECK(bare("out += R\"(<p>raw text here)\"; out += \"<td class=\\\"left\\\">\";") == 0);

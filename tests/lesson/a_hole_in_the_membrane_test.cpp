@@ -37,7 +37,7 @@ double radiusOfVolume_A(double g_per_mol, double g_per_cm3) {
 }  // namespace
 
 TEST_CASE(
-    "a-hole-in-the-membrane.md has 8 steps and an aside, a largest ball, a search and trials in the dark, and scenes "
+    "a-hole-in-the-membrane.md has 8 steps and an aside, a largest sphere, a search and trials in the dark, and scenes "
     "with "
     "1 A to 7 A") {
   const Lesson lesson = shippedLesson(kLesson);
@@ -55,7 +55,7 @@ TEST_CASE(
   }
 }
 
-TEST_CASE("the largest ball that passes the eyelet has 4.2 A: 4.1 A passes and 4.3 A does not; sugar of 3.6 A does") {
+TEST_CASE("the largest sphere that passes the eyelet has 4.2 A: 4.1 A passes and 4.3 A does not; sugar of 3.6 A does") {
   CAPTURE(lineSaying(kLesson, "The largest ball has 4.2 Å"));
   CAPTURE(lineSaying(kLesson, "takes as much room as a ball of 3.6 Å"));
   const ShippedScene porin("2por");
@@ -64,7 +64,7 @@ TEST_CASE("the largest ball that passes the eyelet has 4.2 A: 4.1 A passes and 4
 }
 
 TEST_CASE(
-    "at the narrowest place a ball of 4.1 A lies within 0.3 A of Asp 93, Asp 108, Arg 26 and a calcium ion at once") {
+    "at the narrowest place a sphere of 4.1 A lies within 0.3 A of Asp 93, Asp 108, Arg 26 and a calcium ion at once") {
   CAPTURE(lineSaying(kLesson, "it lies against Asp 93, Asp 108, Arg 26 and a calcium ion at once"));
   CAPTURE(lineSaying(kLesson, "between arginine 26 on the one side and aspartates 93 and 108 on the other"));
   const ShippedScene porin("2por");
@@ -79,7 +79,7 @@ TEST_CASE(
 }
 
 TEST_CASE(
-    "a ball of 7 A gets into the barrel and rests about 9 A above the eyelet, on Glu 109, Asp 95 and Asp 96; the "
+    "a sphere of 7 A gets into the barrel and rests about 9 A above the eyelet, on Glu 109, Asp 95 and Asp 96; the "
     "mouth "
     "is open to one of 8 A") {
   CAPTURE(lineSaying(kLesson, "The eyelet is some 9 Å below you"));
@@ -180,10 +180,11 @@ TEST_CASE("of the belt between 6 A and 30 A over two thirds are greasy and less 
   std::string line;
   int strands = 0;
   for (; std::getline(in, line);) strands += line.rfind("SHEET ", 0) == 0;
-  CHECK(strands - 1 == 16);  // the first strand stands at the end again, for the sheet is closed
+  CHECK(strands - 1 == 16);  // the first strand is repeated at the end, because the sheet is closed
 }
 
-TEST_CASE("balls of the room that a molecule takes up in its crystal: glucose 3.6 A, sucrose 4.4 A, vancomycin 7.3 A") {
+TEST_CASE(
+    "spheres of the room that a molecule takes up in its crystal: glucose 3.6 A, sucrose 4.4 A, vancomycin 7.3 A") {
   CAPTURE(
       lineSaying(kLesson, "glucose 180 g/mol at 1.55 g/cm³ gives 3.6 Å, sucrose 342 g/mol at 1.59 g/cm³ gives 4.4 Å"));
   CAPTURE(lineSaying(kLesson, "at 1.4 g/cm³ to 1.5 g/cm³ that is a ball of 7.3 Å"));
@@ -196,7 +197,7 @@ TEST_CASE("balls of the room that a molecule takes up in its crystal: glucose 3.
 }
 
 TEST_CASE(
-    "the largest ball that the program leads through the ring has 3.9 A, and answers from 3.5 A count: what the grid "
+    "the largest sphere that the program leads through the ring has 3.9 A, and answers from 3.5 A count: what the grid "
     "finds, 4.2 A, lies 0.3 A above it") {
   CAPTURE(lineSaying(kLesson, "finds 3.9 Å. It takes any answer that lies at most 0.4 Å below that"));
   const Lesson lesson = shippedLesson(kLesson);
@@ -207,8 +208,8 @@ TEST_CASE(
   const auto ring = ringOf(porin.spheres, porin.select(spec.values["fit"].selection.text()));
   REQUIRE(ring);
   CHECK(ring->centre_A.z == doctest::Approx(24.0).epsilon(0.1));
-  CHECK(wayThrough(porin.spheres, *ring, 3.85));
-  CHECK_FALSE(wayThrough(porin.spheres, *ring, 3.95));
+  CHECK(pathThrough(porin.spheres, *ring, 3.85));
+  CHECK_FALSE(pathThrough(porin.spheres, *ring, 3.95));
 }
 
 TEST_CASE("the twelve atoms of the belt are felt on greasy amino acids of which each has atoms that look outward") {

@@ -158,9 +158,10 @@ TEST_CASE("there are 12 spikes, 20 places of three and 30 of two") {
 }
 
 TEST_CASE(
-    "on the three-fold axis a ball of 1.4 A comes 10 A below its rest on the knobs and a point goes through the shell; "
+    "on the three-fold axis a sphere of 1.4 A comes 10 A below its rest on the knobs and a point goes through the "
+    "shell; "
     "at "
-    "the tip of a spike the ball comes more than 40 A below; between two pieces lies a valley") {
+    "the tip of a spike the sphere comes more than 40 A below; between two pieces lies a valley") {
   CAPTURE(lineSaying(kLesson, "Between the three serines it sinks in about 10 Å, and then it is shut"));
   CAPTURE(lineSaying(kLesson, "a channel between them, more than 40 Å deep"));
   CAPTURE(lineSaying(kLesson, "how deep does it let you in before it stops you"));

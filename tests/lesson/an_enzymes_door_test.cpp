@@ -84,7 +84,7 @@ TEST_CASE("on the core, the lid moves by 15 A in the mean and 24 A at most, the 
   CHECK(whole->rmsd_A == doctest::Approx(7.1).epsilon(0.01));
 }
 
-TEST_CASE("AMP has the room of a ball of 4.4 A") {
+TEST_CASE("AMP has the room of a sphere of 4.4 A") {
   CAPTURE(lineSaying(kLesson, "AMP has 347 g/mol; at a density of 1.6 g/cm³ that is a ball of 4.4 Å"));
   CHECK(std::cbrt(3.0 * 347.2 / (0.602214 * 1.6) / (4.0 * std::numbers::pi)) == doctest::Approx(4.4).epsilon(0.01));
 }

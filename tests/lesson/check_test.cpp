@@ -64,21 +64,22 @@ TEST_CASE(
   CHECK(lessonName("first-touch.md").language.empty());
   CHECK(lessonName("first.touch.md").id == "first.touch");
   CHECK(lessonName("first.touch.md").language.empty());
-  const auto told = [](const char* name, const std::string& keys) {
+  const auto reported = [](const char* name, const std::string& keys) {
     const LessonCheck check = checkLesson(name, "---\n" + keys + kHead.substr(4) + kStep, onlyMix);
     Texts out = texts(check.errors), more = texts(check.warnings);
     out.insert(out.end(), more.begin(), more.end());
     return out;
   };
-  CHECK(told("l.de.md", "").empty());
-  CHECK(told("l.de.md", "language: de\n").empty());
-  CHECK(told("l.md", "language: de\n").empty());
-  CHECK(told("l.de.md", "language: en\n") == Texts{"l.de.md:2:11: the file's name says that the lesson is in 'de', its "
-                                                   "front matter in 'en'; let both say the same"});
-  CHECK(told("l.md", "language: deutsch\n") ==
+  CHECK(reported("l.de.md", "").empty());
+  CHECK(reported("l.de.md", "language: de\n").empty());
+  CHECK(reported("l.md", "language: de\n").empty());
+  CHECK(reported("l.de.md", "language: en\n") ==
+        Texts{"l.de.md:2:11: the file's name says that the lesson is in 'de', its "
+              "front matter in 'en'; let both say the same"});
+  CHECK(reported("l.md", "language: deutsch\n") ==
         Texts{"l.md:2:11: 'deutsch' is no language's code; write its two letters: en, de"});
   CHECK(
-      told("l.old.md", "") ==
+      reported("l.old.md", "") ==
       Texts{
           "l.old.md:1:1: 'old' at the end of the file's name is no language; name a lesson in another language by its "
           "two letters: first-touch.de.md"});
@@ -186,24 +187,26 @@ TEST_CASE("links and pictures are looked up beside the lesson; web addresses are
   folder.write("ring.png", kRedPng);
   folder.write("sub/a b.txt", "");
   folder.write("other.md", kHead + kStep);
-  const auto told = [&](const std::string& body) {
+  const auto reported = [&](const std::string& body) {
     Texts out;
     for (const Problem& p : checkLesson((folder.path / "l.md").string(), kHead + kStep + body, onlyMix).errors)
       out.push_back(std::to_string(p.line) + ":" + std::to_string(p.column) + " " + p.message + "; " + p.remedy);
     return out;
   };
-  CHECK(told("![A ring](ring.png) [a](sub/a%20b.txt) [b](other.md) [c](other.md#one-step) "
-             "[d](https://example.org/x.md#y) [e](mailto:a@b.c)\n")
+  CHECK(reported("![A ring](ring.png) [a](sub/a%20b.txt) [b](other.md) [c](other.md#one-step) "
+                 "[d](https://example.org/x.md#y) [e](mailto:a@b.c)\n")
             .empty());
-  CHECK(told("Å ![A ring](rong.png)\n") ==
+  CHECK(reported("Å ![A ring](rong.png)\n") ==
         Texts{"14:3 the picture 'rong.png' leads to no file; did you mean 'ring.png'?"});
-  CHECK(told("See **[this](other.md#one-stop)**.\n") ==
+  CHECK(reported("See **[this](other.md#one-stop)**.\n") ==
         Texts{"14:14 there is no step '#one-stop' in other.md; did you mean 'one-step'?"});
-  CHECK(told("[a](sub/none.txt)\n") == Texts{"14:5 the link 'sub/none.txt' leads to no file; put it there, or mend its "
-                                             "name; it is looked for in the lesson's folder"});
-  CHECK(told("[a](/etc/hosts)\n") == Texts{"14:5 the link '/etc/hosts' leads to a place of this computer only; put the "
-                                           "file beside the lesson and write its name"});
-  CHECK(told("[a](ftp://x.org/y)\n")[0].starts_with(
+  CHECK(reported("[a](sub/none.txt)\n") ==
+        Texts{"14:5 the link 'sub/none.txt' leads to no file; put it there, or mend its "
+              "name; it is looked for in the lesson's folder"});
+  CHECK(reported("[a](/etc/hosts)\n") ==
+        Texts{"14:5 the link '/etc/hosts' leads to a place of this computer only; put the "
+              "file beside the lesson and write its name"});
+  CHECK(reported("[a](ftp://x.org/y)\n")[0].starts_with(
       "14:5 the link 'ftp://x.org/y' leads to nothing that a lesson can show"));
 }
 

@@ -79,7 +79,8 @@ TEST_CASE(
           0.001);
 }
 
-TEST_CASE("no ball of 0.5 A passes straight into the middle of the helix, wherever within 1 A of the axis it begins") {
+TEST_CASE(
+    "no sphere of 0.5 A passes straight into the middle of the helix, wherever within 1 A of the axis it begins") {
   const std::string line = lineSaying(kCoils, "nowhere within 1 Å of the middle does the ball go in");
   CAPTURE(line);
   const ShippedScene s("alpha-helix");

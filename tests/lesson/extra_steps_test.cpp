@@ -49,7 +49,7 @@ TEST_CASE("Next passes 2 extra steps over, the step before offers them, and neit
   CHECK(s.step().id == "a");
 }
 
-TEST_CASE("what an extra step puts on the stage goes on in the extra step after it and is gone in the core") {
+TEST_CASE("what an extra step puts on the stage continues in the extra step after it and is gone in the core") {
   LessonReading read = readLessonText("l.md", kHead + kBody);
   REQUIRE(read.lesson);
   CHECK(read.lesson->steps[1].scene.touch.probe_A == 2.0);

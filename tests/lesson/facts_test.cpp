@@ -70,8 +70,8 @@ constexpr const char* kCorrect = "; correct the number here and in the text, or 
 }  // namespace
 
 TEST_CASE("each kind of fact is computed as its key says: a square of carbons, 3 A wide, below a nitrogen") {
-  // The nitrogen is sqrt(1.5^2 + 1.5^2 + 4^2) = 4.528 A from each carbon. Seen from a ball of 1.4 A on two carbons, these
-  // are 2 asin(1.5 / 3.1) = 57.9 degrees apart. A ball that passes the opening of the square has 3 / sqrt(2) - 1.7 =
+  // The nitrogen is sqrt(1.5^2 + 1.5^2 + 4^2) = 4.528 A from each carbon. Seen from a sphere of 1.4 A on two carbons, these
+  // are 2 asin(1.5 / 3.1) = 57.9 degrees apart. A sphere that passes the opening of the square has 3 / sqrt(2) - 1.7 =
   // 0.42 A.
   CHECK(falseOf(R"(atoms:
 - all = 5

@@ -228,7 +228,7 @@ TEST_CASE(
   const auto [to_right, above, round_deg] = *step.scene.view.turned_deg;
   REQUIRE(to_right == 0.0);
   REQUIRE(above == 0.0);
-  // Seen from the front, turned against the clock by so many degrees.
+  // Seen from the front, rotated counter-clockwise by this many degrees.
   const double turned = round_deg * std::numbers::pi / 180;
   const auto seen = [&](const Vec3& p) {
     return Vec3(p.x * std::cos(turned) - p.y * std::sin(turned), p.x * std::sin(turned) + p.y * std::cos(turned), p.z);

@@ -48,7 +48,7 @@ TEST_CASE(
     const Lesson lesson = shippedLesson(name);
     std::set<std::size_t> served;
     for (const Step& step : lesson.steps) {
-      // The report counts what is done of all that serves a goal; nobody owes a side path.
+      // The report counts everything done for a goal; side paths are optional.
       if (step.aside) {
         CAPTURE(step.title);
         CHECK(servedGoals(step).empty());

@@ -81,7 +81,7 @@ TEST_CASE(
   std::set<std::string> used, failures;
   for (const Step& s : read.lesson->steps) {
     CHECK_FALSE(s.tasks.empty());
-    // The plots would tell which method it is.
+    // The plots would reveal the method.
     const bool dark = s.tasks.empty() || s.tasks[0].kind == "same";
     CHECK(s.scene.panels == std::vector<std::string>{dark ? "none" : "methods"});
     if (dark) CHECK((s.scene.locks("panels") && s.scene.locks("method")));
@@ -222,7 +222,7 @@ TEST_CASE(
   const Step& thrown = stepOf(*read.lesson, "penalty-throws-you-out-of-the-far-side");
   CHECK(lost.scene.touch.method == "paper");
   CHECK(thrown.scene.touch.method == "penalty");
-  // The pit lies so high over the plane of the atoms; a mouse pushes 3 A under the surface and no further.
+  // The pit's height above the plane of the atoms; a mouse pushes at most 3 A below the surface.
   const double pit_A = std::sqrt(std::pow(1.88 + lost.scene.touch.probe_A, 2) - std::pow(3.76, 2) / 3.0);
   for (const Vec3& aside : {Vec3(0.02, 0.01, 0), Vec3(0.2, -0.1, 0), Vec3(-0.1, 0.25, 0)}) {
     const std::vector<Vec3> through{aside + Vec3(0, 0, 4), aside + Vec3(0, 0, pit_A), aside + Vec3(0, 0, pit_A - 3.0),

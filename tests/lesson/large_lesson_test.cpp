@@ -51,7 +51,7 @@ Result checked(const std::string& text, const std::string& file = "/nowhere/larg
   return out;
 }
 
-std::size_t told(const LessonCheck& check) { return std::max(check.errors.size(), check.warnings.size()); }
+std::size_t reported(const LessonCheck& check) { return std::max(check.errors.size(), check.warnings.size()); }
 
 }  // namespace
 
@@ -101,13 +101,13 @@ TEST_CASE(
       for (std::size_t at; (at = text.find('%')) != std::string::npos;) text.replace(at, 1, number(n));
       return text;
     }));
-    CHECK(told(r.check) > 0);
-    CHECK(told(r.check) <= kMaxLessonProblems + 1);
+    CHECK(reported(r.check) > 0);
+    CHECK(reported(r.check) <= kMaxLessonProblems + 1);
     CHECK(r.asked <= int(kMaxLessonProblems) + 1);
   }
   std::string molecules = "---\ntitle: Large\nlevel: beginner\nminutes: 1\ngoals:\n  - all of it\nmolecules:\n";
   for (std::size_t n = 0; molecules.size() < 900'000; ++n) molecules += "  - m" + number(n) + "\n";
-  CHECK(told(checked(molecules + kHead.substr(kHead.find("---\n\n"))).check) <= kMaxLessonProblems + 1);
+  CHECK(reported(checked(molecules + kHead.substr(kHead.find("---\n\n"))).check) <= kMaxLessonProblems + 1);
 }
 
 TEST_CASE("a missing file beside 2000 files with long names, linked 20 000 times, gives 500 suggestions") {

@@ -183,8 +183,8 @@ TEST_CASE(
   };
   const std::vector<const char*> small{"OXT", "HB1", "HB3", "HB2", "H2", "H3", "O"},
       ring{"OXT", "CD2", "CE1", "HZ", "CE1", "HB2", "H2"};
-  // The hand that goes to NH3+ first comes to the side chain too late; the one that leaves the ring out goes straight
-  // down the middle, over the alpha hydrogen.
+  // A hand that touches NH3+ first reaches the side chain too late. One that omits the ring moves straight down the
+  // middle, over the alpha hydrogen.
   const std::vector<std::vector<const char*>> small_astray{{"OXT", "H3", "H2", "HB2", "HB1"},
                                                            {"OXT", "H3", "HB1", "H3"}},
       ring_astray{{"OXT", "H2", "HA", "CE1"},
@@ -212,12 +212,12 @@ TEST_CASE(
     };
     CHECK(passed(round, false));
     CHECK_FALSE(passed(round, true));
-    // A looker who clicks the middle of what he sees, and a hand that goes from COO- to NH3+ first.
+    // A student who clicks the middle of the visible group, and a hand that moves from COO- to NH3+ first.
     CHECK_FALSE(passed({named("HA"), named("CA")}, false));
     for (const std::vector<const char*>& names : r.astray) {
-      std::string told;
-      for (const char* name : names) told += std::string(name) + " ";
-      CAPTURE(told);
+      std::string reported;
+      for (const char* name : names) reported += std::string(name) + " ";
+      CAPTURE(reported);
       CHECK_FALSE(passed(all(names), false));
     }
   }

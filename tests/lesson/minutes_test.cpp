@@ -93,7 +93,7 @@ TEST_CASE("extra steps and asides count to all minutes and not to those of the c
   CHECK(minutesOf(lesson).all == doctest::Approx(4.0));
   CHECK(shownMinutes(lesson).core == 2);
   CHECK(shownMinutes(lesson).all == 4);
-  // What the author states of the core goes before; the rest is added.
+  // The author's value for the core takes precedence; the rest is added.
   Lesson stated = lesson;
   stated.minutes = 3;
   CHECK(shownMinutes(stated).core == 3);

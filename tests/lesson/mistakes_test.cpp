@@ -83,8 +83,8 @@ wrong: No.
 struct Mistake {
   const char* kind;
   std::string good, bad;  // the first text of the lesson is replaced by the second
-  std::string words;      // in what is told at that line
-  int below = 0;          // the line told stands so many below that where the texts begin
+  std::string words;      // words in the message at that line
+  int below = 0;          // distance in lines of the reported line from the beginning of the texts
 };
 
 const std::vector<Mistake>& mistakes() {
@@ -282,7 +282,7 @@ TEST_CASE(
   const LessonCheck good = checkLesson("l.md", kGood, onlyMix);
   for (const Problem& p : good.errors) FAIL_CHECK(p.text());
   for (const Problem& p : good.warnings) FAIL_CHECK(p.text());
-  std::map<std::string, std::pair<int, int>> told;  // of each kind: told rightly, of
+  std::map<std::string, std::pair<int, int>> reported;  // of each kind: correctly reported, total
   for (const Mistake& m : mistakes()) {
     CAPTURE(m.kind);
     CAPTURE(m.bad);
@@ -302,11 +302,11 @@ TEST_CASE(
     }
     INFO("expected at line " << line << ": " << m.words << "; told:\n" << said);
     CHECK(right);
-    told[m.kind].first += right;
-    ++told[m.kind].second;
+    reported[m.kind].first += right;
+    ++reported[m.kind].second;
   }
   int all = 0;
-  for (const auto& [kind, counts] : told) all += counts.second;
+  for (const auto& [kind, counts] : reported) all += counts.second;
   CHECK(all == 165);
 }
 
@@ -314,7 +314,7 @@ TEST_CASE(
     "every key of plain text, of all tasks and of each kind, warns about Markdown that would be "
     "shown literally") {
   std::size_t keys = 0;
-  const auto told = [](std::string_view kind, std::string_view key) {
+  const auto reported = [](std::string_view kind, std::string_view key) {
     Lesson lesson;
     Step& step = lesson.steps.emplace_back();
     TaskSpec& task = step.tasks.emplace_back();
@@ -336,7 +336,7 @@ TEST_CASE(
         CAPTURE(std::string(key.name));
         if (key.type != ValueType::Text) continue;
         ++keys;
-        told(kind.name, key.name);
+        reported(kind.name, key.name);
       }
   CHECK(keys >= 3 * taskKinds().size() + 3);
 }

@@ -51,8 +51,8 @@ std::size_t charactersIn(const std::string& line) {
       std::count_if(line.begin(), line.end(), [](unsigned char c) { return (c & 0xC0) != 0x80; }));
 }
 
-/// The reading holds together, and every place of it lies in the text. With molecules, so does all that is told of
-/// those.
+/// The result is consistent, and each of its positions lies in the text. With molecules, this includes all their
+/// messages.
 void checkReading(const std::string& text, const MoleculeByName& molecules = {}) {
   const LessonReading read = readLessonText("lesson.md", text);
   const std::vector<std::string> lines = linesOf(text);

@@ -48,7 +48,7 @@ TEST_CASE("a prediction can be changed, and gets no feedback, until the step's t
   CHECK(session.step().questions[0].prediction);
   CHECK(session.takesAnswer(0));
   session.choose(0, {1});
-  CHECK_FALSE(session.told(0));
+  CHECK_FALSE(session.feedbackVisible(0));
   CHECK(session.feedback(0).empty());
   session.choose(0, {0});
   CHECK(session.question(0).attempts == 2);
@@ -56,7 +56,7 @@ TEST_CASE("a prediction can be changed, and gets no feedback, until the step's t
   CHECK(session.feedback(0).empty());
   touchAtom0(session);
   REQUIRE(session.task(0).done);
-  CHECK(session.told(0));
+  CHECK(session.feedbackVisible(0));
   CHECK(plainText(session.feedback(0).at(0)) == "It went down.");
   CHECK_FALSE(session.takesAnswer(0));
   CHECK_FALSE(session.choose(0, {1}));
@@ -89,7 +89,9 @@ TEST_CASE("a prediction without a task is warned of, one that is a free answer i
   CHECK(errors[0].line == 13);
 }
 
-TEST_CASE("what is no number is asked again and is no attempt: words, another quantity, nothing; a comma is one") {
+TEST_CASE(
+    "an answer that is not a number is asked again and is not an attempt: words, another quantity, nothing; a comma is "
+    "one") {
   LessonSession session(lesson(kScene + "### Question: N?\n```answer\nnumber: 1.4 Å\ntolerance: 0.1 Å\n```\n"));
   for (const char* none : {"about 1.4", "1.4 N", "so wide"}) {
     CHECK_FALSE(session.write(0, none));

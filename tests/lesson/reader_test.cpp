@@ -44,8 +44,8 @@ TEST_CASE("a misspelt key and a bare number are reported at once, at 14:1 and 19
 }
 
 TEST_CASE("a fault behind a tab is reported at its second character") {
-  const Texts told = errors(kHead + kStep + "```touch\n\tnonsense\n```\n");
-  CHECK(std::any_of(told.begin(), told.end(),
+  const Texts reported = errors(kHead + kStep + "```touch\n\tnonsense\n```\n");
+  CHECK(std::any_of(reported.begin(), reported.end(),
                     [](const std::string& t) { return t.starts_with("l.md:14:2: 'nonsense'"); }));
 }
 
@@ -154,7 +154,7 @@ TEST_CASE(
   CHECK(std::get<Image>(blocks[4]).description == "A ring");
 }
 
-TEST_CASE("a scene without a molecule changes only what it says; one with a molecule starts anew") {
+TEST_CASE("a scene without a molecule changes only what it says; one with a molecule starts again") {
   const Lesson l = lesson(
       "## A\n```scene\nmolecule: mix\nprobe: 0.2 nm\nstiffness: 300 N/m\nforce: off\n```\n"
       "## B\n## C\n```scene\nprobe: 1 Å\nview: facing ligand\n```\n## D\n```scene\nmolecule: water\n```\n");
@@ -170,7 +170,7 @@ TEST_CASE("a scene without a molecule changes only what it says; one with a mole
   CHECK(d.show == Texts{"atoms", "probe", "force", "target"});
 }
 
-TEST_CASE("what a scene magnifies goes on until a scene says otherwise, 'none' or another molecule") {
+TEST_CASE("what a scene magnifies continues until a scene says otherwise, 'none' or another molecule") {
   const Lesson l = lesson(
       "## A\n```scene\nmolecule: mix\nmagnify: ligand\n```\n## B\n```scene\nprobe: 1 Å\n```\n"
       "## C\n```scene\nmagnify: none\n```\n## D\n```scene\nmagnify: residue 52\n```\n## E\n```scene\nmolecule: "
@@ -281,7 +281,7 @@ TEST_CASE("a slug is what Git hosts make of a heading") {
   CHECK(slug(" What's 4 Å? ") == "whats-4-Å");
 }
 
-TEST_CASE("model, assembly and waters go on from scene to scene; a scene that names its molecule starts them anew") {
+TEST_CASE("model, assembly and waters continue from scene to scene; a scene that names its molecule resets them") {
   const Lesson l = lesson(
       "## A\n```scene\nmolecule: mix\nmodel: 2\nassembly: 1\n```\nText.\n## B\n```scene\nwaters: yes\n```\nText.\n"
       "## C\n```scene\nassembly: none\n```\nText.\n## D\n```scene\nmolecule: mix\n```\nText.\n");

@@ -28,7 +28,7 @@ LessonCheck checked(const std::string& text) {
   return checkLesson("lesson.md", text, [&](const NamedMolecule& name) { return molecules.find("lesson.md", name); });
 }
 
-/// What stands in the fences of a page: its blocks of the given kinds, one after another.
+/// The contents of a page's fenced blocks of the given kinds, in order.
 std::string fences(const std::string& page, const std::string& from, const std::string& to) {
   std::istringstream in(page);
   std::string line, out, close;

@@ -83,13 +83,13 @@ TEST_CASE("a view that faces 9 of 10 atoms that are left, or all, is warned of a
   };
   const Molecule mix = mixedMolecule();
   REQUIRE(mix.atoms.size() == 10);
-  const std::vector<std::string> told{
+  const std::vector<std::string> reported{
       "l.md:12:14: nearly all atoms that the scene has left cannot be in front of the others; the molecule is seen "
       "along its "
       "thinnest axis; name the atoms that are to be in front, or write 'turned' and angles"};
-  CHECK(warnings("view: facing all\n") == told);
-  CHECK(warnings("view: facing not element Zn\n") == told);
+  CHECK(warnings("view: facing all\n") == reported);
+  CHECK(warnings("view: facing not element Zn\n") == reported);
   CHECK(warnings("view: facing element Zn\n").empty());
   CHECK(warnings("view: facing ligand\n").empty());
-  CHECK(warnings("view: facing not ligand\nremove: ligand\n") == told);
+  CHECK(warnings("view: facing not ligand\nremove: ligand\n") == reported);
 }

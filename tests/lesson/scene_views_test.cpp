@@ -72,7 +72,7 @@ TEST_CASE("a view is a side, atoms to the front or angles, and comes close to at
 }
 
 TEST_CASE(
-    "views keep their names and order; one of a later scene takes the place of its namesake, a molecule begins anew") {
+    "views keep their names and order; one of a later scene takes the place of its namesake, a molecule begins again") {
   const LessonReading reading = readLessonText(
       "l.md",
       kHead +
@@ -120,7 +120,7 @@ TEST_CASE("links to views, atoms and states are checked against the scene of the
   CHECK(errors("## S\n```scene\nmolecule: mix\n```\n[a](#state:50%)\n").size() == 1);
 }
 
-TEST_CASE("'cut' is 'none', the middle or atoms, and goes on until a scene says otherwise") {
+TEST_CASE("'cut' is 'none', the middle or atoms, and continues until a scene says otherwise") {
   CHECK_FALSE(sceneOf("").cut);
   CHECK((sceneOf("cut: middle\n").cut && !sceneOf("cut: middle\n").cut_at.given()));
   CHECK(sceneOf("cut: residue 3\n").cut_at.text() == "residue 3");

@@ -17,7 +17,7 @@ Atoms atoms(std::string_view text) {
   REQUIRE_MESSAGE(s, std::string(text), ": ", s ? "" : s.problem().message);
   return s->select(mixedMolecule());
 }
-std::string told(std::string_view text) {
+std::string reported(std::string_view text) {
   const auto s = parseSelection(text);
   REQUIRE_MESSAGE(!s, text);
   return std::to_string(s.problem().column) + " " + s.problem().text();
@@ -83,21 +83,21 @@ TEST_CASE("within agrees with a loop over all pairs of 400 random atoms") {
 }
 
 TEST_CASE("a faulty selection is reported with its column and what would mend it") {
-  CHECK(told("") == "1 a selection is missing; for example: resname HEM");
-  CHECK(told("resnam HEM") == "1 'resnam' is no word of a selection; did you mean 'resname'?");
-  CHECK(told("chain A and") == "12 the selection ends too early; for example: resname HEM");
-  CHECK(told("chain A name") == "9 'name' does not belong here; join two selections with 'and' or 'or'");
-  CHECK(told("chain") == "6 'chain' needs something after it; for example: chain A");
-  CHECK(told("(chain A") == "1 an opening bracket without its closing one; add ')'");
-  CHECK(told("chain A)") == "8 a closing bracket without its opening one; take it out");
-  CHECK(told("element Xx") == "9 'Xx' is no chemical element; write its symbol: C, N, O, Fe");
-  CHECK(told("residue CA") == "9 'CA' is no residue number; write 52, 10-20 or 52A");
-  CHECK(told("residue 20-10") == "9 '20-10' is no residue number; write 52, 10-20 or 52A");
-  CHECK(told("atom -1") == "6 '-1' is no atom number; atoms are counted from 0: write 3 or 0-5");
-  CHECK(told("within 5 of ligand") == "8 '5' needs a unit: Å or nm");
-  CHECK(told("within 5 Å ligand") == "18 'within' needs a distance and 'of'; write: within 5 Å of (resname HEM)");
-  CHECK(told("name \"CA") == "6 a quotation mark without its partner; close the name with \"");
-  CHECK(told(std::string(500, '(')) == "65 the selection is nested too deeply; use fewer brackets");
+  CHECK(reported("") == "1 a selection is missing; for example: resname HEM");
+  CHECK(reported("resnam HEM") == "1 'resnam' is no word of a selection; did you mean 'resname'?");
+  CHECK(reported("chain A and") == "12 the selection ends too early; for example: resname HEM");
+  CHECK(reported("chain A name") == "9 'name' does not belong here; join two selections with 'and' or 'or'");
+  CHECK(reported("chain") == "6 'chain' needs something after it; for example: chain A");
+  CHECK(reported("(chain A") == "1 an opening bracket without its closing one; add ')'");
+  CHECK(reported("chain A)") == "8 a closing bracket without its opening one; take it out");
+  CHECK(reported("element Xx") == "9 'Xx' is no chemical element; write its symbol: C, N, O, Fe");
+  CHECK(reported("residue CA") == "9 'CA' is no residue number; write 52, 10-20 or 52A");
+  CHECK(reported("residue 20-10") == "9 '20-10' is no residue number; write 52, 10-20 or 52A");
+  CHECK(reported("atom -1") == "6 '-1' is no atom number; atoms are counted from 0: write 3 or 0-5");
+  CHECK(reported("within 5 of ligand") == "8 '5' needs a unit: Å or nm");
+  CHECK(reported("within 5 Å ligand") == "18 'within' needs a distance and 'of'; write: within 5 Å of (resname HEM)");
+  CHECK(reported("name \"CA") == "6 a quotation mark without its partner; close the name with \"");
+  CHECK(reported(std::string(500, '(')) == "65 the selection is nested too deeply; use fewer brackets");
 }
 
 TEST_CASE("each word that needs something after it says so with an example that is itself a sound selection") {
@@ -140,7 +140,8 @@ TEST_CASE("names and numbers that select nothing beside others that do are repor
   const Molecule m = mixedMolecule();
   const auto idle = [&](const char* text) {
     std::string out;
-    for (const Problem& p : parseSelection(text)->idleNames(m)) out += std::to_string(p.column) + " " + p.message + "|";
+    for (const Problem& p : parseSelection(text)->unmatchedNames(m))
+      out += std::to_string(p.column) + " " + p.message + "|";
     return out;
   };
   CHECK(

@@ -112,7 +112,7 @@ TEST_CASE("work that is restored gives no event but the step and the task at whi
   CHECK(s.events() == "shown one; task 1");
 }
 
-TEST_CASE("a lesson that is read again reports the step and task anew and keeps its open hints") {
+TEST_CASE("a lesson that is read again reports the step and task again and keeps its open hints") {
   Student s;
   s.session.openHints(1);
   s.events();

@@ -251,7 +251,7 @@ TEST_CASE("one slide from atom 0 over the crease to atom 1 fulfils a task to fee
   LessonSession slid(two), lifted(two);
   slide(slid, 0.0);
   CHECK(slid.task(1).done);
-  // A hand that let go on the way has not slid.
+  // A hand that lost contact on the way has not slid.
   slide(lifted, 0.5);
   CHECK_FALSE(lifted.task(1).done);
 }

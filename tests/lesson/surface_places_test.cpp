@@ -26,7 +26,7 @@ std::vector<std::uint32_t> allOf(const SphereGrid& scene) {
 
 }  // namespace
 
-TEST_CASE("the crease of two balls of 1.88 A that touch is a circle of 2.688 A, whole, and open from outside") {
+TEST_CASE("the crease of two spheres of 1.88 A that touch is a circle of 2.688 A, whole, and open from outside") {
   const SphereGrid scene({{{-1.88, 0, 0}, 1.88}, {{1.88, 0, 0}, 1.88}});
   const auto places = creasePlaces(scene, allOf(scene), 1.4, 0.2);
   CHECK(places.size() == std::size_t(std::ceil(2 * 3.14159265358979 * std::sqrt(3.28 * 3.28 - 1.88 * 1.88) / 0.2)));
@@ -52,7 +52,7 @@ TEST_CASE("a push into the crease of an atom that lies deep in another, as hydro
   }
 }
 
-TEST_CASE("three balls of 1.88 A that touch one another have two pits 2.456 A above and below their plane") {
+TEST_CASE("three spheres of 1.88 A that touch one another have two pits 2.456 A above and below their plane") {
   const double h = 3.76 / std::sqrt(3.0);
   const SphereGrid scene({{{h, 0, 0}, 1.88}, {{-h / 2, 1.88, 0}, 1.88}, {{-h / 2, -1.88, 0}, 1.88}});
   const auto places = pitPlaces(scene, allOf(scene), 1.4);
@@ -64,7 +64,7 @@ TEST_CASE("three balls of 1.88 A that touch one another have two pits 2.456 A ab
 }
 
 TEST_CASE(
-    "creases of balls as large as a file may have them, 1e9 A, have 20 000 places, all on the crease, and a slide "
+    "creases of spheres as large as a file may have them, 1e9 A, have 20 000 places, all on the crease, and a slide "
     "along one 20 000 steps at most") {
   const double radius_A = 1e9, half_A = 0.6e9;
   const SphereGrid scene({{{-half_A, 0, 0}, radius_A}, {{half_A, 0, 0}, radius_A}});
@@ -107,7 +107,7 @@ TEST_CASE("every face, crease and pit place of ubiquitin lies on its atoms' grow
 }
 
 TEST_CASE(
-    "the pits and creases of 40 balls for probes of 1.4 to 20 A are those that trying every triple and pair gives") {
+    "the pits and creases of 40 spheres for probes of 1.4 to 20 A are those that trying every triple and pair gives") {
   std::uint64_t seed = 20261124;
   const auto fraction = [&] { return nextFraction(seed); };
   std::vector<Sphere> spheres;

@@ -103,18 +103,18 @@ TEST_CASE(
   auto t = task("feel", {{"feel", "pit"}}, b.molecule());
   Hand hand{*t};
   const Vec3 beside{0, 0, 3.1};
-  std::string told;
+  std::string reported;
   for (int press = 1; press <= 9; ++press) {
     CAPTURE(press);
     hand.touch({0}, 0.2, 0.5, beside);
     CHECK(t->stage().close_to.has_value() == (press >= 5));
     CHECK(t->exampleAtoms().empty() == (press < 9));
-    told = t->sentence();
-    CHECK(((told.find("dent between three balls") != std::string::npos) == (press >= 5 && press < 9)));
+    reported = t->sentence();
+    CHECK(((reported.find("dent between three balls") != std::string::npos) == (press >= 5 && press < 9)));
     hand.away(0.5);
   }
   CHECK(t->exampleAtoms() == std::vector<std::uint32_t>{0, 1, 2});
-  CHECK(told.find("marked") != std::string::npos);
+  CHECK(reported.find("marked") != std::string::npos);
   CHECK_FALSE(t->done());
   hand.touch({0, 1, 2}, 0.2);
   CHECK(t->done());

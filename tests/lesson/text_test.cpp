@@ -62,7 +62,7 @@ Expected<std::shared_ptr<const Molecule>> onlyMix(const NamedMolecule& named) {
   return Problem{{}, 0, 0, "there is no molecule '" + named.name + "'", "choose another"};
 }
 
-std::vector<std::string> told(const std::vector<Problem>& problems) {
+std::vector<std::string> reported(const std::vector<Problem>& problems) {
   std::vector<std::string> out;
   for (const Problem& p : problems) out.push_back(p.text());
   return out;
@@ -280,7 +280,7 @@ TEST_CASE(
   const Glossary words = readGlossary(
       "glossary.md",
       "# Words\n\nFor all.\n\n- **active site**, active sites: A *pocket*: see H~2~O.\n- **pit**: Three.\n");
-  CHECK(told(words.errors).empty());
+  CHECK(reported(words.errors).empty());
   REQUIRE(words.words.size() == 2);
   CHECK(words.words[0].word == "active site");
   CHECK(words.words[0].others == std::vector<std::string>{"active sites"});
@@ -291,7 +291,7 @@ TEST_CASE(
 TEST_CASE("an entry without word or meaning, and a word that stands twice, are reported at their lines") {
   const Glossary words =
       readGlossary("glossary.md", "- crease: A line.\n- **pit**\n- **ring**: One.\n- **loop**, ring: Two.\n");
-  CHECK(told(words.errors) ==
+  CHECK(reported(words.errors) ==
         std::vector<std::string>{
             "glossary.md:1:3: an entry of the glossary without its word; begin it with the word in two stars: - "
             "**crease**, creases: what it means",
@@ -362,7 +362,7 @@ TEST_CASE("check reports a link to a word that is not explained, and a link with
   const Folder folder;
   folder.write("glossary.md", "- **pit**: Shared.\n");
   const auto errors = [&](const std::string& text) {
-    return told(checkLesson(folder / "l.md", kHead + kStep + text, onlyMix).errors);
+    return reported(checkLesson(folder / "l.md", kHead + kStep + text, onlyMix).errors);
   };
   CHECK(errors("A [hole](#word:pit).\n").empty());
   CHECK(errors("A [hole](#word:pitt).\n") ==

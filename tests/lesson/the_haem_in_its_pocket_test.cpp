@@ -52,7 +52,7 @@ TEST_CASE(
   const TouchLimits above(fit, "fit", *beta.molecule);
   const auto iron = beta.select(fit.values["fit"].selection.text());
   const auto limit = largestProbe(fit.values["least"].number, fit.values["most"].number, [&](double probe_A) {
-    return !comesTo(beta.spheres, iron, probe_A, true, [&](const SurfacePlace& p) {
+    return !reachablePlaces(beta.spheres, iron, probe_A, true, [&](const SurfacePlace& p) {
               return above.allow(p.scp_A, probe_A);
             }).empty();
   });
@@ -82,7 +82,7 @@ TEST_CASE(
   };
   // Were it enough to touch the iron, most of the ways to it would be the wrong ones.
   CHECK(beta.places("element Fe", 0.6).size() > 2 * fromAbove(beta, 0.6));
-  // The hand is on the iron and on nothing else only after it was on the iron and a residue at once.
+  // The hand touches the iron alone only after it has touched the iron and a residue at once.
   std::vector<std::uint32_t> both = from;
   both.push_back(iron[0]);
   int above = 0;
@@ -92,7 +92,7 @@ TEST_CASE(
     ++above;
   }
   CHECK(above > 10);
-  // The faces of the iron above and below the ring are apart: nobody slides from one to the other on the iron alone.
+  // The faces of the iron above and below the ring are separate: no slide on the iron alone connects them.
   for (const SurfacePlace& p : beta.places("element Fe", 0.6, 20'000)) CHECK(std::abs(glm::dot(p.outward, up)) > 0.2);
 }
 

@@ -1,4 +1,4 @@
-// The program's lesson on the size of the probe: the gap closes at the stated size, and a ball rests on both acids.
+// The program's lesson on the size of the probe: the gap closes at the stated size, and a sphere rests on both acids.
 #include <algorithm>
 
 #include "tests/lesson/shipped_lesson.h"
@@ -54,7 +54,7 @@ TEST_CASE(
 }
 
 TEST_CASE(
-    "a ball of 3.5 A pushed into the middle of the cleft rests on Glu 35 and Asp 52 at once, straight from outside") {
+    "a sphere of 3.5 A pushed into the middle of the cleft rests on Glu 35 and Asp 52 at once, straight from outside") {
   const ShippedScene lysozyme("1hel");
   const auto of = [&](const SurfacePlace& p, const std::string& text) {
     const auto atoms = lysozyme.select(text);

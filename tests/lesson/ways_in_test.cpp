@@ -1,4 +1,4 @@
-// The searches behind the facts of lessons: what a ball can touch from outside, against places known in closed form.
+// The searches behind the facts of lessons: what a sphere can touch from outside, against places known in closed form.
 #include "engine/lesson/ways_in.h"
 
 #include <doctest/doctest.h>
@@ -12,8 +12,8 @@ namespace {
 
 constexpr double kSphere_A = 1.4, kAtom_A = 1.7;
 
-// A hollow sphere of atoms of 1.7 A round an atom in its middle, with a hole of so many degrees from the axis z, where the
-// hull is open; its spheres leave no other gap.
+// A hollow sphere of atoms of 1.7 A around an atom in its middle. It is open within this angle of the z axis and has no
+// other gap.
 std::vector<Sphere> hull(double hole_deg) {
   std::vector<Sphere> out{{Vec3(0.0), kAtom_A}};
   const int n = 2000;
@@ -42,8 +42,8 @@ TEST_CASE(
 
 TEST_CASE("behind a lid before the hole an atom is touched round the corner and not straight") {
   std::vector<Sphere> spheres = hull(35.0);
-  // A lid of 8 A in radius, 8 A above the hole's edge: every straight line through the hole meets it, and the sphere goes in
-  // under its rim.
+  // A lid of radius 8 A, 8 A above the hole's edge: it blocks every straight line through the hole, but the sphere
+  // passes under its rim.
   for (double x = -14.0; x <= 14.0; x += 1.0)
     for (double y = -14.0; y <= 14.0; y += 1.0)
       if (std::hypot(x, y) <= 14.0) spheres.push_back({Vec3(x, y, 15.5), kAtom_A});
@@ -53,7 +53,7 @@ TEST_CASE("behind a lid before the hole an atom is touched round the corner and 
 }
 
 TEST_CASE(
-    "of one of two equal atoms 3 A apart a ball of 1.4 A can rest on 74 % of the sphere, as the cap that the other "
+    "of one of two equal atoms 3 A apart a sphere of 1.4 A can rest on 74 % of the sphere, as the cap that the other "
     "covers says") {
   const double grid_spacing_A = 3.0, grown_A = kAtom_A + kSphere_A;
   const WaysIn pair(std::vector<Sphere>{{Vec3(0.0), kAtom_A}, {Vec3(grid_spacing_A, 0, 0), kAtom_A}}, kSphere_A);

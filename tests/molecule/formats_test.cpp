@@ -70,7 +70,7 @@ TEST_CASE("an SDF file of version 2000 gives its atoms, its bonds with their ord
   CHECK(read(gzipped(kEthyne), "x.mol.gz").atoms.size() == 4);
 }
 
-TEST_CASE("a MOL file of version 3000 is read, with lines that go on and atoms numbered as they like") {
+TEST_CASE("a MOL file of version 3000 is read, with lines that continue and atoms numbered as they like") {
   const Molecule m = read(kWater3000, "x.mol");
   CHECK(places(m) == "O1 0.000 0.000 0.000|H1 0.757 0.586 0.000|H2 -0.757 0.586 0.000");
   CHECK(bonds(m) == "0-1:1 0-2:1 ");
@@ -90,7 +90,7 @@ TEST_CASE("each molecule of an SDF file is a model; a flat drawing is reported")
   CHECK(problemOf(both, "x.sdf", {.model = 3}).starts_with("x.sdf: there is no model 3; the file has 2 models"));
 }
 
-TEST_CASE("what is wrong in a MOL or SDF file is reported at its place") {
+TEST_CASE("errors in a MOL or SDF file are reported at their place") {
   const auto with = [](const std::string& from, const std::string& to, const std::string& text) {
     std::string out = text;
     out.replace(out.find(from), from.size(), to);
@@ -143,7 +143,7 @@ TEST_CASE("PQR gives each atom the radius and the charge of the file; the chain 
   CHECK(m.warnings.empty());
 }
 
-TEST_CASE("what is wrong in a PQR file is reported at its place") {
+TEST_CASE("errors in a PQR file are reported at their place") {
   const std::string remedy =
       "; write: ATOM number name residue chain residue-number x y z charge radius, with blanks between them (pdb2pqr "
       "--whitespace); the chain may be left out";
@@ -191,7 +191,7 @@ TEST_CASE("residue 99999 of a GRO file is followed by 100000") {
   CHECK(m.residues[1].number == 100'000);
 }
 
-TEST_CASE("what is wrong in a GRO file is reported at its place") {
+TEST_CASE("errors in a GRO file are reported at their place") {
   const std::string line = "    1SOL     OW    1   0.126   1.624   1.679\n";
   CHECK(problemOf("t\nfive\n" + line, "x.gro") ==
         "x.gro:2:1: the number of atoms is not a number: 'five'; the second line of a frame is how many atoms it has");
@@ -278,7 +278,7 @@ TEST_CASE("of disorder groups the most occupied is kept; a second block of atoms
   CHECK(next.id == "next");
 }
 
-TEST_CASE("what is wrong in the CIF of a small molecule is reported at its place") {
+TEST_CASE("errors in the CIF of a small molecule are reported at their place") {
   CHECK(problemOf(kSaltCell +
                       "loop_\n_atom_site_label\n_atom_site_fract_x\n_atom_site_fract_y\n_atom_site_fract_z\nNa1 0 "
                       "zero 0\n",

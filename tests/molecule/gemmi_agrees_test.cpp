@@ -34,7 +34,8 @@ struct AtomSeen {
 
 using Atoms = std::map<AtomName, AtomSeen>;
 
-// Of alternatives the most occupied, of equals the first. Waters count where there is nothing else.
+// Of alternative locations the one with the largest occupancy, the first of equals. Waters are kept only if there is
+// nothing else.
 Atoms byGemmi(const gemmi::Structure& structure) {
   Atoms out;
   bool all_waters = true;

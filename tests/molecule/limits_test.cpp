@@ -183,7 +183,8 @@ TEST_CASE("an assembly of 1.8 million chains whose names take 7 GB is refused be
 }
 
 TEST_CASE(
-    "25 000 001 balls in 45 kB are refused on their line; so is an assembly of 25.9 million atoms, before it is made") {
+    "25 000 001 spheres in 45 kB are refused on their line; so is an assembly of 25.9 million atoms, before it is "
+    "made") {
   std::string packed;
   const std::string piece = gzipped(repeated("0 0 0 1\n", 1'000'000));
   for (int k = 0; k < 26; ++k) packed += piece;

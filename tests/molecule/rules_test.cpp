@@ -180,7 +180,7 @@ TEST_CASE("an mmCIF assembly with the product (1-2)(P) applies P first, and only
   CHECK(m.chains[1].name == "X-2");
 }
 
-TEST_CASE("an .xyzr file gives its balls as they stand: comments, blank lines, signs and exponents are read") {
+TEST_CASE("an .xyzr file gives its spheres as they stand: comments, blank lines, signs and exponents are read") {
   const Molecule m = read("# a comment\n\n 1 2.5 -3 1.2\r\n+4\t5e0 6 0 # the rest\n", "balls.xyzr");
   REQUIRE(m.atoms.size() == 2);
   CHECK(m.id == "balls");

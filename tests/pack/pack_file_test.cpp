@@ -125,7 +125,7 @@ TEST_CASE("the same name twice, also in capitals, and a file that is a folder to
 
 TEST_CASE("a file that would grow 1000 times, one GiB in all and 1001 files are refused before anything is unpacked") {
   CHECK(has(refusal(packWith({{"a", std::string(8 << 20, '\0'), true}})), "more than 200 times"));
-  CHECK(has(refusal(packWith({{.name = "a", .bytes = "x", .deflated = true, .told_size = 0x7FFFFFFF}})), "1024 MiB"));
+  CHECK(has(refusal(packWith({{.name = "a", .bytes = "x", .deflated = true, .header_size = 0x7FFFFFFF}})), "1024 MiB"));
   std::vector<ZipEntry> many(1001 - 2);
   for (std::size_t k = 0; k < many.size(); ++k) many[k].name = "f" + std::to_string(k);
   CHECK(has(refusal(packWith(many)), "more than 1000 files"));
@@ -137,9 +137,9 @@ TEST_CASE("a file that would grow 1000 times, one GiB in all and 1001 files are 
 
 TEST_CASE("a file whose size or checksum differs from its entry is rejected, and nothing of the pack is left") {
   CHECK(has(refusal(packWith({{.name = "a", .bytes = "right", .wrong_checksum = true}})), "damaged"));
-  CHECK(has(refusal(packWith({{.name = "a", .bytes = std::string(3000, 'x'), .deflated = true, .told_size = 7}})),
+  CHECK(has(refusal(packWith({{.name = "a", .bytes = std::string(3000, 'x'), .deflated = true, .header_size = 7}})),
             "damaged"));
-  CHECK(has(refusal(packWith({{.name = "a", .bytes = std::string(3000, 'x'), .deflated = true, .told_size = 4000}})),
+  CHECK(has(refusal(packWith({{.name = "a", .bytes = std::string(3000, 'x'), .deflated = true, .header_size = 4000}})),
             "damaged"));
 }
 

@@ -14,8 +14,8 @@ struct ZipEntry {
   bool deflated = false;
   std::uint32_t unix_mode = 0;  ///< 0: not given
   bool encrypted = false;
-  int method = -1;              ///< given instead of the true one; negative: the true one
-  std::int64_t told_size = -1;  ///< the same
+  int method = -1;                ///< given instead of the true one; negative: the true one
+  std::int64_t header_size = -1;  ///< the same
   bool wrong_checksum = false;
 };
 
@@ -44,7 +44,7 @@ inline std::string zipOf(const std::vector<ZipEntry>& entries) {
   for (const ZipEntry& e : entries) {
     // Traditional encryption prepends 12 bytes to a file.
     const std::string packed = std::string(e.encrypted ? 12 : 0, 'k') + (e.deflated ? deflated(e.bytes) : e.bytes);
-    const std::uint64_t size = e.told_size >= 0 ? std::uint64_t(e.told_size) : e.bytes.size();
+    const std::uint64_t size = e.header_size >= 0 ? std::uint64_t(e.header_size) : e.bytes.size();
     const auto checksum =
         crc32(0, reinterpret_cast<const Bytef*>(e.bytes.data()), uInt(e.bytes.size())) ^ (e.wrong_checksum ? 1u : 0u);
     const int method = e.method >= 0 ? e.method : e.deflated ? 8 : 0;

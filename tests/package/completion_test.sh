@@ -17,7 +17,7 @@ expect() {
   [[ $1 == *= ]] && unset 'COMP_WORDS[-1]'
   COMP_CWORD=$((${#COMP_WORDS[@]} - 1))
   COMPREPLY=()
-  _moltact || true  # compopt knows nothing to do outside of a completion
+  _moltact || true  # compopt fails outside of a completion
   if [[ "${COMPREPLY[*]-}" != "$2" ]]; then
     echo "\"$1\" offers \"${COMPREPLY[*]-}\" and not \"$2\"" >&2
     failed=1

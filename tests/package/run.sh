@@ -2,8 +2,8 @@
 # Tries the Debian packages of Moltact: what Debian's own checkers say of them; the program unpacked under a prefix of its
 # own; all installed, used by an ordinary user without and with a window, from Python and from C++, and removed, after
 # which nothing of them is left.
-#   tests/package/run.sh PACKAGE.deb… [PICTURE.png]    moltact and any of the others; where a picture of its window goes
-# Where it is installed is told in the first lines, the first of these that can be:
+#   tests/package/run.sh PACKAGE.deb… [PICTURE.png]    moltact and any of the others; the file for a picture of its window
+# The first lines choose where it is installed, the first possibility of:
 #   1. in a bare Debian that debootstrap made, in the folder BARE (default /var/tmp/moltact-bare-CODENAME, kept for the next time):
 #      as root where debootstrap is installed. Nothing is there but what the package itself asks for: no compiler, no fonts.
 #   2. on this system: as root where Moltact is not installed yet. It asks for nothing that building has not brought.
@@ -35,7 +35,7 @@ fail() { echo "FAILED: $*" >&2; exit 1; }
 step() { echo "-- $*"; }
 
 step "what Debian's checkers say"
-# Of every kind but the experimental ones; what is to be so is told, with its reason, in package/linux/lintian-overrides.
+# All kinds except the experimental ones; package/linux/lintian-overrides lists accepted ones with their reasons.
 lintian --fail-on error,warning,info,pedantic --display-info --pedantic --tag-display-limit 0 $package $python $library
 
 step "under a prefix of its own"
@@ -109,7 +109,7 @@ as_user() {
   env -i PATH=/usr/bin:/bin LANG=C.UTF-8 HOME="$home" ${DISPLAY:+DISPLAY="$DISPLAY"} \
     "$chroot" --userspec=65534:65534 "$root" sh -c 'cd && exec "$@"' sh "$@"
 }
-# All files, and the folders of our name; caches are made anew by their owners (update-mime-database deletes none of chemical/).
+# All files, and the folders of our name; caches are rebuilt by their owners (update-mime-database deletes none of chemical/).
 files() {
   (cd "$root" && find etc usr opt srv home -xdev \( -path "${home#/}" -o -path usr/share/mime/chemical -o -name '*.cache' \) -prune -o \( ! -type d -o -iname '*moltact*' \) -print | sort)
 }
@@ -146,7 +146,7 @@ for attempt in $(seq 100); do [ -s "$work/display" ] && break; sleep 0.1; done
 [ -s "$work/display" ] || fail "no virtual X server"
 export DISPLAY=:$(cat "$work/display")
 as_user moltact /usr/share/moltact/lessons/first-touch.md 2>"$work/window.log" & program=$!
-# colours_until LEAST: waits until the screen shows so many colours.
+# colours_until LEAST: waits until the screen shows at least this many colours.
 colours_until() {
   for attempt in $(seq 60); do
     kill -0 "$program" 2>/dev/null || fail "the program ended: $(cat "$work/window.log")"

@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// A variable of the environment as it is told, until the end of the test.
+// Sets an environment variable until the end of the test.
 class Variable {
  public:
   Variable(const char* name, const char* value) : name_(name) {
@@ -78,7 +78,7 @@ TEST_CASE("a program that SIGINT, SIGTERM or SIGHUP ends removes its temporary f
     char sign = 0;
     REQUIRE(::read(ready[0], &sign, 1) == 1);
     CHECK_FALSE(std::filesystem::is_empty(place));
-    // In use it is swept by nobody.
+    // While in use it is not swept.
     moltact::sweepTemporaryFolders(place, "own-");
     CHECK_FALSE(std::filesystem::is_empty(place));
     ::kill(child, signal);

@@ -68,7 +68,7 @@ TEST_CASE("20 000 random bytes, in pieces of any size, give text that holds noth
     const std::string clean = printable(bytes);
     for (left = clean; !left.empty(); left.remove_prefix(firstCodePoint(left).bytes)) {
       REQUIRE(firstCodePoint(left).valid);
-      REQUIRE_FALSE(steersTerminal(firstCodePoint(left).code));
+      REQUIRE_FALSE(isTerminalControl(firstCodePoint(left).code));
     }
   }
 }

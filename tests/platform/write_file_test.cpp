@@ -90,7 +90,7 @@ Ended killedAt(int at, const std::function<void()>& act) {
   return ended;
 }
 
-const std::string kOld(3000, 'o'), kNew(2'500'000, 'n');  // more than goes into one write
+const std::string kOld(3000, 'o'), kNew(2'500'000, 'n');  // larger than a single write
 
 TEST_CASE(
     "killed at every one of its system calls, a writer leaves the old file or the new one, and the next writer leaves "

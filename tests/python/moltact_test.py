@@ -131,7 +131,7 @@ class Calls(unittest.TestCase):
             (ValueError, r"shape \(n, 4\)", lambda: moltact.Tracker([[0, 0, 0]])),
             (IndexError, "no atom 7 among 1", lambda: moltact.HeldBody(argon(), [7])),
             (TypeError, "whole numbers", lambda: moltact.HeldBody(argon(), [0.5])),
-            (ValueError, "1 to 200 atoms", lambda: moltact.HeldBody(argon(), [])),
+            (ValueError, "1 to 5000 atoms", lambda: moltact.HeldBody(argon(), [])),
             (ValueError, "either atoms or spheres", lambda: moltact.HeldBody(argon())),
             (ValueError, "no interaction 'probe'", lambda: moltact.HeldBody(argon(), [0], interaction="probe")),
         ]:

@@ -11,7 +11,7 @@
 
 using namespace moltact;
 
-TEST_CASE("the ray through a pixel goes through every place that is projected onto it, seed 7") {
+TEST_CASE("the ray through a pixel passes through every place that is projected onto it, seed 7") {
   std::mt19937 random(7);
   std::uniform_real_distribution<double> u(-1, 1);
   for (int i = 0; i < 1000; ++i) {
@@ -59,7 +59,7 @@ TEST_CASE("dragging the picture to the right turns what faces the viewer to the 
   CHECK(camera.project(front, 800, 800).y > 400);
 }
 
-TEST_CASE("zooming by 2 halves the distance, stops at 0.5 A, and ignores what is not a factor") {
+TEST_CASE("zooming by 2 halves the distance, stops at 0.5 A, and ignores invalid factors") {
   Camera camera;
   camera.zoom(2);
   CHECK(camera.distance_A == doctest::Approx(20));
@@ -98,7 +98,7 @@ TEST_CASE(
   CHECK(other.orientation == Camera().orientation);
 }
 
-TEST_CASE("fitting a long molecule keeps every ball in the picture and leaves no more than the margin, seed 3") {
+TEST_CASE("fitting a long molecule keeps every sphere in the picture and leaves no more than the margin, seed 3") {
   std::mt19937 random(3);
   std::uniform_real_distribution<double> u(-1, 1);
   std::vector<PlacedAtom> atoms;

@@ -1,5 +1,5 @@
 // Pictures avoid unnecessary work: unchanged parts are reused, hidden ones are skipped, and a rotating view is coarser
-// on a slow machine. The oracle is the same picture drawn anew or completely.
+// on a slow machine. The oracle is the same picture, redrawn or drawn completely.
 #include <random>
 #include <set>
 
@@ -34,7 +34,7 @@ ViewScene touched(double x_A) {
 }  // namespace
 
 TEST_CASE(
-    "a picture in which only the probe has moved is to the last bit the one drawn anew, with one sample and with two, "
+    "a picture in which only the probe has moved is to the last bit the one drawn again, with one sample and with two, "
     "and "
     "its atoms were not drawn again") {
   for (const int samples : {1, 2}) {
@@ -73,7 +73,7 @@ TEST_CASE("edges are smooth wherever a molecule is: beside it the filter finds n
   CHECK(differing == 0);
 }
 
-TEST_CASE("blocks hold every ball once, at most 48 each, and none reaches out of its block") {
+TEST_CASE("blocks hold every sphere once, at most 48 each, and none reaches out of its block") {
   for (const std::size_t n : {std::size_t(1), std::size_t(48), std::size_t(49), std::size_t(5000)}) {
     std::vector<Sphere> spheres = bench::proteinLike(n, unsigned(n));
     spheres.resize(n);
@@ -92,7 +92,7 @@ TEST_CASE("blocks hold every ball once, at most 48 each, and none reaches out of
 }
 
 TEST_CASE(
-    "blocks refitted to balls that moved by up to 3 A find the same near 200 places as a look at each of 5000; seed "
+    "blocks refitted to spheres that moved by up to 3 A find the same near 200 places as a look at each of 5000; seed "
     "9") {
   std::vector<Sphere> spheres = bench::proteinLike(5000, 9);
   SphereBlocks blocks(spheres);
@@ -110,7 +110,7 @@ TEST_CASE(
   }
 }
 
-TEST_CASE("a picture's data that are moved are those made anew at the new places, and nothing is painted again") {
+TEST_CASE("a picture's data that are moved are those made again at the new places, and nothing is painted again") {
   const auto one = protein(3000, 4);
   std::vector<Sphere> places = one->spheres.copy();
   for (Sphere& b : places) b.centre_A = Vec3(b.centre_A.y, 1.5 * b.centre_A.x, b.centre_A.z) + Vec3(2, 0, 0);
@@ -150,7 +150,7 @@ TEST_CASE("the light of atoms that move is found beside, and the picture is then
 }
 
 TEST_CASE(
-    "of 30 000 balls a few pixels wide fewer than a third are drawn, and no pixel is more than 1 level from the "
+    "of 30 000 spheres a few pixels wide fewer than a third are drawn, and no pixel is more than 1 level from the "
     "picture of all") {
   ViewScene scene;
   scene.molecule = protein(30000, 2);

@@ -36,7 +36,7 @@ TEST_CASE("an unknown shape names the known ones") {
 }
 
 TEST_CASE(
-    "a ball alone has full light; of a block of 1000 the top of an atom has more than the crease between two, and a "
+    "a sphere alone has full light; of a block of 1000 the top of an atom has more than the crease between two, and a "
     "face in a pit 6 A wide and 10 A deep less than half of the outside's") {
   const Vec3 up(0, 0, 1);
   CHECK(occlusionField(std::vector<Sphere>{{Vec3(0), 1.7}}).open(1.7 * up, up) == 1.0);
@@ -55,7 +55,7 @@ TEST_CASE(
   CHECK(pit < 0.5 * top);
 }
 
-TEST_CASE("two balls 2 million A apart are lit without a field of that size") {
+TEST_CASE("two spheres 2 million A apart are lit without a field of that size") {
   const OcclusionField light = occlusionField(std::vector<Sphere>{{Vec3(-1e6, 0, 0), 1.7}, {Vec3(1e6, 0, 0), 1.7}});
   CHECK(light.open(Vec3(1e6, 0, 1.7), Vec3(0, 0, 1)) == 1.0);
   CHECK(light.wide.filled.size() < 200 * 200 * 200);
@@ -109,7 +109,7 @@ bool closed(const MeshPiece& piece) {
 }  // namespace
 
 TEST_CASE(
-    "the molecular surface of one ball is the ball: closed, places within 0.06 A, normals outward, and a little "
+    "the molecular surface of one sphere is the sphere: closed, places within 0.06 A, normals outward, and a little "
     "smaller for its flat faces") {
   const Vec3 centre(1.23, -4.5, 0.77);
   for (const double radius : {1.2, 1.7, 3.1}) {
@@ -132,7 +132,7 @@ TEST_CASE(
 }
 
 TEST_CASE(
-    "between two balls of radius r, 2 a apart, the surface has a neck of radius sqrt((r + p)^2 - a^2) - p, where the "
+    "between two spheres of radius r, 2 a apart, the surface has a neck of radius sqrt((r + p)^2 - a^2) - p, where the "
     "probe cannot pass, to within 0.06 A") {
   constexpr double kRadius_A = 1.7, kHalf_A = 2.0, kProbe_A = 1.4;
   const std::vector<Sphere> pair{{Vec3(-kHalf_A, 0, 0), kRadius_A}, {Vec3(kHalf_A, 0, 0), kRadius_A}};
@@ -154,7 +154,7 @@ TEST_CASE(
 }
 
 TEST_CASE(
-    "no place of the molecular surface of 200 balls lies deeper than 0.06 A in a ball, or farther out than a probe "
+    "no place of the molecular surface of 200 spheres lies deeper than 0.06 A in a sphere, or farther out than a probe "
     "reaches") {
   std::vector<Sphere> spheres;
   unsigned seed = 11;
@@ -205,7 +205,7 @@ TEST_CASE("a surface that is no longer needed is empty; the progress of one that
   CHECK(solventExcluded(spheres, 1.4, &progress).piece.vertices.empty());
 }
 
-TEST_CASE("where grown balls would hold too many nodes together the grid is coarser: 8000 balls, probe 20 A") {
+TEST_CASE("where grown spheres would hold too many nodes together the grid is coarser: 8000 spheres, probe 20 A") {
   std::vector<Sphere> spheres;
   for (int x = 0; x < 20; ++x)
     for (int y = 0; y < 20; ++y)

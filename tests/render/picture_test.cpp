@@ -39,7 +39,7 @@ bool isBlue(const std::uint8_t* p) { return p[2] > p[0] + 25; }
 
 }  // namespace
 
-TEST_CASE("a ball of radius R at distance d spans tan(asin(R/d)) to within 1 pixel, near and far") {
+TEST_CASE("a sphere of radius R at distance d spans tan(asin(R/d)) to within 1 pixel, near and far") {
   for (const double d : {4.0, 10.0, 60.0}) {
     const double radius = 0.13 * d;
     const int w = 401, h = 301;
@@ -57,7 +57,7 @@ TEST_CASE("a ball of radius R at distance d spans tan(asin(R/d)) to within 1 pix
   }
 }
 
-TEST_CASE("a ball at the picture's corner covers the pixels whose rays meet it, and no others but at its edge") {
+TEST_CASE("a sphere at the picture's corner covers the pixels whose rays meet it, and no others but at its edge") {
   const int w = 320, h = 240;
   const Vec3 centre(4.5, 3.5, 0);
   const double radius = 2.0;
@@ -78,7 +78,7 @@ TEST_CASE("a ball at the picture's corner covers the pixels whose rays meet it, 
   CHECK(wrong == 0);
 }
 
-TEST_CASE("two balls that overlap part along the plane in which they meet to within 1 pixel, on every row") {
+TEST_CASE("two spheres that overlap part along the plane in which they meet to within 1 pixel, on every row") {
   const int w = 400, h = 300;
   const Sphere red{Vec3(-1, 0, 0), 2.0}, blue{Vec3(1.2, 0, 0.6), 1.5};
   const ViewScene scene = atomsOnly({atom(red.centre_A, red.radius_A, 8), atom(blue.centre_A, blue.radius_A, 7)}, 12);

@@ -23,7 +23,7 @@ std::shared_ptr<const Molecule> haemoglobin() {
   return read;
 }
 
-// What is no amino acid: it is coloured by its elements, of which a sphere has the mean.
+// Residues that are not amino acids are coloured by element; a sphere has the mean colour.
 AtomList others(const Molecule& m) {
   std::vector<std::uint32_t> out;
   for (std::uint32_t a = 0; a < m.atoms.size(); ++a)
@@ -59,7 +59,8 @@ ViewScene byResidue() {
 }  // namespace
 
 TEST_CASE(
-    "a residue's ball lies in the middle of its atoms with their second moment: of one atom it is the atom, of two of "
+    "a residue's sphere lies in the middle of its atoms with their second moment: of one atom it is the atom, of two "
+    "of "
     "1.7 A that lie 2 A apart it has the radius sqrt(1.7^2 + 5/3)") {
   Molecule m;
   m.chains = {Chain{}};
@@ -82,7 +83,7 @@ TEST_CASE(
 }
 
 TEST_CASE(
-    "every atom of haemoglobin has one ball, that of its residue; atoms of no residue go by eights at most, one "
+    "every atom of haemoglobin has one sphere, that of its residue; atoms of no residue go by eights at most, one "
     "residue "
     "of 100 atoms by 32, and none lies farther than 12 A from the first") {
   const Molecule& m = *haemoglobin();
@@ -123,10 +124,10 @@ TEST_CASE(
 
 TEST_CASE(
     "above the number of atoms that a scene names, its picture is that of a molecule whose atoms are the residues' "
-    "balls; "
+    "spheres; "
     "at that number each atom is drawn") {
   ViewScene scene = byResidue();
-  scene.theme.fade = 0.0f;  // which goes by how far the atoms reach
+  scene.theme.fade = 0.0f;  // which depends on the extent of the atoms
   scene.look.hidden = others(*scene.molecule);
   const Picture coarser = drawn(scene, 300, 200);
   CHECK(renderer().count().atoms == residueSpheres(*scene.molecule).spheres.size());
@@ -202,7 +203,7 @@ TEST_CASE("the atoms nearest to a place are the same whether a molecule is drawn
   }
 }
 
-TEST_CASE("near a probe the atoms themselves are drawn beside the residues' balls") {
+TEST_CASE("near a probe the atoms themselves are drawn beside the residues' spheres") {
   ViewScene scene = byResidue();
   scene.look.spheres_near_A = 0.0;
   scene.hip = PointA{haemoglobin()->spheres[500].centre_A + scene.camera.back() * 4.0};
@@ -215,7 +216,7 @@ TEST_CASE("near a probe the atoms themselves are drawn beside the residues' ball
 
 TEST_CASE("drawing by residues is announced from the first atom above the limit") {
   CHECK(residueSpheresNotice(kMaxSingleAtoms).empty());
-  const std::string told = residueSpheresNotice(16'289'280);
-  CHECK(told.find("16289280") != std::string::npos);
-  CHECK(told.find("one ball for each residue") != std::string::npos);
+  const std::string reported = residueSpheresNotice(16'289'280);
+  CHECK(reported.find("16289280") != std::string::npos);
+  CHECK(reported.find("one sphere per residue") != std::string::npos);
 }

@@ -109,7 +109,7 @@ TEST_CASE("no line of an inflated sphere runs inside another one, and all lie on
   CHECK(points > 1000);
 }
 
-TEST_CASE("facets are the mesh's edges, outside the other ball, and few however fine the mesh is") {
+TEST_CASE("facets are the mesh's edges, outside the other sphere, and few however fine the mesh is") {
   ViewScene scene = crease();
   scene.shown = {ViewPart::Facets};
   const MoleculeModel model(scene.molecule);
@@ -135,7 +135,8 @@ TEST_CASE("facets are the mesh's edges, outside the other ball, and few however 
   CHECK(linesOf(SphereMesh::ofTriangles(5120)).lines().size() < 6000);
 }
 
-TEST_CASE("facets of balls as large as a file may have them, 1e9 A, are cut at the other ball to a 24th of an edge") {
+TEST_CASE(
+    "facets of spheres as large as a file may have them, 1e9 A, are cut at the other sphere to a 24th of an edge") {
   constexpr double kRadius_A = 1e9;
   ViewScene scene;
   scene.molecule = molecule({atom(Vec3(-0.55e9, 0, 0), kRadius_A, 18), atom(Vec3(0.55e9, 0, 0), kRadius_A, 16)});

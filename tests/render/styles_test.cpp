@@ -53,7 +53,7 @@ TEST_CASE("an atom at 40 % shows 40 % of itself and 60 % of what lies behind it,
 }
 
 TEST_CASE(
-    "a ball cut open in its middle shows a flat face as wide as the ball and of one shade; cut before it, it is "
+    "a sphere cut open in its middle shows a flat face as wide as the sphere and of one shade; cut before it, it is "
     "whole") {
   ViewScene scene;
   scene.molecule = molecule({atom(Vec3(0), 2.0, 8)});
@@ -80,7 +80,7 @@ TEST_CASE(
   CHECK(*shades.rbegin() - *shades.begin() <= 12);
 }
 
-TEST_CASE("the molecular surface of one ball covers the same pixels as the ball, to within 2 at its edge") {
+TEST_CASE("the molecular surface of one sphere covers the same pixels as the sphere, to within 2 at its edge") {
   ViewScene scene;
   scene.molecule = molecule({atom(Vec3(0.3, -0.2, 0.1), 2.0, 8)});
   scene.camera = frontCamera(24);
@@ -140,7 +140,7 @@ TEST_CASE("the probe's shadow darkens the surface below it, the more the nearer 
 }
 
 TEST_CASE(
-    "with one sample a pixel the filter gives the edge of a ball shades between, and leaves what is plain as it is") {
+    "with one sample a pixel the filter gives the edge of a sphere shades between, and leaves what is plain as it is") {
   ViewScene scene;
   scene.molecule = molecule({atom(Vec3(0), 2.0, 1)});
   scene.camera = frontCamera(24);

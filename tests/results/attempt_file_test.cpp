@@ -87,7 +87,7 @@ TEST_CASE(
   }
 }
 
-TEST_CASE("whatever a file ends with, what goes on with it begins a line of its own") {
+TEST_CASE("whatever a file ends with, what continues with it begins a line of its own") {
   const ScratchFolder scratch;
   const fs::path file = scratch.path / "a.jsonl";
   const std::string hint = lineOf({60.0, HintOpened{"one"}});
@@ -97,7 +97,7 @@ TEST_CASE("whatever a file ends with, what goes on with it begins a line of its 
     CAPTURE(before);
     writeFile(file, before);
     {
-      AttemptWriter writer = AttemptWriter::goOn(file);
+      AttemptWriter writer = AttemptWriter::resume(file);
       writer.append(hint);
       CHECK(writer.flush());
     }

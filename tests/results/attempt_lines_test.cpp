@@ -258,10 +258,10 @@ TEST_CASE("wrong types, missing keys and numbers that do not fit are reported an
 
 TEST_CASE("numbers that are not finite and bytes that are no UTF-8 still give a line that reads") {
   const double nan = std::numeric_limits<double>::quiet_NaN(), inf = std::numeric_limits<double>::infinity();
-  const auto touch = readEventLine(lineOf({nan, TouchEnded{inf, {1}, 0, nan, -inf, nan, InputWay::Mouse}}));
+  const auto touch = readEventLine(lineOf({nan, TouchEnded{inf, {1}, 0, nan, -inf, nan, InputKind::Mouse}}));
   REQUIRE(bool(touch));
   CHECK(std::get<TouchEnded>((**touch).what).peak_N == 0.0);
-  const auto answer = readEventLine(lineOf({1.0, Answered{"a", "b", 1, {}, "\xff\xc3(", true, InputWay::Mouse}}));
+  const auto answer = readEventLine(lineOf({1.0, Answered{"a", "b", 1, {}, "\xff\xc3(", true, InputKind::Mouse}}));
   REQUIRE(bool(answer));
   CHECK(std::get<Answered>((**answer).what).written == "\xef\xbf\xbd\xef\xbf\xbd(");
 }

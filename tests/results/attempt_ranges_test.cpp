@@ -77,7 +77,7 @@ TEST_CASE("a turn that is none and an orientation of length 0 are passed over") 
 }
 
 TEST_CASE("lists longer than Moltact writes are passed over: 257 atoms, 101 figures, 10 001 values, 10 001 steps") {
-  Json done = Json::parse(lineOf({1.0, TaskDone{"a", 0, 1.0, InputWay::Mouse, {{"f", 1.0, "N"}}}}));
+  Json done = Json::parse(lineOf({1.0, TaskDone{"a", 0, 1.0, InputKind::Mouse, {{"f", 1.0, "N"}}}}));
   Json curve = Json::parse(lineOf({1.0, CurveKept{"a", 0, true, "depth", 1.0, 1.0, {0.0}}}));
   Json touch = Json::parse(lineOf({1.0, TouchBegan{{1}}}));
   const auto grown = [](Json& list, std::size_t to) {
@@ -132,9 +132,9 @@ TEST_CASE("scales, strips and histograms are drawn for every number there is, in
     CHECK(top > 0.0);
     CHECK(page::stripScale(most, "N").size() < 20'000);
     CHECK(page::stripScale(top, "N").size() < 20'000);
-    CHECK(page::strip({{most, InputWay::Mouse}, {1.0, InputWay::Device}}, top).size() < 20'000);
+    CHECK(page::strip({{most, InputKind::Mouse}, {1.0, InputKind::Device}}, top).size() < 20'000);
     for (const double other : {0.0, 1.0, most})
-      CHECK(page::histogram("t", "N", {{most, InputWay::Mouse}, {other, InputWay::Device}}).size() < 20'000);
+      CHECK(page::histogram("t", "N", {{most, InputKind::Mouse}, {other, InputKind::Device}}).size() < 20'000);
   }
   CHECK(page::roundAbove(7.3) == doctest::Approx(8.0));
 }

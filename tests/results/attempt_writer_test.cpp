@@ -89,7 +89,7 @@ TEST_CASE(
     if (!writer.takeFault()) return 4;
     for (int k = 250; k < 500; ++k) writer.append(hint(k));
     if (writer.flush()) return 5;
-    if (writer.takeFault()) return 6;  // told already
+    if (writer.takeFault()) return 6;  // already reported
     limit.rlim_cur = free_again;
     ::setrlimit(RLIMIT_FSIZE, &limit);
     if (!writer.flush() || !writer.takeRecovered()) return 7;
@@ -103,7 +103,7 @@ TEST_CASE(
 }
 
 TEST_CASE("a device that is always full is reported in words to act on, and ending the writer does not hang") {
-  AttemptWriter writer = AttemptWriter::goOn("/dev/full");
+  AttemptWriter writer = AttemptWriter::resume("/dev/full");
   writer.append(hint(1));
   CHECK_FALSE(writer.flush());
   const std::optional<Problem> fault = writer.takeFault();
@@ -186,25 +186,25 @@ TEST_CASE("names that are taken get -2 and -3, and 2 programs never write the sa
     CHECK(writers.back().flush());
   }
   CHECK(writers[2].file() == scratch.path / "same-3.jsonl");
-  AttemptWriter second = AttemptWriter::goOn(scratch.path / "same.jsonl");
+  AttemptWriter second = AttemptWriter::resume(scratch.path / "same.jsonl");
   second.append(hint(1));
   CHECK_FALSE(second.flush());
   CHECK(second.takeFault()->message == "another Moltact is writing it");
   // Nor is a file mended while it is written.
   writeFile(scratch.path / "torn.jsonl", lineOf(sampleHeader()) + "{\"kind\":\"hi");
-  AttemptWriter torn = AttemptWriter::goOn(scratch.path / "torn.jsonl");
+  AttemptWriter torn = AttemptWriter::resume(scratch.path / "torn.jsonl");
   torn.append("\n");
   CHECK(torn.flush());
   CHECK(mendAttempts(scratch.path).empty());
 }
 
-TEST_CASE("an attempt that goes on has its new lines after the old ones") {
+TEST_CASE("an attempt that continues has its new lines after the old ones") {
   const ScratchFolder scratch;
   const fs::path file = scratch.path / "a.jsonl";
   writeFile(file, sampleFile() + "{\"kind\":\"hi");
   CHECK(mendAttempts(scratch.path) == std::vector<fs::path>{file});
   {
-    AttemptWriter writer = AttemptWriter::goOn(file);
+    AttemptWriter writer = AttemptWriter::resume(file);
     writer.append(hint(77));
   }
   CHECK(bytesOf(file) == sampleFile() + hint(77));

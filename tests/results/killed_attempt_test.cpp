@@ -31,7 +31,7 @@ struct Window {
       s.contact.feature = touching ? Feature::Sphere : Feature::Free;
       if (touching) s.contact.atoms = {3, -1, -1};
       s.force.N = {touching ? 2.0 : 0.0, 0, 0};
-      touch.add(s, t_s, InputWay::Device);
+      touch.add(s, t_s, InputKind::Device);
     }
     for (AttemptEvent& e : touch.take(now_s)) log.add(std::move(e));
     log.heartbeat(now_s);
@@ -74,11 +74,11 @@ TEST_CASE(
       CHECK(score.touches == 1);
       CHECK(score.peak_N == 2.0);
       CHECK(score.mean_N == 2.0);
-      CHECK(score.way() == InputWay::Device);
+      CHECK(score.input() == InputKind::Device);
     }
     if (t_s > 32.0 && !before) before = fs::file_size(killed);
   }
-  // Reading alone: 27 bytes each 0.9 s. (The way of the hand, which goes on moving here, is told in lines of its own.)
+  // Reading alone: 27 bytes each 0.9 s. (The hand's continuing motion is written in lines of its own.)
   std::size_t still = 0, touching = 0;
   const Attempt attempt = *readAttempt(window.log.file(), ReadDepth::NoHipSamples);
   for (const AttemptEvent& e : attempt.events) {
@@ -118,7 +118,7 @@ TEST_CASE(
   CHECK(score.touches == 2);
   CHECK(score.touch_s == doctest::Approx(15.0).epsilon(0.07));
   CHECK(score.time_s == doctest::Approx(end_s + 8.0).epsilon(0.12));
-  // The hand's way goes on in time, too.
+  // The hand's way continues in time, too.
   const Attempt whole = *readAttempt(again);
   double last_s = 0.0;
   for (const AttemptEvent& e : whole.events)
@@ -145,9 +145,9 @@ TEST_CASE(
        std::vector<AttemptEvent>{{100.0, Resumed{"2026-11-21T11:05:00Z", "0.1.0", "Mouse", false}},
                                  {102.0, TouchBegan{{1}}},
                                  {102.4, chunk},
-                                 {105.0, TouchEnded{2.0, {1}, 0, 1.0, 1.0, 1.0, InputWay::Mouse}},
+                                 {105.0, TouchEnded{2.0, {1}, 0, 1.0, 1.0, 1.0, InputKind::Mouse}},
                                  {250.0, TouchBegan{{1}}},
-                                 {255.0, TouchEnded{150.0, {1}, 0, 1.0, 1.0, 1.0, InputWay::Mouse}}})
+                                 {255.0, TouchEnded{150.0, {1}, 0, 1.0, 1.0, 1.0, InputKind::Mouse}}})
     bytes += lineOf(e);
   writeFile(file, bytes);
   CHECK(scoreOf(file).touch_s == doctest::Approx(8.0));

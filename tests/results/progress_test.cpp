@@ -14,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-TEST_CASE("a session that goes on after a shutdown has its step, tasks, answers and attempts as they were") {
+TEST_CASE("a session that continues after a shutdown has its step, tasks, answers and attempts as they were") {
   const auto lesson = smallLesson();
   LessonSession before(lesson);
   before.setMolecule(std::make_shared<const Molecule>(mixedMolecule()));
@@ -24,7 +24,7 @@ TEST_CASE("a session that goes on after a shutdown has its step, tasks, answers 
   header.lesson = outlineOf(*lesson, "0");
   std::string file = lineOf(header);
   const auto keep = [&](double t) {
-    for (const SessionEvent& e : before.takeEvents()) file += lineOf(facts.factOf(e, t, InputWay::Mouse));
+    for (const SessionEvent& e : before.takeEvents()) file += lineOf(facts.factOf(e, t, InputKind::Mouse));
   };
   keep(0);
   touchFor150ms(before, 0, 1.0);
@@ -79,7 +79,7 @@ TEST_CASE(
   header.lesson = outlineOf(*english, "0");
   std::string file = lineOf(header);
   const auto keep = [&](double t) {
-    for (const SessionEvent& e : before.takeEvents()) file += lineOf(facts.factOf(e, t, InputWay::Mouse));
+    for (const SessionEvent& e : before.takeEvents()) file += lineOf(facts.factOf(e, t, InputKind::Mouse));
   };
   keep(0);
   touchFor150ms(before, 0, 1.0);

@@ -77,7 +77,7 @@ Attempt askedTwice(const std::string& student, double before, double after, cons
   const auto done = [&](const char* step, double d, double t_s, bool solved) {
     if (std::isnan(d)) return;
     a.events.push_back(
-        {t_s, TaskDone{step, 0, 1.0, InputWay::Mouse, {{"d'", 9.0, ""}, {"d' in the first round", d, ""}}, solved}});
+        {t_s, TaskDone{step, 0, 1.0, InputKind::Mouse, {{"d'", 9.0, ""}, {"d' in the first round", d, ""}}, solved}});
   };
   done("one", before, 1.0, true);
   done("two", after, 2.0, false);       // its tries were used up: the first round counts all the same
@@ -135,7 +135,7 @@ TEST_CASE("attempts at a lesson that was parted into two are read and reported a
   REQUIRE(header);
   Attempt old;
   old.header = *header;
-  old.events.push_back({1.0, TaskDone{"four-chains", 0, 1.0, InputWay::Mouse, {}, true}});
+  old.events.push_back({1.0, TaskDone{"four-chains", 0, 1.0, InputKind::Mouse, {}, true}});
   old.events.push_back({2.0, Answered{"the-first-one-is-the-hardest", "how-many-more", 1, {}, "36", true}});
   Attempt now = old;
   now.header.lesson.file = "four-chains-as-one.md";
@@ -215,11 +215,11 @@ TEST_CASE("4 attempts without a name are 4 attempts and no students; beside 1 na
 }
 
 TEST_CASE("an attempt's beginning is read from its first line alone, whatever else the line holds") {
-  CHECK(beganOf(R"({"kind":"attempt","began":"2026-11-21T10:58:14Z","lesson":)") == "2026-11-21T10:58:14Z");
-  CHECK(beganOf(R"({"lesson":{"began":"x"},"student":"\"began\":\"y\"", "began" : "z"})") == "z");
-  CHECK(beganOf(R"({"began":7})").empty());
-  CHECK(beganOf("[\"began\",\"x\"]").empty());
-  CHECK(beganOf("").empty());
+  CHECK(beginTimeOf(R"({"kind":"attempt","began":"2026-11-21T10:58:14Z","lesson":)") == "2026-11-21T10:58:14Z");
+  CHECK(beginTimeOf(R"({"lesson":{"began":"x"},"student":"\"began\":\"y\"", "began" : "z"})") == "z");
+  CHECK(beginTimeOf(R"({"began":7})").empty());
+  CHECK(beginTimeOf("[\"began\",\"x\"]").empty());
+  CHECK(beginTimeOf("").empty());
 }
 
 TEST_CASE("two lessons of one file name and different titles stay two, with columns of their own") {
@@ -319,7 +319,7 @@ TEST_CASE("a second attempt adds its time, keeps the first answers and never low
   Attempt second = sampleAttempt();
   second.header.began = "2026-11-22T08:00:00Z";
   second.events = {{0.0, StepEntered{"one"}},
-                   {4.0, Answered{"one", "which", 1, {1}, "", true, InputWay::Device}},
+                   {4.0, Answered{"one", "which", 1, {1}, "", true, InputKind::Device}},
                    {10.5, ProgressMade{"one", 1, 3}}};
   const ClassSummary summary = summarise({second, sampleAttempt()});
   REQUIRE(summary.lessons.size() == 1);

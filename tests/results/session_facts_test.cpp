@@ -9,14 +9,14 @@ namespace moltact {
 namespace {
 
 // What an attempt records of a session in a frame.
-std::vector<AttemptEvent> factsOf(LessonSession& session, SessionFacts& facts, double t_s, InputWay by) {
+std::vector<AttemptEvent> factsOf(LessonSession& session, SessionFacts& facts, double t_s, InputKind by) {
   std::vector<AttemptEvent> out;
   for (const SessionEvent& e : session.takeEvents()) out.push_back(facts.factOf(e, t_s, by));
   return out;
 }
 
 // The kinds of the events as one word: "enter begin".
-std::string told(const std::vector<AttemptEvent>& events) {
+std::string reported(const std::vector<AttemptEvent>& events) {
   std::string out;
   for (const AttemptEvent& e : events) {
     const char* word = std::holds_alternative<StepEntered>(e.what) ? "enter"
@@ -33,26 +33,26 @@ TEST_CASE("a way through a lesson of 3 steps gives each of its events once, in t
   LessonSession session(smallLesson());
   session.setMolecule(std::make_shared<const Molecule>(mixedMolecule()));
   SessionFacts facts;
-  CHECK(told(factsOf(session, facts, 1.0, InputWay::Mouse)) == "enter begin");
-  CHECK(factsOf(session, facts, 2.0, InputWay::Mouse).empty());
+  CHECK(reported(factsOf(session, facts, 1.0, InputKind::Mouse)) == "enter begin");
+  CHECK(factsOf(session, facts, 2.0, InputKind::Mouse).empty());
 
   touchFor150ms(session, 0, 2.0);
-  auto events = factsOf(session, facts, 4.5, InputWay::Keyboard);
-  CHECK(told(events) == "done begin");
+  auto events = factsOf(session, facts, 4.5, InputKind::Keyboard);
+  CHECK(reported(events) == "done begin");
   const auto& done = std::get<TaskDone>(events[0].what);
   CHECK(done.step == "one");
   CHECK(done.task == 0);
   CHECK(done.took_s == doctest::Approx(3.5));
-  CHECK(done.by == InputWay::Keyboard);
+  CHECK(done.by == InputKind::Keyboard);
   CHECK_FALSE(done.figures.empty());
 
   session.choose(0, {1});
-  events = factsOf(session, facts, 5.0, InputWay::Mouse);
-  REQUIRE(told(events) == "answer");
+  events = factsOf(session, facts, 5.0, InputKind::Mouse);
+  REQUIRE(reported(events) == "answer");
   CHECK_FALSE(std::get<Answered>(events[0].what).right);
   session.choose(0, {0});
-  events = factsOf(session, facts, 6.0, InputWay::Mouse);
-  REQUIRE(told(events) == "answer");
+  events = factsOf(session, facts, 6.0, InputKind::Mouse);
+  REQUIRE(reported(events) == "answer");
   CHECK(std::get<Answered>(events[0].what).right);
   CHECK(std::get<Answered>(events[0].what).attempt == 2);
   CHECK(std::get<Answered>(events[0].what).question == "which");
@@ -60,11 +60,11 @@ TEST_CASE("a way through a lesson of 3 steps gives each of its events once, in t
   // Done and gone on between two frames.
   touchFor150ms(session, 1, 7.0);
   session.next();
-  CHECK(told(factsOf(session, facts, 8.0, InputWay::Mouse)) == "done enter");
+  CHECK(reported(factsOf(session, facts, 8.0, InputKind::Mouse)) == "done enter");
   session.write(0, "1.45 Å");
   session.next();
-  events = factsOf(session, facts, 9.0, InputWay::Mouse);
-  REQUIRE(told(events) == "answer enter");
+  events = factsOf(session, facts, 9.0, InputKind::Mouse);
+  REQUIRE(reported(events) == "answer enter");
   CHECK(std::get<Answered>(events[0].what).written == "1.45 Å");
   const ProgressMade progress = SessionFacts::progressOf(session);
   CHECK(progress.done == 4);
@@ -84,12 +84,12 @@ TEST_CASE(
   LessonSession session(std::make_shared<const Lesson>(*std::move(read.lesson)));
   session.setMolecule(std::make_shared<const Molecule>(mixedMolecule()));
   SessionFacts facts;
-  factsOf(session, facts, 0.0, InputWay::Mouse);
+  factsOf(session, facts, 0.0, InputKind::Mouse);
   double time_s = 0.0;
   // 2 N for each A, against a drawn curve of so much at every depth.
   const auto predict = [&](double drawn_N, double N_per_A) {
     session.answerTask({{}, std::vector<double>(session.taskAt(0)->curves()->drawn.size(), drawn_N)});
-    const auto drawn = factsOf(session, facts, 1.0, InputWay::Mouse);
+    const auto drawn = factsOf(session, facts, 1.0, InputKind::Mouse);
     REQUIRE(drawn.size() == 1);
     CHECK_FALSE(std::get<CurveKept>(drawn[0].what).felt);
     CHECK(std::get<CurveKept>(drawn[0].what).force_N.front() == drawn_N);
@@ -99,7 +99,7 @@ TEST_CASE(
       stretchToScp(s.contact, s.hip);
       session.feed(s);
     }
-    return factsOf(session, facts, 2.0, InputWay::Mouse);
+    return factsOf(session, facts, 2.0, InputKind::Mouse);
   };
   auto events = predict(2.0, 2.0);
   REQUIRE(events.size() == 1);
@@ -112,35 +112,35 @@ TEST_CASE(
   CHECK_FALSE(session.task(0).done);
   // Predicted anew, and now right: the felt one is constant, too.
   session.answerTask({{}, std::vector<double>(felt.force_N.size(), 1.0)});
-  CHECK(factsOf(session, facts, 3.0, InputWay::Mouse).size() == 1);
+  CHECK(factsOf(session, facts, 3.0, InputKind::Mouse).size() == 1);
   for (int k = 0; k <= 500; ++k) {
     TouchSample s = touching(0, time_s += 0.001, 1.0);
     s.hip.A.z = -0.001 * k;
     stretchToScp(s.contact, s.hip);
     session.feed(s);
   }
-  events = factsOf(session, facts, 4.0, InputWay::Mouse);
+  events = factsOf(session, facts, 4.0, InputKind::Mouse);
   REQUIRE(events.size() == 2);
   CHECK(std::get<CurveKept>(events[0].what).felt);
   CHECK(std::holds_alternative<TaskDone>(events[1].what));
-  CHECK(factsOf(session, facts, 5.0, InputWay::Mouse).empty());
+  CHECK(factsOf(session, facts, 5.0, InputKind::Mouse).empty());
 }
 
 TEST_CASE("a task begun again is recorded as begun, and a lesson that was read again repeats no events") {
   LessonSession session(smallLesson());
   session.setMolecule(std::make_shared<const Molecule>(mixedMolecule()));
   SessionFacts facts;
-  factsOf(session, facts, 0.0, InputWay::Mouse);
+  factsOf(session, facts, 0.0, InputKind::Mouse);
   touchFor150ms(session, 0, 0.0);
-  factsOf(session, facts, 1.0, InputWay::Mouse);
+  factsOf(session, facts, 1.0, InputKind::Mouse);
   session.restartTask(0);
-  const auto events = factsOf(session, facts, 2.0, InputWay::Mouse);
-  REQUIRE(told(events) == "begin");
+  const auto events = factsOf(session, facts, 2.0, InputKind::Mouse);
+  REQUIRE(reported(events) == "begin");
   CHECK(std::get<TaskBegun>(events[0].what).task == 0);
   session.choose(0, {0});
-  factsOf(session, facts, 3.0, InputWay::Mouse);
+  factsOf(session, facts, 3.0, InputKind::Mouse);
   session.replaceLesson(smallLesson());
-  CHECK(told(factsOf(session, facts, 4.0, InputWay::Mouse)) == "enter begin");
+  CHECK(reported(factsOf(session, facts, 4.0, InputKind::Mouse)) == "enter begin");
 }
 
 }  // namespace

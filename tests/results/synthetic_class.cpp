@@ -12,18 +12,18 @@ namespace {
 
 class Student {
  public:
-  Student(unsigned seed, InputWay way) : random_(seed), way_(way) {
+  Student(unsigned seed, InputKind way) : random_(seed), way_(way) {
     skill_ = std::clamp(std::normal_distribution<double>(0.62, 0.15)(random_), 0.2, 0.95);
     pace_ = std::exp(std::normal_distribution<double>(0.0, 0.25)(random_));
-    press_N_ = (way == InputWay::Device  ? 0.9
-                : way == InputWay::Mouse ? 1.3
-                                         : 1.1) *
+    press_N_ = (way == InputKind::Device  ? 0.9
+                : way == InputKind::Mouse ? 1.3
+                                          : 1.1) *
                std::exp(std::normal_distribution<double>(0.0, 0.2)(random_));
   }
 
   // Works through a lesson up to `share` of its steps.
   void work(AttemptLog& log, const Lesson& lesson, double share) {
-    log.add({0.0, InputChanged{way_, way_ == InputWay::Device ? "Phantom Omni" : "Mouse", way_ == InputWay::Device}});
+    log.add({0.0, InputChanged{way_, way_ == InputKind::Device ? "Phantom Omni" : "Mouse", way_ == InputKind::Device}});
     const auto steps = static_cast<std::size_t>(std::ceil(share * double(lesson.steps.size())));
     for (std::size_t s = 0; s < steps; ++s) {
       const Step& step = lesson.steps[s];
@@ -52,7 +52,7 @@ class Student {
     const int touches = 1 + int(random_() % 4);
     for (int k = 0; k < touches; ++k) {
       const double from = t_, lasts = around(3.0), peak = std::min(3.3, around(press_N_, 0.3)),
-                   path = around(way_ == InputWay::Device ? 14.0 : 9.0, 0.5);
+                   path = around(way_ == InputKind::Device ? 14.0 : 9.0, 0.5);
       log.add({from, TouchBegan{{std::int32_t(random_() % 50)}}});
       HipChunk chunk;
       for (int i = 0; i < 20; ++i) {
@@ -82,7 +82,7 @@ class Student {
   }
 
   void answer(AttemptLog& log, const Step& step, const Question& q) {
-    const InputWay by = way_ == InputWay::Keyboard ? way_ : InputWay::Mouse;
+    const InputKind by = way_ == InputKind::Keyboard ? way_ : InputKind::Mouse;
     t_ += pace_ * around(9.0);
     if (q.choices.empty()) {
       const bool number = q.answer && q.answer->kind == AnswerSpec::Kind::Number;
@@ -118,7 +118,7 @@ class Student {
   }
 
   std::mt19937 random_;
-  InputWay way_;
+  InputKind way_;
   double skill_ = 0.6, pace_ = 1.0, press_N_ = 1.0, t_ = 0.0;
   std::size_t done_ = 0;
 };
@@ -131,7 +131,9 @@ void writeSyntheticClass(const std::filesystem::path& folder, unsigned seed) {
   const auto attempt = [&](int student, const char* lesson_file, double share) {
     const LessonReading reading = readLesson(lessons / lesson_file);
     const Lesson& lesson = *reading.lesson;
-    const InputWay way = student % 3 == 0 ? InputWay::Device : student % 6 == 1 ? InputWay::Keyboard : InputWay::Mouse;
+    const InputKind way = student % 3 == 0   ? InputKind::Device
+                          : student % 6 == 1 ? InputKind::Keyboard
+                                             : InputKind::Mouse;
     AttemptHeader header;
     header.program = "0.1.0";
     char text[40];
@@ -139,8 +141,8 @@ void writeSyntheticClass(const std::filesystem::path& folder, unsigned seed) {
     header.began = text;
     std::snprintf(text, sizeof text, "9b-%02d", student + 1);
     if (student < 16) header.student = text;
-    header.device = way == InputWay::Device ? "Phantom Omni" : "Mouse";
-    header.gives_force = way == InputWay::Device;
+    header.device = way == InputKind::Device ? "Phantom Omni" : "Mouse";
+    header.gives_force = way == InputKind::Device;
     header.lesson = outlineOf(lesson, "5eed5eed5eed5eed");
     AttemptLog log(folder, header);
     Student(seed + unsigned(written), way).work(log, lesson, share);

@@ -30,7 +30,7 @@ TEST_CASE("the hand is where its samples are, and half way between two of them a
   const auto half = line.hand(0.5 * (samples[2].t_s + samples[3].t_s));
   CHECK(glm::distance(half->hip.A, 0.5 * (samples[2].hip.A + samples[3].hip.A)) < 1e-9);
   CHECK(half->force.N.z == doctest::Approx(0.25 * 2.5));
-  // Between a free sample and a touch there is no force yet.
+  // Between a free sample and a touch there is no force.
   const auto coming = line.hand(0.5 * (samples[1].t_s + samples[2].t_s));
   CHECK(coming->feature == Feature::Free);
   CHECK(coming->force.N == Vec3(0.0));
@@ -82,7 +82,7 @@ TEST_CASE("9.5 s with 7 marks: steps, a task, answers and a hint, each with its 
   CHECK(line.nextAfter(2.0) == 3.0);
   CHECK(line.nextAfter(3.2) == 4.0);
   CHECK(line.nextAfter(9.2) == 9.5);
-  CHECK(line.input(9.0) == InputWay::Mouse);
+  CHECK(line.input(9.0) == InputKind::Mouse);
 }
 
 TEST_CASE("an attempt without HIP samples has no hand and no stage, and still its length") {

@@ -23,7 +23,7 @@ TEST_CASE("a slide of 2 A over atoms 3 and 4 in 1 s at 0.5 N is one touch with o
       s.contact.scp.A = {2.0 * (k - 100) / 1000.0, 0, 0};
     // A graze of 20 ms in the air does not end the touch.
     if (k >= 400 && k < 420) s.contact = Contact();
-    watch.add(s, t, InputWay::Device);
+    watch.add(s, t, InputKind::Device);
   }
   std::vector<AttemptEvent> touches;
   for (AttemptEvent& e : watch.take(1.4))
@@ -39,7 +39,7 @@ TEST_CASE("a slide of 2 A over atoms 3 and 4 in 1 s at 0.5 N is one touch with o
   CHECK(end.peak_N == doctest::Approx(0.5));
   CHECK(end.mean_N == doctest::Approx(0.5));
   CHECK(end.path_A == doctest::Approx(2.0));
-  CHECK(end.by == InputWay::Device);
+  CHECK(end.by == InputKind::Device);
 }
 
 TEST_CASE(
@@ -51,9 +51,9 @@ TEST_CASE(
     s.body = PoseA{s.hip, s.orientation};
     return s;
   };
-  for (int k = 0; k <= 1000; ++k) watch.add(hold(0.5 * k * 0.001), k * 0.001, InputWay::Mouse);
-  for (int k = 1001; k <= 2000; ++k) watch.add(hold(0.5), k * 0.001, InputWay::Mouse);
-  for (int k = 2001; k <= 3000; ++k) watch.add(TouchSample(), k * 0.001, InputWay::Mouse);
+  for (int k = 0; k <= 1000; ++k) watch.add(hold(0.5 * k * 0.001), k * 0.001, InputKind::Mouse);
+  for (int k = 1001; k <= 2000; ++k) watch.add(hold(0.5), k * 0.001, InputKind::Mouse);
+  for (int k = 2001; k <= 3000; ++k) watch.add(TouchSample(), k * 0.001, InputKind::Mouse);
   watch.breakOff();
   std::vector<HipChunk> chunks;
   for (AttemptEvent& e : watch.take(3.0))
@@ -70,7 +70,7 @@ TEST_CASE(
   // A pose that is none is passed over.
   TouchSample bad = hold(0.0);
   bad.body->orientation = Quat(0, 0, 0, 0);
-  watch.add(bad, 4.0, InputWay::Mouse);
+  watch.add(bad, 4.0, InputKind::Mouse);
   watch.breakOff();
   CHECK(watch.take(4.0).empty());
 }
@@ -83,7 +83,7 @@ TEST_CASE("the HIP samples of 10 s on a circle stay within 60 samples a second, 
   for (int k = 0; k <= 10'000; ++k) {
     TouchSample s;
     s.hip.A = s.contact.scp.A = way(k * 0.001);
-    watch.add(s, k * 0.001, InputWay::Mouse);
+    watch.add(s, k * 0.001, InputKind::Mouse);
     if (k % 16) continue;
     for (const AttemptEvent& e : watch.take(k * 0.001)) {
       const auto& samples = std::get<HipChunk>(e.what).samples;
@@ -103,7 +103,7 @@ TEST_CASE("a hand at rest for a minute gives 2 samples, one at each end of the r
   for (int k = 0; k <= 60'100; ++k) {
     TouchSample s;
     s.hip.A = s.contact.scp.A = {k > 60'000 ? (k - 60'000) * 0.01 : 0.0, 0, 0};
-    watch.add(s, k * 0.001, InputWay::Mouse);
+    watch.add(s, k * 0.001, InputKind::Mouse);
     if (k % 16 == 0)
       for (const AttemptEvent& e : watch.take(k * 0.001))
         for (const HipSample& sample : std::get<HipChunk>(e.what).samples) hips.push_back(sample);
@@ -123,10 +123,10 @@ TEST_CASE(
   TouchWatch watch;
   std::size_t samples = 0;
   for (int k = 0; k < 2000; ++k) {
-    watch.add(touching(k % 2, k * 0.001), k * 0.001, InputWay::Mouse);
+    watch.add(touching(k % 2, k * 0.001), k * 0.001, InputKind::Mouse);
     TouchSample bad = touching(1, k * 0.001);
     bad.force.N.x = std::numeric_limits<double>::quiet_NaN();
-    watch.add(bad, k * 0.001, InputWay::Mouse);
+    watch.add(bad, k * 0.001, InputKind::Mouse);
   }
   watch.breakOff();
   for (const AttemptEvent& e : watch.take(2.0)) {

@@ -25,7 +25,7 @@ TEST_CASE("three students in turns of 60 s: each is called, starts when ready, a
   CHECK_FALSE(turns.tick(59.5));
   turns.pause();
   CHECK_FALSE(turns.tick(10.0));
-  turns.goOn();
+  turns.resume();
   CHECK(turns.tick(0.6));
   CHECK(turns.state() == State::HandOver);
   CHECK(turns.current() == "B");

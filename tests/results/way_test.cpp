@@ -42,7 +42,7 @@ struct Student {
   }
   void keep() {
     t_s += 1.0;
-    for (const SessionEvent& e : session.takeEvents()) file += lineOf(facts.factOf(e, t_s, InputWay::Mouse));
+    for (const SessionEvent& e : session.takeEvents()) file += lineOf(facts.factOf(e, t_s, InputKind::Mouse));
     file += lineOf({t_s, SessionFacts::progressOf(session)});
   }
   void choose(std::size_t choice) {
@@ -127,7 +127,7 @@ TEST_CASE(
       }
     }
   }
-  // In the middle: sent to the aside and not gone yet, then gone.
+  // In the middle: sent to the aside but not there yet, then there.
   Student waits("Waits");
   waits.choose(1);
   waits.choose(1);
@@ -158,7 +158,7 @@ TEST_CASE("the report lists the steps of each student, with the rules that led t
   CHECK(classCsv(summary).find("1 (after 2 wrong: goes to a1) a1 1 2 3") != std::string::npos);
 }
 
-TEST_CASE("who skips a step is finished without it; who used up the tries went on without being right") {
+TEST_CASE("who skips a step is finished without it; who used up the tries continued without being right") {
   const ClassSummary summary = summarise({quick().attempt(), winding().attempt(), stuck().attempt()});
   for (const PersonScore& p : summary.lessons[0].people) {
     CAPTURE(p.person);

@@ -43,7 +43,8 @@ namespace {
 Vec3 alive(const Vec3& place_mm, int tick) { return place_mm + Vec3(0, std::sin(tick * 0.0628), 0); }
 }  // namespace
 
-TEST_CASE("clutch: with the button held the hand goes back 30 mm and the probe stays; let go, it goes on from there") {
+TEST_CASE(
+    "clutch: with the button held the hand goes back 30 mm and the probe stays; let go, it continues from there") {
   Clutch clutch;
   const ClutchSettings settings{.buttons = 2};
   const Vec3 room(160, 120, 70);
@@ -63,7 +64,7 @@ TEST_CASE("clutch: with the button held the hand goes back 30 mm and the probe s
 }
 
 TEST_CASE(
-    "edge: 5 mm from the edge of a room of 160 mm the probe goes on by 10 mm a second, 20 mm from it not at all") {
+    "edge: 5 mm from the edge of a room of 160 mm the probe continues by 10 mm a second, 20 mm from it not at all") {
   Clutch clutch;
   const ClutchSettings settings{.at_edge = true};
   DevicePose pose;
@@ -94,7 +95,7 @@ TEST_CASE(
   }
 }
 
-TEST_CASE("edge: against a surface that pushes up and to the left the probe goes on along it, never deeper") {
+TEST_CASE("edge: against a surface that pushes up and to the left the probe continues along it, never deeper") {
   Clutch clutch;
   const ClutchSettings settings{.at_edge = true};
   const Vec3 push = glm::normalize(Vec3(-1, 0, 1));

@@ -36,7 +36,7 @@ namespace {
 
 constexpr std::size_t kParts = 8;  // without the plug
 
-// A stylus that asks for a calibration first, and whose hand then pulls its plug when it is told to and puts it back.
+// A stylus that requires calibration, and whose hand unplugs it on request and plugs it in again.
 class AskingDevice final : public Device {
  public:
   const DeviceInfo& info() const noexcept override { return inner_.info(); }
@@ -67,7 +67,8 @@ TEST_CASE(
     "stand, places that leap, are none or are old, scenes that are swapped") {
   int asked = 0;
   std::vector<CheckedPart> parts;
-  // The loop's thread is a real one: where the machine lets it wait the check rightly tells so, and is made once more.
+  // The loop runs on a real thread. If the machine delays it, the check correctly reports this, and the run is
+  // repeated.
   for (int run = 0; run < 5; ++run) {
     asked = 0;
     parts = checkDevice(std::make_unique<SimulatedDevice>(), {.ask =
@@ -168,7 +169,7 @@ TEST_CASE(
 
 namespace {
 
-// The loop without its safety stage: what the tracker wants is what the device is given, at once.
+// The loop without its safety stage: the tracker's force is passed to the device directly.
 struct Careless final : ClockListener {
   explicit Careless(FaultyDevice& on) : device(on) {}
   void onDeviceTick() noexcept override {

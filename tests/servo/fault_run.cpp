@@ -23,7 +23,7 @@ void late(FaultWorld& w, int some) {
   }
 }
 
-// The loop does nothing for so long.
+// The loop stalls for a random time.
 void stalled(FaultWorld& w, double least_ms, double most_ms) {
   const int ms = int(w.random.uniform(least_ms, most_ms));
   w.idle(ms);
@@ -145,7 +145,7 @@ void magnified(FaultWorld& w, int some) {
   w.ticks(some * 3);
 }
 
-// The stylus goes, a mouse presses as deep as it likes, the stylus comes back.
+// The stylus is disconnected, a mouse presses arbitrarily deep, the stylus reconnects.
 void fallBack(FaultWorld& w, int some) {
   w.otherDevice(DeviceInfo{shownForceFigures()});
   const Vec3 deep = w.sensed().mm * w.random.uniform(0.2, 1.0);

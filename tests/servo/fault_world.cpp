@@ -147,7 +147,7 @@ void FaultWorld::tick(const TickInput& how) {
   judge(sample, how);
   command_ = sample.force;
   const double A_per_mm = settings.workspace.A_per_mm;
-  const double told_mm = glm::length(sample.contact.displacement_A) / A_per_mm;
+  const double reported_mm = glm::length(sample.contact.displacement_A) / A_per_mm;
   // Without the sensor's steps.
   const PointA place = settings.workspace.toMolecule(model_.position());
   stretch_mm_ = sample.contact.touching() ? glm::distance(sample.contact.scp.A, place.A) / A_per_mm : 0.0;
@@ -156,7 +156,7 @@ void FaultWorld::tick(const TickInput& how) {
                    : summed_ && sample.contact.touching() ? pushes_A2(place) / (A_per_mm * A_per_mm)
                                                           : 0.5 * stretch_mm_ * stretch_mm_;
   const bool cut = sample.limits.has(Limit::Clamp) || sample.limits.has(Limit::Heat);
-  felt_N_per_mm_ = told_mm > 0.0 && !cut ? glm::length(command_.N) / told_mm : -1.0;
+  felt_N_per_mm_ = reported_mm > 0.0 && !cut ? glm::length(command_.N) / reported_mm : -1.0;
   if (!cut) bent_mm_ = stretch_mm_;
   if (how.moves) model_.tick(how.connected && how.to_model ? command_ : ForceN{}, {target_mm_});
 }
@@ -243,7 +243,7 @@ void FaultWorld::restAfter() {
     return judge_.expectAny();
   }
   out_.cuts += cuts_;
-  // What slides off a sphere sets out on energy that was there, or goes on while its energy falls by more than the
+  // What slides off a sphere sets out on energy that was there, or continues while its energy falls by more than the
   // speed is; what buzzes does neither.
   const bool slides = (faster && !grown) || energy[0] - energy[1] > 0.5 * device_.mass_kg * fastest[1] * fastest[1];
   if (!slides) out_.restless_m_per_s = std::max(out_.restless_m_per_s, fastest[1]);

@@ -24,7 +24,7 @@ struct TickInput {
   std::optional<Quat> orientation = {};  ///< instead of the device's orientation
   bool fresh = true, connected = true;
   bool moves = true;     ///< false: the device's time stands still
-  bool to_model = true;  ///< false: the force goes to another device
+  bool to_model = true;  ///< false: the force is sent to another device
   bool leaps = false;    ///< the position is far from the previous one
 
   /// Whether the input has a fault after which no force is permitted, not even for a tick.

@@ -29,7 +29,7 @@ struct LedDevice final : Device {
   void write(ForceN force) noexcept override { given_N = force.N; }
 };
 
-// A loop on a virtual clock with a hand that goes where it is led.
+// A loop on a virtual clock with a hand that follows its target.
 class Led {
  public:
   LedDevice device;
@@ -297,7 +297,7 @@ TEST_CASE("a contact beside a field has what the field leaves of the bound, 0.73
   CHECK(stage.acted().has(Limit::Stiffness));
   CHECK(stage.stiffness(5.0, {.field = true, .field_N_per_mm = std::nan("")}) == 0.0);
   CHECK(stage.fieldShare() == 0.0);
-  CHECK(stage.stiffness(5.0, {.springs = 2.0}) == doctest::Approx(0.5 * bound));
+  CHECK(stage.stiffness(5.0, {.stiffness_factor = 2.0}) == doctest::Approx(0.5 * bound));
   CHECK(stage.fieldShare() == 1.0);
 }
 
@@ -354,7 +354,8 @@ TEST_CASE(
 }
 
 TEST_CASE(
-    "a step that is written as text in a field and read again goes on with the same forces to the last bit, at any of "
+    "a step that is written as text in a field and read again continues with the same forces to the last bit, at any "
+    "of "
     "16 ticks") {
   DeviceSpecs info = phantomOmniFigures();
   info.gives_force = true;

@@ -74,7 +74,8 @@ struct Slid {
   ServoSample last;
 };
 
-// A wall at z = 0, pressed 4 mm deep; then the hand goes to and fro along x by `half_way_mm`, `times`, 40 mm/s.
+// A wall at z = 0, pressed 4 mm deep; then the hand moves back and forth along x by `half_way_mm`, `times` times at 40
+// mm/s.
 Slid slide(Interaction& felt, double half_way_mm, int times) {
   DeviceSpecs device = shownForceFigures();
   device.gives_force = true;

@@ -78,7 +78,7 @@ TEST_CASE(
 }
 
 TEST_CASE(
-    "a ball that rises by 0.4 A in ten frames raises the force on a still hand evenly by 0.8 N, and no limit acts") {
+    "a sphere that rises by 0.4 A in ten frames raises the force on a still hand evenly by 0.8 N, and no limit acts") {
   std::vector<Sphere> spheres{{{0, 0, 0}, 1.6}};
   for (const std::string_view method : {"exact", "penalty"}) {
     CAPTURE(method);
@@ -122,7 +122,7 @@ TEST_CASE(
 }
 
 TEST_CASE("energy that a method makes is still a debt while the surface moves: a wall twice as stiff on the way out") {
-  // The same sphere grows all the while; the hand goes 2 mm in and out, and on the way out twice the force is wanted.
+  // The same sphere grows steadily while the hand moves 2 mm in and out; on the way out, twice the force is requested.
   class Dishonest final : public Tracker {
    public:
     explicit Dishonest(std::unique_ptr<Tracker> of) : of_(std::move(of)) {}
@@ -158,7 +158,8 @@ TEST_CASE("energy that a method makes is still a debt while the surface moves: a
       hand.tick(10.5 + std::cos(phase), {grows.get(), k / 2000.0});
       debt_J = std::max(debt_J, hand.step.safety().debt_J());
     }
-    // 2 mm at 0.5 N/mm hold 1 mJ, of which half more comes out than went in, less what the device's friction takes.
+    // 2 mm at 0.5 N/mm store 1 mJ; half more is returned than was stored, less the dissipation by the device's
+    // friction.
     if (dishonest)
       CHECK(debt_J > 2e-4);
     else
@@ -201,7 +202,7 @@ TEST_CASE("frames handed over as fast as they are taken begin one after the othe
 }
 
 TEST_CASE(
-    "two walls of balls that close on a hand between them in 2 s, as a molecule's lid does, and go through it, never "
+    "two walls of spheres that close on a hand between them in 2 s, as a molecule's lid does, and go through it, never "
     "give "
     "more than the device's force nor change it by more than 1000 N/s") {
   std::vector<Sphere> open, shut;

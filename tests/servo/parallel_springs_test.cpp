@@ -29,12 +29,12 @@ std::unique_ptr<Tracker> penalty(const std::vector<Sphere>& spheres) {
 }
 
 // As if a single spring pulled.
-class ToldAsOne final : public WrappedInteraction {
+class ReportedAsOne final : public WrappedInteraction {
  public:
   using WrappedInteraction::WrappedInteraction;
   Response respond(const PoseA& pose) noexcept override {
     Response out = inner().respond(pose);
-    out.springs = 1.0;
+    out.stiffness_factor = 1.0;
     return out;
   }
 };
@@ -56,7 +56,7 @@ DeviceParameters slippery() {
   return device;
 }
 
-// A hand comes in along z to 8 mm under the heap's surface within 0.8 s and stands for 1.2 s.
+// A hand moves along z to 8 mm below the heap's surface within 0.8 s and rests there for 1.2 s.
 Pressed press(Interaction& felt, const DeviceParameters& device, const HandParameters& hand,
               double asked_N_per_mm = 0.5) {
   ServoSettings settings;
@@ -76,7 +76,7 @@ Pressed press(Interaction& felt, const DeviceParameters& device, const HandParam
     const double stretch_mm = glm::length(sample.contact.displacement_A) / settings.workspace.A_per_mm;
     if (stretch_mm > 0.0 && !sample.limits.has(Limit::Clamp) && !sample.limits.has(Limit::Damping))
       out.spring_N_per_mm = glm::length(sample.force.N) / stretch_mm;
-    out.parallel = sample.springs;
+    out.parallel = sample.stiffness_factor;
   }
   return out;
 }
@@ -84,7 +84,7 @@ Pressed press(Interaction& felt, const DeviceParameters& device, const HandParam
 }  // namespace
 
 TEST_CASE(
-    "twelve balls round one centre, pressed 8 mm deep with a slippery device in a hand of 100 or 300 N/m: with all "
+    "twelve spheres round one centre, pressed 8 mm deep with a slippery device in a hand of 100 or 300 N/m: with all "
     "twelve "
     "springs within the bound the device rests below 2 mm/s; taken for one they drive it at more than 0.1 m/s until "
     "the "
@@ -99,14 +99,16 @@ TEST_CASE(
     CHECK(rests.cut == 0);
     const double bound = steadyStiffness_N_per_mm(0.5, describe(device));
     CHECK(rests.spring_N_per_mm == doctest::Approx(bound / rests.parallel).epsilon(0.01));
-    ToldAsOne as_one(penalty(heap(12)));
+    ReportedAsOne as_one(penalty(heap(12)));
     const Pressed shakes = press(as_one, device, hand);
     CHECK(shakes.greatest_m_per_s > 0.1);
     CHECK(shakes.cut > 0);
   }
 }
 
-TEST_CASE("a single ball is pressed with the stiffness that is asked, whoever counts, and so are two that bear it") {
+TEST_CASE(
+    "a single sphere is pressed with the stiffness that is asked, however they are counted, and so are two that bear "
+    "it") {
   const std::unique_ptr<Interaction> one = penalty(heap(1));
   const Pressed alone = press(*one, {}, {300, 5});
   CHECK(alone.parallel == doctest::Approx(1.0));

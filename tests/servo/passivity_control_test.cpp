@@ -25,7 +25,7 @@ TEST_CASE(
       booked_J += 1e-3 * felt;
       CHECK(control.debt_J() == doctest::Approx(booked_J).epsilon(1e-12));
     }
-    // A figure of a device that is no delay of this world reads nothing beyond the history.
+    // An implausible delay reads nothing beyond the history.
     control.observe(Vec3(1e-3, 0, 0), Vec3(0), 0, 0, std::size_t{1} << 60);
     CHECK(control.debt_J() == doctest::Approx(booked_J + 1e-3 * (ticks - 255)).epsilon(1e-12));
   }

@@ -103,7 +103,7 @@ TEST_CASE(
   const ServoSample flat = hand.to(bar, {0, 0, -0.5 / s}, kNoRotation);
   CHECK(flat.force.N.z == doctest::Approx(k / s * 2 * 0.5).epsilon(1e-9));
   CHECK(glm::length(flat.torque_N_mm) < 1e-9);
-  // Turned about y, the end on +x goes down by 2 A sin 0.4, the other comes up and out.
+  // After a rotation about y, the end on +x moves down by 2 A sin 0.4; the other end moves up and out.
   const ServoSample tilted = hand.to(bar, {0, 0, -0.5 / s}, kTilted);
   const double down = Bar::kArm_A * std::sin(0.4), deep = 0.5 + down, across = Bar::kArm_A * std::cos(0.4);
   REQUIRE(down > 0.5);
@@ -191,7 +191,7 @@ TEST_CASE(
   CHECK(stopped.torque_N_mm == Vec3(0.0));
 }
 
-TEST_CASE("a hand that is turned by 1 rad in a tick, or by what is no rotation, is given nothing in that tick") {
+TEST_CASE("a hand that is turned by 1 rad in a tick, or by an invalid rotation, gets no force in that tick") {
   const Quat bad[] = {glm::angleAxis(1.4, Vec3(0, 1, 0)), Quat(std::nan(""), 0, 0, 0), Quat(0, 0, 0, 0),
                       Quat(2, 0, 0, 0)};
   for (const Quat& q : bad) {

@@ -156,7 +156,8 @@ TEST_CASE("jump: 6 mm in a tick forget the contact, 4 mm do not; nor do 60 mm af
   for (int k = 0; k < 14; ++k) tick(stage, push(1), {.position = {{10, 0, 0}}, .fresh = false});
   CHECK_FALSE(stage.beginTick({.position = {{70, 0, 0}}}, {}));
   CHECK(stage.beginTick({.position = {{170, 0, 0}}}, {}));
-  CHECK_FALSE(stage.beginTick({.position = {{-170, 0, 0}}, .discontinuities = 1}, {}));  // placed anew: no way between
+  // repositioned: no displacement
+  CHECK_FALSE(stage.beginTick({.position = {{-170, 0, 0}}, .discontinuities = 1}, {}));
 }
 
 TEST_CASE("unplugged: no force in the very tick, the contact forgotten when it goes and when it comes back") {
@@ -192,7 +193,7 @@ TEST_CASE(
       last_N = force_N;
     }
     CHECK(last_N == doctest::Approx(next->max_force_N));
-    // Behind a mouse no motor warms; the stylus comes back hardly cooler than it went.
+    // With the mouse no motor heats; the stylus returns almost as warm as before.
     stage.setDevice(omni());
     stage.beginTick({}, {});
     if (next == &mouse) CHECK(stage.heat() == doctest::Approx(warm * std::exp(-0.5 / 30)).epsilon(0.01));
@@ -319,17 +320,17 @@ TEST_CASE(
                   .stiffness_N_per_mm = stiffness});
     stage.beginTick({}, {});
   };
-  CHECK(stage.stiffness(0.5, {.springs = 1.0}) == 0.5);
+  CHECK(stage.stiffness(0.5, {.stiffness_factor = 1.0}) == 0.5);
   felt(0.5);
-  CHECK(stage.stiffness(0.5, {.springs = 1.4}) == 0.5);  // 0.7 N/mm together
+  CHECK(stage.stiffness(0.5, {.stiffness_factor = 1.4}) == 0.5);  // 0.7 N/mm together
   CHECK_FALSE(stage.acted().has(Limit::Stiffness));
-  CHECK(stage.stiffness(0.5, {.springs = 4.0}) == doctest::Approx(bound / 4));
+  CHECK(stage.stiffness(0.5, {.stiffness_factor = 4.0}) == doctest::Approx(bound / 4));
   CHECK(stage.acted().has(Limit::Stiffness));
   felt(bound / 4);
-  CHECK(stage.stiffness(0.5, {.springs = 1.0}) == doctest::Approx(bound / 4 + 0.001));
-  CHECK(stage.stiffness(0.5, {.springs = std::nan("")}) == 0.0);
+  CHECK(stage.stiffness(0.5, {.stiffness_factor = 1.0}) == doctest::Approx(bound / 4 + 0.001));
+  CHECK(stage.stiffness(0.5, {.stiffness_factor = std::nan("")}) == 0.0);
   SafetyStage mouse = ready(DeviceInfo{shownForceFigures()});
-  CHECK(mouse.stiffness(0.5, {.springs = 40.0}) == 0.5);
+  CHECK(mouse.stiffness(0.5, {.stiffness_factor = 40.0}) == 0.5);
 }
 
 TEST_CASE(

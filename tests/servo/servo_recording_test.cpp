@@ -260,7 +260,7 @@ TEST_CASE(
   std::filesystem::remove(file);
 }
 
-TEST_CASE("what is no recording is reported: an empty file, a text, a folder, a missing file") {
+TEST_CASE("files that are not recordings are reported: an empty file, a text, a folder, a missing file") {
   const auto file = scratch("none");
   for (const std::string& bytes :
        {std::string(), std::string("ATOM      1  N   ALA"), std::string("MOLTRAC2"), std::string(100, '\xff')}) {
@@ -524,7 +524,7 @@ TEST_CASE(
   std::filesystem::remove(file);
 }
 
-TEST_CASE("labels that list balls which there are not, or are no list, name none") {
+TEST_CASE("labels that list spheres which there are not, or are no list, name none") {
   const std::vector<Sphere> spheres(9, Sphere{{0, 0, 0}, 1.0});
   for (const char* text : {"9", "0-9", "3-2", "2,2", "1-", "x", "1,,2", "-1", "4294967296", "1 2"}) {
     CAPTURE(text);

@@ -154,7 +154,7 @@ TEST_CASE("a new probe radius is reached at 8 A/s: from 1.4 to 2.2 A in 100 tick
   CHECK(tracker->probe_A() == doctest::Approx(2.2));
 }
 
-TEST_CASE("the same hand gives the same forces to the last bit, over 20 000 ticks on 50 random balls") {
+TEST_CASE("the same hand gives the same forces to the last bit, over 20 000 ticks on 50 random spheres") {
   const scenes::Scene scene = scenes::cluster(50, 9);
   const scenes::Path path = scenes::walk(scene, 20'000, 10);
   const auto run = [&] {

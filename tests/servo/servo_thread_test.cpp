@@ -15,7 +15,7 @@ using namespace moltact;
 
 namespace {
 
-// A device whose hand stays at one place and that counts what it is told.
+// A device whose hand is at rest and that counts its outputs.
 class StillDevice final : public Device {
  public:
   const DeviceInfo& info() const noexcept override { return info_; }
@@ -67,7 +67,7 @@ class ClockedDevice final : public Device {
   std::thread clock_;
 };
 
-// A tracker that always pushes along x and tells which thread it is destroyed on.
+// A tracker that always pushes along x and records the thread of its destruction.
 class PushingTracker final : public test::WithoutMemory<Tracker> {
  public:
   explicit PushingTracker(std::atomic<int>& alive, std::thread::id& destroyed_on)
@@ -89,7 +89,7 @@ class PushingTracker final : public test::WithoutMemory<Tracker> {
   std::thread::id& destroyed_on_;
 };
 
-// A tracker whose SCP tells which one it is.
+// A tracker whose SCP identifies it.
 class MarkedTracker final : public test::WithoutMemory<Tracker> {
  public:
   explicit MarkedTracker(std::uint32_t mark) : mark_(mark) {}
@@ -210,14 +210,14 @@ TEST_CASE("a device with its own clock ticks the loop by it; when that clock sto
   while (clocked->own_ticks.load() < 50) std::this_thread::sleep_for(std::chrono::milliseconds(1));
   CHECK(servo.loop().latest().hand.mm == Vec3(4, 5, 6));
   // It ticks every 2 ms: a millisecond late, at the least, but where the loop's own clock stood in.
-  std::size_t told = 0, late = 0;
+  std::size_t reported = 0, late = 0;
   servo.loop().drain([&](const ServoSample& s) {
     if (s.hand.mm != Vec3(4, 5, 6)) return;
-    ++told;
+    ++reported;
     late += s.late_us >= 900.0f;
   });
-  CHECK(told > 40);
-  CHECK(2 * late > told);
+  CHECK(reported > 40);
+  CHECK(2 * late > reported);
   clocked->stopped.store(true);
   const long then = clocked->own_ticks.load();
   waitForTicks(servo, 50);

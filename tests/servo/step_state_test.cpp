@@ -94,7 +94,8 @@ std::string forged(const std::string& file, const std::string& state) {
 }  // namespace
 
 TEST_CASE(
-    "a step that is written as text and read again goes on with the same forces to the last bit, at any of 40 ticks of "
+    "a step that is written as text and read again continues with the same forces to the last bit, at any of 40 ticks "
+    "of "
     "a rough hand") {
   const auto tracker = newTracker();
   ServoStep step;

@@ -90,7 +90,7 @@ TEST_CASE("0, 1, 1.5 and 3 N on one atom sound at 330, 523.8, 660 and 1320 Hz, w
   CHECK(frequencyOf(steadyTone(Feature::Sphere, 3.0)) == doctest::Approx(1320.0).epsilon(0.0001));
 }
 
-TEST_CASE("a ball is one note, a crease a fifth, a pit a major chord, each of the same power") {
+TEST_CASE("a sphere is one note, a crease a fifth, a pit a major chord, each of the same power") {
   const double f = 660.0;
   const auto sphere = steadyTone(Feature::Sphere, 1.5), crease = steadyTone(Feature::Circle, 1.5),
              pit = steadyTone(Feature::Point, 1.5);
@@ -196,7 +196,7 @@ TEST_CASE("a probe that slides scrapes: noise within its limit, louder the faste
 }
 
 TEST_CASE(
-    "contact, a change from ball to crease and the end have no click: the curve bends no more than its parts may") {
+    "contact, a change from sphere to crease and the end have no click: the curve bends no more than its parts may") {
   TouchSynth synth;
   std::vector<float> all;
   const auto play = [&](const TouchMoment& m, double for_s) {

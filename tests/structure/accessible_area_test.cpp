@@ -36,7 +36,7 @@ double byChance_A2(const std::vector<Sphere>& spheres, std::size_t i, double pro
 
 }  // namespace
 
-TEST_CASE("a ball alone has the whole area of its grown sphere, two that meet have it less their caps") {
+TEST_CASE("a sphere alone has the whole area of its grown sphere, two that meet have it less their caps") {
   const std::vector<Sphere> one{{Vec3(3, 4, 5), 1.7}};
   CHECK(accessibleAreas_A2(one)[0] == doctest::Approx(sphere_A2(3.1)));
   CHECK(accessibleAreas_A2(one, 0.0)[0] == doctest::Approx(sphere_A2(1.7)));
@@ -47,7 +47,7 @@ TEST_CASE("a ball alone has the whole area of its grown sphere, two that meet ha
   CHECK(areas[1] == doctest::Approx(sphere_A2(4) - 2 * std::numbers::pi * 4 * (4 - 3.2)).epsilon(0.002));
 }
 
-TEST_CASE("a ball within another has no area, and of two in one place the first has all") {
+TEST_CASE("a sphere within another has no area, and of two in one place the first has all") {
   const std::vector<Sphere> spheres{
       {Vec3(0.0), 2.0}, {Vec3(0.5, 0, 0), 1.0}, {Vec3(20, 0, 0), 1.5}, {Vec3(20, 0, 0), 1.5}};
   const auto areas = accessibleAreas_A2(spheres);

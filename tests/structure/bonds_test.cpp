@@ -215,7 +215,7 @@ TEST_CASE("ubiquitin's backbone is one stretch of 76, haemoglobin's four of 141 
   }
 }
 
-TEST_CASE("a backbone ends where three residues are missing, and goes on where only CA are there") {
+TEST_CASE("a backbone ends where three residues are missing, and continues where only CA are there") {
   std::string missing, only_ca;
   std::istringstream lines(libraryText("1ubq.pdb"));
   for (std::string text; std::getline(lines, text);) {

@@ -43,12 +43,12 @@ TEST_CASE("every scheme colours every atom, and every colour of a scheme of clas
       CHECK(c.legend.title == scheme.label);
       CHECK_FALSE(c.legend.entries.empty());
       if (c.legend.gradient) continue;
-      std::set<Rgb8> told;
+      std::set<Rgb8> reported;
       for (const Legend::Entry& e : c.legend.entries) {
         CHECK_FALSE(e.name.empty());
-        told.insert(e.colour);
+        reported.insert(e.colour);
       }
-      for (const Rgb8& colour : c.of_atom) CHECK(told.contains(colour));
+      for (const Rgb8& colour : c.of_atom) CHECK(reported.contains(colour));
     }
 }
 

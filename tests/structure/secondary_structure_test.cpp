@@ -162,11 +162,11 @@ TEST_CASE(
       "HELIX    2  H2 ILE A  xx3  GLU A   34  1                                  12    \n" +
       proteinOf("1ubq.pdb"));
   CHECK_FALSE(m.has_recorded_structure);
-  const auto told = [&](const std::string& what) {
+  const auto reported = [&](const std::string& what) {
     return std::count(m.warnings.begin(), m.warnings.end(), what) == 1;
   };
-  CHECK(told("Line 2: the helix or strand names no residues and was left out."));
-  CHECK(told("1 helix or strand of the file's records names residues that are not among the atoms."));
+  CHECK(reported("Line 2: the helix or strand names no residues and was left out."));
+  CHECK(reported("1 helix or strand of the file's records names residues that are not among the atoms."));
   CHECK(secondaryStructure(m).elements.size() > 5);
 }
 

@@ -111,7 +111,7 @@ TEST_CASE(
   }
 }
 
-TEST_CASE("between two states each ball goes straight; an atom that the other lacks goes with its residue") {
+TEST_CASE("between two states each sphere goes straight; an atom that the other lacks goes with its residue") {
   const Molecule m = libraryMolecule("1ubq.pdb");
   std::string text;
   std::istringstream lines(libraryText("1ubq.pdb"));

@@ -245,7 +245,7 @@ class TouchScreen(unittest.TestCase):
 
     def test_two_fingers_turn_and_magnify_the_molecule_and_push_nothing(self):
         x, y = BESIDE
-        self.fingers.down(0, x, y)  # the probe goes there
+        self.fingers.down(0, x, y)  # the probe moves there
         self.fingers.up(0, x, y)
         before = self.still(VIEW)
         self.two([(x, y), (x + 100, y)], [(x + 90, y), (x + 190, y)])

@@ -34,7 +34,7 @@ class Browser:
         self.process = subprocess.Popen(
             [program, "--headless=new", "--remote-debugging-pipe", "--no-first-run", "--disable-background-networking",
              "--disable-component-update", "--disable-sync", "--no-default-browser-check", "--mute-audio",
-             # As Chromium goes by itself without a graphics card: WebGL in software, the page put together by the processor.
+             # As Chromium runs without a graphics card: WebGL and compositing in software.
              "--enable-unsafe-swiftshader", "--disable-dev-shm-usage", *arguments,
              f"--user-data-dir={self.profile}", f"--window-size={width},{height}"]
             + (["--no-sandbox"] if os.getuid() == 0 else []) + ["about:blank"],
@@ -107,7 +107,7 @@ class Browser:
             if self.process.poll() is None:
                 self.call("Browser.close", browser_wide=True, patience_s=10)
                 self.process.wait(10)
-        except Exception:  # whatever state it is in, it goes
+        except Exception:  # it is ended in any state
             self.kill()
         finally:
             os.close(self.to)

@@ -106,8 +106,8 @@ class Devices(PageTest):
         self.picture(browser, "device")
         browser.key("Escape")
         browser.frames(5)
-        # Slowly in toward the atom until it is touched, and a little further. Where frames come too slowly for a touch to
-        # be kept, the page says so, and the hand comes out and goes in again.
+        # Moves slowly toward the atom until it is touched, and slightly further. If frames are too slow to keep a contact,
+        # the page reports this, and the hand moves out and in again.
         for _ in range(8):
             if self.goes_in(browser):
                 break

@@ -28,7 +28,7 @@ say: Touch a sphere.
 ### Question: How many spheres are there?
 - [ ] Two → Count again.
 - [x] Three → Yes.
-"""  # with something left to do in the second step: what is finished begins anew
+"""  # with an open task in the second step, because a finished lesson restarts
 SPHERES = "0 0 0 1.5\n3 0 0 1.5\n1.5 2.5 0 1.5\n"
 
 

@@ -129,7 +129,7 @@ class Firefox(Browser):
         try:
             self.ask("Marionette:Quit", {"flags": ["eForceQuit"]})
             self.process.wait(20)
-        except Exception:  # whatever state it is in, it goes
+        except Exception:  # it is ended in any state
             self.kill()
         finally:
             self.wire.close()

@@ -3,7 +3,7 @@ import re
 
 from page import PAGE, PageTest
 
-# The peak of what goes to the loudspeaker, and the state of what plays it.
+# The peak of the audio output, and the state of the audio context.
 LISTEN = """
 const connect = AudioNode.prototype.connect;
 globalThis.heard = {peak: 0, context: null};
@@ -78,7 +78,7 @@ class Senses(PageTest):
         self.open_lesson(browser)
         browser.click("tool/sound")
         browser.evaluate("new Promise((done) => setTimeout(done, 1000))")
-        # Opened again the sound is on at once, but nobody has clicked yet.
+        # After reopening, sound is on at once, but there was no click yet.
         browser.open(PAGE.as_uri())
         browser.until("heard.context")
         self.assertEqual(browser.evaluate("heard.context.state"), "suspended")

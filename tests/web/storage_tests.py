@@ -86,7 +86,7 @@ class Storage(PageTest):
         self.addCleanup(shutil.rmtree, profile, True)
         browser = self.browser(profile=os.path.join(profile, "one"))
         self.leave_at_second_step(browser)
-        browser.call("Page.navigate", url="about:blank")  # the tab goes elsewhere: the page hides for good
+        browser.call("Page.navigate", url="about:blank")  # the tab leaves the page
         time.sleep(2.0)  # the browser ends in order, but a busy machine needs a moment to write
         browser.close()
         again = self.browser(profile=os.path.join(profile, "one"))

@@ -109,7 +109,7 @@ class Keys(Hand):
         self.browser.hold("AltLeft", False, "Alt")
 
     def slide(self, task):
-        # The probe goes over the pair and back while it pushes.
+        # The probe moves over the pair and back while it pushes.
         for way in ("ArrowLeft", "ArrowRight", "ArrowLeft"):
             self.touch()
             self.browser.frames(20)

@@ -20,7 +20,7 @@ PROGRAM = BUILT / "moltact" / "moltact.exe"
 PICTURES = BUILT / "pictures"  # what was seen, for a person to look at
 WINE = shutil.which("wine64") or "/usr/lib/wine/wine64"  # where Debian has it
 SIZE = (640, 400)
-VIEW = (700, 150, 400, 400)  # width, height of a part of the window in which the molecule stands, and its corner
+VIEW = (700, 150, 400, 400)  # width, height and corner of a part of the window that shows the molecule
 
 
 def there(path):

@@ -58,7 +58,7 @@ TEST_CASE(
 }
 
 TEST_CASE(
-    "a ball of 7 A round a selection fills the Omni's 70 mm: 0.2 A a mm, centred there; garbage changes nothing") {
+    "a sphere of 7 A round a selection fills the Omni's 70 mm: 0.2 A a mm, centred there; garbage changes nothing") {
   const DeviceSpecs omni = phantomOmniFigures();
   const Workspace now, then = magnified(now, {{1, 2, 3}}, 7.0, omni);
   CHECK(then.A_per_mm == doctest::Approx(0.2));

@@ -49,7 +49,7 @@ void Application::useLanguageAndUnits() {
   for (const auto& [dimension, unit] : settings.units) shown.choose(dimension, unit);
   setShownUnits(shown);
   if (spoken_ == settings.language) return;
-  // What was asked for at the start holds until the person chooses another.
+  // The language given at the start applies until the user chooses another.
   std::string wanted = settings.language;
   if (!spoken_ && !options_.language.empty()) wanted = options_.language;
   if (!spoken_ && options_.language.empty() && !languageOfEnvironment().empty()) wanted = {};
@@ -64,7 +64,7 @@ void Application::end() {
 }
 
 void Application::open(const std::filesystem::path& file) {
-  // A name without an ending may be one of the library.
+  // A name without an extension may be a molecule of the library.
   const FileKind kind = fileKind(file).value_or(FileKind::Molecule);
   for (Extension* e : extensions_->all()) e->beforeOpening(kind);
   for (Extension* e : extensions_->all())
@@ -120,7 +120,7 @@ void Application::enterScene() {
   scene.colour_by = colourBy(*spec);
   panels.tabs.applyLesson(spec->panels);
   measureView();
-  if (scene.stage()) lesson.meet(scene.stage().molecule, scene.molecule());
+  if (scene.stage()) lesson.setMolecule(scene.stage().molecule, scene.molecule());
   scene.look = lesson.looks();
   const Expected<MoleculeKey> molecule = lesson.molecule();
   if (!molecule) {
@@ -138,7 +138,7 @@ void Application::enterScene() {
 
 void Application::beginSceneAgain(std::optional<PointA> before, const std::optional<Quat>& turned,
                                   const std::vector<std::uint32_t>& removed) {
-  // What is felt is made anew where other atoms are taken from the hand.
+  // The interaction is rebuilt if other atoms are excluded from touch.
   if (TouchableModel felt =
           withUntouchable(scene.atoms().resting(), atomsOfEither(lesson.untouchable(), removed), lesson.held());
       felt.spheres != scene.stage().spheres)
@@ -154,7 +154,7 @@ void Application::beginSceneAgain(std::optional<PointA> before, const std::optio
   for (Extension* e : extensions_->all()) e->sceneChanged();
 }
 
-// A lesson that nobody checked may ask for more than a hand can hold.
+// An unchecked lesson may require a body with too many atoms.
 void Application::warnBodyTooLarge() {
   if (scene.stage().body || lesson.held().empty()) return;
   messages.warning(
@@ -166,9 +166,9 @@ void Application::warnBodyTooLarge() {
 
 void Application::notifyStepChanged() {
   if (!lesson.session()) return;
-  const bool opened = told_opening_ != lesson.openings(), moved = told_step_ != lesson.session()->stepIndex();
-  told_opening_ = lesson.openings();
-  told_step_ = lesson.session()->stepIndex();
+  const bool opened = shown_opening_ != lesson.openings(), moved = shown_step_ != lesson.session()->stepIndex();
+  shown_opening_ = lesson.openings();
+  shown_step_ = lesson.session()->stepIndex();
   if (opened)
     for (Extension* e : extensions_->all()) e->lessonChanged();
   if (opened || moved)
@@ -187,9 +187,9 @@ void Application::onLoaded(Loaded loaded) {
     return;
   }
   messages.clearErrors();
-  if (const std::string told = residueSpheresNotice(loaded.stage->molecule->atoms.size()); !told.empty())
-    messages.notice(told);
-  // A lesson's author knows what the file leaves out.
+  if (const std::string notice = residueSpheresNotice(loaded.stage->molecule->atoms.size()); !notice.empty())
+    messages.notice(notice);
+  // In a lesson's scene the author knows what the file omits, so no notice is shown.
   if (!from_step) {
     for (const std::string& warning : loaded.stage->molecule->warnings) messages.notice(warning);
     settings.remember(loaded.key.file);
@@ -197,7 +197,7 @@ void Application::onLoaded(Loaded loaded) {
   }
   panels.pages.welcome = false;
   measureView();
-  lesson.meet(loaded.stage->molecule, loaded.key);
+  lesson.setMolecule(loaded.stage->molecule, loaded.key);
   scene.look = lesson.looks();
   scene.fit().region = lesson.region();
   scene.fit().zoomed = lesson.zoomed();
@@ -232,7 +232,7 @@ void Application::zoomTo(std::span<const std::uint32_t> atoms) {
   const auto part = stage ? regionAround(atoms, *scene.atoms().seen(), scene.servo_settings.probe_A) : std::nullopt;
   if (!part) return;
   const Camera seen = scene.camera;
-  // Seen from outside: where they lie deep, whatever is before them.
+  // From outside; for atoms inside, whatever is in front of them.
   scene.camera.target = stage.middle;
   scene.camera.face(part->centre);
   const glm::vec2 view = layout_.view.size();
@@ -247,7 +247,7 @@ void Application::comeCloseTo(PointA place) {
   const Camera seen = scene.camera;
   scene.camera.fit(place, kAround_A, view.y > 0 ? double(view.x) / double(view.y) : 1.0);
   if (scene.camera.distance_A >= seen.distance_A) {
-    scene.camera = seen;  // it is close already
+    scene.camera = seen;  // the view is already close
     return;
   }
   for (Extension* e : extensions_->all()) e->viewReset(seen);
@@ -282,8 +282,8 @@ Layout Application::layoutNow() const {
                 panels.lesson_first);
 }
 
-// A scene that is entered in the middle of a frame opens and closes panels, which are laid out in the next one: it is fitted
-// to the view that it will have then.
+// A scene that is entered within a frame opens and closes panels, which are laid out in the next frame. It is fitted to
+// the view of that frame.
 void Application::measureView() {
   if (!(window_px_.x > 0.0f)) return;
   const glm::vec2 view = layoutNow().view.size();
@@ -295,7 +295,7 @@ void Application::layPanelsOut(glm::vec2 window_px) {
   layout_ = layoutNow();
   if (panels.pages.welcome) return;
   measureView();
-  // The first picture of a scene is fitted to the view as it really is.
+  // Refits the first picture of a scene once the real view is known.
   if (aspect_guessed_ && scene.stage()) {
     aspect_guessed_ = false;
     resetView();
@@ -310,7 +310,7 @@ void Application::frame(double dt_s, glm::vec2 window_px) {
   for (Extension* e : extensions) e->beforeTicks();
   scene.rest(panels.pages.welcome);
   const FeltTicks felt = scene.advance(dt_s, time_.now_s, panels.tabs.front() == "methods");
-  // A recorded hand does nobody's task.
+  // A recorded hand does no task.
   if (!anyOf(extensions, &Extension::leadsHand))
     for (const FeltTick& t : felt.ticks) lesson.feed(t.sample, felt.method.name, t.exact);
   if (!felt.ticks.empty())

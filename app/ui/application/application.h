@@ -1,6 +1,6 @@
-// The program behind the window: what is touched, the lesson that is open, what the person prefers, and the order of a
-// frame. It draws nothing itself: the panels do (app/ui/panels). Everything beyond that is an extension (extension.h).
-// It knows neither: both are given to it as its parts (app/ui/shell/application_parts.h). Window's thread.
+// The program behind the window: the scene, the open lesson, the settings, and the order of a frame. It draws nothing
+// itself; the panels do (app/ui/panels). Everything else is an extension (extension.h). It depends on neither: it
+// receives both as its parts (app/ui/shell/application_parts.h). Window's thread.
 #pragma once
 
 #include <filesystem>
@@ -29,12 +29,12 @@ class Application;
 struct Extensions;
 class ViewPicture;
 
-/// The parts above the application: what it draws and what extends it.
+/// The parts above the application: panels and extensions.
 struct ApplicationParts {
-  /// Makes them for this application, whose parts they hold; called once, by its constructor.
+  /// Constructs the extensions for this application; called once, by its constructor.
   std::unique_ptr<ExtensionSet> (*extensions)(Application&);
-  void (*keys)(Application&);    ///< once a frame, before the layout: what the keys of the frame do
-  void (*panels)(Application&);  ///< once a frame: draws all panels
+  void (*keys)(Application&);    ///< called once per frame, before the layout: processes the keys
+  void (*panels)(Application&);  ///< called once per frame: draws all panels
 };
 
 class Application final : public Opener {
@@ -42,27 +42,26 @@ class Application final : public Opener {
   Application(ApplicationOptions options, ApplicationParts parts);
   ~Application();
 
-  /// The program's end, whatever it comes by: lets the force go, then has everything saved that is to be. Once; the
-  /// destructor does it too.
+  /// Ends the program: ends the force, then saves everything. Acts once; the destructor also calls it.
   void end();
 
   void open(const std::filesystem::path& file) override;
-  /// Opens a molecule's file as it is to be read, as open() does.
+  /// Opens a molecule's file with these reading options, otherwise like open().
   void openMolecule(const MoleculeKey& key);
-  /// Files were dropped on the window: the first is opened.
+  /// Opens the first of the files dropped on the window.
   void drop(const std::vector<std::filesystem::path>& dropped);
   void showMolecule(const MoleculeKey& key) override;
   bool hasWork() const override { return scene.stage() || lesson.session(); }
 
-  /// One frame: takes up what the servo loop found, then draws all panels.
+  /// Processes one frame: takes the samples of the servo loop, then draws all panels.
   void frame(double dt_s, glm::vec2 window_px);
 
-  /// Whether the next frame would look different by itself: forces move, something is loading or fading.
+  /// Whether the next frame differs without further input: atoms or hand move, something is loading or fading.
   bool live() const;
   /// Waits for a file that is being opened and shows it.
   void finishLoading();
   bool loading() const override { return loader_.busy(); }
-  /// How long a file has been read (unit: second); 0 while none is.
+  /// How long the present file has been loading (unit: second); 0 if none is.
   double loadingFor_s() const { return loading_s_; }
 
   HapticSession scene;
@@ -71,9 +70,9 @@ class Application final : public Opener {
   Settings settings;
   PanelState panels;
   FileBrowser files;       ///< of the page that opens files
-  FileDialog file_dialog;  ///< asks for a file to be written, or for a folder
+  FileDialog file_dialog;  ///< asks where to write a file, or for a folder
 
-  /// Each by its name, for who includes app/ui/extensions/extensions.h; defined there, in the room above this one.
+  /// The extensions by name. Include app/ui/extensions/extensions.h, a room above this one, which defines it.
   Extensions& extensions();
   const Extensions& extensions() const;
   ViewPicture& picture() { return *picture_; }
@@ -84,18 +83,18 @@ class Application final : public Opener {
   void comeCloseTo(PointA place) override;
   void beginSceneAgain(std::optional<PointA> before = {}, const std::optional<Quat>& turned = {},
                        const std::vector<std::uint32_t>& removed = {}) override;
-  /// The same as resetView because a person asked for it: it can be undone.
+  /// Like resetView(), by the user: it can be undone.
   void resetViewByHand();
-  /// Goes to a view that a person asked for; it can be undone.
+  /// Shows a view that the user chose; it can be undone.
   void showView(const ViewSpec& view);
-  /// Turns these atoms to the front and comes close to them, for a person who asked for it; it can be undone.
+  /// Rotates these atoms to the front and zooms to them, by the user; it can be undone.
   void zoomTo(std::span<const std::uint32_t> atoms);
-  /// The view panel is to save the next picture it draws; where the file is empty, in the folder of the options.
+  /// Requests that the view panel saves its next picture; with an empty `file`, in the folder of the options.
   void askForPicture(std::filesystem::path file = {}) { picture_asked_ = std::move(file); }
   std::optional<std::filesystem::path> takePictureRequest() { return std::exchange(picture_asked_, std::nullopt); }
-  /// Asks where a picture is to go, then for the picture.
+  /// Asks where to save a picture, then requests it.
   void askForPictureAs();
-  /// The person wants to leave.
+  /// Requests the end of the program.
   void leave() { leaving_ = true; }
   bool leaving() const { return leaving_; }
 
@@ -107,12 +106,12 @@ class Application final : public Opener {
   Facing facing() const;
   void onLoaded(Loaded loaded);
   void openLesson(const std::filesystem::path& file);
-  void cutOpen();     // as the lesson's step asks for
-  void enterScene();  // of the lesson's step, where that has changed
+  void cutOpen();     // applies the cutting plane of the lesson's step
+  void enterScene();  // enters the scene of the lesson's step if it has changed
   void notifyStepChanged();
   void warnBodyTooLarge();
-  void useLanguageAndUnits();  // those of the settings, and their decimal sign
-  Layout layoutNow() const;    // with the panels that are open now
+  void useLanguageAndUnits();  // applies language, units and decimal sign of the settings
+  Layout layoutNow() const;    // for the panels that are open now
   void measureView();
   void layPanelsOut(glm::vec2 window_px);
 
@@ -126,11 +125,11 @@ class Application final : public Opener {
   Loader loader_;
   glm::vec2 window_px_{0.0f};
   double loading_s_ = 0;
-  std::size_t told_opening_ = 0, told_step_ = 0;
-  bool aspect_guessed_ = true;  // the view's shape is known once the first frame has been laid out
-  bool step_scene_ = false;     // what is being read belongs to a lesson's step
+  std::size_t shown_opening_ = 0, shown_step_ = 0;
+  bool aspect_guessed_ = true;  // the view's aspect ratio is not known before the first layout
+  bool step_scene_ = false;     // the file that is being read belongs to a lesson's step
   bool leaving_ = false, ended_ = false;
-  std::optional<std::string> spoken_;  // the setting that the language in use comes from
+  std::optional<std::string> spoken_;  // the setting from which the language in use was taken
   std::optional<std::filesystem::path> picture_asked_;
 };
 

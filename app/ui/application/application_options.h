@@ -1,4 +1,4 @@
-// What the program was started with, for the window. Plain data.
+// The options with which the window is started. Plain data.
 #pragma once
 
 #include <filesystem>
@@ -11,14 +11,15 @@ namespace moltact {
 struct ApplicationOptions {
   ServoClock clock = ServoClock::RealThread;
   bool devices_unasked =
-      true;  ///< where nobody chose a device, one that is plugged in is taken at the start and offered later
-  std::string language{};  ///< at the start, in the place of the settings': "de"; empty: theirs
-  std::string device{};    ///< leads at the start instead of the settings' one, which stays stored; empty: theirs
-  std::filesystem::path settings_file{};    ///< empty: settings are neither read nor kept
-  std::filesystem::path attempts_folder{};  ///< where attempts at lessons are kept; empty: nowhere
-  std::filesystem::path packs_folder{};     ///< where lessons are put that come in a pack; empty: packsFolder()
-  std::filesystem::path cache_folder{};     ///< for what can be made again; empty: nothing is kept
-  std::filesystem::path picture_folder{};   ///< where "Save picture" puts pictures (default: the current folder)
+      /// If no device was ever chosen: uses one that is connected at the start, and offers one that is connected later.
+      true;
+  std::string language{};                   ///< used instead of the setting: "de"; empty: the setting
+  std::string device{};                     ///< used instead of the setting, which remains stored; empty: the setting
+  std::filesystem::path settings_file{};    ///< empty: settings are neither read nor stored
+  std::filesystem::path attempts_folder{};  ///< folder of the attempts; empty: none are stored
+  std::filesystem::path packs_folder{};     ///< folder for lessons from packs; empty: packsFolder()
+  std::filesystem::path cache_folder{};     ///< for data that can be recomputed; empty: nothing is stored
+  std::filesystem::path picture_folder{};   ///< folder for "Save picture" (default: the current folder)
 };
 
 }  // namespace moltact

@@ -16,9 +16,9 @@
 
 namespace moltact {
 
-/// The window's clock, as the frame that is drawn has it (unit: second).
+/// The window's clock for the current frame (unit: second).
 struct FrameTime {
-  double dt_s = 0.0;   ///< since the frame before
+  double dt_s = 0.0;   ///< since the previous frame
   double now_s = 0.0;  ///< since the program began
 };
 
@@ -26,54 +26,54 @@ class Extension {
  public:
   virtual ~Extension() = default;
 
-  /// The program begins: the settings have been read, nothing has been opened.
+  /// Called at the start of the program: the settings have been read, nothing has been opened.
   virtual void atStart() {}
 
-  /// A frame begins; what the hand felt since the last one has not been taken up.
+  /// Called at the beginning of a frame, before the ticks since the last one are taken from the loop.
   virtual void beforeTicks() {}
-  /// Every tick since the last frame, oldest first; not called where there is none.
+  /// Called with every tick since the last frame, oldest first; not called without ticks.
   virtual void ticks(const FeltTicks&) {}
-  /// What happened in the lesson's session since the last frame, oldest first; after the panels and before afterPanels,
-  /// and not called where there is nothing.
+  /// Called with the events of the lesson's session since the last frame, oldest first, after the panels and before
+  /// afterPanels; not called without events.
   virtual void lessonEvents(std::span<const SessionEvent>) {}
-  /// Every panel has been drawn, so every click and key of the frame has done its work. The GL context is current.
+  /// Called after all panels, when every click and key of the frame has taken effect. The GL context is current.
   virtual void afterPanels() {}
 
-  /// A file of this kind is about to be opened; this is called on all extensions before one of them opens it.
+  /// Called on all extensions before one of them opens a file of this kind.
   virtual void beforeOpening(FileKind) {}
-  /// Opens it where files of this kind are this extension's own: true, whatever comes of it.
+  /// Opens the file if its kind belongs to this extension. Returns true if it does, whatever the result.
   virtual bool open(FileKind, const std::filesystem::path&) { return false; }
-  /// A lesson was to be opened and could not be read.
+  /// Called if a lesson could not be read.
   virtual void lessonRefused(const std::filesystem::path&) {}
 
-  /// Another molecule is on the stage, or the same one was placed again: earlier contacts no longer count.
+  /// Called if another molecule is on the stage, or the same one was repositioned: earlier contacts are invalid.
   virtual void sceneChanged() {}
-  /// Another lesson is open, or the same one was opened or read again.
+  /// Called if another lesson was opened, or the same one was opened or read again.
   virtual void lessonChanged() {}
-  /// The lesson is at another step, or another lesson is at its first.
+  /// Called if the lesson has entered another step, or another lesson its first one.
   virtual void stepChanged() {}
-  /// A person asked for the camera as it was when the scene was opened; `seen` is how it was until now.
+  /// Called if the user restored the scene's initial view; `seen` is the camera until then.
   virtual void viewReset(const Camera& /*seen*/) {}
 
-  /// The program ends; everything else still stands.
+  /// Called at the end of the program, while all other parts still exist.
   virtual void atEnd() {}
 
-  /// Whether the next frame would look or sound different because of it: the window then does not sleep.
+  /// Whether the next frame differs without further input because of it; the window then does not sleep.
   virtual bool live() const { return false; }
-  /// Whether it leads the hand: what is felt then is nobody's task.
+  /// Whether it leads the hand; contacts are then not passed to tasks.
   virtual bool leadsHand() const { return false; }
-  /// Whether it shows something in the lesson's place: the lesson's panel then is closed.
+  /// Whether it replaces the lesson's panel, which is then closed.
   virtual bool hidesLesson() const { return false; }
 };
 
-/// All extensions of a program, as the application knows them.
+/// All extensions of a program, as seen by the application.
 class ExtensionSet {
  public:
   virtual ~ExtensionSet() = default;
 
-  /// In the order in which they are called; the same in every frame.
+  /// In the order of the calls, which is the same in every frame.
   virtual std::span<Extension* const> all() const = 0;
-  /// Height of the strip under the view (unit: pixel at 96 dpi); 0 where there is none.
+  /// Height of the strip under the view (unit: pixel at 96 dpi); 0 without one.
   virtual float stripHeight() const = 0;
 };
 

@@ -1,5 +1,5 @@
-// Which tabs of the panel beside the view are open, and which of them is in front. The registry of tabs is
-// app/ui/panels/side_panel.h. Window's thread.
+// The open tabs of the panel beside the view, and the one in front. app/ui/panels/side_panel.h is the registry of tabs.
+// Window's thread.
 #pragma once
 
 #include <algorithm>
@@ -12,7 +12,7 @@ namespace moltact {
 
 class SideTabs {
  public:
-  /// The tab that is always there, behind the others.
+  /// The tab that is always present, behind the others.
   static constexpr std::string_view kTouch = "touch";
 
   /// Whether the panel is open at all.
@@ -27,7 +27,7 @@ class SideTabs {
     if (has(tab)) now_.front = tab;
   }
 
-  /// Opens a tab, in front, and the panel with it.
+  /// Opens a tab in front, and the panel.
   void open(std::string_view tab) {
     by_lesson_ = false;
     if (!has(tab)) now_.tabs.emplace_back(tab);
@@ -40,8 +40,8 @@ class SideTabs {
     if (!has(now_.front)) now_.front = kTouch;
   }
 
-  /// Opens the tabs that a lesson's scene asks for ("none": closes the panel). A scene that asks for none gives back what
-  /// the student had before.
+  /// Opens the tabs that a lesson's scene requests ("none": closes the panel). A scene without a request restores the
+  /// student's earlier choice.
   void applyLesson(const std::vector<std::string>& asked) {
     if (!asked.empty()) {
       if (!by_lesson_) own_ = now_;
@@ -51,7 +51,7 @@ class SideTabs {
       now_ = own_;
     }
   }
-  /// The same for a scene that locks its panels: undoes what the student changed, except which tab is in front.
+  /// The same for a scene that locks its panels: reverts the student's changes, except the tab in front.
   void enforceLesson(const std::vector<std::string>& asked) {
     by_lesson_ = by_lesson_ || !asked.empty();
     const std::string front = now_.front;
@@ -74,7 +74,7 @@ class SideTabs {
     now_.shown = !now_.tabs.empty() || std::find(asked.begin(), asked.end(), kTouch) != asked.end();
   }
 
-  State now_, own_;  // own_: as the student had them, while a lesson's scene decides
+  State now_, own_;  // own_: the student's choice, while a lesson's scene overrides it
   bool by_lesson_ = false;
 };
 

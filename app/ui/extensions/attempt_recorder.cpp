@@ -59,7 +59,7 @@ void AttemptRecorder::beginParts() {
   lesson_.session()->restartEvents();
   touch_watch_ = TouchWatch();
   now_s_ = 0.0;
-  view_told_s_ = states_told_s_ = -1.0;
+  view_written_s_ = states_written_s_ = -1.0;
   way_.reset();
   stage_.reset();
   states_.reset();
@@ -183,7 +183,7 @@ void AttemptRecorder::beforeTicks() {
 void AttemptRecorder::ticks(const FeltTicks& felt) {
   if (!log_ || paused_) return;
   const double last_s = felt.ticks.back().sample.time_s;
-  const InputWay way = realDevice(scene_) ? InputWay::Device : input_.way();
+  const InputKind way = realDevice(scene_) ? InputKind::Device : input_.kind();
   for (const FeltTick& tick : felt.ticks) {
     const ServoSample& s = tick.sample;
     if (!s.has_interaction) continue;
@@ -195,7 +195,7 @@ void AttemptRecorder::ticks(const FeltTicks& felt) {
 void AttemptRecorder::sceneChanged() { touch_watch_.breakOff(); }
 
 void AttemptRecorder::lookAtWay() {
-  InputChanged is{realDevice(scene_) ? InputWay::Device : input_.way(), deviceName(scene_), gaveForce(scene_)};
+  InputChanged is{realDevice(scene_) ? InputKind::Device : input_.kind(), deviceName(scene_), gaveForce(scene_)};
   if (way_ == is) return;
   add(is);
   way_ = std::move(is);
@@ -211,22 +211,23 @@ void AttemptRecorder::lookAtStage() {
 }
 
 void AttemptRecorder::lookAtStates() {
-  if (!moving_states_.there()) return states_.reset();
+  if (!moving_states_.ready()) return states_.reset();
   StatesMoved is{moving_states_.file().filename().string(), moving_states_.then().superposed_on.text(),
                  moving_states_.share()};
   // The end of a motion is recorded at once.
-  if (states_ == is || (moving_states_.share() != moving_states_.wanted() && now_s_ - states_told_s_ < kView_s)) return;
+  if (states_ == is || (moving_states_.share() != moving_states_.wanted() && now_s_ - states_written_s_ < kView_s))
+    return;
   add(is);
   states_ = std::move(is);
-  states_told_s_ = now_s_;
+  states_written_s_ = now_s_;
 }
 
 void AttemptRecorder::lookAtView() {
-  if ((view_ && *view_ == scene_.camera) || now_s_ - view_told_s_ < kView_s) return;
+  if ((view_ && *view_ == scene_.camera) || now_s_ - view_written_s_ < kView_s) return;
   const Camera& c = scene_.camera;
   add(ViewChanged{{c.orientation.w, c.orientation.x, c.orientation.y, c.orientation.z}, c.target.A, c.distance_A});
   view_ = c;
-  view_told_s_ = now_s_;
+  view_written_s_ = now_s_;
 }
 
 void AttemptRecorder::lessonEvents(std::span<const SessionEvent> events) {
@@ -246,7 +247,7 @@ void AttemptRecorder::afterPanels() {
   bool further = false;
   for (const SessionEvent& e : std::exchange(happened_, {})) {
     // Tasks are solved by touch, so the input device is recorded with them.
-    add(session_facts_.factOf(e, now_s_, std::holds_alternative<TaskFinished>(e) ? way_->by : input_.way()));
+    add(session_facts_.factOf(e, now_s_, std::holds_alternative<TaskFinished>(e) ? way_->by : input_.kind()));
     further = further || SessionFacts::changesProgress(e);
   }
   if (further) add(SessionFacts::progressOf(*session));

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "app/ui/application/extension.h"
-#include "app/ui/lesson/input_way_watch.h"
+#include "app/ui/lesson/input_kind_watch.h"
 #include "app/ui/widgets/messages.h"
 #include "engine/render/camera.h"
 #include "engine/results/attempt_log.h"
@@ -112,9 +112,9 @@ class AttemptRecorder : public Extension {
   SessionFacts session_facts_;
   std::vector<SessionEvent> happened_;  // in the session of the attempt, and not recorded yet
   TouchWatch touch_watch_;
-  InputWayWatch input_;
+  InputKindWatch input_;
   double now_s_ = 0.0;  // time in use since log_ began
-  double view_told_s_ = -1.0, states_told_s_ = -1.0;
+  double view_written_s_ = -1.0, states_written_s_ = -1.0;
   std::optional<InputChanged> way_;
   std::optional<StageChanged> stage_;
   std::optional<StatesMoved> states_;

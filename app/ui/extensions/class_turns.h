@@ -31,7 +31,7 @@ class ClassTurns : public Extension {
   /// The called student is absent: calls the next one.
   void skip();
   void pause() { turns_.pause(); }
-  void goOn() { turns_.goOn(); }
+  void resume() { turns_.resume(); }
   void extend(double by_s) { turns_.extend(by_s); }
   void end();
 

@@ -32,7 +32,7 @@ std::string DeviceLink::titleOf(const std::string& name) const {
   return driver && driver->find_at ? tr(driver->find_at("").title.c_str()) : name;
 }
 
-bool DeviceLink::nobodyChose() const { return settings_.device.empty() && options_.device.empty(); }
+bool DeviceLink::noneChosen() const { return settings_.device.empty() && options_.device.empty(); }
 
 std::string& DeviceLink::address(const DeviceDriver& driver) {
   const std::string own = std::string(driver.name) + ':';
@@ -145,12 +145,12 @@ void DeviceLink::taken(const std::string& name) {
   chosen_ = name;
   hardware_.clear();
   status_ = DeviceStatus();
-  messages_.takeBack(told_id_);
-  told_.clear();
+  messages_.takeBack(shown_id_);
+  reported_.clear();
   asked_s_ = -1.0;
 }
 
-void DeviceLink::lend(std::unique_ptr<Device> device) {
+void DeviceLink::useTemporarily(std::unique_ptr<Device> device) {
   stopTrying();
   wish_.reset();
   unwanted_ = opening_ != nullptr;
@@ -176,7 +176,7 @@ void DeviceLink::begin() {
 
 double DeviceLink::lookEvery_s() const {
   if (panels_.pages.device) return kLook_s;
-  return nobodyChose() && options_.devices_unasked ? kLookForOffer_s : 0.0;
+  return noneChosen() && options_.devices_unasked ? kLookForOffer_s : 0.0;
 }
 
 void DeviceLink::look() {
@@ -192,7 +192,7 @@ void DeviceLink::look() {
 
 // Only at the start is a device used without being chosen. Later nothing changes without the user.
 void DeviceLink::offer() {
-  if (!nobodyChose() || !options_.devices_unasked) return;
+  if (!noneChosen() || !options_.devices_unasked) return;
   if (std::exchange(takes_default_, false)) {
     const std::string name = defaultDevice(found_).name;
     if (name != "mouse") wish(name, For::Default);
@@ -266,13 +266,13 @@ void DeviceLink::ask() {
     now = trf("{0} Until then the mouse leads.", now);
   else if (!status_.ready)
     now = trf("{0} gives no force yet. {1}", name, now);
-  if (now == told_) return;
-  messages_.takeBack(told_id_);
-  told_ = now;
+  if (now == reported_) return;
+  messages_.takeBack(shown_id_);
+  reported_ = now;
   if (wantsCalibration(scene_.servo()))
-    told_id_ = messages_.ask(MessageKind::Warning, now, {"calibrate", "device"});
+    shown_id_ = messages_.ask(MessageKind::Warning, now, {"calibrate", "device"});
   else if (!now.empty())
-    told_id_ = messages_.ask(MessageKind::Warning, now, {"device"});
+    shown_id_ = messages_.ask(MessageKind::Warning, now, {"device"});
   if (!was.connected && status_.connected && status_.ready)
     messages_.notice(trf("{0} leads again.", name));
   else if (!was.ready && status_.ready)
@@ -321,11 +321,11 @@ std::vector<std::string> DeviceLink::limitNotices() const {
     if (!gives_force && (one->limit != Limit::LateLoop || !scene_.controls.pressing())) continue;
     if (one->limit == Limit::Panic || (one->limit == Limit::SoftStart && soft_start_s_ < kLongStart_s)) continue;
     // The device's message is more precise; it is shown only once.
-    const bool own_words = one->limit == Limit::DeviceFault && !told_.empty();
+    const bool own_words = one->limit == Limit::DeviceFault && !reported_.empty();
     if (!own_words)
       out.emplace_back(tr(one->sentence));
-    else if (!messages_.tells(told_id_))
-      out.push_back(told_);
+    else if (!messages_.tells(shown_id_))
+      out.push_back(reported_);
   }
   return out;
 }

@@ -50,7 +50,7 @@ class DeviceLink : public Extension {
   const std::vector<FoundDevice>& found() const { return found_; }
   static constexpr double kLook_s = 2.0, kLookForOffer_s = 5.0;
   /// Sets the function for later searches.
-  void lookBy(DeviceLister::Find find) { lister_ = DeviceLister(std::move(find)); }
+  void setFinder(DeviceLister::Find find) { lister_ = DeviceLister(std::move(find)); }
   /// Chooses a device for now and for the next start. It is opened in the background and used as soon as it is open,
   /// never within the calling frame, whose drawing may show the old device. "mouse" returns to the mouse. If the device
   /// cannot be opened, a message says so and nothing changes.
@@ -62,7 +62,7 @@ class DeviceLink : public Extension {
   std::string& address(const DeviceDriver& driver);
   /// Uses a device that is not among those found until another is chosen or giveBack() restores the previous one. It is
   /// not stored for the next start.
-  void lend(std::unique_ptr<Device> device);
+  void useTemporarily(std::unique_ptr<Device> device);
   void giveBack(const std::string& before);
   /// The title of the awaited device, which was chosen earlier and is not present; empty if none.
   const std::string& awaited() const { return awaited_title_; }
@@ -118,7 +118,7 @@ class DeviceLink : public Extension {
   void use(const std::string& name, std::unique_ptr<Device> device);
   void taken(const std::string& name);
   std::string titleOf(const std::string& name) const;
-  bool nobodyChose() const;
+  bool noneChosen() const;
   void await(const std::string& name, const std::string& title);
   void begin();
   void look();
@@ -142,11 +142,11 @@ class DeviceLink : public Extension {
   double searched_s_ = 0.0;
   DeviceLister lister_;
   bool begun_ = false, takes_default_ = false;
-  double looked_s_ = -1.0;                // negative: not yet
-  std::string offered_;                   // a device that is present while none was ever chosen
-  MessageId offer_id_ = 0, told_id_ = 0;  // the messages that offer a device and report its state
+  double looked_s_ = -1.0;                 // negative: not yet
+  std::string offered_;                    // a device that is present while none was ever chosen
+  MessageId offer_id_ = 0, shown_id_ = 0;  // the messages that offer a device and report its state
   DeviceStatus status_;
-  std::string told_;  // the reported state of the device
+  std::string reported_;  // the reported state of the device
   double asked_s_ = -1.0, trying_s_ = 0.0, soft_start_s_ = 0.0;
   std::array<double, 32> limit_left_s_{};
   std::array<float, kLate_us.size() + 1> lateness_{};

@@ -9,15 +9,16 @@
 #include "app/ui/extensions/device_link.h"
 #include "app/ui/extensions/hand_model.h"
 #include "app/ui/extensions/hand_recorder.h"
+#include "app/ui/extensions/lesson_list.h"
 #include "app/ui/extensions/lesson_locks.h"
 #include "app/ui/extensions/lesson_pictures.h"
-#include "app/ui/extensions/lesson_shelf.h"
 #include "app/ui/extensions/lesson_watch.h"
 #include "app/ui/extensions/measuring.h"
 #include "app/ui/extensions/moving_states.h"
 #include "app/ui/extensions/name_asker.h"
 #include "app/ui/extensions/own_look.h"
 #include "app/ui/extensions/playback.h"
+#include "app/ui/extensions/reveal_policy.h"
 #include "app/ui/extensions/scene_change.h"
 #include "app/ui/extensions/scene_history.h"
 #include "app/ui/extensions/settings_keeper.h"
@@ -25,7 +26,6 @@
 #include "app/ui/extensions/task_stager.h"
 #include "app/ui/extensions/touch_paint.h"
 #include "app/ui/extensions/touch_sound.h"
-#include "app/ui/extensions/unseen.h"
 
 namespace moltact {
 
@@ -47,11 +47,11 @@ struct Extensions final : ExtensionSet {
   NameAsker name_asker;
   SceneChange scene_change;
   SceneHistory history;
-  LessonShelf shelf;
+  LessonList lesson_list;
   CardPictures card_pictures;
   LessonPictures lesson_pictures;
   TaskStager task_stager;
-  Unseen unseen;
+  RevealPolicy reveal_policy;
   HandModel hand_model;
   StateText state_text;
   TouchSound touch_sound;
@@ -68,10 +68,10 @@ struct Extensions final : ExtensionSet {
   // The order of the calls. Locks precede the history, so that it never records a change of a locked value. The history
   // precedes the scene change, whose glide it queries. The name is asked for before the recorder begins. The device
   // precedes the hand recorder, which replaces the device's clutch and scale by those of the recording.
-  std::array<Extension*, 23> all_{&settings_keeper, &lesson_watch,    &lesson_locks, &name_asker,   &recorder,
-                                  &turns,           &playback,        &history,      &scene_change, &hand_model,
-                                  &shelf,           &card_pictures,   &task_stager,  &unseen,       &moving_states,
-                                  &state_text,      &touch_sound,     &measuring,    &touch_paint,  &device,
+  std::array<Extension*, 23> all_{&settings_keeper, &lesson_watch,    &lesson_locks, &name_asker,    &recorder,
+                                  &turns,           &playback,        &history,      &scene_change,  &hand_model,
+                                  &lesson_list,     &card_pictures,   &task_stager,  &reveal_policy, &moving_states,
+                                  &state_text,      &touch_sound,     &measuring,    &touch_paint,   &device,
                                   &hand_recorder,   &lesson_pictures, &own_look};
 };
 

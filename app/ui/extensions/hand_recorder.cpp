@@ -34,7 +34,8 @@ void HandRecorder::record(const fs::path& file) {
   file_ = file;
   ticks_ = 0;
   tracker_ = scene_.servo().handedOver();
-  told_ = messages_.ask(MessageKind::Notice, trf("The hand is recorded in {0}.", file.filename().string()), {"device"});
+  reported_ =
+      messages_.ask(MessageKind::Notice, trf("The hand is recorded in {0}.", file.filename().string()), {"device"});
 }
 
 void HandRecorder::drain() {
@@ -60,7 +61,7 @@ void HandRecorder::drain() {
   messages_.error(problem->text());
   writer_.reset();
   servo.record(false);
-  messages_.takeBack(told_);
+  messages_.takeBack(reported_);
 }
 
 void HandRecorder::stop() {
@@ -68,7 +69,7 @@ void HandRecorder::stop() {
   drain();
   if (!recording()) return;
   scene_.servo().record(false);
-  messages_.takeBack(told_);
+  messages_.takeBack(reported_);
   const std::optional<Problem> problem = ticks_ > 0 ? writer_->finish() : std::nullopt;
   writer_.reset();
   if (problem)
@@ -140,7 +141,7 @@ void HandRecorder::begin() {
   device_ = device.get();
   playing_ = true;
   attempts_.pause(true);
-  link_.lend(std::move(device));
+  link_.useTemporarily(std::move(device));
   lead();
 }
 

@@ -80,7 +80,7 @@ class HandRecorder : public Extension {
   std::optional<ServoRecordingWriter> writer_;
   std::uint64_t ticks_ = 0;
   std::uint32_t tracker_ = 0;  // the number of the scene's interaction when the recording began
-  MessageId told_ = 0;         // the message about the recording
+  MessageId reported_ = 0;     // the message about the recording
   // While playing:
   std::optional<ServoRecording> waiting_;  // until its molecule is open
   PlaybackDevice* device_ = nullptr;       // owned by the servo loop while it is in use

@@ -36,12 +36,12 @@ class MovingStates : public Extension {
   bool live() const override { return reading_.busy() || (states_ && share_ != wanted_); }
 
   /// Whether the scene has two structures and both have been read.
-  bool there() const { return states_ != nullptr; }
+  bool ready() const { return states_ != nullptr; }
   /// The present position of the atoms (0: first structure, 1: second), and the requested one.
   double share() const { return share_; }
   double wanted() const { return wanted_; }
   void goTo(double share);
-  /// The second structure and how it is superposed on the first; has no molecule if there() is false.
+  /// The second structure and how it is superposed on the first; has no molecule if ready() is false.
   const SecondState& then() const { return then_; }
   /// The file of the second structure.
   const std::filesystem::path& file() const { return file_; }

@@ -64,13 +64,13 @@ Expected<Value> read(std::size_t key, const std::string& text) {
 std::optional<Problem> faultOf(std::size_t key, const std::string& text, const Molecule& molecule) {
   if (trimmed(text).empty()) return std::nullopt;
   const Expected<Value> value = read(key, text);
-  const auto told = [](Problem why) {
+  const auto refused = [](Problem why) {
     why.line = why.column = 0;  // a value has a single line
     return why;
   };
-  if (!value) return told(value.problem());
+  if (!value) return refused(value.problem());
   for (const Selection& atoms : kTable[key].atoms(*value))
-    if (atoms.given() && atoms.select(molecule).empty()) return told(atoms.whyEmpty(molecule));
+    if (atoms.given() && atoms.select(molecule).empty()) return refused(atoms.whyEmpty(molecule));
   return std::nullopt;
 }
 

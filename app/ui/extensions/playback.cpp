@@ -6,7 +6,7 @@
 #include "app/ui/application/opener.h"
 #include "app/ui/application/panel_state.h"
 #include "app/ui/extensions/attempt_recorder.h"
-#include "app/ui/extensions/lesson_shelf.h"
+#include "app/ui/extensions/lesson_list.h"
 #include "app/ui/extensions/moving_states.h"
 #include "app/ui/files/own_lessons.h"
 #include "app/ui/files/settings.h"

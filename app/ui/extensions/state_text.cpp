@@ -1,7 +1,7 @@
 #include "app/ui/extensions/state_text.h"
 
 #include "app/ui/application/panel_state.h"
-#include "app/ui/extensions/unseen.h"
+#include "app/ui/extensions/reveal_policy.h"
 #include "app/ui/lesson/lesson_guide.h"
 #include "app/ui/scene/contact_text.h"
 #include "engine/language/catalogue.h"
@@ -70,16 +70,16 @@ void StateText::afterPanels() {
   const Contact& contact = now.contact;
   const bool force_on = scene_.servo_settings.force_on;
   const double force_N = force_on ? scene_.log().force_N() : 0.0;
-  const bool unnamed = !unseen_.names(contact);
-  const std::string what = unnamed ? unseen_.unnamedText(true) : whatOf(molecule, now);
-  const std::string whole = unnamed ? unseen_.unnamedText(false) : feltText(molecule, now, force_N, force_on);
+  const bool unnamed = !policy_.names(contact);
+  const std::string what = unnamed ? policy_.unnamedText(true) : whatOf(molecule, now);
+  const std::string whole = unnamed ? policy_.unnamedText(false) : feltText(molecule, now, force_N, force_on);
   if (reading_.update(what, what, 0, time_.now_s)) {
     tells_contact_ = molecule && contact.touching();
     tells_unnamed_ = unnamed;
   }
   if (reading_.text() == what) named_atoms_ = contact.atoms;
   if (speaking_.update(what, whole, force_N, time_.now_s)) write(whole);
-  owing_ = reading_.owes(what) || ((to_terminal_ || file_) && speaking_.owes(what));
+  owing_ = reading_.hasUnreported(what) || ((to_terminal_ || file_) && speaking_.hasUnreported(what));
 }
 
 }  // namespace moltact

@@ -19,13 +19,13 @@ namespace moltact {
 class LessonGuide;
 struct PanelState;
 class HapticSession;
-class Unseen;
+class RevealPolicy;
 
 class StateText : public Extension {
  public:
-  StateText(const Unseen& unseen, const HapticSession& scene, const LessonGuide& lesson, const PanelState& panels,
+  StateText(const RevealPolicy& policy, const HapticSession& scene, const LessonGuide& lesson, const PanelState& panels,
             const FrameTime& time)
-      : scene_(scene), lesson_(lesson), panels_(panels), time_(time), unseen_(unseen) {}
+      : scene_(scene), lesson_(lesson), panels_(panels), time_(time), policy_(policy) {}
 
   /// Writes lines to this file, which is emptied first, or to standard output for "-": the step, the task's
   /// instruction, the contact. Returns a Problem on failure.
@@ -49,7 +49,7 @@ class StateText : public Extension {
   const LessonGuide& lesson_;
   const PanelState& panels_;
   const FrameTime& time_;
-  const Unseen& unseen_;
+  const RevealPolicy& policy_;
   void write(const std::string& line);
 
   StateLine reading_{StateLine::reading()}, speaking_{StateLine::speaking()}, task_{StateLine::speaking()};

@@ -1,6 +1,6 @@
 #include "app/ui/extensions/touch_paint.h"
 
-#include "app/ui/extensions/unseen.h"
+#include "app/ui/extensions/reveal_policy.h"
 #include "app/ui/lesson/lesson_guide.h"
 
 namespace moltact {
@@ -21,7 +21,7 @@ bool TouchPaint::paints() const {
 }
 
 void TouchPaint::beforeTicks() {
-  const bool dark = unseen_.all();
+  const bool dark = policy_.all();
   if (dark && !dark_) {
     // After a look in between, the path of the same task is continued.
     const std::size_t task = lesson_.session() ? lesson_.session()->currentTask() : 0;
@@ -52,7 +52,7 @@ void TouchPaint::ticks(const FeltTicks& felt) {
     const ServoSample& s = tick.sample;
     if (!s.has_interaction) continue;
     touching = s.contact.touching();
-    if (dark_) goOn(touching ? s.contact.scp : s.hip, s.placed);
+    if (dark_) extendPath(touching ? s.contact.scp : s.hip, s.contact_reset);
     if (!paints_now || !touching) continue;
     for (const std::int32_t a : s.contact.atoms)
       if (a >= 0 && !touched_.contains(std::uint32_t(a))) since_.insert(std::uint32_t(a));
@@ -68,7 +68,7 @@ void TouchPaint::ticks(const FeltTicks& felt) {
   }
 }
 
-void TouchPaint::goOn(const PointA& place, bool anew) {
+void TouchPaint::extendPath(const PointA& place, bool anew) {
   if (anew || way_.empty()) {
     way_.emplace_back();
   } else if (const std::vector<PointA>& piece = way_.back();

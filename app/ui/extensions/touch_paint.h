@@ -12,12 +12,12 @@
 namespace moltact {
 
 class LessonGuide;
-class Unseen;
+class RevealPolicy;
 
 class TouchPaint final : public Extension {
  public:
-  TouchPaint(const Unseen& unseen, const HapticSession& scene, const LessonGuide& lesson)
-      : scene_(scene), lesson_(lesson), unseen_(unseen) {}
+  TouchPaint(const RevealPolicy& policy, const HapticSession& scene, const LessonGuide& lesson)
+      : scene_(scene), lesson_(lesson), policy_(policy) {}
 
   /// The touched atoms before the probe last left the surface, and since then; null: none.
   const AtomList& painted() const { return painted_; }
@@ -33,10 +33,10 @@ class TouchPaint final : public Extension {
  private:
   const HapticSession& scene_;
   const LessonGuide& lesson_;
-  void goOn(const PointA& place, bool anew);
+  void extendPath(const PointA& place, bool anew);
   bool paints() const;
 
-  const Unseen& unseen_;
+  const RevealPolicy& policy_;
   std::set<std::uint32_t> touched_, since_;
   AtomList painted_, fresh_;
   std::shared_ptr<const Annotations> trail_;

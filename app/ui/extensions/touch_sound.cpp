@@ -4,7 +4,7 @@
 
 #include "app/ui/application/application_options.h"
 #include "app/ui/application/panel_state.h"
-#include "app/ui/extensions/unseen.h"
+#include "app/ui/extensions/reveal_policy.h"
 #include "app/ui/files/settings.h"
 #include "engine/core/sample_ring.h"
 #include "engine/language/catalogue.h"
@@ -36,9 +36,9 @@ struct TouchSound::Playing {
                      }};
 };
 
-TouchSound::TouchSound(const Unseen& unseen, const HapticSession& scene, Settings& settings, Messages& messages,
+TouchSound::TouchSound(const RevealPolicy& policy, const HapticSession& scene, Settings& settings, Messages& messages,
                        const PanelState& panels, const ApplicationOptions& options)
-    : unseen_(unseen), scene_(scene), settings_(settings), messages_(messages), panels_(panels), options_(options) {}
+    : policy_(policy), scene_(scene), settings_(settings), messages_(messages), panels_(panels), options_(options) {}
 TouchSound::~TouchSound() = default;
 
 void TouchSound::take(const TouchMoment& moment) {
@@ -53,10 +53,10 @@ void TouchSound::ticks(const FeltTicks& felt) {
     const ServoSample& s = tick.sample;
     if (s.felt()) felt_s_ += kTick_s;
     if (!on_) continue;
-    const bool slides = last_A_ && s.contact.touching() && !s.placed;
+    const bool slides = last_A_ && s.contact.touching() && !s.contact_reset;
     const double slide_A_per_s = slides ? glm::distance(*last_A_, s.contact.scp.A) / kTick_s : 0.0;
     last_A_ = s.contact.touching() ? std::optional(s.contact.scp.A) : std::nullopt;
-    take(unseen_.heard(s, slide_A_per_s));
+    take(policy_.heard(s, slide_A_per_s));
     if (playing_) continue;
     constexpr std::size_t kATick = kSamples_per_s / 1000;
     heard_.resize(heard_.size() + kATick);
@@ -104,7 +104,7 @@ void TouchSound::afterPanels() {
 void TouchSound::switchOnOff() {
   if (settings_.sound && !on_) {
     on_ = true;
-    told_ = false;
+    reported_ = false;
     heard_.clear();
     synth_ = {};
     last_A_.reset();
@@ -116,8 +116,8 @@ void TouchSound::switchOnOff() {
     take({});
     on_ = false;
   }
-  if (!on_ || told_ || !playing_ || playing_->output.state() != AudioOutput::State::Silent) return;
-  told_ = true;
+  if (!on_ || reported_ || !playing_ || playing_->output.state() != AudioOutput::State::Silent) return;
+  reported_ = true;
   messages_.warning(playing_->output.fault());
 }
 

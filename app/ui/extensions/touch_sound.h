@@ -1,6 +1,6 @@
 // Plays the sound of touch, computed from every tick; silent without a sound card. Users of a mouse or keys are asked
 // once, at the first touch, whether to play it. On the frames' clock the samples are stored instead of played, for
-// scripts and tests. If a task asks what is touched, the sound depends only on force and speed (unseen.h). Window's
+// scripts and tests. If a task asks what is touched, the sound depends only on force and speed (reveal_policy.h). Window's
 // thread.
 #pragma once
 
@@ -17,11 +17,11 @@ namespace moltact {
 struct ApplicationOptions;
 struct PanelState;
 struct Settings;
-class Unseen;
+class RevealPolicy;
 
 class TouchSound : public Extension {
  public:
-  TouchSound(const Unseen& unseen, const HapticSession& scene, Settings& settings, Messages& messages,
+  TouchSound(const RevealPolicy& policy, const HapticSession& scene, Settings& settings, Messages& messages,
              const PanelState& panels, const ApplicationOptions& options);
   ~TouchSound() override;
 
@@ -38,7 +38,7 @@ class TouchSound : public Extension {
   const std::vector<float>& heard() const { return heard_; }
 
  private:
-  const Unseen& unseen_;
+  const RevealPolicy& policy_;
   const HapticSession& scene_;
   Settings& settings_;
   Messages& messages_;
@@ -50,7 +50,7 @@ class TouchSound : public Extension {
 
   struct Playing;
   std::unique_ptr<Playing> playing_;
-  bool on_ = false, told_ = false;
+  bool on_ = false, reported_ = false;
   MessageId question_ = 0;
   double felt_s_ = 0.0;         // time of touch before the question
   std::optional<Vec3> last_A_;  // the contact point in the last tick

@@ -49,11 +49,11 @@ std::vector<LibraryItem> lessonsOf(const std::vector<fs::path>& folders) {
     for (LibraryItem& item : lessonItems(folder))
       if (std::none_of(items.begin(), items.end(), [&](const LibraryItem& other) { return other.id == item.id; }))
         items.push_back(std::move(item));
-  std::stable_sort(items.begin(), items.end(), standsBefore);
+  std::stable_sort(items.begin(), items.end(), precedes);
   return items;
 }
 
-bool standsBefore(const LibraryItem& a, const LibraryItem& b) {
+bool precedes(const LibraryItem& a, const LibraryItem& b) {
   const auto order = [](const LibraryItem& l) {
     const bool placed = l.order > 0;
     return std::tuple(!placed, l.order, placed ? 0 : levelRank(l.level), l.id != kFirstLesson, placed ? 0 : l.minutes,

@@ -20,7 +20,7 @@ struct LibraryItem {
 
 /// The order of lessons in every list. Lessons with a position come first, in that order; the others follow by level
 /// (beginners first), duration and name.
-bool standsBefore(const LibraryItem& a, const LibraryItem& b);
+bool precedes(const LibraryItem& a, const LibraryItem& b);
 
 /// The rank of a level (its English name) in a list; 0 is first.
 int levelRank(std::string_view level);
@@ -30,12 +30,12 @@ inline constexpr std::string_view kFirstLesson = "first-touch";
 
 /// The molecules of the catalogue, with titles in the language in use. Empty if the program's data are not found.
 const std::vector<LibraryItem>& library();
-/// The lessons on this computer in the order of standsBefore(), each once, in the language in use. They come from
+/// The lessons on this computer in the order of precedes(), each once, in the language in use. They come from
 /// `lessons` in each of sharedDataFolders() and from the program's own folder.
 const std::vector<LibraryItem>& lessons();
 /// The lessons in a folder by name, each once, in the language in use. Empty if the folder cannot be read.
 std::vector<LibraryItem> lessonItems(const std::filesystem::path& folder);
-/// The lessons in several folders in the order of standsBefore(). Of lessons with the same name, the one in the first
+/// The lessons in several folders in the order of precedes(). Of lessons with the same name, the one in the first
 /// folder counts, so that a school can replace a lesson by its own version.
 std::vector<LibraryItem> lessonsOf(const std::vector<std::filesystem::path>& folders);
 /// One lesson, with the properties that its front matter gives.

@@ -17,10 +17,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-void readNumber(const nlohmann::json& from, const char* key, double& to, double least, double most) {
+void readNumber(const nlohmann::json& from, const char* key, double& to, double min, double max) {
   if (const auto it = from.find(key); it != from.end() && it->is_number()) {
     const double value = it->get<double>();
-    if (std::isfinite(value)) to = std::clamp(value, least, most);
+    if (std::isfinite(value)) to = std::clamp(value, min, max);
   }
 }
 

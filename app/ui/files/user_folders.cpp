@@ -55,8 +55,9 @@ std::filesystem::path desktopsPictures(const std::filesystem::path& home) {
 std::filesystem::path pictureFolder() {
   std::error_code error;
   const auto home = folderFromEnvironment("HOME");
-  if (const auto told = desktopsPictures(home); told.is_absolute() && std::filesystem::is_directory(told, error))
-    return told;
+  if (const auto pictures = desktopsPictures(home);
+      pictures.is_absolute() && std::filesystem::is_directory(pictures, error))
+    return pictures;
   if (!home.empty() && std::filesystem::is_directory(home / "Pictures", error)) return home / "Pictures";
   return home.empty() ? std::filesystem::current_path(error) : home;
 }

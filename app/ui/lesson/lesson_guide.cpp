@@ -32,8 +32,8 @@ PointA middleOf(const Molecule& molecule) {
   return middle;
 }
 
-// A lesson's protein is a cartoon where the scene does not say how it is drawn: the fold is seen, and what is felt appears
-// near the probe. What is bound, highlighted or marked stays as spheres.
+// A lesson's protein is drawn as a cartoon unless the scene says otherwise: it shows the fold, and the spheres that are
+// felt appear near the probe. Ligands and highlighted or marked atoms are drawn as spheres.
 std::vector<StyledAtoms> usualStyles(const SceneSpec& scene, const Molecule& molecule) {
   constexpr std::ptrdiff_t kProtein_residues = 20;
   const auto isAminoAcid = [](const Residue& r) { return r.kind == ResidueKind::AminoAcid; };
@@ -63,8 +63,8 @@ std::vector<StyledAtoms> usualStyles(const SceneSpec& scene, const Molecule& mol
   return styles;
 }
 
-// The language of a lesson: as its front matter says it, or its file's name; English where a file names none beside its
-// translations. Empty where nothing says it.
+// The language of a lesson: from its front matter or its file name; English if a file without a language has
+// translations beside it. Empty if unknown.
 std::string languageOf(const Lesson& lesson, const std::filesystem::path& file) {
   if (!lesson.language.empty()) return lesson.language;
   const LessonName name = lessonName(file);
@@ -77,7 +77,7 @@ std::string languageOf(const Lesson& lesson, const std::filesystem::path& file) 
   return {};
 }
 
-// A sentence of the program has no words of an author who writes another language: targets are called by the program.
+// The program's sentences must not contain words of an author in another language: targets get the program's names.
 void keepSentencesWhole(Lesson& lesson, const std::filesystem::path& file) {
   const std::string its = languageOf(lesson, file);
   if (its.empty() || its == language()) return;
@@ -90,8 +90,8 @@ void keepSentencesWhole(Lesson& lesson, const std::filesystem::path& file) {
     }
 }
 
-// A ribbon shows no single atoms. What a scene highlights in it, and marks of a few residues, are drawn as the spheres that
-// the hand feels, so that a ring or a colour has something in it.
+// A cartoon shows no single atoms. Highlighted atoms and marks of a few residues are drawn as the spheres that are
+// felt, so that a ring or a colour surrounds something.
 void showMarkedInRibbons(const SceneSpec& scene, const Molecule& molecule, std::vector<StyledAtoms>& styles) {
   constexpr std::size_t kFew_residues = 8;
   std::vector<bool> in_ribbon(molecule.atoms.size()), itself(molecule.atoms.size());
@@ -117,7 +117,7 @@ void showMarkedInRibbons(const SceneSpec& scene, const Molecule& molecule, std::
       if (in_ribbon[a] && !itself[a]) atoms.insert(a), residues.insert(molecule.atoms[a].residue);
     if (residues.size() <= most_residues) shown.insert(atoms.begin(), atoms.end());
   };
-  show(scene.highlight, ribbon_residues / 3);  // of more the ribbon itself, in the colour of targets, says enough
+  show(scene.highlight, ribbon_residues / 3);  // for more residues the coloured ribbon itself suffices
   for (const MarkSpec& mark : scene.marks) show(mark.atoms, kFew_residues);
   if (shown.empty()) return;
   styles.push_back({.style = DrawStyle::Spheres,
@@ -221,7 +221,7 @@ Expected<MoleculeKey> moleculeOf(const SceneSpec& scene, const std::filesystem::
   return Problem{lesson.string(), place.line, place.column, problem.message, problem.remedy};
 }
 
-void LessonGuide::meet(std::shared_ptr<const Molecule> molecule, const MoleculeKey& key) {
+void LessonGuide::setMolecule(std::shared_ptr<const Molecule> molecule, const MoleculeKey& key) {
   highlighted_.clear();
   untouchable_.clear();
   held_.clear();
@@ -257,8 +257,8 @@ void LessonGuide::feed(const ServoSample& s, std::string_view method, const Cont
 
 ViewPartSet LessonGuide::shownParts() const {
   ViewPartSet shown = defaultViewParts();
-  shown.set(ViewPart::Facets);  // seen only with a method that feels triangles
-  shown.set(ViewPart::Hip);     // where the hand is under the surface stands in for the force that a mouse cannot give
+  shown.set(ViewPart::Facets);  // visible only with a method that uses triangles
+  shown.set(ViewPart::Hip);     // the HIP's depth below the surface replaces the force, which a mouse cannot give
   if (!session_ || session_->scene().show.empty()) return shown;
   for (const std::string& name : session_->scene().show)
     for (const ViewPartInfo& part : viewParts())
@@ -303,7 +303,7 @@ void faceView(Camera& camera, const Molecule& molecule, const ViewSpec& view, co
     return;
   }
   constexpr double kQuarter = 0.5 * std::numbers::pi;
-  // Two that stand beside each other are seen so.
+  // Two molecules side by side are viewed so that both are visible.
   if (view.side == "side" && molecule.beside_from > 0)
     camera.lookFrom(0, 0);
   else if (view.side == "side")
@@ -339,15 +339,15 @@ std::string viewText(const Camera& camera) {
 void LessonGuide::decorate(ViewScene& scene) const {
   if (!on_stage_) return;
   scene.highlighted = highlighted_;
-  // What a task asked for whose tries are used up.
+  // The answer of a task whose tries are used up.
   if (const std::vector<std::uint32_t> shown = session_->shownAtoms(); !shown.empty()) scene.highlighted = shown;
-  // No mark shows what is hidden. Of the atoms in the hand, which are hidden at their place, the mark is that place.
+  // Hidden atoms are not marked. The place of held atoms, which are hidden there, is marked.
   if (looks_.hidden)
     std::erase_if(scene.highlighted, [&](std::uint32_t a) {
       return std::binary_search(looks_.hidden->begin(), looks_.hidden->end(), a) &&
              !std::binary_search(held_.begin(), held_.end(), a);
     });
-  // They go with atoms that have moved.
+  // The annotations follow atoms that have moved.
   if (annotations_ && scene.molecule && scene.molecule != annotated_) {
     annotations_ = annotationsOf(session_->scene(), *scene.molecule);
     annotated_ = scene.molecule;

@@ -1,5 +1,5 @@
-// The lesson that is open, as the panels and the view need it: its step, scene, tasks and questions, fed with what the
-// hand felt. Window's thread.
+// The open lesson with what panels and view need of it: its step, scene, tasks and questions. It receives the samples
+// of the hand. Window's thread.
 #pragma once
 
 #include <filesystem>
@@ -19,15 +19,14 @@
 
 namespace moltact {
 
-/// A force curve that is being drawn (unit: newton), NaN where nothing is; and where the pen stands that the arrows
-/// lead.
+/// A force curve while it is being drawn (unit: newton; NaN where nothing is drawn), and the position of the pen for
+/// the arrow keys.
 struct CurveDraft {
   std::vector<double> values;
   std::size_t pen = 0;
 };
 
-/// The student's ticks and texts at the questions and tasks of a step before they are handed in, by the question's
-/// index.
+/// The choices and texts of a step's questions and tasks before they are submitted, by the question's index.
 struct AnswerDrafts {
   std::map<std::size_t, std::vector<std::size_t>> ticked;
   std::map<std::size_t, std::string> written;
@@ -42,71 +41,71 @@ AtomsLook looksOf(const SceneSpec& scene, const Molecule& molecule);
 
 class LessonGuide {
  public:
-  /// Opens a lesson file at its first step. False where it cannot be read as a lesson: the one that was open stays.
+  /// Opens a lesson file at its first step. Returns false if it cannot be read as a lesson; the open one then remains.
   bool open(const std::filesystem::path& file);
-  /// The open lesson as it was read again: the student stays on the step and keeps what was done. Where the step's
-  /// scene is as before, the view stays too.
+  /// Replaces the open lesson after it was read again. The student stays at the step and keeps the work done. If the
+  /// step's scene is unchanged, the view is too.
   void replace(Lesson lesson);
 
-  /// Null while no lesson is open.
+  /// Null if no lesson is open.
   LessonSession* session() { return session_.get(); }
   const LessonSession* session() const { return session_.get(); }
   const std::filesystem::path& file() const { return file_; }
-  /// Grows each time a lesson is opened; 0 before the first.
+  /// Incremented each time a lesson is opened; 0 before the first.
   std::size_t openings() const { return openings_; }
 
   bool canGoOn() const { return session_ && (atLastStep() ? !closing_ : session_->hasNext() && session_->mayGoOn()); }
   bool canGoBack() const { return session_ && (closing() || session_->hasBack()); }
-  /// The step after which the lesson's closing page comes.
+  /// Whether the closing page follows this step.
   bool atLastStep() const { return session_ && !session_->hasNext() && !session_->step().aside; }
-  /// The closing page stands in the place of the last step's text; the step's scene stays.
+  /// Whether the closing page is shown instead of the last step's text; the step's scene remains.
   bool closing() const { return closing_ && atLastStep(); }
   void next();
   void back();
-  /// Follows a link to a step ("#step-id"); false where there is no such step. Stays where another step must be
+  /// Follows a link to a step ("#step-id"). Returns false if there is none. Does nothing if another step must be
   /// finished first.
   bool follow(const std::string& link);
 
-  /// For the step that is shown; empty when it has just been entered.
+  /// For the present step; empty when it has just been entered.
   AnswerDrafts& drafts();
 
-  /// The scene of the step when it has changed since the last call, else null.
+  /// The step's scene if it has changed since the last call, else null.
   const SceneSpec* takeNewScene();
-  /// Makes takeNewScene() give the scene again, after another molecule was opened.
+  /// Makes takeNewScene() return the scene again, after another molecule was opened.
   void askForScene() { scene_changed_ = true; }
-  /// Whether the step's molecule is the one that was met last.
+  /// Whether the molecule set last is the step's.
   bool onStage() const { return on_stage_; }
-  /// The step's molecule, its file in the library or beside the lesson. A problem where it is in neither.
+  /// The step's molecule, with its file in the library or beside the lesson. A Problem if it is in neither.
   Expected<MoleculeKey> molecule() const;
 
-  /// A molecule has come on the stage. The tasks wait for the one that the step asks for.
-  void meet(std::shared_ptr<const Molecule> molecule, const MoleculeKey& key);
-  /// The atoms of the step's molecule begin elsewhere: its tasks are made for where they are.
+  /// Sets the molecule on the stage. The tasks begin once it is the one of the step.
+  void setMolecule(std::shared_ptr<const Molecule> molecule, const MoleculeKey& key);
+  /// Replaces the step's molecule by one with other positions of the atoms, for which the tasks are made.
   void beginFrom(std::shared_ptr<const Molecule> molecule);
-  /// A tick; `method` made its contact, `exact` is the exact tracker's for the same hand.
+  /// Processes a tick; `method` made its contact, and `exact` is the exact tracker's contact for the same hand.
   void feed(const ServoSample& sample, std::string_view method, const Contact& exact);
 
-  /// The parts of the picture that the step asks for; the usual ones without a lesson.
+  /// The visible parts that the step requests; the usual ones without a lesson.
   ViewPartSet shownParts() const;
-  /// Whether the lesson keeps the student from changing a scene's key ("force").
+  /// Whether the lesson locks this key of a scene ("force") against changes.
   bool locks(std::string_view key) const { return session_ && session_->scene().locks(key); }
-  /// How the step draws the atoms; as spheres without one.
+  /// How the step draws the atoms; as spheres without a step.
   const AtomsLook& looks() const { return looks_; }
-  /// Hides others of its atoms until the molecule is met again.
+  /// Hides other atoms of it until the next setMolecule().
   void hide(AtomList atoms) { looks_.hidden = std::move(atoms); }
-  /// Cuts them open as the step asks for, once the camera looks at them as it does.
+  /// Applies the step's cutting plane, once the camera has its view.
   void cutFor(const Camera& camera, const Molecule& molecule);
-  /// The atoms that the step takes from the hand, ascending.
+  /// The atoms that the step excludes from touch, ascending.
   const std::vector<std::uint32_t>& untouchable() const { return untouchable_; }
-  /// Those that the hand holds, ascending.
+  /// The held atoms, ascending.
   const std::vector<std::uint32_t>& held() const { return held_; }
   /// The part of the molecule that the step magnifies.
   const std::optional<Region>& region() const { return region_; }
-  /// What the step's view comes close to; nothing where it shows the whole.
+  /// The region to which the step's view zooms; nothing if it shows the whole.
   const std::optional<Region>& zoomed() const { return zoomed_; }
-  /// Turns a fitted camera the way the step asks for.
+  /// Rotates a fitted camera to the step's view.
   void face(Camera& camera, const Molecule& molecule) const;
-  /// Marks what the step highlights, and writes what it names and measures.
+  /// Adds the step's highlights, names and measurements.
   void decorate(ViewScene& scene) const;
 
  private:
@@ -119,17 +118,17 @@ class LessonGuide {
   std::vector<std::uint32_t> highlighted_, untouchable_, held_;
   std::optional<Region> region_, zoomed_;
   AtomsLook looks_;
-  mutable std::shared_ptr<const Annotations> annotations_;  // of the molecule that was drawn last
+  mutable std::shared_ptr<const Annotations> annotations_;  // of the molecule drawn last
   mutable std::shared_ptr<const Molecule> annotated_;
 };
 
-/// Turns a camera that has been fitted to the molecule the way a view of the scene asks for.
+/// Rotates a camera that was fitted to the molecule to a view of the scene.
 void faceView(Camera& camera, const Molecule& molecule, const ViewSpec& view, const SceneSpec& scene);
-/// How a scene says the camera's turn: "turned 30 10 0", to a tenth of a degree.
+/// The camera's rotation in the words of a scene: "turned 30 10 0", to a tenth of a degree.
 std::string viewText(const Camera& camera);
-/// The plane by which a scene cuts its molecule open for this camera; nothing where it does not.
+/// The cutting plane of a scene for this camera; nothing if it has none.
 std::optional<CutPlane> cutOf(const SceneSpec& scene, const Molecule& molecule, const Camera& camera);
-/// A scene's molecule, its file beside the lesson or in the library. A problem where it is in neither.
+/// A scene's molecule, with its file beside the lesson or in the library. A Problem if it is in neither.
 Expected<MoleculeKey> moleculeOf(const SceneSpec& scene, const std::filesystem::path& lesson);
 
 }  // namespace moltact

@@ -16,8 +16,8 @@
 namespace moltact {
 namespace {
 
-constexpr std::size_t kMaxLabels = 5000;  // of all that a scene asks for
-// In this order where an author names no colour.
+constexpr std::size_t kMaxLabels = 5000;  // upper limit for a scene
+// The colours of marks without a colour, in this order.
 constexpr const char* kMarkColours[] = {"teal", "magenta", "olive", "sky", "rose", "mint", "violet", "brown"};
 
 std::vector<std::uint32_t> atomsOf(const Selection& selection, const Molecule& molecule) {
@@ -29,7 +29,7 @@ std::vector<std::uint32_t> atomsOf(const Selection& selection, const Molecule& m
 
 struct Middle {
   PointA at;
-  double reach_A = 0.0;  // to the outside of the atoms
+  double reach_A = 0.0;  // distance of the outermost surface of the atoms
 };
 
 Middle middleOf(const Molecule& molecule, std::span<const std::uint32_t> atoms) {
@@ -41,7 +41,7 @@ Middle middleOf(const Molecule& molecule, std::span<const std::uint32_t> atoms) 
   return middle;
 }
 
-// Where a residue is named: at its alpha carbon or the sugar's C1', else in its middle.
+// The anchor of a residue's name: its alpha carbon or the sugar's C1', else its centre.
 std::uint32_t residueAnchor(const Molecule& molecule, std::span<const std::uint32_t> atoms) {
   for (const std::uint32_t i : atoms)
     if (const std::string_view name = molecule.atoms[i].nameText(); name == "CA" || name == "C1'") return i;
@@ -50,7 +50,7 @@ std::uint32_t residueAnchor(const Molecule& molecule, std::span<const std::uint3
 
 void addWordLabels(const MarkSpec& spec, const Molecule& molecule, std::vector<Annotations::Label>& labels) {
   const std::vector<std::uint32_t> atoms = atomsOf(spec.atoms, molecule);
-  std::map<std::uint32_t, std::vector<std::uint32_t>> groups;  // atoms by residue or chain
+  std::map<std::uint32_t, std::vector<std::uint32_t>> groups;  // the atoms of each residue or chain
   for (const std::uint32_t i : atoms) {
     if (labels.size() >= kMaxLabels) return;
     const PlacedAtom a = molecule.at(i);
@@ -85,7 +85,7 @@ void addOwnLabel(const MarkSpec& spec, const Molecule& molecule, bool arrow, std
   labels.push_back({.at = middle.at, .clear_A = middle.reach_A, .text = spec.name, .arrow = arrow, .always = true});
 }
 
-// Below each of two molecules that stand beside each other: its caption, or its name.
+// The caption below each of two molecules side by side, or its name.
 void addCaptions(const SceneSpec& scene, const Molecule& molecule, std::vector<Annotations::Label>& labels) {
   if (molecule.beside_from == 0) return;
   const std::size_t ends[] = {0, molecule.beside_from, molecule.atoms.size()};
@@ -117,8 +117,8 @@ Rgb8 colour8(const Colour& colour) {
   return out;
 }
 
-// The colours of the atoms that are drawn and have no mark; none of a gradient, or of so many chains that their colours
-// repeat: no shade keeps apart from them all.
+// The colours of the drawn atoms without a mark. Empty for a gradient, or if so many chains have repeating colours that
+// no shade differs from all of them.
 std::vector<Rgb8> coloursBeside(const SceneSpec& scene, const Molecule& molecule, const std::vector<OwnColour>& marks) {
   constexpr std::size_t kMax = 24;
   if (scene.colour == "chain" && molecule.chains.size() > kChainColours) return {};

@@ -1,5 +1,5 @@
-// What a scene names, points at, measures and marks, as the picture of a molecule needs it. Pure functions; window's
-// thread, at a person's pace.
+// The names, arrows, measurements and marks of a scene, prepared for the picture of a molecule. Pure functions;
+// window's thread.
 #pragma once
 
 #include <memory>
@@ -11,17 +11,17 @@
 
 namespace moltact {
 
-/// Names, arrows, measures and hydrogen bonds; null where the scene has none.
+/// Names, arrows, measurements and hydrogen bonds; null if the scene has none.
 std::shared_ptr<const Annotations> annotationsOf(const SceneSpec& scene, const Molecule& molecule);
 
-/// The atoms of its marks with their colours and names; null where it has none. A mark without a colour gets the next one
-/// that no other has; each is a shade of its colour that every kind of sight tells from the others (shadesApart).
+/// The marked atoms with their colours and names; null if there are none. A mark without a colour gets the next unused
+/// one. Each colour's shade can be distinguished from the others with every kind of colour vision (shadesApart).
 std::shared_ptr<const std::vector<OwnColour>> marksOf(const SceneSpec& scene, const Molecule& molecule);
 
-/// The name of an atom, its residue or its chain over the picture: "CA", "Glu 35", "chain A".
+/// The name of an atom, its residue or its chain in the picture: "CA", "Glu 35", "chain A".
 std::string atomLabel(const Molecule& molecule, std::uint32_t atom);
 
-/// A measure between the middles of atoms, with its value; two to four of them.
+/// A measurement between the centres of two to four atoms, with its value.
 Annotations::Measure measureBetween(const Molecule& molecule, std::span<const std::uint32_t> atoms);
 
 }  // namespace moltact

@@ -34,7 +34,7 @@ void centred(const char* name, ImFont* font, const std::string& text, ImVec2 mid
 }
 
 // An arc that is full at the largest force that the hand can receive.
-void drawMeter(double force_N, double most_N, ImVec2 middle, float radius) {
+void drawMeter(double force_N, double max_N, ImVec2 middle, float radius) {
   ImDrawList* draw = ImGui::GetWindowDrawList();
   const float thick = 0.13f * radius;
   const auto arc = [&](float to, ImU32 colour) {
@@ -45,7 +45,7 @@ void drawMeter(double force_N, double most_N, ImVec2 middle, float radius) {
                             colour, 24);
   };
   arc(kTo, kTrack);
-  const float part = most_N > 0.0 ? float(std::clamp(force_N / most_N, 0.0, 1.0)) : 0.0f;
+  const float part = max_N > 0.0 ? float(std::clamp(force_N / max_N, 0.0, 1.0)) : 0.0f;
   if (part > 0.004f) arc(kFrom + (kTo - kFrom) * part, kFill);
   const std::string text = quantityText(force_N, Dimension::Force, decimals(1));
   centred("view/force meter", look().font(Font::Title), text, {middle.x, middle.y + 0.86f * radius}, 0.0f, kBright);

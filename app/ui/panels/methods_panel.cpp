@@ -21,10 +21,10 @@ void drawMethodsTab(Application& app) {
       app.scene.shown.set(ViewPart::Facets, on);
   }
   plot("plot/force", app.scene.log().force(), app.scene.log().shownForce_N(),
-       {.title = tr("Force"), .least_top = 1.0f, .height = 50.0f, .shown_as = {Dimension::Force, {decimals(1), {}}}});
+       {.title = tr("Force"), .min_top = 1.0f, .height = 50.0f, .shown_as = {Dimension::Force, {decimals(1), {}}}});
   plot("plot/turn", app.scene.watch().turns(), app.scene.watch().greatestTurn_deg(),
        {.title = tr("Largest turn in a tick"),
-        .least_top = 2.0f,
+        .min_top = 2.0f,
         .height = 50.0f,
         .shown_as = {Dimension::Angle, {decimals(1), {}}}});
   const MethodRecord* record = app.scene.watch().find(app.scene.method());

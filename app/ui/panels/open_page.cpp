@@ -29,7 +29,7 @@ namespace fs = std::filesystem;
 
 void chooseFile(Application& app, const fs::path& file) {
   if (app.panels.open_adds)
-    app.extensions().shelf.add(file);
+    app.extensions().lesson_list.add(file);
   else
     app.open(file);
   app.panels.pages.open = false;

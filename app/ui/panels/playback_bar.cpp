@@ -117,7 +117,7 @@ void keys(Playback& playback) {
     io.KeyShift ? playback.seekMark(1) : playback.seek(playback.at_s() + kStep_s);
 }
 
-std::string told(const Playback& playback) {
+std::string summaryText(const Playback& playback) {
   const AttemptHeader& h = playback.timeline().header();
   std::string out = h.student.empty() ? h.lesson.title : h.student + ", " + h.lesson.title;
   if (const std::string step = playback.timeline().step(playback.at_s()); !step.empty()) out += " · " + step;
@@ -170,7 +170,7 @@ void drawPlaybackBar(Application& app) {
   // The last event is shown if there is room beside the switches.
   const float switches = l.tx(350), close_w = l.tx(72);
   const bool roomy = whole > switches + l.tx(120);
-  const std::string words = (wide ? "" : time + "  ") + told(playback);
+  const std::string words = (wide ? "" : time + "  ") + summaryText(playback);
   {
     WithText quiet(l.palette.quiet);
     const float row = ImGui::GetCursorPosY();

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "app/ui/application/application.h"
-#include "app/ui/extensions/lesson_shelf.h"
+#include "app/ui/extensions/lesson_list.h"
 #include "app/ui/widgets/controls.h"
 #include "app/ui/widgets/theme.h"
 #include "app/ui/widgets/widget_map.h"

@@ -49,7 +49,7 @@ void drawReadingPage(Application& app) {
   if (appears) panels.reading = app.scene.molecule().reading;
   if (!beginPage("reading", tr("Models, waters, assembly"), panels.pages.reading, 520, 560)) return;
   const TouchableModel& stage = app.scene.stage();
-  bool goes = false;
+  bool go = false;
   if (stage) {
     const float foot = look().tx(34) + look().px(12);
     ImGui::BeginChild("options", {0, -foot});
@@ -62,15 +62,15 @@ void drawReadingPage(Application& app) {
     for (const ReadingOption& option : readingOptions())
       if (std::holds_alternative<std::string ReadOptions::*>(option.member))
         readText(wanted, option, std::string(trimmed(textOf(wanted, option))));
-    goes = button("reading/open", tr("Open it so"), ButtonLook::Primary, -1.0f, wanted != app.scene.molecule().reading);
-    if (goes) panels.reading = wanted;
+    go = button("reading/open", tr("Open it so"), ButtonLook::Primary, -1.0f, wanted != app.scene.molecule().reading);
+    if (go) panels.reading = wanted;
   }
-  if (goes) {
+  if (go) {
     panels.pages.reading = false;
     ImGui::CloseCurrentPopup();
   }
   endPage();
-  if (goes) app.openMolecule({app.scene.molecule().file, panels.reading});
+  if (go) app.openMolecule({app.scene.molecule().file, panels.reading});
 }
 
 }  // namespace moltact

@@ -11,7 +11,7 @@
 namespace moltact {
 namespace {
 
-void splitter(const char* name, const Rectangle& panel, bool on_its_right, double& width, double least, double most) {
+void splitter(const char* name, const Rectangle& panel, bool on_its_right, double& width, double min, double max) {
   if (panel.empty()) return;
   const Look& l = look();
   const float half = l.px(4), x = on_its_right ? panel.high.x : panel.low.x;
@@ -21,7 +21,7 @@ void splitter(const char* name, const Rectangle& panel, bool on_its_right, doubl
   if (active || hovered) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
   if (active) {
     const float at = ImGui::GetIO().MousePos.x;
-    width = std::clamp(double((on_its_right ? at - panel.low.x : panel.high.x - at) / (l.scale * l.text)), least, most);
+    width = std::clamp(double((on_its_right ? at - panel.low.x : panel.high.x - at) / (l.scale * l.text)), min, max);
   }
   const float line = std::max(1.0f, l.scale) * (active || hovered ? 2.0f : 1.0f);
   ImGui::GetWindowDrawList()->AddRectFilled({x - 0.5f * line, panel.low.y}, {x + 0.5f * line, panel.high.y},

@@ -18,7 +18,7 @@ namespace moltact {
 Rectangle drawStateSlider(Application& app, const Rectangle& view) {
   MovingStates& states = app.extensions().moving_states;
   // During playback, the recording moves them.
-  if (!states.there() || app.extensions().playback.on()) return {};
+  if (!states.ready() || app.extensions().playback.on()) return {};
   const Look& l = look();
   // The button that resets the view is in the corner beside it.
   const float room = view.size().x - l.px(120), pad = l.px(8), gap = l.px(8), high = l.tx(30);

@@ -94,14 +94,14 @@ void drawStatusBar(Application& app) {
   draw->PopClipRect();
 
   const ServoSample& now = app.scene.log().latest();
-  const Unseen& unseen = app.extensions().unseen;
+  const RevealPolicy& policy = app.extensions().reveal_policy;
   std::vector<Segment> segments;
   segments.push_back({"status/contact",
                       app.scene.log().touching()                  ? tr("touching")
                       : app.scene.log().felt()                    ? tr("a force is felt")
                       : now.contact.fault == Fault::StartedInside ? tr("inside")
                                                                   : tr("free"),
-                      !unseen.names(now.contact)
+                      !policy.names(now.contact)
                           ? std::string()
                           : feltText(app.scene.stage().molecule.get(), now, app.scene.log().shownForce_N()),
                       0, app.scene.log().felt() ? l.palette.accent : l.palette.faint});
@@ -113,9 +113,9 @@ void drawStatusBar(Application& app) {
   if (std::optional<Segment> scale = scaleSegment(app)) segments.push_back(*scale);
   // Tick times and the number of atoms would give away what is touched. They are also shown while methods are compared.
   const bool expert = app.settings.expert || app.panels.tabs.has("methods");
-  if (!unseen.all() && expert) segments.push_back(loopSegment(app));
+  if (!policy.all() && expert) segments.push_back(loopSegment(app));
   // A molecule that is not drawn is not named.
-  if (app.scene.stage() && !unseen.all() && !app.scene.drawsNothing()) {
+  if (app.scene.stage() && !policy.all() && !app.scene.drawsNothing()) {
     const Molecule& m = *app.scene.stage().molecule;
     segments.push_back(
         {"status/molecule", m.id.empty() ? app.scene.molecule().file.filename().string() : m.id, m.title, 1});

@@ -1,5 +1,4 @@
-// The tab of touch, beside the view: what is felt and how: the force over time, the probe, the visible parts; the method and the loop
-// behind "More".
+// The touch tab beside the view: the force over time, the probe, the visible parts; method and loop under "More".
 #include <algorithm>
 #include <string>
 #include <vector>
@@ -59,7 +58,7 @@ void drawPartSwitches(Application& app) {
 
 void drawTouchTab(Application& app) {
   plot("plot/force", app.scene.log().force(), app.scene.log().shownForce_N(),
-       {.title = tr("Force"), .least_top = 1.0f, .shown_as = {Dimension::Force, {decimals(1), {}}}});
+       {.title = tr("Force"), .min_top = 1.0f, .shown_as = {Dimension::Force, {decimals(1), {}}}});
   ImGui::Spacing();
   drawTouchControls(app, true);
   ImGui::Spacing();
@@ -90,11 +89,9 @@ void drawTouchTab(Application& app) {
     if (!app.panels.tabs.has("methods") && !app.lesson.locks("panels") &&
         button("compare", tr("Compare the methods …"), ButtonLook::Plain, -1.0f))
       app.panels.tabs.open("methods");
-    if (!app.extensions().unseen.all() && (app.settings.expert || app.panels.tabs.has("methods")))
+    if (!app.extensions().reveal_policy.all() && (app.settings.expert || app.panels.tabs.has("methods")))
       plot("plot/tick", app.scene.log().work(), app.scene.log().health().work_mean_us,
-           {.title = tr("Time for a tick"),
-            .least_top = 2.0f,
-            .shown_as = {Dimension::Time, {decimals(1), "µs"}, 1e-6}});
+           {.title = tr("Time for a tick"), .min_top = 2.0f, .shown_as = {Dimension::Time, {decimals(1), "µs"}, 1e-6}});
   }
 }
 

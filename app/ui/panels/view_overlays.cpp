@@ -198,7 +198,7 @@ void emptyPlaceNotice(const Application& app, ViewRoom& room) {
 
 // Whether the name of an atom gives no answer away: there is no lesson, or everything in the step is done.
 bool mayNameAtoms(const Application& app) {
-  if (app.extensions().task_stager.dark() || app.extensions().unseen.all() || app.scene.playing() ||
+  if (app.extensions().task_stager.dark() || app.extensions().reveal_policy.all() || app.scene.playing() ||
       app.extensions().playback.on())
     return false;
   return !app.lesson.session() || !app.lesson.onStage() || app.lesson.session()->stepDone();
@@ -323,7 +323,7 @@ void drawViewOverlays(Application& app, const Rectangle& whole_view) {
     const StateText& state = app.extensions().state_text;
     above -= l.px(8) + pill("view/state",
                             state.tellsContact() ? state.line(app.scene)
-                            : !app.extensions().unseen.names(now.contact)
+                            : !app.extensions().reveal_policy.names(now.contact)
                                 ? unnamedContactText(now.contact, true)
                                 : feltText(app.scene.stage().molecule.get(), now, app.scene.log().shownForce_N()),
                             ImVec2(view.low.x + margin, bottom), ImVec2(0, 1), words, p.panel, p.text);

@@ -148,7 +148,7 @@ ViewScene seenScene(const Application& app) {
   const ServoSample& now = app.scene.log().latest();
   scene.molecule = app.scene.atoms().seen();
   scene.camera = app.scene.camera;
-  scene.shown = app.extensions().unseen.shownParts();
+  scene.shown = app.extensions().reveal_policy.shownParts();
   scene.theme = look().viewTheme();
   scene.elements = elementColoursOf(app.settings);
   scene.colour_by = app.scene.colour_by;
@@ -241,12 +241,12 @@ void drawViewPanel(Application& app) {
                                          faded(IM_COL32_WHITE, float(change.oldPicture())));
   if (std::optional<std::filesystem::path> file = app.takePictureRequest()) savePicture(app, size, std::move(*file));
   drawViewLabels(app, scene, r);
-  if (const Unseen& unseen = app.extensions().unseen; unseen.veil() > 0.0) {
-    if (unseen.veilIsDark())
-      drawDarkVeil(r, float(unseen.veil()));
+  if (const RevealPolicy& policy = app.extensions().reveal_policy; policy.veil() > 0.0) {
+    if (policy.veilIsDark())
+      drawDarkVeil(r, float(policy.veil()));
     else if (picture.kept())
       ImGui::GetWindowDrawList()->AddImage(picture.kept(), low, high, {0, 1}, {1, 0},
-                                           faded(IM_COL32_WHITE, float(unseen.veil())));
+                                           faded(IM_COL32_WHITE, float(policy.veil())));
   }
   drawViewOverlays(app, r);
   drawPushPads(app, r);

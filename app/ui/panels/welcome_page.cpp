@@ -162,7 +162,7 @@ CardText textOf(const LessonCard& card) {
 void drawLessons(Application& app, Grid& grid, bool own) {
   Extensions& e = app.extensions();
   std::vector<const LessonCard*> cards;
-  for (const LessonCard& c : e.shelf.cards())
+  for (const LessonCard& c : e.lesson_list.cards())
     if (c.own == own) cards.push_back(&c);
   if (cards.empty()) return;
   const bool abouts =
@@ -174,7 +174,7 @@ void drawLessons(Application& app, Grid& grid, bool own) {
     const ImTextureID picture = c.scene ? e.card_pictures.find({c.molecule, *c.scene}) : ImTextureID{};
     if (drawCard(grid, textOf(c), picture, width, abouts)) chosen = &c;
   });
-  if (chosen) e.shelf.begin(*chosen);
+  if (chosen) e.lesson_list.begin(*chosen);
 }
 
 // Sets the open lesson aside until its panel or another lesson is opened.
@@ -201,8 +201,8 @@ void drawMolecules(Application& app, Grid& grid) {
 }
 
 // Suggests the most likely next step.
-void drawNext(Application& app, float most) {
-  const LessonCard* latest = app.extensions().shelf.latest();
+void drawNext(Application& app, float max) {
+  const LessonCard* latest = app.extensions().lesson_list.latest();
   const LessonSession* session = app.lesson.session();
   std::string label;
   if (session)
@@ -212,14 +212,14 @@ void drawNext(Application& app, float most) {
   else if (latest)
     label = trf("Go on with {0}", latest->title);
   if (!label.empty()) {
-    const std::string shown = elided(label, most - look().px(40));
+    const std::string shown = elided(label, max - look().px(40));
     if (button("welcome/next", shown.c_str(), ButtonLook::Primary)) {
       if (app.hasWork())
         app.panels.pages.welcome = false;
       else
-        app.extensions().shelf.begin(*latest);
+        app.extensions().lesson_list.begin(*latest);
     }
-    if (most > look().px(560)) ImGui::SameLine();
+    if (max > look().px(560)) ImGui::SameLine();
   }
   if (button("welcome/open", tr("Open a file …"))) findAction("open")->run(app);
   // Beside it if there is room.

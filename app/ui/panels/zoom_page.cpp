@@ -94,13 +94,13 @@ void drawZoomPage(Application& app) {
     }
   }
   if (!chosen.empty()) panels.zoom_atoms = chosen;
-  const bool goes = asked && !atoms.empty();
-  if (goes) {
+  const bool go = asked && !atoms.empty();
+  if (go) {
     panels.pages.zoom = false;
     ImGui::CloseCurrentPopup();
   }
   endPage();
-  if (goes) app.zoomTo(atoms);
+  if (go) app.zoomTo(atoms);
 }
 
 }  // namespace moltact

@@ -1,5 +1,5 @@
-// Where a body in the hand lies beside the place that it was taken from: how many of its atoms are back, and which are
-// stopped. Worked out on the window's thread from the newest tick. Units: angstrom.
+// Compares a held body's present position with its position in the molecule's file: how many of its atoms are back, and
+// which are blocked. Computed on the window's thread from the newest tick. Unit: angstrom.
 #pragma once
 
 #include <cstddef>
@@ -11,16 +11,16 @@
 
 namespace moltact {
 
-/// An atom so near to where it was in the molecule's file is back in place.
+/// An atom within this distance of its position in the file is in place.
 inline constexpr double kInPlace_A = 1.0;
 
 struct BodyPlace {
-  std::size_t atoms = 0;               ///< of the body
-  std::size_t in_place = 0;            ///< of them, as the body is drawn
-  std::vector<std::uint32_t> stopped;  ///< the body's atoms, by their numbers in it, that the hand presses into others
+  std::size_t atoms = 0;               ///< number of atoms of the body
+  std::size_t in_place = 0;            ///< how many of them are in place, for the body as drawn
+  std::vector<std::uint32_t> stopped;  ///< indices within the body of the atoms that the hand presses into others
 };
 
-/// Nothing without a body.
+/// An empty result without a body.
 BodyPlace bodyPlace(const TouchableModel& stage, const ServoSample& now, const SphereMotion* motion = nullptr);
 
 }  // namespace moltact

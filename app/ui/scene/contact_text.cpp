@@ -14,7 +14,7 @@ std::string atomText(const Molecule& molecule, std::size_t index, bool with_owne
   const std::string name(atom.atomic_number ? tr(element(atom.atomic_number).name) : std::string_view());
   if (atom.residue == kNoResidue) return name.empty() ? trf("atom {0}", index) : trf("{0} atom {1}", name, index);
   const AtomWords words = molecule.words(index);
-  // An atom that is a residue of its own is called by its element already.
+  // The description of an atom that is a residue of its own already contains its element.
   if (words.residue.empty()) return molecule.describe(index);
   const std::string whole = name.empty() ? words.atom : name + ' ' + words.atom;
   if (!with_owner) return whole;
@@ -33,7 +33,7 @@ std::string touchedText(const Molecule& molecule, const Contact& contact) {
   };
   const std::string first = atomText(molecule, atoms[0], true);
   if (atoms.size() == 1) return first;
-  // Owners are named once: "its carbon C", "carbon C and oxygen O of Ala 3".
+  // Each owner is named only once: "its carbon C", "carbon C and oxygen O of Ala 3".
   std::string others;
   for (std::size_t k = 1; k < atoms.size(); ++k) {
     const bool its = together(0, k), said = its && k == 2 && together(0, 1);

@@ -1,4 +1,4 @@
-// The contact of the probe in words: for the view, the status bar, those who cannot see it well, and the tests.
+// Describes the probe's contact in words, for the view, the status bar, speech output and tests.
 #pragma once
 
 #include <string>
@@ -9,29 +9,29 @@
 
 namespace moltact {
 
-/// "touching: oxygen O of Asp 52, crease with its carbon C, 1.2 N"; "not touching"; or why there is no force. Chains
-/// are named where the molecule has several. Atoms out of the molecule's range are left out. `force_on` false says that
-/// no force is given in place of how much.
+/// "touching: oxygen O of Asp 52, crease with its carbon C, 1.2 N"; "not touching"; or why there is no force. Names
+/// chains if the molecule has several. Ignores atom indices outside the molecule. If `force_on` is false, the text says
+/// that no force is applied instead of its magnitude.
 std::string contactText(const Molecule* molecule, const Contact& contact, double force_N, bool force_on = true);
 
-/// The same of a tick: a force of a field that is felt without touching is said too.
+/// The same for a tick; also describes the force of a field without contact.
 std::string feltText(const Molecule* molecule, const ServoSample& now, double force_N, bool force_on = true);
 
-/// What an atom is called: "carbon CA of Ala 3", "zinc 201"; without its owner "carbon CA".
+/// The name of an atom: "carbon CA of Ala 3", "zinc 201"; without its owner "carbon CA".
 std::string atomText(const Molecule& molecule, std::size_t index, bool with_owner);
-/// The sentence of a contact from the words for what is touched.
+/// The sentence for a contact with `touched`, the words for the touched atoms.
 std::string touchingText(const std::string& touched, double force_N, bool force_on = true);
 
-/// That there is contact and nothing more, where what is touched is the question: "touching", "not touching"; where
-/// something is `felt` without touching, "a force is felt".
+/// The contact without its atoms, for tasks that ask what is touched: "touching", "not touching"; "a force is felt" if
+/// only a field acts (`felt`).
 std::string unnamedContactText(const Contact& contact, bool felt = false);
 
-/// The direction of the surface's push on the hand as the view shows it, from a unit vector in the camera's axes (x
-/// right, y up, z toward the person): "pushed toward you", "pushed up and to the left".
+/// The direction of the reaction on the hand as seen in the view, from a unit vector in the camera's axes (x right, y
+/// up, z toward the viewer): "pushed toward you", "pushed up and to the left".
 std::string pushText(const Vec3& direction);
 
-/// The touched atoms, without the force: "oxygen O of Asp 52, pit with its carbon C and nitrogen N of Tyr 53"; empty
-/// when nothing is.
+/// The touched atoms without the force: "oxygen O of Asp 52, pit with its carbon C and nitrogen N of Tyr 53"; empty
+/// without contact.
 std::string touchedText(const Molecule& molecule, const Contact& contact);
 
 }  // namespace moltact

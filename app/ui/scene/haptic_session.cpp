@@ -8,11 +8,11 @@
 namespace moltact {
 namespace {
 
-constexpr double kLeftBehind_s = 0.4;  // contact without cause for so long is let go
-constexpr double kTry_N_per_mm = 0.2;  // the spring of a force that is tried
+constexpr double kLeftBehind_s = 0.4;  // a contact without a sphere at the HIP is ended after this time
+constexpr double kTry_N_per_mm = 0.2;  // stiffness for the test force
 constexpr double kStill_A = 2e-3;      // a hand slower than this in a frame is at rest
 
-// Nothing that the hand holds, where it is, is inside a sphere.
+// Whether the probe or body at the hand's position is outside all spheres.
 bool inTheOpen(const TouchableModel& stage, const ServoSample& now, const SphereMotion* motion) {
   if (!stage.body) return clearanceAt(*stage.spheres, now, motion) > 0.0;
   const SphereGrid& spheres = motion ? motion->sweptSpheres() : *stage.spheres;
@@ -33,7 +33,7 @@ void HapticSession::show(TouchableModel next, const MoleculeKey& molecule, const
   servo_settings.workspace = stage().workspace;
   log_.clear();
   watch_.begin(stage(), touch());
-  // Made before the workspace is handed over: until then the molecule before it is felt, where it was.
+  // Constructed before the workspace is changed: until then the previous interaction is felt at its place.
   std::unique_ptr<Interaction> felt = freshInteraction();
   resetView(facing);
   servo_.begin(effectiveSettings(false), std::move(felt));
@@ -53,8 +53,8 @@ void HapticSession::play(const std::optional<ServoSample>& sample) {
   servo_.begin(effectiveSettings(false), freshInteraction());
 }
 
-// What the servo loop is to do now: as the panels set it, but without force where nobody looks or a hand is played. A
-// force that is tried does not depend on the scene.
+// The settings for the servo loop: those of the panels, but without force while the scene is not visible or a hand is
+// played. A test force is independent of the scene.
 ServoSettings HapticSession::effectiveSettings(bool trying) const {
   ServoSettings out = servo_settings;
   out.force_on = trying || (out.force_on && !resting_ && !played_);
@@ -151,7 +151,7 @@ void HapticSession::followView() {
   if (!stage() || recorded_.on() || !fit_.outdated(camera)) return;
   fitRoom(camera.target);
   ++servo_settings.discontinuities;
-  // The mouse stays where it is in the molecule.
+  // The mouse's hand keeps its position in the molecule.
   if (!fit_.deviceLeads()) servo_.mouse().place(servo_settings.workspace.toDevice(controls.lead()));
   servo_.loop().setSettings(effectiveSettings(trying()));
 }
@@ -203,7 +203,7 @@ void HapticSession::useMethod(std::string_view name) {
 
 void HapticSession::rebuildInteraction() {
   if (trying()) return endTry();
-  // Each method goes on from the true contact, so that none inherits what another got wrong.
+  // Each method continues from the exact contact, so that it inherits no error of another.
   const Contact& contact = watch_.exact().touching() ? watch_.exact() : log_.latest().contact;
   if (played_) return;
   const ServoSample& latest = log_.latest();
@@ -257,14 +257,14 @@ FeltTicks HapticSession::advance(double dt_s, double now_s, bool timed) {
   felt_.clear();
   const std::vector<ServoSample>& ticks = servo_.advance(dt_s);
   if (played_) {
-    // What the hand does meanwhile counts for nothing.
+    // The hand's motion meanwhile has no effect.
     for (played_owed_s_ += std::min(dt_s, 0.5); played_owed_s_ >= kTick_s; played_owed_s_ -= kTick_s)
       log_.add(*played_);
     hand_moved_ = false;
   } else {
     for (const ServoSample& sample : ticks) {
       log_.add(sample);
-      // A body has no SCP that a sphere's could be held against.
+      // A body has no SCP that could be compared with that of a sphere.
       felt_.push_back(
           {sample, servo_.loop().hasOrientation() ? sample.contact : watch_.add(sample, m, servo_.motionOf(sample))});
     }
@@ -276,7 +276,7 @@ FeltTicks HapticSession::advance(double dt_s, double now_s, bool timed) {
     retract(dt_s);
   }
   log_.figureForce(now_s);
-  // Whatever is shown: the panic key is among the settings.
+  // Independent of what is shown, because the settings contain the panic key.
   servo_.loop().setSettings(effectiveSettings(trying()));
   return {felt_, m};
 }

@@ -1,6 +1,5 @@
-// The scene that is touched and seen: the molecule on the stage, the servo loop that follows the hand over it, the
-// method in use, the camera, and what was felt. Panels set the public members; the rest changes through the functions.
-// Window's thread.
+// The scene that is touched and drawn: the molecule on the stage, the servo loop, the method in use, the camera, and
+// the recent samples. Panels set the public members; everything else is changed by the functions. Window's thread.
 #pragma once
 
 #include <optional>
@@ -23,13 +22,13 @@
 
 namespace moltact {
 
-/// One tick of the servo loop, and what an exact tracker led by the same hand found.
+/// One tick of the servo loop, with the contact of an exact tracker for the same hand.
 struct FeltTick {
   ServoSample sample;
   Contact exact;
 };
 
-/// The ticks of a frame, oldest first, which one method made.
+/// The ticks of a frame by one method, oldest first.
 struct FeltTicks {
   std::span<const FeltTick> ticks;
   const Method& method;
@@ -39,98 +38,98 @@ class HapticSession {
  public:
   explicit HapticSession(ServoClock clock);
 
-  ServoSettings servo_settings;  ///< as they are handed to the servo loop each frame
+  ServoSettings servo_settings;  ///< passed to the servo loop each frame
   Camera camera;
-  ViewPartSet shown;  ///< parts of the picture
+  ViewPartSet shown;  ///< visible parts
   AtomsLook look;     ///< how the molecule is drawn
   ColourBy colour_by = ColourBy::Element;
   ViewControls controls;
 
-  /// Where the atoms are, and which source moves them.
+  /// The positions of the atoms, and the source that moves them.
   AtomMotion& atoms() { return atoms_; }
   const AtomMotion& atoms() const { return atoms_; }
-  /// What is touched: its spheres are where the atoms are now.
+  /// The model that is touched; its spheres are at the atoms' present positions.
   const TouchableModel& stage() const { return atoms_.model(); }
-  const MoleculeKey& molecule() const { return molecule_; }  ///< which molecule is on the stage
+  const MoleculeKey& molecule() const { return molecule_; }  ///< the molecule on the stage
   ServoLink& servo() { return servo_; }
   const ServoLink& servo() const { return servo_; }
-  /// What the scene is felt with.
+  /// The rendering parameters in use.
   TouchSetup touch() const;
   const std::string& method() const { return made_with_.method; }
   const TouchLog& log() const { return log_; }
   const MethodWatch& watch() const { return watch_; }
 
-  /// Another molecule; the view is set as for a new scene.
+  /// Shows another molecule in the view of a new scene.
   void show(TouchableModel stage, const MoleculeKey& molecule, const Facing& facing);
-  /// The same molecule as if it had just been opened, keeping what was found out about the methods.
+  /// Restarts the scene with the same molecule, keeping the records of the methods.
   void beginAgain(const Facing& facing);
-  /// Forgets the contact where the hand is: the force goes to zero and grows from nothing. The view stays.
+  /// Discards the contact; the force drops to zero and rises softly. The view is unchanged.
   void startSoftly();
-  /// The same, with a place turned to the front and in the middle of the view; the hand begins before it.
+  /// The same, with a point rotated to the front and into the middle of the view; the hand begins in front of it.
   void beginAgainAt(PointA place);
-  /// How the scene lies in the room of the hand.
+  /// The placement of the scene in the hand's workspace.
   WorkspaceFit& fit() { return fit_; }
   const WorkspaceFit& fit() const { return fit_; }
-  /// The camera turned by `facing` and as near as the whole molecule, or this part of it, needs.
+  /// The camera rotated by `facing` and fitted to the whole molecule, or to this part of it.
   Camera cameraFor(const Facing& facing, const std::optional<Region>& part) const;
-  /// By hand, until the view is reset or another scene begins: what lies round the probe fills the room of the hand,
-  /// and is seen that much larger. Hand and probe stay, the force begins softly.
+  /// Magnifies, until the view is reset or another scene begins: the surroundings of the probe fill the hand's
+  /// workspace and are drawn larger by the same factor. Hand and probe keep their positions; the force starts softly.
   void magnify(bool on);
-  /// Another device leads: the molecule, or what is magnified, lies in its room, and the hand begins before it.
+  /// Fits the molecule, or its magnified part, to the workspace of another device; the hand begins in front of it.
   void fitRoomOfDevice();
-  /// Once a frame. With a device in the hand its axes are the screen's, and what is in the middle of the view lies
-  /// behind the middle of its room; where view or device have changed the hand is placed again, so that nothing is
-  /// dragged along.
+  /// Called once per frame. Aligns the device's axes with the screen's, and the middle of its workspace with the middle
+  /// of the view. After a change of view or device the hand is repositioned, so that nothing is dragged along.
   void followView();
-  /// Camera and scale as they are when a scene is opened. Does nothing without a molecule.
+  /// Restores camera and scale of the scene's beginning. Does nothing without a molecule.
   void resetView(const Facing& facing);
-  /// Feels the scene with something else, keeping a contact that there is. A word that is not known stays as it was.
+  /// Changes the rendering parameters and keeps an existing contact. Ignores unknown names.
   void setTouch(const TouchSetup& wanted);
-  /// The same with another haptic method.
+  /// Changes the haptic method.
   void useMethod(std::string_view name);
 
-  /// Moves the atoms evenly to these places (a sphere for each) in so many ticks, while they are touched; the picture
-  /// follows. False where `source` does not own the atoms, and while an earlier motion waits to begin: try again in a later
-  /// frame. False also without a stage, while a hand is played or a force is tried.
+  /// Moves the atoms at constant speed to these positions (one sphere for each) within this number of ticks, also
+  /// during contact; the picture follows. Returns false if `source` does not own the atoms, or while an earlier motion
+  /// is waiting: repeat in a later frame. Also returns false without a model, during playback and while a force is
+  /// tested.
   bool moveAtoms(const MotionSource& source, const std::vector<Sphere>& to, int ticks);
-  /// The atoms are there at once, and what is felt begins anew. False, without any change, where `source` does not own the
-  /// atoms, and without a stage.
+  /// Moves the atoms there at once and rebuilds the interaction.
   bool placeAtoms(const MotionSource& source, SharedArray<Sphere> at);
 
-  /// While nobody looks at the scene the hand feels nothing.
+  /// While on, the scene is not visible and the hand feels nothing.
   void rest(bool on) { resting_ = on; }
 
-  /// Once a frame: takes up every tick since the last one. `timed`: someone looks at how long ticks take. The ticks
-  /// hold until the next call.
+  /// Called once per frame: returns every tick since the last call, valid until the next call. `timed`: tick times are
+  /// displayed.
   FeltTicks advance(double dt_s, double now_s, bool timed);
 
-  /// Panic: no force from the next tick on until false again. Handed over at once, whatever is shown.
+  /// Emergency stop: no force from the next tick on until called with false. Takes effect at once, whatever is
+  /// displayed.
   void stopForce(bool stopped);
-  /// Pulls to the device's right with that force until endTry(), whatever is on the stage; the scene is not felt
-  /// meanwhile. Does nothing, and gives false, while a hand is played or all force is stopped.
+  /// Applies this force to the right until endTry(), independent of the scene, which is not felt meanwhile. Returns
+  /// false and does nothing during playback or an emergency stop.
   bool tryForce(double force_N);
-  /// The scene is felt again, softly and from outside.
+  /// Restores the scene's force softly, from outside.
   void endTry();
   bool trying() const { return servo_.trying(); }
 
-  /// The conditions under which a recorded hand was led: workspace, probe, surface and clutch stand in for the scene's
-  /// own until null; the clutch is then its next device's.
+  /// Applies the conditions of a recording (workspace, probe, surface and clutch) instead of the scene's own; null
+  /// restores those. The clutch is then that of the next device.
   void leadBy(const ServoSettings* recorded);
-  /// Records from a new contact on; false where there is nothing to be felt.
+  /// Starts a recording at a new contact. Returns false if nothing can be felt.
   bool beginRecording();
 
-  /// A sample that is shown in the place of the hand's: it stands in the log, no force is given and advance() gives no
-  /// ticks. Nothing: the hand again, from outside.
+  /// Shows a sample instead of the hand's: the log contains it, there is no force, and advance() returns no ticks.
+  /// Empty: the hand again, from outside.
   void play(const std::optional<ServoSample>& sample);
   bool playing() const { return played_.has_value(); }
 
-  /// An atom that the scene does not draw is touched: its name would tell what the hand is to find out.
+  /// Whether the contact is with an atom that the scene does not draw; its name would reveal what is to be felt.
   bool touchesUnseen(const Contact& contact) const;
-  /// Whereto the surface pushes the hand, as a unit vector in the camera's axes; 0 where no force is given.
+  /// The direction of the reaction on the hand, as a unit vector in the camera's axes; 0 without force.
   Vec3 pushInView() const;
-  /// The scene draws no atom of its molecule.
+  /// Whether the scene draws no atom of its molecule.
   bool drawsNothing() const;
-  /// The next frame would look different by itself.
+  /// Whether the next frame differs without further input.
   bool live() const { return log_.felt() || controls.live() || hand_moved_ || atoms_.moving(); }
 
  private:
@@ -146,8 +145,8 @@ class HapticSession {
   ServoLink servo_;
   AtomMotion atoms_{servo_};
   WorkspaceFit fit_{atoms_.model(), servo_};
-  TouchSetup made_with_;  // what the servo loop does itself of it is in servo_settings only
-  std::string wanted_interaction_ = made_with_.interaction;  // which the stage may not bear yet, or no more
+  TouchSetup made_with_;  // properties that need no rebuild are only in servo_settings
+  std::string wanted_interaction_ = made_with_.interaction;  // which the stage may not support yet, or no longer
   TouchLog log_;
   MethodWatch watch_;
   std::vector<FeltTick> felt_;

@@ -10,7 +10,7 @@
 namespace moltact {
 namespace {
 
-// What the thread runs: nothing that goes wrong in it ends the program.
+// The function of the thread. Any exception becomes a problem.
 Loaded guarded(const Loader::Read& read, const MoleculeKey& key) {
   const std::string file = key.file.string();
   try {

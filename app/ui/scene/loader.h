@@ -1,4 +1,4 @@
-// Reads molecules away from the window's thread, so that a large file does not stop it. Window's thread, but for the
+// Reads molecules on a separate thread, so that a large file does not block the window. Window's thread, except the
 // reading itself.
 #pragma once
 
@@ -20,16 +20,16 @@ struct Loaded {
 class Loader {
  public:
   using Read = std::function<Loaded(const MoleculeKey&)>;
-  /// Reads by readStage unless another function is given. An exception that `read` throws becomes a problem.
+  /// Reads with readStage() unless another function is given. An exception thrown by `read` becomes a problem.
   explicit Loader(Read read = {});
 
-  /// Begins to read; what was being read before is no longer wanted.
+  /// Starts reading; the result of an earlier call is discarded.
   void begin(const MoleculeKey& key);
   bool busy() const { return newest_.busy(); }
 
-  /// The molecule once it has been read, given once; nothing while it is being read.
+  /// Returns the molecule once it has been read, only once; nothing while it is being read.
   std::optional<Loaded> take() { return newest_.take(); }
-  /// The same, waiting for it.
+  /// The same, but blocks until it has been read.
   std::optional<Loaded> wait() { return newest_.wait(); }
 
  private:
@@ -37,7 +37,7 @@ class Loader {
   NewestWork<Loaded> newest_;
 };
 
-/// Reads a molecule and puts it on a stage. Any thread.
+/// Reads a molecule and makes its model. Any thread.
 Loaded readStage(const MoleculeKey& key);
 
 }  // namespace moltact

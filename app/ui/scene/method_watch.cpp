@@ -10,10 +10,10 @@
 namespace moltact {
 namespace {
 
-constexpr double kFading = 4000.0;  // ticks; beyond twice as many all count half
-constexpr std::size_t kLeftBehind_ticks =
-    400;                          // the exact SCP alone on the surface so long, the hand in the open: let go
-constexpr double kPull_A = 0.02;  // a shorter spring has no direction to speak of
+constexpr double kFading = 4000.0;  // number of ticks; at twice this number, all counts are halved
+// The exact tracker is reset after it alone has been in contact, with a free HIP, for this many ticks.
+constexpr std::size_t kLeftBehind_ticks = 400;
+constexpr double kPull_A = 0.02;  // the direction of a shorter spring is undefined
 
 }  // namespace
 
@@ -106,9 +106,9 @@ Contact MethodWatch::add(const ServoSample& s, const Method& method,
                          const std::shared_ptr<const SphereMotion>& motion) {
   noteTurn(s);
   if (!exact_ || !s.has_interaction) return {.scp = s.hip};
-  if (s.placed) exact_->reset();
+  if (s.contact_reset) exact_->reset();
   if (s.probe_A != exact_->probe_A()) exact_->setProbe(s.probe_A);
-  // As ServoStep has them: first the spheres, then the hand.
+  // As in ServoStep: first the spheres move, then the hand.
   if (motion != motion_) {
     exact_->setMotion(motion.get());
     motion_ = motion;
@@ -117,7 +117,7 @@ Contact MethodWatch::add(const ServoSample& s, const Method& method,
   if (motion_) exact_->advanceTo(fraction_);
   hand_ = {s.hip, s.orientation};
   Contact exact = exact_->respond(hand_).contact;
-  // A method that has lost the surface lets the hand out on the far side; the exact SCP must not wait for it for ever.
+  // A method that loses the surface lets the hand out on the far side. The exact SCP would then stay behind for ever.
   const bool alone = exact.touching() && !s.contact.touching() && clearanceAt(*spheres_, s, motion_.get()) > 0.0;
   left_behind_ticks_ = alone ? left_behind_ticks_ + 1 : 0;
   if (left_behind_ticks_ > kLeftBehind_ticks) {

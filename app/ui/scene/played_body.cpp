@@ -28,7 +28,7 @@ void PlayedBody::hold(const std::vector<std::uint32_t>& untouchable, const std::
   const Held is = now();
   if (is.untouchable == untouchable && is.held == held) return;
   if (!before_ || is != played_) before_ = is;
-  // What is held is drawn in the hand alone; what was held before is back in its place.
+  // A held body is drawn only in the hand; a body held before is drawn at its place again.
   std::vector<std::uint32_t> hidden;
   if (const AtomList& was = before_->hidden)
     std::set_difference(was->begin(), was->end(), before_->held.begin(), before_->held.end(),

@@ -1,4 +1,4 @@
-// What a played hand holds, on the stage while it is played: an attempt's hand, or a recorded one. Window's thread.
+// The body that a played hand holds, on the stage during playback of an attempt or a recording. Window's thread.
 #pragma once
 
 #include <cstdint>
@@ -13,10 +13,10 @@ class PlayedBody {
  public:
   explicit PlayedBody(HapticSession& scene) : scene_(scene) {}
 
-  /// The stage's molecule with these atoms (ascending) not felt, and of them those held as a body and drawn in the hand
-  /// alone. The view stays as it is. Nothing changes where the stage is so.
+  /// Excludes these atoms (ascending) of the stage's molecule from touch; those of them held as a body are drawn only
+  /// in the hand. The view is unchanged. Does nothing if the stage already is in this state.
   void hold(const std::vector<std::uint32_t>& untouchable, const std::vector<std::uint32_t>& held);
-  /// Back to what was felt, held and hidden before the first hold(), unless another scene has come since.
+  /// Restores what was felt, held and hidden before the first hold(), unless another scene has been opened since.
   void release();
 
  private:
@@ -31,7 +31,7 @@ class PlayedBody {
 
   HapticSession& scene_;
   std::optional<Held> before_;
-  Held played_;  // as hold() left it
+  Held played_;  // set by hold()
 };
 
 }  // namespace moltact

@@ -27,7 +27,7 @@ ServoLink::~ServoLink() {
   frames_->end();
 }
 
-// A tick of the frames' clock.
+// Executes one tick of the frames' clock.
 void ServoLink::tickOfFrame() {
   now_ns_ += ServoLoop::kPeriod_ns + std::llround(1e9 * std::exchange(stall_s_, 0.0));
   frames_->tick(now_ns_, now_ns_, nullptr);
@@ -90,7 +90,7 @@ std::shared_ptr<const SphereMotion> ServoLink::motionOf(const ServoSample& sampl
 void ServoLink::begin(const ServoSettings& settings, std::unique_ptr<Interaction> felt) {
   ++scene_;
   motions_.clear();
-  // In this order: the new one is never asked with the old settings.
+  // This order ensures that the new interaction never receives the old settings.
   beginAgain(settings);
   setInteraction(std::move(felt));
 }
@@ -113,20 +113,20 @@ void ServoLink::take(const ServoSample& sample) {
 const std::vector<ServoSample>& ServoLink::advance(double dt_s) {
   ticks_.clear();
   every_.clear();
-  // Motions follow one another: none before the newest tick's comes again.
+  // Motions are consecutive: none before the newest tick's is needed any more.
   if (motionOf(newest_))
     while (motions_.front()->serial() != newest_.motion) motions_.pop_front();
   if (thread_) {
     loop().drain([this](const ServoSample& sample) { take(sample); });
     return ticks_;
   }
-  // A page that was put away comes back with a frame as long as that.
+  // A page in a background tab returns with a frame as long as its absence.
   for (owed_s_ += std::clamp(dt_s, 0.0, clock_ == ServoClock::Page ? 0.1 : 0.5); owed_s_ >= kTick_s;
        owed_s_ -= kTick_s) {
     using Clock = std::chrono::steady_clock;
     const Clock::time_point began = timed_ ? Clock::now() : Clock::time_point();
     tickOfFrame();
-    // How long it took is only shown: what is felt goes by the frames' clock alone.
+    // The duration is only displayed; the ticks depend on the frames' clock alone.
     const float work_us = timed_ ? std::chrono::duration<float, std::micro>(Clock::now() - began).count() : 0.0f;
     loop().drain([&](ServoSample sample) {
       sample.work_us = work_us;

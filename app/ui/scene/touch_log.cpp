@@ -31,7 +31,7 @@ void TouchLog::add(const ServoSample& sample) {
 }
 
 void TouchLog::figureForce(double now_s) {
-  // None, and the first, are said at once.
+  // The end and the beginning of a force are displayed at once.
   const bool ended = latest_force_N_ <= 0.0, begun = shown_N_ <= 0.0;
   if (std::abs(latest_force_N_ - shown_N_) > kRounded_N && (ended || begun || now_s - shown_since_s_ >= kFigure_s)) {
     shown_N_ = std::round(latest_force_N_ / kFigure_N) * kFigure_N;

@@ -11,8 +11,8 @@
 namespace moltact {
 namespace {
 
-// The new tracker first meets the hand a little outside the old surface, or as far as its own surface lies out there: a
-// mesh lies inside the spheres, a coarse grid may lie outside (unit: angstrom).
+// The new tracker first approaches from slightly outside the old surface, or from as far as its own surface is outside:
+// a mesh lies inside the spheres, a coarse grid may lie outside (unit: angstrom).
 constexpr double kOutside_A = 1e-3, kFarthestOutside_A = 2.0;
 
 TouchableModel stageOf(std::shared_ptr<const Molecule> molecule, std::span<const std::uint32_t> untouchable,
@@ -69,7 +69,7 @@ void leadToContact(Interaction& made, const Contact& contact, const PoseA& hand)
   const Vec3 outward = contact.scp.A - hand.place.A;
   const double depth = glm::length(outward);
   if (!contact.touching() || !(depth > 0.0)) return;
-  // Another method's surface may lie a little higher: the hand comes in from as far out as it needs.
+  // Another method's surface may be slightly higher, so the start is moved outward until it is free.
   for (double out_A = kOutside_A; out_A < kFarthestOutside_A; out_A *= 1.5)
     if (made.respond({{contact.scp.A + outward * (out_A / depth)}, hand.orientation}).contact.fault == Fault::None)
       break;

@@ -12,8 +12,8 @@ constexpr double kPanKeys_px_per_s = 320.0;
 constexpr double kZoomNotch = 1.12;
 constexpr double kZoomKeysPerS = 2.2;
 constexpr double kHintFade_s = 0.6;
-constexpr double kStill_px = 0.5;      // an aim that moves by less in a frame rests
-constexpr double kHoverStep_A = 0.25;  // a hand that hovers farther in a frame is put there
+constexpr double kStill_px = 0.5;      // an aim that moves less than this per frame is at rest
+constexpr double kHoverStep_A = 0.25;  // a hovering hand that moves farther than this per frame is repositioned
 }  // namespace
 
 ViewRays viewRays(const Camera& camera, glm::dvec2 size_px) {
@@ -47,8 +47,8 @@ void ViewControls::update(const ViewInput& in, Camera& camera, const SphereGrid*
   if (has_pressed_ && has_turned_) hint_left_s_ -= in.dt_s;
   if (!spheres) return;
 
-  // Round the screen's axes: to the right round the upright one, down round the one to the right, clockwise round the one
-  // away from the viewer.
+  // Rotation about the screen's axes: to the right about the vertical one, downwards about the horizontal one,
+  // clockwise about the viewing direction.
   const glm::dvec2 turn =
       in.hand_px * kHand_rad_per_px + glm::dvec2(in.hand_keys.x, -in.hand_keys.y) * (kHandKeys_rad_per_s * in.dt_s);
   const Vec3 seen = camera.up() * turn.x + camera.right() * turn.y - camera.back() * in.hand_roll_rad;
@@ -75,7 +75,8 @@ void ViewControls::update(const ViewInput& in, Camera& camera, const SphereGrid*
   pointer.N_per_A = settings.force_on
                         ? in.expected_N_per_mm.value_or(settings.stiffness_N_per_mm) / settings.workspace.A_per_mm
                         : 0.0;
-  // The springs of a body's atoms push together: as hard as so many of one atom would, whose displacement D stores D^2/2.
+  // The springs of a body's atoms act in parallel; the mouse feels an equivalent single spring, whose displacement D
+  // stores D^2 / 2.
   if (const Contact& c = felt.contact; body && c.energy_A2 > 0.0)
     pointer.N_per_A *= std::max(1.0, 0.5 * glm::dot(c.displacement_A, c.displacement_A) / c.energy_A2);
   if (felt.field && settings.force_on) {
@@ -93,7 +94,7 @@ void ViewControls::update(const ViewInput& in, Camera& camera, const SphereGrid*
                           : HandShape(settings.probe_A));
   press_rested_s_ =
       pressing_ && glm::distance(hand_.aim_px(), before_aim_px) < kStill_px ? press_rested_s_ + in.dt_s : 0.0;
-  // A hovering hand goes over the molecule, not through what lies between two places of the pointer.
+  // A hovering hand moves over the molecule, not through what lies between two pointer positions.
   const bool hovering = !pressing_ && !pointer.touching;
   if (hand_.leapt() || (hovering && glm::distance(lead_.A, before_lead.A) > kHoverStep_A))
     mouse.place(settings.workspace.toDevice(lead_));

@@ -1,5 +1,5 @@
-// The effect of a person's mouse and keys on the view: the hand that pushes and the camera that looks. No ImGui here:
-// the view panel says what was done, once a frame. Window's thread. Units: pixel, angstrom, newton, second.
+// Converts mouse and key input in the view into motions of the hand and the camera. Independent of ImGui: the view
+// panel passes the input once per frame. Window's thread. Units: pixel, angstrom, newton, second.
 #pragma once
 
 #include <optional>
@@ -14,17 +14,19 @@ namespace moltact {
 /// The input over the view in one frame.
 struct ViewInput {
   glm::dvec2 size_px{1.0};               ///< of the view
-  std::optional<glm::dvec2> pointer_px;  ///< in the view; none: elsewhere, or the pointer turns the view
-  bool press = false;                    ///< left button or space held
-  bool release = false;                  ///< Escape: lets go even while the button is held
+  std::optional<glm::dvec2> pointer_px;  ///< in the view; empty: elsewhere, or the pointer rotates the view
+  bool press = false;                    ///< left button or space is held
+  bool release = false;                  ///< Escape: ends the press even while the button is held
   double push_notches = 0.0;
   double zoom_notches = 0.0;
-  glm::dvec2 orbit_px{0.0}, pan_px{0.0}, hand_px{0.0};         ///< drags since the last frame; the last turns the hand
+  /// drags since the last frame; the last one rotates the hand
+  glm::dvec2 orbit_px{0.0}, pan_px{0.0}, hand_px{0.0};
   glm::dvec2 probe_keys{0.0}, orbit_keys{0.0}, pan_keys{0.0};  ///< x right, y up: -1, 0 or 1
-  glm::dvec2 hand_keys{0.0};                                   ///< turn the hand
-  double hand_roll_rad = 0.0;                                  ///< of the hand round the view's axis, clockwise
-  double zoom_keys = 0.0;                                      ///< positive: closer
-  std::optional<double> expected_N_per_mm;  ///< how hard the person expects the surface to push back; none: as it does
+  glm::dvec2 hand_keys{0.0};                                   ///< rotate the hand
+  /// rotation of the hand about the viewing direction, clockwise
+  double hand_roll_rad = 0.0;
+  double zoom_keys = 0.0;                   ///< positive: closer
+  std::optional<double> expected_N_per_mm;  ///< the stiffness that the user expects of the surface; empty: its real one
   double dt_s = 1.0 / 60.0;
 };
 
@@ -33,13 +35,13 @@ ViewRays viewRays(const Camera& camera, glm::dvec2 size_px);
 
 class ViewControls {
  public:
-  /// One frame: turns the camera and leads the hand. `spheres` may be null: only the camera moves. `felt` is the servo
-  /// loop's last tick. `body`: what the hand holds; null: the probe.
+  /// Processes one frame: rotates the camera and leads the hand. With `spheres` null only the camera moves. `felt` is
+  /// the servo loop's last tick. `body`: what the hand holds; null: a probe.
   void update(const ViewInput& input, Camera& camera, const SphereGrid* spheres, const ServoSettings& settings,
               const ServoSample& felt, MouseDevice& mouse, const HeldBody* body = nullptr);
 
-  /// The hand starts again, outside: at a new scene. It comes from `outside_A` in front of the place `before`, toward
-  /// the viewer, and aims at that place until the pointer or the keys lead it.
+  /// Restarts the hand outside a new scene, at `outside_A` in front of `before` toward the viewer. It aims at that
+  /// point until pointer or keys lead it.
   void begin(const Camera& camera, PointA before, const Workspace& workspace, double outside_A, MouseDevice& mouse);
 
   /// The orientation, in the molecule's space, with which the hand starts from the next begin() on; empty: that of the
@@ -51,22 +53,22 @@ class ViewControls {
 
   bool pressing() const { return pressing_; }
   double depth_A() const { return hand_.depth_A(); }
-  /// How long the press has rested where it is; 0 without one, and while it slides (unit: second).
+  /// The time for which the press has been at rest; 0 without a press and while it slides (unit: second).
   double pressRested_s() const { return press_rested_s_; }
-  /// The press meets nothing: where the hand aims there is only empty space.
+  /// Whether the press aims at empty space.
   bool pressesNothing() const { return pressing_ && !hand_.overSurface(); }
-  glm::dvec2 aim_px() const { return hand_.aim_px(); }  ///< the pixel of the view that the hand aims at
+  glm::dvec2 aim_px() const { return hand_.aim_px(); }  ///< the pixel of the view at which the hand aims
   PointA lead() const { return lead_; }
-  /// The view was turned, moved or zoomed in the last frame.
+  /// Whether the view was rotated, moved or zoomed in the last frame.
   bool cameraMoved() const { return camera_moved_; }
-  /// Whether the person has found out how: the hint of controls fades once both are true.
+  /// Whether the user has pressed, and has changed the push; the hint of controls fades once both are true.
   bool hasPressed() const { return has_pressed_; }
   bool hasTurned() const { return has_turned_; }
-  /// A press has been made harder or lighter.
+  /// The user has changed the strength of a press.
   bool hasPushed() const { return has_pushed_; }
-  /// Opacity of the hint of controls: 1 until the person has found out how, then fading to 0.
+  /// Opacity of the hint of controls: 1 until the user has learnt them, then fading to 0.
   double hintStrength() const;
-  /// The next frame would look different by itself.
+  /// Whether the next frame differs without further input.
   bool live() const;
 
  private:
@@ -74,7 +76,7 @@ class ViewControls {
   Quat orientation_ = kNoRotation;  // of the hand, from the device's axes
   std::optional<Quat> start_;       // in the molecule's space
   PointA lead_;
-  std::optional<PointA> first_aim_;  // of a scene of which no frame has been led
+  std::optional<PointA> first_aim_;  // of a scene in which no frame has been processed yet
   double hint_left_s_ = 2.0, press_rested_s_ = 0.0;
   bool pressing_ = false, let_go_ = false, camera_moved_ = false;
   bool has_pressed_ = false, has_turned_ = false, has_pushed_ = false;

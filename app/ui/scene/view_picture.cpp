@@ -43,7 +43,7 @@ void ViewPicture::draw(const ViewScene& scene, int width_px, int height_px, bool
   else
     fault_text_.clear();
   if (!renderer_->count().atoms_redrawn) return;
-  renderer_->finish();  // what has only been asked for has not been paid yet
+  renderer_->finish();  // commands that were only queued have not been executed yet
   fineness_.took(std::chrono::duration<double, std::milli>(Clock::now() - begun).count());
 }
 
@@ -80,7 +80,7 @@ Picture ViewPicture::take(const ViewScene& scene, int width_px, int height_px, f
   RenderOptions options;
   options.wait_for_surfaces = wait_;
   options.line_scale = line_scale;
-  for (options.samples = kSamples; options.samples > 0; --options.samples)  // as fine as the driver has room for
+  for (options.samples = kSamples; options.samples > 0; --options.samples)  // as many samples as the driver supports
     if (!renderer_->draw(scene, width_px, height_px, options)) return renderer_->readPixels();
   return {};
 }

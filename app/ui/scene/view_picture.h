@@ -1,6 +1,5 @@
-// The 3-D view as a texture that the view panel shows. The renderer draws only what has changed; this decides how
-// finely. Window's thread, with the GL
-// context current.
+// The 3-D view as a texture for the view panel. The renderer draws only what has changed; this class decides at which
+// quality. Window's thread, with the GL context current.
 #pragma once
 
 #include <imgui.h>
@@ -23,40 +22,40 @@ class GlTarget;
 
 class ViewPicture {
  public:
-  /// With `wait` each picture has its surfaces, however long they take: every run draws the same.
+  /// With `wait`, each picture waits for its surfaces, so that every run draws the same.
   explicit ViewPicture(bool wait);
   ~ViewPicture();
 
-  /// Draws the scene where it differs from the last one. `moving`: the view turns, so that speed counts more than
-  /// sharpness. `line_scale`: the interface's.
+  /// Draws the scene if it differs from the last one. `moving`: the view rotates, so speed takes precedence over
+  /// sharpness. `line_scale`: that of the interface.
   void draw(const ViewScene& scene, int width_px, int height_px, bool moving, float line_scale);
 
-  /// Nobody looks at the next frames: draw() then does nothing but count them.
+  /// The next frames are not visible: draw() then only counts them.
   void hold(bool on) { held_ = on; }
 
-  /// Null until something has been drawn.
+  /// Null until the first picture.
   ImTextureID texture() const;
-  /// Another number whenever a picture was drawn or kept.
+  /// Changes whenever a picture is drawn or stored.
   std::uint64_t version() const { return (renderer_ ? renderer_->count().pictures : 0) + fades_; }
-  /// Keeps the picture as it is, to fade away over the ones that follow; does nothing before the first.
+  /// Stores the present picture, to fade it out over the following ones; does nothing before the first.
   void keepForFade();
-  /// The picture kept last; null where none is.
+  /// The picture stored last, or null.
   ImTextureID kept() const;
-  /// The picture shown is coarser than it will be once the view has rested.
+  /// Whether the picture is coarser than it will be once the view is at rest.
   bool unfinished() const {
     return fineness_.unfinished() || surfaceProgress() || (renderer_ && renderer_->count().light_pending);
   }
-  /// How far a surface is that is computed beside the window, 0 to 1; no value where none is.
+  /// The progress of a surface that is computed in the background, 0 to 1; no value if there is none.
   std::optional<float> surfaceProgress() const {
     return renderer_ ? renderer_->count().surface_progress : std::nullopt;
   }
-  /// A picture to be kept, drawn as finely as pictures are; empty where the scene cannot be drawn.
+  /// A picture for a file, at full quality; empty if the scene cannot be drawn.
   Picture take(const ViewScene& scene, int width_px, int height_px, float line_scale);
-  /// Where the names and measures of the scene stand, worked out when something has changed. `line_px`: the height of the
-  /// letters that `room` measures with.
+  /// The positions of the scene's names and measurements, recomputed after changes. `line_px`: height of the letters
+  /// that `room` measures with.
   const std::vector<PlacedLabel>& labels(const ViewScene& scene, const SphereGrid* spheres, const LabelRoom& room,
                                          float line_px);
-  /// Why the scene cannot be drawn; empty when it can.
+  /// The reason why the scene cannot be drawn; empty if it can.
   const std::string& fault() const { return fault_text_; }
 
  private:
@@ -64,7 +63,7 @@ class ViewPicture {
 
   std::unique_ptr<Renderer> renderer_;
   std::unique_ptr<GlTarget> kept_;
-  int width_px_ = 0, height_px_ = 0;  // of the last picture as drawn
+  int width_px_ = 0, height_px_ = 0;  // of the last picture drawn
   std::string fault_text_;
   const bool wait_;
   bool refused_ = false, held_ = false;
@@ -83,7 +82,7 @@ class ViewPicture {
   std::vector<PlacedLabel> labels_;
 };
 
-/// "moltact-001.png" or the first number after that is free in the folder.
+/// "moltact-001.png", or the first free number after that in the folder.
 std::filesystem::path freePictureName(const std::filesystem::path& folder);
 
 }  // namespace moltact

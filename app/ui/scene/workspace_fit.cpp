@@ -9,12 +9,12 @@
 namespace moltact {
 namespace {
 
-constexpr double kProbeRoom = 2.0;  // so many radii of the probe are seen round the molecule,
-constexpr double kBodyRoom = 0.5;   // or so much of a body's reach
-constexpr double kTurned = 1e-9;    // a view that has turned or moved by less has not
-constexpr double kSettle_s = 0.5;   // in which a device that was just chosen tells where its hand is
-constexpr double kByHand_A = 3.5;   // the radius of what is magnified round the probe
-constexpr double kAtLeast = 2.0;    // and at least so much more than the scene
+constexpr double kProbeRoom = 2.0;  // margin around the molecule in radii of the probe,
+constexpr double kBodyRoom = 0.5;   // or as a fraction of a body's reach
+constexpr double kTurned = 1e-9;    // smaller changes of the view are ignored
+constexpr double kSettle_s = 0.5;   // time for a newly chosen device to report its position
+constexpr double kByHand_A = 3.5;   // radius of the magnified region around the probe
+constexpr double kAtLeast = 2.0;    // and minimum magnification relative to the scene
 
 glm::dmat3 axes(const Camera& camera) { return {camera.right(), camera.up(), camera.back()}; }
 
@@ -31,8 +31,7 @@ Camera WorkspaceFit::cameraFor(const Camera& now, const Facing& facing, const st
                                const AtomList& hidden, double probe_A) const {
   Camera out = now;
   out.orientation = glm::dquat(1, 0, 0, 0);
-  // Round the molecule there is room for the probe, which hovers before it and beside it.
-  // What is neither seen nor felt needs none.
+  // Leaves a margin around the molecule for the probe. Atoms that are neither drawn nor felt need none.
   std::vector<std::uint32_t> removed;
   if (hidden) {
     const std::vector<std::uint32_t> unfelt = model_.spheres->untouchable();
@@ -42,7 +41,7 @@ Camera WorkspaceFit::cameraFor(const Camera& now, const Facing& facing, const st
   const auto fit = [&] { out.fit(*model_.molecule, view_aspect, 0.08, room_A, removed); };
   fit();
   facing(out, *model_.molecule);
-  // Another side of the molecule may be wider.
+  // The molecule may be wider on another side.
   fit();
   if (part) out.fit(part->centre, part->radius_A, view_aspect);
   return out;
@@ -61,7 +60,7 @@ double WorkspaceFit::byHand_A_per_mm(const ServoSample& felt) const {
 Workspace WorkspaceFit::magnified(const Workspace& now, Camera& camera, bool on, const ServoSample& felt) {
   const double wanted = on ? byHand_A_per_mm(felt) : ofScene().A_per_mm;
   const double closer = now.A_per_mm / wanted;
-  // The probe stays where it is in the picture.
+  // The probe keeps its position in the picture.
   camera.target.A = felt.hip.A + (camera.target.A - felt.hip.A) / closer;
   camera.distance_A /= closer;
   fitted_ = camera;
@@ -82,7 +81,7 @@ Workspace WorkspaceFit::fitted(const Workspace& now, const Camera& camera, Point
   }
   device_leads_ = servo_.deviceLeads();
   if (device_leads_) {
-    // As the hand is held now, along the axes of this view.
+    // The present orientation of the hand, along the axes of this view.
     const Quat held = glm::quat_cast(axes(camera)) * glm::conjugate(glm::quat_cast(now.rotation)) * felt.orientation;
     out = fitToDevice(out, *model_.spheres, handShape(model_, probe_A, held), toward, axes(camera), servo_.device());
   }
@@ -91,7 +90,8 @@ Workspace WorkspaceFit::fitted(const Workspace& now, const Camera& camera, Point
   return out;
 }
 
-// Where the hand is shows only once its device has told it: a molecule that was put onto it goes back until it is free.
+// The hand's position is known only after its device has reported it. A molecule placed onto the hand is moved back
+// until the hand is free.
 std::optional<Workspace> WorkspaceFit::retracted(const ServoSettings& settings, const ServoSample& felt, double dt_s) {
   fit_left_s_ -= dt_s;
   if (!device_leads_ || fit_left_s_ <= 0.0 || felt.discontinuities != settings.discontinuities ||

@@ -1,6 +1,6 @@
-// How the scene lies in the room of the hand: the scale and the place for the whole molecule, for a part that a lesson or the
-// person magnifies, and for a device in the hand, whose axes are those of the view. Computes workspaces; HapticSession hands
-// them over. Window's thread.
+// Computes how the scene is placed in the hand's workspace: scale and position for the whole molecule, for a magnified
+// part, and for a device, whose axes are those of the view. HapticSession passes the workspaces to the loop. Window's
+// thread.
 #pragma once
 
 #include <functional>
@@ -14,43 +14,44 @@
 
 namespace moltact {
 
-/// Turns a camera that has been fitted to the molecule the way it is to be seen.
+/// Rotates a camera that was fitted to the molecule to its initial view.
 using Facing = std::function<void(Camera&, const Molecule&)>;
 
 class WorkspaceFit {
  public:
   WorkspaceFit(const TouchableModel& model, const ServoLink& servo) : model_(model), servo_(servo) {}
 
-  /// The part of the molecule that the scenes shown from now on magnify; nothing: none.
+  /// The part of the molecule that scenes shown from now on magnify; empty: none.
   std::optional<Region> region;
-  /// What the view comes close to when a scene is opened or the view is reset; nothing: what is magnified, or the whole.
+  /// The region to which the view zooms when a scene is opened or the view is reset; empty: the magnified part, or the
+  /// whole.
   std::optional<Region> zoomed;
-  /// The view's width over its height, to which the camera is fitted.
+  /// The view's aspect ratio (width / height), to which the camera is fitted.
   double view_aspect = 1.0;
-  /// What lies round the probe fills the room of the hand, as the person asked.
+  /// The user magnifies the surroundings of the probe to fill the workspace.
   bool by_hand = false;
 
   /// The part to which the view is fitted when a scene is opened.
   const std::optional<Region>& part() const { return zoomed ? zoomed : region; }
-  /// The camera turned by `facing` and as near as the whole molecule, or this part of it, needs. `hidden`: atoms that are
+  /// The camera rotated by `facing` and fitted to the whole molecule, or to this part of it. `hidden`: atoms that are
   /// not drawn.
   Camera cameraFor(const Camera& now, const Facing& facing, const std::optional<Region>& part, const AtomList& hidden,
                    double probe_A) const;
 
-  /// The workspace for the view, with `toward` behind the middle of the room of a device that leads. `now`: the workspace
-  /// in use; `felt`: the newest tick.
+  /// The workspace for the view, with `toward` behind the middle of the workspace of a device that leads. `now`: the
+  /// workspace in use; `felt`: the newest tick.
   Workspace fitted(const Workspace& now, const Camera& camera, PointA toward, double probe_A, const ServoSample& felt);
-  /// The scene's workspace with what lies round the probe magnified by hand, or not any more, for a hand that stays where
-  /// it is; and the camera for it.
+  /// The scene's workspace with the probe's surroundings magnified, or no longer, for a hand that keeps its position;
+  /// and the camera for it.
   Workspace magnified(const Workspace& now, Camera& camera, bool on, const ServoSample& felt);
-  /// Whether the workspace no longer suits the view or the device that leads.
+  /// Whether the workspace no longer fits the view or the leading device.
   bool outdated(const Camera& camera) const;
-  /// A device leads, and the workspace is fitted to it.
+  /// Whether a device leads and the workspace is fitted to it.
   bool deviceLeads() const { return device_leads_; }
-  /// Once a frame: the workspace for a hand that turns out to be inside the molecule soon after it was fitted; nothing
-  /// where it need not change.
+  /// Called once per frame: a new workspace if the hand turns out to be inside the molecule soon after a fit; nothing
+  /// if no change is needed.
   std::optional<Workspace> retracted(const ServoSettings& settings, const ServoSample& felt, double dt_s);
-  /// How many times larger than the whole molecule's scale.
+  /// The magnification relative to the scale of the whole molecule.
   double magnification(const Workspace& now) const;
 
  private:
@@ -60,8 +61,8 @@ class WorkspaceFit {
   const TouchableModel& model_;
   const ServoLink& servo_;
   bool device_leads_ = false;
-  Camera fitted_;            // to this view
-  double fit_left_s_ = 0.0;  // so long a hand that turns out to be inside is taken out
+  Camera fitted_;            // the view for which it was fitted
+  double fit_left_s_ = 0.0;  // remaining time in which a hand found inside is moved out
 };
 
 }  // namespace moltact

@@ -16,19 +16,19 @@ bool within(glm::dvec2 at, glm::vec2 low, glm::vec2 high) {
 
 }  // namespace
 
-Fingers::On fingerOn(const Application& app, glm::dvec2 at) {
+Fingers::Target fingerOn(const Application& app, glm::dvec2 at) {
   if (app.panels.pages.welcome || ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel))
-    return Fingers::On::Panel;
+    return Fingers::Target::Panel;
   const auto& all = widgets().all();
   const auto on = [&](const char* name) {
     const auto found = all.find(name);
     return found != all.end() && within(at, found->second.low, found->second.high);
   };
   for (const char* edge : kPanelEdges)
-    if (on(edge)) return Fingers::On::Edge;
+    if (on(edge)) return Fingers::Target::Edge;
   const Rectangle& view = app.layout().view;
-  if (!within(at, view.low, view.high)) return Fingers::On::Panel;
-  return on(kHarderPad) ? Fingers::On::Harder : on(kLighterPad) ? Fingers::On::Lighter : Fingers::On::View;
+  if (!within(at, view.low, view.high)) return Fingers::Target::Panel;
+  return on(kHarderPad) ? Fingers::Target::Harder : on(kLighterPad) ? Fingers::Target::Lighter : Fingers::Target::View;
 }
 
 void Pointers::mouse(glm::dvec2 place) {
@@ -37,7 +37,7 @@ void Pointers::mouse(glm::dvec2 place) {
 }
 
 void Pointers::fingerDown(int id, glm::dvec2 place, double now_s) {
-  const Fingers::On on = fingerOn(app_, place);
+  const Fingers::Target on = fingerOn(app_, place);
   app_.panels.window.fingers = true;
   fingers_.down(id, place, on, now_s, double(ImGui::GetFontSize()));
 }

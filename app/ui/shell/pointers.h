@@ -10,7 +10,7 @@ class Application;
 
 /// What a finger at this place touches: the view, a pad in it, a panel's edge, or a panel. A page or menu above it
 /// counts as a panel.
-Fingers::On fingerOn(const Application& app, glm::dvec2 place_px);
+Fingers::Target fingerOn(const Application& app, glm::dvec2 place_px);
 
 class Pointers {
  public:

@@ -28,7 +28,7 @@ namespace {
 struct Numbers {
   std::string_view verb;
   std::size_t first, count;
-  double least, most;
+  double min, max;
 };
 constexpr Numbers kNumbers[]{{"size", 0, 2, 64.0, 8192.0}, {"scale", 0, 1, 0.5, 4.0},  {"text-size", 0, 1, 0.5, 4.0},
                              {"drag", 1, 2, -1e5, 1e5},    {"point", 1, 2, -1e3, 1e3}, {"wheel", 0, 1, -1e3, 1e3},
@@ -76,8 +76,8 @@ std::string wrongNumber(const Act& a) {
     for (std::size_t k = n.first; k < std::min(a.words.size(), n.first + n.count); ++k) {
       if (a.words[k] == "right" && k + 1 == a.words.size()) continue;
       const std::optional<double> value = numberOf(a.words[k]);
-      if (!value || !(*value >= n.least && *value <= n.most))
-        return "'" + a.words[k] + "' is no number from " + numberText(n.least) + " to " + numberText(n.most);
+      if (!value || !(*value >= n.min && *value <= n.max))
+        return "'" + a.words[k] + "' is no number from " + numberText(n.min) + " to " + numberText(n.max);
     }
   }
   return {};

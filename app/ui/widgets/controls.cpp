@@ -108,7 +108,7 @@ bool toggle(const char* name, const char* label, bool& on, const char* text) {
   return clicked;
 }
 
-bool slider(const char* name, const char* label, double& value, double least, double most, double step,
+bool slider(const char* name, const char* label, double& value, double min, double max, double step,
             const ShownAs& shown_as, const char* text) {
   const Palette& p = look().palette;
   const float width = std::max(ImGui::GetContentRegionAvail().x, look().px(60));
@@ -121,10 +121,9 @@ bool slider(const char* name, const char* label, double& value, double least, do
   const ImVec2 low = ImGui::GetItemRectMin(), end = ImGui::GetItemRectMax();
   const float x0 = low.x + knob, x1 = std::max(x0 + 1.0f, end.x - knob), y = end.y - knob;
   const double before = value;
-  const auto snapped = [&](double v) { return std::clamp(least + std::round((v - least) / step) * step, least, most); };
+  const auto snapped = [&](double v) { return std::clamp(min + std::round((v - min) / step) * step, min, max); };
   if (held && ImGui::IsMouseDown(0))
-    value =
-        snapped(least + (most - least) * double(std::clamp((ImGui::GetIO().MousePos.x - x0) / (x1 - x0), 0.0f, 1.0f)));
+    value = snapped(min + (max - min) * double(std::clamp((ImGui::GetIO().MousePos.x - x0) / (x1 - x0), 0.0f, 1.0f)));
   if (const int notches = arrowsAtItem()) value = snapped(value + step * notches);
   if (hovered && !held && ImGui::GetIO().MouseWheel != 0.0f) {
     value = snapped(value + step * double(ImGui::GetIO().MouseWheel));
@@ -137,7 +136,7 @@ bool slider(const char* name, const char* label, double& value, double least, do
   const std::string name_shown = elided(label, width - value_w - look().px(8));
   drawText(low, p.text, name_shown.c_str());
   drawText({end.x - value_w, low.y}, p.quiet, shown.c_str());
-  const float at = x0 + (x1 - x0) * float(std::clamp((value - least) / (most - least), 0.0, 1.0));
+  const float at = x0 + (x1 - x0) * float(std::clamp((value - min) / (max - min), 0.0, 1.0));
   draw->AddRectFilled({x0, y - 0.5f * track_h}, {x1, y + 0.5f * track_h}, p.pressed, 0.5f * track_h);
   draw->AddRectFilled({x0, y - 0.5f * track_h}, {at, y + 0.5f * track_h}, p.accent, 0.5f * track_h);
   if (hovered || held) draw->AddCircleFilled({at, y}, knob + look().px(3), faded(p.accent, 0.2f), 32);

@@ -60,9 +60,9 @@ struct ShownAs {
   double code_units = 1.0;  ///< the value 1 in the code's unit of the dimension
 };
 
-/// A label and value above a track. `least`, `most` and `step` have the value's unit. The mouse wheel changes the value
+/// A label and value above a track. `min`, `max` and `step` have the value's unit. The mouse wheel changes the value
 /// by `step` while the pointer is over the control, unless the panel itself scrolls. Returns whether it was changed.
-bool slider(const char* name, const char* label, double& value, double least, double most, double step,
+bool slider(const char* name, const char* label, double& value, double min, double max, double step,
             const ShownAs& shown_as, const char* tip = nullptr);
 /// Choices side by side, given by their English labels (N_). The screen shows them in the language in use, the widget
 /// map in English. Returns whether another one was chosen.

@@ -40,14 +40,14 @@ void Fingers::pushNotch(double now_s) {
   pad_->last_s = now_s;
 }
 
-void Fingers::down(int id, glm::dvec2 place, On on, double now_s, double line_px) {
-  if (on == On::Harder || on == On::Lighter) {
+void Fingers::down(int id, glm::dvec2 place, Target on, double now_s, double line_px) {
+  if (on == Target::Harder || on == Target::Lighter) {
     if (pad_) return;
-    pad_ = Pad{id, on == On::Harder ? 1.0 : -1.0, now_s};
+    pad_ = Pad{id, on == Target::Harder ? 1.0 : -1.0, now_s};
     pushNotch(now_s);
     return;
   }
-  const bool in_view = on == On::View;
+  const bool in_view = on == Target::View;
   const auto same = std::find_if(fingers_.begin(), fingers_.end(), [id](const Finger& f) { return f.id == id; });
   if (same != fingers_.end()) return;
   fingers_.push_back({id, place});
@@ -55,7 +55,7 @@ void Fingers::down(int id, glm::dvec2 place, On on, double now_s, double line_px
     begun_ = last_ = place;
     begun_s_ = now_s;
     line_px_ = std::max(1.0, line_px);
-    way_ = in_view ? Way::Pushing : on == On::Edge ? Way::Dragging : Way::Waiting;
+    way_ = in_view ? Way::Pushing : on == Target::Edge ? Way::Dragging : Way::Waiting;
     to_.pointer(place.x, place.y);
     if (way_ != Way::Waiting) to_.button(kLeft, true);
   } else if (fingers_.size() == 2 && way_ == Way::Pushing) {

@@ -19,7 +19,7 @@ class Fingers {
  public:
   explicit Fingers(InputQueue& to) : to_(to) {}
 
-  enum class On {
+  enum class Target {
     Panel,
     View,  ///< the view of the molecule
     Edge,  ///< between two panels; any motion drags it
@@ -28,7 +28,7 @@ class Fingers {
   };
 
   /// A finger touches the screen. `line_px` is the height of a line of text.
-  void down(int id, glm::dvec2 place_px, On on, double now_s, double line_px);
+  void down(int id, glm::dvec2 place_px, Target on, double now_s, double line_px);
   void move(int id, glm::dvec2 place_px);
   void up(int id);
   /// Called once per frame.

@@ -61,8 +61,8 @@ class Messages {
   }
 
  private:
-  void addForAWhile(MessageKind kind, std::string text, double least_s) {
-    const double shown_s = std::max(least_s, double(text.size()) / kRead_bytes_per_s);
+  void addForAWhile(MessageKind kind, std::string text, double min_s) {
+    const double shown_s = std::max(min_s, double(text.size()) / kRead_bytes_per_s);
     add({kind, std::move(text), shown_s});
   }
   void add(Message message) {

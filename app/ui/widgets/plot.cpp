@@ -43,7 +43,7 @@ void plot(const char* name, const PlotBuffer& buffer, double newest, const PlotL
 
   const ImVec2 a{low.x, low.y + head}, b = high;
   draw->AddRectFilled(a, b, p.raised, l.px(6));
-  float top = how.least_top;
+  float top = how.min_top;
   for (std::size_t k = 0; k < buffer.size(); ++k) top = std::max(top, buffer.ago(k));
   top = roundUp(std::min(top, 1e30f) * 1.02f);
   const float inset = l.px(6), y0 = b.y - inset, y1 = a.y + inset;

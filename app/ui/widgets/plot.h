@@ -8,10 +8,10 @@ namespace moltact {
 
 struct PlotLook {
   const char* title = "";
-  float least_top = 1.0f;  ///< lower bound of the scale's upper end
-  float height = 86.0f;    ///< unit: pixel at 96 dpi
-  double span_s = 5.0;     ///< time from the oldest value to the newest
-  ShownAs shown_as{};      ///< format of the newest value
+  float min_top = 1.0f;  ///< lower bound of the scale's upper end
+  float height = 86.0f;  ///< unit: pixel at 96 dpi
+  double span_s = 5.0;   ///< time from the oldest value to the newest
+  ShownAs shown_as{};    ///< format of the newest value
 };
 
 /// Draws the plot as wide as there is room. Recorded as `name`, with the newest value as its text.

@@ -240,7 +240,7 @@ RichTextWidths richTextWidths(const RichText& text) {
   float line = 0.0f;
   for (const TextWord& word : wordsOf(text)) {
     line = word.new_line ? word.width : line + (line > 0 ? word.space : 0.0f) + word.width;
-    out.least = std::max(out.least, word.width);
+    out.min = std::max(out.min, word.width);
     out.whole = std::max(out.whole, line);
   }
   return out;
@@ -260,18 +260,18 @@ std::string drawRichTable(const char* name, const Table& table, ImU32 colour, fl
       if (r == 0)
         for (TextRun& run : rows[r][c]) run.bold = true;
       const RichTextWidths w = richTextWidths(rows[r][c]);
-      wanted[c] = {std::max(wanted[c].least, w.least), std::max(wanted[c].whole, w.whole)};
+      wanted[c] = {std::max(wanted[c].min, w.min), std::max(wanted[c].whole, w.whole)};
     }
-  float least = 0.0f, whole = 0.0f;
-  for (const RichTextWidths& w : wanted) least += w.least, whole += w.whole;
+  float min = 0.0f, whole = 0.0f;
+  for (const RichTextWidths& w : wanted) min += w.min, whole += w.whole;
   std::vector<float> wide(columns);
   for (std::size_t c = 0; c < columns; ++c) {
     const RichTextWidths& w = wanted[c];
     // If all texts fit on one line, each column has its full width. Otherwise the room beyond the widest words is
     // divided by the lengths of the texts. If even the widest words do not fit, words are broken.
-    wide[c] = whole <= room   ? w.whole
-              : least <= room ? w.least + (room - least) * (w.whole - w.least) / std::max(1.0f, whole - least)
-                              : room * w.least / least;
+    wide[c] = whole <= room ? w.whole
+              : min <= room ? w.min + (room - min) * (w.whole - w.min) / std::max(1.0f, whole - min)
+                            : room * w.min / min;
     wide[c] = std::max(1.0f, std::ceil(wide[c]));
   }
   std::string clicked;

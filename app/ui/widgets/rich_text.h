@@ -25,9 +25,9 @@ void paintRichText(ImDrawList* draw, ImVec2 at, const RichText& text, ImU32 colo
 /// The height from the top of the first line's letters to the bottom of the last line's.
 float richTextHeight(const RichText& text, float width);
 
-/// The width of the text on one line (`whole`) and of its widest word (`least`). Below `least`, words are broken.
+/// The width of the text on one line (`whole`) and of its widest word (`min`). Below `min`, words are broken.
 struct RichTextWidths {
-  float least = 0.0f, whole = 0.0f;
+  float min = 0.0f, whole = 0.0f;
 };
 RichTextWidths richTextWidths(const RichText& text);
 

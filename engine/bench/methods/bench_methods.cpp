@@ -11,7 +11,7 @@
 namespace moltact::bench {
 namespace {
 
-struct Row {
+struct MeasuredMethod {
   Method method;
   MethodLimits limits = {};
 };
@@ -37,32 +37,34 @@ constexpr MethodFamily kMesh{"Mesh", ""}, kGrid{"Grid", ""}, kSurfaceMesh{"Surfa
 
 // The bench's reports are in English, so that these words are not translated.
 constexpr std::array kTable{
-    Row{{.name = "mesh960-tree",
-         .sentence = "a god-object on 960 triangles a ball, with a full tree search in every tick",
-         .make = &makeTreeMesh,
-         .family = kMesh,
-         .grade = "960",
-         .triangles = 960,
-         .follows_motion = true}},
-    Row{{.name = "grid02-ready",
-         .sentence = "the grid 0.2 A apart, made beforehand wherever the surface is",
-         .make = &makeReadyGrid<2>,
-         .family = kGrid,
-         .grid_spacing_A = 0.2},
-        {.max_spheres = kMaxPrepared}},
-    Row{{.name = "grid04-ready",
-         .sentence = "the grid 0.4 A apart, made beforehand wherever the surface is",
-         .make = &makeReadyGrid<4>,
-         .family = kGrid,
-         .grid_spacing_A = 0.4},
-        {.max_spheres = kMaxPrepared}},
-    Row{{.name = "sasmesh05",
+    MeasuredMethod{{.name = "mesh960-tree",
+                    .sentence = "a god-object on 960 triangles per sphere, with a full tree search in every tick",
+                    .make = &makeTreeMesh,
+                    .family = kMesh,
+                    .grade = "960",
+                    .triangles = 960,
+                    .follows_motion = true}},
+    MeasuredMethod{{.name = "grid02-ready",
+                    .sentence = "the grid 0.2 A apart, made beforehand wherever the surface is",
+                    .make = &makeReadyGrid<2>,
+                    .family = kGrid,
+                    .grid_spacing_A = 0.2},
+                   {.max_spheres = kMaxPrepared}},
+    MeasuredMethod{{.name = "grid04-ready",
+                    .sentence = "the grid 0.4 A apart, made beforehand wherever the surface is",
+                    .make = &makeReadyGrid<4>,
+                    .family = kGrid,
+                    .grid_spacing_A = 0.4},
+                   {.max_spheres = kMaxPrepared}},
+    MeasuredMethod{
+        {.name = "sasmesh05",
          .sentence = "a god-object on one manifold mesh of the surface, made beforehand on a grid 0.5 A apart",
          .make = &makeSasMesh<50>,
          .family = kSurfaceMesh,
          .grid_spacing_A = 0.5},
         {.max_spheres = kMaxPrepared, .one_probe = true}},
-    Row{{.name = "sasmesh025",
+    MeasuredMethod{
+        {.name = "sasmesh025",
          .sentence = "a god-object on one manifold mesh of the surface, made beforehand on a grid 0.25 A apart",
          .make = &makeSasMesh<25>,
          .family = kSurfaceMesh,
@@ -75,7 +77,7 @@ constexpr std::array kTable{
 std::span<const Method> benchMethods() {
   static const std::vector<Method> all = [] {
     std::vector<Method> out(methods().begin(), methods().end());
-    for (const Row& row : kTable) out.push_back(row.method);
+    for (const MeasuredMethod& row : kTable) out.push_back(row.method);
     return out;
   }();
   return all;
@@ -88,7 +90,7 @@ const Method* findBenchMethod(std::string_view name) {
 }
 
 MethodLimits limitsOf(const Method& method) {
-  for (const Row& row : kTable)
+  for (const MeasuredMethod& row : kTable)
     if (row.method.name == method.name) return row.limits;
   return {};
 }

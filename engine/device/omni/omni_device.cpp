@@ -113,7 +113,7 @@ void OmniDevice::unschedule() {
   const bool none_given = last_frame_came && none_given_.load(std::memory_order_acquire);
   if (!none_given) guard_.switchOff();
   hd_.stopScheduler();
-  if (!none_given) giveNone();  // the callback no longer runs
+  if (!none_given) writeZeroForce();  // the callback no longer runs
   hd_.unschedule(scheduled_);
   last_act_.disarm();
   drainErrors(hd_);
@@ -167,7 +167,7 @@ hd::CallbackCode OmniDevice::frame() noexcept {
   guard_.frame();
   const bool ends = ends_.load(std::memory_order_acquire);
   if (own_.broken)
-    giveNone();
+    writeZeroForce();
   else
     tickFrame(ends);
   // A last frame that the driver has not accepted is repeated while unschedule() waits.
@@ -193,7 +193,7 @@ bool OmniDevice::endFrame(const Vec3& force_N, bool failed) noexcept {
 }
 
 // A complete frame without force.
-void OmniDevice::giveNone() noexcept {
+void OmniDevice::writeZeroForce() noexcept {
   drain();
   hd_.beginFrame(handle_.load(std::memory_order_relaxed));
   endFrame(Vec3(0.0), drain().fails_frame);
@@ -263,7 +263,7 @@ void OmniDevice::tickFrame(bool ends) noexcept {
   // Later frames do not restart the force.
   own_.broken = true;
   guard_.switchOff();
-  giveNone();
+  writeZeroForce();
 }
 
 // Called in a signal handler.

@@ -68,7 +68,7 @@ class OmniDevice final : public Device {
   static hd::CallbackCode callback(void* self);
   hd::CallbackCode frame() noexcept;
   void tickFrame(bool ends) noexcept;
-  void giveNone() noexcept;
+  void writeZeroForce() noexcept;
   /// A summary of the driver's error stack.
   struct Drained {
     bool lost = false;         ///< the device or its clock is lost

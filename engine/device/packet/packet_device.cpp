@@ -152,10 +152,10 @@ void PacketDevice::takeTurn(int wait_ms) noexcept {
   } catch (...) {  // out of memory, or the port throws: the device is reopened
     return lose(state);
   }
-  if (own_thread_) giveNewest();
+  if (own_thread_) writeNewestForce();
 }
 
-void PacketDevice::giveNewest() noexcept {
+void PacketDevice::writeNewestForce() noexcept {
   if (!port_) return;
   try {
     if (sendNewest(own_state_)) return;
@@ -191,7 +191,7 @@ void PacketDevice::command(const Wrench& wrench, bool motors_on) noexcept {
   next_command_.at = Clock::now();
   ++next_command_.count;
   command_.write(next_command_);
-  if (!own_thread_) giveNewest();
+  if (!own_thread_) writeNewestForce();
 }
 
 DeviceStatus PacketDevice::status() {

@@ -73,7 +73,7 @@ class PacketDevice final : public Device {
   std::optional<Problem> openPort();
   void run();
   void takeTurn(int wait_ms) noexcept;
-  void giveNewest() noexcept;
+  void writeNewestForce() noexcept;
   bool reopen(State& state);
   int receive(State& state, int wait_ms);
   bool sendNewest(State& state);

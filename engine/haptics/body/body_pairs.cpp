@@ -7,7 +7,7 @@ namespace {
 
 constexpr std::int32_t kLeaf = 8;  // spheres of a leaf
 // The near list is made anew where it covers less than this, the far list where it covers less than the near list needs.
-constexpr double kLeastCovered_A = 0.12;
+constexpr double kMinCovered_A = 0.12;
 constexpr double kMinRange_A = 1e-6;
 constexpr double kMaxSearch_A = 16.0, kMaxSearchedRadius_A = 8.0;
 
@@ -202,7 +202,7 @@ void BodyPairs::refresh() noexcept {
 
 void BodyPairs::look(const BodyPose& pose) noexcept {
   if (stale_) refresh();
-  if (near_range_ >= 0.0 && covered_A(pose) >= std::min(kLeastCovered_A, 0.3 * near_range_)) return;
+  if (near_range_ >= 0.0 && covered_A(pose) >= std::min(kMinCovered_A, 0.3 * near_range_)) return;
   // The far list holds every pair that comes within far_range_ of its pose at any time of the motion.
   double range = far_range_ - surfaceMotion_A(far_pose_, pose, reach_);
   if (!(far_range_ >= 0.0 && range >= std::min(kNear_A, 0.25 * far_range_))) {

@@ -101,7 +101,7 @@ class ExactBody final : public Interaction {
   QpSolution solve(const Factor6* metric, const Six& pull, double rotation_rad) noexcept;
   Matrix6 hessian(const Vec3& theta) const noexcept;
   void lookAtMetric(const Six& pull) noexcept;
-  double leastCurvature(const Six& pull, Six& direction) const noexcept;
+  double smallestCurvature(const Six& pull, Six& direction) const noexcept;
 
   std::shared_ptr<const SphereGrid> scene_;
   std::shared_ptr<const HeldBody> body_;

@@ -87,7 +87,7 @@ void ExactBody::seekRest() noexcept {
       }
       lookAtMetric(d);
       Six direction;
-      at_rest_ = metric_.definite || leastCurvature(d, direction) >= kSaddle;
+      at_rest_ = metric_.definite || smallestCurvature(d, direction) >= kSaddle;
       if (at_rest_ || kicks == kKicks_A.size()) break;
       if (!gained_nothing) {
         kicks += kicks % 2;

@@ -148,7 +148,7 @@ void ExactBody::lookAtMetric(const Six& pull) noexcept {
 }
 
 // The least curvature of the Lagrangian along the motions that keep every contact, and its direction.
-double ExactBody::leastCurvature(const Six& pull, Six& direction) const noexcept {
+double ExactBody::smallestCurvature(const Six& pull, Six& direction) const noexcept {
   std::array<Six, 6> basis;
   std::size_t count = 0;
   const double negligible = 1e-10 * length(pull);

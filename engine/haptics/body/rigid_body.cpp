@@ -44,7 +44,7 @@ Response RigidBody::respond(const PoseA& pose) noexcept {
   }
   const glm::dmat3 axes =
       glm::mat3_cast(glm::normalize(pose.orientation));  // a device's quaternion has unit length within 1e-3 only
-  double springs = 0.0, farthest_A2 = -1.0, arms_A2 = 0.0, pulls_A2 = 0.0;
+  double stiffness_factor = 0.0, farthest_A2 = -1.0, arms_A2 = 0.0, pulls_A2 = 0.0;
   bool inside = false;
   for (std::size_t i = 0; i < spheres_.size(); ++i) {
     const Vec3 lever = axes * body_->spheres[i].centre_A;
@@ -58,12 +58,12 @@ Response RigidBody::respond(const PoseA& pose) noexcept {
     if (!felt.acts()) continue;
     next.sphere = i;
     ++held_;
-    springs += felt.springs;
+    stiffness_factor += felt.stiffness_factor;
     out.contact.displacement_A += c.displacement_A;
     out.contact.energy_A2 += c.energy_A2;
     out.torque_A2 += felt.torque_A2 + glm::cross(lever, c.displacement_A);
     const double arm_A2 = glm::dot(lever, lever), pull_A2 = glm::dot(c.displacement_A, c.displacement_A);
-    out.rotational_A2 += felt.rotational_A2 + felt.springs * arm_A2;
+    out.rotational_A2 += felt.rotational_A2 + felt.stiffness_factor * arm_A2;
     arms_A2 += arm_A2;
     pulls_A2 += pull_A2;
     if (felt.field) addField(*felt.field, lever, out);
@@ -80,11 +80,11 @@ Response RigidBody::respond(const PoseA& pose) noexcept {
     held_ = 0;
     return {.contact = {.scp = pose.place, .fault = Fault::StartedInside}};
   }
-  out.springs = std::max(1.0, springs);
+  out.stiffness_factor = std::max(1.0, stiffness_factor);
   // In addition to the springs at the levers: rotating the levers also rotates the forces' torques (Cauchy-Schwarz
   // bound).
   out.rotational_A2 += std::sqrt(arms_A2 * pulls_A2);
-  out.contact.scp.A += out.contact.displacement_A / out.springs;
+  out.contact.scp.A += out.contact.displacement_A / out.stiffness_factor;
   return out;
 }
 

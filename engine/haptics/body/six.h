@@ -129,16 +129,16 @@ inline double smallestEigenvalue(const Matrix6& a, std::size_t n, Six& vector) {
   return values[least];
 }
 
-/// Factors the matrix of which `b` holds the lower triangle. If a pivot is at most `least_pivot`, the factor is that of
+/// Factors the matrix of which `b` holds the lower triangle. If a pivot is at most `min_pivot`, the factor is that of
 /// the matrix with other eigenvalues, so that a step of Newton's method leads away from a saddle: half of the absolute
-/// value of a negative one, and each at least `least_modified`.
-inline Factor6 factored(Matrix6 b, double least_pivot, double least_modified) {
+/// value of a negative one, and each at least `min_modified`.
+inline Factor6 factored(Matrix6 b, double min_pivot, double min_modified) {
   Factor6 out;
   const auto run = [&] {
     for (std::size_t j = 0; j < 6; ++j) {
       double pivot = b.row[j][j];
       for (std::size_t k = 0; k < j; ++k) pivot -= out.lower.row[j][k] * out.lower.row[j][k];
-      if (!(pivot > least_pivot)) return false;
+      if (!(pivot > min_pivot)) return false;
       const double size = std::sqrt(pivot);
       out.lower.row[j][j] = size;
       out.inverse[j] = 1.0 / size;
@@ -159,9 +159,9 @@ inline Factor6 factored(Matrix6 b, double least_pivot, double least_modified) {
   for (std::size_t j = 0; j < 6; ++j) {
     Six axis;
     for (std::size_t i = 0; i < 6; ++i) axis[i] = axes.row[i][j];
-    b.addOuter(std::max(least_modified, values[j] < 0.0 ? -0.5 * values[j] : values[j]), axis);
+    b.addOuter(std::max(min_modified, values[j] < 0.0 ? -0.5 * values[j] : values[j]), axis);
   }
-  least_pivot = 0.0;
+  min_pivot = 0.0;
   run();
   return out;
 }

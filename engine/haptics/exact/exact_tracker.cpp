@@ -56,11 +56,11 @@ void ExactTracker::holdBy(std::int32_t a, std::int32_t b, std::int32_t c) noexce
   if (c >= 0 && c < b) std::swap(b, c);
   if (b >= 0 && b < a) std::swap(a, b);
   holders_ = {a, b, c};
-  lookAtHolders();
+  cacheActiveSet();
 }
 
 // Caches the geometry of the active set, for the fast path and the normals.
-void ExactTracker::lookAtHolders() noexcept {
+void ExactTracker::cacheActiveSet() noexcept {
   for (std::size_t k = 0; k < 3; ++k) {
     if (holders_[k] < 0) {
       held_[k] = {};

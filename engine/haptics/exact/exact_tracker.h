@@ -105,7 +105,7 @@ class ExactTracker final : public Tracker {
   SlideResult slideResult(double moved_A) const noexcept;
   double contactAt(const Vec3& place) const noexcept;
   void holdBy(std::int32_t a, std::int32_t b = -1, std::int32_t c = -1) noexcept;
-  void lookAtHolders() noexcept;
+  void cacheActiveSet() noexcept;
   Contact contact(const Vec3& hip) const noexcept;                           // ordinary_tick.cpp
   Contact contactHeldBy(std::size_t count, const Vec3& hip) const noexcept;  // ordinary_tick.cpp
 

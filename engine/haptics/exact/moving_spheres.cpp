@@ -118,7 +118,7 @@ bool ExactTracker::followsQuickly(const Vec3& hip, double moved_A) noexcept {
     if (!clear()) return false;
   }
   scp_ = place;
-  lookAtHolders();
+  cacheActiveSet();
   return true;
 }
 

@@ -71,7 +71,7 @@ void ExactTracker::swell() noexcept {
     }
     swells_ = near_.probe_A() != goal_A_;
   } while (swells_ && near_.workCount() < limit);
-  lookAtHolders();
+  cacheActiveSet();
 }
 
 // Moves the SCP to the nearest free point. Changes nothing if the spheres that contain it leave none.

@@ -95,7 +95,7 @@ Contact PenaltyTracker::step(PointA hip) noexcept {
 
 Response PenaltyTracker::respond(const PoseA& pose) noexcept {
   Response out{.contact = step(pose.place)};
-  if (out.contact.touching()) out.springs = stiffestDirection();
+  if (out.contact.touching()) out.stiffness_factor = stiffestDirection();
   return out;
 }
 

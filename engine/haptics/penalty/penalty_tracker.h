@@ -4,7 +4,7 @@
 // stored energy is the sum of k depth^2 / 2 over the spheres; the force is its negative gradient.
 //
 // Known limitations, verified by tests. Where spheres overlap the pushes add: a crease is too stiff, and the SCP's path
-// has a kink but no jump. A device that cannot render such a stiffness gets softer springs (Response::springs). Beyond
+// has a kink but no jump. A device that cannot render such a stiffness gets softer springs (Response::stiffness_factor). Beyond
 // a centre the push points to the far side, so a HIP pressed deep enough or moved fast enough passes through. Deep
 // inside a molecule the pushes of all sides cancel. A HIP exactly on a centre gets no push from that sphere, because no
 // direction is preferred.

@@ -45,7 +45,7 @@ class LineReader {
   LineReader(std::string_view line, std::size_t number, const std::string& file)
       : line_(line), number_(number), file_(file) {}
 
-  /// Nothing for an empty line; a problem in `problems` for a wrong one.
+  /// Returns nothing for an empty line; adds a problem to `problems` for a wrong one.
   std::optional<LearnerAct> read(std::vector<Problem>& problems) {
     const std::string_view body = stripped(line_.substr(0, line_.find('#')));
     if (body.empty()) return std::nullopt;
@@ -187,13 +187,13 @@ class LineReader {
   const std::string& file_;
 };
 
-std::optional<std::size_t> asNumber(std::string_view text, std::size_t most) {
+std::optional<std::size_t> asNumber(std::string_view text, std::size_t max) {
   const auto number = parseNumber(text);
-  if (!number || *number < 1.0 || *number > double(most) || *number != std::floor(*number)) return std::nullopt;
+  if (!number || *number < 1.0 || *number > double(max) || *number != std::floor(*number)) return std::nullopt;
   return static_cast<std::size_t>(*number) - 1;
 }
 
-// Carries out one act after the other, keeping where the hand is on the surface.
+// Carries out acts in order and keeps track of the hand's place on the surface.
 class Performer {
  public:
   Performer(ScriptedLearner& learner, const std::string& file) : learner_(learner), file_(file) {}
@@ -322,10 +322,10 @@ class Performer {
 
   void set(const LearnerAct& act) {
     const auto asked = current() ? current()->slider() : std::nullopt;
-    if (!asked || act.number < asked->least || act.number > asked->most) {
+    if (!asked || act.number < asked->min || act.number > asked->max) {
       tell(act, asked ? tr("the task's slider does not go so far") : tr("no number is asked for now"),
-           asked ? trf("it goes from {0} to {1}", quantityText(asked->least, asked->dimension),
-                       quantityText(asked->most, asked->dimension))
+           asked ? trf("it goes from {0} to {1}", quantityText(asked->min, asked->dimension),
+                       quantityText(asked->max, asked->dimension))
                  : tr("take the line out"));
       return;
     }
@@ -404,7 +404,7 @@ class Performer {
   ScriptedLearner& learner_;
   const std::string& file_;
   std::vector<Problem> problems_;
-  std::optional<SurfacePlace> on_;  // where the hand touches
+  std::optional<SurfacePlace> on_;  // the place that the hand touches
   double depth_A_ = 0.0;
 };
 

@@ -63,10 +63,10 @@ bool ScriptedLearner::timeIsUp() const { return touch_.time_s() - task_begun_s_ 
 void ScriptedLearner::tick(const PoseA& hand) {
   const std::size_t task = session_.currentTask();
   session_.feed(touch_.tick(hand));
-  if (session_.currentTask() != task) tellDone(task);
+  if (session_.currentTask() != task) reportDone(task);
 }
 
-void ScriptedLearner::tellDone(std::size_t task) {
+void ScriptedLearner::reportDone(std::size_t task) {
   const bool solved = session_.task(task).solved;
   LearnerEvent e = event(solved ? LearnerEvent::Kind::Task : LearnerEvent::Kind::GaveUp);
   e.index = task;
@@ -84,7 +84,7 @@ void ScriptedLearner::tell(const TaskAnswer& answer) {
   const std::size_t task = session_.currentTask();
   session_.answerTask(answer);
   if (session_.currentTask() != task)
-    tellDone(task);
+    reportDone(task);
   else
     touch_.setStage(session_.taskStage());
 }
@@ -93,19 +93,19 @@ void ScriptedLearner::follow(const HandPlan& plan) {
   if (!enterStep()) return;
   const std::size_t task = session_.currentTask();
   for (const HandAct& act : plan) {
-    const auto goesOn = [&] { return session_.currentTask() == task && !timeIsUp(); };
-    if (!goesOn()) return;
+    const auto running = [&] { return session_.currentTask() == task && !timeIsUp(); };
+    if (!running()) return;
     if (!act.method.empty()) touch_.useMethod(act.method);
     if (act.share) touch_.moveTo(*act.share);
-    while (touch_.moving() && goesOn()) tick(touch_.hand());
+    while (touch_.moving() && running()) tick(touch_.hand());
     const HandWay way = wayOf(act, touch_.hand(), kTick_s);
     if (act.placed)
       touch_.place(way.to);
     else
-      for (std::size_t k = 1; k <= way.ticks && goesOn(); ++k) tick(way.at(k));
+      for (std::size_t k = 1; k <= way.ticks && running(); ++k) tick(way.at(k));
     const auto rest = static_cast<long>(std::lround(act.wait_s / kTick_s));
-    for (long k = 0; k < rest && goesOn(); ++k) tick(touch_.hand());
-    if (act.answer && goesOn()) tell(*act.answer);
+    for (long k = 0; k < rest && running(); ++k) tick(touch_.hand());
+    if (act.answer && running()) tell(*act.answer);
   }
 }
 
@@ -125,7 +125,7 @@ bool ScriptedLearner::doTask() {
     }
     follow(plan);
     if (session_.currentTask() != task) return true;
-    // Whoever gets further, by progress or by an answer, may go on trying.
+    // An attempt that advances the progress or gives an answer does not count as failed.
     const double progress = session_.task(task).progress;
     if (progress > best) {
       best = progress;
@@ -147,7 +147,7 @@ bool ScriptedLearner::doTask() {
   return false;
 }
 
-void ScriptedLearner::tellAnswer(std::size_t question, const std::string& answer, bool right, int attempts_before) {
+void ScriptedLearner::reportAnswer(std::size_t question, const std::string& answer, bool right, int attempts_before) {
   LearnerEvent e = event(LearnerEvent::Kind::Question);
   e.index = question;
   e.place = session_.step().questions[question].place;
@@ -173,15 +173,15 @@ void ScriptedLearner::choose(std::size_t question, const std::vector<std::size_t
   for (const std::size_t k : choices)
     if (const auto& there = session_.step().questions[question].choices; k < there.size())
       answer += (answer.empty() ? "" : "; ") + plainText(there[k].text);
-  tellAnswer(question, answer, right, before);
+  reportAnswer(question, answer, right, before);
 }
 
 void ScriptedLearner::write(std::size_t question, const std::string& text) {
   const int before = session_.question(question).attempts;
-  tellAnswer(question, text, session_.write(question, text), before);
+  reportAnswer(question, text, session_.write(question, text), before);
 }
 
-void ScriptedLearner::answerRightly(std::size_t question) {
+void ScriptedLearner::answerCorrectly(std::size_t question) {
   const Question& asked = session_.step().questions[question];
   if (asked.choices.empty() && asked.answer) {
     const AnswerSpec& answer = *asked.answer;
@@ -221,11 +221,11 @@ void ScriptedLearner::demonstrateStepsLeft() {
 
 void ScriptedLearner::demonstrateStep() {
   enterStep();
-  // A task that cannot be done stands before those after it; the questions and the other steps can still be seen.
+  // A task that cannot be done blocks those after it; the questions and the other steps are still reachable.
   while (session_.currentTask() < session_.step().tasks.size())
     if (!doTask()) break;
   for (std::size_t q = 0; q < session_.step().questions.size(); ++q)
-    if (session_.takesAnswer(q)) answerRightly(q);
+    if (session_.takesAnswer(q)) answerCorrectly(q);
 }
 
 }  // namespace moltact

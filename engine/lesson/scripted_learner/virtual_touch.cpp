@@ -110,7 +110,7 @@ TouchSample VirtualTouch::tick(const PoseA& hand) {
   if (moves) fraction_ = std::min(1.0, fraction_ + 1.0 / motion_->ticks());
   const ServoSample s = step_.tick(settings_, felt_.get(), pose_, {}, {motion_.get(), fraction_});
   ++ticks_;
-  if (s.placed) exact_->reset();
+  if (s.contact_reset) exact_->reset();
   exact_->setProbe(s.probe_A);
   if (motion_) {
     exact_->setMotion(motion_.get());
@@ -120,7 +120,7 @@ TouchSample VirtualTouch::tick(const PoseA& hand) {
   // No method is judged with a body.
   TouchSample sample =
       touchSampleOf(s, method_, is_reference_ || body_ ? s.contact : exact_->respond({s.hip, s.orientation}).contact);
-  sample.time_s = time_s();  // of this clock, which goes on from scene to scene
+  sample.time_s = time_s();  // on the virtual clock, which continues across scenes
   return sample;
 }
 

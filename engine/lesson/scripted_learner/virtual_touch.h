@@ -1,5 +1,6 @@
-// A molecule under a scripted hand, on a virtual clock: the same servo tick and trackers as under a real hand, a
-// millisecond each, as fast as the computer runs. One thread, not the haptic one. Units: angstrom, newton, second.
+// A molecule under a scripted hand on a virtual clock, with the same servo tick and trackers as under a real hand. Each
+// tick is one millisecond and is computed as fast as possible. One thread, not the haptic one. Units: angstrom, newton,
+// second.
 #pragma once
 
 #include <memory>
@@ -21,7 +22,7 @@ namespace moltact {
 
 class VirtualTouch {
  public:
-  /// Sets the scene of a step with its molecule; the hand begins outside. The clock goes on from scene to scene.
+  /// Sets the scene of a step and its molecule; the hand begins outside. The clock continues across scenes.
   void begin(std::shared_ptr<const Molecule> molecule, const SceneSpec& scene);
   /// The two structures of the scene's atoms; null: they do not move. Until begin() is called again.
   void setStructures(std::shared_ptr<const TwoStates> states);
@@ -30,12 +31,12 @@ class VirtualTouch {
   bool moving() const { return motion_ && fraction_ < 1.0; }
   /// The changes of the scene that a task asks for; a default value for the scene as the lesson has it.
   void setStage(const TaskStage& stage);
-  /// Another method, from a fresh start. Unknown names change nothing.
+  /// Selects another method in its initial state. Ignores unknown names.
   void useMethod(std::string_view name);
 
-  /// The hand is there without a way between.
+  /// Moves the hand there without a path.
   void place(const PoseA& hand);
-  /// A millisecond with the hand there. What it holds is led with it.
+  /// Advances one millisecond with the hand at this pose. A held body moves with it.
   TouchSample tick(const PoseA& hand);
 
   const SphereGrid& spheres() const { return *spheres_; }
@@ -48,9 +49,9 @@ class VirtualTouch {
 
   std::shared_ptr<const Molecule> molecule_;
   std::shared_ptr<const SphereGrid> spheres_;
-  std::shared_ptr<const HeldBody> body_;  // what the hand holds; null: the probe
+  std::shared_ptr<const HeldBody> body_;  // what the hand holds; null: a probe
   std::unique_ptr<Interaction> felt_;
-  std::unique_ptr<Interaction> exact_;  // referenceOf() what is felt
+  std::unique_ptr<Interaction> exact_;  // the reference of the method in use (referenceOf())
   TouchSetup touch_;
   std::string_view method_;    // its name in the table of methods
   bool is_reference_ = false;  // what is felt is what exact_ would give

@@ -67,20 +67,21 @@ class Avoid : public Task {
 }  // namespace
 
 TaskKind avoidKind() {
-  return {"avoid",
-          "Feel the surface for a time without touching a region.",
-          {{.name = "avoid",
-            .type = ValueType::Selection,
-            .meaning = "The atoms that must not be touched.",
-            .required = true},
-           {.name = "for",
-            .type = ValueType::Quantity,
-            .meaning = "How long the rest of the surface is to be touched; moving through free space does not count.",
-            .fallback = "10 s",
-            .dimension = Dimension::Time,
-            .least = 0.1,
-            .most = 600.0}},
-          [](const TaskSpec& s, const Molecule& m) -> std::unique_ptr<Task> { return std::make_unique<Avoid>(s, m); }};
+  return {
+      "avoid",
+      "Feel the surface for a time without touching a region.",
+      {{.name = "avoid",
+        .type = ValueType::Selection,
+        .meaning = "The atoms that must not be touched.",
+        .required = true},
+       {.name = "for",
+        .type = ValueType::Quantity,
+        .meaning = "The time for which the rest of the surface must be touched; motion in free space does not count.",
+        .fallback = "10 s",
+        .dimension = Dimension::Time,
+        .min = 0.1,
+        .max = 600.0}},
+      [](const TaskSpec& s, const Molecule& m) -> std::unique_ptr<Task> { return std::make_unique<Avoid>(s, m); }};
 }
 
 }  // namespace moltact

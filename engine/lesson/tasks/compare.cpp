@@ -183,7 +183,7 @@ void checkCompare(const TaskSpec& spec, std::vector<Problem>& problems) {
                                  tr("write them parted by 'then': 'of: residue 4 then residue 9'")));
 }
 
-// Methods can only be compared by a student who may switch between them.
+// Comparing methods requires that the student may switch between them.
 void checkCompareScene(const TaskSpec& spec, const SceneSpec& scene, std::vector<Problem>& problems) {
   const Value& compare = spec.values["compare"];
   if (scene.locks("method") && !compare.words.empty() && !comparesPlaces(spec))
@@ -194,31 +194,32 @@ void checkCompareScene(const TaskSpec& spec, const SceneSpec& scene, std::vector
 }  // namespace
 
 TaskKind compareKind() {
-  return {"compare",
-          "Touch several places, or touch with several haptic methods, each for a while.",
-          {{.name = "compare",
-            .type = ValueType::WordList,
-            .meaning = "The methods, between which the student switches in any order; or places.",
-            .required = true,
-            .words = thingsToCompare()},
-           {.name = "of", .type = ValueType::Path, .meaning = "For 'compare: places': the places, parted by 'then'."},
-           {.name = "for",
-            .type = ValueType::Quantity,
-            .meaning = "How long to touch with each.",
-            .fallback = "2 s",
-            .dimension = Dimension::Time,
-            .least = 0.1,
-            .most = 600.0}},
-          [](const TaskSpec& s, const Molecule& m) -> std::unique_ptr<Task> {
-            if (comparesPlaces(s)) return std::make_unique<ComparePlaces>(s, m);
-            return std::make_unique<CompareMethods>(s);
-          },
-          &checkCompare,
-          nullptr,
-          &checkCompareScene,
-          "`compare: places` alone; the atoms count that the body presses hardest against, and the force on the whole "
-          "body.",
-          &comparesPlaces};
+  return {
+      "compare",
+      "Touch several places, or touch with several haptic methods, each for a while.",
+      {{.name = "compare",
+        .type = ValueType::WordList,
+        .meaning = "The methods, between which the student switches in any order; or 'places'.",
+        .required = true,
+        .words = thingsToCompare()},
+       {.name = "of", .type = ValueType::Path, .meaning = "For 'compare: places': the places, separated by 'then'."},
+       {.name = "for",
+        .type = ValueType::Quantity,
+        .meaning = "The time to touch with each.",
+        .fallback = "2 s",
+        .dimension = Dimension::Time,
+        .min = 0.1,
+        .max = 600.0}},
+      [](const TaskSpec& s, const Molecule& m) -> std::unique_ptr<Task> {
+        if (comparesPlaces(s)) return std::make_unique<ComparePlaces>(s, m);
+        return std::make_unique<CompareMethods>(s);
+      },
+      &checkCompare,
+      nullptr,
+      &checkCompareScene,
+      "`compare: places` alone; the atoms count that the body presses hardest against, and the force on the whole "
+      "body.",
+      &comparesPlaces};
 }
 
 }  // namespace moltact

@@ -36,7 +36,7 @@ class Cross : public Task {
   void onSample(const TouchSample& s, double dt_s) override {
     touching_ = s.contact.touching();
     if (!touching_) {
-      // A hand that hops for an instant at the crease has not let go.
+      // A hop of the hand at the crease is too short to count as leaving the surface.
       away_s_ += dt_s;
       if (away_s_ > kTouch_s) from_s_ = 0.0;
       if (on_from_ && away_s_ > kTouch_s) {
@@ -47,7 +47,7 @@ class Cross : public Task {
       return;
     }
     away_s_ = 0.0;
-    // Where either direction counts, the side that the student touches first is the start.
+    // If either direction counts, the slide starts on the side that the student touches first.
     if (either_ && !on_from_ && to_.holds(s.contact)) {
       std::swap(from_, to_);
       std::swap(from_name_, to_name_);
@@ -55,7 +55,7 @@ class Cross : public Task {
     }
     const bool here = limits_.allow(s.contact, s.probe_A);
     const bool from = here && from_.holds(s.contact), to = here && to_.holds(s.contact);
-    // A press that comes down on one atom and glances off to the other has not slid across.
+    // A press on one atom that slips off to the other does not count as a slide across.
     from_s_ = from ? from_s_ + dt_s : on_from_ ? from_s_ : 0.0;
     if (on_from_ && to && !from) {
       ++crossed_;
@@ -95,7 +95,7 @@ class Cross : public Task {
     return plan;
   }
 
-  // On the face of one atom, a little away from its crease with another.
+  // A place on the face of one atom, at a small distance from its crease with another.
   static SurfacePlace beside(const HandPlanInput& view, const SurfacePlace& crease, std::int32_t atom,
                              std::int32_t other) {
     constexpr double kBeside_A = 0.6;
@@ -109,9 +109,9 @@ class Cross : public Task {
 
   std::string guidance() const override {
     if (!said_.empty() && touching_) return said_;
-    // Atoms that look the same to either side need no names.
+    // If the atoms on both sides are equal, they need no names.
     const bool alike = either_ && !named_;
-    // Translators: "one atom" and "the other atom" are what is to be touched.
+    // Translators: "one atom" and "the other atom" are objects of "touch".
     if (on_from_)
       return counted(N_("Now slide to {0} without letting go."),
                      N_("Now slide to {0} without letting go ({1} of {2})."),
@@ -126,7 +126,7 @@ class Cross : public Task {
     return counted(N_("Touch {0} to begin."), N_("Touch {0} to begin ({1} of {2})."), begin);
   }
 
-  // The sentence with how often it was done, where more than once is asked for.
+  // The sentence with the number of repetitions done, if more than one is required.
   std::string counted(const char* once, const char* several, const std::string& place) const {
     return times_ > 1 ? trf(several, place, crossed_, times_) : trf(once, place);
   }
@@ -141,7 +141,7 @@ class Cross : public Task {
   TouchLimits limits_;
   WrongTouches wrong_;
   std::string said_;
-  double away_s_ = 0.0, from_s_ = 0.0;  // off the surface; on the start without a break
+  double away_s_ = 0.0, from_s_ = 0.0;  // time off the surface; uninterrupted time on the start
   bool either_ = false, named_ = false;
   int times_ = 1, crossed_ = 0, lifts_ = 0;
   bool on_from_ = false, lost_ = false, touching_ = false;
@@ -166,20 +166,23 @@ void checkSides(const TaskSpec& task, const Molecule& molecule, std::span<const 
 
 TaskKind crossKind() {
   std::vector<KeySpec> keys{
-      {.name = "cross", .type = ValueType::Selection, .meaning = "The atoms to start on.", .required = true},
+      {.name = "cross",
+       .type = ValueType::Selection,
+       .meaning = "The atoms on which the slide starts.",
+       .required = true},
       {.name = "to",
        .type = ValueType::Selection,
-       .meaning = "The atoms to arrive on; resting on them alone counts.",
+       .meaning = "The atoms on which it must end; resting on them alone counts.",
        .required = true},
       {.name = "arrival",
        .type = ValueType::Text,
-       .meaning = "What the atoms of 'to' are called in the middle of a sentence, as 'called' does for the start."},
+       .meaning = "The name of the atoms of 'to' inside a sentence, like 'called' for the start."},
       {.name = "direction",
        .type = ValueType::Word,
-       .meaning = "Whether the way back counts as well; 'either' suits atoms that look the same.",
+       .meaning = "Whether the opposite direction also counts; 'either' suits atoms that look alike.",
        .fallback = "forward",
        .words = {"forward", "either"}},
-      {.name = "times", .type = ValueType::Count, .meaning = "How often.", .fallback = "1", .least = 1, .most = 100}};
+      {.name = "times", .type = ValueType::Count, .meaning = "How often.", .fallback = "1", .min = 1, .max = 100}};
   for (KeySpec& key : TouchLimits::keys()) keys.push_back(std::move(key));
   keys.push_back(WrongTouches::key());
   return {"cross",

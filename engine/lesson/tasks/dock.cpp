@@ -207,7 +207,7 @@ void checkDockScene(const TaskSpec& spec, const SceneSpec& scene, std::vector<Pr
 
 // Whether a path leads there is found out by 'check --play'.
 void checkDockBody(const TaskSpec& spec, const std::shared_ptr<const HeldBody>& body,
-               std::span<const StructureChoice> structures, std::vector<Problem>& problems) {
+                   std::span<const StructureChoice> structures, std::vector<Problem>& problems) {
   const PoseGoal goal(body, goalOf(spec, *body));
   for (const StructureChoice& s : structures)
     if (freePoseAt(goal, Tolerance(spec), PoseSpace(*s.spheres, *body))) return;
@@ -231,28 +231,28 @@ TaskKind dockKind() {
                     .meaning = "How far the body's atoms may be off their places in the pose (root mean square).",
                     .fallback = "1 Å",
                     .dimension = Dimension::Length,
-                    .least = 0.1,
-                    .most = 20.0},
+                    .min = 0.1,
+                    .max = 20.0},
                    {.name = "turned",
                     .type = ValueType::Quantity,
                     .meaning = "How far the body may be turned off the pose, in degrees.",
                     .fallback = "20",
-                    .least = 1.0,
-                    .most = 180.0},
+                    .min = 1.0,
+                    .max = 180.0},
                    {.name = "for",
                     .type = ValueType::Quantity,
                     .meaning = "How long it must stay there; slips under 0.3 s are forgiven.",
                     .fallback = "1 s",
                     .dimension = Dimension::Time,
-                    .least = 0.1,
-                    .most = 600.0},
+                    .min = 0.1,
+                    .max = 600.0},
                    {.name = "away",
                     .type = ValueType::Quantity,
                     .meaning = "So far off the pose the body must have been since the hand was last put down.",
                     .fallback = "5 Å",
                     .dimension = Dimension::Length,
-                    .least = 0.5,
-                    .most = 1000.0},
+                    .min = 0.5,
+                    .max = 1000.0},
                    {.name = "turn",
                     .type = ValueType::Word,
                     .meaning = "Whether a mouse's hand begins turned at random, by 60° or more off the pose, another "

@@ -1,4 +1,4 @@
-// feel: visit kinds of place (sphere, crease, pit), or a number of different atoms.
+// feel: find places of several kinds (sphere, crease, pit), or a number of different atoms.
 #include <algorithm>
 #include <utility>
 
@@ -10,12 +10,12 @@
 namespace moltact {
 namespace {
 
-// Who has pressed so often, or been on the surface for so long, without finding a place gets a hint, and the view comes
-// close; later examples are marked.
+// After this many presses or this time on the surface without a find, the student gets a hint and the view zooms in;
+// later, examples are marked.
 constexpr int kHint_presses = 4, kExamples_presses = 8;
 constexpr double kHint_s = 15.0, kExamples_s = 30.0;
 
-// Atoms of up to three places of this kind near a contact point, which a probe reaches from outside; none for the face of
+// Atoms of up to three places of this kind near a contact point that a probe reaches from outside. None for the face of
 // an atom, which is everywhere.
 std::vector<std::uint32_t> examplesNear(const std::vector<Sphere>& spheres, const AtomSet& where, std::string_view kind,
                                         const Vec3& near_A, double probe_A) {
@@ -52,7 +52,7 @@ std::vector<std::uint32_t> examplesNear(const std::vector<Sphere>& spheres, cons
   return out;
 }
 
-/// Each kind of place once, in any order.
+/// Requires one place of each kind, in any order.
 class FeelPlaces : public Task {
  public:
   FeelPlaces(const TaskSpec& spec, const Molecule& molecule)
@@ -71,7 +71,7 @@ class FeelPlaces : public Task {
 
   void leaveOut(std::span<const std::uint32_t> untouchable) override {
     for (const std::uint32_t a : untouchable)
-      if (a < spheres_.size()) spheres_[a].centre_A = Vec3(1e9);  // so far away that no place is made by it
+      if (a < spheres_.size()) spheres_[a].centre_A = Vec3(1e9);  // so far away that it forms no place
   }
 
   std::vector<std::uint32_t> exampleAtoms() const override { return examples_; }
@@ -91,7 +91,7 @@ class FeelPlaces : public Task {
     examples_.clear();
   }
 
-  // How long the search for the first place that is missing has lasted, and what helps.
+  // Measures how long the search for the next missing kind has lasted, and gives help.
   void search(const TouchSample& s, double dt_s) {
     if (!touching_) {
       away_s_ += dt_s;
@@ -167,17 +167,17 @@ class FeelPlaces : public Task {
   std::vector<std::uint32_t> examples_;
   std::optional<PointA> close_to_;
   std::size_t felt_ = 0;
-  int presses_ = 0;                         // of the search for what is missing
-  double searched_s_ = 0.0, away_s_ = 0.0;  // on the surface; off it since the last press
+  int presses_ = 0;                         // during the search for the next missing kind
+  double searched_s_ = 0.0, away_s_ = 0.0;  // time on the surface; time off it since the last press
   bool touching_ = false, on_wanted_ = false;
 };
 
-/// A number of different atoms.
+/// Requires a number of different atoms.
 class FeelAtoms : public Task {
  public:
   FeelAtoms(const TaskSpec& spec, const Molecule& molecule)
       : Task(spec), where_(spec.values["of"].selection, molecule), watches_(molecule.atoms.size()) {
-    // An author may ask for more atoms than the molecule has; all of them are then enough.
+    // The author may require more atoms than the molecule has; then all of them are enough.
     wanted_ = std::clamp<std::size_t>(static_cast<std::size_t>(spec.values["count"].number), 1,
                                       std::max<std::size_t>(where_.count(), 1));
   }
@@ -209,7 +209,7 @@ class FeelAtoms : public Task {
     for (const std::uint32_t a : where_.atoms())
       if (watches_[a] < kTouch_s) left.push_back(a);
     std::size_t planned = felt_;
-    // Atom by atom, those that stick out first; another attempt begins with others.
+    // One atom after the other, the most exposed first; another attempt begins with other atoms.
     std::vector<SurfacePlace> places = openPlaces(view, left, Feature::Sphere, 20 * wanted_);
     if (!places.empty())
       std::rotate(places.begin(), places.begin() + view.attempt % static_cast<int>(places.size()), places.end());
@@ -232,7 +232,7 @@ class FeelAtoms : public Task {
   void measure(std::vector<TaskFigure>& out) const override { out.push_back({N_("atoms felt"), double(felt_), ""}); }
 
   AtomSet where_;
-  std::vector<double> watches_;  // time on each atom, in seconds
+  std::vector<double> watches_;  // time on each atom (unit: second)
   std::size_t wanted_ = 1, felt_ = 0;
   bool touching_ = false;
 };
@@ -263,16 +263,16 @@ TaskKind feelKind() {
       {{.name = "feel",
         .type = ValueType::WordList,
         .meaning =
-            "What to find: sphere (one atom), crease (where two meet), pit (where three meet), in any order; or atoms.",
+            "What to find, in any order: sphere (one atom), crease (two atoms meet), pit (three atoms meet); or atoms.",
         .required = true,
         .words = {"sphere", "crease", "pit", "atoms"}},
        {.name = "count",
         .type = ValueType::Count,
-        .meaning = "How many different atoms 'feel: atoms' asks for.",
+        .meaning = "For 'feel: atoms': the number of different atoms.",
         .fallback = "3",
-        .least = 1,
-        .most = 1000},
-       {.name = "of", .type = ValueType::Selection, .meaning = "Only places that are made by these atoms count."}},
+        .min = 1,
+        .max = 1000},
+       {.name = "of", .type = ValueType::Selection, .meaning = "Only places formed by these atoms count."}},
       [](const TaskSpec& s, const Molecule& m) -> std::unique_ptr<Task> {
         if (feelsAtoms(s)) return std::make_unique<FeelAtoms>(s, m);
         return std::make_unique<FeelPlaces>(s, m);

@@ -1,5 +1,5 @@
-// find: with the screen dark, go over the surface to a place and say "here". The molecule is turned at random, anew
-// after each look and when the guesses have been used up, so that no place of the screen says where it is.
+// find: on a dark screen, find a place on the surface by touch and report it with "here". The molecule is rotated at
+// random, again after each look and when the guesses are used up, so that no position on the screen reveals the place.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -13,11 +13,12 @@
 namespace moltact {
 namespace {
 
-constexpr double kStill_A = 0.4;   // a contact point that stays within this rests
-constexpr double kStill_s = 2.0;   // resting for so long says "here" where the author wants it so
-constexpr double kWarmer_A = 1.0;  // a change of distance that is worth a word
-constexpr double kClose_A = 3.0;   // a wrong guess so near to what counts is called close
-constexpr double kFront = 0.35;    // cosine of the angle within which the place looks to the person, whatever the turn
+constexpr double kStill_A = 0.4;   // a contact point that stays within this distance is at rest
+constexpr double kStill_s = 2.0;   // resting for this time counts as "here" if the author chose this
+constexpr double kWarmer_A = 1.0;  // minimum change of distance for "Warmer" and "Colder"
+constexpr double kClose_A = 3.0;   // a wrong guess within this distance of the place is called close
+// cosine of the largest angle between the place's direction and the viewer's, in every rotation
+constexpr double kFront = 0.35;
 
 class Find : public Task {
  public:
@@ -58,15 +59,15 @@ class Find : public Task {
   struct Now {
     double off_A = 0.0, first_off_A = -1.0, still_s = 0.0;
     Vec3 resting_A{0.0};
-    double told_A = -1.0;  // of the wrong guess before, in this search
+    double reported_A = -1.0;  // distance of the previous wrong guess in this search; negative: none
     int guesses = 0, looks = 0, rounds = 1;
-    int left = 0;             // guesses of this round
-    std::string said;         // to the last guess
-    std::string author_says;  // to what is touched
-    bool touching = false, felt = false, right = false, lit = false, told_here = false;
+    int left = 0;             // remaining guesses of this round
+    std::string said;         // the reply to the last guess
+    std::string author_says;  // the author's reply to what is touched
+    bool touching = false, felt = false, right = false, lit = false, reported_here = false;
   };
 
-  // Any turn is as likely as any other (Shoemake 1992), of those that let the place look to the person.
+  // A uniformly distributed rotation (Shoemake 1992) among those in which the place faces the viewer.
   void turn() {
     now_.left = guesses_;
     if (!turns_) return;
@@ -79,18 +80,18 @@ class Find : public Task {
     }
   }
 
-  // The hand begins anew before the molecule, which may be turned; what was felt until now says nothing any more.
+  // Restarts the search: the hand begins outside the molecule, which may be rotated, so earlier contacts are discarded.
   void again() {
     turn();
     ++presentation_;
-    now_.touching = now_.felt = now_.right = now_.told_here = false;
+    now_.touching = now_.felt = now_.right = now_.reported_here = false;
     now_.still_s = 0.0;
-    now_.told_A = -1.0;
+    now_.reported_A = -1.0;
     now_.author_says.clear();
   }
 
   void onSample(const TouchSample& s, double dt_s) override {
-    // What was said to a guess stands until the next touch.
+    // The reply to a guess stays until the next touch.
     if (s.contact.touching() && !now_.touching && !by_holding_) now_.said.clear();
     now_.touching = s.contact.touching();
     if (!now_.touching || now_.lit) {
@@ -104,15 +105,15 @@ class Find : public Task {
     if (glm::distance(s.contact.scp.A, now_.resting_A) > kStill_A) {
       now_.resting_A = s.contact.scp.A;
       now_.still_s = 0.0;
-      now_.told_here = false;
+      now_.reported_here = false;
       now_.said.clear();
     } else {
       now_.still_s += dt_s;
     }
     if (!by_holding_) return;
-    setProgress(now_.told_here ? 0.0 : now_.still_s / kStill_s);
-    if (now_.still_s >= kStill_s && !now_.told_here) {
-      now_.told_here = true;
+    setProgress(now_.reported_here ? 0.0 : now_.still_s / kStill_s);
+    if (now_.still_s >= kStill_s && !now_.reported_here) {
+      now_.reported_here = true;
       here();
     }
   }
@@ -128,11 +129,11 @@ class Find : public Task {
     return plan;
   }
 
-  // From the surface of the nearest atom, as the probe's centre sees it.
+  // Distance of the probe's surface from that of the nearest atom.
   double distance(const Vec3& scp, double probe_A) const {
-    double least = std::numeric_limits<double>::max();
-    for (const Sphere& b : spheres_) least = std::min(least, glm::distance(scp, b.centre_A) - b.radius_A - probe_A);
-    return std::max(0.0, least);
+    double min = std::numeric_limits<double>::max();
+    for (const Sphere& b : spheres_) min = std::min(min, glm::distance(scp, b.centre_A) - b.radius_A - probe_A);
+    return std::max(0.0, min);
   }
 
   void here() {
@@ -143,7 +144,7 @@ class Find : public Task {
       return;
     }
     now_.said = withHeat(why());
-    now_.told_A = now_.off_A;
+    now_.reported_A = now_.off_A;
     if (--now_.left > 0) {
       now_.said +=
           ' ' + trnf("{0} guess is left.", "{0} guesses are left.", static_cast<std::size_t>(now_.left), now_.left);
@@ -159,7 +160,7 @@ class Find : public Task {
   std::string solution() const override { return trf("It is marked in the view: {0}.", name_.text()); }
   std::vector<std::uint32_t> answerAtoms() const override { return target_.atoms(); }
 
-  // What the last touch was in place of the one that is asked for.
+  // How the last touch differs from the requested place.
   std::string why() const {
     if (!now_.author_says.empty()) return now_.author_says;
     const std::string name = name_.text();
@@ -186,7 +187,7 @@ class Find : public Task {
   std::vector<TaskButton> currentButtons() const override {
     if (now_.lit) return {{"dark", N_("Make it dark again"), 'L'}};
     std::vector<TaskButton> out;
-    // A mouse lets go before it clicks: the place that was touched last is meant.
+    // With a mouse the student has to let go before clicking, so the place touched last counts.
     if (!by_holding_ && now_.felt) out.push_back({"here", N_("Here it is")});
     if (now_.looks < looks_) out.push_back({"light", N_("Look for a moment"), 'L'});
     return out;
@@ -211,11 +212,11 @@ class Find : public Task {
                        : trf("Slide to {0}, then say that it is here.", name);
   }
 
-  // How a wrong guess compares with the one before it. A hand that slides is not told: whoever only followed the words
-  // would find the place.
+  // Compares a wrong guess with the previous one. Nothing is said while the hand slides; otherwise the words alone
+  // would lead to the place.
   std::string withHeat(std::string sentence) const {
-    if (!warmer_ || now_.told_A < 0.0 || std::abs(now_.off_A - now_.told_A) < kWarmer_A) return sentence;
-    return sentence + " " + (now_.off_A < now_.told_A ? tr("Warmer.") : tr("Colder."));
+    if (!warmer_ || now_.reported_A < 0.0 || std::abs(now_.off_A - now_.reported_A) < kWarmer_A) return sentence;
+    return sentence + " " + (now_.off_A < now_.reported_A ? tr("Warmer.") : tr("Colder."));
   }
 
   void measure(std::vector<TaskFigure>& out) const override {
@@ -233,8 +234,8 @@ class Find : public Task {
   double within_A_ = 3.0;
   bool by_holding_ = false, warmer_ = false, meter_ = true, turns_ = true;
   int guesses_ = 3, looks_ = 2, presentation_ = 1;
-  std::uint64_t state_ = 0;  // of the random row
-  Vec3 outward_{0.0};        // from the middle of the molecule to that of the place
+  std::uint64_t state_ = 0;  // of the random generator
+  Vec3 outward_{0.0};        // direction from the molecule's centre to the place's centre
   Quat turned_ = kNoRotation;
   Now now_;
 };
@@ -245,49 +246,49 @@ TaskKind findKind() {
   std::vector<KeySpec> keys{
       {.name = "find",
        .type = ValueType::Selection,
-       .meaning = "The atoms of which one is to be found.",
+       .meaning = "The atoms, one of which must be found.",
        .required = true},
       {.name = "within",
        .type = ValueType::Quantity,
-       .meaning = "A contact point so near to the surface of a selected atom is right as well.",
+       .meaning = "A contact point within this distance of a selected atom's surface also counts.",
        .fallback = "1 Å",
        .dimension = Dimension::Length,
-       .most = 100.0},
+       .max = 100.0},
       {.name = "by",
        .type = ValueType::Word,
-       .meaning = "How the student tells: with a button (here), or by resting for 2 s (hold).",
+       .meaning = "How the student answers: with a button (here), or by resting for 2 s (hold).",
        .fallback = "here",
        .words = {"here", "hold"}},
       {.name = "hints",
        .type = ValueType::Word,
-       .meaning = "Whether a wrong guess is said to be warmer or colder than the one before.",
+       .meaning = "Whether a wrong guess is called warmer or colder than the previous one.",
        .fallback = "none",
        .words = {"none", "warmer"}},
       {.name = "meter",
        .type = ValueType::Word,
-       .meaning = "Whether the force is shown in the dark, how great and whereto; without a force-feedback device "
-                  "it is all there is to feel.",
+       .meaning = "Whether magnitude and direction of the force are displayed in the dark. Without a force-feedback "
+                  "device this display is the only information.",
        .fallback = "on",
        .words = {"on", "off"}},
       {.name = "turn",
        .type = ValueType::Word,
-       .meaning = "Whether the molecule lies turned in the dark, another way for each student, after each look and "
-                  "when the guesses are used up; the place stays on the side of the student.",
+       .meaning = "Whether the molecule is rotated at random in the dark: differently for each student, after each "
+                  "look and when the guesses are used up. The place always faces the student.",
        .fallback = "random",
        .words = {"random", "none"}},
       {.name = "guesses",
        .type = ValueType::Count,
-       .meaning = "How often the student may say that it is here before the search begins anew.",
+       .meaning = "The number of guesses before the search restarts.",
        .fallback = "3",
-       .least = 1,
-       .most = 100},
-      attemptsKey("How many searches there are, each with its guesses: after the last one the place is shown, and the "
-                  "student goes on. Left out, as many as need be."),
+       .min = 1,
+       .max = 100},
+      attemptsKey("The number of searches, each with its guesses; by default unlimited. After the last one the place "
+                  "is shown, and the student continues."),
       {.name = "looks",
        .type = ValueType::Count,
        .meaning = "How often the student may look for a moment.",
        .fallback = "2",
-       .most = 100}};
+       .max = 100}};
   for (KeySpec& key : TouchLimits::keys()) keys.push_back(std::move(key));
   keys.push_back(WrongTouches::key());
   return {"find", "Find a place by touch alone, with the screen dark.", std::move(keys),

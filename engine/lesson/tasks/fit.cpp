@@ -1,6 +1,5 @@
-// fit: find the largest probe that gets to a place or through a ring, or the smallest that is kept out, by a slider.
-// The tracker judges: it says whether the probe that is felt with comes there, and a search over the same surface for
-// how large it may be.
+// fit: with a slider, find the largest probe that reaches a place or passes a ring, or the smallest that does not. The
+// tracker decides whether the present probe reaches it. A search over the same surface gives the limit.
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -14,9 +13,9 @@
 namespace moltact {
 namespace {
 
-constexpr double kAlike_A = 0.011;  // the probe has grown to what the slider says
-constexpr double kKeptOut_s = 1.0;  // so long a probe is tried before it may be called too large
-constexpr double kThrough_A = 0.5;  // so near to the ring's plane the probe is in it
+constexpr double kAlike_A = 0.011;  // the probe counts as grown to the slider's value within this
+constexpr double kKeptOut_s = 1.0;  // a probe must be tried for this time before it may be called too large
+constexpr double kThrough_A = 0.5;  // within this distance of the ring's plane, the probe is inside the ring
 
 const TouchProperty& probeProperty() {
   for (const TouchProperty& p : touchProperties())
@@ -24,11 +23,11 @@ const TouchProperty& probeProperty() {
   return touchProperties().front();
 }
 
-/// Where a probe of this radius comes to the atoms, on the side that counts.
+/// Places where a probe of this radius reaches the atoms, on the required side.
 std::vector<SurfacePlace> waysTo(const SphereGrid& scene, std::span<const std::uint32_t> atoms,
                                  const TouchLimits& limits, double probe_A, bool first_only = false) {
-  return comesTo(scene, atoms, probe_A, first_only,
-                 [&](const SurfacePlace& p) { return limits.allow(p.scp_A, probe_A); });
+  return reachablePlaces(scene, atoms, probe_A, first_only,
+                         [&](const SurfacePlace& p) { return limits.allow(p.scp_A, probe_A); });
 }
 
 class Fit : public Task {
@@ -41,8 +40,8 @@ class Fit : public Task {
         scene_(std::make_shared<const SphereGrid>(molecule.spheres)),
         through_(spec.values["way"].text == "through"),
         largest_(spec.values["want"].text == "largest"),
-        least_A_(spec.values["least"].number),
-        most_A_(spec.values["most"].number),
+        min_A_(spec.values["least"].number),
+        max_A_(spec.values["most"].number),
         within_A_(spec.values["within"].number) {
     if (through_) ring_ = ringOf(*scene_, target_.atoms());
     begin();
@@ -61,7 +60,7 @@ class Fit : public Task {
 
  private:
   void begin() {
-    value_A_ = largest_ ? least_A_ : most_A_;
+    value_A_ = largest_ ? min_A_ : max_A_;
     proven_A_ = -1.0;
     tried_s_ = 0.0;
     there_ = touching_ = false;
@@ -69,7 +68,7 @@ class Fit : public Task {
   }
 
   std::optional<TaskSlider> currentSlider() const override {
-    return TaskSlider{N_("Probe radius"), value_A_, least_A_, most_A_, 0.1, Dimension::Length};
+    return TaskSlider{N_("Probe radius"), value_A_, min_A_, max_A_, 0.1, Dimension::Length};
   }
 
   TaskStage requestedStage() const override {
@@ -98,7 +97,7 @@ class Fit : public Task {
     }
   }
 
-  // This probe has been there; a larger one that has been there proves it of a smaller one too.
+  // Whether this probe or a larger one has reached the place; a larger one proves it for all smaller ones.
   bool proven() const { return proven_A_ >= value_A_ - 1e-9; }
 
   std::vector<TaskButton> currentButtons() const override {
@@ -110,10 +109,10 @@ class Fit : public Task {
   double limit_A() const {
     if (!limit_A_) {
       const std::vector<std::uint32_t> atoms = target_.atoms();
-      limit_A_ = largestProbe(least_A_, most_A_, [&](double probe_A) {
+      limit_A_ = largestProbe(min_A_, max_A_, [&](double probe_A) {
                    if (!through_) return !waysTo(*scene_, atoms, limits_, probe_A, true).empty();
-                   return ring_ && wayThrough(*scene_, *ring_, probe_A);
-                 }).value_or(least_A_);
+                   return ring_ && pathThrough(*scene_, *ring_, probe_A);
+                 }).value_or(min_A_);
     }
     return std::max(*limit_A_, proven_A_);
   }
@@ -163,7 +162,7 @@ class Fit : public Task {
     HandPlan plan;
     const double step_A = 0.5 * std::min(within_A_, 0.2);
     const double wanted_A =
-        std::clamp(largest_ ? limit_A() - step_A * (1 + view.attempt % 2) : limit_A() + step_A, least_A_, most_A_);
+        std::clamp(largest_ ? limit_A() - step_A * (1 + view.attempt % 2) : limit_A() + step_A, min_A_, max_A_);
     HandPlanInput grown{view.spheres, wanted_A, view.N_per_A, view.hip, view.attempt};
     const auto set = [&](PointA before) {
       plan.push_back({.to = before, .placed = true, .answer = TaskAnswer{.number = wanted_A}});
@@ -172,7 +171,7 @@ class Fit : public Task {
     const double far = glm::distance(view.spheres.low_A(), view.spheres.high_A()) + 2.0 * wanted_A + 1.0;
     if (through_) {
       if (!ring_) return plan;
-      const auto at = wayThrough(*scene_, *ring_, largest_ ? wanted_A : limit_A() - step_A);
+      const auto at = pathThrough(*scene_, *ring_, largest_ ? wanted_A : limit_A() - step_A);
       const Vec3 way = at.value_or(ring_->centre_A);
       set({way + ring_->axis * far});
       const double before_A = ring_->radius_A + wanted_A + 1.5;
@@ -201,8 +200,8 @@ class Fit : public Task {
   std::shared_ptr<const SphereGrid> scene_;
   std::optional<AtomRing> ring_;
   bool through_ = false, largest_ = true;
-  double least_A_ = 0.0, most_A_ = 5.0, within_A_ = 0.2;
-  mutable std::optional<double> limit_A_;  // found when it is asked for
+  double min_A_ = 0.0, max_A_ = 5.0, within_A_ = 0.2;
+  mutable std::optional<double> limit_A_;  // computed when first requested
   double value_A_ = 0.0, proven_A_ = -1.0, tried_s_ = 0.0;
   bool there_ = false, touching_ = false;
   int guesses_ = 0;
@@ -210,10 +209,9 @@ class Fit : public Task {
 };
 
 void checkFit(const TaskSpec& spec, std::vector<Problem>& problems) {
-  const Value &least = spec.values["least"], &most = spec.values["most"];
-  if (least.number >= most.number)
-    problems.push_back(problemAt((most.place.line ? most : least).place,
-                                 tr("the slider's ends leave no probe to choose"),
+  const Value &min = spec.values["least"], &max = spec.values["most"];
+  if (min.number >= max.number)
+    problems.push_back(problemAt((max.place.line ? max : min).place, tr("the slider's ends leave no probe to choose"),
                                  tr("make 'most' greater than 'least'")));
 }
 
@@ -224,7 +222,7 @@ void checkLimit(const TaskSpec& spec, const Molecule& molecule, std::span<const 
   const SphereGrid scene(molecule.spheres, untouchable);
   const std::vector<std::uint32_t> atoms = fit.selection.select(molecule);
   if (atoms.empty()) return;
-  const double least_A = spec.values["least"].number, most_A = spec.values["most"].number;
+  const double min_A = spec.values["least"].number, max_A = spec.values["most"].number;
   const bool through = spec.values["way"].text == "through";
   const auto ring = through ? ringOf(scene, atoms) : std::nullopt;
   if (through && !ring) {
@@ -240,16 +238,16 @@ void checkLimit(const TaskSpec& spec, const Molecule& molecule, std::span<const 
     return;
   }
   const auto fits = [&](double probe_A) {
-    return through ? wayThrough(scene, *ring, probe_A).has_value()
+    return through ? pathThrough(scene, *ring, probe_A).has_value()
                    : !waysTo(scene, atoms, limits, probe_A, true).empty();
   };
-  if (!fits(least_A))
+  if (!fits(min_A))
     problems.push_back(problemAt(fit.place,
-                                 trf("not even a probe of {0} gets there", quantityText(least_A, Dimension::Length)),
+                                 trf("not even a probe of {0} gets there", quantityText(min_A, Dimension::Length)),
                                  tr("choose another place, or a smaller 'least'")));
-  else if (fits(most_A))
+  else if (fits(max_A))
     problems.push_back(problemAt(fit.place,
-                                 trf("every probe up to {0} gets there", quantityText(most_A, Dimension::Length)),
+                                 trf("every probe up to {0} gets there", quantityText(max_A, Dimension::Length)),
                                  tr("choose another place, or a greater 'most'")));
 }
 
@@ -259,42 +257,42 @@ TaskKind fitKind() {
   std::vector<KeySpec> keys{
       {.name = "fit",
        .type = ValueType::Selection,
-       .meaning = "The place: atoms of which one is to be touched, or those of the ring.",
+       .meaning = "The atoms, one of which must be touched, or the atoms of the ring.",
        .required = true},
       {.name = "way",
        .type = ValueType::Word,
-       .meaning = "Whether the probe is to touch the atoms or to get into the ring that they make.",
+       .meaning = "Whether the probe must touch the atoms or pass through the ring that they form.",
        .fallback = "into",
        .words = {"into", "through"}},
       {.name = "want",
        .type = ValueType::Word,
-       .meaning = "The largest probe that gets there, or the smallest that does not.",
+       .meaning = "The largest probe that reaches the place, or the smallest that does not.",
        .fallback = "largest",
        .words = {"largest", "smallest"}},
       {.name = "least",
        .type = ValueType::Quantity,
-       .meaning = "The lower end of the slider, the probe's radius.",
+       .meaning = "The lower end of the slider for the probe's radius.",
        .fallback = "0.2 Å",
        .dimension = Dimension::Length,
-       .most = kMaxProbe_A},
+       .max = kMaxProbe_A},
       {.name = "most",
        .type = ValueType::Quantity,
        .meaning = "The upper end of the slider.",
        .fallback = "5 Å",
        .dimension = Dimension::Length,
-       .most = kMaxProbe_A},
+       .max = kMaxProbe_A},
       {.name = "within",
        .type = ValueType::Quantity,
-       .meaning = "How far from the limit that the tracker finds still counts as right.",
+       .meaning = "The largest deviation from the limit found by the tracker that counts as right.",
        .fallback = "0.2 Å",
        .dimension = Dimension::Length,
-       .least = 0.05,
-       .most = 5.0},
-      attemptsKey("How often a probe may be called the one that is asked for: after the last wrong one the limit is "
-                  "shown, and the student goes on. Left out, as often as need be.")};
+       .min = 0.05,
+       .max = 5.0},
+      attemptsKey("How many answers the student may give; by default unlimited. After the last wrong one the limit is "
+                  "shown, and the student continues.")};
   for (KeySpec& key : TouchLimits::keys()) keys.push_back(std::move(key));
   return {"fit",
-          "Find the largest probe that gets to a place or through a ring, or the smallest that is kept out.",
+          "Find the largest probe that reaches a place or passes through a ring, or the smallest that does not.",
           std::move(keys),
           [](const TaskSpec& s, const Molecule& m) -> std::unique_ptr<Task> { return std::make_unique<Fit>(s, m); },
           &checkFit,

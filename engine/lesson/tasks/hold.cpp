@@ -1,5 +1,4 @@
-// hold: stay in contact with atoms or with a kind of place for a time, within a range of force if the author asks for
-// one.
+// hold: stay in contact with atoms or with a kind of place for a time, within a range of force if the author gives one.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -12,8 +11,7 @@
 namespace moltact {
 namespace {
 
-// A force that trembles about the edge of its range still counts as within it: this much is forgiven (share of the
-// edge).
+// Tolerance at the ends of the range of force for tremor (share of the end's value).
 constexpr double kForceSlack = 0.05;
 
 class Hold : public Task {
@@ -59,7 +57,7 @@ class Hold : public Task {
     const std::string kind = feature_ == "anywhere" ? "" : feature_;
     if (const auto place = placeFor(view, placesToTouch(view, target_, kind))) {
       comeTo(plan, *place, depthFor(view, wanted_N), time_s_ + 0.5);
-      // A method that loses the surface is given up for one that does not.
+      // Replaces a method that loses the surface by the reference method.
       if (view.attempt >= 3) plan.front().method = referenceMethod().name;
     }
     return plan;
@@ -129,19 +127,19 @@ TaskKind holdKind() {
             .words = {"sphere", "crease", "pit", "anywhere"}},
            {.name = "of",
             .type = ValueType::Selection,
-            .meaning = "For a kind of place: only where these atoms alone hold the probe."},
+            .meaning = "For a kind of place: only contacts with these atoms alone count."},
            {.name = "for",
             .type = ValueType::Quantity,
-            .meaning = "How long; slips under 0.3 s are forgiven.",
+            .meaning = "The time to stay; slips shorter than 0.3 s are ignored.",
             .fallback = "2 s",
             .dimension = Dimension::Time,
-            .least = 0.1,
-            .most = 600.0},
+            .min = 0.1,
+            .max = 600.0},
            {.name = "force",
             .type = ValueType::Range,
-            .meaning = "The force to keep within; 5 % beyond either end is forgiven.",
+            .meaning = "The permitted range of the force, with a tolerance of 5 % at each end.",
             .dimension = Dimension::Force,
-            .most = 20.0}},
+            .max = 20.0}},
           [](const TaskSpec& s, const Molecule& m) -> std::unique_ptr<Task> { return std::make_unique<Hold>(s, m); },
           &checkHold,
           nullptr,

@@ -1,4 +1,4 @@
-// measure: touch two places one after the other, mark each, and read the distance between the two points of the surface.
+// measure: touch two places in turn, mark each, and read the distance between the two points on the surface.
 #include <algorithm>
 #include <limits>
 #include <optional>
@@ -38,7 +38,7 @@ class Measure : public Task {
 
  private:
   struct Touch {
-    Vec3 surface_A{0.0};  // the point of the surface under the probe
+    Vec3 surface_A{0.0};  // the contact point on the surface
     bool on_from = false, on_to = false;
     std::string author_says;
   };
@@ -50,7 +50,7 @@ class Measure : public Task {
       return;
     }
     held_s_ += dt_s;
-    // A mouse lets go before it clicks: the place that was touched last is meant.
+    // With a mouse the student has to let go before clicking, so the place touched last counts.
     if (held_s_ < kTouch_s) return;
     const double depth_A = glm::length(s.contact.displacement_A);
     const Vec3 outward = depth_A > 1e-9 ? s.contact.displacement_A / depth_A : Vec3(0.0);
@@ -129,7 +129,7 @@ class Measure : public Task {
   HandPlan demonstrate(const HandPlanInput& view) const override {
     HandPlan plan;
     const std::vector<SurfacePlace> ones = placesToTouch(view, from_), others = placesToTouch(view, to_);
-    // The pairs whose points are as far apart as is asked for; another attempt takes another.
+    // The pairs of points with the required distance; another attempt uses another pair.
     std::vector<std::pair<const SurfacePlace*, const SurfacePlace*>> pairs;
     for (const SurfacePlace& a : ones)
       for (const SurfacePlace& b : others) {
@@ -173,24 +173,24 @@ TaskKind measureKind() {
       "Measure a distance by touching two places and marking them.",
       {{.name = "measure",
         .type = ValueType::Selection,
-        .meaning = "The atoms of which one is touched first.",
+        .meaning = "The atoms, one of which is touched first.",
         .required = true},
        {.name = "to",
         .type = ValueType::Selection,
-        .meaning = "The atoms of which one is touched then.",
+        .meaning = "The atoms, one of which is touched second.",
         .required = true},
        {.name = "arrival",
         .type = ValueType::Text,
-        .meaning = "What the atoms of 'to' are called in the middle of a sentence, as 'called' does for the first."},
+        .meaning = "The name of the atoms of 'to' inside a sentence, like 'called' for the first."},
        {.name = "between",
         .type = ValueType::Range,
-        .meaning = "What may be measured, from surface to surface; otherwise both are marked anew. Without it "
-                   "any two touches of the places will do.",
+        .meaning = "The permitted result, from surface to surface; otherwise both places must be marked again. By "
+                   "default any two touches of the places count.",
         .dimension = Dimension::Length,
-        .most = 1000.0},
+        .max = 1000.0},
        WrongTouches::key(),
-       attemptsKey("How many wrong marks and measures there may be: after the last one the answer is shown, and the "
-                   "student goes on. Left out, as many as need be.")},
+       attemptsKey("How many wrong marks and measurements are permitted; by default unlimited. After the last one the "
+                   "answer is shown, and the student continues.")},
       [](const TaskSpec& s, const Molecule& m) -> std::unique_ptr<Task> { return std::make_unique<Measure>(s, m); }};
 }
 

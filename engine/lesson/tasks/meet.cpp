@@ -1,4 +1,4 @@
-// meet: come upon a failure of the haptic method in use, judged against the exact tracker fed with the same hand.
+// meet: provoke a failure of the haptic method in use, judged against the exact tracker with the same hand path.
 #include <cmath>
 #include <numbers>
 
@@ -8,12 +8,12 @@
 namespace moltact {
 namespace {
 
-constexpr double kLasting_s = 0.1;   // a failure shorter than this is a tick's slip and no failure to be felt
-constexpr double kThrown_s = 0.005;  // out of the far side a hand is thrown quickly
-constexpr double kHeld_A = 0.1;    // the exact spring is at least so long where the method in use has lost the surface
-constexpr double kJump_deg = 5.0;  // a fingertip notices the force turn by this at once
-constexpr double kSteady_deg = 1.0;  // while the true force turns by no more
-constexpr double kPull_A = 0.02;     // a shorter spring has no direction to speak of
+constexpr double kLasting_s = 0.1;   // a shorter deviation does not count as a perceptible failure
+constexpr double kThrown_s = 0.005;  // a pop-through needs only this time
+constexpr double kHeld_A = 0.1;      // minimum length of the exact spring when the method in use has lost the surface
+constexpr double kJump_deg = 5.0;    // a fingertip notices at once when the force changes its direction by this angle
+constexpr double kSteady_deg = 1.0;  // largest change of the exact force's direction in that time
+constexpr double kPull_A = 0.02;     // the direction of a shorter spring is undefined
 
 double angle_deg(const Vec3& a, const Vec3& b) {
   return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b)) * 180.0 / std::numbers::pi;
@@ -62,7 +62,7 @@ class Meet : public Task {
     HandPlan plan;
     const std::vector<std::uint32_t> all = everyAtom(view.spheres);
     if (what_ == "lost" || what_ == "wrong-side") {
-      // Right through a pit, from one side to the other, by ways that lie a little aside at each attempt.
+      // Straight through a pit from one side to the other, along slightly different lines in each attempt.
       const auto pit = placeFor(view, openPlaces(view, all, Feature::Point));
       if (!pit) return plan;
       comeTo(plan, *pit, 0.5, 0.0);
@@ -73,7 +73,7 @@ class Meet : public Task {
     const Feature wanted = what_ == "off" ? Feature::Circle : Feature::Sphere;
     const auto place = placeFor(view, openPlaces(view, all, wanted));
     if (!place) return plan;
-    // Deep under the surface from place to place, so that the force turns over much of it.
+    // Deep under the surface from place to place, so that the force changes its direction strongly.
     comeTo(plan, *place, 1.0, 0.3);
     const Vec3 x =
         glm::normalize(glm::cross(place->outward, std::abs(place->outward.x) < 0.7 ? Vec3(1, 0, 0) : Vec3(0, 1, 0)));
@@ -104,21 +104,20 @@ class Meet : public Task {
 
 TaskKind meetKind() {
   return {"meet",
-          "Come upon a failure of the haptic method in use, judged against the exact tracker.",
+          "Provoke a failure of the haptic method in use, judged against the exact tracker.",
           {{.name = "meet",
             .type = ValueType::Word,
-            .meaning = "The failure: the force turns with a jerk, the surface is lost, the force points out of the far "
-                       "side, or the "
-                       "contact point lies off the surface.",
+            .meaning = "The failure: the force changes its direction abruptly, the surface is lost, the force points "
+                       "out of the far side, or the contact point is off the surface.",
             .required = true,
             .words = {"jump", "lost", "wrong-side", "off"}},
            {.name = "by",
             .type = ValueType::Quantity,
-            .meaning = "For 'off': how far the contact point must lie from the true one.",
+            .meaning = "For 'off': the minimum distance of the contact point from the true one.",
             .fallback = "0.1 Å",
             .dimension = Dimension::Length,
-            .least = 0.001,
-            .most = 10.0}},
+            .min = 0.001,
+            .max = 10.0}},
           [](const TaskSpec& s, const Molecule&) -> std::unique_ptr<Task> { return std::make_unique<Meet>(s); }};
 }
 

@@ -1,5 +1,5 @@
-// order: feel several places one after the other, in the dark if the author does not say otherwise, and put them in an
-// order by what was felt. The places come in another order for each student and each round.
+// order: feel several places in turn, in the dark unless the author says otherwise, and put them in order. The places
+// come in a different order for each student and each round.
 #include <algorithm>
 #include <array>
 #include <numeric>
@@ -64,7 +64,7 @@ class Order : public Task {
   void shuffle() {
     shown_.resize(places_.size());
     std::iota(shown_.begin(), shown_.end(), std::size_t{0});
-    // Fisher & Yates.
+    // Fisher-Yates shuffle.
     for (std::size_t k = shown_.size(); k > 1; --k) std::swap(shown_[k - 1], shown_[nextRandom(state_) % k]);
   }
 
@@ -123,7 +123,7 @@ class Order : public Task {
     }
     if (answer.word == "next") {
       ++at_;
-      // The last place stays where it is while the order is told.
+      // The last place stays in view while the student enters the order.
       if (feeling()) present();
       setProgress(0.5 * double(at_) / double(places_.size()));
       return;
@@ -132,7 +132,7 @@ class Order : public Task {
       if (kPlaceWords[k].word == answer.word) picked_.push_back(k);
     setProgress(0.5 + 0.5 * double(picked_.size()) / double(places_.size()));
     if (picked_.size() + 1 < places_.size()) return;
-    // What is left is the last.
+    // The remaining place is the last one.
     for (std::size_t k = 0; k < places_.size(); ++k)
       if (std::find(picked_.begin(), picked_.end(), k) == picked_.end()) picked_.push_back(k);
     std::size_t right = 0;
@@ -188,13 +188,13 @@ class Order : public Task {
   }
 
   std::vector<Place> places_;        // in the right order
-  std::vector<std::size_t> shown_;   // which of them is place 1, 2 …
+  std::vector<std::size_t> shown_;   // the indices of place 1, 2, … in `places_`
   std::vector<std::size_t> picked_;  // numbers of the places in the student's order
   std::string first_;
   double time_s_ = 1.0, felt_s_ = 0.0;
   bool dark_ = true, meter_ = true, touching_ = false, beside_ = false, failed_ = false;
-  std::uint64_t state_ = 0;  // of the random row
-  std::size_t at_ = 0;       // the place that is felt; their number while the order is told
+  std::uint64_t state_ = 0;  // of the random generator
+  std::size_t at_ = 0;       // the place that is being felt; the number of places while the student enters the order
   int presentation_ = 1, rounds_ = 1, first_right_ = -1;
 };
 
@@ -209,7 +209,7 @@ void checkOrder(const TaskSpec& spec, std::vector<Problem>& problems) {
                                  tr("remove some: students cannot remember so many")));
 }
 
-// What the atoms themselves tell: places that are the same, and sizes in the order that is written.
+// Checks against the atoms: places that coincide, and sizes in the stated order.
 void checkOrderedPlaces(const TaskSpec& spec, const Molecule& molecule, std::span<const std::uint32_t> /*untouchable*/,
                         std::vector<Problem>& problems) {
   const Value& order = spec.values["order"];
@@ -217,7 +217,7 @@ void checkOrderedPlaces(const TaskSpec& spec, const Molecule& molecule, std::spa
   std::vector<double> radii_A;
   for (std::size_t k = 0; k < order.path.size(); ++k) {
     atoms.push_back(order.path[k].select(molecule));
-    if (atoms.back().empty()) return;  // told elsewhere
+    if (atoms.back().empty()) return;  // reported elsewhere
     double sum = 0.0;
     for (const std::uint32_t a : atoms.back()) sum += molecule.spheres[a].radius_A;
     radii_A.push_back(sum / double(atoms.back().size()));
@@ -241,45 +241,44 @@ void checkOrderedPlaces(const TaskSpec& spec, const Molecule& molecule, std::spa
 }  // namespace
 
 TaskKind orderKind() {
-  return {
-      "order",
-      "Feel several places one after the other and put them in order.",
-      {{.name = "order",
-        .type = ValueType::Path,
-        .meaning = "The places in the right order, two to six, parted by 'then'. The student feels them in another.",
-        .required = true},
-       {.name = "first",
-        .type = ValueType::Text,
-        .meaning = "What the first of the order is, in the middle of a sentence: 'the deepest', 'the smallest'.",
-        .required = true},
-       {.name = "by",
-        .type = ValueType::Word,
-        .meaning = "What orders them. By size, the check compares the atoms' radii.",
-        .fallback = "touch",
-        .words = {"touch", "depth", "size"}},
-       {.name = "for",
-        .type = ValueType::Quantity,
-        .meaning = "How long each place is touched at least.",
-        .fallback = "1 s",
-        .dimension = Dimension::Time,
-        .least = 0.1,
-        .most = 60.0},
-       {.name = "dark",
-        .type = ValueType::Word,
-        .meaning = "Whether the screen is dark meanwhile.",
-        .fallback = "yes",
-        .words = {"yes", "no"}},
-       {.name = "meter",
-        .type = ValueType::Word,
-        .meaning = "Whether the force is shown in the dark, how great and whereto.",
-        .fallback = "on",
-        .words = {"on", "off"}},
-       attemptsKey(
-           "How often the places may be put in order: after the last wrong order the right one is told, and the "
-           "student goes on. Left out, as often as need be.")},
-      [](const TaskSpec& s, const Molecule& m) -> std::unique_ptr<Task> { return std::make_unique<Order>(s, m); },
-      &checkOrder,
-      &checkOrderedPlaces};
+  return {"order",
+          "Feel several places one after the other and put them in order.",
+          {{.name = "order",
+            .type = ValueType::Path,
+            .meaning = "The places in the right order, two to six, separated by 'then'. The student feels them in a "
+                       "different order.",
+            .required = true},
+           {.name = "first",
+            .type = ValueType::Text,
+            .meaning = "A description of the first place, inside a sentence: 'the deepest', 'the smallest'.",
+            .required = true},
+           {.name = "by",
+            .type = ValueType::Word,
+            .meaning = "The property that orders the places. By size, `check` compares the atoms' radii.",
+            .fallback = "touch",
+            .words = {"touch", "depth", "size"}},
+           {.name = "for",
+            .type = ValueType::Quantity,
+            .meaning = "The minimum time to touch each place.",
+            .fallback = "1 s",
+            .dimension = Dimension::Time,
+            .min = 0.1,
+            .max = 60.0},
+           {.name = "dark",
+            .type = ValueType::Word,
+            .meaning = "Whether the screen is dark meanwhile.",
+            .fallback = "yes",
+            .words = {"yes", "no"}},
+           {.name = "meter",
+            .type = ValueType::Word,
+            .meaning = "Whether magnitude and direction of the force are displayed in the dark.",
+            .fallback = "on",
+            .words = {"on", "off"}},
+           attemptsKey("How many orders the student may give; by default unlimited. After the last wrong one the right "
+                       "one is shown, and the student continues.")},
+          [](const TaskSpec& s, const Molecule& m) -> std::unique_ptr<Task> { return std::make_unique<Order>(s, m); },
+          &checkOrder,
+          &checkOrderedPlaces};
 }
 
 }  // namespace moltact

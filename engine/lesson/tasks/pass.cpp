@@ -157,7 +157,7 @@ class Pass : public Task {
 };
 
 void checkPassRing(const TaskSpec& spec, const Molecule& molecule, std::span<const std::uint32_t> /*untouchable*/,
-               std::vector<Problem>& problems) {
+                   std::vector<Problem>& problems) {
   const Value& pass = spec.values["pass"];
   if (pass.selection.given() && pass.selection.select(molecule).size() < 3)
     problems.push_back(
@@ -178,8 +178,8 @@ TaskKind passKind() {
                     .meaning = "From the plane of these atoms to where either side begins.",
                     .fallback = "2 Å",
                     .dimension = Dimension::Length,
-                    .least = 0.1,
-                    .most = 100.0}},
+                    .min = 0.1,
+                    .max = 100.0}},
           .make = [](const TaskSpec& s, const Molecule& m) -> std::unique_ptr<Task> {
             return std::make_unique<Pass>(s, m);
           },

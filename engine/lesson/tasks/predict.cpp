@@ -1,4 +1,4 @@
-// predict: draw the curve of the force first, then feel it by pressing in or by sliding along; both are shown together.
+// predict: draw the force curve first, then feel it by pressing or sliding; both are displayed together.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -10,12 +10,12 @@
 namespace moltact {
 namespace {
 
-constexpr std::size_t kPoints = 25;  // of each curve
-constexpr double kFeltEnough = 0.9;  // of the points of the axis
-constexpr double kSlideShare = 0.2;  // of the way: what shorter slides feel of it does not count
+constexpr std::size_t kPoints = 25;  // number of points of each curve
+constexpr double kFeltEnough = 0.9;  // share of the axis that must be felt
+constexpr double kSlideShare = 0.2;  // share of the path; shorter slides do not count
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
-// How much of the areas under the two curves is common to both, where both are known.
+// Where both curves are defined: the area under both, as a share of the area under at least one of them.
 double overlap(const std::vector<double>& a, const std::vector<double>& b) {
   double common = 0.0, either = 0.0;
   for (std::size_t k = 0; k < a.size(); ++k) {
@@ -37,13 +37,13 @@ class Predict : public Task {
         agree_(0.01 * spec.values["agree"].number),
         slides_(spec.values["along"].selection.given()) {
     curves_.x_name = slides_ ? N_("way") : N_("depth");
-    curves_.x_most = spec.values["deep"].number;
-    curves_.most_N = spec.values["most"].number;
+    curves_.x_max_A = spec.values["deep"].number;
+    curves_.max_N = spec.values["most"].number;
     if (slides_) {
       start_A_ = middle(spec.values["predict"].selection, molecule);
       const Vec3 way = middle(spec.values["along"].selection, molecule) - start_A_;
-      curves_.x_most = std::max(1e-3, glm::length(way));
-      along_ = way / curves_.x_most;
+      curves_.x_max_A = std::max(1e-3, glm::length(way));
+      along_ = way / curves_.x_max_A;
     }
     forget();
   }
@@ -93,13 +93,13 @@ class Predict : public Task {
     on_place_ = touching_ && (slides_ || from_.touchedBy(s.contact));
     if (curves_.drawing || !on_place_) return;
     const double x = slides_ ? glm::dot(s.contact.scp.A - start_A_, along_) : glm::length(s.contact.displacement_A);
-    const double at = x / curves_.x_most * double(kPoints - 1);
+    const double at = x / curves_.x_max_A * double(kPoints - 1);
     if (!(at > -0.5) || !(at < double(kPoints) - 0.5)) return;
     const auto k = static_cast<std::size_t>(std::lround(std::max(0.0, at)));
     ++waiting_[k].count;
     waiting_[k].sum_N += glm::length(s.force.N);
-    // Along a way the hand slides; one that is only put down here and there has not felt it.
-    if (slides_ && slide_.way_A() < kSlideShare * curves_.x_most) return;
+    // Feeling a path requires sliding along it; single touches do not count.
+    if (slides_ && slide_.way_A() < kSlideShare * curves_.x_max_A) return;
     for (std::size_t point = 0; point < kPoints; ++point) {
       if (waiting_[point].count == 0.0) continue;
       counts_[point] += waiting_[point].count;
@@ -121,13 +121,14 @@ class Predict : public Task {
       TaskAnswer expected;
       for (std::size_t k = 0; k < kPoints; ++k)
         expected.curve.push_back(
-            slides_ ? 0.5 : std::min(curves_.most_N, view.N_per_A * curves_.x_most * double(k) / double(kPoints - 1)));
+            slides_ ? 0.5 : std::min(curves_.max_N, view.N_per_A * curves_.x_max_A * double(k) / double(kPoints - 1)));
       plan.push_back({.answer = std::move(expected)});
     }
     if (!slides_) {
       comeTo(plan, *start, 0.01, 0.0);
-      plan.push_back(
-          {.to = PointA{start->scp_A - start->outward * (1.02 * curves_.x_most)}, .speed_A_per_s = 0.5, .wait_s = 0.1});
+      plan.push_back({.to = PointA{start->scp_A - start->outward * (1.02 * curves_.x_max_A)},
+                      .speed_A_per_s = 0.5,
+                      .wait_s = 0.1});
       return plan;
     }
     const auto end = placeFor(view, placesToTouch(view, goal_atoms_));
@@ -155,7 +156,7 @@ class Predict : public Task {
 
   std::string agreement() const { return percentText(curves_.agreement.value_or(0.0)); }
 
-  // A press is felt in all its depth.
+  // A press must reach the full depth.
   bool tooLight() const override { return !slides_ && !curves_.drawing && on_place_; }
 
   std::string guidance() const override {
@@ -207,7 +208,7 @@ class Predict : public Task {
   struct Waiting {
     double count = 0.0, sum_N = 0.0;
   };
-  std::array<Waiting, kPoints> waiting_{};  // felt in a slide that is still too short
+  std::array<Waiting, kPoints> waiting_{};  // felt in a slide that is still too short to count
   int predictions_ = 0;
 };
 
@@ -227,39 +228,39 @@ void checkPredict(const TaskSpec& spec, std::vector<Problem>& problems) {
 }  // namespace
 
 TaskKind predictKind() {
-  return {
-      "predict",
-      "Draw the curve of the force first, then feel it.",
-      {{.name = "predict",
-        .type = ValueType::Target,
-        .meaning = "Where to press in, or where the way begins: atoms, or anywhere on the surface.",
-        .required = true,
-        .words = {"anywhere"}},
-       {.name = "along",
-        .type = ValueType::Selection,
-        .meaning = "The force is felt along the way to these atoms; without it against the depth of a press."},
-       {.name = "deep",
-        .type = ValueType::Quantity,
-        .meaning = "How deep the press goes.",
-        .fallback = "1 Å",
-        .dimension = Dimension::Length,
-        .least = 0.1,
-        .most = 3.0},
-       {.name = "most",
-        .type = ValueType::Quantity,
-        .meaning = "The upper end of the force axis.",
-        .fallback = "3.3 N",
-        .dimension = Dimension::Force,
-        .least = 0.1,
-        .most = 20.0},
-       {.name = "agree",
-        .type = ValueType::Count,
-        .meaning = "How far the areas under both curves must agree, in percent; without it any prediction will do.",
-        .most = 100},
-       attemptsKey("Goes with 'agree': how many curves may be drawn, each before it is felt; after the last one the "
-                   "student goes on. Left out, as many as need be.")},
-      [](const TaskSpec& s, const Molecule& m) -> std::unique_ptr<Task> { return std::make_unique<Predict>(s, m); },
-      &checkPredict};
+  return {"predict",
+          "Draw the curve of the force first, then feel it.",
+          {{.name = "predict",
+            .type = ValueType::Target,
+            .meaning = "Where to press, or where the path begins: atoms, or anywhere on the surface.",
+            .required = true,
+            .words = {"anywhere"}},
+           {.name = "along",
+            .type = ValueType::Selection,
+            .meaning = "The force is felt along the path to these atoms; by default against the depth of a press."},
+           {.name = "deep",
+            .type = ValueType::Quantity,
+            .meaning = "The depth of the press.",
+            .fallback = "1 Å",
+            .dimension = Dimension::Length,
+            .min = 0.1,
+            .max = 3.0},
+           {.name = "most",
+            .type = ValueType::Quantity,
+            .meaning = "The upper end of the force axis.",
+            .fallback = "3.3 N",
+            .dimension = Dimension::Force,
+            .min = 0.1,
+            .max = 20.0},
+           {.name = "agree",
+            .type = ValueType::Count,
+            .meaning =
+                "The required agreement of the areas under both curves, in percent; by default any prediction counts.",
+            .max = 100},
+           attemptsKey("For 'agree': how many curves may be drawn, each before it is felt; by default unlimited. After "
+                       "the last one the student continues.")},
+          [](const TaskSpec& s, const Molecule& m) -> std::unique_ptr<Task> { return std::make_unique<Predict>(s, m); },
+          &checkPredict};
 }
 
 }  // namespace moltact

@@ -1,4 +1,4 @@
-// press: push against atoms or anywhere until the surface pushes back with a force.
+// press: push against atoms or anywhere until the reaction reaches a force.
 #include "engine/language/catalogue.h"
 #include "engine/lesson/tasks/registry.h"
 
@@ -27,7 +27,7 @@ class Press : public Task {
     here_ = feature_.empty() || feature_ == "anywhere" ? target_.touchedBy(s.contact)
                                                        : isFeature(feature_, s.contact.feature);
     force_N_ = here_ ? glm::length(s.force.N) : 0.0;
-    // Counting the time at full force and not the peak alone keeps one noisy sample from finishing the task.
+    // Requires the full force for a time, so that a single noisy sample does not finish the task.
     watch_.tick(force_N_ >= until_N_, dt_s, kSlip_s);
     setProgress(force_N_ / until_N_);
     if (watch_.elapsed_s() >= kTouch_s) finish();
@@ -64,7 +64,7 @@ class Press : public Task {
 
 TaskKind pressKind() {
   return {"press",
-          "Push until the surface pushes back with a force.",
+          "Push until the reaction of the surface reaches a force.",
           {{.name = "press",
             .type = ValueType::Target,
             .meaning = "Where to push: atoms, a kind of place, or anywhere on the surface.",
@@ -72,11 +72,11 @@ TaskKind pressKind() {
             .words = {"sphere", "crease", "pit", "anywhere"}},
            {.name = "until",
             .type = ValueType::Quantity,
-            .meaning = "The force to reach.",
+            .meaning = "The required force.",
             .required = true,
             .dimension = Dimension::Force,
-            .least = 0.01,
-            .most = 20.0}},
+            .min = 0.01,
+            .max = 20.0}},
           [](const TaskSpec& s, const Molecule& m) -> std::unique_ptr<Task> { return std::make_unique<Press>(s, m); },
           nullptr,
           nullptr,

@@ -88,13 +88,13 @@ class Reach : public Task {
 TaskKind reachKind() {
   std::vector<KeySpec> keys{{.name = "reach",
                              .type = ValueType::Selection,
-                             .meaning = "The atoms of which one is to be touched.",
+                             .meaning = "The atoms, one of which must be touched.",
                              .required = true},
                             {.name = "near",
                              .type = ValueType::Quantity,
-                             .meaning = "A touch counts within this distance of a selected atom's centre as well.",
+                             .meaning = "A touch within this distance of a selected atom's centre also counts.",
                              .dimension = Dimension::Length,
-                             .most = 1000.0}};
+                             .max = 1000.0}};
   for (KeySpec& key : TouchLimits::keys()) keys.push_back(std::move(key));
   keys.push_back(WrongTouches::key());
   return {.name = "reach",
@@ -104,8 +104,8 @@ TaskKind reachKind() {
             return std::make_unique<Reach>(s, m);
           },
           .of_body =
-              "the atoms count that the body presses hardest against; for `near`, `side` and `region` the place "
-              "of the body's middle counts."};
+              "the atoms that the body presses hardest against count; `near`, `side` and `region` use the position of "
+              "the body's centre."};
 }
 
 }  // namespace moltact

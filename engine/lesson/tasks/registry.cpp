@@ -1,6 +1,6 @@
 #include "engine/lesson/tasks/registry.h"
 
-// One line a kind, in the order of the authors' reference: its function is <name>Kind(), in its own file.
+// One line per kind, in the order of the authors' reference. Its function is <name>Kind(), in its own file.
 #define MOLTACT_TASKS(X) \
   X(reach)               \
   X(hold)                \

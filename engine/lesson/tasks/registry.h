@@ -1,5 +1,5 @@
-// The kinds of touch task that there are. A kind is added with its own file and one line in registry.cpp; what it asks of
-// keys, scene and molecule is checked by its own functions.
+// The kinds of touch task. To add a kind, add its own file and one line in registry.cpp. The kind's own functions check
+// what it requires of keys, scene and molecule.
 #pragma once
 
 #include <memory>
@@ -12,22 +12,22 @@
 namespace moltact {
 
 struct TaskKind {
-  std::string_view name;      ///< also the key that carries its target: "reach: element O"; no key of another kind
+  std::string_view name;      ///< also the key of its target: "reach: element O"; differs from every key of other kinds
   std::string_view meaning;   ///< one sentence for authors
-  std::vector<KeySpec> keys;  ///< its own keys, the one called `name` first
+  std::vector<KeySpec> keys;  ///< its own keys; the one called `name` comes first
   std::unique_ptr<Task> (*make)(const TaskSpec& spec, const Molecule& molecule);
-  /// Adds problems with keys that do not go together, as if from file ""; may be null.
+  /// Adds problems with keys that exclude each other, as if from file ""; may be null.
   void (*check)(const TaskSpec& spec, std::vector<Problem>& problems) = nullptr;
-  /// The same for what its atoms in the step's molecule tell, beyond that each selection selects some; `untouchable` as
-  /// for Task::leaveOut; may be null.
+  /// Adds problems with the atoms in the step's molecule, beyond selections that select none; `untouchable` as for
+  /// Task::leaveOut. May be null.
   void (*check_molecule)(const TaskSpec& spec, const Molecule& molecule, std::span<const std::uint32_t> untouchable,
                          std::vector<Problem>& problems) = nullptr;
-  /// The same for what does not go with the scene that it is done in; may be null.
+  /// Adds problems with keys that do not suit the scene of the task; may be null.
   void (*check_scene)(const TaskSpec& spec, const SceneSpec& scene, std::vector<Problem>& problems) = nullptr;
-  /// What is judged of a body in the hand, for authors; empty: the kind judges a probe only, and a step whose hand holds
-  /// a body cannot have it.
+  /// What is judged of a held body, as a sentence for authors. Empty: the kind judges only a probe, and steps with a
+  /// held body cannot use it.
   std::string_view of_body = {};
-  /// Whether a body is judged in the form that `spec` gives the task; null: in every form, if `of_body` says so.
+  /// Whether the form of the task that `spec` gives judges a body. Null: every form does if `of_body` is not empty.
   bool (*form_judges_body)(const TaskSpec& spec) = nullptr;
   /// Adds problems with what the scene's hand holds, in the scene's structures; not called where it holds the probe; may be
   /// null.
@@ -41,10 +41,10 @@ struct TaskKind {
 
 std::span<const TaskKind> taskKinds();
 
-/// The kind of that name, or nullptr.
+/// The kind with that name, or null.
 const TaskKind* findTaskKind(std::string_view name);
 
-/// The task, at its start. `spec` must come from the reader; the molecule is not kept.
+/// Makes a task in its initial state. `spec` must come from the reader; the molecule is not stored.
 std::unique_ptr<Task> makeTask(const TaskSpec& spec, const Molecule& molecule);
 
 }  // namespace moltact

@@ -1,5 +1,5 @@
-// same: feel two things one after the other in the dark and say whether they are the same. Each pair is drawn for
-// itself, so that nothing follows from the pairs before.
+// same: feel two things in turn in the dark and decide whether they are the same. Each pair is drawn independently, so
+// earlier pairs reveal nothing.
 #include <algorithm>
 #include <iterator>
 
@@ -13,10 +13,10 @@
 namespace moltact {
 namespace {
 
-constexpr double kNear_A = 2.0;  // from the surface of the place's atoms, as the probe's centre sees it
+constexpr double kNear_A = 2.0;  // distance from the probe's surface to the surfaces of the place's atoms
 constexpr std::string_view kPlace = "place", kRemove = "remove";
 
-// In one of these the second thing differs.
+// The properties in one of which the second thing differs.
 std::vector<std::string_view> differences() {
   std::vector<std::string_view> out;
   for (const KeySpec& key : comparedTouchKeys()) out.push_back(key.name);
@@ -41,7 +41,7 @@ class Same : public Task {
         asked_(!spec.values["asked"].text.empty()),
         by_place_(spec.values["place"].selection.given()) {
     if (before_) tell_ = false;
-    // The second asking has other pairs than the first, also where the author says by what they are drawn.
+    // The second asking draws other pairs, also if the author gives the seed.
     if (fixed_ && asked_ && !before_) ++seed_;
     for (const auto& [key, spheres] : {std::pair(std::string_view("same"), &here_spheres_), {kPlace, &there_spheres_}})
       if (spec.values[key].selection.given())
@@ -51,7 +51,7 @@ class Same : public Task {
                                        : (3 * trials_ + 3) / 4;
     for (const TouchProperty& p : touchProperties())
       if (spec.values.has(p.key)) other_.touch.set(p, touchValueOf(p, spec.values[p.key]));
-    // Where atoms are missing from one of the two, both are felt in the same place: it is seen as the scene says.
+    // If atoms are removed from one of the two, both are felt at the same place, in the view of the scene.
     if (spec.values["remove"].selection.given())
       other_.removed = spec.values["remove"].selection.select(molecule);
     else if (spec.values["same"].selection.given())
@@ -67,7 +67,7 @@ class Same : public Task {
     draw();
   }
 
-  // Another order: who begins again has heard what the pairs were.
+  // Draws another order, because the student has learned the previous pairs.
   void reset() override {
     Task::reset();
     round_ = 0;
@@ -100,7 +100,7 @@ class Same : public Task {
     draw();
   }
 
-  // A coin for each pair, whether it differs and which of the two comes first.
+  // Draws at random, for each pair, whether it differs and which of the two comes first.
   void draw() {
     std::uint64_t state = mixedSeed(seed_, drawn_++);
     order_.assign(trials_, {});
@@ -124,8 +124,8 @@ class Same : public Task {
     if (touching_ && !beside_) felt_s_ = std::min(time_s_, felt_s_ + dt_s);
   }
 
-  // Which atoms hold the probe may depend on what is to be told apart, and "beside the place" would say it: whatever is
-  // close to the place counts.
+  // Which atoms block the probe may depend on the difference in question, and the message "beside the place" would
+  // reveal it. Therefore everything close to the place counts.
   static bool near(const std::vector<Sphere>& spheres, const Vec3& scp_A, double probe_A) {
     return std::any_of(spheres.begin(), spheres.end(), [&](const Sphere& b) {
       return glm::distance(scp_A, b.centre_A) - b.radius_A - probe_A <= kNear_A;
@@ -178,7 +178,7 @@ class Same : public Task {
     if (trial_ < trials_) return;
     --trial_;
     if (round_ == 0) first_round_ = sensitivityNow(trials_);
-    // The first asking is a measurement: one round, whatever the answers were.
+    // The first asking is a measurement: one round, whatever the answers.
     if (before_ || right_ >= needed_) {
       finish();
       return;
@@ -216,7 +216,7 @@ class Same : public Task {
     return touch;
   }
 
-  // The place is turned to the front and into the middle of the view.
+  // Whether the place is rotated to the front and into the middle of the view.
   bool led() const { return one_.facing.has_value(); }
 
   const char* judgement() const {
@@ -240,7 +240,7 @@ class Same : public Task {
     out.push_back({N_("rounds"), double(round_ + 1), ""});
   }
 
-  // Of the pairs of this round that were answered.
+  // Of the pairs of this round that have been answered.
   double sensitivityNow(std::size_t answered) const {
     int differed = 0;
     for (std::size_t k = 0; k < answered; ++k) differed += order_[k].differ;
@@ -248,18 +248,18 @@ class Same : public Task {
   }
 
   AtomSet here_, there_;
-  std::vector<Sphere> here_spheres_, there_spheres_;  // of them, where they are named
+  std::vector<Sphere> here_spheres_, there_spheres_;  // their atoms, if they are named
   std::size_t trials_ = 8, needed_ = 6, trial_ = 0, right_ = 0, failed_right_ = 0;
-  bool fixed_ = false;  // the author has said by what the orders are drawn
+  bool fixed_ = false;  // the author gives the seed of the orders
   std::uint64_t seed_ = 0, drawn_ = 0;
   double time_s_ = 1.0, felt_s_ = 0.0;
   bool tell_ = true, meter_ = true;
   bool before_ = false, asked_ = false;  // asked before the explanation; asked before and after it
   bool by_place_ = false;
-  std::optional<double> first_round_;  // d' of the first round, once it is over
+  std::optional<double> first_round_;  // d' of the first round, once it has ended
   TaskStage one_, other_;
   std::vector<Trial> order_;
-  std::vector<bool> judged_;  // of this round, until it begins those of the one before
+  std::vector<bool> judged_;  // of this round; until it begins, of the previous one
   int round_ = 0, presentation_ = 0, hits_ = 0, alarms_ = 0;
   bool second_ = false, touching_ = false, beside_ = false, answered_ = false, failed_ = false, last_right_ = false,
        last_differed_ = false;
@@ -312,7 +312,7 @@ void checkPlaces(const TaskSpec& spec, const Molecule& molecule, std::span<const
     problems.push_back(problemAt(other.place, tr("the two places are the same atoms"), tr("name other atoms")));
 }
 
-// The second thing is to differ from the scene.
+// The second thing must differ from the scene.
 void checkSameScene(const TaskSpec& spec, const SceneSpec& scene, std::vector<Problem>& problems) {
   for (const TouchProperty& p : touchProperties()) {
     const Value& value = spec.values[p.key];
@@ -336,29 +336,29 @@ TaskKind sameKind() {
       {.name = kPlace, .type = ValueType::Selection, .meaning = "The second thing is these atoms."},
       {.name = kRemove,
        .type = ValueType::Selection,
-       .meaning = "The second thing is the scene without these atoms, which are not felt. The view stays the scene's."},
+       .meaning =
+           "The second thing is the scene without these atoms, which are not felt. The view is that of the scene."},
       {.name = "trials",
        .type = ValueType::Count,
-       .meaning = "How many pairs are felt. Each is drawn for itself: it differs as often as not.",
+       .meaning = "The number of pairs. Each is drawn independently and differs with a probability of one half.",
        .fallback = "8",
-       .least = 2,
-       .most = 100},
+       .min = 2,
+       .max = 100},
       {.name = "right",
        .type = ValueType::Count,
-       .meaning = "How many answers must be right, the others are forgiven; without it three of four. With fewer "
-                  "another round begins, of other pairs.",
-       .least = 1,
-       .most = 100},
-      attemptsKey(
-          "How many rounds there are: after the last one the student goes on without having solved it. Left out, "
-          "as many as need be."),
+       .meaning = "How many answers must be right; by default three quarters. Otherwise another round with other pairs "
+                  "begins.",
+       .min = 1,
+       .max = 100},
+      attemptsKey("The number of rounds; by default unlimited. After the last one the student continues without having "
+                  "solved the task."),
       {.name = "for",
        .type = ValueType::Quantity,
-       .meaning = "How long each thing is touched at least.",
+       .meaning = "The minimum time to touch each thing.",
        .fallback = "1 s",
        .dimension = Dimension::Time,
-       .least = 0.1,
-       .most = 60.0},
+       .min = 0.1,
+       .max = 60.0},
       {.name = "tell",
        .type = ValueType::Word,
        .meaning = "Whether each answer is judged at once.",
@@ -366,21 +366,21 @@ TaskKind sameKind() {
        .words = {"yes", "no"}},
       {.name = "meter",
        .type = ValueType::Word,
-       .meaning = "Whether the force is shown, how great and whereto; without a force-feedback device it is all "
-                  "there is to feel.",
+       .meaning = "Whether magnitude and direction of the force are displayed. Without a force-feedback device this "
+                  "display is the only information.",
        .fallback = "on",
        .words = {"on", "off"}},
       {.name = "asked",
        .type = ValueType::Word,
-       .meaning = "For a lesson that measures itself: it asks the same task in two steps, `before` and `after` its "
-                  "explanation, each time with other pairs. Before is one round, whose answers are not judged. The "
-                  "report gives the gain in d' from the first round of each.",
+       .meaning = "For a lesson that measures its effect: it asks the same task in two steps, `before` (one round "
+                  "without judgement) and `after` its explanation, with other pairs. The report gives the gain in d' "
+                  "between the first rounds.",
        .words = {"before", "after"}},
       {.name = "seed",
        .type = ValueType::Count,
-       .meaning = "For studies: all students and attempts get the pairs that this number draws; without it each gets "
-                  "others.",
-       .most = 1e6}};
+       .meaning = "For studies: the seed of the pairs, which are then the same for all students and attempts; by "
+                  "default they differ.",
+       .max = 1e6}};
   keys.insert(keys.end(), std::begin(others), std::end(others));
   return {"same",
           "Feel two things in the dark and say whether they are the same, several times.",

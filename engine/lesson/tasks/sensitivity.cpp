@@ -8,7 +8,7 @@ namespace moltact {
 
 double normalQuantile(double p) {
   p = std::clamp(p, 1e-12, 1.0 - 1e-12);
-  // Halving the interval: 60 times is exact to rounding, and it is asked once a task.
+  // Bisection: 60 steps are exact to rounding, and each task needs it only once.
   double low = -8.0, high = 8.0;
   for (int k = 0; k < 60; ++k) {
     const double z = 0.5 * (low + high);

@@ -48,7 +48,7 @@ void Task::answer(const TaskAnswer& given) {
   if (done_) return;
   if (given.number) {
     const std::optional<TaskSlider> asked = slider();
-    if (asked && *given.number >= asked->least && *given.number <= asked->most) onAnswer(given);
+    if (asked && *given.number >= asked->min && *given.number <= asked->max) onAnswer(given);
     return;
   }
   if (const TaskCurves* asked = curves();
@@ -77,8 +77,8 @@ std::string Task::sentence() const {
     return answer.empty() ? last : last + " " + answer;
   }
   if (done_) {
-    const std::string told = afterwards(), praise = praise_.text();
-    return told.empty() ? praise : told + " " + praise;
+    const std::string reported = afterwards(), praise = praise_.text();
+    return reported.empty() ? praise : reported + " " + praise;
   }
   if (inside_)
     return body_ ? tr("What you hold began inside the molecule. Draw it back until it is outside, then touch again.")
@@ -101,7 +101,7 @@ bool Task::missedLast() {
 }
 
 KeySpec attemptsKey(std::string_view meaning) {
-  return {.name = "attempts", .type = ValueType::Count, .meaning = meaning, .least = 1, .most = 20};
+  return {.name = "attempts", .type = ValueType::Count, .meaning = meaning, .min = 1, .max = 20};
 }
 
 void Task::setProgress(double progress) { progress_ = std::clamp(progress, 0.0, 1.0); }
@@ -130,7 +130,7 @@ std::vector<SurfacePlace> placesToTouch(const HandPlanInput& view, const AtomSet
   if (feature == "pit") return openPlaces(view, atoms.atoms(), Feature::Point);
   std::vector<SurfacePlace> places = openPlaces(view, atoms.atoms(), Feature::Sphere);
   if (!places.empty() || feature == "sphere") return places;
-  // Atoms without a face of their own may still be touched where they meet others.
+  // Atoms without an exposed face may still be touched at their creases.
   const auto touched = [&](const SurfacePlace& p) {
     return std::any_of(p.atoms.begin(), p.atoms.end(), [&](std::int32_t a) { return atoms.has(a); });
   };
@@ -236,7 +236,7 @@ std::string TargetName::text() const {
   return selection_.given() ? selection_.noun() : placeName(word_);
 }
 
-// Translators: these stand, as what is to be touched or found, in the accusative where the language has one.
+// Translators: these name what is to be touched or found; use the accusative if the language has one.
 const char* placeName(std::string_view word) {
   if (word == "sphere") return tr("the round face of one atom");
   if (word == "crease") return tr("a crease between two atoms");

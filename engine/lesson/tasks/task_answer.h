@@ -1,4 +1,4 @@
-// A student's answer to a task, given otherwise than by touch. Plain data.
+// A student's answer to a task other than by touch. Plain data.
 #pragma once
 
 #include <optional>
@@ -8,9 +8,9 @@
 namespace moltact {
 
 struct TaskAnswer {
-  std::string word = {};              ///< of one of the task's buttons
-  std::vector<double> curve = {};     ///< of a task that lets draw one (unit: newton)
-  std::optional<double> number = {};  ///< of a task with a slider (in its unit)
+  std::string word = {};              ///< the word of one of the task's buttons
+  std::vector<double> curve = {};     ///< for a task in which a curve is drawn (unit: newton)
+  std::optional<double> number = {};  ///< for a task with a slider (in the slider's unit)
 };
 
 }  // namespace moltact

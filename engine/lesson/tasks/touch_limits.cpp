@@ -37,11 +37,11 @@ bool TouchLimits::allow(const Vec3& scp_A, double probe_A) const {
 std::vector<KeySpec> TouchLimits::keys() {
   return {{.name = "side",
            .type = ValueType::Selection,
-           .meaning = "Only the side counts that looks to these atoms, as seen from the middle of the target."},
+           .meaning = "Only the side that faces these atoms counts, as seen from the centre of the target."},
           {.name = "region",
            .type = ValueType::Selection,
-           .meaning = "Only contact points in the ball round these atoms count, which reaches as far as the probe does "
-                      "on the outermost of them."}};
+           .meaning = "Only contact points in the sphere around these atoms count. It extends as far as the probe on "
+                      "the outermost of them."}};
 }
 
 WrongTouches::WrongTouches(const TaskSpec& spec, const Molecule& molecule) {
@@ -58,7 +58,7 @@ std::string WrongTouches::about(const Contact& contact) const {
 KeySpec WrongTouches::key() {
   return {.name = "wrong",
           .type = ValueType::Remarks,
-          .meaning = "What is said to a touch of other atoms: the first line whose atoms are touched counts."};
+          .meaning = "Replies to touches of other atoms; the first line whose atoms are touched applies."};
 }
 
 }  // namespace moltact

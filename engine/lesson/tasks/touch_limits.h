@@ -1,5 +1,5 @@
-// What tasks that want atoms touched may ask for besides: where on them, and what is said to a touch of others.
-// Used as tasks are (task.h). Units: angstrom.
+// Optional limits of tasks whose target are atoms: where on them a touch counts, and replies to touches of other atoms.
+// Window's thread. Unit: angstrom.
 #pragma once
 
 #include <optional>
@@ -10,23 +10,23 @@
 
 namespace moltact {
 
-/// Where on its atoms a touch counts: on the side that looks to other atoms ("side"), and within the sphere round atoms
-/// ("region"). Everywhere where neither is asked for.
+/// Where a touch of the target counts: on the side that faces other atoms ("side"), and within a sphere around atoms
+/// ("region"). Everywhere if neither is given.
 class TouchLimits {
  public:
-  /// `target`: the key of the atoms that are to be touched.
+  /// `target`: the key of the atoms to be touched.
   TouchLimits(const TaskSpec& spec, std::string_view target, const Molecule& molecule);
   bool given() const { return side_.has_value() || region_.has_value(); }
-  /// Whether a contact point counts of a probe of this radius.
+  /// Whether a contact point of a probe with this radius counts.
   bool allow(const Vec3& scp_A, double probe_A) const;
-  /// The same of a contact with the target.
+  /// The same for a contact with the target.
   bool allow(const Contact& contact, double probe_A) const { return allow(contact.scp.A, probe_A); }
 
   static std::vector<KeySpec> keys();
 
  private:
   struct Side {
-    Vec3 from_A{0.0}, to_A{0.0};  // the middles of the target and of the atoms that its side looks to
+    Vec3 from_A{0.0}, to_A{0.0};  // the centres of the target and of the atoms that its side faces
   };
   struct Reach {
     Vec3 centre_A{0.0};
@@ -36,11 +36,11 @@ class TouchLimits {
   std::optional<Reach> region_;
 };
 
-/// What the author says to a touch that is not the one asked for ("wrong").
+/// The author's replies to touches of other places than the requested one ("wrong").
 class WrongTouches {
  public:
   WrongTouches(const TaskSpec& spec, const Molecule& molecule);
-  /// To the first of the author's atoms that hold the contact; empty where nothing is said.
+  /// The reply for the first of the author's atoms in the contact's active set; empty if there is none.
   std::string about(const Contact& contact) const;
 
   static KeySpec key();

@@ -1,4 +1,5 @@
-// trace: follow a way over the surface in contact, from atom to atom in order; the kind's other form is trace_crease.cpp.
+// trace: follow a path of atoms over the surface in contact, in order. The other form of the task is in
+// trace_crease.cpp.
 #include "engine/lesson/tasks/trace.h"
 
 #include <algorithm>
@@ -13,17 +14,17 @@
 namespace moltact {
 namespace {
 
-constexpr double kAhead_A = 5.0;      // round a bend the nearest place of a way may leap so far
-constexpr double kAheadShare = 0.25;  // but never over so much of the whole way
-// The front of a way moves on by no more than the hand has slid since it stood there, as seen from the surface, which
-// may be longer or shorter than the way between the centres; and the hand begins again so near to where it left it.
+constexpr double kAhead_A = 5.0;      // at a bend, the nearest point of the path may jump ahead by this distance
+constexpr double kAheadShare = 0.25;  // but at most by this share of the whole path
+// The front advances by at most this multiple of the slide since it stood there, because the path on the surface may be
+// longer or shorter than that between the centres. The hand must resume within this distance of the front.
 constexpr double kWayShare = 2.0, kResume_A = 1.5;
-constexpr double kSlid_A = 1.0;      // only a slide of so much moves it on
-constexpr double kSlidShare = 0.1;   // or of so much of the way, where that is shorter
-constexpr double kStart_A = 1.0;     // so near to its end a way may be begun
-constexpr double kStartShare = 0.1;  // and within so much of the whole
+constexpr double kSlid_A = 1.0;      // minimum length of a slide that advances the front
+constexpr double kSlidShare = 0.1;   // or this share of the path, if that is shorter
+constexpr double kStart_A = 1.0;     // the path may be begun within this distance of its end
+constexpr double kStartShare = 0.1;  // and within this share of its length
 
-/// The way is the line through their centres, seen from the surface.
+/// The path is the polyline through the atoms' centres, compared with the contact point at the surface.
 class TraceAtoms : public Trace {
  public:
   TraceAtoms(const TaskSpec& spec, const Molecule& molecule)
@@ -40,14 +41,14 @@ class TraceAtoms : public Trace {
  private:
   struct Stop {
     PathPlace place;
-    double at_A = 0.0;  // along the way
+    double at_A = 0.0;  // position along the path
   };
   struct Near {
     double off_A = 0.0, at_A = 0.0;
-    bool inside = true;  // not at an end of the part that was looked at, unless the way itself ends there
+    bool inside = true;  // false at an end of the examined part that is not an end of the path
   };
 
-  // The nearest place of the way on the part of it from `from_A` to `to_A`.
+  // The nearest point of the path between `from_A` and `to_A`.
   Near nearest(const Vec3& scp, double probe_A, double from_A, double to_A) const {
     Near best{std::numeric_limits<double>::max(), from_A, true};
     for (std::size_t k = 0; k + 1 < stops_.size(); ++k) {
@@ -100,11 +101,11 @@ class TraceAtoms : public Trace {
       resumed_ = false;
       slid_A_ = budget_A_ = 0.0;
     }
-    // A press moves the contact point a little too: what is shorter than that is no slide.
+    // A press also moves the contact point slightly; shorter motions do not count as a slide.
     if (slide_.way_A() >= std::min(kSlid_A, kSlidShare * length_A_))
       budget_A_ += kWayShare * (slide_.way_A() - std::exchange(slid_A_, slide_.way_A()));
     if (!resumed_) {
-      // The way goes on where it was left: whoever is put down there, or slides back to it, has found it again.
+      // The path continues where it was left: a hand that comes down there, or slides back to it, resumes.
       const double reach = std::min(kResume_A, ahead_A_);
       const Near left = nearest(scp, probe_A, std::max(0.0, here_A - reach), std::min(length_A_, here_A + reach));
       resumed_ = (left.inside && left.off_A <= within_A) || restsNear(contact, reach);
@@ -114,7 +115,7 @@ class TraceAtoms : public Trace {
     const Near here = nearest(scp, probe_A, std::max(0.0, here_A - ahead_A_), std::min(length_A_, here_A + ahead_A_));
     const bool on = here.inside && here.off_A <= within_A;
     if (on) advance(backward_ ? length_A_ - here.at_A : here.at_A);
-    return {off_A, comesTo(contact) || on};
+    return {off_A, reaches(contact) || on};
   }
 
   void advance(double to_A) {
@@ -124,15 +125,16 @@ class TraceAtoms : public Trace {
     budget_A_ -= on_A;
   }
 
-  // A place of several atoms is reached where one of them is touched: the line through its middle may be out of reach.
-  bool comesTo(const Contact& contact) {
+  // A point of several atoms counts as reached if one of them is touched, because the line through their centre may be
+  // out of reach.
+  bool reaches(const Contact& contact) {
     bool reached = false;
     for (const Stop& stop : stops_) {
       const double at_A = alongOf(stop);
       if (at_A - front_A_ > ahead_A_ + stop.place.reach_A || front_A_ - at_A > stop.place.reach_A ||
           !rests(contact, stop))
         continue;
-      // Its atoms reach so far before its middle.
+      // Its atoms extend this far in front of their centre.
       if (at_A - front_A_ <= budget_A_ + stop.place.reach_A && at_A > front_A_) {
         budget_A_ = std::max(0.0, budget_A_ - (at_A - front_A_));
         front_A_ = at_A;
@@ -144,7 +146,8 @@ class TraceAtoms : public Trace {
 
   double alongOf(const Stop& stop) const { return backward_ ? length_A_ - stop.at_A : stop.at_A; }
 
-  // On a place of several atoms that begins no farther ahead than this, or ends no farther behind.
+  // Whether the contact is on a point of several atoms that begins at most this far ahead, or ends at most this far
+  // behind.
   bool restsNear(const Contact& contact, double within_A) const {
     return std::any_of(stops_.begin(), stops_.end(), [&](const Stop& stop) {
       return std::abs(alongOf(stop) - front_A_) <= stop.place.reach_A + within_A && rests(contact, stop);
@@ -158,7 +161,7 @@ class TraceAtoms : public Trace {
            });
   }
 
-  // Over the faces of the path's atoms that are open, one after the other, each the one nearest to the last.
+  // Over the exposed faces of the path's atoms in order, each nearest to the previous one.
   HandPlan demonstrate(const HandPlanInput& view) const override {
     std::vector<SurfacePlace> way;
     for (const Stop& stop : stops_) {
@@ -197,7 +200,7 @@ class TraceAtoms : public Trace {
 
   std::vector<Stop> stops_;
   double length_A_ = 0.0, ahead_A_ = 0.0, front_A_ = 0.0;
-  double slid_A_ = 0.0, budget_A_ = 0.0;  // of the slide until the last tick; so far the front may move on
+  double slid_A_ = 0.0, budget_A_ = 0.0;  // length of the slide up to the last tick; how far the front may advance
   bool either_ = false, begun_ = false, backward_ = false, resumed_ = false;
 };
 
@@ -221,47 +224,46 @@ void checkTrace(const TaskSpec& spec, std::vector<Problem>& problems) {
 }  // namespace
 
 TaskKind traceKind() {
-  return {
-      "trace",
-      "Follow a way over the surface without letting go.",
-      {{.name = "trace",
-        .type = ValueType::Path,
-        .meaning = "The way: one selection, whose atoms are followed in the order of the file; places parted by "
-                   "'then'; or 'crease'.",
-        .required = true,
-        .words = {"crease"}},
-       {.name = "of",
-        .type = ValueType::Selection,
-        .meaning = "For 'trace: crease': the atoms between which the creases lie."},
-       {.name = "within",
-        .type = ValueType::Quantity,
-        .meaning = "How far off the way the contact point may be.",
-        .fallback = "1 Å",
-        .dimension = Dimension::Length,
-        .least = 0.05,
-        .most = 50.0},
-       {.name = "cover",
-        .type = ValueType::Count,
-        .meaning = "How much of the way is to be followed, in percent.",
-        .fallback = "90",
-        .least = 1,
-        .most = 100},
-       {.name = "direction",
-        .type = ValueType::Word,
-        .meaning = "Whether the way may be begun at its end as well.",
-        .fallback = "forward",
-        .words = {"forward", "either"}},
-       {.name = "lifts",
-        .type = ValueType::Count,
-        .meaning = "How often the student may let go before the way begins again; without it as often as need be.",
-        .most = 100},
-       attemptsKey("Goes with 'lifts': how often the way may be begun; where the last time is let go of too often as "
-                   "well, the student goes on, and a way from atom to atom is marked. Left out, as often as need be.")},
-      [](const TaskSpec& s, const Molecule& m) -> std::unique_ptr<Task> {
-        if (!s.values["trace"].words.empty()) return makeTraceCrease(s, m);
-        return std::make_unique<TraceAtoms>(s, m);
-      },
-      &checkTrace};
+  return {"trace",
+          "Follow a path over the surface without losing contact.",
+          {{.name = "trace",
+            .type = ValueType::Path,
+            .meaning = "The path: one selection, whose atoms are followed in the order of the file; places separated "
+                       "by 'then'; or 'crease'.",
+            .required = true,
+            .words = {"crease"}},
+           {.name = "of",
+            .type = ValueType::Selection,
+            .meaning = "For 'trace: crease': the atoms between which the creases lie."},
+           {.name = "within",
+            .type = ValueType::Quantity,
+            .meaning = "The largest distance of the contact point from the path.",
+            .fallback = "1 Å",
+            .dimension = Dimension::Length,
+            .min = 0.05,
+            .max = 50.0},
+           {.name = "cover",
+            .type = ValueType::Count,
+            .meaning = "The share of the path that must be followed, in percent.",
+            .fallback = "90",
+            .min = 1,
+            .max = 100},
+           {.name = "direction",
+            .type = ValueType::Word,
+            .meaning = "Whether the path may also be begun at its end.",
+            .fallback = "forward",
+            .words = {"forward", "either"}},
+           {.name = "lifts",
+            .type = ValueType::Count,
+            .meaning = "How often the student may lose contact before the path restarts; by default unlimited.",
+            .max = 100},
+           attemptsKey("For 'lifts': how often the path may be begun; by default unlimited. If contact is lost too "
+                       "often the last time as well, the student continues, and a path from atom to atom is marked.")},
+          [](const TaskSpec& s, const Molecule& m) -> std::unique_ptr<Task> {
+            if (!s.values["trace"].words.empty()) return makeTraceCrease(s, m);
+            return std::make_unique<TraceAtoms>(s, m);
+          },
+          &checkTrace};
 }
 
 }  // namespace moltact

@@ -1,5 +1,6 @@
-// What the two forms of the task trace have in common: how far the hand is off the way, and how often it let go. The
-// ways themselves are in trace.cpp (from atom to atom) and trace_crease.cpp (along creases). Units: angstrom, second.
+// Common base of the two forms of the task trace: measures how far the hand is off the path and how often it lost
+// contact. The paths are in trace.cpp (from atom to atom) and trace_crease.cpp (along creases). Units: angstrom,
+// second.
 #pragma once
 
 #include <memory>
@@ -22,22 +23,22 @@ class Trace : public Task {
   enum class Begin { Start, EitherEnd, Anywhere };
 
   struct Step {
-    double off_A = 0.0;  // of the contact point from the way
-    bool on = false;     // on the part of the way that is to be followed now
+    double off_A = 0.0;  // distance of the contact point from the path
+    bool on = false;     // on the part of the path that is to be followed now
   };
 
-  /// The stretch of surface that the hand slides over now.
+  /// The present slide over the surface.
   Slide slide_;
-  /// The hand has been put down again since the tick before.
+  /// The hand has made contact in this tick.
   bool put_down_ = false;
 
-  /// Moves on along the way where the contact point is on it within the tolerance.
+  /// Advances along the path if the contact point is on it within the tolerance.
   virtual Step follow(const Contact& contact, double probe_A, double within_A) = 0;
   virtual bool begun() const = 0;
-  virtual double covered() const = 0;  // 0 to 1
+  virtual double covered() const = 0;  // share of the path, 0 to 1
   virtual void forget() = 0;
   virtual Begin begin() const = 0;
-  /// What is to be touched first, where the author gave it no name.
+  /// The words for what must be touched first, if the author gave no name.
   virtual const char* unnamed() const;
 
  private:
@@ -47,7 +48,7 @@ class Trace : public Task {
 
   std::string guidance() const override;
 
-  // As the author called it.
+  // The author's name of the path.
   std::string name() const;
   std::string way() const;
 
@@ -61,7 +62,7 @@ class Trace : public Task {
   State state_ = State::Away;
 };
 
-/// The task of 'trace: crease'.
+/// Makes the task `trace: crease`.
 std::unique_ptr<Task> makeTraceCrease(const TaskSpec& spec, const Molecule& molecule);
 
 }  // namespace moltact

@@ -1,4 +1,4 @@
-// What the two forms of trace have in common.
+// Common base of the two forms of the task trace.
 #include <algorithm>
 #include <cmath>
 

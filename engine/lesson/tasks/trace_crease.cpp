@@ -9,10 +9,10 @@
 namespace moltact {
 namespace {
 
-constexpr double kSpacing_A = 0.2;     // of the places along a crease
-constexpr double kBrush_A = 0.25;      // a contact covers so much of a crease to either side
-constexpr double kBrushed_A = 1.0;     // only what a slide of so much goes over is covered
-constexpr double kBrushedShare = 0.1;  // or of so much of the crease, where that is shorter
+constexpr double kSpacing_A = 0.2;     // spacing of the sampled points of a crease
+constexpr double kBrush_A = 0.25;      // half width of the part of a crease that a contact covers
+constexpr double kBrushed_A = 1.0;     // minimum length of a slide that covers anything
+constexpr double kBrushedShare = 0.1;  // or this share of the crease, if that is shorter
 
 class TraceCrease : public Trace {
  public:
@@ -29,7 +29,7 @@ class TraceCrease : public Trace {
  private:
   Step follow(const Contact& contact, double probe_A, double within_A) override {
     if (probe_A != probe_A_) {
-      // The creases move with the surface.
+      // The creases are moved with the surface.
       std::vector<Sphere> points;
       for (const SurfacePlace& p : creasePlaces(*scene_, atoms_, probe_A, kSpacing_A)) points.push_back({p.scp_A, 0.0});
       places_ = std::make_unique<const SphereGrid>(std::move(points));
@@ -37,7 +37,7 @@ class TraceCrease : public Trace {
       forget();
     }
     const double off_A = nearest(contact.scp.A);
-    // Between two of the places the crease is still there.
+    // Corrects for the distance to the next sampled point.
     const double off = off_A < kSpacing_A ? std::max(0.0, off_A - 0.5 * kSpacing_A) : off_A;
     if (off > within_A || put_down_) {
       dropBrushed();
@@ -50,7 +50,7 @@ class TraceCrease : public Trace {
       passed_[k] = kBrushed;
       brushed_.push_back(k);
     });
-    // A hand that is only put down here and there has not followed it.
+    // Covering a crease requires sliding along it; single touches do not count.
     if (slide_.way_A() - on_since_A_ < std::min(kBrushed_A, kBrushedShare * kSpacing_A * double(places_->size())))
       return {off, true};
     for (const std::uint32_t k : brushed_) passed_[k] = kPassed;
@@ -64,7 +64,7 @@ class TraceCrease : public Trace {
     brushed_.clear();
   }
 
-  // Along each stretch of crease; where the next place is far, the hand comes down anew.
+  // Along each part of a crease; if the next point is far, the hand comes down there again.
   HandPlan demonstrate(const HandPlanInput& view) const override {
     constexpr double kNext_A = 0.8;
     HandPlan plan;
@@ -86,16 +86,15 @@ class TraceCrease : public Trace {
 
   bool empty() const { return !places_ || places_->size() == 0; }
 
-  // How far the nearest place of the creases is, looked for in a growing box.
+  // The distance to the nearest point of the creases, searched in a growing box.
   double nearest(const Vec3& scp) const {
     const double far =
         empty() ? 0.0 : glm::distance(places_->low_A(), places_->high_A()) + glm::distance(scp, places_->low_A()) + 1.0;
     for (double reach_A = 0.5; !empty(); reach_A *= 2.0) {
-      double least = std::numeric_limits<double>::max();
-      places_->visitCentresNear(scp, reach_A, [&](std::uint32_t, const Sphere& p) {
-        least = std::min(least, glm::distance(scp, p.centre_A));
-      });
-      if (least <= reach_A || reach_A > far) return least;
+      double min = std::numeric_limits<double>::max();
+      places_->visitCentresNear(
+          scp, reach_A, [&](std::uint32_t, const Sphere& p) { min = std::min(min, glm::distance(scp, p.centre_A)); });
+      if (min <= reach_A || reach_A > far) return min;
     }
     return 1e3;  // there is no crease
   }
@@ -113,11 +112,11 @@ class TraceCrease : public Trace {
 
   std::shared_ptr<const SphereGrid> scene_;
   std::vector<std::uint32_t> atoms_;
-  std::unique_ptr<const SphereGrid> places_;  // a grid of points
+  std::unique_ptr<const SphereGrid> places_;  // the sampled points
   static constexpr char kBrushed = 1, kPassed = 2;
   std::vector<char> passed_;
-  std::vector<std::uint32_t> brushed_;  // by the slide that goes on, as long as it is too short
-  double on_since_A_ = 0.0;             // of the slide, when it came onto the crease
+  std::vector<std::uint32_t> brushed_;  // covered by the present slide, while it is too short to count
+  double on_since_A_ = 0.0;             // length of the slide when it reached the crease
   std::size_t count_ = 0;
   double probe_A_ = -1.0;
   bool begun_ = false;

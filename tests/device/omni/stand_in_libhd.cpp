@@ -38,7 +38,7 @@ struct State {
   std::vector<hd::ErrorInfo> errors;
   bool attached = true, initialised = false, in_frame = false, forces_on = false, running = false, manual = true,
        licensed = true;
-  bool framed = false, ticks = false;  // a frame was in this tick; a tick is under way
+  bool framed = false, ticks = false;  // there was a frame in this tick; a tick is in progress
   std::uint32_t error_at_end = hd::kNoError, error_at_begin = hd::kNoError;
   int begins_to_fail = 0;
   std::uint32_t calibration = hd::kCalibrated, style = hd::kInkwell, updates = 0;
@@ -435,7 +435,7 @@ void standInUpdatesNeeded(int times) {
   const Lock lock(state().mutex);
   state().updates_needed = times;
 }
-// An opening takes so long and leaves this error, though it is a success.
+// Initialization takes this long and leaves this error, although it succeeds.
 void standInInit(int ms, std::uint32_t error) {
   const Lock lock(state().mutex);
   state().init_ms = ms;

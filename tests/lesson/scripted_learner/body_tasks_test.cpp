@@ -55,7 +55,7 @@ SceneSpec heldScene() { return lesson(step(""))->steps[0].scene; }
 Quat aboutZ(double deg) { return glm::angleAxis(glm::radians(deg), Vec3(0, 0, 1)); }
 double apart_deg(const Quat& a, const Quat& b) { return glm::degrees(glm::length(rotationBetween(a, b))); }
 
-// Samples of a hand that presses these atoms with the body, for so long.
+// Samples of a hand that presses the body against these atoms for this time.
 void pressWithBody(Task& task, double& time_s, std::array<std::int32_t, 3> atoms, double force_N, double for_s,
                    const Vec3& middle_A = Vec3(0.0)) {
   TouchSample s;
@@ -104,16 +104,16 @@ TEST_CASE(
   for (const auto& [keys, says] : refused) {
     CAPTURE(keys);
     const std::vector<std::string> errors = errorsOf(step(keys));
-    std::size_t told = 0;
+    std::size_t reported = 0;
     for (const std::string& e : errors) {
       CAPTURE(e);
       if (!e.starts_with("l.md:14:1: " + says +
                          " judges a probe, and here the hand holds a body; write 'in-hand: none'"))
         continue;
       CHECK(e.find("reach, hold, press, feel, compare") != std::string::npos);
-      ++told;
+      ++reported;
     }
-    CHECK(told == 1);
+    CHECK(reported == 1);
     for (const std::string& e : errorsOf(step(keys, ""))) CHECK(e.find("judges a probe") == std::string::npos);
   }
 }

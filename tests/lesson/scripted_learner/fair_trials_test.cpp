@@ -16,7 +16,7 @@ constexpr unsigned kSeed = 20261122;
 
 TEST_CASE("answers to 'same' by a coin, always the same, or half of each pass a round as often as coins do") {
   std::vector<Found> found = tasksOfKind("same");
-  // What is asked before is a measurement: one round, which nobody passes or fails.
+  // A task asked before is a measurement: one round without pass or fail.
   std::erase_if(found, [](const Found& f) { return f.spec().values["asked"].text == "before"; });
   REQUIRE(found.size() >= 8);
   std::mt19937 random(kSeed);
@@ -87,7 +87,7 @@ TEST_CASE(
     const StepPicture picture(*f.step);
     const auto task = makeTask(f.spec(), *picture.molecule);
     constexpr double kWide_px = StepPicture::kSize_px;
-    // To fit so many atoms into the view takes its time.
+    // Fitting many atoms into the view takes long.
     const int rounds = picture.part || picture.molecule->atoms.size() < 20000 ? 400 : 100;
     std::mt19937 random(kSeed);
     std::uniform_real_distribution<double> pixel(0.0, kWide_px), beside(-60.0, 60.0);
@@ -107,7 +107,7 @@ TEST_CASE(
     const glm::dvec2 seen = picture.seen(atomsOf(picture, f.spec(), {"find"}));
     const double looked = share(1000, [&](int guess) { return around(seen, guess); });
     const double chance = std::max(jabbed, middled);
-    // A place that three blind presses find more often is no place to find.
+    // A place that three blind presses find more often is unsuitable for a search.
     CHECK(chance <= 0.2);
     CHECK(looked <= chance + std::sqrt(2.0) * noise(chance, rounds));
     table.row(f, looked, middled, jabbed, chance);

@@ -93,18 +93,18 @@ TEST_CASE(
                                 "### Question: Which?\n\n- [x] This → Right so.\n- [ ] That → No.\n\n### Question: How "
                                 "many?\n\n```answer\nnumber: 3\ntolerance: 0\nright: Right so.\n```\n";
   const Played played = play(questions, "answer 1: 1\nanswer 1: 2\nanswer 2: many\nanswer 2: 3\nanswer 2: 4\n");
-  std::string told;
+  std::string reported;
   for (const LearnerEvent& e : played.events)
     if (e.kind == LearnerEvent::Kind::Question)
-      told += std::string(!e.taken ? "not taken" : e.right ? "right" : "wrong") + ": " + e.note + "\n";
-  CHECK(told ==
+      reported += std::string(!e.taken ? "not taken" : e.right ? "right" : "wrong") + ": " + e.note + "\n";
+  CHECK(reported ==
         "right: Right so.\nnot taken: the question is answered and takes no other answer\nnot taken: 'many' is no "
         "number. Write one, for example 12 or 0.5.\nright: Right so.\nnot taken: the question is answered and takes no "
         "other answer\n");
   CHECK(played.finished);
 }
 
-TEST_CASE("each kind of task is done on two balls by the student who follows its demonstration, in at most 30 s") {
+TEST_CASE("each kind of task is done on two spheres by the student who follows its demonstration, in at most 30 s") {
   const std::vector<std::pair<std::string, std::string>> all{
       {"reach", "reach: atom 1"},
       {"hold", "hold: crease\nfor: 1 s\nforce: 0.3 N to 1 N"},
@@ -266,17 +266,17 @@ TEST_CASE("what a script refers to and the lesson lacks is reported at its line,
   const Played p = play(
       step(touch("reach: atom 0")) + "### Question: Q?\n- [x] a\n- [ ] b\n",
       "slide atom 0\nanswer what: a\nanswer q: c\nsay here\ntouch element Xe\nnext\ndraw 1 N\ndo\ndo\nanswer q: a\n");
-  std::vector<std::string> told;
-  for (const Problem& problem : p.problems) told.push_back(problem.text());
-  REQUIRE(told.size() == 8);
-  CHECK(told[0] == "a.txt:1:1: the hand touches nothing; touch a place first");
-  CHECK(told[1] == "a.txt:2:1: the step 'a-step' has no question 'what'; its questions: q");
-  CHECK(told[2] == "a.txt:3:1: 'c' is none of the 2 choices; write a choice's number or its whole text");
-  CHECK(told[3] == "a.txt:4:1: the task does not offer 'here' now; it offers nothing; touch first");
-  CHECK(told[4].starts_with("a.txt:5:1: element 'Xe' is not in"));
-  CHECK(told[5] == "a.txt:6:1: this is the last step; take the line out");
-  CHECK(told[6] == "a.txt:7:1: no curve is asked for now; take the line out");
-  CHECK(told[7] == "a.txt:9:1: the step has no task left to do; take the line out, or go on with 'next'");
+  std::vector<std::string> reported;
+  for (const Problem& problem : p.problems) reported.push_back(problem.text());
+  REQUIRE(reported.size() == 8);
+  CHECK(reported[0] == "a.txt:1:1: the hand touches nothing; touch a place first");
+  CHECK(reported[1] == "a.txt:2:1: the step 'a-step' has no question 'what'; its questions: q");
+  CHECK(reported[2] == "a.txt:3:1: 'c' is none of the 2 choices; write a choice's number or its whole text");
+  CHECK(reported[3] == "a.txt:4:1: the task does not offer 'here' now; it offers nothing; touch first");
+  CHECK(reported[4].starts_with("a.txt:5:1: element 'Xe' is not in"));
+  CHECK(reported[5] == "a.txt:6:1: this is the last step; take the line out");
+  CHECK(reported[6] == "a.txt:7:1: no curve is asked for now; take the line out");
+  CHECK(reported[7] == "a.txt:9:1: the step has no task left to do; take the line out, or go on with 'next'");
   CHECK(p.finished);
 }
 
@@ -284,15 +284,15 @@ TEST_CASE("faults in the text of a script are all reported, with line, column an
   const AnswersReading read = readAnswers(
       "a.txt",
       "tuch atom 0\n\npress 4\npress 1 N on elment O\n# only a comment\nmethod exakt\nanswer q\nwait\ndo it\n");
-  std::vector<std::string> told;
-  for (const Problem& p : read.problems) told.push_back(p.text());
-  REQUIRE(told.size() == 7);
-  CHECK(told[0] == "a.txt:1:1: there is no act 'tuch'; did you mean 'touch'?");
-  CHECK(told[1].starts_with("a.txt:3:7: '4' needs a unit: "));
-  CHECK(told[2].starts_with("a.txt:4:14: "));
-  CHECK(told[3] == "a.txt:6:8: there is no haptic method 'exakt'; did you mean 'exact'?");
-  CHECK(told[4].starts_with("a.txt:7:"));
-  CHECK(told[5].starts_with("a.txt:8:"));
-  CHECK(told[6] == "a.txt:9:4: nothing comes after this act; take it out");
+  std::vector<std::string> reported;
+  for (const Problem& p : read.problems) reported.push_back(p.text());
+  REQUIRE(reported.size() == 7);
+  CHECK(reported[0] == "a.txt:1:1: there is no act 'tuch'; did you mean 'touch'?");
+  CHECK(reported[1].starts_with("a.txt:3:7: '4' needs a unit: "));
+  CHECK(reported[2].starts_with("a.txt:4:14: "));
+  CHECK(reported[3] == "a.txt:6:8: there is no haptic method 'exakt'; did you mean 'exact'?");
+  CHECK(reported[4].starts_with("a.txt:7:"));
+  CHECK(reported[5].starts_with("a.txt:8:"));
+  CHECK(reported[6] == "a.txt:9:4: nothing comes after this act; take it out");
   CHECK(read.acts.empty());
 }

@@ -1,5 +1,5 @@
-// The program's lesson on HIV protease in the dark: the tunnel with the drug against the tunnel without it, as felt by
-// a hand that pushes where the student is told to.
+// The shipped lesson on HIV protease in the dark: the tunnel with the drug against the tunnel without it, as felt by a
+// hand that follows the instructions.
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -33,7 +33,7 @@ TEST_CASE(
     const auto exact = findMethod("exact")->make(scenes[with ? 0 : 1], kWaterProbe_A);
     const Ray ray = c.rayThrough(at_px.x, at_px.y, StepPicture::kSize_px, StepPicture::kSize_px);
     Contact contact;
-    // 1.5 A deep, as a light push goes.
+    // 1.5 A deep, as with a light push.
     for (double a = c.distance_A - 30; a < c.distance_A + 30; a += 0.01) {
       const Vec3 hand = ray.origin.A + ray.direction * a;
       contact = exact->step({hand});

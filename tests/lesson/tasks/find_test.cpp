@@ -29,7 +29,7 @@ TEST_CASE(
   CHECK_FALSE(t->done());
   CHECK(t->sentence() == "That is not atom 0, but close to it. 2 guesses are left.");
   hand.touch({4}, 0.1, 0.5, {0, 4, 0});
-  // A mouse lets go before it clicks.
+  // With a mouse the hand has to let go before clicking.
   hand.away(1.0);
   CHECK(t->sentence() == "Say whether it was there, or feel on to find atom 0.");
   CHECK(offers(*t, "here"));

@@ -26,7 +26,7 @@ Molecule cage() {
 
 const Keys kKeys{{"fit", "name C"}, {"least", "0.2 Å"}, {"most", "4 Å"}, {"attempts", "1"}};
 
-// The limit is told when the one guess that there is was wrong.
+// The limit as reported after the only guess was wrong.
 std::string limitOf(Task& task) {
   constexpr double kProven_A = 0.3;
   task.answer({.number = kProven_A});
@@ -40,7 +40,7 @@ std::string limitOf(Task& task) {
   return task.sentence();
 }
 
-std::string told(const std::vector<std::uint32_t>& untouchable) {
+std::string reported(const std::vector<std::uint32_t>& untouchable) {
   std::vector<Problem> problems;
   const TaskSpec spec = specOf("fit", kKeys, problems);
   REQUIRE(problems.empty());
@@ -51,12 +51,12 @@ std::string told(const std::vector<std::uint32_t>& untouchable) {
 }  // namespace
 
 TEST_CASE(
-    "through the window of three balls of 1.7 A, 2.449 A from its middle, a probe of 0.749 A gets and no larger") {
+    "through the window of three spheres of 1.7 A, 2.449 A from its middle, a probe of 0.749 A gets and no larger") {
   const double window_A = kCage_A * std::sqrt(2.0 / 3.0) - kRadius_A;
   REQUIRE(window_A == doctest::Approx(0.7495).epsilon(1e-3));
   const auto t = task("fit", kKeys, cage());
   CHECK(limitOf(*t) == "That was the last try. The tracker finds 0.7 Å as the limit.");
-  CHECK(told({}).empty());
+  CHECK(reported({}).empty());
 }
 
 TEST_CASE("atoms that the hand goes through keep no probe out: neither in the task nor for the author") {
@@ -64,5 +64,5 @@ TEST_CASE("atoms that the hand goes through keep no probe out: neither in the ta
   const auto t = task("fit", kKeys, cage());
   t->leaveOut(ways);
   CHECK(limitOf(*t) == "That was the last try. The tracker finds 4.0 Å as the limit.");
-  CHECK(told(ways) == "every probe up to 4.00 Å gets there");
+  CHECK(reported(ways) == "every probe up to 4.00 Å gets there");
 }

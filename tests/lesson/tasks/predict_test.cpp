@@ -70,7 +70,7 @@ TEST_CASE("with 80 % asked for, a prediction of 50 % is to be drawn again and th
 TEST_CASE("against the way: sliding 2.9 of 3 A from atom 0 to atom 3 feels the force over the way") {
   auto t = task("predict", {{"predict", "atom 0"}, {"along", "atom 3"}});
   Hand hand{*t};
-  CHECK(t->curves()->x_most == doctest::Approx(3.0));
+  CHECK(t->curves()->x_max_A == doctest::Approx(3.0));
   t->answer(line(*t, 0.5));
   hand.slide({0}, {0, 3.1, 0}, {2.9, 3.1, 0}, 0.5);
   CHECK(t->done());

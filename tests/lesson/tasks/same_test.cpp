@@ -9,7 +9,7 @@ namespace {
 
 const Keys kProbes{{"same", "anywhere"}, {"probe", "2 Å"}, {"trials", "8"}, {"for", "0.2 s"}};
 
-/// What one pair was, as only an omniscient observer knows it.
+/// The true values of one pair, which no student can see.
 struct Pair {
   bool differ = false;
   std::string order;
@@ -171,8 +171,8 @@ TEST_CASE("each answer is judged at once, unless the author says no") {
     auto t = task("same", keys);
     Hand hand{*t};
     const Pair p = feelPair(*t, hand, [](bool d) { return !d; });
-    const std::string told = p.differ ? "No, they were different. " : "No, they were the same. ";
-    CHECK(t->sentence() == (tell ? told : "") + "Touch the first of pair 2 of 8.");
+    const std::string reported = p.differ ? "No, they were different. " : "No, they were the same. ";
+    CHECK(t->sentence() == (tell ? reported : "") + "Touch the first of pair 2 of 8.");
     CHECK(t->trials().right.size() == (tell ? 1 : 0));
   }
 }

@@ -28,7 +28,8 @@ void round(Hand& hand, double from_deg, double to_deg, double radius_A = kCrease
 }  // namespace
 
 TEST_CASE(
-    "tracing half of the crease between two balls covers 50 % without deviation, and all but 30 degrees is enough for "
+    "tracing half of the crease between two spheres covers 50 % without deviation, and all but 30 degrees is enough "
+    "for "
     "90 %") {
   auto t = task("trace", {{"trace", "crease"}, {"of", "all"}, {"within", "0.3 Å"}}, pair());
   Hand hand{*t};

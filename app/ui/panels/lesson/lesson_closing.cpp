@@ -343,13 +343,13 @@ void drawClosingFoot(Application& app) {
               back_w = std::min(look().tx(96), 0.4f * width), next_w = width - back_w - gap;
   if (button("lesson/back", tr("Back"), ButtonLook::Plain, back_w)) app.lesson.back();
   ImGui::SameLine();
-  if (const LessonCard* next = app.extensions().shelf.after(app.lesson.file())) {
+  if (const LessonCard* next = app.extensions().lesson_list.after(app.lesson.file())) {
     const LessonCard card = *next;
     const bool go =
         button("lesson/end/next", elided(trf("Next lesson: {0}", card.title), next_w - look().px(28)).c_str(),
                ButtonLook::Primary, next_w);
     tip(card.description.c_str());
-    if (go) app.extensions().shelf.begin(card);
+    if (go) app.extensions().lesson_list.begin(card);
   } else if (button("lesson/end/more", tr("More lessons"), ButtonLook::Primary, next_w)) {
     app.panels.pages.welcome = true;
   }

@@ -30,27 +30,27 @@ bool holds(const std::vector<std::size_t>& list, std::size_t value) {
 // The mark on a choice. It is hidden until the feedback may be shown.
 enum class Mark { None, Right, Wrong };
 
-const char* wordOf(Mark told) { return told == Mark::Right ? tr("right") : tr("wrong"); }
+const char* wordOf(Mark verdict) { return verdict == Mark::Right ? tr("right") : tr("wrong"); }
 
 // A tick in a disc for right, a cross in a square for wrong: distinguishable without colour.
-void drawVerdict(ImDrawList* draw, Mark told, ImVec2 centre, float half) {
+void drawVerdict(ImDrawList* draw, Mark verdict, ImVec2 centre, float half) {
   const Palette& p = look().palette;
-  if (told == Mark::Right)
+  if (verdict == Mark::Right)
     draw->AddCircleFilled(centre, half, p.good, 28);
   else
     draw->AddRectFilled({centre.x - half + 1, centre.y - half + 1}, {centre.x + half - 1, centre.y + half - 1}, p.bad,
                         look().px(2));
-  drawIcon(draw, told == Mark::Right ? Icon::Check : Icon::Close, centre, 1.5f * half, p.panel);
+  drawIcon(draw, verdict == Mark::Right ? Icon::Check : Icon::Close, centre, 1.5f * half, p.panel);
 }
 
 // A choice: a card, with an icon and a word once its result is shown. Returns whether it was chosen.
-bool drawChoice(const std::string& name, const Choice& choice, bool round, bool ticked, Mark told) {
+bool drawChoice(const std::string& name, const Choice& choice, bool round, bool ticked, Mark verdict) {
   const Look& l = look();
   const Palette& p = l.palette;
   const float width = ImGui::GetContentRegionAvail().x, pad = l.px(9), mark = l.px(8);
   ImFont* const small = l.font(Font::Small);
   const float word_w =
-      told == Mark::None ? 0.0f : small->CalcTextSizeA(small->FontSize, 1e9f, 0, wordOf(told)).x + l.px(10);
+      verdict == Mark::None ? 0.0f : small->CalcTextSizeA(small->FontSize, 1e9f, 0, wordOf(verdict)).x + l.px(10);
   const float text_w = width - 2 * pad - 2 * mark - l.px(10) - word_w;
   const float height = std::max(richTextHeight(choice.text, text_w), 2 * mark) + 2 * pad;
   ImGui::PushID(name.c_str());
@@ -58,19 +58,19 @@ bool drawChoice(const std::string& name, const Choice& choice, bool round, bool 
   ImGui::PopID();
   const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
   ImDrawList* draw = ImGui::GetWindowDrawList();
-  const ImU32 ground = told == Mark::Right      ? p.good_soft
-                       : told == Mark::Wrong    ? p.bad_soft
+  const ImU32 ground = verdict == Mark::Right   ? p.good_soft
+                       : verdict == Mark::Wrong ? p.bad_soft
                        : ImGui::IsItemHovered() ? p.hovered
                                                 : p.raised;
   draw->AddRectFilled(low, high, ground, l.px(7));
   if (l.theme == ThemeChoice::HighContrast) draw->AddRect(low, high, p.line, l.px(7), 0, std::max(1.0f, l.scale));
   const ImVec2 centre{low.x + pad + mark, low.y + pad + mark + l.px(1)};
-  const ImU32 colour = told == Mark::Right ? p.good : told == Mark::Wrong ? p.bad : ticked ? p.accent : p.faint;
-  if (told != Mark::None) {
-    drawVerdict(draw, told, centre, mark);
+  const ImU32 colour = verdict == Mark::Right ? p.good : verdict == Mark::Wrong ? p.bad : ticked ? p.accent : p.faint;
+  if (verdict != Mark::None) {
+    drawVerdict(draw, verdict, centre, mark);
     const ImVec2 at{high.x - pad - word_w + l.px(10), low.y + pad + 0.5f * (ImGui::GetFontSize() - small->FontSize)};
-    draw->AddText(small, small->FontSize, at, colour, wordOf(told));
-    recordRectangle(name + "/verdict", {at.x, at.y}, {high.x - pad, at.y + small->FontSize}, wordOf(told));
+    draw->AddText(small, small->FontSize, at, colour, wordOf(verdict));
+    recordRectangle(name + "/verdict", {at.x, at.y}, {high.x - pad, at.y + small->FontSize}, wordOf(verdict));
   } else if (round) {
     draw->AddCircle(centre, mark - 1, colour, 28, l.px(1.6f));
     if (ticked) draw->AddCircleFilled(centre, mark - l.px(4), colour, 28);
@@ -130,7 +130,7 @@ void drawChoices(Application& app, std::size_t index, const std::string& name, f
   const Question& question = session.step().questions[index];
   const QuestionStatus& status = session.question(index);
   std::vector<std::size_t>& ticked = lesson.drafts().ticked[index];
-  const bool one = question.rightChoices() <= 1, keys = takesKeys(session, index), told = session.told(index),
+  const bool one = question.rightChoices() <= 1, keys = takesKeys(session, index), verdict = session.feedbackVisible(index),
              open = session.takesAnswer(index);
   if (ticked.empty() && status.attempts > 0 && status.done()) ticked = status.chosen;
   if (!one)
@@ -146,7 +146,7 @@ void drawChoices(Application& app, std::size_t index, const std::string& name, f
     const std::size_t k = order[place];
     const bool given = status.attempts > 0 && holds(status.chosen, k), right = question.choices[k].right;
     // After the result of a prediction or the last try, the right choices are marked too.
-    const bool marked = told && (given || ((question.prediction || status.shown) && right));
+    const bool marked = verdict && (given || ((question.prediction || status.shown) && right));
     const bool is_ticked = one ? given : holds(ticked, k);
     const std::string choice = name + "/" + std::to_string(k);
     const bool clicked = drawChoice(choice, question.choices[k], one, is_ticked,
@@ -237,7 +237,7 @@ Said saidTo(const LessonSession& session, std::size_t index) {
   const auto line = [](std::string text) { return RichText{TextRun{.text = std::move(text)}}; };
   if (!status.again.empty()) return {{line(status.again)}, p.text};
   if (status.attempts == 0) return {{}, p.text};
-  if (!session.told(index)) return {{line(tr("Kept. Now touch, and see whether it is so."))}, p.text};
+  if (!session.feedbackVisible(index)) return {{line(tr("Kept. Now touch, and see whether it is so."))}, p.text};
   Said out{session.feedback(index), status.last_right ? p.good : p.bad, status.last_right ? Mark::Right : Mark::Wrong};
   if (question.free()) {
     out.colour = p.text;
@@ -331,7 +331,7 @@ std::string drawLessonQuestion(Application& app, std::size_t index) {
                       {from.x + ImGui::GetContentRegionAvail().x, ImGui::GetCursorScreenPos().y},
                       plainText(said.lines[k]));
     }
-    if (session.told(index))
+    if (session.feedbackVisible(index))
       for (const std::size_t k : status.chosen)
         if (!question.choices[k].link.empty() &&
             lessonKeyActs(app, 'G', {name + "/feedback", said_y, ImGui::GetCursorScreenPos().y}))

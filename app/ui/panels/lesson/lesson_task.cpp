@@ -51,7 +51,7 @@ void drawTrials(const std::string& name, const TaskTrials& trials) {
               half = 0.4f * each;
   const ImVec2 low = ImGui::GetCursorScreenPos();
   ImDrawList* draw = ImGui::GetWindowDrawList();
-  std::string told;
+  std::string marks;
   for (std::size_t k = 0; k < trials.of; ++k) {
     const ImVec2 centre{low.x + each * (float(k) + 0.5f), low.y + 0.5f * each};
     if (k >= trials.right.size()) {
@@ -61,10 +61,10 @@ void drawTrials(const std::string& name, const TaskTrials& trials) {
     const bool right = trials.right[k];
     draw->AddCircleFilled(centre, half, right ? l.palette.good : l.palette.bad, 24);
     drawIcon(draw, right ? Icon::Check : Icon::Close, centre, 1.3f * half, l.palette.panel);
-    told += right ? "+" : "-";
+    marks += right ? "+" : "-";
   }
   ImGui::Dummy({room, each});
-  recordRectangle(name + "/trials", {low.x, low.y}, {low.x + each * float(trials.of), low.y + each}, told);
+  recordRectangle(name + "/trials", {low.x, low.y}, {low.x + each * float(trials.of), low.y + each}, marks);
 }
 
 }  // namespace

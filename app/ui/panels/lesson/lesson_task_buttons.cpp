@@ -18,7 +18,7 @@ bool drawTaskButtons(Application& app, std::size_t index, const Task& task) {
   if (offered.empty()) return false;
   const Look& l = look();
   const float gap = ImGui::GetStyle().ItemSpacing.x, room = ImGui::GetContentRegionAvail().x;
-  std::string told;
+  std::string chosen;
   std::vector<std::string> labels;
   float widest = 0.0f;
   for (const TaskButton& b : offered) {
@@ -35,10 +35,10 @@ bool drawTaskButtons(Application& app, std::size_t index, const Task& task) {
     if (button(name.c_str(), labels[k].c_str(), first ? ButtonLook::Primary : ButtonLook::Plain,
                beside ? each : room) ||
         lessonKeyOnItem(app, offered[k].key, name))
-      told = offered[k].word;
+      chosen = offered[k].word;
   }
-  if (told.empty()) return false;
-  app.lesson.session()->answerTask({told});
+  if (chosen.empty()) return false;
+  app.lesson.session()->answerTask({chosen});
   return true;
 }
 

@@ -24,12 +24,12 @@ constexpr double kStep = 0.025;  // share of the axis that one press of an arrow
 // The plotted area and its axes.
 struct Area {
   ImVec2 low, high;
-  double most_N;
+  double max_N;
   std::size_t points;
 
   float x(std::size_t k) const { return low.x + (high.x - low.x) * float(k) / float(points - 1); }
-  float y(double force_N) const { return high.y - (high.y - low.y) * float(std::clamp(force_N / most_N, 0.0, 1.0)); }
-  double force(float at_y) const { return most_N * double(std::clamp((high.y - at_y) / (high.y - low.y), 0.0f, 1.0f)); }
+  float y(double force_N) const { return high.y - (high.y - low.y) * float(std::clamp(force_N / max_N, 0.0, 1.0)); }
+  double force(float at_y) const { return max_N * double(std::clamp((high.y - at_y) / (high.y - low.y), 0.0f, 1.0f)); }
   std::size_t nearest(float at_x) const {
     return std::size_t(std::lround(std::clamp((at_x - low.x) / (high.x - low.x), 0.0f, 1.0f) * float(points - 1)));
   }
@@ -57,7 +57,7 @@ void drawAxes(const Area& area, const TaskCurves& curves) {
   ImFont* font = l.font(Font::Small);
   const float size = font->FontSize;
   for (const double part : {0.0, 0.5, 1.0})
-    draw->AddLine({area.low.x, area.y(part * area.most_N)}, {area.high.x, area.y(part * area.most_N)},
+    draw->AddLine({area.low.x, area.y(part * area.max_N)}, {area.high.x, area.y(part * area.max_N)},
                   part > 0.0 ? l.palette.line : l.palette.faint, 1.0f);
   draw->AddLine({area.low.x, area.low.y}, {area.low.x, area.high.y}, l.palette.faint, 1.0f);
   const auto write = [&](ImVec2 at, float pivot, const char* what) {
@@ -65,12 +65,12 @@ void drawAxes(const Area& area, const TaskCurves& curves) {
     draw->AddText(font, size, {std::round(at.x - pivot * width), std::round(at.y)}, l.palette.quiet, what);
   };
   for (const double part : {0.5, 1.0}) {
-    const std::string text = part == 1.0 ? quantityText(part * area.most_N, Dimension::Force, plain(2))
-                                         : quantityNumber(part * area.most_N, Dimension::Force, plain(2));
-    write({area.low.x - l.px(5), area.y(part * area.most_N) - 0.5f * size}, 1.0f, text.c_str());
+    const std::string text = part == 1.0 ? quantityText(part * area.max_N, Dimension::Force, plain(2))
+                                         : quantityNumber(part * area.max_N, Dimension::Force, plain(2));
+    write({area.low.x - l.px(5), area.y(part * area.max_N) - 0.5f * size}, 1.0f, text.c_str());
   }
   write({area.low.x, area.high.y + l.px(3)}, 0.5f, "0");
-  write({area.high.x, area.high.y + l.px(3)}, 1.0f, quantityText(curves.x_most, Dimension::Length, plain(2)).c_str());
+  write({area.high.x, area.high.y + l.px(3)}, 1.0f, quantityText(curves.x_max_A, Dimension::Length, plain(2)).c_str());
   write({0.5f * (area.low.x + area.high.x), area.high.y + l.px(3)}, 0.5f, std::string(tr(curves.x_name)).c_str());
 }
 
@@ -110,7 +110,7 @@ void drawWithArrows(const Area& area, CurveDraft& draft) {
   double& here = draft.values[draft.pen];
   const int up = times(ImGuiKey_UpArrow) - times(ImGuiKey_DownArrow),
             right = times(ImGuiKey_RightArrow) - times(ImGuiKey_LeftArrow);
-  if (up != 0) here = std::clamp((std::isfinite(here) ? here : 0.0) + up * kStep * area.most_N, 0.0, area.most_N);
+  if (up != 0) here = std::clamp((std::isfinite(here) ? here : 0.0) + up * kStep * area.max_N, 0.0, area.max_N);
   if (right == 0 || (right < 0 && draft.pen == 0) || (right > 0 && draft.pen + 1 >= draft.values.size())) return;
   const double left_behind = std::isfinite(here) ? here : 0.0;
   here = left_behind;
@@ -148,7 +148,7 @@ void drawTaskCurve(Application& app, std::size_t index, const TaskCurves& curves
   const ImVec2 origin = ImGui::GetCursorScreenPos();
   const ImVec2 high{origin.x + width, origin.y + head + l.px(130) + foot};
   const Area area{
-      {origin.x + left, origin.y + head}, {high.x - l.px(8), high.y - foot}, curves.most_N, curves.drawn.size()};
+      {origin.x + left, origin.y + head}, {high.x - l.px(8), high.y - foot}, curves.max_N, curves.drawn.size()};
   ImGui::PushID(name.c_str());
   ImGui::InvisibleButton("curve", {width, high.y - origin.y});
   ImGui::PopID();
@@ -191,7 +191,7 @@ void drawTaskCurve(Application& app, std::size_t index, const TaskCurves& curves
     ImFont* font = l.font(Font::Small);
     const float how_w = font->CalcTextSizeA(small, 1e9f, 0.0f, how).x;
     ImGui::GetWindowDrawList()->AddText(
-        font, small, {std::round(0.5f * (area.low.x + area.high.x - how_w)), area.y(0.75 * area.most_N)},
+        font, small, {std::round(0.5f * (area.low.x + area.high.x - how_w)), area.y(0.75 * area.max_N)},
         l.palette.quiet, how);
   }
   const float wipe_w = l.tx(70), gap = ImGui::GetStyle().ItemSpacing.x;

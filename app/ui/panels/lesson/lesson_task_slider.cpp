@@ -13,11 +13,11 @@ namespace moltact {
 void drawTaskSlider(Application& app, std::size_t index, const TaskSlider& asked) {
   const std::string name = "task/" + std::to_string(index) + "/slider";
   double value = asked.value;
-  if (!slider(name.c_str(), tr(std::string(asked.name).c_str()), value, asked.least, asked.most, asked.step,
+  if (!slider(name.c_str(), tr(std::string(asked.name).c_str()), value, asked.min, asked.max, asked.step,
               {asked.dimension, {decimals(1), {}}}))
     return;
   // Steps are multiples from zero, so that the displayed number is exactly the stored one.
-  value = std::clamp(std::round(value / asked.step) * asked.step, asked.least, asked.most);
+  value = std::clamp(std::round(value / asked.step) * asked.step, asked.min, asked.max);
   app.lesson.session()->answerTask({.number = value});
 }
 

@@ -54,7 +54,7 @@ void drawTurn(ClassTurns& turns, float whole) {
   ImGui::SameLine();
   const bool paused = t.state() == Turns::State::Paused;
   if (button("turns/pause", paused ? tr("Go on") : tr("Pause"), ButtonLook::Plain, l.tx(84)))
-    paused ? turns.goOn() : turns.pause();
+    paused ? turns.resume() : turns.pause();
   tip(tr("Stops the time of this turn"));
   ImGui::SameLine();
   if (button("turns/longer", ("+" + quantityText(60, Dimension::Time, {plain(), "min"})).c_str(), ButtonLook::Plain,

@@ -18,7 +18,7 @@ std::optional<std::string> stepNamed(const Lesson& lesson, std::string_view text
   return std::nullopt;
 }
 
-void nameSteps(Reading& reading, const Lesson& lesson, const Step& at, WayRule& rule) {
+void nameSteps(Reading& reading, const Lesson& lesson, const Step& at, StepRule& rule) {
   std::vector<std::string_view> ids;
   for (const Step& s : lesson.steps) ids.push_back(s.id);
   for (std::size_t k = 0; k < rule.steps.size(); ++k) {
@@ -31,7 +31,7 @@ void nameSteps(Reading& reading, const Lesson& lesson, const Step& at, WayRule& 
     }
     if (*id == at.id)
       reading.error(rule.step_places[k], tr("this is the step that the student is at"),
-                    rule.then == WayRule::Then::GoTo
+                    rule.then == StepRule::Then::GoTo
                         ? tr("name another; a wrong answer can be given again without going anywhere")
                         : tr("name another: what has been answered cannot be passed over"));
     rule.steps[k] = *std::move(id);
@@ -67,13 +67,13 @@ void readStep(Reading& reading, const MarkdownBlock& block, const Lesson& lesson
   step.goals = readGoals(reading, values["goal"], lesson);
 }
 
-void finishWays(Reading& reading, Lesson& lesson) {
+void resolveGoalsAndRules(Reading& reading, Lesson& lesson) {
   for (Step& step : lesson.steps) {
     for (TaskSpec& task : step.tasks)
       if (task.goals.empty()) task.goals = step.goals;
     for (Question& question : step.questions) {
       if (question.goals.empty()) question.goals = step.goals;
-      for (WayRule& rule : question.rules) nameSteps(reading, lesson, step, rule);
+      for (StepRule& rule : question.rules) nameSteps(reading, lesson, step, rule);
     }
   }
 }

@@ -1,4 +1,4 @@
-#include "app/ui/extensions/unseen.h"
+#include "app/ui/extensions/reveal_policy.h"
 
 #include <algorithm>
 #include <iterator>
@@ -14,7 +14,7 @@
 
 namespace moltact {
 
-void Unseen::beforeTicks() {
+void RevealPolicy::beforeTicks() {
   veil_s_ = std::min(kFade_s, veil_s_ + time_.dt_s);
   followScene();
   const bool dark = stager_.dark();
@@ -22,7 +22,7 @@ void Unseen::beforeTicks() {
   unseen_ = dark || (lesson_.session() && lesson_.onStage() && scene_.drawsNothing());
 }
 
-void Unseen::stepChanged() {
+void RevealPolicy::stepChanged() {
   dark_ = false;
   veil_s_ = kFade_s;
   hidden_ = revealed_ = nullptr;
@@ -30,7 +30,7 @@ void Unseen::stepChanged() {
 
 // Showing the molecule would answer questions about what was felt. Predictions and free answers have no right answer
 // and do not count.
-bool Unseen::dependsOnUnseen() const {
+bool RevealPolicy::dependsOnUnseen() const {
   const LessonSession& session = *lesson_.session();
   for (std::size_t k = 0; k < session.step().tasks.size(); ++k)
     if (!session.taskDone(session.stepIndex(), k)) return true;
@@ -42,7 +42,7 @@ bool Unseen::dependsOnUnseen() const {
 }
 
 // A scene that draws nothing is shown at the end, and hidden again when a task of it restarts.
-void Unseen::followScene() {
+void RevealPolicy::followScene() {
   const LessonSession* session = lesson_.session();
   if (!session || !lesson_.onStage() || !scene_.stage() || session->step().tasks.empty()) return;
   const AtomList hidden = lesson_.looks().hidden;
@@ -62,23 +62,23 @@ void Unseen::followScene() {
   }
 }
 
-void Unseen::hide(const AtomList& before, const AtomList& now) {
+void RevealPolicy::hide(const AtomList& before, const AtomList& now) {
   lesson_.hide(now);
   if (scene_.look.hidden == before) scene_.look.hidden = now;
 }
 
-void Unseen::show(bool dark_before) {
+void RevealPolicy::show(bool dark_before) {
   if (settings_.reduced_motion) return;
   dark_veil_ = dark_before;
   if (!dark_before) picture_.keepForFade();
   veil_s_ = 0.0;
 }
 
-bool Unseen::names(const Contact& contact) const {
+bool RevealPolicy::names(const Contact& contact) const {
   return !stager_.dark() && !stager_.asksWhat() && !scene_.touchesUnseen(contact);
 }
 
-std::string Unseen::unnamedText(bool spoken) const {
+std::string RevealPolicy::unnamedText(bool spoken) const {
   const ServoSample& now = scene_.log().latest();
   std::string out = unnamedContactText(now.contact, now.felt());
   const Vec3 push = scene_.pushInView();
@@ -88,7 +88,7 @@ std::string Unseen::unnamedText(bool spoken) const {
   return out + ", " + pushText(push);
 }
 
-TouchMoment Unseen::heard(const ServoSample& sample, double slide_A_per_s) const {
+TouchMoment RevealPolicy::heard(const ServoSample& sample, double slide_A_per_s) const {
   const double force_N = glm::length(sample.force.N);
   if (names(sample.contact)) return {sample.contact.feature, sample.contact.atoms, force_N, slide_A_per_s};
   // Always the sound of the same single atom.
@@ -96,7 +96,7 @@ TouchMoment Unseen::heard(const ServoSample& sample, double slide_A_per_s) const
   return {Feature::Free, {-1, -1, -1}, force_N, slide_A_per_s};
 }
 
-ViewPartSet Unseen::shownParts() const {
+ViewPartSet RevealPolicy::shownParts() const {
   ViewPartSet out = scene_.shown;
   if (names(scene_.log().latest().contact)) return out;
   for (const ViewPart part :

@@ -1,6 +1,6 @@
 // Rules by which answers to a question change the order of steps: "after 2 wrong: go to #aside-x", "if right: skip
 // #the-long-way". A rule that leads back or to an aside applies once; one that leads forward or skips stays in force.
-// Therefore no rules can trap a student (tests/lesson/way_rules_test.cpp). Plain data; any thread but the haptic one.
+// Therefore no rules can trap a student (tests/lesson/step_rules_test.cpp). Plain data; any thread but the haptic one.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,7 @@
 
 namespace moltact {
 
-struct WayRule {
+struct StepRule {
   enum class When : std::uint8_t { Right, RightAtFirst, Wrong };
   enum class Then : std::uint8_t { GoTo, Skip };
   When when = When::Right;
@@ -37,12 +37,12 @@ struct WayRule {
   }
   /// The key as written by an author: "after 2 wrong".
   std::string key() const;
-  friend bool operator==(const WayRule& a, const WayRule& b) {
+  friend bool operator==(const StepRule& a, const StepRule& b) {
     return a.when == b.when && a.wrong == b.wrong && a.then == b.then && a.steps == b.steps;
   }
 };
 
 /// "go to" and "skip".
-std::string_view wordOf(WayRule::Then then);
+std::string_view wordOf(StepRule::Then then);
 
 }  // namespace moltact

@@ -18,12 +18,12 @@ class TaskStager;
 class ViewPicture;
 struct Settings;
 
-class Unseen final : public Extension {
+class RevealPolicy final : public Extension {
  public:
   static constexpr double kFade_s = 1.0;
 
-  Unseen(const TaskStager& stager, HapticSession& scene, LessonGuide& lesson, const Settings& settings,
-         ViewPicture& picture, const FrameTime& time)
+  RevealPolicy(const TaskStager& stager, HapticSession& scene, LessonGuide& lesson, const Settings& settings,
+               ViewPicture& picture, const FrameTime& time)
       : stager_(stager), scene_(scene), lesson_(lesson), settings_(settings), picture_(picture), time_(time) {}
 
   void beforeTicks() override;

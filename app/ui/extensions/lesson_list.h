@@ -38,10 +38,10 @@ class Messages;
 class Opener;
 struct PanelState;
 
-class LessonShelf : public Extension {
+class LessonList : public Extension {
  public:
-  LessonShelf(AttemptRecorder& recorder, Opener& opener, const LessonGuide& lesson, const Settings& settings,
-              Messages& messages, PanelState& panels, const ApplicationOptions& options)
+  LessonList(AttemptRecorder& recorder, Opener& opener, const LessonGuide& lesson, const Settings& settings,
+             Messages& messages, PanelState& panels, const ApplicationOptions& options)
       : opener_(opener),
         lesson_(lesson),
         settings_(settings),

@@ -1,8 +1,8 @@
-#include "engine/lesson/way_rules.h"
+#include "engine/lesson/step_rules.h"
 
 namespace moltact {
 
-std::string WayRule::key() const {
+std::string StepRule::key() const {
   switch (when) {
     case When::Right:
       return "if right";
@@ -14,6 +14,6 @@ std::string WayRule::key() const {
   return "after " + std::to_string(wrong) + " wrong";
 }
 
-std::string_view wordOf(WayRule::Then then) { return then == WayRule::Then::GoTo ? "go to" : "skip"; }
+std::string_view wordOf(StepRule::Then then) { return then == StepRule::Then::GoTo ? "go to" : "skip"; }
 
 }  // namespace moltact

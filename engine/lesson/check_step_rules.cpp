@@ -1,5 +1,5 @@
 // Checks the effects of answers on the order of steps, and required steps: rules that never apply or lead to
-// unreachable steps. No rules can trap a student (way_rules.h), so this needs no check.
+// unreachable steps. No rules can trap a student (step_rules.h), so this needs no check.
 #include <algorithm>
 
 #include "engine/language/catalogue.h"
@@ -8,13 +8,13 @@
 namespace moltact::checks {
 namespace {
 
-void ruleOf(const Lesson& lesson, std::size_t at, const Question& question, const WayRule& rule, Findings& findings) {
-  if (rule.when == WayRule::When::Wrong && question.attempts > 0 && rule.wrong > question.attempts)
+void ruleOf(const Lesson& lesson, std::size_t at, const Question& question, const StepRule& rule, Findings& findings) {
+  if (rule.when == StepRule::When::Wrong && question.attempts > 0 && rule.wrong > question.attempts)
     findings.error(rule.place, trf("this never happens: after {0} tries the answer is shown", question.attempts),
                    tr("write a smaller number of wrong answers, or more 'attempts'"));
   for (std::size_t k = 0; k < rule.steps.size(); ++k) {
     const auto to = lesson.find(rule.steps[k]);
-    if (!to || rule.then != WayRule::Then::Skip) continue;
+    if (!to || rule.then != StepRule::Then::Skip) continue;
     if (lesson.steps[*to].aside)
       findings.error(rule.step_places[k], tr("an aside is not on the way, so it cannot be skipped"),
                      tr("name a step that Next leads to"));
@@ -30,7 +30,7 @@ void ways(const Lesson& lesson, Findings& findings) {
   for (std::size_t i = 0; i < lesson.steps.size(); ++i) {
     const Step& step = lesson.steps[i];
     for (const Question& question : step.questions)
-      for (const WayRule& rule : question.rules) ruleOf(lesson, i, question, rule, findings);
+      for (const StepRule& rule : question.rules) ruleOf(lesson, i, question, rule, findings);
     if (!step.block_place.line || !step.required) continue;
     if (step.aside)
       findings.error(step.block_place, tr("an aside cannot be required: from it students go back when they like"),

@@ -1,4 +1,4 @@
-#include "app/ui/extensions/lesson_shelf.h"
+#include "app/ui/extensions/lesson_list.h"
 
 #include <algorithm>
 #include <system_error>
@@ -50,7 +50,7 @@ fs::path packsFolderOf(const ApplicationOptions& options) {
   return options.packs_folder.empty() ? packsFolder() : options.packs_folder;
 }
 
-void LessonShelf::list() {
+void LessonList::list() {
   cards_.clear();
   next_ = 0;
   listed_in_ = language();
@@ -85,17 +85,17 @@ void LessonShelf::list() {
 }
 
 // The order depends only on each file's front matter, so that it is the same before and after the lessons are read.
-void LessonShelf::sort() {
+void LessonList::sort() {
   std::stable_sort(cards_.begin(), cards_.end(), [](const LessonCard& a, const LessonCard& b) {
     if (a.own != b.own) return b.own;
     const auto item = [](const LessonCard& c) {
       return LibraryItem{c.own ? c.title : c.id, c.title, c.file, c.own ? "" : c.level, c.own ? 0 : c.minutes, c.order};
     };
-    return standsBefore(item(a), item(b));
+    return precedes(item(a), item(b));
   });
 }
 
-void LessonShelf::begin(const LessonCard& card) {
+void LessonList::begin(const LessonCard& card) {
   const fs::path lesson = card.file, attempt = card.progress && card.progress->canResume() ? card.progress->file : "";
   if (attempt.empty())
     opener_.open(lesson);
@@ -103,7 +103,7 @@ void LessonShelf::begin(const LessonCard& card) {
     recorder_.resume(lesson, attempt);
 }
 
-fs::path LessonShelf::add(const fs::path& file) {
+fs::path LessonList::add(const fs::path& file) {
   const Expected<fs::path> lesson = addLesson(file, packsFolderOf(options_));
   if (!lesson) {
     messages_.error(lesson.problem().text());
@@ -114,7 +114,7 @@ fs::path LessonShelf::add(const fs::path& file) {
   return *lesson;
 }
 
-bool LessonShelf::open(FileKind kind, const fs::path& file) {
+bool LessonList::open(FileKind kind, const fs::path& file) {
   if (kind != FileKind::Pack) return false;
   recorder_.flush();  // the open lesson may be among them
   const fs::path lesson = add(file);
@@ -128,7 +128,7 @@ bool LessonShelf::open(FileKind kind, const fs::path& file) {
   return true;
 }
 
-const LessonCard* LessonShelf::after(const fs::path& file) const {
+const LessonCard* LessonList::after(const fs::path& file) const {
   if (next_ < cards_.size()) return nullptr;
   // The file may have been opened under another path.
   std::error_code error;
@@ -138,14 +138,14 @@ const LessonCard* LessonShelf::after(const fs::path& file) const {
   return nullptr;
 }
 
-const LessonCard* LessonShelf::latest() const {
+const LessonCard* LessonList::latest() const {
   const LessonCard* best = nullptr;
   for (const LessonCard& c : cards_)
     if (c.progress && c.progress->canResume() && (!best || c.progress->touched > best->progress->touched)) best = &c;
   return best;
 }
 
-void LessonShelf::afterPanels() {
+void LessonList::afterPanels() {
   const bool opened = panels_.pages.welcome && !open_, other_language = listed_in_ != language();
   open_ = panels_.pages.welcome;
   const bool asked = !open_ && lesson_.closing();

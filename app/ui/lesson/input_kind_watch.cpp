@@ -1,4 +1,4 @@
-#include "app/ui/lesson/input_way_watch.h"
+#include "app/ui/lesson/input_kind_watch.h"
 
 #include <algorithm>
 #include <iterator>
@@ -7,18 +7,18 @@
 
 namespace moltact {
 
-void InputWayWatch::look(const ImGuiIO& io) {
-  // Shift and Ctrl belong to drags of the mouse as well.
+void InputKindWatch::look(const ImGuiIO& io) {
+  // Shift and Ctrl are excluded, because they also modify drags of the mouse.
   bool key = false;
   for (std::size_t k = 0; k < kKeyCount; ++k) key = key || (!isModifier(keyAt(k)) && ImGui::IsKeyDown(keyAt(k)));
   const bool button = std::any_of(std::begin(io.MouseDown), std::end(io.MouseDown), [](bool down) { return down; });
-  // A hand that leans on the mouse while it types stays at the keyboard.
+  // Motion alone does not count, because a hand may lean on the mouse while typing.
   if (button || io.MouseWheel != 0.0f)
-    way_ = InputWay::Mouse;
+    kind_ = InputKind::Mouse;
   else if (key)
-    way_ = InputWay::Keyboard;
+    kind_ = InputKind::Keyboard;
   else if (io.MouseDelta.x != 0.0f || io.MouseDelta.y != 0.0f)
-    way_ = InputWay::Mouse;
+    kind_ = InputKind::Mouse;
 }
 
 }  // namespace moltact

@@ -1,5 +1,5 @@
 // Conditions, tries and required steps: the effects of answers on the order of steps, and the messages for authors.
-#include "engine/lesson/way_rules.h"
+#include "engine/lesson/step_rules.h"
 
 #include <doctest/doctest.h>
 
@@ -51,7 +51,8 @@ const std::vector<std::size_t> kWrong{0}, kRight{1};
 
 }  // namespace
 
-TEST_CASE("after two wrong answers Next leads into the aside once; the question waits for it, and goes on afterwards") {
+TEST_CASE(
+    "after two wrong answers Next leads into the aside once; the question waits for it, and continues afterwards") {
   LessonSession s(lesson(withRules("after 2 wrong: go to #aside-why\n")));
   s.next();
   s.choose(0, kWrong);
@@ -105,7 +106,7 @@ TEST_CASE(
     }
 }
 
-TEST_CASE("leading forward passes over what stands between, also when one comes back and goes on by Next") {
+TEST_CASE("leading forward passes over what stands between, also when one comes back and continues by Next") {
   LessonSession s(lesson(withRules("if right: go to #d\n")));
   s.next();
   s.choose(0, kRight);
@@ -118,7 +119,7 @@ TEST_CASE("leading forward passes over what stands between, also when one comes 
   CHECK(s.finished());
 }
 
-TEST_CASE("after the last try the right answer stands there and one goes on; it counts as done and not as right") {
+TEST_CASE("after the last try the right answer stands there and one continues; it counts as done and not as right") {
   LessonSession s(lesson("## A\n" + kScene + kChoices + answer("attempts: 2\n") + "### Question: N?\n" +
                          answer("number: 1.4 Å\ntolerance: 0.1 Å\nattempts: 1\n") + "### Question: W?\n" +
                          answer("text: crease, groove\nattempts: 1\nwrong: No.\n") + "## Aside: Why\nText.\n"));
@@ -267,8 +268,8 @@ TEST_CASE("each mistake in a condition is reported at its line") {
     CAPTURE(m.lines);
     const std::string body = withRules(m.lines) + "[why](#aside-why)\n";
     const LessonCheck found = checked(body);
-    const std::vector<Problem>& told = m.warning ? found.warnings : found.errors;
-    CHECK(std::any_of(told.begin(), told.end(), [&](const Problem& p) {
+    const std::vector<Problem>& reported = m.warning ? found.warnings : found.errors;
+    CHECK(std::any_of(reported.begin(), reported.end(), [&](const Problem& p) {
       return p.line == lineOf(body, m.lines) + (m.lines.starts_with(m.at) ? 0 : 1) &&
              (p.message + p.remedy).find(m.says) != std::string::npos && !p.remedy.empty();
     }));
@@ -281,8 +282,8 @@ TEST_CASE(
     "step without anything to do") {
   const auto line = [](const std::string& body, std::string_view at, bool warning = false) {
     const LessonCheck found = checked(body);
-    const std::vector<Problem>& told = warning ? found.warnings : found.errors;
-    return std::any_of(told.begin(), told.end(), [&](const Problem& p) { return p.line == lineOf(body, at); });
+    const std::vector<Problem>& reported = warning ? found.warnings : found.errors;
+    return std::any_of(reported.begin(), reported.end(), [&](const Problem& p) { return p.line == lineOf(body, at); });
   };
   CHECK(line("## A\n" + kScene + "### Question: F?\n" + answer("free: yes\nattempts: 2\n"), "attempts: 2"));
   CHECK(line("## A\n" + kScene + "### Prediction: F?\n- [ ] a\n- [x] b\n" + answer("if right: skip B\n") + "## B\nT.\n",
