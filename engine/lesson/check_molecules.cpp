@@ -72,6 +72,7 @@ class Check {
         const TaskKind* kind = findTaskKind(task.kind);
         std::vector<Problem> problems;
         if (kind && kind->check_molecule) kind->check_molecule(task, *molecule, untouchable, problems);
+        if (kind && kind->check_body && problems.empty()) body(*kind, task, step.scene, *molecule, problems);
         for (Problem& p : problems) findings_.error({p.line, p.column}, std::move(p.message), std::move(p.remedy));
       }
     }
@@ -87,6 +88,22 @@ class Check {
     if (scene.then.superposed_on.given()) selects(scene.then.superposed_on, place, molecule);
     if (const auto states = statesOf(scene, molecule, *other); !states)
       findings_.error(place, states.problem().message, states.problem().remedy);
+  }
+
+  /// What the hand holds, in every structure of the scene.
+  void body(const TaskKind& kind, const TaskSpec& task, const SceneSpec& scene, const Molecule& molecule,
+            std::vector<Problem>& problems) {
+    const std::shared_ptr<const HeldBody> held = heldBody(molecule.spheres, heldAtoms(scene, molecule));
+    if (!held || findings_.enough()) return;
+    const std::vector<std::uint32_t> untouchable = untouchableAtoms(scene, molecule);
+    std::vector<SphereGrid> grids;
+    grids.emplace_back(molecule.spheres, untouchable);
+    if (!scene.then.molecule.empty())
+      if (const auto& other = lookUp(secondMolecule(scene)))
+        if (const auto states = statesOf(scene, molecule, **other)) grids.emplace_back(states->second, untouchable);
+    std::vector<StructureChoice> structures;
+    for (std::size_t k = 0; k < grids.size(); ++k) structures.push_back({double(k), &grids[k]});
+    kind.check_body(task, held, structures, problems);
   }
 
   /// A selection that is turned to the front must not be nearly the whole molecule.

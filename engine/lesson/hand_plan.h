@@ -27,13 +27,21 @@ struct HandAct {
   double turn_deg_per_s = 60.0;
   bool placed = false;  ///< the hand jumps there, as a mouse that hovers over another place does
   double wait_s = 0.0;
-  std::string method = {};  ///< the haptic method to be selected first; empty: unchanged
+  /// The scene's atoms move first to this share of the way to its second structure (0 to 1), while the hand stays.
+  std::optional<double> share = {};
+  std::string method = {};  ///< a haptic method to be chosen before anything else; empty: none
   std::optional<TaskAnswer> answer = {};
 };
 
 using HandPlan = std::vector<HandAct>;
 
-/// The input for making a plan.
+/// A structure to which the scene's atoms can be moved (its key `then`).
+struct StructureChoice {
+  double share = 0.0;  ///< for HandAct
+  const SphereGrid* spheres = nullptr;
+};
+
+/// The input from which a plan is made.
 struct HandPlanInput {
   const SphereGrid& spheres;
   double probe_A = kWaterProbe_A;
@@ -42,6 +50,8 @@ struct HandPlanInput {
   int attempt = 0;                 ///< 0 for the first plan of a task; each further one should differ
   const HeldBody* body = nullptr;  ///< what the hand holds; null: a probe
   Quat orientation = kNoRotation;  ///< of the hand
+  /// The scene's structures; empty where it has only one.
+  std::vector<StructureChoice> structures = {};
 
   HandShape hand() const { return body ? HandShape(*body, orientation) : HandShape(probe_A); }
 };

@@ -27,6 +27,8 @@ constexpr TaskTime kTaskTimes[] = {
     {.kind = "fit", .base_s = 180.0},
     {.kind = "measure", .base_s = 60.0},
     {.kind = "order", .base_s = 15.0, .each_s = 25.0, .each = "order", .each_what = "place"},
+    {.kind = "dock", .base_s = 150.0},
+    {.kind = "pass", .base_s = 60.0},
 };
 
 /// The number of items of a key; the task's own key has the list if the other key has none.

@@ -95,9 +95,12 @@ void LessonSession::makeTasks() {
   slid_.clear();
   const std::vector<std::uint32_t> untouchable =
       molecule_ ? untouchableAtoms(scene(), *molecule_) : std::vector<std::uint32_t>();
+  const std::shared_ptr<const HeldBody> body =
+      molecule_ ? heldBody(molecule_->spheres, heldAtoms(scene(), *molecule_)) : nullptr;
   for (const TaskSpec& spec : step().tasks) {
     tasks_.push_back(molecule_ ? makeTask(spec, *molecule_) : nullptr);
     if (tasks_.back() && !untouchable.empty()) tasks_.back()->leaveOut(untouchable);
+    if (tasks_.back() && body) tasks_.back()->takeInHand(body);
   }
   if (molecule_) ++state().made;
   for (std::size_t k = 0; k < tasks_.size(); ++k)

@@ -22,6 +22,7 @@ struct TouchSample {
   Quat orientation = kNoRotation;  ///< of the hand, in the molecule's space
   std::optional<PoseA> body = {};  ///< where the held body is shown: the place of its middle and its orientation
                                    ///< relative to the molecule's file; empty: the hand holds the probe
+  bool placed = false;             ///< the hand was put down here, without a path from the tick before
   Vec3 torque_N_mm{0.0};           ///< on the hand, in the device's space; zero for a device that drives none
 
   /// A force is felt; `contact.touching()` says that a surface is touched.
@@ -41,6 +42,7 @@ TouchSample touchSampleOf(const ServoTick& tick, std::string_view method = {}, c
           .exact = exact,
           .orientation = tick.orientation,
           .body = tick.holds_body ? std::optional(tick.shownBody()) : std::nullopt,
+          .placed = tick.contact_reset,
           .torque_N_mm = tick.torque_N_mm};
 }
 

@@ -54,7 +54,9 @@ TEST_CASE("each kind of task begins with another sentence in German than in Engl
       {"same", {{"same", "anywhere"}, {"probe", "2 Å"}}},
       {"fit", {{"fit", "atom 0"}}},
       {"measure", {{"measure", "atom 0"}, {"to", "atom 3"}}},
-      {"order", {{"order", "atom 0 then atom 5"}, {"first", "the smaller"}}}};
+      {"order", {{"order", "atom 0 then atom 5"}, {"first", "the smaller"}}},
+      {"dock", {{"dock", "file"}}},
+      {"pass", {{"pass", "atom 0-3"}}}};
   REQUIRE(kinds.size() == taskKinds().size());
   for (const auto& [kind, keys] : kinds) {
     CAPTURE(kind);

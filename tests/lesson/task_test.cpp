@@ -290,10 +290,14 @@ TEST_CASE("100000 random samples of every kind keep progress within 0 to 1 and r
       {"same", {{"same", "anywhere"}, {"probe", "2 Å"}, {"for", "0.1 s"}}},
       {"fit", {{"fit", "atom 5"}}},
       {"measure", {{"measure", "atom 0"}, {"to", "atom 9"}}},
-      {"order", {{"order", "atom 0 then atom 4 then atom 9"}, {"first", "the left one"}, {"for", "0.1 s"}}}};
+      {"order", {{"order", "atom 0 then atom 4 then atom 9"}, {"first", "the left one"}, {"for", "0.1 s"}}},
+      {"dock", {{"dock", "file"}}},
+      {"pass", {{"pass", "atom 0-5"}}}};
   CHECK(all.size() == taskKinds().size());
   for (const auto& [kind, keys] : all) {
     auto t = task(kind, keys);
+    const std::uint32_t held[] = {0, 4};
+    if (kind == "dock") t->takeInHand(heldBody(mixedMolecule().spheres, held));
     bool was_done = false;
     double time = 0.0;
     for (int i = 0; i < 100000; ++i) {
@@ -308,6 +312,7 @@ TEST_CASE("100000 random samples of every kind keep progress within 0 to 1 and r
       s.force.N.x =
           random() % 50 == 0 ? std::numeric_limits<double>::quiet_NaN() : static_cast<double>(random() % 400) * 0.01;
       s.contact.scp.A = s.exact.scp.A;
+      if (kind == "dock") s.body = PoseA{s.contact.scp, kNoRotation};
       t->feed(s);
       // A person who presses whatever button there is, and draws whatever is asked for.
       if (const std::vector<TaskButton> buttons = t->buttons(); !buttons.empty() && random() % 20 == 0)

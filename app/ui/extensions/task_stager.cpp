@@ -16,6 +16,7 @@ void TaskStager::beforeTicks() {
   TaskStage wanted = session && lesson_.onStage() && scene_.stage() ? session->taskStage() : TaskStage();
   comeClose(std::exchange(wanted.close_to, std::nullopt));
   if (wanted == stage_) return;
+  scene_.controls.startTurned(wanted.body_turned);
   if (!session) {
     const bool lacks = !stage_.removed.empty() && scene_.stage();
     stage_ = wanted;
@@ -24,8 +25,9 @@ void TaskStager::beforeTicks() {
   }
   change(stage_.touch, wanted.touch);
   // A place found in the dark stays where it is: the molecule becomes visible and nothing else changes.
-  const bool found = stage_.turned && wanted == TaskStage();
-  const bool anew = !found && (wanted.presentation != stage_.presentation || wanted.turned != stage_.turned);
+  const bool found = (stage_.turned || stage_.body_turned) && wanted == TaskStage();
+  const bool anew = !found && (wanted.presentation != stage_.presentation || wanted.turned != stage_.turned ||
+                               wanted.body_turned != stage_.body_turned);
   stage_ = wanted;
   if (!anew) return;
   opener_.beginSceneAgain(wanted.facing, wanted.turned, wanted.removed);
@@ -42,6 +44,7 @@ void TaskStager::comeClose(const std::optional<PointA>& place) {
 void TaskStager::stepChanged() {
   const LessonSession* session = lesson_.session();
   const TaskStage before = std::exchange(stage_, {});
+  scene_.controls.startTurned({});
   if (session) change(before.touch, {});
 }
 

@@ -115,7 +115,8 @@ void ViewControls::begin(const Camera& camera, PointA before, const Workspace& w
   pressing_ = let_go_ = false;
   press_rested_s_ = 0.0;
   lead_ = {before.A + camera.back() * outside_A};
-  mouse.turn(orientation_ = kNoRotation);
+  orientation_ = start_ ? glm::normalize(glm::conjugate(glm::quat_cast(workspace.rotation)) * *start_) : kNoRotation;
+  mouse.turn(orientation_);
   mouse.place(workspace.toDevice(lead_));
 }
 

@@ -44,7 +44,11 @@ class ViewControls {
   /// point until pointer or keys lead it.
   void begin(const Camera& camera, PointA before, const Workspace& workspace, double outside_A, MouseDevice& mouse);
 
-  /// Ends a press as Escape does; another begins after the button or key has been released.
+  /// The orientation, in the molecule's space, with which the hand starts from the next begin() on; empty: that of the
+  /// device's axes.
+  void startTurned(const std::optional<Quat>& orientation) { start_ = orientation; }
+
+  /// Ends a press as Escape does: it begins again when the button or key has been released.
   void letGo() { let_go_ = true; }
 
   bool pressing() const { return pressing_; }
@@ -69,7 +73,8 @@ class ViewControls {
 
  private:
   PointerHand hand_;
-  Quat orientation_ = kNoRotation;  // of the hand, relative to the device's axes
+  Quat orientation_ = kNoRotation;  // of the hand, from the device's axes
+  std::optional<Quat> start_;       // in the molecule's space
   PointA lead_;
   std::optional<PointA> first_aim_;  // of a scene in which no frame has been processed yet
   double hint_left_s_ = 2.0, press_rested_s_ = 0.0;

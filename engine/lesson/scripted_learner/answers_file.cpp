@@ -8,6 +8,7 @@
 #include "engine/haptics/methods.h"
 #include "engine/language/catalogue.h"
 #include "engine/language/quantity_text.h"
+#include "engine/lesson/pose_text.h"
 #include "engine/lesson/quantity.h"
 #include "engine/lesson/suggestion.h"
 #include "engine/lesson/tasks/task.h"
@@ -23,11 +24,11 @@ struct Verb {
   std::string_view name;
   Kind kind;
 };
-constexpr std::array kVerbs{Verb{"do", Kind::Do},         Verb{"touch", Kind::Touch}, Verb{"press", Kind::Press},
-                            Verb{"slide", Kind::Slide},   Verb{"wait", Kind::Wait},   Verb{"lift", Kind::Lift},
-                            Verb{"method", Kind::Method}, Verb{"say", Kind::Say},     Verb{"draw", Kind::Draw},
-                            Verb{"answer", Kind::Answer}, Verb{"next", Kind::Next},   Verb{"back", Kind::Back},
-                            Verb{"go", Kind::Go},         Verb{"set", Kind::Set},     Verb{"pose", Kind::Pose}};
+constexpr std::array kVerbs{
+    Verb{"do", Kind::Do},     Verb{"touch", Kind::Touch},   Verb{"press", Kind::Press},   Verb{"slide", Kind::Slide},
+    Verb{"wait", Kind::Wait}, Verb{"lift", Kind::Lift},     Verb{"method", Kind::Method}, Verb{"say", Kind::Say},
+    Verb{"draw", Kind::Draw}, Verb{"answer", Kind::Answer}, Verb{"next", Kind::Next},     Verb{"back", Kind::Back},
+    Verb{"go", Kind::Go},     Verb{"set", Kind::Set},       Verb{"pose", Kind::Pose},     Verb{"state", Kind::State}};
 
 std::vector<std::string_view> parts(std::string_view text, char by) {
   std::vector<std::string_view> out;
@@ -104,29 +105,11 @@ class LineReader {
     return std::nullopt;
   }
 
-  // Three numbers, or seven whose quaternion has a plausible magnitude.
   std::optional<Problem> pose(LearnerAct& act, std::string_view text) const {
-    const std::vector<std::string_view> fields = parts(text, ',');
-    const std::string remedy = tr("write X, Y, Z in angstroms, or X, Y, Z, QW, QX, QY, QZ with a quaternion");
-    if (fields.size() != 3 && fields.size() != 7)
-      return at(text, trf("a pose has 3 or 7 numbers, here are {0}", fields.size()), remedy);
-    std::array<double, 7> numbers{};
-    for (std::size_t k = 0; k < fields.size(); ++k) {
-      const auto number = parseNumber(fields[k]);
-      if (!number) return at(fields[k], trf("'{0}' is no number", fields[k]), remedy);
-      if (k < 3 && std::abs(*number) > kMaxPosition_A)
-        return at(fields[k], tr("this number is too large or too small for a coordinate"),
-                  trf("keep coordinates within {0}", quantityText(kMaxPosition_A, Dimension::Length, plain())));
-      numbers[k] = *number;
-    }
-    act.to = {{numbers[0], numbers[1], numbers[2]}};
-    if (fields.size() == 3) return std::nullopt;
-    const Quat q(numbers[3], numbers[4], numbers[5], numbers[6]);
-    constexpr double kOff = 0.05;
-    if (!(std::abs(glm::length(q) - 1.0) <= kOff))
-      return at(fields[3], tr("these four numbers are no rotation"),
-                tr("write a quaternion of length 1; without a rotation it is 1, 0, 0, 0"));
-    act.turned_to = glm::normalize(q);
+    const Expected<WrittenPose> read = parsePose(text);
+    if (!read) return within(text, read.problem());
+    act.to = read->place;
+    act.turned_to = read->orientation;
     return std::nullopt;
   }
 
@@ -155,6 +138,15 @@ class LineReader {
       }
       case Kind::Pose:
         return rest.empty() ? missing(tr("a place")) : pose(act, rest);
+      case Kind::State: {
+        const auto share = parseNumber(rest);
+        if (!share) return within(rest.empty() ? body : rest, share.problem());
+        if (!(*share >= 0.0 && *share <= 1.0))
+          return at(rest, trf("'{0}' is no share from 0 to 1", rest),
+                    tr("write 0 for the first structure, 1 for the second"));
+        act.number = *share;
+        return std::nullopt;
+      }
       case Kind::Wait:
         return quantity(act.number, rest, Dimension::Time);
       case Kind::Set:
@@ -281,6 +273,9 @@ class Performer {
         break;
       case Kind::Wait:
         plan.push_back({.wait_s = act.number});
+        break;
+      case Kind::State:
+        plan.push_back({.share = act.number});
         break;
       case Kind::Lift:
         if (on_) plan.push_back({.to = PointA{on_->scp_A + on_->outward}, .placed = true, .wait_s = kTouchFor_s});

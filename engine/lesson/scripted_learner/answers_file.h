@@ -7,11 +7,12 @@
 //   slide PLACE                   slides there over the surface in contact
 //   wait 2 s                      keeps the hand at rest
 //   pose X, Y, Z[, QW, QX, QY, QZ]
-//                                 moves the hand there in a straight line (unit: angstrom) and rotates it at constant
-//                                 speed to this orientation relative to the molecule's file; without a quaternion the
-//                                 orientation is kept. Of a held body, the position is that of its middle
-//   lift                          moves the hand away from the surface
-//   method NAME                   selects a haptic method
+//                                 leads the hand straight there (angstrom), and evenly to the orientation of that
+//                                 quaternion relative to the molecule's file; without one it keeps its orientation. A
+//                                 body in the hand has its middle there
+//   state 1                       moves the scene's atoms to this share of the way to its second structure, 0 to 1
+//   lift                          lets go
+//   method NAME                   chooses a haptic method
 //   say WORD                      presses a button of the task: here, next, same, different, mark, this
 //   set 1.8 Å                     sets the task's slider
 //   draw 0 N, 0.5 N, 1 N          draws a force curve: values at equal distances over the whole axis
@@ -33,7 +34,7 @@
 namespace moltact {
 
 struct LearnerAct {
-  enum class Kind { Do, Touch, Press, Slide, Pose, Wait, Lift, Method, Say, Set, Draw, Answer, Next, Back, Go };
+  enum class Kind { Do, Touch, Press, Slide, Pose, State, Wait, Lift, Method, Say, Set, Draw, Answer, Next, Back, Go };
   Kind kind = Kind::Do;
   std::string word;           ///< method, button, step, question, or a kind of place
   std::string text;           ///< the answer

@@ -43,12 +43,16 @@ bool ScriptedLearner::enterStep() {
     return false;
   }
   std::shared_ptr<const Molecule> begins = *molecule;
-  if (scene.then.share > 0.0)
+  std::shared_ptr<const TwoStates> both;
+  if (!scene.then.molecule.empty())
     if (const auto other = by_name_(secondMolecule(scene)))
-      if (const auto states = statesOf(scene, *begins, **other))
-        begins = std::make_shared<const Molecule>(begins->movedTo(states->at(scene.then.share)));
+      if (auto states = statesOf(scene, **molecule, **other))
+        both = std::make_shared<const TwoStates>(*std::move(states));
+  if (both && scene.then.share > 0.0)
+    begins = std::make_shared<const Molecule>(begins->movedTo(both->at(scene.then.share)));
   session_.setMolecule(begins);
   touch_.begin(begins, scene);
+  touch_.setStructures(both);
   touch_.setStage(session_.taskStage());
   task_begun_s_ = touch_.time_s();
   return true;
@@ -92,6 +96,8 @@ void ScriptedLearner::follow(const HandPlan& plan) {
     const auto running = [&] { return session_.currentTask() == task && !timeIsUp(); };
     if (!running()) return;
     if (!act.method.empty()) touch_.useMethod(act.method);
+    if (act.share) touch_.moveTo(*act.share);
+    while (touch_.moving() && running()) tick(touch_.hand());
     const HandWay way = wayOf(act, touch_.hand(), kTick_s);
     if (act.placed)
       touch_.place(way.to);
@@ -114,7 +120,7 @@ bool ScriptedLearner::doTask() {
        ++attempt, ++idle) {
     const HandPlan plan = session_.taskAt(task)->demonstrate(touch_.view(attempt));
     if (plan.empty()) {
-      why = tr("no place for it is open to the probe from outside");
+      why = tr(session_.taskAt(task)->noPlan());
       break;
     }
     follow(plan);

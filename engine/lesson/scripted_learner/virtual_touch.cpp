@@ -11,7 +11,8 @@ namespace moltact {
 void VirtualTouch::begin(std::shared_ptr<const Molecule> molecule, const SceneSpec& scene) {
   const std::vector<std::uint32_t> untouchable = untouchableAtoms(scene, *molecule);
   body_ = scene.in_hand.given() ? heldBody(molecule->spheres, heldAtoms(scene, *molecule)) : nullptr;
-  if (molecule != molecule_ || spheres_->untouchable() != untouchable) {
+  const bool moved = spheres_ && spheres_->spheres().data() != molecule_->spheres.data();
+  if (molecule != molecule_ || moved || spheres_->untouchable() != untouchable) {
     molecule_ = std::move(molecule);
     spheres_ = std::make_shared<const SphereGrid>(molecule_->spheres, untouchable);
   }
@@ -20,6 +21,7 @@ void VirtualTouch::begin(std::shared_ptr<const Molecule> molecule, const SceneSp
     settings_.workspace = magnified(settings_.workspace, *region, DeviceSpecs{});
   scene_ = scene;
   stage_ = {};
+  setStructures(nullptr);
   felt_ = nullptr;
   exact_ = nullptr;
   feelWith(scene.touch);
@@ -27,17 +29,48 @@ void VirtualTouch::begin(std::shared_ptr<const Molecule> molecule, const SceneSp
   place({{spheres_->high_A() + Vec3(room_A + 5.0)}});
 }
 
+void VirtualTouch::setStructures(std::shared_ptr<const TwoStates> states) {
+  states_ = std::move(states);
+  structures_.clear();
+  motion_ = nullptr;
+  fraction_ = 0.0;
+  share_ = scene_.then.share;
+  if (!states_) return;
+  for (const std::vector<Sphere>& spheres : {states_->first, states_->second})
+    structures_.push_back(std::make_shared<const SphereGrid>(spheres, spheres_->untouchable()));
+}
+
+void VirtualTouch::moveTo(double share) {
+  constexpr double kFastest_A_per_s = 8.0, kShortest_s = 1.5;
+  if (!states_ || moving() || share == share_) return;
+  const std::vector<Sphere> to = states_->at(share);
+  const std::span<const Sphere> from = spheres_->spheres();
+  double farthest_A = 0.0;
+  for (std::size_t i = 0; i < to.size(); ++i)
+    if (spheres_->touchable(i)) farthest_A = std::max(farthest_A, glm::distance(from[i].centre_A, to[i].centre_A));
+  const double takes_s = std::max(kShortest_s, farthest_A / kFastest_A_per_s);
+  auto motion =
+      SphereMotion::make(from, to, std::min(int(takes_s / kTick_s), SphereMotion::kMaxTicks), spheres_->untouchable());
+  if (!motion) return;
+  motion_ = *std::move(motion);
+  fraction_ = 0.0;
+  share_ = share;
+}
+
 void VirtualTouch::setStage(const TaskStage& stage) {
   if (stage == stage_) return;
   if (stage.removed != stage_.removed) {
-    spheres_ = std::make_shared<const SphereGrid>(molecule_->spheres,
+    spheres_ = std::make_shared<const SphereGrid>(spheres_->spheres(),
                                                   atomsOfEither(untouchableAtoms(scene_, *molecule_), stage.removed));
+    motion_ = nullptr;
     felt_ = nullptr;
     exact_ = nullptr;
   }
   TouchSetup touch = touch_;
   stage.touch.replace(stage_.touch, scene_.touch, touch);
   feelWith(touch);
+  if (stage.body_turned && (stage.body_turned != stage_.body_turned || stage.presentation != stage_.presentation))
+    place({hand_.place, *stage.body_turned});
   stage_ = stage;
 }
 
@@ -73,11 +106,18 @@ TouchSample VirtualTouch::tick(const PoseA& hand) {
   hand_ = hand;
   pose_.position = settings_.workspace.toDevice(hand.place);
   pose_.orientation = glm::conjugate(glm::quat_cast(settings_.workspace.rotation)) * hand.orientation;
-  const ServoSample s = step_.tick(settings_, felt_.get(), pose_);
+  const bool moves = moving();
+  if (moves) fraction_ = std::min(1.0, fraction_ + 1.0 / motion_->ticks());
+  const ServoSample s = step_.tick(settings_, felt_.get(), pose_, {}, {motion_.get(), fraction_});
   ++ticks_;
   if (s.contact_reset) exact_->reset();
   exact_->setProbe(s.probe_A);
-  // Methods are not judged with a held body.
+  if (motion_) {
+    exact_->setMotion(motion_.get());
+    exact_->advanceTo(fraction_);
+    if (moves && !moving()) spheres_ = std::make_shared<const SphereGrid>(motion_->at(1.0), spheres_->untouchable());
+  }
+  // No method is judged with a body.
   TouchSample sample =
       touchSampleOf(s, method_, is_reference_ || body_ ? s.contact : exact_->respond({s.hip, s.orientation}).contact);
   sample.time_s = time_s();  // on the virtual clock, which continues across scenes
@@ -85,13 +125,15 @@ TouchSample VirtualTouch::tick(const PoseA& hand) {
 }
 
 HandPlanInput VirtualTouch::view(int attempt) const {
-  return {.spheres = *spheres_,
-          .probe_A = settings_.probe_A,
-          .N_per_A = settings_.stiffness_N_per_mm / settings_.workspace.A_per_mm,
-          .hip = hand_.place,
-          .attempt = attempt,
-          .body = body_.get(),
-          .orientation = hand_.orientation};
+  HandPlanInput out{.spheres = *spheres_,
+                    .probe_A = settings_.probe_A,
+                    .N_per_A = settings_.stiffness_N_per_mm / settings_.workspace.A_per_mm,
+                    .hip = hand_.place,
+                    .attempt = attempt,
+                    .body = body_.get(),
+                    .orientation = hand_.orientation};
+  for (std::size_t k = 0; k < structures_.size(); ++k) out.structures.push_back({double(k), structures_[k].get()});
+  return out;
 }
 
 }  // namespace moltact

@@ -9,12 +9,14 @@
 
 #include "engine/haptics/interactions.h"
 #include "engine/haptics/methods.h"
+#include "engine/haptics/sphere_motion.h"
 #include "engine/lesson/hand_plan.h"
 #include "engine/lesson/lesson.h"
 #include "engine/lesson/tasks/task.h"
 #include "engine/lesson/touch_sample.h"
 #include "engine/molecule/molecule.h"
 #include "engine/servo/servo_step.h"
+#include "engine/structure/superposition.h"
 
 namespace moltact {
 
@@ -22,7 +24,12 @@ class VirtualTouch {
  public:
   /// Sets the scene of a step and its molecule; the hand begins outside. The clock continues across scenes.
   void begin(std::shared_ptr<const Molecule> molecule, const SceneSpec& scene);
-  /// Applies the changes of the scene that a task requests; a default value restores the lesson's scene.
+  /// The two structures of the scene's atoms; null: they do not move. Until begin() is called again.
+  void setStructures(std::shared_ptr<const TwoStates> states);
+  /// The scene's atoms move evenly to a share of the way to the second structure, from the next tick on.
+  void moveTo(double share);
+  bool moving() const { return motion_ && fraction_ < 1.0; }
+  /// The changes of the scene that a task asks for; a default value for the scene as the lesson has it.
   void setStage(const TaskStage& stage);
   /// Selects another method in its initial state. Ignores unknown names.
   void useMethod(std::string_view name);
@@ -46,8 +53,12 @@ class VirtualTouch {
   std::unique_ptr<Interaction> felt_;
   std::unique_ptr<Interaction> exact_;  // the reference of the method in use (referenceOf())
   TouchSetup touch_;
-  std::string_view method_;    // name of the method in use
-  bool is_reference_ = false;  // the method in use gives the same contact as exact_
+  std::string_view method_;    // its name in the table of methods
+  bool is_reference_ = false;  // what is felt is what exact_ would give
+  std::shared_ptr<const TwoStates> states_;
+  std::vector<std::shared_ptr<const SphereGrid>> structures_;  // the scene's spheres in both, once they are needed
+  std::shared_ptr<const SphereMotion> motion_;                 // that they are in, or have come to the end of
+  double fraction_ = 0.0, share_ = 0.0;
   SceneSpec scene_;
   TaskStage stage_;
   ServoSettings settings_;

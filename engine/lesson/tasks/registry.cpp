@@ -16,7 +16,9 @@
   X(same)                \
   X(fit)                 \
   X(measure)             \
-  X(order)
+  X(order)               \
+  X(dock)                \
+  X(pass)
 
 namespace moltact {
 

@@ -29,6 +29,10 @@ struct TaskKind {
   std::string_view of_body = {};
   /// Whether the form of the task that `spec` gives judges a body. Null: every form does if `of_body` is not empty.
   bool (*form_judges_body)(const TaskSpec& spec) = nullptr;
+  /// Adds problems with what the scene's hand holds, in the scene's structures; not called where it holds the probe; may be
+  /// null.
+  void (*check_body)(const TaskSpec& spec, const std::shared_ptr<const HeldBody>& body,
+                     std::span<const StructureChoice> structures, std::vector<Problem>& problems) = nullptr;
 
   bool judgesBody(const TaskSpec& spec) const {
     return !of_body.empty() && (!form_judges_body || form_judges_body(spec));

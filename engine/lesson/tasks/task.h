@@ -46,18 +46,19 @@ struct TaskButton {
 /// The changes of the scene that a task requests while it is in progress. Members without a value leave the scene
 /// unchanged.
 struct TaskStage {
-  bool dark = false;         ///< the molecule is not drawn and must be found by touch
-  bool unnamed = false;      ///< the task asks what is touched: nothing reveals the atoms or how many block the probe
-  bool force_meter = false;  ///< the force is displayed in the dark
-  TouchChange touch = {};    ///< changes of the rendering parameters
-  std::vector<std::uint32_t> removed = {};  ///< atoms that are not felt, in addition to those of the scene; ascending
-  std::optional<PointA> facing = {};        ///< a point to be rotated to the front, in the middle of the view
-  std::optional<PointA> close_to = {};      ///< a point to which the view zooms while no hand presses
-  /// Rotation of the molecule in the view: the screen's axes in the molecule's.
-  std::optional<Quat> turned = {};
-  /// Another number, or another rotation, begins a new presentation: the hand is withdrawn and starts outside again.
-  /// Only touch then reveals whether something has changed.
-  int presentation = 0;
+  bool dark = false;         ///< the molecule is not drawn: the way is found by touch alone
+  bool unnamed = false;      ///< what is touched is the question: nothing says its atoms or how many hold the probe
+  bool force_meter = false;  ///< in the dark the force is shown
+  TouchChange touch = {};    ///< felt with something else
+  std::vector<std::uint32_t> removed = {};  ///< atoms that are not felt, besides those of the scene; ascending
+  std::optional<PointA> facing = {};        ///< a place to be turned to the front, in the middle of the view
+  std::optional<PointA> close_to = {};      ///< a place that the view comes close to, once no hand presses
+  std::optional<Quat> turned = {};          ///< the molecule is seen turned so: the screen's axes in its own
+  std::optional<Quat> body_turned = {};     ///< a hand that has no orientation of its own (mouse, keys, fingers) begins
+                                            ///< with it, also after the view was reset: of what it holds, relative to
+                                            ///< the molecule's file
+  int presentation = 0;  ///< another number, or another turn, begins a new presentation: the hand lets go and starts
+                         ///< outside again, so that nothing but the touch shows whether something has changed
 
   friend bool operator==(const TaskStage&, const TaskStage&) = default;
 };
@@ -141,12 +142,17 @@ class Task {
   /// The plan by which a scripted hand carries the task out from its present state; empty if a probe from outside
   /// reaches no suitable place. It is requested again if the plan was followed and the task is not done.
   virtual HandPlan demonstrate(const HandPlanInput& view) const = 0;
+  /// Why there is no plan, as a part of a sentence in English.
+  virtual std::string_view noPlan() const { return N_("no place for it is open to the probe from outside"); }
 
   /// Returns to the initial state.
   virtual void reset();
 
   /// Sets the atoms that the scene excludes from touch (scene_atoms.h); called once, before the first tick.
   virtual void leaveOut(std::span<const std::uint32_t> /*untouchable*/) {}
+  /// What the scene gives the hand to hold, in its pose of the molecule's file; never null. Told like the above, and
+  /// not at all where the hand holds the probe.
+  virtual void takeInHand(std::shared_ptr<const HeldBody> /*body*/) {}
 
  protected:
   explicit Task(const TaskSpec& spec)

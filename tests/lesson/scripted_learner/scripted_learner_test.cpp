@@ -125,7 +125,8 @@ TEST_CASE("each kind of task is done on two spheres by the student who follows i
       {"same", "same: anywhere\nmethod: mesh80\ntrials: 4\nfor: 0.2 s"},
       {"measure", "measure: atom 0\nto: atom 1\nbetween: 4 Å to 8 Å"},
       {"order", "order: atom 0 then atom 1\nfirst: the left one\nfor: 0.2 s"}};
-  std::set<std::string, std::less<>> kinds{"meet", "fit"};  // below: they want a method that jumps, and a ring
+  // Below: they want a method that jumps, a ring, and a body.
+  std::set<std::string, std::less<>> kinds{"meet", "fit", "dock", "pass"};
   for (const auto& [kind, keys] : all) {
     CAPTURE(keys);
     kinds.insert(kind);
@@ -145,6 +146,13 @@ TEST_CASE("each kind of task is done on two spheres by the student who follows i
     CHECK(p.finished);
     CHECK(p.time_s <= 30.0);
   }
+  const Played passes = demonstrate(step(touch("pass: all"), "ring"));
+  if (const LearnerEvent* gave_up = passes.find(Kind::GaveUp)) MESSAGE(gave_up->note);
+  CHECK(passes.finished);
+  const Played docks =
+      demonstrate("## A\n```scene\nmolecule: ring\nin-hand: atom 0\n```\n" + touch("dock: file\nwithin: 1 Å"));
+  if (const LearnerEvent* gave_up = docks.find(Kind::GaveUp)) MESSAGE(gave_up->note);
+  CHECK(docks.finished);
   for (const TaskKind& kind : taskKinds()) CHECK_MESSAGE(kinds.contains(kind.name), std::string(kind.name));
 }
 

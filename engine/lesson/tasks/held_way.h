@@ -1,0 +1,54 @@
+// Follows what the hand leads through the scene, probe or body, from sample to sample: where it is, and whether it came
+// there without a jump. Used as tasks are (task.h). Units: angstrom, radian.
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "engine/haptics/body/held_body.h"
+#include "engine/lesson/touch_sample.h"
+
+namespace moltact {
+
+class HeldWay {
+ public:
+  /// A longer step between two samples is a jump. A hand moves by less than this in 30 ms, and by far less in a tick.
+  static constexpr double kJump_A = 3.0, kJump_rad = 0.5;
+
+  /// Takes a sample; `dt_s` as in Task::onSample. Gives false where it does not continue the one before: the first, a
+  /// hand that was put down or jumped, a gap in time, a body or probe that began inside.
+  bool tick(const TouchSample& sample, double dt_s);
+  void restart() { *this = HeldWay(); }
+
+  /// Of the last sample: the body as it is shown, or the contact point of the probe (of the exact tracker, which no
+  /// method that loses the surface misleads).
+  const PoseA& pose() const { return now_; }
+  /// Of the sample before, where tick() has given true.
+  const PoseA& before() const { return before_; }
+
+ private:
+  PoseA now_, before_;
+  bool there_ = false;
+};
+
+/// The poses of a body beside a goal.
+class PoseGoal {
+ public:
+  PoseGoal(std::shared_ptr<const HeldBody> body, const PoseA& goal);
+  const HeldBody& body() const { return *body_; }
+  const PoseA& goal() const { return goal_; }
+
+  /// The root of the mean squared distance of the body's atoms from their places in the goal.
+  double rmsd_A(const PoseA& pose) const;
+  double turned_rad(const PoseA& pose) const;
+  /// Whether springs are stretched by more than `within_A` (root mean square over the body's atoms): the atoms are then
+  /// elsewhere than the body that is shown.
+  bool stretched(const Contact& contact, double within_A) const;
+
+ private:
+  std::shared_ptr<const HeldBody> body_;
+  PoseA goal_;
+  glm::dmat3 spread_{0.0};  // mean of l l^T over the atoms' places l about the middle
+};
+
+}  // namespace moltact
