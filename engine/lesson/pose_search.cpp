@@ -15,12 +15,12 @@ namespace {
 
 constexpr double kVoxel_A = 0.5;  // the smallest; larger where a scene would have more than kMaxVoxels
 constexpr double kMaxVoxels = 4e6;
-constexpr double kStep_A = 1.0;       // longest branch of the tree
+constexpr double kBranch_A = 1.0;     // longest branch of the tree
 constexpr double kLeastStep_A = 0.1;  // shorter ones are not added
 constexpr double kCell_A = 0.5;       // edge of the cells by which sparse regions are recognised
 constexpr std::size_t kMaxNodes = 30'000;
 constexpr int kShortcuts = 150;
-constexpr double kGoldenAngle = 2.399963229728653;
+constexpr double kGoldenTurn_rad = 2.399963229728653;
 
 double bell(std::uint64_t& random) {
   const double u = std::max(nextFraction(random), 1e-12), v = nextFraction(random);
@@ -105,7 +105,7 @@ class Tree {
     const PoseA& start = nodes_[from].pose;
     const double whole = space_.motion_A(start, toward);
     if (!(whole > 0.0)) return false;
-    for (double part = std::min(1.0, kStep_A / whole); part * whole >= std::min(kLeastStep_A, whole); part *= 0.5) {
+    for (double part = std::min(1.0, kBranch_A / whole); part * whole >= std::min(kLeastStep_A, whole); part *= 0.5) {
       const PoseA to = between(start, toward, part);
       if (!isFreeBetween(start, to)) continue;
       int& crowd = crowd_[cellOf(to)];
@@ -276,7 +276,7 @@ bool PoseSpace::leadsOutside(const PoseA& from, PoseA& outside) const {
   const double far = glm::distance(scene_.low_A(), scene_.high_A()) + 2.0 * body_.reach_A + 2.0;
   for (int k = 0; k < kDirections; ++k) {
     const double z = 1.0 - (2.0 * k + 1.0) / kDirections, r = std::sqrt(1.0 - z * z);
-    const Vec3 out(r * std::cos(kGoldenAngle * k), r * std::sin(kGoldenAngle * k), z);
+    const Vec3 out(r * std::cos(kGoldenTurn_rad * k), r * std::sin(kGoldenTurn_rad * k), z);
     if (glm::dot(out, from.place.A - middle) < 0.0) continue;
     outside = {{from.place.A + out * far}, from.orientation};
     if (sweep(scene_, HandShape(body_, from.orientation), from.place.A, outside.place.A).sphere < 0 && isFree(from))

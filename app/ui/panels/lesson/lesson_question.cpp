@@ -130,8 +130,8 @@ void drawChoices(Application& app, std::size_t index, const std::string& name, f
   const Question& question = session.step().questions[index];
   const QuestionStatus& status = session.question(index);
   std::vector<std::size_t>& ticked = lesson.drafts().ticked[index];
-  const bool one = question.rightChoices() <= 1, keys = takesKeys(session, index), verdict = session.feedbackVisible(index),
-             open = session.takesAnswer(index);
+  const bool one = question.rightChoices() <= 1, keys = takesKeys(session, index),
+             verdict = session.feedbackVisible(index), open = session.takesAnswer(index);
   if (ticked.empty() && status.attempts > 0 && status.done()) ticked = status.chosen;
   if (!one)
     drawRichText((name + "/several").c_str(), {TextRun{.text = tr("More than one is right: tick them all.")}},
