@@ -172,7 +172,8 @@ TEST_CASE(
   write(folder / "pose.csv", "x,y,z,qw,qx,qy,qz\n0,0,9,1,0,0,0\n0,0,4,1,0,0,0\n0,0,2.6,1,0,0,0\n");
   const std::string replay =
       "replay '" + (folder / "three.xyzr") + "' --in-hand 'atom 1 or atom 2' --path '" + (folder / "pose.csv") + "' ";
-  const Run run = moltact(folder, replay + "--stiffness 3 --out '" + (folder / "out.csv") + "'");
+  const Run run =
+      moltact(folder, replay + "--stiffness 3 --rotational-stiffness 1e6 --out '" + (folder / "out.csv") + "'");
   CAPTURE(run.err);
   REQUIRE(run.status == 0);
   const auto out = rows(contents(folder / "out.csv"));
@@ -180,19 +181,20 @@ TEST_CASE(
   for (const std::size_t quiet : {1u, 2u})
     for (std::size_t i = 14; i < 20; ++i) CHECK(std::stod(out[quiet][i]) == 0.0);
   // The atom at (1.5, 0, 2.6) is 0.4 A within 2 + 1 of the one below it: 3 N/A times 0.4 A, at 1.5 A from the middle.
-  CHECK(std::stod(out[3][16]) == doctest::Approx(1.2).epsilon(1e-9));
-  CHECK(std::stod(out[3][18]) == doctest::Approx(-1.8).epsilon(1e-9));
-  CHECK(std::stod(out[3][9]) == doctest::Approx(3.0).epsilon(1e-9));
+  CHECK(std::stod(out[3][16]) == doctest::Approx(1.2).epsilon(1e-4));
+  CHECK(std::stod(out[3][18]) == doctest::Approx(-1.8).epsilon(1e-4));
+  CHECK(std::stod(out[3][9]) == doctest::Approx(3.0).epsilon(1e-4));
   CHECK(moltact(folder, replay + "--time").status == 0);
 
   // The spheres that it writes are those that are felt: the held ones 0.5 A smaller, and replayed alone they feel alike.
   const std::string files = "'" + (folder / "scene.csv") + "' '" + (folder / "body.csv") + "'";
-  REQUIRE(moltact(folder, replay + "--stiffness 3 --out '" + (folder / "out.csv") + "' --spheres " + files).status ==
-          0);
+  REQUIRE(moltact(folder, replay + "--stiffness 3 --rotational-stiffness 1e6 --out '" + (folder / "out.csv") +
+                              "' --spheres " + files)
+              .status == 0);
   CHECK(contents(folder / "scene.csv") == "x,y,z,r\n1.5,0,0,2\n");
   CHECK(contents(folder / "body.csv") == "x,y,z,r\n-1.5,0,0,1\n1.5,0,0,1\n");
   REQUIRE(moltact(folder, "replay --from-spheres " + files + " --path '" + (folder / "pose.csv") +
-                              "' --stiffness 3 --out '" + (folder / "again.csv") + "'")
+                              "' --stiffness 3 --rotational-stiffness 1e6 --out '" + (folder / "again.csv") + "'")
               .status == 0);
   CHECK(contents(folder / "again.csv") == contents(folder / "out.csv"));
   CHECK(moltact(folder, replay + "--time --spheres '" + (folder / "pose.csv") + "' x.csv").status == 1);  // an input
@@ -250,14 +252,14 @@ TEST_CASE("broken poses and lists of spheres end with 1 and name file, line, col
   fs::remove(folder / "t.csv");
 
   std::string many = "x,y,z,r\n";
-  for (int k = 0; k < 201; ++k) many += "0,0," + std::to_string(k) + ",1\n";
+  for (int k = 0; k < 5001; ++k) many += "0,0," + std::to_string(k) + ",1\n";
   const std::pair<std::string, const char*> lists[] = {
       {"x,y,z\n0,0,0\n", ":1:1: the first line is not the header x,y,z,r"},
       {"x,y,z,r\n0,0,0,0\n", ":2:7: no sphere has this number"},
       {"x,y,z,r\n0,0,0,-1\n", ":2:7: no sphere has this number"},
       {"x,y,z,r\n0,nan,0,1\n", ":2:3: no sphere has this number"},
       {"x,y,z,r\n0,0,2e9,1\n", ":2:5: no sphere has this number"},
-      {many, ":202:1: more than 200 spheres"}};
+      {many, ":5002:1: more than 5000 spheres"}};
   for (const auto& [text, says] : lists) {
     write(folder / "list.csv", text);
     const Run run = replay("one.csv", "list.csv", "good.csv");
