@@ -113,18 +113,26 @@ TEST_CASE("a body whose one end presses on a sphere while its middle is in the o
 }
 
 TEST_CASE(
-    "a body that was led straight through a sphere, and whose atoms wait on its far side, is let go once it is "
-    "outside") {
-  Touched t({{0, 0, 1.5}, {0, 0, -1.5}});
-  t.hold({0, 0, 8});
-  REQUIRE_FALSE(t.scene.log().touching());
-  t.hold({0, 0, 1}, 0.3);
-  t.hold({0, 0, -2}, 1.0);  // one of its atoms is still inside
-  CHECK(t.scene.log().touching());
-  t.hold({0, 0, -6}, 0.3);
-  CHECK(t.scene.log().touching());
-  t.hold({0, 0, -6}, 1.0);
-  CHECK_FALSE(t.scene.log().touching());
+    "a body of springs that was led straight through a sphere, and whose atoms wait on its far side, is let go once it "
+    "is outside; the exact body comes round the sphere to the hand by itself") {
+  for (const char* interaction : {"springs", "exact-body"}) {
+    CAPTURE(interaction);
+    Touched t({{0, 0, 1.5}, {0, 0, -1.5}});
+    TouchSetup touch = t.scene.touch();
+    touch.interaction = interaction;
+    t.scene.setTouch(touch);
+    REQUIRE(t.scene.touch().interaction == interaction);
+    t.hold({0, 0, 8});
+    REQUIRE_FALSE(t.scene.log().touching());
+    t.hold({0, 0, 1}, 0.3);
+    t.hold({0, 0, -2}, 1.0);  // one of its atoms is still inside
+    CHECK(t.scene.log().touching());
+    t.hold({0, 0, -6}, 0.3);
+    CHECK(t.scene.log().touching() == (touch.interaction == "springs"));
+    t.hold({0, 0, -6}, 1.0);
+    CHECK_FALSE(t.scene.log().touching());
+    CHECK(glm::distance(t.now().shownBody().place.A, Vec3(0, 0, -6)) < 0.01);
+  }
 }
 
 }  // namespace moltact
