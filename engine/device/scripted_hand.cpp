@@ -3,10 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/core/even_directions.h"
+
 namespace moltact {
 namespace {
 
-constexpr double kGoldenAngle = 2.399963229728653;
 constexpr int kVisits = 13;  // number of sides before the sequence repeats
 constexpr double kSlide_rad_per_s = 0.25;
 constexpr double kTurn_rad_per_s = 3.0;
@@ -16,7 +17,7 @@ constexpr double kYield_mm_per_s_N = 15.0;  // speed at which the hand yields to
 
 // The sides lie on a spiral over the hemisphere that faces the user.
 Vec3 ScriptedHand::sideOf(int visit) noexcept {
-  const double z = 1.0 - 0.8 * visit / kVisits, flat = std::sqrt(1.0 - z * z), turn = kGoldenAngle * visit;
+  const double z = 1.0 - 0.8 * visit / kVisits, flat = std::sqrt(1.0 - z * z), turn = kGoldenAngle_rad * visit;
   return {flat * std::cos(turn), flat * std::sin(turn), z};
 }
 

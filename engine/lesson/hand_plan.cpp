@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "engine/core/even_directions.h"
 #include "engine/core/saturated.h"
 #include "engine/haptics/sweep.h"
 
@@ -18,7 +19,6 @@ constexpr int kMaxSteps = 20'000;       // upper limit for paths longer than any
 constexpr double kRoom_A = 1.5;         // clearance beyond which a place is not better
 constexpr int kDirections = 60;         // number of directions tested for an atom's face
 constexpr double kHandSpacing_A = 0.4;  // spacing of places in a crease
-constexpr double kGoldenAngle = 2.399963229728653;
 
 // The distance from the probe, at this place, to the nearest atom outside the active set.
 double room(const HandPlanInput& view, const SurfacePlace& place) {
@@ -70,8 +70,7 @@ std::vector<SurfacePlace> bodyPlaces(const HandPlanInput& view, std::span<const 
     const std::uint32_t a = atoms[n];
     if (!in[a]) continue;
     for (int k = 0; k < directions; ++k) {
-      const double z = 1.0 - (2.0 * k + 1.0) / directions, r = std::sqrt(1.0 - z * z), turn = kGoldenAngle * k;
-      const Vec3 out(r * std::cos(turn), r * std::sin(turn), z);
+      const Vec3 out = evenDirection(k, directions);
       // The body's foremost atom on this path meets the target before its other atoms do, if any does.
       std::size_t foremost = 0;
       const auto ahead = [&](std::size_t i) {

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "engine/core/even_directions.h"
 #include "engine/haptics/sweep.h"
 
 namespace moltact {
@@ -16,16 +17,11 @@ constexpr double kLift_A = 1e-4;
 constexpr double kAway = 0.02;   // minimum cosine between a direction and the outward directions of the holding atoms
 constexpr double kGrid_A = 0.1;  // spacing of the lines through a ring
 
-Vec3 spiral(int k, int of) {
-  const double z = 1.0 - (2.0 * k + 1.0) / of, r = std::sqrt(1.0 - z * z), turn = 2.399963229728653 * k;
-  return {r * std::cos(turn), r * std::sin(turn), z};
-}
-
 bool open(const SphereGrid& scene, const SurfacePlace& place, double probe_A) {
   if (openFromOutside(scene, place, probe_A)) return true;
   const double far = glm::distance(scene.low_A(), scene.high_A()) + 2.0 * probe_A + 1.0;
   for (int k = 0; k < kWays; ++k) {
-    const Vec3 way = spiral(k, kWays);
+    const Vec3 way = evenDirection(k, kWays);
     const bool away = std::all_of(place.atoms.begin(), place.atoms.end(), [&](std::int32_t a) {
       return a < 0 || glm::dot(glm::normalize(place.scp_A - scene[static_cast<std::size_t>(a)].centre_A), way) >= kAway;
     });

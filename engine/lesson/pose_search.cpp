@@ -6,6 +6,7 @@
 #include <map>
 #include <numbers>
 
+#include "engine/core/even_directions.h"
 #include "engine/core/random.h"
 #include "engine/core/saturated.h"
 #include "engine/haptics/sweep.h"
@@ -20,7 +21,6 @@ constexpr double kLeastStep_A = 0.1;  // shorter ones are not added
 constexpr double kCell_A = 0.5;       // edge of the cells by which sparse regions are recognised
 constexpr std::size_t kMaxNodes = 30'000;
 constexpr int kShortcuts = 150;
-constexpr double kGoldenTurn_rad = 2.399963229728653;
 
 double bell(std::uint64_t& random) {
   const double u = std::max(nextFraction(random), 1e-12), v = nextFraction(random);
@@ -275,8 +275,7 @@ bool PoseSpace::leadsOutside(const PoseA& from, PoseA& outside) const {
   const Vec3 middle = 0.5 * (scene_.low_A() + scene_.high_A());
   const double far = glm::distance(scene_.low_A(), scene_.high_A()) + 2.0 * body_.reach_A + 2.0;
   for (int k = 0; k < kDirections; ++k) {
-    const double z = 1.0 - (2.0 * k + 1.0) / kDirections, r = std::sqrt(1.0 - z * z);
-    const Vec3 out(r * std::cos(kGoldenTurn_rad * k), r * std::sin(kGoldenTurn_rad * k), z);
+    const Vec3 out = evenDirection(k, kDirections);
     if (glm::dot(out, from.place.A - middle) < 0.0) continue;
     outside = {{from.place.A + out * far}, from.orientation};
     if (sweep(scene_, HandShape(body_, from.orientation), from.place.A, outside.place.A).sphere < 0 && isFree(from))

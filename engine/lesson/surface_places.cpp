@@ -4,6 +4,7 @@
 #include <cmath>
 #include <optional>
 
+#include "engine/core/even_directions.h"
 #include "engine/core/saturated.h"
 #include "engine/core/sphere_intersections.h"
 #include "engine/core/units.h"
@@ -72,9 +73,7 @@ std::vector<SurfacePlace> facePlaces(const SphereGrid& scene, std::span<const st
   for (const std::uint32_t a : atoms) {
     if (!scene.touchable(a)) continue;
     for (int k = 0; k < directions; ++k) {
-      // A spiral with even steps from pole to pole, rotated by the golden angle at each step.
-      const double z = 1.0 - (2.0 * k + 1.0) / directions, r = std::sqrt(1.0 - z * z), turn = 2.399963229728653 * k;
-      const Vec3 u(r * std::cos(turn), r * std::sin(turn), z);
+      const Vec3 u = evenDirection(k, directions);
       SurfacePlace place{scene[a].centre_A + u * (scene[a].radius_A + probe_A),
                          u,
                          {static_cast<std::int32_t>(a), -1, -1},

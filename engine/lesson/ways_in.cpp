@@ -3,26 +3,16 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
+
+#include "engine/core/even_directions.h"
 
 namespace moltact {
 namespace {
 
 constexpr double kRounding_A = 1e-9;
 
-// Even directions: the spiral of equal areas.
-std::vector<Vec3> directions(int n) {
-  std::vector<Vec3> out;
-  const double turn = std::numbers::pi * (3.0 - std::sqrt(5.0));
-  for (int k = 0; k < n; ++k) {
-    const double z = 1.0 - (2.0 * k + 1.0) / n, r = std::sqrt(1.0 - z * z);
-    out.emplace_back(r * std::cos(turn * k), r * std::sin(turn * k), z);
-  }
-  return out;
-}
-
 const std::vector<Vec3>& restDirections() {
-  static const std::vector<Vec3> kDirections = directions(WaysIn::kRests);
+  static const std::vector<Vec3> kDirections = evenDirections(WaysIn::kRests);
   return kDirections;
 }
 
@@ -102,7 +92,7 @@ bool WaysIn::straight(std::uint32_t atom) const {
   const Vec3& centre = grown_[atom].centre_A;
   for (const Vec3& rest : rests)
     if (open(rest, glm::normalize(rest - centre))) return true;
-  static const std::vector<Vec3> kWays = directions(2 * kLines);
+  static const std::vector<Vec3> kWays = evenDirections(2 * kLines);
   std::vector<Cone> cones;
   for (std::size_t k = 0; k < rests.size(); k += rests.size() < 1000 ? 1 : 10) {
     // Most lines meet a near sphere, which a cone finds in one product.

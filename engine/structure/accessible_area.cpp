@@ -4,22 +4,11 @@
 #include <cmath>
 #include <numbers>
 
+#include "engine/core/even_directions.h"
 #include "engine/haptics/sphere_grid.h"
 
 namespace moltact {
 namespace {
-
-/// Directions distributed evenly over the sphere: a spiral by the golden angle.
-std::vector<Vec3> spiral(int points) {
-  std::vector<Vec3> out;
-  out.reserve(std::size_t(points));
-  const double golden = std::numbers::pi * (3.0 - std::sqrt(5.0));
-  for (int k = 0; k < points; ++k) {
-    const double z = 1.0 - (2.0 * k + 1.0) / points, r = std::sqrt(1.0 - z * z);
-    out.push_back({r * std::cos(golden * k), r * std::sin(golden * k), z});
-  }
-  return out;
-}
 
 /// The cap of an inflated sphere inside another: directions with a component along `towards` above `beyond`.
 struct Cap {
@@ -32,7 +21,7 @@ class Area {
   Area(std::span<const Sphere> spheres, double probe_radius_A, int points)
       : probe_A_(std::max(probe_radius_A, 0.0)),
         grid_(grown(spheres, probe_A_), SphereGrid::Duplicates::VisitEach),
-        points_(spiral(points)) {}
+        points_(evenDirections(points)) {}
 
   double radius_A(std::uint32_t i) const { return grid_[i].radius_A; }
   /// Counts the sphere's free points, at most `limit`.

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/core/even_directions.h"
 #include "engine/device/pointer_hand.h"
 #include "tests/app/lesson_hand.h"
 
@@ -51,9 +52,7 @@ Vec3 LessonHand::openFrom(const HandPlan& plan, std::size_t k) const {
   Vec3 best = fronts.front();
   double best_score = 0.0;
   for (int d = 0; d < kDirections; ++d) {
-    // Evenly over the sphere, on a spiral.
-    const double z = 1.0 - (2.0 * d + 1.0) / kDirections, turn = 2.399963229728653 * d, r = std::sqrt(1.0 - z * z);
-    const Vec3 to(r * std::cos(turn), r * std::sin(turn), z);
+    const Vec3 to = evenDirection(d, kDirections);
     std::size_t seen = 0;
     while (seen < places.size() && glm::dot(fronts[seen], to) > kFront && open(places[seen], to)) ++seen;
     const double score = double(seen) + glm::dot(fronts.front(), to);

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "engine/core/even_directions.h"
 #include "engine/core/random.h"
 
 using namespace moltact;
@@ -36,10 +37,7 @@ std::vector<Sphere> wall(double free_A) {
 
 std::vector<Sphere> ball(double radius_A, int count) {
   std::vector<Sphere> out;
-  for (int k = 0; k < count; ++k) {
-    const double z = 1.0 - (2.0 * k + 1.0) / count, r = std::sqrt(1.0 - z * z), a = 2.399963229728653 * k;
-    out.push_back({radius_A * Vec3(r * std::cos(a), r * std::sin(a), z), 1.5});
-  }
+  for (int k = 0; k < count; ++k) out.push_back({radius_A * evenDirection(k, count), 1.5});
   return out;
 }
 
