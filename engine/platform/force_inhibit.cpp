@@ -52,6 +52,7 @@ void platform::doLastActs() noexcept {
 }
 
 bool forceInhibited() noexcept { return inhibited.load(std::memory_order_acquire) != 0; }
+bool forceEnded() noexcept { return (inhibited.load() & static_cast<unsigned>(InhibitReason::Dying)) != 0; }
 void inhibitForce(InhibitReason why) noexcept { inhibited.fetch_or(static_cast<unsigned>(why)); }
 void permitForce(InhibitReason why) noexcept { inhibited.fetch_and(~static_cast<unsigned>(why)); }
 

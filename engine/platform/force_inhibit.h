@@ -26,6 +26,8 @@ void permitForce(InhibitReason why) noexcept;
 /// Inhibits force permanently and performs every armed act, for an exit without destructors. If an act needs another
 /// thread it waits for it, at most kPatience_ms.
 void endForce() noexcept;
+/// True from the beginning of endForce(). Any thread, also a signal handler.
+bool forceEnded() noexcept;
 inline constexpr int kPatience_ms = 40;
 
 /// A driver's last act for one device, performed when the process ends without destructors.

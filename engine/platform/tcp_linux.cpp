@@ -59,6 +59,9 @@ class Connection final : public TcpConnection {
   }
 
   bool write(std::span<const std::uint8_t> bytes) override {
+    const Writing writing(writer_);
+    // The last act sends the last report. An error here would close the connection before that report has left.
+    if (forceEnded()) return true;
     while (!bytes.empty()) {
       const ssize_t size = ::send(socket_, bytes.data(), bytes.size(), MSG_NOSIGNAL);
       if (size > 0) {
@@ -76,12 +79,14 @@ class Connection final : public TcpConnection {
     if (bytes.size() > sizeof last_) return false;
     last_size_ = bytes.size();
     std::copy(bytes.begin(), bytes.end(), last_);
-    // In a signal handler, where send() and ioctl() are safe. The act is repeated while endForce() waits, until the
+    // In a signal handler, where send(), gettid() and ioctl() are safe. The act is repeated while endForce() waits, until the
     // report has been sent. The buffer is full until the peer's system has acknowledged about ten reports; data left in
     // it when the process ends are lost.
     return act_.arm(
         [](void* self) noexcept {
           Connection& me = *static_cast<Connection*>(self);
+          // A report that another thread is sending must not follow the last one.
+          if (const pid_t writer = me.writer_.load(); writer != 0 && writer != ::gettid()) return false;
           if (!me.last_written_.exchange(true) &&
               ::send(me.socket_, me.last_, me.last_size_, MSG_NOSIGNAL | MSG_DONTWAIT) < 0) {
             me.last_written_ = false;
@@ -96,7 +101,15 @@ class Connection final : public TcpConnection {
   }
 
  private:
+  // Names the thread that sends, before it looks whether the force has ended.
+  struct Writing {
+    explicit Writing(std::atomic<pid_t>& thread) : writer(thread) { writer.exchange(::gettid()); }
+    ~Writing() { writer.store(0); }
+    std::atomic<pid_t>& writer;
+  };
+
   const int socket_;
+  std::atomic<pid_t> writer_{0};
   std::uint8_t last_[kMaxLastBytes] = {};
   std::size_t last_size_ = 0;
   std::atomic<bool> last_written_{false};
