@@ -24,7 +24,8 @@ struct FeltForce {
   friend bool operator==(const FeltForce&, const FeltForce&) = default;
 };
 
-/// The force on one atom of the scene, in the molecule's axes: the reaction to the force on the hand.
+/// The force on one atom of the scene, in the molecule's axes: the reaction to the force on the hand. It is in newtons
+/// of the hand, not in those between molecules.
 struct AtomForce {
   std::int32_t atom = -1;
   Vec3 force_N{0.0};

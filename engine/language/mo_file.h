@@ -24,7 +24,7 @@ class MoFile {
 
   /// The translation, or null. Valid as long as the MoFile, which may be moved.
   const char* find(std::string_view context, std::string_view english) const noexcept;
-  /// The plural form for `n`; `one` is the English singular.
+  /// The plural form for `n`, or null; `one` is the English singular. Valid as for find().
   const char* findPlural(std::string_view one, unsigned long n) const noexcept;
 
   std::size_t size() const noexcept { return entries_.size(); }

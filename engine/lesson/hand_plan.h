@@ -25,9 +25,9 @@ struct HandAct {
   /// The orientation at the end, by the shorter arc at constant speed. Empty: unchanged.
   std::optional<Quat> turned_to = {};
   double turn_deg_per_s = 60.0;
-  bool placed = false;  ///< the hand jumps there, as a mouse that hovers over another place does
+  bool placed = false;  ///< the hand jumps to `to` in one tick, as a mouse pointer does
   double wait_s = 0.0;
-  /// The scene's atoms move first to this share of the way to its second structure (0 to 1), while the hand stays.
+  /// Before the hand moves, the atoms move to this fraction between the scene's two structures (0: first, 1: second).
   std::optional<double> share = {};
   std::string method = {};  ///< a haptic method to be chosen before anything else; empty: none
   std::optional<TaskAnswer> answer = {};
@@ -70,11 +70,11 @@ HandWay wayOf(const HandAct& act, const PoseA& from, double tick_s);
 /// The atoms of the scene, 0 to n - 1.
 std::vector<std::uint32_t> everyAtom(const SphereGrid& spheres);
 
-/// Up to `max_count` places of this kind that only these atoms form and that a probe reaches from outside in a straight
-/// line, those with most clearance first, at least 0.5 A apart. With `wanted`, only places for which it returns true.
-/// With a body in the hand: places where the body, in its present orientation, first meets one of these atoms on a
-/// straight path from outside, the most frontal first; `scp_A` is then the position of its middle. A body has only
-/// places of Feature::Sphere.
+/// Returns up to `max_count` places of this kind, at least 0.5 A apart. Only the given atoms form them, and a probe
+/// reaches each from outside in a straight line. Places with more clearance come first. With `wanted`, only places for
+/// which it returns true. With a body in the hand: places where the body, in its present orientation, first meets one
+/// of these atoms on a straight path from outside, the most frontal first; `scp_A` is then the position of its middle.
+/// A body has only places of Feature::Sphere.
 std::vector<SurfacePlace> openPlaces(const HandPlanInput& view, std::span<const std::uint32_t> atoms, Feature feature,
                                      std::size_t max_count = 40,
                                      const std::function<bool(const SurfacePlace&)>& wanted = {});
@@ -82,7 +82,7 @@ std::vector<SurfacePlace> openPlaces(const HandPlanInput& view, std::span<const 
 /// The place for an attempt: the first one, then the others in turn. Empty if there is none.
 std::optional<SurfacePlace> placeFor(const HandPlanInput& view, const std::vector<SurfacePlace>& places);
 
-/// The depth under the surface at which the spring exerts this force.
+/// The depth of the HIP under the surface (unit: angstrom) at which the spring exerts this force.
 double depthFor(const HandPlanInput& view, double force_N);
 
 /// Appends acts that put the hand before the place, move it to `depth_A` under the surface, and wait there.

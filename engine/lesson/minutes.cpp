@@ -6,30 +6,10 @@
 
 #include "engine/core/utf8.h"
 #include "engine/lesson/letters.h"
+#include "engine/lesson/tasks/registry.h"
 
 namespace moltact {
 namespace {
-
-// Times in seconds: to find the place, do the task and read its instructions.
-constexpr TaskTime kTaskTimes[] = {
-    {.kind = "reach", .base_s = 20.0},
-    {.kind = "hold", .base_s = 25.0},
-    {.kind = "press", .base_s = 25.0},
-    {.kind = "feel", .base_s = 10.0, .each_s = 12.0, .each = "count", .each_what = "place"},
-    {.kind = "cross", .base_s = 15.0, .each_s = 15.0, .each = "times", .each_what = "crossing"},
-    {.kind = "avoid", .base_s = 30.0},
-    {.kind = "compare", .base_s = 10.0, .each_s = 12.0, .each = "of", .each_what = "place or method"},
-    {.kind = "meet", .base_s = 40.0},
-    {.kind = "trace", .base_s = 60.0},
-    {.kind = "find", .base_s = 150.0},
-    {.kind = "predict", .base_s = 90.0},
-    {.kind = "same", .each_s = 20.0, .each = "trials", .each_what = "pair"},
-    {.kind = "fit", .base_s = 180.0},
-    {.kind = "measure", .base_s = 60.0},
-    {.kind = "order", .base_s = 15.0, .each_s = 25.0, .each = "order", .each_what = "place"},
-    {.kind = "dock", .base_s = 150.0},
-    {.kind = "pass", .base_s = 60.0},
-};
 
 /// The number of items of a key; the task's own key has the list if the other key has none.
 double countOf(const TaskSpec& task, std::string_view key) {
@@ -103,17 +83,13 @@ int whole(double minutes) { return std::max(1, static_cast<int>(std::lround(minu
 
 }  // namespace
 
-std::span<const TaskTime> taskTimes() { return kTaskTimes; }
-
 double taskTime_s(const TaskSpec& task) {
-  for (const TaskTime& t : kTaskTimes) {
-    if (t.kind != task.kind) continue;
-    const double count = countOf(task, t.each);
-    // Each pair has two things to touch.
-    const double stays = t.kind == "same" ? 2.0 * count : std::max(1.0, count);
-    return t.base_s + t.each_s * count + stays * task.values["for"].number;
-  }
-  return 0.0;
+  const TaskKind* kind = findTaskKind(task.kind);
+  if (!kind) return 0.0;
+  const double count = countOf(task, kind->time.each);
+  // Each pair has two things to touch.
+  const double stays = kind->name == "same" ? 2.0 * count : std::max(1.0, count);
+  return kind->time.base_s + kind->time.each_s * count + stays * task.values["for"].number;
 }
 
 LessonMinutes minutesOf(const Lesson& lesson) {

@@ -1,9 +1,6 @@
-// Estimates the duration of a lesson from its text, tasks and questions by one table. Pure functions; any thread but
+// Estimates the duration of a lesson from its text, questions and tasks (TaskKind::time). Pure functions; any thread but
 // the haptic one. Units: minute, second.
 #pragma once
-
-#include <span>
-#include <string_view>
 
 #include "engine/lesson/lesson.h"
 
@@ -15,16 +12,6 @@ inline constexpr double kFreeAnswer_s = 150.0;  ///< to write two or three sente
 inline constexpr double kMaxCoreMinutes = 20.0;
 /// The relative difference that is accepted between an author's minutes and the estimate.
 inline constexpr double kMinutesOff = 0.2;
-
-/// The duration of a kind of task: `base_s`, plus `each_s` for each item that the key `each` counts or lists.
-struct TaskTime {
-  std::string_view kind;
-  double base_s = 0.0, each_s = 0.0;
-  std::string_view each = {};       ///< empty: no items
-  std::string_view each_what = {};  ///< the item in an author's words: "pair"
-};
-/// One row per kind of task, in the order of taskKinds().
-std::span<const TaskTime> taskTimes();
 
 /// The duration of one task, including the time that the hand must stay.
 double taskTime_s(const TaskSpec& task);

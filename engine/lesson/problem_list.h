@@ -12,7 +12,7 @@
 
 namespace moltact {
 
-/// The maximum number of errors, and of warnings, of one lesson. One more entry says that there are others.
+/// The maximum length of each list of one lesson, errors and warnings. A further entry says that more exist.
 inline constexpr std::size_t kMaxLessonProblems = 500;
 
 /// Whether further problems would not be reported, so that neither they nor their remedies need be computed.

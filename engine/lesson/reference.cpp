@@ -162,8 +162,9 @@ void minutes(std::ostream& out) {
          "feedback on the right one, but not hints, teacher's notes and the glossary. A question takes "
       << number(kQuestion_s) << " s more, a free answer " << number(kFreeAnswer_s)
       << " s. A task takes the time of its kind, plus the time given by `for`.\n\n| kind | time |\n| --- | --- |\n";
-  for (const TaskTime& t : taskTimes()) {
-    out << "| `" << t.kind << "` | ";
+  for (const TaskKind& kind : taskKinds()) {
+    const TaskTime& t = kind.time;
+    out << "| `" << kind.name << "` | ";
     if (t.base_s > 0.0) out << number(t.base_s) << " s" << (t.each_s > 0.0 ? " and " : "");
     if (t.each_s > 0.0) out << number(t.each_s) << " s for each " << t.each_what;
     out << " |\n";

@@ -34,7 +34,7 @@ struct QuestionStatus {
   std::vector<std::size_t> chosen;  ///< the choices of the last attempt, ascending
   std::string written;              ///< the text of the last attempt
   bool last_right = false;          ///< of the last attempt
-  /// why the last text was not accepted as an answer, and what would be; otherwise empty
+  /// The reason why the last text was not accepted as an answer, and what is accepted; empty if it was accepted.
   std::string again;
   bool shown = false;  ///< the tries are used up: the right answer is shown, and nothing is left to do
   bool gone = false;   ///< the student has left the step since the last answer
@@ -57,6 +57,7 @@ struct SessionMemory {
 /// The right answer as one line; empty for a free answer.
 std::string rightAnswer(const Question& asked);
 
+/// Indices of steps, tasks, questions and rules must be in range; this is not checked.
 class LessonSession {
  public:
   /// Starts at the first step. `lesson` must not be null and has at least one step.
@@ -80,8 +81,8 @@ class LessonSession {
   bool hasNext() const;
   bool hasBack() const { return step().aside || step_ > 0; }
   /// Moves to the next or previous step of the route; does nothing at its ends. From an aside, both return to the step
-  /// from which the student came. next() follows the effect of an answer (leadsTo) and does not leave a step that must
-  /// be finished first.
+  /// from which the student came. next() goes where an answer leads (leadsTo). It does nothing while the step must be
+  /// finished first.
   void next();
   void back();
   /// Enters the step "#step-id" (or "step-id"), even if another must be finished first; see mayGoTo. Returns false and
@@ -109,7 +110,7 @@ class LessonSession {
   /// Drops the events and reports the present step and task again, for an observer that begins here.
   void restartEvents();
 
-  /// The number of hints of the step that are open, the first ones.
+  /// The number of open hints of the step; hints open in order, from the first.
   std::size_t hintsOpen() const { return hints_; }
   void openHints(std::size_t count);
 
@@ -151,8 +152,9 @@ class LessonSession {
   /// begins.
   void setOrderSeed(std::uint64_t seed, std::size_t sitting = 0);
 
-  /// Whether a question of the current step accepts an answer. It does until one was right or the tries are used up; a
-  /// prediction does until its result is revealed. It does not while an answer leads the student elsewhere first.
+  /// Whether a question of the current step accepts an answer. True until an answer was right or the tries are used up;
+  /// for a prediction, until its result is revealed. False while an earlier answer sends the student to another step
+  /// first.
   bool takesAnswer(std::size_t question) const;
   /// Whether the result of the last attempt may be shown: there is an attempt and, for a prediction, all tasks of the
   /// step are done.
@@ -191,8 +193,8 @@ class LessonSession {
   /// Whether every task of the step is done and every question answered correctly, or their tries are used up.
   bool stepDone() const { return stepDone(step_); }
   bool stepDone(std::size_t step) const;
-  /// The numbers of tasks and questions done and of all on the route; of steps if there are none. Asides and skipped
-  /// steps do not count.
+  /// Counts the tasks and questions on the route: those done, and all. A route without any counts its steps instead.
+  /// Asides and skipped steps do not count.
   struct Parts {
     std::size_t done = 0, of = 0;
   };
@@ -246,8 +248,8 @@ class LessonSession {
   std::shared_ptr<const Molecule> molecule_;
   std::vector<StepState> states_;
   std::vector<std::shared_ptr<Task>> tasks_;  // of the current step; null without a molecule
-  Slide slide_;                               // the present slide, of whichever task
-  std::vector<TouchSample> slid_;             // and its samples, thinned
+  Slide slide_;                               // the current slide over the surface, independent of the task
+  std::vector<TouchSample> slid_;             // its samples at a reduced rate, for the task that follows
   std::vector<std::size_t> met_;
   std::size_t step_ = 0, scene_number_ = 0;
   std::size_t main_step_ = 0;  // the last one that is not an aside

@@ -18,7 +18,8 @@ namespace moltact {
 bool threadsAvailable() noexcept;
 
 /// Like std::async, on a thread that ends all force even if it dies of a stack overflow, which a hostile file may
-/// cause. Without a thread the work runs synchronously, and the returned future is ready.
+/// cause. Without a thread the work runs synchronously, and the returned future is ready. An exception of the work is
+/// rethrown by get(), NewestWork::take() and NewestWork::wait().
 template <class Work, class... Arguments>
 auto inBackground(Work work, Arguments... arguments) -> std::future<std::invoke_result_t<Work, Arguments...>> {
   if (threadsAvailable()) {

@@ -42,6 +42,7 @@ struct OcclusionField {
 /// fifty more than the maximum.
 inline constexpr double kFineOut_A = 0.7, kWideOut_A = 2.5;
 inline constexpr double kMinFineFill = 0.12, kMaxFineFill = 0.52, kMinWideFill = 0.06, kMaxWideFill = 0.44;
+/// The fraction of the ambient light that full shade of each level removes.
 inline constexpr double kFineShade = 0.74, kWideShade = 0.62;
 
 OcclusionField occlusionField(std::span<const Sphere> spheres);

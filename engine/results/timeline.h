@@ -1,5 +1,6 @@
 // An attempt prepared for playback: the hand, the scene and the view at any time, and the marks of events. Any thread
-// but the haptic one. Units: second of use, angstrom, newton.
+// but the haptic one. Units: angstrom, newton; second of use, which is the time since the attempt began without the
+// time when the program was closed.
 #pragma once
 
 #include <optional>

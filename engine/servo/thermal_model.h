@@ -29,7 +29,7 @@ class ThermalModel {
     return continuous_N + (peak_N - continuous_N) * part;
   }
 
-  /// The heat relative to the permanent heat of the continuous force: 0 cold, 1 maximum.
+  /// The heat relative to the steady-state heat at the continuous force: 0 cold, 1 maximum.
   double used(double continuous_N) const noexcept {
     return continuous_N > 0 ? heat_N2_ / (continuous_N * continuous_N) : 1.0;
   }

@@ -19,7 +19,9 @@ TEST_CASE("every interaction has a name of its own, is made over a scene and say
     CHECK_FALSE(kind.sentence.empty());
     CHECK(findInteractionKind(kind.name) == &kind);
     const auto spheres = test::makeScene({{{0, 0, 0}, 1.6}});
-    const auto felt = kind.make({spheres, {}, heldBody(spheres->spheres(), std::vector<std::uint32_t>{0})});
+    // A kind that needs chemistry gets an atom without a charge.
+    const std::vector<AtomChemistry> chemistry(1);
+    const auto felt = kind.make({spheres, {}, heldBody(spheres->spheres(), std::vector<std::uint32_t>{0}), chemistry});
     REQUIRE(felt);
     if (!kind.former_name.empty()) CHECK(findInteractionKind(kind.former_name) == &kind);
     // What has no probe says 0 and passes another radius over.

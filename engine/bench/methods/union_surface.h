@@ -11,6 +11,7 @@
 namespace moltact {
 
 struct UnionSurface {
+  /// `corners`: indices of vertices. `sphere`: index of the sphere that the triangle lies on.
   struct Triangle {
     std::array<std::int32_t, 3> corners;
     std::int32_t sphere;

@@ -27,8 +27,8 @@ class ReportStream {
   /// Call after reading `count` bytes into room().
   void filled(std::size_t count) { end_ += std::min(count, bytes_.size() - end_); }
 
-  /// Extracts the next report and returns its length; 0: none is complete; -1: invalid framing, and no later byte can
-  /// be interpreted.
+  /// Copies the next report and returns its length; 0: none is complete. -1: invalid framing; the connection must be
+  /// closed. A report longer than `report` is cut.
   int next(std::span<std::uint8_t> report) {
     if (begin_ == end_) return 0;
     const std::size_t length = bytes_[begin_];

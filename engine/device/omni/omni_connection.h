@@ -1,6 +1,6 @@
-// Manages the one device that the vendor's driver has for this process. Its presence shows only when it is opened, and
-// opening may take some seconds. Therefore a device opened by look() stays open for the take() that usually follows,
-// and is closed if none does. Any thread except the haptic one; the calls block.
+// Manages the one device that the vendor's driver has for this process. Whether it is present is known only after
+// opening it, which may take some seconds. Therefore a device opened by look() stays open for the take() that usually
+// follows, and is closed if none does. Any thread except the haptic one; the calls block.
 #pragma once
 
 #include <chrono>
@@ -20,10 +20,12 @@ class OmniConnection {
   static OmniConnection& get();
   ~OmniConnection();
 
-  /// Opens the device to describe it, or returns its last description if it is in use. It stays open for kKeepOpen.
+  /// Opens the device to describe it; it stays open for kKeepOpen. Returns a Problem if the device is in use (taken()
+  /// then describes it) or cannot be opened.
   Expected<OmniSession> look(const hd::Library& hd);
   /// Opens the device, or takes over the one opened by look(). It then counts as in use.
   Expected<OmniSession> take(const hd::Library& hd);
+  /// Marks the device as no longer in use. Does not close it; the caller has done so.
   void giveBack();
   /// The description of the device in use, if any.
   std::optional<OmniSession> taken();

@@ -12,19 +12,22 @@
 
 namespace moltact {
 
-/// Each atom of a body may overlap the scene's atoms by this length before it touches them. Hydrogen bonds bring atoms
-/// that close, and a drug then fits into its binding site without contact (amprenavir in 1HPV overlaps by up to 0.46
-/// A). The value is tuned to the radii of Bondi.
+/// heldBody() reduces the radius of each atom by this length (unit: angstrom; to no less than 0.2 A), so that it may
+/// overlap the scene's atoms so far before it touches them. Hydrogen bonds bring atoms that close, and a drug then fits
+/// into its binding site without contact (amprenavir in 1HPV overlaps by up to 0.46 A). The value is tuned to the radii
+/// of Bondi; another table of radii needs another value.
 inline constexpr double kBodyOverlap_A = 0.5;
-/// The largest body.
+/// The maximum number of atoms of a body.
 inline constexpr std::size_t kMaxHeldAtoms = 5'000;
 
 /// Atoms that move as one rigid body with the hand's pose.
 struct HeldBody {
   std::vector<std::uint32_t> atoms;  ///< their indices in the molecule, ascending; empty for bodyOfSpheres()
-  std::vector<Sphere> spheres;       ///< one per atom, relative to the middle, in the molecule's axes; radii as felt
-  PointA middle;                     ///< mean of their centres, in the molecule
-  double reach_A = 0.0;              ///< radius of the sphere about the middle that contains the body
+  /// One per atom, relative to the middle, in the molecule's axes; radii reduced by kBodyOverlap_A (by bodyOfSpheres():
+  /// as given).
+  std::vector<Sphere> spheres;
+  PointA middle;         ///< mean of their centres, in the molecule; zero for bodyOfSpheres()
+  double reach_A = 0.0;  ///< radius of the sphere about the middle that contains the body
 };
 
 /// Builds the body from the given indices of a scene's spheres (ascending). Returns null if no index is valid or there
@@ -50,7 +53,8 @@ struct HandShape {
   double reach_A() const { return body ? body->reach_A : probe_A; }
 };
 
-/// Returns the first contact of the shape with the scene while its middle moves from `from` to `to`.
+/// Returns the first contact of the shape with the scene while its middle moves from `from` to `to`. Without contact
+/// Hit::sphere is -1 and Hit::t is 1. Any thread.
 Hit sweep(const SphereGrid& scene, const HandShape& hand, const Vec3& from, const Vec3& to) noexcept;
 
 }  // namespace moltact

@@ -1,7 +1,7 @@
 // The angle at which a point on a circular path enters a cap, in closed form. Haptic thread. Units: radian. Along a
 // great circle or an intersection circle the point's component along the cap's axis is f(t) = a cos t + b sin t, with t
-// = 0 at the point's present position. The point is covered where f(t) > q. Precondition: a <= q, so it starts
-// uncovered.
+// = 0 at the point's present position. q is the component along that axis at the rim of the cap: the point is inside
+// the cap where f(t) > q. Precondition: a <= q, so it starts outside.
 #pragma once
 
 #include <cmath>
@@ -10,6 +10,7 @@
 
 namespace moltact {
 
+/// The angle of a point that never enters the cap.
 inline constexpr double kNever = 1e300;
 
 /// Returns the first t >= 0 at which f rises above q, or kNever.

@@ -15,9 +15,9 @@ namespace moltact {
 
 class PaperTracker final : public Tracker {
  public:
-  /// The paper's epsilon, for which it gives no value (unit: angstrom). The planes of a point are tested while the SCP
-  /// is nearer than this. A hand at 100 mm/s with 0.25 A/mm moves 0.025 A per tick and cannot step across. The two
-  /// points of three atoms are usually separated by at least 1 A.
+  /// The paper's epsilon, for which it gives no value (unit: angstrom). The planes of an intersection point are tested
+  /// while the SCP is nearer to the point than this. A hand at 100 mm/s with 0.25 A/mm moves 0.025 A per tick and
+  /// cannot step across. The two points of three atoms are usually separated by at least 1 A.
   static constexpr double kEpsilon_A = 0.1;
 
   /// `scene` must not be null (asserted). The probe is clamped as in setProbe; a non-finite radius becomes

@@ -11,9 +11,18 @@
 
 namespace moltact {
 
+/// The usual duration of a kind of task, to find the place, do the task and read its instructions: `base_s`, plus
+/// `each_s` for each item that the key `each` counts or lists.
+struct TaskTime {
+  double base_s = 0.0, each_s = 0.0;
+  std::string_view each = {};       ///< empty: no items
+  std::string_view each_what = {};  ///< the item in an author's words: "pair"
+};
+
 struct TaskKind {
   std::string_view name;      ///< also the key of its target: "reach: element O"; differs from every key of other kinds
   std::string_view meaning;   ///< one sentence for authors
+  TaskTime time;
   std::vector<KeySpec> keys;  ///< its own keys; the one called `name` comes first
   std::unique_ptr<Task> (*make)(const TaskSpec& spec, const Molecule& molecule);
   /// Adds problems with keys that exclude each other, as if from file ""; may be null.
