@@ -16,7 +16,8 @@ constexpr const char* kDrug = "a-drug-in-its-tunnel";
 }  // namespace
 
 TEST_CASE(
-    "a-drug-in-its-tunnel.md has 9 steps, a place to find in the dark, a drug to miss in the dark, a place to hold in "
+    "a-drug-in-its-tunnel.md has 9 steps, a drug to dock, a place to find in the dark, a drug to miss in the dark, a "
+    "place to hold in "
     "the "
     "tunnel and a key to trace") {
   const Lesson lesson = shippedLesson(kDrug);
@@ -26,6 +27,7 @@ TEST_CASE(
   CHECK(taskOf(lesson, "in-the-dark", "find").values["by"].text == "hold");
   CHECK(tasksOf(lesson, "hold") == 1);
   CHECK(tasksOf(lesson, "trace") == 1);
+  CHECK(tasksOf(lesson, "dock") == 1);
 }
 
 TEST_CASE("the empty tunnel and the drug are atoms of 1hpv in their places, and together all of it") {
@@ -40,8 +42,9 @@ TEST_CASE("the empty tunnel and the drug are atoms of 1hpv in their places, and 
 
 TEST_CASE(
     "held as a body 0.5 A smaller, amprenavir touches nothing in its own place; with the flaps shut four searches of "
-    "400 000 poses each find no way out, with the flaps turned open by 24 degrees three of three do within 100 000") {
-  const std::string says = linesSaying(kDrug, {"is felt 0.5 Å smaller", "in four searches of 400 000 poses each"});
+    "410 000 poses each find no way out, with the flaps turned open by 24 degrees each finds one within 20 000") {
+  const std::string says =
+      linesSaying(kDrug, {"is felt 0.5 Å smaller", "in three searches of 400 000 poses each", "within 20 000 poses"});
   CAPTURE(says);
   const ShippedScene shut("1hpv"), open("1hpv-open");
   const std::vector<std::uint32_t> held = shut.select("ligand");
@@ -54,16 +57,8 @@ TEST_CASE(
   REQUIRE(closed.isFree(home));
   for (std::uint64_t seed = 1; seed <= 4; ++seed) {
     CAPTURE(seed);
-    const std::uint64_t before = closed.tests();
-    CHECK(freePath(closed, home, {.seed = seed}).empty());
-    MESSAGE("shut tests " << closed.tests() - before);
-  }
-  for (std::uint64_t seed = 1; seed <= 3; ++seed) {
-    CAPTURE(seed);
-    const std::uint64_t before = opened.tests();
-    const std::vector<PoseA> way = freePath(opened, home, {.seed = seed, .max_tests = 400'000});
-    CHECK(way.size() >= 2);
-    MESSAGE("open tests " << opened.tests() - before);
+    CHECK(freePath(closed, home, {.seed = seed, .max_tests = 410'000}).empty());
+    CHECK(freePath(opened, home, {.seed = seed, .max_tests = 20'000}).size() >= 2);
   }
 }
 
