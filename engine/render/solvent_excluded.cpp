@@ -12,7 +12,7 @@
 namespace moltact {
 namespace {
 
-constexpr double kFinest_A = 0.5, kMaxNodes = 200, kMaxNodesInSpheres = 1.2e9;
+constexpr double kFinest_A = 0.5, kMaxNodes = 200;
 constexpr double kLargeProbe_A = 3.0;  // above it thousands of spheres are near each other, and most are buried
 constexpr double kBlend_A = 0.15;      // range over which colours blend
 constexpr std::uint32_t kNone = 0xFFFFFFFFu;
@@ -25,7 +25,7 @@ struct Cancelled {};
 
 class Grid {
  public:
-  Grid(const SphereGrid& scene, double probe_A, SurfaceProgress* progress)
+  Grid(const SphereGrid& scene, double probe_A, double max_nodes_in_spheres, SurfaceProgress* progress)
       : scene_(scene), spheres_(scene.spheres()), probe_(probe_A), progress_(progress) {
     const std::span<const Sphere> spheres = spheres_;
     Vec3 low = spheres[0].centre_A, high = low;
@@ -37,7 +37,7 @@ class Grid {
     double in_spheres_A3 = 0.0;
     for (const Sphere& b : spheres) in_spheres_A3 += std::pow(2.0 * (b.radius_A + probe_A), 3.0);
     step_ = std::max({kFinest_A, std::max({extent.x, extent.y, extent.z}) / (kMaxNodes - 6),
-                      std::cbrt(in_spheres_A3 / kMaxNodesInSpheres)});
+                      std::cbrt(in_spheres_A3 / max_nodes_in_spheres)});
     low_ = low - probe_A - 2.0 * step_;
     size_ = glm::ivec3(glm::ceil((extent + 4.0 * step_) / step_)) + 1;
     level_.assign(std::size_t(size_.x) * size_.y * size_.z, std::numeric_limits<float>::max());
@@ -431,10 +431,11 @@ class Grid {
 
 }  // namespace
 
-SolventExcluded solventExcluded(std::span<const Sphere> spheres, double probe_A, SurfaceProgress* progress) try {
+SolventExcluded solventExcluded(std::span<const Sphere> spheres, double probe_A, SurfaceProgress* progress,
+                                double max_nodes_in_spheres) try {
   if (spheres.empty() || !(probe_A > 0)) return {};
   const SphereGrid scene(std::vector<Sphere>(spheres.begin(), spheres.end()));
-  return Grid(scene, probe_A, progress).triangles();
+  return Grid(scene, probe_A, max_nodes_in_spheres, progress).triangles();
 } catch (const Cancelled&) {
   return {};
 }

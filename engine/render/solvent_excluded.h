@@ -33,7 +33,8 @@ struct SurfaceProgress {
 };
 
 /// Computes the surface. `probe_A` must be positive. The grid spacing is 0.5 A, or more if an axis would have more than
-/// 200 nodes or the inflated spheres would contain more than 1.2e9 nodes together. Empty if cancelled.
-SolventExcluded solventExcluded(std::span<const Sphere> spheres, double probe_A, SurfaceProgress* progress = nullptr);
+/// 200 nodes or the inflated spheres would contain more than `max_nodes_in_spheres` nodes together. Empty if cancelled.
+SolventExcluded solventExcluded(std::span<const Sphere> spheres, double probe_A, SurfaceProgress* progress = nullptr,
+                                double max_nodes_in_spheres = 1.2e9);
 
 }  // namespace moltact

@@ -20,7 +20,7 @@ constexpr double kStill_mm = 0.5;        // largest wander of a position at rest
 constexpr double kStaleFraction = 0.05;  // tolerated fraction of stale ticks; a busy computer has some
 constexpr double kBack_s =
     8.0;  // time for the force to return after a fault; after a stall the loop stays soft for some seconds
-constexpr double kOver_s = 1.0;  // time by which a fault is over
+constexpr double kOver_s = 1.0;  // time by which a fault is over, and by which a tick has come
 constexpr auto kStep = std::chrono::milliseconds(10);
 
 std::string text(const char* format, auto... values) {
@@ -286,7 +286,13 @@ class Check {
   }
 
   void wall() {
-    feel(std::make_unique<WallTracker>(servo_.loop().latest().hand.mm.z - 5.0));
+    PointMm hand;
+    const bool ticked = watchUntil(kOver_s, [&hand](const Seen& seen) {
+      if (!seen.ticks.empty()) hand = seen.ticks.back().hand;
+      return !seen.ticks.empty();
+    });
+    if (!ticked) return found(false, "no tick has come");
+    feel(std::make_unique<WallTracker>(hand.mm.z - 5.0));
     const Seen seen = watch(2.0 * options_.part_s);
     std::size_t touching = 0, damped = 0;
     for (const ServoSample& s : seen.ticks) {

@@ -150,7 +150,6 @@ void ServoLoop::tick(std::int64_t began_ns, std::optional<std::int64_t> due_ns, 
   time_.delay_s = double(work_ns) * 1e-9;
   sample.work_us = float(work_ns) * 1e-3f;
   sample.late_us = float(late_ns) * 1e-3f;
-  latest_.write(sample);
   samples_.push(sample);
   if (records)
     recording_->ring.push({settings, pose, time_was, switch_->info(), switch_->other(), sample.force,

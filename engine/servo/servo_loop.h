@@ -87,8 +87,6 @@ class ServoLoop {
   /// the next call or the next interaction.
   const Reactions& reactions() noexcept { return reactions_ ? reactions_->read() : no_reactions_; }
 
-  /// The newest tick.
-  const ServoSample& latest() noexcept { return latest_.read(); }
   /// Calls take(sample) for every tick since the last call, oldest first (at most the last 4 s). Call it in each frame:
   /// it also destroys the objects returned by the ticks.
   template <class Take>
@@ -142,7 +140,6 @@ class ServoLoop {
   TripleBuffer<ServoSettings> settings_;
   std::atomic<std::uint32_t> heartbeat_{0};  // number of settings handed over
   std::atomic<bool> expects_{false};
-  TripleBuffer<ServoSample> latest_;
   SampleRing<ServoSample, 4096> samples_;
   // An interaction that is handed over, with its scene's number; a null interaction ends the contact.
   struct SceneInteraction {

@@ -21,6 +21,7 @@
 #include "engine/platform/realtime.h"
 #include "engine/servo/plain_trackers.h"
 #include "engine/servo/servo_thread.h"
+#include "tests/servo/newest_tick.h"
 
 using namespace moltact;
 
@@ -94,14 +95,14 @@ int run(const std::string& name, const std::string& way) {
   servo.loop().setSettings(settings);
   servo.setDevice(std::move(*device));
   servo.loop().setInteraction(std::make_unique<CrashingTracker>());
+  test::NewestTick newest(servo.loop());
   for (int k = 0; k < 20'000; ++k) {
     if (servo.loop().device()->status().asks_calibrate) servo.loop().device()->calibrate();
-    servo.loop().drain([](const ServoSample&) {});
-    if (!servo.loop().fallenBack() && glm::length(servo.loop().latest().force.N) > 0.3) {
+    if (const ServoSample& now = newest(); !servo.loop().fallenBack() && glm::length(now.force.N) > 0.3) {
       std::this_thread::sleep_for(std::chrono::milliseconds(20));
       tell("pressing");
       if (way == "close" || way == "leave") {  // from full force
-        for (int tries = 0; tries < 10'000 && glm::length(servo.loop().latest().force.N) < 2.2; ++tries)
+        for (int tries = 0; tries < 10'000 && glm::length(newest().force.N) < 2.2; ++tries)
           std::this_thread::sleep_for(std::chrono::milliseconds(1));
         tell(std::to_string(monotonic_ns()));
         way == "close" ? servo.setDevice(nullptr) : servo.endForce();

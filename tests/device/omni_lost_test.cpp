@@ -7,6 +7,7 @@
 #include "engine/device/pending_device_open.h"
 #include "engine/servo/servo_thread.h"
 #include "tests/device/omni/stand_in.h"
+#include "tests/servo/newest_tick.h"
 
 using namespace moltact;
 using namespace moltact::test;
@@ -261,8 +262,7 @@ TEST_CASE(
   ask(1500);
   CHECK(lost > 0);
   untilThere(*stylus);
-  const auto until = servo.loop().latest().tick + 50;
-  while (servo.loop().latest().tick < until) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  test::NewestTick(servo.loop()).wait(50);
   CHECK_FALSE(servo.loop().fallenBack());
   servo.setDevice(nullptr);
   CHECK_FALSE(omni.initialised());
@@ -275,10 +275,10 @@ TEST_CASE("in the haptic thread, by the stand-in's own clock of 1 kHz, it leads 
   auto device = openDevice("omni");
   REQUIRE(device);
   servo.setDevice(std::move(*device));
-  const auto until = servo.loop().latest().tick + 200;
-  while (servo.loop().latest().tick < until) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  test::NewestTick newest(servo.loop());
+  newest.wait(200);
   CHECK_FALSE(servo.loop().fallenBack());
-  CHECK(servo.loop().latest().hand.mm != Vec3(0));
+  CHECK(newest().hand.mm != Vec3(0));
   servo.setDevice(nullptr);
   CHECK_FALSE(OmniDevice::taken());
   CHECK(omni.call<double()>("standInForceAtStop")() == 0.0);

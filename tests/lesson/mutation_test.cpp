@@ -7,6 +7,7 @@
 #include <fstream>
 #include <map>
 #include <random>
+#include <set>
 #include <sstream>
 
 #include "engine/lesson/check.h"
@@ -87,14 +88,16 @@ TEST_CASE(
     const auto found = known.find(name);
     return found != known.end() ? found->second : known.emplace(name, library.find("lesson.md", name)).first->second;
   };
-  // The molecules are asked for one mutation in eight: that is enough to come to every kind of line in every lesson.
+  // One mutation in 31 is checked with the molecules: it reaches every kind of line, and every kind of change because 31 is prime.
   std::size_t count = 0;
   const auto check = [&](const std::string& text) {
-    checkReading(text, count++ % 8 == 0 ? molecules : MoleculeByName());
+    checkReading(text, count++ % 31 == 0 ? molecules : MoleculeByName());
   };
+  std::set<std::string> seen;  // a line after the same line, in this lesson or in another one, is changed once
   for (const std::string& text : shippedLessons()) {
     const std::vector<std::string> lines = linesOf(text);
     for (std::size_t i = 0; i + 1 < lines.size(); ++i) {
+      if (i > 0 && !seen.insert(lines[i - 1] + '\n' + lines[i]).second) continue;
       std::vector<std::string> changed = lines;
       changed.erase(changed.begin() + static_cast<std::ptrdiff_t>(i));
       check(joined(changed));
@@ -116,12 +119,12 @@ TEST_CASE(
   }
 }
 
-TEST_CASE("1500 times 1 to 8 misspellings, 1500 times random bytes put in, and every 13th truncation are read safely") {
+TEST_CASE("500 times 1 to 8 misspellings, 500 times random bytes put in, and every 37th truncation are read safely") {
   const unsigned seed = 20260721;
   CAPTURE(seed);
   std::mt19937 random(seed);
   for (const std::string& text : shippedLessons()) {
-    for (int n = 0; n < 1500; ++n) {
+    for (int n = 0; n < 500; ++n) {
       std::string changed = text;
       for (unsigned k = 0, count = static_cast<unsigned>(1 + random() % 8); k < count; ++k) {
         const std::size_t at = random() % (changed.size() - 1);
@@ -142,13 +145,13 @@ TEST_CASE("1500 times 1 to 8 misspellings, 1500 times random bytes put in, and e
       }
       checkReading(changed);
     }
-    for (int n = 0; n < 1500; ++n) {
+    for (int n = 0; n < 500; ++n) {
       std::string changed = text;
       for (unsigned k = 0, count = static_cast<unsigned>(1 + random() % 20); k < count; ++k)
         changed.insert(random() % changed.size(), 1, static_cast<char>(random() % (n % 2 ? 128 : 256)));
       checkReading(changed);
     }
-    for (std::size_t length = 0; length < text.size(); length += 13) checkReading(text.substr(0, length));
+    for (std::size_t length = 0; length < text.size(); length += 37) checkReading(text.substr(0, length));
   }
 }
 

@@ -205,13 +205,14 @@ TEST_CASE("a surface that is no longer needed is empty; the progress of one that
   CHECK(solventExcluded(spheres, 1.4, &progress).piece.vertices.empty());
 }
 
-TEST_CASE("where grown spheres would hold too many nodes together the grid is coarser: 8000 spheres, probe 20 A") {
+TEST_CASE(
+    "where grown spheres would hold too many nodes together the grid is coarser: 216 spheres, probe 20 A, 16 million "
+    "nodes") {
   std::vector<Sphere> spheres;
-  for (int x = 0; x < 20; ++x)
-    for (int y = 0; y < 20; ++y)
-      for (int z = 0; z < 20; ++z) spheres.push_back({2.0 * Vec3(x, y, z), 1.7});
-  SurfaceProgress progress;
-  const SolventExcluded made = solventExcluded(spheres, 20.0, &progress);
-  CHECK(made.step_A == doctest::Approx(std::cbrt(8000.0 * std::pow(2 * 21.7, 3.0) / 1.2e9)));
+  for (int x = 0; x < 6; ++x)
+    for (int y = 0; y < 6; ++y)
+      for (int z = 0; z < 6; ++z) spheres.push_back({2.0 * Vec3(x, y, z), 1.7});
+  const SolventExcluded made = solventExcluded(spheres, 20.0, nullptr, 1.6e7);
+  CHECK(made.step_A == doctest::Approx(std::cbrt(216.0 * std::pow(2 * 21.7, 3.0) / 1.6e7)));
   CHECK(closed(made.piece));
 }

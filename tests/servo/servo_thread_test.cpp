@@ -10,6 +10,7 @@
 #include "engine/device/simulated_device.h"
 #include "engine/haptics/tracker.h"
 #include "tests/haptics/without_memory.h"
+#include "tests/servo/newest_tick.h"
 
 using namespace moltact;
 
@@ -103,11 +104,6 @@ class MarkedTracker final : public test::WithoutMemory<Tracker> {
   std::uint32_t mark_;
 };
 
-void waitForTicks(ServoThread& servo, std::uint64_t ticks) {
-  const std::uint64_t until = servo.loop().latest().tick + ticks;
-  while (servo.loop().latest().tick < until) std::this_thread::sleep_for(std::chrono::milliseconds(1));
-}
-
 }  // namespace
 
 TEST_CASE("the loop runs, numbers its ticks without a gap and leaves the device without force at the end") {
@@ -138,26 +134,25 @@ TEST_CASE("50 trackers handed over one after the other are all destroyed, and by
   std::atomic<int> alive{0};
   std::thread::id destroyed_on;
   ServoThread servo(device);
+  test::NewestTick newest(servo.loop());
   for (int k = 0; k < 50; ++k) {
     servo.loop().setInteraction(std::make_unique<PushingTracker>(alive, destroyed_on));
-    if (k % 3 == 0) waitForTicks(servo, 2);
+    if (k % 3 == 0) newest.wait(2);
   }
   servo.loop().setInteraction(nullptr);
-  for (int k = 0; k < 1000 && alive > 0; ++k) {
-    waitForTicks(servo, 2);
-    servo.loop().drain([](const ServoSample&) {});
-  }
+  for (int k = 0; k < 1000 && alive > 0; ++k) newest.wait(2);
   CHECK(alive == 0);
   CHECK(destroyed_on == std::this_thread::get_id());
-  CHECK_FALSE(servo.loop().latest().has_interaction);
+  CHECK_FALSE(newest().has_interaction);
 }
 
 TEST_CASE("each of 40 trackers makes the samples that bear its number, and none under settings older than its own") {
   StillDevice device;
   ServoThread servo(device);
-  std::uint32_t scene = 0;
+  std::uint32_t scene = 0, felt_scene = 0;
   long judged = 0;
   const auto judge = [&](const ServoSample& s) {
+    felt_scene = s.scene;
     if (s.scene == 0) return;
     CHECK(s.contact.scp.A.x == double(s.scene));
     CHECK(s.discontinuities >= s.scene);
@@ -168,36 +163,36 @@ TEST_CASE("each of 40 trackers makes the samples that bear its number, and none 
     settings.discontinuities = ++scene;
     servo.loop().setSettings(settings);
     servo.loop().setInteraction(std::make_unique<MarkedTracker>(scene), scene);
-    while (servo.loop().latest().scene != scene) {
+    while (felt_scene != scene) {
       servo.loop().drain(judge);
       std::this_thread::sleep_for(std::chrono::microseconds(300));
     }
   }
-  servo.loop().drain(judge);
   CHECK(judged >= 40);
 }
 
 TEST_CASE("a device that is chosen leads, one whose plug is pulled gives way to the fallback, and comes back") {
   StillDevice fallback;
   ServoThread servo(fallback);
+  test::NewestTick newest(servo.loop());
   servo.loop().setInteraction(std::make_unique<MarkedTracker>(1));
   auto made = std::make_unique<SimulatedDevice>();
   SimulatedDevice* stylus = made.get();
   servo.setDevice(std::move(made));
   CHECK(servo.loop().device() == stylus);
-  waitForTicks(servo, 20);
-  CHECK(servo.loop().latest().hand.mm != Vec3(1, 2, 3));
+  newest.wait(20);
+  CHECK(newest().hand.mm != Vec3(1, 2, 3));
   CHECK_FALSE(servo.loop().fallenBack());
   stylus->plug(false);
-  waitForTicks(servo, 20);
-  CHECK(servo.loop().latest().hand.mm == Vec3(1, 2, 3));
+  newest.wait(20);
+  CHECK(newest().hand.mm == Vec3(1, 2, 3));
   CHECK(servo.loop().fallenBack());
   stylus->plug(true);
-  waitForTicks(servo, 20);
+  newest.wait(20);
   CHECK_FALSE(servo.loop().fallenBack());
   servo.setDevice(nullptr);
-  waitForTicks(servo, 20);
-  CHECK(servo.loop().latest().hand.mm == Vec3(1, 2, 3));
+  newest.wait(20);
+  CHECK(newest().hand.mm == Vec3(1, 2, 3));
   CHECK(fallback.last_x_N.load() != 0.0);
 }
 
@@ -208,23 +203,26 @@ TEST_CASE("a device with its own clock ticks the loop by it; when that clock sto
   ClockedDevice* clocked = made.get();
   servo.setDevice(std::move(made));
   while (clocked->own_ticks.load() < 50) std::this_thread::sleep_for(std::chrono::milliseconds(1));
-  CHECK(servo.loop().latest().hand.mm == Vec3(4, 5, 6));
   // It ticks every 2 ms: a millisecond late, at the least, but where the loop's own clock stood in.
   std::size_t reported = 0, late = 0;
+  PointMm last;
   servo.loop().drain([&](const ServoSample& s) {
+    last = s.hand;
     if (s.hand.mm != Vec3(4, 5, 6)) return;
     ++reported;
     late += s.late_us >= 900.0f;
   });
+  CHECK(last.mm == Vec3(4, 5, 6));
   CHECK(reported > 40);
   CHECK(2 * late > reported);
   clocked->stopped.store(true);
+  test::NewestTick newest(servo.loop());
   const long then = clocked->own_ticks.load();
-  waitForTicks(servo, 50);
+  newest.wait(50);
   CHECK(clocked->own_ticks.load() <= then + 1);
   servo.setDevice(nullptr);
-  waitForTicks(servo, 5);
-  CHECK(servo.loop().latest().hand.mm == Vec3(1, 2, 3));
+  newest.wait(5);
+  CHECK(newest().hand.mm == Vec3(1, 2, 3));
 }
 
 TEST_CASE(
@@ -239,8 +237,6 @@ TEST_CASE(
   ClockedDevice* clocked = made.get();
   servo.setDevice(std::move(made));
   while (clocked->own_ticks.load() < 6000) std::this_thread::yield();
-  CHECK(servo.loop().latest().tick >= 5900);
-  CHECK(servo.loop().latest().contact.touching());
   CHECK(clocked->last_x_N.load() >= 0.0);
   std::uint64_t first = 0, last = 0;
   std::size_t waiting = 0;
@@ -255,6 +251,10 @@ TEST_CASE(
   CHECK(waiting >= 4096);
   CHECK(whole);
   CHECK(last > first);
+  test::NewestTick newest(servo.loop());
+  newest.wait(1);
+  CHECK(newest().tick >= 5900);
+  CHECK(newest().contact.touching());
 }
 
 TEST_CASE("values handed over 100 000 times arrive whole and never go back") {
