@@ -82,7 +82,7 @@ std::string bodyTradeOffSentences(const std::vector<BodyTradeOff>& points) {
     const auto range = [&](auto value) {
       double low = 1e300, high = 0;
       for (const BodyTradeOff& p : own) low = std::min(low, value(p)), high = std::max(high, value(p));
-      return own.size() == 1 ? readable(high) : readable(low) + " to " + readable(high);
+      return low == high ? readable(high) : readable(low) + " to " + readable(high);
     };
     out += "* " + quoted(m) + ": a tick takes " + range([](const auto& p) { return p.meanLoops(); }) +
            " loops in the mean and " + range([](const auto& p) { return p.p999Loops(); }) +
