@@ -73,6 +73,15 @@ TEST_CASE(
     CHECK(jabbed == 0);
     table.row(f, looker, double(guessed) / kTries, double(jabbed) / kTries, kNone);
   }
+  // The same lead along the keyhole, with the key turned as it lies in the lock, docks it.
+  const auto key = std::find_if(found.begin(), found.end(),
+                                [](const Found& f) { return f.step->scene.molecule.name == "key-and-lock"; });
+  REQUIRE(key != found.end());
+  CHECK(passes(*key, [](const HandPlanInput& view) -> HandPlan {
+    return {{.to = PointA{view.body->middle.A + Vec3(0, 0, 20)}, .placed = true, .wait_s = 0.1},
+            {.turned_to = kNoRotation, .turn_deg_per_s = 360.0},
+            {.to = view.body->middle, .speed_A_per_s = 60.0, .wait_s = 2.0}};
+  }));
   for (const Found& f : presses) {
     CAPTURE(f.name());
     int jabbed = 0;
