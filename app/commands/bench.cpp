@@ -8,6 +8,8 @@
 #include "app/commands/device_path.h"
 #include "app/commands/outputs.h"
 #include "app/commands/value_types.h"
+#include "engine/bench/bodies/body_matrix.h"
+#include "engine/bench/bodies/body_trade_off.h"
 #include "engine/bench/charts.h"
 #include "engine/bench/cold_cache_ticks.h"
 #include "engine/bench/feel.h"
@@ -16,6 +18,7 @@
 #include "engine/bench/hip_paths.h"
 #include "engine/bench/many_threads.h"
 #include "engine/bench/methods/bench_methods.h"
+#include "engine/bench/methods/body_methods.h"
 #include "engine/bench/report_table.h"
 #include "engine/bench/smaller_probe.h"
 #include "engine/bench/stability.h"
@@ -96,6 +99,18 @@ void checkPages(const fs::path& folder) {
             .text()};
 }
 
+// The names of --methods denote methods for a probe or for a body.
+void checkNames(const std::vector<std::string>& names) {
+  for (const std::string& name : names) {
+    if (findBenchMethod(name) || findBodyMethod(name)) continue;
+    std::string known;
+    for (const Method& m : benchMethods()) known.append(known.empty() ? "" : ", ").append(m.name);
+    for (const BodyMethod& m : bodyMethods()) known.append(", ").append(m.name);
+    throw CommandError{
+        Problem{"--methods", 0, 0, trf("there is no method \"{0}\"", name), trf("choose from {0}", known)}.text()};
+  }
+}
+
 std::vector<const Method*> chosen(const std::vector<std::string>& names, bool quick) {
   // These finer methods take seconds to prepare a whole scene. They run only in full runs or when they are named.
   constexpr std::string_view kNotQuick[] = {"grid02-ready", "sasmesh025"};
@@ -104,13 +119,13 @@ std::vector<const Method*> chosen(const std::vector<std::string>& names, bool qu
     if ((names.empty() && !(quick && std::ranges::find(kNotQuick, m.name) != std::end(kNotQuick))) || isReference(m) ||
         std::find(names.begin(), names.end(), m.name) != names.end())
       out.push_back(&m);
-  for (const std::string& name : names)
-    if (!findBenchMethod(name)) {
-      std::string known;
-      for (const Method& m : benchMethods()) known.append(known.empty() ? "" : ", ").append(m.name);
-      throw CommandError{
-          Problem{"--methods", 0, 0, trf("there is no method \"{0}\"", name), trf("choose from {0}", known)}.text()};
-    }
+  return out;
+}
+
+std::vector<const BodyMethod*> chosenForBodies(const std::vector<std::string>& names) {
+  std::vector<const BodyMethod*> out;
+  for (const BodyMethod& m : bodyMethods())
+    if (names.empty() || m.reference || std::find(names.begin(), names.end(), m.name) != names.end()) out.push_back(&m);
   return out;
 }
 
@@ -306,6 +321,28 @@ void addHands(const BenchArguments& arguments, const std::vector<const Method*>&
   report.sentences.push_back({"hands_sentences", feltSentences(feltOverAll(replays))});
 }
 
+void addBodies(const BenchArguments& arguments, Report& report) {
+  BodyTradeOffOptions options;
+  options.methods = chosenForBodies(arguments.methods);
+  if (arguments.quick) options.ticks = 1000, options.judge_every = 10, options.runs = 2;
+  const ProgressBar bar("bodies");
+  const auto points = measureBodies(
+      options, [](const std::string& id) { return openMolecule(id); }, std::cref(bar));
+  if (!points) throw CommandError{points.problem().text()};
+  report.tables.push_back(bodyTradeOffTable(*points, options));
+  report.sentences.push_back({"body_trade_off_sentences", bodyTradeOffSentences(*points)});
+  report.pictures.push_back({"rigid-bodies.svg", bodyTradeOffChart(*points)});
+  BodyMatrixOptions matrix;
+  matrix.methods = options.methods;
+  matrix.seed = arguments.seed;
+  matrix.draws = arguments.quick ? 2 : 10;
+  const auto results = measureBodyMatrix(matrix, std::cref(bar));
+  report.excerpts.push_back(bodyScenesTable());
+  report.tables.push_back(bodyMatrix(results));
+  report.tables.push_back(bodyMatrixFigures(results));
+  report.sentences.push_back({"body_matrix_sentences", bodyMatrixSentences(results)});
+}
+
 // Writes the tables between their markers in every page of the folder that has the markers.
 void updatePages(const fs::path& folder, const Report& report) {
   std::vector<fs::path> pages;  // listed before any is written
@@ -324,6 +361,7 @@ void updatePages(const fs::path& folder, const Report& report) {
 }
 
 void run(const BenchArguments& arguments) {
+  checkNames(arguments.methods);
   const auto methods = chosen(arguments.methods, arguments.quick);
   tryOutputs(arguments);
   const bool all = arguments.part == "all";
@@ -334,6 +372,7 @@ void run(const BenchArguments& arguments) {
   if (all || arguments.part == "feel") addFeel(arguments, unlimited(methods), report);
   if (all || arguments.part == "hands") addHands(arguments, unlimited(methods), report);
   if (all || arguments.part == "stability") addStability(arguments, unlimited(methods), report);
+  if (all || arguments.part == "bodies") addBodies(arguments, report);
 
   for (const ReportTable& t : report.tables)
     if (!t.name.ends_with("_figures"))
@@ -362,13 +401,13 @@ void run(const BenchArguments& arguments) {
 void addBench(CLI::App& app) {
   auto arguments = std::make_shared<BenchArguments>();
   CLI::App* command = app.add_subcommand("bench", "Measure speed, accuracy, feel and stability of every method");
-  command->add_option("part", arguments->part, "tables, chart, feel, hands, stability or all")
+  command->add_option("part", arguments->part, "tables, chart, feel, hands, stability, bodies or all")
       ->capture_default_str()
-      ->check(CLI::IsMember({"tables", "chart", "feel", "hands", "stability", "all"}));
+      ->check(CLI::IsMember({"tables", "chart", "feel", "hands", "stability", "bodies", "all"}));
   command->add_flag("--quick", arguments->quick, "Take a minute instead of a quarter of an hour, with rougher figures");
   command
       ->add_option("--methods", arguments->methods,
-                   "Measure only these methods, separated by commas (exact is always included)")
+                   "Measure only these methods, separated by commas (exact and exact-body are always included)")
       ->delimiter(',');
   command
       ->add_option(

@@ -1,5 +1,6 @@
 #include "engine/bench/chart_svg.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdio>
 
@@ -12,7 +13,8 @@ namespace moltact::bench {
 namespace {
 
 constexpr double kPanelWidth = 560, kPanelHeight = 430, kLeft = 84, kRight = 20, kTop = 84, kBottom = 66, kFont = 14;
-constexpr double kMark = 6;
+constexpr double kMark = 6, kRowGap = 30;
+constexpr std::size_t kColumns = 2;
 
 double textWidth(const std::string& text) { return 0.56 * kFont * double(characterCount(text)); }
 
@@ -145,8 +147,8 @@ void drawLabels(Svg& svg, const ChartPanel& panel, const LogAxis& x, const LogAx
   }
 }
 
-void drawPanel(Svg& svg, const ChartPanel& panel, double left) {
-  const double x0 = left + kLeft, x1 = left + kPanelWidth - kRight, y0 = kTop, y1 = kTop + kPanelHeight - kBottom;
+void drawPanel(Svg& svg, const ChartPanel& panel, double left, double top) {
+  const double x0 = left + kLeft, x1 = left + kPanelWidth - kRight, y0 = top, y1 = top + kPanelHeight - kBottom;
   std::vector<double> xs, ys;
   for (const ChartSeries& s : panel.series)
     for (const ChartPoint& p : s.points)
@@ -172,9 +174,13 @@ void drawPanel(Svg& svg, const ChartPanel& panel, double left) {
 std::string chartSvg(const std::string& title, const std::vector<ChartPanel>& panels, const std::string& note) {
   Svg svg;
   svg.title(title).ground("white");
-  const double width = kPanelWidth * double(panels.size()), legend_y = kTop + kPanelHeight + 8;
+  const std::size_t columns = std::min(kColumns, panels.size()), rows = (panels.size() + kColumns - 1) / kColumns;
+  const double width = kPanelWidth * double(columns),
+               legend_y = kTop + kPanelHeight * double(rows) + kRowGap * double(rows - 1) + 8;
   svg.text(kLeft, 34, "start", title, "font-size=\"19\" font-weight=\"bold\"");
-  for (std::size_t k = 0; k < panels.size(); ++k) drawPanel(svg, panels[k], kPanelWidth * double(k));
+  for (std::size_t k = 0; k < panels.size(); ++k)
+    drawPanel(svg, panels[k], kPanelWidth * double(k % kColumns),
+              kTop + (kPanelHeight + kRowGap) * double(k / kColumns));
 
   std::vector<std::string> named;
   double at = kLeft;

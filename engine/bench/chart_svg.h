@@ -30,7 +30,7 @@ struct ChartPanel {
   std::vector<ChartSeries> series;
 };
 
-/// Draws the panels side by side under a title, with a common legend and a note below.
+/// Draws the panels in two columns under a title, with a common legend and a note below.
 std::string chartSvg(const std::string& title, const std::vector<ChartPanel>& panels, const std::string& note);
 
 }  // namespace moltact::bench

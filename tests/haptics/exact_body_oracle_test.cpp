@@ -5,14 +5,14 @@
 #include <cstdlib>
 #include <random>
 
+#include "engine/bench/bodies/body_oracle.h"
 #include "engine/haptics/body/exact_body.h"
 #include "engine/haptics/sphere_motion.h"
-#include "tests/haptics/body_oracle.h"
 #include "tests/haptics/body_paths.h"
 #include "tests/haptics/walk.h"
 
 using namespace moltact;
-using test::BodyOracle;
+using oracle::BodyOracle;
 
 namespace {
 

@@ -1,15 +1,19 @@
-// An oracle for a rigid body among spheres, in long double over all pairs of spheres. It shares no code with the
-// tracker: it judges a pose and does not search for one. Units: angstrom, radian; energies divided by the stiffness.
+// An oracle for a rigid body among spheres, in long double over all pairs of spheres; slow by design. It shares no code
+// with the exact body. It judges a pose, and finds the rest beside a pose (rest()), but follows no path. Units: angstrom,
+// radian; energies divided by the stiffness.
 #pragma once
 
 #include <array>
 #include <cmath>
+#include <cstddef>
+#include <optional>
 #include <random>
+#include <utility>
 #include <vector>
 
 #include "engine/core/sphere.h"
 
-namespace moltact::test {
+namespace moltact::oracle {
 
 class BodyOracle {
  public:
@@ -43,7 +47,10 @@ class BodyOracle {
     Real least = 1e30L;
     for (const Sphere& b : body_) {
       const Vec c = centre(at, b);
-      for (const Sphere& s : scene_) least = std::min(least, gap(c, b, s));
+      for (const Sphere& s : scene_) {
+        const Real within = least + b.radius_A + s.radius_A;
+        if (within > 0 && square(c, s) < within * within) least = std::min(least, gap(c, b, s));
+      }
     }
     return least;
   }
@@ -97,6 +104,60 @@ class BodyOracle {
     return false;
   }
 
+  /// The rest beside a pose: force balance and closed contacts (to 1e-15 A) by Newton's method with the contacts within
+  /// `touching_A` of the pose that carry force. Empty if it is more than 1e-3 A away, overlaps by more than 1e-9 A or pulls
+  /// at a contact.
+  std::optional<Pose> rest(const Pose& from, const Pose& hand, Real touching_A = 1e-7L) const {
+    std::vector<Contact> held = contacts(from, touching_A);
+    std::vector<Vec6> normals;
+    for (const Contact& c : held) normals.push_back(c.normal);
+    Vec6 left{};
+    auto [set, lambda] = nonNegative(normals, pull(from, hand), left);
+    const std::size_t n = set.size();
+    const auto balance = [&](const Pose& at) {
+      Vec6 f = pull(at, hand);
+      for (std::size_t k = 0; k < n; ++k) add(f, lambda[k], contact(at, held[set[k]].body, held[set[k]].scene).normal);
+      return f;
+    };
+    Pose at = from;
+    Real way = 0;
+    bool arrived = false;
+    for (int round = 0; round < 20 && !arrived; ++round) {
+      // Rows: the six of the balance, then the gaps. Columns: the motion, then the multipliers, then the right side.
+      std::vector<std::vector<Real>> m(6 + n, std::vector<Real>(7 + n, 0));
+      const Vec6 f = balance(at);
+      for (std::size_t j = 0; j < 6; ++j) {
+        constexpr Real kStep = 1e-6L;
+        Vec6 by{};
+        by[j] = kStep;
+        const Vec6 more = balance(moved(at, by));
+        by[j] = -kStep;
+        const Vec6 less = balance(moved(at, by));
+        for (std::size_t i = 0; i < 6; ++i) m[i][j] = (more[i] - less[i]) / (2 * kStep);
+      }
+      for (std::size_t i = 0; i < 6; ++i) m[i][6 + n] = -f[i];
+      for (std::size_t k = 0; k < n; ++k) {
+        const Contact c = contact(at, held[set[k]].body, held[set[k]].scene);
+        for (std::size_t i = 0; i < 6; ++i) m[i][6 + k] = m[6 + k][i] = c.normal[i];
+        m[6 + k][6 + n] = -c.gap;
+      }
+      std::vector<Real> x;
+      if (!eliminate(m, x)) return std::nullopt;
+      Vec6 step{};
+      for (std::size_t i = 0; i < 6; ++i) step[i] = x[i];
+      for (std::size_t k = 0; k < n; ++k) lambda[k] += x[6 + k];
+      at = moved(at, step);
+      const Real size = std::sqrt(dot(step, step));
+      way += size;
+      if (way > 1e-3L) return std::nullopt;
+      arrived = size < 1e-15L;
+    }
+    for (const Real one : lambda)
+      if (one < -1e-12L) return std::nullopt;
+    if (!arrived || minGap_A(at) < -1e-9L) return std::nullopt;
+    return at;
+  }
+
   Pose moved(const Pose& at, const Vec6& by) const {
     Pose out = at;
     Vec w{by[3] / lever_, by[4] / lever_, by[5] / lever_};
@@ -137,6 +198,7 @@ class BodyOracle {
   struct Contact {
     Vec6 normal;
     Real gap;
+    std::size_t body, scene;  // the spheres' indices
   };
 
   static Real dot(const Vec6& a, const Vec6& b) {
@@ -168,24 +230,33 @@ class BodyOracle {
     for (std::size_t i = 0; i < 3; ++i) out[i] += at.place[i];
     return out;
   }
-  static Real gap(const Vec& c, const Sphere& b, const Sphere& s) {
+  // The squared distance of a point from a sphere's centre.
+  static Real square(const Vec& c, const Sphere& s) {
     const Real x = c[0] - s.centre_A.x, y = c[1] - s.centre_A.y, z = c[2] - s.centre_A.z;
-    return std::sqrt(x * x + y * y + z * z) - b.radius_A - s.radius_A;
+    return x * x + y * y + z * z;
+  }
+  static Real gap(const Vec& c, const Sphere& b, const Sphere& s) {
+    return std::sqrt(square(c, s)) - b.radius_A - s.radius_A;
   }
 
+  Contact contact(const Pose& at, std::size_t body, std::size_t scene) const {
+    const Sphere &b = body_[body], &s = scene_[scene];
+    const Vec a = arm(at, b), c = centre(at, b);
+    const Real far = std::sqrt(square(c, s));
+    const Vec n{(c[0] - s.centre_A.x) / far, (c[1] - s.centre_A.y) / far, (c[2] - s.centre_A.z) / far};
+    return {{n[0], n[1], n[2], (a[1] * n[2] - a[2] * n[1]) / lever_, (a[2] * n[0] - a[0] * n[2]) / lever_,
+             (a[0] * n[1] - a[1] * n[0]) / lever_},
+            far - b.radius_A - s.radius_A,
+            body,
+            scene};
+  }
   std::vector<Contact> contacts(const Pose& at, Real within_A) const {
     std::vector<Contact> out;
-    for (const Sphere& b : body_) {
-      const Vec a = arm(at, b), c = centre(at, b);
-      for (const Sphere& s : scene_) {
-        const Real is = gap(c, b, s);
-        if (is > within_A) continue;
-        const Real x = c[0] - s.centre_A.x, y = c[1] - s.centre_A.y, z = c[2] - s.centre_A.z;
-        const Real far = std::sqrt(x * x + y * y + z * z);
-        const Vec n{x / far, y / far, z / far};
-        out.push_back({{n[0], n[1], n[2], (a[1] * n[2] - a[2] * n[1]) / lever_, (a[2] * n[0] - a[0] * n[2]) / lever_,
-                        (a[0] * n[1] - a[1] * n[0]) / lever_},
-                       is});
+    for (std::size_t i = 0; i < body_.size(); ++i) {
+      const Vec c = centre(at, body_[i]);
+      for (std::size_t j = 0; j < scene_.size(); ++j) {
+        const Real within = within_A + body_[i].radius_A + scene_[j].radius_A;
+        if (square(c, scene_[j]) <= within * within) out.push_back(contact(at, i, j));
       }
     }
     return out;
@@ -221,8 +292,13 @@ class BodyOracle {
     return true;
   }
 
+  struct Multipliers {
+    std::vector<std::size_t> set;  // indices of normals
+    std::vector<Real> lambda;
+  };
+
   // Lawson & Hanson's non-negative least squares; `rest` becomes d + sum lambda N.
-  static void nonNegative(const std::vector<Vec6>& normals, const Vec6& d, Vec6& rest) {
+  static Multipliers nonNegative(const std::vector<Vec6>& normals, const Vec6& d, Vec6& rest) {
     std::vector<std::size_t> set;
     std::vector<Real> lambda;
     std::vector<bool> refused(normals.size(), false);
@@ -235,7 +311,7 @@ class BodyOracle {
         const Real gain = -dot(normals[k], rest);
         if (gain > most && !refused[k]) most = gain, best = k;
       }
-      if (best == normals.size()) return;
+      if (best == normals.size()) break;
       set.push_back(best);
       lambda.push_back(0);
       std::vector<Real> found;
@@ -259,6 +335,30 @@ class BodyOracle {
       }
       lambda = found;
     }
+    return {std::move(set), std::move(lambda)};
+  }
+
+  // Solves a x = b with row exchanges; b is the last column. False if a is singular.
+  static bool eliminate(std::vector<std::vector<Real>>& m, std::vector<Real>& x) {
+    const std::size_t n = m.size();
+    for (std::size_t i = 0; i < n; ++i) {
+      std::size_t best = i;
+      for (std::size_t k = i + 1; k < n; ++k)
+        if (std::abs(m[k][i]) > std::abs(m[best][i])) best = k;
+      std::swap(m[i], m[best]);
+      if (std::abs(m[i][i]) < 1e-9L) return false;
+      for (std::size_t k = i + 1; k < n; ++k) {
+        const Real by = m[k][i] / m[i][i];
+        for (std::size_t j = i; j <= n; ++j) m[k][j] -= by * m[i][j];
+      }
+    }
+    x.assign(n, 0);
+    for (std::size_t i = n; i-- > 0;) {
+      Real sum = m[i][n];
+      for (std::size_t j = i + 1; j < n; ++j) sum -= m[i][j] * x[j];
+      x[i] = sum / m[i][i];
+    }
+    return true;
   }
 
   // Moves a pose out of overlaps by least motions; false if that fails.
@@ -310,4 +410,4 @@ class BodyOracle {
   Real lever_;
 };
 
-}  // namespace moltact::test
+}  // namespace moltact::oracle
