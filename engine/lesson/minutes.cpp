@@ -29,6 +29,7 @@ constexpr TaskTime kTaskTimes[] = {
     {.kind = "order", .base_s = 15.0, .each_s = 25.0, .each = "order", .each_what = "place"},
     {.kind = "dock", .base_s = 150.0},
     {.kind = "pass", .base_s = 60.0},
+    {.kind = "contacts", .base_s = 40.0},
 };
 
 /// The number of items of a key; the task's own key has the list if the other key has none.
