@@ -8,6 +8,7 @@
 #include "app/commands/device_path.h"
 #include "app/commands/outputs.h"
 #include "app/commands/value_types.h"
+#include "engine/bench/bodies/body_matrix.h"
 #include "engine/bench/bodies/body_trade_off.h"
 #include "engine/bench/charts.h"
 #include "engine/bench/cold_cache_ticks.h"
@@ -331,6 +332,15 @@ void addBodies(const BenchArguments& arguments, Report& report) {
   report.tables.push_back(bodyTradeOffTable(*points, options));
   report.sentences.push_back({"body_trade_off_sentences", bodyTradeOffSentences(*points)});
   report.pictures.push_back({"rigid-bodies.svg", bodyTradeOffChart(*points)});
+  BodyMatrixOptions matrix;
+  matrix.methods = options.methods;
+  matrix.seed = arguments.seed;
+  matrix.draws = arguments.quick ? 2 : 10;
+  const auto results = measureBodyMatrix(matrix, std::cref(bar));
+  report.excerpts.push_back(bodyScenesTable());
+  report.tables.push_back(bodyMatrix(results));
+  report.tables.push_back(bodyMatrixFigures(results));
+  report.sentences.push_back({"body_matrix_sentences", bodyMatrixSentences(results)});
 }
 
 // Writes the tables between their markers in every page of the folder that has the markers.

@@ -213,6 +213,7 @@ void recordHand(const RecordOptions& options) {
   const DeviceInfo info = (*device)->info();
   const ServoSettings settings = settingsFor(*scene, options.touch, info);
   Recorder recorder(options, openedFile(options), labelsOf(options, *scene, info.name));
+  checkHand(options.touch, false);
   auto felt = makeInteraction({scene, options.touch, nullptr, chemistryFor(options.touch, molecule)});
   MouseDevice mouse;
   ServoThread servo(mouse);

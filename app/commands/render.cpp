@@ -75,6 +75,7 @@ Response push(const std::shared_ptr<const Molecule>& molecule, const RenderArgum
   std::vector<std::uint32_t> not_felt = arguments.look.left_out.notFelt(*molecule);
   if (body) not_felt = atomsOfEither(not_felt, body->atoms);
   const auto scene = std::make_shared<const SphereGrid>(molecule->spheres, not_felt);
+  checkHand(arguments.touch, body != nullptr);
   const TouchSetup touch = resolveInteraction(arguments.touch, body != nullptr);
   const auto felt = makeInteraction({scene, touch, body, chemistryFor(touch, *molecule)});
   const Vec3 from_hip = camera.back();

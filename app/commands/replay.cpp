@@ -159,6 +159,7 @@ InteractionInput inputOf(const ReplayOptions& options) {
     input.spheres = std::make_shared<const SphereGrid>(molecule.spheres, not_felt);
     input.chemistry = chemistryFor(options.touch, molecule);
   }
+  checkHand(options.touch, input.body != nullptr);
   input.touch = resolveInteraction(input.touch, input.body != nullptr);
   // The response is divided by the stiffness, so it equals that of a spring of 1 N/A.
   if (options.stiffness_N_per_A > 0.0)

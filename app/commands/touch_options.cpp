@@ -2,8 +2,11 @@
 
 #include <variant>
 
+#include "app/commands/command.h"
 #include "app/commands/number_range.h"
 #include "engine/haptics/contact.h"
+#include "engine/haptics/interactions.h"
+#include "engine/language/catalogue.h"
 
 namespace moltact {
 
@@ -28,6 +31,14 @@ void addTouchOptions(CLI::App& command, TouchSetup& touch) {
         },
         p.member);
   }
+}
+
+void checkHand(const TouchSetup& touch, bool body) {
+  const InteractionKind* kind = findInteractionKind(touch.interaction);
+  if (kind && kind->holds_body && !body)
+    throw CommandError{Problem{"--hand", 0, 0, trf("the hand holds no body, which '{0}' needs", touch.interaction),
+                               tr("name what the hand holds with --in-hand")}
+                           .text()};
 }
 
 void addProbeOption(CLI::App& command, TouchSetup& touch) {

@@ -11,6 +11,9 @@ namespace moltact {
 /// `touch` must outlive the parsing.
 void addTouchOptions(CLI::App& command, TouchSetup& touch);
 
+/// Throws a CommandError if `touch` names a body's interaction but the hand holds no body.
+void checkHand(const TouchSetup& touch, bool body);
+
 /// Adds --probe.
 void addProbeOption(CLI::App& command, TouchSetup& touch);
 

@@ -33,7 +33,7 @@ struct InteractionKind {
   /// Creates the interaction. Returns null if the setup names an unknown method, or if a kind with `holds_body` gets no
   /// body.
   std::unique_ptr<Interaction> (*make)(const InteractionInput& input);
-  bool holds_body = false;            ///< selected by a scene that hands over a body; never offered as a choice
+  bool holds_body = false;            ///< for a scene that hands over a body; a choice only there
   bool needs_chemistry = false;       ///< `make` reads InteractionInput::chemistry
   std::string_view former_name = {};  ///< in files of earlier versions; empty: the same
 };

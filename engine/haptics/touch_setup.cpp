@@ -21,8 +21,7 @@ std::vector<OfferedWord> methodWords() {
 
 std::vector<OfferedWord> interactionWords() {
   std::vector<OfferedWord> out;
-  for (const InteractionKind& k : interactionKinds())
-    if (!k.holds_body) out.push_back({k.name, k.title, k.sentence});
+  for (const InteractionKind& k : interactionKinds()) out.push_back({k.name, k.title, k.sentence});
   return out;
 }
 
@@ -89,8 +88,8 @@ constexpr std::array kProperties{
                   .words = &interactionWords,
                   .control = {.title = N_("In the hand")},
                   .fallback = "probe",
-                  .meaning = "What the hand uses to feel the molecule.",
-                  .compared = "The second thing is felt with this in the hand."},
+                  .meaning = "How what is in the hand feels the molecule. With 'in-hand' the fallback is 'exact-body'; "
+                             "'springs' is its rival, in which each atom has a spring of its own."},
     TouchProperty{.member = &TouchSetup::charges,
                   .key = "charges",
                   .field = "charges",

@@ -30,7 +30,7 @@ struct TouchSetup {
 };
 
 /// The member of a property. A text takes one of the words that TouchProperty::words returns; panel, keys and options
-/// offer exactly these. Only the interaction of a body is not among them: a scene selects it by its key `in-hand`.
+/// offer exactly these; the panel, of the interactions, only those that fit what the hand holds (resolveInteraction).
 using TouchMember = std::variant<double TouchSetup::*, bool TouchSetup::*, std::string TouchSetup::*>;
 /// A property's value, of the member's type.
 using TouchValue = std::variant<double, bool, std::string>;

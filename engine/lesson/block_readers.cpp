@@ -242,6 +242,9 @@ SceneSpec readScene(Reading& reading, const MarkdownBlock& block, const SceneSpe
   takeAtoms("untouchable", scene.untouchable, scene.places.untouchable);
   takeAtoms("remove", scene.remove, scene.places.remove);
   takeAtoms("in-hand", scene.in_hand, scene.places.in_hand);
+  if (takes("hand") && !scene.in_hand.given() && findInteractionKind(scene.touch.interaction)->holds_body)
+    reading.error(values["hand"].place, trf("the hand holds no body, which '{0}' needs", scene.touch.interaction),
+                  tr("take atoms into the hand by 'in-hand: …', or leave 'hand' out"));
   scene.touch = resolveInteraction(scene.touch, scene.in_hand.given());
   if (takes("near")) scene.near_A = values["near"].number;
   if (takes("colour")) scene.colour = values["colour"].words[0];

@@ -28,6 +28,8 @@ std::vector<MadeMolecule> madeMolecules(const std::string& haemoglobin, const st
       {"haem-beta.pdb", makeHaemPocket(haemoglobin, 'B')},
       {"1hpv-empty.pdb", makeEmptyProtease(protease)},
       {"amprenavir.pdb", makeAmprenavir(protease)},
+      {"1hpv-open.pdb", makeOpenProtease(protease, 24.0)},
+      {"key-and-lock.pdb", makeKeyAndLock()},
   };
 }
 

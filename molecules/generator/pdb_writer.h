@@ -48,5 +48,9 @@ std::string makeHaemPocket(const std::string& entry, char chain);
 /// From the text of PDB entry 1HPV: only the protein, and only its inhibitor.
 std::string makeEmptyProtease(const std::string& entry);
 std::string makeAmprenavir(const std::string& entry);
+/// From the same text: protein and inhibitor, both flaps turned open by an angle. A model.
+std::string makeOpenProtease(const std::string& entry, double angle_deg);
+/// Chain A: a lock; chain B: the key in it. No molecule.
+std::string makeKeyAndLock();
 
 }  // namespace moltact::generator

@@ -91,6 +91,8 @@ TEST_CASE("every change of a touch property is undone and redone; an unknown wor
     TouchSetup after = before;
     if (std::holds_alternative<double TouchSetup::*>(p.member))
       setTouchValue(after, p, p.control.range.max);
+    else if (p.member == TouchMember(&TouchSetup::interaction))
+      continue;  // a choice only with a body, see body_in_hand_test.cpp
     else if (p.words)
       setTouchValue(after, p, std::string(p.words().back().name));
     else

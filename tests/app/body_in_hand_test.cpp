@@ -66,6 +66,25 @@ TEST_CASE(
   CHECK(scene.log().touching());
 }
 
+TEST_CASE("a scene's key 'hand: springs' gives the body springs; the panel offers both ways, and a choice is undone") {
+  Scratch scratch;
+  const auto file =
+      scratch.file("mine.md", kHead + "## One\n```scene\nmolecule: 1hpv\nin-hand: ligand\nhand: springs\n```\nText.\n");
+  auto d = startWith(file.string());
+  HapticSession& scene = d->app().scene;
+  REQUIRE(scene.stage().body);
+  CHECK(scene.touch().interaction == "springs");
+  TouchSetup exact = scene.touch();
+  exact.interaction = "exact-body";
+  scene.setTouch(exact);
+  d->frames(2);
+  CHECK(scene.touch() == exact);
+  d->tap("Ctrl+Z");
+  CHECK(scene.touch().interaction == "springs");
+  d->tap("Ctrl+Shift+Z");
+  CHECK(scene.touch().interaction == "exact-body");
+}
+
 TEST_CASE(
     "a body that several of its atoms hold up is pressed by 0.05 to 0.65 N where a probe would be by 0.6, wherever and "
     "however it is turned") {

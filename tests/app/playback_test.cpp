@@ -86,14 +86,16 @@ TEST_CASE("an attempt opened as a file moves the probe as the hand did, says wha
 }
 
 TEST_CASE(
-    "an attempt with a body in the hand keeps its pose, and its playback draws the body there, out of the molecule; "
+    "an attempt at 'dock' keeps the body's pose from its turned start on, and its playback draws the body there, out "
+    "of the molecule; "
     "closed "
     "again, the molecule is whole") {
   const ScratchFolder scratch;
   const fs::path lesson = scratch.path / "mine.md";
   writeFile(lesson,
             "---\ntitle: Mine\nminutes: 1\ngoals: G\nmolecules: 1hpv\nauthor: A\nlicence: L\n---\n"
-            "## One\n```scene\nmolecule: 1hpv\nin-hand: ligand\n```\nText.\n"
+            "## One\n```scene\nmolecule: 1hpv\nin-hand: ligand\n```\n"
+            "```touch\ndock: file\nsay: Put it back.\n```\n"
             "## Two\n```scene\nin-hand: none\n```\nText.\n");
   fs::path file;
   std::vector<std::uint32_t> held;
@@ -122,6 +124,10 @@ TEST_CASE(
   const Timeline line(*readAttempt(file));
   REQUIRE(line.stage(0.1) != nullptr);
   CHECK(line.stage(0.1)->held == held);
+  // The task's hand begins turned by 60 degrees or more.
+  REQUIRE(line.hand(0.3));
+  REQUIRE(line.hand(0.3)->held);
+  CHECK(glm::length(rotationBetween(kNoRotation, line.hand(0.3)->held->body.orientation)) > glm::radians(59.0));
   CHECK(line.stage(line.length_s())->held.empty());
 
   const auto driver = startWith("1hpv", small(scratch.path / "other"));

@@ -19,8 +19,8 @@ TEST_CASE("every interaction has a name of its own, is made over a scene and say
     CHECK_FALSE(kind.sentence.empty());
     CHECK(findInteractionKind(kind.name) == &kind);
     const auto spheres = test::makeScene({{{0, 0, 0}, 1.6}});
-    // A kind that needs chemistry gets an atom without a charge.
-    const std::vector<AtomChemistry> chemistry(1);
+    // A kind that needs chemistry gets one atom without element and charge.
+    const auto chemistry = std::make_shared<const AtomChemistry>(AtomChemistry{{0}, {0}, {}, {""}});
     const auto felt = kind.make({spheres, {}, heldBody(spheres->spheres(), std::vector<std::uint32_t>{0}), chemistry});
     REQUIRE(felt);
     if (!kind.former_name.empty()) CHECK(findInteractionKind(kind.former_name) == &kind);

@@ -3,6 +3,8 @@
 #include <memory>
 #include <optional>
 
+#include "engine/core/random.h"
+#include "engine/lesson/pose_search.h"
 #include "tests/lesson/shipped_hand.h"
 
 using namespace moltact;
@@ -14,10 +16,12 @@ const std::string kLesson = "a-protein-reads-dna";
 
 }  // namespace
 
-TEST_CASE("a-protein-reads-dna.md has 8 steps, a way down the groove, a search and trials in the dark") {
+TEST_CASE(
+    "a-protein-reads-dna.md has 9 steps, a letter to dock, a way down the groove, a search and trials in the dark") {
   const Lesson lesson = shippedLesson(kLesson);
   checkCare(lesson);
-  CHECK(lesson.steps.size() == 8);
+  CHECK(lesson.steps.size() == 9);
+  CHECK(tasksOf(lesson, "dock") == 1);
   CHECK(tasksOf(lesson, "trace") == 1);
   CHECK(tasksOf(lesson, "find") == 1);
   CHECK(tasksOf(lesson, "same") == 1);
@@ -74,4 +78,44 @@ TEST_CASE("the way down the groove is passed by a hand that slides, by none that
   CHECK_FALSE(done(way, true));
   CHECK_FALSE(done({way[2]}, false));
   CHECK_FALSE(done({way.rbegin(), way.rend()}, false));
+}
+
+TEST_CASE(
+    "guanine fits opposite cytosine 56 and is led out by a free path; in the place of cytosine 56, with the nitrogen "
+    "at "
+    "the sugar within 0.5 A and the rings within 20 degrees of cytosine's direction, it overlaps in each of 200 000 "
+    "poses, and cytosine does not") {
+  CAPTURE(lineSaying(kLesson, "tried guanine in 200 000 poses in the place of cytosine 56"));
+  const ShippedScene bare("1a1f-dna");
+  // The scene without a whole letter, and its base as a body.
+  struct Gap {
+    Gap(const ShippedScene& s, const std::string& letter)
+        : body(heldBody(s.molecule->spheres, s.select(letter + " and sidechain"))),
+          grid(s.molecule->spheres, s.select(letter)),
+          space(grid, *body) {}
+    std::shared_ptr<const HeldBody> body;
+    SphereGrid grid;
+    PoseSpace space;
+  };
+  const std::string seven = "chain B and residue 7", partner = "chain C and residue 56";
+  const Gap guanine(bare, seven), cytosine(bare, partner);
+  CHECK(freePath(guanine.space, {guanine.body->middle}, {.max_tests = 50'000}).size() >= 2);
+  REQUIRE(cytosine.space.isFree({cytosine.body->middle}));
+  const PoseSpace wrong(cytosine.grid, *guanine.body);
+  const auto placeOf = [&](const std::string& atom) { return bare.spheres[bare.select(atom).at(0)].centre_A; };
+  const Vec3 at_sugar = placeOf(partner + " and name N1"),
+             lever = placeOf(seven + " and name N9") - guanine.body->middle.A,
+             inward = glm::normalize(cytosine.body->middle.A - at_sugar);
+  std::uint64_t random = 1;
+  int tried = 0, free = 0;
+  while (tried < 200'000) {
+    Vec3 off;
+    do off = Vec3(nextFraction(random), nextFraction(random), nextFraction(random)) * 2.0 - 1.0;
+    while (glm::length(off) > 1.0);
+    const Quat q = randomOrientation(random);
+    if (glm::dot(glm::normalize(q * -lever), inward) < std::cos(glm::radians(20.0))) continue;
+    ++tried;
+    free += wrong.isFree({{at_sugar + 0.5 * off - q * lever}, q});
+  }
+  CHECK(free == 0);
 }

@@ -9,12 +9,15 @@
 #include <optional>
 #include <set>
 
+#include "engine/core/random.h"
 #include "engine/haptics/methods.h"
 #include "engine/lesson/check.h"
+#include "engine/lesson/pose_search.h"
 #include "engine/lesson/reader.h"
 #include "engine/lesson/tasks/registry.h"
 #include "engine/molecule/reader.h"
 #include "tests/language/in_german.h"
+#include "tests/lesson/shipped_hand.h"
 #include "tests/lesson/shipped_lesson.h"
 
 using namespace moltact;
@@ -70,20 +73,22 @@ const Step& stepOf(const Lesson& lesson, std::string_view id) {
 }  // namespace
 
 TEST_CASE(
-    "how-touch-is-computed.md reads without errors or warnings into 10 steps, each with a task and the methods panel, "
+    "how-touch-is-computed.md reads without errors or warnings into 11 steps, each with a task and, but for the key, "
+    "the methods panel, "
     "which is shut and locked in the dark") {
   const LessonReading read = readLesson(kLesson);
   for (const Problem& p : read.errors) MESSAGE(p.text());
   for (const Problem& p : read.warnings) MESSAGE(p.text());
   REQUIRE(read.lesson);
   CHECK(read.warnings.empty());
-  CHECK(read.lesson->steps.size() == 10);
+  CHECK(read.lesson->steps.size() == 11);
   std::set<std::string> used, failures;
   for (const Step& s : read.lesson->steps) {
     CHECK_FALSE(s.tasks.empty());
     // The plots would reveal the method.
     const bool dark = s.tasks.empty() || s.tasks[0].kind == "same";
-    CHECK(s.scene.panels == std::vector<std::string>{dark ? "none" : "methods"});
+    const bool body = s.scene.in_hand.given();
+    CHECK(s.scene.panels == std::vector<std::string>{dark ? "none" : body ? "touch" : "methods"});
     if (dark) CHECK((s.scene.locks("panels") && s.scene.locks("method")));
     used.insert(s.scene.molecule.name);
     for (const TaskSpec& t : s.tasks)
@@ -275,4 +280,30 @@ TEST_CASE("the lesson calls the methods and the plot of turns what the panel cal
       }
   }
   CHECK(named == 16);
+}
+
+TEST_CASE(
+    "the key comes out of its lock by a free path; of 400 000 poses within 0.5 A of its place those that are free are "
+    "turned by less than 25 degrees") {
+  CAPTURE(lineSaying("how-touch-is-computed", "fits there in one orientation only, within 25°"));
+  const moltact::test::ShippedScene s("key-and-lock");
+  const std::vector<std::uint32_t> key = s.select("chain B");
+  const auto body = heldBody(s.molecule->spheres, key);
+  const SphereGrid lock(s.molecule->spheres, key);
+  const PoseSpace space(lock, *body);
+  CHECK(freePath(space, {body->middle}, {.max_tests = 50'000}).size() >= 2);
+  std::uint64_t random = 1;
+  int free = 0;
+  double farthest_deg = 0.0;
+  for (int k = 0; k < 400'000; ++k) {
+    const Vec3 off = Vec3(nextFraction(random), nextFraction(random), nextFraction(random)) - 0.5;
+    // Half of them turned anyhow, half by up to 45 degrees.
+    Quat q = randomOrientation(random);
+    if (k % 2) q = glm::angleAxis(glm::radians(45.0) * nextFraction(random), glm::normalize(Vec3(q.x, q.y, q.z)));
+    if (!space.isFree({{body->middle.A + off}, q})) continue;
+    ++free;
+    farthest_deg = std::max(farthest_deg, glm::degrees(glm::length(rotationBetween(kNoRotation, q))));
+  }
+  CHECK(free > 50);
+  CHECK(farthest_deg < 25.0);
 }

@@ -43,6 +43,22 @@ TEST_CASE("a misspelt key and a bare number are reported at once, at 14:1 and 19
               "l.md:15:1: touch has no key 'saay'; did you mean 'say'?"});
 }
 
+TEST_CASE(
+    "'hand: springs' without a body in the hand is reported; with one it is taken, and 'exact-body' is its fallback") {
+  const std::string scene = "```scene\nmolecule: mix\n", end = "```\nText.\n";
+  const Texts reported = errors(kHead + "## One\n" + scene + "hand: springs\n" + end);
+  CHECK(std::any_of(reported.begin(), reported.end(), [](const std::string& t) {
+    return t.find("the hand holds no body, which 'springs' needs") != std::string::npos;
+  }));
+  const auto handOf = [&](const std::string& keys) {
+    const Lesson read = lesson("## One\n" + scene + keys + end);
+    return read.steps.at(0).scene.touch.interaction;
+  };
+  CHECK(handOf("in-hand: all\nhand: springs\n") == "springs");
+  CHECK(handOf("in-hand: all\n") == "exact-body");
+  CHECK(handOf("") == "probe");
+}
+
 TEST_CASE("a fault behind a tab is reported at its second character") {
   const Texts reported = errors(kHead + kStep + "```touch\n\tnonsense\n```\n");
   CHECK(std::any_of(reported.begin(), reported.end(),
@@ -52,13 +68,15 @@ TEST_CASE("a fault behind a tab is reported at its second character") {
 TEST_CASE(
     "faults of touch blocks are reported: no task, two tasks, keys of other tasks, bad values, the "
     "place in Å counted in characters") {
-  CHECK(errors(kHead + kStep + "```touch\nsay: S\n```\n") ==
-        Texts{"l.md:13:4: the touch block names no task; add a line that starts with reach, hold, press, feel, cross, "
-              "avoid, compare, meet, trace, find, predict, same, fit, measure, order, dock or pass and a colon"});
+  CHECK(
+      errors(kHead + kStep + "```touch\nsay: S\n```\n") ==
+      Texts{
+          "l.md:13:4: the touch block names no task; add a line that starts with reach, hold, press, feel, cross, "
+          "avoid, compare, meet, trace, find, predict, same, fit, measure, order, dock, pass or contacts and a colon"});
   CHECK(errors(kHead + kStep + "```touch\nreach: all\nhold: all\nsay: S\n```\n") ==
         Texts{"l.md:15:1: a touch block holds one task, but this one has 'reach' and 'hold'; write two touch blocks"});
   CHECK(errors(kHead + kStep + "```touch\nreach: all\ncount: 3\nsay: S\n```\n") ==
-        Texts{"l.md:15:1: touch has no key 'count'; that key belongs to 'feel'"});
+        Texts{"l.md:15:1: touch has no key 'count'; that key belongs to 'feel', 'contacts'"});
   CHECK(errors(kHead + kStep + "```touch\nhold: creese\nsay: S\n```\n") ==
         Texts{"l.md:14:7: 'hold' cannot be 'creese'; did you mean 'crease'?"});
   CHECK(errors(kHead + kStep + "```touch\nreach: within 5 Å of (resnam X)\nsay: S\n```\n") ==

@@ -123,6 +123,7 @@ void compareScenes(const SceneSpec& a, const SceneSpec& b) {
 }
 
 bool isProse(const TaskSpec& task, std::string_view key) {
+  if (key == "dock") return false;  // a pose
   const auto prose = [&](const std::vector<KeySpec>& keys) {
     return std::any_of(keys.begin(), keys.end(),
                        [&](const KeySpec& k) { return k.name == key && k.type == ValueType::Text; });

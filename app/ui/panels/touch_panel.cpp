@@ -11,6 +11,7 @@
 #include "app/ui/widgets/plot.h"
 #include "app/ui/widgets/theme.h"
 #include "app/ui/widgets/widget_map.h"
+#include "engine/haptics/interactions.h"
 #include "engine/language/catalogue.h"
 #include "engine/language/quantity_text.h"
 #include "engine/workspace/scale.h"
@@ -35,8 +36,14 @@ void drawTouchControls(Application& app, bool first) {
     } else if (const auto* on = std::get_if<bool TouchSetup::*>(&p.member)) {
       toggle(name.c_str(), title.c_str(), touch.**on, tip({}).c_str());
     } else {
+      std::vector<OfferedWord> words = p.words();
+      if (p.member == TouchMember(&TouchSetup::interaction))
+        std::erase_if(words, [&](const OfferedWord& w) {
+          return findInteractionKind(w.name)->holds_body != (app.scene.stage().body != nullptr);
+        });
+      if (words.size() < 2) continue;
       ImGui::TextUnformatted(title.c_str());
-      wordSegments(name.c_str(), p.words(), touch.*std::get<std::string TouchSetup::*>(p.member));
+      wordSegments(name.c_str(), words, touch.*std::get<std::string TouchSetup::*>(p.member));
     }
   }
   if (!(touch == app.scene.touch())) app.scene.setTouch(touch);

@@ -3,13 +3,11 @@
 #include <algorithm>
 
 #include "engine/lesson/second_state.h"
-#include "engine/servo/plain_trackers.h"
 
 namespace moltact {
 namespace {
 
 constexpr double kLeftBehind_s = 0.4;  // a contact without a sphere at the HIP is ended after this time
-constexpr double kTry_N_per_mm = 0.2;  // stiffness for the test force
 constexpr double kStill_A = 2e-3;      // a hand slower than this in a frame is at rest
 
 // Whether the probe or body at the hand's position is outside all spheres.
@@ -45,7 +43,7 @@ std::unique_ptr<Interaction> HapticSession::freshInteraction() const {
 
 void HapticSession::play(const std::optional<ServoSample>& sample) {
   const bool was = playing();
-  played_ = sample;
+  played_.show(sample);
   if (was == playing()) return;
   atoms_.stop();
   log_.clear();
@@ -54,15 +52,11 @@ void HapticSession::play(const std::optional<ServoSample>& sample) {
 }
 
 // The settings for the servo loop: those of the panels, but without force while the scene is not visible or a hand is
-// played. A test force is independent of the scene.
+// played; during a force trial those of the trial.
 ServoSettings HapticSession::effectiveSettings(bool trying) const {
+  if (trying) return ForceTrial::settings(servo_settings);
   ServoSettings out = servo_settings;
-  out.force_on = trying || (out.force_on && !resting_ && !played_);
-  if (trying) {
-    out.workspace = Workspace();
-    out.stiffness_N_per_mm = kTry_N_per_mm;
-    out.clutch = ClutchSettings();
-  }
+  out.force_on = out.force_on && !resting_ && !played_;
   return out;
 }
 
@@ -74,8 +68,7 @@ void HapticSession::stopForce(bool stopped) {
 
 bool HapticSession::tryForce(double force_N) {
   if (played_ || servo_settings.panic) return false;
-  servo_.loop().setSettings(effectiveSettings(true));
-  servo_.tryInteraction(std::make_unique<ConstantForceTracker>(force_N / kTry_N_per_mm * Workspace().A_per_mm));
+  trial_.begin(force_N, servo_settings);
   return true;
 }
 
@@ -258,8 +251,7 @@ FeltTicks HapticSession::advance(double dt_s, double now_s, bool timed) {
   const std::vector<ServoSample>& ticks = servo_.advance(dt_s);
   if (played_) {
     // The hand's motion meanwhile has no effect.
-    for (played_owed_s_ += std::min(dt_s, 0.5); played_owed_s_ >= kTick_s; played_owed_s_ -= kTick_s)
-      log_.add(*played_);
+    played_.addTo(log_, dt_s);
     hand_moved_ = false;
   } else {
     for (const ServoSample& sample : ticks) {

@@ -9,7 +9,9 @@
 #include <vector>
 
 #include "app/ui/scene/atom_motion.h"
+#include "app/ui/scene/force_trial.h"
 #include "app/ui/scene/method_watch.h"
+#include "app/ui/scene/played_hand.h"
 #include "app/ui/scene/recorded_conditions.h"
 #include "app/ui/scene/servo_link.h"
 #include "app/ui/scene/touch_log.h"
@@ -110,7 +112,7 @@ class HapticSession {
   bool tryForce(double force_N);
   /// Restores the scene's force softly, from outside.
   void endTry();
-  bool trying() const { return servo_.trying(); }
+  bool trying() const { return trial_.on(); }
 
   /// Applies the conditions of a recording (workspace, probe, surface and clutch) instead of the scene's own; null
   /// restores those. The clutch is then that of the next device.
@@ -121,7 +123,7 @@ class HapticSession {
   /// Shows a sample instead of the hand's: the log contains it, there is no force, and advance() returns no ticks.
   /// Empty: the hand again, from outside.
   void play(const std::optional<ServoSample>& sample);
-  bool playing() const { return played_.has_value(); }
+  bool playing() const { return bool(played_); }
 
   /// Whether the contact is with an atom that the scene does not draw; its name would reveal what is to be felt.
   bool touchesUnseen(const Contact& contact) const;
@@ -150,8 +152,8 @@ class HapticSession {
   TouchLog log_;
   MethodWatch watch_;
   std::vector<FeltTick> felt_;
-  std::optional<ServoSample> played_;
-  double played_owed_s_ = 0.0;
+  PlayedHand played_;
+  ForceTrial trial_{servo_};
   RecordedConditions recorded_;
   bool hand_moved_ = false, resting_ = false;
 };

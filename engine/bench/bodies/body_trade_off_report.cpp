@@ -9,6 +9,8 @@
 namespace moltact::bench {
 namespace {
 
+constexpr double kRounding = 1e-13;  // smaller errors have no mark
+
 std::string quoted(const BodyMethod& m) { return "`" + std::string(m.name) + "`"; }
 
 Mark markOf(const BodyMethod& method) {
@@ -26,7 +28,8 @@ ChartPanel errorPanel(const std::vector<BodyTradeOff>& points, std::string title
     if (series == panel.series.end())
       series = panel.series.insert(series,
                                    ChartSeries{std::string(p.method->name), markOf(*p.method), false, false, true, {}});
-    series->points.push_back({p.meanLoops(), error(p), std::to_string(p.atoms)});
+    const double off = error(p);
+    series->points.push_back({p.meanLoops(), off > kRounding ? off : 0.0, std::to_string(p.atoms)});
   }
   return panel;
 }
@@ -82,7 +85,7 @@ std::string bodyTradeOffSentences(const std::vector<BodyTradeOff>& points) {
     const auto range = [&](auto value) {
       double low = 1e300, high = 0;
       for (const BodyTradeOff& p : own) low = std::min(low, value(p)), high = std::max(high, value(p));
-      return own.size() == 1 ? readable(high) : readable(low) + " to " + readable(high);
+      return low == high ? readable(high) : readable(low) + " to " + readable(high);
     };
     out += "* " + quoted(m) + ": a tick takes " + range([](const auto& p) { return p.meanLoops(); }) +
            " loops in the mean and " + range([](const auto& p) { return p.p999Loops(); }) +
@@ -116,9 +119,10 @@ std::string bodyTradeOffChart(const std::vector<BodyTradeOff>& points) {
     if (!line.points.empty()) size.series.push_back(std::move(line));
   }
   panels.push_back(std::move(size));
-  return chartSvg("Rigid bodies: speed against accuracy", panels,
-                  "Numbers beside the marks: atoms of the body. Left and down is better. A method without a mark in a "
-                  "panel has no error there. moltact bench bodies");
+  return chartSvg(
+      "Rigid bodies: speed against accuracy", panels,
+      "Numbers beside the marks: atoms of the body. Left and down is better. Errors below 1e-13 have no mark. "
+      "moltact bench bodies");
 }
 
 }  // namespace moltact::bench

@@ -69,7 +69,8 @@ class Avoid : public Task {
 TaskKind avoidKind() {
   return {
       "avoid",
-      "Feel the surface for a time without touching a region.", {.base_s = 30.0},
+      "Feel the surface for a time without touching a region.",
+      {.base_s = 30.0},
       {{.name = "avoid",
         .type = ValueType::Selection,
         .meaning = "The atoms that must not be touched.",

@@ -196,7 +196,8 @@ void checkCompareScene(const TaskSpec& spec, const SceneSpec& scene, std::vector
 TaskKind compareKind() {
   return {
       "compare",
-      "Touch several places, or touch with several haptic methods, each for a while.", {.base_s = 10.0, .each_s = 12.0, .each = "of", .each_what = "place or method"},
+      "Touch several places, or touch with several haptic methods, each for a while.",
+      {.base_s = 10.0, .each_s = 12.0, .each = "of", .each_what = "place or method"},
       {{.name = "compare",
         .type = ValueType::WordList,
         .meaning = "The methods, between which the student switches in any order; or 'places'.",

@@ -186,7 +186,8 @@ TaskKind crossKind() {
   for (KeySpec& key : TouchLimits::keys()) keys.push_back(std::move(key));
   keys.push_back(WrongTouches::key());
   return {"cross",
-          "Slide from one atom to another without leaving the surface.", {.base_s = 15.0, .each_s = 15.0, .each = "times", .each_what = "crossing"},
+          "Slide from one atom to another without leaving the surface.",
+          {.base_s = 15.0, .each_s = 15.0, .each = "times", .each_what = "crossing"},
           std::move(keys),
           [](const TaskSpec& s, const Molecule& m) -> std::unique_ptr<Task> { return std::make_unique<Cross>(s, m); },
           nullptr,

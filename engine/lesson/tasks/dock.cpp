@@ -220,7 +220,8 @@ void checkDockBody(const TaskSpec& spec, const std::shared_ptr<const HeldBody>& 
 
 TaskKind dockKind() {
   return {.name = "dock",
-          .meaning = "Bring what the hand holds to a pose, from outside and without a jump, and keep it there.", .time = {.base_s = 150.0},
+          .meaning = "Bring what the hand holds to a pose, from outside and without a jump, and keep it there.",
+          .time = {.base_s = 150.0},
           .keys = {{.name = "dock",
                     .type = ValueType::Text,
                     .meaning = "The pose: `file`, that of the molecule's file; or X, Y, Z, QW, QX, QY, QZ, the place "

@@ -259,7 +259,8 @@ void checkFeel(const TaskSpec& spec, std::vector<Problem>& problems) {
 TaskKind feelKind() {
   return {
       "feel",
-      "Find kinds of place on the surface, or a number of different atoms.", {.base_s = 10.0, .each_s = 12.0, .each = "count", .each_what = "place"},
+      "Find kinds of place on the surface, or a number of different atoms.",
+      {.base_s = 10.0, .each_s = 12.0, .each = "count", .each_what = "place"},
       {{.name = "feel",
         .type = ValueType::WordList,
         .meaning =

@@ -291,7 +291,10 @@ TaskKind findKind() {
        .max = 100}};
   for (KeySpec& key : TouchLimits::keys()) keys.push_back(std::move(key));
   keys.push_back(WrongTouches::key());
-  return {"find", "Find a place by touch alone, with the screen dark.", {.base_s = 150.0}, std::move(keys),
+  return {"find",
+          "Find a place by touch alone, with the screen dark.",
+          {.base_s = 150.0},
+          std::move(keys),
           [](const TaskSpec& s, const Molecule& m) -> std::unique_ptr<Task> { return std::make_unique<Find>(s, m); }};
 }
 

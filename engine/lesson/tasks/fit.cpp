@@ -292,7 +292,8 @@ TaskKind fitKind() {
                   "shown, and the student continues.")};
   for (KeySpec& key : TouchLimits::keys()) keys.push_back(std::move(key));
   return {"fit",
-          "Find the largest probe that reaches a place or passes through a ring, or the smallest that does not.", {.base_s = 180.0},
+          "Find the largest probe that reaches a place or passes through a ring, or the smallest that does not.",
+          {.base_s = 180.0},
           std::move(keys),
           [](const TaskSpec& s, const Molecule& m) -> std::unique_ptr<Task> { return std::make_unique<Fit>(s, m); },
           &checkFit,

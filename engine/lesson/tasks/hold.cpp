@@ -119,7 +119,8 @@ void checkHold(const TaskSpec& spec, std::vector<Problem>& problems) {
 
 TaskKind holdKind() {
   return {"hold",
-          "Stay in contact for a time.", {.base_s = 25.0},
+          "Stay in contact for a time.",
+          {.base_s = 25.0},
           {{.name = "hold",
             .type = ValueType::Target,
             .meaning = "Where to stay: atoms, a kind of place, or anywhere on the surface.",

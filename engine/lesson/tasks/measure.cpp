@@ -170,7 +170,8 @@ class Measure : public Task {
 TaskKind measureKind() {
   return {
       "measure",
-      "Measure a distance by touching two places and marking them.", {.base_s = 60.0},
+      "Measure a distance by touching two places and marking them.",
+      {.base_s = 60.0},
       {{.name = "measure",
         .type = ValueType::Selection,
         .meaning = "The atoms, one of which is touched first.",

@@ -104,7 +104,8 @@ class Meet : public Task {
 
 TaskKind meetKind() {
   return {"meet",
-          "Provoke a failure of the haptic method in use, judged against the exact tracker.", {.base_s = 40.0},
+          "Provoke a failure of the haptic method in use, judged against the exact tracker.",
+          {.base_s = 40.0},
           {{.name = "meet",
             .type = ValueType::Word,
             .meaning = "The failure: the force changes its direction abruptly, the surface is lost, the force points "

@@ -242,7 +242,8 @@ void checkOrderedPlaces(const TaskSpec& spec, const Molecule& molecule, std::spa
 
 TaskKind orderKind() {
   return {"order",
-          "Feel several places one after the other and put them in order.", {.base_s = 15.0, .each_s = 25.0, .each = "order", .each_what = "place"},
+          "Feel several places one after the other and put them in order.",
+          {.base_s = 15.0, .each_s = 25.0, .each = "order", .each_what = "place"},
           {{.name = "order",
             .type = ValueType::Path,
             .meaning = "The places in the right order, two to six, separated by 'then'. The student feels them in a "

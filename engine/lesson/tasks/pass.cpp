@@ -168,7 +168,8 @@ void checkPassRing(const TaskSpec& spec, const Molecule& molecule, std::span<con
 
 TaskKind passKind() {
   return {.name = "pass",
-          .meaning = "Go through an opening from one side to the other, without a jump.", .time = {.base_s = 60.0},
+          .meaning = "Go through an opening from one side to the other, without a jump.",
+          .time = {.base_s = 60.0},
           .keys = {{.name = "pass",
                     .type = ValueType::Selection,
                     .meaning = "The atoms round the opening, where they are at the start of the scene.",

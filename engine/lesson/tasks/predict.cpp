@@ -229,7 +229,8 @@ void checkPredict(const TaskSpec& spec, std::vector<Problem>& problems) {
 
 TaskKind predictKind() {
   return {"predict",
-          "Draw the curve of the force first, then feel it.", {.base_s = 90.0},
+          "Draw the curve of the force first, then feel it.",
+          {.base_s = 90.0},
           {{.name = "predict",
             .type = ValueType::Target,
             .meaning = "Where to press, or where the path begins: atoms, or anywhere on the surface.",

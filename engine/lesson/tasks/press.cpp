@@ -64,7 +64,8 @@ class Press : public Task {
 
 TaskKind pressKind() {
   return {"press",
-          "Push until the reaction of the surface reaches a force.", {.base_s = 25.0},
+          "Push until the reaction of the surface reaches a force.",
+          {.base_s = 25.0},
           {{.name = "press",
             .type = ValueType::Target,
             .meaning = "Where to push: atoms, a kind of place, or anywhere on the surface.",

@@ -98,7 +98,8 @@ TaskKind reachKind() {
   for (KeySpec& key : TouchLimits::keys()) keys.push_back(std::move(key));
   keys.push_back(WrongTouches::key());
   return {.name = "reach",
-          .meaning = "Touch one of the selected atoms.", .time = {.base_s = 20.0},
+          .meaning = "Touch one of the selected atoms.",
+          .time = {.base_s = 20.0},
           .keys = std::move(keys),
           .make = [](const TaskSpec& s, const Molecule& m) -> std::unique_ptr<Task> {
             return std::make_unique<Reach>(s, m);

@@ -18,7 +18,8 @@
   X(measure)             \
   X(order)               \
   X(dock)                \
-  X(pass)
+  X(pass)                \
+  X(contacts)
 
 namespace moltact {
 

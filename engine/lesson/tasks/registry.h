@@ -20,8 +20,8 @@ struct TaskTime {
 };
 
 struct TaskKind {
-  std::string_view name;      ///< also the key of its target: "reach: element O"; differs from every key of other kinds
-  std::string_view meaning;   ///< one sentence for authors
+  std::string_view name;     ///< also the key of its target: "reach: element O"; differs from every key of other kinds
+  std::string_view meaning;  ///< one sentence for authors
   TaskTime time;
   std::vector<KeySpec> keys;  ///< its own keys; the one called `name` comes first
   std::unique_ptr<Task> (*make)(const TaskSpec& spec, const Molecule& molecule);

@@ -383,7 +383,8 @@ TaskKind sameKind() {
        .max = 1e6}};
   keys.insert(keys.end(), std::begin(others), std::end(others));
   return {"same",
-          "Feel two things in the dark and say whether they are the same, several times.", {.each_s = 20.0, .each = "trials", .each_what = "pair"},
+          "Feel two things in the dark and say whether they are the same, several times.",
+          {.each_s = 20.0, .each = "trials", .each_what = "pair"},
           std::move(keys),
           [](const TaskSpec& s, const Molecule& m) -> std::unique_ptr<Task> { return std::make_unique<Same>(s, m); },
           &checkSame,

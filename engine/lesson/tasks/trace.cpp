@@ -225,7 +225,8 @@ void checkTrace(const TaskSpec& spec, std::vector<Problem>& problems) {
 
 TaskKind traceKind() {
   return {"trace",
-          "Follow a path over the surface without losing contact.", {.base_s = 60.0},
+          "Follow a path over the surface without losing contact.",
+          {.base_s = 60.0},
           {{.name = "trace",
             .type = ValueType::Path,
             .meaning = "The path: one selection, whose atoms are followed in the order of the file; places separated "

@@ -74,14 +74,16 @@ void pressWithBody(Task& task, double& time_s, std::array<std::int32_t, 3> atoms
 }  // namespace
 
 TEST_CASE(
-    "reach, hold, press, feel: atoms and compare: places judge a body; all other forms are an error at their line") {
+    "reach, hold, press, feel: atoms, compare: places and contacts judge a body; all other forms are an error at their "
+    "line") {
   const std::vector<std::string> judged{"reach: name CA",
                                         "hold: name CA",
                                         "hold: anywhere",
                                         "press: name CA\nuntil: 0.5 N",
                                         "press: anywhere\nuntil: 0.5 N",
                                         "feel: atoms",
-                                        "compare: places\nof: name N then name CA"};
+                                        "compare: places\nof: name N then name CA",
+                                        "contacts: anywhere\ncount: 2"};
   for (const std::string& keys : judged) {
     CAPTURE(keys);
     CHECK(errorsOf(step(keys)) == std::vector<std::string>());
@@ -221,9 +223,10 @@ TEST_CASE("a body's open places are where it first meets the atom, most frontal 
 }
 
 TEST_CASE("each form of task that judges a body is done with it by the student who follows its demonstration") {
-  for (const char* keys : {"reach: name CA", "reach: name N\nside: name CA",
-                           "hold: name C\nfor: 1 s\nforce: 0.2 N to 0.9 N", "press: name CA\nuntil: 0.6 N",
-                           "feel: atoms\ncount: 3", "compare: places\nof: name N then name CA\nfor: 0.5 s"}) {
+  for (const char* keys :
+       {"reach: name CA", "reach: name N\nside: name CA", "hold: name C\nfor: 1 s\nforce: 0.2 N to 0.9 N",
+        "press: name CA\nuntil: 0.6 N", "feel: atoms\ncount: 3", "compare: places\nof: name N then name CA\nfor: 0.5 s",
+        "contacts: name N\ncount: 2\nfor: 0.5 s"}) {
     CAPTURE(keys);
     std::vector<LearnerEvent> events;
     ScriptedLearner learner(lesson(step(keys)), molecules, [&](const LearnerEvent& e) { events.push_back(e); });
@@ -263,4 +266,49 @@ TEST_CASE("a script names poses: it brings the turned body against an atom, and 
     CHECK(bad.problems[0].text().starts_with(w.says));
     CHECK(bad.acts.empty());
   }
+}
+
+TEST_CASE(
+    "contacts counts the body's atoms that touch at once: a dumbbell across a sphere of 3 A touches with both where "
+    "its "
+    "middle is sqrt(4.2^2 - 1) A above, with one 0.06 A above that on one side, and with none of another atom") {
+  const double across_A = std::sqrt(4.2 * 4.2 - 1.0);
+  const auto body = [] {
+    const std::uint32_t held[] = {3, 4};
+    return heldBody(dock().spheres, held);
+  };
+  const struct {
+    const char* atoms;
+    const char* count;
+    Vec3 middle;
+    bool solved;
+  } cases[] = {{"name N", "2", {0, 0, across_A}, true},
+               {"anywhere", "2", {0, 0, across_A + 0.04}, true},
+               {"name N", "2", {0, 0, across_A + 0.06}, false},
+               {"name CA", "1", {0, 0, across_A}, false},
+               {"name N", "1", {1.0, 0, 4.2}, true},
+               {"name N", "2", {1.0, 0, 4.2}, false},
+               {"name CA", "1", {12.0 - 3.2 - 1.0, 0, 0}, true}};
+  for (const auto& c : cases) {
+    CAPTURE(c.atoms);
+    CAPTURE(c.middle.z);
+    for (const double for_s : {0.9, 1.1}) {
+      const auto t = task("contacts", {{"contacts", c.atoms}, {"count", c.count}}, dock());
+      t->takeInHand(body());
+      double time_s = 0.0;
+      pressWithBody(*t, time_s, {0, -1, -1}, 0.5, for_s, c.middle);
+      CHECK(t->solved() == (c.solved && for_s > 1.0));
+    }
+  }
+  // An untouchable atom does not count, nor a body without contact.
+  const auto t = task("contacts", {{"contacts", "anywhere"}, {"count", "1"}}, dock());
+  const std::uint32_t first[] = {0};
+  t->leaveOut(first);
+  t->takeInHand(body());
+  double time_s = 0.0;
+  pressWithBody(*t, time_s, {0, -1, -1}, 0.5, 2.0, {0, 0, across_A});
+  CHECK_FALSE(t->done());
+  CHECK(errorsOf(step("contacts: anywhere", "")).size() == 1);
+  REQUIRE(errorsOf(step("contacts: anywhere\ncount: 3")).size() == 1);
+  CHECK(errorsOf(step("contacts: anywhere\ncount: 3"))[0].find("the body has only 2 atoms") != std::string::npos);
 }

@@ -126,7 +126,7 @@ TEST_CASE("each kind of task is done on two spheres by the student who follows i
       {"measure", "measure: atom 0\nto: atom 1\nbetween: 4 Å to 8 Å"},
       {"order", "order: atom 0 then atom 1\nfirst: the left one\nfor: 0.2 s"}};
   // Below: they want a method that jumps, a ring, and a body.
-  std::set<std::string, std::less<>> kinds{"meet", "fit", "dock", "pass"};
+  std::set<std::string, std::less<>> kinds{"meet", "fit", "dock", "pass", "contacts"};
   for (const auto& [kind, keys] : all) {
     CAPTURE(keys);
     kinds.insert(kind);
@@ -153,6 +153,10 @@ TEST_CASE("each kind of task is done on two spheres by the student who follows i
       demonstrate("## A\n```scene\nmolecule: ring\nin-hand: atom 0\n```\n" + touch("dock: file\nwithin: 1 Å"));
   if (const LearnerEvent* gave_up = docks.find(Kind::GaveUp)) MESSAGE(gave_up->note);
   CHECK(docks.finished);
+  const Played presses =
+      demonstrate("## A\n```scene\nmolecule: ring\nin-hand: atom 0 1\n```\n" + touch("contacts: anywhere\ncount: 2"));
+  if (const LearnerEvent* gave_up = presses.find(Kind::GaveUp)) MESSAGE(gave_up->note);
+  CHECK(presses.finished);
   for (const TaskKind& kind : taskKinds()) CHECK_MESSAGE(kinds.contains(kind.name), std::string(kind.name));
 }
 
