@@ -92,7 +92,7 @@ struct ChainParts {
 
 class Assembler {
  public:
-  Assembler(GrowingMolecule& grown, const ParsedAssembly& assembly, const std::string& file)
+  Assembler(MoleculeStorage& grown, const ParsedAssembly& assembly, const std::string& file)
       : grown_(grown), m_(grown.arrays), assembly_(assembly), file_(file) {}
 
   std::optional<Problem> run() {
@@ -208,7 +208,7 @@ class Assembler {
                      tr("read it without one")};
     // The copies need as much memory per atom as their originals.
     if (own_bytes_ + grown_.bytes() / m_.atoms.size() * kept_ > kMaxBytes) return tooMuchMemory();
-    GrowingMolecule out(false, grown_.hasCharges());
+    MoleculeStorage out(false, grown_.hasCharges());
     out.expect(kept_);
     std::vector<std::uint32_t> residues;
     std::vector<char> named(chains_.size());
@@ -235,7 +235,7 @@ class Assembler {
   }
 
   // Copies the atoms of a residue that an operator maps to new positions.
-  std::optional<Problem> copy(GrowingMolecule& out, std::uint32_t r, const ParsedOperator& op, std::size_t bit,
+  std::optional<Problem> copy(MoleculeStorage& out, std::uint32_t r, const ParsedOperator& op, std::size_t bit,
                               std::size_t stride, std::vector<char>& named,
                               std::vector<std::pair<std::string, std::string>>& name_of) {
     const Residue& residue = m_.residues[r];
@@ -259,7 +259,7 @@ class Assembler {
     return std::nullopt;
   }
 
-  GrowingMolecule& grown_;
+  MoleculeStorage& grown_;
   const MoleculeArrays& m_;
   const ParsedAssembly& assembly_;
   const std::string& file_;
@@ -274,7 +274,7 @@ class Assembler {
 
 }  // namespace
 
-std::optional<Problem> applyAssembly(GrowingMolecule& molecule, const std::vector<ParsedAssembly>& assemblies,
+std::optional<Problem> applyAssembly(MoleculeStorage& molecule, const std::vector<ParsedAssembly>& assemblies,
                                      const std::string& name, const std::string& file) {
   if (assemblies.empty())
     return Problem{file, 0, 0, tr("the file describes no biological assembly"), tr("read it without one")};

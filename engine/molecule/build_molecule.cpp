@@ -22,14 +22,14 @@ constexpr std::size_t kMaxUnknownElements = 1000;
 std::string countedAtoms(std::size_t n) { return trnf("{0} atom", "{0} atoms", n, n); }
 
 /// Removes water and returns the number of molecules removed. A file that contains only water keeps it.
-std::size_t dropWaters(GrowingMolecule& grown) {
+std::size_t dropWaters(MoleculeStorage& grown) {
   const MoleculeArrays& m = grown.arrays;
   const auto water = [](const Residue& r) { return r.kind == ResidueKind::Water; };
   const auto waters = static_cast<std::size_t>(std::count_if(m.residues.begin(), m.residues.end(), water));
   if (waters == 0 || waters == m.residues.size()) return 0;
   // Removing waters can make two ranges of one residue adjacent: all ranges are merged again, in place.
   MoleculeArrays old = std::move(grown.arrays);
-  GrowingMolecule out(grown.namesLabelChains(), grown.hasCharges());
+  MoleculeStorage out(grown.namesLabelChains(), grown.hasCharges());
   MoleculeArrays& arrays = out.arrays;
   arrays.atoms = std::move(old.atoms);
   arrays.spheres = std::move(old.spheres);

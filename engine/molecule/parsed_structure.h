@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "engine/core/problem.h"
-#include "engine/core/text.h"
+#include "engine/molecule/molecule_storage.h"
 #include "engine/molecule/reader.h"
 #include "engine/molecule/text_source.h"
 
@@ -73,65 +73,6 @@ struct ParsedHeader {
   int models = 1;  ///< in the file
 };
 
-/// The arrays of a molecule under construction.
-struct MoleculeArrays {
-  std::vector<Atom> atoms;
-  std::vector<Sphere> spheres;   ///< one per atom
-  std::vector<float> charges_e;  ///< one per atom; empty: the format has no charges
-  std::vector<Residue> residues;
-  std::vector<Chain> chains;
-};
-
-/// A molecule under construction. Residues and chains are contiguous ranges of atoms, in the order of arrival.
-class GrowingMolecule {
- public:
-  /// The residue and chains of an atom; texts as in ParsedAtom.
-  struct Place {
-    std::string_view residue, chain, label_chain;
-    int number = 0;
-    char insertion = ' ';
-    RecordedStructure recorded{};
-  };
-  /// `names_label_chains`: keeps the names of label chains for a later assembly; otherwise only their identity is kept.
-  /// `has_charges`: the atoms have partial charges.
-  explicit GrowingMolecule(bool names_label_chains = false, bool has_charges = false)
-      : names_label_chains_(names_label_chains), has_charges_(has_charges) {}
-  /// Reserves memory for about this number of atoms.
-  void expect(std::size_t atoms);
-  /// Appends an atom; consecutive atoms of the same residue and chain are grouped.
-  void add(const PlacedAtom& atom, float charge_e, const Place& place, bool hetero) {
-    put(arrays.atoms.size(), atom, charge_e, place, hetero);
-  }
-  /// The same, but overwrites the atom at index `at`. Calls must be in ascending order.
-  void put(std::size_t at, const PlacedAtom& atom, float charge_e, const Place& place, bool hetero);
-  /// An atom and its charge (0 without charges). `atom` must be in range.
-  PlacedAtom at(std::size_t atom) const {
-    return {{arrays.atoms[atom]}, {arrays.spheres[atom].centre_A}, arrays.spheres[atom].radius_A};
-  }
-  float charge_e(std::size_t atom) const { return has_charges_ ? arrays.charges_e[atom] : 0.0f; }
-  /// Returns a Problem if another atom would exceed the limit of atoms or of a molecule's memory.
-  std::optional<Problem> full(const std::string& file, std::size_t line) const;
-  /// The memory in use (unit: byte).
-  std::size_t bytes() const;
-  /// Completes the last residue.
-  void close();
-  /// The label_chain of a residue; without names, a text that identifies it.
-  std::string_view labelChain(std::size_t residue) const;
-  bool namesLabelChains() const { return names_label_chains_; }
-  bool hasCharges() const { return has_charges_; }
-
-  MoleculeArrays arrays;
-  std::vector<bool> hetero_of;  ///< per residue: HETATM
-
- private:
-  bool names_label_chains_, has_charges_;
-  std::string label_chain_;  // of the last residue
-  // Per residue: index into labels_ from 1, or without names a hash; 0: none. Empty if no residue has one.
-  std::vector<std::uint32_t> label_of_;
-  std::vector<ShortText> labels_;  // one for each run of equal labels
-  std::size_t text_bytes_ = 0;     // of names too long for a ShortText's own storage
-};
-
 /// Receives the atoms of one model and applies the rules of reader.h.
 class MoleculeBuilder {
  public:
@@ -163,7 +104,7 @@ class MoleculeBuilder {
   const ReadOptions& options_;
   const TextSource& text_;
   std::string file_;
-  GrowingMolecule out_;
+  MoleculeStorage out_;
   std::size_t atoms_ = 0, before_ = 0;  // number of atoms so far; bytes of text before the first
   // The position in the chain of the last atoms: one residue, or several alternative ones.
   std::string chain_, label_chain_;
@@ -185,11 +126,8 @@ class MoleculeBuilder {
 std::string markElements(MoleculeArrays& molecule, const std::vector<ParsedSecondaryStructure>& elements);
 
 /// Replaces the molecule by its assembly `name`. Copies of a chain are named, …
-std::optional<Problem> applyAssembly(GrowingMolecule& molecule, const std::vector<ParsedAssembly>& assemblies,
+std::optional<Problem> applyAssembly(MoleculeStorage& molecule, const std::vector<ParsedAssembly>& assemblies,
                                      const std::string& name, const std::string& file);
-
-/// The Problem "more than 25 million atoms".
-Problem tooManyAtoms(const std::string& file, std::size_t line);
 
 /// The Problem "the file has 3 models; there is no model 7".
 Problem noSuchModel(const std::string& file, int asked, int models);

@@ -1,9 +1,10 @@
-// Assembles residues and chains from arriving atoms, within the limits of a molecule.
+#include "engine/molecule/molecule_storage.h"
+
 #include <algorithm>
 #include <functional>
 
 #include "engine/language/catalogue.h"
-#include "engine/molecule/parsed_structure.h"
+#include "engine/molecule/reader.h"
 #include "engine/molecule/residue_kind.h"
 
 namespace moltact {
@@ -29,14 +30,14 @@ Problem tooManyAtoms(const std::string& file, std::size_t line) {
           tr("split the file, or keep one model")};
 }
 
-void GrowingMolecule::expect(std::size_t atoms) {
+void MoleculeStorage::expect(std::size_t atoms) {
   const std::size_t room = std::min(atoms, kMaxMoleculeAtoms);
   arrays.atoms.reserve(room);
   arrays.spheres.reserve(room);
   if (has_charges_) arrays.charges_e.reserve(room);
 }
 
-std::optional<Problem> GrowingMolecule::full(const std::string& file, std::size_t line) const {
+std::optional<Problem> MoleculeStorage::full(const std::string& file, std::size_t line) const {
   if (arrays.atoms.size() >= kMaxMoleculeAtoms) return tooManyAtoms(file, line);
   if (bytes() > kMaxMoleculeAtoms * kMoleculeBytesAnAtom)
     return Problem{file, line, 0, tr("its residues and chains take more than 3 GB of memory"),
@@ -44,7 +45,7 @@ std::optional<Problem> GrowingMolecule::full(const std::string& file, std::size_
   return std::nullopt;
 }
 
-std::size_t GrowingMolecule::bytes() const {
+std::size_t MoleculeStorage::bytes() const {
   const MoleculeArrays& m = arrays;
   return m.atoms.size() * (sizeof(Atom) + sizeof(Sphere)) + m.charges_e.size() * sizeof(float) +
          m.residues.size() * sizeof(Residue) + m.chains.size() * sizeof(Chain) +
@@ -52,13 +53,13 @@ std::size_t GrowingMolecule::bytes() const {
          text_bytes_;
 }
 
-std::string_view GrowingMolecule::labelChain(std::size_t residue) const {
+std::string_view MoleculeStorage::labelChain(std::size_t residue) const {
   if (label_of_.empty() || label_of_[residue] == 0) return {};
   if (names_label_chains_) return labels_[label_of_[residue] - 1];
   return {reinterpret_cast<const char*>(&label_of_[residue]), sizeof(std::uint32_t)};
 }
 
-void GrowingMolecule::put(std::size_t at, const PlacedAtom& atom, float charge_e, const Place& place, bool hetero) {
+void MoleculeStorage::put(std::size_t at, const PlacedAtom& atom, float charge_e, const Place& place, bool hetero) {
   MoleculeArrays& m = arrays;
   const std::size_t expected = m.atoms.capacity();
   const bool same_chain = !m.chains.empty() && m.chains.back().name == place.chain;
@@ -114,7 +115,7 @@ void GrowingMolecule::put(std::size_t at, const PlacedAtom& atom, float charge_e
   ++m.residues.back().atom_count;
 }
 
-void GrowingMolecule::close() {
+void MoleculeStorage::close() {
   if (arrays.residues.empty()) return;
   Residue& last = arrays.residues.back();
   last.kind = residueKind(last, arrays.atoms, hetero_of.back());
