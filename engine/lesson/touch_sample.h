@@ -22,8 +22,9 @@ struct TouchSample {
   Quat orientation = kNoRotation;  ///< of the hand, in the molecule's space
   std::optional<PoseA> body = {};  ///< where the held body is shown: the place of its middle and its orientation
                                    ///< relative to the molecule's file; empty: the hand holds the probe
-  bool placed = false;             ///< the hand was put down here, without a path from the tick before
-  Vec3 torque_N_mm{0.0};           ///< on the hand, in the device's space; zero for a device that drives none
+  bool one_spring = false;  ///< the body rests as one rigid body on one spring, so its atoms are where it is shown
+  bool placed = false;      ///< the hand was put down here, without a path from the tick before
+  Vec3 torque_N_mm{0.0};    ///< on the hand, in the device's space; zero for a device that drives none
 
   /// A force is felt; `contact.touching()` says that a surface is touched.
   bool felt() const { return contact.touching() || field; }
@@ -42,6 +43,7 @@ TouchSample touchSampleOf(const ServoTick& tick, std::string_view method = {}, c
           .exact = exact,
           .orientation = tick.orientation,
           .body = tick.holds_body ? std::optional(tick.shownBody()) : std::nullopt,
+          .one_spring = tick.holds_body && tick.body_pose,
           .placed = tick.contact_reset,
           .torque_N_mm = tick.torque_N_mm};
 }

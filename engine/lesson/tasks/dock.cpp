@@ -107,7 +107,7 @@ class Dock : public Task {
     led_ = (led_ && continues) || off_A >= away_A_;
     if (led_ && (nearest_A_ < 0.0 || off_A < nearest_A_)) nearest_A_ = off_A;
     const bool there = s.contact.fault == Fault::None && tolerance_.allows(*goal_, way_.pose()) &&
-                       !goal_->stretched(s.contact, tolerance_.within_A);
+                       !goal_->stretched(s, tolerance_.within_A);
     state_now_ = !there ? State::Away : led_ ? State::There : State::PutDown;
     stopped_ = s.contact.touching();
     watch_.tick(state_now_ == State::There, dt_s, kSlip_s);

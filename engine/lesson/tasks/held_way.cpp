@@ -31,8 +31,8 @@ double PoseGoal::turned_rad(const PoseA& pose) const {
   return glm::length(rotationBetween(goal_.orientation, pose.orientation));
 }
 
-bool PoseGoal::stretched(const Contact& contact, double within_A) const {
-  return 2.0 * contact.energy_A2 > double(body_->spheres.size()) * within_A * within_A;
+bool PoseGoal::stretched(const TouchSample& s, double within_A) const {
+  return !s.one_spring && 2.0 * s.contact.energy_A2 > double(body_->spheres.size()) * within_A * within_A;
 }
 
 }  // namespace moltact

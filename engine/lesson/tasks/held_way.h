@@ -41,9 +41,9 @@ class PoseGoal {
   /// The root of the mean squared distance of the body's atoms from their places in the goal.
   double rmsd_A(const PoseA& pose) const;
   double turned_rad(const PoseA& pose) const;
-  /// Whether springs are stretched by more than `within_A` (root mean square over the body's atoms): the atoms are then
-  /// elsewhere than the body that is shown.
-  bool stretched(const Contact& contact, double within_A) const;
+  /// Whether the springs of a body whose atoms have one each are stretched by more than `within_A` (root mean square over
+  /// the atoms): its atoms are then elsewhere than the body that is shown.
+  bool stretched(const TouchSample& s, double within_A) const;
 
  private:
   std::shared_ptr<const HeldBody> body_;

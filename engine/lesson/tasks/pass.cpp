@@ -51,7 +51,7 @@ class Pass : public Task {
   void onSample(const TouchSample& s, double dt_s) override {
     if (!opening_) return;
     bool continues = way_.tick(s, dt_s);
-    if (body_goal_ && s.body && body_goal_->stretched(s.contact, kStretched_A)) continues = false;
+    if (body_goal_ && s.body && body_goal_->stretched(s, kStretched_A)) continues = false;
     const Vec3 to = way_.pose().place.A, from = continues ? way_.before().place.A : to;
     if (!continues) side_ = 0, in_ = false;
     const int pieces = std::max(1, saturateToInteger<int>(std::ceil(glm::distance(from, to) / kPiece_A)));

@@ -173,6 +173,17 @@ TEST_CASE(
   CHECK(t->solved());
 }
 
+TEST_CASE("an exact body in its pose is in place however far the hand presses, 10 A here") {
+  const auto t = docking();
+  Leader hand{*t};
+  hand.next.one_spring = true;
+  hand.put({0, 0, 12});
+  hand.lead({0, 0, 0});
+  hand.next.contact.energy_A2 = 0.5 * 10.0 * 10.0;
+  hand.stay(1.1);
+  CHECK(t->solved());
+}
+
 TEST_CASE(
     "the hand begins turned by 60 degrees or more off the pose, otherwise for each seed and after a new start, and as "
     "the file has it where the author says so; 400 draws are even over the sides") {
