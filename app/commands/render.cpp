@@ -26,6 +26,7 @@
 #include "engine/platform/terminal.h"
 #include "engine/render/colour_legend.h"
 #include "engine/render/label_painter.h"
+#include "engine/render/loaded_atoms.h"
 #include "engine/render/molecule_model.h"
 #include "engine/render/renderer.h"
 #include "engine/structure/atom_charges.h"
@@ -69,9 +70,15 @@ std::optional<PointA> hipOf(const std::string& text) {
   return hip;
 }
 
+// What is felt where the hand is pushed to, and the reactions of the molecule's atoms.
+struct Pushed {
+  Response response;
+  std::vector<AtomForce> reactions;
+};
+
 // The hand approaches from outside along the line of sight, as a person in front of this picture would push.
-Response push(const std::shared_ptr<const Molecule>& molecule, const RenderArguments& arguments,
-              const std::shared_ptr<const HeldBody>& body, const Camera& camera, PointA hip) {
+Pushed push(const std::shared_ptr<const Molecule>& molecule, const RenderArguments& arguments,
+            const std::shared_ptr<const HeldBody>& body, const Camera& camera, PointA hip) {
   std::vector<std::uint32_t> not_felt = arguments.look.left_out.notFelt(*molecule);
   if (body) not_felt = atomsOfEither(not_felt, body->atoms);
   const auto scene = std::make_shared<const SphereGrid>(molecule->spheres, not_felt);
@@ -83,9 +90,11 @@ Response push(const std::shared_ptr<const Molecule>& molecule, const RenderArgum
   const double reach = glm::length(scene->high_A() - scene->low_A()) + 2 * held_A + 1;
   const double step = std::max(0.02, reach / 200000);
   const long ticks = std::lround(std::ceil(reach / step));
-  Response answer;
-  for (long i = ticks; i >= 0; --i) answer = felt->respond({{hip.A + from_hip * (step * double(i))}});
-  return answer;
+  Pushed out;
+  for (long i = ticks; i >= 0; --i) out.response = felt->respond({{hip.A + from_hip * (step * double(i))}});
+  out.reactions.resize(felt->maxReactionCount());
+  out.reactions.resize(felt->reactions(out.response, arguments.stiffness_N_per_A, 1.0, out.reactions));
+  return out;
 }
 
 void printTimes(Renderer& renderer, const ViewScene& scene, int width, int height, const RenderArguments& arguments) {
@@ -179,12 +188,19 @@ void render(const RenderArguments& arguments) {
   }
   if (auto written = annotationsOf(spec, *scene.molecule)) scene.annotations.push_back(std::move(written));
   if (scene.hip) {
-    const Response answer = push(scene.molecule, arguments, scene.body, scene.camera, *scene.hip);
+    const auto [answer, reactions] = push(scene.molecule, arguments, scene.body, scene.camera, *scene.hip);
     const Vec3 force_N = answer.total(arguments.stiffness_N_per_A).force_N;
     scene.contact = answer.contact;
     if (answer.body_pose) {
       scene.body_place = answer.body_pose->place;
       scene.body_orientation = answer.body_pose->orientation;
+    }
+    if (scene.body) {
+      scene.hand_orientation = kNoRotation;
+      scene.torque_N_A = answer.total(arguments.stiffness_N_per_A).torque_N_A;
+      const LoadedAtoms loads = loadedAtoms(reactions);
+      scene.body_stopped = loads.body;
+      scene.stopped_by = loads.scene;
     }
     scene.force_N = glm::length(force_N);
     if (answer.field) scene.field_direction = force_N;

@@ -27,11 +27,12 @@ struct DeviceSpecs {
   double damping_N_s_per_m = 0.0;                              ///< of the mechanism itself
   double friction_N = 0.0;                                     ///< Coulomb friction of the mechanism; 0: unknown
   double resolution_mm = kUnknownResolution_mm;                ///< resolution of the reported position
-  double delay_s = kUnknownDelay_s;       ///< from the encoders to the driver plus from there to the motors
-  double speed_limit_m_per_s = kNoLimit;  ///< above this speed of the hand the device gives no force
-  double slew_limit_N_per_s = kNoLimit;   ///< the device cuts a force that changes faster
-  double max_torque_N_mm = 0.0;           ///< peak torque; 0: no torque
-  bool gives_force = false;               ///< false: the force is displayed on the screen only
+  double delay_s = kUnknownDelay_s;        ///< from the encoders to the driver plus from there to the motors
+  double speed_limit_m_per_s = kNoLimit;   ///< above this speed of the hand the device gives no force
+  double slew_limit_N_per_s = kNoLimit;    ///< the device cuts a force that changes faster
+  double max_torque_N_mm = 0.0;            ///< peak torque; 0: no torque
+  double rotational_damping_N_mm_s = 0.0;  ///< b_r, of the mechanism about its axes, per radian; 0: not known
+  bool gives_force = false;                ///< false: the force is displayed on the screen only
 
   friend bool operator==(const DeviceSpecs&, const DeviceSpecs&) = default;
 };

@@ -29,6 +29,7 @@ struct FeltForce {
 struct AtomForce {
   std::int32_t atom = -1;
   Vec3 force_N{0.0};
+  std::int32_t body_sphere = -1;  ///< index of the held body's sphere that the atom stops; -1: no body is held
 };
 
 /// A FeltForce in the device's space: newton and millimetre, in the device's axes.

@@ -1,6 +1,7 @@
 #include "engine/render/glyphs.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -16,7 +17,9 @@ namespace {
 // Bright on a dark edge: visible on atoms of every colour in every theme.
 const Colour kTouchedRing{1.0f, 0.94f, 0.62f};
 
-constexpr double kGlow_A = 0.25;  // glow around a blocked atom of a body
+constexpr double kGlow_A = 0.25;  // width of the strongest glow around an atom in contact with a body
+constexpr std::size_t kMaxGhostAtoms =
+    400;  // the outline of a larger body is not drawn: each arc is compared with each atom
 
 class Maker {
  public:
@@ -71,17 +74,107 @@ class Maker {
       if (atom >= model.atoms()) continue;
       constexpr std::uint32_t kGhost = 0x4Cu << 24;
       const bool carbon = scene_.molecule->atoms[atom].atomic_number == 6;
-      const bool stopped = std::binary_search(scene_.body_stopped.begin(), scene_.body_stopped.end(), std::uint32_t(i));
+      const double load = loadOf(scene_.body_stopped, std::uint32_t(i));
+      const bool stopped = load > 0.0;
       const std::uint32_t colour = stopped  ? packColour(forceColour(scene_.theme, 1.0))
                                    : carbon ? packColour(scene_.theme.probe)
                                             : model.colour[model.sphereOf(atom)];
       const Vec3 place = middle + axes * scene_.body->spheres[i].centre_A;
       const glm::vec3 centre = view(place);
       const auto radius = float(model.atomSphere(atom).radius_A);
-      if (stopped) shell(place, double(radius) + kGlow_A, forceColour(scene_.theme, 1.0), 0.45f);
+      if (stopped) glow(place, double(radius), load);
       out_.solid.push_back({centre, radius, colour});
       out_.ghost.push_back({centre, radius, (colour & 0xFFFFFFu) | kGhost});
     }
+  }
+
+  // The atoms that stop the body glow like those that they stop; not if the molecule must be felt without being seen.
+  void stoppers(const MoleculeModel& model) {
+    for (const LoadedAtom& one : scene_.stopped_by) {
+      if (one.atom >= model.atoms() || isHidden(one.atom)) continue;
+      const Sphere b = model.atomSphere(one.atom);
+      glow(b.centre_A, b.radius_A, loadOf(scene_.stopped_by, one.atom));
+    }
+  }
+
+  // The body at the hand's pose, as the outlines of its atoms: the springs pull from the drawn body to there. Parts of
+  // an outline in front of or behind another atom of it are omitted.
+  void ghost(const MoleculeModel& model) {
+    if (!scene_.hand_orientation || !scene_.body) return;
+    const Vec3 middle = scene_.body_place ? scene_.body_place->A : scp_;
+    const glm::dmat3 axes = glm::mat3_cast(scene_.body_orientation), hand = glm::mat3_cast(*scene_.hand_orientation);
+    const double visible_A = sized(kMinGhost_A, kMinGhost_px);
+    const std::vector<Sphere>& spheres = scene_.body->spheres;
+    if (spheres.size() > kMaxGhostAtoms || spheres.size() != scene_.body->atoms.size()) return;
+    std::vector<Sphere> at;
+    double farthest_A = 0.0;
+    for (std::size_t i = 0; i < spheres.size(); ++i) {
+      const Vec3 place = scene_.hip->A + hand * spheres[i].centre_A;
+      farthest_A = std::max(farthest_A, glm::distance(place, middle + axes * spheres[i].centre_A));
+      const std::uint32_t atom = scene_.body->atoms[i];
+      if (atom < model.atoms()) at.push_back({place, model.atomSphere(atom).radius_A});
+    }
+    if (farthest_A < visible_A) return;
+    const Vec3 eye = scene_.camera.eye().A;
+    // Whether the ray from the eye through p meets another atom of the outline.
+    const auto covered = [&](const Vec3& p, std::size_t self) {
+      const Vec3 ray = glm::normalize(p - eye);
+      for (std::size_t j = 0; j < at.size(); ++j) {
+        if (j == self) continue;
+        const Vec3 to = at[j].centre_A - eye;
+        const Vec3 off = to - ray * glm::dot(to, ray);
+        if (glm::dot(off, off) < at[j].radius_A * at[j].radius_A) return true;
+      }
+      return false;
+    };
+    constexpr int kPieces = 60;
+    std::array<bool, kPieces + 1> open{};
+    std::array<glm::vec3, kPieces + 1> points{};
+    for (std::size_t i = 0; i < at.size(); ++i) {
+      const Vec3 centre = silhouetteCentre(at[i].centre_A, at[i].radius_A), axis = toEye(at[i].centre_A);
+      const double r = silhouetteRadius(at[i].centre_A, at[i].radius_A);
+      const Vec3 u = anyNormal(axis), v = glm::cross(axis, u);
+      for (int k = 0; k <= kPieces; ++k) {
+        const double t = kTwoPi * (k % kPieces) / kPieces;
+        const Vec3 p = centre + r * (std::cos(t) * u + std::sin(t) * v);
+        open[std::size_t(k)] = !covered(p, i);
+        points[std::size_t(k)] = view(p);
+      }
+      for (const Stroke& stroke :
+           {Stroke{.colour = glm::vec3(0.0f), .alpha = 0.45f, .hidden = 0.35f, .width_px = 3.6f},
+            Stroke{.colour = scene_.theme.hip, .alpha = 0.95f, .hidden = 0.7f, .width_px = 1.8f}}) {
+        bool drawing = false;
+        for (std::size_t k = 0; k <= kPieces; ++k) {
+          if (open[k] && !drawing) out_.strokes.begin(stroke);
+          if (open[k]) out_.strokes.point(points[k]);
+          drawing = open[k];
+        }
+      }
+    }
+  }
+
+  // The torque as an arc with a head about its axis through the body's middle, right-handed.
+  void torque() {
+    const double size = glm::length(scene_.torque_N_A);
+    if (!scene_.body || !(size > 0.0) || !std::isfinite(size)) return;
+    const Vec3 axis = scene_.torque_N_A / size, middle = scene_.body_place ? scene_.body_place->A : scp_;
+    const double thick = sized(0.10, 1.9), head = 4.2 * thick;
+    const double r = std::max(radiusOfGyration_A(*scene_.body), sized(0.0, kMinTorqueArc_px));
+    const double angle = std::min(size * scene_.arrow_A_per_N / (r * r), kMaxTorqueArc_rad);
+    if (angle * r < 0.3 * head) return;
+    // The arc's middle is where it is nearest to the eye.
+    Vec3 front = toEye(middle);
+    front -= axis * glm::dot(front, axis);
+    const Vec3 u = glm::length(front) > 1e-3 ? glm::normalize(front) : anyNormal(axis), v = glm::cross(axis, u);
+    const auto at = [&](double t) { return middle + r * (std::cos(t) * u + std::sin(t) * v); };
+    const std::uint32_t colour =
+        packColour(forceColour(scene_.theme, scene_.strongest_N > 0 ? size / (r * scene_.strongest_N) : 0.0));
+    const int pieces = std::max(2, int(std::ceil(angle / 0.12)));
+    for (int k = 0; k < pieces; ++k)
+      out_.cones.push_back({view(at(angle * (double(k) / pieces - 0.5))), view(at(angle * ((k + 1.0) / pieces - 0.5))),
+                            float(thick), float(thick), colour});
+    const Vec3 neck = at(0.5 * angle), along = std::cos(0.5 * angle) * v - std::sin(0.5 * angle) * u;
+    out_.cones.push_back({view(neck), view(neck + along * head), float(2.3 * thick), 0.0f, colour});
   }
 
   void hip() {
@@ -223,10 +316,8 @@ class Maker {
   // A ring around each atom that blocks the probe; not if the molecule must be felt without being seen.
   void touched(const MoleculeModel& model) {
     if (!touching_) return;
-    const std::vector<std::uint32_t>* hidden = scene_.look.hidden.get();
     for (const std::int32_t a : scene_.named_atoms.value_or(scene_.contact.atoms)) {
-      if (a < 0 || std::size_t(a) >= model.atoms()) continue;
-      if (hidden && std::binary_search(hidden->begin(), hidden->end(), std::uint32_t(a))) continue;
+      if (a < 0 || std::size_t(a) >= model.atoms() || isHidden(std::uint32_t(a))) continue;
       const Sphere b = model.atomSphere(std::uint32_t(a));
       const double ring = b.radius_A + 0.10;
       for (const Stroke& stroke : {Stroke{.colour = glm::vec3(0.0f), .alpha = 0.55f, .hidden = 0.3f, .width_px = 4.6f},
@@ -246,6 +337,22 @@ class Maker {
   }
 
  private:
+  bool isHidden(std::uint32_t atom) const {
+    const AtomList& hidden = scene_.look.hidden;
+    return hidden && std::binary_search(hidden->begin(), hidden->end(), atom);
+  }
+  // The load of an atom as a fraction of the greatest; 0: none.
+  static double loadOf(const std::vector<LoadedAtom>& loads, std::uint32_t atom) {
+    double own = 0.0, greatest = 0.0;
+    for (const LoadedAtom& one : loads) {
+      greatest = std::max(greatest, one.share);
+      if (one.atom == atom) own = one.share;
+    }
+    return greatest > 0.0 ? own / greatest : 0.0;
+  }
+  void glow(const Vec3& place, double radius_A, double load) {
+    shell(place, radius_A + kGlow_A * (0.4 + 0.6 * load), forceColour(scene_.theme, 1.0), float(0.15 + 0.4 * load));
+  }
   glm::vec3 view(const Vec3& p) const { return glm::vec3(scene_.camera.toView({p})); }
   Vec3 toEye(const Vec3& p) const { return glm::normalize(scene_.camera.eye().A - p); }
   // A size in angstroms of at least `min_px` pixels, so that it is visible in a large molecule.
@@ -346,13 +453,16 @@ void addGlyphs(const ViewScene& scene, const MoleculeModel* model, Glyphs& glyph
   }
   if (!make.hasHip()) return;
   if (model && scene.shown.has(ViewPart::Atoms)) make.touched(*model);
+  if (model && scene.shown.has(ViewPart::Atoms)) make.stoppers(*model);
   if (scene.shown.has(ViewPart::Probe) && !scene.body) make.probe();
   if (scene.shown.has(ViewPart::Probe) && scene.body && model) make.body(*model);
+  if (scene.shown.has(ViewPart::Probe) && scene.body && model) make.ghost(*model);
   if (scene.shown.has(ViewPart::Probe)) make.hand();
   if (model && scene.shown.has(ViewPart::Probe)) make.shadow();
   if (scene.shown.has(ViewPart::Hip)) make.hip();
   if (scene.shown.has(ViewPart::Scp)) make.scp();
   if (scene.shown.has(ViewPart::Force)) make.force();
+  if (scene.shown.has(ViewPart::Force)) make.torque();
 }
 
 }  // namespace moltact

@@ -87,6 +87,13 @@ struct AtomsLook {
   friend bool operator==(const AtomsLook&, const AtomsLook&) = default;
 };
 
+/// An atom with its share of a contact's force.
+struct LoadedAtom {
+  std::uint32_t atom = 0;
+  double share = 1.0;  ///< of the sum of all sizes, 0 to 1
+  friend bool operator==(const LoadedAtom&, const LoadedAtom&) = default;
+};
+
 struct ViewScene {
   std::shared_ptr<const Molecule> molecule;  ///< may be null: only the background and the glyphs are drawn
   Camera camera;
@@ -105,11 +112,17 @@ struct ViewScene {
   Vec3 field_direction{0.0};
   double strongest_N = 3.0;  ///< the force drawn as the strongest
   double probe_A = kWaterProbe_A;
-  std::shared_ptr<const HeldBody> body;     ///< drawn instead of the probe; null: the probe
-  std::optional<PointA> body_place;         ///< position of its middle; empty: at the SCP
-  Quat body_orientation = kNoRotation;      ///< relative to the molecule
-  std::vector<std::uint32_t> body_stopped;  ///< highlighted atoms of the body, by index: those stopped by the scene
-  bool water = true;  ///< a probe of water's size is drawn as a water molecule; false: as a sphere
+  std::shared_ptr<const HeldBody> body;  ///< drawn instead of the probe; null: the probe
+  std::optional<PointA> body_place;      ///< position of its middle; empty: at the SCP
+  Quat body_orientation = kNoRotation;   ///< relative to the molecule
+  /// The hand's orientation where a body is held: an outline shows the body at the hand's pose where the two differ
+  /// visibly. Empty: no outline.
+  std::optional<Quat> hand_orientation;
+  std::vector<LoadedAtom>
+      body_stopped;                    ///< atoms of the body that the scene stops, by index within the body, ascending
+  std::vector<LoadedAtom> stopped_by;  ///< atoms of the molecule that stop the body; they glow
+  Vec3 torque_N_A{0.0};                ///< of a body on the hand, about the body's middle, in the molecule's axes
+  bool water = true;                   ///< a probe of water's size is drawn as a water molecule; false: as a sphere
   /// The model of a hand, with its origin at the HIP and +y toward the user's hand; may be null.
   std::shared_ptr<const SolidModel> hand;
   bool left_hand = false;      ///< the hand comes from the left (default: from the right)

@@ -1,6 +1,7 @@
 // Extends the reach beyond the device's workspace in two ways. While the clutch button is held, the probe stays and the
-// hand moves back (indexing). When the hand is at the edge of its workspace, the probe drifts outward slowly (rate
-// control). Haptic thread. Units: millimetre, second.
+// hand moves and turns back (indexing), so that a body can be turned farther than a wrist turns. When the hand is at the
+// edge of its workspace, the probe drifts outward slowly (rate control). Haptic thread. Units: millimetre, second. Quat
+// is constructed as (w, x, y, z).
 #pragma once
 
 #include <algorithm>
@@ -24,7 +25,10 @@ class Clutch {
   /// drift.
   static constexpr double kStill_mm = 0.2, kLetGo_s = 1.5;
 
+  /// The hand continues from its position; its orientation keeps what earlier grips have added.
   void restart() noexcept { offset_mm_ = Vec3(0.0), held_ = false; }
+  /// Also forgets the orientation's grips: for another device, or a hand that was lost.
+  void forget() noexcept { restart(), turned_ = kNoRotation; }
 
   /// Returns the probe's position for a pose, in the device's space; it may lie outside the workspace. Non-finite
   /// positions pass unchanged. `push` is the direction of the surface's force in the last tick (unit length, or zero):
@@ -35,6 +39,7 @@ class Clutch {
     if (!finite(now)) return pose.position;
     const bool holds = pose.buttons & settings.buttons;
     if (holds && held_) offset_mm_ += last_mm_ - now;
+    regrip(pose.orientation, holds && held_);
     held_ = holds;
     last_mm_ = now;
     const bool moves = glm::distance(now, rest_mm_) > kStill_mm;
@@ -45,6 +50,13 @@ class Clutch {
       offset_mm_ += onward - push * std::min(0.0, glm::dot(onward, push));
     }
     return {now + offset_mm_};
+  }
+
+  /// The orientation after place() of the same pose: that of the stylus times the grips' offset. A rotation of the
+  /// stylus about the device's axes is one of the hand about the same axes. An orientation that is no rotation passes
+  /// unchanged, and without a grip every orientation does, to the last bit.
+  Quat orient(const Quat& stylus) const noexcept {
+    return turned_ == kNoRotation || !rotates(stylus) ? stylus : glm::normalize(stylus * turned_);
   }
 
   /// True while the hand moves without the probe. There must then be no force, which would push the free hand.
@@ -62,7 +74,15 @@ class Clutch {
     return out;
   }
 
+  // With q turned_ = q_last turned_last the hand's orientation stays while the stylus turns from q_last to q.
+  void regrip(const Quat& stylus, bool holds) noexcept {
+    if (!rotates(stylus)) return;
+    if (holds && stylus != last_stylus_) turned_ = glm::normalize(glm::conjugate(stylus) * last_stylus_ * turned_);
+    last_stylus_ = stylus;
+  }
+
   Vec3 offset_mm_{0.0}, last_mm_{0.0}, rest_mm_{0.0};
+  Quat turned_ = kNoRotation, last_stylus_ = kNoRotation;
   double still_s_ = 0.0;
   bool held_ = false;
 };

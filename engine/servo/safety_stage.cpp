@@ -39,6 +39,7 @@ void SafetyStage::setDevice(const DeviceSpecs& device) noexcept {
   resolution_m_ = 1e-3 * usable(device.resolution_mm);
   device_delay_s_ = usable(device.delay_s);
   peak_torque_N_mm_ = device.dof_out >= 6 ? usable(device.max_torque_N_mm) : 0.0;
+  rotational_damping_N_mm_s_ = usable(device.rotational_damping_N_mm_s);
   closes_loop_ = device.gives_force;
   max_speed_m_per_s_ = within(safety::kMaxSpeed_m_per_s, device.speed_limit_m_per_s);
   rise_N_per_s_ = within(safety::kSlew_N_per_s, device.slew_limit_N_per_s);
@@ -131,10 +132,14 @@ double SafetyStage::stiffnessBound_N_per_mm() const noexcept {
 // The contact keeps the rest of the bound, so that its wall remains a wall in a stiff field.
 double SafetyStage::maxField_N_per_mm() const noexcept { return safety::kFieldShare * stiffnessBound_N_per_mm(); }
 
-// The stiffness at the end of the lever on which the peak force gives the peak torque.
+// The stiffness at the end of the lever on which the peak force gives the peak torque. A known rotational damping b_r
+// bounds it further, by the condition of Colgate & Schenkel for a rotation; the hand is counted as no damping there.
 double SafetyStage::rotationalBound_N_mm() const noexcept {
   const double lever_mm = peak_N_ > 0.0 ? peak_torque_N_mm_ / peak_N_ : 0.0;
-  return stiffnessBound_N_per_mm() * lever_mm * lever_mm;
+  const double bound = stiffnessBound_N_per_mm() * lever_mm * lever_mm;
+  if (!closes_loop_ || rotational_damping_N_mm_s_ == 0.0) return bound;
+  return std::min(bound,
+                  safety::kStiffnessMargin * rotational_damping_N_mm_s_ / (kTick_s / 2 + device_delay_s_ + delay_s_));
 }
 
 // The stiffness bound of each spring with a field or a driven torque; sets the field's share.

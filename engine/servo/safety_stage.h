@@ -98,8 +98,9 @@ class SafetyStage {
   LimitFlags acted() const noexcept { return acted_; }            ///< limits that acted in this tick
   double debt_J() const noexcept { return passivity_.debt_J(); }  ///< generated energy that is not dissipated yet
   double stiffnessBound_N_per_mm() const noexcept;                ///< with the recently measured delay
-  /// The bound of the rotational stiffness that a driven torque shows (unit: N mm per radian): the damping is taken at
-  /// the lever on which the peak force gives the peak torque. 0: not known, because the device drives no torque.
+  /// The bound of the rotational stiffness that a driven torque shows (unit: N mm per radian): that of the stiffness at
+  /// the end of the lever on which the peak force gives the peak torque, and of the device's rotational damping where it
+  /// is known. 0: not known, because the device drives no torque.
   double rotationalBound_N_mm() const noexcept;
   double heat() const noexcept { return heat_.used(continuous_N_); }  ///< 0 cold, 1 maximum temperature
 
@@ -121,7 +122,8 @@ class SafetyStage {
   // The device's figures.
   double peak_N_ = 0, continuous_N_ = 0, max_stiffness_ = 0, max_damping_ = 0, damping_ = 0, friction_N_ = 0;
   double resolution_m_ = 0, device_delay_s_ = 0, max_speed_m_per_s_ = 0, rise_N_per_s_ = 0;
-  double peak_torque_N_mm_ = 0;  // 0: no torque
+  double peak_torque_N_mm_ = 0;           // 0: no torque
+  double rotational_damping_N_mm_s_ = 0;  // 0: not known
   bool closes_loop_ = false;
 
   // State of the hand.

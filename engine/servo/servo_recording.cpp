@@ -17,7 +17,7 @@
 namespace moltact {
 namespace {
 
-static_assert(sizeof(ServoSettings) == 152 && sizeof(DevicePose) == 80 && sizeof(DeviceSpecs) == 128 &&
+static_assert(sizeof(ServoSettings) == 152 && sizeof(DevicePose) == 80 && sizeof(DeviceSpecs) == 136 &&
                   sizeof(TickTime) == 16,
               "a field more is to be recorded below, or a replay is not the same");
 
@@ -31,7 +31,8 @@ constexpr std::size_t kMinTickBytes = 81;  // size of a tick without settings an
 constexpr std::size_t kMaxBytes = std::size_t{1} << 30;
 constexpr std::uint8_t kSettings = 1, kFresh = 2, kConnected = 4, kOtherDevice = 8, kFaultFlag = 16, kFallenBack = 32,
                        kOriented = 64, kSpheresMoved = 128;
-constexpr std::uint8_t kBodyPose = 1, kNotAtRest = 2;  // of an oriented tick
+constexpr std::uint8_t kBodyPose = 1, kNotAtRest = 2;            // of an oriented tick
+constexpr std::uint8_t kGivesForce = 1, kRotationalDamping = 2;  // of a device; files of earlier builds have the first
 
 // Identifies the build: identical forces require the same members of the state and the same compiler.
 std::string buildName() { return std::to_string(sizeof(ServoStep)) + ' ' + __VERSION__; }
@@ -205,8 +206,9 @@ bool readTick(Getter& get, ServoSettings& settings, RecordedTick& tick, const Ve
     figuresFields(get, tick.device);
     if (version.orientations) get(tick.device.max_torque_N_mm);
     get(gives);
-    tick.device.gives_force = gives;
-    get.ok = get.ok && gives <= 1;
+    tick.device.gives_force = gives & kGivesForce;
+    if (gives & kRotationalDamping) get(tick.device.rotational_damping_N_mm_s);
+    get.ok = get.ok && !(gives & ~(kGivesForce | kRotationalDamping));
   }
   tickFields(get, tick);
   if (version.orientations && flags & kOriented) orientationFields(get, tick.pose.orientation);
@@ -263,7 +265,9 @@ std::optional<Problem> ServoRecordingWriter::add(const RecordedTick& tick) {
     device_ = tick.device;
     figuresFields(put, tick.device);
     put(tick.device.max_torque_N_mm);
-    put(std::uint8_t(tick.device.gives_force));
+    const bool damping = tick.device.rotational_damping_N_mm_s != 0.0;
+    put(std::uint8_t((tick.device.gives_force ? kGivesForce : 0) | (damping ? kRotationalDamping : 0)));
+    if (damping) put(tick.device.rotational_damping_N_mm_s);
   }
   tickFields(put, tick);
   if (oriented) orientationFields(put, pose.orientation);

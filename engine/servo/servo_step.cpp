@@ -56,11 +56,13 @@ ServoSample ServoStep::tick(const ServoSettings& settings, Interaction* interact
   out.time_s = double(out.tick) * kTick_s;
   const bool lost = guarded_ && safety_.beginTick(pose, time);
   // A hand that was placed elsewhere or jumped restarts from its position.
-  if (lost || settings.discontinuities != discontinuities_ || pose.discontinuities != hand_discontinuities_)
+  if (lost || pose.discontinuities != hand_discontinuities_)
+    clutch_.forget();
+  else if (settings.discontinuities != discontinuities_)
     clutch_.restart();
   out.hand = clutch_.place(pose, settings.clutch, workspace_mm_, push_, kTick_s);
   out.buttons = pose.buttons;
-  const PoseA at = settings.workspace.toMolecule(out.hand, pose.orientation);
+  const PoseA at = settings.workspace.toMolecule(out.hand, clutch_.orient(pose.orientation));
   out.hip = at.place;
   out.orientation = at.orientation;
   out.has_interaction = interaction != nullptr;

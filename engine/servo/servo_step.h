@@ -2,6 +2,7 @@
 // lock, allocation, exception, log or system call.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -97,6 +98,13 @@ struct ServoSample {
     return Response{.contact = contact, .torque_A2 = torque_A2, .stiffness_factor = stiffness_factor, .field = field}
         .total(spring_N_per_A, field_share);
   }
+  /// The torque to show beside `force`: that of wanted(), reduced by limits as the force is (unit: N A, in the molecule's
+  /// axes). Where no force but a torque is wanted, it counts as given in whole.
+  Vec3 shownTorque_N_A() const {
+    const FeltForce all = wanted();
+    const double size = glm::length(all.force_N);
+    return all.torque_N_A * (size > 1e-9 ? std::min(1.0, glm::length(force.N) / size) : 1.0);
+  }
   /// The direction of the force in the molecule's space, of arbitrary length. Zero without a force.
   Vec3 forceDirection() const { return field ? wanted().force_N : contact.displacement_A; }
   /// The point at which the force is drawn.
@@ -121,7 +129,7 @@ class ServoStep {
   /// Switches to another device: its figures apply, the contact is discarded, and the force starts softly.
   void setDevice(const DeviceSpecs& device) noexcept {
     safety_.setDevice(device);
-    clutch_.restart();
+    clutch_.forget();
     workspace_mm_ = device.workspace_mm;
     other_device_ = true;
   }

@@ -12,7 +12,7 @@ namespace moltact {
 
 static_assert(sizeof(void*) != 8 ||  // the layout differs on other machines; the names are the same
                   (sizeof(HandSpeed) == 312 && sizeof(PassivityControl) == 12304 && sizeof(ThermalModel) == 16 &&
-                   sizeof(Clutch) == 88 && sizeof(SafetyStage) == 13368 && sizeof(ServoStep) == 13616),
+                   sizeof(Clutch) == 152 && sizeof(SafetyStage) == 13376 && sizeof(ServoStep) == 13688),
               "a member more is to be named below, or a replay is not the same");
 
 // All members of a step's state with their names in files and ranges; a friend of the classes whose members they are.
@@ -80,6 +80,10 @@ struct StepState {
     vector(each, p, "offset_mm", s.offset_mm_), vector(each, p, "last_mm", s.last_mm_),
         vector(each, p, "rest_mm", s.rest_mm_);
     each(p, "still_s", s.still_s_, 0.0, kAny), each(p, "held", s.held_, false, true);
+    // Without a grip the stylus's last orientation matters only while the button is held. Recordings from before the
+    // clutch for orientation contain neither.
+    if (each.holds(p + "turned.w", s.turned_ != kNoRotation || s.last_stylus_ != kNoRotation))
+      quaternion(each, p, "turned", s.turned_), quaternion(each, p, "last_stylus", s.last_stylus_);
   }
 
   template <class Each>
@@ -92,6 +96,8 @@ struct StepState {
     each(p, "rise_N_per_s", s.rise_N_per_s_, 0.0, safety::kSlew_N_per_s),
         each(p, "closes_loop", s.closes_loop_, false, true);
     each(p, "peak_torque_N_mm", s.peak_torque_N_mm_, 0.0, kAny);
+    if (each.holds(p + "rotational_damping_N_mm_s", s.rotational_damping_N_mm_s_ != 0.0))
+      each(p, "rotational_damping_N_mm_s", s.rotational_damping_N_mm_s_, 0.0, kAny);
     of(each, p + "speed.", s.speed_), of(each, p + "turning.", s.angular_speed_);
     vector(each, p, "place_mm", s.place_mm_), vector(each, p, "moved_m", s.moved_m_);
     quaternion(each, p, "orientation", s.orientation_);

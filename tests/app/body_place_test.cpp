@@ -1,8 +1,8 @@
 // A held body beside its original place. Oracle: its own atoms in the molecule's file.
 #include "app/ui/scene/body_place.h"
 
+#include <algorithm>
 #include <cmath>
-#include <span>
 
 #include "tests/app/scripted_user_fixture.h"
 #include "tests/results/sample_attempt.h"
@@ -43,34 +43,47 @@ TEST_CASE("all 35 atoms of the drug are in place where it lay and 0.99 A beside 
   CHECK(bodyPlace(stage, heldAt(home_A, Quat(0, 1, 0, 0))).in_place == near);
 }
 
-TEST_CASE("atoms of a body that the hand presses into others are stopped; in its own place, and untouched, none is") {
+TEST_CASE(
+    "the stopped atoms of a body are those of its contacts: each touches an atom named beside it to 1e-6 A where the "
+    "body "
+    "rests, and the shares add up to 1 on either side") {
   const ScratchFolder scratch;
   auto d = drugInHand("", scratch);
-  const TouchableModel& stage = d->app().scene.stage();
-  CHECK(bodyPlace(stage, heldAt(stage.body->middle.A)).stopped.empty());
+  const HapticSession& scene = d->app().scene;
+  CHECK(scene.bodyContacts() == LoadedAtoms());
   d->point("view");
   d->press();
   d->frames(90);
-  REQUIRE(d->app().scene.log().touching());
-  const ServoSample now = d->app().scene.log().latest();
-  const BodyPlace place = bodyPlace(stage, now);
-  REQUIRE_FALSE(place.stopped.empty());
-  CHECK(place.stopped.size() < 35);
-  // Each of them, and no other, is inside an atom of the protein.
-  std::vector<std::uint32_t> inside;
-  const std::span<const Sphere> all = stage.spheres->spheres();
-  const std::vector<std::uint32_t> gone = stage.spheres->untouchable();
-  for (std::size_t k = 0; k < stage.body->spheres.size(); ++k) {
-    const Sphere& mine = stage.body->spheres[k];
-    const Vec3 at = now.hip.A + now.orientation * mine.centre_A;
-    for (std::size_t a = 0; a < all.size(); ++a) {
-      if (std::binary_search(gone.begin(), gone.end(), std::uint32_t(a))) continue;
-      if (glm::distance(at, all[a].centre_A) >= all[a].radius_A + mine.radius_A) continue;
-      inside.push_back(std::uint32_t(k));
-      break;
+  REQUIRE(scene.log().touching());
+  const LoadedAtoms& contacts = scene.bodyContacts();
+  CHECK(contacts.count >= 1);
+  CHECK(contacts.count <= 6);
+  const PoseA rest = scene.log().latest().shownBody();
+  const TouchableModel& stage = scene.stage();
+  double shares = 0.0;
+  for (const LoadedAtom& mine : contacts.body) {
+    const Sphere& sphere = stage.body->spheres[mine.atom];
+    double gap_A = 1e9;
+    for (const LoadedAtom& other : contacts.scene) {
+      const Sphere& b = (*stage.spheres)[other.atom];
+      gap_A = std::min(gap_A, glm::distance(rest.place.A + rest.orientation * sphere.centre_A, b.centre_A) -
+                                  sphere.radius_A - b.radius_A);
     }
+    CHECK(std::abs(gap_A) < 1e-6);
+    shares += mine.share;
   }
-  CHECK(place.stopped == inside);
+  CHECK(shares == doctest::Approx(1.0));
+  shares = 0.0;
+  for (const LoadedAtom& other : contacts.scene) shares += other.share;
+  CHECK(shares == doctest::Approx(1.0));
+  // Without reactions, as in a playback, the same atoms and perhaps others that are as near.
+  const LoadedAtoms near = bodyContacts(stage, scene.log().latest(), {});
+  CHECK(near.count == 0);
+  for (const LoadedAtom& mine : contacts.body)
+    CHECK(std::any_of(near.body.begin(), near.body.end(), [&](const LoadedAtom& n) { return n.atom == mine.atom; }));
+  d->release();
+  d->frames(60);
+  CHECK(scene.bodyContacts() == LoadedAtoms());
 }
 
 TEST_CASE("the number of atoms in place is shown if the scene marks the place of the held body, and only then") {

@@ -45,6 +45,10 @@ TEST_CASE("sphere, crease and pit are described with element, atom, residue and 
   CHECK(contactText(&m, on(Feature::Circle, {2, 3, -1}), 3.0, false) ==
         "touching: oxygen O of Asp 52, crease with nitrogen N of Tyr 53, force is off");
   CHECK(contactText(&m, {}, 0) == "not touching");
+  // A body's contacts form no crease and no pit.
+  CHECK(contactText(&m, on(Feature::Circle, {2, 3, -1}), 3.0, true, true).find("crease") == std::string::npos);
+  CHECK(touchedText(m, on(Feature::Circle, {1, 2, -1}), true) == "carbon C of Asp 52 and its oxygen O");
+  CHECK(touchedText(m, on(Feature::Point, {0, 1, 2}), true) == "carbon CA of Asp 52, its carbon C and oxygen O");
   CHECK(contactText(nullptr, {}, 0) == "no molecule");
 }
 

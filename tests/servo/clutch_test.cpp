@@ -64,6 +64,67 @@ TEST_CASE(
 }
 
 TEST_CASE(
+    "clutch: while it is held no motion of the wrist turns the hand, and let go the wrist turns it on from there: four "
+    "grips of 60 degrees turn a body by 240") {
+  Clutch clutch;
+  const ClutchSettings settings{.buttons = 2};
+  const Vec3 axis = glm::normalize(Vec3(1, 2, -0.5));
+  const auto at = [&](const Quat& stylus, std::uint32_t buttons) {
+    DevicePose pose;
+    pose.orientation = stylus;
+    pose.buttons = buttons;
+    clutch.place(pose, settings, Vec3(160), Vec3(0.0), 0.001);
+    return clutch.orient(stylus);
+  };
+  const double grip = kTwoPi / 6.0;
+  Quat last = at(kNoRotation, 0);
+  CHECK(last == kNoRotation);
+  for (int k = 0; k < 4; ++k) {
+    const Quat before = last;
+    for (int i = 1; i <= 20; ++i) {  // the wrist turns the hand about the same axis by as much
+      last = at(glm::angleAxis(grip * i / 20, axis), 0);
+      CHECK(glm::length(rotationBetween(before, last) - axis * (grip * i / 20)) < 1e-12);
+    }
+    for (int i = 0; i <= 20; ++i) {  // back, and astray about another axis meanwhile
+      const Quat astray = glm::angleAxis(0.7 * std::sin(kTwoPi * i / 20.0), Vec3(0, 0, 1));
+      const Quat held = at(astray * glm::angleAxis(grip * (20 - i) / 20, axis), 2);
+      CHECK(glm::length(rotationBetween(last, held)) < 1e-12);
+    }
+    const Quat after = at(kNoRotation, 0);  // no jump
+    CHECK(glm::length(rotationBetween(last, after)) < 1e-12);
+    last = after;
+  }
+  const Quat expected = glm::angleAxis(4 * grip, axis);
+  CHECK(std::abs(glm::dot(last, expected)) == doctest::Approx(1.0).epsilon(1e-12));
+  // A hand placed elsewhere keeps the grips; a device that was lost does not.
+  clutch.restart();
+  CHECK(glm::length(rotationBetween(last, at(kNoRotation, 0))) < 1e-12);
+  clutch.forget();
+  CHECK(at(kNoRotation, 0) == kNoRotation);
+}
+
+TEST_CASE(
+    "clutch: without a grip every orientation passes to the last bit, and one that is no rotation changes nothing") {
+  Clutch clutch;
+  const ClutchSettings settings{.buttons = 1};
+  const auto at = [&](const Quat& stylus, std::uint32_t buttons) {
+    DevicePose pose;
+    pose.orientation = stylus;
+    pose.buttons = buttons;
+    clutch.place(pose, settings, Vec3(160), Vec3(0.0), 0.001);
+    return clutch.orient(stylus);
+  };
+  const Quat odd = glm::normalize(Quat(0.3, -0.4, 0.1, 0.7));
+  CHECK(at(odd, 0) == odd);
+  const Quat none(0, 0, 0, 0);
+  CHECK(at(none, 1) == none);
+  at(odd, 1);
+  CHECK(glm::length(rotationBetween(odd, at(kNoRotation, 1))) < 1e-12);
+  CHECK(at(none, 1) == none);
+  CHECK(glm::length(rotationBetween(odd, at(kNoRotation, 0))) < 1e-12);
+}
+
+TEST_CASE(
     "edge: 5 mm from the edge of a room of 160 mm the probe continues by 10 mm a second, 20 mm from it not at all") {
   Clutch clutch;
   const ClutchSettings settings{.at_edge = true};

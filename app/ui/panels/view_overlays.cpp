@@ -104,7 +104,10 @@ void forceLabel(const Application& app, const ServoSample& now, ViewRoom& room) 
   const double arrow_A = pixel_A * double(l.px(kArrow_px_per_N) * saturateToFloat(force_N) + l.px(26));
   const Vec3 foot = app.scene.camera.project(now.forcePlace(), int(size.x), int(size.y));
   Vec3 at = app.scene.camera.project({now.forcePlace().A + lift * (arrow_A / depth_A)}, int(size.x), int(size.y));
-  const std::string text = quantityText(app.scene.log().shownForce_N(), Dimension::Force, decimals(1));
+  std::string text = quantityText(app.scene.log().shownForce_N(), Dimension::Force, decimals(1));
+  if (const std::size_t contacts = app.scene.bodyContacts().count;
+      contacts > 0 && app.extensions().reveal_policy.names(now.contact))
+    text += ", " + trnf("{0} contact", "{0} contacts", contacts, contacts);
   ImFont* font = l.font(Font::Small);
   const ImVec2 extent = font->CalcTextSizeA(font->FontSize, 1e9f, 0, text.c_str());
   const Vec3 aside(double(l.px(kBeside_px) + 0.5f * extent.x), 0.0, 0.0), upward(0.0, double(l.px(kBeside_px)), 0.0);
@@ -162,12 +165,11 @@ std::string inPlaceText(const Application& app) {
   const std::vector<std::uint32_t> marked = session->scene().highlight.select(*scene.stage().molecule);
   const std::vector<std::uint32_t>& held = scene.stage().body->atoms;
   if (!std::includes(marked.begin(), marked.end(), held.begin(), held.end())) return {};
-  const BodyPlace place =
-      bodyPlace(scene.stage(), scene.log().latest(), scene.servo().motionOf(scene.log().latest()).get());
+  const BodyPlace place = bodyPlace(scene.stage(), scene.log().latest());
   const std::string within = quantityText(kInPlace_A, Dimension::Length, decimals(0));
   std::string text = trf("{0} of {1} atoms in place, to {2}", place.in_place, place.atoms, within);
-  if (!place.stopped.empty())
-    text += "; " + trnf("{0} is stopped", "{0} are stopped", place.stopped.size(), place.stopped.size());
+  if (const std::size_t stopped = scene.bodyContacts().body.size(); stopped > 0)
+    text += "; " + trnf("{0} is stopped", "{0} are stopped", stopped, stopped);
   return text;
 }
 

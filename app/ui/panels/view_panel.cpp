@@ -11,7 +11,6 @@
 #include "app/ui/panels/method_chooser.h"
 #include "app/ui/panels/push_pads.h"
 #include "app/ui/panels/view_overlays.h"
-#include "app/ui/scene/body_place.h"
 #include "app/ui/scene/contact_text.h"
 #include "app/ui/scene/view_picture.h"
 #include "app/ui/widgets/controls.h"
@@ -169,7 +168,11 @@ ViewScene seenScene(const Application& app) {
       const PoseA shown = now.shownBody();
       scene.body_place = shown.place;
       scene.body_orientation = shown.orientation;
-      scene.body_stopped = bodyPlace(app.scene.stage(), now, app.scene.servo().motionOf(now).get()).stopped;
+      scene.hand_orientation = now.orientation;
+      const LoadedAtoms& contacts = app.scene.bodyContacts();
+      scene.body_stopped = contacts.body;
+      if (app.extensions().reveal_policy.names(now.contact)) scene.stopped_by = contacts.scene;
+      scene.torque_N_A = now.shownTorque_N_A();
     }
   }
   scene.water = app.settings.probe_look != ProbeLook::Sphere;

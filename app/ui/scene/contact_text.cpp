@@ -22,7 +22,7 @@ std::string atomText(const Molecule& molecule, std::size_t index, bool with_owne
   return trf("{0} of {1} (chain {2})", whole, words.residue, words.chain);
 }
 
-std::string touchedText(const Molecule& molecule, const Contact& contact) {
+std::string touchedText(const Molecule& molecule, const Contact& contact, bool body) {
   std::vector<std::size_t> atoms;
   for (const std::int32_t atom : contact.atoms)
     if (atom >= 0 && std::size_t(atom) < molecule.atoms.size()) atoms.push_back(std::size_t(atom));
@@ -42,21 +42,23 @@ std::string touchedText(const Molecule& molecule, const Contact& contact) {
     if (its && !said) one = trf("its {0}", one);
     others = k == 1 ? one : trf("{0} and {1}", others, one);
   }
+  if (body) return atoms.size() == 2 ? trf("{0} and {1}", first, others) : trcf("a list", "{0}, {1}", first, others);
   return contact.feature == Feature::Point ? trf("{0}, pit with {1}", first, others)
                                            : trf("{0}, crease with {1}", first, others);
 }
 
-std::string contactText(const Molecule* molecule, const Contact& contact, double force_N, bool force_on) {
+std::string contactText(const Molecule* molecule, const Contact& contact, double force_N, bool force_on, bool body) {
   if (!molecule) return tr("no molecule");
   if (contact.fault == Fault::StartedInside)
     return tr("You are inside the molecule: come out once to feel its surface");
   if (contact.fault == Fault::NotFinite) return tr("the device gives no sound position: no force");
   if (!contact.touching()) return tr("not touching");
-  return touchingText(touchedText(*molecule, contact), force_N, force_on);
+  return touchingText(touchedText(*molecule, contact, body), force_N, force_on);
 }
 
 std::string feltText(const Molecule* molecule, const ServoSample& now, double force_N, bool force_on) {
-  if (!molecule || now.contact.touching() || !now.felt()) return contactText(molecule, now.contact, force_N, force_on);
+  if (!molecule || now.contact.touching() || !now.felt())
+    return contactText(molecule, now.contact, force_N, force_on, now.holds_body);
   return trf("not touching, a force of {0}", quantityText(force_N, Dimension::Force, decimals(1)));
 }
 

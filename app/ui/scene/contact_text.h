@@ -12,7 +12,9 @@ namespace moltact {
 /// "touching: oxygen O of Asp 52, crease with its carbon C, 1.2 N"; "not touching"; or why there is no force. Names
 /// chains if the molecule has several. Ignores atom indices outside the molecule. If `force_on` is false, the text says
 /// that no force is applied instead of its magnitude.
-std::string contactText(const Molecule* molecule, const Contact& contact, double force_N, bool force_on = true);
+/// `body`: the hand holds a body, whose contacts form no crease and no pit.
+std::string contactText(const Molecule* molecule, const Contact& contact, double force_N, bool force_on = true,
+                        bool body = false);
 
 /// The same for a tick; also describes the force of a field without contact.
 std::string feltText(const Molecule* molecule, const ServoSample& now, double force_N, bool force_on = true);
@@ -31,7 +33,7 @@ std::string unnamedContactText(const Contact& contact, bool felt = false);
 std::string pushText(const Vec3& direction);
 
 /// The touched atoms without the force: "oxygen O of Asp 52, pit with its carbon C and nitrogen N of Tyr 53"; empty
-/// without contact.
-std::string touchedText(const Molecule& molecule, const Contact& contact);
+/// without contact. For a body the atoms that bear most of its force: "oxygen O of Asp 52 and nitrogen N of Tyr 53".
+std::string touchedText(const Molecule& molecule, const Contact& contact, bool body = false);
 
 }  // namespace moltact

@@ -267,6 +267,10 @@ FeltTicks HapticSession::advance(double dt_s, double now_s, bool timed) {
     watchLeftBehind(dt_s);
     retract(dt_s);
   }
+  servo_.loop().wantReactions(stage().body != nullptr && !played_);
+  const std::span<const AtomForce> reactions =
+      played_ || !stage().body ? std::span<const AtomForce>() : servo_.loop().reactions().forces();
+  body_contacts_ = moltact::bodyContacts(stage(), log_.latest(), reactions, servo_.motionOf(log_.latest()).get());
   log_.figureForce(now_s);
   // Independent of what is shown, because the settings contain the panic key.
   servo_.loop().setSettings(effectiveSettings(trying()));

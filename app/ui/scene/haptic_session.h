@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "app/ui/scene/atom_motion.h"
+#include "app/ui/scene/body_contacts.h"
 #include "app/ui/scene/force_trial.h"
 #include "app/ui/scene/method_watch.h"
 #include "app/ui/scene/played_hand.h"
@@ -59,6 +60,8 @@ class HapticSession {
   TouchSetup touch() const;
   const std::string& method() const { return made_with_.method; }
   const TouchLog& log() const { return log_; }
+  /// The contacts of the body in the hand at the last advance(); empty without a body.
+  const LoadedAtoms& bodyContacts() const { return body_contacts_; }
   const MethodWatch& watch() const { return watch_; }
 
   /// Shows another molecule in the view of a new scene.
@@ -150,6 +153,7 @@ class HapticSession {
   TouchSetup made_with_;  // properties that need no rebuild are only in servo_settings
   std::string wanted_interaction_ = made_with_.interaction;  // which the stage may not support yet, or no longer
   TouchLog log_;
+  LoadedAtoms body_contacts_;
   MethodWatch watch_;
   std::vector<FeltTick> felt_;
   PlayedHand played_;

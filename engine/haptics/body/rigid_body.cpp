@@ -91,8 +91,11 @@ Response RigidBody::respond(const PoseA& pose) noexcept {
 std::size_t RigidBody::reactions(const Response&, double spring_N_per_A, double field_share,
                                  std::span<AtomForce> out) const noexcept {
   std::size_t count = 0;
-  for (const Held& h : std::span(answers_).first(held_))
+  for (const Held& h : std::span(answers_).first(held_)) {
+    const std::size_t first = count;
     count += spheres_[h.sphere]->reactions(h.answer, spring_N_per_A, field_share, out.subspan(count));
+    for (std::size_t k = first; k < count; ++k) out[k].body_sphere = std::int32_t(h.sphere);
+  }
   return count;
 }
 
