@@ -10,6 +10,7 @@
 #include <set>
 
 #include "engine/core/random.h"
+#include "engine/haptics/interactions.h"
 #include "engine/haptics/methods.h"
 #include "engine/lesson/check.h"
 #include "engine/lesson/pose_search.h"
@@ -306,4 +307,36 @@ TEST_CASE(
   }
   CHECK(free > 50);
   CHECK(farthest_deg < 25.0);
+}
+
+TEST_CASE(
+    "a key that is led straight along its slot, held 25 degrees askew about any axis, 45 about the slot's, slides into "
+    "its lock; held 80 times as stiffly it stays 0.9 A and more outside") {
+  const moltact::test::ShippedScene s("key-and-lock");
+  const std::vector<std::uint32_t> key = s.select("chain B");
+  const auto body = heldBody(s.molecule->spheres, key);
+  const auto lock = std::make_shared<const SphereGrid>(s.molecule->spheres, key);
+  // The distance of the key from its place after the hand was led to 1 A behind it.
+  const auto led = [&](const Vec3& axis, double askew_deg, double rotational_N_A) {
+    InteractionInput input{lock, {}, body};
+    input.touch.interaction = "exact-body";
+    input.rotational_stiffness_N_A = rotational_N_A;
+    const auto felt = makeInteraction(input);
+    PoseA hand{body->middle, glm::angleAxis(glm::radians(askew_deg), axis)};
+    for (int k = 0; k <= 4400; ++k) {
+      hand.place.A.z = body->middle.A.z + std::max(-1.0, 20.0 - 21.0 * k / 4000.0);
+      const Response r = felt->respond(hand);
+      if (k == 4400) return glm::distance(r.shownBody(hand).place.A, body->middle.A);
+    }
+    return 0.0;
+  };
+  for (const Vec3& axis : {Vec3(1, 0, 0), Vec3(0, 1, 0), Vec3(0, 0, 1)})
+    for (const double side : {-1.0, 1.0}) {
+      CAPTURE(axis.x);
+      CAPTURE(axis.y);
+      CAPTURE(side);
+      CHECK(led(axis, side * 25.0, 0.0) < 0.6);
+      CHECK(led(axis, side * 25.0, 1000.0) > 0.9);
+    }
+  CHECK(led({0, 0, 1}, 45.0, 0.0) < 0.6);
 }
