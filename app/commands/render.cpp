@@ -38,7 +38,7 @@ constexpr double kRadian = std::numbers::pi / 180;
 
 struct RenderArguments {
   MoleculeArgument molecule;
-  std::string out, size = "1280x800", hip, show = "atoms,probe,force", theme = "dark", cut, zoom_to;
+  std::string out, size = "1280x800", hip, show = "atoms,probe,force", theme = "dark", cut, zoom_to, orientation;
   LookOptions look;
   SceneOptions says;
   bool legend = false;
@@ -70,6 +70,16 @@ std::optional<PointA> hipOf(const std::string& text) {
   return hip;
 }
 
+Quat orientationOf(const std::string& text) {
+  if (text.empty()) return kNoRotation;
+  Quat q;
+  char rest = 0;
+  if (std::sscanf(text.c_str(), "%lf,%lf,%lf,%lf%c", &q.w, &q.x, &q.y, &q.z, &rest) != 4 || !rotates(q))
+    throw CLI::ValidationError(
+        "--orientation", "'" + text + "' is not a quaternion; write w,x,y,z, as in 0.9239,0,0,0.3827 for 45 degrees");
+  return glm::normalize(q);
+}
+
 // What is felt where the hand is pushed to, and the reactions of the molecule's atoms.
 struct Pushed {
   Response response;
@@ -78,7 +88,7 @@ struct Pushed {
 
 // The hand approaches from outside along the line of sight, as a person in front of this picture would push.
 Pushed push(const std::shared_ptr<const Molecule>& molecule, const RenderArguments& arguments,
-            const std::shared_ptr<const HeldBody>& body, const Camera& camera, PointA hip) {
+            const std::shared_ptr<const HeldBody>& body, const Camera& camera, const PoseA& hand) {
   std::vector<std::uint32_t> not_felt = arguments.look.left_out.notFelt(*molecule);
   if (body) not_felt = atomsOfEither(not_felt, body->atoms);
   const auto scene = std::make_shared<const SphereGrid>(molecule->spheres, not_felt);
@@ -91,7 +101,8 @@ Pushed push(const std::shared_ptr<const Molecule>& molecule, const RenderArgumen
   const double step = std::max(0.02, reach / 200000);
   const long ticks = std::lround(std::ceil(reach / step));
   Pushed out;
-  for (long i = ticks; i >= 0; --i) out.response = felt->respond({{hip.A + from_hip * (step * double(i))}});
+  for (long i = ticks; i >= 0; --i)
+    out.response = felt->respond({{hand.place.A + from_hip * (step * double(i))}, hand.orientation});
   out.reactions.resize(felt->maxReactionCount());
   out.reactions.resize(felt->reactions(out.response, arguments.stiffness_N_per_A, 1.0, out.reactions));
   return out;
@@ -146,6 +157,7 @@ void render(const RenderArguments& arguments) {
   const auto [width, height] = sizeOf(arguments.size);
   ViewScene scene;
   scene.hip = hipOf(arguments.hip);
+  const Quat orientation = orientationOf(arguments.orientation);
   const auto shown = parseViewParts(arguments.show);
   if (!shown) throw CLI::ValidationError("--show", shown.problem().text());
   scene.shown = *shown;
@@ -186,9 +198,12 @@ void render(const RenderArguments& arguments) {
     scene.look.hidden = std::make_shared<const std::vector<std::uint32_t>>(
         scene.look.hidden ? atomsOfEither(*scene.look.hidden, held) : held);
   }
+  if (!arguments.orientation.empty() && !scene.body)
+    throw CLI::ValidationError("--orientation", "there is nothing in the hand to turn; add --in-hand");
   if (auto written = annotationsOf(spec, *scene.molecule)) scene.annotations.push_back(std::move(written));
   if (scene.hip) {
-    const auto [answer, reactions] = push(scene.molecule, arguments, scene.body, scene.camera, *scene.hip);
+    const auto [answer, reactions] =
+        push(scene.molecule, arguments, scene.body, scene.camera, {*scene.hip, orientation});
     const Vec3 force_N = answer.total(arguments.stiffness_N_per_A).force_N;
     scene.contact = answer.contact;
     if (answer.body_pose) {
@@ -196,7 +211,7 @@ void render(const RenderArguments& arguments) {
       scene.body_orientation = answer.body_pose->orientation;
     }
     if (scene.body) {
-      scene.hand_orientation = kNoRotation;
+      scene.hand_orientation = orientation;
       scene.torque_N_A = answer.total(arguments.stiffness_N_per_A).torque_N_A;
       const LoadedAtoms loads = loadedAtoms(reactions);
       scene.body_stopped = loads.body;
@@ -248,6 +263,8 @@ void addRender(CLI::App& app) {
   addProbeOption(*command, a.touch);
   command->add_option("--hip", a.hip,
                       "Position of the hand: x,y,z in angstroms; the hand approaches it along the line of sight");
+  command->add_option("--orientation", a.orientation,
+                      "With --in-hand, the hand's orientation relative to the file, as a quaternion: w,x,y,z");
   std::string shapes = "Parts of the picture, separated by commas; the groups are haptic, all and none:";
   for (const ViewPartInfo& s : viewParts()) shapes += "\n" + std::string(s.name) + ": " + std::string(s.sentence);
   command->add_option("--show", a.show, shapes)->capture_default_str();
