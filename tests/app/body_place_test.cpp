@@ -58,20 +58,27 @@ TEST_CASE(
   const LoadedAtoms& contacts = scene.bodyContacts();
   CHECK(contacts.count >= 1);
   CHECK(contacts.count <= 6);
-  const PoseA rest = scene.log().latest().shownBody();
   const TouchableModel& stage = scene.stage();
-  double shares = 0.0;
-  for (const LoadedAtom& mine : contacts.body) {
-    const Sphere& sphere = stage.body->spheres[mine.atom];
-    double gap_A = 1e9;
-    for (const LoadedAtom& other : contacts.scene) {
-      const Sphere& b = (*stage.spheres)[other.atom];
-      gap_A = std::min(gap_A, glm::distance(rest.place.A + rest.orientation * sphere.centre_A, b.centre_A) -
-                                  sphere.radius_A - b.radius_A);
+  const auto farthest_A = [&] {
+    const PoseA rest = scene.log().latest().shownBody();
+    double out = 0.0;
+    for (const LoadedAtom& mine : contacts.body) {
+      const Sphere& sphere = stage.body->spheres[mine.atom];
+      double gap_A = 1e9;
+      for (const LoadedAtom& other : contacts.scene) {
+        const Sphere& b = (*stage.spheres)[other.atom];
+        gap_A = std::min(gap_A, glm::distance(rest.place.A + rest.orientation * sphere.centre_A, b.centre_A) -
+                                    sphere.radius_A - b.radius_A);
+      }
+      out = std::max(out, std::abs(gap_A));
     }
-    CHECK(std::abs(gap_A) < 1e-6);
-    shares += mine.share;
-  }
+    return out;
+  };
+  // The reactions are those of the newest tick; while the body still moves, that of the log is an earlier one.
+  for (int k = 0; k < 300 && (contacts.body.empty() || farthest_A() >= 1e-6); ++k) d->frames(1);
+  CHECK(farthest_A() < 1e-6);
+  double shares = 0.0;
+  for (const LoadedAtom& mine : contacts.body) shares += mine.share;
   CHECK(shares == doctest::Approx(1.0));
   shares = 0.0;
   for (const LoadedAtom& other : contacts.scene) shares += other.share;

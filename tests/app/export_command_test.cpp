@@ -99,6 +99,7 @@ TEST_CASE("every key of a scene is an option of export, or has no meaning for a 
       {"show", "the probe, its force and the haptic surface are of the hand"},
       {"near", "there is no probe in it"},
       {"in-hand", "there is no hand in it"},
+      {"hand", "there is no hand in it"},
       {"panels", "there are none"},
       {"label", "the file holds no letters; the nodes of atoms bear their names"},
       {"arrow", "the file holds no letters"},

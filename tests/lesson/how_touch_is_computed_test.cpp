@@ -310,7 +310,8 @@ TEST_CASE(
 }
 
 TEST_CASE(
-    "a key that is led straight along its slot, held 25 degrees askew about each of three axes, 45 about the slot, slides into "
+    "a key that is led straight along its slot, held 25 degrees askew about each of three axes, 45 about the slot, "
+    "slides into "
     "its lock; held 80 times as stiffly it stays 0.9 A and more outside") {
   const moltact::test::ShippedScene s("key-and-lock");
   const std::vector<std::uint32_t> key = s.select("chain B");

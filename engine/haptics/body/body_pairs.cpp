@@ -1,6 +1,7 @@
 #include "engine/haptics/body/body_pairs.h"
 
 #include <cmath>
+#include <numeric>
 
 namespace moltact {
 namespace {
@@ -22,10 +23,12 @@ BodyPairs::BodyPairs(std::shared_ptr<const SphereGrid> scene, const HeldBody& bo
       near_(kMaxNear),
       near_from_(kMaxNear) {
   for (const Sphere& s : spheres_) reach_ = std::max(reach_, glm::length(s.centre_A));
-  if (!spheres_.empty()) makeTree(0, std::int32_t(spheres_.size()));
+  order_.resize(spheres_.size());
+  std::iota(order_.begin(), order_.end(), 0);
+  if (!spheres_.empty()) makeTree(body.spheres, 0, std::int32_t(spheres_.size()));
 }
 
-void BodyPairs::makeTree(std::int32_t begin, std::int32_t end) {
+void BodyPairs::makeTree(std::span<const Sphere> body, std::int32_t begin, std::int32_t end) {
   Vec3 low = spheres_[std::size_t(begin)].centre_A, high = low;
   for (std::int32_t k = begin; k < end; ++k) {
     low = glm::min(low, spheres_[std::size_t(k)].centre_A);
@@ -42,17 +45,19 @@ void BodyPairs::makeTree(std::int32_t begin, std::int32_t end) {
     const Vec3 side = high - low;
     const int axis = side.x >= side.y ? (side.x >= side.z ? 0 : 2) : (side.y >= side.z ? 1 : 2);
     const std::int32_t middle = begin + (end - begin) / 2;
-    std::nth_element(spheres_.begin() + begin, spheres_.begin() + middle, spheres_.begin() + end,
-                     [&](const Sphere& a, const Sphere& b) { return a.centre_A[axis] < b.centre_A[axis]; });
-    makeTree(begin, middle);
-    makeTree(middle, end);
+    const auto along = [&](std::int32_t k) { return body[std::size_t(k)].centre_A[axis]; };
+    std::nth_element(order_.begin() + begin, order_.begin() + middle, order_.begin() + end,
+                     [&](std::int32_t a, std::int32_t b) { return along(a) < along(b); });
+    for (std::int32_t k = begin; k < end; ++k) spheres_[std::size_t(k)] = body[std::size_t(order_[std::size_t(k)])];
+    makeTree(body, begin, middle);
+    makeTree(body, middle, end);
   }
   nodes_[at].next = std::int32_t(nodes_.size());
 }
 
 std::size_t BodyPairs::bytes() const noexcept {
-  return spheres_.capacity() * sizeof(Sphere) + nodes_.capacity() * sizeof(Node) +
-         (far_.capacity() + near_.capacity()) * sizeof(BodyPair);
+  return spheres_.capacity() * sizeof(Sphere) + order_.capacity() * sizeof(std::int32_t) +
+         nodes_.capacity() * sizeof(Node) + (far_.capacity() + near_.capacity()) * sizeof(BodyPair);
 }
 
 void BodyPairs::setMotion(const SphereMotion* motion) noexcept {

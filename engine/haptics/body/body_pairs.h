@@ -55,6 +55,8 @@ class BodyPairs {
   const Vec3& origin() const noexcept { return origin_; }
   /// Spheres of the body relative to its middle, in the order of the pairs' indices.
   std::span<const Sphere> spheres() const noexcept { return spheres_; }
+  /// The index in HeldBody::spheres of a pair's sphere.
+  std::int32_t indexInBody(std::int32_t sphere) const noexcept { return order_[std::size_t(sphere)]; }
   double reach_A() const noexcept { return reach_; }  ///< largest distance of a sphere's centre from the middle
 
   /// Brings the lists up to date for a pose.
@@ -100,7 +102,7 @@ class BodyPairs {
   }
   double sceneMotion_A(double since) const noexcept { return std::abs(fraction_ - since) * maxMotion_A(); }
   double nodeClearance_A(Node& node, const Vec3& centre, double range) noexcept;
-  void makeTree(std::int32_t begin, std::int32_t end);
+  void makeTree(std::span<const Sphere> body, std::int32_t begin, std::int32_t end);
   bool gatherFar(const BodyPose& pose, double range) noexcept;
   bool gatherNear(const BodyPose& pose, double range) noexcept;
   void refresh() noexcept;
@@ -108,6 +110,7 @@ class BodyPairs {
   std::shared_ptr<const SphereGrid> scene_;
   Vec3 origin_;
   std::vector<Sphere> spheres_;
+  std::vector<std::int32_t> order_;   // of spheres_: their indices in the body
   double reach_ = 0.0, bound_ = 0.0;  // of the centres; of the whole body
   std::vector<Node> nodes_;           // in preorder
 

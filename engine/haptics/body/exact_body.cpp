@@ -180,7 +180,7 @@ std::size_t ExactBody::reactions(const Response& last, double spring_N_per_A, do
   for (std::size_t k = 0; k < count; ++k) {
     const double part = sum > 0.0 ? held_[k].lambda / sum : 1.0 / double(count);
     out[k] = {held_[k].atom, -spring_N_per_A * (normals_[std::size_t(held_[k].row)] * held_[k].lambda + rest * part),
-              held_[k].sphere};
+              pairs_.indexInBody(held_[k].sphere)};
   }
   return count;
 }
