@@ -61,7 +61,7 @@ TEST_CASE("Tab visits every control of each page, and Enter presses the one that
     d->tap(keys);
     d->frames(3);
     std::set<std::string> seen;
-    for (int k = 0; k < 80; ++k) {
+    for (int k = 0; k < 120; ++k) {
       d->tap("Tab");
       d->frames(2);
       seen.insert(controlOfKeys());
@@ -74,7 +74,7 @@ TEST_CASE("Tab visits every control of each page, and Enter presses the one that
     for (const std::string& name : seen)
       if (name.ends_with("/close")) close = name;
     REQUIRE_FALSE(close.empty());
-    for (int k = 0; k < 80 && controlOfKeys() != close; ++k) d->tap("Tab"), d->frames(1);
+    for (int k = 0; k < 120 && controlOfKeys() != close; ++k) d->tap("Tab"), d->frames(1);
     d->tap("Enter");
     d->frames(3);
     CHECK_FALSE(d->shows(close));
