@@ -163,17 +163,14 @@ std::vector<StabilityResult> measureStability(const StabilityOptions& options, c
   if (drawn.empty()) return {};
   const std::size_t scenes = drawn.front().size(), methods = options.methods.size();
   std::vector<StabilityResult> out(scenes * methods * options.draws);
-  inManyThreads(
-      out.size(),
-      [&](std::size_t k) {
-        const std::size_t draw = k % options.draws, method = k / options.draws % methods,
-                          scene = k / options.draws / methods;
+  inScenesAndDraws(
+      scenes, methods, options.draws,
+      [&](std::size_t scene, std::size_t method, std::size_t draw, std::size_t k) {
         out[k] = runScene(drawn[draw][scene], *options.methods[method], options.loop, options.limits);
         out[k].draw = draw;
       },
-      [&](std::size_t done) {
-        const std::size_t scene = std::min(done, out.size() - 1) / options.draws / methods;
-        if (progress) progress(double(done) / double(out.size()), drawn.front()[scene].name);
+      [&](double share, std::size_t scene) {
+        if (progress) progress(share, drawn.front()[scene].name);
       });
   return out;
 }

@@ -45,8 +45,7 @@ TEST_CASE("all 35 atoms of the drug are in place where it lay and 0.99 A beside 
 
 TEST_CASE(
     "the stopped atoms of a body are those of its contacts: each touches an atom named beside it to 1e-6 A where the "
-    "body "
-    "rests, and the shares add up to 1 on either side") {
+    "body rests, and the shares add up to 1 on either side") {
   const ScratchFolder scratch;
   auto d = drugInHand("", scratch);
   const HapticSession& scene = d->app().scene;

@@ -60,4 +60,27 @@ Difference compare(const Picture& a, const Picture& b, int level) {
   return d;
 }
 
+ViewScene rodInHand() {
+  ViewScene scene;
+  scene.molecule = molecule({atom(Vec3(0, -1.7, 0), 1.6, 18), atom(Vec3(-2, 6, 0), 1.4, 8), atom(Vec3(0, 6, 0), 1.4, 8),
+                             atom(Vec3(2, 6, 0), 1.4, 8)});
+  const std::uint32_t held[] = {1, 2, 3};
+  scene.body = heldBody(scene.molecule->spheres, held);
+  scene.look.hidden = std::make_shared<const std::vector<std::uint32_t>>(std::vector<std::uint32_t>{1, 2, 3});
+  scene.camera = frontCamera(22);
+  scene.contact.scp.A = Vec3(0.6, 1, 0);
+  scene.contact.feature = Feature::Sphere;
+  scene.contact.atoms = {0, -1, -1};
+  scene.hip = PointA{Vec3(0.6, -1, 0)};
+  stretchToScp(scene.contact, *scene.hip);
+  scene.body_place = scene.contact.scp;
+  scene.hand_orientation = glm::angleAxis(0.5, Vec3(0, 0, 1));
+  scene.body_stopped = {{1, 1.0}};
+  scene.stopped_by = {{0, 1.0}};
+  scene.force_N = 1.0;
+  scene.torque_N_A = Vec3(0, 0, -1.5);
+  scene.shown = {ViewPart::Atoms, ViewPart::Probe, ViewPart::Force};
+  return scene;
+}
+
 }  // namespace moltact::test

@@ -30,4 +30,7 @@ struct Difference {
 };
 Difference compare(const Picture& a, const Picture& b, int level);
 
+/// A rod of three atoms in the hand, the hand below it and turned by 0.5 rad about the line of sight.
+ViewScene rodInHand();
+
 }  // namespace moltact::test

@@ -127,18 +127,16 @@ std::vector<BodyResult> measureBodyMatrix(const BodyMatrixOptions& options, cons
   std::vector<std::vector<BodyScene>> drawn;
   for (std::size_t draw = 0; draw < options.draws; ++draw) drawn.push_back(drawnBodyScenes(options.seed, draw));
   if (drawn.empty()) return {};
-  const std::size_t methods = options.methods.size();
-  std::vector<BodyResult> out(drawn.front().size() * methods * options.draws);
-  inManyThreads(
-      out.size(),
-      [&](std::size_t k) {
-        const std::size_t draw = k % options.draws;
-        out[k] = runBodyScene(drawn[draw][k / options.draws / methods], *options.methods[k / options.draws % methods]);
+  const std::size_t scenes = drawn.front().size(), methods = options.methods.size();
+  std::vector<BodyResult> out(scenes * methods * options.draws);
+  inScenesAndDraws(
+      scenes, methods, options.draws,
+      [&](std::size_t scene, std::size_t method, std::size_t draw, std::size_t k) {
+        out[k] = runBodyScene(drawn[draw][scene], *options.methods[method]);
         out[k].draw = draw;
       },
-      [&](std::size_t done) {
-        const std::size_t scene = std::min(done, out.size() - 1) / options.draws / methods;
-        if (progress) progress(double(done) / double(out.size()), drawn.front()[scene].name);
+      [&](double share, std::size_t scene) {
+        if (progress) progress(share, drawn.front()[scene].name);
       });
   return out;
 }

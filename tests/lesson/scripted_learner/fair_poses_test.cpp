@@ -30,8 +30,7 @@ bool passes(const Found& f, const auto& plan) {
 
 TEST_CASE(
     "a body that is put down in its place, led straight in from any of 12 sides in another orientation, or jabbed at "
-    "it "
-    "for 0.3 s solves no 'dock' and no 'contacts' of the lessons") {
+    "it for 0.3 s solves no 'dock' and no 'contacts' of the lessons") {
   std::vector<Found> found = tasksOfKind("dock");
   REQUIRE(found.size() >= 3);
   const std::vector<Found> presses = tasksOfKind("contacts");
