@@ -249,8 +249,8 @@ bool Renderer::Impl::drawScene(const ViewScene& scene, int width_px, int height_
   if (model) addHapticShapes(scene, *model, glyphs.strokes, dots);
   PixelBoxBuilder around(projection);
   glyphs.addTo(around);
-  for (const auto* spheres : {&dots, &near})
-    for (const LooseSphere& s : *spheres) around.add(s.centre, s.radius);
+  for (const auto* list : {&dots, &near})
+    for (const LooseSphere& s : *list) around.add(s.centre, s.radius);
   const PixelBox box = around.box(4 + int(8.0f * line_scale)), changed = glyph_box.joined(box);
   glyph_box = box;
   if (!box.empty()) {
