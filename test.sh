@@ -35,5 +35,5 @@ for preset in "${@:-release}"; do
     continue
   fi
   build_preset "$preset"
-  ctest --preset "$preset"
+  ctest --preset "$preset" -j "$(nproc)"
 done

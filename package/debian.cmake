@@ -34,7 +34,7 @@ function(moltact_package_documents component package)
   file(CONFIGURE OUTPUT ${package}/overrides @ONLY CONTENT "# The maker of a package sets an address with -DMOLTACT_MAINTAINER.
 ${package}: bogus-mail-host *
 ${package}: bogus-mail-host-in-debian-changelog *
-${package_overrides}")
+")
   set(package_name ${package})
   configure_file(linux/changelog.in ${package}/changelog.Debian @ONLY)
   add_custom_command(OUTPUT ${made}/${package}/changelog.Debian.gz
@@ -49,9 +49,6 @@ ${package_overrides}")
 endfunction()
 moltact_package_documents(development libmoltact-dev CMakeLists.txt add_a_method.cpp feel_a_path.cpp time_a_method.cpp)
 if(TARGET moltact_python)
-  set(package_overrides "# A record name in PDB files.
-python3-moltact: spelling-error-in-binary CONECT CONNECT *
-")
   moltact_package_documents(python python3-moltact feel_a_groove.py)
 endif()
 

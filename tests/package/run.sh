@@ -36,7 +36,15 @@ step() { echo "-- $*"; }
 
 step "what Debian's checkers say"
 # All kinds except the experimental ones; package/linux/lintian-overrides lists accepted ones with their reasons.
-lintian --fail-on error,warning,info,pedantic --display-info --pedantic --tag-display-limit 0 $package $python $library
+# Words in the binaries are left out: a compiler or linker stores sentences in pieces, whose neighbours make accidental words.
+lintian --fail-on error,warning,info,pedantic --display-info --pedantic --tag-display-limit 0 \
+  --suppress-tags spelling-error-in-binary $package $python $library
+
+step "the spelling of pages, lessons and messages"
+project=$here/../..
+spellintian "$project"/*.md "$project"/docs/*.md $(find "$project/lessons" -name '*.md' ! -name '*.de.md') "$project/assets/translations/moltact.pot" |
+  grep -v '(duplicate word)' >"$work/spelling" || true
+[ ! -s "$work/spelling" ] || fail "$(cat "$work/spelling")"
 
 step "under a prefix of its own"
 dpkg -x "$package" "$work/apart"
