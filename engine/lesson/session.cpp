@@ -72,7 +72,7 @@ LessonSession::LessonSession(std::shared_ptr<const Lesson> lesson) : lesson_(std
 
 void LessonSession::enter(std::size_t step) {
   if (step != step_)
-    for (QuestionStatus& q : state().questions) q.gone = true;
+    for (QuestionStatus& q : state().questions) q.left_since_answer = true;
   // Another molecule is being read; the tasks wait for it.
   if (step != step_ && lesson_->steps[step].scene.molecule != scene().molecule) molecule_ = nullptr;
   step_ = step;
@@ -86,7 +86,8 @@ void LessonSession::enter(std::size_t step) {
 
 void LessonSession::meet(std::size_t step) {
   states_[step].seen = true;
-  if (std::find(met_.begin(), met_.end(), step) == met_.end()) met_.push_back(step);
+  if (std::find(visited_steps_.begin(), visited_steps_.end(), step) == visited_steps_.end())
+    visited_steps_.push_back(step);
 }
 
 void LessonSession::makeTasks() {
@@ -264,7 +265,7 @@ bool LessonSession::takesAnswer(std::size_t question) const {
   if (step().questions[question].prediction) return !feedbackVisible(question);
   const QuestionStatus& status = this->question(question);
   const auto leads = leadsTo(question);
-  return !status.done() && !(leads && !status.gone && status.attempts > 0);
+  return !status.done() && !(leads && !status.left_since_answer && status.attempts > 0);
 }
 
 std::optional<int> LessonSession::triesLeft(std::size_t question) const {
@@ -283,7 +284,7 @@ void LessonSession::record(std::size_t question, bool right) {
   status.last_right = right;
   status.answered_right = status.answered_right || right || step().questions[question].prediction;
   status.again.clear();
-  status.gone = false;
+  status.left_since_answer = false;
   const int limit = step().questions[question].attempts;
   status.shown = limit > 0 && !status.answered_right && status.attempts >= limit;
   reportAnswer(question, done_before, rules);
@@ -421,8 +422,8 @@ void LessonSession::replaceLesson(std::shared_ptr<const Lesson> lesson) {
     if (const auto before = old->find(s.id); before && sameShape(old->steps[*before], s))
       states_.back() = std::move(old_states[*before]);
   }
-  for (const std::size_t step : std::exchange(met_, {}))
-    if (const auto now = lesson_->find(old->steps[step].id); now && states_[*now].seen) met_.push_back(*now);
+  for (const std::size_t step : std::exchange(visited_steps_, {}))
+    if (const auto now = lesson_->find(old->steps[step].id); now && states_[*now].seen) visited_steps_.push_back(*now);
   const Step& was = old->steps[step_];
   const std::size_t hints = hints_;
   const std::size_t now = lesson_->find(was.id).value_or(std::min(step_, lesson_->steps.size() - 1));

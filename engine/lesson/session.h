@@ -36,8 +36,8 @@ struct QuestionStatus {
   bool last_right = false;          ///< of the last attempt
   /// The reason why the last text was not accepted as an answer, and what is accepted; empty if it was accepted.
   std::string again;
-  bool shown = false;  ///< the tries are used up: the right answer is shown, and nothing is left to do
-  bool gone = false;   ///< the student has left the step since the last answer
+  bool shown = false;              ///< the tries are used up: the right answer is shown, and nothing is left to do
+  bool left_since_answer = false;  ///< the student has left the step since the last answer
 
   bool done() const { return answered_right || shown; }
 };
@@ -70,8 +70,8 @@ class LessonSession {
   std::size_t mainStepIndex() const { return main_step_; }
 
   /// The steps on the student's route, in order: without asides and skipped steps, but always with mainStepIndex().
-  std::vector<std::size_t> way() const;
-  /// The number that is displayed for a step of way(), from 1.
+  std::vector<std::size_t> route() const;
+  /// The number that is displayed for a step of route(), from 1.
   std::size_t numberOf(std::size_t step) const;
 
   /// The present scene. `sceneNumber` is incremented whenever it may have changed, so that a comparison is cheap.
@@ -95,7 +95,7 @@ class LessonSession {
   /// there is no such step.
   bool mayGoTo(std::string_view link) const;
   /// The step to which an answer in this one leads. A rule that leads back or into an aside applies once, until the
-  /// student has gone; one that leads forward stays in force.
+  /// student has left the step; one that leads forward stays in force.
   std::optional<std::size_t> leadsTo() const;
   /// The same for one question of the step.
   std::optional<std::size_t> leadsTo(std::size_t question) const;
@@ -184,7 +184,7 @@ class LessonSession {
   std::vector<TaskFigure> figuresOf(std::size_t step, std::size_t task) const;
   bool stepSeen(std::size_t step) const { return states_[step].seen; }
   /// The steps entered, including asides, each once, in the order of the first visit.
-  const std::vector<std::size_t>& met() const { return met_; }
+  const std::vector<std::size_t>& visitedSteps() const { return visited_steps_; }
 
   /// Restores earlier work as far as the lesson still contains it, and enters the step where it ended. Ignores unknown
   /// ids and indices.
@@ -250,7 +250,7 @@ class LessonSession {
   std::vector<std::shared_ptr<Task>> tasks_;  // of the current step; null without a molecule
   Slide slide_;                               // the current slide over the surface, independent of the task
   std::vector<TouchSample> slid_;             // its samples at a reduced rate, for the task that follows
-  std::vector<std::size_t> met_;
+  std::vector<std::size_t> visited_steps_;
   std::size_t step_ = 0, scene_number_ = 0;
   std::size_t main_step_ = 0;  // the last one that is not an aside
   std::uint64_t order_seed_ = 0;

@@ -46,11 +46,12 @@ std::optional<std::size_t> LessonSession::leadsTo(std::size_t question) const {
     const auto to = rules[r].steps.empty() ? std::nullopt : lesson_->find(rules[r].steps[0]);
     if (!to || *to == step_) continue;
     const bool forward = *to > step_ && !lesson_->steps[*to].aside && !step().aside;
-    // Rules that lead back or to an aside apply once: by the answer that triggered them, until the student has gone.
+    // Rules that lead back or to an aside apply once: by the answer that triggered them, until the student has left the
+    // step.
     const bool just_now = rules[r].when != StepRule::When::Wrong
                               ? status.last_right
                               : !status.answered_right && status.attempts == rules[r].wrong;
-    if (forward || (just_now && !status.gone)) return to;
+    if (forward || (just_now && !status.left_since_answer)) return to;
   }
   return std::nullopt;
 }
@@ -108,7 +109,7 @@ bool LessonSession::goTo(std::string_view link) {
   return found.has_value();
 }
 
-std::vector<std::size_t> LessonSession::way() const {
+std::vector<std::size_t> LessonSession::route() const {
   const std::vector<char> skipped = skippedSteps();
   std::vector<std::size_t> out;
   for (std::size_t s = 0; s < lesson_->steps.size(); ++s)
@@ -117,7 +118,7 @@ std::vector<std::size_t> LessonSession::way() const {
 }
 
 std::size_t LessonSession::numberOf(std::size_t step) const {
-  const std::vector<std::size_t> counted = way();
+  const std::vector<std::size_t> counted = route();
   return static_cast<std::size_t>(std::find(counted.begin(), counted.end(), step) - counted.begin()) + 1;
 }
 

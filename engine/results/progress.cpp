@@ -135,7 +135,7 @@ SessionMemory memoryOf(const Attempt& attempt) {
     if (const auto* e = std::get_if<StepEntered>(&event.what)) {
       // Entering another step leaves the current one; resuming an attempt in the same step does not.
       if (out.step != e->step)
-        for (auto& [id, q] : steps[out.step].questions) q.gone = true;
+        for (auto& [id, q] : steps[out.step].questions) q.left_since_answer = true;
       out.step = e->step;
       steps[e->step];
       met.try_emplace(e->step, met.size());
@@ -145,7 +145,7 @@ SessionMemory memoryOf(const Attempt& attempt) {
       steps[done->step].tasks[done->task] = done->solved;
     } else if (const auto* answer = std::get_if<Answered>(&event.what)) {
       QuestionStatus& q = steps[answer->step].questions[answer->question];
-      q.gone = false;
+      q.left_since_answer = false;
       q.attempts = answer->attempt;
       q.chosen = answer->chosen;
       q.written = answer->written;

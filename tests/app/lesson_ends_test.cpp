@@ -126,7 +126,7 @@ TEST_CASE(
   d->frames(5);
   d->tap("Alt+Right");
   d->frames(5);
-  CHECK(session.met() == std::vector<std::size_t>{0, 3, 2});
+  CHECK(session.visitedSteps() == std::vector<std::size_t>{0, 3, 2});
   CHECK(d->text("lesson/end/order") == "First → side path: Why → (passed over: Easier) → Last");
   CHECK(d->text("lesson/end/skipped") == "1 step passed over, by your answers.");
 }

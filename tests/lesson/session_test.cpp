@@ -259,7 +259,7 @@ TEST_CASE("one slide from atom 0 over the crease to atom 1 fulfils a task to fee
 TEST_CASE(
     "of four steps one of which is an aside the third that counts is step 3 of 3, and in the aside step 1 stays") {
   LessonSession s(lesson("## A\n```scene\nmolecule: mix\n```\n[x](#aside-x)\n## Aside: X\nT\n## B\nT\n## C\nT\n"));
-  CHECK(s.way().size() == 3);
+  CHECK(s.route().size() == 3);
   REQUIRE(s.goTo("#aside-x"));
   CHECK(s.numberOf(s.mainStepIndex()) == 1);
   REQUIRE(s.goTo("#c"));

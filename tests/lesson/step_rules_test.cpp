@@ -192,7 +192,7 @@ TEST_CASE("earlier work is restored: used tries, a pending move to another step,
     SessionMemory memory{"b", {{"b", {}, {}, {{"q", {}}}}}};
     memory.steps[0].questions[0].second.attempts = 2;
     memory.steps[0].questions[0].second.chosen = kWrong;
-    memory.steps[0].questions[0].second.gone = gone;
+    memory.steps[0].questions[0].second.left_since_answer = gone;
     s.restore(memory);
     CHECK(s.leadsTo().has_value() != gone);
     CHECK(s.takesAnswer(0) == gone);

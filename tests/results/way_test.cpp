@@ -123,7 +123,7 @@ TEST_CASE(
       CHECK(after.stepDone(s) == before.session.stepDone(s));
       for (std::size_t q = 0; q < before.lesson->steps[s].questions.size(); ++q) {
         CHECK(after.question(s, q).shown == before.session.question(s, q).shown);
-        CHECK(after.question(s, q).gone == before.session.question(s, q).gone);
+        CHECK(after.question(s, q).left_since_answer == before.session.question(s, q).left_since_answer);
       }
     }
   }

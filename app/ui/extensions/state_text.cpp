@@ -46,7 +46,7 @@ void StateText::stepChanged() {
   const LessonSession* session = lesson_.session();
   write(session->step().aside ? trf("aside: {0}", session->step().title)
                               : trf("step {0} of {1}: {2}", session->numberOf(session->mainStepIndex()),
-                                    session->way().size(), session->step().title));
+                                    session->route().size(), session->step().title));
 }
 
 std::string StateText::line(const HapticSession& scene) const {

@@ -228,7 +228,7 @@ Done doneIn(const LessonSession& session) {
 // The titles of the steps in the order of the visits. A skipped step is listed at its regular position.
 RichText wayOf(const LessonSession& session) {
   const std::vector<Step>& steps = session.lesson().steps;
-  std::vector<std::size_t> way = session.met();
+  std::vector<std::size_t> way = session.visitedSteps();
   for (std::size_t s = 0; s < steps.size(); ++s) {
     if (!session.skipped(s) || session.stepSeen(s)) continue;
     auto place = way.begin();
@@ -272,7 +272,7 @@ void drawFigures(const LessonSession& session) {
                          trnf("{0} side path", "{0} side paths", done.asides, done.asides))
                    : trf("{0} of {1} steps seen.", done.steps_seen, done.steps),
        p.quiet);
-  if (session.met().size() > 1) {
+  if (session.visitedSteps().size() > 1) {
     const WithFont small(Font::Small);
     drawRichText("lesson/end/order", wayOf(session), p.quiet);
   }

@@ -36,7 +36,7 @@ void drawLessonGoals(Application& app, const LessonSession& session) {
 void settleLessonGoals(Application& app, const LessonSession& session, float width, float text_height) {
   PanelState& panels = app.panels;
   if (panels.lesson_memory.goals) return;
-  const bool begins = session.stepIndex() == 0 && session.met().size() == 1 && session.parts().done == 0;
+  const bool begins = session.stepIndex() == 0 && session.visitedSteps().size() == 1 && session.parts().done == 0;
   float height = 0.0f;
   for (const std::string& goal : session.lesson().goals)
     height += richTextHeight({TextRun{.text = goal}}, width - look().px(22)) + ImGui::GetStyle().ItemSpacing.y;

@@ -26,7 +26,7 @@ namespace {
 void drawHead(Application& app, const LessonSession& session) {
   const Look& l = look();
   // Asides are outside the core: they do not count and have no bar.
-  const std::vector<std::size_t> way = session.way();
+  const std::vector<std::size_t> way = session.route();
   const std::size_t at = session.mainStepIndex(), count = way.size();
   {
     WithFont small(Font::Small);
