@@ -6,6 +6,7 @@
 #include <mutex>
 
 #include "engine/bench/methods/union_surface.h"
+#include "engine/haptics/mesh/path_in_box.h"
 
 namespace moltact {
 namespace {
@@ -182,7 +183,7 @@ SurfaceMesh::Plane SurfaceMesh::plane(std::int32_t triangle) const noexcept {
 SurfaceMesh::Hit SurfaceMesh::cast(const Vec3& from, const Vec3& path) const noexcept {
   Hit best;
   if (nodes_.empty()) return best;
-  const Vec3 per_path = 1.0 / path;  // infinite where the path is perpendicular to an axis, which the comparisons allow
+  const Vec3 per_path = 1.0 / path;
   const double length = glm::length(path);
   std::int32_t stack[64];
   int waiting = 0;
@@ -190,19 +191,8 @@ SurfaceMesh::Hit SurfaceMesh::cast(const Vec3& from, const Vec3& path) const noe
   while (waiting > 0) {
     const std::int32_t at = stack[--waiting];
     const Node& node = nodes_[std::size_t(at)];
-    double t0 = 0.0, t1 = best.t;
-    bool apart = false;
-    for (int k = 0; k < 3; ++k) {
-      const double low = node.box.low[std::size_t(k)], high = node.box.high[std::size_t(k)];
-      if (path[k] == 0.0) {
-        apart = apart || from[k] < low || from[k] > high;
-        continue;
-      }
-      const double a = (low - from[k]) * per_path[k], b = (high - from[k]) * per_path[k];
-      t0 = std::max(t0, std::min(a, b));
-      t1 = std::min(t1, std::max(a, b));
-    }
-    if (apart || t0 > t1) continue;
+    const auto &low = node.box.low, &high = node.box.high;
+    if (!pathMeetsBox(from, path, per_path, {low[0], low[1], low[2]}, {high[0], high[1], high[2]}, best.t)) continue;
     if (node.count == 0) {
       stack[waiting++] = node.first;
       stack[waiting++] = at + 1;

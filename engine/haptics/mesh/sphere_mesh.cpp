@@ -7,6 +7,8 @@
 #include <mutex>
 #include <numbers>
 
+#include "engine/haptics/mesh/path_in_box.h"
+
 namespace moltact {
 namespace {
 
@@ -176,25 +178,14 @@ std::size_t SphereMesh::bytes() const {
 
 SphereMesh::Entry SphereMesh::enter(const Vec3& from, const Vec3& path, double before) const noexcept {
   Entry best{before, -1};
-  const Vec3 per_path = 1.0 / path;  // infinite where the path is perpendicular to an axis, which the comparisons allow
+  const Vec3 per_path = 1.0 / path;
   std::int32_t stack[32];
   int waiting = 0;
   stack[waiting++] = 0;
   while (waiting > 0) {
     const std::int32_t at = stack[--waiting];
     const Node& node = nodes_[std::size_t(at)];
-    double t0 = 0.0, t1 = best.t;
-    bool apart = false;
-    for (int k = 0; k < 3; ++k) {
-      if (path[k] == 0.0) {
-        apart = apart || from[k] < node.low[k] || from[k] > node.high[k];
-        continue;
-      }
-      const double a = (node.low[k] - from[k]) * per_path[k], b = (node.high[k] - from[k]) * per_path[k];
-      t0 = std::max(t0, std::min(a, b));
-      t1 = std::min(t1, std::max(a, b));
-    }
-    if (apart || t0 > t1) continue;
+    if (!pathMeetsBox(from, path, per_path, node.low, node.high, best.t)) continue;
     if (node.count == 0) {
       stack[waiting++] = node.first;
       stack[waiting++] = at + 1;
