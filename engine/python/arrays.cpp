@@ -71,6 +71,13 @@ std::vector<Sphere> spheresOf(const py::object& spheres) {
   return out;
 }
 
+std::vector<double> numbersIn(const py::object& object, const char* name) {
+  const Numbers numbers = numbersOf(object, name);
+  if (numbers.ndim() != 1)
+    throw py::value_error(std::string(name) + " must have the shape (n,), not " + shapeText(numbers));
+  return {numbers.data(), numbers.data() + numbers.size()};
+}
+
 std::vector<std::uint32_t> indicesOf(const py::object& indices, std::size_t count, const std::string& name) {
   std::vector<std::uint32_t> out;
   for (const py::handle& one : py::iter(indices)) {

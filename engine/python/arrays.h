@@ -20,6 +20,9 @@ std::vector<PoseA> posesOf(const pybind11::object& poses);
 /// Spheres of shape (n, 4): centre and radius.
 std::vector<Sphere> spheresOf(const pybind11::object& spheres);
 
+/// Numbers of shape (n,).
+std::vector<double> numbersIn(const pybind11::object& numbers, const char* name);
+
 /// Indices into `count` atoms, in any order; negative ones count from the end, as in Python. Ascending, without
 /// repetition.
 std::vector<std::uint32_t> indicesOf(const pybind11::object& indices, std::size_t count, const std::string& name);

@@ -76,8 +76,9 @@ Feeler::Feeler(InteractionInput input, double stiffness_N_per_A)
     throw py::value_error("there is no interaction '" + input_.touch.interaction + "' here; choose from " +
                           namesOf(fitting));
   }
-  if (kind->needs_chemistry)
-    throw py::value_error("the interaction '" + input_.touch.interaction + "' needs charges, which this module lacks");
+  if (needsChemistry(input_.touch) && !input_.chemistry)
+    throw py::value_error("the interaction '" + input_.touch.interaction +
+                          "' needs the atoms' chemistry; give a Molecule as the scene, or chemistry");
   felt_ = makeInteraction(input_);
 }
 

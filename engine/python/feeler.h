@@ -19,7 +19,7 @@ struct Felt {
 
 class Feeler {
  public:
-  /// Raises ValueError for an unknown method or interaction, a missing body and numbers out of range.
+  /// Raises ValueError for an unknown method or interaction, a missing body or chemistry, and numbers out of range.
   Feeler(InteractionInput input, double stiffness_N_per_A);
 
   /// Moves the hand through the poses. Other Python threads run meanwhile; a second call on this object waits. Ctrl-C

@@ -1,4 +1,4 @@
-// The Python module `moltact` over engine/haptics and engine/molecule. engine/python/moltact/__init__.pyi lists what it
+// The Python module `moltact` over engine/haptics, engine/molecule and engine/structure. engine/python/moltact/__init__.pyi lists what it
 // offers, with types; a test compares the two.
 #include <pybind11/stl.h>
 
@@ -12,6 +12,7 @@
 #include "engine/molecule/catalogue.h"
 #include "engine/molecule/elements.h"
 #include "engine/python/arrays.h"
+#include "engine/python/chemistry.h"
 #include "engine/python/feeler.h"
 
 namespace py = pybind11;
@@ -83,19 +84,29 @@ struct Body : Feeler {
   using Feeler::Feeler;
 };
 
+// Completes the input that is common to both classes.
+void finish(InteractionInput& input, const py::object& scene, const std::string& method, const std::string& interaction,
+            const SharedChemistry& chemistry) {
+  input.touch.method = method;
+  input.touch.interaction =
+      interaction.empty() ? resolveInteraction({}, input.body != nullptr).interaction : interaction;
+  input.chemistry = chemistryOf(scene, chemistry, input.touch, input.spheres->size());
+}
+
 std::unique_ptr<Tracker> makeTracker(const py::object& scene, const std::string& method, double probe_A,
-                                     double stiffness_N_per_A, const py::object& untouchable) {
+                                     const std::string& interaction, double stiffness_N_per_A,
+                                     const py::object& untouchable, const SharedChemistry& chemistry) {
   const SharedArray<Sphere> spheres = sceneSpheres(scene);
   const std::vector<std::uint32_t> left_out = indicesOf(untouchable, spheres.size(), "untouchable");
   InteractionInput input{.spheres = std::make_shared<const SphereGrid>(spheres, left_out)};
-  input.touch.method = method;
   input.touch.probe_A = probe_A;
+  finish(input, scene, method, interaction, chemistry);
   return std::make_unique<Tracker>(std::move(input), stiffness_N_per_A);
 }
 
 std::unique_ptr<Body> makeBody(const py::object& scene, const py::object& atoms, const py::object& shape,
                                const std::string& method, const std::string& interaction, double stiffness_N_per_A,
-                               double rotational_stiffness_N_A) {
+                               double rotational_stiffness_N_A, const SharedChemistry& chemistry) {
   if (atoms.is_none() == shape.is_none()) throw py::value_error("give either atoms or spheres of the body");
   if (!(rotational_stiffness_N_A >= 0.0 && rotational_stiffness_N_A <= 1e9))
     throw py::value_error("rotational_stiffness_N_A must be a number from 0 to 1e9");
@@ -110,8 +121,7 @@ std::unique_ptr<Body> makeBody(const py::object& scene, const py::object& atoms,
   }
   if (!input.body) throw py::value_error("a body has 1 to " + std::to_string(kMaxHeldAtoms) + " atoms");
   input.spheres = std::make_shared<const SphereGrid>(spheres, held);
-  input.touch.method = method;
-  input.touch.interaction = interaction.empty() ? resolveInteraction({}, true).interaction : interaction;
+  finish(input, scene, method, interaction, chemistry);
   // The response is divided by the stiffness, so it equals that of a spring of 1 N/A.
   if (stiffness_N_per_A > 0.0) input.rotational_stiffness_N_A = rotational_stiffness_N_A / stiffness_N_per_A;
   return std::make_unique<Body>(std::move(input), stiffness_N_per_A);
@@ -130,6 +140,8 @@ void addMolecule(py::module_& m) {
            [](const Molecule& self) {
              return "<moltact.Molecule " + self.id + ", " + std::to_string(self.atoms.size()) + " atoms>";
            })
+      .def("chemistry", &chemistryOfMolecule, py::arg("charges") = kNoCharges,
+           "Element, type and charge of each atom. charges: 'none', 'file' (of a PQR file) or 'formal' (at pH 7).")
       .def("describe", &describe, py::arg("atom"), "The atom in words: \"O of Asp 52 (chain A)\".")
       .def_property_readonly(
           "id", [](const Molecule& self) { return self.id; }, "A short name: \"1UBQ\".")
@@ -229,13 +241,18 @@ void addFeelers(py::module_& m) {
       .def_property_readonly(
           "method", [](const Feeler& self) { return self.input().touch.method; },
           "Name of the haptic method, one of methods().")
+      .def_property_readonly(
+          "interaction", [](const Feeler& self) { return self.input().touch.interaction; },
+          "Name of the interaction, one of interactions().")
       .def_property_readonly("stiffness_N_per_A", &Feeler::stiffness_N_per_A, "Stiffness of the spring in N/A.");
 
   py::class_<Tracker, Feeler>(m, "Tracker", "A spherical probe at the hand.")
       .def(py::init(&makeTracker), py::arg("scene"), py::arg("method") = "exact", py::arg("probe_A") = kWaterProbe_A,
-           py::kw_only(), py::arg("stiffness_N_per_A") = 1.0, py::arg("untouchable") = py::tuple(),
-           "scene: a Molecule, or spheres of shape (n, 4): centre and radius in A. untouchable: indices of atoms that "
-           "are not felt.")
+           py::kw_only(), py::arg("interaction") = "", py::arg("stiffness_N_per_A") = 1.0,
+           py::arg("untouchable") = py::tuple(), py::arg("chemistry") = py::none(),
+           "scene: a Molecule, or spheres of shape (n, 4): centre and radius in A. interaction: one of "
+           "interactions(body=False); empty: the first. untouchable: indices of atoms that are not felt. chemistry: of "
+           "the scene's atoms, for an interaction that needs it; without it, that of the Molecule without charges.")
       .def_property_readonly(
           "probe_A", [](const Tracker& self) { return self.input().touch.probe_A; }, "Radius of the probe in A.");
 
@@ -243,12 +260,11 @@ void addFeelers(py::module_& m) {
       .def(py::init(&makeBody), py::arg("scene"), py::arg("atoms") = py::none(), py::kw_only(),
            py::arg("spheres") = py::none(), py::arg("method") = "exact", py::arg("interaction") = "",
            py::arg("stiffness_N_per_A") = 1.0, py::arg("rotational_stiffness_N_A") = 0.0,
-           "scene: as for Tracker. atoms: indices of the scene's atoms that are held and no longer felt; or spheres: "
+           py::arg("chemistry") = py::none(),
+           "scene and chemistry: as for Tracker. atoms: indices of the scene's atoms that are held and no longer felt; "
+           "or spheres: "
            "the body's own, of shape (m, 4), relative to its middle. interaction: one of interactions(); empty: the "
            "first.")
-      .def_property_readonly(
-          "interaction", [](const Body& self) { return self.input().touch.interaction; },
-          "Name of the interaction, one of interactions().")
       .def_property_readonly("middle", &middleOf, "Where the middle of the body is in the scene, in A, shape (3,).")
       .def_property_readonly(
           "spheres", [](const Body& self) { return sphereArray(self.input().body->spheres); },
@@ -264,13 +280,14 @@ PYBIND11_MODULE(_moltact, m) {
   m.def("methods", &methodNames, "Names of the haptic methods, the default first.");
   m.def(
       "interactions",
-      [] {
+      [](bool body) {
         std::vector<std::string> out;
         for (const InteractionKind& kind : interactionKinds())
-          if (kind.holds_body && !kind.needs_chemistry) out.emplace_back(kind.name);
+          if (kind.holds_body == body) out.emplace_back(kind.name);
         return out;
       },
-      "Names of the ways to hold a body, the default first.");
+      py::arg("body") = true, "Names of the ways to feel a scene with a body, or with a probe; the default first.");
+  addChemistry(m);
   addMolecule(m);
   addFelt(m);
   addFeelers(m);

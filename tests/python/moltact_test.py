@@ -115,6 +115,31 @@ class Bodies(unittest.TestCase):
                 self.assertFalse(set(felt.contacts[felt.contacts >= 0]) & set(drug))
 
 
+class Charges(unittest.TestCase):
+    def test_the_chemistry_of_a_molecule_has_an_entry_per_atom_and_the_formal_charges_of_ubiquitin_sum_to_0(self):
+        molecule = moltact.load(SOURCE / "molecules" / "1ubq.pdb")
+        bare, formal = molecule.chemistry(), molecule.chemistry("formal")
+        self.assertIsNone(bare.charges_e)
+        self.assertEqual((len(bare), bare.types[0], formal.charges_e.shape), (602, "MET N", (602,)))
+        np.testing.assert_array_equal(bare.atomic_numbers, molecule.atomic_numbers)
+        # 11 Asp and Glu, 11 Lys and Arg.
+        self.assertAlmostEqual(float(formal.charges_e.sum()), 0.0, places=5)
+        self.assertEqual(float(np.abs(formal.charges_e).sum()), 22.0)
+
+    def test_chemistry_of_arrays_gives_them_back_and_is_accepted_by_a_probe_and_a_body_of_as_many_atoms(self):
+        spheres = [[0.0, 0.0, 0.0, 1.5], [0.0, 0.0, 4.0, 1.5]]
+        chemistry = moltact.Chemistry([8, 0], charges_e=[-0.5, 0.25])
+        self.assertEqual(chemistry.types, ["O", "?"])
+        np.testing.assert_array_equal(chemistry.charges_e, [-0.5, 0.25])
+        named = moltact.Chemistry(np.array([8, 7]), types=["ASP OD1", "LYS NZ"])
+        self.assertEqual(named.types, ["ASP OD1", "LYS NZ"])
+        hand = [[0.0, 0.0, 9.0], [0.0, 0.0, 6.0]]
+        bare = moltact.Tracker(spheres).feel(hand).forces
+        np.testing.assert_array_equal(moltact.Tracker(spheres, chemistry=chemistry).feel(hand).forces, bare)
+        self.assertEqual(moltact.HeldBody(spheres, [1], chemistry=named).interaction, moltact.interactions()[0])
+        self.assertEqual(moltact.Tracker(spheres).interaction, moltact.interactions(body=False)[0])
+
+
 class Calls(unittest.TestCase):
     def test_bad_input_raises_with_the_place_and_what_is_wanted(self):
         probe = moltact.Tracker(argon())
@@ -133,6 +158,16 @@ class Calls(unittest.TestCase):
             (TypeError, "whole numbers", lambda: moltact.HeldBody(argon(), [0.5])),
             (ValueError, "1 to 5000 atoms", lambda: moltact.HeldBody(argon(), [])),
             (ValueError, "either atoms or spheres", lambda: moltact.HeldBody(argon())),
+            (ValueError, r"atomic_numbers must have the shape \(n,\)", lambda: moltact.Chemistry([[6]])),
+            (ValueError, r"atomic_numbers\[1\] is not a whole", lambda: moltact.Chemistry([6, 6.5])),
+            (ValueError, r"charges_e\[0\] is not a number", lambda: moltact.Chemistry([6], charges_e=[np.inf])),
+            (ValueError, "each of the 2 atoms, not 1", lambda: moltact.Chemistry([6, 6], charges_e=[0.0])),
+            (ValueError, "each of the 1 atoms, not 2", lambda: moltact.Chemistry([6], types=["C", "C"])),
+            (ValueError, "chemistry must have one entry for each of the 1 atoms, not 2",
+             lambda: moltact.Tracker(argon(), chemistry=moltact.Chemistry([6, 6]))),
+            (ValueError, "no charges; choose 'none'", lambda: argon().chemistry("file")),
+            (ValueError, "no source of charges 'am1'; choose from 'none'", lambda: argon().chemistry("am1")),
+            (ValueError, "no interaction 'springs'", lambda: moltact.Tracker(argon(), interaction="springs")),
             (ValueError, "no interaction 'probe'", lambda: moltact.HeldBody(argon(), [0], interaction="probe")),
         ]:
             with self.subTest(words), self.assertRaisesRegex(error, words):
@@ -164,7 +199,7 @@ class Documents(unittest.TestCase):
         self.assertEqual(set(typed) - {"_Feeler"}, set(moltact.__all__))
         for name in moltact.__all__:
             self.assertTrue(getattr(moltact, name).__doc__, name)
-        for name in ("Molecule", "Felt", "Tracker", "HeldBody"):
+        for name in ("Chemistry", "Molecule", "Felt", "Tracker", "HeldBody"):
             offered = {k for k, value in vars(getattr(moltact, name)).items() if not k.startswith("_")}
             stubbed = {node.name for node in typed[name].body if isinstance(node, ast.FunctionDef)}
             self.assertEqual({k for k in stubbed if not k.startswith("_")}, offered, name)

@@ -11,6 +11,7 @@ angstrom. __init__.pyi has the types.
 """
 
 from ._moltact import (
+    Chemistry,
     Felt,
     HeldBody,
     Molecule,
@@ -22,9 +23,9 @@ from ._moltact import (
     methods,
 )
 
-__all__ = ["Felt", "HeldBody", "Molecule", "MoleculeError", "Tracker", "interactions", "load", "methods"]
+__all__ = ["Chemistry", "Felt", "HeldBody", "Molecule", "MoleculeError", "Tracker", "interactions", "load", "methods"]
 
 MoleculeError.__doc__ = "A molecule that cannot be read: where, why, and what helps."
-for _public in (Felt, HeldBody, Molecule, MoleculeError, Tracker):
+for _public in (Chemistry, Felt, HeldBody, Molecule, MoleculeError, Tracker):
     _public.__module__ = __name__
 del _public

@@ -5,15 +5,34 @@ import numpy as np
 import numpy.typing as npt
 
 __version__: str
-__all__ = ["Felt", "HeldBody", "Molecule", "MoleculeError", "Tracker", "interactions", "load", "methods"]
+__all__ = ["Chemistry", "Felt", "HeldBody", "Molecule", "MoleculeError", "Tracker", "interactions", "load", "methods"]
 
 class MoleculeError(ValueError):
     """A molecule that cannot be read: where, why, and what helps."""
+
+class Chemistry:
+    """Element, type and charge of a scene's atoms, for forces beyond contact; immutable."""
+
+    def __init__(
+        self,
+        atomic_numbers: npt.ArrayLike,
+        *,
+        types: Union[Sequence[str], None] = None,
+        charges_e: Union[npt.ArrayLike, None] = None,
+    ) -> None: ...
+    def __len__(self) -> int: ...
+    @property
+    def atomic_numbers(self) -> npt.NDArray[np.uint8]: ...
+    @property
+    def types(self) -> list[str]: ...
+    @property
+    def charges_e(self) -> Union[npt.NDArray[np.float32], None]: ...
 
 class Molecule:
     """The atoms of a file. Made by load(); immutable."""
 
     def __len__(self) -> int: ...
+    def chemistry(self, charges: str = "none") -> Chemistry: ...
     def describe(self, atom: int) -> str: ...
     @property
     def id(self) -> str: ...
@@ -69,6 +88,8 @@ class _Feeler:
     @property
     def method(self) -> str: ...
     @property
+    def interaction(self) -> str: ...
+    @property
     def stiffness_N_per_A(self) -> float: ...
 
 class Tracker(_Feeler):
@@ -80,8 +101,10 @@ class Tracker(_Feeler):
         method: str = "exact",
         probe_A: float = 1.4,
         *,
+        interaction: str = "",
         stiffness_N_per_A: float = 1.0,
         untouchable: Union[Sequence[int], npt.NDArray[np.integer]] = (),
+        chemistry: Union[Chemistry, None] = None,
     ) -> None: ...
     @property
     def probe_A(self) -> float: ...
@@ -99,9 +122,8 @@ class HeldBody(_Feeler):
         interaction: str = "",
         stiffness_N_per_A: float = 1.0,
         rotational_stiffness_N_A: float = 0.0,
+        chemistry: Union[Chemistry, None] = None,
     ) -> None: ...
-    @property
-    def interaction(self) -> str: ...
     @property
     def middle(self) -> npt.NDArray[np.float64]: ...
     @property
@@ -116,4 +138,4 @@ def load(
     beside: str = "",
 ) -> Molecule: ...
 def methods() -> list[str]: ...
-def interactions() -> list[str]: ...
+def interactions(body: bool = True) -> list[str]: ...
