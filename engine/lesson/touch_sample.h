@@ -10,11 +10,12 @@
 namespace moltact {
 
 struct TouchSample {
-  double time_s = 0.0;   ///< since the servo loop started; never goes back
-  PointA hip;            ///< where the hand is (unit: angstrom)
-  Contact contact;       ///< what the tracker gave for it
-  ForceN force;          ///< on the hand, in the device's space (unit: newton)
-  bool field = false;    ///< a field's force is felt, in contact or without
+  double time_s = 0.0;  ///< since the servo loop started; never goes back
+  PointA hip;           ///< where the hand is (unit: angstrom)
+  Contact contact;      ///< what the tracker gave for it
+  ForceN force;         ///< on the hand, in the device's space (unit: newton)
+  bool field = false;   ///< a field's force is felt, in contact or without
+  Vec3 wanted_N{0.0};   ///< force of contact and field before limits, in the molecule's space; zero where no field acts
   double probe_A = 1.4;  ///< the probe's radius at that tick (unit: angstrom)
   std::string_view method =
       {};         ///< name of the haptic method in use; from the table of methods, so it outlives the sample
@@ -38,6 +39,7 @@ TouchSample touchSampleOf(const ServoTick& tick, std::string_view method = {}, c
           .contact = tick.contact,
           .force = tick.force,
           .field = tick.field && tick.felt(),
+          .wanted_N = tick.field ? tick.wanted().force_N : Vec3(0.0),
           .probe_A = tick.probe_A,
           .method = method,
           .exact = exact,

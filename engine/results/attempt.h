@@ -198,6 +198,9 @@ struct HipSample {
   Feature feature = Feature::Free;
   std::array<std::int32_t, 3> atoms{-1, -1, -1};
   std::optional<HeldSample> held = std::nullopt;  ///< empty: the hand has a probe
+  /// Where a field acts, the force of contact and field before limits, in the molecule's axes; empty: the force has the
+  /// direction of the displacement.
+  std::optional<Vec3> wanted_N = std::nullopt;
 
   /// The pose of a body that is drawn at the hand because none was recorded.
   PoseA bodyAtHand(const Quat& orientation) const { return {feature == Feature::Free ? hip : scp, orientation}; }

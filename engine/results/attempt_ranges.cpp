@@ -27,6 +27,8 @@ constexpr std::array kRanges{
     AttemptRange{"most_N", 0.0, kMax_N},
     AttemptRange{"force_N", -kMax_N, kMax_N},
     AttemptRange{"force", -kMax_N, kMax_N},
+    AttemptRange{"free_force", -kMax_N, kMax_N},
+    AttemptRange{"wanted", -kMax_N, kMax_N},
     // place
     AttemptRange{"hip", -kBeyond_A, kBeyond_A},
     AttemptRange{"scp", -kBeyond_A, kBeyond_A},

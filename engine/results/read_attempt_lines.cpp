@@ -85,6 +85,24 @@ void readHeld(const Json& from, HipChunk& chunk) {
   }
 }
 
+// Lines of a hand in a field contain the wanted force of every sample; (0, 0, 0) where no field acts.
+void readFields(const Json& from, HipChunk& chunk) {
+  if (!from.contains("wanted")) return;
+  const auto& samples = chunk.samples;
+  const auto free = static_cast<std::size_t>(
+      std::count_if(samples.begin(), samples.end(), [](const HipSample& s) { return s.feature == Feature::Free; }));
+  const std::vector<double> wanted = numbers(from, "wanted", 3 * samples.size());
+  const std::vector<double> force = free ? numbers(from, "free_force", 3 * free) : std::vector<double>();
+  for (std::size_t i = 0, k = 0; i < samples.size(); ++i) {
+    HipSample& s = chunk.samples[i];
+    const Vec3 wanted_N(wanted[3 * i], wanted[3 * i + 1], wanted[3 * i + 2]);
+    if (wanted_N != Vec3(0.0)) s.wanted_N = wanted_N;
+    if (s.feature != Feature::Free) continue;
+    s.force.N = {force[k], force[k + 1], force[k + 2]};
+    k += 3;
+  }
+}
+
 HipChunk hipChunk(const Json& from) {
   const Json& ms = list(from, "ms");
   const std::string features = text(from, "feature", true);
@@ -128,6 +146,7 @@ HipChunk hipChunk(const Json& from) {
     out.samples.push_back(s);
   }
   readHeld(from, out);
+  readFields(from, out);
   return out;
 }
 

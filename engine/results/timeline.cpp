@@ -96,6 +96,10 @@ std::optional<HipSample> Timeline::hand(double t_s) const {
     out.held->body.place.A = glm::mix(before->held->body.place.A, after.held->body.place.A, part);
     out.held->body.orientation = between(before->held->body.orientation, after.held->body.orientation);
   }
+  if (before->wanted_N && after.wanted_N) {
+    out.force.N = glm::mix(before->force.N, after.force.N, part);
+    out.wanted_N = glm::mix(*before->wanted_N, *after.wanted_N, part);
+  }
   if (before->feature == Feature::Free) {
     out.scp = out.hip;
   } else if (after.feature != Feature::Free) {

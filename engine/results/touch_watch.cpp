@@ -13,7 +13,7 @@ double turned(const Quat& from, const Quat& to) { return glm::length(rotationBet
 
 void TouchWatch::add(const TouchSample& sample, double t_s, InputKind by) {
   if (!finite(sample.hip.A) || !finite(sample.contact.scp.A) || !finite(sample.contact.displacement_A) ||
-      !finite(sample.force.N))
+      !finite(sample.force.N) || !finite(sample.wanted_N))
     return;
   if (sample.body &&
       !(rotates(sample.orientation) && finite(sample.body->place.A) && rotates(sample.body->orientation)))
@@ -72,6 +72,7 @@ void TouchWatch::keepHip(const TouchSample& s, double t_s) {
   const Contact& c = s.contact;
   HipSample now{t_s, s.hip, c.scp, s.force, c.displacement_A, c.feature, c.atoms};
   if (s.body) now.held = {s.orientation, *s.body};
+  if (s.field) now.wanted_N = s.wanted_N;
   // A line of the file is either with a body or without one.
   if (has_before_ && now.held.has_value() != before_.held.has_value()) endPath();
   if (has_before_) {

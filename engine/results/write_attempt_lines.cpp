@@ -169,11 +169,25 @@ struct FactWriter {
     out["feature"] = std::move(features);
     out["hip"] = std::move(hip);
     writeHeld(e);
+    writeFields(e);
     if (scp.empty()) return;
     out["scp"] = std::move(scp);
     out["force"] = std::move(force);
     if (shaded) out["displacement"] = std::move(displacement);
     out["atoms"] = std::move(atoms);
+  }
+  // Writes the forces in a field: what is wanted in every sample, and what the hand gets where nothing is touched.
+  void writeFields(const HipChunk& e) {
+    Json wanted = Json::array(), free_force = Json::array();
+    bool any = false;
+    for (const HipSample& s : e.samples) {
+      any = any || s.wanted_N;
+      append(wanted, s.wanted_N.value_or(Vec3(0.0)));
+      if (s.feature == Feature::Free) append(free_force, s.force.N);
+    }
+    if (!any) return;
+    out["wanted"] = std::move(wanted);
+    if (!free_force.empty()) out["free_force"] = std::move(free_force);
   }
   // Writes the hand's orientation, and the body's pose if any part of it differs from the default.
   void writeHeld(const HipChunk& e) {

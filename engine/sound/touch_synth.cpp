@@ -79,14 +79,14 @@ double TouchSynth::Blip::next() noexcept {
 }
 
 void TouchSynth::take(const TouchMoment& moment) noexcept {
-  const bool was = felt_.feature != Feature::Free, is = moment.feature != Feature::Free;
+  const bool was = felt_.touches(), is = moment.touches();
+  // A new tone starts at its own pitch instead of gliding from that of the last one.
+  if (moment.sounds() && !felt_.sounds() && loudness_ == 0.0) {
+    semitones_ = kSemitones_per_N * heard_N(moment.force_N);
+    note_ = notesOf(moment.feature);
+  }
   if (is && !was) {
     knock_.strike(kKnock_Hz, kKnockLevel, kKnockDecay_s);
-    // A new tone starts at its own pitch instead of gliding from that of the last one.
-    if (loudness_ == 0.0) {
-      semitones_ = kSemitones_per_N * heard_N(moment.force_N);
-      note_ = notesOf(moment.feature);
-    }
   } else if (was && !is) {
     knock_.strike(kRelease_Hz, 0.5 * kKnockLevel, kKnockDecay_s);
   } else if (is && reachesNewAtom(felt_, moment) && since_click_ >= kClickEvery_samples) {
@@ -102,7 +102,7 @@ void TouchSynth::take(const TouchMoment& moment) noexcept {
 
 // Noise between two low-pass filters; the cutoff of the upper one increases with the speed.
 double TouchSynth::scrape() noexcept {
-  const double speed = felt_.feature == Feature::Free || !std::isfinite(felt_.slide_A_per_s)
+  const double speed = !felt_.touches() || !std::isfinite(felt_.slide_A_per_s)
                            ? 0.0
                            : std::clamp(felt_.slide_A_per_s / kFullScrape_A_per_s, 0.0, 1.0);
   if (speed == 0.0 && scrape_ == 0.0) return 0.0;
@@ -119,7 +119,7 @@ double TouchSynth::scrape() noexcept {
 
 void TouchSynth::render(std::span<float> out) noexcept {
   const double force = heard_N(felt_.force_N);
-  const bool on = felt_.feature != Feature::Free;
+  const bool on = felt_.sounds();
   const double loudness = on ? kQuietest + (1 - kQuietest) * std::min(1.0, force / kLoudFrom_N) : 0.0;
   const double semitones = on ? kSemitones_per_N * force : semitones_;
   const std::array<double, 3> notes = on ? notesOf(felt_.feature) : note_;
@@ -146,8 +146,7 @@ void TouchSynth::render(std::span<float> out) noexcept {
 
 bool TouchSynth::silent() const noexcept {
   const auto quiet = [](const Blip& blip) { return blip.level == 0.0 && blip.rising == 0; };
-  return felt_.feature == Feature::Free && loudness_ == 0.0 && scrape_ == 0.0 && quiet(knock_) && quiet(click_) &&
-         quiet(thud_);
+  return !felt_.sounds() && loudness_ == 0.0 && scrape_ == 0.0 && quiet(knock_) && quiet(click_) && quiet(thud_);
 }
 
 }  // namespace moltact

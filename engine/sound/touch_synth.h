@@ -13,6 +13,7 @@
 //   click                       a new atom blocks the probe: it has reached a crease
 //   thud                        a third atom blocks the probe: it has reached a pit
 //   scrape                      the contact point slides over the surface; louder and brighter at higher speed
+//   one note without a knock    a field's force without contact
 //
 // Every component has its own limit, and the sum of the limits is below 1, so the output never clips.
 #pragma once
@@ -49,6 +50,10 @@ struct TouchMoment {
   std::array<std::int32_t, 3> atoms{-1, -1, -1};
   double force_N = 0.0;
   double slide_A_per_s = 0.0;  ///< speed of the contact point over the surface
+  bool field = false;          ///< a field's force is felt, in contact or without
+
+  bool touches() const { return feature != Feature::Free; }
+  bool sounds() const { return touches() || field; }
 };
 
 class TouchSynth {

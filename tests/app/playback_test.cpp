@@ -4,6 +4,7 @@
 #include "app/ui/extensions/extensions.h"
 #include "app/ui/panels/view_overlays.h"
 #include "tests/app/scripted_user_fixture.h"
+#include "tests/haptics/fields.h"
 #include "tests/results/sample_attempt.h"
 
 namespace moltact {
@@ -83,6 +84,51 @@ TEST_CASE("an attempt opened as a file moves the probe as the hand did, says wha
   CHECK_FALSE(driver->shows("playback/bar"));
   CHECK(bytesOf(file) == bytes);
   CHECK_FALSE(fs::exists(scratch.path / "other"));
+}
+
+TEST_CASE(
+    "a harmonic well to the right of a hovering hand is heard and recorded without a contact, and its playback has the "
+    "same force of 0.4 N, draws it toward the well and sounds") {
+  const ScratchFolder scratch;
+  fs::path file;
+  Vec3 middle(0.0);
+  const auto loudest = [](ScriptedUser& d) {
+    float out = 0.0f;
+    for (const float sample : d.app().extensions().touch_sound.heard()) out = std::max(out, std::abs(sample));
+    return out;
+  };
+  {
+    const auto driver = startWith(kLesson, small(scratch.path));
+    Application& app = driver->app();
+    app.settings.sound = true;
+    driver->point("view", 0.5, 0.5);
+    driver->frames(40);
+    CHECK(loudest(*driver) == 0.0f);
+    middle = app.scene.log().latest().hip.A + 0.5 * app.scene.camera.right();
+    app.scene.servo().setInteraction(std::make_unique<test::Harmonic>(
+        std::make_unique<test::OpenSpace>(), test::HarmonicPair{0.8}, std::vector<test::Harmonic::Atom>{{0, middle}}));
+    driver->frames(180);
+    REQUIRE_FALSE(app.scene.log().touching());
+    REQUIRE(app.scene.log().force_N() == doctest::Approx(0.4).epsilon(0.02));
+    CHECK(loudest(*driver) > 0.05f);
+    REQUIRE(app.extensions().recorder.flush());
+    file = app.extensions().recorder.file();
+  }
+  const auto driver = startWith(file.string(), small(scratch.path / "other"));
+  Application& app = driver->app();
+  app.settings.sound = true;
+  Playback& playback = app.extensions().playback;
+  REQUIRE(playback.on());
+  playback.setRunning(false);
+  playback.seek(playback.timeline().length_s());
+  driver->frames(60);
+  const ServoSample& now = app.scene.log().latest();
+  REQUIRE_FALSE(now.contact.touching());
+  CHECK(now.felt());
+  CHECK(glm::length(now.force.N) == doctest::Approx(0.4).epsilon(0.02));
+  CHECK(glm::distance(glm::normalize(now.forceDirection()), glm::normalize(middle - now.hip.A)) < 0.02);
+  CHECK(driver->text("view/force") == "0.4\u00a0N");
+  CHECK(loudest(*driver) > 0.05f);
 }
 
 TEST_CASE(

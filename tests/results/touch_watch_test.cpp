@@ -7,6 +7,8 @@
 #include <cmath>
 #include <limits>
 
+#include "engine/results/attempt_lines.h"
+#include "engine/results/timeline.h"
 #include "tests/results/small_lesson.h"
 
 namespace moltact {
@@ -40,6 +42,69 @@ TEST_CASE("a slide of 2 A over atoms 3 and 4 in 1 s at 0.5 N is one touch with o
   CHECK(end.mean_N == doctest::Approx(0.5));
   CHECK(end.path_A == doctest::Approx(2.0));
   CHECK(end.by == InputKind::Device);
+}
+
+TEST_CASE(
+    "a field of 0.4 N along y is kept with its force and direction through touch watch, line and timeline, in contact "
+    "or "
+    "without, for a probe and a body; without a field a line has neither key") {
+  for (const bool body : {false, true}) {
+    CAPTURE(body);
+    TouchWatch watch;
+    for (int k = 0; k <= 400; ++k) {
+      const bool free = k < 200;
+      TouchSample s = touching(3, k * 0.001, 0.5);
+      s.hip.A = {0, 0, 0.01 * k};
+      if (free) s.contact = Contact{.scp = s.hip};
+      s.field = true;
+      s.force.N = {0.4, 0, 0};  // the device's x is the molecule's y
+      s.wanted_N = {0, free ? 0.4 : 0.6, 0};
+      if (body) s.body = PoseA{s.hip, s.orientation};
+      watch.add(s, s.time_s, InputKind::Mouse);
+    }
+    watch.breakOff();
+    Attempt attempt;
+    std::size_t kept = 0;
+    for (const AttemptEvent& e : watch.take(0.4)) {
+      if (!std::holds_alternative<HipChunk>(e.what)) continue;
+      const std::string line = lineOf(e);
+      CAPTURE(line);
+      auto back = readEventLine(line);
+      REQUIRE(bool(back));
+      CHECK(lineOf(**back) == line);
+      kept += std::get<HipChunk>((*back)->what).samples.size();
+      attempt.events.push_back(**back);
+    }
+    CHECK(kept > 20);
+    const Timeline played(attempt);
+    for (const double t_s : {0.1, 0.15, 0.3}) {
+      const auto hand = played.hand(t_s);
+      REQUIRE(hand);
+      REQUIRE(hand->wanted_N);
+      CHECK((hand->feature == Feature::Free) == (t_s < 0.2));
+      CHECK(glm::distance(*hand->wanted_N, Vec3(0, t_s < 0.2 ? 0.4 : 0.6, 0)) < 1e-3);
+      CHECK(glm::distance(hand->force.N, Vec3(0.4, 0, 0)) < 1e-3);
+      CHECK(hand->held.has_value() == body);
+    }
+  }
+  TouchWatch plain;
+  for (int k = 0; k <= 100; ++k) plain.add(touching(3, k * 0.001, 0.5), k * 0.001, InputKind::Mouse);
+  plain.breakOff();
+  for (const AttemptEvent& e : plain.take(0.1)) {
+    CHECK(lineOf(e).find("wanted") == std::string::npos);
+    CHECK(lineOf(e).find("free_force") == std::string::npos);
+  }
+}
+
+TEST_CASE("a line of a field with too few forces, or with one beyond the range, is refused") {
+  const std::string free = R"({"kind":"trace","t":1,"from":0,"ms":[0],"feature":".","hip":[1,2,3])";
+  CHECK(readEventLine(free + R"(,"wanted":[0,0.4,0],"free_force":[0.4,0,0]})"));
+  for (const char* forces :
+       {R"(,"wanted":[0,0.4],"free_force":[0.4,0,0]})", R"(,"wanted":[0,0.4,0]})",
+        R"(,"wanted":[0,0.4,0],"free_force":[0.4]})", R"(,"wanted":[0,1e9,0],"free_force":[0,0,0]})"}) {
+    CAPTURE(forces);
+    CHECK_FALSE(readEventLine(free + forces));
+  }
 }
 
 TEST_CASE(

@@ -123,6 +123,26 @@ TEST_CASE("without touch there is exact silence, and again 1 s after the touch h
   CHECK(synth.silent());
 }
 
+TEST_CASE("a field of 1.5 N without contact is one note of 660 Hz, without knock or scrape, and ends in silence") {
+  // The knock of a sphere has ended after half a second; then its tone has the same samples.
+  TouchSynth of_field, of_sphere;
+  of_field.take({.force_N = 1.5, .slide_A_per_s = 20.0, .field = true});
+  of_sphere.take(on(Feature::Sphere, 1.5));
+  std::vector<float> field = sounding(of_field, 0.5), sphere = sounding(of_sphere, 0.5);
+  double apart = 0.0;
+  for (std::size_t k = 0; k < field.size(); ++k) apart = std::max(apart, std::abs(double(field[k] - sphere[k])));
+  CHECK(apart > 0.05);
+  field = sounding(of_field, 1.0), sphere = sounding(of_sphere, 1.0);
+  apart = 0.0;
+  for (std::size_t k = 0; k < field.size(); ++k) apart = std::max(apart, std::abs(double(field[k] - sphere[k])));
+  CHECK(apart < 1e-4);
+  CHECK(frequencyOf(field) == doctest::Approx(660.0).epsilon(0.1 / 660.0));
+  CHECK_FALSE(of_field.silent());
+  of_field.take({});
+  sounding(of_field, 1.0);
+  CHECK(of_field.silent());
+}
+
 TEST_CASE("contact knocks at 520 Hz and its end at 390 Hz") {
   TouchSynth synth;
   synth.take(on(Feature::Sphere, 0.0));

@@ -206,6 +206,8 @@ void Playback::showHand() {
     sample.contact.atoms = hand->atoms;
     sample.contact.displacement_A = hand->displacement_A;
     sample.force = hand->force;
+    // Without a stiffness of springs, the sample's wanted force is that of the field alone.
+    if (hand->wanted_N) sample.field = FeltForce{.force_N = *hand->wanted_N};
     sample.probe_A = stage->touch.probe_A;
     sample.time_s = at_s_;
   }

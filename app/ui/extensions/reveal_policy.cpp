@@ -89,11 +89,16 @@ std::string RevealPolicy::unnamedText(bool spoken) const {
 }
 
 TouchMoment RevealPolicy::heard(const ServoSample& sample, double slide_A_per_s) const {
-  const double force_N = glm::length(sample.force.N);
-  if (names(sample.contact)) return {sample.contact.feature, sample.contact.atoms, force_N, slide_A_per_s};
-  // Always the sound of the same single atom.
-  if (sample.contact.touching()) return {Feature::Sphere, {0, -1, -1}, force_N, slide_A_per_s};
-  return {Feature::Free, {-1, -1, -1}, force_N, slide_A_per_s};
+  TouchMoment out{
+      .force_N = glm::length(sample.force.N), .slide_A_per_s = slide_A_per_s, .field = sample.field && sample.felt()};
+  if (names(sample.contact)) {
+    out.feature = sample.contact.feature;
+    out.atoms = sample.contact.atoms;
+  } else if (sample.contact.touching()) {  // always the sound of the same single atom
+    out.feature = Feature::Sphere;
+    out.atoms = {0, -1, -1};
+  }
+  return out;
 }
 
 ViewPartSet RevealPolicy::shownParts() const {
