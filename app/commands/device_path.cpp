@@ -31,7 +31,8 @@ std::unique_ptr<Interaction> feltOf(const ServoRecording& recording) {
   if (!molecule) return nullptr;
   const RecordedScene scene = recordedScene(recording.labels, molecule->spheres);
   const TouchSetup touch = touchOf(recording);
-  return makeInteraction({scene.spheres, touch, scene.body, chemistryFor(touch, *molecule)});
+  return makeInteraction(
+      {.spheres = scene.spheres, .touch = touch, .body = scene.body, .chemistry = chemistryFor(touch, *molecule)});
 }
 
 void run(const PathOptions& options) {

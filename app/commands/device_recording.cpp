@@ -214,7 +214,8 @@ void recordHand(const RecordOptions& options) {
   const ServoSettings settings = settingsFor(*scene, options.touch, info);
   Recorder recorder(options, openedFile(options), labelsOf(options, *scene, info.name));
   checkHand(options.touch, false);
-  auto felt = makeInteraction({scene, options.touch, nullptr, chemistryFor(options.touch, molecule)});
+  auto felt =
+      makeInteraction({.spheres = scene, .touch = options.touch, .chemistry = chemistryFor(options.touch, molecule)});
   MouseDevice mouse;
   ServoThread servo(mouse);
   servo.loop().setSettings(settings);
@@ -250,7 +251,8 @@ void replayHand(const std::string& file) {
     fail("the molecule \"" + label("molecule") + "\" is not the one any more that it was recorded on",
          "put the old file back, or record it again");
 
-  const auto felt = makeInteraction({scene.spheres, touch, scene.body, chemistryFor(touch, molecule)});
+  const auto felt = makeInteraction(
+      {.spheres = scene.spheres, .touch = touch, .body = scene.body, .chemistry = chemistryFor(touch, molecule)});
   if (!felt) fail("it was recorded with a body in the hand, and does not say which", "record it again");
   const ReplayResult result = replay(*recording, felt.get());
   char text[200];

@@ -94,7 +94,8 @@ Pushed push(const std::shared_ptr<const Molecule>& molecule, const RenderArgumen
   const auto scene = std::make_shared<const SphereGrid>(molecule->spheres, not_felt);
   checkHand(arguments.touch, body != nullptr);
   const TouchSetup touch = resolveInteraction(arguments.touch, body != nullptr);
-  const auto felt = makeInteraction({scene, touch, body, chemistryFor(touch, *molecule)});
+  const auto felt =
+      makeInteraction({.spheres = scene, .touch = touch, .body = body, .chemistry = chemistryFor(touch, *molecule)});
   const Vec3 from_hip = camera.back();
   const double held_A = body ? body->reach_A : touch.probe_A;
   const double reach = glm::length(scene->high_A() - scene->low_A()) + 2 * held_A + 1;

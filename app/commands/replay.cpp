@@ -142,7 +142,7 @@ std::vector<char> replayProbe(const InteractionInput& input, const HipPath& path
 
 // The molecule and its held atoms, or the spheres of two files.
 InteractionInput inputOf(const ReplayOptions& options) {
-  InteractionInput input{nullptr, options.touch};
+  InteractionInput input{.spheres = nullptr, .touch = options.touch};
   if (!options.from_spheres.empty()) {
     constexpr std::size_t kMaxSpheres = 25'000'000;
     input.spheres = std::make_shared<const SphereGrid>(readSpheres(options.from_spheres[0], kMaxSpheres));

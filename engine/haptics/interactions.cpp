@@ -11,21 +11,15 @@
 namespace moltact {
 namespace {
 
-// A sphere that feels the scene: the probe, or an atom of a body. Wrappers that change the force of both are applied
-// here.
-std::unique_ptr<Interaction> makeSphere(const InteractionInput& input, const Method& method, double radius_A) {
-  return method.make(input.spheres, radius_A);
-}
-
 std::unique_ptr<Interaction> makeProbe(const InteractionInput& input) {
   const Method* method = findMethod(input.touch.method);
-  return method ? makeSphere(input, *method, input.touch.probe_A) : nullptr;
+  return method ? method->make(input.spheres, input.touch.probe_A) : nullptr;
 }
 
 std::unique_ptr<Interaction> makeSprings(const InteractionInput& input) {
   const Method* method = findMethod(input.touch.method);
   if (!method || !input.body) return nullptr;
-  const auto make = [&](double radius_A) { return makeSphere(input, *method, radius_A); };
+  const auto make = [&](double radius_A) { return method->make(input.spheres, radius_A); };
   return std::make_unique<RigidBody>(input.body, make, input.spheres->bytes());
 }
 
@@ -34,7 +28,7 @@ std::unique_ptr<Interaction> makeExactBody(const InteractionInput& input) {
   if (!input.body) return nullptr;
   if (input.body->spheres.size() > 1 || glm::length(input.body->spheres.front().centre_A) > 1e-9)
     return std::make_unique<ExactBody>(input.spheres, input.body, input.rotational_stiffness_N_A);
-  const auto make = [&](double radius_A) { return makeSphere(input, referenceMethod(), radius_A); };
+  const auto make = [&](double radius_A) { return referenceMethod().make(input.spheres, radius_A); };
   return std::make_unique<RigidBody>(input.body, make, input.spheres->bytes());
 }
 
@@ -49,7 +43,12 @@ constexpr std::array kKinds{
                     "body"},
 };
 
+// From the innermost to the outermost: friction and texture, which act on the contact, before fields.
+constexpr std::array<InteractionLayer, 0> kLayers{};
+
 }  // namespace
+
+std::span<const InteractionLayer> interactionLayers() { return kLayers; }
 
 std::span<const InteractionKind> interactionKinds() { return kKinds; }
 
@@ -68,9 +67,19 @@ TouchSetup resolveInteraction(TouchSetup wanted, bool body) {
   return wanted;
 }
 
-std::unique_ptr<Interaction> makeInteraction(const InteractionInput& input) {
+bool needsChemistry(const TouchSetup& touch, std::span<const InteractionLayer> layers) {
+  const InteractionKind* kind = findInteractionKind(touch.interaction);
+  return (kind && kind->needs_chemistry) || std::any_of(layers.begin(), layers.end(), [&](const InteractionLayer& l) {
+           return l.needs_chemistry && l.acts(touch);
+         });
+}
+
+std::unique_ptr<Interaction> makeInteraction(const InteractionInput& input, std::span<const InteractionLayer> layers) {
   const InteractionKind* kind = findInteractionKind(input.touch.interaction);
-  return kind ? kind->make(input) : nullptr;
+  std::unique_ptr<Interaction> felt = kind ? kind->make(input) : nullptr;
+  for (const InteractionLayer& layer : layers)
+    if (felt && layer.acts(input.touch)) felt = layer.wrap(std::move(felt), input);
+  return felt;
 }
 
 TouchSetup referenceOf(TouchSetup felt) {

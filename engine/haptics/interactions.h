@@ -1,5 +1,6 @@
-// The table of interactions: the ways to feel a scene. A new interaction needs its own files and a row in
-// interactions.cpp. Window's thread; creating an interaction may allocate. Units: angstrom.
+// The tables of interactions, the ways to feel a scene, and of layers, which act on top of any of them. A new
+// interaction or layer needs its own file and a row in interactions.cpp. Window's thread; creating an interaction may
+// allocate. Units: angstrom.
 #pragma once
 
 #include <memory>
@@ -19,7 +20,7 @@ struct InteractionInput {
   std::shared_ptr<const SphereGrid> spheres;
   TouchSetup touch = {};
   std::shared_ptr<const HeldBody> body = nullptr;  ///< for a kind with `holds_body`; other kinds ignore it
-  /// One entry per sphere, for a kind with `needs_chemistry` (built by engine/structure/atom_charges.h); else null.
+  /// One entry per sphere where needsChemistry() is true (built by engine/structure/atom_charges.h); else null.
   std::shared_ptr<const AtomChemistry> chemistry = nullptr;
   /// Of the spring that turns a held body to the hand's orientation (unit: N A per radian, for a spring of 1 N per A at
   /// its middle); 0: by the body's size. For a kind that has such a spring.
@@ -38,6 +39,21 @@ struct InteractionKind {
   std::string_view former_name = {};  ///< in files of earlier versions; empty: the same
 };
 
+/// A force or a surface property that acts on top of every interaction, probe or body: a field, friction, texture. It is
+/// a decorator (`WrappedInteraction`) around the response. A change of the contact's force thus acts on the springs of a
+/// body as on that of a probe, and no method, nor the search for a body's rest, depends on it. A decorator that changes
+/// the contact changes `displacement_A`, `torque_A2` and `energy_A2` together, so that no energy is created.
+struct InteractionLayer {
+  std::string_view name;            ///< "friction"
+  bool (*acts)(const TouchSetup&);  ///< whether the setup selects it; otherwise `wrap` is not called
+  /// Wraps an interaction. The setup, the body and, with `needs_chemistry`, the chemistry are in `input`.
+  std::unique_ptr<Interaction> (*wrap)(std::unique_ptr<Interaction> inner, const InteractionInput& input);
+  bool needs_chemistry = false;  ///< `wrap` reads InteractionInput::chemistry
+};
+
+/// All layers, from the innermost to the outermost; at present none.
+std::span<const InteractionLayer> interactionLayers();
+
 /// All kinds, the default first.
 std::span<const InteractionKind> interactionKinds();
 
@@ -48,12 +64,16 @@ const InteractionKind* findInteractionKind(std::string_view name);
 /// `body` is true; otherwise it becomes the first kind that matches.
 TouchSetup resolveInteraction(TouchSetup wanted, bool body);
 
-/// Creates the interaction that the setup names. Returns null if interaction or method is unknown, or a required body
-/// is missing.
-std::unique_ptr<Interaction> makeInteraction(const InteractionInput& input);
+/// True if the setup's interaction, or one of its layers, needs InteractionInput::chemistry.
+bool needsChemistry(const TouchSetup& touch, std::span<const InteractionLayer> layers = interactionLayers());
 
-/// The setup that serves as reference for a method felt with `felt`: the same with referenceMethod(). A
-/// `WrappedInteraction`, which changes the force of every method, thus does not count as an error of the method.
+/// Creates the interaction that the setup names, inside the layers that it selects; without any, the interaction itself.
+/// Returns null if interaction or method is unknown, or a required body is missing.
+std::unique_ptr<Interaction> makeInteraction(const InteractionInput& input,
+                                             std::span<const InteractionLayer> layers = interactionLayers());
+
+/// The setup that serves as reference for a method felt with `felt`: the same with referenceMethod(). A layer, which
+/// changes the force of every method, thus does not count as an error of the method.
 TouchSetup referenceOf(TouchSetup felt);
 
 }  // namespace moltact

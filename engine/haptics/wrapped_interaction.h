@@ -1,4 +1,4 @@
-// A wrapper around an interaction, for forces that apply to every method, such as friction or a limit in depth. It
+// A wrapper around an interaction, for a field or a surface property such as friction: a layer of interactions.h. It
 // forwards every call; a derived class overrides what it changes. `respond` runs on the haptic thread.
 #pragma once
 

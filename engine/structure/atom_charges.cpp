@@ -79,8 +79,7 @@ AtomChemistry atomChemistry(const Molecule& m, std::string_view source) {
 }
 
 std::shared_ptr<const AtomChemistry> chemistryFor(const TouchSetup& touch, const Molecule& molecule) {
-  const InteractionKind* kind = findInteractionKind(touch.interaction);
-  if (!kind || !kind->needs_chemistry) return nullptr;
+  if (!needsChemistry(touch)) return nullptr;
   return std::make_shared<const AtomChemistry>(atomChemistry(molecule, touch.charges));
 }
 

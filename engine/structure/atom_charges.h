@@ -22,7 +22,7 @@ std::vector<float> formalCharges_e(const Molecule& molecule);
 /// file has none, and for an unknown name.
 AtomChemistry atomChemistry(const Molecule& molecule, std::string_view source);
 
-/// The chemistry required by an interaction with this setup; null if its kind needs none.
+/// The chemistry required by an interaction with this setup (needsChemistry()); null if it needs none.
 std::shared_ptr<const AtomChemistry> chemistryFor(const TouchSetup& touch, const Molecule& molecule);
 
 }  // namespace moltact

@@ -155,7 +155,9 @@ TEST_CASE(
       recordedScene(trace->labels, readMolecule(MOLTACT_SOURCE_DIR "/molecules/1hpv.pdb")->spheres);
   REQUIRE(scene.body);
   CHECK(scene.body->atoms == held);
-  CHECK_FALSE(replay(*trace, makeInteraction({scene.spheres, touchOf(*trace), scene.body}).get()).first_difference);
+  CHECK_FALSE(
+      replay(*trace, makeInteraction({.spheres = scene.spheres, .touch = touchOf(*trace), .body = scene.body}).get())
+          .first_difference);
 
   auto d = startWith("1hpv");
   d->frames(10);

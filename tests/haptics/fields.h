@@ -38,7 +38,8 @@ class OpenSpace final : public WithoutMemory<Tracker> {
   Contact step(PointA hip) noexcept override { return {.scp = hip}; }
 };
 
-/// A field of pairs with some atoms of the scene, added to `inner`.
+/// A field of pairs with some atoms of the scene, added to `inner`. It acts on a point at the hand, or on the sites of a
+/// body.
 template <class Pair>
 class InField final : public WrappedInteraction {
  public:
@@ -46,8 +47,9 @@ class InField final : public WrappedInteraction {
     std::int32_t atom;
     Vec3 place_A;
   };
-  double offset_N_A = 0.0;  ///< added to the energy everywhere
-  double driving = 1.0;     ///< factor of the force where it drives the hand; values above 1 create energy
+  double offset_N_A = 0.0;               ///< added to the energy everywhere
+  std::vector<Vec3> sites_A{Vec3(0.0)};  ///< relative to the hand's position, in the body's axes
+  double driving = 1.0;                  ///< factor of the force where it drives the hand; values above 1 create energy
 
   InField(std::unique_ptr<Interaction> inner, Pair pair, std::vector<Atom> atoms)
       : WrappedInteraction(std::move(inner)), pair_(pair), atoms_(std::move(atoms)), forces_(atoms_.size()) {}
@@ -58,14 +60,21 @@ class InField final : public WrappedInteraction {
     FeltForce& sum = out.field.emplace();
     sum.energy_N_A = offset_N_A;
     for (std::size_t k = 0; k < atoms_.size(); ++k) {
-      const Vec3 from = pose.place.A - atoms_[k].place_A;
-      const double r = glm::length(from);
-      const PairEnergy pair = pair_.at(r);
-      forces_[k] = r > 0.0 ? from * (-pair.slope_N / r) : Vec3(0.0);
+      forces_[k] = Vec3(0.0);
+      for (const Vec3& site : sites_A) {
+        const Vec3 lever = pose.orientation * site, from = pose.place.A + lever - atoms_[k].place_A;
+        const double r = glm::length(from), arm = glm::length(lever);
+        const PairEnergy pair = pair_.at(r);
+        const Vec3 force = r > 0.0 ? from * (-pair.slope_N / r) : Vec3(0.0);
+        forces_[k] += force;
+        sum.torque_N_A += glm::cross(lever, force);
+        sum.energy_N_A += pair.energy_N_A;
+        const double across = r > 0.0 ? pair.slope_N / r : pair.curvature_N_per_A;
+        const double stiffness = std::max({0.0, pair.curvature_N_per_A, across});
+        sum.stiffness_N_per_A += stiffness;
+        sum.rotational_stiffness_N_A += arm * (stiffness * arm + glm::length(force));
+      }
       sum.force_N += forces_[k];
-      sum.energy_N_A += pair.energy_N_A;
-      const double across = r > 0.0 ? pair.slope_N / r : pair.curvature_N_per_A;
-      sum.stiffness_N_per_A += std::max({0.0, pair.curvature_N_per_A, across});
     }
     if (pose.place.A != last_A_)
       drives_ = glm::dot(sum.force_N, pose.place.A - std::exchange(last_A_, pose.place.A)) > 0;

@@ -247,7 +247,7 @@ TEST_CASE("memory that all spheres of a body share is counted once, and so are t
   const auto body = heldBody(kSpheres, kHeld);
   TouchSetup touch;
   touch.interaction = "springs";
-  const auto felt = makeInteraction({spheres, touch, body});
+  const auto felt = makeInteraction({.spheres = spheres, .touch = touch, .body = body});
   felt->respond({{Vec3(1e3)}, kNoRotation});
   const std::size_t one = referenceMethod().make(spheres, 1.1)->memoryUsage().bytes;
   CHECK(felt->memoryUsage().bytes < spheres->bytes() + 3 * (one - spheres->bytes()) + 1000);

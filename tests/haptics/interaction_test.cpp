@@ -21,7 +21,9 @@ TEST_CASE("every interaction has a name of its own, is made over a scene and say
     const auto spheres = test::makeScene({{{0, 0, 0}, 1.6}});
     // A kind that needs chemistry gets one atom without element and charge.
     const auto chemistry = std::make_shared<const AtomChemistry>(AtomChemistry{{0}, {0}, {}, {""}});
-    const auto felt = kind.make({spheres, {}, heldBody(spheres->spheres(), std::vector<std::uint32_t>{0}), chemistry});
+    const auto felt = kind.make({.spheres = spheres,
+                                 .body = heldBody(spheres->spheres(), std::vector<std::uint32_t>{0}),
+                                 .chemistry = chemistry});
     REQUIRE(felt);
     if (!kind.former_name.empty()) CHECK(findInteractionKind(kind.former_name) == &kind);
     // What has no probe says 0 and passes another radius over.
@@ -44,7 +46,7 @@ TEST_CASE(
     TouchSetup touch;
     touch.method = method.name;
     touch.probe_A = scene.probe_A;
-    const auto felt = makeInteraction({spheres, touch});
+    const auto felt = makeInteraction({.spheres = spheres, .touch = touch});
     REQUIRE(felt);
     const auto tracker = method.make(spheres, scene.probe_A);
     int touching = 0, different = 0;
@@ -80,14 +82,14 @@ TEST_CASE("a method is judged by the reference method, with all other properties
 TEST_CASE("an unknown name creates neither an interaction nor a method") {
   const auto spheres = test::makeScene({{{0, 0, 0}, 1.6}});
   TouchSetup touch;
-  CHECK(makeInteraction({spheres, touch}));
+  CHECK(makeInteraction({.spheres = spheres, .touch = touch}));
   touch.method = "none";
-  CHECK_FALSE(makeInteraction({spheres, touch}));
+  CHECK_FALSE(makeInteraction({.spheres = spheres, .touch = touch}));
   touch = {};
   touch.interaction = "none";
-  CHECK_FALSE(makeInteraction({spheres, touch}));
+  CHECK_FALSE(makeInteraction({.spheres = spheres, .touch = touch}));
   touch = resolveInteraction(touch, true);
-  CHECK_FALSE(makeInteraction({spheres, touch}));  // no body
+  CHECK_FALSE(makeInteraction({.spheres = spheres, .touch = touch}));  // no body
   CHECK(findInteractionKind("none") == nullptr);
 }
 

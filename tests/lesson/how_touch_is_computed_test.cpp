@@ -318,7 +318,7 @@ TEST_CASE(
   const auto lock = std::make_shared<const SphereGrid>(s.molecule->spheres, key);
   // The distance of the key from its place after the hand was led to 1 A behind it.
   const auto led = [&](const Vec3& axis, double askew_deg, double rotational_N_A) {
-    InteractionInput input{lock, {}, body};
+    InteractionInput input{.spheres = lock, .body = body};
     input.touch.interaction = "exact-body";
     input.rotational_stiffness_N_A = rotational_N_A;
     const auto felt = makeInteraction(input);

@@ -48,7 +48,7 @@ MethodWatch::MethodWatch() : turns_(std::size_t(TouchLog::kPlot_s / kTick_s) / T
 void MethodWatch::begin(const TouchableModel& stage, const TouchSetup& felt) {
   spheres_ = stage.spheres;
   reference_ = referenceOf(felt);
-  exact_ = stage ? makeInteraction({stage.spheres, reference_}) : nullptr;
+  exact_ = stage ? makeInteraction({.spheres = stage.spheres, .touch = reference_}) : nullptr;
   hand_ = {};
   fraction_ = 0.0;
   motion_ = nullptr;
@@ -63,7 +63,7 @@ void MethodWatch::begin(const TouchableModel& stage, const TouchSetup& felt) {
 void MethodWatch::feelWith(const TouchSetup& felt) {
   const TouchSetup reference = referenceOf(felt);
   if (exact_ && !sameConstruction(reference, reference_)) {
-    exact_ = makeInteraction({spheres_, reference});
+    exact_ = makeInteraction({.spheres = spheres_, .touch = reference});
     if (motion_ && exact_->setMotion(motion_.get())) exact_->advanceTo(fraction_);
     leadToContact(*exact_, latest_exact_, hand_);
   }

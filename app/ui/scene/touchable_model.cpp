@@ -79,7 +79,8 @@ void leadToContact(Interaction& made, const Contact& contact, const PoseA& hand)
 std::unique_ptr<Interaction> interactionAt(const TouchableModel& stage, const TouchSetup& touch, const Contact& contact,
                                            const PoseA& hand, const DeviceSpecs& device) {
   if (!stage) return nullptr;
-  InteractionInput input{stage.spheres, touch, stage.body, chemistryFor(touch, *stage.molecule)};
+  InteractionInput input{
+      .spheres = stage.spheres, .touch = touch, .body = stage.body, .chemistry = chemistryFor(touch, *stage.molecule)};
   if (stage.body) {
     const double lever_A =
         springLever_A(radiusOfGyration_A(*stage.body), stage.workspace.A_per_mm, touch.stiffness_N_per_mm, device);

@@ -1,8 +1,7 @@
 // A rigid body in the hand: six degrees of freedom, felt through its atoms.
 //
-// Each atom of the body is a sphere of its own radius that follows the body's pose. It is rendered like a probe
-// (makeSphere in interactions.cpp): its SCP stays outside every sphere of the scene, so no atom passes through a thin
-// wall as with a penalty method. A spring pulls each atom to its SCP. The force is the sum of the springs; the torque
+// Each atom of the body is a sphere of its own radius that follows the body's pose. It is rendered like a probe: its SCP
+// stays outside every sphere of the scene, so no atom passes through a thin wall as with a penalty method. A spring pulls each atom to its SCP. The force is the sum of the springs; the torque
 // about the hand's position is the sum of lever cross displacement. (McNeely, Puterbaugh & Troy 1999 sum the forces of
 // a body's points in the same way; here the points are spheres with god-object contacts.)
 //

@@ -83,13 +83,15 @@ void VirtualTouch::useMethod(std::string_view name) {
 void VirtualTouch::feelWith(const TouchSetup& wanted) {
   const TouchSetup touch = resolveInteraction(wanted, body_ != nullptr);
   if (!felt_ || !sameConstruction(touch, touch_)) {
-    std::unique_ptr<Interaction> made = makeInteraction({spheres_, touch, body_, chemistryFor(touch, *molecule_)});
+    std::unique_ptr<Interaction> made = makeInteraction(
+        {.spheres = spheres_, .touch = touch, .body = body_, .chemistry = chemistryFor(touch, *molecule_)});
     if (!made) return;
     felt_ = std::move(made);
     ++settings_.discontinuities;
   }
   const TouchSetup reference = referenceOf(touch);
-  if (!exact_ || !sameConstruction(reference, referenceOf(touch_))) exact_ = makeInteraction({spheres_, reference});
+  if (!exact_ || !sameConstruction(reference, referenceOf(touch_)))
+    exact_ = makeInteraction({.spheres = spheres_, .touch = reference});
   is_reference_ = sameConstruction(touch, reference);
   touch_ = touch;
   settings_.take(touch);
