@@ -136,7 +136,7 @@ class FuzzedHand {
       return odd;
     } else if (how == 14) {
       PoseA odd = pose_;
-      (&odd.orientation.x)[choices.pick(4)] = kOdd[choices.pick(std::size(kOdd))];
+      odd.orientation[int(choices.pick(4))] = kOdd[choices.pick(std::size(kOdd))];
       return odd;
     } else {
       PoseA odd = pose_;
