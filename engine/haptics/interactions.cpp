@@ -76,7 +76,8 @@ bool needsChemistry(const TouchSetup& touch, std::span<const InteractionLayer> l
 
 std::unique_ptr<Interaction> makeInteraction(const InteractionInput& input, std::span<const InteractionLayer> layers) {
   const InteractionKind* kind = findInteractionKind(input.touch.interaction);
-  std::unique_ptr<Interaction> felt = kind ? kind->make(input) : nullptr;
+  if (!kind || (!input.chemistry && needsChemistry(input.touch, layers))) return nullptr;
+  std::unique_ptr<Interaction> felt = kind->make(input);
   for (const InteractionLayer& layer : layers)
     if (felt && layer.acts(input.touch)) felt = layer.wrap(std::move(felt), input);
   return felt;

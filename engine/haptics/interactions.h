@@ -39,8 +39,8 @@ struct InteractionKind {
   std::string_view former_name = {};  ///< in files of earlier versions; empty: the same
 };
 
-/// A force or a surface property that acts on top of every interaction, probe or body: a field, friction, texture. It is
-/// a decorator (`WrappedInteraction`) around the response. A change of the contact's force thus acts on the springs of a
+/// A force or a surface property that acts on top of every interaction, probe or body: a field, friction, texture. It
+/// is a decorator (`WrappedInteraction`) of the response. A change of the contact's force thus acts on the springs of a
 /// body as on that of a probe, and no method, nor the search for a body's rest, depends on it. A decorator that changes
 /// the contact changes `displacement_A`, `torque_A2` and `energy_A2` together, so that no energy is created.
 struct InteractionLayer {
@@ -67,8 +67,8 @@ TouchSetup resolveInteraction(TouchSetup wanted, bool body);
 /// True if the setup's interaction, or one of its layers, needs InteractionInput::chemistry.
 bool needsChemistry(const TouchSetup& touch, std::span<const InteractionLayer> layers = interactionLayers());
 
-/// Creates the interaction that the setup names, inside the layers that it selects; without any, the interaction itself.
-/// Returns null if interaction or method is unknown, or a required body is missing.
+/// Creates the interaction that the setup names, inside the layers that it selects; without any, the bare interaction.
+/// Returns null if interaction or method is unknown, or a required body or chemistry is missing.
 std::unique_ptr<Interaction> makeInteraction(const InteractionInput& input,
                                              std::span<const InteractionLayer> layers = interactionLayers());
 

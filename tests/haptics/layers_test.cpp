@@ -137,6 +137,7 @@ TEST_CASE(
     input.touch.charges = kFileCharges;
     CHECK(needsChemistry(input.touch, kCharged));
     CHECK_FALSE(needsChemistry(input.touch));
+    CHECK_FALSE(makeInteraction(input, kCharged));  // no chemistry
     input.chemistry = std::make_shared<const AtomChemistry>(AtomChemistry{{8}, {0}, {0.5F}, {"O"}});
     const auto felt = makeInteraction(input, kCharged);
     // Turned by a quarter about z, so that the body's atoms are at y = 2 and y = -2.

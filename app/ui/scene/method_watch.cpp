@@ -6,6 +6,7 @@
 
 #include "engine/core/saturated.h"
 #include "engine/haptics/sweep.h"
+#include "engine/structure/atom_charges.h"
 
 namespace moltact {
 namespace {
@@ -45,10 +46,15 @@ double clearanceAt(const SphereGrid& resting, const ServoSample& s, const Sphere
 
 MethodWatch::MethodWatch() : turns_(std::size_t(TouchLog::kPlot_s / kTick_s) / TouchLog::kTicksAPoint) {}
 
+std::unique_ptr<Interaction> MethodWatch::makeReference(const TouchSetup& reference) const {
+  return makeInteraction({.spheres = spheres_, .touch = reference, .chemistry = chemistryFor(reference, *molecule_)});
+}
+
 void MethodWatch::begin(const TouchableModel& stage, const TouchSetup& felt) {
+  molecule_ = stage.molecule;
   spheres_ = stage.spheres;
   reference_ = referenceOf(felt);
-  exact_ = stage ? makeInteraction({.spheres = stage.spheres, .touch = reference_}) : nullptr;
+  exact_ = stage ? makeReference(reference_) : nullptr;
   hand_ = {};
   fraction_ = 0.0;
   motion_ = nullptr;
@@ -63,7 +69,7 @@ void MethodWatch::begin(const TouchableModel& stage, const TouchSetup& felt) {
 void MethodWatch::feelWith(const TouchSetup& felt) {
   const TouchSetup reference = referenceOf(felt);
   if (exact_ && !sameConstruction(reference, reference_)) {
-    exact_ = makeInteraction({.spheres = spheres_, .touch = reference});
+    exact_ = makeReference(reference);
     if (motion_ && exact_->setMotion(motion_.get())) exact_->advanceTo(fraction_);
     leadToContact(*exact_, latest_exact_, hand_);
   }

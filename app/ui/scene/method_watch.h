@@ -74,9 +74,11 @@ class MethodWatch {
   double greatestTurn_deg() const;
 
  private:
+  std::unique_ptr<Interaction> makeReference(const TouchSetup& reference) const;
   MethodRecord& record(std::string_view method);
   void noteTurn(const ServoSample& sample);
 
+  std::shared_ptr<const Molecule> molecule_;
   std::shared_ptr<const SphereGrid> spheres_;
   std::shared_ptr<const SphereMotion> motion_;  // outlives exact_, which reads it
   std::unique_ptr<Interaction> exact_;

@@ -91,7 +91,8 @@ void VirtualTouch::feelWith(const TouchSetup& wanted) {
   }
   const TouchSetup reference = referenceOf(touch);
   if (!exact_ || !sameConstruction(reference, referenceOf(touch_)))
-    exact_ = makeInteraction({.spheres = spheres_, .touch = reference});
+    exact_ =
+        makeInteraction({.spheres = spheres_, .touch = reference, .chemistry = chemistryFor(reference, *molecule_)});
   is_reference_ = sameConstruction(touch, reference);
   touch_ = touch;
   settings_.take(touch);
