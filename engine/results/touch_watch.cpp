@@ -6,6 +6,9 @@
 namespace moltact {
 namespace {
 
+// A longer wanted force is kept with this length; its direction is what a playback draws (unit: newton).
+constexpr double kMaxWanted_N = 100.0;
+
 // The angle between two orientations (unit: radian).
 double turned(const Quat& from, const Quat& to) { return glm::length(rotationBetween(from, to)); }
 
@@ -72,7 +75,7 @@ void TouchWatch::keepHip(const TouchSample& s, double t_s) {
   const Contact& c = s.contact;
   HipSample now{t_s, s.hip, c.scp, s.force, c.displacement_A, c.feature, c.atoms};
   if (s.body) now.held = {s.orientation, *s.body};
-  if (s.field) now.wanted_N = s.wanted_N;
+  if (s.field) now.wanted_N = s.wanted_N * std::min(1.0, kMaxWanted_N / std::max(glm::length(s.wanted_N), 1e-9));
   // A line of the file is either with a body or without one.
   if (has_before_ && now.held.has_value() != before_.held.has_value()) endPath();
   if (has_before_) {

@@ -96,6 +96,21 @@ TEST_CASE(
   }
 }
 
+TEST_CASE("a field that wants 1e12 N is kept with 100 N in its direction, and its line is read") {
+  TouchWatch watch;
+  TouchSample s;
+  s.field = true;
+  s.force.N = {0, 0, 3.3};
+  s.wanted_N = {0, 0, 1e12};
+  watch.add(s, 0.0, InputKind::Mouse);
+  watch.breakOff();
+  const std::vector<AttemptEvent> events = watch.take(0.0);
+  REQUIRE(events.size() == 1);
+  const auto back = readEventLine(lineOf(events[0]));
+  REQUIRE(bool(back));
+  CHECK(glm::distance(*std::get<HipChunk>((*back)->what).samples.at(0).wanted_N, Vec3(0, 0, 100)) < 1e-3);
+}
+
 TEST_CASE("a line of a field with too few forces, or with one beyond the range, is refused") {
   const std::string free = R"({"kind":"trace","t":1,"from":0,"ms":[0],"feature":".","hip":[1,2,3])";
   CHECK(readEventLine(free + R"(,"wanted":[0,0.4,0],"free_force":[0.4,0,0]})"));
