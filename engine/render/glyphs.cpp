@@ -167,9 +167,13 @@ class Maker {
     front -= axis * glm::dot(front, axis);
     const Vec3 u = glm::length(front) > 1e-3 ? glm::normalize(front) : anyNormal(axis), v = glm::cross(axis, u);
     const auto at = [&](double t) { return middle + r * (std::cos(t) * u + std::sin(t) * v); };
-    const std::uint32_t colour =
-        packColour(forceColour(scene_.theme, scene_.strongest_N > 0 ? size / (r * scene_.strongest_N) : 0.0));
+    const double strength = scene_.strongest_N > 0 ? size / (r * scene_.strongest_N) : 0.0;
+    const std::uint32_t colour = packColour(forceColour(scene_.theme, strength));
     const int pieces = std::max(2, int(std::ceil(angle / 0.12)));
+    // Inside the body the arc shows through as a line.
+    out_.strokes.begin(
+        {.colour = forceColour(scene_.theme, strength), .alpha = 1.0f, .hidden = 0.6f, .width_px = 2.6f});
+    for (int k = 0; k <= pieces; ++k) out_.strokes.point(view(at(angle * (double(k) / pieces - 0.5))));
     for (int k = 0; k < pieces; ++k)
       out_.cones.push_back({view(at(angle * (double(k) / pieces - 0.5))), view(at(angle * ((k + 1.0) / pieces - 0.5))),
                             float(thick), float(thick), colour});
@@ -257,11 +261,12 @@ class Maker {
   }
 
   // A vector along the line of sight in the notation of drawings: a ring with a dot (toward the viewer) or a cross
-  // (away). It lies in front of the probe and grows with the force like the arrow.
+  // (away). It lies in front of the probe and grows with the force like the arrow, up to an eighth of the picture.
   void headOn(bool toward, const Colour& warm) {
     const Vec3 eye = toEye(scp_), right = scene_.camera.right(), up = glm::cross(eye, right);
     const Vec3 at = scp_ + eye * (held().reach_A() + 0.3);
-    const double r = std::max(sized(0.3, 13.0), 0.4 * scene_.force_N * scene_.arrow_A_per_N);
+    const double r =
+        std::min(std::max(sized(0.3, 13.0), 0.4 * scene_.force_N * scene_.arrow_A_per_N), sized(0.0, 100.0));
     const auto draw = [&](const auto& lines) {
       for (const Stroke& stroke : {Stroke{.colour = glm::vec3(0.0f), .alpha = 0.55f, .hidden = 0.55f, .width_px = 5.0f},
                                    Stroke{.colour = warm, .alpha = 1.0f, .hidden = 1.0f, .width_px = 2.6f}})
@@ -269,7 +274,7 @@ class Maker {
     };
     draw([&](const Stroke& s) { addCircle(out_.strokes, s, scene_.camera, at, eye, r, 48); });
     if (toward) {
-      solid(at, 0.3 * r, warm, 1.0f);
+      solid(at, std::min(0.3 * r, sized(0.3, 9.0)), warm, 1.0f);
       return;
     }
     for (const double side : {-1.0, 1.0})

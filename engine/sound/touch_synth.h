@@ -7,7 +7,7 @@
 //   pitch                       force: 330 Hz without force, 8 semitones higher per newton (3 N: two octaves)
 //   one note                    a sphere: one atom blocks the probe
 //   two notes, a fifth apart    a crease: two atoms block it
-//   three notes, a major chord  a pit: three atoms block it
+//   three notes, a major chord  a pit: three atoms block it; of a held body, three contacts or more
 //   loudness                    increases slightly with the force, up to 2 N
 //   knock                       contact begins; a lower one: contact ends
 //   click                       a new atom blocks the probe: it has reached a crease

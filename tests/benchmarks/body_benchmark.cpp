@@ -1,9 +1,13 @@
 // Tick times of the exact rigid body: bodies of 1 to 5000 atoms, pressed into a scene, dragged and twisted. Each time is
 // the minimum over three runs of the same tick, divided by the time of a plain loop of 1000 sphere distances in the same
 // process, so that figures of different machines can be compared. `moltact bench bodies` compares methods.
+// A second table times the sum of the body's energies with the scene (PairSum) at the poses in which the body rested. All
+// atoms are carbon there, with charges of 0.2 and -0.2 in turn; heavy atoms only.
 // Run: build/release/body_benchmark [name of a scene, see body_tasks.h]
 #include <algorithm>
+#include <chrono>
 #include <cstdio>
+#include <memory>
 #include <numeric>
 #include <string>
 #include <string_view>
@@ -12,6 +16,7 @@
 #include "engine/bench/bodies/body_tasks.h"
 #include "engine/bench/bodies/body_trade_off.h"
 #include "engine/haptics/body/exact_body.h"
+#include "engine/haptics/field/pair_sum.h"
 #include "engine/molecule/reader.h"
 
 namespace {
@@ -43,23 +48,68 @@ void timeTicks(const bench::BodyTask& task) {
   std::fflush(stdout);
 }
 
+std::vector<PairAtom> carbon(std::span<const Sphere> spheres) {
+  std::vector<PairAtom> out;
+  for (const Sphere& s : spheres) out.push_back({s.centre_A, 1.908f, 0.086f, out.size() % 2 ? -0.2f : 0.2f});
+  return out;
+}
+
+void timePairs(const bench::BodyTask& task, Dielectric kind, const char* title) {
+  ExactBody felt(task.scene, task.body);
+  felt.respond({{task.home}});
+  std::vector<PoseA> rests;
+  for (const PoseA& hand : bench::pathOf(task, kTicks)) rests.push_back(felt.respond(hand).shownBody(hand));
+  PairModel model;
+  model.kind = kind;
+  std::vector<double> us(rests.size(), 1e9);
+  std::size_t pairs = 0;
+  for (int run = 0; run < kRuns; ++run) {
+    PairSum sum(task.scene, carbon({task.scene->spheres().begin(), task.scene->size()}), carbon(task.body->spheres),
+                model);
+    sum.at(rests.front());  // the first lists
+    for (std::size_t k = 0; k < rests.size(); ++k) {
+      const auto begun = std::chrono::steady_clock::now();
+      sum.at(rests[k]);
+      us[k] =
+          std::min(us[k], std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now() - begun).count());
+      pairs = std::max(pairs, sum.listedPairs());
+    }
+  }
+  const double loop_us = bench::distanceLoop_ns() / 1e3,
+               mean = std::accumulate(us.begin(), us.end(), 0.0) / double(us.size());
+  std::sort(us.begin(), us.end());
+  const double tail = us[std::min(us.size() - 1, us.size() * 999 / 1000)];
+  std::printf("| %s | %s | %zu | %.1f | %.1f | %.1f | %.2f | %.1f |\n", task.name.c_str(), title, pairs, mean,
+              us[us.size() / 2], tail, mean / loop_us, tail / loop_us);
+  std::fflush(stdout);
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
   const auto open = [](const std::string& id) {
     return readMolecule(std::string(MOLTACT_SOURCE_DIR "/molecules/") + id + ".pdb");
   };
-  std::printf(
-      "| body | contact | at rest | steps | mean us | p50 | p99 | p99.9 | max | mean / loop | p99.9 / loop |\n"
-      "| --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- |\n");
+  std::vector<bench::BodyTask> tasks;
   for (const std::string_view name : bench::kBodyTasks) {
     if (argc > 1 && name != argv[1]) continue;
-    const auto task = bench::bodyTask(name, open);
+    auto task = bench::bodyTask(name, open);
     if (!task) {
       std::fprintf(stderr, "%s\n", task.problem().text().c_str());
       return 2;
     }
-    timeTicks(*task);
+    tasks.push_back(std::move(*task));
+  }
+  std::printf(
+      "| body | contact | at rest | steps | mean us | p50 | p99 | p99.9 | max | mean / loop | p99.9 / loop |\n"
+      "| --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- |\n");
+  for (const bench::BodyTask& task : tasks) timeTicks(task);
+  std::printf(
+      "\n| body | dielectric | pairs in lists | mean us | p50 | p99.9 | mean / loop | p99.9 / loop |\n"
+      "| --- | --- | --- | --- | --- | --- | --- | --- |\n");
+  for (const bench::BodyTask& task : tasks) {
+    timePairs(task, Dielectric::Distance, "distance");
+    timePairs(task, Dielectric::MehlerSolmajer, "Mehler-Solmajer");
   }
   std::printf("loop of 1000 sphere distances: %.2f us\n", bench::distanceLoop_ns() / 1e3);
 }

@@ -23,7 +23,7 @@ int ticksPerScene() {
 
 struct Verdict {
   int ticks = 0, pressed = 0, unrested = 0, lower = 0;
-  long double least_gap_A = 1.0L, residual = 0.0L, energy_gained_A2 = 0.0L, off_force = 0.0L;
+  long double least_gap_A = 1.0L, residual = 0.0L, energy_gained_A2 = 0.0L, off_force = 0.0L, off_hand = 0.0L;
 };
 
 Verdict judge(const std::vector<Sphere>& spheres, const std::shared_ptr<const HeldBody>& body,
@@ -33,6 +33,7 @@ Verdict judge(const std::vector<Sphere>& spheres, const std::shared_ptr<const He
   std::mt19937_64 random(5);
   Verdict out;
   std::optional<PoseA> before;
+  bool slipped = false;
   for (const PoseA& hand : path) {
     const Response r = felt.respond(hand);
     if (r.contact.fault != Fault::None) {
@@ -41,6 +42,17 @@ Verdict judge(const std::vector<Sphere>& spheres, const std::shared_ptr<const He
     }
     REQUIRE(r.body_pose);
     const BodyOracle::Pose at = BodyOracle::pose(*r.body_pose), to = BodyOracle::pose(felt.coupledHand());
+    // The springs pull to the hand itself until the body is 2 rad behind it.
+    const BodyOracle::Pose led = BodyOracle::pose(hand);
+    if (before) {
+      const auto behind = BodyOracle::rotationVector(BodyOracle::pose(*before), led);
+      slipped = slipped || std::hypot(behind[0], behind[1], behind[2]) > ExactBody::kSlip_rad - 1e-9;
+    }
+    for (std::size_t i = 0; i < 3; ++i) {
+      out.off_hand = std::max(out.off_hand, std::abs(to.place[i] - led.place[i]));
+      for (std::size_t j = 0; j < 3 && !slipped; ++j)
+        out.off_hand = std::max(out.off_hand, std::abs(to.turn[i][j] - led.turn[i][j]));
+    }
     ++out.ticks;
     out.pressed += r.contact.touching();
     out.unrested += !r.at_rest;
@@ -67,10 +79,41 @@ void check(const Verdict& v) {
   CHECK(double(v.residual) < 1e-6);
   CHECK(double(v.energy_gained_A2) < 1e-9);
   CHECK(double(v.off_force) < 1e-9);
+  CHECK(double(v.off_hand) < 1e-9);
   CHECK(v.lower == 0);
 }
 
 }  // namespace
+
+TEST_CASE(
+    "the oracle finds no lower neighbour where three balls lie in three grooves with 1e-10 A to spare, pressed 20 A "
+    "deep; it finds one where a dumbbell balances on a sphere with a curvature of -0.1") {
+  std::mt19937_64 random(5);
+  constexpr double kSkin_A = 1e-10, kBall_A = 1e4, kArm_A = 3.0 * kBall_A;  // steps of 1e-3 A see planes
+  std::vector<Sphere> grooves, balls;
+  for (int k = 0; k < 3; ++k) {
+    const double angle = kTwoPi * k / 3.0;
+    const Vec3 along(std::cos(angle), std::sin(angle), 0), across(-along.y, along.x, 0);
+    balls.push_back({kArm_A * along, kBall_A});
+    for (const double side : {-kBall_A, kBall_A})
+      grooves.push_back({kArm_A * along + side * across - Vec3(0, 0, std::sqrt(3.0) * kBall_A), kBall_A - kSkin_A});
+  }
+  const BodyOracle coupling(grooves, balls, kArm_A);
+  const BodyOracle::Pose rest = BodyOracle::pose({}), below = BodyOracle::pose({{{0, 0, -20}}});
+  CHECK(double(coupling.residual(rest, below)) < 1e-12);
+  CHECK(!coupling.hasLowerNeighbour(rest, below, 2000, random));
+  CHECK(coupling.hasLowerNeighbour(BodyOracle::pose({{{0, 0, 0.01}}}), below, 16, random));
+
+  const double height = std::sqrt(16.0 - 1.0);
+  const BodyOracle balance({{Vec3(0), 3.0}}, {{{1, 0, 0}, 1.0}, {{-1, 0, 0}, 1.0}}, 1.0);
+  const BodyOracle::Pose on_top = BodyOracle::pose({{{0, 0, height}}});
+  for (const double depth : {0.5, 0.9, 1.1, 1.5}) {
+    CAPTURE(depth);
+    const BodyOracle::Pose hand = BodyOracle::pose({{{0, 0, height * (1.0 - depth)}}});
+    CHECK(double(balance.residual(on_top, hand)) < 1e-12);
+    CHECK(balance.hasLowerNeighbour(on_top, hand, 1000, random) == (depth > 1.0));
+  }
+}
 
 TEST_CASE(
     "the oracle finds neither overlap nor imbalance nor a lower neighbour of the exact body's rest, and no tick makes "

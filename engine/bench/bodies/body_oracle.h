@@ -80,11 +80,17 @@ class BodyOracle {
 
   /// True if poses without overlap near this one have less energy: of `directions` random motions, half of which keep the
   /// contacts, one at both of the steps 1e-3 and 1e-4 A, made free of overlap by least motions. (A lower pose at one step
-  /// alone may lie behind a barrier.)
+  /// alone may lie behind a barrier.) Less by at most twice what closing the gaps of the contacts gains does not count: the
+  /// sum of force times gap.
   bool hasLowerNeighbour(const Pose& at, const Pose& hand, int directions, std::mt19937_64& random) const {
     const Real here = energy_A2(at, hand);
-    std::vector<Vec6> basis;
-    for (const Contact& c : contacts(at, 1e-8L)) orthogonalize(basis, c.normal, 1e-9L);
+    const std::vector<Contact> held = contacts(at, 1e-8L);
+    std::vector<Vec6> basis, normals;
+    for (const Contact& c : held) orthogonalize(basis, c.normal, 1e-9L), normals.push_back(c.normal);
+    Vec6 left{};
+    const auto [set, lambda] = nonNegative(normals, pull(at, hand), left);
+    Real closing = 0;
+    for (std::size_t k = 0; k < set.size(); ++k) closing += lambda[k] * std::max<Real>(0, held[set[k]].gap);
     std::normal_distribution<double> any;
     for (int k = 0; k < directions; ++k) {
       Vec6 u{};
@@ -97,7 +103,7 @@ class BodyOracle {
         Vec6 by = u;
         for (Real& x : by) x *= step / size;
         Pose there = moved(at, by);
-        return freed(there) && energy_A2(there, hand) < here - 1e-3L * step * step - 1e-9L * step;
+        return freed(there) && energy_A2(there, hand) < here - 2 * closing - 1e-3L * step * step - 1e-9L * step;
       };
       if (lower(1e-3L) && lower(1e-4L)) return true;
     }

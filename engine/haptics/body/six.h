@@ -77,44 +77,75 @@ struct Factor6 {
   }
 };
 
-/// Diagonalizes the leading `n` by `n` part of a symmetric matrix (both triangles set) by cyclic Jacobi rotations.
-/// Returns the eigenvalues; column j of `axes` is the unit eigenvector of value j.
+/// Diagonalizes the leading `n` by `n` part of a symmetric matrix (both triangles set): Householder reflections to
+/// tridiagonal form, then QR steps with Wilkinson's shift (Golub & Van Loan, Matrix Computations, 8.3). Returns the
+/// eigenvalues; row j of `axes` is the unit eigenvector of value j.
 inline Six eigenvalues(Matrix6 a, std::size_t n, Matrix6& axes) {
   axes = {};
   for (std::size_t i = 0; i < n; ++i) axes.row[i][i] = 1.0;
-  for (int sweep = 0; sweep < 12; ++sweep) {
-    double off = 0.0, all = 0.0;
-    for (std::size_t i = 0; i < n; ++i) {
-      all += a.row[i][i] * a.row[i][i];
-      for (std::size_t j = 0; j < i; ++j) off += a.row[i][j] * a.row[i][j];
+  for (std::size_t k = 0; k + 2 < n; ++k) {
+    Six v;  // the normal of the mirror that takes column k to its first entry below the diagonal
+    double below2 = 0.0;
+    for (std::size_t i = k + 1; i < n; ++i) v[i] = a.row[i][k];
+    for (std::size_t i = k + 2; i < n; ++i) below2 += v[i] * v[i];
+    if (below2 == 0.0) continue;
+    const double size = std::copysign(std::sqrt(v[k + 1] * v[k + 1] + below2), v[k + 1]);
+    v[k + 1] += size;
+    const double by = 2.0 / (v[k + 1] * v[k + 1] + below2);
+    Six w;
+    for (std::size_t i = k + 1; i < n; ++i) w[i] = by * dot(a.row[i], v);
+    w.add(-0.5 * by * dot(v, w), v);
+    Six turned;
+    for (std::size_t i = k + 1; i < n; ++i) {
+      a.row[i].add(-v[i], w);
+      a.row[i].add(-w[i], v);
+      turned.add(by * v[i], axes.row[i]);
     }
-    if (off <= 1e-28 * all) break;
-    for (std::size_t p = 0; p < n; ++p)
-      for (std::size_t q = p + 1; q < n; ++q) {
-        if (a.row[p][q] == 0.0) continue;
-        const double tau = (a.row[q][q] - a.row[p][p]) / (2.0 * a.row[p][q]);
-        const double t = (tau >= 0.0 ? 1.0 : -1.0) / (std::abs(tau) + std::sqrt(1.0 + tau * tau));
-        const double c = 1.0 / std::sqrt(1.0 + t * t), s = t * c;
-        for (std::size_t k = 0; k < n; ++k) {
-          const double kp = a.row[k][p], kq = a.row[k][q];
-          a.row[k][p] = c * kp - s * kq;
-          a.row[k][q] = s * kp + c * kq;
-        }
-        for (std::size_t k = 0; k < n; ++k) {
-          const double pk = a.row[p][k], qk = a.row[q][k];
-          a.row[p][k] = c * pk - s * qk;
-          a.row[q][k] = s * pk + c * qk;
-        }
-        for (std::size_t k = 0; k < n; ++k) {
-          const double kp = axes.row[k][p], kq = axes.row[k][q];
-          axes.row[k][p] = c * kp - s * kq;
-          axes.row[k][q] = s * kp + c * kq;
-        }
-      }
+    for (std::size_t i = k + 1; i < n; ++i) axes.row[i].add(-v[i], turned);
+    a.row[k + 1][k] = -size;
   }
-  Six out;
-  for (std::size_t i = 0; i < n; ++i) out[i] = a.row[i][i];
-  return out;
+  Six value, beside;  // the diagonal, and the entries beside it
+  for (std::size_t i = 0; i < n; ++i) value[i] = a.row[i][i];
+  for (std::size_t i = 0; i + 1 < n; ++i) beside[i] = a.row[i + 1][i];
+  constexpr double kNone = 1e-16;
+  constexpr int kMaxSteps = 60;
+  std::size_t last = n > 0 ? n - 1 : 0;
+  for (int step = 0; last > 0 && step < kMaxSteps;) {
+    const auto none = [&](std::size_t i) {
+      return std::abs(beside[i]) <= kNone * (std::abs(value[i]) + std::abs(value[i + 1]));
+    };
+    if (none(last - 1)) {
+      --last;
+      continue;
+    }
+    std::size_t first = last - 1;
+    while (first > 0 && !none(first - 1)) --first;
+    ++step;
+    const double half = 0.5 * (value[last - 1] - value[last]), b = beside[last - 1];
+    double x = value[first] - value[last] + b * b / (half + std::copysign(std::sqrt(half * half + b * b), half));
+    double z = beside[first];
+    for (std::size_t k = first; k < last; ++k) {
+      const double r = std::sqrt(x * x + z * z);
+      const double c = r > 0.0 ? x / r : 1.0, s = r > 0.0 ? z / r : 0.0;
+      if (k > first) beside[k - 1] = r;
+      const double p = value[k], q = beside[k], t = value[k + 1];
+      value[k] = c * c * p + 2.0 * c * s * q + s * s * t;
+      value[k + 1] = s * s * p - 2.0 * c * s * q + c * c * t;
+      beside[k] = c * s * (t - p) + (c * c - s * s) * q;
+      if (k + 1 < last) {
+        x = beside[k];
+        z = s * beside[k + 1];
+        beside[k + 1] *= c;
+      }
+      Six one = axes.row[k];
+      one.scale(c);
+      one.add(s, axes.row[k + 1]);
+      axes.row[k + 1].scale(c);
+      axes.row[k + 1].add(-s, axes.row[k]);
+      axes.row[k] = one;
+    }
+  }
+  return value;
 }
 
 /// The smallest eigenvalue of the leading `n` by `n` part of a symmetric matrix, and its unit eigenvector.
@@ -124,8 +155,7 @@ inline double smallestEigenvalue(const Matrix6& a, std::size_t n, Six& vector) {
   std::size_t least = 0;
   for (std::size_t i = 1; i < n; ++i)
     if (values[i] < values[least]) least = i;
-  vector = {};
-  for (std::size_t i = 0; i < n; ++i) vector[i] = axes.row[i][least];
+  vector = axes.row[least];
   return values[least];
 }
 
@@ -156,11 +186,8 @@ inline Factor6 factored(Matrix6 b, double min_pivot, double min_modified) {
   Matrix6 axes;
   const Six values = eigenvalues(b, 6, axes);
   b = {};
-  for (std::size_t j = 0; j < 6; ++j) {
-    Six axis;
-    for (std::size_t i = 0; i < 6; ++i) axis[i] = axes.row[i][j];
-    b.addOuter(std::max(min_modified, values[j] < 0.0 ? -0.5 * values[j] : values[j]), axis);
-  }
+  for (std::size_t j = 0; j < 6; ++j)
+    b.addOuter(std::max(min_modified, values[j] < 0.0 ? -0.5 * values[j] : values[j]), axes.row[j]);
   min_pivot = 0.0;
   run();
   return out;

@@ -1,0 +1,191 @@
+#include "engine/haptics/field/pair_kernel.h"
+
+#include <cmath>
+#include <cstring>
+
+#if defined(__x86_64__) && !defined(_WIN32)  // Windows' GCC does not align the stack for them
+#define MOLTACT_HAS_AVX2_LOOP
+#endif
+
+namespace moltact {
+namespace {
+
+#define MOLTACT_INLINE inline __attribute__((always_inline))
+
+using V8 = float __attribute__((vector_size(32)));
+using M8 = int __attribute__((vector_size(32)));
+
+// An energy as a function of t, the squared distance, with its derivatives by t.
+struct Curve {
+  V8 value, first, second;
+};
+
+MOLTACT_INLINE V8 all(float x) { return V8{x, x, x, x, x, x, x, x}; }
+MOLTACT_INLINE V8 load(const float* from) {
+  V8 out;
+  std::memcpy(&out, from, sizeof out);
+  return out;
+}
+MOLTACT_INLINE V8 greater(V8 a, V8 b) { return a > b ? a : b; }
+MOLTACT_INLINE V8 smaller(V8 a, V8 b) { return a < b ? a : b; }
+
+MOLTACT_INLINE V8 squareRoot(V8 a) {
+  V8 out;
+  for (int k = 0; k < PairBlock::kLanes; ++k) out[k] = std::sqrt(a[k]);
+  return out;
+}
+
+// exp(x) for -5 <= x <= 0, to 2e-6: the Taylor polynomial of exp(x / 8), to the eighth power.
+MOLTACT_INLINE V8 exponential(V8 x) {
+  const V8 y = x * 0.125f;
+  V8 p = all(1.0f / 5040);
+  for (const float c : {1.0f / 720, 1.0f / 120, 1.0f / 24, 1.0f / 6, 0.5f, 1.0f, 1.0f}) p = p * y + c;
+  p *= p;
+  p *= p;
+  return p * p;
+}
+
+// e ((R / r)^12 - 2 (R / r)^6)
+MOLTACT_INLINE Curve lennardJones(V8 inverse_t, V8 minimum, V8 depth) {
+  const V8 s2 = minimum * minimum * inverse_t, s6 = s2 * s2 * s2, a = depth * s6;
+  return {a * (s6 - 2.0f), a * (1.0f - s6) * inverse_t * 6.0f, a * (s6 * 42.0f - 24.0f) * inverse_t * inverse_t};
+}
+
+template <Dielectric kind>
+MOLTACT_INLINE Curve coulomb(V8 t, V8 inverse_t, V8 strength) {
+  if constexpr (kind == Dielectric::Distance) {
+    const V8 value = strength * inverse_t, first = -value * inverse_t;
+    return {value, first, first * inverse_t * -2.0f};
+  } else {
+    const V8 r = squareRoot(t), inverse_r = r * inverse_t;
+    if constexpr (kind == Dielectric::Constant) {
+      const V8 value = strength * inverse_r, first = value * inverse_t * -0.5f;
+      return {value, first, first * inverse_t * -1.5f};
+    } else {
+      // eps = A + B w, w = 1 / (1 + k exp(-lambda B r))
+      constexpr float kB = 86.9525f, kA = 78.4f - kB, kK = 7.7839f, kRate = 0.003627f * kB;
+      const V8 w = 1.0f / (exponential(r * -kRate) * kK + 1.0f), s = w * (1.0f - w);
+      const V8 eps = w * kB + kA, eps1 = s * (kB * kRate), eps2 = eps1 * (1.0f - w * 2.0f) * kRate;
+      // f = 1 / (r eps), by r; then by t = r^2.
+      const V8 f = inverse_r / eps, slope = eps + r * eps1;
+      const V8 f1 = -slope * f * f, f2 = slope * slope * f * f * f * 2.0f - (eps1 * 2.0f + r * eps2) * f * f;
+      return {strength * f, strength * f1 * inverse_r * 0.5f, strength * (f2 - f1 * inverse_r) * inverse_t * 0.25f};
+    }
+  }
+}
+
+// The product with the switch: 1 up to from2, 0 from cut2, u^2 (3 - 2 u) in between.
+MOLTACT_INLINE Curve switched(const Curve& g, V8 s, V8 s1, V8 s2) {
+  return {s * g.value, s1 * g.value + s * g.first, s2 * g.value + s1 * g.first * 2.0f + s * g.second};
+}
+
+MOLTACT_INLINE double total(V8 v) {
+  double out = 0.0;
+  for (int k = 0; k < PairBlock::kLanes; ++k) out += double(v[k]);
+  return out;
+}
+
+template <Dielectric kind, bool curved>
+MOLTACT_INLINE void add(const PairBlock* blocks, int count, const PairConstants& c, const PairOwn& own,
+                        PairTerms& terms) noexcept {
+  V8 vdw{}, electric{}, gx{}, gy{}, gz{}, xx{}, yy{}, zz{}, xy{}, xz{}, yz{};
+  for (int b = 0; b < count; ++b) {
+    const PairBlock& block = blocks[b];
+    const V8 dx = own.x - load(block.x), dy = own.y - load(block.y), dz = own.z - load(block.z);
+    const V8 far = dx * dx + dy * dy + dz * dz;
+    const V8 t = greater(far, all(kMinPair_A * kMinPair_A)), inverse_t = 1.0f / t;
+    const V8 u = smaller(greater((c.cut2 - t) * c.inverse_width, all(0.0f)), all(1.0f));
+    const V8 s = u * u * (3.0f - u * 2.0f), s1 = u * (1.0f - u) * (-6.0f * c.inverse_width);
+    const M8 between = (t > c.from2) & (t < c.cut2);
+    const V8 s2 = between ? (6.0f - u * 12.0f) * (c.inverse_width * c.inverse_width) : all(0.0f);
+    const Curve lj = switched(lennardJones(inverse_t, own.half_minimum_A + load(block.half_minimum_A),
+                                           own.root_depth * load(block.root_depth)),
+                              s, s1, s2);
+    const Curve el =
+        switched(coulomb<kind>(t, inverse_t, (c.coulomb * own.charge_e) * load(block.charge_e)), s, s1, s2);
+    // Nearer than kMinPair_A the energy continues with the slope at that distance.
+    const V8 inside = far - t;
+    vdw += lj.value + lj.first * inside;
+    electric += el.value + el.first * inside;
+    const V8 first = (lj.first + el.first) * 2.0f;
+    gx += first * dx;
+    gy += first * dy;
+    gz += first * dz;
+    if constexpr (!curved) continue;
+    const V8 second = inside < 0.0f ? all(0.0f) : (lj.second + el.second) * 4.0f;
+    const V8 ax = second * dx, ay = second * dy;
+    xx += first + ax * dx;
+    yy += first + ay * dy;
+    zz += first + second * dz * dz;
+    xy += ax * dy;
+    xz += ax * dz;
+    yz += ay * dz;
+  }
+  terms.van_der_waals += total(vdw);
+  terms.electrostatic += total(electric);
+  terms.gradient += Vec3(total(gx), total(gy), total(gz));
+  const V8* const curvature[] = {&xx, &yy, &zz, &xy, &xz, &yz};
+  for (int k = 0; k < 6; ++k) terms.curvature[std::size_t(k)] += total(*curvature[k]);
+}
+
+template <Dielectric kind, bool curved>
+void addPlain(const PairBlock* blocks, int count, const PairConstants& c, const PairOwn& own,
+              PairTerms& terms) noexcept {
+  add<kind, curved>(blocks, count, c, own, terms);
+}
+
+#ifdef MOLTACT_HAS_AVX2_LOOP
+template <Dielectric kind, bool curved>
+__attribute__((target("avx2"))) void addAvx2(const PairBlock* blocks, int count, const PairConstants& c,
+                                             const PairOwn& own, PairTerms& terms) noexcept {
+  add<kind, curved>(blocks, count, c, own, terms);
+}
+#endif
+
+template <Dielectric kind>
+PairKernel plain() noexcept {
+  return {&addPlain<kind, false>, &addPlain<kind, true>};
+}
+
+template <Dielectric kind>
+PairKernel fastest() noexcept {
+#ifdef MOLTACT_HAS_AVX2_LOOP
+  if (__builtin_cpu_supports("avx2")) return {&addAvx2<kind, false>, &addAvx2<kind, true>};
+#endif
+  return plain<kind>();
+}
+
+}  // namespace
+
+PairConstants::PairConstants(const PairModel& model)
+    : kind(model.kind),
+      coulomb(float(kCoulomb_kcal_A / (model.kind == Dielectric::MehlerSolmajer ? 1.0 : model.dielectric))),
+      cut2(float(model.cutoff_A * model.cutoff_A)),
+      from2(float(model.switch_from_A * model.switch_from_A)),
+      inverse_width(1.0f / (cut2 - from2)) {}
+
+PairKernel pairKernel(Dielectric kind) noexcept {
+  switch (kind) {
+    case Dielectric::Constant:
+      return fastest<Dielectric::Constant>();
+    case Dielectric::Distance:
+      return fastest<Dielectric::Distance>();
+    case Dielectric::MehlerSolmajer:
+      break;
+  }
+  return fastest<Dielectric::MehlerSolmajer>();
+}
+
+PairKernel plainPairKernel(Dielectric kind) noexcept {
+  switch (kind) {
+    case Dielectric::Constant:
+      return plain<Dielectric::Constant>();
+    case Dielectric::Distance:
+      return plain<Dielectric::Distance>();
+    case Dielectric::MehlerSolmajer:
+      break;
+  }
+  return plain<Dielectric::MehlerSolmajer>();
+}
+
+}  // namespace moltact

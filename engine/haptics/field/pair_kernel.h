@@ -1,0 +1,51 @@
+// The energies of one atom with blocks of eight others, with gradient and curvature: the inner loop of PairSum. Vectors of
+// eight floats; a processor with AVX2 takes one instruction for each, others two or eight, with the same bits. Haptic
+// thread. Units: angstrom, kcal/mol, elementary charge.
+#pragma once
+
+#include <array>
+
+#include "engine/haptics/field/pair_model.h"
+
+namespace moltact {
+
+/// Eight atoms, relative to a centre near them. An empty place has depth and charge 0.
+struct alignas(32) PairBlock {
+  static constexpr int kLanes = 8;
+  float x[kLanes], y[kLanes], z[kLanes], charge_e[kLanes], half_minimum_A[kLanes], root_depth[kLanes];
+};
+
+/// One atom, relative to the centre of the blocks.
+struct PairOwn {
+  float x = 0, y = 0, z = 0, charge_e = 0, half_minimum_A = 0, root_depth = 0;
+};
+
+/// Sums over pairs.
+struct PairTerms {
+  double van_der_waals = 0, electrostatic = 0;  // kcal/mol
+  Vec3 gradient{0.0};                           // kcal/mol/A, of the own atom's position
+  std::array<double, 6> curvature{};            // kcal/mol/A^2: xx, yy, zz, xy, xz, yz
+};
+
+/// A PairModel's numbers, as the loop needs them.
+struct PairConstants {
+  explicit PairConstants(const PairModel& model);
+  Dielectric kind;
+  float coulomb;                     // of charges in the model's dielectric
+  float cut2, from2, inverse_width;  // squares of cut-off and start of the switch; 1 / (cut2 - from2)
+};
+
+using AddPairs = void (*)(const PairBlock* blocks, int count, const PairConstants& constants, const PairOwn& own,
+                          PairTerms& terms) noexcept;
+
+/// The loop without the curvature and with it; the latter takes about twice the time.
+struct PairKernel {
+  AddPairs slope = nullptr, curvature = nullptr;
+};
+
+/// The loops for this processor.
+PairKernel pairKernel(Dielectric kind) noexcept;
+/// The loops for every processor. They give the same bits.
+PairKernel plainPairKernel(Dielectric kind) noexcept;
+
+}  // namespace moltact

@@ -1,0 +1,45 @@
+// The energy between two atoms that do not touch: Lennard-Jones and Coulomb, switched off smoothly at a cut-off. The
+// parameters are those of AMBER's force fields. Plain data, every thread. Units: angstrom, kcal/mol, elementary charge.
+#pragma once
+
+#include <cstdint>
+
+#include "engine/core/units.h"
+
+namespace moltact {
+
+/// Energy of two elementary charges 1 A apart in vacuum (unit: kcal/mol A), as in AMBER.
+inline constexpr double kCoulomb_kcal_A = 332.0637;
+
+/// The parameters of one atom. Two atoms have the minimum of their Lennard-Jones energy at the sum of their half
+/// distances, with the geometric mean of their depths (Lorentz and Berthelot's rules).
+struct PairAtom {
+  Vec3 centre_A{0.0};
+  float half_minimum_A = 0.0f;  ///< half of the distance at which two such atoms have their lowest energy (rmin / 2)
+  float depth_kcal_mol = 0.0f;  ///< of that minimum; 0: no Lennard-Jones energy
+  float charge_e = 0.0f;
+};
+
+/// The solvent between charges, as a dielectric that scales their energy down.
+enum class Dielectric : std::uint8_t {
+  Constant,       ///< PairModel::dielectric at every distance
+  Distance,       ///< PairModel::dielectric times the distance in angstrom
+  MehlerSolmajer  ///< sigmoidal, 1 at contact to 78 in water (Mehler & Solmajer, Protein Eng. 4, 903, 1991), as in AutoDock
+};
+
+struct PairModel {
+  Dielectric kind = Dielectric::MehlerSolmajer;
+  double dielectric = 4.0;
+  double cutoff_A = 10.0;      ///< the energy is zero from here
+  double switch_from_A = 8.0;  ///< and unchanged up to here; in between, energy and force are continuous
+  /// The felt energy of each held atom is E below zero and E0 asinh(E / E0) above: walls are bounded, wells unchanged.
+  /// Infinity: E everywhere.
+  double wall_kcal_mol = 1.0;
+
+  friend bool operator==(const PairModel&, const PairModel&) = default;
+};
+
+/// Below this distance the energy of a pair continues as a parabola, so that two atoms in one place have a finite energy.
+inline constexpr double kMinPair_A = 0.5;
+
+}  // namespace moltact

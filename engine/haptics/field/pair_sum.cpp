@@ -1,0 +1,204 @@
+#include "engine/haptics/field/pair_sum.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace moltact {
+namespace {
+
+// The place that nothing reaches, for the empty lanes of a block.
+constexpr float kFar_A = 1e4f;
+
+void put(PairBlock& block, int lane, const Vec3& relative, const PairAtom& atom) {
+  block.x[lane] = float(relative.x);
+  block.y[lane] = float(relative.y);
+  block.z[lane] = float(relative.z);
+  block.charge_e[lane] = atom.charge_e;
+  block.half_minimum_A[lane] = atom.half_minimum_A;
+  block.root_depth[lane] = std::sqrt(atom.depth_kcal_mol);
+}
+
+void clear(PairBlock& block, int from_lane) {
+  for (int lane = from_lane; lane < PairBlock::kLanes; ++lane) put(block, lane, Vec3(kFar_A), {});
+}
+
+// The largest eigenvalue of a symmetric matrix is at most that of its trace and of the norm of its rest.
+double curvatureBound(const glm::dmat3& m) {
+  const double mean = (m[0][0] + m[1][1] + m[2][2]) / 3.0;
+  double rest = 0.0;
+  for (int k = 0; k < 3; ++k)
+    for (int l = 0; l < 3; ++l) rest += std::pow(m[k][l] - (k == l ? mean : 0.0), 2.0);
+  // A traceless symmetric matrix has no eigenvalue above sqrt(2 / 3) of its norm.
+  return std::max(0.0, mean + std::sqrt(rest * 2.0 / 3.0));
+}
+
+glm::dmat3 cross(const Vec3& a) { return glm::dmat3(0.0, a.z, -a.y, -a.z, 0.0, a.x, a.y, -a.x, 0.0); }
+
+}  // namespace
+
+PairSum::PairSum(std::shared_ptr<const SphereGrid> scene, std::vector<PairAtom> atoms, std::vector<PairAtom> body,
+                 const PairModel& model)
+    : scene_(std::move(scene)),
+      atoms_(std::move(atoms)),
+      body_(std::move(body)),
+      model_(model),
+      constants_(model),
+      kernel_(pairKernel(model.kind)),
+      lists_(body_.size()),
+      places_(body_.size()),
+      curvatures_(body_.size()) {
+  // No atom has more neighbours than there are atoms, nor than fit round the most crowded place; the latter is bounded
+  // by twice a protein's density with all hydrogens, 0.1 atoms per cubic angstrom.
+  const double reach = model_.cutoff_A + kMargin_A;
+  const auto crowded = std::size_t(0.2 * 4.19 * reach * reach * reach);
+  const std::size_t each = std::min(atoms_.size(), crowded) / Chunk::kAtoms + 2;
+  chunks_.resize(std::min(body_.size() * each, kMaxListedPairs / Chunk::kAtoms));
+  for (std::size_t k = 0; k < chunks_.size(); ++k) {
+    chunks_[k].next = free_;
+    free_ = std::int32_t(k);
+  }
+}
+
+std::size_t PairSum::bytes() const noexcept {
+  return chunks_.capacity() * sizeof(Chunk) + (atoms_.capacity() + body_.capacity()) * sizeof(PairAtom) +
+         lists_.capacity() * sizeof(List) + places_.capacity() * sizeof(Vec3);
+}
+
+void PairSum::release(List& list) noexcept {
+  for (std::int32_t k = list.first; k >= 0;) {
+    const std::int32_t next = chunks_[std::size_t(k)].next;
+    chunks_[std::size_t(k)].next = free_;
+    free_ = k;
+    k = next;
+  }
+  listed_pairs_ -= std::size_t(list.atoms);
+  list = {};
+}
+
+void PairSum::renew(List& list, const Vec3& centre) noexcept {
+  release(list);
+  list.centre_A = centre;
+  list.valid = true;
+  const double reach = model_.cutoff_A + kMargin_A;
+  std::int32_t last = -1;
+  int at = Chunk::kAtoms;
+  scene_->visitCentresNear(centre, reach, [&](std::uint32_t index, const Sphere& sphere) {
+    const Vec3 relative = sphere.centre_A - centre;
+    if (glm::dot(relative, relative) > reach * reach) return true;
+    if (at == Chunk::kAtoms) {
+      if (free_ < 0) {
+        list.whole = false;
+        return false;
+      }
+      const std::int32_t fresh = free_;
+      free_ = chunks_[std::size_t(fresh)].next;
+      chunks_[std::size_t(fresh)].next = -1;
+      (last < 0 ? list.first : chunks_[std::size_t(last)].next) = fresh;
+      last = fresh;
+      at = 0;
+    }
+    put(chunks_[std::size_t(last)].blocks[std::size_t(at / PairBlock::kLanes)], at % PairBlock::kLanes, relative,
+        atoms_[index]);
+    ++at;
+    ++list.atoms;
+    return true;
+  });
+  listed_pairs_ += std::size_t(list.atoms);
+  if (!list.whole) {
+    const Vec3 kept = list.centre_A;
+    release(list);
+    list.centre_A = kept;
+    list.valid = true;
+    list.whole = false;
+  } else if (last >= 0 && at % PairBlock::kLanes != 0) {
+    clear(chunks_[std::size_t(last)].blocks[std::size_t(at / PairBlock::kLanes)], at % PairBlock::kLanes);
+  }
+  ++renewed_;
+}
+
+PairTerms PairSum::sum(const List& list, const Vec3& place, const PairAtom& own, AddPairs add) const noexcept {
+  PairTerms terms;
+  const Vec3 at = list.whole ? place - list.centre_A : Vec3(0.0);
+  const PairOwn self{float(at.x),  float(at.y),        float(at.z),
+                     own.charge_e, own.half_minimum_A, std::sqrt(own.depth_kcal_mol)};
+  if (list.whole) {
+    int left = (list.atoms + PairBlock::kLanes - 1) / PairBlock::kLanes;
+    for (std::int32_t k = list.first; k >= 0; k = chunks_[std::size_t(k)].next) {
+      add(chunks_[std::size_t(k)].blocks.data(), std::min(left, Chunk::kBlocks), constants_, self, terms);
+      left -= Chunk::kBlocks;
+    }
+    return terms;
+  }
+  PairBlock block;
+  int lane = 0;
+  scene_->visitCentresNear(place, model_.cutoff_A, [&](std::uint32_t index, const Sphere& sphere) {
+    put(block, lane++, sphere.centre_A - place, atoms_[index]);
+    if (lane < PairBlock::kLanes) return;
+    add(&block, 1, constants_, self, terms);
+    lane = 0;
+  });
+  if (lane > 0) {
+    clear(block, lane);
+    add(&block, 1, constants_, self, terms);
+  }
+  return terms;
+}
+
+PairEnergy PairSum::at(const PoseA& pose) noexcept {
+  PairEnergy out;
+  renewed_ = 0;
+  const Quat& q = pose.orientation;
+  if (!finite(pose.place.A) || glm::length(pose.place.A) > kMaxPosition_A || !std::isfinite(glm::dot(q, q)) ||
+      body_.empty())
+    return out;
+  const glm::dmat3 turn = glm::mat3_cast(q);
+  // Lists that are no longer valid are renewed at once, and a few that soon will be, in turn.
+  for (std::size_t k = 0; k < body_.size(); ++k) {
+    places_[k] = pose.place.A + turn * body_[k].centre_A;
+    List& list = lists_[k];
+    if (!list.valid || (list.whole && glm::distance(places_[k], list.centre_A) > kMargin_A)) renew(list, places_[k]);
+  }
+  const std::size_t looks = body_.size() / 8 + 1;
+  for (std::size_t k = 0; k < looks; ++k) {
+    cursor_ = (cursor_ + 1) % body_.size();
+    List& list = lists_[cursor_];
+    if (!list.whole || glm::distance(places_[cursor_], list.centre_A) > 0.5 * kMargin_A) renew(list, places_[cursor_]);
+  }
+
+  glm::dmat3 translational(0.0), rotational(0.0);
+  for (std::size_t k = 0; k < body_.size(); ++k) {
+    if (lists_[k].whole && lists_[k].atoms == 0) continue;
+    const bool curved = calls_ < kCurvatureTicks || (k + calls_) % kCurvatureTicks == 0;
+    const PairTerms terms = sum(lists_[k], places_[k], body_[k], curved ? kernel_.curvature : kernel_.slope);
+    if (curved) curvatures_[k] = terms.curvature;
+    out.van_der_waals_kcal_mol += terms.van_der_waals;
+    out.electrostatic_kcal_mol += terms.electrostatic;
+    // phi(E) = E0 asinh(E / E0) above zero, with phi' = 1 / sqrt(1 + (E / E0)^2).
+    const double energy = terms.van_der_waals + terms.electrostatic, wall = model_.wall_kcal_mol;
+    double felt = energy, first = 1.0, second = 0.0;
+    if (energy > 0.0 && std::isfinite(wall)) {
+      const double x = energy / wall;
+      felt = wall * std::asinh(x);
+      first = 1.0 / std::sqrt(1.0 + x * x);
+      second = -x / wall * first * first * first;
+    }
+    out.felt_kcal_mol += felt;
+    const Vec3 gradient = first * terms.gradient, arm = places_[k] - pose.place.A;
+    out.force_kcal_mol_A -= gradient;
+    out.torque_kcal_mol -= glm::cross(arm, gradient);
+    const auto& c = curvatures_[k];
+    const glm::dmat3 curvature = first * glm::dmat3(c[0], c[3], c[4], c[3], c[1], c[5], c[4], c[5], c[2]) +
+                                 second * glm::outerProduct(terms.gradient, terms.gradient);
+    translational += curvature;
+    // E(exp(w)): second order in w of arm + w x arm + w x (w x arm) / 2.
+    const glm::dmat3 x = cross(arm);
+    rotational += -x * curvature * x + 0.5 * (glm::outerProduct(gradient, arm) + glm::outerProduct(arm, gradient)) -
+                  glm::dmat3(glm::dot(gradient, arm));
+  }
+  ++calls_;
+  out.stiffness_kcal_mol_A2 = curvatureBound(translational);
+  out.rotational_stiffness_kcal_mol = curvatureBound(rotational);
+  return out;
+}
+
+}  // namespace moltact

@@ -1,0 +1,84 @@
+// The direct sum of a held body's energy with a scene: each atom of the body with each atom of the scene within the
+// cut-off. Each body atom has a list of the scene's atoms within the cut-off plus a margin. A list is valid while its atom
+// has moved by less than the margin; most are renewed before that, a few in each tick. The result does not depend on the
+// lists beyond the rounding of its sums. An atom for which no memory is left visits the grid in every tick instead.
+//
+// Haptic thread; no allocation after construction. Sums in float over eight lanes, the same on every processor
+// (pair_kernel.h). Units: angstrom, kcal/mol, radian.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "engine/core/units.h"
+#include "engine/haptics/contact.h"
+#include "engine/haptics/field/pair_kernel.h"
+#include "engine/haptics/field/pair_model.h"
+#include "engine/haptics/sphere_grid.h"
+
+namespace moltact {
+
+/// Energy, force and torque on the body, and their curvature.
+struct PairEnergy {
+  double van_der_waals_kcal_mol = 0.0, electrostatic_kcal_mol = 0.0;  ///< before the bound of the walls
+  double felt_kcal_mol = 0.0;                                         ///< after it
+  Vec3 force_kcal_mol_A{0.0};                                         ///< the negative gradient of the felt energy
+  Vec3 torque_kcal_mol{0.0};                                          ///< about the body's middle
+  /// Upper bounds of the felt energy's curvature along any translation and about any axis, at least 0. Of each body atom
+  /// the curvature of one of the last kCurvatureTicks calls counts.
+  double stiffness_kcal_mol_A2 = 0.0, rotational_stiffness_kcal_mol = 0.0;
+};
+
+class PairSum {
+ public:
+  static constexpr double kMargin_A = 1.0;
+  static constexpr int kCurvatureTicks = 8;
+  /// The largest number of pairs in lists; 24 bytes each.
+  static constexpr std::size_t kMaxListedPairs = 1 << 21;
+
+  /// `atoms` has one entry for each sphere of `scene`, whose centres are used. Untouchable spheres have no energy. The
+  /// centres of `body` are relative to its middle. Spheres that the scene merges as duplicates count once.
+  PairSum(std::shared_ptr<const SphereGrid> scene, std::vector<PairAtom> atoms, std::vector<PairAtom> body,
+          const PairModel& model);
+
+  /// The energy of the body in this pose of its middle; zero for a pose that is not finite.
+  PairEnergy at(const PoseA& pose) noexcept;
+
+  const PairModel& model() const noexcept { return model_; }
+  std::size_t listedPairs() const noexcept { return listed_pairs_; }
+  int renewedLists() const noexcept { return renewed_; }  ///< in the last call
+  std::size_t bytes() const noexcept;
+
+ private:
+  struct Chunk {
+    static constexpr int kBlocks = 4, kAtoms = kBlocks * PairBlock::kLanes;
+    std::array<PairBlock, kBlocks> blocks;
+    std::int32_t next = -1;
+  };
+  struct List {
+    Vec3 centre_A{0.0};
+    std::int32_t first = -1;  // chunk
+    std::int32_t atoms = 0;
+    bool valid = false, whole = true;  // not whole: no memory was left
+  };
+
+  void renew(List& list, const Vec3& centre) noexcept;
+  void release(List& list) noexcept;
+  PairTerms sum(const List& list, const Vec3& place, const PairAtom& own, AddPairs add) const noexcept;
+
+  std::shared_ptr<const SphereGrid> scene_;
+  std::vector<PairAtom> atoms_, body_;
+  PairModel model_;
+  PairConstants constants_;
+  PairKernel kernel_;
+  std::vector<List> lists_;
+  std::vector<Vec3> places_;
+  std::vector<Chunk> chunks_;
+  std::int32_t free_ = -1;
+  std::vector<std::array<double, 6>> curvatures_;  // of body_
+  std::uint64_t calls_ = 0;
+  std::size_t cursor_ = 0, listed_pairs_ = 0;
+  int renewed_ = 0;
+};
+
+}  // namespace moltact
