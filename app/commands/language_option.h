@@ -10,6 +10,10 @@ namespace moltact {
 /// uses English.
 void selectLanguage();
 
+/// The codes of all languages with translations, separated by ", " and before the last one by `last_separator`:
+/// "en, de", "en or de".
+std::string languageCodes(const std::string& last_separator);
+
 /// Adds --language, which takes effect as soon as it is parsed. A code that is not a language or has no translations is
 /// a parse error.
 void addLanguageOption(CLI::App& app);

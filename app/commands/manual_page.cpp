@@ -4,6 +4,7 @@
 
 #include "app/commands/command.h"
 #include "app/commands/command_tree.h"
+#include "app/commands/language_option.h"
 #include "engine/platform/terminal.h"
 
 namespace moltact {
@@ -58,10 +59,11 @@ void putCommand(std::ostream& page, const CLI::App& command) {
 
 // The sections that no option describes. The paths are those of engine/platform/folders.h and
 // app/ui/files/user_folders.h.
-constexpr const char* kRest = R"(.SH ENVIRONMENT
+constexpr const char* kEnvironment = R"(.SH ENVIRONMENT
 .TP
 .B MOLTACT_LANGUAGE
-The language of the output, en or de, unless
+The language of the output, )";
+constexpr const char* kRest = R"(, unless
 .B \-\-language
 gives it. The default is the language of the system.
 .TP
@@ -136,7 +138,7 @@ std::string manualPage(const CLI::App& program) {
   putOptions(page, program);
   page << ".SH COMMANDS\n";
   for (const CLI::App* command : shownCommands(program)) putCommand(page, *command);
-  page << kRest;
+  page << kEnvironment << languageCodes(" or ") << kRest;
   return page.str();
 }
 

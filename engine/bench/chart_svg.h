@@ -4,12 +4,20 @@
 // and marked.
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
 namespace moltact::bench {
 
 enum class Mark { Disc, Circle, Square, Triangle, Diamond, Cross };
+inline constexpr std::size_t kMarkCount = 6;
+
+/// The mark of the series number `index`, from 0. From kMarkCount on the marks repeat.
+constexpr Mark markAt(std::size_t index) {
+  constexpr Mark kOrder[kMarkCount]{Mark::Diamond, Mark::Disc, Mark::Triangle, Mark::Square, Mark::Cross, Mark::Circle};
+  return kOrder[index % kMarkCount];
+}
 
 struct ChartPoint {
   double x = 0, y = 0;  ///< positive; other points are omitted

@@ -15,13 +15,12 @@ namespace {
 
 // One mark per family, in the order of benchMethods().
 Mark markOf(const MethodFamily& family) {
-  constexpr std::array kMarks{Mark::Diamond, Mark::Disc, Mark::Triangle, Mark::Square, Mark::Cross, Mark::Circle};
   std::vector<std::string_view> before;
   for (const Method& m : benchMethods()) {
     if (m.family.name == family.name) break;
     if (std::find(before.begin(), before.end(), m.family.name) == before.end()) before.push_back(m.family.name);
   }
-  return kMarks.at(before.size());
+  return markAt(before.size());
 }
 
 template <class Error, class Best>

@@ -178,13 +178,19 @@ struct ViewChanged {
   Vec3 target_A{0.0};
   double distance_A = 50.0;
 };
-/// The position of the atoms of a scene with two structures.
-struct StatesMoved {
-  std::string file;           ///< of the second structure, without folders
-  std::string superposed_on;  ///< the selection by which it is superposed on the first; empty: the default atoms
-  double share = 0.0;         ///< 0: first structure, 1: second
-  friend bool operator==(const StatesMoved&, const StatesMoved&) = default;
+/// The position of the scene's atoms in the terms of whatever moved them (app/ui/extensions/atom_mover.h), which restores
+/// the atoms from it. The meaning of `detail` and `position` is that of the mover.
+struct AtomsMoved {
+  std::string by;         ///< AtomMover::kind(): "states"
+  std::string file;       ///< from which the mover takes the coordinates, without folders; empty: none
+  std::string detail;     ///< how it takes them, such as a selection; may be empty
+  double position = 0.0;  ///< in the mover's own parameter: a fraction, a frame, a time
+  friend bool operator==(const AtomsMoved&, const AtomsMoved&) = default;
 };
+/// The mover between the two structures of a scene: `file` is the second structure's, `detail` the selection by which it
+/// is superposed on the first (empty: the default atoms), `position` the fraction of the way (0: first structure, 1:
+/// second).
+inline constexpr std::string_view kMovedByStates = "states";
 /// The additional data of a HipSample with a held body.
 struct HeldSample {
   Quat orientation = kNoRotation;  ///< of the hand, in the molecule's axes
@@ -246,7 +252,7 @@ inline constexpr double kHeartbeat_s = 0.9;
 using AttemptFact =
     std::variant<StepEntered, Answered, HintOpened, TaskBegun, TaskDone, CurveKept, TouchBegan, TouchEnded,
                  InputChanged, StageChanged, ViewChanged, HipChunk, LessonReread, Resumed, ProgressMade, Predicted,
-                 SessionClosed, TouchSoFar, Heartbeat, StatesMoved, OrderChanged>;
+                 SessionClosed, TouchSoFar, Heartbeat, AtomsMoved, OrderChanged>;
 
 struct AttemptEvent {
   double t_s = 0.0;

@@ -55,6 +55,8 @@ constexpr std::array kRanges{
     AttemptRange{"atoms", -1.0, kMaxAtoms, true},
     AttemptRange{"held", 0.0, kMaxAtoms, true},
     AttemptRange{"share", 0.0, 1.0},
+    // a mover's own parameter
+    AttemptRange{"position", -1e12, 1e12},
     // any measurement of a task
     AttemptRange{"value", -1e9, 1e9},
 };

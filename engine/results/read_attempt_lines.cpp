@@ -248,7 +248,11 @@ std::optional<AttemptFact> factOf(const std::string& kind, const Json& j) {
     return TouchSoFar{numberAt(j, "from"),   countAt(j, "crossings"), numberAt(j, "peak_N"),
                       numberAt(j, "mean_N"), numberAt(j, "path_A"),   inputKind(j)};
   if (kind == "still") return Heartbeat{};
-  if (kind == "state") return StatesMoved{text(j, "file", true), text(j, "superposed_on", false), numberAt(j, "share")};
+  if (kind == "moved")
+    return AtomsMoved{text(j, "by", true), text(j, "file", false), text(j, "detail", false), numberAt(j, "position")};
+  if (kind == kFormerStateKind)
+    return AtomsMoved{std::string(kMovedByStates), text(j, "file", true), text(j, "superposed_on", false),
+                      numberAt(j, "share")};
   if (kind == "way") {
     OrderChanged w{
         text(j, "step", true), text(j, "question", true), text(j, "rule", true), text(j, "does", true) == "skip", {}};

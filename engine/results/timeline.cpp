@@ -49,7 +49,7 @@ Timeline::Timeline(Attempt attempt) : header_(std::move(attempt.header)), length
     if (auto* chunk = std::get_if<HipChunk>(&e.what))
       samples_.insert(samples_.end(), chunk->samples.begin(), chunk->samples.end());
     if (auto* stage = std::get_if<StageChanged>(&e.what)) stages_.push_back({e.t_s, std::move(*stage)});
-    if (auto* states = std::get_if<StatesMoved>(&e.what)) states_.push_back({e.t_s, std::move(*states)});
+    if (auto* moved = std::get_if<AtomsMoved>(&e.what)) moves_.push_back({e.t_s, std::move(*moved)});
     if (auto* view = std::get_if<ViewChanged>(&e.what)) views_.push_back({e.t_s, *view});
     if (auto* input = std::get_if<InputChanged>(&e.what)) inputs_.push_back({e.t_s, input->by});
     if (auto* step = std::get_if<StepEntered>(&e.what)) {
@@ -70,7 +70,7 @@ Timeline::Timeline(Attempt attempt) : header_(std::move(attempt.header)), length
   }
   sortByTime(samples_);
   sortByTime(stages_);
-  sortByTime(states_);
+  sortByTime(moves_);
   sortByTime(views_);
   sortByTime(inputs_);
   sortByTime(marks_);
@@ -111,14 +111,14 @@ const StageChanged* Timeline::stage(double t_s) const {
   return found ? &found->fact : nullptr;
 }
 
-const StatesMoved* Timeline::states(double t_s) const {
+const AtomsMoved* Timeline::atoms(double t_s) const {
   const auto* staged = lastUpTo(stages_, t_s);
   if (!staged) return nullptr;
-  const auto* found = lastUpTo(states_, t_s);
+  const auto* found = lastUpTo(moves_, t_s);
   if (found && found->t_s >= staged->t_s) return &found->fact;
-  // Before the second structure had been read, the atoms were at the place in the first line of this scene.
-  const At<StatesMoved>* next = states_.empty() ? nullptr : found ? found + 1 : states_.data();
-  if (!next || next == states_.data() + states_.size() || lastUpTo(stages_, next->t_s) != staged) return nullptr;
+  // Before the mover had read its file, the atoms were at the position in the first line of this scene.
+  const At<AtomsMoved>* next = moves_.empty() ? nullptr : found ? found + 1 : moves_.data();
+  if (!next || next == moves_.data() + moves_.size() || lastUpTo(stages_, next->t_s) != staged) return nullptr;
   return &next->fact;
 }
 
@@ -135,7 +135,7 @@ double Timeline::nextAfter(double t_s) const {
     if (found != list.end()) next = std::min(next, found->t_s);
   };
   earlier(samples_);
-  earlier(states_);
+  earlier(moves_);
   earlier(marks_);
   return next;
 }

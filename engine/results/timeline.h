@@ -34,8 +34,8 @@ class Timeline {
   std::optional<HipSample> hand(double t_s) const;
   /// The scene at that time; null before the first molecule.
   const StageChanged* stage(double t_s) const;
-  /// The position of the atoms between two structures, for the scene at that time; null if it has one structure.
-  const StatesMoved* states(double t_s) const;
+  /// The position of the atoms, for the scene at that time; null if nothing moves them.
+  const AtomsMoved* atoms(double t_s) const;
   /// The view; null if it is unknown.
   const ViewChanged* view(double t_s) const;
   /// The time of the next motion of the hand or of the next mark; the end if there is none.
@@ -53,7 +53,7 @@ class Timeline {
   AttemptHeader header_;
   std::vector<HipSample> samples_;
   std::vector<At<StageChanged>> stages_;
-  std::vector<At<StatesMoved>> states_;
+  std::vector<At<AtomsMoved>> moves_;
   std::vector<At<ViewChanged>> views_;
   std::vector<At<InputKind>> inputs_;
   std::vector<TimelineMark> marks_;

@@ -222,10 +222,11 @@ struct FactWriter {
     out["by"] = nameOf(e.by);
   }
   void operator()(const Heartbeat&) {}
-  void operator()(const StatesMoved& e) {
-    out["file"] = e.file;
-    if (!e.superposed_on.empty()) out["superposed_on"] = e.superposed_on;
-    out["share"] = rounded(e.share);
+  void operator()(const AtomsMoved& e) {
+    out["by"] = e.by;
+    if (!e.file.empty()) out["file"] = e.file;
+    if (!e.detail.empty()) out["detail"] = e.detail;
+    out["position"] = rounded(e.position);
   }
   void operator()(const OrderChanged& e) {
     out["step"] = e.step;

@@ -134,11 +134,15 @@ void ServoLoop::tick(std::int64_t began_ns, std::optional<std::int64_t> due_ns, 
   const ServoSettings settings = watchedSettings(time_.dt_s);
   const DevicePose pose = switch_->read(kTick_s, step_);
   const MotionPhase phase = nextMotion();
+  const bool impulses = wants_impulses_.load(std::memory_order_relaxed);
   TripleBuffer<Reactions>* const reactions =
-      current_ && wants_reactions_.load(std::memory_order_relaxed) ? current_->reactions.get() : nullptr;
+      current_ && (impulses || wants_reactions_.load(std::memory_order_relaxed)) ? current_->reactions.get() : nullptr;
   ServoSample sample = step_.tick(settings, current_ ? current_->interaction.get() : nullptr, pose, time_, phase,
                                   reactions ? &reactions->back() : nullptr);
-  if (reactions) reactions->publish();
+  if (reactions) {
+    if (impulses) impulses_.add(reactions->back().forces(), kTick_s, current_->scene);
+    reactions->publish();
+  }
   putDownMotion();
   const TickTime time_was = time_;
   sample.scene = current_ ? current_->scene : 0;

@@ -12,6 +12,7 @@
 #include "engine/core/triple_buffer.h"
 #include "engine/device/device.h"
 #include "engine/haptics/interaction.h"
+#include "engine/servo/atom_impulses.h"
 #include "engine/servo/device_switch.h"
 #include "engine/servo/servo_recording.h"
 #include "engine/servo/servo_step.h"
@@ -81,11 +82,18 @@ class ServoLoop {
   /// True if the newest tick gave the chosen device any force.
   bool gives() const noexcept { return gives_.load(std::memory_order_acquire); }
 
-  /// While true, each tick also computes the reactions on the scene's atoms, for code that moves the atoms.
+  /// While true, each tick also computes the reactions on the scene's atoms, for the picture.
   void wantReactions(bool on) noexcept { wants_reactions_.store(on, std::memory_order_relaxed); }
   /// The reactions of the newest tick with the newest interaction; none before that tick. The reference is valid until
   /// the next call or the next interaction.
   const Reactions& reactions() noexcept { return reactions_ ? reactions_->read() : no_reactions_; }
+
+  /// While true, the ticks sum the impulses on the scene's atoms, for code that moves the atoms: each tick adds its
+  /// reactions times kTick_s.
+  void wantImpulses(bool on) noexcept { wants_impulses_.store(on, std::memory_order_relaxed); }
+  /// The impulses of all ticks since the last call, however much time has passed (atom_impulses.h). They continue over
+  /// a change of the interaction within one scene. The reference is valid until the next call.
+  const AtomImpulses& takeImpulses() noexcept { return impulses_.take(); }
 
   /// Calls take(sample) for every tick since the last call, oldest first (at most the last 4 s). Call it in each frame:
   /// it also destroys the objects returned by the ticks.
@@ -173,9 +181,10 @@ class ServoLoop {
   std::atomic<bool> ramp_down_force_{false};
   bool ramp_down_for_good_ = false, has_orientation_ = false;  // owner's thread
   std::atomic<bool> gives_{false};
-  std::atomic<bool> wants_reactions_{false};
+  std::atomic<bool> wants_reactions_{false}, wants_impulses_{false};
   std::shared_ptr<TripleBuffer<Reactions>> reactions_;  // owner's end of the newest interaction's buffer
   Reactions no_reactions_;
+  ImpulseExchange impulses_;
   // Used only by the thread that ticks, guarded by ticking_.
   std::atomic_flag ticking_ = ATOMIC_FLAG_INIT;
   ServoStep step_;

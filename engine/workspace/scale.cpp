@@ -10,24 +10,28 @@
 namespace moltact {
 namespace {
 
-// Two significant digits without trailing zeros or exponent: 0.25, 4.2, 120.
-std::string twoDigits(double value, std::string_view unit) {
-  Digits digits = decimals(0);
-  if (value > 0 && std::isfinite(value)) {
-    const int before = static_cast<int>(std::floor(std::log10(value) + 1e-9));
-    const double step = std::pow(10.0, before - 1), rounded = std::round(value / step);
-    value = rounded * step;
-    digits = decimals(std::clamp(std::fmod(rounded, 10.0) == 0.0 ? -before : 1 - before, 0, 12));
+// A value in the code's unit, shown in the unit `in`: two significant digits without trailing zeros or exponent (0.25,
+// 4.2, 120).
+std::string twoDigits(double value, Dimension dimension, std::string_view in) {
+  const double unit = unitNamed(in, dimension)->in_code_units;
+  int count = 0;
+  double shown = value / unit;
+  if (shown > 0 && std::isfinite(shown)) {
+    const int before = static_cast<int>(std::floor(std::log10(shown) + 1e-9));
+    const double step = std::pow(10.0, before - 1), rounded = std::round(shown / step);
+    shown = rounded * step;
+    count = std::clamp(std::fmod(rounded, 10.0) == 0.0 ? -before : 1 - before, 0, 12);
   } else {
-    value = 0.0;
+    shown = 0.0;
   }
-  return numberText(value, digits) + "\u00a0" + std::string(unit);
+  return quantityText(shown * unit, dimension, {decimals(count), in});
 }
 
 std::string lengthInMolecule(double length_A) {
-  const Unit& unit = *shownUnit(Dimension::Length);
-  return twoDigits(length_A / unit.in_code_units, unit.symbol);
+  return twoDigits(length_A, Dimension::Length, unitText(Dimension::Length));
 }
+
+std::string forceBetweenAtoms(double force_pN) { return twoDigits(force_pN * 1e-12, Dimension::Force, "pN"); }
 
 std::string one(Dimension dimension) { return quantityText(1.0, dimension, plain()); }
 
@@ -74,7 +78,7 @@ std::string scaleSentence(const Workspace& workspace, double stiffness_N_per_mm)
   if (!(stiffness_N_per_mm > 0.0)) return trf("{0} here is {1} there; nothing pushes back.", hand, there);
   const std::string force = one(Dimension::Force);
   const std::optional<double> push = carbonPush_pN(workspace.A_per_mm / stiffness_N_per_mm);
-  return push ? trf("{0} here is {1} there, {2} here would be {3} there.", hand, there, force, twoDigits(*push, "pN"))
+  return push ? trf("{0} here is {1} there, {2} here would be {3} there.", hand, there, force, forceBetweenAtoms(*push))
               : trf("{0} here is {1} there; {2} here presses deeper than atoms can go there.", hand, there, force);
 }
 
@@ -90,7 +94,7 @@ std::string scaleReason(const Workspace& workspace, double stiffness_N_per_mm) {
       "With {0} the probe is {1} under the surface. Two carbon atoms pressed that far into each other would push back "
       "with {2}. The spring in your hand grows evenly with depth; between atoms the force grows ever faster, and a "
       "little farther off they attract.",
-      force, deep, twoDigits(*push, "pN"));
+      force, deep, forceBetweenAtoms(*push));
 }
 
 }  // namespace moltact

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "app/ui/extensions/extensions.h"
+#include "app/ui/extensions/moving_states.h"
 #include "engine/bench/scenes.h"
 #include "engine/haptics/sweep.h"
 #include "tests/app/scripted_user_fixture.h"
@@ -36,7 +37,7 @@ TEST_CASE(
   const auto d = startWith(doorLesson(scratch));
   Application& app = d->app();
   d->frames(10);
-  MovingStates& states = app.extensions().moving_states;
+  MovingStates& states = app.extensions().movers.get<MovingStates>();
   REQUIRE(states.ready());
   scenes::Random random(26);
   int touching = 0, moving = 0;

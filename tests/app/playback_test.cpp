@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "app/ui/extensions/extensions.h"
+#include "app/ui/extensions/moving_states.h"
 #include "app/ui/panels/view_overlays.h"
 #include "tests/app/scripted_user_fixture.h"
 #include "tests/results/sample_attempt.h"
@@ -223,11 +224,11 @@ TEST_CASE("an attempt keeps where the slider between two structures was, and its
     const auto driver = startWith((scratch.path / "mine.md").string(), small(scratch.path));
     Application& app = driver->app();
     driver->frames(10);
-    REQUIRE(app.extensions().moving_states.ready());
+    REQUIRE(app.extensions().movers.get<MovingStates>().ready());
     first_z = last_z(*driver);
     app.lesson.session()->openHints(1);  // of an attempt at nothing no file is kept
     driver->frames(5);
-    app.extensions().moving_states.goTo(0.5);
+    app.extensions().movers.get<MovingStates>().goTo(0.5);
     driver->frames(240);
     CHECK(last_z(*driver) == doctest::Approx(first_z + 2.0).epsilon(0.01));
     REQUIRE(app.extensions().recorder.flush());
@@ -239,11 +240,12 @@ TEST_CASE("an attempt keeps where the slider between two structures was, and its
   double share = -1.0;
   std::size_t lines = 0;
   for (const AttemptEvent& e : attempt->events)
-    if (const auto* moved = std::get_if<StatesMoved>(&e.what)) {
+    if (const auto* moved = std::get_if<AtomsMoved>(&e.what)) {
+      CHECK(moved->by == "states");
       CHECK(moved->file == "shut.pdb");
-      CHECK(moved->superposed_on == "residue 1-5");
-      CHECK(moved->share > share);
-      share = moved->share;
+      CHECK(moved->detail == "residue 1-5");
+      CHECK(moved->position > share);
+      share = moved->position;
       ++lines;
     }
   CHECK(share == 0.5);
@@ -259,7 +261,7 @@ TEST_CASE("an attempt keeps where the slider between two structures was, and its
   driver->frames(5);
   CHECK(last_z(*driver) == doctest::Approx(first_z + 2.0).epsilon(0.01));
   // The playback owns the atoms, so the slider does not move them.
-  driver->app().extensions().moving_states.goTo(1.0);
+  driver->app().extensions().movers.get<MovingStates>().goTo(1.0);
   driver->frames(60);
   CHECK(last_z(*driver) == doctest::Approx(first_z + 2.0).epsilon(0.01));
   playback.seek(0.1);

@@ -200,6 +200,13 @@ TEST_CASE("names are listed as a, b and c") {
   CHECK(listed({"a", "b", "c"}) == "a, b and c");
 }
 
+TEST_CASE("the first 6 series of a chart have 6 different marks, and the seventh has the first one's again") {
+  std::set<Mark> marks;
+  for (std::size_t k = 0; k < kMarkCount; ++k) marks.insert(markAt(k));
+  CHECK(marks.size() == 6);
+  for (std::size_t k = 0; k < 20; ++k) CHECK(markAt(k) == markAt(k % 6));
+}
+
 TEST_CASE("a chart is well-formed and holds each of its 3 marks and labels, not those at or below zero") {
   const std::string svg =
       chartSvg("A & B",

@@ -32,6 +32,7 @@ constexpr Target kTargets[] = {
     {"translations", translations},
     {"pack", pack},
     {"report-stream", reportStream},
+    {"body-path", bodyPath},
 };
 
 }  // namespace

@@ -132,6 +132,32 @@ TEST_CASE("a stage keeps the atoms in the hand; lines of a body that name no rot
   }
 }
 
+TEST_CASE(
+    "the position of atoms is kept as what moved them, its file, its detail and a number to 0.001; lines of former "
+    "versions, which knew two structures only, are read as positions of these") {
+  const AtomsMoved frame{"trajectory", "run.xtc", "every 10", 1234.567};
+  const std::string line = lineOf(AttemptEvent{4.0, frame});
+  CHECK(line == R"({"kind":"moved","t":4.0,"by":"trajectory","file":"run.xtc","detail":"every 10","position":1234.567})"
+                "\n");
+  const auto read = [](const std::string& text) {
+    const auto back = readEventLine(text);
+    REQUIRE(bool(back));
+    return std::get<AtomsMoved>((**back).what);
+  };
+  CHECK(read(line) == frame);
+  CHECK(read(lineOf(AttemptEvent{4.0, AtomsMoved{"simulation", "", "", -2.5}})) ==
+        AtomsMoved{"simulation", "", "", -2.5});
+  // As former versions wrote them.
+  CHECK(read(R"({"kind":"state","t":8.5,"file":"1ake.pdb","superposed_on":"chain A","share":0.375})") ==
+        AtomsMoved{"states", "1ake.pdb", "chain A", 0.375});
+  CHECK(read(R"({"kind":"state","t":8.5,"file":"1ake.pdb","share":1.0})") == AtomsMoved{"states", "1ake.pdb", "", 1.0});
+  for (const char* none :
+       {R"({"kind":"state","t":1,"file":"a.pdb","share":1.01})", R"({"kind":"state","t":1,"share":0})",
+        R"({"kind":"moved","t":1,"file":"a.pdb","position":0})", R"({"kind":"moved","t":1,"by":"states"})",
+        R"({"kind":"moved","t":1,"by":"states","position":1e13})"})
+    CHECK_FALSE(readEventLine(none));
+}
+
 TEST_CASE("a felt curve keeps its forces to 0.001 N and the places where nothing was felt") {
   const CurveKept felt{"one", 2, true, "depth", 0.8, 3.3, {0.0, std::nan(""), 1.23456}};
   const std::string line = lineOf(AttemptEvent{4.0, felt});

@@ -98,7 +98,7 @@ inline std::vector<AttemptEvent> sampleEvents() {
       {6.5, OrderChanged{"one", "which", "after 2 wrong", false, {"aside-why"}}},
       {7.0, Predicted{"Bo", "one", "What will you feel?", "a bump"}},
       {8.0, StepEntered{"two"}},
-      {8.5, StatesMoved{"1ake.pdb", "chain A", 0.375}},
+      {8.5, AtomsMoved{"states", "1ake.pdb", "chain A", 0.375}},
       {9.0, Answered{"two", "how-much", 1, {}, "2.5 Å", true, InputKind::Keyboard}},
       {9.0, ProgressMade{"two", 3, 3}},
       {9.5, SessionClosed{"2026-11-21T10:59:00Z"}},

@@ -9,7 +9,7 @@
 #include "app/ui/application/application_options.h"
 #include "app/ui/application/opener.h"
 #include "app/ui/application/panel_state.h"
-#include "app/ui/extensions/moving_states.h"
+#include "app/ui/extensions/atom_movers.h"
 #include "app/ui/lesson/lesson_guide.h"
 #include "engine/language/catalogue.h"
 #include "engine/platform/background.h"
@@ -59,10 +59,10 @@ void AttemptRecorder::beginParts() {
   lesson_.session()->restartEvents();
   touch_watch_ = TouchWatch();
   now_s_ = 0.0;
-  view_written_s_ = states_written_s_ = -1.0;
+  view_written_s_ = atoms_written_s_ = -1.0;
   way_.reset();
   stage_.reset();
-  states_.reset();
+  atoms_.reset();
   view_.reset();
 }
 
@@ -207,19 +207,17 @@ void AttemptRecorder::lookAtStage() {
   if (stage_ == is) return;
   add(is);
   stage_ = std::move(is);
-  states_.reset();
+  atoms_.reset();
 }
 
-void AttemptRecorder::lookAtStates() {
-  if (!moving_states_.ready()) return states_.reset();
-  StatesMoved is{moving_states_.file().filename().string(), moving_states_.then().superposed_on.text(),
-                 moving_states_.share()};
+void AttemptRecorder::lookAtAtoms() {
+  std::optional<AtomsMoved> is = movers_.position();
+  if (!is) return atoms_.reset();
   // The end of a motion is recorded at once.
-  if (states_ == is || (moving_states_.share() != moving_states_.wanted() && now_s_ - states_written_s_ < kView_s))
-    return;
-  add(is);
-  states_ = std::move(is);
-  states_written_s_ = now_s_;
+  if (atoms_ == is || (movers_.present()->moving() && now_s_ - atoms_written_s_ < kView_s)) return;
+  add(*is);
+  atoms_ = std::move(is);
+  atoms_written_s_ = now_s_;
 }
 
 void AttemptRecorder::lookAtView() {
@@ -241,7 +239,7 @@ void AttemptRecorder::afterPanels() {
   if (!log_ || paused_ || session != session_) return;
   lookAtWay();
   lookAtStage();
-  lookAtStates();
+  lookAtAtoms();
   lookAtView();
   for (AttemptEvent& e : touch_watch_.take(now_s_)) add(std::move(e));
   bool further = false;

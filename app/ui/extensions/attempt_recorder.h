@@ -23,13 +23,13 @@ namespace moltact {
 
 struct ApplicationOptions;
 class LessonGuide;
-class MovingStates;
+class AtomMovers;
 class Opener;
 struct PanelState;
 
 class AttemptRecorder : public Extension {
  public:
-  AttemptRecorder(const MovingStates& moving_states, Opener& opener, HapticSession& scene, LessonGuide& lesson,
+  AttemptRecorder(const AtomMovers& movers, Opener& opener, HapticSession& scene, LessonGuide& lesson,
                   Messages& messages, const PanelState& panels, const ApplicationOptions& options,
                   const FrameTime& time)
       : opener_(opener),
@@ -39,7 +39,7 @@ class AttemptRecorder : public Extension {
         panels_(panels),
         options_(options),
         time_(time),
-        moving_states_(moving_states) {}
+        movers_(movers) {}
 
   void beforeTicks() override;
   void ticks(const FeltTicks& felt) override;
@@ -84,7 +84,7 @@ class AttemptRecorder : public Extension {
   const PanelState& panels_;
   const ApplicationOptions& options_;
   const FrameTime& time_;
-  const MovingStates& moving_states_;
+  const AtomMovers& movers_;
   struct Turn {
     std::string student;
     std::filesystem::path lesson, file;
@@ -94,7 +94,7 @@ class AttemptRecorder : public Extension {
   void add(AttemptFact fact) { add(AttemptEvent{now_s_, std::move(fact)}); }
   void add(AttemptEvent event);
   void lookAtStage();
-  void lookAtStates();
+  void lookAtAtoms();
   void lookAtView();
   void lookAtWay();
   void endAttempt();
@@ -114,10 +114,10 @@ class AttemptRecorder : public Extension {
   TouchWatch touch_watch_;
   InputKindWatch input_;
   double now_s_ = 0.0;  // time in use since log_ began
-  double view_written_s_ = -1.0, states_written_s_ = -1.0;
+  double view_written_s_ = -1.0, atoms_written_s_ = -1.0;
   std::optional<InputChanged> way_;
   std::optional<StageChanged> stage_;
-  std::optional<StatesMoved> states_;
+  std::optional<AtomsMoved> atoms_;
   std::optional<Camera> view_;
   bool paused_ = false, mending_begun_ = false;
   std::future<std::size_t> mended_;

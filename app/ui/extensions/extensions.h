@@ -3,6 +3,7 @@
 
 #include <array>
 
+#include "app/ui/extensions/atom_movers.h"
 #include "app/ui/extensions/attempt_recorder.h"
 #include "app/ui/extensions/card_pictures.h"
 #include "app/ui/extensions/class_turns.h"
@@ -14,7 +15,6 @@
 #include "app/ui/extensions/lesson_pictures.h"
 #include "app/ui/extensions/lesson_watch.h"
 #include "app/ui/extensions/measuring.h"
-#include "app/ui/extensions/moving_states.h"
 #include "app/ui/extensions/name_asker.h"
 #include "app/ui/extensions/own_look.h"
 #include "app/ui/extensions/playback.h"
@@ -40,7 +40,7 @@ struct Extensions final : ExtensionSet {
   SettingsKeeper settings_keeper;
   LessonWatch lesson_watch;
   LessonLocks lesson_locks;
-  MovingStates moving_states;
+  AtomMovers movers;
   AttemptRecorder recorder;
   ClassTurns turns;
   Playback playback;
@@ -70,7 +70,7 @@ struct Extensions final : ExtensionSet {
   // precedes the hand recorder, which replaces the device's clutch and scale by those of the recording.
   std::array<Extension*, 23> all_{&settings_keeper, &lesson_watch,    &lesson_locks, &name_asker,    &recorder,
                                   &turns,           &playback,        &history,      &scene_change,  &hand_model,
-                                  &lesson_list,     &card_pictures,   &task_stager,  &reveal_policy, &moving_states,
+                                  &lesson_list,     &card_pictures,   &task_stager,  &reveal_policy, &movers,
                                   &state_text,      &touch_sound,     &measuring,    &touch_paint,   &device,
                                   &hand_recorder,   &lesson_pictures, &own_look};
 };

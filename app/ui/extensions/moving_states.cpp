@@ -101,7 +101,17 @@ bool MovingStates::place(const MotionSource& source) {
   return true;
 }
 
-void MovingStates::show(const MotionSource& source, const MoleculeKey& other, const SecondState& then) {
+std::optional<AtomsMoved> MovingStates::position() const {
+  if (!states_) return std::nullopt;
+  return AtomsMoved{{}, file_.filename().string(), then_.superposed_on.text(), share_};
+}
+
+void MovingStates::show(const MotionSource& source, const AtomsMoved& position, const MoleculeKey& other) {
+  SecondState then;
+  then.molecule = position.file;
+  then.share = std::clamp(position.position, 0.0, 1.0);
+  if (!position.detail.empty())
+    if (auto atoms = parseSelection(position.detail)) then.superposed_on = *std::move(atoms);
   const std::shared_ptr<const Molecule>& molecule = scene_.stage().molecule;
   const bool known = molecule == molecule_ && file_ == other.file && then_.superposed_on == then.superposed_on;
   if (!known) {

@@ -8,24 +8,15 @@
 #include <optional>
 #include <string>
 
-#include "app/ui/application/extension.h"
+#include "app/ui/extensions/atom_mover.h"
 #include "engine/lesson/second_state.h"
 #include "engine/platform/background.h"
 
 namespace moltact {
 
-struct ApplicationOptions;
-class LessonGuide;
-class Messages;
-
-class MovingStates : public Extension {
+class MovingStates : public AtomMover {
  public:
-  MovingStates(HapticSession& scene, LessonGuide& lesson, Messages& messages, const ApplicationOptions& options)
-      : scene_(scene),
-        lesson_(lesson),
-        messages_(messages),
-        options_(options),
-        own_(scene.atoms().owner, MotionRank::Scene) {}
+  using AtomMover::AtomMover;
 
   /// The maximum speed of any touchable atom, and the minimum duration of the whole motion.
   static constexpr double kMaxSpeed_A_per_s = 8.0, kMin_s = 1.5;
@@ -33,7 +24,12 @@ class MovingStates : public Extension {
   void sceneChanged() override;
   void lessonChanged() override { sceneChanged(); }
   void beforeTicks() override;
-  bool live() const override { return reading_.busy() || (states_ && share_ != wanted_); }
+  bool live() const override { return reading_.busy() || moving(); }
+
+  std::string_view kind() const override { return kMovedByStates; }
+  std::optional<AtomsMoved> position() const override;
+  bool moving() const override { return states_ && share_ != wanted_; }
+  void show(const MotionSource& source, const AtomsMoved& position, const MoleculeKey& file) override;
 
   /// Whether the scene has two structures and both have been read.
   bool ready() const { return states_ != nullptr; }
@@ -41,22 +37,10 @@ class MovingStates : public Extension {
   double share() const { return share_; }
   double wanted() const { return wanted_; }
   void goTo(double share);
-  /// The second structure and how it is superposed on the first; has no molecule if ready() is false.
-  const SecondState& then() const { return then_; }
-  /// The file of the second structure.
-  const std::filesystem::path& file() const { return file_; }
-  /// For playback: moves the molecule's atoms to this share of the way to another structure, once that has been read.
-  /// `source` must own the atoms until it is released.
-  void show(const MotionSource& source, const MoleculeKey& other, const SecondState& then);
   /// The names of the two structures.
   const std::string& name(int state) const { return names_[std::size_t(state)]; }
 
  private:
-  HapticSession& scene_;
-  LessonGuide& lesson_;
-  Messages& messages_;
-  const ApplicationOptions& options_;
-  MotionSource own_;
   void forget();
   void take(Expected<TwoStates> states);
   void begin();

@@ -5,9 +5,9 @@
 #include "app/ui/application/application_options.h"
 #include "app/ui/application/opener.h"
 #include "app/ui/application/panel_state.h"
+#include "app/ui/extensions/atom_movers.h"
 #include "app/ui/extensions/attempt_recorder.h"
 #include "app/ui/extensions/lesson_list.h"
-#include "app/ui/extensions/moving_states.h"
 #include "app/ui/files/own_lessons.h"
 #include "app/ui/files/settings.h"
 #include "app/ui/lesson/lesson_guide.h"
@@ -57,7 +57,7 @@ void Playback::open(const fs::path& file) {
   file_ = file;
   shown_stage_ = {};
   missing_.clear();
-  second_ = {};
+  moved_ = {};
   shown_view_ = nullptr;
   follows_view = true;
   at_s_ = 0.0;
@@ -159,18 +159,14 @@ fs::path Playback::fileOf(const std::string& name) {
   return {};
 }
 
-// Moves the atoms to their recorded place between two structures.
-void Playback::showStates() {
-  const StatesMoved* states = timeline_->states(at_s_);
-  if (!states || !staged()) return;
-  if (second_.first != states->file) second_ = {states->file, fileOf(states->file)};
-  if (second_.second.empty()) return;
-  SecondState then;
-  then.molecule = states->file;
-  then.share = states->share;
-  if (!states->superposed_on.empty())
-    if (auto atoms = parseSelection(states->superposed_on)) then.superposed_on = *std::move(atoms);
-  moving_states_.show(motion_, {second_.second, timeline_->stage(at_s_)->reading}, then);
+// Has the recorded mover restore the position of the atoms.
+void Playback::showAtoms() {
+  const AtomsMoved* moved = timeline_->atoms(at_s_);
+  AtomMover* mover = moved && staged() ? movers_.ofKind(moved->by) : nullptr;
+  if (!mover) return;
+  if (moved_.first != moved->file) moved_ = {moved->file, fileOf(moved->file)};
+  if (!moved->file.empty() && moved_.second.empty()) return;
+  mover->show(motion_, *moved, {moved_.second, timeline_->stage(at_s_)->reading});
 }
 
 // Whether the molecule of the present time is loaded.
@@ -235,7 +231,7 @@ void Playback::beforeTicks() {
   }
   stageFor();
   showHeld();
-  showStates();
+  showAtoms();
   showHand();
   showView();
 }

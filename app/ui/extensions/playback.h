@@ -18,14 +18,14 @@ struct ApplicationOptions;
 class AttemptRecorder;
 class LessonGuide;
 class Messages;
-class MovingStates;
+class AtomMovers;
 class Opener;
 struct PanelState;
 struct Settings;
 
 class Playback : public Extension {
  public:
-  Playback(AttemptRecorder& recorder, MovingStates& moving_states, Opener& opener, HapticSession& scene,
+  Playback(AttemptRecorder& recorder, const AtomMovers& movers, Opener& opener, HapticSession& scene,
            LessonGuide& lesson, const Settings& settings, Messages& messages, PanelState& panels,
            const ApplicationOptions& options, const FrameTime& time)
       : opener_(opener),
@@ -36,7 +36,7 @@ class Playback : public Extension {
         panels_(panels),
         options_(options),
         time_(time),
-        moving_states_(moving_states),
+        movers_(movers),
         recorder_(recorder),
         motion_(scene.atoms().owner, MotionRank::Playback),
         body_(scene) {}
@@ -83,25 +83,24 @@ class Playback : public Extension {
   PanelState& panels_;
   const ApplicationOptions& options_;
   const FrameTime& time_;
-  MovingStates& moving_states_;
+  const AtomMovers& movers_;
   AttemptRecorder& recorder_;  // paused meanwhile
   MotionSource motion_;        // owns the atoms meanwhile
   void stageFor();
   std::filesystem::path fileOf(const std::string& name);
-  void showStates();
+  void showAtoms();
   bool staged() const;
   void showHeld();
   void showHand();
   void showView();
 
   std::optional<Timeline> timeline_;
-  std::filesystem::path file_;                            // the attempt
-  MoleculeKey before_;                                    // the molecule before the playback
-  Camera seen_before_;                                    // the camera before the playback
-  NamedMolecule shown_stage_;                             // the requested molecule, by file name without folders
-  std::pair<std::string, std::filesystem::path> second_;  // the second structure's file: its recorded name, and the
-                                                          // file found
-  std::string missing_;                                   // the last molecule's file reported as missing
+  std::filesystem::path file_;                           // the attempt
+  MoleculeKey before_;                                   // the molecule before the playback
+  Camera seen_before_;                                   // the camera before the playback
+  NamedMolecule shown_stage_;                            // the requested molecule, by file name without folders
+  std::pair<std::string, std::filesystem::path> moved_;  // the mover's file: its recorded name, and the file found
+  std::string missing_;                                  // the last molecule's file reported as missing
   const ViewChanged* shown_view_ = nullptr;
   PlayedBody body_;
   double at_s_ = 0.0;

@@ -6,6 +6,7 @@
 
 #include "app/ui/application/application.h"
 #include "app/ui/extensions/extensions.h"
+#include "app/ui/extensions/moving_states.h"
 #include "app/ui/panels/view_overlays.h"
 #include "app/ui/widgets/controls.h"
 #include "app/ui/widgets/theme.h"
@@ -16,7 +17,7 @@
 namespace moltact {
 
 Rectangle drawStateSlider(Application& app, const Rectangle& view) {
-  MovingStates& states = app.extensions().moving_states;
+  MovingStates& states = app.extensions().movers.get<MovingStates>();
   // During playback, the recording moves them.
   if (!states.ready() || app.extensions().playback.on()) return {};
   const Look& l = look();

@@ -1,6 +1,5 @@
 // Table, sentences and chart of body_trade_off.h.
 #include <algorithm>
-#include <array>
 #include <map>
 
 #include "engine/bench/bodies/body_trade_off.h"
@@ -13,10 +12,7 @@ constexpr double kRounding = 1e-13;  // smaller errors have no mark
 
 std::string quoted(const BodyMethod& m) { return "`" + std::string(m.name) + "`"; }
 
-Mark markOf(const BodyMethod& method) {
-  constexpr std::array kMarks{Mark::Diamond, Mark::Circle, Mark::Triangle, Mark::Square, Mark::Cross};
-  return kMarks.at(std::size_t(&method - bodyMethods().data()));
-}
+Mark markOf(const BodyMethod& method) { return markAt(std::size_t(&method - bodyMethods().data())); }
 
 // One point per body and method.
 template <class Error>

@@ -8,6 +8,7 @@
 
 #include "app/ui/application/application.h"
 #include "app/ui/extensions/extensions.h"
+#include "app/ui/extensions/moving_states.h"
 #include "app/ui/panels/lesson/lesson_blocks.h"
 #include "app/ui/panels/lesson/lesson_ends.h"
 #include "app/ui/panels/lesson/lesson_extras.h"
@@ -91,7 +92,7 @@ void followInScene(Application& app, const SceneLink& link) {
       if (const auto atoms = parseSelection(link.of)) app.zoomTo(atoms->select(*app.scene.stage().molecule));
       break;
     case SceneLink::Kind::State:
-      if (const auto share = stateNamed(scene, link.of)) app.extensions().moving_states.goTo(*share);
+      if (const auto share = stateNamed(scene, link.of)) app.extensions().movers.get<MovingStates>().goTo(*share);
       break;
   }
 }

@@ -1,0 +1,65 @@
+// What moves the atoms of the open scene: one interface for the two structures of a scene (`then`), a trajectory, a
+// simulation. Attempts record where a mover's atoms are in its own parameter (AtomsMoved), and a playback has the mover
+// restore them from it. Window's thread.
+//
+// A new mover is one file with a class that derives from AtomMover, and one line in the constructor of AtomMovers
+// (atom_movers.cpp). It receives the events of an Extension that AtomMovers forwards, and moves the atoms by
+// HapticSession::moveAtoms or placeAtoms with `own_`, after own_.claim(). What the hand does to the atoms comes from
+// ServoLoop::takeImpulses.
+#pragma once
+
+#include <optional>
+#include <string_view>
+
+#include "app/ui/application/extension.h"
+#include "engine/results/attempt.h"
+
+namespace moltact {
+
+struct ApplicationOptions;
+class LessonGuide;
+class Messages;
+
+/// The application's parts that a mover uses.
+struct MoverParts {
+  HapticSession& scene;
+  LessonGuide& lesson;
+  Messages& messages;
+  const ApplicationOptions& options;
+};
+
+class AtomMover : public Extension {
+ public:
+  explicit AtomMover(const MoverParts& parts)
+      : scene_(parts.scene),
+        lesson_(parts.lesson),
+        messages_(parts.messages),
+        options_(parts.options),
+        own_(parts.scene.atoms().owner, MotionRank::Scene) {}
+
+  /// The word for it in attempts (AtomsMoved::by), the same in all versions. No other mover has it.
+  virtual std::string_view kind() const = 0;
+  /// The present position of the atoms; empty if it does not move those of the open scene. `by` is filled in by
+  /// AtomMovers. Files of later versions of the mover must keep the meaning of the members.
+  virtual std::optional<AtomsMoved> position() const = 0;
+  /// Whether the atoms are on the way. Positions on the way are recorded at most five times a second, the last one in
+  /// any case.
+  virtual bool moving() const = 0;
+  /// For a playback: moves the atoms at once to a recorded position, in this or a later call, if it is not there yet. It
+  /// is called in each frame. `file` is the file named by the position, found on this computer, with the reading options
+  /// of the molecule on the stage; its path is empty if the position names none. `source` moves the atoms and owns them
+  /// until it is released. A position out of range is clamped.
+  virtual void show(const MotionSource& source, const AtomsMoved& position, const MoleculeKey& file) = 0;
+
+  /// Whether it owns the atoms (app/ui/scene/motion_owner.h).
+  bool owns() const { return own_.owns(); }
+
+ protected:
+  HapticSession& scene_;
+  LessonGuide& lesson_;
+  Messages& messages_;
+  const ApplicationOptions& options_;
+  MotionSource own_;
+};
+
+}  // namespace moltact

@@ -1,0 +1,70 @@
+#include "app/ui/extensions/atom_movers.h"
+
+#include <algorithm>
+
+#include "app/ui/extensions/moving_states.h"
+
+namespace moltact {
+
+AtomMovers::AtomMovers(const MoverParts& parts) : parts_(parts) {
+  // One line for each.
+  add<MovingStates>();
+}
+
+AtomMover* AtomMovers::ofKind(std::string_view kind) const {
+  for (const auto& mover : all_)
+    if (mover->kind() == kind) return mover.get();
+  return nullptr;
+}
+
+const AtomMover* AtomMovers::present() const {
+  const AtomMover* first = nullptr;
+  for (const auto& mover : all_) {
+    if (!mover->position()) continue;
+    if (mover->owns()) return mover.get();
+    if (!first) first = mover.get();
+  }
+  return first;
+}
+
+std::optional<AtomsMoved> AtomMovers::position() const {
+  const AtomMover* mover = present();
+  if (!mover) return std::nullopt;
+  std::optional<AtomsMoved> out = mover->position();
+  out->by = mover->kind();
+  return out;
+}
+
+void AtomMovers::beforeTicks() {
+  for (const auto& mover : all_) mover->beforeTicks();
+}
+
+void AtomMovers::ticks(const FeltTicks& felt) {
+  for (const auto& mover : all_) mover->ticks(felt);
+}
+
+void AtomMovers::afterPanels() {
+  for (const auto& mover : all_) mover->afterPanels();
+}
+
+void AtomMovers::sceneChanged() {
+  for (const auto& mover : all_) mover->sceneChanged();
+}
+
+void AtomMovers::lessonChanged() {
+  for (const auto& mover : all_) mover->lessonChanged();
+}
+
+void AtomMovers::stepChanged() {
+  for (const auto& mover : all_) mover->stepChanged();
+}
+
+void AtomMovers::atEnd() {
+  for (const auto& mover : all_) mover->atEnd();
+}
+
+bool AtomMovers::live() const {
+  return std::any_of(all_.begin(), all_.end(), [](const auto& mover) { return mover->live(); });
+}
+
+}  // namespace moltact
