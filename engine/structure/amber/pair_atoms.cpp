@@ -37,6 +37,32 @@ std::string_view typeOf(int atomic_number, std::size_t neighbours) {
   }
 }
 
+// The charge of an ion in water; 0 for an element with several.
+int ionCharge_e(int atomic_number) {
+  switch (atomic_number) {
+    case 3:
+    case 11:
+    case 19:
+    case 37:
+    case 55:
+      return 1;
+    case 12:
+    case 20:
+    case 30:
+    case 38:
+    case 48:
+    case 56:
+      return 2;
+    case 9:
+    case 17:
+    case 35:
+    case 53:
+      return -1;
+    default:
+      return 0;
+  }
+}
+
 Vec3 anyNormal(const Vec3& v) {
   const Vec3 other = std::abs(v.x) < 0.6 ? Vec3(1, 0, 0) : Vec3(0, 1, 0);
   return glm::normalize(glm::cross(v, other));
@@ -126,7 +152,15 @@ class Assigner {
       note(PairAtoms::Note::Kind::Histidine, index, delta ? "HID" : "HIE");
       return delta ? "HID" : "HIE";
     }
-    if (name == "CYS" && bondedElsewhere(find(r, "SG"), index)) return "CYX";
+    if (name == "CYS") {
+      const std::uint32_t sulphur = find(r, "SG");
+      if (bondedElsewhere(sulphur, index)) {
+        const auto near = bonds_.neighbours(sulphur);
+        const bool disulphide =
+            std::any_of(near.begin(), near.end(), [&](std::uint32_t i) { return m_.atoms[i].atomic_number == 16; });
+        return disulphide ? "CYX" : "CYM";  // a sulphur on a metal has given its proton away
+      }
+    }
     if (name == "ASP" && has(r, "HD2")) return "ASH";
     if (name == "GLU" && has(r, "HE2")) return "GLH";
     if (r.kind == ResidueKind::Nucleotide && name.size() == 1 && !has(r, "O2'")) return "D" + name;
@@ -161,7 +195,10 @@ class Assigner {
     const std::span<const AmberAtom> rows = amberTemplate(name);
     if (rows.empty()) {
       for (std::uint32_t i = r.first_atom; i < r.first_atom + r.atom_count; ++i) byElement(i);
-      note(PairAtoms::Note::Kind::NoTemplate, index);
+      const int charge_e =
+          r.kind == ResidueKind::Ion && r.atom_count == 1 ? ionCharge_e(m_.atoms[r.first_atom].atomic_number) : 0;
+      out_.atoms[r.first_atom].charge_e = float(charge_e);
+      note(charge_e ? PairAtoms::Note::Kind::Ion : PairAtoms::Note::Kind::NoTemplate, index);
       return;
     }
     std::vector<std::uint32_t> at(rows.size());

@@ -22,6 +22,7 @@ struct PairAtoms {
   struct Note {
     enum class Kind : std::uint8_t {
       Histidine,    ///< `template_name` was chosen, by the nearest acceptor
+      Ion,          ///< its formal charge: alkali metals 1, alkaline earths, zinc and cadmium 2, halides -1
       Terminus,     ///< a charged end of a chain
       NoTemplate,   ///< parameters by element, charge 0 (or the file's)
       OtherAtoms,   ///< atoms that the template does not have: by element, charge 0
