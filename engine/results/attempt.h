@@ -178,7 +178,7 @@ struct ViewChanged {
   Vec3 target_A{0.0};
   double distance_A = 50.0;
 };
-/// The position of the scene's atoms in the terms of whatever moved them (app/ui/scene/atom_mover.h), which restores
+/// The position of the scene's atoms in the terms of whatever moved them (app/ui/extensions/atom_mover.h), which restores
 /// the atoms from it. The meaning of `detail` and `position` is that of the mover.
 struct AtomsMoved {
   std::string by;         ///< AtomMover::kind(): "states"
