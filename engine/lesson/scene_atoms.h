@@ -18,10 +18,10 @@ std::vector<std::uint32_t> untouchableAtoms(const SceneSpec& scene, const Molecu
 /// Atoms that the hand holds, ascending.
 std::vector<std::uint32_t> heldAtoms(const SceneSpec& scene, const Molecule& molecule);
 
-/// The atoms of a selection that `remove` has not taken out, ascending.
+/// The atoms of a selection that `remove` does not contain, ascending.
 std::vector<std::uint32_t> presentAtoms(const Selection& atoms, const SceneSpec& scene, const Molecule& molecule);
 
-/// Whether these atoms are at least 90 % of the scene's remaining atoms. The centre of such a selection is close to the
+/// True if these atoms are at least 90 % of the scene's remaining atoms. The centre of such a selection is close to the
 /// molecule's centre and gives no viewing direction.
 bool nearlyAllPresent(const std::vector<std::uint32_t>& present, const SceneSpec& scene, const Molecule& molecule);
 

@@ -1,4 +1,4 @@
-// One tick of the servo loop as a lesson sees it. Plain data, written by the servo side, read on the screen's thread.
+// The data of one tick of the servo loop that a lesson evaluates. Plain data; any thread but the haptic one.
 #pragma once
 
 #include <optional>
@@ -10,28 +10,27 @@
 namespace moltact {
 
 struct TouchSample {
-  double time_s = 0.0;  ///< since the servo loop started; never goes back
-  PointA hip;           ///< where the hand is (unit: angstrom)
-  Contact contact;      ///< what the tracker gave for it
-  ForceN force;         ///< on the hand, in the device's space (unit: newton)
-  bool field = false;   ///< a field's force is felt, in contact or without
-  Vec3 wanted_N{0.0};   ///< force of contact and field before limits, in the molecule's space; zero where no field acts
+  double time_s = 0.0;   ///< since the servo loop started; never goes back
+  PointA hip;            ///< position of the hand in the molecule (unit: angstrom)
+  Contact contact;       ///< as the interaction returned it for this HIP
+  ForceN force;          ///< on the hand, in the device's space (unit: newton)
+  bool field = false;    ///< a field exerts a noticeable force, with or without a contact
+  Vec3 wanted_N{0.0};    ///< force of contact and field before limits, in the molecule's space; zero without a field
   double probe_A = 1.4;  ///< the probe's radius at that tick (unit: angstrom)
-  std::string_view method =
-      {};         ///< name of the haptic method in use; from the table of methods, so it outlives the sample
-  Contact exact;  ///< what the exact tracker gives for the same hand, where the method in use is compared with it
+  std::string_view method = {};    ///< name of the haptic method in use; static, from the table of methods
+  Contact exact;                   ///< that of the exact tracker for the same HIP; empty where nothing is compared
   Quat orientation = kNoRotation;  ///< of the hand, in the molecule's space
-  std::optional<PoseA> body = {};  ///< where the held body is shown: the place of its middle and its orientation
+  std::optional<PoseA> body = {};  ///< the drawn pose of the held body: position of its middle, and orientation
                                    ///< relative to the molecule's file; empty: the hand holds the probe
-  bool one_spring = false;  ///< the body rests as one rigid body on one spring, so its atoms are where it is shown
-  bool placed = false;      ///< the hand was put down here, without a path from the tick before
-  Vec3 torque_N_mm{0.0};    ///< on the hand, in the device's space; zero for a device that drives none
+  bool one_spring = false;         ///< the body is one rigid body on one spring, so its atoms are where they are drawn
+  bool placed = false;             ///< the contact was discarded before this tick, so no path leads here
+  Vec3 torque_N_mm{0.0};           ///< on the hand, in the device's space; zero for a device that drives none
 
-  /// A force is felt; `contact.touching()` says that a surface is touched.
+  /// True if a force is felt, of a contact or a field. `contact.touching()` tests for a contact only.
   bool felt() const { return contact.touching() || field; }
 };
 
-/// The same from a tick of the servo loop (ServoSample of engine/servo, which stands above this room).
+/// Converts a ServoSample. A template, because this room may not include engine/servo.
 template <class ServoTick>
 TouchSample touchSampleOf(const ServoTick& tick, std::string_view method = {}, const Contact& exact = {}) {
   return {.time_s = tick.time_s,

@@ -10,7 +10,7 @@ namespace moltact {
 /// True for the names of water: HOH, WAT, H2O, DOD, TIP3, SOL.
 bool isWaterName(std::string_view residue);
 
-/// The kind of `residue`; `atoms` are its atoms, `hetero` is true for HETATM records.
+/// The kind of `residue`. `atoms` are those of the whole molecule; `hetero` is true for HETATM records.
 ResidueKind residueKind(const Residue& residue, const std::vector<Atom>& atoms, bool hetero);
 
 }  // namespace moltact

@@ -1,4 +1,5 @@
-// Unpacks a pack to disk, while a lesson is in the library or a command uses it. Any thread except the haptic one.
+// Unpacks packs of lessons to disk: permanently for the window, temporarily for a command. Any thread except the
+// haptic one.
 #pragma once
 
 #include <filesystem>
@@ -31,7 +32,7 @@ class TemporaryPack {
   const PackFile& pack() const { return pack_; }
   std::filesystem::path folder() const { return folder_.path(); }
   std::filesystem::path lesson() const { return folder_.path() / pack_.lesson(); }
-  /// Replaces paths of the temporary folder in a text by those of the pack: "haem.moltact/haem.md".
+  /// Returns the text with each path of the temporary folder replaced by one of the pack: "haem.moltact/haem.md".
   std::string shown(std::string text) const;
 
  private:

@@ -1,4 +1,4 @@
-// Annotations in a picture: names, arrows, lengths and angles, hydrogen bonds. Immutable after construction, so
+// Annotations in a picture: names, arrows, lengths and angles, hydrogen bonds, trails. Immutable after construction, so
 // pictures compare them by address. Plain data. Units: angstrom.
 #pragma once
 
@@ -18,10 +18,10 @@ struct Theme;
 struct Annotations {
   struct Label {
     PointA at;
-    double clear_A = 0.0;  ///< radius around `at` of the named object, which does not hide the label
+    double clear_A = 0.0;  ///< radius of the named object around `at`; spheres within it do not hide the label
     std::string text;
     bool arrow = false;   ///< draw an arrow from the name to the point
-    bool always = false;  ///< by the author: shown faintly instead of omitted when atoms hide the point
+    bool always = false;  ///< if atoms hide the point, the label is drawn faintly instead of omitted
   };
   struct Measure {
     std::vector<PointA> places;  ///< two, three or four

@@ -1,6 +1,6 @@
 // The renderer's cached data of a molecule: the drawn spheres, colours, ambient occlusion, and blocks for neighbour
 // searches. A sphere represents an atom, or in very large molecules a residue (engine/render/residue_spheres.h).
-// Created once per molecule; colours, light and coordinates can change. Units: angstrom.
+// Created once per molecule; colours, ambient occlusion and coordinates can change. Units: angstrom.
 #pragma once
 
 #include <cstdint>
@@ -37,7 +37,7 @@ struct AtomPaint {
   ColourBy by = ColourBy::Element;
   std::shared_ptr<const Colouring> colouring;           ///< for this molecule; null: use `by`
   std::shared_ptr<const std::vector<OwnColour>> marks;  ///< parts with colours of their own; null: none
-  AtomList touched;                                     ///< atoms with a light paint; null: none
+  AtomList touched;                                     ///< atoms mixed with touched_colour; null: none
   Colour touched_colour{0.0f};
   friend bool operator==(const AtomPaint&, const AtomPaint&) = default;
 };
@@ -58,11 +58,11 @@ MoleculeLight lightAmong(const SharedArray<Sphere>& spheres, const std::vector<s
 struct MoleculeModel {
   /// A molecule of more than `max_single` atoms is drawn by residues.
   explicit MoleculeModel(std::shared_ptr<const Molecule> molecule, std::size_t max_single = kMaxSingleAtoms);
-  /// Adopts other coordinates of the same molecule in linear time. Colours, blocks, bonds and secondary structure are
-  /// kept, and so is the light until lightBy(). Returns false, unchanged, if the molecule is a different one or drawn
-  /// by residues.
+  /// Adopts other coordinates of the same molecule in linear time. Keeps the colours, blocks, bonds and secondary
+  /// structure, and the ambient occlusion until lightBy(). Returns false and changes nothing if the molecule is a
+  /// different one or is drawn by residues.
   bool moveTo(const std::shared_ptr<const Molecule>& moved);
-  /// Adopts the light computed by lightAmong(spheres, shownWithout(hidden)).
+  /// Adopts the ambient occlusion computed by lightAmong(spheres, shownWithout(hidden)).
   void lightBy(MoleculeLight found_light);
   /// One flag per sphere: nonzero if at least one of its atoms is not in `hidden_atoms` (ascending; null: none). Empty:
   /// all are shown.
@@ -94,7 +94,7 @@ struct MoleculeModel {
   AtomList hidden;  ///< the hidden atoms for which `light` was computed
   AtomPaint paint_used;
   unsigned painted = 0;  ///< incremented by every painting
-  unsigned lit = 0;      ///< incremented by every new light
+  unsigned lit = 0;      ///< incremented by every lightBy()
   std::size_t max_single;
   std::vector<std::uint32_t> first_atom;  ///< ResidueSpheres::first_atom; empty: each atom is a sphere
   double beyond_A = 0.0;                  ///< upper bound by which an atom extends beyond its sphere
@@ -103,8 +103,8 @@ struct MoleculeModel {
   std::vector<std::uint32_t> colour;      ///< per sphere: bytes red, green, blue, 255 from the lowest
   MoleculeLight light;
   std::shared_ptr<FoundStructure> found;  ///< of the molecule, for its styles; never null
-  Vec3 middle_A{0.0};
-  double reach_A = 0.0;  ///< radius around middle_A that contains all spheres and atoms
+  Vec3 middle_A{0.0};                     ///< centre of the bounding box of the spheres' centres
+  double reach_A = 0.0;                   ///< radius around middle_A that contains all spheres and atoms
 
  private:
   void measure();

@@ -1,4 +1,4 @@
-// The limits between a method's force and the hand: their values, and the flags that report which have acted.
+// The limits of the safety stage: their values, and the flags that report which of them changed the force.
 // docs/safety.md explains the reason and source of each value. Plain data, every thread.
 #pragma once
 
@@ -17,7 +17,7 @@ inline constexpr double kSlew_N_per_s = 1000.0;  ///< slew rate required by a wa
 inline constexpr double kStale_s = 0.020;        ///< without a fresh position for this time the force starts to fade
 inline constexpr double kFaded_s = 0.040;        ///< after this time it is zero
 inline constexpr double kContactLost_s = 0.100;  ///< after this time the contact is discarded
-inline constexpr double kJump_m_per_s = 5.0;     ///< faster than any hand: a misread position
+inline constexpr double kJump_m_per_s = 5.0;     ///< a position that changes faster was misread
 inline constexpr double kJump_rad_per_s = 60.0;  ///< the same for rotation
 inline constexpr double kMaxSpeed_rad_per_s = 15.0;  ///< from this angular speed no torque drives the hand's rotation
 inline constexpr double kMaxSpeed_m_per_s = 1.0;     ///< from this speed no force drives the hand's motion
@@ -25,7 +25,7 @@ inline constexpr double kSpeedFadeStart = 0.75;    ///< fraction of that speed a
 inline constexpr double kVendorLimitMargin = 0.9;  ///< usable fraction of a limit of the device's driver
 inline constexpr double kHeat_s = 30.0;            ///< thermal time constant of the motors' windings
 inline constexpr double kWarm = 0.8;  ///< fraction of the permitted heat at which the peak force starts to fall
-inline constexpr double kLightHand_N_s_per_m = 2.0;  ///< damping of a hand that barely holds the stylus
+inline constexpr double kLightHand_N_s_per_m = 2.0;  ///< damping of the lightest grip
 inline constexpr double kUnknownFriction_N = 0.01;   ///< friction assumed for a device that reports none
 inline constexpr double kStiffnessMargin =
     0.5;  ///< usable fraction of the stiffness at which the loop becomes unstable

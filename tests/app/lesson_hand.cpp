@@ -88,11 +88,16 @@ bool LessonHand::finishLesson() {
 bool LessonHand::isCurrent(std::size_t task) const { return session().currentTask() == task; }
 
 HandPlanInput LessonHand::planInput(int attempt) const {
-  return {.spheres = *d_.app().scene.stage().spheres,
-          .probe_A = d_.app().scene.servo_settings.probe_A,
-          .N_per_A = N_per_A(),
-          .hip = d_.app().scene.log().latest().hip,
-          .attempt = attempt};
+  const TouchableModel& stage = d_.app().scene.stage();
+  HandPlanInput input{.spheres = *stage.spheres,
+                      .probe_A = d_.app().scene.servo_settings.probe_A,
+                      .N_per_A = N_per_A(),
+                      .hip = d_.app().scene.log().latest().hip,
+                      .attempt = attempt,
+                      .body = stage.body.get(),
+                      .orientation = bodyTurned()};
+  for (const auto& [share, spheres] : structures_) input.structures.push_back({share, spheres.get()});
+  return input;
 }
 
 double LessonHand::figure(std::size_t task, std::string_view name) const {
@@ -182,6 +187,7 @@ void LessonHand::doWrongly(std::size_t task) {
 
 bool LessonHand::doTask(std::size_t task) {
   double best = -1.0;
+  if (d_.app().scene.stage().body) lookAtStates();
   for (int attempt = 0, idle = 0; isCurrent(task) && idle < kAttempts; ++attempt, ++idle) {
     follow(session().taskAt(task)->demonstrate(planInput(attempt)), task);
     if (!isCurrent(task)) return true;
@@ -192,8 +198,10 @@ bool LessonHand::doTask(std::size_t task) {
 }
 
 void LessonHand::follow(const HandPlan& plan, std::size_t task) {
+  if (followWithBody(plan, task)) return;
   for (std::size_t k = 0; k < plan.size() && isCurrent(task); ++k) {
     const HandAct& act = plan[k];
+    if (act.share) moveStates(*act.share);
     if (!act.method.empty()) useMethod(act.method);
     if (act.to && act.placed) {
       lift();

@@ -4,7 +4,11 @@
 #pragma once
 
 #include <functional>
+#include <memory>
+#include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "app/ui/shell/scripted_user.h"
 #include "engine/lesson/session.h"
@@ -60,6 +64,27 @@ class LessonHand {
   void draw(const std::string& name, const std::vector<double>& curve, double max_N);
   void useMethod(const std::string& name);
 
+  /// Moves the atoms to this share of the way between the scene's structures and waits until they are there: with the
+  /// mouse by the slider, with the keyboard by the button of that end.
+  void moveStates(double share);
+  /// Moves them to both ends and back, and keeps both structures for planInput().
+  void lookAtStates();
+  Quat bodyTurned() const;
+  /// Turns what the hand holds by drags with Ctrl, or by the arrow keys with Ctrl and Shift.
+  void turnBodyTo(const Quat& wanted);
+  /// A straight approach of the body to a pose, and where it stops.
+  struct Approach {
+    Vec3 toViewer{0.0, 0.0, 1.0}, aim{0.0}, stop{0.0};
+    Quat turned = kNoRotation;
+    double off_A = 1e300;  ///< root mean square distance of the atoms from their places in the pose
+    bool meets() const { return off_A < 1e300; }
+  };
+  /// The best of many drawn approaches, from any side or from this eye, in any near orientation or in this one.
+  Approach approachTo(const PoseA& end, std::uint64_t seed, const std::optional<Vec3>& from,
+                      const std::optional<Quat>& turned) const;
+  /// Brings the body to the end of a plan. Returns false without a body.
+  bool followWithBody(const HandPlan& plan, std::size_t task);
+
   /// The position of a place on the screen, as shares of the view's width and height.
   glm::dvec2 seen(const Vec3& place_A) const;
   Vec3 outward(const Vec3& place_A) const;
@@ -83,6 +108,8 @@ class LessonHand {
   bool pressing_ = false;
   double pushed_N_ = 0.0;
   glm::ivec2 arrows_{0};
+  std::vector<std::pair<double, std::shared_ptr<const SphereGrid>>> structures_;  // of the task's scene, by share
+  std::uint64_t approaches_ = 0;  // of a body, so far: each draws others
   std::string failed_;
 };
 

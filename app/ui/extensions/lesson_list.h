@@ -28,7 +28,7 @@ struct LessonCard {
   std::string fault;                       ///< why it cannot be opened; empty if it can
   std::optional<SceneSpec> scene;          ///< of its first step
   MoleculeKey molecule;                    ///< the scene's molecule; empty if its file is not found
-  std::optional<LessonProgress> progress;  ///< nothing: never begun
+  std::optional<LessonProgress> progress;  ///< empty: never begun
 };
 
 struct ApplicationOptions;
@@ -53,7 +53,7 @@ class LessonList : public Extension {
   /// The program's lessons, then the user's own. In each group, lessons with a position come first in that order; then
   /// the program's lessons by level and the user's own by title. Each is in the language in use if available.
   const std::vector<LessonCard>& cards() const { return cards_; }
-  /// The unfinished lesson that was touched last, or null.
+  /// The unfinished lesson with the most recent attempt, or null.
   const LessonCard* latest() const;
 
   /// Opens a lesson where it was left, or at its beginning. A lesson that asks for a name continues after the answer.

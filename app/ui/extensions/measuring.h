@@ -12,7 +12,7 @@
 
 namespace moltact {
 
-/// The atom visible at a place of the view (unit: pixel from its upper left corner), or nothing beside the molecule.
+/// The atom drawn at the point `px` of the view, or nothing. `view_px` is its size (unit: pixel; origin: upper left).
 std::optional<std::uint32_t> atomAt(const HapticSession& scene, glm::dvec2 px, glm::dvec2 view_px);
 
 class Measuring final : public Extension {
@@ -23,7 +23,7 @@ class Measuring final : public Extension {
   bool on() const { return on_; }
   void switchOn(bool on);
 
-  /// Adds an atom. The last atom again ends the measurement; a fifth atom begins another one.
+  /// Adds an atom. If the same atom is added twice in a row, the measurement ends. A fifth atom begins another one.
   void take(const Molecule& molecule, std::uint32_t atom);
   /// Ends the measurement; the next atom begins another.
   void finish() { atoms_.clear(); }
@@ -43,7 +43,7 @@ class Measuring final : public Extension {
   void write(const Molecule& molecule);
 
   bool on_ = false;
-  std::vector<std::vector<std::uint32_t>> measures_;  // all with a value; the last may be unfinished
+  std::vector<std::vector<std::uint32_t>> measures_;  // two to four atoms each; atoms_ may extend the last
   std::vector<std::uint32_t> atoms_;                  // of the current measurement
   std::shared_ptr<const Annotations> drawn_;
   std::shared_ptr<const Molecule> molecule_;

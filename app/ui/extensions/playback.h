@@ -1,5 +1,5 @@
-// Plays an attempt in the 3-D view with its probe, force arrow and texts. Meanwhile the device gives no force and
-// nothing is recorded. Window's thread. Unit: second of use.
+// Plays an attempt in the 3-D view with its probe, force arrow and texts. During the playback the device outputs no
+// force and nothing is recorded. Window's thread. Unit: second, on the time axis of Timeline.
 #pragma once
 
 #include <filesystem>
@@ -41,7 +41,7 @@ class Playback : public Extension {
         motion_(scene.atoms().owner, MotionRank::Playback),
         body_(scene) {}
 
-  /// Starts the playback of a file. One that cannot be read gives a message and changes nothing.
+  /// Starts the playback of a file. An unreadable file causes a message and changes nothing else.
   void open(const std::filesystem::path& file);
   /// Ends the playback and returns to the previous lesson or molecule. `back` false: something else is about to be
   /// opened.
@@ -53,17 +53,17 @@ class Playback : public Extension {
   double at_s() const { return at_s_; }
   bool running() const { return on() && running_; }
 
-  /// At the end of the attempt, running starts again from the beginning.
+  /// Starts or pauses the playback. At the end of the attempt, it restarts from the beginning.
   void setRunning(bool run);
   void seek(double t_s);
   /// Moves to the next (direction > 0) or previous mark; without one, to the end or the start.
   void seekMark(int direction);
-  /// The text of the last mark for the bar; empty before the first.
+  /// The text of the mark last passed, for the bar; empty before the first mark.
   std::string lastMark() const;
 
   double speed = 1.0;        ///< relative to the recorded speed
   bool follows_view = true;  ///< follows the recorded view; off once the user rotates the view
-  bool skips_rests = true;   ///< skips times without motion of the hand
+  bool skips_rests = true;   ///< skips periods without motion of the hand
 
   void beforeOpening(FileKind kind) override;
   bool open(FileKind kind, const std::filesystem::path& file) override;
@@ -72,7 +72,7 @@ class Playback : public Extension {
   bool live() const override { return running(); }
   bool hidesLesson() const override { return on(); }
 
-  static constexpr double kRest_s = 3.0;  ///< longer rests are skipped
+  static constexpr double kRest_s = 3.0;  ///< longer periods without motion are skipped
 
  private:
   Opener& opener_;
@@ -84,8 +84,8 @@ class Playback : public Extension {
   const ApplicationOptions& options_;
   const FrameTime& time_;
   const AtomMovers& movers_;
-  AttemptRecorder& recorder_;  // paused meanwhile
-  MotionSource motion_;        // owns the atoms meanwhile
+  AttemptRecorder& recorder_;  // paused during the playback
+  MotionSource motion_;        // owns the atoms during the playback
   void stageFor();
   std::filesystem::path fileOf(const std::string& name);
   void showAtoms();
@@ -99,8 +99,9 @@ class Playback : public Extension {
   MoleculeKey before_;                                   // the molecule before the playback
   Camera seen_before_;                                   // the camera before the playback
   NamedMolecule shown_stage_;                            // the requested molecule, by file name without folders
-  std::pair<std::string, std::filesystem::path> moved_;  // the mover's file: its recorded name, and the file found
+  std::pair<std::string, std::filesystem::path> moved_;  // the mover's file: name in the attempt, path found
   std::string missing_;                                  // the last molecule's file reported as missing
+  std::string unknown_mover_;                            // the last one reported as unknown
   const ViewChanged* shown_view_ = nullptr;
   PlayedBody body_;
   double at_s_ = 0.0;

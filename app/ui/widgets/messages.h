@@ -26,7 +26,7 @@ class Messages {
  public:
   static constexpr std::size_t kMax = 4;                       ///< beyond this number, the oldest is removed
   static constexpr double kNotice_s = 6.0, kWarning_s = 14.0;  ///< the shortest display times
-  static constexpr double kRead_bytes_per_s = 14.0;            ///< the speed of a slow reader
+  static constexpr double kRead_bytes_per_s = 14.0;  ///< reading speed that sets the display time of a long text
 
   void notice(std::string text) { addForAWhile(MessageKind::Notice, std::move(text), kNotice_s); }
   void warning(std::string text) { addForAWhile(MessageKind::Warning, std::move(text), kWarning_s); }
@@ -51,11 +51,13 @@ class Messages {
   void clearErrors() {
     std::erase_if(all_, [](const Message& m) { return m.kind == MessageKind::Error; });
   }
+  /// Advances the time by `dt_s` and removes the messages whose time has passed.
   void age(double dt_s) {
     for (Message& m : all_)
       if (m.left_s >= 0) m.left_s = std::max(0.0, m.left_s - dt_s);
     std::erase_if(all_, [](const Message& m) { return m.left_s == 0.0; });
   }
+  /// True if a message will disappear by itself.
   bool fading() const {
     return std::any_of(all_.begin(), all_.end(), [](const Message& m) { return m.left_s >= 0; });
   }

@@ -29,8 +29,8 @@ class PacketProtocol {
   /// After a Problem of begin(): false if the device is of a different kind altogether.
   virtual bool ofKind() const noexcept { return true; }
   virtual DeviceGuidance guidance() const noexcept { return {}; }
-  /// The user holds the device as guidance() requested. Returns true if the calibration changes the position of the
-  /// present pose.
+  /// Calibrates the device, which the user now holds as guidance() requested. Returns true if the calibration changes
+  /// the position of the present pose.
   virtual bool calibrate() noexcept { return false; }
   /// Parses a received report of any length and content. Returns true if it contained a new position, which is then in
   /// `pose`.
@@ -41,13 +41,13 @@ class PacketProtocol {
   virtual ViewMotion viewMotion() const noexcept { return {}; }
   /// As Device::rotateHand; called before each advance().
   virtual void rotateHand(bool) noexcept {}
-  /// Encodes the report with this force, and with this torque if the device drives one (DeviceSpecs::dof_out 6). The id
-  /// comes first. Returns the length; 0: nothing to write.
+  /// Encodes the report with this force, and with this torque if the device drives one (DeviceSpecs::dof_out 6). Its
+  /// first byte is the report's id. Returns the length in bytes; 0: nothing to write.
   virtual std::size_t encode(const Wrench&, ReportBuffer) noexcept { return 0; }
   /// Encodes the report that ends all force, with the motors off if they can be switched.
   virtual std::size_t encodeStop(ReportBuffer out) noexcept { return encode(Wrench{}, out); }
-  /// Encodes the last report to the device, with zero force. Unlike encodeStop() it returns a report even if an equal
-  /// one was just sent, which may not have arrived. Returns 0 only if no force can have been given.
+  /// Encodes the last report to the device, with zero force. Unlike encodeStop() it also returns a report if an equal
+  /// one was just sent, because that one may have been lost. Returns 0 only if no force can have been output.
   virtual std::size_t encodeFinalReport(ReportBuffer out) noexcept { return encodeStop(out); }
 };
 

@@ -1,8 +1,8 @@
 // The exact tracker: the god-object method on the union of spheres. Its only error is rounding.
 //
 // The SCP s moves from its last position down the gradient of |x - h|^2 toward the HIP h and stays outside every
-// sphere. Its path consists of pieces in closed form: straight flight, great circles on spheres and arcs of
-// intersection circles. The ends of the pieces are known in closed form too (docs/exact-tracker.md). The tracker stores
+// sphere. Its path consists of pieces in closed form: straight lines, great circles on spheres and arcs of
+// intersection circles. The ends of the pieces have closed forms too (docs/exact-tracker.md). The tracker stores
 // only a list of the spheres near the SCP (nearby_spheres.h).
 //
 // The paper's three cases are slideOnSphere (case 1), slideOnCircle (case 2) and holdAtPoint (case 3, a vertex that
@@ -36,14 +36,14 @@ class ExactTracker final : public Tracker {
   double probe_A() const noexcept override { return near_.probe_A(); }
   MemoryUsage memoryUsage() const noexcept override;
 
-  /// Number of ticks that were cut short: the motion needed more than kMaxPieces pieces or kMaxWork examined spheres,
-  /// or the growth of the probe did. The SCP then lags outside all spheres (inflated by probe_A()) and continues in the
-  /// next tick.
+  /// Number of ticks that ended early: the motion needed more than kMaxPieces pieces, or the motion or the growth of the
+  /// probe examined more than kMaxWork spheres. The SCP then stays outside all spheres (inflated by probe_A()) and
+  /// continues in the next tick.
   std::uint64_t cutShort() const noexcept { return cut_short_; }
 
-  /// Number of spheres, cells and groups of spheres examined by the last step() or setProbe() that left the fast path:
-  /// its cost. The limit is kMaxWork for the motion and as much for the growth of the probe, plus what one piece or
-  /// step of either adds.
+  /// Cost of the last step() or setProbe() that left the fast path: the number of spheres, cells and groups of spheres
+  /// that it examined. The motion and the growth of the probe may each exceed kMaxWork by the cost of one piece or
+  /// step.
   std::uint64_t workCount() const noexcept { return near_.workCount(); }
 
   static constexpr int kMaxPieces = 256;
@@ -66,9 +66,9 @@ class ExactTracker final : public Tracker {
     double low_1 = 0, low_2 = 0, high_1 = 0, high_2 = 0;  // cosine and sine of the ends
   };
 
-  // A disc of directions on a sphere, as the cosine of the angle to `centre`. Directions with a cosine above `clear`
-  // lie in no cap. Those above `cosine` can lie in one cap only, the one nearest to the SCP, which is then tested
-  // itself.
+  // A disc of directions on a sphere, limited by the cosine of the angle to `centre`. Directions with a cosine above
+  // `clear` lie in no cap (cap.h). Those above `cosine` can lie in one cap only, the one nearest to the SCP; that cap is
+  // then tested.
   struct Patch {
     Vec3 centre{0.0};
     double clear = 2.0, cosine = 2.0;
@@ -113,14 +113,14 @@ class ExactTracker final : public Tracker {
   Vec3 scp_{0.0};           // like every position inside the tracker, relative to near_.origin()
   double contact_A_ = 0.0;  // a sphere within this distance of the SCP counts as touched
   bool armed_ = false;      // the HIP has been outside since the start
-  bool behind_ = false;     // the last step was cut short
+  bool behind_ = false;     // the last step ended early
   bool moved_ = false;      // the spheres have moved since `seen_fraction_`, where the SCP was last moved outside
   double seen_fraction_ = 0.0;
   // While spheres move: at clear_fraction_ no sphere except the blocking ones was within clear_gap_ of clear_from_.
   Vec3 clear_from_{0.0};
   double clear_gap_ = 0.0, clear_fraction_ = 0.0;
   bool swells_ = false;   // the probe grows or shrinks toward goal_A_
-  bool swelled_ = false;  // and its radius has changed since the last tick
+  bool swelled_ = false;  // the probe's radius has changed since the last tick
   double goal_A_ = 0.0, step_A_ = 0.0;
   bool may_sink_ = false;  // the path has passed touched spheres that do not block it
   Feature feature_ = Feature::Free;

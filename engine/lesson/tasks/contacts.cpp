@@ -108,6 +108,10 @@ void checkContactsScene(const TaskSpec& spec, const SceneSpec& scene, std::vecto
   if (!scene.in_hand.given())
     problems.push_back(problemAt(spec.place, tr("'contacts' needs a body in the hand"),
                                  tr("write 'in-hand: …' with its atoms in this step's scene")));
+  if (!scene.then.molecule.empty())
+    problems.push_back(problemAt(
+        spec.place, tr("'contacts' judges the atoms where they are at the start of the scene, and 'then' moves them"),
+        tr("leave out 'then', or use 'dock'")));
 }
 
 void checkContactsBody(const TaskSpec& spec, const std::shared_ptr<const HeldBody>& body,

@@ -312,3 +312,13 @@ TEST_CASE(
   REQUIRE(errorsOf(step("contacts: anywhere\ncount: 3")).size() == 1);
   CHECK(errorsOf(step("contacts: anywhere\ncount: 3"))[0].find("the body has only 2 atoms") != std::string::npos);
 }
+
+TEST_CASE("contacts in a scene with 'then', which moves the atoms, is one error at the task; dock there is none") {
+  const std::string moves = "in-hand: resname LIG\nthen: dock\n";
+  const std::vector<std::string> errors = errorsOf(step("contacts: anywhere\ncount: 2", moves));
+  REQUIRE(errors.size() == 1);
+  CAPTURE(errors[0]);
+  CHECK(errors[0].starts_with("l.md:15:4: 'contacts' judges the atoms where they are at the start of the scene"));
+  CHECK(errors[0].find("leave out 'then', or use 'dock'") != std::string::npos);
+  CHECK(errorsOf(step("dock: file", moves)).empty());
+}
