@@ -1,8 +1,10 @@
 // moltact info MOLECULE|LESSON|PACK: prints its contents as text or JSON.
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <memory>
 #include <numeric>
+#include <vector>
 
 #include "app/commands/command.h"
 #include "app/commands/lesson_info.h"
@@ -11,13 +13,14 @@
 #include "engine/language/quantity_text.h"
 #include "engine/molecule/summary.h"
 #include "engine/platform/terminal.h"
+#include "engine/structure/amber/pair_atoms.h"
 
 namespace moltact {
 namespace {
 
 struct InfoArguments {
   MoleculeArgument molecule;
-  bool json = false;
+  bool charges = false, json = false;
 };
 
 std::string listed(const std::map<std::string, std::size_t>& counts) {
@@ -39,6 +42,56 @@ double netCharge_e(const Molecule& molecule) {
   return std::round(1e4 * sum) / 1e4;  // files have four decimals
 }
 
+// Which residues have a note of this kind: by the template, their numbers and chains ("69 A").
+using Noted = std::map<std::string, std::vector<std::string>>;
+Noted noted(const Molecule& m, const PairAtoms& assigned, PairAtoms::Note::Kind kind) {
+  Noted out;
+  for (const PairAtoms::Note& n : assigned.notes) {
+    if (n.kind != kind) continue;
+    const Residue& r = m.residues[n.residue];
+    const std::string chain(m.chains[r.chain].name);
+    out[n.template_name.empty() ? std::string(r.name) : n.template_name].push_back(std::to_string(r.number) +
+                                                                                   (chain.empty() ? "" : " " + chain));
+  }
+  return out;
+}
+
+struct NotedKind {
+  PairAtoms::Note::Kind kind;
+  const char *label, *key;
+};
+constexpr NotedKind kNoted[] = {
+    {PairAtoms::Note::Kind::Histidine, "histidine ", "histidines"},
+    {PairAtoms::Note::Kind::Ion, "ions      ", "ions"},
+    {PairAtoms::Note::Kind::Terminus, "ends      ", "charged_ends"},
+    {PairAtoms::Note::Kind::NoTemplate, "uncharged ", "no_template"},
+    {PairAtoms::Note::Kind::OtherAtoms, "unknown   ", "other_atoms"},
+    {PairAtoms::Note::Kind::MissingAtoms, "missing   ", "missing_atoms"},
+};
+
+void printAssigned(const Molecule& m) {
+  const PairAtoms assigned = pairAtoms(m);
+  const double net_e = std::round(1e3 * assigned.net_charge_e) / 1e3;
+  out() << "net       " << quantityNumber(net_e, Dimension::None, decimals(net_e == std::round(net_e) ? 0 : 3))
+        << " e by " << (m.charges_e.empty() ? "AMBER ff14SB, OL15 and OL3" : "the file") << "; "
+        << assigned.placed_hydrogens << " polar hydrogens placed\n";
+  for (const NotedKind& kind : kNoted)
+    for (const auto& [name, residues] : noted(m, assigned, kind.kind)) {
+      constexpr std::size_t kMax = 12;
+      out() << kind.label << name << ':';
+      for (std::size_t k = 0; k < std::min(kMax, residues.size()); ++k) out() << (k ? ", " : " ") << residues[k];
+      out() << (residues.size() > kMax ? " and " + std::to_string(residues.size() - kMax) + " more" : "") << '\n';
+    }
+}
+
+nlohmann::ordered_json assignedJson(const Molecule& m) {
+  const PairAtoms assigned = pairAtoms(m);
+  nlohmann::ordered_json out = {{"net_charge_e", std::round(1e3 * assigned.net_charge_e) / 1e3},
+                                {"placed_hydrogens", assigned.placed_hydrogens}};
+  for (const NotedKind& kind : kNoted) out[kind.key] = noted(m, assigned, kind.kind);
+  return out;
+}
+
 void printText(const Molecule& molecule, const MoleculeSummary& s) {
   const Vec3 size = s.high_A - s.low_A;
   out() << molecule.id << (molecule.title.empty() ? "" : ": " + molecule.title) << '\n';
@@ -57,7 +110,7 @@ void printText(const Molecule& molecule, const MoleculeSummary& s) {
 
 std::vector<double> list(Vec3 v) { return {v.x, v.y, v.z}; }
 
-void printJson(const Molecule& molecule, const MoleculeSummary& s) {
+void printJson(const Molecule& molecule, const MoleculeSummary& s, bool charges) {
   nlohmann::ordered_json json = {
       {"id", molecule.id},
       {"title", molecule.title},
@@ -77,6 +130,7 @@ void printJson(const Molecule& molecule, const MoleculeSummary& s) {
       {"warnings", molecule.warnings},
   };
   if (!molecule.charges_e.empty()) json["charge_e"] = netCharge_e(molecule);
+  if (charges) json["assigned"] = assignedJson(molecule);
   printDocument(json);
 }
 
@@ -84,7 +138,9 @@ void run(const InfoArguments& arguments) {
   if (namesLesson(arguments.molecule.named.name)) return printLessonInfo(arguments.molecule.named.name, arguments.json);
   const Molecule molecule = arguments.molecule.load();
   const MoleculeSummary summary = summarise(molecule);
-  arguments.json ? printJson(molecule, summary) : printText(molecule, summary);
+  if (arguments.json) return printJson(molecule, summary, arguments.charges);
+  printText(molecule, summary);
+  if (arguments.charges) printAssigned(molecule);
 }
 
 }  // namespace
@@ -95,6 +151,10 @@ void addInfo(CLI::App& app) {
       "info",
       "Describe a molecule (atoms, residues, chains, elements, ligands, size), a lesson (.md) or a pack (.moltact)");
   arguments->molecule.addTo(*command);
+  command->add_flag(
+      "--charges", arguments->charges,
+      "Print the net charge by force field and what it assumes: histidines, ends of chains, atoms without "
+      "parameters");
   command->add_flag("--json", arguments->json, "Print JSON");
   command->callback([arguments] { run(*arguments); });
 }

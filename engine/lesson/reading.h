@@ -39,7 +39,7 @@ std::size_t readFrontMatter(Reading& reading, Lesson& lesson);
 /// The opening fences of blocks without an end: the file ends inside them, or a lesson's block begins inside another.
 std::vector<Place> findOpenFences(const SourceText& source, std::size_t from);
 
-/// Adds problems for lines that lack a blank to be a heading or a choice.
+/// Adds a problem for each line that would be a heading or a choice if it had a blank after its signs.
 void findLineSlips(Reading& reading, std::size_t from);
 
 /// Adds a problem for a molecule that the front matter does not list.

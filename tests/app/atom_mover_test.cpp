@@ -173,6 +173,10 @@ TEST_CASE(
   other->app().extensions().playback.seek(attempt->end_s());
   other->frames(5);
   CHECK(z(*other, 5) == doctest::Approx(first[5]));
+  const auto& messages = other->app().messages.all();
+  CHECK(std::count_if(messages.begin(), messages.end(), [](const Message& m) {
+          return contains(m.text, "cannot move the atoms of this attempt (“test-frames”)");
+        }) == 1);
 }
 
 }  // namespace

@@ -196,7 +196,9 @@ TEST_CASE("a lesson that was open continues after the playback as if nothing had
   CHECK(driver->app().lesson.session()->taskDone(0, 0));
 }
 
-TEST_CASE("an attempt keeps where the slider between two structures was, and its playback moves the atoms there") {
+TEST_CASE(
+    "an attempt keeps where the slider between two structures was, and its playback moves the atoms there, also that "
+    "of a former version's lines") {
   const ScratchFolder scratch;
   const auto bend = [](double lifted_A) {
     std::string out;
@@ -250,23 +252,35 @@ TEST_CASE("an attempt keeps where the slider between two structures was, and its
     }
   CHECK(share == 0.5);
   CHECK(lines > 3);
-  const auto driver = startWith("1ubq", small());
-  driver->app().open(file);
-  driver->app().finishLoading();
-  driver->frames(5);
-  auto& playback = driver->app().extensions().playback;
-  playback.setRunning(false);
-  playback.seek(playback.timeline().length_s());
-  driver->app().finishLoading();
-  driver->frames(5);
-  CHECK(last_z(*driver) == doctest::Approx(first_z + 2.0).epsilon(0.01));
-  // The playback owns the atoms, so the slider does not move them.
-  driver->app().extensions().movers.get<MovingStates>().goTo(1.0);
-  driver->frames(60);
-  CHECK(last_z(*driver) == doctest::Approx(first_z + 2.0).epsilon(0.01));
-  playback.seek(0.1);
-  driver->frames(5);
-  CHECK(last_z(*driver) == doctest::Approx(first_z).epsilon(0.01));
+  // The same lines as former versions wrote them.
+  std::string former = bytesOf(file);
+  for (const auto& [now, then] : {std::pair{R"("kind":"moved")", R"("kind":"state")"},
+                                  {R"("by":"states",)", ""},
+                                  {R"("detail":)", R"("superposed_on":)"},
+                                  {R"("position":)", R"("share":)"}})
+    for (std::size_t at = 0; (at = former.find(now, at)) != std::string::npos;)
+      former.replace(at, std::string_view(now).size(), then);
+  REQUIRE(contains(former, R"("file":"shut.pdb","superposed_on":"residue 1-5","share":0.5})"));
+  writeFile(file.parent_path() / "former.jsonl", former);
+  for (const fs::path& played : {file, file.parent_path() / "former.jsonl"}) {
+    const auto driver = startWith("1ubq", small());
+    driver->app().open(played);
+    driver->app().finishLoading();
+    driver->frames(5);
+    auto& playback = driver->app().extensions().playback;
+    playback.setRunning(false);
+    playback.seek(playback.timeline().length_s());
+    driver->app().finishLoading();
+    driver->frames(5);
+    CHECK(last_z(*driver) == doctest::Approx(first_z + 2.0).epsilon(0.01));
+    // The playback owns the atoms, so the slider does not move them.
+    driver->app().extensions().movers.get<MovingStates>().goTo(1.0);
+    driver->frames(60);
+    CHECK(last_z(*driver) == doctest::Approx(first_z + 2.0).epsilon(0.01));
+    playback.seek(0.1);
+    driver->frames(5);
+    CHECK(last_z(*driver) == doctest::Approx(first_z).epsilon(0.01));
+  }
 }
 
 TEST_CASE(

@@ -138,6 +138,35 @@ TEST_CASE("opposing constraints that leave no room are not feasible, and equal o
   CHECK(same.step[0] == 1.0);
 }
 
+TEST_CASE("six constraints hold to 1e-12 A against a pull of 1e9 A") {
+  std::mt19937_64 random(6);
+  std::normal_distribution<double> any;
+  SmallQp qp;
+  double worst = 0.0;
+  int in_corners = 0;
+  for (int t = 0; t < 500; ++t) {
+    std::array<Six, 6> rows;
+    std::array<double, 6> bounds{};
+    Six pull;
+    Matrix6 b;
+    for (std::size_t k = 0; k < rows.size(); ++k) {
+      for (double& x : rows[k].v) x = any(random);
+      bounds[k] = -1e-3 * std::abs(any(random));
+      pull.add(-1e9 * std::abs(any(random)), rows[k]);
+      b.addOuter(1.0, rows[k]);
+      b.row[k][k] += 1.0;
+    }
+    const Factor6 metric = factored(b, 1e-3, 0.05);
+    const QpSolution out = qp.solve(t % 2 ? &metric : nullptr, pull, rows, bounds, {});
+    REQUIRE(out.feasible);
+    if (out.count < 6) continue;
+    ++in_corners;
+    for (std::size_t k = 0; k < rows.size(); ++k) worst = std::max(worst, bounds[k] - dot(rows[k], out.step));
+  }
+  CHECK(in_corners > 450);
+  CHECK(worst < 1e-12);
+}
+
 TEST_CASE("a definite matrix gets its own factor, another that with half the absolute values of negative eigenvalues") {
   std::mt19937_64 random(3);
   std::normal_distribution<double> any;

@@ -16,7 +16,7 @@ class DeviceLister {
   using Find = std::function<std::vector<FoundDevice>()>;
   explicit DeviceLister(Find find = findDevices) : find_(std::move(find)) {}
 
-  /// Starts a search unless one is running. `waits`: blocks until it is done, as on the frames' clock.
+  /// Starts a search unless one is running. `waits`: blocks until the search is done (for ServoClock::Frames).
   void begin(bool waits);
   /// Returns the devices found, once; nothing while the search runs.
   std::optional<std::vector<FoundDevice>> take();

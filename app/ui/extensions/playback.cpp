@@ -1,6 +1,7 @@
 #include "app/ui/extensions/playback.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "app/ui/application/application_options.h"
 #include "app/ui/application/opener.h"
@@ -57,6 +58,7 @@ void Playback::open(const fs::path& file) {
   file_ = file;
   shown_stage_ = {};
   missing_.clear();
+  unknown_mover_.clear();
   moved_ = {};
   shown_view_ = nullptr;
   follows_view = true;
@@ -162,8 +164,14 @@ fs::path Playback::fileOf(const std::string& name) {
 // Has the recorded mover restore the position of the atoms.
 void Playback::showAtoms() {
   const AtomsMoved* moved = timeline_->atoms(at_s_);
-  AtomMover* mover = moved && staged() ? movers_.ofKind(moved->by) : nullptr;
-  if (!mover) return;
+  if (!moved || !staged()) return;
+  AtomMover* mover = movers_.ofKind(moved->by);
+  if (!mover) {
+    if (std::exchange(unknown_mover_, moved->by) != moved->by)
+      messages_.warning(
+          trf("This version cannot move the atoms of this attempt (“{0}”); they are shown at rest.", moved->by));
+    return;
+  }
   if (moved_.first != moved->file) moved_ = {moved->file, fileOf(moved->file)};
   if (!moved->file.empty() && moved_.second.empty()) return;
   mover->show(motion_, *moved, {moved_.second, timeline_->stage(at_s_)->reading});

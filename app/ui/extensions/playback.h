@@ -101,6 +101,7 @@ class Playback : public Extension {
   NamedMolecule shown_stage_;                            // the requested molecule, by file name without folders
   std::pair<std::string, std::filesystem::path> moved_;  // the mover's file: name in the attempt, path found
   std::string missing_;                                  // the last molecule's file reported as missing
+  std::string unknown_mover_;                            // the last one reported as unknown
   const ViewChanged* shown_view_ = nullptr;
   PlayedBody body_;
   double at_s_ = 0.0;

@@ -30,7 +30,7 @@ class ViewPicture {
   /// sharpness. `line_scale`: that of the interface.
   void draw(const ViewScene& scene, int width_px, int height_px, bool moving, float line_scale);
 
-  /// The next frames are not visible: draw() then only counts them.
+  /// While on, draw() renders no picture. For frames of a script that are not shown.
   void hold(bool on) { held_ = on; }
 
   /// Null until the first picture.

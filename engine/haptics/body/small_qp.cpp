@@ -7,6 +7,7 @@ namespace {
 
 constexpr double kTolerance = 1e-13;     // violation that counts as none
 constexpr double kIndependent2 = 1e-18;  // squared share of a normal outside the basis, above which it is independent
+constexpr int kMaxCorrections = 3;
 constexpr double kNever = std::numeric_limits<double>::infinity();
 
 }  // namespace
@@ -51,12 +52,31 @@ void SmallQp::remove(int at) noexcept {
   }
 }
 
+// Moves the solution by the least way onto the active constraints, from which the rounding of a far greater pull has
+// taken it; false if it is there.
+bool SmallQp::closed(QpSolution& out, const Factor6* metric) const noexcept {
+  bool open = false;
+  for (int i = 0; i < out.count; ++i) open = open || slack_[std::size_t(out.rows[std::size_t(i)])] < -kTolerance;
+  if (!open) return false;
+  Six way;
+  std::array<double, 6> along{};
+  for (std::size_t i = 0; i < std::size_t(out.count); ++i) {
+    double sum = -slack_[std::size_t(out.rows[i])];
+    for (std::size_t j = 0; j < i; ++j) sum -= triangle_[j][i] * along[j];
+    along[i] = sum / triangle_[i][i];
+    way.add(along[i], basis_[i]);
+  }
+  out.step.add(1.0, metric ? metric->backward(way) : way);
+  return true;
+}
+
 QpSolution SmallQp::solve(const Factor6* metric, const Six& pull, std::span<const Six> rows,
                           std::span<const double> bounds, std::span<const int> preferred) noexcept {
   QpSolution out;
   count_ = 0;
   out.step = metric ? metric->backward(metric->forward(pull)) : pull;
   const auto n = int(rows.size());
+  int corrections = 0;
   const auto active = [&](int k) {
     for (int i = 0; i < out.count; ++i)
       if (out.rows[std::size_t(i)] == k) return true;
@@ -76,6 +96,10 @@ QpSolution SmallQp::solve(const Factor6* metric, const Six& pull, std::span<cons
         if (slack_[std::size_t(k)] < least && !active(k)) least = slack_[std::size_t(k)], worst = k;
     }
     if (worst < 0) {
+      if (corrections < kMaxCorrections && closed(out, metric)) {
+        ++corrections;
+        continue;
+      }
       out.feasible = true;
       return out;
     }

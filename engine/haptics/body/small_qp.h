@@ -44,6 +44,7 @@ class SmallQp {
   Entering entering(const Six& normal) const noexcept;
   void append(const Entering& with, const Six& normal) noexcept;
   void remove(int at) noexcept;
+  bool closed(QpSolution& out, const Factor6* metric) const noexcept;
 
   int count_ = 0;
   std::array<Six, 6> normals_;                     // of the active constraints, in the metric's coordinates

@@ -37,8 +37,8 @@ class ExactTracker final : public Tracker {
   MemoryUsage memoryUsage() const noexcept override;
 
   /// Number of ticks that ended early: the motion needed more than kMaxPieces pieces, or the motion or the growth of the
-  /// probe examined more than kMaxWork spheres. The SCP then stays outside all spheres (inflated by probe_A()) and continues in the
-  /// next tick.
+  /// probe examined more than kMaxWork spheres. The SCP then stays outside all spheres (inflated by probe_A()) and
+  /// continues in the next tick.
   std::uint64_t cutShort() const noexcept { return cut_short_; }
 
   /// Cost of the last step() or setProbe() that left the fast path: the number of spheres, cells and groups of spheres

@@ -1,0 +1,342 @@
+#include "engine/structure/amber/pair_atoms.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "engine/haptics/sphere_grid.h"
+#include "engine/structure/amber/amber.h"
+#include "engine/structure/bonds.h"
+
+namespace moltact {
+namespace {
+
+constexpr double kAcceptor_A = 3.5;  // a proton's partner lies within this distance of its carrier
+
+double bondLength_A(std::string_view carrier_type) {
+  return carrier_type.front() == 'S' ? 1.336 : carrier_type.front() == 'O' ? 0.96 : 1.01;
+}
+
+// Types of AMBER for atoms without a template. Hydrogen as on a nitrogen.
+std::string_view typeOf(int atomic_number, std::size_t neighbours) {
+  switch (atomic_number) {
+    case 1:
+      return "H";
+    case 6:
+      return neighbours >= 4 ? "CT" : "C";
+    case 7:
+      return "N";
+    case 8:
+      return "O";
+    case 15:
+      return "P";
+    case 16:
+      return "S";
+    default:
+      return {};
+  }
+}
+
+// The charge of an ion in water; 0 for an element with several.
+int ionCharge_e(int atomic_number) {
+  switch (atomic_number) {
+    case 3:
+    case 11:
+    case 19:
+    case 37:
+    case 55:
+      return 1;
+    case 12:
+    case 20:
+    case 30:
+    case 38:
+    case 48:
+    case 56:
+      return 2;
+    case 9:
+    case 17:
+    case 35:
+    case 53:
+      return -1;
+    default:
+      return 0;
+  }
+}
+
+Vec3 anyNormal(const Vec3& v) {
+  const Vec3 other = std::abs(v.x) < 0.6 ? Vec3(1, 0, 0) : Vec3(0, 1, 0);
+  return glm::normalize(glm::cross(v, other));
+}
+
+class Assigner {
+ public:
+  explicit Assigner(const Molecule& m)
+      : m_(m), bonds_(m.atoms.size(), findBonds(m)), grid_(m.spheres, SphereGrid::Duplicates::VisitEach) {
+    out_.atoms.resize(m.atoms.size());
+    for (std::uint32_t i = 0; i < m.atoms.size(); ++i) {
+      out_.atoms[i].centre_A = m.spheres[i].centre_A;
+      out_.carrier.push_back(i);
+    }
+  }
+
+  PairAtoms run() {
+    for (std::uint32_t i = 0; i < m_.atoms.size(); ++i)
+      if (m_.atoms[i].residue == kNoResidue) byElement(i);
+    for (std::uint32_t r = 0; r < m_.residues.size(); ++r) residue(r);
+    if (!m_.charges_e.empty())
+      for (std::uint32_t i = 0; i < m_.atoms.size(); ++i) out_.atoms[i].charge_e = m_.charges_e[i];
+    for (const Proton& p : protons_) place(p);
+    for (const PairAtom& a : out_.atoms) out_.net_charge_e += double(a.charge_e);
+    return std::move(out_);
+  }
+
+ private:
+  // A hydrogen to be placed: one of `count` on the carrier.
+  struct Proton {
+    std::uint32_t carrier = 0;
+    std::vector<AmberAtom> hydrogens;
+    std::string_view carrier_type;
+  };
+
+  void byElement(std::uint32_t i) {
+    const AmberType* type = amberType(typeOf(m_.atoms[i].atomic_number, bonds_.neighbours(i).size()));
+    set(i, type, 0.0f);
+  }
+
+  void set(std::uint32_t i, const AmberType* type, float charge_e) {
+    // An element without a type has the size of its van der Waals radius and carbon's depth.
+    out_.atoms[i].half_minimum_A = type ? type->half_minimum_A : float(m_.spheres[i].radius_A);
+    out_.atoms[i].depth_kcal_mol = type ? type->depth_kcal_mol : 0.086f;
+    out_.atoms[i].charge_e = charge_e;
+  }
+
+  void note(PairAtoms::Note::Kind kind, std::uint32_t residue, std::string_view name = {}) {
+    out_.notes.push_back({kind, residue, std::string(name)});
+  }
+
+  std::uint32_t find(const Residue& r, std::string_view name) const {
+    for (std::uint32_t i = r.first_atom; i < r.first_atom + r.atom_count; ++i)
+      if (formulaName(r.name, m_.atoms[i].nameText()) == name) return i;
+    return std::uint32_t(m_.atoms.size());
+  }
+  bool has(const Residue& r, std::string_view name) const { return find(r, name) < m_.atoms.size(); }
+
+  // The distance from an atom to the nearest oxygen of another residue, which a proton there would approach.
+  double acceptor_A(std::uint32_t atom, std::uint32_t residue) const {
+    double nearest = INFINITY;
+    if (atom >= m_.atoms.size()) return nearest;
+    const Vec3 at = m_.spheres[atom].centre_A;
+    grid_.visitCentresNear(at, kAcceptor_A, [&](std::uint32_t i, const Sphere& s) {
+      if (m_.atoms[i].residue != residue && m_.atoms[i].atomic_number == 8)
+        nearest = std::min(nearest, glm::distance(at, s.centre_A));
+    });
+    return nearest;
+  }
+
+  bool bondedElsewhere(std::uint32_t atom, std::uint32_t residue) const {
+    if (atom >= m_.atoms.size()) return false;
+    const auto near = bonds_.neighbours(atom);
+    return std::any_of(near.begin(), near.end(), [&](std::uint32_t i) { return m_.atoms[i].residue != residue; });
+  }
+
+  std::string stateOf(std::uint32_t index) {
+    const Residue& r = m_.residues[index];
+    const std::string name(r.name);
+    if (name == "HIS") {
+      const bool d = has(r, "HD1"), e = has(r, "HE2");
+      if (d || e) return d && e ? "HIP" : d ? "HID" : "HIE";
+      const std::uint32_t nd = find(r, "ND1"), ne = find(r, "NE2");
+      // The nitrogen on a metal has no proton; else the one nearer to an acceptor.
+      const bool delta =
+          bondedElsewhere(ne, index) || (!bondedElsewhere(nd, index) && acceptor_A(nd, index) < acceptor_A(ne, index));
+      note(PairAtoms::Note::Kind::Histidine, index, delta ? "HID" : "HIE");
+      return delta ? "HID" : "HIE";
+    }
+    if (name == "CYS") {
+      const std::uint32_t sulphur = find(r, "SG");
+      if (bondedElsewhere(sulphur, index)) {
+        const auto near = bonds_.neighbours(sulphur);
+        const bool disulphide =
+            std::any_of(near.begin(), near.end(), [&](std::uint32_t i) { return m_.atoms[i].atomic_number == 16; });
+        return disulphide ? "CYX" : "CYM";  // a sulphur on a metal has given its proton away
+      }
+    }
+    if (name == "ASP" && has(r, "HD2")) return "ASH";
+    if (name == "GLU" && has(r, "HE2")) return "GLH";
+    if (r.kind == ResidueKind::Nucleotide && name.size() == 1 && !has(r, "O2'")) return "D" + name;
+    return name;
+  }
+
+  // The name of the template with the ends of chains.
+  std::string templateOf(std::uint32_t index) {
+    const Residue& r = m_.residues[index];
+    std::string name = stateOf(index);
+    const auto kindAt = [&](std::uint32_t k) {
+      return k < m_.residues.size() && m_.residues[k].chain == r.chain && m_.residues[k].kind == r.kind;
+    };
+    const bool first = index == 0 || !kindAt(index - 1), last = !kindAt(index + 1);
+    if (r.kind == ResidueKind::Nucleotide) {
+      if (first && last) return name;
+      if (first && !has(r, "P")) name += '5';
+      if (last) name += '3';
+      return amberTemplate(name).empty() ? stateOf(index) : name;
+    }
+    if (r.kind != ResidueKind::AminoAcid || (first && last)) return name;
+    const std::string end = first ? "N" + name : last && has(r, "OXT") ? "C" + name : std::string();
+    if (end.empty() || amberTemplate(end).empty()) return name;
+    note(PairAtoms::Note::Kind::Terminus, index, end);
+    return end;
+  }
+
+  void residue(std::uint32_t index) {
+    const Residue& r = m_.residues[index];
+    const std::string name =
+        r.kind == ResidueKind::AminoAcid || r.kind == ResidueKind::Nucleotide ? templateOf(index) : std::string();
+    const std::span<const AmberAtom> rows = amberTemplate(name);
+    if (rows.empty()) {
+      for (std::uint32_t i = r.first_atom; i < r.first_atom + r.atom_count; ++i) byElement(i);
+      const int charge_e =
+          r.kind == ResidueKind::Ion && r.atom_count == 1 ? ionCharge_e(m_.atoms[r.first_atom].atomic_number) : 0;
+      out_.atoms[r.first_atom].charge_e = float(charge_e);
+      note(charge_e ? PairAtoms::Note::Kind::Ion : PairAtoms::Note::Kind::NoTemplate, index);
+      return;
+    }
+    std::vector<std::uint32_t> at(rows.size());
+    std::vector<float> charge_e(rows.size());
+    bool missing = false;
+    for (std::size_t k = 0; k < rows.size(); ++k) {
+      at[k] = find(r, rows[k].name);
+      charge_e[k] += rows[k].charge_e;
+    }
+    std::vector<Proton> placed;
+    for (std::size_t k = 0; k < rows.size(); ++k) {
+      if (at[k] < m_.atoms.size()) continue;
+      if (rows[k].parent < 0) {
+        missing = true;
+        continue;
+      }
+      const auto parent = std::size_t(rows[k].parent);
+      if (at[parent] >= m_.atoms.size()) continue;
+      if (!polarHydrogen(rows, rows[k])) {
+        charge_e[parent] += rows[k].charge_e;
+        continue;
+      }
+      if (placed.empty() || placed.back().carrier != at[parent]) placed.push_back({at[parent], {}, rows[parent].type});
+      placed.back().hydrogens.push_back(rows[k]);
+    }
+    std::uint32_t found = 0;
+    for (std::size_t k = 0; k < rows.size(); ++k)
+      if (at[k] < m_.atoms.size()) {
+        set(at[k], amberType(rows[k].type), charge_e[k]);
+        ++found;
+      }
+    if (found < r.atom_count) {
+      for (std::uint32_t i = r.first_atom; i < r.first_atom + r.atom_count; ++i)
+        if (std::find(at.begin(), at.end(), i) == at.end()) byElement(i);
+      note(PairAtoms::Note::Kind::OtherAtoms, index, name);
+    }
+    if (missing) note(PairAtoms::Note::Kind::MissingAtoms, index, name);
+    // With the file's charges all of its atoms are there.
+    if (m_.charges_e.empty()) protons_.insert(protons_.end(), placed.begin(), placed.end());
+  }
+
+  void put(const Proton& p, std::size_t k, const Vec3& direction) {
+    const AmberAtom& h = p.hydrogens[k];
+    const AmberType* type = amberType(h.type);
+    out_.atoms.push_back({m_.spheres[p.carrier].centre_A + bondLength_A(p.carrier_type) * direction,
+                          type->half_minimum_A, type->depth_kcal_mol, h.charge_e});
+    out_.carrier.push_back(p.carrier);
+    ++out_.placed_hydrogens;
+  }
+
+  // Energy of a unit charge with the heavy atoms nearby, up to a factor.
+  double energyAt(const Vec3& place, std::uint32_t carrier) const {
+    double sum = 0.0;
+    grid_.visitCentresNear(place, 5.0, [&](std::uint32_t i, const Sphere& s) {
+      if (i == carrier) return;
+      const double r = std::max(0.5, glm::distance(s.centre_A, place));
+      sum += double(out_.atoms[i].charge_e) / (r * r) + 0.5 * std::pow(2.0 / r, 12.0);
+    });
+    return sum;
+  }
+
+  void place(const Proton& p) {
+    std::vector<Vec3> away;  // unit vectors to the heavy neighbours
+    std::uint32_t neighbour = 0;
+    for (const std::uint32_t i : bonds_.neighbours(p.carrier))
+      if (m_.atoms[i].atomic_number != 1) {
+        away.push_back(glm::normalize(m_.spheres[i].centre_A - m_.spheres[p.carrier].centre_A));
+        neighbour = i;
+      }
+    const std::size_t count = p.hydrogens.size();
+    if (away.size() >= 2 && count == 1) {
+      Vec3 sum(0.0);
+      for (const Vec3& a : away) sum += a;
+      put(p, 0, glm::length(sum) > 1e-3 ? -glm::normalize(sum) : anyNormal(away[0]));
+      return;
+    }
+    if (away.size() == 2 && count == 2) {  // a charged proline at the start of a chain
+      const Vec3 back = -glm::normalize(away[0] + away[1]), side = glm::normalize(glm::cross(away[0], away[1]));
+      const double half = 0.5 * 109.5 * std::numbers::pi / 180.0;
+      put(p, 0, std::cos(half) * back + std::sin(half) * side);
+      put(p, 1, std::cos(half) * back - std::sin(half) * side);
+      return;
+    }
+    if (away.size() != 1) return;
+    // Round the bond to the neighbour A: `u` is where the next atom beyond it lies.
+    const Vec3 axis = -away[0];
+    Vec3 u = anyNormal(axis);
+    for (const std::uint32_t i : bonds_.neighbours(neighbour)) {
+      if (i == p.carrier || m_.atoms[i].atomic_number == 1) continue;
+      const Vec3 beyond = m_.spheres[i].centre_A - m_.spheres[neighbour].centre_A;
+      const Vec3 across = beyond - axis * glm::dot(beyond, axis);
+      if (glm::length(across) > 0.1) {
+        u = glm::normalize(across);
+        break;
+      }
+    }
+    const Vec3 v = glm::cross(axis, u);
+    const bool planar = count == 2 && p.carrier_type != "N3";
+    const double bend = (planar ? 60.0 : 70.5) * std::numbers::pi / 180.0;
+    const auto at = [&](double turn) {
+      return std::cos(bend) * axis + std::sin(bend) * (std::cos(turn) * u + std::sin(turn) * v);
+    };
+    constexpr double kPi = std::numbers::pi;
+    if (count == 1) {  // a hydroxyl or thiol turns to the place of lowest energy
+      const bool ring = bonds_.neighbours(neighbour).size() >= 3 && p.carrier_type == "OH" && planarRing(neighbour);
+      double best = INFINITY, turn = kPi;
+      for (int k = 0; k < 12; ++k) {
+        const double t = k * kPi / 6;
+        if (ring && k % 6 != 0) continue;
+        const double energy =
+            energyAt(m_.spheres[p.carrier].centre_A + bondLength_A(p.carrier_type) * at(t), p.carrier);
+        if (energy < best) best = energy, turn = t;
+      }
+      put(p, 0, at(turn));
+      return;
+    }
+    for (std::size_t k = 0; k < count; ++k)
+      put(p, k, at(planar ? (k == 0 ? 0.0 : kPi) : kPi + 2.0 * kPi / 3.0 * double(k)));
+  }
+
+  // A carbon whose three bonds lie in a plane.
+  bool planarRing(std::uint32_t carbon) const {
+    const auto near = bonds_.neighbours(carbon);
+    if (near.size() != 3) return false;
+    const Vec3 c = m_.spheres[carbon].centre_A;
+    const auto to = [&](std::size_t k) { return glm::normalize(m_.spheres[near[k]].centre_A - c); };
+    return std::abs(glm::dot(glm::cross(to(0), to(1)), to(2))) < 0.2;
+  }
+
+  const Molecule& m_;
+  BondTable bonds_;
+  SphereGrid grid_;
+  PairAtoms out_;
+  std::vector<Proton> protons_;
+};
+
+}  // namespace
+
+PairAtoms pairAtoms(const Molecule& molecule) { return Assigner(molecule).run(); }
+
+}  // namespace moltact

@@ -1,0 +1,130 @@
+// Net charges of 1UBQ, 1HPV and 2HHB, the states of histidine and the number of polar hydrogens are those that OpenMM
+// 7.7 and pdb2pqr 3.5.2 assign.
+#include "engine/structure/amber/pair_atoms.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/structure/bonds.h"
+#include "tests/structure/library.h"
+
+using namespace moltact;
+
+namespace {
+
+using Kind = PairAtoms::Note::Kind;
+
+std::size_t count(const PairAtoms& a, Kind kind) {
+  return std::size_t(std::count_if(a.notes.begin(), a.notes.end(), [&](const auto& n) { return n.kind == kind; }));
+}
+
+}  // namespace
+
+TEST_CASE("1UBQ, 1HPV and 2HHB have net charges of 0, 4 and 2, and every atom of their proteins its template's place") {
+  const PairAtoms u = pairAtoms(test::libraryMolecule("1ubq.pdb")), p = pairAtoms(test::libraryMolecule("1hpv.pdb")),
+                  h = pairAtoms(test::libraryMolecule("2hhb.pdb"));
+  CHECK(u.net_charge_e == doctest::Approx(0.0).epsilon(0.001));
+  CHECK(p.net_charge_e == doctest::Approx(4.0).epsilon(0.001));
+  CHECK(h.net_charge_e == doctest::Approx(2.0).epsilon(0.001));
+  for (const PairAtoms* a : {&u, &p, &h}) {
+    CHECK(count(*a, Kind::OtherAtoms) == 0);
+    CHECK(count(*a, Kind::MissingAtoms) == 0);
+  }
+  CHECK(count(u, Kind::NoTemplate) == 0);
+  CHECK(count(p, Kind::NoTemplate) == 1);  // amprenavir
+  CHECK(count(u, Kind::Terminus) == 2);
+  CHECK(count(p, Kind::Terminus) == 4);
+  // 1516 heavy atoms of the protein and 332 polar hydrogens.
+  CHECK(p.placed_hydrogens == 332);
+  CHECK(p.atoms.size() == p.carrier.size());
+}
+
+TEST_CASE("the proton of HIS 69 of HIV protease is on ND1, in both chains") {
+  const Molecule m = test::libraryMolecule("1hpv.pdb");
+  int seen = 0;
+  for (const auto& n : pairAtoms(m).notes) {
+    if (n.kind != Kind::Histidine) continue;
+    ++seen;
+    CHECK(n.template_name == "HID");
+    CHECK(m.residues[n.residue].number % 100 == 69);
+  }
+  CHECK(seen == 2);
+}
+
+TEST_CASE("in haemoglobin the histidine on an iron has no proton there") {
+  const Molecule m = test::libraryMolecule("2hhb.pdb");
+  int bound = 0;
+  for (const auto& n : pairAtoms(m).notes) {
+    if (n.kind != Kind::Histidine) continue;
+    const int number = m.residues[n.residue].number;
+    const bool alpha = m.residues[n.residue].chain % 2 == 0;
+    if (number != (alpha ? 87 : 92)) continue;
+    ++bound;
+    CHECK(n.template_name == "HID");
+  }
+  CHECK(bound == 4);
+}
+
+TEST_CASE(
+    "placed hydrogens of 1UBQ: bonds of 0.96, 1.01 and 1.336 A, angles of 100 to 130 degrees, none within 1.2 A of "
+    "an atom that does not carry it") {
+  const Molecule m = test::libraryMolecule("1ubq.pdb");
+  const PairAtoms a = pairAtoms(m);
+  const BondTable bonds(m.atoms.size(), findBonds(m));
+  CHECK(a.placed_hydrogens == 144);
+  for (std::size_t k = m.atoms.size(); k < a.atoms.size(); ++k) {
+    const std::uint32_t carrier = a.carrier[k];
+    CAPTURE(m.describe(carrier));
+    const Vec3 bond = a.atoms[k].centre_A - m.spheres[carrier].centre_A;
+    const int element = m.atoms[carrier].atomic_number;
+    CHECK(glm::length(bond) == doctest::Approx(element == 16 ? 1.336 : element == 8 ? 0.96 : 1.01));
+    for (const std::uint32_t i : bonds.neighbours(carrier)) {
+      const double cosine =
+          glm::dot(glm::normalize(bond), glm::normalize(m.spheres[i].centre_A - m.spheres[carrier].centre_A));
+      CHECK(cosine < std::cos(100.0 * 3.14159265 / 180));
+      CHECK(cosine > std::cos(130.0 * 3.14159265 / 180));
+    }
+    for (std::size_t j = 0; j < a.atoms.size(); ++j)
+      if (j != k && j != carrier && a.carrier[j] != carrier)
+        CHECK(glm::distance(a.atoms[j].centre_A, a.atoms[k].centre_A) > 1.2);
+  }
+}
+
+TEST_CASE(
+    "a protein beside DNA has a whole net charge within 0.01, and DNA without its hydrogens -1 for each phosphate") {
+  const double complex = pairAtoms(test::libraryMolecule("1a1f.pdb")).net_charge_e;
+  CHECK(std::abs(complex - std::round(complex)) < 0.01);
+  const Molecule dna = test::libraryMolecule("b-dna.pdb");
+  const auto phosphates =
+      std::count_if(dna.atoms.begin(), dna.atoms.end(), [](const Atom& a) { return a.atomic_number == 15; });
+  CHECK(pairAtoms(dna).net_charge_e == doctest::Approx(-double(phosphates)).epsilon(0.01));
+}
+
+TEST_CASE("a hydrogen that the file has keeps its place and charge, and none is placed there") {
+  const std::string text = test::libraryText("alpha-helix.pdb");
+  const Molecule without = test::moleculeOf(text);
+  const PairAtoms a = pairAtoms(without);
+  // The hydrogen of the sixth residue, written into the file 0.05 A beside its computed place.
+  std::size_t placed = without.atoms.size();
+  while (without.atoms[a.carrier[placed]].residue != 5) ++placed;
+  const Vec3 at = a.atoms[placed].centre_A + Vec3(0.05, 0, 0);
+  char line[96];
+  std::snprintf(line, sizeof line, "ATOM   9999  H   ALA A   6    %8.3f%8.3f%8.3f  1.00  0.00           H\n", at.x,
+                at.y, at.z);
+  const std::size_t next = text.find("ALA A   7");
+  REQUIRE(next != std::string::npos);
+  std::string added = text;
+  added.insert(text.rfind('\n', next) + 1, line);
+  const Molecule with = test::moleculeOf(added);
+  const PairAtoms b = pairAtoms(with);
+  REQUIRE(with.atoms.size() == without.atoms.size() + 1);
+  CHECK(b.placed_hydrogens + 1 == a.placed_hydrogens);
+  CHECK(b.net_charge_e == doctest::Approx(a.net_charge_e).epsilon(1e-6));
+  const auto hydrogen =
+      std::find_if(with.atoms.begin(), with.atoms.end(), [](const Atom& x) { return x.atomic_number == 1; });
+  const PairAtom& kept = b.atoms[std::size_t(hydrogen - with.atoms.begin())];
+  CHECK(glm::distance(kept.centre_A, at) < 0.001);
+  CHECK(kept.charge_e == doctest::Approx(0.2719));
+}
