@@ -155,6 +155,10 @@ std::vector<TableScene> structures() {
 
 // Reports an unwritable folder before anything is measured, because the bench can take a quarter of an hour.
 void tryOutputs(const BenchArguments& arguments) {
+  if (!arguments.recordings.empty() && arguments.part != "hands" && arguments.part != "all")
+    throw CommandError{Problem{"--recording", 0, 0, trf("the part {0} uses no recorded hands", arguments.part),
+                               tr("leave it out, or measure the part hands")}
+                           .text()};
   for (const std::string& file : arguments.recordings) noteRead(file);
   checkOutputs({{"--json", arguments.json}, {"--markdown", arguments.markdown}});
   if (!arguments.svg.empty() && !arguments.docs.empty() &&

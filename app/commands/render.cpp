@@ -92,7 +92,6 @@ Pushed push(const std::shared_ptr<const Molecule>& molecule, const RenderArgumen
   std::vector<std::uint32_t> not_felt = arguments.look.left_out.notFelt(*molecule);
   if (body) not_felt = atomsOfEither(not_felt, body->atoms);
   const auto scene = std::make_shared<const SphereGrid>(molecule->spheres, not_felt);
-  checkHand(arguments.touch, body != nullptr);
   const TouchSetup touch = resolveInteraction(arguments.touch, body != nullptr);
   const auto felt =
       makeInteraction({.spheres = scene, .touch = touch, .body = body, .chemistry = chemistryFor(touch, *molecule)});
@@ -199,6 +198,7 @@ void render(const RenderArguments& arguments) {
     scene.look.hidden = std::make_shared<const std::vector<std::uint32_t>>(
         scene.look.hidden ? atomsOfEither(*scene.look.hidden, held) : held);
   }
+  checkHand(arguments.touch, scene.body != nullptr);
   if (!arguments.orientation.empty() && !scene.body)
     throw CLI::ValidationError("--orientation", "there is nothing in the hand to turn; add --in-hand");
   if (auto written = annotationsOf(spec, *scene.molecule)) scene.annotations.push_back(std::move(written));

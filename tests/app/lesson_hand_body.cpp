@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "app/ui/extensions/extensions.h"
+#include "app/ui/extensions/moving_states.h"
 #include "app/ui/widgets/key_focus.h"
 #include "engine/core/random.h"
 #include "engine/haptics/sweep.h"
@@ -36,7 +37,7 @@ Quat tilted(const Quat& q, std::uint64_t& random) {
 }  // namespace
 
 void LessonHand::moveStates(double share) {
-  const MovingStates& states = d_.app().extensions().moving_states;
+  MovingStates& states = d_.app().extensions().movers.get<MovingStates>();
   if (states.wanted() != share) {
     if (mouse()) {
       d_.point("view/states", std::clamp(share, 0.01, 0.99), 0.5);  // the ends of the track are within it
@@ -61,7 +62,7 @@ void LessonHand::moveStates(double share) {
 }
 
 void LessonHand::lookAtStates() {
-  const MovingStates& states = d_.app().extensions().moving_states;
+  MovingStates& states = d_.app().extensions().movers.get<MovingStates>();
   structures_.clear();
   if (!states.ready()) return;
   for (const double share : {0.0, 1.0}) {

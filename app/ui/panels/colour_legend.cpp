@@ -26,6 +26,11 @@ bool namesMarks(const Application& app) {
   return marks && std::any_of(marks->begin(), marks->end(), [](const OwnColour& m) { return !m.name.empty(); });
 }
 
+bool holdsCarbon(const TouchableModel& stage) {
+  return stage.body && std::any_of(stage.body->atoms.begin(), stage.body->atoms.end(),
+                                   [&](std::uint32_t a) { return stage.molecule->atoms[a].atomic_number == 6; });
+}
+
 // A single element in its customary colour needs no legend.
 std::vector<LegendEntry> entriesOf(Application& app) {
   const std::vector<LegendEntry>& of_atoms = app.panels.colours.of(app.scene.stage().molecule, app.scene.colour_by,
@@ -35,7 +40,7 @@ std::vector<LegendEntry> entriesOf(Application& app) {
       !app.scene.look.colouring && !painted && !namesMarks(app))
     return {};
   std::vector<LegendEntry> entries = of_atoms;
-  if (app.scene.stage().body) entries.push_back({look().viewTheme().probe, tr("carbon in your hand")});
+  if (holdsCarbon(app.scene.stage())) entries.push_back({look().viewTheme().probe, tr("carbon in your hand")});
   if (painted) entries.push_back({look().viewTheme().touched, tr("touched")});
   ViewScene marks;
   app.lesson.decorate(marks);
