@@ -25,10 +25,10 @@ for version in 0.1 0.1.0; do
   echo "cmake_minimum_required(VERSION 3.25)
 project(wanted LANGUAGES CXX)
 find_package(moltact $version REQUIRED)" >"$work/CMakeLists.txt"
-  cmake -S "$work" -B "$work/version" -DCMAKE_PREFIX_PATH="$work/prefix" >"$work/version.log" 2>&1 || fail "$(cat "$work/version.log")"
+  cmake -S "$work" -B "$work/version" -G Ninja -DCMAKE_PREFIX_PATH="$work/prefix" >"$work/version.log" 2>&1 || fail "$(cat "$work/version.log")"
 done
 sed -i 's/moltact 0.1.0/moltact 99/' "$work/CMakeLists.txt"
-! cmake -S "$work" -B "$work/version" -DCMAKE_PREFIX_PATH="$work/prefix" >"$work/version.log" 2>&1 || fail "version 99 is found"
+! cmake -S "$work" -B "$work/version" -G Ninja -DCMAKE_PREFIX_PATH="$work/prefix" >"$work/version.log" 2>&1 || fail "version 99 is found"
 
 # One argon atom of radius 1.88 A and a probe of 1.4 A: the contact stays at z = 3.28 A, and 1.28 N push out at z = 2 A.
 "$work/build/feel_a_path" "$here/molecules/argon.pdb" exact 0,0,6 0,0,2 >"$work/path"
