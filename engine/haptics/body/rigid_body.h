@@ -1,9 +1,10 @@
 // A rigid body in the hand: six degrees of freedom, felt through its atoms.
 //
-// Each atom of the body is a sphere of its own radius that follows the body's pose. It is rendered like a probe: its SCP
-// stays outside every sphere of the scene, so no atom passes through a thin wall as with a penalty method. A spring pulls each atom to its SCP. The force is the sum of the springs; the torque
-// about the hand's position is the sum of lever cross displacement. (McNeely, Puterbaugh & Troy 1999 sum the forces of
-// a body's points in the same way; here the points are spheres with god-object contacts.)
+// Each atom of the body is a sphere of its own radius that follows the body's pose. It is rendered like a probe: its
+// SCP stays outside every sphere of the scene, so no atom passes through a thin wall as with a penalty method. A
+// spring pulls each atom to its SCP. The force is the sum of the springs; the torque about the hand's position is
+// the sum of lever cross displacement. (McNeely, Puterbaugh & Troy 1999 sum the forces of a body's points in the
+// same way; here the points are spheres with god-object contacts.)
 //
 // The springs are independent. The drawn body is shifted by their mean, so neither it nor the SCPs are the exact rest
 // position of a rigid body under constraints.

@@ -155,37 +155,28 @@ PairKernel fastest() noexcept {
   return plain<kind>();
 }
 
+PairKernel kernelOf(Dielectric kind, bool for_every_processor) noexcept {
+  switch (kind) {
+    case Dielectric::Constant:
+      return for_every_processor ? plain<Dielectric::Constant>() : fastest<Dielectric::Constant>();
+    case Dielectric::Distance:
+      return for_every_processor ? plain<Dielectric::Distance>() : fastest<Dielectric::Distance>();
+    case Dielectric::MehlerSolmajer:
+      break;
+  }
+  return for_every_processor ? plain<Dielectric::MehlerSolmajer>() : fastest<Dielectric::MehlerSolmajer>();
+}
+
 }  // namespace
 
 PairConstants::PairConstants(const PairModel& model)
-    : kind(model.kind),
-      coulomb(float(kCoulomb_kcal_A / (model.kind == Dielectric::MehlerSolmajer ? 1.0 : model.dielectric))),
+    : coulomb(float(kCoulomb_kcal_A / (model.kind == Dielectric::MehlerSolmajer ? 1.0 : model.dielectric))),
       cut2(float(model.cutoff_A * model.cutoff_A)),
       from2(float(model.switch_from_A * model.switch_from_A)),
       inverse_width(1.0f / (cut2 - from2)) {}
 
-PairKernel pairKernel(Dielectric kind) noexcept {
-  switch (kind) {
-    case Dielectric::Constant:
-      return fastest<Dielectric::Constant>();
-    case Dielectric::Distance:
-      return fastest<Dielectric::Distance>();
-    case Dielectric::MehlerSolmajer:
-      break;
-  }
-  return fastest<Dielectric::MehlerSolmajer>();
-}
+PairKernel pairKernel(Dielectric kind) noexcept { return kernelOf(kind, false); }
 
-PairKernel plainPairKernel(Dielectric kind) noexcept {
-  switch (kind) {
-    case Dielectric::Constant:
-      return plain<Dielectric::Constant>();
-    case Dielectric::Distance:
-      return plain<Dielectric::Distance>();
-    case Dielectric::MehlerSolmajer:
-      break;
-  }
-  return plain<Dielectric::MehlerSolmajer>();
-}
+PairKernel plainPairKernel(Dielectric kind) noexcept { return kernelOf(kind, true); }
 
 }  // namespace moltact

@@ -30,7 +30,6 @@ struct PairTerms {
 /// A PairModel's numbers, as the loop needs them.
 struct PairConstants {
   explicit PairConstants(const PairModel& model);
-  Dielectric kind;
   float coulomb;                     // of charges in the model's dielectric
   float cut2, from2, inverse_width;  // squares of cut-off and start of the switch; 1 / (cut2 - from2)
 };

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/haptics/contact.h"
+
 namespace moltact {
 namespace {
 

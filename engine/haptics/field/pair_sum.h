@@ -11,7 +11,6 @@
 #include <vector>
 
 #include "engine/core/units.h"
-#include "engine/haptics/contact.h"
 #include "engine/haptics/field/pair_kernel.h"
 #include "engine/haptics/field/pair_model.h"
 #include "engine/haptics/sphere_grid.h"
