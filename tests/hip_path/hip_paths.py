@@ -56,12 +56,12 @@ def hold_against_the_desktop(test, program):
 
 
 def key_hand(lot):
-    """Into the lock, askew and back out, three times; angstrom and a quaternion."""
+    """Into the lock, 5 to 12 degrees askew, and back out, three times; angstrom and a quaternion."""
     path = []
     for _ in range(3):
         axis = [lot.gauss(0, 1) for _ in range(3)]
         length = math.hypot(*axis)
-        half = math.radians(lot.uniform(0, 12)) / 2
+        half = math.radians(lot.uniform(5, 12)) / 2
         turn = (math.cos(half), *(math.sin(half) * a / length for a in axis))
         aside = (lot.uniform(-0.5, 0.5), lot.uniform(-0.5, 0.5))
         depths = [12 - 13 * k / 1000 for k in range(1000)]
@@ -90,5 +90,5 @@ def hold_body_against_the_desktop(test, program, lot):
             most = max(most, *(abs(float(a) - float(theirs[c])) for a, c in zip(ours[1:8], columns)))
         touching = sum(row[0] == "1" for row in there)
         print(f"exact-body: {touching} ticks in contact, farthest apart {most:.2g} A")
-        test.assertGreater(touching, 500)
+        test.assertGreater(touching, 100)  # at least 318 for the seeds 0 to 399
         test.assertLessEqual(most, MOST_OF_BODY_A)
