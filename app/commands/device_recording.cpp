@@ -21,7 +21,7 @@
 #include "engine/platform/terminal.h"
 #include "engine/servo/servo_recording.h"
 #include "engine/servo/servo_thread.h"
-#include "engine/structure/atom_charges.h"
+#include "engine/structure/interaction_input.h"
 #include "engine/workspace/fit_workspace.h"
 #include "engine/workspace/scale.h"
 
@@ -215,7 +215,7 @@ void recordHand(const RecordOptions& options) {
   Recorder recorder(options, openedFile(options), labelsOf(options, *scene, info.name));
   checkHand(options.touch, false);
   auto felt =
-      makeInteraction({.spheres = scene, .touch = options.touch, .chemistry = chemistryFor(options.touch, molecule)});
+      makeInteraction(interactionInput(options.touch, molecule, scene));
   MouseDevice mouse;
   ServoThread servo(mouse);
   servo.loop().setSettings(settings);
@@ -251,8 +251,7 @@ void replayHand(const std::string& file) {
     fail("the molecule \"" + label("molecule") + "\" is not the one any more that it was recorded on",
          "put the old file back, or record it again");
 
-  const auto felt = makeInteraction(
-      {.spheres = scene.spheres, .touch = touch, .body = scene.body, .chemistry = chemistryFor(touch, molecule)});
+  const auto felt = makeInteraction(interactionInput(touch, molecule, scene.spheres, scene.body));
   if (!felt) fail("it was recorded with a body in the hand, and does not say which", "record it again");
   const ReplayResult result = replay(*recording, felt.get());
   char text[200];

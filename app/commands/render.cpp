@@ -29,7 +29,7 @@
 #include "engine/render/loaded_atoms.h"
 #include "engine/render/molecule_model.h"
 #include "engine/render/renderer.h"
-#include "engine/structure/atom_charges.h"
+#include "engine/structure/interaction_input.h"
 
 namespace moltact {
 namespace {
@@ -94,7 +94,7 @@ Pushed push(const std::shared_ptr<const Molecule>& molecule, const RenderArgumen
   const auto scene = std::make_shared<const SphereGrid>(molecule->spheres, not_felt);
   const TouchSetup touch = resolveInteraction(arguments.touch, body != nullptr);
   const auto felt =
-      makeInteraction({.spheres = scene, .touch = touch, .body = body, .chemistry = chemistryFor(touch, *molecule)});
+      makeInteraction(interactionInput(touch, *molecule, scene, body));
   const Vec3 from_hip = camera.back();
   const double held_A = body ? body->reach_A : touch.probe_A;
   const double reach = glm::length(scene->high_A() - scene->low_A()) + 2 * held_A + 1;

@@ -20,7 +20,8 @@
 #include "engine/lesson/scene_atoms.h"
 #include "engine/platform/terminal.h"
 #include "engine/platform/write_file.h"
-#include "engine/structure/atom_charges.h"
+#include "engine/haptics/field/force_choices.h"
+#include "engine/structure/interaction_input.h"
 
 namespace moltact {
 namespace {
@@ -144,20 +145,24 @@ std::vector<char> replayProbe(const InteractionInput& input, const HipPath& path
 InteractionInput inputOf(const ReplayOptions& options) {
   InteractionInput input{.spheres = nullptr, .touch = options.touch};
   if (!options.from_spheres.empty()) {
+    if (forceChoice(options.touch.forces).any())
+      throw CommandError{"forces between atoms need a molecule, and spheres have no chemistry",
+                         "name a molecule instead of --spheres, or leave out --forces"};
     constexpr std::size_t kMaxSpheres = 25'000'000;
     input.spheres = std::make_shared<const SphereGrid>(readSpheres(options.from_spheres[0], kMaxSpheres));
     input.body = bodyOfSpheres(readSpheres(options.from_spheres[1], kMaxHeldAtoms));
   } else {
     const Molecule molecule = options.molecule.load();
     std::vector<std::uint32_t> not_felt = options.left_out.notFelt(molecule);
+    std::shared_ptr<const HeldBody> body;
     if (!options.in_hand.empty()) {
       const std::vector<std::uint32_t> held = selectedAtoms("--in-hand", options.in_hand, molecule);
-      input.body = heldBody(molecule.spheres, held);
-      if (!input.body) throw tooManyHeld(held.size());
+      body = heldBody(molecule.spheres, held);
+      if (!body) throw tooManyHeld(held.size());
       not_felt = atomsOfEither(not_felt, held);
     }
-    input.spheres = std::make_shared<const SphereGrid>(molecule.spheres, not_felt);
-    input.chemistry = chemistryFor(options.touch, molecule);
+    input = interactionInput(options.touch, molecule, std::make_shared<const SphereGrid>(molecule.spheres, not_felt),
+                             std::move(body));
   }
   checkHand(options.touch, input.body != nullptr);
   input.touch = resolveInteraction(input.touch, input.body != nullptr);

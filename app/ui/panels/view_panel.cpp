@@ -158,7 +158,7 @@ ViewScene seenScene(const Application& app) {
     scene.contact = now.contact;
     if (now.contact.touching()) scene.named_atoms = app.extensions().state_text.namedAtoms();
     scene.force_N = app.scene.log().force_N();
-    if (now.field && now.felt()) scene.field_direction = now.forceDirection();
+    if (now.inField() && now.felt()) scene.field_direction = now.forceDirection();
     scene.arrow_A_per_N =
         app.scene.camera.pixel_A(app.scene.camera.distance_A, std::max(1, int(app.layout().view.size().y))) *
         look().px(kArrow_px_per_N);

@@ -86,6 +86,14 @@ void ViewControls::update(const ViewInput& in, Camera& camera, const SphereGrid*
     pointer.pull_N_per_A = pull.stiffness_N_per_A;
     pointer.well_N_A = felt.field->energy_N_A;
   }
+  if (const auto& energy = felt.molecular_energy; energy && settings.force_on) {
+    const FeltForce pull = felt.wanted();
+    pointer.field = true;
+    pointer.pull_N = pull.force_N;
+    pointer.pull_N_per_A = pull.stiffness_N_per_A;
+    // The minimum of coupling and field is a well of the hand.
+    pointer.well_N_A = pull.energy_N_A + energy->felt_kcal_mol * felt.spring_N_per_A / energy->coupling_kcal_mol_A2;
+  }
   pointer.dt_s = in.dt_s;
   const PointA before_lead = lead_;
   const glm::dvec2 before_aim_px = hand_.aim_px();
