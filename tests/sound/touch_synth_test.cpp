@@ -139,8 +139,13 @@ TEST_CASE(
     }
     CHECK(peak(tone) <= 0.22 * std::sqrt(3.0) + 1e-3);
   }
-  CHECK(toneOf(Feature::Point, 1) == toneOf(Feature::Sphere, 0));
-  CHECK(toneOf(Feature::Point, 2) == toneOf(Feature::Circle, 0));
+  // The thud of a pit has nearly ended, so the tones are compared and not the samples.
+  for (const double ratio : ratios) {
+    CHECK(std::abs(amplitudeAt(toneOf(Feature::Point, 1), f * ratio) -
+                   amplitudeAt(toneOf(Feature::Sphere, 0), f * ratio)) < 1e-4);
+    CHECK(std::abs(amplitudeAt(toneOf(Feature::Point, 2), f * ratio) -
+                   amplitudeAt(toneOf(Feature::Circle, 0), f * ratio)) < 1e-4);
+  }
 }
 
 TEST_CASE("without touch there is exact silence, and again 1 s after the touch has ended") {
