@@ -3,6 +3,7 @@
 #include <optional>
 #include <utility>
 
+#include "engine/haptics/field/force_choices.h"
 #include "engine/haptics/interactions.h"
 #include "engine/language/catalogue.h"
 #include "engine/language/language_code.h"
@@ -265,6 +266,10 @@ SceneSpec readScene(Reading& reading, const MarkdownBlock& block, const SceneSpe
   if (takes("cut")) scene.cut = values["cut"].words.empty() || values["cut"].words[0] != "none";
   takeAtoms("cut", scene.cut_at, scene.places.cut);
   takeSecondState(reading, values, takes("state"), lesson, scene);
+  if (forceChoice(scene.touch.forces).any() && !scene.then.molecule.empty())
+    reading.error(values["forces"].place.line ? values["forces"].place : scene.places.then,
+                  tr("forces act between atoms that rest, and 'then' moves them"),
+                  tr("leave out 'then', or write 'forces: none'"));
   return scene;
 }
 

@@ -46,7 +46,7 @@ TEST_CASE(
       // A file can hold what an author writes and what a slider gives.
       CHECK((p.in_files.min <= p.in_scenes.min && p.in_scenes.max <= p.in_files.max));
       CHECK((p.in_files.min <= p.control.range.min && p.control.range.max <= p.in_files.max));
-      CHECK(p.control.step > 0.0);
+      CHECK((p.control.title.empty() || p.control.step > 0.0));
     }
     if (const auto* word = std::get_if<std::string>(&usual)) {
       REQUIRE(bool(p.words));

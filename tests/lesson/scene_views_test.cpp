@@ -204,4 +204,9 @@ TEST_CASE("mistakes with two molecules are reported at their lines") {
       scene("beside: shut\nthen: shut\n") ==
       Texts{
           "l.md:13:7: a scene has a second structure or a molecule beside it, not both; take 'then' or 'beside' out"});
+  CHECK(scene("forces: all\n").empty());
+  CHECK(scene("then: shut\nforces: none\n").empty());
+  CHECK(scene("then: shut\nforces: electrostatic\n") ==
+        Texts{"l.md:13:9: forces act between atoms that rest, and 'then' moves them; leave out 'then', or write "
+              "'forces: none'"});
 }

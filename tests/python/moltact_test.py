@@ -115,6 +115,47 @@ class Bodies(unittest.TestCase):
                 self.assertFalse(set(felt.contacts[felt.contacts >= 0]) & set(drug))
 
 
+class Forces(unittest.TestCase):
+    def test_a_charged_probe_is_drawn_to_opposite_charges_and_rests_where_coupling_and_field_are_in_balance(self):
+        molecule = moltact.load(SOURCE / "molecules" / "1ubq.pdb")
+        carboxylate = molecule.names.index("OE1", molecule.residues.index("GLU"))
+        # From outside, along the line from the molecule's middle through the oxygen.
+        at = molecule.positions[carboxylate]
+        out = (at - molecule.positions.mean(axis=0)) / np.linalg.norm(at - molecule.positions.mean(axis=0))
+        energies = []
+        for charge in (1.0, -1.0):
+            probe = moltact.Tracker(molecule, forces="electrostatic", dielectric="distance", probe_charge_e=charge)
+            way = np.linspace(at + 20.0 * out, at + 4.5 * out, 2000)
+            felt = probe.feel(np.vstack([way, np.repeat(way[-1:], 500, axis=0)]))
+            np.testing.assert_array_equal(felt.van_der_waals, 0.0)
+            self.assertEqual(felt.electrostatic[0], 0.0)
+            energies.append(felt.electrostatic[-1])
+            # The force on the hand is that of the coupling, of the stiffness given.
+            np.testing.assert_allclose(felt.forces[-1], felt.positions[-1] - way[-1], atol=1e-9)
+        self.assertLess(energies[0], -1.0)
+        self.assertGreater(energies[1], 1.0)
+
+    def test_without_forces_the_energies_are_0_and_the_answers_are_those_of_contact(self):
+        molecule = moltact.load(SOURCE / "molecules" / "1ubq.pdb")
+        way = np.linspace([80.0, 30.0, 30.0], molecule.positions.mean(axis=0), 500)
+        felt = moltact.Tracker(molecule, forces="none").feel(way)
+        np.testing.assert_array_equal(felt.van_der_waals + felt.electrostatic, 0.0)
+        np.testing.assert_array_equal(felt.forces, moltact.Tracker(molecule).feel(way).forces)
+
+    def test_invalid_forces_are_refused_with_what_may_be_given(self):
+        molecule = moltact.load(SOURCE / "molecules" / "1ubq.pdb")
+        for arguments, message in (
+            ({"forces": "gravity"}, "'van-der-waals'"),
+            ({"forces": "all", "dielectric": "oil"}, "'vacuum'"),
+            ({"probe_charge_e": float("nan")}, "-2 to 2"),
+            ({"coupling_N_per_mm": -1.0}, "coupling_N_per_mm"),
+        ):
+            with self.subTest(arguments), self.assertRaisesRegex(ValueError, message):
+                moltact.Tracker(molecule, **arguments)
+        with self.assertRaisesRegex(ValueError, "need a Molecule"):
+            moltact.Tracker(molecule.spheres, forces="all")
+
+
 class Charges(unittest.TestCase):
     def test_the_chemistry_of_a_molecule_has_an_entry_per_atom_and_the_formal_charges_of_ubiquitin_sum_to_0(self):
         molecule = moltact.load(SOURCE / "molecules" / "1ubq.pdb")

@@ -71,6 +71,7 @@ PoseA CoupledField::goal() const noexcept {
     // A positive form of six variables has no eigenvalue above the sum of those of its two blocks.
     bound += at_.rotational_stiffness_kcal_mol / (lever * lever);
   }
+  const bool in_field = at_.force_kcal_mol_A != Vec3(0.0) || at_.torque_kcal_mol != Vec3(0.0) || bound > 0.0;
   const double share = 1.0 / (k + caution_ * bound);
   Vec3 step = share * pull, turn = lever > 0.0 ? share / lever * twist : Vec3(0.0);
   const double way = glm::length(step) + glm::length(turn) * coupling_.reach_A;
@@ -78,6 +79,8 @@ PoseA CoupledField::goal() const noexcept {
   if (way > most) {
     step *= most / way;
     turn *= most / way;
+  } else if (!in_field) {
+    return hand_;
   }
   const double angle = glm::length(turn);
   return {{body_.place.A + step},
