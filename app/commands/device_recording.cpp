@@ -215,8 +215,7 @@ void recordHand(const RecordOptions& options) {
   const ServoSettings settings = settingsFor(*scene, options.touch, info);
   Recorder recorder(options, openedFile(options), labelsOf(options, *scene, info.name));
   checkHand(options.touch, false, options.hand);
-  auto felt =
-      makeInteraction(interactionInput(options.touch, molecule, scene));
+  auto felt = makeInteraction(interactionInput(options.touch, molecule, scene));
   MouseDevice mouse;
   ServoThread servo(mouse);
   servo.loop().setSettings(settings);

@@ -94,8 +94,7 @@ Pushed push(const std::shared_ptr<const Molecule>& molecule, const RenderArgumen
   if (body) not_felt = atomsOfEither(not_felt, body->atoms);
   const auto scene = std::make_shared<const SphereGrid>(molecule->spheres, not_felt);
   const TouchSetup touch = resolveInteraction(arguments.touch, body != nullptr);
-  const auto felt =
-      makeInteraction(interactionInput(touch, *molecule, scene, body));
+  const auto felt = makeInteraction(interactionInput(touch, *molecule, scene, body));
   const Vec3 from_hip = camera.back();
   const double held_A = body ? body->reach_A : touch.probe_A;
   const double reach = glm::length(scene->high_A() - scene->low_A()) + 2 * held_A + 1;

@@ -15,12 +15,12 @@
 #include "app/commands/touch_options.h"
 #include "app/commands/value_types.h"
 #include "engine/core/quantile.h"
+#include "engine/haptics/field/force_choices.h"
 #include "engine/haptics/interactions.h"
 #include "engine/language/catalogue.h"
 #include "engine/lesson/scene_atoms.h"
 #include "engine/platform/terminal.h"
 #include "engine/platform/write_file.h"
-#include "engine/haptics/field/force_choices.h"
 #include "engine/structure/interaction_input.h"
 
 namespace moltact {

@@ -43,9 +43,11 @@ struct Response {
   /// The energy at the shown pose; empty where no forces between atoms act.
   std::optional<MolecularEnergy> molecular_energy = std::nullopt;
 
+  /// True if Contact::scp is where the probe or body is: in contact, and on the virtual coupling of a field of atoms.
+  bool leavesHand() const { return contact.touching() || molecular_energy; }
   /// The pose in which the held body is drawn for this hand.
   PoseA shownBody(const PoseA& hand) const {
-    return body_pose ? *body_pose : PoseA{contact.touching() ? contact.scp : hand.place, hand.orientation};
+    return body_pose ? *body_pose : PoseA{leavesHand() ? contact.scp : hand.place, hand.orientation};
   }
 
   bool springsPull() const {

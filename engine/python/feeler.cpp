@@ -90,8 +90,8 @@ Feeler::Feeler(InteractionInput input, double stiffness_N_per_A)
 Felt Feeler::feel(const py::object& poses) {
   const std::vector<PoseA> hand = posesOf(poses);
   const std::size_t n = hand.size();
-  Felt out{newArray<double>(n, 3), newArray<double>(n, 4), newArray<double>(n, 3), newArray<double>(n, 3),
-           newArray<double>(n, 0), newArray<double>(n, 0), newArray<double>(n, 0), newArray<bool>(n, 0),
+  Felt out{newArray<double>(n, 3), newArray<double>(n, 4), newArray<double>(n, 3),      newArray<double>(n, 3),
+           newArray<double>(n, 0), newArray<double>(n, 0), newArray<double>(n, 0),      newArray<bool>(n, 0),
            newArray<bool>(n, 0),   newArray<bool>(n, 0),   newArray<std::int32_t>(n, 3)};
   Rows rows(out);
   std::unique_lock used(in_use_, std::defer_lock);

@@ -287,16 +287,17 @@ void addFeelers(py::module_& m) {
       .def_property_readonly("stiffness_N_per_A", &Feeler::stiffness_N_per_A, "Stiffness of the spring in N/A.");
 
   py::class_<Tracker, Feeler>(m, "Tracker", "A spherical probe at the hand.")
-      .def(py::init(&makeTracker), py::arg("scene"), py::arg("method") = "exact", py::arg("probe_A") = kWaterProbe_A,
-           py::kw_only(), py::arg("interaction") = "", py::arg("stiffness_N_per_A") = 1.0,
-           py::arg("untouchable") = py::tuple(), py::arg("chemistry") = py::none(), py::arg("forces") = "none",
-           py::arg("dielectric") = "water", py::arg("probe_charge_e") = 0.0, py::arg("coupling_N_per_mm") = 0.0,
-           "scene: a Molecule, or spheres of shape (n, 4): centre and radius in A. interaction: one of "
-           "interactions(body=False); empty: the first. untouchable: indices of atoms that are not felt. chemistry: of "
-           "the scene's atoms, for an interaction that needs it; without it, that of the Molecule without charges. "
-           "forces: 'none', 'all', 'van-der-waals' or 'electrostatic' between the atoms of a Molecule and the probe, an "
-           "oxygen of water with probe_charge_e. dielectric: 'water', 'distance' or 'vacuum'. coupling_N_per_mm: "
-           "stiffness in the molecule of the spring between the hand and the probe; 0: the default.")
+      .def(
+          py::init(&makeTracker), py::arg("scene"), py::arg("method") = "exact", py::arg("probe_A") = kWaterProbe_A,
+          py::kw_only(), py::arg("interaction") = "", py::arg("stiffness_N_per_A") = 1.0,
+          py::arg("untouchable") = py::tuple(), py::arg("chemistry") = py::none(), py::arg("forces") = "none",
+          py::arg("dielectric") = "water", py::arg("probe_charge_e") = 0.0, py::arg("coupling_N_per_mm") = 0.0,
+          "scene: a Molecule, or spheres of shape (n, 4): centre and radius in A. interaction: one of "
+          "interactions(body=False); empty: the first. untouchable: indices of atoms that are not felt. chemistry: of "
+          "the scene's atoms, for an interaction that needs it; without it, that of the Molecule without charges. "
+          "forces: 'none', 'all', 'van-der-waals' or 'electrostatic' between the atoms of a Molecule and the probe, an "
+          "oxygen of water with probe_charge_e. dielectric: 'water', 'distance' or 'vacuum'. coupling_N_per_mm: "
+          "stiffness in the molecule of the spring between the hand and the probe; 0: the default.")
       .def_property_readonly(
           "probe_A", [](const Tracker& self) { return self.input().touch.probe_A; }, "Radius of the probe in A.");
 
@@ -306,7 +307,8 @@ void addFeelers(py::module_& m) {
            py::arg("stiffness_N_per_A") = 1.0, py::arg("rotational_stiffness_N_A") = 0.0,
            py::arg("chemistry") = py::none(), py::arg("forces") = "none", py::arg("dielectric") = "water",
            py::arg("coupling_N_per_mm") = 0.0,
-           "scene, chemistry, forces, dielectric and coupling_N_per_mm: as for Tracker. atoms: indices of the scene's atoms that are held and no longer felt; "
+           "scene, chemistry, forces, dielectric and coupling_N_per_mm: as for Tracker. atoms: indices of the scene's "
+           "atoms that are held and no longer felt; "
            "or spheres: "
            "the body's own, of shape (m, 4), relative to its middle. interaction: one of interactions(); empty: the "
            "first.")

@@ -65,19 +65,19 @@ struct ServoSample {
   PointA hip;                      ///< that position in the molecule's space
   Quat orientation = kNoRotation;  ///< of the hand, in the molecule's space
   Contact contact;
-  Vec3 torque_A2{0.0};                            ///< of the springs, as in Response
-  double stiffness_factor = 1.0;                  ///< as in Response
-  double spring_N_per_A = 0.0;                    ///< stiffness used for each spring
-  double field_share = 1.0;                       ///< fraction used of the field
-  std::optional<FeltForce> field = std::nullopt;  ///< as returned by the interaction
-  std::optional<PoseA> body_pose = std::nullopt;  ///< as in Response
-  bool at_rest = true;                            ///< as in Response
+  Vec3 torque_A2{0.0};                                             ///< of the springs, as in Response
+  double stiffness_factor = 1.0;                                   ///< as in Response
+  double spring_N_per_A = 0.0;                                     ///< stiffness used for each spring
+  double field_share = 1.0;                                        ///< fraction used of the field
+  std::optional<FeltForce> field = std::nullopt;                   ///< as returned by the interaction
+  std::optional<PoseA> body_pose = std::nullopt;                   ///< as in Response
+  bool at_rest = true;                                             ///< as in Response
   std::optional<MolecularEnergy> molecular_energy = std::nullopt;  ///< as in Response
-  ForceN force;                                   ///< as given to the device, after all limits
-  Vec3 torque_N_mm{0.0};                          ///< the same; zero for a device without torque
-  LimitFlags limits;                              ///< those that changed the force of this tick
-  double probe_A = 0;                             ///< used in this tick
-  MemoryUsage memory_usage;                       ///< of the interaction
+  ForceN force;                                                    ///< as given to the device, after all limits
+  Vec3 torque_N_mm{0.0};                                           ///< the same; zero for a device without torque
+  LimitFlags limits;                                               ///< those that changed the force of this tick
+  double probe_A = 0;                                              ///< used in this tick
+  MemoryUsage memory_usage;                                        ///< of the interaction
   std::uint32_t buttons = 0;
   float work_us = 0;  ///< duration of the tick (0 on a virtual clock)
   float late_us = 0;  ///< delay of its start after the due time (0 on a virtual clock)
@@ -93,7 +93,10 @@ struct ServoSample {
   bool contact_reset = false;
 
   /// The pose in which the held body is drawn.
-  PoseA shownBody() const { return Response{.contact = contact, .body_pose = body_pose}.shownBody({hip, orientation}); }
+  PoseA shownBody() const {
+    return Response{.contact = contact, .body_pose = body_pose, .molecular_energy = molecular_energy}.shownBody(
+        {hip, orientation});
+  }
   /// The force of contact and field before all limits except those on the stiffness, in the molecule's space.
   FeltForce wanted() const {
     return Response{.contact = contact, .torque_A2 = torque_A2, .stiffness_factor = stiffness_factor, .field = field}
@@ -109,7 +112,7 @@ struct ServoSample {
   /// The direction of the force in the molecule's space, of arbitrary length. Zero without a force.
   Vec3 forceDirection() const { return field ? wanted().force_N : contact.displacement_A; }
   /// The point at which the force is drawn.
-  PointA forcePlace() const { return contact.touching() ? contact.scp : hip; }
+  PointA forcePlace() const { return contact.touching() || molecular_energy ? contact.scp : hip; }
   /// True if forces act beyond contact: a field, or those between atoms.
   bool inField() const { return field || molecular_energy; }
   /// True if there is a noticeable force, from a contact or a field. `contact.touching()` tests for a contact only.

@@ -89,7 +89,8 @@ double fieldEnergy(PairSum& sum, const PoseA& at) { return sum.at(at).energy.fel
 }  // namespace
 
 TEST_CASE(
-    "a probe of argon near an argon atom rests where the coupling balances the slope of Lennard-Jones's energy, to 1e-4 A, "
+    "a probe of argon near an argon atom rests where the coupling balances the slope of Lennard-Jones's energy, to "
+    "1e-4 A, "
     "and the hand feels that slope") {
   for (const double k : {0.5, 2.0, 40.0})
     for (const double hand_A : {3.7, 3.9, 4.3, 5.0, 6.5}) {
@@ -111,7 +112,8 @@ TEST_CASE(
 }
 
 TEST_CASE(
-    "a coupling softer than the well's steepest slope snaps: the probe falls from 5.0 A or more to 4.3 A or less, and the "
+    "a coupling softer than the well's steepest slope snaps: the probe falls from 5.0 A or more to 4.3 A or less, and "
+    "the "
     "hand gets less work back than it did") {
   // The slope of the energy falls by at most 0.34 kcal/mol/A^2, near 4.6 A.
   CoupledField felt = argonPair(0.05);
@@ -123,19 +125,21 @@ TEST_CASE(
       const double was = last.contact.scp.A.x, force = last.contact.displacement_A.x;
       last = felt.respond({{Vec3(from + (to - from) * k / 20'000.0, 0, 0)}});
       longest_A = std::max(longest_A, std::abs(last.contact.scp.A.x - was));
-      work += 0.05 * 0.5 * (force + last.contact.displacement_A.x) * ((to - from) / 20'000.0);  // of the field on the hand
+      work +=
+          0.05 * 0.5 * (force + last.contact.displacement_A.x) * ((to - from) / 20'000.0);  // of the field on the hand
     }
   };
   go(3.9);
   const double in = work;
   go(9.0);
   CHECK(longest_A < CoupledField::kStep_A + 1e-9);
-  CHECK(in > 0.0);     // the hand was drawn in
+  CHECK(in > 0.0);      // the hand was drawn in
   CHECK(work < -0.01);  // and did more work on the way out (kcal/mol)
 }
 
 TEST_CASE(
-    "a stiff coupling gives the work of a way into the well back on the way out, to 1 %, and the energy of the well is that "
+    "a stiff coupling gives the work of a way into the well back on the way out, to 1 %, and the energy of the well is "
+    "that "
     "work") {
   CoupledField felt = argonPair(40.0);
   double work = 0.0, deepest = 0.0;
@@ -160,7 +164,8 @@ TEST_CASE(
 }
 
 TEST_CASE(
-    "in no tick of 24,000 along random paths does the body's motion raise the energy of coupling and field by more than "
+    "in no tick of 24,000 along random paths does the body's motion raise the energy of coupling and field by more "
+    "than "
     "0.01 kcal/mol, and it overlaps no atom") {
   for (const std::uint64_t seed : {11u, 12u, 13u}) {
     CAPTURE(seed);
@@ -200,7 +205,8 @@ TEST_CASE(
   }
 }
 
-TEST_CASE("20 closed ways of the hand with a body over a crowd of atoms leave the hand no work, at couplings from 2 to 200") {
+TEST_CASE(
+    "20 closed ways of the hand with a body over a crowd of atoms leave the hand no work, at couplings from 2 to 200") {
   const Crowd c = crowd(21);
   for (const double k : {2.0, 20.0, 200.0}) {
     CAPTURE(k);
@@ -235,7 +241,8 @@ TEST_CASE("20 closed ways of the hand with a body over a crowd of atoms leave th
 }
 
 TEST_CASE(
-    "the reactions on the atoms are the opposite of the force on the hand, in the field alone and with a contact, and in the "
+    "the reactions on the atoms are the opposite of the force on the hand, in the field alone and with a contact, and "
+    "in the "
     "field each is the force between the pair") {
   const std::vector<PairAtom> atoms{argon({0, 0, 0}, 0.5f), argon({7, 0, 0}, -0.5f)};
   auto probe = referenceMethod().make(test::makeScene({{{0, 0, 0}, 1.5}, {{7, 0, 0}, 1.5}}), 1.4);
@@ -290,7 +297,8 @@ TEST_CASE("outside of the cut-off the hand feels nothing and the body is at the 
   }
 }
 
-TEST_CASE("a hand that starts inside an atom gets no force until it has been outside, and a pose of NaN leaves no NaN") {
+TEST_CASE(
+    "a hand that starts inside an atom gets no force until it has been outside, and a pose of NaN leaves no NaN") {
   CoupledField felt = argonPair(20.0, 1.5);
   Response r = felt.respond({{Vec3(0.2, 0, 0)}});
   CHECK(r.contact.fault == Fault::StartedInside);

@@ -133,7 +133,8 @@ TEST_CASE("charges of 1 and -1 at 5 A: -16.60, -3.32 and -5.05 kcal/mol in three
 TEST_CASE(
     "a charge at 7 A on the axis of a dipole of 0.1 A and one charge has q p / (eps r^2), within the next order") {
   PairSum sum = sumOf({charge({0, 0, -0.05}, -1.0f), charge({0, 0, 0.05}, 1.0f)}, {charge({}, 1.0f)}, unbounded());
-  CHECK(sum.at(pose({0, 0, 7.0})).energy.electrostatic_kcal_mol == doctest::Approx(332.0637 * 0.1 / (4 * 49)).epsilon(1e-3));
+  CHECK(sum.at(pose({0, 0, 7.0})).energy.electrostatic_kcal_mol ==
+        doctest::Approx(332.0637 * 0.1 / (4 * 49)).epsilon(1e-3));
   CHECK(std::abs(sum.at(pose({7.0, 0, 0})).energy.electrostatic_kcal_mol) < 1e-5);
 }
 
@@ -164,10 +165,10 @@ TEST_CASE(
         ++judged;
         const OracleEnergy right = oracle(scene, model, at);
         const PairEnergy found = sum.at(at);
-        worst_energy =
-            std::max(worst_energy, double(std::abs(right.van_der_waals - found.energy.van_der_waals_kcal_mol) / right.size));
-        worst_energy =
-            std::max(worst_energy, double(std::abs(right.electrostatic - found.energy.electrostatic_kcal_mol) / right.size));
+        worst_energy = std::max(
+            worst_energy, double(std::abs(right.van_der_waals - found.energy.van_der_waals_kcal_mol) / right.size));
+        worst_energy = std::max(
+            worst_energy, double(std::abs(right.electrostatic - found.energy.electrostatic_kcal_mol) / right.size));
         worst_energy = std::max(worst_energy, double(std::abs(right.felt - found.energy.felt_kcal_mol) / right.size));
         constexpr double kStep = 1e-5;
         Vec3 force, torque;

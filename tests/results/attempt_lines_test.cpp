@@ -198,7 +198,7 @@ TEST_CASE("a stage keeps every property of what it is felt with; attempts withou
     stage.touch = {};
     const TouchValue usual = touchValue(stage.touch, p);
     if (std::holds_alternative<double>(usual))
-      setTouchValue(stage.touch, p, 0.5 * (p.in_files.min + p.in_files.max));
+      setTouchValue(stage.touch, p, 0.25 * p.in_files.min + 0.75 * p.in_files.max);
     else if (const auto* on = std::get_if<bool>(&usual))
       setTouchValue(stage.touch, p, !*on);
     else

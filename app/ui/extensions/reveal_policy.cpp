@@ -89,8 +89,9 @@ std::string RevealPolicy::unnamedText(bool spoken) const {
 }
 
 TouchMoment RevealPolicy::heard(const ServoSample& sample, double slide_A_per_s) const {
-  TouchMoment out{
-      .force_N = glm::length(sample.force.N), .slide_A_per_s = slide_A_per_s, .field = sample.inField() && sample.felt()};
+  TouchMoment out{.force_N = glm::length(sample.force.N),
+                  .slide_A_per_s = slide_A_per_s,
+                  .field = sample.inField() && sample.felt()};
   if (names(sample.contact)) {
     out.feature = sample.contact.feature;
     out.atoms = sample.contact.atoms;

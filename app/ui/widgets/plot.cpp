@@ -56,8 +56,7 @@ void eachColumn(const PlotBuffer& buffer, const PlotFrame& frame, Point&& point)
   for (std::size_t c = 0; c < columns; ++c) {
     const std::size_t newest_age = (columns - 1 - c) * buffer.capacity() / columns;
     const std::size_t oldest_age = std::min((columns - c) * buffer.capacity() / columns, buffer.size());
-    if (newest_age < oldest_age)
-      point(frame.a.x + width * float(c) / float(columns - 1), newest_age, oldest_age);
+    if (newest_age < oldest_age) point(frame.a.x + width * float(c) / float(columns - 1), newest_age, oldest_age);
   }
 }
 

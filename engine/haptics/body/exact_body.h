@@ -17,7 +17,7 @@
 #include "engine/haptics/body/body_pairs.h"
 #include "engine/haptics/body/held_body.h"
 #include "engine/haptics/body/six.h"
-#include "engine/haptics/body/slip_coupling.h"
+#include "engine/haptics/slip_coupling.h"
 #include "engine/haptics/body/small_qp.h"
 #include "engine/haptics/interaction.h"
 
@@ -111,8 +111,8 @@ class ExactBody final : public Interaction {
   bool at_rest_ = true;
   bool moved_ = false;  // the spheres have moved since the last tick
   double goal_fraction_ = 0.0;
-  BodyPose pose_;            // relative to pairs_.origin(), like all positions
-  BodyPose hand_;            // with the slip
+  BodyPose pose_;  // relative to pairs_.origin(), like all positions
+  BodyPose hand_;  // with the slip
   SlipCoupling coupling_;
   double free_room_ = 0.0;  // no contact for a body that moves by less than this from free_from_
   BodyPose free_from_;

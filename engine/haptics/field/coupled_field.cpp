@@ -89,9 +89,8 @@ PoseA CoupledField::goal() const noexcept {
 
 Response CoupledField::step(const PoseA& hand) noexcept {
   const bool free = !inner_answer_.contact.touching() && sum_.listedPairs() == 0;
-  hand_ = {hand.place, coupling_.lever_A > 0.0
-                           ? turning_.orientation(hand, body_.orientation, free, coupling_.lever_A)
-                           : hand.orientation};
+  hand_ = {hand.place, coupling_.lever_A > 0.0 ? turning_.orientation(hand, body_.orientation, free, coupling_.lever_A)
+                                               : hand.orientation};
   const PoseA from = body_;
   const double before = couplingEnergy_kcal_mol(body_) + at_.energy.felt_kcal_mol;
   const PairEnergy was = at_;

@@ -101,9 +101,9 @@ MOLTACT_INLINE PairLanes pairs(const PairBlock& block, const PairConstants& c, c
   const V8 s = u * u * (3.0f - u * 2.0f), s1 = u * (1.0f - u) * (-6.0f * c.inverse_width);
   const M8 between = (t > c.from2) & (t < c.cut2);
   const V8 s2 = between ? (6.0f - u * 12.0f) * (c.inverse_width * c.inverse_width) : all(0.0f);
-  const Curve lj = switched(lennardJones(inverse_t, own.half_minimum_A + load(block.half_minimum_A),
-                                         own.root_depth * load(block.root_depth)),
-                            s, s1, s2);
+  const Curve lj = switched(
+      lennardJones(inverse_t, own.half_minimum_A + load(block.half_minimum_A), own.root_depth * load(block.root_depth)),
+      s, s1, s2);
   const Curve el = switched(coulomb<kind>(t, inverse_t, (c.coulomb * own.charge_e) * load(block.charge_e)), s, s1, s2);
   // Nearer than kMinPair_A the energy continues with the slope at that distance.
   const V8 inside = far - t;

@@ -90,8 +90,7 @@ void VirtualTouch::feelWith(const TouchSetup& wanted) {
   }
   const TouchSetup reference = referenceOf(touch);
   if (!exact_ || !sameConstruction(reference, referenceOf(touch_)))
-    exact_ =
-        makeInteraction(interactionInput(reference, *molecule_, spheres_));
+    exact_ = makeInteraction(interactionInput(reference, *molecule_, spheres_));
   is_reference_ = sameConstruction(touch, reference);
   touch_ = touch;
   settings_.take(touch);
