@@ -12,7 +12,7 @@
 #include "engine/molecule/reader.h"
 #include "engine/platform/terminal.h"
 #include "engine/platform/write_file.h"
-#include "engine/structure/atom_charges.h"
+#include "engine/structure/interaction_input.h"
 
 namespace moltact {
 namespace {
@@ -31,8 +31,7 @@ std::unique_ptr<Interaction> feltOf(const ServoRecording& recording) {
   if (!molecule) return nullptr;
   const RecordedScene scene = recordedScene(recording.labels, molecule->spheres);
   const TouchSetup touch = touchOf(recording);
-  return makeInteraction(
-      {.spheres = scene.spheres, .touch = touch, .body = scene.body, .chemistry = chemistryFor(touch, *molecule)});
+  return makeInteraction(interactionInput(touch, *molecule, scene.spheres, scene.body));
 }
 
 void run(const PathOptions& options) {

@@ -21,7 +21,7 @@
 #include "engine/platform/terminal.h"
 #include "engine/servo/servo_recording.h"
 #include "engine/servo/servo_thread.h"
-#include "engine/structure/atom_charges.h"
+#include "engine/structure/interaction_input.h"
 #include "engine/workspace/fit_workspace.h"
 #include "engine/workspace/scale.h"
 
@@ -39,6 +39,7 @@ constexpr int kReadyLooks = 2;  // consecutive: at the first query a device may 
 struct RecordOptions {
   std::string device, file;
   TouchSetup touch;
+  const CLI::Option* hand = nullptr;  // --hand
   MoleculeArgument molecule;
   double seconds = 10.0, wait_s = 60.0;
   bool overwrite = false;
@@ -213,9 +214,9 @@ void recordHand(const RecordOptions& options) {
   const DeviceInfo info = (*device)->info();
   const ServoSettings settings = settingsFor(*scene, options.touch, info);
   Recorder recorder(options, openedFile(options), labelsOf(options, *scene, info.name));
-  checkHand(options.touch, false);
+  checkHand(options.touch, false, options.hand);
   auto felt =
-      makeInteraction({.spheres = scene, .touch = options.touch, .chemistry = chemistryFor(options.touch, molecule)});
+      makeInteraction(interactionInput(options.touch, molecule, scene));
   MouseDevice mouse;
   ServoThread servo(mouse);
   servo.loop().setSettings(settings);
@@ -251,8 +252,7 @@ void replayHand(const std::string& file) {
     fail("the molecule \"" + label("molecule") + "\" is not the one any more that it was recorded on",
          "put the old file back, or record it again");
 
-  const auto felt = makeInteraction(
-      {.spheres = scene.spheres, .touch = touch, .body = scene.body, .chemistry = chemistryFor(touch, molecule)});
+  const auto felt = makeInteraction(interactionInput(touch, molecule, scene.spheres, scene.body));
   if (!felt) fail("it was recorded with a body in the hand, and does not say which", "record it again");
   const ReplayResult result = replay(*recording, felt.get());
   char text[200];
@@ -286,7 +286,7 @@ void addDeviceRecording(CLI::App& device) {
   options->molecule.addTo(*records);
   records->add_option("--out", options->file, "The file to write")->type_name(kFileType)->required();
   records->add_flag("--overwrite", options->overwrite, "Replace an existing file");
-  addTouchOptions(*records, options->touch);
+  options->hand = addTouchOptions(*records, options->touch);
   records
       ->add_option("--seconds", options->seconds, "Length of the recording; a replay needs 1.3 GB of memory per hour")
       ->check(numberFrom(0.1, 3600.0))

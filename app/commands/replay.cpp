@@ -20,7 +20,8 @@
 #include "engine/lesson/scene_atoms.h"
 #include "engine/platform/terminal.h"
 #include "engine/platform/write_file.h"
-#include "engine/structure/atom_charges.h"
+#include "engine/haptics/field/force_choices.h"
+#include "engine/structure/interaction_input.h"
 
 namespace moltact {
 namespace {
@@ -32,6 +33,7 @@ struct ReplayOptions {
   std::vector<std::string> spheres;       // files of the scene and of the body, written
   ExcludedAtoms left_out;
   TouchSetup touch;
+  const CLI::Option* hand = nullptr;  // --hand
   double stiffness_N_per_A = 1.0, rotational_stiffness_N_A = 0.0;
   bool time = false;
 };
@@ -144,22 +146,26 @@ std::vector<char> replayProbe(const InteractionInput& input, const HipPath& path
 InteractionInput inputOf(const ReplayOptions& options) {
   InteractionInput input{.spheres = nullptr, .touch = options.touch};
   if (!options.from_spheres.empty()) {
+    if (forceChoice(options.touch.forces).any())
+      throw CommandError{"forces between atoms need a molecule, and spheres have no chemistry",
+                         "name a molecule instead of --spheres, or leave out --forces"};
     constexpr std::size_t kMaxSpheres = 25'000'000;
     input.spheres = std::make_shared<const SphereGrid>(readSpheres(options.from_spheres[0], kMaxSpheres));
     input.body = bodyOfSpheres(readSpheres(options.from_spheres[1], kMaxHeldAtoms));
   } else {
     const Molecule molecule = options.molecule.load();
     std::vector<std::uint32_t> not_felt = options.left_out.notFelt(molecule);
+    std::shared_ptr<const HeldBody> body;
     if (!options.in_hand.empty()) {
       const std::vector<std::uint32_t> held = selectedAtoms("--in-hand", options.in_hand, molecule);
-      input.body = heldBody(molecule.spheres, held);
-      if (!input.body) throw tooManyHeld(held.size());
+      body = heldBody(molecule.spheres, held);
+      if (!body) throw tooManyHeld(held.size());
       not_felt = atomsOfEither(not_felt, held);
     }
-    input.spheres = std::make_shared<const SphereGrid>(molecule.spheres, not_felt);
-    input.chemistry = chemistryFor(options.touch, molecule);
+    input = interactionInput(options.touch, molecule, std::make_shared<const SphereGrid>(molecule.spheres, not_felt),
+                             std::move(body));
   }
-  checkHand(options.touch, input.body != nullptr);
+  checkHand(options.touch, input.body != nullptr, options.hand);
   input.touch = resolveInteraction(input.touch, input.body != nullptr);
   // The response is divided by the stiffness, so it equals that of a spring of 1 N/A.
   if (options.stiffness_N_per_A > 0.0)
@@ -225,7 +231,7 @@ void addReplay(CLI::App& app) {
           ->excludes(in_hand);
   options->left_out.addTo(*command);
   for (const char* of_molecule : {"--untouchable", "--remove"}) from_spheres->excludes(of_molecule);
-  addTouchOptions(*command, options->touch);
+  options->hand = addTouchOptions(*command, options->touch);
   addProbeOption(*command, options->touch);
   command->add_option("--stiffness", options->stiffness_N_per_A, "Stiffness of the spring, in N per angstrom")
       ->check(numberFrom(0.0, 1e6))

@@ -24,6 +24,17 @@ struct FeltForce {
   friend bool operator==(const FeltForce&, const FeltForce&) = default;
 };
 
+/// The energy of a held body or probe with the scene, as parts and as felt (unit: kcal/mol).
+struct MolecularEnergy {
+  double van_der_waals_kcal_mol = 0.0, electrostatic_kcal_mol = 0.0;
+  double felt_kcal_mol = 0.0;  ///< their sum after the bound of the walls (PairModel::wall_kcal_mol)
+  /// Stiffness of the spring between the hand and what it holds, in the molecule (unit: kcal/mol/A^2). A force of
+  /// 1 kcal/mol/A is felt as the stiffness of the felt spring divided by this. 0: there is no such spring.
+  double coupling_kcal_mol_A2 = 0.0;
+
+  friend bool operator==(const MolecularEnergy&, const MolecularEnergy&) = default;
+};
+
 /// The force on one atom of the scene, in the molecule's axes: the reaction to the force on the hand. It is in newtons
 /// of the hand, not in those between molecules.
 struct AtomForce {

@@ -40,6 +40,8 @@ struct Response {
   /// shifted by the mean of the springs, with the hand's orientation.
   std::optional<PoseA> body_pose = std::nullopt;
   bool at_rest = true;  ///< false: the search for the rest pose was cut short and continues in the next tick
+  /// The energy at the shown pose; empty where no forces between atoms act.
+  std::optional<MolecularEnergy> molecular_energy = std::nullopt;
 
   /// The pose in which the held body is drawn for this hand.
   PoseA shownBody(const PoseA& hand) const {

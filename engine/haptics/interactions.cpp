@@ -2,9 +2,12 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "engine/haptics/body/exact_body.h"
 #include "engine/haptics/body/rigid_body.h"
+#include "engine/haptics/field/coupled_field.h"
+#include "engine/haptics/field/force_choices.h"
 #include "engine/haptics/methods.h"
 #include "engine/language/catalogue.h"
 
@@ -43,8 +46,26 @@ constexpr std::array kKinds{
                     "body"},
 };
 
+bool forcesAct(const TouchSetup& touch) { return forceChoice(touch.forces).any(); }
+
+std::unique_ptr<Interaction> withForces(std::unique_ptr<Interaction> inner, const InteractionInput& input) {
+  if (!input.pairs) return nullptr;
+  constexpr double kN_per_mm = 6.947695e-4;  // of 1 kcal/mol/A^2
+  VirtualCoupling coupling;
+  const double wanted = input.touch.coupling_N_per_mm > 0.0
+                            ? input.touch.coupling_N_per_mm
+                            : 1.8e-3 * double(std::clamp<std::size_t>(input.pairs->held.size(), 1, 200));
+  coupling.stiffness_kcal_mol_A2 = wanted / kN_per_mm;
+  if (input.body && inner->hasOrientation()) {
+    const double gyration_A = std::max(kMinLever_A, radiusOfGyration_A(*input.body));
+    coupling.lever_A = input.rotational_stiffness_N_A > 0.0 ? std::sqrt(input.rotational_stiffness_N_A) : gyration_A;
+    coupling.reach_A = input.body->reach_A;
+  }
+  return std::make_unique<CoupledField>(std::move(inner), input.pairs, coupling);
+}
+
 // From the innermost to the outermost: friction and texture, which act on the contact, before fields.
-constexpr std::array<InteractionLayer, 0> kLayers{};
+constexpr std::array kLayers{InteractionLayer{"forces", &forcesAct, &withForces}};
 
 }  // namespace
 

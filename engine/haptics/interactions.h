@@ -9,6 +9,7 @@
 
 #include "engine/haptics/atom_chemistry.h"
 #include "engine/haptics/body/held_body.h"
+#include "engine/haptics/field/pair_field.h"
 #include "engine/haptics/interaction.h"
 #include "engine/haptics/sphere_grid.h"
 #include "engine/haptics/touch_setup.h"
@@ -22,6 +23,8 @@ struct InteractionInput {
   std::shared_ptr<const HeldBody> body = nullptr;  ///< for a kind with `holds_body`; other kinds ignore it
   /// One entry per sphere where needsChemistry() is true (built by engine/structure/atom_charges.h); else null.
   std::shared_ptr<const AtomChemistry> chemistry = nullptr;
+  /// Where `touch` selects forces between atoms: those atoms (built by engine/structure/interaction_input.h); else null.
+  std::shared_ptr<const PairField> pairs = nullptr;
   /// Of the spring that turns a held body to the hand's orientation (unit: N A per radian, for a spring of 1 N per A at
   /// its middle); 0: by the body's size. For a kind that has such a spring.
   double rotational_stiffness_N_A = 0.0;
@@ -51,7 +54,7 @@ struct InteractionLayer {
   bool needs_chemistry = false;  ///< `wrap` reads InteractionInput::chemistry
 };
 
-/// All layers, from the innermost to the outermost; at present none.
+/// All layers, from the innermost to the outermost.
 std::span<const InteractionLayer> interactionLayers();
 
 /// All kinds, the default first.
@@ -68,7 +71,7 @@ TouchSetup resolveInteraction(TouchSetup wanted, bool body);
 bool needsChemistry(const TouchSetup& touch, std::span<const InteractionLayer> layers = interactionLayers());
 
 /// Creates the interaction that the setup names, inside the layers that it selects; without any, the bare interaction.
-/// Returns null if interaction or method is unknown, or a required body or chemistry is missing.
+/// Returns null if interaction or method is unknown, or a required body, chemistry or pair field is missing.
 std::unique_ptr<Interaction> makeInteraction(const InteractionInput& input,
                                              std::span<const InteractionLayer> layers = interactionLayers());
 

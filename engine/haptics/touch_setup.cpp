@@ -6,6 +6,7 @@
 #include <type_traits>
 
 #include "engine/haptics/atom_chemistry.h"
+#include "engine/haptics/field/force_choices.h"
 #include "engine/haptics/interactions.h"
 #include "engine/haptics/methods.h"
 #include "engine/language/catalogue.h"
@@ -28,6 +29,18 @@ std::vector<OfferedWord> interactionWords() {
 std::vector<OfferedWord> chargeWords() {
   std::vector<OfferedWord> out;
   for (const ChargeSource& s : chargeSources()) out.push_back({s.name, s.name, s.sentence});
+  return out;
+}
+
+std::vector<OfferedWord> forceWords() {
+  std::vector<OfferedWord> out;
+  for (const ForceChoice& f : forceChoices()) out.push_back({f.name, f.title, f.sentence});
+  return out;
+}
+
+std::vector<OfferedWord> dielectricWords() {
+  std::vector<OfferedWord> out;
+  for (const DielectricChoice& d : dielectricChoices()) out.push_back({d.name, d.title, d.sentence});
   return out;
 }
 
@@ -88,8 +101,10 @@ constexpr std::array kProperties{
                   .words = &interactionWords,
                   .control = {.title = N_("In the hand")},
                   .fallback = "probe",
-                  .meaning = "How what is in the hand feels the molecule. With 'in-hand' the fallback is 'exact-body'; "
-                             "'springs' is its rival, in which each atom has a spring of its own."},
+                  .meaning =
+                      "How what is in the hand feels the molecule. 'probe' is a sphere. With 'in-hand' the fallback is "
+                      "'exact-body': one spring pulls the whole body, which is rigid and overlaps no atom. With "
+                      "'springs' each atom of the body has a spring of its own, and the body can overlap atoms."},
     TouchProperty{.member = &TouchSetup::charges,
                   .key = "charges",
                   .field = "charges",
@@ -98,6 +113,49 @@ constexpr std::array kProperties{
                   .fallback = "none",
                   .meaning = "The source of the atoms' charges: 'file' from a PQR file, 'formal' from the residues at "
                              "pH 7. Interactions with electrostatic forces use them; contact does not."},
+    TouchProperty{.member = &TouchSetup::forces,
+                  .key = "forces",
+                  .field = "forces",
+                  .label = "forces",
+                  .words = &forceWords,
+                  .control = {.title = N_("Forces between atoms"),
+                              .tip = N_("Attraction and repulsion beyond contact, as between real atoms.")},
+                  .fallback = "none",
+                  .meaning = "Which forces between atoms are felt besides contact.",
+                  .compared = "The second thing is felt with these forces between atoms."},
+    TouchProperty{.member = &TouchSetup::dielectric,
+                  .key = "dielectric",
+                  .field = "dielectric",
+                  .label = "dielectric",
+                  .words = &dielectricWords,
+                  .fallback = "water",
+                  .meaning = "How the medium weakens the forces between charges.",
+                  .compared = "The second thing is felt in this medium."},
+    TouchProperty{.member = &TouchSetup::probe_charge_e,
+                  .key = "probe-charge",
+                  .field = "probe_charge_e",
+                  .label = "probe_charge_e",
+                  .in_scenes = {-2.0, 2.0},
+                  .in_files = {-2.0, 2.0},
+                  .control = {.title = N_("Charge of the probe"),
+                              .tip = N_("In elementary charges. Opposite charges attract each other."),
+                              .range = {-2.0, 2.0},
+                              .step = 0.5,
+                              .decimals = 1},
+                  .fallback = "0",
+                  .meaning = "The charge of the probe in elementary charges, for the forces between atoms.",
+                  .compared = "The second thing is felt with a probe of this charge."},
+    TouchProperty{.member = &TouchSetup::coupling_N_per_mm,
+                  .key = "coupling",
+                  .field = "coupling_N_per_mm",
+                  .label = "coupling_N_per_mm",
+                  .dimension = Dimension::Stiffness,
+                  .in_scenes = {0.0, 1.0},
+                  .in_files = {0.0, 1.0},
+                  .fallback = "0 N/m",
+                  .meaning = "The stiffness of the spring that joins the hand to what it holds, in the molecule: the "
+                             "softer, the more strongly the forces between atoms are felt. 0: 1.8 N/m for each of the "
+                             "first 200 atoms held."},
 };
 
 std::string textOf(const TouchValue& value) {

@@ -25,6 +25,12 @@ struct TouchSetup {
   bool force_on = true;               ///< false: contacts are computed, but no force is given
   std::string interaction = "probe";  ///< as in findInteractionKind (interactions.h)
   std::string charges = "none";       ///< as in chargeSources (atom_chemistry.h)
+  std::string forces = "none";        ///< between atoms, as in forceChoices (field/force_choices.h)
+  std::string dielectric = "water";   ///< of these forces, as in dielectricChoices
+  double probe_charge_e = 0.0;        ///< of the probe's atom, for these forces
+  /// Stiffness of the virtual coupling between the hand and what it holds in these forces, in the molecule; 0: by the
+  /// number of atoms (unit: N/mm; 1 kcal/mol/A^2 is 0.000695 N/mm).
+  double coupling_N_per_mm = 0.0;
 
   friend bool operator==(const TouchSetup&, const TouchSetup&) = default;
 };

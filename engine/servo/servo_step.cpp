@@ -106,6 +106,7 @@ ServoSample ServoStep::tick(const ServoSettings& settings, Interaction* interact
     if (response.field) out.field = response.field;
     if (response.body_pose) out.body_pose = response.body_pose;
     out.at_rest = response.at_rest;
+    if (response.molecular_energy) out.molecular_energy = response.molecular_energy;
     if (reactions && wanted.on && response.acts())
       reactions->count = interaction->reactions(response, k / settings.workspace.A_per_mm, share, reactions->room);
     last_at_ = at;

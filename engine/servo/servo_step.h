@@ -72,6 +72,7 @@ struct ServoSample {
   std::optional<FeltForce> field = std::nullopt;  ///< as returned by the interaction
   std::optional<PoseA> body_pose = std::nullopt;  ///< as in Response
   bool at_rest = true;                            ///< as in Response
+  std::optional<MolecularEnergy> molecular_energy = std::nullopt;  ///< as in Response
   ForceN force;                                   ///< as given to the device, after all limits
   Vec3 torque_N_mm{0.0};                          ///< the same; zero for a device without torque
   LimitFlags limits;                              ///< those that changed the force of this tick
@@ -109,8 +110,10 @@ struct ServoSample {
   Vec3 forceDirection() const { return field ? wanted().force_N : contact.displacement_A; }
   /// The point at which the force is drawn.
   PointA forcePlace() const { return contact.touching() ? contact.scp : hip; }
+  /// True if forces act beyond contact: a field, or those between atoms.
+  bool inField() const { return field || molecular_energy; }
   /// True if there is a noticeable force, from a contact or a field. `contact.touching()` tests for a contact only.
-  bool felt() const { return contact.touching() || (field && glm::length(force.N) >= kMinFelt_N); }
+  bool felt() const { return contact.touching() || (inField() && glm::length(force.N) >= kMinFelt_N); }
 };
 
 /// The reactions on the scene's atoms in one tick (unit: newton at the hand, in the molecule's axes). Their sum is the

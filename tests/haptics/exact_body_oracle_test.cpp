@@ -46,7 +46,7 @@ Verdict judge(const std::vector<Sphere>& spheres, const std::shared_ptr<const He
     const BodyOracle::Pose led = BodyOracle::pose(hand);
     if (before) {
       const auto behind = BodyOracle::rotationVector(BodyOracle::pose(*before), led);
-      slipped = slipped || std::hypot(behind[0], behind[1], behind[2]) > ExactBody::kSlip_rad - 1e-9;
+      slipped = slipped || std::hypot(behind[0], behind[1], behind[2]) > SlipCoupling::kSlip_rad - 1e-9;
     }
     for (std::size_t i = 0; i < 3; ++i) {
       out.off_hand = std::max(out.off_hand, std::abs(to.place[i] - led.place[i]));

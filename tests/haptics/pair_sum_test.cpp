@@ -108,13 +108,13 @@ TEST_CASE("two argon atoms have their lowest energy, -0.238 kcal/mol, at 3.82 A,
   PairModel model = unbounded();
   PairSum sum = sumOf({argon({})}, {argon({})}, model);
   const PairEnergy well = sum.at(pose({3.82, 0, 0}));
-  CHECK(well.van_der_waals_kcal_mol == doctest::Approx(-0.238).epsilon(1e-6));
+  CHECK(well.energy.van_der_waals_kcal_mol == doctest::Approx(-0.238).epsilon(1e-6));
   CHECK(glm::length(well.force_kcal_mol_A) < 1e-6);
   // 72 e / rmin^2 is the curvature of the well.
   CHECK(well.stiffness_kcal_mol_A2 == doctest::Approx(72 * 0.238 / (3.82 * 3.82)).epsilon(0.25));
   CHECK(well.stiffness_kcal_mol_A2 >= 72 * 0.238 / (3.82 * 3.82) * (1 - 1e-5));
-  CHECK(std::abs(sum.at(pose({0, 3.82 / std::pow(2.0, 1.0 / 6), 0})).van_der_waals_kcal_mol) < 1e-6);
-  CHECK(sum.at(pose({0, 0, 10.0})).felt_kcal_mol == 0.0);
+  CHECK(std::abs(sum.at(pose({0, 3.82 / std::pow(2.0, 1.0 / 6), 0})).energy.van_der_waals_kcal_mol) < 1e-6);
+  CHECK(sum.at(pose({0, 0, 10.0})).energy.felt_kcal_mol == 0.0);
   CHECK(sum.at(pose({0, 0, 3.0})).force_kcal_mol_A.z > 10.0);
   CHECK(sum.at(pose({0, 0, 5.0})).force_kcal_mol_A.z < 0.0);
 }
@@ -122,7 +122,7 @@ TEST_CASE("two argon atoms have their lowest energy, -0.238 kcal/mol, at 3.82 A,
 TEST_CASE("charges of 1 and -1 at 5 A: -16.60, -3.32 and -5.05 kcal/mol in three dielectrics, as by their formulas") {
   const std::vector<PairAtom> plus{charge({}, 1.0f)}, minus{charge({}, -1.0f)};
   const auto energy = [&](const PairModel& m) {
-    return sumOf(plus, minus, m).at(pose({3, 4, 0})).electrostatic_kcal_mol;
+    return sumOf(plus, minus, m).at(pose({3, 4, 0})).energy.electrostatic_kcal_mol;
   };
   CHECK(energy(unbounded()) == doctest::Approx(-332.0637 / (4 * 5)).epsilon(1e-6));
   CHECK(energy(unbounded(Dielectric::Distance)) == doctest::Approx(-332.0637 / (4 * 25)).epsilon(1e-6));
@@ -133,8 +133,8 @@ TEST_CASE("charges of 1 and -1 at 5 A: -16.60, -3.32 and -5.05 kcal/mol in three
 TEST_CASE(
     "a charge at 7 A on the axis of a dipole of 0.1 A and one charge has q p / (eps r^2), within the next order") {
   PairSum sum = sumOf({charge({0, 0, -0.05}, -1.0f), charge({0, 0, 0.05}, 1.0f)}, {charge({}, 1.0f)}, unbounded());
-  CHECK(sum.at(pose({0, 0, 7.0})).electrostatic_kcal_mol == doctest::Approx(332.0637 * 0.1 / (4 * 49)).epsilon(1e-3));
-  CHECK(std::abs(sum.at(pose({7.0, 0, 0})).electrostatic_kcal_mol) < 1e-5);
+  CHECK(sum.at(pose({0, 0, 7.0})).energy.electrostatic_kcal_mol == doctest::Approx(332.0637 * 0.1 / (4 * 49)).epsilon(1e-3));
+  CHECK(std::abs(sum.at(pose({7.0, 0, 0})).energy.electrostatic_kcal_mol) < 1e-5);
 }
 
 TEST_CASE(
@@ -165,10 +165,10 @@ TEST_CASE(
         const OracleEnergy right = oracle(scene, model, at);
         const PairEnergy found = sum.at(at);
         worst_energy =
-            std::max(worst_energy, double(std::abs(right.van_der_waals - found.van_der_waals_kcal_mol) / right.size));
+            std::max(worst_energy, double(std::abs(right.van_der_waals - found.energy.van_der_waals_kcal_mol) / right.size));
         worst_energy =
-            std::max(worst_energy, double(std::abs(right.electrostatic - found.electrostatic_kcal_mol) / right.size));
-        worst_energy = std::max(worst_energy, double(std::abs(right.felt - found.felt_kcal_mol) / right.size));
+            std::max(worst_energy, double(std::abs(right.electrostatic - found.energy.electrostatic_kcal_mol) / right.size));
+        worst_energy = std::max(worst_energy, double(std::abs(right.felt - found.energy.felt_kcal_mol) / right.size));
         constexpr double kStep = 1e-5;
         Vec3 force, torque;
         for (int axis = 0; axis < 3; ++axis) {
@@ -243,9 +243,9 @@ TEST_CASE(
     if (tick % 50) continue;
     PairSum fresh = sumOf(scene.atoms, scene.body, model);
     const PairEnergy right = fresh.at(pose(at, turn));
-    const double size = 1.0 + std::abs(right.felt_kcal_mol);
+    const double size = 1.0 + std::abs(right.energy.felt_kcal_mol);
     worst = std::max(
-        {worst, std::abs(found.felt_kcal_mol - right.felt_kcal_mol) / size,
+        {worst, std::abs(found.energy.felt_kcal_mol - right.energy.felt_kcal_mol) / size,
          glm::distance(found.force_kcal_mol_A, right.force_kcal_mol_A) / (1.0 + glm::length(right.force_kcal_mol_A))});
   }
   CHECK(worst < 5e-6);
@@ -285,7 +285,7 @@ TEST_CASE("3000 atoms within 1 A, more than a list has room for, give what the o
   const PairModel model = unbounded();
   PairSum sum = sumOf(scene.atoms, scene.body, model);
   const PoseA at = pose({4, 0, 0});
-  CHECK(sum.at(at).electrostatic_kcal_mol ==
+  CHECK(sum.at(at).energy.electrostatic_kcal_mol ==
         doctest::Approx(double(oracle(scene, model, at).electrostatic)).epsilon(1e-5));
   CHECK(sum.listedPairs() == 0);
 }
@@ -294,13 +294,13 @@ TEST_CASE("two atoms in one place, an infinite pose and an empty body give finit
   PairSum sum = sumOf({argon({}), charge({1, 0, 0}, 1.0f)}, {argon({}), charge({1, 0, 0}, -1.0f)}, PairModel{});
   for (const Vec3& at : {Vec3(0.0), Vec3(1e-30, 0, 0), Vec3(0.4, 0, 0), Vec3(1e9, 0, 0)}) {
     const PairEnergy found = sum.at(pose(at));
-    CHECK(std::isfinite(found.felt_kcal_mol));
+    CHECK(std::isfinite(found.energy.felt_kcal_mol));
     CHECK(finite(found.force_kcal_mol_A));
     CHECK(finite(found.torque_kcal_mol));
     CHECK(std::isfinite(found.stiffness_kcal_mol_A2 + found.rotational_stiffness_kcal_mol));
   }
-  CHECK(sum.at(pose({NAN, 0, 0})).felt_kcal_mol == 0.0);
-  CHECK(sum.at({{Vec3(0.0)}, Quat(NAN, 0, 0, 0)}).felt_kcal_mol == 0.0);
-  CHECK(sum.at(pose({1e9, 0, 0})).felt_kcal_mol == 0.0);
-  CHECK(sumOf({argon({})}, {}, PairModel{}).at(pose({})).felt_kcal_mol == 0.0);
+  CHECK(sum.at(pose({NAN, 0, 0})).energy.felt_kcal_mol == 0.0);
+  CHECK(sum.at({{Vec3(0.0)}, Quat(NAN, 0, 0, 0)}).energy.felt_kcal_mol == 0.0);
+  CHECK(sum.at(pose({1e9, 0, 0})).energy.felt_kcal_mol == 0.0);
+  CHECK(sumOf({argon({})}, {}, PairModel{}).at(pose({})).energy.felt_kcal_mol == 0.0);
 }

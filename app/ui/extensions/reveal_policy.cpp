@@ -90,10 +90,11 @@ std::string RevealPolicy::unnamedText(bool spoken) const {
 
 TouchMoment RevealPolicy::heard(const ServoSample& sample, double slide_A_per_s) const {
   TouchMoment out{
-      .force_N = glm::length(sample.force.N), .slide_A_per_s = slide_A_per_s, .field = sample.field && sample.felt()};
+      .force_N = glm::length(sample.force.N), .slide_A_per_s = slide_A_per_s, .field = sample.inField() && sample.felt()};
   if (names(sample.contact)) {
     out.feature = sample.contact.feature;
     out.atoms = sample.contact.atoms;
+    if (sample.holds_body) out.contacts = scene_.bodyContacts().count;
   } else if (sample.contact.touching()) {  // always the sound of the same single atom
     out.feature = Feature::Sphere;
     out.atoms = {0, -1, -1};

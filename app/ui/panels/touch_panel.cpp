@@ -5,6 +5,7 @@
 
 #include "app/ui/application/application.h"
 #include "app/ui/extensions/extensions.h"
+#include "app/ui/panels/energy_plot.h"
 #include "app/ui/panels/method_chooser.h"
 #include "app/ui/panels/while_locked.h"
 #include "app/ui/widgets/controls.h"
@@ -66,6 +67,7 @@ void drawPartSwitches(Application& app) {
 void drawTouchTab(Application& app) {
   plot("plot/force", app.scene.log().force(), app.scene.log().shownForce_N(),
        {.title = tr("Force"), .min_top = 1.0f, .shown_as = {Dimension::Force, {decimals(1), {}}}});
+  drawEnergyPlot(app);
   ImGui::Spacing();
   drawTouchControls(app, true);
   ImGui::Spacing();

@@ -128,6 +128,9 @@ ViewInput readInput(Application& app, ImVec2 low, glm::dvec2 size) {
   if (turns_hand && app.panels.window.fingers) in.hand_roll_rad = double(io.MouseWheelH) * Fingers::kTwistNotch_rad;
   if ((hovered || in.press) && !panning && !turning && ImGui::IsMousePosValid())
     in.pointer_px = glm::dvec2(io.MousePos.x - low.x, io.MousePos.y - low.y);
+  in.over_control = !hovered && !active && ImGui::IsMousePosValid() && !app.panels.window.fingers &&
+                    io.MousePos.x >= low.x && io.MousePos.x < low.x + float(size.x) && io.MousePos.y >= low.y &&
+                    io.MousePos.y < low.y + float(size.y);
   readKeys(app, in);
   // If a task changes the stiffness, the hand keeps the depth of its press, so that the change is felt.
   if (app.extensions().task_stager.changesStiffness())
@@ -158,7 +161,7 @@ ViewScene seenScene(const Application& app) {
     scene.contact = now.contact;
     if (now.contact.touching()) scene.named_atoms = app.extensions().state_text.namedAtoms();
     scene.force_N = app.scene.log().force_N();
-    if (now.field && now.felt()) scene.field_direction = now.forceDirection();
+    if (now.inField() && now.felt()) scene.field_direction = now.forceDirection();
     scene.arrow_A_per_N =
         app.scene.camera.pixel_A(app.scene.camera.distance_A, std::max(1, int(app.layout().view.size().y))) *
         look().px(kArrow_px_per_N);

@@ -6,7 +6,7 @@
 
 #include "engine/core/saturated.h"
 #include "engine/haptics/sweep.h"
-#include "engine/structure/atom_charges.h"
+#include "engine/structure/interaction_input.h"
 
 namespace moltact {
 namespace {
@@ -47,7 +47,7 @@ double clearanceAt(const SphereGrid& resting, const ServoSample& s, const Sphere
 MethodWatch::MethodWatch() : turns_(std::size_t(TouchLog::kPlot_s / kTick_s) / TouchLog::kTicksAPoint) {}
 
 std::unique_ptr<Interaction> MethodWatch::makeReference(const TouchSetup& reference) const {
-  return makeInteraction({.spheres = spheres_, .touch = reference, .chemistry = chemistryFor(reference, *molecule_)});
+  return makeInteraction(interactionInput(reference, *molecule_, spheres_));
 }
 
 void MethodWatch::begin(const TouchableModel& stage, const TouchSetup& felt) {

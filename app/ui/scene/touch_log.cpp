@@ -22,6 +22,13 @@ void TouchLog::add(const ServoSample& sample) {
   if (++in_point_ == kTicksAPoint) {
     force_.add(force_peak_);
     work_.add(work_peak_);
+    if (const auto& energy = sample.molecular_energy) {
+      if (!energies_) energies_ = Energies{PlotBuffer(kPoints), PlotBuffer(kPoints)};
+      energies_->van_der_waals.add(saturateToFloat(energy->van_der_waals_kcal_mol));
+      energies_->electrostatic.add(saturateToFloat(energy->electrostatic_kcal_mol));
+    } else {
+      energies_.reset();
+    }
     force_peak_ = work_peak_ = 0.0f;
     in_point_ = 0;
   }
@@ -64,6 +71,7 @@ void TouchLog::clear() {
   latest_ = ServoSample();
   latest_force_N_ = shown_N_ = 0;
   force_ = PlotBuffer(kPoints);
+  energies_.reset();
   force_peak_ = 0;
   left_behind_s_ = 0;
 }

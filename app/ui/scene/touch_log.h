@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "app/ui/widgets/plot_buffer.h"
@@ -33,6 +34,12 @@ class TouchLog {
   const LoopHealth& health() const { return health_; }
   const PlotBuffer& force() const { return force_; }  ///< the maximum of every kTicksAPoint ticks (unit: newton)
   const PlotBuffer& work() const { return work_; }    ///< likewise (unit: microsecond)
+  /// The molecular energy over the same time, one value per point (unit: kcal/mol); null where no forces between atoms
+  /// act.
+  struct Energies {
+    PlotBuffer van_der_waals, electrostatic;
+  };
+  const Energies* energies() const { return energies_ ? &*energies_ : nullptr; }
   double force_N() const { return latest_force_N_; }
   /// The force that the whole window displays: rounded to tenths of a newton and changed at a readable pace.
   double shownForce_N() const { return shown_N_; }
@@ -56,6 +63,7 @@ class TouchLog {
   double latest_force_N_ = 0, left_behind_s_ = 0;
   double shown_N_ = 0, shown_since_s_ = 0;
   PlotBuffer force_, work_;
+  std::optional<Energies> energies_;
   float force_peak_ = 0, work_peak_ = 0;
   std::size_t in_point_ = 0;
   LoopHealth health_;

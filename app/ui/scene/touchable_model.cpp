@@ -5,7 +5,7 @@
 
 #include "engine/language/catalogue.h"
 #include "engine/servo/safety_stage.h"
-#include "engine/structure/atom_charges.h"
+#include "engine/structure/interaction_input.h"
 #include "engine/workspace/fit_workspace.h"
 
 namespace moltact {
@@ -79,8 +79,7 @@ void leadToContact(Interaction& made, const Contact& contact, const PoseA& hand)
 std::unique_ptr<Interaction> interactionAt(const TouchableModel& stage, const TouchSetup& touch, const Contact& contact,
                                            const PoseA& hand, const DeviceSpecs& device) {
   if (!stage) return nullptr;
-  InteractionInput input{
-      .spheres = stage.spheres, .touch = touch, .body = stage.body, .chemistry = chemistryFor(touch, *stage.molecule)};
+  InteractionInput input = interactionInput(touch, *stage.molecule, stage.spheres, stage.body);
   if (stage.body) {
     const double lever_A =
         springLever_A(radiusOfGyration_A(*stage.body), stage.workspace.A_per_mm, touch.stiffness_N_per_mm, device);

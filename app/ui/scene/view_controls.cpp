@@ -66,6 +66,7 @@ void ViewControls::update(const ViewInput& in, Camera& camera, const SphereGrid*
     pointer.pointer_px = glm::dvec2(px.x, px.y);
   }
   first_aim_.reset();
+  pointer.over_control = in.over_control;
   pointer.keys = in.probe_keys;
   pointer.press = pressing_;
   pointer.touching = felt.contact.touching();
@@ -85,6 +86,14 @@ void ViewControls::update(const ViewInput& in, Camera& camera, const SphereGrid*
     pointer.pull_N = pull.force_N;
     pointer.pull_N_per_A = pull.stiffness_N_per_A;
     pointer.well_N_A = felt.field->energy_N_A;
+  }
+  if (const auto& energy = felt.molecular_energy; energy && settings.force_on) {
+    const FeltForce pull = felt.wanted();
+    pointer.field = true;
+    pointer.pull_N = pull.force_N;
+    pointer.pull_N_per_A = pull.stiffness_N_per_A;
+    // The minimum of coupling and field is a well of the hand.
+    pointer.well_N_A = pull.energy_N_A + energy->felt_kcal_mol * felt.spring_N_per_A / energy->coupling_kcal_mol_A2;
   }
   pointer.dt_s = in.dt_s;
   const PointA before_lead = lead_;

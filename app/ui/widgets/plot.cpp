@@ -22,27 +22,66 @@ float roundUp(float value) {
   return value;
 }
 
-}  // namespace
+// The plot's area, below a title at the left and a text at the right.
+struct PlotFrame {
+  ImVec2 a, b, head;  ///< corners of the area, and the place of the title
+  ImFont* font;
+  float small;
+};
 
-void plot(const char* name, const PlotBuffer& buffer, double newest, const PlotLook& how) {
+PlotFrame plotFrame(const PlotLook& how, const std::string& reading) {
   const Look& l = look();
-  const Palette& p = l.palette;
   const float width = ImGui::GetContentRegionAvail().x, small = l.font(Font::Small)->FontSize;
-  const std::string reading = quantityText(newest * how.shown_as.code_units, how.shown_as.dimension, how.shown_as.how);
-
   const float head = small + l.px(6), body = l.px(how.height);
   ImGui::Dummy({width, head + body});
   const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
   ImDrawList* draw = ImGui::GetWindowDrawList();
   ImFont* font = l.font(Font::Small);
   const std::string title = trf("{0}, last {1}", how.title, quantityText(how.span_s, Dimension::Time, decimals(0)));
-  draw->AddText(font, small, low, p.quiet, title.c_str());
+  draw->AddText(font, small, low, l.palette.quiet, title.c_str());
   const float reading_w = font->CalcTextSizeA(small, 1e9f, 0.0f, reading.c_str()).x;
   if (font->CalcTextSizeA(small, 1e9f, 0.0f, title.c_str()).x + reading_w > width) widgets().noteCut(title);
-  draw->AddText(font, small, {high.x - reading_w, low.y}, p.text, reading.c_str());
+  draw->AddText(font, small, {high.x - reading_w, low.y}, l.palette.text, reading.c_str());
+  const ImVec2 a{low.x, low.y + head};
+  draw->AddRectFilled(a, high, l.palette.raised, l.px(6));
+  return {a, high, low, font, small};
+}
 
-  const ImVec2 a{low.x, low.y + head}, b = high;
-  draw->AddRectFilled(a, b, p.raised, l.px(6));
+// Calls point(x, values from, to) for each pixel column of the area that has values, by their ages.
+template <class Point>
+void eachColumn(const PlotBuffer& buffer, const PlotFrame& frame, Point&& point) {
+  if (buffer.size() < 2) return;
+  const float width = frame.b.x - frame.a.x;
+  const std::size_t columns = std::min<std::size_t>(std::max<std::size_t>(2, std::size_t(width)), buffer.capacity());
+  for (std::size_t c = 0; c < columns; ++c) {
+    const std::size_t newest_age = (columns - 1 - c) * buffer.capacity() / columns;
+    const std::size_t oldest_age = std::min((columns - c) * buffer.capacity() / columns, buffer.size());
+    if (newest_age < oldest_age)
+      point(frame.a.x + width * float(c) / float(columns - 1), newest_age, oldest_age);
+  }
+}
+
+// The number at the end of a scale, above the curves, which may pass behind it.
+void scaleEnd(const PlotFrame& frame, float value, const ImVec2& at) {
+  const Look& l = look();
+  const std::string text = numberText(double(value), std::abs(value) < 1.0f ? plain(2) : decimals(0));
+  const float size_px = frame.small * 0.86f;
+  const ImVec2 size = frame.font->CalcTextSizeA(size_px, 1e9f, 0.0f, text.c_str());
+  ImDrawList* draw = ImGui::GetWindowDrawList();
+  draw->AddRectFilled({at.x - l.px(2), at.y}, {at.x + size.x + l.px(2), at.y + size.y}, faded(l.palette.raised, 0.85f),
+                      l.px(3));
+  draw->AddText(frame.font, size_px, at, l.palette.quiet, text.c_str());
+}
+
+}  // namespace
+
+void plot(const char* name, const PlotBuffer& buffer, double newest, const PlotLook& how) {
+  const Look& l = look();
+  const Palette& p = l.palette;
+  const std::string reading = quantityText(newest * how.shown_as.code_units, how.shown_as.dimension, how.shown_as.how);
+  const PlotFrame frame = plotFrame(how, reading);
+  const auto& [a, b, head, font, small] = frame;
+  ImDrawList* draw = ImGui::GetWindowDrawList();
   float top = how.min_top;
   for (std::size_t k = 0; k < buffer.size(); ++k) top = std::max(top, buffer.ago(k));
   top = roundUp(std::min(top, 1e30f) * 1.02f);
@@ -51,33 +90,64 @@ void plot(const char* name, const PlotBuffer& buffer, double newest, const PlotL
   for (const float part : {0.5f, 1.0f}) draw->AddLine({a.x, y(part * top)}, {b.x, y(part * top)}, p.line, 1.0f);
 
   // One point per pixel column: the largest of the values in that column.
-  if (buffer.size() > 1) {
-    draw->PushClipRect(a, b, true);
-    const std::size_t columns = std::min<std::size_t>(std::max<std::size_t>(2, std::size_t(width)), buffer.capacity());
-    ImVec2 before{};
-    const ImU32 fill = faded(p.accent, 0.18f);
-    for (std::size_t c = 0; c < columns; ++c) {
-      const std::size_t newest_age = (columns - 1 - c) * buffer.capacity() / columns;
-      const std::size_t oldest_age = std::min((columns - c) * buffer.capacity() / columns, buffer.size());
-      if (newest_age >= oldest_age) continue;
-      float most = 0.0f;
-      for (std::size_t age = newest_age; age < oldest_age; ++age) most = std::max(most, buffer.ago(age));
-      const ImVec2 here{a.x + (b.x - a.x) * float(c) / float(columns - 1), y(most)};
-      if (before.x > 0.0f) {
-        draw->AddQuadFilled(before, here, {here.x, y0}, {before.x, y0}, fill);
-        draw->AddLine(before, here, p.accent, l.px(1.6f));
-      }
-      before = here;
+  draw->PushClipRect(a, b, true);
+  ImVec2 before{};
+  const ImU32 fill = faded(p.accent, 0.18f);
+  eachColumn(buffer, frame, [&](float x, std::size_t newest_age, std::size_t oldest_age) {
+    float most = 0.0f;
+    for (std::size_t age = newest_age; age < oldest_age; ++age) most = std::max(most, buffer.ago(age));
+    const ImVec2 here{x, y(most)};
+    if (before.x > 0.0f) {
+      draw->AddQuadFilled(before, here, {here.x, y0}, {before.x, y0}, fill);
+      draw->AddLine(before, here, p.accent, l.px(1.6f));
     }
-    draw->PopClipRect();
-  }
-  // Drawn above the curve, which may pass behind it.
-  const std::string most = numberText(double(top), top < 1.0f ? plain(2) : decimals(0));
-  const ImVec2 size = font->CalcTextSizeA(small * 0.86f, 1e9f, 0.0f, most.c_str()), at{a.x + l.px(6), y(top) + l.px(1)};
-  draw->AddRectFilled({at.x - l.px(2), at.y}, {at.x + size.x + l.px(2), at.y + size.y}, faded(p.raised, 0.85f),
-                      l.px(3));
-  draw->AddText(font, small * 0.86f, at, p.quiet, most.c_str());
+    before = here;
+  });
+  draw->PopClipRect();
+  scaleEnd(frame, top, {a.x + l.px(6), y(top) + l.px(1)});
   recordItem(name, reading);
+}
+
+void signedPlot(const char* name, std::span<const PlotCurve> curves, const PlotLook& how) {
+  const Look& l = look();
+  const Palette& p = l.palette;
+  const PlotFrame frame = plotFrame(how, {});
+  const ImVec2 a = frame.a, b = frame.b;
+  ImDrawList* draw = ImGui::GetWindowDrawList();
+  float top = how.min_top, bottom = -how.min_top;
+  for (const PlotCurve& c : curves)
+    for (std::size_t k = 0; k < c.buffer->size(); ++k)
+      top = std::max(top, c.buffer->ago(k)), bottom = std::min(bottom, c.buffer->ago(k));
+  top = roundUp(std::min(top, 1e30f) * 1.02f);
+  bottom = -roundUp(std::min(-bottom, 1e30f) * 1.02f);
+  const float inset = l.px(6), y0 = b.y - inset, y1 = a.y + inset;
+  const auto y = [&](float v) { return y0 - (y0 - y1) * std::clamp((v - bottom) / (top - bottom), 0.0f, 1.0f); };
+  for (const float v : {bottom, top}) draw->AddLine({a.x, y(v)}, {b.x, y(v)}, p.line, 1.0f);
+  draw->AddLine({a.x, y(0.0f)}, {b.x, y(0.0f)}, p.quiet, 1.0f);
+  draw->PushClipRect(a, b, true);
+  for (const PlotCurve& c : curves) {
+    ImVec2 before{};
+    eachColumn(*c.buffer, frame, [&](float x, std::size_t newest_age, std::size_t) {
+      const ImVec2 here{x, y(c.buffer->ago(newest_age))};
+      if (before.x > 0.0f) draw->AddLine(before, here, c.colour, l.px(1.8f));
+      before = here;
+    });
+  }
+  draw->PopClipRect();
+  scaleEnd(frame, top, {a.x + l.px(6), y(top) + l.px(1)});
+  scaleEnd(frame, bottom, {a.x + l.px(6), y(bottom) - frame.small});
+  // Each curve's newest value, in its colour.
+  std::string all;
+  for (const PlotCurve& c : curves) {
+    const std::string text = c.title + "  " + c.reading;
+    ImGui::PushStyleColor(ImGuiCol_Text, c.colour);
+    ImGui::PushFont(frame.font);
+    ImGui::TextUnformatted(text.c_str());
+    ImGui::PopFont();
+    ImGui::PopStyleColor();
+    all += (all.empty() ? "" : "; ") + c.title + " " + c.reading;
+  }
+  recordItem(name, all);
 }
 
 }  // namespace moltact

@@ -1,6 +1,11 @@
 // Draws a live plot of a buffer's newest values on ImGui's draw list. Window's thread.
 #pragma once
 
+#include <imgui.h>
+
+#include <span>
+#include <string>
+
 #include "app/ui/widgets/controls.h"
 #include "app/ui/widgets/plot_buffer.h"
 
@@ -16,5 +21,17 @@ struct PlotLook {
 
 /// Draws the plot as wide as there is room. Recorded as `name`, with the newest value as its text.
 void plot(const char* name, const PlotBuffer& buffer, double newest, const PlotLook& how);
+
+/// One of several quantities of either sign in a plot.
+struct PlotCurve {
+  const PlotBuffer* buffer = nullptr;
+  std::string title;    ///< of the curve, shown with its newest value in its colour
+  std::string reading;  ///< the newest value with its unit
+  ImU32 colour = 0;
+};
+
+/// Draws curves about a line of zero, with their titles above the plot. `look.min_top` is the least range to either side.
+/// Recorded as `name`, with the readings as its text.
+void signedPlot(const char* name, std::span<const PlotCurve> curves, const PlotLook& look);
 
 }  // namespace moltact

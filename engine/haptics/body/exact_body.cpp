@@ -7,7 +7,6 @@
 namespace moltact {
 namespace {
 
-constexpr double kMinLever_A = 0.5;
 constexpr double kScenePiece_A = 0.02;  // largest motion of the scene's spheres before the body is moved out of them
 constexpr double kMaxScenePieces = 64.0;
 
@@ -25,7 +24,7 @@ void ExactBody::reset() noexcept {
   at_rest_ = true;
   held_count_ = 0;
   free_room_ = rotation_ = first_rotation_ = 0.0;
-  slip_ = kNoRotation;
+  coupling_.reset();
   rows_known_ = metric_known_ = false;
 }
 
@@ -74,30 +73,9 @@ bool ExactBody::armed(const PoseA& pose) noexcept {
   if (pairs_.overlaps(hand)) return false;
   reset();
   armed_ = true;
-  last_hand_ = pose;
+  coupling_.begin(pose);
   pose_ = hand;
   return true;
-}
-
-// Sets the orientation to which the rotational spring turns the body. Beyond kSlip_rad the coupling slips by the excess,
-// as a friction clutch does, so that the torque does not change its sign at half a turn. While the body is free, the slip
-// is undone in proportion to the motion of the hand.
-void ExactBody::slip(const PoseA& pose) noexcept {
-  if (held_count_ == 0 && slip_ != kNoRotation) {
-    const Vec3 angle = rotationBetween(kNoRotation, slip_);
-    const double slipped = glm::length(angle),
-                 hand = glm::distance(pose.place.A, last_hand_.place.A) / lever_ +
-                        glm::length(rotationBetween(last_hand_.orientation, pose.orientation));
-    slip_ = hand >= slipped ? kNoRotation : glm::angleAxis(slipped - hand, angle / slipped);
-  }
-  last_hand_ = pose;
-  hand_ = BodyPose(pose.place.A - pairs_.origin(), slip_ == kNoRotation ? pose.orientation : pose.orientation * slip_);
-  if (held_count_ == 0) return;
-  const Vec3 theta = rotationBetween(pose_.orientation, hand_.orientation);
-  const double angle = glm::length(theta);
-  if (angle <= kSlip_rad) return;
-  hand_ = BodyPose(hand_.place, glm::angleAxis(kSlip_rad, theta / angle) * pose_.orientation);
-  slip_ = glm::normalize(glm::conjugate(pose.orientation) * hand_.orientation);
 }
 
 Response ExactBody::respond(const PoseA& pose) noexcept {
@@ -112,7 +90,8 @@ Response ExactBody::respond(const PoseA& pose) noexcept {
     return refused(Fault::NotFinite);
   if (moved_) followScene();
   if (!armed(pose)) return refused(Fault::StartedInside);
-  slip(pose);
+  hand_ = BodyPose(pose.place.A - pairs_.origin(),
+                   coupling_.orientation(pose, pose_.orientation, held_count_ == 0, lever_));
   steps_ = changes_ = 0;
   if (held_count_ == 0 && surfaceMotion_A(free_from_, hand_, pairs_.reach_A()) < free_room_) {
     pose_ = hand_;

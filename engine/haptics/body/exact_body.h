@@ -17,6 +17,7 @@
 #include "engine/haptics/body/body_pairs.h"
 #include "engine/haptics/body/held_body.h"
 #include "engine/haptics/body/six.h"
+#include "engine/haptics/body/slip_coupling.h"
 #include "engine/haptics/body/small_qp.h"
 #include "engine/haptics/interaction.h"
 
@@ -26,7 +27,6 @@ class ExactBody final : public Interaction {
  public:
   static constexpr int kMaxSteps = 40;      ///< steps per tick; beyond them the search continues in the next tick
   static constexpr int kMaxChanges = 600;   ///< changes of active constraints per tick, likewise
-  static constexpr double kSlip_rad = 2.0;  ///< beyond this angle the rotational spring slips
   static constexpr double kSkin_A = 1e-10;  ///< spheres come no nearer than this
 
   /// `body` must not be null. `rotational_A2` is k_r / k = L^2 (unit: square angstrom per square radian); 0: the square
@@ -74,7 +74,6 @@ class ExactBody final : public Interaction {
 
   // exact_body.cpp
   bool armed(const PoseA& pose) noexcept;
-  void slip(const PoseA& pose) noexcept;
   void followScene() noexcept;
   Response response(const PoseA& pose) const noexcept;
 
@@ -114,8 +113,7 @@ class ExactBody final : public Interaction {
   double goal_fraction_ = 0.0;
   BodyPose pose_;            // relative to pairs_.origin(), like all positions
   BodyPose hand_;            // with the slip
-  Quat slip_ = kNoRotation;  // the coupling's orientation is the hand's times this
-  PoseA last_hand_;
+  SlipCoupling coupling_;
   double free_room_ = 0.0;  // no contact for a body that moves by less than this from free_from_
   BodyPose free_from_;
 

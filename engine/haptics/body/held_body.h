@@ -38,6 +38,9 @@ std::shared_ptr<const HeldBody> heldBody(std::span<const Sphere> scene, std::spa
 /// unchanged. Returns null if there are none or more than kMaxHeldAtoms.
 std::shared_ptr<const HeldBody> bodyOfSpheres(std::vector<Sphere> spheres);
 
+/// The least lever of the spring that turns a body to the hand's orientation (unit: angstrom).
+inline constexpr double kMinLever_A = 0.5;
+
 /// Root of the mean squared distance of the spheres' centres from the middle.
 double radiusOfGyration_A(const HeldBody& body);
 

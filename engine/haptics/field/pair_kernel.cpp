@@ -85,47 +85,67 @@ MOLTACT_INLINE double total(V8 v) {
   return out;
 }
 
+// The pairs of one block.
+struct PairLanes {
+  V8 dx, dy, dz, van_der_waals, electrostatic;
+  V8 slope, curvature;  // twice the energy's derivative by t, and four times its second derivative
+};
+
+template <Dielectric kind>
+MOLTACT_INLINE PairLanes pairs(const PairBlock& block, const PairConstants& c, const PairOwn& own) {
+  PairLanes out;
+  out.dx = own.x - load(block.x), out.dy = own.y - load(block.y), out.dz = own.z - load(block.z);
+  const V8 far = out.dx * out.dx + out.dy * out.dy + out.dz * out.dz;
+  const V8 t = greater(far, all(kMinPair_A * kMinPair_A)), inverse_t = 1.0f / t;
+  const V8 u = smaller(greater((c.cut2 - t) * c.inverse_width, all(0.0f)), all(1.0f));
+  const V8 s = u * u * (3.0f - u * 2.0f), s1 = u * (1.0f - u) * (-6.0f * c.inverse_width);
+  const M8 between = (t > c.from2) & (t < c.cut2);
+  const V8 s2 = between ? (6.0f - u * 12.0f) * (c.inverse_width * c.inverse_width) : all(0.0f);
+  const Curve lj = switched(lennardJones(inverse_t, own.half_minimum_A + load(block.half_minimum_A),
+                                         own.root_depth * load(block.root_depth)),
+                            s, s1, s2);
+  const Curve el = switched(coulomb<kind>(t, inverse_t, (c.coulomb * own.charge_e) * load(block.charge_e)), s, s1, s2);
+  // Nearer than kMinPair_A the energy continues with the slope at that distance.
+  const V8 inside = far - t;
+  out.van_der_waals = lj.value + lj.first * inside;
+  out.electrostatic = el.value + el.first * inside;
+  out.slope = (lj.first + el.first) * 2.0f;
+  out.curvature = inside < 0.0f ? all(0.0f) : (lj.second + el.second) * 4.0f;
+  return out;
+}
+
 template <Dielectric kind, bool curved>
 MOLTACT_INLINE void add(const PairBlock* blocks, int count, const PairConstants& c, const PairOwn& own,
                         PairTerms& terms) noexcept {
   V8 vdw{}, electric{}, gx{}, gy{}, gz{}, xx{}, yy{}, zz{}, xy{}, xz{}, yz{};
   for (int b = 0; b < count; ++b) {
-    const PairBlock& block = blocks[b];
-    const V8 dx = own.x - load(block.x), dy = own.y - load(block.y), dz = own.z - load(block.z);
-    const V8 far = dx * dx + dy * dy + dz * dz;
-    const V8 t = greater(far, all(kMinPair_A * kMinPair_A)), inverse_t = 1.0f / t;
-    const V8 u = smaller(greater((c.cut2 - t) * c.inverse_width, all(0.0f)), all(1.0f));
-    const V8 s = u * u * (3.0f - u * 2.0f), s1 = u * (1.0f - u) * (-6.0f * c.inverse_width);
-    const M8 between = (t > c.from2) & (t < c.cut2);
-    const V8 s2 = between ? (6.0f - u * 12.0f) * (c.inverse_width * c.inverse_width) : all(0.0f);
-    const Curve lj = switched(lennardJones(inverse_t, own.half_minimum_A + load(block.half_minimum_A),
-                                           own.root_depth * load(block.root_depth)),
-                              s, s1, s2);
-    const Curve el =
-        switched(coulomb<kind>(t, inverse_t, (c.coulomb * own.charge_e) * load(block.charge_e)), s, s1, s2);
-    // Nearer than kMinPair_A the energy continues with the slope at that distance.
-    const V8 inside = far - t;
-    vdw += lj.value + lj.first * inside;
-    electric += el.value + el.first * inside;
-    const V8 first = (lj.first + el.first) * 2.0f;
-    gx += first * dx;
-    gy += first * dy;
-    gz += first * dz;
+    const PairLanes p = pairs<kind>(blocks[b], c, own);
+    vdw += p.van_der_waals;
+    electric += p.electrostatic;
+    gx += p.slope * p.dx;
+    gy += p.slope * p.dy;
+    gz += p.slope * p.dz;
     if constexpr (!curved) continue;
-    const V8 second = inside < 0.0f ? all(0.0f) : (lj.second + el.second) * 4.0f;
-    const V8 ax = second * dx, ay = second * dy;
-    xx += first + ax * dx;
-    yy += first + ay * dy;
-    zz += first + second * dz * dz;
-    xy += ax * dy;
-    xz += ax * dz;
-    yz += ay * dz;
+    const V8 ax = p.curvature * p.dx, ay = p.curvature * p.dy;
+    xx += p.slope + ax * p.dx;
+    yy += p.slope + ay * p.dy;
+    zz += p.slope + p.curvature * p.dz * p.dz;
+    xy += ax * p.dy;
+    xz += ax * p.dz;
+    yz += ay * p.dz;
   }
   terms.van_der_waals += total(vdw);
   terms.electrostatic += total(electric);
   terms.gradient += Vec3(total(gx), total(gy), total(gz));
   const V8* const curvature[] = {&xx, &yy, &zz, &xy, &xz, &yz};
   for (int k = 0; k < 6; ++k) terms.curvature[std::size_t(k)] += total(*curvature[k]);
+}
+
+template <Dielectric kind>
+void eachPair(const PairBlock& block, const PairConstants& c, const PairOwn& own, PairGradients& out) noexcept {
+  const PairLanes p = pairs<kind>(block, c, own);
+  const V8 x = p.slope * p.dx, y = p.slope * p.dy, z = p.slope * p.dz;
+  for (int k = 0; k < PairBlock::kLanes; ++k) out[std::size_t(k)] = Vec3(double(x[k]), double(y[k]), double(z[k]));
 }
 
 template <Dielectric kind, bool curved>
@@ -144,13 +164,13 @@ __attribute__((target("avx2"))) void addAvx2(const PairBlock* blocks, int count,
 
 template <Dielectric kind>
 PairKernel plain() noexcept {
-  return {&addPlain<kind, false>, &addPlain<kind, true>};
+  return {&addPlain<kind, false>, &addPlain<kind, true>, &eachPair<kind>};
 }
 
 template <Dielectric kind>
 PairKernel fastest() noexcept {
 #ifdef MOLTACT_HAS_AVX2_LOOP
-  if (__builtin_cpu_supports("avx2")) return {&addAvx2<kind, false>, &addAvx2<kind, true>};
+  if (__builtin_cpu_supports("avx2")) return {&addAvx2<kind, false>, &addAvx2<kind, true>, &eachPair<kind>};
 #endif
   return plain<kind>();
 }

@@ -37,9 +37,15 @@ struct PairConstants {
 using AddPairs = void (*)(const PairBlock* blocks, int count, const PairConstants& constants, const PairOwn& own,
                           PairTerms& terms) noexcept;
 
-/// The loop without the curvature and with it; the latter takes about twice the time.
+/// The gradient of each pair's energy, by the own atom's position (unit: kcal/mol/A).
+using PairGradients = std::array<Vec3, PairBlock::kLanes>;
+using EachPair = void (*)(const PairBlock& block, const PairConstants& constants, const PairOwn& own,
+                          PairGradients& out) noexcept;
+
+/// The loop without the curvature and with it, which takes about twice the time; and the pairs one by one.
 struct PairKernel {
   AddPairs slope = nullptr, curvature = nullptr;
+  EachPair each = nullptr;
 };
 
 /// The loops for this processor.

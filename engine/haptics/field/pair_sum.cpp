@@ -48,7 +48,8 @@ PairSum::PairSum(std::shared_ptr<const SphereGrid> scene, std::vector<PairAtom> 
       kernel_(pairKernel(model.kind)),
       lists_(body_.size()),
       places_(body_.size()),
-      curvatures_(body_.size()) {
+      curvatures_(body_.size()),
+      slopes_(body_.size()) {
   // No atom has more neighbours than there are atoms, nor than fit round the most crowded place; the latter is bounded
   // by twice a protein's density with all hydrogens, 0.1 atoms per cubic angstrom.
   const double reach = model_.cutoff_A + kMargin_A;
@@ -99,8 +100,9 @@ void PairSum::renew(List& list, const Vec3& centre) noexcept {
       last = fresh;
       at = 0;
     }
-    put(chunks_[std::size_t(last)].blocks[std::size_t(at / PairBlock::kLanes)], at % PairBlock::kLanes, relative,
-        atoms_[index]);
+    Chunk& chunk = chunks_[std::size_t(last)];
+    put(chunk.blocks[std::size_t(at / PairBlock::kLanes)], at % PairBlock::kLanes, relative, atoms_[index]);
+    chunk.atoms[std::size_t(at)] = index;
     ++at;
     ++list.atoms;
     return true;
@@ -118,11 +120,59 @@ void PairSum::renew(List& list, const Vec3& centre) noexcept {
   ++renewed_;
 }
 
-PairTerms PairSum::sum(const List& list, const Vec3& place, const PairAtom& own, AddPairs add) const noexcept {
+PairOwn PairSum::own(std::size_t atom) const noexcept {
+  const PairAtom& a = body_[atom];
+  const Vec3 at = lists_[atom].whole ? places_[atom] - lists_[atom].centre_A : Vec3(0.0);
+  return {float(at.x), float(at.y), float(at.z), a.charge_e, a.half_minimum_A, std::sqrt(a.depth_kcal_mol)};
+}
+
+template <class Visit>
+void PairSum::eachPairOf(std::size_t atom, Visit&& visit) const noexcept {
+  const List& list = lists_[atom];
+  const PairOwn self = own(atom);
+  PairGradients gradients;
+  if (list.whole) {
+    int left = list.atoms;
+    for (std::int32_t k = list.first; k >= 0; k = chunks_[std::size_t(k)].next) {
+      const Chunk& chunk = chunks_[std::size_t(k)];
+      for (int at = 0; at < Chunk::kAtoms && left > 0; at += PairBlock::kLanes) {
+        kernel_.each(chunk.blocks[std::size_t(at / PairBlock::kLanes)], constants_, self, gradients);
+        for (int lane = 0; lane < PairBlock::kLanes && left > 0; ++lane, --left)
+          visit(chunk.atoms[std::size_t(at + lane)], gradients[std::size_t(lane)]);
+      }
+    }
+    return;
+  }
+  PairBlock block;
+  clear(block, 0);
+  scene_->visitCentresNear(places_[atom], model_.cutoff_A, [&](std::uint32_t index, const Sphere& sphere) {
+    put(block, 0, sphere.centre_A - places_[atom], atoms_[index]);
+    kernel_.each(block, constants_, self, gradients);
+    visit(index, gradients[0]);
+  });
+}
+
+std::size_t PairSum::sceneForces(std::span<Vec3> forces, std::span<std::uint32_t> near) const noexcept {
+  std::size_t count = 0;
+  // Not a number marks an atom that is not in `near` yet.
+  for (std::size_t k = 0; k < body_.size(); ++k)
+    eachPairOf(k, [&](std::uint32_t index, const Vec3&) { forces[index].x = NAN; });
+  for (std::size_t k = 0; k < body_.size(); ++k)
+    eachPairOf(k, [&](std::uint32_t index, const Vec3& gradient) {
+      if (std::isnan(forces[index].x)) {
+        forces[index] = Vec3(0.0);
+        near[count++] = index;
+      }
+      forces[index] += slopes_[k] * gradient;
+    });
+  return count;
+}
+
+PairTerms PairSum::sum(std::size_t atom, AddPairs add) const noexcept {
   PairTerms terms;
-  const Vec3 at = list.whole ? place - list.centre_A : Vec3(0.0);
-  const PairOwn self{float(at.x),  float(at.y),        float(at.z),
-                     own.charge_e, own.half_minimum_A, std::sqrt(own.depth_kcal_mol)};
+  const List& list = lists_[atom];
+  const Vec3& place = places_[atom];
+  const PairOwn self = own(atom);
   if (list.whole) {
     int left = (list.atoms + PairBlock::kLanes - 1) / PairBlock::kLanes;
     for (std::int32_t k = list.first; k >= 0; k = chunks_[std::size_t(k)].next) {
@@ -171,10 +221,10 @@ PairEnergy PairSum::at(const PoseA& pose) noexcept {
   for (std::size_t k = 0; k < body_.size(); ++k) {
     if (lists_[k].whole && lists_[k].atoms == 0) continue;
     const bool curved = calls_ < kCurvatureTicks || (k + calls_) % kCurvatureTicks == 0;
-    const PairTerms terms = sum(lists_[k], places_[k], body_[k], curved ? kernel_.curvature : kernel_.slope);
+    const PairTerms terms = sum(k, curved ? kernel_.curvature : kernel_.slope);
     if (curved) curvatures_[k] = terms.curvature;
-    out.van_der_waals_kcal_mol += terms.van_der_waals;
-    out.electrostatic_kcal_mol += terms.electrostatic;
+    out.energy.van_der_waals_kcal_mol += terms.van_der_waals;
+    out.energy.electrostatic_kcal_mol += terms.electrostatic;
     // phi(E) = E0 asinh(E / E0) above zero, with phi' = 1 / sqrt(1 + (E / E0)^2).
     const double energy = terms.van_der_waals + terms.electrostatic, wall = model_.wall_kcal_mol;
     double felt = energy, first = 1.0, second = 0.0;
@@ -184,7 +234,8 @@ PairEnergy PairSum::at(const PoseA& pose) noexcept {
       first = 1.0 / std::sqrt(1.0 + x * x);
       second = -x / wall * first * first * first;
     }
-    out.felt_kcal_mol += felt;
+    out.energy.felt_kcal_mol += felt;
+    slopes_[k] = first;
     const Vec3 gradient = first * terms.gradient, arm = places_[k] - pose.place.A;
     out.force_kcal_mol_A -= gradient;
     out.torque_kcal_mol -= glm::cross(arm, gradient);

@@ -8,9 +8,11 @@
 #pragma once
 
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "engine/core/units.h"
+#include "engine/haptics/felt_force.h"
 #include "engine/haptics/field/pair_kernel.h"
 #include "engine/haptics/field/pair_model.h"
 #include "engine/haptics/sphere_grid.h"
@@ -19,10 +21,9 @@ namespace moltact {
 
 /// Energy, force and torque on the body, and their curvature.
 struct PairEnergy {
-  double van_der_waals_kcal_mol = 0.0, electrostatic_kcal_mol = 0.0;  ///< before the bound of the walls
-  double felt_kcal_mol = 0.0;                                         ///< after it
-  Vec3 force_kcal_mol_A{0.0};                                         ///< the negative gradient of the felt energy
-  Vec3 torque_kcal_mol{0.0};                                          ///< about the body's middle
+  MolecularEnergy energy;
+  Vec3 force_kcal_mol_A{0.0};  ///< the negative gradient of the felt energy
+  Vec3 torque_kcal_mol{0.0};   ///< about the body's middle
   /// Upper bounds of the felt energy's curvature along any translation and about any axis, at least 0. Of each body atom
   /// the curvature of one of the last kCurvatureTicks calls counts.
   double stiffness_kcal_mol_A2 = 0.0, rotational_stiffness_kcal_mol = 0.0;
@@ -43,7 +44,14 @@ class PairSum {
   /// The energy of the body in this pose of its middle; zero for a pose that is not finite.
   PairEnergy at(const PoseA& pose) noexcept;
 
+  /// The forces of the felt energy on the scene's atoms at the last pose (unit: kcal/mol/A); their sum is the opposite of
+  /// that on the body, to the rounding of float. Both spans have one entry per atom. Writes the indices of atoms within
+  /// the cut-off plus the margin to `near`, the forces on them to `forces` by index, and returns their number.
+  std::size_t sceneForces(std::span<Vec3> forces, std::span<std::uint32_t> near) const noexcept;
+
   const PairModel& model() const noexcept { return model_; }
+  std::size_t bodyAtoms() const noexcept { return body_.size(); }
+  std::size_t sceneAtoms() const noexcept { return atoms_.size(); }
   std::size_t listedPairs() const noexcept { return listed_pairs_; }
   int renewedLists() const noexcept { return renewed_; }  ///< in the last call
   std::size_t bytes() const noexcept;
@@ -52,6 +60,7 @@ class PairSum {
   struct Chunk {
     static constexpr int kBlocks = 4, kAtoms = kBlocks * PairBlock::kLanes;
     std::array<PairBlock, kBlocks> blocks;
+    std::array<std::uint32_t, kAtoms> atoms;  // indices in the scene
     std::int32_t next = -1;
   };
   struct List {
@@ -63,7 +72,10 @@ class PairSum {
 
   void renew(List& list, const Vec3& centre) noexcept;
   void release(List& list) noexcept;
-  PairTerms sum(const List& list, const Vec3& place, const PairAtom& own, AddPairs add) const noexcept;
+  PairOwn own(std::size_t atom) const noexcept;
+  template <class Visit>
+  void eachPairOf(std::size_t atom, Visit&& visit) const noexcept;
+  PairTerms sum(std::size_t atom, AddPairs add) const noexcept;
 
   std::shared_ptr<const SphereGrid> scene_;
   std::vector<PairAtom> atoms_, body_;
@@ -75,6 +87,7 @@ class PairSum {
   std::vector<Chunk> chunks_;
   std::int32_t free_ = -1;
   std::vector<std::array<double, 6>> curvatures_;  // of body_
+  std::vector<double> slopes_;                     // of the bound of each body atom's energy, at the last pose
   std::uint64_t calls_ = 0;
   std::size_t cursor_ = 0, listed_pairs_ = 0;
   int renewed_ = 0;

@@ -2,7 +2,7 @@
 
 #include "engine/lesson/lesson_region.h"
 #include "engine/lesson/scene_atoms.h"
-#include "engine/structure/atom_charges.h"
+#include "engine/structure/interaction_input.h"
 #include "engine/workspace/fit_workspace.h"
 #include "engine/workspace/scale.h"
 
@@ -83,8 +83,7 @@ void VirtualTouch::useMethod(std::string_view name) {
 void VirtualTouch::feelWith(const TouchSetup& wanted) {
   const TouchSetup touch = resolveInteraction(wanted, body_ != nullptr);
   if (!felt_ || !sameConstruction(touch, touch_)) {
-    std::unique_ptr<Interaction> made = makeInteraction(
-        {.spheres = spheres_, .touch = touch, .body = body_, .chemistry = chemistryFor(touch, *molecule_)});
+    std::unique_ptr<Interaction> made = makeInteraction(interactionInput(touch, *molecule_, spheres_, body_));
     if (!made) return;
     felt_ = std::move(made);
     ++settings_.discontinuities;
@@ -92,7 +91,7 @@ void VirtualTouch::feelWith(const TouchSetup& wanted) {
   const TouchSetup reference = referenceOf(touch);
   if (!exact_ || !sameConstruction(reference, referenceOf(touch_)))
     exact_ =
-        makeInteraction({.spheres = spheres_, .touch = reference, .chemistry = chemistryFor(reference, *molecule_)});
+        makeInteraction(interactionInput(reference, *molecule_, spheres_));
   is_reference_ = sameConstruction(touch, reference);
   touch_ = touch;
   settings_.take(touch);
