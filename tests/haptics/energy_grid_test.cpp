@@ -70,7 +70,7 @@ Difference slopeOf(EnergyGrid& grid, const PoseA& at, double step_A) {
   for (int axis = 0; axis < 3; ++axis) {
     Vec3 step(0.0);
     step[axis] = step_A;
-    const auto felt = [&](const PoseA& p) { return grid.at(p).felt_kcal_mol; };
+    const auto felt = [&](const PoseA& p) { return grid.at(p).energy.felt_kcal_mol; };
     out.force[axis] =
         (felt({{at.place.A - step}, at.orientation}) - felt({{at.place.A + step}, at.orientation})) / (2 * step_A);
     out.torque[axis] = (felt({at.place, pose({}, -step).orientation * at.orientation}) -
@@ -144,9 +144,10 @@ TEST_CASE(
         for (int k = 0; k < 100; ++k) {
           const Vec3 at = -Vec3(6.0) + 0.5 * Vec3(k % 25, (k * 7) % 25, (k * 11) % 25);
           const PairEnergy right = sum.at(pose(at)), found = grid.at(pose(at));
-          CHECK(found.van_der_waals_kcal_mol == doctest::Approx(right.van_der_waals_kcal_mol).epsilon(1e-5));
-          CHECK(std::abs(found.electrostatic_kcal_mol - right.electrostatic_kcal_mol) < 2e-5);
-          CHECK(found.felt_kcal_mol == doctest::Approx(right.felt_kcal_mol).epsilon(2e-5));
+          CHECK(found.energy.van_der_waals_kcal_mol ==
+                doctest::Approx(right.energy.van_der_waals_kcal_mol).epsilon(1e-5));
+          CHECK(std::abs(found.energy.electrostatic_kcal_mol - right.energy.electrostatic_kcal_mol) < 2e-5);
+          CHECK(found.energy.felt_kcal_mol == doctest::Approx(right.energy.felt_kcal_mol).epsilon(2e-5));
         }
       }
     }
@@ -270,17 +271,17 @@ TEST_CASE("no second difference of the tricubic energy exceeds the bounds of the
 TEST_CASE("outside of the box, and for a pose that is no number, there is no energy; the former is flagged") {
   const Scene scene = crowd(31, 3);
   EnergyGrid grid = gridOf(scene, mapsOf(scene, 3.0, 0.5, 4.0), {}, GridInterpolation::Tricubic);
-  CHECK(grid.at(pose({})).felt_kcal_mol != 0.0);
+  CHECK(grid.at(pose({})).energy.felt_kcal_mol != 0.0);
   CHECK_FALSE(grid.outside());
   for (const Vec3& at : {Vec3(4, 0, 0), Vec3(0, -9, 0), Vec3(0, 0, 1e9)}) {
     const PairEnergy found = grid.at(pose(at));
     CHECK(grid.outside());
-    CHECK(found.felt_kcal_mol == 0.0);
+    CHECK(found.energy.felt_kcal_mol == 0.0);
     CHECK(found.force_kcal_mol_A == Vec3(0.0));
     CHECK(found.stiffness_kcal_mol_A2 == 0.0);
   }
-  CHECK(grid.at({{Vec3(NAN, 0, 0)}, kNoRotation}).felt_kcal_mol == 0.0);
-  CHECK(grid.at({{Vec3(0)}, Quat(NAN, 0, 0, 0)}).felt_kcal_mol == 0.0);
+  CHECK(grid.at({{Vec3(NAN, 0, 0)}, kNoRotation}).energy.felt_kcal_mol == 0.0);
+  CHECK(grid.at({{Vec3(0)}, Quat(NAN, 0, 0, 0)}).energy.felt_kcal_mol == 0.0);
   CHECK_FALSE(grid.outside());
 }
 
@@ -294,7 +295,7 @@ TEST_CASE("two atoms in one place give finite energies, folded or not") {
         const Vec3 at = crowded.atoms[k].centre_A;
         if (std::max({std::abs(at.x), std::abs(at.y), std::abs(at.z)}) > 6.5) continue;
         const PairEnergy found = grid.at(pose(at));
-        CHECK(std::isfinite(found.felt_kcal_mol));
+        CHECK(std::isfinite(found.energy.felt_kcal_mol));
         CHECK(finite(found.force_kcal_mol_A));
         CHECK(finite(found.torque_kcal_mol));
         CHECK(std::isfinite(found.stiffness_kcal_mol_A2 + found.rotational_stiffness_kcal_mol));
@@ -338,7 +339,7 @@ TEST_CASE("1000 evaluations allocate nothing") {
       gridOf(scene, mapsOf(scene, 6.0, 0.5, 4.0), mapsOf(scene, 3.0, 0.4, 4.0), GridInterpolation::Tricubic);
   double sum = 0;
   const long before = test::allocations();
-  for (int k = 0; k < 1000; ++k) sum += grid.at(pose(Vec3(0.002 * k, 0, 0))).felt_kcal_mol;
+  for (int k = 0; k < 1000; ++k) sum += grid.at(pose(Vec3(0.002 * k, 0, 0))).energy.felt_kcal_mol;
   CHECK(test::allocations() == before);
   CHECK(std::isfinite(sum));
 }

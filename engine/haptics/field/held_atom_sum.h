@@ -14,10 +14,11 @@ class HeldAtomSum {
   /// `wall_kcal_mol` as in PairModel.
   explicit HeldAtomSum(double wall_kcal_mol) noexcept : wall_(wall_kcal_mol) {}
 
-  /// Adds an atom at `arm` from the body's middle. Its curvature may be of another pose nearby.
-  void add(const PairTerms& terms, const std::array<double, 6>& c, const Vec3& arm) noexcept {
-    sum_.van_der_waals_kcal_mol += terms.van_der_waals;
-    sum_.electrostatic_kcal_mol += terms.electrostatic;
+  /// Adds an atom at `arm` from the body's middle. Its curvature may be of another pose nearby. Returns the slope of the
+  /// bound of the walls at the atom's energy: 1 below zero.
+  double add(const PairTerms& terms, const std::array<double, 6>& c, const Vec3& arm) noexcept {
+    sum_.energy.van_der_waals_kcal_mol += terms.van_der_waals;
+    sum_.energy.electrostatic_kcal_mol += terms.electrostatic;
     // phi(E) = E0 asinh(E / E0) above zero, with phi' = 1 / sqrt(1 + (E / E0)^2).
     const double energy = terms.van_der_waals + terms.electrostatic;
     double felt = energy, first = 1.0, second = 0.0;
@@ -27,7 +28,7 @@ class HeldAtomSum {
       first = 1.0 / std::sqrt(1.0 + x * x);
       second = -x / wall_ * first * first * first;
     }
-    sum_.felt_kcal_mol += felt;
+    sum_.energy.felt_kcal_mol += felt;
     const Vec3 gradient = first * terms.gradient;
     sum_.force_kcal_mol_A -= gradient;
     sum_.torque_kcal_mol -= glm::cross(arm, gradient);
@@ -38,6 +39,7 @@ class HeldAtomSum {
     const glm::dmat3 x(0.0, arm.z, -arm.y, -arm.z, 0.0, arm.x, arm.y, -arm.x, 0.0);
     rotational_ += -x * curvature * x + 0.5 * (glm::outerProduct(gradient, arm) + glm::outerProduct(arm, gradient)) -
                    glm::dmat3(glm::dot(gradient, arm));
+    return first;
   }
 
   PairEnergy energy() const noexcept {
