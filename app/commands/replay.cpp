@@ -147,8 +147,8 @@ InteractionInput inputOf(const ReplayOptions& options) {
   InteractionInput input{.spheres = nullptr, .touch = options.touch};
   if (!options.from_spheres.empty()) {
     if (forceChoice(options.touch.forces).any())
-      throw CommandError{"forces between atoms need a molecule, and spheres have no chemistry",
-                         "name a molecule instead of --spheres, or leave out --forces"};
+      throw CommandError{
+          "--forces: spheres have no chemistry: name a molecule instead of --from-spheres, or leave --forces out"};
     constexpr std::size_t kMaxSpheres = 25'000'000;
     input.spheres = std::make_shared<const SphereGrid>(readSpheres(options.from_spheres[0], kMaxSpheres));
     input.body = bodyOfSpheres(readSpheres(options.from_spheres[1], kMaxHeldAtoms));

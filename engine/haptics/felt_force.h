@@ -32,6 +32,8 @@ struct MolecularEnergy {
   /// 1 kcal/mol/A is felt as the stiffness of the felt spring divided by this. 0: there is no such spring.
   double coupling_kcal_mol_A2 = 0.0;
 
+  double total_kcal_mol() const { return van_der_waals_kcal_mol + electrostatic_kcal_mol; }
+
   friend bool operator==(const MolecularEnergy&, const MolecularEnergy&) = default;
 };
 

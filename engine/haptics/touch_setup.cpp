@@ -44,6 +44,10 @@ std::vector<OfferedWord> dielectricWords() {
   return out;
 }
 
+bool holdsProbe(const TouchSetup&, bool body) { return !body; }
+bool feelsCharges(const TouchSetup& touch, bool) { return forceChoice(touch.forces).electrostatic; }
+bool feelsProbeCharge(const TouchSetup& touch, bool body) { return !body && feelsCharges(touch, body); }
+
 constexpr std::array kProperties{
     TouchProperty{.member = &TouchSetup::probe_A,
                   .key = "probe",
@@ -58,7 +62,8 @@ constexpr std::array kProperties{
                               .range = {0.0, 6.0},
                               .step = 0.1,
                               .decimals = 1,
-                              .first = true},
+                              .first = true,
+                              .shown = &holdsProbe},
                   .fallback = "1.4 Å",
                   .meaning = "The radius of the probe, by which every atom is inflated.",
                   .compared = "The second thing has a probe of this radius."},
@@ -128,6 +133,9 @@ constexpr std::array kProperties{
                   .field = "dielectric",
                   .label = "dielectric",
                   .words = &dielectricWords,
+                  .control = {.title = N_("Medium"),
+                              .tip = N_("What lies between the charges, and how much it weakens their forces."),
+                              .shown = &feelsCharges},
                   .fallback = "water",
                   .meaning = "How the medium weakens the forces between charges.",
                   .compared = "The second thing is felt in this medium."},
@@ -135,13 +143,14 @@ constexpr std::array kProperties{
                   .key = "probe-charge",
                   .field = "probe_charge_e",
                   .label = "probe_charge_e",
-                  .in_scenes = {-2.0, 2.0},
-                  .in_files = {-2.0, 2.0},
+                  .in_scenes = {-kMaxProbeCharge_e, kMaxProbeCharge_e},
+                  .in_files = {-kMaxProbeCharge_e, kMaxProbeCharge_e},
                   .control = {.title = N_("Charge of the probe"),
                               .tip = N_("In elementary charges. Opposite charges attract each other."),
-                              .range = {-2.0, 2.0},
+                              .range = {-kMaxProbeCharge_e, kMaxProbeCharge_e},
                               .step = 0.5,
-                              .decimals = 1},
+                              .decimals = 1,
+                              .shown = &feelsProbeCharge},
                   .fallback = "0",
                   .meaning = "The charge of the probe in elementary charges, for the forces between atoms.",
                   .compared = "The second thing is felt with a probe of this charge."},
@@ -150,8 +159,8 @@ constexpr std::array kProperties{
                   .field = "coupling_N_per_mm",
                   .label = "coupling_N_per_mm",
                   .dimension = Dimension::Stiffness,
-                  .in_scenes = {0.0, 1.0},
-                  .in_files = {0.0, 1.0},
+                  .in_scenes = {0.0, kMaxCoupling_N_per_mm},
+                  .in_files = {0.0, kMaxCoupling_N_per_mm},
                   .fallback = "0 N/m",
                   .meaning = "The stiffness of the spring that joins the hand to what it holds, in the molecule: the "
                              "softer, the more strongly the forces between atoms are felt. 0: 1.8 N/m for each of the "

@@ -18,6 +18,9 @@
 
 namespace moltact {
 
+/// Limits of TouchSetup::coupling_N_per_mm and of the amount of TouchSetup::probe_charge_e.
+inline constexpr double kMaxCoupling_N_per_mm = 1.0, kMaxProbeCharge_e = 2.0;
+
 struct TouchSetup {
   double probe_A = kWaterProbe_A;
   double stiffness_N_per_mm = 0.5;    ///< of the felt spring, in the device's space
@@ -52,6 +55,8 @@ struct TouchControl {
   double step = 0.0;                      ///< of a number
   int decimals = -1;                      ///< digits shown after the decimal sign; negative: those of the unit
   bool first = false;                     ///< at the top of the panel; else in the details
+  /// True where the control has an effect; null: everywhere. `body`: the hand holds a body.
+  bool (*shown)(const TouchSetup& touch, bool body) = nullptr;
 };
 
 struct TouchProperty {

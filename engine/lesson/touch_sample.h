@@ -25,6 +25,7 @@ struct TouchSample {
   bool one_spring = false;         ///< the body is one rigid body on one spring, so its atoms are where they are drawn
   bool placed = false;             ///< the contact was discarded before this tick, so no path leads here
   Vec3 torque_N_mm{0.0};           ///< on the hand, in the device's space; zero for a device that drives none
+  std::optional<MolecularEnergy> energy = {};  ///< of the drawn pose; empty where no forces between atoms act
 
   /// True if a force is felt, of a contact or a field. `contact.touching()` tests for a contact only.
   bool felt() const { return contact.touching() || field; }
@@ -46,7 +47,8 @@ TouchSample touchSampleOf(const ServoTick& tick, std::string_view method = {}, c
           .body = tick.holds_body ? std::optional(tick.shownBody()) : std::nullopt,
           .one_spring = tick.holds_body && tick.body_pose,
           .placed = tick.contact_reset,
-          .torque_N_mm = tick.torque_N_mm};
+          .torque_N_mm = tick.torque_N_mm,
+          .energy = tick.molecular_energy};
 }
 
 }  // namespace moltact

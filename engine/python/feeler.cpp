@@ -32,6 +32,8 @@ struct Rows {
         forces(felt.forces.mutable_data()),
         torques(felt.torques.mutable_data()),
         energies(felt.energies.mutable_data()),
+        van_der_waals(felt.van_der_waals.mutable_data()),
+        electrostatic(felt.electrostatic.mutable_data()),
         touching(felt.touching.mutable_data()),
         at_rest(felt.at_rest.mutable_data()),
         started_inside(felt.started_inside.mutable_data()),
@@ -49,12 +51,15 @@ struct Rows {
     const std::array<double, 4> wxyz{q.w, q.x, q.y, q.z};
     std::copy(wxyz.begin(), wxyz.end(), orientations + 4 * row);
     energies[row] = force.energy_N_A;
+    const MolecularEnergy energy = response.molecular_energy.value_or(MolecularEnergy{});
+    van_der_waals[row] = energy.van_der_waals_kcal_mol;
+    electrostatic[row] = energy.electrostatic_kcal_mol;
     touching[row] = response.contact.touching();
     at_rest[row] = response.at_rest;
     started_inside[row] = response.contact.fault == Fault::StartedInside;
   }
 
-  double *positions, *orientations, *forces, *torques, *energies;
+  double *positions, *orientations, *forces, *torques, *energies, *van_der_waals, *electrostatic;
   bool *touching, *at_rest, *started_inside;
   std::int32_t* contacts;
 };
@@ -85,8 +90,8 @@ Feeler::Feeler(InteractionInput input, double stiffness_N_per_A)
 Felt Feeler::feel(const py::object& poses) {
   const std::vector<PoseA> hand = posesOf(poses);
   const std::size_t n = hand.size();
-  Felt out{newArray<double>(n, 3), newArray<double>(n, 4), newArray<double>(n, 3),
-           newArray<double>(n, 3), newArray<double>(n, 0), newArray<bool>(n, 0),
+  Felt out{newArray<double>(n, 3), newArray<double>(n, 4), newArray<double>(n, 3), newArray<double>(n, 3),
+           newArray<double>(n, 0), newArray<double>(n, 0), newArray<double>(n, 0), newArray<bool>(n, 0),
            newArray<bool>(n, 0),   newArray<bool>(n, 0),   newArray<std::int32_t>(n, 3)};
   Rows rows(out);
   std::unique_lock used(in_use_, std::defer_lock);

@@ -3,17 +3,20 @@
 #include <pybind11/stl.h>
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
 #include <string>
 #include <vector>
 
 #include "engine/haptics/body/held_body.h"
+#include "engine/haptics/field/force_choices.h"
 #include "engine/haptics/methods.h"
 #include "engine/molecule/catalogue.h"
 #include "engine/molecule/elements.h"
 #include "engine/python/arrays.h"
 #include "engine/python/chemistry.h"
 #include "engine/python/feeler.h"
+#include "engine/structure/interaction_input.h"
 
 namespace py = pybind11;
 
@@ -84,29 +87,62 @@ struct Body : Feeler {
   using Feeler::Feeler;
 };
 
+// The choice of that name, or ValueError.
+template <class Choices>
+void checkChoice(const char* argument, const std::string& name, const Choices& choices) {
+  std::string known;
+  for (const auto& choice : choices) {
+    if (choice.name == name) return;
+    known += (known.empty() ? "'" : ", '") + std::string(choice.name) + "'";
+  }
+  throw py::value_error(std::string(argument) + " must be one of " + known);
+}
+
+// The forces between atoms, as both classes take them.
+struct Forces {
+  std::string forces, dielectric;
+  double coupling_N_per_mm;
+};
+
 // Completes the input that is common to both classes.
 void finish(InteractionInput& input, const py::object& scene, const std::string& method, const std::string& interaction,
-            const SharedChemistry& chemistry) {
+            const SharedChemistry& chemistry, const Forces& forces) {
   input.touch.method = method;
   input.touch.interaction =
       interaction.empty() ? resolveInteraction({}, input.body != nullptr).interaction : interaction;
+  checkChoice("forces", forces.forces, forceChoices());
+  checkChoice("dielectric", forces.dielectric, dielectricChoices());
+  if (!(forces.coupling_N_per_mm >= 0.0 && forces.coupling_N_per_mm <= kMaxCoupling_N_per_mm))
+    throw py::value_error("coupling_N_per_mm must be a number from 0 to " + std::to_string(kMaxCoupling_N_per_mm));
+  input.touch.forces = forces.forces;
+  input.touch.dielectric = forces.dielectric;
+  input.touch.coupling_N_per_mm = forces.coupling_N_per_mm;
   input.chemistry = chemistryOf(scene, chemistry, input.touch, input.spheres->size());
+  if (!forceChoice(forces.forces).any()) return;
+  if (!py::isinstance<Molecule>(scene)) throw py::value_error("forces between atoms need a Molecule as the scene");
+  input.pairs = pairField(input.touch, *scene.cast<SharedMolecule>(), *input.spheres, input.body.get());
 }
 
 std::unique_ptr<Tracker> makeTracker(const py::object& scene, const std::string& method, double probe_A,
                                      const std::string& interaction, double stiffness_N_per_A,
-                                     const py::object& untouchable, const SharedChemistry& chemistry) {
+                                     const py::object& untouchable, const SharedChemistry& chemistry,
+                                     const std::string& forces, const std::string& dielectric, double probe_charge_e,
+                                     double coupling_N_per_mm) {
+  if (!(std::abs(probe_charge_e) <= kMaxProbeCharge_e))
+    throw py::value_error("probe_charge_e must be a number from -2 to 2");
   const SharedArray<Sphere> spheres = sceneSpheres(scene);
   const std::vector<std::uint32_t> left_out = indicesOf(untouchable, spheres.size(), "untouchable");
   InteractionInput input{.spheres = std::make_shared<const SphereGrid>(spheres, left_out)};
   input.touch.probe_A = probe_A;
-  finish(input, scene, method, interaction, chemistry);
+  input.touch.probe_charge_e = probe_charge_e;
+  finish(input, scene, method, interaction, chemistry, {forces, dielectric, coupling_N_per_mm});
   return std::make_unique<Tracker>(std::move(input), stiffness_N_per_A);
 }
 
 std::unique_ptr<Body> makeBody(const py::object& scene, const py::object& atoms, const py::object& shape,
                                const std::string& method, const std::string& interaction, double stiffness_N_per_A,
-                               double rotational_stiffness_N_A, const SharedChemistry& chemistry) {
+                               double rotational_stiffness_N_A, const SharedChemistry& chemistry,
+                               const std::string& forces, const std::string& dielectric, double coupling_N_per_mm) {
   if (atoms.is_none() == shape.is_none()) throw py::value_error("give either atoms or spheres of the body");
   if (!(rotational_stiffness_N_A >= 0.0 && rotational_stiffness_N_A <= 1e9))
     throw py::value_error("rotational_stiffness_N_A must be a number from 0 to 1e9");
@@ -121,9 +157,9 @@ std::unique_ptr<Body> makeBody(const py::object& scene, const py::object& atoms,
   }
   if (!input.body) throw py::value_error("a body has 1 to " + std::to_string(kMaxHeldAtoms) + " atoms");
   input.spheres = std::make_shared<const SphereGrid>(spheres, held);
-  finish(input, scene, method, interaction, chemistry);
   // The response is divided by the stiffness, so it equals that of a spring of 1 N/A.
   if (stiffness_N_per_A > 0.0) input.rotational_stiffness_N_A = rotational_stiffness_N_A / stiffness_N_per_A;
+  finish(input, scene, method, interaction, chemistry, {forces, dielectric, coupling_N_per_mm});
   return std::make_unique<Body>(std::move(input), stiffness_N_per_A);
 }
 
@@ -221,7 +257,11 @@ void addFelt(py::module_& m) {
                     "Orientation of the body that rests there, as quaternions w, x, y, z, shape (n, 4).")
       .def_readonly("forces", &Felt::forces, "Force on the hand in N, shape (n, 3).")
       .def_readonly("torques", &Felt::torques, "Torque about the hand's position in N A, shape (n, 3).")
-      .def_readonly("energies", &Felt::energies, "Potential energy in N A, shape (n,).")
+      .def_readonly("energies", &Felt::energies, "Potential energy of the hand's spring in N A, shape (n,).")
+      .def_readonly("van_der_waals", &Felt::van_der_waals,
+                    "Van der Waals energy with the molecule in kcal/mol, shape (n,); 0 without forces between atoms.")
+      .def_readonly("electrostatic", &Felt::electrostatic,
+                    "Electrostatic energy with the molecule in kcal/mol, shape (n,); 0 without forces between atoms.")
       .def_readonly("touching", &Felt::touching, "True where a surface is touched, shape (n,).")
       .def_readonly("contacts", &Felt::contacts,
                     "The atoms that block the contact point, ascending, -1 where there are fewer, shape (n, 3).")
@@ -249,10 +289,14 @@ void addFeelers(py::module_& m) {
   py::class_<Tracker, Feeler>(m, "Tracker", "A spherical probe at the hand.")
       .def(py::init(&makeTracker), py::arg("scene"), py::arg("method") = "exact", py::arg("probe_A") = kWaterProbe_A,
            py::kw_only(), py::arg("interaction") = "", py::arg("stiffness_N_per_A") = 1.0,
-           py::arg("untouchable") = py::tuple(), py::arg("chemistry") = py::none(),
+           py::arg("untouchable") = py::tuple(), py::arg("chemistry") = py::none(), py::arg("forces") = "none",
+           py::arg("dielectric") = "water", py::arg("probe_charge_e") = 0.0, py::arg("coupling_N_per_mm") = 0.0,
            "scene: a Molecule, or spheres of shape (n, 4): centre and radius in A. interaction: one of "
            "interactions(body=False); empty: the first. untouchable: indices of atoms that are not felt. chemistry: of "
-           "the scene's atoms, for an interaction that needs it; without it, that of the Molecule without charges.")
+           "the scene's atoms, for an interaction that needs it; without it, that of the Molecule without charges. "
+           "forces: 'none', 'all', 'van-der-waals' or 'electrostatic' between the atoms of a Molecule and the probe, an "
+           "oxygen of water with probe_charge_e. dielectric: 'water', 'distance' or 'vacuum'. coupling_N_per_mm: "
+           "stiffness in the molecule of the spring between the hand and the probe; 0: the default.")
       .def_property_readonly(
           "probe_A", [](const Tracker& self) { return self.input().touch.probe_A; }, "Radius of the probe in A.");
 
@@ -260,8 +304,9 @@ void addFeelers(py::module_& m) {
       .def(py::init(&makeBody), py::arg("scene"), py::arg("atoms") = py::none(), py::kw_only(),
            py::arg("spheres") = py::none(), py::arg("method") = "exact", py::arg("interaction") = "",
            py::arg("stiffness_N_per_A") = 1.0, py::arg("rotational_stiffness_N_A") = 0.0,
-           py::arg("chemistry") = py::none(),
-           "scene and chemistry: as for Tracker. atoms: indices of the scene's atoms that are held and no longer felt; "
+           py::arg("chemistry") = py::none(), py::arg("forces") = "none", py::arg("dielectric") = "water",
+           py::arg("coupling_N_per_mm") = 0.0,
+           "scene, chemistry, forces, dielectric and coupling_N_per_mm: as for Tracker. atoms: indices of the scene's atoms that are held and no longer felt; "
            "or spheres: "
            "the body's own, of shape (m, 4), relative to its middle. interaction: one of interactions(); empty: the "
            "first.")

@@ -93,7 +93,8 @@ TEST_CASE(
     "and the hand feels that slope") {
   for (const double k : {0.5, 2.0, 40.0})
     for (const double hand_A : {3.7, 3.9, 4.3, 5.0, 6.5}) {
-      CAPTURE(k, hand_A);
+      CAPTURE(k);
+      CAPTURE(hand_A);
       CoupledField felt = argonPair(k);
       const Response r = rest(felt, {{Vec3(hand_A, 0, 0)}});
       const double x = r.contact.scp.A.x;

@@ -9,6 +9,7 @@
 #include "app/ui/widgets/controls.h"
 #include "app/ui/widgets/theme.h"
 #include "app/ui/widgets/widget_map.h"
+#include "engine/haptics/field/force_choices.h"
 #include "engine/haptics/methods.h"
 #include "engine/language/catalogue.h"
 
@@ -74,6 +75,8 @@ void drawMethodChooser(Application& app) {
     const bool moves = app.scene.log().latest().motion != 0;
     if (const std::string_view still = motionSentence(*now); moves && !still.empty())
       text.append(" ").append(tr(still));
+    else if (moves && forceChoice(app.scene.touch().forces).any())
+      text.append(" ").append(tr("The forces between atoms cannot follow them while they move."));
     ImGui::TextUnformatted(text.c_str());
     ImGui::PopTextWrapPos();
     recordItem("method/sentence", text);

@@ -26,7 +26,7 @@ void drawTouchControls(Application& app, bool first) {
   for (const TouchProperty& p : touchProperties()) {
     const TouchControl& c = p.control;
     if (c.title.empty() || c.first != first || !isChoice(p)) continue;
-    if (p.member == TouchMember(&TouchSetup::probe_A) && app.scene.stage().body) continue;  // a body has no probe
+    if (c.shown && !c.shown(touch, app.scene.stage().body != nullptr)) continue;
     const WhileLocked locked(app, p.key);
     const std::string name(p.key), title(tr(c.title));
     const auto tip = [&](const std::string& usual) { return c.tip.empty() ? std::string() : trf(c.tip.data(), usual); };

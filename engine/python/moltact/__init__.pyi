@@ -72,6 +72,10 @@ class Felt:
     @property
     def energies(self) -> npt.NDArray[np.float64]: ...
     @property
+    def van_der_waals(self) -> npt.NDArray[np.float64]: ...
+    @property
+    def electrostatic(self) -> npt.NDArray[np.float64]: ...
+    @property
     def touching(self) -> npt.NDArray[np.bool_]: ...
     @property
     def contacts(self) -> npt.NDArray[np.int32]: ...
@@ -105,6 +109,10 @@ class Tracker(_Feeler):
         stiffness_N_per_A: float = 1.0,
         untouchable: Union[Sequence[int], npt.NDArray[np.integer]] = (),
         chemistry: Union[Chemistry, None] = None,
+        forces: str = "none",
+        dielectric: str = "water",
+        probe_charge_e: float = 0.0,
+        coupling_N_per_mm: float = 0.0,
     ) -> None: ...
     @property
     def probe_A(self) -> float: ...
@@ -123,6 +131,9 @@ class HeldBody(_Feeler):
         stiffness_N_per_A: float = 1.0,
         rotational_stiffness_N_A: float = 0.0,
         chemistry: Union[Chemistry, None] = None,
+        forces: str = "none",
+        dielectric: str = "water",
+        coupling_N_per_mm: float = 0.0,
     ) -> None: ...
     @property
     def middle(self) -> npt.NDArray[np.float64]: ...
