@@ -5,6 +5,7 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <map>
@@ -155,18 +156,8 @@ double dockExtras(const std::vector<DockAtom>& atoms, const DockType& probe, con
   return out;
 }
 
-}  // namespace
-
-TEST_CASE(
-    "the finished maps of autogrid-test and ours agree to 0.01 kcal/mol rms outside the walls: electrostatic, and "
-    "Lennard-Jones of the types without hydrogen bonds") {
-  const std::filesystem::path folder = "/usr/share/autogrid/Tests";
-  if (!std::filesystem::exists(folder / "py_hsg1_sm.e.map")) {
-    MESSAGE("did not run: Debian's package autogrid-test is not installed");
-    return;
-  }
-  const std::vector<DockAtom> dock = dockAtoms(folder / "hsg1_sm.pdbqt");
-  REQUIRE(dock.size() == 150);
+// Compares the maps STEM.e.map, STEM.A.map, STEM.C.map and STEM.N.map with ours.
+void compareMaps(const std::vector<DockAtom>& dock, const std::filesystem::path& folder, const std::string& stem) {
   std::vector<PairAtom> atoms;
   std::vector<Sphere> places;
   for (const DockAtom& a : dock) {
@@ -174,8 +165,10 @@ TEST_CASE(
     places.push_back({a.at_A, 1.0});
   }
   const SphereGrid scene(std::move(places));
+  const auto carbon = readMapFile(folder / (stem + ".C.map"));
+  REQUIRE(carbon);
   for (const std::string name : {"e", "A", "C", "N"}) {
-    const auto right = readMapFile(folder / ("py_hsg1_sm." + name + ".map"));
+    const auto right = readMapFile(folder / (stem + "." + name + ".map"));
     REQUIRE(right);
     // AutoGrid cuts Lennard-Jones energies at 8 A and charges nowhere.
     PairModel model;
@@ -191,7 +184,8 @@ TEST_CASE(
       for (int j = 0; j < right->box.nodes[1]; ++j)
         for (int i = 0; i < right->box.nodes[0]; ++i) {
           const std::size_t node = right->box.index(i, j, k);
-          if (right->values[node] > 5.0f) continue;  // a wall
+          // A wall. AutoGrid takes energies from a table of steps of 0.01 A, which is too coarse there.
+          if (carbon->values[node] > 0.0f) continue;
           double ours = 0.1406 * maps->electrostatic[node];
           if (name != "e") {
             const DockType& probe = kDockTypes.at(name);
@@ -205,8 +199,46 @@ TEST_CASE(
         }
     CAPTURE(name);
     CAPTURE(worst);
-    CHECK(judged == 125);
+    CHECK(judged >= 125);
     CHECK(std::sqrt(sum / judged) < 0.01);
-    MESSAGE(name, ": rms ", std::sqrt(sum / judged), ", worst ", worst, " kcal/mol");
+    MESSAGE(name, ": rms ", std::sqrt(sum / judged), ", worst ", worst, " kcal/mol at ", judged, " points");
   }
+}
+
+const std::filesystem::path kDockFolder = "/usr/share/autogrid/Tests";
+
+}  // namespace
+
+TEST_CASE(
+    "the finished maps of autogrid-test and ours agree to 0.01 kcal/mol rms outside the walls: electrostatic, and "
+    "Lennard-Jones of the types without hydrogen bonds") {
+  if (!std::filesystem::exists(kDockFolder / "py_hsg1_sm.e.map")) {
+    MESSAGE("did not run: Debian's package autogrid-test is not installed");
+    return;
+  }
+  const std::vector<DockAtom> dock = dockAtoms(kDockFolder / "hsg1_sm.pdbqt");
+  REQUIRE(dock.size() == 150);
+  compareMaps(dock, kDockFolder, "py_hsg1_sm");
+}
+
+TEST_CASE("autogrid4's maps of a whole HIV protease (1HPV, 1849 atoms) and ours agree likewise") {
+  const std::filesystem::path program = "/usr/bin/autogrid4";
+  if (!std::filesystem::exists(program) || !std::filesystem::exists(kDockFolder / "x1hpv.pdbqt")) {
+    MESSAGE("did not run: Debian's packages autogrid and autogrid-test are not installed");
+    return;
+  }
+  const auto folder = TemporaryFolder::in(std::filesystem::temp_directory_path(), "moltact-autogrid-");
+  REQUIRE(folder);
+  std::filesystem::copy_file(kDockFolder / "x1hpv.pdbqt", folder->path() / "x1hpv.pdbqt");
+  std::ofstream(folder->path() / "x.gpf")
+      << "npts 20 20 20\ngridfld x.maps.fld\nspacing 0.5\nreceptor_types A C HD N OA SA\n"
+         "ligand_types A C N\nreceptor x1hpv.pdbqt\ngridcenter -0.114 -1.692 0.058\n"
+         "smooth 0.5\nmap x.A.map\nmap x.C.map\nmap x.N.map\nelecmap x.e.map\n"
+         "dsolvmap x.d.map\ndielectric -0.1465\n";
+  const std::string command =
+      "cd '" + folder->path().string() + "' && " + program.string() + " -p x.gpf -l x.glg >/dev/null 2>&1";
+  REQUIRE(std::system(command.c_str()) == 0);
+  const std::vector<DockAtom> dock = dockAtoms(folder->path() / "x1hpv.pdbqt");
+  REQUIRE(dock.size() == 1849);
+  compareMaps(dock, folder->path(), "x");
 }
