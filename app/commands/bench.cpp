@@ -12,6 +12,7 @@
 #include "engine/bench/bodies/body_trade_off.h"
 #include "engine/bench/charts.h"
 #include "engine/bench/cold_cache_ticks.h"
+#include "engine/bench/energies/energy_trade_off.h"
 #include "engine/bench/feel.h"
 #include "engine/bench/felt.h"
 #include "engine/bench/hand_replay.h"
@@ -347,6 +348,18 @@ void addBodies(const BenchArguments& arguments, Report& report) {
   report.sentences.push_back({"body_matrix_sentences", bodyMatrixSentences(results)});
 }
 
+void addEnergies(const BenchArguments& arguments, Report& report) {
+  EnergyTradeOffOptions options;
+  if (arguments.quick) options.ticks = 200, options.runs = 2, options.judged_pairs = 1e7, options.min_spacing_A = 0.5;
+  const ProgressBar bar("energies");
+  const auto points = measureEnergies(
+      options, [](const std::string& id) { return openMolecule(id); }, std::cref(bar));
+  if (!points) throw CommandError{points.problem().text()};
+  report.tables.push_back(energyTradeOffTable(*points, options));
+  report.sentences.push_back({"energy_trade_off_sentences", energyTradeOffSentences(*points)});
+  report.pictures.push_back({"energies.svg", energyTradeOffChart(*points)});
+}
+
 // Writes the tables between their markers in every page of the folder that has the markers.
 void updatePages(const fs::path& folder, const Report& report) {
   std::vector<fs::path> pages;  // listed before any is written
@@ -377,6 +390,7 @@ void run(const BenchArguments& arguments) {
   if (all || arguments.part == "hands") addHands(arguments, unlimited(methods), report);
   if (all || arguments.part == "stability") addStability(arguments, unlimited(methods), report);
   if (all || arguments.part == "bodies") addBodies(arguments, report);
+  if (all || arguments.part == "energies") addEnergies(arguments, report);
 
   for (const ReportTable& t : report.tables)
     if (!t.name.ends_with("_figures"))
@@ -405,9 +419,9 @@ void run(const BenchArguments& arguments) {
 void addBench(CLI::App& app) {
   auto arguments = std::make_shared<BenchArguments>();
   CLI::App* command = app.add_subcommand("bench", "Measure speed, accuracy, feel and stability of every method");
-  command->add_option("part", arguments->part, "tables, chart, feel, hands, stability, bodies or all")
+  command->add_option("part", arguments->part, "tables, chart, feel, hands, stability, bodies, energies or all")
       ->capture_default_str()
-      ->check(CLI::IsMember({"tables", "chart", "feel", "hands", "stability", "bodies", "all"}));
+      ->check(CLI::IsMember({"tables", "chart", "feel", "hands", "stability", "bodies", "energies", "all"}));
   command->add_flag("--quick", arguments->quick, "Take a minute instead of a quarter of an hour, with rougher figures");
   command
       ->add_option("--methods", arguments->methods,

@@ -12,6 +12,7 @@
   X(Render)                 \
   X(Export)                 \
   X(Fetch)                  \
+  X(Grid)                   \
   X(Report)                 \
   X(Bench)                  \
   X(Devices)                \

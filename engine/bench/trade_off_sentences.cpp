@@ -7,7 +7,7 @@
 namespace moltact::bench {
 namespace {
 
-std::string quoted(const Method* m) { return "`" + std::string(m->name) + "`"; }
+std::string quotedName(const Method* m) { return "`" + std::string(m->name) + "`"; }
 
 std::string bytes(std::size_t n) {
   if (n < 1'000'000) return readable(1e-3 * double(n)) + " kB";
@@ -33,20 +33,21 @@ std::string tradeOffSentences(const std::vector<TradeOff>& points) {
   std::sort(by_error.begin(), by_error.end(),
             [](const TradeOff& a, const TradeOff& b) { return a.accuracy.scp_A.rms < b.accuracy.scp_A.rms; });
   for (std::size_t k = 0; k < by_error.size(); ++k)
-    out += (k ? ", " : " ") + quoted(by_error[k].method) + " " + readable(by_error[k].accuracy.scp_A.rms) + " A and " +
-           readable(by_error[k].accuracy.direction_deg.rms) + " degrees";
+    out += (k ? ", " : " ") + quotedName(by_error[k].method) + " " + readable(by_error[k].accuracy.scp_A.rms) +
+           " A and " + readable(by_error[k].accuracy.direction_deg.rms) + " degrees";
   out += ".\n* Time of a tick in contact, relative to `exact`'s " + readable(exact->tick_ns) + " ns:";
   for (std::size_t k = 0; k < others.size(); ++k)
-    out += (k ? ", " : " ") + quoted(others[k].method) + " " + readable(others[k].tick_ns / exact->tick_ns) + " times";
+    out +=
+        (k ? ", " : " ") + quotedName(others[k].method) + " " + readable(others[k].tick_ns / exact->tick_ns) + " times";
   std::vector<std::string> faster;
   for (const TradeOff& p : others)
     if (p.tick_ns < exact->tick_ns)
-      faster.push_back(quoted(p.method) + " (" + readable(p.tick_ns / exact->tick_ns) + " times its time, off by " +
+      faster.push_back(quotedName(p.method) + " (" + readable(p.tick_ns / exact->tick_ns) + " times its time, off by " +
                        readable(p.accuracy.scp_A.rms) + " A)");
   out += ".\n* Faster than `exact`: " + listed(faster) + ".\n* Memory after these strokes, relative to `exact`'s " +
          bytes(exact->memory_usage.bytes) + ":";
   for (std::size_t k = 0; k < others.size(); ++k)
-    out += (k ? ", " : " ") + quoted(others[k].method) + " " +
+    out += (k ? ", " : " ") + quotedName(others[k].method) + " " +
            readable(double(others[k].memory_usage.bytes) / double(exact->memory_usage.bytes)) + " times";
   return out + ".\n";
 }
@@ -62,7 +63,7 @@ std::string coldCacheSentences(const std::vector<ColdCacheTimes>& cool) {
     return a.thrashed_ns.p50 < b.thrashed_ns.p50;
   });
   if (slowest != exact)
-    out += " The slowest other method, " + quoted(slowest->method) + ", then takes " +
+    out += " The slowest other method, " + quotedName(slowest->method) + ", then takes " +
            readable(1e-3 * slowest->thrashed_ns.p50) + " us.";
   return out + "\n";
 }
@@ -100,7 +101,7 @@ std::string sizeSentences(const std::vector<SceneTimes>& times) {
          seconds(ready(*exact)) + ", with " + bytes(exact->memory_usage.bytes) + " after the strokes";
   for (const TickTimes& t : prepared->contact)
     if (limitsOf(*t.method).max_spheres > 0)
-      out += "; " + quoted(t.method) + ", which preprocesses the whole scene for one probe, after " +
+      out += "; " + quotedName(t.method) + ", which preprocesses the whole scene for one probe, after " +
              seconds(ready(t)) + " (" + readable(ready(t) / ready(*exact)) + " times), with " +
              bytes(t.memory_usage.bytes) + " (" +
              readable(double(t.memory_usage.bytes) / double(exact->memory_usage.bytes)) + " times)";

@@ -1,8 +1,9 @@
-// `moltact bench hands`, `moltact bench bodies` and `moltact device path` as users call them.
+// `moltact bench hands`, `moltact bench bodies`, `moltact bench energies` and `moltact device path` as users call them.
 #include <doctest/doctest.h>
 
 #include <algorithm>
 #include <fstream>
+#include <map>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -135,4 +136,44 @@ TEST_CASE(
   CHECK(lines(contents(place.folder / "out" / "body_matrix_values.csv")) == 21);
   CHECK(contents(place.folder / "out" / "rigid-bodies.svg").starts_with("<svg "));
   CHECK(contents(place.folder / "out" / "all.json").find("\"body_trade_off\"") != std::string::npos);
+}
+
+TEST_CASE(
+    "bench energies writes three bodies with sums at six cut-offs and grids: a sum differs from that in double "
+    "precision "
+    "by less than 1e-3 of the force, the error falls from a cut-off of 6 A to 10 A, and on a ligand the trilinear "
+    "force "
+    "jumps at a face while the tricubic one does not") {
+  const CommandPlace place;
+  const Run run = place.run("bench energies --quick --csv out --svg out");
+  REQUIRE_MESSAGE(run.status == 0, run.err);
+  CHECK(contents(place.folder / "out" / "energies.svg").starts_with("<svg "));
+  std::istringstream rows(contents(place.folder / "out" / "energy_trade_off.csv"));
+  std::vector<std::string> names;
+  std::map<std::string, std::map<std::string, double>> found;  // by body and method, then by column
+  for (std::string row; std::getline(rows, row);) {
+    std::vector<std::string> cells;
+    std::istringstream in(row);
+    for (std::string cell; std::getline(in, cell, ',');) cells.push_back(cell);
+    if (names.empty()) {
+      names = cells;
+      continue;
+    }
+    REQUIRE(cells.size() == names.size());
+    for (std::size_t k = 2; k < cells.size(); ++k) found[cells[0] + ' ' + cells[1]][names[k]] = std::stod(cells[k]);
+  }
+  CHECK(found.size() == 30);
+  for (const std::string body : {"ligand", "200", "chain"}) {
+    CAPTURE(body);
+    for (const char* method :
+         {" float 6 A", " float 8 A", " float 10 A", " float 12 A", " float 14 A", " double 10 A"}) {
+      const auto& one = found[body + method];
+      CHECK(one.at("own_force_rms") < 1e-3 * one.at("right_force"));
+      CHECK(one.at("jump_max") < 0.01);
+    }
+    CHECK(found[body + " float 10 A"]["force_rms"] < found[body + " float 6 A"]["force_rms"]);
+    CHECK(found[body + " tricubic 0.5 A"]["own_force_rms"] < found[body + " tricubic 0.75 A"]["own_force_rms"]);
+    CHECK(found[body + " tricubic 0.5 A"]["jump_max"] < 0.01);
+  }
+  CHECK(found["ligand trilinear 0.5 A"]["jump_max"] > 0.5);
 }

@@ -9,6 +9,7 @@
 #include "engine/structure/accessible_area.h"
 #include "engine/structure/colouring.h"
 #include "engine/structure/hydrogen_bonds.h"
+#include "engine/structure/map_file.h"
 #include "engine/structure/secondary_structure.h"
 #include "engine/structure/superposition.h"
 #include "tests/fuzz/target.h"
@@ -115,6 +116,21 @@ void structure(std::string_view bytes) {
   if (const auto states = twoStates(m, m))
     for (const Sphere& sphere : states->at(0.5)) mustBe(finite(sphere.centre_A), "a place between");
 }
+
+void gridMap(std::string_view bytes) {
+  const auto map = readMap(bytes, "x.map");
+  if (!map) return mustBe(!map.problem().message.empty(), "a message");
+  mustBe(map->values.size() == map->box.count() && map->box.count() >= 64, "a value for each point");
+  for (const float value : map->values) mustBe(std::isfinite(value), "energies that are numbers");
+  // Interpolation at the middle of the box gives numbers.
+  const auto cell = gridCell(map->box, 0.5 * (map->box.low_A() + map->box.high_A()));
+  mustBe(cell.has_value(), "a middle");
+  const GridSample sample = curvedGridSample(map->box, *cell, GridInterpolation::Tricubic, map->values.data());
+  bool small = true;
+  for (const float value : map->values) small = small && std::abs(value) < 1e10f;
+  mustBe(!small || (std::isfinite(sample.value) && finite(sample.gradient)), "an energy between the points");
+}
+
 void anyMolecule(std::string_view bytes) { read(bytes, "x"); }
 
 // Packed bytes as they are, and soundly packed ones of which some are then cut, changed or doubled.

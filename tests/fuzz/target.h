@@ -55,6 +55,7 @@ std::string fileOf(std::string_view bytes, const char* name);
 
 void pdb(std::string_view), mmcif(std::string_view), smallCif(std::string_view), sdf(std::string_view);
 void pqr(std::string_view), gro(std::string_view), xyzr(std::string_view), gzip(std::string_view);
+void gridMap(std::string_view);
 void anyMolecule(std::string_view), structure(std::string_view);
 void lesson(std::string_view), selection(std::string_view), answers(std::string_view);
 void glossary(std::string_view), lessonPicture(std::string_view), formula(std::string_view);

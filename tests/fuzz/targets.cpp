@@ -11,6 +11,7 @@ constexpr Target kTargets[] = {
     {"pqr", pqr},
     {"gro", gro},
     {"xyzr", xyzr},
+    {"grid-map", gridMap},
     {"structure", structure},
     {"gzip", gzip},
     {"any-molecule", anyMolecule},

@@ -14,6 +14,7 @@
 #include "engine/haptics/body/rigid_body.h"
 #include "engine/haptics/methods.h"
 #include "engine/haptics/touch_setup.h"
+#include "tests/haptics/allocations.h"
 #include "tests/haptics/walk.h"
 
 using namespace moltact;
@@ -22,12 +23,14 @@ using test::makeScene;
 using test::walkTo;
 
 namespace {
-thread_local long allocations = 0;
+thread_local long allocated = 0;
 }  // namespace
+
+long test::allocations() { return allocated; }
 
 // Replaced for the whole program: plain malloc, and a count.
 void* operator new(std::size_t size) {
-  ++allocations;
+  ++allocated;
   if (void* p = std::malloc(size ? size : 1)) return p;
   throw std::bad_alloc();
 }
@@ -41,14 +44,14 @@ TEST_CASE("no method allocates in 3000 ticks of walking, jumping out and changin
     CAPTURE(std::string(method.name));
     const auto tracker = method.make(makeScene(scene.spheres), scene.probe_A);
     int touching = 0;
-    const long before = allocations;
+    const long before = test::allocations();
     for (std::size_t k = 0; k < path.size(); ++k) {
       touching += tracker->step({path[k]}).touching();
       if (k % 100 == 99) tracker->setProbe(1.4 + 0.2 * std::sin(0.01 * double(k)));
       if (k % 1000 == 999) tracker->reset();
       tracker->memoryUsage();
     }
-    CHECK(allocations == before);
+    CHECK(test::allocations() == before);
     CHECK(touching > 1000);
   }
 }
@@ -70,9 +73,9 @@ TEST_CASE(
   for (const auto& felt : made) {
     std::vector<AtomForce> room(felt->maxReactionCount());
     std::size_t count = 0;
-    const long before = allocations;
+    const long before = test::allocations();
     for (const Vec3& place : path) count += felt->reactions(felt->respond({{place}}), 2.0, 1.0, room);
-    CHECK(allocations == before);
+    CHECK(test::allocations() == before);
     CHECK(count > 200);
   }
 }

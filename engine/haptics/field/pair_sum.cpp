@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "engine/haptics/contact.h"
+#include "engine/haptics/field/held_atom_sum.h"
 
 namespace moltact {
 namespace {
@@ -23,18 +24,6 @@ void put(PairBlock& block, int lane, const Vec3& relative, const PairAtom& atom)
 void clear(PairBlock& block, int from_lane) {
   for (int lane = from_lane; lane < PairBlock::kLanes; ++lane) put(block, lane, Vec3(kFar_A), {});
 }
-
-// The largest eigenvalue of a symmetric matrix is at most that of its trace and of the norm of its rest.
-double curvatureBound(const glm::dmat3& m) {
-  const double mean = (m[0][0] + m[1][1] + m[2][2]) / 3.0;
-  double rest = 0.0;
-  for (int k = 0; k < 3; ++k)
-    for (int l = 0; l < 3; ++l) rest += std::pow(m[k][l] - (k == l ? mean : 0.0), 2.0);
-  // A traceless symmetric matrix has no eigenvalue above sqrt(2 / 3) of its norm.
-  return std::max(0.0, mean + std::sqrt(rest * 2.0 / 3.0));
-}
-
-glm::dmat3 cross(const Vec3& a) { return glm::dmat3(0.0, a.z, -a.y, -a.z, 0.0, a.x, a.y, -a.x, 0.0); }
 
 }  // namespace
 
@@ -197,12 +186,11 @@ PairTerms PairSum::sum(std::size_t atom, AddPairs add) const noexcept {
 }
 
 PairEnergy PairSum::at(const PoseA& pose) noexcept {
-  PairEnergy out;
   renewed_ = 0;
   const Quat& q = pose.orientation;
   if (!finite(pose.place.A) || glm::length(pose.place.A) > kMaxPosition_A || !std::isfinite(glm::dot(q, q)) ||
       body_.empty())
-    return out;
+    return {};
   const glm::dmat3 turn = glm::mat3_cast(q);
   // Lists that are no longer valid are renewed at once, and a few that soon will be, in turn.
   for (std::size_t k = 0; k < body_.size(); ++k) {
@@ -217,41 +205,16 @@ PairEnergy PairSum::at(const PoseA& pose) noexcept {
     if (!list.whole || glm::distance(places_[cursor_], list.centre_A) > 0.5 * kMargin_A) renew(list, places_[cursor_]);
   }
 
-  glm::dmat3 translational(0.0), rotational(0.0);
+  HeldAtomSum total(model_.wall_kcal_mol);
   for (std::size_t k = 0; k < body_.size(); ++k) {
     if (lists_[k].whole && lists_[k].atoms == 0) continue;
     const bool curved = calls_ < kCurvatureTicks || (k + calls_) % kCurvatureTicks == 0;
     const PairTerms terms = sum(k, curved ? kernel_.curvature : kernel_.slope);
     if (curved) curvatures_[k] = terms.curvature;
-    out.energy.van_der_waals_kcal_mol += terms.van_der_waals;
-    out.energy.electrostatic_kcal_mol += terms.electrostatic;
-    // phi(E) = E0 asinh(E / E0) above zero, with phi' = 1 / sqrt(1 + (E / E0)^2).
-    const double energy = terms.van_der_waals + terms.electrostatic, wall = model_.wall_kcal_mol;
-    double felt = energy, first = 1.0, second = 0.0;
-    if (energy > 0.0 && std::isfinite(wall)) {
-      const double x = energy / wall;
-      felt = wall * std::asinh(x);
-      first = 1.0 / std::sqrt(1.0 + x * x);
-      second = -x / wall * first * first * first;
-    }
-    out.energy.felt_kcal_mol += felt;
-    slopes_[k] = first;
-    const Vec3 gradient = first * terms.gradient, arm = places_[k] - pose.place.A;
-    out.force_kcal_mol_A -= gradient;
-    out.torque_kcal_mol -= glm::cross(arm, gradient);
-    const auto& c = curvatures_[k];
-    const glm::dmat3 curvature = first * glm::dmat3(c[0], c[3], c[4], c[3], c[1], c[5], c[4], c[5], c[2]) +
-                                 second * glm::outerProduct(terms.gradient, terms.gradient);
-    translational += curvature;
-    // E(exp(w)): second order in w of arm + w x arm + w x (w x arm) / 2.
-    const glm::dmat3 x = cross(arm);
-    rotational += -x * curvature * x + 0.5 * (glm::outerProduct(gradient, arm) + glm::outerProduct(arm, gradient)) -
-                  glm::dmat3(glm::dot(gradient, arm));
+    slopes_[k] = total.add(terms, curvatures_[k], places_[k] - pose.place.A);
   }
   ++calls_;
-  out.stiffness_kcal_mol_A2 = curvatureBound(translational);
-  out.rotational_stiffness_kcal_mol = curvatureBound(rotational);
-  return out;
+  return total.energy();
 }
 
 }  // namespace moltact

@@ -1,0 +1,140 @@
+// Table, sentences and chart of energy_trade_off.h.
+#include <algorithm>
+
+#include "engine/bench/chart_svg.h"
+#include "engine/bench/energies/energy_trade_off.h"
+
+namespace moltact::bench {
+namespace {
+
+constexpr const char* kEnergyKindTitles[] = {"direct sum, double", "direct sum, float", "grid, trilinear",
+                                             "grid, tricubic", "active workspace"};
+
+std::string energyBodyTitle(const std::string& body) {
+  if (body == "ligand") return "Force on a ligand";
+  return body == "200" ? "Force on 200 atoms" : "Force on a chain";
+}
+
+template <class Error>
+ChartPanel energyPanel(const std::vector<EnergyTradeOff>& points, const std::string& body, std::string title,
+                       std::string y_axis, Error error) {
+  ChartPanel panel{std::move(title), "mean time of one tick (µs)", std::move(y_axis), {}};
+  for (std::size_t kind = 0; kind < std::size(kEnergyKindTitles); ++kind) {
+    ChartSeries series{kEnergyKindTitles[kind], markAt(kind), true, false, true, {}};
+    for (const EnergyTradeOff& p : points)
+      if (p.measured && p.body == body && std::size_t(p.method.kind) == kind)
+        series.points.push_back({p.mean_us, error(p), constant(p.method.size_A)});
+    if (!series.points.empty()) panel.series.push_back(std::move(series));
+  }
+  return panel;
+}
+
+const EnergyTradeOff* energyPoint(const std::vector<EnergyTradeOff>& points, const std::string& body, EnergyKind kind,
+                                  double size_A) {
+  for (const EnergyTradeOff& p : points)
+    if (p.measured && p.body == body && p.method.kind == kind && p.method.size_A == size_A) return &p;
+  return nullptr;
+}
+
+}  // namespace
+
+ReportTable energyTradeOffTable(const std::vector<EnergyTradeOff>& points, const EnergyTradeOffOptions& options) {
+  ReportTable t{"energy_trade_off",
+                "Energies between atoms: speed against accuracy",
+                {{"body", "body"},
+                 {"method", "method"},
+                 {"mean_us", "tick, mean (us)"},
+                 {"p999_us", "p99.9 (us)"},
+                 {"force_rms", "force error, rms (kcal/mol/A)"},
+                 {"force_p99", "p99"},
+                 {"right_force", "right force, rms"},
+                 {"own_force_rms", "without the cut-off's share, rms"},
+                 {"torque_rms", "torque error, rms (kcal/mol)"},
+                 {"torque_p99", "p99"},
+                 {"right_torque", "right torque, rms"},
+                 {"energy_rms", "energy error, rms (kcal/mol)"},
+                 {"energy_p99", "p99"},
+                 {"jump_rms", "jump of the force at a face, rms (kcal/mol/A)"},
+                 {"jump_max", "max"},
+                 {"memory_MB", "memory (MB)"},
+                 {"preparation_s", "preparation (s)"}},
+                {},
+                ""};
+  const auto atoms = [&](const std::string& body) -> std::string {
+    for (const EnergyTradeOff& p : points)
+      if (p.body == body) return std::to_string(p.held) + " against " + std::to_string(p.scene);
+    return "not measured";
+  };
+  t.note =
+      "Atoms with polar hydrogens: ligand (amprenavir in 1HPV, charges of 0.2 and -0.2 in turn) " + atoms("ligand") +
+      "; 200 of 2HHB's chain A nearest to B " + atoms("200") + "; chain A against B " + atoms("chain") + ". " +
+      readable(double(options.ticks)) +
+      " ticks to and fro by 0.5 A along and about each axis from the crystal's pose; a tick's time is the minimum of " +
+      std::to_string(options.runs) +
+      " runs. Errors are of the felt energy (walls bounded by asinh above 1 kcal/mol per atom), against the sum over "
+      "all pairs in double precision without a cut-off, at up to 400 ticks; without the cut-off's share: against the "
+      "same sum with the method's own cut-off. The number of a direct sum is its cut-off, "
+      "of a grid its spacing; grids have a cut-off of 10 A and walls folded at 4 kcal/mol; a workspace is tricubic, "
+      "0.2 A within 0.75 A. Maps of more than " +
+      readable(kMaxMeasuredMaps_bytes / 1e6) + " MB are not measured (empty cells).";
+  for (const EnergyTradeOff& p : points) {
+    std::vector<Cell> row(t.columns.size());
+    row[0] = p.body;
+    row[1] = p.method.name();
+    if (p.measured) {
+      const double values[] = {p.mean_us,       p.p999_us,    p.force.rms,  p.force.p99,           p.right_force,
+                               p.own_force.rms, p.torque.rms, p.torque.p99, p.right_torque,        p.energy.rms,
+                               p.energy.p99,    p.jump.rms,   p.jump.max,   double(p.bytes) / 1e6, p.preparation_s};
+      for (std::size_t k = 0; k < std::size(values); ++k) row[k + 2] = values[k];
+    }
+    t.rows.push_back(std::move(row));
+  }
+  return t;
+}
+
+std::string energyTradeOffSentences(const std::vector<EnergyTradeOff>& points) {
+  std::string out;
+  for (const std::string body : {"ligand", "200", "chain"}) {
+    const EnergyTradeOff* direct = energyPoint(points, body, EnergyKind::Float, 10.0);
+    if (!direct) continue;
+    const auto share = [](const EnergyTradeOff& p) { return readable(100 * p.force.rms / p.right_force) + " %"; };
+    out += "* " +
+           std::string(body == "ligand" ? "Ligand"
+                       : body == "200"  ? "200 atoms"
+                                        : "Chain") +
+           ": `" + direct->method.name() + "` takes " + readable(direct->mean_us) + " us a tick and errs by " +
+           share(*direct) + " of the force (rms) by its cut-off and by " + readable(direct->own_force.rms) +
+           " kcal/mol/A by its rounding";
+    for (const EnergyKind kind : {EnergyKind::Trilinear, EnergyKind::Tricubic})
+      if (const EnergyTradeOff* grid = energyPoint(points, body, kind, 0.375))
+        out += "; `" + grid->method.name() + "` " + readable(grid->mean_us) + " us and " + share(*grid) +
+               ", with jumps of up to " + readable(grid->jump.max) + " kcal/mol/A at a face";
+    if (const EnergyTradeOff* grid = energyPoint(points, body, EnergyKind::Workspace, 0.2))
+      out += "; `" + grid->method.name() + "` " + readable(grid->mean_us) + " us and " + share(*grid);
+    out += ".\n";
+  }
+  return out;
+}
+
+std::string energyTradeOffChart(const std::vector<EnergyTradeOff>& points) {
+  std::vector<ChartPanel> panels;
+  for (const std::string body : {"ligand", "200", "chain"})
+    panels.push_back(energyPanel(points, body, energyBodyTitle(body), "error of the force, rms (kcal/mol/Å)",
+                                 [](const EnergyTradeOff& p) { return p.force.rms; }));
+  panels.push_back(energyPanel(points, "ligand", "Without the cut-off's share",
+                               "error of a ligand's force, rms (kcal/mol/Å)",
+                               [](const EnergyTradeOff& p) { return p.own_force.rms; }));
+  panels.push_back(energyPanel(points, "ligand", "Torque on a ligand", "error of the torque, rms (kcal/mol)",
+                               [](const EnergyTradeOff& p) { return p.torque.rms; }));
+  panels.push_back(energyPanel(points, "ligand", "Energy of a ligand", "error of the energy, rms (kcal/mol)",
+                               [](const EnergyTradeOff& p) { return p.energy.rms; }));
+  panels.push_back(energyPanel(points, "ligand", "Jumps on a ligand", "jump of the force at a face, rms (kcal/mol/Å)",
+                               [](const EnergyTradeOff& p) { return p.jump.rms; }));
+  std::erase_if(panels, [](const ChartPanel& p) { return p.series.empty(); });
+  return chartSvg(
+      "Energies between atoms: speed against accuracy", panels,
+      "Numbers beside the marks: cut-off of a direct sum, spacing of a grid, in Å. Left and down is better. "
+      "moltact bench energies");
+}
+
+}  // namespace moltact::bench

@@ -1,0 +1,119 @@
+#include "engine/haptics/field/compute_grid.h"
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <cmath>
+#include <exception>
+#include <mutex>
+#include <system_error>
+#include <thread>
+
+namespace moltact {
+namespace {
+
+constexpr int kBrick = 4;  // nodes along an edge that share a list of atoms
+
+void put(PairBlock& block, int lane, const Vec3& relative, const PairAtom& atom) {
+  block.x[lane] = float(relative.x);
+  block.y[lane] = float(relative.y);
+  block.z[lane] = float(relative.z);
+  block.charge_e[lane] = atom.charge_e;
+  block.half_minimum_A[lane] = atom.half_minimum_A;
+  block.root_depth[lane] = std::sqrt(atom.depth_kcal_mol);
+}
+
+// The atoms within `reach` of a point, in blocks relative to it.
+std::vector<PairBlock> blocksNear(const SphereGrid& scene, std::span<const PairAtom> atoms, const Vec3& centre,
+                                  double reach) {
+  std::vector<PairBlock> out;
+  int lane = PairBlock::kLanes;
+  scene.visitCentresNear(centre, reach, [&](std::uint32_t index, const Sphere& sphere) {
+    const Vec3 relative = sphere.centre_A - centre;
+    if (glm::dot(relative, relative) > reach * reach) return;
+    if (lane == PairBlock::kLanes) {
+      PairBlock& block = out.emplace_back();
+      for (lane = 0; lane < PairBlock::kLanes; ++lane) put(block, lane, Vec3(1e4), {});
+      lane = 0;
+    }
+    put(out.back(), lane++, relative, atoms[index]);
+  });
+  return out;
+}
+
+}  // namespace
+
+bool runGridWork(std::size_t count, int threads, const std::function<void(std::size_t)>& work,
+                 const GridProgress& progress) {
+  std::atomic<std::size_t> next{0}, finished{0};
+  std::atomic<bool> stopped{false};
+  std::exception_ptr thrown;
+  std::mutex throwing;
+  const auto run = [&](bool tells) {
+    auto told = std::chrono::steady_clock::now() - std::chrono::seconds(1);
+    for (std::size_t k; !stopped && (k = next++) < count;) {
+      try {
+        work(k);
+        ++finished;
+        const auto now = std::chrono::steady_clock::now();
+        if (tells && progress && now - told > std::chrono::milliseconds(100)) {
+          told = now;
+          if (!progress(double(finished) / double(count))) stopped = true;
+        }
+      } catch (...) {
+        const std::lock_guard lock(throwing);
+        if (!thrown) thrown = std::current_exception();
+        stopped = true;
+      }
+    }
+  };
+  const unsigned wanted = threads > 0 ? unsigned(threads) : std::max(1u, std::thread::hardware_concurrency());
+  std::vector<std::thread> others;
+  others.reserve(wanted);
+  try {
+    for (unsigned k = 1; k < wanted; ++k) others.emplace_back([&] { run(false); });
+  } catch (const std::system_error&) {  // no further thread available
+  }
+  run(true);
+  for (std::thread& other : others) other.join();
+  if (thrown) std::rethrow_exception(thrown);
+  return finished == count && (!progress || progress(1.0));
+}
+
+std::optional<GridMaps> computeGridMaps(const SphereGrid& scene, std::span<const PairAtom> atoms, const GridBox& box,
+                                        std::span<const float> sizes, const PairModel& model, int threads,
+                                        const GridProgress& progress) {
+  GridMaps out;
+  out.box = box;
+  out.van_der_waals.assign(sizes.size(), std::vector<float>(box.count()));
+  out.electrostatic.resize(box.count());
+  const PairConstants constants(model);
+  const AddPairs add = pairKernel(model.kind).slope;
+  std::array<std::size_t, 3> bricks{};
+  for (std::size_t axis = 0; axis < 3; ++axis) bricks[axis] = std::size_t((box.nodes[axis] + kBrick - 1) / kBrick);
+  const auto brick = [&](std::size_t number) {
+    const int i0 = int(number % bricks[0]) * kBrick, j0 = int(number / bricks[0] % bricks[1]) * kBrick,
+              k0 = int(number / bricks[0] / bricks[1]) * kBrick;
+    const Vec3 centre = box.node(i0, j0, k0) + Vec3(0.5 * (kBrick - 1) * box.spacing_A);
+    const double half = 0.5 * (kBrick - 1) * box.spacing_A * std::sqrt(3.0);
+    const std::vector<PairBlock> blocks = blocksNear(scene, atoms, centre, model.cutoff_A + half);
+    for (int k = k0; k < std::min(k0 + kBrick, box.nodes[2]); ++k)
+      for (int j = j0; j < std::min(j0 + kBrick, box.nodes[1]); ++j)
+        for (int i = i0; i < std::min(i0 + kBrick, box.nodes[0]); ++i) {
+          const Vec3 at = box.node(i, j, k) - centre;
+          const std::size_t node = box.index(i, j, k);
+          PairOwn own{float(at.x), float(at.y), float(at.z), 1.0f, 0.0f, sizes.empty() ? 0.0f : 1.0f};
+          for (std::size_t size = 0; size < std::max<std::size_t>(sizes.size(), 1); ++size) {
+            if (size < sizes.size()) own.half_minimum_A = sizes[size];
+            PairTerms terms;
+            add(blocks.data(), int(blocks.size()), constants, own, terms);
+            if (size < sizes.size()) out.van_der_waals[size][node] = float(terms.van_der_waals);
+            if (size == 0) out.electrostatic[node] = float(terms.electrostatic);
+          }
+        }
+  };
+  if (!runGridWork(bricks[0] * bricks[1] * bricks[2], threads, brick, progress)) return std::nullopt;
+  return out;
+}
+
+}  // namespace moltact

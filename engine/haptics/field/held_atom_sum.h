@@ -1,0 +1,68 @@
+// The sum of a held body's atoms: each atom's energy through the bound of the walls, its force at its arm about the body's
+// middle, and the bounds of the curvature. Haptic thread. Units: angstrom, kcal/mol, radian.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/haptics/field/pair_sum.h"
+
+namespace moltact {
+
+class HeldAtomSum {
+ public:
+  /// `wall_kcal_mol` as in PairModel.
+  explicit HeldAtomSum(double wall_kcal_mol) noexcept : wall_(wall_kcal_mol) {}
+
+  /// Adds an atom at `arm` from the body's middle. Its curvature may be of another pose nearby. Returns the slope of the
+  /// bound of the walls at the atom's energy: 1 below zero.
+  double add(const PairTerms& terms, const std::array<double, 6>& c, const Vec3& arm) noexcept {
+    sum_.energy.van_der_waals_kcal_mol += terms.van_der_waals;
+    sum_.energy.electrostatic_kcal_mol += terms.electrostatic;
+    // phi(E) = E0 asinh(E / E0) above zero, with phi' = 1 / sqrt(1 + (E / E0)^2).
+    const double energy = terms.van_der_waals + terms.electrostatic;
+    double felt = energy, first = 1.0, second = 0.0;
+    if (energy > 0.0 && std::isfinite(wall_)) {
+      const double x = energy / wall_;
+      felt = wall_ * std::asinh(x);
+      first = 1.0 / std::sqrt(1.0 + x * x);
+      second = -x / wall_ * first * first * first;
+    }
+    sum_.energy.felt_kcal_mol += felt;
+    const Vec3 gradient = first * terms.gradient;
+    sum_.force_kcal_mol_A -= gradient;
+    sum_.torque_kcal_mol -= glm::cross(arm, gradient);
+    const glm::dmat3 curvature = first * glm::dmat3(c[0], c[3], c[4], c[3], c[1], c[5], c[4], c[5], c[2]) +
+                                 second * glm::outerProduct(terms.gradient, terms.gradient);
+    translational_ += curvature;
+    // E(exp(w)): second order in w of arm + w x arm + w x (w x arm) / 2.
+    const glm::dmat3 x(0.0, arm.z, -arm.y, -arm.z, 0.0, arm.x, arm.y, -arm.x, 0.0);
+    rotational_ += -x * curvature * x + 0.5 * (glm::outerProduct(gradient, arm) + glm::outerProduct(arm, gradient)) -
+                   glm::dmat3(glm::dot(gradient, arm));
+    return first;
+  }
+
+  PairEnergy energy() const noexcept {
+    PairEnergy out = sum_;
+    out.stiffness_kcal_mol_A2 = bound(translational_);
+    out.rotational_stiffness_kcal_mol = bound(rotational_);
+    return out;
+  }
+
+ private:
+  // The largest eigenvalue of a symmetric matrix is at most that of its trace and of the norm of its rest.
+  static double bound(const glm::dmat3& m) noexcept {
+    const double mean = (m[0][0] + m[1][1] + m[2][2]) / 3.0;
+    double rest = 0.0;
+    for (int k = 0; k < 3; ++k)
+      for (int l = 0; l < 3; ++l) rest += std::pow(m[k][l] - (k == l ? mean : 0.0), 2.0);
+    // A traceless symmetric matrix has no eigenvalue above sqrt(2 / 3) of its norm.
+    return std::max(0.0, mean + std::sqrt(rest * 2.0 / 3.0));
+  }
+
+  double wall_;
+  PairEnergy sum_;
+  glm::dmat3 translational_{0.0}, rotational_{0.0};
+};
+
+}  // namespace moltact

@@ -1,0 +1,46 @@
+// Maps in AutoGrid's format (.map): six lines of text with names, spacing, numbers of intervals and centre, then one value
+// per node, x fastest. Any thread except the haptic one. Units: angstrom; the values are in kcal/mol, of the electrostatic
+// map per elementary charge.
+#pragma once
+
+#include <filesystem>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "engine/haptics/field/grid_map.h"
+
+namespace moltact {
+
+struct MapFile {
+  GridBox box;
+  std::vector<float> values;  ///< box.count()
+  std::string molecule;       ///< the file of the molecule, as the map names it
+};
+
+/// The largest file that is read: 1 GiB.
+inline constexpr std::size_t kMaxMapBytes = std::size_t(1) << 30;
+/// The largest amount of a value (unit: kcal/mol); AutoGrid's own limit is 1e5.
+inline constexpr double kMaxMapValue = 1e30;
+
+/// A Problem for a line that is not AutoGrid's, a spacing or a number of nodes outside of the limits of grid_map.h, a value
+/// that is not finite, and fewer or more values than the header says.
+Expected<MapFile> readMap(std::string_view text, const std::string& file);
+Expected<MapFile> readMapFile(const std::filesystem::path& file);
+
+/// The smallest box round `low` to `high` that AutoGrid's header can state: an even number of intervals, and a centre of
+/// three decimals. A Problem as gridBoxRound().
+Expected<GridBox> mapBoxRound(const Vec3& low, const Vec3& high, double spacing_A);
+
+/// The text of a map of such a box. `stem` names the files of the same calculation: STEM.maps.fld. Values beyond 1e5
+/// become 1e5, as in AutoGrid's maps, and have four decimals.
+std::string mapText(const GridBox& box, std::span<const float> values, std::string_view stem,
+                    std::string_view molecule);
+
+/// The text of STEM.maps.fld, which lists the maps STEM.NAME.map for viewers, and of STEM.maps.xyz with the box's corners.
+std::string mapFieldText(const GridBox& box, std::string_view stem, std::string_view molecule,
+                         std::span<const std::string> names);
+std::string mapCornersText(const GridBox& box);
+
+}  // namespace moltact
