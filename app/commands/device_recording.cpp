@@ -39,6 +39,7 @@ constexpr int kReadyLooks = 2;  // consecutive: at the first query a device may 
 struct RecordOptions {
   std::string device, file;
   TouchSetup touch;
+  const CLI::Option* hand = nullptr;  // --hand
   MoleculeArgument molecule;
   double seconds = 10.0, wait_s = 60.0;
   bool overwrite = false;
@@ -213,7 +214,7 @@ void recordHand(const RecordOptions& options) {
   const DeviceInfo info = (*device)->info();
   const ServoSettings settings = settingsFor(*scene, options.touch, info);
   Recorder recorder(options, openedFile(options), labelsOf(options, *scene, info.name));
-  checkHand(options.touch, false);
+  checkHand(options.touch, false, options.hand);
   auto felt =
       makeInteraction({.spheres = scene, .touch = options.touch, .chemistry = chemistryFor(options.touch, molecule)});
   MouseDevice mouse;
@@ -286,7 +287,7 @@ void addDeviceRecording(CLI::App& device) {
   options->molecule.addTo(*records);
   records->add_option("--out", options->file, "The file to write")->type_name(kFileType)->required();
   records->add_flag("--overwrite", options->overwrite, "Replace an existing file");
-  addTouchOptions(*records, options->touch);
+  options->hand = addTouchOptions(*records, options->touch);
   records
       ->add_option("--seconds", options->seconds, "Length of the recording; a replay needs 1.3 GB of memory per hour")
       ->check(numberFrom(0.1, 3600.0))

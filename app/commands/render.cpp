@@ -43,6 +43,7 @@ struct RenderArguments {
   SceneOptions says;
   bool legend = false;
   TouchSetup touch;
+  const CLI::Option* hand = nullptr;  // --hand
   double azimuth_deg = 0, elevation_deg = 0, zoom = 1, stiffness_N_per_A = 1;
   int samples = 3, time = 0;
   std::size_t max_single_atoms = kMaxSingleAtoms;
@@ -198,7 +199,7 @@ void render(const RenderArguments& arguments) {
     scene.look.hidden = std::make_shared<const std::vector<std::uint32_t>>(
         scene.look.hidden ? atomsOfEither(*scene.look.hidden, held) : held);
   }
-  checkHand(arguments.touch, scene.body != nullptr);
+  checkHand(arguments.touch, scene.body != nullptr, arguments.hand);
   if (!arguments.orientation.empty() && !scene.body)
     throw CLI::ValidationError("--orientation", "there is nothing in the hand to turn; add --in-hand");
   if (auto written = annotationsOf(spec, *scene.molecule)) scene.annotations.push_back(std::move(written));
@@ -269,7 +270,7 @@ void addRender(CLI::App& app) {
   std::string shapes = "Parts of the picture, separated by commas; the groups are haptic, all and none:";
   for (const ViewPartInfo& s : viewParts()) shapes += "\n" + std::string(s.name) + ": " + std::string(s.sentence);
   command->add_option("--show", a.show, shapes)->capture_default_str();
-  addTouchOptions(*command, a.touch);
+  a.hand = addTouchOptions(*command, a.touch);
   command->add_option("--stiffness", a.stiffness_N_per_A, "Stiffness of the spring, in N per angstrom, for the arrow")
       ->check(numberFrom(0.0, 1e6))
       ->capture_default_str();

@@ -32,6 +32,7 @@ struct ReplayOptions {
   std::vector<std::string> spheres;       // files of the scene and of the body, written
   ExcludedAtoms left_out;
   TouchSetup touch;
+  const CLI::Option* hand = nullptr;  // --hand
   double stiffness_N_per_A = 1.0, rotational_stiffness_N_A = 0.0;
   bool time = false;
 };
@@ -159,7 +160,7 @@ InteractionInput inputOf(const ReplayOptions& options) {
     input.spheres = std::make_shared<const SphereGrid>(molecule.spheres, not_felt);
     input.chemistry = chemistryFor(options.touch, molecule);
   }
-  checkHand(options.touch, input.body != nullptr);
+  checkHand(options.touch, input.body != nullptr, options.hand);
   input.touch = resolveInteraction(input.touch, input.body != nullptr);
   // The response is divided by the stiffness, so it equals that of a spring of 1 N/A.
   if (options.stiffness_N_per_A > 0.0)
@@ -225,7 +226,7 @@ void addReplay(CLI::App& app) {
           ->excludes(in_hand);
   options->left_out.addTo(*command);
   for (const char* of_molecule : {"--untouchable", "--remove"}) from_spheres->excludes(of_molecule);
-  addTouchOptions(*command, options->touch);
+  options->hand = addTouchOptions(*command, options->touch);
   addProbeOption(*command, options->touch);
   command->add_option("--stiffness", options->stiffness_N_per_A, "Stiffness of the spring, in N per angstrom")
       ->check(numberFrom(0.0, 1e6))

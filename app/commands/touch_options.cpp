@@ -10,7 +10,7 @@
 
 namespace moltact {
 
-void addTouchOptions(CLI::App& command, TouchSetup& touch) {
+const CLI::Option* addTouchOptions(CLI::App& command, TouchSetup& touch) {
   for (const TouchProperty& p : touchProperties()) {
     if (!p.requires_rebuild || !isChoice(p)) continue;
     const std::string name = "--" + std::string(p.key);
@@ -31,13 +31,20 @@ void addTouchOptions(CLI::App& command, TouchSetup& touch) {
         },
         p.member);
   }
+  return command.get_option("--hand");
 }
 
-void checkHand(const TouchSetup& touch, bool body) {
+void checkHand(const TouchSetup& touch, bool body, const CLI::Option* hand) {
   const InteractionKind* kind = findInteractionKind(touch.interaction);
   if (kind && kind->holds_body && !body)
     throw CommandError{Problem{"--hand", 0, 0, trf("the hand holds no body, which '{0}' needs", touch.interaction),
                                tr("name what the hand holds with --in-hand")}
+                           .text()};
+  if (kind && !kind->holds_body && body && hand->count() > 0)
+    throw CommandError{Problem{"--hand", 0, 0,
+                               trf("the hand holds a body, which '{0}' does not feel", touch.interaction),
+                               trf("leave out --hand for '{0}', or write the name of another interaction with a body",
+                                   resolveInteraction(touch, true).interaction)}
                            .text()};
 }
 

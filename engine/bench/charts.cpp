@@ -91,7 +91,7 @@ std::string sizeChart(const std::vector<SceneTimes>& times) {
     memory.series.push_back(std::move(bytes));
     ready.series.push_back(std::move(ms));
   }
-  return chartSvg("No more than a scene needs: memory and ready time against its size", {memory, ready},
+  return chartSvg("Memory and ready time against the size of the scene", {memory, ready},
                   "\"modelled\": atoms for which exact holds more than centre and radius, of those loaded. "
                   "moltact bench tables");
 }

@@ -11,7 +11,7 @@
 namespace moltact::bench {
 namespace {
 
-constexpr double kStep_A = 0.02;
+constexpr double kPathStep_A = 0.02;
 
 Vec3 randomDirection(std::mt19937_64& random) {
   std::normal_distribution<double> normal;
@@ -66,7 +66,7 @@ std::vector<Vec3> slidingPath(const std::shared_ptr<const SphereGrid>& scene, do
     }
     // The approach from outside is not part of the path.
     h += glm::normalize(direction) *
-         (reached || c.touching() ? kStep_A : std::max(kStep_A, 0.9 * clearance(*scene, probe_A, h)));
+         (reached || c.touching() ? kPathStep_A : std::max(kPathStep_A, 0.9 * clearance(*scene, probe_A, h)));
     if (reached) path.push_back(h);
   }
   return path;
@@ -84,7 +84,7 @@ std::vector<Vec3> freePath(const std::shared_ptr<const SphereGrid>& scene, doubl
     heading = glm::normalize(heading + 0.05 * randomDirection(random));
     const double gap = clearance(*scene, probe_A, h);
     const Vec3 out = glm::normalize(h - centre);
-    const Vec3 next = h + kStep_A * glm::normalize(heading + out * (gap < 0.5 ? 2.0 : gap > 3.0 ? -2.0 : 0.0));
+    const Vec3 next = h + kPathStep_A * glm::normalize(heading + out * (gap < 0.5 ? 2.0 : gap > 3.0 ? -2.0 : 0.0));
     if (clearance(*scene, probe_A, next) > 0.05)
       h = next;
     else

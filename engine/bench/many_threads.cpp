@@ -13,7 +13,7 @@ void inManyThreads(std::size_t count, const std::function<void(std::size_t)>& wo
   std::atomic<std::size_t> next{0}, finished{0};
   std::exception_ptr thrown;
   std::mutex throwing;
-  const auto run = [&](bool tells) {
+  const auto run = [&](bool reports) {
     for (std::size_t k; (k = next++) < count;) {
       try {
         work(k);
@@ -23,7 +23,7 @@ void inManyThreads(std::size_t count, const std::function<void(std::size_t)>& wo
         next = count;
       }
       ++finished;
-      if (tells && done) done(finished);
+      if (reports && done) done(finished);
     }
   };
   {

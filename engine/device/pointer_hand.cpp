@@ -66,6 +66,7 @@ PointA PointerHand::lead(const PointerInput& in, const SphereGrid& scene, const 
   }
   // The view may have been magnified meanwhile; a pressed surface keeps its position.
   if (pressing_) plane_depth_ = glm::dot(over_A_ - rays.eye_A, rays.forward);
+  const bool stands = in.press || in.pointer_px == last_pointer_;
   aim(in, dt);
   const Vec3 along = rays.direction(aim_);
   sink(in, dt * (depth_ < 0.0 ? 2.0 : pace(in)) * kPressSpeed_A_per_s, in.field ? -glm::dot(in.pull_N, along) : 0.0);
@@ -86,6 +87,7 @@ PointA PointerHand::lead(const PointerInput& in, const SphereGrid& scene, const 
     plane_depth_ = distance * forward;
   }
   over_A_ = rays.eye_A + along * distance;
+  if (met_ && stands) stood_A_ = over_A_;
   hip_ = {over_A_ + along * under};
   return hip_;
 }
@@ -149,6 +151,9 @@ void PointerHand::aim(const PointerInput& in, double dt_s) {
     }
     last_pointer_ = *in.pointer_px;
   }
+  if (in.over_control && aim_follows_ && !in.press && !lifting && stood_A_ &&
+      glm::dot(*stood_A_ - rays.eye_A, rays.forward) > 0.1)
+    aim_ += (rays.pixel(*stood_A_) - aim_) * (1.0 - std::exp(-dt_s / kGlide_s));
   if (in.keys != glm::dvec2(0.0)) {
     const double speed_px = 0.12 * rays.height_px * dt_s * (pressing_ ? pace(in) : 1.0);
     aim_ += glm::dvec2(in.keys.x, -in.keys.y) * speed_px;

@@ -5,7 +5,8 @@
 // The probe stays under the pointer as far as the surface permits. The HIP lies on the line of sight through the
 // pointer, under the surface while the button is held. If the pointer is fast, a pressed probe follows over the surface
 // at kMaxSpeed_A_per_s and does not pass through obstacles. After a release the hand is lifted before any other motion,
-// so that no release causes an impact.
+// so that no release causes an impact. While the pointer is on a control over the view, a hovering hand returns to where
+// the pointer last stood still over a surface, so that it does not wait behind the control.
 //
 // The resistance is visible instead of felt: pressing slows down as the force rises, and so does a probe moved by the
 // arrow keys. A held press comes to rest at the depth where the spring gives kRest_N. Each notch changes this force by
@@ -29,6 +30,7 @@ struct PointerInput {
   ViewRays rays;
   std::optional<glm::dvec2>
       pointer_px;             ///< the pointer in the view; empty: outside the view, or the keyboard is in use
+  bool over_control = false;  ///< the pointer is on a control that lies over the view
   glm::dvec2 keys{0.0};       ///< arrow keys: x right, y up, each -1, 0 or 1
   bool press = false;         ///< left button or space bar held
   bool touching = false;      ///< newest tick: the probe touches
@@ -90,10 +92,11 @@ class PointerHand {
   bool aim_follows_ = true;  // false while the keys lead
   glm::dvec2 aim_{0.0}, last_pointer_{0.0};
   double depth_ = 0.0;
-  double lift_left_s_ = 0.0;  // remaining time of the lift after a release
-  double goal_N_ = kRest_N;   // force at which the press comes to rest
-  double plane_depth_ = 0.0;  // depth along the view of the last surface
-  Vec3 over_A_{0.0};          // where the aim last met the surface, or hovered
+  double lift_left_s_ = 0.0;     // remaining time of the lift after a release
+  double goal_N_ = kRest_N;      // force at which the press comes to rest
+  double plane_depth_ = 0.0;     // depth along the view of the last surface
+  Vec3 over_A_{0.0};             // where the aim last met the surface, or hovered
+  std::optional<Vec3> stood_A_;  // the same where the pointer last stood still over a surface, or pressed
   PointA hip_;
 };
 

@@ -88,8 +88,10 @@ constexpr std::array kProperties{
                   .words = &interactionWords,
                   .control = {.title = N_("In the hand")},
                   .fallback = "probe",
-                  .meaning = "How what is in the hand feels the molecule. With 'in-hand' the fallback is 'exact-body'; "
-                             "'springs' is its rival, in which each atom has a spring of its own."},
+                  .meaning =
+                      "How what is in the hand feels the molecule. 'probe' is a sphere. With 'in-hand' the fallback is "
+                      "'exact-body': one spring pulls the whole body, which is rigid and overlaps no atom. With "
+                      "'springs' each atom of the body has a spring of its own, and the body can overlap atoms."},
     TouchProperty{.member = &TouchSetup::charges,
                   .key = "charges",
                   .field = "charges",

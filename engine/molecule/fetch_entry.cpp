@@ -11,7 +11,7 @@ namespace moltact {
 namespace fs = std::filesystem;
 namespace {
 
-constexpr std::size_t kMaxBytes = std::size_t{1} << 30;
+constexpr std::size_t kMaxDownloadBytes = std::size_t{1} << 30;
 
 Problem downloadProblem(const DownloadResult& result, const std::string& id, const std::string& url,
                         const fs::path& file) {
@@ -64,7 +64,7 @@ Expected<FetchedEntry> fetchEntry(const std::string& text, const fs::path& folde
   const std::string url = mirror.empty() ? entryUrl(id) : mirror;
   std::optional<Problem> problem;
   const auto take = [&](std::string_view bytes) { return !(problem = draft->append(bytes)); };
-  const DownloadResult result = download(url, kMaxBytes, take, cancelled);
+  const DownloadResult result = download(url, kMaxDownloadBytes, take, cancelled);
   if (result.failure == DownloadFailure::None) problem = draft->flush();
   if (problem) return unwritten(*problem);
   if (result.failure != DownloadFailure::None) return downloadProblem(result, id, url, file);

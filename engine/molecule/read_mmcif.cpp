@@ -96,7 +96,7 @@ constexpr TableTags kTables[] = {{"_atom_site.", kAtomTags},
                                  {"_struct_conf.", kConformationTags},
                                  {"_struct_sheet_range.", kStrandTags}};
 
-constexpr const char* kRemedy = N_("correct the file, or take it again from its source");
+constexpr const char* kTableRemedy = N_("correct the file, or take it again from its source");
 constexpr std::size_t kMaxModels = 100'000;
 constexpr std::size_t kMaxKept = std::size_t{32} << 20;  // bytes of text that describes assemblies
 
@@ -213,7 +213,7 @@ class Reader {
   }
 
   Problem rowProblem(const std::string& what) const {
-    return {file_, 0, 0, trf("row {0} of the _atom_site table: {1}", rows_, what), tr(kRemedy)};
+    return {file_, 0, 0, trf("row {0} of the _atom_site table: {1}", rows_, what), tr(kTableRemedy)};
   }
 
   static std::string_view firstOf(const Cell& one, const Cell& other) { return one.says() ? one.said() : other.said(); }
@@ -299,7 +299,7 @@ class Reader {
       return std::nullopt;
     }
     kept_ += sizeof out + out.chain.size();
-    if (kept_ > kMaxKept) return Problem{file_, 0, 0, tr("more than 32 MiB of helices and strands"), tr(kRemedy)};
+    if (kept_ > kMaxKept) return Problem{file_, 0, 0, tr("more than 32 MiB of helices and strands"), tr(kTableRemedy)};
     head_.elements.push_back(std::move(out));
     return std::nullopt;
   }

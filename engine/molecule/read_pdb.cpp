@@ -51,9 +51,9 @@ struct Field {
   const char* name;
 };
 
-constexpr Field kCoordinates[3] = {{30, 8, "x"}, {38, 8, "y"}, {46, 8, "z"}};
-constexpr Field kOccupancy = {54, 6, "occupancy"};
-constexpr Field kBFactor = {60, 6, "B factor"};
+constexpr Field kCoordinateFields[3] = {{30, 8, "x"}, {38, 8, "y"}, {46, 8, "z"}};
+constexpr Field kOccupancyField = {54, 6, "occupancy"};
+constexpr Field kBFactorField = {60, 6, "B factor"};
 
 std::string columns(const Field& f) { return trf("columns {0}-{1}", f.first + 1, f.first + f.width); }
 
@@ -126,10 +126,11 @@ gemmi::Element elementOf(const char* line, bool has_element) {
 /// Parses one ATOM or HETATM line and adds its atom; returns a Problem if it is invalid.
 std::optional<Problem> addAtom(MoleculeBuilder& builder, PdbRecords& records, std::string_view line,
                                const std::string& file, std::size_t number) {
-  constexpr const char* kRemedy =
+  constexpr const char* kLineRemedy =
       N_("the PDB format has x, y, z in columns 31-54; correct the line, or convert the file to mmCIF");
   if (line.size() < 54)
-    return Problem{file, number, line.size() + 1, tr("the atom's line ends before its coordinates do"), tr(kRemedy)};
+    return Problem{file, number, line.size() + 1, tr("the atom's line ends before its coordinates do"),
+                   tr(kLineRemedy)};
   char out[kLineWidth + 1];
   std::memset(out, ' ', kLineWidth);
   line.copy(out, kLineWidth);
@@ -139,24 +140,24 @@ std::optional<Problem> addAtom(MoleculeBuilder& builder, PdbRecords& records, st
   const std::string_view clean(out, kLineWidth);
   ParsedAtom atom;
   for (int k = 0; k < 3; ++k) {
-    const Field& f = kCoordinates[k];
+    const Field& f = kCoordinateFields[k];
     const std::string_view field = line.substr(f.first, f.width);
     if (!parseNumber(field, atom.position_A[k]) || std::abs(atom.position_A[k]) > kMaxCoordinate_A)
       return Problem{file, number, f.first + 1,
-                     trf("{0} ({1}) is not a number: {2}", f.name, columns(f), inQuotes(field)), tr(kRemedy)};
+                     trf("{0} ({1}) is not a number: {2}", f.name, columns(f), inQuotes(field)), tr(kLineRemedy)};
   }
   if (!isResidueNumber(clean.substr(22, 4)))
     return Problem{file, number, 23,
                    trf("the residue number (columns 23-26) is not a number: {0}", inQuotes(clean.substr(22, 4))),
-                   tr(kRemedy)};
-  const std::string_view field = clean.substr(kOccupancy.first, kOccupancy.width);
+                   tr(kLineRemedy)};
+  const std::string_view field = clean.substr(kOccupancyField.first, kOccupancyField.width);
   if (const bool blank = trimmed(field).empty(); blank || !parseNumber(field, atom.occupancy)) {
     if (!blank && records.warnings.size() < kMaxLineWarnings)
       records.warnings.push_back(
           trf("Line {0}: the occupancy {1} is not a number and was taken as 1.", number, inQuotes(field)));
     atom.occupancy = 1.0;
   }
-  const std::string_view b_factor = clean.substr(kBFactor.first, kBFactor.width);
+  const std::string_view b_factor = clean.substr(kBFactorField.first, kBFactorField.width);
   if (const bool blank = trimmed(b_factor).empty(); blank || !parseNumber(b_factor, atom.b_factor_A2)) {
     if (!blank && records.warnings.size() < kMaxLineWarnings)
       records.warnings.push_back(

@@ -23,7 +23,7 @@ constexpr std::string_view kSmallResidue = "UNL", kSmallChain = "A";
 constexpr std::size_t kMaxSites = 1'000'000, kMaxSymmetry = 1'000;
 constexpr const char* kSmallRemedy = N_("correct the file, or take it again from its source");
 
-enum SiteColumn { kLabel, kSymbol, kFractX, kFractY, kFractZ, kSiteOccupancy, kGroup, kAssembly, kUiso, kBiso };
+enum SiteColumn { kLabel, kSymbol, kFractX, kFractY, kFractZ, kSiteOccupancy, kDisorderGroup, kAssembly, kUiso, kBiso };
 constexpr std::string_view kSiteTags[] = {"_atom_site_label",          "_atom_site_type_symbol",
                                           "_atom_site_fract_x",        "_atom_site_fract_y",
                                           "_atom_site_fract_z",        "_atom_site_occupancy",
@@ -197,7 +197,7 @@ class SmallCifReader {
       case kSiteOccupancy:
         if (!words_.null()) return number(site.occupancy);
         break;
-      case kGroup:
+      case kDisorderGroup:
         if (!words_.null()) site.disorder = value;
         break;
       case kAssembly:

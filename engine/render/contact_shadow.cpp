@@ -8,7 +8,7 @@ namespace {
 
 // Near the sphere, the fraction of the sky that it covers, (radius / distance)^2; along the light, its projection,
 // whose edge softens with distance. Nothing is darkened beyond kReach.
-const char* const kFragmentText = R"(
+const char* const kShadowFragmentText = R"(
 in vec2 v_uv;
 uniform sampler2D u_window;
 uniform vec2 u_tan, u_depth;
@@ -36,7 +36,7 @@ void main() {
 
 Expected<ContactShadow> ContactShadow::build() {
   const std::string reach = "const float kReach = " + std::to_string(int(kReach * 10)) + ".0 / 10.0;\n";
-  auto program = GlProgram::build("contact shadow", kWholePictureText, reach + kFragmentText);
+  auto program = GlProgram::build("contact shadow", kWholePictureText, reach + kShadowFragmentText);
   if (!program) return program.problem();
   ContactShadow made;
   made.program_ = *std::move(program);

@@ -5,7 +5,7 @@
 namespace moltact {
 namespace {
 
-const char* const kFragmentText = R"(
+const char* const kEdgeFragmentText = R"(
 in vec2 v_uv;
 uniform sampler2D u_colour;
 uniform vec2 u_pixel;
@@ -37,7 +37,7 @@ void main() {
 }  // namespace
 
 Expected<EdgeFilter> EdgeFilter::build() {
-  auto program = GlProgram::build("smooth edges", kWholePictureText, kFragmentText);
+  auto program = GlProgram::build("smooth edges", kWholePictureText, kEdgeFragmentText);
   if (!program) return program.problem();
   EdgeFilter made;
   made.program_ = *std::move(program);

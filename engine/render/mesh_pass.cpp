@@ -4,7 +4,7 @@ namespace moltact {
 namespace {
 
 // The depth in the window is linear in 1 / depth, like that of the spheres, so the card's interpolation is exact.
-const char* const kVertexText = R"(
+const char* const kMeshVertexText = R"(
 layout(location = 0) in vec3 a_place;
 layout(location = 1) in vec3 a_normal;
 layout(location = 2) in vec4 a_colour;
@@ -23,7 +23,7 @@ void main() {
 
 // Inner walls are darker. In a cut, the inside is drawn flat and darker, as if it were filled: a wall seen from behind
 // has only the solid in front of it.
-const char* const kFragmentText = R"(
+const char* const kMeshFragmentText = R"(
 in vec3 v_place, v_normal;
 in vec4 v_colour;
 uniform vec2 u_tan;
@@ -79,7 +79,7 @@ void GpuMesh::draw() const {
 }
 
 Expected<MeshPass> MeshPass::build() {
-  auto program = GlProgram::build("meshes", kVertexText, kLightingText + kFragmentText);
+  auto program = GlProgram::build("meshes", kMeshVertexText, kLightingText + kMeshFragmentText);
   if (!program) return program.problem();
   MeshPass made;
   made.program_ = *std::move(program);

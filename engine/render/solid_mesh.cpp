@@ -9,7 +9,7 @@
 namespace moltact {
 namespace {
 
-const char* const kVertexText = R"(
+const char* const kSolidVertexText = R"(
 layout(location = 0) in vec3 a_place;
 layout(location = 1) in vec3 a_normal;
 layout(location = 2) in vec4 a_colour;
@@ -29,7 +29,7 @@ void main() {
 
 // The depth is written per pixel and not per vertex, so that parts in front of the near plane or behind the far plane
 // are not clipped.
-const char* const kFragmentText = R"(
+const char* const kSolidFragmentText = R"(
 in vec3 v_place, v_normal;
 in vec4 v_colour;
 in float v_y;
@@ -48,7 +48,7 @@ void main() {
 
 Expected<SolidMesh> SolidMesh::build() {
   SolidMesh made;
-  auto program = GlProgram::build("solid glyphs", kVertexText, std::string(kLightingText) + kFragmentText);
+  auto program = GlProgram::build("solid glyphs", kSolidVertexText, std::string(kLightingText) + kSolidFragmentText);
   if (!program) return program.problem();
   made.program_ = *std::move(program);
   if (made.stream_->bind()) {

@@ -5,7 +5,7 @@
 namespace moltact {
 namespace {
 
-const char* const kVertexText = R"(
+const char* const kSphereVertexText = R"(
 layout(location = 0) in vec2 a_corner;
 layout(location = 1) in vec4 a_sphere;
 layout(location = 2) in vec4 a_colour;
@@ -106,13 +106,13 @@ Expected<SphereImpostors> SphereImpostors::build() {
   const auto solidText = [](const char* define) {
     return std::string("#define ") + define + "\n" + kRayText + kLightingText + kSolidText;
   };
-  auto solid = GlProgram::build("solid balls", kVertexText, solidText("WIDE_GIVEN"));
+  auto solid = GlProgram::build("solid balls", kSphereVertexText, solidText("WIDE_GIVEN"));
   if (!solid) return solid.problem();
-  auto even = GlProgram::build("balls in a hurry", kVertexText, solidText("FINE_EVEN\n#define WIDE_GIVEN"));
+  auto even = GlProgram::build("balls in a hurry", kSphereVertexText, solidText("FINE_EVEN\n#define WIDE_GIVEN"));
   if (!even) return even.problem();
-  auto open = GlProgram::build("balls in the open", kVertexText, solidText("OPEN"));
+  auto open = GlProgram::build("balls in the open", kSphereVertexText, solidText("OPEN"));
   if (!open) return open.problem();
-  auto shell = GlProgram::build("bubbles", kVertexText, std::string(kRayText) + kShellText);
+  auto shell = GlProgram::build("bubbles", kSphereVertexText, std::string(kRayText) + kShellText);
   if (!shell) return shell.problem();
   made.solid_ = *std::move(solid);
   made.even_ = *std::move(even);

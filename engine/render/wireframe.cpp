@@ -7,7 +7,7 @@
 namespace moltact {
 namespace {
 
-const char* const kVertexText = R"(
+const char* const kWireVertexText = R"(
 layout(location = 0) in vec3 a_place;
 layout(location = 1) in vec2 a_across;
 layout(location = 2) in vec4 a_colour;
@@ -24,7 +24,7 @@ void main() {
 }
 )";
 
-const char* const kFragmentText = R"(
+const char* const kWireFragmentText = R"(
 in vec4 v_colour;
 in vec2 v_across;
 in float v_depth;
@@ -39,7 +39,7 @@ void main() {
 
 Expected<Wireframe> Wireframe::build() {
   Wireframe made;
-  auto program = GlProgram::build("lines", kVertexText, kFragmentText);
+  auto program = GlProgram::build("lines", kWireVertexText, kWireFragmentText);
   if (!program) return program.problem();
   made.program_ = *std::move(program);
   if (made.stream_->bind()) {

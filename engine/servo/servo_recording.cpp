@@ -176,7 +176,7 @@ struct Version {
   bool orientations = true, torques = true, body_poses = true;
 };
 
-// Beside its orientation and torque, what an oriented tick tells of the held body.
+// The pose of the held body and whether it is at rest, in a tick with an orientation.
 bool readBody(Getter& get, RecordedTick& tick) {
   std::uint8_t flags = 0;
   get(flags);

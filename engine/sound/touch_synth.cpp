@@ -35,16 +35,18 @@ double advance(double& phase, double hertz) {
   return now;
 }
 
-// The level of each note of the chord, with equal power for one, two and three notes.
-std::array<double, 3> notesOf(Feature feature) {
-  switch (feature) {
-    case Feature::Circle:
-      return {std::numbers::sqrt2 / 2, 0.0, std::numbers::sqrt2 / 2};
-    case Feature::Point:
-      return {std::numbers::inv_sqrt3, std::numbers::inv_sqrt3, std::numbers::inv_sqrt3};
-    default:
-      return {1.0, 0.0, 0.0};
-  }
+using Notes = std::array<double, kChord.size()>;
+
+// The level of each note of the chord. One, two and three notes have equal power; of more, the sum of the levels stays
+// that of three, so that the output never clips.
+Notes notesOf(const TouchMoment& moment) {
+  const std::size_t of_feature = moment.feature == Feature::Point ? 3 : moment.feature == Feature::Circle ? 2 : 1;
+  const std::size_t count = moment.contacts > 0 ? std::min(moment.contacts, kChord.size()) : of_feature;
+  if (count == 1) return {1.0};
+  if (count == 2) return {std::numbers::sqrt2 / 2, 0.0, std::numbers::sqrt2 / 2};
+  Notes out{};
+  std::fill_n(out.begin(), count, std::numbers::sqrt3 / double(count));
+  return out;
 }
 
 bool reachesNewAtom(const TouchMoment& before, const TouchMoment& now) {
@@ -83,7 +85,7 @@ void TouchSynth::take(const TouchMoment& moment) noexcept {
   // A new tone starts at its own pitch instead of gliding from that of the last one.
   if (moment.sounds() && !felt_.sounds() && loudness_ == 0.0) {
     semitones_ = kSemitones_per_N * heard_N(moment.force_N);
-    note_ = notesOf(moment.feature);
+    note_ = notesOf(moment);
   }
   if (is && !was) {
     knock_.strike(kKnock_Hz, kKnockLevel, kKnockDecay_s);
@@ -122,7 +124,7 @@ void TouchSynth::render(std::span<float> out) noexcept {
   const bool on = felt_.sounds();
   const double loudness = on ? kQuietest + (1 - kQuietest) * std::min(1.0, force / kLoudFrom_N) : 0.0;
   const double semitones = on ? kSemitones_per_N * force : semitones_;
-  const std::array<double, 3> notes = on ? notesOf(felt_.feature) : note_;
+  const Notes notes = on ? notesOf(felt_) : note_;
   for (float& sample : out) {
     double sum = knock_.next() + click_.next() + thud_.next() + scrape();
     since_click_ = std::min(since_click_ + 1, kSamples_per_s);

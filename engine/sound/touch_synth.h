@@ -5,9 +5,10 @@
 //
 //   sound                       touch
 //   pitch                       force: 330 Hz without force, 8 semitones higher per newton (3 N: two octaves)
-//   one note                    a sphere: one atom blocks the probe
-//   two notes, a fifth apart    a crease: two atoms block it
-//   three notes, a major chord  a pit: three atoms block it; of a held body, three contacts or more
+//   one note                    a sphere: one atom blocks the probe; a held body at one contact
+//   two notes, a fifth apart    a crease: two atoms block it; two contacts
+//   three notes, a major chord  a pit: three atoms block it; three contacts
+//   four, five, six notes       a held body at four, five, or six and more contacts: each adds a higher overtone
 //   loudness                    increases slightly with the force, up to 2 N
 //   knock                       contact begins; a lower one: contact ends
 //   click                       a new atom blocks the probe: it has reached a crease
@@ -31,12 +32,13 @@ inline constexpr int kSamples_per_s = 48000;
 inline constexpr double kMinPitch_Hz = 330.0;
 inline constexpr double kSemitones_per_N = 8.0;
 inline constexpr double kMaxHeard_N = 4.0;  ///< larger forces sound like this one
-/// Just intonation: frequency ratios to the lowest note. A crease uses the first and the last, a pit all three.
-inline constexpr std::array<double, 3> kChord{1.0, 5.0 / 4.0, 3.0 / 2.0};
+/// Just intonation: frequency ratios to the lowest note. Two notes are the first and the third. The
+/// ratios are 4 : 5 : 6 : 7 : 8 : 9, overtones of one tone.
+inline constexpr std::array<double, 6> kChord{1.0, 5.0 / 4.0, 3.0 / 2.0, 7.0 / 4.0, 2.0, 9.0 / 4.0};
 
 inline constexpr double kClick_Hz = 2200.0, kKnock_Hz = 520.0, kRelease_Hz = 390.0, kThud_Hz = 110.0;
-/// Peak levels of the components: a single note (three notes together reach 1.74 times this), the knock, the click, the
-/// thud, the scrape.
+/// Peak levels of the components: a single note (three notes or more together reach 1.74 times this), the knock, the
+/// click, the thud, the scrape.
 inline constexpr double kNoteLevel = 0.22, kKnockLevel = 0.16, kClickLevel = 0.16, kThudLevel = 0.18,
                         kScrapeLevel = 0.08;
 inline constexpr double kFullScrape_A_per_s = 20.0;  ///< speed from which the scrape has its full level
@@ -51,6 +53,7 @@ struct TouchMoment {
   double force_N = 0.0;
   double slide_A_per_s = 0.0;  ///< speed of the contact point over the surface
   bool field = false;          ///< a field's force is felt, in contact or without
+  std::size_t contacts = 0;    ///< of a held body: the number of notes; 0: the feature decides
 
   bool touches() const { return feature != Feature::Free; }
   bool sounds() const { return touches() || field; }
@@ -78,8 +81,8 @@ class TouchSynth {
   };
 
   TouchMoment felt_;
-  double semitones_ = 0, loudness_ = 0;     // smoothed
-  std::array<double, 3> phase_{}, note_{};  // of the chord; note_ contains the smoothed levels
+  double semitones_ = 0, loudness_ = 0;                 // smoothed
+  std::array<double, kChord.size()> phase_{}, note_{};  // of the chord; note_ contains the smoothed levels
   Blip knock_, click_, thud_;
   int since_click_ = kSamples_per_s, since_thud_ = kSamples_per_s;
   double scrape_ = 0.0, bright_ = 0.0, dull_ = 0.0;  // smoothed level; noise after two low-pass filters

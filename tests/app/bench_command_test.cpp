@@ -1,8 +1,11 @@
-// `moltact bench hands` and `moltact device path` as users call them.
+// `moltact bench hands`, `moltact bench bodies` and `moltact device path` as users call them.
 #include <doctest/doctest.h>
 
 #include <algorithm>
 #include <fstream>
+#include <sstream>
+#include <string>
+#include <vector>
 
 #include "tests/app/command_place.h"
 
@@ -92,4 +95,44 @@ TEST_CASE("the tables and sentences of the hands are written between the markers
     CHECK(end > begin + 200);
     CHECK(page.substr(begin, end - begin).find("mesh80") == std::string::npos);
   }
+}
+
+TEST_CASE(
+    "bench bodies writes the bodies of 1, 10, 35, 200 and 1069 atoms and the 10 scenes for the exact body and the "
+    "named "
+    "method, and its chart; the exact body overlaps nothing by more than 1e-9 A") {
+  const CommandPlace place;
+  const Run run = place.run("bench bodies --quick --methods springs --csv out --svg out --json out/all.json");
+  REQUIRE_MESSAGE(run.status == 0, run.err);
+  CHECK(run.out.find("Rigid bodies: speed against accuracy") != std::string::npos);
+  CHECK(run.out.find("Rigid bodies: failures by scene") != std::string::npos);
+  std::istringstream rows(contents(place.folder / "out" / "body_trade_off.csv"));
+  std::string head, row;
+  std::getline(rows, head);
+  const auto cells = [](const std::string& line) {
+    std::vector<std::string> out;
+    std::istringstream in(line);
+    for (std::string cell; std::getline(in, cell, ',');) out.push_back(cell);
+    return out;
+  };
+  const std::vector<std::string> names = cells(head);
+  const auto column = [&](const char* name) {
+    return std::size_t(std::find(names.begin(), names.end(), name) - names.begin());
+  };
+  const std::size_t method = column("method"), overlap = column("overlap_max_A"), judged = column("judged");
+  REQUIRE(std::max({method, overlap, judged}) < names.size());
+  std::vector<std::string> exact, springs;
+  while (std::getline(rows, row)) {
+    const std::vector<std::string> one = cells(row);
+    REQUIRE(one.size() == names.size());
+    (one[method] == "exact-body" ? exact : springs).push_back(one[0]);
+    CHECK(std::stod(one[judged]) > 20);
+    if (one[method] == "exact-body") CHECK(std::stod(one[overlap]) < 1e-9);
+  }
+  CHECK(exact == std::vector<std::string>{"1", "10", "35", "200", "1069"});
+  CHECK(springs == exact);
+  CHECK(lines(contents(place.folder / "out" / "body_matrix.csv")) == 11);
+  CHECK(lines(contents(place.folder / "out" / "body_matrix_values.csv")) == 21);
+  CHECK(contents(place.folder / "out" / "rigid-bodies.svg").starts_with("<svg "));
+  CHECK(contents(place.folder / "out" / "all.json").find("\"body_trade_off\"") != std::string::npos);
 }

@@ -57,6 +57,8 @@ TEST_CASE("render rejects a body's hand without a body, orientations that are no
                {"--in-hand 'atom 1' --orientation 2,0,0,0", 2, "'2,0,0,0' is not a quaternion", "write w,x,y,z"},
                {"--in-hand 'ligan'", 2, "--in-hand: 'ligan' is no word of a selection", "did you mean 'ligand'?"},
                {"--in-hand 'atom 9'", 2, "--in-hand: ", ""},
+               {"--in-hand 'atom 1' --hand probe", 1, "--hand: the hand holds a body, which 'probe' does not feel",
+                "leave out --hand for 'exact-body', or write the name of another interaction with a body"},
                {"--in-hand 'atom 1' --hand rope", 2, "--hand: rope not in {probe,exact-body,springs}", "--help"}};
   for (const auto& w : wrong) {
     CAPTURE(w.options);
@@ -96,6 +98,22 @@ TEST_CASE(
   CHECK(bare.status == 1);
   CHECK(
       says(bare.err, "--hand: the hand holds no body, which 'springs' needs; name what the hand holds with --in-hand"));
+}
+
+TEST_CASE("replay rejects --hand probe for a body; without --hand the body is an exact-body") {
+  const CommandPlace place;
+  writeThree(place);
+  std::ofstream(place.folder / "pose.csv") << "x,y,z,qw,qx,qy,qz\n0,0,9,1,0,0,0\n0,0,2.6,0.8,0,0,0.6\n";
+  const std::string command = "replay three.xyzr --in-hand 'atom 1 or atom 2' --path pose.csv --out ";
+  const Run probe = place.run(command + "out.csv --hand probe");
+  CHECK(probe.status == 1);
+  CHECK(
+      says(probe.err, "--hand: the hand holds a body, which 'probe' does not feel; leave out --hand for 'exact-body'"));
+  CHECK_FALSE(std::filesystem::exists(place.folder / "out.csv"));
+  CHECK(place.run(command + "bare.csv").status == 0);
+  CHECK(place.run(command + "named.csv --hand exact-body").status == 0);
+  CHECK(contents(place.folder / "bare.csv").size() > 100);
+  CHECK(contents(place.folder / "bare.csv") == contents(place.folder / "named.csv"));
 }
 
 TEST_CASE("bench bodies rejects an unknown method, recorded hands that it does not use, and an unwritable folder") {

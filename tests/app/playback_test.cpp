@@ -88,6 +88,45 @@ TEST_CASE("an attempt opened as a file moves the probe as the hand did, says wha
 }
 
 TEST_CASE(
+    "a playback sounds while its hand touched, with a scrape no louder than its limit, and is silent while paused") {
+  const ScratchFolder scratch;
+  const fs::path file = recorded(scratch.path);
+  const auto driver = startWith(file.string(), small(scratch.path / "other"));
+  Application& app = driver->app();
+  Playback& playback = app.extensions().playback;
+  REQUIRE(playback.on());
+  app.settings.sound = true;
+  playback.skips_rests = false;
+  playback.setRunning(false);
+  driver->frames(30);
+  const std::vector<float>& heard = app.extensions().touch_sound.heard();
+  const auto loudest = [&](std::size_t from) {
+    float out = 0.0f;
+    for (std::size_t k = from; k < heard.size(); ++k) out = std::max(out, std::abs(heard[k]));
+    return out / float(app.settings.sound_volume);
+  };
+  CHECK(loudest(0) == 0.0f);
+  // The touch is pressed for a second: its samples are those of a tone.
+  double pressed_s = -1.0;
+  for (double t_s = 0.0; t_s < playback.timeline().length_s() && pressed_s < 0.0; t_s += 0.02)
+    if (const auto hand = playback.timeline().hand(t_s); hand && hand->feature != Feature::Free) pressed_s = t_s;
+  REQUIRE(pressed_s >= 0.0);
+  playback.seek(pressed_s);
+  playback.setRunning(true);
+  std::size_t before = heard.size();
+  driver->frames(30);
+  CHECK(heard.size() - before == doctest::Approx(0.5 * kSamples_per_s).epsilon(0.05));
+  CHECK(loudest(before) > 0.05f);
+  CHECK(loudest(before) < 0.99f);
+  playback.setRunning(false);
+  driver->frames(60);
+  before = heard.size();
+  driver->frames(30);
+  CHECK(heard.size() > before);
+  CHECK(loudest(before) == 0.0f);
+}
+
+TEST_CASE(
     "a harmonic well to the right of a hovering hand is heard and recorded without a contact, and its playback has the "
     "same force of 0.4 N and draws it toward the well") {
   const ScratchFolder scratch;

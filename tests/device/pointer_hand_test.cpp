@@ -45,6 +45,53 @@ TEST_CASE("the probe hovers 0.35 A before the surface under the pointer") {
   CHECK(hand.depth_A() == 0.0);
 }
 
+TEST_CASE(
+    "a hand that stood over the middle and left the surface with the pointer is back at the middle within 0.5 s while "
+    "the "
+    "pointer is on a control; without a control, pressed, or after an arrow key it stays") {
+  const SphereGrid scene = oneSphere();
+  // 200 px beside the middle the line of sight passes the sphere at 8 A; 60 frames of standing, 20 of moving away.
+  const auto aside = [&](PointerHand& hand) {
+    PointerInput in = atMiddle();
+    for (int k = 0; k < 60; ++k) hand.lead(in, scene, kProbe_A);
+    for (int k = 1; k <= 20; ++k) {
+      in.pointer_px = glm::dvec2(400 + 10 * k, 300);
+      hand.lead(in, scene, kProbe_A);
+    }
+    for (int k = 0; k < 30; ++k) hand.lead(in, scene, kProbe_A);
+    CHECK(hand.aim_px().x == doctest::Approx(600.0).epsilon(1e-4));
+    CHECK_FALSE(hand.overSurface());
+    in.pointer_px.reset();
+    return in;
+  };
+  PointerHand hand, left, pressed, by_keys;
+  PointerInput in = aside(hand);
+  in.over_control = true;
+  PointA hip;
+  for (int k = 0; k < 30; ++k) hip = hand.lead(in, scene, kProbe_A);
+  CHECK(hand.aim_px().x == doctest::Approx(400.0).epsilon(1e-4));
+  CHECK(hand.overSurface());
+  CHECK(height_A(hip) == doctest::Approx(0.35).epsilon(0.01));
+  in.pointer_px = glm::dvec2(600, 300), in.over_control = false;  // the pointer comes back into the view
+  for (int k = 0; k < 30; ++k) hand.lead(in, scene, kProbe_A);
+  CHECK(hand.aim_px().x == doctest::Approx(600.0).epsilon(1e-4));
+
+  in = aside(left);
+  for (int k = 0; k < 30; ++k) left.lead(in, scene, kProbe_A);
+  CHECK(left.aim_px().x == doctest::Approx(600.0).epsilon(1e-4));
+  in = aside(pressed);
+  in.over_control = in.press = true;
+  for (int k = 0; k < 30; ++k) pressed.lead(in, scene, kProbe_A);
+  CHECK(pressed.aim_px().x == doctest::Approx(600.0).epsilon(1e-4));
+  in = aside(by_keys);
+  in.keys = {1.0, 0.0};
+  by_keys.lead(in, scene, kProbe_A);
+  in.keys = {0.0, 0.0}, in.over_control = true;
+  const double there_px = by_keys.aim_px().x;
+  for (int k = 0; k < 30; ++k) by_keys.lead(in, scene, kProbe_A);
+  CHECK(by_keys.aim_px().x == there_px);
+}
+
 TEST_CASE("under no force a press sinks at 1.2 A/s once it has met the surface") {
   const SphereGrid scene = oneSphere();
   PointerHand hand;

@@ -329,7 +329,7 @@ void Application::frame(double dt_s, glm::vec2 window_px) {
 }
 
 bool Application::live() const {
-  return scene.live() || loader_.busy() || messages.fading() || picture_->unfinished() ||
+  return scene.live() || loader_.busy() || messages.anyTimed() || picture_->unfinished() ||
          anyOf(extensions_->all(), &Extension::live);
 }
 

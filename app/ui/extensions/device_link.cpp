@@ -324,7 +324,7 @@ std::vector<std::string> DeviceLink::limitNotices() const {
     const bool own_words = one->limit == Limit::DeviceFault && !reported_.empty();
     if (!own_words)
       out.emplace_back(tr(one->sentence));
-    else if (!messages_.tells(shown_id_))
+    else if (!messages_.shows(shown_id_))
       out.push_back(reported_);
   }
   return out;

@@ -94,6 +94,7 @@ TouchMoment RevealPolicy::heard(const ServoSample& sample, double slide_A_per_s)
   if (names(sample.contact)) {
     out.feature = sample.contact.feature;
     out.atoms = sample.contact.atoms;
+    if (sample.holds_body) out.contacts = scene_.bodyContacts().count;
   } else if (sample.contact.touching()) {  // always the sound of the same single atom
     out.feature = Feature::Sphere;
     out.atoms = {0, -1, -1};

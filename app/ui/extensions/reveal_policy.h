@@ -37,7 +37,8 @@ class RevealPolicy final : public Extension {
   /// The contact in words if names() is false: "touching" and, if the force is displayed, its magnitude and direction.
   /// `spoken` omits the magnitude, which fluctuates.
   std::string unnamedText(bool spoken) const;
-  /// The sound's input for a tick: force and speed of the contact point, and the feature if it may be revealed.
+  /// The sound's input for a tick: force and speed of the contact point, and the feature if it may be revealed. The number
+  /// of a held body's contacts is that of the frame's last tick.
   TouchMoment heard(const ServoSample& sample, double slide_A_per_s) const;
   /// The visible parts, without those that outline what must not be revealed.
   ViewPartSet shownParts() const;

@@ -1,9 +1,11 @@
 #include "app/ui/extensions/touch_sound.h"
 
 #include <atomic>
+#include <utility>
 
 #include "app/ui/application/application_options.h"
 #include "app/ui/application/panel_state.h"
+#include "app/ui/extensions/playback.h"
 #include "app/ui/extensions/reveal_policy.h"
 #include "app/ui/files/settings.h"
 #include "engine/core/sample_ring.h"
@@ -36,9 +38,17 @@ struct TouchSound::Playing {
                      }};
 };
 
-TouchSound::TouchSound(const RevealPolicy& policy, const HapticSession& scene, Settings& settings, Messages& messages,
-                       const PanelState& panels, const ApplicationOptions& options)
-    : policy_(policy), scene_(scene), settings_(settings), messages_(messages), panels_(panels), options_(options) {}
+TouchSound::TouchSound(const RevealPolicy& policy, const Playback& playback, const HapticSession& scene,
+                       Settings& settings, Messages& messages, const PanelState& panels,
+                       const ApplicationOptions& options, const FrameTime& time)
+    : policy_(policy),
+      playback_(playback),
+      scene_(scene),
+      settings_(settings),
+      messages_(messages),
+      panels_(panels),
+      options_(options),
+      time_(time) {}
 TouchSound::~TouchSound() = default;
 
 void TouchSound::take(const TouchMoment& moment) {
@@ -57,20 +67,52 @@ void TouchSound::ticks(const FeltTicks& felt) {
     const double slide_A_per_s = slides ? glm::distance(*last_A_, s.contact.scp.A) / kTick_s : 0.0;
     last_A_ = s.contact.touching() ? std::optional(s.contact.scp.A) : std::nullopt;
     take(policy_.heard(s, slide_A_per_s));
-    if (playing_) continue;
-    constexpr std::size_t kATick = kSamples_per_s / 1000;
-    heard_.resize(heard_.size() + kATick);
-    const std::span<float> fresh = std::span(heard_).last(kATick);
-    synth_.render(fresh);
-    for (float& sample : fresh) sample *= float(settings_.sound_volume);
+    hear(kTick_s);
   }
+}
+
+// On the frames' clock, stores the samples of this time.
+void TouchSound::hear(double for_s) {
+  if (playing_) return;
+  owed_samples_ += for_s * kSamples_per_s;
+  const auto count = std::size_t(owed_samples_);
+  owed_samples_ -= double(count);
+  heard_.resize(heard_.size() + count);
+  const std::span<float> fresh = std::span(heard_).last(count);
+  synth_.render(fresh);
+  for (float& sample : fresh) sample *= float(settings_.sound_volume);
+}
+
+// An attempt has a sample in 1/60 s at most. The contact point's speed is its way between two samples by their time.
+void TouchSound::hearPlayback() {
+  constexpr double kStands_s = 0.1;  // without another contact point for this time, it does not slide
+  const bool plays = scene_.playing() && playback_.running();
+  if (!plays && std::exchange(hears_playback_, false)) {
+    last_A_.reset();
+    if (on_) take({});
+  }
+  if (!on_ || !scene_.playing()) return;
+  if (plays) {
+    const ServoSample& s = scene_.log().latest();
+    const bool touches = s.contact.touching(), began = !std::exchange(hears_playback_, true) || !last_A_;
+    const double since_s = s.time_s - last_s_;
+    if (!touches || began || since_s < 0.0 || since_s > kStands_s) slide_A_per_s_ = 0.0;
+    if (touches && (began || *last_A_ != s.contact.scp.A || since_s < 0.0)) {
+      if (!began && since_s > 0.0) slide_A_per_s_ = glm::distance(*last_A_, s.contact.scp.A) / since_s;
+      last_A_ = s.contact.scp.A;
+      last_s_ = s.time_s;
+    }
+    if (!touches) last_A_.reset();
+    take(policy_.heard(s, slide_A_per_s_));
+  }
+  hear(std::min(time_.dt_s, 0.5));
 }
 
 // Without stored settings, the question would be asked at every start.
 void TouchSound::ask() {
   Settings& s = settings_;
   if (s.sound) s.sound_asked = true;
-  if (question_ != 0 && (s.sound_asked || !messages_.tells(question_))) {
+  if (question_ != 0 && (s.sound_asked || !messages_.shows(question_))) {
     messages_.takeBack(question_);
     s.sound_asked = true;
   }
@@ -96,6 +138,7 @@ void TouchSound::sceneChanged() {
 }
 
 void TouchSound::afterPanels() {
+  hearPlayback();
   ask();
   switchOnOff();
   if (playing_) playing_->volume.store(float(settings_.sound_volume), std::memory_order_relaxed);

@@ -128,6 +128,9 @@ ViewInput readInput(Application& app, ImVec2 low, glm::dvec2 size) {
   if (turns_hand && app.panels.window.fingers) in.hand_roll_rad = double(io.MouseWheelH) * Fingers::kTwistNotch_rad;
   if ((hovered || in.press) && !panning && !turning && ImGui::IsMousePosValid())
     in.pointer_px = glm::dvec2(io.MousePos.x - low.x, io.MousePos.y - low.y);
+  in.over_control = !hovered && !active && ImGui::IsMousePosValid() && !app.panels.window.fingers &&
+                    io.MousePos.x >= low.x && io.MousePos.x < low.x + float(size.x) && io.MousePos.y >= low.y &&
+                    io.MousePos.y < low.y + float(size.y);
   readKeys(app, in);
   // If a task changes the stiffness, the hand keeps the depth of its press, so that the change is felt.
   if (app.extensions().task_stager.changesStiffness())

@@ -66,6 +66,7 @@ void ViewControls::update(const ViewInput& in, Camera& camera, const SphereGrid*
     pointer.pointer_px = glm::dvec2(px.x, px.y);
   }
   first_aim_.reset();
+  pointer.over_control = in.over_control;
   pointer.keys = in.probe_keys;
   pointer.press = pressing_;
   pointer.touching = felt.contact.touching();

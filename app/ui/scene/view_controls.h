@@ -15,6 +15,7 @@ namespace moltact {
 struct ViewInput {
   glm::dvec2 size_px{1.0};               ///< of the view
   std::optional<glm::dvec2> pointer_px;  ///< in the view; empty: elsewhere, or the pointer rotates the view
+  bool over_control = false;             ///< the pointer is on a control that lies over the view
   bool press = false;                    ///< left button or space is held
   bool release = false;                  ///< Escape: ends the press even while the button is held
   double push_notches = 0.0;

@@ -41,7 +41,7 @@ class Messages {
     id = 0;
   }
   /// Whether the message is still shown: neither dismissed nor displaced by newer ones.
-  bool tells(MessageId id) const {
+  bool shows(MessageId id) const {
     return std::any_of(all_.begin(), all_.end(), [&](const Message& m) { return id != 0 && m.id == id; });
   }
   void error(std::string text) { add({MessageKind::Error, std::move(text)}); }
@@ -57,8 +57,8 @@ class Messages {
       if (m.left_s >= 0) m.left_s = std::max(0.0, m.left_s - dt_s);
     std::erase_if(all_, [](const Message& m) { return m.left_s == 0.0; });
   }
-  /// True if a message will disappear by itself.
-  bool fading() const {
+  /// True if a message is shown that will disappear by itself.
+  bool anyTimed() const {
     return std::any_of(all_.begin(), all_.end(), [](const Message& m) { return m.left_s >= 0; });
   }
 

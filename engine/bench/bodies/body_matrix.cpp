@@ -10,7 +10,7 @@
 namespace moltact::bench {
 namespace {
 
-constexpr double kBehind_A = 0.5, kFast_A = 1.0;
+constexpr double kHeldBack_A = 0.5, kFast_A = 1.0;
 constexpr int kSettling = 5;            // ticks after a fast one in which errors are not judged
 constexpr std::size_t kStanding = 100;  // final ticks
 
@@ -86,7 +86,7 @@ BodyResult runBodyScene(const BodyScene& scene, const BodyMethod& method) {
     if (held) out.overlap_A = std::max(out.overlap_A, overlap_A(spheres, *scene.body, shown));
     if (!motion) out.energy_NA = std::max(out.energy_NA, made);
     const bool free_behind = held && !r.contact.touching() && is.touching &&
-                             glm::distance(is.pose.place.A, hand.place.A) > kBehind_A &&
+                             glm::distance(is.pose.place.A, hand.place.A) > kHeldBack_A &&
                              overlap_A(spheres, *scene.body, hand) == 0;
     out.tunnelled += free_behind && !behind;
     behind = free_behind;

@@ -8,7 +8,7 @@
 namespace moltact::bench {
 namespace {
 
-constexpr double kStep_A = 0.02, kStep_rad = 0.004;
+constexpr double kWayStep_A = 0.02, kStep_rad = 0.004;
 constexpr int kHeld = 200;
 const Vec3 kX(1, 0, 0), kY(0, 1, 0), kZ(0, 0, 1);
 
@@ -17,11 +17,11 @@ class Way {
  public:
   explicit Way(const Vec3& start) { poses.push_back({{start}}); }
   // Straight to a pose, in equal steps of at most the given length, and of 0.004 rad for each 0.02 A of it.
-  Way& to(const Vec3& place, const Quat& turn = kNoRotation, double step_A = kStep_A) {
+  Way& to(const Vec3& place, const Quat& turn = kNoRotation, double step_A = kWayStep_A) {
     const PoseA from = poses.back();
     const double angle = glm::length(rotationBetween(from.orientation, turn));
     const int n = std::max({1, int(std::ceil(glm::distance(from.place.A, place) / step_A)),
-                            int(std::ceil(angle / kStep_rad * kStep_A / step_A))});
+                            int(std::ceil(angle / kStep_rad * kWayStep_A / step_A))});
     for (int k = 1; k <= n; ++k) {
       const double t = double(k) / n;
       poses.push_back({{from.place.A + (place - from.place.A) * t}, glm::slerp(from.orientation, turn, t)});

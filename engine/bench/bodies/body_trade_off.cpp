@@ -13,7 +13,7 @@ namespace {
 constexpr int kMaxContinued = 50;  // ticks with a standing hand until the exact body is at rest
 constexpr double kConfirmed_A = 1e-9;
 
-struct Errors {
+struct PoseErrors {
   std::vector<double> position, turn, force, torque, overlap;
 };
 
@@ -27,13 +27,13 @@ PoseA asPose(const oracle::BodyOracle::Pose& p) {
 
 // The spheres that the body can touch on the path.
 std::vector<Sphere> nearPath(const SphereGrid& scene, const HeldBody& body, const std::vector<PoseA>& path) {
-  constexpr double kBehind_A = 8.0;  // at most so far the body stays behind the hand
+  constexpr double kMaxLag_A = 8.0;  // at most so far the body stays behind the hand
   Vec3 low(1e300), high(-1e300);
   for (const PoseA& p : path) low = glm::min(low, p.place.A), high = glm::max(high, p.place.A);
   std::vector<Sphere> out;
   for (std::size_t i = 0; i < scene.size(); ++i) {
     const Sphere& b = scene[i];
-    if (glm::distance(b.centre_A, glm::clamp(b.centre_A, low, high)) <= b.radius_A + body.reach_A + kBehind_A)
+    if (glm::distance(b.centre_A, glm::clamp(b.centre_A, low, high)) <= b.radius_A + body.reach_A + kMaxLag_A)
       out.push_back(b);
   }
   return out;
@@ -46,7 +46,7 @@ void judge(const BodyTask& task, const BodyTradeOffOptions& options, const std::
   for (const BodyTradeOff& p : points) felt.push_back(p.method->make(task.scene, task.body));
   right.tick({{task.home}}, false);
   for (const auto& f : felt) f->respond({{task.home}});
-  std::vector<Errors> errors(points.size());
+  std::vector<PoseErrors> errors(points.size());
   std::size_t judged = 0, unconfirmed = 0, touching = 0;
   double force = 0, torque = 0;
   for (std::size_t k = 0; k < path.size(); ++k) {
@@ -60,7 +60,7 @@ void judge(const BodyTask& task, const BodyTradeOffOptions& options, const std::
       const Response r = felt[m]->respond(path[k]);
       if (!count) continue;
       const PoseA shown = r.shownBody(path[k]);
-      Errors& e = errors[m];
+      PoseErrors& e = errors[m];
       e.position.push_back(glm::distance(shown.place.A, is.pose.place.A));
       e.turn.push_back(glm::length(rotationBetween(is.pose.orientation, shown.orientation)));
       e.force.push_back(glm::distance(r.contact.displacement_A, is.force_N));

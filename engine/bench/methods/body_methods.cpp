@@ -125,7 +125,7 @@ std::unique_ptr<Interaction> makeSprings(Scene scene, Body body) {
   return ofProgram("springs", std::move(scene), std::move(body));
 }
 
-constexpr std::array kTable{
+constexpr std::array kBodyTable{
     BodyMethod{"exact-body", "the rigid body that rests where its two springs are in balance and overlaps nothing",
                &makeExact, &test<Exact>, true},
     BodyMethod{"springs", "each atom is a god-object of its own; the sum of their springs", &makeSprings,
@@ -136,10 +136,10 @@ constexpr std::array kTable{
 
 }  // namespace
 
-std::span<const BodyMethod> bodyMethods() { return kTable; }
+std::span<const BodyMethod> bodyMethods() { return kBodyTable; }
 
 const BodyMethod* findBodyMethod(std::string_view name) {
-  for (const BodyMethod& m : kTable)
+  for (const BodyMethod& m : kBodyTable)
     if (m.name == name) return &m;
   return nullptr;
 }

@@ -27,7 +27,7 @@ FoundDevice findAt(std::string_view text) {
 }
 
 // There is no search: the user gives the address.
-std::vector<FoundDevice> find() {
+std::vector<FoundDevice> findOpenTcp() {
   return {{.title = kTitle,
            .why = tr("give its address: open-tcp:PORT on this computer, open-tcp:HOST:PORT on another"),
            .gives_force = true}};
@@ -54,7 +54,7 @@ extern const DeviceDriver kOpenTcpDriver;
 const DeviceDriver kOpenTcpDriver{
     .name = "open-tcp",
     .sentence = N_("A device or a program that speaks the reports of docs/device-protocol.md over TCP."),
-    .find = find,
+    .find = findOpenTcp,
     .find_at = findAt,
     .address_example = "127.0.0.1:7010",
     .open = open,

@@ -11,7 +11,7 @@ void describe(FoundDevice& one, const OmniDevice::Seen& seen) {
   if (!seen.serial.empty()) one.place = trf("serial number {0}", seen.serial);
 }
 
-std::vector<FoundDevice> find() {
+std::vector<FoundDevice> findOmnis() {
   FoundDevice one{.title = N_("Phantom Omni or Touch"), .gives_force = true, .auto_selectable = true};
   if (const auto taken = OmniDevice::taken()) {
     describe(one, *taken);
@@ -30,7 +30,7 @@ extern const DeviceDriver kOmniDriver;
 const DeviceDriver kOmniDriver{
     .name = "omni",
     .sentence = N_("Phantom Omni, Geomagic Touch and 3D Systems Touch, through OpenHaptics."),
-    .find = find,
+    .find = findOmnis,
     .open = [](const FoundDevice&) -> Expected<std::unique_ptr<Device>> {
       auto device = OmniDevice::open();
       if (!device) return device.problem();

@@ -78,32 +78,42 @@ double BodyPairs::clearance_A(const BodyPose& pose) const noexcept {
   return clearance(grid(), bound_, origin_ + pose.place);
 }
 
-bool BodyPairs::overlaps(const BodyPose& pose) const noexcept {
-  const auto last = std::int32_t(nodes_.size());
+// Walks the tree of bounding spheres at the pose. `excludes(node, centre)` is asked for each node that is reached; the
+// subtree of an excluded node is skipped. `visit(k, centre)` is called for each sphere of the other leaves and ends the
+// walk by returning false. Returns false if it did. `nodes` is nodes_, const or not.
+template <class Nodes, class Excludes, class Visit>
+bool BodyPairs::walk(Nodes& nodes, const BodyPose& pose, Excludes excludes, Visit visit) const noexcept {
+  const auto last = std::int32_t(nodes.size());
   for (std::int32_t at = 0; at < last;) {
-    const Node& node = nodes_[std::size_t(at)];
-    const Vec3 centre = pose.place + pose.axes * node.centre;
-    if (distanceToBox(grid(), node.radius, origin_ + centre) > 0.0) {
+    auto& node = nodes[std::size_t(at)];
+    if (excludes(node, pose.place + pose.axes * node.centre)) {
       at = node.next;
       continue;
     }
     ++at;
     if (!node.leaf) continue;
-    for (std::int32_t k = node.begin; k < node.end; ++k) {
-      const Sphere& s = spheres_[std::size_t(k)];
-      const Vec3 c = pose.place + pose.axes * s.centre_A;
-      bool found = false;
-      grid().visitNear(origin_ + c, s.radius_A, [&](std::uint32_t i, const Sphere&) {
-        const Sphere b = now(std::int32_t(i));
-        const Vec3 m = c - b.centre_A;
-        const double radii = s.radius_A + b.radius_A;
-        found = glm::dot(m, m) < radii * radii;
-        return !found;
-      });
-      if (found) return true;
-    }
+    for (std::int32_t k = node.begin; k < node.end; ++k)
+      if (!visit(k, pose.place + pose.axes * spheres_[std::size_t(k)].centre_A)) return false;
   }
-  return false;
+  return true;
+}
+
+bool BodyPairs::overlaps(const BodyPose& pose) const noexcept {
+  const auto excludes = [&](const Node& node, const Vec3& centre) {
+    return distanceToBox(grid(), node.radius, origin_ + centre) > 0.0;
+  };
+  return !walk(nodes_, pose, excludes, [&](std::int32_t k, const Vec3& c) {
+    const double radius_A = spheres_[std::size_t(k)].radius_A;
+    bool found = false;
+    grid().visitNear(origin_ + c, radius_A, [&](std::uint32_t i, const Sphere&) {
+      const Sphere b = now(std::int32_t(i));
+      const Vec3 m = c - b.centre_A;
+      const double radii = radius_A + b.radius_A;
+      found = glm::dot(m, m) < radii * radii;
+      return !found;
+    });
+    return !found;
+  });
 }
 
 // A lower bound of the gap between the scene and the node's sphere at `centre`. Where a search finds nothing, the next one
@@ -130,42 +140,33 @@ bool BodyPairs::gatherFar(const BodyPose& pose, double range) noexcept {
   far_range_ = range;
   max_motion_ = 0.0;
   const SphereGrid& in = grid();
-  const auto last = std::int32_t(nodes_.size());
-  for (std::int32_t at = 0; at < last;) {
-    Node& node = nodes_[std::size_t(at)];
+  const auto excludes = [&](Node& node, const Vec3& centre) {
     ++work_count_;
-    const Vec3 centre = pose.place + pose.axes * node.centre;
     if (node.clear - glm::distance(centre, node.seen_from) <= range) {
       node.seen_from = centre;
       node.clear = nodeClearance_A(node, centre, range);
     }
-    if (node.clear - glm::distance(centre, node.seen_from) > range) {
-      at = node.next;
-      continue;
-    }
-    ++at;
-    if (!node.leaf) continue;
-    for (std::int32_t k = node.begin; k < node.end; ++k) {
-      const Sphere& s = spheres_[std::size_t(k)];
-      const Vec3 c = pose.place + pose.axes * s.centre_A;
-      bool fits = true;
-      in.visitNear(origin_ + c, s.radius_A + range, [&](std::uint32_t i, const Sphere& b) {
-        ++work_count_;
-        const Vec3 m = c - (b.centre_A - origin_);
-        const double within = s.radius_A + b.radius_A + range;
-        if (glm::dot(m, m) > within * within) return true;
-        fits = far_count_ < kMaxFar;
-        if (!fits) return false;
-        const Sphere is = now(std::int32_t(i));
-        far_[far_count_++] = {is.centre_A, s.radius_A + is.radius_A, k, std::int32_t(i)};
-        if (motion_) max_motion_ = std::max(max_motion_, (*motion_)[i].moved_A());
-        return true;
-      });
+    return node.clear - glm::distance(centre, node.seen_from) > range;
+  };
+  const bool all = walk(nodes_, pose, excludes, [&](std::int32_t k, const Vec3& c) {
+    const double radius_A = spheres_[std::size_t(k)].radius_A;
+    bool fits = true;
+    in.visitNear(origin_ + c, radius_A + range, [&](std::uint32_t i, const Sphere& b) {
+      ++work_count_;
+      const Vec3 m = c - (b.centre_A - origin_);
+      const double within = radius_A + b.radius_A + range;
+      if (glm::dot(m, m) > within * within) return true;
+      fits = far_count_ < kMaxFar;
       if (!fits) return false;
-    }
-  }
-  stale_ = false;
-  return true;
+      const Sphere is = now(std::int32_t(i));
+      far_[far_count_++] = {is.centre_A, radius_A + is.radius_A, k, std::int32_t(i)};
+      if (motion_) max_motion_ = std::max(max_motion_, (*motion_)[i].moved_A());
+      return true;
+    });
+    return fits;
+  });
+  if (all) stale_ = false;
+  return all;
 }
 
 bool BodyPairs::gatherNear(const BodyPose& pose, double range) noexcept {

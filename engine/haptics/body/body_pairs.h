@@ -101,6 +101,8 @@ class BodyPairs {
     return {b.centre_A - origin_, b.radius_A};
   }
   double sceneMotion_A(double since) const noexcept { return std::abs(fraction_ - since) * maxMotion_A(); }
+  template <class Nodes, class Excludes, class Visit>
+  bool walk(Nodes& nodes, const BodyPose& pose, Excludes excludes, Visit visit) const noexcept;
   double nodeClearance_A(Node& node, const Vec3& centre, double range) noexcept;
   void makeTree(std::span<const Sphere> body, std::int32_t begin, std::int32_t end);
   bool gatherFar(const BodyPose& pose, double range) noexcept;

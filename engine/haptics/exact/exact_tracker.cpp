@@ -41,8 +41,8 @@ void ExactTracker::forgetSurroundings() noexcept {
 }
 
 void ExactTracker::reset() noexcept {
-  if (swells_) near_.setProbe(goal_A_);
-  armed_ = behind_ = swells_ = false;
+  if (resizing_) near_.setProbe(goal_A_);
+  armed_ = behind_ = resizing_ = false;
   feature_ = Feature::Free;
   holders_ = {-1, -1, -1};
   forgetSurroundings();
@@ -79,7 +79,7 @@ Contact ExactTracker::stepFull(double x, double y, double z) noexcept {
   const Vec3 h(x, y, z);
   const PointA hip{h};
   if (!usableHip(h)) return refusedHip(hip, near_.origin() + scp_);
-  if (swells_) [[unlikely]]
+  if (resizing_) [[unlikely]]
     return stepWhileProbeGrows(h);
   const Vec3 local = h - near_.origin();
   if (moved_) [[unlikely]] {
@@ -103,10 +103,10 @@ Contact ExactTracker::stepFull(double x, double y, double z) noexcept {
 // A tick while the probe grows or shrinks.
 Contact ExactTracker::stepWhileProbeGrows(const Vec3& hip) noexcept {
   near_.resetWorkCount();
-  if (!std::exchange(swelled_, false)) swell();
+  if (!std::exchange(resized_, false)) resizeProbe();
   if (!armed_) return stepFull(hip.x, hip.y, hip.z);  // the surroundings have closed over the SCP
   flow(hip - near_.origin());
-  if (swells_) {
+  if (resizing_) {
     forgetSurroundings();  // forces the next tick to come here
     cut_short_ += !behind_;
   }

@@ -95,7 +95,7 @@ class ExactTracker final : public Tracker {
   int thirdOf(const ActiveSet& set) const noexcept;
   void holdHere() noexcept;
   bool outsideAll() noexcept;
-  void swell() noexcept;                                          // moving_surface.cpp
+  void resizeProbe() noexcept;                                    // moving_surface.cpp
   Freed depenetrate() noexcept;                                   // moving_surface.cpp
   bool followsQuickly(const Vec3& hip, double moved_A) noexcept;  // moving_spheres.cpp
   void trackSurface(const Vec3& hip) noexcept;
@@ -119,8 +119,8 @@ class ExactTracker final : public Tracker {
   // While spheres move: at clear_fraction_ no sphere except the blocking ones was within clear_gap_ of clear_from_.
   Vec3 clear_from_{0.0};
   double clear_gap_ = 0.0, clear_fraction_ = 0.0;
-  bool swells_ = false;   // the probe grows or shrinks toward goal_A_
-  bool swelled_ = false;  // the probe's radius has changed since the last tick
+  bool resizing_ = false;  // the probe grows or shrinks toward goal_A_
+  bool resized_ = false;   // the probe's radius has changed since the last tick
   double goal_A_ = 0.0, step_A_ = 0.0;
   bool may_sink_ = false;  // the path has passed touched spheres that do not block it
   Feature feature_ = Feature::Free;

@@ -37,16 +37,16 @@ struct Spheres {
 void ExactTracker::setProbe(double probe_A) noexcept {
   if (!std::isfinite(probe_A)) return;
   goal_A_ = std::clamp(probe_A, 0.0, kMaxProbe_A);
-  if (!swells_) step_A_ = kPiece_A;
-  swells_ = goal_A_ != near_.probe_A();
-  if (!swells_) return;
+  if (!resizing_) step_A_ = kPiece_A;
+  resizing_ = goal_A_ != near_.probe_A();
+  if (!resizing_) return;
   near_.resetWorkCount();
-  swell();
-  swelled_ = true;
+  resizeProbe();
+  resized_ = true;
 }
 
 // Moves the SCP step by step toward the new radius, until it is reached or the work limit of a tick is exhausted.
-void ExactTracker::swell() noexcept {
+void ExactTracker::resizeProbe() noexcept {
   const std::uint64_t limit = near_.workCount() + kMaxWork;
   do {
     const double now = near_.probe_A();
@@ -69,8 +69,8 @@ void ExactTracker::swell() noexcept {
         reset();
       }
     }
-    swells_ = near_.probe_A() != goal_A_;
-  } while (swells_ && near_.workCount() < limit);
+    resizing_ = near_.probe_A() != goal_A_;
+  } while (resizing_ && near_.workCount() < limit);
   cacheActiveSet();
 }
 

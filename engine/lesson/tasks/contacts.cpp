@@ -82,9 +82,8 @@ class Contacts : public Task {
 
   std::string guidance() const override {
     if (now_ >= count_) return trf("Hold it: {0} of {1}.", timeText(watch_.elapsed_s()), timeText(for_s_));
-    if (now_ > 0)
-      return trnf("{0} atom of what you hold touches; {1} are to touch at once.",
-                  "{0} atoms of what you hold touch; {1} are to touch at once.", now_, now_, count_);
+    // A body of a made molecule has balls and not atoms, so the sentence names neither.
+    if (now_ > 0) return trf("Touching at once: {0} of {1}.", now_, count_);
     return trf("Move what you hold to {0} until it stops you.", name_.text());
   }
 
