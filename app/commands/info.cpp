@@ -50,8 +50,9 @@ Noted noted(const Molecule& m, const PairAtoms& assigned, PairAtoms::Note::Kind 
     if (n.kind != kind) continue;
     const Residue& r = m.residues[n.residue];
     const std::string chain(m.chains[r.chain].name);
-    out[n.template_name.empty() ? std::string(r.name) : n.template_name].push_back(std::to_string(r.number) +
-                                                                                   (chain.empty() ? "" : " " + chain));
+    std::string name = n.template_name.empty() ? std::string(r.name) : n.template_name;
+    if (kind == PairAtoms::Note::Kind::Ligand) name += " (" + std::to_string(n.charge_e) + " e by Gasteiger)";
+    out[name].push_back(std::to_string(r.number) + (chain.empty() ? "" : " " + chain));
   }
   return out;
 }
@@ -64,6 +65,7 @@ constexpr NotedKind kNoted[] = {
     {PairAtoms::Note::Kind::Histidine, "histidine ", "histidines"},
     {PairAtoms::Note::Kind::Ion, "ions      ", "ions"},
     {PairAtoms::Note::Kind::Terminus, "ends      ", "charged_ends"},
+    {PairAtoms::Note::Kind::Ligand, "ligand    ", "ligands"},
     {PairAtoms::Note::Kind::NoTemplate, "uncharged ", "no_template"},
     {PairAtoms::Note::Kind::OtherAtoms, "unknown   ", "other_atoms"},
     {PairAtoms::Note::Kind::MissingAtoms, "missing   ", "missing_atoms"},

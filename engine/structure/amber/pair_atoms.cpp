@@ -6,7 +6,9 @@
 
 #include "engine/haptics/sphere_grid.h"
 #include "engine/structure/amber/amber.h"
+#include "engine/structure/amber/ligand_parameters.h"
 #include "engine/structure/bonds.h"
+#include "engine/structure/ligands.h"
 
 namespace moltact {
 namespace {
@@ -71,7 +73,11 @@ Vec3 anyNormal(const Vec3& v) {
 class Assigner {
  public:
   explicit Assigner(const Molecule& m)
-      : m_(m), bonds_(m.atoms.size(), findBonds(m)), grid_(m.spheres, SphereGrid::Duplicates::VisitEach) {
+      : m_(m),
+        all_bonds_(findBonds(m)),
+        bonds_(m.atoms.size(), all_bonds_),
+        grid_(m.spheres, SphereGrid::Duplicates::VisitEach),
+        of_ligand_(m.atoms.size(), 0) {
     out_.atoms.resize(m.atoms.size());
     for (std::uint32_t i = 0; i < m.atoms.size(); ++i) {
       out_.atoms[i].centre_A = m.spheres[i].centre_A;
@@ -83,6 +89,7 @@ class Assigner {
     for (std::uint32_t i = 0; i < m_.atoms.size(); ++i)
       if (m_.atoms[i].residue == kNoResidue) byElement(i);
     for (std::uint32_t r = 0; r < m_.residues.size(); ++r) residue(r);
+    if (!ligands_.empty()) parametrizeLigands();
     if (!m_.charges_e.empty())
       for (std::uint32_t i = 0; i < m_.atoms.size(); ++i) out_.atoms[i].charge_e = m_.charges_e[i];
     for (const Proton& p : protons_) place(p);
@@ -195,10 +202,18 @@ class Assigner {
     const std::span<const AmberAtom> rows = amberTemplate(name);
     if (rows.empty()) {
       for (std::uint32_t i = r.first_atom; i < r.first_atom + r.atom_count; ++i) byElement(i);
-      const int charge_e =
-          r.kind == ResidueKind::Ion && r.atom_count == 1 ? ionCharge_e(m_.atoms[r.first_atom].atomic_number) : 0;
-      out_.atoms[r.first_atom].charge_e = float(charge_e);
-      note(charge_e ? PairAtoms::Note::Kind::Ion : PairAtoms::Note::Kind::NoTemplate, index);
+      if (water(r)) return;
+      const bool ion = r.kind == ResidueKind::Ion && r.atom_count == 1;
+      const int charge_e = ion ? ionCharge_e(m_.atoms[r.first_atom].atomic_number) : 0;
+      if (charge_e) {
+        out_.atoms[r.first_atom].charge_e = float(charge_e);
+        note(PairAtoms::Note::Kind::Ion, index);
+      } else if (!ion && hasLigandCharges(r)) {
+        for (std::uint32_t i = r.first_atom; i < r.first_atom + r.atom_count; ++i) of_ligand_[i] = 1;
+        ligands_.push_back(index);
+      } else {
+        note(PairAtoms::Note::Kind::NoTemplate, index);
+      }
       return;
     }
     std::vector<std::uint32_t> at(rows.size());
@@ -238,6 +253,81 @@ class Assigner {
     if (missing) note(PairAtoms::Note::Kind::MissingAtoms, index, name);
     // With the file's charges all of its atoms are there.
     if (m_.charges_e.empty()) protons_.insert(protons_.end(), placed.begin(), placed.end());
+  }
+
+  // A water with both hydrogens has the charges of TIP3P (Jorgensen et al., J. Chem. Phys. 79, 926, 1983).
+  bool water(const Residue& r) {
+    if (r.kind != ResidueKind::Water || r.atom_count != 3) return false;
+    std::uint32_t hydrogens = 0;
+    for (std::uint32_t i = r.first_atom; i < r.first_atom + 3; ++i) hydrogens += m_.atoms[i].atomic_number == 1;
+    if (hydrogens != 2) return false;
+    for (std::uint32_t i = r.first_atom; i < r.first_atom + 3; ++i) {
+      const bool hydrogen = m_.atoms[i].atomic_number == 1;
+      PairAtom& a = out_.atoms[i];
+      a.half_minimum_A = hydrogen ? 0.0f : 1.7683f;
+      a.depth_kcal_mol = hydrogen ? 0.0f : 0.1520f;
+      a.charge_e = hydrogen ? 0.417f : -0.834f;
+    }
+    return true;
+  }
+
+  // A lone atom, such as an oxygen of water or argon, has no charge.
+  bool hasLigandCharges(const Residue& r) const {
+    if (r.kind == ResidueKind::Water || r.atom_count < 2) return false;
+    for (std::uint32_t i = r.first_atom; i < r.first_atom + r.atom_count; ++i)
+      if (m_.atoms[i].atomic_number != 1 && hasElectronegativity(m_.atoms[i].atomic_number)) return true;
+    return false;
+  }
+
+  // The charge of a metal in a ligand: an ion's, and of a haem's iron and its substitutes 2.
+  int metalCharge_e(std::uint32_t i) const {
+    const int number = m_.atoms[i].atomic_number;
+    if (!isMetal(number)) return 0;
+    const int charge_e = ionCharge_e(number);
+    return charge_e == 0 && ligandClass(m_.residues[m_.atoms[i].residue].name) == LigandClass::Heme ? 2 : charge_e;
+  }
+
+  void parametrizeLigands() {
+    const std::vector<AtomValence> valences = atomValences(m_, all_bonds_, of_ligand_);
+    const GasteigerCharges charges = gasteigerCharges(m_, all_bonds_, of_ligand_, valences);
+    for (const std::uint32_t index : ligands_) {
+      const Residue& r = m_.residues[index];
+      double net_e = 0.0;
+      bool whole = true;
+      for (std::uint32_t i = r.first_atom; i < r.first_atom + r.atom_count; ++i) {
+        const auto near = bonds_.neighbours(i);
+        const GaffType* type = gaffType(m_, valences, i, near,
+                                        near.empty() ? std::span<const std::uint32_t>() : bonds_.neighbours(near[0]));
+        PairAtom& a = out_.atoms[i];
+        if (type) a.half_minimum_A = type->half_minimum_A, a.depth_kcal_mol = type->depth_kcal_mol;
+        const bool known = hasElectronegativity(m_.atoms[i].atomic_number);
+        a.charge_e = known ? charges.atoms_e[i] : float(metalCharge_e(i));
+        whole = whole && (known || a.charge_e != 0.0f);
+        net_e += double(a.charge_e) + double(charges.hydrogens_e[i]) * valences[i].hydrogens;
+        addHydrogens(i, valences[i], charges.hydrogens_e[i]);
+      }
+      note(PairAtoms::Note::Kind::Ligand, index);
+      out_.notes.back().charge_e = int(std::lround(net_e));
+      if (!whole) note(PairAtoms::Note::Kind::NoTemplate, index);
+    }
+  }
+
+  // Hydrogens that the file lacks: merged with carbon, else placed later.
+  void addHydrogens(std::uint32_t i, const AtomValence& v, float charge_e) {
+    if (v.hydrogens == 0) return;
+    const int carrier = m_.atoms[i].atomic_number;
+    if (carrier != 7 && carrier != 8 && carrier != 16) {
+      out_.atoms[i].charge_e += charge_e * float(v.hydrogens);
+      return;
+    }
+    if (!m_.charges_e.empty()) return;
+    // AMBER's types, which have GAFF's parameters.
+    const std::string_view type = carrier == 7 ? "H" : carrier == 8 ? "HO" : "HS";
+    const std::string_view carrier_type = carrier == 8                           ? "OH"
+                                          : carrier == 16                        ? "SH"
+                                          : v.hybrid == AtomValence::Hybrid::Sp3 ? "N3"
+                                                                                 : "N";
+    protons_.push_back({i, std::vector<AmberAtom>(v.hydrogens, AmberAtom{{}, type, charge_e, -1}), carrier_type});
   }
 
   void put(const Proton& p, std::size_t k, const Vec3& direction) {
@@ -329,8 +419,11 @@ class Assigner {
   }
 
   const Molecule& m_;
+  std::vector<Bond> all_bonds_;
   BondTable bonds_;
   SphereGrid grid_;
+  std::vector<char> of_ligand_;         // per atom: in one of ligands_
+  std::vector<std::uint32_t> ligands_;  // residues
   PairAtoms out_;
   std::vector<Proton> protons_;
 };
