@@ -17,9 +17,9 @@
 #include "engine/haptics/body/body_pairs.h"
 #include "engine/haptics/body/held_body.h"
 #include "engine/haptics/body/six.h"
-#include "engine/haptics/slip_coupling.h"
 #include "engine/haptics/body/small_qp.h"
 #include "engine/haptics/interaction.h"
+#include "engine/haptics/slip_coupling.h"
 
 namespace moltact {
 

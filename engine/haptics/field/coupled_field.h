@@ -15,9 +15,9 @@
 #include <memory>
 #include <vector>
 
-#include "engine/haptics/slip_coupling.h"
 #include "engine/haptics/field/pair_field.h"
 #include "engine/haptics/field/pair_sum.h"
+#include "engine/haptics/slip_coupling.h"
 #include "engine/haptics/wrapped_interaction.h"
 
 namespace moltact {

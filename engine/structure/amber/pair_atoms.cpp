@@ -306,8 +306,10 @@ class Assigner {
         net_e += double(a.charge_e) + double(charges.hydrogens_e[i]) * valences[i].hydrogens;
         addHydrogens(i, valences[i], charges.hydrogens_e[i]);
       }
-      note(PairAtoms::Note::Kind::Ligand, index);
-      out_.notes.back().charge_e = int(std::lround(net_e));
+      if (m_.charges_e.empty()) {
+        note(PairAtoms::Note::Kind::Ligand, index);
+        out_.notes.back().charge_e = int(std::lround(net_e));
+      }
       if (!whole) note(PairAtoms::Note::Kind::NoTemplate, index);
     }
   }

@@ -24,7 +24,7 @@ struct PairAtoms {
       Histidine,  ///< `template_name` was chosen, by the nearest acceptor
       Ion,        ///< its formal charge: alkali metals 1, alkaline earths, zinc and cadmium 2, halides -1
       Terminus,   ///< a charged end of a chain
-      Ligand,  ///< parameters of GAFF and Gasteiger's charges, with the net charge `charge_e`; states as in valences.h
+      Ligand,  ///< GAFF's parameters and Gasteiger's charges, with the net charge `charge_e`; states as in valences.h
       NoTemplate,   ///< all atoms, or of a ligand those of an unknown element: parameters by element, charge 0
       OtherAtoms,   ///< atoms that the template does not have: by element, charge 0
       MissingAtoms  ///< the template has atoms that the file lacks; their charge is missing
