@@ -51,8 +51,6 @@ Expected<EnergyTask> energyTask(std::string_view name, const OpenMolecule& open)
              : r.kind == ResidueKind::Water ? EnergySide::Neither
                                             : EnergySide::Scene;
     });
-    if (std::all_of(task.held.begin(), task.held.end(), [](const PairAtom& a) { return a.charge_e == 0.0f; }))
-      for (std::size_t i = 0; i < task.held.size(); ++i) task.held[i].charge_e = i % 2 ? -0.2f : 0.2f;
   } else {
     task = energyTaskOf(name, *molecule, [](const Residue& r) {
       if (r.kind != ResidueKind::AminoAcid || r.chain > 1) return EnergySide::Neither;

@@ -25,8 +25,8 @@ struct EnergyTask {
 inline constexpr std::array<std::string_view, 3> kEnergyTasks{"ligand", "200", "chain"};
 
 /// "ligand": amprenavir in 1HPV; "200": the 200 atoms of chain A of 2HHB nearest to chain B, against B; "chain": all of
-/// A's protein against B's. Parameters are those of pairAtoms(). The ligand has no charges there; its atoms get 0.2 and
-/// -0.2 in turn. Returns the Problem of a molecule that cannot be opened.
+/// A's protein against B's. Parameters are those of pairAtoms(). Returns the Problem of a molecule that cannot be
+/// opened.
 Expected<EnergyTask> energyTask(std::string_view name, const OpenMolecule& open);
 
 /// Poses of the middle: to and fro by up to 0.5 A along each axis and by as much in turning, at the gyration radius.

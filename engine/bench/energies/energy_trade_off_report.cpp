@@ -66,7 +66,7 @@ ReportTable energyTradeOffTable(const std::vector<EnergyTradeOff>& points, const
     return "not measured";
   };
   t.note =
-      "Atoms with polar hydrogens: ligand (amprenavir in 1HPV, charges of 0.2 and -0.2 in turn) " + atoms("ligand") +
+      "Atoms with polar hydrogens: ligand (amprenavir in 1HPV) " + atoms("ligand") +
       "; 200 of 2HHB's chain A nearest to B " + atoms("200") + "; chain A against B " + atoms("chain") + ". " +
       readable(double(options.ticks)) +
       " ticks to and fro by 0.5 A along and about each axis from the crystal's pose; a tick's time is the minimum of " +
