@@ -29,7 +29,7 @@ void drawEnergyPlot(Application& app) {
   const Palette& p = look().palette;
   const std::array shown{
       PlotCurve{&curves->van_der_waals, tr("Van der Waals"), kcal(energy->van_der_waals_kcal_mol), p.good},
-      PlotCurve{&curves->electrostatic, tr("Charges"), kcal(energy->electrostatic_kcal_mol), p.accent}};
+      PlotCurve{&curves->electrostatic, tr("Charges"), kcal(energy->electrostatic_kcal_mol), p.warn}};
   ImGui::Spacing();
   signedPlot("plot/energy", shown, {.title = tr("Energy"), .min_top = 1.0f, .span_s = TouchLog::kPlot_s});
   const double N_per_kcal_mol_A = log.latest().spring_N_per_A / energy->coupling_kcal_mol_A2;
