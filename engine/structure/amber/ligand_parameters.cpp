@@ -30,7 +30,7 @@ struct Electronegativity {
     return a + q * (b + q * c);
   }
 };
-constexpr Electronegativity kHydrogen{7.17, 6.24, -0.56},
+constexpr Electronegativity kHydrogenOrbital{7.17, 6.24, -0.56},
     kCarbon[] = {{7.98, 9.18, 1.88}, {8.79, 9.32, 1.51}, {10.39, 9.45, 0.73}},
     kNitrogen[] = {{11.54, 10.82, 1.36}, {12.87, 11.15, 0.85}, {15.68, 11.70, -0.27}},
     kConjugatedNitrogen{12.32, 11.20, 1.34}, kOxygen[] = {{14.18, 12.92, 1.39}, {17.07, 13.79, 0.47}},
@@ -43,7 +43,7 @@ constexpr double kProton_V = 20.02;
 const Electronegativity* electronegativity(int atomic_number, const AtomValence& v) {
   switch (atomic_number) {
     case 1:
-      return &kHydrogen;
+      return &kHydrogenOrbital;
     case 6:
       return &kCarbon[int(v.hybrid)];
     case 7:
@@ -138,7 +138,7 @@ GasteigerCharges gasteigerCharges(const Molecule& m, std::span<const Bond> bonds
   std::vector<double> q(n, 0.0), of_hydrogen(n, 0.0), next(n), next_of_hydrogen(n);
   for (std::size_t i = 0; i < n; ++i)
     if (wanted[i]) q[i] = double(valences[i].formal_e);
-  const auto cation = [](const Electronegativity* e) { return e == &kHydrogen ? kProton_V : e->at(1.0); };
+  const auto cation = [](const Electronegativity* e) { return e == &kHydrogenOrbital ? kProton_V : e->at(1.0); };
   double damping = 1.0;
   for (int k = 0; k < kIterations; ++k) {
     damping *= kDamping;
@@ -157,7 +157,7 @@ GasteigerCharges gasteigerCharges(const Molecule& m, std::span<const Bond> bonds
     for (std::uint32_t i = 0; i < n; ++i) {
       const Electronegativity* own = orbital(i);
       if (!own || valences[i].hydrogens == 0) continue;
-      const double moved = flow(&kHydrogen, of_hydrogen[i], own, q[i]);
+      const double moved = flow(&kHydrogenOrbital, of_hydrogen[i], own, q[i]);
       next_of_hydrogen[i] += moved, next[i] -= moved * valences[i].hydrogens;
     }
     q.swap(next), of_hydrogen.swap(next_of_hydrogen);
