@@ -483,12 +483,12 @@ TEST_CASE("info counts 602 atoms of ubiquitin, as text and as JSON") {
 }
 
 TEST_CASE(
-    "info --charges of 1HPV: 4 e, 332 placed hydrogens, the proton of histidine 69 on ND1, no charge for amprenavir") {
+    "info --charges of 1HPV: 4 e, 336 placed hydrogens, the proton of histidine 69 on ND1, a net charge of 0 for amprenavir") {
   const Folder folder;
   const std::string text = moltact(folder, "info 1hpv --charges").out;
-  CHECK(text.find("net       4 e by AMBER ff14SB, OL15 and OL3; 332 polar hydrogens placed\n") != std::string::npos);
+  CHECK(text.find("net       4 e by AMBER ff14SB, OL15 and OL3; 336 polar hydrogens placed\n") != std::string::npos);
   CHECK(text.find("histidine HID: 69 A, 69 B\n") != std::string::npos);
-  CHECK(text.find("uncharged 478: 200\n") != std::string::npos);
+  CHECK(text.find("ligand    478 (0 e by Gasteiger): 200\n") != std::string::npos);
   CHECK(moltact(folder, "info 1hpv").out.find("net ") == std::string::npos);
   const auto assigned = nlohmann::json::parse(moltact(folder, "info 1hpv --charges --json").out)["assigned"];
   CHECK(assigned["net_charge_e"] == 4.0);
