@@ -90,7 +90,7 @@ TEST_CASE("every change of a touch property is undone and redone; an unknown wor
     const TouchSetup before = d->app().scene.touch();
     TouchSetup after = before;
     if (std::holds_alternative<double TouchSetup::*>(p.member))
-      setTouchValue(after, p, p.control.range.max);
+      setTouchValue(after, p, p.control.title.empty() ? p.in_scenes.max : p.control.range.max);
     else if (p.member == TouchMember(&TouchSetup::interaction))
       continue;  // a choice only with a body, see body_in_hand_test.cpp
     else if (p.words)

@@ -483,7 +483,8 @@ TEST_CASE("info counts 602 atoms of ubiquitin, as text and as JSON") {
 }
 
 TEST_CASE(
-    "info --charges of 1HPV: 4 e, 336 placed hydrogens, the proton of histidine 69 on ND1, a net charge of 0 for amprenavir") {
+    "info --charges of 1HPV: 4 e, 336 placed hydrogens, the proton of histidine 69 on ND1, a net charge of 0 for "
+    "amprenavir") {
   const Folder folder;
   const std::string text = moltact(folder, "info 1hpv --charges").out;
   CHECK(text.find("net       4 e by AMBER ff14SB, OL15 and OL3; 336 polar hydrogens placed\n") != std::string::npos);
