@@ -50,12 +50,12 @@ bool forcesAct(const TouchSetup& touch) { return forceChoice(touch.forces).any()
 
 std::unique_ptr<Interaction> withForces(std::unique_ptr<Interaction> inner, const InteractionInput& input) {
   if (!input.pairs) return nullptr;
-  constexpr double kN_per_mm = 6.947695e-4;  // of 1 kcal/mol/A^2
+  constexpr double kStiffnessUnit_N_per_mm = 1e-5 * kForceUnit_pN;
   VirtualCoupling coupling;
   const double wanted = input.touch.coupling_N_per_mm > 0.0
                             ? input.touch.coupling_N_per_mm
                             : 1.8e-3 * double(std::clamp<std::size_t>(input.pairs->held.size(), 1, 200));
-  coupling.stiffness_kcal_mol_A2 = wanted / kN_per_mm;
+  coupling.stiffness_kcal_mol_A2 = wanted / kStiffnessUnit_N_per_mm;
   if (input.body && inner->hasOrientation()) {
     const double gyration_A = std::max(kMinLever_A, radiusOfGyration_A(*input.body));
     coupling.lever_A = input.rotational_stiffness_N_A > 0.0 ? std::sqrt(input.rotational_stiffness_N_A) : gyration_A;

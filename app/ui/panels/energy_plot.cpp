@@ -8,6 +8,7 @@
 #include "app/ui/widgets/plot.h"
 #include "app/ui/widgets/theme.h"
 #include "app/ui/widgets/widget_map.h"
+#include "engine/haptics/field/pair_model.h"
 #include "engine/language/catalogue.h"
 #include "engine/language/quantity_text.h"
 
@@ -16,8 +17,6 @@ namespace {
 
 // Forces between atoms are given in the unit of their literature, whatever unit the user chose for the energy of springs.
 std::string kcal(double value) { return trf("{0} kcal/mol", numberText(value, decimals(1))); }
-
-constexpr double kPn_per_kcal_mol_A = 69.47695;
 
 }  // namespace
 
@@ -34,8 +33,8 @@ void drawEnergyPlot(Application& app) {
   signedPlot("plot/energy", shown, {.title = tr("Energy"), .min_top = 1.0f, .span_s = TouchLog::kPlot_s});
   const double N_per_kcal_mol_A = log.latest().spring_N_per_A / energy->coupling_kcal_mol_A2;
   if (N_per_kcal_mol_A <= 0.0) return;
-  const std::string scale = trf("1 N in the hand is {0} pN between the atoms.",
-                                numberText(kPn_per_kcal_mol_A / N_per_kcal_mol_A, decimals(0)));
+  const std::string scale =
+      trf("1 N in the hand is {0} pN between the atoms.", numberText(kForceUnit_pN / N_per_kcal_mol_A, decimals(0)));
   ImGui::PushTextWrapPos(0.0f);
   ImGui::TextUnformatted(scale.c_str());
   ImGui::PopTextWrapPos();

@@ -54,7 +54,7 @@ void MethodWatch::begin(const TouchableModel& stage, const TouchSetup& felt) {
   molecule_ = stage.molecule;
   spheres_ = stage.spheres;
   reference_ = referenceOf(felt);
-  exact_ = stage ? makeReference(reference_) : nullptr;
+  exact_ = stage && !stage.body ? makeReference(reference_) : nullptr;  // methods are compared with a probe only
   hand_ = {};
   fraction_ = 0.0;
   motion_ = nullptr;

@@ -14,15 +14,6 @@ namespace {
 
 constexpr int kBrick = 4;  // nodes along an edge that share a list of atoms
 
-void put(PairBlock& block, int lane, const Vec3& relative, const PairAtom& atom) {
-  block.x[lane] = float(relative.x);
-  block.y[lane] = float(relative.y);
-  block.z[lane] = float(relative.z);
-  block.charge_e[lane] = atom.charge_e;
-  block.half_minimum_A[lane] = atom.half_minimum_A;
-  block.root_depth[lane] = std::sqrt(atom.depth_kcal_mol);
-}
-
 // The atoms within `reach` of a point, in blocks relative to it.
 std::vector<PairBlock> blocksNear(const SphereGrid& scene, std::span<const PairAtom> atoms, const Vec3& centre,
                                   double reach) {
@@ -32,11 +23,10 @@ std::vector<PairBlock> blocksNear(const SphereGrid& scene, std::span<const PairA
     const Vec3 relative = sphere.centre_A - centre;
     if (glm::dot(relative, relative) > reach * reach) return;
     if (lane == PairBlock::kLanes) {
-      PairBlock& block = out.emplace_back();
-      for (lane = 0; lane < PairBlock::kLanes; ++lane) put(block, lane, Vec3(1e4), {});
+      out.emplace_back().clear(0);
       lane = 0;
     }
-    put(out.back(), lane++, relative, atoms[index]);
+    out.back().set(lane++, relative, atoms[index]);
   });
   return out;
 }
@@ -49,15 +39,15 @@ bool runGridWork(std::size_t count, int threads, const std::function<void(std::s
   std::atomic<bool> stopped{false};
   std::exception_ptr thrown;
   std::mutex throwing;
-  const auto run = [&](bool tells) {
-    auto told = std::chrono::steady_clock::now() - std::chrono::seconds(1);
+  const auto run = [&](bool reports) {
+    auto reported = std::chrono::steady_clock::now() - std::chrono::seconds(1);
     for (std::size_t k; !stopped && (k = next++) < count;) {
       try {
         work(k);
         ++finished;
         const auto now = std::chrono::steady_clock::now();
-        if (tells && progress && now - told > std::chrono::milliseconds(100)) {
-          told = now;
+        if (reports && progress && now - reported > std::chrono::milliseconds(100)) {
+          reported = now;
           if (!progress(double(finished) / double(count))) stopped = true;
         }
       } catch (...) {

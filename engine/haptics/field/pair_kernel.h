@@ -4,6 +4,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 
 #include "engine/haptics/field/pair_model.h"
 
@@ -13,6 +14,19 @@ namespace moltact {
 struct alignas(32) PairBlock {
   static constexpr int kLanes = 8;
   float x[kLanes], y[kLanes], z[kLanes], charge_e[kLanes], half_minimum_A[kLanes], root_depth[kLanes];
+
+  void set(int lane, const Vec3& relative, const PairAtom& atom) noexcept {
+    x[lane] = float(relative.x);
+    y[lane] = float(relative.y);
+    z[lane] = float(relative.z);
+    charge_e[lane] = atom.charge_e;
+    half_minimum_A[lane] = atom.half_minimum_A;
+    root_depth[lane] = std::sqrt(atom.depth_kcal_mol);
+  }
+  /// Empties the places from this one on. They are beyond every cut-off.
+  void clear(int from_lane) noexcept {
+    for (int lane = from_lane; lane < kLanes; ++lane) set(lane, Vec3(1e4), {});
+  }
 };
 
 /// One atom, relative to the centre of the blocks.

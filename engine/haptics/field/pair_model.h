@@ -10,6 +10,8 @@ namespace moltact {
 
 /// Energy of two elementary charges 1 A apart in vacuum (unit: kcal/mol A), as in AMBER.
 inline constexpr double kCoulomb_kcal_A = 332.0637;
+/// The force of 1 kcal/mol/A (unit: piconewton). The stiffness of 1 kcal/mol/A^2 is 1e-5 N/mm times this number.
+inline constexpr double kForceUnit_pN = 69.47695;
 
 /// The parameters of one atom. Two atoms have the minimum of their Lennard-Jones energy at the sum of their half
 /// distances, with the geometric mean of their depths (Lorentz and Berthelot's rules).

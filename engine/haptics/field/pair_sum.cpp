@@ -7,25 +7,6 @@
 #include "engine/haptics/field/held_atom_sum.h"
 
 namespace moltact {
-namespace {
-
-// The place that nothing reaches, for the empty lanes of a block.
-constexpr float kFar_A = 1e4f;
-
-void put(PairBlock& block, int lane, const Vec3& relative, const PairAtom& atom) {
-  block.x[lane] = float(relative.x);
-  block.y[lane] = float(relative.y);
-  block.z[lane] = float(relative.z);
-  block.charge_e[lane] = atom.charge_e;
-  block.half_minimum_A[lane] = atom.half_minimum_A;
-  block.root_depth[lane] = std::sqrt(atom.depth_kcal_mol);
-}
-
-void clear(PairBlock& block, int from_lane) {
-  for (int lane = from_lane; lane < PairBlock::kLanes; ++lane) put(block, lane, Vec3(kFar_A), {});
-}
-
-}  // namespace
 
 PairSum::PairSum(std::shared_ptr<const SphereGrid> scene, std::vector<PairAtom> atoms, std::vector<PairAtom> body,
                  const PairModel& model)
@@ -90,7 +71,7 @@ void PairSum::renew(List& list, const Vec3& centre) noexcept {
       at = 0;
     }
     Chunk& chunk = chunks_[std::size_t(last)];
-    put(chunk.blocks[std::size_t(at / PairBlock::kLanes)], at % PairBlock::kLanes, relative, atoms_[index]);
+    chunk.blocks[std::size_t(at / PairBlock::kLanes)].set(at % PairBlock::kLanes, relative, atoms_[index]);
     chunk.atoms[std::size_t(at)] = index;
     ++at;
     ++list.atoms;
@@ -104,7 +85,7 @@ void PairSum::renew(List& list, const Vec3& centre) noexcept {
     list.valid = true;
     list.whole = false;
   } else if (last >= 0 && at % PairBlock::kLanes != 0) {
-    clear(chunks_[std::size_t(last)].blocks[std::size_t(at / PairBlock::kLanes)], at % PairBlock::kLanes);
+    chunks_[std::size_t(last)].blocks[std::size_t(at / PairBlock::kLanes)].clear(at % PairBlock::kLanes);
   }
   ++renewed_;
 }
@@ -133,9 +114,9 @@ void PairSum::eachPairOf(std::size_t atom, Visit&& visit) const noexcept {
     return;
   }
   PairBlock block;
-  clear(block, 0);
+  block.clear(0);
   scene_->visitCentresNear(places_[atom], model_.cutoff_A, [&](std::uint32_t index, const Sphere& sphere) {
-    put(block, 0, sphere.centre_A - places_[atom], atoms_[index]);
+    block.set(0, sphere.centre_A - places_[atom], atoms_[index]);
     kernel_.each(block, constants_, self, gradients);
     visit(index, gradients[0]);
   });
@@ -173,13 +154,13 @@ PairTerms PairSum::sum(std::size_t atom, AddPairs add) const noexcept {
   PairBlock block;
   int lane = 0;
   scene_->visitCentresNear(place, model_.cutoff_A, [&](std::uint32_t index, const Sphere& sphere) {
-    put(block, lane++, sphere.centre_A - place, atoms_[index]);
+    block.set(lane++, sphere.centre_A - place, atoms_[index]);
     if (lane < PairBlock::kLanes) return;
     add(&block, 1, constants_, self, terms);
     lane = 0;
   });
   if (lane > 0) {
-    clear(block, lane);
+    block.clear(lane);
     add(&block, 1, constants_, self, terms);
   }
   return terms;
