@@ -48,10 +48,16 @@ Noted noted(const Molecule& m, const PairAtoms& assigned, PairAtoms::Note::Kind 
   Noted out;
   for (const PairAtoms::Note& n : assigned.notes) {
     if (n.kind != kind) continue;
+    if (n.residue == kNoResidue) {
+      out["the molecule"];
+      continue;
+    }
     const Residue& r = m.residues[n.residue];
     const std::string chain(m.chains[r.chain].name);
     std::string name = n.template_name.empty() ? std::string(r.name) : n.template_name;
     if (kind == PairAtoms::Note::Kind::Ligand) name += " (" + std::to_string(n.charge_e) + " e by Gasteiger)";
+    if (kind == PairAtoms::Note::Kind::FractionalCharge)
+      name += " (" + quantityNumber(n.residue_charge_e, Dimension::None, decimals(3)) + " e)";
     out[name].push_back(std::to_string(r.number) + (chain.empty() ? "" : " " + chain));
   }
   return out;
@@ -69,6 +75,9 @@ constexpr NotedKind kNoted[] = {
     {PairAtoms::Note::Kind::NoTemplate, "uncharged ", "no_template"},
     {PairAtoms::Note::Kind::OtherAtoms, "unknown   ", "other_atoms"},
     {PairAtoms::Note::Kind::MissingAtoms, "missing   ", "missing_atoms"},
+    {PairAtoms::Note::Kind::FractionalCharge, "not whole ", "fractional_charges"},
+    {PairAtoms::Note::Kind::UnknownElement, "no type   ", "unknown_elements"},
+    {PairAtoms::Note::Kind::SamePlace, "one place ", "same_places"},
 };
 
 void printAssigned(const Molecule& m) {
@@ -77,6 +86,20 @@ void printAssigned(const Molecule& m) {
   out() << "net       " << quantityNumber(net_e, Dimension::None, decimals(net_e == std::round(net_e) ? 0 : 3))
         << " e by " << (m.charges_e.empty() ? "AMBER ff14SB, OL15 and OL3" : "the file") << "; "
         << assigned.placed_hydrogens << " polar hydrogens placed\n";
+  const double from_whole_e = std::abs(assigned.net_charge_e - std::round(assigned.net_charge_e));
+  if (!m.charges_e.empty() && from_whole_e > kFractionalCharge_e)
+    out() << "note      the net charge is " << quantityNumber(from_whole_e, Dimension::None, decimals(3))
+          << " e from a whole number: the file lacks atoms, or the charges of some; compute the charges of the whole "
+             "molecule again (pdb2pqr, obabel --partialcharge)\n";
+  const auto any = [&](PairAtoms::Note::Kind kind) {
+    return std::any_of(assigned.notes.begin(), assigned.notes.end(), [&](const auto& n) { return n.kind == kind; });
+  };
+  if (any(PairAtoms::Note::Kind::UnknownElement))
+    out()
+        << "note      atoms of unknown elements have the size of their radius and carbon's depth, and no charge unless "
+           "the file has charges; correct their elements or types in the file\n";
+  if (any(PairAtoms::Note::Kind::SamePlace))
+    out() << "note      two atoms in one place act on the hand twice; remove one of them from the file\n";
   for (const NotedKind& kind : kNoted)
     for (const auto& [name, residues] : noted(m, assigned, kind.kind)) {
       constexpr std::size_t kMax = 12;

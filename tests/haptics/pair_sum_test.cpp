@@ -139,59 +139,155 @@ TEST_CASE(
 }
 
 TEST_CASE(
+    "a charge at 7 A feels the field (3 (p r) r - p) / (eps r^3) of a dipole of 0.1 A in 50 directions, and the dipole "
+    "the torque p x E, within the next order") {
+  const std::vector<PairAtom> dipole{charge({0, 0, -0.05}, -1.0f), charge({0, 0, 0.05}, 1.0f)},
+      single{charge({}, 1.0f)};
+  PairSum on_charge = sumOf(dipole, single, unbounded()), on_dipole = sumOf(single, dipole, unbounded());
+  const Vec3 p(0, 0, 0.1);
+  std::mt19937 random(81);
+  std::normal_distribution<double> normal;
+  for (int k = 0; k < 50; ++k) {
+    const Vec3 r = glm::normalize(Vec3(normal(random), normal(random), normal(random)));
+    const double unit = 332.0637 / 4.0;
+    const Vec3 force = unit * (3.0 * glm::dot(p, r) * r - p) / (7.0 * 7.0 * 7.0);
+    CHECK(glm::distance(on_charge.at(pose(7.0 * r)).force_kcal_mol_A, force) < 1e-3 * glm::length(force));
+    // The field of the charge at the dipole, 7 A from it along r.
+    const Vec3 field = unit * r / 49.0, torque = glm::cross(p, field);
+    const PairEnergy found = on_dipole.at(pose(7.0 * r));
+    CHECK(glm::distance(found.torque_kcal_mol, torque) < 1e-3 * unit * 0.1 / 49.0);
+    CHECK(glm::distance(found.force_kcal_mol_A, -force) < 1e-3 * glm::length(force));
+  }
+}
+
+TEST_CASE(
+    "an infinite row of charges 2 A apart: the force 2 q / (eps a d) (1 + sum 4 pi m d / a K1(2 pi m d / a)) beside "
+    "equal "
+    "ones, the energy 4 q / (eps a) sum K0(pi m d / a) of odd m beside alternating ones") {
+  constexpr double kApart_A = 2.0, kPi = 3.14159265358979;
+  constexpr int kHalf = 1500;
+  PairModel model = unbounded(Dielectric::Constant, 4.0);
+  model.cutoff_A = 2.0 * kHalf * kApart_A;
+  model.switch_from_A = model.cutoff_A - 1.0;
+  for (const bool alternating : {false, true}) {
+    std::vector<PairAtom> row;
+    // Half charges at the ends: an alternating row then ends without a net charge.
+    for (int k = -kHalf; k <= kHalf; ++k)
+      row.push_back(charge({kApart_A * k, 0, 0},
+                           float((alternating && k % 2 ? -1.0 : 1.0) * (std::abs(k) == kHalf ? 0.5 : 1.0))));
+    PairSum sum = sumOf(row, {charge({}, 1.0f)}, model);
+    for (const double d : {1.0, 1.5, 2.0, 3.0, 4.0}) {
+      CAPTURE(alternating);
+      CAPTURE(d);
+      const PairEnergy found = sum.at(pose({0, d * 0.6, d * 0.8}));
+      double right = 0.0;
+      if (alternating) {
+        for (int m = 1; m < 40; m += 2) right += std::cyl_bessel_k(0.0, kPi * m * d / kApart_A);
+        right *= 332.0637 / 4.0 * 4.0 / kApart_A;
+        CHECK(std::abs(found.energy.electrostatic_kcal_mol - right) < 1e-4 * right + 2e-4);
+      } else {
+        for (int m = 1; m < 40; ++m)
+          right += 4.0 * kPi * m * d / kApart_A * std::cyl_bessel_k(1.0, 2.0 * kPi * m * d / kApart_A);
+        right = 332.0637 / 4.0 * 2.0 / (kApart_A * d) * (1.0 + right);
+        CHECK(glm::distance(found.force_kcal_mol_A, right * Vec3(0, 0.6, 0.8)) < 1e-4 * right);
+      }
+    }
+  }
+}
+
+namespace {
+
+struct Differences {
+  double energy = 0, force = 0, torque = 0;
+};
+
+// The greatest differences from the oracle and its differences of energy at random poses, as shares of the sum of the
+// amounts of all pairs' energies.
+Differences worstDifferences(const Scene& scene, const PairModel& model, unsigned seed, int poses, double shift_A,
+                             double turn) {
+  PairSum sum = sumOf(scene.atoms, scene.body, model);
+  std::mt19937 random(seed);
+  std::normal_distribution<double> normal;
+  const auto any = [&](double size) { return size * Vec3(normal(random), normal(random), normal(random)); };
+  Differences worst;
+  int judged = 0;
+  while (judged < poses) {
+    const PoseA at = pose(any(shift_A), any(turn));
+    const glm::dmat3 turned = glm::mat3_cast(at.orientation);
+    double nearest = INFINITY;
+    for (const PairAtom& b : scene.body)
+      for (const PairAtom& a : scene.atoms)
+        nearest = std::min(nearest, glm::distance(at.place.A + turned * b.centre_A, a.centre_A));
+    if (nearest < 1.6) continue;
+    ++judged;
+    const OracleEnergy right = oracle(scene, model, at);
+    const PairEnergy found = sum.at(at);
+    worst.energy = std::max({worst.energy,
+                             double(std::abs(right.van_der_waals - found.energy.van_der_waals_kcal_mol) / right.size),
+                             double(std::abs(right.electrostatic - found.energy.electrostatic_kcal_mol) / right.size),
+                             double(std::abs(right.felt - found.energy.felt_kcal_mol) / right.size)});
+    constexpr double kStep = 1e-5;
+    Vec3 force, torque;
+    for (int axis = 0; axis < 3; ++axis) {
+      Vec3 step(0.0);
+      step[axis] = kStep;
+      const auto felt = [&](const PoseA& p) { return oracle(scene, model, p).felt; };
+      force[axis] = double((felt({{at.place.A - step}, at.orientation}) - felt({{at.place.A + step}, at.orientation})) /
+                           (2 * kStep));
+      torque[axis] = double((felt({at.place, pose({}, -step).orientation * at.orientation}) -
+                             felt({at.place, pose({}, step).orientation * at.orientation})) /
+                            (2 * kStep));
+    }
+    // The steepest pair's scale: an energy's gradient is at most about 12 / r of it.
+    const double size = double(right.size) * 4.0;
+    worst.force = std::max(worst.force, glm::distance(force, found.force_kcal_mol_A) / size);
+    worst.torque = std::max(worst.torque, glm::distance(torque, found.torque_kcal_mol) / size);
+  }
+  return worst;
+}
+
+}  // namespace
+
+TEST_CASE(
     "energy, force and torque agree with all pairs in long double and its differences to 2e-6 of the sum of their "
     "amounts, at 60 poses of 6 crowds in 3 dielectrics, with and without bounded walls") {
   for (const Dielectric kind : {Dielectric::Constant, Dielectric::Distance, Dielectric::MehlerSolmajer})
     for (const double wall : {double(INFINITY), 1.0}) {
       const unsigned seed = 20 + unsigned(kind) * 2 + (wall == 1.0);
       CAPTURE(seed);
-      const Scene scene = crowd(seed);
       PairModel model = unbounded(kind);
       model.wall_kcal_mol = wall;
-      PairSum sum = sumOf(scene.atoms, scene.body, model);
-      std::mt19937 random(seed);
-      std::normal_distribution<double> normal;
-      const auto any = [&](double size) { return size * Vec3(normal(random), normal(random), normal(random)); };
-      double worst_energy = 0, worst_force = 0, worst_torque = 0;
-      int judged = 0;
-      while (judged < 60) {
-        const PoseA at = pose(any(0.3), any(0.5));
-        const glm::dmat3 turn = glm::mat3_cast(at.orientation);
-        double nearest = INFINITY;
-        for (const PairAtom& b : scene.body)
-          for (const PairAtom& a : scene.atoms)
-            nearest = std::min(nearest, glm::distance(at.place.A + turn * b.centre_A, a.centre_A));
-        if (nearest < 1.6) continue;
-        ++judged;
-        const OracleEnergy right = oracle(scene, model, at);
-        const PairEnergy found = sum.at(at);
-        worst_energy = std::max(
-            worst_energy, double(std::abs(right.van_der_waals - found.energy.van_der_waals_kcal_mol) / right.size));
-        worst_energy = std::max(
-            worst_energy, double(std::abs(right.electrostatic - found.energy.electrostatic_kcal_mol) / right.size));
-        worst_energy = std::max(worst_energy, double(std::abs(right.felt - found.energy.felt_kcal_mol) / right.size));
-        constexpr double kStep = 1e-5;
-        Vec3 force, torque;
-        for (int axis = 0; axis < 3; ++axis) {
-          Vec3 step(0.0);
-          step[axis] = kStep;
-          const auto felt = [&](const PoseA& p) { return oracle(scene, model, p).felt; };
-          force[axis] =
-              double((felt({{at.place.A - step}, at.orientation}) - felt({{at.place.A + step}, at.orientation})) /
-                     (2 * kStep));
-          torque[axis] = double((felt({at.place, pose({}, -step).orientation * at.orientation}) -
-                                 felt({at.place, pose({}, step).orientation * at.orientation})) /
-                                (2 * kStep));
-        }
-        // The steepest pair's scale: an energy's gradient is at most about 12 / r of it.
-        const double size = double(right.size) * 4.0;
-        worst_force = std::max(worst_force, glm::distance(force, found.force_kcal_mol_A) / size);
-        worst_torque = std::max(worst_torque, glm::distance(torque, found.torque_kcal_mol) / size);
-      }
-      CHECK(worst_energy < 2e-6);
-      CHECK(worst_force < 2e-6);
-      CHECK(worst_torque < 2e-6);
+      const Differences worst = worstDifferences(crowd(seed), model, seed, 60, 0.3, 0.5);
+      CHECK(worst.energy < 2e-6);
+      CHECK(worst.force < 2e-6);
+      CHECK(worst.torque < 2e-6);
     }
+}
+
+TEST_CASE(
+    "force and torque are the differences of energy in long double to 1e-6 of the sum of the pairs' amounts at 10 000 "
+    "random poses in any orientation") {
+  // 120 atoms from 4 to 9 A from the middle, five held.
+  std::mt19937 random(71);
+  const auto in = [&](double low, double high) { return std::uniform_real_distribution<double>(low, high)(random); };
+  Scene scene;
+  const auto kind = [&](const Vec3& at) {
+    return PairAtom{at, float(in(0.6, 2.1)), float(in(0.0, 0.25)), float(in(-0.8, 0.8))};
+  };
+  while (scene.atoms.size() < 120) {
+    const Vec3 at(in(-9, 9), in(-9, 9), in(-9, 9));
+    if (glm::length(at) > 4.0 && glm::length(at) < 9.0) scene.atoms.push_back(kind(at));
+  }
+  for (int k = 0; k < 5; ++k) scene.body.push_back(kind(Vec3(in(-2, 2), in(-2, 2), in(-2, 2))));
+  for (const Dielectric dielectric : {Dielectric::Constant, Dielectric::MehlerSolmajer}) {
+    PairModel model = unbounded(dielectric);
+    model.wall_kcal_mol = 1.0;
+    const Differences worst = worstDifferences(scene, model, 72 + unsigned(dielectric), 5000, 0.8, 2.0);
+    CHECK(worst.energy < 2e-6);
+    CHECK(worst.force < 1e-6);
+    CHECK(worst.torque < 1e-6);
+    MESSAGE("5000 poses: energy ", worst.energy, ", force ", worst.force, ", torque ", worst.torque);
+  }
 }
 
 TEST_CASE(

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/haptics/field/pair_sum.h"
 #include "engine/structure/bonds.h"
 #include "tests/structure/library.h"
 
@@ -168,4 +169,67 @@ TEST_CASE("a hydrogen that the file has keeps its place and charge, and none is 
   const PairAtom& kept = b.atoms[std::size_t(hydrogen - with.atoms.begin())];
   CHECK(glm::distance(kept.centre_A, at) < 0.001);
   CHECK(kept.charge_e == doctest::Approx(0.2719));
+}
+
+TEST_CASE(
+    "a file's net charge 0.4 e from a whole number is noted with the residue that is not whole; 0.05 e is rounding") {
+  const auto pqr = [](const char* second) {
+    return test::moleculeOf(std::string("ATOM 1 N ALA A 1 0 0 0 -0.3 1.8\nATOM 2 CA ALA A 1 1.5 0 0 0.3 1.8\n"
+                                        "ATOM 3 N GLY A 2 6 0 0 0.5 1.8\nATOM 4 CA GLY A 2 7.5 0 0 ") +
+                                second + " 1.8\n",
+                            "x.pqr");
+  };
+  const PairAtoms off = pairAtoms(pqr("0.9"));
+  CHECK(off.net_charge_e == doctest::Approx(1.4));
+  REQUIRE(count(off, Kind::FractionalCharge) == 1);
+  for (const auto& n : off.notes)
+    if (n.kind == Kind::FractionalCharge) {
+      CHECK(n.residue == 1);
+      CHECK(n.residue_charge_e == doctest::Approx(1.4));
+    }
+  CHECK(count(pairAtoms(pqr("0.55")), Kind::FractionalCharge) == 0);
+  CHECK(count(pairAtoms(pqr("0.5")), Kind::FractionalCharge) == 0);
+}
+
+TEST_CASE("an atom of an unknown element is noted by its residue; its charge is 0, or the file's") {
+  const std::string pdbqt =
+      "ATOM      1  C1  LIG A   7       1.000   0.000   0.000  1.00  0.00    +0.250 C \n"
+      "ATOM      2  Q1  LIG A   7       2.500   0.000   0.000  1.00  0.00    -0.250 QQ\n";
+  const PairAtoms with = pairAtoms(test::moleculeOf(pdbqt, "x.pdbqt"));
+  CHECK(count(with, Kind::UnknownElement) == 1);
+  CHECK(with.atoms[1].charge_e == -0.25f);
+  const std::string pdb =
+      "HETATM    1  C1  LIG A   7       1.000   0.000   0.000  1.00  0.00           C\n"
+      "HETATM    2 QQ1  LIG A   7       2.500   0.000   0.000  1.00  0.00          QQ\n";
+  const Molecule m = test::moleculeOf(pdb, "x.pdb");
+  const PairAtoms without = pairAtoms(m);
+  REQUIRE(count(without, Kind::UnknownElement) == 1);
+  CHECK(without.atoms[1].charge_e == 0.0f);
+  CHECK(without.atoms[1].half_minimum_A == float(m.spheres[1].radius_A));
+  CHECK(count(pairAtoms(test::libraryMolecule("2hhb.pdb")), Kind::UnknownElement) == 0);
+}
+
+TEST_CASE("two atoms in one place are noted, and their forces on a third are finite at every distance") {
+  const Molecule m = test::moleculeOf(
+      "ATOM 1 N ALA A 1 0 0 0 -0.5 1.8\nATOM 2 CA ALA A 1 1.5 0 0 0.5 1.8\nATOM 3 CB ALA A 1 1.5 0 0 0.3 1.8\n"
+      "ATOM 4 O HOH B 2 9 0 0 -0.3 1.8\n",
+      "x.pqr", {.waters = true});
+  const PairAtoms a = pairAtoms(m);
+  REQUIRE(count(a, Kind::SamePlace) == 1);
+  for (const auto& n : a.notes)
+    if (n.kind == Kind::SamePlace) CHECK(n.residue == 0);
+  CHECK(count(pairAtoms(test::libraryMolecule("1hpv.pdb")), Kind::SamePlace) == 0);
+  std::vector<Sphere> places;
+  for (const PairAtom& atom : a.atoms) places.push_back({atom.centre_A, 1.0});
+  for (const double wall : {double(INFINITY), 1.0}) {
+    PairModel model;
+    model.wall_kcal_mol = wall;
+    PairSum sum(std::make_shared<const SphereGrid>(places), a.atoms, {a.atoms[3]}, model);
+    for (int k = 0; k <= 4000; ++k) {
+      const PairEnergy found = sum.at({{Vec3(1.5 - 9.0 + 0.001 * k, 0, 0)}, kNoRotation});
+      REQUIRE(std::isfinite(found.energy.felt_kcal_mol));
+      REQUIRE(finite(found.force_kcal_mol_A));
+      REQUIRE(finite(found.torque_kcal_mol));
+    }
+  }
 }

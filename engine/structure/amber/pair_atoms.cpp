@@ -94,6 +94,9 @@ class Assigner {
       for (std::uint32_t i = 0; i < m_.atoms.size(); ++i) out_.atoms[i].charge_e = m_.charges_e[i];
     for (const Proton& p : protons_) place(p);
     for (const PairAtom& a : out_.atoms) out_.net_charge_e += double(a.charge_e);
+    noteFractionalCharges();
+    noteUnknownElements();
+    noteSamePlaces();
     return std::move(out_);
   }
 
@@ -104,6 +107,50 @@ class Assigner {
     std::vector<AmberAtom> hydrogens;
     std::string_view carrier_type;
   };
+
+  static bool fractional(double charge_e) { return std::abs(charge_e - std::round(charge_e)) > kFractionalCharge_e; }
+
+  // Which residues of the file have no whole charge, where the molecule has none.
+  void noteFractionalCharges() {
+    if (m_.charges_e.empty() || !fractional(out_.net_charge_e)) return;
+    const std::size_t before = out_.notes.size();
+    for (std::uint32_t k = 0; k < m_.residues.size(); ++k) {
+      const Residue& r = m_.residues[k];
+      double sum_e = 0.0;
+      for (std::uint32_t i = r.first_atom; i < r.first_atom + r.atom_count; ++i) sum_e += double(m_.charges_e[i]);
+      if (!fractional(sum_e)) continue;
+      note(PairAtoms::Note::Kind::FractionalCharge, k);
+      out_.notes.back().residue_charge_e = sum_e;
+    }
+    if (out_.notes.size() > before) return;
+    note(PairAtoms::Note::Kind::FractionalCharge, kNoResidue);
+    out_.notes.back().residue_charge_e = out_.net_charge_e;
+  }
+
+  void noteUnknownElements() {
+    for (std::uint32_t k = 0; k < m_.residues.size(); ++k) {
+      const Residue& r = m_.residues[k];
+      const auto first = m_.atoms.begin() + r.first_atom;
+      if (std::any_of(first, first + r.atom_count, [](const Atom& a) { return a.atomic_number == 0; }))
+        note(PairAtoms::Note::Kind::UnknownElement, k);
+    }
+  }
+
+  void noteSamePlaces() {
+    std::uint32_t noted = kNoResidue;
+    bool any = false;
+    for (std::uint32_t i = 0; i < m_.atoms.size(); ++i) {
+      const std::uint32_t residue = m_.atoms[i].residue;
+      if (any && residue == noted) continue;
+      bool same = false;
+      grid_.visitCentresNear(m_.spheres[i].centre_A, kSamePlace_A, [&](std::uint32_t k, const Sphere& s) {
+        same = same || (k < i && glm::distance(s.centre_A, m_.spheres[i].centre_A) < kSamePlace_A);
+      });
+      if (!same) continue;
+      note(PairAtoms::Note::Kind::SamePlace, residue);
+      noted = residue, any = true;
+    }
+  }
 
   void byElement(std::uint32_t i) {
     const AmberType* type = amberType(typeOf(m_.atoms[i].atomic_number, bonds_.neighbours(i).size()));

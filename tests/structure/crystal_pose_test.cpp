@@ -1,0 +1,74 @@
+// The crystal's pose of amprenavir in HIV protease (1HPV) against the minimum of the forces between atoms.
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <random>
+
+#include "engine/haptics/body/held_body.h"
+#include "engine/haptics/field/minimise_pose.h"
+#include "engine/structure/interaction_input.h"
+#include "tests/structure/library.h"
+
+using namespace moltact;
+
+namespace {
+
+// Root mean square distance of the body's atoms from their places in the crystal.
+double rmsd_A(const HeldBody& body, const Molecule& m, const PoseA& pose) {
+  double sum = 0.0;
+  for (const std::uint32_t i : body.atoms) {
+    const Vec3 home = m.spheres[i].centre_A;
+    const Vec3 d = pose.place.A + pose.orientation * (home - body.middle.A) - home;
+    sum += glm::dot(d, d);
+  }
+  return std::sqrt(sum / double(body.atoms.size()));
+}
+
+}  // namespace
+
+TEST_CASE(
+    "amprenavir in 1HPV, minimised from the crystal's pose, stays within 1 A of it in all three dielectrics, and comes "
+    "back from most of 40 poses 0.5 A and 15 degrees off") {
+  const Molecule m = test::libraryMolecule("1hpv.pdb");
+  std::vector<std::uint32_t> ligand;
+  for (std::uint32_t i = 0; i < m.atoms.size(); ++i)
+    if (m.residues[m.atoms[i].residue].name == "478") ligand.push_back(i);
+  REQUIRE(ligand.size() == 35);
+  const auto body = heldBody(m.spheres, ligand);
+  const auto grid = std::make_shared<const SphereGrid>(std::vector<Sphere>(m.spheres.begin(), m.spheres.end()));
+  for (const std::string dielectric : {"water", "distance", "vacuum"}) {
+    CAPTURE(dielectric);
+    TouchSetup touch;
+    touch.forces = "all";
+    touch.dielectric = dielectric;
+    const auto field = pairField(touch, m, *grid, body.get());
+    REQUIRE(field);
+    CHECK(field->held.size() == 39);
+    PairSum sum(field->places, field->atoms, field->held, field->model);
+    const double gyration_A = radiusOfGyration_A(field->held);
+    PoseMinimiser minimiser(sum, gyration_A);
+    const PoseA crystal{body->middle, kNoRotation};
+    minimiser.start(crystal);
+    const MolecularEnergy first = minimiser.energy().energy;
+    while (minimiser.step()) REQUIRE(minimiser.steps() < 500);
+    const MolecularEnergy last = minimiser.energy().energy;
+    const double off_A = rmsd_A(*body, m, minimiser.pose());
+    MESSAGE(dielectric, ": ", off_A, " A in ", minimiser.steps(), " steps, felt ", first.felt_kcal_mol, " to ",
+            last.felt_kcal_mol, " kcal/mol, van der Waals ", last.van_der_waals_kcal_mol, ", electrostatic ",
+            last.electrostatic_kcal_mol);
+    CHECK(last.felt_kcal_mol < first.felt_kcal_mol);
+    CHECK(off_A < 1.0);
+    std::mt19937 random(7);
+    std::normal_distribution<double> normal;
+    const auto direction = [&] { return glm::normalize(Vec3(normal(random), normal(random), normal(random))); };
+    int back = 0, lower = 0;
+    for (int k = 0; k < 40; ++k) {
+      minimiser.start({{crystal.place.A + 0.5 * direction()}, glm::angleAxis(15.0 * 3.14159265 / 180.0, direction())});
+      while (minimiser.step()) REQUIRE(minimiser.steps() < 1000);
+      back += rmsd_A(*body, m, minimiser.pose()) < 1.0;
+      lower += minimiser.energy().energy.felt_kcal_mol < last.felt_kcal_mol - 0.5;
+    }
+    MESSAGE(dielectric, ": ", back, " of 40 came within 1 A, ", lower, " lower than from the crystal's pose");
+    CHECK(back >= 25);
+  }
+}
