@@ -99,7 +99,7 @@ void printAssigned(const Molecule& m) {
         << "note      atoms of unknown elements have the size of their radius and carbon's depth, and no charge unless "
            "the file has charges; correct their elements or types in the file\n";
   if (any(PairAtoms::Note::Kind::SamePlace))
-    out() << "note      two atoms in one place act on the hand twice; remove one of them from the file\n";
+    out() << "note      two atoms lie in one place, which makes their forces wrong; remove one of them from the file\n";
   for (const NotedKind& kind : kNoted)
     for (const auto& [name, residues] : noted(m, assigned, kind.kind)) {
       constexpr std::size_t kMax = 12;
