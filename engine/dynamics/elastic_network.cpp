@@ -55,7 +55,8 @@ std::size_t partCount(std::size_t nodes, std::span<const std::pair<std::uint32_t
 
 }  // namespace
 
-Expected<ElasticNetwork> ElasticNetwork::make(const Molecule& molecule, double cut_off_A) {
+Expected<ElasticNetwork> ElasticNetwork::make(const Molecule& molecule, double cut_off_A,
+                                              std::span<const std::uint32_t> left_out) {
   if (!(cut_off_A >= kMinCutOff_A && cut_off_A <= kMaxCutOff_A))
     return Problem{{},
                    0,
@@ -64,7 +65,9 @@ Expected<ElasticNetwork> ElasticNetwork::make(const Molecule& molecule, double c
                    trf("give a cut-off from {0} to {1}", quantityText(kMinCutOff_A, Dimension::Length),
                        quantityText(kMaxCutOff_A, Dimension::Length))};
   ElasticNetwork out;
-  const std::vector<std::uint32_t> of_residue = nodesOfResidues(molecule);
+  std::vector<std::uint32_t> of_residue = nodesOfResidues(molecule);
+  for (const std::uint32_t i : left_out)
+    if (const std::uint32_t residue = molecule.atoms[i].residue; residue != kNoResidue) of_residue[residue] = kNoAtom;
   std::vector<std::uint32_t> node_of_residue(of_residue.size(), kNoAtom);
   for (std::size_t r = 0; r < of_residue.size(); ++r) {
     if (of_residue[r] == kNoAtom) continue;
@@ -112,6 +115,7 @@ Expected<ElasticNetwork> ElasticNetwork::make(const Molecule& molecule, double c
         out.node_of_[i] = n;
       }
   }
+  for (const std::uint32_t i : left_out) out.node_of_[i] = kNoNode;
   return out;
 }
 

@@ -25,11 +25,16 @@ class ElasticNetwork {
   /// The nodes are CA of amino acids, P (at a 5' end O5') of nucleotides and, of any other residue but water, the heavy
   /// atom nearest to its centre. Returns a Problem for a molecule with too few or too many nodes, one that falls into
   /// parts which no spring joins, and a cut-off out of range.
-  static Expected<ElasticNetwork> make(const Molecule& molecule, double cut_off_A = kCutOff_A);
+  /// `left_out` (ascending) are atoms that do not take part, such as those of a body in the hand: their residues have no
+  /// nodes, and they do not move.
+  static Expected<ElasticNetwork> make(const Molecule& molecule, double cut_off_A = kCutOff_A,
+                                       std::span<const std::uint32_t> left_out = {});
+  static constexpr std::uint32_t kNoNode = 0xFFFFFFFFu;
 
   /// The atom of each node, ascending.
   std::span<const std::uint32_t> nodes() const { return nodes_; }
-  /// The node that an atom follows: that of its residue, else the nearest one. `atom` must be in range.
+  /// The node that an atom follows: that of its residue, else the nearest one; kNoNode if it was left out. `atom` must be
+  /// in range.
   std::uint32_t nodeOf(std::size_t atom) const { return node_of_[atom]; }
   std::size_t atomCount() const { return node_of_.size(); }
   /// The position of a node at rest.

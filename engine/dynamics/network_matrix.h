@@ -1,5 +1,5 @@
-// The Hessian of an elastic network as a sparse matrix, and the space of its deformations. For sources of this room:
-// Eigen's headers take seconds to compile.
+// The Hessian of an elastic network as a sparse matrix, and its inverse in the space of deformations. For sources of
+// this room: Eigen's headers take seconds to compile.
 #pragma once
 
 #include <Eigen/Dense>
@@ -11,15 +11,37 @@ namespace moltact {
 
 using SparseMatrix = Eigen::SparseMatrix<double>;
 
-/// `scale` times the Hessian with springs of stiffness 1, plus `diagonal` on the diagonal. Both triangles are filled.
-SparseMatrix networkMatrix(const ElasticNetwork& network, double scale, double diagonal);
+/// The Hessian with springs of stiffness 1, plus `diagonal` on the diagonal. Both triangles are filled.
+SparseMatrix networkMatrix(const ElasticNetwork& network, double diagonal = 0.0);
 
-/// An orthonormal basis of the six rigid motions, as columns.
-Eigen::MatrixXd rigidMotions(const ElasticNetwork& network);
+/// The pseudo-inverse of the Hessian: rigid motions are removed from what it is applied to and from the result. Accurate
+/// to 1e-6. Also an operator of Spectra.
+class InverseHessian {
+ public:
+  using Scalar = double;
 
-/// Removes the rigid motions of the basis from x.
-inline void removeRigid(const Eigen::MatrixXd& rigid, Eigen::Ref<Eigen::VectorXd> x) {
-  x -= rigid * (rigid.transpose() * x);
-}
+  explicit InverseHessian(const ElasticNetwork& network);
+
+  Eigen::VectorXd apply(Eigen::VectorXd x) const;
+  /// Removes the rigid motions.
+  void removeRigid(Eigen::VectorXd& x) const { x -= rigid_ * (rigid_.transpose() * x).eval(); }
+  double meanDiagonal() const { return mean_diagonal_; }
+  /// What is added to the diagonal before the inversion.
+  double shift() const { return kShift * mean_diagonal_; }
+
+  Eigen::Index rows() const { return rigid_.rows(); }
+  Eigen::Index cols() const { return rigid_.rows(); }
+  void perform_op(const double* in, double* out) const {
+    Eigen::Map<Eigen::VectorXd>(out, rows()) = apply(Eigen::Map<const Eigen::VectorXd>(in, rows()));
+  }
+
+ private:
+  // Without it the matrix has no inverse. Relative to the mean diagonal element.
+  static constexpr double kShift = 1e-9;
+
+  Eigen::MatrixXd rigid_;  // an orthonormal basis of the six rigid motions, as columns
+  double mean_diagonal_ = 0.0;
+  Eigen::SimplicialLDLT<SparseMatrix> factor_;
+};
 
 }  // namespace moltact

@@ -30,19 +30,28 @@ struct NormalModes {
 /// without stiffness, such as a hinge.
 Expected<NormalModes> lowestModes(const ElasticNetwork& network, std::size_t count);
 
-/// The mean square displacement of each node per kT and unit of spring stiffness: the trace of its 3 x 3 block of the
-/// Hessian's pseudo-inverse (all modes). `progress` is called with the finished fraction and returns false to cancel,
-/// which returns an empty vector.
-std::vector<double> nodeCompliances(const ElasticNetwork& network, const std::function<bool(double)>& progress = {});
+/// The displacement of each node by unit forces on it, for springs of stiffness 1: its 3 x 3 block of the Hessian's
+/// pseudo-inverse (all modes). `progress` is called with the finished fraction and returns false to cancel, which
+/// returns an empty vector.
+std::vector<glm::dmat3> nodeCompliances(const ElasticNetwork& network,
+                                        const std::function<bool(double)>& progress = {});
+
+/// The mean square displacement of a node per kT and unit of spring stiffness: the trace of its block.
+inline double fluctuation(const glm::dmat3& compliance) {
+  return compliance[0][0] + compliance[1][1] + compliance[2][2];
+}
+
+/// The compliance of the softest node along its softest direction.
+double greatestCompliance(std::span<const glm::dmat3> compliances);
 
 /// The stiffness of the springs (kcal/mol/A^2) for which the mean displacement factor at 300 K equals that of the file,
 /// B = 8 pi^2/3 <u^2>; 0 if the file has none.
 double springFromDisplacementFactors(const ElasticNetwork& network, const Molecule& molecule,
-                                     std::span<const double> compliances);
+                                     std::span<const glm::dmat3> compliances);
 
 /// The correlation coefficient of compliances and displacement factors; 0 if either is constant.
 double correlationWithDisplacementFactors(const ElasticNetwork& network, const Molecule& molecule,
-                                          std::span<const double> compliances);
+                                          std::span<const glm::dmat3> compliances);
 
 /// The overlap of each mode with a change of structure (Marques & Sanejouand, Proteins 23, 557, 1995): the absolute
 /// cosine between both. `change_A` has an element per node; its rigid part must have been removed by superposition.

@@ -55,14 +55,20 @@ TEST_CASE("the 20 lowest modes of ubiquitin are those of a dense eigensolver wit
   }
 }
 
-TEST_CASE("a node's compliance is the trace of its block of the pseudo-inverse, within 1e-6") {
+TEST_CASE("a node's compliance is its block of the pseudo-inverse, within 1e-6") {
   const ElasticNetwork network = networkOf(libraryMolecule("1ubq.pdb"));
   const Eigen::MatrixXd inverse = pseudoInverse(denseHessian(network));
-  const std::vector<double> got = nodeCompliances(network);
+  const std::vector<glm::dmat3> got = nodeCompliances(network);
   REQUIRE(got.size() == 76);
-  for (std::size_t i = 0; i < got.size(); ++i)
-    CHECK(got[i] ==
-          doctest::Approx(inverse.block(Eigen::Index(3 * i), Eigen::Index(3 * i), 3, 3).trace()).epsilon(1e-6));
+  double greatest = 0.0;
+  for (std::size_t i = 0; i < got.size(); ++i) {
+    const Eigen::Matrix3d block = inverse.block(Eigen::Index(3 * i), Eigen::Index(3 * i), 3, 3);
+    for (int r = 0; r < 3; ++r)
+      for (int c = 0; c < 3; ++c) CHECK(std::abs(got[i][c][r] - block(r, c)) < 1e-6 * block.trace());
+    CHECK(fluctuation(got[i]) == doctest::Approx(block.trace()).epsilon(1e-6));
+    greatest = std::max(greatest, block.operatorNorm());
+  }
+  CHECK(greatestCompliance(got) == doctest::Approx(greatest).epsilon(1e-6));
   int calls = 0;
   CHECK(nodeCompliances(network, [&](double) { return ++calls < 10; }).empty());
   CHECK(calls == 10);
@@ -86,7 +92,7 @@ TEST_CASE("adenylate kinase: the first mode of the open form has an overlap of 0
   CHECK(overlaps[0] == doctest::Approx(0.80).epsilon(0.01));
   CHECK(std::sqrt(squares) == doctest::Approx(0.97).epsilon(0.01));
   // Springs of 0.235 kcal/mol/A^2 reproduce the mean displacement factor; fluctuations correlate with it by 0.81.
-  const std::vector<double> compliances = nodeCompliances(network);
+  const std::vector<glm::dmat3> compliances = nodeCompliances(network);
   CHECK(springFromDisplacementFactors(network, open, compliances) == doctest::Approx(0.235).epsilon(0.01));
   CHECK(correlationWithDisplacementFactors(network, open, compliances) == doctest::Approx(0.81).epsilon(0.01));
 }
@@ -107,4 +113,20 @@ TEST_CASE("a network that cannot be made has a problem with a remedy") {
   const auto modes = lowestModes(networkOf(beads({{0, 0, 0}, {5, 0, 0}, {10, 0, 0}, {15, 0, 0}})), 6);
   REQUIRE_FALSE(modes);
   CHECK(modes.problem().message.find("without stretching") != std::string::npos);
+}
+
+TEST_CASE("atoms that are left out have no node, and do not change the network of the others") {
+  const Molecule both = libraryMolecule("1hpv.pdb");
+  std::vector<std::uint32_t> ligand;
+  for (const Residue& r : both.residues)
+    if (r.kind == ResidueKind::Ligand)
+      for (std::uint32_t i = 0; i < r.atom_count; ++i) ligand.push_back(r.first_atom + i);
+  REQUIRE(ligand.size() == 35);
+  const auto with = ElasticNetwork::make(both), without = ElasticNetwork::make(both, 15.0, ligand);
+  REQUIRE(with);
+  REQUIRE(without);
+  CHECK(with->nodes().size() == 199);
+  CHECK(without->nodes().size() == 198);
+  for (const std::uint32_t i : ligand) CHECK(without->nodeOf(i) == ElasticNetwork::kNoNode);
+  CHECK(with->nodeOf(ligand[0]) < 199);
 }
