@@ -21,7 +21,7 @@ struct NodeForce {
 
 /// The relaxation time at which a spring in the hand, whose force arrives up to three steps late, cannot make the molecule
 /// oscillate: in one step it moves a node by at most a quarter of its own stretch. `compliance_A2_mol_kcal` is that of
-/// the softest node along its softest direction.
+/// the pushed node along its softest direction.
 double relaxationFor(double hand_kcal_mol_A2, double compliance_A2_mol_kcal, double step_s);
 
 class ElasticMotion {

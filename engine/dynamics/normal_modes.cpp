@@ -58,15 +58,11 @@ std::vector<glm::dmat3> nodeCompliances(const ElasticNetwork& network, const std
   return out;
 }
 
-double greatestCompliance(std::span<const glm::dmat3> compliances) {
-  double out = 0.0;
-  for (const glm::dmat3& m : compliances) {
-    Eigen::Matrix3d block;
-    for (int c = 0; c < 3; ++c)
-      for (int r = 0; r < 3; ++r) block(r, c) = m[c][r];
-    out = std::max(out, Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(block).eigenvalues()[2]);
-  }
-  return out;
+double greatestCompliance(const glm::dmat3& compliance) {
+  Eigen::Matrix3d block;
+  for (int c = 0; c < 3; ++c)
+    for (int r = 0; r < 3; ++r) block(r, c) = compliance[c][r];
+  return Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(block).eigenvalues()[2];
 }
 
 double springFromDisplacementFactors(const ElasticNetwork& network, const Molecule& molecule,

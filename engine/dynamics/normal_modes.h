@@ -41,8 +41,8 @@ inline double fluctuation(const glm::dmat3& compliance) {
   return compliance[0][0] + compliance[1][1] + compliance[2][2];
 }
 
-/// The compliance of the softest node along its softest direction.
-double greatestCompliance(std::span<const glm::dmat3> compliances);
+/// The compliance of a node along its softest direction.
+double greatestCompliance(const glm::dmat3& compliance);
 
 /// The stiffness of the springs (kcal/mol/A^2) for which the mean displacement factor at 300 K equals that of the file,
 /// B = 8 pi^2/3 <u^2>; 0 if the file has none.

@@ -124,8 +124,8 @@ TEST_CASE(
   for (const double stiffness : {0.5, 1.5, 5.0, 20.0})  // of the hand's spring, kcal/mol/A^2
     for (const int delay : {1, 2, 3}) {
       INFO("stiffness " << stiffness << ", delay " << delay);
-      ElasticMotion motion =
-          adk.motion(kSpring, relaxationFor(stiffness, greatestCompliance(compliances) / kSpring, kStep_s), kStep_s);
+      ElasticMotion motion = adk.motion(
+          kSpring, relaxationFor(stiffness, greatestCompliance(compliances[softest]) / kSpring, kStep_s), kStep_s);
       double given = 0.0, farthest = 0.0;
       std::deque<Vec3> late(std::size_t(delay), Vec3(0.0));
       Vec3 hand(0.0), last(0.0), force(0.0);

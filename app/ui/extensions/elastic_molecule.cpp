@@ -17,6 +17,8 @@ namespace moltact {
 namespace {
 
 constexpr double kUnnoticed_A = 1e-3;  // smaller displacements are neither seen nor felt
+// A molecule without a push returns in this time.
+constexpr double kMinRelaxation_s = 0.15;
 // Displacements in attempts are multiples of this.
 constexpr double kRecorded_A = 0.01;
 
@@ -34,7 +36,8 @@ Expected<ElasticModel> modelOf(const std::shared_ptr<const Molecule>& molecule,
     out.spring_kcal_mol_A2 = springFromDisplacementFactors(*out.network, *molecule, compliances);
     out.spring_assumed = !(out.spring_kcal_mol_A2 > 0.0);
     if (out.spring_assumed) out.spring_kcal_mol_A2 = ElasticMolecule::kUsualSpring_kcal_mol_A2;
-    out.compliance_A2_mol_kcal = greatestCompliance(compliances) / out.spring_kcal_mol_A2;
+    for (const glm::dmat3& c : compliances)
+      out.compliances_A2_mol_kcal.push_back(greatestCompliance(c) / out.spring_kcal_mol_A2);
     return out;
   } catch (const std::exception& e) {
     return Problem{{}, 0, 0, trf("The elastic network cannot be computed: {0}", e.what()), {}};
@@ -77,9 +80,13 @@ void ElasticMolecule::forget() {
   motion_.reset();
   problem_.clear();
   waiting_.clear();
-  shown_.reset();
-  only_.reset();
+  resetModes();
   resting_ = true;
+}
+
+void ElasticMolecule::resetModes() {
+  mode_ = 0;
+  shown_ = alone_ = false;
 }
 
 void ElasticMolecule::sceneChanged() {
@@ -107,8 +114,7 @@ void ElasticMolecule::begin() {
   const TouchableModel& stage = scene_.stage();
   motion_.reset();
   waiting_.clear();
-  shown_.reset();
-  only_.reset();
+  resetModes();
   resting_ = true;
   if (stage.molecule == molecule_) {
     // The scene has restarted with the atoms at rest.
@@ -157,24 +163,26 @@ void ElasticMolecule::beforeTicks() {
 void ElasticMolecule::step() {
   if (ticks_ == 0) return;
   std::vector<NodeForce> forces;
+  double compliance = 0.0;  // of the softest pushed node
   const double kcal_mol_A = kScale_pN_per_N / kForceUnit_pN / (double(ticks_) * kTick_s);
   for (std::size_t n = 0; n < impulses_N_s_.size(); ++n)
     if (impulses_N_s_[n] != Vec3(0.0)) {
       forces.push_back({std::uint32_t(n), impulses_N_s_[n] * kcal_mol_A});
       impulses_N_s_[n] = Vec3(0.0);
+      compliance = std::max(compliance, model_->compliances_A2_mol_kcal[n]);
     }
   ticks_ = 0;
   if (resting_ && forces.empty() && !shown_) return;
   const ServoSettings& servo = scene_.servo_settings;
   const double hand_kcal_mol_A2 = servo.stiffness_N_per_mm / servo.workspace.A_per_mm * kScale_pN_per_N / kForceUnit_pN;
-  motion_->setRelaxation(std::max(0.1, relaxationFor(hand_kcal_mol_A2, model_->compliance_A2_mol_kcal, kStep_s)));
+  motion_->setRelaxation(std::max(kMinRelaxation_s, relaxationFor(hand_kcal_mol_A2, compliance, kStep_s)));
   if (shown_) {
-    const auto mode = model_->modes->mode(*shown_);
+    const auto mode = model_->modes->mode(mode_);
     double most = 0.0;
     for (const Vec3& v : mode) most = std::max(most, glm::length(v));
-    std::vector<double> amplitudes(*shown_ + 1, 0.0);
+    std::vector<double> amplitudes(mode_ + 1, 0.0);
     shown_for_s_ += kStep_s;
-    amplitudes[*shown_] = kShown_A / most * std::sin(kTwoPi * shown_for_s_ / kShown_s);
+    amplitudes[mode_] = kShown_A / most * std::sin(kTwoPi * shown_for_s_ / kShown_s);
     motion_->setRest(amplitudes);
     motion_->setRelaxation(0.0);  // the movement itself is slow
   } else {
@@ -195,16 +203,23 @@ std::vector<Sphere> ElasticMolecule::displaced() const {
   return out;
 }
 
-void ElasticMolecule::showMode(std::optional<std::size_t> mode) {
-  shown_ = mode && model_ && *mode < model_->modes->count() ? mode : std::nullopt;
+void ElasticMolecule::chooseMode(std::size_t mode) {
+  if (!model_ || mode >= model_->modes->count()) return;
+  mode_ = mode;
+  showMode(shown_);
+  feelModeAlone(alone_);
+}
+
+void ElasticMolecule::showMode(bool on) {
+  shown_ = on;
   shown_for_s_ = 0.0;
 }
 
-void ElasticMolecule::giveWayIn(std::optional<std::size_t> mode) {
-  only_ = mode && model_ && *mode < model_->modes->count() ? mode : std::nullopt;
+void ElasticMolecule::feelModeAlone(bool on) {
+  alone_ = on;
   if (!motion_) return;
-  if (only_)
-    motion_->restrictTo({*only_});
+  if (alone_)
+    motion_->restrictTo({mode_});
   else
     motion_->useAll();
 }

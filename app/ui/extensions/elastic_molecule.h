@@ -19,8 +19,8 @@ struct ElasticModel {
   std::shared_ptr<const ElasticNetwork> network;
   std::shared_ptr<const NormalModes> modes;
   double spring_kcal_mol_A2 = 0.0;
-  bool spring_assumed = false;          ///< the file has no displacement factors
-  double compliance_A2_mol_kcal = 0.0;  ///< greatest one of a node
+  bool spring_assumed = false;                  ///< the file has no displacement factors
+  std::vector<double> compliances_A2_mol_kcal;  ///< of each node, along its softest direction
 };
 
 class ElasticMolecule : public AtomMover {
@@ -58,15 +58,17 @@ class ElasticMolecule : public AtomMover {
 
   double energy_kcal_mol() const { return motion_ ? motion_->energy_kcal_mol() : 0.0; }
   double maxDisplacement_A() const { return motion_ ? motion_->maxDisplacement_A() : 0.0; }
-  /// The mode that is shown as a movement; empty: none.
-  std::optional<std::size_t> shownMode() const { return shown_; }
-  void showMode(std::optional<std::size_t> mode);
-  /// Whether the molecule gives way in this mode only; empty: in all of them.
-  std::optional<std::size_t> onlyMode() const { return only_; }
-  void giveWayIn(std::optional<std::size_t> mode);
+  /// The chosen mode; whether it is shown as a movement, and whether the molecule gives way in it alone.
+  std::size_t mode() const { return mode_; }
+  bool modeShown() const { return shown_; }
+  bool modeAlone() const { return alone_; }
+  void chooseMode(std::size_t mode);
+  void showMode(bool on);
+  void feelModeAlone(bool on);
 
  private:
   void forget();
+  void resetModes();
   void begin();
   void take(Expected<ElasticModel> made);
   void step();
@@ -82,7 +84,8 @@ class ElasticMolecule : public AtomMover {
   std::vector<Vec3> impulses_N_s_;  // of each node since the last step
   std::uint64_t ticks_ = 0;         // in which they were given
   std::vector<Sphere> waiting_;     // the atoms after the last step, until the loop takes them
-  std::optional<std::size_t> shown_, only_;
+  std::size_t mode_ = 0;
+  bool shown_ = false, alone_ = false;
   double shown_for_s_ = 0.0;
 };
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <string>
+#include <vector>
 
 #include "app/ui/application/application.h"
 #include "app/ui/extensions/elastic_molecule.h"
@@ -12,13 +13,13 @@
 #include "app/ui/widgets/controls.h"
 #include "app/ui/widgets/theme.h"
 #include "app/ui/widgets/widget_map.h"
-#include "engine/haptics/field/pair_model.h"
 #include "engine/language/catalogue.h"
 #include "engine/language/quantity_text.h"
 
 namespace moltact {
 namespace {
 
+// The number of the softest modes that are listed.
 constexpr std::size_t kListed = 6;
 
 void line(const char* name, const std::string& text) {
@@ -28,31 +29,24 @@ void line(const char* name, const std::string& text) {
   recordItem(name, text);
 }
 
-// The stiffness of a mode if the whole molecule moves along it, per angstrom of its root mean square displacement over
-// the nodes times the root of their number: the mode has unit length.
-double stiffness_pN_per_A(const ElasticModel& model, std::size_t mode) {
-  return model.modes->eigenvalues[mode] * model.spring_kcal_mol_A2 * kForceUnit_pN;
-}
-
 void drawModes(ElasticMolecule& elastic) {
   const ElasticModel& model = *elastic.model();
   ImGui::Spacing();
   sectionTitle(tr("Its softest motions"));
-  const float gap = look().px(4), wide = 0.5f * (ImGui::GetContentRegionAvail().x - gap);
-  for (std::size_t k = 0; k < std::min(kListed, model.modes->count()); ++k) {
-    const std::string name = "mode/" + std::to_string(k + 1);
-    line(name.c_str(), trf("{0}: {1} pN/Å", k + 1, numberText(stiffness_pN_per_A(model, k), significant(2))));
-    const bool shown = elastic.shownMode() == k, only = elastic.onlyMode() == k;
-    if (button((name + "/show").c_str(), shown ? tr("Stop") : tr("Show"),
-               shown ? ButtonLook::Primary : ButtonLook::Plain, wide))
-      elastic.showMode(shown ? std::nullopt : std::optional(k));
-    tip(tr("Moves the molecule to and fro along this motion."));
-    ImGui::SameLine(0.0f, gap);
-    if (button((name + "/only").c_str(), only ? tr("Feel all") : tr("Feel alone"),
-               only ? ButtonLook::Primary : ButtonLook::Plain, wide))
-      elastic.giveWayIn(only ? std::nullopt : std::optional(k));
-    tip(tr("The molecule gives way along this motion only."));
-  }
+  std::size_t mode = elastic.mode();
+  std::vector<std::string> numbers;
+  for (std::size_t k = 0; k < std::min(kListed, model.modes->count()); ++k) numbers.push_back(std::to_string(k + 1));
+  if (segments("modes", numbers, mode)) elastic.chooseMode(mode);
+  // A mode has unit length over all nodes.
+  const double energy = 0.5 * model.modes->eigenvalues[mode] * model.spring_kcal_mol_A2 * double(model.modes->nodes);
+  line("mode/energy", trf("Moving the residues along it by 1 Å (root mean square) takes {0} kcal/mol. Heat gives a "
+                          "motion {1} kcal/mol.",
+                          numberText(energy, significant(2)), numberText(0.5 * kThermalEnergy_kcal_mol, decimals(1))));
+  bool shown = elastic.modeShown(), alone = elastic.modeAlone();
+  if (toggle("mode/shown", tr("Show this motion"), shown, tr("Moves the molecule to and fro along this motion.")))
+    elastic.showMode(shown);
+  if (toggle("mode/alone", tr("Feel it alone"), alone, tr("The molecule gives way along this motion only.")))
+    elastic.feelModeAlone(alone);
 }
 
 }  // namespace
