@@ -73,8 +73,8 @@ void drawMotionTab(Application& app) {
   const std::string spring = numberText(elastic.model()->spring_kcal_mol_A2, significant(2));
   line("elastic/springs",
        elastic.model()->spring_assumed
-           ? trf("Each spring: {0} kcal/mol/Å², assumed, because the file has no displacement factors.", spring)
-           : trf("Each spring: {0} kcal/mol/Å², which gives the mean displacement factor of the file.", spring));
+           ? trf("Each spring: {0} kcal/mol/Å², assumed, because the file has no B factors.", spring)
+           : trf("Each spring: {0} kcal/mol/Å², which gives the mean B factor of the file.", spring));
   drawModes(elastic);
 }
 
