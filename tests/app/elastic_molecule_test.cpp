@@ -131,6 +131,19 @@ TEST_CASE("switched on for any molecule, shown in a mode, and switched off: the 
   user->frames(5);
   CHECK(farthest_A(*user, rest) == 0.0);
   CHECK_FALSE(elastic.live());
+  // Forces between atoms need a molecule at rest: they switch it off, with a message, and it stays off.
+  elastic.turn(true);
+  elastic.showMode(true);
+  user->frames(30);
+  TouchSetup touch = app.scene.touch();
+  touch.forces = "van-der-waals";
+  app.scene.setTouch(touch);
+  user->frames(5);
+  CHECK_FALSE(elastic.on());
+  CHECK(farthest_A(*user, rest) == 0.0);
+  CHECK(contains(app.messages.all().back().text, "Forces between atoms act in a molecule at rest."));
+  elastic.turn(true);
+  CHECK_FALSE(elastic.on());
 }
 
 TEST_CASE("a molecule too small for an elastic network says so with a remedy, and nothing moves") {

@@ -10,6 +10,7 @@
 #include "app/ui/lesson/lesson_guide.h"
 #include "app/ui/widgets/messages.h"
 #include "engine/haptics/body/held_body.h"
+#include "engine/haptics/field/force_choices.h"
 #include "engine/haptics/field/pair_model.h"
 #include "engine/language/catalogue.h"
 
@@ -100,8 +101,17 @@ void ElasticMolecule::sceneChanged() {
   begin();
 }
 
+std::string ElasticMolecule::unavailable() const {
+  const LessonSession* session = lesson_.session();
+  if (session && lesson_.onStage() && !session->scene().then.molecule.empty())
+    return tr("The slider moves the atoms of this scene.");
+  if (forceChoice(scene_.touch().forces).any())
+    return tr("Forces between atoms act in a molecule at rest. Switch them off to make it elastic.");
+  return {};
+}
+
 void ElasticMolecule::turn(bool on) {
-  if (on == on_) return;
+  if (on == on_ || (on && !unavailable().empty())) return;
   on_ = on;
   if (on_ && scene_.stage()) return begin();
   // The atoms return to their places.
@@ -154,6 +164,11 @@ void ElasticMolecule::addImpulses() {
 void ElasticMolecule::beforeTicks() {
   if (std::optional<Expected<ElasticModel>> made = reading_.take()) take(*std::move(made));
   if (!motion_ || scene_.stage().molecule != molecule_) return;
+  if (std::string why = unavailable(); !why.empty()) {
+    turn(false);
+    messages_.notice(std::move(why));
+    return;
+  }
   addImpulses();
   if (waiting_.empty()) step();
   if (!waiting_.empty() && own_.claim() && scene_.moveAtoms(own_, waiting_, kStep_ticks)) waiting_.clear();

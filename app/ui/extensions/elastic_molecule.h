@@ -51,6 +51,8 @@ class ElasticMolecule : public AtomMover {
   /// Whether the molecule gives way, and why it cannot.
   bool on() const { return on_; }
   void turn(bool on);
+  /// Why the molecule cannot give way in this scene, as a sentence; empty if it can.
+  std::string unavailable() const;
   bool computing() const { return reading_.busy(); }
   const std::string& problem() const { return problem_; }
   /// Null until it is computed.

@@ -53,6 +53,8 @@ void drawModes(ElasticMolecule& elastic) {
 
 void drawMotionTab(Application& app) {
   ElasticMolecule& elastic = app.extensions().movers.get<ElasticMolecule>();
+  if (const std::string why = elastic.unavailable(); !why.empty() && !elastic.on())
+    return line("elastic/unavailable", why);
   {
     const WhileLocked locked(app, "elastic");
     bool on = elastic.on();
@@ -67,7 +69,7 @@ void drawMotionTab(Application& app) {
   line("elastic/displacement",
        trf("Greatest displacement: {0}", quantityText(elastic.maxDisplacement_A(), Dimension::Length, decimals(1))));
   line("elastic/energy",
-       trf("Energy of the springs: {0} kcal/mol", numberText(elastic.energy_kcal_mol(), decimals(1))));
+       trf("Energy of the springs: {0} kcal/mol", numberText(elastic.energy_kcal_mol(), decimals(2))));
   line("elastic/scale",
        trf("1 N in the hand is {0} pN between the atoms.", numberText(ElasticMolecule::kScale_pN_per_N, decimals(0))));
   const std::string spring = numberText(elastic.model()->spring_kcal_mol_A2, significant(2));
