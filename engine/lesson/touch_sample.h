@@ -23,6 +23,7 @@ struct TouchSample {
   std::optional<PoseA> body = {};  ///< the drawn pose of the held body: position of its middle, and orientation
                                    ///< relative to the molecule's file; empty: the hand holds the probe
   bool one_spring = false;         ///< the body is one rigid body on one spring, so its atoms are where they are drawn
+  bool hovering = false;           ///< a hand of mouse or keys that does not press: it feels nothing on purpose
   bool placed = false;             ///< the contact was discarded before this tick, so no path leads here
   Vec3 torque_N_mm{0.0};           ///< on the hand, in the device's space; zero for a device that drives none
   std::optional<MolecularEnergy> energy = {};  ///< of the drawn pose; empty where no forces between atoms act

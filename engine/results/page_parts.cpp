@@ -197,21 +197,22 @@ std::string linePath(const std::vector<double>& values, double max, double left,
 
 }  // namespace
 
-std::string curves(const std::string& title, const CurveKept& drawn, const CurveKept* felt) {
+std::string curves(const std::string& title, const CurveKept* drawn, const CurveKept* felt) {
+  const CurveKept& of = drawn ? *drawn : *felt;
   constexpr double kLeft = 24, kTop = 6, kWide = 166, kHigh = 84;
-  const double max = drawn.max_N > 0.0 ? drawn.max_N : 1.0;
+  const double max = of.max_N > 0.0 ? of.max_N : 1.0;
   constexpr std::string_view kAxis = "class=\"axis\"";
   Svg svg;
   for (const double part : {0.0, 0.5, 1.0})
     svg.path(svgPoint('M', kLeft, kTop + kHigh * part) + "h" + svgNumber(kWide), "class=\"grid\"");
   svg.text(kLeft - 4, kTop + 8, "end", quantityNumber(max, Dimension::Force, significant(2)), kAxis);
   svg.text(kLeft - 4, kTop + kHigh + 3, "end", "0", kAxis);
-  svg.text(kLeft + kWide, kTop + kHigh + 14, "end", quantityText(drawn.to_A, Dimension::Length, significant(2)), kAxis);
+  svg.text(kLeft + kWide, kTop + kHigh + 14, "end", quantityText(of.to_A, Dimension::Length, significant(2)), kAxis);
   svg.text(kLeft, kTop + kHigh + 14, "start",
-           trf("{0} against {1}", unitText(Dimension::Force), tr(drawn.axis.empty() ? "depth" : drawn.axis.c_str())),
+           trf("{0} against {1}", unitText(Dimension::Force), tr(of.axis.empty() ? "depth" : of.axis.c_str())),
            kAxis);
   if (felt) svg.path(linePath(felt->force_N, max, kLeft, kTop, kWide, kHigh), "class=\"felt\"");
-  svg.path(linePath(drawn.force_N, max, kLeft, kTop, kWide, kHigh), "class=\"drawn\"");
+  if (drawn) svg.path(linePath(drawn->force_N, max, kLeft, kTop, kWide, kHigh), "class=\"drawn\"");
   return "<figure class=\"curve\"><figcaption>" + escaped(title) +
          (felt ? "" : std::string(" <span>") + tr("not felt") + "</span>") + "</figcaption>" +
          std::move(svg).within("viewBox=\"0 0 196 108\" role=\"img\" aria-label=\"" + escaped(title) + "\"") +

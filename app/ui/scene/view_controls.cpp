@@ -123,7 +123,8 @@ void ViewControls::begin(const Camera& camera, PointA before, const Workspace& w
   first_aim_ = before;
   pressing_ = let_go_ = false;
   press_rested_s_ = 0.0;
-  lead_ = {before.A + camera.back() * outside_A};
+  lead_ = start_at_.value_or(PointA{before.A + camera.back() * outside_A});
+  if (start_at_) hand_.waitAt(*start_at_);
   orientation_ = start_ ? glm::normalize(glm::conjugate(glm::quat_cast(workspace.rotation)) * *start_) : kNoRotation;
   mouse.turn(orientation_);
   mouse.place(workspace.toDevice(lead_));

@@ -20,6 +20,8 @@
 
 namespace moltact {
 
+class SceneForces;
+
 /// Samples farther apart than this leave the time between them undetermined; that time is not counted (unit: second).
 inline constexpr double kLongestGap_s = 0.25;
 
@@ -57,6 +59,8 @@ struct TaskStage {
   std::optional<Quat> body_turned = {};     ///< a hand that has no orientation of its own (mouse, keys, fingers) begins
                                             ///< with it, also after the view was reset: of what it holds, relative to
                                             ///< the molecule's file
+  std::optional<PointA> body_begins =
+      {};                ///< such a hand begins there and waits for the press: the middle of what it holds
   int presentation = 0;  ///< another number, or another turn, begins a new presentation: the hand lets go and starts
                          ///< outside again, so that nothing but the touch shows whether something has changed
 
@@ -85,6 +89,7 @@ struct TaskCurves {
   bool drawing = true;              ///< the student is still drawing; what is felt does not count yet
   std::vector<double> drawn, felt;  ///< unit: newton; of the same length
   std::optional<double> agreement;  ///< share of common area, 0 to 1, once both are known
+  bool complete = false;            ///< of a task without a drawn curve: what was felt is final
 };
 
 class Task {
@@ -153,6 +158,8 @@ class Task {
   /// What the scene gives the hand to hold, in its pose of the molecule's file; never null. Told like the above, and
   /// not at all where the hand holds the probe.
   virtual void takeInHand(std::shared_ptr<const HeldBody> /*body*/) {}
+  /// The forces between atoms of the scene. Told after the above, and not at all where the scene has none.
+  virtual void takeForces(std::shared_ptr<const SceneForces> /*forces*/) {}
 
  protected:
   explicit Task(const TaskSpec& spec)
