@@ -31,6 +31,7 @@ class SceneForces {
               std::shared_ptr<const SphereGrid> spheres, std::shared_ptr<const HeldBody> body);
 
   const TouchSetup& touch() const { return touch_; }
+  const Molecule& molecule() const { return *molecule_; }
   const SphereGrid& spheres() const { return *spheres_; }
   const std::shared_ptr<const HeldBody>& body() const { return body_; }
 

@@ -1,6 +1,7 @@
 // The data of one tick of the servo loop that a lesson evaluates. Plain data; any thread but the haptic one.
 #pragma once
 
+#include <cmath>
 #include <optional>
 #include <string_view>
 
@@ -30,6 +31,13 @@ struct TouchSample {
 
   /// True if a force is felt, of a contact or a field. `contact.touching()` tests for a contact only.
   bool felt() const { return contact.touching() || field; }
+  /// True if the hand touches, or is on purpose where the forces between atoms act: there they hold a probe off the
+  /// surface.
+  bool meets() const {
+    constexpr double kNoticed_kcal_mol = 0.2;
+    if (!energy) return contact.touching();
+    return !hovering && (contact.touching() || std::abs(energy->total_kcal_mol()) >= kNoticed_kcal_mol);
+  }
 };
 
 /// Converts a ServoSample. A template, because this room may not include engine/servo.

@@ -39,7 +39,10 @@ class Same : public Task {
         meter_(spec.values["meter"].text == "on"),
         before_(spec.values["asked"].text == "before"),
         asked_(!spec.values["asked"].text.empty()),
-        by_place_(spec.values["place"].selection.given()) {
+        by_place_(spec.values["place"].selection.given()),
+        in_field_(spec.values["forces"].place.line > 0),
+        here_surface_(spec.values["same"].selection, molecule),
+        there_surface_(spec.values["place"].selection, molecule) {
     if (before_) tell_ = false;
     // The second asking draws other pairs, also if the author gives the seed.
     if (fixed_ && asked_ && !before_) ++seed_;
@@ -76,6 +79,8 @@ class Same : public Task {
     answered_ = failed_ = false;
     begin();
   }
+
+  void takeForces(std::shared_ptr<const SceneForces>) override { in_field_ = true; }
 
   TaskTrials trials() const override { return {trials_, tell_ ? judged_ : std::vector<bool>()}; }
 
@@ -118,6 +123,14 @@ class Same : public Task {
 
   void onSample(const TouchSample& s, double dt_s) override {
     const bool there = by_place_ && showsOther();
+    if (in_field_) {
+      // Only one of the two may have forces, so what counts depends on the place alone.
+      const bool near = (there ? there_surface_ : here_surface_).has(s);
+      touching_ = near || s.contact.touching();
+      beside_ = touching_ && !near;
+      if (near) felt_s_ = std::min(time_s_, felt_s_ + dt_s);
+      return;
+    }
     touching_ = s.contact.touching();
     beside_ = touching_ && !(there ? there_ : here_).touchedBy(s.contact) &&
               !near(there ? there_spheres_ : here_spheres_, s.contact.scp.A, s.probe_A);
@@ -256,6 +269,8 @@ class Same : public Task {
   bool tell_ = true, meter_ = true;
   bool before_ = false, asked_ = false;  // asked before the explanation; asked before and after it
   bool by_place_ = false;
+  bool in_field_ = false;  // forces between atoms act on one of the two things at least
+  AtSurface here_surface_, there_surface_;
   std::optional<double> first_round_;  // d' of the first round, once it has ended
   TaskStage one_, other_;
   std::vector<Trial> order_;

@@ -11,6 +11,7 @@
 #include <string_view>
 #include <vector>
 
+#include "engine/haptics/sphere_grid.h"
 #include "engine/language/units.h"
 #include "engine/lesson/hand_plan.h"
 #include "engine/lesson/lesson.h"
@@ -228,6 +229,22 @@ class AtomSet {
   std::vector<char> in_;
   std::size_t count_ = 0;
   bool all_ = false;
+};
+
+/// The space at the surface of some atoms, for tasks in scenes with forces between atoms: these may hold a probe off the
+/// surface. Whether the probe is there depends neither on a contact nor on a force, and so reveals none.
+class AtSurface {
+ public:
+  static constexpr double kNear_A = 2.0;
+  /// An absent selection selects every atom.
+  AtSurface(const Selection& selection, const Molecule& molecule);
+  /// Whether the probe's surface is within kNear_A of that of one of the atoms.
+  bool near(const Vec3& probe, double probe_A) const;
+  /// The same of a hand that is there on purpose.
+  bool has(const TouchSample& s) const { return !s.hovering && near(s.contact.scp.A, s.probe_A); }
+
+ private:
+  SphereGrid atoms_;
 };
 
 /// Measures how long a condition has lasted; short slips do not interrupt it.
