@@ -229,7 +229,6 @@ class Dock : public Task {
 
 void checkDock(const TaskSpec& spec, std::vector<Problem>& problems) {
   const Value &dock = spec.values["dock"], &within = spec.values["within"], &away = spec.values["away"];
-  const Value& energy = spec.values["energy"];
   if (!hasGoal(spec)) {
     if (!spec.values.has("energy"))
       problems.push_back(problemAt(dock.place, tr("without a pose the energy must say where the body is docked"),

@@ -55,7 +55,8 @@ class Find : public Task {
         guesses_(static_cast<int>(spec.values["guesses"].number)),
         looks_(static_cast<int>(spec.values["looks"].number)) {
     for (const Sphere& a : molecule.spheres) middle_A_ += a.centre_A / double(molecule.atoms.size());
-    if (seeks_well_) return turn();
+    // The forces tell the place of a well.
+    if (seeks_well_) return;
     for (const std::uint32_t i : spec.values["find"].selection.select(molecule))
       spheres_.push_back(molecule.spheres[i]);
     Vec3 target(0.0);

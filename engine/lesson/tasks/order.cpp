@@ -53,16 +53,16 @@ class Order : public Task {
       PointA middle;
       const std::vector<std::uint32_t> atoms = part.select(molecule);
       for (const std::uint32_t a : atoms) middle.A += molecule.spheres[a].centre_A / double(atoms.size());
-      places_.push_back({AtomSet(part, molecule), AtSurface(part, molecule), middle, TargetName(part)});
+      places_.push_back({part, AtomSet(part, molecule), middle, TargetName(part)});
     }
     shuffle();
   }
 
   // By energy the order is that of the wells, the deepest first, whatever the author wrote.
   void takeForces(std::shared_ptr<const SceneForces> forces) override {
-    in_field_ = true;
+    for (Place& p : places_) p.surface.emplace(p.part, forces->molecule());
     if (!by_energy_) return;
-    for (Place& p : places_) p.energy_kcal_mol = wellEnergy_kcal_mol(*forces, p.surface);
+    for (Place& p : places_) p.energy_kcal_mol = wellEnergy_kcal_mol(*forces, *p.surface);
     std::stable_sort(places_.begin(), places_.end(),
                      [](const Place& a, const Place& b) { return a.energy_kcal_mol < b.energy_kcal_mol; });
     shuffle();
@@ -82,11 +82,12 @@ class Order : public Task {
 
  private:
   struct Place {
+    Selection part;
     AtomSet atoms;
-    AtSurface surface;
     PointA middle;
     TargetName name;
-    double energy_kcal_mol = 0.0;  // of the probe's deepest well there, if that orders the places
+    std::optional<AtSurface> surface = {};  // if forces between atoms act in the scene
+    double energy_kcal_mol = 0.0;           // of the probe's deepest well there, if that orders the places
   };
 
   void shuffle() {
@@ -119,10 +120,10 @@ class Order : public Task {
 
   void onSample(const TouchSample& s, double dt_s) override {
     // In a field each place counts as felt under the same conditions, whatever the forces there.
-    const bool here =
-        feeling() && (in_field_ ? shownPlace(at_).surface.has(s) : shownPlace(at_).atoms.touchedBy(s.contact));
+    const Place* place = feeling() ? &shownPlace(at_) : nullptr;
+    const bool here = place && (place->surface ? place->surface->has(s) : place->atoms.touchedBy(s.contact));
     touching_ = here || s.contact.touching();
-    if (!feeling()) return;
+    if (!place) return;
     beside_ = touching_ && !here;
     if (touching_ && !beside_) felt_s_ = std::min(time_s_, felt_s_ + dt_s);
   }
@@ -223,7 +224,7 @@ class Order : public Task {
   std::vector<std::size_t> picked_;  // numbers of the places in the student's order
   std::string first_;
   double time_s_ = 1.0, felt_s_ = 0.0;
-  bool in_field_ = false, by_energy_ = false;  // forces between atoms act in the scene; they order the places
+  bool by_energy_ = false;
   bool dark_ = true, meter_ = true, touching_ = false, beside_ = false, failed_ = false;
   std::uint64_t state_ = 0;  // of the random generator
   std::size_t at_ = 0;       // the place that is being felt; the number of places while the student enters the order
