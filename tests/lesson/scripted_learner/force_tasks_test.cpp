@@ -3,6 +3,7 @@
 #include <cmath>
 #include <set>
 
+#include "engine/core/even_directions.h"
 #include "engine/core/random.h"
 #include "engine/lesson/check.h"
 #include "engine/lesson/pose_search.h"
