@@ -1,6 +1,7 @@
 // pull: pull what the hand holds out of its place, without a jump, until its middle is a given distance away. The greatest
 // force at each distance is kept as a curve. Who puts it down outside has not pulled it out.
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -49,11 +50,16 @@ class Pull : public Task {
   const TaskCurves* curves() const override { return &curves_; }
 
  private:
+  struct Force {
+    double hand_N = 0.0, atoms_pN = 0.0;
+  };
+
   void forget() {
     curves_.felt.assign(kPullPoints, kNothing);
     curves_.complete = false;
     curves_.max_N = 1.0;
-    greatest_N_ = greatest_pN_ = 0.0;
+    between_pN_.fill(0.0);
+    at_ = 0;
   }
 
   TaskStage requestedStage() const override {
@@ -72,7 +78,6 @@ class Pull : public Task {
     off_A_ = glm::distance(way_.pose().place.A, place_->goal().place.A);
     if (place_->rmsd_A(way_.pose()) <= within_A && !place_->stretched(s, within_A)) {
       begun_ = true;
-      forget();
     } else if (begun_ && !continues && dt_s > 0.0) {
       // The hand let go, or was put down elsewhere: another pull begins in the place.
       begun_ = false;
@@ -80,20 +85,40 @@ class Pull : public Task {
       ++presentation_;
     }
     if (!begun_) return setProgress(0.0);
-    const double force_N = glm::length(s.force.N);
-    greatest_N_ = std::max(greatest_N_, force_N);
-    if (s.energy)
-      greatest_pN_ = std::max(greatest_pN_,
-                              kForceUnit_pN * s.energy->coupling_kcal_mol_A2 * glm::length(s.contact.displacement_A));
-    const double at = off_A_ / curves_.x_max_A * double(kPullPoints - 1);
-    double& here = curves_.felt[std::size_t(std::lround(std::clamp(at, 0.0, double(kPullPoints - 1))))];
-    here = std::isfinite(here) ? std::max(here, force_N) : force_N;
-    curves_.max_N = std::max(1.0, 1.1 * greatest_N_);
+    record(s);
     setProgress(off_A_ / curves_.x_max_A);
     if (off_A_ < curves_.x_max_A) return;
     curves_.complete = true;
     finish();
   }
+
+  // The curve of the last way out. What was felt farther out is forgotten when the body comes back; how hard it was
+  // pressed in before it came off does not count.
+  void record(const TouchSample& s) {
+    const double at = std::clamp(off_A_ / curves_.x_max_A, 0.0, 1.0) * double(kPullPoints - 1);
+    const auto k = std::size_t(std::lround(at));
+    const Force now{
+        glm::length(s.force.N),
+        s.energy ? kForceUnit_pN * s.energy->coupling_kcal_mol_A2 * glm::length(s.contact.displacement_A) : 0.0};
+    const bool anew = k < at_ || (k == 0 && s.contact.touching());
+    for (std::size_t beyond = k + (anew ? 0 : 1); beyond < kPullPoints; ++beyond) {
+      curves_.felt[beyond] = kNothing;
+      between_pN_[beyond] = 0.0;
+    }
+    double& here = curves_.felt[k];
+    here = std::isfinite(here) ? std::max(here, now.hand_N) : now.hand_N;
+    between_pN_[k] = std::max(between_pN_[k], now.atoms_pN);
+    at_ = k;
+    curves_.max_N = std::max(1.0, 1.1 * greatest_N());
+  }
+
+  double greatest_N() const {
+    double out = 0.0;
+    for (const double f : curves_.felt)
+      if (std::isfinite(f)) out = std::max(out, f);
+    return out;
+  }
+  double greatest_pN() const { return *std::max_element(between_pN_.begin(), between_pN_.end()); }
 
   HandPlan demonstrate(const HandPlanInput& view) const override {
     if (!place_ || !view.body) return {};
@@ -125,17 +150,17 @@ class Pull : public Task {
   }
 
   std::string afterwards() const override {
-    const std::string hand = forceText(greatest_N_);
-    return greatest_pN_ > 0.0 ? trf("The greatest force on the way was {0} in the hand, {1} between the atoms.", hand,
-                                    quantityIn(greatest_pN_, "pN", decimals(0)))
-                              : trf("The greatest force on the way was {0} in the hand.", hand);
+    const std::string hand = forceText(greatest_N());
+    return greatest_pN() > 0.0 ? trf("The greatest force on the way was {0} in the hand, {1} between the atoms.", hand,
+                                     quantityIn(greatest_pN(), "pN", decimals(0)))
+                               : trf("The greatest force on the way was {0} in the hand.", hand);
   }
 
   static std::string lengthText(double length_A) { return quantityText(length_A, Dimension::Length, decimals(1)); }
 
   void measure(std::vector<TaskFigure>& out) const override {
-    out.push_back({N_("greatest force of the pull"), greatest_N_, "N"});
-    if (greatest_pN_ > 0.0) out.push_back({N_("greatest force between the atoms"), greatest_pN_, "pN"});
+    out.push_back({N_("greatest force of the pull"), greatest_N(), "N"});
+    if (greatest_pN() > 0.0) out.push_back({N_("greatest force between the atoms"), greatest_pN(), "pN"});
   }
 
   TaskSpec spec_;
@@ -144,7 +169,9 @@ class Pull : public Task {
   HeldWay way_;
   TaskCurves curves_;
   bool begun_ = false;  // it was in its place, and came from there without a jump
-  double off_A_ = 0.0, greatest_N_ = 0.0, greatest_pN_ = 0.0;
+  double off_A_ = 0.0;
+  std::array<double, kPullPoints> between_pN_{};  // the greatest force between the atoms, at the points of the curve
+  std::size_t at_ = 0;                            // the point of the last sample
   int presentation_ = 1;
 };
 

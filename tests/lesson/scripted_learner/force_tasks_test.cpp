@@ -58,6 +58,7 @@ std::string text(const std::string& molecule, const std::string& scene, const st
 
 // Charges in a vacuum, and a spring so stiff that no field turns the body or makes it snap.
 const std::string kHeld = "in-hand: chain B\nforces: electrostatic\ndielectric: vacuum\ncoupling: 150 N/m\n";
+const std::string kPulled = "in-hand: chain B\nforces: electrostatic\ndielectric: distance\ncoupling: 100 N/m\n";
 const std::string kProbe = "forces: electrostatic\nprobe-charge: 1\ndielectric: vacuum\n";
 
 std::vector<std::string> errorsOf(const std::string& lesson) {
@@ -96,7 +97,8 @@ struct Student {
 
 // The energy of the held pair above the other, at this height: two contacts, two diagonals.
 double energy_kcal_mol(double z) { return 2.0 * kCoulomb * (1.0 / std::hypot(z, 4.0) - 1.0 / z); }
-double force_pN(double z) { return 2.0 * kCoulomb * kForce_pN * (1.0 / (z * z) - z / std::pow(z * z + 16.0, 1.5)); }
+// The force at this height, in a medium of four times the distance: the energy of two charges is as 1 / (4 r^2).
+double force_pN(double z) { return kCoulomb * kForce_pN * (1.0 / (z * z * z) - z / ((z * z + 16.0) * (z * z + 16.0))); }
 
 const Quat kTurnedOver(0.0, 0.0, 1.0, 0.0);  // half a turn about y: Na+ above Na+
 
@@ -168,7 +170,7 @@ TEST_CASE(
   const std::string bare = first("in-hand: chain B\n", "dock: file\nenergy: -85");
   CAPTURE(bare);
   CHECK(bare.find("no forces between atoms act in this scene") != std::string::npos);
-  CHECK(bare.starts_with("l.md:15:"));
+  CHECK(bare.starts_with("l.md:16:9:"));
   CHECK(first("forces: all\n", "dock: file\nenergy: -85").find("'dock' needs a body in the hand") != std::string::npos);
   for (const char* keys : {"dock: file\nwithin: 2 Å\nenergy: -96", "dock: anywhere\nenergy: -96"}) {
     const std::string deep = first(kHeld, keys);
@@ -183,34 +185,52 @@ TEST_CASE(
 }
 
 TEST_CASE(
-    "a pair of ions pulled off another by a straight pull shows the force of four charges in contact, 4.4 nN, as the "
-    "greatest, and a curve that falls with the distance as Coulomb's force does") {
-  const std::string lesson = text("salt", kHeld, "pull: 6 Å");
+    "a pair of ions pulled straight off another shows the force of four charges in contact, 0.83 nN, as the greatest, "
+    "and "
+    "a curve that falls with the distance as their force does") {
+  const std::string lesson = text("salt", kPulled, "pull: 6 Å\nfrom: 2, 0, 2.91");
   CHECK(errorsOf(lesson) == std::vector<std::string>());
   Student student(lesson);
   REQUIRE(student.task().stage().body_begins);
-  CHECK(glm::distance(student.task().stage().body_begins->A, Vec3(2, 0, 3.6)) < 1e-9);
-  student.learner.follow({{.to = PointA{{2, 0, 3.6}}, .turned_to = kNoRotation, .placed = true, .wait_s = 0.5},
+  CHECK(glm::distance(student.task().stage().body_begins->A, Vec3(2, 0, 2.91)) < 1e-9);
+  // Pressed in first, by 1 A and three times that force.
+  student.learner.follow({{.to = PointA{{2, 0, 2.91}}, .turned_to = kNoRotation, .placed = true, .wait_s = 0.5},
+                          {.to = PointA{{2, 0, 2.7}}, .wait_s = 0.5},
                           {.to = PointA{{2, 0, 30}}, .speed_A_per_s = 2.0}});
   REQUIRE(student.done());
-  CHECK(student.figureOf("greatest force between the atoms") == doctest::Approx(force_pN(kContact_A)).epsilon(0.03));
-  // 1 N in the hand is the same force between the atoms at every distance.
+  const double pN = student.figureOf("greatest force between the atoms");
+  CHECK(pN == doctest::Approx(force_pN(kContact_A)).epsilon(0.03));
   const TaskCurves& curve = *student.task().curves();
   CHECK(curve.complete);
   CHECK_FALSE(curve.drawing);
-  const double N_per_pN =
-      student.figureOf("greatest force of the pull") / student.figureOf("greatest force between the atoms");
+  // 1 N in the hand is the same force between the atoms at every distance.
+  const double N_per_pN = student.figureOf("greatest force of the pull") / pN;
   std::size_t compared = 0;
-  for (std::size_t k = 4; k + 1 < curve.felt.size(); ++k) {
-    const double from_A = 3.6 + (double(k) - 0.5) / double(curve.felt.size() - 1) * 6.0;  // the greatest of the piece
-    if (!std::isfinite(curve.felt[k]) || from_A > 7.5) continue;
+  for (std::size_t k = 1; k < curve.felt.size(); ++k) {
+    const double from_A = 2.91 + (double(k) - 0.5) / double(curve.felt.size() - 1) * 6.0;  // the greatest of the piece
+    if (from_A > 6.5) continue;  // the energy of the diagonals ends between 8 and 10 A
+    REQUIRE(std::isfinite(curve.felt[k]));
     CHECK(curve.felt[k] == doctest::Approx(N_per_pN * force_pN(from_A)).epsilon(0.05));
     ++compared;
   }
-  CHECK(compared >= 8);
+  CHECK(compared >= 12);
   CHECK(student.last.note.find("The greatest force on the way was") != std::string::npos);
   Student demonstrated(lesson);
   CHECK(demonstrated.learner.doTask());
+}
+
+TEST_CASE("a body that is let back in and pulled out anew gives the curve of the last way out") {
+  Student once(text("salt", kPulled, "pull: 6 Å\nfrom: 2, 0, 2.91")),
+      twice(text("salt", kPulled, "pull: 6 Å\nfrom: 2, 0, 2.91"));
+  HandPlan out{{.to = PointA{{2, 0, 2.91}}, .turned_to = kNoRotation, .placed = true, .wait_s = 0.5},
+               {.to = PointA{{2, 0, 30}}, .speed_A_per_s = 2.0}};
+  once.learner.follow(out);
+  out.insert(out.begin() + 1, {{.to = PointA{{2, 0, 8}}, .speed_A_per_s = 9.0}, {.to = PointA{{2, 0, 2.91}}}});
+  twice.learner.follow(out);
+  REQUIRE(once.done());
+  REQUIRE(twice.done());
+  for (std::size_t k = 1; k < once.task().curves()->felt.size(); ++k)
+    CHECK(twice.task().curves()->felt[k] == doctest::Approx(once.task().curves()->felt[k]).epsilon(0.02));
 }
 
 TEST_CASE(
