@@ -280,18 +280,20 @@ void checkDockEnergy(const TaskSpec& spec, const SceneForces& forces, std::vecto
   if (!wells.empty() && wells.front().energy.total_kcal_mol() <= *limit) return;
   const Place place = spec.values["energy"].place;
   const std::string wanted = energyText(*limit);
-  if (wells.empty())
+  if (wells.empty()) {
     problems.push_back(problemAt(
         place,
-        trf("no pose was found in which the body is free and the forces reach it, and {0} are asked for", wanted),
+        trf("no pose was found in which the body is free and the forces reach it; 'energy' asks for {0}", wanted),
         tr("choose another pose, or a greater 'within'")));
-  else
-    problems.push_back(
-        problemAt(place,
-                  trf("the lowest energy that {0} falls into wells reached is {1}, and {2} are asked for", wells.size(),
-                      energyText(wells.front().energy.total_kcal_mol()), wanted),
-                  trf("write 'energy: {0}' or a higher number; a deeper well may exist, but no search found it",
-                      numberText(std::ceil(wells.front().energy.total_kcal_mol()), decimals(0)))));
+    return;
+  }
+  const double lowest = wells.front().energy.total_kcal_mol();
+  problems.push_back(
+      problemAt(place,
+                trf("the lowest energy found in {0} searches is {1}, and 'energy' asks for {2}", wells.size(),
+                    energyText(lowest), wanted),
+                trf("write 'energy: {0}' or a higher number; a deeper well may exist, but no search found it",
+                    numberText(std::ceil(lowest), decimals(0)))));
 }
 
 }  // namespace

@@ -176,7 +176,7 @@ TEST_CASE(
     const std::string deep = first(kHeld, keys);
     CAPTURE(deep);
     // The deepest of all is the contact of both pairs at once.
-    CHECK(deep.find("falls into wells reached is -94.6") != std::string::npos);
+    CHECK(deep.find("searches is -94.6") != std::string::npos);
     CHECK(deep.find("write 'energy: -94' or a higher number") != std::string::npos);
   }
   CHECK(first(kHeld, "dock: anywhere").find("without a pose the energy must say") != std::string::npos);
