@@ -47,15 +47,14 @@ std::vector<Well> wellsFor(const TaskSpec& spec, const SceneForces& forces) {
   for (int k = 0; k < kFalls; ++k) {
     const auto start = freePoseAt(goal, tolerance, space, std::uint64_t(k));
     if (!start) break;
-    // A fall may lead out of what is allowed.
-    std::optional<Well> lowest;
+    // A fall may lead out of what is allowed; a hand can then hold the body back at the last pose within it.
+    std::optional<Well> last;
     forces.fall(*start, {}, [&](const Well& now) {
-      if (tolerance.allows(goal, now.pose) &&
-          (!lowest || now.energy.total_kcal_mol() < lowest->energy.total_kcal_mol()))
-        lowest = now;
+      if (!tolerance.allows(goal, now.pose)) return false;
+      last = now;
       return true;
     });
-    if (lowest) out.push_back(*lowest);
+    if (last) out.push_back(*last);
   }
   std::stable_sort(out.begin(), out.end(),
                    [](const Well& a, const Well& b) { return a.energy.total_kcal_mol() < b.energy.total_kcal_mol(); });

@@ -215,6 +215,17 @@ TEST_CASE(
   }
   CHECK(compared >= 12);
   CHECK(student.last.note.find("The greatest force on the way was") != std::string::npos);
+  // The attempt gets the curve, as a felt one.
+  std::size_t kept = 0;
+  for (const SessionEvent& e : student.learner.session().events())
+    if (const auto* known = std::get_if<CurveKnown>(&e)) {
+      CHECK(known->felt);
+      CHECK(known->x_name == "distance");
+      CHECK(known->x_max_A == 6.0);
+      CHECK(known->force_N.size() == curve.felt.size());
+      ++kept;
+    }
+  CHECK(kept == 1);
   Student demonstrated(lesson);
   CHECK(demonstrated.learner.doTask());
 }
