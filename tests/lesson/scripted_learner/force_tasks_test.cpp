@@ -10,6 +10,7 @@
 #include "engine/lesson/reader.h"
 #include "engine/lesson/scene_forces.h"
 #include "engine/lesson/scripted_learner/scripted_learner.h"
+#include "tests/lesson/scripted_learner/step_picture.h"
 #include "tests/lesson/task_hand.h"
 
 using namespace moltact;
@@ -432,4 +433,32 @@ TEST_CASE(
       said.insert(t->sentence());
     }
   CHECK(said.size() == 1);
+}
+
+TEST_CASE(
+    "the lesson tests/lesson/in_the_forces.md, with a drug and a protease, has no fault and is demonstrated to its "
+    "end: the "
+    "drug docks below -22 kcal/mol and is pulled out against 0.3 to 3 nN") {
+  LessonReading reading = readLesson(MOLTACT_SOURCE_DIR "/tests/lesson/in_the_forces.md");
+  for (const Problem& p : reading.errors) MESSAGE(p.text());
+  REQUIRE(reading.lesson);
+  for (const Problem& p : checkAgainstMolecules(*reading.lesson, test::knownMolecule)) FAIL_CHECK(p.text());
+  std::vector<LearnerEvent> events;
+  ScriptedLearner learner(std::make_shared<const Lesson>(*std::move(reading.lesson)), test::knownMolecule,
+                          [&](const LearnerEvent& e) {
+                            if (e.kind != LearnerEvent::Kind::Step) events.push_back(e);
+                          });
+  const bool finished = learner.demonstrate();
+  for (const LearnerEvent& e : events)
+    if (e.kind == LearnerEvent::Kind::GaveUp) MESSAGE(e.note);
+  CHECK(finished);
+  REQUIRE(events.size() == 5);
+  const auto value = [&](std::size_t k, std::string_view name) {
+    for (const TaskFigure& f : events[k].figures)
+      if (f.name == name) return f.value;
+    return std::nan("");
+  };
+  CHECK(value(0, "energy") <= -22.0);
+  CHECK(value(1, "greatest force between the atoms") > 300.0);
+  CHECK(value(1, "greatest force between the atoms") < 3000.0);
 }
