@@ -81,13 +81,13 @@ double roundAbove(double value) {
 }
 
 std::string histogram(const std::string& title, const std::string& unit, std::vector<Measured> values) {
-  std::erase_if(values,
-                [](const Measured& m) { return !std::isfinite(m.value) || m.value < 0.0 || m.value > kGreatest; });
+  std::erase_if(values, [](const Measured& m) { return !std::isfinite(m.value) || std::abs(m.value) > kGreatest; });
   if (values.empty()) return {};
   const std::vector<double> sorted = sortedValues(values);
   // Small whole numbers have one bar each, centred over the number.
-  const bool counted = unit.empty() && sorted.back() < 40.0;
-  const double spread = std::max({sorted.back() - sorted.front(), 1e-3 * sorted.back(), 1e-6});
+  const bool counted = unit.empty() && sorted.front() >= 0.0 && sorted.back() < 40.0;
+  const double greatest = std::max(std::abs(sorted.front()), std::abs(sorted.back()));
+  const double spread = std::max({sorted.back() - sorted.front(), 1e-3 * greatest, 1e-6});
   const double width = counted ? 1.0 : roundStep(spread / 9.0);
   const double first = counted ? 0.0 : std::floor(sorted.front() / width) * width;
   const auto binOf = [&](double value) { return static_cast<std::size_t>((value - first) / width + 1e-9); };
