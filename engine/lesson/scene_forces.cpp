@@ -21,7 +21,7 @@ constexpr double kYielding_N_per_mm = 5e-4;
 constexpr int kMaxTicks = 4000, kRestTicks = 5;
 constexpr double kRest_A = 2e-4;       // motion per tick below which it rests
 constexpr double kOffSurface_A = 0.3;  // gap at which a fall begins
-constexpr int kDirections = 14;        // per atom, for a probe
+constexpr int kProbeDirections = 14;   // per atom, for a probe
 
 }  // namespace
 
@@ -112,9 +112,9 @@ std::vector<PoseA> SceneForces::starts(int count, Felt& felt, const std::functio
   const double probe_A = touch_.probe_A;
   for (std::size_t i = 0; i < spheres_->size(); ++i) {
     if (!spheres_->touchable(i)) continue;
-    for (int k = 0; k < kDirections; ++k) {
+    for (int k = 0; k < kProbeDirections; ++k) {
       const Sphere& atom = (*spheres_)[i];
-      const Vec3 place = atom.centre_A + evenDirection(k, kDirections) * (atom.radius_A + probe_A + kOffSurface_A);
+      const Vec3 place = atom.centre_A + evenDirection(k, kProbeDirections) * (atom.radius_A + probe_A + kOffSurface_A);
       if (!wanted(place)) continue;
       bool free = true;
       spheres_->visitNear(place, probe_A, [&](std::uint32_t, const Sphere& s) {

@@ -23,7 +23,7 @@ constexpr double kLeastTurn_rad = std::numbers::pi / 3.0;  // of the drawn orien
 constexpr int kFalls = 24;  // into wells that are tried: near the goal, or from anywhere on the surface
 // Farther out than this the field is too weak to have drawn the body in (share of the limit of energy).
 constexpr double kOutside = 0.1;
-constexpr double kNear_A = 0.4;  // how far a free pose beside a well's may be off it
+constexpr double kBesideWell_A = 0.4;  // how far a free pose beside a well's may be off it
 constexpr std::string_view kAnywhere = "anywhere";
 
 bool hasGoal(const TaskSpec& spec) { return spec.values["dock"].text != kAnywhere; }
@@ -151,7 +151,7 @@ class Dock : public Task {
     for (std::size_t k = 0; k < wells.size(); ++k) {
       const Well& well = wells[(k + std::size_t(view.attempt)) % wells.size()];
       const PoseGoal goal(forces_->body(), well.pose);
-      const auto end = freePoseAt(goal, PoseTolerance{kNear_A, kNear_A}, space);
+      const auto end = freePoseAt(goal, PoseTolerance{kBesideWell_A, kBesideWell_A}, space);
       if (!end) continue;
       std::vector<PoseA> way = freePath(
           space, *end, {.reach_A = searchReach_A(view.spheres, *view.body), .seed = std::uint64_t(view.attempt) + 1});
