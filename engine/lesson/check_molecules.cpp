@@ -145,7 +145,7 @@ class Check {
   void hasCharges(const SceneSpec& scene, const Molecule& molecule) {
     if (scene.touch.charges != kFileCharges || !molecule.charges_e.empty() || findings_.enough()) return;
     findings_.error(scene.places.charges, trf("the file of '{0}' has no partial charges", scene.molecule.name),
-                    tr("write 'charges: formal', or give the molecule as a PQR file"));
+                    tr("write 'charges: formal', or give the molecule as a PQR, MOL2 or PDBQT file"));
   }
 
   /// A molecule in the front matter's list, with the reading options of the first scene that uses it, so that it is not
