@@ -50,7 +50,9 @@ glm::dvec2 labelPadding_px(double unit_px) { return glm::dvec2(kAcross, kDown) *
 std::vector<PlacedLabel> layOutLabels(const ViewScene& scene, const SphereGrid* spheres, const LabelRoom& room) {
   std::vector<Wanted> wanted;
   if (!hidesPlaces(scene.look)) spheres = nullptr;
-  for (const auto& a : scene.annotations) {
+  std::vector<std::shared_ptr<const Annotations>> all = scene.annotations;
+  if (scene.held_lines) all.push_back(scene.held_lines);
+  for (const auto& a : all) {
     for (const Annotations::Label& l : a->labels)
       wanted.push_back({&l.text, l.at, l.clear_A, l.arrow, l.always, false});
     for (const Annotations::Measure& m : a->measures) {

@@ -197,7 +197,8 @@ void savePicture(Application& app, glm::dvec2 size, std::filesystem::path file) 
   if (file.empty()) file = freePictureName(app.options().picture_folder);
   const ViewScene scene = seenScene(app);
   Picture picture = app.picture().take(scene, int(size.x), int(size.y), look().scale);
-  if (!scene.annotations.empty()) paintLabels(picture, scene, app.scene.stage().spheres.get(), double(look().px(1)));
+  if (!scene.annotations.empty() || scene.held_lines)
+    paintLabels(picture, scene, app.scene.stage().spheres.get(), double(look().px(1)));
   const std::optional<Problem> problem = writePng(file, picture);
   if (problem)
     app.messages.error(problem->text());

@@ -37,8 +37,17 @@ void HapticSession::show(TouchableModel next, const MoleculeKey& molecule, const
   servo_.begin(effectiveSettings(false), std::move(felt));
 }
 
-std::unique_ptr<Interaction> HapticSession::freshInteraction() const {
-  return played_ ? nullptr : interactionAt(stage(), touch(), Contact{}, PoseA{}, servo_.device());
+std::unique_ptr<Interaction> HapticSession::interactionHere(const Contact& contact, const PoseA& hand) {
+  std::shared_ptr<const PairField> pairs;
+  std::unique_ptr<Interaction> made = interactionAt(stage(), touch(), contact, hand, servo_.device(), &pairs);
+  forces_.begin(stage(), std::move(pairs));
+  return made;
+}
+
+std::unique_ptr<Interaction> HapticSession::freshInteraction() {
+  if (!played_) return interactionHere(Contact{}, PoseA{});
+  forces_.begin(stage(), nullptr);
+  return nullptr;
 }
 
 void HapticSession::play(const std::optional<ServoSample>& sample) {
@@ -201,12 +210,9 @@ void HapticSession::rebuildInteraction() {
   if (played_) return;
   const ServoSample& latest = log_.latest();
   const PoseA hand{latest.hip, latest.orientation};
-  std::unique_ptr<Interaction> made = interactionAt(stage(), touch(), contact, hand, servo_.device());
-  if (made && latest.body_pose && contact.touching()) {  // a body goes on from its rest pose, where it overlaps nothing
-    made->reset();
-    made->respond(*latest.body_pose);
-    made->respond(hand);
-  }
+  std::unique_ptr<Interaction> made = interactionHere(contact, hand);
+  // What hangs in a field goes on from its place, as does a body from its rest pose, where it overlaps nothing.
+  if (made && (latest.molecular_energy || (latest.body_pose && contact.touching()))) leadFrom(*made, latest);
   servo_.setInteraction(std::move(made));
 }
 
@@ -271,6 +277,7 @@ FeltTicks HapticSession::advance(double dt_s, double now_s, bool timed) {
   const std::span<const AtomForce> reactions =
       played_ || !stage().body ? std::span<const AtomForce>() : servo_.loop().reactions().forces();
   body_contacts_ = moltact::bodyContacts(stage(), log_.latest(), reactions, servo_.motionOf(log_.latest()).get());
+  forces_.follow(log_.latest());
   log_.figureForce(now_s);
   // Independent of what is shown, because the settings contain the panic key.
   servo_.loop().setSettings(effectiveSettings(trying()));

@@ -11,6 +11,7 @@
 #include "app/ui/scene/atom_motion.h"
 #include "app/ui/scene/body_contacts.h"
 #include "app/ui/scene/force_trial.h"
+#include "app/ui/scene/force_watch.h"
 #include "app/ui/scene/method_watch.h"
 #include "app/ui/scene/played_hand.h"
 #include "app/ui/scene/recorded_conditions.h"
@@ -63,6 +64,8 @@ class HapticSession {
   /// The contacts of the body in the hand at the last advance(); empty without a body.
   const LoadedAtoms& bodyContacts() const { return body_contacts_; }
   const MethodWatch& watch() const { return watch_; }
+  /// The forces between atoms at the last advance(), by parts.
+  const ForceWatch& forces() const { return forces_; }
 
   /// Shows another molecule in the view of a new scene.
   void show(TouchableModel stage, const MoleculeKey& molecule, const Facing& facing);
@@ -142,7 +145,8 @@ class HapticSession {
   void fitRoom(PointA toward);
   void retract(double dt_s);
   void watchLeftBehind(double dt_s);
-  std::unique_ptr<Interaction> freshInteraction() const;
+  std::unique_ptr<Interaction> interactionHere(const Contact& contact, const PoseA& hand);
+  std::unique_ptr<Interaction> freshInteraction();
   void rebuildInteraction();
   ServoSettings effectiveSettings(bool trying) const;
 
@@ -155,6 +159,7 @@ class HapticSession {
   TouchLog log_;
   LoadedAtoms body_contacts_;
   MethodWatch watch_;
+  ForceWatch forces_;
   std::vector<FeltTick> felt_;
   PlayedHand played_;
   ForceTrial trial_{servo_};
