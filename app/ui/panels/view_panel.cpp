@@ -10,6 +10,7 @@
 #include "app/ui/panels/lesson/lesson_keys.h"
 #include "app/ui/panels/method_chooser.h"
 #include "app/ui/panels/push_pads.h"
+#include "app/ui/panels/residue_forces.h"
 #include "app/ui/panels/view_overlays.h"
 #include "app/ui/scene/contact_text.h"
 #include "app/ui/scene/view_picture.h"
@@ -178,6 +179,7 @@ ViewScene seenScene(const Application& app) {
       scene.torque_N_A = now.shownTorque_N_A();
     }
   }
+  showForces(app, scene);
   scene.water = app.settings.probe_look != ProbeLook::Sphere;
   scene.hand = app.extensions().hand_model.model();
   scene.left_hand = app.settings.left_handed;

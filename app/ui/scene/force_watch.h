@@ -5,11 +5,13 @@
 
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "app/ui/scene/touchable_model.h"
 #include "engine/haptics/field/pair_shares.h"
 #include "engine/render/annotations.h"
+#include "engine/render/atom_style.h"
 #include "engine/servo/servo_step.h"
 #include "engine/structure/hydrogen_bonds.h"
 
@@ -29,8 +31,9 @@ class ForceWatch {
  public:
   /// The atoms of a new interaction's forces; null: none act, and nothing is computed.
   void begin(const TouchableModel& stage, std::shared_ptr<const PairField> pairs);
-  /// Called once per frame with the newest tick.
-  void follow(const ServoSample& now);
+  /// Called once per frame with the newest tick. What the scene does not draw (`hidden`) is left out of residues and
+  /// lines.
+  void follow(const ServoSample& now, const AtomList& hidden);
 
   /// Whether the newest tick had forces between atoms.
   bool on() const { return on_; }
@@ -43,9 +46,14 @@ class ForceWatch {
   double wall_kcal_mol() const { return shares_ ? shares_->field().model.wall_kcal_mol : 0.0; }
   /// Of a body, hydrogen bonds before clashes; empty for a probe.
   const std::vector<HeldLine>& lines() const { return lines_; }
+  /// The lines as dashes with their lengths; null: none. Another address means other lines.
+  const std::shared_ptr<const Annotations>& drawnLines() const { return drawn_; }
 
  private:
+  void clear();
   void findLines(const PoseA& pose);
+  void drawLines();
+  bool isDrawn(std::uint32_t atom) const;
 
   TouchableModel stage_;
   std::optional<PairShares> shares_;
@@ -56,6 +64,9 @@ class ForceWatch {
   std::vector<EnergyShare> residues_;
   std::optional<double> highest_;
   std::vector<HeldLine> lines_;
+  std::shared_ptr<const Annotations> drawn_;
+  AtomList hidden_;
+  std::string language_;  // of the lengths
 };
 
 }  // namespace moltact

@@ -277,7 +277,7 @@ FeltTicks HapticSession::advance(double dt_s, double now_s, bool timed) {
   const std::span<const AtomForce> reactions =
       played_ || !stage().body ? std::span<const AtomForce>() : servo_.loop().reactions().forces();
   body_contacts_ = moltact::bodyContacts(stage(), log_.latest(), reactions, servo_.motionOf(log_.latest()).get());
-  forces_.follow(log_.latest());
+  forces_.follow(log_.latest(), look.hidden);
   log_.figureForce(now_s);
   // Independent of what is shown, because the settings contain the panic key.
   servo_.loop().setSettings(effectiveSettings(trying()));
