@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "engine/lesson/second_state.h"
+#include "engine/render/molecule_model.h"
 
 namespace moltact {
 namespace {
@@ -120,6 +121,13 @@ Vec3 HapticSession::pushInView() const {
   return glm::conjugate(camera.orientation) * glm::normalize(way);
 }
 
+std::shared_ptr<const Colouring> HapticSession::colouring(std::string_view scheme) const {
+  const TouchSetup now = touch();
+  ColouringInput input{.dielectric = now.dielectric, .held = {}};
+  if (stage().body) input.held = stage().body->atoms;
+  return schemeColouring(*stage().molecule, scheme, input);
+}
+
 bool HapticSession::drawsNothing() const {
   return look.hidden && stage() && look.hidden->size() == stage().molecule->atoms.size();
 }
@@ -190,11 +198,13 @@ void HapticSession::setTouch(const TouchSetup& wanted) {
   if (!findInteractionKind(next.interaction)) next.interaction = made_with_.interaction;
   wanted_interaction_ = next.interaction;
   next = resolveInteraction(std::move(next), stage().body != nullptr);
-  const bool alike = sameConstruction(next, made_with_);
+  const bool alike = sameConstruction(next, made_with_), other_medium = next.dielectric != made_with_.dielectric;
   servo_settings.take(next);
   made_with_ = std::move(next);
   watch_.feelWith(touch());
   if (!alike) rebuildInteraction();
+  if (other_medium && stage() && look.colouring && look.colouring->scheme == "potential")
+    look.colouring = colouring(look.colouring->scheme);
 }
 
 void HapticSession::useMethod(std::string_view name) {

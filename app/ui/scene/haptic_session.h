@@ -135,6 +135,9 @@ class HapticSession {
   bool touchesUnseen(const Contact& contact) const;
   /// The direction of the reaction on the hand, as a unit vector in the camera's axes; 0 without force.
   Vec3 pushInView() const;
+  /// The colours of a scheme for the molecule on the stage, what the hand holds and the medium of its forces. Null for
+  /// "element", "chain" and unknown names.
+  std::shared_ptr<const Colouring> colouring(std::string_view scheme) const;
   /// Whether the scene draws no atom of its molecule.
   bool drawsNothing() const;
   /// Whether the next frame differs without further input.
