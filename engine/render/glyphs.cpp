@@ -103,8 +103,8 @@ class Maker {
     for (const auto* atoms : {&scene_.attracting, &scene_.repelling})
       for (const LoadedAtom& one : *atoms) greatest = std::max(greatest, one.share);
     if (!(greatest > 0.0)) return;
-    for (const auto& [atoms, colour] : {std::pair{&scene_.attracting, scene_.theme.attracts},
-                                        std::pair{&scene_.repelling, scene_.theme.repels}})
+    for (const auto& [atoms, colour] :
+         {std::pair{&scene_.attracting, scene_.theme.attracts}, std::pair{&scene_.repelling, scene_.theme.repels}})
       for (const LoadedAtom& one : *atoms) {
         if (one.atom >= model.atoms() || isHidden(one.atom)) continue;
         const Sphere b = model.atomSphere(one.atom);

@@ -308,7 +308,8 @@ void byPotential(const Molecule& m, const ColouringInput& input, Colouring& out)
   out.legend.gradient = true;
   const auto value = [](double v) { return trf("{0} kcal/mol/e", numberText(v, plain(2))); };
   const double parts[] = {-1.0, -0.5, 0.0, 0.5, 1.0};
-  for (std::size_t k = 0; k < std::size(parts); ++k) out.legend.entries.push_back({value(parts[k] * top), kPotential[k]});
+  for (std::size_t k = 0; k < std::size(parts); ++k)
+    out.legend.entries.push_back({value(parts[k] * top), kPotential[k]});
 }
 
 // One row per scheme.

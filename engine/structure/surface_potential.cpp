@@ -60,9 +60,8 @@ class Part {
     std::vector<Vec3> free;
     for (const Vec3& direction : directions) {
       const Vec3 point = own.centre_A + radius * direction;
-      if (std::none_of(near.begin(), near.end(), [&](const Sphere& s) {
-            return glm::distance(point, s.centre_A) < s.radius_A - 1e-9;
-          }))
+      if (std::none_of(near.begin(), near.end(),
+                       [&](const Sphere& s) { return glm::distance(point, s.centre_A) < s.radius_A - 1e-9; }))
         free.push_back(radius * direction);
     }
     if (free.empty()) return std::numeric_limits<float>::quiet_NaN();
@@ -112,7 +111,7 @@ std::vector<float> surfacePotential_kcal_mol_e(const Molecule& molecule, const D
     for (std::size_t i = k * kAtomsOfPiece; i < std::min(out.size(), (k + 1) * kAtomsOfPiece); ++i)
       out[i] = (in_hand[i] ? hand : rest).potential(i, directions);
   };
-  runGridWork((out.size() + kAtomsOfPiece - 1) / kAtomsOfPiece, 0, piece);
+  runGridWork((out.size() + kAtomsOfPiece - 1) / kAtomsOfPiece, 0, piece, {});
   return out;
 }
 

@@ -7,7 +7,6 @@
 #include "app/ui/application/application.h"
 #include "app/ui/extensions/extensions.h"
 #include "app/ui/panels/residue_forces.h"
-#include "app/ui/panels/residue_forces.h"
 #include "app/ui/panels/while_locked.h"
 #include "app/ui/widgets/controls.h"
 #include "app/ui/widgets/plot.h"

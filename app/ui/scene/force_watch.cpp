@@ -11,8 +11,8 @@
 namespace moltact {
 namespace {
 
-constexpr double kLeast_kcal_mol = 0.05;         // a smaller energy rounds to zero on the screen
-constexpr std::size_t kPairsOfFrame = 400'000;   // a sum over more pairs is spread: it is computed in fewer frames
+constexpr double kLeast_kcal_mol = 0.05;        // a smaller energy rounds to zero on the screen
+constexpr std::size_t kPairsOfFrame = 400'000;  // a sum over more pairs is spread: it is computed in fewer frames
 
 }  // namespace
 

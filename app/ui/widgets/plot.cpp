@@ -191,7 +191,8 @@ void functionPlot(const char* name, const std::function<double(double)>& functio
   draw->PopClipRect();
   const float size_px = frame.small * 0.86f;
   const auto widthOf = [&](const char* words) { return frame.font->CalcTextSizeA(size_px, 1e9f, 0.0f, words).x; };
-  const std::string up_end = numberText(high, plain(2)) + " " + how.up, across_end = numberText(to, plain(2)) + " " + how.across;
+  const std::string up_end = numberText(high, plain(2)) + " " + how.up,
+                    across_end = numberText(to, plain(2)) + " " + how.across;
   const ImVec2 zero = place(0, 0);
   draw->AddText(frame.font, size_px, {zero.x + l.px(5), a.y + l.px(2)}, p.quiet, up_end.c_str());
   draw->AddText(frame.font, size_px, {b.x - l.px(6) - widthOf(across_end.c_str()), zero.y - size_px - l.px(2)}, p.quiet,

@@ -86,8 +86,7 @@ std::vector<NearPair> PairShares::pairsAbove(double least_kcal_mol) const {
       block.set(0, sphere.centre_A - places_[k], field_->atoms[index]);
       PairTerms terms;
       kernel_.slope(&block, 1, constants_, ownOf(field_->held[k], Vec3(0.0)), terms);
-      if (terms.van_der_waals >= least_kcal_mol)
-        out.push_back({std::uint32_t(k), index, terms.van_der_waals});
+      if (terms.van_der_waals >= least_kcal_mol) out.push_back({std::uint32_t(k), index, terms.van_der_waals});
     });
   return out;
 }
