@@ -75,8 +75,7 @@ TEST_CASE(
       REQUIRE(now.molecular_energy);
       CHECK(now.contact.fault == Fault::None);
       // The new interaction is led to the place of the old one and makes a step of its own before its first tick.
-      CHECK(glm::distance(now.contact.scp.A, last.contact.scp.A) <=
-            (first ? 2.0 : 1.0) * CoupledField::kStep_A + 1e-9);
+      CHECK(glm::distance(now.contact.scp.A, last.contact.scp.A) <= (first ? 2.0 : 1.0) * CoupledField::kStep_A + 1e-9);
       if (first)
         CHECK(glm::length(now.force.N) < 0.02);
       else if (now.hip == last.hip) {
@@ -93,7 +92,8 @@ TEST_CASE(
 }
 
 TEST_CASE(
-    "amprenavir in the hand keeps its place and its turn while the forces are switched, also where it touches nothing") {
+    "amprenavir in the hand keeps its place and its turn while the forces are switched, also where it touches "
+    "nothing") {
   Window w("## One\n" + kDrug + "Text.\n");
   w.pressInView(120);
   for (const bool pressed : {true, false}) {
@@ -118,7 +118,8 @@ TEST_CASE(
 }
 
 TEST_CASE(
-    "the touch tab switches the forces by one control, shows the curve of the felt energy with the highest energy of an "
+    "the touch tab switches the forces by one control, shows the curve of the felt energy with the highest energy of "
+    "an "
     "atom on it, and nothing of it where no forces act") {
   Window w("## One\n" + kDrug + "Text.\n## Two\n```scene\nmolecule: argon\n```\nText.\n");
   w.pressInView(90);
@@ -189,7 +190,7 @@ TEST_CASE(
   CHECK_FALSE(shown());
   CHECK(w.d->shows("plot/energy"));  // names nothing
   LessonSession& session = *w.d->app().lesson.session();
-  for (std::size_t choice = 0; choice < 2 && !session.question(0).done(); ++choice) session.answer(0, {choice});
+  for (std::size_t choice = 0; choice < 2 && !session.question(0).done(); ++choice) session.choose(0, {choice});
   REQUIRE(session.question(0).done());
   CHECK(shown());
 }

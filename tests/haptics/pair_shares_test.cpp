@@ -106,7 +106,7 @@ TEST_CASE(
 TEST_CASE("the pairs above 0.5 kcal/mol are those of the definition; a pose that is not finite has no energy") {
   const Crowd c = crowd();
   PairShares shares(c.field, c.group_of_carrier);
-  const PoseA pose{{Vec3(1.0, -0.5, 0.7)}};
+  const PoseA pose{{Vec3(3.0, -1.0, 1.5)}};
   shares.at(pose);
   std::map<std::pair<std::uint32_t, std::uint32_t>, double> wanted;
   for (std::uint32_t k = 0; k < 9; ++k)
@@ -129,7 +129,8 @@ TEST_CASE("the pairs above 0.5 kcal/mol are those of the definition; a pose that
 }
 
 TEST_CASE(
-    "a held atom's energy is felt unchanged below zero and as E0 asinh(E / E0) above: 1 kcal/mol as 0.881, 10 as 2.998, "
+    "a held atom's energy is felt unchanged below zero and as E0 asinh(E / E0) above: 1 kcal/mol as 0.881, 10 as "
+    "2.998, "
     "1000 as 7.601; the function rises everywhere, and its derivatives are its difference quotients") {
   CHECK(feltEnergy(-3.0, 1.0).value == -3.0);
   CHECK(feltEnergy(0.0, 1.0).value == 0.0);

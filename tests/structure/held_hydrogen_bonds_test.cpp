@@ -1,9 +1,8 @@
 // Hydrogen bonds of a held body. Oracle: findHydrogenBonds on the molecule with the body's atoms at their new places.
-#include "engine/structure/hydrogen_bonds.h"
-
 #include <algorithm>
 #include <random>
 
+#include "engine/structure/hydrogen_bonds.h"
 #include "tests/structure/library.h"
 
 using namespace moltact;
@@ -26,9 +25,7 @@ struct Drug {
     spheres = std::make_shared<const SphereGrid>(molecule.spheres, atoms);
   }
   std::vector<HydrogenBond> across(const Molecule& placed) const {
-    const auto held = [&](std::uint32_t i) {
-      return std::binary_search(body->atoms.begin(), body->atoms.end(), i);
-    };
+    const auto held = [&](std::uint32_t i) { return std::binary_search(body->atoms.begin(), body->atoms.end(), i); };
     std::vector<HydrogenBond> out;
     for (const HydrogenBond& b : findHydrogenBonds(placed, BondTable(placed.atoms.size(), findBonds(molecule))))
       if (held(b.donor) != held(b.acceptor)) out.push_back(b);
@@ -39,7 +36,8 @@ struct Drug {
 }  // namespace
 
 TEST_CASE(
-    "amprenavir at its place in 1HPV has the hydrogen bonds of the file with the protease, and in 60 poses near it those "
+    "amprenavir at its place in 1HPV has the hydrogen bonds of the file with the protease, and in 60 poses near it "
+    "those "
     "of a molecule with its atoms moved there; 60 A away it has none") {
   const Drug drug;
   const HeldHydrogenBonds bonds(drug.molecule, *drug.spheres, *drug.body);

@@ -82,7 +82,7 @@ TEST_CASE(
   CHECK(two.of_atom[1][0] > two.of_atom[1][2] + 40);
   REQUIRE(two.legend.gradient);
   REQUIRE(two.legend.entries.size() == 5);
-  CHECK(two.legend.entries.front().name == "\u221210 kcal/mol/e");
+  CHECK(two.legend.entries.front().name == "-10 kcal/mol/e");
   CHECK(two.legend.entries.back().name == "10 kcal/mol/e");
   const Molecule grey = charged({{Vec3(0.0), 0.0f}});
   CHECK_FALSE(colourMolecule(grey, scheme).legend.gradient);

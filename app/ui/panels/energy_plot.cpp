@@ -71,6 +71,7 @@ void drawEnergyPlot(Application& app) {
   ImGui::Spacing();
   signedPlot("plot/energy", shown, {.title = tr("Energy"), .min_top = 1.0f, .span_s = TouchLog::kPlot_s});
   drawParts(app);
+  drawResidueForces(app);
   drawFeltEnergy(app.scene.forces());
   const double N_per_kcal_mol_A = log.latest().spring_N_per_A / energy->coupling_kcal_mol_A2;
   if (N_per_kcal_mol_A <= 0.0) return;
@@ -80,7 +81,6 @@ void drawEnergyPlot(Application& app) {
   ImGui::TextUnformatted(scale.c_str());
   ImGui::PopTextWrapPos();
   recordItem("force_scale", scale);
-  drawResidueForces(app);
 }
 
 }  // namespace moltact

@@ -62,7 +62,7 @@ void drawResidueForces(Application& app) {
   if (!mayShow(app)) return;
   const std::span<const EnergyShare> rows = listed(app);
   ImGui::Spacing();
-  sectionTitle(tr("Residues that act most"));
+  sectionTitle(tr("Residues that act most, in kcal/mol"));
   const WithFont small(Font::Small);
   const Look& l = look();
   if (rows.empty()) {
@@ -85,14 +85,13 @@ void drawResidueForces(Application& app) {
   name_width = std::min(std::max(name_width, l.tx(110)), 0.5f * width);
   value_width = std::max(value_width, l.tx(36));
   // The heads of the columns.
-  const char *attracts = tr("attract"), *repels = tr("repel"), *unit = tr("kcal/mol");
+  const char *attracts = tr("attract"), *repels = tr("repel");
   const ImVec2 low = ImGui::GetCursorScreenPos();
   const float gap = l.px(8), middle = low.x + 0.5f * (name_width + width - value_width);
   const Theme theme = l.viewTheme();
   ImDrawList* draw = ImGui::GetWindowDrawList();
   draw->AddText({middle - gap - ImGui::CalcTextSize(attracts).x, low.y}, packed(theme.attracts), attracts);
   draw->AddText({middle + gap, low.y}, packed(theme.repels), repels);
-  draw->AddText({low.x + width - ImGui::CalcTextSize(unit).x, low.y}, l.palette.quiet, unit);
   ImGui::Dummy({width, ImGui::GetTextLineHeight()});
   std::string all;
   for (std::size_t k = 0; k < rows.size(); ++k) {

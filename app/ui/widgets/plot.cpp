@@ -65,16 +65,20 @@ void eachColumn(const PlotBuffer& buffer, const PlotFrame& frame, Point&& point)
   }
 }
 
-// The number at the end of a scale, above the curves, which may pass behind it.
-void scaleEnd(const PlotFrame& frame, float value, const ImVec2& at) {
+// A text of a scale, above the curves, which may pass behind it.
+void scaleText(const PlotFrame& frame, const std::string& text, const ImVec2& at) {
   const Look& l = look();
-  const std::string text = numberText(double(value), std::abs(value) < 1.0f ? plain(2) : decimals(0));
   const float size_px = frame.small * 0.86f;
   const ImVec2 size = frame.font->CalcTextSizeA(size_px, 1e9f, 0.0f, text.c_str());
   ImDrawList* draw = ImGui::GetWindowDrawList();
   draw->AddRectFilled({at.x - l.px(2), at.y}, {at.x + size.x + l.px(2), at.y + size.y}, faded(l.palette.raised, 0.85f),
                       l.px(3));
   draw->AddText(frame.font, size_px, at, l.palette.quiet, text.c_str());
+}
+
+// The number at the end of a scale.
+void scaleEnd(const PlotFrame& frame, float value, const ImVec2& at) {
+  scaleText(frame, numberText(double(value), std::abs(value) < 1.0f ? plain(2) : decimals(0)), at);
 }
 
 }  // namespace
@@ -190,13 +194,12 @@ void functionPlot(const char* name, const std::function<double(double)>& functio
   }
   draw->PopClipRect();
   const float size_px = frame.small * 0.86f;
-  const auto widthOf = [&](const char* words) { return frame.font->CalcTextSizeA(size_px, 1e9f, 0.0f, words).x; };
   const std::string up_end = numberText(high, plain(2)) + " " + how.up,
                     across_end = numberText(to, plain(2)) + " " + how.across;
   const ImVec2 zero = place(0, 0);
-  draw->AddText(frame.font, size_px, {zero.x + l.px(5), a.y + l.px(2)}, p.quiet, up_end.c_str());
-  draw->AddText(frame.font, size_px, {b.x - l.px(6) - widthOf(across_end.c_str()), zero.y - size_px - l.px(2)}, p.quiet,
-                across_end.c_str());
+  scaleText(frame, up_end, {zero.x + l.px(5), a.y + l.px(2)});
+  const float wide = frame.font->CalcTextSizeA(size_px, 1e9f, 0.0f, across_end.c_str()).x;
+  scaleText(frame, across_end, {b.x - l.px(6) - wide, zero.y - size_px - l.px(2)});
   recordItem(name, text);
 }
 
