@@ -161,6 +161,8 @@ TEST_CASE(
   CHECK(electrostatic == doctest::Approx(whole.electrostatic_kcal_mol).epsilon(0.02).scale(10.0));
   REQUIRE(w.d->shows("residue_forces"));
   const std::string list = w.d->text("residue_forces");
+  const Residue& first = w.scene().stage().molecule->residues[forces.residues().front().index];
+  CHECK(list.find(" " + std::to_string(first.number) + " ") < list.find(';'));
   CHECK(std::count(list.begin(), list.end(), ';') == std::ptrdiff_t(kListedResidues) - 1);
   const ViewScene picture = seenScene(w.d->app());
   CHECK_FALSE(picture.attracting.empty());

@@ -28,7 +28,7 @@ std::span<const EnergyShare> listed(const Application& app) {
 std::string nameOf(const Molecule& molecule, std::uint32_t residue) {
   const AtomWords words = molecule.words(molecule.residues[residue].first_atom);
   const std::string& name = words.residue.empty() ? words.atom : words.residue;
-  return words.chain.empty() || molecule.chains.size() < 2 ? name : trf("{0} (chain {1})", name, words.chain);
+  return words.chain.empty() || molecule.chains.size() < 2 ? name : name + " " + words.chain;
 }
 
 ImU32 packed(const Colour& c) { return ImGui::ColorConvertFloat4ToU32({c.x, c.y, c.z, 1.0f}); }
@@ -62,7 +62,7 @@ void drawResidueForces(Application& app) {
   if (!mayShow(app)) return;
   const std::span<const EnergyShare> rows = listed(app);
   ImGui::Spacing();
-  sectionTitle(tr("Residues that act most, in kcal/mol"));
+  sectionTitle(tr("Strongest residues"));
   const WithFont small(Font::Small);
   const Look& l = look();
   if (rows.empty()) {
@@ -90,6 +90,7 @@ void drawResidueForces(Application& app) {
   const float gap = l.px(8), middle = low.x + 0.5f * (name_width + width - value_width);
   const Theme theme = l.viewTheme();
   ImDrawList* draw = ImGui::GetWindowDrawList();
+  draw->AddText(low, l.palette.quiet, tr("kcal/mol"));
   draw->AddText({middle - gap - ImGui::CalcTextSize(attracts).x, low.y}, packed(theme.attracts), attracts);
   draw->AddText({middle + gap, low.y}, packed(theme.repels), repels);
   ImGui::Dummy({width, ImGui::GetTextLineHeight()});
