@@ -59,7 +59,7 @@ TEST_CASE(
   Window w("## One\n" + kProbe + "Text.\n");
   w.pressInView(150);
   REQUIRE(w.scene().log().latest().molecular_energy);
-  REQUIRE(w.scene().log().touching());
+  REQUIRE(w.scene().log().felt());
   std::size_t compared = 0;
   for (const char* forces : {"van-der-waals", "electrostatic", "all", "electrostatic", "van-der-waals", "all"}) {
     CAPTURE(forces);
@@ -126,15 +126,20 @@ TEST_CASE(
   REQUIRE(w.d->shows("plot/felt_energy"));
   REQUIRE(w.scene().forces().highest_kcal_mol());
   CHECK_FALSE(w.d->text("plot/felt_energy").empty());
+  w.d->release();
+  w.d->frames(30);
   REQUIRE(w.d->shows("forces_felt/Van der Waals"));
   REQUIRE(w.d->click("forces_felt/Van der Waals"));
   w.d->frames(5);
   CHECK(w.scene().touch().forces == "van-der-waals");
+  w.pressInView(90);
+  CHECK_FALSE(w.scene().forces().residues().empty());
   for (const EnergyShare& one : w.scene().forces().residues()) CHECK(one.electrostatic_kcal_mol == 0.0);
+  w.d->release();
+  w.d->frames(30);
   REQUIRE(w.d->click("forces_felt/All"));
   w.d->frames(5);
   CHECK(w.scene().touch().forces == "all");
-  w.d->release();
   w.d->app().lesson.next();
   w.d->frames(10);
   for (const char* widget : {"plot/felt_energy", "forces_felt/All", "residue_forces"}) CHECK_FALSE(w.d->shows(widget));
