@@ -88,7 +88,7 @@ TEST_CASE(
     }
     CHECK(greatest_N > 0.1);  // it is still held
   }
-  CHECK(compared > 2'000);
+  CHECK(compared > 1000);
 }
 
 TEST_CASE(

@@ -35,6 +35,7 @@ void drawParts(Application& app) {
 
 // What of the energy of each held atom is felt.
 void drawFeltEnergy(const ForceWatch& forces) {
+  if (!forces.on()) return;  // the newest tick is still of forces that have just been switched off
   constexpr double kFrom_kcal_mol = -2.0, kTo_kcal_mol = 10.0;
   const double wall = forces.wall_kcal_mol();
   const auto felt = [&](double energy) { return feltEnergy(energy, wall).value; };

@@ -42,7 +42,7 @@ class ForceWatch {
   const std::vector<EnergyShare>& residues() const { return residues_; }
   /// The highest energy of a held atom, before the bound of the walls; none without forces.
   std::optional<double> highest_kcal_mol() const { return highest_; }
-  /// PairModel::wall_kcal_mol of the forces.
+  /// PairModel::wall_kcal_mol of the forces; 0 without them.
   double wall_kcal_mol() const { return shares_ ? shares_->field().model.wall_kcal_mol : 0.0; }
   /// Of a body, hydrogen bonds before clashes; empty for a probe.
   const std::vector<HeldLine>& lines() const { return lines_; }
