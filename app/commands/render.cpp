@@ -192,7 +192,8 @@ void render(const RenderArguments& arguments) {
                            arguments.touch.probe_A));
   if (spec.highlight.given()) scene.highlighted = spec.highlight.select(*scene.molecule);
   const std::vector<std::uint32_t> held = heldAtoms(spec, *scene.molecule);
-  scene.look = looksOf(arguments, *scene.molecule, scene.camera, held);
+  scene.look = looksOf(arguments, *scene.molecule, scene.camera,
+                       atomsOfEither(held, arguments.look.left_out.notFelt(*scene.molecule)));
   scene.look.marks = marksOf(spec, *scene.molecule);
   if (!held.empty()) {
     scene.body = heldBody(scene.molecule->spheres, held);

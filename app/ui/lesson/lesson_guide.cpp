@@ -138,7 +138,7 @@ AtomsLook looksOf(const SceneSpec& scene, const Molecule& molecule) {
     looks.hidden = std::make_shared<const std::vector<std::uint32_t>>(std::move(hidden));
   looks.spheres_near_A = scene.near_A;
   looks.colouring = schemeColouring(molecule, scene.colour,
-                                    {.dielectric = scene.touch.dielectric, .held = heldAtoms(scene, molecule)});
+                                    {.dielectric = scene.touch.dielectric, .held = untouchableAtoms(scene, molecule)});
   looks.marks = marksOf(scene, molecule);
   return looks;
 }

@@ -123,9 +123,9 @@ Vec3 HapticSession::pushInView() const {
 
 std::shared_ptr<const Colouring> HapticSession::colouring(std::string_view scheme) const {
   const TouchSetup now = touch();
-  ColouringInput input{.dielectric = now.dielectric, .held = {}};
-  if (stage().body) input.held = stage().body->atoms;
-  return schemeColouring(*stage().molecule, scheme, input);
+  // Atoms in the hand are among the untouchable ones. Neither exerts a force.
+  const std::vector<std::uint32_t> apart = stage().spheres->untouchable();
+  return schemeColouring(*stage().molecule, scheme, {.dielectric = now.dielectric, .held = apart});
 }
 
 bool HapticSession::drawsNothing() const {
