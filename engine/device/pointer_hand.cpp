@@ -45,6 +45,11 @@ double farBehind_A(const ViewRays& rays, const SphereGrid& scene, const HandShap
 
 void PointerHand::reset() { *this = PointerHand(); }
 
+void PointerHand::waitAt(const PointA& place) {
+  hip_ = place;
+  waits_ = true;
+}
+
 PointA PointerHand::lead(const PointerInput& in, const SphereGrid& scene, const HandShape& held) {
   if (!finite(in) || !std::isfinite(held.probe_A) || !rotates(held.orientation)) return hip_;
   const double dt = std::clamp(in.dt_s, 0.0, 0.1);
@@ -59,6 +64,13 @@ PointA PointerHand::lead(const PointerInput& in, const SphereGrid& scene, const 
     placed_ = true;
   }
 
+  if (waits_) {
+    if (!in.press) return hip_;
+    waits_ = false;
+    pressing_ = true;
+    over_A_ = hip_.A;
+    if (in.pointer_px) last_pointer_ = *in.pointer_px;
+  }
   in_well_ = pressing_ && wellLeads(in);
   if (in_well_) {
     followWell(in, dt);
@@ -107,7 +119,8 @@ void PointerHand::followWell(const PointerInput& in, double dt_s) {
   glm::dvec2 carried_px(0.0);
   if (in.pointer_px) carried_px = *in.pointer_px - std::exchange(last_pointer_, *in.pointer_px);
   carried_px += glm::dvec2(in.keys.x, -in.keys.y) * (0.12 * rays.height_px * dt_s * pace(in));
-  const Vec3 carried = (rays.right * carried_px.x - rays.up * carried_px.y) * A_per_px;
+  const Vec3 away = rays.forward * (in.push_notches * kMaxNotch_A);
+  const Vec3 carried = (rays.right * carried_px.x - rays.up * carried_px.y) * A_per_px + away;
   const double max_A = kMaxSpeed_A_per_s * dt_s, distance_A = glm::length(carried);
   hip_.A += distance_A > max_A ? carried * (max_A / distance_A) : carried;
   if (const Vec3 ahead = hip_.A - in.hip.A; glm::length(ahead) > kLag_A)

@@ -13,7 +13,7 @@
 // kNotch_N. On an inclined surface the force is smaller than that of the spring at that depth, never larger.
 //
 // A field (attraction, charge) has no surface. In an energy well the hand moves down the energy with damping and rests
-// where the force vanishes; pointer and keys move it along and out. Elsewhere in a field a press advances until the
+// where the force vanishes; pointer and keys move it along and out, notches away and back. Elsewhere in a field a press advances until the
 // opposing force equals the press's own. Units: angstrom, pixel, newton, second.
 #pragma once
 
@@ -79,6 +79,8 @@ class PointerHand {
   bool inWell() const { return in_well_; }
   /// Forgets the hand's position, for a new scene.
   void reset();
+  /// After reset(): the hand is here and stays until the first press, whatever lies between it and the eye.
+  void waitAt(const PointA& place);
 
  private:
   void aim(const PointerInput& input, double dt_s);
@@ -89,6 +91,7 @@ class PointerHand {
   bool placed_ = false;
   bool pressing_ = false;
   bool leapt_ = false, met_ = false, in_well_ = false;
+  bool waits_ = false;        // for the first press, at hip_
   bool aim_follows_ = true;  // false while the keys lead
   glm::dvec2 aim_{0.0}, last_pointer_{0.0};
   double depth_ = 0.0;

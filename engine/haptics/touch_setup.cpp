@@ -110,14 +110,16 @@ constexpr std::array kProperties{
                       "How what is in the hand feels the molecule. 'probe' is a sphere. With 'in-hand' the fallback is "
                       "'exact-body': one spring pulls the whole body, which is rigid and overlaps no atom. With "
                       "'springs' each atom of the body has a spring of its own, and the body can overlap atoms."},
-    TouchProperty{.member = &TouchSetup::charges,
-                  .key = "charges",
-                  .field = "charges",
-                  .label = "charges",
-                  .words = &chargeWords,
-                  .fallback = "none",
-                  .meaning = "The source of the atoms' charges: 'file' from a PQR file, 'formal' from the residues at "
-                             "pH 7. Interactions with electrostatic forces use them; contact does not."},
+    TouchProperty{
+        .member = &TouchSetup::charges,
+        .key = "charges",
+        .field = "charges",
+        .label = "charges",
+        .words = &chargeWords,
+        .fallback = "none",
+        .meaning =
+            "The source of the atoms' charges: 'file' from a PQR, MOL2 or PDBQT file, 'formal' from the residues at "
+            "pH 7. Interactions with electrostatic forces use them; contact does not."},
     TouchProperty{.member = &TouchSetup::forces,
                   .key = "forces",
                   .field = "forces",

@@ -101,11 +101,17 @@ std::string numberText(double value, Digits digits) { return numberIn(value, dig
 
 std::string quantityIn(double value, std::string_view symbol, Digits digits) {
   const Unit* unit = unitNamed(symbol);
-  if (const Unit* in_use = unit ? shownUnit(unit->dimension) : nullptr)
+  if (const Unit* in_use = shownInstead(symbol))
     return quantityText(
         value * unit->in_code_units, unit->dimension,
         in_use->in_code_units == unit->in_code_units ? QuantityOptions{digits, symbol} : QuantityOptions{digits, {}});
   return numberText(value, digits) + (symbol.empty() ? "" : kNoBreakSpace) + std::string(symbol);
+}
+
+const Unit* shownInstead(std::string_view symbol) {
+  const Unit* unit = unitNamed(symbol);
+  if (!unit || !(unit->use & kShowable) || unit->dimension == Dimension::Energy) return nullptr;
+  return shownUnit(unit->dimension);
 }
 
 std::string_view unitText(Dimension dimension) {

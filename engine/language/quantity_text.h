@@ -33,9 +33,11 @@ struct QuantityOptions {
 /// Formats a value (in the code's unit) in the shown unit, with its symbol. A value that is not finite becomes "–".
 std::string quantityText(double value, Dimension dimension, QuantityOptions options = {});
 std::string quantityText(double value, Dimension dimension, Digits digits);
-/// Formats a value given in the unit `symbol`, as used by authors and tasks, in the shown unit of its dimension. An
-/// unknown unit is kept.
+/// Formats a value given in the unit `symbol`, as used by authors and tasks, in the unit of shownInstead().
 std::string quantityIn(double value, std::string_view symbol, Digits digits);
+/// The shown unit of the dimension of `symbol`. Null where `symbol` is kept: a unit that is unknown or never shown as a
+/// choice (pN), and energies, which tasks give between atoms and in the unit of their literature (kcal/mol).
+const Unit* shownInstead(std::string_view symbol);
 
 /// The same without the unit, for a table or axis that states it once.
 std::string quantityNumber(double value, Dimension dimension, QuantityOptions options = {});

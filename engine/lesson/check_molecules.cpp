@@ -11,6 +11,7 @@
 #include "engine/lesson/checks.h"
 #include "engine/lesson/lesson_texts.h"
 #include "engine/lesson/scene_atoms.h"
+#include "engine/lesson/scene_forces.h"
 #include "engine/lesson/scene_link.h"
 #include "engine/lesson/second_state.h"
 #include "engine/lesson/tasks/registry.h"
@@ -73,6 +74,7 @@ class Check {
         std::vector<Problem> problems;
         if (kind && kind->check_molecule) kind->check_molecule(task, *molecule, untouchable, problems);
         if (kind && kind->check_body && problems.empty()) body(*kind, task, step.scene, *molecule, problems);
+        if (kind && kind->check_forces && problems.empty()) forces(*kind, task, step.scene, problems);
         for (Problem& p : problems) findings_.error({p.line, p.column}, std::move(p.message), std::move(p.remedy));
       }
     }
@@ -106,6 +108,15 @@ class Check {
     kind.check_body(task, held, structures, problems);
   }
 
+  /// The forces between atoms in the scene.
+  void forces(const TaskKind& kind, const TaskSpec& task, const SceneSpec& scene, std::vector<Problem>& problems) {
+    const auto& molecule = lookUp(scene.molecule);
+    if (!molecule || findings_.enough()) return;
+    if (const auto felt = sceneForces(scene, *molecule, untouchableAtoms(scene, **molecule),
+                                      heldBody((*molecule)->spheres, heldAtoms(scene, **molecule))))
+      kind.check_forces(task, *felt, problems);
+  }
+
   /// A selection that is turned to the front must not be nearly the whole molecule.
   void hasDirection(const ViewSpec& view, const SceneSpec& scene, const Molecule& molecule) {
     if (!view.facing.given() || findings_.enough()) return;
@@ -134,7 +145,7 @@ class Check {
   void hasCharges(const SceneSpec& scene, const Molecule& molecule) {
     if (scene.touch.charges != kFileCharges || !molecule.charges_e.empty() || findings_.enough()) return;
     findings_.error(scene.places.charges, trf("the file of '{0}' has no partial charges", scene.molecule.name),
-                    tr("write 'charges: formal', or give the molecule as a PQR file"));
+                    tr("write 'charges: formal', or give the molecule as a PQR, MOL2 or PDBQT file"));
   }
 
   /// A molecule in the front matter's list, with the reading options of the first scene that uses it, so that it is not

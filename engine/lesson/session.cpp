@@ -12,6 +12,7 @@
 #include "engine/language/quantity_text.h"
 #include "engine/lesson/quantity.h"
 #include "engine/lesson/scene_atoms.h"
+#include "engine/lesson/scene_forces.h"
 #include "engine/lesson/tasks/registry.h"
 
 namespace moltact {
@@ -98,10 +99,13 @@ void LessonSession::makeTasks() {
       molecule_ ? untouchableAtoms(scene(), *molecule_) : std::vector<std::uint32_t>();
   const std::shared_ptr<const HeldBody> body =
       molecule_ ? heldBody(molecule_->spheres, heldAtoms(scene(), *molecule_)) : nullptr;
+  const std::shared_ptr<const SceneForces> forces =
+      step().tasks.empty() ? nullptr : sceneForces(scene(), molecule_, untouchable, body);
   for (const TaskSpec& spec : step().tasks) {
     tasks_.push_back(molecule_ ? makeTask(spec, *molecule_) : nullptr);
     if (tasks_.back() && !untouchable.empty()) tasks_.back()->leaveOut(untouchable);
     if (tasks_.back() && body) tasks_.back()->takeInHand(body);
+    if (tasks_.back() && forces) tasks_.back()->takeForces(forces);
   }
   if (molecule_) ++state().made;
   for (std::size_t k = 0; k < tasks_.size(); ++k)

@@ -44,7 +44,7 @@ void LessonSession::reportFinished(std::size_t task) {
 
 LessonSession::CurveState LessonSession::curveState(const Task& task) {
   const TaskCurves* curves = task.curves();
-  return curves ? CurveState{curves->drawing, curves->agreement.has_value()} : CurveState();
+  return curves ? CurveState{curves->drawing, curves->agreement.has_value() || curves->complete} : CurveState();
 }
 
 void LessonSession::reportCurves(std::size_t task, CurveState before) {

@@ -1,6 +1,7 @@
 // The data of one tick of the servo loop that a lesson evaluates. Plain data; any thread but the haptic one.
 #pragma once
 
+#include <cmath>
 #include <optional>
 #include <string_view>
 
@@ -23,12 +24,20 @@ struct TouchSample {
   std::optional<PoseA> body = {};  ///< the drawn pose of the held body: position of its middle, and orientation
                                    ///< relative to the molecule's file; empty: the hand holds the probe
   bool one_spring = false;         ///< the body is one rigid body on one spring, so its atoms are where they are drawn
+  bool hovering = false;           ///< a hand of mouse or keys that does not press: it feels nothing on purpose
   bool placed = false;             ///< the contact was discarded before this tick, so no path leads here
   Vec3 torque_N_mm{0.0};           ///< on the hand, in the device's space; zero for a device that drives none
   std::optional<MolecularEnergy> energy = {};  ///< of the drawn pose; empty where no forces between atoms act
 
   /// True if a force is felt, of a contact or a field. `contact.touching()` tests for a contact only.
   bool felt() const { return contact.touching() || field; }
+  /// True if the hand touches, or is on purpose where the forces between atoms act: there they hold a probe off the
+  /// surface.
+  bool meets() const {
+    constexpr double kNoticed_kcal_mol = 0.2;
+    if (!energy) return contact.touching();
+    return !hovering && (contact.touching() || std::abs(energy->total_kcal_mol()) >= kNoticed_kcal_mol);
+  }
 };
 
 /// Converts a ServoSample. A template, because this room may not include engine/servo.

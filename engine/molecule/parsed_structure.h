@@ -135,6 +135,9 @@ Problem noSuchModel(const std::string& file, int asked, int models);
 /// The Problem "a file of this format describes no biological assembly".
 Problem noAssembly(const std::string& file);
 
+/// The warning of a file whose format has charges, all of which are 0: they were not computed.
+std::string allChargesZero();
+
 /// True if the text, the beginning of a file, is a CIF of the small-molecule dictionary, which readMmcif() passes to
 /// readSmallCif().
 bool isSmallMoleculeCif(std::string_view text);

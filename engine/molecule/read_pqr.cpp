@@ -2,6 +2,7 @@
 // and radius instead of occupancy and B factor.
 #include <charconv>
 #include <cmath>
+#include <gemmi/elem.hpp>
 
 #include "engine/language/catalogue.h"
 #include "engine/language/quantity_text.h"
@@ -39,7 +40,13 @@ std::optional<Problem> addPqrAtom(MoleculeBuilder& builder, std::string_view lin
                                   std::size_t number) {
   // A serial number of five digits may be adjacent to HETATM.
   const std::size_t record = line.starts_with("HETATM") ? 6 : 4;
-  const std::vector<PqrWord> words = pqrWords(line.substr(record));
+  std::vector<PqrWord> words = pqrWords(line.substr(record));
+  // Open Babel writes the element after the radius.
+  int element = 0;
+  if (words.size() > 9 && words.back().text.size() <= 2) {
+    element = gemmi::Element(std::string(words.back().text)).atomic_number();
+    if (element) words.pop_back();
+  }
   if (words.size() != 9 && words.size() != 10)
     return Problem{file, number, 0,
                    trf("an atom has 9 or 10 words after its record's name, this one {0}", words.size()),
@@ -75,7 +82,7 @@ std::optional<Problem> addPqrAtom(MoleculeBuilder& builder, std::string_view lin
   if (error != std::errc{} || end != residue_number.data() + residue_number.size())
     return Problem{file, number, at(place - 1),
                    trf("the residue number is not a number: {0}", inQuotes(words[place - 1].text)), tr(kPqrRemedy)};
-  atom.atomic_number = elementOfName(atom.name, atom.residue);
+  atom.atomic_number = element ? element : elementOfName(atom.name, atom.residue);
   atom.element = atom.name;
   atom.line = number;
   atom.hetero = record == 6;

@@ -19,7 +19,9 @@
   X(".mmcif", readMmcif)   \
   X(".sdf", readSdf)       \
   X(".mol", readSdf)       \
+  X(".mol2", readMol2)     \
   X(".pqr", readPqr)       \
+  X(".pdbqt", readPdbqt)   \
   X(".gro", readGro)       \
   X(".xyzr", readXyzr)
 
@@ -89,6 +91,7 @@ ReadText readerByContent(std::string_view text) {
     for (const char* record : {"ATOM  ", "HETATM", "HEADER    ", "MODEL ", "CRYST1", "REMARK "})
       if (line.starts_with(record)) return readPdb;
     if (line.starts_with("data_")) return readMmcif;
+    if (line.starts_with("@<TRIPOS>")) return readMol2;
     rest.remove_prefix(newline == std::string_view::npos ? rest.size() : newline + 1);
     if (++line_number == 4 &&
         (line.find("V2000") != std::string_view::npos || line.find("V3000") != std::string_view::npos))

@@ -29,6 +29,8 @@ Problem noSuchModel(const std::string& file, int asked, int models) {
           models == 1 ? tr("ask for model 1") : trf("ask for a model from 1 to {0}", models)};
 }
 
+std::string allChargesZero() { return tr("All charges of the file are 0; it is read as a file without charges."); }
+
 Problem noAssembly(const std::string& file) {
   return {file, 0, 0, tr("a file of this format describes no biological assembly"),
           tr("read it without one, or take the PDB or mmCIF file")};

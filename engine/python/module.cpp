@@ -177,7 +177,8 @@ void addMolecule(py::module_& m) {
              return "<moltact.Molecule " + self.id + ", " + std::to_string(self.atoms.size()) + " atoms>";
            })
       .def("chemistry", &chemistryOfMolecule, py::arg("charges") = kNoCharges,
-           "Element, type and charge of each atom. charges: 'none', 'file' (of a PQR file) or 'formal' (at pH 7).")
+           "Element, type and charge of each atom. charges: 'none', 'file' (of a PQR, MOL2 or PDBQT file) or 'formal' "
+           "(at pH 7).")
       .def("describe", &describe, py::arg("atom"), "The atom in words: \"O of Asp 52 (chain A)\".")
       .def_property_readonly(
           "id", [](const Molecule& self) { return self.id; }, "A short name: \"1UBQ\".")
@@ -242,7 +243,8 @@ void addMolecule(py::module_& m) {
           "Residue number of each atom in the file, shape (n,); 0 for a file without residues.");
   m.def("load", &load, py::arg("file"), py::kw_only(), py::arg("model") = 1, py::arg("waters") = false,
         py::arg("assembly") = "", py::arg("beside") = "",
-        "Reads a molecule: a file (PDB, mmCIF, SDF, PQR, GRO, XYZR, also gzipped) or a name of Moltact's library, such "
+        "Reads a molecule: a file (PDB, mmCIF, SDF, MOL2, PQR, PDBQT, GRO, XYZR, also gzipped) or a name of Moltact's "
+        "library, such "
         "as \"1ubq\". Raises MoleculeError.");
 }
 

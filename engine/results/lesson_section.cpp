@@ -39,7 +39,7 @@ struct FigureShown {
 };
 FigureShown figureShown(const std::string& name, const std::string& unit) {
   const Unit* known = unitNamed(unit);
-  const Unit* shown = known ? shownUnit(known->dimension) : nullptr;
+  const Unit* shown = shownInstead(unit);
   const std::string_view symbol = shown ? shown->symbol : std::string_view(unit);
   return {tr(name.c_str()) + (symbol.empty() ? std::string() : ", " + std::string(symbol)),
           shown ? known->in_code_units / shown->in_code_units : 1.0};
@@ -305,14 +305,19 @@ void steps(std::string& out, const LessonSummary& lesson) {
          "</td></tr></tbody></table></div>";
 }
 
-// The drawn and the felt curve of each student, if the task asks to draw one.
+// The drawn and the felt curve of each student, if the task has any.
 std::string taskCurves(const LessonSummary& lesson, const StepOutline& step, std::size_t task) {
   std::string figures;
-  for (const PersonScore& p : lesson.people)
-    if (const auto score = p.tasks.find({step.id, task}); score != p.tasks.end() && score->second.drawn)
-      figures += curves(p.person, *score->second.drawn, score->second.felt.get());
+  bool drawn = false;
+  for (const PersonScore& p : lesson.people) {
+    const auto score = p.tasks.find({step.id, task});
+    if (score == p.tasks.end() || (!score->second.drawn && !score->second.felt)) continue;
+    drawn = drawn || score->second.drawn;
+    figures += curves(p.person, score->second.drawn.get(), score->second.felt.get());
+  }
   if (figures.empty()) return {};
-  return std::string("<p class=\"quiet small\">") + tr("Force as first drawn (dashed) and as felt in the end (line).") +
+  return std::string("<p class=\"quiet small\">") +
+         (drawn ? tr("Force as first drawn (dashed) and as felt in the end (line).") : tr("Force as felt.")) +
          "</p><div class=\"curves\">" + figures + "</div>";
 }
 

@@ -81,13 +81,13 @@ double roundAbove(double value) {
 }
 
 std::string histogram(const std::string& title, const std::string& unit, std::vector<Measured> values) {
-  std::erase_if(values,
-                [](const Measured& m) { return !std::isfinite(m.value) || m.value < 0.0 || m.value > kGreatest; });
+  std::erase_if(values, [](const Measured& m) { return !std::isfinite(m.value) || std::abs(m.value) > kGreatest; });
   if (values.empty()) return {};
   const std::vector<double> sorted = sortedValues(values);
   // Small whole numbers have one bar each, centred over the number.
-  const bool counted = unit.empty() && sorted.back() < 40.0;
-  const double spread = std::max({sorted.back() - sorted.front(), 1e-3 * sorted.back(), 1e-6});
+  const bool counted = unit.empty() && sorted.front() >= 0.0 && sorted.back() < 40.0;
+  const double greatest = std::max(std::abs(sorted.front()), std::abs(sorted.back()));
+  const double spread = std::max({sorted.back() - sorted.front(), 1e-3 * greatest, 1e-6});
   const double width = counted ? 1.0 : roundStep(spread / 9.0);
   const double first = counted ? 0.0 : std::floor(sorted.front() / width) * width;
   const auto binOf = [&](double value) { return static_cast<std::size_t>((value - first) / width + 1e-9); };
@@ -197,21 +197,22 @@ std::string linePath(const std::vector<double>& values, double max, double left,
 
 }  // namespace
 
-std::string curves(const std::string& title, const CurveKept& drawn, const CurveKept* felt) {
+std::string curves(const std::string& title, const CurveKept* drawn, const CurveKept* felt) {
+  const CurveKept& of = drawn ? *drawn : *felt;
   constexpr double kLeft = 24, kTop = 6, kWide = 166, kHigh = 84;
-  const double max = drawn.max_N > 0.0 ? drawn.max_N : 1.0;
+  const double max = of.max_N > 0.0 ? of.max_N : 1.0;
   constexpr std::string_view kAxis = "class=\"axis\"";
   Svg svg;
   for (const double part : {0.0, 0.5, 1.0})
     svg.path(svgPoint('M', kLeft, kTop + kHigh * part) + "h" + svgNumber(kWide), "class=\"grid\"");
   svg.text(kLeft - 4, kTop + 8, "end", quantityNumber(max, Dimension::Force, significant(2)), kAxis);
   svg.text(kLeft - 4, kTop + kHigh + 3, "end", "0", kAxis);
-  svg.text(kLeft + kWide, kTop + kHigh + 14, "end", quantityText(drawn.to_A, Dimension::Length, significant(2)), kAxis);
+  svg.text(kLeft + kWide, kTop + kHigh + 14, "end", quantityText(of.to_A, Dimension::Length, significant(2)), kAxis);
   svg.text(kLeft, kTop + kHigh + 14, "start",
-           trf("{0} against {1}", unitText(Dimension::Force), tr(drawn.axis.empty() ? "depth" : drawn.axis.c_str())),
+           trf("{0} against {1}", unitText(Dimension::Force), tr(of.axis.empty() ? "depth" : of.axis.c_str())),
            kAxis);
   if (felt) svg.path(linePath(felt->force_N, max, kLeft, kTop, kWide, kHigh), "class=\"felt\"");
-  svg.path(linePath(drawn.force_N, max, kLeft, kTop, kWide, kHigh), "class=\"drawn\"");
+  if (drawn) svg.path(linePath(drawn->force_N, max, kLeft, kTop, kWide, kHigh), "class=\"drawn\"");
   return "<figure class=\"curve\"><figcaption>" + escaped(title) +
          (felt ? "" : std::string(" <span>") + tr("not felt") + "</span>") + "</figcaption>" +
          std::move(svg).within("viewBox=\"0 0 196 108\" role=\"img\" aria-label=\"" + escaped(title) + "\"") +

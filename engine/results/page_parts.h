@@ -44,8 +44,8 @@ std::string stripScale(double max, const std::string& unit);
 /// A round number that is not less than the value, for the end of a scale.
 double roundAbove(double value);
 
-/// The drawn force curve and, if known, the felt one.
-std::string curves(const std::string& title, const CurveKept& drawn, const CurveKept* felt);
+/// The drawn force curve and the felt one; either may be null, not both.
+std::string curves(const std::string& title, const CurveKept* drawn, const CurveKept* felt);
 
 /// A bar filled from 0 to 1; `right` is a solid fill, otherwise hatched.
 std::string bar(double share, bool right);

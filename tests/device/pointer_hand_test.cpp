@@ -411,6 +411,33 @@ TEST_CASE(
   CHECK_FALSE(student.hand.inWell());
 }
 
+TEST_CASE(
+    "a hand that waits in a well behind the sphere stays there until it is pressed, falls to the well's middle, and a "
+    "notch "
+    "of the wheel takes it 0.3 A along the view before the well draws it back") {
+  const Vec3 middle(0.0, 0.0, -5.0), waits(0.3, 0.0, -5.2);
+  auto well = std::make_unique<test::Harmonic>(std::make_unique<test::OpenSpace>(), test::HarmonicPair{1.2},
+                                               std::vector<test::Harmonic::Atom>{{0, middle}});
+  well->offset_N_A = -1.5;
+  InMouseHand student(std::move(well));
+  student.hand.reset();
+  student.hand.waitAt({waits});
+  student.mouse.place(student.workspace.toDevice({waits}));
+  student.frames(60);
+  CHECK(glm::distance(student.place_A, waits) < 1e-6);
+  student.in.press = true;
+  student.frames(125);
+  CHECK(student.hand.inWell());
+  CHECK(glm::distance(student.place_A, middle) < 0.02);
+  student.in.push_notches = 1.0;
+  student.frames(1);
+  student.in.push_notches = 0.0;
+  student.frames(2);
+  CHECK(glm::dot(student.place_A - middle, student.in.rays.forward) > 0.15);
+  student.frames(125);
+  CHECK(glm::distance(student.place_A, middle) < 0.02);
+}
+
 TEST_CASE("a press toward an atom with the well of Lennard and Jones rests where its energy is least, 3.8 A from it") {
   InMouseHand student(std::make_unique<test::LennardJones>(std::make_unique<test::OpenSpace>(),
                                                            test::LennardJonesPair{.depth_N_A = 0.5, .rest_A = 3.8},

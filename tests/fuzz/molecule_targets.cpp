@@ -84,7 +84,9 @@ void smallCif(std::string_view bytes) {
   read("data_x\n_cell_length_a 5\n" + std::string(bytes), "x.cif");
 }
 void sdf(std::string_view bytes) { read(bytes, "x.sdf"); }
+void mol2(std::string_view bytes) { read(bytes, "x.mol2"); }
 void pqr(std::string_view bytes) { read(bytes, "x.pqr"); }
+void pdbqt(std::string_view bytes) { read(bytes, "x.pdbqt"); }
 void gro(std::string_view bytes) { read(bytes, "x.gro"); }
 void xyzr(std::string_view bytes) { read(bytes, "x.xyzr"); }
 

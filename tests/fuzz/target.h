@@ -54,7 +54,8 @@ std::string_view oddNumber(Choices& choices);
 std::string fileOf(std::string_view bytes, const char* name);
 
 void pdb(std::string_view), mmcif(std::string_view), smallCif(std::string_view), sdf(std::string_view);
-void pqr(std::string_view), gro(std::string_view), xyzr(std::string_view), gzip(std::string_view);
+void mol2(std::string_view), pqr(std::string_view), pdbqt(std::string_view), gro(std::string_view),
+    xyzr(std::string_view), gzip(std::string_view);
 void gridMap(std::string_view);
 void anyMolecule(std::string_view), structure(std::string_view);
 void lesson(std::string_view), selection(std::string_view), answers(std::string_view);

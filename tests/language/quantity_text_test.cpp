@@ -68,6 +68,9 @@ TEST_CASE("digits that count, digits behind the sign, and as many as it takes") 
   CHECK(quantityIn(3.14159, "Å", decimals(2)) == "3.14\u00a0Å");
   CHECK(quantityIn(2.0, "atoms", plain()) == "2\u00a0atoms");
   CHECK(quantityIn(2.0, "", plain()) == "2");
+  // Energies and forces between atoms keep the unit of their literature.
+  CHECK(quantityIn(-26.17, "kcal/mol", decimals(1)) == "-26.2\u00a0kcal/mol");
+  CHECK(quantityIn(961.2, "pN", decimals(0)) == "961\u00a0pN");
   CHECK(numberText(std::numeric_limits<double>::quiet_NaN()) == "–");
   CHECK(quantityText(std::numeric_limits<double>::infinity(), Dimension::Force) == "–\u00a0N");
   CHECK(numberText(1e300, decimals(2)) == "1e300");

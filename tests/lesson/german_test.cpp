@@ -56,6 +56,7 @@ TEST_CASE("each kind of task begins with another sentence in German than in Engl
       {"measure", {{"measure", "atom 0"}, {"to", "atom 3"}}},
       {"order", {{"order", "atom 0 then atom 5"}, {"first", "the smaller"}}},
       {"dock", {{"dock", "file"}}},
+      {"pull", {{"pull", "5 Å"}}},
       {"pass", {{"pass", "atom 0-3"}}},
       {"contacts", {{"contacts", "anywhere"}}}};
   REQUIRE(kinds.size() == taskKinds().size());

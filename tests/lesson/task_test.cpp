@@ -292,13 +292,15 @@ TEST_CASE("100000 random samples of every kind keep progress within 0 to 1 and r
       {"measure", {{"measure", "atom 0"}, {"to", "atom 9"}}},
       {"order", {{"order", "atom 0 then atom 4 then atom 9"}, {"first", "the left one"}, {"for", "0.1 s"}}},
       {"dock", {{"dock", "file"}}},
+      {"pull", {{"pull", "5 Å"}}},
       {"pass", {{"pass", "atom 0-5"}}},
       {"contacts", {{"contacts", "anywhere"}, {"count", "1"}}}};
   CHECK(all.size() == taskKinds().size());
   for (const auto& [kind, keys] : all) {
     auto t = task(kind, keys);
     const std::uint32_t held[] = {0, 4};
-    if (kind == "dock" || kind == "contacts") t->takeInHand(heldBody(mixedMolecule().spheres, held));
+    const bool holds = kind == "dock" || kind == "pull" || kind == "contacts";
+    if (holds) t->takeInHand(heldBody(mixedMolecule().spheres, held));
     bool was_done = false;
     double time = 0.0;
     for (int i = 0; i < 100000; ++i) {
@@ -313,7 +315,7 @@ TEST_CASE("100000 random samples of every kind keep progress within 0 to 1 and r
       s.force.N.x =
           random() % 50 == 0 ? std::numeric_limits<double>::quiet_NaN() : static_cast<double>(random() % 400) * 0.01;
       s.contact.scp.A = s.exact.scp.A;
-      if (kind == "dock" || kind == "contacts") s.body = PoseA{s.contact.scp, kNoRotation};
+      if (holds) s.body = PoseA{s.contact.scp, kNoRotation};
       t->feed(s);
       // A person who presses whatever button there is, and draws whatever is asked for.
       if (const std::vector<TaskButton> buttons = t->buttons(); !buttons.empty() && random() % 20 == 0)

@@ -73,8 +73,7 @@ TEST_CASE("a missing file, a folder and an empty file are distinguished") {
 TEST_CASE("a file of another kind is refused with the formats that are read") {
   CHECK(problemOf("Dear reader,\n1 2 3\n", "letter.txt") ==
         "letter.txt: it is not a molecule in a format that is read here; those are .cif .pdb .ent .mmcif .sdf .mol "
-        ".pqr .gro .xyzr, each "
-        "also with .gz");
+        ".mol2 .pqr .pdbqt .gro .xyzr, each also with .gz");
   CHECK(problemOf("Dear reader\n", "letter.pdb") ==
         "letter.pdb: there is no ATOM or HETATM line in it; take a coordinate file from the PDB "
         "(www.rcsb.org)");

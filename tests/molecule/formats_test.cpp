@@ -143,6 +143,15 @@ TEST_CASE("PQR gives each atom the radius and the charge of the file; the chain 
   CHECK(m.warnings.empty());
 }
 
+TEST_CASE("the element after the radius in a PQR file of Open Babel counts more than the name") {
+  const Molecule m = read("HETATM 1 CA LIG A 1 1 2 3 -0.3 1.8 Ca\nHETATM 2 CA LIG 1 1 2 6 -0.3 1.8 C\n", "x.pqr");
+  CHECK(m.atoms[0].atomic_number == 20);
+  CHECK(m.atoms[1].atomic_number == 6);
+  CHECK(m.spheres[1].centre_A == Vec3(1, 2, 6));
+  CHECK(problemOf("ATOM 1 N ALA A 1 1 2 3 -0.3 nan\n", "x.pqr")
+            .starts_with("x.pqr:1:29: expected the number radius, found 'nan'"));
+}
+
 TEST_CASE("errors in a PQR file are reported at their place") {
   const std::string remedy =
       "; write: ATOM number name residue chain residue-number x y z charge radius, with blanks between them (pdb2pqr "

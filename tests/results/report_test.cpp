@@ -292,6 +292,21 @@ TEST_CASE("the page shows the first curve that a student drew beside the one fel
   CHECK(page.find("<path class=\"drawn\" d=\"M24 90L107 51.8L190 13.6\"/>") != std::string::npos);
 }
 
+TEST_CASE("the page shows a curve that was felt without being drawn, and the energies of a task in kcal/mol") {
+  Attempt pulled = sampleAttempt();
+  std::erase_if(pulled.events, [](const AttemptEvent& e) {
+    const auto* curve = std::get_if<CurveKept>(&e.what);
+    return curve && !curve->felt;
+  });
+  for (AttemptEvent& e : pulled.events)
+    if (auto* done = std::get_if<TaskDone>(&e.what)) done->figures.push_back({"lowest energy", -26.5, "kcal/mol"});
+  const std::string page = classPage(summarise({pulled}), {}, "");
+  CHECK(page.find("<path class=\"felt\" d=\"M24 90L107 58.2L190 26.4\"/>") != std::string::npos);
+  CHECK(page.find("<path class=\"drawn\"") == std::string::npos);
+  CHECK(page.find("Force as felt.") != std::string::npos);
+  CHECK(page.find("lowest energy, kcal/mol") != std::string::npos);
+}
+
 TEST_CASE(
     "with nm and mN chosen the page has no other unit of length and force: 6.25 Å are 0.6 nm, 1.25 N are 1250 mN") {
   Attempt again = sampleAttempt();

@@ -311,8 +311,10 @@ void Application::frame(double dt_s, glm::vec2 window_px) {
   scene.rest(panels.pages.welcome);
   const FeltTicks felt = scene.advance(dt_s, time_.now_s, panels.tabs.front() == "methods");
   // A recorded hand does no task.
+  const bool mouse = &scene.servo().device() == &scene.servo().mouse().info();
   if (!anyOf(extensions, &Extension::leadsHand))
-    for (const FeltTick& t : felt.ticks) lesson.feed(t.sample, felt.method.name, t.exact);
+    for (const FeltTick& t : felt.ticks)
+      lesson.feed(t.sample, felt.method.name, t.exact, mouse && !scene.controls.pressing());
   if (!felt.ticks.empty())
     for (Extension* e : extensions) e->ticks(felt);
   messages.age(dt_s);

@@ -17,6 +17,7 @@ void TaskStager::beforeTicks() {
   comeClose(std::exchange(wanted.close_to, std::nullopt));
   if (wanted == stage_) return;
   scene_.controls.startTurned(wanted.body_turned);
+  scene_.controls.startAt(wanted.body_begins);
   if (!session) {
     const bool lacks = !stage_.removed.empty() && scene_.stage();
     stage_ = wanted;
@@ -45,6 +46,7 @@ void TaskStager::stepChanged() {
   const LessonSession* session = lesson_.session();
   const TaskStage before = std::exchange(stage_, {});
   scene_.controls.startTurned({});
+  scene_.controls.startAt({});
   if (session) change(before.touch, {});
 }
 

@@ -251,9 +251,11 @@ void LessonGuide::beginFrom(std::shared_ptr<const Molecule> molecule) {
   if (on_stage_) session_->setMolecule(std::move(molecule));
 }
 
-void LessonGuide::feed(const ServoSample& s, std::string_view method, const Contact& exact) {
+void LessonGuide::feed(const ServoSample& s, std::string_view method, const Contact& exact, bool hovering) {
   if (!on_stage_ || !s.has_interaction) return;
-  session_->feed(touchSampleOf(s, method, exact));
+  TouchSample sample = touchSampleOf(s, method, exact);
+  sample.hovering = hovering;
+  session_->feed(sample);
 }
 
 ViewPartSet LessonGuide::shownParts() const {

@@ -83,7 +83,7 @@ class LessonGuide {
   /// Replaces the step's molecule by one with other positions of the atoms, for which the tasks are made.
   void beginFrom(std::shared_ptr<const Molecule> molecule);
   /// Processes a tick; `method` made its contact, and `exact` is the exact tracker's contact for the same hand.
-  void feed(const ServoSample& sample, std::string_view method, const Contact& exact);
+  void feed(const ServoSample& sample, std::string_view method, const Contact& exact, bool hovering);
 
   /// The visible parts that the step requests; the usual ones without a lesson.
   ViewPartSet shownParts() const;

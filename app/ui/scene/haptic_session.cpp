@@ -9,6 +9,7 @@ namespace moltact {
 namespace {
 
 constexpr double kLeftBehind_s = 0.4;  // a contact without a sphere at the HIP is ended after this time
+constexpr double kDrawn_A = 3.0;       // so far forces between atoms may draw a body off a hand in the open
 constexpr double kStill_A = 2e-3;      // a hand slower than this in a frame is at rest
 
 // Whether the probe or body at the hand's position is outside all spheres.
@@ -296,7 +297,9 @@ FeltTicks HapticSession::advance(double dt_s, double now_s, bool timed) {
 
 void HapticSession::watchLeftBehind(double dt_s) {
   const ServoSample& now = log_.latest();
-  const bool free = stage() && log_.touching() && inTheOpen(stage(), now, servo_.motionOf(now).get());
+  // Forces between atoms draw what is held off the hand, into contact; only farther away it is left behind.
+  const bool drawn = now.molecular_energy && glm::length(now.contact.displacement_A) < kDrawn_A;
+  const bool free = stage() && log_.touching() && !drawn && inTheOpen(stage(), now, servo_.motionOf(now).get());
   log_.countLeftBehind(free && !controls.pressing(), dt_s);
   if (log_.leftBehind_s() <= kLeftBehind_s) return;
   ++servo_settings.discontinuities;

@@ -8,6 +8,7 @@ namespace {
 constexpr double kOrbit_rad_per_px = 0.008;
 constexpr double kOrbitKeys_rad_per_s = 1.4;
 constexpr double kHand_rad_per_px = kOrbit_rad_per_px, kHandKeys_rad_per_s = kOrbitKeys_rad_per_s;
+constexpr double kGiveWay_rad_per_s = 1.0;  // largest speed at which a hand in a well follows the body that it holds
 constexpr double kPanKeys_px_per_s = 320.0;
 constexpr double kZoomNotch = 1.12;
 constexpr double kZoomKeysPerS = 2.2;
@@ -101,6 +102,18 @@ void ViewControls::update(const ViewInput& in, Camera& camera, const SphereGrid*
   lead_ = hand_.lead(pointer, *spheres,
                      body ? HandShape(*body, settings.workspace.toMolecule({}, orientation_).orientation)
                           : HandShape(settings.probe_A));
+  // In a well the hand gives way in turning as well: it follows the body, which the field turns against its spring.
+  if (body && hand_.inWell()) {
+    const Quat wanted =
+        glm::normalize(glm::conjugate(glm::quat_cast(settings.workspace.rotation)) * felt.shownBody().orientation);
+    const Vec3 turn_by = rotationBetween(orientation_, wanted);
+    if (const double angle_rad = glm::length(turn_by); angle_rad > 1e-6) {
+      const double part =
+          std::min(1.0 - std::exp(-in.dt_s / PointerHand::kSettle_s), kGiveWay_rad_per_s * in.dt_s / angle_rad);
+      orientation_ = glm::normalize(glm::angleAxis(part * angle_rad, turn_by / angle_rad) * orientation_);
+      mouse.turn(orientation_);
+    }
+  }
   press_rested_s_ =
       pressing_ && glm::distance(hand_.aim_px(), before_aim_px) < kStill_px ? press_rested_s_ + in.dt_s : 0.0;
   // A hovering hand moves over the molecule, not through what lies between two pointer positions.
@@ -123,7 +136,8 @@ void ViewControls::begin(const Camera& camera, PointA before, const Workspace& w
   first_aim_ = before;
   pressing_ = let_go_ = false;
   press_rested_s_ = 0.0;
-  lead_ = {before.A + camera.back() * outside_A};
+  lead_ = start_at_.value_or(PointA{before.A + camera.back() * outside_A});
+  if (start_at_) hand_.waitAt(*start_at_);
   orientation_ = start_ ? glm::normalize(glm::conjugate(glm::quat_cast(workspace.rotation)) * *start_) : kNoRotation;
   mouse.turn(orientation_);
   mouse.place(workspace.toDevice(lead_));

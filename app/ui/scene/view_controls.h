@@ -48,6 +48,9 @@ class ViewControls {
   /// The orientation, in the molecule's space, with which the hand starts from the next begin() on; empty: that of the
   /// device's axes.
   void startTurned(const std::optional<Quat>& orientation) { start_ = orientation; }
+  /// Where the hand waits for a press from the next begin() on, in the molecule's space; empty: outside, in front of the
+  /// view.
+  void startAt(const std::optional<PointA>& place) { start_at_ = place; }
 
   /// Ends a press as Escape does: it begins again when the button or key has been released.
   void letGo() { let_go_ = true; }
@@ -76,6 +79,7 @@ class ViewControls {
   PointerHand hand_;
   Quat orientation_ = kNoRotation;  // of the hand, from the device's axes
   std::optional<Quat> start_;       // in the molecule's space
+  std::optional<PointA> start_at_;  // the same
   PointA lead_;
   std::optional<PointA> first_aim_;  // of a scene in which no frame has been processed yet
   double hint_left_s_ = 2.0, press_rested_s_ = 0.0;

@@ -70,7 +70,7 @@ void VirtualTouch::setStage(const TaskStage& stage) {
   stage.touch.replace(stage_.touch, scene_.touch, touch);
   feelWith(touch);
   if (stage.body_turned && (stage.body_turned != stage_.body_turned || stage.presentation != stage_.presentation))
-    place({hand_.place, *stage.body_turned});
+    place({stage.body_begins.value_or(hand_.place), *stage.body_turned});
   stage_ = stage;
 }
 

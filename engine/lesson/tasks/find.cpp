@@ -1,4 +1,5 @@
-// find: on a dark screen, find a place on the surface by touch and report it with "here". The molecule is rotated at
+// find: on a dark screen, find a place on the surface by touch, or the place to which the forces between atoms pull most
+// strongly, and report it with "here". The molecule is rotated at
 // random, again after each look and when the guesses are used up, so that no position on the screen reveals the place.
 #include <algorithm>
 #include <cmath>
@@ -6,7 +7,9 @@
 
 #include "engine/core/random.h"
 #include "engine/core/units.h"
+#include "engine/haptics/field/force_choices.h"
 #include "engine/language/catalogue.h"
+#include "engine/lesson/scene_forces.h"
 #include "engine/lesson/tasks/registry.h"
 #include "engine/lesson/tasks/touch_limits.h"
 
@@ -19,11 +22,27 @@ constexpr double kWarmer_A = 1.0;  // minimum change of distance for "Warmer" an
 constexpr double kClose_A = 3.0;   // a wrong guess within this distance of the place is called close
 // cosine of the largest angle between the place's direction and the viewer's, in every rotation
 constexpr double kFront = 0.35;
+constexpr std::string_view kLowest = "lowest-energy";
+constexpr int kFindFalls = 60;     // of the probe into wells
+constexpr double kAsLow = 0.9;     // a well with this share of the lowest energy is right too
+constexpr double kBeside_A = 1.0;  // atoms within this distance of the probe show the place
+
+bool seeksWell(const TaskSpec& spec) { return !spec.values["find"].words.empty(); }
+
+/// The probe's wells of the lowest energy; empty without any attraction.
+std::vector<Well> lowestWells(const SceneForces& forces) {
+  std::vector<Well> wells = forces.wells(kFindFalls);
+  std::erase_if(wells, [lowest = wells.empty() ? 0.0 : wells.front().energy.total_kcal_mol()](const Well& w) {
+    return w.energy.total_kcal_mol() >= 0.0 || w.energy.total_kcal_mol() > kAsLow * lowest;
+  });
+  return wells;
+}
 
 class Find : public Task {
  public:
   Find(const TaskSpec& spec, const Molecule& molecule)
       : Task(spec),
+        seeks_well_(seeksWell(spec)),
         target_(spec.values["find"].selection, molecule),
         name_(spec, "find"),
         limits_(spec, "find", molecule),
@@ -35,12 +54,29 @@ class Find : public Task {
         turns_(spec.values["turn"].text == "random"),
         guesses_(static_cast<int>(spec.values["guesses"].number)),
         looks_(static_cast<int>(spec.values["looks"].number)) {
+    for (const Sphere& a : molecule.spheres) middle_A_ += a.centre_A / double(molecule.atoms.size());
+    // The forces tell the place of a well.
+    if (seeks_well_) return;
     for (const std::uint32_t i : spec.values["find"].selection.select(molecule))
       spheres_.push_back(molecule.spheres[i]);
-    Vec3 middle(0.0), target(0.0);
-    for (const Sphere& a : molecule.spheres) middle += a.centre_A / double(molecule.atoms.size());
+    Vec3 target(0.0);
     for (const Sphere& b : spheres_) target += b.centre_A / double(spheres_.size());
-    outward_ = target - middle;
+    outward_ = target - middle_A_;
+    turn();
+  }
+
+  // The place is computed here, once, from the scene as the lesson has it.
+  void takeForces(std::shared_ptr<const SceneForces> forces) override {
+    if (!seeks_well_) return;
+    wells_ = lowestWells(*forces);
+    if (wells_.empty()) return;
+    const Vec3 place = wells_.front().pose.place.A;
+    outward_ = place - middle_A_;
+    const double reach_A = forces->touch().probe_A + kBeside_A;
+    forces->spheres().visitNear(place, reach_A, [&](std::uint32_t i, const Sphere& s) {
+      if (glm::distance(place, s.centre_A) <= s.radius_A + reach_A) well_atoms_.push_back(i);
+    });
+    std::sort(well_atoms_.begin(), well_atoms_.end());
     turn();
   }
 
@@ -92,15 +128,16 @@ class Find : public Task {
 
   void onSample(const TouchSample& s, double dt_s) override {
     // The reply to a guess stays until the next touch.
-    if (s.contact.touching() && !now_.touching && !by_holding_) now_.said.clear();
-    now_.touching = s.contact.touching();
+    if (s.meets() && !now_.touching && !by_holding_) now_.said.clear();
+    now_.touching = s.meets();
     if (!now_.touching || now_.lit) {
       now_.still_s = 0.0;
       return;
     }
     now_.felt = true;
     now_.off_A = distance(s.contact.scp.A, s.probe_A);
-    now_.right = (target_.touchedBy(s.contact) || now_.off_A <= within_A_) && limits_.allow(s.contact, s.probe_A);
+    const bool touched = !seeks_well_ && target_.touchedBy(s.contact);
+    now_.right = (touched || now_.off_A <= within_A_) && limits_.allow(s.contact, s.probe_A);
     now_.author_says = now_.right ? std::string() : wrong_.about(s.contact);
     if (glm::distance(s.contact.scp.A, now_.resting_A) > kStill_A) {
       now_.resting_A = s.contact.scp.A;
@@ -120,6 +157,7 @@ class Find : public Task {
 
   HandPlan demonstrate(const HandPlanInput& view) const override {
     HandPlan plan;
+    if (seeks_well_) return toWell(view);
     std::vector<SurfacePlace> places = placesToTouch(view, target_);
     std::erase_if(places, [&](const SurfacePlace& p) { return !limits_.allow(p.scp_A, view.probe_A); });
     const auto place = placeFor(view, places);
@@ -129,9 +167,29 @@ class Find : public Task {
     return plan;
   }
 
-  // Distance of the probe's surface from that of the nearest atom.
+  // From an open place beside the well into it.
+  HandPlan toWell(const HandPlanInput& view) const {
+    HandPlan plan;
+    if (wells_.empty()) return plan;
+    const Vec3 well = wells_.front().pose.place.A;
+    std::vector<SurfacePlace> places;
+    for (const Feature f : {Feature::Sphere, Feature::Circle, Feature::Point})
+      for (const SurfacePlace& p : openPlaces(view, well_atoms_, f)) places.push_back(p);
+    std::stable_sort(places.begin(), places.end(), [&](const SurfacePlace& a, const SurfacePlace& b) {
+      return glm::distance(a.scp_A, well) < glm::distance(b.scp_A, well);
+    });
+    const auto place = placeFor(view, places);
+    if (!place) return plan;
+    comeTo(plan, *place, 0.0, 0.2);
+    plan.push_back({.to = PointA{well}, .wait_s = by_holding_ ? kStill_s + 0.5 : 1.0});
+    if (!by_holding_) plan.push_back({.answer = TaskAnswer{.word = "here"}});
+    return plan;
+  }
+
+  // Distance of the probe's surface from that of the nearest atom; of its centre from the nearest well.
   double distance(const Vec3& scp, double probe_A) const {
     double min = std::numeric_limits<double>::max();
+    for (const Well& w : wells_) min = std::min(min, glm::distance(scp, w.pose.place.A));
     for (const Sphere& b : spheres_) min = std::min(min, glm::distance(scp, b.centre_A) - b.radius_A - probe_A);
     return std::max(0.0, min);
   }
@@ -158,7 +216,7 @@ class Find : public Task {
   }
 
   std::string solution() const override { return trf("It is marked in the view: {0}.", name_.text()); }
-  std::vector<std::uint32_t> answerAtoms() const override { return target_.atoms(); }
+  std::vector<std::uint32_t> answerAtoms() const override { return seeks_well_ ? well_atoms_ : target_.atoms(); }
 
   // How the last touch differs from the requested place.
   std::string why() const {
@@ -226,31 +284,60 @@ class Find : public Task {
     out.push_back({N_("rounds"), double(now_.rounds), ""});
   }
 
+  bool seeks_well_ = false;
   AtomSet target_;
   TargetName name_;
   TouchLimits limits_;
   WrongTouches wrong_;
   std::vector<Sphere> spheres_;
+  std::vector<Well> wells_;                // the places, where forces are sought
+  std::vector<std::uint32_t> well_atoms_;  // beside the lowest one
   double within_A_ = 3.0;
   bool by_holding_ = false, warmer_ = false, meter_ = true, turns_ = true;
   int guesses_ = 3, looks_ = 2, presentation_ = 1;
   std::uint64_t state_ = 0;  // of the random generator
-  Vec3 outward_{0.0};        // direction from the molecule's centre to the place's centre
+  Vec3 middle_A_{0.0};
+  Vec3 outward_{0.0};  // direction from the molecule's centre to the place's centre
   Quat turned_ = kNoRotation;
   Now now_;
 };
+
+void checkFind(const TaskSpec& spec, std::vector<Problem>& problems) {
+  if (!seeksWell(spec)) return;
+  for (const std::string_view key : {"side", "region"})
+    if (const Value& value = spec.values[key]; value.place.line)
+      problems.push_back(problemAt(value.place, trf("'{0}' belongs to atoms, and here a place is sought", key),
+                                   tr("take this line out, or name the atoms in 'find'")));
+}
+
+void checkFindScene(const TaskSpec& spec, const SceneSpec& scene, std::vector<Problem>& problems) {
+  if (seeksWell(spec) && !forceChoice(scene.touch.forces).any())
+    problems.push_back(problemAt(spec.values["find"].place, tr("no forces between atoms act in this scene"),
+                                 tr("write 'forces: all' in this step's scene, or name atoms")));
+}
+
+void checkFindForces(const TaskSpec& spec, const SceneForces& forces, std::vector<Problem>& problems) {
+  if (seeksWell(spec) && !forces.body() && lowestWells(forces).empty())
+    problems.push_back(problemAt(spec.values["find"].place, tr("nothing attracts the probe in this scene"),
+                                 tr("give the probe another charge: 'probe-charge: 1'")));
+}
 
 }  // namespace
 
 TaskKind findKind() {
   std::vector<KeySpec> keys{
       {.name = "find",
-       .type = ValueType::Selection,
-       .meaning = "The atoms, one of which must be found.",
-       .required = true},
+       .type = ValueType::Target,
+       .meaning =
+           "The atoms, one of which must be found; or, in a scene with `forces`, the place to which they pull the "
+           "probe most strongly, which the program computes.",
+       .required = true,
+       .words = {kLowest}},
       {.name = "within",
        .type = ValueType::Quantity,
-       .meaning = "A contact point within this distance of a selected atom's surface also counts.",
+       .meaning =
+           "A contact point within this distance of a selected atom's surface also counts; of the place of lowest "
+           "energy, the probe's centre.",
        .fallback = "1 Å",
        .dimension = Dimension::Length,
        .max = 100.0},
@@ -295,7 +382,14 @@ TaskKind findKind() {
           "Find a place by touch alone, with the screen dark.",
           {.base_s = 150.0},
           std::move(keys),
-          [](const TaskSpec& s, const Molecule& m) -> std::unique_ptr<Task> { return std::make_unique<Find>(s, m); }};
+          [](const TaskSpec& s, const Molecule& m) -> std::unique_ptr<Task> { return std::make_unique<Find>(s, m); },
+          &checkFind,
+          nullptr,
+          &checkFindScene,
+          {},
+          nullptr,
+          nullptr,
+          &checkFindForces};
 }
 
 }  // namespace moltact

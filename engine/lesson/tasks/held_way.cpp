@@ -4,6 +4,9 @@
 #include <cmath>
 #include <utility>
 
+#include "engine/core/random.h"
+#include "engine/lesson/pose_text.h"
+
 namespace moltact {
 
 bool HeldWay::tick(const TouchSample& s, double dt_s) {
@@ -33,6 +36,47 @@ double PoseGoal::turned_rad(const PoseA& pose) const {
 
 bool PoseGoal::stretched(const TouchSample& s, double within_A) const {
   return !s.one_spring && 2.0 * s.contact.energy_A2 > double(body_->spheres.size()) * within_A * within_A;
+}
+
+PoseA writtenGoal(std::string_view text, const HeldBody& body) {
+  const auto written = parsePose(text);
+  return written ? PoseA{written->place, written->orientation.value_or(kNoRotation)} : PoseA{body.middle, kNoRotation};
+}
+
+std::optional<PoseA> freePoseAt(const PoseGoal& goal, const PoseTolerance& tolerance, const PoseSpace& space,
+                                std::uint64_t seed) {
+  constexpr int kNear = 4000;    // poses that are tried
+  constexpr double kPart = 0.6;  // of what is allowed, at most, off the goal
+  if (seed == 0 && space.isFree(goal.goal())) return goal.goal();
+  std::uint64_t random = seed + 1;
+  for (int k = 0; k < kNear; ++k) {
+    const double size = kPart * tolerance.within_A * (k + 1) / kNear;
+    const auto any = [&] { return Vec3(nextFraction(random), nextFraction(random), nextFraction(random)) * 2.0 - 1.0; };
+    PoseA pose = goal.goal();
+    pose.place.A += any() * size;
+    const Vec3 turn = any() * (size / space.gyration_A());
+    pose.orientation = glm::normalize(glm::angleAxis(glm::length(turn), glm::normalize(turn)) * pose.orientation);
+    if (tolerance.allows(goal, pose, kPart) && space.isFree(pose)) return pose;
+  }
+  return std::nullopt;
+}
+
+double searchReach_A(const SphereGrid& spheres, const HeldBody& body) {
+  constexpr double kMost_A = 40.0;
+  return std::min(kMost_A, 0.5 * glm::distance(spheres.low_A(), spheres.high_A()) + body.reach_A);
+}
+
+HandPlan planAlong(const std::vector<PoseA>& way, double share, double wait_s) {
+  constexpr double kOutside_A_per_s = 30.0, kInside_A_per_s = 5.0;
+  HandPlan plan{{.to = way.front().place, .placed = true, .wait_s = 0.3}};
+  if (share >= 0.0) plan.push_back({.share = share});
+  plan.push_back({.turned_to = way.front().orientation});
+  for (std::size_t k = 1; k < way.size(); ++k)
+    plan.push_back({.to = way[k].place,
+                    .speed_A_per_s = k == 1 ? kOutside_A_per_s : kInside_A_per_s,
+                    .turned_to = way[k].orientation});
+  plan.back().wait_s = wait_s;
+  return plan;
 }
 
 }  // namespace moltact

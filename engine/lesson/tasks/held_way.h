@@ -2,10 +2,15 @@
 // there without a jump. Used as tasks are (task.h). Units: angstrom, radian.
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <optional>
+#include <string_view>
+#include <vector>
 
 #include "engine/haptics/body/held_body.h"
+#include "engine/lesson/hand_plan.h"
+#include "engine/lesson/pose_search.h"
 #include "engine/lesson/touch_sample.h"
 
 namespace moltact {
@@ -50,5 +55,29 @@ class PoseGoal {
   PoseA goal_;
   glm::dmat3 spread_{0.0};  // mean of l l^T over the atoms' places l about the middle
 };
+
+/// How far a body may be off a goal.
+struct PoseTolerance {
+  double within_A = 1.0, turned_rad = 0.35;
+
+  bool allows(const PoseGoal& goal, const PoseA& pose, double part = 1.0) const {
+    return goal.rmsd_A(pose) <= part * within_A && goal.turned_rad(pose) <= part * turned_rad;
+  }
+};
+
+/// The pose that an author wrote (pose_text.h); where the text is none, that of the molecule's file.
+PoseA writtenGoal(std::string_view text, const HeldBody& body);
+
+/// The goal, or else a pose well within the tolerance in which the body overlaps nothing; with another `seed` than 0 the
+/// goal does not count.
+std::optional<PoseA> freePoseAt(const PoseGoal& goal, const PoseTolerance& tolerance, const PoseSpace& space,
+                                std::uint64_t seed = 0);
+
+/// PoseSearch::reach_A for a path out of the scene.
+double searchReach_A(const SphereGrid& spheres, const HeldBody& body);
+
+/// Puts the hand down at the first pose, moves the scene's atoms to `share` unless it is negative, and leads along the
+/// others; at the last one it waits.
+HandPlan planAlong(const std::vector<PoseA>& way, double share, double wait_s);
 
 }  // namespace moltact

@@ -5,13 +5,17 @@
 #include <numeric>
 
 #include "engine/core/random.h"
+#include "engine/haptics/field/force_choices.h"
 #include "engine/language/catalogue.h"
+#include "engine/lesson/scene_forces.h"
 #include "engine/lesson/tasks/registry.h"
 
 namespace moltact {
 namespace {
 
 constexpr std::size_t kMaxPlaces = 6;
+constexpr std::string_view kByEnergy = "energy";
+constexpr double kApart_kcal_mol = 0.5;  // between the wells of two places, at least
 
 struct PlaceWords {
   std::string_view word, label;
@@ -24,12 +28,24 @@ constexpr std::array<PlaceWords, kMaxPlaces> kPlaceWords{{{"place-1", N_("Place 
                                                           {"place-5", N_("Place 5"), '5'},
                                                           {"place-6", N_("Place 6"), '6'}}};
 
+/// The energy of the probe's deepest well at these atoms, 0 if there is none.
+double wellEnergy_kcal_mol(const SceneForces& forces, const AtSurface& surface) {
+  constexpr int kFallsAtPlace = 12;
+  const double probe_A = forces.touch().probe_A;
+  const auto near = [&](const Vec3& place) { return surface.near(place, probe_A); };
+  double lowest = 0.0;
+  for (const Well& w : forces.wells(kFallsAtPlace, {}, near))
+    if (near(w.pose.place.A)) lowest = std::min(lowest, w.energy.total_kcal_mol());
+  return lowest;
+}
+
 class Order : public Task {
  public:
   Order(const TaskSpec& spec, const Molecule& molecule)
       : Task(spec),
         first_(spec.values["first"].text),
         time_s_(spec.values["for"].number),
+        by_energy_(spec.values["by"].text == kByEnergy),
         dark_(spec.values["dark"].text == "yes"),
         meter_(spec.values["meter"].text == "on") {
     for (const Selection& part : spec.values["order"].path) {
@@ -37,8 +53,18 @@ class Order : public Task {
       PointA middle;
       const std::vector<std::uint32_t> atoms = part.select(molecule);
       for (const std::uint32_t a : atoms) middle.A += molecule.spheres[a].centre_A / double(atoms.size());
-      places_.push_back({AtomSet(part, molecule), middle, TargetName(part)});
+      places_.push_back({part, AtomSet(part, molecule), middle, TargetName(part)});
     }
+    shuffle();
+  }
+
+  // By energy the order is that of the wells, the deepest first, whatever the author wrote.
+  void takeForces(std::shared_ptr<const SceneForces> forces) override {
+    for (Place& p : places_) p.surface.emplace(p.part, forces->molecule());
+    if (!by_energy_) return;
+    for (Place& p : places_) p.energy_kcal_mol = wellEnergy_kcal_mol(*forces, *p.surface);
+    std::stable_sort(places_.begin(), places_.end(),
+                     [](const Place& a, const Place& b) { return a.energy_kcal_mol < b.energy_kcal_mol; });
     shuffle();
   }
 
@@ -56,9 +82,12 @@ class Order : public Task {
 
  private:
   struct Place {
+    Selection part;
     AtomSet atoms;
     PointA middle;
     TargetName name;
+    std::optional<AtSurface> surface = {};  // if forces between atoms act in the scene
+    double energy_kcal_mol = 0.0;           // of the probe's deepest well there, if that orders the places
   };
 
   void shuffle() {
@@ -90,9 +119,12 @@ class Order : public Task {
   const Place& shownPlace(std::size_t k) const { return places_[shown_[std::min(k, places_.size() - 1)]]; }
 
   void onSample(const TouchSample& s, double dt_s) override {
-    touching_ = s.contact.touching();
-    if (!feeling()) return;
-    beside_ = touching_ && !shownPlace(at_).atoms.touchedBy(s.contact);
+    // In a field each place counts as felt under the same conditions, whatever the forces there.
+    const Place* place = feeling() ? &shownPlace(at_) : nullptr;
+    const bool here = place && (place->surface ? place->surface->has(s) : place->atoms.touchedBy(s.contact));
+    touching_ = here || s.contact.touching();
+    if (!place) return;
+    beside_ = touching_ && !here;
     if (touching_ && !beside_) felt_s_ = std::min(time_s_, felt_s_ + dt_s);
   }
 
@@ -192,6 +224,7 @@ class Order : public Task {
   std::vector<std::size_t> picked_;  // numbers of the places in the student's order
   std::string first_;
   double time_s_ = 1.0, felt_s_ = 0.0;
+  bool by_energy_ = false;
   bool dark_ = true, meter_ = true, touching_ = false, beside_ = false, failed_ = false;
   std::uint64_t state_ = 0;  // of the random generator
   std::size_t at_ = 0;       // the place that is being felt; the number of places while the student enters the order
@@ -238,48 +271,79 @@ void checkOrderedPlaces(const TaskSpec& spec, const Molecule& molecule, std::spa
                                  tr("choose atoms of different elements")));
 }
 
+void checkOrderScene(const TaskSpec& spec, const SceneSpec& scene, std::vector<Problem>& problems) {
+  if (spec.values["by"].text == kByEnergy && !forceChoice(scene.touch.forces).any())
+    problems.push_back(
+        problemAt(spec.values["by"].place, tr("no forces between atoms act in this scene"),
+                  tr("write 'forces: all' in this step's scene, or order the places by something else")));
+}
+
+// The molecule is needed to find the places, and the check of forces gets it from them.
+void checkOrderForces(const TaskSpec& spec, const SceneForces& forces, std::vector<Problem>& problems) {
+  if (spec.values["by"].text != kByEnergy || forces.body()) return;
+  std::vector<std::pair<double, std::size_t>> energies;
+  const Value& order = spec.values["order"];
+  for (std::size_t k = 0; k < order.path.size(); ++k)
+    energies.emplace_back(wellEnergy_kcal_mol(forces, AtSurface(order.path[k], forces.molecule())), k);
+  std::sort(energies.begin(), energies.end());
+  for (std::size_t k = 1; k < energies.size(); ++k)
+    if (energies[k].first - energies[k - 1].first < kApart_kcal_mol)
+      problems.push_back(problemAt(order.places[energies[k].second],
+                                   trf("two places bind the probe nearly alike, by {0} and {1}",
+                                       energyText(energies[k - 1].first), energyText(energies[k].first)),
+                                   tr("name another place, or give the probe another charge")));
+}
+
 }  // namespace
 
 TaskKind orderKind() {
-  return {"order",
-          "Feel several places one after the other and put them in order.",
-          {.base_s = 15.0, .each_s = 25.0, .each = "order", .each_what = "place"},
-          {{.name = "order",
-            .type = ValueType::Path,
-            .meaning = "The places in the right order, two to six, separated by 'then'. The student feels them in a "
-                       "different order.",
-            .required = true},
-           {.name = "first",
-            .type = ValueType::Text,
-            .meaning = "A description of the first place, inside a sentence: 'the deepest', 'the smallest'.",
-            .required = true},
-           {.name = "by",
-            .type = ValueType::Word,
-            .meaning = "The property that orders the places. By size, `check` compares the atoms' radii.",
-            .fallback = "touch",
-            .words = {"touch", "depth", "size"}},
-           {.name = "for",
-            .type = ValueType::Quantity,
-            .meaning = "The minimum time to touch each place.",
-            .fallback = "1 s",
-            .dimension = Dimension::Time,
-            .min = 0.1,
-            .max = 60.0},
-           {.name = "dark",
-            .type = ValueType::Word,
-            .meaning = "Whether the screen is dark meanwhile.",
-            .fallback = "yes",
-            .words = {"yes", "no"}},
-           {.name = "meter",
-            .type = ValueType::Word,
-            .meaning = "Whether magnitude and direction of the force are displayed in the dark.",
-            .fallback = "on",
-            .words = {"on", "off"}},
-           attemptsKey("How many orders the student may give; by default unlimited. After the last wrong one the right "
-                       "one is shown, and the student continues.")},
-          [](const TaskSpec& s, const Molecule& m) -> std::unique_ptr<Task> { return std::make_unique<Order>(s, m); },
-          &checkOrder,
-          &checkOrderedPlaces};
+  return {
+      "order",
+      "Feel several places one after the other and put them in order.",
+      {.base_s = 15.0, .each_s = 25.0, .each = "order", .each_what = "place"},
+      {{.name = "order",
+        .type = ValueType::Path,
+        .meaning = "The places in the right order, two to six, separated by 'then'. The student feels them in a "
+                   "different order. By energy the program finds the right order itself.",
+        .required = true},
+       {.name = "first",
+        .type = ValueType::Text,
+        .meaning = "A description of the first place, inside a sentence: 'the deepest', 'the smallest'.",
+        .required = true},
+       {.name = "by",
+        .type = ValueType::Word,
+        .meaning = "The property that orders the places. By size, `check` compares the atoms' radii. By energy, in a "
+                   "scene with `forces`, the place with the probe's deepest well is the first; the program computes "
+                   "the wells.",
+        .fallback = "touch",
+        .words = {"touch", "depth", "size", kByEnergy}},
+       {.name = "for",
+        .type = ValueType::Quantity,
+        .meaning = "The minimum time to touch each place.",
+        .fallback = "1 s",
+        .dimension = Dimension::Time,
+        .min = 0.1,
+        .max = 60.0},
+       {.name = "dark",
+        .type = ValueType::Word,
+        .meaning = "Whether the screen is dark meanwhile.",
+        .fallback = "yes",
+        .words = {"yes", "no"}},
+       {.name = "meter",
+        .type = ValueType::Word,
+        .meaning = "Whether magnitude and direction of the force are displayed in the dark.",
+        .fallback = "on",
+        .words = {"on", "off"}},
+       attemptsKey("How many orders the student may give; by default unlimited. After the last wrong one the right "
+                   "one is shown, and the student continues.")},
+      [](const TaskSpec& s, const Molecule& m) -> std::unique_ptr<Task> { return std::make_unique<Order>(s, m); },
+      &checkOrder,
+      &checkOrderedPlaces,
+      &checkOrderScene,
+      {},
+      nullptr,
+      nullptr,
+      &checkOrderForces};
 }
 
 }  // namespace moltact

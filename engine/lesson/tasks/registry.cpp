@@ -18,6 +18,7 @@
   X(measure)             \
   X(order)               \
   X(dock)                \
+  X(pull)                \
   X(pass)                \
   X(contacts)
 

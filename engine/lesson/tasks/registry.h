@@ -43,6 +43,9 @@ struct TaskKind {
   void (*check_body)(const TaskSpec& spec, const std::shared_ptr<const HeldBody>& body,
                      std::span<const StructureChoice> structures, std::vector<Problem>& problems) = nullptr;
 
+  /// Adds problems with the forces between atoms of the task's scene; not called where it has none; may be null.
+  void (*check_forces)(const TaskSpec& spec, const SceneForces& forces, std::vector<Problem>& problems) = nullptr;
+
   bool judgesBody(const TaskSpec& spec) const {
     return !of_body.empty() && (!form_judges_body || form_judges_body(spec));
   }

@@ -1,10 +1,12 @@
 // same: feel two things in turn in the dark and decide whether they are the same. Each pair is drawn independently, so
 // earlier pairs reveal nothing.
 #include <algorithm>
+#include <array>
 #include <iterator>
 
 #include "engine/core/random.h"
 #include "engine/language/catalogue.h"
+#include "engine/lesson/scene_forces.h"
 #include "engine/lesson/suggestion.h"
 #include "engine/lesson/tasks/registry.h"
 #include "engine/lesson/tasks/sensitivity.h"
@@ -39,7 +41,9 @@ class Same : public Task {
         meter_(spec.values["meter"].text == "on"),
         before_(spec.values["asked"].text == "before"),
         asked_(!spec.values["asked"].text.empty()),
-        by_place_(spec.values["place"].selection.given()) {
+        by_place_(spec.values["place"].selection.given()),
+        places_{spec.values["same"].selection, spec.values["place"].selection} {
+    if (spec.values["forces"].place.line) feelField(molecule);
     if (before_) tell_ = false;
     // The second asking draws other pairs, also if the author gives the seed.
     if (fixed_ && asked_ && !before_) ++seed_;
@@ -77,9 +81,15 @@ class Same : public Task {
     begin();
   }
 
+  void takeForces(std::shared_ptr<const SceneForces> forces) override { feelField(forces->molecule()); }
+
   TaskTrials trials() const override { return {trials_, tell_ ? judged_ : std::vector<bool>()}; }
 
  private:
+  void feelField(const Molecule& molecule) {
+    for (std::size_t k = 0; k < surfaces_.size(); ++k) surfaces_[k].emplace(places_[k], molecule);
+  }
+
   struct Trial {
     bool second_first = false, differ = false;
   };
@@ -118,6 +128,14 @@ class Same : public Task {
 
   void onSample(const TouchSample& s, double dt_s) override {
     const bool there = by_place_ && showsOther();
+    if (const auto& surface = surfaces_[there ? 1 : 0]) {
+      // Only one of the two may have forces, so what counts depends on the place alone.
+      const bool near = surface->has(s);
+      touching_ = near || s.contact.touching();
+      beside_ = touching_ && !near;
+      if (near) felt_s_ = std::min(time_s_, felt_s_ + dt_s);
+      return;
+    }
     touching_ = s.contact.touching();
     beside_ = touching_ && !(there ? there_ : here_).touchedBy(s.contact) &&
               !near(there ? there_spheres_ : here_spheres_, s.contact.scp.A, s.probe_A);
@@ -256,7 +274,9 @@ class Same : public Task {
   bool tell_ = true, meter_ = true;
   bool before_ = false, asked_ = false;  // asked before the explanation; asked before and after it
   bool by_place_ = false;
-  std::optional<double> first_round_;  // d' of the first round, once it has ended
+  std::array<Selection, 2> places_;
+  std::array<std::optional<AtSurface>, 2> surfaces_;  // of both, if forces between atoms act on at least one
+  std::optional<double> first_round_;                 // d' of the first round, once it has ended
   TaskStage one_, other_;
   std::vector<Trial> order_;
   std::vector<bool> judged_;  // of this round; until it begins, of the previous one

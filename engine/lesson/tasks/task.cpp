@@ -146,6 +146,22 @@ std::vector<SurfacePlace> placesToTouch(const HandPlanInput& view, const AtomSet
   return places;
 }
 
+AtSurface::AtSurface(const Selection& selection, const Molecule& molecule)
+    : atoms_([&] {
+        std::vector<Sphere> spheres;
+        for (const std::uint32_t a : AtomSet(selection, molecule).atoms()) spheres.push_back(molecule.spheres[a]);
+        return spheres;
+      }()) {}
+
+bool AtSurface::near(const Vec3& probe, double probe_A) const {
+  bool found = false;
+  atoms_.visitNear(probe, probe_A + kNear_A, [&](std::uint32_t, const Sphere& s) {
+    found = glm::distance(probe, s.centre_A) <= s.radius_A + probe_A + kNear_A;
+    return !found;
+  });
+  return found;
+}
+
 bool AtomSet::touchedBy(const Contact& contact) const {
   return contact.touching() &&
          std::any_of(contact.atoms.begin(), contact.atoms.end(), [&](std::int32_t a) { return has(a); });
@@ -241,6 +257,7 @@ const char* placeName(std::string_view word) {
   if (word == "sphere") return tr("the round face of one atom");
   if (word == "crease") return tr("a crease between two atoms");
   if (word == "pit") return tr("a pit between three atoms");
+  if (word == "lowest-energy") return tr("the place of the strongest pull");
   return tr("the surface");
 }
 

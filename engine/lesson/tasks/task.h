@@ -11,6 +11,7 @@
 #include <string_view>
 #include <vector>
 
+#include "engine/haptics/sphere_grid.h"
 #include "engine/language/units.h"
 #include "engine/lesson/hand_plan.h"
 #include "engine/lesson/lesson.h"
@@ -19,6 +20,8 @@
 #include "engine/molecule/molecule.h"
 
 namespace moltact {
+
+class SceneForces;
 
 /// Samples farther apart than this leave the time between them undetermined; that time is not counted (unit: second).
 inline constexpr double kLongestGap_s = 0.25;
@@ -57,6 +60,8 @@ struct TaskStage {
   std::optional<Quat> body_turned = {};     ///< a hand that has no orientation of its own (mouse, keys, fingers) begins
                                             ///< with it, also after the view was reset: of what it holds, relative to
                                             ///< the molecule's file
+  std::optional<PointA> body_begins =
+      {};                ///< such a hand begins there and waits for the press: the middle of what it holds
   int presentation = 0;  ///< another number, or another turn, begins a new presentation: the hand lets go and starts
                          ///< outside again, so that nothing but the touch shows whether something has changed
 
@@ -85,6 +90,7 @@ struct TaskCurves {
   bool drawing = true;              ///< the student is still drawing; what is felt does not count yet
   std::vector<double> drawn, felt;  ///< unit: newton; of the same length
   std::optional<double> agreement;  ///< share of common area, 0 to 1, once both are known
+  bool complete = false;            ///< of a task without a drawn curve: what was felt is final
 };
 
 class Task {
@@ -153,6 +159,8 @@ class Task {
   /// What the scene gives the hand to hold, in its pose of the molecule's file; never null. Told like the above, and
   /// not at all where the hand holds the probe.
   virtual void takeInHand(std::shared_ptr<const HeldBody> /*body*/) {}
+  /// The forces between atoms of the scene. Told after the above, and not at all where the scene has none.
+  virtual void takeForces(std::shared_ptr<const SceneForces> /*forces*/) {}
 
  protected:
   explicit Task(const TaskSpec& spec)
@@ -221,6 +229,22 @@ class AtomSet {
   std::vector<char> in_;
   std::size_t count_ = 0;
   bool all_ = false;
+};
+
+/// The space at the surface of some atoms, for tasks in scenes with forces between atoms: these may hold a probe off the
+/// surface. Whether the probe is there depends neither on a contact nor on a force, and so reveals none.
+class AtSurface {
+ public:
+  static constexpr double kNear_A = 2.0;
+  /// An absent selection selects every atom.
+  AtSurface(const Selection& selection, const Molecule& molecule);
+  /// Whether the probe's surface is within kNear_A of that of one of the atoms.
+  bool near(const Vec3& probe, double probe_A) const;
+  /// The same of a hand that is there on purpose.
+  bool has(const TouchSample& s) const { return !s.hovering && near(s.contact.scp.A, s.probe_A); }
+
+ private:
+  SphereGrid atoms_;
 };
 
 /// Measures how long a condition has lasted; short slips do not interrupt it.

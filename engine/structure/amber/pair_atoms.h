@@ -37,7 +37,7 @@ struct PairAtoms {
   std::vector<Note> notes;
 };
 
-/// A molecule's own partial charges (PQR) replace all others. Residues at both ends of a chain are charged: an end
+/// A molecule's own partial charges (PQR, MOL2, PDBQT) replace all others. Residues at both ends of a chain are charged: an end
 /// without OXT is not.
 PairAtoms pairAtoms(const Molecule& molecule);
 

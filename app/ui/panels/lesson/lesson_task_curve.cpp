@@ -74,7 +74,7 @@ void drawAxes(const Area& area, const TaskCurves& curves) {
   write({0.5f * (area.low.x + area.high.x), area.high.y + l.px(3)}, 0.5f, std::string(tr(curves.x_name)).c_str());
 }
 
-void drawLegend(ImVec2 at, bool felt, ImU32 drawn_colour, ImU32 felt_colour) {
+void drawLegend(ImVec2 at, bool expected, bool felt, ImU32 drawn_colour, ImU32 felt_colour) {
   const Look& l = look();
   ImDrawList* draw = ImGui::GetWindowDrawList();
   ImFont* font = l.font(Font::Small);
@@ -85,7 +85,7 @@ void drawLegend(ImVec2 at, bool felt, ImU32 drawn_colour, ImU32 felt_colour) {
     draw->AddText(font, font->FontSize, at, l.palette.quiet, what);
     at.x += font->CalcTextSizeA(font->FontSize, 1e9f, 0.0f, what).x + l.px(14);
   };
-  entry(tr("expected"), drawn_colour);
+  if (expected) entry(tr("expected"), drawn_colour);
   if (felt) entry(tr("felt"), felt_colour);
 }
 
@@ -171,7 +171,8 @@ void drawTaskCurve(Application& app, std::size_t index, const TaskCurves& curves
   ImGui::GetWindowDrawList()->AddRectFilled(area.low, area.high, l.palette.raised);
   drawAxes(area, curves);
   const bool felt = std::any_of(curves.felt.begin(), curves.felt.end(), [](double v) { return std::isfinite(v); });
-  drawLegend({area.low.x, origin.y}, felt, l.palette.accent, l.palette.warn);
+  const bool expects = curves.drawing || any;
+  drawLegend({area.low.x, origin.y}, expects, felt, l.palette.accent, l.palette.warn);
   if (felt) drawCurve(area, curves.felt, l.palette.warn, l.px(2.2f), true);
   drawCurve(area, drawing ? draft.values : curves.drawn, l.palette.accent, l.px(2.2f), false);
   if (curves.agreement) {
