@@ -81,6 +81,7 @@ macro(provide_common)
   source_library(source_glm glm::glm)
   source_library(source_fmt fmt::fmt DEFINE FMT_HEADER_ONLY=1)
   source_library(source_json nlohmann_json::nlohmann_json)
+  source_library(source_eigen Eigen3::Eigen INCLUDE ${headers}/eigen3)
   # Header-only libraries whose functions one source must instantiate.
   file(CONFIGURE OUTPUT ${sources}/stb/stb.c CONTENT "#define STB_IMAGE_IMPLEMENTATION\n#include <stb_image.h>
 #define STB_IMAGE_WRITE_IMPLEMENTATION\n#include <stb_image_write.h>\n")

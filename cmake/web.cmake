@@ -1,6 +1,6 @@
 # The libraries of the browser edition (preset `web`), because Debian builds none for emscripten.
 set(sources_wanted imgui freetype zlib md4c libzip)
-set(headers_wanted glm gemmi tao nlohmann fmt fast_float tiny_gltf.h stb zip.h zipconf.h)
+set(headers_wanted glm eigen3 Spectra gemmi tao nlohmann fmt fast_float tiny_gltf.h stb zip.h zipconf.h)
 include(${CMAKE_CURRENT_LIST_DIR}/sources.cmake)
 
 # For every target, also of libraries: libc++ 13 lacks parts of C++20 (web/missing_std.h).

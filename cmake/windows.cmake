@@ -1,7 +1,7 @@
 # The libraries of the build for Windows (preset `windows`), cross-compiled by mingw-w64. docs/windows.md lists what is
 # left out, and why.
 set(sources_wanted imgui freetype zlib md4c libzip glfw3 hidapi libepoxy)
-set(headers_wanted glm gemmi tao nlohmann fmt tiny_gltf.h stb zip.h zipconf.h CLI AL)
+set(headers_wanted glm eigen3 Spectra gemmi tao nlohmann fmt tiny_gltf.h stb zip.h zipconf.h CLI AL)
 include(${CMAKE_CURRENT_LIST_DIR}/sources.cmake)
 
 # Units of several sources exceed the default section limit of object files.

@@ -266,6 +266,15 @@ SceneSpec readScene(Reading& reading, const MarkdownBlock& block, const SceneSpe
   if (takes("cut")) scene.cut = values["cut"].words.empty() || values["cut"].words[0] != "none";
   takeAtoms("cut", scene.cut_at, scene.places.cut);
   takeSecondState(reading, values, takes("state"), lesson, scene);
+  if (takes("elastic")) scene.elastic = values["elastic"].words[0] == "on";
+  if (scene.elastic && !scene.then.molecule.empty())
+    reading.error(values["elastic"].place.line ? values["elastic"].place : scene.places.then,
+                  tr("the slider of 'then' or the hand moves the atoms, not both"),
+                  tr("leave out 'then', or write 'elastic: off'"));
+  if (scene.elastic && forceChoice(scene.touch.forces).any())
+    reading.error(values["elastic"].place.line ? values["elastic"].place : values["forces"].place,
+                  tr("forces act between atoms that rest, and those of an elastic molecule move"),
+                  tr("write 'forces: none' or 'elastic: off'"));
   if (forceChoice(scene.touch.forces).any() && !scene.then.molecule.empty())
     reading.error(values["forces"].place.line ? values["forces"].place : scene.places.then,
                   tr("forces act between atoms that rest, and 'then' moves them"),

@@ -17,7 +17,7 @@ namespace {
 std::vector<std::string_view> lockable() {
   std::vector<std::string_view> out{"panels"};
   for (const KeySpec& k : touchSceneKeys()) out.push_back(k.name);
-  out.insert(out.end(), {"show", "magnify", "all"});
+  out.insert(out.end(), {"show", "magnify", "elastic", "all"});
   return out;
 }
 
@@ -194,9 +194,11 @@ std::vector<KeySpec> sceneKeys() {
        .words = colouringNames()},
       {.name = "panels",
        .type = ValueType::WordList,
-       .meaning = "Panels beside the molecule: 'touch' shows the force, 'methods' compares the haptic methods (with "
-                  "touch), 'none' leaves only molecule and text. By default the panels opened by the student remain.",
-       .words = {"touch", "methods", "none"}},
+       .meaning =
+           "Panels beside the molecule: 'touch' shows the force, 'methods' compares the haptic methods (with "
+           "touch), 'motion' the modes of an elastic molecule, 'none' leaves only molecule and text. By default the "
+           "panels opened by the student remain.",
+       .words = {"touch", "methods", "motion", "none"}},
       {.name = "label",
        .type = ValueType::Marks,
        .meaning = "Names in the picture: of each selected atom, residue or chain, or your own in double quotes, as in "
@@ -272,6 +274,12 @@ std::vector<KeySpec> sceneKeys() {
        .meaning = "The initial position between the two structures: one of 'states', or a percentage such as '40%'. "
                   "Links can set it too: [closed](#state:closed).",
        .fallback = "0%"},
+      {.name = "elastic",
+       .type = ValueType::Word,
+       .meaning = "'on' makes the molecule give way to the hand as an elastic network: springs between residues within "
+                  "15 Å. The panel 'motion' shows its modes.",
+       .fallback = "off",
+       .words = {"on", "off"}},
       {.name = "magnify",
        .type = ValueType::Target,
        .meaning = "Atoms that fill the workspace of the hand: they are felt larger, and the view zooms to them; 'view' "

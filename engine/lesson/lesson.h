@@ -139,6 +139,7 @@ struct SceneSpec {
   Selection cut_at;                   ///< the cutting plane goes through the centre of these atoms; not given: of all
                                       ///< atoms
   SecondState then;
+  bool elastic = false;  ///< the molecule gives way to the hand as an elastic network (engine/dynamics)
   Selection magnify;  ///< these atoms fill the workspace; if empty, the whole molecule does
   ScenePlaces places;
 

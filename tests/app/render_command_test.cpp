@@ -102,6 +102,7 @@ TEST_CASE("every key of a scene is an option of render, or has no meaning for a 
                                                         {"force", "a picture pushes nothing; --show has the arrow"},
                                                         {"panels", "there are none in the picture"},
                                                         {"paint", "nothing has been touched before"},
+                                                        {"elastic", "a picture shows the molecule at rest"},
                                                         {"view NAME", "a name is for links; --view takes what it says"},
                                                         {"states", "names for the slider"},
                                                         {"locked", "nobody could change it"}};

@@ -209,4 +209,12 @@ TEST_CASE("mistakes with two molecules are reported at their lines") {
   CHECK(scene("then: shut\nforces: electrostatic\n") ==
         Texts{"l.md:13:9: forces act between atoms that rest, and 'then' moves them; leave out 'then', or write "
               "'forces: none'"});
+  CHECK(scene("elastic: on\n").empty());
+  CHECK(scene("then: shut\nelastic: off\n").empty());
+  CHECK(scene("then: shut\nelastic: on\n") ==
+        Texts{"l.md:13:10: the slider of 'then' or the hand moves the atoms, not both; leave out 'then', or write "
+              "'elastic: off'"});
+  CHECK(scene("forces: all\nelastic: on\n") ==
+        Texts{"l.md:13:10: forces act between atoms that rest, and those of an elastic molecule move; write 'forces: "
+              "none' or 'elastic: off'"});
 }

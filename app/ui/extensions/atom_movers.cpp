@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "app/ui/extensions/elastic_molecule.h"
 #include "app/ui/extensions/moving_states.h"
 
 namespace moltact {
@@ -9,6 +10,7 @@ namespace moltact {
 AtomMovers::AtomMovers(const MoverParts& parts) : parts_(parts) {
   // One line for each.
   add<MovingStates>();
+  add<ElasticMolecule>();
 }
 
 AtomMover* AtomMovers::ofKind(std::string_view kind) const {

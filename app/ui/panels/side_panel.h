@@ -12,7 +12,9 @@ class Application;
 
 // The tabs besides that of touch: name of the function, key, title, item of the menu View, its shortcut. A lesson's scene
 // opens a tab by its key, if the key is also among the words of the scenes' key `panels` (engine/lesson/keys.cpp).
-#define MOLTACT_SIDE_TABS(TAB) TAB(Methods, "methods", N_("Methods"), N_("Methods panel"), "Ctrl+M")
+#define MOLTACT_SIDE_TABS(TAB)                                          \
+  TAB(Methods, "methods", N_("Methods"), N_("Methods panel"), "Ctrl+M") \
+  TAB(Motion, "motion", N_("Motion"), N_("Motion panel"), "Ctrl+Shift+M")
 
 struct SideTab {
   const char* key;                 ///< also the panel's name in the widget map

@@ -1,0 +1,267 @@
+#include "app/ui/extensions/elastic_molecule.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <exception>
+#include <utility>
+
+#include "app/ui/application/application_options.h"
+#include "app/ui/lesson/lesson_guide.h"
+#include "app/ui/widgets/messages.h"
+#include "engine/haptics/body/held_body.h"
+#include "engine/haptics/field/force_choices.h"
+#include "engine/haptics/field/pair_model.h"
+#include "engine/language/catalogue.h"
+
+namespace moltact {
+namespace {
+
+constexpr double kUnnoticed_A = 1e-3;  // smaller displacements are neither seen nor felt
+// A molecule without a push returns in this time.
+constexpr double kMinRelaxation_s = 0.15;
+// Displacements in attempts are multiples of this.
+constexpr double kRecorded_A = 0.01;
+
+Expected<ElasticModel> modelOf(const std::shared_ptr<const Molecule>& molecule,
+                               const std::vector<std::uint32_t>& held) {
+  try {
+    auto network = ElasticNetwork::make(*molecule, ElasticNetwork::kCutOff_A, held);
+    if (!network) return network.problem();
+    ElasticModel out;
+    out.network = std::make_shared<const ElasticNetwork>(*std::move(network));
+    auto modes = lowestModes(*out.network, ElasticMolecule::kModes);
+    if (!modes) return modes.problem();
+    out.modes = std::make_shared<const NormalModes>(*std::move(modes));
+    const std::vector<glm::dmat3> compliances = nodeCompliances(*out.network);
+    out.spring_kcal_mol_A2 = springFromDisplacementFactors(*out.network, *molecule, compliances);
+    out.spring_assumed = !(out.spring_kcal_mol_A2 > 0.0);
+    if (out.spring_assumed) out.spring_kcal_mol_A2 = ElasticMolecule::kUsualSpring_kcal_mol_A2;
+    for (const glm::dmat3& c : compliances)
+      out.compliances_A2_mol_kcal.push_back(greatestCompliance(c) / out.spring_kcal_mol_A2);
+    return out;
+  } catch (const std::exception& e) {
+    return Problem{{}, 0, 0, trf("The elastic network cannot be computed: {0}", e.what()), {}};
+  }
+}
+
+std::string textOf(std::span<const Vec3> displacements_A) {
+  std::string out;
+  for (const Vec3& v : displacements_A)
+    for (int c = 0; c < 3; ++c) {
+      if (!out.empty()) out += ' ';
+      out += std::to_string(std::lround(v[c] / kRecorded_A));
+    }
+  return out;
+}
+
+std::vector<Vec3> displacementsOf(std::string_view text) {
+  std::vector<Vec3> out;
+  const char* at = text.data();
+  const char* const end = at + text.size();
+  for (int c = 0; at < end; c = (c + 1) % 3) {
+    int value = 0;
+    const auto read = std::from_chars(at, end, value);
+    if (read.ec != std::errc() || std::abs(value) > 1'000'000) return {};
+    if (c == 0) out.emplace_back(0.0);
+    out.back()[c] = value * kRecorded_A;
+    at = read.ptr;
+    if (at < end && *at++ != ' ') return {};
+  }
+  return out;
+}
+
+}  // namespace
+
+void ElasticMolecule::forget() {
+  own_.release();
+  reading_.drop();
+  model_.reset();
+  molecule_.reset();
+  motion_.reset();
+  problem_.clear();
+  waiting_.clear();
+  resetModes();
+  resting_ = true;
+}
+
+void ElasticMolecule::resetModes() {
+  mode_ = 0;
+  shown_ = alone_ = false;
+}
+
+void ElasticMolecule::sceneChanged() {
+  const LessonSession* session = lesson_.session();
+  const bool lesson = session && lesson_.onStage();
+  if (lesson) on_ = session->scene().elastic;
+  // What a lesson switched on ends with it.
+  if (!lesson && by_lesson_) on_ = false;
+  by_lesson_ = lesson;
+  if (!on_ || !scene_.stage()) return forget();
+  begin();
+}
+
+std::string ElasticMolecule::unavailable() const {
+  const LessonSession* session = lesson_.session();
+  if (session && lesson_.onStage() && !session->scene().then.molecule.empty())
+    return tr("The slider moves the atoms of this scene.");
+  if (forceChoice(scene_.touch().forces).any())
+    return tr("Forces between atoms act in a molecule at rest. Switch them off to make it elastic.");
+  return {};
+}
+
+void ElasticMolecule::turn(bool on) {
+  if (on == on_ || (on && !unavailable().empty())) return;
+  on_ = on;
+  if (on_ && scene_.stage()) return begin();
+  // The atoms return to their places.
+  if (motion_ && own_.owns()) scene_.placeAtoms(own_, scene_.atoms().resting().spheres->spheres());
+  scene_.servo().loop().wantImpulses(false);
+  forget();
+}
+
+void ElasticMolecule::begin() {
+  const TouchableModel& stage = scene_.stage();
+  motion_.reset();
+  waiting_.clear();
+  resetModes();
+  resting_ = true;
+  if (stage.molecule == molecule_) {
+    // The scene has restarted with the atoms at rest.
+    if (model_) take(*model_);
+    return;
+  }
+  forget();
+  molecule_ = stage.molecule;
+  reading_.begin(inBackground(modelOf, molecule_, stage.body ? stage.body->atoms : std::vector<std::uint32_t>()));
+  if (options_.clock == ServoClock::Frames) take(*reading_.wait());
+}
+
+void ElasticMolecule::take(Expected<ElasticModel> made) {
+  if (!made) {
+    problem_ = made.problem().text();
+    messages_.error(problem_);
+    return;
+  }
+  if (!model_) model_ = std::make_shared<const ElasticModel>(*std::move(made));
+  motion_.emplace(model_->network, model_->modes, model_->spring_kcal_mol_A2, kStep_s);
+  impulses_N_s_.assign(model_->network->nodes().size(), Vec3(0.0));
+  ticks_ = 0;
+  scene_.servo().loop().wantImpulses(true);
+  scene_.servo().loop().takeImpulses();  // earlier ones
+}
+
+void ElasticMolecule::addImpulses() {
+  const AtomImpulses& given = scene_.servo().loop().takeImpulses();
+  if (given.scene != scene_.servo().scene()) return;
+  ticks_ += given.ticks;
+  for (const AtomImpulse& a : given.atoms())
+    if (a.atom >= 0 && std::size_t(a.atom) < model_->network->atomCount())
+      if (const std::uint32_t node = model_->network->nodeOf(std::size_t(a.atom)); node != ElasticNetwork::kNoNode)
+        impulses_N_s_[node] += a.impulse_N_s;
+}
+
+void ElasticMolecule::beforeTicks() {
+  if (std::optional<Expected<ElasticModel>> made = reading_.take()) take(*std::move(made));
+  if (!motion_ || scene_.stage().molecule != molecule_) return;
+  if (std::string why = unavailable(); !why.empty()) {
+    turn(false);
+    messages_.notice(std::move(why));
+    return;
+  }
+  addImpulses();
+  if (waiting_.empty()) step();
+  if (!waiting_.empty() && own_.claim() && scene_.moveAtoms(own_, waiting_, kStep_ticks)) waiting_.clear();
+}
+
+// One step under the mean force of the ticks since the last one.
+void ElasticMolecule::step() {
+  if (ticks_ == 0) return;
+  std::vector<NodeForce> forces;
+  double compliance = 0.0;  // of the softest pushed node
+  const double kcal_mol_A = kScale_pN_per_N / kForceUnit_pN / (double(ticks_) * kTick_s);
+  for (std::size_t n = 0; n < impulses_N_s_.size(); ++n)
+    if (impulses_N_s_[n] != Vec3(0.0)) {
+      forces.push_back({std::uint32_t(n), impulses_N_s_[n] * kcal_mol_A});
+      impulses_N_s_[n] = Vec3(0.0);
+      compliance = std::max(compliance, model_->compliances_A2_mol_kcal[n]);
+    }
+  ticks_ = 0;
+  if (resting_ && forces.empty() && !shown_) return;
+  const ServoSettings& servo = scene_.servo_settings;
+  const double hand_kcal_mol_A2 = servo.stiffness_N_per_mm / servo.workspace.A_per_mm * kScale_pN_per_N / kForceUnit_pN;
+  motion_->setRelaxation(std::max(kMinRelaxation_s, relaxationFor(hand_kcal_mol_A2, compliance, kStep_s)));
+  if (shown_) {
+    const auto mode = model_->modes->mode(mode_);
+    double most = 0.0;
+    for (const Vec3& v : mode) most = std::max(most, glm::length(v));
+    std::vector<double> amplitudes(mode_ + 1, 0.0);
+    shown_for_s_ += kStep_s;
+    amplitudes[mode_] = kShown_A / most * std::sin(kTwoPi * shown_for_s_ / kShown_s);
+    motion_->setRest(amplitudes);
+    motion_->setRelaxation(0.0);  // the movement itself is slow
+  } else {
+    motion_->setRest({});
+  }
+  motion_->step(forces);
+  resting_ = forces.empty() && !shown_ && motion_->maxDisplacement_A() < kUnnoticed_A;
+  waiting_ = displaced();
+}
+
+std::vector<Sphere> ElasticMolecule::displaced() const {
+  const SharedArray<Sphere>& resting = scene_.atoms().resting().spheres->spheres();
+  std::vector<Sphere> out(resting.begin(), resting.end());
+  const std::span<const Vec3> by = motion_->displacements_A();
+  for (std::size_t i = 0; i < std::min(out.size(), model_->network->atomCount()); ++i)
+    if (const std::uint32_t node = model_->network->nodeOf(i); node != ElasticNetwork::kNoNode)
+      out[i].centre_A += by[node];
+  return out;
+}
+
+void ElasticMolecule::chooseMode(std::size_t mode) {
+  if (!model_ || mode >= model_->modes->count()) return;
+  mode_ = mode;
+  showMode(shown_);
+  feelModeAlone(alone_);
+}
+
+void ElasticMolecule::showMode(bool on) {
+  shown_ = on;
+  shown_for_s_ = 0.0;
+}
+
+void ElasticMolecule::feelModeAlone(bool on) {
+  alone_ = on;
+  if (!motion_) return;
+  if (alone_)
+    motion_->restrictTo({mode_});
+  else
+    motion_->useAll();
+}
+
+std::optional<AtomsMoved> ElasticMolecule::position() const {
+  if (!motion_) return std::nullopt;
+  return AtomsMoved{
+      {}, {}, resting_ ? std::string() : textOf(motion_->displacements_A()), motion_->maxDisplacement_A()};
+}
+
+// The recorded displacements suffice: the network only says which atoms follow which node.
+void ElasticMolecule::show(const MotionSource& source, const AtomsMoved& position, const MoleculeKey&) {
+  const TouchableModel& stage = scene_.stage();
+  if (!stage) return;
+  if (stage.molecule != molecule_ || !model_) {
+    forget();
+    molecule_ = stage.molecule;
+    Expected<ElasticModel> made = modelOf(molecule_, {});
+    if (!made) return;
+    model_ = std::make_shared<const ElasticModel>(*std::move(made));
+    motion_.emplace(model_->network, model_->modes, model_->spring_kcal_mol_A2, kStep_s);
+  }
+  std::vector<Vec3> at = displacementsOf(position.detail);
+  at.resize(model_->network->nodes().size(), Vec3(0.0));
+  if (textOf(at) == textOf(motion_->displacements_A())) return;
+  motion_->place(at);
+  scene_.placeAtoms(source, displaced());
+}
+
+}  // namespace moltact

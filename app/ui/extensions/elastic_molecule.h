@@ -1,0 +1,94 @@
+// A molecule that gives way: an elastic network (engine/dynamics) takes the impulses of the hand's contacts and moves the
+// atoms, in steps of kStep_ticks that the servo loop follows. Modes of the network can be shown as movements, and the
+// response restricted to some of them. Window's thread; network and modes are computed on a background thread.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/ui/extensions/atom_mover.h"
+#include "engine/dynamics/elastic_motion.h"
+#include "engine/platform/background.h"
+
+namespace moltact {
+
+/// What is computed once for a molecule.
+struct ElasticModel {
+  std::shared_ptr<const ElasticNetwork> network;
+  std::shared_ptr<const NormalModes> modes;
+  double spring_kcal_mol_A2 = 0.0;
+  bool spring_assumed = false;                  ///< the file has no displacement factors
+  std::vector<double> compliances_A2_mol_kcal;  ///< of each node, along its softest direction
+};
+
+class ElasticMolecule : public AtomMover {
+ public:
+  using AtomMover::AtomMover;
+
+  /// What one newton of the hand is between the atoms.
+  static constexpr double kScale_pN_per_N = 100.0;
+  static constexpr std::size_t kModes = 20;
+  /// A step is queued while the previous one is followed; the relaxation time covers the delay (relaxationFor).
+  static constexpr int kStep_ticks = 20;
+  static constexpr double kStep_s = kStep_ticks * kTick_s;
+  /// Stiffness of the springs where the file has no displacement factors.
+  static constexpr double kUsualSpring_kcal_mol_A2 = 0.3;
+  /// A mode that is shown displaces the node that moves most by this much, to and fro in this time.
+  static constexpr double kShown_A = 3.0, kShown_s = 4.0;
+
+  void sceneChanged() override;
+  void lessonChanged() override { sceneChanged(); }
+  void beforeTicks() override;
+  bool live() const override { return reading_.busy() || moving(); }
+
+  std::string_view kind() const override { return "elastic"; }
+  std::optional<AtomsMoved> position() const override;
+  bool moving() const override { return motion_ && !resting_; }
+  void show(const MotionSource& source, const AtomsMoved& position, const MoleculeKey& file) override;
+
+  /// Whether the molecule gives way, and why it cannot.
+  bool on() const { return on_; }
+  void turn(bool on);
+  /// Why the molecule cannot give way in this scene, as a sentence; empty if it can.
+  std::string unavailable() const;
+  bool computing() const { return reading_.busy(); }
+  const std::string& problem() const { return problem_; }
+  /// Null until it is computed.
+  const ElasticModel* model() const { return model_.get(); }
+
+  double energy_kcal_mol() const { return motion_ ? motion_->energy_kcal_mol() : 0.0; }
+  double maxDisplacement_A() const { return motion_ ? motion_->maxDisplacement_A() : 0.0; }
+  /// The chosen mode; whether it is shown as a movement, and whether the molecule gives way in it alone.
+  std::size_t mode() const { return mode_; }
+  bool modeShown() const { return shown_; }
+  bool modeAlone() const { return alone_; }
+  void chooseMode(std::size_t mode);
+  void showMode(bool on);
+  void feelModeAlone(bool on);
+
+ private:
+  void forget();
+  void resetModes();
+  void begin();
+  void take(Expected<ElasticModel> made);
+  void step();
+  void addImpulses();
+  std::vector<Sphere> displaced() const;
+
+  bool on_ = false, by_lesson_ = false, resting_ = true;
+  std::shared_ptr<const Molecule> molecule_;  // of which model_ is made
+  NewestWork<Expected<ElasticModel>> reading_;
+  std::shared_ptr<const ElasticModel> model_;
+  std::string problem_;
+  std::optional<ElasticMotion> motion_;
+  std::vector<Vec3> impulses_N_s_;  // of each node since the last step
+  std::uint64_t ticks_ = 0;         // in which they were given
+  std::vector<Sphere> waiting_;     // the atoms after the last step, until the loop takes them
+  std::size_t mode_ = 0;
+  bool shown_ = false, alone_ = false;
+  double shown_for_s_ = 0.0;
+};
+
+}  // namespace moltact

@@ -1,0 +1,160 @@
+// A molecule that gives way to the hand: felt, drawn, recorded, played back. Oracle: the network's compliance times the
+// force.
+#include "app/ui/extensions/elastic_molecule.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/ui/extensions/extensions.h"
+#include "engine/haptics/field/pair_model.h"
+#include "tests/app/scripted_user_fixture.h"
+#include "tests/dynamics/networks.h"
+#include "tests/results/sample_attempt.h"
+
+namespace moltact {
+namespace {
+
+namespace fs = std::filesystem;
+
+ScriptedUser::Options small(const fs::path& folder) {
+  ScriptedUser::Options options;
+  options.width = 1000;
+  options.height = 600;
+  options.application.attempts_folder = folder;
+  return options;
+}
+
+std::string lessonWith(const std::string& keys) {
+  return "---\ntitle: T\nminutes: 1\ngoals: G\nmolecules: 1ubq, 4ake, 1ake\nauthor: A\nlicence: L\n---\n## One\n"
+         "```scene\n" +
+         keys + "```\n```touch\nreach: residue 4\nsay: Touch it.\n```\n\n> [!TIP]\n> Look.\n";
+}
+
+double farthest_A(ScriptedUser& user, const SharedArray<Sphere>& from) {
+  const SharedArray<Sphere>& now = user.app().scene.atoms().seen()->spheres;
+  double out = 0.0;
+  for (std::size_t i = 0; i < from.size(); ++i) out = std::max(out, glm::distance(now[i].centre_A, from[i].centre_A));
+  return out;
+}
+
+TEST_CASE(
+    "a pushed elastic molecule comes to rest where compliance times force says, within 5 %; released, every atom "
+    "returns "
+    "within 0.01 A; a playback puts the atoms where they were within 0.02 A") {
+  const ScratchFolder scratch;
+  writeFile(scratch.path / "mine.md", lessonWith("molecule: 1ubq\nelastic: on\nstiffness: 1 N/mm\n"));
+  fs::path file;
+  {
+    const auto user = startWith((scratch.path / "mine.md").string(), small(scratch.path));
+    Application& app = user->app();
+    const ElasticMolecule& elastic = app.extensions().movers.get<ElasticMolecule>();
+    REQUIRE(elastic.on());
+    REQUIRE(elastic.model());
+    const SharedArray<Sphere> rest = app.scene.atoms().seen()->spheres;
+    user->point("view", 0.5, 0.5);
+    user->press();
+    for (int k = 0; k < 40; ++k) {
+      user->wheel(1.0);
+      user->frames(2);
+    }
+    user->frames(1200);
+    const ServoSample& now = app.scene.log().latest();
+    REQUIRE(now.contact.touching());
+    // The displacements of all nodes under the reactions of this tick, by the dense pseudo-inverse.
+    const ElasticModel& model = *elastic.model();
+    app.scene.servo().loop().wantReactions(true);
+    user->frames(2);
+    Eigen::VectorXd f = Eigen::VectorXd::Zero(Eigen::Index(3 * model.network->nodes().size()));
+    double sum_N = 0.0;
+    for (const AtomForce& r : app.scene.servo().loop().reactions().forces()) {
+      for (int c = 0; c < 3; ++c)
+        f[Eigen::Index(3 * model.network->nodeOf(std::size_t(r.atom))) + c] +=
+            r.force_N[c] * ElasticMolecule::kScale_pN_per_N / kForceUnit_pN / model.spring_kcal_mol_A2;
+      sum_N += glm::length(r.force_N);
+    }
+    CHECK(sum_N > 0.3);
+    const Eigen::VectorXd expected = test::pseudoInverse(test::denseHessian(*model.network)) * f;
+    double greatest = 0.0, off = 0.0;
+    for (std::size_t n = 0; n < model.network->nodes().size(); ++n) {
+      const Eigen::Index at = Eigen::Index(3 * n);
+      const Vec3 e(expected[at], expected[at + 1], expected[at + 2]);
+      const std::uint32_t atom = model.network->nodes()[n];
+      const Vec3 moved = app.scene.atoms().seen()->spheres[atom].centre_A - rest[atom].centre_A;
+      greatest = std::max(greatest, glm::length(e));
+      off = std::max(off, glm::distance(moved, e));
+    }
+    CHECK(greatest > 0.3);
+    CHECK(off < 0.05 * greatest);
+    user->release();
+    user->frames(1200);
+    CHECK(farthest_A(*user, rest) < 0.01);
+    REQUIRE(app.extensions().recorder.flush());
+    file = app.extensions().recorder.file();
+  }
+  const Expected<Attempt> attempt = readAttempt(file);
+  REQUIRE(bool(attempt));
+  CHECK(attempt->problems.empty());
+  double greatest = 0.0, at_s = 0.0;
+  for (const AttemptEvent& e : attempt->events)
+    if (const auto* moved = std::get_if<AtomsMoved>(&e.what)) {
+      CHECK(moved->by == "elastic");
+      if (moved->position > greatest) greatest = moved->position, at_s = e.t_s;
+    }
+  REQUIRE(greatest > 0.1);
+  const auto user = startWith("1ubq", small({}));
+  user->app().open(file);
+  user->app().finishLoading();
+  Playback& playback = user->app().extensions().playback;
+  playback.setRunning(false);
+  playback.seek(at_s + 1e-3);
+  user->app().finishLoading();
+  user->frames(5);
+  CHECK(farthest_A(*user, user->app().scene.atoms().resting().spheres->spheres()) ==
+        doctest::Approx(greatest).epsilon(0.02));
+}
+
+TEST_CASE("switched on for any molecule, shown in a mode, and switched off: the atoms are back at once") {
+  const auto user = startWith("4ake", small({}));
+  Application& app = user->app();
+  ElasticMolecule& elastic = app.extensions().movers.get<ElasticMolecule>();
+  const SharedArray<Sphere> rest = app.scene.atoms().seen()->spheres;
+  elastic.turn(true);
+  user->frames(5);
+  CHECK(farthest_A(*user, rest) == 0.0);
+  elastic.showMode(true);
+  user->frames(65);  // a quarter of its period
+  CHECK(farthest_A(*user, rest) == doctest::Approx(ElasticMolecule::kShown_A).epsilon(0.05));
+  CHECK(elastic.energy_kcal_mol() < 0.1);  // it is shown without stretching a spring
+  elastic.turn(false);
+  user->frames(5);
+  CHECK(farthest_A(*user, rest) == 0.0);
+  CHECK_FALSE(elastic.live());
+  // Forces between atoms need a molecule at rest: they switch it off, with a message, and it stays off.
+  elastic.turn(true);
+  elastic.showMode(true);
+  user->frames(30);
+  TouchSetup touch = app.scene.touch();
+  touch.forces = "van-der-waals";
+  app.scene.setTouch(touch);
+  user->frames(5);
+  CHECK_FALSE(elastic.on());
+  CHECK(farthest_A(*user, rest) == 0.0);
+  CHECK(contains(app.messages.all().back().text, "Forces between atoms act in a molecule at rest."));
+  elastic.turn(true);
+  CHECK_FALSE(elastic.on());
+}
+
+TEST_CASE("a molecule too small for an elastic network says so with a remedy, and nothing moves") {
+  const auto user = startWith("water", small({}));
+  ElasticMolecule& elastic = user->app().extensions().movers.get<ElasticMolecule>();
+  elastic.turn(true);
+  user->frames(5);
+  CHECK_FALSE(elastic.model());
+  CHECK(contains(elastic.problem(), "too few residues"));
+  CHECK_FALSE(elastic.moving());
+}
+
+}  // namespace
+}  // namespace moltact
