@@ -45,7 +45,7 @@ void LookOptions::addTo(CLI::App& command) {
       ->check(CLI::IsMember(schemeNames()));
 }
 
-AtomsLook LookOptions::look(const Molecule& molecule) const {
+AtomsLook LookOptions::look(const Molecule& molecule, const ColouringInput& colours) const {
   AtomsLook out;
   for (const StyleSpec& s : stylesOf(style))
     out.styles.push_back({s.style,
@@ -54,7 +54,7 @@ AtomsLook LookOptions::look(const Molecule& molecule) const {
   std::vector<std::uint32_t> hidden = left_out.removed(molecule);
   if (!hide.empty() && hide != "none") hidden = atomsOfEither(hidden, selectedAtoms("--hide", hide, molecule));
   if (!hidden.empty()) out.hidden = listOf(std::move(hidden));
-  if (!colour.empty()) out.colouring = schemeColouring(molecule, colour);
+  if (!colour.empty()) out.colouring = schemeColouring(molecule, colour, colours);
   return out;
 }
 

@@ -18,7 +18,7 @@ struct LookOptions {
   /// Adds --style, --hide, --untouchable, --remove and --colour. This object must outlive the parsing.
   void addTo(CLI::App& command);
   /// The look that the options describe. Throws CLI::ValidationError with the option's name if a value is invalid.
-  AtomsLook look(const Molecule& molecule) const;
+  AtomsLook look(const Molecule& molecule, const ColouringInput& colours = {}) const;
   /// The colouring of --colour. Without the option, colours by chain or by element.
   ColourBy colourBy(const Molecule& molecule) const;
 };

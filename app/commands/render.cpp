@@ -135,8 +135,9 @@ void printTimes(Renderer& renderer, const ViewScene& scene, int width, int heigh
   out() << text << '\n';
 }
 
-AtomsLook looksOf(const RenderArguments& arguments, const Molecule& molecule, const Camera& camera) {
-  AtomsLook look = arguments.look.look(molecule);
+AtomsLook looksOf(const RenderArguments& arguments, const Molecule& molecule, const Camera& camera,
+                  std::span<const std::uint32_t> held) {
+  AtomsLook look = arguments.look.look(molecule, {.dielectric = arguments.touch.dielectric, .held = held});
   look.spheres_near_A = arguments.near_A;
   if (arguments.cut.empty()) return look;
   Vec3 through = camera.target.A;
@@ -190,9 +191,11 @@ void render(const RenderArguments& arguments) {
     comeClose(regionAround(selectedAtoms("--zoom-to", arguments.zoom_to, *scene.molecule), *scene.molecule,
                            arguments.touch.probe_A));
   if (spec.highlight.given()) scene.highlighted = spec.highlight.select(*scene.molecule);
-  scene.look = looksOf(arguments, *scene.molecule, scene.camera);
+  const std::vector<std::uint32_t> held = heldAtoms(spec, *scene.molecule);
+  scene.look = looksOf(arguments, *scene.molecule, scene.camera,
+                       atomsOfEither(held, arguments.look.left_out.notFelt(*scene.molecule)));
   scene.look.marks = marksOf(spec, *scene.molecule);
-  if (const std::vector<std::uint32_t> held = heldAtoms(spec, *scene.molecule); !held.empty()) {
+  if (!held.empty()) {
     scene.body = heldBody(scene.molecule->spheres, held);
     if (!scene.body) throw tooManyHeld(held.size());
     scene.look.hidden = std::make_shared<const std::vector<std::uint32_t>>(

@@ -85,9 +85,12 @@ void addLines(const Annotations& annotations, const Camera& camera, const Theme&
         for (const PointA& p : piece) lines.point(p.A);
       }
     });
-  if (!annotations.measures.empty())
-    lines.edged(theme.measure, 2.2f, 0.8f, [&] {
+  for (const auto& [kind, colour] :
+       {std::pair{Annotations::Line::Measure, theme.measure}, std::pair{Annotations::Line::Bond, theme.bond},
+        std::pair{Annotations::Line::Clash, theme.strongest}})
+    lines.edged(colour, 2.2f, 0.8f, [&] {
       for (const Annotations::Measure& m : annotations.measures) {
+        if (m.line != kind) continue;
         for (std::size_t i = 0; i + 1 < m.places.size(); ++i) lines.dashes(m.places[i].A, m.places[i + 1].A);
         if (m.places.size() == 3) lines.arc(m.places[0].A, m.places[1].A, m.places[2].A);
       }

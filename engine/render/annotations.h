@@ -23,9 +23,12 @@ struct Annotations {
     bool arrow = false;   ///< draw an arrow from the name to the point
     bool always = false;  ///< if atoms hide the point, the label is drawn faintly instead of omitted
   };
+  enum class Line : std::uint8_t { Measure, Bond, Clash };  ///< its colour
   struct Measure {
     std::vector<PointA> places;  ///< two, three or four
     std::string text;
+    Line line = Line::Measure;
+    friend bool operator==(const Measure&, const Measure&) = default;
   };
   std::vector<Label> labels;
   std::vector<Measure> measures;

@@ -97,6 +97,25 @@ class Maker {
     }
   }
 
+  // The atoms whose field is felt.
+  void fieldAtoms(const MoleculeModel& model) {
+    double greatest = 0.0;
+    for (const auto* atoms : {&scene_.attracting, &scene_.repelling})
+      for (const LoadedAtom& one : *atoms) greatest = std::max(greatest, one.share);
+    if (!(greatest > 0.0)) return;
+    for (const auto& [atoms, colour] :
+         {std::pair{&scene_.attracting, scene_.theme.attracts}, std::pair{&scene_.repelling, scene_.theme.repels}})
+      for (const LoadedAtom& one : *atoms) {
+        if (one.atom >= model.atoms() || isHidden(one.atom)) continue;
+        const Sphere b = model.atomSphere(one.atom);
+        glow(b.centre_A, b.radius_A, one.share / greatest, colour);
+      }
+  }
+
+  void heldLines() {
+    if (scene_.held_lines) addLines(*scene_.held_lines, scene_.camera, scene_.theme, out_.strokes);
+  }
+
   // The body at the hand's pose, as the outlines of its atoms: the springs pull from the drawn body to there. Parts of
   // an outline in front of or behind another atom of it are omitted.
   void ghost(const MoleculeModel& model) {
@@ -356,7 +375,10 @@ class Maker {
     return greatest > 0.0 ? own / greatest : 0.0;
   }
   void glow(const Vec3& place, double radius_A, double load) {
-    shell(place, radius_A + kGlow_A * (0.4 + 0.6 * load), forceColour(scene_.theme, 1.0), float(0.15 + 0.4 * load));
+    glow(place, radius_A, load, forceColour(scene_.theme, 1.0));
+  }
+  void glow(const Vec3& place, double radius_A, double load, const Colour& colour) {
+    shell(place, radius_A + kGlow_A * (0.4 + 0.6 * load), colour, float(0.15 + 0.4 * load));
   }
   glm::vec3 view(const Vec3& p) const { return glm::vec3(scene_.camera.toView({p})); }
   Vec3 toEye(const Vec3& p) const { return glm::normalize(scene_.camera.eye().A - p); }
@@ -459,6 +481,7 @@ void addGlyphs(const ViewScene& scene, const MoleculeModel* model, Glyphs& glyph
   if (!make.hasHip()) return;
   if (model && scene.shown.has(ViewPart::Atoms)) make.touched(*model);
   if (model && scene.shown.has(ViewPart::Atoms)) make.stoppers(*model);
+  if (model && scene.shown.has(ViewPart::Atoms)) make.fieldAtoms(*model);
   if (scene.shown.has(ViewPart::Probe) && !scene.body) make.probe();
   if (scene.shown.has(ViewPart::Probe) && scene.body && model) make.body(*model);
   if (scene.shown.has(ViewPart::Probe) && scene.body && model) make.ghost(*model);
@@ -468,6 +491,7 @@ void addGlyphs(const ViewScene& scene, const MoleculeModel* model, Glyphs& glyph
   if (scene.shown.has(ViewPart::Scp)) make.scp();
   if (scene.shown.has(ViewPart::Force)) make.force();
   if (scene.shown.has(ViewPart::Force)) make.torque();
+  if (scene.shown.has(ViewPart::Probe)) make.heldLines();
 }
 
 }  // namespace moltact

@@ -19,6 +19,7 @@ struct Wanted {
   PointA at;
   double clear_A;
   bool arrow, always, measure;
+  const Annotations::Measure* line = nullptr;  // a line that the label leaves visible
   Vec3 px{0.0};
   bool hidden = false;
 };
@@ -50,7 +51,9 @@ glm::dvec2 labelPadding_px(double unit_px) { return glm::dvec2(kAcross, kDown) *
 std::vector<PlacedLabel> layOutLabels(const ViewScene& scene, const SphereGrid* spheres, const LabelRoom& room) {
   std::vector<Wanted> wanted;
   if (!hidesPlaces(scene.look)) spheres = nullptr;
-  for (const auto& a : scene.annotations) {
+  std::vector<std::shared_ptr<const Annotations>> all = scene.annotations;
+  if (scene.held_lines) all.push_back(scene.held_lines);
+  for (const auto& a : all) {
     for (const Annotations::Label& l : a->labels)
       wanted.push_back({&l.text, l.at, l.clear_A, l.arrow, l.always, false});
     for (const Annotations::Measure& m : a->measures) {
@@ -61,7 +64,13 @@ std::vector<PlacedLabel> layOutLabels(const ViewScene& scene, const SphereGrid* 
                                                                                           : 1;
       for (std::size_t i = first; i <= last && i < m.places.size(); ++i)
         middle += m.places[i].A / double(last - first + 1);
-      wanted.push_back({&m.text, {middle}, 2.5, false, true, true});
+      wanted.push_back({&m.text,
+                        {middle},
+                        2.5,
+                        false,
+                        true,
+                        true,
+                        m.line != Annotations::Line::Measure && m.places.size() == 2 ? &m : nullptr});
     }
   }
   std::erase_if(wanted, [&](Wanted& w) {
@@ -110,6 +119,16 @@ std::vector<PlacedLabel> layOutLabels(const ViewScene& scene, const SphereGrid* 
           found = found || fits(label.tip + direction * (reach * u) + direction * half);
           if (found) break;
         }
+    } else if (w.line) {
+      // On either side of the line.
+      const Vec3 from = scene.camera.project(w.line->places[0], room.width_px, room.height_px),
+                 to = scene.camera.project(w.line->places[1], room.width_px, room.height_px);
+      const glm::dvec2 along(to.x - from.x, to.y - from.y);
+      const double length = glm::length(along);
+      const glm::dvec2 side = length > u ? glm::dvec2(along.y, -along.x) / length : glm::dvec2(0.0, -1.0);
+      const double off = std::abs(side.x) * half.x + std::abs(side.y) * half.y + 4.0 * u;
+      for (const double away : {off, -off, 2.0 * off, -2.0 * off})
+        if (!found) found = fits(label.tip + away * side);
     } else {
       const double off = (w.measure ? 4.0 : 0.0) * u + half.y;
       for (const glm::dvec2& by : {glm::dvec2(0, 0), glm::dvec2(0, -2 * off), glm::dvec2(0, 2 * off),

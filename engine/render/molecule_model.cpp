@@ -29,10 +29,11 @@ ColourBy usualColourBy(const Molecule& molecule) {
   return ColourBy::Element;
 }
 
-std::shared_ptr<const Colouring> schemeColouring(const Molecule& molecule, std::string_view name) {
+std::shared_ptr<const Colouring> schemeColouring(const Molecule& molecule, std::string_view name,
+                                                 const ColouringInput& input) {
   if (name == "element" || name == "chain") return nullptr;
   const auto scheme = findColouringScheme(name);
-  return scheme ? std::make_shared<const Colouring>(colourMolecule(molecule, **scheme)) : nullptr;
+  return scheme ? std::make_shared<const Colouring>(colourMolecule(molecule, **scheme, input)) : nullptr;
 }
 
 MoleculeLight lightAmong(const SharedArray<Sphere>& spheres, const std::vector<std::uint8_t>& shown) {

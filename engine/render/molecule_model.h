@@ -29,7 +29,8 @@ ColourBy usualColourBy(const Molecule& molecule);
 
 /// The colours of a scheme by its name (engine/structure/colouring.h). Null for "element" and "chain", which the
 /// renderer implements itself, and for an unknown name.
-std::shared_ptr<const Colouring> schemeColouring(const Molecule& molecule, std::string_view name);
+std::shared_ptr<const Colouring> schemeColouring(const Molecule& molecule, std::string_view name,
+                                                 const ColouringInput& input = {});
 
 /// The sources of the atoms' colours; later members override earlier ones.
 struct AtomPaint {

@@ -31,6 +31,8 @@ Theme darkTheme() {
           .measure = hex(0xF4F1FF),
           .touched = hex(0xB58CFF),
           .target = hex(0xFFB000),
+          .attracts = hex(0x62D84E),
+          .repels = hex(0xF56FD0),
           .wire_strength = 1.0f,
           .fade = 0.6f};
 }
@@ -50,6 +52,8 @@ Theme lightTheme() {
           .measure = hex(0xF4F1FF),
           .touched = hex(0x8A5CE0),
           .target = hex(0xFF5A00),
+          .attracts = hex(0x2C8A1E),
+          .repels = hex(0xB5179E),
           .wire_strength = 1.25f,
           .fade = 0.42f};
 }

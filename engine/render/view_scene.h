@@ -36,6 +36,7 @@ struct Theme {
   Colour measure;                   ///< lengths and angles
   Colour touched;                   ///< touched atoms, and the trail of the probe
   Colour target;                    ///< task targets and highlighted atoms
+  Colour attracts, repels;          ///< atoms whose energy with what the hand holds is negative; positive
   float wire_strength = 1.0f;       ///< factor on wires, which need more weight on a light background
   float fade = 0.6f;                ///< fraction of the background's colour in the farthest atom, 0 to 1
   bool operator==(const Theme&) const = default;
@@ -121,8 +122,12 @@ struct ViewScene {
   std::vector<LoadedAtom>
       body_stopped;                    ///< atoms of the body that the scene stops, by index within the body, ascending
   std::vector<LoadedAtom> stopped_by;  ///< atoms of the molecule that stop the body; they glow
-  Vec3 torque_N_A{0.0};                ///< of a body on the hand, about the body's middle, in the molecule's axes
-  bool water = true;                   ///< a probe of water's size is drawn as a water molecule; false: as a sphere
+  /// Atoms of the molecule that attract or repel what the hand holds; they glow by their share of both.
+  std::vector<LoadedAtom> attracting, repelling;
+  /// Lines between what the hand holds and the molecule, drawn with the probe; null: none.
+  std::shared_ptr<const Annotations> held_lines;
+  Vec3 torque_N_A{0.0};  ///< of a body on the hand, about the body's middle, in the molecule's axes
+  bool water = true;     ///< a probe of water's size is drawn as a water molecule; false: as a sphere
   /// The model of a hand, with its origin at the HIP and +y toward the user's hand; may be null.
   std::shared_ptr<const SolidModel> hand;
   bool left_hand = false;      ///< the hand comes from the left (default: from the right)

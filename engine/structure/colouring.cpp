@@ -10,6 +10,7 @@
 #include "engine/molecule/elements.h"
 #include "engine/structure/amino_acids.h"
 #include "engine/structure/secondary_structure.h"
+#include "engine/structure/surface_potential.h"
 
 namespace moltact {
 namespace {
@@ -84,7 +85,7 @@ constexpr Rgb8 kRainbow[] = {{52, 82, 184}, {54, 170, 200}, {80, 176, 90}, {226,
 constexpr Rgb8 kHydropathy[] = {{70, 120, 190}, {238, 236, 230}, {176, 96, 40}};
 constexpr Rgb8 kBFactor[] = {{44, 80, 180}, {236, 236, 236}, {196, 40, 50}};
 
-void byElement(const Molecule& m, Colouring& out) {
+void byElement(const Molecule& m, const ColouringInput&, Colouring& out) {
   LegendMaker legend;
   for (std::size_t i = 0; i < m.atoms.size(); ++i) {
     const Element& e = element(m.atoms[i].atomic_number);
@@ -95,7 +96,7 @@ void byElement(const Molecule& m, Colouring& out) {
   legend.write(out.legend);
 }
 
-void byChain(const Molecule& m, Colouring& out) {
+void byChain(const Molecule& m, const ColouringInput&, Colouring& out) {
   LegendMaker legend;
   // Chains of equal name count as one, wherever their residues are in the file.
   std::map<std::string_view, std::size_t> known;
@@ -135,7 +136,7 @@ std::size_t residueRank(const Residue& r) {
   return rank;
 }
 
-void byResidue(const Molecule& m, Colouring& out) {
+void byResidue(const Molecule& m, const ColouringInput&, Colouring& out) {
   LegendMaker legend;
   for (const Residue& r : m.residues) {
     const std::size_t rank = residueRank(r);
@@ -194,11 +195,11 @@ void byResidueClass(const Molecule& m, Colouring& out, std::span<const Class> cl
           [&](const Atom& a) { return a.residue < rank.size() ? rank[a.residue] : classes.size() - 1; });
 }
 
-void byType(const Molecule& m, Colouring& out) {
+void byType(const Molecule& m, const ColouringInput&, Colouring& out) {
   byResidueClass(m, out, kTypes, [&](std::size_t r) { return typeOf(m.residues[r]); });
 }
 
-void byHydropathy(const Molecule& m, Colouring& out) {
+void byHydropathy(const Molecule& m, const ColouringInput&, Colouring& out) {
   constexpr double kMax = 4.5;  // of isoleucine; that of arginine is -4.5
   std::fill(out.of_atom.begin(), out.of_atom.end(), kNothing);
   for (const Residue& r : m.residues) {
@@ -219,7 +220,7 @@ constexpr Class kCharges[] = {{N_("negative (−1)"), {204, 51, 63}},
                               {N_("not known"), kNothing}};
 
 // The charge belongs to the phosphate of a nucleotide and to the side chain of an amino acid; chain ends are ignored.
-void byCharge(const Molecule& m, Colouring& out) {
+void byCharge(const Molecule& m, const ColouringInput&, Colouring& out) {
   byClass(m, out, kCharges, [&](const Atom& a) -> std::size_t {
     const Residue* r = residueOf(m, a);
     if (!r) return 3;
@@ -241,7 +242,7 @@ constexpr Class kStructures[] = {{N_("alpha helix"), {190, 60, 110}},  {N_("3-10
                                  {N_("strand"), {226, 202, 70}},       {N_("coil"), {214, 214, 220}},
                                  {N_("nucleic acid"), {70, 130, 180}}, {N_("other"), {120, 120, 124}}};
 
-void byStructure(const Molecule& m, Colouring& out) {
+void byStructure(const Molecule& m, const ColouringInput&, Colouring& out) {
   const MoleculeStructure s = secondaryStructure(m);
   std::vector<std::size_t> rank(m.residues.size());
   for (std::size_t r = 0; r < rank.size(); ++r)
@@ -252,7 +253,7 @@ void byStructure(const Molecule& m, Colouring& out) {
   byResidueClass(m, out, kStructures, [&](std::size_t r) { return rank[r]; });
 }
 
-void byBFactor(const Molecule& m, Colouring& out) {
+void byBFactor(const Molecule& m, const ColouringInput&, Colouring& out) {
   float low = std::numeric_limits<float>::max(), high = 0.0f;
   for (const Atom& a : m.atoms) low = std::min(low, a.b_factor_A2), high = std::max(high, a.b_factor_A2);
   const double range = double(high) - double(low);
@@ -268,7 +269,7 @@ void byBFactor(const Molecule& m, Colouring& out) {
       {value(low), kBFactor[0]}, {value(0.5 * (low + high)), kBFactor[1]}, {value(high), kBFactor[2]}};
 }
 
-void byPlaceInChain(const Molecule& m, Colouring& out) {
+void byPlaceInChain(const Molecule& m, const ColouringInput&, Colouring& out) {
   std::fill(out.of_atom.begin(), out.of_atom.end(), kNothing);
   const auto polymer = [&](std::uint32_t r) {
     return m.residues[r].kind == ResidueKind::AminoAcid || m.residues[r].kind == ResidueKind::Nucleotide;
@@ -291,6 +292,26 @@ void byPlaceInChain(const Molecule& m, Colouring& out) {
   out.legend.entries.back().name = tr("end (C-terminus or 3′)");
 }
 
+// Red to blue as in the literature; ColorBrewer's RdBu, which every type of colour vision can read.
+constexpr Rgb8 kPotential[] = {{178, 24, 43}, {239, 138, 98}, {247, 247, 247}, {103, 169, 207}, {33, 102, 172}};
+
+void byPotential(const Molecule& m, const ColouringInput& input, Colouring& out) {
+  const std::vector<float> potential = surfacePotential_kcal_mol_e(m, dielectricChoice(input.dielectric), input.held);
+  const double top = potentialRange_kcal_mol_e(potential);
+  std::fill(out.of_atom.begin(), out.of_atom.end(), kNothing);
+  if (!(top > 0.0)) {
+    out.legend.entries = {{tr("no charges are known"), kNothing}};
+    return;
+  }
+  for (std::size_t i = 0; i < out.of_atom.size(); ++i)
+    if (!std::isnan(potential[i])) out.of_atom[i] = along(kPotential, 0.5 + 0.5 * double(potential[i]) / top);
+  out.legend.gradient = true;
+  const auto value = [](double v) { return trf("{0} kcal/mol/e", numberText(v, plain(2))); };
+  const double parts[] = {-1.0, -0.5, 0.0, 0.5, 1.0};
+  for (std::size_t k = 0; k < std::size(parts); ++k)
+    out.legend.entries.push_back({value(parts[k] * top), kPotential[k]});
+}
+
 // One row per scheme.
 constexpr ColouringScheme kSchemes[] = {
     {"element", NC_("colours", "Element"), N_("the chemical element: carbon grey, oxygen red, nitrogen blue"),
@@ -307,6 +328,8 @@ constexpr ColouringScheme kSchemes[] = {
     {"charge", NC_("colours", "Charge at pH 7"),
      N_("the charge at pH 7: side chains of Asp and Glu negative, of Lys and Arg positive; phosphates negative"),
      byCharge},
+    {"potential", NC_("colours", "Electrostatic potential"),
+     N_("the energy of a charge of +1 e on the surface, from red (negative) to blue (positive)"), byPotential},
     {"structure", NC_("colours", "Secondary structure"),
      N_("helix, strand or coil, as the file records them, else by the hydrogen bonds"), byStructure},
     {"b-factor", NC_("colours", "B factor"), N_("the B factor of the file, from its lowest to its highest"), byBFactor},
@@ -329,12 +352,12 @@ Expected<const ColouringScheme*> findColouringScheme(std::string_view name) {
   return Problem{{}, 0, 0, trf("there is no colouring named '{0}'", name), trf("the names are {0}", names)};
 }
 
-Colouring colourMolecule(const Molecule& molecule, const ColouringScheme& scheme) {
+Colouring colourMolecule(const Molecule& molecule, const ColouringScheme& scheme, const ColouringInput& input) {
   Colouring out;
   out.of_atom.assign(molecule.atoms.size(), kNothing);
   out.scheme = scheme.name;
   out.legend.title = scheme.shownLabel();
-  scheme.colour(molecule, out);
+  scheme.colour(molecule, input, out);
   return out;
 }
 

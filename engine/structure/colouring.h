@@ -38,13 +38,19 @@ struct Colouring {
   Legend legend;
 };
 
+/// What a scheme may depend on besides the molecule.
+struct ColouringInput {
+  std::string_view dielectric = "water";     ///< as in dielectricChoices (engine/haptics/field/force_choices.h)
+  std::span<const std::uint32_t> held = {};  ///< atoms in the hand, ascending, which are apart from the others
+};
+
 /// A colour scheme; a row of the table in colouring.cpp.
 struct ColouringScheme {
   std::string_view name;  ///< as in a scene's `colour: residue-type` and in `--colour`
   const char* label;      ///< in menus and legends; untranslated (N_)
   const char* sentence;   ///< description for tool tips, `--help` and the authors' reference; untranslated (N_)
   /// Fills `of_atom`, which already has one element per atom, and `legend`.
-  void (*colour)(const Molecule& molecule, Colouring& out);
+  void (*colour)(const Molecule& molecule, const ColouringInput& input, Colouring& out);
 
   /// The translated label.
   const char* shownLabel() const;
@@ -56,7 +62,7 @@ std::span<const ColouringScheme> colouringSchemes();
 /// Finds a scheme by name; otherwise returns a Problem that lists the names.
 Expected<const ColouringScheme*> findColouringScheme(std::string_view name);
 
-Colouring colourMolecule(const Molecule& molecule, const ColouringScheme& scheme);
+Colouring colourMolecule(const Molecule& molecule, const ColouringScheme& scheme, const ColouringInput& input = {});
 
 /// A part of the molecule with a colour of its own.
 struct OwnColour {

@@ -101,6 +101,12 @@ bool open(const Molecule& m, const BondTable& bonds, std::uint32_t at, std::uint
   return true;
 }
 
+bool isPolar(const Atom& atom) { return atom.atomic_number == kNitrogen || atom.atomic_number == kOxygen; }
+
+bool inOrder(const HydrogenBond& x, const HydrogenBond& y) {
+  return std::pair(x.donor, x.acceptor) < std::pair(y.donor, y.acceptor);
+}
+
 }  // namespace
 
 std::vector<HydrogenBond> findHydrogenBonds(const Molecule& m, const BondTable& bonds) {
@@ -108,7 +114,7 @@ std::vector<HydrogenBond> findHydrogenBonds(const Molecule& m, const BondTable& 
   std::vector<Role> roles;
   std::vector<Sphere> places;
   for (std::uint32_t i = 0; i < m.atoms.size(); ++i) {
-    if (m.atoms[i].atomic_number != kNitrogen && m.atoms[i].atomic_number != kOxygen) continue;
+    if (!isPolar(m.atoms[i])) continue;
     const Role role = roleOf(m, bonds, i);
     if (!role.gives && !role.takes) continue;
     polar.push_back(i);
@@ -131,9 +137,54 @@ std::vector<HydrogenBond> findHydrogenBonds(const Molecule& m, const BondTable& 
       else
         out.push_back({j, i, length});
     });
-  std::sort(out.begin(), out.end(), [](const HydrogenBond& x, const HydrogenBond& y) {
-    return std::pair(x.donor, x.acceptor) < std::pair(y.donor, y.acceptor);
-  });
+  std::sort(out.begin(), out.end(), inOrder);
+  return out;
+}
+
+HeldHydrogenBonds::HeldHydrogenBonds(const Molecule& m, const SphereGrid& spheres, const HeldBody& body)
+    : grid_(std::vector<Sphere>()) {
+  const BondTable bonds(m.atoms.size(), findBonds(m));
+  std::vector<Sphere> places;
+  for (std::uint32_t i = 0; i < m.atoms.size(); ++i) {
+    if (!isPolar(m.atoms[i])) continue;
+    const auto of_body = std::lower_bound(body.atoms.begin(), body.atoms.end(), i);
+    const bool held = of_body != body.atoms.end() && *of_body == i;
+    if (!held && !spheres.touchable(i)) continue;
+    const Role role = roleOf(m, bonds, i);
+    if (!role.gives && !role.takes) continue;
+    // A body's atoms keep the places of the file relative to each other.
+    const auto placeOf = [&](std::uint32_t a) {
+      return held ? m.spheres[a].centre_A - body.middle.A : spheres[a].centre_A;
+    };
+    Polar polar{.atom = i, .gives = role.gives, .takes = role.takes, .place_A = placeOf(i), .neighbours = {}};
+    for (const std::uint32_t n : bonds.neighbours(i))
+      if (m.atoms[n].atomic_number != kHydrogen) polar.neighbours.push_back(placeOf(n));
+    if (!held) places.push_back({polar.place_A, 0.0});
+    (held ? body_ : scene_).push_back(std::move(polar));
+  }
+  grid_ = SphereGrid(std::move(places), SphereGrid::Duplicates::VisitEach);
+}
+
+std::vector<HydrogenBond> HeldHydrogenBonds::at(const PoseA& pose) const {
+  std::vector<HydrogenBond> out;
+  if (!finite(pose.place.A) || !rotates(pose.orientation)) return out;
+  const auto obtuse = [](const std::vector<Vec3>& neighbours, const Vec3& here, const Vec3& to) {
+    return std::none_of(neighbours.begin(), neighbours.end(),
+                        [&](const Vec3& n) { return glm::dot(n - here, to - here) > 0.0; });
+  };
+  for (const Polar& b : body_) {
+    const Vec3 place = pose.place.A + pose.orientation * b.place_A;
+    grid_.visitCentresNear(place, kMaxLength_A, [&](std::uint32_t k, const Sphere& sphere) {
+      const Polar& a = scene_[k];
+      const double length = glm::distance(place, sphere.centre_A);
+      const bool gives = b.gives && a.takes;
+      if (length > kMaxLength_A || length < kMinLength_A || (!gives && !(a.gives && b.takes))) return;
+      const Vec3 back = glm::conjugate(pose.orientation) * (sphere.centre_A - pose.place.A);
+      if (!obtuse(a.neighbours, sphere.centre_A, place) || !obtuse(b.neighbours, b.place_A, back)) return;
+      out.push_back(gives ? HydrogenBond{b.atom, a.atom, length} : HydrogenBond{a.atom, b.atom, length});
+    });
+  }
+  std::sort(out.begin(), out.end(), inOrder);
   return out;
 }
 

@@ -3,8 +3,11 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
+#include "engine/haptics/body/held_body.h"
+#include "engine/haptics/sphere_grid.h"
 #include "engine/structure/bonds.h"
 
 namespace moltact {
@@ -24,5 +27,25 @@ struct HydrogenBond {
 /// occurs once, with the first atom as donor if both can donate; ordered by donor, then acceptor. `bonds` must result
 /// from findBonds().
 std::vector<HydrogenBond> findHydrogenBonds(const Molecule& molecule, const BondTable& bonds);
+
+/// The hydrogen bonds between a held body and the rest of its molecule, by the same criteria. `spheres` are the molecule's
+/// at their present places; its untouchable ones form no bonds. Built once for a body; at() is called for each pose.
+class HeldHydrogenBonds {
+ public:
+  HeldHydrogenBonds(const Molecule& molecule, const SphereGrid& spheres, const HeldBody& body);
+
+  /// The bonds of the body in this pose of its middle, in the order of findHydrogenBonds().
+  std::vector<HydrogenBond> at(const PoseA& pose) const;
+
+ private:
+  struct Polar {
+    std::uint32_t atom = 0;
+    bool gives = false, takes = false;
+    Vec3 place_A{0.0};             // of a body's atom: relative to its middle
+    std::vector<Vec3> neighbours;  // places of the heavy atoms that are bonded to it, likewise
+  };
+  std::vector<Polar> scene_, body_;
+  SphereGrid grid_;  // of scene_
+};
 
 }  // namespace moltact

@@ -22,9 +22,10 @@ std::shared_ptr<const PairField> pairField(const TouchSetup& touch, const Molecu
     const std::vector<float> formal = formalCharges_e(molecule);
     for (std::size_t i = 0; i < all.atoms.size(); ++i) all.atoms[i].charge_e = i < formal.size() ? formal[i] : 0.0f;
   }
-  std::vector<char> held(molecule.atoms.size());
+  constexpr std::uint32_t kNotHeld = 0xFFFFFFFF;
+  std::vector<std::uint32_t> held(molecule.atoms.size(), kNotHeld);
   if (body)
-    for (const std::uint32_t i : body->atoms) held[i] = 1;
+    for (std::uint32_t k = 0; k < body->atoms.size(); ++k) held[body->atoms[k]] = k;
   auto out = std::make_shared<PairField>();
   const DielectricChoice& medium = dielectricChoice(touch.dielectric);
   out->model.kind = medium.kind;
@@ -38,9 +39,10 @@ std::shared_ptr<const PairField> pairField(const TouchSetup& touch, const Molecu
   for (std::size_t i = 0; i < all.atoms.size(); ++i) {
     PairAtom atom = selected(all.atoms[i]);
     const std::uint32_t carrier = all.carrier[i];
-    if (held[carrier]) {
+    if (held[carrier] != kNotHeld) {
       atom.centre_A -= body->middle.A;
       out->held.push_back(atom);
+      out->held_carriers.push_back(held[carrier]);
     } else if (spheres.touchable(carrier)) {
       atom.centre_A += spheres[carrier].centre_A - molecule.spheres[carrier].centre_A;
       out->carriers.push_back(carrier);

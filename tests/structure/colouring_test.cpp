@@ -174,5 +174,5 @@ TEST_CASE("an unknown scheme is reported with the known ones") {
   REQUIRE_FALSE(found);
   CHECK(found.problem().text() ==
         "there is no colouring named 'colour'; the names are element, chain, residue, residue-type, hydrophobicity, "
-        "charge, structure, b-factor, rainbow");
+        "charge, potential, structure, b-factor, rainbow");
 }

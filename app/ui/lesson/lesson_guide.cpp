@@ -137,7 +137,8 @@ AtomsLook looksOf(const SceneSpec& scene, const Molecule& molecule) {
   if (std::vector<std::uint32_t> hidden = hiddenAtoms(scene, molecule); !hidden.empty())
     looks.hidden = std::make_shared<const std::vector<std::uint32_t>>(std::move(hidden));
   looks.spheres_near_A = scene.near_A;
-  looks.colouring = schemeColouring(molecule, scene.colour);
+  looks.colouring = schemeColouring(molecule, scene.colour,
+                                    {.dielectric = scene.touch.dielectric, .held = untouchableAtoms(scene, molecule)});
   looks.marks = marksOf(scene, molecule);
   return looks;
 }

@@ -2,12 +2,17 @@
 
 #include <array>
 #include <string>
+#include <vector>
 
 #include "app/ui/application/application.h"
 #include "app/ui/extensions/extensions.h"
+#include "app/ui/panels/residue_forces.h"
+#include "app/ui/panels/while_locked.h"
+#include "app/ui/widgets/controls.h"
 #include "app/ui/widgets/plot.h"
 #include "app/ui/widgets/theme.h"
 #include "app/ui/widgets/widget_map.h"
+#include "engine/haptics/field/force_choices.h"
 #include "engine/haptics/field/pair_model.h"
 #include "engine/language/catalogue.h"
 #include "engine/language/quantity_text.h"
@@ -18,19 +23,57 @@ namespace {
 // Forces between atoms are given in the unit of their literature, whatever unit the user chose for the energy of springs.
 std::string kcal(double value) { return trf("{0} kcal/mol", numberText(value, decimals(1))); }
 
+// Which of the forces act. None of them would end the layer and with it this control; that choice is among the details.
+void drawParts(Application& app) {
+  std::vector<OfferedWord> words;
+  for (const ForceChoice& f : forceChoices())
+    if (f.any()) words.push_back({f.name, f.title, f.sentence});
+  TouchSetup touch = app.scene.touch();
+  const WhileLocked locked(app, "forces");
+  if (wordSegments("forces_felt", words, touch.forces)) app.scene.setTouch(touch);
+}
+
+// What of the energy of each held atom is felt.
+void drawFeltEnergy(const ForceWatch& forces) {
+  if (!forces.on()) return;  // the newest tick is still of forces that have just been switched off
+  constexpr double kFrom_kcal_mol = -2.0, kTo_kcal_mol = 10.0;
+  const double wall = forces.wall_kcal_mol();
+  const auto felt = [&](double energy) { return feltEnergy(energy, wall).value; };
+  ImGui::Spacing();
+  functionPlot("plot/felt_energy", felt,
+               {.title = tr("Felt energy of an atom"),
+                .across = tr("kcal/mol energy"),
+                .up = tr("kcal/mol felt"),
+                .from = kFrom_kcal_mol,
+                .to = kTo_kcal_mol,
+                .at = forces.highest_kcal_mol()});
+  if (!forces.highest_kcal_mol()) return;
+  const double highest = *forces.highest_kcal_mol();
+  const std::string text = trf("Highest energy of an atom: {0}, felt as {1}", kcal(highest), kcal(felt(highest)));
+  const WithFont small(Font::Small);
+  ImGui::PushTextWrapPos(0.0f);
+  ImGui::TextUnformatted(text.c_str());
+  ImGui::PopTextWrapPos();
+  recordItem("felt_energy", text);
+}
+
 }  // namespace
 
 void drawEnergyPlot(Application& app) {
   const TouchLog& log = app.scene.log();
   const auto& energy = log.latest().molecular_energy;
   const TouchLog::Energies* curves = log.energies();
-  if (!energy || !curves || app.extensions().reveal_policy.all()) return;
+  // What attracts could be the answer to a task that asks what is touched.
+  if (!energy || !curves || app.extensions().reveal_policy.all() || app.extensions().task_stager.asksWhat()) return;
   const Palette& p = look().palette;
   const std::array shown{
       PlotCurve{&curves->van_der_waals, tr("Van der Waals"), kcal(energy->van_der_waals_kcal_mol), p.good},
       PlotCurve{&curves->electrostatic, tr("Charges"), kcal(energy->electrostatic_kcal_mol), p.warn}};
   ImGui::Spacing();
   signedPlot("plot/energy", shown, {.title = tr("Energy"), .min_top = 1.0f, .span_s = TouchLog::kPlot_s});
+  drawParts(app);
+  drawResidueForces(app);
+  drawFeltEnergy(app.scene.forces());
   const double N_per_kcal_mol_A = log.latest().spring_N_per_A / energy->coupling_kcal_mol_A2;
   if (N_per_kcal_mol_A <= 0.0) return;
   const std::string scale =

@@ -128,7 +128,7 @@ void colourMenu(Application& app) {
     const bool on = now ? now->scheme == scheme.name : plain && colourBy(asked) == app.scene.colour_by;
     if (item("menu/view/colours/" + std::string(scheme.name), scheme.shownLabel(), nullptr, on)) {
       app.scene.colour_by = colourBy(asked);
-      app.scene.look.colouring = schemeColouring(*app.scene.stage().molecule, asked.colour);
+      app.scene.look.colouring = app.scene.colouring(asked.colour);
     }
   }
   ImGui::EndMenu();

@@ -14,7 +14,7 @@
 namespace moltact {
 
 void drawViewLabels(Application& app, const ViewScene& scene, const Rectangle& view) {
-  if (scene.annotations.empty() || !app.scene.stage()) return;
+  if ((scene.annotations.empty() && !scene.held_lines) || !app.scene.stage()) return;
   const Look& l = look();
   const WithFont body(Font::Body);
   const double unit = double(l.px(1));

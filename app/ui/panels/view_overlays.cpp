@@ -198,13 +198,16 @@ void emptyPlaceNotice(const Application& app, ViewRoom& room) {
   }
 }
 
-// Whether the name of an atom gives no answer away: there is no lesson, or everything in the step is done.
+}  // namespace
+
 bool mayNameAtoms(const Application& app) {
   if (app.extensions().task_stager.dark() || app.extensions().reveal_policy.all() || app.scene.playing() ||
       app.extensions().playback.on())
     return false;
   return !app.lesson.session() || !app.lesson.onStage() || app.lesson.session()->stepDone();
 }
+
+namespace {
 
 // Shows the name of the atom under the pointer while it does not push.
 void hoveredAtom(const Application& app, ViewRoom& room) {

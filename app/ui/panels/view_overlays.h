@@ -15,6 +15,9 @@ class Application;
 /// the molecule's size, as the force does not either.
 inline constexpr float kArrow_px_per_N = 70.0f;
 
+/// Whether the names of atoms give no answer away: there is no lesson, or everything in the step is done.
+bool mayNameAtoms(const Application& app);
+
 /// The scene that the 3-D view shows now.
 ViewScene seenScene(const Application& app);
 

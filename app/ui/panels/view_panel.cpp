@@ -10,6 +10,7 @@
 #include "app/ui/panels/lesson/lesson_keys.h"
 #include "app/ui/panels/method_chooser.h"
 #include "app/ui/panels/push_pads.h"
+#include "app/ui/panels/residue_forces.h"
 #include "app/ui/panels/view_overlays.h"
 #include "app/ui/scene/contact_text.h"
 #include "app/ui/scene/view_picture.h"
@@ -178,6 +179,7 @@ ViewScene seenScene(const Application& app) {
       scene.torque_N_A = now.shownTorque_N_A();
     }
   }
+  showForces(app, scene);
   scene.water = app.settings.probe_look != ProbeLook::Sphere;
   scene.hand = app.extensions().hand_model.model();
   scene.left_hand = app.settings.left_handed;
@@ -197,7 +199,8 @@ void savePicture(Application& app, glm::dvec2 size, std::filesystem::path file) 
   if (file.empty()) file = freePictureName(app.options().picture_folder);
   const ViewScene scene = seenScene(app);
   Picture picture = app.picture().take(scene, int(size.x), int(size.y), look().scale);
-  if (!scene.annotations.empty()) paintLabels(picture, scene, app.scene.stage().spheres.get(), double(look().px(1)));
+  if (!scene.annotations.empty() || scene.held_lines)
+    paintLabels(picture, scene, app.scene.stage().spheres.get(), double(look().px(1)));
   const std::optional<Problem> problem = writePng(file, picture);
   if (problem)
     app.messages.error(problem->text());

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "engine/lesson/second_state.h"
+#include "engine/render/molecule_model.h"
 
 namespace moltact {
 namespace {
@@ -38,8 +39,17 @@ void HapticSession::show(TouchableModel next, const MoleculeKey& molecule, const
   servo_.begin(effectiveSettings(false), std::move(felt));
 }
 
-std::unique_ptr<Interaction> HapticSession::freshInteraction() const {
-  return played_ ? nullptr : interactionAt(stage(), touch(), Contact{}, PoseA{}, servo_.device());
+std::unique_ptr<Interaction> HapticSession::interactionHere(const Contact& contact, const PoseA& hand) {
+  std::shared_ptr<const PairField> pairs;
+  std::unique_ptr<Interaction> made = interactionAt(stage(), touch(), contact, hand, servo_.device(), &pairs);
+  forces_.begin(stage(), std::move(pairs));
+  return made;
+}
+
+std::unique_ptr<Interaction> HapticSession::freshInteraction() {
+  if (!played_) return interactionHere(Contact{}, PoseA{});
+  forces_.begin(stage(), nullptr);
+  return nullptr;
 }
 
 void HapticSession::play(const std::optional<ServoSample>& sample) {
@@ -112,6 +122,13 @@ Vec3 HapticSession::pushInView() const {
   return glm::conjugate(camera.orientation) * glm::normalize(way);
 }
 
+std::shared_ptr<const Colouring> HapticSession::colouring(std::string_view scheme) const {
+  const TouchSetup now = touch();
+  // Atoms in the hand are among the untouchable ones. Neither exerts a force.
+  const std::vector<std::uint32_t> apart = stage().spheres->untouchable();
+  return schemeColouring(*stage().molecule, scheme, {.dielectric = now.dielectric, .held = apart});
+}
+
 bool HapticSession::drawsNothing() const {
   return look.hidden && stage() && look.hidden->size() == stage().molecule->atoms.size();
 }
@@ -182,11 +199,13 @@ void HapticSession::setTouch(const TouchSetup& wanted) {
   if (!findInteractionKind(next.interaction)) next.interaction = made_with_.interaction;
   wanted_interaction_ = next.interaction;
   next = resolveInteraction(std::move(next), stage().body != nullptr);
-  const bool alike = sameConstruction(next, made_with_);
+  const bool alike = sameConstruction(next, made_with_), other_medium = next.dielectric != made_with_.dielectric;
   servo_settings.take(next);
   made_with_ = std::move(next);
   watch_.feelWith(touch());
   if (!alike) rebuildInteraction();
+  if (other_medium && stage() && look.colouring && look.colouring->scheme == "potential")
+    look.colouring = colouring(look.colouring->scheme);
 }
 
 void HapticSession::useMethod(std::string_view name) {
@@ -202,12 +221,9 @@ void HapticSession::rebuildInteraction() {
   if (played_) return;
   const ServoSample& latest = log_.latest();
   const PoseA hand{latest.hip, latest.orientation};
-  std::unique_ptr<Interaction> made = interactionAt(stage(), touch(), contact, hand, servo_.device());
-  if (made && latest.body_pose && contact.touching()) {  // a body goes on from its rest pose, where it overlaps nothing
-    made->reset();
-    made->respond(*latest.body_pose);
-    made->respond(hand);
-  }
+  std::unique_ptr<Interaction> made = interactionHere(contact, hand);
+  // What hangs in a field goes on from its place, as does a body from its rest pose, where it overlaps nothing.
+  if (made && (latest.molecular_energy || (latest.body_pose && contact.touching()))) leadFrom(*made, latest);
   servo_.setInteraction(std::move(made));
 }
 
@@ -272,6 +288,7 @@ FeltTicks HapticSession::advance(double dt_s, double now_s, bool timed) {
   const std::span<const AtomForce> reactions =
       played_ || !stage().body ? std::span<const AtomForce>() : servo_.loop().reactions().forces();
   body_contacts_ = moltact::bodyContacts(stage(), log_.latest(), reactions, servo_.motionOf(log_.latest()).get());
+  forces_.follow(log_.latest(), look.hidden);
   log_.figureForce(now_s);
   // Independent of what is shown, because the settings contain the panic key.
   servo_.loop().setSettings(effectiveSettings(trying()));

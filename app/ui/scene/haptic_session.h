@@ -11,6 +11,7 @@
 #include "app/ui/scene/atom_motion.h"
 #include "app/ui/scene/body_contacts.h"
 #include "app/ui/scene/force_trial.h"
+#include "app/ui/scene/force_watch.h"
 #include "app/ui/scene/method_watch.h"
 #include "app/ui/scene/played_hand.h"
 #include "app/ui/scene/recorded_conditions.h"
@@ -63,6 +64,8 @@ class HapticSession {
   /// The contacts of the body in the hand at the last advance(); empty without a body.
   const LoadedAtoms& bodyContacts() const { return body_contacts_; }
   const MethodWatch& watch() const { return watch_; }
+  /// The forces between atoms at the last advance(), by parts.
+  const ForceWatch& forces() const { return forces_; }
 
   /// Shows another molecule in the view of a new scene.
   void show(TouchableModel stage, const MoleculeKey& molecule, const Facing& facing);
@@ -132,6 +135,9 @@ class HapticSession {
   bool touchesUnseen(const Contact& contact) const;
   /// The direction of the reaction on the hand, as a unit vector in the camera's axes; 0 without force.
   Vec3 pushInView() const;
+  /// The colours of a scheme for the molecule on the stage, what the hand holds and the medium of its forces. Null for
+  /// "element", "chain" and unknown names.
+  std::shared_ptr<const Colouring> colouring(std::string_view scheme) const;
   /// Whether the scene draws no atom of its molecule.
   bool drawsNothing() const;
   /// Whether the next frame differs without further input.
@@ -142,7 +148,8 @@ class HapticSession {
   void fitRoom(PointA toward);
   void retract(double dt_s);
   void watchLeftBehind(double dt_s);
-  std::unique_ptr<Interaction> freshInteraction() const;
+  std::unique_ptr<Interaction> interactionHere(const Contact& contact, const PoseA& hand);
+  std::unique_ptr<Interaction> freshInteraction();
   void rebuildInteraction();
   ServoSettings effectiveSettings(bool trying) const;
 
@@ -155,6 +162,7 @@ class HapticSession {
   TouchLog log_;
   LoadedAtoms body_contacts_;
   MethodWatch watch_;
+  ForceWatch forces_;
   std::vector<FeltTick> felt_;
   PlayedHand played_;
   ForceTrial trial_{servo_};

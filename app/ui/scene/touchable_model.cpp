@@ -1,5 +1,6 @@
 #include "app/ui/scene/touchable_model.h"
 
+#include <algorithm>
 #include <span>
 #include <utility>
 
@@ -76,10 +77,27 @@ void leadToContact(Interaction& made, const Contact& contact, const PoseA& hand)
   made.respond(hand);
 }
 
+void leadFrom(Interaction& made, const ServoSample& latest) {
+  const PoseA hand{latest.hip, latest.orientation}, body = latest.shownBody();
+  // A probe lies on the surface up to rounding: the start is moved outward until it is free. A body overlaps nothing.
+  Vec3 outward(0.0);
+  if (!latest.holds_body)
+    for (const Vec3& normal : latest.contact.normals) outward += normal;
+  for (double out_A = 0.0; out_A < kFarthestOutside_A; out_A = std::max(kOutside_A, 1.5 * out_A)) {
+    made.reset();
+    if (made.respond({{body.place.A + out_A * outward}, body.orientation}).contact.fault == Fault::None) break;
+    if (outward == Vec3(0.0)) break;
+  }
+  made.respond(hand);
+}
+
 std::unique_ptr<Interaction> interactionAt(const TouchableModel& stage, const TouchSetup& touch, const Contact& contact,
-                                           const PoseA& hand, const DeviceSpecs& device) {
+                                           const PoseA& hand, const DeviceSpecs& device,
+                                           std::shared_ptr<const PairField>* pairs) {
+  if (pairs) pairs->reset();
   if (!stage) return nullptr;
   InteractionInput input = interactionInput(touch, *stage.molecule, stage.spheres, stage.body);
+  if (pairs) *pairs = input.pairs;
   if (stage.body) {
     const double lever_A =
         springLever_A(radiusOfGyration_A(*stage.body), stage.workspace.A_per_mm, touch.stiffness_N_per_mm, device);

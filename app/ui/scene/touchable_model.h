@@ -13,6 +13,7 @@
 #include "engine/haptics/sphere_grid.h"
 #include "engine/haptics/sphere_motion.h"
 #include "engine/molecule/molecule.h"
+#include "engine/servo/servo_step.h"
 
 namespace moltact {
 
@@ -47,8 +48,14 @@ HandShape handShape(const TouchableModel& stage, double probe_A, const Quat& ori
 
 /// The interaction for the model. If there is a contact at the hand it continues with it, so that a change of method is
 /// not felt as a release. The rotational spring of a held body suits the device. Null without a model, or if the setup
-/// names something unknown.
+/// names something unknown. `pairs`, if given, receives the atoms of its forces; null without forces.
 std::unique_ptr<Interaction> interactionAt(const TouchableModel& stage, const TouchSetup& touch, const Contact& contact,
-                                           const PoseA& hand, const DeviceSpecs& device);
+                                           const PoseA& hand, const DeviceSpecs& device,
+                                           std::shared_ptr<const PairField>* pairs = nullptr);
+
+/// Leads a new interaction to where the body or probe of another one was in a tick, and then to the hand, so that a
+/// change of the forces between atoms does not let go of what is held. What is stored there in the coupling and in the
+/// new field is the energy with which it begins.
+void leadFrom(Interaction& made, const ServoSample& latest);
 
 }  // namespace moltact

@@ -64,7 +64,8 @@ void ViewPicture::keepForFade() {
 
 const std::vector<PlacedLabel>& ViewPicture::labels(const ViewScene& scene, const SphereGrid* spheres,
                                                     const LabelRoom& room, float line_px) {
-  LabelKey key{scene.annotations, scene.look, scene.camera, room.width_px, room.height_px, room.unit_px, line_px};
+  LabelKey key{scene.annotations, scene.held_lines, scene.look,   scene.camera,
+               room.width_px,     room.height_px,   room.unit_px, line_px};
   if (key == label_key_) return labels_;
   label_key_ = std::move(key);
   return labels_ = layOutLabels(scene, spheres, room);

@@ -71,6 +71,7 @@ class ViewPicture {
   AdaptiveQuality fineness_;
   struct LabelKey {
     std::vector<std::shared_ptr<const Annotations>> annotations;
+    std::shared_ptr<const Annotations> held_lines;
     AtomsLook look;
     Camera camera;
     int width_px = 0, height_px = 0;

@@ -8,6 +8,7 @@
 
 #include "app/ui/widgets/theme.h"
 #include "app/ui/widgets/widget_map.h"
+#include "engine/core/saturated.h"
 #include "engine/language/catalogue.h"
 #include "engine/language/quantity_text.h"
 
@@ -29,15 +30,14 @@ struct PlotFrame {
   float small;
 };
 
-PlotFrame plotFrame(const PlotLook& how, const std::string& reading) {
+PlotFrame plotFrame(const std::string& title, float height, const std::string& reading) {
   const Look& l = look();
   const float width = ImGui::GetContentRegionAvail().x, small = l.font(Font::Small)->FontSize;
-  const float head = small + l.px(6), body = l.px(how.height);
+  const float head = small + l.px(6), body = l.px(height);
   ImGui::Dummy({width, head + body});
   const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
   ImDrawList* draw = ImGui::GetWindowDrawList();
   ImFont* font = l.font(Font::Small);
-  const std::string title = trf("{0}, last {1}", how.title, quantityText(how.span_s, Dimension::Time, decimals(0)));
   draw->AddText(font, small, low, l.palette.quiet, title.c_str());
   const float reading_w = font->CalcTextSizeA(small, 1e9f, 0.0f, reading.c_str()).x;
   if (font->CalcTextSizeA(small, 1e9f, 0.0f, title.c_str()).x + reading_w > width) widgets().noteCut(title);
@@ -45,6 +45,11 @@ PlotFrame plotFrame(const PlotLook& how, const std::string& reading) {
   const ImVec2 a{low.x, low.y + head};
   draw->AddRectFilled(a, high, l.palette.raised, l.px(6));
   return {a, high, low, font, small};
+}
+
+PlotFrame plotFrame(const PlotLook& how, const std::string& reading) {
+  return plotFrame(trf("{0}, last {1}", how.title, quantityText(how.span_s, Dimension::Time, decimals(0))), how.height,
+                   reading);
 }
 
 // Calls point(x, values from, to) for each pixel column of the area that has values, by their ages.
@@ -60,16 +65,20 @@ void eachColumn(const PlotBuffer& buffer, const PlotFrame& frame, Point&& point)
   }
 }
 
-// The number at the end of a scale, above the curves, which may pass behind it.
-void scaleEnd(const PlotFrame& frame, float value, const ImVec2& at) {
+// A text of a scale, above the curves, which may pass behind it.
+void scaleText(const PlotFrame& frame, const std::string& text, const ImVec2& at) {
   const Look& l = look();
-  const std::string text = numberText(double(value), std::abs(value) < 1.0f ? plain(2) : decimals(0));
   const float size_px = frame.small * 0.86f;
   const ImVec2 size = frame.font->CalcTextSizeA(size_px, 1e9f, 0.0f, text.c_str());
   ImDrawList* draw = ImGui::GetWindowDrawList();
   draw->AddRectFilled({at.x - l.px(2), at.y}, {at.x + size.x + l.px(2), at.y + size.y}, faded(l.palette.raised, 0.85f),
                       l.px(3));
   draw->AddText(frame.font, size_px, at, l.palette.quiet, text.c_str());
+}
+
+// The number at the end of a scale.
+void scaleEnd(const PlotFrame& frame, float value, const ImVec2& at) {
+  scaleText(frame, numberText(double(value), std::abs(value) < 1.0f ? plain(2) : decimals(0)), at);
 }
 
 }  // namespace
@@ -147,6 +156,51 @@ void signedPlot(const char* name, std::span<const PlotCurve> curves, const PlotL
     all += (all.empty() ? "" : "; ") + c.title + " " + c.reading;
   }
   recordItem(name, all);
+}
+
+void functionPlot(const char* name, const std::function<double(double)>& function, const FunctionPlot& how) {
+  const Look& l = look();
+  const Palette& p = l.palette;
+  const PlotFrame frame = plotFrame(how.title, how.height, {});
+  const ImVec2 a = frame.a, b = frame.b;
+  double from = how.from, to = how.to;
+  if (how.at && *how.at > to) to = double(roundUp(saturateToFloat(std::min(*how.at, 1e30) * 1.02)));
+  if (how.at && *how.at < from) from = -double(roundUp(saturateToFloat(std::min(-*how.at, 1e30) * 1.02)));
+  const double low = function(from), high = function(to);
+  const float inset = l.px(8);
+  const auto place = [&](double x, double y) {
+    const auto across = float((x - from) / (to - from)), up = float((y - low) / (high - low));
+    return ImVec2{a.x + inset + (b.x - a.x - 2 * inset) * across, b.y - inset - (b.y - a.y - 2 * inset) * up};
+  };
+  ImDrawList* draw = ImGui::GetWindowDrawList();
+  draw->PushClipRect(a, b, true);
+  draw->AddLine({a.x, place(0, 0).y}, {b.x, place(0, 0).y}, p.quiet, 1.0f);
+  draw->AddLine({place(0, 0).x, a.y}, {place(0, 0).x, b.y}, p.quiet, 1.0f);
+  draw->AddLine(place(from, from), place(to, to), p.faint, 1.0f);
+  constexpr int kPieces = 120;
+  ImVec2 before{};
+  for (int k = 0; k <= kPieces; ++k) {
+    const double x = from + (to - from) * k / kPieces;
+    const ImVec2 here = place(x, function(x));
+    if (k > 0) draw->AddLine(before, here, p.accent, l.px(1.8f));
+    before = here;
+  }
+  std::string text;
+  if (how.at) {
+    const ImVec2 at = place(*how.at, function(*how.at));
+    draw->AddCircleFilled(at, l.px(4.5f), p.text, 20);
+    draw->AddCircleFilled(at, l.px(3.0f), p.accent, 20);
+    text = numberText(*how.at, decimals(1)) + " " + numberText(function(*how.at), decimals(1));
+  }
+  draw->PopClipRect();
+  const float size_px = frame.small * 0.86f;
+  const std::string up_end = numberText(high, plain(2)) + " " + how.up,
+                    across_end = numberText(to, plain(2)) + " " + how.across;
+  const ImVec2 zero = place(0, 0);
+  scaleText(frame, up_end, {zero.x + l.px(5), a.y + l.px(2)});
+  const float wide = frame.font->CalcTextSizeA(size_px, 1e9f, 0.0f, across_end.c_str()).x;
+  scaleText(frame, across_end, {b.x - l.px(6) - wide, zero.y - size_px - l.px(2)});
+  recordItem(name, text);
 }
 
 }  // namespace moltact

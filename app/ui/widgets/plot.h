@@ -3,6 +3,8 @@
 
 #include <imgui.h>
 
+#include <functional>
+#include <optional>
 #include <span>
 #include <string>
 
@@ -33,5 +35,18 @@ struct PlotCurve {
 /// Draws curves about a line of zero, with their titles above the plot. `look.min_top` is the least range to either side.
 /// Recorded as `name`, with the readings as its text.
 void signedPlot(const char* name, std::span<const PlotCurve> curves, const PlotLook& look);
+
+/// A function of one number, drawn over a range, with a point on it.
+struct FunctionPlot {
+  const char* title = "";
+  const char *across = "", *up = "";  ///< of the axes, with their unit
+  double from = 0.0, to = 1.0;        ///< range of the argument; the point's argument extends it
+  std::optional<double> at;           ///< the argument of the point; empty: no point
+  float height = 110.0f;              ///< unit: pixel at 96 dpi
+};
+
+/// Draws the function, and faintly the line where it would equal its argument. Recorded as `name`, with the point's
+/// argument and value as its text.
+void functionPlot(const char* name, const std::function<double(double)>& function, const FunctionPlot& how);
 
 }  // namespace moltact

@@ -19,15 +19,7 @@ class HeldAtomSum {
   double add(const PairTerms& terms, const std::array<double, 6>& c, const Vec3& arm) noexcept {
     sum_.energy.van_der_waals_kcal_mol += terms.van_der_waals;
     sum_.energy.electrostatic_kcal_mol += terms.electrostatic;
-    // phi(E) = E0 asinh(E / E0) above zero, with phi' = 1 / sqrt(1 + (E / E0)^2).
-    const double energy = terms.van_der_waals + terms.electrostatic;
-    double felt = energy, first = 1.0, second = 0.0;
-    if (energy > 0.0 && std::isfinite(wall_)) {
-      const double x = energy / wall_;
-      felt = wall_ * std::asinh(x);
-      first = 1.0 / std::sqrt(1.0 + x * x);
-      second = -x / wall_ * first * first * first;
-    }
+    const auto [felt, first, second] = feltEnergy(terms.van_der_waals + terms.electrostatic, wall_);
     sum_.energy.felt_kcal_mol += felt;
     const Vec3 gradient = first * terms.gradient;
     sum_.force_kcal_mol_A -= gradient;

@@ -20,6 +20,8 @@ struct PairField {
   /// What the hand holds, relative to its middle: the body's atoms and placed hydrogens, or one atom at the probe's
   /// centre.
   std::vector<PairAtom> held;
+  /// Of each held atom, the atom of HeldBody (index in its lists) that carries it; empty for a probe.
+  std::vector<std::uint32_t> held_carriers;
   PairModel model;
 };
 

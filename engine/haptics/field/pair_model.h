@@ -2,6 +2,7 @@
 // parameters are those of AMBER's force fields. Plain data, every thread. Units: angstrom, kcal/mol, elementary charge.
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 
 #include "engine/core/units.h"
@@ -40,6 +41,17 @@ struct PairModel {
 
   friend bool operator==(const PairModel&, const PairModel&) = default;
 };
+
+/// The felt energy of a held atom, by its energy and PairModel::wall_kcal_mol (unit: kcal/mol); and its derivatives. It
+/// rises everywhere.
+struct FeltEnergy {
+  double value, slope, curvature;
+};
+inline FeltEnergy feltEnergy(double energy_kcal_mol, double wall_kcal_mol) noexcept {
+  if (!(energy_kcal_mol > 0.0) || !std::isfinite(wall_kcal_mol)) return {energy_kcal_mol, 1.0, 0.0};
+  const double x = energy_kcal_mol / wall_kcal_mol, slope = 1.0 / std::sqrt(1.0 + x * x);
+  return {wall_kcal_mol * std::asinh(x), slope, -x / wall_kcal_mol * slope * slope * slope};
+}
 
 /// Below this distance the energy of a pair continues as a parabola, so that two atoms in one place have a finite energy.
 inline constexpr double kMinPair_A = 0.5;
