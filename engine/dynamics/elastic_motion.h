@@ -20,7 +20,8 @@ struct NodeForce {
 };
 
 /// The relaxation time at which a spring in the hand, whose force arrives up to three steps late, cannot make the molecule
-/// oscillate: in one step it moves a node by at most a quarter of its own stretch. `compliance_A2_mol_kcal` is that of
+/// oscillate: in one step the spring moves a node by at most a quarter of the
+/// spring's stretch. `compliance_A2_mol_kcal` is that of
 /// the pushed node along its softest direction.
 double relaxationFor(double hand_kcal_mol_A2, double compliance_A2_mol_kcal, double step_s);
 
@@ -38,11 +39,12 @@ class ElasticMotion {
   double relaxation_s() const { return relaxation_s_; }
   double step_s() const { return step_s_; }
 
-  /// Restricts the response to forces to these modes, by index.
+  /// Lets forces excite only these modes (indices).
   void restrictTo(std::vector<std::size_t> modes);
   /// Ends the restriction.
   void useAll() { all_ = true; }
-  /// The displacement at which the springs are at rest (x0), as an amplitude of each mode; empty: that of the file.
+  /// The displacement at which the springs are at rest (x0), as an amplitude of each mode; empty: the structure of the
+  /// file.
   void setRest(std::span<const double> amplitudes_A);
 
   /// One step under these forces; several may act on one node.

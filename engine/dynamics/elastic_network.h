@@ -1,6 +1,7 @@
 // An anisotropic elastic network (Atilgan et al., Biophys. J. 80, 505, 2001): one node per residue, equal springs
 // between nodes nearer than a cut-off, at rest in the structure of the file. Built on request; immutable afterwards, so
-// every thread may read it. Units: angstrom; the springs have stiffness 1, which normal_modes.h scales.
+// every thread may read it. Units: angstrom; the springs have stiffness 1; functions of
+// normal_modes.h scale it.
 #pragma once
 
 #include <cstddef>
@@ -23,8 +24,8 @@ class ElasticNetwork {
   static constexpr std::size_t kMinNodes = 4, kMaxNodes = 2000;
 
   /// The nodes are CA of amino acids, P (at a 5' end O5') of nucleotides and, of any other residue but water, the heavy
-  /// atom nearest to its centre. Returns a Problem for a molecule with too few or too many nodes, one that falls into
-  /// parts which no spring joins, and a cut-off out of range.
+  /// atom nearest to its centre. Returns a Problem for a molecule with too few or too many nodes, one whose
+  /// parts no spring connects, and a cut-off out of range.
   /// `left_out` (ascending) are atoms that do not take part, such as those of a body in the hand: their residues have no
   /// nodes, and they do not move.
   static Expected<ElasticNetwork> make(const Molecule& molecule, double cut_off_A = kCutOff_A,

@@ -1,5 +1,5 @@
-// The Hessian of an elastic network as a sparse matrix, and its inverse in the space of deformations. For sources of
-// this room: Eigen's headers take seconds to compile.
+// The Hessian of an elastic network as a sparse matrix, and its inverse in the space of deformations. Include
+// it only from sources of this room, because Eigen's headers take seconds to compile.
 #pragma once
 
 #include <Eigen/Dense>
@@ -15,7 +15,7 @@ using SparseMatrix = Eigen::SparseMatrix<double>;
 SparseMatrix networkMatrix(const ElasticNetwork& network, double diagonal = 0.0);
 
 /// The pseudo-inverse of the Hessian: rigid motions are removed from what it is applied to and from the result. Accurate
-/// to 1e-6. Also an operator of Spectra.
+/// to 1e-6. Also serves as a matrix operation for Spectra.
 class InverseHessian {
  public:
   using Scalar = double;

@@ -30,13 +30,13 @@ struct NormalModes {
 /// without stiffness, such as a hinge.
 Expected<NormalModes> lowestModes(const ElasticNetwork& network, std::size_t count);
 
-/// The displacement of each node by unit forces on it, for springs of stiffness 1: its 3 x 3 block of the Hessian's
+/// The displacement of each node under unit forces on it, for springs of stiffness 1: its 3 x 3 block of the Hessian's
 /// pseudo-inverse (all modes). `progress` is called with the finished fraction and returns false to cancel, which
 /// returns an empty vector.
 std::vector<glm::dmat3> nodeCompliances(const ElasticNetwork& network,
                                         const std::function<bool(double)>& progress = {});
 
-/// The mean square displacement of a node per kT and unit of spring stiffness: the trace of its block.
+/// The mean square displacement of a node in units of kT divided by the spring stiffness: the trace of its block.
 inline double fluctuation(const glm::dmat3& compliance) {
   return compliance[0][0] + compliance[1][1] + compliance[2][2];
 }
@@ -54,7 +54,7 @@ double correlationWithDisplacementFactors(const ElasticNetwork& network, const M
                                           std::span<const glm::dmat3> compliances);
 
 /// The overlap of each mode with a change of structure (Marques & Sanejouand, Proteins 23, 557, 1995): the absolute
-/// cosine between both. `change_A` has an element per node; its rigid part must have been removed by superposition.
+/// cosine of the angle between the two. `change_A` has an element per node; its rigid part must have been removed by superposition.
 std::vector<double> modeOverlaps(const NormalModes& modes, std::span<const Vec3> change_A);
 
 }  // namespace moltact

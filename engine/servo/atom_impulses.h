@@ -59,7 +59,7 @@ class ImpulseExchange {
   ImpulseExchange(const ImpulseExchange&) = delete;
   ImpulseExchange& operator=(const ImpulseExchange&) = delete;
 
-  /// The number of different atoms between two reads that have an entry of their own.
+  /// The greatest number of atoms with their own entry between two reads.
   static constexpr std::size_t kMaxAtoms = 1024;
 
   /// Adds the reactions of one tick of `dt_s`. Haptic thread: no lock and no allocation; the work is proportional to

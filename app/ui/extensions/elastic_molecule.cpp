@@ -23,6 +23,10 @@ constexpr double kMinRelaxation_s = 0.15;
 // Displacements in attempts are multiples of this.
 constexpr double kRecorded_A = 0.01;
 
+std::vector<std::uint32_t> bodyAtoms(const TouchableModel& stage) {
+  return stage.body ? stage.body->atoms : std::vector<std::uint32_t>();
+}
+
 Expected<ElasticModel> modelOf(const std::shared_ptr<const Molecule>& molecule,
                                const std::vector<std::uint32_t>& held) {
   try {
@@ -74,6 +78,7 @@ std::vector<Vec3> displacementsOf(std::string_view text) {
 }  // namespace
 
 void ElasticMolecule::forget() {
+  if (motion_) scene_.servo().loop().wantImpulses(false);
   own_.release();
   reading_.drop();
   model_.reset();
@@ -116,7 +121,6 @@ void ElasticMolecule::turn(bool on) {
   if (on_ && scene_.stage()) return begin();
   // The atoms return to their places.
   if (motion_ && own_.owns()) scene_.placeAtoms(own_, scene_.atoms().resting().spheres->spheres());
-  scene_.servo().loop().wantImpulses(false);
   forget();
 }
 
@@ -133,7 +137,7 @@ void ElasticMolecule::begin() {
   }
   forget();
   molecule_ = stage.molecule;
-  reading_.begin(inBackground(modelOf, molecule_, stage.body ? stage.body->atoms : std::vector<std::uint32_t>()));
+  reading_.begin(inBackground(modelOf, molecule_, bodyAtoms(stage)));
   if (options_.clock == ServoClock::Frames) take(*reading_.wait());
 }
 
@@ -169,9 +173,10 @@ void ElasticMolecule::beforeTicks() {
     messages_.notice(std::move(why));
     return;
   }
+  if (!own_.claim()) return;
   addImpulses();
   if (waiting_.empty()) step();
-  if (!waiting_.empty() && own_.claim() && scene_.moveAtoms(own_, waiting_, kStep_ticks)) waiting_.clear();
+  if (!waiting_.empty() && scene_.moveAtoms(own_, waiting_, kStep_ticks)) waiting_.clear();
 }
 
 // One step under the mean force of the ticks since the last one.
@@ -252,7 +257,7 @@ void ElasticMolecule::show(const MotionSource& source, const AtomsMoved& positio
   if (stage.molecule != molecule_ || !model_) {
     forget();
     molecule_ = stage.molecule;
-    Expected<ElasticModel> made = modelOf(molecule_, {});
+    Expected<ElasticModel> made = modelOf(molecule_, bodyAtoms(stage));
     if (!made) return;
     model_ = std::make_shared<const ElasticModel>(*std::move(made));
     motion_.emplace(model_->network, model_->modes, model_->spring_kcal_mol_A2, kStep_s);

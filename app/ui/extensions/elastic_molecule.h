@@ -27,7 +27,7 @@ class ElasticMolecule : public AtomMover {
  public:
   using AtomMover::AtomMover;
 
-  /// What one newton of the hand is between the atoms.
+  /// The force between atoms that corresponds to one newton in the hand.
   static constexpr double kScale_pN_per_N = 100.0;
   static constexpr std::size_t kModes = 20;
   /// A step is queued while the previous one is followed; the relaxation time covers the delay (relaxationFor).
@@ -35,7 +35,7 @@ class ElasticMolecule : public AtomMover {
   static constexpr double kStep_s = kStep_ticks * kTick_s;
   /// Stiffness of the springs where the file has no displacement factors.
   static constexpr double kUsualSpring_kcal_mol_A2 = 0.3;
-  /// A mode that is shown displaces the node that moves most by this much, to and fro in this time.
+  /// Amplitude of a shown mode at the node that moves most, and its period.
   static constexpr double kShown_A = 3.0, kShown_s = 4.0;
 
   void sceneChanged() override;
@@ -48,7 +48,7 @@ class ElasticMolecule : public AtomMover {
   bool moving() const override { return motion_ && !resting_; }
   void show(const MotionSource& source, const AtomsMoved& position, const MoleculeKey& file) override;
 
-  /// Whether the molecule gives way, and why it cannot.
+  /// Whether the molecule gives way.
   bool on() const { return on_; }
   void turn(bool on);
   /// Why the molecule cannot give way in this scene, as a sentence; empty if it can.

@@ -10,6 +10,8 @@
 #include "app/ui/lesson/lesson_guide.h"
 #include "app/ui/scene/contact_text.h"
 #include "app/ui/scene/view_picture.h"
+#include "engine/haptics/field/force_choices.h"
+#include "engine/language/catalogue.h"
 #include "engine/language/quantity_text.h"
 
 namespace moltact {
@@ -78,9 +80,22 @@ bool RevealPolicy::names(const Contact& contact) const {
   return !stager_.dark() && !stager_.asksWhat() && !scene_.touchesUnseen(contact);
 }
 
+bool RevealPolicy::hidesTouch() const {
+  const LessonSession* session = lesson_.session();
+  if (!session || !stager_.asksWhat() || session->currentTask() >= session->step().tasks.size()) return false;
+  return forceChoice(session->scene().touch.forces).any() ||
+         session->step().tasks[session->currentTask()].values["forces"].place.line > 0;
+}
+
+const char* RevealPolicy::touchWord() const {
+  if (hidesTouch()) return tr("feel for a force");
+  const TouchLog& log = scene_.log();
+  return log.touching() ? tr("touching") : log.felt() ? tr("a force is felt") : tr("not touching");
+}
+
 std::string RevealPolicy::unnamedText(bool spoken) const {
   const ServoSample& now = scene_.log().latest();
-  std::string out = unnamedContactText(now.contact, now.felt());
+  std::string out = hidesTouch() ? std::string(touchWord()) : unnamedContactText(now.contact, now.felt());
   const Vec3 push = scene_.pushInView();
   const bool shows_force = stager_.dark() ? stager_.showsForce() : scene_.shown.has(ViewPart::Force);
   if (!now.felt() || !shows_force || push == Vec3(0.0)) return out;
@@ -92,6 +107,10 @@ TouchMoment RevealPolicy::heard(const ServoSample& sample, double slide_A_per_s)
   TouchMoment out{.force_N = glm::length(sample.force.N),
                   .slide_A_per_s = slide_A_per_s,
                   .field = sample.inField() && sample.felt()};
+  if (hidesTouch()) {
+    out.field = sample.felt();  // the tone of a force, whatever exerts it
+    return out;
+  }
   if (names(sample.contact)) {
     out.feature = sample.contact.feature;
     out.atoms = sample.contact.atoms;

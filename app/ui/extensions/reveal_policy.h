@@ -34,6 +34,11 @@ class RevealPolicy final : public Extension {
   bool names(const Contact& contact) const;
   /// Whether the step's molecule is invisible: in the dark, and in a lesson's scene that draws nothing.
   bool all() const { return unseen_; }
+  /// Whether a task asks about forces between atoms, which may hold a probe off the surface: even whether it touches would
+  /// be an answer.
+  bool hidesTouch() const;
+  /// "touching", "a force is felt" or "not touching"; if hidesTouch(), always the same.
+  const char* touchWord() const;
   /// The contact in words if names() is false: "touching" and, if the force is displayed, its magnitude and direction.
   /// `spoken` omits the magnitude, which fluctuates.
   std::string unnamedText(bool spoken) const;

@@ -93,12 +93,13 @@ void drawDarkView(Application& app, const Rectangle& view) {
     if (push != Vec3(0.0))
       centred("view/push", l.font(Font::Body), pushText(push), {middle.x, below + l.px(38)}, width, kQuiet);
   }
-  centred("view/state", l.font(Font::Body), unnamedContactText(log.latest().contact, log.felt()),
-          {middle.x, below + l.px(14)}, width, log.felt() ? kBright : kQuiet);
-  const std::string hint = app.panels.window.fingers ? (log.touching() ? tr("Slide with the finger; + and − push")
-                                                                       : tr("Put a finger here to push"))
-                           : log.touching() ? tr("Slide with the mouse or the arrow keys; wheel, + and − push")
-                                            : tr("Hold the left button, or Space, to push");
+  centred("view/state", l.font(Font::Body), app.extensions().reveal_policy.touchWord(), {middle.x, below + l.px(14)},
+          width, log.felt() ? kBright : kQuiet);
+  const bool pushes = app.extensions().reveal_policy.hidesTouch() ? app.scene.controls.pressing() : log.touching();
+  const std::string hint = app.panels.window.fingers
+                               ? (pushes ? tr("Slide with the finger; + and − push") : tr("Put a finger here to push"))
+                           : pushes ? tr("Slide with the mouse or the arrow keys; wheel, + and − push")
+                                    : tr("Hold the left button, or Space, to push");
   centred("view/hint", l.font(Font::Small), hint, {middle.x, view.high.y - l.px(26)}, width, kQuiet);
 }
 

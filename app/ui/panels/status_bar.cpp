@@ -97,7 +97,8 @@ void drawStatusBar(Application& app) {
   const RevealPolicy& policy = app.extensions().reveal_policy;
   std::vector<Segment> segments;
   segments.push_back({"status/contact",
-                      app.scene.log().touching()                  ? tr("touching")
+                      policy.hidesTouch()                         ? policy.touchWord()
+                      : app.scene.log().touching()                ? tr("touching")
                       : app.scene.log().felt()                    ? tr("a force is felt")
                       : now.contact.fault == Fault::StartedInside ? tr("inside")
                                                                   : tr("free"),

@@ -11,7 +11,7 @@
 
 namespace moltact {
 
-/// Receives the finished share of the work, 0 to 1, on the calling thread, some times a second. False cancels.
+/// Receives the finished share of the work, 0 to 1, on the calling thread, a few times a second. False cancels.
 using GridProgress = std::function<bool(double share)>;
 
 /// Runs work(0) to work(count - 1) on `threads` threads, this one included; 0: one per processor. A system without threads
@@ -20,7 +20,7 @@ bool runGridWork(std::size_t count, int threads, const std::function<void(std::s
                  const GridProgress& progress);
 
 /// The energies of PairSum with the same arguments, on the nodes of `box`: Lennard-Jones for atoms of each of `sizes`
-/// (gridSizes()) with depth 1, and electrostatic for a charge of 1. Walls are as they are (foldWalls() folds them). Empty if
+/// (gridSizes()) with depth 1, and electrostatic for a charge of 1. Walls are not folded; see foldWalls(). Empty if
 /// cancelled. Throws std::bad_alloc if memory is insufficient.
 std::optional<GridMaps> computeGridMaps(const SphereGrid& scene, std::span<const PairAtom> atoms, const GridBox& box,
                                         std::span<const float> sizes, const PairModel& model, int threads = 0,

@@ -24,11 +24,13 @@ inline constexpr double kGridBlend_A = 1.0;
 /// Maps on the nodes of one box.
 struct GridMaps {
   GridBox box;
-  std::vector<std::vector<float>> van_der_waals;  ///< of a probe with depth 1 (AutoGrid: as it is), each of box.count()
-  std::vector<float> electrostatic;               ///< of a charge of 1 e; empty: none
-  std::vector<float> desolvation;  ///< multiplied by the amount of the charge, as in AutoDock; empty: none
+  std::vector<std::vector<float>>
+      van_der_waals;  ///< of a probe with depth 1 (AutoGrid's maps: with the depth of their type), each of box.count()
+  std::vector<float> electrostatic;  ///< of a charge of 1 e; empty: none
+  std::vector<float> desolvation;    ///< multiplied by the absolute charge, as in AutoDock; empty: none
   /// Above zero, van der Waals energies are stored as f asinh(E / f), so that walls of 1e10 kcal/mol do not spoil the
-  /// interpolation beside them; the interpolated value is converted back. 0: as they are, the classic.
+  /// interpolation beside them; the interpolated value is converted back. 0: stored unchanged, as is
+  /// customary.
   double fold = 0.0;
 
   std::size_t bytes() const;
@@ -52,14 +54,14 @@ std::vector<GridAtom> gridAtoms(std::span<const PairAtom> body, std::span<const 
 
 class EnergyGrid {
  public:
-  /// Both levels must have the same kinds and number of maps, each of its box's count; `fine` may be empty. Of the fine
-  /// box only what lies within the coarse one is used.
+  /// Both levels must have the same kinds and number of maps, each of its box's count; `fine` may be empty. Only the
+  /// part of the fine box inside the coarse one is used.
   EnergyGrid(std::shared_ptr<const GridMaps> coarse, std::shared_ptr<const GridMaps> fine, std::vector<GridAtom> body,
              GridInterpolation interpolation, double wall_kcal_mol);
 
   /// The energy of the body in this pose of its middle, with the meaning of PairSum::at. Zero for a pose that is not finite
   /// and where an atom is outside of the coarse box. The curvature is that of the tricubic interpolation; trilinear forces
-  /// jump at faces by about that times the spacing.
+  /// jump at faces by about the curvature times the spacing.
   PairEnergy at(const PoseA& pose) noexcept;
 
   /// True where an atom was outside of the box in the last call.

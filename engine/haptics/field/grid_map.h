@@ -1,6 +1,6 @@
 // Values on the nodes of a box of cubic cells, and their interpolation: trilinear, as in AutoDock, whose gradient jumps at
-// the faces of cells, or tricubic after Catmull and Rom, whose gradient is continuous. Haptic thread; gridBoxRound() any
-// other. Unit: angstrom.
+// the faces of cells, or tricubic (Catmull–Rom), whose gradient is continuous. Haptic thread, except
+// gridBoxRound(), for every other thread. Unit: angstrom.
 #pragma once
 
 #include <array>

@@ -1,4 +1,4 @@
-// The sum of a held body's atoms: each atom's energy through the bound of the walls, its force at its arm about the body's
+// The sum of a held body's atoms: each atom's energy after bounding walls, its force at its arm about the body's
 // middle, and the bounds of the curvature. Haptic thread. Units: angstrom, kcal/mol, radian.
 #pragma once
 
@@ -14,8 +14,8 @@ class HeldAtomSum {
   /// `wall_kcal_mol` as in PairModel.
   explicit HeldAtomSum(double wall_kcal_mol) noexcept : wall_(wall_kcal_mol) {}
 
-  /// Adds an atom at `arm` from the body's middle. Its curvature may be of another pose nearby. Returns the slope of the
-  /// bound of the walls at the atom's energy: 1 below zero.
+  /// Adds an atom at `arm` from the body's middle. Its curvature may come from a nearby pose. Returns the
+  /// derivative of the bounding function phi at the atom's energy: 1 below zero.
   double add(const PairTerms& terms, const std::array<double, 6>& c, const Vec3& arm) noexcept {
     sum_.energy.van_der_waals_kcal_mol += terms.van_der_waals;
     sum_.energy.electrostatic_kcal_mol += terms.electrostatic;

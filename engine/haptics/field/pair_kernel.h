@@ -1,5 +1,5 @@
 // The energies of one atom with blocks of eight others, with gradient and curvature: the inner loop of PairSum. Vectors of
-// eight floats; a processor with AVX2 takes one instruction for each, others two or eight, with the same bits. Haptic
+// eight floats; a processor with AVX2 needs one instruction per vector, others two or eight; the results are bit-identical. Haptic
 // thread. Units: angstrom, kcal/mol, elementary charge.
 #pragma once
 
@@ -23,7 +23,7 @@ struct alignas(32) PairBlock {
     half_minimum_A[lane] = atom.half_minimum_A;
     root_depth[lane] = std::sqrt(atom.depth_kcal_mol);
   }
-  /// Empties the places from this one on. They are beyond every cut-off.
+  /// Clears the lanes from this one on by moving them beyond every cut-off.
   void clear(int from_lane) noexcept {
     for (int lane = from_lane; lane < kLanes; ++lane) set(lane, Vec3(1e4), {});
   }
@@ -37,7 +37,7 @@ struct PairOwn {
 /// Sums over pairs.
 struct PairTerms {
   double van_der_waals = 0, electrostatic = 0;  // kcal/mol
-  Vec3 gradient{0.0};                           // kcal/mol/A, of the own atom's position
+  Vec3 gradient{0.0};                           // kcal/mol/A, with respect to the own atom's position
   std::array<double, 6> curvature{};            // kcal/mol/A^2: xx, yy, zz, xy, xz, yz
 };
 
@@ -51,12 +51,12 @@ struct PairConstants {
 using AddPairs = void (*)(const PairBlock* blocks, int count, const PairConstants& constants, const PairOwn& own,
                           PairTerms& terms) noexcept;
 
-/// The gradient of each pair's energy, by the own atom's position (unit: kcal/mol/A).
+/// The gradient of each pair's energy with respect to the own atom's position (unit: kcal/mol/A).
 using PairGradients = std::array<Vec3, PairBlock::kLanes>;
 using EachPair = void (*)(const PairBlock& block, const PairConstants& constants, const PairOwn& own,
                           PairGradients& out) noexcept;
 
-/// The loop without the curvature and with it, which takes about twice the time; and the pairs one by one.
+/// Three loops: without curvature, with it (about twice the time), and pair by pair.
 struct PairKernel {
   AddPairs slope = nullptr, curvature = nullptr;
   EachPair each = nullptr;
@@ -64,7 +64,7 @@ struct PairKernel {
 
 /// The loops for this processor.
 PairKernel pairKernel(Dielectric kind) noexcept;
-/// The loops for every processor. They give the same bits.
+/// Portable loops; the results are bit-identical.
 PairKernel plainPairKernel(Dielectric kind) noexcept;
 
 }  // namespace moltact

@@ -14,8 +14,8 @@ inline constexpr double kCoulomb_kcal_A = 332.0637;
 /// The force of 1 kcal/mol/A (unit: piconewton). The stiffness of 1 kcal/mol/A^2 is 1e-5 N/mm times this number.
 inline constexpr double kForceUnit_pN = 69.47695;
 
-/// The parameters of one atom. Two atoms have the minimum of their Lennard-Jones energy at the sum of their half
-/// distances, with the geometric mean of their depths (Lorentz and Berthelot's rules).
+/// The parameters of one atom. Two atoms have the minimum of their Lennard-Jones energy at the sum of their
+/// half-distances (rmin/2), with the geometric mean of their depths (Lorentz–Berthelot rules).
 struct PairAtom {
   Vec3 centre_A{0.0};
   float half_minimum_A = 0.0f;  ///< half of the distance at which two such atoms have their lowest energy (rmin / 2)

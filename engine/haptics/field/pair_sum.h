@@ -24,8 +24,8 @@ struct PairEnergy {
   MolecularEnergy energy;
   Vec3 force_kcal_mol_A{0.0};  ///< the negative gradient of the felt energy
   Vec3 torque_kcal_mol{0.0};   ///< about the body's middle
-  /// Upper bounds of the felt energy's curvature along any translation and about any axis, at least 0. Of each body atom
-  /// the curvature of one of the last kCurvatureTicks calls counts.
+  /// Upper bounds of the felt energy's curvature along any translation and about any axis, at least 0. Each body
+  /// atom contributes its curvature from one of the last kCurvatureTicks calls.
   double stiffness_kcal_mol_A2 = 0.0, rotational_stiffness_kcal_mol = 0.0;
 };
 
@@ -36,7 +36,7 @@ class PairSum {
   /// The largest number of pairs in lists; 24 bytes each.
   static constexpr std::size_t kMaxListedPairs = 1 << 21;
 
-  /// `atoms` has one entry for each sphere of `scene`, whose centres are used. Untouchable spheres have no energy. The
+  /// `atoms` has one entry for each sphere of `scene`, whose centres are used. Untouchable spheres do not contribute. The
   /// centres of `body` are relative to its middle. Spheres that the scene merges as duplicates count once.
   PairSum(std::shared_ptr<const SphereGrid> scene, std::vector<PairAtom> atoms, std::vector<PairAtom> body,
           const PairModel& model);

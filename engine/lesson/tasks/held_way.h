@@ -20,15 +20,15 @@ class HeldWay {
   /// A longer step between two samples is a jump. A hand moves by less than this in 30 ms, and by far less in a tick.
   static constexpr double kJump_A = 3.0, kJump_rad = 0.5;
 
-  /// Takes a sample; `dt_s` as in Task::onSample. Gives false where it does not continue the one before: the first, a
-  /// hand that was put down or jumped, a gap in time, a body or probe that began inside.
+  /// Takes a sample; `dt_s` as in Task::onSample. Returns false if the sample does not continue the previous one: it
+  /// is the first, the hand was put down or jumped, a gap in time, a body or probe that began inside.
   bool tick(const TouchSample& sample, double dt_s);
   void restart() { *this = HeldWay(); }
 
-  /// Of the last sample: the body as it is shown, or the contact point of the probe (of the exact tracker, which no
-  /// method that loses the surface misleads).
+  /// Of the last sample: the body as it is shown, or the contact point of the probe (from the exact tracker, so that
+  /// a method that loses the surface cannot mislead the task).
   const PoseA& pose() const { return now_; }
-  /// Of the sample before, where tick() has given true.
+  /// Of the previous sample; valid if tick() returned true.
   const PoseA& before() const { return before_; }
 
  private:
@@ -46,7 +46,7 @@ class PoseGoal {
   /// The root of the mean squared distance of the body's atoms from their places in the goal.
   double rmsd_A(const PoseA& pose) const;
   double turned_rad(const PoseA& pose) const;
-  /// Whether the springs of a body whose atoms have one each are stretched by more than `within_A` (root mean square over
+  /// Whether the springs of a body held by `springs`, one per atom, are stretched by more than `within_A` (root mean square over
   /// the atoms): its atoms are then elsewhere than the body that is shown.
   bool stretched(const TouchSample& s, double within_A) const;
 
@@ -56,7 +56,7 @@ class PoseGoal {
   glm::dmat3 spread_{0.0};  // mean of l l^T over the atoms' places l about the middle
 };
 
-/// How far a body may be off a goal.
+/// How far a body may be from a goal.
 struct PoseTolerance {
   double within_A = 1.0, turned_rad = 0.35;
 
@@ -65,10 +65,10 @@ struct PoseTolerance {
   }
 };
 
-/// The pose that an author wrote (pose_text.h); where the text is none, that of the molecule's file.
+/// The pose that an author wrote (pose_text.h); if the text is empty, that of the molecule's file.
 PoseA writtenGoal(std::string_view text, const HeldBody& body);
 
-/// The goal, or else a pose well within the tolerance in which the body overlaps nothing; with another `seed` than 0 the
+/// The goal, or else a pose well within the tolerance in which the body overlaps nothing; with a `seed` other than 0 the
 /// goal does not count.
 std::optional<PoseA> freePoseAt(const PoseGoal& goal, const PoseTolerance& tolerance, const PoseSpace& space,
                                 std::uint64_t seed = 0);

@@ -50,13 +50,14 @@ struct TaskButton {
 /// unchanged.
 struct TaskStage {
   bool dark = false;         ///< the molecule is not drawn: the way is found by touch alone
-  bool unnamed = false;      ///< what is touched is the question: nothing says its atoms or how many hold the probe
+  bool unnamed = false;      ///< the question is what is touched, so nothing names its atoms or says how many block the
+                             ///< probe
   bool force_meter = false;  ///< in the dark the force is shown
-  TouchChange touch = {};    ///< felt with something else
+  TouchChange touch = {};    ///< changes of the touch settings
   std::vector<std::uint32_t> removed = {};  ///< atoms that are not felt, besides those of the scene; ascending
   std::optional<PointA> facing = {};        ///< a place to be turned to the front, in the middle of the view
   std::optional<PointA> close_to = {};      ///< a place that the view comes close to, once no hand presses
-  std::optional<Quat> turned = {};          ///< the molecule is seen turned so: the screen's axes in its own
+  std::optional<Quat> turned = {};          ///< the orientation of the view: the screen's axes in the molecule's
   std::optional<Quat> body_turned = {};     ///< a hand that has no orientation of its own (mouse, keys, fingers) begins
                                             ///< with it, also after the view was reset: of what it holds, relative to
                                             ///< the molecule's file
@@ -156,10 +157,10 @@ class Task {
 
   /// Sets the atoms that the scene excludes from touch (scene_atoms.h); called once, before the first tick.
   virtual void leaveOut(std::span<const std::uint32_t> /*untouchable*/) {}
-  /// What the scene gives the hand to hold, in its pose of the molecule's file; never null. Told like the above, and
-  /// not at all where the hand holds the probe.
+  /// What the scene gives the hand to hold, in its pose of the molecule's file; never null. Called once, before the
+  /// first tick; not called if the hand holds the probe.
   virtual void takeInHand(std::shared_ptr<const HeldBody> /*body*/) {}
-  /// The forces between atoms of the scene. Told after the above, and not at all where the scene has none.
+  /// The forces between atoms of the scene. Called after takeInHand(); not called if the scene has none.
   virtual void takeForces(std::shared_ptr<const SceneForces> /*forces*/) {}
 
  protected:
@@ -232,7 +233,7 @@ class AtomSet {
 };
 
 /// The space at the surface of some atoms, for tasks in scenes with forces between atoms: these may hold a probe off the
-/// surface. Whether the probe is there depends neither on a contact nor on a force, and so reveals none.
+/// surface. Whether the probe is there depends neither on a contact nor on a force, so it reveals neither.
 class AtSurface {
  public:
   static constexpr double kNear_A = 2.0;
@@ -240,7 +241,7 @@ class AtSurface {
   AtSurface(const Selection& selection, const Molecule& molecule);
   /// Whether the probe's surface is within kNear_A of that of one of the atoms.
   bool near(const Vec3& probe, double probe_A) const;
-  /// The same of a hand that is there on purpose.
+  /// The same, for a hand that does not hover.
   bool has(const TouchSample& s) const { return !s.hovering && near(s.contact.scp.A, s.probe_A); }
 
  private:

@@ -1,4 +1,4 @@
-// Optional limits of tasks whose target are atoms: where on them a touch counts, and replies to touches of other atoms.
+// Optional limits of tasks whose targets are atoms: where on them a touch counts, and replies to touches of other atoms.
 // Window's thread. Unit: angstrom.
 #pragma once
 
