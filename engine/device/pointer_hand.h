@@ -91,7 +91,7 @@ class PointerHand {
   bool placed_ = false;
   bool pressing_ = false;
   bool leapt_ = false, met_ = false, in_well_ = false;
-  bool waits_ = false;        // for the first press, at hip_
+  bool waits_ = false;       // for the first press, at hip_
   bool aim_follows_ = true;  // false while the keys lead
   glm::dvec2 aim_{0.0}, last_pointer_{0.0};
   double depth_ = 0.0;

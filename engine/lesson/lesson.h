@@ -140,7 +140,7 @@ struct SceneSpec {
                                       ///< atoms
   SecondState then;
   bool elastic = false;  ///< the molecule gives way to the hand as an elastic network (engine/dynamics)
-  Selection magnify;  ///< these atoms fill the workspace; if empty, the whole molecule does
+  Selection magnify;     ///< these atoms fill the workspace; if empty, the whole molecule does
   ScenePlaces places;
 
   /// Whether the lesson prevents the student from changing this key ("force").
