@@ -13,6 +13,7 @@
 #include "engine/bench/charts.h"
 #include "engine/bench/cold_cache_ticks.h"
 #include "engine/bench/energies/energy_trade_off.h"
+#include "engine/bench/energies/field_matrix.h"
 #include "engine/bench/feel.h"
 #include "engine/bench/felt.h"
 #include "engine/bench/hand_replay.h"
@@ -358,6 +359,13 @@ void addEnergies(const BenchArguments& arguments, Report& report) {
   report.tables.push_back(energyTradeOffTable(*points, options));
   report.sentences.push_back({"energy_trade_off_sentences", energyTradeOffSentences(*points)});
   report.pictures.push_back({"energies.svg", energyTradeOffChart(*points)});
+  FieldMatrixOptions matrix;
+  matrix.seed = arguments.seed;
+  matrix.draws = arguments.quick ? 2 : 10;
+  const auto results = measureFieldMatrix(matrix, std::cref(bar));
+  report.excerpts.push_back(fieldScenesTable());
+  report.tables.push_back(fieldMatrix(results));
+  report.sentences.push_back({"field_matrix_sentences", fieldMatrixSentences(results)});
 }
 
 // Writes the tables between their markers in every page of the folder that has the markers.

@@ -22,6 +22,9 @@ struct EnergyTask {
   double gyration_A = 0.0;
 };
 
+/// The walls of measured grids are folded with this (foldWalls).
+inline constexpr double kGridWall_kcal_mol = 4.0;
+
 inline constexpr std::array<std::string_view, 3> kEnergyTasks{"ligand", "200", "chain"};
 
 /// "ligand": amprenavir in 1HPV; "200": the 200 atoms of chain A of 2HHB nearest to chain B, against B; "chain": all of

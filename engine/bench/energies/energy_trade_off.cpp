@@ -16,7 +16,7 @@
 namespace moltact::bench {
 namespace {
 
-constexpr double kFold_kcal_mol = 4.0, kCoarse_A = 0.75;
+constexpr double kCoarse_A = 0.75;
 
 // A method on a task. `make` gives a fresh one each time, which shares what has been prepared.
 struct PreparedEnergy {
@@ -67,7 +67,7 @@ Expected<PreparedEnergy> preparedGrid(const EnergyTask& task, const EnergyMethod
     if (double(box->count()) * double(sizes.size() + 1) * sizeof(float) > kMaxMeasuredMaps_bytes)
       return std::shared_ptr<const GridMaps>{};
     auto made = computeGridMaps(*task.scene, task.atoms, *box, sizes, {});
-    foldWalls(*made, kFold_kcal_mol);
+    foldWalls(*made, kGridWall_kcal_mol);
     out.bytes += made->bytes();
     return std::make_shared<const GridMaps>(*std::move(made));
   };
@@ -128,15 +128,15 @@ Expected<PreparedEnergy> preparedEnergy(const EnergyTask& task, const EnergyMeth
 }
 
 void timeEnergy(const PreparedEnergy& method, const std::vector<PoseA>& path, int runs, EnergyTradeOff& out) {
-  using Clock = std::chrono::steady_clock;
+  using SteadyClock = std::chrono::steady_clock;
   std::vector<double> least(path.size(), 1e300);
   for (int k = 0; k < runs; ++k) {
     const auto at = method.make();
     for (int warm = 0; warm < PairSum::kCurvatureTicks; ++warm) at(path.front());
     for (std::size_t i = 0; i < path.size(); ++i) {
-      const auto from = Clock::now();
+      const auto from = SteadyClock::now();
       [[maybe_unused]] const volatile double felt = at(path[i]).energy.felt_kcal_mol;
-      least[i] = std::min(least[i], std::chrono::duration<double, std::micro>(Clock::now() - from).count());
+      least[i] = std::min(least[i], std::chrono::duration<double, std::micro>(SteadyClock::now() - from).count());
     }
   }
   out.mean_us = std::accumulate(least.begin(), least.end(), 0.0) / double(least.size());
