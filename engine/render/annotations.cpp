@@ -88,7 +88,7 @@ void addLines(const Annotations& annotations, const Camera& camera, const Theme&
   for (const auto& [kind, colour] :
        {std::pair{Annotations::Line::Measure, theme.measure}, std::pair{Annotations::Line::Bond, theme.bond},
         std::pair{Annotations::Line::Clash, theme.strongest}})
-    lines.edged(colour, 2.2f, 0.8f, [&] {
+    lines.edged(colour, 2.2f, 0.8f, [&, kind = kind] {  // clang 14 does not capture a structured binding
       for (const Annotations::Measure& m : annotations.measures) {
         if (m.line != kind) continue;
         for (std::size_t i = 0; i + 1 < m.places.size(); ++i) lines.dashes(m.places[i].A, m.places[i + 1].A);
