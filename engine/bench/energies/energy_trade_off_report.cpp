@@ -69,7 +69,8 @@ ReportTable energyTradeOffTable(const std::vector<EnergyTradeOff>& points, const
       "Atoms with polar hydrogens: ligand (amprenavir in 1HPV) " + atoms("ligand") +
       "; 200 of 2HHB's chain A nearest to B " + atoms("200") + "; chain A against B " + atoms("chain") + ". " +
       readable(double(options.ticks)) +
-      " ticks to and fro by 0.5 A along and about each axis from the crystal's pose; a tick's time is the minimum of " +
+      " ticks back and forth by 0.5 A along each axis, and by an equal arc about it, from the crystal's pose; a tick's "
+      "time is the minimum of " +
       std::to_string(options.runs) +
       " runs. Errors are of the felt energy (walls bounded by asinh above 1 kcal/mol per atom), against the sum over "
       "all pairs in double precision without a cut-off, at up to 400 ticks; without the cut-off's share: against the "
@@ -102,9 +103,9 @@ std::string energyTradeOffSentences(const std::vector<EnergyTradeOff>& points) {
            std::string(body == "ligand" ? "Ligand"
                        : body == "200"  ? "200 atoms"
                                         : "Chain") +
-           ": `" + direct->method.name() + "` takes " + readable(direct->mean_us) + " us a tick and errs by " +
-           share(*direct) + " of the force (rms) by its cut-off and by " + readable(direct->own_force.rms) +
-           " kcal/mol/A by its rounding";
+           ": `" + direct->method.name() + "` takes " + readable(direct->mean_us) +
+           " us a tick and has an error of the force of " + share(*direct) + " (rms) from its cut-off and of " +
+           readable(direct->own_force.rms) + " kcal/mol/A from rounding";
     for (const EnergyKind kind : {EnergyKind::Trilinear, EnergyKind::Tricubic})
       if (const EnergyTradeOff* grid = energyPoint(points, body, kind, 0.375))
         out += "; `" + grid->method.name() + "` " + readable(grid->mean_us) + " us and " + share(*grid) +
