@@ -146,6 +146,14 @@ Expected<Molecule> readSmallCif(TextSource& text, const ReadOptions& options);
 /// Parses the whole of `text`, except surrounding whitespace, as a finite number; false if it is not one.
 bool parseNumber(std::string_view text, double& value);
 
+/// A word of a line and its column, from 1.
+struct LineWord {
+  std::string_view text;
+  std::size_t column = 0;
+};
+/// The first words of a line, at most 12, separated by blanks.
+std::vector<LineWord> wordsOfLine(std::string_view line);
+
 /// Shortens `text` for a message: at most 24 characters, unprintable bytes as '?'.
 std::string inQuotes(std::string_view text);
 

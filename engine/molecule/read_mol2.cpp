@@ -20,23 +20,6 @@ constexpr const char* kMol2Remedy =
     N_("write the file anew with the program that made it; an atom is number, name, x, y, z, type, and where they are "
        "known substructure number, its name and charge");
 
-struct Mol2Word {
-  std::string_view text;
-  std::size_t column = 0;  // from 1
-};
-
-std::vector<Mol2Word> mol2Words(std::string_view line) {
-  std::vector<Mol2Word> out;
-  constexpr std::string_view kBlank = " \t\r";
-  for (std::size_t at = line.find_first_not_of(kBlank); at != std::string_view::npos && out.size() < 12;
-       at = line.find_first_not_of(kBlank, at)) {
-    const std::size_t end = std::min(line.find_first_of(kBlank, at), line.size());
-    out.push_back({line.substr(at, end - at), at + 1});
-    at = end;
-  }
-  return out;
-}
-
 bool mol2Integer(std::string_view text, int& value) {
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   return error == std::errc{} && end == text.data() + text.size();
@@ -141,7 +124,7 @@ class Mol2Reader {
         if (given(trimmed(line))) head_.title = trimmed(line);
         return std::nullopt;
       case 2: {
-        const auto words = mol2Words(line);
+        const auto words = wordsOfLine(line);
         for (std::size_t k = 0; k < 2; ++k)
           if (words.size() > k ? !mol2Integer(words[k].text, counts_[k]) || counts_[k] < 0 : k == 0)
             return bad(1,
@@ -158,7 +141,7 @@ class Mol2Reader {
   }
 
   std::optional<Problem> atomLine(std::string_view line) {
-    const auto words = mol2Words(line);
+    const auto words = wordsOfLine(line);
     if (words.size() < 6) return bad(1, trf("an atom has 6 words or more, this one {0}", words.size()));
     int number = 0;
     if (!mol2Integer(words[0].text, number))
@@ -202,7 +185,7 @@ class Mol2Reader {
   }
 
   std::optional<Problem> bondLine(std::string_view line) {
-    const auto words = mol2Words(line);
+    const auto words = wordsOfLine(line);
     int ends[2] = {};
     ++bond_lines_;
     if (words.size() < 4 || !mol2Integer(words[1].text, ends[0]) || !mol2Integer(words[2].text, ends[1]))
@@ -229,7 +212,7 @@ class Mol2Reader {
 
   // Number, name, root atom, type, dictionary, chain, and the name of its kind ("ALA").
   void substructureLine(std::string_view line) {
-    const auto words = mol2Words(line);
+    const auto words = wordsOfLine(line);
     int number = 0;
     if (words.size() < 6 || !mol2Integer(words[0].text, number) || substructures_.size() >= rows_.size()) return;
     Substructure& s = substructures_[number];

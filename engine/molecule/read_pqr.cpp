@@ -17,30 +17,13 @@ constexpr const char* kPqrRemedy =
     N_("write: ATOM number name residue chain residue-number x y z charge radius, with blanks between them (pdb2pqr "
        "--whitespace); the chain may be left out");
 
-struct PqrWord {
-  std::string_view text;
-  std::size_t column = 0;  // from 1
-};
-
-std::vector<PqrWord> pqrWords(std::string_view line) {
-  std::vector<PqrWord> out;
-  constexpr std::string_view kBlank = " \t\r";
-  for (std::size_t at = line.find_first_not_of(kBlank); at != std::string_view::npos && out.size() < 12;
-       at = line.find_first_not_of(kBlank, at)) {
-    const std::size_t end = std::min(line.find_first_of(kBlank, at), line.size());
-    out.push_back({line.substr(at, end - at), at + 1});
-    at = end;
-  }
-  return out;
-}
-
 bool isAtomRecord(std::string_view line) { return line.starts_with("ATOM") || line.starts_with("HETATM"); }
 
 std::optional<Problem> addPqrAtom(MoleculeBuilder& builder, std::string_view line, const std::string& file,
                                   std::size_t number) {
   // A serial number of five digits may be adjacent to HETATM.
   const std::size_t record = line.starts_with("HETATM") ? 6 : 4;
-  std::vector<PqrWord> words = pqrWords(line.substr(record));
+  std::vector<LineWord> words = wordsOfLine(line.substr(record));
   // Open Babel writes the element after the radius.
   int element = 0;
   if (words.size() > 9 && words.back().text.size() <= 2) {

@@ -1,4 +1,5 @@
 // Small text functions shared by the readers.
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 
@@ -12,6 +13,19 @@ bool parseNumber(std::string_view text, double& value) {
   if (text.size() > 1 && text[0] == '+' && text[1] != '-') text.remove_prefix(1);
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   return error == std::errc{} && end == text.data() + text.size() && std::isfinite(value);
+}
+
+std::vector<LineWord> wordsOfLine(std::string_view line) {
+  constexpr std::size_t kMaxWords = 12;
+  constexpr std::string_view kBlank = " \t\r";
+  std::vector<LineWord> out;
+  for (std::size_t at = line.find_first_not_of(kBlank); at != std::string_view::npos && out.size() < kMaxWords;
+       at = line.find_first_not_of(kBlank, at)) {
+    const std::size_t end = std::min(line.find_first_of(kBlank, at), line.size());
+    out.push_back({line.substr(at, end - at), at + 1});
+    at = end;
+  }
+  return out;
 }
 
 std::string inQuotes(std::string_view text) {
