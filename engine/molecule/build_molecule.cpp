@@ -34,19 +34,23 @@ std::size_t dropWaters(MoleculeStorage& grown) {
   arrays.atoms = std::move(old.atoms);
   arrays.spheres = std::move(old.spheres);
   arrays.charges_e = std::move(old.charges_e);
+  arrays.numbers_in_file = std::move(old.numbers_in_file);
   std::size_t kept = 0;
   for (std::size_t i = 0; i < old.residues.size(); ++i) {
     const Residue& r = old.residues[i];
     if (water(r)) continue;
     for (std::uint32_t k = 0; k < r.atom_count; ++k) {
       const PlacedAtom atom = out.at(r.first_atom + k);
-      out.put(kept++, atom, out.charge_e(r.first_atom + k),
+      const std::uint32_t number = out.numberInFile(r.first_atom + k);
+      out.put(kept, atom, out.charge_e(r.first_atom + k),
               {r.name, old.chains[r.chain].name, grown.labelChain(i), r.number, r.insertion}, grown.hetero_of[i]);
+      out.setNumberInFile(kept++, number);
     }
   }
   arrays.atoms.resize(kept);
   arrays.spheres.resize(kept);
   if (out.hasCharges()) arrays.charges_e.resize(kept);
+  if (!arrays.numbers_in_file.empty()) arrays.numbers_in_file.resize(kept);
   out.close();
   grown = std::move(out);
   return waters;
@@ -114,6 +118,7 @@ std::optional<Problem> MoleculeBuilder::add(const ParsedAtom& from) {
   }
   // A residue has few alternatives; a group with more is not a residue and is not searched for each of its atoms.
   constexpr std::size_t kMaxAlternatives = 100;
+  waits.in_file = in_file_++;
   PlacedAtom& atom = waits.atom;
   atom.position.A = from.position_A;
   atom.atomic_number = static_cast<std::uint8_t>(std::clamp(from.atomic_number, 0, kElementCount));
@@ -175,6 +180,7 @@ void MoleculeBuilder::endPlace() {
   for (const Waiting& w : waiting_) {
     const std::string& residue = residues_[w.residue];
     out_.add(w.atom, w.charge_e, {residue, chain_, label_chain_, number_, insertion_}, w.hetero);
+    out_.setNumberInFile(out_.arrays.atoms.size() - 1, w.in_file);
     if (w.unknown >= 0) {
       Unknown& unknown = unknown_[static_cast<std::size_t>(w.unknown)];
       ++(isWaterName(residue) ? unknown.in_water : unknown.elsewhere);
@@ -247,6 +253,10 @@ Expected<Molecule> MoleculeBuilder::finish(ParsedHeader head) {
   out.atoms = std::move(out_.arrays.atoms);
   out.spheres = std::move(out_.arrays.spheres);
   out.charges_e = std::move(out_.arrays.charges_e);
+  if (options_.assembly.empty()) {
+    out.numbers_in_file = std::move(out_.arrays.numbers_in_file);
+    out.atoms_in_file = in_file_;
+  }
   out.residues = std::move(out_.arrays.residues);
   out.chains = std::move(out_.arrays.chains);
   return out;

@@ -102,6 +102,10 @@ struct Molecule {
   std::uint32_t waters_left_out = 0;      ///< water molecules of the file that are not among the atoms
   std::uint32_t alternates_left_out = 0;  ///< atoms at alternate locations that were not kept
   std::uint32_t models_in_file = 1;       ///< this is one of them
+  /// The number of each atom among those of its model in the file, from 0, in ascending order; empty: atom i is atom i
+  /// of the file. The frames of a trajectory have the file's atoms, water and alternates included.
+  SharedArray<std::uint32_t> numbers_in_file;
+  std::uint32_t atoms_in_file = 0;        ///< in its model; 0: unknown, as for an assembly
   std::uint32_t beside_from = 0;          ///< index of the first atom of a second molecule (side_by_side.h); 0: none
   std::string beside_id;                  ///< short name of the second molecule
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <numeric>
 
 #include "engine/language/catalogue.h"
 #include "engine/molecule/reader.h"
@@ -49,7 +50,7 @@ std::size_t MoleculeStorage::bytes() const {
   const MoleculeArrays& m = arrays;
   return m.atoms.size() * (sizeof(Atom) + sizeof(Sphere)) + m.charges_e.size() * sizeof(float) +
          m.residues.size() * sizeof(Residue) + m.chains.size() * sizeof(Chain) +
-         label_of_.size() * sizeof(std::uint32_t) + labels_.size() * sizeof(ShortText) + hetero_of.size() / 8 +
+         (label_of_.size() + m.numbers_in_file.size()) * sizeof(std::uint32_t) + labels_.size() * sizeof(ShortText) + hetero_of.size() / 8 +
          text_bytes_;
 }
 
@@ -113,6 +114,21 @@ void MoleculeStorage::put(std::size_t at, const PlacedAtom& atom, float charge_e
   if (has_charges_) m.charges_e[at] = charge_e;
   m.atoms[at].residue = static_cast<std::uint32_t>(m.residues.size() - 1);
   ++m.residues.back().atom_count;
+}
+
+void MoleculeStorage::setNumberInFile(std::size_t at, std::uint32_t number) {
+  std::vector<std::uint32_t>& numbers = arrays.numbers_in_file;
+  if (numbers.empty()) {
+    if (number == at) return;
+    // All atoms before this one have their own index.
+    numbers.reserve(arrays.atoms.capacity());
+    numbers.resize(at);
+    std::iota(numbers.begin(), numbers.end(), 0u);
+  }
+  if (at == numbers.size())
+    numbers.push_back(number);
+  else
+    numbers[at] = number;
 }
 
 void MoleculeStorage::close() {

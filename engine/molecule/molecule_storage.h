@@ -20,6 +20,8 @@ struct MoleculeArrays {
   std::vector<Atom> atoms;
   std::vector<Sphere> spheres;   ///< one per atom
   std::vector<float> charges_e;  ///< one per atom; empty: the format has no charges
+  /// Molecule::numbers_in_file; empty while they are 0, 1, 2, …
+  std::vector<std::uint32_t> numbers_in_file;
   std::vector<Residue> residues;
   std::vector<Chain> chains;
 };
@@ -41,6 +43,12 @@ class MoleculeStorage {
       : names_label_chains_(names_label_chains), has_charges_(has_charges) {}
   /// Reserves memory for about this number of atoms.
   void expect(std::size_t atoms);
+  /// The number in the file of an atom. `atom` must be in range.
+  std::uint32_t numberInFile(std::size_t atom) const {
+    return arrays.numbers_in_file.empty() ? static_cast<std::uint32_t>(atom) : arrays.numbers_in_file[atom];
+  }
+  /// Sets that of the atom at index `at`, which is the last or has been overwritten.
+  void setNumberInFile(std::size_t at, std::uint32_t number);
   /// Appends an atom; consecutive atoms of the same residue and chain are grouped.
   void add(const PlacedAtom& atom, float charge_e, const Place& place, bool hetero) {
     put(arrays.atoms.size(), atom, charge_e, place, hetero);

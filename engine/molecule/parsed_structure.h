@@ -80,6 +80,8 @@ class MoleculeBuilder {
   /// atoms. `has_charges`: the format has a partial charge for each atom.
   MoleculeBuilder(const TextSource& text, const ReadOptions& options, bool has_charges = false);
   std::optional<Problem> add(const ParsedAtom& atom);
+  /// Counts an atom of the model that is left out.
+  void skip() { ++in_file_; }
   Expected<Molecule> finish(ParsedHeader head);
 
  private:
@@ -90,6 +92,7 @@ class MoleculeBuilder {
     std::uint64_t name = 0;  // hash of the full name
     double occupancy = 1.0;
     std::uint32_t residue = 0;  // index into residues_
+    std::uint32_t in_file = 0;  // Molecule::numbers_in_file
     std::int32_t unknown = -1;  // index into unknown_ if the radius is unknown
     char alternate = ' ';
     bool hetero = false;
@@ -106,6 +109,7 @@ class MoleculeBuilder {
   std::string file_;
   MoleculeStorage out_;
   std::size_t atoms_ = 0, before_ = 0;  // number of atoms so far; bytes of text before the first
+  std::uint32_t in_file_ = 0;           // the same, with those that were left out
   // The position in the chain of the last atoms: one residue, or several alternative ones.
   std::string chain_, label_chain_;
   int number_ = 0;

@@ -55,7 +55,10 @@ std::optional<Problem> addGroAtom(MoleculeBuilder& builder, GroNumbers& numbers,
   }
   atom.residue = trimmed(line.substr(5, 5));
   atom.name = trimmed(line.substr(10, 5));
-  if (isVirtualSite(atom.name, atom.residue)) return std::nullopt;
+  if (isVirtualSite(atom.name, atom.residue)) {
+    builder.skip();
+    return std::nullopt;
+  }
   atom.element = atom.name;
   atom.atomic_number = elementOfName(atom.name, atom.residue);
   atom.number = numbers(residue_number);
