@@ -1,5 +1,6 @@
 // The parsed atoms that a format's reader passes on one by one, and the builder that assembles them into a molecule by
-// the rules of reader.h. Only the molecule itself grows with the file. Internal to engine/molecule. Units: angstrom.
+// the rules of reader.h. Only the molecule itself grows with the file. Internal to engine/molecule and
+// engine/trajectory. Units: angstrom.
 #pragma once
 
 #include <cstddef>

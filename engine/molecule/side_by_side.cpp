@@ -89,6 +89,8 @@ Molecule sideBySide(Molecule first, Molecule second) {
              chains = std::uint32_t(first.chains.size());
   out.beside_from = atoms;
   out.beside_id = second.id;
+  out.numbers_in_file = {};
+  out.atoms_in_file = 0;
   out.atoms = joined(first.atoms, second.atoms, [&](Atom a) {
     if (a.residue != kNoResidue) a.residue += residues;
     return a;

@@ -93,6 +93,16 @@ AtomPairs matchAtoms(const Molecule& one, const Molecule& other) {
   return out;
 }
 
+std::vector<std::uint32_t> leadingAtoms(const Molecule& molecule) {
+  std::vector<std::uint32_t> out;
+  for (std::uint32_t i = 0; i < molecule.atoms.size(); ++i)
+    if (leads(molecule, i)) out.push_back(i);
+  if (out.size() >= kFewest) return out;
+  out.resize(molecule.atoms.size());
+  for (std::uint32_t i = 0; i < out.size(); ++i) out[i] = i;
+  return out;
+}
+
 Expected<Superposition> superpose(const Molecule& one, const Molecule& other,
                                   std::span<const std::pair<std::uint32_t, std::uint32_t>> pairs) {
   std::vector<gemmi::Position> here, there;

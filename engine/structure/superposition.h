@@ -22,6 +22,9 @@ using AtomPairs = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
 /// name is common and the numbers of chains are equal, by order.
 AtomPairs matchAtoms(const Molecule& one, const Molecule& other);
 
+/// The atoms that represent residues: CA of amino acids, P or C1' of nucleotides; all atoms if those are fewer than three.
+std::vector<std::uint32_t> leadingAtoms(const Molecule& molecule);
+
 /// The rigid motion of the other molecule onto the one: place_in_one = rotation * place_in_other + shift.
 struct Superposition {
   glm::dmat3 rotation{1.0};

@@ -1,0 +1,92 @@
+#include "engine/trajectory/frame_store.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "engine/structure/superposition.h"
+
+namespace moltact {
+
+Expected<std::unique_ptr<FrameStore>> FrameStore::open(const std::filesystem::path& path,
+                                                       std::shared_ptr<const Molecule> molecule, const FrameFit& fit) {
+  auto file = openTrajectory(path);
+  if (!file) return file.problem();
+  auto placer = FramePlacer::make(std::move(molecule), (*file)->atoms(), path.string(), fit);
+  if (!placer) return placer.problem();
+  return std::make_unique<FrameStore>(*std::move(file), *std::move(placer));
+}
+
+Expected<AtomPositions> FrameStore::placed(std::size_t frame) {
+  if (const auto found = kept_.find(frame); found != kept_.end()) return found->second;
+  auto read = file_->read(frame);
+  if (!read) return read.problem();
+  AtomPositions out = std::make_shared<const std::vector<Vec3>>(placer_.place(*read));
+  const std::size_t each = out->size() * sizeof(Vec3), most = std::max(kFewest, kMost_bytes / std::max<std::size_t>(each, 1));
+  while (order_.size() >= most) {
+    kept_.erase(order_.front());
+    order_.pop_front();
+  }
+  kept_.emplace(frame, out);
+  order_.push_back(frame);
+  return out;
+}
+
+Expected<AtomPositions> FrameStore::at(std::size_t frame, std::size_t smoothing) {
+  if (smoothing == 0) return placed(frame);
+  // As many frames before as after, so that the mean is that of this moment.
+  const std::size_t reach = std::min({smoothing, frame, file_->frames() - 1 - frame});
+  std::vector<Vec3> sum;
+  for (std::size_t k = frame - reach; k <= frame + reach; ++k) {
+    auto one = placed(k);
+    if (!one) return one.problem();
+    if (sum.empty()) sum.assign((*one)->size(), Vec3(0.0));
+    for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += (**one)[i];
+  }
+  for (Vec3& place : sum) place /= double(2 * reach + 1);
+  return AtomPositions(std::make_shared<const std::vector<Vec3>>(std::move(sum)));
+}
+
+std::vector<Vec3> between(std::span<const Vec3> from, std::span<const Vec3> to, double share) {
+  std::vector<Vec3> out(from.begin(), from.end());
+  if (share != 0.0)
+    for (std::size_t i = 0; i < out.size(); ++i) out[i] += (to[i] - out[i]) * share;
+  return out;
+}
+
+Expected<TrajectorySurvey> surveyTrajectory(FrameStore& frames, std::size_t first, std::size_t last, std::size_t most) {
+  TrajectorySurvey out;
+  last = std::min(last, frames.file().frames());
+  if (first >= last || most == 0) return out;
+  out.every = (last - first + most - 1) / most;
+  const Molecule& molecule = frames.placer().molecule();
+  const std::size_t n = molecule.atoms.size();
+  const std::vector<std::uint32_t> leading = leadingAtoms(molecule);
+  std::vector<Vec3> sum(n, Vec3(0.0));
+  std::vector<double> squares(n, 0.0);
+  std::size_t count = 0;
+  for (std::size_t frame = first; frame < last; frame += out.every, ++count) {
+    auto read = frames.file().read(frame);
+    if (!read) return read.problem();
+    const std::vector<Vec3> places = frames.placer().place(*read);
+    double squared = 0.0;
+    for (const std::uint32_t i : leading) {
+      const Vec3 d = places[i] - molecule.spheres[i].centre_A;
+      squared += glm::dot(d, d);
+    }
+    out.rmsd_A.push_back(float(std::sqrt(squared / double(leading.size()))));
+    for (std::size_t i = 0; i < n; ++i) {
+      // From the structure, which keeps the squares small.
+      const Vec3 d = places[i] - molecule.spheres[i].centre_A;
+      sum[i] += d;
+      squares[i] += glm::dot(d, d);
+    }
+  }
+  for (std::size_t i = 0; i < n; ++i) {
+    const Vec3 mean = sum[i] / double(count);
+    out.fluctuation_A.push_back(float(std::sqrt(std::max(0.0, squares[i] / double(count) - glm::dot(mean, mean)))));
+  }
+  return out;
+}
+
+}  // namespace moltact

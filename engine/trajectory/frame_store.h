@@ -1,0 +1,59 @@
+// The frames of a trajectory as positions of a molecule's atoms: read when they are needed, smoothed, and kept while
+// memory allows. One thread at a time, not the haptic one; the calls block on the disk. Unit: angstrom.
+#pragma once
+
+#include <cstdint>
+#include <list>
+#include <map>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "engine/trajectory/frame_placer.h"
+
+namespace moltact {
+
+using AtomPositions = std::shared_ptr<const std::vector<Vec3>>;
+
+class FrameStore {
+ public:
+  /// Limit on the memory of the kept frames (unit: byte). At least kFewest are kept.
+  static constexpr std::size_t kMost_bytes = std::size_t{96} << 20, kFewest = 4;
+
+  FrameStore(std::unique_ptr<TrajectoryFile> file, FramePlacer placer)
+      : file_(std::move(file)), placer_(std::move(placer)) {}
+  /// Opens the file and finds its first frames.
+  static Expected<std::unique_ptr<FrameStore>> open(const std::filesystem::path& file,
+                                                    std::shared_ptr<const Molecule> molecule, const FrameFit& fit);
+
+  TrajectoryFile& file() { return *file_; }
+  const FramePlacer& placer() const { return placer_; }
+
+  /// The positions at a frame, which must be less than file().frames(). `smoothing`: the mean over so many frames before
+  /// and after it, fewer at the ends.
+  Expected<AtomPositions> at(std::size_t frame, std::size_t smoothing = 0);
+
+ private:
+  Expected<AtomPositions> placed(std::size_t frame);
+
+  std::unique_ptr<TrajectoryFile> file_;
+  FramePlacer placer_;
+  std::map<std::size_t, AtomPositions> kept_;
+  std::list<std::size_t> order_;  // of kept_, the oldest first
+};
+
+/// The positions between two frames: linear.
+std::vector<Vec3> between(std::span<const Vec3> from, std::span<const Vec3> to, double share);
+
+/// What the frames of a trajectory say about a molecule.
+struct TrajectorySurvey {
+  std::size_t every = 1;            ///< every n-th frame was read
+  std::vector<float> rmsd_A;        ///< of each of these frames from the molecule's structure, over CA, P and C1' or
+                                    ///< else all atoms
+  std::vector<float> fluctuation_A; ///< of each atom: root mean square distance from its mean position
+};
+
+/// Reads frames `first` to `last` (exclusive), at most `most` of them, evenly spaced.
+Expected<TrajectorySurvey> surveyTrajectory(FrameStore& frames, std::size_t first, std::size_t last, std::size_t most);
+
+}  // namespace moltact
