@@ -36,10 +36,10 @@ Expected<FramePlacer> FramePlacer::make(std::shared_ptr<const Molecule> molecule
     return Problem{file, 0, 0, tr("a trajectory moves one molecule, not two side by side"),
                    tr("leave out the second molecule")};
   if (atoms != in_file && atoms != m.atoms.size())
-    return Problem{file, 0, 0,
-                   trf("its frames have {0} atoms; the molecule has {1}, and its file {2}", atoms, m.atoms.size(),
-                       in_file),
-                   tr("take the structure from which the trajectory was computed, with the same atoms")};
+    return Problem{
+        file, 0, 0,
+        trf("its frames have {0} atoms; the molecule has {1}, and its file {2}", atoms, m.atoms.size(), in_file),
+        tr("take the structure from which the trajectory was computed, with the same atoms")};
   out.superposed_ = fit.superposed;
   if (fit.superposed) {
     const AtomPairs pairs = selfPairs(m, fit.on);
@@ -49,7 +49,7 @@ Expected<FramePlacer> FramePlacer::make(std::shared_ptr<const Molecule> molecule
                        tr("superpose on more atoms")};
       out.superposed_ = false;
     }
-    out.fitted_ = fit.on;
+    out.fitted_ = pairs;
   }
   const std::size_t n = m.atoms.size();
   const BondTable bonds(n, findBonds(m));
@@ -74,8 +74,20 @@ Expected<FramePlacer> FramePlacer::make(std::shared_ptr<const Molecule> molecule
   }
   out.parts_ = sizes.size();
   out.largest_ = static_cast<std::size_t>(std::max_element(sizes.begin(), sizes.end()) - sizes.begin());
+  if (out.parts_ > 1) {
+    std::vector<std::uint32_t> of_largest;
+    for (std::uint32_t i = 0; i < n; ++i)
+      if (out.part_of_[i] == out.largest_) of_largest.push_back(i);
+    if (of_largest.size() >= 3) out.turns_ = selfPairs(m, of_largest);
+  }
   out.molecule_ = std::move(molecule);
   return out;
+}
+
+Molecule FramePlacer::movedTo(std::span<const Vec3> places) const {
+  std::vector<Sphere> spheres = molecule_->spheres.copy();
+  for (std::size_t i = 0; i < spheres.size(); ++i) spheres[i].centre_A = places[i];
+  return molecule_->movedTo(std::move(spheres));
 }
 
 void FramePlacer::makeWhole(std::vector<Vec3>& places, const glm::dmat3& cell) const {
@@ -92,11 +104,15 @@ void FramePlacer::makeWhole(std::vector<Vec3>& places, const glm::dmat3& cell) c
     ++count[part];
   }
   const auto middle = [&](const std::vector<Vec3>& sums, std::size_t part) { return sums[part] / count[part]; };
+  // The largest one shows how the whole has turned.
+  glm::dmat3 turned(1.0);
+  if (!turns_.empty())
+    if (const auto fit = superpose(*molecule_, movedTo(places), turns_)) turned = glm::transpose(fit->rotation);
   std::vector<Vec3> shift(parts_);
   for (std::size_t part = 0; part < parts_; ++part)
-    shift[part] = nearestLattice(cell, inverse,
-                                 middle(here, part) - middle(here, largest_) - middle(there, part) +
-                                     middle(there, largest_));
+    shift[part] = nearestLattice(
+        cell, inverse,
+        middle(here, part) - middle(here, largest_) - turned * (middle(there, part) - middle(there, largest_)));
   for (std::size_t i = 0; i < places.size(); ++i) places[i] -= shift[part_of_[i]];
 }
 
@@ -108,9 +124,7 @@ std::vector<Vec3> FramePlacer::place(const TrajectoryFrame& frame) const {
   for (std::size_t i = 0; i < n; ++i) out[i] = frame.positions_A[of_file ? m.numbers_in_file[i] : i];
   if (frame.cell_A) makeWhole(out, *frame.cell_A);
   if (!superposed_) return out;
-  std::vector<Sphere> spheres = m.spheres.copy();
-  for (std::size_t i = 0; i < n; ++i) spheres[i].centre_A = out[i];
-  const auto fit = superpose(m, m.movedTo(std::move(spheres)), selfPairs(m, fitted_));
+  const auto fit = superpose(m, movedTo(out), fitted_);
   // Atoms of this frame alone lie on a line: it is left as it is.
   if (!fit) return out;
   for (Vec3& place : out) place = (*fit)(place);

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <memory>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "engine/core/problem.h"
@@ -36,16 +37,19 @@ class FramePlacer {
 
  private:
   FramePlacer() = default;
+  Molecule movedTo(std::span<const Vec3> places) const;
   void makeWhole(std::vector<Vec3>& places, const glm::dmat3& cell) const;
 
   std::shared_ptr<const Molecule> molecule_;
   bool superposed_ = false;
-  std::vector<std::uint32_t> fitted_;
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> fitted_,
+      turns_;  // atoms for superposition(): the chosen ones, those
+               // of the largest covalent molecule
   struct Step {
     std::uint32_t atom = 0, from = 0;  // bonded; `from` comes first
   };
-  std::vector<Step> steps_;                // along the bonds of each covalent molecule
-  std::vector<std::uint32_t> part_of_;     // the covalent molecule of each atom
+  std::vector<Step> steps_;             // along the bonds of each covalent molecule
+  std::vector<std::uint32_t> part_of_;  // the covalent molecule of each atom
   std::size_t parts_ = 0, largest_ = 0;
 };
 

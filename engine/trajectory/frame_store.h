@@ -47,10 +47,10 @@ std::vector<Vec3> between(std::span<const Vec3> from, std::span<const Vec3> to, 
 
 /// What the frames of a trajectory say about a molecule.
 struct TrajectorySurvey {
-  std::size_t every = 1;            ///< every n-th frame was read
-  std::vector<float> rmsd_A;        ///< of each of these frames from the molecule's structure, over CA, P and C1' or
-                                    ///< else all atoms
-  std::vector<float> fluctuation_A; ///< of each atom: root mean square distance from its mean position
+  std::size_t every = 1;             ///< every n-th frame was read
+  std::vector<float> rmsd_A;         ///< of each of these frames from the molecule's structure, over CA, P and C1' or
+                                     ///< else all atoms
+  std::vector<float> fluctuation_A;  ///< of each atom: root mean square distance from its mean position
 };
 
 /// Reads frames `first` to `last` (exclusive), at most `most` of them, evenly spaced.

@@ -47,7 +47,10 @@ Expected<NetcdfLibrary> loadNetcdf() {
       !found(*library, "nc_inq_varid", out.variable) || !found(*library, "nc_inq_varndims", out.dimensions) ||
       !found(*library, "nc_get_vara_double", out.read) || !found(*library, "nc_get_att_double", out.attribute) ||
       !found(*library, "nc_strerror", out.error))
-    return Problem{{}, 0, 0, tr("the NetCDF library is missing"),
+    return Problem{{},
+                   0,
+                   0,
+                   tr("the NetCDF library is missing"),
                    tr("install it (Debian: libnetcdf22 or libnetcdf19), or convert the file to DCD or XTC")};
   return out;
 }

@@ -36,9 +36,9 @@ class Dcd final : public TrajectoryFile {
 
   RandomAccessFile file_;
   bool big_endian_ = false, has_cell_ = false, has_fourth_ = false;
-  std::uint64_t first_ = 0;           // the place of the first frame
-  std::vector<std::uint32_t> free_;   // the atoms that move; empty: all
-  std::vector<Vec3> fixed_A_;         // the positions of the first frame, where some atoms are fixed
+  std::uint64_t first_ = 0;          // the place of the first frame
+  std::vector<std::uint32_t> free_;  // the atoms that move; empty: all
+  std::vector<Vec3> fixed_A_;        // the positions of the first frame, where some atoms are fixed
   double first_ps_ = 0.0, step_ps_ = 0.0;
 };
 
@@ -60,8 +60,7 @@ std::optional<Problem> Dcd::open() {
   big_endian_ = orderedNumber<std::uint32_t>(length, true) == kHeader_bytes;
   std::uint64_t at = 0;
   std::vector<char> bytes;
-  if (!record(at, bytes, kHeader_bytes) || bytes.size() != kHeader_bytes ||
-      std::string_view(bytes.data(), 4) != "CORD")
+  if (!record(at, bytes, kHeader_bytes) || bytes.size() != kHeader_bytes || std::string_view(bytes.data(), 4) != "CORD")
     return damaged();
   const auto entry = [&](int k) { return number<std::int32_t>(bytes.data() + 4 + 4 * k); };
   const std::int32_t claimed = entry(0), start = entry(1), stride = entry(2), fixed = entry(8);

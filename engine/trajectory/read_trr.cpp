@@ -14,7 +14,19 @@ constexpr std::int32_t kTrrMagic = 1993;
 constexpr std::size_t kTitle_bytes = 4 + 4 + 4 + 12;  // magic number, two lengths, "GMX_trn_file"
 
 /// The sizes of a frame's parts (unit: byte), in their order in the file.
-enum TrrPart { kRecord, kEnergies, kCell, kVirial, kPressure, kTopology, kSymbols, kPlaces, kVelocities, kForces, kParts };
+enum TrrPart {
+  kRecord,
+  kEnergies,
+  kCell,
+  kVirial,
+  kPressure,
+  kTopology,
+  kSymbols,
+  kPlaces,
+  kVelocities,
+  kForces,
+  kParts
+};
 
 struct TrrHead {
   std::int64_t bytes[kParts] = {};

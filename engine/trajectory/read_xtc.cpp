@@ -15,15 +15,16 @@ constexpr std::int32_t kMagic = 1995, kMagicLarge = 2023;  // the second has len
 constexpr std::uint32_t kFewAtoms = 9;                     // up to here the coordinates are plain floats
 constexpr std::size_t kHeader_bytes = 56;                  // up to the second number of atoms
 
-// The sizes of cubes for differences; from one to the next the cube's volume about doubles.
+// The edges of cubes for differences. Entry n is about the cube root of 2^n: a difference takes n bits.
 constexpr int kFirstSize = 9;
 constexpr std::array<std::uint32_t, 73> kSizes{
-    0,        0,        0,        0,       0,       0,       0,       0,       0,       8,       10,      12,     16,
-    20,       25,       32,       40,      50,      64,      80,      101,     128,     161,     203,     256,    322,
-    406,      512,      645,      812,     1024,    1290,    1625,    2048,    2580,    3250,    4096,    5060,   6501,
-    8192,     10321,    13003,    16384,   20642,   26007,   32768,   41285,   52015,   65536,   82570,   104031, 131072,
-    165140,   208063,   262144,   330280,  416127,  524287,  660561,  832255,  1048576, 1321122, 1664510, 2097152,
-    2642245,  3329021,  4194304,  5284491, 6658042, 8388607, 10568983, 13316085, 16777216};
+    0,       0,       0,       0,       0,        0,        0,       0,       0,       8,       10,
+    12,      16,      20,      25,      32,       40,       50,      64,      80,      101,     128,
+    161,     203,     256,     322,     406,      512,      645,     812,     1024,    1290,    1625,
+    2048,    2580,    3250,    4096,    5060,     6501,     8192,    10321,   13003,   16384,   20642,
+    26007,   32768,   41285,   52015,   65536,    82570,    104031,  131072,  165140,  208063,  262144,
+    330280,  416127,  524287,  660561,  832255,   1048576,  1321122, 1664510, 2097152, 2642245, 3329021,
+    4194304, 5284491, 6658042, 8388607, 10568983, 13316085, 16777216};
 
 /// The number of bits of a number.
 int bitsOf(std::uint64_t value) { return static_cast<int>(std::bit_width(value)); }
@@ -144,10 +145,9 @@ bool unpack(const Packing& from, std::span<const char> bytes, std::span<glm::vec
     if (bits.overrun || written + std::size_t(run) + 1 > out.size()) return false;
     const std::uint32_t cube = kSizes[std::size_t(size)];
     const Triple cubes{cube, cube, cube};
-    const int cube_bits = bitsOf(cubes);
     Place before = place;
     for (int k = 0; k < run; ++k) {
-      const Triple difference = bits.takeThree(cube_bits, cubes);
+      const Triple difference = bits.takeThree(size, cubes);
       Place next{};
       for (std::size_t axis = 0; axis < 3; ++axis) next[axis] = std::int64_t(difference[axis]) + before[axis] - small;
       write(next);

@@ -47,7 +47,8 @@ const Format* formatOf(RandomAccessFile& file) {
   char bytes[8] = {};
   const std::size_t n = file.readSome(0, bytes, sizeof bytes);
   for (const Format& format : kFormats)
-    if (!format.content.empty() && std::string_view(bytes, n).substr(std::min(format.at, n)).starts_with(format.content))
+    if (!format.content.empty() &&
+        std::string_view(bytes, n).substr(std::min(format.at, n)).starts_with(format.content))
       return &format;
   return nullptr;
 }
