@@ -10,6 +10,7 @@ bonds are rigid, so that a step takes 4 fs. Prints one line of JSON: what was ma
 import json
 import sys
 
+import numpy as np
 import openmm
 from openmm import app, unit
 
@@ -17,6 +18,31 @@ NO_CUTOFF_BELOW = 150  # atoms; above, OpenMM's CPU platform is several times fa
 CUTOFF_NM = 1.2
 HYDROGEN_U = 4.0
 MINIMISER_STEPS = 500
+
+
+def with_ends(topology, positions):
+    """Adds the second oxygen of the last residue where a chain was cut, so that the force field knows it as an end."""
+    out, places, copies = app.Topology(), [], {}
+    for chain in topology.chains():
+        new_chain = out.addChain(chain.id)
+        residues = list(chain.residues())
+        for residue in residues:
+            new = out.addResidue(residue.name, new_chain, residue.id, residue.insertionCode)
+            atoms = {}
+            for atom in residue.atoms():
+                copies[atom] = atoms[atom.name] = out.addAtom(atom.name, atom.element, new)
+                places.append(positions[atom.index].value_in_unit(unit.nanometer))
+            if residue is not residues[-1] or "OXT" in atoms or not {"N", "CA", "C", "O"} <= set(atoms):
+                continue
+            ca, c, o = (np.array(places[atoms[name].index]) for name in ("CA", "C", "O"))
+            away = (c - ca) / np.linalg.norm(c - ca) + (c - o) / np.linalg.norm(c - o)
+            end = out.addAtom("OXT", app.Element.getBySymbol("O"), new)
+            places.append(openmm.Vec3(*(c + 0.125 * away / np.linalg.norm(away))))
+            copies[end] = end
+            out.addBond(atoms["C"], end)
+    for bond in topology.bonds():
+        out.addBond(copies[bond[0]], copies[bond[1]])
+    return out, places * unit.nanometer
 
 
 def main(molecule, out_xml, out_pdb, solvent):
@@ -29,9 +55,10 @@ def main(molecule, out_xml, out_pdb, solvent):
         field = app.ForceField("amber99sbildn.xml", "amber99_obc.xml")
     else:
         field = app.ForceField("amber14-all.xml")
-    model = app.Modeller(file.topology, file.positions)
-    model.deleteWater()
     try:
+        model = app.Modeller(file.topology, file.positions)
+        model.deleteWater()
+        model = app.Modeller(*with_ends(model.topology, model.positions))
         model.addHydrogens(field, pH=7.0)
         count = model.topology.getNumAtoms()
         small = count < NO_CUTOFF_BELOW

@@ -7,6 +7,7 @@
 #include "engine/language/catalogue.h"
 #include "engine/language/quantity_text.h"
 #include "engine/platform/folders.h"
+#include "engine/platform/read_file.h"
 #include "engine/platform/shared_library.h"
 
 namespace moltact {
@@ -30,14 +31,41 @@ Expected<std::unique_ptr<MdEngine>> openMMEngine(const MdStart& start, const std
   const Expected<MakeMdEngine> make = loaded();
   if (!make)
     return Problem{file, 0, 0, trf("simulations need OpenMM, which cannot be loaded ({0})", make.problem().message),
-                   tr("install the packages libopenmm-plugins and, on Debian 12, libopenmm7.7; in a browser and on "
-                      "Windows there are no simulations")};
+                   tr("install the package moltact-openmm; a build from the sources needs libopenmm-dev and "
+                      "libopenmm-plugins. In a browser and on Windows there are no simulations")};
   std::string why;
   std::unique_ptr<MdEngine> engine((*make)(start, why));
   if (!engine)
     return Problem{file, 0, 0, trf("OpenMM cannot simulate this system: {0}", why),
                    tr("make both files again with 'moltact simulate prepare'")};
   return engine;
+}
+
+Expected<std::unique_ptr<MdEngine>> simulationOf(const std::filesystem::path& system, const Molecule& molecule,
+                                                 MdStart start) {
+  constexpr std::size_t kLargestSystem = std::size_t(64) << 20;  // bytes
+  const std::string name = system.filename().string();
+  const std::size_t count = molecule.atoms.size();
+  if (count > kMaxSimulated)
+    return Problem{name, 0, 0, trf("the molecule has {0} atoms; at most {1} are simulated", count, kMaxSimulated),
+                   tr("take a part of it")};
+  Expected<std::string> text = readFile(system, kLargestSystem, tr("take a smaller molecule"));
+  if (!text) return text.problem();
+  start.system = *std::move(text);
+  start.positions_A.clear();
+  for (const Sphere& s : molecule.spheres) start.positions_A.push_back(s.centre_A);
+  auto engine = openMMEngine(start, name);
+  if (!engine) return engine;
+  if (Problem fault = massFault(molecule, (*engine)->masses_u()); !fault.message.empty()) {
+    fault.file = name;
+    return fault;
+  }
+  return engine;
+}
+
+std::filesystem::path systemBeside(const std::filesystem::path& molecule_file) {
+  std::filesystem::path out = molecule_file;
+  return out.replace_extension(".xml");
 }
 
 Problem massFault(const Molecule& molecule, std::span<const double> masses_u) {

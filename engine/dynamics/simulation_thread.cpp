@@ -7,8 +7,9 @@
 
 namespace moltact {
 
-SimulationThread::SimulationThread(std::unique_ptr<MdEngine> engine)
-    : run_(std::move(engine)), thread_([this] { run(); }) {}
+SimulationThread::SimulationThread(std::unique_ptr<MdEngine> engine) : run_(std::move(engine)) {
+  thread_ = std::thread([this] { run(); });
+}
 
 SimulationThread::~SimulationThread() {
   ends_.store(true, std::memory_order_relaxed);

@@ -16,44 +16,25 @@
 #include "engine/haptics/field/pair_model.h"
 #include "engine/language/catalogue.h"
 #include "engine/lesson/lesson_molecules.h"
-#include "engine/platform/read_file.h"
 
 namespace moltact {
 namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t kLargestSystem = std::size_t(64) << 20;  // bytes
-
-}  // namespace
-
-Expected<LiveMolecule::Opened> LiveMolecule::open(const fs::path& system,
-                                                  const std::shared_ptr<const Molecule>& molecule) {
-  const std::string name = system.filename().string();
+Expected<std::unique_ptr<MdEngine>> engineOf(const fs::path& system, const std::shared_ptr<const Molecule>& molecule) {
   try {
-    if (molecule->atoms.size() > kMaxAtoms)
-      return Problem{name, 0, 0,
-                     trf("the molecule has {0} atoms; at most {1} are simulated", molecule->atoms.size(), kMaxAtoms),
-                     tr("take a part of it")};
-    Expected<std::string> text = readFile(system, kLargestSystem, tr("take a smaller molecule"));
-    if (!text) return text.problem();
     MdStart start;
-    start.system = *std::move(text);
-    for (const Sphere& s : molecule->spheres) start.positions_A.push_back(s.centre_A);
-    start.temperature_K = kUsual_K;
-    start.friction_per_ps = kFriction_per_ps;
-    start.hold_kcal_mol_A2 = kHold_kcal_mol_A2;
-    auto engine = openMMEngine(start, name);
-    if (!engine) return engine.problem();
-    if (Problem fault = massFault(*molecule, (*engine)->masses_u()); !fault.message.empty()) {
-      fault.file = name;
-      return fault;
-    }
-    return Opened{*std::move(engine)};
+    start.temperature_K = LiveMolecule::kUsual_K;
+    start.friction_per_ps = LiveMolecule::kFriction_per_ps;
+    start.hold_kcal_mol_A2 = LiveMolecule::kHold_kcal_mol_A2;
+    return simulationOf(system, *molecule, std::move(start));
   } catch (const std::exception& e) {
-    return Problem{name, 0, 0, trf("the simulation cannot begin: {0}", e.what()), {}};
+    return Problem{system.filename().string(), 0, 0, trf("the simulation cannot begin: {0}", e.what()), {}};
   }
 }
+
+}  // namespace
 
 void LiveMolecule::forget() {
   if (simulation_) scene_.servo().loop().wantImpulses(false);
@@ -76,8 +57,7 @@ fs::path LiveMolecule::system() const {
     return file ? *file : fs::path();
   }
   std::error_code error;
-  fs::path beside = scene_.molecule().file;
-  beside.replace_extension(".xml");
+  fs::path beside = systemBeside(scene_.molecule().file);
   return fs::is_regular_file(beside, error) ? beside : fs::path();
 }
 
@@ -133,17 +113,17 @@ void LiveMolecule::begin() {
     messages_.error(problem_);
     return;
   }
-  opening_.begin(inBackground(&LiveMolecule::open, file, molecule_));
+  opening_.begin(inBackground(engineOf, file, molecule_));
   if (options_.clock == ServoClock::Frames) take(*opening_.wait());
 }
 
-void LiveMolecule::take(Expected<Opened> opened) {
+void LiveMolecule::take(Expected<std::unique_ptr<MdEngine>> opened) {
   if (!opened) {
     problem_ = opened.problem().text();
     messages_.error(problem_);
     return;
   }
-  std::unique_ptr<MdEngine> engine = std::move(opened->engine);
+  std::unique_ptr<MdEngine> engine = *std::move(opened);
   platform_ = engine->platform();
   measured_steps_per_s_ = engine->measured_steps_per_s();
   step_ps_ = engine->step_ps();
@@ -192,7 +172,11 @@ void LiveMolecule::addImpulses() {
 void LiveMolecule::pushAtoms() {
   const double kcal_mol_A = kScale_pN_per_N / kForceUnit_pN / (double(ticks_) * kTick_s);
   double whole = 0.0;  // sum of the magnitudes
-  for (const Vec3& impulse : impulses_N_s_) whole += glm::length(impulse) * kcal_mol_A;
+  Vec3 sum(0.0);
+  for (const Vec3& impulse : impulses_N_s_) {
+    whole += glm::length(impulse) * kcal_mol_A;
+    sum += impulse * kcal_mol_A;
+  }
   const ServoSettings& servo = scene_.servo_settings;
   const double spring = std::min(kStiffest_kcal_mol_A2,
                                  servo.stiffness_N_per_mm / servo.workspace.A_per_mm * kScale_pN_per_N / kForceUnit_pN);
@@ -203,12 +187,12 @@ void LiveMolecule::pushAtoms() {
     if (const double size = glm::length(force); size > 0.0)
       wanted_.pushes.push_back(pushOf(std::uint32_t(i), at[i].centre_A, force, spring * size / whole));
   }
-  push_pN_ = whole * kForceUnit_pN;
+  push_pN_ = glm::length(sum) * kForceUnit_pN;
   ticks_ = 0;
 }
 
 void LiveMolecule::beforeTicks() {
-  if (std::optional<Expected<Opened>> opened = opening_.take()) take(*std::move(opened));
+  if (std::optional<Expected<std::unique_ptr<MdEngine>>> opened = opening_.take()) take(*std::move(opened));
   if (!simulation_ || scene_.stage().molecule != molecule_) return;
   if (std::string why = unavailable(); !why.empty()) {
     turn(false);

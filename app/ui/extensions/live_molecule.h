@@ -30,10 +30,8 @@ class LiveMolecule : public AtomMover {
   /// Stiffness of the spring that holds the centre of mass in place.
   static constexpr double kHold_kcal_mol_A2 = 5.0;
   static constexpr double kFriction_per_ps = 2.0;
-  static constexpr double kUsual_ps_per_s = 1.0, kSlowest_ps_per_s = 0.05, kFastest_ps_per_s = 20.0;
+  static constexpr double kUsual_ps_per_s = 1.0, kSlowest_ps_per_s = 0.1, kFastest_ps_per_s = 10.0;
   static constexpr double kUsual_K = 300.0, kHottest_K = 600.0;
-  /// Larger molecules are not simulated: even the fastest engine would lag far behind the hand.
-  static constexpr std::size_t kMaxAtoms = 5000;
   /// Attempts store the positions of molecules up to this size.
   static constexpr std::size_t kMaxRecorded = 300;
   /// Interval and number of the values of a plot.
@@ -75,7 +73,7 @@ class LiveMolecule : public AtomMover {
   const std::string& platform() const { return platform_; }
   double measuredStepsPerS() const { return measured_steps_per_s_; }
   double step_ps() const { return step_ps_; }
-  /// The sum of the forces with which the hand pushes atoms.
+  /// Size of the force with which the hand pushes the atoms.
   double push_pN() const { return push_pN_; }
   struct Plots {
     PlotBuffer temperature_K, energy_kcal_mol, push_pN;
@@ -83,15 +81,10 @@ class LiveMolecule : public AtomMover {
   const Plots& plots() const { return plots_; }
 
  private:
-  struct Opened {
-    std::unique_ptr<MdEngine> engine;
-  };
-  static Expected<Opened> open(const std::filesystem::path& system, const std::shared_ptr<const Molecule>& molecule);
-
   std::filesystem::path system() const;
   void forget();
   void begin();
-  void take(Expected<Opened> opened);
+  void take(Expected<std::unique_ptr<MdEngine>> opened);
   void addImpulses();
   void pushAtoms();
   void readFrame(double dt_s);
@@ -101,7 +94,7 @@ class LiveMolecule : public AtomMover {
   bool on_ = false, by_lesson_ = false;
   std::filesystem::path file_;                // of the system
   std::shared_ptr<const Molecule> molecule_;  // which it simulates
-  NewestWork<Expected<Opened>> opening_;
+  NewestWork<Expected<std::unique_ptr<MdEngine>>> opening_;
   std::unique_ptr<LiveSimulation> simulation_;
   std::string problem_, platform_;
   double measured_steps_per_s_ = 0.0, step_ps_ = 0.0;

@@ -2,9 +2,7 @@
 
 #include <imgui.h>
 
-#include <algorithm>
 #include <array>
-#include <cmath>
 #include <string>
 
 #include "app/ui/application/application.h"
@@ -34,18 +32,6 @@ std::string withUnit(double value, int digits, const char* unit_text) {
   return numberText(value, decimals(digits)) + "\u00a0" + unit_text;
 }
 
-// The slider is logarithmic: a decade is as far anywhere.
-void drawSpeed(LiveMolecule& live) {
-  constexpr double kNotch = 0.05;
-  const double now = live.wanted().ps_per_s;
-  double power = std::log10(now);
-  const std::string title = trf("Speed: {0} ps per second", numberText(now, significant(2)));
-  if (slider("simulation/speed", title.c_str(), power, std::log10(LiveMolecule::kSlowest_ps_per_s),
-             std::log10(LiveMolecule::kFastest_ps_per_s), kNotch, {Dimension::None, {decimals(1), {}}},
-             tr("Simulated picoseconds in a second of yours, as a power of ten.")))
-    live.setSpeed(std::pow(10.0, power));
-}
-
 void drawClock(LiveMolecule& live) {
   const float gap = ImGui::GetStyle().ItemSpacing.x, half = 0.5f * (ImGui::GetContentRegionAvail().x - gap);
   const bool running = live.wanted().running;
@@ -57,7 +43,11 @@ void drawClock(LiveMolecule& live) {
   tip(tr("Moves the atoms to the nearest minimum of the energy."));
   ImGui::SameLine();
   if (button("simulation/restart", tr("Start again"), ButtonLook::Plain, half)) live.restart();
-  drawSpeed(live);
+  double speed = live.wanted().ps_per_s;
+  if (slider("simulation/speed", tr("Speed (ps per second)"), speed, LiveMolecule::kSlowest_ps_per_s,
+             LiveMolecule::kFastest_ps_per_s, 0.1, {Dimension::None, {decimals(1), {}}},
+             tr("How many picoseconds are simulated in a second of yours.")))
+    live.setSpeed(speed);
 }
 
 void drawPlots(const LiveMolecule& live) {
@@ -65,7 +55,7 @@ void drawPlots(const LiveMolecule& live) {
   const PlotLook of{.span_s = LiveMolecule::kPlot_s, .shown_as = {Dimension::None, {decimals(0), {}}}};
   PlotLook temperature = of, push = of;
   temperature.title = tr("Temperature (K)");
-  temperature.min_top = float(LiveMolecule::kHottest_K);
+  temperature.min_top = 490.0f;
   push.title = tr("Push of the hand (pN)");
   push.min_top = 100.0f;
   plot("plot/temperature", live.plots().temperature_K, e.temperature_K, temperature);
