@@ -1,5 +1,6 @@
 // Reads the front matter and the fenced blocks scene and touch.
 #include <algorithm>
+#include <charconv>
 #include <optional>
 #include <utility>
 
@@ -123,6 +124,56 @@ void takeSimulation(Reading& reading, const KeyValues& values, bool takes, Scene
   if (forceChoice(scene.touch.forces).any())
     reading.error(place, tr("forces act between atoms that rest, and a simulation moves them"),
                   tr("write 'forces: none' or 'simulation: none'"));
+}
+
+// "1-100", "50-", "7".
+bool parseFrames(std::string_view text, TrajectorySpec& out) {
+  const auto number = [](std::string_view word, std::uint32_t& value) {
+    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
+    return error == std::errc{} && end == word.data() + word.size() && value > 0;
+  };
+  const std::size_t dash = text.find('-');
+  if (!number(stripped(text.substr(0, dash)), out.first)) return false;
+  out.last = dash == std::string_view::npos ? out.first : 0;
+  if (dash == std::string_view::npos || stripped(text.substr(dash + 1)).empty()) return true;
+  return number(stripped(text.substr(dash + 1)), out.last) && out.last >= out.first;
+}
+
+// "md.xtc", "md.xtc, superposed on chain A", "none", with its frames and speed; excludes whatever else moves the atoms or
+// needs them at rest.
+template <class Takes>
+void takeTrajectory(Reading& reading, const KeyValues& values, const Takes& takes, SceneSpec& scene) {
+  TrajectorySpec& trajectory = scene.trajectory;
+  if (takes("trajectory")) {
+    const Value& value = values["trajectory"];
+    scene.places.trajectory = value.place;
+    trajectory = {};
+    if (auto parsed = parseTrajectory(value.text); parsed) {
+      trajectory = *std::move(parsed);
+    } else {
+      Place place = value.place;
+      place.column += parsed.problem().column ? parsed.problem().column - 1 : 0;
+      reading.error(place, parsed.problem().message, parsed.problem().remedy);
+    }
+  }
+  for (const char* key : {"frames", "speed"})
+    if (takes(key) && values[key].place.line && trajectory.file.empty())
+      reading.error(values[key].place, trf("'{0}' needs a trajectory", key),
+                    tr("add a line 'trajectory: …', or leave it out"));
+  if (takes("frames") && values["frames"].place.line && !parseFrames(values["frames"].text, trajectory))
+    reading.error(values["frames"].place, trf("these are no frames: '{0}'", values["frames"].text),
+                  tr("write the first and the last, counted from 1: '1-100'"));
+  if (takes("speed")) trajectory.frames_per_s = values["speed"].number;
+  if (trajectory.file.empty()) return;
+  const std::pair<const char*, bool> others[] = {
+      {"then", !scene.then.molecule.empty()}, {"elastic", scene.elastic}, {"simulation", !scene.simulation.empty()}};
+  for (const auto& [key, on] : others)
+    if (on)
+      reading.error(scene.places.trajectory, trf("'trajectory' and '{0}' both move the atoms", key),
+                    trf("write 'trajectory: none', or leave out '{0}'", key));
+  if (forceChoice(scene.touch.forces).any())
+    reading.error(scene.places.trajectory, tr("forces act between atoms that rest, and a trajectory moves them"),
+                  tr("write 'forces: none' or 'trajectory: none'"));
 }
 
 // The captions of two molecules that are compared.
@@ -287,6 +338,7 @@ SceneSpec readScene(Reading& reading, const MarkdownBlock& block, const SceneSpe
   takeSecondState(reading, values, takes("state"), lesson, scene);
   if (takes("elastic")) scene.elastic = values["elastic"].words[0] == "on";
   takeSimulation(reading, values, takes("simulation"), scene);
+  takeTrajectory(reading, values, takes, scene);
   if (scene.elastic && !scene.then.molecule.empty())
     reading.error(values["elastic"].place.line ? values["elastic"].place : scene.places.then,
                   tr("the slider of 'then' or the hand moves the atoms, not both"),

@@ -84,6 +84,20 @@ class Files {
       findings_.error(place, file.problem().message, file.problem().remedy);
   }
 
+  /// The window checks that the frames fit the molecule.
+  void trajectory(const SceneSpec& scene) {
+    const std::string& name = scene.trajectory.file;
+    if (name.empty() || findings_.enough()) return;
+    const Expected<MoleculeKey> molecule = lessonMolecule(lesson_file_, scene.molecule);
+    if (!molecule) return;  // reported with the molecules
+    if (fs::path(name).is_absolute() || leavesFolder(name))
+      findings_.error(scene.places.trajectory,
+                      trf("'{0}' lies outside of the lesson's folder, so no pack can hold it", name),
+                      tr("put the file beside the lesson and write its name"));
+    else if (const auto file = trajectoryFile(lesson_file_, *molecule, name); !file)
+      findings_.error(scene.places.trajectory, file.problem().message, file.problem().remedy);
+  }
+
  private:
   /// Each file is decoded once, even if it is shown repeatedly or by several paths.
   const std::optional<Problem>& faultOf(const fs::path& file) {
@@ -173,7 +187,10 @@ void files(const Lesson& lesson, const fs::path& lesson_file, Findings& findings
   });
   forEachImage(lesson, [&](const Image& image) { check.picture(image); });
   for (const Step& step : lesson.steps)
-    if (step.states_scene) check.simulation(step.scene);
+    if (step.states_scene) {
+      check.simulation(step.scene);
+      check.trajectory(step.scene);
+    }
 }
 
 }  // namespace moltact::checks

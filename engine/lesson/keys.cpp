@@ -17,7 +17,7 @@ namespace {
 std::vector<std::string_view> lockable() {
   std::vector<std::string_view> out{"panels"};
   for (const KeySpec& k : touchSceneKeys()) out.push_back(k.name);
-  out.insert(out.end(), {"show", "magnify", "elastic", "simulation", "all"});
+  out.insert(out.end(), {"show", "magnify", "elastic", "simulation", "trajectory", "all"});
   return out;
 }
 
@@ -285,6 +285,23 @@ std::vector<KeySpec> sceneKeys() {
        .meaning = "A file beside the lesson or the molecule, 'peptide.xml', with a serialised OpenMM system of the "
                   "molecule's atoms: a simulation moves them, and the hand pushes them. 'moltact simulate prepare' "
                   "makes it. 'none' ends it."},
+      {.name = "trajectory",
+       .type = ValueType::Text,
+       .meaning =
+           "A file with frames of the molecule's atoms (DCD, XTC, TRR, AMBER's NetCDF; models of GRO, PDB, mmCIF) "
+           "beside the lesson or the molecule, or a molecule's name: the atoms move from frame to frame, also under "
+           "the hand. Each frame is superposed on the molecule; 'md.xtc, superposed on chain A' superposes by these "
+           "atoms only, 'md.xtc, not superposed' leaves each frame where it is; 'none' ends it."},
+      {.name = "frames",
+       .type = ValueType::Text,
+       .meaning = "The frames of the trajectory that are shown, counted from 1: '1-100', or '50-' to the end.",
+       .fallback = "1-"},
+      {.name = "speed",
+       .type = ValueType::Quantity,
+       .meaning = "The frames of the trajectory that are shown in a second; with 0 it stands still at first.",
+       .fallback = "10",
+       .dimension = Dimension::None,
+       .max = 100.0},
       {.name = "magnify",
        .type = ValueType::Target,
        .meaning = "Atoms that fill the workspace of the hand: they are felt larger, and the view zooms to them; 'view' "

@@ -88,7 +88,7 @@ using Block = std::variant<Paragraph, Subheading, ListBlock, Tip, TeacherNote, Q
 /// The places of a scene's parts in the file. They do not count in comparisons: scenes with equal contents are equal.
 struct ScenePlaces {
   Place scene, molecule, highlight, magnify, hide, untouchable, remove, in_hand, charges, cut, then, simulation,
-      hydrogen_bonds;
+      trajectory, hydrogen_bonds;
   Place reading;  ///< of the last key about reading the molecule; line 0: none
 
   friend bool operator==(const ScenePlaces&, const ScenePlaces&) { return true; }
@@ -109,6 +109,17 @@ struct SecondState {
   std::vector<std::string> states;  ///< the names of both; empty: the names of the molecules
   double share = 0.0;               ///< at the start of the scene; 0: first, 1: second structure
   friend bool operator==(const SecondState&, const SecondState&) = default;
+};
+
+/// A trajectory whose frames move the scene's atoms.
+struct TrajectorySpec {
+  std::string file;          ///< beside the lesson or the molecule, or a molecule's name; empty: none
+  bool superposed = true;    ///< each frame is superposed on the molecule
+  Selection superposed_on;   ///< by these atoms; not given: CA, P and C1'
+  std::uint32_t first = 1;   ///< the frames that are shown, counted from 1
+  std::uint32_t last = 0;    ///< 0: to the end
+  double frames_per_s = 10;  ///< 0: at rest
+  friend bool operator==(const TrajectorySpec&, const TrajectorySpec&) = default;
 };
 
 /// The scene of a step. It is complete: keys that a scene block omits have been filled in.
@@ -140,6 +151,7 @@ struct SceneSpec {
   Selection cut_at;                   ///< the cutting plane goes through the centre of these atoms; not given: of all
                                       ///< atoms
   SecondState then;
+  TrajectorySpec trajectory;
   bool elastic = false;    ///< the molecule gives way to the hand as an elastic network (engine/dynamics)
   std::string simulation;  ///< file of a serialised system whose simulation moves the atoms; empty: none
   Selection magnify;       ///< these atoms fill the workspace; if empty, the whole molecule does

@@ -77,6 +77,19 @@ Expected<fs::path> simulationFile(const fs::path& lesson_file, const MoleculeKey
                  tr("make it with 'moltact simulate prepare', or mend its name")};
 }
 
+Expected<fs::path> trajectoryFile(const fs::path& lesson_file, const MoleculeKey& molecule, const std::string& name) {
+  std::error_code error;
+  for (const fs::path& beside : {lesson_file, molecule.file})
+    if (const fs::path file = beside.parent_path() / name; !name.empty() && fs::is_regular_file(file, error))
+      return file;
+  if (const auto named = lessonMolecule(lesson_file, {name, {}}); named) return named->file;
+  return Problem{{},
+                 0,
+                 0,
+                 trf("there is no file '{0}' beside the lesson or the molecule", name),
+                 tr("put it there, or mend its name")};
+}
+
 Expected<std::shared_ptr<const Molecule>> LessonMolecules::find(const fs::path& lesson_file,
                                                                 const NamedMolecule& named) {
   const Expected<MoleculeKey> key = lessonMolecule(lesson_file, named);

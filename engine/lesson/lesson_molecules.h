@@ -22,6 +22,11 @@ Expected<MoleculeKey> lessonMolecule(const std::filesystem::path& lesson_file, c
 Expected<std::filesystem::path> simulationFile(const std::filesystem::path& lesson_file, const MoleculeKey& molecule,
                                                const std::string& name);
 
+/// The file of a scene's `trajectory`: beside the lesson, else beside the molecule's file, else a molecule's, by its name.
+/// A Problem without a place if there is none.
+Expected<std::filesystem::path> trajectoryFile(const std::filesystem::path& lesson_file, const MoleculeKey& molecule,
+                                               const std::string& name);
+
 /// Caches the molecules, separately for each way of reading a file. A file that has changed is read again.
 class LessonMolecules {
  public:

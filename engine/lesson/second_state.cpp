@@ -36,6 +36,21 @@ Expected<SecondState> parseSecondState(std::string_view text) {
   return then;
 }
 
+Expected<TrajectorySpec> parseTrajectory(std::string_view text) {
+  constexpr std::string_view kNot = ", not superposed";
+  TrajectorySpec out;
+  if (const std::string_view whole = stripped(text); whole.ends_with(kNot)) {
+    out.superposed = false;
+    text = whole.substr(0, whole.size() - kNot.size());
+  }
+  // The rest is written as a second structure is.
+  Expected<SecondState> parsed = parseSecondState(text);
+  if (!parsed) return parsed.problem();
+  out.file = std::move(parsed->molecule);
+  out.superposed_on = std::move(parsed->superposed_on);
+  return out;
+}
+
 std::vector<std::uint32_t> superposedOn(const SceneSpec& scene, const Molecule& molecule) {
   const Selection& atoms = scene.then.superposed_on;
   return atoms.given() ? atoms.select(molecule) : std::vector<std::uint32_t>();

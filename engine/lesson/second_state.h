@@ -21,6 +21,10 @@ NamedMolecule besideMolecule(const SceneSpec& scene);
 /// Parses the value of the key `then`: "1ake", "1ake, superposed on chain A", "none". A Problem has the column from 1.
 Expected<SecondState> parseSecondState(std::string_view text);
 
+/// Parses the value of the key `trajectory`: "md.xtc", "md.xtc, superposed on chain A", "md.xtc, not superposed", "none".
+/// A Problem has the column from 1.
+Expected<TrajectorySpec> parseTrajectory(std::string_view text);
+
 /// The atoms used for the superposition; empty: the default atoms.
 std::vector<std::uint32_t> superposedOn(const SceneSpec& scene, const Molecule& molecule);
 

@@ -114,7 +114,10 @@ class Gathering {
     for (const Step& step : check.lesson->steps)
       for (const NamedMolecule& named : {step.scene.molecule, secondMolecule(step.scene), besideMolecule(step.scene)})
         if (!named.name.empty()) molecule(file, folder, named, step.scene.places.molecule);
-    for (const Step& step : check.lesson->steps) simulation(file, folder, step.scene);
+    for (const Step& step : check.lesson->steps) {
+      simulation(file, folder, step.scene);
+      trajectory(file, folder, step.scene);
+    }
   }
 
   // Adds the translations, and the glossary shared by the lessons of its folder.
@@ -152,6 +155,16 @@ class Gathering {
     const auto system = simulationFile(lesson_file, *key, scene.simulation);
     if (system && !isWithin(*system, moleculesFolder()))
       take(folder / scene.simulation, {lesson_file.string(), scene.places.simulation});
+  }
+
+  // So does a trajectory.
+  void trajectory(const fs::path& lesson_file, const fs::path& folder, const SceneSpec& scene) {
+    if (scene.trajectory.file.empty()) return;
+    const Expected<MoleculeKey> key = lessonMolecule(lesson_file, scene.molecule);
+    if (!key) return;
+    const auto file = trajectoryFile(lesson_file, *key, scene.trajectory.file);
+    if (file && !isWithin(*file, moleculesFolder()))
+      take(folder / scene.trajectory.file, {lesson_file.string(), scene.places.trajectory});
   }
 
   // Adds a downloaded file beside the lesson, where its name is searched.

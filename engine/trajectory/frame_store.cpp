@@ -18,7 +18,7 @@ Expected<std::unique_ptr<FrameStore>> FrameStore::open(const std::filesystem::pa
 }
 
 Expected<AtomPositions> FrameStore::placed(std::size_t frame) {
-  if (const auto found = kept_.find(frame); found != kept_.end()) return found->second;
+  if (const auto found = kept_.find(frame); found != kept_.end()) return found->second.positions;
   auto read = file_->read(frame);
   if (!read) return read.problem();
   AtomPositions out = std::make_shared<const std::vector<Vec3>>(placer_.place(*read));
@@ -28,9 +28,14 @@ Expected<AtomPositions> FrameStore::placed(std::size_t frame) {
     kept_.erase(order_.front());
     order_.pop_front();
   }
-  kept_.emplace(frame, out);
+  kept_.emplace(frame, Kept{out, read->time_ps});
   order_.push_back(frame);
   return out;
+}
+
+std::optional<double> FrameStore::time_ps(std::size_t frame) const {
+  const auto found = kept_.find(frame);
+  return found == kept_.end() ? std::nullopt : found->second.time_ps;
 }
 
 Expected<AtomPositions> FrameStore::at(std::size_t frame, std::size_t smoothing) {

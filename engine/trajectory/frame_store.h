@@ -32,13 +32,19 @@ class FrameStore {
   /// The positions at a frame, which must be less than file().frames(). `smoothing`: the mean over so many frames before
   /// and after it, fewer at the ends.
   Expected<AtomPositions> at(std::size_t frame, std::size_t smoothing = 0);
+  /// The time of a frame that is kept; empty if it is not, or has none.
+  std::optional<double> time_ps(std::size_t frame) const;
 
  private:
   Expected<AtomPositions> placed(std::size_t frame);
 
   std::unique_ptr<TrajectoryFile> file_;
   FramePlacer placer_;
-  std::map<std::size_t, AtomPositions> kept_;
+  struct Kept {
+    AtomPositions positions;
+    std::optional<double> time_ps;
+  };
+  std::map<std::size_t, Kept> kept_;
   std::list<std::size_t> order_;  // of kept_, the oldest first
 };
 

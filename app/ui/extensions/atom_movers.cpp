@@ -5,6 +5,7 @@
 #include "app/ui/extensions/elastic_molecule.h"
 #include "app/ui/extensions/live_molecule.h"
 #include "app/ui/extensions/moving_states.h"
+#include "app/ui/extensions/played_trajectory.h"
 
 namespace moltact {
 
@@ -12,6 +13,7 @@ AtomMovers::AtomMovers(const MoverParts& parts) : parts_(parts) {
   // One line for each.
   add<MovingStates>();
   add<ElasticMolecule>();
+  add<PlayedTrajectory>();
   add<LiveMolecule>();
 }
 
@@ -37,6 +39,10 @@ std::optional<AtomsMoved> AtomMovers::position() const {
   std::optional<AtomsMoved> out = mover->position();
   out->by = mover->kind();
   return out;
+}
+
+bool AtomMovers::open(FileKind kind, const std::filesystem::path& file) {
+  return std::any_of(all_.begin(), all_.end(), [&](const auto& mover) { return mover->open(kind, file); });
 }
 
 void AtomMovers::beforeTicks() {

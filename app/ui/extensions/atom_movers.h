@@ -41,6 +41,7 @@ class AtomMovers : public Extension {
   /// Its position, with its kind; empty if nothing moves the atoms of the open scene.
   std::optional<AtomsMoved> position() const;
 
+  bool open(FileKind kind, const std::filesystem::path& file) override;
   void beforeTicks() override;
   void ticks(const FeltTicks& felt) override;
   void afterPanels() override;

@@ -5,6 +5,7 @@
 #include "engine/core/text.h"
 #include "engine/molecule/reader.h"
 #include "engine/pack/pack_file.h"
+#include "engine/trajectory/trajectory_file.h"
 
 namespace moltact {
 namespace {
@@ -26,6 +27,7 @@ std::optional<FileKind> fileKind(const std::filesystem::path& file) {
   const std::string ending = lower(file.extension().string());
   for (const EndingOfKind& e : kEndings)
     if (ending == e.ending) return e.kind;
+  if (hasTrajectoryName(file)) return FileKind::Trajectory;
   if (hasMoleculeName(file)) return FileKind::Molecule;
   return std::nullopt;
 }

@@ -8,11 +8,12 @@
 namespace moltact {
 
 enum class FileKind {
-  Molecule,   ///< a format of engine/molecule/reader.cpp
-  Lesson,     ///< ".md"
-  Pack,       ///< ".moltact": a lesson with all files that it needs
-  Attempt,    ///< ".jsonl": a student's work on a lesson
-  Recording,  ///< ".recording": every tick of a hand's motion
+  Molecule,    ///< a format of engine/molecule/reader.cpp
+  Lesson,      ///< ".md"
+  Pack,        ///< ".moltact": a lesson with all files that it needs
+  Attempt,     ///< ".jsonl": a student's work on a lesson
+  Recording,   ///< ".recording": every tick of a hand's motion
+  Trajectory,  ///< ".xtc" and others: frames of a molecule's atoms
 };
 
 /// The extension of a recording's name.

@@ -307,10 +307,11 @@ void drawViewOverlays(Application& app, const Rectangle& whole_view) {
            p.panel, p.text);
     return;
   }
-  if (const Rectangle slider = drawStateSlider(app, view); !slider.empty()) {
-    room.take(slider);
-    room.slider = slider;
-  }
+  for (const auto draw : {drawStateSlider, drawTrajectoryBar})
+    if (const Rectangle slider = draw(app, view); !slider.empty()) {
+      room.take(slider);
+      room.slider = slider;
+    }
   if (const Rectangle pads = pushPadsPlace(app, whole_view); !pads.empty()) room.take(pads);
   surfaceSign(app, room, width);
   // Text is left of the scale bar; in a narrow view it needs the whole width.

@@ -48,8 +48,9 @@ void drawViewOverlays(Application& app, const Rectangle& whole_view);
 /// Describes in words how the safety stage limits the force; empty if there is nothing to report over the view.
 std::string limitText(const Application& app);
 
-/// Draws the slider between a scene's two structures. Returns its rectangle; empty if there is none.
+/// Draws the slider between a scene's two structures, or the bar of a trajectory. Returns its rectangle; empty if there is none.
 Rectangle drawStateSlider(Application& app, const Rectangle& view);
+Rectangle drawTrajectoryBar(Application& app, const Rectangle& view);
 
 /// Draws the depth of the hand seen from the side, at the view's right edge, ending at `bottom_px`. Draws nothing if
 /// that place is taken.

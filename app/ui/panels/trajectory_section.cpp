@@ -1,0 +1,84 @@
+#include "app/ui/panels/trajectory_section.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+
+#include "app/ui/application/application.h"
+#include "app/ui/extensions/extensions.h"
+#include "app/ui/extensions/played_trajectory.h"
+#include "app/ui/panels/while_locked.h"
+#include "app/ui/widgets/controls.h"
+#include "app/ui/widgets/plot.h"
+#include "app/ui/widgets/theme.h"
+#include "app/ui/widgets/widget_map.h"
+#include "engine/language/catalogue.h"
+#include "engine/language/quantity_text.h"
+
+namespace moltact {
+namespace {
+
+void trajectoryLine(const char* name, const std::string& text) {
+  ImGui::PushTextWrapPos(0.0f);
+  ImGui::TextUnformatted(text.c_str());
+  ImGui::PopTextWrapPos();
+  recordItem(name, text);
+}
+
+void drawRmsd(PlayedTrajectory& trajectory, const TrajectorySurvey& survey) {
+  const double first = double(trajectory.first() + 1), last = double(trajectory.last() + 1);
+  const auto rmsd_A = [&](double frame) {
+    const double k = std::clamp((frame - first) / double(survey.every), 0.0, double(survey.rmsd_A.size() - 1));
+    const auto low = std::size_t(k), high = std::min(low + 1, survey.rmsd_A.size() - 1);
+    const double share = k - double(low);
+    return (1.0 - share) * double(survey.rmsd_A[low]) + share * double(survey.rmsd_A[high]);
+  };
+  const std::string up = trf("RMSD ({0})", "Å");
+  functionPlot("trajectory/rmsd", rmsd_A,
+               {.title = tr("Distance from the structure"),
+                .across = tr("Frame"),
+                .up = up.c_str(),
+                .from = first,
+                .to = last,
+                .at = std::min(trajectory.at() + 1.0, last)});
+}
+
+}  // namespace
+
+bool drawTrajectorySection(Application& app) {
+  PlayedTrajectory& trajectory = app.extensions().movers.get<PlayedTrajectory>();
+  if (!trajectory.ready()) return false;
+  sectionTitle(tr("Trajectory"));
+  const std::string frames = trnf("{0} frame", "{0} frames", trajectory.frames(), trajectory.frames());
+  trajectoryLine("trajectory/file", trf("{0}: {1}, {2}", trajectory.file().filename().string(), trajectory.format(),
+                                        trajectory.complete() ? frames : trf("{0} so far", frames)));
+  if (const auto time = trajectory.time_ps())
+    trajectoryLine("trajectory/time", trf("Simulated time: {0} ps", numberText(*time, decimals(2))));
+  const WhileLocked locked(app, "trajectory");
+  double speed = trajectory.framesPerSecond();
+  if (slider("trajectory/speed", tr("Speed (frames per second)"), speed, PlayedTrajectory::kSlowest_per_s,
+             PlayedTrajectory::kFastest_per_s, 0.5, {Dimension::None, {decimals(1), {}}}))
+    trajectory.setFramesPerSecond(speed);
+  double smoothing = double(trajectory.smoothing());
+  if (slider("trajectory/smoothing", tr("Smoothing (frames to either side)"), smoothing, 0.0,
+             double(PlayedTrajectory::kMaxSmoothing), 1.0, {Dimension::None, {decimals(0), {}}},
+             tr("Shows the mean of so many frames before and after: slow motions without the trembling of heat.")))
+    trajectory.setSmoothing(std::size_t(std::lround(smoothing)));
+  ImGui::Spacing();
+  static const std::array<std::string, 3> kEnds{N_("Stop"), N_("Return"), N_("Repeat")};
+  auto end = std::size_t(trajectory.at_end);
+  trajectoryLine("trajectory/end_title", tr("At the last frame"));
+  if (segments("trajectory/end", kEnds, end)) trajectory.at_end = PlayedTrajectory::AtEnd(end);
+  ImGui::Spacing();
+  if (const TrajectorySurvey* survey = trajectory.survey(); survey && survey->rmsd_A.size() > 1)
+    drawRmsd(trajectory, *survey);
+  else
+    trajectoryLine("trajectory/survey", tr("The frames are being compared with the structure."));
+  if (!app.lesson.session() && button("trajectory/close", tr("Close the trajectory"))) trajectory.close();
+  return true;
+}
+
+}  // namespace moltact
