@@ -1,4 +1,4 @@
-// moltact info MOLECULE|LESSON|PACK: prints its contents as text or JSON.
+// moltact info MOLECULE|LESSON|PACK|TRAJECTORY: prints its contents as text or JSON.
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -10,10 +10,12 @@
 #include "app/commands/lesson_info.h"
 #include "app/commands/molecule_argument.h"
 #include "app/commands/print_json.h"
+#include "app/commands/trajectory_info.h"
 #include "engine/language/quantity_text.h"
 #include "engine/molecule/summary.h"
 #include "engine/platform/terminal.h"
 #include "engine/structure/amber/pair_atoms.h"
+#include "engine/trajectory/trajectory_file.h"
 
 namespace moltact {
 namespace {
@@ -161,6 +163,8 @@ void printJson(const Molecule& molecule, const MoleculeSummary& s, bool charges)
 
 void run(const InfoArguments& arguments) {
   if (namesLesson(arguments.molecule.named.name)) return printLessonInfo(arguments.molecule.named.name, arguments.json);
+  if (hasTrajectoryName(arguments.molecule.named.name))
+    return printTrajectoryInfo(arguments.molecule.named.name, arguments.json);
   const Molecule molecule = arguments.molecule.load();
   const MoleculeSummary summary = summarise(molecule);
   if (arguments.json) return printJson(molecule, summary, arguments.charges);
@@ -174,7 +178,8 @@ void addInfo(CLI::App& app) {
   auto arguments = std::make_shared<InfoArguments>();
   CLI::App* command = app.add_subcommand(
       "info",
-      "Describe a molecule (atoms, residues, chains, elements, ligands, size), a lesson (.md) or a pack (.moltact)");
+      "Describe a molecule (atoms, residues, chains, elements, ligands, size), a lesson (.md), a pack (.moltact) or a "
+      "trajectory (.dcd, .xtc, .trr, .nc: atoms, frames, times, cell)");
   arguments->molecule.addTo(*command);
   command->add_flag(
       "--charges", arguments->charges,

@@ -11,6 +11,7 @@
 #include "engine/lesson/second_state.h"
 #include "engine/molecule/catalogue.h"
 #include "engine/structure/superposition.h"
+#include "engine/trajectory/frame_store.h"
 
 namespace moltact {
 namespace {
@@ -54,6 +55,28 @@ SecondState secondOf(const SceneOptions& options, const Molecule& molecule) {
   return *std::move(read);
 }
 
+// The molecule at a frame of --trajectory.
+Molecule atFrame(const SceneOptions& options, Molecule molecule) {
+  Expected<TrajectorySpec> spec = parseTrajectory(options.trajectory);
+  if (!spec) throw CLI::ValidationError("--trajectory", spec.problem().text());
+  mustSelect("trajectory", spec->superposed_on, molecule);
+  const auto shared = std::make_shared<const Molecule>(std::move(molecule));
+  FrameFit fit{spec->superposed, {}};
+  if (spec->superposed_on.given()) fit.on = spec->superposed_on.select(*shared);
+  auto store = FrameStore::open(spec->file, shared, fit);
+  if (!store) throw CommandError{store.problem().text()};
+  TrajectoryFile& file = (*store)->file();
+  const auto index = static_cast<std::size_t>(options.frame - 1);
+  while (file.frames() <= index && !file.complete()) file.findMore(std::uint64_t{1} << 26);
+  if (index >= file.frames())
+    throw CLI::ValidationError("--frame", "the trajectory has " + std::to_string(file.frames()) + " frames");
+  const auto positions = (*store)->at(index);
+  if (!positions) throw CommandError{positions.problem().text()};
+  std::vector<Sphere> spheres = shared->spheres.copy();
+  for (std::size_t i = 0; i < spheres.size(); ++i) spheres[i].centre_A = (**positions)[i];
+  return shared->movedTo(std::move(spheres));
+}
+
 }  // namespace
 
 void SceneOptions::addMolecules(CLI::App& command) {
@@ -68,6 +91,14 @@ void SceneOptions::addMolecules(CLI::App& command) {
       "A second structure of the molecule, toward which --state moves its atoms: '1ake', '1ake, superposed on "
       "chain A'");
   command.add_option("--state", state, "Position of the atoms between both structures: 40%")->capture_default_str();
+  CLI::Option* frames = command.add_option(
+      "--trajectory", trajectory,
+      "A trajectory of the molecule, of which --frame moves its atoms: 'md.xtc', 'md.xtc, superposed on chain A', "
+      "'md.xtc, not superposed'");
+  command.add_option("--frame", frame, "Frame of the trajectory, counted from 1")
+      ->needs(frames)
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
 }
 
 CLI::Option* SceneOptions::addPictures(CLI::App& command) {
@@ -90,6 +121,11 @@ CLI::Option* SceneOptions::addPictures(CLI::App& command) {
 Molecule SceneOptions::atState(Molecule molecule, const MoleculeArgument& read) const {
   SceneSpec scene;
   scene.then = secondOf(*this, molecule);
+  if (!trajectory.empty()) {
+    if (!scene.then.molecule.empty())
+      throw CLI::ValidationError("--trajectory", "--then moves the atoms too; leave one of them out");
+    return atFrame(*this, std::move(molecule));
+  }
   if (scene.then.molecule.empty()) return molecule;
   ReadOptions reading = read.named.reading;
   reading.beside.clear();

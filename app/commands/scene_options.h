@@ -12,16 +12,19 @@ namespace moltact {
 
 struct SceneOptions {
   std::string mark, highlight, distance, angle, hydrogen_bonds, then, state = "0%";
+  std::string trajectory;
+  int frame = 1;
   std::string label, arrow, captions, view, magnify, in_hand;
 
   /// Adds the options that belong to the molecule and not to the view: --mark, --highlight, --distance, --angle,
-  /// --hydrogen-bonds, --then and --state. This object must outlive the parsing, also for addPictures().
+  /// --hydrogen-bonds, --then, --state, --trajectory and --frame. This object must outlive the parsing, also for addPictures().
   void addMolecules(CLI::App& command);
   /// Adds the options that only a picture has: --label, --arrow, --captions, --magnify, --in-hand and --view. Returns
   /// --view.
   CLI::Option* addPictures(CLI::App& command);
 
-  /// Moves the molecule toward the structure of --then, which is read with the same options, by the share in --state.
+  /// Moves the molecule toward the structure of --then, which is read with the same options, by the share in --state, or
+  /// to the frame of a trajectory.
   /// Throws CLI::ValidationError with the option's name if a value is invalid, and CommandError if the structure cannot
   /// be loaded.
   Molecule atState(Molecule molecule, const MoleculeArgument& read) const;

@@ -29,21 +29,13 @@ void trajectoryLine(const char* name, const std::string& text) {
 }
 
 void drawRmsd(PlayedTrajectory& trajectory, const TrajectorySurvey& survey) {
-  const double first = double(trajectory.first() + 1), last = double(trajectory.last() + 1);
-  const auto rmsd_A = [&](double frame) {
-    const double k = std::clamp((frame - first) / double(survey.every), 0.0, double(survey.rmsd_A.size() - 1));
-    const auto low = std::size_t(k), high = std::min(low + 1, survey.rmsd_A.size() - 1);
-    const double share = k - double(low);
-    return (1.0 - share) * double(survey.rmsd_A[low]) + share * double(survey.rmsd_A[high]);
-  };
-  const std::string up = trf("RMSD ({0})", "Å");
-  functionPlot("trajectory/rmsd", rmsd_A,
-               {.title = tr("Distance from the structure"),
-                .across = tr("Frame"),
-                .up = up.c_str(),
-                .from = first,
-                .to = last,
-                .at = std::min(trajectory.at() + 1.0, last)});
+  seriesPlot("trajectory/rmsd", survey.rmsd_A,
+             {.title = tr("Distance from the structure (RMSD)"),
+              .across = tr("frame"),
+              .up = "Å",
+              .first = double(trajectory.first() + 1),
+              .step = double(survey.every),
+              .at = std::min(trajectory.at(), double(trajectory.last())) + 1.0});
 }
 
 }  // namespace
@@ -63,9 +55,9 @@ bool drawTrajectorySection(Application& app) {
              PlayedTrajectory::kFastest_per_s, 0.5, {Dimension::None, {decimals(1), {}}}))
     trajectory.setFramesPerSecond(speed);
   double smoothing = double(trajectory.smoothing());
-  if (slider("trajectory/smoothing", tr("Smoothing (frames to either side)"), smoothing, 0.0,
+  if (slider("trajectory/smoothing", tr("Smoothing (frames)"), smoothing, 0.0,
              double(PlayedTrajectory::kMaxSmoothing), 1.0, {Dimension::None, {decimals(0), {}}},
-             tr("Shows the mean of so many frames before and after: slow motions without the trembling of heat.")))
+             tr("Each frame becomes the mean of so many frames before it, itself, and as many after it.")))
     trajectory.setSmoothing(std::size_t(std::lround(smoothing)));
   ImGui::Spacing();
   static const std::array<std::string, 3> kEnds{N_("Stop"), N_("Return"), N_("Repeat")};

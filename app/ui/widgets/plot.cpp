@@ -203,4 +203,38 @@ void functionPlot(const char* name, const std::function<double(double)>& functio
   recordItem(name, text);
 }
 
+void seriesPlot(const char* name, std::span<const float> values, const SeriesPlot& how) {
+  if (values.size() < 2) return;
+  const Look& l = look();
+  const Palette& p = l.palette;
+  const PlotFrame frame = plotFrame(how.title, how.height, {});
+  const ImVec2 a = frame.a, b = frame.b;
+  const double high = double(roundUp(std::max(1.02f * *std::max_element(values.begin(), values.end()), 1e-6f)));
+  const float inset = l.px(8), size_px = frame.small * 0.86f, floor = b.y - size_px - l.px(6);
+  const auto place = [&](double k, double y) {
+    return ImVec2{a.x + inset + (b.x - a.x - 2 * inset) * float(k / double(values.size() - 1)),
+                  floor - (floor - a.y - inset) * float(y / high)};
+  };
+  ImDrawList* draw = ImGui::GetWindowDrawList();
+  draw->AddLine({a.x, floor}, {b.x, floor}, p.quiet, 1.0f);
+  for (std::size_t k = 1; k < values.size(); ++k)
+    draw->AddLine(place(double(k - 1), double(values[k - 1])), place(double(k), double(values[k])), p.accent,
+                  l.px(1.4f));
+  const double k = std::clamp((how.at - how.first) / how.step, 0.0, double(values.size() - 1));
+  const auto low = std::min(std::size_t(k), values.size() - 2);
+  const double value =
+      double(values[low]) + (k - double(low)) * (double(values[low + 1]) - double(values[low]));
+  const ImVec2 at = place(k, value);
+  draw->AddLine({at.x, a.y}, {at.x, floor}, p.faint, 1.0f);
+  draw->AddCircleFilled(at, l.px(4.5f), p.text, 20);
+  draw->AddCircleFilled(at, l.px(3.0f), p.accent, 20);
+  scaleText(frame, numberText(high, plain(2)) + " " + how.up, {a.x + l.px(5), a.y + l.px(2)});
+  const double last = how.first + how.step * double(values.size() - 1);
+  const std::string end = numberText(last, plain(0)), begin = numberText(how.first, plain(0)) + " " + how.across;
+  const float wide = frame.font->CalcTextSizeA(size_px, 1e9f, 0.0f, end.c_str()).x;
+  scaleText(frame, begin, {a.x + l.px(5), floor + l.px(2)});
+  scaleText(frame, end, {b.x - l.px(5) - wide, floor + l.px(2)});
+  recordItem(name, numberText(value, decimals(2)));
+}
+
 }  // namespace moltact

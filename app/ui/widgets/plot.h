@@ -45,6 +45,18 @@ struct FunctionPlot {
   float height = 110.0f;              ///< unit: pixel at 96 dpi
 };
 
+/// A series of values, one for each step of the argument, with a point on it.
+struct SeriesPlot {
+  const char* title = "";
+  const char *across = "", *up = "";  ///< of the axes, with their unit
+  double first = 0.0, step = 1.0;     ///< argument of the first value, and from one to the next
+  double at = 0.0;                    ///< argument of the point
+  float height = 110.0f;              ///< unit: pixel at 96 dpi
+};
+
+/// Draws the values above zero, and a point between the two at its argument. Recorded as `name`, with the point's value.
+void seriesPlot(const char* name, std::span<const float> values, const SeriesPlot& how);
+
 /// Draws the function, and faintly the line where it would equal its argument. Recorded as `name`, with the point's
 /// argument and value as its text.
 void functionPlot(const char* name, const std::function<double(double)>& function, const FunctionPlot& how);
