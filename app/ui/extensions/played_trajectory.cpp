@@ -316,6 +316,10 @@ void PlayedTrajectory::beforeTicks() {
       messages_.error(surveyed->problem().text());
   }
   if (!store_ || !scene_.stage() || scene_.stage().molecule != molecule_) return;
+  if (forceChoice(scene_.touch().forces).any()) {
+    close();
+    return messages_.notice(tr("Forces between atoms act in a molecule at rest. The trajectory has been closed."));
+  }
   request();
   if (shown_) return;  // a playback moves the atoms
   if (!started_) {
