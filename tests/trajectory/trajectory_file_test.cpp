@@ -126,6 +126,10 @@ TEST_CASE(
     CAPTURE(name);
     const bool nanometres = name.find(".xtc") != std::string::npos || name.find(".trr") != std::string::npos;
     auto file = openTrajectory(folder->path() / name);
+    if (!file && file.problem().message == "the NetCDF library is missing") {
+      MESSAGE("did not run for NetCDF: its library (Debian's package libnetcdf19 or libnetcdf22) is not installed");
+      continue;
+    }
     if (!file) FAIL(file.problem().text());
     (*file)->findMore(std::uint64_t{1} << 60);
     REQUIRE((*file)->frames() == 5);
