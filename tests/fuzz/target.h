@@ -57,6 +57,10 @@ void pdb(std::string_view), mmcif(std::string_view), smallCif(std::string_view),
 void mol2(std::string_view), pqr(std::string_view), pdbqt(std::string_view), gro(std::string_view),
     xyzr(std::string_view), gzip(std::string_view);
 void gridMap(std::string_view);
+void dcd(std::string_view bytes);
+void xtc(std::string_view bytes);
+void trr(std::string_view bytes);
+void models(std::string_view bytes);
 void anyMolecule(std::string_view), structure(std::string_view);
 void lesson(std::string_view), selection(std::string_view), answers(std::string_view);
 void glossary(std::string_view), lessonPicture(std::string_view), formula(std::string_view);
