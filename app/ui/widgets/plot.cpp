@@ -230,7 +230,7 @@ void seriesPlot(const char* name, std::span<const float> values, const SeriesPlo
   draw->AddCircleFilled(at, l.px(3.0f), p.accent, 20);
   scaleText(frame, numberText(high, plain(2)) + " " + how.up, {a.x + l.px(5), a.y + l.px(2)});
   const double last = how.first + how.step * double(values.size() - 1);
-  const std::string end = numberText(last, plain(0)), begin = numberText(how.first, plain(0)) + " " + how.across;
+  const std::string end = numberText(last, decimals(0)), begin = numberText(how.first, decimals(0)) + " " + how.across;
   const float wide = frame.font->CalcTextSizeA(size_px, 1e9f, 0.0f, end.c_str()).x;
   scaleText(frame, begin, {a.x + l.px(5), floor + l.px(2)});
   scaleText(frame, end, {b.x - l.px(5) - wide, floor + l.px(2)});
