@@ -165,8 +165,10 @@ void HeldPoses::minimise() {
   PairModel whole = field.model;
   whole.wall_kcal_mol = std::numeric_limits<double>::infinity();
   computing_ = std::make_unique<Computation>(field, whole);
-  computing_->minimiser.start(now.shownBody());
-  const HeldPose from{now.shownBody(), computing_->minimiser.energy().energy, time_.now_s - began_s_};
+  const bool chosen = selected_ && *selected_ < list().size();
+  const PoseA start = chosen ? list()[*selected_].pose : now.shownBody();
+  computing_->minimiser.start(start);
+  const HeldPose from{start, computing_->minimiser.energy().energy, time_.now_s - began_s_};
   minimum_ = Minimum{.from = from, .to = from};
   minimum_->to.minimised = true;
   selected_.reset();

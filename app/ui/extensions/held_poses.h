@@ -1,5 +1,5 @@
-// The poses of a held body while forces between atoms act: those of lowest energy that the hand has reached, and the
-// energy minimum below the present one. A pose can be saved, marked in the picture and, if the hand had reached it, taken
+// The poses of a held body while forces between atoms act: those of lowest energy that the hand has reached, and an
+// energy minimum below one of them. A pose can be saved, marked in the picture and, if the hand had reached it, taken
 // again. Energies are those of the pose, van der Waals and electrostatic, without the bound of the walls. While a task or
 // a question of the step is open, no pose is marked, computed or taken. Window's thread. Units: angstrom, kcal/mol,
 // second.
@@ -73,7 +73,7 @@ class HeldPoses final : public Extension {
 
   /// Whether the step has an open task or question, so that no help is given.
   bool taskOpen() const;
-  /// Starts a minimisation from the newest tick's pose; a part of it is computed in each frame.
+  /// Starts a minimisation from the selected pose, or else from the present one, and selects none; a part of it is computed in each frame.
   void minimise();
   /// Adds the computed minimum to the list and selects it.
   void addMinimum();

@@ -43,7 +43,7 @@ void askForPoseFile(Application& app) {
 constexpr float kEnergyEnds = 0.26f, kOffEnds = 0.56f;
 
 void poseColumns(ImVec2 low, float width, ImU32 colour, const std::string& energy, const std::string& off,
-             const std::string& time) {
+                 const std::string& time) {
   ImDrawList* draw = ImGui::GetWindowDrawList();
   const auto endingAt = [&](float x, const std::string& text) {
     draw->AddText({low.x + x - ImGui::CalcTextSize(text.c_str()).x, low.y}, colour, text.c_str());
@@ -92,8 +92,8 @@ void drawPoseList(HeldPoses& poses) {
   for (std::size_t k = 0; k < poses.list().size(); ++k) poseRow(poses, k);
   ImGui::PopStyleVar();
   quietPoseLine("poses", poses.taskNamesPose()
-                         ? tr("Å off: root mean square distance of the atoms from the pose of the task.")
-                         : tr("Å off: root mean square distance of the atoms from the pose of the file."));
+                             ? tr("Å off: root mean square distance of the atoms from the pose of the task.")
+                             : tr("Å off: root mean square distance of the atoms from the pose of the file."));
 }
 
 void drawSelectedPose(Application& app, HeldPoses& poses) {
@@ -110,17 +110,21 @@ void drawSelectedPose(Application& app, HeldPoses& poses) {
 
 void drawPoseMinimum(HeldPoses& poses) {
   const auto& found = poses.minimum();
-  const bool idle = !found || found->done;
-  if (button("poses/minimise", tr("Minimise from here"), ButtonLook::Plain, -1.0f, idle)) poses.minimise();
-  tip(tr("Searches the energy minimum below the present pose. The body in the hand stays."));
+  const bool idle = !found || found->done, selected = poses.selected().has_value();
+  if (button("poses/minimise", selected ? tr("Minimise from this pose") : tr("Minimise from here"), ButtonLook::Plain,
+             -1.0f, idle))
+    poses.minimise();
+  tip(
+      tr("Searches the energy minimum below the selected pose, or else below the present one. The body in the hand "
+         "does not "
+         "move."));
   if (!found) return;
   {
     const WithFont small(Font::Small);
     const std::string from = numberText(found->from.energy.total_kcal_mol(), decimals(1)), to = poseEnergy(found->to);
-    std::string text = !found->done
-                           ? trf("Step {0}: {1} kcal/mol", found->steps, to)
-                           : trf("The hand's pose: {0} kcal/mol. Minimum: {1} kcal/mol, {2} Å away, after {3} steps.",
-                                 from, to, numberText(poses.movedByMinimum_A(), decimals(2)), found->steps);
+    std::string text = !found->done ? trf("Step {0}: {1} kcal/mol", found->steps, to)
+                                    : trf("From {0} kcal/mol. Minimum: {1} kcal/mol, {2} Å away, after {3} steps.",
+                                          from, to, numberText(poses.movedByMinimum_A(), decimals(2)), found->steps);
     if (found->done && !found->converged) text += std::string(" ") + tr("It would fall further with more steps.");
     quietPoseLine("poses/minimum", text);
   }
