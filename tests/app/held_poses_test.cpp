@@ -173,23 +173,33 @@ TEST_CASE("a body that is taken back begins within 1e-9 A of the pose, and the f
 }
 
 TEST_CASE(
-    "while a task or question of the step is open no pose is shown, computed or taken; a body that was taken back is "
-    "put "
-    "down anew when a task opens, and no task is passed by it") {
-  PoseWindow w("## One\n" + kDrugScene + "Text.\n## Two\n" + kDrugScene +
-               "```task\nkind: dock\ndock: file\nwithin: 2 A\nturned: 60\nfor: 0.5 s\nturn: none\n```\n");
-  w.pressAt(0.5, 0.5, 240);
-  REQUIRE_FALSE(w.poses().list().empty());
+    "while a task of the step is open no pose is shown, computed or taken; a body that was taken back to a pose is put "
+    "down elsewhere when a task opens that asks for this pose, and the task is not passed") {
+  const std::string one = "## One\n" + kDrugScene + "Text.\n";
+  PoseA goal;
+  {
+    PoseWindow w(one);
+    w.pressAt(0.5, 0.62, 240);
+    REQUIRE_FALSE(w.poses().list().empty());
+    goal = w.poses().list().back().pose;
+  }
+  char written[256];
+  std::snprintf(written, sizeof written, "dock: %.4f, %.4f, %.4f, %.5f, %.5f, %.5f, %.5f\n", goal.place.A.x,
+                goal.place.A.y, goal.place.A.z, goal.orientation.w, goal.orientation.x, goal.orientation.y,
+                goal.orientation.z);
+  PoseWindow w(one + "## Two\n" + kDrugScene + "```touch\n" + written +
+               "within: 1 Å\nturned: 40\naway: 2 Å\nfor: 0.3 s\nturn: none\ngoal: 1\nsay: Lead it there.\n```\n");
+  w.pressAt(0.5, 0.62, 240);
   REQUIRE(w.d->shows("pose/0"));
-  w.poses().select(0);
+  REQUIRE(w.d->click("pose/" + std::to_string(w.poses().list().size() - 1)));
   w.d->frames(2);
-  const PoseA pose = w.poses().list()[0].pose;
-  w.poses().take();
+  REQUIRE(w.d->click("poses/take"));
   w.d->frames(5);
+  REQUIRE(rmsdBetween_A(*w.scene().stage().body, w.scene().log().latest().shownBody(), goal) < 1.0);
   w.d->app().lesson.next();
   w.d->frames(10);
   REQUIRE(w.poses().taskOpen());
-  CHECK(rmsdBetween_A(*w.scene().stage().body, w.scene().log().latest().shownBody(), pose) > 2.0);
+  CHECK(rmsdBetween_A(*w.scene().stage().body, w.scene().log().latest().shownBody(), goal) > 2.0);
   for (const char* widget : {"pose/0", "poses/minimise", "poses/save", "poses/take", "poses"})
     CHECK_FALSE(w.d->shows(widget));
   w.poses().select(0);

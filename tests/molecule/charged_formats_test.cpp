@@ -160,9 +160,10 @@ TEST_CASE("PDBQT gives atoms, types' elements and charges; ROOT and BRANCH are i
 TEST_CASE("AutoDock's types are their elements, and an unknown one is reported") {
   const std::string text = seed("pdbqt/two.pdbqt");
   for (const auto& [type, number] :
-       {std::pair("C ", 6), {"A ", 6},  {"N ", 7},  {"NA", 7},  {"NS", 7},  {"OA", 8},  {"OS", 8},  {"SA", 16},
-        {"S ", 16},         {"HD", 1},  {"H ", 1},  {"F ", 9},  {"Cl", 17}, {"CL", 17}, {"BR", 35}, {"I ", 53},
-        {"P ", 15},         {"Zn", 30}, {"MG", 12}, {"Na", 11}, {"CG0", 6}, {"QQ", 0}}) {
+       {std::pair("C ", 6), {"A ", 6},  {"N ", 7},  {"NA", 7},  {"NS", 7},  {"OA", 8},  {"OS", 8},
+        {"SA", 16},         {"S ", 16}, {"HD", 1},  {"H ", 1},  {"F ", 9},  {"Cl", 17}, {"CL", 17},
+        {"BR", 35},         {"I ", 53}, {"P ", 15}, {"Zn", 30}, {"MG", 12}, {"Na", 11}, {"CG0", 6},
+        {"HN", 1},          {"HS", 1},  {"W ", 8},  {"QQ", 0}}) {
     CAPTURE(type);
     const Molecule m = read(replaced(text, "0.120 A ", "0.120 " + std::string(type)), "x.pdbqt");
     CHECK(int(m.atoms[0].atomic_number) == number);

@@ -75,12 +75,12 @@ double HeldPoses::offKnown_A(const HeldPose& pose) const {
 
 void HeldPoses::sceneChanged() {
   quiet_ticks_ = 0;
-  taken_ = false;
   const TouchableModel& stage = scene_.stage();
   if (stage.body == body_ && stage.spheres == spheres_) return;
   body_ = stage.body;
   spheres_ = stage.spheres;
   began_s_ = time_.now_s;
+  taken_ = false;
   lists_.clear();
   selected_.reset();
   minimum_.reset();

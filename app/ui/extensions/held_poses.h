@@ -115,7 +115,7 @@ class HeldPoses final : public Extension {
   std::unique_ptr<Computation> computing_;
   PoseA quiet_at_;
   int quiet_ticks_ = 0;
-  bool taken_ = false;  // since the scene began
+  bool taken_ = false;  // and no task has opened since
 };
 
 }  // namespace moltact
