@@ -115,7 +115,7 @@ void HeldPoses::beforeTicks() {
 }
 
 void HeldPoses::ticks(const FeltTicks& felt) {
-  if (!on()) return;
+  if (!on() || !(scene_.controls.hasPressed() || scene_.servo().deviceLeads())) return;
   for (const FeltTick& tick : felt.ticks) {
     const ServoSample& now = tick.sample;
     if (!now.holds_body || !now.molecular_energy || now.contact.fault != Fault::None || now.contact_reset) {

@@ -9,6 +9,7 @@
 #include "app/ui/panels/view_overlays.h"
 #include "app/ui/widgets/clock_text.h"
 #include "app/ui/widgets/controls.h"
+#include "app/ui/widgets/rich_text.h"
 #include "app/ui/widgets/theme.h"
 #include "app/ui/widgets/widget_map.h"
 #include "engine/language/catalogue.h"
@@ -73,9 +74,7 @@ void poseRow(HeldPoses& poses, std::size_t index) {
 
 void quietPoseLine(const char* name, const std::string& text) {
   const WithText quiet(look().palette.quiet);
-  ImGui::PushTextWrapPos(0.0f);
-  ImGui::TextUnformatted(text.c_str());
-  ImGui::PopTextWrapPos();
+  ImGui::TextUnformatted(wrapped(text, ImGui::GetContentRegionAvail().x).c_str());
   recordItem(name, text);
 }
 
@@ -91,6 +90,7 @@ void drawPoseList(HeldPoses& poses) {
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {l.px(8), 0.0f});
   for (std::size_t k = 0; k < poses.list().size(); ++k) poseRow(poses, k);
   ImGui::PopStyleVar();
+  ImGui::Dummy({width, l.px(2)});
   quietPoseLine("poses", poses.taskNamesPose()
                              ? tr("Å off: root mean square distance of the atoms from the pose of the task.")
                              : tr("Å off: root mean square distance of the atoms from the pose of the file."));
