@@ -17,14 +17,15 @@
 namespace moltact {
 namespace {
 
-static_assert(sizeof(ServoSettings) == 152 && sizeof(DevicePose) == 80 && sizeof(DeviceSpecs) == 136 &&
+static_assert(sizeof(ServoSettings) == 168 && sizeof(DevicePose) == 80 && sizeof(DeviceSpecs) == 136 &&
                   sizeof(TickTime) == 16,
               "a field more is to be recorded below, or a replay is not the same");
 
-// Version 5 has no poses of bodies; version 4 has also no torque per tick; version 3 has also no orientation, and no
+// Version 6 has no friction; version 5 has also no poses of bodies; version 4 has also no torque per tick; version 3 has also no orientation, and no
 // torque of devices; version 2 has also no initial state.
-constexpr std::string_view kMagic = "MOLTRAC6", kTorquesMagic = "MOLTRAC5", kForcesMagic = "MOLTRAC4",
-                           kPlacesMagic = "MOLTRAC3", kStatelessMagic = "MOLTRAC2", kOldMagic = "MOLTRAC1";
+constexpr std::string_view kMagic = "MOLTRAC7", kPosesMagic = "MOLTRAC6", kTorquesMagic = "MOLTRAC5",
+                           kForcesMagic = "MOLTRAC4", kPlacesMagic = "MOLTRAC3", kStatelessMagic = "MOLTRAC2",
+                           kOldMagic = "MOLTRAC1";
 constexpr std::string_view kBlockMagic = "BLK1";
 constexpr std::uint32_t kTicksInBlock = 256;
 constexpr std::size_t kMinTickBytes = 81;  // size of a tick without settings and device
@@ -110,6 +111,10 @@ void settingsFields(Each& each, Settings& s) {
   for (int k = 0; k < 3; ++k) eachOf(each, s.workspace.rotation[k]);
   each(s.stiffness_N_per_mm), each(s.max_force_N), each(s.probe_A), each(s.discontinuities), each(s.clutch.buttons);
 }
+template <class Each, class F>
+void frictionFields(Each& each, F& friction) {
+  each(friction.coefficient), each(friction.stick_slip);
+}
 template <class Each, class Figures>
 void figuresFields(Each& each, Figures& f) {
   eachOf(each, f.workspace_mm);
@@ -146,7 +151,8 @@ bool canBe(const ServoSettings& s) {
     for (int i = 0; i < 3; ++i) rotates = rotates && std::abs(w.rotation[k][i]) <= 1.001;
   const auto within = [](double x, double limit) { return x >= 0.0 && x <= limit; };
   return rotates && w.A_per_mm > 1e-6 && w.A_per_mm < 1e6 && finite(w.centre_A) && within(s.stiffness_N_per_mm, 1e6) &&
-         within(s.max_force_N, 1e6) && within(s.probe_A, 1e6);
+         within(s.max_force_N, 1e6) && within(s.probe_A, 1e6) && within(s.friction.coefficient, 1e6) &&
+         within(s.friction.stick_slip, 1e6);
 }
 
 // The loop gives only finite forces within the limits of canBe().
@@ -160,6 +166,7 @@ std::string bytesOf(const ServoSettings& settings) {
   Putter put{out};
   settingsFields(put, settings);
   put(std::uint8_t(settings.force_on)), put(std::uint8_t(settings.panic)), put(std::uint8_t(settings.clutch.at_edge));
+  frictionFields(put, settings.friction);
   return out;
 }
 
@@ -173,7 +180,7 @@ bool drivesTorque(const DeviceSpecs& device) { return device.dof_out >= 6; }
 
 // The features of a file version.
 struct Version {
-  bool orientations = true, torques = true, body_poses = true;
+  bool orientations = true, torques = true, body_poses = true, friction = true;
 };
 
 // The pose of the held body and whether it is at rest, in a tick with an orientation.
@@ -199,6 +206,7 @@ bool readTick(Getter& get, ServoSettings& settings, RecordedTick& tick, const Ve
     settings.clutch.at_edge = at_edge;
     settings.force_on = on;
     settings.panic = panic;
+    if (version.friction) frictionFields(get, settings.friction);
     get.ok = get.ok && on <= 1 && panic <= 1 && at_edge <= 1 && canBe(settings);
   }
   tick.other_device = flags & kOtherDevice;
@@ -314,7 +322,8 @@ Expected<ServoRecording> readServoRecording(const std::filesystem::path& file) {
   const bool stateless = std::string_view(*bytes).starts_with(kStatelessMagic);
   Version version;
   version.orientations = !stateless && !std::string_view(*bytes).starts_with(kPlacesMagic);
-  version.body_poses = std::string_view(*bytes).starts_with(kMagic);
+  version.friction = std::string_view(*bytes).starts_with(kMagic);
+  version.body_poses = version.friction || std::string_view(*bytes).starts_with(kPosesMagic);
   version.torques = version.body_poses || std::string_view(*bytes).starts_with(kTorquesMagic);
   if (bytes->size() < fixed ||
       (version.orientations && !version.torques && !std::string_view(*bytes).starts_with(kForcesMagic)))

@@ -1,0 +1,221 @@
+// The layer of friction (engine/haptics/friction.h) against closed forms on a single sphere, and its energy on random
+// paths.
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <random>
+
+#include "engine/bench/scenes.h"
+#include "engine/haptics/body/exact_body.h"
+#include "engine/haptics/friction.h"
+#include "engine/haptics/interactions.h"
+#include "engine/haptics/methods.h"
+#include "tests/haptics/body_paths.h"
+#include "tests/haptics/walk.h"
+
+using namespace moltact;
+
+namespace {
+
+std::unique_ptr<FrictionLayer> layer(const std::vector<Sphere>& spheres, double probe_A, const Friction& friction,
+                                     std::shared_ptr<const Roughness> roughness = nullptr) {
+  const auto scene = test::makeScene(spheres);
+  return std::make_unique<FrictionLayer>(referenceMethod().make(scene, probe_A), scene, nullptr, std::move(roughness),
+                                         friction);
+}
+
+Response at(Interaction& felt, const Vec3& place) { return felt.respond({{place}, kNoRotation}); }
+
+// Along and against the normal of a contact on a single sphere.
+struct Load {
+  double drag = 0.0, normal = 0.0;
+};
+Load loadOf(const Contact& c) {
+  const double normal = glm::dot(c.displacement_A, c.normals[0]);
+  return {glm::length(c.displacement_A - c.normals[0] * normal), normal};
+}
+
+}  // namespace
+
+TEST_CASE("with a coefficient of 0 every method and the exact body answer to the last bit as without the layer") {
+  const scenes::Scene scene = scenes::cluster(20, 5);
+  const auto spheres = test::makeScene(scene.spheres);
+  for (const Method& method : methods()) {
+    CAPTURE(method.name);
+    const auto bare = method.make(spheres, scene.probe_A);
+    FrictionLayer none(method.make(spheres, scene.probe_A), spheres, nullptr, nullptr, {0.0, 0.5});
+    int touching = 0, different = 0;
+    for (const Vec3& place : scenes::walk(scene, 1000, 5)) {
+      const Contact a = at(*bare, place).contact, b = at(none, place).contact;
+      touching += a.touching();
+      different += !(a == b);
+    }
+    CHECK(touching > 100);
+    CHECK(different == 0);
+  }
+}
+
+TEST_CASE(
+    "on a sphere of 3 A the contact rests where the hand is, seen from it, at the angle of friction off the normal: by "
+    "the law of sines, to 1e-9 A in 600 places") {
+  constexpr double kRadius_A = 3.0, kMu = 0.4;
+  const auto felt = layer({{{0, 0, 0}, kRadius_A}}, 0.0, {kMu, 0.0});
+  at(*felt, {0, 0, 4});
+  at(*felt, {0, 0, 2.0});
+  const double phi = std::atan(kMu);
+  double worst_A = 0.0, worst_ratio = 0.0;
+  int slid = 0;
+  for (int k = 1; k <= 600; ++k) {
+    const double turned = 0.002 * k, r = 2.0;
+    const Vec3 hand = r * Vec3(std::sin(turned), 0.0, std::cos(turned));
+    const Contact c = at(*felt, hand).contact;
+    // The greatest angle at the centre between hand and contact: R / sin(pi - asin) = r / sin(phi).
+    const double most = std::asin(kRadius_A * std::sin(phi) / r) - phi;
+    const double lag = std::min(turned, most);
+    const Vec3 rests = kRadius_A * Vec3(std::sin(turned - lag), 0.0, std::cos(turned - lag));
+    worst_A = std::max(worst_A, glm::distance(c.scp.A, rests));
+    if (turned <= most + 0.002) continue;
+    ++slid;
+    const Load load = loadOf(c);
+    worst_ratio = std::max(worst_ratio, std::abs(load.drag / load.normal - kMu));
+  }
+  CHECK(slid > 300);
+  CHECK(worst_A < 1e-9);
+  CHECK(worst_ratio < 1e-9);
+}
+
+TEST_CASE("a hand so near the centre that it lies in the cone of friction holds the contact wherever it moves") {
+  // sin(phi) R = 0.371 x 3 A = 1.11 A.
+  const auto felt = layer({{{0, 0, 0}, 3.0}}, 0.0, {0.4, 0.0});
+  at(*felt, {0, 0, 4});
+  for (int k = 0; k <= 40; ++k) at(*felt, {0, 0, 4.0 - 0.08 * k});
+  const Vec3 stuck = at(*felt, {0, 0, 0.8}).contact.scp.A;
+  for (int k = 0; k < 100; ++k) {
+    const Vec3 hand = 0.3 * Vec3(std::sin(0.06 * k), std::cos(0.1 * k) - 1.0, 0.0) + Vec3(0, 0, 0.8);
+    CHECK(glm::distance(at(*felt, hand).contact.scp.A, stuck) < 1e-9);
+  }
+}
+
+TEST_CASE(
+    "to and fro on a wall the hand gives twice the drag times the way less the stretch of the spring: the hysteresis "
+    "of "
+    "Dahl's model with exponent 0, to 1e-6") {
+  constexpr double kWall_A = 1e7, kMu = 0.3, kDeep_A = 1.0, kHalf_A = 2.0;
+  const auto felt = layer({{{0, 0, -kWall_A}, kWall_A}}, 0.0, {kMu, 0.0});
+  Vec3 hand(0, 0, 1);
+  at(*felt, hand);
+  const auto go = [&](double x) {
+    double worked = 0.0;
+    Vec3 force = at(*felt, hand).contact.displacement_A;
+    const Vec3 from = hand;
+    // A multiple of the stretch per step, so that no step slips in part: 2 mu N / 200.
+    const int steps = int(std::lround(std::abs(x - from.x) / (2.0 * kMu * kDeep_A / 200.0)));
+    for (int k = 1; k <= steps; ++k) {
+      const Vec3 next(from.x + (x - from.x) * k / steps, 0.0, -kDeep_A);
+      const Vec3 now = at(*felt, next).contact.displacement_A;
+      worked -= 0.5 * glm::dot(force + now, next - hand);
+      hand = next, force = now;
+    }
+    return worked;
+  };
+  hand.z = -kDeep_A;
+  at(*felt, hand);
+  go(kHalf_A);
+  double worked = 0.0;
+  for (int k = 0; k < 5; ++k) worked += go(-kHalf_A) + go(kHalf_A);
+  const double drag = kMu * kDeep_A;
+  CHECK(worked == doctest::Approx(5 * 2.0 * drag * (2.0 * kHalf_A - 2.0 * drag)).epsilon(3e-3));
+}
+
+TEST_CASE(
+    "stick and slip of 0.5: the drag rises to 0.45 of what presses, falls to 0.3, and a way of 6 A along a wall has "
+    "one "
+    "slip per 0.15 A") {
+  constexpr double kWall_A = 1e7;
+  const auto felt = layer({{{0, 0, -kWall_A}, kWall_A}}, 0.0, {0.3, 0.5});
+  at(*felt, {0, 0, 1});
+  at(*felt, {0, 0, -1});
+  int slips = 0;
+  double most = 0.0, least_after = 1.0;
+  for (int k = 1; k <= 60000; ++k) {
+    const Load load = loadOf(at(*felt, {1e-4 * k, 0, -1}).contact);
+    most = std::max(most, load.drag / load.normal);
+    if (felt->slipped()) {
+      ++slips;
+      least_after = std::min(least_after, load.drag / load.normal);
+    }
+  }
+  CHECK(most == doctest::Approx(0.45).epsilon(1e-3));
+  CHECK(least_after == doctest::Approx(0.3).epsilon(1e-6));
+  CHECK(std::abs(slips - int((6.0 - 0.45) / 0.15 + 1)) <= 1);
+}
+
+TEST_CASE(
+    "a stuck contact goes with its atom: the hand moved as the atom feels the same force in every tick, and beside a "
+    "resting hand the spring stretches by the atom's way") {
+  const std::vector<Sphere> from{{{0, 0, 0}, 1.7}, {{8, 0, 0}, 1.7}};
+  const Vec3 way(0.3, 0.2, 0.0);
+  const std::vector<Sphere> to{{way, 1.7}, {{8, 0, 0}, 1.7}};
+  const auto motion = SphereMotion::make(from, to, 100);
+  REQUIRE(motion);
+  for (const bool follows : {true, false}) {
+    const auto felt = layer(from, 1.4, {0.5, 0.0});
+    const auto deep = [&](double z) { return at(*felt, {0.05, 0, z}); };
+    deep(4);
+    const Contact before = deep(1.6).contact;
+    REQUIRE(felt->setMotion(motion->get()));
+    double apart_A = 0.0, force_A = 0.0;
+    for (int k = 1; k <= 100; ++k) {
+      felt->advanceTo(k / 100.0);
+      const Vec3 moved = way * (k / 100.0);
+      const Contact c = at(*felt, Vec3(0.05, 0, 1.6) + (follows ? moved : Vec3(0.0))).contact;
+      apart_A = std::max(apart_A, glm::distance(c.scp.A, before.scp.A + moved));
+      force_A =
+          std::max(force_A, glm::distance(c.displacement_A, before.displacement_A + (follows ? Vec3(0.0) : moved)));
+    }
+    CHECK(apart_A < 1e-6);
+    CHECK(force_A < 1e-6);
+  }
+}
+
+TEST_CASE(
+    "over 20 atoms with jumps, in 20 random walks: the contact never moves so that the spring stores more than the "
+    "hand "
+    "put in, with stick and slip and a rough and a smooth half") {
+  const scenes::Scene scene = scenes::cluster(20, 5);
+  auto halves = std::make_shared<Roughness>(scene.spheres.size(), 0.25f);
+  for (std::size_t i = 0; i < halves->size(); i += 2) (*halves)[i] = 1.75f;
+  int touching = 0, slips = 0, gains = 0;
+  double worst_A2 = 0.0, taken_A2 = 0.0;
+  for (unsigned seed = 1; seed <= 20; ++seed) {
+    CAPTURE(seed);
+    const Friction friction{0.1 * double(seed % 10 + 1), seed % 2 ? 0.5 : 0.0};
+    const auto felt = layer(scene.spheres, scene.probe_A, friction, halves);
+    std::mt19937 random(seed);
+    Vec3 scp(0.0);
+    bool first = true;
+    std::size_t k = 0;
+    for (const Vec3& place : scenes::walk(scene, 2000, seed)) {
+      // A lost tick now and then, and a few lost in a row.
+      if (++k % 50 < random() % 8) continue;
+      const Response now = at(*felt, place);
+      // The energy of the spring if the contact had stayed: the rest is what the friction takes.
+      const double stayed = 0.5 * glm::dot(scp - place, scp - place);
+      if (!first && now.contact.touching()) {
+        ++touching;
+        slips += felt->slipped();
+        const double gained = now.contact.energy_A2 - stayed;
+        gains += gained > 1e-9;
+        worst_A2 = std::max(worst_A2, gained);
+        if (gained < 0.0) taken_A2 -= gained;
+      }
+      scp = now.contact.scp.A;
+      first = false;
+    }
+  }
+  MESSAGE(touching << " ticks in contact, " << slips << " slips, " << gains << " gains of at most " << worst_A2
+                   << " A2, taken " << taken_A2 << " A2");
+  CHECK(touching > 10000);
+  CHECK(slips > 1000);
+  CHECK(gains == 0);
+}
