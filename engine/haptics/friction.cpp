@@ -10,7 +10,8 @@ namespace {
 // How often a call asks the interaction inside. A slip moves the contact, which turns its normal and changes its normal
 // force; the drag follows by iteration. What a body leaves over follows in the next tick.
 constexpr int kMostAsked = 24, kMostAskedOfBody = 4;
-constexpr double kExact = 1e-10;  // of the load at which a slip ends
+constexpr double kExact = 1e-10;  // of the load at which a slip ends, and of an energy
+constexpr double kRounding_A = 1e-9;
 // A pull that the contact's normals do not explain to this share is that of a method that shades or sums springs.
 constexpr double kExplained = 1e-6;
 
@@ -42,12 +43,19 @@ bool FrictionLayer::setMotion(const SphereMotion* motion) noexcept {
   if (!inner().setMotion(motion)) return false;
   motion_ = motion;
   fraction_ = 0.0;
+  surface_moved_ = true;
   return true;
 }
 
 void FrictionLayer::advanceTo(double fraction) noexcept {
   inner().advanceTo(fraction);
   fraction_ = fraction;
+  surface_moved_ = true;
+}
+
+void FrictionLayer::setProbe(double probe_A) noexcept {
+  inner().setProbe(probe_A);
+  surface_moved_ = true;
 }
 
 MemoryUsage FrictionLayer::memoryUsage() const noexcept {
@@ -61,8 +69,13 @@ Vec3 FrictionLayer::centre_A(std::int32_t atom) const noexcept {
   return motion_ ? (*motion_)[i].at(fraction_).centre_A : (*scene_)[i].centre_A;
 }
 
+double FrictionLayer::roughnessOf(std::int32_t atom) const noexcept {
+  return roughness_ && std::size_t(atom) < roughness_->size() ? double((*roughness_)[std::size_t(atom)]) : 1.0;
+}
+
 // Asks the interaction inside and keeps what the next call depends on.
 const Response& FrictionLayer::ask(const PoseA& held) noexcept {
+  if (!touching_) share_ = 1.0;
   held_ = held;
   inner_answer_ = inner().respond(held);
   touching_ = inner_answer_.contact.touching() && inner_answer_.springsPull();
@@ -75,8 +88,8 @@ const Response& FrictionLayer::ask(const PoseA& held) noexcept {
   for (std::size_t k = 0; k < count; ++k) {
     const AtomForce& push = room_[k];
     const double normal = glm::length(push.force_N);
-    if (push.atom < 0 || !(normal > 0.0)) continue;
-    const double grip = normal * (roughness_ ? double((*roughness_)[std::size_t(push.atom)]) : 1.0);
+    if (push.atom < 0 || std::size_t(push.atom) >= scene_->size() || !(normal > 0.0)) continue;
+    const double grip = normal * roughnessOf(push.atom);
     grip_A_ += grip;
     if (body_ && push.body_sphere >= 0)
       grip_turn_A2_ += grip * glm::length(turned * body_->spheres[std::size_t(push.body_sphere)].centre_A);
@@ -84,7 +97,7 @@ const Response& FrictionLayer::ask(const PoseA& held) noexcept {
     sum += normal;
   }
   for (std::size_t k = 0; k < anchor_count_; ++k) anchors_[k].share /= sum;
-  if (count == 0) grip_A_ = glm::length(inner_answer_.contact.displacement_A);  // a surface without atoms
+  if (anchor_count_ == 0) grip_A_ = glm::length(inner_answer_.contact.displacement_A);  // a surface without atoms
   return inner_answer_;
 }
 
@@ -96,40 +109,44 @@ void FrictionLayer::carry() noexcept {
   held_.place.A += moved;
 }
 
-// Of the way from the hand to the held-back hand, the part along the surface.
+// Splits the force of the hand's spring: the contacts' normals bear what they can, friction bears the remainder.
 FrictionLayer::Lag FrictionLayer::lagBehind(const PoseA& hand) const noexcept {
   const Contact& contact = inner_answer_.contact;
-  Lag out{held_.place.A - hand.place.A};
   const Vec3& pressed = contact.displacement_A;
-  if (!inner_answer_.body_pose) {
-    if (!body_) {
-      // The normals bear what they can; friction bears the remainder.
-      const double size = glm::length(pressed);
-      if (glm::length(pushesAlong(contact, pressed).rest) <= kExplained * size)
-        return {pushesAlong(contact, pressed + out.way_A).rest};
-    }
-    if (const double p2 = glm::dot(pressed, pressed); p2 > 0.0)
-      out.way_A -= pressed * (glm::dot(pressed, out.way_A) / p2);
+  Lag out{held_.place.A - hand.place.A};
+  if (!body_ && glm::length(pushesAlong(contact, pressed).rest) <= kExplained * glm::length(pressed)) {
+    const Pushes pushes = pushesAlong(contact, pressed + out.way_A);
+    out.way_A = pushes.rest;
+    for (std::size_t k = 0; k < 3; ++k)
+      if (contact.atoms[k] >= 0) out.grip_A += pushes.along[k] * roughnessOf(contact.atoms[k]);
     return out;
   }
-  // Translation and rotation as one vector of six; lengths are those of the energy.
-  const double lever2 = inner_answer_.rotational_A2;
-  out.turn_rad = rotationBetween(hand.orientation, held_.orientation);
-  const Vec3 twisted = lever2 > 0.0 ? inner_answer_.torque_A2 / lever2 : Vec3(0.0);
+  // The normals of many contacts count as one direction. Translation and rotation are one vector of six; its length is
+  // that of the energy.
+  const double lever2 = inner_answer_.body_pose ? inner_answer_.rotational_A2 : 0.0;
+  Vec3 twisted(0.0);
+  if (lever2 > 0.0) {
+    out.turn_rad = rotationBetween(hand.orientation, held_.orientation);
+    twisted = inner_answer_.torque_A2 / lever2;
+  }
   const double p2 = glm::dot(pressed, pressed) + lever2 * glm::dot(twisted, twisted);
   if (!(p2 > 0.0)) return out;
-  const double share = (glm::dot(pressed, out.way_A) + lever2 * glm::dot(twisted, out.turn_rad)) / p2;
-  out.way_A -= share * pressed;
-  out.turn_rad -= share * twisted;
+  const double more = (glm::dot(pressed, out.way_A) + lever2 * glm::dot(twisted, out.turn_rad)) / p2;
+  out.way_A -= more * pressed;
+  out.turn_rad -= more * twisted;
+  out.grip_A = std::max(0.0, 1.0 + more) * grip_A_;
+  out.grip_turn_A2 = std::max(0.0, 1.0 + more) * grip_turn_A2_;
   return out;
 }
 
 // Drag and torque as a share of those of sliding: 1 on the ellipsoid that bounds them.
 double FrictionLayer::load(const Lag& lag) const noexcept {
-  const double drag = glm::length(lag.way_A), turn = inner_answer_.rotational_A2 * glm::length(lag.turn_rad);
-  const double most = friction_.coefficient * grip_A_, most_turn = friction_.coefficient * grip_turn_A2_;
-  const auto share = [](double is, double limit) { return is > 0.0 ? (limit > 0.0 ? is / limit : 1e300) : 0.0; };
-  return std::min(1e300, std::hypot(share(drag, most), share(turn, most_turn)));
+  const auto share = [&](double is, double grip) {
+    const double most = friction_.coefficient * grip;
+    return is > 0.0 ? (most > 0.0 ? is / most : 1e300) : 0.0;
+  };
+  return std::min(1e300, std::hypot(share(glm::length(lag.way_A), lag.grip_A),
+                                    share(inner_answer_.rotational_A2 * glm::length(lag.turn_rad), lag.grip_turn_A2)));
 }
 
 Response FrictionLayer::respond(const PoseA& pose) noexcept {
@@ -139,9 +156,11 @@ Response FrictionLayer::respond(const PoseA& pose) noexcept {
     return inner().respond(pose);
   }
   if (!touching_ || !finite(pose.place.A) || !rotates(pose.orientation)) return ask(pose);
+  const bool moved = std::exchange(surface_moved_, false);
   carry();
   Lag lag = lagBehind(pose);
   double now = load(lag), most = 1.0 + friction_.stick_slip;
+  const double stayed_A2 = answer(pose).contact.energy_A2;
   for (int k = 0; k < (body_ ? kMostAskedOfBody : kMostAsked); ++k) {
     const bool slips = now > most * (1.0 + kExact);
     if (k > 0 && !slips) break;
@@ -156,11 +175,27 @@ Response FrictionLayer::respond(const PoseA& pose) noexcept {
       held.orientation = glm::normalize(glm::angleAxis(angle, lag.turn_rad / angle) * pose.orientation);
     ask(held);
     if (inner_answer_.contact.fault != Fault::None) return inner_answer_;
-    if (!touching_) return held.place == pose.place && held.orientation == pose.orientation ? inner_answer_ : ask(pose);
+    if (!touching_) {
+      share_ = 1.0;
+      return held.place == pose.place && held.orientation == pose.orientation ? inner_answer_ : ask(pose);
+    }
     lag = lagBehind(pose);
     now = load(lag);
   }
+  account(stayed_A2, pose, moved);
   return answer(pose);
+}
+
+// A slip over a ridge can lead to where the spring is longer than before. It is then felt softer, by as much as keeps
+// the energy, until later slips have taken that much. Energy that comes from a moving surface is not a slip's.
+void FrictionLayer::account(double stayed_A2, const PoseA& pose, bool surface_moved) noexcept {
+  const Contact& contact = inner_answer_.contact;
+  const bool spring_to_scp =
+      inner_answer_.body_pose || glm::distance(contact.displacement_A, contact.scp.A - held_.place.A) < kRounding_A;
+  if (!spring_to_scp || surface_moved) return;
+  const double before = std::exchange(share_, 1.0), whole_A2 = answer(pose).contact.energy_A2;
+  if (stayed_A2 < whole_A2 * (1.0 - kExact)) share_ = stayed_A2 / whole_A2;
+  if (!slipped_) share_ = std::min(share_, before);
 }
 
 // The springs from the hand to where the interaction inside rests.
@@ -179,6 +214,11 @@ Response FrictionLayer::answer(const PoseA& hand) const noexcept {
     out.contact.energy_A2 += 0.5 * lever2 * (glm::dot(all, all) - glm::dot(held, held));
     out.torque_A2 = lever2 * all;
   }
+  if (share_ != 1.0) {
+    out.contact.displacement_A *= share_;
+    out.contact.energy_A2 *= share_;
+    out.torque_A2 *= share_;
+  }
   return out;
 }
 
@@ -186,6 +226,7 @@ std::size_t FrictionLayer::reactions(const Response& last, double spring_N_per_A
                                      std::span<AtomForce> out) const noexcept {
   if (!touching_) return inner().reactions(last, spring_N_per_A, field_share, out);
   const std::size_t count = inner().reactions(inner_answer_, spring_N_per_A, field_share, out);
+  for (std::size_t k = 0; k < count; ++k) out[k].force_N *= share_;
   // The drag acts on the atoms in proportion to their normal forces.
   Vec3 drag = -last.total(spring_N_per_A, field_share).force_N;
   double sizes = 0.0;

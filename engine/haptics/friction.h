@@ -38,6 +38,7 @@ class FrictionLayer final : public WrappedInteraction {
   /// With coefficient 0: the answer of the interaction inside.
   Response respond(const PoseA& pose) noexcept override;
   void reset() noexcept override;
+  void setProbe(double probe_A) noexcept override;
   void setFriction(const Friction& friction) noexcept override;
   Friction friction() const noexcept override { return friction_; }
   std::size_t reactions(const Response& last, double spring_N_per_A, double field_share,
@@ -49,16 +50,21 @@ class FrictionLayer final : public WrappedInteraction {
   bool slipped() const noexcept { return slipped_; }  ///< in the last call
 
  private:
-  // How far the held-back hand is from the hand, along the surface.
+  // How far the held-back hand is from the hand along the surface, and how firmly the hand presses on the contacts.
   struct Lag {
     Vec3 way_A{0.0};     // of the place
     Vec3 turn_rad{0.0};  // of the orientation; zero for a probe
+    // The sum over the contacts of roughness times normal force, in units of the spring, and the same times each
+    // contact's lever about the body's middle.
+    double grip_A = 0.0, grip_turn_A2 = 0.0;
   };
   const Response& ask(const PoseA& held) noexcept;
   void carry() noexcept;
   Vec3 centre_A(std::int32_t atom) const noexcept;
+  double roughnessOf(std::int32_t atom) const noexcept;
   Lag lagBehind(const PoseA& hand) const noexcept;
   double load(const Lag& lag) const noexcept;
+  void account(double stayed_A2, const PoseA& pose, bool surface_moved) noexcept;
   Response answer(const PoseA& hand) const noexcept;
 
   std::shared_ptr<const SphereGrid> scene_;
@@ -68,11 +74,11 @@ class FrictionLayer final : public WrappedInteraction {
   const SphereMotion* motion_ = nullptr;
   double fraction_ = 0.0;
 
-  bool touching_ = false, slipped_ = false;
-  PoseA held_;               // with which the interaction inside was asked last
-  Response inner_answer_;    // its answer
-  double grip_A_ = 0.0;      // the sum over the contacts of roughness times normal force, in units of the spring
-  double grip_turn_A2_ = 0;  // the same times each contact's lever about the body's middle
+  bool touching_ = false, slipped_ = false, surface_moved_ = false;
+  PoseA held_;             // with which the interaction inside was asked last
+  Response inner_answer_;  // its answer
+  double share_ = 1.0;     // of the spring's force that is felt; below 1 after a slip that lengthened the spring
+  double grip_A_ = 0.0, grip_turn_A2_ = 0.0;  // as in Lag, for a hand at held_
   // The atoms touched there, with their shares of the normal force and their centres.
   struct Anchor {
     std::int32_t atom = -1;
