@@ -10,7 +10,7 @@ namespace {
 // How often a call asks the interaction inside. A slip moves the contact, which turns its normal and changes its normal
 // force; the drag follows by iteration. What a body leaves over follows in the next tick.
 constexpr int kMostAsked = 24, kMostAskedOfBody = 4;
-constexpr double kExact = 1e-10;  // of the load at which a slip ends, and of an energy
+constexpr double kShareRounding = 1e-10;  // of the load at which a slip ends, and of an energy
 constexpr double kRounding_A = 1e-9;
 // A pull that the contact's normals do not explain to this share is that of a method that shades or sums springs.
 constexpr double kExplained = 1e-6;
@@ -162,7 +162,7 @@ Response FrictionLayer::respond(const PoseA& pose) noexcept {
   double now = load(lag), most = 1.0 + friction_.stick_slip;
   const double stayed_A2 = answer(pose).contact.energy_A2;
   for (int k = 0; k < (body_ ? kMostAskedOfBody : kMostAsked); ++k) {
-    const bool slips = now > most * (1.0 + kExact);
+    const bool slips = now > most * (1.0 + kShareRounding);
     if (k > 0 && !slips) break;
     if (slips) {
       slipped_ = true;
@@ -194,7 +194,7 @@ void FrictionLayer::account(double stayed_A2, const PoseA& pose, bool surface_mo
       inner_answer_.body_pose || glm::distance(contact.displacement_A, contact.scp.A - held_.place.A) < kRounding_A;
   if (!spring_to_scp || surface_moved) return;
   const double before = std::exchange(share_, 1.0), whole_A2 = answer(pose).contact.energy_A2;
-  if (stayed_A2 < whole_A2 * (1.0 - kExact)) share_ = stayed_A2 / whole_A2;
+  if (stayed_A2 < whole_A2 * (1.0 - kShareRounding)) share_ = stayed_A2 / whole_A2;
   if (!slipped_) share_ = std::min(share_, before);
 }
 

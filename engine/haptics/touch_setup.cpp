@@ -55,8 +55,7 @@ bool drags(const TouchSetup& touch, bool) { return touch.friction > 0.0; }
 std::string noticeable(const TouchSetup& touch) {
   if (touch.friction < 0.2 || touch.friction > 0.8) return {};
   const double difference = 0.056 + (0.150 - 0.056) * (touch.friction - 0.2) / 0.6;
-  return trf("People tell {0} from {1}.", numberText(touch.friction, decimals(2)),
-             numberText(touch.friction + difference, decimals(2)));
+  return trf("The next value that feels different is {0}.", numberText(touch.friction + difference, decimals(2)));
 }
 
 bool holdsProbe(const TouchSetup&, bool body) { return !body; }
@@ -130,6 +129,17 @@ constexpr std::array kProperties{
                   .meaning = "By how much more a contact at rest holds than one that slides, as a fraction of "
                              "'friction'. Above 0 a slow hand sticks and slips in turn.",
                   .compared = "The second thing sticks this much more than it slides."},
+    TouchProperty{.member = &TouchSetup::texture,
+                  .key = "texture",
+                  .field = "texture",
+                  .label = "texture",
+                  .words = &textureWords,
+                  .control = {.title = N_("Friction by"),
+                              .tip = N_("Which property of the atoms makes them rougher or smoother."),
+                              .shown = &drags},
+                  .fallback = "none",
+                  .meaning = "Which property of the atoms makes them rougher or smoother; it multiplies 'friction'.",
+                  .compared = "The second thing has this texture."},
     TouchProperty{.member = &TouchSetup::method,
                   .key = "method",
                   .field = "method",
@@ -215,17 +225,6 @@ constexpr std::array kProperties{
                   .meaning = "The stiffness of the spring that joins the hand to what it holds, in the molecule: the "
                              "softer, the more strongly the forces between atoms are felt. 0: 1.8 N/m for each of the "
                              "first 200 atoms held."},
-    TouchProperty{.member = &TouchSetup::texture,
-                  .key = "texture",
-                  .field = "texture",
-                  .label = "texture",
-                  .words = &textureWords,
-                  .control = {.title = N_("Friction by"),
-                              .tip = N_("Which property of the atoms makes them rougher or smoother."),
-                              .shown = &drags},
-                  .fallback = "none",
-                  .meaning = "Which property of the atoms makes them rougher or smoother; it multiplies 'friction'.",
-                  .compared = "The second thing has this texture."},
 };
 
 std::string textOf(const TouchValue& value) {

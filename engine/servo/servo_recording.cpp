@@ -21,17 +21,18 @@ static_assert(sizeof(ServoSettings) == 168 && sizeof(DevicePose) == 80 && sizeof
                   sizeof(TickTime) == 16,
               "a field more is to be recorded below, or a replay is not the same");
 
-// Version 6 has no friction; version 5 has also no poses of bodies; version 4 has also no torque per tick; version 3 has also no orientation, and no
+// Version 5 has no poses of bodies; version 4 has also no torque per tick; version 3 has also no orientation, and no
 // torque of devices; version 2 has also no initial state.
-constexpr std::string_view kMagic = "MOLTRAC7", kPosesMagic = "MOLTRAC6", kTorquesMagic = "MOLTRAC5",
-                           kForcesMagic = "MOLTRAC4", kPlacesMagic = "MOLTRAC3", kStatelessMagic = "MOLTRAC2",
-                           kOldMagic = "MOLTRAC1";
+constexpr std::string_view kMagic = "MOLTRAC6", kTorquesMagic = "MOLTRAC5", kForcesMagic = "MOLTRAC4",
+                           kPlacesMagic = "MOLTRAC3", kStatelessMagic = "MOLTRAC2", kOldMagic = "MOLTRAC1";
 constexpr std::string_view kBlockMagic = "BLK1";
 constexpr std::uint32_t kTicksInBlock = 256;
 constexpr std::size_t kMinTickBytes = 81;  // size of a tick without settings and device
 constexpr std::size_t kMaxBytes = std::size_t{1} << 30;
 constexpr std::uint8_t kSettings = 1, kFresh = 2, kConnected = 4, kOtherDevice = 8, kFaultFlag = 16, kFallenBack = 32,
                        kOriented = 64, kSpheresMoved = 128;
+constexpr std::uint8_t kAtEdge = 1,
+                       kFriction = 2;  // at the end of the settings; files of earlier builds have the first
 constexpr std::uint8_t kBodyPose = 1, kNotAtRest = 2;            // of an oriented tick
 constexpr std::uint8_t kGivesForce = 1, kRotationalDamping = 2;  // of a device; files of earlier builds have the first
 
@@ -165,8 +166,10 @@ std::string bytesOf(const ServoSettings& settings) {
   std::string out;
   Putter put{out};
   settingsFields(put, settings);
-  put(std::uint8_t(settings.force_on)), put(std::uint8_t(settings.panic)), put(std::uint8_t(settings.clutch.at_edge));
-  frictionFields(put, settings.friction);
+  const bool friction = settings.friction != Friction{};
+  put(std::uint8_t(settings.force_on)), put(std::uint8_t(settings.panic));
+  put(std::uint8_t((settings.clutch.at_edge ? kAtEdge : 0) | (friction ? kFriction : 0)));
+  if (friction) frictionFields(put, settings.friction);
   return out;
 }
 
@@ -180,7 +183,7 @@ bool drivesTorque(const DeviceSpecs& device) { return device.dof_out >= 6; }
 
 // The features of a file version.
 struct Version {
-  bool orientations = true, torques = true, body_poses = true, friction = true;
+  bool orientations = true, torques = true, body_poses = true;
 };
 
 // The pose of the held body and whether it is at rest, in a tick with an orientation.
@@ -203,11 +206,12 @@ bool readTick(Getter& get, ServoSettings& settings, RecordedTick& tick, const Ve
   if (flags & kSettings) {
     settingsFields(get, settings);
     get(on), get(panic), get(at_edge);
-    settings.clutch.at_edge = at_edge;
+    settings.clutch.at_edge = at_edge & kAtEdge;
     settings.force_on = on;
     settings.panic = panic;
-    if (version.friction) frictionFields(get, settings.friction);
-    get.ok = get.ok && on <= 1 && panic <= 1 && at_edge <= 1 && canBe(settings);
+    settings.friction = {};
+    if (at_edge & kFriction) frictionFields(get, settings.friction);
+    get.ok = get.ok && on <= 1 && panic <= 1 && !(at_edge & ~(kAtEdge | kFriction)) && canBe(settings);
   }
   tick.other_device = flags & kOtherDevice;
   if (tick.other_device) {
@@ -322,8 +326,7 @@ Expected<ServoRecording> readServoRecording(const std::filesystem::path& file) {
   const bool stateless = std::string_view(*bytes).starts_with(kStatelessMagic);
   Version version;
   version.orientations = !stateless && !std::string_view(*bytes).starts_with(kPlacesMagic);
-  version.friction = std::string_view(*bytes).starts_with(kMagic);
-  version.body_poses = version.friction || std::string_view(*bytes).starts_with(kPosesMagic);
+  version.body_poses = std::string_view(*bytes).starts_with(kMagic);
   version.torques = version.body_poses || std::string_view(*bytes).starts_with(kTorquesMagic);
   if (bytes->size() < fixed ||
       (version.orientations && !version.torques && !std::string_view(*bytes).starts_with(kForcesMagic)))

@@ -224,3 +224,126 @@ TEST_CASE(
   CHECK(gains == 0);
   CHECK(softened < touching / 20);
 }
+
+TEST_CASE(
+    "passing from a smooth to a rough atom across their crease, the coefficient of sliding goes from 0.1 to 0.6 over "
+    "values "
+    "between, and no step of the hand by 0.0005 A changes the force by more than 0.01 A") {
+  // Two atoms, pressed by a hand on a line along them.
+  const std::vector<Sphere> spheres{{{-1.5, 0, 0}, 3.0}, {{1.5, 0, 0}, 3.0}};
+  const auto texture = std::make_shared<Roughness>(Roughness{0.25f, 1.5f});
+  const auto felt = layer(spheres, 0.0, {0.4, 0.0}, texture);
+  at(*felt, {-2, 0, 5});
+  Contact before = at(*felt, {-2, 0, 1.2}).contact;
+  double step_A = 0.0, first = 0.0, last = 0.0, between = 0.0;
+  for (int k = 0; k <= 8000; ++k) {
+    const Contact c = at(*felt, {-2.0 + 5e-4 * k, 0, 1.2}).contact;
+    const Pushes pushes = pushesAlong(c, c.displacement_A);
+    double rough = 0.0;
+    for (std::size_t n = 0; n < 3; ++n)
+      if (c.atoms[n] >= 0) rough += pushes.along[n] * 0.4 * double((*texture)[std::size_t(c.atoms[n])]);
+    CHECK(glm::length(pushes.rest) <= rough * (1.0 + 1e-9));
+    const double sliding = rough / pushes.sum();
+    step_A = std::max(step_A, glm::distance(c.displacement_A, before.displacement_A));
+    if (k == 0) first = sliding;
+    if (c.feature == Feature::Circle) between = std::max(between, std::min(sliding - 0.1, 0.6 - sliding));
+    last = sliding;
+    before = c;
+  }
+  CHECK(first == doctest::Approx(0.1));
+  CHECK(last == doctest::Approx(0.6));
+  CHECK(between > 0.1);  // both atoms bear
+  CHECK(step_A < 0.01);
+}
+
+TEST_CASE(
+    "a body of two atoms pressed flat on a wall resists being turned about the normal: by the coefficient times what "
+    "each "
+    "contact presses times its lever, to 1e-3, and turned to and fro it takes energy") {
+  constexpr double kWall_A = 1e6, kMu = 0.4, kDeep_A = 0.5, kLever_A = 2.0;
+  InteractionInput input{.spheres = test::makeScene({{{0, 0, -kWall_A}, kWall_A}}),
+                         .body = bodyOfSpheres({{{-kLever_A, 0, 0}, 1.0}, {{kLever_A, 0, 0}, 1.0}})};
+  input.touch.interaction = "exact-body";
+  input.touch.friction = kMu;
+  const auto felt = makeInteraction(input);
+  const auto turned = [&](double angle, double z) {
+    return felt->respond({{Vec3(0, 0, z)}, glm::angleAxis(angle, Vec3(0, 0, 1))});
+  };
+  turned(0.0, 3.0);
+  for (int k = 0; k <= 50; ++k) turned(0.0, 1.0 - kDeep_A * k / 50);
+  double worked_A2 = 0.0, torque = 0.0;
+  Response last;
+  double angle = 0.0;
+  const auto go = [&](double to) {
+    const double from = angle;
+    for (int k = 1; k <= 400; ++k) {
+      const double next = from + (to - from) * k / 400;
+      last = turned(next, 1.0 - kDeep_A);
+      worked_A2 -= 0.5 * (torque + last.torque_A2.z) * (next - angle);
+      torque = last.torque_A2.z;
+      angle = next;
+    }
+  };
+  go(1.0);
+  const double most = kMu * kDeep_A * kLever_A;  // both contacts together press with kDeep_A
+  CHECK(last.contact.displacement_A.z == doctest::Approx(kDeep_A).epsilon(1e-3));
+  CHECK(last.torque_A2.z == doctest::Approx(-most).epsilon(1e-3));
+  worked_A2 = 0.0;
+  for (int k = 0; k < 5; ++k) go(-1.0), go(1.0);
+  // The stretch of the rotational spring, whose stiffness is the square of the body's radius of gyration.
+  const double stretch = most / (kLever_A * kLever_A);
+  CHECK(worked_A2 == doctest::Approx(5 * 2.0 * most * (2.0 - 2.0 * stretch)).epsilon(0.01));
+  // The reactions are the opposite of the force.
+  std::vector<AtomForce> room(felt->maxReactionCount());
+  Vec3 sum(0.0);
+  const std::size_t count = felt->reactions(last, 2.0, 1.0, room);
+  for (std::size_t k = 0; k < count; ++k) sum += room[k].force_N;
+  CHECK(glm::distance(sum, -last.total(2.0).force_N) < 1e-9);
+}
+
+TEST_CASE(
+    "a body of three atoms on 20 random paths over 20 atoms, moved and turned: no tick stores more energy than the "
+    "hand "
+    "put in since the last") {
+  const std::vector<Sphere> atoms = scenes::cluster(20, 5).spheres;
+  InteractionInput input{.spheres = test::makeScene(atoms),
+                         .body = bodyOfSpheres({{{-2, 0, 0}, 1.0}, {{2, 0, 0}, 1.2}, {{0, 1, 1}, 0.8}})};
+  input.touch.interaction = "exact-body";
+  const ExactBody bare(input.spheres, input.body);
+  const double lever2 = bare.lever_A() * bare.lever_A();
+  int touching = 0, gains = 0;
+  double worst_A2 = 0.0;
+  for (unsigned seed = 1; seed <= 20; ++seed) {
+    input.touch.friction = 0.1 * double(seed % 8 + 1);
+    input.touch.stick_slip = seed % 2 ? 0.5 : 0.0;
+    const auto felt = makeInteraction(input);
+    std::optional<Response> before;
+    PoseA last;
+    bool coupling_slipped = false;
+    for (const PoseA& pose : test::bodyPath(atoms, input.body->reach_A, 1000, seed, 0.02, 0.01, 0.5)) {
+      const Response now = felt->respond(pose);
+      // Beyond 2 rad the rotational spring slips and pulls to another orientation until the body is free again.
+      if (before && before->body_pose)
+        coupling_slipped |= glm::length(rotationBetween(pose.orientation, before->body_pose->orientation)) > 1.9;
+      if (!now.contact.touching()) coupling_slipped = false;
+      if (before && before->body_pose && before->contact.touching() && now.contact.touching() && !coupling_slipped) {
+        ++touching;
+        // Energy of the springs had the body stayed, softened as it was.
+        const auto energy = [&](const PoseA& hand) {
+          const Vec3 way = before->body_pose->place.A - hand.place.A;
+          const Vec3 turn = rotationBetween(hand.orientation, before->body_pose->orientation);
+          return 0.5 * (glm::dot(way, way) + lever2 * glm::dot(turn, turn));
+        };
+        const double whole = energy(last), share = whole > 1e-9 ? before->contact.energy_A2 / whole : 1.0;
+        const double gained = now.contact.energy_A2 - share * energy(pose);
+        gains += gained > 1e-7;
+        worst_A2 = std::max(worst_A2, gained);
+      }
+      before = now;
+      last = pose;
+    }
+  }
+  MESSAGE(touching << " ticks in contact, " << gains << " gains of at most " << worst_A2 << " A2");
+  CHECK(touching > 2000);
+  CHECK(gains == 0);
+}

@@ -84,7 +84,7 @@ void drawTouchTab(Application& app) {
   drawPartSwitches(app);
   ImGui::PopStyleVar();
   ImGui::Spacing();
-  disclosure("more", tr("Spring, tracker and timing"), app.panels.touch_details);
+  disclosure("more", tr("Spring, friction and tracker"), app.panels.touch_details);
   if (app.panels.touch_details) {
     drawTouchControls(app, false);
     const ServoSettings& servo = app.scene.servo_settings;
