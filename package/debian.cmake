@@ -1,6 +1,6 @@
 # The Debian packages, NAME_VERSION-1~debNN_ARCHITECTURE.deb, for the Debian release on which they are built. An upgrade
 # of the system thus also installs the program's next build. Each component of the installation is one package: moltact,
-# libmoltact-dev and, where the Python module is built, python3-moltact.
+# libmoltact-dev and, where they are built, python3-moltact and moltact-openmm.
 set(release_id 0)
 set(release_name unknown)
 file(STRINGS /etc/os-release lines)
@@ -52,6 +52,10 @@ if(TARGET moltact_python)
   moltact_package_documents(python python3-moltact feel_a_groove.py)
 endif()
 
+if(TARGET moltact_openmm)
+  moltact_package_documents(simulation moltact-openmm)
+endif()
+
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME moltact)
 set(CPACK_PACKAGE_CONTACT ${MOLTACT_MAINTAINER})
@@ -101,6 +105,20 @@ poses, and get positions, forces, torques and contacts.
 
 The package moltact brings the molecules that load() knows by name.")
 endif()
+if(TARGET moltact_openmm)
+  # A package of its own, so that the program does not need OpenMM. dpkg-shlibdeps finds the library of this release.
+  list(APPEND CPACK_COMPONENTS_ALL simulation)
+  set(CPACK_DEBIAN_SIMULATION_PACKAGE_NAME moltact-openmm)
+  set(CPACK_DEBIAN_SIMULATION_PACKAGE_DEPENDS "libopenmm-plugins")
+  set(CPACK_DEBIAN_SIMULATION_PACKAGE_RECOMMENDS "moltact")
+  set(CPACK_DEBIAN_SIMULATION_DESCRIPTION "simulations of molecules that the hand pushes, for Moltact
+The module with which Moltact simulates a molecule while it is touched: its
+atoms move as their force field and a heat bath demand, and give way to the
+hand. OpenMM computes the forces.
+
+The package python3-simtk (Debian 12) or python3-openmm (Debian 13) prepares
+further molecules.")
+endif()
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_PRE_BUILD_SCRIPTS ${CMAKE_CURRENT_SOURCE_DIR}/strip.cmake)
 set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE WORLD_READ WORLD_EXECUTE)
@@ -115,6 +133,6 @@ set(CPACK_DEBIAN_COMPRESSION_TYPE xz)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_DEPENDS "fonts-inter, fonts-dejavu-core, libgl1, libegl1")
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_RECOMMENDS "libgl1-mesa-dri, libopenal1, libxcursor1, libxi6, libxinerama1, libxrandr2, ca-certificates")
-set(CPACK_DEBIAN_PROGRAM_PACKAGE_SUGGESTS "speech-dispatcher")
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_SUGGESTS "speech-dispatcher, moltact-openmm")
 set(CPACK_OUTPUT_FILE_PREFIX ${CMAKE_BINARY_DIR})
 include(CPack)

@@ -13,6 +13,7 @@
   X(Export)                 \
   X(Fetch)                  \
   X(Grid)                   \
+  X(Simulate)               \
   X(Report)                 \
   X(Bench)                  \
   X(Devices)                \

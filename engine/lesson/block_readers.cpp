@@ -106,6 +106,25 @@ void takeSecondState(Reading& reading, const KeyValues& values, bool takes_state
   }
 }
 
+// "peptide.xml", "none"; excludes whatever else moves the atoms or needs them at rest.
+void takeSimulation(Reading& reading, const KeyValues& values, bool takes, SceneSpec& scene) {
+  if (takes) {
+    scene.simulation = values["simulation"].text == "none" ? std::string() : values["simulation"].text;
+    scene.places.simulation = values["simulation"].place;
+  }
+  if (scene.simulation.empty()) return;
+  const Place place = scene.places.simulation;
+  if (!scene.then.molecule.empty())
+    reading.error(place, tr("a simulation or the slider of 'then' moves the atoms, not both"),
+                  tr("leave out 'then', or write 'simulation: none'"));
+  if (scene.elastic)
+    reading.error(place, tr("a simulation or an elastic network moves the atoms, not both"),
+                  tr("write 'elastic: off' or 'simulation: none'"));
+  if (forceChoice(scene.touch.forces).any())
+    reading.error(place, tr("forces act between atoms that rest, and a simulation moves them"),
+                  tr("write 'forces: none' or 'simulation: none'"));
+}
+
 // The captions of two molecules that are compared.
 void takeCaptions(Reading& reading, const Value& value, SceneSpec& scene) {
   scene.captions = value.words;
@@ -267,6 +286,7 @@ SceneSpec readScene(Reading& reading, const MarkdownBlock& block, const SceneSpe
   takeAtoms("cut", scene.cut_at, scene.places.cut);
   takeSecondState(reading, values, takes("state"), lesson, scene);
   if (takes("elastic")) scene.elastic = values["elastic"].words[0] == "on";
+  takeSimulation(reading, values, takes("simulation"), scene);
   if (scene.elastic && !scene.then.molecule.empty())
     reading.error(values["elastic"].place.line ? values["elastic"].place : scene.places.then,
                   tr("the slider of 'then' or the hand moves the atoms, not both"),

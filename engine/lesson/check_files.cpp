@@ -8,6 +8,7 @@
 #include "engine/lesson/checks.h"
 #include "engine/lesson/glossary.h"
 #include "engine/lesson/lesson_files.h"
+#include "engine/lesson/lesson_molecules.h"
 #include "engine/lesson/lesson_picture.h"
 #include "engine/lesson/lesson_texts.h"
 #include "engine/lesson/reader.h"
@@ -68,6 +69,19 @@ class Files {
       if (const auto& fault = faultOf(to->file))
         findings_.error(image.place, trf("'{0}' cannot be shown: {1}", image.path, fault->message), fault->remedy);
     }
+  }
+
+  /// The window checks that the system fits the molecule.
+  void simulation(const SceneSpec& scene) {
+    if (scene.simulation.empty() || findings_.enough()) return;
+    const Place place = scene.places.simulation;
+    const Expected<MoleculeKey> molecule = lessonMolecule(lesson_file_, scene.molecule);
+    if (!molecule) return;  // reported with the molecules
+    if (fs::path(scene.simulation).is_absolute() || leavesFolder(scene.simulation))
+      findings_.error(place, trf("'{0}' lies outside of the lesson's folder, so no pack can hold it", scene.simulation),
+                      tr("put the file beside the lesson and write its name"));
+    else if (const auto file = simulationFile(lesson_file_, *molecule, scene.simulation); !file)
+      findings_.error(place, file.problem().message, file.problem().remedy);
   }
 
  private:
@@ -158,6 +172,8 @@ void files(const Lesson& lesson, const fs::path& lesson_file, Findings& findings
       if (!run.link.empty() && !run.link.starts_with('#')) check.link(run.link, run.link_place);
   });
   forEachImage(lesson, [&](const Image& image) { check.picture(image); });
+  for (const Step& step : lesson.steps)
+    if (step.states_scene) check.simulation(step.scene);
 }
 
 }  // namespace moltact::checks

@@ -17,7 +17,7 @@ namespace {
 std::vector<std::string_view> lockable() {
   std::vector<std::string_view> out{"panels"};
   for (const KeySpec& k : touchSceneKeys()) out.push_back(k.name);
-  out.insert(out.end(), {"show", "magnify", "elastic", "all"});
+  out.insert(out.end(), {"show", "magnify", "elastic", "simulation", "all"});
   return out;
 }
 
@@ -280,6 +280,11 @@ std::vector<KeySpec> sceneKeys() {
                   "15 Å. The panel 'motion' shows its modes.",
        .fallback = "off",
        .words = {"on", "off"}},
+      {.name = "simulation",
+       .type = ValueType::Text,
+       .meaning = "A file beside the lesson or the molecule, 'peptide.xml', with a serialised OpenMM system of the "
+                  "molecule's atoms: a simulation moves them, and the hand pushes them. 'moltact simulate prepare' "
+                  "makes it. 'none' ends it."},
       {.name = "magnify",
        .type = ValueType::Target,
        .meaning = "Atoms that fill the workspace of the hand: they are felt larger, and the view zooms to them; 'view' "

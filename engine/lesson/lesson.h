@@ -87,7 +87,8 @@ using Block = std::variant<Paragraph, Subheading, ListBlock, Tip, TeacherNote, Q
 
 /// The places of a scene's parts in the file. They do not count in comparisons: scenes with equal contents are equal.
 struct ScenePlaces {
-  Place scene, molecule, highlight, magnify, hide, untouchable, remove, in_hand, charges, cut, then, hydrogen_bonds;
+  Place scene, molecule, highlight, magnify, hide, untouchable, remove, in_hand, charges, cut, then, simulation,
+      hydrogen_bonds;
   Place reading;  ///< of the last key about reading the molecule; line 0: none
 
   friend bool operator==(const ScenePlaces&, const ScenePlaces&) { return true; }
@@ -139,8 +140,9 @@ struct SceneSpec {
   Selection cut_at;                   ///< the cutting plane goes through the centre of these atoms; not given: of all
                                       ///< atoms
   SecondState then;
-  bool elastic = false;  ///< the molecule gives way to the hand as an elastic network (engine/dynamics)
-  Selection magnify;     ///< these atoms fill the workspace; if empty, the whole molecule does
+  bool elastic = false;    ///< the molecule gives way to the hand as an elastic network (engine/dynamics)
+  std::string simulation;  ///< file of a serialised system whose simulation moves the atoms; empty: none
+  Selection magnify;       ///< these atoms fill the workspace; if empty, the whole molecule does
   ScenePlaces places;
 
   /// Whether the lesson prevents the student from changing this key ("force").

@@ -65,6 +65,18 @@ Expected<MoleculeKey> lessonMolecule(const fs::path& lesson_file, const NamedMol
   return key;
 }
 
+Expected<fs::path> simulationFile(const fs::path& lesson_file, const MoleculeKey& molecule, const std::string& name) {
+  std::error_code error;
+  for (const fs::path& beside : {lesson_file, molecule.file})
+    if (const fs::path file = beside.parent_path() / name; !name.empty() && fs::is_regular_file(file, error))
+      return file;
+  return Problem{{},
+                 0,
+                 0,
+                 trf("there is no file '{0}' beside the lesson or the molecule", name),
+                 tr("make it with 'moltact simulate prepare', or mend its name")};
+}
+
 Expected<std::shared_ptr<const Molecule>> LessonMolecules::find(const fs::path& lesson_file,
                                                                 const NamedMolecule& named) {
   const Expected<MoleculeKey> key = lessonMolecule(lesson_file, named);

@@ -17,6 +17,11 @@ namespace moltact {
 /// 5ADH.cif.gz). A Problem without a place if there is none.
 Expected<MoleculeKey> lessonMolecule(const std::filesystem::path& lesson_file, const NamedMolecule& named);
 
+/// The file of a scene's `simulation`: beside the lesson, else beside the molecule's file. A Problem without a place if
+/// there is none.
+Expected<std::filesystem::path> simulationFile(const std::filesystem::path& lesson_file, const MoleculeKey& molecule,
+                                               const std::string& name);
+
 /// Caches the molecules, separately for each way of reading a file. A file that has changed is read again.
 class LessonMolecules {
  public:

@@ -114,6 +114,7 @@ class Gathering {
     for (const Step& step : check.lesson->steps)
       for (const NamedMolecule& named : {step.scene.molecule, secondMolecule(step.scene), besideMolecule(step.scene)})
         if (!named.name.empty()) molecule(file, folder, named, step.scene.places.molecule);
+    for (const Step& step : check.lesson->steps) simulation(file, folder, step.scene);
   }
 
   // Adds the translations, and the glossary shared by the lessons of its folder.
@@ -141,6 +142,16 @@ class Gathering {
       const fs::path beside = lesson_file.has_parent_path() ? lesson_file.parent_path() : fs::path(".");
       take(folder / key->file.lexically_proximate(beside), at);
     }
+  }
+
+  // A system beside a molecule of the library stays there.
+  void simulation(const fs::path& lesson_file, const fs::path& folder, const SceneSpec& scene) {
+    if (scene.simulation.empty()) return;
+    const Expected<MoleculeKey> key = lessonMolecule(lesson_file, scene.molecule);
+    if (!key) return;
+    const auto system = simulationFile(lesson_file, *key, scene.simulation);
+    if (system && !isWithin(*system, moleculesFolder()))
+      take(folder / scene.simulation, {lesson_file.string(), scene.places.simulation});
   }
 
   // Adds a downloaded file beside the lesson, where its name is searched.

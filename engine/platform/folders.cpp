@@ -53,6 +53,19 @@ fs::path translationsFolder() {
 #endif
 }
 
+std::vector<fs::path> moduleFiles(const std::string& name) {
+  const std::string file = name + ".so";
+  std::vector<fs::path> out;
+  if (const fs::path beside = executablesFolder(); !beside.empty()) {
+    out.push_back(beside / "modules" / file);
+    out.push_back((beside / MOLTACT_MODULES_FROM_PROGRAM / file).lexically_normal());
+  }
+#ifdef MOLTACT_BUILD_FOLDER
+  out.push_back(fs::path(MOLTACT_BUILD_FOLDER) / "modules" / file);
+#endif
+  return out;
+}
+
 fs::path browserEdition() {
   std::error_code error;
 #ifdef MOLTACT_BUILD_FOLDER

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 #include <vector>
 
 namespace moltact {
@@ -18,6 +19,11 @@ std::filesystem::path assetsFolder();     ///< homeFolder()/assets
 /// The folder of the translation catalogues (de.mo etc.): homeFolder()/translations, else `translations` beside the
 /// executable, else that of the build (not in a package).
 std::filesystem::path translationsFolder();
+
+/// Where a module of the program (a library that is loaded on demand) may be, the most likely place first: `modules`
+/// beside the executable or in the build (not in a package), the folder of modules of the installation. `name` without
+/// an extension. The files may not exist.
+std::vector<std::filesystem::path> moduleFiles(const std::string& name);
 
 /// The browser edition, moltact.html: from homeFolder(), else from the build of the preset `web`. Empty if neither
 /// exists.

@@ -116,6 +116,7 @@ TEST_CASE("every key of a scene is an option of export, or has no meaning for a 
       {"view NAME", "whoever opens the model turns it"},
       {"magnify", "whoever opens the model comes close"},
       {"elastic", "a model is not felt"},
+      {"simulation", "a model is at rest"},
       {"cut", "a picture is cut pixel by pixel, the triangles stay whole"},
       {"states", "names for the slider"},
       {"locked", "nobody could change it"}};

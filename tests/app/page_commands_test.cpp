@@ -90,6 +90,7 @@ const std::vector<std::pair<std::string, std::string>> kNotRun = {
     {"fetch", "it needs the network"},
     {"bench", "it takes minutes; tests/app/bench_command_test.cpp runs each part in short"},
     {"device check", "it wants a device in a hand; tests/app/device_command_test.cpp checks the simulated one"},
+    {"simulate", "it wants OpenMM and files of one's own; the package's trial runs it"},
     {"device record omni", "it wants that device"},
     {"check /usr/local", "the folder is an administrator's"},
     {"render capsid.cif", "the structure is downloaded"},
@@ -145,7 +146,7 @@ std::string subcommandOf(const std::string& arguments) {
   std::istringstream words(arguments);
   std::string first, second;
   words >> first >> second;
-  return first == "device" ? first + " " + second : first;
+  return first == "device" || first == "simulate" ? first + " " + second : first;
 }
 
 }  // namespace

@@ -104,6 +104,7 @@ TEST_CASE("every key of a scene is an option of render, or has no meaning for a 
                                                         {"paint", "nothing has been touched before"},
                                                         {"elastic", "a picture shows the molecule at rest"},
                                                         {"view NAME", "a name is for links; --view takes what it says"},
+                                                        {"simulation", "a picture shows the molecule at rest"},
                                                         {"states", "names for the slider"},
                                                         {"locked", "nobody could change it"}};
   test::checkSceneKeysInHelp("render", without);

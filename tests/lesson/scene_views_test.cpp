@@ -217,4 +217,15 @@ TEST_CASE("mistakes with two molecules are reported at their lines") {
   CHECK(scene("forces: all\nelastic: on\n") ==
         Texts{"l.md:13:10: forces act between atoms that rest, and those of an elastic molecule move; write 'forces: "
               "none' or 'elastic: off'"});
+  CHECK(scene("simulation: mix.xml\n").empty());
+  CHECK(scene("then: shut\nsimulation: none\n").empty());
+  CHECK(scene("then: shut\nsimulation: mix.xml\n") ==
+        Texts{"l.md:13:13: a simulation or the slider of 'then' moves the atoms, not both; leave out 'then', or write "
+              "'simulation: none'"});
+  CHECK(scene("simulation: mix.xml\nelastic: on\n") ==
+        Texts{"l.md:12:13: a simulation or an elastic network moves the atoms, not both; write 'elastic: off' or "
+              "'simulation: none'"});
+  CHECK(scene("simulation: mix.xml\nforces: all\n") ==
+        Texts{"l.md:12:13: forces act between atoms that rest, and a simulation moves them; write 'forces: none' or "
+              "'simulation: none'"});
 }

@@ -10,11 +10,12 @@
 #   3. nowhere: the trial under a prefix of its own has to do.
 set -eu
 here=$(cd "$(dirname "$0")" && pwd)
-package= python= library= picture=
+package= python= library= simulation= picture=
 for file; do
   case $(basename "$file") in
   moltact_*.deb) package=$(realpath "$file") ;;
   python3-moltact_*.deb) python=$(realpath "$file") ;;
+  moltact-openmm_*.deb) simulation=$(realpath "$file") ;;
   libmoltact-dev_*.deb) library=$(realpath "$file") ;;
   *.png) picture=$file ;;
   *) echo "$file is no package of Moltact" >&2; exit 2 ;;
@@ -61,7 +62,7 @@ for command in $(env -i "$apart/bin/moltact" --help | sed -n '/^Subcommands:/,$s
   zcat "$apart/share/man/man1/moltact.1.gz" | sed 's/\\-/-/g' | grep -q "^.SS \"moltact $command" || fail "the manual page leaves out $command"
 done
 bash "$here/completion_test.sh" "$apart/share/bash-completion/completions/moltact"
-for part in $python $library; do dpkg -x "$part" "$work/apart"; done
+for part in $python $library $simulation; do dpkg -x "$part" "$work/apart"; done
 if find "$apart" -type f \( -path '*/bin/*' -o -name '*.so' -o -name '*.a' -o -name '*.cmake' \) -exec strings -a {} + |
   grep -F "$(cd "$here/../.." && pwd)"; then fail "a package knows the folder that it was built in"; fi
 # Moved, it finds its data still; nothing of the environment helps it.
@@ -95,7 +96,7 @@ if [ -n "$bare" ]; then
   for folder in proc dev; do
     mountpoint -q "$bare/$folder" || { mount --rbind "/$folder" "$bare/$folder"; mount --make-rslave "$bare/$folder"; }
   done
-  for part in package python library; do
+  for part in package python library simulation; do
     [ -n "${!part}" ] || continue
     cp "${!part}" "$bare/var/tmp/$part.deb"
     printf -v "$part" %s "/var/tmp/$part.deb"
@@ -123,7 +124,7 @@ files() {
 }
 
 if [ -n "$bare" ]; then
-  as_root apt-get purge -y -qq moltact python3-moltact libmoltact-dev >/dev/null 2>&1 || true
+  as_root apt-get purge -y -qq moltact python3-moltact libmoltact-dev moltact-openmm >/dev/null 2>&1 || true
   as_root apt-get autoremove --purge -y -qq >/dev/null
   as_root apt-get update -qq
 fi
@@ -197,6 +198,13 @@ print(felt.forces[1], len(moltact.load("1ubq")))' >"$work/felt" || fail "the Pyt
   as_user python3 /usr/share/doc/python3-moltact/examples/feel_a_groove.py --save "" | grep -q '^major groove: ' || fail "the example in Python"
 fi
 
+if [ -n "$simulation" ]; then
+  step "a simulation"
+  as_user moltact simulate run alanine-dipeptide --ps 1 2>&1 | grep -q 'libopenmm' || fail "without OpenMM it does not say what is missing"
+  as_root apt-get install -y -qq --no-install-recommends "$simulation" >"$work/install.log" 2>&1 || fail "$(cat "$work/install.log")"
+  as_user moltact simulate run alanine-dipeptide --ps 1 | grep -q ' K$' || fail "the simulation"
+fi
+
 if [ -n "$library" ]; then
   step "from C++"
   # Counted as wanted by nobody, so that they leave with what they were installed for.
@@ -209,7 +217,7 @@ if [ -n "$library" ]; then
 fi
 
 step "removed"
-as_root apt-get purge -y -qq moltact ${python:+python3-moltact} ${library:+libmoltact-dev} >"$work/purge.log" 2>&1 || fail "$(cat "$work/purge.log")"
+as_root apt-get purge -y -qq moltact ${python:+python3-moltact} ${library:+libmoltact-dev} ${simulation:+moltact-openmm} >"$work/purge.log" 2>&1 || fail "$(cat "$work/purge.log")"
 [ -z "$bare" ] || as_root apt-get autoremove --purge -y -qq >/dev/null
 files >"$work/after"
 left=$(comm -13 "$work/before" "$work/after")

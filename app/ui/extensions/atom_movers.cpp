@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "app/ui/extensions/elastic_molecule.h"
+#include "app/ui/extensions/live_molecule.h"
 #include "app/ui/extensions/moving_states.h"
 
 namespace moltact {
@@ -11,6 +12,7 @@ AtomMovers::AtomMovers(const MoverParts& parts) : parts_(parts) {
   // One line for each.
   add<MovingStates>();
   add<ElasticMolecule>();
+  add<LiveMolecule>();
 }
 
 AtomMover* AtomMovers::ofKind(std::string_view kind) const {

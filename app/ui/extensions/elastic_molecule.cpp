@@ -1,12 +1,12 @@
 #include "app/ui/extensions/elastic_molecule.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <exception>
 #include <utility>
 
 #include "app/ui/application/application_options.h"
+#include "app/ui/extensions/displacement_text.h"
 #include "app/ui/lesson/lesson_guide.h"
 #include "app/ui/widgets/messages.h"
 #include "engine/haptics/body/held_body.h"
@@ -20,8 +20,6 @@ namespace {
 constexpr double kUnnoticed_A = 1e-3;  // smaller displacements are neither seen nor felt
 // A molecule without a push returns in this time.
 constexpr double kMinRelaxation_s = 0.15;
-// Displacements in attempts are multiples of this.
-constexpr double kRecorded_A = 0.01;
 
 std::vector<std::uint32_t> bodyAtoms(const TouchableModel& stage) {
   return stage.body ? stage.body->atoms : std::vector<std::uint32_t>();
@@ -47,32 +45,6 @@ Expected<ElasticModel> modelOf(const std::shared_ptr<const Molecule>& molecule,
   } catch (const std::exception& e) {
     return Problem{{}, 0, 0, trf("The elastic network cannot be computed: {0}", e.what()), {}};
   }
-}
-
-std::string textOf(std::span<const Vec3> displacements_A) {
-  std::string out;
-  for (const Vec3& v : displacements_A)
-    for (int c = 0; c < 3; ++c) {
-      if (!out.empty()) out += ' ';
-      out += std::to_string(std::lround(v[c] / kRecorded_A));
-    }
-  return out;
-}
-
-std::vector<Vec3> displacementsOf(std::string_view text) {
-  std::vector<Vec3> out;
-  const char* at = text.data();
-  const char* const end = at + text.size();
-  for (int c = 0; at < end; c = (c + 1) % 3) {
-    int value = 0;
-    const auto read = std::from_chars(at, end, value);
-    if (read.ec != std::errc() || std::abs(value) > 1'000'000) return {};
-    if (c == 0) out.emplace_back(0.0);
-    out.back()[c] = value * kRecorded_A;
-    at = read.ptr;
-    if (at < end && *at++ != ' ') return {};
-  }
-  return out;
 }
 
 }  // namespace
@@ -247,7 +219,7 @@ void ElasticMolecule::feelModeAlone(bool on) {
 std::optional<AtomsMoved> ElasticMolecule::position() const {
   if (!motion_) return std::nullopt;
   return AtomsMoved{
-      {}, {}, resting_ ? std::string() : textOf(motion_->displacements_A()), motion_->maxDisplacement_A()};
+      {}, {}, resting_ ? std::string() : textOfDisplacements(motion_->displacements_A()), motion_->maxDisplacement_A()};
 }
 
 // The recorded displacements suffice: the network only says which atoms follow which node.
@@ -262,9 +234,9 @@ void ElasticMolecule::show(const MotionSource& source, const AtomsMoved& positio
     model_ = std::make_shared<const ElasticModel>(*std::move(made));
     motion_.emplace(model_->network, model_->modes, model_->spring_kcal_mol_A2, kStep_s);
   }
-  std::vector<Vec3> at = displacementsOf(position.detail);
+  std::vector<Vec3> at = displacementsOfText(position.detail);
   at.resize(model_->network->nodes().size(), Vec3(0.0));
-  if (textOf(at) == textOf(motion_->displacements_A())) return;
+  if (textOfDisplacements(at) == textOfDisplacements(motion_->displacements_A())) return;
   motion_->place(at);
   scene_.placeAtoms(source, displaced());
 }

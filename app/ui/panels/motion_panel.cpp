@@ -9,6 +9,7 @@
 #include "app/ui/application/application.h"
 #include "app/ui/extensions/elastic_molecule.h"
 #include "app/ui/extensions/extensions.h"
+#include "app/ui/panels/simulation_section.h"
 #include "app/ui/panels/while_locked.h"
 #include "app/ui/widgets/controls.h"
 #include "app/ui/widgets/theme.h"
@@ -52,6 +53,7 @@ void drawModes(ElasticMolecule& elastic) {
 }  // namespace
 
 void drawMotionTab(Application& app) {
+  if (drawSimulationSection(app)) return;
   ElasticMolecule& elastic = app.extensions().movers.get<ElasticMolecule>();
   if (const std::string why = elastic.unavailable(); !why.empty() && !elastic.on())
     return line("elastic/unavailable", why);

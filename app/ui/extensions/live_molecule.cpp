@@ -1,0 +1,279 @@
+#include "app/ui/extensions/live_molecule.h"
+
+#include <algorithm>
+#include <cmath>
+#include <exception>
+#include <system_error>
+#include <utility>
+
+#include "app/ui/application/application_options.h"
+#include "app/ui/extensions/displacement_text.h"
+#include "app/ui/lesson/lesson_guide.h"
+#include "app/ui/widgets/messages.h"
+#include "engine/dynamics/openmm_engine.h"
+#include "engine/dynamics/simulation_thread.h"
+#include "engine/haptics/field/force_choices.h"
+#include "engine/haptics/field/pair_model.h"
+#include "engine/language/catalogue.h"
+#include "engine/lesson/lesson_molecules.h"
+
+namespace moltact {
+namespace {
+
+namespace fs = std::filesystem;
+
+Expected<std::unique_ptr<MdEngine>> engineOf(const fs::path& system, const std::shared_ptr<const Molecule>& molecule) {
+  try {
+    MdStart start;
+    start.temperature_K = LiveMolecule::kUsual_K;
+    start.friction_per_ps = LiveMolecule::kFriction_per_ps;
+    start.hold_kcal_mol_A2 = LiveMolecule::kHold_kcal_mol_A2;
+    return simulationOf(system, *molecule, std::move(start));
+  } catch (const std::exception& e) {
+    return Problem{system.filename().string(), 0, 0, trf("the simulation cannot begin: {0}", e.what()), {}};
+  }
+}
+
+}  // namespace
+
+void LiveMolecule::forget() {
+  if (simulation_) scene_.servo().loop().wantImpulses(false);
+  own_.release();
+  opening_.drop();
+  simulation_.reset();
+  molecule_.reset();
+  problem_.clear();
+  waiting_.clear();
+  frame_ = {};
+  shown_A_.clear();
+  push_pN_ = 0.0;
+  // A file that changed is read again at the next start.
+}
+
+fs::path LiveMolecule::system() const {
+  const LessonSession* session = lesson_.session();
+  if (session && lesson_.onStage() && !session->scene().simulation.empty()) {
+    const auto file = simulationFile(lesson_.file(), scene_.molecule(), session->scene().simulation);
+    return file ? *file : fs::path();
+  }
+  std::error_code error;
+  fs::path beside = systemBeside(scene_.molecule().file);
+  return fs::is_regular_file(beside, error) ? beside : fs::path();
+}
+
+void LiveMolecule::sceneChanged() {
+  const LessonSession* session = lesson_.session();
+  const bool lesson = session && lesson_.onStage();
+  if (lesson) on_ = !session->scene().simulation.empty();
+  // What a lesson switched on ends with it.
+  if (!lesson && by_lesson_) on_ = false;
+  by_lesson_ = lesson;
+  if (!on_ || !scene_.stage()) return forget();
+  begin();
+}
+
+std::string LiveMolecule::unavailable() const {
+  const LessonSession* session = lesson_.session();
+  if (session && lesson_.onStage() && !session->scene().then.molecule.empty())
+    return tr("The slider moves the atoms of this scene.");
+  if (forceChoice(scene_.touch().forces).any())
+    return tr("Forces between atoms act in a molecule at rest. Switch them off to simulate it.");
+  if (scene_.stage() && scene_.stage().body)
+    return tr("The hand holds a part of the molecule. Only a whole molecule can be simulated.");
+  return {};
+}
+
+void LiveMolecule::turn(bool on) {
+  if (on == on_ || (on && !unavailable().empty())) return;
+  on_ = on;
+  if (on_ && scene_.stage()) return begin();
+  // The atoms return to their places.
+  if (simulation_ && own_.owns()) scene_.placeAtoms(own_, scene_.atoms().resting().spheres->spheres());
+  forget();
+}
+
+void LiveMolecule::begin() {
+  const fs::path file = system();
+  if (simulation_ && scene_.stage().molecule == molecule_ && file == file_) {
+    // The scene has restarted with the atoms at rest.
+    const std::uint32_t restarts = wanted_.restarts + 1;
+    wanted_.pushes.clear();
+    wanted_.running = true;
+    wanted_.restarts = restarts;
+    startAgain();
+    return;
+  }
+  forget();
+  file_ = file;
+  molecule_ = scene_.stage().molecule;
+  if (file.empty()) {
+    const auto missing = simulationFile(lesson_.file(), scene_.molecule(),
+                                        lesson_.session() ? lesson_.session()->scene().simulation : std::string());
+    problem_ = missing ? std::string() : missing.problem().text();
+    messages_.error(problem_);
+    return;
+  }
+  opening_.begin(inBackground(engineOf, file, molecule_));
+  if (options_.clock == ServoClock::Frames) take(*opening_.wait());
+}
+
+void LiveMolecule::take(Expected<std::unique_ptr<MdEngine>> opened) {
+  if (!opened) {
+    problem_ = opened.problem().text();
+    messages_.error(problem_);
+    return;
+  }
+  std::unique_ptr<MdEngine> engine = *std::move(opened);
+  platform_ = engine->platform();
+  measured_steps_per_s_ = engine->measured_steps_per_s();
+  step_ps_ = engine->step_ps();
+  wanted_ = {};
+  frame_ = {};
+  if (options_.clock == ServoClock::RealThread)
+    simulation_ = std::make_unique<SimulationThread>(std::move(engine));
+  else
+    simulation_ = std::make_unique<SteppedSimulation>(std::move(engine));
+  plots_ = {PlotBuffer(kPlotLength), PlotBuffer(kPlotLength), PlotBuffer(kPlotLength)};
+  scene_.servo().loop().wantImpulses(true);
+  startAgain();
+}
+
+// The atoms are where the molecule's file has them.
+void LiveMolecule::startAgain() {
+  smooth_A_.clear();
+  for (const Sphere& s : molecule_->spheres) smooth_A_.push_back(s.centre_A);
+  impulses_N_s_.assign(smooth_A_.size(), Vec3(0.0));
+  ticks_ = 0;
+  waiting_.clear();
+  wanted_.pushes.clear();
+  push_pN_ = 0.0;
+  scene_.servo().loop().takeImpulses();  // earlier ones
+}
+
+void LiveMolecule::run(bool running) {
+  // After an unstable run the atoms stand still until it starts again.
+  if (running && frame_.blow_ups > 0 && !wanted_.running) ++wanted_.restarts;
+  wanted_.running = running;
+}
+
+void LiveMolecule::singleStep() {
+  if (!wanted_.running) ++wanted_.singles;
+}
+
+void LiveMolecule::addImpulses() {
+  const AtomImpulses& given = scene_.servo().loop().takeImpulses();
+  if (given.scene != scene_.servo().scene()) return;
+  ticks_ += given.ticks;
+  for (const AtomImpulse& a : given.atoms())
+    if (a.atom >= 0 && std::size_t(a.atom) < impulses_N_s_.size()) impulses_N_s_[std::size_t(a.atom)] += a.impulse_N_s;
+}
+
+// The mean force of the ticks since the last step becomes springs between the hand and the pushed atoms.
+void LiveMolecule::pushAtoms() {
+  const double kcal_mol_A = kScale_pN_per_N / kForceUnit_pN / (double(ticks_) * kTick_s);
+  double whole = 0.0;  // sum of the magnitudes
+  Vec3 sum(0.0);
+  for (const Vec3& impulse : impulses_N_s_) {
+    whole += glm::length(impulse) * kcal_mol_A;
+    sum += impulse * kcal_mol_A;
+  }
+  const ServoSettings& servo = scene_.servo_settings;
+  const double spring = std::min(kStiffest_kcal_mol_A2,
+                                 servo.stiffness_N_per_mm / servo.workspace.A_per_mm * kScale_pN_per_N / kForceUnit_pN);
+  const SharedArray<Sphere>& at = scene_.stage().spheres->spheres();
+  wanted_.pushes.clear();
+  for (std::size_t i = 0; i < impulses_N_s_.size(); ++i) {
+    const Vec3 force = std::exchange(impulses_N_s_[i], Vec3(0.0)) * kcal_mol_A;
+    if (const double size = glm::length(force); size > 0.0)
+      wanted_.pushes.push_back(pushOf(std::uint32_t(i), at[i].centre_A, force, spring * size / whole));
+  }
+  push_pN_ = glm::length(sum) * kForceUnit_pN;
+  ticks_ = 0;
+}
+
+void LiveMolecule::beforeTicks() {
+  if (std::optional<Expected<std::unique_ptr<MdEngine>>> opened = opening_.take()) take(*std::move(opened));
+  if (!simulation_ || scene_.stage().molecule != molecule_) return;
+  if (std::string why = unavailable(); !why.empty()) {
+    turn(false);
+    messages_.notice(std::move(why));
+    return;
+  }
+  if (!own_.claim()) return;
+  addImpulses();
+  if (ticks_ < kStep_ticks || !waiting_.empty()) {
+    if (!waiting_.empty() && scene_.moveAtoms(own_, waiting_, kStep_ticks)) waiting_.clear();
+    return;
+  }
+  const double dt_s = double(ticks_) * kTick_s;
+  pushAtoms();
+  simulation_->command(wanted_);
+  simulation_->pass(dt_s);
+  readFrame(dt_s);
+  if (!waiting_.empty() && scene_.moveAtoms(own_, waiting_, kStep_ticks)) waiting_.clear();
+}
+
+void LiveMolecule::readFrame(double dt_s) {
+  const SimulationFrame& newest = simulation_->newest();
+  if (newest.positions_A.size() != smooth_A_.size()) return;  // none yet
+  const bool unstable = newest.blow_ups != frame_.blow_ups, again = newest.starts != frame_.starts && frame_.serial > 0;
+  frame_ = newest;
+  unplotted_s_ += dt_s;
+  if (unplotted_s_ >= kPlotted_s) {
+    unplotted_s_ = 0.0;
+    plots_.temperature_K.add(float(frame_.energies.temperature_K));
+    plots_.energy_kcal_mol.add(float(frame_.energies.potential_kcal_mol));
+    plots_.push_pN.add(float(push_pN_));
+  }
+  if (unstable) {
+    wanted_.running = false;
+    messages_.warning(frame_.dead
+                          ? tr("The simulation became unstable and cannot start again. Switch it off and on.")
+                          : tr("The simulation became unstable. It stands at its beginning again; play starts it."));
+  }
+  if (unstable || again) {
+    // The hand begins outside of atoms that have jumped.
+    smooth_A_ = frame_.positions_A;
+    waiting_.clear();
+    scene_.placeAtoms(own_, placed());
+    return;
+  }
+  const double share = 1.0 - std::exp(-dt_s / kSmooth_s);
+  double most_A = 0.0;
+  for (std::size_t i = 0; i < smooth_A_.size(); ++i) {
+    const Vec3 step = share * (frame_.positions_A[i] - smooth_A_[i]);
+    smooth_A_[i] += step;
+    most_A = std::max(most_A, glm::length(step));
+  }
+  constexpr double kUnnoticed_A = 1e-3;  // smaller motions are neither seen nor felt
+  if (most_A > kUnnoticed_A) waiting_ = placed();
+}
+
+std::vector<Sphere> LiveMolecule::placed() const {
+  const SharedArray<Sphere>& resting = scene_.atoms().resting().spheres->spheres();
+  std::vector<Sphere> out(resting.begin(), resting.end());
+  for (std::size_t i = 0; i < std::min(out.size(), smooth_A_.size()); ++i) out[i].centre_A = smooth_A_[i];
+  return out;
+}
+
+std::optional<AtomsMoved> LiveMolecule::position() const {
+  if (!simulation_) return std::nullopt;
+  std::vector<Vec3> by;
+  if (smooth_A_.size() <= kMaxRecorded)
+    for (std::size_t i = 0; i < smooth_A_.size(); ++i) by.push_back(smooth_A_[i] - molecule_->spheres[i].centre_A);
+  return AtomsMoved{{}, {}, textOfDisplacements(by), frame_.time_ps};
+}
+
+// A simulation is not repeated: the recorded displacements are shown. A large molecule, of which none are recorded, stays
+// at rest.
+void LiveMolecule::show(const MotionSource& source, const AtomsMoved& position, const MoleculeKey&) {
+  if (!scene_.stage()) return;
+  const SharedArray<Sphere>& resting = scene_.atoms().resting().spheres->spheres();
+  std::vector<Vec3> by = displacementsOfText(position.detail);
+  if (by == shown_A_) return;
+  std::vector<Sphere> out(resting.begin(), resting.end());
+  for (std::size_t i = 0; i < std::min(out.size(), by.size()); ++i) out[i].centre_A += by[i];
+  if (scene_.placeAtoms(source, out)) shown_A_ = std::move(by);
+}
+
+}  // namespace moltact

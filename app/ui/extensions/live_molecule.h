@@ -1,0 +1,113 @@
+// A molecule whose atoms a simulation moves (engine/dynamics/live_simulation.h): the hand's contacts push the atoms, and
+// the touched surface follows them. The simulation runs on a thread of its own; where the window's clock is its frames,
+// between frames. Window's thread. Units: angstrom, kcal/mol, picosecond, piconewton.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/ui/extensions/atom_mover.h"
+#include "app/ui/widgets/plot_buffer.h"
+#include "engine/dynamics/live_simulation.h"
+#include "engine/platform/background.h"
+
+namespace moltact {
+
+class LiveMolecule : public AtomMover {
+ public:
+  using AtomMover::AtomMover;
+
+  /// The force between atoms that corresponds to one newton in the hand.
+  static constexpr double kScale_pN_per_N = 250.0;
+  /// The stiffest spring with which a contact may push atoms.
+  static constexpr double kStiffest_kcal_mol_A2 = 100.0;
+  /// The atoms follow the simulation with this time constant, so that the hand feels their thermal motion smoothed.
+  static constexpr double kSmooth_s = 0.04;
+  static constexpr int kStep_ticks = 20;
+  /// Stiffness of the spring that holds the centre of mass in place.
+  static constexpr double kHold_kcal_mol_A2 = 5.0;
+  static constexpr double kFriction_per_ps = 2.0;
+  static constexpr double kUsual_ps_per_s = 1.0, kSlowest_ps_per_s = 0.1, kFastest_ps_per_s = 10.0;
+  static constexpr double kUsual_K = 300.0, kHottest_K = 600.0;
+  /// Attempts store the positions of molecules up to this size.
+  static constexpr std::size_t kMaxRecorded = 300;
+  /// Interval and number of the values of a plot.
+  static constexpr double kPlotted_s = 0.05, kPlot_s = 20.0;
+
+  void sceneChanged() override;
+  void lessonChanged() override { sceneChanged(); }
+  void beforeTicks() override;
+  void atEnd() override { forget(); }
+  bool live() const override { return opening_.busy() || moving(); }
+
+  std::string_view kind() const override { return "simulation"; }
+  std::optional<AtomsMoved> position() const override;
+  bool moving() const override { return simulation_ != nullptr && (wanted_.running || !waiting_.empty()); }
+  void show(const MotionSource& source, const AtomsMoved& position, const MoleculeKey& file) override;
+
+  bool on() const { return on_; }
+  void turn(bool on);
+  /// Whether a system lies beside the molecule, or the lesson names one.
+  bool offered() const { return on_ || !system().empty(); }
+  /// Why it cannot be simulated in this scene, as a sentence; empty if it can.
+  std::string unavailable() const;
+  bool opening() const { return opening_.busy(); }
+  bool ready() const { return simulation_ != nullptr; }
+  const std::string& problem() const { return problem_; }
+
+  /// What the simulation is asked for; the panel changes it.
+  const SimulationCommand& wanted() const { return wanted_; }
+  void run(bool running);
+  void setSpeed(double ps_per_s) { wanted_.ps_per_s = ps_per_s; }
+  void setTemperature(double kelvin) { wanted_.temperature_K = kelvin; }
+  void singleStep();
+  void relax() { ++wanted_.relaxations; }
+  void restart() { ++wanted_.restarts; }
+
+  /// The newest state of the simulation.
+  const SimulationFrame& frame() const { return frame_; }
+  /// "CPU", and the steps per second measured at the start.
+  const std::string& platform() const { return platform_; }
+  double measuredStepsPerS() const { return measured_steps_per_s_; }
+  double step_ps() const { return step_ps_; }
+  /// Size of the force with which the hand pushes the atoms.
+  double push_pN() const { return push_pN_; }
+  struct Plots {
+    PlotBuffer temperature_K, energy_kcal_mol, push_pN;
+  };
+  const Plots& plots() const { return plots_; }
+
+ private:
+  std::filesystem::path system() const;
+  void forget();
+  void begin();
+  void take(Expected<std::unique_ptr<MdEngine>> opened);
+  void addImpulses();
+  void pushAtoms();
+  void readFrame(double dt_s);
+  void startAgain();
+  std::vector<Sphere> placed() const;
+
+  bool on_ = false, by_lesson_ = false;
+  std::filesystem::path file_;                // of the system
+  std::shared_ptr<const Molecule> molecule_;  // which it simulates
+  NewestWork<Expected<std::unique_ptr<MdEngine>>> opening_;
+  std::unique_ptr<LiveSimulation> simulation_;
+  std::string problem_, platform_;
+  double measured_steps_per_s_ = 0.0, step_ps_ = 0.0;
+  SimulationCommand wanted_;
+  SimulationFrame frame_;
+  std::vector<Vec3> smooth_A_;      // the atoms as they are felt
+  std::vector<Vec3> impulses_N_s_;  // of each atom since the last step
+  std::uint64_t ticks_ = 0;         // in which they were given
+  std::vector<Sphere> waiting_;     // the atoms until the loop takes them
+  double push_pN_ = 0.0, unplotted_s_ = 0.0;
+  std::vector<Vec3> shown_A_;  // the displacements that a playback shows
+  static constexpr std::size_t kPlotLength = std::size_t(kPlot_s / kPlotted_s);
+  Plots plots_{PlotBuffer(kPlotLength), PlotBuffer(kPlotLength), PlotBuffer(kPlotLength)};
+};
+
+}  // namespace moltact

@@ -1,0 +1,119 @@
+#include "app/ui/panels/simulation_section.h"
+
+#include <imgui.h>
+
+#include <array>
+#include <string>
+
+#include "app/ui/application/application.h"
+#include "app/ui/extensions/elastic_molecule.h"
+#include "app/ui/extensions/extensions.h"
+#include "app/ui/extensions/live_molecule.h"
+#include "app/ui/panels/while_locked.h"
+#include "app/ui/widgets/controls.h"
+#include "app/ui/widgets/plot.h"
+#include "app/ui/widgets/theme.h"
+#include "app/ui/widgets/widget_map.h"
+#include "engine/language/catalogue.h"
+#include "engine/language/quantity_text.h"
+
+namespace moltact {
+namespace {
+
+void simulationLine(const char* name, const std::string& text, Font font = Font::Body) {
+  const WithFont with(font);
+  ImGui::PushTextWrapPos(0.0f);
+  ImGui::TextUnformatted(text.c_str());
+  ImGui::PopTextWrapPos();
+  recordItem(name, text);
+}
+
+std::string withUnit(double value, int digits, const char* unit_text) {
+  return numberText(value, decimals(digits)) + "\u00a0" + unit_text;
+}
+
+void drawClock(LiveMolecule& live) {
+  const float gap = ImGui::GetStyle().ItemSpacing.x, half = 0.5f * (ImGui::GetContentRegionAvail().x - gap);
+  const bool running = live.wanted().running;
+  if (button("simulation/play", running ? tr("Pause") : tr("Play"), ButtonLook::Primary, half)) live.run(!running);
+  ImGui::SameLine();
+  if (button("simulation/step", tr("One step"), ButtonLook::Plain, half, !running)) live.singleStep();
+  tip(trf("{0} ps at a time, while it stands still", numberText(LiveSimulation::kSingle_ps, significant(1))).c_str());
+  if (button("simulation/relax", tr("Let it relax"), ButtonLook::Plain, half)) live.relax();
+  tip(tr("Moves the atoms to the nearest minimum of the energy."));
+  ImGui::SameLine();
+  if (button("simulation/restart", tr("Start again"), ButtonLook::Plain, half)) live.restart();
+  double speed = live.wanted().ps_per_s;
+  if (slider("simulation/speed", tr("Speed (ps per second)"), speed, LiveMolecule::kSlowest_ps_per_s,
+             LiveMolecule::kFastest_ps_per_s, 0.1, {Dimension::None, {decimals(1), {}}},
+             tr("How many picoseconds are simulated in a second of yours.")))
+    live.setSpeed(speed);
+}
+
+void drawPlots(const LiveMolecule& live) {
+  const MdEnergies& e = live.frame().energies;
+  const PlotLook of{.span_s = LiveMolecule::kPlot_s, .shown_as = {Dimension::None, {decimals(0), {}}}};
+  PlotLook temperature = of, push = of;
+  temperature.title = tr("Temperature (K)");
+  temperature.min_top = 490.0f;
+  push.title = tr("Push of the hand (pN)");
+  push.min_top = 100.0f;
+  plot("plot/temperature", live.plots().temperature_K, e.temperature_K, temperature);
+  const std::array energy{PlotCurve{&live.plots().energy_kcal_mol, tr("Potential energy"),
+                                    withUnit(e.potential_kcal_mol, 1, "kcal/mol"), look().palette.good}};
+  signedPlot("plot/potential_energy", energy,
+             {.title = tr("Energy"), .min_top = 10.0f, .span_s = LiveMolecule::kPlot_s});
+  plot("plot/push", live.plots().push_pN, live.push_pN(), push);
+}
+
+}  // namespace
+
+bool drawSimulationSection(Application& app) {
+  LiveMolecule& live = app.extensions().movers.get<LiveMolecule>();
+  ElasticMolecule& elastic = app.extensions().movers.get<ElasticMolecule>();
+  if (!live.offered()) return false;
+  if (const std::string why = live.unavailable(); !why.empty() && !live.on()) {
+    simulationLine("simulation/unavailable", why);
+    return false;
+  }
+  {
+    const WhileLocked locked(app, "simulation");
+    bool on = live.on();
+    if (toggle("simulation", tr("Simulation"), on,
+               tr("The atoms move as their forces and the heat bath demand, and the hand pushes them."))) {
+      if (on) elastic.turn(false);
+      live.turn(on);
+    }
+  }
+  if (!live.on()) return false;
+  if (live.opening()) {
+    simulationLine("simulation/opening", tr("OpenMM is being loaded."));
+    return true;
+  }
+  if (!live.ready()) {
+    simulationLine("simulation/problem", live.problem());
+    return true;
+  }
+  drawClock(live);
+  ImGui::Spacing();
+  double kelvin = live.wanted().temperature_K;
+  if (slider("simulation/bath", tr("Heat bath (K)"), kelvin, 1.0, LiveMolecule::kHottest_K, 1.0,
+             {Dimension::None, {decimals(0), {}}},
+             tr("The temperature to which friction and random forces lead the atoms.")))
+    live.setTemperature(kelvin);
+  simulationLine("simulation/time", trf("Simulated: {0} ps", numberText(live.frame().time_ps, decimals(1))));
+  drawPlots(live);
+  ImGui::Spacing();
+  simulationLine(
+      "simulation/scale",
+      trf("1 N in the hand is {0} pN between the atoms.", numberText(LiveMolecule::kScale_pN_per_N, decimals(0))),
+      Font::Small);
+  simulationLine(
+      "simulation/engine",
+      trf("OpenMM computes on {0}: {1} steps of {2} fs in a second at most.", live.platform(),
+          numberText(live.measuredStepsPerS(), significant(2)), numberText(1000.0 * live.step_ps(), decimals(1))),
+      Font::Small);
+  return true;
+}
+
+}  // namespace moltact

@@ -1,0 +1,36 @@
+// A simulation on a thread of its own. Neither thread waits for the other: each passes the newest value by a
+// TripleBuffer. A push is a spring whose end stands where the hand stands (AtomPush), and a request is a counter, so a
+// skipped command loses nothing. Functions: the window's thread.
+#pragma once
+
+#include <atomic>
+#include <thread>
+
+#include "engine/core/triple_buffer.h"
+#include "engine/dynamics/live_simulation.h"
+
+namespace moltact {
+
+class SimulationThread final : public LiveSimulation {
+ public:
+  /// Throws std::system_error if the system refuses another thread.
+  explicit SimulationThread(std::unique_ptr<MdEngine> engine);
+  ~SimulationThread() override;
+
+  const SimulationFrame& newest() override { return frames_.read(); }
+  void command(const SimulationCommand& wanted) override;
+
+  /// The shortest time between two frames, and the longest that one is computed (unit: second).
+  static constexpr double kSlice_s = 0.005, kMost_s = 0.02;
+
+ private:
+  void run();
+
+  SimulationRun run_;
+  TripleBuffer<SimulationCommand> commands_;
+  TripleBuffer<SimulationFrame> frames_;
+  std::atomic<bool> ends_{false};
+  std::thread thread_;  // last: it uses the others
+};
+
+}  // namespace moltact

@@ -1,0 +1,60 @@
+#include <fcntl.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <system_error>
+
+#include "engine/language/catalogue.h"
+#include "engine/platform/run_program.h"
+
+extern char** environ;
+
+namespace moltact {
+
+Expected<ProgramRun> runProgram(const std::vector<std::string>& words, bool quiet) {
+  const auto failed = [&](int error) {
+    return Problem{words.empty() ? "" : words[0],
+                   0,
+                   0,
+                   trf("it cannot be started ({0})", std::system_category().message(error)),
+                   {}};
+  };
+  if (words.empty()) return failed(EINVAL);
+  int ends[2];
+  if (pipe2(ends, O_CLOEXEC) != 0) return failed(errno);
+  posix_spawn_file_actions_t actions;
+  posix_spawn_file_actions_init(&actions);
+  posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
+  posix_spawn_file_actions_adddup2(&actions, ends[1], STDOUT_FILENO);
+  if (quiet) posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, "/dev/null", O_WRONLY, 0);
+  std::vector<char*> arguments;
+  for (const std::string& word : words) arguments.push_back(const_cast<char*>(word.c_str()));
+  arguments.push_back(nullptr);
+  pid_t child = 0;
+  const int error = posix_spawnp(&child, arguments[0], &actions, nullptr, arguments.data(), environ);
+  posix_spawn_file_actions_destroy(&actions);
+  close(ends[1]);
+  if (error != 0) {
+    close(ends[0]);
+    return failed(error);
+  }
+  ProgramRun out;
+  constexpr std::size_t kMost = std::size_t(1) << 20;
+  char buffer[4096];
+  for (;;) {
+    const ssize_t count = read(ends[0], buffer, sizeof buffer);
+    if (count < 0 && errno == EINTR) continue;
+    if (count <= 0) break;
+    if (out.output.size() < kMost) out.output.append(buffer, std::size_t(count));
+  }
+  close(ends[0]);
+  int status = 0;
+  while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
+  }
+  out.status = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+  return out;
+}
+
+}  // namespace moltact

@@ -1,0 +1,210 @@
+// A molecule that a simulation moves: drawn, pushed, recorded, played back, stopped. Oracle: the spring that holds the
+// centre of mass, whose stretch is the mean force of the hand. Where OpenMM is not installed the tests say that they did
+// not run.
+#include "app/ui/extensions/live_molecule.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/ui/extensions/extensions.h"
+#include "engine/haptics/field/pair_model.h"
+#include "engine/platform/folders.h"
+#include "tests/app/scripted_user_fixture.h"
+#include "tests/results/sample_attempt.h"
+
+namespace moltact {
+namespace {
+
+namespace fs = std::filesystem;
+
+ScriptedUser::Options smallWindow(const fs::path& folder) {
+  ScriptedUser::Options options;
+  options.width = 1000;
+  options.height = 600;
+  options.application.attempts_folder = folder;
+  return options;
+}
+
+std::string liveLesson(const std::string& keys, const std::string& molecule = "alanine-dipeptide") {
+  return "---\ntitle: T\nminutes: 1\ngoals: G\nmolecules: " + molecule +
+         "\nauthor: A\nlicence: L\n---\n## One\n```scene\nmolecule: " + molecule + "\n" + keys +
+         "```\n```touch\nreach: residue 2\nsay: Touch it.\n```\n\n> [!TIP]\n> Look.\n";
+}
+
+LiveMolecule& liveOf(ScriptedUser& user) { return user.app().extensions().movers.get<LiveMolecule>(); }
+
+// False with a message where OpenMM is missing.
+bool simulates(ScriptedUser& user) {
+  if (liveOf(user).ready()) return true;
+  if (!contains(liveOf(user).problem(), "cannot be loaded")) FAIL(liveOf(user).problem());
+  MESSAGE("not run: ", liveOf(user).problem());
+  return false;
+}
+
+double farthestFromRest_A(ScriptedUser& user) {
+  const SharedArray<Sphere>& rest = user.app().scene.atoms().resting().spheres->spheres();
+  const SharedArray<Sphere>& now = user.app().scene.atoms().seen()->spheres;
+  double out = 0.0;
+  for (std::size_t i = 0; i < rest.size(); ++i) out = std::max(out, glm::distance(now[i].centre_A, rest[i].centre_A));
+  return out;
+}
+
+Vec3 massCentre_A(ScriptedUser& user) {
+  const Molecule& molecule = *user.app().scene.atoms().seen();
+  Vec3 sum(0.0);
+  double mass = 0.0;
+  for (std::size_t i = 0; i < molecule.atoms.size(); ++i) {
+    const int number = molecule.atoms[i].atomic_number;
+    const double m = number == 1 ? 1.008 : number == 6 ? 12.011 : number == 7 ? 14.007 : 15.999;
+    sum += m * molecule.spheres[i].centre_A;
+    mass += m;
+  }
+  return sum / mass;
+}
+
+TEST_CASE(
+    "a lesson's simulation moves the atoms, 1 ps in a second; paused they stand still, a step moves them by 0.02 ps, "
+    "and "
+    "switched off they are back at once; a playback puts the atoms where they were within 0.02 A") {
+  const ScratchFolder scratch;
+  writeFile(scratch.path / "mine.md", liveLesson("simulation: alanine-dipeptide.xml\n"));
+  fs::path file;
+  {
+    const auto user = startWith((scratch.path / "mine.md").string(), smallWindow(scratch.path));
+    Application& app = user->app();
+    LiveMolecule& live = liveOf(*user);
+    REQUIRE(live.on());
+    if (!simulates(*user)) return;
+    const double began_ps = live.frame().time_ps;
+    user->frames(180);
+    CHECK(live.frame().time_ps - began_ps == doctest::Approx(3.0).epsilon(0.02));
+    CHECK(live.frame().blow_ups == 0);
+    CHECK(farthestFromRest_A(*user) > 0.1);
+    CHECK(farthestFromRest_A(*user) < 6.0);
+    user->point("view", 0.5, 0.5);
+    user->press();
+    user->frames(30);
+    user->release();
+    live.run(false);
+    user->frames(60);
+    const double still = farthestFromRest_A(*user), time_ps = live.frame().time_ps;
+    user->frames(60);
+    CHECK(farthestFromRest_A(*user) == doctest::Approx(still).epsilon(0.02));
+    CHECK(live.frame().time_ps == time_ps);
+    live.singleStep();
+    user->frames(10);
+    CHECK(live.frame().time_ps == doctest::Approx(time_ps + 0.02));
+    user->frames(60);
+    REQUIRE(app.extensions().recorder.flush());
+    file = app.extensions().recorder.file();
+    live.turn(false);
+    user->frames(5);
+    CHECK(farthestFromRest_A(*user) == 0.0);
+    CHECK_FALSE(live.live());
+  }
+  const Expected<Attempt> attempt = readAttempt(file);
+  REQUIRE(bool(attempt));
+  CHECK(attempt->problems.empty());
+  const AtomsMoved* last = nullptr;
+  double at_s = 0.0;
+  for (const AttemptEvent& e : attempt->events)
+    if (const auto* moved = std::get_if<AtomsMoved>(&e.what); moved && moved->position > 1.0)
+      last = moved, at_s = e.t_s;
+  REQUIRE(last);
+  CHECK(last->by == "simulation");
+  // The first number of each atom is its displacement along x in hundredths of an angstrom.
+  const double x_A = 0.01 * std::stod(last->detail);
+  const auto user = startWith("alanine-dipeptide", smallWindow({}));
+  user->app().open(file);
+  user->app().finishLoading();
+  Playback& playback = user->app().extensions().playback;
+  playback.setRunning(false);
+  playback.seek(at_s + 1e-3);
+  user->app().finishLoading();
+  user->frames(5);
+  const AtomMotion& atoms = user->app().scene.atoms();
+  CHECK(std::abs(atoms.seen()->spheres[0].centre_A.x - atoms.resting().molecule->spheres[0].centre_A.x - x_A) < 0.02);
+}
+
+TEST_CASE(
+    "pushed for 20 s, the molecule's centre moves until the spring of 5 kcal/mol/A^2 that holds it balances the mean "
+    "push, within 30 %; released, the push is 0") {
+  const ScratchFolder scratch;
+  writeFile(scratch.path / "mine.md", liveLesson("simulation: alanine-dipeptide.xml\nstiffness: 1 N/mm\n"));
+  const auto user = startWith((scratch.path / "mine.md").string(), smallWindow({}));
+  if (!simulates(*user)) return;
+  LiveMolecule& live = liveOf(*user);
+  const Vec3 rest = massCentre_A(*user);
+  user->point("view", 0.5, 0.5);
+  user->press();
+  for (int k = 0; k < 5; ++k) {
+    user->wheel(1.0);
+    user->frames(2);
+  }
+  user->frames(120);
+  Vec3 moved(0.0);
+  double push_pN = 0.0;
+  constexpr int kFrames = 1200;
+  for (int k = 0; k < kFrames; ++k) {
+    user->frames(1);
+    moved += (massCentre_A(*user) - rest) / double(kFrames);
+    push_pN += live.push_pN() / kFrames;
+  }
+  MESSAGE("mean push ", push_pN, " pN, mean shift ", glm::length(moved), " A");
+  CHECK(push_pN > 50.0);
+  CHECK(live.frame().blow_ups == 0);
+  CHECK(glm::length(moved) * LiveMolecule::kHold_kcal_mol_A2 * kForceUnit_pN == doctest::Approx(push_pN).epsilon(0.3));
+  user->release();
+  user->frames(60);
+  CHECK(live.push_pN() == 0.0);
+  CHECK(live.wanted().pushes.empty());
+}
+
+TEST_CASE("forces between atoms end the simulation with a message; a molecule without a system offers none") {
+  {
+    const auto user = startWith("alanine-dipeptide", smallWindow({}));
+    LiveMolecule& live = liveOf(*user);
+    CHECK(live.offered());
+    live.turn(true);
+    user->frames(2);
+    if (!simulates(*user)) return;
+    user->frames(30);
+    TouchSetup touch = user->app().scene.touch();
+    touch.forces = "van-der-waals";
+    user->app().scene.setTouch(touch);
+    user->frames(5);
+    CHECK_FALSE(live.on());
+    CHECK(farthestFromRest_A(*user) == 0.0);
+    CHECK(contains(user->app().messages.all().back().text, "Forces between atoms act in a molecule at rest."));
+  }
+  const auto other = startWith("benzene", smallWindow({}));
+  CHECK_FALSE(liveOf(*other).offered());
+}
+
+TEST_CASE("a system of another molecule, and a file that is none, are said with file and remedy, and nothing moves") {
+  const ScratchFolder scratch;
+  writeFile(scratch.path / "broken.xml", "<System");
+  for (const auto& [system, says] : {std::pair("alanine-dipeptide.xml", "the system has 22 particles, not 12"),
+                                     std::pair("broken.xml", "OpenMM cannot simulate this system")}) {
+    fs::copy_file(moleculesFolder() / "alanine-dipeptide.xml", scratch.path / "alanine-dipeptide.xml",
+                  fs::copy_options::overwrite_existing);
+    writeFile(scratch.path / "mine.md", liveLesson("simulation: " + std::string(system) + "\n", "benzene"));
+    const auto user = startWith((scratch.path / "mine.md").string(), smallWindow({}));
+    const LiveMolecule& live = liveOf(*user);
+    user->frames(30);
+    CHECK_FALSE(live.ready());
+    if (contains(live.problem(), "cannot be loaded")) {
+      MESSAGE("not run: ", live.problem());
+      return;
+    }
+    CHECK(contains(live.problem(), says));
+    CHECK(contains(live.problem(), system));
+    CHECK(contains(live.problem(), "moltact simulate prepare"));
+    CHECK(farthestFromRest_A(*user) == 0.0);
+  }
+}
+
+}  // namespace
+}  // namespace moltact
