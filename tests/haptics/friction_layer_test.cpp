@@ -37,7 +37,7 @@ Load loadOf(const Contact& c) {
 
 }  // namespace
 
-TEST_CASE("with a coefficient of 0 every method and the exact body answer to the last bit as without the layer") {
+TEST_CASE("with a coefficient of 0 every method answers to the last bit as without the layer") {
   const scenes::Scene scene = scenes::cluster(20, 5);
   const auto spheres = test::makeScene(scene.spheres);
   for (const Method& method : methods()) {

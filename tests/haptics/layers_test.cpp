@@ -57,7 +57,9 @@ std::vector<InteractionInput> allInputs(const std::shared_ptr<const SphereGrid>&
 
 }  // namespace
 
-TEST_CASE("without a layer the exact body has the poses, forces and torques of the body itself, to the last bit") {
+TEST_CASE(
+    "with a coefficient of friction of 0 the exact body has the poses, forces and torques of the body itself, to the "
+    "last bit") {
   const std::vector<Sphere> atoms = scenes::cluster(20, 5).spheres;
   const auto scene = test::makeScene(atoms);
   const auto body = bodyOfSpheres({{{-2, 0, 0}, 1.0}, {{2, 0, 0}, 1.2}, {{0, 1, 1}, 0.8}});
