@@ -15,16 +15,17 @@
 
 namespace moltact {
 
-/// A spring that pushes one atom along `direction` until the atom has reached the plane through `to_A`; beyond it there
-/// is no force. The hand's contact acts through it: the spring's end rests while the hand rests, so a late update of it
-/// gives no energy to the atom.
+/// A spring between the hand and one atom. With a direction it pushes the atom along it until the atom has reached the
+/// plane through `to_A`, and never pulls: a contact. Without one it draws the atom to `to_A` from all sides: a grip. Its
+/// end rests while the hand rests, so a late update gives no energy to the atom.
 struct AtomPush {
   std::uint32_t atom = 0;
-  Vec3 to_A{0.0}, direction{0.0};  ///< the direction is a unit vector
+  Vec3 to_A{0.0}, direction{0.0};  ///< the direction is a unit vector, or zero for a grip
   double stiffness_kcal_mol_A2 = 0.0;
 
-  /// The force on the atom at this place (unit: kcal/mol/A).
+  /// The size of the force on the atom at this place (unit: kcal/mol/A).
   double force_kcal_mol_A(const Vec3& at_A) const {
+    if (direction == Vec3(0.0)) return stiffness_kcal_mol_A2 * glm::distance(to_A, at_A);
     const double short_of_it = glm::dot(direction, to_A - at_A);
     return short_of_it > 0.0 ? stiffness_kcal_mol_A2 * short_of_it : 0.0;
   }

@@ -76,9 +76,11 @@ class OpenMMEngine final : public MdEngine {
       for (const AtomPush& p : pushes) {
         if (p.atom >= masses_u_.size()) continue;
         const OpenMM::Vec3 to = nm(p.to_A);
-        push_->setParticleParameters(int(p.atom), int(p.atom),
-                                     {to[0], to[1], to[2], p.direction.x, p.direction.y, p.direction.z,
-                                      p.stiffness_kcal_mol_A2 * kKJ_nm2_per_kcal_A2});
+        const bool grip = p.direction == Vec3(0.0);
+        const double k = p.stiffness_kcal_mol_A2 * kKJ_nm2_per_kcal_A2;
+        push_->setParticleParameters(
+            int(p.atom), int(p.atom),
+            {to[0], to[1], to[2], p.direction.x, p.direction.y, p.direction.z, grip ? 0.0 : k, grip ? k : 0.0});
         pushed_.push_back(p.atom);
       }
       if (any) push_->updateParametersInContext(*context_);
@@ -129,7 +131,7 @@ class OpenMMEngine final : public MdEngine {
   }
 
  private:
-  inline static const std::vector<double> kNoPush{0, 0, 0, 0, 0, 0, 0};
+  inline static const std::vector<double> kNoPush{0, 0, 0, 0, 0, 0, 0, 0};
 
   template <class Work>
   static std::string guarded(Work&& work) {
@@ -143,8 +145,9 @@ class OpenMMEngine final : public MdEngine {
 
   // The springs of the hand and the one on the centre of mass.
   void addHand() {
-    auto push = std::make_unique<OpenMM::CustomExternalForce>("0.5*k*max(0, nx*(ax-x)+ny*(ay-y)+nz*(az-z))^2");
-    for (const char* name : {"ax", "ay", "az", "nx", "ny", "nz", "k"}) push->addPerParticleParameter(name);
+    auto push = std::make_unique<OpenMM::CustomExternalForce>(
+        "0.5*k*max(0, nx*(ax-x)+ny*(ay-y)+nz*(az-z))^2 + 0.5*grip*((ax-x)^2+(ay-y)^2+(az-z)^2)");
+    for (const char* name : {"ax", "ay", "az", "nx", "ny", "nz", "k", "grip"}) push->addPerParticleParameter(name);
     for (std::size_t i = 0; i < masses_u_.size(); ++i) push->addParticle(int(i), kNoPush);
     push->setForceGroup(kHandGroup);
     push_ = push.get();

@@ -162,6 +162,51 @@ TEST_CASE(
   CHECK(live.wanted().pushes.empty());
 }
 
+TEST_CASE(
+    "a press that pulls holds the first atom that it touches: dragged for 10 s, the molecule's centre follows until "
+    "the "
+    "spring that holds it balances the mean pull, within 30 %; the end of the press lets go") {
+  const ScratchFolder scratch;
+  writeFile(scratch.path / "mine.md", liveLesson("simulation: alanine-dipeptide.xml\nstiffness: 0.5 N/mm\n"));
+  for (const auto hold : {LiveMolecule::Hold::Atom, LiveMolecule::Hold::Residue}) {
+    const auto user = startWith((scratch.path / "mine.md").string(), smallWindow({}));
+    if (!simulates(*user)) return;
+    LiveMolecule& live = liveOf(*user);
+    live.setHold(hold);
+    const Vec3 rest = massCentre_A(*user);
+    user->point("view", 0.5, 0.5);
+    user->press();
+    user->frames(60);
+    const std::size_t held = user->app().scene.pulled().size();
+    CHECK((hold == LiveMolecule::Hold::Atom ? held == 1 : held == 6 || held == 10));
+    CHECK_FALSE(live.heldText().empty());
+    user->point("view", 0.98, 0.5);
+    user->frames(120);
+    Vec3 moved(0.0), force_pN(0.0);
+    constexpr int kFrames = 600;
+    for (int k = 0; k < kFrames; ++k) {
+      user->frames(1);
+      moved += (massCentre_A(*user) - rest) / double(kFrames);
+      const ServoSample& felt = user->app().scene.log().latest();
+      force_pN -= felt.contact.displacement_A * (felt.spring_N_per_A * LiveMolecule::kScale_pN_per_N / kFrames);
+    }
+    const double pull_pN = glm::length(force_pN);
+    MESSAGE(held, " atoms held: mean pull ", pull_pN, " pN, mean shift ", glm::length(moved), " A");
+    CHECK(pull_pN > 50.0);
+    CHECK(live.push_pN() > 0.3 * pull_pN);
+    CHECK(live.pulledBy_A() > 0.3);
+    CHECK(glm::dot(moved, user->app().scene.camera.right()) > 0.2);
+    CHECK(glm::length(moved) * LiveMolecule::kHold_kcal_mol_A2 * kForceUnit_pN ==
+          doctest::Approx(pull_pN).epsilon(0.3));
+    CHECK(live.frame().blow_ups == 0);
+    user->release();
+    user->frames(60);
+    CHECK(user->app().scene.pulled().empty());
+    CHECK(live.push_pN() == 0.0);
+    CHECK(user->app().scene.log().shownForce_N() == 0.0);
+  }
+}
+
 TEST_CASE("forces between atoms end the simulation with a message; a molecule without a system offers none") {
   {
     const auto user = startWith("alanine-dipeptide", smallWindow({}));

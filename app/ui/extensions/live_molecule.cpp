@@ -37,7 +37,11 @@ Expected<std::unique_ptr<MdEngine>> engineOf(const fs::path& system, const std::
 }  // namespace
 
 void LiveMolecule::forget() {
-  if (simulation_) scene_.servo().loop().wantImpulses(false);
+  if (simulation_) {
+    scene_.servo().loop().wantImpulses(false);
+    scene_.pull({});
+  }
+  hold_ = Hold::Push;
   own_.release();
   opening_.drop();
   simulation_.reset();
@@ -133,7 +137,7 @@ void LiveMolecule::take(Expected<std::unique_ptr<MdEngine>> opened) {
     simulation_ = std::make_unique<SimulationThread>(std::move(engine));
   else
     simulation_ = std::make_unique<SteppedSimulation>(std::move(engine));
-  plots_ = {PlotBuffer(kPlotLength), PlotBuffer(kPlotLength), PlotBuffer(kPlotLength)};
+  plots_ = {PlotBuffer(kPlotLength), PlotBuffer(kPlotLength), PlotBuffer(kPlotLength), PlotBuffer(kPlotLength)};
   scene_.servo().loop().wantImpulses(true);
   startAgain();
 }
@@ -177,18 +181,83 @@ void LiveMolecule::pushAtoms() {
     whole += glm::length(impulse) * kcal_mol_A;
     sum += impulse * kcal_mol_A;
   }
-  const ServoSettings& servo = scene_.servo_settings;
-  const double spring = std::min(kStiffest_kcal_mol_A2,
-                                 servo.stiffness_N_per_mm / servo.workspace.A_per_mm * kScale_pN_per_N / kForceUnit_pN);
+  const double spring = std::min(kStiffest_kcal_mol_A2, springOfHand_kcal_mol_A2());
+  const double share = std::min(1.0, kStrongest_pN / std::max(glm::length(sum) * kForceUnit_pN, 1e-9));
   const SharedArray<Sphere>& at = scene_.stage().spheres->spheres();
   wanted_.pushes.clear();
+  push_pN_ = share * glm::length(sum) * kForceUnit_pN;
+  ticks_ = 0;
+  if (!scene_.pulled().empty()) {
+    std::fill(impulses_N_s_.begin(), impulses_N_s_.end(), Vec3(0.0));
+    return gripAtoms(spring);
+  }
   for (std::size_t i = 0; i < impulses_N_s_.size(); ++i) {
     const Vec3 force = std::exchange(impulses_N_s_[i], Vec3(0.0)) * kcal_mol_A;
     if (const double size = glm::length(force); size > 0.0)
-      wanted_.pushes.push_back(pushOf(std::uint32_t(i), at[i].centre_A, force, spring * size / whole));
+      wanted_.pushes.push_back(pushOf(std::uint32_t(i), at[i].centre_A, share * force, spring * size / whole));
   }
-  push_pN_ = glm::length(sum) * kForceUnit_pN;
-  ticks_ = 0;
+}
+
+// Each held atom is drawn to the place that it had when it was taken, moved by the hand's way since then.
+void LiveMolecule::gripAtoms(double spring_kcal_mol_A2) {
+  const std::vector<std::uint32_t>& held = scene_.pulled();
+  if (held.size() != taken_A_.size()) return;
+  const Vec3 followed = heldCentre_A() - taken_at_A_;
+  Vec3 ahead = scene_.log().latest().hip.A - hand_took_at_A_ - followed;
+  const double most_A = kStrongest_pN / kForceUnit_pN / spring_kcal_mol_A2;
+  if (const double size = glm::length(ahead); size > most_A) ahead *= most_A / size;
+  for (std::size_t k = 0; k < held.size(); ++k)
+    wanted_.pushes.push_back(
+        {held[k], taken_A_[k] + followed + ahead, Vec3(0.0), spring_kcal_mol_A2 / double(held.size())});
+}
+
+double LiveMolecule::springOfHand_kcal_mol_A2() const {
+  const ServoSettings& servo = scene_.servo_settings;
+  return servo.stiffness_N_per_mm / servo.workspace.A_per_mm * kScale_pN_per_N / kForceUnit_pN;
+}
+
+void LiveMolecule::setHold(Hold hold) {
+  hold_ = hold;
+  scene_.pull({});
+}
+
+// A press takes hold of the first atom that it touches.
+void LiveMolecule::takeOrLetGo() {
+  const bool holds = !scene_.pulled().empty();
+  if (holds && !scene_.controls.pressing()) return scene_.pull({});
+  if (holds || hold_ == Hold::Push || !scene_.controls.pressing()) return;
+  const Contact& contact = scene_.log().latest().contact;
+  const auto touched = std::find_if(contact.atoms.begin(), contact.atoms.end(), [](auto atom) { return atom >= 0; });
+  if (!contact.touching() || touched == contact.atoms.end()) return;
+  std::vector<std::uint32_t> atoms{std::uint32_t(*touched)};
+  const std::uint32_t residue = atoms[0] < molecule_->atoms.size() ? molecule_->atoms[atoms[0]].residue : kNoResidue;
+  if (hold_ == Hold::Residue && residue != kNoResidue) {
+    const Residue& r = molecule_->residues[residue];
+    atoms.clear();
+    for (std::uint32_t k = 0; k < r.atom_count; ++k) atoms.push_back(r.first_atom + k);
+  }
+  scene_.pull(std::move(atoms));
+  taken_at_A_ = heldCentre_A();
+  hand_took_at_A_ = scene_.log().latest().hip.A;
+  taken_A_.clear();
+  for (const std::uint32_t atom : scene_.pulled()) taken_A_.push_back(smooth_A_[atom]);
+}
+
+Vec3 LiveMolecule::heldCentre_A() const {
+  Vec3 out(0.0);
+  for (const std::uint32_t atom : scene_.pulled())
+    if (atom < smooth_A_.size()) out += smooth_A_[atom] / double(scene_.pulled().size());
+  return out;
+}
+
+double LiveMolecule::pulledBy_A() const {
+  return scene_.pulled().empty() ? 0.0 : glm::distance(heldCentre_A(), taken_at_A_);
+}
+
+std::string LiveMolecule::heldText() const {
+  const std::vector<std::uint32_t>& held = scene_.pulled();
+  if (held.empty() || !molecule_) return {};
+  return hold_ == Hold::Residue ? molecule_->words(held[0]).residue : molecule_->describe(held[0]);
 }
 
 void LiveMolecule::beforeTicks() {
@@ -200,6 +269,7 @@ void LiveMolecule::beforeTicks() {
     return;
   }
   if (!own_.claim()) return;
+  takeOrLetGo();
   addImpulses();
   if (ticks_ < kStep_ticks || !waiting_.empty()) {
     if (!waiting_.empty() && scene_.moveAtoms(own_, waiting_, kStep_ticks)) waiting_.clear();
@@ -224,6 +294,7 @@ void LiveMolecule::readFrame(double dt_s) {
     plots_.temperature_K.add(float(frame_.energies.temperature_K));
     plots_.energy_kcal_mol.add(float(frame_.energies.potential_kcal_mol));
     plots_.push_pN.add(float(push_pN_));
+    plots_.pulled_A.add(float(pulledBy_A()));
   }
   if (unstable) {
     wanted_.running = false;

@@ -22,8 +22,8 @@ class LiveMolecule : public AtomMover {
 
   /// The force between atoms that corresponds to one newton in the hand.
   static constexpr double kScale_pN_per_N = 250.0;
-  /// The stiffest spring with which a contact may push atoms.
-  static constexpr double kStiffest_kcal_mol_A2 = 100.0;
+  /// The stiffest spring and the largest force with which the hand may push or pull atoms.
+  static constexpr double kStiffest_kcal_mol_A2 = 100.0, kStrongest_pN = 2000.0;
   /// The atoms follow the simulation with this time constant, so that the hand feels their thermal motion smoothed.
   static constexpr double kSmooth_s = 0.04;
   static constexpr int kStep_ticks = 20;
@@ -67,16 +67,28 @@ class LiveMolecule : public AtomMover {
   void relax() { ++wanted_.relaxations; }
   void restart() { ++wanted_.restarts; }
 
+  /// What a press does: it pushes atoms by contact, or holds the first atom that it touches, or that atom's residue, until
+  /// it ends.
+  enum class Hold : std::uint8_t { Push, Atom, Residue };
+  Hold hold() const { return hold_; }
+  void setHold(Hold hold);
+  /// The stiffness of the hand's spring between the atoms.
+  double springOfHand_kcal_mol_A2() const;
+  /// What is held, in words; empty if nothing is.
+  std::string heldText() const;
+  /// How far the centre of the held atoms has moved since they were taken.
+  double pulledBy_A() const;
+
   /// The newest state of the simulation.
   const SimulationFrame& frame() const { return frame_; }
   /// "CPU", and the steps per second measured at the start.
   const std::string& platform() const { return platform_; }
   double measuredStepsPerS() const { return measured_steps_per_s_; }
   double step_ps() const { return step_ps_; }
-  /// Size of the force with which the hand pushes the atoms.
+  /// Size of the force with which the hand pushes or pulls the atoms.
   double push_pN() const { return push_pN_; }
   struct Plots {
-    PlotBuffer temperature_K, energy_kcal_mol, push_pN;
+    PlotBuffer temperature_K, energy_kcal_mol, push_pN, pulled_A;
   };
   const Plots& plots() const { return plots_; }
 
@@ -87,6 +99,9 @@ class LiveMolecule : public AtomMover {
   void take(Expected<std::unique_ptr<MdEngine>> opened);
   void addImpulses();
   void pushAtoms();
+  void takeOrLetGo();
+  void gripAtoms(double spring_kcal_mol_A2);
+  Vec3 heldCentre_A() const;
   void readFrame(double dt_s);
   void startAgain();
   std::vector<Sphere> placed() const;
@@ -107,7 +122,11 @@ class LiveMolecule : public AtomMover {
   double push_pN_ = 0.0, unplotted_s_ = 0.0;
   std::vector<Vec3> shown_A_;  // the displacements that a playback shows
   static constexpr std::size_t kPlotLength = std::size_t(kPlot_s / kPlotted_s);
-  Plots plots_{PlotBuffer(kPlotLength), PlotBuffer(kPlotLength), PlotBuffer(kPlotLength)};
+  Plots plots_{PlotBuffer(kPlotLength), PlotBuffer(kPlotLength), PlotBuffer(kPlotLength), PlotBuffer(kPlotLength)};
+  Hold hold_ = Hold::Push;
+  std::vector<Vec3> taken_A_;  // the places of the held atoms when they were taken
+  Vec3 hand_took_at_A_{0.0};
+  Vec3 taken_at_A_{0.0};  // the centre of the held atoms when they were taken
 };
 
 }  // namespace moltact

@@ -50,13 +50,35 @@ void drawClock(LiveMolecule& live) {
     live.setSpeed(speed);
 }
 
+void drawHold(LiveMolecule& live) {
+  using Hold = LiveMolecule::Hold;
+  sectionTitle(tr("The hand"));
+  const std::array<std::string, 2> words{N_("Pushes"), N_("Pulls")};
+  std::size_t chosen = live.hold() == Hold::Push ? 0 : 1;
+  if (segments("simulation/hold", words, chosen)) live.setHold(chosen == 0 ? Hold::Push : Hold::Atom);
+  if (live.hold() == Hold::Push) return;
+  bool residue = live.hold() == Hold::Residue;
+  if (toggle("simulation/residue", tr("Hold the whole residue"), residue,
+             tr("A press holds what it touches first, an atom or its whole residue, until it ends. With a device, hold "
+                "the space bar while you touch.")))
+    live.setHold(residue ? Hold::Residue : Hold::Atom);
+  const std::string held = live.heldText();
+  simulationLine("simulation/held",
+                 held.empty() ? tr("Press on an atom and drag it.")
+                              : trf("Held: {0}, moved by {1} Å", held, numberText(live.pulledBy_A(), decimals(1))));
+  simulationLine(
+      "simulation/spring",
+      trf("Spring of the hand: {0} kcal/mol/Å²", numberText(live.springOfHand_kcal_mol_A2(), significant(2))),
+      Font::Small);
+}
+
 void drawPlots(const LiveMolecule& live) {
   const MdEnergies& e = live.frame().energies;
   const PlotLook of{.span_s = LiveMolecule::kPlot_s, .shown_as = {Dimension::None, {decimals(0), {}}}};
   PlotLook temperature = of, push = of;
   temperature.title = tr("Temperature (K)");
   temperature.min_top = 490.0f;
-  push.title = tr("Push of the hand (pN)");
+  push.title = tr("Force of the hand (pN)");
   push.min_top = 100.0f;
   plot("plot/temperature", live.plots().temperature_K, e.temperature_K, temperature);
   const std::array energy{PlotCurve{&live.plots().energy_kcal_mol, tr("Potential energy"),
@@ -64,6 +86,12 @@ void drawPlots(const LiveMolecule& live) {
   signedPlot("plot/potential_energy", energy,
              {.title = tr("Energy"), .min_top = 10.0f, .span_s = LiveMolecule::kPlot_s});
   plot("plot/push", live.plots().push_pN, live.push_pN(), push);
+  if (live.hold() == LiveMolecule::Hold::Push) return;
+  const PlotLook pulled{.title = tr("Pulled by (Å)"),
+                        .min_top = 1.0f,
+                        .span_s = LiveMolecule::kPlot_s,
+                        .shown_as = {Dimension::None, {decimals(1), {}}}};
+  plot("plot/pulled", live.plots().pulled_A, live.pulledBy_A(), pulled);
 }
 
 }  // namespace
@@ -95,6 +123,8 @@ bool drawSimulationSection(Application& app) {
     return true;
   }
   drawClock(live);
+  ImGui::Spacing();
+  drawHold(live);
   ImGui::Spacing();
   double kelvin = live.wanted().temperature_K;
   if (slider("simulation/bath", tr("Heat bath (K)"), kelvin, 1.0, LiveMolecule::kHottest_K, 1.0,

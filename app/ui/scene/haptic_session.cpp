@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "engine/haptics/pull_spring.h"
 #include "engine/lesson/second_state.h"
 #include "engine/render/molecule_model.h"
 
@@ -26,6 +27,7 @@ bool inTheOpen(const TouchableModel& stage, const ServoSample& now, const Sphere
 HapticSession::HapticSession(ServoClock clock) : servo_(clock) {}
 
 void HapticSession::show(TouchableModel next, const MoleculeKey& molecule, const Facing& facing) {
+  letGo();
   atoms_.begin(std::move(next));
   molecule_ = molecule;
   made_with_.interaction = wanted_interaction_;
@@ -43,6 +45,8 @@ std::unique_ptr<Interaction> HapticSession::interactionHere(const Contact& conta
   std::shared_ptr<const PairField> pairs;
   std::unique_ptr<Interaction> made = interactionAt(stage(), touch(), contact, hand, servo_.device(), &pairs);
   forces_.begin(stage(), std::move(pairs));
+  if (made && !pulled_.empty())
+    return std::make_unique<PullSpring>(std::move(made), pulled_, stage().spheres->spheres());
   return made;
 }
 
@@ -222,6 +226,20 @@ void HapticSession::useMethod(std::string_view name) {
   setTouch(next);
 }
 
+void HapticSession::pull(std::vector<std::uint32_t> atoms) {
+  const bool can = stage() && !stage().body && !played_ && !trying();
+  std::erase_if(atoms, [&](std::uint32_t atom) { return !can || atom >= stage().spheres->spheres().size(); });
+  if (atoms == pulled_) return;
+  pulled_ = std::move(atoms);
+  controls.drag(!pulled_.empty());
+  if (can) servo_.setInteraction(interactionHere(Contact{}, PoseA{}));
+}
+
+void HapticSession::letGo() {
+  pulled_.clear();
+  controls.drag(false);
+}
+
 void HapticSession::rebuildInteraction() {
   if (trying()) return endTry();
   // Each method continues from the exact contact, so that it inherits no error of another.
@@ -246,6 +264,7 @@ void HapticSession::leadBy(const ServoSettings* recorded) {
 
 bool HapticSession::beginRecording() {
   if (!stage() || played_ || trying() || recorded_.on()) return false;
+  letGo();
   ++servo_settings.discontinuities;
   servo_.loop().setSettings(effectiveSettings(false));
   servo_.record(true);
@@ -259,6 +278,7 @@ bool HapticSession::moveAtoms(const MotionSource& source, const std::vector<Sphe
 
 bool HapticSession::placeAtoms(const MotionSource& source, SharedArray<Sphere> at) {
   if (!source.owns() || !stage()) return false;
+  letGo();
   atoms_.place(std::move(at));
   log_.clear();
   watch_.begin(stage(), touch());
@@ -282,8 +302,9 @@ FeltTicks HapticSession::advance(double dt_s, double now_s, bool timed) {
     for (const ServoSample& sample : ticks) {
       log_.add(sample);
       // A body has no SCP that could be compared with that of a sphere.
-      felt_.push_back(
-          {sample, servo_.loop().hasOrientation() ? sample.contact : watch_.add(sample, m, servo_.motionOf(sample))});
+      felt_.push_back({sample, servo_.loop().hasOrientation() || !pulled_.empty()
+                                   ? sample.contact
+                                   : watch_.add(sample, m, servo_.motionOf(sample))});
     }
     atoms_.follow(dt_s);
     log_.measure(now_s);

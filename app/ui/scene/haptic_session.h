@@ -106,6 +106,12 @@ class HapticSession {
   /// Moves the atoms there at once and rebuilds the interaction.
   bool placeAtoms(const MotionSource& source, SharedArray<Sphere> at);
 
+  /// Holds these atoms of the scene by a spring (engine/haptics/pull_spring.h) instead of touching, until called with none
+  /// or the atoms are placed elsewhere. Does nothing during playback, while a force is tested and with a body in the hand.
+  void pull(std::vector<std::uint32_t> atoms);
+  /// The atoms that are held; empty: the scene is touched.
+  const std::vector<std::uint32_t>& pulled() const { return pulled_; }
+
   /// While on, the scene is not visible and the hand feels nothing.
   void rest(bool on) { resting_ = on; }
 
@@ -154,6 +160,7 @@ class HapticSession {
   std::unique_ptr<Interaction> interactionHere(const Contact& contact, const PoseA& hand);
   std::unique_ptr<Interaction> freshInteraction();
   void rebuildInteraction();
+  void letGo();
   ServoSettings effectiveSettings(bool trying) const;
 
   MoleculeKey molecule_;
@@ -170,6 +177,7 @@ class HapticSession {
   PlayedHand played_;
   ForceTrial trial_{servo_};
   RecordedConditions recorded_;
+  std::vector<std::uint32_t> pulled_;
   bool hand_moved_ = false, resting_ = false;
 };
 

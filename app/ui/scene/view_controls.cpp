@@ -6,6 +6,7 @@
 
 namespace moltact {
 namespace {
+constexpr double kDragKeys_A_per_s = 4.0;
 constexpr double kOrbit_rad_per_px = 0.008;
 constexpr double kOrbitKeys_rad_per_s = 1.4;
 constexpr double kHand_rad_per_px = kOrbit_rad_per_px, kHandKeys_rad_per_s = kOrbitKeys_rad_per_s;
@@ -98,6 +99,7 @@ void ViewControls::update(const ViewInput& in, Camera& camera, const SphereGrid*
     pointer.well_N_A = pull.energy_N_A + energy->felt_kcal_mol * felt.spring_N_per_A / energy->coupling_kcal_mol_A2;
   }
   pointer.dt_s = in.dt_s;
+  if (drags_) return dragHand(pointer, settings, mouse);
   const PointA before_lead = lead_;
   const glm::dvec2 before_aim_px = hand_.aim_px();
   lead_ = hand_.lead(pointer, *spheres,
@@ -123,6 +125,18 @@ void ViewControls::update(const ViewInput& in, Camera& camera, const SphereGrid*
     mouse.place(settings.workspace.toDevice(lead_));
   else
     mouse.lead(settings.workspace.toDevice(lead_));
+}
+
+void ViewControls::dragHand(const PointerInput& in, const ServoSettings& settings, MouseDevice& mouse) {
+  const ViewRays& rays = in.rays;
+  lead_.A += (rays.right * in.keys.x + rays.up * in.keys.y) * (kDragKeys_A_per_s * in.dt_s) +
+             rays.forward * (in.push_notches * PointerHand::kMaxNotch_A);
+  if (in.pointer_px && !in.over_control) {
+    const Vec3 along = rays.direction(*in.pointer_px);
+    const double depth = glm::dot(lead_.A - rays.eye_A, rays.forward);
+    if (depth > 0.0) lead_.A = rays.eye_A + along * (depth / glm::dot(along, rays.forward));
+  }
+  mouse.lead(settings.workspace.toDevice(lead_));
 }
 
 double ViewControls::hintStrength() const { return std::clamp(hint_left_s_ / kHintFade_s, 0.0, 1.0); }

@@ -58,6 +58,10 @@ class ViewControls {
   /// Ends a press as Escape does: it begins again when the button or key has been released.
   void letGo() { let_go_ = true; }
 
+  /// While on, pointer and keys lead the hand in the plane through its place that faces the viewer, through all atoms:
+  /// the hand pulls what it holds. Notches move it away from the viewer and back.
+  void drag(bool on) { drags_ = on; }
+
   bool pressing() const { return pressing_; }
   double depth_A() const { return hand_.depth_A(); }
   /// The time for which the press has been at rest; 0 without a press and while it slides (unit: second).
@@ -79,6 +83,8 @@ class ViewControls {
   bool live() const;
 
  private:
+  void dragHand(const PointerInput& in, const ServoSettings& settings, MouseDevice& mouse);
+
   PointerHand hand_;
   Quat orientation_ = kNoRotation;  // of the hand, from the device's axes
   std::optional<Quat> start_;       // in the molecule's space
@@ -86,7 +92,7 @@ class ViewControls {
   PointA lead_;
   std::optional<PointA> first_aim_;  // of a scene in which no frame has been processed yet
   double hint_left_s_ = 2.0, press_rested_s_ = 0.0;
-  bool pressing_ = false, let_go_ = false, camera_moved_ = false;
+  bool pressing_ = false, let_go_ = false, camera_moved_ = false, drags_ = false;
   bool has_pressed_ = false, has_turned_ = false, has_pushed_ = false;
 };
 
