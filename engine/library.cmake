@@ -39,6 +39,7 @@ moltact_public(moltact_haptics haptics
   haptics/field/pair_kernel.h
   haptics/field/pair_model.h
   haptics/field/pair_sum.h
+  haptics/friction.h
   haptics/hip_input.h
   haptics/interaction.h
   haptics/interactions.h

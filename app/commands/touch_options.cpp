@@ -12,7 +12,9 @@ namespace moltact {
 
 const CLI::Option* addTouchOptions(CLI::App& command, TouchSetup& touch) {
   for (const TouchProperty& p : touchProperties()) {
-    if (!p.requires_rebuild || !isChoice(p)) continue;
+    const bool friction =
+        p.member == TouchMember(&TouchSetup::friction) || p.member == TouchMember(&TouchSetup::stick_slip);
+    if (!(p.requires_rebuild || friction) || !isChoice(p)) continue;
     const std::string name = "--" + std::string(p.key);
     std::string help(p.meaning);
     std::vector<std::string> words;

@@ -7,7 +7,8 @@
 
 namespace moltact {
 
-/// Adds --method, and an option for every other choice that requires a new interaction (engine/haptics/touch_setup.h).
+/// Adds --method, an option for every other choice that requires a new interaction (engine/haptics/touch_setup.h), and
+/// those of friction.
 /// `touch` must outlive the parsing. Returns the option --hand.
 const CLI::Option* addTouchOptions(CLI::App& command, TouchSetup& touch);
 

@@ -35,37 +35,46 @@ bool pushes(const Vec3& pull, const std::array<Vec3, 3>& normals, unsigned subse
 
 }  // namespace
 
-std::size_t contactReactions(const Contact& contact, double spring_N_per_A, std::span<AtomForce> out) noexcept {
+Pushes pushesAlong(const Contact& contact, const Vec3& force) noexcept {
   std::array<Vec3, 3> normals{};
-  std::array<std::int32_t, 3> atoms{};
+  std::array<std::size_t, 3> of{};
   std::size_t count = 0;
   for (std::size_t k = 0; k < 3; ++k) {
     if (contact.atoms[k] < 0) continue;
     normals[count] = contact.normals[k];
-    atoms[count++] = contact.atoms[k];
+    of[count++] = k;
   }
-  const Vec3& pull = contact.displacement_A;
-  if (count == 0 || !finite(pull)) return 0;
-
   // Of the seven sets of pushes, the one with the smallest remainder.
   Shares best{};
-  double smallest = glm::dot(pull, pull);
+  double smallest = glm::dot(force, force);
   const auto left = [&](const Shares& shares) {
-    Vec3 rest = pull;
+    Vec3 rest = force;
     for (std::size_t k = 0; k < count; ++k) rest -= normals[k] * shares[k];
     return rest;
   };
   for (unsigned subset = 1; subset < 1u << count; ++subset) {
     Shares shares{};
-    if (!pushes(pull, normals, subset, shares)) continue;
+    if (!pushes(force, normals, subset, shares)) continue;
     const Vec3 rest = left(shares);
     if (glm::dot(rest, rest) < smallest) smallest = glm::dot(rest, rest), best = shares;
   }
-  const Vec3 rest = left(best);
-  const double sum = best[0] + best[1] + best[2];
+  Pushes out{.rest = left(best)};
+  for (std::size_t k = 0; k < count; ++k) out.along[of[k]] = best[k];
+  return out;
+}
+
+std::size_t contactReactions(const Contact& contact, double spring_N_per_A, std::span<AtomForce> out) noexcept {
+  std::array<std::size_t, 3> blocking{};
+  std::size_t count = 0;
+  for (std::size_t k = 0; k < 3; ++k)
+    if (contact.atoms[k] >= 0) blocking[count++] = k;
+  if (count == 0 || !finite(contact.displacement_A)) return 0;
+  const Pushes found = pushesAlong(contact, contact.displacement_A);
+  const double sum = found.sum();
   for (std::size_t k = 0; k < count; ++k) {
-    const double part = sum > 0.0 ? best[k] / sum : 1.0 / double(count);
-    out[k] = {atoms[k], -spring_N_per_A * (normals[k] * best[k] + rest * part)};
+    const std::size_t n = blocking[k];
+    const double part = sum > 0.0 ? found.along[n] / sum : 1.0 / double(count);
+    out[k] = {contact.atoms[n], -spring_N_per_A * (contact.normals[n] * found.along[n] + found.rest * part)};
   }
   return count;
 }

@@ -4,6 +4,7 @@
 // in the molecule's space; forces in newtons at the hand (felt_force.h). Quat is constructed as (w, x, y, z).
 #pragma once
 
+#include <array>
 #include <optional>
 #include <span>
 
@@ -76,6 +77,19 @@ struct Response {
   }
 };
 
+/// Dry friction between the surface and what the hand holds.
+struct Friction {
+  double coefficient = 0.0;  ///< of sliding: drag divided by the normal force (0 to kMaxFriction)
+  /// By how much more than while sliding a contact at rest holds, as a fraction of `coefficient` (0 to 1). Above 0 a
+  /// slow hand sticks and slips in turn.
+  double stick_slip = 0.0;
+
+  friend bool operator==(const Friction&, const Friction&) = default;
+};
+
+/// The largest coefficient of friction.
+inline constexpr double kMaxFriction = 1.0;
+
 class Interaction {
  public:
   virtual ~Interaction() = default;
@@ -96,6 +110,11 @@ class Interaction {
 
   /// The probe radius; 0 for an interaction without a probe.
   virtual double probe_A() const noexcept = 0;
+
+  /// Sets the friction, also while touching. Out-of-range values are clamped, non-finite ones ignored. Interactions
+  /// without the layer `friction` ignore the call.
+  virtual void setFriction(const Friction&) noexcept {}
+  virtual Friction friction() const noexcept { return {}; }
 
   /// Writes the reactions on the scene's atoms to the last response and returns their number. Their sum is the opposite
   /// of the force of `last.total(spring_N_per_A, field_share)`. An atom may occur more than once. `out` has room for
@@ -119,6 +138,16 @@ class Interaction {
   /// the view then rotate the body.
   virtual bool hasOrientation() const noexcept { return false; }
 };
+
+/// A force as pushes along a contact's normals, and what they leave over.
+struct Pushes {
+  std::array<double, 3> along{};  ///< along each of Contact::normals, at least 0
+  Vec3 rest{0.0};
+  double sum() const { return along[0] + along[1] + along[2]; }
+};
+
+/// The pushes along the contact's normals that come nearest to a force (of any unit).
+Pushes pushesAlong(const Contact& contact, const Vec3& force) noexcept;
 
 /// Shares the force of a contact's springs among the atoms that block the SCP, as pushes along their normals. A
 /// remainder that no such push explains (friction, shading) is shared in the same proportion. Writes at most three

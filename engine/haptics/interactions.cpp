@@ -64,8 +64,17 @@ std::unique_ptr<Interaction> withForces(std::unique_ptr<Interaction> inner, cons
   return std::make_unique<CoupledField>(std::move(inner), input.pairs, coupling);
 }
 
-// From the innermost to the outermost: friction and texture, which act on the contact, before fields.
-constexpr std::array kLayers{InteractionLayer{"forces", &forcesAct, &withForces}};
+// Without friction too, because the servo loop changes its coefficient.
+bool always(const TouchSetup&) { return true; }
+
+std::unique_ptr<Interaction> withFriction(std::unique_ptr<Interaction> inner, const InteractionInput& input) {
+  return std::make_unique<FrictionLayer>(std::move(inner), input.spheres, input.body, input.roughness,
+                                         Friction{input.touch.friction, input.touch.stick_slip});
+}
+
+// From the innermost to the outermost: friction, which acts on the contact, before fields.
+constexpr std::array kLayers{InteractionLayer{"friction", &always, &withFriction},
+                             InteractionLayer{"forces", &forcesAct, &withForces}};
 
 }  // namespace
 

@@ -10,6 +10,7 @@
 #include "engine/haptics/atom_chemistry.h"
 #include "engine/haptics/body/held_body.h"
 #include "engine/haptics/field/pair_field.h"
+#include "engine/haptics/friction.h"
 #include "engine/haptics/interaction.h"
 #include "engine/haptics/sphere_grid.h"
 #include "engine/haptics/touch_setup.h"
@@ -25,6 +26,8 @@ struct InteractionInput {
   std::shared_ptr<const AtomChemistry> chemistry = nullptr;
   /// Where `touch` selects forces between atoms: those atoms (built by engine/structure/interaction_input.h); else null.
   std::shared_ptr<const PairField> pairs = nullptr;
+  /// Where `touch` selects a texture: its factors (built by engine/structure/roughness.h); null: 1 everywhere.
+  std::shared_ptr<const Roughness> roughness = nullptr;
   /// Of the spring that turns a held body to the hand's orientation (unit: N A per radian, for a spring of 1 N per A at
   /// its middle); 0: by the body's size. For a kind that has such a spring.
   double rotational_stiffness_N_A = 0.0;
@@ -42,12 +45,12 @@ struct InteractionKind {
   std::string_view former_name = {};  ///< in files of earlier versions; empty: the same
 };
 
-/// A force or a surface property that acts on top of every interaction, probe or body: a field, friction, texture. It
+/// A force or a surface property that acts on top of every interaction, probe or body: a field, friction. It
 /// is a decorator (`WrappedInteraction`) of the response. A change of the contact's force thus acts on the springs of a
 /// body as on that of a probe, and no method, nor the search for a body's rest, depends on it. A decorator that changes
 /// the contact changes `displacement_A`, `torque_A2` and `energy_A2` together, so that no energy is created.
 struct InteractionLayer {
-  std::string_view name;            ///< "friction"
+  std::string_view name;            ///< "forces"
   bool (*acts)(const TouchSetup&);  ///< whether the setup selects it; otherwise `wrap` is not called
   /// Wraps an interaction. The setup, the body and, with `needs_chemistry`, the chemistry are in `input`.
   std::unique_ptr<Interaction> (*wrap)(std::unique_ptr<Interaction> inner, const InteractionInput& input);
@@ -71,6 +74,7 @@ TouchSetup resolveInteraction(TouchSetup wanted, bool body);
 bool needsChemistry(const TouchSetup& touch, std::span<const InteractionLayer> layers = interactionLayers());
 
 /// Creates the interaction that the setup names, inside the layers that it selects; without any, the bare interaction.
+/// The layer `friction` acts in every setup, so that the loop can change its coefficient; with 0 it changes no bit.
 /// Returns null if interaction or method is unknown, or a required body, chemistry or pair field is missing.
 std::unique_ptr<Interaction> makeInteraction(const InteractionInput& input,
                                              std::span<const InteractionLayer> layers = interactionLayers());

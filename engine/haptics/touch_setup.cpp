@@ -9,7 +9,9 @@
 #include "engine/haptics/field/force_choices.h"
 #include "engine/haptics/interactions.h"
 #include "engine/haptics/methods.h"
+#include "engine/haptics/texture_choices.h"
 #include "engine/language/catalogue.h"
+#include "engine/language/quantity_text.h"
 
 namespace moltact {
 namespace {
@@ -42,6 +44,18 @@ std::vector<OfferedWord> dielectricWords() {
   std::vector<OfferedWord> out;
   for (const DielectricChoice& d : dielectricChoices()) out.push_back({d.name, d.title, d.sentence});
   return out;
+}
+
+std::vector<OfferedWord> textureWords() { return {textureChoices().begin(), textureChoices().end()}; }
+
+bool drags(const TouchSetup& touch, bool) { return touch.friction > 0.0; }
+
+// The just noticeable difference of static friction with a force-feedback device: 0.056 at 0.2, 0.150 at 0.8 (W. R.
+// Provancher and N. D. Sylvester, IEEE Trans. Haptics 2, 212, 2009); between them a straight line.
+std::string noticeable(const TouchSetup& touch) {
+  if (touch.friction < 0.2 || touch.friction > 0.8) return {};
+  const double difference = 0.056 + (0.150 - 0.056) * (touch.friction - 0.2) / 0.6;
+  return trf("The next value that feels different is {0}.", numberText(touch.friction + difference, decimals(2)));
 }
 
 bool holdsProbe(const TouchSetup&, bool body) { return !body; }
@@ -82,6 +96,50 @@ constexpr std::array kProperties{
                   .fallback = "500 N/m",
                   .meaning = "The force of the surface per depth of the push.",
                   .compared = "The second thing pushes back so hard."},
+    TouchProperty{.member = &TouchSetup::friction,
+                  .key = "friction",
+                  .field = "friction",
+                  .requires_rebuild = false,
+                  .in_scenes = {0.0, kMaxFriction},
+                  .in_files = {0.0, kMaxFriction},
+                  .control = {.title = N_("Friction"),
+                              .tip = N_("The drag along the surface, divided by the force that presses on it."),
+                              .range = {0.0, kMaxFriction},
+                              .step = 0.05,
+                              .decimals = 2,
+                              .note = &noticeable},
+                  .fallback = "0",
+                  .meaning = "The coefficient of friction of the surface: the drag of what slides along it, divided by "
+                             "the force that presses on it.",
+                  .compared = "The second thing has this coefficient of friction."},
+    TouchProperty{.member = &TouchSetup::stick_slip,
+                  .key = "stick-slip",
+                  .field = "stick_slip",
+                  .requires_rebuild = false,
+                  .in_scenes = {0.0, 1.0},
+                  .in_files = {0.0, 1.0},
+                  .control = {.title = N_("Stick and slip"),
+                              .tip = N_("How much more a contact at rest holds than one that slides. At 0 it slides "
+                                        "evenly; above, a slow hand jerks along."),
+                              .range = {0.0, 1.0},
+                              .step = 0.1,
+                              .decimals = 1,
+                              .shown = &drags},
+                  .fallback = "0",
+                  .meaning = "By how much more a contact at rest holds than one that slides, as a fraction of "
+                             "'friction'. Above 0 a slow hand sticks and slips in turn.",
+                  .compared = "The second thing sticks this much more than it slides."},
+    TouchProperty{.member = &TouchSetup::texture,
+                  .key = "texture",
+                  .field = "texture",
+                  .label = "texture",
+                  .words = &textureWords,
+                  .control = {.title = N_("Friction by"),
+                              .tip = N_("Which property of the atoms makes them rougher or smoother."),
+                              .shown = &drags},
+                  .fallback = "none",
+                  .meaning = "Which property of the atoms makes them rougher or smoother; it multiplies 'friction'.",
+                  .compared = "The second thing has this texture."},
     TouchProperty{.member = &TouchSetup::method,
                   .key = "method",
                   .field = "method",

@@ -34,6 +34,9 @@ struct TouchSetup {
   /// Stiffness of the virtual coupling between the hand and what it holds in these forces, in the molecule; 0: by the
   /// number of atoms (unit: N/mm; 1 kcal/mol/A^2 is 0.000695 N/mm).
   double coupling_N_per_mm = 0.0;
+  double friction = 0.0;         ///< Friction::coefficient (interaction.h)
+  double stick_slip = 0.0;       ///< Friction::stick_slip
+  std::string texture = "none";  ///< what friction depends on, as in textureChoices (texture_choices.h)
 
   friend bool operator==(const TouchSetup&, const TouchSetup&) = default;
 };
@@ -55,6 +58,7 @@ struct TouchControl {
   double step = 0.0;                      ///< of a number
   int decimals = -1;                      ///< digits shown after the decimal sign; negative: those of the unit
   bool first = false;                     ///< at the top of the panel; else in the details
+  std::string (*note)(const TouchSetup& touch) = nullptr;  ///< a sentence below the control, translated; null: none
   /// True where the control has an effect; null: everywhere. `body`: the hand holds a body.
   bool (*shown)(const TouchSetup& touch, bool body) = nullptr;
 };

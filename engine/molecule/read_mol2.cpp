@@ -152,7 +152,7 @@ class Mol2Reader {
     for (std::size_t k = 0; k < 3; ++k)
       if (!parseNumber(words[2 + k].text, row.position_A[int(k)]))
         return bad(words[2 + k].column,
-                   trf("expected the number {0}, found {1}", std::string(1, "xyz"[k]), inQuotes(words[2 + k].text)));
+                   trf("expected a number for {0}, found {1}", std::string(1, "xyz"[k]), inQuotes(words[2 + k].text)));
     row.name = words[1].text;
     row.type = words[5].text;
     if (words.size() > 6 && !mol2Integer(words[6].text, row.substructure))
@@ -162,7 +162,7 @@ class Mol2Reader {
       if (words.size() < 9)
         return bad(line.size() + 1, tr("the atom has no charge, although the molecule's fourth line names charges"));
       if (!parseNumber(words[8].text, row.charge_e))
-        return bad(words[8].column, trf("expected the number {0}, found {1}", "charge", inQuotes(words[8].text)));
+        return bad(words[8].column, trf("expected a number for {0}, found {1}", tr("the charge"), inQuotes(words[8].text)));
     }
     row.line = text_.number();
     if (rows_.size() >= kMaxMol2Atoms)

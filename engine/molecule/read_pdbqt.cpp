@@ -18,10 +18,11 @@ constexpr const char* kPdbqtRemedy = N_(
 struct DockElement {
   std::string_view type, symbol;
 };
-// AutoDock's types that are no element's symbol. NA is nitrogen that accepts a hydrogen bond; sodium is Na.
+// AutoDock's types that are not the symbol of their element. NA is nitrogen that accepts a hydrogen bond; sodium is Na. W is
+// the water molecule of hydrated docking.
 constexpr DockElement kDockElements[] = {
     {"A", "C"},  {"NA", "N"}, {"NS", "N"}, {"NX", "N"}, {"OA", "O"},  {"OS", "O"},
-    {"OX", "O"}, {"SA", "S"}, {"HD", "H"}, {"HS", "H"}, {"CL", "Cl"}, {"BR", "Br"},
+    {"OX", "O"}, {"SA", "S"}, {"HD", "H"}, {"HS", "H"}, {"HN", "H"}, {"W", "O"}, {"CL", "Cl"}, {"BR", "Br"},
 };
 
 /// The element of an AutoDock type; 0 if it is unknown.
@@ -49,7 +50,7 @@ std::optional<Problem> pdbqtAtom(std::string_view line, const std::string& file,
   }
   const std::string_view charge = trimmed(line.substr(66, 10));
   if (!parseNumber(charge, atom.charge_e))
-    return bad(71, trf("expected the number {0}, found {1}", "charge", inQuotes(charge)));
+    return bad(71, trf("expected a number for {0}, found {1}", tr("the charge"), inQuotes(charge)));
   const std::string_view residue_number = trimmed(line.substr(22, 4));
   const auto [end, error] =
       std::from_chars(residue_number.data(), residue_number.data() + residue_number.size(), atom.number);

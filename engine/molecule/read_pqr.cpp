@@ -37,12 +37,12 @@ std::optional<Problem> addPqrAtom(MoleculeBuilder& builder, std::string_view lin
   const std::size_t place = words.size() - 5;  // index of x
   const auto at = [&](std::size_t k) { return words[k].column + record; };
   ParsedAtom atom;
-  const char* kNames[5] = {"x", "y", "z", "charge", "radius"};
+  const char* kNames[5] = {"x", "y", "z", N_("the charge"), N_("the radius")};
   double value[5];
   for (std::size_t k = 0; k < 5; ++k)
     if (!parseNumber(words[place + k].text, value[k]))
       return Problem{file, number, at(place + k),
-                     trf("expected the number {0}, found {1}", kNames[k], inQuotes(words[place + k].text)),
+                     trf("expected a number for {0}, found {1}", tr(kNames[k]), inQuotes(words[place + k].text)),
                      tr(kPqrRemedy)};
   if (value[4] < 0.0 || value[4] > kMaxCoordinate_A)
     return Problem{file, number, at(place + 4),

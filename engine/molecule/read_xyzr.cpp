@@ -53,7 +53,7 @@ Expected<Molecule> readXyzr(TextSource& text, const ReadOptions& options) {
       const std::string_view word(at, static_cast<std::size_t>(word_end - at));
       if (!takeNumber(at, stop, value[count]))
         return Problem{file, line_number, column,
-                       trf("expected the number {0}, found {1}", kColumn[count], inQuotes(word)), tr(kFormatRemedy)};
+                       trf("expected a number for {0}, found {1}", kColumn[count], inQuotes(word)), tr(kFormatRemedy)};
       if (!std::isfinite(value[count]) || std::abs(value[count]) > kMaxCoordinate_A)
         return Problem{file, line_number, column,
                        trf("{0} is {1}, which is not a finite number up to {2}", kColumn[count], inQuotes(word),

@@ -116,19 +116,29 @@ class Maker {
     if (scene_.held_lines) addLines(*scene_.held_lines, scene_.camera, scene_.theme, out_.strokes);
   }
 
-  // The body at the hand's pose, as the outlines of its atoms: the springs pull from the drawn body to there. Parts of
-  // an outline in front of or behind another atom of it are omitted.
+  // The body at the hand's pose: the springs pull from the drawn body to there.
   void ghost(const MoleculeModel& model) {
-    if (!scene_.hand_orientation || !scene_.body) return;
+    if (scene_.hand_orientation && scene_.body)
+      outline(model, scene_.hip->A, glm::mat3_cast(*scene_.hand_orientation), scene_.theme.hip);
+  }
+
+  void markedPose(const MoleculeModel& model) {
+    if (scene_.marked_place && scene_.body)
+      outline(model, scene_.marked_place->A, glm::mat3_cast(scene_.marked_orientation), scene_.theme.target);
+  }
+
+  // The body at another pose, as the outlines of its atoms, where that differs visibly from the drawn one. Parts of an
+  // outline in front of or behind another atom of it are omitted.
+  void outline(const MoleculeModel& model, const Vec3& there, const glm::dmat3& turned, const Colour& colour) {
     const Vec3 middle = scene_.body_place ? scene_.body_place->A : scp_;
-    const glm::dmat3 axes = glm::mat3_cast(scene_.body_orientation), hand = glm::mat3_cast(*scene_.hand_orientation);
+    const glm::dmat3 axes = glm::mat3_cast(scene_.body_orientation);
     const double visible_A = sized(kMinGhost_A, kMinGhost_px);
     const std::vector<Sphere>& spheres = scene_.body->spheres;
     if (spheres.size() > kMaxGhostAtoms || spheres.size() != scene_.body->atoms.size()) return;
     std::vector<Sphere> at;
     double farthest_A = 0.0;
     for (std::size_t i = 0; i < spheres.size(); ++i) {
-      const Vec3 place = scene_.hip->A + hand * spheres[i].centre_A;
+      const Vec3 place = there + turned * spheres[i].centre_A;
       farthest_A = std::max(farthest_A, glm::distance(place, middle + axes * spheres[i].centre_A));
       const std::uint32_t atom = scene_.body->atoms[i];
       if (atom < model.atoms()) at.push_back({place, model.atomSphere(atom).radius_A});
@@ -159,9 +169,8 @@ class Maker {
         open[std::size_t(k)] = !covered(p, i);
         points[std::size_t(k)] = view(p);
       }
-      for (const Stroke& stroke :
-           {Stroke{.colour = glm::vec3(0.0f), .alpha = 0.45f, .hidden = 0.35f, .width_px = 3.6f},
-            Stroke{.colour = scene_.theme.hip, .alpha = 0.95f, .hidden = 0.7f, .width_px = 1.8f}}) {
+      for (const Stroke& stroke : {Stroke{.colour = glm::vec3(0.0f), .alpha = 0.45f, .hidden = 0.35f, .width_px = 3.6f},
+                                   Stroke{.colour = colour, .alpha = 0.95f, .hidden = 0.7f, .width_px = 1.8f}}) {
         bool drawing = false;
         for (std::size_t k = 0; k <= kPieces; ++k) {
           if (open[k] && !drawing) out_.strokes.begin(stroke);
@@ -485,6 +494,7 @@ void addGlyphs(const ViewScene& scene, const MoleculeModel* model, Glyphs& glyph
   if (scene.shown.has(ViewPart::Probe) && !scene.body) make.probe();
   if (scene.shown.has(ViewPart::Probe) && scene.body && model) make.body(*model);
   if (scene.shown.has(ViewPart::Probe) && scene.body && model) make.ghost(*model);
+  if (scene.shown.has(ViewPart::Probe) && scene.body && model) make.markedPose(*model);
   if (scene.shown.has(ViewPart::Probe)) make.hand();
   if (model && scene.shown.has(ViewPart::Probe)) make.shadow();
   if (scene.shown.has(ViewPart::Hip)) make.hip();

@@ -119,6 +119,9 @@ struct ViewScene {
   /// The hand's orientation where a body is held: an outline shows the body at the hand's pose where the two differ
   /// visibly. Empty: no outline.
   std::optional<Quat> hand_orientation;
+  /// Another pose of the body, drawn as an outline: the place of its middle (empty: none) and its orientation.
+  std::optional<PointA> marked_place;
+  Quat marked_orientation = kNoRotation;
   std::vector<LoadedAtom>
       body_stopped;                    ///< atoms of the body that the scene stops, by index within the body, ascending
   std::vector<LoadedAtom> stopped_by;  ///< atoms of the molecule that stop the body; they glow

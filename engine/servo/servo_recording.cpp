@@ -17,7 +17,7 @@
 namespace moltact {
 namespace {
 
-static_assert(sizeof(ServoSettings) == 152 && sizeof(DevicePose) == 80 && sizeof(DeviceSpecs) == 136 &&
+static_assert(sizeof(ServoSettings) == 168 && sizeof(DevicePose) == 80 && sizeof(DeviceSpecs) == 136 &&
                   sizeof(TickTime) == 16,
               "a field more is to be recorded below, or a replay is not the same");
 
@@ -31,6 +31,8 @@ constexpr std::size_t kMinTickBytes = 81;  // size of a tick without settings an
 constexpr std::size_t kMaxBytes = std::size_t{1} << 30;
 constexpr std::uint8_t kSettings = 1, kFresh = 2, kConnected = 4, kOtherDevice = 8, kFaultFlag = 16, kFallenBack = 32,
                        kOriented = 64, kSpheresMoved = 128;
+constexpr std::uint8_t kAtEdge = 1,
+                       kFriction = 2;  // at the end of the settings; files of earlier builds have the first
 constexpr std::uint8_t kBodyPose = 1, kNotAtRest = 2;            // of an oriented tick
 constexpr std::uint8_t kGivesForce = 1, kRotationalDamping = 2;  // of a device; files of earlier builds have the first
 
@@ -110,6 +112,10 @@ void settingsFields(Each& each, Settings& s) {
   for (int k = 0; k < 3; ++k) eachOf(each, s.workspace.rotation[k]);
   each(s.stiffness_N_per_mm), each(s.max_force_N), each(s.probe_A), each(s.discontinuities), each(s.clutch.buttons);
 }
+template <class Each, class F>
+void frictionFields(Each& each, F& friction) {
+  each(friction.coefficient), each(friction.stick_slip);
+}
 template <class Each, class Figures>
 void figuresFields(Each& each, Figures& f) {
   eachOf(each, f.workspace_mm);
@@ -146,7 +152,8 @@ bool canBe(const ServoSettings& s) {
     for (int i = 0; i < 3; ++i) rotates = rotates && std::abs(w.rotation[k][i]) <= 1.001;
   const auto within = [](double x, double limit) { return x >= 0.0 && x <= limit; };
   return rotates && w.A_per_mm > 1e-6 && w.A_per_mm < 1e6 && finite(w.centre_A) && within(s.stiffness_N_per_mm, 1e6) &&
-         within(s.max_force_N, 1e6) && within(s.probe_A, 1e6);
+         within(s.max_force_N, 1e6) && within(s.probe_A, 1e6) && within(s.friction.coefficient, 1e6) &&
+         within(s.friction.stick_slip, 1e6);
 }
 
 // The loop gives only finite forces within the limits of canBe().
@@ -159,7 +166,10 @@ std::string bytesOf(const ServoSettings& settings) {
   std::string out;
   Putter put{out};
   settingsFields(put, settings);
-  put(std::uint8_t(settings.force_on)), put(std::uint8_t(settings.panic)), put(std::uint8_t(settings.clutch.at_edge));
+  const bool friction = settings.friction != Friction{};
+  put(std::uint8_t(settings.force_on)), put(std::uint8_t(settings.panic));
+  put(std::uint8_t((settings.clutch.at_edge ? kAtEdge : 0) | (friction ? kFriction : 0)));
+  if (friction) frictionFields(put, settings.friction);
   return out;
 }
 
@@ -196,10 +206,12 @@ bool readTick(Getter& get, ServoSettings& settings, RecordedTick& tick, const Ve
   if (flags & kSettings) {
     settingsFields(get, settings);
     get(on), get(panic), get(at_edge);
-    settings.clutch.at_edge = at_edge;
+    settings.clutch.at_edge = at_edge & kAtEdge;
     settings.force_on = on;
     settings.panic = panic;
-    get.ok = get.ok && on <= 1 && panic <= 1 && at_edge <= 1 && canBe(settings);
+    settings.friction = {};
+    if (at_edge & kFriction) frictionFields(get, settings.friction);
+    get.ok = get.ok && on <= 1 && panic <= 1 && !(at_edge & ~(kAtEdge | kFriction)) && canBe(settings);
   }
   tick.other_device = flags & kOtherDevice;
   if (tick.other_device) {

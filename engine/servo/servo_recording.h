@@ -47,7 +47,7 @@ struct ServoRecording {
   std::string torn;        ///< why the rest of the file could not be read; empty: it is complete
 };
 
-/// Limit on the ticks of a recording (66 minutes and 40 s; a tick takes 416 bytes of memory).
+/// Limit on the ticks of a recording (66 minutes and 40 s; a tick takes 432 bytes of memory).
 inline constexpr std::size_t kMaxRecordedTicks = 4'000'000;
 
 /// Writes a recording while it is made. Each block of 256 ticks is passed to the system as a whole, so that a crash of

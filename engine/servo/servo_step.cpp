@@ -92,7 +92,9 @@ ServoSample ServoStep::tick(const ServoSettings& settings, Interaction* interact
     // surface, not of the hand or the loop.
     const bool carried = moveSurface(settings, *interaction, phase, changed) && !changed && !rescaled;
     if (carried) respondBefore(settings.workspace, *interaction, before);
+    setFriction(settings, *interaction, changed);
     out.probe_A = interaction->probe_A();
+    out.friction = interaction->friction();
     const Response response = interaction->respond(at);
     out.contact = response.contact;
     out.memory_usage = interaction->memoryUsage();
@@ -141,6 +143,17 @@ bool ServoStep::moveSurface(const ServoSettings& settings, Interaction& interact
     moved = true;
   }
   return moved;
+}
+
+// A contact that slips because its friction falls gives up energy; the rate bounds the step of the force.
+void ServoStep::setFriction(const ServoSettings& settings, Interaction& interaction, bool changed) noexcept {
+  const Friction now = interaction.friction();
+  Friction goal = settings.friction;
+  if (goal == now || !std::isfinite(goal.coefficient)) return;
+  const double limit = kFrictionSlew_per_s * kTick_s;
+  goal.coefficient = std::clamp(goal.coefficient, 0.0, kMaxFriction);
+  if (!changed) goal.coefficient = now.coefficient + std::clamp(goal.coefficient - now.coefficient, -limit, limit);
+  interaction.setFriction(goal);
 }
 
 // The stored energy after the motion of the surface, with the hand still at its last pose. The stiffness of this tick

@@ -6,6 +6,7 @@
 #include "engine/haptics/field/force_choices.h"
 #include "engine/structure/amber/pair_atoms.h"
 #include "engine/structure/atom_charges.h"
+#include "engine/structure/roughness.h"
 
 namespace moltact {
 
@@ -60,7 +61,8 @@ InteractionInput interactionInput(const TouchSetup& touch, const Molecule& molec
   InteractionInput out{.spheres = std::move(spheres),
                        .touch = touch,
                        .body = std::move(body),
-                       .chemistry = chemistryFor(touch, molecule)};
+                       .chemistry = chemistryFor(touch, molecule),
+                       .roughness = roughness(molecule, touch.texture)};
   out.pairs = pairField(touch, molecule, *out.spheres, out.body.get());
   return out;
 }

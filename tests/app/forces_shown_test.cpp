@@ -20,7 +20,9 @@ struct Window {
   std::unique_ptr<ScriptedUser> d;
 
   explicit Window(const std::string& steps) {
-    d = startWith(scratch.file("mine.md", kHead + steps).string());
+    ScriptedUser::Options tall;
+    tall.height = 1100;  // the whole touch tab is in view
+    d = startWith(scratch.file("mine.md", kHead + steps).string(), std::move(tall));
     d->app().panels.tabs.open("touch");
     d->frames(5);
   }

@@ -10,7 +10,6 @@
 #include "engine/haptics/interactions.h"
 #include "tests/haptics/body_paths.h"
 #include "tests/haptics/fields.h"
-#include "tests/haptics/friction.h"
 #include "tests/haptics/walk.h"
 
 using namespace moltact;
@@ -18,10 +17,6 @@ using namespace moltact;
 namespace {
 
 constexpr double kCoefficient = 0.4, kCoulomb_N_A2 = 2.0;
-
-std::unique_ptr<Interaction> rough(std::unique_ptr<Interaction> inner, const InteractionInput&) {
-  return std::make_unique<test::Friction>(std::move(inner), kCoefficient);
-}
 
 // Coulomb's law between the charges of the scene and unit charges: one at a probe, or one on each atom of a body.
 struct CoulombPair {
@@ -43,10 +38,8 @@ std::unique_ptr<Interaction> charged(std::unique_ptr<Interaction> inner, const I
   return out;
 }
 
-bool always(const TouchSetup&) { return true; }
 bool withCharges(const TouchSetup& touch) { return touch.charges != kNoCharges; }
 
-const std::array kRough{InteractionLayer{"friction", &always, &rough}};
 const std::array kCharged{InteractionLayer{"coulomb", &withCharges, &charged, true}};
 
 // Every way to feel a scene, a probe or a body of two atoms 4 A apart, both of radius 1.
@@ -64,7 +57,9 @@ std::vector<InteractionInput> allInputs(const std::shared_ptr<const SphereGrid>&
 
 }  // namespace
 
-TEST_CASE("without a layer the exact body has the poses, forces and torques of the body itself, to the last bit") {
+TEST_CASE(
+    "with a coefficient of friction of 0 the exact body has the poses, forces and torques of the body itself, to the "
+    "last bit") {
   const std::vector<Sphere> atoms = scenes::cluster(20, 5).spheres;
   const auto scene = test::makeScene(atoms);
   const auto body = bodyOfSpheres({{{-2, 0, 0}, 1.0}, {{2, 0, 0}, 1.2}, {{0, 1, 1}, 0.8}});
@@ -90,9 +85,11 @@ TEST_CASE(
     "they press with, and ten ways to and fro take the work of the drag from the hand") {
   constexpr double kWall_A = 1e5;
   const auto wall = test::makeScene({{{0, 0, -kWall_A}, kWall_A}});
-  for (const InteractionInput& input : allInputs(wall)) {
+  for (InteractionInput input : allInputs(wall)) {
     CAPTURE(input.touch.interaction);
-    const auto felt = makeInteraction(input, kRough), smooth = makeInteraction(input);
+    const auto smooth = makeInteraction(input);
+    input.touch.friction = kCoefficient;
+    const auto felt = makeInteraction(input);
     REQUIRE(felt);
     Vec3 at(0, 0, 3), force(0.0);
     double worked_A2 = 0.0;  // by the hand, for a spring of 1 N/A

@@ -194,10 +194,10 @@ TEST_CASE("broken mmCIF syntax names the line and column") {
 
 TEST_CASE("an .xyzr line with 3 numbers, a word, a NaN, a comma or a negative radius names line and column") {
   CHECK(problemOf("0 0 0 1\n1 2 3\n", "x.xyzr") == "x.xyzr:2:6: expected 4 numbers, found 3; " + kXyzrRemedy);
-  CHECK(problemOf("0 zero 0 1\n", "x.xyzr") == "x.xyzr:1:3: expected the number y, found 'zero'; " + kXyzrRemedy);
+  CHECK(problemOf("0 zero 0 1\n", "x.xyzr") == "x.xyzr:1:3: expected a number for y, found 'zero'; " + kXyzrRemedy);
   CHECK(problemOf("0 0 nan 1\n", "x.xyzr") ==
         "x.xyzr:1:5: z is 'nan', which is not a finite number up to 1e9\u00a0Å; correct or remove the line");
-  CHECK(problemOf("0,0,0,1\n", "x.xyzr") == "x.xyzr:1:1: expected the number x, found '0,0,0,1'; " + kXyzrRemedy);
+  CHECK(problemOf("0,0,0,1\n", "x.xyzr") == "x.xyzr:1:1: expected a number for x, found '0,0,0,1'; " + kXyzrRemedy);
   CHECK(problemOf("0 0 0 -1\n", "x.xyzr") == "x.xyzr:1:7: the radius is negative: '-1'; give a radius of 0 or more");
   CHECK(problemOf("12\ncomment\n", "x.xyzr") == "x.xyzr:1:3: expected 4 numbers, found 1; " + kXyzrRemedy);
 }

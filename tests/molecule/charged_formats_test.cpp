@@ -107,11 +107,11 @@ TEST_CASE("errors in a MOL2 file are reported at their place") {
   const std::string again =
       "; write the file anew with the program that made it; an atom is number, name, x, y, z, type, and where they are "
       "known substructure number, its name and charge";
-  CHECK(with("   -0.6000\n", "   minus\n") == "x.mol2:9:64: expected the number charge, found 'minus'" + again);
-  CHECK(with("   -0.6000\n", "   nan\n") == "x.mol2:9:64: expected the number charge, found 'nan'" + again);
+  CHECK(with("   -0.6000\n", "   minus\n") == "x.mol2:9:64: expected a number for the charge, found 'minus'" + again);
+  CHECK(with("   -0.6000\n", "   nan\n") == "x.mol2:9:64: expected a number for the charge, found 'nan'" + again);
   CHECK(with("        0.1000\n", "\n") ==
         "x.mol2:8:57: the atom has no charge, although the molecule's fourth line names charges" + again);
-  CHECK(with("1.4000", "1,4000") == "x.mol2:9:15: expected the number x, found '1,4000'" + again);
+  CHECK(with("1.4000", "1,4000") == "x.mol2:9:15: expected a number for x, found '1,4000'" + again);
   CHECK(with("      2 O1", "      1 O1") == "x.mol2:9:7: two atoms have the number 1" + again);
   CHECK(with("      2 O1", "      b O1") == "x.mol2:9:7: the atom's number is not a number: 'b'" + again);
   CHECK(with(" 4 2 2 0 0", " x") ==
@@ -160,9 +160,10 @@ TEST_CASE("PDBQT gives atoms, types' elements and charges; ROOT and BRANCH are i
 TEST_CASE("AutoDock's types are their elements, and an unknown one is reported") {
   const std::string text = seed("pdbqt/two.pdbqt");
   for (const auto& [type, number] :
-       {std::pair("C ", 6), {"A ", 6},  {"N ", 7},  {"NA", 7},  {"NS", 7},  {"OA", 8},  {"OS", 8},  {"SA", 16},
-        {"S ", 16},         {"HD", 1},  {"H ", 1},  {"F ", 9},  {"Cl", 17}, {"CL", 17}, {"BR", 35}, {"I ", 53},
-        {"P ", 15},         {"Zn", 30}, {"MG", 12}, {"Na", 11}, {"CG0", 6}, {"QQ", 0}}) {
+       {std::pair("C ", 6), {"A ", 6},  {"N ", 7},  {"NA", 7},  {"NS", 7},  {"OA", 8},  {"OS", 8},
+        {"SA", 16},         {"S ", 16}, {"HD", 1},  {"H ", 1},  {"F ", 9},  {"Cl", 17}, {"CL", 17},
+        {"BR", 35},         {"I ", 53}, {"P ", 15}, {"Zn", 30}, {"MG", 12}, {"Na", 11}, {"CG0", 6},
+        {"HN", 1},          {"HS", 1},  {"W ", 8},  {"QQ", 0}}) {
     CAPTURE(type);
     const Molecule m = read(replaced(text, "0.120 A ", "0.120 " + std::string(type)), "x.pdbqt");
     CHECK(int(m.atoms[0].atomic_number) == number);
@@ -179,9 +180,9 @@ TEST_CASE("errors in a PDBQT file are reported at their place") {
   const std::string again =
       "; PDBQT has x, y, z in columns 31-54, the charge in 71-76 and the type from 78 on; correct the line, or write "
       "the file anew (obabel, prepare_receptor)";
-  CHECK(with("-0.350 OA", "-0.3x0 OA") == "x.pdbqt:5:71: expected the number charge, found '-0.3x0'" + again);
-  CHECK(with("-0.350 OA", "   inf OA") == "x.pdbqt:5:71: expected the number charge, found 'inf'" + again);
-  CHECK(with("-0.350 OA", "       OA") == "x.pdbqt:5:71: expected the number charge, found ''" + again);
+  CHECK(with("-0.350 OA", "-0.3x0 OA") == "x.pdbqt:5:71: expected a number for the charge, found '-0.3x0'" + again);
+  CHECK(with("-0.350 OA", "   inf OA") == "x.pdbqt:5:71: expected a number for the charge, found 'inf'" + again);
+  CHECK(with("-0.350 OA", "       OA") == "x.pdbqt:5:71: expected a number for the charge, found ''" + again);
   CHECK(with("  -0.350 OA", "") == "x.pdbqt:5:69: the atom's line ends before its charge and type do" + again);
   CHECK(with("  -1.080", "  -1,080") == "x.pdbqt:5:39: y is not a number: '  -1,080'" + again);
   CHECK(with("UNL A   1       3", "UNL A   x       3") ==

@@ -149,7 +149,7 @@ TEST_CASE("the element after the radius in a PQR file of Open Babel counts more 
   CHECK(m.atoms[1].atomic_number == 6);
   CHECK(m.spheres[1].centre_A == Vec3(1, 2, 6));
   CHECK(problemOf("ATOM 1 N ALA A 1 1 2 3 -0.3 nan\n", "x.pqr")
-            .starts_with("x.pqr:1:29: expected the number radius, found 'nan'"));
+            .starts_with("x.pqr:1:29: expected a number for the radius, found 'nan'"));
 }
 
 TEST_CASE("errors in a PQR file are reported at their place") {
@@ -159,7 +159,7 @@ TEST_CASE("errors in a PQR file are reported at their place") {
   CHECK(problemOf("ATOM 1 N ALA 1 1 2 3 -0.3\n", "x.pqr") ==
         "x.pqr:1: an atom has 9 or 10 words after its record's name, this one 8" + remedy);
   CHECK(problemOf("ATOM 1 N ALA 1 1 2 three -0.3 1.8\n", "x.pqr") ==
-        "x.pqr:1:20: expected the number z, found 'three'" + remedy);
+        "x.pqr:1:20: expected a number for z, found 'three'" + remedy);
   CHECK(problemOf("ATOM 1 N ALA 1 1 2 3 -0.3 -1.8\n", "x.pqr")
             .starts_with("x.pqr:1:27: the radius '-1.8' is not from 0"));
   CHECK(problemOf("ATOM 1 N ALA x 1 2 3 -0.3 1.8\n", "x.pqr") ==

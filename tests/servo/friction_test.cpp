@@ -1,5 +1,5 @@
-// Coulomb friction at the SCP (tests/haptics/friction.h): its energy, calls and limits in the servo step.
-#include "tests/haptics/friction.h"
+// Coulomb friction at the SCP: its energy, calls and limits in the servo step.
+#include "engine/haptics/friction.h"
 
 #include <doctest/doctest.h>
 
@@ -15,7 +15,6 @@
 #include "tests/haptics/walk.h"
 
 using namespace moltact;
-using test::Friction;
 
 namespace {
 
@@ -36,6 +35,7 @@ Slid slide(Interaction& felt, double half_way_mm, int times) {
   ServoStep step(device);
   ServoSettings settings;
   settings.stiffness_N_per_mm = kStiffness_N_per_mm;
+  settings.friction.coefficient = kCoefficient;
   Slid out;
   Vec3 at(0, 0, 10), force(0.0);
   bool counts = false;
@@ -63,16 +63,18 @@ Slid slide(Interaction& felt, double half_way_mm, int times) {
   return out;
 }
 
-std::unique_ptr<Friction> rough(std::unique_ptr<Interaction> inner) {
-  return std::make_unique<Friction>(std::move(inner), kCoefficient);
+std::unique_ptr<Interaction> rough(std::unique_ptr<Interaction> inner, std::shared_ptr<const SphereGrid> scene) {
+  return std::make_unique<FrictionLayer>(std::move(inner), std::move(scene), nullptr, nullptr, Friction{kCoefficient});
 }
+
+std::unique_ptr<Interaction> roughWall() { return rough(std::make_unique<WallTracker>(0.0), test::makeScene({})); }
 
 }  // namespace
 
 TEST_CASE(
     "friction of 0.4 on a wall pressed 4 mm deep at 0.3 N/mm: 1.2 N of pressing are 0.48 N of drag, and 20 ways to and "
     "fro of 10 mm take the closed form's energy and no limit acts") {
-  const auto felt = rough(std::make_unique<WallTracker>(0.0));
+  const auto felt = roughWall();
   const double half_way_mm = 5.0, depth_mm = 4.0;
   const int times = 20;
   const Slid slid = slide(*felt, half_way_mm, times);
@@ -88,7 +90,7 @@ TEST_CASE(
 
 TEST_CASE(
     "a hand that moves less than the friction holds, 1.5 of 1.6 mm, gets back all that it gives: the SCP sticks") {
-  const auto felt = rough(std::make_unique<WallTracker>(0.0));
+  const auto felt = roughWall();
   const Slid slid = slide(*felt, 1.5, 20);
   CHECK(std::abs(slid.worked_J) < 1e-9);
   CHECK(glm::length(slid.last.contact.scp.A) < 1e-9);
@@ -97,8 +99,9 @@ TEST_CASE(
 
 TEST_CASE("asked five times for each pose of a walk over 20 atoms, the friction answers as asked once") {
   const scenes::Scene scene = scenes::cluster(20, 5);
-  const auto exact = [&] { return referenceMethod().make(test::makeScene(scene.spheres), scene.probe_A); };
-  const auto once = rough(exact()), often = rough(exact());
+  const auto spheres = test::makeScene(scene.spheres);
+  const auto exact = [&] { return referenceMethod().make(spheres, scene.probe_A); };
+  const auto once = rough(exact(), spheres), often = rough(exact(), spheres);
   int touching = 0;
   double apart = 0.0, dragged = 0.0;
   for (const Vec3& place : scenes::walk(scene, 3000, 5)) {
@@ -121,22 +124,35 @@ TEST_CASE("asked five times for each pose of a walk over 20 atoms, the friction 
 }
 
 TEST_CASE(
-    "without friction every offered method answers as by itself: its displacement, shaded or summed, and its energy") {
-  const scenes::Scene scene = scenes::cluster(20, 5);
-  for (const Method& method : methods()) {
-    const auto bare = method.make(test::makeScene(scene.spheres), scene.probe_A);
-    Friction none(method.make(test::makeScene(scene.spheres), scene.probe_A), 0.0);
-    double grid_spacing_A = 0.0, apart_A2 = 0.0;
-    int touching = 0;
-    for (const Vec3& place : scenes::walk(scene, 1000, 5)) {
-      const Contact a = bare->respond({{place}, kNoRotation}).contact, b = none.respond({{place}, kNoRotation}).contact;
-      touching += a.touching();
-      grid_spacing_A = std::max(grid_spacing_A, glm::distance(a.displacement_A, b.displacement_A));
-      apart_A2 = std::max(apart_A2, std::abs(a.energy_A2 - b.energy_A2));
+    "a slider moved from 0 to 0.4 and back while the hand presses and slides: no soft start, and no tick changes the "
+    "force by more than 0.002 of what presses") {
+  const auto felt = roughWall();
+  DeviceSpecs device = shownForceFigures();
+  device.gives_force = true;
+  ServoStep step(device);
+  ServoSettings settings;
+  settings.stiffness_N_per_mm = kStiffness_N_per_mm;
+  Vec3 at(0, 0, 10), force(0.0);
+  double largest_N = 0.0, least_x_N = 0.0;
+  int soft = 0;
+  for (int k = 0; k < 4000; ++k) {
+    if (k < 300)
+      at.z -= 14.0 / 300;
+    else
+      at.x += 0.005;
+    settings.friction.coefficient = k >= 1500 && k < 3000 ? kCoefficient : 0.0;
+    const ServoSample now = step.tick(settings, felt.get(), {.position = {at}});
+    if (k > 1000) {
+      soft += now.limits.has(Limit::SoftStart);
+      largest_N = std::max(largest_N, glm::distance(now.force.N, force));
+      least_x_N = std::min(least_x_N, now.force.N.x);
     }
-    CAPTURE(method.name);
-    CHECK(touching > 100);
-    CHECK(grid_spacing_A < 1e-9);
-    CHECK(apart_A2 < 1e-9);
+    if (k == 2999) CHECK(now.force.N.x == doctest::Approx(-0.48));
+    if (k == 3999) CHECK(std::abs(now.force.N.x) < 1e-12);
+    force = now.force.N;
   }
+  CHECK(soft == 0);
+  CHECK(least_x_N == doctest::Approx(-0.48));
+  // A stuck contact is dragged by 0.005 mm a tick, a sliding one follows the coefficient by 0.002 of 1.2 N.
+  CHECK(largest_N < 0.002 * 1.2 + 0.005 * kStiffness_N_per_mm);
 }

@@ -15,6 +15,7 @@
 #include "engine/bench/scenes.h"
 #include "engine/device/mouse_device.h"
 #include "engine/device/simulated_device.h"
+#include "engine/haptics/interactions.h"
 #include "engine/haptics/methods.h"
 #include "engine/servo/device_switch.h"
 #include "engine/servo/playback_device.h"
@@ -386,6 +387,51 @@ TEST_CASE("a recording of the version before, which knew places alone, is read a
   REQUIRE(recording->ticks.size() == 300);
   CHECK(recording->ticks[299].pose.position.mm.x == 0.1 * 299);
   CHECK(recording->ticks[299].pose.orientation == kNoRotation);
+  std::filesystem::remove(file);
+}
+
+TEST_CASE(
+    "friction that a slider changes is in the ticks: 4000 ticks of a walk give the same forces to the last bit; "
+    "without it they "
+    "part") {
+  const auto file = scratch("friction");
+  const scenes::Scene scene = scenes::cluster(20, 3);
+  InteractionInput input{.spheres = test::makeScene(scene.spheres)};
+  ServoSettings settings;
+  settings.probe_A = scene.probe_A;
+  const auto record = [&](bool rough) {
+    ServoStep step;
+    const auto felt = makeInteraction(input);
+    auto writer = ServoRecordingWriter::create(file, true);
+    REQUIRE(writer);
+    CHECK_FALSE(writer->begin({{"method", "exact"}}, step));
+    double force_N = 0.0;
+    int k = 0;
+    for (const Vec3& place : scenes::walk(scene, 4000, 5)) {
+      settings.friction = rough ? Friction{0.1 * (k / 500), k > 2000 ? 0.5 : 0.0} : Friction{};
+      RecordedTick tick;
+      tick.settings = settings;
+      tick.pose.position = settings.workspace.toDevice({place});
+      tick.force = step.tick(settings, felt.get(), tick.pose, tick.time).force;
+      force_N += glm::length(tick.force.N);
+      CHECK_FALSE(writer->add(tick));
+      ++k;
+    }
+    CHECK_FALSE(writer->finish());
+    return force_N;
+  };
+  const double even_N = record(false);
+  CHECK(record(true) != doctest::Approx(even_N));
+  const auto recording = readServoRecording(file);
+  REQUIRE(recording);
+  REQUIRE(recording->ticks.size() == 4000);
+  CHECK(recording->ticks[3999].settings.friction == Friction{0.1 * 7, 0.5});
+  CHECK(touchOf(*recording).friction == 0.0);
+  CHECK_FALSE(replay(*recording, makeInteraction(input).get()).first_difference);
+  // Without the friction the forces part.
+  ServoRecording even = *recording;
+  for (RecordedTick& tick : even.ticks) tick.settings.friction = {};
+  CHECK(replay(even, makeInteraction(input).get()).first_difference);
   std::filesystem::remove(file);
 }
 

@@ -10,6 +10,7 @@
 #include "app/ui/extensions/device_link.h"
 #include "app/ui/extensions/hand_model.h"
 #include "app/ui/extensions/hand_recorder.h"
+#include "app/ui/extensions/held_poses.h"
 #include "app/ui/extensions/lesson_list.h"
 #include "app/ui/extensions/lesson_locks.h"
 #include "app/ui/extensions/lesson_pictures.h"
@@ -57,6 +58,7 @@ struct Extensions final : ExtensionSet {
   TouchSound touch_sound;
   Measuring measuring;
   OwnLook own_look;
+  HeldPoses held_poses;
   TouchPaint touch_paint;
   DeviceLink device;
   HandRecorder hand_recorder;
@@ -68,11 +70,11 @@ struct Extensions final : ExtensionSet {
   // The order of the calls. Locks precede the history, so that it never records a change of a locked value. The history
   // precedes the scene change, whose glide it queries. The name is asked for before the recorder begins. The device
   // precedes the hand recorder, which replaces the device's clutch and scale by those of the recording.
-  std::array<Extension*, 23> all_{&settings_keeper, &lesson_watch,    &lesson_locks, &name_asker,    &recorder,
+  std::array<Extension*, 24> all_{&settings_keeper, &lesson_watch,    &lesson_locks, &name_asker,    &recorder,
                                   &turns,           &playback,        &history,      &scene_change,  &hand_model,
                                   &lesson_list,     &card_pictures,   &task_stager,  &reveal_policy, &movers,
                                   &state_text,      &touch_sound,     &measuring,    &touch_paint,   &device,
-                                  &hand_recorder,   &lesson_pictures, &own_look};
+                                  &hand_recorder,   &lesson_pictures, &own_look,     &held_poses};
 };
 
 }  // namespace moltact

@@ -6,6 +6,7 @@
 
 #include "app/ui/application/application.h"
 #include "app/ui/extensions/extensions.h"
+#include "app/ui/panels/pose_list.h"
 #include "app/ui/panels/residue_forces.h"
 #include "app/ui/panels/while_locked.h"
 #include "app/ui/widgets/controls.h"
@@ -73,6 +74,7 @@ void drawEnergyPlot(Application& app) {
   signedPlot("plot/energy", shown, {.title = tr("Energy"), .min_top = 1.0f, .span_s = TouchLog::kPlot_s});
   drawParts(app);
   drawResidueForces(app);
+  drawPoses(app);
   drawFeltEnergy(app.scene.forces());
   const double N_per_kcal_mol_A = log.latest().spring_N_per_A / energy->coupling_kcal_mol_A2;
   if (N_per_kcal_mol_A <= 0.0) return;

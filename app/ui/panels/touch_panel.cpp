@@ -34,6 +34,14 @@ void drawTouchControls(Application& app, bool first) {
       const Digits digits = c.decimals < 0 ? Digits{} : decimals(c.decimals);
       slider(name.c_str(), title.c_str(), touch.**number, c.range.min, c.range.max, c.step, {p.dimension, {digits, {}}},
              tip(quantityText(TouchSetup().**number, p.dimension, digits)).c_str());
+      if (const std::string note = c.note ? c.note(touch) : std::string(); !note.empty()) {
+        ImGui::PushTextWrapPos(0.0f);
+        ImGui::PushStyleColor(ImGuiCol_Text, look().palette.quiet);
+        ImGui::TextUnformatted(note.c_str());
+        ImGui::PopStyleColor();
+        ImGui::PopTextWrapPos();
+        recordItem((name + "/note").c_str(), note);
+      }
     } else if (const auto* on = std::get_if<bool TouchSetup::*>(&p.member)) {
       toggle(name.c_str(), title.c_str(), touch.**on, tip({}).c_str());
     } else {
@@ -76,7 +84,7 @@ void drawTouchTab(Application& app) {
   drawPartSwitches(app);
   ImGui::PopStyleVar();
   ImGui::Spacing();
-  disclosure("more", tr("Spring, tracker and timing"), app.panels.touch_details);
+  disclosure("more", tr("Spring, friction and tracker"), app.panels.touch_details);
   if (app.panels.touch_details) {
     drawTouchControls(app, false);
     const ServoSettings& servo = app.scene.servo_settings;

@@ -9,6 +9,7 @@
 #include "app/ui/panels/dark_view.h"
 #include "app/ui/panels/lesson/lesson_keys.h"
 #include "app/ui/panels/method_chooser.h"
+#include "app/ui/panels/pose_list.h"
 #include "app/ui/panels/push_pads.h"
 #include "app/ui/panels/residue_forces.h"
 #include "app/ui/panels/view_overlays.h"
@@ -180,6 +181,7 @@ ViewScene seenScene(const Application& app) {
     }
   }
   showForces(app, scene);
+  showPose(app, scene);
   scene.water = app.settings.probe_look != ProbeLook::Sphere;
   scene.hand = app.extensions().hand_model.model();
   scene.left_hand = app.settings.left_handed;

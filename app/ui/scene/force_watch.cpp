@@ -20,6 +20,7 @@ void ForceWatch::begin(const TouchableModel& stage, std::shared_ptr<const PairFi
   const bool same_atoms = stage.spheres == stage_.spheres && stage.body == stage_.body;
   stage_ = stage;
   shares_.reset();
+  field_ = pairs;
   on_ = false;
   clear();
   if (!same_atoms || !pairs) bonds_.reset();

@@ -44,6 +44,8 @@ class ForceWatch {
   std::optional<double> highest_kcal_mol() const { return highest_; }
   /// PairModel::wall_kcal_mol of the forces; 0 without them.
   double wall_kcal_mol() const { return shares_ ? shares_->field().model.wall_kcal_mol : 0.0; }
+  /// The atoms of the forces; null without them.
+  const std::shared_ptr<const PairField>& field() const { return field_; }
   /// Of a body, hydrogen bonds before clashes; empty for a probe.
   const std::vector<HeldLine>& lines() const { return lines_; }
   /// The lines as dashes with their lengths; null: none. Another address means other lines.
@@ -56,6 +58,7 @@ class ForceWatch {
   bool isDrawn(std::uint32_t atom) const;
 
   TouchableModel stage_;
+  std::shared_ptr<const PairField> field_;
   std::optional<PairShares> shares_;
   std::optional<HeldHydrogenBonds> bonds_;
   bool on_ = false;

@@ -113,6 +113,14 @@ void HapticSession::beginAgainAt(PointA place) {
   handBegins(place);
 }
 
+void HapticSession::holdAt(const PoseA& body) {
+  if (!stage().body || played_ || trying() || servo_.deviceLeads()) return;
+  log_.clear();
+  ++servo_settings.discontinuities;
+  controls.beginAt(body, camera, servo_settings.workspace, servo_.mouse());
+  servo_.beginAgain(effectiveSettings(false));
+}
+
 bool HapticSession::touchesUnseen(const Contact& contact) const {
   if (!look.hidden) return false;
   return std::any_of(contact.atoms.begin(), contact.atoms.end(), [&](std::int32_t a) {

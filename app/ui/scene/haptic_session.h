@@ -75,6 +75,9 @@ class HapticSession {
   void startSoftly();
   /// The same, with a point rotated to the front and into the middle of the view; the hand begins in front of it.
   void beginAgainAt(PointA place);
+  /// The same, with the mouse's hand at a pose of the body that it holds, in the present view. It waits there for the
+  /// next press, and the body gives way to what acts on it there. Does nothing while a device leads the hand.
+  void holdAt(const PoseA& body);
   /// The placement of the scene in the hand's workspace.
   WorkspaceFit& fit() { return fit_; }
   const WorkspaceFit& fit() const { return fit_; }

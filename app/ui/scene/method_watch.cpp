@@ -114,6 +114,7 @@ Contact MethodWatch::add(const ServoSample& s, const Method& method,
   if (!exact_ || !s.has_interaction) return {.scp = s.hip};
   if (s.contact_reset) exact_->reset();
   if (s.probe_A != exact_->probe_A()) exact_->setProbe(s.probe_A);
+  exact_->setFriction(s.friction);
   // As in ServoStep: first the spheres move, then the hand.
   if (motion != motion_) {
     exact_->setMotion(motion.get());

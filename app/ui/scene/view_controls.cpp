@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace moltact {
 namespace {
@@ -155,6 +156,14 @@ void ViewControls::begin(const Camera& camera, PointA before, const Workspace& w
   orientation_ = start_ ? glm::normalize(glm::conjugate(glm::quat_cast(workspace.rotation)) * *start_) : kNoRotation;
   mouse.turn(orientation_);
   mouse.place(workspace.toDevice(lead_));
+}
+
+void ViewControls::beginAt(const PoseA& hand, const Camera& camera, const Workspace& workspace, MouseDevice& mouse) {
+  const std::optional<Quat> start = std::exchange(start_, hand.orientation);
+  const std::optional<PointA> start_at = std::exchange(start_at_, hand.place);
+  begin(camera, hand.place, workspace, 0.0, mouse);
+  start_ = start;
+  start_at_ = start_at;
 }
 
 }  // namespace moltact

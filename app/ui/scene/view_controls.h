@@ -45,6 +45,9 @@ class ViewControls {
   /// point until pointer or keys lead it.
   void begin(const Camera& camera, PointA before, const Workspace& workspace, double outside_A, MouseDevice& mouse);
 
+  /// The same, with the hand in this pose (in the molecule's space), where it waits for a press.
+  void beginAt(const PoseA& hand, const Camera& camera, const Workspace& workspace, MouseDevice& mouse);
+
   /// The orientation, in the molecule's space, with which the hand starts from the next begin() on; empty: that of the
   /// device's axes.
   void startTurned(const std::optional<Quat>& orientation) { start_ = orientation; }

@@ -113,6 +113,7 @@ TouchSample VirtualTouch::tick(const PoseA& hand) {
   ++ticks_;
   if (s.contact_reset) exact_->reset();
   exact_->setProbe(s.probe_A);
+  exact_->setFriction(s.friction);
   if (motion_) {
     exact_->setMotion(motion_.get());
     exact_->advanceTo(fraction_);
