@@ -1,7 +1,6 @@
 #include "engine/trajectory/random_access_file.h"
 
 #include <algorithm>
-#include <cstring>
 #include <limits>
 #include <utility>
 
@@ -52,7 +51,7 @@ std::size_t RandomAccessFile::readSome(std::uint64_t at, void* to, std::size_t n
   if (at >= size_) return 0;
   n = static_cast<std::size_t>(std::min<std::uint64_t>(n, size_ - at));
   if (!in_.is_open()) {
-    std::memcpy(to, bytes_.data() + at, n);
+    bytes_.copy(static_cast<char*>(to), n, static_cast<std::size_t>(at));
     return n;
   }
   in_.clear();

@@ -13,7 +13,7 @@
 namespace moltact {
 namespace {
 
-/// The functions of the library that are used (netcdf.h).
+/// The functions of the library's C interface that are used.
 struct NetcdfLibrary {
   int (*open)(const char* path, int mode, int* file) = nullptr;
   int (*close)(int file) = nullptr;

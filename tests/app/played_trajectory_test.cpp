@@ -76,6 +76,8 @@ TEST_CASE(
     REQUIRE(trajectory.ready());
     CHECK(trajectory.frames() == 12);
     CHECK(trajectory.format() == "PDB");
+    user->point("view", 0.5, 0.5);
+    user->press();
     double highest = 0.0, lowest = 99.0;
     for (int k = 0; k < 120; ++k) {
       user->frames(3);
@@ -151,7 +153,7 @@ TEST_CASE(
   writeModels(scratch.path / "shift.pdb", 3);
   {
     const auto user = startWith("", small({}));
-    writeFile(scratch.path / "a.xtc", "nothing");
+    writeFile(scratch.path / "a.xtc", std::string(200, 'x'));
     user->app().open(scratch.path / "a.xtc");
     user->frames(2);
     CHECK(contains(user->app().messages.all().back().text, "Open the structure first"));
@@ -166,7 +168,8 @@ TEST_CASE(
   user->frames(2);
   CHECK(!trajectory.ready());
   CHECK(!trajectory.position());
-  CHECK(contains(user->app().messages.all().back().text, "its frames have 12 atoms; the molecule has 602, and its file 660"));
+  CHECK(contains(user->app().messages.all().back().text,
+                 "its frames have 12 atoms; the molecule has 602, and its file 660"));
 }
 
 }  // namespace

@@ -102,7 +102,7 @@ TEST_CASE(
       {"engine/lesson/step_rules.cpp", 3},        // the same, and words of theirs
       {"engine/lesson/answer_reader.cpp", 2},
       {"engine/lesson/values.cpp", 1},
-      {"engine/lesson/second_state.cpp", 1},  // a key in which it stands
+      {"engine/lesson/second_state.cpp", 2},  // keys in which they stand
       {"engine/results/write_attempt_lines.cpp", 1},
       {"engine/lesson/block_readers.cpp", 1},                      // words of a scene's key
       {"engine/lesson/scripted_learner/scripted_learner.cpp", 1},  // an answer
