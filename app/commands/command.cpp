@@ -14,6 +14,7 @@
   X(Fetch)                  \
   X(Grid)                   \
   X(Simulate)               \
+  X(Modes)                  \
   X(Report)                 \
   X(Bench)                  \
   X(Devices)                \
