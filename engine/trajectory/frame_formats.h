@@ -36,6 +36,9 @@ class FoundFrames : public TrajectoryFile {
   std::optional<Problem> findFirst();
 
   RandomAccessFile file_;
+  /// Limit on the frames of a file, whose places take 160 MB.
+  static constexpr std::size_t kMaxFrames = 20'000'000;
+
   std::vector<std::uint64_t> begins_;  // of each frame
   std::uint64_t searched_ = 0;         // the place after the last frame found
 };

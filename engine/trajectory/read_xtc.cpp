@@ -208,7 +208,9 @@ Expected<std::optional<FoundFrames::Ending>> Xtc::endOf(std::uint64_t at) {
     if (!file_.read(at + kHeader_bytes, head, kPacking_bytes + length)) return frameCutShort(file_.name(), frames_);
     const std::int64_t bytes = length == 8 ? orderedNumber<std::int64_t>(head + kPacking_bytes, true)
                                            : std::int64_t(integer(head + kPacking_bytes));
-    if (bytes < 0 || bytes > (std::int64_t(1) << 40)) return frameProblem(file_.name(), frames_, tr("it is damaged"));
+    // An atom takes more than eight bits in the longest runs, which bounds the memory for a damaged number of atoms.
+    if (bytes < atoms || bytes > (std::int64_t(1) << 40))
+      return frameProblem(file_.name(), frames_, tr("it is damaged"));
     out.end += kPacking_bytes + length + std::uint64_t((bytes + 3) / 4 * 4);
   }
   if (out.end > file_.size()) return frameCutShort(file_.name(), frames_);

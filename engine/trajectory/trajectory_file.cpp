@@ -101,6 +101,11 @@ void FoundFrames::findMore(std::uint64_t bytes) {
       return;
     }
     if (!(*ending)->skipped) {
+      if (frames_ == kMaxFrames) {
+        warnings_.push_back(trf("Only the first {0} million frames are read.", kMaxFrames / 1'000'000));
+        complete_ = true;
+        return;
+      }
       begins_.push_back(searched_);
       ++frames_;
     }
