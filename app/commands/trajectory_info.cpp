@@ -34,8 +34,7 @@ void printTrajectoryInfo(const std::string& name, bool json) {
   if (first->cell_A)
     for (int k = 0; k < 3; ++k) edges[k] = glm::length((*first->cell_A)[k]);
   if (json) {
-    nlohmann::ordered_json document = {
-        {"format", file.format()}, {"atoms", file.atoms()}, {"frames", file.frames()}};
+    nlohmann::ordered_json document = {{"format", file.format()}, {"atoms", file.atoms()}, {"frames", file.frames()}};
     if (first->time_ps && last->time_ps) document["time_ps"] = {*first->time_ps, *last->time_ps};
     if (first->cell_A) document["cell_edges_A"] = {edges.x, edges.y, edges.z};
     document["warnings"] = file.warnings();

@@ -105,9 +105,9 @@ struct Molecule {
   /// The number of each atom among those of its model in the file, from 0, in ascending order; empty: atom i is atom i
   /// of the file. The frames of a trajectory have the file's atoms, water and alternates included.
   SharedArray<std::uint32_t> numbers_in_file;
-  std::uint32_t atoms_in_file = 0;        ///< in its model; 0: unknown, as for an assembly
-  std::uint32_t beside_from = 0;          ///< index of the first atom of a second molecule (side_by_side.h); 0: none
-  std::string beside_id;                  ///< short name of the second molecule
+  std::uint32_t atoms_in_file = 0;  ///< in its model; 0: unknown, as for an assembly
+  std::uint32_t beside_from = 0;    ///< index of the first atom of a second molecule (side_by_side.h); 0: none
+  std::string beside_id;            ///< short name of the second molecule
 
   /// An atom with its coordinates. `atom` must be in range.
   PlacedAtom at(std::size_t atom) const;

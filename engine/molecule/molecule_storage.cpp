@@ -50,8 +50,8 @@ std::size_t MoleculeStorage::bytes() const {
   const MoleculeArrays& m = arrays;
   return m.atoms.size() * (sizeof(Atom) + sizeof(Sphere)) + m.charges_e.size() * sizeof(float) +
          m.residues.size() * sizeof(Residue) + m.chains.size() * sizeof(Chain) +
-         (label_of_.size() + m.numbers_in_file.size()) * sizeof(std::uint32_t) + labels_.size() * sizeof(ShortText) + hetero_of.size() / 8 +
-         text_bytes_;
+         (label_of_.size() + m.numbers_in_file.size()) * sizeof(std::uint32_t) + labels_.size() * sizeof(ShortText) +
+         hetero_of.size() / 8 + text_bytes_;
 }
 
 std::string_view MoleculeStorage::labelChain(std::size_t residue) const {

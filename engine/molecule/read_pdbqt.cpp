@@ -21,8 +21,8 @@ struct DockElement {
 // AutoDock's types that are not the symbol of their element. NA is nitrogen that accepts a hydrogen bond; sodium is Na. W is
 // the water molecule of hydrated docking.
 constexpr DockElement kDockElements[] = {
-    {"A", "C"},  {"NA", "N"}, {"NS", "N"}, {"NX", "N"}, {"OA", "O"},  {"OS", "O"},
-    {"OX", "O"}, {"SA", "S"}, {"HD", "H"}, {"HS", "H"}, {"HN", "H"}, {"W", "O"}, {"CL", "Cl"}, {"BR", "Br"},
+    {"A", "C"},  {"NA", "N"}, {"NS", "N"}, {"NX", "N"}, {"OA", "O"}, {"OS", "O"},  {"OX", "O"},
+    {"SA", "S"}, {"HD", "H"}, {"HS", "H"}, {"HN", "H"}, {"W", "O"},  {"CL", "Cl"}, {"BR", "Br"},
 };
 
 /// The element of an AutoDock type; 0 if it is unknown.

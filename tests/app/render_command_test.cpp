@@ -105,8 +105,8 @@ TEST_CASE("every key of a scene is an option of render, or has no meaning for a 
                                                         {"elastic", "a picture shows the molecule at rest"},
                                                         {"view NAME", "a name is for links; --view takes what it says"},
                                                         {"frames", "a picture shows one frame, by --frame"},
-{"speed", "it does not move"},
-{"simulation", "a picture shows the molecule at rest"},
+                                                        {"speed", "it does not move"},
+                                                        {"simulation", "a picture shows the molecule at rest"},
                                                         {"states", "names for the slider"},
                                                         {"locked", "nobody could change it"}};
   test::checkSceneKeysInHelp("render", without);

@@ -55,8 +55,8 @@ bool drawTrajectorySection(Application& app) {
              PlayedTrajectory::kFastest_per_s, 0.5, {Dimension::None, {decimals(1), {}}}))
     trajectory.setFramesPerSecond(speed);
   double smoothing = double(trajectory.smoothing());
-  if (slider("trajectory/smoothing", tr("Smoothing (frames)"), smoothing, 0.0,
-             double(PlayedTrajectory::kMaxSmoothing), 1.0, {Dimension::None, {decimals(0), {}}},
+  if (slider("trajectory/smoothing", tr("Smoothing (frames)"), smoothing, 0.0, double(PlayedTrajectory::kMaxSmoothing),
+             1.0, {Dimension::None, {decimals(0), {}}},
              tr("Each frame becomes the mean of so many frames before it, itself, and as many after it.")))
     trajectory.setSmoothing(std::size_t(std::lround(smoothing)));
   ImGui::Spacing();

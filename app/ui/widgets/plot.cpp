@@ -222,8 +222,7 @@ void seriesPlot(const char* name, std::span<const float> values, const SeriesPlo
                   l.px(1.4f));
   const double k = std::clamp((how.at - how.first) / how.step, 0.0, double(values.size() - 1));
   const auto low = std::min(std::size_t(k), values.size() - 2);
-  const double value =
-      double(values[low]) + (k - double(low)) * (double(values[low + 1]) - double(values[low]));
+  const double value = double(values[low]) + (k - double(low)) * (double(values[low + 1]) - double(values[low]));
   const ImVec2 at = place(k, value);
   draw->AddLine({at.x, a.y}, {at.x, floor}, p.faint, 1.0f);
   draw->AddCircleFilled(at, l.px(4.5f), p.text, 20);
