@@ -40,9 +40,20 @@ std::map<std::string, std::string> propertiesOf(const std::string& platform) {
   return {{"Threads", std::to_string(std::clamp(all / 2, 1u, 8u))}};
 }
 
+// OpenMM casts what it reads to the wanted class without a check.
+bool isSystem(const std::string& xml) {
+  std::size_t at = xml.find('<');
+  while (at != std::string::npos && (xml.compare(at, 2, "<?") == 0 || xml.compare(at, 2, "<!") == 0))
+    at = xml.find('<', at + 1);
+  if (at == std::string::npos) return false;
+  const std::string root = xml.substr(at, xml.find('>', at) - at);
+  return root.starts_with("<System ") && root.find("type=\"System\"") != std::string::npos;
+}
+
 class OpenMMEngine final : public MdEngine {
  public:
   explicit OpenMMEngine(const MdStart& start) : start_(start) {
+    if (!isSystem(start.system)) throw std::runtime_error("the file is no serialized System");
     loadPlugins();
     std::istringstream text(start.system);
     system_.reset(OpenMM::XmlSerializer::deserialize<OpenMM::System>(text));

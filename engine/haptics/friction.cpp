@@ -155,8 +155,8 @@ Response FrictionLayer::respond(const PoseA& pose) noexcept {
     touching_ = false;
     return inner().respond(pose);
   }
-  if (!touching_ || !finite(pose.place.A) || !rotates(pose.orientation)) return ask(pose);
   const bool moved = std::exchange(surface_moved_, false);
+  if (!touching_ || !finite(pose.place.A) || !rotates(pose.orientation)) return ask(pose);
   carry();
   Lag lag = lagBehind(pose);
   double now = load(lag), most = 1.0 + friction_.stick_slip;

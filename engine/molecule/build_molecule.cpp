@@ -34,14 +34,14 @@ std::size_t dropWaters(MoleculeStorage& grown) {
   arrays.atoms = std::move(old.atoms);
   arrays.spheres = std::move(old.spheres);
   arrays.charges_e = std::move(old.charges_e);
-  arrays.numbers_in_file = std::move(old.numbers_in_file);
   std::size_t kept = 0;
   for (std::size_t i = 0; i < old.residues.size(); ++i) {
     const Residue& r = old.residues[i];
     if (water(r)) continue;
     for (std::uint32_t k = 0; k < r.atom_count; ++k) {
       const PlacedAtom atom = out.at(r.first_atom + k);
-      const std::uint32_t number = out.numberInFile(r.first_atom + k);
+      const std::uint32_t number =
+          old.numbers_in_file.empty() ? r.first_atom + k : old.numbers_in_file[r.first_atom + k];
       out.put(kept, atom, out.charge_e(r.first_atom + k),
               {r.name, old.chains[r.chain].name, grown.labelChain(i), r.number, r.insertion}, grown.hetero_of[i]);
       out.setNumberInFile(kept++, number);

@@ -18,6 +18,9 @@ using OpenedTrajectory = Expected<std::unique_ptr<TrajectoryFile>>;
 
 inline constexpr double kAngstrom_per_nanometre = 10.0;
 
+/// Limit on the frames of a file; the places of so many take 160 MB.
+inline constexpr std::size_t kMaxTrajectoryFrames = 20'000'000;
+
 /// A trajectory whose frames begin at places that are found one after the other.
 class FoundFrames : public TrajectoryFile {
  public:
@@ -36,9 +39,6 @@ class FoundFrames : public TrajectoryFile {
   std::optional<Problem> findFirst();
 
   RandomAccessFile file_;
-  /// Limit on the frames of a file, whose places take 160 MB.
-  static constexpr std::size_t kMaxFrames = 20'000'000;
-
   std::vector<std::uint64_t> begins_;  // of each frame
   std::uint64_t searched_ = 0;         // the place after the last frame found
 };
@@ -63,6 +63,8 @@ Problem frameCutShort(const std::string& file, std::size_t frame);
 Problem notOfFormat(const std::string& file, std::string_view format);
 /// Checks the positions of a frame; a Problem if one is not finite or too far away.
 std::optional<Problem> checkPositions(const std::string& file, std::size_t frame, std::span<const Vec3> positions_A);
+/// The cell with these vectors (angstrom) as columns; empty if they are not finite, too long or span no volume.
+std::optional<glm::dmat3> cellOf(const glm::dmat3& vectors_A);
 /// The cell with these edges (angstrom) and angles (degree); empty if they make none.
 std::optional<glm::dmat3> cellOf(const Vec3& edges_A, const Vec3& angles_deg);
 

@@ -1,9 +1,11 @@
 #include "engine/trajectory/frame_placer.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "engine/language/catalogue.h"
+#include "engine/molecule/reader.h"
 #include "engine/structure/bonds.h"
 #include "engine/structure/superposition.h"
 
@@ -122,7 +124,16 @@ std::vector<Vec3> FramePlacer::place(const TrajectoryFrame& frame) const {
   std::vector<Vec3> out(n);
   const bool of_file = frame.positions_A.size() != n && !m.numbers_in_file.empty();
   for (std::size_t i = 0; i < n; ++i) out[i] = frame.positions_A[of_file ? m.numbers_in_file[i] : i];
-  if (frame.cell_A) makeWhole(out, *frame.cell_A);
+  if (frame.cell_A) {
+    std::vector<Vec3> whole = out;
+    makeWhole(whole, *frame.cell_A);
+    // A cell without sense, such as one thinner than rounding, is left out.
+    const bool sound = std::all_of(whole.begin(), whole.end(), [](const Vec3& place) {
+      return std::abs(place.x) <= kMaxCoordinate_A && std::abs(place.y) <= kMaxCoordinate_A &&
+             std::abs(place.z) <= kMaxCoordinate_A;
+    });
+    if (sound) out = std::move(whole);
+  }
   if (!superposed_) return out;
   const auto fit = superpose(m, movedTo(out), fitted_);
   // Atoms of this frame alone lie on a line: it is left as it is.

@@ -1,6 +1,7 @@
 // NetCDF by AMBER's convention (ambermd.org/netcdf/nctraj.xhtml), of MDTraj, cpptraj and OpenMM too. The NetCDF library is
 // loaded when such a file is opened; its C functions are the same in all its versions. It is not safe for several
 // threads: one lock serves all files.
+#include <algorithm>
 #include <cmath>
 #include <mutex>
 #include <string>
@@ -22,7 +23,8 @@ struct NetcdfLibrary {
   int (*variable)(int file, const char* name, int* id) = nullptr;
   int (*dimensions)(int file, int id, int* count) = nullptr;
   int (*read)(int file, int id, const std::size_t* start, const std::size_t* count, double* values) = nullptr;
-  int (*attribute)(int file, int id, const char* name, double* value) = nullptr;
+  int (*attributeLength)(int file, int id, const char* name, std::size_t* length) = nullptr;
+  int (*attribute)(int file, int id, const char* name, double* values) = nullptr;
   const char* (*error)(int status) = nullptr;
 };
 
@@ -45,8 +47,8 @@ Expected<NetcdfLibrary> loadNetcdf() {
   if (!library || !found(*library, "nc_open", out.open) || !found(*library, "nc_close", out.close) ||
       !found(*library, "nc_inq_dimid", out.dimension) || !found(*library, "nc_inq_dimlen", out.length) ||
       !found(*library, "nc_inq_varid", out.variable) || !found(*library, "nc_inq_varndims", out.dimensions) ||
-      !found(*library, "nc_get_vara_double", out.read) || !found(*library, "nc_get_att_double", out.attribute) ||
-      !found(*library, "nc_strerror", out.error))
+      !found(*library, "nc_get_vara_double", out.read) || !found(*library, "nc_inq_attlen", out.attributeLength) ||
+      !found(*library, "nc_get_att_double", out.attribute) || !found(*library, "nc_strerror", out.error))
     return Problem{{},
                    0,
                    0,
@@ -76,17 +78,12 @@ class AmberNetcdf final : public TrajectoryFile {
   struct Variable {
     int id = -1;
     double scale = 1.0;
-  };
-  Variable variable(const char* name, int dimensions) const {
-    Variable out;
-    int count = 0;
-    if (nc_.variable(file_, name, &out.id) != 0 || nc_.dimensions(file_, out.id, &count) != 0 || count != dimensions)
-      return {};
-    double scale = 1.0;
-    if (nc_.attribute(file_, out.id, "scale_factor", &scale) == 0 && std::isfinite(scale)) out.scale = scale;
+    std::size_t values = 0;
+    if (nc_.attributeLength(file_, out.id, "scale_factor", &values) == 0 && values == 1 &&
+        nc_.attribute(file_, out.id, "scale_factor", &scale) == 0 && std::isfinite(scale))
+      out.scale = scale;
     return out;
-  }
-  std::optional<std::size_t> length(const char* name) const {
+  } std::optional<std::size_t> length(const char* name) const {
     int id = 0;
     std::size_t out = 0;
     if (nc_.dimension(file_, name, &id) != 0 || nc_.length(file_, id, &out) != 0) return std::nullopt;
@@ -128,7 +125,7 @@ std::optional<Problem> AmberNetcdf::open() {
   if (*frames == 0)
     return Problem{name_, 0, 0, tr("the file holds no frame with positions"), tr("copy or download it again")};
   atoms_ = *atoms;
-  frames_ = *frames;
+  frames_ = std::min(*frames, kMaxTrajectoryFrames);
   complete_ = true;
   time_ = variable("time", 1);
   edges_ = variable("cell_lengths", 2);

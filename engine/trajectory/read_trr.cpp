@@ -121,7 +121,7 @@ Expected<TrajectoryFrame> Trr::read(std::size_t frame) {
     glm::dmat3 cell(0.0);
     for (int k = 0; k < 9; ++k)
       cell[k / 3][k % 3] = real(vectors + size * std::size_t(k), size) * kAngstrom_per_nanometre;
-    if (glm::determinant(cell) > 0.0) out.cell_A = cell;
+    out.cell_A = cellOf(cell);
   }
   if (auto problem = checkPositions(file_.name(), frame, out.positions_A)) return *problem;
   return out;

@@ -229,7 +229,7 @@ Expected<TrajectoryFrame> Xtc::read(std::size_t frame) {
   for (int column = 0; column < 3; ++column)
     for (int row = 0; row < 3; ++row)
       cell[column][row] = double(real(head + 16 + 4 * (3 * column + row))) * kAngstrom_per_nanometre;
-  if (glm::determinant(cell) > 0.0) out.cell_A = cell;
+  out.cell_A = cellOf(cell);
   std::vector<glm::vec3> places_nm(atoms_);
   if (atoms_ <= kFewAtoms) {
     char plain[12 * kFewAtoms];

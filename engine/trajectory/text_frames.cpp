@@ -109,7 +109,7 @@ class GroFrames final : public LineFrames {
       cell[0] = {v[0], v[3], v[4]};
       cell[1] = {v[5], v[1], v[6]};
       cell[2] = {v[7], v[8], v[2]};
-      if (count >= 3 && glm::determinant(cell) > 0.0) out.cell_A = cell * kAngstrom_per_nanometre;
+      if (count >= 3) out.cell_A = cellOf(cell * kAngstrom_per_nanometre);
     }
     return checked(frame, std::move(out));
   }

@@ -101,8 +101,8 @@ void FoundFrames::findMore(std::uint64_t bytes) {
       return;
     }
     if (!(*ending)->skipped) {
-      if (frames_ == kMaxFrames) {
-        warnings_.push_back(trf("Only the first {0} million frames are read.", kMaxFrames / 1'000'000));
+      if (frames_ == kMaxTrajectoryFrames) {
+        warnings_.push_back(trf("Only the first {0} million frames are read.", kMaxTrajectoryFrames / 1'000'000));
         complete_ = true;
         return;
       }
@@ -141,6 +141,12 @@ std::optional<Problem> checkPositions(const std::string& file, std::size_t frame
       if (!(std::abs(positions_A[i][k]) <= kMaxCoordinate_A))
         return frameProblem(file, frame, trf("the position of atom {0} is not finite or too far away", i + 1));
   return std::nullopt;
+}
+
+std::optional<glm::dmat3> cellOf(const glm::dmat3& vectors_A) {
+  for (int k = 0; k < 9; ++k)
+    if (!(std::abs(vectors_A[k / 3][k % 3]) <= kMaxCoordinate_A)) return std::nullopt;
+  return glm::determinant(vectors_A) > 0.0 ? std::optional(vectors_A) : std::nullopt;
 }
 
 std::optional<glm::dmat3> cellOf(const Vec3& edges, const Vec3& angles_deg) {

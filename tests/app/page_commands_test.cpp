@@ -95,6 +95,8 @@ const std::vector<std::pair<std::string, std::string>> kNotRun = {
     {"check /usr/local", "the folder is an administrator's"},
     {"render capsid.cif", "the structure is downloaded"},
     {"info capsid.cif", "the structure is downloaded"},
+    {"info md.xtc", "a trajectory of one's own"},
+    {"render protein.gro", "a structure and a trajectory of one's own"},
     {"render 4ake", "the structure is downloaded"},
     {"info small.", "the file is made as the page tells, of gigabytes"},
     {"pack --html", "the name of an option, with no lesson"},

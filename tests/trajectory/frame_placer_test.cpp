@@ -80,6 +80,15 @@ TEST_CASE(
   CHECK(molecule->numbers_in_file[15] == 17);  // after the first water
   const auto all = readMoleculeBytes(structure(), "a.pdb", {.waters = true});
   CHECK(all->numbers_in_file[15] == 16);
+  // Water between a protein's atom and an ion, and no alternates.
+  const auto ion = moleculeOf(pdbLine(1, " CA", "ALA", 1, {0, 0, 0}, "C") + pdbLine(2, " O", "HOH", 2, {9, 0, 0}, "O") +
+                              pdbLine(3, " O", "HOH", 3, {9, 9, 0}, "O") + pdbLine(4, "NA", " NA", 4, {5, 0, 0}, "NA") +
+                              pdbLine(5, "NA", " NA", 5, {5, 5, 0}, "NA") + "END\n");
+  REQUIRE(ion->atoms.size() == 3);
+  REQUIRE(ion->numbers_in_file.size() == 3);
+  CHECK(ion->numbers_in_file[0] == 0);
+  CHECK(ion->numbers_in_file[1] == 3);
+  CHECK(ion->numbers_in_file[2] == 4);
   // Nothing left out: no list.
   const auto plain = moleculeOf(pdbLine(1, " CA", "ALA", 1, {0, 0, 0}, "C") + "END\n");
   CHECK(plain->numbers_in_file.empty());

@@ -23,7 +23,7 @@ std::vector<Vec3> displacementsOfText(std::string_view text) {
   for (int c = 0; at < end; c = (c + 1) % 3) {
     int value = 0;
     const auto read = std::from_chars(at, end, value);
-    if (read.ec != std::errc() || std::abs(value) > 1'000'000) return {};
+    if (read.ec != std::errc() || value < -1'000'000 || value > 1'000'000) return {};
     if (c == 0) out.emplace_back(0.0);
     out.back()[c] = value * kRecorded_A;
     at = read.ptr;

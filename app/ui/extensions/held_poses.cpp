@@ -198,7 +198,8 @@ void HeldPoses::take() {
 }
 
 Expected<std::string> HeldPoses::pdb() const {
-  if (!selected_ || *selected_ >= list().size()) return Problem{"", 0, 0, tr("no pose is selected"), tr("select one")};
+  if (!selected_ || *selected_ >= list().size())
+    return Problem{"", 0, 0, tr("no pose is selected"), tr("select a pose")};
   const HeldPose& chosen = list()[*selected_];
   const HeldBody& body = *scene_.stage().body;
   const TouchSetup touch = scene_.touch();

@@ -193,7 +193,7 @@ void LiveMolecule::pushAtoms() {
   }
   for (std::size_t i = 0; i < impulses_N_s_.size(); ++i) {
     const Vec3 force = std::exchange(impulses_N_s_[i], Vec3(0.0)) * kcal_mol_A;
-    if (const double size = glm::length(force); size > 0.0)
+    if (const double size = glm::length(force); size > 0.0 && spring > 0.0)
       wanted_.pushes.push_back(pushOf(std::uint32_t(i), at[i].centre_A, share * force, spring * size / whole));
   }
 }

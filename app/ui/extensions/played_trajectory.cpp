@@ -49,6 +49,7 @@ PlayedTrajectory::Reading PlayedTrajectory::readingOf(std::shared_ptr<FrameStore
       auto positions = store->at(frame, smoothing);
       if (!positions) {
         out.problem = positions.problem();
+        out.failed = frame;
         break;
       }
       out.placed.push_back({frame, {*positions, store->time_ps(frame)}});
@@ -76,6 +77,7 @@ void PlayedTrajectory::forget() {
   frames_ = 0;
   complete_ = false;
   placed_.clear();
+  failed_.clear();
   begins_.reset();
   running_ = started_ = false;
   direction_ = 1;
@@ -159,10 +161,8 @@ void PlayedTrajectory::begin(const fs::path& file, const FrameFit& fit, std::str
 
 void PlayedTrajectory::takeOpened(Expected<Reading> opened) {
   if (!opened) {
-    messages_.error(opened.problem().text());
-    // The atoms of a lesson's scene rest.
-    file_.clear();
-    return;
+    // The atoms rest. The file's name stays, so that a playback does not open it again in each frame.
+    return messages_.error(opened.problem().text());
   }
   store_ = opened->store;
   format_ = store_->file().format();
@@ -178,6 +178,7 @@ void PlayedTrajectory::take(Reading reading) {
   if (reading.problem) {
     running_ = false;
     seek_.reset();
+    if (reading.failed) failed_.insert(*reading.failed);
     messages_.error(reading.problem->text());
   }
   if (complete_ && !warned_ && !reading.warnings.empty()) {
@@ -190,7 +191,6 @@ void PlayedTrajectory::take(Reading reading) {
 void PlayedTrajectory::start() {
   started_ = false;
   if (!store_) return;
-  at_ = std::min(at_, double(frames_ - 1));
 }
 
 std::vector<std::size_t> PlayedTrajectory::needed() const {
@@ -210,7 +210,7 @@ std::vector<std::size_t> PlayedTrajectory::needed() const {
   }
   want(std::floor(at_));
   want(std::ceil(at_));
-  if (at_end == AtEnd::Repeat) want(double(first()));
+  if (at_end == AtEnd::Repeat || (shown_ && *shown_ > double(last()))) want(double(first()));
   // A step may pass several frames.
   const double stride = std::max(1.0, std::floor(per_s_ * kPiece_ticks * kTick_s));
   for (std::size_t k = 1; running_ && k <= kAhead; ++k) {
@@ -223,15 +223,16 @@ std::vector<std::size_t> PlayedTrajectory::needed() const {
 
 // Reads the frames that are missing, and forgets those that are far away.
 void PlayedTrajectory::request() {
-  if (!store_ || reading_.busy() || surveying_.busy()) return;
+  if (!store_ || reading_.busy()) return;
   const std::vector<std::size_t> wanted = needed();
   if (placed_smoothing_ != smoothing_) {
     placed_.clear();
+    failed_.clear();
     placed_smoothing_ = smoothing_;
   }
   std::vector<std::size_t> missing;
   for (const std::size_t frame : wanted)
-    if (!placed_.contains(frame)) missing.push_back(frame);
+    if (!placed_.contains(frame) && !failed_.contains(frame)) missing.push_back(frame);
   if (missing.empty() && complete_) return;
   constexpr std::size_t kKept = 3 * kAhead + 8;
   for (auto it = placed_.begin(); placed_.size() > kKept && it != placed_.end();)
@@ -298,8 +299,7 @@ bool PlayedTrajectory::seek() {
   double farthest_A = 0.0;
   for (std::size_t i = 0; i < spheres->size(); ++i)
     farthest_A = std::max(farthest_A, glm::distance((*spheres)[i].centre_A, now[i].centre_A));
-  const int ticks =
-      std::clamp(int(std::ceil(farthest_A / kSeekSpeed_A_per_s / kTick_s)), kPiece_ticks, 30 * kPiece_ticks);
+  const int ticks = std::clamp(int(std::ceil(farthest_A / kSeekSpeed_A_per_s / kTick_s)), kPiece_ticks, kMaxSeek_ticks);
   if (!own_.claim() || !scene_.moveAtoms(own_, *spheres, ticks)) return false;
   at_ = to;
   seek_.reset();
@@ -321,8 +321,11 @@ void PlayedTrajectory::beforeTicks() {
     return messages_.notice(tr("Forces between atoms act in a molecule at rest. The trajectory has been closed."));
   }
   request();
+  if (shown_ && !scene_.playing()) shown_.reset();
   if (shown_) return;  // a playback moves the atoms
   if (!started_) {
+    if (!complete_ && first_ >= frames_) return;  // it is still being searched
+    at_ = std::clamp(at_, double(first()), double(last()));
     const auto spheres = spheresAt(at_);
     if (!spheres || !own_.claim() || !scene_.placeAtoms(own_, *spheres)) return;
     started_ = true;

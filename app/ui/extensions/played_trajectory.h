@@ -9,6 +9,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -25,8 +26,9 @@ class PlayedTrajectory : public AtomMover {
 
   /// Duration of a piece of the motion: about thirty a second.
   static constexpr int kPiece_ticks = 33;
-  /// The greatest speed of an atom on the way to a frame that the user chose.
+  /// The greatest speed of an atom on the way to a frame that the user chose; the way takes at most kMaxSeek_ticks.
   static constexpr double kSeekSpeed_A_per_s = 8.0;
+  static constexpr int kMaxSeek_ticks = 990;
   static constexpr double kSlowest_per_s = 0.5, kFastest_per_s = 60.0;
   static constexpr std::size_t kMaxSmoothing = 10;
   /// The survey of a trajectory reads at most so many frames.
@@ -88,6 +90,7 @@ class PlayedTrajectory : public AtomMover {
     bool complete = false;
     std::vector<std::pair<std::size_t, Placed>> placed;
     std::optional<Problem> problem;
+    std::optional<std::size_t> failed;  // the frame that could not be read
     std::vector<std::string> warnings;
   };
   static Reading readingOf(std::shared_ptr<FrameStore> store, const std::vector<std::size_t>& frames,
@@ -120,6 +123,7 @@ class PlayedTrajectory : public AtomMover {
   std::size_t frames_ = 0, first_ = 0, last_ = ~std::size_t{0};
   bool complete_ = false;
   std::map<std::size_t, Placed> placed_;  // frames near the present one
+  std::set<std::size_t> failed_;          // frames that could not be read
   std::size_t placed_smoothing_ = 0;
   double at_ = 0.0, per_s_ = 10.0;
   int direction_ = 1;

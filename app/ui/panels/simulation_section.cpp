@@ -9,6 +9,8 @@
 #include "app/ui/extensions/elastic_molecule.h"
 #include "app/ui/extensions/extensions.h"
 #include "app/ui/extensions/live_molecule.h"
+#include "app/ui/extensions/played_trajectory.h"
+#include "app/ui/panels/view_overlays.h"
 #include "app/ui/panels/while_locked.h"
 #include "app/ui/widgets/controls.h"
 #include "app/ui/widgets/plot.h"
@@ -50,7 +52,7 @@ void drawClock(LiveMolecule& live) {
     live.setSpeed(speed);
 }
 
-void drawHold(LiveMolecule& live) {
+void drawHold(Application& app, LiveMolecule& live) {
   using Hold = LiveMolecule::Hold;
   sectionTitle(tr("The hand"));
   const std::array<std::string, 2> words{N_("Pushes"), N_("Pulls")};
@@ -62,7 +64,7 @@ void drawHold(LiveMolecule& live) {
              tr("A press holds what it touches first, an atom or its whole residue, until it ends. With a device, hold "
                 "the space bar while you touch.")))
     live.setHold(residue ? Hold::Residue : Hold::Atom);
-  const std::string held = live.heldText();
+  const std::string held = mayNameAtoms(app) ? live.heldText() : std::string();
   simulationLine("simulation/held",
                  held.empty() ? tr("Press on an atom and drag it.")
                               : trf("Held: {0}, moved by {1} Å", held, numberText(live.pulledBy_A(), decimals(1))));
@@ -104,12 +106,15 @@ bool drawSimulationSection(Application& app) {
     simulationLine("simulation/unavailable", why);
     return false;
   }
+  const WhileLocked locked(app, "simulation");
   {
-    const WhileLocked locked(app, "simulation");
     bool on = live.on();
     if (toggle("simulation", tr("Simulation"), on,
-               tr("The atoms move as their forces and the heat bath demand, and the hand pushes them."))) {
-      if (on) elastic.turn(false);
+               tr("The atoms move according to the forces between them and a heat bath, and the hand pushes them."))) {
+      if (on) {
+        elastic.turn(false);
+        app.extensions().movers.get<PlayedTrajectory>().close();
+      }
       live.turn(on);
     }
   }
@@ -124,12 +129,12 @@ bool drawSimulationSection(Application& app) {
   }
   drawClock(live);
   ImGui::Spacing();
-  drawHold(live);
+  drawHold(app, live);
   ImGui::Spacing();
   double kelvin = live.wanted().temperature_K;
   if (slider("simulation/bath", tr("Heat bath (K)"), kelvin, 1.0, LiveMolecule::kHottest_K, 1.0,
              {Dimension::None, {decimals(0), {}}},
-             tr("The temperature to which friction and random forces lead the atoms.")))
+             tr("The temperature to which friction and random forces bring the atoms.")))
     live.setTemperature(kelvin);
   simulationLine("simulation/time", trf("Simulated: {0} ps", numberText(live.frame().time_ps, decimals(1))));
   drawPlots(live);
