@@ -78,12 +78,20 @@ class AmberNetcdf final : public TrajectoryFile {
   struct Variable {
     int id = -1;
     double scale = 1.0;
+  };
+  Variable variable(const char* name, int dimensions) const {
+    Variable out;
+    int count = 0;
+    if (nc_.variable(file_, name, &out.id) != 0 || nc_.dimensions(file_, out.id, &count) != 0 || count != dimensions)
+      return {};
+    double scale = 1.0;
     std::size_t values = 0;
     if (nc_.attributeLength(file_, out.id, "scale_factor", &values) == 0 && values == 1 &&
         nc_.attribute(file_, out.id, "scale_factor", &scale) == 0 && std::isfinite(scale))
       out.scale = scale;
     return out;
-  } std::optional<std::size_t> length(const char* name) const {
+  }
+  std::optional<std::size_t> length(const char* name) const {
     int id = 0;
     std::size_t out = 0;
     if (nc_.dimension(file_, name, &id) != 0 || nc_.length(file_, id, &out) != 0) return std::nullopt;
