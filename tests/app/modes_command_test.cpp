@@ -34,7 +34,7 @@ TEST_CASE(
   const Run text = place.run("modes 4ake --count 3 --toward 1ake");
   CHECK(has(text.out, "nodes     214\n"));
   CHECK(has(text.out, "mode  eigenvalue  kcal/mol at 1 A  overlap  together\n"));
-  CHECK(has(text.out, "0.235 kcal/mol/A^2"));
+  CHECK(has(text.out, "0.236 kcal/mol/A^2"));
 }
 
 TEST_CASE(
