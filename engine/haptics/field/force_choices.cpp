@@ -8,13 +8,25 @@
 namespace moltact {
 namespace {
 
-constexpr std::array kForces{
-    ForceChoice{"none", N_("None"), N_("contact alone")},
-    ForceChoice{"all", N_("All"), N_("van der Waals forces and forces between charges"), true, true},
-    ForceChoice{"van-der-waals", N_("Van der Waals"), N_("attraction and repulsion of neutral atoms (Lennard-Jones)"),
-                true, false},
-    ForceChoice{"electrostatic", N_("Charges"), N_("attraction and repulsion of charges (Coulomb)"), false, true},
-};
+constexpr std::array<EnergyPartInfo, kEnergyParts> kParts{{
+    {EnergyPart::VanDerWaals, "van-der-waals", N_("Van der Waals"),
+     N_("attraction and repulsion of neutral atoms (Lennard-Jones)"),
+     [](PairAtom& atom) noexcept { atom.depth_kcal_mol = 0.0f; }},
+    {EnergyPart::Electrostatic, "electrostatic", N_("Charges"), N_("attraction and repulsion of charges (Coulomb)"),
+     [](PairAtom& atom) noexcept { atom.charge_e = 0.0f; }},
+}};
+
+constexpr auto kForces = [] {
+  std::array<ForceChoice, 2 + kEnergyParts> out{};
+  out[0] = {"none", N_("None"), N_("contact alone"), {}};
+  out[1] = {"all", N_("All"), N_("van der Waals forces and forces between charges"), {}};
+  out[1].acts.values.fill(true);
+  for (std::size_t k = 0; k < kEnergyParts; ++k) {
+    out[2 + k] = {kParts[k].name, kParts[k].title, kParts[k].sentence, {}};
+    out[2 + k].acts[kParts[k].part] = true;
+  }
+  return out;
+}();
 
 constexpr std::array kMedia{
     DielectricChoice{"water", N_("Water"),
@@ -32,6 +44,8 @@ const auto& named(const Table& table, std::string_view name) {
 }
 
 }  // namespace
+
+std::span<const EnergyPartInfo, kEnergyParts> energyParts() { return kParts; }
 
 std::span<const ForceChoice> forceChoices() { return kForces; }
 const ForceChoice& forceChoice(std::string_view name) { return named(kForces, name); }
