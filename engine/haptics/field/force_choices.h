@@ -16,6 +16,8 @@ struct EnergyPartInfo {
   std::string_view name;      ///< "electrostatic"
   std::string_view title;     ///< on the screen, untranslated (N_)
   std::string_view sentence;  ///< description, untranslated (N_)
+  bool of_charges;            ///< depends on the atoms' charges
+  bool in_all;                ///< acts where a scene selects "all"
   /// Removes the part's parameters from an atom, which then has no such energy.
   void (*remove)(PairAtom&) noexcept;
 };
@@ -23,11 +25,12 @@ struct EnergyPartInfo {
 /// Every part, in the order of EnergyPart.
 std::span<const EnergyPartInfo, kEnergyParts> energyParts();
 
-/// The parts that a scene selects: none, all, or one alone, which has the part's name.
+/// The parts that a scene selects: none, all (those with EnergyPartInfo::in_all), or one alone, which has the part's name.
 struct ForceChoice {
   std::string_view name, title, sentence;  ///< as in EnergyPartInfo
   PerEnergyPart<bool> acts;
 
+  bool feelsCharges() const;
   bool any() const {
     for (const bool one : acts.values)
       if (one) return true;

@@ -103,9 +103,10 @@ MOLTACT_INLINE PairLanes pairs(const PairBlock& block, const PairConstants& c, c
   const M8 between = (t > c.from2) & (t < c.cut2);
   const V8 s2 = between ? (6.0f - u * 12.0f) * (c.inverse_width * c.inverse_width) : all(0.0f);
   // One curve for each EnergyPart, in its order.
-  const Curve parts[kEnergyParts] = {
+  const Curve parts[] = {
       lennardJones(inverse_t, own.half_minimum_A + load(block.half_minimum_A), own.root_depth * load(block.root_depth)),
       coulomb<kind>(t, inverse_t, (c.coulomb * own.charge_e) * load(block.charge_e))};
+  static_assert(sizeof parts == kEnergyParts * sizeof(Curve), "one curve for each EnergyPart");
   // Nearer than kMinPair_A the energy continues with the slope at that distance.
   const V8 inside = far - t;
   V8 first{}, second{};
