@@ -121,7 +121,7 @@ TEST_CASE(
   CHECK(spheresOfBytes(std::string(64, '\0'))->size() == 2);
 
   const SphereGrid two(motion.from);
-  const auto phaseOf = [](RecordedMotion changed, std::uint32_t number, std::int32_t tick) {
+  const auto phaseOf = [&two](RecordedMotion changed, std::uint32_t number, std::int32_t tick) {
     const std::vector<RecordedMotion> all{std::move(changed)};
     return MotionReplay(all, two).at(number, tick);
   };
