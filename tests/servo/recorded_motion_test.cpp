@@ -63,7 +63,7 @@ TEST_CASE(
       CHECK(continues == (number > 0 && !elsewhere));
       const RecordedMotion recorded = recordedMotion(*now, before.get());
       CHECK(recorded.from.empty() == continues);
-      CHECK_FALSE(writer->add(recorded));
+      CHECK_FALSE(writer->addMotion(recorded));
       ++number;
       motion_tick = 0;
     }

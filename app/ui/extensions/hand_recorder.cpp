@@ -61,7 +61,7 @@ void HandRecorder::drain() {
     RecordedTick numbered = tick;
     if (tick.motion_serial && !(motion_ && motion_->serial() == tick.motion_serial)) {
       const std::shared_ptr<const SphereMotion> next = servo.motionOf(tick.motion_serial);
-      if (!problem && next) problem = writer_->add(recordedMotion(*next, motion_.get()));
+      if (!problem && next) problem = writer_->addMotion(recordedMotion(*next, motion_.get()));
       motion_ = next;
       ++motion_number_;
     }
