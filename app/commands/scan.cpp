@@ -90,8 +90,8 @@ void runScan(ScanArguments& a) {
   for (const std::string& name : a.out) {
     writeScan(name, field, molecule.id);
     out() << name << ": " << field.columns << " x " << field.rows << " nodes, " << field.spacing_A
-          << " A apart, heights up to "
-          << quantityNumber(highest_A(field, field.rows), Dimension::None, decimals(3)) << " A\n";
+          << " A apart, heights up to " << quantityNumber(highest_A(field, field.rows), Dimension::None, decimals(3))
+          << " A\n";
   }
 }
 

@@ -68,7 +68,8 @@ TEST_CASE(
   CHECK(highestOfScan("b.csv") < flat - 0.2);
 }
 
-TEST_CASE("scan with another ending, a tip of NaN, a wrong view, all atoms removed or no file gives a status and no file") {
+TEST_CASE(
+    "scan with another ending, a tip of NaN, a wrong view, all atoms removed or no file gives a status and no file") {
   CHECK(runScanCommand("benzene" + scanOut("b.tif")) == 2);
   CHECK(runScanCommand("benzene --tip nan" + scanOut("b.csv")) == 2);
   CHECK(runScanCommand("benzene --tip 101" + scanOut("b.csv")) == 2);

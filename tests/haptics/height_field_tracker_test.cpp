@@ -63,7 +63,8 @@ TEST_CASE("over a plane of any slope the SCP is the foot of the HIP to 1e-12 A, 
   for (int round = 0; round < 20; ++round) {
     const double a = random.uniform(-2, 2), b = random.uniform(-2, 2);
     const ScanFrame frame{random.direction() * 40.0, glm::angleAxis(random.uniform(0, 3), random.direction())};
-    const auto field = fieldOf(41, 41, 0.5, [&](double x, double y) { return a * x + b * y; }, frame);
+    const auto field = fieldOf(
+        41, 41, 0.5, [&](double x, double y) { return a * x + b * y; }, frame);
     HeightFieldTracker tracker(field);
     const Vec3 normal = glm::normalize(Vec3(-a, -b, 1));
     CHECK_FALSE(tracker.step({frame.toMolecule(Vec3(10, 10, 10 * a + 10 * b) + 3.0 * normal)}).touching());
@@ -121,7 +122,8 @@ TEST_CASE(
     REQUIRE(c.touching());
     double nearest = 1e9;
     const Vec3 local = field->frame.toScan(hip);
-    eachNearest(*field, local, local, 1e9, [&](const Vec3& p) { nearest = std::min(nearest, glm::distance(p, local)); });
+    eachNearest(*field, local, local, 1e9,
+                [&](const Vec3& p) { nearest = std::min(nearest, glm::distance(p, local)); });
     CHECK(std::abs(glm::length(c.displacement_A) - nearest) < 1e-4);  // every facet of a cap has a foot
     CHECK(std::abs(glm::distance(c.scp.A, centre) - 6.7) < 1e-3);
     CHECK(c.atoms[0] == 0);
@@ -129,7 +131,8 @@ TEST_CASE(
 }
 
 TEST_CASE(
-    "over five rough fields, in 4000 ticks of slow and fast motion each, the SCP is never under the surface, no point of "
+    "over five rough fields, in 4000 ticks of slow and fast motion each, the SCP is never under the surface, no point "
+    "of "
     "the triangles at it is nearer to the HIP, and a HIP under the surface always touches") {
   for (std::uint64_t seed = 1; seed <= 5; ++seed) {
     CAPTURE(seed);
@@ -167,7 +170,8 @@ TEST_CASE(
   }
 }
 
-TEST_CASE("a HIP that jumps through a wall one cell thick in one tick is held before it, at any of 200 speeds and heights") {
+TEST_CASE(
+    "a HIP that jumps through a wall one cell thick in one tick is held before it, at any of 200 speeds and heights") {
   const auto wall = fieldOf(41, 11, 0.5, [](double x, double) { return x == 10.0 ? 9.0 : 0.0; });
   scenes::Random random(9);
   for (int k = 0; k < 200; ++k) {
@@ -181,7 +185,8 @@ TEST_CASE("a HIP that jumps through a wall one cell thick in one tick is held be
   }
 }
 
-TEST_CASE("beyond its border the surface goes on level for 10 000 A; farther out, and without a field, nothing is felt") {
+TEST_CASE(
+    "beyond its border the surface goes on level for 10 000 A; farther out, and without a field, nothing is felt") {
   const auto field = fieldOf(5, 5, 1.0, [](double x, double) { return x < 4 ? 0.0 : 2.0; });
   HeightFieldTracker tracker(field);
   tracker.step({{500, 2, 5}});

@@ -67,8 +67,8 @@ TEST_CASE("two atoms 3 A apart meet in a crease, where a sharp tip sinks deeper 
     REQUIRE(std::abs(place.x - 0.1 * column) < 1e-9);
     const double crease = 1.7 - tip_A + std::sqrt((tip_A + 1.7) * (tip_A + 1.7) - 1.5 * 1.5);
     const double off = place.y - 0.1 * row;  // no node lies on the axis of the two atoms
-    CHECK(std::abs(field.at(column, row) - (1.7 - tip_A + std::sqrt((tip_A + 1.7) * (tip_A + 1.7) - 2.25 - off * off))) <
-          1e-12);
+    CHECK(std::abs(field.at(column, row) -
+                   (1.7 - tip_A + std::sqrt((tip_A + 1.7) * (tip_A + 1.7) - 2.25 - off * off))) < 1e-12);
     CHECK(crease < last);
     last = crease;
   }

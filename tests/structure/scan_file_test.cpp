@@ -27,7 +27,8 @@ TEST_CASE("the table of a scan of 3 x 2 nodes has a line for each, with the numb
         "x_A,y_A,height_A,atom\n0,0,0,0\n0.5,0,1.5,1\n1,0,2,2\n0,0.5,0.25,1\n0.5,0.5,0,0\n1,0.5,4,8\n");
 }
 
-TEST_CASE("a simple field is a text, 1 to 4 zeros up to a multiple of 4, and the heights in metres, the last line first") {
+TEST_CASE(
+    "a simple field is a text, 1 to 4 zeros up to a multiple of 4, and the heights in metres, the last line first") {
   for (const std::string title : {"a", "ab", "abc", "abcd", "a\nb"}) {
     CAPTURE(title);
     const std::string bytes = gwyddionField(smallField(), title);

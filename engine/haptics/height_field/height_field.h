@@ -13,7 +13,7 @@ namespace moltact {
 
 /// The position of a scan in the molecule's space.
 struct ScanFrame {
-  Vec3 origin_A{0.0};                ///< the first node on the substrate
+  Vec3 origin_A{0.0};              ///< the first node on the substrate
   Quat orientation = kNoRotation;  ///< rotates the scan's axes into the molecule's; of unit length
 
   Vec3 toMolecule(const Vec3& scan_A) const { return origin_A + orientation * scan_A; }

@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kFieldCorner_A = 1e-9;  // a point within this distance of a corner lies on it
 constexpr double kFieldMoved_A = 1e-12;
-constexpr double kFieldInto = 1e-10;   // sine above which a path crosses a border instead of running along it
+constexpr double kFieldInto = 1e-10;    // sine above which a path crosses a border instead of running along it
 constexpr double kFieldSkin_A = 1e-10;  // a path that ends this far under a triangle grazes it
 constexpr int kFieldStuck = 24;
 constexpr int kFieldChanges = 16;  // changes between flight and sliding per tick
@@ -31,16 +31,16 @@ void HeightFieldTracker::reset() noexcept {
 MemoryUsage HeightFieldTracker::memoryUsage() const noexcept {
   MemoryUsage out{0, sizeof(*this)};
   if (field_)
-    out.bytes += sizeof(*field_) + field_->heights_A.size() * sizeof(double) +
-                 field_->atoms.size() * sizeof(std::int32_t);
+    out.bytes +=
+        sizeof(*field_) + field_->heights_A.size() * sizeof(double) + field_->atoms.size() * sizeof(std::int32_t);
   return out;
 }
 
 // The raster has one more column and row of cells on each side, which reach kBeyond_A outward.
 double HeightFieldTracker::nodeX(int column) const noexcept {
-  return column < 0                    ? -kBeyond_A
+  return column < 0                 ? -kBeyond_A
          : column < field_->columns ? field_->spacing_A * column
-                                       : field_->width_A() + kBeyond_A;
+                                    : field_->width_A() + kBeyond_A;
 }
 
 double HeightFieldTracker::nodeY(int row) const noexcept {
@@ -175,8 +175,8 @@ std::int32_t HeightFieldTracker::nearestAtom() const noexcept {
   double nearest = 1e300;
   for (int k = 0; k < 3; ++k) {
     const auto [column, row] = cornerOf(triangle_, k);
-    const std::int32_t here = field_->atoms[field_->index(std::clamp(column, 0, field_->columns - 1),
-                                                          std::clamp(row, 0, field_->rows - 1))];
+    const std::int32_t here =
+        field_->atoms[field_->index(std::clamp(column, 0, field_->columns - 1), std::clamp(row, 0, field_->rows - 1))];
     const Vec3 apart = plane_.corners[std::size_t(k)] - scp_;
     if (const double d2 = glm::dot(apart, apart); here >= 0 && d2 < nearest) nearest = d2, atom = here;
   }
@@ -367,7 +367,7 @@ HeightFieldTracker::SlideResult HeightFieldTracker::alongEdge(const Vec3& h, int
   }
   stuck = std::abs(along) > kFieldMoved_A ? 0 : stuck + 1;
   return goToCorner(triangle_, to <= kFieldCorner_A ? edge_ : (edge_ + 1) % 3) ? SlideResult::Meets
-                                                                              : SlideResult::Short;
+                                                                               : SlideResult::Short;
 }
 
 HeightFieldTracker::SlideResult HeightFieldTracker::fromCorner(const Vec3& h, int& stuck) noexcept {

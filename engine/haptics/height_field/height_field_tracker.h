@@ -54,10 +54,10 @@ class HeightFieldTracker final : public Tracker {
   };
   struct Plane {
     std::array<Vec3, 3> corners;
-    Vec3 normal;                    // upward
-    double height;                  // dot(normal, x) on the plane
-    std::array<Vec3, 3> out;        // unit vectors in the plane, out of edge k
-    std::array<double, 3> reach;    // dot(out, x) on edge k
+    Vec3 normal;                  // upward
+    double height;                // dot(normal, x) on the plane
+    std::array<Vec3, 3> out;      // unit vectors in the plane, out of edge k
+    std::array<double, 3> reach;  // dot(out, x) on edge k
   };
   struct Wedge {  // a triangle around a corner, with its right edge as seen from above
     Triangle triangle;
@@ -72,9 +72,7 @@ class HeightFieldTracker final : public Tracker {
   double nodeX(int column) const noexcept;
   double nodeY(int row) const noexcept;
   double nodeHeight(int column, int row) const noexcept;
-  Vec3 node(int column, int row) const noexcept {
-    return {nodeX(column), nodeY(row), nodeHeight(column, row)};
-  }
+  Vec3 node(int column, int row) const noexcept { return {nodeX(column), nodeY(row), nodeHeight(column, row)}; }
   int columnOf(double x) const noexcept;
   int rowOf(double y) const noexcept;
   Triangle triangleAt(double x, double y) const noexcept;

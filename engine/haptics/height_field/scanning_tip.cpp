@@ -38,11 +38,11 @@ Expected<ScanningTip> ScanningTip::over(std::span<const Sphere> spheres, const S
     const Vec3 centre = to_scan * spheres[i].centre_A;
     low = glm::min(low, centre - Vec3(spheres[i].radius_A));
     high = glm::max(high, centre + Vec3(spheres[i].radius_A));
-    out.atoms_.push_back({centre, spheres[i].radius_A + setup.tip_A, 0.0, static_cast<std::int32_t>(i)});
+    out.atoms_.push_back({centre, spheres[i].radius_A, 0.0, 0.0, static_cast<std::int32_t>(i)});
   }
   if (out.atoms_.empty())
-    return Problem{.file = {},
-                   .message = tr("there is no atom to scan"), .remedy = tr("leave at least one atom in the scene")};
+    return Problem{
+        .file = {}, .message = tr("there is no atom to scan"), .remedy = tr("leave at least one atom in the scene")};
   low.x -= setup.margin_A, low.y -= setup.margin_A;
   high.x += setup.margin_A, high.y += setup.margin_A;
   const double columns = std::max(2.0, std::ceil((high.x - low.x) / setup.spacing_A) + 1.0),
@@ -61,23 +61,37 @@ Expected<ScanningTip> ScanningTip::over(std::span<const Sphere> spheres, const S
   field.frame = {out.setup_.orientation * corner, out.setup_.orientation};
   field.heights_A.assign(field.index(0, field.rows), 0.0);
   field.atoms.assign(field.heights_A.size(), -1);
-  for (Atom& atom : out.atoms_) {
-    atom.centre -= corner;
-    // Where the apex reaches the substrate: on the spherical part of the tip, or on the flank of its cone.
-    const double down = atom.centre.z - setup.tip_A;
-    if (down + atom.reach * out.sine_ <= 0.0)
-      atom.far = std::sqrt(std::max(0.0, atom.reach * atom.reach - down * down));
-    else if (setup.cone_deg > 0.0)
-      atom.far = (atom.reach + down * out.sine_) / out.cosine_;
-    else
-      atom.far = atom.reach;
-    out.farthest_ = std::max(out.farthest_, atom.far);
-  }
+  for (Atom& atom : out.atoms_) atom.centre -= corner;
+  out.setReach();
   std::sort(out.atoms_.begin(), out.atoms_.end(), [](const Atom& a, const Atom& b) {
     return a.centre.y < b.centre.y || (a.centre.y == b.centre.y && a.index < b.index);
   });
   if (setup.force_pN > 0.0) out.stops_.resize(static_cast<std::size_t>(field.columns));
   return out;
+}
+
+void ScanningTip::setReach() noexcept {
+  farthest_ = 0.0;
+  for (Atom& atom : atoms_) {
+    atom.reach = atom.radius + setup_.tip_A;
+    // Where the apex reaches the substrate: on the spherical part of the tip, or on the flank of its cone.
+    const double down = atom.centre.z - setup_.tip_A;
+    if (down + atom.reach * sine_ <= 0.0)
+      atom.far = std::sqrt(std::max(0.0, atom.reach * atom.reach - down * down));
+    else if (setup_.cone_deg > 0.0)
+      atom.far = (atom.reach + down * sine_) / cosine_;
+    else
+      atom.far = atom.reach;
+    farthest_ = std::max(farthest_, atom.far);
+  }
+}
+
+void ScanningTip::restart(double tip_A) noexcept {
+  setup_.tip_A = std::isfinite(tip_A) ? std::clamp(tip_A, 0.0, kMaxTip_A) : setup_.tip_A;
+  setReach();
+  std::fill(field_.heights_A.begin(), field_.heights_A.end(), 0.0);
+  std::fill(field_.atoms.begin(), field_.atoms.end(), -1);
+  line_ = 0;
 }
 
 // The height of the apex where this atom alone stops the tip, at the squared horizontal distance d2.

@@ -22,13 +22,13 @@
 namespace moltact {
 
 struct ScanSetup {
-  double tip_A = 10.0;       ///< radius of the tip's apex, 0 to kMaxTip_A
-  double cone_deg = 0.0;     ///< half the opening angle of the cone above the apex, 0 to kMaxCone_deg; 0: a ball alone
-  double spacing_A = 0.5;    ///< between lines, and between the nodes of a line: kMinScanSpacing_A to kMaxScanSpacing_A
-  double margin_A = 5.0;     ///< from the outermost spheres to the border of the scan, 0 to kMaxScanMargin_A
-  double force_pN = 0.0;     ///< 0: contact without force; to kMaxScanForce_pN
-  double contact_N_per_m = 1.0;           ///< stiffness of an atom's contact, kMinContact_N_per_m to kMaxContact_N_per_m
-  Quat orientation = kNoRotation;         ///< rotates the scan's axes into the molecule's; the tip comes from its +z
+  double tip_A = 10.0;     ///< radius of the tip's apex, 0 to kMaxTip_A
+  double cone_deg = 0.0;   ///< half the opening angle of the cone above the apex, 0 to kMaxCone_deg; 0: a ball alone
+  double spacing_A = 0.5;  ///< between lines, and between the nodes of a line: kMinScanSpacing_A to kMaxScanSpacing_A
+  double margin_A = 5.0;   ///< from the outermost spheres to the border of the scan, 0 to kMaxScanMargin_A
+  double force_pN = 0.0;   ///< 0: contact without force; to kMaxScanForce_pN
+  double contact_N_per_m = 1.0;    ///< stiffness of an atom's contact, kMinContact_N_per_m to kMaxContact_N_per_m
+  Quat orientation = kNoRotation;  ///< rotates the scan's axes into the molecule's; the tip comes from its +z
   friend bool operator==(const ScanSetup&, const ScanSetup&) = default;
 
   /// The depth to which a single atom gives way (unit: angstrom).
@@ -55,6 +55,8 @@ class ScanningTip {
   const ScanSetup& setup() const { return setup_; }
   int linesDone() const { return line_; }
   bool done() const { return line_ >= field_.rows; }
+  /// Starts again with another radius of the tip (0 to kMaxTip_A, clamped) on the same nodes; allocates nothing.
+  void restart(double tip_A) noexcept;
   /// Scans the next line, if there is one.
   void scanLine();
   void scanAll() {
@@ -64,8 +66,8 @@ class ScanningTip {
  private:
   struct Atom {  // in the scan's axes
     Vec3 centre;
-    double reach;  // radius of atom and tip
-    double far;    // horizontal distance at which the tip passes down to the substrate
+    double radius, reach;  // of the atom; of atom and tip
+    double far;            // horizontal distance at which the tip passes down to the substrate
     std::int32_t index;
   };
   struct Stop {
@@ -74,6 +76,7 @@ class ScanningTip {
   };
 
   ScanningTip() = default;
+  void setReach() noexcept;
   double apexOver(const Atom& atom, double d2) const;
   template <class Visit>
   void eachStop(double y, Visit&& visit) const;
@@ -82,8 +85,8 @@ class ScanningTip {
   ScanSetup setup_;
   HeightField field_;
   double sine_ = 0.0, cosine_ = 1.0;      // of the cone's angle
-  double farthest_ = 0.0;             // the greatest Atom::far
-  std::vector<Atom> atoms_;           // ascending in y
+  double farthest_ = 0.0;                 // the greatest Atom::far
+  std::vector<Atom> atoms_;               // ascending in y
   std::vector<std::vector<Stop>> stops_;  // at constant force: those of a line, by node
   int line_ = 0;
 };
