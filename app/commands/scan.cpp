@@ -32,6 +32,7 @@ struct ScanArguments {
   ExcludedAtoms left_out;
   ScanSetup setup;
   std::vector<std::string> out;
+  double margin_A = -1.0;  // below 0: the tip's radius
 };
 
 // Endings in any case: Gwyddion and Windows write .GSF.
@@ -66,6 +67,7 @@ void runScan(ScanArguments& a) {
   }
   const Molecule molecule = a.molecule.load();
   checkOutputs(outputs);
+  a.setup.margin_A = a.margin_A < 0.0 ? a.setup.tip_A : a.margin_A;
   if (!a.says.view.empty()) {
     Camera camera;
     const SceneSpec spec = a.says.scene(molecule);
@@ -120,9 +122,10 @@ void addScan(CLI::App& app) {
   command->add_option("--spacing", a.setup.spacing_A, "Distance of the lines, and of the nodes on a line, in angstroms")
       ->check(numberFrom(kMinScanSpacing_A, kMaxScanSpacing_A))
       ->capture_default_str();
-  command->add_option("--margin", a.setup.margin_A, "Distance from the atoms to the border of the scan in angstroms")
-      ->check(numberFrom(0.0, kMaxScanMargin_A))
-      ->capture_default_str();
+  command
+      ->add_option("--margin", a.margin_A,
+                   "Distance from the atoms to the border of the scan in angstroms; default: the tip's radius")
+      ->check(numberFrom(0.0, kMaxScanMargin_A));
   command->add_option("--force", a.setup.force_pN, "Constant force of the tip in piconewtons; 0: contact without force")
       ->check(numberFrom(0.0, kMaxScanForce_pN))
       ->capture_default_str();

@@ -10,8 +10,9 @@ ScannedTracker::ScannedTracker(std::shared_ptr<const SphereGrid> scene, double p
     : scene_(std::move(scene)), probe_(usableProbe_A(probe_A, kWaterProbe_A)) {
   std::vector<Sphere> spheres;
   for (std::size_t i = 0; i < scene_->size(); ++i) spheres.push_back((*scene_)[i]);
-  constexpr double kSpare_A = 2.0;  // for larger probes
-  ScanSetup setup{.tip_A = probe_, .spacing_A = spacing_A, .margin_A = probe_ + kSpare_A};
+  // A margin for larger probes; the substrate is out of the way.
+  constexpr double kSpare_A = 2.0, kBelow_A = 1000.0;
+  ScanSetup setup{.tip_A = probe_, .spacing_A = spacing_A, .margin_A = probe_ + kSpare_A, .below_A = kBelow_A};
   for (; !spheres.empty() && !tip_ && setup.spacing_A <= kMaxScanSpacing_A; setup.spacing_A *= 2.0)
     if (auto tip = ScanningTip::over(spheres, setup, scene_->untouchable())) tip_ = *std::move(tip);
   if (tip_) tip_->scanAll();

@@ -1,5 +1,5 @@
 // The height field of a scanning tip (engine/haptics/height_field) as a method for the probe: the scene is scanned from +z
-// by a tip of the probe's radius, and the SCP is the tip's centre on the scanned surface. A new probe scans the scene again
+// by a tip of the probe's radius, and the SCP is the tip's centre on the scanned surface. The substrate lies 1000 A deeper. A new probe scans the scene again
 // on the same nodes, in a long tick.
 //
 // Known limitations, verified by tests: the scan sees neither flanks that overhang nor the underside, and a wall of atoms

@@ -13,7 +13,7 @@ bool inRange(double value, double low, double high) { return value >= low && val
 bool usable(const ScanSetup& s) {
   return inRange(s.tip_A, 0.0, kMaxTip_A) && inRange(s.cone_deg, 0.0, kMaxCone_deg) &&
          inRange(s.spacing_A, kMinScanSpacing_A, kMaxScanSpacing_A) && inRange(s.margin_A, 0.0, kMaxScanMargin_A) &&
-         inRange(s.force_pN, 0.0, kMaxScanForce_pN) &&
+         inRange(s.below_A, 0.0, kMaxBelow_A) && inRange(s.force_pN, 0.0, kMaxScanForce_pN) &&
          inRange(s.contact_N_per_m, kMinContact_N_per_m, kMaxContact_N_per_m) && rotates(s.orientation);
 }
 
@@ -44,6 +44,7 @@ Expected<ScanningTip> ScanningTip::over(std::span<const Sphere> spheres, const S
     return Problem{
         .file = {}, .message = tr("there is no atom to scan"), .remedy = tr("leave at least one atom in the scene")};
   low.x -= setup.margin_A, low.y -= setup.margin_A;
+  low.z -= setup.below_A;
   high.x += setup.margin_A, high.y += setup.margin_A;
   const double columns = std::max(2.0, std::ceil((high.x - low.x) / setup.spacing_A) + 1.0),
                rows = std::max(2.0, std::ceil((high.y - low.y) / setup.spacing_A) + 1.0);

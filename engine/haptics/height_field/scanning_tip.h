@@ -26,6 +26,7 @@ struct ScanSetup {
   double cone_deg = 0.0;   ///< half the opening angle of the cone above the apex, 0 to kMaxCone_deg; 0: a ball alone
   double spacing_A = 0.5;  ///< between lines, and between the nodes of a line: kMinScanSpacing_A to kMaxScanSpacing_A
   double margin_A = 5.0;   ///< from the outermost spheres to the border of the scan, 0 to kMaxScanMargin_A
+  double below_A = 0.0;    ///< from the lowest point of the spheres down to the substrate, 0 to kMaxBelow_A
   double force_pN = 0.0;   ///< 0: contact without force; to kMaxScanForce_pN
   double contact_N_per_m = 1.0;    ///< stiffness of an atom's contact, kMinContact_N_per_m to kMaxContact_N_per_m
   Quat orientation = kNoRotation;  ///< rotates the scan's axes into the molecule's; the tip comes from its +z
@@ -35,15 +36,15 @@ struct ScanSetup {
   double sink_A() const { return 0.01 * force_pN / contact_N_per_m; }
 };
 
-inline constexpr double kMaxTip_A = 100.0, kMaxCone_deg = 60.0, kMaxScanMargin_A = 200.0;
+inline constexpr double kMaxTip_A = 100.0, kMaxCone_deg = 60.0, kMaxScanMargin_A = 200.0, kMaxBelow_A = 10'000.0;
 inline constexpr double kMinScanSpacing_A = 0.02, kMaxScanSpacing_A = 20.0;
 inline constexpr double kMaxScanForce_pN = 10'000.0, kMinContact_N_per_m = 0.01, kMaxContact_N_per_m = 1000.0;
 inline constexpr std::size_t kMaxScanNodes = 4'000'000;
 
 class ScanningTip {
  public:
-  /// The scan covers all spheres but those of `without` (ascending indices) with the margin. The substrate is at their lowest
-  /// point. A Problem if no sphere is left, if a value of the setup is out of its range, and if the scan would have more
+  /// The scan covers all spheres but those of `without` (ascending indices) with the margin. The substrate lies
+  /// `below_A` under their lowest point. A Problem if no sphere is left, if a value of the setup is out of its range, and if the scan would have more
   /// than kMaxScanNodes nodes.
   static Expected<ScanningTip> over(std::span<const Sphere> spheres, const ScanSetup& setup,
                                     std::span<const std::uint32_t> without = {});
