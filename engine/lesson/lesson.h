@@ -153,7 +153,8 @@ struct SceneSpec {
   SecondState then;
   TrajectorySpec trajectory;
   bool elastic = false;    ///< the molecule gives way to the hand as an elastic network (engine/dynamics)
-  std::string simulation;  ///< file of a serialised system whose simulation moves the atoms; empty: none
+  /// File of a serialised system whose simulation moves the atoms, or an address (imd_address.h); empty: none.
+  std::string simulation;
   Selection magnify;       ///< these atoms fill the workspace; if empty, the whole molecule does
   ScenePlaces places;
 
