@@ -117,7 +117,7 @@ TEST_CASE(
   REQUIRE_FALSE_MESSAGE(live->newest().dead, live->newest().fault);
   MESSAGE("mean distance from the end of the spring ", glm::distance(mean, end), " A; ", live->newest().frames_per_s,
           " frames a second");
-  // 60 kcal/mol/A^2 away it would be off in no time.
+  // A force that stayed on would accelerate it.
   wanted.pushes.clear();
   live->command(wanted);
   live.reset();

@@ -238,8 +238,8 @@ TEST_CASE(
       {tail(three, ImdServerBytes::header(14, 0x7fffffff)), "atoms", true},
       {tail(two, ImdServerBytes::header(99, 1)), "unknown type 99", true},
       {tail(two, two.places(four)), "sends 4 atoms, and the molecule has 3", true},
-      {tail(two, two.places(nowhere)), "no place, for atom 2", true},
-      {tail(two, two.places(far)), "no place, for atom 3", true},
+      {tail(two, two.places(nowhere)), "an impossible position of atom 2", true},
+      {tail(two, two.places(far)), "an impossible position of atom 3", true},
       {tail(two, ImdServerBytes::header(0, 0)), "has ended the session", true},
   };
   for (const Case& c : cases) {

@@ -164,3 +164,27 @@ TEST_CASE(
   REQUIRE_FALSE(made);
   CHECK(made.problem().message == "the connection was given up");
 }
+
+TEST_CASE("latency: the mean times from a command to its force at the server, and to the moved atom, are printed") {
+  ImdTestServer server({}, kAtoms);
+  auto made = connectTo(server);
+  REQUIRE(made);
+  LiveSimulation& live = **made;
+  using Clock = std::chrono::steady_clock;
+  const auto ms = [](Clock::duration d) { return std::chrono::duration<double, std::milli>(d).count(); };
+  double force_ms = 0.0, moved_ms = 0.0;
+  constexpr int kRounds = 100;
+  for (int k = 0; k < kRounds; ++k) {
+    live.command({});
+    REQUIRE(comes([&] { return server.pushed == 0; }));
+    std::this_thread::sleep_for(std::chrono::milliseconds(3));
+    const double x_A = live.newest().positions_A[0].x;
+    const auto began = Clock::now();
+    live.command(pull(0, {1e3, 0, 0}));
+    while (server.pushed == 0) std::this_thread::sleep_for(std::chrono::microseconds(20));
+    force_ms += ms(Clock::now() - began) / kRounds;
+    while (live.newest().positions_A[0].x < x_A + 0.1) std::this_thread::sleep_for(std::chrono::microseconds(20));
+    moved_ms += ms(Clock::now() - began) / kRounds;
+  }
+  MESSAGE("a frame each ms: ", force_ms, " ms to the force, ", moved_ms, " ms to the moved atom");
+}

@@ -146,7 +146,7 @@ ImdReader::Event ImdReader::body() {
     Vec3& v = positions_A_[i];
     for (int k = 0; k < 3; ++k) v[k] = number<float>(at + kImdAtomBytes * i + 4 * std::size_t(k));
     if (!finite(v) || std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}) > kFarthest_A)
-      return fail(trf("the server sends a place that is no place, for atom {0}", i + 1),
+      return fail(trf("the server sends an impossible position of atom {0}", i + 1),
                   tr("the simulation has become unstable; start it again with weaker forces or a shorter step"));
   }
   return Event::Positions;
