@@ -32,7 +32,10 @@ struct LammpsCube {
     for (std::size_t i = 0; i < atoms.size(); ++i)
       for (std::size_t j = i + 1; j < atoms.size(); ++j)
         if (const double length = glm::distance(atoms[i], atoms[j]); length < 2.7)
-          bonds += std::to_string(++count) + (length < 1.6 ? " 1 " : length < 2.2 ? " 2 " : " 3 ") +
+          bonds += std::to_string(++count) +
+                   (length < 1.6   ? " 1 "
+                    : length < 2.2 ? " 2 "
+                                   : " 3 ") +
                    std::to_string(i + 1) + ' ' + std::to_string(j + 1) + '\n';
     std::ofstream data(folder / "cube.data");
     data << "cube\n\n27 atoms\n" << count << " bonds\n1 atom types\n3 bond types\n";

@@ -92,7 +92,8 @@ TEST_CASE("200 streams cut into pieces of 1 to 40 bytes give the same positions 
 }
 
 TEST_CASE(
-    "a spring of 2 kcal/mol/A^2 over 3 A is 6 kcal/mol/A, 25.1 kJ/mol/A in version 3, follows the atom with each frame, "
+    "a spring of 2 kcal/mol/A^2 over 3 A is 6 kcal/mol/A, 25.1 kJ/mol/A in version 3, follows the atom with each "
+    "frame, "
     "and is never more than 28.8; two springs on an atom are one force; an atom beyond the last is never named") {
   for (const int version : {2, 3}) {
     const double unit = version == 3 ? 4.184 : 1.0;
@@ -274,8 +275,8 @@ TEST_CASE(
     CHECK_FALSE(session.ended());
     session.passed(10.1);
     REQUIRE(session.problem());
-    CHECK(session.problem()->message == (greeted ? "the server sends no positions"
-                                                  : "what listens there does not answer as IMD servers do"));
+    CHECK(session.problem()->message ==
+          (greeted ? "the server sends no positions" : "what listens there does not answer as IMD servers do"));
   }
   SessionBench silent, lost, paused, left;
   silent.begin();
@@ -306,7 +307,8 @@ TEST_CASE(
   CHECK(left.session.toSend().empty());
 }
 
-TEST_CASE("an atom that moves by 11 A from one frame to the next counts as a new start, one that moves by 9 A does not") {
+TEST_CASE(
+    "an atom that moves by 11 A from one frame to the next counts as a new start, one that moves by 9 A does not") {
   SessionBench b;
   b.begin();
   std::vector<Vec3> at = kStart;

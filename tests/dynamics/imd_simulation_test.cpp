@@ -66,7 +66,8 @@ TEST_CASE(
     }
 }
 
-TEST_CASE("a window that stops commanding while it pulls: the server hears within a second that the forces have ended") {
+TEST_CASE(
+    "a window that stops commanding while it pulls: the server hears within a second that the forces have ended") {
   ImdTestServer server({}, kAtoms);
   auto made = connectTo(server);
   REQUIRE(made);
@@ -86,8 +87,8 @@ TEST_CASE(
   const int runs = flag ? std::atoi(flag) : 200;
   std::mt19937 random(3);
   MESSAGE("seed 3, ", runs, " runs");
-  constexpr ImdFault kinds[] = {ImdFault::HangsUp,     ImdFault::CutsFrame, ImdFault::Resets,
-                                ImdFault::Disconnects, ImdFault::Garbage,   ImdFault::NotANumber,
+  constexpr ImdFault kinds[] = {ImdFault::HangsUp,      ImdFault::CutsFrame,   ImdFault::Resets,
+                                ImdFault::Disconnects,  ImdFault::Garbage,     ImdFault::NotANumber,
                                 ImdFault::TooManyAtoms, ImdFault::TwoGigabytes};
   ImdTestServer two({2, true}, kAtoms), three({3, false}, kAtoms);
   two.frame_us = three.frame_us = 100;
@@ -95,13 +96,13 @@ TEST_CASE(
     ImdTestServer& server = run % 2 ? two : three;
     server.fault = kinds[random() % std::size(kinds)];
     server.frames_before_fault = int(random() % 12);
-    server.cut_at = random() % 300;
+    server.cut_at = std::uint32_t(random() % 300);
     CAPTURE(run);
     CAPTURE(int(server.fault.load()));
     const int gone = server.gone;
     auto made = connectTo(server);
     if (made) {
-      const SimulationCommand wanted = pull(random() % 4, {9, 9, 9});
+      const SimulationCommand wanted = pull(std::uint32_t(random() % 4), {9, 9, 9});
       (*made)->command(wanted);
       CHECK(comes([&] {
         (*made)->command(wanted);
@@ -118,8 +119,7 @@ TEST_CASE(
   }
 }
 
-TEST_CASE(
-    "a server that stalls: the forces end, the frame says so, and the session can still be left") {
+TEST_CASE("a server that stalls: the forces end, the frame says so, and the session can still be left") {
   ImdTestServer server({}, kAtoms);
   server.fault = ImdFault::Stalls;
   server.frames_before_fault = 50;

@@ -55,9 +55,9 @@ void imd(std::string_view bytes) {
   const bool little = bytes.size() > 4 && bytes[4] != 0;
   const std::vector<test::ImdSent> sent = test::takeSent(rest, little);
   mustBe(rest.empty() && sent.size() >= 4, "whole messages");
-  mustBe(sent[0].type == 3 && sent.back().type == 0 && sent[sent.size() - 2].type == 6 &&
-             sent[sent.size() - 2].value == 0,
-         "begun with GO, ended without force");
+  mustBe(
+      sent[0].type == 3 && sent.back().type == 0 && sent[sent.size() - 2].type == 6 && sent[sent.size() - 2].value == 0,
+      "begun with GO, ended without force");
   for (const test::ImdSent& s : sent)
     for (std::size_t k = 0; k < s.atoms.size(); ++k)
       mustBe(s.atoms[k] == 1 && glm::length(s.forces[k]) < 4.185 * 28.81, "a force on the atom that is pulled");

@@ -180,7 +180,8 @@ void LiveMolecule::connect() {
   agreed_ = "imd://" + elsewhere->text();
   problem_.clear();
   cancelled_ = std::make_shared<std::atomic<bool>>(false);
-  opening_.begin(inBackground(openAddress, *elsewhere, molecule_, std::shared_ptr<const std::atomic<bool>>(cancelled_)));
+  opening_.begin(
+      inBackground(openAddress, *elsewhere, molecule_, std::shared_ptr<const std::atomic<bool>>(cancelled_)));
   if (options_.clock == ServoClock::Frames) take(*opening_.wait());
 }
 

@@ -110,7 +110,8 @@ class LiveMolecule : public AtomMover {
     std::unique_ptr<MdEngine> engine;
     std::unique_ptr<LiveSimulation> elsewhere;
   };
-  static Expected<Opened> openFile(const std::filesystem::path& system, const std::shared_ptr<const Molecule>& molecule);
+  static Expected<Opened> openFile(const std::filesystem::path& system,
+                                   const std::shared_ptr<const Molecule>& molecule);
   static Expected<Opened> openAddress(const TcpAddress& address, const std::shared_ptr<const Molecule>& molecule,
                                       const std::shared_ptr<const std::atomic<bool>>& cancelled);
   std::filesystem::path system() const;
@@ -134,8 +135,8 @@ class LiveMolecule : public AtomMover {
   std::vector<Sphere> placed() const;
 
   bool on_ = false, by_lesson_ = false, asks_ = false;
-  std::filesystem::path named_for_;  // the molecule for which the command line names an address
-  std::string agreed_;               // the address to which the user has agreed
+  std::filesystem::path named_for_;           // the molecule for which the command line names an address
+  std::string agreed_;                        // the address to which the user has agreed
   std::filesystem::path file_;                // of the system
   std::shared_ptr<const Molecule> molecule_;  // which it simulates
   NewestWork<Expected<Opened>> opening_;

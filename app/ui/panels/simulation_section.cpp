@@ -153,8 +153,8 @@ bool drawSimulationSection(Application& app) {
   ImGui::Spacing();
   double kelvin = live.wanted().temperature_K;
   if (live.obeysAll() && slider("simulation/bath", tr("Heat bath (K)"), kelvin, 1.0, LiveMolecule::kHottest_K, 1.0,
-             {Dimension::None, {decimals(0), {}}},
-             tr("The temperature to which friction and random forces bring the atoms.")))
+                                {Dimension::None, {decimals(0), {}}},
+                                tr("The temperature to which friction and random forces bring the atoms.")))
     live.setTemperature(kelvin);
   if (live.frame().has_time)
     simulationLine("simulation/time", trf("Simulated: {0} ps", numberText(live.frame().time_ps, decimals(1))));

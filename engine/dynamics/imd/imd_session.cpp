@@ -175,7 +175,10 @@ void ImdSession::passed(double now_s) {
   }
   const double silent_s = running_ ? now_s - heard_s_ : 0.0;
   if (silent_s > kGone_s) {
-    end({{}, 0, 0, trf("the server has sent nothing for {0} s", numberText(kGone_s, decimals(0))),
+    end({{},
+         0,
+         0,
+         trf("the server has sent nothing for {0} s", numberText(kGone_s, decimals(0))),
          tr("see whether the simulation still runs, and connect again")});
   } else if (silent_s > kSilence_s && !frame_.silent) {
     pushes_.clear();

@@ -42,6 +42,8 @@ Expected<std::unique_ptr<LiveSimulation>> ImdSimulation::over(std::unique_ptr<Tc
     made->step();
     if (made->session_.problem()) return *made->session_.problem();
   }
+  made->frames_.back() = made->session_.frame();
+  made->frames_.publish();
   try {
     made->thread_ = std::thread([simulation = made.get()] { simulation->run(); });
   } catch (const std::system_error& e) {
