@@ -118,7 +118,7 @@ TEST_CASE(
     writeFile(scratch.path / "here.md", lessonAt(addressOf(server)));
     const auto user = startWith((scratch.path / "here.md").string(), windowFor({}));
     CHECK_MESSAGE(liveIn(*user).ready(), liveIn(*user).problem());
-    user->app().open("argon-triangle");
+    user->app().open("benzene");
     user->app().finishLoading();
     user->frames(5);
     CHECK_FALSE(liveIn(*user).on());
