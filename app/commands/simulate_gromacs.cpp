@@ -86,11 +86,10 @@ void simulateWithGromacs(const GromacsArguments& a) {
   const std::string port = std::to_string(a.port);
   out() << gro.string() << ", " << tpr.string() << '\n';
   if (a.prepares_only) return;
-  out() << "Connect to it from another terminal: moltact imd " << port << ' ' << gro.string()
-        << "\nCtrl-C ends it.\n";
+  out() << "Connect to it from another terminal: moltact imd " << port << ' ' << gro.string() << "\nCtrl-C ends it.\n";
   out().flush();
-  const auto run = runProgram(
-      {"gmx", "mdrun", "-s", tpr.string(), "-deffnm", in("run"), "-imdport", port, "-imdwait", "-imdpull"});
+  const auto run =
+      runProgram({"gmx", "mdrun", "-s", tpr.string(), "-deffnm", in("run"), "-imdport", port, "-imdwait", "-imdpull"});
   if (!run) throw CommandError{run.problem().text()};
   if (run->status != 0)
     throw CommandError{trf("gmx {0} ended with status {1}; its message is above", "mdrun", run->status)};

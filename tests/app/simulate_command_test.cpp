@@ -70,7 +70,8 @@ TEST_CASE(
 }
 
 TEST_CASE(
-    "gromacs prepares the helix of 20 alanines: the structure that its server will send has 203 atoms; without GROMACS, "
+    "gromacs prepares the helix of 20 alanines: the structure that its server will send has 203 atoms; without "
+    "GROMACS, "
     "a message names the package") {
   const CommandPlace place;
   const Run run = place.run("simulate gromacs alpha-helix --prepare-only --out helix.gro");
