@@ -29,7 +29,9 @@ void exportGltf(ExportArguments& a) {
   const Molecule molecule = a.says.atState(a.molecule.load(), a.molecule);
   checkOutputs({{"OUT", a.out}});
   const SceneSpec spec = a.says.scene(molecule);
-  a.options.look = a.look.look(molecule);
+  const std::vector<float> fluctuation_A =
+      a.look.colour == "fluctuation" ? a.says.fluctuation_A(molecule) : std::vector<float>();
+  a.options.look = a.look.look(molecule, {.fluctuation_A = fluctuation_A});
   a.options.look.marks = marksOf(spec, molecule);
   if (spec.highlight.given()) a.options.highlighted = spec.highlight.select(molecule);
   if (auto written = annotationsOf(spec, molecule)) a.options.annotations.push_back(std::move(written));

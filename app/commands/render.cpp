@@ -137,7 +137,10 @@ void printTimes(Renderer& renderer, const ViewScene& scene, int width, int heigh
 
 AtomsLook looksOf(const RenderArguments& arguments, const Molecule& molecule, const Camera& camera,
                   std::span<const std::uint32_t> held) {
-  AtomsLook look = arguments.look.look(molecule, {.dielectric = arguments.touch.dielectric, .held = held});
+  const std::vector<float> fluctuation_A =
+      arguments.look.colour == "fluctuation" ? arguments.says.fluctuation_A(molecule) : std::vector<float>();
+  AtomsLook look = arguments.look.look(
+      molecule, {.dielectric = arguments.touch.dielectric, .held = held, .fluctuation_A = fluctuation_A});
   look.spheres_near_A = arguments.near_A;
   if (arguments.cut.empty()) return look;
   Vec3 through = camera.target.A;

@@ -1,6 +1,7 @@
 #include "app/commands/scene_options.h"
 
 #include <algorithm>
+#include <memory>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -55,22 +56,28 @@ SecondState secondOf(const SceneOptions& options, const Molecule& molecule) {
   return *std::move(read);
 }
 
-// The molecule at a frame of --trajectory.
-Molecule atFrame(const SceneOptions& options, Molecule molecule) {
+// The frames of --trajectory.
+std::unique_ptr<FrameStore> framesOf(const SceneOptions& options, const std::shared_ptr<const Molecule>& molecule) {
   Expected<TrajectorySpec> spec = parseTrajectory(options.trajectory);
   if (!spec) throw CLI::ValidationError("--trajectory", spec.problem().text());
-  mustSelect("trajectory", spec->superposed_on, molecule);
-  const auto shared = std::make_shared<const Molecule>(std::move(molecule));
+  mustSelect("trajectory", spec->superposed_on, *molecule);
   FrameFit fit{spec->superposed, {}};
-  if (spec->superposed_on.given()) fit.on = spec->superposed_on.select(*shared);
-  auto store = FrameStore::open(spec->file, shared, fit);
+  if (spec->superposed_on.given()) fit.on = spec->superposed_on.select(*molecule);
+  auto store = FrameStore::open(spec->file, molecule, fit);
   if (!store) throw CommandError{store.problem().text()};
-  TrajectoryFile& file = (*store)->file();
+  return *std::move(store);
+}
+
+// The molecule at a frame of --trajectory.
+Molecule atFrame(const SceneOptions& options, Molecule molecule) {
+  const auto shared = std::make_shared<const Molecule>(std::move(molecule));
+  const std::unique_ptr<FrameStore> store = framesOf(options, shared);
+  TrajectoryFile& file = store->file();
   const auto index = static_cast<std::size_t>(options.frame - 1);
   while (file.frames() <= index && !file.complete()) file.findMore(std::uint64_t{1} << 26);
   if (index >= file.frames())
     throw CLI::ValidationError("--frame", "the trajectory has " + std::to_string(file.frames()) + " frames");
-  const auto positions = (*store)->at(index);
+  const auto positions = store->at(index);
   if (!positions) throw CommandError{positions.problem().text()};
   std::vector<Sphere> spheres = shared->spheres.copy();
   for (std::size_t i = 0; i < spheres.size(); ++i) spheres[i].centre_A = (**positions)[i];
@@ -78,6 +85,15 @@ Molecule atFrame(const SceneOptions& options, Molecule molecule) {
 }
 
 }  // namespace
+
+std::vector<float> SceneOptions::fluctuation_A(const Molecule& molecule) const {
+  if (trajectory.empty()) return {};
+  const std::unique_ptr<FrameStore> store = framesOf(*this, std::make_shared<const Molecule>(molecule));
+  store->file().findMore(~std::uint64_t{0} >> 1);
+  auto survey = surveyTrajectory(*store, 0, store->file().frames(), kMaxSurveyed);
+  if (!survey) throw CommandError{survey.problem().text()};
+  return std::move(survey->fluctuation_A);
+}
 
 void SceneOptions::addMolecules(CLI::App& command) {
   command.add_option("--mark", mark, "Colours of selections: 'teal for residue 35, magenta for residue 52'");

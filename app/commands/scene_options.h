@@ -4,6 +4,7 @@
 
 #include <CLI/CLI.hpp>
 #include <string>
+#include <vector>
 
 #include "app/commands/molecule_argument.h"
 #include "engine/lesson/lesson.h"
@@ -28,6 +29,9 @@ struct SceneOptions {
   /// Throws CLI::ValidationError with the option's name if a value is invalid, and CommandError if the structure cannot
   /// be loaded.
   Molecule atState(Molecule molecule, const MoleculeArgument& read) const;
+  /// The fluctuation of each atom in the trajectory, of at most kMaxSurveyed frames (unit: angstrom); empty without one.
+  std::vector<float> fluctuation_A(const Molecule& molecule) const;
+  static constexpr std::size_t kMaxSurveyed = 400;
   /// A lesson scene with the keys of all other options. Throws CLI::ValidationError with the option's name if a value
   /// is invalid for this molecule.
   SceneSpec scene(const Molecule& molecule) const;

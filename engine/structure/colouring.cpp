@@ -269,6 +269,33 @@ void byBFactor(const Molecule& m, const ColouringInput&, Colouring& out) {
       {value(low), kBFactor[0]}, {value(0.5 * (low + high)), kBFactor[1]}, {value(high), kBFactor[2]}};
 }
 
+// Water and ions, which may cross the whole cell, have no part in the range.
+void byFluctuation(const Molecule& m, const ColouringInput& input, Colouring& out) {
+  if (input.fluctuation_A.size() != m.atoms.size()) {
+    out.legend.entries = {{tr("no trajectory has been read"), kNothing}};
+    return;
+  }
+  float low = std::numeric_limits<float>::max(), high = 0.0f;
+  for (std::size_t i = 0; i < m.atoms.size(); ++i) {
+    const Residue* r = residueOf(m, m.atoms[i]);
+    if (r && (r->kind == ResidueKind::Water || r->kind == ResidueKind::Ion)) continue;
+    low = std::min(low, input.fluctuation_A[i]), high = std::max(high, input.fluctuation_A[i]);
+  }
+  const double range = double(high) - double(low);
+  for (std::size_t i = 0; i < m.atoms.size(); ++i)
+    out.of_atom[i] =
+        range > 0.0 ? along(kBFactor, (double(input.fluctuation_A[i]) - double(low)) / range) : kBFactor[0];
+  const auto value = [](double distance) { return quantityText(distance, Dimension::Length, decimals(2)); };
+  if (!(range > 0.0)) {
+    out.legend.entries = {{value(m.atoms.empty() ? 0.0 : double(input.fluctuation_A[0])), kBFactor[0]}};
+    return;
+  }
+  out.legend.gradient = true;
+  out.legend.entries = {{value(double(low)), kBFactor[0]},
+                        {value(0.5 * (double(low) + double(high))), kBFactor[1]},
+                        {value(double(high)), kBFactor[2]}};
+}
+
 void byPlaceInChain(const Molecule& m, const ColouringInput&, Colouring& out) {
   std::fill(out.of_atom.begin(), out.of_atom.end(), kNothing);
   const auto polymer = [&](std::uint32_t r) {
@@ -333,6 +360,9 @@ constexpr ColouringScheme kSchemes[] = {
     {"structure", NC_("colours", "Secondary structure"),
      N_("helix, strand or coil, as the file records them, else by the hydrogen bonds"), byStructure},
     {"b-factor", NC_("colours", "B factor"), N_("the B factor of the file, from its lowest to its highest"), byBFactor},
+    {"fluctuation", NC_("colours", "Fluctuation"),
+     N_("how far the atom moves about its mean position in a trajectory (root mean square), from blue to red"),
+     byFluctuation},
     {"rainbow", NC_("colours", "Rainbow"), N_("the place along the chain, from blue at its start to red at its end"),
      byPlaceInChain},
 };

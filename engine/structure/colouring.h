@@ -40,8 +40,9 @@ struct Colouring {
 
 /// What a scheme may depend on besides the molecule.
 struct ColouringInput {
-  std::string_view dielectric = "water";     ///< as in dielectricChoices (engine/haptics/field/force_choices.h)
-  std::span<const std::uint32_t> held = {};  ///< atoms in the hand, ascending, which are apart from the others
+  std::string_view dielectric = "water";      ///< as in dielectricChoices (engine/haptics/field/force_choices.h)
+  std::span<const std::uint32_t> held = {};   ///< atoms in the hand, ascending, which are apart from the others
+  std::span<const float> fluctuation_A = {};  ///< of each atom in a trajectory (TrajectorySurvey); empty: not known
 };
 
 /// A colour scheme; a row of the table in colouring.cpp.

@@ -169,10 +169,33 @@ TEST_CASE("parts have their own colour over the scheme's, the later over the ear
   CHECK(c.legend.parts[0].name == "one side");
 }
 
+TEST_CASE(
+    "fluctuation colours from blue at the smallest to red at the largest, water beyond the range as the largest; "
+    "without "
+    "a trajectory the legend says so and every atom is grey") {
+  Molecule m = libraryMolecule("1ubq.pdb");
+  std::vector<float> fluctuation(m.atoms.size(), 1.0f);
+  fluctuation[3] = 0.25f;
+  fluctuation[7] = 2.25f;
+  const auto scheme = findColouringScheme("fluctuation");
+  REQUIRE(scheme);
+  const Colouring c = colourMolecule(m, **scheme, {.fluctuation_A = fluctuation});
+  const Colouring b = coloured(m, "b-factor");
+  CHECK(c.of_atom[3] == b.legend.entries.front().colour);
+  CHECK(c.of_atom[7] == b.legend.entries.back().colour);
+  CHECK(names(c.legend) == "0.25 Å, 1.25 Å, 2.25 Å");
+  CHECK(c.legend.gradient);
+  const Colouring none = coloured(m, "fluctuation");
+  CHECK(names(none.legend) == "no trajectory has been read");
+  CHECK(none.of_atom[3] == none.legend.entries.front().colour);
+  const std::vector<float> too_few(3, 1.0f);
+  CHECK(colourMolecule(m, **scheme, {.fluctuation_A = too_few}).of_atom[0] == none.of_atom[0]);
+}
+
 TEST_CASE("an unknown scheme is reported with the known ones") {
   const auto found = findColouringScheme("colour");
   REQUIRE_FALSE(found);
   CHECK(found.problem().text() ==
         "there is no colouring named 'colour'; the names are element, chain, residue, residue-type, hydrophobicity, "
-        "charge, potential, structure, b-factor, rainbow");
+        "charge, potential, structure, b-factor, fluctuation, rainbow");
 }

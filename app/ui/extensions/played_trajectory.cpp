@@ -24,6 +24,7 @@ constexpr std::size_t kAhead = 6;
 constexpr std::uint64_t kSearched_bytes = std::uint64_t{32} << 20;
 
 // "not superposed", or the selection; then "; smoothed 2".
+constexpr std::string_view kFluctuation = "fluctuation";  // a ColouringScheme
 constexpr std::string_view kNotSuperposed = "not superposed", kSmoothed = "; smoothed ";
 
 FrameFit fitOf(const TrajectorySpec& spec, const Molecule& molecule) {
@@ -70,6 +71,8 @@ void PlayedTrajectory::forget() {
   surveying_.drop();
   store_.reset();
   survey_.reset();
+  scene_.setFluctuation_A({});
+  painted_.reset();
   survey_begun_ = warned_ = false;
   molecule_.reset();
   file_.clear();
@@ -306,14 +309,23 @@ bool PlayedTrajectory::seek() {
   return true;
 }
 
+// Where the atoms have the colours of their fluctuation, these follow when the survey is done.
+void PlayedTrajectory::paintFluctuation() {
+  std::shared_ptr<const Colouring>& shown = scene_.look.colouring;
+  if (!shown || shown->scheme != kFluctuation || shown == painted_ || !survey()) return;
+  shown = painted_ = scene_.colouring(kFluctuation);
+}
+
 void PlayedTrajectory::beforeTicks() {
   if (std::optional<Expected<Reading>> opened = opening_.take()) takeOpened(*std::move(opened));
   if (std::optional<Reading> read = reading_.take()) take(*std::move(read));
   if (std::optional<Expected<TrajectorySurvey>> surveyed = surveying_.take()) {
-    if (*surveyed)
+    if (*surveyed) {
       survey_ = **std::move(surveyed);
-    else
+      scene_.setFluctuation_A(survey_->fluctuation_A);
+    } else {
       messages_.error(surveyed->problem().text());
+    }
   }
   if (!store_ || !scene_.stage() || scene_.stage().molecule != molecule_) return;
   if (forceChoice(scene_.touch().forces).any()) {
@@ -321,6 +333,7 @@ void PlayedTrajectory::beforeTicks() {
     return messages_.notice(tr("Forces between atoms act in a molecule at rest. The trajectory has been closed."));
   }
   request();
+  paintFluctuation();
   if (shown_ && !scene_.playing()) shown_.reset();
   if (shown_) return;  // a playback moves the atoms
   if (!started_) {

@@ -107,6 +107,7 @@ class PlayedTrajectory : public AtomMover {
   std::optional<std::vector<Sphere>> spheresAt(double at) const;
   std::optional<double> next(double dt_s);
   bool seek();
+  void paintFluctuation();
 
   std::filesystem::path file_;
   FrameFit fit_;
@@ -119,6 +120,7 @@ class PlayedTrajectory : public AtomMover {
   std::shared_ptr<FrameStore> store_;  // used by at most one task at a time
   std::optional<TrajectorySurvey> survey_;
   bool survey_begun_ = false, warned_ = false;
+  std::shared_ptr<const Colouring> painted_;  // the colours that show the survey
   std::string format_;
   std::size_t frames_ = 0, first_ = 0, last_ = ~std::size_t{0};
   bool complete_ = false;

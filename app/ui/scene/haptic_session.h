@@ -147,6 +147,8 @@ class HapticSession {
   /// The colours of a scheme for the molecule on the stage, what the hand holds and the medium of its forces. Null for
   /// "element", "chain" and unknown names.
   std::shared_ptr<const Colouring> colouring(std::string_view scheme) const;
+  /// The atoms' fluctuation in a trajectory, which the scheme of that name shows (unit: angstrom); empty: none is known.
+  void setFluctuation_A(std::vector<float> of_atom) { fluctuation_A_ = std::move(of_atom); }
   /// Whether the scene draws no atom of its molecule.
   bool drawsNothing() const;
   /// Whether the next frame differs without further input.
@@ -177,6 +179,7 @@ class HapticSession {
   PlayedHand played_;
   ForceTrial trial_{servo_};
   RecordedConditions recorded_;
+  std::vector<float> fluctuation_A_;
   std::vector<std::uint32_t> pulled_;
   bool hand_moved_ = false, resting_ = false;
 };
