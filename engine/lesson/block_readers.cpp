@@ -108,7 +108,7 @@ void takeSecondState(Reading& reading, const KeyValues& values, bool takes_state
   }
 }
 
-// "peptide.xml", "none"; excludes whatever else moves the atoms or needs them at rest.
+// "peptide.xml", "imd://127.0.0.1:8888", "none".
 void takeSimulation(Reading& reading, const KeyValues& values, bool takes, SceneSpec& scene) {
   if (takes) {
     scene.simulation = values["simulation"].text == "none" ? std::string() : values["simulation"].text;
@@ -119,15 +119,6 @@ void takeSimulation(Reading& reading, const KeyValues& values, bool takes, Scene
   if (const auto address = imdAddress(scene.simulation); address && !*address)
     reading.error(place, address->problem().message,
                   tr("write imd://HOST:PORT with a numeric host, for example imd://127.0.0.1:8888"));
-  if (!scene.then.molecule.empty())
-    reading.error(place, tr("a simulation or the slider of 'then' moves the atoms, not both"),
-                  tr("leave out 'then', or write 'simulation: none'"));
-  if (scene.elastic)
-    reading.error(place, tr("a simulation or an elastic network moves the atoms, not both"),
-                  tr("write 'elastic: off' or 'simulation: none'"));
-  if (forceChoice(scene.touch.forces).any())
-    reading.error(place, tr("forces act between atoms that rest, and a simulation moves them"),
-                  tr("write 'forces: none' or 'simulation: none'"));
 }
 
 // "1-100", "50-", "7".
@@ -143,8 +134,7 @@ bool parseFrames(std::string_view text, TrajectorySpec& out) {
   return number(stripped(text.substr(dash + 1)), out.last) && out.last >= out.first;
 }
 
-// "md.xtc", "md.xtc, superposed on chain A", "none", with its frames and speed; excludes whatever else moves the atoms or
-// needs them at rest.
+// "md.xtc", "md.xtc, superposed on chain A", "none", with its frames and speed.
 template <class Takes>
 void takeTrajectory(Reading& reading, const KeyValues& values, const Takes& takes, SceneSpec& scene) {
   TrajectorySpec& trajectory = scene.trajectory;
@@ -168,16 +158,35 @@ void takeTrajectory(Reading& reading, const KeyValues& values, const Takes& take
     reading.error(values["frames"].place, trf("these are no frames: '{0}'", values["frames"].text),
                   tr("write the first and the last, counted from 1: '1-100'"));
   if (takes("speed")) trajectory.frames_per_s = values["speed"].number;
-  if (trajectory.file.empty()) return;
-  const std::pair<const char*, bool> others[] = {
-      {"then", !scene.then.molecule.empty()}, {"elastic", scene.elastic}, {"simulation", !scene.simulation.empty()}};
-  for (const auto& [key, on] : others)
-    if (on)
-      reading.error(scene.places.trajectory, trf("'trajectory' and '{0}' both move the atoms", key),
-                    trf("write 'trajectory: none', or leave out '{0}'", key));
-  if (forceChoice(scene.touch.forces).any())
-    reading.error(scene.places.trajectory, tr("forces act between atoms that rest, and a trajectory moves them"),
-                  tr("write 'forces: none' or 'trajectory: none'"));
+}
+
+// Whatever moves the atoms excludes all else that does, and forces, which act between atoms at rest.
+void checkMovers(Reading& reading, const KeyValues& values, const SceneSpec& scene) {
+  struct Mover {
+    const char* key;
+    bool on;
+    Place place;
+    const char* without;
+  };
+  const Mover movers[] = {
+      {"then", !scene.then.molecule.empty(), scene.places.then, N_("leave out 'then'")},
+      {"elastic", scene.elastic, values["elastic"].place, N_("write 'elastic: off'")},
+      {"simulation", !scene.simulation.empty(), scene.places.simulation, N_("write 'simulation: none'")},
+      {"trajectory", !scene.trajectory.file.empty(), scene.places.trajectory, N_("write 'trajectory: none'")}};
+  const auto later = [](const Place& a, const Place& b) { return a.line > b.line ? a : b; };
+  const Mover* first = nullptr;
+  for (const Mover& mover : movers) {
+    if (!mover.on) continue;
+    if (first)
+      reading.error(later(first->place, mover.place), trf("'{0}' and '{1}' both move the atoms", first->key, mover.key),
+                    trf("{0}, or {1}", tr(first->without), tr(mover.without)));
+    else
+      first = &mover;
+    if (forceChoice(scene.touch.forces).any())
+      reading.error(later(mover.place, values["forces"].place),
+                    trf("forces act between atoms that rest, and '{0}' moves them", mover.key),
+                    trf("write 'forces: none', or {0}", tr(mover.without)));
+  }
 }
 
 // The captions of two molecules that are compared.
@@ -343,18 +352,7 @@ SceneSpec readScene(Reading& reading, const MarkdownBlock& block, const SceneSpe
   if (takes("elastic")) scene.elastic = values["elastic"].words[0] == "on";
   takeSimulation(reading, values, takes("simulation"), scene);
   takeTrajectory(reading, values, takes, scene);
-  if (scene.elastic && !scene.then.molecule.empty())
-    reading.error(values["elastic"].place.line ? values["elastic"].place : scene.places.then,
-                  tr("the slider of 'then' or the hand moves the atoms, not both"),
-                  tr("leave out 'then', or write 'elastic: off'"));
-  if (scene.elastic && forceChoice(scene.touch.forces).any())
-    reading.error(values["elastic"].place.line ? values["elastic"].place : values["forces"].place,
-                  tr("forces act between atoms that rest, and those of an elastic molecule move"),
-                  tr("write 'forces: none' or 'elastic: off'"));
-  if (forceChoice(scene.touch.forces).any() && !scene.then.molecule.empty())
-    reading.error(values["forces"].place.line ? values["forces"].place : scene.places.then,
-                  tr("forces act between atoms that rest, and 'then' moves them"),
-                  tr("leave out 'then', or write 'forces: none'"));
+  checkMovers(reading, values, scene);
   return scene;
 }
 

@@ -206,30 +206,34 @@ TEST_CASE("mistakes with two molecules are reported at their lines") {
           "l.md:13:7: a scene has a second structure or a molecule beside it, not both; take 'then' or 'beside' out"});
   CHECK(scene("forces: all\n").empty());
   CHECK(scene("then: shut\nforces: none\n").empty());
-  CHECK(scene("then: shut\nforces: electrostatic\n") ==
-        Texts{"l.md:13:9: forces act between atoms that rest, and 'then' moves them; leave out 'then', or write "
-              "'forces: none'"});
+  CHECK(
+      scene("then: shut\nforces: electrostatic\n") ==
+      Texts{"l.md:13:9: forces act between atoms that rest, and 'then' moves them; write 'forces: none', or leave out "
+            "'then'"});
   CHECK(scene("elastic: on\n").empty());
   CHECK(scene("then: shut\nelastic: off\n").empty());
   CHECK(scene("then: shut\nelastic: on\n") ==
-        Texts{"l.md:13:10: the slider of 'then' or the hand moves the atoms, not both; leave out 'then', or write "
-              "'elastic: off'"});
-  CHECK(scene("forces: all\nelastic: on\n") ==
-        Texts{"l.md:13:10: forces act between atoms that rest, and those of an elastic molecule move; write 'forces: "
-              "none' or 'elastic: off'"});
+        Texts{"l.md:13:10: 'then' and 'elastic' both move the atoms; leave out 'then', or write 'elastic: off'"});
+  CHECK(
+      scene("forces: all\nelastic: on\n") ==
+      Texts{"l.md:13:10: forces act between atoms that rest, and 'elastic' moves them; write 'forces: none', or write "
+            "'elastic: off'"});
   CHECK(scene("simulation: mix.xml\n").empty());
   CHECK(scene("simulation: imd://127.0.0.1:8888\n").empty());
   CHECK(scene("simulation: imd://cluster:8888\n") ==
         Texts{"l.md:12:13: \"cluster:8888\" is not a network address; write imd://HOST:PORT with a numeric host, for "
               "example imd://127.0.0.1:8888"});
   CHECK(scene("then: shut\nsimulation: none\n").empty());
-  CHECK(scene("then: shut\nsimulation: mix.xml\n") ==
-        Texts{"l.md:13:13: a simulation or the slider of 'then' moves the atoms, not both; leave out 'then', or write "
-              "'simulation: none'"});
+  CHECK(
+      scene("then: shut\nsimulation: mix.xml\n") ==
+      Texts{"l.md:13:13: 'then' and 'simulation' both move the atoms; leave out 'then', or write 'simulation: none'"});
   CHECK(scene("simulation: mix.xml\nelastic: on\n") ==
-        Texts{"l.md:12:13: a simulation or an elastic network moves the atoms, not both; write 'elastic: off' or "
-              "'simulation: none'"});
+        Texts{"l.md:13:10: 'elastic' and 'simulation' both move the atoms; write 'elastic: off', or write 'simulation: "
+              "none'"});
   CHECK(scene("simulation: mix.xml\nforces: all\n") ==
-        Texts{"l.md:12:13: forces act between atoms that rest, and a simulation moves them; write 'forces: none' or "
-              "'simulation: none'"});
+        Texts{"l.md:13:9: forces act between atoms that rest, and 'simulation' moves them; write 'forces: none', or "
+              "write 'simulation: none'"});
+  CHECK(
+      scene("then: shut\ntrajectory: md.xtc\n") ==
+      Texts{"l.md:13:13: 'then' and 'trajectory' both move the atoms; leave out 'then', or write 'trajectory: none'"});
 }
