@@ -11,6 +11,7 @@
 #include <sstream>
 
 #include "app/ui/extensions/device_link.h"
+#include "app/ui/extensions/elastic_molecule.h"
 #include "app/ui/extensions/extensions.h"
 #include "engine/haptics/methods.h"
 #include "tests/app/scripted_user_fixture.h"
@@ -202,6 +203,24 @@ TEST_CASE(
   user->frames(2);
   CHECK(!trajectory.ready());
   CHECK(shift_A(*user) == 0.0);
+}
+
+TEST_CASE("an elastic molecule gives the atoms to a trajectory that is opened, and does not take them back") {
+  const ScratchFolder scratch;
+  writeModels(scratch.path / "shift.pdb", 30);
+  const auto user = startWith("benzene", small({}));
+  ElasticMolecule& elastic = user->app().extensions().movers.get<ElasticMolecule>();
+  elastic.turn(true);
+  user->frames(20);
+  REQUIRE(elastic.owns());
+  PlayedTrajectory& trajectory = user->app().extensions().movers.get<PlayedTrajectory>();
+  REQUIRE(trajectory.open(FileKind::Trajectory, scratch.path / "shift.pdb"));
+  user->frames(10);
+  CHECK_FALSE(elastic.on());
+  CHECK(trajectory.owns());
+  trajectory.goTo(20.0);
+  user->frames(180);
+  CHECK(shift_A(*user) == doctest::Approx(20.0 * kShift_A).epsilon(1e-9));
 }
 
 TEST_CASE(

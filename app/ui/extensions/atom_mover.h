@@ -17,6 +17,7 @@
 namespace moltact {
 
 struct ApplicationOptions;
+class AtomMovers;
 class LessonGuide;
 class Messages;
 
@@ -26,6 +27,7 @@ struct MoverParts {
   LessonGuide& lesson;
   Messages& messages;
   const ApplicationOptions& options;
+  AtomMovers* movers = nullptr;  ///< all movers; AtomMovers sets it
 };
 
 class AtomMover : public Extension {
@@ -35,6 +37,7 @@ class AtomMover : public Extension {
         lesson_(parts.lesson),
         messages_(parts.messages),
         options_(parts.options),
+        movers_(parts.movers),
         own_(parts.scene.atoms().owner, MotionRank::Scene) {}
 
   /// The word for it in attempts (AtomsMoved::by), the same in all versions. No other mover has it.
@@ -51,6 +54,10 @@ class AtomMover : public Extension {
   /// until it is released. A position out of range is clamped.
   virtual void show(const MotionSource& source, const AtomsMoved& position, const MoleculeKey& file) = 0;
 
+  /// Ends a motion that the user started, because another mover was chosen; the atoms return to their places. A motion of
+  /// the scene itself stays.
+  virtual void end() {}
+
   /// Whether it owns the atoms (app/ui/scene/motion_owner.h).
   bool owns() const { return own_.owns(); }
 
@@ -59,6 +66,7 @@ class AtomMover : public Extension {
   LessonGuide& lesson_;
   Messages& messages_;
   const ApplicationOptions& options_;
+  AtomMovers* const movers_;  // null in a test of one mover
   MotionSource own_;
 };
 

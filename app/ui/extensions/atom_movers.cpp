@@ -10,6 +10,7 @@
 namespace moltact {
 
 AtomMovers::AtomMovers(const MoverParts& parts) : parts_(parts) {
+  parts_.movers = this;
   // One line for each.
   add<MovingStates>();
   add<ElasticMolecule>();
@@ -43,6 +44,11 @@ std::optional<AtomsMoved> AtomMovers::position() const {
 
 bool AtomMovers::open(FileKind kind, const std::filesystem::path& file) {
   return std::any_of(all_.begin(), all_.end(), [&](const auto& mover) { return mover->open(kind, file); });
+}
+
+void AtomMovers::endOthers(const AtomMover& chosen) {
+  for (const auto& mover : all_)
+    if (mover.get() != &chosen) mover->end();
 }
 
 void AtomMovers::beforeTicks() {

@@ -41,6 +41,9 @@ class AtomMovers : public Extension {
   /// Its position, with its kind; empty if nothing moves the atoms of the open scene.
   std::optional<AtomsMoved> position() const;
 
+  /// Ends what the other movers do, because the user has chosen this one.
+  void endOthers(const AtomMover& chosen);
+
   bool open(FileKind kind, const std::filesystem::path& file) override;
   void beforeTicks() override;
   void ticks(const FeltTicks& felt) override;

@@ -51,6 +51,7 @@ class ElasticMolecule : public AtomMover {
   /// Whether the molecule gives way.
   bool on() const { return on_; }
   void turn(bool on);
+  void end() override { turn(false); }
   /// Why the molecule cannot give way in this scene, as a sentence; empty if it can.
   std::string unavailable() const;
   bool computing() const { return reading_.busy(); }

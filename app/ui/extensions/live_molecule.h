@@ -54,6 +54,7 @@ class LiveMolecule : public AtomMover {
 
   bool on() const { return on_; }
   void turn(bool on);
+  void end() override { turn(false); }
   /// Whether a system lies beside the molecule, or the lesson or the command line names one.
   bool offered() const { return on_ || address() || !system().empty(); }
   /// Where another program simulates this molecule; nothing: this program simulates it.

@@ -6,6 +6,7 @@
 #include <exception>
 
 #include "app/ui/application/application_options.h"
+#include "app/ui/extensions/atom_movers.h"
 #include "app/ui/lesson/lesson_guide.h"
 #include "app/ui/widgets/messages.h"
 #include "engine/haptics/field/force_choices.h"
@@ -137,6 +138,7 @@ bool PlayedTrajectory::open(FileKind kind, const fs::path& file) {
     messages_.error(tr("Forces between atoms act in a molecule at rest. Switch them off to play a trajectory."));
     return true;
   }
+  if (movers_) movers_->endOthers(*this);
   begin(file, {}, {});
   running_ = false;
   return true;

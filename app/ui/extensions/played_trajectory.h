@@ -77,6 +77,7 @@ class PlayedTrajectory : public AtomMover {
 
   /// Ends the trajectory: the atoms return to their places.
   void close();
+  void end() override { close(); }
 
  private:
   struct Placed {

@@ -6,10 +6,8 @@
 #include <string>
 
 #include "app/ui/application/application.h"
-#include "app/ui/extensions/elastic_molecule.h"
 #include "app/ui/extensions/extensions.h"
 #include "app/ui/extensions/live_molecule.h"
-#include "app/ui/extensions/played_trajectory.h"
 #include "app/ui/panels/view_overlays.h"
 #include "app/ui/panels/while_locked.h"
 #include "app/ui/widgets/controls.h"
@@ -116,7 +114,6 @@ void drawPlots(const LiveMolecule& live) {
 
 bool drawSimulationSection(Application& app) {
   LiveMolecule& live = app.extensions().movers.get<LiveMolecule>();
-  ElasticMolecule& elastic = app.extensions().movers.get<ElasticMolecule>();
   if (!live.offered()) return false;
   if (const std::string why = live.unavailable(); !why.empty() && !live.on()) {
     simulationLine("simulation/unavailable", why);
@@ -129,10 +126,7 @@ bool drawSimulationSection(Application& app) {
     bool on = live.on();
     if (toggle("simulation", tr("Simulation"), on,
                tr("The atoms move according to the forces between them and a heat bath, and the hand pushes them."))) {
-      if (on) {
-        elastic.turn(false);
-        app.extensions().movers.get<PlayedTrajectory>().close();
-      }
+      if (on) app.extensions().movers.endOthers(live);
       live.turn(on);
     }
   }
