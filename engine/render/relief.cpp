@@ -5,6 +5,11 @@
 #include "engine/render/height_picture.h"
 
 namespace moltact {
+namespace {
+
+constexpr double kLift_A = 0.02;  // so that the atoms do not pierce it where they stop the tip
+
+}  // namespace
 
 MeshPiece reliefOf(const HeightField& field, int lines) {
   MeshPiece out;
@@ -16,7 +21,7 @@ MeshPiece reliefOf(const HeightField& field, int lines) {
   };
   for (int row = 0; row < lines; ++row)
     for (int column = 0; column < field.columns; ++column) {
-      const Vec3 place(field.spacing_A * column, field.spacing_A * row, height(column, row));
+      const Vec3 place(field.spacing_A * column, field.spacing_A * row, height(column, row) + kLift_A);
       const Vec3 normal(height(column - 1, row) - height(column + 1, row),
                         height(column, row - 1) - height(column, row + 1), 2.0 * field.spacing_A);
       out.vertices.push_back({glm::vec3(field.frame.toMolecule(place) - out.origin_A),

@@ -32,7 +32,9 @@ void drawScanCard(Application& app, ViewRoom& room) {
       scan.running()
           ? trf("Scanning: {0}", quantityText(double(scan.lines()) / field.rows, Dimension::Share))
           : trf("Up to {0} high", quantityText(highest_A(field, field.rows), Dimension::Length, decimals(1)));
-  const float width = std::max({picture.x, ImGui::CalcTextSize(words.c_str()).x, l.tx(150)}) + 2 * pad,
+  const auto wide = [&](const char* text) { return ImGui::CalcTextSize(text).x; };
+  const float buttons = std::max({wide(tr("Touch the atoms")), wide(tr("Touch the scan")), wide(tr("Scan from here"))});
+  const float width = std::max({picture.x, wide(words.c_str()), buttons + l.px(24)}) + 2 * pad,
               below = scan.running() ? 0.0f : 2 * (high_button + pad);
   const float height = picture.y + line + below + 3 * pad;
   // Below the button that resets the view.
