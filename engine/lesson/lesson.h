@@ -142,7 +142,7 @@ struct SceneSpec {
   Selection hydrogen_bonds;           ///< atoms whose hydrogen bonds are drawn; may select nothing
   std::vector<PlacesSpec> measures;   ///< two atoms give a length, three an angle, four a torsion
   bool paint_touched = false;         ///< touched atoms stay lightly painted
-  std::vector<std::string> panels;    ///< "touch", "methods", or "none"; empty: the student's choice
+  std::vector<std::string> panels;    ///< "touch", "methods", "motion" or "none"; empty: the student's choice
   std::vector<std::string> locked;    ///< keys that the student cannot change, including those of the front matter
   Selection highlight;                ///< may select nothing
   ViewSpec view;                      ///< the initial view
