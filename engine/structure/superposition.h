@@ -51,8 +51,8 @@ struct TwoStates {
 };
 
 /// Computes both states of the atoms of `one`. An atom that `other` lacks moves rigidly with the matched atoms of its
-/// residue; a residue without matched atoms does not move. With `on` (indices in `one`, ascending) the fit uses only
-/// these atoms.
+/// residue; a residue without matched atoms does not move. With `on` (indices in `one`, ascending) the fit uses
+/// only pairs of these atoms, selected as by superpose().
 Expected<TwoStates> twoStates(const Molecule& one, const Molecule& other, std::span<const std::uint32_t> on = {});
 
 }  // namespace moltact

@@ -19,7 +19,7 @@ namespace moltact {
 /// How frames are superposed.
 struct FrameFit {
   bool superposed = true;
-  std::vector<std::uint32_t> on;  ///< these atoms, ascending; empty: CA, P and C1' (superposition.h)
+  std::vector<std::uint32_t> on;  ///< over these atoms, ascending, selected as by superpose(); empty: over all
   friend bool operator==(const FrameFit&, const FrameFit&) = default;
 };
 
