@@ -153,8 +153,8 @@ ReportTable stabilitySummary(const std::vector<StabilityResult>& results, const 
                  {"unsound", "runs with an event (%)"}},
                 {},
                 "Shares are of ticks in contact. \"off\" is the mean over scenes with the 95 % interval over draws; "
-                "sunk, contact lost and held on nothing are subsets of it. Tunnelled and jumps: per 10 000 ticks of "
-                "contact. A run is one scene in one draw; events are those of the table above."};
+                "contact lost and held on nothing are subsets of it, and sunk also counts ticks without a known reference. "
+                "Tunnelled and jumps: per 10 000 ticks of contact. A run is one scene in one draw; events are those of the table above."};
   const auto cells = stabilityCells(results, limits);
   for (const Method* m : inOrder<const Method*>(results, [](const StabilityResult& r) { return r.method; })) {
     double contact = 0, sunk = 0, lost = 0, stuck = 0, deep = 0, tunnelled = 0, jumps = 0, jitter = 0, energy = 0;
