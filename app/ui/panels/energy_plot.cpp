@@ -69,8 +69,8 @@ void drawEnergyPlot(Application& app) {
   const std::array colours{p.good, p.warn, p.bad};
   std::vector<PlotCurve> shown;
   for (std::size_t k = 0; k < kEnergyParts; ++k)
-    shown.push_back({&curves[k], tr(energyParts()[k].title), energyBetweenAtoms(energy->parts.values[k], decimals(1)),
-                     colours[k % colours.size()]});
+    shown.push_back({&curves[k], std::string(tr(energyParts()[k].title)),
+                     energyBetweenAtoms(energy->parts.values[k], decimals(1)), colours[k % colours.size()]});
   ImGui::Spacing();
   signedPlot("plot/energy", shown, {.title = tr("Energy"), .min_top = 1.0f, .span_s = TouchLog::kPlot_s});
   drawParts(app);
