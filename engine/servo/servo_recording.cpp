@@ -276,7 +276,7 @@ std::optional<Problem> ServoRecordingWriter::place(std::span<const Sphere> spher
   return append(kPlacesBlockMagic, 0, bytesOf(spheres));
 }
 
-std::optional<Problem> ServoRecordingWriter::add(const RecordedMotion& motion) {
+std::optional<Problem> ServoRecordingWriter::addMotion(const RecordedMotion& motion) {
   return append(kMotionMagic, 0, bytesOf(motion));
 }
 

@@ -72,7 +72,7 @@ class ServoRecordingWriter {
   /// The places of the spheres for which the interaction was created, after begin(), if they are not the molecule's.
   std::optional<Problem> place(std::span<const Sphere> spheres);
   /// The next motion, before the first of its ticks.
-  std::optional<Problem> add(const RecordedMotion& motion);
+  std::optional<Problem> addMotion(const RecordedMotion& motion);
   std::optional<Problem> add(const RecordedTick& tick);
   /// Writes the remaining ticks and blocks until the disk has them.
   std::optional<Problem> finish();

@@ -63,7 +63,7 @@ TEST_CASE(
       CHECK(continues == (number > 0 && !elsewhere));
       const RecordedMotion recorded = recordedMotion(*now, before.get());
       CHECK(recorded.from.empty() == continues);
-      CHECK_FALSE(writer->add(recorded));
+      CHECK_FALSE(writer->addMotion(recorded));
       ++number;
       motion_tick = 0;
     }
@@ -121,7 +121,7 @@ TEST_CASE(
   CHECK(spheresOfBytes(std::string(64, '\0'))->size() == 2);
 
   const SphereGrid two(motion.from);
-  const auto phaseOf = [](RecordedMotion changed, std::uint32_t number, std::int32_t tick) {
+  const auto phaseOf = [&two](RecordedMotion changed, std::uint32_t number, std::int32_t tick) {
     const std::vector<RecordedMotion> all{std::move(changed)};
     return MotionReplay(all, two).at(number, tick);
   };

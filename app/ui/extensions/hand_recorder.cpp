@@ -40,7 +40,7 @@ void HandRecorder::record(const fs::path& file) {
   labels_ = moleculeLabels(lastingName(scene_.molecule(), MoleculeFolders::ofThisComputer()));
   labels_.merge(sceneLabels(*now.spheres, now.body.get()));
   const SharedArray<Sphere>& resting = scene_.atoms().resting().spheres->spheres();
-  placed_ = now.spheres->spheres() == resting ? SharedArray<Sphere>() : now.spheres->spheres();
+  placed_ = now.spheres->spheres().sharesWith(resting) ? SharedArray<Sphere>() : now.spheres->spheres();
   tracker_ = scene_.servo().handedOver();
   reported_ =
       messages_.ask(MessageKind::Notice, trf("The hand is recorded in {0}.", file.filename().string()), {"device"});
@@ -61,7 +61,7 @@ void HandRecorder::drain() {
     RecordedTick numbered = tick;
     if (tick.motion_serial && !(motion_ && motion_->serial() == tick.motion_serial)) {
       const std::shared_ptr<const SphereMotion> next = servo.motionOf(tick.motion_serial);
-      if (!problem && next) problem = writer_->add(recordedMotion(*next, motion_.get()));
+      if (!problem && next) problem = writer_->addMotion(recordedMotion(*next, motion_.get()));
       motion_ = next;
       ++motion_number_;
     }
