@@ -85,8 +85,8 @@ TEST_CASE(
   }
   CHECK_FALSE(writer->finish());
   MESSAGE(touching, " ticks in contact, ", moving, " of them while spheres moved");
-  CHECK(touching > 500);
-  CHECK(moving > 100);
+  CHECK(touching > 300);
+  CHECK(moving > 50);
   Expected<ServoRecording> read = readServoRecording(file);
   REQUIRE(read);
   CHECK(read->torn.empty());
@@ -96,9 +96,9 @@ TEST_CASE(
   CHECK(replayed().ticks == 3000);
   CHECK(replayed().motion_unknown == 0);
   CHECK_FALSE(replayed().first_difference);
-  // The fourth motion begins with tick 800.
-  read->motions[3].changes[0].displacement_A.x += 1e-3;
-  CHECK(replayed().first_difference.value_or(0) >= 800);
+  // The first motion begins with tick 500; those that continue it begin elsewhere then.
+  for (RecordedMotion::Change& change : read->motions[0].changes) change.displacement_A.x += 1e-3;
+  CHECK(replayed().first_difference.value_or(0) >= 500);
   for (RecordedTick& tick : read->ticks) tick.motion = kUnknownMotion;
   CHECK(replayed().motion_unknown == 3000);
   CHECK(replayed().first_difference);

@@ -52,8 +52,8 @@ class Measure : public Task {
     held_s_ += dt_s;
     // With a mouse the student has to let go before clicking, so the place touched last counts.
     if (held_s_ < kTouch_s) return;
-    touch_ = Touch{s.contact.scp.A - s.contact.outward() * s.probe_A, from_.touchedBy(s.contact), to_.touchedBy(s.contact),
-                   wrong_.about(s.contact)};
+    touch_ = Touch{s.contact.scp.A - s.contact.outward() * s.probe_A, from_.touchedBy(s.contact),
+                   to_.touchedBy(s.contact), wrong_.about(s.contact)};
     said_.clear();
   }
 
