@@ -63,13 +63,16 @@ void drawFeltEnergy(const ForceWatch& forces) {
 void drawEnergyPlot(Application& app) {
   const TouchLog& log = app.scene.log();
   const auto& energy = log.latest().molecular_energy;
-  const TouchLog::Energies* curves = log.energies();
+  const std::span<const PlotBuffer> curves = log.energies();
   // What attracts could be the answer to a task that asks what is touched.
-  if (!energy || !curves || app.extensions().reveal_policy.all() || app.extensions().task_stager.asksWhat()) return;
+  if (!energy || curves.empty() || app.extensions().reveal_policy.all() || app.extensions().task_stager.asksWhat())
+    return;
   const Palette& p = look().palette;
-  const std::array shown{
-      PlotCurve{&curves->van_der_waals, tr("Van der Waals"), kcal(energy->van_der_waals_kcal_mol), p.good},
-      PlotCurve{&curves->electrostatic, tr("Charges"), kcal(energy->electrostatic_kcal_mol), p.warn}};
+  const std::array colours{p.good, p.warn, p.bad};
+  std::vector<PlotCurve> shown;
+  for (std::size_t k = 0; k < kEnergyParts; ++k)
+    shown.push_back({&curves[k], std::string(tr(energyParts()[k].title)), kcal(energy->parts.values[k]),
+                     colours[k % colours.size()]});
   ImGui::Spacing();
   signedPlot("plot/energy", shown, {.title = tr("Energy"), .min_top = 1.0f, .span_s = TouchLog::kPlot_s});
   drawParts(app);
