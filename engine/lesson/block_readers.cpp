@@ -121,6 +121,26 @@ void takeSimulation(Reading& reading, const KeyValues& values, bool takes, Scene
                   tr("write imd://HOST:PORT with a numeric host, for example imd://127.0.0.1:8888"));
 }
 
+// A scan takes seconds and shows the atoms at rest.
+void takeScan(Reading& reading, const KeyValues& values, bool takes, SceneSpec& scene) {
+  if (takes) {
+    scene.scan_A = values["scan"].number;
+    if (values["scan"].place.line) scene.places.scan = values["scan"].place;
+  }
+  if (!(scene.scan_A > 0.0)) return;
+  const std::pair<const char*, bool> movers[] = {{"then", !scene.then.molecule.empty()},
+                                                 {"elastic", scene.elastic},
+                                                 {"simulation", !scene.simulation.empty()},
+                                                 {"trajectory", !scene.trajectory.file.empty()}};
+  for (const auto& [key, on] : movers)
+    if (on)
+      reading.error(scene.places.scan, trf("a tip scans atoms at rest, and '{0}' moves them", key),
+                    trf("write 'scan: 0 Å', or leave out '{0}'", key));
+  if (scene.in_hand.given())
+    reading.error(scene.places.scan, tr("a scanned surface is touched with a point, and the hand holds a body"),
+                  tr("write 'scan: 0 Å', or leave out 'in-hand'"));
+}
+
 // "1-100", "50-", "7".
 bool parseFrames(std::string_view text, TrajectorySpec& out) {
   const auto number = [](std::string_view word, std::uint32_t& value) {
@@ -353,6 +373,7 @@ SceneSpec readScene(Reading& reading, const MarkdownBlock& block, const SceneSpe
   takeSimulation(reading, values, takes("simulation"), scene);
   takeTrajectory(reading, values, takes, scene);
   checkMovers(reading, values, scene);
+  takeScan(reading, values, takes("scan"), scene);
   return scene;
 }
 

@@ -88,7 +88,7 @@ using Block = std::variant<Paragraph, Subheading, ListBlock, Tip, TeacherNote, Q
 /// The places of a scene's parts in the file. They do not count in comparisons: scenes with equal contents are equal.
 struct ScenePlaces {
   Place scene, molecule, highlight, magnify, hide, untouchable, remove, in_hand, charges, cut, then, simulation,
-      trajectory, hydrogen_bonds;
+      trajectory, scan, hydrogen_bonds;
   Place reading;  ///< of the last key about reading the molecule; line 0: none
 
   friend bool operator==(const ScenePlaces&, const ScenePlaces&) { return true; }
@@ -115,7 +115,7 @@ struct SecondState {
 struct TrajectorySpec {
   std::string file;          ///< beside the lesson or the molecule, or a molecule's name; empty: none
   bool superposed = true;    ///< each frame is superposed on the molecule
-  Selection superposed_on;   ///< by these atoms; not given: CA, P and C1'
+  Selection superposed_on;   ///< over CA, P and C1' of these atoms (superposition.h); not given: of all
   std::uint32_t first = 1;   ///< the frames that are shown, counted from 1
   std::uint32_t last = 0;    ///< 0: to the end
   double frames_per_s = 10;  ///< 0: at rest
@@ -142,7 +142,7 @@ struct SceneSpec {
   Selection hydrogen_bonds;           ///< atoms whose hydrogen bonds are drawn; may select nothing
   std::vector<PlacesSpec> measures;   ///< two atoms give a length, three an angle, four a torsion
   bool paint_touched = false;         ///< touched atoms stay lightly painted
-  std::vector<std::string> panels;    ///< "touch", "methods", or "none"; empty: the student's choice
+  std::vector<std::string> panels;    ///< "touch", "methods", "motion" or "none"; empty: the student's choice
   std::vector<std::string> locked;    ///< keys that the student cannot change, including those of the front matter
   Selection highlight;                ///< may select nothing
   ViewSpec view;                      ///< the initial view
@@ -153,6 +153,7 @@ struct SceneSpec {
   SecondState then;
   TrajectorySpec trajectory;
   bool elastic = false;  ///< the molecule gives way to the hand as an elastic network (engine/dynamics)
+  double scan_A = 0.0;   ///< radius of a tip that scans the molecule (engine/haptics/height_field); 0: none
   /// File of a serialised system whose simulation moves the atoms, or an address (imd_address.h); empty: none.
   std::string simulation;
   Selection magnify;  ///< these atoms fill the workspace; if empty, the whole molecule does

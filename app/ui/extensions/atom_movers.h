@@ -5,6 +5,7 @@
 #include <exception>
 #include <memory>
 #include <optional>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -44,15 +45,23 @@ class AtomMovers : public Extension {
   /// Ends what the other movers do, because the user has chosen this one.
   void endOthers(const AtomMover& chosen);
 
-  bool open(FileKind kind, const std::filesystem::path& file) override;
+  // Every event of an Extension.
+  void atStart() override;
   void beforeTicks() override;
   void ticks(const FeltTicks& felt) override;
+  void lessonEvents(std::span<const SessionEvent> events) override;
   void afterPanels() override;
+  void beforeOpening(FileKind kind) override;
+  bool open(FileKind kind, const std::filesystem::path& file) override;
+  void lessonRefused(const std::filesystem::path& file) override;
   void sceneChanged() override;
   void lessonChanged() override;
   void stepChanged() override;
+  void viewReset(const Camera& seen) override;
   void atEnd() override;
   bool live() const override;
+  bool leadsHand() const override;
+  bool hidesLesson() const override;
 
  private:
   MoverParts parts_;
