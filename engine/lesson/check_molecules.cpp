@@ -64,13 +64,14 @@ class Check {
       });
       const std::vector<std::uint32_t> untouchable = untouchableAtoms(step.scene, *molecule);
       for (const TaskSpec& task : step.tasks) {
+        const TaskKind* kind = findTaskKind(task.kind);
+        const bool held = kind && kind->names_held;
         for (const auto& [key, value] : task.values) {
           if (value.selection.given()) selects(value.selection, selectionPlace(value), *molecule, untouchable);
           for (const SelectionRemark& remark : value.remarks) selects(remark.atoms, remark.place, *molecule);
           for (std::size_t i = 0; i < value.path.size(); ++i)
-            selects(value.path[i], value.places[i], *molecule, untouchable);
+            selects(value.path[i], value.places[i], *molecule, held ? std::vector<std::uint32_t>() : untouchable);
         }
-        const TaskKind* kind = findTaskKind(task.kind);
         std::vector<Problem> problems;
         if (kind && kind->check_molecule) kind->check_molecule(task, *molecule, untouchable, problems);
         if (kind && kind->check_body && problems.empty()) body(*kind, task, step.scene, *molecule, problems);

@@ -18,7 +18,8 @@ namespace moltact {
 ///   in a poor structure creates none; between them the peptide bond, the phosphodiester bond and disulphides;
 /// * otherwise: two atoms nearer than the sum of their covalent radii (Cordero et al., Dalton Trans. 2832, 2008) plus
 ///   0.45 A, of unknown order. A hydrogen has one bond, to its nearest atom. A bond with a metal is a Coordination, for
-///   carbon and hydrogen only within a residue.
+///   carbon and hydrogen only within a residue. No bond joins two ligands of which atoms lie within 0.9 A of each
+///   other: they are alternatives in one place.
 std::vector<Bond> findBonds(const Molecule& molecule);
 
 /// The bonded neighbours of each atom.

@@ -187,7 +187,7 @@ void HeldPoses::addMinimum() {
 
 bool HeldPoses::canTake() const {
   return selected_ && *selected_ < list().size() && !list()[*selected_].minimised && !taskOpen() &&
-         !scene_.servo().deviceLeads() && !scene_.trying();
+         !scene_.trying();
 }
 
 void HeldPoses::take() {

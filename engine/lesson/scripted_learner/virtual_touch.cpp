@@ -66,6 +66,11 @@ void VirtualTouch::setStage(const TaskStage& stage) {
     felt_ = nullptr;
     exact_ = nullptr;
   }
+  if (stage.in_hand != stage_.in_hand) {
+    body_ = heldBody(molecule_->spheres, stage.in_hand.empty() ? heldAtoms(scene_, *molecule_) : stage.in_hand);
+    felt_ = nullptr;
+    exact_ = nullptr;
+  }
   TouchSetup touch = touch_;
   stage.touch.replace(stage_.touch, scene_.touch, touch);
   feelWith(touch);
