@@ -74,7 +74,7 @@ struct RankWindow {
   HapticSession& scene() { return d->app().scene; }
   LessonSession& session() { return *d->app().lesson.session(); }
   bool offers(std::string_view word) {
-    for (const TaskButton& b : session().task(0).buttons)
+    for (const TaskButton& b : session().taskAt(0)->buttons())
       if (b.word == word) return true;
     return false;
   }
