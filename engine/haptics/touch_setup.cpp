@@ -177,7 +177,8 @@ constexpr std::array kProperties{
         .fallback = "none",
         .meaning =
             "The source of the atoms' charges: 'file' from a PQR, MOL2 or PDBQT file, 'formal' from the residues at "
-            "pH 7. Interactions with electrostatic forces use them; contact does not."},
+            "pH 7. Interactions with electrostatic forces use them; contact does not. With 'forces', 'none' means the "
+            "file's charges or else AMBER's; 'formal' leaves whole charges only, and no hydrogen bonds."},
     TouchProperty{.member = &TouchSetup::forces,
                   .key = "forces",
                   .field = "forces",

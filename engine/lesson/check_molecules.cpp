@@ -7,6 +7,7 @@
 
 #include "engine/haptics/atom_chemistry.h"
 #include "engine/haptics/body/held_body.h"
+#include "engine/haptics/field/force_choices.h"
 #include "engine/language/catalogue.h"
 #include "engine/lesson/checks.h"
 #include "engine/lesson/lesson_texts.h"
@@ -144,6 +145,12 @@ class Check {
 
   /// The file must contain the charges that the scene uses.
   void hasCharges(const SceneSpec& scene, const Molecule& molecule) {
+    if (scene.touch.charges == kFormalCharges && forceChoice(scene.touch.forces).electrostatic && !findings_.enough() &&
+        reported_.insert({"charges", scene.places.charges.line, scene.places.charges.column}).second)
+      findings_.warning(scene.places.charges,
+                        tr("formal charges replace the partial ones in the forces between atoms: only "
+                           "charged side chains and phosphates act, not ligands, ions and hydrogen bonds"),
+                        tr("take the line out, unless that is what students are to feel"));
     if (scene.touch.charges != kFileCharges || !molecule.charges_e.empty() || findings_.enough()) return;
     findings_.error(scene.places.charges, trf("the file of '{0}' has no partial charges", scene.molecule.name),
                     tr("write 'charges: formal', or give the molecule as a PQR, MOL2 or PDBQT file"));
