@@ -47,6 +47,7 @@ PairShares::PairShares(std::shared_ptr<const PairField> field, std::span<const s
 
 void PairShares::at(const PoseA& pose) {
   pairs_ = 0;
+  force_ = Vec3(0.0);
   near_.clear();
   for (std::size_t k = 0; k < held_.size(); ++k) held_[k] = {.index = std::uint32_t(k)};
   const Quat& q = pose.orientation;
@@ -72,6 +73,7 @@ void PairShares::at(const PoseA& pose) {
       share.electrostatic_kcal_mol += terms.electrostatic;
       held_[k].van_der_waals_kcal_mol += terms.van_der_waals;
       held_[k].electrostatic_kcal_mol += terms.electrostatic;
+      force_ -= terms.gradient;
     }
     if (near) near_.push_back(share);
   }
