@@ -118,30 +118,28 @@ void HapticSession::beginAgainAt(PointA place) {
 void HapticSession::holdAt(const PoseA& body) {
   if (!stage().body || played_ || trying() || recorded_.on()) return;
   brought_.reset();
-  if (servo_.deviceLeads()) {
-    // The screen's axes are the device's: the view turns until the hand's present orientation is that of the pose.
-    const ServoSample& now = servo_.newest();
-    const Quat held = glm::conjugate(glm::quat_cast(servo_settings.workspace.rotation)) * now.orientation;
-    camera.orientation = glm::normalize(body.orientation * glm::conjugate(held));
-    camera.target = body.place;
-    fitRoom(body.place);
-    servo_settings.workspace =
-        rescaled(servo_settings.workspace, servo_settings.workspace.A_per_mm, now.hand, body.place);
-    brought_ = body.place;
-  } else {
+  if (servo_.deviceLeads())
+    brought_ = body;
+  else
     controls.beginAt(body, camera, servo_settings.workspace, servo_.mouse());
-  }
   log_.clear();
   ++servo_settings.discontinuities;
   servo_.beginAgain(effectiveSettings(false));
 }
 
-// A discontinuity ends the clutch's offset, so that where the hand is follows only from a tick after it.
+// A discontinuity ends the clutch's offset, and the workspace may have changed with it: where the hand is, and how it is
+// turned, follows only from a tick after it. The screen's axes are the device's, so the view turns until the hand's
+// orientation is that of the pose.
 void HapticSession::bringToHand() {
   const ServoSample& now = servo_.newest();
   if (!brought_ || now.discontinuities != servo_settings.discontinuities) return;
+  const PoseA pose = *std::exchange(brought_, std::nullopt);
+  const Quat held = glm::conjugate(glm::quat_cast(servo_settings.workspace.rotation)) * now.orientation;
+  camera.orientation = glm::normalize(pose.orientation * glm::conjugate(held));
+  camera.target = pose.place;
+  fitRoom(pose.place);
   servo_settings.workspace =
-      rescaled(servo_settings.workspace, servo_settings.workspace.A_per_mm, now.hand, *std::exchange(brought_, {}));
+      rescaled(servo_settings.workspace, servo_settings.workspace.A_per_mm, now.hand, pose.place);
   log_.clear();
   ++servo_settings.discontinuities;
   servo_.beginAgain(effectiveSettings(false));

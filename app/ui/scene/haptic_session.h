@@ -180,7 +180,7 @@ class HapticSession {
   ForceTrial trial_{servo_};
   RecordedConditions recorded_;
   std::vector<std::uint32_t> pulled_;
-  std::optional<PointA> brought_;  // to the device's hand as soon as it is known where that is without the clutch
+  std::optional<PoseA> brought_;  // what the device's hand is to hold, as soon as its own pose is known
   bool hand_moved_ = false, resting_ = false;
 };
 

@@ -259,5 +259,5 @@ TEST_CASE(
   says(first(kThree, "in-hand: chain D\nremove: chain B or chain C\ncoupling: 30 N/m\n"), "nothing holds the ligands");
   says(first(kThree, "in-hand: chain D\nremove: chain B or chain C\nforces: electrostatic\n"),
        "each ligand would hang on a spring of another stiffness");
-  says(first("chain B then chain X"), "chain X");
+  says(first("chain B then chain X"), "chain 'X' is not in ions");
 }
