@@ -13,6 +13,7 @@
   X(Export)                 \
   X(Fetch)                  \
   X(Grid)                   \
+  X(Scan)                   \
   X(Simulate)               \
   X(Modes)                  \
   X(Report)                 \

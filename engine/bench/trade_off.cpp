@@ -1,8 +1,26 @@
 #include "engine/bench/trade_off.h"
 
+#include <algorithm>
+
 #include "engine/bench/hip_paths.h"
+#include "engine/bench/methods/bench_methods.h"
 
 namespace moltact::bench {
+
+namespace {
+
+// The strokes whose approach comes from within 60 degrees of +z; all, if there are none.
+std::vector<Stroke> strokesFromAbove(std::vector<Stroke> strokes) {
+  const auto from_above = [](const Stroke& s) {
+    const Vec3 way = s.approach.front() - s.approach.back();
+    return way.z >= 0.5 * glm::length(way);
+  };
+  if (std::none_of(strokes.begin(), strokes.end(), from_above)) return strokes;
+  std::erase_if(strokes, [&](const Stroke& s) { return !from_above(s); });
+  return strokes;
+}
+
+}  // namespace
 
 std::vector<TradeOff> measureTradeOffs(const TradeOffOptions& options, const Progress& progress) {
   const auto at = [&](double fraction, std::string_view what) {
@@ -18,8 +36,11 @@ std::vector<TradeOff> measureTradeOffs(const TradeOffOptions& options, const Pro
     out.push_back({t.method, t.mean_ns, {}, t.memory_usage, false, false});
   for (std::size_t k = 0; k < out.size(); ++k) {
     at(0.3 + 0.7 * double(k) / double(out.size()), out[k].method->name);
-    out[k].accuracy = isReference(*out[k].method) ? exactAgainstOracle(scene, options.probe_A, strokes, 250)
-                                                  : accuracyOf(*out[k].method, scene, options.probe_A, strokes);
+    const Method& method = *out[k].method;
+    out[k].accuracy = isReference(method)
+                          ? exactAgainstOracle(scene, options.probe_A, strokes, 250)
+                          : accuracyOf(method, scene, options.probe_A,
+                                       limitsOf(method).from_above ? strokesFromAbove(strokes) : strokes);
   }
   std::vector<double> cost, scp, direction;
   for (const TradeOff& one : out) {
@@ -54,6 +75,8 @@ ReportTable tradeOffTable(const std::vector<TradeOff>& points, const TradeOffOpt
                     " spheres, the HIP " + readable(options.plan.depth_A) + " A deep, " + readable(kStrokeStep_A) +
                     " A per tick, the probe " + readable(options.probe_A) +
                     " A. Errors are relative to exact; those of exact are relative to the brute-force oracle."};
+  if (std::any_of(points.begin(), points.end(), [](const TradeOff& p) { return limitsOf(*p.method).from_above; }))
+    t.note += " Those of a height field are over the strokes that come from within 60 degrees of its tip's direction.";
   for (const TradeOff& p : points) {
     const Accuracy& a = p.accuracy;
     const std::string best = p.best_scp && p.best_direction ? "place, direction"

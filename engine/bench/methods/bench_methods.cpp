@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "engine/bench/methods/sas_mesh_tracker.h"
+#include "engine/bench/methods/scanned_tracker.h"
 #include "engine/haptics/grid/grid_tracker.h"
 #include "engine/haptics/mesh/mesh_tracker.h"
 
@@ -31,9 +32,15 @@ std::unique_ptr<Tracker> makeSasMesh(std::shared_ptr<const SphereGrid> scene, do
   return std::make_unique<SasMeshTracker>(std::move(scene), probe_A, 0.01 * hundredths_A);
 }
 
+template <int tenths_A>
+std::unique_ptr<Tracker> makeScanned(std::shared_ptr<const SphereGrid> scene, double probe_A) {
+  return std::make_unique<ScannedTracker>(std::move(scene), probe_A, 0.1 * tenths_A);
+}
+
 constexpr std::size_t kMaxPrepared = 20'000;  // scenes up to this size are prepared in seconds, in about 100 MB
 
-constexpr MethodFamily kMesh{"Mesh", ""}, kGrid{"Grid", ""}, kSurfaceMesh{"Surface mesh", ""};
+constexpr MethodFamily kMesh{"Mesh", ""}, kGrid{"Grid", ""}, kSurfaceMesh{"Surface mesh", ""},
+    kHeightField{"Height field", ""};
 
 // The bench's reports are in English, so that these words are not translated.
 constexpr std::array kTable{
@@ -70,6 +77,12 @@ constexpr std::array kTable{
          .family = kSurfaceMesh,
          .grid_spacing_A = 0.25},
         {.max_spheres = kMaxPrepared, .one_probe = true}},
+    MeasuredMethod{{.name = "height05",
+                    .sentence = "a height field, scanned beforehand from +z by a tip of the probe's size, 0.5 A apart",
+                    .make = &makeScanned<5>,
+                    .family = kHeightField,
+                    .grid_spacing_A = 0.5},
+                   {.from_above = true}},
 };
 
 }  // namespace
