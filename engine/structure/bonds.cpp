@@ -12,7 +12,7 @@ namespace moltact {
 namespace {
 
 constexpr double kTolerance_A = 0.45, kMinApart_A = 0.4;
-constexpr double kOnePlace_A = 0.9;  // no two heavy atoms are bonded so closely
+constexpr double kOnePlace_A = 0.9;        // no two heavy atoms are bonded so closely
 constexpr double kMaxFormulaBond_A = 2.6;  // a longer one indicates a torn residue, or two with one name
 
 constexpr std::uint8_t kHydrogenNumber = 1, kCarbonNumber = 6;
@@ -138,7 +138,7 @@ class BondFinder {
 
   const Molecule& m_;
   std::vector<char> of_formula_;
-  std::vector<std::pair<std::string_view, std::uint32_t>> named_;  // atoms of one residue
+  std::vector<std::pair<std::string_view, std::uint32_t>> named_;   // atoms of one residue
   std::set<std::pair<std::uint32_t, std::uint32_t>> alternatives_;  // residues that are in one place, the lower first
   std::vector<Bond> out_;
 };

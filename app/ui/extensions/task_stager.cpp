@@ -26,8 +26,7 @@ void TaskStager::beforeTicks() {
   }
   change(stage_.touch, wanted.touch);
   // A place found in the dark stays where it is: the molecule becomes visible and nothing else changes.
-  const bool found =
-      (stage_.turned || stage_.body_turned) && wanted == TaskStage() && wanted.in_hand == stage_.in_hand;
+  const bool found = (stage_.turned || stage_.body_turned) && wanted == TaskStage() && wanted.in_hand == stage_.in_hand;
   const bool anew = !found && (wanted.presentation != stage_.presentation || wanted.turned != stage_.turned ||
                                wanted.body_turned != stage_.body_turned);
   stage_ = wanted;

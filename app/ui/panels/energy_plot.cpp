@@ -89,10 +89,11 @@ void drawEnergyPlot(Application& app) {
   const double gain = app.scene.touch().weak_gain;
   const std::string pN = numberText(kForceUnit_pN / N_per_kcal_mol_A, decimals(0)),
                     kcal_mol_A = numberText(1.0 / N_per_kcal_mol_A, decimals(1));
-  line("force_scale", gain > 1.0 ? trf("1 N in the hand is {0} pN or {1} kcal/mol/Å between the atoms, for the weakest "
-                                       "forces {2} times less.",
-                                       pN, kcal_mol_A, numberText(gain, decimals(1)))
-                                 : trf("1 N in the hand is {0} pN or {1} kcal/mol/Å between the atoms.", pN, kcal_mol_A));
+  line("force_scale", gain > 1.0
+                          ? trf("1 N in the hand is {0} pN or {1} kcal/mol/Å between the atoms, for the weakest "
+                                "forces {2} times less.",
+                                pN, kcal_mol_A, numberText(gain, decimals(1)))
+                          : trf("1 N in the hand is {0} pN or {1} kcal/mol/Å between the atoms.", pN, kcal_mol_A));
   if (const auto between = app.scene.forces().between_kcal_mol_A())
     line("force_between", trf("Between the atoms now: {0} pN, {1} kcal/mol/Å.",
                               numberText(kForceUnit_pN * *between, decimals(0)), numberText(*between, decimals(1))));

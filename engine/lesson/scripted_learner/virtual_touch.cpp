@@ -129,8 +129,7 @@ TouchSample VirtualTouch::tick(const PoseA& hand) {
   }
   if (motion_ && moves && !moving())
     spheres_ = std::make_shared<const SphereGrid>(motion_->at(1.0), spheres_->untouchable());
-  TouchSample sample =
-      touchSampleOf(s, method_, exact_ ? exact_->respond({s.hip, s.orientation}).contact : s.contact);
+  TouchSample sample = touchSampleOf(s, method_, exact_ ? exact_->respond({s.hip, s.orientation}).contact : s.contact);
   sample.time_s = time_s();  // on the virtual clock, which continues across scenes
   return sample;
 }

@@ -19,11 +19,11 @@ namespace moltact {
 namespace {
 
 constexpr std::size_t kMaxLigands = 4;
-constexpr double kFirmer_kcal_mol = 2.0;   // between the wells of two ligands, at least
-constexpr double kBesidePlace_A = 2.0;     // so far from the file's pose a well belongs to it (rms of the atoms)
-constexpr int kFallsAtLigand = 6;          // into the well of each
-constexpr double kPulls_A = 0.5;           // so far from the place a hand pulls; nearer it holds the ligand there
-constexpr double kDemonstrated_A = 0.5;    // of a demonstrated pull, as a share of `within`
+constexpr double kFirmer_kcal_mol = 2.0;  // between the wells of two ligands, at least
+constexpr double kBesidePlace_A = 2.0;    // so far from the file's pose a well belongs to it (rms of the atoms)
+constexpr int kFallsAtLigand = 6;         // into the well of each
+constexpr double kPulls_A = 0.5;          // so far from the place a hand pulls; nearer it holds the ligand there
+constexpr double kDemonstrated_A = 0.5;   // of a demonstrated pull, as a share of `within`
 constexpr double kPulled_A_per_s = 2.0;
 
 struct LigandWords {
@@ -38,9 +38,8 @@ constexpr std::array<LigandWords, kMaxLigands> kLigandWords{{{"ligand-1", N_("Li
 /// The deepest well at the place that the ligand has in the molecule's file; empty if it overlaps other atoms there, or no
 /// force reaches it.
 std::optional<Well> wellOf(const SceneForces& forces) {
-  const std::vector<Well> wells =
-      wellsBeside(PoseGoal(forces.body(), PoseA{forces.body()->middle}), {kBesidePlace_A, std::numbers::pi}, forces,
-                  kFallsAtLigand);
+  const std::vector<Well> wells = wellsBeside(PoseGoal(forces.body(), PoseA{forces.body()->middle}),
+                                              {kBesidePlace_A, std::numbers::pi}, forces, kFallsAtLigand);
   return wells.empty() ? std::nullopt : std::optional(wells.front());
 }
 
@@ -245,10 +244,10 @@ class Rank : public Task {
   std::string first_;
   double time_s_ = 3.0, within_A_ = 4.0, felt_s_ = 0.0;
   bool dark_ = true, meter_ = true, failed_ = false;
-  bool put_down_ = false;  // this ligand is in the hand
-  bool begun_ = false;     // the hand took it in its place and has not let go since
-  double off_A_ = 0.0;     // from the hand to the place
-  Vec3 outside_{0.0};      // the scene's middle: a demonstrated pull leads away from it
+  bool put_down_ = false;    // this ligand is in the hand
+  bool begun_ = false;       // the hand took it in its place and has not let go since
+  double off_A_ = 0.0;       // from the hand to the place
+  Vec3 outside_{0.0};        // the scene's middle: a demonstrated pull leads away from it
   std::uint64_t state_ = 0;  // of the random generator
   std::size_t at_ = 0;       // the ligand that is being felt; their number while the student enters the order
   int presentation_ = 1, rounds_ = 1, first_right_ = -1;
@@ -279,14 +278,12 @@ void checkRankedLigands(const TaskSpec& spec, const Molecule& molecule, std::spa
                                    tr("this ligand would be in the way of the others: it is part of the scene"),
                                    tr("add it to 'remove' in this step's scene, or to 'in-hand'")));
     if (atoms.size() > kMaxHeldAtoms)
-      problems.push_back(
-          problemAt(rank.places[k],
-                    trf("{0} atoms are more than a hand can hold; {1} are the most", atoms.size(), kMaxHeldAtoms),
-                    tr("name fewer: a ligand, a side chain")));
+      problems.push_back(problemAt(
+          rank.places[k], trf("{0} atoms are more than a hand can hold; {1} are the most", atoms.size(), kMaxHeldAtoms),
+          tr("name fewer: a ligand, a side chain")));
     for (std::size_t before = 0; before < k; ++before)
       if (std::find_first_of(atoms.begin(), atoms.end(), all[before].begin(), all[before].end()) != atoms.end())
-        problems.push_back(
-            problemAt(rank.places[k], tr("two of the ligands share atoms"), tr("name another ligand")));
+        problems.push_back(problemAt(rank.places[k], tr("two of the ligands share atoms"), tr("name another ligand")));
   }
 }
 
@@ -311,10 +308,11 @@ void checkRankForces(const TaskSpec& spec, const SceneForces& forces, std::vecto
     if (!body) return;
     const std::optional<Well> well = wellOf(*forces.holding(body));
     if (!well || well->energy.total_kcal_mol() >= 0.0) {
-      problems.push_back(problemAt(rank.places[k],
-                                   tr("this ligand is not bound in its place: it overlaps other atoms there, or nothing "
-                                      "attracts it"),
-                                   tr("give the file another pose of it, or name another ligand")));
+      problems.push_back(
+          problemAt(rank.places[k],
+                    tr("this ligand is not bound in its place: it overlaps other atoms there, or nothing "
+                       "attracts it"),
+                    tr("give the file another pose of it, or name another ligand")));
       continue;
     }
     energies.emplace_back(well->energy.total_kcal_mol(), k);
@@ -337,9 +335,10 @@ TaskKind rankKind() {
       .time = {.base_s = 20.0, .each_s = 35.0, .each = "rank", .each_what = "ligand"},
       .keys = {{.name = "rank",
                 .type = ValueType::Path,
-                .meaning = "The ligands, two to four, separated by 'then', each in its pose of the molecule's file. One "
-                           "is the scene's `in-hand`, the others are in `remove`. The program computes the right order "
-                           "from their energies. They may overlap each other.",
+                .meaning =
+                    "The ligands, two to four, separated by 'then', each in its pose of the molecule's file. One "
+                    "is the scene's `in-hand`, the others are in `remove`. The program computes the right order "
+                    "from their energies. They may overlap each other.",
                 .required = true},
                {.name = "first",
                 .type = ValueType::Text,

@@ -39,7 +39,8 @@ const std::string kRankScene =
     "in-hand: chain D\nremove: chain B or chain C or chain E or chain F\nforces: electrostatic\ndielectric: "
     "vacuum\ncoupling: 150 N/m\n";
 
-std::string rankLesson(const std::string& ligands, const std::string& more = "", const std::string& scene = kRankScene) {
+std::string rankLesson(const std::string& ligands, const std::string& more = "",
+                       const std::string& scene = kRankScene) {
   return "---\ntitle: T\nminutes: 3\ngoals: G\nmolecules: ions\nauthor: A\nlicence: L\n---\n## A step\n```scene\n"
          "molecule: ions\n" +
          scene + "```\n```touch\nrank: " + ligands + "\nfirst: the firmest\nfor: 1 s\n" + more + "say: Do it.\n```\n";
@@ -130,7 +131,8 @@ TEST_CASE(
   };
   constexpr double kCoulombUnit = 332.0637, kTouch_A = 2.9;
   const double of_pair = deepest(pair);
-  CHECK(of_pair == doctest::Approx(2.0 * kCoulombUnit * (1.0 / std::hypot(kTouch_A, 4.0) - 1.0 / kTouch_A)).epsilon(0.01));
+  CHECK(of_pair ==
+        doctest::Approx(2.0 * kCoulombUnit * (1.0 / std::hypot(kTouch_A, 4.0) - 1.0 / kTouch_A)).epsilon(0.01));
   CHECK(deepest(magnesium) < of_pair - 2.0);
   CHECK(deepest(sodium) > of_pair + 2.0);
 }
