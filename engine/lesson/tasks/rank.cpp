@@ -111,7 +111,7 @@ class Rank : public Task {
   // The hand begins in the ligand's place again.
   void present() {
     ++presentation_;
-    put_down_ = begun_ = false;
+    put_down_ = begun_ = pulled_ = false;
     off_A_ = 0.0;
   }
 
@@ -124,10 +124,12 @@ class Rank : public Task {
     if (!feeling() || !put_down_ || !s.body) return;
     off_A_ = glm::distance(s.hip.A, shownLigand(at_).place.place.A);
     begun_ = !s.hovering && (begun_ || off_A_ <= kPulls_A);
+    // Once it has pulled: a mouse's hand gives way in a well, however far it wants to be.
+    pulled_ = begun_ && (pulled_ || off_A_ >= kPulls_A);
     if (pulling()) felt_s_ = std::min(time_s_, felt_s_ + dt_s);
   }
 
-  bool pulling() const { return begun_ && off_A_ >= kPulls_A && off_A_ <= within_A_; }
+  bool pulling() const { return pulled_ && off_A_ <= within_A_; }
 
   std::vector<TaskButton> currentButtons() const override {
     if (ligands_.empty()) return {};
@@ -246,6 +248,7 @@ class Rank : public Task {
   bool dark_ = true, meter_ = true, failed_ = false;
   bool put_down_ = false;    // this ligand is in the hand
   bool begun_ = false;       // the hand took it in its place and has not let go since
+  bool pulled_ = false;      // and it has been kPulls_A off since
   double off_A_ = 0.0;       // from the hand to the place
   Vec3 outside_{0.0};        // the scene's middle: a demonstrated pull leads away from it
   std::uint64_t state_ = 0;  // of the random generator
@@ -346,15 +349,16 @@ TaskKind rankKind() {
                 .required = true},
                {.name = "for",
                 .type = ValueType::Quantity,
-                .meaning = "The minimum time to pull at each ligand. The hand pulls where it is 0.5 Å or more from the "
-                           "place, wherever the ligand is.",
+                .meaning =
+                    "The minimum time to feel each ligand, from when the hand has first pulled by 0.5 Å from the "
+                    "place in which it took it.",
                 .fallback = "3 s",
                 .dimension = Dimension::Time,
                 .min = 0.1,
                 .max = 60.0},
                {.name = "within",
                 .type = ValueType::Quantity,
-                .meaning = "So far the hand may be from the place while it pulls.",
+                .meaning = "So far the hand may be from the place meanwhile.",
                 .fallback = "4 Å",
                 .dimension = Dimension::Length,
                 .min = 1.0,

@@ -188,8 +188,8 @@ TEST_CASE("of 600 guessers who felt all three, a sixth have the order right") {
 }
 
 TEST_CASE(
-    "a ligand counts as felt by a hand that took it in its place and pulls, 0.5 to 4 A off; not by one that rests "
-    "there, hovers, is put down outside, or still holds the ligand before") {
+    "a ligand counts as felt by a hand that took it in its place, has pulled by 0.5 A and is within 4 A; not by "
+    "one that rests there, hovers, is put down outside, or still holds the ligand before") {
   Alone a(1);
   CHECK_FALSE(a.offers("next"));
   a.stay(a.place() + Vec3(0, 0, 2), 3.0);  // ticks of the scene before
