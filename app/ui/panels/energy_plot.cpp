@@ -11,6 +11,7 @@
 #include "app/ui/panels/while_locked.h"
 #include "app/ui/widgets/controls.h"
 #include "app/ui/widgets/plot.h"
+#include "app/ui/widgets/rich_text.h"
 #include "app/ui/widgets/theme.h"
 #include "app/ui/widgets/widget_map.h"
 #include "engine/haptics/field/force_choices.h"
@@ -81,9 +82,7 @@ void drawEnergyPlot(Application& app) {
   const double N_per_kcal_mol_A = log.latest().spring_N_per_A / energy->coupling_kcal_mol_A2;
   if (N_per_kcal_mol_A <= 0.0) return;
   const auto line = [](const char* name, const std::string& text) {
-    ImGui::PushTextWrapPos(0.0f);
-    ImGui::TextUnformatted(text.c_str());
-    ImGui::PopTextWrapPos();
+    ImGui::TextUnformatted(wrapped(text, ImGui::GetContentRegionAvail().x).c_str());
     recordItem(name, text);
   };
   const double gain = app.scene.touch().weak_gain;
