@@ -18,6 +18,7 @@ int run(int argc, char** argv) {
   moltact::WindowArguments window;
   moltact::addWindowArguments(app, window);
   moltact::addAllCommands(app);
+  moltact::addImd(app, window);
   // Error messages contain the text that was typed.
   app.failure_message([](const CLI::App*, const CLI::Error& e) {
     return moltact::oneLine(e.what()) + "\nRun with --help for more information.\n";
@@ -28,7 +29,7 @@ int run(int argc, char** argv) {
   } catch (const CLI::ParseError& e) {
     return app.exit(e, moltact::cleanOut(), moltact::cleanErr()) == 0 ? 0 : 2;
   }
-  if (app.get_subcommands().empty()) return moltact::runWindowArguments(window);
+  if (app.get_subcommands().empty() || app.got_subcommand("imd")) return moltact::runWindowArguments(window);
   return 0;
 }
 

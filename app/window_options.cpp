@@ -6,6 +6,7 @@
 #include "app/commands/outputs.h"
 #include "app/commands/value_types.h"
 #include "engine/device/driver.h"
+#include "engine/platform/tcp.h"
 #include "engine/platform/terminal.h"
 
 namespace moltact {
@@ -34,6 +35,26 @@ void addWindowArguments(CLI::App& app, WindowArguments& into) {
   app.add_flag("--frame-stats", into.frame_stats)->group("");
 }
 
+void addImd(CLI::App& app, WindowArguments& into) {
+  CLI::App* command = app.add_subcommand(
+      "imd", "Touch a molecule that another program simulates: GROMACS, LAMMPS, NAMD, by the protocol IMD");
+  command->add_option("address", into.imd, "Where it listens: PORT on this computer, or HOST:PORT with a numeric host")
+      ->type_name("HOST:PORT")
+      ->required()
+      ->check([](const std::string& text) {
+        const auto address = parseTcpAddress(text);
+        return address ? std::string() : address.problem().text();
+      });
+  command
+      ->add_option("molecule", into.file,
+                   "The structure of the atoms that it sends, in the same order (GROMACS: of the IMD-group)")
+      ->type_name(kMoleculeType)
+      ->required();
+  addLanguageOption(*command, into.language);
+  // The window's own options may follow.
+  command->fallthrough();
+}
+
 int runWindowArguments(const WindowArguments& a) {
   {
     const FileGuard named;
@@ -47,12 +68,14 @@ int runWindowArguments(const WindowArguments& a) {
     err() << "moltact: --device " << oneLine(a.device) << ": no driver has this name; these exist: " << names << '\n';
     return 2;
   }
+  const std::string imd = a.imd.empty() ? "" : "imd://" + parseTcpAddress(a.imd)->text();
   if (a.screenshot.empty() && a.script.empty()) {
     hideOwnTerminal();
     return runWindow({.file = a.file,
                       .frame_stats = a.frame_stats,
                       .language = a.language,
                       .device = a.device,
+                      .imd = imd,
                       .state_text = a.state_text});
   }
   OffscreenOptions options{.file = a.file,
@@ -62,6 +85,7 @@ int runWindowArguments(const WindowArguments& a) {
                            .frame_stats = a.frame_stats,
                            .language = a.language,
                            .device = a.device,
+                           .imd = imd,
                            .state_text = a.state_text,
                            .attempts = a.attempts};
   if (!(a.scale >= kMinScale && a.scale <= kMaxScale)) {  // false for what is not a number, too

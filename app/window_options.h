@@ -9,10 +9,13 @@
 namespace moltact {
 
 struct WindowArguments {
-  std::string file, language, device, state_text, screenshot, script, size, attempts;
+  std::string file, language, device, imd, state_text, screenshot, script, size, attempts;
   double scale = 1.0;
   bool frame_stats = false;
 };
+
+/// Adds `moltact imd HOST:PORT MOLECULE`, which opens the window too. `into` must outlive the parsing.
+void addImd(CLI::App& app, WindowArguments& into);
 
 /// Adds the arguments; `into` must outlive the parsing.
 void addWindowArguments(CLI::App& app, WindowArguments& into);

@@ -11,6 +11,7 @@
 #include "app/commands/molecule_argument.h"
 #include "app/commands/number_range.h"
 #include "app/commands/outputs.h"
+#include "app/commands/simulate_gromacs.h"
 #include "app/commands/value_types.h"
 #include "engine/dynamics/openmm_engine.h"
 #include "engine/language/catalogue.h"
@@ -167,6 +168,8 @@ void addSimulate(CLI::App& app) {
   runs->add_option("--seed", running->seed, "Seed of the heat bath")->capture_default_str();
   runs->add_option("--platform", running->platform, "OpenMM's platform: Reference, CPU, OpenCL (default: the fastest)");
   runs->callback([running] { simulate(*running); });
+
+  addSimulateGromacs(*command);
 }
 
 }  // namespace moltact

@@ -37,6 +37,10 @@ struct SimulationFrame {
   std::uint32_t blow_ups = 0;  ///< how often it became unstable and started again
   std::string fault;           ///< the engine's words for the last one; empty: none
   bool dead = false;           ///< it cannot be started again
+  // Of a simulation in another program (imd/imd_simulation.h), which may send less.
+  double frames_per_s = 0.0;  ///< that arrive
+  bool silent = false;        ///< none has arrived for a while: the hand must not feel the last one
+  bool has_time = true, has_temperature = true, has_energy = true;
 };
 
 class LiveSimulation {
@@ -50,6 +54,8 @@ class LiveSimulation {
   virtual void command(const SimulationCommand& wanted) = 0;
   /// Called once per frame with the time since the last one, for a simulation that runs between frames.
   virtual void pass(double /*dt_s*/) {}
+  /// Whether all members of a command have an effect; else `pushes` and `running` only.
+  virtual bool obeysAll() const { return true; }
 };
 
 /// The logic of a simulation beside a window, without a thread or a clock.

@@ -8,6 +8,7 @@
 #include "engine/haptics/interactions.h"
 #include "engine/language/catalogue.h"
 #include "engine/language/language_code.h"
+#include "engine/lesson/imd_address.h"
 #include "engine/lesson/reading.h"
 #include "engine/lesson/reading_keys.h"
 #include "engine/lesson/scene_link.h"
@@ -115,6 +116,9 @@ void takeSimulation(Reading& reading, const KeyValues& values, bool takes, Scene
   }
   if (scene.simulation.empty()) return;
   const Place place = scene.places.simulation;
+  if (const auto address = imdAddress(scene.simulation); address && !*address)
+    reading.error(place, address->problem().message,
+                  tr("write imd://HOST:PORT with a numeric host, for example imd://127.0.0.1:8888"));
   if (!scene.then.molecule.empty())
     reading.error(place, tr("a simulation or the slider of 'then' moves the atoms, not both"),
                   tr("leave out 'then', or write 'simulation: none'"));

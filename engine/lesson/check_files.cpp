@@ -7,6 +7,7 @@
 #include "engine/language/catalogue.h"
 #include "engine/lesson/checks.h"
 #include "engine/lesson/glossary.h"
+#include "engine/lesson/imd_address.h"
 #include "engine/lesson/lesson_files.h"
 #include "engine/lesson/lesson_molecules.h"
 #include "engine/lesson/lesson_picture.h"
@@ -75,6 +76,9 @@ class Files {
   void simulation(const SceneSpec& scene) {
     if (scene.simulation.empty() || findings_.enough()) return;
     const Place place = scene.places.simulation;
+    if (imdAddress(scene.simulation))
+      return findings_.warning(place, tr("a page in a browser has no TCP: it shows this molecule at rest"),
+                               tr("have students use the desktop program"));
     const Expected<MoleculeKey> molecule = lessonMolecule(lesson_file_, scene.molecule);
     if (!molecule) return;  // reported with the molecules
     if (fs::path(scene.simulation).is_absolute() || leavesFolder(scene.simulation))

@@ -284,7 +284,9 @@ std::vector<KeySpec> sceneKeys() {
        .type = ValueType::Text,
        .meaning = "A file beside the lesson or the molecule, 'peptide.xml', with a serialised OpenMM system of the "
                   "molecule's atoms: a simulation moves them, and the hand pushes them. 'moltact simulate prepare' "
-                  "makes it. 'none' ends it."},
+                  "makes it. Or 'imd://127.0.0.1:8888', the numeric address and the port of a simulation in another "
+                  "program that speaks IMD (GROMACS, LAMMPS, NAMD); one on another computer is connected when the "
+                  "student presses a button. 'none' ends it."},
       {.name = "trajectory",
        .type = ValueType::Text,
        .meaning =

@@ -152,9 +152,10 @@ struct SceneSpec {
                                       ///< atoms
   SecondState then;
   TrajectorySpec trajectory;
-  bool elastic = false;    ///< the molecule gives way to the hand as an elastic network (engine/dynamics)
-  std::string simulation;  ///< file of a serialised system whose simulation moves the atoms; empty: none
-  Selection magnify;       ///< these atoms fill the workspace; if empty, the whole molecule does
+  bool elastic = false;  ///< the molecule gives way to the hand as an elastic network (engine/dynamics)
+  /// File of a serialised system whose simulation moves the atoms, or an address (imd_address.h); empty: none.
+  std::string simulation;
+  Selection magnify;  ///< these atoms fill the workspace; if empty, the whole molecule does
   ScenePlaces places;
 
   /// Whether the lesson prevents the student from changing this key ("force").

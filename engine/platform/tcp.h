@@ -1,5 +1,5 @@
-// TCP connections to devices and to other programs. Linux and Windows; a page in a browser has none. Every call states
-// how long it may wait. For threads that own a device or a simulation and for commands, never for the haptic thread.
+// TCP connections to devices and to other programs. Linux and Windows; in a page in a browser none can be made. Every
+// call states how long it may wait. For threads that own a device or a simulation and for commands, never for the haptic thread.
 #pragma once
 
 #include <cstddef>

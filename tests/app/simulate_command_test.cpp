@@ -69,6 +69,26 @@ TEST_CASE(
   CHECK(place.run("simulate prepare alpha-helix --out helix.txt").status != 0);
 }
 
+TEST_CASE(
+    "gromacs prepares the helix of 20 alanines: the structure that its server will send has 203 atoms; without "
+    "GROMACS, "
+    "a message names the package") {
+  const CommandPlace place;
+  const Run run = place.run("simulate gromacs alpha-helix --prepare-only --out helix.gro");
+  if (std::system("command -v gmx >/dev/null 2>&1") != 0) {
+    MESSAGE("not run: the program gmx is not installed (Debian: gromacs)");
+    CHECK(run.status == 1);
+    CHECK(has(run.err, "install the package gromacs"));
+    return;
+  }
+  REQUIRE_MESSAGE(run.status == 0, run.err);
+  CHECK(has(run.out, "helix.gro, helix.tpr"));
+  CHECK(has(contents(place.folder / "helix.gro"), "\n  203\n"));
+  CHECK(std::filesystem::file_size(place.folder / "helix.tpr") > 10'000);
+  CHECK(place.run("simulate gromacs benzene --prepare-only").status == 1);
+  CHECK(place.run("simulate gromacs alpha-helix --prepare-only --out helix.txt").status != 0);
+}
+
 TEST_CASE("run without a system beside the molecule says which file is missing") {
   const CommandPlace place;
   const Run run = place.run("simulate run benzene");

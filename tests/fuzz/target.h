@@ -68,6 +68,6 @@ void attempt(std::string_view), attemptLines(std::string_view);
 void recording(std::string_view), recordingState(std::string_view), handPath(std::string_view);
 void hipPath(std::string_view), gltf(std::string_view), catalogue(std::string_view), settings(std::string_view);
 void translations(std::string_view), reportStream(std::string_view);
-void pack(std::string_view), bodyPath(std::string_view);
+void pack(std::string_view), bodyPath(std::string_view), imd(std::string_view);
 
 }  // namespace moltact::fuzz

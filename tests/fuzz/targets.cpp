@@ -40,6 +40,7 @@ constexpr Target kTargets[] = {
     {"pack", pack},
     {"report-stream", reportStream},
     {"body-path", bodyPath},
+    {"imd", imd},
 };
 
 }  // namespace

@@ -218,6 +218,10 @@ TEST_CASE("mistakes with two molecules are reported at their lines") {
         Texts{"l.md:13:10: forces act between atoms that rest, and those of an elastic molecule move; write 'forces: "
               "none' or 'elastic: off'"});
   CHECK(scene("simulation: mix.xml\n").empty());
+  CHECK(scene("simulation: imd://127.0.0.1:8888\n").empty());
+  CHECK(scene("simulation: imd://cluster:8888\n") ==
+        Texts{"l.md:12:13: \"cluster:8888\" is not a network address; write imd://HOST:PORT with a numeric host, for "
+              "example imd://127.0.0.1:8888"});
   CHECK(scene("then: shut\nsimulation: none\n").empty());
   CHECK(scene("then: shut\nsimulation: mix.xml\n") ==
         Texts{"l.md:13:13: a simulation or the slider of 'then' moves the atoms, not both; leave out 'then', or write "

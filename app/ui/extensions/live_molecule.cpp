@@ -10,11 +10,13 @@
 #include "app/ui/extensions/displacement_text.h"
 #include "app/ui/lesson/lesson_guide.h"
 #include "app/ui/widgets/messages.h"
+#include "engine/dynamics/imd/imd_simulation.h"
 #include "engine/dynamics/openmm_engine.h"
 #include "engine/dynamics/simulation_thread.h"
 #include "engine/haptics/field/force_choices.h"
 #include "engine/haptics/field/pair_model.h"
 #include "engine/language/catalogue.h"
+#include "engine/lesson/imd_address.h"
 #include "engine/lesson/lesson_molecules.h"
 
 namespace moltact {
@@ -22,19 +24,32 @@ namespace {
 
 namespace fs = std::filesystem;
 
-Expected<std::unique_ptr<MdEngine>> engineOf(const fs::path& system, const std::shared_ptr<const Molecule>& molecule) {
+}  // namespace
+
+Expected<LiveMolecule::Opened> LiveMolecule::openFile(const fs::path& system,
+                                                      const std::shared_ptr<const Molecule>& molecule) {
   try {
     MdStart start;
-    start.temperature_K = LiveMolecule::kUsual_K;
-    start.friction_per_ps = LiveMolecule::kFriction_per_ps;
-    start.hold_kcal_mol_A2 = LiveMolecule::kHold_kcal_mol_A2;
-    return simulationOf(system, *molecule, std::move(start));
+    start.temperature_K = kUsual_K;
+    start.friction_per_ps = kFriction_per_ps;
+    start.hold_kcal_mol_A2 = kHold_kcal_mol_A2;
+    auto engine = simulationOf(system, *molecule, std::move(start));
+    if (!engine) return engine.problem();
+    return Opened{*std::move(engine), nullptr};
   } catch (const std::exception& e) {
     return Problem{system.filename().string(), 0, 0, trf("the simulation cannot begin: {0}", e.what()), {}};
   }
 }
 
-}  // namespace
+Expected<LiveMolecule::Opened> LiveMolecule::openAddress(const TcpAddress& address,
+                                                         const std::shared_ptr<const Molecule>& molecule,
+                                                         const std::shared_ptr<const std::atomic<bool>>& cancelled) {
+  std::vector<Vec3> start_A;
+  for (const Sphere& s : molecule->spheres) start_A.push_back(s.centre_A);
+  auto simulation = ImdSimulation::connect(address, std::move(start_A), cancelled);
+  if (!simulation) return simulation.problem();
+  return Opened{nullptr, *std::move(simulation)};
+}
 
 void LiveMolecule::forget() {
   if (simulation_) {
@@ -42,7 +57,9 @@ void LiveMolecule::forget() {
     scene_.pull({});
   }
   hold_ = Hold::Push;
+  asks_ = false;
   own_.release();
+  forgetConnection();
   opening_.drop();
   simulation_.reset();
   molecule_.reset();
@@ -52,6 +69,17 @@ void LiveMolecule::forget() {
   shown_A_.clear();
   push_pN_ = 0.0;
   // A file that changed is read again at the next start.
+}
+
+std::optional<TcpAddress> LiveMolecule::address() const {
+  const LessonSession* session = lesson_.session();
+  std::string_view text;
+  if (session && lesson_.onStage())
+    text = session->scene().simulation;
+  else if (!named_for_.empty() && scene_.molecule().file == named_for_)
+    text = options_.imd;
+  const auto read = imdAddress(text);
+  return read && *read ? std::optional(**read) : std::nullopt;
 }
 
 fs::path LiveMolecule::system() const {
@@ -72,6 +100,12 @@ void LiveMolecule::sceneChanged() {
   // What a lesson switched on ends with it.
   if (!lesson && by_lesson_) on_ = false;
   by_lesson_ = lesson;
+  // The command line names the address for the first molecule.
+  if (!lesson && !options_.imd.empty() && named_for_.empty() && scene_.stage()) {
+    named_for_ = scene_.molecule().file;
+    agreed_ = options_.imd;
+    on_ = unavailable().empty();
+  }
   if (!on_ || !scene_.stage()) return forget();
   begin();
 }
@@ -97,6 +131,7 @@ void LiveMolecule::turn(bool on) {
 }
 
 void LiveMolecule::begin() {
+  if (const auto elsewhere = address()) return beginElsewhere(*elsewhere);
   const fs::path file = system();
   if (simulation_ && scene_.stage().molecule == molecule_ && file == file_) {
     // The scene has restarted with the atoms at rest.
@@ -117,26 +152,58 @@ void LiveMolecule::begin() {
     messages_.error(problem_);
     return;
   }
-  opening_.begin(inBackground(engineOf, file, molecule_));
+  opening_.begin(inBackground(openFile, file, molecule_));
   if (options_.clock == ServoClock::Frames) take(*opening_.wait());
 }
 
-void LiveMolecule::take(Expected<std::unique_ptr<MdEngine>> opened) {
-  if (!opened) {
-    problem_ = opened.problem().text();
-    messages_.error(problem_);
-    return;
+// The session goes on while a scene restarts with the same molecule.
+void LiveMolecule::beginElsewhere(const TcpAddress& address) {
+  if (simulation_ && scene_.stage().molecule == molecule_ && file_ == address.text()) {
+    wanted_.running = true;
+    frame_.starts = 0;
+    return startAgain();
   }
-  std::unique_ptr<MdEngine> engine = *std::move(opened);
-  platform_ = engine->platform();
-  measured_steps_per_s_ = engine->measured_steps_per_s();
-  step_ps_ = engine->step_ps();
+  forget();
+  file_ = address.text();
+  molecule_ = scene_.stage().molecule;
+  asks_ = !address.loopback() && agreed_ != "imd://" + address.text();
+  if (asks_)
+    return messages_.notice(
+        trf("A simulation at {0} moves this molecule. The panel Motion (menu View) connects to it.", address.text()));
+  connect();
+}
+
+void LiveMolecule::connect() {
+  const auto elsewhere = address();
+  if (!elsewhere || !on_ || !scene_.stage() || simulation_ || opening_.busy()) return;
+  asks_ = false;
+  agreed_ = "imd://" + elsewhere->text();
+  problem_.clear();
+  cancelled_ = std::make_shared<std::atomic<bool>>(false);
+  opening_.begin(
+      inBackground(openAddress, *elsewhere, molecule_, std::shared_ptr<const std::atomic<bool>>(cancelled_)));
+  if (options_.clock == ServoClock::Frames) take(*opening_.wait());
+}
+
+void LiveMolecule::fail(std::string why) {
+  problem_ = std::move(why);
+  messages_.error(problem_);
+}
+
+void LiveMolecule::take(Expected<Opened> opened) {
+  if (!opened) return fail(opened.problem().text());
+  const std::unique_ptr<MdEngine>& engine = opened->engine;
+  platform_ = engine ? engine->platform() : "";
+  measured_steps_per_s_ = engine ? engine->measured_steps_per_s() : 0.0;
+  step_ps_ = engine ? engine->step_ps() : 0.0;
   wanted_ = {};
   frame_ = {};
-  if (options_.clock == ServoClock::RealThread)
-    simulation_ = std::make_unique<SimulationThread>(std::move(engine));
+  if (!engine)
+    simulation_ = std::move(opened->elsewhere);
+  else if (options_.clock == ServoClock::RealThread)
+    simulation_ = std::make_unique<SimulationThread>(std::move(opened->engine));
   else
-    simulation_ = std::make_unique<SteppedSimulation>(std::move(engine));
+    simulation_ = std::make_unique<SteppedSimulation>(std::move(opened->engine));
   plots_ = {PlotBuffer(kPlotLength), PlotBuffer(kPlotLength), PlotBuffer(kPlotLength), PlotBuffer(kPlotLength)};
   scene_.servo().loop().wantImpulses(true);
   startAgain();
@@ -261,7 +328,7 @@ std::string LiveMolecule::heldText() const {
 }
 
 void LiveMolecule::beforeTicks() {
-  if (std::optional<Expected<std::unique_ptr<MdEngine>>> opened = opening_.take()) take(*std::move(opened));
+  if (std::optional<Expected<Opened>> opened = opening_.take()) take(*std::move(opened));
   if (!simulation_ || scene_.stage().molecule != molecule_) return;
   if (std::string why = unavailable(); !why.empty()) {
     turn(false);
@@ -286,7 +353,10 @@ void LiveMolecule::beforeTicks() {
 void LiveMolecule::readFrame(double dt_s) {
   const SimulationFrame& newest = simulation_->newest();
   if (newest.positions_A.size() != smooth_A_.size()) return;  // none yet
-  const bool unstable = newest.blow_ups != frame_.blow_ups, again = newest.starts != frame_.starts && frame_.serial > 0;
+  if (newest.dead && !simulation_->obeysAll()) return lose(newest.fault);
+  const bool unstable = newest.blow_ups != frame_.blow_ups;
+  // The hand must not feel what has stopped to follow it.
+  const bool again = newest.starts != frame_.starts || newest.silent != frame_.silent;
   frame_ = newest;
   unplotted_s_ += dt_s;
   if (unplotted_s_ >= kPlotted_s) {
@@ -318,6 +388,16 @@ void LiveMolecule::readFrame(double dt_s) {
   }
   constexpr double kUnnoticed_A = 1e-3;  // smaller motions are neither seen nor felt
   if (most_A > kUnnoticed_A) waiting_ = placed();
+}
+
+// The force on the hand ends before anything else: the atoms return to their places, where the hand begins outside.
+void LiveMolecule::lose(std::string why) {
+  scene_.pull({});
+  scene_.placeAtoms(own_, scene_.atoms().resting().spheres->spheres());
+  forget();
+  // connect() begins again with this molecule.
+  molecule_ = scene_.stage().molecule;
+  fail(std::move(why));
 }
 
 std::vector<Sphere> LiveMolecule::placed() const {

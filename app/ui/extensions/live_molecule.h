@@ -1,8 +1,10 @@
 // A molecule whose atoms a simulation moves (engine/dynamics/live_simulation.h): the hand's contacts push the atoms, and
 // the touched surface follows them. The simulation runs on a thread of its own; where the window's clock is its frames,
-// between frames. Window's thread. Units: angstrom, kcal/mol, picosecond, piconewton.
+// between frames. It may also run in another program (engine/dynamics/imd), on another computer only after the user has
+// agreed to the address. Window's thread. Units: angstrom, kcal/mol, picosecond, piconewton.
 #pragma once
 
+#include <atomic>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -13,12 +15,14 @@
 #include "app/ui/widgets/plot_buffer.h"
 #include "engine/dynamics/live_simulation.h"
 #include "engine/platform/background.h"
+#include "engine/platform/tcp.h"
 
 namespace moltact {
 
 class LiveMolecule : public AtomMover {
  public:
   using AtomMover::AtomMover;
+  ~LiveMolecule() override { forgetConnection(); }
 
   /// The force between atoms that corresponds to one newton in the hand.
   static constexpr double kScale_pN_per_N = 250.0;
@@ -50,8 +54,16 @@ class LiveMolecule : public AtomMover {
 
   bool on() const { return on_; }
   void turn(bool on);
-  /// Whether a system lies beside the molecule, or the lesson names one.
-  bool offered() const { return on_ || !system().empty(); }
+  /// Whether a system lies beside the molecule, or the lesson or the command line names one.
+  bool offered() const { return on_ || address() || !system().empty(); }
+  /// Where another program simulates this molecule; nothing: this program simulates it.
+  std::optional<TcpAddress> address() const;
+  /// Whether the user has yet to agree to the address.
+  bool asks() const { return on_ && asks_; }
+  /// Connects to address(), at the user's request.
+  void connect();
+  /// Whether speed, temperature, single steps, relaxations and restarts have an effect.
+  bool obeysAll() const { return simulation_ && simulation_->obeysAll(); }
   /// Why it cannot be simulated in this scene, as a sentence; empty if it can.
   std::string unavailable() const;
   bool opening() const { return opening_.busy(); }
@@ -81,7 +93,7 @@ class LiveMolecule : public AtomMover {
 
   /// The newest state of the simulation.
   const SimulationFrame& frame() const { return frame_; }
-  /// "CPU", and the steps per second measured at the start.
+  /// "CPU", and the steps per second measured at the start; empty and 0 for another program.
   const std::string& platform() const { return platform_; }
   double measuredStepsPerS() const { return measured_steps_per_s_; }
   double step_ps() const { return step_ps_; }
@@ -93,10 +105,26 @@ class LiveMolecule : public AtomMover {
   const Plots& plots() const { return plots_; }
 
  private:
+  /// One of the two.
+  struct Opened {
+    std::unique_ptr<MdEngine> engine;
+    std::unique_ptr<LiveSimulation> elsewhere;
+  };
+  static Expected<Opened> openFile(const std::filesystem::path& system,
+                                   const std::shared_ptr<const Molecule>& molecule);
+  static Expected<Opened> openAddress(const TcpAddress& address, const std::shared_ptr<const Molecule>& molecule,
+                                      const std::shared_ptr<const std::atomic<bool>>& cancelled);
   std::filesystem::path system() const;
   void forget();
+  void forgetConnection() {
+    if (cancelled_) cancelled_->store(true, std::memory_order_relaxed);
+    cancelled_.reset();
+  }
   void begin();
-  void take(Expected<std::unique_ptr<MdEngine>> opened);
+  void beginElsewhere(const TcpAddress& address);
+  void take(Expected<Opened> opened);
+  void fail(std::string why);
+  void lose(std::string why);
   void addImpulses();
   void pushAtoms();
   void takeOrLetGo();
@@ -106,10 +134,13 @@ class LiveMolecule : public AtomMover {
   void startAgain();
   std::vector<Sphere> placed() const;
 
-  bool on_ = false, by_lesson_ = false;
+  bool on_ = false, by_lesson_ = false, asks_ = false;
+  std::filesystem::path named_for_;           // the molecule for which the command line names an address
+  std::string agreed_;                        // the address to which the user has agreed
   std::filesystem::path file_;                // of the system
   std::shared_ptr<const Molecule> molecule_;  // which it simulates
-  NewestWork<Expected<std::unique_ptr<MdEngine>>> opening_;
+  NewestWork<Expected<Opened>> opening_;
+  std::shared_ptr<std::atomic<bool>> cancelled_;  // of the connection that is being made
   std::unique_ptr<LiveSimulation> simulation_;
   std::string problem_, platform_;
   double measured_steps_per_s_ = 0.0, step_ps_ = 0.0;

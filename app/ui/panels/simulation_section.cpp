@@ -38,6 +38,7 @@ void drawClock(LiveMolecule& live) {
   const float gap = ImGui::GetStyle().ItemSpacing.x, half = 0.5f * (ImGui::GetContentRegionAvail().x - gap);
   const bool running = live.wanted().running;
   if (button("simulation/play", running ? tr("Pause") : tr("Play"), ButtonLook::Primary, half)) live.run(!running);
+  if (!live.obeysAll()) return;
   ImGui::SameLine();
   if (button("simulation/step", tr("One step"), ButtonLook::Plain, half, !running)) live.singleStep();
   tip(trf("{0} ps at a time, while it stands still", numberText(LiveSimulation::kSingle_ps, significant(1))).c_str());
@@ -50,6 +51,20 @@ void drawClock(LiveMolecule& live) {
              LiveMolecule::kFastest_ps_per_s, 0.1, {Dimension::None, {decimals(1), {}}},
              tr("How many picoseconds are simulated in a second of yours.")))
     live.setSpeed(speed);
+}
+
+// A simulation in another program: the user agrees to its address, or connects again. False: there is nothing to say.
+bool drawConnection(LiveMolecule& live) {
+  const auto address = live.address();
+  if (!address || live.opening() || live.ready()) return false;
+  if (live.asks())
+    simulationLine("simulation/asks", trf("Another program simulates this molecule, at {0}. Positions and forces cross "
+                                          "the network unencrypted. Connect only to a computer that you trust.",
+                                          address->text()));
+  else
+    simulationLine("simulation/problem", live.problem());
+  if (button("simulation/connect", trf("Connect to {0}", address->text()).c_str(), ButtonLook::Primary)) live.connect();
+  return true;
 }
 
 void drawHold(Application& app, LiveMolecule& live) {
@@ -82,11 +97,12 @@ void drawPlots(const LiveMolecule& live) {
   temperature.min_top = 490.0f;
   push.title = tr("Force of the hand (pN)");
   push.min_top = 100.0f;
-  plot("plot/temperature", live.plots().temperature_K, e.temperature_K, temperature);
+  if (live.frame().has_temperature) plot("plot/temperature", live.plots().temperature_K, e.temperature_K, temperature);
   const std::array energy{PlotCurve{&live.plots().energy_kcal_mol, tr("Potential energy"),
                                     withUnit(e.potential_kcal_mol, 1, "kcal/mol"), look().palette.good}};
-  signedPlot("plot/potential_energy", energy,
-             {.title = tr("Energy"), .min_top = 10.0f, .span_s = LiveMolecule::kPlot_s});
+  if (live.frame().has_energy)
+    signedPlot("plot/potential_energy", energy,
+               {.title = tr("Energy"), .min_top = 10.0f, .span_s = LiveMolecule::kPlot_s});
   plot("plot/push", live.plots().push_pN, live.push_pN(), push);
   if (live.hold() == LiveMolecule::Hold::Push) return;
   const PlotLook pulled{.title = tr("Pulled by (Å)"),
@@ -106,6 +122,8 @@ bool drawSimulationSection(Application& app) {
     simulationLine("simulation/unavailable", why);
     return false;
   }
+  // A lesson that locks the panel still needs the user's consent.
+  if (live.on() && drawConnection(live)) return true;
   const WhileLocked locked(app, "simulation");
   {
     bool on = live.on();
@@ -120,7 +138,9 @@ bool drawSimulationSection(Application& app) {
   }
   if (!live.on()) return false;
   if (live.opening()) {
-    simulationLine("simulation/opening", tr("OpenMM is being loaded."));
+    const auto address = live.address();
+    simulationLine("simulation/opening", address ? trf("Waiting for the simulation at {0}.", address->text())
+                                                 : tr("OpenMM is being loaded."));
     return true;
   }
   if (!live.ready()) {
@@ -132,17 +152,26 @@ bool drawSimulationSection(Application& app) {
   drawHold(app, live);
   ImGui::Spacing();
   double kelvin = live.wanted().temperature_K;
-  if (slider("simulation/bath", tr("Heat bath (K)"), kelvin, 1.0, LiveMolecule::kHottest_K, 1.0,
-             {Dimension::None, {decimals(0), {}}},
-             tr("The temperature to which friction and random forces bring the atoms.")))
+  if (live.obeysAll() && slider("simulation/bath", tr("Heat bath (K)"), kelvin, 1.0, LiveMolecule::kHottest_K, 1.0,
+                                {Dimension::None, {decimals(0), {}}},
+                                tr("The temperature to which friction and random forces bring the atoms.")))
     live.setTemperature(kelvin);
-  simulationLine("simulation/time", trf("Simulated: {0} ps", numberText(live.frame().time_ps, decimals(1))));
+  if (live.frame().has_time)
+    simulationLine("simulation/time", trf("Simulated: {0} ps", numberText(live.frame().time_ps, decimals(1))));
+  if (live.frame().silent) simulationLine("simulation/silent", tr("The server sends nothing. The forces have ended."));
   drawPlots(live);
   ImGui::Spacing();
   simulationLine(
       "simulation/scale",
       trf("1 N in the hand is {0} pN between the atoms.", numberText(LiveMolecule::kScale_pN_per_N, decimals(0))),
       Font::Small);
+  if (const auto address = live.address()) {
+    simulationLine("simulation/engine",
+                   trf("The simulation at {0} sends {1} frames in a second.", address->text(),
+                       numberText(live.frame().frames_per_s, significant(2))),
+                   Font::Small);
+    return true;
+  }
   simulationLine(
       "simulation/engine",
       trf("OpenMM computes on {0}: {1} steps of {2} fs in a second at most.", live.platform(),

@@ -1,0 +1,168 @@
+// Real LAMMPS as the server, where the program lmp is installed; else the tests say that they did not run. Oracle: at
+// 10 K an atom of a free molecule that a spring pulls comes to rest at the end of the spring.
+#include <doctest/doctest.h>
+
+#include <chrono>
+#include <filesystem>
+#include <fstream>
+#include <random>
+
+#include "engine/dynamics/imd/imd_simulation.h"
+#include "tests/dynamics/child_program.h"
+
+using namespace moltact;
+using namespace moltact::test;
+
+namespace {
+
+namespace fs = std::filesystem;
+
+// Atoms at the corners of a cube of 3 x 3 x 3, 1.5 A apart, with springs between those nearer than 2.7 A.
+struct LammpsCube {
+  fs::path folder;
+  std::vector<Vec3> atoms;
+  std::uint16_t port = freePort();
+
+  explicit LammpsCube(const std::string& name, const std::string& imd = "") {
+    folder = fs::temp_directory_path() / ("moltact-" + name + "-" + std::to_string(::getpid()));
+    fs::create_directories(folder);
+    for (int k = 0; k < 27; ++k) atoms.push_back(1.5 * Vec3(k % 3, k / 3 % 3, k / 9));
+    std::string bonds;
+    int count = 0;
+    for (std::size_t i = 0; i < atoms.size(); ++i)
+      for (std::size_t j = i + 1; j < atoms.size(); ++j)
+        if (const double length = glm::distance(atoms[i], atoms[j]); length < 2.7)
+          bonds += std::to_string(++count) +
+                   (length < 1.6   ? " 1 "
+                    : length < 2.2 ? " 2 "
+                                   : " 3 ") +
+                   std::to_string(i + 1) + ' ' + std::to_string(j + 1) + '\n';
+    std::ofstream data(folder / "cube.data");
+    data << "cube\n\n27 atoms\n" << count << " bonds\n1 atom types\n3 bond types\n";
+    for (const char* axis : {"x", "y", "z"}) data << "-500 500 " << axis << "lo " << axis << "hi\n";
+    data << "\nMasses\n\n1 12.0\n\nAtoms\n\n";
+    for (std::size_t i = 0; i < atoms.size(); ++i)
+      data << i + 1 << " 1 1 " << atoms[i].x << ' ' << atoms[i].y << ' ' << atoms[i].z << '\n';
+    data << "\nBonds\n\n" << bonds;
+    std::ofstream in(folder / "in.cube");
+    in << "units real\natom_style bond\nboundary f f f\npair_style zero 10.0\nbond_style harmonic\n"
+          "special_bonds lj/coul 1 1 1\nread_data cube.data extra/special/per/atom 30\n"
+          "pair_coeff * *\nbond_coeff 1 100 1.5\nbond_coeff 2 100 2.12132\nbond_coeff 3 100 2.598076\n"
+          "fix move all nve\nfix bath all langevin 10 10 100 1234\nfix hand all imd "
+       << port << " unwrap on " << imd << "\nthermo 1000000\ntimestep 1\nrun 2000000000\n";
+  }
+  ~LammpsCube() {
+    std::error_code error;
+    fs::remove_all(folder, error);
+  }
+  std::string log() const {
+    std::ifstream in(folder / "log");
+    return {std::istreambuf_iterator<char>(in), {}};
+  }
+};
+
+template <class Done>
+bool comes(Done done) {
+  for (int k = 0; k < 60'000 && !done(); ++k) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  return done();
+}
+
+// It listens some time after its start.
+std::unique_ptr<LiveSimulation> connected(const LammpsCube& cube) {
+  std::string why;
+  for (int k = 0; k < 6000; ++k) {
+    auto made = ImdSimulation::connect({"127.0.0.1", cube.port}, cube.atoms, nullptr);
+    if (made) return *std::move(made);
+    why = made.problem().text();
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  }
+  FAIL(why << '\n' << cube.log());
+  return nullptr;
+}
+
+bool lammpsMissing() {
+  if (hasProgram("lmp")) return false;
+  MESSAGE("not run: the program lmp is not installed (Debian: lammps)");
+  return true;
+}
+
+}  // namespace
+
+TEST_CASE(
+    "real LAMMPS: a corner of the cube that is pulled comes to rest within 0.5 A of where the spring ends; another "
+    "client after us finds it there, without a force") {
+  if (lammpsMissing()) return;
+  LammpsCube cube("lammps-pull");
+  ChildProgram lammps({"lmp", "-in", "in.cube", "-log", "none"}, cube.folder.string(), "log");
+  const Vec3 end = cube.atoms[26] + Vec3(6, 2, 0);
+  std::unique_ptr<LiveSimulation> live = connected(cube);
+  SimulationCommand wanted;
+  wanted.pushes.push_back({26, end, Vec3(0.0), 2.0});
+  Vec3 mean(0.0);
+  const auto meanOf = [&](int frames) {
+    mean = Vec3(0.0);
+    std::uint64_t last = 0;
+    for (int k = 0; k < frames;) {
+      live->command(wanted);
+      const SimulationFrame& frame = live->newest();
+      if (frame.dead) return false;
+      if (frame.serial == last) {
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        continue;
+      }
+      last = frame.serial;
+      ++k;
+      mean += frame.positions_A[26] / double(frames);
+    }
+    return true;
+  };
+  CHECK(comes([&] { return !meanOf(50) || glm::distance(mean, end) < 0.5; }));
+  REQUIRE_FALSE_MESSAGE(live->newest().dead, live->newest().fault);
+  MESSAGE("mean distance from the end of the spring ", glm::distance(mean, end), " A; ", live->newest().frames_per_s,
+          " frames a second");
+  // A force that stayed on would accelerate it.
+  wanted.pushes.clear();
+  live->command(wanted);
+  live.reset();
+  live = connected(cube);
+  meanOf(50);
+  const Vec3 before = mean;
+  meanOf(200);
+  CHECK(glm::distance(mean, before) < 2.0);
+}
+
+TEST_CASE(
+    "real LAMMPS, stopped by SIGSTOP: the forces end, the frame is silent; continued: positions come again; killed in "
+    "the middle: the session ends with a sentence; paused by the client it stands still") {
+  if (lammpsMissing()) return;
+  LammpsCube cube("lammps-faults");
+  ChildProgram lammps({"lmp", "-in", "in.cube", "-log", "none"}, cube.folder.string(), "log");
+  std::unique_ptr<LiveSimulation> live = connected(cube);
+  SimulationCommand wanted;
+  wanted.pushes.push_back({0, cube.atoms[0] - Vec3(2, 0, 0), Vec3(0.0), 2.0});
+  const auto becomes = [&](auto done) {
+    return comes([&] {
+      live->command(wanted);
+      return done(live->newest());
+    });
+  };
+  CHECK(becomes([](const SimulationFrame& f) { return f.serial > 100; }));
+  lammps.signal(SIGSTOP);
+  CHECK(becomes([](const SimulationFrame& f) { return f.silent; }));
+  const std::uint32_t starts = live->newest().starts;
+  lammps.signal(SIGCONT);
+  CHECK(becomes([&](const SimulationFrame& f) { return !f.silent && f.starts > starts; }));
+  wanted.running = false;
+  std::uint64_t serial = 0;
+  int still = 0;
+  CHECK(becomes([&](const SimulationFrame& f) {
+    still = f.serial == serial ? still + 1 : 0;
+    serial = f.serial;
+    return still > 200;
+  }));
+  wanted.running = true;
+  CHECK(becomes([&](const SimulationFrame& f) { return f.serial > serial + 100; }));
+  lammps.kill();
+  CHECK(becomes([](const SimulationFrame& f) { return f.dead; }));
+  CHECK(live->newest().fault.find("lost") != std::string::npos);
+}
