@@ -246,19 +246,21 @@ void replayHand(const std::string& file) {
   known("a method", touch.method, findMethod(touch.method));
   known("an interaction", touch.interaction, findInteractionKind(touch.interaction));
   const Molecule molecule = MoleculeArgument{labelledMolecule(recording->labels)}.load();
-  const RecordedScene scene = recordedScene(recording->labels, molecule.spheres);
+  const bool placed = recording->placed.size() == molecule.spheres.size();
+  const RecordedScene scene =
+      recordedScene(recording->labels, placed ? SharedArray<Sphere>(recording->placed) : molecule.spheres);
   if (!label("balls").empty() && label("balls") != fingerprint(*scene.spheres))
     fail("the molecule \"" + label("molecule") + "\" is not the one any more that it was recorded on",
          "put the old file back, or record it again");
 
   const auto felt = makeInteraction(interactionInput(touch, molecule, scene.spheres, scene.body));
   if (!felt) fail("it was recorded with a body in the hand, and does not say which", "record it again");
-  const ReplayResult result = replay(*recording, felt.get());
+  const ReplayResult result = replay(*recording, felt.get(), scene.spheres.get());
   char text[200];
-  if (result.moving)
-    fail("the molecule moved in " + std::to_string(result.moving) + " of " + std::to_string(result.ticks) +
-             " ticks, and how is not recorded: such forces cannot be given again",
-         "record a hand on a molecule that stands");
+  if (result.motion_unknown)
+    fail("in " + std::to_string(result.motion_unknown) + " of " + std::to_string(result.ticks) +
+             " ticks the molecule moved, and the file does not contain its motion",
+         "record it again with this version");
   if (result.first_difference) {
     std::snprintf(
         text, sizeof text,

@@ -61,7 +61,7 @@ class FailureMatrix {
     }
   }
 
-  /// A Markdown item per method: in how many scenes it is sound, and in which it fails how.
+  /// A Markdown item per method: in how many scenes it is sound, and in which (in quotation marks) it fails how.
   std::string sentences() const {
     std::string out;
     for (const std::string& m : methods_) {
@@ -72,7 +72,7 @@ class FailureMatrix {
         eachRun(scene, m, [&](const Result& r) { letters += failures_(r); });
         sound += letters.empty();
         for (const auto& c : criteria_)
-          if (letters.find(c.letter) != std::string::npos) failing[c.letter].push_back(scene);
+          if (letters.find(c.letter) != std::string::npos) failing[c.letter].push_back('"' + scene + '"');
       }
       out +=
           "* `" + m + "` is sound in " + std::to_string(sound) + " of " + std::to_string(scenes_.size()) + " scenes.";

@@ -26,7 +26,7 @@ struct Feel {
   std::string path;
   const Method* method = nullptr;
   Statistics turn_deg;  ///< rotation of the force's direction per tick
-  Statistics change_A;  ///< change of SCP - HIP per tick; times the stiffness it is that of the force
+  Statistics change_A;  ///< of Contact::displacement_A per tick; times the stiffness, that of the force
   double lost = 0;      ///< fraction of ticks without contact
 };
 

@@ -1,4 +1,5 @@
-// The reference SCP per tick, for judging a method: that of exact, and for exact itself that of the brute-force oracle.
+// The reference SCP of each tick, by which a method is judged. The reference is the method `exact`; where `exact`
+// itself is judged, it is the brute-force oracle.
 // Units: angstrom.
 #pragma once
 
@@ -19,7 +20,7 @@ class RightAnswer {
   struct Answer {
     bool touching = false;
     Vec3 scp_A{0.0};    ///< the HIP if there is no contact
-    bool known = true;  ///< false if two results are correct, or the surface itself has just moved
+    bool known = true;  ///< oracle only: false if two results are correct, or the probe has just changed
   };
 
   /// Performs one tick. `given` is the judged method's answer, from which the oracle continues if its own is undecided.
@@ -32,7 +33,7 @@ class RightAnswer {
   scenes::Scene scene_;
   std::optional<ExactTracker> exact_;
   std::optional<oracle::Oracle> oracle_;
-  bool moved_ = false;  // the probe has changed since the last tick
+  bool moved_ = false;  // oracle only: the probe has changed since the last tick
 };
 
 }  // namespace moltact::bench

@@ -1,6 +1,7 @@
-// Composes the motion of a stability scene from segments. Units: angstrom.
+// Composes the motion of a stability scene from segments; each entry is one tick. Units: angstrom.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 

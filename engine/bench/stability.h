@@ -18,31 +18,35 @@ namespace moltact::bench {
 /// A value above its limit is a failure.
 struct StabilityLimits {
   double place_A = kPlaceFelt_A;     ///< distance of the SCP from the reference
-  double step_over_N = kStepFelt_N;  ///< step of the force between ticks beyond that of the true surface: a jump
+  double step_over_N = kStepFelt_N;  ///< a jump: the force steps by this much more than the reference force
   double jitter_mm = 0.055;          ///< peak-to-peak motion of the held device: one step of its sensor
   double energy_J = 1e-5;            ///< generated over a closed path; a spring pressed 1 A deep stores 2.4e-3
 };
 
-/// The result of one method in one scene and draw. Counts are in ticks unless stated otherwise.
+/// The result of one method in one scene and draw, a random variation of the scenes (drawnScenes). Counts are in ticks
+/// unless stated otherwise.
 struct StabilityResult {
   std::string scene;
   const Method* method = nullptr;
   std::size_t draw = 0;
   std::size_t ticks = 0;
   // Fidelity:
-  std::size_t contact_ticks = 0;  ///< ticks in which the reference or the method touches
-  std::size_t off = 0;            ///< of these, SCP farther than place_A from the reference; includes the next three
-  std::size_t lost = 0;           ///< no contact although the HIP is inside the molecule
-  std::size_t stuck = 0;          ///< contact although there is nothing to touch
-  std::size_t sunk = 0;           ///< SCP deeper than place_A in a sphere
-  double penetration_A = 0;       ///< largest depth of the SCP in any tick
+  std::size_t contact_ticks = 0;  ///< the reference is known, and it or the method touches
+  /// Of these, with the SCP farther than place_A from the reference; includes `lost` and `stuck`.
+  std::size_t off = 0;
+  /// Of these, without contact although the HIP is inside the molecule and the reference SCP farther than place_A from it.
+  std::size_t lost = 0;
+  /// Of these, with the SCP farther than place_A from the HIP although the reference does not touch.
+  std::size_t stuck = 0;
+  std::size_t sunk = 0;      ///< ticks, also without a known reference, with the SCP deeper than place_A in a sphere
+  double penetration_A = 0;  ///< largest depth of the SCP in any tick
   // Stability:
   std::size_t tunnelled =
       0;                   ///< events: the HIP is free behind a wall that still holds the reference SCP over 0.5 A away
-  std::size_t jumps = 0;   ///< the force steps by step_over_N more than that of the true surface
+  std::size_t jumps = 0;   ///< steps of the force that exceed those of the reference force by more than step_over_N
   std::size_t broken = 0;  ///< the SCP is not finite
   double step_N = 0;       ///< largest step of the force between ticks
-  double step_over_N = 0;  ///< largest step beyond that of the true surface within two ticks; 0 if meaningless
+  double step_over_N = 0;  ///< largest step beyond that of the reference force within two ticks; 0 if meaningless
   double jitter_mm = 0;    ///< of the held device
   double energy_J = 0;     ///< generated over the closed path (path_energy.h)
   double loop_energy_J = 0;  ///< generated at the device, including sampling, delay and rounding

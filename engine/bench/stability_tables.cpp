@@ -137,24 +137,26 @@ ReportTable stabilityMatrix(const std::vector<StabilityCell>& cells, const Stabi
 }
 
 ReportTable stabilitySummary(const std::vector<StabilityResult>& results, const StabilityLimits& limits) {
-  ReportTable t{"stability_summary",
-                "All scenes and draws together",
-                {{"method", "method"},
-                 {"off_percent", "off (%)"},
-                 {"off_half_width", "± (%)"},
-                 {"sunk_percent", "sunk (%)"},
-                 {"lost_percent", "contact lost (%)"},
-                 {"stuck_percent", "held on nothing (%)"},
-                 {"penetration_A", "deepest (A)"},
-                 {"tunnelled", "tunnelled"},
-                 {"jumps", "jumps"},
-                 {"jitter_mm", "most shaking (mm)"},
-                 {"energy_J", "most energy (J)"},
-                 {"unsound", "runs with an event (%)"}},
-                {},
-                "Shares are of ticks in contact. \"off\" is the mean over scenes with the 95 % interval over draws; "
-                "sunk, contact lost and held on nothing are subsets of it. Tunnelled and jumps: per 10 000 ticks of "
-                "contact. A run is one scene in one draw; events are those of the table above."};
+  ReportTable t{
+      "stability_summary",
+      "All scenes and draws together",
+      {{"method", "method"},
+       {"off_percent", "off (%)"},
+       {"off_half_width", "± (%)"},
+       {"sunk_percent", "sunk (%)"},
+       {"lost_percent", "contact lost (%)"},
+       {"stuck_percent", "held on nothing (%)"},
+       {"penetration_A", "deepest (A)"},
+       {"tunnelled", "tunnelled"},
+       {"jumps", "jumps"},
+       {"jitter_mm", "most shaking (mm)"},
+       {"energy_J", "most energy (J)"},
+       {"unsound", "runs with an event (%)"}},
+      {},
+      "Shares are of ticks in contact. \"off\" is the mean over scenes with the 95 % interval over draws; "
+      "contact lost and held on nothing are subsets of it, and sunk also counts ticks without a known reference. "
+      "Tunnelled and jumps: per 10 000 ticks of contact. A run is one scene in one draw; events are those of the table "
+      "above."};
   const auto cells = stabilityCells(results, limits);
   for (const Method* m : inOrder<const Method*>(results, [](const StabilityResult& r) { return r.method; })) {
     double contact = 0, sunk = 0, lost = 0, stuck = 0, deep = 0, tunnelled = 0, jumps = 0, jitter = 0, energy = 0;

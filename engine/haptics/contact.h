@@ -3,6 +3,7 @@
 // the HIP's proxy, which stays outside every sphere.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -48,6 +49,15 @@ struct Contact {
   std::array<Vec3, 3> normals{Vec3(0.0), Vec3(0.0), Vec3(0.0)};
 
   bool touching() const { return feature != Feature::Free; }
+  /// The outward unit normal at the SCP: of the surface if one alone blocks it, else the direction of the displacement,
+  /// which then lies between the normals. Zero without a displacement.
+  Vec3 outward() const {
+    const bool one = normals[0] != Vec3(0.0) && normals[1] == Vec3(0.0);
+    const double length = glm::length(displacement_A);
+    return one ? normals[0] : length > 1e-9 ? displacement_A / length : Vec3(0.0);
+  }
+  /// How far the HIP lies below the surface. Friction displaces the spring along the surface, which does not count.
+  double depth_A() const { return std::max(0.0, glm::dot(displacement_A, outward())); }
   friend bool operator==(const Contact&, const Contact&) = default;
 };
 

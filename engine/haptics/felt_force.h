@@ -6,6 +6,7 @@
 #include <cstdint>
 
 #include "engine/core/units.h"
+#include "engine/haptics/field/energy_part.h"
 
 namespace moltact {
 
@@ -26,13 +27,13 @@ struct FeltForce {
 
 /// The energy of a held body or probe with the scene, as parts and as felt (unit: kcal/mol).
 struct MolecularEnergy {
-  double van_der_waals_kcal_mol = 0.0, electrostatic_kcal_mol = 0.0;
+  EnergyByPart parts;
   double felt_kcal_mol = 0.0;  ///< their sum after the bound of the walls (PairModel::wall_kcal_mol)
   /// Stiffness of the spring between the hand and what it holds, in the molecule (unit: kcal/mol/A^2). A force of
   /// 1 kcal/mol/A is felt as the stiffness of the felt spring divided by this. 0: there is no such spring.
   double coupling_kcal_mol_A2 = 0.0;
 
-  double total_kcal_mol() const { return van_der_waals_kcal_mol + electrostatic_kcal_mol; }
+  double total_kcal_mol() const { return parts.total_kcal_mol(); }
 
   friend bool operator==(const MolecularEnergy&, const MolecularEnergy&) = default;
 };

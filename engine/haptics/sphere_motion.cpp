@@ -22,6 +22,18 @@ std::uint64_t nextSerial() {
   return ++serial;
 }
 
+Problem problem(std::string what, std::string remedy) { return {"", 0, 0, std::move(what), std::move(remedy)}; }
+
+Expected<std::vector<SphereMotion::Moving>> movingBetween(std::span<const Sphere> from, std::span<const Sphere> to) {
+  if (from.size() != to.size())
+    return problem(trf("a motion begins with {0} spheres and ends with {1}", from.size(), to.size()),
+                   tr("give as many places as there are spheres"));
+  std::vector<SphereMotion::Moving> out(from.size());
+  for (std::size_t i = 0; i < from.size(); ++i)
+    out[i] = {from[i], to[i].centre_A - from[i].centre_A, to[i].radius_A - from[i].radius_A};
+  return out;
+}
+
 }  // namespace
 
 SphereMotion::SphereMotion(std::vector<Moving> spheres, std::vector<Sphere> bounds,
@@ -34,43 +46,44 @@ SphereMotion::SphereMotion(std::vector<Moving> spheres, std::vector<Sphere> boun
 
 Expected<std::unique_ptr<const SphereMotion>> SphereMotion::after(const SphereMotion& before,
                                                                   std::span<const Sphere> to, int ticks) {
-  auto made = make(before.at(1.0), to, ticks, before.bounds_.untouchable());
-  // Not shared yet, so it may still be changed.
-  if (made) const_cast<SphereMotion&>(**made).continues_ = before.serial_;
-  return made;
+  auto spheres = movingBetween(before.at(1.0), to);
+  if (!spheres) return spheres.problem();
+  return make(*std::move(spheres), ticks, before.bounds_.untouchable(), &before);
 }
 
 Expected<std::unique_ptr<const SphereMotion>> SphereMotion::make(std::span<const Sphere> from,
                                                                  std::span<const Sphere> to, int ticks,
                                                                  std::span<const std::uint32_t> untouchable) {
-  const auto problem = [](std::string what, std::string remedy) {
-    return Problem{"", 0, 0, std::move(what), std::move(remedy)};
-  };
+  auto spheres = movingBetween(from, to);
+  if (!spheres) return spheres.problem();
+  return make(*std::move(spheres), ticks, untouchable, nullptr);
+}
+
+Expected<std::unique_ptr<const SphereMotion>> SphereMotion::make(std::vector<Moving> spheres, int ticks,
+                                                                 std::span<const std::uint32_t> untouchable,
+                                                                 const SphereMotion* before) {
   if (ticks < 1 || ticks > kMaxTicks)
     return problem(trf("a motion of spheres cannot take {0} ticks", ticks), trf("give it 1 to {0}", kMaxTicks));
-  if (from.size() != to.size())
-    return problem(trf("a motion begins with {0} spheres and ends with {1}", from.size(), to.size()),
-                   tr("give as many places as there are spheres"));
-  std::vector<Moving> spheres(from.size());
-  std::vector<Sphere> bounds(from.size());
+  std::vector<Sphere> bounds(spheres.size());
   double max_A = 0.0;
-  for (std::size_t i = 0; i < from.size(); ++i) {
-    if (!usable(from[i]) || !usable(to[i]))
+  for (std::size_t i = 0; i < spheres.size(); ++i) {
+    const Moving& s = spheres[i];
+    const Sphere to = s.at(1.0);
+    if (!usable(s.from) || !usable(to))
       return problem(trf("sphere {0} of a motion is at no place, or has no radius", i + 1),
                      trf("give finite coordinates within {0} and radii that are not negative",
                          quantityText(kMaxPosition_A, Dimension::Length, plain())));
-    const Vec3 displacement = to[i].centre_A - from[i].centre_A;
-    const double growth = to[i].radius_A - from[i].radius_A;
-    spheres[i] = {from[i], displacement, growth};
-    max_A = std::max(max_A, spheres[i].moved_A());
+    max_A = std::max(max_A, s.moved_A());
     // Enlarges the bounding sphere by more than the rounding of a point on the path.
-    const double spare = 1e-12 * (glm::length(from[i].centre_A) + glm::length(to[i].centre_A));
-    bounds[i] = {from[i].centre_A + 0.5 * displacement,
-                 std::max(from[i].radius_A, to[i].radius_A) + 0.5 * glm::length(displacement) + spare};
-    if (displacement == Vec3(0.0) && growth == 0.0) bounds[i] = from[i];
+    const double spare = 1e-12 * (glm::length(s.from.centre_A) + glm::length(to.centre_A));
+    bounds[i] = {s.from.centre_A + 0.5 * s.displacement_A,
+                 std::max(s.from.radius_A, to.radius_A) + 0.5 * glm::length(s.displacement_A) + spare};
+    if (s.displacement_A == Vec3(0.0) && s.growth_A == 0.0) bounds[i] = s.from;
   }
-  return std::unique_ptr<const SphereMotion>(
+  std::unique_ptr<SphereMotion> made(
       new SphereMotion(std::move(spheres), std::move(bounds), untouchable, ticks, max_A));
+  if (before) made->continues_ = before->serial_;
+  return std::unique_ptr<const SphereMotion>(std::move(made));
 }
 
 std::vector<Sphere> SphereMotion::at(double fraction) const {

@@ -29,6 +29,12 @@ class SphereMotion {
   /// Creates the motion that starts where `before` ends.
   static Expected<std::unique_ptr<const SphereMotion>> after(const SphereMotion& before, std::span<const Sphere> to,
                                                              int ticks);
+  struct Moving;
+  /// Creates a motion from what operator[] returned, identical to the last bit; `before` is the motion that it continues
+  /// (null: none).
+  static Expected<std::unique_ptr<const SphereMotion>> make(std::vector<Moving> spheres, int ticks,
+                                                            std::span<const std::uint32_t> untouchable,
+                                                            const SphereMotion* before);
   /// True if this motion was created by after(other, ...).
   bool continues(const SphereMotion& other) const { return continues_ == other.serial_; }
   /// Upper bound of the motion of any sphere's surface.

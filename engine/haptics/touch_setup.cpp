@@ -59,7 +59,7 @@ std::string noticeable(const TouchSetup& touch) {
 }
 
 bool holdsProbe(const TouchSetup&, bool body) { return !body; }
-bool feelsCharges(const TouchSetup& touch, bool) { return forceChoice(touch.forces).electrostatic; }
+bool feelsCharges(const TouchSetup& touch, bool) { return forceChoice(touch.forces).feelsCharges(); }
 bool feelsForces(const TouchSetup& touch, bool) { return forceChoice(touch.forces).any(); }
 bool feelsProbeCharge(const TouchSetup& touch, bool body) { return !body && feelsCharges(touch, body); }
 

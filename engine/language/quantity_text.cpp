@@ -108,6 +108,10 @@ std::string quantityIn(double value, std::string_view symbol, Digits digits) {
   return numberText(value, digits) + (symbol.empty() ? "" : kNoBreakSpace) + std::string(symbol);
 }
 
+std::string energyBetweenAtoms(double energy_kcal_mol, Digits digits) {
+  return quantityIn(energy_kcal_mol, "kcal/mol", digits);
+}
+
 const Unit* shownInstead(std::string_view symbol) {
   const Unit* unit = unitNamed(symbol);
   if (!unit || !(unit->use & kShowable) || unit->dimension == Dimension::Energy) return nullptr;

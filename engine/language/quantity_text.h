@@ -35,6 +35,9 @@ std::string quantityText(double value, Dimension dimension, QuantityOptions opti
 std::string quantityText(double value, Dimension dimension, Digits digits);
 /// Formats a value given in the unit `symbol`, as used by authors and tasks, in the unit of shownInstead().
 std::string quantityIn(double value, std::string_view symbol, Digits digits);
+/// Formats an energy between atoms or in their springs: "-26.2 kcal/mol". It keeps this unit, that of its literature,
+/// whatever unit the user chose for other quantities.
+std::string energyBetweenAtoms(double energy_kcal_mol, Digits digits);
 /// The shown unit of the dimension of `symbol`. Null where `symbol` is kept: a unit that is unknown or never shown as a
 /// choice (pN), and energies, which tasks give between atoms and in the unit of their literature (kcal/mol).
 const Unit* shownInstead(std::string_view symbol);

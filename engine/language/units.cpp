@@ -61,7 +61,8 @@ constexpr std::pair<Dimension, std::string_view> kOwnUnits[] = {
     {D::Angle, "°"},  {D::Share, "%"}, {D::Frequency, "Hz"}, {D::Energy, "mJ"},
 };
 
-// Only one energy is shown, that of the spring in the hand, so there is no choice.
+// Energies have no choice: that of the spring in the hand is shown in mJ; energies and forces between atoms keep kcal/mol
+// and pN, the units of their literature.
 constexpr OfferedDimension kOfferedDimensions[] = {
     {D::Length, "length", N_("Lengths in the molecule")},
     {D::HandLength, "hand-length", N_("Lengths at the hand")},

@@ -21,7 +21,7 @@ namespace facts {
 
 using Atoms = std::vector<std::uint32_t>;
 
-constexpr double kLargestBall_A = 20.0;
+constexpr double kLargestProbe_A = 20.0;
 constexpr std::size_t kMaxPairs = 100'000'000;  // of atoms that a distance compares
 
 // The molecule of a facts block, without the removed atoms.
@@ -96,7 +96,7 @@ Computed turn(Subject& s, const std::vector<Atoms>& of) {
   const double cosine = (a * a + b * b - d * d) / (2.0 * a * b);
   if (!(std::abs(cosine) <= 1.0))
     return Problem{
-        {}, 0, 0, tr("the ball does not touch both atoms at once"), tr("select neighbours, or a larger probe")};
+        {}, 0, 0, tr("the probe does not touch both atoms at once"), tr("select neighbours, or a larger probe")};
   return std::acos(cosine) * 180.0 / 3.14159265358979323846;
 }
 
@@ -122,9 +122,10 @@ Computed largest(Subject& s, const std::vector<Atoms>& of) {
     const WaysIn ways(s.spheres, ball_A);
     return std::any_of(atoms.begin(), atoms.end(), [&](std::uint32_t a) { return ways.straight(a); });
   };
-  // From below, for the searches take longer the larger the ball is.
+  // From below, because the searches take longer with a larger probe.
   double least_A = 0.0, most_A = 0.5;
-  for (; most_A < kLargestBall_A && touches(most_A); most_A = std::min(2.0 * most_A, kLargestBall_A)) least_A = most_A;
+  for (; most_A < kLargestProbe_A && touches(most_A); most_A = std::min(2.0 * most_A, kLargestProbe_A))
+    least_A = most_A;
   const std::optional<double> found = largestProbe(least_A, most_A, touches);
   if (!found) return Problem{{}, 0, 0, tr("not even a point touches these atoms from outside"), tr("select others")};
   return *found;

@@ -145,7 +145,8 @@ class Check {
 
   /// The file must contain the charges that the scene uses.
   void hasCharges(const SceneSpec& scene, const Molecule& molecule) {
-    if (scene.touch.charges == kFormalCharges && forceChoice(scene.touch.forces).electrostatic && !findings_.enough() &&
+    if (scene.touch.charges == kFormalCharges && forceChoice(scene.touch.forces).feelsCharges() &&
+        !findings_.enough() &&
         reported_.insert({"charges", scene.places.charges.line, scene.places.charges.column}).second)
       findings_.warning(scene.places.charges,
                         tr("formal charges replace the partial ones in the forces between atoms: only "

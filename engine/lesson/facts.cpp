@@ -83,8 +83,9 @@ std::vector<KeySpec> factKeys() {
   std::vector<KeySpec> out{
       {.name = "molecule",
        .type = ValueType::Text,
-       .meaning = "The molecule that the facts are about, read and whole as the keys here say. Left out, the scene's, "
-                  "with the scene's keys about reading it and without the atoms that the scene removes."}};
+       .meaning =
+           "The molecule of the facts, read with the options of this block. By default the scene's molecule with the "
+           "scene's options, without the atoms that the scene removes."}};
   for (const ReadingOption& option : readingOptions()) {
     out.push_back(readingKey(option));
     out.back().fallback = {};  // the scene's
@@ -96,7 +97,8 @@ std::vector<KeySpec> factKeys() {
        .words = {"none"}},
       {.name = "probe",
        .type = ValueType::Quantity,
-       .meaning = "The radius of the ball of `turn`, `touched`, `reached` and `share`. Left out, the scene's probe.",
+       .meaning =
+           "The radius of the probe of `turn`, `touched`, `reached` and `share`. By default that of the scene's probe.",
        .dimension = Dimension::Length,
        .max = 20.0},
       fact("atoms", "The number of atoms.", Dimension::None),
@@ -116,13 +118,13 @@ std::vector<KeySpec> factKeys() {
       fact("radius", "The van der Waals radius of every atom.", Dimension::Length),
       fact("angle", "The angle at the second of three middles, or the torsion of four, from -180° to 180°.",
            Dimension::Angle, 3, 4),
-      fact("turn", "The angle by which the force turns where the ball crosses from one atom to the other.",
+      fact("turn", "The angle by which the force turns where the probe crosses from one atom to the other.",
            Dimension::Angle, 2),
-      fact("touched", "The number of atoms that the ball touches on a straight line from outside, in any direction.",
+      fact("touched", "The number of atoms that the probe touches on a straight line from outside, in any direction.",
            Dimension::None),
-      fact("reached", "The number of atoms that the ball touches on any path from outside.", Dimension::None),
-      fact("share", "How much of an atom's sphere the ball can touch, on any path from outside.", Dimension::Share),
-      fact("largest", "The radius of the largest ball that touches any of the atoms on a straight line from outside.",
+      fact("reached", "The number of atoms that the probe touches on any path from outside.", Dimension::None),
+      fact("share", "How much of an atom's sphere the probe can touch, on any path from outside.", Dimension::Share),
+      fact("largest", "The radius of the largest probe that touches any of the atoms on a straight line from outside.",
            Dimension::Length),
   };
   out.insert(out.end(), std::begin(others), std::end(others));

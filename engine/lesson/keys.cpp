@@ -263,9 +263,11 @@ std::vector<KeySpec> sceneKeys() {
            "The captions below the two molecules of a scene with 'beside': 'wool, silk'. By default their names."},
       {.name = "then",
        .type = ValueType::Text,
-       .meaning = "A second structure of the same molecule, by its name; a slider moves the atoms between both, also "
-                  "under the hand. Atoms are matched by chain, residue and name, and '1ake, superposed on chain A' "
-                  "superposes by these atoms only; 'none' ends it."},
+       .meaning =
+           "A second structure of the same molecule, by its name; a slider moves the atoms between both, also "
+           "under the hand. Atoms are matched by chain, residue and name. The structures are superposed over CA, P "
+           "and C1'; with '1ake, superposed on chain A' over those of the selected atoms; over all of these atoms "
+           "if that gives fewer than three. 'none' ends it."},
       {.name = "states",
        .type = ValueType::TextList,
        .meaning = "The names of the two structures on the slider: 'open, closed'. By default those of the molecules."},
@@ -292,8 +294,9 @@ std::vector<KeySpec> sceneKeys() {
        .meaning =
            "A file with frames of the molecule's atoms (DCD, XTC, TRR, AMBER's NetCDF; models of GRO, PDB, mmCIF) "
            "beside the lesson or the molecule, or a molecule's name: the atoms move from frame to frame, also under "
-           "the hand. Each frame is superposed on the molecule; 'md.xtc, superposed on chain A' superposes by these "
-           "atoms only, 'md.xtc, not superposed' leaves each frame where it is; 'none' ends it."},
+           "the hand. Each frame is superposed on the molecule over CA, P and C1'; with 'md.xtc, superposed on chain "
+           "A' over those of the selected atoms; over all of these atoms if that gives fewer than three. 'md.xtc, not "
+           "superposed' leaves each frame where it is; 'none' ends it."},
       {.name = "frames",
        .type = ValueType::Text,
        .meaning = "The frames of the trajectory that are shown, counted from 1: '1-100', or '50-' to the end.",

@@ -115,7 +115,7 @@ struct SecondState {
 struct TrajectorySpec {
   std::string file;          ///< beside the lesson or the molecule, or a molecule's name; empty: none
   bool superposed = true;    ///< each frame is superposed on the molecule
-  Selection superposed_on;   ///< by these atoms; not given: CA, P and C1'
+  Selection superposed_on;   ///< over CA, P and C1' of these atoms (superposition.h); not given: of all
   std::uint32_t first = 1;   ///< the frames that are shown, counted from 1
   std::uint32_t last = 0;    ///< 0: to the end
   double frames_per_s = 10;  ///< 0: at rest
@@ -142,7 +142,7 @@ struct SceneSpec {
   Selection hydrogen_bonds;           ///< atoms whose hydrogen bonds are drawn; may select nothing
   std::vector<PlacesSpec> measures;   ///< two atoms give a length, three an angle, four a torsion
   bool paint_touched = false;         ///< touched atoms stay lightly painted
-  std::vector<std::string> panels;    ///< "touch", "methods", or "none"; empty: the student's choice
+  std::vector<std::string> panels;    ///< "touch", "methods", "motion" or "none"; empty: the student's choice
   std::vector<std::string> locked;    ///< keys that the student cannot change, including those of the front matter
   Selection highlight;                ///< may select nothing
   ViewSpec view;                      ///< the initial view

@@ -176,9 +176,12 @@ void minutes(std::ostream& out) {
 }
 
 void units(std::ostream& out) {
-  out << "## Quantities\n\nA quantity is a number and its unit: `4 Å`, `0.3 N`. A number without its unit is an error. "
-         "The decimal sign is a "
-         "point.\n\n| quantity | units |\n| --- | --- |\n";
+  out << "## Quantities\n\nA quantity is a number and its unit: `4 Å`, `0.3 N`. Where a table says a length, a force, "
+         "a "
+         "time or a stiffness, a number without its unit is an error. Other numbers of scenes and tasks, such as "
+         "`energy` "
+         "(kcal/mol) and `turned` (degrees), are written without a unit. The decimal sign is a point.\n\n| quantity | "
+         "units |\n| --- | --- |\n";
   for (const Dimension d : {Dimension::Length, Dimension::Force, Dimension::Time, Dimension::Stiffness}) {
     out << "| " << dimensionName(d) << " |";
     const char* before = " ";

@@ -32,12 +32,12 @@ struct Rows {
         forces(felt.forces.mutable_data()),
         torques(felt.torques.mutable_data()),
         energies(felt.energies.mutable_data()),
-        van_der_waals(felt.van_der_waals.mutable_data()),
-        electrostatic(felt.electrostatic.mutable_data()),
         touching(felt.touching.mutable_data()),
         at_rest(felt.at_rest.mutable_data()),
         started_inside(felt.started_inside.mutable_data()),
-        contacts(felt.contacts.mutable_data()) {}
+        contacts(felt.contacts.mutable_data()) {
+    for (std::size_t k = 0; k < kEnergyParts; ++k) parts.values[k] = felt.parts.values[k].mutable_data();
+  }
 
   void write(std::size_t row, const PoseA& shown, const FeltForce& force, const Response& response) {
     for (int axis = 0; axis < 3; ++axis) {
@@ -52,14 +52,14 @@ struct Rows {
     std::copy(wxyz.begin(), wxyz.end(), orientations + 4 * row);
     energies[row] = force.energy_N_A;
     const MolecularEnergy energy = response.molecular_energy.value_or(MolecularEnergy{});
-    van_der_waals[row] = energy.van_der_waals_kcal_mol;
-    electrostatic[row] = energy.electrostatic_kcal_mol;
+    for (std::size_t k = 0; k < kEnergyParts; ++k) parts.values[k][row] = energy.parts.values[k];
     touching[row] = response.contact.touching();
     at_rest[row] = response.at_rest;
     started_inside[row] = response.contact.fault == Fault::StartedInside;
   }
 
-  double *positions, *orientations, *forces, *torques, *energies, *van_der_waals, *electrostatic;
+  double *positions, *orientations, *forces, *torques, *energies;
+  PerEnergyPart<double*> parts;
   bool *touching, *at_rest, *started_inside;
   std::int32_t* contacts;
 };
@@ -90,9 +90,17 @@ Feeler::Feeler(InteractionInput input, double stiffness_N_per_A)
 Felt Feeler::feel(const py::object& poses) {
   const std::vector<PoseA> hand = posesOf(poses);
   const std::size_t n = hand.size();
-  Felt out{newArray<double>(n, 3), newArray<double>(n, 4), newArray<double>(n, 3),      newArray<double>(n, 3),
-           newArray<double>(n, 0), newArray<double>(n, 0), newArray<double>(n, 0),      newArray<bool>(n, 0),
-           newArray<bool>(n, 0),   newArray<bool>(n, 0),   newArray<std::int32_t>(n, 3)};
+  Felt out{.positions = newArray<double>(n, 3),
+           .orientations = newArray<double>(n, 4),
+           .forces = newArray<double>(n, 3),
+           .torques = newArray<double>(n, 3),
+           .energies = newArray<double>(n, 0),
+           .parts = {},
+           .touching = newArray<bool>(n, 0),
+           .at_rest = newArray<bool>(n, 0),
+           .started_inside = newArray<bool>(n, 0),
+           .contacts = newArray<std::int32_t>(n, 3)};
+  for (py::array_t<double>& part : out.parts.values) part = newArray<double>(n, 0);
   Rows rows(out);
   std::unique_lock used(in_use_, std::defer_lock);
   {

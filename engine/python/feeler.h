@@ -12,7 +12,8 @@ namespace moltact::python {
 
 /// The responses to n poses, one row each (engine/python/moltact/__init__.pyi describes the columns).
 struct Felt {
-  pybind11::array_t<double> positions, orientations, forces, torques, energies, van_der_waals, electrostatic;
+  pybind11::array_t<double> positions, orientations, forces, torques, energies;
+  PerEnergyPart<pybind11::array_t<double>> parts;  // kcal/mol
   pybind11::array_t<bool> touching, at_rest, started_inside;
   pybind11::array_t<std::int32_t> contacts;
 };

@@ -248,6 +248,11 @@ void addMolecule(py::module_& m) {
         "as \"1ubq\". Raises MoleculeError.");
 }
 
+template <EnergyPart part>
+const py::array_t<double>& energyOf(const Felt& felt) {
+  return felt.parts[part];
+}
+
 void addFelt(py::module_& m) {
   py::class_<Felt>(m, "Felt", "What a hand feels at n poses; one row for each. Made by feel().")
       .def("__len__", [](const Felt& self) { return self.touching.size(); })
@@ -260,10 +265,12 @@ void addFelt(py::module_& m) {
       .def_readonly("forces", &Felt::forces, "Force on the hand in N, shape (n, 3).")
       .def_readonly("torques", &Felt::torques, "Torque about the hand's position in N A, shape (n, 3).")
       .def_readonly("energies", &Felt::energies, "Potential energy of the hand's spring in N A, shape (n,).")
-      .def_readonly("van_der_waals", &Felt::van_der_waals,
-                    "Van der Waals energy with the molecule in kcal/mol, shape (n,); 0 without forces between atoms.")
-      .def_readonly("electrostatic", &Felt::electrostatic,
-                    "Electrostatic energy with the molecule in kcal/mol, shape (n,); 0 without forces between atoms.")
+      .def_property_readonly(
+          "van_der_waals", &energyOf<EnergyPart::VanDerWaals>,
+          "Van der Waals energy with the molecule in kcal/mol, shape (n,); 0 without forces between atoms.")
+      .def_property_readonly(
+          "electrostatic", &energyOf<EnergyPart::Electrostatic>,
+          "Electrostatic energy with the molecule in kcal/mol, shape (n,); 0 without forces between atoms.")
       .def_readonly("touching", &Felt::touching, "True where a surface is touched, shape (n,).")
       .def_readonly("contacts", &Felt::contacts,
                     "The atoms that block the contact point, ascending, -1 where there are fewer, shape (n, 3).")

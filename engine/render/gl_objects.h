@@ -1,5 +1,5 @@
-// Owners of OpenGL objects: shader program, framebuffer, volume texture and vertex stream. All calls need the context
-// to be current in which the object was created.
+// Owners of OpenGL objects: shader program, framebuffer, volume texture and vertex stream. In every call
+// the context that created the object must be current.
 #pragma once
 
 #include <string>
@@ -76,7 +76,7 @@ class GlVolume {
   GLuint texture_ = 0;
 };
 
-/// A vertex array with one vertex buffer that is refilled for each picture.
+/// A vertex array with a vertex buffer, which is refilled for each picture, and an element buffer for quads.
 class GlStream {
  public:
   GlStream() = default;

@@ -21,8 +21,8 @@ struct ExportOptions {
   std::vector<std::shared_ptr<const Annotations>> annotations = {};
   std::vector<std::uint32_t> highlighted = {};  ///< atoms in the colour of targets; indices out of range are ignored
   bool print = false;  ///< for 3D printing: one closed surface in the atoms' colours, instead of the styles
-  /// Spheres and the surface for printing are inflated by this radius: 1.4 gives the surface that a water molecule
-  /// feels. The style Surface is the one that such a probe can reach (0: that of water).
+  /// Spheres and the surface for printing are inflated by this radius. 1.4 gives the solvent-accessible surface.
+  /// The style Surface uses a probe of the same radius; with 0, that of water.
   double probe_A = 0.0;
   double step_A = 0.0;  ///< resolution of the surface for printing; 0: chosen by the molecule's size
   double units_per_nm = 1.0;

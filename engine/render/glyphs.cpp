@@ -26,11 +26,13 @@ class Maker {
   Maker(const ViewScene& scene, Glyphs& out) : scene_(scene), out_(out) {
     touching_ = scene.hip && scene.contact.touching();
     if (!scene.hip) return;
-    scp_ = touching_ ? scene.contact.scp.A : scene.hip->A;
+    apart_ = touching_ || scene.coupled;
+    scp_ = heldPlace(scene)->A;
+    outward_ = scene.contact.outward();
+    if (!touching_ || outward_ == Vec3(0.0)) outward_ = scene.camera.up();
     const Vec3& displacement = scene.contact.displacement_A;
-    const double length = glm::length(displacement);
-    outward_ = touching_ && length > 1e-9 ? displacement / length : scene.camera.up();
-    if (touching_) along_force_ = outward_;
+    if (const double length = glm::length(displacement); touching_)
+      along_force_ = length > 1e-9 ? displacement / length : outward_;
     if (const double field = glm::length(scene.field_direction); field > 0.0)
       along_force_ = scene.field_direction / field;
   }
@@ -212,7 +214,7 @@ class Maker {
   void hip() {
     const double r = sized(0.22, 4.5);
     solid(scene_.hip->A, r, scene_.theme.hip, 0.75f);
-    if (!touching_) return;
+    if (!apart_) return;
     // Seen along the push, the probe is in front of the hand: a ring on it shows how far the hand has penetrated.
     addCircle(out_.strokes, {.colour = scene_.theme.hip, .alpha = 0.95f, .hidden = 0.9f, .width_px = 2.4f},
               scene_.camera, scene_.hip->A, toEye(scene_.hip->A), 1.5 * r, 48);
@@ -256,7 +258,7 @@ class Maker {
   }
 
   void scp() {
-    if (!touching_) return;
+    if (!apart_) return;
     const double r = sized(0.14, 3.2);
     solid(scp_, r, scene_.theme.scp, 0.85f);
     addCircle(out_.strokes, {.colour = scene_.theme.scp, .alpha = 0.9f, .hidden = 0.8f, .width_px = 1.6f},
@@ -415,7 +417,7 @@ class Maker {
 
   const ViewScene& scene_;
   Glyphs& out_;
-  bool touching_ = false;
+  bool touching_ = false, apart_ = false;  // apart_: the held probe is drawn apart from the HIP
   Vec3 scp_{0.0}, outward_{0, 1, 0};
   Vec3 along_force_{0.0};  // zero: no force
 };
@@ -461,7 +463,7 @@ void addNearSpheres(const ViewScene& scene, const MoleculeModel& model, std::vec
   if (!scene.hip || !(scene.look.spheres_near_A > 0) || !scene.shown.has(ViewPart::Atoms)) return;
   if (scene.look.allSpheres() && !model.byResidue()) return;
   constexpr std::size_t kMax = 400;
-  const PointA place = scene.contact.touching() ? scene.contact.scp : *scene.hip;
+  const PointA place = *heldPlace(scene);
   const double held_A = scene.body ? scene.body->reach_A : scene.probe_A;
   const std::vector<std::uint32_t>* hidden = scene.look.hidden.get();
   for (const std::uint32_t a : nearestAtoms(model, place, held_A, scene.look.spheres_near_A, kMax)) {

@@ -26,7 +26,7 @@ class Drawer {
       : scene_(scene), model_(model), strokes_(strokes), dots_(dots) {
     for (const std::int32_t a : scene.contact.atoms)
       if (scene.contact.touching() && a >= 0 && std::size_t(a) < model.atoms()) in_use_.push_back(std::uint32_t(a));
-    focus_ = scene.contact.touching() ? scene.contact.scp.A : scene.hip ? scene.hip->A : scene.camera.target.A;
+    focus_ = heldPlace(scene).value_or(scene.camera.target).A;
     if (scene.haptic_atoms.empty()) {
       if (scene.hip) atoms_ = nearestAtoms(model, {focus_}, scene.probe_A, 2.5, scene.max_haptic_atoms);
       fading_ = true;

@@ -1,5 +1,6 @@
-// The haptic shapes of the paper's Figure 9 as lines: inflated spheres, intersection circles and points, cones. Pure
-// geometry without graphics calls. Units: angstrom; the output is in the camera's axes.
+// The haptic shapes of the paper's Figure 9 as lines: inflated spheres, intersection circles and points, cones; and
+// the triangles of a mesh method. Pure geometry without graphics calls. Units: angstrom; the output is in the camera's
+// axes.
 #pragma once
 
 #include <vector>
@@ -11,9 +12,9 @@
 
 namespace moltact {
 
-/// Adds the shapes that `scene` shows. Only parts on the felt surface are emphasized: parts of a sphere or circle
-/// inside another inflated sphere are omitted. The opacity decreases with the distance from the SCP (or the HIP, when
-/// free).
+/// Adds the shapes that `scene` shows. Of spheres, circles, points and triangles it adds only the parts on the felt
+/// surface, and leaves out those inside another inflated sphere. Unless the scene names the atoms, the opacity of
+/// spheres and circles decreases with the distance from the SCP (the HIP without contact).
 void addHapticShapes(const ViewScene& scene, const MoleculeModel& model, Strokes& strokes,
                      std::vector<LooseSphere>& dots);
 

@@ -1,6 +1,6 @@
 // The layout of names, arrows and measures in a picture, for the window and for picture files. Names do not overlap.
-// Near ones and the author's have priority; names without room are omitted. Pure functions. Units: pixel from the upper
-// left corner, angstrom.
+// Those given by the author are placed first, then the others from near to far; names without room are omitted. Pure
+// functions. Units: pixel from the upper left corner, angstrom.
 #pragma once
 
 #include <functional>

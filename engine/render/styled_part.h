@@ -30,8 +30,7 @@ class StyledPart {
   bool fits(const StyledAtoms& what, const ViewScene& scene) const;
   /// True if its atoms are those of the model, possibly at other positions.
   bool isOf(const MoleculeModel& model) const {
-    return molecule_->id == model.molecule->id && molecule_->atoms.size() == model.molecule->atoms.size() &&
-           max_single_atoms_ == model.max_single;
+    return molecule_->sameTopology(*model.molecule) && max_single_atoms_ == model.max_single;
   }
   /// Adopts the model's colours if they have changed.
   void paint(const MoleculeModel& model);

@@ -108,6 +108,7 @@ struct ViewScene {
 
   std::optional<PointA> hip;  ///< empty: no probe is drawn
   Contact contact;            ///< SCP, displacement and atoms are used in contact
+  bool coupled = false;       ///< what the hand holds is at contact.scp, also where it touches nothing
   double force_N = 0.0;       ///< size of the force, along the contact's displacement or `field_direction`
   /// Direction of the combined force of field and contact, of any length. Zero: no field acts.
   Vec3 field_direction{0.0};
@@ -154,6 +155,13 @@ struct ViewScene {
   /// Molecules, models and meshes are compared by address.
   friend bool operator==(const ViewScene&, const ViewScene&) = default;
 };
+
+/// The place of what the hand holds: the SCP in contact or where a spring couples it to the hand, else the HIP. Empty
+/// without a hand.
+inline std::optional<PointA> heldPlace(const ViewScene& scene) {
+  if (!scene.hip) return std::nullopt;
+  return scene.contact.touching() || scene.coupled ? scene.contact.scp : *scene.hip;
+}
 
 /// True if two scenes give the same picture.
 inline bool sameView(const ViewScene& a, const ViewScene& b) { return (a.blank && b.blank) || a == b; }

@@ -1,6 +1,6 @@
-// Checks a device held by a user: its positions at rest, a gentle pull, a wall to press on, every way in which force
-// must end, and injected loop faults. Each part is judged by the guarantees of docs/safety.md (force_monitor.h). The
-// check starts when the device is ready and asks before each part that moves it. Blocks the calling thread for a few
+// Checks a device held by a user: its positions at rest, a gentle pull, a wall to press on, every event that must
+// switch the force off, and injected loop faults. Each part is judged by the guarantees of docs/safety.md
+// (force_monitor.h). The check starts when the device is ready and asks before each part that moves it. Blocks the calling thread for a few
 // minutes. Units: millimetre, newton, second.
 #pragma once
 
@@ -26,8 +26,8 @@ struct DeviceCheckOptions {
   /// Asks before a part that moves the device; false skips the part.
   std::function<bool(const std::string&)> ask = {};
   std::function<void(const std::string&)> tell = {};  ///< shows an instruction to the user
-  /// Called several times a second while the device is not ready. Returns true when the user holds it as the device's
-  /// text requests for the calibration.
+  /// Called several times a second while the device is not ready. Returns true when the user confirms that the
+  /// device is held as the text for its calibration asks.
   std::function<bool(const DeviceStatus&)> guide = {};
   std::function<void(const CheckedPart&)> checked = {};  ///< called after each part
   std::function<bool()> interrupted = {};                ///< true: ends all force and skips the remaining parts

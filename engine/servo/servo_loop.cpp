@@ -157,8 +157,9 @@ void ServoLoop::tick(std::int64_t began_ns, std::optional<std::int64_t> due_ns, 
   samples_.push(sample);
   if (records)
     recording_->ring.push({settings, pose, time_was, switch_->info(), switch_->other(), sample.force,
-                           sample.torque_N_mm, sample.body_pose, sample.at_rest, switch_->fallenBack(),
-                           sample.contact.touching(), sample.limits, phase.motion != nullptr});
+                           sample.torque_N_mm, sample.body_pose, sample.at_rest, 0, phase.motion ? motion_tick_ : 0,
+                           switch_->fallenBack(), sample.contact.touching(), sample.limits,
+                           phase.motion ? phase.motion->serial() : 0});
   ticking_.clear(std::memory_order_release);
 }
 

@@ -8,10 +8,10 @@
 #include <cstdio>
 #include <type_traits>
 
-#include "engine/core/file_bytes.h"
 #include "engine/language/catalogue.h"
 #include "engine/language/quantity_text.h"
 #include "engine/platform/read_file.h"
+#include "engine/servo/recording_bytes.h"
 #include "engine/servo/step_state.h"
 
 namespace moltact {
@@ -21,11 +21,13 @@ static_assert(sizeof(ServoSettings) == 168 && sizeof(DevicePose) == 80 && sizeof
                   sizeof(TickTime) == 16,
               "a field more is to be recorded below, or a replay is not the same");
 
-// Version 5 has no poses of bodies; version 4 has also no torque per tick; version 3 has also no orientation, and no
+// Version 6 has no motion of spheres; version 5 has also no poses of bodies; version 4 has also no torque per tick; version 3 has also no orientation, and no
 // torque of devices; version 2 has also no initial state.
-constexpr std::string_view kMagic = "MOLTRAC6", kTorquesMagic = "MOLTRAC5", kForcesMagic = "MOLTRAC4",
-                           kPlacesMagic = "MOLTRAC3", kStatelessMagic = "MOLTRAC2", kOldMagic = "MOLTRAC1";
-constexpr std::string_view kBlockMagic = "BLK1";
+constexpr std::string_view kMagic = "MOLTRAC7", kBodyPosesMagic = "MOLTRAC6", kTorquesMagic = "MOLTRAC5",
+                           kForcesMagic = "MOLTRAC4", kPlacesMagic = "MOLTRAC3", kStatelessMagic = "MOLTRAC2",
+                           kOldMagic = "MOLTRAC1";
+// Blocks: of ticks, of one motion, and of the places of the spheres before the first motion.
+constexpr std::string_view kBlockMagic = "BLK1", kMotionMagic = "MOV1", kPlacesBlockMagic = "PLC1";
 constexpr std::uint32_t kTicksInBlock = 256;
 constexpr std::size_t kMinTickBytes = 81;  // size of a tick without settings and device
 constexpr std::size_t kMaxBytes = std::size_t{1} << 30;
@@ -39,31 +41,8 @@ constexpr std::uint8_t kGivesForce = 1, kRotationalDamping = 2;  // of a device;
 // Identifies the build: identical forces require the same members of the state and the same compiler.
 std::string buildName() { return std::to_string(sizeof(ServoStep)) + ' ' + __VERSION__; }
 
-// One definition for both directions, so that writing and reading cannot differ.
-struct Putter {
-  std::string& to;
-  template <class T>
-  void operator()(const T& value) {
-    static_assert(std::is_arithmetic_v<T>);
-    to.append(reinterpret_cast<const char*>(&value), sizeof value);
-  }
-};
-struct Getter {
-  const char* at;
-  const char* end;
-  bool ok = true;
-  template <class T>
-  void operator()(T& value) {
-    static_assert(std::is_arithmetic_v<T>);
-    if (static_cast<std::size_t>(end - at) < sizeof value) {
-      ok = false;
-      at = end;
-      return;
-    }
-    value = numberAt<T>(at);
-    at += sizeof value;
-  }
-};
+using Putter = BytesPutter;
+using Getter = BytesGetter;
 
 // Formats ascending numbers with consecutive ones as ranges: "0-3,7".
 std::string rangesText(const std::vector<std::uint32_t>& numbers) {
@@ -101,15 +80,11 @@ std::vector<std::uint32_t> rangesOf(std::string_view text, std::size_t end) {
   return out;
 }
 
-template <class Each, class V>
-void eachOf(Each& each, V& v) {
-  each(v.x), each(v.y), each(v.z);
-}
 template <class Each, class Settings>
 void settingsFields(Each& each, Settings& s) {
   each(s.workspace.A_per_mm);
-  eachOf(each, s.workspace.centre_A);
-  for (int k = 0; k < 3; ++k) eachOf(each, s.workspace.rotation[k]);
+  visitVector(each, s.workspace.centre_A);
+  for (int k = 0; k < 3; ++k) visitVector(each, s.workspace.rotation[k]);
   each(s.stiffness_N_per_mm), each(s.max_force_N), each(s.probe_A), each(s.discontinuities), each(s.clutch.buttons);
 }
 template <class Each, class F>
@@ -118,17 +93,17 @@ void frictionFields(Each& each, F& friction) {
 }
 template <class Each, class Figures>
 void figuresFields(Each& each, Figures& f) {
-  eachOf(each, f.workspace_mm);
+  visitVector(each, f.workspace_mm);
   each(f.dof_in), each(f.dof_out), each(f.max_force_N), each(f.continuous_force_N), each(f.max_stiffness_N_per_mm);
   each(f.max_damping_N_s_per_m), each(f.damping_N_s_per_m), each(f.friction_N), each(f.resolution_mm), each(f.delay_s);
   each(f.speed_limit_m_per_s), each(f.slew_limit_N_per_s);
 }
 template <class Each, class Tick>
 void tickFields(Each& each, Tick& t) {
-  eachOf(each, t.pose.position.mm);
+  visitVector(each, t.pose.position.mm);
   each(t.pose.buttons), each(t.pose.discontinuities), each(t.pose.motor_heat), each(t.pose.age_s), each(t.time.dt_s),
       each(t.time.delay_s);
-  eachOf(each, t.force.N);
+  visitVector(each, t.force.N);
 }
 
 bool sameBits(const Vec3& a, const Vec3& b) {
@@ -183,7 +158,7 @@ bool drivesTorque(const DeviceSpecs& device) { return device.dof_out >= 6; }
 
 // The features of a file version.
 struct Version {
-  bool orientations = true, torques = true, body_poses = true;
+  bool orientations = true, torques = true, body_poses = true, motions = true;
 };
 
 // The pose of the held body and whether it is at rest, in a tick with an orientation.
@@ -193,7 +168,7 @@ bool readBody(Getter& get, RecordedTick& tick) {
   tick.at_rest = !(flags & kNotAtRest);
   if (flags & kBodyPose) {
     PoseA& pose = tick.body_pose.emplace();
-    eachOf(get, pose.place.A);
+    visitVector(get, pose.place.A);
     orientationFields(get, pose.orientation);
     if (!finite(pose.place.A) || !rotates(pose.orientation)) return false;
   }
@@ -224,13 +199,16 @@ bool readTick(Getter& get, ServoSettings& settings, RecordedTick& tick, const Ve
   }
   tickFields(get, tick);
   if (version.orientations && flags & kOriented) orientationFields(get, tick.pose.orientation);
-  if (version.torques && flags & kOriented && drivesTorque(tick.device)) eachOf(get, tick.torque_N_mm);
+  if (version.torques && flags & kOriented && drivesTorque(tick.device)) visitVector(get, tick.torque_N_mm);
   if (version.body_poses && flags & kOriented) get.ok = readBody(get, tick) && get.ok;
   tick.pose.fresh = flags & kFresh;
   tick.pose.connected = flags & kConnected;
   tick.pose.fault = flags & kFaultFlag;
   tick.fallen_back = flags & kFallenBack;
-  tick.spheres_moved = flags & kSpheresMoved;
+  if (flags & kSpheresMoved) {
+    tick.motion = kUnknownMotion;
+    if (version.motions) get(tick.motion), get(tick.motion_tick);
+  }
   tick.settings = settings;
   return get.ok && canBeGiven(tick.force.N) && canBeGiven(tick.torque_N_mm);
 }
@@ -271,7 +249,7 @@ std::optional<Problem> ServoRecordingWriter::add(const RecordedTick& tick) {
   put(std::uint8_t((other_settings ? kSettings : 0) | (pose.fresh ? kFresh : 0) | (pose.connected ? kConnected : 0) |
                    (pose.fault ? kFaultFlag : 0) | (tick.other_device ? kOtherDevice : 0) |
                    (tick.fallen_back ? kFallenBack : 0) | (oriented ? kOriented : 0) |
-                   (tick.spheres_moved ? kSpheresMoved : 0)));
+                   (tick.motion ? kSpheresMoved : 0)));
   if (other_settings) block_ += bytesOf(tick.settings);
   if (tick.other_device) {
     device_ = tick.device;
@@ -283,26 +261,40 @@ std::optional<Problem> ServoRecordingWriter::add(const RecordedTick& tick) {
   }
   tickFields(put, tick);
   if (oriented) orientationFields(put, pose.orientation);
-  if (oriented && drivesTorque(device_)) eachOf(put, tick.torque_N_mm);
+  if (oriented && drivesTorque(device_)) visitVector(put, tick.torque_N_mm);
   if (oriented) put(std::uint8_t((tick.body_pose ? kBodyPose : 0) | (tick.at_rest ? 0 : kNotAtRest)));
   if (oriented && tick.body_pose) {
-    eachOf(put, tick.body_pose->place.A);
+    visitVector(put, tick.body_pose->place.A);
     orientationFields(put, tick.body_pose->orientation);
   }
+  if (tick.motion) put(tick.motion), put(tick.motion_tick);
   last_ = tick.settings;
   return ++ticks_in_block_ == kTicksInBlock ? writeBlock() : std::nullopt;
 }
 
+std::optional<Problem> ServoRecordingWriter::place(std::span<const Sphere> spheres) {
+  return append(kPlacesBlockMagic, 0, bytesOf(spheres));
+}
+
+std::optional<Problem> ServoRecordingWriter::addMotion(const RecordedMotion& motion) {
+  return append(kMotionMagic, 0, bytesOf(motion));
+}
+
+std::optional<Problem> ServoRecordingWriter::append(std::string_view magic, std::uint32_t ticks,
+                                                    const std::string& bytes) {
+  std::string whole(magic);
+  Putter put{whole};
+  put(ticks);
+  put(std::uint32_t(bytes.size()));
+  put(std::uint32_t(crc32(0, reinterpret_cast<const Bytef*>(bytes.data()), uInt(bytes.size()))));
+  whole += bytes;
+  if (!broken_) broken_ = file_.append(whole);
+  return broken_;
+}
+
 std::optional<Problem> ServoRecordingWriter::writeBlock() {
   if (ticks_in_block_ == 0) return broken_;
-  std::string whole(kBlockMagic);
-  Putter put{whole};
-  put(ticks_in_block_);
-  put(std::uint32_t(block_.size()));
-  put(std::uint32_t(crc32(0, reinterpret_cast<const Bytef*>(block_.data()), uInt(block_.size()))));
-  whole += block_;
-  if (!broken_) broken_ = file_.append(whole);
-  if (!broken_) kept_ += ticks_in_block_;
+  if (!append(kBlockMagic, ticks_in_block_, block_)) kept_ += ticks_in_block_;
   block_.clear();
   ticks_in_block_ = 0;
   return broken_;
@@ -326,7 +318,8 @@ Expected<ServoRecording> readServoRecording(const std::filesystem::path& file) {
   const bool stateless = std::string_view(*bytes).starts_with(kStatelessMagic);
   Version version;
   version.orientations = !stateless && !std::string_view(*bytes).starts_with(kPlacesMagic);
-  version.body_poses = std::string_view(*bytes).starts_with(kMagic);
+  version.motions = std::string_view(*bytes).starts_with(kMagic);
+  version.body_poses = version.motions || std::string_view(*bytes).starts_with(kBodyPosesMagic);
   version.torques = version.body_poses || std::string_view(*bytes).starts_with(kTorquesMagic);
   if (bytes->size() < fixed ||
       (version.orientations && !version.torques && !std::string_view(*bytes).starts_with(kForcesMagic)))
@@ -367,9 +360,10 @@ Expected<ServoRecording> readServoRecording(const std::filesystem::path& file) {
           trf(sentence, quantityText(double(recording.ticks.size()) * kTick_s, Dimension::Time, decimals(3)));
     };
     std::uint32_t count = 0, size = 0, block_crc = 0;
-    const bool block = static_cast<std::size_t>(get.end - get.at) >= kBlockMagic.size() &&
-                       std::string_view(get.at, kBlockMagic.size()) == kBlockMagic;
-    if (block) get.at += kBlockMagic.size();
+    const std::string_view magic(get.at, std::min(get.left(), kBlockMagic.size()));
+    const bool of_ticks = magic == kBlockMagic,
+               block = of_ticks || (version.motions && (magic == kMotionMagic || magic == kPlacesBlockMagic));
+    if (block) get.at += magic.size();
     get(count), get(size), get(block_crc);
     if (!get.ok || static_cast<std::size_t>(get.end - get.at) < size) {
       torn(N_("the recording is truncated after {0}; the part before that is kept"));
@@ -379,11 +373,21 @@ Expected<ServoRecording> readServoRecording(const std::filesystem::path& file) {
     get.at += size;
     bool good =
         block && count <= kTicksInBlock && block_crc == crc32(0, reinterpret_cast<const Bytef*>(inside.at), uInt(size));
+    if (good && !of_ticks) {
+      const std::string_view content(inside.at, size);
+      auto motion = magic == kMotionMagic ? motionOfBytes(content) : std::nullopt;
+      auto places = magic == kPlacesBlockMagic ? spheresOfBytes(content) : std::nullopt;
+      if (motion) recording.motions.push_back(*std::move(motion));
+      if (places) recording.placed = *std::move(places);
+      if (motion || places) continue;
+      good = false;
+    }
     ServoSettings settings;
     std::vector<RecordedTick> ticks(good ? count : 0);
     for (RecordedTick& tick : ticks) {
       tick.device = device;
-      good = good && readTick(inside, settings, tick, version);
+      good = good && readTick(inside, settings, tick, version) &&
+             (tick.motion == kUnknownMotion || tick.motion <= recording.motions.size());
       device = tick.device;
     }
     if (good && ticks.size() > kMaxRecordedTicks - recording.ticks.size()) {
@@ -424,12 +428,16 @@ TouchSetup touchOf(const ServoRecording& recording) {
   return out;
 }
 
-ReplayResult replay(const ServoRecording& recording, Interaction* interaction) {
+ReplayResult replay(const ServoRecording& recording, Interaction* interaction, const SphereGrid* scene) {
   ServoStep step = recording.start.value_or(ServoStep());
   ReplayResult out;
+  static const SphereGrid kNone{SharedArray<Sphere>()};
+  MotionReplay motions(recording.motions, scene ? *scene : kNone);
   for (const RecordedTick& tick : recording.ticks) {
     if (tick.other_device) step.setDevice(tick.device);
-    const ServoSample now = step.tick(tick.settings, interaction, tick.pose, tick.time);
+    const std::optional<MotionPhase> phase =
+        tick.motion == kUnknownMotion ? std::nullopt : motions.at(tick.motion, tick.motion_tick);
+    const ServoSample now = step.tick(tick.settings, interaction, tick.pose, tick.time, phase.value_or(MotionPhase{}));
     const bool same_torque = !recording.torques || sameBits(now.torque_N_mm, tick.torque_N_mm);
     const bool same_pose = !recording.body_poses || samePose(now.body_pose, tick.body_pose);
     if (!sameBits(now.force.N, tick.force.N) || !same_torque || !same_pose) {
@@ -442,7 +450,7 @@ ReplayResult replay(const ServoRecording& recording, Interaction* interaction) {
             std::max(out.max_difference_A, glm::distance(now.body_pose->place.A, tick.body_pose->place.A));
     }
     ++out.ticks;
-    out.moving += tick.spheres_moved;
+    out.motion_unknown += !phase;
   }
   return out;
 }

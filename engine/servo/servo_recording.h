@@ -8,16 +8,22 @@
 #include <filesystem>
 #include <map>
 #include <optional>
+#include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "engine/core/problem.h"
 #include "engine/haptics/body/held_body.h"
 #include "engine/haptics/sphere_grid.h"
 #include "engine/platform/append_file.h"
+#include "engine/servo/recorded_motion.h"
 #include "engine/servo/servo_step.h"
 
 namespace moltact {
+
+/// A motion that the file does not contain, as in files of earlier versions.
+inline constexpr std::uint32_t kUnknownMotion = ~std::uint32_t{0};
 
 /// One tick with all inputs of its force except the interaction.
 struct RecordedTick {
@@ -30,21 +36,24 @@ struct RecordedTick {
   Vec3 torque_N_mm{0.0};                ///< zero for a device without torque, and in files of earlier versions
   std::optional<PoseA> body_pose = {};  ///< as in Response; empty in files of earlier versions
   bool at_rest = true;                  ///< as in Response
-  // Results for display while recording; the file contains only fallen_back and spheres_moved.
+  std::uint32_t motion = 0;             ///< number of the spheres' motion, from 1; 0: they are at rest
+  std::int32_t motion_tick = 0;         ///< of that motion
+  // Results for display while recording; the file contains only fallen_back.
   bool fallen_back = false;  ///< the fallback was used because the chosen device was disconnected
   bool touching = false;
   LimitFlags limits = {};
-  /// The scene's spheres moved. Their motion is not recorded, so a replay gives other forces.
-  bool spheres_moved = false;
+  std::uint64_t motion_serial = 0;  ///< SphereMotion::serial(); 0: the spheres are at rest
 };
 
 struct ServoRecording {
   std::map<std::string, std::string> labels;  ///< description by the recorder: "molecule", "method", "device"
   std::optional<ServoStep> start;             ///< empty: recorded by another build or version; forces may then differ
   std::vector<RecordedTick> ticks;
-  bool torques = true;     ///< false: written by an earlier version, without torques
-  bool body_poses = true;  ///< false: written by an earlier version, without poses of bodies
-  std::string torn;        ///< why the rest of the file could not be read; empty: it is complete
+  std::vector<RecordedMotion> motions;  ///< of the spheres, in their order
+  std::vector<Sphere> placed;           ///< the spheres before the first motion; empty: as in the molecule
+  bool torques = true;                  ///< false: written by an earlier version, without torques
+  bool body_poses = true;               ///< false: written by an earlier version, without poses of bodies
+  std::string torn;                     ///< why the rest of the file could not be read; empty: it is complete
 };
 
 /// Limit on the ticks of a recording (66 minutes and 40 s; a tick takes 432 bytes of memory).
@@ -60,6 +69,10 @@ class ServoRecordingWriter {
   static Expected<ServoRecordingWriter> create(const std::filesystem::path& file, bool replace = false);
   /// Call before the first tick. Labels: no line ends in keys or values, no '=' in keys.
   std::optional<Problem> begin(const std::map<std::string, std::string>& labels, const ServoStep& start);
+  /// The places of the spheres for which the interaction was created, after begin(), if they are not the molecule's.
+  std::optional<Problem> place(std::span<const Sphere> spheres);
+  /// The next motion, before the first of its ticks.
+  std::optional<Problem> addMotion(const RecordedMotion& motion);
   std::optional<Problem> add(const RecordedTick& tick);
   /// Writes the remaining ticks and blocks until the disk has them.
   std::optional<Problem> finish();
@@ -69,6 +82,7 @@ class ServoRecordingWriter {
  private:
   explicit ServoRecordingWriter(AppendFile file) : file_(std::move(file)) {}
   std::optional<Problem> writeBlock();
+  std::optional<Problem> append(std::string_view magic, std::uint32_t ticks, const std::string& bytes);
   AppendFile file_;
   std::string block_;
   std::uint32_t ticks_in_block_ = 0;
@@ -87,7 +101,7 @@ TouchSetup touchOf(const ServoRecording& recording);
 
 struct ReplayResult {
   std::uint64_t ticks = 0;
-  std::uint64_t moving = 0;  ///< ticks whose spheres moved in the recording; here they are at rest
+  std::uint64_t motion_unknown = 0;  ///< ticks whose spheres moved in an unknown way; here they are at rest
   /// The first tick whose force, torque or pose of the body differs from the recorded one in any bit.
   std::optional<std::uint64_t> first_difference;
   double max_difference_N = 0, max_difference_N_mm = 0;
@@ -95,8 +109,8 @@ struct ReplayResult {
 };
 
 /// Replays the recorded ticks with an interaction created as for the recording (null: none), and compares forces,
-/// torques and rest poses of a body.
-ReplayResult replay(const ServoRecording& recording, Interaction* interaction);
+/// torques and rest poses of a body. `scene`: the interaction's; null: its motions are unknown.
+ReplayResult replay(const ServoRecording& recording, Interaction* interaction, const SphereGrid* scene = nullptr);
 
 /// The labels that describe a recording's scene. "balls" is a fingerprint that reveals a changed molecule;
 /// "untouchable" and "held" list the spheres (from 0) that are not felt or in the hand, if there are any.

@@ -1,5 +1,5 @@
-// Colour distances for all types of colour vision, and shades that all of them can distinguish. Pure functions; any
-// thread except the haptic one. Colours are sRGB with 8 bits per channel.
+// Colour distances for normal vision, protanopia, deuteranopia and tritanopia, and shades that can be distinguished with
+// each of them. Pure functions; any thread except the haptic one. Colours are sRGB with 8 bits per channel.
 #pragma once
 
 #include <span>
@@ -19,10 +19,10 @@ inline constexpr double kMarksApart = 15.0;
 /// The same for a mark and objects that also differ in shape.
 inline constexpr double kBesideApart = 10.0;
 
-/// Returns a lighter or darker shade of each wanted colour, or the colour itself. For every type of colour vision the
-/// results differ by kMarksApart from each other and from `targets`, and by kBesideApart from `beside`. Among all such
-/// choices the total change is minimal. If there is none, the smallest distance is maximal. Hues are kept, so that a
-/// colour's name remains valid.
+/// Returns a lighter or darker shade of each wanted colour, or the colour itself. For each of these four types of vision
+/// the results differ by kMarksApart from each other and from `targets`, and by kBesideApart from `beside`. Among all
+/// such choices the total change is minimal. If no choice meets the limits, returns the one whose smallest distance is
+/// largest. Hues are kept, so that a colour's name remains valid.
 std::vector<Rgb8> shadesApart(std::span<const Rgb8> wanted, std::span<const Rgb8> targets,
                               std::span<const Rgb8> beside);
 

@@ -34,8 +34,8 @@ std::shared_ptr<const PairField> pairField(const TouchSetup& touch, const Molecu
   out->model.weak_gain = touch.weak_gain;
   std::vector<Sphere> places;
   const auto selected = [&](PairAtom atom) {
-    if (!forces.van_der_waals) atom.depth_kcal_mol = 0.0f;
-    if (!forces.electrostatic) atom.charge_e = 0.0f;
+    for (const EnergyPartInfo& part : energyParts())
+      if (!forces.acts[part.part]) part.remove(atom);
     return atom;
   };
   for (std::size_t i = 0; i < all.atoms.size(); ++i) {

@@ -65,6 +65,49 @@ bool onALine(const std::vector<gemmi::Position>& places) {
   return aside <= kSine * kSine * far.length_sq() * far.length_sq();
 }
 
+// `other_A(j)`: the position of the atom j of the other.
+template <class PositionOf>
+Expected<Superposition> fitted(const Molecule& one, PositionOf&& other_A,
+                               std::span<const std::pair<std::uint32_t, std::uint32_t>> pairs) {
+  std::vector<gemmi::Position> here, there;
+  const auto collect = [&](bool all) {
+    for (const auto& [i, j] : pairs) {
+      if (!all && !leads(one, i)) continue;
+      const Vec3 &p = one.spheres[i].centre_A, &q = other_A(j);
+      here.emplace_back(p.x, p.y, p.z);
+      there.emplace_back(q.x, q.y, q.z);
+    }
+  };
+  collect(false);
+  if (here.size() < kFewest) {
+    here.clear();
+    there.clear();
+    collect(true);
+  }
+  if (here.size() < kFewest)
+    return Problem{
+        {},
+        0,
+        0,
+        trnf("only {0} atom is in both structures", "only {0} atoms are in both structures", here.size(), here.size()),
+        tr("take two structures of one molecule, with the same chains and residue numbers")};
+  if (onALine(here) || onALine(there))
+    return Problem{{},
+                   0,
+                   0,
+                   tr("the atoms that are in both structures lie on a line"),
+                   tr("take two structures with more atoms in common")};
+  const gemmi::SupResult fit = gemmi::superpose_positions(here.data(), there.data(), here.size(), nullptr);
+  Superposition out;
+  for (int i = 0; i < 3; ++i) {
+    for (int j = 0; j < 3; ++j) out.rotation[j][i] = fit.transform.mat[i][j];
+    out.shift_A[i] = fit.transform.vec.at(i);
+  }
+  out.rmsd_A = fit.rmsd;
+  out.fitted = here.size();
+  return out;
+}
+
 }  // namespace
 
 AtomPairs matchAtoms(const Molecule& one, const Molecule& other) {
@@ -105,43 +148,14 @@ std::vector<std::uint32_t> leadingAtoms(const Molecule& molecule) {
 
 Expected<Superposition> superpose(const Molecule& one, const Molecule& other,
                                   std::span<const std::pair<std::uint32_t, std::uint32_t>> pairs) {
-  std::vector<gemmi::Position> here, there;
-  const auto collect = [&](bool all) {
-    for (const auto& [i, j] : pairs) {
-      if (!all && !leads(one, i)) continue;
-      const Vec3 &p = one.spheres[i].centre_A, &q = other.spheres[j].centre_A;
-      here.emplace_back(p.x, p.y, p.z);
-      there.emplace_back(q.x, q.y, q.z);
-    }
-  };
-  collect(false);
-  if (here.size() < kFewest) {
-    here.clear();
-    there.clear();
-    collect(true);
-  }
-  if (here.size() < kFewest)
-    return Problem{
-        {},
-        0,
-        0,
-        trnf("only {0} atom is in both structures", "only {0} atoms are in both structures", here.size(), here.size()),
-        tr("take two structures of one molecule, with the same chains and residue numbers")};
-  if (onALine(here) || onALine(there))
-    return Problem{{},
-                   0,
-                   0,
-                   tr("the atoms that are in both structures lie on a line"),
-                   tr("take two structures with more atoms in common")};
-  const gemmi::SupResult fit = gemmi::superpose_positions(here.data(), there.data(), here.size(), nullptr);
-  Superposition out;
-  for (int i = 0; i < 3; ++i) {
-    for (int j = 0; j < 3; ++j) out.rotation[j][i] = fit.transform.mat[i][j];
-    out.shift_A[i] = fit.transform.vec.at(i);
-  }
-  out.rmsd_A = fit.rmsd;
-  out.fitted = here.size();
-  return out;
+  return fitted(
+      one, [&](std::uint32_t j) -> const Vec3& { return other.spheres[j].centre_A; }, pairs);
+}
+
+Expected<Superposition> superpose(const Molecule& one, std::span<const Vec3> other_A,
+                                  std::span<const std::pair<std::uint32_t, std::uint32_t>> pairs) {
+  return fitted(
+      one, [&](std::uint32_t j) -> const Vec3& { return other_A[j]; }, pairs);
 }
 
 std::vector<Sphere> TwoStates::at(double share) const {

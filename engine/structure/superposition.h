@@ -36,8 +36,11 @@ struct Superposition {
 
 /// The least-squares fit (D. L. Theobald, Acta Cryst. A61, 478, 2005) over CA of amino acids and P or C1' of
 /// nucleotides among the pairs; over all pairs if those are fewer than three. Returns a Problem if fewer than three
-/// atoms correspond or the atoms are collinear.
+/// atoms correspond or the atoms are collinear. The second index of a pair is one of `other`.
 Expected<Superposition> superpose(const Molecule& one, const Molecule& other,
+                                  std::span<const std::pair<std::uint32_t, std::uint32_t>> pairs);
+/// The same for positions alone. The second index of a pair is one of `other_A`.
+Expected<Superposition> superpose(const Molecule& one, std::span<const Vec3> other_A,
                                   std::span<const std::pair<std::uint32_t, std::uint32_t>> pairs);
 
 /// A molecule in two superimposed states.
@@ -51,8 +54,8 @@ struct TwoStates {
 };
 
 /// Computes both states of the atoms of `one`. An atom that `other` lacks moves rigidly with the matched atoms of its
-/// residue; a residue without matched atoms does not move. With `on` (indices in `one`, ascending) the fit uses only
-/// these atoms.
+/// residue; a residue without matched atoms does not move. With `on` (indices in `one`, ascending) the fit uses
+/// only pairs of these atoms, selected as by superpose().
 Expected<TwoStates> twoStates(const Molecule& one, const Molecule& other, std::span<const std::uint32_t> on = {});
 
 }  // namespace moltact

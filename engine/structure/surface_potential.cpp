@@ -79,7 +79,7 @@ class Part {
       PairTerms terms;
       kernel_.slope(blocks.data(), int(blocks.size()), constants_,
                     {float(point.x), float(point.y), float(point.z), 1.0f, 0.0f, 0.0f}, terms);
-      sum += terms.electrostatic;
+      sum += terms.energy[EnergyPart::Electrostatic];
     }
     return float(sum / double(free.size()));
   }

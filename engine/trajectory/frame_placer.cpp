@@ -86,12 +86,6 @@ Expected<FramePlacer> FramePlacer::make(std::shared_ptr<const Molecule> molecule
   return out;
 }
 
-Molecule FramePlacer::movedTo(std::span<const Vec3> places) const {
-  std::vector<Sphere> spheres = molecule_->spheres.copy();
-  for (std::size_t i = 0; i < spheres.size(); ++i) spheres[i].centre_A = places[i];
-  return molecule_->movedTo(std::move(spheres));
-}
-
 void FramePlacer::makeWhole(std::vector<Vec3>& places, const glm::dmat3& cell) const {
   const glm::dmat3 inverse = glm::inverse(cell);
   for (const Step& step : steps_)
@@ -109,7 +103,7 @@ void FramePlacer::makeWhole(std::vector<Vec3>& places, const glm::dmat3& cell) c
   // The largest one shows how the whole has turned.
   glm::dmat3 turned(1.0);
   if (!turns_.empty())
-    if (const auto fit = superpose(*molecule_, movedTo(places), turns_)) turned = glm::transpose(fit->rotation);
+    if (const auto fit = superpose(*molecule_, places, turns_)) turned = glm::transpose(fit->rotation);
   std::vector<Vec3> shift(parts_);
   for (std::size_t part = 0; part < parts_; ++part)
     shift[part] = nearestLattice(
@@ -135,7 +129,7 @@ std::vector<Vec3> FramePlacer::place(const TrajectoryFrame& frame) const {
     if (sound) out = std::move(whole);
   }
   if (!superposed_) return out;
-  const auto fit = superpose(m, movedTo(out), fitted_);
+  const auto fit = superpose(m, out, fitted_);
   // Atoms of this frame alone lie on a line: it is left as it is.
   if (!fit) return out;
   for (Vec3& place : out) place = (*fit)(place);

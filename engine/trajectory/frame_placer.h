@@ -19,7 +19,7 @@ namespace moltact {
 /// How frames are superposed.
 struct FrameFit {
   bool superposed = true;
-  std::vector<std::uint32_t> on;  ///< these atoms, ascending; empty: CA, P and C1' (superposition.h)
+  std::vector<std::uint32_t> on;  ///< over these atoms, ascending, selected as by superpose(); empty: over all
   friend bool operator==(const FrameFit&, const FrameFit&) = default;
 };
 
@@ -37,14 +37,12 @@ class FramePlacer {
 
  private:
   FramePlacer() = default;
-  Molecule movedTo(std::span<const Vec3> places) const;
   void makeWhole(std::vector<Vec3>& places, const glm::dmat3& cell) const;
 
   std::shared_ptr<const Molecule> molecule_;
   bool superposed_ = false;
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> fitted_,
-      turns_;  // atoms for superposition(): the chosen ones, those
-               // of the largest covalent molecule
+  // The atoms that superpose() takes: the chosen ones, and those of the largest covalent molecule.
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> fitted_, turns_;
   struct Step {
     std::uint32_t atom = 0, from = 0;  // bonded; `from` comes first
   };

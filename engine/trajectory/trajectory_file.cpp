@@ -1,9 +1,9 @@
 #include "engine/trajectory/trajectory_file.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "engine/core/text.h"
 #include "engine/language/catalogue.h"
@@ -13,27 +13,41 @@
 namespace moltact {
 namespace {
 
+using OpenBytes = OpenedTrajectory (*)(RandomAccessFile);
+using OpenPath = OpenedTrajectory (*)(const std::filesystem::path&);
+
 struct Format {
-  std::string_view ending;
-  OpenedTrajectory (*open)(RandomAccessFile);  ///< null: NetCDF, which its library opens
+  std::string_view ending, name;
+  OpenBytes open;
+  OpenPath open_path;  ///< for a format that its own library opens; then `open` is null
   bool describes_atoms;
-  std::string_view content;  ///< the first bytes of a file without a known name
-  std::size_t at = 0;        ///< their place
+  std::string_view content = {};  ///< the first bytes of a file without a known name
+  std::size_t at = 0;             ///< their place
 };
 
 using namespace std::string_view_literals;
 
-constexpr std::array<Format, 9> kFormats{{
-    {".dcd", openDcd, false, "CORD"sv, 4},
-    {".xtc", openXtc, false, "\0\0\x07\xcb"sv},
-    {".trr", openTrr, false, "\0\0\x07\xc9"sv},
-    {".nc", nullptr, false, "CDF"sv},
-    {".ncdf", nullptr, false, "\x89HDF"sv},
-    {".gro", openGroFrames, true, {}},
-    {".pdb", openPdbModels, true, {}},
-    {".ent", openPdbModels, true, {}},
-    {".cif", openMmcifModels, true, {}},
-}};
+constexpr Format kFormats[] = {
+    {".dcd", "DCD", openDcd, nullptr, false, "CORD"sv, 4},
+    {".xtc", "XTC", openXtc, nullptr, false, "\0\0\x07\xcb"sv},
+    {".trr", "TRR", openTrr, nullptr, false, "\0\0\x07\xc9"sv},
+    {".nc", "NetCDF", nullptr, openAmberNetcdf, false, "CDF"sv},
+    {".ncdf", "NetCDF", nullptr, openAmberNetcdf, false, "\x89HDF"sv},
+    {".gro", "GRO", openGroFrames, nullptr, true},
+    {".pdb", "PDB", openPdbModels, nullptr, true},
+    {".ent", "PDB", openPdbModels, nullptr, true},
+    {".cif", "mmCIF", openMmcifModels, nullptr, true},
+};
+
+/// "DCD, XTC, TRR, NetCDF": the names of the formats with or without a description of their atoms.
+std::string namesOf(bool describes_atoms) {
+  std::string out;
+  std::string_view last;
+  for (const Format& format : kFormats)
+    if (format.describes_atoms == describes_atoms && format.name != std::exchange(last, format.name))
+      out += (out.empty() ? "" : ", ") + std::string(format.name);
+  return out;
+}
 
 const Format* formatOf(const std::filesystem::path& file) {
   std::string ending = lower(file.extension().string());
@@ -58,16 +72,16 @@ OpenedTrajectory opened(RandomAccessFile bytes, const std::filesystem::path& fil
   if (!format) format = formatOf(bytes);
   if (!format)
     return Problem{file.string(), 0, 0, tr("this is no trajectory that can be read"),
-                   tr("take a file in DCD, XTC, TRR or AMBER's NetCDF, or several models in GRO, PDB or mmCIF")};
-  return format->open ? format->open(std::move(bytes)) : openAmberNetcdf(file);
+                   trf("take a file in one of these formats: {0}; or several models in one of these: {1}",
+                       namesOf(false), namesOf(true))};
+  return format->open ? format->open(std::move(bytes)) : format->open_path(file);
 }
 
 }  // namespace
 
-std::vector<std::string_view> trajectoryEndings() {
-  std::vector<std::string_view> out;
-  for (const Format& format : kFormats)
-    if (!format.describes_atoms) out.push_back(format.ending);
+std::vector<TrajectoryFormat> trajectoryFormats() {
+  std::vector<TrajectoryFormat> out;
+  for (const Format& format : kFormats) out.push_back({format.ending, format.name, format.describes_atoms});
   return out;
 }
 

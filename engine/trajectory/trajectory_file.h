@@ -52,10 +52,15 @@ class TrajectoryFile {
   std::vector<std::string> warnings_;
 };
 
-/// The endings of file names, in lower case: of trajectories, which hold no description of their atoms, and of formats
-/// with one.
-std::vector<std::string_view> trajectoryEndings();
-/// True if the name has one of trajectoryEndings(), in upper or lower case.
+struct TrajectoryFormat {
+  std::string_view ending;  ///< of file names, in lower case: ".dcd"
+  std::string_view name;    ///< "DCD"; several endings may have the same
+  bool describes_atoms;     ///< the format of a structure, which may hold several models or frames
+};
+
+/// All formats that are read, one entry per ending.
+std::vector<TrajectoryFormat> trajectoryFormats();
+/// True if the name has the ending, in upper or lower case, of a format that does not describe its atoms.
 bool hasTrajectoryName(const std::filesystem::path& file);
 
 /// Opens a trajectory and finds at least its first frame. The format follows from the name, or from the content if the

@@ -11,8 +11,9 @@
 
 namespace moltact {
 
-/// Maps the scene's middle to the device's origin and its longest side to the reach of a hand (160 mm), limited to 0.15
-/// to 0.4 A/mm: outside this range an atom would be too large or too small to be felt as one.
+/// Maps the middle of the scene's box to the device's origin, and scales the longest side of the box to 160 mm, the reach
+/// of a hand. The scale is limited to 0.15 to 0.4 A/mm: outside this range an atom would be too large or too small to be
+/// felt as one.
 inline Workspace fitWorkspace(const SphereGrid& scene) {
   constexpr double kReach_mm = 160.0, kFinest = 0.15, kCoarsest = 0.4;
   const Vec3 size = scene.high_A() - scene.low_A();
@@ -22,14 +23,14 @@ inline Workspace fitWorkspace(const SphereGrid& scene) {
   return out;
 }
 
-/// The reach of a held device is limited by its workspace, which is usually less deep than a molecule. fitToDevice()
-/// therefore leaves the middle of the workspace free, in front of the surface.
+/// The workspace limits the reach of a held device and is usually less deep than a molecule. fitToDevice() therefore
+/// places the surface behind the middle of the workspace.
 inline constexpr double kFreeFraction = 0.2, kMaxFree_mm = 20.0;  ///< fraction of the workspace's depth, and its limit
 
-/// Fits the scene for a held device at the same scale, along the axes `rotation`. `toward` lies straight behind the
-/// middle of the device's workspace. The first surface that the shape in the hand meets on its path there lies in front
-/// of it, at kFreeFraction of the workspace's depth from the middle. Without such a surface, `toward` itself lies
-/// there.
+/// Fits the scene for a held device at the same scale, along the axes `rotation`. `toward` lies on the line from the user
+/// through the middle of the device's workspace. The first surface that the shape in the hand meets on this line lies
+/// behind the middle, by kFreeFraction of the workspace's depth and at most kMaxFree_mm. If there is none, `toward`
+/// itself lies there.
 Workspace fitToDevice(const Workspace& scene, const SphereGrid& spheres, const HandShape& held, PointA toward,
                       const glm::dmat3& rotation, const DeviceSpecs& device);
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <string_view>
 
+#include "engine/haptics/field/pair_model.h"
 #include "engine/language/catalogue.h"
 #include "engine/language/quantity_text.h"
 
@@ -67,10 +68,12 @@ double springEnergy_J(double energy_A2, double stiffness_N_per_mm, double A_per_
 }
 
 std::optional<double> carbonPush_pN(double overlap_A) {
-  constexpr double kTouch_A = 3.40, kDepth_kcal_per_mol = 0.107, kPn_A_mol_per_kcal = 69.477;
+  // Of two carbons of Tripos 5.2 (scale.h). The distance is a parameter of that force field; it does not follow the table
+  // of radii of the spheres.
+  constexpr double kTouch_A = 3.40, kDepth_kcal_per_mol = 0.107;
   if (!(overlap_A >= 0.0 && overlap_A <= kMaxOverlap_A)) return std::nullopt;
   const double near = kTouch_A / (kTouch_A - overlap_A);
-  return kPn_A_mol_per_kcal * 12.0 * kDepth_kcal_per_mol / kTouch_A * (std::pow(near, 13) - std::pow(near, 7));
+  return kForceUnit_pN * 12.0 * kDepth_kcal_per_mol / kTouch_A * (std::pow(near, 13) - std::pow(near, 7));
 }
 
 std::string scaleSentence(const Workspace& workspace, double stiffness_N_per_mm) {

@@ -34,7 +34,7 @@ double springEnergy_J(double energy_A2, double stiffness_N_per_mm, double A_per_
 
 /// The repulsive force (unit: pN) between two carbon atoms that are `overlap_A` nearer than contact: a comparison value
 /// for the force of a press. It is the van der Waals term of the Tripos 5.2 force field (Clark, Cramer & Van
-/// Opdenbosch, J. Comput. Chem. 10, 982, 1989), whose radius of carbon, 1.70 Å, is also that of Bondi and of the
+/// Opdenbosch, J. Comput. Chem. 10, 982, 1989), whose radius of carbon, 1.70 Å, is also that of Bondi and so of the
 /// spheres here: F = 12 e/R ((R/r)^13 - (R/r)^7), R = 3.40 Å, e = 0.107 kcal/mol, r = R - overlap. Empty without
 /// overlap, and for an overlap above kMaxOverlap_A, which this term does not describe.
 std::optional<double> carbonPush_pN(double overlap_A);

@@ -9,6 +9,7 @@
 
 #include "app/ui/extensions/extensions.h"
 #include "app/ui/extensions/moving_states.h"
+#include "engine/haptics/methods.h"
 #include "tests/app/scripted_user_fixture.h"
 #include "tests/results/sample_attempt.h"
 
@@ -61,6 +62,39 @@ class Frames final : public AtomMover {
   double at_ = 0.0;
 };
 
+// Notes the events that it receives.
+class Listener final : public AtomMover {
+ public:
+  using AtomMover::AtomMover;
+  std::string heard;
+  bool answers = false;
+
+  std::string_view kind() const override { return "test-listener"; }
+  std::optional<AtomsMoved> position() const override { return std::nullopt; }
+  bool moving() const override { return false; }
+  void show(const MotionSource&, const AtomsMoved&, const MoleculeKey&) override {}
+
+  void atStart() override { heard += "atStart "; }
+  void beforeTicks() override { heard += "beforeTicks "; }
+  void ticks(const FeltTicks&) override { heard += "ticks "; }
+  void lessonEvents(std::span<const SessionEvent>) override { heard += "lessonEvents "; }
+  void afterPanels() override { heard += "afterPanels "; }
+  void beforeOpening(FileKind) override { heard += "beforeOpening "; }
+  bool open(FileKind, const fs::path&) override {
+    heard += "open ";
+    return answers;
+  }
+  void lessonRefused(const fs::path&) override { heard += "lessonRefused "; }
+  void sceneChanged() override { heard += "sceneChanged "; }
+  void lessonChanged() override { heard += "lessonChanged "; }
+  void stepChanged() override { heard += "stepChanged "; }
+  void viewReset(const Camera&) override { heard += "viewReset "; }
+  void atEnd() override { heard += "atEnd "; }
+  bool live() const override { return answers; }
+  bool leadsHand() const override { return answers; }
+  bool hidesLesson() const override { return answers; }
+};
+
 ScriptedUser::Options small(const fs::path& folder) {
   ScriptedUser::Options options;
   options.width = 1000;
@@ -81,6 +115,38 @@ std::string chain() {
 }
 
 double z(ScriptedUser& user, std::size_t atom) { return user.app().scene.atoms().seen()->spheres[atom].centre_A.z; }
+
+TEST_CASE("a mover receives each of the 13 events of an extension once, and its 3 answers are those of all movers") {
+  const auto user = startWith("1ubq", small({}));
+  AtomMovers movers({user->app().scene, user->app().lesson, user->app().messages, user->app().options()});
+  Listener& listener = movers.add<Listener>();
+  Extension& all = movers;
+  const std::string events[] = {"atStart ",       "beforeTicks ", "ticks ",         "lessonEvents ", "afterPanels ",
+                                "beforeOpening ", "open ",        "lessonRefused ", "sceneChanged ", "lessonChanged ",
+                                "stepChanged ",   "viewReset ",   "atEnd "};
+  std::string wanted;
+  for (const std::string& event : events) wanted += event;
+  all.atStart();
+  all.beforeTicks();
+  all.ticks({{}, methods().front()});
+  all.lessonEvents({});
+  all.afterPanels();
+  all.beforeOpening(FileKind{});
+  CHECK_FALSE(all.open(FileKind{}, "nothing.txt"));
+  all.lessonRefused("nothing.md");
+  all.sceneChanged();
+  all.lessonChanged();
+  all.stepChanged();
+  all.viewReset(Camera{});
+  all.atEnd();
+  CHECK(listener.heard == wanted);
+  for (const bool answer : {false, true}) {
+    listener.answers = answer;
+    CHECK(all.live() == answer);
+    CHECK(all.leadsHand() == answer);
+    CHECK(all.hidesLesson() == answer);
+  }
+}
 
 TEST_CASE(
     "a mover of four frames that is added by one line: its way is recorded in frames, the task of touching an atom is "

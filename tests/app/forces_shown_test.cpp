@@ -136,7 +136,7 @@ TEST_CASE(
   CHECK(w.scene().touch().forces == "van-der-waals");
   w.pressInView(90);
   CHECK_FALSE(w.scene().forces().residues().empty());
-  for (const EnergyShare& one : w.scene().forces().residues()) CHECK(one.electrostatic_kcal_mol == 0.0);
+  for (const EnergyShare& one : w.scene().forces().residues()) CHECK(one.parts[EnergyPart::Electrostatic] == 0.0);
   w.d->release();
   w.d->frames(30);
   REQUIRE(w.d->click("forces_felt/All"));
@@ -159,13 +159,13 @@ TEST_CASE(
   for (const EnergyShare& one : forces.residues()) {
     CHECK(std::abs(one.total_kcal_mol()) <= before);
     before = std::abs(one.total_kcal_mol());
-    van_der_waals += one.van_der_waals_kcal_mol;
-    electrostatic += one.electrostatic_kcal_mol;
+    van_der_waals += one.parts[EnergyPart::VanDerWaals];
+    electrostatic += one.parts[EnergyPart::Electrostatic];
   }
   const MolecularEnergy& whole = *w.scene().log().latest().molecular_energy;
   // Residues below 0.05 kcal/mol are left out.
-  CHECK(van_der_waals == doctest::Approx(whole.van_der_waals_kcal_mol).epsilon(0.02).scale(10.0));
-  CHECK(electrostatic == doctest::Approx(whole.electrostatic_kcal_mol).epsilon(0.02).scale(10.0));
+  CHECK(van_der_waals == doctest::Approx(whole.parts[EnergyPart::VanDerWaals]).epsilon(0.02).scale(10.0));
+  CHECK(electrostatic == doctest::Approx(whole.parts[EnergyPart::Electrostatic]).epsilon(0.02).scale(10.0));
   REQUIRE(w.d->shows("residue_forces"));
   const std::string list = w.d->text("residue_forces");
   const Residue& first = w.scene().stage().molecule->residues[forces.residues().front().index];

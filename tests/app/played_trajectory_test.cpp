@@ -10,7 +10,9 @@
 #include <fstream>
 #include <sstream>
 
+#include "app/ui/extensions/device_link.h"
 #include "app/ui/extensions/extensions.h"
+#include "engine/haptics/methods.h"
 #include "tests/app/scripted_user_fixture.h"
 #include "tests/results/sample_attempt.h"
 
@@ -119,6 +121,63 @@ TEST_CASE(
   playback.seek(at_s + 1e-3);
   user->frames(4);
   CHECK(shift_A(*user) == doctest::Approx(kShift_A * (last->position - 1.0)).epsilon(1e-9));
+}
+
+TEST_CASE(
+    "a hand recorded on a trajectory replays to the last bit, from where the atoms were when the recording began; "
+    "played in the window, the atoms move as they did, late by at most two pieces of the motion") {
+  const ScratchFolder scratch;
+  writeModels(scratch.path / "shift.pdb", 12);
+  writeFile(scratch.path / "mine.md", lessonWith("trajectory: shift.pdb, not superposed\nframes: 3-9\nspeed: 4\n"));
+  const fs::path file = scratch.path / "hand.recording";
+  std::vector<double> shifts;
+  {
+    const auto user = startWith((scratch.path / "mine.md").string(), small(scratch.path));
+    REQUIRE(user->app().extensions().movers.get<PlayedTrajectory>().ready());
+    user->app().extensions().device.choose("simulated");
+    user->frames(60);
+    user->app().extensions().hand_recorder.record(file);
+    REQUIRE(user->app().extensions().hand_recorder.recording());
+    for (int k = 0; k < 240; ++k) {
+      user->frames(1);
+      shifts.push_back(shift_A(*user));
+    }
+    user->app().extensions().hand_recorder.stop();
+  }
+  const Expected<ServoRecording> recorded = readServoRecording(file);
+  REQUIRE(recorded);
+  CHECK(recorded->torn.empty());
+  CHECK(recorded->placed.size() == 12);
+  CHECK(recorded->motions.size() > 100);
+  int touching = 0;
+  for (const RecordedTick& tick : recorded->ticks) touching += tick.motion > 0 && glm::length(tick.force.N) > 0.0;
+  MESSAGE(recorded->ticks.size(), " ticks, ", touching, " with a force on atoms that move");
+  CHECK(touching > 100);
+  const RecordedScene scene = recordedScene(recorded->labels, SharedArray<Sphere>(recorded->placed));
+  CHECK(recorded->labels.at("balls") == fingerprint(*scene.spheres));
+  const auto tracker = findMethod("exact")->make(scene.spheres, recorded->ticks.front().settings.probe_A);
+  const ReplayResult result = replay(*recorded, tracker.get(), scene.spheres.get());
+  CHECK(result.ticks == recorded->ticks.size());
+  CHECK(result.motion_unknown == 0);
+  CHECK_FALSE(result.first_difference);
+
+  const auto user = startWith("benzene", small({}));
+  user->app().open(file);
+  user->app().finishLoading();
+  const HandRecorder& player = user->app().extensions().hand_recorder;
+  user->frames(2);
+  REQUIRE(player.playing());
+  int compared = 0;
+  while (player.playing() && compared < 200) {
+    user->frames(1);
+    const auto at = std::size_t(player.at_s() * 60.0);
+    if (at < 4 || at + 1 >= shifts.size()) continue;
+    double off = 99.0;
+    for (std::size_t k = at - 4; k <= at + 1; ++k) off = std::min(off, std::abs(shifts[k] - shift_A(*user)));
+    CHECK(off < 4.0 * 2.0 * PlayedTrajectory::kPiece_ticks * kTick_s * kShift_A);
+    ++compared;
+  }
+  CHECK(compared == 200);
 }
 
 TEST_CASE(

@@ -113,3 +113,23 @@ TEST_CASE(
   CHECK(opened.size() >= 8);
   CHECK(globs == opened);
 }
+
+TEST_CASE("README.md, molecules/README.md and the metainfo name the format of every ending of a molecule's file") {
+  const std::set<std::string> endings =
+      allOf(textOf(kSource / "engine/molecule/reader.cpp"), R"re(X\("\.([a-z0-9]+)", read)re");
+  REQUIRE(endings.size() >= 11);
+  // Each line of the metainfo is one language.
+  std::vector<std::string> lists{textOf(kSource / "README.md"), textOf(kSource / "molecules/README.md")};
+  for (const std::string& line :
+       allOf(textOf(kSource / "package/linux/org.moltact.Moltact.metainfo.xml.in"), R"re((<li[^\n]*mmCIF[^\n]*))re"))
+    lists.push_back(line);
+  CHECK(lists.size() == 4);
+  for (const std::string& list : lists) {
+    CAPTURE(list.substr(0, 80));
+    for (const std::string& ending : endings) {
+      CAPTURE(ending);
+      const std::string name = ending == "ent" ? "PDB" : upper(ending);  // another ending of the same files
+      CHECK(std::regex_search(upper(list), std::regex("(^|[^A-Z0-9])" + name + "($|[^A-Z0-9])")));
+    }
+  }
+}

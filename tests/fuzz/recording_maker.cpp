@@ -175,7 +175,7 @@ RecordingParts partsOf(const std::string& recording) {
 }
 
 std::string RecordingParts::file() const {
-  std::string out = "MOLTRAC6";
+  std::string out = "MOLTRAC7";
   number(out, std::uint32_t(labels.size())), number(out, std::uint32_t(build.size())),
       number(out, std::uint32_t(state.size()));
   out += labels + build + state;

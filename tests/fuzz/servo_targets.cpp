@@ -31,6 +31,29 @@ void replayed(const std::string& file) {
   for (int k = 0; k < 10; ++k) device.read(0.001);
 }
 
+// A motion of these bytes, and one of spheres with some bytes changed; reconstructed, it is finite.
+void motion(std::string_view bytes, Choices& choices) {
+  std::string written = moltact::bytesOf(RecordedMotion{.ticks = 3,
+                                                        .from = {{{0, 0, 0}, 1.0}, {{3, 0, 0}, 1.5}},
+                                                        .changes = {{Vec3(0.5, 0, 0), 0.0}, {Vec3(0, 0.2, 0), 0.1}}});
+  for (std::size_t n = choices.pick(6); n > 0; --n) written[choices.pick(written.size())] = char(choices.pick(256));
+  for (const std::string_view tried : {bytes, std::string_view(written)}) {
+    const auto read = motionOfBytes(tried);
+    if (!read) continue;
+    const std::vector<RecordedMotion> twice{*read, *read};
+    const SphereGrid scene(std::vector<Sphere>(read->changes.size(), Sphere{{0, 0, 0}, 1.0}));
+    MotionReplay replayed(twice, scene);
+    for (std::uint32_t number = 1; number <= 2; ++number)
+      for (const std::int32_t tick : {0, 1, read->ticks}) {
+        const auto phase = replayed.at(number, tick);
+        if (!phase) continue;
+        mustBe(phase->fraction >= 0.0 && phase->fraction <= 1.0, "a fraction");
+        for (const Sphere& s : phase->motion->at(phase->fraction))
+          mustBe(finite(s.centre_A) && std::isfinite(s.radius_A), "spheres that are numbers");
+      }
+  }
+}
+
 // Eight ticks that come from outside into the cluster.
 const RecordingParts& sample() {
   static const RecordingParts out = [] {
@@ -69,6 +92,7 @@ void recording(std::string_view bytes) {
   }
   replayed(fileOf(changed.file(), "a.recording"));
   replayed(fileOf(madeRecording(choices, 16, {}), "a.recording"));
+  motion(bytes, choices);
 }
 
 void recordingState(std::string_view bytes) {

@@ -107,7 +107,7 @@ TEST_CASE(
       CHECK(std::abs(k * (x - hand_A) + argonSlope(x)) < 1e-4 * k);
       CHECK(r.contact.displacement_A.x == doctest::Approx(-argonSlope(x) / k).epsilon(1e-3));
       REQUIRE(r.molecular_energy);
-      CHECK(r.molecular_energy->van_der_waals_kcal_mol == doctest::Approx(argonEnergy(x)).epsilon(1e-4));
+      CHECK(r.molecular_energy->parts[EnergyPart::VanDerWaals] == doctest::Approx(argonEnergy(x)).epsilon(1e-4));
       CHECK(r.molecular_energy->coupling_kcal_mol_A2 == k);
       CHECK(r.acts());
     }

@@ -144,9 +144,10 @@ TEST_CASE(
         for (int k = 0; k < 100; ++k) {
           const Vec3 at = -Vec3(6.0) + 0.5 * Vec3(k % 25, (k * 7) % 25, (k * 11) % 25);
           const PairEnergy right = sum.at(pose(at)), found = grid.at(pose(at));
-          CHECK(found.energy.van_der_waals_kcal_mol ==
-                doctest::Approx(right.energy.van_der_waals_kcal_mol).epsilon(1e-5));
-          CHECK(std::abs(found.energy.electrostatic_kcal_mol - right.energy.electrostatic_kcal_mol) < 2e-5);
+          CHECK(found.energy.parts[EnergyPart::VanDerWaals] ==
+                doctest::Approx(right.energy.parts[EnergyPart::VanDerWaals]).epsilon(1e-5));
+          CHECK(std::abs(found.energy.parts[EnergyPart::Electrostatic] -
+                         right.energy.parts[EnergyPart::Electrostatic]) < 2e-5);
           CHECK(found.energy.felt_kcal_mol == doctest::Approx(right.energy.felt_kcal_mol).epsilon(2e-5));
         }
       }

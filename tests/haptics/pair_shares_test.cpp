@@ -81,8 +81,8 @@ TEST_CASE(
         by_held[k].van_der_waals += e.van_der_waals, by_held[k].electrostatic += e.electrostatic;
       }
     const auto same = [](const EnergyShare& one, const Energies& e) {
-      CHECK(one.van_der_waals_kcal_mol == doctest::Approx(e.van_der_waals).epsilon(1e-4).scale(1.0));
-      CHECK(one.electrostatic_kcal_mol == doctest::Approx(e.electrostatic).epsilon(1e-4).scale(1.0));
+      CHECK(one.parts[EnergyPart::VanDerWaals] == doctest::Approx(e.van_der_waals).epsilon(1e-4).scale(1.0));
+      CHECK(one.parts[EnergyPart::Electrostatic] == doctest::Approx(e.electrostatic).epsilon(1e-4).scale(1.0));
     };
     REQUIRE(shares.held().size() == 9);
     for (std::size_t k = 0; k < 9; ++k) same(shares.held()[k], by_held[k]);

@@ -120,12 +120,12 @@ TEST_CASE("two argon atoms have their lowest energy, -0.238 kcal/mol, at 3.82 A,
   PairModel model = unbounded();
   PairSum sum = sumOf({argon({})}, {argon({})}, model);
   const PairEnergy well = sum.at(pose({3.82, 0, 0}));
-  CHECK(well.energy.van_der_waals_kcal_mol == doctest::Approx(-0.238).epsilon(1e-6));
+  CHECK(well.energy.parts[EnergyPart::VanDerWaals] == doctest::Approx(-0.238).epsilon(1e-6));
   CHECK(glm::length(well.force_kcal_mol_A) < 1e-6);
   // 72 e / rmin^2 is the curvature of the well.
   CHECK(well.stiffness_kcal_mol_A2 == doctest::Approx(72 * 0.238 / (3.82 * 3.82)).epsilon(0.25));
   CHECK(well.stiffness_kcal_mol_A2 >= 72 * 0.238 / (3.82 * 3.82) * (1 - 1e-5));
-  CHECK(std::abs(sum.at(pose({0, 3.82 / std::pow(2.0, 1.0 / 6), 0})).energy.van_der_waals_kcal_mol) < 1e-6);
+  CHECK(std::abs(sum.at(pose({0, 3.82 / std::pow(2.0, 1.0 / 6), 0})).energy.parts[EnergyPart::VanDerWaals]) < 1e-6);
   CHECK(sum.at(pose({0, 0, 10.0})).energy.felt_kcal_mol == 0.0);
   CHECK(sum.at(pose({0, 0, 3.0})).force_kcal_mol_A.z > 10.0);
   CHECK(sum.at(pose({0, 0, 5.0})).force_kcal_mol_A.z < 0.0);
@@ -134,7 +134,7 @@ TEST_CASE("two argon atoms have their lowest energy, -0.238 kcal/mol, at 3.82 A,
 TEST_CASE("charges of 1 and -1 at 5 A: -16.60, -3.32 and -5.05 kcal/mol in three dielectrics, as by their formulas") {
   const std::vector<PairAtom> plus{charge({}, 1.0f)}, minus{charge({}, -1.0f)};
   const auto energy = [&](const PairModel& m) {
-    return sumOf(plus, minus, m).at(pose({3, 4, 0})).energy.electrostatic_kcal_mol;
+    return sumOf(plus, minus, m).at(pose({3, 4, 0})).energy.parts[EnergyPart::Electrostatic];
   };
   CHECK(energy(unbounded()) == doctest::Approx(-332.0637 / (4 * 5)).epsilon(1e-6));
   CHECK(energy(unbounded(Dielectric::Distance)) == doctest::Approx(-332.0637 / (4 * 25)).epsilon(1e-6));
@@ -145,9 +145,9 @@ TEST_CASE("charges of 1 and -1 at 5 A: -16.60, -3.32 and -5.05 kcal/mol in three
 TEST_CASE(
     "a charge at 7 A on the axis of a dipole of 0.1 A and one charge has q p / (eps r^2), within the next order") {
   PairSum sum = sumOf({charge({0, 0, -0.05}, -1.0f), charge({0, 0, 0.05}, 1.0f)}, {charge({}, 1.0f)}, unbounded());
-  CHECK(sum.at(pose({0, 0, 7.0})).energy.electrostatic_kcal_mol ==
+  CHECK(sum.at(pose({0, 0, 7.0})).energy.parts[EnergyPart::Electrostatic] ==
         doctest::Approx(332.0637 * 0.1 / (4 * 49)).epsilon(1e-3));
-  CHECK(std::abs(sum.at(pose({7.0, 0, 0})).energy.electrostatic_kcal_mol) < 1e-5);
+  CHECK(std::abs(sum.at(pose({7.0, 0, 0})).energy.parts[EnergyPart::Electrostatic]) < 1e-5);
 }
 
 TEST_CASE(
@@ -196,7 +196,7 @@ TEST_CASE(
       if (alternating) {
         for (int m = 1; m < 40; m += 2) right += std::cyl_bessel_k(0.0, kPi * m * d / kApart_A);
         right *= 332.0637 / 4.0 * 4.0 / kApart_A;
-        CHECK(std::abs(found.energy.electrostatic_kcal_mol - right) < 1e-4 * right + 2e-4);
+        CHECK(std::abs(found.energy.parts[EnergyPart::Electrostatic] - right) < 1e-4 * right + 2e-4);
       } else {
         for (int m = 1; m < 40; ++m)
           right += 4.0 * kPi * m * d / kApart_A * std::cyl_bessel_k(1.0, 2.0 * kPi * m * d / kApart_A);
@@ -234,10 +234,10 @@ Differences worstDifferences(const Scene& scene, const PairModel& model, unsigne
     ++judged;
     const OracleEnergy right = oracle(scene, model, at);
     const PairEnergy found = sum.at(at);
-    worst.energy = std::max({worst.energy,
-                             double(std::abs(right.van_der_waals - found.energy.van_der_waals_kcal_mol) / right.size),
-                             double(std::abs(right.electrostatic - found.energy.electrostatic_kcal_mol) / right.size),
-                             double(std::abs(right.felt - found.energy.felt_kcal_mol) / right.size)});
+    worst.energy = std::max(
+        {worst.energy, double(std::abs(right.van_der_waals - found.energy.parts[EnergyPart::VanDerWaals]) / right.size),
+         double(std::abs(right.electrostatic - found.energy.parts[EnergyPart::Electrostatic]) / right.size),
+         double(std::abs(right.felt - found.energy.felt_kcal_mol) / right.size)});
     constexpr double kStep = 1e-5;
     Vec3 force, torque;
     for (int axis = 0; axis < 3; ++axis) {
@@ -396,7 +396,7 @@ TEST_CASE("the loop for this processor gives the bits of the plain one, in 3 die
       (plainPairKernel(kind).*loop)(blocks.data(), 300, constants, own, other);
       CHECK(std::memcmp(&one, &other, sizeof one) == 0);
     }
-    CHECK(std::isfinite(one.electrostatic));
+    CHECK(std::isfinite(one.energy[EnergyPart::Electrostatic]));
   }
 }
 
@@ -409,7 +409,7 @@ TEST_CASE("3000 atoms within 1 A, more than a list has room for, give what the o
   const PairModel model = unbounded();
   PairSum sum = sumOf(scene.atoms, scene.body, model);
   const PoseA at = pose({4, 0, 0});
-  CHECK(sum.at(at).energy.electrostatic_kcal_mol ==
+  CHECK(sum.at(at).energy.parts[EnergyPart::Electrostatic] ==
         doctest::Approx(double(oracle(scene, model, at).electrostatic)).epsilon(1e-5));
   CHECK(sum.listedPairs() == 0);
 }

@@ -368,7 +368,7 @@ TEST_CASE("a recording of the version before, which knew places alone, is read a
   CHECK_FALSE(writer->finish());
   // Ticks without an orientation and another device are the same in both.
   std::string bytes = bytesOf(file);
-  REQUIRE(bytes.starts_with("MOLTRAC6"));
+  REQUIRE(bytes.starts_with("MOLTRAC7"));
   bytes[7] = '3';
   std::uint32_t head = 20;
   for (std::size_t at = 8; at < 20; at += 4) {

@@ -54,8 +54,8 @@ TEST_CASE(
     const MolecularEnergy last = minimiser.energy().energy;
     const double off_A = rmsd_A(*body, m, minimiser.pose());
     MESSAGE(dielectric, ": ", off_A, " A in ", minimiser.steps(), " steps, felt ", first.felt_kcal_mol, " to ",
-            last.felt_kcal_mol, " kcal/mol, van der Waals ", last.van_der_waals_kcal_mol, ", electrostatic ",
-            last.electrostatic_kcal_mol);
+            last.felt_kcal_mol, " kcal/mol, van der Waals ", last.parts[EnergyPart::VanDerWaals], ", electrostatic ",
+            last.parts[EnergyPart::Electrostatic]);
     CHECK(last.felt_kcal_mol < first.felt_kcal_mol);
     CHECK(off_A < 1.0);
     std::mt19937 random(7);

@@ -91,12 +91,13 @@ TEST_CASE(
     REQUIRE(bool(read));
     const MolecularEnergy whole = ourEnergy(scene, body, Dielectric::Constant, 1.0, 1000.0, 999.0);
     const MolecularEnergy cut = ourEnergy(scene, body, Dielectric::Constant, 1.0, 10.0, 8.0);
-    const double ours[6] = {whole.electrostatic_kcal_mol,
-                            whole.van_der_waals_kcal_mol,
-                            cut.electrostatic_kcal_mol,
-                            ourEnergy(scene, body, Dielectric::Distance, 4.0, 10.0, 8.0).electrostatic_kcal_mol,
-                            ourEnergy(scene, body, Dielectric::MehlerSolmajer, 4.0, 10.0, 8.0).electrostatic_kcal_mol,
-                            cut.van_der_waals_kcal_mol};
+    const double ours[6] = {
+        whole.parts[EnergyPart::Electrostatic],
+        whole.parts[EnergyPart::VanDerWaals],
+        cut.parts[EnergyPart::Electrostatic],
+        ourEnergy(scene, body, Dielectric::Distance, 4.0, 10.0, 8.0).parts[EnergyPart::Electrostatic],
+        ourEnergy(scene, body, Dielectric::MehlerSolmajer, 4.0, 10.0, 8.0).parts[EnergyPart::Electrostatic],
+        cut.parts[EnergyPart::VanDerWaals]};
     double worst = 0.0;
     for (int k = 0; k < 6; ++k) {
       CAPTURE(k);

@@ -67,6 +67,13 @@ TEST_CASE("a protein that was turned by 2.1 rad and shifted by 33 A comes back, 
   CHECK(fit->rmsd_A < 1e-4);
   for (std::size_t i = 0; i < m.atoms.size(); ++i)
     CHECK(glm::distance((*fit)(other.spheres[i].centre_A), m.spheres[i].centre_A) < 1e-6);
+  std::vector<Vec3> places_A;
+  for (const Sphere& s : other.spheres) places_A.push_back(s.centre_A);
+  const auto of_places = superpose(m, places_A, pairs);
+  REQUIRE(of_places);
+  CHECK(of_places->rotation == fit->rotation);
+  CHECK(of_places->shift_A == fit->shift_A);
+  CHECK(of_places->fitted == 76);
 }
 
 TEST_CASE(

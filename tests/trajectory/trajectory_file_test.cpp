@@ -5,6 +5,7 @@
 #include <doctest/doctest.h>
 
 #include <bit>
+#include <cctype>
 #include <cmath>
 #include <cstdlib>
 #include <fstream>
@@ -20,6 +21,14 @@ using namespace moltact;
 namespace {
 
 const std::filesystem::path kHere = std::filesystem::path(MOLTACT_SOURCE_DIR) / "tests/trajectory";
+
+const std::filesystem::path kSource = MOLTACT_SOURCE_DIR;
+
+std::string upper(std::string_view text) {
+  std::string out(text);
+  for (char& c : out) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+  return out;
+}
 
 std::string bytesOf(const std::filesystem::path& file) {
   auto bytes = readFile(file, std::size_t{1} << 30, {});
@@ -247,6 +256,13 @@ TEST_CASE(
         "a.dcd: this is no DCD file, or it is damaged; copy or download it again");
   CHECK(sentence(openTrajectoryBytes("nothing of this kind", "a.what"))
             .starts_with("a.what: this is no trajectory that can be read; "));
+  for (const TrajectoryFormat& format : trajectoryFormats()) {
+    CAPTURE(format.ending);
+    CHECK(sentence(openTrajectoryBytes("nothing of this kind", "a.what")).find(format.name) != std::string::npos);
+    CHECK(hasTrajectoryName("A" + upper(format.ending)) == !format.describes_atoms);
+    CHECK(sentence(openTrajectoryBytes("nothing of this kind", "a" + std::string(format.ending)))
+              .starts_with("a" + std::string(format.ending) + ": "));
+  }
   CHECK(sentence(openTrajectory(kHere / "missing.xtc")).find("missing.xtc") != std::string::npos);
   std::string other = whole;
   // The second frame states another number of atoms.
@@ -281,4 +297,21 @@ TEST_CASE("an XTC file with any one byte changed is read or refused, and no posi
   }
   CHECK(read > 100);
   CHECK(refused > 20);
+}
+
+TEST_CASE(
+    "docs/trajectories.md lists every format by its name and ending, and the reference of lessons names each format") {
+  const std::string page = bytesOf(kSource / "docs/trajectories.md"),
+                    reference = bytesOf(kSource / "docs/lesson-reference.md");
+  const auto line = [](const std::string& text, std::string_view start) {
+    const std::size_t from = text.find(start);
+    return from == std::string::npos ? std::string() : text.substr(from, text.find('\n', from) - from);
+  };
+  const std::string key = line(reference, "| `trajectory` |");
+  for (const TrajectoryFormat& format : trajectoryFormats()) {
+    CAPTURE(format.ending);
+    CHECK(page.find("`" + std::string(format.ending) + "`") != std::string::npos);
+    CHECK(page.find(format.name) != std::string::npos);
+    CHECK(key.find(format.name) != std::string::npos);
+  }
 }

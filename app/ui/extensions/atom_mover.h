@@ -1,9 +1,9 @@
-// What moves the atoms of the open scene: one interface for the two structures of a scene (`then`), a trajectory, a
-// simulation. Attempts record where a mover's atoms are in its own parameter (AtomsMoved), and a playback has the mover
-// restore them from it. Window's thread.
+// What moves the atoms of the open scene: one interface for the two structures of a scene (`then`), an elastic network, a
+// trajectory, a simulation. Attempts record where a mover's atoms are in its own parameter (AtomsMoved), and a playback
+// has the mover restore them from it. Window's thread.
 //
 // A new mover is one file with a class that derives from AtomMover, and one line in the constructor of AtomMovers
-// (atom_movers.cpp). It receives the events of an Extension that AtomMovers forwards, and moves the atoms by
+// (atom_movers.cpp). It receives every event of an Extension, and moves the atoms by
 // HapticSession::moveAtoms or placeAtoms with `own_`, after own_.claim(). What the hand does to the atoms comes from
 // ServoLoop::takeImpulses.
 #pragma once

@@ -41,8 +41,8 @@ std::optional<AtomsMoved> AtomMovers::position() const {
   return out;
 }
 
-bool AtomMovers::open(FileKind kind, const std::filesystem::path& file) {
-  return std::any_of(all_.begin(), all_.end(), [&](const auto& mover) { return mover->open(kind, file); });
+void AtomMovers::atStart() {
+  for (const auto& mover : all_) mover->atStart();
 }
 
 void AtomMovers::beforeTicks() {
@@ -53,8 +53,24 @@ void AtomMovers::ticks(const FeltTicks& felt) {
   for (const auto& mover : all_) mover->ticks(felt);
 }
 
+void AtomMovers::lessonEvents(std::span<const SessionEvent> events) {
+  for (const auto& mover : all_) mover->lessonEvents(events);
+}
+
 void AtomMovers::afterPanels() {
   for (const auto& mover : all_) mover->afterPanels();
+}
+
+void AtomMovers::beforeOpening(FileKind kind) {
+  for (const auto& mover : all_) mover->beforeOpening(kind);
+}
+
+bool AtomMovers::open(FileKind kind, const std::filesystem::path& file) {
+  return std::any_of(all_.begin(), all_.end(), [&](const auto& mover) { return mover->open(kind, file); });
+}
+
+void AtomMovers::lessonRefused(const std::filesystem::path& file) {
+  for (const auto& mover : all_) mover->lessonRefused(file);
 }
 
 void AtomMovers::sceneChanged() {
@@ -69,12 +85,24 @@ void AtomMovers::stepChanged() {
   for (const auto& mover : all_) mover->stepChanged();
 }
 
+void AtomMovers::viewReset(const Camera& seen) {
+  for (const auto& mover : all_) mover->viewReset(seen);
+}
+
 void AtomMovers::atEnd() {
   for (const auto& mover : all_) mover->atEnd();
 }
 
 bool AtomMovers::live() const {
   return std::any_of(all_.begin(), all_.end(), [](const auto& mover) { return mover->live(); });
+}
+
+bool AtomMovers::leadsHand() const {
+  return std::any_of(all_.begin(), all_.end(), [](const auto& mover) { return mover->leadsHand(); });
+}
+
+bool AtomMovers::hidesLesson() const {
+  return std::any_of(all_.begin(), all_.end(), [](const auto& mover) { return mover->hidesLesson(); });
 }
 
 }  // namespace moltact

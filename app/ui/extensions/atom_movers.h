@@ -5,6 +5,7 @@
 #include <exception>
 #include <memory>
 #include <optional>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -41,15 +42,23 @@ class AtomMovers : public Extension {
   /// Its position, with its kind; empty if nothing moves the atoms of the open scene.
   std::optional<AtomsMoved> position() const;
 
-  bool open(FileKind kind, const std::filesystem::path& file) override;
+  // Every event of an Extension.
+  void atStart() override;
   void beforeTicks() override;
   void ticks(const FeltTicks& felt) override;
+  void lessonEvents(std::span<const SessionEvent> events) override;
   void afterPanels() override;
+  void beforeOpening(FileKind kind) override;
+  bool open(FileKind kind, const std::filesystem::path& file) override;
+  void lessonRefused(const std::filesystem::path& file) override;
   void sceneChanged() override;
   void lessonChanged() override;
   void stepChanged() override;
+  void viewReset(const Camera& seen) override;
   void atEnd() override;
   bool live() const override;
+  bool leadsHand() const override;
+  bool hidesLesson() const override;
 
  private:
   MoverParts parts_;

@@ -33,6 +33,14 @@ void HandRecorder::record(const fs::path& file) {
   writer_.emplace(*std::move(made));
   file_ = file;
   ticks_ = 0;
+  motion_.reset();
+  motion_number_ = 0;
+  // The interaction that is recorded was created for the spheres where they are now.
+  const TouchableModel& now = scene_.stage();
+  labels_ = moleculeLabels(lastingName(scene_.molecule(), MoleculeFolders::ofThisComputer()));
+  labels_.merge(sceneLabels(*now.spheres, now.body.get()));
+  const SharedArray<Sphere>& resting = scene_.atoms().resting().spheres->spheres();
+  placed_ = now.spheres->spheres().sharesWith(resting) ? SharedArray<Sphere>() : now.spheres->spheres();
   tracker_ = scene_.servo().handedOver();
   reported_ =
       messages_.ask(MessageKind::Notice, trf("The hand is recorded in {0}.", file.filename().string()), {"device"});
@@ -45,13 +53,20 @@ void HandRecorder::drain() {
   servo.loop().drainRecording(start, [&](const RecordedTick& tick) {
     if (problem) return;
     if (ticks_ == 0) {
-      auto labels = moleculeLabels(lastingName(scene_.molecule(), MoleculeFolders::ofThisComputer()));
-      labels.merge(sceneLabels(*scene_.stage().spheres, scene_.stage().body.get()));
-      labels.merge(touchLabels(scene_.touch()));
-      labels["device"] = servo.device().name;
-      problem = writer_->begin(labels, start);
+      labels_.merge(touchLabels(scene_.touch()));
+      labels_["device"] = servo.device().name;
+      problem = writer_->begin(labels_, start);
+      if (!problem && !placed_.empty()) problem = writer_->place(placed_);
     }
-    if (!problem) problem = writer_->add(tick);
+    RecordedTick numbered = tick;
+    if (tick.motion_serial && !(motion_ && motion_->serial() == tick.motion_serial)) {
+      const std::shared_ptr<const SphereMotion> next = servo.motionOf(tick.motion_serial);
+      if (!problem && next) problem = writer_->addMotion(recordedMotion(*next, motion_.get()));
+      motion_ = next;
+      ++motion_number_;
+    }
+    if (tick.motion_serial) numbered.motion = motion_ ? motion_number_ : kUnknownMotion;
+    if (!problem) problem = writer_->add(numbered);
     ++ticks_;
   });
   if (!problem && servo.loop().lostOfRecording())
@@ -124,9 +139,13 @@ void HandRecorder::begin() {
   panels_.pages.welcome = false;
   // The recorded touch settings and held body if the molecule is identical to the last bit; otherwise those of the open
   // scene.
-  if (const RecordedScene was = recordedScene(waiting_->labels, scene_.atoms().resting().molecule->spheres);
+  const SharedArray<Sphere>& at_rest = scene_.atoms().resting().molecule->spheres;
+  const bool placed = waiting_->placed.size() == at_rest.size();
+  if (const RecordedScene was =
+          recordedScene(waiting_->labels, placed ? SharedArray<Sphere>(waiting_->placed) : at_rest);
       label("balls") == fingerprint(*was.spheres))
     body_.hold(was.spheres->untouchable(), was.body ? was.body->atoms : std::vector<std::uint32_t>());
+  if (placed && moves_.claim()) scene_.placeAtoms(moves_, waiting_->placed);
   const auto labels = sceneLabels(*scene_.stage().spheres, scene_.stage().body.get());
   const bool same = label("held") == (labels.contains("held") ? labels.at("held") : "") &&
                     (label("balls").empty() || label("balls") == labels.at("balls"));
@@ -139,6 +158,9 @@ void HandRecorder::begin() {
   before_ = link_.chosen();
   auto device = std::make_unique<PlaybackDevice>(*std::exchange(waiting_, std::nullopt));
   device_ = device.get();
+  played_on_ = scene_.stage().spheres;
+  motions_.emplace(device_->recording().motions, *played_on_);
+  moved_ = 0;
   playing_ = true;
   attempts_.pause(true);
   link_.useTemporarily(std::move(device));
@@ -147,8 +169,17 @@ void HandRecorder::begin() {
 
 // Applies the settings that were recorded at this tick.
 void HandRecorder::lead() {
-  const ServoSettings& now = device_->recording().ticks[device_->at()].settings;
-  scene_.leadBy(&now);
+  const RecordedTick& now = device_->recording().ticks[device_->at()];
+  scene_.leadBy(&now.settings);
+  moveAtoms(now);
+}
+
+// Each recorded motion is handed over when the playback has reached it, so that the atoms are late by a frame or two.
+void HandRecorder::moveAtoms(const RecordedTick& now) {
+  if (now.motion == moved_ || now.motion == kUnknownMotion) return;
+  const std::optional<MotionPhase> phase = motions_->at(now.motion, now.motion_tick);
+  if (!phase || !phase->motion) return;
+  if (moves_.claim() && scene_.moveAtoms(moves_, phase->motion->at(1.0), phase->motion->ticks())) moved_ = now.motion;
 }
 
 void HandRecorder::endPlay() {
@@ -158,7 +189,10 @@ void HandRecorder::endPlay() {
   // If another device has been chosen meanwhile, this one no longer exists.
   const bool leads = scene_.servo().loop().device() == device_;
   device_ = nullptr;
+  motions_.reset();
   scene_.leadBy(nullptr);
+  if (moves_.owns()) scene_.placeAtoms(moves_, scene_.atoms().resting().spheres->spheres());
+  moves_.release();
   body_.release();
   if (!scene_.playing()) attempts_.pause(false);
   if (leads) link_.giveBack(before_);

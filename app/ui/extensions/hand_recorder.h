@@ -3,7 +3,10 @@
 // the attempt records nothing. Window's thread. Unit: second.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
+#include <map>
+#include <memory>
 #include <optional>
 #include <string>
 
@@ -33,7 +36,8 @@ class HandRecorder : public Extension {
         options_(options),
         attempts_(recorder),
         link_(device),
-        body_(scene) {}
+        body_(scene),
+        moves_(scene.atoms().owner, MotionRank::Playback) {}
 
   /// Asks for a file, then records until stop() or until the molecule or the method changes.
   void askToRecord();
@@ -73,17 +77,26 @@ class HandRecorder : public Extension {
   void drain();
   void begin();
   void lead();
+  void moveAtoms(const RecordedTick& now);
   std::string label(const char* key) const;
 
   std::filesystem::path file_;  // the file that is written or played
   // While recording:
   std::optional<ServoRecordingWriter> writer_;
   std::uint64_t ticks_ = 0;
+  std::map<std::string, std::string> labels_;   // of the scene when the recording began
+  SharedArray<Sphere> placed_;                  // its spheres, if they are not where the molecule's file has them
+  std::shared_ptr<const SphereMotion> motion_;  // the last recorded one
+  std::uint32_t motion_number_ = 0;
   std::uint32_t tracker_ = 0;  // the number of the scene's interaction when the recording began
   MessageId reported_ = 0;     // the message about the recording
   // While playing:
   std::optional<ServoRecording> waiting_;  // until its molecule is open
   PlaybackDevice* device_ = nullptr;       // owned by the servo loop while it is in use
+  MotionSource moves_;                     // the atoms, as recorded
+  std::shared_ptr<const SphereGrid> played_on_;
+  std::optional<MotionReplay> motions_;  // of the recording of device_
+  std::uint32_t moved_ = 0;              // the number of the last motion that was handed over
   bool playing_ = false;
   std::string before_;  // the device used before
 };

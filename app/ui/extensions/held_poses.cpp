@@ -1,11 +1,13 @@
 #include "app/ui/extensions/held_poses.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <limits>
 
 #include "app/ui/application/opener.h"
 #include "app/ui/lesson/lesson_guide.h"
+#include "engine/haptics/field/force_choices.h"
 #include "engine/language/catalogue.h"
 #include "engine/language/quantity_text.h"
 #include "engine/lesson/pose_text.h"
@@ -206,11 +208,16 @@ Expected<std::string> HeldPoses::pdb() const {
   for (const Sphere& s : body.spheres) places.push_back(chosen.pose.place.A + chosen.pose.orientation * s.centre_A);
   const auto number = [](double value, int digits) { return quantityNumber(value, Dimension::None, decimals(digits)); };
   const MolecularEnergy& e = chosen.energy;
+  std::string parts;
+  for (const EnergyPartInfo& part : energyParts()) {
+    parts += parts.empty() ? "" : ", ";
+    for (const char c : part.name) parts += c == '-' ? ' ' : char(std::toupper(c));
+    parts += " " + number(e.parts[part.part], 3);
+  }
   // The remarks are English in every language, as are those of other programs.
   const std::vector<std::string> remarks = {
       "ENERGY WITH " + scene_.stage().molecule->id + ": " + number(e.total_kcal_mol(), 3) + " KCAL/MOL",
-      "VAN DER WAALS " + number(e.van_der_waals_kcal_mol, 3) + ", ELECTROSTATIC " +
-          number(e.electrostatic_kcal_mol, 3) + " KCAL/MOL",
+      parts + " KCAL/MOL",
       "FORCES " + touch.forces + ", DIELECTRIC " + touch.dielectric + ", CUT-OFF 10 A, SWITCHED OFF FROM 8 A",
       "PARAMETERS: AMBER FF14SB, OL15, OL3; OF LIGANDS GAFF, WITH " +
           std::string(scene_.stage().molecule->charges_e.empty() ? "GASTEIGER CHARGES" : "THE CHARGES OF THE FILE"),

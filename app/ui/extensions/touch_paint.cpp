@@ -52,7 +52,7 @@ void TouchPaint::ticks(const FeltTicks& felt) {
     const ServoSample& s = tick.sample;
     if (!s.has_interaction) continue;
     touching = s.contact.touching();
-    if (dark_) extendPath(touching ? s.contact.scp : s.hip, s.contact_reset);
+    if (dark_) extendPath(s.forcePlace(), s.contact_reset);
     if (!paints_now || !touching) continue;
     for (const std::int32_t a : s.contact.atoms)
       if (a >= 0 && !touched_.contains(std::uint32_t(a))) since_.insert(std::uint32_t(a));

@@ -95,7 +95,7 @@ void drawDarkView(Application& app, const Rectangle& view) {
   }
   centred("view/state", l.font(Font::Body), app.extensions().reveal_policy.touchWord(), {middle.x, below + l.px(14)},
           width, log.felt() ? kBright : kQuiet);
-  const bool pushes = app.extensions().reveal_policy.hidesTouch() ? app.scene.controls.pressing() : log.touching();
+  const bool pushes = app.scene.controls.pressing();
   const std::string hint = app.panels.window.fingers
                                ? (pushes ? tr("Slide with the finger; + and − push") : tr("Put a finger here to push"))
                            : pushes ? tr("Slide with the mouse or the arrow keys; wheel, + and − push")

@@ -18,7 +18,7 @@ namespace moltact {
 void drawDepthGauge(Application& app, ViewRoom& room, float bottom_px) {
   const Rectangle& view = room.view;
   const ServoSample& now = app.scene.log().latest();
-  const double depth_A = glm::length(now.contact.displacement_A);
+  const double depth_A = now.contact.depth_A();
   // A body has several contacts and no single depth.
   if (!app.settings.depth_gauge || app.scene.stage().body || !app.scene.shown.has(ViewPart::Hip) ||
       !now.contact.touching() || !(depth_A > 0.0) || !std::isfinite(depth_A))

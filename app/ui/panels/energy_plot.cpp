@@ -22,9 +22,6 @@
 namespace moltact {
 namespace {
 
-// Forces between atoms are given in the unit of their literature, whatever unit the user chose for the energy of springs.
-std::string kcal(double value) { return trf("{0} kcal/mol", numberText(value, decimals(1))); }
-
 // Which of the forces act. None of them would end the layer and with it this control; that choice is among the details.
 void drawParts(Application& app) {
   std::vector<OfferedWord> words;
@@ -53,7 +50,8 @@ void drawFeltEnergy(const ForceWatch& forces) {
                 .at = forces.highest_kcal_mol()});
   if (!forces.highest_kcal_mol()) return;
   const double highest = *forces.highest_kcal_mol();
-  const std::string text = trf("Highest energy of an atom: {0}, felt as {1}", kcal(highest), kcal(felt(highest)));
+  const std::string text = trf("Highest energy of an atom: {0}, felt as {1}", energyBetweenAtoms(highest, decimals(1)),
+                               energyBetweenAtoms(felt(highest), decimals(1)));
   const WithFont small(Font::Small);
   ImGui::PushTextWrapPos(0.0f);
   ImGui::TextUnformatted(text.c_str());
@@ -66,13 +64,16 @@ void drawFeltEnergy(const ForceWatch& forces) {
 void drawEnergyPlot(Application& app) {
   const TouchLog& log = app.scene.log();
   const auto& energy = log.latest().molecular_energy;
-  const TouchLog::Energies* curves = log.energies();
+  const std::span<const PlotBuffer> curves = log.energies();
   // What attracts could be the answer to a task that asks what is touched.
-  if (!energy || !curves || app.extensions().reveal_policy.all() || app.extensions().task_stager.asksWhat()) return;
+  if (!energy || curves.empty() || app.extensions().reveal_policy.all() || app.extensions().task_stager.asksWhat())
+    return;
   const Palette& p = look().palette;
-  const std::array shown{
-      PlotCurve{&curves->van_der_waals, tr("Van der Waals"), kcal(energy->van_der_waals_kcal_mol), p.good},
-      PlotCurve{&curves->electrostatic, tr("Charges"), kcal(energy->electrostatic_kcal_mol), p.warn}};
+  const std::array colours{p.good, p.warn, p.bad};
+  std::vector<PlotCurve> shown;
+  for (std::size_t k = 0; k < kEnergyParts; ++k)
+    shown.push_back({&curves[k], std::string(tr(energyParts()[k].title)),
+                     energyBetweenAtoms(energy->parts.values[k], decimals(1)), colours[k % colours.size()]});
   ImGui::Spacing();
   signedPlot("plot/energy", shown, {.title = tr("Energy"), .min_top = 1.0f, .span_s = TouchLog::kPlot_s});
   drawParts(app);

@@ -41,9 +41,9 @@ void drawModes(ElasticMolecule& elastic) {
   if (segments("modes", numbers, mode)) elastic.chooseMode(mode);
   // A mode has unit length over all nodes.
   const double energy = 0.5 * model.modes->eigenvalues[mode] * model.spring_kcal_mol_A2 * double(model.modes->nodes);
-  line("mode/energy", trf("Moving the residues along it by 1 Å (root mean square) takes {0} kcal/mol. Heat gives a "
-                          "motion {1} kcal/mol.",
-                          numberText(energy, significant(2)), numberText(0.5 * kThermalEnergy_kcal_mol, decimals(1))));
+  line("mode/energy",
+       trf("Moving the residues along it by 1 Å (root mean square) takes {0}. Heat gives a motion {1}.",
+           energyBetweenAtoms(energy, significant(2)), energyBetweenAtoms(0.5 * kThermalEnergy_kcal_mol, decimals(1))));
   bool shown = elastic.modeShown(), alone = elastic.modeAlone();
   if (toggle("mode/shown", tr("Show this motion"), shown, tr("Moves the molecule to and fro along this motion.")))
     elastic.showMode(shown);
@@ -71,8 +71,7 @@ void drawMotionTab(Application& app) {
   if (!elastic.model()) return line("elastic/problem", elastic.problem());
   line("elastic/displacement",
        trf("Greatest displacement: {0}", quantityText(elastic.maxDisplacement_A(), Dimension::Length, decimals(1))));
-  line("elastic/energy",
-       trf("Energy of the springs: {0} kcal/mol", numberText(elastic.energy_kcal_mol(), decimals(2))));
+  line("elastic/energy", trf("Energy of the springs: {0}", energyBetweenAtoms(elastic.energy_kcal_mol(), decimals(2))));
   line("elastic/scale",
        trf("1 N in the hand is {0} pN between the atoms.", numberText(ElasticMolecule::kScale_pN_per_N, decimals(0))));
   const std::string spring = numberText(elastic.model()->spring_kcal_mol_A2, significant(2));

@@ -69,7 +69,7 @@ void poseRow(HeldPoses& poses, std::size_t index) {
   if (selected || ImGui::IsItemHovered())
     ImGui::GetWindowDrawList()->AddRectFilled(low, end, selected ? l.palette.accent_soft : l.palette.pressed, l.px(4));
   poseColumns({low.x + pad, low.y + l.px(3)}, width - 2 * pad, l.palette.text, energy, off, time);
-  recordItem(name, energy + " kcal/mol, " + off + " Å, " + time);
+  recordItem(name, energyBetweenAtoms(pose.energy.total_kcal_mol(), decimals(1)) + ", " + off + " Å, " + time);
 }
 
 void quietPoseLine(const char* name, const std::string& text) {
@@ -121,10 +121,11 @@ void drawPoseMinimum(HeldPoses& poses) {
   if (!found) return;
   {
     const WithFont small(Font::Small);
-    const std::string from = numberText(found->from.energy.total_kcal_mol(), decimals(1)), to = poseEnergy(found->to);
-    std::string text = !found->done ? trf("Step {0}: {1} kcal/mol", found->steps, to)
-                                    : trf("From {0} kcal/mol. Minimum: {1} kcal/mol, {2} Å away, after {3} steps.",
-                                          from, to, numberText(poses.movedByMinimum_A(), decimals(2)), found->steps);
+    const std::string from = energyBetweenAtoms(found->from.energy.total_kcal_mol(), decimals(1)),
+                      to = energyBetweenAtoms(found->to.energy.total_kcal_mol(), decimals(1));
+    std::string text = !found->done ? trf("Step {0}: {1}", found->steps, to)
+                                    : trf("From {0}. Minimum: {1}, {2} Å away, after {3} steps.", from, to,
+                                          numberText(poses.movedByMinimum_A(), decimals(2)), found->steps);
     if (found->done && !found->converged) text += std::string(" ") + tr("It would fall further with more steps.");
     quietPoseLine("poses/minimum", text);
   }

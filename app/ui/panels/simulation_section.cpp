@@ -30,10 +30,6 @@ void simulationLine(const char* name, const std::string& text, Font font = Font:
   recordItem(name, text);
 }
 
-std::string withUnit(double value, int digits, const char* unit_text) {
-  return numberText(value, decimals(digits)) + "\u00a0" + unit_text;
-}
-
 void drawClock(LiveMolecule& live) {
   const float gap = ImGui::GetStyle().ItemSpacing.x, half = 0.5f * (ImGui::GetContentRegionAvail().x - gap);
   const bool running = live.wanted().running;
@@ -99,7 +95,7 @@ void drawPlots(const LiveMolecule& live) {
   push.min_top = 100.0f;
   if (live.frame().has_temperature) plot("plot/temperature", live.plots().temperature_K, e.temperature_K, temperature);
   const std::array energy{PlotCurve{&live.plots().energy_kcal_mol, tr("Potential energy"),
-                                    withUnit(e.potential_kcal_mol, 1, "kcal/mol"), look().palette.good}};
+                                    energyBetweenAtoms(e.potential_kcal_mol, decimals(1)), look().palette.good}};
   if (live.frame().has_energy)
     signedPlot("plot/potential_energy", energy,
                {.title = tr("Energy"), .min_top = 10.0f, .span_s = LiveMolecule::kPlot_s});

@@ -88,10 +88,10 @@ void drawTouchTab(Application& app) {
   if (app.panels.touch_details) {
     drawTouchControls(app, false);
     const ServoSettings& servo = app.scene.servo_settings;
-    const double energy_J = servo.force_on ? springEnergy_J(app.scene.log().latest().contact.energy_A2,
-                                                            servo.stiffness_N_per_mm, servo.workspace.A_per_mm)
-                                           : 0.0;
     const ServoSample& now = app.scene.log().latest();
+    const double A_per_mm = servo.workspace.A_per_mm;
+    const double energy_J =
+        servo.force_on ? springEnergy_J(now.contact.energy_A2, now.spring_N_per_A * A_per_mm, A_per_mm) : 0.0;
     const double field_J =
         servo.force_on && now.field ? 1e-3 * now.field_share * inDevice(*now.field, servo.workspace).energy_N_mm : 0.0;
     const std::string energy =

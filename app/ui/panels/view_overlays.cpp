@@ -213,7 +213,7 @@ namespace {
 void hoveredAtom(const Application& app, ViewRoom& room) {
   const ImGuiIO& io = ImGui::GetIO();
   if (!mayNameAtoms(app) || app.panels.window.fingers || app.scene.controls.pressing() || ImGui::IsAnyMouseDown() ||
-      app.scene.log().touching() || !ImGui::IsMousePosValid() || !ImGui::IsWindowHovered() || ImGui::IsAnyItemActive())
+      app.scene.log().felt() || !ImGui::IsMousePosValid() || !ImGui::IsWindowHovered() || ImGui::IsAnyItemActive())
     return;
   const glm::dvec2 at(double(io.MousePos.x - room.whole.low.x), double(io.MousePos.y - room.whole.low.y));
   const glm::dvec2 size(room.whole.size());

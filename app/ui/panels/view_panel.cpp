@@ -161,6 +161,7 @@ ViewScene seenScene(const Application& app) {
   if (app.scene.stage() && now.has_interaction) {
     scene.hip = now.hip;
     scene.contact = now.contact;
+    scene.coupled = now.molecular_energy.has_value();
     if (now.contact.touching()) scene.named_atoms = app.extensions().state_text.namedAtoms();
     scene.force_N = app.scene.log().force_N();
     if (now.inField() && now.felt()) scene.field_direction = now.forceDirection();

@@ -1,6 +1,6 @@
-// Decides which source of motion moves the scene's atoms when several could: the two states of a scene, a trajectory, a
-// simulation, a playback. A source claims the atoms before it moves them; HapticSession moves them for the owner only.
-// Window's thread.
+// Decides which source of motion moves the scene's atoms when several could: the two states of a scene, an elastic
+// network, a trajectory, a simulation, a playback. A source claims the atoms before it moves them; HapticSession moves
+// them for the owner only. Window's thread.
 #pragma once
 
 #include <cstdint>

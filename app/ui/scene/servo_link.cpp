@@ -81,9 +81,9 @@ bool ServoLink::setMotion(std::shared_ptr<const SphereMotion> motion) {
   return true;
 }
 
-std::shared_ptr<const SphereMotion> ServoLink::motionOf(const ServoSample& sample) const {
+std::shared_ptr<const SphereMotion> ServoLink::motionOf(std::uint64_t serial) const {
   for (const auto& motion : motions_)
-    if (motion->serial() == sample.motion) return motion;
+    if (motion->serial() == serial) return motion;
   return nullptr;
 }
 

@@ -53,7 +53,9 @@ class ServoLink {
   /// previous one is waiting.
   bool setMotion(std::shared_ptr<const SphereMotion> motion);
   /// The motion of this scene's spheres during a tick of the last advance() or of newest(); null: they were at rest.
-  std::shared_ptr<const SphereMotion> motionOf(const ServoSample& sample) const;
+  std::shared_ptr<const SphereMotion> motionOf(const ServoSample& sample) const { return motionOf(sample.motion); }
+  /// The same by the motion's serial number.
+  std::shared_ptr<const SphereMotion> motionOf(std::uint64_t serial) const;
   /// Begins a new scene: advance() no longer returns ticks of the previous one.
   void begin(const ServoSettings& settings, std::unique_ptr<Interaction> felt);
   /// Repositions the same molecule by `settings`: advance() no longer returns ticks before this discontinuity.

@@ -23,11 +23,10 @@ void TouchLog::add(const ServoSample& sample) {
     force_.add(force_peak_);
     work_.add(work_peak_);
     if (const auto& energy = sample.molecular_energy) {
-      if (!energies_) energies_ = Energies{PlotBuffer(kPoints), PlotBuffer(kPoints)};
-      energies_->van_der_waals.add(saturateToFloat(energy->van_der_waals_kcal_mol));
-      energies_->electrostatic.add(saturateToFloat(energy->electrostatic_kcal_mol));
+      energies_.resize(kEnergyParts, PlotBuffer(kPoints));
+      for (std::size_t k = 0; k < kEnergyParts; ++k) energies_[k].add(saturateToFloat(energy->parts.values[k]));
     } else {
-      energies_.reset();
+      energies_.clear();
     }
     force_peak_ = work_peak_ = 0.0f;
     in_point_ = 0;
@@ -71,7 +70,7 @@ void TouchLog::clear() {
   latest_ = ServoSample();
   latest_force_N_ = shown_N_ = 0;
   force_ = PlotBuffer(kPoints);
-  energies_.reset();
+  energies_.clear();
   force_peak_ = 0;
   left_behind_s_ = 0;
 }

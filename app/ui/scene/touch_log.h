@@ -3,7 +3,7 @@
 #pragma once
 
 #include <cstddef>
-#include <optional>
+#include <span>
 #include <vector>
 
 #include "app/ui/widgets/plot_buffer.h"
@@ -34,12 +34,9 @@ class TouchLog {
   const LoopHealth& health() const { return health_; }
   const PlotBuffer& force() const { return force_; }  ///< the maximum of every kTicksAPoint ticks (unit: newton)
   const PlotBuffer& work() const { return work_; }    ///< likewise (unit: microsecond)
-  /// The molecular energy over the same time, one value per point (unit: kcal/mol); null where no forces between atoms
-  /// act.
-  struct Energies {
-    PlotBuffer van_der_waals, electrostatic;
-  };
-  const Energies* energies() const { return energies_ ? &*energies_ : nullptr; }
+  /// The parts of the molecular energy over the same time, in the order of EnergyPart, one value per point (unit:
+  /// kcal/mol); empty where no forces between atoms act.
+  std::span<const PlotBuffer> energies() const { return energies_; }
   double force_N() const { return latest_force_N_; }
   /// The force that the whole window displays: rounded to tenths of a newton and changed at a readable pace.
   double shownForce_N() const { return shown_N_; }
@@ -63,7 +60,7 @@ class TouchLog {
   double latest_force_N_ = 0, left_behind_s_ = 0;
   double shown_N_ = 0, shown_since_s_ = 0;
   PlotBuffer force_, work_;
-  std::optional<Energies> energies_;
+  std::vector<PlotBuffer> energies_;
   float force_peak_ = 0, work_peak_ = 0;
   std::size_t in_point_ = 0;
   LoopHealth health_;

@@ -19,8 +19,8 @@ struct BodyScene {
   std::shared_ptr<const HeldBody> body;
   std::vector<PoseA> path;     ///< one pose of the hand per tick; begins free of overlap
   std::size_t held_ticks = 0;  ///< final ticks in which the hand stands still
-  /// From the first tick the spheres move to these and back, in `motion_ticks` either way, until `motions` are done; empty:
-  /// they stand still.
+  /// The spheres move to these positions and back from the first tick on. Each direction takes `motion_ticks`, and
+  /// `motions` directions are made. Empty: the spheres do not move.
   std::vector<Sphere> swollen{};
   int motion_ticks = 0, motions = 0;
 };
@@ -28,8 +28,8 @@ struct BodyScene {
 /// All scenes, in the order of the tables.
 std::vector<BodyScene> bodyScenes(std::uint64_t seed);
 
-/// Draw 0 contains the original scenes. In each further draw scene and motion are rotated as a whole by a random rotation,
-/// and the hand is shifted by 0.02 A in a random direction.
+/// A draw is one random variation of the scenes; draw 0 is unchanged. In each further draw a random rotation rotates
+/// scene and motion as a whole, and the hand is shifted by 0.02 A in a random direction.
 std::vector<BodyScene> drawnBodyScenes(std::uint64_t seed, std::size_t draw);
 
 }  // namespace moltact::bench

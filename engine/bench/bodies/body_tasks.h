@@ -20,9 +20,9 @@ struct BodyTask {
   std::string name;
   std::shared_ptr<const SphereGrid> scene;
   std::shared_ptr<const HeldBody> body;
-  Vec3 home;  ///< of the body's middle; free of overlap, up to 0.3 A from contact
-  Vec3 into;  ///< unit vector: where the hand presses first
-  double depth_A = 0.0, twist_rad = 0.0;
+  Vec3 home;                              ///< of the body's middle; free of overlap, up to 0.3 A from contact
+  Vec3 into;                              ///< unit vector: where the hand presses first
+  double depth_A = 0.0, twist_rad = 0.0;  ///< how deep the hand presses, and how far it twists
 };
 
 /// All tasks, by ascending number of the body's atoms, and those of the chart.
@@ -33,8 +33,11 @@ inline constexpr std::array<std::string_view, 5> kBodyChartTasks{"1", "10", "35"
 using OpenMolecule = std::function<Expected<Molecule>(const std::string& id)>;
 
 /// Returns the task of one of these names, or the problem of its molecule:
-/// 1, 10, 35: the first atoms of amprenavir, or all, in 1HPV without the others; "35 in 122796": in 81 copies of it;
-/// 200: of ubiquitin, outside the same; 1069: one chain of 2HHB among the others; 5000: a made one beside four copies.
+/// * 1, 10: the first atoms of amprenavir, in the protein of 1HPV; the other atoms of amprenavir are left out;
+/// * 35: all its atoms, in the same protein; "35 in 122796": in 81 copies of that protein, side by side;
+/// * 200: the first 200 atoms of ubiquitin, at the surface of the protein of 1HPV;
+/// * 1069: one chain of 2HHB beside the others;
+/// * 5000: generated spheres, packed as in a protein, beside four copies of them.
 Expected<BodyTask> bodyTask(std::string_view name, const OpenMolecule& open);
 
 /// From home the hand presses along a direction that turns, and twists the body back and forth.

@@ -42,8 +42,8 @@ void DoubleSum::add(PairTerms& out, const PairAtom& own, const Vec3& place, cons
     el *= s;
   }
   // Nearer than kMinPair_A the energy continues with the slope at that distance.
-  out.van_der_waals += lj + lj1 * (far - t);
-  out.electrostatic += el + el1 * (far - t);
+  out.energy[EnergyPart::VanDerWaals] += lj + lj1 * (far - t);
+  out.energy[EnergyPart::Electrostatic] += el + el1 * (far - t);
   out.gradient += 2.0 * (lj1 + el1) * way;
 }
 

@@ -71,18 +71,18 @@ Expected<PreparedEnergy> preparedGrid(const EnergyTask& task, const EnergyMethod
     out.bytes += made->bytes();
     return std::make_shared<const GridMaps>(*std::move(made));
   };
-  const bool workspace = method.kind == EnergyKind::Workspace;
+  const bool nested = method.kind == EnergyKind::Nested;
   std::vector<std::size_t> all(task.held.size());
   std::iota(all.begin(), all.end(), std::size_t(0));
   const auto [low, high] = reachedBox(task, all, path);
   // A hundredth more for the rounding, and a tenth for crossing a face nearby.
   const Vec3 more(0.01 + method.size_A);
-  const auto coarse = maps(low - more, high + more, workspace ? kCoarse_A : method.size_A);
+  const auto coarse = maps(low - more, high + more, nested ? kCoarse_A : method.size_A);
   if (!coarse) return coarse.problem();
   if (!*coarse) return out;
   out.cells = (*coarse)->box;
   std::shared_ptr<const GridMaps> fine;
-  if (workspace) {
+  if (nested) {
     const auto [near_low, near_high] = reachedBox(task, heldNearScene(task), path);
     const auto made = maps(glm::max(near_low - kGridBlend_A, (*coarse)->box.low_A()),
                            glm::min(near_high + kGridBlend_A, (*coarse)->box.high_A()), method.size_A);
@@ -196,7 +196,7 @@ std::vector<PairEnergy> rightEnergies(const EnergyTask& task, const std::vector<
 double EnergyMethod::cutoff_A() const { return isGridKind(kind) ? PairModel{}.cutoff_A : size_A; }
 
 std::string EnergyMethod::name() const {
-  const char* kinds[] = {"double", "float", "trilinear", "tricubic", "workspace"};
+  const char* kinds[] = {"double", "float", "trilinear", "tricubic", "nested"};
   return std::string(kinds[std::size_t(kind)]) + ' ' + constant(size_A) + " A";
 }
 
@@ -205,7 +205,7 @@ std::vector<EnergyMethod> energyMethods() {
   for (const double cutoff_A : {6.0, 8.0, 10.0, 12.0, 14.0}) out.push_back({EnergyKind::Float, cutoff_A});
   for (const EnergyKind kind : {EnergyKind::Trilinear, EnergyKind::Tricubic})
     for (const double spacing_A : {0.2, 0.375, 0.5, 0.75}) out.push_back({kind, spacing_A});
-  out.push_back({EnergyKind::Workspace, 0.2});
+  out.push_back({EnergyKind::Nested, 0.2});
   return out;
 }
 

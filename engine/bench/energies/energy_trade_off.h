@@ -13,11 +13,11 @@
 
 namespace moltact::bench {
 
-enum class EnergyKind : std::uint8_t { Double, Float, Trilinear, Tricubic, Workspace };
+enum class EnergyKind : std::uint8_t { Double, Float, Trilinear, Tricubic, Nested };
 
 struct EnergyMethod {
   EnergyKind kind = EnergyKind::Float;
-  double size_A = 10.0;  ///< the cut-off of a direct sum, the spacing of a grid (of a workspace the fine one's)
+  double size_A = 10.0;  ///< the cut-off of a direct sum, the spacing of a grid (of nested ones the fine one's)
   double cutoff_A() const;
   std::string name() const;
 };
@@ -37,7 +37,7 @@ struct EnergyTradeOff {
   std::size_t judged = 0;
   Statistics energy, force, torque;          ///< amounts of the errors of the felt energy and its gradient
   Statistics own_force;                      ///< the same with the method's cut-off
-  Statistics jump;                           ///< of the force where an atom crosses a face of a cell
+  Statistics jump;                           ///< step of the force where an atom passes from one cell to the next
   double right_force = 0, right_torque = 0;  ///< rms
   std::size_t bytes = 0;
   double preparation_s = 0;

@@ -8,7 +8,7 @@ namespace moltact::bench {
 namespace {
 
 constexpr const char* kEnergyKindTitles[] = {"direct sum, double", "direct sum, float", "grid, trilinear",
-                                             "grid, tricubic", "active workspace"};
+                                             "grid, tricubic", "nested grids"};
 
 std::string energyBodyTitle(const std::string& body) {
   if (body == "ligand") return "Force on a ligand";
@@ -47,14 +47,14 @@ ReportTable energyTradeOffTable(const std::vector<EnergyTradeOff>& points, const
                  {"p999_us", "p99.9 (us)"},
                  {"force_rms", "force error, rms (kcal/mol/A)"},
                  {"force_p99", "p99"},
-                 {"right_force", "right force, rms"},
-                 {"own_force_rms", "without the cut-off's share, rms"},
+                 {"right_force", "force, rms (reference)"},
+                 {"own_force_rms", "force error against a sum with the same cut-off, rms"},
                  {"torque_rms", "torque error, rms (kcal/mol)"},
                  {"torque_p99", "p99"},
-                 {"right_torque", "right torque, rms"},
+                 {"right_torque", "torque, rms (reference)"},
                  {"energy_rms", "energy error, rms (kcal/mol)"},
                  {"energy_p99", "p99"},
-                 {"jump_rms", "jump of the force at a face, rms (kcal/mol/A)"},
+                 {"jump_rms", "step of the force between cells, rms (kcal/mol/A)"},
                  {"jump_max", "max"},
                  {"memory_MB", "memory (MB)"},
                  {"preparation_s", "preparation (s)"}},
@@ -67,16 +67,17 @@ ReportTable energyTradeOffTable(const std::vector<EnergyTradeOff>& points, const
   };
   t.note =
       "Atoms with polar hydrogens: ligand (amprenavir in 1HPV) " + atoms("ligand") +
-      "; 200 of 2HHB's chain A nearest to B " + atoms("200") + "; chain A against B " + atoms("chain") + ". " +
-      readable(double(options.ticks)) +
-      " ticks back and forth by 0.5 A along each axis, and by an equal arc about it, from the crystal's pose; a tick's "
-      "time is the minimum of " +
+      "; 200 of 2HHB's chain A nearest to B " + atoms("200") + "; chain A against B " + atoms("chain") +
+      ". The path has " + readable(double(options.ticks)) +
+      " ticks. From the crystal pose the body moves by up to 0.5 A to either side along each axis, and turns about "
+      "each "
+      "by up to 0.5 A at its radius of gyration. A tick's time is the minimum of " +
       std::to_string(options.runs) +
-      " runs. Errors are of the felt energy (walls bounded by asinh above 1 kcal/mol per atom), against the sum over "
-      "all pairs in double precision without a cut-off, at up to 400 ticks; without the cut-off's share: against the "
-      "same sum with the method's own cut-off. The number of a direct sum is its cut-off, "
-      "of a grid its spacing; grids have a cut-off of 10 A and walls folded at 4 kcal/mol; a workspace is tricubic, "
-      "0.2 A within 0.75 A. Maps of more than " +
+      " runs. Errors are of the felt energy (walls bounded by asinh above 1 kcal/mol per atom). The reference is the "
+      "sum "
+      "over all pairs in double precision without a cut-off, at up to 400 ticks. The number of a direct sum is its "
+      "cut-off, of a grid its spacing; grids have a cut-off of 10 A and walls folded at 4 kcal/mol; `nested` is "
+      "tricubic, 0.2 A within 0.75 A. Maps of more than " +
       readable(kMaxMeasuredMaps_bytes / 1e6) + " MB are not measured (empty cells).";
   for (const EnergyTradeOff& p : points) {
     std::vector<Cell> row(t.columns.size());
@@ -109,8 +110,8 @@ std::string energyTradeOffSentences(const std::vector<EnergyTradeOff>& points) {
     for (const EnergyKind kind : {EnergyKind::Trilinear, EnergyKind::Tricubic})
       if (const EnergyTradeOff* grid = energyPoint(points, body, kind, 0.375))
         out += "; `" + grid->method.name() + "` " + readable(grid->mean_us) + " us and " + share(*grid) +
-               ", with jumps of up to " + readable(grid->jump.max) + " kcal/mol/A at a face";
-    if (const EnergyTradeOff* grid = energyPoint(points, body, EnergyKind::Workspace, 0.2))
+               ", with steps of up to " + readable(grid->jump.max) + " kcal/mol/A between cells";
+    if (const EnergyTradeOff* grid = energyPoint(points, body, EnergyKind::Nested, 0.2))
       out += "; `" + grid->method.name() + "` " + readable(grid->mean_us) + " us and " + share(*grid);
     out += ".\n";
   }
@@ -122,14 +123,15 @@ std::string energyTradeOffChart(const std::vector<EnergyTradeOff>& points) {
   for (const std::string body : {"ligand", "200", "chain"})
     panels.push_back(energyPanel(points, body, energyBodyTitle(body), "error of the force, rms (kcal/mol/Å)",
                                  [](const EnergyTradeOff& p) { return p.force.rms; }));
-  panels.push_back(energyPanel(points, "ligand", "Without the cut-off's share",
+  panels.push_back(energyPanel(points, "ligand", "Against a sum with the same cut-off",
                                "error of a ligand's force, rms (kcal/mol/Å)",
                                [](const EnergyTradeOff& p) { return p.own_force.rms; }));
   panels.push_back(energyPanel(points, "ligand", "Torque on a ligand", "error of the torque, rms (kcal/mol)",
                                [](const EnergyTradeOff& p) { return p.torque.rms; }));
   panels.push_back(energyPanel(points, "ligand", "Energy of a ligand", "error of the energy, rms (kcal/mol)",
                                [](const EnergyTradeOff& p) { return p.energy.rms; }));
-  panels.push_back(energyPanel(points, "ligand", "Jumps on a ligand", "jump of the force at a face, rms (kcal/mol/Å)",
+  panels.push_back(energyPanel(points, "ligand", "Steps on a ligand",
+                               "step of the force between cells, rms (kcal/mol/Å)",
                                [](const EnergyTradeOff& p) { return p.jump.rms; }));
   std::erase_if(panels, [](const ChartPanel& p) { return p.series.empty(); });
   return chartSvg(

@@ -97,8 +97,8 @@ std::optional<GridMaps> computeGridMaps(const SphereGrid& scene, std::span<const
             if (size < sizes.size()) own.half_minimum_A = sizes[size];
             PairTerms terms;
             add(blocks.data(), int(blocks.size()), constants, own, terms);
-            if (size < sizes.size()) out.van_der_waals[size][node] = float(terms.van_der_waals);
-            if (size == 0) out.electrostatic[node] = float(terms.electrostatic);
+            if (size < sizes.size()) out.van_der_waals[size][node] = float(terms.energy[EnergyPart::VanDerWaals]);
+            if (size == 0) out.electrostatic[node] = float(terms.energy[EnergyPart::Electrostatic]);
           }
         }
   };

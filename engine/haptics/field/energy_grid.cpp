@@ -115,10 +115,13 @@ PairTerms EnergyGrid::terms(const GridMaps& maps, const GridCell& cell, const Gr
     if (!curved) return;
     for (std::size_t k = 0; k < 6; ++k) out.curvature[k] += factor * s.curvature[k];
   };
-  if (atom.map >= 0) add(maps.van_der_waals[std::size_t(atom.map)], double(atom.factor), maps.fold, out.van_der_waals);
+  if (atom.map >= 0)
+    add(maps.van_der_waals[std::size_t(atom.map)], double(atom.factor), maps.fold, out.energy[EnergyPart::VanDerWaals]);
   if (atom.charge_e == 0.0f) return out;
-  if (!maps.electrostatic.empty()) add(maps.electrostatic, double(atom.charge_e), 0.0, out.electrostatic);
-  if (!maps.desolvation.empty()) add(maps.desolvation, std::abs(double(atom.charge_e)), 0.0, out.van_der_waals);
+  if (!maps.electrostatic.empty())
+    add(maps.electrostatic, double(atom.charge_e), 0.0, out.energy[EnergyPart::Electrostatic]);
+  if (!maps.desolvation.empty())
+    add(maps.desolvation, std::abs(double(atom.charge_e)), 0.0, out.energy[EnergyPart::VanDerWaals]);
   return out;
 }
 
@@ -127,10 +130,10 @@ void EnergyGrid::blendFine(PairTerms& coarse, const Vec3& place, const GridAtom&
   if (!cell) return;
   const PairTerms fine = terms(*fine_, *cell, atom, curved);
   const Share share = shareAt(fine_->box, place);
-  const double more = fine.van_der_waals + fine.electrostatic - (coarse.van_der_waals + coarse.electrostatic);
+  const double more = fine.energy.total_kcal_mol() - coarse.energy.total_kcal_mol();
   const Vec3 steeper = fine.gradient - coarse.gradient;
-  coarse.van_der_waals += share.value * (fine.van_der_waals - coarse.van_der_waals);
-  coarse.electrostatic += share.value * (fine.electrostatic - coarse.electrostatic);
+  for (std::size_t k = 0; k < kEnergyParts; ++k)
+    coarse.energy.values[k] += share.value * (fine.energy.values[k] - coarse.energy.values[k]);
   coarse.gradient += share.value * steeper + more * share.first;
   if (!curved) return;
   for (std::size_t k = 0; k < 6; ++k)

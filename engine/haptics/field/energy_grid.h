@@ -1,8 +1,9 @@
-// The energy of a held body with a scene, interpolated from precomputed maps: the rival of the direct sum (pair_sum.h).
+// The energy of a held body with a scene, interpolated from precomputed maps: an alternative to the direct sum
+// (pair_sum.h).
 // One map for each size of the body's atoms holds their Lennard-Jones energy, one more the electrostatic potential. The time
 // of a call does not depend on the scene. The error depends on the spacing; `body_benchmark` measures it.
 //
-// An active haptic workspace: a fine grid round a site inside a coarse one. Over the outermost kGridBlend_A of the fine one
+// Grids can be nested: a fine one round a site inside a coarse one. Over the outermost kGridBlend_A of the fine one
 // the energy passes smoothly to the coarse one, so that energy and (tricubic) force stay continuous.
 //
 // Haptic thread; no allocation after construction. The maps are shared and immutable. Units: angstrom, kcal/mol,

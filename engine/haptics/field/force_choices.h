@@ -5,20 +5,40 @@
 #include <span>
 #include <string_view>
 
+#include "engine/haptics/field/energy_part.h"
 #include "engine/haptics/field/pair_model.h"
 
 namespace moltact {
 
-struct ForceChoice {
+/// A part of the energy between atoms.
+struct EnergyPartInfo {
+  EnergyPart part;
   std::string_view name;      ///< "electrostatic"
   std::string_view title;     ///< on the screen, untranslated (N_)
   std::string_view sentence;  ///< description, untranslated (N_)
-  bool van_der_waals = false, electrostatic = false;
-
-  bool any() const { return van_der_waals || electrostatic; }
+  bool of_charges;            ///< depends on the atoms' charges
+  bool in_all;                ///< acts where a scene selects "all"
+  /// Removes the part's parameters from an atom, which then has no such energy.
+  void (*remove)(PairAtom&) noexcept;
 };
 
-/// All choices; the first has no forces.
+/// Every part, in the order of EnergyPart.
+std::span<const EnergyPartInfo, kEnergyParts> energyParts();
+
+/// The parts that a scene selects: none, all (those with EnergyPartInfo::in_all), or one alone, which has the part's name.
+struct ForceChoice {
+  std::string_view name, title, sentence;  ///< as in EnergyPartInfo
+  PerEnergyPart<bool> acts;
+
+  bool feelsCharges() const;
+  bool any() const {
+    for (const bool one : acts.values)
+      if (one) return true;
+    return false;
+  }
+};
+
+/// All choices: none, all, then each part alone.
 std::span<const ForceChoice> forceChoices();
 /// The choice of that name; the first for an unknown name.
 const ForceChoice& forceChoice(std::string_view name);

@@ -16,9 +16,8 @@ class HeldAtomSum {
   /// Adds an atom at `arm` from the body's middle. Its curvature may come from a nearby pose. Returns the
   /// derivative of the felt energy by the atom's: 1 below zero without a gain.
   double add(const PairTerms& terms, const std::array<double, 6>& c, const Vec3& arm) noexcept {
-    sum_.energy.van_der_waals_kcal_mol += terms.van_der_waals;
-    sum_.energy.electrostatic_kcal_mol += terms.electrostatic;
-    const auto [felt, first, second] = felt_.at(terms.van_der_waals + terms.electrostatic);
+    sum_.energy.parts += terms.energy;
+    const auto [felt, first, second] = felt_.at(terms.energy.total_kcal_mol());
     sum_.energy.felt_kcal_mol += felt;
     const Vec3 gradient = first * terms.gradient;
     sum_.force_kcal_mol_A -= gradient;

@@ -87,7 +87,8 @@ MOLTACT_INLINE double total(V8 v) {
 
 // The pairs of one block.
 struct PairLanes {
-  V8 dx, dy, dz, van_der_waals, electrostatic;
+  V8 dx, dy, dz;
+  V8 energy[kEnergyParts];
   V8 slope, curvature;  // twice the energy's derivative by t, and four times its second derivative
 };
 
@@ -101,27 +102,32 @@ MOLTACT_INLINE PairLanes pairs(const PairBlock& block, const PairConstants& c, c
   const V8 s = u * u * (3.0f - u * 2.0f), s1 = u * (1.0f - u) * (-6.0f * c.inverse_width);
   const M8 between = (t > c.from2) & (t < c.cut2);
   const V8 s2 = between ? (6.0f - u * 12.0f) * (c.inverse_width * c.inverse_width) : all(0.0f);
-  const Curve lj = switched(
+  // One curve for each EnergyPart, in its order.
+  const Curve parts[] = {
       lennardJones(inverse_t, own.half_minimum_A + load(block.half_minimum_A), own.root_depth * load(block.root_depth)),
-      s, s1, s2);
-  const Curve el = switched(coulomb<kind>(t, inverse_t, (c.coulomb * own.charge_e) * load(block.charge_e)), s, s1, s2);
+      coulomb<kind>(t, inverse_t, (c.coulomb * own.charge_e) * load(block.charge_e))};
+  static_assert(sizeof parts == kEnergyParts * sizeof(Curve), "one curve for each EnergyPart");
   // Nearer than kMinPair_A the energy continues with the slope at that distance.
   const V8 inside = far - t;
-  out.van_der_waals = lj.value + lj.first * inside;
-  out.electrostatic = el.value + el.first * inside;
-  out.slope = (lj.first + el.first) * 2.0f;
-  out.curvature = inside < 0.0f ? all(0.0f) : (lj.second + el.second) * 4.0f;
+  V8 first{}, second{};
+  for (std::size_t k = 0; k < kEnergyParts; ++k) {
+    const Curve part = switched(parts[k], s, s1, s2);
+    out.energy[k] = part.value + part.first * inside;
+    first += part.first;
+    second += part.second;
+  }
+  out.slope = first * 2.0f;
+  out.curvature = inside < 0.0f ? all(0.0f) : second * 4.0f;
   return out;
 }
 
 template <Dielectric kind, bool curved>
 MOLTACT_INLINE void add(const PairBlock* blocks, int count, const PairConstants& c, const PairOwn& own,
                         PairTerms& terms) noexcept {
-  V8 vdw{}, electric{}, gx{}, gy{}, gz{}, xx{}, yy{}, zz{}, xy{}, xz{}, yz{};
+  V8 energy[kEnergyParts]{}, gx{}, gy{}, gz{}, xx{}, yy{}, zz{}, xy{}, xz{}, yz{};
   for (int b = 0; b < count; ++b) {
     const PairLanes p = pairs<kind>(blocks[b], c, own);
-    vdw += p.van_der_waals;
-    electric += p.electrostatic;
+    for (std::size_t k = 0; k < kEnergyParts; ++k) energy[k] += p.energy[k];
     gx += p.slope * p.dx;
     gy += p.slope * p.dy;
     gz += p.slope * p.dz;
@@ -134,8 +140,7 @@ MOLTACT_INLINE void add(const PairBlock* blocks, int count, const PairConstants&
     xz += ax * p.dz;
     yz += ay * p.dz;
   }
-  terms.van_der_waals += total(vdw);
-  terms.electrostatic += total(electric);
+  for (std::size_t k = 0; k < kEnergyParts; ++k) terms.energy.values[k] += total(energy[k]);
   terms.gradient += Vec3(total(gx), total(gy), total(gz));
   const V8* const curvature[] = {&xx, &yy, &zz, &xy, &xz, &yz};
   for (int k = 0; k < 6; ++k) terms.curvature[std::size_t(k)] += total(*curvature[k]);

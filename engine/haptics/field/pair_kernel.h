@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 
+#include "engine/haptics/field/energy_part.h"
 #include "engine/haptics/field/pair_model.h"
 
 namespace moltact {
@@ -36,9 +37,9 @@ struct PairOwn {
 
 /// Sums over pairs.
 struct PairTerms {
-  double van_der_waals = 0, electrostatic = 0;  // kcal/mol
-  Vec3 gradient{0.0};                           // kcal/mol/A, with respect to the own atom's position
-  std::array<double, 6> curvature{};            // kcal/mol/A^2: xx, yy, zz, xy, xz, yz
+  EnergyByPart energy;
+  Vec3 gradient{0.0};                 // kcal/mol/A, with respect to the own atom's position
+  std::array<double, 6> curvature{};  // kcal/mol/A^2: xx, yy, zz, xy, xz, yz
 };
 
 /// A PairModel's numbers, as the loop needs them.

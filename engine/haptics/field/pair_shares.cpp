@@ -69,10 +69,8 @@ void PairShares::at(const PoseA& pose) {
                     terms);
       near = true;
       pairs_ += std::size_t(group.atoms);
-      share.van_der_waals_kcal_mol += terms.van_der_waals;
-      share.electrostatic_kcal_mol += terms.electrostatic;
-      held_[k].van_der_waals_kcal_mol += terms.van_der_waals;
-      held_[k].electrostatic_kcal_mol += terms.electrostatic;
+      share.parts += terms.energy;
+      held_[k].parts += terms.energy;
       force_ -= terms.gradient;
     }
     if (near) near_.push_back(share);
@@ -88,7 +86,8 @@ std::vector<NearPair> PairShares::pairsAbove(double least_kcal_mol) const {
       block.set(0, sphere.centre_A - places_[k], field_->atoms[index]);
       PairTerms terms;
       kernel_.slope(&block, 1, constants_, ownOf(field_->held[k], Vec3(0.0)), terms);
-      if (terms.van_der_waals >= least_kcal_mol) out.push_back({std::uint32_t(k), index, terms.van_der_waals});
+      const double energy = terms.energy[EnergyPart::VanDerWaals];
+      if (energy >= least_kcal_mol) out.push_back({std::uint32_t(k), index, energy});
     });
   return out;
 }

@@ -16,9 +16,9 @@ namespace moltact {
 /// The energy of all pairs of one held atom, or of one group, without the bound of the walls.
 struct EnergyShare {
   std::uint32_t index = 0;  ///< of the held atom (PairField::held), or of the group
-  double van_der_waals_kcal_mol = 0.0, electrostatic_kcal_mol = 0.0;
+  EnergyByPart parts;
 
-  double total_kcal_mol() const { return van_der_waals_kcal_mol + electrostatic_kcal_mol; }
+  double total_kcal_mol() const { return parts.total_kcal_mol(); }
   friend bool operator==(const EnergyShare&, const EnergyShare&) = default;
 };
 

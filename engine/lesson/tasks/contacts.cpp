@@ -142,7 +142,7 @@ TaskKind contactsKind() {
                     .max = 100.0},
                    {.name = "for",
                     .type = ValueType::Quantity,
-                    .meaning = "How long; slips under 0.3 s are forgiven.",
+                    .meaning = "How long; interruptions shorter than 0.3 s are ignored.",
                     .fallback = "1 s",
                     .dimension = Dimension::Time,
                     .min = 0.1,

@@ -289,8 +289,8 @@ TaskKind dockKind() {
       .time = {.base_s = 150.0},
       .keys = {{.name = "dock",
                 .type = ValueType::Text,
-                .meaning = "The pose: `file`, that of the molecule's file; or X, Y, Z, QW, QX, QY, QZ, the place "
-                           "of the body's middle in angstroms and a quaternion relative to the file; or `anywhere`, "
+                .meaning = "The pose: `file`, that of the molecule's file; or X, Y, Z, QW, QX, QY, QZ, the position "
+                           "of the body's centre in angstroms and a quaternion relative to the file; or `anywhere`, "
                            "with `energy`: any pose with an energy that low.",
                 .required = true},
                {.name = "energy",
@@ -301,35 +301,38 @@ TaskKind dockKind() {
                 .max = -0.1},
                {.name = "within",
                 .type = ValueType::Quantity,
-                .meaning = "How far the body's atoms may be off their places in the pose (root mean square).",
+                .meaning = "The largest permitted distance of the body's atoms from their positions in the pose (root "
+                           "mean square).",
                 .fallback = "1 Å",
                 .dimension = Dimension::Length,
                 .min = 0.1,
                 .max = 20.0},
                {.name = "turned",
                 .type = ValueType::Quantity,
-                .meaning = "How far the body may be turned off the pose, in degrees.",
+                .meaning = "The largest permitted rotation from the pose, in degrees.",
                 .fallback = "20",
                 .min = 1.0,
                 .max = 180.0},
                {.name = "for",
                 .type = ValueType::Quantity,
-                .meaning = "How long it must stay there; slips under 0.3 s are forgiven.",
+                .meaning = "How long it must stay there; interruptions shorter than 0.3 s are ignored.",
                 .fallback = "1 s",
                 .dimension = Dimension::Time,
                 .min = 0.1,
                 .max = 600.0},
                {.name = "away",
                 .type = ValueType::Quantity,
-                .meaning = "So far off the pose the body must have been since the hand was last put down.",
+                .meaning = "The minimum distance that the body must have had from the pose since the hand last entered "
+                           "the scene or jumped.",
                 .fallback = "5 Å",
                 .dimension = Dimension::Length,
                 .min = 0.5,
                 .max = 1000.0},
                {.name = "turn",
                 .type = ValueType::Word,
-                .meaning = "Whether a mouse's hand begins turned at random, by 60° or more off the pose, another "
-                           "way for each student; a stylus begins as it is held.",
+                .meaning = "With a mouse, `random` starts the body rotated at random by at least 60° from the pose, "
+                           "differently for each student; `none` does not rotate it. With a stylus, the body starts "
+                           "in the orientation of the stylus.",
                 .fallback = "random",
                 .words = {"random", "none"}}},
       .make = [](const TaskSpec& s, const Molecule&) -> std::unique_ptr<Task> { return std::make_unique<Dock>(s); },

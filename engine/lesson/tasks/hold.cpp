@@ -131,7 +131,7 @@ TaskKind holdKind() {
             .meaning = "For a kind of place: only contacts with these atoms alone count."},
            {.name = "for",
             .type = ValueType::Quantity,
-            .meaning = "The time to stay; slips shorter than 0.3 s are ignored.",
+            .meaning = "The time to stay; interruptions shorter than 0.3 s are ignored.",
             .fallback = "2 s",
             .dimension = Dimension::Time,
             .min = 0.1,

@@ -52,10 +52,8 @@ class Measure : public Task {
     held_s_ += dt_s;
     // With a mouse the student has to let go before clicking, so the place touched last counts.
     if (held_s_ < kTouch_s) return;
-    const double depth_A = glm::length(s.contact.displacement_A);
-    const Vec3 outward = depth_A > 1e-9 ? s.contact.displacement_A / depth_A : Vec3(0.0);
-    touch_ = Touch{s.contact.scp.A - outward * s.probe_A, from_.touchedBy(s.contact), to_.touchedBy(s.contact),
-                   wrong_.about(s.contact)};
+    touch_ = Touch{s.contact.scp.A - s.contact.outward() * s.probe_A, from_.touchedBy(s.contact),
+                   to_.touchedBy(s.contact), wrong_.about(s.contact)};
     said_.clear();
   }
 

@@ -1,4 +1,4 @@
-// pass: lead the probe, or the middle of what the hand holds, through an opening in a ring of atoms, from one side to
+// pass: lead the probe, or the centre of what the hand holds, through an opening in a ring of atoms, from one side to
 // the other. A hand that is put down on the far side, or goes round the ring, has not passed.
 #include <algorithm>
 #include <cmath>
@@ -185,7 +185,7 @@ TaskKind passKind() {
             return std::make_unique<Pass>(s, m);
           },
           .check_molecule = &checkPassRing,
-          .of_body = "its middle goes through."};
+          .of_body = "its centre goes through."};
 }
 
 }  // namespace moltact

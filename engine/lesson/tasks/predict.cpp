@@ -92,7 +92,7 @@ class Predict : public Task {
     touching_ = s.contact.touching();
     on_place_ = touching_ && (slides_ || from_.touchedBy(s.contact));
     if (curves_.drawing || !on_place_) return;
-    const double x = slides_ ? glm::dot(s.contact.scp.A - start_A_, along_) : glm::length(s.contact.displacement_A);
+    const double x = slides_ ? glm::dot(s.contact.scp.A - start_A_, along_) : s.contact.depth_A();
     const double at = x / curves_.x_max_A * double(kPoints - 1);
     if (!(at > -0.5) || !(at < double(kPoints) - 0.5)) return;
     const auto k = static_cast<std::size_t>(std::lround(std::max(0.0, at)));

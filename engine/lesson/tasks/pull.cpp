@@ -1,4 +1,4 @@
-// pull: pull what the hand holds out of its place, without a jump, until its middle is a given distance away. The greatest
+// pull: pull what the hand holds out of its place, without a jump, until its centre is a given distance away. The greatest
 // force at each distance is kept as a curve. Who puts it down outside has not pulled it out.
 #include <algorithm>
 #include <array>
@@ -216,7 +216,7 @@ TaskKind pullKind() {
       .time = {.base_s = 60.0},
       .keys = {{.name = "pull",
                 .type = ValueType::Quantity,
-                .meaning = "So far from its place the body's middle must get.",
+                .meaning = "The distance that the centre of the body must reach from its place.",
                 .required = true,
                 .dimension = Dimension::Length,
                 .min = 1.0,
@@ -237,7 +237,7 @@ TaskKind pullKind() {
       .make = [](const TaskSpec& s, const Molecule&) -> std::unique_ptr<Task> { return std::make_unique<Pull>(s); },
       .check = &checkPull,
       .check_scene = &checkPullScene,
-      .of_body = "its middle leaves its place, however it is turned.",
+      .of_body = "its centre leaves its place, however it is turned.",
       .check_body = &checkPullBody};
 }
 

@@ -315,7 +315,7 @@ TEST_CASE(
       s.contact.scp.A = way * 11.2;
       s.contact.feature = Feature::Sphere;
       s.contact.atoms = {int(nextRandom(random) % 60), -1, -1};
-      s.energy = MolecularEnergy{.electrostatic_kcal_mol = -5.0};
+      s.energy.emplace().parts[EnergyPart::Electrostatic] = -5.0;
       for (int n = 0; n < 300; ++n) {
         s.time_s = time_s += 0.001;
         t->feed(s);

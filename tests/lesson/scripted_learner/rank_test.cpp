@@ -80,7 +80,8 @@ struct Alone {
     TouchSample s;
     s.hip.A = hand;
     s.body = PoseA{{hand + body_off}, kNoRotation};
-    s.energy = MolecularEnergy{.electrostatic_kcal_mol = energy_kcal_mol};
+    s.energy.emplace();
+    s.energy->parts[EnergyPart::Electrostatic] = energy_kcal_mol;
     s.hovering = hovering;
     s.placed = placed;
     for (int n = int(seconds * 1000.0); n > 0; --n) {
