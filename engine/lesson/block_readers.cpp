@@ -130,6 +130,26 @@ void takeSimulation(Reading& reading, const KeyValues& values, bool takes, Scene
                   tr("write 'forces: none' or 'simulation: none'"));
 }
 
+// A scan takes seconds and shows the atoms at rest.
+void takeScan(Reading& reading, const KeyValues& values, bool takes, SceneSpec& scene) {
+  if (takes) {
+    scene.scan_A = values["scan"].number;
+    if (values["scan"].place.line) scene.places.scan = values["scan"].place;
+  }
+  if (!(scene.scan_A > 0.0)) return;
+  const std::pair<const char*, bool> movers[] = {{"then", !scene.then.molecule.empty()},
+                                                 {"elastic", scene.elastic},
+                                                 {"simulation", !scene.simulation.empty()},
+                                                 {"trajectory", !scene.trajectory.file.empty()}};
+  for (const auto& [key, on] : movers)
+    if (on)
+      reading.error(scene.places.scan, trf("a tip scans atoms at rest, and '{0}' moves them", key),
+                    trf("write 'scan: 0 Å', or leave out '{0}'", key));
+  if (scene.in_hand.given())
+    reading.error(scene.places.scan, tr("a scanned surface is touched with a point, and the hand holds a body"),
+                  tr("write 'scan: 0 Å', or leave out 'in-hand'"));
+}
+
 // "1-100", "50-", "7".
 bool parseFrames(std::string_view text, TrajectorySpec& out) {
   const auto number = [](std::string_view word, std::uint32_t& value) {
@@ -343,6 +363,7 @@ SceneSpec readScene(Reading& reading, const MarkdownBlock& block, const SceneSpe
   if (takes("elastic")) scene.elastic = values["elastic"].words[0] == "on";
   takeSimulation(reading, values, takes("simulation"), scene);
   takeTrajectory(reading, values, takes, scene);
+  takeScan(reading, values, takes("scan"), scene);
   if (scene.elastic && !scene.then.molecule.empty())
     reading.error(values["elastic"].place.line ? values["elastic"].place : scene.places.then,
                   tr("the slider of 'then' or the hand moves the atoms, not both"),

@@ -282,6 +282,14 @@ std::vector<KeySpec> sceneKeys() {
                   "15 Å. The panel 'motion' shows its modes.",
        .fallback = "off",
        .words = {"on", "off"}},
+      {.name = "scan",
+       .type = ValueType::Quantity,
+       .meaning = "The radius of a tip that scans the molecule line by line from the viewer's side, like that of an "
+                  "atomic force microscope; the height picture grows in the view. The scanned surface can then be "
+                  "touched instead of the atoms, but does no task. '0 Å' ends it.",
+       .fallback = "0 Å",
+       .dimension = Dimension::Length,
+       .max = 20.0},
       {.name = "simulation",
        .type = ValueType::Text,
        .meaning = "A file beside the lesson or the molecule, 'peptide.xml', with a serialised OpenMM system of the "

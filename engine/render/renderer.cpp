@@ -11,6 +11,7 @@
 #include "engine/render/haptic_shapes.h"
 #include "engine/render/molecule_layer.h"
 #include "engine/render/pixel_box.h"
+#include "engine/render/relief.h"
 #include "engine/render/resolve.h"
 #include "engine/render/solid_mesh.h"
 
@@ -21,6 +22,7 @@ namespace {
 constexpr double kRoom_A = 30.0;
 // A cartoon's ribbons and names of atoms may extend this far beyond the spheres.
 constexpr double kBeyondSpheres_A = 4.0;
+constexpr float kReliefOpacity = 0.6f;
 
 DepthRange depthRange(const Camera& camera, const MoleculeModel* model) {
   const PointA middle{model ? model->middle_A : camera.target.A};
@@ -119,6 +121,8 @@ struct Renderer::Impl {
   NewestWork<MoleculeLight> light;  // computed in the background while atoms move
   bool light_is_old = false;        // the atoms have moved since it was started
   Glyphs glyphs;
+  std::shared_ptr<const MeshPiece> relief;  // of the last picture, and on the graphics card
+  std::unique_ptr<GpuMesh> relief_mesh;
   std::vector<LooseSphere> dots, near;  // of the haptic shapes; the atoms near the probe
   ViewScene last;
   RenderOptions last_options;
@@ -134,6 +138,7 @@ struct Renderer::Impl {
   const GlTarget& shown() const { return filtered ? smooth : picture; }
   bool drawScene(const ViewScene& scene, int width_px, int height_px, const RenderOptions& options);
   void drawGlyphs(const GlTarget& on, const Projection& projection, const Lighting& lighting, float line_scale);
+  void addRelief(const ViewScene& scene, PixelBoxBuilder& around);
 };
 
 // Computes the light immediately for another molecule; for moving atoms in the background, keeping the last one
@@ -202,6 +207,20 @@ void Renderer::Impl::drawGlyphs(const GlTarget& on, const Projection& projection
   spheres.drawLoose(dots, SphereImpostors::Pass::Solid, projection, own);
   wires.draw(glyphs.strokes, projection, line_scale);
   spheres.drawLoose(glyphs.shell, SphereImpostors::Pass::Shell, projection, own);
+  // Last, because it hides what is drawn under it afterwards.
+  if (relief_mesh) meshes.draw(*relief_mesh, kReliefOpacity, projection, own);
+}
+
+// Uploads the scanned surface, if it is another one, and adds its extent.
+void Renderer::Impl::addRelief(const ViewScene& scene, PixelBoxBuilder& around) {
+  if (scene.relief != relief) {
+    relief = scene.relief;
+    relief_mesh = relief && !relief->indices.empty() ? std::make_unique<GpuMesh>(*relief) : nullptr;
+  }
+  if (!relief_mesh) return;
+  float reach = 0.0f;
+  for (const MeshPiece::Vertex& v : relief->vertices) reach = std::max(reach, glm::length(v.place));
+  around.add(glm::vec3(scene.camera.toView({relief->origin_A})), reach);
 }
 
 // The molecule is drawn with samples x samples per pixel and cached. The glyphs are drawn on the part that they cover,
@@ -246,11 +265,13 @@ bool Renderer::Impl::drawScene(const ViewScene& scene, int width_px, int height_
   if (model) addNearSpheres(scene, *model, near);
   if (model) addTouchedSpheres(scene, *model, near);
   addGlyphs(scene, model.get(), glyphs);
+  addScanningTip(scene, glyphs.shell);
   if (model) addHapticShapes(scene, *model, glyphs.strokes, dots);
   PixelBoxBuilder around(projection);
   glyphs.addTo(around);
   for (const auto* list : {&dots, &near})
     for (const LooseSphere& s : *list) around.add(s.centre, s.radius);
+  addRelief(scene, around);
   const PixelBox box = around.box(4 + int(8.0f * line_scale)), changed = glyph_box.joined(box);
   glyph_box = box;
   if (!box.empty()) {

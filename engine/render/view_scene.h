@@ -23,6 +23,7 @@
 namespace moltact {
 
 class SphereMesh;
+struct MeshPiece;
 struct SolidModel;
 
 /// The colours of everything except atoms.
@@ -95,6 +96,13 @@ struct LoadedAtom {
   friend bool operator==(const LoadedAtom&, const LoadedAtom&) = default;
 };
 
+/// The ball at the end of a scanning tip.
+struct DrawnTip {
+  PointA centre;
+  double radius_A = 1.0;
+  friend bool operator==(const DrawnTip&, const DrawnTip&) = default;
+};
+
 struct ViewScene {
   std::shared_ptr<const Molecule> molecule;  ///< may be null: only the background and the glyphs are drawn
   Camera camera;
@@ -151,6 +159,10 @@ struct ViewScene {
 
   std::vector<std::uint32_t> highlighted;  ///< atoms in the target's colour; indices out of range are ignored
   std::vector<TargetMarker> targets;
+
+  /// A scanned surface, drawn translucent in front of everything under it; null: none. A new object for each change.
+  std::shared_ptr<const MeshPiece> relief;
+  std::optional<DrawnTip> scanning_tip;  ///< of a scan that runs; drawn like the probe
 
   /// Molecules, models and meshes are compared by address.
   friend bool operator==(const ViewScene&, const ViewScene&) = default;

@@ -67,6 +67,25 @@ TEST_CASE(
   CHECK(nearest_A <= 2.0);
   CHECK((*live)->newest().has_temperature);
   CHECK_FALSE((*live)->newest().dead);
+  // Some frames are still on the way when it pauses.
+  wanted.pushes.clear();
+  const auto framesIn = [&](int reads) {
+    const std::uint64_t before = (*live)->newest().serial;
+    for (int k = 0; k < reads; ++k) {
+      (*live)->command(wanted);
+      (*live)->newest();
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+    return (*live)->newest().serial - before;
+  };
+  wanted.running = false;
+  bool still = false;
+  for (int k = 0; k < 300 && !still; ++k) still = framesIn(200) == 0;
+  CHECK(still);
+  wanted.running = true;
+  bool moves = false;
+  for (int k = 0; k < 300 && !moves; ++k) moves = framesIn(200) > 0;
+  CHECK(moves);
   live->reset();
   live = ImdSimulation::connect(address, start_A, nullptr);
   REQUIRE_MESSAGE(live, live.problem().text());

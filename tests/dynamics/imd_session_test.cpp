@@ -176,8 +176,10 @@ TEST_CASE(
       wanted.running = false;
       b.session.command(wanted, 0.01);
       CHECK(wordsOf(b.sent()) == "6:0 7:0");
+      b.session.received(b.server.frame(kStart), 0.02);  // on the way
       b.session.command(wanted, 30.0);
       b.session.passed(30.0);  // a pause may last
+      CHECK(b.sent().empty());
       CHECK_FALSE(b.session.frame().silent);
       wanted.running = true;
       wanted.pushes.clear();

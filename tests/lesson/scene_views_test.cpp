@@ -229,6 +229,16 @@ TEST_CASE("mistakes with two molecules are reported at their lines") {
   CHECK(scene("simulation: mix.xml\nelastic: on\n") ==
         Texts{"l.md:12:13: a simulation or an elastic network moves the atoms, not both; write 'elastic: off' or "
               "'simulation: none'"});
+  CHECK(scene("scan: 10 Å\n").empty());
+  CHECK(scene("then: shut\nscan: 0 Å\n").empty());
+  CHECK(scene("then: shut\nscan: 1 nm\n") ==
+        Texts{"l.md:13:7: a tip scans atoms at rest, and 'then' moves them; write 'scan: 0 Å', or leave out 'then'"});
+  CHECK(scene("scan: 10 Å\nelastic: on\n") ==
+        Texts{"l.md:12:7: a tip scans atoms at rest, and 'elastic' moves them; write 'scan: 0 Å', or leave out "
+              "'elastic'"});
+  CHECK(scene("in-hand: residue 1\nscan: 10 Å\n") ==
+        Texts{"l.md:13:7: a scanned surface is touched with a point, and the hand holds a body; write 'scan: 0 Å', or "
+              "leave out 'in-hand'"});
   CHECK(scene("simulation: mix.xml\nforces: all\n") ==
         Texts{"l.md:12:13: forces act between atoms that rest, and a simulation moves them; write 'forces: none' or "
               "'simulation: none'"});

@@ -120,6 +120,7 @@ void compareScenes(const SceneSpec& a, const SceneSpec& b) {
   CHECK(b.then.molecule == a.then.molecule);
   CHECK(b.then.superposed_on == a.then.superposed_on);
   CHECK(b.elastic == a.elastic);
+  CHECK(b.scan_A == a.scan_A);
   CHECK(b.simulation == a.simulation);
   CHECK(b.trajectory == a.trajectory);
   CHECK(b.magnify.text() == a.magnify.text());

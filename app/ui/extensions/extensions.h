@@ -24,6 +24,7 @@
 #include "app/ui/extensions/scene_history.h"
 #include "app/ui/extensions/settings_keeper.h"
 #include "app/ui/extensions/state_text.h"
+#include "app/ui/extensions/surface_scan.h"
 #include "app/ui/extensions/task_stager.h"
 #include "app/ui/extensions/touch_paint.h"
 #include "app/ui/extensions/touch_sound.h"
@@ -59,6 +60,7 @@ struct Extensions final : ExtensionSet {
   Measuring measuring;
   OwnLook own_look;
   HeldPoses held_poses;
+  SurfaceScan surface_scan;
   TouchPaint touch_paint;
   DeviceLink device;
   HandRecorder hand_recorder;
@@ -70,11 +72,11 @@ struct Extensions final : ExtensionSet {
   // The order of the calls. Locks precede the history, so that it never records a change of a locked value. The history
   // precedes the scene change, whose glide it queries. The name is asked for before the recorder begins. The device
   // precedes the hand recorder, which replaces the device's clutch and scale by those of the recording.
-  std::array<Extension*, 24> all_{&settings_keeper, &lesson_watch,    &lesson_locks, &name_asker,    &recorder,
+  std::array<Extension*, 25> all_{&settings_keeper, &lesson_watch,    &lesson_locks, &name_asker,    &recorder,
                                   &turns,           &playback,        &history,      &scene_change,  &hand_model,
                                   &lesson_list,     &card_pictures,   &task_stager,  &reveal_policy, &movers,
                                   &state_text,      &touch_sound,     &measuring,    &touch_paint,   &device,
-                                  &hand_recorder,   &lesson_pictures, &own_look,     &held_poses};
+                                  &hand_recorder,   &lesson_pictures, &own_look,     &held_poses,    &surface_scan};
 };
 
 }  // namespace moltact

@@ -313,6 +313,7 @@ void drawViewOverlays(Application& app, const Rectangle& whole_view) {
       room.slider = slider;
     }
   if (const Rectangle pads = pushPadsPlace(app, whole_view); !pads.empty()) room.take(pads);
+  drawScanCard(app, room);
   surfaceSign(app, room, width);
   // Text is left of the scale bar; in a narrow view it needs the whole width.
   const bool roomy = width > l.tx(320);

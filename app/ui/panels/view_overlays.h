@@ -56,6 +56,10 @@ Rectangle drawTrajectoryBar(Application& app, const Rectangle& view);
 /// that place is taken.
 void drawDepthGauge(Application& app, ViewRoom& room, float bottom_px);
 
+/// Draws the height picture of the scanning tip with its buttons, if the scene is scanned, at the view's upper right. Draws
+/// nothing if that place is taken.
+void drawScanCard(Application& app, ViewRoom& room);
+
 /// Draws the legend of the atoms' colours if there is more than one colour, or if the colours do not only stand for
 /// elements. A legend larger than a third of the view's width or half of its height is closed at first. It is below the
 /// slider where both would overlap, and ends above the lines at the lower edge.

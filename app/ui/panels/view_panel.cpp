@@ -183,6 +183,7 @@ ViewScene seenScene(const Application& app) {
   }
   showForces(app, scene);
   showPose(app, scene);
+  app.extensions().surface_scan.showIn(scene);
   scene.water = app.settings.probe_look != ProbeLook::Sphere;
   scene.hand = app.extensions().hand_model.model();
   scene.left_hand = app.settings.left_handed;
@@ -230,7 +231,7 @@ void drawViewPanel(Application& app) {
       ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight | ImGuiButtonFlags_MouseButtonMiddle);
   recordRectangle("view", r.low, r.high);
   const ViewInput in = readInput(app, low, size);
-  app.scene.controls.update(in, app.scene.camera, app.scene.stage().spheres.get(), app.scene.servo_settings,
+  app.scene.controls.update(in, app.scene.camera, app.scene.spheresUnderPointer(), app.scene.servo_settings,
                             app.scene.log().latest(), app.scene.servo().mouse(), app.scene.stage().body.get());
   if (app.scene.controls.pressing() && (ImGui::IsItemHovered() || ImGui::IsItemActive()))
     ImGui::SetMouseCursor(ImGuiMouseCursor_None);

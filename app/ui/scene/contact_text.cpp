@@ -63,6 +63,10 @@ std::string feltText(const Molecule* molecule, const ServoSample& now, double fo
 }
 
 std::string touchingText(const std::string& touched, double force_N, bool force_on) {
+  // The substrate of a scan.
+  if (touched.empty())
+    return force_on ? trf("touching, {0}", quantityText(force_N, Dimension::Force, decimals(1)))
+                    : tr("touching, force is off");
   return force_on ? trf("touching: {0}, {1}", touched, quantityText(force_N, Dimension::Force, decimals(1)))
                   : trf("touching: {0}, force is off", touched);
 }

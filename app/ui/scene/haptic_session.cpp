@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "engine/haptics/height_field/height_field_tracker.h"
 #include "engine/haptics/pull_spring.h"
 #include "engine/lesson/second_state.h"
 #include "engine/render/molecule_model.h"
@@ -47,6 +48,7 @@ std::unique_ptr<Interaction> HapticSession::interactionHere(const Contact& conta
   std::shared_ptr<const PairField> pairs;
   std::unique_ptr<Interaction> made = interactionAt(stage(), touch(), contact, hand, servo_.device(), &pairs);
   forces_.begin(stage(), std::move(pairs));
+  if (made && field_) return std::make_unique<HeightFieldTracker>(field_);
   if (made && !pulled_.empty())
     return std::make_unique<PullSpring>(std::move(made), pulled_, stage().spheres->spheres());
   return made;
@@ -260,8 +262,20 @@ void HapticSession::pull(std::vector<std::uint32_t> atoms) {
   if (can) servo_.setInteraction(interactionHere(Contact{}, PoseA{}));
 }
 
+void HapticSession::touchField(std::shared_ptr<const HeightField> field, std::shared_ptr<const SphereGrid> like) {
+  if (field == field_ || (field && (!stage() || stage().body || played_ || trying()))) return;
+  letGo();
+  field_ = std::move(field);
+  field_like_ = field_ ? std::move(like) : nullptr;
+  if (!stage() || played_) return;
+  startSoftly();
+  servo_.setInteraction(interactionHere(Contact{}, PoseA{}));
+}
+
 void HapticSession::letGo() {
   pulled_.clear();
+  field_.reset();
+  field_like_.reset();
   controls.drag(false);
 }
 
@@ -327,7 +341,7 @@ FeltTicks HapticSession::advance(double dt_s, double now_s, bool timed) {
     for (const ServoSample& sample : ticks) {
       log_.add(sample);
       // A body has no SCP that could be compared with that of a sphere.
-      felt_.push_back({sample, servo_.loop().hasOrientation() || !pulled_.empty()
+      felt_.push_back({sample, servo_.loop().hasOrientation() || !pulled_.empty() || field_
                                    ? sample.contact
                                    : watch_.add(sample, m, servo_.motionOf(sample))});
     }
@@ -356,7 +370,8 @@ void HapticSession::watchLeftBehind(double dt_s) {
   const ServoSample& now = log_.latest();
   // Forces between atoms draw what is held off the hand, into contact; only farther away it is left behind.
   const bool drawn = now.molecular_energy && glm::length(now.contact.displacement_A) < kDrawn_A;
-  const bool free = stage() && log_.touching() && !drawn && inTheOpen(stage(), now, servo_.motionOf(now).get());
+  const bool free =
+      stage() && log_.touching() && !drawn && !field_ && inTheOpen(stage(), now, servo_.motionOf(now).get());
   log_.countLeftBehind(free && !controls.pressing(), dt_s);
   if (log_.leftBehind_s() <= kLeftBehind_s) return;
   ++servo_settings.discontinuities;

@@ -26,6 +26,8 @@
 
 namespace moltact {
 
+struct HeightField;
+
 /// One tick of the servo loop, with the contact of an exact tracker for the same hand.
 struct FeltTick {
   ServoSample sample;
@@ -113,6 +115,15 @@ class HapticSession {
   /// The atoms that are held; empty: the scene is touched.
   const std::vector<std::uint32_t>& pulled() const { return pulled_; }
 
+  /// The hand touches this scanned surface with a point instead of the scene, until called with null or the scene begins
+  /// anew. Begins from outside. Does nothing during playback, while a force is tested and with a body in the hand.
+  /// `like` are spheres whose surface, inflated by the probe, is nearly the same; a mouse's hand hovers over them.
+  void touchField(std::shared_ptr<const HeightField> field, std::shared_ptr<const SphereGrid> like = nullptr);
+  /// The touched surface; null: the scene is touched.
+  const std::shared_ptr<const HeightField>& touchedField() const { return field_; }
+  /// The spheres over which a mouse's hand hovers; null without a scene.
+  const SphereGrid* spheresUnderPointer() const { return field_like_ ? field_like_.get() : stage().spheres.get(); }
+
   /// While on, the scene is not visible and the hand feels nothing.
   void rest(bool on) { resting_ = on; }
 
@@ -181,6 +192,8 @@ class HapticSession {
   RecordedConditions recorded_;
   std::vector<std::uint32_t> pulled_;
   std::optional<PoseA> brought_;  // what the device's hand is to hold, as soon as its own pose is known
+  std::shared_ptr<const HeightField> field_;
+  std::shared_ptr<const SphereGrid> field_like_;
   bool hand_moved_ = false, resting_ = false;
 };
 

@@ -50,7 +50,7 @@ void ImdSession::received(std::span<const std::uint8_t> bytes, double now_s) {
   while (!ended_) {
     switch (reader_.next(bytes)) {
       case ImdReader::Event::None:
-        if (moved) sendForces();
+        if (moved && running_) sendForces();  // while it is paused, positions on the way still arrive
         return;
       case ImdReader::Event::Greeted:
         greet(now_s);

@@ -1,0 +1,107 @@
+// The scanning tip of a scene in the window: its picture grows, and its surface is touched instead of the atoms. Oracle:
+// the closed form of the tip's height.
+#include "app/ui/extensions/surface_scan.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/ui/extensions/extensions.h"
+#include "engine/haptics/height_field/height_field_tracker.h"
+#include "tests/app/scripted_user_fixture.h"
+
+namespace moltact {
+namespace {
+
+std::string scanLesson(const std::string& keys) {
+  return "---\ntitle: T\nminutes: 1\ngoals: G\nmolecules: pentacene, 1ubq\nauthor: A\nlicence: L\n---\n## One\n"
+         "```scene\nmolecule: pentacene\nview: front\n" +
+         keys +
+         "```\n```touch\nreach: atom 1-36\nsay: Touch it.\n```\n\n> [!TIP]\n> Look.\n\n## Two\n```scene\nscan: 0 "
+         "Å\n```\nText.\n";
+}
+
+// A second has 60 frames.
+void passSeconds(ScriptedUser& user, double s) { user.frames(int(std::lround(60 * s))); }
+
+}  // namespace
+
+TEST_CASE(
+    "a scan of 20 s grows line by line in the window; then the hand touches its surface and not the atoms, which does "
+    "no "
+    "task, and the next step ends it") {
+  const Scratch scratch;
+  const auto user = startWith(scratch.file("mine.md", scanLesson("scan: 5 Å\n")).string());
+  Application& app = user->app();
+  SurfaceScan& scan = app.extensions().surface_scan;
+  REQUIRE(scan.on());
+  CHECK(scan.running());
+  passSeconds(*user, 10);
+  const int half = scan.lines();
+  CHECK(std::abs(half - scan.field().rows / 2) <= scan.field().rows / 10);
+  scan.touch(true);
+  CHECK_FALSE(scan.touching());  // it is not complete yet
+  passSeconds(*user, 12);
+  CHECK_FALSE(scan.running());
+  CHECK(scan.lines() == scan.field().rows);
+  const HeightField& field = scan.field();
+  const Molecule& molecule = *app.scene.stage().molecule;
+  double worst = 0.0, highest = 0.0;
+  for (int row = 0; row < field.rows; ++row)
+    for (int column = 0; column < field.columns; ++column) {
+      double height = 0.0;
+      for (const Sphere& s : molecule.spheres) {
+        const Vec3 c = field.frame.toScan(s.centre_A);
+        const double d = std::hypot(field.spacing_A * column - c.x, field.spacing_A * row - c.y),
+                     reach = s.radius_A + 5;
+        if (d < reach) height = std::max(height, c.z - 5 + std::sqrt(reach * reach - d * d));
+      }
+      worst = std::max(worst, std::abs(height - field.at(column, row)));
+      highest = std::max(highest, height);
+    }
+  CHECK(worst < 1e-9);
+
+  user->click("view/scan/touch");
+  user->frames(2);
+  REQUIRE(scan.touching());
+  const HeightFieldTracker surface(std::make_shared<const HeightField>(field));
+  for (const double x : {0.5, 0.62}) {
+    user->point("view", x, 0.5);
+    user->frames(60);
+    user->press();
+    user->frames(120);
+    const Contact& contact = app.scene.log().latest().contact;
+    REQUIRE(contact.touching());
+    const Vec3 local = field.frame.toScan(contact.scp.A);
+    CHECK(std::abs(local.z - surface.heightAt(local.x, local.y)) < 1e-6);
+    CHECK(glm::length(contact.displacement_A) > 0.02);
+    user->release();
+    user->frames(60);
+  }
+  CHECK_FALSE(app.lesson.session()->task(0).done);
+  user->click("view/scan/touch");
+  user->frames(2);
+  CHECK_FALSE(scan.touching());
+  app.lesson.next();
+  user->frames(20);
+  CHECK_FALSE(scan.on());
+}
+
+TEST_CASE("a scan is no part of free exploration, and another molecule ends the touch of one") {
+  const Scratch scratch;
+  const auto user = startWith(scratch.file("mine.md", scanLesson("scan: 5 Å\n")).string());
+  Application& app = user->app();
+  SurfaceScan& scan = app.extensions().surface_scan;
+  passSeconds(*user, 21);
+  scan.touch(true);
+  CHECK(scan.touching());
+  app.open("1ubq");
+  app.finishLoading();
+  user->frames(5);
+  CHECK_FALSE(scan.on());
+  CHECK_FALSE(scan.touching());
+  CHECK(app.scene.touchedField() == nullptr);
+}
+
+}  // namespace moltact
