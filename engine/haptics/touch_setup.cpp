@@ -60,6 +60,7 @@ std::string noticeable(const TouchSetup& touch) {
 
 bool holdsProbe(const TouchSetup&, bool body) { return !body; }
 bool feelsCharges(const TouchSetup& touch, bool) { return forceChoice(touch.forces).feelsCharges(); }
+bool feelsForces(const TouchSetup& touch, bool) { return forceChoice(touch.forces).any(); }
 bool feelsProbeCharge(const TouchSetup& touch, bool body) { return !body && feelsCharges(touch, body); }
 
 constexpr std::array kProperties{
@@ -177,7 +178,8 @@ constexpr std::array kProperties{
         .fallback = "none",
         .meaning =
             "The source of the atoms' charges: 'file' from a PQR, MOL2 or PDBQT file, 'formal' from the residues at "
-            "pH 7. Interactions with electrostatic forces use them; contact does not."},
+            "pH 7. Interactions with electrostatic forces use them; contact does not. With 'forces', 'none' means the "
+            "file's charges or else AMBER's; 'formal' leaves whole charges only, and no hydrogen bonds."},
     TouchProperty{.member = &TouchSetup::forces,
                   .key = "forces",
                   .field = "forces",
@@ -225,6 +227,23 @@ constexpr std::array kProperties{
                   .meaning = "The stiffness of the spring that joins the hand to what it holds, in the molecule: the "
                              "softer, the more strongly the forces between atoms are felt. 0: 1.8 N/m for each of the "
                              "first 200 atoms held."},
+    TouchProperty{.member = &TouchSetup::weak_gain,
+                  .key = "weak-gain",
+                  .field = "weak_gain",
+                  .label = "weak_gain",
+                  .in_scenes = {1.0, kMaxWeakGain},
+                  .in_files = {1.0, kMaxWeakGain},
+                  .control = {.title = N_("Gain of weak forces"),
+                              .tip = N_("How many times as strong the weakest forces between atoms are felt. With the "
+                                        "depth of an atom's well the gain falls."),
+                              .range = {1.0, kMaxWeakGain},
+                              .step = 0.5,
+                              .decimals = 1,
+                              .shown = &feelsForces},
+                  .fallback = "1",
+                  .meaning = "How many times as strong the weakest forces between atoms are felt. The gain falls with "
+                             "the depth of an atom's well, so that 5 kcal/mol are felt as deep as without it.",
+                  .compared = "The second thing is felt with this gain of weak forces."},
 };
 
 std::string textOf(const TouchValue& value) {

@@ -20,6 +20,8 @@ namespace moltact {
 
 /// Limits of TouchSetup::coupling_N_per_mm and of the amount of TouchSetup::probe_charge_e.
 inline constexpr double kMaxCoupling_N_per_mm = 1.0, kMaxProbeCharge_e = 2.0;
+/// The largest TouchSetup::weak_gain.
+inline constexpr double kMaxWeakGain = 8.0;
 
 struct TouchSetup {
   double probe_A = kWaterProbe_A;
@@ -34,6 +36,7 @@ struct TouchSetup {
   /// Stiffness of the virtual coupling between the hand and what it holds in these forces, in the molecule; 0: by the
   /// number of atoms (unit: N/mm; 1 kcal/mol/A^2 is 0.000695 N/mm).
   double coupling_N_per_mm = 0.0;
+  double weak_gain = 1.0;        ///< of the weakest of these forces: PairModel::weak_gain, 1 or more
   double friction = 0.0;         ///< Friction::coefficient (interaction.h)
   double stick_slip = 0.0;       ///< Friction::stick_slip
   std::string texture = "none";  ///< what friction depends on, as in textureChoices (texture_choices.h)

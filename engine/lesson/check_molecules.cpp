@@ -7,6 +7,7 @@
 
 #include "engine/haptics/atom_chemistry.h"
 #include "engine/haptics/body/held_body.h"
+#include "engine/haptics/field/force_choices.h"
 #include "engine/language/catalogue.h"
 #include "engine/lesson/checks.h"
 #include "engine/lesson/lesson_texts.h"
@@ -64,13 +65,14 @@ class Check {
       });
       const std::vector<std::uint32_t> untouchable = untouchableAtoms(step.scene, *molecule);
       for (const TaskSpec& task : step.tasks) {
+        const TaskKind* kind = findTaskKind(task.kind);
+        const bool held = kind && kind->names_held;
         for (const auto& [key, value] : task.values) {
           if (value.selection.given()) selects(value.selection, selectionPlace(value), *molecule, untouchable);
           for (const SelectionRemark& remark : value.remarks) selects(remark.atoms, remark.place, *molecule);
           for (std::size_t i = 0; i < value.path.size(); ++i)
-            selects(value.path[i], value.places[i], *molecule, untouchable);
+            selects(value.path[i], value.places[i], *molecule, held ? std::vector<std::uint32_t>() : untouchable);
         }
-        const TaskKind* kind = findTaskKind(task.kind);
         std::vector<Problem> problems;
         if (kind && kind->check_molecule) kind->check_molecule(task, *molecule, untouchable, problems);
         if (kind && kind->check_body && problems.empty()) body(*kind, task, step.scene, *molecule, problems);
@@ -143,6 +145,13 @@ class Check {
 
   /// The file must contain the charges that the scene uses.
   void hasCharges(const SceneSpec& scene, const Molecule& molecule) {
+    if (scene.touch.charges == kFormalCharges && forceChoice(scene.touch.forces).feelsCharges() &&
+        !findings_.enough() &&
+        reported_.insert({"charges", scene.places.charges.line, scene.places.charges.column}).second)
+      findings_.warning(scene.places.charges,
+                        tr("formal charges replace the partial ones in the forces between atoms: only "
+                           "charged side chains and phosphates act, not ligands, ions and hydrogen bonds"),
+                        tr("take the line out, unless that is what students are to feel"));
     if (scene.touch.charges != kFileCharges || !molecule.charges_e.empty() || findings_.enough()) return;
     findings_.error(scene.places.charges, trf("the file of '{0}' has no partial charges", scene.molecule.name),
                     tr("write 'charges: formal', or give the molecule as a PQR, MOL2 or PDBQT file"));

@@ -54,6 +54,10 @@ SceneForces::SceneForces(const TouchSetup& touch, std::shared_ptr<const Molecule
       spheres_(std::move(spheres)),
       body_(std::move(body)) {}
 
+std::shared_ptr<const SceneForces> SceneForces::holding(std::shared_ptr<const HeldBody> body) const {
+  return std::make_shared<const SceneForces>(touch_, molecule_, spheres_, std::move(body));
+}
+
 namespace {
 
 std::unique_ptr<Interaction> yielding(TouchSetup touch, const Molecule& molecule,

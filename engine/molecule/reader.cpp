@@ -81,6 +81,25 @@ std::optional<Problem> notRead(std::string_view head, const std::string& extensi
   return std::nullopt;
 }
 
+/// True for a PDBQT file, whose lines of atoms are those of a PDB file with a charge of three decimals in columns 71-76,
+/// where PDB has four letters of a segment at most, and a type from column 78 on.
+bool looksLikePdbqt(std::string_view text) {
+  std::size_t atoms = 0;
+  while (!text.empty()) {
+    const std::size_t newline = text.find('\n');
+    const std::string_view line = text.substr(0, newline);
+    if (newline == std::string_view::npos) break;  // the text that was read ahead may end within it
+    text.remove_prefix(newline + 1);
+    if (!line.starts_with("ATOM  ") && !line.starts_with("HETATM")) continue;
+    double charge_e = 0.0;
+    if (line.size() < 78 || line[72] != '.' || line[76] != ' ' || line[77] == ' ' ||
+        !parseNumber(trimmed(line.substr(66, 10)), charge_e))
+      return false;
+    ++atoms;
+  }
+  return atoms > 0;
+}
+
 /// The reader for the content of a file; null if it is not supported.
 ReadText readerByContent(std::string_view text) {
   const std::string_view head = text;
@@ -89,7 +108,7 @@ ReadText readerByContent(std::string_view text) {
     const std::size_t newline = rest.find('\n');
     const std::string_view line = rest.substr(0, newline);
     for (const char* record : {"ATOM  ", "HETATM", "HEADER    ", "MODEL ", "CRYST1", "REMARK "})
-      if (line.starts_with(record)) return readPdb;
+      if (line.starts_with(record)) return looksLikePdbqt(text) ? readPdbqt : readPdb;
     if (line.starts_with("data_")) return readMmcif;
     if (line.starts_with("@<TRIPOS>")) return readMol2;
     rest.remove_prefix(newline == std::string_view::npos ? rest.size() : newline + 1);
@@ -111,6 +130,8 @@ Expected<Molecule> readText(TextSource& text, const std::filesystem::path& path,
   for (const Format& format : kFormats)
     if (extension == format.extension) read = format.read;
   if (!read) read = readerByContent(text.ahead());
+  // Programs for docking write PDBQT under names that end in .pdb too; read as PDB it would lose its charges.
+  if (read == readPdb && looksLikePdbqt(text.ahead())) read = readPdbqt;
   if (!read && text.problem()) return *text.problem();
   if (!read && trimmed(text.ahead()).empty()) return empty;
   if (!read)

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <gemmi/elem.hpp>
 #include <limits>
+#include <set>
+#include <utility>
 
 #include "engine/haptics/sphere_grid.h"
 
@@ -10,6 +12,7 @@ namespace moltact {
 namespace {
 
 constexpr double kTolerance_A = 0.45, kMinApart_A = 0.4;
+constexpr double kOnePlace_A = 0.9;        // no two heavy atoms are bonded so closely
 constexpr double kMaxFormulaBond_A = 2.6;  // a longer one indicates a torn residue, or two with one name
 
 constexpr std::uint8_t kHydrogenNumber = 1, kCarbonNumber = 6;
@@ -32,6 +35,9 @@ class BondFinder {
   }
 
  private:
+  bool isLigandAtom(const Atom& a) const {
+    return a.residue != kNoResidue && m_.residues[a.residue].kind == ResidueKind::Ligand;
+  }
   double distance(std::uint32_t a, std::uint32_t b) const {
     return glm::distance(m_.spheresAsRead()[a].centre_A, m_.spheresAsRead()[b].centre_A);
   }
@@ -91,9 +97,13 @@ class BondFinder {
       grid.visitCentresNear(here_A, radius + largest + kTolerance_A, [&](std::uint32_t j, const Sphere& sphere) {
         if (j <= i) return;
         const double apart = glm::distance(sphere.centre_A, here_A);
-        if (apart > radius + sphere.radius_A + kTolerance_A || apart < kMinApart_A) return;
+        if (apart > radius + sphere.radius_A + kTolerance_A) return;
         const Atom& b = m_.atoms[j];
         const bool same_residue = a.residue == b.residue;
+        if (apart < kOnePlace_A && !same_residue && isLigandAtom(a) && isLigandAtom(b) &&
+            a.atomic_number != kHydrogenNumber && b.atomic_number != kHydrogenNumber)
+          alternatives_.insert(std::minmax(a.residue, b.residue));
+        if (apart < kMinApart_A) return;
         if (of_formula_[i] && of_formula_[j] && (same_residue || !joins(i, j))) return;
         const std::uint32_t hydrogen = a.atomic_number == kHydrogenNumber ? i : j;
         if (m_.atoms[hydrogen].atomic_number == kHydrogenNumber) {
@@ -115,6 +125,10 @@ class BondFinder {
         add(i, j, metal ? BondOrder::Coordination : BondOrder::Unknown);
       });
     }
+    if (!alternatives_.empty())
+      std::erase_if(out_, [&](const Bond& b) {
+        return alternatives_.contains(std::minmax(m_.atoms[b.first].residue, m_.atoms[b.second].residue));
+      });
     for (std::uint32_t h = 0; h < nearest.size(); ++h)
       // Two hydrogens that are each other's nearest form a molecule; the bond is listed once.
       if (nearest[h] != kNoResidue &&
@@ -124,7 +138,8 @@ class BondFinder {
 
   const Molecule& m_;
   std::vector<char> of_formula_;
-  std::vector<std::pair<std::string_view, std::uint32_t>> named_;  // atoms of one residue
+  std::vector<std::pair<std::string_view, std::uint32_t>> named_;   // atoms of one residue
+  std::set<std::pair<std::uint32_t, std::uint32_t>> alternatives_;  // residues that are in one place, the lower first
   std::vector<Bond> out_;
 };
 

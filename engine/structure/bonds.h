@@ -18,7 +18,8 @@ namespace moltact {
 /// * otherwise: two atoms nearer than the sum of their covalent radii (Cordero et al., Dalton Trans. 2832, 2008) plus
 ///   0.45 A, of unknown order. A hydrogen has one bond, to the nearest atom of its residue. A bond
 ///   between a metal and another atom than hydrogen is a Coordination. Carbon and other metals bond to a metal of their
-///   own residue only.
+///   own residue only. No bond joins two ligands of which atoms lie within 0.9 A of each other: they are alternatives in
+///   one place.
 std::vector<Bond> findBonds(const Molecule& molecule);
 
 /// The bonded neighbours of each atom.

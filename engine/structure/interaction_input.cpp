@@ -31,6 +31,7 @@ std::shared_ptr<const PairField> pairField(const TouchSetup& touch, const Molecu
   const DielectricChoice& medium = dielectricChoice(touch.dielectric);
   out->model.kind = medium.kind;
   out->model.dielectric = medium.dielectric;
+  out->model.weak_gain = touch.weak_gain;
   std::vector<Sphere> places;
   const auto selected = [&](PairAtom atom) {
     for (const EnergyPartInfo& part : energyParts())

@@ -71,9 +71,11 @@ TEST_CASE("the error against the exact SCP is the distance of the two, and 0 whe
     return watch.add(s, *findMethod(method));
   };
   s.hip = s.contact.scp = {Vec3(0, 0, 4)};
+  watch.feelWith({.method = "mesh80"});
   watch.add(s, *findMethod("mesh80"));
   CHECK(watch.tried().empty());  // nothing is said of a hand in the open
   for (int k = 0; k < 200; ++k) CHECK(glm::distance(tick({0, 0, 2.5}, {0, 0.25, 3}, "mesh80").scp.A, {0, 0, 3}) < 1e-9);
+  watch.feelWith({.method = "exact"});
   for (int k = 0; k < 200; ++k) tick({0, 0, 2.5}, {0, 0, 3}, "exact");
   REQUIRE(watch.find("mesh80"));
   CHECK(watch.find("mesh80")->error_A == doctest::Approx(0.25));
@@ -89,7 +91,7 @@ TEST_CASE("the error against the exact SCP is the distance of the two, and 0 whe
 TEST_CASE("a hand that is placed again takes the exact tracker with it") {
   const TouchableModel stage = oneSphere();
   MethodWatch watch;
-  watch.begin(stage, {});
+  watch.begin(stage, {.method = "paper"});
   const Method& m = *findMethod("paper");
   ServoSample s;
   s.probe_A = 1.4;
@@ -104,6 +106,29 @@ TEST_CASE("a hand that is placed again takes the exact tracker with it") {
   CHECK_FALSE(tick({0, 0, -4}).touching());
   s.contact_reset = false;
   CHECK_FALSE(tick({0, 0, -4}).touching());
+}
+
+TEST_CASE(
+    "while the exact method is in use its contacts are the ticks' own; a change to another judges that one from the "
+    "contact at which the hand is") {
+  const TouchableModel stage = oneSphere();
+  MethodWatch watch;
+  watch.begin(stage, {});
+  ServoSample s;
+  s.probe_A = 1.4;
+  s.has_interaction = true;
+  s.hip = {Vec3(0, 0, 2.5)};
+  s.contact.scp = {Vec3(0, 0, 3)};
+  s.contact.atoms[0] = 0;
+  s.contact.feature = Feature::Sphere;
+  stretchToScp(s.contact, s.hip);
+  CHECK(watch.add(s, *findMethod("exact")).scp == s.contact.scp);
+  watch.feelWith({.method = "penalty"});
+  // Pressed through the middle: without the contact at which it began the exact tracker would start inside.
+  s.hip = {Vec3(0, 0, 0.5)};
+  const Contact exact = watch.add(s, *findMethod("penalty"));
+  CHECK(exact.fault == Fault::None);
+  CHECK(glm::distance(exact.scp.A, Vec3(0, 0, 3)) < 1e-6);
 }
 
 }  // namespace moltact

@@ -29,6 +29,18 @@ TEST_CASE("in the eight scenes of forces, as defined and in one draw, the couple
     }
 }
 
+TEST_CASE("at each gain of weak forces that the panel offers the coupled field is sound in the eight scenes") {
+  for (double gain = 1.5; gain <= 8.0; gain += 0.5)
+    for (FieldScene scene : fieldScenes(1, 0)) {
+      CAPTURE(gain);
+      CAPTURE(scene.name);
+      scene.model.weak_gain = gain;
+      const FieldResult r = runFieldScene(scene, "coupled");
+      CHECK(failuresOf(r) == "");
+      CHECK(r.overlap_A < 1e-9);
+    }
+}
+
 TEST_CASE(
     "a field that is given at the hand: it goes into an atom at speed, makes energy from a start inside, vibrates by "
     "over "

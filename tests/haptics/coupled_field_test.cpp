@@ -78,10 +78,12 @@ Crowd crowd(std::uint64_t seed) {
   return out;
 }
 
-CoupledField coupled(const Crowd& c, double coupling_kcal_mol_A2) {
+CoupledField coupled(const Crowd& c, double coupling_kcal_mol_A2, double weak_gain = 1.0) {
   auto inner = std::make_unique<ExactBody>(test::makeScene(c.spheres), c.body);
   const VirtualCoupling coupling{coupling_kcal_mol_A2, inner->lever_A(), c.body->reach_A};
-  return CoupledField(std::move(inner), fieldOf(c.atoms, c.held), coupling);
+  auto field = std::make_shared<PairField>(*fieldOf(c.atoms, c.held));
+  field->model.weak_gain = weak_gain;
+  return CoupledField(std::move(inner), std::move(field), coupling);
 }
 
 double fieldEnergy(PairSum& sum, const PoseA& at) { return sum.at(at).energy.felt_kcal_mol; }
@@ -172,8 +174,11 @@ TEST_CASE(
     const Crowd c = crowd(seed);
     for (const double k : {5.0, 100.0}) {
       CAPTURE(k);
-      CoupledField felt = coupled(c, k);
-      PairSum check(test::makeScene(c.spheres), c.atoms, c.held, fieldOf(c.atoms, c.held)->model);
+      const double gain = seed == 11u ? 1.0 : seed == 12u ? 3.0 : 8.0;
+      CoupledField felt = coupled(c, k, gain);
+      PairModel model = fieldOf(c.atoms, c.held)->model;
+      model.weak_gain = gain;
+      PairSum check(test::makeScene(c.spheres), c.atoms, c.held, model);
       std::optional<PoseA> before;
       double worst = -INFINITY, deepest = -INFINITY;
       int contacts = 0, fields = 0;
@@ -206,11 +211,17 @@ TEST_CASE(
 }
 
 TEST_CASE(
-    "20 closed ways of the hand with a body over a crowd of atoms leave the hand no work, at couplings from 2 to 200") {
+    "20 closed ways of the hand with a body over a crowd of atoms leave the hand no work, at couplings from 2 to 200 "
+    "and "
+    "at each gain of weak forces that the panel offers") {
   const Crowd c = crowd(21);
-  for (const double k : {2.0, 20.0, 200.0}) {
+  std::vector<std::pair<double, double>> ways{{2.0, 1.0}, {20.0, 1.0}, {200.0, 1.0}, {2.0, 8.0}, {200.0, 8.0}};
+  for (double gain = 1.5; gain <= 8.0; gain += 0.5) ways.emplace_back(20.0, gain);
+  for (const auto& [stiffness, gain] : ways) {
+    const double k = stiffness;
     CAPTURE(k);
-    CoupledField felt = coupled(c, k);
+    CAPTURE(gain);
+    CoupledField felt = coupled(c, k, gain);
     scenes::Random random(5);
     double total = 0.0;
     for (int loop = 0; loop < 20; ++loop) {
@@ -236,7 +247,7 @@ TEST_CASE(
       }
       CHECK(total < 0.02 * (loop + 1));
     }
-    MESSAGE("k = ", k, ": the hand did ", -total, " kcal/mol in 20 ways");
+    MESSAGE("k = ", k, ", gain ", gain, ": the hand did ", -total, " kcal/mol in 20 ways");
   }
 }
 

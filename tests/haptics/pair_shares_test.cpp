@@ -100,6 +100,11 @@ TEST_CASE(
     for (const EnergyShare& one : shares.held())
       felt += feltEnergy(one.total_kcal_mol(), c.field->model.wall_kcal_mol).value;
     CHECK(felt == doctest::Approx(whole.felt_kcal_mol).epsilon(1e-4).scale(1.0));
+    PairModel bare = c.field->model;
+    bare.wall_kcal_mol = INFINITY;
+    PairSum unbounded(c.field->places, c.field->atoms, c.field->held, bare);
+    const Vec3 force = unbounded.at(pose).force_kcal_mol_A;
+    CHECK(glm::distance(shares.force_kcal_mol_A(), force) < 1e-4 * (1.0 + glm::length(force)));
   }
 }
 
@@ -146,5 +151,35 @@ TEST_CASE(
     before = here.value;
     CHECK(here.slope == doctest::Approx((next.value - last.value) / 2e-5).epsilon(1e-5));
     CHECK(here.curvature == doctest::Approx((next.slope - last.slope) / 2e-5).epsilon(1e-4).scale(1.0));
+  }
+}
+
+TEST_CASE(
+    "with a gain of 4 a weak energy is felt 4 times, a well of 5 kcal/mol as 5 and one of 10 as 6.06; at 0 value, "
+    "slope "
+    "and curvature are continuous, the function rises everywhere, and a gain of 1 is the function without one") {
+  const FeltFunction four(1.0, 4.0), one(1.0, 1.0);
+  CHECK(four.at(-0.001).value == doctest::Approx(-0.004).epsilon(1e-4));
+  CHECK(four.at(-5.0).value == doctest::Approx(-5.0).epsilon(1e-9));
+  CHECK(four.at(-10.0).value == doctest::Approx(-6.0602).epsilon(1e-4));
+  for (const double e : {-7.0, -0.3, 0.0, 0.4, 30.0}) CHECK(one.at(e).value == feltEnergy(e, 1.0).value);
+  CHECK(FeltFunction(INFINITY, 4.0).at(-3.0).value == -3.0);
+  for (double gain = 1.0; gain <= 8.0; gain += 0.5) {
+    CAPTURE(gain);
+    const FeltFunction felt(1.0, gain);
+    CHECK(felt.at(-5.0).value == doctest::Approx(-5.0).epsilon(1e-9));
+    for (const double side : {-1e-9, 1e-9}) {
+      CHECK(felt.at(side).value == doctest::Approx(gain * side));
+      CHECK(felt.at(side).slope == doctest::Approx(gain));
+      CHECK(std::abs(felt.at(side).curvature) < 1e-5);
+    }
+    double before = -1e300;
+    for (double e = -40.0; e < 50.0; e += 0.37) {
+      const FeltEnergy here = felt.at(e), next = felt.at(e + 1e-5), last = felt.at(e - 1e-5);
+      CHECK(here.value > before);
+      before = here.value;
+      CHECK(here.slope == doctest::Approx((next.value - last.value) / 2e-5).epsilon(1e-4));
+      CHECK(here.curvature == doctest::Approx((next.slope - last.slope) / 2e-5).epsilon(1e-3).scale(1.0));
+    }
   }
 }

@@ -75,6 +75,19 @@ Real dielectricOf(Real r, const PairModel& m) {
 
 Real sixth(Real x) { return x * x * x * x * x * x; }
 
+// With a gain of weak forces, the scale of a well whose 5 kcal/mol stay 5, by Newton's method.
+Real feltOf(Real energy, const PairModel& m) {
+  const Real wall = m.wall_kcal_mol, g = m.weak_gain;
+  if (!std::isfinite(m.wall_kcal_mol) || (energy <= 0 && g == 1)) return energy;
+  if (energy > 0) return wall * std::asinh(g * energy / wall);
+  Real well = 1;
+  for (int n = 0; n < 200; ++n) {
+    const Real x = 5 * g / well, f = well * std::asinh(x) - 5, slope = std::asinh(x) - x / std::sqrt(1 + x * x);
+    well = std::max(well / 4, well - f / slope);
+  }
+  return well * std::asinh(g * energy / well);
+}
+
 OracleEnergy oracle(const Scene& s, const PairModel& m, const PoseA& at) {
   OracleEnergy out;
   Real nearest = INFINITY;
@@ -95,8 +108,7 @@ OracleEnergy oracle(const Scene& s, const PairModel& m, const PoseA& at) {
       out.size += std::abs(lj) + std::abs(el);
       atom += lj + el;
     }
-    const Real wall = m.wall_kcal_mol;
-    out.felt += atom > 0 && std::isfinite(m.wall_kcal_mol) ? wall * std::asinh(atom / wall) : atom;
+    out.felt += feltOf(atom, m);
   }
   REQUIRE(nearest > kMinPair_A);
   return out;
@@ -262,6 +274,21 @@ TEST_CASE(
       CHECK(worst.force < 2e-6);
       CHECK(worst.torque < 2e-6);
     }
+}
+
+TEST_CASE(
+    "with weak forces felt 1.5, 3 and 8 times as strong, energy, force and torque are those of the felt energy to 2e-6 "
+    "of the sum of the pairs' amounts times the gain") {
+  for (const double gain : {1.5, 3.0, 8.0}) {
+    CAPTURE(gain);
+    PairModel model = unbounded(Dielectric::Distance, 4.0);
+    model.wall_kcal_mol = 1.0;
+    model.weak_gain = gain;
+    const Differences worst = worstDifferences(crowd(41), model, 41, 60, 0.3, 0.5);
+    CHECK(worst.energy < 2e-6 * gain);
+    CHECK(worst.force < 2e-6 * gain);
+    CHECK(worst.torque < 2e-6 * gain);
+  }
 }
 
 TEST_CASE(

@@ -55,6 +55,7 @@ TEST_CASE("each kind of task begins with another sentence in German than in Engl
       {"fit", {{"fit", "atom 0"}}},
       {"measure", {{"measure", "atom 0"}, {"to", "atom 3"}}},
       {"order", {{"order", "atom 0 then atom 5"}, {"first", "the smaller"}}},
+      {"rank", {{"rank", "atom 0 then atom 5"}, {"first", "the firmest"}}},
       {"dock", {{"dock", "file"}}},
       {"pull", {{"pull", "5 Å"}}},
       {"pass", {{"pass", "atom 0-3"}}},

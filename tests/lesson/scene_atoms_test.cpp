@@ -70,6 +70,25 @@ TEST_CASE("'charges: file' on a molecule whose file has no charges is an error a
   CHECK(errors(scene("guess")).size() == 1);
 }
 
+TEST_CASE("formal charges beside forces between atoms are warned of once, at their place; without them they are not") {
+  const auto warnings = [](const std::string& keys) {
+    const auto mix = [](const NamedMolecule&) -> Expected<std::shared_ptr<const Molecule>> {
+      return std::make_shared<const Molecule>(mixedMolecule());
+    };
+    std::vector<std::string> out;
+    for (const Problem& p :
+         checkLesson("l.md", kHead + "## S\n```scene\nmolecule: mix\n" + keys + "```\nText.\n", mix).warnings)
+      if (p.message.find("formal charges") != std::string::npos) out.push_back(p.text());
+    return out;
+  };
+  const std::vector<std::string> found = warnings("charges: formal\nforces: all\n");
+  REQUIRE(found.size() == 1);
+  CHECK(found[0].starts_with("l.md:12:10: formal charges replace the partial ones"));
+  CHECK(warnings("charges: formal\n").empty());
+  CHECK(warnings("charges: formal\nforces: van-der-waals\n").empty());
+  CHECK(warnings("forces: all\n").empty());
+}
+
 TEST_CASE("a view that faces 9 of 10 atoms that are left, or all, is warned of at its place; one that faces 8 is not") {
   const auto warnings = [](const std::string& keys) {
     const auto mix = [](const NamedMolecule&) -> Expected<std::shared_ptr<const Molecule>> {

@@ -291,6 +291,7 @@ TEST_CASE("100000 random samples of every kind keep progress within 0 to 1 and r
       {"fit", {{"fit", "atom 5"}}},
       {"measure", {{"measure", "atom 0"}, {"to", "atom 9"}}},
       {"order", {{"order", "atom 0 then atom 4 then atom 9"}, {"first", "the left one"}, {"for", "0.1 s"}}},
+      {"rank", {{"rank", "atom 0 then atom 4"}, {"first", "the firmest"}}},
       {"dock", {{"dock", "file"}}},
       {"pull", {{"pull", "5 Å"}}},
       {"pass", {{"pass", "atom 0-5"}}},

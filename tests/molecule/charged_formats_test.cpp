@@ -157,6 +157,28 @@ TEST_CASE("PDBQT gives atoms, types' elements and charges; ROOT and BRANCH are i
   CHECK(second.warnings[1] == "All charges of the file are 0; it is read as a file without charges.");
 }
 
+TEST_CASE(
+    "a PDBQT file is recognized under a name that ends in .pdb, .ent or nothing known, and a PDB file under none of "
+    "them is taken for one") {
+  for (const char* name : {"x.pdb", "x.ent", "x.out", "x"}) {
+    CAPTURE(name);
+    const Molecule m = read(seed("pdbqt/two.pdbqt"), name);
+    CHECK(m.atoms.size() == 3);
+    REQUIRE(m.charges_e.size() == 3);
+    CHECK(m.charges_e[1] == doctest::Approx(-0.35));
+    CHECK(m.atoms[0].atomic_number == 6);
+  }
+  // A segment name, and a formal charge behind the element.
+  const std::string pdb =
+      "ATOM      1  N   GLY A   1       1.000   2.000   3.000  1.00 12.50      SEG1 N1+\n"
+      "ATOM      2  CA  GLY A   1       2.400   2.000   3.000  1.00 12.50      0.12 C  \n";
+  for (const char* name : {"x.pdb", "x"}) {
+    const Molecule m = read(pdb, name);
+    CHECK(m.atoms.size() == 2);
+    CHECK(m.charges_e.empty());
+  }
+}
+
 TEST_CASE("AutoDock's types are their elements, and an unknown one is reported") {
   const std::string text = seed("pdbqt/two.pdbqt");
   for (const auto& [type, number] :

@@ -137,10 +137,11 @@ void Application::enterScene() {
 }
 
 void Application::beginSceneAgain(std::optional<PointA> before, const std::optional<Quat>& turned,
-                                  const std::vector<std::uint32_t>& removed) {
-  // The interaction is rebuilt if other atoms are excluded from touch.
-  if (TouchableModel felt =
-          withUntouchable(scene.atoms().resting(), atomsOfEither(lesson.untouchable(), removed), lesson.held());
+                                  const std::vector<std::uint32_t>& removed,
+                                  const std::vector<std::uint32_t>& in_hand) {
+  // The interaction is rebuilt if other atoms are excluded from touch, or held.
+  if (TouchableModel felt = withUntouchable(scene.atoms().resting(), atomsOfEither(lesson.untouchable(), removed),
+                                            in_hand.empty() ? lesson.held() : in_hand);
       felt.spheres != scene.stage().spheres)
     scene.show(std::move(felt), scene.molecule(), facing());
   if (before)

@@ -82,7 +82,8 @@ class Application final : public Opener {
   void resetView() override;
   void comeCloseTo(PointA place) override;
   void beginSceneAgain(std::optional<PointA> before = {}, const std::optional<Quat>& turned = {},
-                       const std::vector<std::uint32_t>& removed = {}) override;
+                       const std::vector<std::uint32_t>& removed = {},
+                       const std::vector<std::uint32_t>& in_hand = {}) override;
   /// Like resetView(), by the user: it can be undone.
   void resetViewByHand();
   /// Shows a view that the user chose; it can be undone.

@@ -188,8 +188,7 @@ void HeldPoses::addMinimum() {
 }
 
 bool HeldPoses::canTake() const {
-  return selected_ && *selected_ < list().size() && !list()[*selected_].minimised && !taskOpen() &&
-         !scene_.servo().deviceLeads() && !scene_.trying();
+  return selected_ && *selected_ < list().size() && !list()[*selected_].minimised && !taskOpen() && !scene_.trying();
 }
 
 void HeldPoses::take() {

@@ -77,7 +77,7 @@ class HeldPoses final : public Extension {
   void minimise();
   /// Adds the computed minimum to the list and selects it.
   void addMinimum();
-  /// Whether take() would act: a pose that the hand reached is selected, and the mouse leads the hand.
+  /// Whether take() would act: a pose that the hand reached is selected.
   bool canTake() const;
   /// Takes the body back to the selected pose; the force rises softly. If a task opens afterwards, the scene begins
   /// again.

@@ -19,20 +19,23 @@ void TaskStager::beforeTicks() {
   scene_.controls.startTurned(wanted.body_turned);
   scene_.controls.startAt(wanted.body_begins);
   if (!session) {
-    const bool lacks = !stage_.removed.empty() && scene_.stage();
+    const bool lacks = !(stage_.removed.empty() && stage_.in_hand.empty()) && scene_.stage();
     stage_ = wanted;
     if (lacks) opener_.beginSceneAgain();
     return;
   }
   change(stage_.touch, wanted.touch);
   // A place found in the dark stays where it is: the molecule becomes visible and nothing else changes.
-  const bool found = (stage_.turned || stage_.body_turned) && wanted == TaskStage();
+  const bool found = (stage_.turned || stage_.body_turned) && wanted == TaskStage() && wanted.in_hand == stage_.in_hand;
   const bool anew = !found && (wanted.presentation != stage_.presentation || wanted.turned != stage_.turned ||
                                wanted.body_turned != stage_.body_turned);
   stage_ = wanted;
   if (!anew) return;
-  opener_.beginSceneAgain(wanted.facing, wanted.turned, wanted.removed);
+  opener_.beginSceneAgain(wanted.facing, wanted.turned, wanted.removed, wanted.in_hand);
   scene_.controls.letGo();
+  // A device's hand finds no place in the dark: what it holds comes to it.
+  if (!wanted.in_hand.empty() && wanted.body_begins && scene_.servo().deviceLeads())
+    scene_.holdAt({*wanted.body_begins, wanted.body_turned.value_or(kNoRotation)});
 }
 
 // Not while the hand presses, because the place would move away from it.

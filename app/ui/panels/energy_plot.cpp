@@ -11,6 +11,7 @@
 #include "app/ui/panels/while_locked.h"
 #include "app/ui/widgets/controls.h"
 #include "app/ui/widgets/plot.h"
+#include "app/ui/widgets/rich_text.h"
 #include "app/ui/widgets/theme.h"
 #include "app/ui/widgets/widget_map.h"
 #include "engine/haptics/field/force_choices.h"
@@ -34,15 +35,17 @@ void drawParts(Application& app) {
 // What of the energy of each held atom is felt.
 void drawFeltEnergy(const ForceWatch& forces) {
   if (!forces.on()) return;  // the newest tick is still of forces that have just been switched off
-  constexpr double kFrom_kcal_mol = -2.0, kTo_kcal_mol = 10.0;
-  const double wall = forces.wall_kcal_mol();
-  const auto felt = [&](double energy) { return feltEnergy(energy, wall).value; };
+  constexpr double kTo_kcal_mol = 10.0;
+  const PairModel& model = forces.field()->model;
+  const double from_kcal_mol = model.weak_gain > 1.0 ? -10.0 : -2.0;
+  const FeltFunction function(model);
+  const auto felt = [&](double energy) { return function.at(energy).value; };
   ImGui::Spacing();
   functionPlot("plot/felt_energy", felt,
                {.title = tr("Felt energy of an atom"),
                 .across = tr("kcal/mol energy"),
                 .up = tr("kcal/mol felt"),
-                .from = kFrom_kcal_mol,
+                .from = from_kcal_mol,
                 .to = kTo_kcal_mol,
                 .at = forces.highest_kcal_mol()});
   if (!forces.highest_kcal_mol()) return;
@@ -79,12 +82,21 @@ void drawEnergyPlot(Application& app) {
   drawFeltEnergy(app.scene.forces());
   const double N_per_kcal_mol_A = log.latest().spring_N_per_A / energy->coupling_kcal_mol_A2;
   if (N_per_kcal_mol_A <= 0.0) return;
-  const std::string scale =
-      trf("1 N in the hand is {0} pN between the atoms.", numberText(kForceUnit_pN / N_per_kcal_mol_A, decimals(0)));
-  ImGui::PushTextWrapPos(0.0f);
-  ImGui::TextUnformatted(scale.c_str());
-  ImGui::PopTextWrapPos();
-  recordItem("force_scale", scale);
+  const auto line = [](const char* name, const std::string& text) {
+    ImGui::TextUnformatted(wrapped(text, ImGui::GetContentRegionAvail().x).c_str());
+    recordItem(name, text);
+  };
+  const double gain = app.scene.touch().weak_gain;
+  const std::string pN = numberText(kForceUnit_pN / N_per_kcal_mol_A, decimals(0)),
+                    kcal_mol_A = numberText(1.0 / N_per_kcal_mol_A, decimals(1));
+  line("force_scale", gain > 1.0
+                          ? trf("1 N in the hand is {0} pN or {1} kcal/mol/Å between the atoms, for the weakest "
+                                "forces {2} times less.",
+                                pN, kcal_mol_A, numberText(gain, decimals(1)))
+                          : trf("1 N in the hand is {0} pN or {1} kcal/mol/Å between the atoms.", pN, kcal_mol_A));
+  if (const auto between = app.scene.forces().between_kcal_mol_A())
+    line("force_between", trf("Between the atoms now: {0} pN, {1} kcal/mol/Å.",
+                              numberText(kForceUnit_pN * *between, decimals(0)), numberText(*between, decimals(1))));
 }
 
 }  // namespace moltact

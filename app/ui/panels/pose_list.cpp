@@ -103,7 +103,7 @@ void drawSelectedPose(Application& app, HeldPoses& poses) {
     if (button("poses/take", tr("Back to this pose"), ButtonLook::Plain, -1.0f, poses.canTake())) poses.take();
     if (app.scene.servo().deviceLeads()) {
       const WithFont small(Font::Small);
-      quietPoseLine("poses/device", tr("A device's hand stays where it is. The outline in the view shows the pose."));
+      quietPoseLine("poses/device", tr("Your hand stays where it is: the view turns until it holds the body so."));
     }
   }
 }

@@ -42,8 +42,10 @@ class ForceWatch {
   const std::vector<EnergyShare>& residues() const { return residues_; }
   /// The highest energy of a held atom, before the bound of the walls; none without forces.
   std::optional<double> highest_kcal_mol() const { return highest_; }
-  /// PairModel::wall_kcal_mol of the forces; 0 without them.
-  double wall_kcal_mol() const { return shares_ ? shares_->field().model.wall_kcal_mol : 0.0; }
+  /// The force between what is held and the molecule, without bound and gain; none without forces (unit: kcal/mol/A).
+  std::optional<double> between_kcal_mol_A() const {
+    return at_ ? std::optional(glm::length(shares_->force_kcal_mol_A())) : std::nullopt;
+  }
   /// The atoms of the forces; null without them.
   const std::shared_ptr<const PairField>& field() const { return field_; }
   /// Of a body, hydrogen bonds before clashes; empty for a probe.

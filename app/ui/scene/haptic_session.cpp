@@ -1,11 +1,13 @@
 #include "app/ui/scene/haptic_session.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "engine/haptics/height_field/height_field_tracker.h"
 #include "engine/haptics/pull_spring.h"
 #include "engine/lesson/second_state.h"
 #include "engine/render/molecule_model.h"
+#include "engine/workspace/scale.h"
 
 namespace moltact {
 namespace {
@@ -116,10 +118,32 @@ void HapticSession::beginAgainAt(PointA place) {
 }
 
 void HapticSession::holdAt(const PoseA& body) {
-  if (!stage().body || played_ || trying() || servo_.deviceLeads()) return;
+  if (!stage().body || played_ || trying() || recorded_.on()) return;
+  brought_.reset();
+  if (servo_.deviceLeads())
+    brought_ = body;
+  else
+    controls.beginAt(body, camera, servo_settings.workspace, servo_.mouse());
   log_.clear();
   ++servo_settings.discontinuities;
-  controls.beginAt(body, camera, servo_settings.workspace, servo_.mouse());
+  servo_.beginAgain(effectiveSettings(false));
+}
+
+// A discontinuity ends the clutch's offset, and the workspace may have changed with it: where the hand is, and how it is
+// turned, follows only from a tick after it. The screen's axes are the device's, so the view turns until the hand's
+// orientation is that of the pose.
+void HapticSession::bringToHand() {
+  const ServoSample& now = servo_.newest();
+  if (!brought_ || now.discontinuities != servo_settings.discontinuities) return;
+  const PoseA pose = *std::exchange(brought_, std::nullopt);
+  const Quat held = glm::conjugate(glm::quat_cast(servo_settings.workspace.rotation)) * now.orientation;
+  camera.orientation = glm::normalize(pose.orientation * glm::conjugate(held));
+  camera.target = pose.place;
+  fitRoom(pose.place);
+  servo_settings.workspace =
+      rescaled(servo_settings.workspace, servo_settings.workspace.A_per_mm, now.hand, pose.place);
+  log_.clear();
+  ++servo_settings.discontinuities;
   servo_.beginAgain(effectiveSettings(false));
 }
 
@@ -195,6 +219,7 @@ void HapticSession::retract(double dt_s) {
 }
 
 void HapticSession::handBegins(PointA before) {
+  brought_.reset();
   ++servo_settings.discontinuities;
   controls.begin(camera, before, servo_settings.workspace, std::min(stage().reach_A, camera.distance_A),
                  servo_.mouse());
@@ -326,7 +351,10 @@ FeltTicks HapticSession::advance(double dt_s, double now_s, bool timed) {
     servo_.timeTicks(timed);
     hand_moved_ = glm::distance(hand_before.A, log_.latest().hip.A) > kStill_A;
     watchLeftBehind(dt_s);
-    retract(dt_s);
+    if (brought_)
+      bringToHand();
+    else
+      retract(dt_s);
   }
   servo_.loop().wantReactions(stage().body != nullptr && !played_);
   const std::span<const AtomForce> reactions =

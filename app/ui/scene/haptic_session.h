@@ -77,8 +77,9 @@ class HapticSession {
   void startSoftly();
   /// The same, with a point rotated to the front and into the middle of the view; the hand begins in front of it.
   void beginAgainAt(PointA place);
-  /// The same, with the mouse's hand at a pose of the body that it holds, in the present view. It waits there for the
-  /// next press, and the body gives way to what acts on it there. Does nothing while a device leads the hand.
+  /// The same, with the hand at a pose of the body that it holds. A mouse's hand waits there for the next press, in the
+  /// present view, and the body gives way to what acts on it there. A device's hand stays where it is: the view turns, and
+  /// the scene moves in the device's workspace, so that the hand has this pose in the molecule.
   void holdAt(const PoseA& body);
   /// The placement of the scene in the hand's workspace.
   WorkspaceFit& fit() { return fit_; }
@@ -169,6 +170,7 @@ class HapticSession {
   void handBegins(PointA before);
   void fitRoom(PointA toward);
   void retract(double dt_s);
+  void bringToHand();
   void watchLeftBehind(double dt_s);
   std::unique_ptr<Interaction> interactionHere(const Contact& contact, const PoseA& hand);
   std::unique_ptr<Interaction> freshInteraction();
@@ -192,6 +194,7 @@ class HapticSession {
   RecordedConditions recorded_;
   std::vector<float> fluctuation_A_;
   std::vector<std::uint32_t> pulled_;
+  std::optional<PoseA> brought_;  // what the device's hand is to hold, as soon as its own pose is known
   std::shared_ptr<const HeightField> field_;
   std::shared_ptr<const SphereGrid> field_like_;
   bool hand_moved_ = false, resting_ = false;

@@ -54,7 +54,9 @@ void MethodWatch::begin(const TouchableModel& stage, const TouchSetup& felt) {
   molecule_ = stage.molecule;
   spheres_ = stage.spheres;
   reference_ = referenceOf(felt);
-  exact_ = stage && !stage.body ? makeReference(reference_) : nullptr;  // methods are compared with a probe only
+  judges_ = stage && !stage.body;  // methods are compared with a probe only
+  exact_ = judges_ && !sameConstruction(felt, reference_) ? makeReference(reference_) : nullptr;
+  latest_ = {};
   hand_ = {};
   fraction_ = 0.0;
   motion_ = nullptr;
@@ -68,10 +70,16 @@ void MethodWatch::begin(const TouchableModel& stage, const TouchSetup& felt) {
 
 void MethodWatch::feelWith(const TouchSetup& felt) {
   const TouchSetup reference = referenceOf(felt);
-  if (exact_ && !sameConstruction(reference, reference_)) {
+  const bool other = !exact_ || !sameConstruction(reference, reference_);
+  if (!judges_ || sameConstruction(felt, reference)) {
+    exact_ = nullptr;
+  } else if (other) {
     exact_ = makeReference(reference);
     if (motion_ && exact_->setMotion(motion_.get())) exact_->advanceTo(fraction_);
-    leadToContact(*exact_, latest_exact_, hand_);
+    if (latest_.molecular_energy)  // what hangs in a field goes on from its place
+      leadFrom(*exact_, latest_);
+    else
+      leadToContact(*exact_, latest_exact_, hand_);
   }
   reference_ = reference;
 }
@@ -111,7 +119,22 @@ double MethodWatch::greatestTurn_deg() const {
 Contact MethodWatch::add(const ServoSample& s, const Method& method,
                          const std::shared_ptr<const SphereMotion>& motion) {
   noteTurn(s);
-  if (!exact_ || !s.has_interaction) return {.scp = s.hip};
+  if (!judges_ || !s.has_interaction) return {.scp = s.hip};
+  latest_ = s;
+  motion_ = exact_ ? motion_ : motion;
+  const Contact exact = exact_ ? exactContact(s, motion) : s.contact;
+  hand_ = {s.hip, s.orientation};
+  fraction_ = s.fraction;
+  latest_exact_ = exact;
+  if (!exact.touching() || s.contact.fault != Fault::None) return exact;
+  MethodRecord& r = record(method.name);
+  r.times.add(double(s.work_us));
+  const double error_A = glm::distance(s.contact.scp.A, exact.scp.A);
+  r.error_A += (error_A - r.error_A) / double(std::min(++r.ticks, kMemory_ticks));
+  return exact;
+}
+
+Contact MethodWatch::exactContact(const ServoSample& s, const std::shared_ptr<const SphereMotion>& motion) {
   if (s.contact_reset) exact_->reset();
   if (s.probe_A != exact_->probe_A()) exact_->setProbe(s.probe_A);
   exact_->setFriction(s.friction);
@@ -120,24 +143,17 @@ Contact MethodWatch::add(const ServoSample& s, const Method& method,
     exact_->setMotion(motion.get());
     motion_ = motion;
   }
-  fraction_ = s.fraction;
-  if (motion_) exact_->advanceTo(fraction_);
-  hand_ = {s.hip, s.orientation};
-  Contact exact = exact_->respond(hand_).contact;
+  if (motion_) exact_->advanceTo(s.fraction);
+  const PoseA hand{s.hip, s.orientation};
+  Contact exact = exact_->respond(hand).contact;
   // A method that loses the surface lets the hand out on the far side. The exact SCP would then stay behind for ever.
   const bool alone = exact.touching() && !s.contact.touching() && clearanceAt(*spheres_, s, motion_.get()) > 0.0;
   left_behind_ticks_ = alone ? left_behind_ticks_ + 1 : 0;
   if (left_behind_ticks_ > kLeftBehind_ticks) {
     exact_->reset();
-    exact = exact_->respond(hand_).contact;
+    exact = exact_->respond(hand).contact;
     left_behind_ticks_ = 0;
   }
-  latest_exact_ = exact;
-  if (!exact.touching() || s.contact.fault != Fault::None) return exact;
-  MethodRecord& r = record(method.name);
-  r.times.add(double(s.work_us));
-  const double error_A = glm::distance(s.contact.scp.A, exact.scp.A);
-  r.error_A += (error_A - r.error_A) / double(std::min(++r.ticks, kMemory_ticks));
   return exact;
 }
 

@@ -1,7 +1,7 @@
 // Measures cost and accuracy of each method used on this molecule: tick times, changes of the force's direction from
 // tick to tick, and the distance of its SCP from that of an exact tracker with the same hand path (referenceOf,
 // engine/haptics/interactions.h). The exact tracker runs here, on the window's thread, over the ticks that the loop
-// returns. Units: microsecond, angstrom, degree.
+// returns; while it is the method in use, its contacts are those of the ticks. Units: microsecond, angstrom, degree.
 #pragma once
 
 #include <array>
@@ -75,14 +75,17 @@ class MethodWatch {
 
  private:
   std::unique_ptr<Interaction> makeReference(const TouchSetup& reference) const;
+  Contact exactContact(const ServoSample& sample, const std::shared_ptr<const SphereMotion>& motion);
   MethodRecord& record(std::string_view method);
   void noteTurn(const ServoSample& sample);
 
   std::shared_ptr<const Molecule> molecule_;
   std::shared_ptr<const SphereGrid> spheres_;
   std::shared_ptr<const SphereMotion> motion_;  // outlives exact_, which reads it
-  std::unique_ptr<Interaction> exact_;
-  TouchSetup reference_;   // with which exact_ was constructed
+  bool judges_ = false;
+  std::unique_ptr<Interaction> exact_;  // null if what is felt is what it would give, or no method is judged
+  TouchSetup reference_;                // with which exact_ was constructed, or would be
+  ServoSample latest_;
   PoseA hand_{};           // in the last tick
   double fraction_ = 0.0;  // of motion_, in the last tick
   Contact latest_exact_;

@@ -49,7 +49,7 @@ void DoubleSum::add(PairTerms& out, const PairAtom& own, const Vec3& place, cons
 
 PairEnergy DoubleSum::at(const PoseA& pose) {
   const glm::dmat3 turn = glm::mat3_cast(pose.orientation);
-  HeldAtomSum sum(PairModel{}.wall_kcal_mol);
+  HeldAtomSum sum{FeltFunction(PairModel{})};
   for (std::size_t k = 0; k < body_.size(); ++k) {
     const Vec3 arm = turn * body_[k].centre_A, place = pose.place.A + arm;
     PairTerms terms;

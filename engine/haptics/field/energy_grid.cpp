@@ -146,7 +146,7 @@ PairEnergy EnergyGrid::at(const PoseA& pose) noexcept {
   const Quat& q = pose.orientation;
   if (!finite(pose.place.A) || glm::length(pose.place.A) > kMaxPosition_A || !std::isfinite(glm::dot(q, q))) return {};
   const glm::dmat3 turn = glm::mat3_cast(q);
-  HeldAtomSum sum(wall_);
+  HeldAtomSum sum{FeltFunction(wall_)};
   for (std::size_t k = 0; k < body_.size(); ++k) {
     const GridAtom& atom = body_[k];
     const Vec3 arm = turn * atom.centre_A, place = pose.place.A + arm;

@@ -11,14 +11,13 @@ namespace moltact {
 
 class HeldAtomSum {
  public:
-  /// `wall_kcal_mol` as in PairModel.
-  explicit HeldAtomSum(double wall_kcal_mol) noexcept : wall_(wall_kcal_mol) {}
+  explicit HeldAtomSum(const FeltFunction& felt) noexcept : felt_(felt) {}
 
   /// Adds an atom at `arm` from the body's middle. Its curvature may come from a nearby pose. Returns the
-  /// derivative of the bounding function phi at the atom's energy: 1 below zero.
+  /// derivative of the felt energy by the atom's: 1 below zero without a gain.
   double add(const PairTerms& terms, const std::array<double, 6>& c, const Vec3& arm) noexcept {
     sum_.energy.parts += terms.energy;
-    const auto [felt, first, second] = feltEnergy(terms.energy.total_kcal_mol(), wall_);
+    const auto [felt, first, second] = felt_.at(terms.energy.total_kcal_mol());
     sum_.energy.felt_kcal_mol += felt;
     const Vec3 gradient = first * terms.gradient;
     sum_.force_kcal_mol_A -= gradient;
@@ -51,7 +50,7 @@ class HeldAtomSum {
     return std::max(0.0, mean + std::sqrt(rest * 2.0 / 3.0));
   }
 
-  double wall_;
+  FeltFunction felt_;
   PairEnergy sum_;
   glm::dmat3 translational_{0.0}, rotational_{0.0};
 };

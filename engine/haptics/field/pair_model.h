@@ -38,19 +38,51 @@ struct PairModel {
   /// The felt energy of each held atom is E below zero and E0 asinh(E / E0) above: walls are bounded, wells unchanged.
   /// Infinity: E everywhere.
   double wall_kcal_mol = 1.0;
+  /// How many times as strong the weakest forces of a held atom are felt (1 or more): see FeltFunction.
+  double weak_gain = 1.0;
 
   friend bool operator==(const PairModel&, const PairModel&) = default;
 };
 
-/// The felt energy of a held atom, by its energy and PairModel::wall_kcal_mol (unit: kcal/mol); and its derivatives. It
-/// rises everywhere.
+/// The felt energy of a held atom, by its energy, and its derivatives. It rises everywhere.
 struct FeltEnergy {
   double value, slope, curvature;
 };
+
+/// The function from an atom's energy E to the felt one. Above zero, E0 asinh(g E / E0) with E0 = `wall_kcal_mol`. Below
+/// zero, E for g = 1, else E1 asinh(g E / E1), with E1 such that kEvenWell_kcal_mol is felt as it is. At zero both have the
+/// slope g and no curvature, so the felt force is continuous, and it remains that of a potential, whatever g is. An E0 of
+/// infinity leaves every energy as it is.
+class FeltFunction {
+ public:
+  /// The depth of an atom's well that no gain changes (unit: kcal/mol).
+  static constexpr double kEvenWell_kcal_mol = 5.0;
+
+  explicit FeltFunction(double wall_kcal_mol, double weak_gain = 1.0) noexcept
+      : wall_(wall_kcal_mol), gain_(std::isfinite(wall_kcal_mol) && weak_gain > 1.0 ? weak_gain : 1.0) {
+    if (gain_ == 1.0) return;
+    // E1 asinh(5 g / E1) rises with E1 from 0 to 5 g.
+    double low = 1e-6, high = 1e6;
+    for (int k = 0; k < 100; ++k) {
+      well_ = std::sqrt(low * high);
+      (well_ * std::asinh(gain_ * kEvenWell_kcal_mol / well_) < kEvenWell_kcal_mol ? low : high) = well_;
+    }
+  }
+  explicit FeltFunction(const PairModel& model) noexcept : FeltFunction(model.wall_kcal_mol, model.weak_gain) {}
+
+  FeltEnergy at(double energy_kcal_mol) const noexcept {
+    const bool wall = energy_kcal_mol > 0.0;
+    if (!std::isfinite(wall_) || (!wall && gain_ == 1.0)) return {energy_kcal_mol, 1.0, 0.0};
+    const double scale = wall ? wall_ : well_, x = gain_ * energy_kcal_mol / scale, fall = 1.0 / std::sqrt(1.0 + x * x);
+    return {scale * std::asinh(x), gain_ * fall, -gain_ * gain_ * x / scale * fall * fall * fall};
+  }
+
+ private:
+  double wall_, gain_, well_ = 1.0;
+};
+
 inline FeltEnergy feltEnergy(double energy_kcal_mol, double wall_kcal_mol) noexcept {
-  if (!(energy_kcal_mol > 0.0) || !std::isfinite(wall_kcal_mol)) return {energy_kcal_mol, 1.0, 0.0};
-  const double x = energy_kcal_mol / wall_kcal_mol, slope = 1.0 / std::sqrt(1.0 + x * x);
-  return {wall_kcal_mol * std::asinh(x), slope, -x / wall_kcal_mol * slope * slope * slope};
+  return FeltFunction(wall_kcal_mol).at(energy_kcal_mol);
 }
 
 /// Below this distance the energy of a pair continues as a parabola, so that two atoms in one place have a finite energy.

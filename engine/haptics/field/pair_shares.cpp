@@ -47,6 +47,7 @@ PairShares::PairShares(std::shared_ptr<const PairField> field, std::span<const s
 
 void PairShares::at(const PoseA& pose) {
   pairs_ = 0;
+  force_ = Vec3(0.0);
   near_.clear();
   for (std::size_t k = 0; k < held_.size(); ++k) held_[k] = {.index = std::uint32_t(k)};
   const Quat& q = pose.orientation;
@@ -70,6 +71,7 @@ void PairShares::at(const PoseA& pose) {
       pairs_ += std::size_t(group.atoms);
       share.parts += terms.energy;
       held_[k].parts += terms.energy;
+      force_ -= terms.gradient;
     }
     if (near) near_.push_back(share);
   }

@@ -39,6 +39,8 @@ class PairShares {
   std::span<const EnergyShare> held() const { return held_; }
   /// Of every group that has a pair within the cut-off, in the order of the groups' numbers.
   std::span<const EnergyShare> groups() const { return near_; }
+  /// The force of the scene on the held atoms in this pose, of all pairs, without the bound of the walls or a gain.
+  Vec3 force_kcal_mol_A() const { return force_; }
   /// The pairs of this pose with at least this Lennard-Jones energy (above 0).
   std::vector<NearPair> pairsAbove(double van_der_waals_kcal_mol) const;
   /// The centre of a held atom in the pose.
@@ -65,6 +67,7 @@ class PairShares {
   std::vector<Vec3> places_;
   std::vector<EnergyShare> held_, near_;
   std::size_t pairs_ = 0;
+  Vec3 force_{0.0};
 };
 
 }  // namespace moltact

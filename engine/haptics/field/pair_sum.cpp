@@ -14,6 +14,7 @@ PairSum::PairSum(std::shared_ptr<const SphereGrid> scene, std::vector<PairAtom> 
       atoms_(std::move(atoms)),
       body_(std::move(body)),
       model_(model),
+      felt_(model),
       constants_(model),
       kernel_(pairKernel(model.kind)),
       lists_(body_.size()),
@@ -186,7 +187,7 @@ PairEnergy PairSum::at(const PoseA& pose) noexcept {
     if (!list.whole || glm::distance(places_[cursor_], list.centre_A) > 0.5 * kMargin_A) renew(list, places_[cursor_]);
   }
 
-  HeldAtomSum total(model_.wall_kcal_mol);
+  HeldAtomSum total(felt_);
   for (std::size_t k = 0; k < body_.size(); ++k) {
     if (lists_[k].whole && lists_[k].atoms == 0) continue;
     const bool curved = calls_ < kCurvatureTicks || (k + calls_) % kCurvatureTicks == 0;

@@ -80,6 +80,7 @@ class PairSum {
   std::shared_ptr<const SphereGrid> scene_;
   std::vector<PairAtom> atoms_, body_;
   PairModel model_;
+  FeltFunction felt_;
   PairConstants constants_;
   PairKernel kernel_;
   std::vector<List> lists_;

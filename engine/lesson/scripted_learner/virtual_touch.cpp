@@ -66,6 +66,11 @@ void VirtualTouch::setStage(const TaskStage& stage) {
     felt_ = nullptr;
     exact_ = nullptr;
   }
+  if (stage.in_hand != stage_.in_hand) {
+    body_ = heldBody(molecule_->spheres, stage.in_hand.empty() ? heldAtoms(scene_, *molecule_) : stage.in_hand);
+    felt_ = nullptr;
+    exact_ = nullptr;
+  }
   TouchSetup touch = touch_;
   stage.touch.replace(stage_.touch, scene_.touch, touch);
   feelWith(touch);
@@ -89,9 +94,11 @@ void VirtualTouch::feelWith(const TouchSetup& wanted) {
     ++settings_.discontinuities;
   }
   const TouchSetup reference = referenceOf(touch);
-  if (!exact_ || !sameConstruction(reference, referenceOf(touch_)))
+  // No method is judged with a body.
+  if (body_ || sameConstruction(touch, reference))
+    exact_ = nullptr;
+  else if (!exact_ || !sameConstruction(reference, referenceOf(touch_)))
     exact_ = makeInteraction(interactionInput(reference, *molecule_, spheres_));
-  is_reference_ = sameConstruction(touch, reference);
   touch_ = touch;
   settings_.take(touch);
   method_ = findMethod(touch.method)->name;
@@ -100,7 +107,7 @@ void VirtualTouch::feelWith(const TouchSetup& wanted) {
 void VirtualTouch::place(const PoseA& hand) {
   hand_ = hand;
   ++pose_.discontinuities;
-  exact_->reset();
+  if (exact_) exact_->reset();
 }
 
 TouchSample VirtualTouch::tick(const PoseA& hand) {
@@ -111,17 +118,18 @@ TouchSample VirtualTouch::tick(const PoseA& hand) {
   if (moves) fraction_ = std::min(1.0, fraction_ + 1.0 / motion_->ticks());
   const ServoSample s = step_.tick(settings_, felt_.get(), pose_, {}, {motion_.get(), fraction_});
   ++ticks_;
-  if (s.contact_reset) exact_->reset();
-  exact_->setProbe(s.probe_A);
-  exact_->setFriction(s.friction);
-  if (motion_) {
-    exact_->setMotion(motion_.get());
-    exact_->advanceTo(fraction_);
-    if (moves && !moving()) spheres_ = std::make_shared<const SphereGrid>(motion_->at(1.0), spheres_->untouchable());
+  if (exact_) {
+    if (s.contact_reset) exact_->reset();
+    exact_->setProbe(s.probe_A);
+    exact_->setFriction(s.friction);
+    if (motion_) {
+      exact_->setMotion(motion_.get());
+      exact_->advanceTo(fraction_);
+    }
   }
-  // No method is judged with a body.
-  TouchSample sample =
-      touchSampleOf(s, method_, is_reference_ || body_ ? s.contact : exact_->respond({s.hip, s.orientation}).contact);
+  if (motion_ && moves && !moving())
+    spheres_ = std::make_shared<const SphereGrid>(motion_->at(1.0), spheres_->untouchable());
+  TouchSample sample = touchSampleOf(s, method_, exact_ ? exact_->respond({s.hip, s.orientation}).contact : s.contact);
   sample.time_s = time_s();  // on the virtual clock, which continues across scenes
   return sample;
 }

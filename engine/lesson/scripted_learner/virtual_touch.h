@@ -51,10 +51,10 @@ class VirtualTouch {
   std::shared_ptr<const SphereGrid> spheres_;
   std::shared_ptr<const HeldBody> body_;  // what the hand holds; null: a probe
   std::unique_ptr<Interaction> felt_;
-  std::unique_ptr<Interaction> exact_;  // the reference of the method in use (referenceOf())
+  // The reference of the method in use (referenceOf()); null if what is felt is what it would give.
+  std::unique_ptr<Interaction> exact_;
   TouchSetup touch_;
-  std::string_view method_;    // its name in the table of methods
-  bool is_reference_ = false;  // what is felt is what exact_ would give
+  std::string_view method_;  // its name in the table of methods
   std::shared_ptr<const TwoStates> states_;
   std::vector<std::shared_ptr<const SphereGrid>> structures_;  // the scene's spheres in both, once they are needed
   std::shared_ptr<const SphereMotion> motion_;                 // that they are in, or have come to the end of

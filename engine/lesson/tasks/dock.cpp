@@ -40,25 +40,8 @@ PoseTolerance toleranceOf(const TaskSpec& spec) {
 /// anywhere.
 std::vector<Well> wellsFor(const TaskSpec& spec, const SceneForces& forces) {
   if (!hasGoal(spec)) return forces.wells(kFalls);
-  const PoseGoal goal(forces.body(), writtenGoal(spec.values["dock"].text, *forces.body()));
-  const PoseTolerance tolerance = toleranceOf(spec);
-  const PoseSpace space(forces.spheres(), goal.body());
-  std::vector<Well> out;
-  for (int k = 0; k < kFalls; ++k) {
-    const auto start = freePoseAt(goal, tolerance, space, std::uint64_t(k));
-    if (!start) break;
-    // A fall may lead out of what is allowed; a hand can then hold the body back at the last pose within it.
-    std::optional<Well> last;
-    forces.fall(*start, {}, [&](const Well& now) {
-      if (!tolerance.allows(goal, now.pose)) return false;
-      last = now;
-      return true;
-    });
-    if (last) out.push_back(*last);
-  }
-  std::stable_sort(out.begin(), out.end(),
-                   [](const Well& a, const Well& b) { return a.energy.total_kcal_mol() < b.energy.total_kcal_mol(); });
-  return out;
+  return wellsBeside(PoseGoal(forces.body(), writtenGoal(spec.values["dock"].text, *forces.body())), toleranceOf(spec),
+                     forces, kFalls);
 }
 
 class Dock : public Task {

@@ -61,6 +61,26 @@ std::optional<PoseA> freePoseAt(const PoseGoal& goal, const PoseTolerance& toler
   return std::nullopt;
 }
 
+std::vector<Well> wellsBeside(const PoseGoal& goal, const PoseTolerance& tolerance, const SceneForces& forces,
+                              int falls) {
+  const PoseSpace space(forces.spheres(), goal.body());
+  std::vector<Well> out;
+  for (int k = 0; k < falls; ++k) {
+    const auto start = freePoseAt(goal, tolerance, space, std::uint64_t(k));
+    if (!start) break;
+    std::optional<Well> last;
+    forces.fall(*start, {}, [&](const Well& now) {
+      if (!tolerance.allows(goal, now.pose)) return false;
+      last = now;
+      return true;
+    });
+    if (last) out.push_back(*last);
+  }
+  std::stable_sort(out.begin(), out.end(),
+                   [](const Well& a, const Well& b) { return a.energy.total_kcal_mol() < b.energy.total_kcal_mol(); });
+  return out;
+}
+
 double searchReach_A(const SphereGrid& spheres, const HeldBody& body) {
   constexpr double kMost_A = 40.0;
   return std::min(kMost_A, 0.5 * glm::distance(spheres.low_A(), spheres.high_A()) + body.reach_A);

@@ -11,6 +11,7 @@
 #include "engine/haptics/body/held_body.h"
 #include "engine/lesson/hand_plan.h"
 #include "engine/lesson/pose_search.h"
+#include "engine/lesson/scene_forces.h"
 #include "engine/lesson/touch_sample.h"
 
 namespace moltact {
@@ -72,6 +73,11 @@ PoseA writtenGoal(std::string_view text, const HeldBody& body);
 /// goal does not count.
 std::optional<PoseA> freePoseAt(const PoseGoal& goal, const PoseTolerance& tolerance, const PoseSpace& space,
                                 std::uint64_t seed = 0);
+
+/// The wells beside a goal that `falls` falls lead to, the deepest first: from the goal and from free poses within the
+/// tolerance. A fall that leads out of the tolerance ends at the last pose within it, where a hand can hold the body.
+std::vector<Well> wellsBeside(const PoseGoal& goal, const PoseTolerance& tolerance, const SceneForces& forces,
+                              int falls);
 
 /// PoseSearch::reach_A for a path out of the scene.
 double searchReach_A(const SphereGrid& spheres, const HeldBody& body);

@@ -17,6 +17,7 @@
   X(fit)                 \
   X(measure)             \
   X(order)               \
+  X(rank)                \
   X(dock)                \
   X(pull)                \
   X(pass)                \

@@ -45,6 +45,8 @@ struct TaskKind {
 
   /// Adds problems with the forces between atoms of the task's scene; not called where it has none; may be null.
   void (*check_forces)(const TaskSpec& spec, const SceneForces& forces, std::vector<Problem>& problems) = nullptr;
+  /// Its path names what the hand holds, so the scene need not let these atoms be touched.
+  bool names_held = false;
 
   bool judgesBody(const TaskSpec& spec) const {
     return !of_body.empty() && (!form_judges_body || form_judges_body(spec));

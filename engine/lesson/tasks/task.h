@@ -62,7 +62,10 @@ struct TaskStage {
                                             ///< with it, also after the view was reset: of what it holds, relative to
                                             ///< the molecule's file
   std::optional<PointA> body_begins =
-      {};                ///< such a hand begins there and waits for the press: the middle of what it holds
+      {};  ///< such a hand begins there and waits for the press: the middle of what it holds
+  std::vector<std::uint32_t> in_hand =
+      {};                ///< atoms that the hand holds instead of the scene's, of which the scene draws
+                         ///< and feels none; ascending; empty: those of the scene
   int presentation = 0;  ///< another number, or another turn, begins a new presentation: the hand lets go and starts
                          ///< outside again, so that nothing but the touch shows whether something has changed
 

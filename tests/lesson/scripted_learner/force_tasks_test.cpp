@@ -336,7 +336,7 @@ TEST_CASE(
   const auto t = makeTask(read.steps[0].tasks[0], *molecule);
   t->takeForces(sceneForces(read.steps[0].scene, molecule, {}, nullptr));
   TouchSample s;
-  s.energy = MolecularEnergy{.electrostatic_kcal_mol = -5.0};
+  s.energy = MolecularEnergy{.parts = {{{0.0, -5.0}}}};
   const auto stay = [&](const Vec3& at, bool hovering) {
     s.contact.scp.A = at;
     s.hovering = hovering;
@@ -425,7 +425,7 @@ TEST_CASE(
       TouchSample s;
       s.contact.scp.A = 11.6 * charge;
       if (touching) s.contact.atoms = {59, -1, -1}, s.contact.feature = Feature::Sphere;
-      if (field) s.energy = MolecularEnergy{.electrostatic_kcal_mol = -9.0};
+      if (field) s.energy = MolecularEnergy{.parts = {{{0.0, -9.0}}}};
       for (int n = 0; n < 100; ++n) {
         s.time_s += 0.001;
         t->feed(s);

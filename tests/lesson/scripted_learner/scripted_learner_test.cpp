@@ -125,8 +125,8 @@ TEST_CASE("each kind of task is done on two spheres by the student who follows i
       {"same", "same: anywhere\nmethod: mesh80\ntrials: 4\nfor: 0.2 s"},
       {"measure", "measure: atom 0\nto: atom 1\nbetween: 4 Å to 8 Å"},
       {"order", "order: atom 0 then atom 1\nfirst: the left one\nfor: 0.2 s"}};
-  // Below: they want a method that jumps, a ring, and a body.
-  std::set<std::string, std::less<>> kinds{"meet", "fit", "dock", "pull", "pass", "contacts"};
+  // Below: they want a method that jumps, a ring, and a body; rank_test.cpp: forces between atoms.
+  std::set<std::string, std::less<>> kinds{"meet", "fit", "rank", "dock", "pull", "pass", "contacts"};
   for (const auto& [kind, keys] : all) {
     CAPTURE(keys);
     kinds.insert(kind);
