@@ -183,7 +183,7 @@ TEST_CASE(
   const Colouring b = coloured(m, "b-factor");
   CHECK(c.of_atom[3] == b.legend.entries.front().colour);
   CHECK(c.of_atom[7] == b.legend.entries.back().colour);
-  CHECK(names(c.legend) == "0.25 Å|1.25 Å|2.25 Å");
+  CHECK(names(c.legend) == "0.25\u00a0Å|1.25\u00a0Å|2.25\u00a0Å");
   CHECK(c.legend.gradient);
   const Colouring none = coloured(m, "fluctuation");
   CHECK(names(none.legend) == "no trajectory has been read");
