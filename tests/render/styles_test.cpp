@@ -172,7 +172,7 @@ TEST_CASE(
   CHECK(compare(spheres, waited, 8).pixels > 100);
   renderer().invalidate();
   Molecule other = *scene.molecule;  // nothing of another is kept
-  other.id = "other";
+  other.atoms = other.atoms.copy();
   scene.molecule = std::make_shared<const Molecule>(std::move(other));
   RenderOptions beside = kPlain;
   beside.wait_for_surfaces = false;
