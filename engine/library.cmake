@@ -35,6 +35,7 @@ moltact_public(moltact_haptics haptics
   haptics/body/held_body.h
   haptics/contact.h
   haptics/felt_force.h
+  haptics/field/energy_part.h
   haptics/field/pair_field.h
   haptics/field/pair_kernel.h
   haptics/field/pair_model.h

@@ -94,7 +94,20 @@ struct RunArguments {
   std::string molecule, platform;
   double ps = 10.0, kelvin = MdStart().temperature_K;
   std::uint32_t seed = 1;
+  bool no_bath = false;
+  double step_fs = 0.0;
 };
+
+// The slope of the straight line of least squares through values at equal distances, per distance.
+double slopeOf(const std::vector<double>& values) {
+  const double n = double(values.size()), middle = 0.5 * (n - 1.0);
+  double sum = 0.0, squares = 0.0;
+  for (std::size_t k = 0; k < values.size(); ++k) {
+    sum += (double(k) - middle) * values[k];
+    squares += (double(k) - middle) * (double(k) - middle);
+  }
+  return squares > 0.0 ? sum / squares : 0.0;
+}
 
 void simulate(const RunArguments& a) {
   const auto key = findMoleculeKey({a.molecule}, MoleculeFolders::ofThisComputer());
@@ -105,26 +118,40 @@ void simulate(const RunArguments& a) {
   start.platform = a.platform;
   start.temperature_K = a.kelvin;
   start.seed = a.seed;
+  start.step_ps = 1e-3 * a.step_fs;
+  if (a.no_bath) start.friction_per_ps = 0.0;
   const auto engine = simulationOf(systemBeside(key->file), *molecule, start);
   if (!engine) throw CommandError{engine.problem().text()};
   MdEngine& md = **engine;
   const InterruptWatch interrupt;
-  constexpr int kRows = 10;
-  const int steps = int(std::ceil(a.ps / kRows / md.step_ps()));
+  constexpr int kRows = 10, kParts = 10;  // the energy is read kParts times between two rows
+  const int steps = int(std::ceil(a.ps / kRows / kParts / md.step_ps()));
   out() << md.atomCount() << " atoms, " << std::string(md.platform()) << ", steps of " << 1000.0 * md.step_ps()
         << " fs\n";
+  std::vector<double> total_kcal_mol;
+  double kinetic_kcal_mol = 0.0;
   const auto began = std::chrono::steady_clock::now();
-  for (int row = 1; row <= kRows && !interrupt.seen(); ++row) {
+  for (int part = 1; part <= kRows * kParts && !interrupt.seen(); ++part) {
     if (const std::string why = md.advance(steps); !why.empty())
       throw CommandError{trf("the simulation became unstable ({0})", why)};
     const MdEnergies e = md.energies();
+    total_kcal_mol.push_back(e.potential_kcal_mol + e.kinetic_kcal_mol);
+    kinetic_kcal_mol += e.kinetic_kcal_mol;
+    if (part % kParts) continue;
     char line[128];
     std::snprintf(line, sizeof line, "%9.2f ps %12.2f kcal/mol potential %10.2f kinetic %8.1f K",
-                  row * steps * md.step_ps(), e.potential_kcal_mol, e.kinetic_kcal_mol, e.temperature_K);
+                  part * steps * md.step_ps(), e.potential_kcal_mol, e.kinetic_kcal_mol, e.temperature_K);
     out() << line << '\n';
   }
   const double took_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
-  out() << std::lround(kRows * steps / std::max(took_s, 1e-9)) << " steps per second\n";
+  const double made = double(total_kcal_mol.size()) * steps;
+  out() << std::lround(made / std::max(took_s, 1e-9)) << " steps per second\n";
+  if (!a.no_bath || total_kcal_mol.size() < 2) return;
+  const double drift = slopeOf(total_kcal_mol) / (steps * md.step_ps()) * 1000.0;
+  char line[160];
+  std::snprintf(line, sizeof line, "drift of the total energy: %.2g kcal/mol per ns, %.2g of the mean kinetic energy",
+                drift, drift / std::max(kinetic_kcal_mol / double(total_kcal_mol.size()), 1e-9));
+  out() << line << '\n';
 }
 
 }  // namespace
@@ -166,6 +193,9 @@ void addSimulate(CLI::App& app) {
       ->check(numberFrom(1.0, 1000.0))
       ->capture_default_str();
   runs->add_option("--seed", running->seed, "Seed of the heat bath")->capture_default_str();
+  runs->add_flag("--no-bath", running->no_bath, "No heat bath: the energy is conserved, and its drift is printed");
+  runs->add_option("--fs", running->step_fs, "Time step in femtoseconds (default: the longest stable one)")
+      ->check(numberFrom(0.1, 5.0));
   runs->add_option("--platform", running->platform, "OpenMM's platform: Reference, CPU, OpenCL (default: the fastest)");
   runs->callback([running] { simulate(*running); });
 

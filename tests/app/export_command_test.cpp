@@ -99,6 +99,8 @@ TEST_CASE("every key of a scene is an option of export, or has no meaning for a 
       {"dielectric", "a model is not felt"},
       {"probe-charge", "a model is not felt"},
       {"coupling", "a model is not felt"},
+      {"weak-gain", "a model is not felt"},
+      {"scan", "`moltact scan` writes what a tip sees"},
       {"stiffness", "a model is not felt"},
       {"friction", "a model is not felt"},
       {"stick-slip", "a model is not felt"},

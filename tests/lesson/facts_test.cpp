@@ -122,7 +122,7 @@ TEST_CASE("a fact that its atoms do not allow is reported, except a count of non
   CHECK(falseOf("turn: all - name N = 5°") ==
         joined({"l.md:21:7: the force turns between two atoms, but more are selected; select one on each side"}));
   CHECK(falseOf("probe: 0.1 Å\nturn: name C1 - name N = 5°") ==
-        joined({"l.md:22:7: the ball does not touch both atoms at once; select neighbours, or a larger probe"}));
+        joined({"l.md:22:7: the probe does not touch both atoms at once; select neighbours, or a larger probe"}));
   CHECK(falseOf("out-of-plane: name N - name C1 C2 = 4 Å") ==
         joined({"l.md:21:15: a plane needs three atoms or more; select more behind the ' - '"}));
   CHECK(falseOf("share: all = 5 %") == joined({"l.md:21:8: 'share' is about one atom; select one"}));

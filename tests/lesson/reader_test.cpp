@@ -68,10 +68,11 @@ TEST_CASE("a fault behind a tab is reported at its second character") {
 TEST_CASE(
     "faults of touch blocks are reported: no task, two tasks, keys of other tasks, bad values, the "
     "place in Å counted in characters") {
-  CHECK(errors(kHead + kStep + "```touch\nsay: S\n```\n") ==
-        Texts{"l.md:13:4: the touch block names no task; add a line that starts with reach, hold, press, feel, cross, "
-              "avoid, compare, meet, trace, find, predict, same, fit, measure, order, dock, pull, pass or contacts and "
-              "a colon"});
+  CHECK(
+      errors(kHead + kStep + "```touch\nsay: S\n```\n") ==
+      Texts{"l.md:13:4: the touch block names no task; add a line that starts with reach, hold, press, feel, cross, "
+            "avoid, compare, meet, trace, find, predict, same, fit, measure, order, rank, dock, pull, pass or contacts "
+            "and a colon"});
   CHECK(errors(kHead + kStep + "```touch\nreach: all\nhold: all\nsay: S\n```\n") ==
         Texts{"l.md:15:1: a touch block holds one task, but this one has 'reach' and 'hold'; write two touch blocks"});
   CHECK(errors(kHead + kStep + "```touch\nreach: all\ncount: 3\nsay: S\n```\n") ==
