@@ -67,6 +67,8 @@ class MdEngine {
   virtual double step_ps() const = 0;
   /// "Reference", "CPU", "OpenCL".
   virtual std::string_view platform() const = 0;
+  /// The engine's name and version: "OpenMM 7.7".
+  virtual std::string name() const = 0;
   /// Its steps per second when it was measured; 0: the platform was given.
   virtual double measured_steps_per_s() const = 0;
 

@@ -77,6 +77,7 @@ class OpenMMEngine final : public MdEngine {
   std::span<const double> masses_u() const override { return masses_u_; }
   double step_ps() const override { return step_ps_; }
   std::string_view platform() const override { return platform_; }
+  std::string name() const override { return "OpenMM " + OpenMM::Platform::getOpenMMVersion(); }
   double measured_steps_per_s() const override { return steps_per_s_; }
 
   std::string push(std::span<const AtomPush> pushes) override {

@@ -185,6 +185,8 @@ struct AtomsMoved {
   std::string file;       ///< from which the mover takes the coordinates, without folders; empty: none
   std::string detail;     ///< how it takes them, such as a selection; may be empty
   double position = 0.0;  ///< in the mover's own parameter: a fraction, a frame, a time
+  /// What computed the motion, with its version, step and seed; empty: a file, or as in the line before.
+  std::string engine = {};
   friend bool operator==(const AtomsMoved&, const AtomsMoved&) = default;
 };
 /// The mover between the two structures of a scene: `file` is the second structure's, `detail` the selection by which it

@@ -268,7 +268,8 @@ std::optional<AttemptFact> factOf(const std::string& kind, const Json& j) {
                       numberAt(j, "mean_N"), numberAt(j, "path_A"),   inputKind(j)};
   if (kind == "still") return Heartbeat{};
   if (kind == "moved")
-    return AtomsMoved{text(j, "by", true), text(j, "file", false), text(j, "detail", false), numberAt(j, "position")};
+    return AtomsMoved{text(j, "by", true), text(j, "file", false), text(j, "detail", false), numberAt(j, "position"),
+                      text(j, "engine", false)};
   if (kind == kFormerStateKind)
     return AtomsMoved{std::string(kMovedByStates), text(j, "file", true), text(j, "superposed_on", false),
                       numberAt(j, "share")};

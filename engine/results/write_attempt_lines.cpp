@@ -241,6 +241,7 @@ struct FactWriter {
     if (!e.file.empty()) out["file"] = e.file;
     if (!e.detail.empty()) out["detail"] = e.detail;
     out["position"] = rounded(e.position);
+    if (!e.engine.empty()) out["engine"] = e.engine;
   }
   void operator()(const OrderChanged& e) {
     out["step"] = e.step;

@@ -109,6 +109,14 @@ TEST_CASE(
   CHECK(attempt->problems.empty());
   const AtomsMoved* last = nullptr;
   double at_s = 0.0;
+  // The first line of the motion says what computed it.
+  std::vector<std::string> engines;
+  for (const AttemptEvent& e : attempt->events)
+    if (const auto* moved = std::get_if<AtomsMoved>(&e.what)) engines.push_back(moved->engine);
+  REQUIRE(engines.size() > 2);
+  CHECK(engines[0].starts_with("OpenMM "));
+  CHECK(engines[0].ends_with(", steps of 4 fs, seed 1"));
+  CHECK(engines[1].empty());
   for (const AttemptEvent& e : attempt->events)
     if (const auto* moved = std::get_if<AtomsMoved>(&e.what); moved && moved->position > 1.0)
       last = moved, at_s = e.t_s;

@@ -13,6 +13,7 @@ namespace {
 // 0.004 ps a step; every atom moves by 0.001 A a step. Becomes unstable after `steps_to_fault` steps.
 class Straight final : public MdEngine {
  public:
+  std::string name() const override { return "Straight"; }
   static constexpr double kStep_ps = 0.004, kStep_A = 0.001;
   std::size_t atomCount() const override { return 2; }
   std::span<const double> masses_u() const override { return masses_; }

@@ -147,6 +147,8 @@ TEST_CASE(
   CHECK(read(line) == frame);
   CHECK(read(lineOf(AttemptEvent{4.0, AtomsMoved{"simulation", "", "", -2.5}})) ==
         AtomsMoved{"simulation", "", "", -2.5});
+  const AtomsMoved computed{"simulation", "", "", 0.5, "OpenMM 7.7, Reference, steps of 4 fs, seed 1"};
+  CHECK(read(lineOf(AttemptEvent{4.0, computed})) == computed);
   // As former versions wrote them.
   CHECK(read(R"({"kind":"state","t":8.5,"file":"1ake.pdb","superposed_on":"chain A","share":0.375})") ==
         AtomsMoved{"states", "1ake.pdb", "chain A", 0.375});

@@ -215,7 +215,9 @@ void AttemptRecorder::lookAtAtoms() {
   if (!is) return atoms_.reset();
   // The end of a motion is recorded at once.
   if (atoms_ == is || (movers_.present()->moving() && now_s_ - atoms_written_s_ < kView_s)) return;
-  add(*is);
+  AtomsMoved line = *is;
+  if (atoms_ && atoms_->by == is->by && atoms_->engine == is->engine) line.engine.clear();
+  add(std::move(line));
   atoms_ = std::move(is);
   atoms_written_s_ = now_s_;
 }

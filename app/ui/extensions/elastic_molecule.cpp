@@ -218,8 +218,11 @@ void ElasticMolecule::feelModeAlone(bool on) {
 
 std::optional<AtomsMoved> ElasticMolecule::position() const {
   if (!motion_) return std::nullopt;
-  return AtomsMoved{
-      {}, {}, resting_ ? std::string() : textOfDisplacements(motion_->displacements_A()), motion_->maxDisplacement_A()};
+  return AtomsMoved{{},
+                    {},
+                    resting_ ? std::string() : textOfDisplacements(motion_->displacements_A()),
+                    motion_->maxDisplacement_A(),
+                    "elastic network"};
 }
 
 // The recorded displacements suffice: the network only says which atoms follow which node.

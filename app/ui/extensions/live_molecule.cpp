@@ -24,6 +24,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
+// English in every language, as the other words of attempts.
+std::string engineText(const MdEngine& engine) {
+  char text[160];
+  std::snprintf(text, sizeof text, "%s, %s, steps of %g fs, seed %u", engine.name().c_str(),
+                std::string(engine.platform()).c_str(), 1000.0 * engine.step_ps(), unsigned(MdStart().seed));
+  return text;
+}
+
 }  // namespace
 
 Expected<LiveMolecule::Opened> LiveMolecule::openFile(const fs::path& system,
@@ -194,6 +202,7 @@ void LiveMolecule::take(Expected<Opened> opened) {
   if (!opened) return fail(opened.problem().text());
   const std::unique_ptr<MdEngine>& engine = opened->engine;
   platform_ = engine ? engine->platform() : "";
+  engine_ = engine ? engineText(*engine) : agreed_;
   measured_steps_per_s_ = engine ? engine->measured_steps_per_s() : 0.0;
   step_ps_ = engine ? engine->step_ps() : 0.0;
   wanted_ = {};
@@ -412,7 +421,7 @@ std::optional<AtomsMoved> LiveMolecule::position() const {
   std::vector<Vec3> by;
   if (smooth_A_.size() <= kMaxRecorded)
     for (std::size_t i = 0; i < smooth_A_.size(); ++i) by.push_back(smooth_A_[i] - molecule_->spheres[i].centre_A);
-  return AtomsMoved{{}, {}, textOfDisplacements(by), frame_.time_ps};
+  return AtomsMoved{{}, {}, textOfDisplacements(by), frame_.time_ps, engine_};
 }
 
 // A simulation is not repeated: the recorded displacements are shown. A large molecule, of which none are recorded, stays

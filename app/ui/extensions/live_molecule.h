@@ -143,7 +143,7 @@ class LiveMolecule : public AtomMover {
   NewestWork<Expected<Opened>> opening_;
   std::shared_ptr<std::atomic<bool>> cancelled_;  // of the connection that is being made
   std::unique_ptr<LiveSimulation> simulation_;
-  std::string problem_, platform_;
+  std::string problem_, platform_, engine_;  // engine_: as attempts name it
   double measured_steps_per_s_ = 0.0, step_ps_ = 0.0;
   SimulationCommand wanted_;
   SimulationFrame frame_;
