@@ -13,6 +13,7 @@
 #include "app/ui/extensions/device_link.h"
 #include "app/ui/extensions/extensions.h"
 #include "app/ui/widgets/controls.h"
+#include "app/ui/widgets/rich_text.h"
 #include "app/ui/widgets/theme.h"
 #include "app/ui/widgets/widget_map.h"
 #include "engine/core/saturated.h"
@@ -24,10 +25,7 @@ namespace {
 
 void words(const char* name, const std::string& text, ImU32 colour) {
   WithText coloured(colour);
-  ImGui::PushTextWrapPos(0.0f);
-  ImGui::TextUnformatted(text.c_str());
-  ImGui::PopTextWrapPos();
-  recordItem(name, text);
+  drawWrapped(name, text);
 }
 
 // Above the scrolled part.

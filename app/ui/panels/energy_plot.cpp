@@ -53,10 +53,7 @@ void drawFeltEnergy(const ForceWatch& forces) {
   const std::string text = trf("Highest energy of an atom: {0}, felt as {1}", energyBetweenAtoms(highest, decimals(1)),
                                energyBetweenAtoms(felt(highest), decimals(1)));
   const WithFont small(Font::Small);
-  ImGui::PushTextWrapPos(0.0f);
-  ImGui::TextUnformatted(text.c_str());
-  ImGui::PopTextWrapPos();
-  recordItem("felt_energy", text);
+  drawWrapped("felt_energy", text);
 }
 
 }  // namespace
@@ -82,21 +79,19 @@ void drawEnergyPlot(Application& app) {
   drawFeltEnergy(app.scene.forces());
   const double N_per_kcal_mol_A = log.latest().spring_N_per_A / energy->coupling_kcal_mol_A2;
   if (N_per_kcal_mol_A <= 0.0) return;
-  const auto line = [](const char* name, const std::string& text) {
-    ImGui::TextUnformatted(wrapped(text, ImGui::GetContentRegionAvail().x).c_str());
-    recordItem(name, text);
-  };
   const double gain = app.scene.touch().weak_gain;
   const std::string pN = numberText(kForceUnit_pN / N_per_kcal_mol_A, decimals(0)),
                     kcal_mol_A = numberText(1.0 / N_per_kcal_mol_A, decimals(1));
-  line("force_scale", gain > 1.0
-                          ? trf("1 N in the hand is {0} pN or {1} kcal/mol/Å between the atoms, for the weakest "
-                                "forces {2} times less.",
-                                pN, kcal_mol_A, numberText(gain, decimals(1)))
-                          : trf("1 N in the hand is {0} pN or {1} kcal/mol/Å between the atoms.", pN, kcal_mol_A));
+  drawWrapped("force_scale",
+              gain > 1.0 ? trf("1 N in the hand is {0} pN or {1} kcal/mol/Å between the atoms, for the weakest "
+                               "forces {2} times less.",
+                               pN, kcal_mol_A, numberText(gain, decimals(1)))
+                         : trf("1 N in the hand is {0} pN or {1} kcal/mol/Å between the atoms.", pN, kcal_mol_A));
   if (const auto between = app.scene.forces().between_kcal_mol_A())
-    line("force_between", trf("Between the atoms now: {0} pN, {1} kcal/mol/Å.",
-                              numberText(kForceUnit_pN * *between, decimals(0)), numberText(*between, decimals(1))));
+    drawWrapped("force_between",
+                trf("Between the atoms now: {0} pN ({1} kcal/mol/Å), felt as {2} pN.",
+                    numberText(kForceUnit_pN * *between, decimals(0)), numberText(*between, decimals(1)),
+                    numberText(kForceUnit_pN * log.force_N() / N_per_kcal_mol_A, decimals(0))));
 }
 
 }  // namespace moltact

@@ -13,6 +13,7 @@
 #include "app/ui/panels/trajectory_section.h"
 #include "app/ui/panels/while_locked.h"
 #include "app/ui/widgets/controls.h"
+#include "app/ui/widgets/rich_text.h"
 #include "app/ui/widgets/theme.h"
 #include "app/ui/widgets/widget_map.h"
 #include "engine/language/catalogue.h"
@@ -24,13 +25,6 @@ namespace {
 // The number of the softest modes that are listed.
 constexpr std::size_t kListed = 6;
 
-void line(const char* name, const std::string& text) {
-  ImGui::PushTextWrapPos(0.0f);
-  ImGui::TextUnformatted(text.c_str());
-  ImGui::PopTextWrapPos();
-  recordItem(name, text);
-}
-
 void drawModes(ElasticMolecule& elastic) {
   const ElasticModel& model = *elastic.model();
   ImGui::Spacing();
@@ -41,9 +35,10 @@ void drawModes(ElasticMolecule& elastic) {
   if (segments("modes", numbers, mode)) elastic.chooseMode(mode);
   // A mode has unit length over all nodes.
   const double energy = 0.5 * model.modes->eigenvalues[mode] * model.spring_kcal_mol_A2 * double(model.modes->nodes);
-  line("mode/energy",
-       trf("Moving the residues along it by 1 Å (root mean square) takes {0}. Heat gives a motion {1}.",
-           energyBetweenAtoms(energy, significant(2)), energyBetweenAtoms(0.5 * kThermalEnergy_kcal_mol, decimals(1))));
+  drawWrapped(
+      "mode/energy",
+      trf("Moving the residues along it by 1 Å (root mean square) takes {0}. Heat gives a motion {1}.",
+          energyBetweenAtoms(energy, significant(2)), energyBetweenAtoms(0.5 * kThermalEnergy_kcal_mol, decimals(1))));
   bool shown = elastic.modeShown(), alone = elastic.modeAlone();
   if (toggle("mode/shown", tr("Show this motion"), shown, tr("Moves the molecule to and fro along this motion.")))
     elastic.showMode(shown);
@@ -57,7 +52,7 @@ void drawMotionTab(Application& app) {
   if (drawTrajectorySection(app) || drawSimulationSection(app)) return;
   ElasticMolecule& elastic = app.extensions().movers.get<ElasticMolecule>();
   if (const std::string why = elastic.unavailable(); !why.empty() && !elastic.on())
-    return line("elastic/unavailable", why);
+    return drawWrapped("elastic/unavailable", why);
   {
     const WhileLocked locked(app, "elastic");
     bool on = elastic.on();
@@ -67,18 +62,19 @@ void drawMotionTab(Application& app) {
       elastic.turn(on);
   }
   if (!elastic.on()) return;
-  if (elastic.computing()) return line("elastic/computing", tr("The springs are being computed."));
-  if (!elastic.model()) return line("elastic/problem", elastic.problem());
-  line("elastic/displacement",
-       trf("Greatest displacement: {0}", quantityText(elastic.maxDisplacement_A(), Dimension::Length, decimals(1))));
-  line("elastic/energy", trf("Energy of the springs: {0}", energyBetweenAtoms(elastic.energy_kcal_mol(), decimals(2))));
-  line("elastic/scale",
-       trf("1 N in the hand is {0} pN between the atoms.", numberText(ElasticMolecule::kScale_pN_per_N, decimals(0))));
+  if (elastic.computing()) return drawWrapped("elastic/computing", tr("The springs are being computed."));
+  if (!elastic.model()) return drawWrapped("elastic/problem", elastic.problem());
+  drawWrapped("elastic/displacement", trf("Greatest displacement: {0}",
+                                          quantityText(elastic.maxDisplacement_A(), Dimension::Length, decimals(1))));
+  drawWrapped("elastic/energy",
+              trf("Energy of the springs: {0}", energyBetweenAtoms(elastic.energy_kcal_mol(), decimals(2))));
+  drawWrapped("elastic/scale", trf("1 N in the hand is {0} pN between the atoms.",
+                                   numberText(ElasticMolecule::kScale_pN_per_N, decimals(0))));
   const std::string spring = numberText(elastic.model()->spring_kcal_mol_A2, significant(2));
-  line("elastic/springs",
-       elastic.model()->spring_assumed
-           ? trf("Each spring: {0} kcal/mol/Å², assumed, because the file has no B factors.", spring)
-           : trf("Each spring: {0} kcal/mol/Å², which gives the mean B factor of the file.", spring));
+  drawWrapped("elastic/springs",
+              elastic.model()->spring_assumed
+                  ? trf("Each spring: {0} kcal/mol/Å², assumed, because the file has no B factors.", spring)
+                  : trf("Each spring: {0} kcal/mol/Å², which gives the mean B factor of the file.", spring));
   drawModes(elastic);
 }
 

@@ -12,6 +12,7 @@
 #include "app/ui/panels/while_locked.h"
 #include "app/ui/widgets/controls.h"
 #include "app/ui/widgets/plot.h"
+#include "app/ui/widgets/rich_text.h"
 #include "app/ui/widgets/theme.h"
 #include "app/ui/widgets/widget_map.h"
 #include "engine/language/catalogue.h"
@@ -22,10 +23,7 @@ namespace {
 
 void simulationLine(const char* name, const std::string& text, Font font = Font::Body) {
   const WithFont with(font);
-  ImGui::PushTextWrapPos(0.0f);
-  ImGui::TextUnformatted(text.c_str());
-  ImGui::PopTextWrapPos();
-  recordItem(name, text);
+  drawWrapped(name, text);
 }
 
 void drawClock(LiveMolecule& live) {

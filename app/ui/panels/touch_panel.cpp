@@ -10,6 +10,7 @@
 #include "app/ui/panels/while_locked.h"
 #include "app/ui/widgets/controls.h"
 #include "app/ui/widgets/plot.h"
+#include "app/ui/widgets/rich_text.h"
 #include "app/ui/widgets/theme.h"
 #include "app/ui/widgets/widget_map.h"
 #include "engine/haptics/interactions.h"
@@ -35,12 +36,8 @@ void drawTouchControls(Application& app, bool first) {
       slider(name.c_str(), title.c_str(), touch.**number, c.range.min, c.range.max, c.step, {p.dimension, {digits, {}}},
              tip(quantityText(TouchSetup().**number, p.dimension, digits)).c_str());
       if (const std::string note = c.note ? c.note(touch) : std::string(); !note.empty()) {
-        ImGui::PushTextWrapPos(0.0f);
-        ImGui::PushStyleColor(ImGuiCol_Text, look().palette.quiet);
-        ImGui::TextUnformatted(note.c_str());
-        ImGui::PopStyleColor();
-        ImGui::PopTextWrapPos();
-        recordItem((name + "/note").c_str(), note);
+        const WithText quiet(look().palette.quiet);
+        drawWrapped((name + "/note").c_str(), note);
       }
     } else if (const auto* on = std::get_if<bool TouchSetup::*>(&p.member)) {
       toggle(name.c_str(), title.c_str(), touch.**on, tip({}).c_str());
@@ -97,10 +94,7 @@ void drawTouchTab(Application& app) {
     const std::string energy =
         now.field ? trf("Energy of spring and field: {0}", quantityText(energy_J + field_J, Dimension::Energy))
                   : trf("Energy in the spring: {0}", quantityText(energy_J, Dimension::Energy));
-    ImGui::PushTextWrapPos(0.0f);
-    ImGui::TextUnformatted(energy.c_str());
-    ImGui::PopTextWrapPos();
-    recordItem("energy", energy);
+    drawWrapped("energy", energy);
     ImGui::TextUnformatted(tr("Tracker"));
     drawMethodChooser(app);
     if (!app.panels.tabs.has("methods") && !app.lesson.locks("panels") &&

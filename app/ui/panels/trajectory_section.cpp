@@ -13,6 +13,7 @@
 #include "app/ui/panels/while_locked.h"
 #include "app/ui/widgets/controls.h"
 #include "app/ui/widgets/plot.h"
+#include "app/ui/widgets/rich_text.h"
 #include "app/ui/widgets/theme.h"
 #include "app/ui/widgets/widget_map.h"
 #include "engine/language/catalogue.h"
@@ -20,13 +21,6 @@
 
 namespace moltact {
 namespace {
-
-void trajectoryLine(const char* name, const std::string& text) {
-  ImGui::PushTextWrapPos(0.0f);
-  ImGui::TextUnformatted(text.c_str());
-  ImGui::PopTextWrapPos();
-  recordItem(name, text);
-}
 
 void drawRmsd(PlayedTrajectory& trajectory, const TrajectorySurvey& survey) {
   seriesPlot("trajectory/rmsd", survey.rmsd_A,
@@ -45,10 +39,10 @@ bool drawTrajectorySection(Application& app) {
   if (!trajectory.ready()) return false;
   sectionTitle(tr("Trajectory"));
   const std::string frames = trnf("{0} frame", "{0} frames", trajectory.frames(), trajectory.frames());
-  trajectoryLine("trajectory/file", trf("{0}: {1}, {2}", trajectory.file().filename().string(), trajectory.format(),
-                                        trajectory.complete() ? frames : trf("{0} so far", frames)));
+  drawWrapped("trajectory/file", trf("{0}: {1}, {2}", trajectory.file().filename().string(), trajectory.format(),
+                                     trajectory.complete() ? frames : trf("{0} so far", frames)));
   if (const auto time = trajectory.time_ps())
-    trajectoryLine("trajectory/time", trf("Simulated time: {0} ps", numberText(*time, decimals(2))));
+    drawWrapped("trajectory/time", trf("Simulated time: {0} ps", numberText(*time, decimals(2))));
   const WhileLocked locked(app, "trajectory");
   double speed = trajectory.framesPerSecond();
   if (slider("trajectory/speed", tr("Speed (frames per second)"), speed, PlayedTrajectory::kSlowest_per_s,
@@ -62,13 +56,13 @@ bool drawTrajectorySection(Application& app) {
   ImGui::Spacing();
   static const std::array<std::string, 3> kEnds{N_("Stop"), N_("Return"), N_("Repeat")};
   auto end = std::size_t(trajectory.at_end);
-  trajectoryLine("trajectory/end_title", tr("At the last frame"));
+  drawWrapped("trajectory/end_title", tr("At the last frame"));
   if (segments("trajectory/end", kEnds, end)) trajectory.at_end = PlayedTrajectory::AtEnd(end);
   ImGui::Spacing();
   if (const TrajectorySurvey* survey = trajectory.survey(); survey && survey->rmsd_A.size() > 1)
     drawRmsd(trajectory, *survey);
   else
-    trajectoryLine("trajectory/survey", tr("The frames are being compared with the structure."));
+    drawWrapped("trajectory/survey", tr("The frames are being compared with the structure."));
   if (!app.lesson.session() && button("trajectory/close", tr("Close the trajectory"))) trajectory.close();
   return true;
 }

@@ -184,6 +184,11 @@ std::string wrapped(const std::string& text, float width) {
   return out;
 }
 
+void drawWrapped(const char* name, const std::string& text) {
+  ImGui::TextUnformatted(wrapped(text, ImGui::GetContentRegionAvail().x).c_str());
+  recordItem(name, text);
+}
+
 std::string drawRichText(const char* name, const RichText& text, ImU32 colour, float width) {
   const Look& l = look();
   const ImVec2 start = ImGui::GetCursorScreenPos();

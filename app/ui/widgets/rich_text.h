@@ -14,6 +14,10 @@ namespace moltact {
 /// never between a number and its unit. A word wider than the width stays whole.
 std::string wrapped(const std::string& text, float width);
 
+/// Draws plain text at the cursor in the current font, wrapped as by wrapped() at the end of the line, and records it as
+/// `name`.
+void drawWrapped(const char* name, const std::string& text);
+
 /// Draws the text at the cursor, wrapped at `width` (0: the rest of the line), and moves the cursor below it. Returns
 /// the link that was clicked, or an empty text. The widget map records the text as `name` and its links as "name/link
 /// text". Numbers outside code follow the user's choice of the decimal sign. Glossary words are underlined with dots,
