@@ -1,8 +1,8 @@
 #include "engine/structure/scan_file.h"
 
 #include <bit>
-#include <charconv>
 #include <cstdint>
+#include <cstdio>
 
 namespace moltact {
 namespace {
@@ -11,8 +11,8 @@ constexpr double kMetre_per_A = 1e-10;
 
 void appendDigits(std::string& text, double value, int digits) {
   char buffer[40];
-  const auto end = std::to_chars(buffer, buffer + sizeof buffer, value, std::chars_format::general, digits).ptr;
-  text.append(buffer, end);
+  const int size = std::snprintf(buffer, sizeof buffer, "%.*g", digits, value);
+  text.append(buffer, std::size_t(size));
 }
 
 }  // namespace
