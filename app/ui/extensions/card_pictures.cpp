@@ -10,7 +10,7 @@
 #include "app/ui/application/application_options.h"
 #include "app/ui/files/settings.h"
 #include "app/ui/lesson/lesson_guide.h"
-#include "app/ui/widgets/imgui_versions.h"
+#include "app/ui/widgets/picture_texture.h"
 #include "app/ui/widgets/theme.h"
 #include "engine/haptics/methods.h"
 #include "engine/haptics/sphere_grid.h"
@@ -105,25 +105,7 @@ void tidy(const fs::path& folder) {
 
 }  // namespace
 
-struct CardPictures::Card {
-  GLuint texture = 0;
-  ~Card() {
-    if (texture) glDeleteTextures(1, &texture);
-  }
-  void show(const Picture& p) {
-    if (!texture) glGenTextures(1, &texture);
-    GLint bound = 0;
-    glGetIntegerv(GL_TEXTURE_BINDING_2D, &bound);
-    glBindTexture(GL_TEXTURE_2D, texture);
-    glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
-    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGB8, p.width_px, p.height_px, 0, GL_RGB, GL_UNSIGNED_BYTE, p.rgb.data());
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
-    glBindTexture(GL_TEXTURE_2D, GLuint(bound));
-  }
-};
+struct CardPictures::Card : PictureTexture {};
 
 CardPictures::CardPictures(const Settings& settings, const ApplicationOptions& options)
     : settings_(settings), options_(options) {}
@@ -137,7 +119,7 @@ ImTextureID CardPictures::find(const CardSubject& subject) {
     at->second = std::make_unique<Card>();
     queue_.emplace_back(key, subject);
   }
-  return textureOf(at->second->texture);
+  return at->second->id();
 }
 
 void CardPictures::afterPanels() {
@@ -145,7 +127,7 @@ void CardPictures::afterPanels() {
   if (now != look_) {
     look_ = now;
     queue_.clear();  // of the previous theme
-    std::erase_if(cards_, [](const auto& c) { return c.second->texture == 0; });
+    std::erase_if(cards_, [](const auto& c) { return c.second->empty(); });
   }
   const bool wait = options_.clock == ServoClock::Frames;  // deterministic on the frames' clock
   if (job_.valid() && (wait || job_.wait_for(std::chrono::seconds(0)) == std::future_status::ready)) finish(job_.get());

@@ -14,29 +14,8 @@
 
 namespace moltact {
 
-struct SurfaceScan::Texture {
-  GLuint id = 0;
-  ~Texture() {
-    if (id) glDeleteTextures(1, &id);
-  }
-  void show(const Picture& p) {
-    if (!id) glGenTextures(1, &id);
-    GLint bound = 0;
-    glGetIntegerv(GL_TEXTURE_BINDING_2D, &bound);
-    glBindTexture(GL_TEXTURE_2D, id);
-    glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
-    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGB8, p.width_px, p.height_px, 0, GL_RGB, GL_UNSIGNED_BYTE, p.rgb.data());
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
-    glBindTexture(GL_TEXTURE_2D, GLuint(bound));
-  }
-};
-
 SurfaceScan::SurfaceScan(HapticSession& scene, const LessonGuide& lesson, Messages& messages, const FrameTime& time)
     : scene_(scene), lesson_(lesson), messages_(messages), time_(time) {}
-SurfaceScan::~SurfaceScan() = default;
 
 bool SurfaceScan::touching() const { return field_ && scene_.touchedField() == field_; }
 
@@ -118,11 +97,10 @@ void SurfaceScan::afterPanels() {
   if (!tip_ || lines_ == drawn_lines_) return;
   drawn_lines_ = lines_;
   surface_ = std::make_shared<const MeshPiece>(reliefOf(tip_->field(), lines_));
-  if (!texture_) texture_ = std::make_unique<Texture>();
-  texture_->show(heightPicture(tip_->field(), lines_, Colour(0.5f)));
+  texture_.show(heightPicture(tip_->field(), lines_, Colour(0.5f)));
 }
 
-ImTextureID SurfaceScan::texture() const { return textureOf(texture_ && drawn_lines_ > 0 ? texture_->id : 0); }
+ImTextureID SurfaceScan::texture() const { return drawn_lines_ > 0 ? texture_.id() : ImTextureID(); }
 
 void SurfaceScan::showIn(ViewScene& scene) const {
   if (!tip_) return;

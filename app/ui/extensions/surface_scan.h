@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "app/ui/application/extension.h"
+#include "app/ui/widgets/picture_texture.h"
 #include "engine/haptics/height_field/scanning_tip.h"
 #include "engine/render/mesh_piece.h"
 #include "engine/render/view_scene.h"
@@ -21,7 +22,6 @@ class Messages;
 class SurfaceScan : public Extension {
  public:
   SurfaceScan(HapticSession& scene, const LessonGuide& lesson, Messages& messages, const FrameTime& time);
-  ~SurfaceScan() override;
 
   /// Duration of a whole scan, and the nodes of its longer side.
   static constexpr double kRaster_s = 20.0;
@@ -71,8 +71,7 @@ class SurfaceScan : public Extension {
   double passed_s_ = 0.0;
   int lines_ = 0, drawn_lines_ = 0;
   std::shared_ptr<const MeshPiece> surface_;
-  struct Texture;
-  std::unique_ptr<Texture> texture_;
+  PictureTexture texture_;
 };
 
 }  // namespace moltact

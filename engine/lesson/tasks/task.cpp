@@ -104,6 +104,22 @@ KeySpec attemptsKey(std::string_view meaning) {
   return {.name = "attempts", .type = ValueType::Count, .meaning = meaning, .min = 1, .max = 20};
 }
 
+KeySpec darkKey() {
+  return {.name = "dark",
+          .type = ValueType::Word,
+          .meaning = "Whether the screen is dark meanwhile.",
+          .fallback = "yes",
+          .words = {"yes", "no"}};
+}
+
+KeySpec meterKey() {
+  return {.name = "meter",
+          .type = ValueType::Word,
+          .meaning = "Whether magnitude and direction of the force are displayed in the dark.",
+          .fallback = "on",
+          .words = {"on", "off"}};
+}
+
 void Task::setProgress(double progress) { progress_ = std::clamp(progress, 0.0, 1.0); }
 
 AtomSet::AtomSet(const Selection& selection, const Molecule& molecule) : all_(!selection.given()) {

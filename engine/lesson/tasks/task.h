@@ -211,6 +211,9 @@ class Task {
 
 /// The key `attempts` of kinds whose tries can be wrong; `meaning` says what a try is.
 KeySpec attemptsKey(std::string_view meaning);
+/// The keys `dark` (yes) and `meter` (on) of kinds that are done by touch alone.
+KeySpec darkKey();
+KeySpec meterKey();
 
 /// The atoms that a task is about.
 class AtomSet {
