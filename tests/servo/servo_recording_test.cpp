@@ -408,7 +408,7 @@ TEST_CASE(
     double force_N = 0.0;
     int k = 0;
     for (const Vec3& place : scenes::walk(scene, 4000, 5)) {
-      settings.friction = rough ? Friction{0.1 * (k / 500), k > 2000 ? 0.5 : 0.0} : Friction{};
+      settings.surface.friction = rough ? Friction{0.1 * (k / 500), k > 2000 ? 0.5 : 0.0} : Friction{};
       RecordedTick tick;
       tick.settings = settings;
       tick.pose.position = settings.workspace.toDevice({place});
@@ -425,12 +425,12 @@ TEST_CASE(
   const auto recording = readServoRecording(file);
   REQUIRE(recording);
   REQUIRE(recording->ticks.size() == 4000);
-  CHECK(recording->ticks[3999].settings.friction == Friction{0.1 * 7, 0.5});
+  CHECK(recording->ticks[3999].settings.surface.friction == Friction{0.1 * 7, 0.5});
   CHECK(touchOf(*recording).friction == 0.0);
   CHECK_FALSE(replay(*recording, makeInteraction(input).get()).first_difference);
   // Without the friction the forces part.
   ServoRecording even = *recording;
-  for (RecordedTick& tick : even.ticks) tick.settings.friction = {};
+  for (RecordedTick& tick : even.ticks) tick.settings.surface.friction = {};
   CHECK(replay(even, makeInteraction(input).get()).first_difference);
   std::filesystem::remove(file);
 }
