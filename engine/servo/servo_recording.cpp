@@ -34,7 +34,7 @@ constexpr std::size_t kMaxBytes = std::size_t{1} << 30;
 constexpr std::uint8_t kSettings = 1, kFresh = 2, kConnected = 4, kOtherDevice = 8, kFaultFlag = 16, kFallenBack = 32,
                        kOriented = 64, kSpheresMoved = 128;
 constexpr std::uint8_t kAtEdge = 1,
-                       kSurface = 2;   // at the end of the settings; files of earlier builds have the first
+                       kSurface = 2;  // at the end of the settings; files of earlier builds have the first
 constexpr std::uint8_t kBodyPose = 1, kNotAtRest = 2;            // of an oriented tick
 constexpr std::uint8_t kGivesForce = 1, kRotationalDamping = 2;  // of a device; files of earlier builds have the first
 
