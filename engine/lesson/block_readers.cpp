@@ -4,11 +4,11 @@
 #include <optional>
 #include <utility>
 
+#include "engine/dynamics/simulation_engines.h"
 #include "engine/haptics/field/force_choices.h"
 #include "engine/haptics/interactions.h"
 #include "engine/language/catalogue.h"
 #include "engine/language/language_code.h"
-#include "engine/lesson/imd_address.h"
 #include "engine/lesson/reading.h"
 #include "engine/lesson/reading_keys.h"
 #include "engine/lesson/scene_link.h"
@@ -116,9 +116,8 @@ void takeSimulation(Reading& reading, const KeyValues& values, bool takes, Scene
   }
   if (scene.simulation.empty()) return;
   const Place place = scene.places.simulation;
-  if (const auto address = imdAddress(scene.simulation); address && !*address)
-    reading.error(place, address->problem().message,
-                  tr("write imd://HOST:PORT with a numeric host, for example imd://127.0.0.1:8888"));
+  if (const auto address = simulationAddress(scene.simulation); address && !*address)
+    reading.error(place, address->problem().message, address->problem().remedy);
 }
 
 // A scan takes seconds and shows the atoms at rest.
