@@ -16,6 +16,7 @@
 #include "engine/lesson/scene_link.h"
 #include "engine/lesson/second_state.h"
 #include "engine/lesson/tasks/registry.h"
+#include "engine/structure/interaction_input.h"
 
 namespace moltact::checks {
 namespace {
@@ -97,7 +98,7 @@ class Check {
   /// What the hand holds, in every structure of the scene.
   void body(const TaskKind& kind, const TaskSpec& task, const SceneSpec& scene, const Molecule& molecule,
             std::vector<Problem>& problems) {
-    const std::shared_ptr<const HeldBody> held = heldBody(molecule.spheres, heldAtoms(scene, molecule));
+    const std::shared_ptr<const HeldBody> held = heldBody(molecule, heldAtoms(scene, molecule));
     if (!held || findings_.enough()) return;
     const std::vector<std::uint32_t> untouchable = untouchableAtoms(scene, molecule);
     std::vector<SphereGrid> grids;
@@ -115,7 +116,7 @@ class Check {
     const auto& molecule = lookUp(scene.molecule);
     if (!molecule || findings_.enough()) return;
     if (const auto felt = sceneForces(scene, *molecule, untouchableAtoms(scene, **molecule),
-                                      heldBody((*molecule)->spheres, heldAtoms(scene, **molecule))))
+                                      heldBody(**molecule, heldAtoms(scene, **molecule))))
       kind.check_forces(task, *felt, problems);
   }
 

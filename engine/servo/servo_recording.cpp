@@ -57,6 +57,20 @@ std::string rangesText(const std::vector<std::uint32_t>& numbers) {
   return out;
 }
 
+// The reduction of a held body's radii, where it is not the default.
+constexpr const char* kOverlapLabel = "held-overlap-mA";
+constexpr double kMilliPerUnit = 1000.0;
+
+double overlapOf(const std::map<std::string, std::string>& labels) {
+  const auto found = labels.find(kOverlapLabel);
+  if (found == labels.end()) return kBodyOverlap_A;
+  int value = 0;
+  const char* const end = found->second.data() + found->second.size();
+  const auto read = std::from_chars(found->second.data(), end, value);
+  return read.ec == std::errc() && read.ptr == end && value >= 0 && value <= 2000 ? value / kMilliPerUnit
+                                                                                  : kBodyOverlap_A;
+}
+
 // Parses ranges. Returns an empty list if the text is invalid or names a number that is not below `end`.
 std::vector<std::uint32_t> rangesOf(std::string_view text, std::size_t end) {
   std::vector<std::uint32_t> out;
@@ -407,6 +421,8 @@ std::map<std::string, std::string> sceneLabels(const SphereGrid& scene, const He
   std::map<std::string, std::string> labels{{"balls", fingerprint(scene)}};
   if (scene.hasUntouchable()) labels["untouchable"] = rangesText(scene.untouchable());
   if (body) labels["held"] = rangesText(body->atoms);
+  if (body && body->overlap_A != kBodyOverlap_A)
+    labels[kOverlapLabel] = std::to_string(std::lround(body->overlap_A * kMilliPerUnit));
   return labels;
 }
 
@@ -416,7 +432,7 @@ RecordedScene recordedScene(const std::map<std::string, std::string>& labels, Sh
     return found == labels.end() ? std::vector<std::uint32_t>() : rangesOf(found->second, spheres.size());
   };
   RecordedScene out;
-  out.body = heldBody(spheres, listed("held"));
+  out.body = heldBody(spheres, listed("held"), overlapOf(labels));
   const std::vector<std::uint32_t> untouchable = listed("untouchable");
   out.spheres = std::make_shared<const SphereGrid>(std::move(spheres), untouchable);
   return out;
