@@ -1,4 +1,4 @@
-#include "engine/bench/hand_path.h"
+#include "engine/servo/hand_path.h"
 
 #include <algorithm>
 #include <array>
@@ -12,7 +12,7 @@
 #include "engine/haptics/sweep.h"
 #include "engine/platform/read_file.h"
 
-namespace moltact::bench {
+namespace moltact {
 namespace {
 
 constexpr std::size_t kMaxBytes = std::size_t{1} << 30;
@@ -254,4 +254,4 @@ HandPath mappedTo(const HandPath& path, const SphereGrid& scene, double A_per_mm
   return out;
 }
 
-}  // namespace moltact::bench
+}  // namespace moltact
