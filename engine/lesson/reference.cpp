@@ -80,7 +80,7 @@ std::string valueOf(const KeySpec& key) {
              ", or `facing` and a [selection](#selections), or `turned` and two or three angles in degrees; optionally "
              "followed by a comma, `zoom` and a selection";
     case ValueType::Marks:
-      return (key.words.empty() ? "" : someOf(key.words) + ", ") +
+      return (key.words.empty() ? "" : someOf(key.words) + "; ") +
              std::string("names in double quotes, and `for` with a [selection](#selections); or `none`");
     case ValueType::Places:
       return "[selections](#selections) with ` - ` between them, several separated by commas; or `none`";

@@ -1,5 +1,5 @@
-// The forces between atoms in a scene, for tasks and checks that judge by energy: how firmly what the hand holds is bound,
-// and where it falls when the hand gives way. Any thread but the haptic one. Units: angstrom, kcal/mol.
+// The forces between atoms in a scene, for tasks and checks that judge by energy. They tell how firmly what the hand
+// holds is bound, and where it falls when the hand yields. Any thread but the haptic one. Units: angstrom, kcal/mol.
 #pragma once
 
 #include <cstdint>
@@ -44,9 +44,9 @@ class SceneForces {
   std::optional<Well> fall(const PoseA& start, const TouchChange& change = {},
                            const std::function<bool(const Well&)>& visit = {}) const;
 
-  /// The wells that `count` falls from the surface lead to, the deepest first: of a body in random orientations, from the
-  /// pose of its file first; of a probe from the places with the lowest energy. The same arguments give the same wells.
-  /// A search: a deeper well may exist. Falls begin only at places for which `from` is true.
+  /// The wells that `count` falls from the surface lead to, the deepest first. A body falls in random orientations,
+  /// from the pose of its file first; a probe from the places with the lowest energy. The same arguments give the same
+  /// wells. A search: a deeper well may exist. Falls begin only at places for which `from` is true.
   std::vector<Well> wells(int count, const TouchChange& change = {},
                           const std::function<bool(const Vec3&)>& from = {}) const;
 

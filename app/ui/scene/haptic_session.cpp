@@ -70,8 +70,8 @@ void HapticSession::play(const std::optional<ServoSample>& sample) {
   servo_.begin(effectiveSettings(false), freshInteraction());
 }
 
-// The settings for the servo loop: those of the panels, but without force while the scene is not visible or a hand is
-// played; during a force trial those of the trial.
+// The settings for the servo loop: those of the panels, or during a force trial those of the trial. There is no force
+// while the scene is not visible or a hand is played.
 ServoSettings HapticSession::effectiveSettings(bool trying) const {
   if (trying) return ForceTrial::settings(servo_settings);
   ServoSettings out = servo_settings;

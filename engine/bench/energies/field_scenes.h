@@ -25,7 +25,7 @@ struct FieldScene {
   std::size_t held_from = 0, held_to = 0;
 };
 
-/// All scenes, in the order of the tables. Draw 0 contains them as defined; in each further draw scene and motion are
+/// All scenes, in the order of the tables. Draw 0 contains them as defined. In each further draw, scene and motion are
 /// rotated as a whole by a random rotation and shifted by up to a cell of the grids.
 std::vector<FieldScene> fieldScenes(std::uint64_t seed, std::size_t draw);
 

@@ -210,8 +210,8 @@ bool ExactBody::accepted(const Six& pull) const noexcept {
   return merit <= energy + 1e-13 * (1.0 + energy);
 }
 
-// A step where the surroundings leave no room for the second-order term of a rotation: without that term, so short that
-// the path sinks by less than kSink_A, and followed by a restoration of the gaps.
+// A step where the surroundings leave no room for the second-order term of a rotation. It omits that term, is so short
+// that the path sinks by less than kSink_A, and is followed by a restoration of the gaps.
 bool ExactBody::squeezed(const Six& pull) noexcept {
   solution_ = solve(nullptr, pull, 0.0);
   if (!solution_.feasible) return false;

@@ -12,10 +12,10 @@
 
 namespace moltact {
 
-/// heldBody() reduces the radius of each atom by this length (unit: angstrom; to no less than 0.2 A), so that it may
-/// overlap the scene's atoms so far before it touches them. Hydrogen bonds bring atoms that close, and a drug then fits
-/// into its binding site without contact (amprenavir in 1HPV overlaps by up to 0.46 A). The value is tuned to the radii
-/// of Bondi; another table of radii needs another value.
+/// heldBody() reduces the radius of each atom by this length (unit: angstrom; to no less than 0.2 A). The body may thus
+/// overlap the scene's atoms by this length before it touches them. Hydrogen bonds bring atoms that close, and a drug
+/// then fits into its binding site without contact (amprenavir in 1HPV overlaps by up to 0.46 A). The value is tuned to
+/// the radii of Bondi; another table of radii needs another value.
 inline constexpr double kBodyOverlap_A = 0.5;
 /// The maximum number of atoms of a body.
 inline constexpr std::size_t kMaxHeldAtoms = 5'000;

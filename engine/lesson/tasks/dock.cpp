@@ -1,4 +1,4 @@
-// dock: bring what the hand holds to a pose, from outside and without a jump, and keep it there; where forces between
+// dock: bring what the hand holds to a pose, from outside and without a jump, and keep it there. Where forces between
 // atoms act, also until its energy is low enough, or to any pose of an energy that low. Who puts it down there, passes
 // through it or turns it wrongly has not docked it. The hand begins in an orientation drawn at random, which the view's
 // reset restores.

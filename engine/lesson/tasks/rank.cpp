@@ -1,7 +1,7 @@
-// rank: hold several ligands in turn, each in its own place, in the dark unless the author says otherwise, pull at each
-// and put them in order of how firmly the forces between atoms bind them. The ligands come in a different order for each
-// student and each round. What counts as felt depends on the hand's way alone, never on a force, so that no word tells
-// how firmly a ligand is bound.
+// rank: hold several ligands in turn, each in its own place, in the dark unless the author chooses otherwise. Pull at
+// each and put them in order of how firmly the forces between atoms bind them. The ligands come in a different order
+// for each student and each round. What counts as felt depends on the hand's way alone, never on a force, so that no
+// word tells how firmly a ligand is bound.
 #include <algorithm>
 #include <array>
 #include <numbers>

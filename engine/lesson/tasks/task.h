@@ -139,8 +139,8 @@ class Task {
   /// The changes of the scene that it requests; none once done.
   TaskStage stage() const { return done_ ? TaskStage() : requestedStage(); }
 
-  /// The quantities measured from the start until now or until done: time, time in contact, mean and largest force in
-  /// contact, path length of the contact point on the surface; then those of the kind of task.
+  /// The quantities measured from the start until now or until done. These are time, time in contact, mean and largest
+  /// force in contact, and path length of the contact point on the surface. Those of the kind of task follow.
   std::vector<TaskFigure> figures() const;
   /// Only the quantities of the kind of task.
   std::vector<TaskFigure> ownFigures() const {
@@ -291,8 +291,8 @@ struct PathPlace {
 /// The points of a path. A single part gives one point per atom, in the order of the file; several parts give one each.
 std::vector<PathPlace> pathPlaces(const std::vector<Selection>& path, const Molecule& molecule);
 
-/// The name of a task's target inside a sentence: the author's, or one made from the selection or the kind of place, in
-/// the language in use at the time of the call.
+/// The name of a task's target inside a sentence, in the language in use at the time of the call. It is the author's,
+/// or one made from the selection or the kind of place.
 class TargetName {
  public:
   /// `called`: the key by which the author may name it.
@@ -322,7 +322,7 @@ std::vector<SurfacePlace> placesToTouch(const HandPlanInput& view, const AtomSet
 bool isFeature(std::string_view word, Feature feature);
 
 /// A kind of place formed by certain atoms. In the middle of a ring of equal atoms, it depends on chance whether two or
-/// three of them block the probe; there it counts as a pit as soon as three atoms are within kAlike_A.
+/// three of them block the probe. There it counts as a pit as soon as three atoms are within kAlike_A.
 class PlaceKind {
  public:
   static constexpr double kAlike_A = 0.1;

@@ -16,8 +16,8 @@ namespace {
 
 constexpr double kAhead_A = 5.0;      // at a bend, the nearest point of the path may jump ahead by this distance
 constexpr double kAheadShare = 0.25;  // but at most by this share of the whole path
-// The front advances by at most this multiple of the slide since it stood there, because the path on the surface may be
-// longer or shorter than that between the centres. The hand must resume within this distance of the front.
+// The front advances by at most this multiple of the slide since it stood there. The path on the surface may be longer
+// or shorter than that between the centres. The hand must resume within this distance of the front.
 constexpr double kWayShare = 2.0, kResume_A = 1.5;
 constexpr double kSlid_A = 1.0;      // minimum length of a slide that advances the front
 constexpr double kSlidShare = 0.1;   // or this share of the path, if that is shorter
