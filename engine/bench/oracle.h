@@ -50,8 +50,8 @@ class Oracle {
  private:
   struct Flow {
     PointL s;
-    bool arrived = true;  // at the HIP: no contact
-    bool settled = true;  // false: the limit of iterations was reached
+    bool arrived = true;    // at the HIP: no contact
+    bool converged = true;  // false: the limit of iterations was reached
   };
   Flow flow(PointL s, PointL hip) const;
 

@@ -15,7 +15,7 @@ namespace moltact {
 /// A spring that pushes an atom, now at `at_A`, with this force (unit: kcal/mol/A), which must not be zero.
 AtomPush pushOf(std::uint32_t atom, const Vec3& at_A, const Vec3& force_kcal_mol_A, double stiffness_kcal_mol_A2);
 
-/// What the window wants. The newest command replaces the earlier ones; the counters never decrease, so that a request is
+/// The window's requests. The newest command replaces the earlier ones; the counters never decrease, so that a request is
 /// carried out once even if commands are skipped.
 struct SimulationCommand {
   std::vector<AtomPush> pushes;

@@ -277,7 +277,7 @@ std::vector<KeySpec> sceneKeys() {
        .fallback = "0%"},
       {.name = "elastic",
        .type = ValueType::Word,
-       .meaning = "'on' makes the molecule give way to the hand as an elastic network: springs between residues within "
+       .meaning = "'on' makes the molecule yield to the hand as an elastic network: springs between residues within "
                   "15 Å. The panel 'motion' shows its modes.",
        .fallback = "off",
        .words = {"on", "off"}},

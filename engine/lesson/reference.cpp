@@ -14,7 +14,7 @@ namespace {
 constexpr std::string_view kHead = R"(# Every key of a lesson
 
 `moltact lesson-reference > docs/lesson-reference.md` generates this page from the tables of the lesson reader; a test checks that they agree.
-[Write a lesson](write-a-lesson.md) explains how to write lessons.
+[Write a lesson](write-a-lesson.md) explains how to write lessons, and [what a lesson can hold](lesson-text.md) shows each part by example.
 
 In the tables, *needed* marks a required key; for other keys the column gives the default, or — if the key then has no effect. A line that
 starts with `#` inside a block or the front matter is a comment.

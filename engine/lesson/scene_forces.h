@@ -35,7 +35,7 @@ class SceneForces {
   const SphereGrid& spheres() const { return *spheres_; }
   const std::shared_ptr<const HeldBody>& body() const { return body_; }
 
-  /// The same forces with another body in the hand, which the scene draws and feels as little as its own.
+  /// The same forces with another body in the hand, which the scene neither draws nor feels, like its own.
   std::shared_ptr<const SceneForces> holding(std::shared_ptr<const HeldBody> body) const;
 
   /// Where it comes to rest when a hand that offers no resistance begins at `start`, kept outside the atoms. `visit`

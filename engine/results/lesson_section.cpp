@@ -41,7 +41,7 @@ FigureShown figureShown(const std::string& name, const std::string& unit) {
   const Unit* known = unitNamed(unit);
   const Unit* shown = shownInstead(unit);
   const std::string_view symbol = shown ? shown->symbol : std::string_view(unit);
-  return {tr(name.c_str()) + (symbol.empty() ? std::string() : ", " + std::string(symbol)),
+  return {figureTitle(name) + (symbol.empty() ? std::string() : ", " + std::string(symbol)),
           shown ? known->in_code_units / shown->in_code_units : 1.0};
 }
 

@@ -20,7 +20,7 @@ struct FieldScene {
   double probe_A = 0.0;           ///< of the contact
   PairModel model{};
   double N_per_kcal_mol_A = 0.05;  ///< newtons in the hand for 1 kcal/mol/A
-  std::vector<Vec3> path{};        ///< where the hand wants to be, one place per tick; it begins and ends far outside
+  std::vector<Vec3> path{};        ///< the target of the hand, one position per tick; it begins and ends far outside
   /// The ticks in which the hand stands still in the field: from, to. Equal: it does not.
   std::size_t held_from = 0, held_to = 0;
 };

@@ -2,7 +2,7 @@
 // radius scans the scene from +z, and the SCP is the tip's centre on the scanned surface. The substrate lies 1000 A
 // deeper. A new probe scans the scene again on the same nodes, in a long tick.
 //
-// Known limitations, verified by tests: the scan sees neither overhanging flanks nor the underside, and a wall of atoms
+// Known limitations, verified by tests: the scan contains neither overhanging flanks nor the underside, and a wall of atoms
 // becomes a slope one spacing wide. A HIP there is inside until it comes out above. Between nodes the surface cuts
 // creases off and lies up to spacing^2 / (4 radius) under a cap. Haptic thread; no allocation after construction.
 // Units: angstrom.

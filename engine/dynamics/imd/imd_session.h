@@ -22,7 +22,7 @@ class ImdSession {
 
   /// Bytes that the server has sent.
   void received(std::span<const std::uint8_t> bytes, double now_s);
-  /// The newest wishes. Of a command only `pushes` and `running` have an effect.
+  /// The newest requests. Of a command only `pushes` and `running` have an effect.
   void command(const SimulationCommand& wanted, double now_s);
   /// Call at least ten times a second: it notices silence.
   void passed(double now_s);

@@ -79,7 +79,7 @@ class ExactBody final : public Interaction {
 
   // exact_body_rest.cpp: the search for the rest pose
   void seekRest() noexcept;
-  bool settled(const Six& pull) const noexcept;
+  bool converged(const Six& pull) const noexcept;
   bool kicked(const Six& direction, double by_A) noexcept;
   bool advance(const Six& pull) noexcept;
   bool regulated(const Factor6* metric, Six pull) noexcept;

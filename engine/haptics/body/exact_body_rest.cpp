@@ -47,7 +47,7 @@ void ExactBody::returnTo(const Saved& to) noexcept {
 }
 
 // True if forces and torques balance and every contact that carries force is closed.
-bool ExactBody::settled(const Six& pull) const noexcept {
+bool ExactBody::converged(const Six& pull) const noexcept {
   Six rest = pull;
   for (int k = 0; k < held_count_; ++k) {
     const Held& held = held_[std::size_t(k)];
@@ -69,7 +69,7 @@ void ExactBody::seekRest() noexcept {
   while (steps_ < kMaxSteps && changes_ < kMaxChanges) {
     lookAround();
     const Six d = pull();
-    if (settled(d)) {
+    if (converged(d)) {
       const double energy = energyAt(pose_);
       if (held_count_ == 0) {
         pose_ = hand_;

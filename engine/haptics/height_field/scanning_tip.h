@@ -7,7 +7,7 @@
 // At constant force the tip sinks into the atoms until their forces add up to the set force. The model is an elastic
 // foundation: each atom pushes straight up, in proportion to the depth of the tip under the height at which this atom
 // alone would stop it. The force is then a piecewise linear function of the height, whose solution is exact. The
-// substrate does not give way.
+// substrate is rigid.
 //
 // Any thread except the haptic one. Units: angstrom, piconewton, newton per metre.
 #pragma once
@@ -33,7 +33,7 @@ struct ScanSetup {
   Quat orientation = kNoRotation;  ///< rotates the scan's axes into the molecule's; the tip comes from its +z
   friend bool operator==(const ScanSetup&, const ScanSetup&) = default;
 
-  /// The depth to which a single atom gives way (unit: angstrom).
+  /// The depth to which a single atom yields (unit: angstrom).
   double sink_A() const { return 0.01 * force_pN / contact_N_per_m; }
 };
 

@@ -19,7 +19,7 @@
 namespace moltact {
 namespace {
 
-constexpr double kLeastTurn_rad = std::numbers::pi / 3.0;  // of the drawn orientation off the goal's
+constexpr double kMinTurn_rad = std::numbers::pi / 3.0;  // of the drawn orientation off the goal's
 constexpr int kFalls = 24;  // into wells that are tried: near the goal, or from anywhere on the surface
 // Farther out than this the field is too weak to have drawn the body in (share of the limit of energy).
 constexpr double kOutside = 0.1;
@@ -88,7 +88,7 @@ class Dock : public Task {
   void draw() {
     if (!turns_ || !goal_) return;
     do turned_ = randomOrientation(state_);
-    while (hasGoal(spec_) && goal_->turned_rad({goal_->goal().place, turned_}) < kLeastTurn_rad);
+    while (hasGoal(spec_) && goal_->turned_rad({goal_->goal().place, turned_}) < kMinTurn_rad);
   }
 
   TaskStage requestedStage() const override {

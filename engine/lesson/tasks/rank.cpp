@@ -120,11 +120,11 @@ class Rank : public Task {
 
   // Ticks of the ligand before may arrive until this one is put into the hand.
   void onSample(const TouchSample& s, double dt_s) override {
-    if (s.placed) put_down_ = true, begun_ = false;
+    if (s.contact_reset) put_down_ = true, begun_ = false;
     if (!feeling() || !put_down_ || !s.body) return;
     off_A_ = glm::distance(s.hip.A, shownLigand(at_).place.place.A);
     begun_ = !s.hovering && (begun_ || off_A_ <= kPulls_A);
-    // Once it has pulled: a mouse's hand gives way in a well, however far it wants to be.
+    // Once it has pulled: a mouse's hand yields in a well, however far away its target is.
     pulled_ = begun_ && (pulled_ || off_A_ >= kPulls_A);
     if (pulling()) felt_s_ = std::min(time_s_, felt_s_ + dt_s);
   }

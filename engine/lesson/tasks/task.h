@@ -203,7 +203,7 @@ class Task {
 
   AuthorsText praise_;
   double progress_ = 0.0, last_time_s_ = 0.0;
-  double time_s_ = 0.0, contact_s_ = 0.0, felt_s_ = 0.0, impulse_Ns_ = 0.0, greatest_N_ = 0.0, way_A_ = 0.0;
+  double time_s_ = 0.0, contact_s_ = 0.0, felt_s_ = 0.0, impulse_Ns_ = 0.0, greatest_N_ = 0.0, path_A_ = 0.0;
   std::optional<Vec3> last_scp_A_;
   bool done_ = false, given_up_ = false, started_ = false, inside_ = false, body_ = false;
   int tries_ = 0, missed_ = 0;  // allowed tries (0: unlimited), and wrong ones so far
@@ -273,12 +273,12 @@ class Slide {
   static constexpr double kHop_A = 0.5;
   /// Processes one tick. Returns true if another slide began with it.
   bool tick(const Contact& contact, double dt_s);
-  double way_A() const { return way_A_; }  ///< path length so far in this slide
+  double pathLength_A() const { return path_A_; }  ///< path length so far in this slide
   void restart() { *this = Slide(); }
 
  private:
   std::optional<Vec3> last_A_;
-  double way_A_ = 0.0, away_s_ = 0.0;
+  double path_A_ = 0.0, away_s_ = 0.0;
 };
 
 /// A point on a path of atoms: one atom, or the sphere around the atoms of one part of the key. Unit: angstrom.

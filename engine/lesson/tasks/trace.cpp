@@ -78,7 +78,7 @@ class TraceAtoms : public Trace {
     const double off_A = nearest(scp, probe_A, 0.0, length_A_).off_A;
     if (!begun_) {
       resumed_ = true;
-      slid_A_ = slide_.way_A();
+      slid_A_ = slide_.pathLength_A();
       budget_A_ = std::min(kResume_A, kAheadShare * length_A_);
       if (rests(contact, stops_.front()) || (either_ && rests(contact, stops_.back()))) {
         begun_ = true;
@@ -102,8 +102,8 @@ class TraceAtoms : public Trace {
       slid_A_ = budget_A_ = 0.0;
     }
     // A press also moves the contact point slightly; shorter motions do not count as a slide.
-    if (slide_.way_A() >= std::min(kSlid_A, kSlidShare * length_A_))
-      budget_A_ += kWayShare * (slide_.way_A() - std::exchange(slid_A_, slide_.way_A()));
+    if (slide_.pathLength_A() >= std::min(kSlid_A, kSlidShare * length_A_))
+      budget_A_ += kWayShare * (slide_.pathLength_A() - std::exchange(slid_A_, slide_.pathLength_A()));
     if (!resumed_) {
       // The path continues where it was left: a hand that comes down there, or slides back to it, resumes.
       const double reach = std::min(kResume_A, ahead_A_);

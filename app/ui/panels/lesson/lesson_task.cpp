@@ -30,7 +30,7 @@ void drawFigures(const std::string& name, const Task& task) {
   std::string line;
   for (const TaskFigure& f : task.ownFigures()) {
     if (f.value == 0.0 && f.unit.empty()) continue;  // no errors were counted
-    line += (line.empty() ? "" : "  ·  ") + std::string(tr(f.name)) + " " +
+    line += (line.empty() ? "" : "  ·  ") + figureTitle(std::string(f.name)) + " " +
             quantityIn(f.value, f.unit, decimals(f.value == std::round(f.value) ? 0 : 2));
   }
   if (line.empty()) return;
