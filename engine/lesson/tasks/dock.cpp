@@ -290,7 +290,7 @@ TaskKind dockKind() {
       .keys = {{.name = "dock",
                 .type = ValueType::Text,
                 .meaning = "The pose: `file`, that of the molecule's file; or X, Y, Z, QW, QX, QY, QZ, the position "
-                           "of the body's centre in angstroms and a quaternion relative to the file; or `anywhere`, "
+                           "of the body's centre in angstroms and a quaternion relative to the file. Or `anywhere`, "
                            "with `energy`: any pose with an energy that low.",
                 .required = true},
                {.name = "energy",

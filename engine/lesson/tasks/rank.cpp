@@ -339,9 +339,9 @@ TaskKind rankKind() {
       .keys = {{.name = "rank",
                 .type = ValueType::Path,
                 .meaning =
-                    "The ligands, two to four, separated by 'then', each in its pose of the molecule's file. One "
-                    "is the scene's `in-hand`, the others are in `remove`. The program computes the right order "
-                    "from their energies. They may overlap each other.",
+                    "The ligands, two to four, separated by 'then', each in its pose of the molecule's file; they "
+                    "may overlap each other. One is the scene's `in-hand`, the others are in `remove`; the program "
+                    "computes the right order from their energies.",
                 .required = true},
                {.name = "first",
                 .type = ValueType::Text,
