@@ -108,10 +108,6 @@ std::string quantityIn(double value, std::string_view symbol, Digits digits) {
   return numberText(value, digits) + (symbol.empty() ? "" : kNoBreakSpace) + std::string(symbol);
 }
 
-std::string figureTitle(const std::string& name) {
-  return name == "way" ? std::string(tr("path length")) : std::string(tr(name.c_str()));
-}
-
 std::string energyBetweenAtoms(double energy_kcal_mol, Digits digits) {
   return quantityIn(energy_kcal_mol, "kcal/mol", digits);
 }

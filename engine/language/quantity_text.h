@@ -35,8 +35,6 @@ std::string quantityText(double value, Dimension dimension, QuantityOptions opti
 std::string quantityText(double value, Dimension dimension, Digits digits);
 /// Formats a value given in the unit `symbol`, as used by authors and tasks, in the unit of shownInstead().
 std::string quantityIn(double value, std::string_view symbol, Digits digits);
-/// The title of a quantity that a task measures, by its name in attempts, translated: "path length" for "way".
-std::string figureTitle(const std::string& name);
 /// Formats an energy between atoms or in their springs: "-26.2 kcal/mol". It keeps this unit, that of its literature,
 /// whatever unit the user chose for other quantities.
 std::string energyBetweenAtoms(double energy_kcal_mol, Digits digits);

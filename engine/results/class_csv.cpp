@@ -12,7 +12,7 @@
 
 #include "engine/core/printable.h"
 #include "engine/language/catalogue.h"
-#include "engine/language/quantity_text.h"
+#include "engine/language/figure_title.h"
 
 namespace moltact {
 namespace {

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "engine/language/catalogue.h"
+#include "engine/language/figure_title.h"
 #include "engine/language/quantity_text.h"
 #include "engine/results/outcome_sections.h"
 #include "engine/results/page_parts.h"

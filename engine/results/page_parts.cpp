@@ -5,6 +5,7 @@
 
 #include "engine/core/svg.h"
 #include "engine/language/catalogue.h"
+#include "engine/language/figure_title.h"
 #include "engine/language/quantity_text.h"
 
 namespace moltact::page {

@@ -46,8 +46,7 @@ class PairSum {
 
   /// The forces of the felt energy on the scene's atoms at the last pose (unit: kcal/mol/A). Their sum is the opposite
   /// of the force on the body, to the rounding of float. Both spans have one entry per atom. Writes the indices of
-  /// atoms within the cut-off plus the margin to `near`, the forces on them to `forces` by index, and returns their
-  /// number.
+  /// atoms within the cut-off plus the margin to `near`, their forces to `forces` by index, and returns their number.
   std::size_t sceneForces(std::span<Vec3> forces, std::span<std::uint32_t> near) const noexcept;
 
   const PairModel& model() const noexcept { return model_; }

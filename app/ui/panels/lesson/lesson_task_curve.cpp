@@ -14,6 +14,7 @@
 #include "app/ui/widgets/theme.h"
 #include "app/ui/widgets/widget_map.h"
 #include "engine/language/catalogue.h"
+#include "engine/language/figure_title.h"
 #include "engine/language/quantity_text.h"
 
 namespace moltact {
