@@ -210,6 +210,31 @@ inline std::vector<Passage> passagesOfSource(const std::string& source) {
   return out;
 }
 
+// The literals of a C++ source, adjacent ones joined, one passage for each of their lines.
+inline std::vector<Passage> passagesOfLiterals(const std::string& source) {
+  const Halves halves = halvesOf(source);
+  std::vector<Passage> out;
+  bool joins = false;  // only blanks stand behind the last literal
+  std::size_t number = 1;
+  for (std::size_t at = 0; at < source.size(); ++at) {
+    number += source[at] == '\n';
+    if (halves.code[at] != ' ' && halves.code[at] != '\n') joins = false;
+    if (source[at] != '"' || (at > 0 && source[at - 1] == '\'') || halves.code[at] != ' ' || halves.comments[at] != ' ')
+      continue;
+    if (!joins) out.push_back({number, "", false});
+    for (++at; at < source.size() && source[at] != '"'; ++at) {
+      if (source[at] != '\\')
+        out.back().text += source[at];
+      else if (source[++at] == 'n')
+        out.push_back({number, "", false});
+      else
+        out.back().text += source[at];
+    }
+    joins = true;
+  }
+  return out;
+}
+
 // "12: 34 words: the sentence" for each sentence of more than `most` words, and "12: 3 sentences: the cell" for each
 // cell of more than two.
 inline std::vector<std::string> tooLongIn(const std::vector<Passage>& passages, std::size_t most = 30) {

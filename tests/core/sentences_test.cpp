@@ -71,6 +71,16 @@ TEST_CASE(
   CHECK(tooLongIn(passagesOfSource("auto a = \"// " + words(31) + "\";\n")).empty());
 }
 
+TEST_CASE("no sentence in the literals of the commands, such as the texts of --help, has more than 30 words") {
+  CHECK(textsOf(passagesOfLiterals("f(\"One \"\n  \"two\", \"a\\nb\");  // \"none\"\n")) ==
+        Texts{"1 One two", "2 a", "2 b"});
+  CHECK(tooLongIn(passagesOfLiterals("f(\"" + words(20) + " \"\n  \"" + words(11) + "\");")).size() == 1);
+  for (const auto& entry : fs::directory_iterator(kSource / "app/commands"))
+    if (entry.path().extension() == ".cpp")
+      for (const std::string& found : tooLongIn(passagesOfLiterals(textOf(entry.path()))))
+        FAIL_CHECK("app/commands/" << entry.path().filename().string() << ":" << found);
+}
+
 TEST_CASE(
     "no sentence of README, CONTRIBUTING, CHANGELOG and docs has more than 30 words, no cell more than two sentences") {
   std::vector<fs::path> pages{"README.md", "CONTRIBUTING.md", "CHANGELOG.md"};
