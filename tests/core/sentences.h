@@ -223,7 +223,9 @@ inline std::vector<Passage> passagesOfLiterals(const std::string& source) {
       continue;
     if (!joins) out.push_back({number, "", false});
     for (++at; at < source.size() && source[at] != '"'; ++at) {
-      if (source[at] != '\\')
+      if (source[at] == '\n')  // of a raw literal
+        out.push_back({++number, "", false});
+      else if (source[at] != '\\')
         out.back().text += source[at];
       else if (source[++at] == 'n')
         out.push_back({number, "", false});
