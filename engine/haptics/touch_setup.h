@@ -44,8 +44,8 @@ struct TouchSetup {
   friend bool operator==(const TouchSetup&, const TouchSetup&) = default;
 };
 
-/// The member of a property. A text takes one of the words that TouchProperty::words returns; panel, keys and options
-/// offer exactly these; the panel, of the interactions, only those that fit what the hand holds (resolveInteraction).
+/// The member of a property. A text takes one of the words that TouchProperty::words returns; keys and options offer
+/// exactly these. The panel offers only those interactions that fit what the hand holds (resolveInteraction).
 using TouchMember = std::variant<double TouchSetup::*, bool TouchSetup::*, std::string TouchSetup::*>;
 /// A property's value, of the member's type.
 using TouchValue = std::variant<double, bool, std::string>;

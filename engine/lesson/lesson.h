@@ -152,7 +152,7 @@ struct SceneSpec {
                                       ///< atoms
   SecondState then;
   TrajectorySpec trajectory;
-  bool elastic = false;  ///< the molecule gives way to the hand as an elastic network (engine/dynamics)
+  bool elastic = false;  ///< the molecule yields to the hand as an elastic network (engine/dynamics)
   double scan_A = 0.0;   ///< radius of a tip that scans the molecule (engine/haptics/height_field); 0: none
   /// File of a serialised system whose simulation moves the atoms, or an address (simulation_engines.h); empty: none.
   std::string simulation;

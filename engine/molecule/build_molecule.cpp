@@ -126,7 +126,7 @@ std::optional<Problem> MoleculeBuilder::add(const ParsedAtom& from) {
   atom.b_factor_A2 = saturateToFloat(from.b_factor_A2);
   std::copy_n(from.name.data(), std::min(from.name.size(), atom.name.size() - 1), atom.name.data());
   waits.charge_e = saturateToFloat(from.charge_e);
-  waits.name = std::hash<std::string_view>()(from.name);
+  waits.name = from.name;
   waits.occupancy = from.occupancy;
   waits.unknown = from.radius_A >= 0.0 ? -1 : unknownElement(from);
   waits.alternate = from.alternate;
@@ -138,7 +138,7 @@ std::optional<Problem> MoleculeBuilder::add(const ParsedAtom& from) {
 /// Keeps the atoms of highest occupancy among those of one name.
 void MoleculeBuilder::keepLikeliest() {
   std::vector<char> keep(waiting_.size(), 1);
-  std::unordered_map<std::uint64_t, std::size_t> best;
+  std::unordered_map<std::string_view, std::size_t> best;
   for (std::size_t i = 0; i < waiting_.size(); ++i) {
     const auto [it, is_new] = best.emplace(waiting_[i].name, i);
     if (is_new) continue;
@@ -153,7 +153,7 @@ void MoleculeBuilder::keepLikeliest() {
   }
   std::size_t kept = 0;
   for (std::size_t i = 0; i < waiting_.size(); ++i)
-    if (keep[i]) waiting_[kept++] = waiting_[i];
+    if (keep[i] && kept++ != i) waiting_[kept - 1] = std::move(waiting_[i]);
   waiting_.resize(kept);
 }
 

@@ -91,7 +91,7 @@ class MoleculeBuilder {
   struct Waiting {
     PlacedAtom atom;
     float charge_e = 0.0f;
-    std::uint64_t name = 0;  // hash of the full name
+    std::string name;  // the full name; the atom's is cut to its room
     double occupancy = 1.0;
     std::uint32_t residue = 0;  // index into residues_
     std::uint32_t in_file = 0;  // Molecule::numbers_in_file

@@ -81,8 +81,8 @@ std::optional<Problem> notRead(std::string_view head, const std::string& extensi
   return std::nullopt;
 }
 
-/// True for a PDBQT file, whose lines of atoms are those of a PDB file with a charge of three decimals in columns 71-76,
-/// where PDB has four letters of a segment at most, and a type from column 78 on.
+/// True for a PDBQT file, whose lines of atoms are those of a PDB file with two differences. Columns 71-76 have a
+/// charge of three decimals, where PDB has four letters of a segment at most. A type follows from column 78 on.
 bool looksLikePdbqt(std::string_view text) {
   std::size_t atoms = 0;
   while (!text.empty()) {

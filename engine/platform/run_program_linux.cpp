@@ -58,13 +58,13 @@ Expected<ProgramRun> runProgram(const std::vector<std::string>& words, bool quie
     return failed(error);
   }
   ProgramRun out;
-  constexpr std::size_t kMost = std::size_t(1) << 20;
+  constexpr std::size_t kMaxOutput_bytes = std::size_t(1) << 20;
   char buffer[4096];
   for (;;) {
     const ssize_t count = read(ends[0], buffer, sizeof buffer);
     if (count < 0 && errno == EINTR) continue;
     if (count <= 0) break;
-    if (out.output.size() < kMost) out.output.append(buffer, std::size_t(count));
+    if (out.output.size() < kMaxOutput_bytes) out.output.append(buffer, std::size_t(count));
   }
   close(ends[0]);
   int status = 0;

@@ -21,8 +21,8 @@ static_assert(sizeof(ServoSettings) == 168 && sizeof(DevicePose) == 80 && sizeof
                   sizeof(TickTime) == 16,
               "a field more is to be recorded below, or a replay is not the same");
 
-// Version 6 has no motion of spheres; version 5 has also no poses of bodies; version 4 has also no torque per tick; version 3 has also no orientation, and no
-// torque of devices; version 2 has also no initial state.
+// Version 6 has no motion of spheres. Version 5 has also no poses of bodies. Version 4 has also no torque per tick.
+// Version 3 has also no orientation, and no torque of devices. Version 2 has also no initial state.
 constexpr std::string_view kMagic = "MOLTRAC7", kBodyPosesMagic = "MOLTRAC6", kTorquesMagic = "MOLTRAC5",
                            kForcesMagic = "MOLTRAC4", kPlacesMagic = "MOLTRAC3", kStatelessMagic = "MOLTRAC2",
                            kOldMagic = "MOLTRAC1";
