@@ -38,9 +38,10 @@ void measure(const BenchArguments& arguments) {
     if (*status == 0) return;
     throw CommandFailed{};
   }
-  throw CommandError{tr(
-      "the measurements are a program of their own, moltact-bench, which is not here; in a build from the sources, build "
-      "its target: cmake --build --preset release --target moltact-bench")};
+  throw CommandError{
+      tr("the measurements are a program of their own, moltact-bench, which is not here; in a build from the sources, "
+         "build "
+         "its target: cmake --build --preset release --target moltact-bench")};
 }
 
 }  // namespace

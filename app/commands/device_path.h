@@ -3,8 +3,8 @@
 
 #include <CLI/CLI.hpp>
 
-#include "engine/servo/hand_path.h"
 #include "engine/core/problem.h"
+#include "engine/servo/hand_path.h"
 
 namespace moltact {
 

@@ -16,6 +16,7 @@
 #include "engine/lesson/scene_link.h"
 #include "engine/lesson/second_state.h"
 #include "engine/lesson/tasks/registry.h"
+#include "engine/molecule/reader.h"
 #include "engine/structure/interaction_input.h"
 
 namespace moltact::checks {
@@ -154,8 +155,9 @@ class Check {
                            "charged side chains and phosphates act, not ligands, ions and hydrogen bonds"),
                         tr("take the line out, unless that is what students are to feel"));
     if (scene.touch.charges != kFileCharges || !molecule.charges_e.empty() || findings_.enough()) return;
-    findings_.error(scene.places.charges, trf("the file of '{0}' has no partial charges", scene.molecule.name),
-                    tr("write 'charges: formal', or give the molecule as a PQR, MOL2 or PDBQT file"));
+    findings_.error(
+        scene.places.charges, trf("the file of '{0}' has no partial charges", scene.molecule.name),
+        trf("write 'charges: formal', or give the molecule as a file with charges ({0})", chargedEndingsText()));
   }
 
   /// A molecule in the front matter's list, with the reading options of the first scene that uses it, so that it is not

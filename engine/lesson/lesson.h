@@ -87,8 +87,8 @@ using Block = std::variant<Paragraph, Subheading, ListBlock, Tip, TeacherNote, Q
 
 /// The places of a scene's parts in the file. They do not count in comparisons: scenes with equal contents are equal.
 struct ScenePlaces {
-  Place scene, molecule, highlight, magnify, hide, untouchable, remove, in_hand, charges, cut, then, simulation,
-      trajectory, scan, hydrogen_bonds;
+  Place scene, molecule, highlight, magnify, hide, untouchable, remove, in_hand, charges, cut, then, elastic,
+      simulation, trajectory, scan, hydrogen_bonds;
   Place reading;  ///< of the last key about reading the molecule; line 0: none
 
   friend bool operator==(const ScenePlaces&, const ScenePlaces&) { return true; }

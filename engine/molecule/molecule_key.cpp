@@ -74,9 +74,7 @@ const std::array kOptions{
                   .member = &ReadOptions::radii,
                   .label_format = N_("radii: {0}"),
                   .fallback = "bondi",
-                  .meaning =
-                      "The table of van der Waals radii: those of Bondi (1964), or of Alvarez (2013). A radius in "
-                      "the molecule's file takes precedence.",
+                  .meaning = "The table of van der Waals radii. A radius in the molecule's file takes precedence.",
                   .option_help = "The table of van der Waals radii",
                   .label = N_("Van der Waals radii"),
                   .words = &radiusWords,

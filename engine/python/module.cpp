@@ -180,7 +180,7 @@ void addMolecule(py::module_& m) {
              return "<moltact.Molecule " + self.id + ", " + std::to_string(self.atoms.size()) + " atoms>";
            })
       .def("chemistry", &chemistryOfMolecule, py::arg("charges") = kNoCharges,
-           "Element, type and charge of each atom. charges: 'none', 'file' (of a PQR, MOL2 or PDBQT file) or 'formal' "
+           "Element, type and charge of each atom. charges: 'none', 'file' (of a file with charges) or 'formal' "
            "(at pH 7).")
       .def("describe", &describe, py::arg("atom"), "The atom in words: \"O of Asp 52 (chain A)\".")
       .def_property_readonly(
