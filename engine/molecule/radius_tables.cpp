@@ -40,7 +40,7 @@ constexpr Rows kAlvarezBoth{{1, 1.20},  {2, 1.43},  {3, 2.12},  {6, 1.77},  {7, 
                             {50, 2.42}, {52, 1.99}, {53, 2.04}, {54, 2.06}, {78, 2.29}, {79, 2.32}, {80, 2.45},
                             {81, 2.47}, {82, 2.60}, {92, 2.71}};
 
-const std::array kTables{
+const std::array kRadiusTables{
     RadiusTable{.word = {"bondi", N_("Bondi"),
                          N_("the radii of Bondi (1964), and those of Alvarez for elements that he does not list")},
                 .radius_A = merged({kAlvarezAlone, kBondi}),
@@ -62,12 +62,12 @@ double RadiusTable::radius(int atomic_number) const {
   return knows(atomic_number) ? radius_A[std::size_t(atomic_number)] : kDefaultRadius_A;
 }
 
-std::span<const RadiusTable> radiusTables() { return kTables; }
+std::span<const RadiusTable> radiusTables() { return kRadiusTables; }
 
 const RadiusTable& radiusTable(std::string_view name) {
-  const auto at =
-      std::find_if(kTables.begin(), kTables.end(), [&](const RadiusTable& t) { return t.word.name == name; });
-  return at == kTables.end() ? kTables.front() : *at;
+  const auto at = std::find_if(kRadiusTables.begin(), kRadiusTables.end(),
+                               [&](const RadiusTable& t) { return t.word.name == name; });
+  return at == kRadiusTables.end() ? kRadiusTables.front() : *at;
 }
 
 }  // namespace moltact
