@@ -30,7 +30,7 @@ struct alignas(32) PairBlock {
   }
 };
 
-/// One atom, relative to the centre of the blocks. The constructor and PairBlock::set() copy all of its parameters.
+/// One atom, relative to the centre of the blocks. The constructor copies all parameters of the atom, as PairBlock does.
 struct PairOwn {
   float x = 0, y = 0, z = 0, charge_e = 0, half_minimum_A = 0, root_depth = 0;
 
