@@ -169,7 +169,7 @@ TEST_CASE(
       felt->advanceTo(k / 100.0);
       const Vec3 moved = way * (k / 100.0);
       const Contact c = at(*felt, Vec3(0.05, 0, 1.6) + (follows ? moved : Vec3(0.0))).contact;
-      distance_A = std::max(apart_A, glm::distance(c.scp.A, before.scp.A + moved));
+      distance_A = std::max(distance_A, glm::distance(c.scp.A, before.scp.A + moved));
       force_A =
           std::max(force_A, glm::distance(c.displacement_A, before.displacement_A + (follows ? Vec3(0.0) : moved)));
     }

@@ -389,7 +389,7 @@ TEST_CASE("the loop for this processor gives the bits of the plain one, in 3 die
   for (const Dielectric kind : {Dielectric::Constant, Dielectric::Distance, Dielectric::MehlerSolmajer}) {
     const PairConstants constants(unbounded(kind));
     PairTerms one, other;
-    const PairOwn own{0.1f, 0.2f, 0.3f, 0.4f, 1.9f, 0.3f};
+    const PairOwn own({.half_minimum_A = 1.9f, .depth_kcal_mol = 0.09f, .charge_e = 0.4f}, Vec3(0.1, 0.2, 0.3));
     for (const auto loop : {&PairKernel::slope, &PairKernel::curvature}) {
       one = other = {};
       (pairKernel(kind).*loop)(blocks.data(), 300, constants, own, one);
