@@ -34,6 +34,17 @@ void FrictionLayer::setFriction(const Friction& friction) noexcept {
   if (std::isfinite(friction.stick_slip)) friction_.stick_slip = std::clamp(friction.stick_slip, 0.0, 1.0);
 }
 
+void FrictionLayer::setSurface(const SurfaceProperties& surface) noexcept {
+  inner().setSurface(surface);
+  setFriction(surface.friction);
+}
+
+SurfaceProperties FrictionLayer::surface() const noexcept {
+  SurfaceProperties out = inner().surface();
+  out.friction = friction_;
+  return out;
+}
+
 void FrictionLayer::reset() noexcept {
   touching_ = slipped_ = false;
   inner().reset();
@@ -41,7 +52,10 @@ void FrictionLayer::reset() noexcept {
 
 bool FrictionLayer::setMotion(const SphereMotion* motion) noexcept {
   if (!inner().setMotion(motion)) return false;
+  const std::uint64_t serial = motion ? motion->serial() : 0;
+  if (motion == motion_ && serial == motion_serial_) return true;
   motion_ = motion;
+  motion_serial_ = serial;
   fraction_ = 0.0;
   surface_moved_ = true;
   return true;

@@ -13,6 +13,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <memory>
 #include <vector>
 
@@ -39,8 +40,8 @@ class FrictionLayer final : public WrappedInteraction {
   Response respond(const PoseA& pose) noexcept override;
   void reset() noexcept override;
   void setProbe(double probe_A) noexcept override;
-  void setFriction(const Friction& friction) noexcept override;
-  Friction friction() const noexcept override { return friction_; }
+  void setSurface(const SurfaceProperties& surface) noexcept override;
+  SurfaceProperties surface() const noexcept override;
   std::size_t reactions(const Response& last, double spring_N_per_A, double field_share,
                         std::span<AtomForce> out) const noexcept override;
   bool setMotion(const SphereMotion* motion) noexcept override;
@@ -50,6 +51,7 @@ class FrictionLayer final : public WrappedInteraction {
   bool slipped() const noexcept { return slipped_; }  ///< in the last call
 
  private:
+  void setFriction(const Friction& friction) noexcept;
   // How far the held-back hand is from the hand along the surface, and how firmly the hand presses on the contacts.
   struct Lag {
     Vec3 way_A{0.0};     // of the place
@@ -72,6 +74,7 @@ class FrictionLayer final : public WrappedInteraction {
   std::shared_ptr<const Roughness> roughness_;
   Friction friction_;
   const SphereMotion* motion_ = nullptr;
+  std::uint64_t motion_serial_ = 0;  // a later motion may have the same address
   double fraction_ = 0.0;
 
   bool touching_ = false, slipped_ = false, surface_moved_ = false;

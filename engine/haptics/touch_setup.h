@@ -78,6 +78,8 @@ struct TouchProperty {
   /// applies the value while running; then ServoSettings::take and giveTo transfer it, and each tick of a recording
   /// stores it (without a label).
   bool requires_rebuild = true;
+  /// True for a property of SurfaceProperties: commands have an option for it although it needs no rebuild.
+  bool of_surface = false;
   Dimension dimension = Dimension::None;          ///< of a number
   TouchRange in_scenes = {}, in_files = {};       ///< of a number: range in lessons; range in attempts and labels
   std::vector<OfferedWord> (*words)() = nullptr;  ///< of a text (required): its possible words

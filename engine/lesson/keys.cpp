@@ -6,6 +6,7 @@
 #include "engine/language/catalogue.h"
 #include "engine/lesson/facts.h"
 #include "engine/lesson/reading_keys.h"
+#include "engine/lesson/scene_movers.h"
 #include "engine/lesson/touch_keys.h"
 #include "engine/molecule/view_part.h"
 #include "engine/structure/colouring.h"
@@ -17,7 +18,10 @@ namespace {
 std::vector<std::string_view> lockable() {
   std::vector<std::string_view> out{"panels"};
   for (const KeySpec& k : touchSceneKeys()) out.push_back(k.name);
-  out.insert(out.end(), {"show", "magnify", "elastic", "simulation", "trajectory", "all"});
+  out.insert(out.end(), {"show", "magnify"});
+  for (const MoverKey& mover : moverKeys())
+    if (mover.lockable) out.push_back(mover.key);
+  out.push_back("all");
   return out;
 }
 

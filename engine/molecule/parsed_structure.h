@@ -13,6 +13,7 @@
 
 #include "engine/core/problem.h"
 #include "engine/molecule/molecule_storage.h"
+#include "engine/molecule/radius_tables.h"
 #include "engine/molecule/reader.h"
 #include "engine/molecule/text_source.h"
 
@@ -106,6 +107,7 @@ class MoleculeBuilder {
   void warnOfElements(bool waters_kept, std::vector<std::string>& warnings) const;
 
   const ReadOptions& options_;
+  const RadiusTable& radii_;
   const TextSource& text_;
   std::string file_;
   MoleculeStorage out_;

@@ -94,7 +94,7 @@ void PairSum::renew(List& list, const Vec3& centre) noexcept {
 PairOwn PairSum::own(std::size_t atom) const noexcept {
   const PairAtom& a = body_[atom];
   const Vec3 at = lists_[atom].whole ? places_[atom] - lists_[atom].centre_A : Vec3(0.0);
-  return {float(at.x), float(at.y), float(at.z), a.charge_e, a.half_minimum_A, std::sqrt(a.depth_kcal_mol)};
+  return {a, at};
 }
 
 template <class Visit>

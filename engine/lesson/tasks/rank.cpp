@@ -14,6 +14,7 @@
 #include "engine/lesson/scene_forces.h"
 #include "engine/lesson/tasks/held_way.h"
 #include "engine/lesson/tasks/registry.h"
+#include "engine/structure/interaction_input.h"
 
 namespace moltact {
 namespace {
@@ -60,7 +61,7 @@ class Rank : public Task {
   void takeForces(std::shared_ptr<const SceneForces> forces) override {
     ligands_.clear();
     for (const Selection& part : parts_) {
-      const auto body = heldBody(forces->molecule().spheres, part.select(forces->molecule()));
+      const auto body = heldBody(forces->molecule(), part.select(forces->molecule()));
       if (!body) continue;
       const std::optional<Well> well = wellOf(*forces->holding(body));
       ligands_.push_back({TargetName(part, forces->molecule()), body, well ? well->pose : PoseA{body->middle},
@@ -307,7 +308,7 @@ void checkRankForces(const TaskSpec& spec, const SceneForces& forces, std::vecto
   const Value& rank = spec.values["rank"];
   std::vector<std::pair<double, std::size_t>> energies;
   for (std::size_t k = 0; k < rank.path.size(); ++k) {
-    const auto body = heldBody(forces.molecule().spheres, rank.path[k].select(forces.molecule()));
+    const auto body = heldBody(forces.molecule(), rank.path[k].select(forces.molecule()));
     if (!body) return;
     const std::optional<Well> well = wellOf(*forces.holding(body));
     if (!well || well->energy.total_kcal_mol() >= 0.0) {

@@ -27,7 +27,7 @@
 #include "engine/haptics/sphere_grid.h"
 #include "engine/servo/servo_recording.h"
 
-namespace moltact::bench {
+namespace moltact {
 
 struct HandPath {
   std::string name;                           ///< the file's stem
@@ -62,4 +62,4 @@ std::string textOf(const HandPath& path);
 /// path on a molecule is returned unchanged.
 HandPath mappedTo(const HandPath& path, const SphereGrid& scene, double A_per_mm);
 
-}  // namespace moltact::bench
+}  // namespace moltact
