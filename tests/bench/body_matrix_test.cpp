@@ -109,7 +109,7 @@ TEST_CASE("table, sentences and chart name every method and body of two made poi
     CHECK(sentences.find("`" + std::string(m.name) + "`: a tick takes 2 loops") != std::string::npos);
     CHECK(chart.find(std::string(m.name)) != std::string::npos);
   }
-  CHECK(sentences.find("it overlaps nothing") != std::string::npos);
+  CHECK(sentences.find("It overlaps nothing") != std::string::npos);
   CHECK(sentences.find("up to 0.250 A") != std::string::npos);
   std::size_t marks = 0;
   for (std::size_t at = 0; (at = chart.find("class=\"mark\"", at)) != std::string::npos; ++at) ++marks;
