@@ -165,7 +165,7 @@ std::shared_ptr<const Colouring> HapticSession::colouring(std::string_view schem
   // Atoms in the hand are among the untouchable ones. Neither exerts a force.
   const std::vector<std::uint32_t> apart = stage().spheres->untouchable();
   return schemeColouring(*stage().molecule, scheme,
-                         {.dielectric = now.dielectric, .held = apart, .fluctuation_A = fluctuation_A_});
+                         {.dielectric = now.dielectric, .held = apart, .fluctuation_A = fluctuation_A_, .later = true});
 }
 
 bool HapticSession::drawsNothing() const {
