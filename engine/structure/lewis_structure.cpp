@@ -11,7 +11,7 @@
 namespace moltact {
 namespace {
 
-constexpr int kCarbon = 6, kNitrogen = 7, kOxygen = 8, kPhosphorus = 15, kSulphur = 16;
+constexpr int kLewisCarbon = 6, kLewisNitrogen = 7, kLewisOxygen = 8, kLewisPhosphorus = 15, kLewisSulphur = 16;
 
 class LewisFinder {
  public:
@@ -61,7 +61,7 @@ class LewisFinder {
     std::vector<char> stays(m_.atoms.size(), 0);
     std::vector<std::uint32_t> next;
     each([&](std::uint32_t i) {
-      if (element(i) == kCarbon && valences_[i].partner == kNoResidue && !valences_[i].multiple &&
+      if (element(i) == kLewisCarbon && valences_[i].partner == kNoResidue && !valences_[i].multiple &&
           aromaticBonds(i) >= 2)
         next.push_back(i), stays[i] = 1;
     });
@@ -100,12 +100,12 @@ class LewisFinder {
   // The oxygens of sulphur, phosphorus and nitro groups whose bonds have no stated order: those that carry no charge
   // have double bonds, of phosphorus and nitrogen one.
   void setOxygens(std::uint32_t i) {
-    if (element(i) != kSulphur && element(i) != kPhosphorus && element(i) != kNitrogen) return;
+    if (element(i) != kLewisSulphur && element(i) != kLewisPhosphorus && element(i) != kLewisNitrogen) return;
     std::vector<std::size_t> ends;
     double charge_e = 0.0;
     for (const std::size_t k : near_[i]) {
       const std::uint32_t o = other(out_.bonds[k], i);
-      if (element(o) != kOxygen || near_[o].size() != 1 || !within(out_.bonds[k])) continue;
+      if (element(o) != kLewisOxygen || near_[o].size() != 1 || !within(out_.bonds[k])) continue;
       if (!was_open_[k]) return;
       if (!valences_[o].multiple) continue;
       ends.push_back(k);
@@ -113,7 +113,7 @@ class LewisFinder {
     }
     if (ends.empty()) return;
     const std::size_t charged = std::min(ends.size(), std::size_t(std::lround(std::abs(charge_e))));
-    const std::size_t doubles = element(i) == kSulphur ? ends.size() - charged : 1;
+    const std::size_t doubles = element(i) == kLewisSulphur ? ends.size() - charged : 1;
     for (std::size_t k = 0; k < ends.size(); ++k)
       out_.bonds[ends[k]].order = k < doubles ? BondOrder::Double : BondOrder::Single;
   }
@@ -131,7 +131,7 @@ class LewisFinder {
              : out_.bonds[k].order == BondOrder::Double ? 2
              : out_.bonds[k].order == BondOrder::Triple ? 3
                                                         : 0;
-    return element(i) == kNitrogen && sum == 4 ? 1 : 0;
+    return element(i) == kLewisNitrogen && sum == 4 ? 1 : 0;
   }
   bool wasOpen(std::uint32_t i) const {
     return std::any_of(near_[i].begin(), near_[i].end(), [&](std::size_t k) { return bool(was_open_[k]); });

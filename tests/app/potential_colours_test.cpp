@@ -43,7 +43,7 @@ TEST_CASE(
   PotentialWindow w("2hhb", "colour: potential\n");
   // The fixture's frames may have been enough for a quick machine; a new medium begins anew.
   TouchSetup touch = w.scene().touch();
-  touch.dielectric = "4r";
+  touch.dielectric = "distance";
   w.scene().setTouch(touch);
   REQUIRE(w.scene().look.colouring);
   CHECK(w.scene().look.colouring->pending);
@@ -56,7 +56,8 @@ TEST_CASE(
   w.d->frames(2);
   CHECK_FALSE(w.d->shows("view/surface"));
   const std::vector<std::uint32_t> held = w.scene().stage().spheres->untouchable();
-  const auto at_once = schemeColouring(*w.scene().stage().molecule, "potential", {.dielectric = "4r", .held = held});
+  const auto at_once =
+      schemeColouring(*w.scene().stage().molecule, "potential", {.dielectric = "distance", .held = held});
   CHECK(w.scene().look.colouring->of_atom == at_once->of_atom);
   CHECK(w.scene().look.colouring->legend.gradient);
   const std::size_t entries = w.scene().look.colouring->legend.entries.size();
@@ -79,11 +80,11 @@ TEST_CASE("another colouring, and another medium, end the computation of the fir
   w.scene().look.colouring = w.scene().colouring("potential");
   w.d->frames(1);
   TouchSetup touch = w.scene().touch();
-  touch.dielectric = "80";
+  touch.dielectric = "vacuum";
   w.scene().setTouch(touch);
   w.d->frames(1);
   REQUIRE(w.framesUntilKnown() >= 0);
-  const auto at_once = schemeColouring(*w.scene().stage().molecule, "potential", {.dielectric = "80"});
+  const auto at_once = schemeColouring(*w.scene().stage().molecule, "potential", {.dielectric = "vacuum"});
   CHECK(w.scene().look.colouring->of_atom == at_once->of_atom);
   // Known colours are shown in the next frame.
   w.scene().look.colouring = w.scene().colouring("potential");

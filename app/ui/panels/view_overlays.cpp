@@ -364,6 +364,7 @@ void drawViewOverlays(Application& app, const Rectangle& whole_view) {
   drawReset(app, room);
   drawColourLegend(app, room);
   drawDepthGauge(app, room, roomy ? view.high.y - l.px(64) : above);
+  drawEnergyGauge(app, room, roomy ? view.high.y - l.px(64) : above);
   if (now.felt() && app.scene.shown.has(ViewPart::Force)) forceLabel(app, now, room);
   emptyPlaceNotice(app, room);
   hoveredAtom(app, room);

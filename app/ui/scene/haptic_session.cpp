@@ -243,7 +243,10 @@ void HapticSession::setTouch(const TouchSetup& wanted) {
   servo_settings.take(next);
   made_with_ = std::move(next);
   watch_.feelWith(touch());
-  if (!alike) rebuildInteraction();
+  if (!alike) {
+    rebuildInteraction();
+    log_.forgetLowest();
+  }
   if (other_medium && stage() && look.colouring && look.colouring->scheme == "potential")
     look.colouring = colouring(look.colouring->scheme);
 }
