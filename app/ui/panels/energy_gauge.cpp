@@ -58,7 +58,7 @@ void drawBar(double energy_kcal_mol, double lowest_kcal_mol, ImVec2 low, ImVec2 
   ImFont* font = l.font(Font::Small);
   const ImVec2 extent = font->CalcTextSizeA(font->FontSize, 1e9f, 0, text.c_str());
   draw->AddText(font, font->FontSize, {middle - 0.5f * extent.x, high.y - l.px(20)}, colours.text, text.c_str());
-  recordRectangle("view/energy", low, high, text);
+  recordRectangle("view/energy", {low.x, low.y}, {high.x, high.y}, text);
 }
 
 // The energy to be shown; none where it may not be.
