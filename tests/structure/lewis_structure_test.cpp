@@ -207,7 +207,7 @@ TEST_CASE(
   }
   const auto inchi = [](const std::string& sdf, const std::string& options) {
     const Scratch scratch;
-    const auto from = scratch.file("x.sdf", sdf), to = scratch.folder / "out.txt";
+    const auto from = scratch.write("x.sdf", sdf), to = scratch.folder / "out.txt";
     const std::string command =
         "/usr/bin/obabel '" + from.string() + "' " + options + " -O '" + to.string() + "' >/dev/null 2>&1";
     REQUIRE(std::system(command.c_str()) == 0);
