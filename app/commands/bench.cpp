@@ -6,7 +6,6 @@
 
 #include "app/commands/command.h"
 #include "app/commands/device_path.h"
-#include "app/commands/number_rows.h"
 #include "app/commands/outputs.h"
 #include "app/commands/value_types.h"
 #include "engine/bench/bodies/body_matrix.h"
@@ -47,7 +46,7 @@ struct BenchArguments {
   std::string part = "all", json, csv, svg, docs, markdown;
   std::vector<std::string> methods;
   std::vector<std::string> recordings;
-  std::string recording_molecule, page_ticks;
+  std::string recording_molecule;
   bool quick = false;
   std::uint64_t seed = 1;
 };
@@ -163,7 +162,6 @@ void tryOutputs(const BenchArguments& arguments) {
                                tr("leave it out, or measure the part hands")}
                            .text()};
   for (const std::string& file : arguments.recordings) noteRead(file);
-  if (!arguments.page_ticks.empty()) noteRead(arguments.page_ticks);
   checkOutputs({{"--json", arguments.json}, {"--markdown", arguments.markdown}});
   if (!arguments.svg.empty() && !arguments.docs.empty() &&
       sameFile(arguments.svg, fs::path(arguments.docs) / "pictures"))
@@ -351,39 +349,13 @@ void addBodies(const BenchArguments& arguments, Report& report) {
   report.sentences.push_back({"body_matrix_sentences", bodyMatrixSentences(results)});
 }
 
-// The rows of tests/web/speed.py; with --docs those that are kept beside the pages.
-std::vector<PageTicks> pageTicks(const BenchArguments& arguments) {
-  fs::path file = arguments.page_ticks;
-  std::error_code error;
-  if (file.empty() && !arguments.docs.empty()) {
-    file = fs::path(arguments.docs) / "page-ticks.csv";
-    if (!fs::is_regular_file(file, error)) return {};
-  }
-  if (file.empty()) return {};
-  std::vector<PageTicks> out;
-  constexpr std::string_view kHeader[] = {"held,scene,mean_us,loop_us"};
-  const auto problem =
-      readNumberRows(file, kHeader, tr("take a smaller file"), [&](const NumberRow& row) -> std::optional<Problem> {
-        for (std::size_t k = 0; k < 4; ++k)
-          if (!(row.numbers[k] > 0.0 && row.numbers[k] < 1e9))
-            return Problem{file.string(), row.line, row.columns[k], tr("a number of atoms or a time is positive"),
-                           tr("write the file anew with tests/web/speed.py forces")};
-        out.push_back({std::size_t(row.numbers[0]), std::size_t(row.numbers[1]), row.numbers[2]});
-        return std::nullopt;
-      });
-  if (problem) throw CommandError{problem->text()};
-  return out;
-}
-
 void addEnergies(const BenchArguments& arguments, Report& report) {
-  const std::vector<PageTicks> page = pageTicks(arguments);
   EnergyTradeOffOptions options;
   if (arguments.quick) options.ticks = 200, options.runs = 2, options.judged_pairs = 1e7, options.min_spacing_A = 0.5;
   const ProgressBar bar("energies");
-  auto points = measureEnergies(
+  const auto points = measureEnergies(
       options, [](const std::string& id) { return openMolecule(id); }, std::cref(bar));
   if (!points) throw CommandError{points.problem().text()};
-  addPageTicks(page, *points);
   report.tables.push_back(energyTradeOffTable(*points, options));
   report.sentences.push_back({"energy_trade_off_sentences", energyTradeOffSentences(*points)});
   report.pictures.push_back({"energies.svg", energyTradeOffChart(*points)});
@@ -473,11 +445,6 @@ void addBench(CLI::App& app) {
       ->add_option("--molecule", arguments->recording_molecule,
                    "The molecule of these hands, if the file does not name it")
       ->type_name(kMoleculeType);
-  command
-      ->add_option("--page", arguments->page_ticks,
-                   "For the part energies: times measured in a browser by tests/web/speed.py (with --docs: those in "
-                   "page-ticks.csv there)")
-      ->type_name(kFileType);
   command->add_option("--seed", arguments->seed, "Random seed of the scenes and motions")->capture_default_str();
   command->add_option("--json", arguments->json, "Write all tables to this file")->type_name(kFileType);
   command->add_option("--csv", arguments->csv, "Write each table to a file in this folder")->type_name(kFolderType);

@@ -1,8 +1,6 @@
 #!/usr/bin/env python3
 """Measures the browser edition beside the desktop's program, on this computer without a graphics card:
-python3 tests/web/speed.py [start] [lessons] [frames] [memory] [ticks] [forces]. The table stands in docs/browser.md.
-`forces` first needs cmake --build --preset web --target moltact_forces_ticks, and writes docs/page-ticks.csv, which `moltact
-bench energies --docs docs` puts on its chart.
+python3 tests/web/speed.py [start] [lessons] [frames] [memory] [ticks]. The table stands in docs/browser.md.
 The processor's time is that of all processes of the browser; other than seconds of the clock it is hardly longer where
 other programs share the processor."""
 import http.server
@@ -248,25 +246,7 @@ def ticks():
         server.shutdown()
 
 
-def forces():
-    """The time of a tick's sum of forces between atoms, in a page that does nothing else."""
-    program = next((ROOT / "build" / "web").rglob("moltact_forces_ticks.js"))
-    with tempfile.TemporaryDirectory() as folder:
-        page = pathlib.Path(folder) / "page.html"
-        page.write_text("<script>var printed = []; var Module = {print: (line) => printed.push(line)};</script><script>"
-                        + program.read_text().replace("</script", "<\\/script") + "</script>")
-        browser = Browser()
-        try:
-            browser.go(page.as_uri())
-            browser.until("globalThis.printed && printed.at(-1) === 'end'", 300)
-            rows = browser.evaluate("printed")[:-1]
-        finally:
-            browser.close()
-    (ROOT / "docs" / "page-ticks.csv").write_text("\n".join(rows) + "\n")
-    print("\n".join(rows), flush=True)
-
-
 if __name__ == "__main__":
-    known = {f.__name__: f for f in (start, lessons, frames, memory, ticks, forces)}
+    known = {f.__name__: f for f in (start, lessons, frames, memory, ticks)}
     for name in sys.argv[1:] or known:
         known[name]()

@@ -251,18 +251,4 @@ Expected<std::vector<EnergyTradeOff>> measureEnergies(const EnergyTradeOffOption
   return out;
 }
 
-void addPageTicks(const std::vector<PageTicks>& ticks, std::vector<EnergyTradeOff>& points) {
-  for (const PageTicks& page : ticks) {
-    const auto same = std::find_if(points.begin(), points.end(), [&](const EnergyTradeOff& p) {
-      return p.measured && !p.in_page && p.held == page.held && p.scene == page.scene &&
-             p.method.kind == EnergyKind::Float && p.method.size_A == PairModel{}.cutoff_A;
-    });
-    if (same == points.end()) continue;
-    EnergyTradeOff one = *same;
-    one.in_page = true;
-    one.mean_us = page.mean_us;
-    points.insert(same + 1, std::move(one));
-  }
-}
-
 }  // namespace moltact::bench

@@ -33,7 +33,6 @@ struct EnergyTradeOff {
   std::size_t held = 0, scene = 0;
   EnergyMethod method;
   bool measured = false;  ///< false: the maps are too large
-  bool in_page = false;   ///< timed in a browser (tests/web/speed.py forces): p999_us and bytes are not known
   double mean_us = 0, p999_us = 0;
   std::size_t judged = 0;
   Statistics energy, force, torque;          ///< amounts of the errors of the felt energy and its gradient
@@ -54,15 +53,6 @@ struct EnergyTradeOffOptions {
 
 Expected<std::vector<EnergyTradeOff>> measureEnergies(const EnergyTradeOffOptions& options, const OpenMolecule& open,
                                                       const Progress& progress);
-
-/// The mean time of a tick in a browser, of the sum in float with a cut-off of 10 A.
-struct PageTicks {
-  std::size_t held = 0, scene = 0;  ///< atoms, by which the body is found
-  double mean_us = 0;
-};
-/// Adds a point for each of these whose body has been measured. The sum's results are the same on every processor, so the
-/// errors are those measured here.
-void addPageTicks(const std::vector<PageTicks>& ticks, std::vector<EnergyTradeOff>& points);
 
 ReportTable energyTradeOffTable(const std::vector<EnergyTradeOff>& points, const EnergyTradeOffOptions& options);
 std::string energyTradeOffSentences(const std::vector<EnergyTradeOff>& points);

@@ -22,21 +22,17 @@ ChartPanel energyPanel(const std::vector<EnergyTradeOff>& points, const std::str
   for (std::size_t kind = 0; kind < std::size(kEnergyKindTitles); ++kind) {
     ChartSeries series{kEnergyKindTitles[kind], markAt(kind), true, false, true, {}};
     for (const EnergyTradeOff& p : points)
-      if (p.measured && !p.in_page && p.body == body && std::size_t(p.method.kind) == kind)
+      if (p.measured && p.body == body && std::size_t(p.method.kind) == kind)
         series.points.push_back({p.mean_us, error(p), constant(p.method.size_A)});
     if (!series.points.empty()) panel.series.push_back(std::move(series));
   }
-  ChartSeries page{"direct sum, float, in a browser", markAt(std::size(kEnergyKindTitles)), false, false, true, {}};
-  for (const EnergyTradeOff& p : points)
-    if (p.in_page && p.body == body) page.points.push_back({p.mean_us, error(p), constant(p.method.size_A)});
-  if (!page.points.empty()) panel.series.push_back(std::move(page));
   return panel;
 }
 
 const EnergyTradeOff* energyPoint(const std::vector<EnergyTradeOff>& points, const std::string& body, EnergyKind kind,
                                   double size_A) {
   for (const EnergyTradeOff& p : points)
-    if (p.measured && !p.in_page && p.body == body && p.method.kind == kind && p.method.size_A == size_A) return &p;
+    if (p.measured && p.body == body && p.method.kind == kind && p.method.size_A == size_A) return &p;
   return nullptr;
 }
 
@@ -83,19 +79,15 @@ ReportTable energyTradeOffTable(const std::vector<EnergyTradeOff>& points, const
       "cut-off, of a grid its spacing; grids have a cut-off of 10 A and walls folded at 4 kcal/mol; `nested` is "
       "tricubic, 0.2 A within 0.75 A. Maps of more than " +
       readable(kMaxMeasuredMaps_bytes / 1e6) + " MB are not measured (empty cells).";
-  if (std::any_of(points.begin(), points.end(), [](const EnergyTradeOff& p) { return p.in_page; }))
-    t.note += " Times in a browser are of `python3 tests/web/speed.py forces`: means over paths of 500 ticks.";
   for (const EnergyTradeOff& p : points) {
     std::vector<Cell> row(t.columns.size());
     row[0] = p.body;
-    row[1] = p.method.name() + (p.in_page ? ", in a browser" : "");
+    row[1] = p.method.name();
     if (p.measured) {
       const double values[] = {p.mean_us,       p.p999_us,    p.force.rms,  p.force.p99,           p.right_force,
                                p.own_force.rms, p.torque.rms, p.torque.p99, p.right_torque,        p.energy.rms,
                                p.energy.p99,    p.jump.rms,   p.jump.max,   double(p.bytes) / 1e6, p.preparation_s};
       for (std::size_t k = 0; k < std::size(values); ++k) row[k + 2] = values[k];
-      // The page's clock is too coarse for single ticks, and its memory was not measured.
-      if (p.in_page) row[3] = row[15] = row[16] = Cell{};
     }
     t.rows.push_back(std::move(row));
   }
@@ -115,8 +107,6 @@ std::string energyTradeOffSentences(const std::vector<EnergyTradeOff>& points) {
            ": `" + direct->method.name() + "` takes " + readable(direct->mean_us) +
            " us a tick and has an error of the force of " + share(*direct) + " (rms) from its cut-off and of " +
            readable(direct->own_force.rms) + " kcal/mol/A from rounding";
-    for (const EnergyTradeOff& p : points)
-      if (p.in_page && p.body == body) out += "; in a browser " + readable(p.mean_us) + " us";
     for (const EnergyKind kind : {EnergyKind::Trilinear, EnergyKind::Tricubic})
       if (const EnergyTradeOff* grid = energyPoint(points, body, kind, 0.375))
         out += "; `" + grid->method.name() + "` " + readable(grid->mean_us) + " us and " + share(*grid) +
