@@ -19,7 +19,8 @@ namespace moltact {
 class PotentialColours final : public Extension {
  public:
   explicit PotentialColours(HapticSession& scene) : scene_(scene) {}
-  /// Cancels the work and waits for its present piece, a millisecond.
+  /// Cancels the work and waits for what is not interrupted: a piece, some milliseconds, or the charges, 0.3 s for 100 000
+  /// atoms (build/release/potential_benchmark).
   ~PotentialColours() override;
 
   void beforeTicks() override;
