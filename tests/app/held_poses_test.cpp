@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
+#include <iterator>
 #include <map>
 
 #include "app/ui/extensions/extensions.h"
@@ -158,7 +160,8 @@ TEST_CASE(
   REQUIRE(w.d->app().file_dialog.open());
   w.d->app().file_dialog.written = w.scratch.folder.string() + "/pose.SDF";
   w.d->app().file_dialog.choose();
-  const std::string text = contentOf(w.scratch.folder / "pose.SDF");
+  std::ifstream in(w.scratch.folder / "pose.SDF", std::ios::binary);
+  const std::string text{std::istreambuf_iterator<char>(in), {}};
   const Expected<Molecule> read = readMoleculeBytes(text, "pose.sdf");
   REQUIRE(read);
   const HeldBody& body = *w.scene().stage().body;
