@@ -258,6 +258,7 @@ class Assembler {
       atom.position.A = carried(op, atom.position.A);
       out.add(atom, grown_.charge_e(residue.first_atom + k),
               {residue.name, name, label, residue.number, residue.insertion, residue.recorded}, grown_.hetero_of[r]);
+      out.setFormalCharge(out.arrays.atoms.size() - 1, grown_.formalCharge_e(residue.first_atom + k));
     }
     return std::nullopt;
   }

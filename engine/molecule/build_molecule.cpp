@@ -34,22 +34,26 @@ std::size_t dropWaters(MoleculeStorage& grown) {
   arrays.atoms = std::move(old.atoms);
   arrays.spheres = std::move(old.spheres);
   arrays.charges_e = std::move(old.charges_e);
+  arrays.formal_charges_e = std::move(old.formal_charges_e);
   std::size_t kept = 0;
   for (std::size_t i = 0; i < old.residues.size(); ++i) {
     const Residue& r = old.residues[i];
     if (water(r)) continue;
     for (std::uint32_t k = 0; k < r.atom_count; ++k) {
       const PlacedAtom atom = out.at(r.first_atom + k);
+      const std::int8_t formal_e = out.formalCharge_e(r.first_atom + k);
       const std::uint32_t number =
           old.numbers_in_file.empty() ? r.first_atom + k : old.numbers_in_file[r.first_atom + k];
       out.put(kept, atom, out.charge_e(r.first_atom + k),
               {r.name, old.chains[r.chain].name, grown.labelChain(i), r.number, r.insertion}, grown.hetero_of[i]);
+      out.setFormalCharge(kept, formal_e);
       out.setNumberInFile(kept++, number);
     }
   }
   arrays.atoms.resize(kept);
   arrays.spheres.resize(kept);
   if (out.hasCharges()) arrays.charges_e.resize(kept);
+  if (arrays.formal_charges_e.size() > kept) arrays.formal_charges_e.resize(kept);
   if (!arrays.numbers_in_file.empty()) arrays.numbers_in_file.resize(kept);
   out.close();
   grown = std::move(out);
@@ -134,6 +138,7 @@ std::optional<Problem> MoleculeBuilder::add(const ParsedAtom& from) {
   waits.occupancy = from.occupancy;
   waits.unknown = from.radius_A >= 0.0 ? -1 : unknownElement(from);
   waits.alternate = from.alternate;
+  waits.formal_e = static_cast<std::int8_t>(std::abs(from.formal_e) <= kMaxFormalCharge_e ? from.formal_e : 0);
   waits.hetero = from.hetero;
   if (residues_.size() > kMaxAlternatives) endPlace();
   return std::nullopt;
@@ -185,6 +190,7 @@ void MoleculeBuilder::endPlace() {
     const std::string& residue = residues_[w.residue];
     out_.add(w.atom, w.charge_e, {residue, chain_, label_chain_, number_, insertion_}, w.hetero);
     out_.setNumberInFile(out_.arrays.atoms.size() - 1, w.in_file);
+    out_.setFormalCharge(out_.arrays.atoms.size() - 1, w.formal_e);
     if (w.unknown >= 0) {
       Unknown& unknown = unknown_[static_cast<std::size_t>(w.unknown)];
       ++(isWaterName(residue) ? unknown.in_water : unknown.elsewhere);
@@ -257,6 +263,11 @@ Expected<Molecule> MoleculeBuilder::finish(ParsedHeader head) {
   out.atoms = std::move(out_.arrays.atoms);
   out.spheres = std::move(out_.arrays.spheres);
   out.charges_e = std::move(out_.arrays.charges_e);
+  if (std::vector<std::int8_t>& formal = out_.arrays.formal_charges_e;
+      std::any_of(formal.begin(), formal.end(), [](std::int8_t charge_e) { return charge_e != 0; })) {
+    formal.resize(out.atoms.size());
+    out.formal_charges_e = std::move(formal);
+  }
   if (options_.assembly.empty()) {
     out.numbers_in_file = std::move(out_.arrays.numbers_in_file);
     out.atoms_in_file = in_file_;

@@ -92,6 +92,8 @@ struct Molecule {
   SharedArray<Sphere> spheres;          ///< the coordinates: centre and van der Waals radius of each atom, not inflated
   SharedArray<Sphere> spheres_as_read;  ///< the file's coordinates after movedTo(), else empty
   SharedArray<float> charges_e;         ///< partial charge of each atom from the file; empty: the file has none
+  /// Formal charge of each atom from the file (SDF, MOL2, mmCIF, PDB columns 79-80); empty: the file states none but 0.
+  SharedArray<std::int8_t> formal_charges_e;
   SharedArray<Residue> residues;
   SharedArray<Chain> chains;
   /// The bonds of a file that lists all of them (SDF, MOL), ascending. engine/structure/bonds.h finds the bonds of any

@@ -52,7 +52,7 @@ std::optional<Problem> MoleculeStorage::full(const std::string& file, std::size_
 std::size_t MoleculeStorage::bytes() const {
   const MoleculeArrays& m = arrays;
   return m.atoms.size() * (sizeof(Atom) + sizeof(Sphere)) + m.charges_e.size() * sizeof(float) +
-         m.residues.size() * sizeof(Residue) + m.chains.size() * sizeof(Chain) +
+         m.formal_charges_e.size() + m.residues.size() * sizeof(Residue) + m.chains.size() * sizeof(Chain) +
          (label_of_.size() + m.numbers_in_file.size()) * sizeof(std::uint32_t) + labels_.size() * sizeof(ShortText) +
          hetero_of.size() / 8 + text_bytes_;
 }
@@ -139,6 +139,16 @@ void MoleculeStorage::setNumberInFile(std::size_t at, std::uint32_t number) {
     numbers.push_back(number);
   else
     numbers[at] = number;
+}
+
+void MoleculeStorage::setFormalCharge(std::size_t at, std::int8_t charge_e) {
+  std::vector<std::int8_t>& charges = arrays.formal_charges_e;
+  if (at >= charges.size()) {
+    if (charge_e == 0) return;
+    if (at >= charges.capacity()) charges.reserve(std::max(arrays.atoms.capacity(), at + 1));
+    charges.resize(at + 1);
+  }
+  charges[at] = charge_e;
 }
 
 void MoleculeStorage::close() {

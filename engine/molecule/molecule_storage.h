@@ -19,8 +19,9 @@ namespace moltact {
 /// The arrays of a molecule under construction.
 struct MoleculeArrays {
   std::vector<Atom> atoms;
-  std::vector<Sphere> spheres;   ///< one per atom
-  std::vector<float> charges_e;  ///< one per atom; empty: the format has no charges
+  std::vector<Sphere> spheres;                ///< one per atom
+  std::vector<float> charges_e;               ///< one per atom; empty: the format has no charges
+  std::vector<std::int8_t> formal_charges_e;  ///< of the first atoms; those of the others are 0
   /// Molecule::numbers_in_file; empty while they are 0, 1, 2, …
   std::vector<std::uint32_t> numbers_in_file;
   std::vector<Residue> residues;
@@ -50,6 +51,11 @@ class MoleculeStorage {
   }
   /// Sets that of the atom at index `at`, which is the last or has been overwritten.
   void setNumberInFile(std::size_t at, std::uint32_t number);
+  std::int8_t formalCharge_e(std::size_t atom) const {
+    return atom < arrays.formal_charges_e.size() ? arrays.formal_charges_e[atom] : std::int8_t{0};
+  }
+  /// Sets that of the atom at index `at`. Takes no memory while all of them are 0.
+  void setFormalCharge(std::size_t at, std::int8_t charge_e);
   /// Appends an atom; consecutive atoms of the same residue and chain are grouped.
   void add(const PlacedAtom& atom, float charge_e, const Place& place, bool hetero) {
     put(arrays.atoms.size(), atom, charge_e, place, hetero);

@@ -19,6 +19,9 @@
 
 namespace moltact {
 
+/// The largest amount of a formal charge (unit: elementary charge); the CTfile formats allow -15 to 15.
+inline constexpr int kMaxFormalCharge_e = 15;
+
 /// One atom of the file. The texts need to be valid only during the call that receives them.
 struct ParsedAtom {
   std::string_view name;         ///< "CA"
@@ -31,6 +34,7 @@ struct ParsedAtom {
   double b_factor_A2 = 0.0;
   double radius_A = -1.0;  ///< radius in the file; negative: use that of the element
   double charge_e = 0.0;   ///< partial charge, for formats with charges
+  int formal_e = 0;        ///< formal charge; beyond kMaxFormalCharge_e: as 0
   std::size_t line = 0;    ///< line in the file, from 1; 0: unknown
   int number = 0;          ///< residue number
   int atomic_number = 0;
@@ -96,6 +100,7 @@ class MoleculeBuilder {
     std::uint32_t residue = 0;  // index into residues_
     std::uint32_t in_file = 0;  // Molecule::numbers_in_file
     std::int32_t unknown = -1;  // index into unknown_ if the radius is unknown
+    std::int8_t formal_e = 0;
     char alternate = ' ';
     bool hetero = false;
   };

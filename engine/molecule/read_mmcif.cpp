@@ -38,7 +38,8 @@ enum Column {
   kOccupancy,
   kBFactor,
   kGroup,
-  kModel
+  kModel,
+  kFormalCharge
 };
 
 constexpr std::string_view kAtomTags[] = {
@@ -47,7 +48,8 @@ constexpr std::string_view kAtomTags[] = {
     "_atom_site.label_comp_id",     "_atom_site.auth_comp_id",  "_atom_site.label_asym_id",
     "_atom_site.auth_asym_id",      "_atom_site.label_seq_id",  "_atom_site.auth_seq_id",
     "_atom_site.pdbx_PDB_ins_code", "_atom_site.label_alt_id",  "_atom_site.occupancy",
-    "_atom_site.B_iso_or_equiv",    "_atom_site.group_PDB",     "_atom_site.pdbx_PDB_model_num"};
+    "_atom_site.B_iso_or_equiv",    "_atom_site.group_PDB",     "_atom_site.pdbx_PDB_model_num",
+    "_atom_site.pdbx_formal_charge"};
 constexpr std::string_view kGeneratorTags[] = {"_pdbx_struct_assembly_gen.assembly_id",
                                                "_pdbx_struct_assembly_gen.oper_expression",
                                                "_pdbx_struct_assembly_gen.asym_id_list"};
@@ -263,6 +265,17 @@ class Reader {
             trf("Row {0} of the _atom_site table: the B factor {1} is not a number and was taken as 0.", rows_,
                 inQuotes(row[kBFactor].text)));
       out.b_factor_A2 = 0.0;
+    }
+    if (std::string_view charge = row[kFormalCharge].said(); !charge.empty()) {
+      if (charge.front() == '+') charge.remove_prefix(1);
+      if (!parseInteger(charge, out.formal_e) || std::abs(out.formal_e) > kMaxFormalCharge_e) {
+        out.formal_e = 0;
+        if (head_.warnings.size() < 20)
+          head_.warnings.push_back(
+              trf("Row {0} of the _atom_site table: the formal charge {1} is no whole number from -15 to 15 and was "
+                  "taken as 0.",
+                  rows_, inQuotes(row[kFormalCharge].text)));
+      }
     }
     out.hetero = row[kGroup].said() == "HETATM";
     return builder_.add(out);

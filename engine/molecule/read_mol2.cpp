@@ -57,11 +57,13 @@ class Mol2Reader {
       if (line.starts_with("@<TRIPOS>")) {
         if (auto problem = endOf(section)) return *problem;
         const std::string_view name = trimmed(line.substr(9));
-        section = name == "MOLECULE"       ? Section::Molecule
-                  : name == "ATOM"         ? Section::Atoms
-                  : name == "BOND"         ? Section::Bonds
-                  : name == "SUBSTRUCTURE" ? Section::Substructures
-                                           : Section::Other;
+        attributes_ahead_ = 0;
+        section = name == "MOLECULE"          ? Section::Molecule
+                  : name == "ATOM"            ? Section::Atoms
+                  : name == "BOND"            ? Section::Bonds
+                  : name == "SUBSTRUCTURE"    ? Section::Substructures
+                  : name == "UNITY_ATOM_ATTR" ? Section::Attributes
+                                              : Section::Other;
         if (section == Section::Molecule) {
           ++head_.models;
           line_of_molecule_ = 0;
@@ -75,6 +77,7 @@ class Mol2Reader {
       if (section == Section::Atoms) problem = atomLine(line);
       if (section == Section::Bonds) problem = bondLine(line);
       if (section == Section::Substructures) substructureLine(line);
+      if (section == Section::Attributes) problem = attributeLine(line);
       if (problem) return *problem;
     }
     if (text_.problem()) return *text_.problem();
@@ -85,11 +88,12 @@ class Mol2Reader {
   }
 
  private:
-  enum class Section { Other, Molecule, Atoms, Bonds, Substructures };
+  enum class Section { Other, Molecule, Atoms, Bonds, Substructures, Attributes };
   struct Row {
     std::string name, type;
     Vec3 position_A{0.0};
     double charge_e = 0.0;
+    int formal_e = 0;
     std::size_t line = 0;
     int substructure = 1;
     std::string substructure_name;
@@ -221,6 +225,31 @@ class Mol2Reader {
     if (words.size() > 6 && given(words[6].text)) s.type = words[6].text;
   }
 
+  // An atom's number and how many attributes follow, one a line: name and value. Formal charges are named "charge".
+  std::optional<Problem> attributeLine(std::string_view line) {
+    const auto words = wordsOfLine(line);
+    if (attributes_ahead_ > 0) {
+      --attributes_ahead_;
+      if (words.size() < 2 || words[0].text != "charge") return std::nullopt;
+      std::string_view charge = words[1].text;
+      if (charge.front() == '+') charge.remove_prefix(1);
+      int formal_e = 0;
+      if (!mol2Integer(charge, formal_e) || std::abs(formal_e) > kMaxFormalCharge_e)
+        return bad(words[1].column,
+                   trf("the formal charge is no whole number from -15 to 15: {0}", inQuotes(words[1].text)));
+      rows_[attributed_].formal_e = formal_e;
+      return std::nullopt;
+    }
+    int number = 0;
+    if (words.size() < 2 || !mol2Integer(words[0].text, number) || !mol2Integer(words[1].text, attributes_ahead_))
+      return bad(1, trf("an atom's attributes begin with its number and their count; this is {0}", inQuotes(line)));
+    const auto found = of_number_.find(number);
+    if (found == of_number_.end())
+      return bad(words[0].column, trf("attributes name the atom {0}, which is not there", number));
+    attributed_ = found->second;
+    return std::nullopt;
+  }
+
   /// The residue of an atom. The name of a substructure is that of the residue and its number: "MET1".
   void setResidue(const Row& row, ParsedAtom& atom) const {
     const auto found = substructures_.find(row.substructure);
@@ -256,6 +285,7 @@ class Mol2Reader {
       atom.name = row.name;
       atom.position_A = row.position_A;
       atom.charge_e = row.charge_e;
+      atom.formal_e = row.formal_e;
       atom.atomic_number = elementOfType(row.type);
       atom.element = row.type;
       atom.line = row.line;
@@ -296,6 +326,8 @@ class Mol2Reader {
   int line_of_molecule_ = 0;
   std::array<int, 2> counts_{};  // atoms and bonds
   std::size_t bond_lines_ = 0;
+  int attributes_ahead_ = 0;      // lines
+  std::uint32_t attributed_ = 0;  // the atom that has them
   bool wanted_ = false, has_charges_ = false;
   std::vector<Row> rows_;
   std::unordered_map<int, std::uint32_t> of_number_;

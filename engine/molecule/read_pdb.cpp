@@ -123,6 +123,16 @@ gemmi::Element elementOf(const char* line, bool has_element) {
   return gemmi::Element(line + 12);
 }
 
+/// The charge of columns 79-80: "2+", or a sign before the digit as some programs write it; 0 for anything else.
+int formalCharge_e(std::string_view field) {
+  const auto digit = [](char c) { return c >= '1' && c <= '9'; };
+  const auto sign = [](char c) { return c == '+' || c == '-'; };
+  const std::size_t at = digit(field[0]) && sign(field[1]) ? 1 : sign(field[0]) && digit(field[1]) ? 0 : 2;
+  if (at == 2) return 0;
+  const int amount = field[1 - at] - '0';
+  return field[at] == '-' ? -amount : amount;
+}
+
 /// Parses one ATOM or HETATM line and adds its atom; returns a Problem if it is invalid.
 std::optional<Problem> addAtom(MoleculeBuilder& builder, PdbRecords& records, std::string_view line,
                                const std::string& file, std::size_t number) {
@@ -175,6 +185,7 @@ std::optional<Problem> addAtom(MoleculeBuilder& builder, PdbRecords& records, st
   atom.chain = trimmed(long_name ? clean.substr(21, 1) : clean.substr(20, 2));
   atom.element = element.elem == gemmi::El::X ? atom.name : std::string_view(element.name());
   atom.atomic_number = element.atomic_number();
+  if (has_element) atom.formal_e = formalCharge_e(clean.substr(78, 2));
   atom.line = number;
   bool five_columns = false;
   atom.number = numberInChain(records, clean, atom.chain, five_columns);

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <gemmi/elem.hpp>
 #include <map>
+#include <utility>
 
 #include "engine/language/catalogue.h"
 #include "engine/molecule/elements.h"
@@ -63,7 +64,12 @@ class SdfReader {
           tr("The file is a flat drawing: its atoms lie in a plane. PubChem gives the molecule in space as '3D "
              "Conformer'."));
     Expected<Molecule> out = builder_.finish(std::move(head_));
-    if (out) out->listed_bonds = sortedBonds();
+    if (!out) return out;
+    out->listed_bonds = sortedBonds();
+    if (std::any_of(formal_e_.begin(), formal_e_.end(), [](std::int8_t charge_e) { return charge_e != 0; })) {
+      formal_e_.resize(out->atoms.size());
+      out->formal_charges_e = std::move(formal_e_);
+    }
     return out;
   }
 
@@ -125,6 +131,10 @@ class SdfReader {
           return bad(std::size_t(10 * axis + 1), trf("{0} is not a number: {1}", std::string(1, "xyz"[axis]),
                                                      inQuotes(line.substr(std::size_t(10 * axis), 10))));
       if (auto problem = addAtom(trimmed(line.substr(31, 3)), place)) return problem;
+      // The charge's code: 4 is a radical.
+      long code = 0;
+      if (line.size() >= 39 && sdfInteger(line.substr(36, 3), code) && code >= 1 && code <= 7)
+        setFormal(std::size_t(k), code == 4 ? 0 : 4 - code);
     }
     for (long k = 0; k < bonds; ++k) {
       if (!next(line)) return cut();
@@ -136,7 +146,55 @@ class SdfReader {
                    trf("a bond is three numbers in columns 1-9: two atoms and an order; this is {0}", inQuotes(line)));
       if (auto problem = addBond(first, second, type)) return problem;
     }
+    return properties();
+  }
+
+  // The properties after a V2000 molecule's bonds, up to "M  END" or, in files without it, the molecule's end. The first
+  // line of charges or radicals replaces all charges of the atoms' lines.
+  std::optional<Problem> properties() {
+    bool replaced = false;
+    for (std::string_view line; next(line);) {
+      if (line.starts_with("M  END")) return std::nullopt;
+      if (line.starts_with("$$$$")) {
+        record_ended_ = true;
+        return std::nullopt;
+      }
+      if (line.starts_with(">")) {
+        name_follows_ = namesNext(line);
+        return std::nullopt;
+      }
+      const bool charges = line.starts_with("M  CHG");
+      if (!wanted_ || (!charges && !line.starts_with("M  RAD"))) continue;
+      if (!replaced) formal_e_.clear();
+      replaced = true;
+      if (!charges) continue;
+      long count = 0;
+      if (line.size() < 9 || !sdfInteger(line.substr(6, 3), count) || count < 0 || count > 8) return badCharges(line);
+      for (long k = 0; k < count; ++k) {
+        long atom = 0, charge_e = 0;
+        const std::size_t at = std::size_t(9 + 8 * k);
+        if (line.size() < at + 8 || !sdfInteger(line.substr(at, 4), atom) ||
+            !sdfInteger(line.substr(at + 4, 4), charge_e) || std::abs(charge_e) > kMaxFormalCharge_e)
+          return badCharges(line);
+        if (atom < 1 || std::size_t(atom) > atoms_)
+          return bad(at + 1, trf("a charge names the atom {0}, which is not there", atom));
+        setFormal(std::size_t(atom - 1), charge_e);
+      }
+    }
     return std::nullopt;
+  }
+  Problem badCharges(std::string_view line) const {
+    return bad(1,
+               trf("a line of charges is their count, at most 8, and for each the atom and a whole number from -15 to "
+                   "15, in columns of four; this is {0}",
+                   inQuotes(line)));
+  }
+  void setFormal(std::size_t atom, long charge_e) {
+    if (atom >= formal_e_.size()) {
+      if (charge_e == 0) return;
+      formal_e_.resize(atom + 1);
+    }
+    formal_e_[atom] = static_cast<std::int8_t>(charge_e);
   }
 
   // Reads a line of a V3000 block without its "M  V30 "; lines that end in '-' continue on the next line.
@@ -193,6 +251,13 @@ class SdfReader {
         if (!of_number.emplace(number, static_cast<std::uint32_t>(atoms_)).second)
           return bad(8, trf("two atoms have the number {0}", number));
         if (auto problem = addAtom(element, place)) return problem;
+        for (std::string_view item = takeWord(rest); !item.empty(); item = takeWord(rest)) {
+          long charge_e = 0;
+          if (!item.starts_with("CHG=")) continue;
+          if (!sdfInteger(item.substr(4), charge_e) || std::abs(charge_e) > kMaxFormalCharge_e)
+            return bad(8, trf("the formal charge is no whole number from -15 to 15: {0}", inQuotes(item.substr(4))));
+          setFormal(atoms_ - 1, charge_e);
+        }
       } else if (wanted_ && block == Block::Bonds) {
         long type = 0, ends[2] = {};
         bool sound = sdfInteger(takeWord(rest), type);
@@ -257,13 +322,16 @@ class SdfReader {
 
   // Reads the data after a molecule up to "$$$$"; uses the name that PubChem provides.
   std::optional<Problem> dataItems() {
-    bool name_follows = false;
+    if (std::exchange(record_ended_, false)) return std::nullopt;
     for (std::string_view line; next(line);) {
       if (line.starts_with("$$$$")) return std::nullopt;
-      if (name_follows && wanted_ && head_.title.empty()) head_.title = std::string(trimmed(line));
-      name_follows = line.starts_with(">") && line.find("<PUBCHEM_IUPAC_NAME>") != std::string_view::npos;
+      if (name_follows_ && wanted_ && head_.title.empty()) head_.title = std::string(trimmed(line));
+      name_follows_ = namesNext(line);
     }
     return std::nullopt;
+  }
+  static bool namesNext(std::string_view line) {
+    return line.starts_with(">") && line.find("<PUBCHEM_IUPAC_NAME>") != std::string_view::npos;
   }
 
   TextSource& text_;
@@ -277,6 +345,9 @@ class SdfReader {
   std::size_t atoms_ = 0;  // of the wanted molecule
   std::map<int, int> count_of_;
   std::vector<Bond> bonds_;
+  std::vector<std::int8_t> formal_e_;  // of the wanted molecule's first atoms; the others' are 0
+  bool record_ended_ = false;          // its "$$$$" has been read
+  bool name_follows_ = false;          // the next line is a molecule's name
 };
 
 }  // namespace

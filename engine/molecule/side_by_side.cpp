@@ -106,6 +106,13 @@ Molecule sideBySide(Molecule first, Molecule second) {
     };
     out.charges_e = joined(chargesOf(first), chargesOf(second), [](float c) { return c; });
   }
+  if (!first.formal_charges_e.empty() || !second.formal_charges_e.empty()) {
+    const auto formalOf = [](const Molecule& m) {
+      return m.formal_charges_e.empty() ? SharedArray<std::int8_t>(std::vector<std::int8_t>(m.atoms.size()))
+                                        : m.formal_charges_e;
+    };
+    out.formal_charges_e = joined(formalOf(first), formalOf(second), [](std::int8_t c) { return c; });
+  }
   out.residues = joined(first.residues, second.residues, [&](Residue r) {
     r.chain += chains;
     r.first_atom += atoms;

@@ -103,7 +103,7 @@ void checkChoice(const char* argument, const std::string& name, const Choices& c
 // The forces between atoms, as both classes take them.
 struct Forces {
   std::string forces, dielectric;
-  double coupling_N_per_mm;
+  double coupling_N_per_mm, weak_gain;
 };
 
 // Completes the input that is common to both classes.
@@ -116,9 +116,12 @@ void finish(InteractionInput& input, const py::object& scene, const std::string&
   checkChoice("dielectric", forces.dielectric, dielectricChoices());
   if (!(forces.coupling_N_per_mm >= 0.0 && forces.coupling_N_per_mm <= kMaxCoupling_N_per_mm))
     throw py::value_error("coupling_N_per_mm must be a number from 0 to " + std::to_string(kMaxCoupling_N_per_mm));
+  if (!(forces.weak_gain >= 1.0 && forces.weak_gain <= kMaxWeakGain))
+    throw py::value_error("weak_gain must be a number from 1 to 8");
   input.touch.forces = forces.forces;
   input.touch.dielectric = forces.dielectric;
   input.touch.coupling_N_per_mm = forces.coupling_N_per_mm;
+  input.touch.weak_gain = forces.weak_gain;
   input.chemistry = chemistryOf(scene, chemistry, input.touch, input.spheres->size());
   if (!forceChoice(forces.forces).any()) return;
   if (!py::isinstance<Molecule>(scene)) throw py::value_error("forces between atoms need a Molecule as the scene");
@@ -129,7 +132,7 @@ std::unique_ptr<Tracker> makeTracker(const py::object& scene, const std::string&
                                      const std::string& interaction, double stiffness_N_per_A,
                                      const py::object& untouchable, const SharedChemistry& chemistry,
                                      const std::string& forces, const std::string& dielectric, double probe_charge_e,
-                                     double coupling_N_per_mm) {
+                                     double coupling_N_per_mm, double weak_gain) {
   if (!(std::abs(probe_charge_e) <= kMaxProbeCharge_e))
     throw py::value_error("probe_charge_e must be a number from -2 to 2");
   const SharedArray<Sphere> spheres = sceneSpheres(scene);
@@ -137,14 +140,15 @@ std::unique_ptr<Tracker> makeTracker(const py::object& scene, const std::string&
   InteractionInput input{.spheres = std::make_shared<const SphereGrid>(spheres, left_out)};
   input.touch.probe_A = probe_A;
   input.touch.probe_charge_e = probe_charge_e;
-  finish(input, scene, method, interaction, chemistry, {forces, dielectric, coupling_N_per_mm});
+  finish(input, scene, method, interaction, chemistry, {forces, dielectric, coupling_N_per_mm, weak_gain});
   return std::make_unique<Tracker>(std::move(input), stiffness_N_per_A);
 }
 
 std::unique_ptr<Body> makeBody(const py::object& scene, const py::object& atoms, const py::object& shape,
                                const std::string& method, const std::string& interaction, double stiffness_N_per_A,
                                double rotational_stiffness_N_A, const SharedChemistry& chemistry,
-                               const std::string& forces, const std::string& dielectric, double coupling_N_per_mm) {
+                               const std::string& forces, const std::string& dielectric, double coupling_N_per_mm,
+                               double weak_gain) {
   if (atoms.is_none() == shape.is_none()) throw py::value_error("give either atoms or spheres of the body");
   if (!(rotational_stiffness_N_A >= 0.0 && rotational_stiffness_N_A <= 1e9))
     throw py::value_error("rotational_stiffness_N_A must be a number from 0 to 1e9");
@@ -162,7 +166,7 @@ std::unique_ptr<Body> makeBody(const py::object& scene, const py::object& atoms,
   input.spheres = std::make_shared<const SphereGrid>(spheres, held);
   // The response is divided by the stiffness, so it equals that of a spring of 1 N/A.
   if (stiffness_N_per_A > 0.0) input.rotational_stiffness_N_A = rotational_stiffness_N_A / stiffness_N_per_A;
-  finish(input, scene, method, interaction, chemistry, {forces, dielectric, coupling_N_per_mm});
+  finish(input, scene, method, interaction, chemistry, {forces, dielectric, coupling_N_per_mm, weak_gain});
   return std::make_unique<Body>(std::move(input), stiffness_N_per_A);
 }
 
@@ -304,12 +308,15 @@ void addFeelers(py::module_& m) {
           py::kw_only(), py::arg("interaction") = "", py::arg("stiffness_N_per_A") = 1.0,
           py::arg("untouchable") = py::tuple(), py::arg("chemistry") = py::none(), py::arg("forces") = "none",
           py::arg("dielectric") = "water", py::arg("probe_charge_e") = 0.0, py::arg("coupling_N_per_mm") = 0.0,
+          py::arg("weak_gain") = 1.0,
           "scene: a Molecule, or spheres of shape (n, 4): centre and radius in A. interaction: one of "
           "interactions(body=False); empty: the first. untouchable: indices of atoms that are not felt. chemistry: of "
           "the scene's atoms, for an interaction that needs it; without it, that of the Molecule without charges. "
           "forces: 'none', 'all', 'van-der-waals' or 'electrostatic' between the atoms of a Molecule and the probe, an "
           "oxygen of water with probe_charge_e. dielectric: 'water', 'distance' or 'vacuum'. coupling_N_per_mm: "
-          "stiffness in the molecule of the spring between the hand and the probe; 0: the default.")
+          "stiffness in the molecule of the spring between the hand and the probe; 0: the default. weak_gain: how many "
+          "times as "
+          "strong the weakest of these forces are felt, 1 to 8; the energies in Felt are without it.")
       .def_property_readonly(
           "probe_A", [](const Tracker& self) { return self.input().touch.probe_A; }, "Radius of the probe in A.");
 
@@ -318,8 +325,9 @@ void addFeelers(py::module_& m) {
            py::arg("spheres") = py::none(), py::arg("method") = "exact", py::arg("interaction") = "",
            py::arg("stiffness_N_per_A") = 1.0, py::arg("rotational_stiffness_N_A") = 0.0,
            py::arg("chemistry") = py::none(), py::arg("forces") = "none", py::arg("dielectric") = "water",
-           py::arg("coupling_N_per_mm") = 0.0,
-           "scene, chemistry, forces, dielectric and coupling_N_per_mm: as for Tracker. atoms: indices of the scene's "
+           py::arg("coupling_N_per_mm") = 0.0, py::arg("weak_gain") = 1.0,
+           "scene, chemistry, forces, dielectric, coupling_N_per_mm and weak_gain: as for Tracker. atoms: indices of "
+           "the scene's "
            "atoms that are held and no longer felt; "
            "or spheres: "
            "the body's own, of shape (m, 4), relative to its middle. interaction: one of interactions(); empty: the "

@@ -35,6 +35,18 @@ double advance(double& phase, double hertz) {
   return now;
 }
 
+// Octaves by which the hum is below its highest pitch: even steps of the ear at any depth of a well.
+double humOctaves(double energy_kcal_mol) {
+  constexpr double kEven_kcal_mol = 2.0, kOctaves = 1.0 / 3.0, kDeepest_kcal_mol = 500.0;
+  return std::isfinite(energy_kcal_mol)
+             ? kOctaves * std::asinh(std::clamp(-energy_kcal_mol, 0.0, kDeepest_kcal_mol) / kEven_kcal_mol)
+             : 0.0;
+}
+
+double humShare(double energy_kcal_mol) {
+  return std::isfinite(energy_kcal_mol) ? std::clamp(energy_kcal_mol / kFullHum_kcal_mol, 0.0, 1.0) : 0.0;
+}
+
 using Notes = std::array<double, kChord.size()>;
 
 // The level of each note of the chord. One, two and three notes have equal power; of more, the sum of the levels stays
@@ -56,6 +68,8 @@ bool reachesNewAtom(const TouchMoment& before, const TouchMoment& now) {
 }
 
 }  // namespace
+
+double hum_Hz(double energy_kcal_mol) { return kMinPitch_Hz * std::exp2(-humOctaves(energy_kcal_mol)); }
 
 double pitch_Hz(double force_N) { return kMinPitch_Hz * std::exp2(kSemitones_per_N * heard_N(force_N) / 12.0); }
 
@@ -102,6 +116,21 @@ void TouchSynth::take(const TouchMoment& moment) noexcept {
   felt_ = moment;
 }
 
+// A tone with two overtones, by which small loudspeakers that lack its lowest pitch carry it.
+double TouchSynth::hum() noexcept {
+  const double wanted = humShare(felt_.energy_kcal_mol);
+  if (wanted == 0.0 && hum_ == 0.0) return 0.0;
+  if (hum_ == 0.0) hum_octaves_ = humOctaves(felt_.energy_kcal_mol);
+  if (wanted > 0.0) hum_octaves_ += (humOctaves(felt_.energy_kcal_mol) - hum_octaves_) * kGlide;
+  hum_ += (wanted - hum_) * (wanted > hum_ ? kAttack : kRelease);
+  if (wanted == 0.0 && hum_ < kInaudible) hum_ = 0.0;
+  const double turn = kTwoPi * hum_phase_;
+  advance(hum_phase_, kMinPitch_Hz * std::exp2(-hum_octaves_));
+  constexpr double kSecond = 0.6, kThird = 0.3;
+  return kHumLevel * hum_ / (1.0 + kSecond + kThird) *
+         (std::sin(turn) + kSecond * std::sin(2.0 * turn) + kThird * std::sin(3.0 * turn));
+}
+
 // Noise between two low-pass filters; the cutoff of the upper one increases with the speed.
 double TouchSynth::scrape() noexcept {
   const double speed = !felt_.touches() || !std::isfinite(felt_.slide_A_per_s)
@@ -126,7 +155,7 @@ void TouchSynth::render(std::span<float> out) noexcept {
   const double semitones = on ? kSemitones_per_N * force : semitones_;
   const Notes notes = on ? notesOf(felt_) : note_;
   for (float& sample : out) {
-    double sum = knock_.next() + click_.next() + thud_.next() + scrape();
+    double sum = knock_.next() + click_.next() + thud_.next() + scrape() + hum();
     since_click_ = std::min(since_click_ + 1, kSamples_per_s);
     since_thud_ = std::min(since_thud_ + 1, kSamples_per_s);
     if (loudness_ > 0.0 || loudness > 0.0) {
@@ -148,7 +177,8 @@ void TouchSynth::render(std::span<float> out) noexcept {
 
 bool TouchSynth::silent() const noexcept {
   const auto quiet = [](const Blip& blip) { return blip.level == 0.0 && blip.rising == 0; };
-  return !felt_.sounds() && loudness_ == 0.0 && scrape_ == 0.0 && quiet(knock_) && quiet(click_) && quiet(thud_);
+  return !felt_.sounds() && loudness_ == 0.0 && scrape_ == 0.0 && hum_ == 0.0 &&
+         humShare(felt_.energy_kcal_mol) == 0.0 && quiet(knock_) && quiet(click_) && quiet(thud_);
 }
 
 }  // namespace moltact

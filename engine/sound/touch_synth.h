@@ -1,7 +1,8 @@
 // Sonifies touch: the pitch of a tone is the force, the number of notes the number of atoms that block the probe.
 // Sliding adds a scrape, a contact a knock, each newly reached atom a click, and a pit a thud. Pure computation without
 // device, clock or allocation; the samples do not depend on the block size. One thread at a time. Units: newton, hertz,
-// second; samples from -1 to 1.
+// second,
+// kcal/mol; samples from -1 to 1.
 //
 //   sound                       touch
 //   pitch                       force: 330 Hz without force, 8 semitones higher per newton (3 N: two octaves)
@@ -15,6 +16,8 @@
 //   thud                        a third atom blocks the probe: it has reached a pit
 //   scrape                      the contact point slides over the surface; louder and brighter at higher speed
 //   one note without a knock    a field's force without contact
+//   hum                         a negative energy between atoms: the lower the energy, the lower the hum, from 330 Hz
+//                               at zero; -1 kcal/mol 295 Hz, -10 kcal/mol 193 Hz, -50 kcal/mol 134 Hz
 //
 // Every component has its own limit, and the sum of the limits is below 1, so the output never clips.
 #pragma once
@@ -38,10 +41,15 @@ inline constexpr std::array<double, 6> kChord{1.0, 5.0 / 4.0, 3.0 / 2.0, 7.0 / 4
 
 inline constexpr double kClick_Hz = 2200.0, kKnock_Hz = 520.0, kRelease_Hz = 390.0, kThud_Hz = 110.0;
 /// Peak levels of the components: a single note (three notes or more together reach 1.74 times this), the knock, the
-/// click, the thud, the scrape.
-inline constexpr double kNoteLevel = 0.22, kKnockLevel = 0.16, kClickLevel = 0.16, kThudLevel = 0.18,
-                        kScrapeLevel = 0.08;
+/// click, the thud, the scrape, the hum.
+inline constexpr double kNoteLevel = 0.22, kKnockLevel = 0.14, kClickLevel = 0.14, kThudLevel = 0.16,
+                        kScrapeLevel = 0.07, kHumLevel = 0.09;
 inline constexpr double kFullScrape_A_per_s = 20.0;  ///< speed from which the scrape has its full level
+
+inline constexpr double kFullHum_kcal_mol = -0.5;  ///< energy from which the hum has its full level
+
+/// The pitch of the hum of an energy; a positive or non-finite energy counts as zero.
+double hum_Hz(double energy_kcal_mol);
 
 /// The pitch of a force; a negative or non-finite force counts as zero.
 double pitch_Hz(double force_N);
@@ -54,6 +62,8 @@ struct TouchMoment {
   double slide_A_per_s = 0.0;  ///< speed of the contact point over the surface
   bool field = false;          ///< a field's force is felt, in contact or without
   std::size_t contacts = 0;    ///< of a held body: the number of notes; 0: the feature decides
+
+  double energy_kcal_mol = 0.0;  ///< between what is held and the molecule; hums if negative
 
   bool touches() const { return feature != Feature::Free; }
   bool sounds() const { return touches() || field; }
@@ -85,6 +95,8 @@ class TouchSynth {
   std::array<double, kChord.size()> phase_{}, note_{};  // of the chord; note_ contains the smoothed levels
   Blip knock_, click_, thud_;
   int since_click_ = kSamples_per_s, since_thud_ = kSamples_per_s;
+  double hum_ = 0.0, hum_octaves_ = 0.0, hum_phase_ = 0.0;  // smoothed level and pitch, below kMinPitch_Hz
+  double hum() noexcept;
   double scrape_ = 0.0, bright_ = 0.0, dull_ = 0.0;  // smoothed level; noise after two low-pass filters
   std::uint32_t noise_ = 0x9E3779B9u;                // state of a xorshift generator
   double scrape() noexcept;

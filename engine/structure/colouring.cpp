@@ -322,8 +322,7 @@ void byPlaceInChain(const Molecule& m, const ColouringInput&, Colouring& out) {
 // Red to blue as in the literature; ColorBrewer's RdBu, which every type of colour vision can read.
 constexpr Rgb8 kPotential[] = {{178, 24, 43}, {239, 138, 98}, {247, 247, 247}, {103, 169, 207}, {33, 102, 172}};
 
-void byPotential(const Molecule& m, const ColouringInput& input, Colouring& out) {
-  const std::vector<float> potential = surfacePotential_kcal_mol_e(m, dielectricChoice(input.dielectric), input.held);
+void paintPotential(std::span<const float> potential, Colouring& out) {
   const double top = potentialRange_kcal_mol_e(potential);
   std::fill(out.of_atom.begin(), out.of_atom.end(), kNothing);
   if (!(top > 0.0)) {
@@ -337,6 +336,14 @@ void byPotential(const Molecule& m, const ColouringInput& input, Colouring& out)
   const double parts[] = {-1.0, -0.5, 0.0, 0.5, 1.0};
   for (std::size_t k = 0; k < std::size(parts); ++k)
     out.legend.entries.push_back({value(parts[k] * top), kPotential[k]});
+}
+
+void byPotential(const Molecule& m, const ColouringInput& input, Colouring& out) {
+  if (!input.later)
+    return paintPotential(surfacePotential_kcal_mol_e(m, dielectricChoice(input.dielectric), input.held), out);
+  std::fill(out.of_atom.begin(), out.of_atom.end(), kNothing);
+  out.pending = true;
+  out.legend.entries = {{tr("being computed"), kNothing}};
 }
 
 // One row per scheme.
@@ -388,6 +395,16 @@ Colouring colourMolecule(const Molecule& molecule, const ColouringScheme& scheme
   out.scheme = scheme.name;
   out.legend.title = scheme.shownLabel();
   scheme.colour(molecule, input, out);
+  return out;
+}
+
+Colouring potentialColouring(std::span<const float> potential) {
+  const ColouringScheme& scheme = **findColouringScheme("potential");
+  Colouring out;
+  out.of_atom.assign(potential.size(), kNothing);
+  out.scheme = scheme.name;
+  out.legend.title = scheme.shownLabel();
+  paintPotential(potential, out);
   return out;
 }
 

@@ -36,6 +36,7 @@ struct Colouring {
   std::string_view scheme;    ///< name of the ColouringScheme
   std::vector<Rgb8> of_atom;  ///< one per atom
   Legend legend;
+  bool pending = false;  ///< the colours are not known yet (ColouringInput::later)
 };
 
 /// What a scheme may depend on besides the molecule.
@@ -43,6 +44,8 @@ struct ColouringInput {
   std::string_view dielectric = "water";      ///< as in dielectricChoices (engine/haptics/field/force_choices.h)
   std::span<const std::uint32_t> held = {};   ///< atoms in the hand, ascending, which are apart from the others
   std::span<const float> fluctuation_A = {};  ///< of each atom in a trajectory (TrajectorySurvey); empty: not known
+  bool later =
+      false;  ///< a scheme that takes long returns a grey placeholder, whose legend says so, with `pending` set
 };
 
 /// A colour scheme; a row of the table in colouring.cpp.
@@ -56,6 +59,9 @@ struct ColouringScheme {
   /// The translated label.
   const char* shownLabel() const;
 };
+
+/// The colouring `potential` of potentials computed by SurfacePotential, one for each atom.
+Colouring potentialColouring(std::span<const float> potential);
 
 /// All schemes in menu order; the first is the default of a scene.
 std::span<const ColouringScheme> colouringSchemes();

@@ -92,26 +92,56 @@ class Part {
   SphereGrid grid_{std::vector<Sphere>()}, cover_{std::vector<Sphere>()};
 };
 
-}  // namespace
-
-std::vector<float> surfacePotential_kcal_mol_e(const Molecule& molecule, const DielectricChoice& medium,
-                                               std::span<const std::uint32_t> held) {
+PairModel modelOf(const DielectricChoice& medium) {
   PairModel model;
   model.kind = medium.kind;
   model.dielectric = medium.dielectric;
-  std::vector<char> in_hand(molecule.atoms.size());
+  return model;
+}
+
+std::vector<char> flagsOf(std::size_t atoms, std::span<const std::uint32_t> held) {
+  std::vector<char> out(atoms);
   for (const std::uint32_t i : held)
-    if (i < in_hand.size()) in_hand[i] = 1;
-  const PairAtoms all = pairAtoms(molecule);
-  const Part rest(molecule, all, model, in_hand, false), hand(molecule, all, model, in_hand, true);
-  const std::array<Vec3, kPoints> directions = spiral();
-  std::vector<float> out(molecule.atoms.size());
-  const auto piece = [&](std::size_t k) {
-    for (std::size_t i = k * kAtomsOfPiece; i < std::min(out.size(), (k + 1) * kAtomsOfPiece); ++i)
-      out[i] = (in_hand[i] ? hand : rest).potential(i, directions);
-  };
-  runGridWork((out.size() + kAtomsOfPiece - 1) / kAtomsOfPiece, 0, piece, {});
+    if (i < out.size()) out[i] = 1;
   return out;
+}
+
+}  // namespace
+
+struct SurfacePotential::Parts {
+  Parts(const Molecule& molecule, const PairAtoms& all, const PairModel& model, std::span<const std::uint32_t> held)
+      : in_hand(flagsOf(molecule.atoms.size(), held)),
+        rest(molecule, all, model, in_hand, false),
+        hand(molecule, all, model, in_hand, true),
+        out(molecule.atoms.size()) {}
+
+  std::vector<char> in_hand;
+  Part rest, hand;
+  std::array<Vec3, kPoints> directions = spiral();
+  std::vector<float> out;
+};
+
+SurfacePotential::SurfacePotential(const Molecule& molecule, const DielectricChoice& medium,
+                                   std::span<const std::uint32_t> held)
+    : parts_(std::make_unique<Parts>(molecule, pairAtoms(molecule), modelOf(medium), held)) {}
+
+SurfacePotential::~SurfacePotential() = default;
+
+std::size_t SurfacePotential::pieces() const { return (parts_->out.size() + kAtomsOfPiece - 1) / kAtomsOfPiece; }
+
+void SurfacePotential::compute(std::size_t piece) {
+  Parts& p = *parts_;
+  for (std::size_t i = piece * kAtomsOfPiece; i < std::min(p.out.size(), (piece + 1) * kAtomsOfPiece); ++i)
+    p.out[i] = (p.in_hand[i] ? p.hand : p.rest).potential(i, p.directions);
+}
+
+std::vector<float> SurfacePotential::take() { return std::move(parts_->out); }
+
+std::vector<float> surfacePotential_kcal_mol_e(const Molecule& molecule, const DielectricChoice& medium,
+                                               std::span<const std::uint32_t> held) {
+  SurfacePotential work(molecule, medium, held);
+  runGridWork(work.pieces(), 0, [&](std::size_t piece) { work.compute(piece); }, {});
+  return work.take();
 }
 
 double potentialRange_kcal_mol_e(std::span<const float> potentials) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -10,6 +11,26 @@
 #include "engine/molecule/molecule.h"
 
 namespace moltact {
+
+/// Computes surfacePotential_kcal_mol_e() piece by piece. `molecule` must outlive it.
+class SurfacePotential {
+ public:
+  /// Assigns the charges and sorts the atoms: the part of the work that comes before the pieces.
+  SurfacePotential(const Molecule& molecule, const DielectricChoice& medium, std::span<const std::uint32_t> held = {});
+  ~SurfacePotential();
+  SurfacePotential(const SurfacePotential&) = delete;
+  SurfacePotential& operator=(const SurfacePotential&) = delete;
+
+  std::size_t pieces() const;
+  /// Computes a piece, 0 to pieces() - 1, once each. Different pieces may run on different threads.
+  void compute(std::size_t piece);
+  /// The result, when all pieces have been computed.
+  std::vector<float> take();
+
+ private:
+  struct Parts;
+  std::unique_ptr<Parts> parts_;
+};
 
 /// For each atom, the mean potential on the part of its sphere, inflated by a water molecule, that no other inflated
 /// sphere covers. It is the energy of a charge of 1 e there, in the model of the forces between atoms (PairModel: their

@@ -4,6 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
+#include <iterator>
+#include <map>
 
 #include "app/ui/extensions/extensions.h"
 #include "app/ui/panels/view_overlays.h"
@@ -113,8 +116,9 @@ TEST_CASE(
   REQUIRE(w.d->click("poses/save"));
   w.d->frames(3);
   REQUIRE(w.d->app().file_dialog.open());
+  CHECK(w.d->shows("file/note"));
   w.d->app().file_dialog.close();
-  const Expected<std::string> text = w.poses().pdb();
+  const Expected<std::string> text = w.poses().saved(".pdb");
   REQUIRE(text);
   const auto file = w.scratch.file("pose.pdb", *text);
   const Expected<Molecule> read = readMolecule(file);
@@ -140,6 +144,44 @@ TEST_CASE(
     line = text->find('\n', at);
     CHECK(line - at <= 80);
   }
+}
+
+TEST_CASE(
+    "a pose saved as SDF is read back with every atom within 0.00006 A of its place, the 37 bonds of amprenavir, nine "
+    "of them double, and its energy; .xyz is refused") {
+  PoseWindow w("## One\n" + kDrugScene + "Text.\n");
+  w.pressAt(0.5, 0.5, 240);
+  REQUIRE_FALSE(w.poses().list().empty());
+  w.poses().select(w.poses().list().size() - 1);
+  const HeldPose pose = w.poses().list().back();
+  w.d->frames(3);
+  REQUIRE(w.d->click("poses/save"));
+  w.d->frames(3);
+  REQUIRE(w.d->app().file_dialog.open());
+  w.d->app().file_dialog.written = w.scratch.folder.string() + "/pose.SDF";
+  w.d->app().file_dialog.choose();
+  std::ifstream in(w.scratch.folder / "pose.SDF", std::ios::binary);
+  const std::string text{std::istreambuf_iterator<char>(in), {}};
+  const Expected<Molecule> read = readMoleculeBytes(text, "pose.sdf");
+  REQUIRE(read);
+  const HeldBody& body = *w.scene().stage().body;
+  REQUIRE(read->atoms.size() == body.atoms.size());
+  for (std::size_t k = 0; k < body.atoms.size(); ++k) {
+    const Vec3 place = pose.pose.place.A + pose.pose.orientation * body.spheres[k].centre_A;
+    for (int axis = 0; axis < 3; ++axis) CHECK(std::abs(read->spheres[k].centre_A[axis] - place[axis]) <= 0.00006);
+    CHECK(read->atoms[k].atomic_number == w.scene().stage().molecule->atoms[body.atoms[k]].atomic_number);
+  }
+  std::map<BondOrder, int> orders;
+  for (const Bond& b : read->listed_bonds) ++orders[b.order];
+  // C25 H35 N3 O6 S: two benzene rings with three double bonds each, C=O, two S=O.
+  CHECK(orders == std::map<BondOrder, int>{{BondOrder::Single, 28}, {BondOrder::Double, 9}});
+  CHECK(read->formal_charges_e.empty());
+  const std::size_t says = text.find("> <energy_kcal_per_mol>\n");
+  REQUIRE(says != std::string::npos);
+  CHECK(std::stod(text.substr(says + 24)) == doctest::Approx(pose.energy.total_kcal_mol()).epsilon(0.0006));
+  const Expected<std::string> refused = w.poses().saved(".xyz");
+  REQUIRE_FALSE(refused);
+  CHECK(refused.problem().text().find(".xyz") != std::string::npos);
 }
 
 TEST_CASE("a body that is taken back begins within 1e-9 A of the pose, and the force rises from zero") {

@@ -18,6 +18,7 @@
 #include "engine/lesson/tasks/registry.h"
 #include "engine/sound/touch_synth.h"
 #include "tests/app/lesson_hand.h"
+#include "tests/app/rank_window.h"
 #include "tests/app/scripted_user_fixture.h"
 
 namespace moltact {
@@ -298,6 +299,68 @@ TEST_CASE(
 TEST_CASE("the reader learns nothing in an order by energy and in pairs with and without forces between atoms") {
   const Counts read = readFiles({MOLTACT_SOURCE_DIR "/tests/lesson/in_the_forces.md"}, "en");
   CHECK(read.rows == 2);
+}
+
+TEST_CASE(
+    "the reader learns nothing in the task rank: screen and sound are the same for all three ligands, neither shows "
+    "nor "
+    "hums their energy, and who only reads passes in at most 2 of 6 rounds; who knows the order passes") {
+  RankWindow w;
+  const Reader reader(*w.d, true);
+  std::vector<std::pair<std::string, Words>> presented;
+  int passed = 0;
+  for (int round = 0; round < 6; ++round) {
+    CAPTURE(round);
+    if (round > 0) w.session().restartTask(0);
+    w.d->frames(10);
+    for (int k = 0; k < 3; ++k) {
+      CAPTURE(k);
+      Words words;
+      const std::size_t from = reader.heardSoFar();
+      double hum = 0.0;
+      w.feel([&] {
+        reader.look(words);
+        CHECK_FALSE(w.d->shows("view/energy"));
+        CHECK_FALSE(w.d->shows("plot/energy"));
+        REQUIRE(w.scene().log().latest().molecular_energy);
+        const std::vector<float>& heard = w.d->app().extensions().touch_sound.heard();
+        constexpr std::size_t kPiece = kSamples_per_s / 10;
+        if (heard.size() < from + kPiece) return;
+        const double energy = w.scene().log().latest().molecular_energy->total_kcal_mol();
+        hum = std::max(hum, loudness(heard, heard.size() - kPiece, kPiece, hum_Hz(energy)));
+      });
+      CHECK(hum < 0.01);
+      reader.listen(words, from);
+      w.d->release();
+      w.d->frames(5);
+      // The words of the last ligand are those of an end.
+      presented.emplace_back(k < 2 ? "ligand" : "last", std::move(words));
+      w.session().answerTask({"next"});
+      w.d->frames(10);
+    }
+    // Nothing has told them apart, so the order is that in which they came.
+    for (const char* word : {"ligand-1", "ligand-2"}) w.session().answerTask({word});
+    w.d->frames(5);
+    passed += w.session().taskDone(0, 0);
+  }
+  CHECK(telling(presented) == "");
+  CHECK(passed <= 2);
+  w.session().restartTask(0);
+  w.d->frames(10);
+  const TouchableModel& stage = w.scene().stage();
+  for (int k = 0; k < 3; ++k) {
+    w.feel([] {});
+    w.d->release();
+    w.d->frames(5);
+    w.session().answerTask({"next"});
+    w.d->frames(10);
+  }
+  for (int guard = 0; guard < 3 && !w.session().taskDone(0, 0); ++guard) {
+    for (const HandAct& act : w.session().taskAt(0)->demonstrate({.spheres = *stage.spheres, .body = stage.body.get()}))
+      if (act.answer) w.session().answerTask(*act.answer);
+    w.d->frames(5);
+  }
+  CHECK(w.session().taskDone(0, 0));
 }
 
 TEST_CASE(

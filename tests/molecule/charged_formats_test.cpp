@@ -264,3 +264,55 @@ TEST_CASE(
       CHECK(largest_e > 0.2);
     }
 }
+
+TEST_CASE(
+    "formal charges are kept from columns 79-80 of PDB, _atom_site.pdbx_formal_charge of mmCIF, M  CHG, the atoms' "
+    "codes "
+    "and CHG= of SDF, and UNITY_ATOM_ATTR of MOL2; a file without any takes no memory for them") {
+  const auto charges = [](const std::string& text, const std::string& name, const ReadOptions& options = {}) {
+    const Molecule m = read(text, name, options);
+    return std::vector<int>(m.formal_charges_e.begin(), m.formal_charges_e.end());
+  };
+  const std::string atom = "HETATM    1 ZN    ZN A   1       0.000   0.000   0.000  1.00  0.00          ZN";
+  const std::string water = "HETATM    2  O   HOH A   2       5.000   0.000   0.000  1.00  0.00           O";
+  CHECK(charges(atom + "2+\nEND\n", "x.pdb") == std::vector<int>{2});
+  CHECK(charges(atom + "-1\nEND\n", "x.pdb") == std::vector<int>{-1});
+  CHECK(charges(atom + "\nEND\n", "x.pdb").empty());
+  CHECK(charges(atom + " 7\nEND\n", "x.pdb").empty());
+  // A water before the ion is left out, and the charge stays with the ion.
+  CHECK(charges(water + "\n" + atom + "2+\nEND\n", "x.pdb") == std::vector<int>{2});
+  CHECK(charges(water + "1-\n" + atom + "\nEND\n", "x.pdb").empty());
+  // Before 1996 columns 73-80 held the entry's name and the number of the line.
+  CHECK(charges("HETATM    1 ZN    ZN A   1       0.000   0.000   0.000  1.00  0.00      1ABC  2+\nEND\n", "x.pdb")
+            .empty());
+  const std::string head =
+      "data_x\nloop_\n_atom_site.group_PDB\n_atom_site.id\n_atom_site.type_symbol\n_atom_site.label_atom_id\n"
+      "_atom_site.label_comp_id\n_atom_site.label_asym_id\n_atom_site.label_seq_id\n_atom_site.Cartn_x\n"
+      "_atom_site.Cartn_y\n_atom_site.Cartn_z\n_atom_site.pdbx_formal_charge\n";
+  CHECK(
+      charges(head + "HETATM 1 ZN ZN ZN A 1 0 0 0 +2\nHETATM 2 C C1 LIG B 1 5 0 0 ?\nHETATM 3 O O1 LIG B 1 6 0 0 -1\n",
+              "x.cif") == std::vector<int>{2, 0, -1});
+  const Molecule odd = read(head + "HETATM 1 ZN ZN ZN A 1 0 0 0 much\n", "x.cif");
+  CHECK(odd.formal_charges_e.empty());
+  REQUIRE(odd.warnings.size() == 1);
+  CHECK(odd.warnings[0].find("much") != std::string::npos);
+  const std::string v2000 =
+      "acetate\n\n\n  2  1  0  0  0  0  0  0  0  0999 V2000\n"
+      "    0.0000    0.0000    0.0000 C   0  3\n    1.2500    0.0000    0.0000 O   0  5\n  1  2  1\n";
+  CHECK(charges(v2000 + "M  END\n$$$$\n", "x.sdf") == std::vector<int>{1, -1});
+  CHECK(charges(v2000 + "M  CHG  1   2  -1\nM  END\n$$$$\n", "x.sdf") == std::vector<int>{0, -1});
+  CHECK(charges(v2000 + "M  CHG  1   2  -1\n$$$$\n" + v2000 + "M  CHG  2   1   2   2  -2\nM  END\n", "x.sdf",
+                {.model = 2}) == std::vector<int>{2, -2});
+  CHECK(problemOf(v2000 + "M  CHG  1   3  -1\nM  END\n", "x.sdf").find("names the atom 3") != std::string::npos);
+  CHECK(problemOf(v2000 + "M  CHG  2   1  -1\nM  END\n", "x.sdf").find("columns of four") != std::string::npos);
+  CHECK(charges("x\n\n\n  0  0  0     0  0            999 V3000\nM  V30 BEGIN CTAB\nM  V30 COUNTS 2 1 0 0 0\n"
+                "M  V30 BEGIN ATOM\nM  V30 1 N 0 0 0 0 CHG=1\nM  V30 2 C 1.5 0 0 0\nM  V30 END ATOM\nM  V30 END CTAB\n"
+                "M  END\n",
+                "x.sdf") == std::vector<int>{1, 0});
+  const std::string two = seed("mol2/two.mol2");
+  CHECK(charges(two, "x.mol2").empty());
+  const std::string attributes = "@<TRIPOS>UNITY_ATOM_ATTR\n1 2\nnote x\ncharge -1\n";
+  CHECK(charges(replaced(two, "@<TRIPOS>BOND", attributes + "@<TRIPOS>BOND"), "x.mol2") == std::vector<int>{-1, 0});
+  CHECK(problemOf(replaced(two, "@<TRIPOS>BOND", "@<TRIPOS>UNITY_ATOM_ATTR\n1 1\ncharge 0.5\n@<TRIPOS>BOND"), "x.mol2")
+            .find("no whole number") != std::string::npos);
+}

@@ -31,6 +31,7 @@ struct AtomSeen {
   Vec3 place_A{0.0};
   int atomic_number = 0;
   double b_factor_A2 = 0.0, occupancy = 0.0;
+  int formal_e = 0;
 };
 
 using Atoms = std::map<AtomName, AtomSeen>;
@@ -47,7 +48,7 @@ Atoms byGemmi(const gemmi::Structure& structure) {
       if (residue.is_water() && !all_waters) continue;
       for (const gemmi::Atom& a : residue.atoms) {
         const AtomName name{chain.name, *residue.seqid.num, residue.seqid.icode, residue.name, a.name};
-        const AtomSeen seen{{a.pos.x, a.pos.y, a.pos.z}, a.element.atomic_number(), a.b_iso, a.occ};
+        const AtomSeen seen{{a.pos.x, a.pos.y, a.pos.z}, a.element.atomic_number(), a.b_iso, a.occ, a.charge};
         const auto [at, fresh] = out.emplace(name, seen);
         if (!fresh && a.occ > at->second.occupancy + 1e-6f) at->second = seen;
       }
@@ -64,7 +65,9 @@ Atoms byOurs(const Molecule& molecule) {
         const PlacedAtom atom = molecule.at(a);
         const AtomName name{std::string(std::string_view(chain.name)), residue.number, residue.insertion,
                             std::string(std::string_view(residue.name)), std::string(atom.nameText())};
-        CHECK(out.emplace(name, AtomSeen{atom.position.A, atom.atomic_number, atom.b_factor_A2, 0.0}).second);
+        CHECK(out.emplace(name, AtomSeen{atom.position.A, atom.atomic_number, atom.b_factor_A2, 0.0,
+                                         molecule.formal_charges_e.empty() ? 0 : molecule.formal_charges_e[a]})
+                  .second);
       }
     }
   return out;
@@ -76,7 +79,8 @@ std::size_t differences(const Atoms& ours, const Atoms& theirs) {
     const auto at = ours.find(name);
     const bool same = at != ours.end() && glm::distance(at->second.place_A, seen.place_A) < 1e-9 &&
                       at->second.atomic_number == seen.atomic_number &&
-                      std::abs(at->second.b_factor_A2 - seen.b_factor_A2) < 1e-3;
+                      std::abs(at->second.b_factor_A2 - seen.b_factor_A2) < 1e-3 &&
+                      at->second.formal_e == seen.formal_e;
     if (same) continue;
     ++out;
     INFO(std::get<0>(name), " ", std::get<1>(name), " ", std::get<3>(name), " ", std::get<4>(name));
@@ -109,8 +113,8 @@ std::vector<std::filesystem::path> pdbFiles() {
 }  // namespace
 
 TEST_CASE(
-    "of each PDB file of the library gemmi reads the same atoms: names, residues, chains, elements, places to 1e-9 A "
-    "and B factors") {
+    "of each PDB file of the library gemmi reads the same atoms: names, residues, chains, elements, places to 1e-9 A, "
+    "B factors and formal charges") {
   REQUIRE(pdbFiles().size() >= 30);
   for (const auto& file : pdbFiles()) {
     CAPTURE(file.filename().string());

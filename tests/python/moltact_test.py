@@ -143,6 +143,21 @@ class Forces(unittest.TestCase):
         self.assertLess(energies[0], -1.0)
         self.assertGreater(energies[1], 1.0)
 
+    def test_a_weak_gain_of_4_makes_a_pull_of_an_energy_above_a_hundredth_of_a_kcal_4_times_as_strong(self):
+        molecule = moltact.load(SOURCE / "molecules" / "1ubq.pdb")
+        carboxylate = molecule.names.index("OE1", molecule.residues.index("GLU"))
+        at = molecule.positions[carboxylate]
+        out = (at - molecule.positions.mean(axis=0)) / np.linalg.norm(at - molecule.positions.mean(axis=0))
+        way = np.linspace(at + 20.0 * out, at + 4.5 * out, 4000)
+        arguments = {"forces": "electrostatic", "dielectric": "distance", "probe_charge_e": 1.0}
+        usual, strong = (moltact.Tracker(molecule, **arguments, weak_gain=gain).feel(way) for gain in (1.0, 4.0))
+        weak = (usual.electrostatic < -0.001) & (usual.electrostatic > -0.01)
+        self.assertGreater(weak.sum(), 10)
+        ratio = np.linalg.norm(strong.forces[weak], axis=1) / np.linalg.norm(usual.forces[weak], axis=1)
+        np.testing.assert_allclose(ratio, 4.0, rtol=0.1)
+        # The energy is that of the atoms, without the gain, at nearly the same place.
+        np.testing.assert_allclose(strong.electrostatic[weak], usual.electrostatic[weak], rtol=0.1)
+
     def test_without_forces_the_energies_are_0_and_the_answers_are_those_of_contact(self):
         molecule = moltact.load(SOURCE / "molecules" / "1ubq.pdb")
         way = np.linspace([80.0, 30.0, 30.0], molecule.positions.mean(axis=0), 500)
@@ -157,6 +172,8 @@ class Forces(unittest.TestCase):
             ({"forces": "all", "dielectric": "oil"}, "'vacuum'"),
             ({"probe_charge_e": float("nan")}, "-2 to 2"),
             ({"coupling_N_per_mm": -1.0}, "coupling_N_per_mm"),
+            ({"weak_gain": 0.5}, "weak_gain must be a number from 1 to 8"),
+            ({"weak_gain": float("nan")}, "weak_gain"),
         ):
             with self.subTest(arguments), self.assertRaisesRegex(ValueError, message):
                 moltact.Tracker(molecule, **arguments)

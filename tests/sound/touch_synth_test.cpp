@@ -254,6 +254,43 @@ TEST_CASE("a probe that slides scrapes: noise within its limit, louder the faste
 }
 
 TEST_CASE(
+    "a negative energy hums at 295 Hz for -1 kcal/mol, 193 Hz for -10 and 134 Hz for -50, found in the samples' "
+    "spectrum; the hum is quiet at zero and above, and for numbers that are none") {
+  const auto levelAt = [](const std::vector<float>& s, double hertz) {
+    double sine = 0, cosine = 0;
+    for (std::size_t k = 0; k < s.size(); ++k) {
+      const double turn = 2 * std::numbers::pi * hertz * double(k) / kRate;
+      sine += 2.0 * double(s[k]) * std::sin(turn) / double(s.size());
+      cosine += 2.0 * double(s[k]) * std::cos(turn) / double(s.size());
+    }
+    return std::hypot(sine, cosine);
+  };
+  const auto heard = [](double energy) {
+    TouchSynth synth;
+    synth.take({.energy_kcal_mol = energy});
+    sounding(synth, 0.5);
+    return sounding(synth, 1.0);
+  };
+  for (const auto& [energy, hertz] : {std::pair{-1.0, 295.0}, std::pair{-10.0, 193.0}, std::pair{-50.0, 134.0}}) {
+    CAPTURE(energy);
+    CHECK(hum_Hz(energy) == doctest::Approx(hertz).epsilon(0.003));
+    const std::vector<float> s = heard(energy);
+    CHECK(levelAt(s, hum_Hz(energy)) > 0.4 * kHumLevel);
+    CHECK(levelAt(s, 1.06 * hum_Hz(energy)) < 0.05 * kHumLevel);
+    CHECK(peak(s) <= kHumLevel);
+  }
+  for (const double energy : {0.0, 5.0, 1e9, double(std::nan("")), double(INFINITY), -double(INFINITY)})
+    CHECK(peak(heard(energy)) == 0.0f);
+  TouchSynth synth;
+  synth.take({.energy_kcal_mol = -3.0});
+  sounding(synth, 0.2);
+  CHECK_FALSE(synth.silent());
+  synth.take({});
+  sounding(synth, 1.0);
+  CHECK(synth.silent());
+}
+
+TEST_CASE(
     "contact, a change from sphere to crease and the end have no click: the curve bends no more than its parts may") {
   TouchSynth synth;
   std::vector<float> all;
@@ -290,7 +327,8 @@ TEST_CASE("a second at random with 1000 changes stays below 0.99 and jumps by le
                   .atoms = {std::int32_t(random() % 5), std::int32_t(random() % 5), -1},
                   .force_N = force,
                   .slide_A_per_s = slide,
-                  .contacts = random() % 9});
+                  .contacts = random() % 9,
+                  .energy_kcal_mol = std::array{0.0, -40.0, -1e9, 3.0, std::nan(""), double(INFINITY)}[random() % 6]});
       const auto part = sounding(synth, 0.001);
       all.insert(all.end(), part.begin(), part.end());
     }

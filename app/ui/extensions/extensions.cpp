@@ -32,6 +32,7 @@ Extensions::Extensions(Application& app)
       own_look(app.scene),
       held_poses(app, app.scene, app.lesson, app.time()),
       surface_scan(app.scene, app.lesson, app.messages, app.time()),
+      potential_colours(app.scene),
       touch_paint(reveal_policy, app.scene, app.lesson),
       device(task_stager, app.scene, app.settings, app.messages, app.panels, app.layout(), app.options(), app.time()),
       hand_recorder(recorder, device, app, app.scene, app.messages, app.panels, app.file_dialog, app.options()) {}

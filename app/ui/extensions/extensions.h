@@ -19,6 +19,7 @@
 #include "app/ui/extensions/name_asker.h"
 #include "app/ui/extensions/own_look.h"
 #include "app/ui/extensions/playback.h"
+#include "app/ui/extensions/potential_colours.h"
 #include "app/ui/extensions/reveal_policy.h"
 #include "app/ui/extensions/scene_change.h"
 #include "app/ui/extensions/scene_history.h"
@@ -61,6 +62,7 @@ struct Extensions final : ExtensionSet {
   OwnLook own_look;
   HeldPoses held_poses;
   SurfaceScan surface_scan;
+  PotentialColours potential_colours;
   TouchPaint touch_paint;
   DeviceLink device;
   HandRecorder hand_recorder;
@@ -72,11 +74,11 @@ struct Extensions final : ExtensionSet {
   // The order of the calls. Locks precede the history, so that it never records a change of a locked value. The history
   // precedes the scene change, whose glide it queries. The name is asked for before the recorder begins. The device
   // precedes the hand recorder, which replaces the device's clutch and scale by those of the recording.
-  std::array<Extension*, 25> all_{&settings_keeper, &lesson_watch,    &lesson_locks, &name_asker,    &recorder,
-                                  &turns,           &playback,        &history,      &scene_change,  &hand_model,
-                                  &lesson_list,     &card_pictures,   &task_stager,  &reveal_policy, &movers,
-                                  &state_text,      &touch_sound,     &measuring,    &touch_paint,   &device,
-                                  &hand_recorder,   &lesson_pictures, &own_look,     &held_poses,    &surface_scan};
+  std::array<Extension*, 26> all_{
+      &settings_keeper, &lesson_watch, &lesson_locks, &name_asker,   &recorder,         &turns,       &playback,
+      &history,         &scene_change, &hand_model,   &lesson_list,  &card_pictures,    &task_stager, &reveal_policy,
+      &movers,          &state_text,   &touch_sound,  &measuring,    &touch_paint,      &device,      &hand_recorder,
+      &lesson_pictures, &own_look,     &held_poses,   &surface_scan, &potential_colours};
 };
 
 }  // namespace moltact

@@ -7,12 +7,15 @@
 
 #include "app/ui/application/opener.h"
 #include "app/ui/lesson/lesson_guide.h"
+#include "engine/core/printable.h"
 #include "engine/haptics/field/force_choices.h"
 #include "engine/language/catalogue.h"
 #include "engine/language/quantity_text.h"
 #include "engine/lesson/pose_text.h"
 #include "engine/lesson/tasks/held_way.h"
 #include "engine/molecule/write_pose.h"
+#include "engine/molecule/write_sdf.h"
+#include "engine/structure/lewis_structure.h"
 
 namespace moltact {
 namespace {
@@ -198,34 +201,85 @@ void HeldPoses::take() {
   taken_ = true;
 }
 
-Expected<std::string> HeldPoses::pdb() const {
+namespace {
+
+std::string poseNumber(double value, int digits) { return quantityNumber(value, Dimension::None, decimals(digits)); }
+
+// Files are English in every language, as those of other programs.
+std::string posePart(std::string_view name, char between, bool capitals) {
+  std::string out;
+  for (const char c : name)
+    out += c == '-' ? between : capitals ? char(std::toupper(static_cast<unsigned char>(c))) : c;
+  return out;
+}
+
+constexpr const char* kForcesOfPoses = "CUT-OFF 10 A, SWITCHED OFF FROM 8 A";
+
+std::string parametersOfPoses(const Molecule& molecule) {
+  return "AMBER FF14SB, OL15, OL3; OF LIGANDS GAFF, WITH " +
+         std::string(molecule.charges_e.empty() ? "GASTEIGER CHARGES" : "THE CHARGES OF THE FILE");
+}
+
+}  // namespace
+
+Expected<std::string> HeldPoses::saved(const std::string& ending) const {
   if (!selected_ || *selected_ >= list().size())
     return Problem{"", 0, 0, tr("no pose is selected"), tr("select a pose")};
   const HeldPose& chosen = list()[*selected_];
+  std::vector<Vec3> places;
+  for (const Sphere& s : scene_.stage().body->spheres)
+    places.push_back(chosen.pose.place.A + chosen.pose.orientation * s.centre_A);
+  if (ending == ".pdb") return pdb(chosen, places);
+  if (ending == ".sdf") return sdf(chosen, places);
+  return Problem{"", 0, 0,
+                 ending.empty() ? std::string(tr("the name of the file has no ending"))
+                                : trf("a pose cannot be saved as a file that ends in {0}", oneLine(ending)),
+                 tr("give the file a name that ends in .pdb or .sdf")};
+}
+
+Expected<std::string> HeldPoses::pdb(const HeldPose& chosen, std::span<const Vec3> places_A) const {
+  const Molecule& molecule = *scene_.stage().molecule;
   const HeldBody& body = *scene_.stage().body;
   const TouchSetup touch = scene_.touch();
-  std::vector<Vec3> places;
-  for (const Sphere& s : body.spheres) places.push_back(chosen.pose.place.A + chosen.pose.orientation * s.centre_A);
-  const auto number = [](double value, int digits) { return quantityNumber(value, Dimension::None, decimals(digits)); };
   const MolecularEnergy& e = chosen.energy;
   std::string parts;
-  for (const EnergyPartInfo& part : energyParts()) {
-    parts += parts.empty() ? "" : ", ";
-    for (const char c : part.name) parts += c == '-' ? ' ' : char(std::toupper(c));
-    parts += " " + number(e.parts[part.part], 3);
-  }
-  // The remarks are English in every language, as are those of other programs.
+  for (const EnergyPartInfo& part : energyParts())
+    parts += (parts.empty() ? "" : ", ") + posePart(part.name, ' ', true) + " " + poseNumber(e.parts[part.part], 3);
   const std::vector<std::string> remarks = {
-      "ENERGY WITH " + scene_.stage().molecule->id + ": " + number(e.total_kcal_mol(), 3) + " KCAL/MOL",
+      "ENERGY WITH " + molecule.id + ": " + poseNumber(e.total_kcal_mol(), 3) + " KCAL/MOL",
       parts + " KCAL/MOL",
-      "FORCES " + touch.forces + ", DIELECTRIC " + touch.dielectric + ", CUT-OFF 10 A, SWITCHED OFF FROM 8 A",
-      "PARAMETERS: AMBER FF14SB, OL15, OL3; OF LIGANDS GAFF, WITH " +
-          std::string(scene_.stage().molecule->charges_e.empty() ? "GASTEIGER CHARGES" : "THE CHARGES OF THE FILE"),
+      "FORCES " + touch.forces + ", DIELECTRIC " + touch.dielectric + ", " + kForcesOfPoses,
+      "PARAMETERS: " + parametersOfPoses(molecule),
       "BOTH MOLECULES RIGID; NO WATER, NO IONS, NO ENTROPY: NOT A FREE ENERGY OF BINDING",
       std::string(chosen.minimised ? "POSE COMPUTED BY ENERGY MINIMISATION" : "POSE REACHED BY HAND") + ", " +
-          number(rmsdBetween_A(body, chosen.pose, PoseA{body.middle}), 3) + " A RMSD FROM THE POSE OF THE FILE"};
-  return posedPdb(*scene_.stage().molecule, body.atoms, places, "POSE OF A LIGAND IN " + scene_.stage().molecule->id,
-                  remarks);
+          poseNumber(rmsdBetween_A(body, chosen.pose, PoseA{body.middle}), 3) + " A RMSD FROM THE POSE OF THE FILE"};
+  return posedPdb(molecule, body.atoms, places_A, "POSE OF A LIGAND IN " + molecule.id, remarks);
+}
+
+Expected<std::string> HeldPoses::sdf(const HeldPose& chosen, std::span<const Vec3> places_A) const {
+  const Molecule& molecule = *scene_.stage().molecule;
+  const HeldBody& body = *scene_.stage().body;
+  const TouchSetup touch = scene_.touch();
+  std::vector<char> wanted(molecule.atoms.size(), 0);
+  for (const std::uint32_t atom : body.atoms) wanted[atom] = 1;
+  const LewisStructure lewis = lewisStructure(molecule, wanted);
+  std::vector<std::int8_t> charges_e;
+  for (const std::uint32_t atom : body.atoms) charges_e.push_back(lewis.formal_charges_e[atom]);
+  const MolecularEnergy& e = chosen.energy;
+  std::vector<SdfItem> items = {{"energy_kcal_per_mol", poseNumber(e.total_kcal_mol(), 3)}};
+  for (const EnergyPartInfo& part : energyParts())
+    items.push_back({posePart(part.name, '_', false) + "_kcal_per_mol", poseNumber(e.parts[part.part], 3)});
+  items.push_back({"receptor", molecule.id});
+  items.push_back({"rmsd_from_file_A", poseNumber(rmsdBetween_A(body, chosen.pose, PoseA{body.middle}), 3)});
+  items.push_back({"pose", chosen.minimised ? "energy minimisation" : "reached by hand"});
+  items.push_back({"forces", touch.forces});
+  items.push_back({"dielectric", touch.dielectric});
+  items.push_back({"cutoff", kForcesOfPoses});
+  items.push_back({"parameters", parametersOfPoses(molecule)});
+  const std::uint32_t residue = molecule.atoms[body.atoms.front()].residue;
+  const std::string name = residue == kNoResidue ? molecule.id : std::string(molecule.residues[residue].name);
+  return posedSdf(molecule, {body.atoms, places_A, charges_e}, lewis.bonds, name,
+                  "Both molecules rigid; no water, no ions, no entropy: no free energy of binding", items);
 }
 
 }  // namespace moltact

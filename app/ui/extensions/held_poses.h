@@ -8,6 +8,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -82,8 +83,8 @@ class HeldPoses final : public Extension {
   /// Takes the body back to the selected pose; the force rises softly. If a task opens afterwards, the scene begins
   /// again.
   void take();
-  /// The selected pose as a PDB file's text.
-  Expected<std::string> pdb() const;
+  /// The selected pose as the text of a PDB file (".pdb") or an SD file (".sdf"). A Problem for another ending.
+  Expected<std::string> saved(const std::string& ending) const;
 
   void beforeTicks() override;
   void ticks(const FeltTicks& felt) override;
@@ -91,6 +92,8 @@ class HeldPoses final : public Extension {
   bool live() const override { return minimum_ && !minimum_->done; }
 
  private:
+  Expected<std::string> pdb(const HeldPose& chosen, std::span<const Vec3> places_A) const;
+  Expected<std::string> sdf(const HeldPose& chosen, std::span<const Vec3> places_A) const;
   struct Computation {
     explicit Computation(const PairField& field, const PairModel& model)
         : sum(field.places, field.atoms, field.held, model), minimiser(sum, radiusOfGyration_A(field.held)) {}

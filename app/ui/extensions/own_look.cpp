@@ -98,7 +98,7 @@ void OwnLook::show(HapticSession& scene) {
   spec.colour.clear();
   for (std::size_t k = 0; k < kKeys; ++k)
     if (!trimmed(values[k]).empty()) kTable[k].take(*read(k, values[k]), spec);
-  const AtomsLook written = looksOf(spec, *molecule);
+  const AtomsLook written = looksOf(spec, *molecule, true);
   if (!spec.styles.empty()) scene.look.styles = written.styles;
   if (!spec.colour.empty()) {
     scene.look.colouring = written.colouring;

@@ -87,6 +87,12 @@ bool RevealPolicy::hidesTouch() const {
          session->step().tasks[session->currentTask()].values["forces"].place.line > 0;
 }
 
+bool RevealPolicy::tellsEnergy() const {
+  if (stager_.asksWhat()) return false;
+  if (stager_.dark()) return stager_.showsForce();
+  return !unseen_ || scene_.shown.has(ViewPart::Force);
+}
+
 const char* RevealPolicy::touchWord() const {
   if (hidesTouch()) return tr("feel for a force");
   const TouchLog& log = scene_.log();
@@ -108,6 +114,7 @@ TouchMoment RevealPolicy::heard(const ServoSample& sample, double slide_A_per_s)
   TouchMoment out{.force_N = glm::length(sample.force.N),
                   .slide_A_per_s = slide_A_per_s,
                   .field = sample.inField() && sample.felt()};
+  if (sample.molecular_energy && tellsEnergy()) out.energy_kcal_mol = sample.molecular_energy->total_kcal_mol();
   if (hidesTouch()) {
     out.field = sample.felt();  // the tone of a force, whatever exerts it
     return out;

@@ -37,13 +37,16 @@ class RevealPolicy final : public Extension {
   /// Whether a task asks about forces between atoms, which may hold a probe off the surface: even whether it touches would
   /// be an answer.
   bool hidesTouch() const;
+  /// Whether the energy between atoms may be shown and heard. Not while a task asks about forces between atoms or about
+  /// what is touched; where the molecule is invisible, only if the force is displayed.
+  bool tellsEnergy() const;
   /// "touching", "a force is felt" or "not touching"; if hidesTouch(), always the same.
   const char* touchWord() const;
   /// The contact in words if names() is false: "touching" and, if the force is displayed, its magnitude and direction.
   /// `spoken` omits the magnitude, which fluctuates.
   std::string unnamedText(bool spoken) const;
   /// The sound's input for a tick: force and speed of the contact point, and the feature if it may be revealed. The number
-  /// of a held body's contacts is that of the frame's last tick.
+  /// of a held body's contacts is that of the frame's last tick. The energy is that of the atoms where tellsEnergy().
   TouchMoment heard(const ServoSample& sample, double slide_A_per_s) const;
   /// The visible parts, without those that outline what must not be revealed.
   ViewPartSet shownParts() const;

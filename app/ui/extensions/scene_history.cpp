@@ -10,6 +10,14 @@ SceneHistory::Choices SceneHistory::choices() const {
   return {scene_.touch(), scene_.fit().by_hand, scene_.shown, scene_.look, scene_.colour_by};
 }
 
+bool SceneHistory::Choices::operator==(const Choices& other) const {
+  AtomsLook here = look;
+  if (here.colouring && other.look.colouring && here.colouring->scheme == other.look.colouring->scheme)
+    here.colouring = other.look.colouring;
+  return touch == other.touch && magnified == other.magnified && shown == other.shown && here == other.look &&
+         colour_by == other.colour_by;
+}
+
 void SceneHistory::apply(const Choices& c, const std::optional<Camera>& camera) {
   scene_.setTouch(c.touch);
   scene_.shown = c.shown;

@@ -38,7 +38,8 @@ class SceneHistory : public Extension {
     ViewPartSet shown;
     AtomsLook look;
     ColourBy colour_by = ColourBy::Element;
-    friend bool operator==(const Choices&, const Choices&) = default;
+    /// Colours of one scheme are equal: those that are computed later replace a placeholder (PotentialColours).
+    bool operator==(const Choices& other) const;
   };
   struct Change {
     Choices before, after;

@@ -13,8 +13,9 @@ namespace fs = std::filesystem;
 void FileDialog::ask(FileQuestion question, const fs::path& folder) {
   std::error_code ignored;
   if (filesAreHandedOver() && !question.name.empty()) return question.chosen(folder / question.name);
-  browser.accept(
-      [ending = question.ending](const fs::path& file) { return !ending.empty() && file.extension() == ending; });
+  browser.accept([ending = question.ending, other = question.other_ending](const fs::path& file) {
+    return file.has_extension() && (file.extension() == ending || file.extension() == other);
+  });
   browser.look(fs::is_directory(folder, ignored) ? folder : fs::current_path(ignored));
   written = question.name;
   question_ = std::move(question);

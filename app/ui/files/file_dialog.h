@@ -16,6 +16,8 @@ struct FileQuestion {
   std::string name = {};    ///< the suggested name; empty: ask for a folder
   std::string ending = {};  ///< ".png": appended to a name without it
   std::function<void(const std::filesystem::path&)> chosen;
+  std::string other_ending = {};  ///< of files that are also listed
+  std::string note = {};          ///< a sentence below the name
 };
 
 class FileDialog {

@@ -126,7 +126,7 @@ void showMarkedInRibbons(const SceneSpec& scene, const Molecule& molecule, std::
 
 }  // namespace
 
-AtomsLook looksOf(const SceneSpec& scene, const Molecule& molecule) {
+AtomsLook looksOf(const SceneSpec& scene, const Molecule& molecule, bool later) {
   const auto listOf = [&](const Selection& atoms) -> AtomList {
     return atoms.given() ? std::make_shared<const std::vector<std::uint32_t>>(atoms.select(molecule)) : nullptr;
   };
@@ -137,8 +137,9 @@ AtomsLook looksOf(const SceneSpec& scene, const Molecule& molecule) {
   if (std::vector<std::uint32_t> hidden = hiddenAtoms(scene, molecule); !hidden.empty())
     looks.hidden = std::make_shared<const std::vector<std::uint32_t>>(std::move(hidden));
   looks.spheres_near_A = scene.near_A;
-  looks.colouring = schemeColouring(molecule, scene.colour,
-                                    {.dielectric = scene.touch.dielectric, .held = untouchableAtoms(scene, molecule)});
+  looks.colouring = schemeColouring(
+      molecule, scene.colour,
+      {.dielectric = scene.touch.dielectric, .held = untouchableAtoms(scene, molecule), .later = later});
   looks.marks = marksOf(scene, molecule);
   return looks;
 }
@@ -236,7 +237,7 @@ void LessonGuide::setMolecule(std::shared_ptr<const Molecule> molecule, const Mo
   const Expected<MoleculeKey> wanted = this->molecule();
   on_stage_ = wanted && *wanted == key;
   if (on_stage_ && session_->scene().highlight.given()) highlighted_ = session_->scene().highlight.select(*molecule);
-  if (on_stage_) looks_ = looksOf(session_->scene(), *molecule);
+  if (on_stage_) looks_ = looksOf(session_->scene(), *molecule, true);
   if (on_stage_) untouchable_ = untouchableAtoms(session_->scene(), *molecule);
   if (on_stage_) held_ = heldAtoms(session_->scene(), *molecule);
   if (on_stage_) annotations_ = annotationsOf(session_->scene(), *molecule);

@@ -36,8 +36,8 @@ struct AnswerDrafts {
 /// The meaning of a scene's colours.
 ColourBy colourBy(const SceneSpec& scene);
 
-/// How a scene draws the atoms of its molecule.
-AtomsLook looksOf(const SceneSpec& scene, const Molecule& molecule);
+/// How a scene draws the atoms of its molecule. `later`: as in ColouringInput.
+AtomsLook looksOf(const SceneSpec& scene, const Molecule& molecule, bool later = false);
 
 class LessonGuide {
  public:

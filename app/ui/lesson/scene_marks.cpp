@@ -122,6 +122,7 @@ Rgb8 colour8(const Colour& colour) {
 std::vector<Rgb8> coloursBeside(const SceneSpec& scene, const Molecule& molecule, const std::vector<OwnColour>& marks) {
   constexpr std::size_t kMax = 24;
   if (scene.colour == "chain" && molecule.chains.size() > kChainColours) return {};
+  if (scene.colour == "potential") return {};
   std::vector<bool> without(molecule.atoms.size(), true);
   for (const OwnColour& mark : marks)
     for (const std::uint32_t a : mark.atoms) without[a] = false;

@@ -95,6 +95,7 @@ void drawDarkView(Application& app, const Rectangle& view) {
   }
   centred("view/state", l.font(Font::Body), app.extensions().reveal_policy.touchWord(), {middle.x, below + l.px(14)},
           width, log.felt() ? kBright : kQuiet);
+  drawDarkEnergy(app, view, {kBright, kQuiet});
   const bool pushes = app.scene.controls.pressing();
   const std::string hint = app.panels.window.fingers
                                ? (pushes ? tr("Slide with the finger; + and − push") : tr("Put a finger here to push"))

@@ -11,6 +11,13 @@ class Application;
 /// and an arrow of its direction. The arrow shows what a hand at a force-feedback device would feel.
 void drawDarkView(Application& app, const Rectangle& view);
 
+/// Colours of the dark view, the same in every theme (ImU32).
+struct DarkColours {
+  unsigned bright = 0, quiet = 0;
+};
+/// Draws the energy between atoms at the right of the dark view, where the task displays the force (energy_gauge.cpp).
+void drawDarkEnergy(Application& app, const Rectangle& view, const DarkColours& colours);
+
 /// Draws the dark background over the view; `strength` fades it out from 1 to 0.
 void drawDarkVeil(const Rectangle& view, float strength);
 

@@ -31,6 +31,11 @@ void drawFilePage(Application& app) {
       ImGui::SetNextItemWidth(-1.0f);
       chosen = ImGui::InputText("##name", &d.written, ImGuiInputTextFlags_EnterReturnsTrue) && !there;
       recordItem("file/name", d.written);
+      if (!d.question().note.empty()) {
+        const WithText quiet(l.palette.quiet);
+        ImGui::TextWrapped("%s", d.question().note.c_str());
+        recordItem("file/note", d.question().note);
+      }
     }
     {
       WithFont strong(Font::Strong);

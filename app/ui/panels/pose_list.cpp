@@ -12,6 +12,7 @@
 #include "app/ui/widgets/rich_text.h"
 #include "app/ui/widgets/theme.h"
 #include "app/ui/widgets/widget_map.h"
+#include "engine/core/text.h"
 #include "engine/language/catalogue.h"
 #include "engine/language/quantity_text.h"
 #include "engine/platform/hand_over.h"
@@ -25,19 +26,22 @@ bool mayShowPoses(const Application& app) { return app.extensions().held_poses.o
 std::string poseEnergy(const HeldPose& pose) { return numberText(pose.energy.total_kcal_mol(), decimals(1)); }
 
 void savePose(Application& app, const std::filesystem::path& file) {
-  const Expected<std::string> text = app.extensions().held_poses.pdb();
+  const Expected<std::string> text = app.extensions().held_poses.saved(lower(file.extension().string()));
   if (!text) return app.messages.error(text.problem().text());
   if (const auto problem = writeWhole(file, *text)) return app.messages.error(problem->text());
   handOver(file);
   app.messages.notice(trf("Pose saved as {0}", file.string()));
 }
 
-void askForPoseFile(Application& app) {
-  app.file_dialog.ask({.title = tr("Save the pose"),
-                       .name = app.scene.molecule().file.stem().string() + "-pose.pdb",
-                       .ending = ".pdb",
-                       .chosen = [&app](const std::filesystem::path& file) { savePose(app, file); }},
-                      app.options().picture_folder);
+void askForPoseFile(Application& app, const char* ending) {
+  app.file_dialog.ask(
+      {.title = tr("Save the pose"),
+       .name = app.scene.molecule().file.stem().string() + "-pose" + ending,
+       .ending = ending,
+       .chosen = [&app](const std::filesystem::path& file) { savePose(app, file); },
+       .other_ending = ".sdf",
+       .note = tr("A name that ends in .sdf saves an SD file with bonds and charges, .pdb a PDB file.")},
+      app.options().picture_folder);
 }
 
 // The columns: energy and distance end at these shares of the width, the time at the right.
@@ -98,7 +102,10 @@ void drawPoseList(HeldPoses& poses) {
 
 void drawSelectedPose(Application& app, HeldPoses& poses) {
   if (!poses.selected() || *poses.selected() >= poses.list().size()) return;
-  if (button("poses/save", tr("Save the pose …"), ButtonLook::Plain, -1.0f)) askForPoseFile(app);
+  if (button("poses/save", tr("Save the pose …"), ButtonLook::Plain, -1.0f)) askForPoseFile(app, ".pdb");
+  // A page hands over one file at once, without a question for its name.
+  if (filesAreHandedOver() && button("poses/save-sdf", tr("Save the pose as SDF"), ButtonLook::Plain, -1.0f))
+    askForPoseFile(app, ".sdf");
   if (!poses.list()[*poses.selected()].minimised) {
     if (button("poses/take", tr("Back to this pose"), ButtonLook::Plain, -1.0f, poses.canTake())) poses.take();
     if (app.scene.servo().deviceLeads()) {

@@ -273,12 +273,15 @@ Rectangle belowMessages(const Application& app, Rectangle view) {
   return view;
 }
 
-// Meanwhile the picture shows the previous style.
+// Meanwhile the picture shows the previous style, or grey atoms.
 void surfaceSign(Application& app, ViewRoom& room, float width) {
-  const std::optional<float> share = app.picture().surfaceProgress();
-  if (!share) return;
+  const std::optional<float> surface = app.picture().surfaceProgress(),
+                             potential = app.extensions().potential_colours.progress();
+  if (!surface && !potential) return;
   const Look& l = look();
-  drawPill(room, "view/surface", trf("The surface is being computed: {0} %", int(100.0f * *share)),
+  drawPill(room, "view/surface",
+           surface ? trf("The surface is being computed: {0} %", int(100.0f * *surface))
+                   : trf("The potential is being computed: {0} %", int(100.0f * *potential)),
            {0.5f * (room.view.low.x + room.view.high.x), room.view.low.y + l.px(12)}, {0.5f, 0.0f}, width - l.px(84),
            l.palette.panel, l.palette.text);
 }
@@ -362,6 +365,7 @@ void drawViewOverlays(Application& app, const Rectangle& whole_view) {
   drawReset(app, room);
   drawColourLegend(app, room);
   drawDepthGauge(app, room, roomy ? view.high.y - l.px(64) : above);
+  drawEnergyGauge(app, room, roomy ? view.high.y - l.px(64) : above);
   if (now.felt() && app.scene.shown.has(ViewPart::Force)) forceLabel(app, now, room);
   emptyPlaceNotice(app, room);
   hoveredAtom(app, room);

@@ -55,6 +55,8 @@ Rectangle drawTrajectoryBar(Application& app, const Rectangle& view);
 /// Draws the depth of the hand seen from the side, at the view's right edge, ending at `bottom_px`. Draws nothing if
 /// that place is taken.
 void drawDepthGauge(Application& app, ViewRoom& room, float bottom_px);
+/// The same for the energy between atoms, left of the depth.
+void drawEnergyGauge(Application& app, ViewRoom& room, float bottom_px);
 
 /// Draws the height picture of the scanning tip with its buttons, if the scene is scanned, at the view's upper right. Draws
 /// nothing if that place is taken.

@@ -165,7 +165,7 @@ std::shared_ptr<const Colouring> HapticSession::colouring(std::string_view schem
   // Atoms in the hand are among the untouchable ones. Neither exerts a force.
   const std::vector<std::uint32_t> apart = stage().spheres->untouchable();
   return schemeColouring(*stage().molecule, scheme,
-                         {.dielectric = now.dielectric, .held = apart, .fluctuation_A = fluctuation_A_});
+                         {.dielectric = now.dielectric, .held = apart, .fluctuation_A = fluctuation_A_, .later = true});
 }
 
 bool HapticSession::drawsNothing() const {
@@ -244,7 +244,10 @@ void HapticSession::setTouch(const TouchSetup& wanted) {
   servo_settings.take(next);
   constructed_with_ = std::move(next);
   watch_.feelWith(touch());
-  if (!alike) rebuildInteraction();
+  if (!alike) {
+    rebuildInteraction();
+    log_.forgetLowest();
+  }
   if (other_medium && stage() && look.colouring && look.colouring->scheme == "potential")
     look.colouring = colouring(look.colouring->scheme);
 }

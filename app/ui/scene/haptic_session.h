@@ -157,7 +157,7 @@ class HapticSession {
   /// The direction of the reaction on the hand, as a unit vector in the camera's axes; 0 without force.
   Vec3 pushInView() const;
   /// The colours of a scheme for the molecule on the stage, what the hand holds and the medium of its forces. Null for
-  /// "element", "chain" and unknown names.
+  /// "element", "chain" and unknown names. That of the potential is pending: PotentialColours computes it.
   std::shared_ptr<const Colouring> colouring(std::string_view scheme) const;
   /// The atoms' fluctuation in a trajectory, which the scheme of that name shows (unit: angstrom); empty: none is known.
   void setFluctuation_A(std::vector<float> of_atom) { fluctuation_A_ = std::move(of_atom); }

@@ -17,6 +17,9 @@ TouchLog::TouchLog() : force_(kPoints), work_(kPoints) {}
 void TouchLog::add(const ServoSample& sample) {
   latest_ = sample;
   latest_force_N_ = glm::length(sample.force.N);
+  if (sample.molecular_energy && sample.contact.fault == Fault::None)
+    if (const double energy = sample.molecular_energy->total_kcal_mol(); std::isfinite(energy))
+      lowest_kcal_mol_ = std::min(lowest_kcal_mol_, energy);
   force_peak_ = std::max(force_peak_, saturateToFloat(latest_force_N_));
   work_peak_ = std::max(work_peak_, sample.work_us);
   if (++in_point_ == kTicksAPoint) {
@@ -73,6 +76,7 @@ void TouchLog::clear() {
   energies_.clear();
   force_peak_ = 0;
   left_behind_s_ = 0;
+  lowest_kcal_mol_ = 0;
 }
 
 }  // namespace moltact

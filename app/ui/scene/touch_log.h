@@ -37,6 +37,11 @@ class TouchLog {
   /// The parts of the molecular energy over the same time, in the order of EnergyPart, one value per point (unit:
   /// kcal/mol); empty where no forces between atoms act.
   std::span<const PlotBuffer> energies() const { return energies_; }
+  /// The lowest sum of these parts in a tick since clear() or forgetLowest(), at most 0 (unit: kcal/mol). Ticks inside
+  /// an atom do not count.
+  double lowest_kcal_mol() const { return lowest_kcal_mol_; }
+  /// For other forces.
+  void forgetLowest() { lowest_kcal_mol_ = 0.0; }
   double force_N() const { return latest_force_N_; }
   /// The force that the whole window displays: rounded to tenths of a newton and changed at a readable pace.
   double shownForce_N() const { return shown_N_; }
@@ -59,6 +64,7 @@ class TouchLog {
   ServoSample latest_;
   double latest_force_N_ = 0, left_behind_s_ = 0;
   double shown_N_ = 0, shown_since_s_ = 0;
+  double lowest_kcal_mol_ = 0;
   PlotBuffer force_, work_;
   std::vector<PlotBuffer> energies_;
   float force_peak_ = 0, work_peak_ = 0;

@@ -37,9 +37,11 @@ MOLTACT_INLINE V8 squareRoot(V8 a) {
 
 // exp(x) for -5 <= x <= 0, to 2e-6: the Taylor polynomial of exp(x / 8), to the eighth power.
 MOLTACT_INLINE V8 exponential(V8 x) {
-  const V8 y = x * 0.125f;
-  V8 p = all(1.0f / 5040);
-  for (const float c : {1.0f / 720, 1.0f / 120, 1.0f / 24, 1.0f / 6, 0.5f, 1.0f, 1.0f}) p = p * y + c;
+  // In pairs of terms (Estrin's scheme), which wait less for one another than Horner's.
+  const V8 y = x * 0.125f, y2 = y * y;
+  const V8 low = (y + 1.0f) + y2 * (y * (1.0f / 6) + 0.5f),
+           high = (y * (1.0f / 120) + 1.0f / 24) + y2 * (y * (1.0f / 5040) + 1.0f / 720);
+  V8 p = low + y2 * y2 * high;
   p *= p;
   p *= p;
   return p * p;
@@ -62,12 +64,13 @@ MOLTACT_INLINE Curve coulomb(V8 t, V8 inverse_t, V8 strength) {
       const V8 value = strength * inverse_r, first = value * inverse_t * -0.5f;
       return {value, first, first * inverse_t * -1.5f};
     } else {
-      // eps = A + B w, w = 1 / (1 + k exp(-lambda B r))
+      // eps = A + B w, w = 1 / q, q = 1 + k exp(-lambda B r); with one division for w and 1 / eps = q / (A q + B).
       constexpr float kB = 86.9525f, kA = 78.4f - kB, kK = 7.7839f, kRate = 0.003627f * kB;
-      const V8 w = 1.0f / (exponential(r * -kRate) * kK + 1.0f), s = w * (1.0f - w);
+      const V8 q = exponential(r * -kRate) * kK + 1.0f, mixed = q * kA + kB, both = 1.0f / (q * mixed);
+      const V8 w = mixed * both, s = w * (1.0f - w);
       const V8 eps = w * kB + kA, eps1 = s * (kB * kRate), eps2 = eps1 * (1.0f - w * 2.0f) * kRate;
       // f = 1 / (r eps), by r; then by t = r^2.
-      const V8 f = inverse_r / eps, slope = eps + r * eps1;
+      const V8 f = inverse_r * q * q * both, slope = eps + r * eps1;
       const V8 f1 = -slope * f * f, f2 = slope * slope * f * f * f * 2.0f - (eps1 * 2.0f + r * eps2) * f * f;
       return {strength * f, strength * f1 * inverse_r * 0.5f, strength * (f2 - f1 * inverse_r) * inverse_t * 0.25f};
     }
@@ -80,9 +83,13 @@ MOLTACT_INLINE Curve switched(const Curve& g, V8 s, V8 s1, V8 s2) {
 }
 
 MOLTACT_INLINE double total(V8 v) {
-  double out = 0.0;
-  for (int k = 0; k < PairBlock::kLanes; ++k) out += double(v[k]);
-  return out;
+  using V4 = float __attribute__((vector_size(16)));
+  using V4d = double __attribute__((vector_size(32)));
+  V4 low, high;
+  std::memcpy(&low, &v, sizeof low);
+  std::memcpy(&high, reinterpret_cast<const char*>(&v) + sizeof low, sizeof high);
+  const V4d four = __builtin_convertvector(low, V4d) + __builtin_convertvector(high, V4d);
+  return (four[0] + four[2]) + (four[1] + four[3]);
 }
 
 // The pairs of one block.

@@ -174,17 +174,21 @@ PairEnergy PairSum::at(const PoseA& pose) noexcept {
       body_.empty())
     return {};
   const glm::dmat3 turn = glm::mat3_cast(q);
+  const auto movedBy = [&](std::size_t k, double margin_A) {
+    const Vec3 off = places_[k] - lists_[k].centre_A;
+    return glm::dot(off, off) > margin_A * margin_A;
+  };
   // Lists that are no longer valid are renewed at once, and a few that soon will be, in turn.
   for (std::size_t k = 0; k < body_.size(); ++k) {
     places_[k] = pose.place.A + turn * body_[k].centre_A;
     List& list = lists_[k];
-    if (!list.valid || (list.whole && glm::distance(places_[k], list.centre_A) > kMargin_A)) renew(list, places_[k]);
+    if (!list.valid || (list.whole && movedBy(k, kMargin_A))) renew(list, places_[k]);
   }
   const std::size_t looks = body_.size() / 8 + 1;
   for (std::size_t k = 0; k < looks; ++k) {
     cursor_ = (cursor_ + 1) % body_.size();
     List& list = lists_[cursor_];
-    if (!list.whole || glm::distance(places_[cursor_], list.centre_A) > 0.5 * kMargin_A) renew(list, places_[cursor_]);
+    if (!list.whole || movedBy(cursor_, kRenewFrom_A)) renew(list, places_[cursor_]);
   }
 
   HeldAtomSum total(felt_);

@@ -32,6 +32,7 @@ struct PairEnergy {
 class PairSum {
  public:
   static constexpr double kMargin_A = 1.0;
+  static constexpr double kRenewFrom_A = 0.75;  ///< a list is renewed in turn where its atom has moved farther
   static constexpr int kCurvatureTicks = 8;
   /// The largest number of pairs in lists; 24 bytes each.
   static constexpr std::size_t kMaxListedPairs = 1 << 21;
@@ -58,7 +59,7 @@ class PairSum {
 
  private:
   struct Chunk {
-    static constexpr int kBlocks = 4, kAtoms = kBlocks * PairBlock::kLanes;
+    static constexpr int kBlocks = 8, kAtoms = kBlocks * PairBlock::kLanes;
     std::array<PairBlock, kBlocks> blocks;
     std::array<std::uint32_t, kAtoms> atoms;  // indices in the scene
     std::int32_t next = -1;

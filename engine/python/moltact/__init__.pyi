@@ -113,6 +113,7 @@ class Tracker(_Feeler):
         dielectric: str = "water",
         probe_charge_e: float = 0.0,
         coupling_N_per_mm: float = 0.0,
+        weak_gain: float = 1.0,
     ) -> None: ...
     @property
     def probe_A(self) -> float: ...
@@ -134,6 +135,7 @@ class HeldBody(_Feeler):
         forces: str = "none",
         dielectric: str = "water",
         coupling_N_per_mm: float = 0.0,
+        weak_gain: float = 1.0,
     ) -> None: ...
     @property
     def middle(self) -> npt.NDArray[np.float64]: ...

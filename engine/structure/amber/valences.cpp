@@ -59,6 +59,7 @@ class ValenceFinder {
     each([&](std::uint32_t i) { conjugate(i); });
     each([&](std::uint32_t i) { hydrogens(i); });
     each([&](std::uint32_t i) { amidines(i); });
+    each([&](std::uint32_t i) { out_[i].partner = mate_[i]; });
     return std::move(out_);
   }
 

@@ -19,6 +19,9 @@ struct AtomValence {
   bool sulfone = false;        ///< a sulphur with two or more oxygens that have no other neighbour
   std::uint8_t hydrogens = 0;  ///< that the file lacks
   float formal_e = 0.0f;       ///< a share of its group's charge, which is whole
+  /// The atom at the other end of its double bond where the file states no order (or aromatic) and the geometry does;
+  /// else kNoResidue. Not of the bonds between sulphur or phosphorus and their oxygens.
+  std::uint32_t partner = kNoResidue;
 };
 
 /// One entry for each atom; those for which `wanted` is 0 keep the default. `bonds` are all bonds of the molecule
