@@ -123,9 +123,9 @@ std::vector<const BodyMethod*> chosenForBodies(const std::vector<std::string>& n
 }
 
 // The stability bench creates thousands of trackers and changes the probe during contact. It covers only methods that
-// need no preparation.
+// need no preparation, and its scenes are rotated.
 std::vector<const Method*> unlimited(std::vector<const Method*> methods) {
-  std::erase_if(methods, [](const Method* m) { return !limitsOf(*m).none(); });
+  std::erase_if(methods, [](const Method* m) { return !limitsOf(*m).none() || limitsOf(*m).from_above; });
   return methods;
 }
 
@@ -239,13 +239,20 @@ void addStability(const BenchArguments& arguments, const std::vector<const Metho
   options.seed = arguments.seed;
   options.draws = arguments.quick ? 2 : 30;
   const ProgressBar bar("stability");
-  const auto results = measureStability(options, std::cref(bar));
-  const auto cells = stabilityCells(results);
-  report.tables.push_back(fidelityMatrix(cells));
-  report.tables.push_back(stabilityMatrix(cells));
-  report.tables.push_back(stabilitySummary(results));
-  report.tables.push_back(stabilityFigures(results));
-  report.sentences.push_back({"stability_sentences", stabilitySentences(results)});
+  const auto all = measureStability(options, std::cref(bar));
+  for (const bool changing : {false, true}) {
+    const auto results = resultsWhere(all, changing);
+    const auto cells = stabilityCells(results);
+    const std::string begins = changing ? "changing_" : "",
+                      adds = changing ? ", where the surface moves or has friction" : "";
+    for (ReportTable table : {fidelityMatrix(cells), stabilityMatrix(cells), stabilitySummary(results)}) {
+      table.name = begins + table.name;
+      table.title += adds;
+      report.tables.push_back(std::move(table));
+    }
+    report.sentences.push_back({begins + "stability_sentences", stabilitySentences(results)});
+  }
+  report.tables.push_back(stabilityFigures(all));
   StiffnessOptions stiffness;
   stiffness.methods = methods;
   stiffness.directions = arguments.quick ? 1 : 12;

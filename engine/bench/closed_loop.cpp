@@ -26,7 +26,7 @@ ClosedLoop::ClosedLoop(const LoopSettings& settings, PointA start)
   observer_.release();
 }
 
-LoopTick ClosedLoop::tick(Interaction& interaction, PointA target, LoopFault fault) {
+LoopTick ClosedLoop::tick(Interaction& interaction, PointA target, LoopFault fault, const MotionPhase& phase) {
   LoopTick out;
   const PointMm sensed = device_.sensed();
   out.hip = settings_.workspace.toMolecule(sensed);
@@ -37,8 +37,8 @@ LoopTick ClosedLoop::tick(Interaction& interaction, PointA target, LoopFault fau
     DevicePose given{.position = sensed};
     if (fault == LoopFault::NotANumber) given.position.mm.x = std::numeric_limits<double>::quiet_NaN();
     settings_.probe_A = interaction.probe_A();  // a script changes it at once, without the limited rate
-    if (fault == LoopFault::Doubled) step_.tick(settings_, &interaction, given);
-    const ServoSample sample = step_.tick(settings_, &interaction, given);
+    if (fault == LoopFault::Doubled) step_.tick(settings_, &interaction, given, {}, phase);
+    const ServoSample sample = step_.tick(settings_, &interaction, given, {}, phase);
     last_ = sample.contact;
     command_ = sample.force;
   }

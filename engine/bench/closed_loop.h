@@ -35,8 +35,12 @@ class ClosedLoop {
   ClosedLoop(const LoopSettings& settings, PointA start);
 
   /// Performs one tick: reads the device, steps the servo loop, commands the force, and moves the device while the hand
-  /// moves to `target`. Supports the faults Late, Lost, Doubled and NotANumber.
-  LoopTick tick(Interaction& interaction, PointA target, LoopFault fault = LoopFault::None);
+  /// moves to `target`. Supports the faults Late, Lost, Doubled and NotANumber. `phase`: where the spheres are.
+  LoopTick tick(Interaction& interaction, PointA target, LoopFault fault = LoopFault::None,
+                const MotionPhase& phase = {});
+
+  /// The friction of the surface; the loop approaches the coefficient at kFrictionSlew_per_s.
+  void setFriction(const Friction& friction) { settings_.friction = friction; }
 
   const DeviceModel& device() const { return device_; }
   DeviceModel& device() { return device_; }

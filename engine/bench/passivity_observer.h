@@ -18,8 +18,10 @@ namespace moltact::bench {
 class PassivityObserver {
  public:
   /// Adds a motion: the mean force on the device during it, and true if everything is released at its end.
-  void add(const Vec3& force_N, const Vec3& moved_m, bool released) {
-    given_ += glm::dot(force_N, moved_m);
+  void add(const Vec3& force_N, const Vec3& moved_m, bool released) { addWork(glm::dot(force_N, moved_m), released); }
+  /// The same for energy given to the device otherwise (unit: J).
+  void addWork(double given_J, bool released) {
+    given_ += given_J;
     if (released) release();
   }
 

@@ -20,6 +20,8 @@ class SmallerProbe final : public Tracker {
     exact_.setProbe(std::max(0.0, probe_A - less_A_));
   }
   double probe_A() const noexcept override { return probe_A_; }
+  bool setMotion(const SphereMotion* motion) noexcept override { return exact_.setMotion(motion); }
+  void advanceTo(double fraction) noexcept override { exact_.advanceTo(fraction); }
   MemoryUsage memoryUsage() const noexcept override { return exact_.memoryUsage(); }
 
  private:
@@ -33,8 +35,18 @@ std::unique_ptr<Tracker> make(std::shared_ptr<const SphereGrid> scene, double pr
 }
 
 constexpr std::array kFloor{
-    Method{"exact-0.001", "exact with a probe 0.001 A smaller", &make<1>, {"Exact", {}}, "probe 0.001 Å smaller"},
-    Method{"exact-0.02", "exact with a probe 0.02 A smaller", &make<20>, {"Exact", {}}, "probe 0.02 Å smaller"},
+    Method{.name = "exact-0.001",
+           .sentence = "exact with a probe 0.001 A smaller",
+           .make = &make<1>,
+           .family = {"Exact", {}},
+           .grade = "probe 0.001 Å smaller",
+           .follows_motion = true},
+    Method{.name = "exact-0.02",
+           .sentence = "exact with a probe 0.02 A smaller",
+           .make = &make<20>,
+           .family = {"Exact", {}},
+           .grade = "probe 0.02 Å smaller",
+           .follows_motion = true},
 };
 
 }  // namespace

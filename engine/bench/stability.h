@@ -28,6 +28,7 @@ struct StabilityLimits {
 struct StabilityResult {
   std::string scene;
   const Method* method = nullptr;
+  bool changing = false;  ///< the scene's surface moves or has friction
   std::size_t draw = 0;
   std::size_t ticks = 0;
   // Fidelity:
@@ -60,6 +61,9 @@ struct StabilityOptions {
   std::uint64_t seed = 1;
   std::size_t draws = 30;
 };
+
+/// The results in scenes whose surface moves or has friction, or those in the others.
+std::vector<StabilityResult> resultsWhere(const std::vector<StabilityResult>& results, bool changing);
 
 /// Runs one method in one scene.
 StabilityResult runScene(const StabilityScene& scene, const Method& method, const LoopSettings& loop,

@@ -1,5 +1,6 @@
 #include "engine/bench/stability_scenes.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -278,7 +279,14 @@ std::vector<StabilityScene> stabilityScenes(std::uint64_t seed) {
   scenes::Scene far = scenes::shifted(scenes::cluster(20, seed + 10), Vec3(1e6, -1e6, 1e6), "a million angstroms away");
   out.push_back(
       walked("a million A from the origin", "Do digits run out far from the origin?", std::move(far), seed + 10));
+  for (StabilityScene& scene : movingScenes(seed)) out.push_back(std::move(scene));
+  for (StabilityScene& scene : frictionScenes(seed)) out.push_back(std::move(scene));
   return out;
+}
+
+bool StabilityScene::rough() const {
+  return friction.coefficient > 0 ||
+         std::any_of(script.begin(), script.end(), [](const StabilityTick& t) { return t.friction >= 0; });
 }
 
 StabilityScene turned(StabilityScene scene, std::uint64_t seed) {
@@ -292,6 +300,8 @@ StabilityScene turned(StabilityScene scene, std::uint64_t seed) {
   for (Sphere& b : scene.scene.spheres) turn(b.centre_A);
   if (scene.second)
     for (Sphere& b : scene.second->spheres) turn(b.centre_A);
+  for (StabilityMotion& m : scene.motions)
+    for (Sphere& b : m.to) turn(b.centre_A);
   for (StabilityTick& t : scene.script) turn(t.place_A);
   return scene;
 }

@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace moltact {
 namespace {
 // The positions of a frame are the mean of about this number of moments since the last frame.
 constexpr int kMoments = 8;
-constexpr int kIterations = 500;  // of a relaxation
+// A relaxation ends when a slice lowers the energy by less than this.
+constexpr double kRelaxed_kcal_mol = 1e-3;
 }  // namespace
 
 AtomPush pushOf(std::uint32_t atom, const Vec3& at_A, const Vec3& force_kcal_mol_A, double stiffness_kcal_mol_A2) {
@@ -21,6 +23,7 @@ void SimulationRun::blowUp(const std::string& why) {
   ++frame_.starts;
   frame_.time_ps = 0.0;
   owed_steps_ = 0.0;
+  left_to_relax_ = 0;
   halted_ = true;
   frame_.dead = !engine_->push({}).empty() || !engine_->restart().empty();
 }
@@ -31,6 +34,20 @@ bool SimulationRun::stable() {
       return false;
   const double kelvin = engine_->energies().temperature_K;
   return std::isfinite(kelvin) && kelvin < last_.temperature_K + kUnstable_K;
+}
+
+// Continues a relaxation; returns true when it has ended.
+bool SimulationRun::relaxSlice() {
+  const int now = std::min(kRelaxSlice, left_to_relax_);
+  left_to_relax_ -= now;
+  take(engine_->relax(now));
+  if (halted_) return false;
+  const double energy = engine_->energies().potential_kcal_mol;
+  if (!(energy_before_ - energy >= kRelaxed_kcal_mol)) left_to_relax_ = 0;
+  energy_before_ = energy;
+  if (left_to_relax_ > 0) return false;
+  ++frame_.starts;
+  return true;
 }
 
 const SimulationFrame& SimulationRun::advance(const SimulationCommand& wanted, double elapsed_s, int max_steps) {
@@ -45,15 +62,24 @@ const SimulationFrame& SimulationRun::advance(const SimulationCommand& wanted, d
     frame_.fault.clear();
     ++frame_.starts;
     halted_ = false;
+    left_to_relax_ = 0;
   }
   if (wanted.relaxations != before.relaxations) {
     halted_ = false;
-    ++frame_.starts;
-    take(engine_->relax(kIterations));
+    left_to_relax_ = kRelaxIterations;
+    energy_before_ = std::numeric_limits<double>::infinity();
+  }
+  bool relaxed = false;
+  if (left_to_relax_ > 0) {
+    relaxed = relaxSlice();
+    if (!relaxed && !halted_) {
+      frame_.ps_per_s = 0.0;
+      return frame_;
+    }
   }
   if (!halted_) take(engine_->push(wanted.pushes));
   double steps = 0.0;
-  if (halted_) {
+  if (halted_ || relaxed) {
     owed_steps_ = 0.0;
   } else if (wanted.running) {
     steps = std::min(elapsed_s * wanted.ps_per_s / engine_->step_ps() + owed_steps_, double(max_steps));
@@ -82,7 +108,7 @@ const SimulationFrame& SimulationRun::advance(const SimulationCommand& wanted, d
   if (moments > 0 && !halted_) {
     for (Vec3& v : sum) v /= double(moments);
     frame_.positions_A = std::move(sum);
-  } else if (first || halted_ || wanted.restarts != before.restarts || wanted.relaxations != before.relaxations) {
+  } else if (first || halted_ || relaxed || wanted.restarts != before.restarts) {
     const std::span<const Vec3> at = engine_->positions_A();
     frame_.positions_A.assign(at.begin(), at.end());
   }

@@ -66,15 +66,21 @@ class SimulationRun {
   const MdEngine& engine() const { return *engine_; }
   /// Carries out the command for `elapsed_s` of the window's time, with at most this number of steps. The rest is left
   /// out, so a slow engine slows the simulated time down. An unstable run starts again and stands still until the next
-  /// restart or relaxation is asked for. The reference is valid until the next call.
+  /// restart or relaxation is asked for. A relaxation takes several calls, each of at most kRelaxSlice iterations and
+  /// without a step; the frame stays as it is until the last of them. The reference is valid until the next call.
   const SimulationFrame& advance(const SimulationCommand& wanted, double elapsed_s, int max_steps);
 
   /// A run is unstable beyond this temperature above the bath's, or if an atom is farther than this from the origin.
   static constexpr double kUnstable_K = 3000.0, kUnstable_A = 1e4;
+  /// Limits on the iterations of a relaxation, and on those of one call. A thread that ends waits for one call at most.
+  static constexpr int kRelaxIterations = 500, kRelaxSlice = 50;
+  /// A relaxation has begun and not ended.
+  bool relaxing() const { return left_to_relax_ > 0; }
 
  private:
   void blowUp(const std::string& why);
   bool stable();
+  bool relaxSlice();
   void take(std::string why) {
     if (!why.empty() && !frame_.dead) blowUp(why);
   }
@@ -83,7 +89,9 @@ class SimulationRun {
   SimulationFrame frame_;
   SimulationCommand last_;
   double owed_steps_ = 0.0;
-  bool halted_ = false;  // after a blow-up
+  int left_to_relax_ = 0;       // iterations
+  double energy_before_ = 0.0;  // after the last slice
+  bool halted_ = false;         // after a blow-up
 };
 
 /// Runs between frames: for a window whose clock is its frames.

@@ -38,6 +38,7 @@ void SimulationThread::run() {
     if (steps >= 5.0 && took_s > 1e-5) rate += 0.2 * (steps / took_s - rate);
     frames_.back() = frame;
     frames_.publish();
+    if (run_.relaxing()) continue;
     std::this_thread::sleep_until(now +
                                   std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(kSlice_s)));
   }

@@ -134,3 +134,58 @@ TEST_CASE(
   observer.add({-6, 0, 0}, metre, true);
   CHECK(observer.made_J() == doctest::Approx(3));
 }
+
+namespace {
+
+// exact, which may keep its stored energy to itself.
+class Stated final : public Tracker {
+ public:
+  Stated(std::shared_ptr<const SphereGrid> scene, bool states) : exact_(std::move(scene), 0.0), states_(states) {}
+  Contact step(PointA hip) noexcept override {
+    Contact c = exact_.step(hip);
+    if (!states_) c.energy_A2 = 0.0;
+    return c;
+  }
+  void reset() noexcept override { exact_.reset(); }
+  void setProbe(double probe_A) noexcept override { exact_.setProbe(probe_A); }
+  double probe_A() const noexcept override { return exact_.probe_A(); }
+  bool setMotion(const SphereMotion* motion) noexcept override { return exact_.setMotion(motion); }
+  void advanceTo(double fraction) noexcept override { exact_.advanceTo(fraction); }
+  MemoryUsage memoryUsage() const noexcept override { return {}; }
+
+ private:
+  ExactTracker exact_;
+  bool states_;
+};
+
+}  // namespace
+
+TEST_CASE(
+    "a wall that comes by d into a resting hand, which then leaves, gives the hand K d^2 / 2: the wall's work where "
+    "the "
+    "stored energy is stated, generated energy where it is not; a wall that leaves takes energy and gives none") {
+  constexpr double kWall_A = 1e6, d = 0.8;
+  const scenes::Scene scene{"wall", {{Vec3(0, 0, -kWall_A), kWall_A}}, 0.0};
+  const auto grid = std::make_shared<const SphereGrid>(scene.spheres);
+  constexpr int kTicks = 100;
+  for (const double way : {d, -d}) {
+    const auto motion =
+        SphereMotion::make(scene.spheres, std::vector<Sphere>{{Vec3(0, 0, way - kWall_A), kWall_A}}, kTicks);
+    REQUIRE(motion);
+    // In to the depth of a leaving wall, at rest while the wall moves, and out again.
+    const double depth = way > 0 ? 0.0 : d;
+    scenes::Path path;
+    std::vector<MotionPhase> phases;
+    for (int k = 0; k <= 200; ++k) path.push_back({0, 0, 0.5 - (0.5 + depth) * k / 200}), phases.push_back({});
+    for (int k = 1; k <= kTicks; ++k)
+      path.push_back(path.back()), phases.push_back({motion->get(), double(k) / kTicks});
+    for (int k = 1; k <= 400; ++k) path.push_back({0, 0, -depth + 2.0 * k / 400});
+    const auto made_J = [&](bool states) {
+      Stated felt(grid, states);
+      return madeOverMoving(felt, scene, phases, path, {});
+    };
+    CHECK(made_J(true) < 1e-8);
+    const double given = way > 0 ? 0.5 * kN_per_A * d * d * kJ_per_N_A : 0.0;
+    CHECK(made_J(false) == doctest::Approx(given).epsilon(1e-3));
+  }
+}

@@ -32,8 +32,13 @@ class Straight final : public MdEngine {
     done += steps;
     return throws_at >= 0 && done >= throws_at ? "Particle coordinate is nan" : "";
   }
-  std::string relax(int) override {
+  // Lowers the energy by 1 kcal/mol in each of the first `uphill` iterations.
+  std::string relax(int iterations) override {
     ++relaxed;
+    iterated += iterations;
+    most_at_once = std::max(most_at_once, iterations);
+    energy_kcal_mol -= std::min(iterations, uphill);
+    uphill -= std::min(iterations, uphill);
     return {};
   }
   std::string restart() override {
@@ -46,9 +51,10 @@ class Straight final : public MdEngine {
     if (far_at >= 0 && done >= far_at) at_[1].y = std::nan("");
     return at_;
   }
-  MdEnergies energies() override { return {-1.0, 2.0, hot ? 1e5 : temperature_K}; }
+  MdEnergies energies() override { return {energy_kcal_mol, 2.0, hot ? 1e5 : temperature_K}; }
 
-  int done = 0, throws_at = -1, far_at = -1, relaxed = 0, restarted = 0;
+  int done = 0, throws_at = -1, far_at = -1, relaxed = 0, iterated = 0, most_at_once = 0, uphill = 0, restarted = 0;
+  double energy_kcal_mol = -1.0;
   std::size_t pushed = 0;
   double temperature_K = 0.0;
   bool hot = false, restart_fails = false;
@@ -113,14 +119,58 @@ TEST_CASE("relaxations and restarts are carried out once each, the temperature a
   wanted.pushes.resize(3);
   wanted.restarts = 1;
   wanted.relaxations = 1;
-  b.run.advance(wanted, 0.1, 1000);
+  for (int k = 0; k < 5; ++k) b.run.advance(wanted, 0.1, 1000);
   const SimulationFrame frame = b.run.advance(wanted, 0.1, 1000);
   CHECK(b.engine->restarted == 1);
-  CHECK(b.engine->relaxed == 1);
+  CHECK(b.engine->relaxed == 2);  // the second slice lowers the energy no more
   CHECK(b.engine->temperature_K == 350.0);
   CHECK(b.engine->pushed == 3);
   CHECK(frame.starts == 2);
   CHECK(frame.energies.potential_kcal_mol == -1.0);
+}
+
+TEST_CASE(
+    "a relaxation goes on in slices of 50 iterations, one a call, without a step and without a new frame; it ends at "
+    "the "
+    "slice that lowers the energy no more, or after 500 iterations, and a restart ends it at once") {
+  for (const int uphill : {0, 70, 1'000'000}) {
+    Bench b;
+    CAPTURE(uphill);
+    b.engine->uphill = uphill;
+    SimulationCommand wanted;
+    b.run.advance(wanted, 0.1, 1000);
+    const int before = b.engine->done;
+    wanted.relaxations = 1;
+    int calls = 0;
+    std::uint64_t serial = 0;
+    do {
+      const SimulationFrame& frame = b.run.advance(wanted, 0.02, 1000);
+      ++calls;
+      if (b.run.relaxing()) {
+        CHECK(frame.starts == 0);
+        CHECK((serial == 0 || frame.serial == serial));
+        CHECK(b.engine->done == before);
+        serial = frame.serial;
+      }
+    } while (b.run.relaxing() && calls < 1000);
+    // The first slice has nothing to compare with. 70 iterations end within the second slice, and the third lowers nothing.
+    CHECK(calls == (uphill == 0 ? 2 : uphill == 70 ? 3 : 10));
+    CHECK(b.engine->iterated == calls * SimulationRun::kRelaxSlice);
+    CHECK(b.engine->iterated <= SimulationRun::kRelaxIterations);
+    CHECK(b.engine->most_at_once == SimulationRun::kRelaxSlice);
+    CHECK(b.run.advance(wanted, 0.02, 1000).starts == 1);
+    CHECK(b.engine->done > before);
+  }
+  Bench b;
+  b.engine->uphill = 1'000'000;
+  SimulationCommand wanted;
+  wanted.relaxations = 1;
+  b.run.advance(wanted, 0.02, 1000);
+  REQUIRE(b.run.relaxing());
+  wanted.restarts = 1;
+  CHECK(b.run.advance(wanted, 0.02, 1000).starts == 1);
+  CHECK_FALSE(b.run.relaxing());
+  CHECK(b.engine->iterated == SimulationRun::kRelaxSlice);
 }
 
 TEST_CASE(
