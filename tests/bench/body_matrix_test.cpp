@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "engine/bench/bodies/body_trade_off.h"
+#include "engine/bench/bodies/path_watch.h"
 #include "engine/bench/scenes.h"
 
 using namespace moltact;
@@ -68,6 +69,25 @@ TEST_CASE("points tunnel through a wall at 12 A a tick, and overlap a corner; a 
   CHECK(fails(runBodyScene(wall, *findBodyMethod("point-penalty")), 'T'));
   CHECK_FALSE(fails(runBodyScene(wall, *findBodyMethod("springs")), 'T'));
   CHECK(fails(runBodyScene(sceneNamed(all, "dumbbell"), *findBodyMethod("point-penalty")), 'O'));
+}
+
+TEST_CASE("a step through a wall, a pose without a step and a step from elsewhere are ways through; one beside it is none") {
+  const auto all = bodyScenes(1);
+  const BodyScene& wall = sceneNamed(all, "passes");
+  PathWatch way(wall.spheres, wall.body, 0.05);
+  const auto at = [](double z) { return PoseA{{{0, 0, z}}, kNoRotation}; };
+  way.placed(at(18));
+  way.moved(at(18), at(4), 0.0);
+  CHECK_FALSE(way.tunnelled(at(4), nullptr));
+  way.moved(at(4), at(-4), 0.0);
+  CHECK(way.tunnelled(at(-4), nullptr));
+  CHECK_FALSE(way.tunnelled(at(-4), nullptr));
+  CHECK(way.tunnelled(at(-5), nullptr));
+  way.moved(at(-5), at(-6), 0.0);
+  CHECK(way.tunnelled(at(-6), nullptr));
+  way.moved(at(-6), at(-7), 0.0);
+  way.returned(at(-6));
+  CHECK_FALSE(way.tunnelled(at(-6), nullptr));
 }
 
 TEST_CASE("a method that makes 1 N A in a tick, jitters, or gives no number is reported so") {

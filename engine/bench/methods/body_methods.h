@@ -6,6 +6,7 @@
 #include <span>
 #include <string_view>
 
+#include "engine/haptics/body/exact_body.h"
 #include "engine/haptics/body/held_body.h"
 #include "engine/haptics/interaction.h"
 #include "engine/haptics/sphere_grid.h"
@@ -20,6 +21,8 @@ class BodyUnderTest {
   /// Performs one tick. `made_A2` becomes the energy (divided by the stiffness) that the springs store for this hand after
   /// the tick, less what they would store for it with the state before the tick. A passive method makes none: at most 0.
   virtual Response tick(const PoseA& hand, double& made_A2) = 0;
+  /// Reports the body's steps between ticks from now on. False if the method takes none: its poses alone are known.
+  virtual bool observe(BodyPathObserver*) { return false; }
 };
 
 struct BodyMethod {

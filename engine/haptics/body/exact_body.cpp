@@ -75,6 +75,7 @@ bool ExactBody::armed(const PoseA& pose) noexcept {
   armed_ = true;
   coupling_.begin(pose);
   pose_ = hand;
+  if (observer_) observer_->placed(inScene(pose_));
   return true;
 }
 
@@ -94,8 +95,7 @@ Response ExactBody::respond(const PoseA& pose) noexcept {
                    coupling_.orientation(pose, pose_.orientation, held_count_ == 0, lever_));
   steps_ = changes_ = 0;
   if (held_count_ == 0 && surfaceMotion_A(free_from_, hand_, pairs_.reach_A()) < free_room_) {
-    pose_ = hand_;
-    rows_known_ = metric_known_ = false;
+    go(hand_);
     at_rest_ = true;
   } else {
     seekRest();

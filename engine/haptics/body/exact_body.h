@@ -23,6 +23,21 @@
 
 namespace moltact {
 
+/// Receives the way of an exact body between its ticks, for tests and the bench. Called on the thread of respond().
+class BodyPathObserver {
+ public:
+  /// The body is placed without a path: at the start, or after it was let go.
+  virtual void placed(const PoseA& at) noexcept = 0;
+  /// The body moves straight: its middle along a line, its orientation about a fixed axis by less than pi. The spheres are
+  /// at `fraction` of their motion meanwhile.
+  virtual void moved(const PoseA& from, const PoseA& to, double fraction) noexcept = 0;
+  /// The search gives up its last steps: the body is back at a pose at which it has been in this tick.
+  virtual void returned(const PoseA& to) noexcept = 0;
+
+ protected:
+  ~BodyPathObserver() = default;
+};
+
 class ExactBody final : public Interaction {
  public:
   static constexpr int kMaxSteps = 40;      ///< steps per tick; beyond them the search continues in the next tick
@@ -53,10 +68,12 @@ class ExactBody final : public Interaction {
 
   double lever_A() const noexcept { return lever_; }  ///< L
   /// The pose to which the springs pull: the hand's of the last tick, its orientation after the slip.
-  PoseA coupledHand() const noexcept { return {{pairs_.origin() + hand_.place}, hand_.orientation}; }
+  PoseA coupledHand() const noexcept { return inScene(hand_); }
   int steps() const noexcept { return steps_; }              ///< of the last tick
   int changes() const noexcept { return changes_; }          ///< of active constraints in the last tick
   int contactCount() const noexcept { return held_count_; }  ///< contacts with a multiplier, at most six
+  /// Reports each step from now on; null: none. The observer must outlive its use.
+  void observe(BodyPathObserver* observer) noexcept { observer_ = observer; }
 
  private:
   // A contact of the active set.
@@ -87,6 +104,7 @@ class ExactBody final : public Interaction {
   bool squeezed(const Six& pull) noexcept;
   bool restored() noexcept;
   void go(const BodyPose& to) noexcept;
+  PoseA inScene(const BodyPose& pose) const noexcept { return {{pairs_.origin() + pose.place}, pose.orientation}; }
   void hold(const QpSolution& solution, double part) noexcept;
   Saved saved() const noexcept { return {pose_, held_, held_count_}; }
   void returnTo(const Saved& to) noexcept;
@@ -135,6 +153,7 @@ class ExactBody final : public Interaction {
   QpSolution solution_;
   double part_ = 1.0;  // share of the pull for which solution_ was found
   SmallQp qp_;
+  BodyPathObserver* observer_ = nullptr;
 };
 
 }  // namespace moltact

@@ -36,12 +36,15 @@ void ExactBody::hold(const QpSolution& solution, double part) noexcept {
 }
 
 void ExactBody::go(const BodyPose& to) noexcept {
+  if (observer_) observer_->moved(inScene(pose_), inScene(to), pairs_.fraction());
   pose_ = to;
   rows_known_ = metric_known_ = false;
 }
 
 void ExactBody::returnTo(const Saved& to) noexcept {
-  go(to.pose);
+  if (observer_) observer_->returned(inScene(to.pose));
+  pose_ = to.pose;
+  rows_known_ = metric_known_ = false;
   held_ = to.held;
   held_count_ = to.held_count;
 }
@@ -72,6 +75,7 @@ void ExactBody::seekRest() noexcept {
     if (settled(d)) {
       const double energy = energyAt(pose_);
       if (held_count_ == 0) {
+        if (observer_) observer_->moved(inScene(pose_), inScene(hand_), pairs_.fraction());
         pose_ = hand_;
         at_rest_ = true;
         break;
