@@ -75,13 +75,14 @@ TEST_CASE(
     const auto spheres = scenes::cluster(100, std::uint64_t(n)).spheres;
     const auto body = test::chainBody(n, std::uint64_t(n));
     for (int how = 0; how < 4; ++how) {
-      CAPTURE(n), CAPTURE(how);
+      CAPTURE(n);
+      CAPTURE(how);
       const auto path = test::bodyPath(spheres, body->reach_A, how == 0 ? 500 : 200, std::uint64_t(n), how == 1 ? 2.0 : 0.05,
                                        how == 1 ? 0.1 : 0.008, 3.0, how == 2 ? 13 : 0);
       ExactBody felt(test::makeScene(spheres), body);
       BodyWay way(spheres, body);
       felt.observe(&way);
-      scenes::Random random(std::uint64_t(100 + n));
+      scenes::Random random(100 + std::uint64_t(n));
       int lost = 0;
       const Followed all = follow(felt, way, path, [&](std::size_t k) {
         if (how != 3 || k == 0) return false;
@@ -137,7 +138,7 @@ TEST_CASE(
     ExactBody felt(test::makeScene(cage), body);
     BodyWay way(cage, body);
     felt.observe(&way);
-    scenes::Random random(std::uint64_t(n));
+    scenes::Random random{std::uint64_t(n)};
     long outside = 0, pressed = 0;
     const auto tick = [&](const PoseA& hand) {
       const Response r = felt.respond(hand);
@@ -174,7 +175,9 @@ TEST_CASE(
   for (const double speed : {0.02, 0.1, 0.5, 2.0, 12.0, 50.0, 200.0, 1000.0})
     for (const double side : {1.0, -1.0})
       for (const double turned : {0.0, 0.4}) {
-        CAPTURE(speed), CAPTURE(side), CAPTURE(turned);
+        CAPTURE(speed);
+        CAPTURE(side);
+        CAPTURE(turned);
         const auto body = bodyOfSpheres({{{1.2, 0, 0}, 1.2}, {{-1.2, 0, 0}, 1.2}, {{0, 1.1, 0.8}, 1.0}});
         ExactBody felt(grid, body);
         BodyWay way(spheres, body);

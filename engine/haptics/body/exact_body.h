@@ -41,7 +41,9 @@ class BodyPathObserver {
 class ExactBody final : public Interaction {
  public:
   static constexpr int kMaxSteps = 40;      ///< steps per tick; beyond them the search continues in the next tick
-  static constexpr int kMaxChanges = 600;   ///< changes of active constraints per tick, likewise
+  /// Programs and changes of their active constraints per tick, likewise; and those of a tick that moves the body out of
+  /// spheres, beyond which the scene counts as closed over it.
+  static constexpr int kMaxChanges = 600, kMaxSceneChanges = 1200;
   static constexpr double kSkin_A = 1e-10;  ///< spheres come no nearer than this
 
   /// `body` must not be null. `rotational_A2` is k_r / k = L^2 (unit: square angstrom per square radian); 0: the square
@@ -70,7 +72,10 @@ class ExactBody final : public Interaction {
   /// The pose to which the springs pull: the hand's of the last tick, its orientation after the slip.
   PoseA coupledHand() const noexcept { return inScene(hand_); }
   int steps() const noexcept { return steps_; }              ///< of the last tick
-  int changes() const noexcept { return changes_; }          ///< of active constraints in the last tick
+  /// Programs and changes of active constraints in the last tick, at most kMaxSceneChanges + kMaxChanges.
+  int changes() const noexcept { return changes_; }
+  /// Spheres, pairs and nodes examined for the lists of pairs in the last tick (BodyPairs::kMaxWork).
+  std::uint64_t listWork() const noexcept { return pairs_.workCount() - work_from_; }
   int contactCount() const noexcept { return held_count_; }  ///< contacts with a multiplier, at most six
   /// Reports each step from now on; null: none. The observer must outlive its use.
   void observe(BodyPathObserver* observer) noexcept { observer_ = observer; }
@@ -117,6 +122,7 @@ class ExactBody final : public Interaction {
   double motion_A(const Six& step) const noexcept;
   QpSolution solve(const Factor6* metric, const Six& pull, double rotation_rad) noexcept;
   Matrix6 hessian(const Vec3& theta) const noexcept;
+  QpSolution program(const Factor6* metric, const Six& pull, std::span<const int> preferred) noexcept;
   void lookAtMetric(const Six& pull) noexcept;
   double smallestCurvature(const Six& pull, Six& direction) const noexcept;
 
@@ -140,7 +146,8 @@ class ExactBody final : public Interaction {
   double rotation_ = 0.0;        // bound of the next step's rotation, which the constraints allow for
   double last_turned_ = 0.0;     // rotation of the last step of this tick
   double first_rotation_ = 0.0;  // of the first step of a tick
-  int steps_ = 0, changes_ = 0;
+  int steps_ = 0, changes_ = 0, max_changes_ = kMaxChanges;  // of this tick
+  std::uint64_t work_from_ = 0;
 
   // At pose_, where rows_known_:
   bool rows_known_ = false, metric_known_ = false;

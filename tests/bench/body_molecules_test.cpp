@@ -1,0 +1,39 @@
+// The exact rigid body in molecules against the oracle over all pairs. Longer runs, with bodies of 1069 and 5000 spheres:
+// MOLTACT_BODY_TICKS=4000 build/release/test_bench -tc='*drug*'.
+#include <doctest/doctest.h>
+
+#include "engine/bench/bodies/body_tasks.h"
+#include "engine/molecule/reader.h"
+#include "tests/haptics/body_judge.h"
+
+using namespace moltact;
+
+TEST_CASE(
+    "a drug in its protein and 200 atoms at its surface, pressed 6 A deep, dragged and twisted: no overlap, balance, no "
+    "lower neighbour, no energy made, at rest in 999 of 1000 ticks, in at most 5 steps in the mean") {
+  struct Judged {
+    const char* task;
+    int every, second_order_every;
+    bool long_run;
+  };
+  for (const Judged& one : {Judged{"10", 40, 2, false}, Judged{"35", 40, 2, false}, Judged{"200", 100, 8, false},
+                            Judged{"1069", 100, 40, true}, Judged{"5000", 200, 20, true}}) {
+    if (one.long_run && !test::longRun()) continue;
+    CAPTURE(one.task);
+    const auto task = bench::bodyTask(one.task, [](const std::string& id) {
+      return readMolecule(std::string(MOLTACT_SOURCE_DIR "/molecules/") + id + ".pdb");
+    });
+    REQUIRE(task);
+    constexpr int kTicks = 4000;  // a faster path is another task
+    const test::Verdict v =
+        test::judge({task->scene->spheres().begin(), task->scene->spheres().begin() + task->scene->size()}, task->body,
+                    bench::pathOf(*task, kTicks), one.second_order_every, one.every);
+    test::check(v);
+    MESSAGE(one.task << " atoms: " << v.judged << " ticks judged, " << v.unrested << " of " << v.ticks
+                     << " not at rest, " << v.meanSteps() << " steps in the mean");
+    CHECK(v.judged > kTicks / one.every * 9 / 10);
+    CHECK(v.pressed > kTicks * 8 / 10);
+    CHECK(v.unrested * 1000 <= v.ticks);
+    CHECK(v.meanSteps() <= 5.0);
+  }
+}
