@@ -83,10 +83,10 @@ class DeviceModel {
 
   DeviceParameters device_;
   HandParameters hand_;
-  Vec3 x_, v_{0.0}, target_, held_{0.0};        // m, m/s, m, N
-  Quat q_, wrist_;                              // of the handle, and where the wrist holds it
-  Vec3 w_{0.0}, held_turn_{0.0};                // rad/s, N m
-  std::vector<Command> queue_;                  // delayed commands
+  Vec3 x_, v_{0.0}, target_, held_{0.0};  // m, m/s, m, N
+  Quat q_, wrist_;                        // of the handle, and where the wrist holds it
+  Vec3 w_{0.0}, held_turn_{0.0};          // rad/s, N m
+  std::vector<Command> queue_;            // delayed commands
   std::size_t next_ = 0;
 };
 

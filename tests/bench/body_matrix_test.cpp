@@ -71,7 +71,8 @@ TEST_CASE("points tunnel through a wall at 12 A a tick, and overlap a corner; a 
   CHECK(fails(runBodyScene(sceneNamed(all, "dumbbell"), *findBodyMethod("point-penalty")), 'O'));
 }
 
-TEST_CASE("a step through a wall, a pose without a step and a step from elsewhere are ways through; one beside it is none") {
+TEST_CASE(
+    "a step through a wall, a pose without a step and a step from elsewhere are ways through; one beside it is none") {
   const auto all = bodyScenes(1);
   const BodyScene& wall = sceneNamed(all, "passes");
   PathWatch way(wall.spheres, wall.body, 0.05);

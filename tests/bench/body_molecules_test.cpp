@@ -9,7 +9,8 @@
 using namespace moltact;
 
 TEST_CASE(
-    "a drug in its protein and 200 atoms at its surface, pressed 6 A deep, dragged and twisted: no overlap, balance, no "
+    "a drug in its protein and 200 atoms at its surface, pressed 6 A deep, dragged and twisted: no overlap, balance, "
+    "no "
     "lower neighbour, no energy made, at rest in 999 of 1000 ticks, in at most 5 steps in the mean") {
   struct Judged {
     const char* task;

@@ -62,7 +62,8 @@ double turningGrowth(double damping_N_mm_s, int delay, double stiffness_N_mm) {
 }  // namespace
 
 TEST_CASE(
-    "a handle of 5e-5 kg m2 that turns at 2 rad/s against 1 N mm s/rad comes to rest after I w / b_r = 0.1 rad, and 50 N "
+    "a handle of 5e-5 kg m2 that turns at 2 rad/s against 1 N mm s/rad comes to rest after I w / b_r = 0.1 rad, and 50 "
+    "N "
     "mm against a wrist of 500 N mm/rad turn it by 0.1 rad") {
   DeviceModel free(ideal(0.2), kNoHand, {});
   const Vec3 axis = glm::normalize(Vec3(0.2, -1, 0.5));
@@ -83,7 +84,8 @@ TEST_CASE(
   // The wrist turns the handle along.
   const Quat wrist = glm::angleAxis(2.5, axis);
   for (int k = 0; k < 3000; ++k)
-    held.tick({{}, Vec3(std::numeric_limits<double>::quiet_NaN())}, {}, glm::slerp(kNoRotation, wrist, std::min(1.0, k / 1000.0)));
+    held.tick({{}, Vec3(std::numeric_limits<double>::quiet_NaN())}, {},
+              glm::slerp(kNoRotation, wrist, std::min(1.0, k / 1000.0)));
   CHECK(glm::length(rotationBetween(wrist, held.orientation())) < 1e-9);
 }
 

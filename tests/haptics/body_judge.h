@@ -37,7 +37,7 @@ struct Verdict {
 /// Judges each tick, or one of `every`; of those at rest, one of `second_order_every` for lower neighbours too. The path
 /// begins where the body is free.
 inline Verdict judge(const std::vector<Sphere>& spheres, const std::shared_ptr<const HeldBody>& body,
-              const std::vector<PoseA>& path, int second_order_every, int every = 1) {
+                     const std::vector<PoseA>& path, int second_order_every, int every = 1) {
   using oracle::BodyOracle;
   ExactBody felt(makeScene(spheres), body);
   const BodyOracle oracle(spheres, body->spheres, felt.lever_A());

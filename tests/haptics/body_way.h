@@ -68,7 +68,8 @@ class BodyWay final : public BodyPathObserver {
   };
 
   static bool same(const PoseA& a, const PoseA& b) {
-    return glm::distance(a.place.A, b.place.A) < 1e-11 && glm::length(rotationBetween(a.orientation, b.orientation)) < 1e-11;
+    return glm::distance(a.place.A, b.place.A) < 1e-11 &&
+           glm::length(rotationBetween(a.orientation, b.orientation)) < 1e-11;
   }
 
   void follow(const Step& s, const SphereMotion* motion) {
@@ -85,8 +86,8 @@ class BodyWay final : public BodyPathObserver {
       ++places;
       return gap;
     };
-    const double motion_A = glm::distance(s.from.place.A, s.to.place.A) +
-                            double(std::hypot(turn[0], turn[1], turn[2])) * reach_;
+    const double motion_A =
+        glm::distance(s.from.place.A, s.to.place.A) + double(std::hypot(turn[0], turn[1], turn[2])) * reach_;
     const auto known = [&](auto& again, double t, double g, double u, double h, int depth) -> bool {
       const double way = motion_A * (u - t);
       if (0.5 * (g + h - way) > -kCertain_A) return true;

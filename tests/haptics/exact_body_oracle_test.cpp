@@ -99,7 +99,8 @@ TEST_CASE("the oracle finds the same in every degenerate scene, with jumps, also
   CHECK(pressed > 3000);
 }
 
-TEST_CASE("a body in a scene that breathes by 0.3 A overlaps nothing in any tick, and rests in 199 of 200 in balance, with no"
+TEST_CASE(
+    "a body in a scene that breathes by 0.3 A overlaps nothing in any tick, and rests in 199 of 200 in balance, with no"
     " lower neighbour") {
   const auto spheres = scenes::cluster(150, 4).spheres;
   const auto body = test::chainBody(10, 4);

@@ -68,7 +68,8 @@ void check(const BodyWay& way) {
 }  // namespace
 
 TEST_CASE(
-    "the oracle finds an overlap at no place of any step between ticks: pressed, passing at 2 A a tick, jumping, and with "
+    "the oracle finds an overlap at no place of any step between ticks: pressed, passing at 2 A a tick, jumping, and "
+    "with "
     "up to 40 ticks lost in a row, bodies of 2 to 20 spheres") {
   long places = 0, steps = 0, pressed = 0;
   for (const int n : {2, 6, 20}) {
@@ -77,8 +78,8 @@ TEST_CASE(
     for (int how = 0; how < 4; ++how) {
       CAPTURE(n);
       CAPTURE(how);
-      const auto path = test::bodyPath(spheres, body->reach_A, how == 0 ? 500 : 200, std::uint64_t(n), how == 1 ? 2.0 : 0.05,
-                                       how == 1 ? 0.1 : 0.008, 3.0, how == 2 ? 13 : 0);
+      const auto path = test::bodyPath(spheres, body->reach_A, how == 0 ? 500 : 200, std::uint64_t(n),
+                                       how == 1 ? 2.0 : 0.05, how == 1 ? 0.1 : 0.008, 3.0, how == 2 ? 13 : 0);
       ExactBody felt(test::makeScene(spheres), body);
       BodyWay way(spheres, body);
       felt.observe(&way);
@@ -125,7 +126,8 @@ TEST_CASE("the judge of paths finds a step through a thin wall, one that begins 
 }
 
 TEST_CASE(
-    "a body in a closed cage stays inside while the hand jumps 500 A out and back 60 times, turned at will; back at the "
+    "a body in a closed cage stays inside while the hand jumps 500 A out and back 60 times, turned at will; back at "
+    "the "
     "middle it is free") {
   constexpr double kCage_A = 12.0, kSphere_A = 1.7;
   const auto cage = onSphere(200, kCage_A, kSphere_A);
@@ -168,7 +170,8 @@ TEST_CASE(
 }
 
 TEST_CASE(
-    "a thin wall holds a body on its side at 0.02 to 1000 A a tick, from both sides, straight and turned; the hand back, "
+    "a thin wall holds a body on its side at 0.02 to 1000 A a tick, from both sides, straight and turned; the hand "
+    "back, "
     "it is free again") {
   const auto spheres = wall(21, 3.0, 1.7);
   const auto grid = test::makeScene(spheres);

@@ -106,7 +106,8 @@ TEST_CASE("a dumbbell turned about its middle between two spheres stops at the a
 }
 
 TEST_CASE(
-    "a stick of 21 spheres across two spheres, twisted, lies at z^2 = D^2 - 2 x0^2 (1 - cos a): 20 hands, to 1e-9 A and "
+    "a stick of 21 spheres across two spheres, twisted, lies at z^2 = D^2 - 2 x0^2 (1 - cos a): 20 hands, to 1e-9 A "
+    "and "
     "rad") {
   const double R = 2.5, r = 1.2, x0 = 3.0, D = R + r + kSkin;
   std::vector<Sphere> balls;
@@ -122,8 +123,8 @@ TEST_CASE(
     const Response at = walkTo(felt, {{{0, 0, 3.4}}, kNoRotation}, {{{0, 0, height}}, glm::angleAxis(beta, kZ)}, 100);
     const auto z = [&](double a) { return std::sqrt(D * D - 2.0 * x0 * x0 * (1.0 - std::cos(a))); };
     // The derivative of (z - height)^2 / 2 + L^2 (a - beta)^2 / 2.
-    const double a = root(
-        [&](double t) { return -(z(t) - height) * x0 * x0 * std::sin(t) / z(t) + L2 * (t - beta); }, 0.0, 0.5);
+    const double a =
+        root([&](double t) { return -(z(t) - height) * x0 * x0 * std::sin(t) / z(t) + L2 * (t - beta); }, 0.0, 0.5);
     REQUIRE(at.at_rest);
     worst = std::max({worst, glm::distance(at.body_pose->place.A, Vec3(0, 0, z(a))),
                       angleBetween(at.body_pose->orientation, glm::angleAxis(a, kZ))});
@@ -171,7 +172,8 @@ TEST_CASE(
       before = should.scp.A;
     }
   }
-  MESSAGE(ticks << " ticks, " << pressed << " pressed, " << leaps << " leaps to another rest, else within " << worst << " A");
+  MESSAGE(ticks << " ticks, " << pressed << " pressed, " << leaps << " leaps to another rest, else within " << worst
+                << " A");
   CHECK(pressed > ticks / 3);
   CHECK(worst < 1e-9);
   CHECK(leaps * 500 <= ticks);

@@ -75,8 +75,8 @@ class WatchedExactBody final : public WatchedBody {
     for (const Sphere& b : body_->spheres)
       for (const Sphere& s : scene)
         if (at_)
-          out = std::max(out, s.radius_A + b.radius_A -
-                                  glm::distance(at_->place.A + at_->orientation * b.centre_A, s.centre_A));
+          out = std::max(
+              out, s.radius_A + b.radius_A - glm::distance(at_->place.A + at_->orientation * b.centre_A, s.centre_A));
     return out;
   }
 

@@ -75,8 +75,7 @@ Turned turn(std::uint64_t seed, const DeviceParameters& device, double rotationa
   Turned out;
   constexpr int kTicks = 2300, kLast = 500;
   for (int k = 0; k < kTicks; ++k) {
-    const ServoSample s =
-        step->tick(settings, &felt, {.position = model.sensed(), .orientation = model.orientation()});
+    const ServoSample s = step->tick(settings, &felt, {.position = model.sensed(), .orientation = model.orientation()});
     if (k == 500) model.strike(Vec3(0.0), 1e-3 * axis);
     model.tick({s.force, s.torque_N_mm}, {}, glm::angleAxis(0.12 * std::min(1.0, k / 300.0), axis));
     out.contact += s.contact.touching();
@@ -92,7 +91,8 @@ Turned turn(std::uint64_t seed, const DeviceParameters& device, double rotationa
 }  // namespace
 
 TEST_CASE(
-    "20 seeds, wrists and axes: an exact body's torque is stable at 0.85 of b_r / (T/2 + t_d) and buzzes at 1.3 of it; with "
+    "20 seeds, wrists and axes: an exact body's torque is stable at 0.85 of b_r / (T/2 + t_d) and buzzes at 1.3 of it; "
+    "with "
     "the safety stage it rests at half of the bound, however stiff it is asked") {
   double loudest_below = 0, quietest_above = 1e9, loudest_guarded = 0;
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {

@@ -9,7 +9,8 @@ namespace moltact::bench {
 namespace {
 
 bool samePose(const PoseA& a, const PoseA& b) {
-  return glm::distance(a.place.A, b.place.A) < 1e-9 && glm::length(rotationBetween(a.orientation, b.orientation)) < 1e-9;
+  return glm::distance(a.place.A, b.place.A) < 1e-9 &&
+         glm::length(rotationBetween(a.orientation, b.orientation)) < 1e-9;
 }
 
 }  // namespace
@@ -47,7 +48,8 @@ bool PathWatch::tunnelled(const PoseA& now, const SphereMotion* motion) {
 }
 
 bool PathWatch::leadsThrough(const Step& step, const SphereMotion* motion) const {
-  const Vec3 way = step.to.place.A - step.from.place.A, turn = rotationBetween(step.from.orientation, step.to.orientation);
+  const Vec3 way = step.to.place.A - step.from.place.A,
+             turn = rotationBetween(step.from.orientation, step.to.orientation);
   const double angle = glm::length(turn);
   const int n = std::max(1, int(std::ceil((glm::length(way) + angle * reach_) / kStep_A)));
   const std::vector<Sphere> moving = motion ? motion->at(step.fraction) : std::vector<Sphere>();

@@ -6,10 +6,13 @@
 #include <span>
 #include <string_view>
 
-#include "engine/haptics/body/exact_body.h"
 #include "engine/haptics/body/held_body.h"
 #include "engine/haptics/interaction.h"
 #include "engine/haptics/sphere_grid.h"
+
+namespace moltact {
+class BodyPathObserver;
+}
 
 namespace moltact::bench {
 

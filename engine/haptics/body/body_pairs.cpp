@@ -12,7 +12,7 @@ constexpr double kMinCovered_A = 0.12;
 constexpr double kMinRange_A = 1e-6;
 constexpr std::uint64_t kMaxSearched = 1'000;  // spheres of one search
 constexpr double kAhead_A = 0.9;               // a large body's next far list is begun where the last covers less
-constexpr double kMaxSearch_A = 16.0, kMaxSearchedRadius_A = 8.0;
+constexpr double kMaxSearch_A = 5.0, kMaxSearchedRadius_A = 8.0;
 
 }  // namespace
 
@@ -60,7 +60,8 @@ void BodyPairs::makeTree(std::span<const Sphere> body, std::int32_t begin, std::
 
 std::size_t BodyPairs::bytes() const noexcept {
   return spheres_.capacity() * sizeof(Sphere) + order_.capacity() * sizeof(std::int32_t) +
-         nodes_.capacity() * sizeof(Node) + (far_.pairs.capacity() + next_.pairs.capacity() + near_.capacity()) * sizeof(BodyPair);
+         nodes_.capacity() * sizeof(Node) +
+         (far_.pairs.capacity() + next_.pairs.capacity() + near_.capacity()) * sizeof(BodyPair);
 }
 
 void BodyPairs::setMotion(const SphereMotion* motion) noexcept {
@@ -227,6 +228,7 @@ bool BodyPairs::buildNext(std::uint64_t until) noexcept {
 void BodyPairs::takeNext() noexcept {
   std::swap(far_, next_);
   last_work_ = work_count_ - next_from_;
+  fits_ = std::clamp(2.0 * far_.range, 4.0 * kMinRange_A, kFar_A);
   building_ = urgent_ = false;
   near_range_ = -1.0;
   near_count_ = 0;
@@ -285,7 +287,7 @@ void BodyPairs::look(const BodyPose& pose) noexcept {
   if (!lacks || !farLacking()) {
     // The next list of a large body is made ahead, and that of a motion that continues the last.
     const bool carried = motion_ && far_.motion != motion_serial_;
-    if (!building_ && (carried || (last_work_ > kSlice && farRange_A(pose) < kAhead_A))) beginNext(pose, kFar_A);
+    if (!building_ && (carried || (last_work_ > kSlice && farRange_A(pose) < kAhead_A))) beginNext(pose, fits_);
     if (building_ && ahead_left_ > 0) {
       const std::uint64_t before = work_count_;
       if (buildNext(before + ahead_left_)) {
@@ -299,7 +301,7 @@ void BodyPairs::look(const BodyPose& pose) noexcept {
   // Spheres that have moved into what is not known do not wait.
   const std::uint64_t until = urgent_ || (motion_ && farRange_A(pose) < 0.0) ? kUnlimited : tick_end_;
   while (farLacking()) {
-    if (!building_) beginNext(pose, kFar_A);
+    if (!building_) beginNext(pose, fits_);
     if (!buildNext(until)) {
       exhausted_ = true;
       break;

@@ -52,7 +52,7 @@ class BodyPairs {
   static constexpr double kFar_A = 1.6, kNear_A = 0.4;
   /// Spheres, pairs and nodes that a tick examines at most for its lists, but for those of the last item that it begins.
   /// While the next far list is not needed yet, a tick spends at most kSlice on it.
-  static constexpr std::uint64_t kMaxWork = 8'000, kSlice = 1'500;
+  static constexpr std::uint64_t kMaxWork = 9'000, kSlice = 3'000;
 
   BodyPairs(std::shared_ptr<const SphereGrid> scene, const HeldBody& body);
 
@@ -152,6 +152,7 @@ class BodyPairs {
 
   FarList far_, next_;
   bool building_ = false;
+  double fits_ = kFar_A;                       // range of the next list: where the last did not fit, twice what did
   std::int32_t at_node_ = 0, at_sphere_ = -1;  // where buildNext() goes on; at_sphere_ < 0: at the node itself
   std::vector<BodyPair> near_;                 // allocated for kMaxNear
   std::size_t near_count_ = 0;

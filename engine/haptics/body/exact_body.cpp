@@ -91,6 +91,7 @@ Response ExactBody::respond(const PoseA& pose) noexcept {
   if (!finite(pose.place.A) || !rotates(pose.orientation) ||
       glm::length(pose.place.A) > kMaxPosition_A - body_->reach_A)
     return refused(Fault::NotFinite);
+  if (pairs_.exhausted()) rows_known_ = metric_known_ = false;  // the lists of the last tick go on
   pairs_.beginTick();
   work_from_ = pairs_.workCount();
   steps_ = changes_ = 0;

@@ -40,7 +40,7 @@ class BodyPathObserver {
 
 class ExactBody final : public Interaction {
  public:
-  static constexpr int kMaxSteps = 40;      ///< steps per tick; beyond them the search continues in the next tick
+  static constexpr int kMaxSteps = 40;  ///< steps per tick; beyond them the search continues in the next tick
   /// Programs and changes of their active constraints per tick, likewise; and those of a tick that moves the body out of
   /// spheres, beyond which the scene counts as closed over it.
   static constexpr int kMaxChanges = 600, kMaxSceneChanges = 1200;
@@ -71,7 +71,7 @@ class ExactBody final : public Interaction {
   double lever_A() const noexcept { return lever_; }  ///< L
   /// The pose to which the springs pull: the hand's of the last tick, its orientation after the slip.
   PoseA coupledHand() const noexcept { return inScene(hand_); }
-  int steps() const noexcept { return steps_; }              ///< of the last tick
+  int steps() const noexcept { return steps_; }  ///< of the last tick
   /// Programs and changes of active constraints in the last tick, at most kMaxSceneChanges + kMaxChanges.
   int changes() const noexcept { return changes_; }
   /// Spheres, pairs and nodes examined for the lists of pairs in the last tick (BodyPairs::kMaxWork).
