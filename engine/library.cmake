@@ -48,6 +48,7 @@ moltact_public(moltact_haptics haptics
   haptics/nearby_spheres.h
   haptics/sphere_grid.h
   haptics/sphere_motion.h
+  haptics/surface_properties.h
   haptics/sweep.h
   haptics/touch_setup.h
   haptics/tracker.h
@@ -57,6 +58,7 @@ moltact_public(moltact_molecule molecule
   molecule/elements.h
   molecule/molecule.h
   molecule/molecule_key.h
+  molecule/radius_tables.h
   molecule/reader.h
   molecule/summary.h)
 # What the two are linked with.

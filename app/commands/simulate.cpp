@@ -13,7 +13,7 @@
 #include "app/commands/outputs.h"
 #include "app/commands/simulate_gromacs.h"
 #include "app/commands/value_types.h"
-#include "engine/dynamics/openmm_engine.h"
+#include "engine/dynamics/simulation_engines.h"
 #include "engine/language/catalogue.h"
 #include "engine/molecule/catalogue.h"
 #include "engine/molecule/reader.h"

@@ -32,7 +32,7 @@ void SimulationThread::run() {
     const double elapsed_s = std::min(seconds(now - last), 0.1);
     last = now;
     const SimulationFrame& frame =
-        run_.advance(commands_.read(), elapsed_s, std::max(1, int(rate * std::max(kMost_s, elapsed_s))));
+        run_.advance(commands_.read(), elapsed_s, std::max(1, int(rate * std::max(kMaxStep_s, elapsed_s))));
     const double took_s = seconds(Clock::now() - now);
     const double steps = frame.ps_per_s * elapsed_s / run_.engine().step_ps();
     if (steps >= 5.0 && took_s > 1e-5) rate += 0.2 * (steps / took_s - rate);

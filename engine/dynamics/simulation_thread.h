@@ -21,7 +21,7 @@ class SimulationThread final : public LiveSimulation {
   void command(const SimulationCommand& wanted) override;
 
   /// The shortest time between two frames, and the longest that one is computed (unit: second).
-  static constexpr double kSlice_s = 0.005, kMost_s = 0.02;
+  static constexpr double kSlice_s = 0.005, kMaxStep_s = 0.02;
 
  private:
   void run();

@@ -9,7 +9,7 @@ namespace {
 
 // How often a call asks the interaction inside. A slip moves the contact, which turns its normal and changes its normal
 // force; the drag follows by iteration. What a body leaves over follows in the next tick.
-constexpr int kMostAsked = 24, kMostAskedOfBody = 4;
+constexpr int kMaxAsked = 24, kMaxAskedOfBody = 4;
 constexpr double kShareRounding = 1e-10;  // of the load at which a slip ends, and of an energy
 constexpr double kRounding_A = 1e-9;
 // A pull that the contact's normals do not explain to this share is that of a method that shades or sums springs.
@@ -34,6 +34,17 @@ void FrictionLayer::setFriction(const Friction& friction) noexcept {
   if (std::isfinite(friction.stick_slip)) friction_.stick_slip = std::clamp(friction.stick_slip, 0.0, 1.0);
 }
 
+void FrictionLayer::setSurface(const SurfaceProperties& surface) noexcept {
+  inner().setSurface(surface);
+  setFriction(surface.friction);
+}
+
+SurfaceProperties FrictionLayer::surface() const noexcept {
+  SurfaceProperties out = inner().surface();
+  out.friction = friction_;
+  return out;
+}
+
 void FrictionLayer::reset() noexcept {
   touching_ = slipped_ = false;
   inner().reset();
@@ -41,7 +52,10 @@ void FrictionLayer::reset() noexcept {
 
 bool FrictionLayer::setMotion(const SphereMotion* motion) noexcept {
   if (!inner().setMotion(motion)) return false;
+  const std::uint64_t serial = motion ? motion->serial() : 0;
+  if (motion == motion_ && serial == motion_serial_) return true;
   motion_ = motion;
+  motion_serial_ = serial;
   fraction_ = 0.0;
   surface_moved_ = true;
   return true;
@@ -161,7 +175,7 @@ Response FrictionLayer::respond(const PoseA& pose) noexcept {
   Lag lag = lagBehind(pose);
   double now = load(lag), most = 1.0 + friction_.stick_slip;
   const double stayed_A2 = answer(pose).contact.energy_A2;
-  for (int k = 0; k < (body_ ? kMostAskedOfBody : kMostAsked); ++k) {
+  for (int k = 0; k < (body_ ? kMaxAskedOfBody : kMaxAsked); ++k) {
     const bool slips = now > most * (1.0 + kShareRounding);
     if (k > 0 && !slips) break;
     if (slips) {

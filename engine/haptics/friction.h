@@ -7,12 +7,13 @@
 // A contact sticks until the spring drags it with more than the coefficient times its normal force; then it slips
 // towards the hand until the ratio is that of sliding. A slip lowers the energy of the spring, whatever its path, and a
 // contact that sticks stores and returns it, so friction only takes energy from the hand (docs/friction.md). The place
-// where a contact sticks moves with the atoms that it touches. A body sticks with its orientation too.
+// where a contact sticks moves with the atoms that it touches. A body sticks in its orientation too.
 //
 // No state depends on the number of calls. Haptic thread; no allocation after construction. Units: angstrom, radian.
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <memory>
 #include <vector>
 
@@ -35,12 +36,12 @@ class FrictionLayer final : public WrappedInteraction {
                 std::shared_ptr<const HeldBody> body, std::shared_ptr<const Roughness> roughness,
                 const Friction& friction);
 
-  /// With coefficient 0: the answer of the interaction inside.
+  /// With coefficient 0: the response of the inner interaction.
   Response respond(const PoseA& pose) noexcept override;
   void reset() noexcept override;
   void setProbe(double probe_A) noexcept override;
-  void setFriction(const Friction& friction) noexcept override;
-  Friction friction() const noexcept override { return friction_; }
+  void setSurface(const SurfaceProperties& surface) noexcept override;
+  SurfaceProperties surface() const noexcept override;
   std::size_t reactions(const Response& last, double spring_N_per_A, double field_share,
                         std::span<AtomForce> out) const noexcept override;
   bool setMotion(const SphereMotion* motion) noexcept override;
@@ -50,6 +51,7 @@ class FrictionLayer final : public WrappedInteraction {
   bool slipped() const noexcept { return slipped_; }  ///< in the last call
 
  private:
+  void setFriction(const Friction& friction) noexcept;
   // How far the held-back hand is from the hand along the surface, and how firmly the hand presses on the contacts.
   struct Lag {
     Vec3 way_A{0.0};     // of the place
@@ -72,11 +74,12 @@ class FrictionLayer final : public WrappedInteraction {
   std::shared_ptr<const Roughness> roughness_;
   Friction friction_;
   const SphereMotion* motion_ = nullptr;
+  std::uint64_t motion_serial_ = 0;  // a later motion may have the same address
   double fraction_ = 0.0;
 
   bool touching_ = false, slipped_ = false, surface_moved_ = false;
-  PoseA held_;             // with which the interaction inside was asked last
-  Response inner_answer_;  // its answer
+  PoseA held_;             // the last pose of the inner interaction
+  Response inner_answer_;  // its response to that
   double share_ = 1.0;     // of the spring's force that is felt; below 1 after a slip that lengthened the spring
   double grip_A_ = 0.0, grip_turn_A2_ = 0.0;  // as in Lag, for a hand at held_
   // The atoms touched there, with their shares of the normal force and their centres.

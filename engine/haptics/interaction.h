@@ -11,6 +11,7 @@
 #include "engine/core/units.h"
 #include "engine/haptics/contact.h"
 #include "engine/haptics/felt_force.h"
+#include "engine/haptics/surface_properties.h"
 
 namespace moltact {
 
@@ -77,19 +78,6 @@ struct Response {
   }
 };
 
-/// Dry friction between the surface and what the hand holds.
-struct Friction {
-  double coefficient = 0.0;  ///< of sliding: drag divided by the normal force (0 to kMaxFriction)
-  /// By how much more than while sliding a contact at rest holds, as a fraction of `coefficient` (0 to 1). Above 0 a
-  /// slow hand sticks and slips in turn.
-  double stick_slip = 0.0;
-
-  friend bool operator==(const Friction&, const Friction&) = default;
-};
-
-/// The largest coefficient of friction.
-inline constexpr double kMaxFriction = 1.0;
-
 class Interaction {
  public:
   virtual ~Interaction() = default;
@@ -111,10 +99,10 @@ class Interaction {
   /// The probe radius; 0 for an interaction without a probe.
   virtual double probe_A() const noexcept = 0;
 
-  /// Sets the friction, also while touching. Out-of-range values are clamped, non-finite ones ignored. Interactions
-  /// without the layer `friction` ignore the call.
-  virtual void setFriction(const Friction&) noexcept {}
-  virtual Friction friction() const noexcept { return {}; }
+  /// Sets the surface's properties, also while touching. Out-of-range values are clamped, non-finite ones ignored.
+  /// Properties whose layer the interaction lacks are ignored, and surface() returns their defaults.
+  virtual void setSurface(const SurfaceProperties&) noexcept {}
+  virtual SurfaceProperties surface() const noexcept { return {}; }
 
   /// Writes the reactions on the scene's atoms to the last response and returns their number. Their sum is the opposite
   /// of the force of `last.total(spring_N_per_A, field_share)`. An atom may occur more than once. `out` has room for

@@ -18,8 +18,8 @@ class WrappedInteraction : public Interaction {
   void reset() noexcept override { inner_->reset(); }
   void setProbe(double probe_A) noexcept override { inner_->setProbe(probe_A); }
   double probe_A() const noexcept override { return inner_->probe_A(); }
-  void setFriction(const Friction& friction) noexcept override { inner_->setFriction(friction); }
-  Friction friction() const noexcept override { return inner_->friction(); }
+  void setSurface(const SurfaceProperties& surface) noexcept override { inner_->setSurface(surface); }
+  SurfaceProperties surface() const noexcept override { return inner_->surface(); }
   /// `last` is the response of this wrapper. Override if the wrapper changes more than the force of a point's contact.
   std::size_t reactions(const Response& last, double spring_N_per_A, double field_share,
                         std::span<AtomForce> out) const noexcept override {

@@ -4,10 +4,10 @@
 #include <optional>
 #include <system_error>
 
+#include "engine/dynamics/simulation_engines.h"
 #include "engine/language/catalogue.h"
 #include "engine/lesson/checks.h"
 #include "engine/lesson/glossary.h"
-#include "engine/lesson/imd_address.h"
 #include "engine/lesson/lesson_files.h"
 #include "engine/lesson/lesson_molecules.h"
 #include "engine/lesson/lesson_picture.h"
@@ -76,7 +76,7 @@ class Files {
   void simulation(const SceneSpec& scene) {
     if (scene.simulation.empty() || findings_.enough()) return;
     const Place place = scene.places.simulation;
-    if (imdAddress(scene.simulation))
+    if (simulationAddress(scene.simulation))
       return findings_.warning(place, tr("a page in a browser has no TCP: it shows this molecule at rest"),
                                tr("have students use the desktop program"));
     const Expected<MoleculeKey> molecule = lessonMolecule(lesson_file_, scene.molecule);

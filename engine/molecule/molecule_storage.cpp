@@ -1,7 +1,6 @@
 #include "engine/molecule/molecule_storage.h"
 
 #include <algorithm>
-#include <functional>
 #include <numeric>
 
 #include "engine/language/catalogue.h"
@@ -23,6 +22,10 @@ void makeRoom(std::vector<T>& list, std::size_t atoms, std::size_t atoms_expecte
 
 // The heap memory of a text, including the overhead of an allocation.
 std::size_t heapBytes(std::string_view text) { return text.size() > ShortText::kInside ? text.size() + 16 : 0; }
+
+// Residues whose atoms are apart in the file, such as by waters between them, are joined if fewer than so many other
+// label chains lie between.
+constexpr std::size_t kLastLabels = 16;
 
 }  // namespace
 
@@ -85,9 +88,16 @@ void MoleculeStorage::put(std::size_t at, const PlacedAtom& atom, float charge_e
     }
     if (!label_of_.empty() || !label_chain_.empty()) {
       makeRoom(label_of_, m.atoms.size(), expected);
-      const std::uint32_t number = names_label_chains_
-                                       ? static_cast<std::uint32_t>(labels_.size())
-                                       : static_cast<std::uint32_t>(std::hash<std::string_view>()(label_chain_)) | 1u;
+      std::uint32_t number = static_cast<std::uint32_t>(labels_.size());
+      if (!names_label_chains_ && !label_chain_.empty()) {
+        auto known = std::find_if(last_labels_.begin(), last_labels_.end(),
+                                  [&](const auto& label) { return label.first == label_chain_; });
+        if (known == last_labels_.end()) {
+          if (last_labels_.size() == kLastLabels) last_labels_.pop_back();
+          known = last_labels_.insert(last_labels_.begin(), {label_chain_, ++label_count_});
+        }
+        number = known->second;
+      }
       label_of_.push_back(label_chain_.empty() ? 0 : number);
     }
     makeRoom(m.residues, m.atoms.size(), expected);

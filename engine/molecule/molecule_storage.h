@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "engine/core/problem.h"
@@ -77,8 +78,12 @@ class MoleculeStorage {
  private:
   bool names_label_chains_, has_charges_;
   std::string label_chain_;  // of the last residue
-  // Per residue: index into labels_ from 1, or without names a hash; 0: none. Empty if no residue has one.
+  // Per residue: index into labels_ from 1, or without names the label's number; 0: none. Empty if no residue has one.
   std::vector<std::uint32_t> label_of_;
+  // Without names: the last labels with their numbers, the newest in front. A label that comes back after many others
+  // gets another number; equal numbers always mean equal labels.
+  std::vector<std::pair<std::string, std::uint32_t>> last_labels_;
+  std::uint32_t label_count_ = 0;  // numbers given so far
   std::vector<ShortText> labels_;  // one for each run of equal labels
   std::size_t text_bytes_ = 0;     // of names too long for a ShortText's own storage
 };

@@ -21,8 +21,8 @@ static_assert(sizeof(ServoSettings) == 168 && sizeof(DevicePose) == 80 && sizeof
                   sizeof(TickTime) == 16,
               "a field more is to be recorded below, or a replay is not the same");
 
-// Version 6 has no motion of spheres; version 5 has also no poses of bodies; version 4 has also no torque per tick; version 3 has also no orientation, and no
-// torque of devices; version 2 has also no initial state.
+// Version 6 has no motion of spheres. Version 5 has also no poses of bodies. Version 4 has also no torque per tick.
+// Version 3 has also no orientation, and no torque of devices. Version 2 has also no initial state.
 constexpr std::string_view kMagic = "MOLTRAC7", kBodyPosesMagic = "MOLTRAC6", kTorquesMagic = "MOLTRAC5",
                            kForcesMagic = "MOLTRAC4", kPlacesMagic = "MOLTRAC3", kStatelessMagic = "MOLTRAC2",
                            kOldMagic = "MOLTRAC1";
@@ -34,7 +34,7 @@ constexpr std::size_t kMaxBytes = std::size_t{1} << 30;
 constexpr std::uint8_t kSettings = 1, kFresh = 2, kConnected = 4, kOtherDevice = 8, kFaultFlag = 16, kFallenBack = 32,
                        kOriented = 64, kSpheresMoved = 128;
 constexpr std::uint8_t kAtEdge = 1,
-                       kFriction = 2;  // at the end of the settings; files of earlier builds have the first
+                       kSurface = 2;  // at the end of the settings; files of earlier builds have the first
 constexpr std::uint8_t kBodyPose = 1, kNotAtRest = 2;            // of an oriented tick
 constexpr std::uint8_t kGivesForce = 1, kRotationalDamping = 2;  // of a device; files of earlier builds have the first
 
@@ -55,6 +55,20 @@ std::string rangesText(const std::vector<std::uint32_t>& numbers) {
     i = last + 1;
   }
   return out;
+}
+
+// The reduction of a held body's radii, where it is not the default.
+constexpr const char* kOverlapLabel = "held-overlap-mA";
+constexpr double kMilliPerUnit = 1000.0;
+
+double overlapOf(const std::map<std::string, std::string>& labels) {
+  const auto found = labels.find(kOverlapLabel);
+  if (found == labels.end()) return kBodyOverlap_A;
+  int value = 0;
+  const char* const end = found->second.data() + found->second.size();
+  const auto read = std::from_chars(found->second.data(), end, value);
+  return read.ec == std::errc() && read.ptr == end && value >= 0 && value <= 2000 ? value / kMilliPerUnit
+                                                                                  : kBodyOverlap_A;
 }
 
 // Parses ranges. Returns an empty list if the text is invalid or names a number that is not below `end`.
@@ -88,8 +102,8 @@ void settingsFields(Each& each, Settings& s) {
   each(s.stiffness_N_per_mm), each(s.max_force_N), each(s.probe_A), each(s.discontinuities), each(s.clutch.buttons);
 }
 template <class Each, class F>
-void frictionFields(Each& each, F& friction) {
-  each(friction.coefficient), each(friction.stick_slip);
+void surfaceFields(Each& each, F& surface) {
+  each(surface.friction.coefficient), each(surface.friction.stick_slip);
 }
 template <class Each, class Figures>
 void figuresFields(Each& each, Figures& f) {
@@ -127,8 +141,8 @@ bool canBe(const ServoSettings& s) {
     for (int i = 0; i < 3; ++i) rotates = rotates && std::abs(w.rotation[k][i]) <= 1.001;
   const auto within = [](double x, double limit) { return x >= 0.0 && x <= limit; };
   return rotates && w.A_per_mm > 1e-6 && w.A_per_mm < 1e6 && finite(w.centre_A) && within(s.stiffness_N_per_mm, 1e6) &&
-         within(s.max_force_N, 1e6) && within(s.probe_A, 1e6) && within(s.friction.coefficient, 1e6) &&
-         within(s.friction.stick_slip, 1e6);
+         within(s.max_force_N, 1e6) && within(s.probe_A, 1e6) && within(s.surface.friction.coefficient, 1e6) &&
+         within(s.surface.friction.stick_slip, 1e6);
 }
 
 // The loop gives only finite forces within the limits of canBe().
@@ -141,10 +155,10 @@ std::string bytesOf(const ServoSettings& settings) {
   std::string out;
   Putter put{out};
   settingsFields(put, settings);
-  const bool friction = settings.friction != Friction{};
+  const bool surface = settings.surface != SurfaceProperties{};
   put(std::uint8_t(settings.force_on)), put(std::uint8_t(settings.panic));
-  put(std::uint8_t((settings.clutch.at_edge ? kAtEdge : 0) | (friction ? kFriction : 0)));
-  if (friction) frictionFields(put, settings.friction);
+  put(std::uint8_t((settings.clutch.at_edge ? kAtEdge : 0) | (surface ? kSurface : 0)));
+  if (surface) surfaceFields(put, settings.surface);
   return out;
 }
 
@@ -184,9 +198,9 @@ bool readTick(Getter& get, ServoSettings& settings, RecordedTick& tick, const Ve
     settings.clutch.at_edge = at_edge & kAtEdge;
     settings.force_on = on;
     settings.panic = panic;
-    settings.friction = {};
-    if (at_edge & kFriction) frictionFields(get, settings.friction);
-    get.ok = get.ok && on <= 1 && panic <= 1 && !(at_edge & ~(kAtEdge | kFriction)) && canBe(settings);
+    settings.surface = {};
+    if (at_edge & kSurface) surfaceFields(get, settings.surface);
+    get.ok = get.ok && on <= 1 && panic <= 1 && !(at_edge & ~(kAtEdge | kSurface)) && canBe(settings);
   }
   tick.other_device = flags & kOtherDevice;
   if (tick.other_device) {
@@ -407,6 +421,8 @@ std::map<std::string, std::string> sceneLabels(const SphereGrid& scene, const He
   std::map<std::string, std::string> labels{{"balls", fingerprint(scene)}};
   if (scene.hasUntouchable()) labels["untouchable"] = rangesText(scene.untouchable());
   if (body) labels["held"] = rangesText(body->atoms);
+  if (body && body->overlap_A != kBodyOverlap_A)
+    labels[kOverlapLabel] = std::to_string(std::lround(body->overlap_A * kMilliPerUnit));
   return labels;
 }
 
@@ -416,7 +432,7 @@ RecordedScene recordedScene(const std::map<std::string, std::string>& labels, Sh
     return found == labels.end() ? std::vector<std::uint32_t>() : rangesOf(found->second, spheres.size());
   };
   RecordedScene out;
-  out.body = heldBody(spheres, listed("held"));
+  out.body = heldBody(spheres, listed("held"), overlapOf(labels));
   const std::vector<std::uint32_t> untouchable = listed("untouchable");
   out.spheres = std::make_shared<const SphereGrid>(std::move(spheres), untouchable);
   return out;

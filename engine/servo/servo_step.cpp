@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace moltact {
@@ -92,9 +93,9 @@ ServoSample ServoStep::tick(const ServoSettings& settings, Interaction* interact
     // surface, not of the hand or the loop.
     const bool carried = moveSurface(settings, *interaction, phase, changed) && !changed && !rescaled;
     if (carried) respondBefore(settings.workspace, *interaction, before);
-    setFriction(settings, *interaction, changed);
+    setSurface(settings.surface, *interaction, changed);
     out.probe_A = interaction->probe_A();
-    out.friction = interaction->friction();
+    out.surface = interaction->surface();
     const Response response = interaction->respond(at);
     out.contact = response.contact;
     out.memory_usage = interaction->memoryUsage();
@@ -145,15 +146,11 @@ bool ServoStep::moveSurface(const ServoSettings& settings, Interaction& interact
   return moved;
 }
 
-// A contact that slips because its friction falls gives up energy; the rate bounds the step of the force.
-void ServoStep::setFriction(const ServoSettings& settings, Interaction& interaction, bool changed) noexcept {
-  const Friction now = interaction.friction();
-  Friction goal = settings.friction;
-  if (goal == now || !std::isfinite(goal.coefficient)) return;
-  const double limit = kFrictionSlew_per_s * kTick_s;
-  goal.coefficient = std::clamp(goal.coefficient, 0.0, kMaxFriction);
-  if (!changed) goal.coefficient = now.coefficient + std::clamp(goal.coefficient - now.coefficient, -limit, limit);
-  interaction.setFriction(goal);
+// A new interaction has the new properties at once.
+void ServoStep::setSurface(const SurfaceProperties& goal, Interaction& interaction, bool changed) noexcept {
+  const SurfaceProperties now = interaction.surface();
+  const double dt_s = changed ? std::numeric_limits<double>::infinity() : kTick_s;
+  if (const SurfaceProperties next = surfaceTowards(now, goal, dt_s); next != now) interaction.setSurface(next);
 }
 
 // The stored energy after the motion of the surface, with the hand still at its last pose. The stiffness of this tick

@@ -27,7 +27,7 @@ struct ServoSettings {
   double stiffness_N_per_mm = 0.5;
   double max_force_N = 3.3;           ///< limit on the norm of the force
   double probe_A = kWaterProbe_A;     ///< approached at kProbeSlew_A_per_s
-  Friction friction;                  ///< its coefficient is approached at kFrictionSlew_per_s
+  SurfaceProperties surface;          ///< approached by surfaceTowards()
   bool force_on = true;               ///< false: contacts are computed, but no force is given
   ClutchSettings clutch;              ///< clutch and drift
   bool panic = false;                 ///< true: no force from the next tick on, in any case
@@ -38,15 +38,15 @@ struct ServoSettings {
     probe_A = touch.probe_A;
     stiffness_N_per_mm = touch.stiffness_N_per_mm;
     force_on = touch.force_on;
-    friction = {touch.friction, touch.stick_slip};
+    surface.friction = {touch.friction, touch.stick_slip};
   }
   /// Copies these properties back to a setup.
   void giveTo(TouchSetup& touch) const noexcept {
     touch.probe_A = probe_A;
     touch.stiffness_N_per_mm = stiffness_N_per_mm;
     touch.force_on = force_on;
-    touch.friction = friction.coefficient;
-    touch.stick_slip = friction.stick_slip;
+    touch.friction = surface.friction.coefficient;
+    touch.stick_slip = surface.friction.stick_slip;
   }
 };
 
@@ -56,8 +56,7 @@ struct MotionPhase {
   double fraction = 0.0;                 ///< of the motion, 0 to 1
 };
 
-inline constexpr double kProbeSlew_A_per_s = 8.0;   ///< largest rate of growth of the probe during contact
-inline constexpr double kFrictionSlew_per_s = 2.0;  ///< largest rate of change of the coefficient during contact
+inline constexpr double kProbeSlew_A_per_s = 8.0;  ///< largest rate of growth of the probe during contact
 
 /// Threshold of a field's force that counts as felt; the hand perceives forces of some hundredths of a newton.
 inline constexpr double kMinFelt_N = 0.02;
@@ -82,7 +81,7 @@ struct ServoSample {
   Vec3 torque_N_mm{0.0};                                           ///< the same; zero for a device without torque
   LimitFlags limits;                                               ///< those that changed the force of this tick
   double probe_A = 0;                                              ///< used in this tick
-  Friction friction;                                               ///< used in this tick
+  SurfaceProperties surface;                                       ///< used in this tick
   MemoryUsage memory_usage;                                        ///< of the interaction
   std::uint32_t buttons = 0;
   float work_us = 0;  ///< duration of the tick (0 on a virtual clock)
@@ -168,7 +167,7 @@ class ServoStep {
   friend struct StepState;  // step_state.cpp, which saves the state
   bool moveSurface(const ServoSettings& settings, Interaction& interaction, const MotionPhase& phase,
                    bool changed) noexcept;
-  static void setFriction(const ServoSettings& settings, Interaction& interaction, bool changed) noexcept;
+  static void setSurface(const SurfaceProperties& goal, Interaction& interaction, bool changed) noexcept;
   void respondBefore(const Workspace& workspace, Interaction& interaction, Stored& before) noexcept;
   void feel(const ServoSettings& settings, const Response& response, WantedWrench& wanted) noexcept;
 

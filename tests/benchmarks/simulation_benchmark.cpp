@@ -8,7 +8,7 @@
 #include <thread>
 #include <vector>
 
-#include "engine/dynamics/openmm_engine.h"
+#include "engine/dynamics/simulation_engines.h"
 #include "engine/dynamics/simulation_thread.h"
 #include "engine/molecule/catalogue.h"
 #include "engine/molecule/reader.h"

@@ -60,7 +60,7 @@ TEST_CASE(
       bytes.push_back(static_cast<std::uint8_t>(report.size()));
       bytes.insert(bytes.end(), report.begin(), report.end());
     }
-    ReportStream stream;
+    ReportStream stream(lengthFraming());
     std::size_t at = 0, next = 0;
     while (at < bytes.size() || next < sent.size()) {
       const auto room = stream.room();
@@ -77,10 +77,92 @@ TEST_CASE(
     CHECK(next == sent.size());
   }
   for (const std::uint8_t length : {std::uint8_t(0), std::uint8_t(65), std::uint8_t(255)}) {
-    ReportStream stream;
+    ReportStream stream(lengthFraming());
     stream.room()[0] = length;
     stream.filled(1);
     std::array<std::uint8_t, kMaxReportBytes> report{};
+    CHECK(stream.next(report) == -1);
+  }
+}
+
+// SLIP (RFC 1055): a frame ends with END; END and ESC within it are escaped.
+class SlipFraming final : public ReportFraming {
+ public:
+  static constexpr std::uint8_t kEnd = 0xC0, kEsc = 0xDB, kEscEnd = 0xDC, kEscEsc = 0xDD;
+
+  Decoded decode(std::span<const std::uint8_t> stream, std::span<std::uint8_t> report) const noexcept override {
+    Decoded out;
+    for (std::size_t k = 0; k < std::min(stream.size(), kMaxFrameBytes); ++k) {
+      std::uint8_t byte = stream[k];
+      if (byte == kEnd) {
+        out.is = Decoded::Is::Report;
+        out.frame_bytes = k + 1;
+        return out;
+      }
+      if (byte == kEsc) {
+        if (++k == stream.size()) break;
+        if (stream[k] != kEscEnd && stream[k] != kEscEsc) return {Decoded::Is::Invalid};
+        byte = stream[k] == kEscEnd ? kEnd : kEsc;
+      }
+      if (out.report_bytes < report.size()) report[out.report_bytes++] = byte;
+    }
+    return {};
+  }
+
+  std::size_t encode(std::span<const std::uint8_t> report, FrameBuffer out) const noexcept override {
+    std::size_t size = 0;
+    for (const std::uint8_t byte : report) {
+      const bool escaped = byte == kEnd || byte == kEsc;
+      if (size + 3 > out.size()) break;
+      if (escaped) out[size++] = kEsc;
+      out[size++] = !escaped ? byte : byte == kEnd ? kEscEnd : kEscEsc;
+    }
+    out[size++] = kEnd;
+    return size;
+  }
+};
+
+TEST_CASE(
+    "another framing needs a decoder and an encoder alone: 200 streams in SLIP frames, with empty frames between, come "
+    "out whole; 128 bytes without an end, and a wrong escape, end the stream") {
+  const SlipFraming slip;
+  std::mt19937 random(11);
+  MESSAGE("seed 11");
+  for (int round = 0; round < 200; ++round) {
+    std::vector<std::vector<std::uint8_t>> sent(1 + random() % 100);
+    std::vector<std::uint8_t> bytes;
+    for (auto& report : sent) {
+      report.resize(1 + random() % 60);
+      for (auto& b : report) b = random() % 4 ? static_cast<std::uint8_t>(random()) : SlipFraming::kEnd;
+      std::array<std::uint8_t, kMaxFrameBytes> frame{};
+      const std::size_t size = slip.encode(report, frame);
+      bytes.insert(bytes.end(), frame.begin(), frame.begin() + std::ptrdiff_t(size));
+      if (random() % 3 == 0) bytes.push_back(SlipFraming::kEnd);
+    }
+    ReportStream stream(slip);
+    std::size_t next = 0;
+    for (std::size_t at = 0; at < bytes.size();) {
+      const auto room = stream.room();
+      REQUIRE_FALSE(room.empty());
+      const std::size_t some = std::min({room.size(), bytes.size() - at, std::size_t(1 + random() % 300)});
+      std::copy_n(bytes.begin() + std::ptrdiff_t(at), some, room.begin());
+      stream.filled(some);
+      at += some;
+      std::array<std::uint8_t, kMaxReportBytes> report{};
+      for (int size; (size = stream.next(report)) != 0; ++next) {
+        REQUIRE(size > 0);
+        REQUIRE(next < sent.size());
+        REQUIRE(std::vector(report.begin(), report.begin() + size) == sent[next]);
+      }
+    }
+    CHECK(next == sent.size());
+  }
+  std::array<std::uint8_t, kMaxReportBytes> report{};
+  for (const std::vector<std::uint8_t>& wrong :
+       {std::vector<std::uint8_t>(128, 1), std::vector<std::uint8_t>{1, SlipFraming::kEsc, 7}}) {
+    ReportStream stream(slip);
+    std::copy(wrong.begin(), wrong.end(), stream.room().begin());
+    stream.filled(wrong.size());
     CHECK(stream.next(report) == -1);
   }
 }

@@ -7,7 +7,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "engine/dynamics/openmm_engine.h"
+#include "engine/dynamics/simulation_engines.h"
 #include "engine/molecule/reader.h"
 #include "engine/platform/folders.h"
 #include "tests/dynamics/child_program.h"

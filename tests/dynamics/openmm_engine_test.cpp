@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <optional>
 
+#include "engine/dynamics/simulation_engines.h"
 #include "engine/dynamics/simulation_thread.h"
 #include "engine/platform/folders.h"
 #include "engine/platform/read_file.h"

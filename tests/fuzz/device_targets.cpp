@@ -48,7 +48,7 @@ void reportStream(std::string_view bytes) {
   const std::size_t piece = bytes.empty() ? 1 : 1u + static_cast<unsigned char>(bytes.front());
   if (!bytes.empty()) bytes.remove_prefix(1);
   const auto [wanted, wanted_broken] = parsed(bytes);
-  ReportStream stream;
+  ReportStream stream(lengthFraming());
   std::vector<Report> got;
   bool broken = false;
   for (std::string_view rest = bytes; !rest.empty() && !broken;) {

@@ -35,7 +35,7 @@ Slid slide(Interaction& felt, double half_way_mm, int times) {
   ServoStep step(device);
   ServoSettings settings;
   settings.stiffness_N_per_mm = kStiffness_N_per_mm;
-  settings.friction.coefficient = kCoefficient;
+  settings.surface.friction.coefficient = kCoefficient;
   Slid out;
   Vec3 at(0, 0, 10), force(0.0);
   bool counts = false;
@@ -140,7 +140,7 @@ TEST_CASE(
       at.z -= 14.0 / 300;
     else
       at.x += 0.005;
-    settings.friction.coefficient = k >= 1500 && k < 3000 ? kCoefficient : 0.0;
+    settings.surface.friction.coefficient = k >= 1500 && k < 3000 ? kCoefficient : 0.0;
     const ServoSample now = step.tick(settings, felt.get(), {.position = {at}});
     if (k > 1000) {
       soft += now.limits.has(Limit::SoftStart);

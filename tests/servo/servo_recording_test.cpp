@@ -408,7 +408,7 @@ TEST_CASE(
     double force_N = 0.0;
     int k = 0;
     for (const Vec3& place : scenes::walk(scene, 4000, 5)) {
-      settings.friction = rough ? Friction{0.1 * (k / 500), k > 2000 ? 0.5 : 0.0} : Friction{};
+      settings.surface.friction = rough ? Friction{0.1 * (k / 500), k > 2000 ? 0.5 : 0.0} : Friction{};
       RecordedTick tick;
       tick.settings = settings;
       tick.pose.position = settings.workspace.toDevice({place});
@@ -425,13 +425,50 @@ TEST_CASE(
   const auto recording = readServoRecording(file);
   REQUIRE(recording);
   REQUIRE(recording->ticks.size() == 4000);
-  CHECK(recording->ticks[3999].settings.friction == Friction{0.1 * 7, 0.5});
+  CHECK(recording->ticks[3999].settings.surface.friction == Friction{0.1 * 7, 0.5});
   CHECK(touchOf(*recording).friction == 0.0);
   CHECK_FALSE(replay(*recording, makeInteraction(input).get()).first_difference);
   // Without the friction the forces part.
   ServoRecording even = *recording;
-  for (RecordedTick& tick : even.ticks) tick.settings.friction = {};
+  for (RecordedTick& tick : even.ticks) tick.settings.surface.friction = {};
   CHECK(replay(even, makeInteraction(input).get()).first_difference);
+  std::filesystem::remove(file);
+}
+
+TEST_CASE(
+    "every touch setting that needs no rebuild, changed alone, passes through the servo settings and through a "
+    "recording "
+    "unchanged") {
+  const auto file = scratch("live");
+  for (const TouchProperty& p : touchProperties()) {
+    if (p.requires_rebuild) continue;
+    CAPTURE(std::string(p.key));
+    TouchSetup touch;
+    if (const auto* number = std::get_if<double TouchSetup::*>(&p.member))
+      touch.** number = 0.25 * p.in_scenes.min + 0.75 * p.in_scenes.max;
+    else if (const auto* flag = std::get_if<bool TouchSetup::*>(&p.member))
+      touch.** flag = !(touch.**flag);
+    else
+      FAIL("a text cannot be followed within a tick");
+    REQUIRE_FALSE(touchValue(touch, p) == touchValue(TouchSetup(), p));
+    RecordedTick tick;
+    tick.settings.take(touch);
+    TouchSetup back;
+    tick.settings.giveTo(back);
+    CHECK(touchValue(back, p) == touchValue(touch, p));
+    ServoStep step;
+    auto writer = ServoRecordingWriter::create(file, true);
+    REQUIRE(writer);
+    REQUIRE_FALSE(writer->begin({}, step));
+    REQUIRE_FALSE(writer->add(tick));
+    REQUIRE_FALSE(writer->finish());
+    const auto recording = readServoRecording(file);
+    REQUIRE(recording);
+    REQUIRE(recording->ticks.size() == 1);
+    TouchSetup recorded;
+    recording->ticks[0].settings.giveTo(recorded);
+    CHECK(touchValue(recorded, p) == touchValue(touch, p));
+  }
   std::filesystem::remove(file);
 }
 

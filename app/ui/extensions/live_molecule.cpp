@@ -10,13 +10,10 @@
 #include "app/ui/extensions/displacement_text.h"
 #include "app/ui/lesson/lesson_guide.h"
 #include "app/ui/widgets/messages.h"
-#include "engine/dynamics/imd/imd_simulation.h"
-#include "engine/dynamics/openmm_engine.h"
 #include "engine/dynamics/simulation_thread.h"
 #include "engine/haptics/field/force_choices.h"
 #include "engine/haptics/field/pair_model.h"
 #include "engine/language/catalogue.h"
-#include "engine/lesson/imd_address.h"
 #include "engine/lesson/lesson_molecules.h"
 
 namespace moltact {
@@ -49,12 +46,12 @@ Expected<LiveMolecule::Opened> LiveMolecule::openFile(const fs::path& system,
   }
 }
 
-Expected<LiveMolecule::Opened> LiveMolecule::openAddress(const TcpAddress& address,
+Expected<LiveMolecule::Opened> LiveMolecule::openAddress(const SimulationAddress& address,
                                                          const std::shared_ptr<const Molecule>& molecule,
                                                          const std::shared_ptr<const std::atomic<bool>>& cancelled) {
   std::vector<Vec3> start_A;
   for (const Sphere& s : molecule->spheres) start_A.push_back(s.centre_A);
-  auto simulation = ImdSimulation::connect(address, std::move(start_A), cancelled);
+  auto simulation = address.engine->connect(address.at, std::move(start_A), cancelled);
   if (!simulation) return simulation.problem();
   return Opened{nullptr, *std::move(simulation)};
 }
@@ -79,14 +76,14 @@ void LiveMolecule::forget() {
   // A file that changed is read again at the next start.
 }
 
-std::optional<TcpAddress> LiveMolecule::address() const {
+std::optional<SimulationAddress> LiveMolecule::address() const {
   const LessonSession* session = lesson_.session();
   std::string_view text;
   if (session && lesson_.onStage())
     text = session->scene().simulation;
   else if (!named_for_.empty() && scene_.molecule().file == named_for_)
     text = options_.imd;
-  const auto read = imdAddress(text);
+  const auto read = simulationAddress(text);
   return read && *read ? std::optional(**read) : std::nullopt;
 }
 
@@ -165,7 +162,7 @@ void LiveMolecule::begin() {
 }
 
 // The session goes on while a scene restarts with the same molecule.
-void LiveMolecule::beginElsewhere(const TcpAddress& address) {
+void LiveMolecule::beginElsewhere(const SimulationAddress& address) {
   if (simulation_ && scene_.stage().molecule == molecule_ && file_ == address.text()) {
     wanted_.running = true;
     frame_.starts = 0;
@@ -174,10 +171,10 @@ void LiveMolecule::beginElsewhere(const TcpAddress& address) {
   forget();
   file_ = address.text();
   molecule_ = scene_.stage().molecule;
-  asks_ = !address.loopback() && agreed_ != "imd://" + address.text();
+  asks_ = !address.at.loopback() && agreed_ != address.text();
   if (asks_)
-    return messages_.notice(
-        trf("A simulation at {0} moves this molecule. The panel Motion (menu View) connects to it.", address.text()));
+    return messages_.notice(trf("A simulation at {0} moves this molecule. The panel Motion (menu View) connects to it.",
+                                address.at.text()));
   connect();
 }
 
@@ -185,7 +182,7 @@ void LiveMolecule::connect() {
   const auto elsewhere = address();
   if (!elsewhere || !on_ || !scene_.stage() || simulation_ || opening_.busy()) return;
   asks_ = false;
-  agreed_ = "imd://" + elsewhere->text();
+  agreed_ = elsewhere->text();
   problem_.clear();
   cancelled_ = std::make_shared<std::atomic<bool>>(false);
   opening_.begin(
@@ -202,6 +199,7 @@ void LiveMolecule::take(Expected<Opened> opened) {
   if (!opened) return fail(opened.problem().text());
   const std::unique_ptr<MdEngine>& engine = opened->engine;
   platform_ = engine ? engine->platform() : "";
+  engine_name_ = engine ? engine->name() : std::string();
   engine_ = engine ? engineText(*engine) : agreed_;
   measured_steps_per_s_ = engine ? engine->measured_steps_per_s() : 0.0;
   step_ps_ = engine ? engine->step_ps() : 0.0;

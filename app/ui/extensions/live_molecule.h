@@ -13,9 +13,8 @@
 
 #include "app/ui/extensions/atom_mover.h"
 #include "app/ui/widgets/plot_buffer.h"
-#include "engine/dynamics/live_simulation.h"
+#include "engine/dynamics/simulation_engines.h"
 #include "engine/platform/background.h"
-#include "engine/platform/tcp.h"
 
 namespace moltact {
 
@@ -58,7 +57,7 @@ class LiveMolecule : public AtomMover {
   /// Whether a system lies beside the molecule, or the lesson or the command line names one.
   bool offered() const { return on_ || address() || !system().empty(); }
   /// Where another program simulates this molecule; nothing: this program simulates it.
-  std::optional<TcpAddress> address() const;
+  std::optional<SimulationAddress> address() const;
   /// Whether the user has yet to agree to the address.
   bool asks() const { return on_ && asks_; }
   /// Connects to address(), at the user's request.
@@ -94,6 +93,8 @@ class LiveMolecule : public AtomMover {
 
   /// The newest state of the simulation.
   const SimulationFrame& frame() const { return frame_; }
+  /// "OpenMM 7.7"; empty for another program.
+  const std::string& engineName() const { return engine_name_; }
   /// "CPU", and the steps per second measured at the start; empty and 0 for another program.
   const std::string& platform() const { return platform_; }
   double measuredStepsPerS() const { return measured_steps_per_s_; }
@@ -113,7 +114,7 @@ class LiveMolecule : public AtomMover {
   };
   static Expected<Opened> openFile(const std::filesystem::path& system,
                                    const std::shared_ptr<const Molecule>& molecule);
-  static Expected<Opened> openAddress(const TcpAddress& address, const std::shared_ptr<const Molecule>& molecule,
+  static Expected<Opened> openAddress(const SimulationAddress& address, const std::shared_ptr<const Molecule>& molecule,
                                       const std::shared_ptr<const std::atomic<bool>>& cancelled);
   std::filesystem::path system() const;
   void forget();
@@ -122,7 +123,7 @@ class LiveMolecule : public AtomMover {
     cancelled_.reset();
   }
   void begin();
-  void beginElsewhere(const TcpAddress& address);
+  void beginElsewhere(const SimulationAddress& address);
   void take(Expected<Opened> opened);
   void fail(std::string why);
   void lose(std::string why);
@@ -143,7 +144,8 @@ class LiveMolecule : public AtomMover {
   NewestWork<Expected<Opened>> opening_;
   std::shared_ptr<std::atomic<bool>> cancelled_;  // of the connection that is being made
   std::unique_ptr<LiveSimulation> simulation_;
-  std::string problem_, platform_, engine_;  // engine_: as attempts name it
+  std::string problem_, platform_, engine_name_;
+  std::string engine_;  // as attempts name it
   double measured_steps_per_s_ = 0.0, step_ps_ = 0.0;
   SimulationCommand wanted_;
   SimulationFrame frame_;

@@ -52,10 +52,11 @@ bool drawConnection(LiveMolecule& live) {
   if (live.asks())
     simulationLine("simulation/asks", trf("Another program simulates this molecule, at {0}. Positions and forces cross "
                                           "the network unencrypted. Connect only to a computer that you trust.",
-                                          address->text()));
+                                          address->at.text()));
   else
     simulationLine("simulation/problem", live.problem());
-  if (button("simulation/connect", trf("Connect to {0}", address->text()).c_str(), ButtonLook::Primary)) live.connect();
+  if (button("simulation/connect", trf("Connect to {0}", address->at.text()).c_str(), ButtonLook::Primary))
+    live.connect();
   return true;
 }
 
@@ -127,8 +128,8 @@ bool drawSimulationSection(Application& app) {
   if (!live.on()) return false;
   if (live.opening()) {
     const auto address = live.address();
-    simulationLine("simulation/opening", address ? trf("Waiting for the simulation at {0}.", address->text())
-                                                 : tr("OpenMM is being loaded."));
+    simulationLine("simulation/opening", address ? trf("Waiting for the simulation at {0}.", address->at.text())
+                                                 : tr("The simulation is being loaded."));
     return true;
   }
   if (!live.ready()) {
@@ -155,14 +156,14 @@ bool drawSimulationSection(Application& app) {
       Font::Small);
   if (const auto address = live.address()) {
     simulationLine("simulation/engine",
-                   trf("The simulation at {0} sends {1} frames in a second.", address->text(),
+                   trf("The simulation at {0} sends {1} frames in a second.", address->at.text(),
                        numberText(live.frame().frames_per_s, significant(2))),
                    Font::Small);
     return true;
   }
   simulationLine(
       "simulation/engine",
-      trf("OpenMM computes on {0}: {1} steps of {2} fs in a second at most.", live.platform(),
+      trf("{0} computes on {1}: {2} steps of {3} fs in a second at most.", live.engineName(), live.platform(),
           numberText(live.measuredStepsPerS(), significant(2)), numberText(1000.0 * live.step_ps(), decimals(1))),
       Font::Small);
   return true;

@@ -6,6 +6,7 @@
 
 #include "engine/core/saturated.h"
 #include "engine/haptics/sweep.h"
+#include "engine/servo/reference_interaction.h"
 #include "engine/structure/interaction_input.h"
 
 namespace moltact {
@@ -135,15 +136,8 @@ Contact MethodWatch::add(const ServoSample& s, const Method& method,
 }
 
 Contact MethodWatch::exactContact(const ServoSample& s, const std::shared_ptr<const SphereMotion>& motion) {
-  if (s.contact_reset) exact_->reset();
-  if (s.probe_A != exact_->probe_A()) exact_->setProbe(s.probe_A);
-  exact_->setFriction(s.friction);
-  // As in ServoStep: first the spheres move, then the hand.
-  if (motion != motion_) {
-    exact_->setMotion(motion.get());
-    motion_ = motion;
-  }
-  if (motion_) exact_->advanceTo(s.fraction);
+  followTick(*exact_, s, motion.get());
+  motion_ = motion;  // in use until another is set
   const PoseA hand{s.hip, s.orientation};
   Contact exact = exact_->respond(hand).contact;
   // A method that loses the surface lets the hand out on the far side. The exact SCP would then stay behind for ever.

@@ -1,6 +1,5 @@
-// Splits a byte stream into reports, as a TCP device sends them: one byte with the length of the report, 1 to
-// kMaxReportBytes, then the report. Buffers at most kMaxBuffered bytes and allocates nothing. One thread at a time.
-// Layout: docs/device-protocol.md, "Over a network".
+// Splits a byte stream into reports by a framing. Buffers at most kMaxBuffered bytes and allocates nothing. One thread
+// at a time.
 #pragma once
 
 #include <algorithm>
@@ -8,7 +7,7 @@
 #include <cstring>
 #include <span>
 
-#include "engine/device/packet/packet_port.h"
+#include "engine/device/net/report_framing.h"
 
 namespace moltact {
 
@@ -16,6 +15,9 @@ class ReportStream {
  public:
   /// About 160 position reports. TCP flow control holds back the rest.
   static constexpr std::size_t kMaxBuffered = 4096;
+
+  /// The framing must outlive the stream.
+  explicit ReportStream(const ReportFraming& framing) : framing_(framing) {}
 
   /// The free part of the buffer; never empty after next() returned 0.
   std::span<std::uint8_t> room() {
@@ -30,16 +32,18 @@ class ReportStream {
   /// Copies the next report and returns its length; 0: none is complete. -1: invalid framing; the connection must be
   /// closed. A report longer than `report` is cut.
   int next(std::span<std::uint8_t> report) {
-    if (begin_ == end_) return 0;
-    const std::size_t length = bytes_[begin_];
-    if (length == 0 || length > kMaxReportBytes) return -1;
-    if (end_ - begin_ < 1 + length) return 0;
-    std::copy_n(bytes_.begin() + std::ptrdiff_t(begin_ + 1), std::min(length, report.size()), report.begin());
-    begin_ += 1 + length;
-    return int(std::min(length, report.size()));
+    using Is = ReportFraming::Decoded::Is;
+    for (;;) {
+      const ReportFraming::Decoded found = framing_.decode(std::span(bytes_).subspan(begin_, end_ - begin_), report);
+      if (found.is == Is::Incomplete) return end_ - begin_ < kMaxFrameBytes ? 0 : -1;
+      if (found.is == Is::Invalid || found.frame_bytes == 0 || found.frame_bytes > end_ - begin_) return -1;
+      begin_ += found.frame_bytes;
+      if (found.report_bytes > 0) return int(std::min(found.report_bytes, report.size()));
+    }
   }
 
  private:
+  const ReportFraming& framing_;
   std::array<std::uint8_t, kMaxBuffered> bytes_{};
   std::size_t begin_ = 0, end_ = 0;
 };

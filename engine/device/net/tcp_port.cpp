@@ -9,11 +9,13 @@
 namespace moltact {
 namespace {
 
+static_assert(kMaxFrameBytes <= TcpConnection::kMaxLastBytes);
 using Clock = std::chrono::steady_clock;
 
 class TcpPort final : public PacketPort {
  public:
-  explicit TcpPort(std::unique_ptr<TcpConnection> connection) : connection_(std::move(connection)) {}
+  TcpPort(std::unique_ptr<TcpConnection> connection, const ReportFraming& framing)
+      : connection_(std::move(connection)), framing_(framing), stream_(framing) {}
 
   int read(std::span<std::uint8_t> report, int wait_ms) override {
     const auto until = Clock::now() + std::chrono::milliseconds(wait_ms);
@@ -32,7 +34,7 @@ class TcpPort final : public PacketPort {
   }
 
   bool write(std::span<const std::uint8_t> report) override {
-    const Message message(report);
+    const Message message(framing_, report);
     return connection_->write(message.bytes());
   }
 
@@ -51,36 +53,36 @@ class TcpPort final : public PacketPort {
   }
 
   void lastReport(std::span<const std::uint8_t> report) override {
-    const Message message(report);
+    const Message message(framing_, report);
     connection_->lastBytes(message.bytes());
   }
 
  private:
-  // A report preceded by its length, in one buffer, so that it is sent as one packet.
+  // One frame in one buffer, so that it is sent as one packet.
   class Message {
    public:
-    explicit Message(std::span<const std::uint8_t> report) : size_(std::min(report.size(), kMaxReportBytes)) {
-      bytes_[0] = static_cast<std::uint8_t>(size_);
-      std::copy_n(report.begin(), size_, bytes_.begin() + 1);
-    }
-    std::span<const std::uint8_t> bytes() const { return {bytes_.data(), 1 + size_}; }
+    Message(const ReportFraming& framing, std::span<const std::uint8_t> report)
+        : size_(std::min(framing.encode(report.first(std::min(report.size(), kMaxReportBytes)), bytes_),
+                         kMaxFrameBytes)) {}
+    std::span<const std::uint8_t> bytes() const { return {bytes_.data(), size_}; }
 
    private:
-    std::array<std::uint8_t, 1 + kMaxReportBytes> bytes_{};
+    std::array<std::uint8_t, kMaxFrameBytes> bytes_{};
     std::size_t size_;
   };
 
   std::unique_ptr<TcpConnection> connection_;
+  const ReportFraming& framing_;
   ReportStream stream_;
   Clock::time_point heard_ = Clock::now();
 };
 
 }  // namespace
 
-Expected<std::unique_ptr<PacketPort>> openTcpPort(const TcpAddress& address) {
+Expected<std::unique_ptr<PacketPort>> openTcpPort(const TcpAddress& address, const ReportFraming& framing) {
   auto connection = TcpConnection::connect(address, tcp_port::kConnect_ms);
   if (!connection) return connection.problem();
-  return std::unique_ptr<PacketPort>(std::make_unique<TcpPort>(std::move(*connection)));
+  return std::unique_ptr<PacketPort>(std::make_unique<TcpPort>(std::move(*connection), framing));
 }
 
 }  // namespace moltact

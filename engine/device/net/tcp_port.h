@@ -1,9 +1,10 @@
-// A PacketPort over TCP, for a device or a program that listens on a network address and uses the framing of
-// report_stream.h. Threads and blocking as in packet/packet_port.h.
+// A PacketPort over TCP, for a device or a program that listens on a network address. Threads and blocking as in
+// packet/packet_port.h.
 #pragma once
 
 #include <memory>
 
+#include "engine/device/net/report_framing.h"
 #include "engine/device/packet/packet_port.h"
 #include "engine/platform/tcp.h"
 
@@ -17,7 +18,7 @@ inline constexpr int kDescription_ms = 500;  ///< for the answer to a request of
 inline constexpr int kSilence_ms = 2000;     ///< without a report for this time the device counts as disconnected
 }  // namespace tcp_port
 
-/// Connects. A Problem contains the reason.
-Expected<std::unique_ptr<PacketPort>> openTcpPort(const TcpAddress& address);
+/// Connects. `framing` divides the stream into reports and must outlive the port. A Problem contains the reason.
+Expected<std::unique_ptr<PacketPort>> openTcpPort(const TcpAddress& address, const ReportFraming& framing);
 
 }  // namespace moltact

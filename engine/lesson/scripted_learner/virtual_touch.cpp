@@ -2,6 +2,7 @@
 
 #include "engine/lesson/lesson_region.h"
 #include "engine/lesson/scene_atoms.h"
+#include "engine/servo/reference_interaction.h"
 #include "engine/structure/interaction_input.h"
 #include "engine/workspace/fit_workspace.h"
 #include "engine/workspace/scale.h"
@@ -10,7 +11,7 @@ namespace moltact {
 
 void VirtualTouch::begin(std::shared_ptr<const Molecule> molecule, const SceneSpec& scene) {
   const std::vector<std::uint32_t> untouchable = untouchableAtoms(scene, *molecule);
-  body_ = scene.in_hand.given() ? heldBody(molecule->spheres, heldAtoms(scene, *molecule)) : nullptr;
+  body_ = scene.in_hand.given() ? heldBody(*molecule, heldAtoms(scene, *molecule)) : nullptr;
   const bool moved = spheres_ && spheres_->spheres().data() != molecule_->spheres.data();
   if (molecule != molecule_ || moved || spheres_->untouchable() != untouchable) {
     molecule_ = std::move(molecule);
@@ -67,7 +68,7 @@ void VirtualTouch::setStage(const TaskStage& stage) {
     exact_ = nullptr;
   }
   if (stage.in_hand != stage_.in_hand) {
-    body_ = heldBody(molecule_->spheres, stage.in_hand.empty() ? heldAtoms(scene_, *molecule_) : stage.in_hand);
+    body_ = heldBody(*molecule_, stage.in_hand.empty() ? heldAtoms(scene_, *molecule_) : stage.in_hand);
     felt_ = nullptr;
     exact_ = nullptr;
   }
@@ -118,15 +119,7 @@ TouchSample VirtualTouch::tick(const PoseA& hand) {
   if (moves) fraction_ = std::min(1.0, fraction_ + 1.0 / motion_->ticks());
   const ServoSample s = step_.tick(settings_, felt_.get(), pose_, {}, {motion_.get(), fraction_});
   ++ticks_;
-  if (exact_) {
-    if (s.contact_reset) exact_->reset();
-    exact_->setProbe(s.probe_A);
-    exact_->setFriction(s.friction);
-    if (motion_) {
-      exact_->setMotion(motion_.get());
-      exact_->advanceTo(fraction_);
-    }
-  }
+  if (exact_) followTick(*exact_, s, motion_.get());
   if (motion_ && moves && !moving())
     spheres_ = std::make_shared<const SphereGrid>(motion_->at(1.0), spheres_->untouchable());
   TouchSample sample = touchSampleOf(s, method_, exact_ ? exact_->respond({s.hip, s.orientation}).contact : s.contact);
