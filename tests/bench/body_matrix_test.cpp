@@ -8,7 +8,6 @@
 #include <cmath>
 
 #include "engine/bench/bodies/body_trade_off.h"
-#include "engine/bench/bodies/path_watch.h"
 #include "engine/bench/scenes.h"
 
 using namespace moltact;
@@ -71,26 +70,6 @@ TEST_CASE("points tunnel through a wall at 12 A a tick, and overlap a corner; a 
   CHECK(fails(runBodyScene(sceneNamed(all, "dumbbell"), *findBodyMethod("point-penalty")), 'O'));
 }
 
-TEST_CASE(
-    "a step through a wall, a pose without a step and a step from elsewhere are ways through; one beside it is none") {
-  const auto all = bodyScenes(1);
-  const BodyScene& wall = sceneNamed(all, "passes");
-  PathWatch way(wall.spheres, wall.body, 0.05);
-  const auto at = [](double z) { return PoseA{{{0, 0, z}}, kNoRotation}; };
-  way.placed(at(18));
-  way.moved(at(18), at(4), 0.0);
-  CHECK_FALSE(way.tunnelled(at(4), nullptr));
-  way.moved(at(4), at(-4), 0.0);
-  CHECK(way.tunnelled(at(-4), nullptr));
-  CHECK_FALSE(way.tunnelled(at(-4), nullptr));
-  CHECK(way.tunnelled(at(-5), nullptr));
-  way.moved(at(-5), at(-6), 0.0);
-  CHECK(way.tunnelled(at(-6), nullptr));
-  way.moved(at(-6), at(-7), 0.0);
-  way.returned(at(-6));
-  CHECK_FALSE(way.tunnelled(at(-6), nullptr));
-}
-
 TEST_CASE("a method that makes 1 N A in a tick, jitters, or gives no number is reported so") {
   BodyResult r;
   CHECK(failuresOf(r).empty());
@@ -130,7 +109,7 @@ TEST_CASE("table, sentences and chart name every method and body of two made poi
     CHECK(sentences.find("`" + std::string(m.name) + "`: a tick takes 2 loops") != std::string::npos);
     CHECK(chart.find(std::string(m.name)) != std::string::npos);
   }
-  CHECK(sentences.find("it overlaps nothing") != std::string::npos);
+  CHECK(sentences.find("It overlaps nothing") != std::string::npos);
   CHECK(sentences.find("up to 0.250 A") != std::string::npos);
   std::size_t marks = 0;
   for (std::size_t at = 0; (at = chart.find("class=\"mark\"", at)) != std::string::npos; ++at) ++marks;
