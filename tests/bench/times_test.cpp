@@ -69,9 +69,9 @@ TEST_CASE("the sentences name what is faster than exact with its error, and ever
   const std::string text =
       tradeOffSentences({point("exact", 40, 1e-14, 1'000'000), point("mesh960", 80, 0.05, 2'000'000),
                          point("sasmesh05", 30, 0.06, 17'000'000)});
-  CHECK(has(text, "`sasmesh05` 0.750 times, `mesh960` 2 times"));
+  CHECK(has(text, "`sasmesh05` 0.750 times; `mesh960` 2 times"));
   CHECK(has(text, "Faster than `exact`: `sasmesh05` (0.750 times its time, off by 0.0600 A)."));
-  CHECK(has(text, "`mesh960` 0.0500 A and 0.500 degrees, `sasmesh05` 0.0600 A"));
+  CHECK(has(text, "`mesh960` 0.0500 A and 0.500 degrees; `sasmesh05` 0.0600 A"));
   CHECK(has(text, "relative to `exact`'s 1 MB: `sasmesh05` 17 times"));
   const std::string none =
       tradeOffSentences({point("exact", 40, 1e-14, 1'000'000), point("mesh960", 80, 0.05, 2'000'000)});
